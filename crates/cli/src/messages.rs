@@ -188,10 +188,15 @@ impl Ringing {
     pub fn note(&self) -> Option<String> {
         let (name, least, largest) = self.worst.as_ref()?;
         let (found, images) = (self.found, self.images);
+        let (least, largest) = (plain(*least), plain(*largest));
+        let subject = match images {
+            1 => format!("the image of {name} falls far below zero"),
+            _ => format!("{found} of {images} images fall far below zero, like that of {name}"),
+        };
         Some(format!(
-            "note: {found} of {images} images fall far below zero, like that of {name}, from \
-             {least:.2e} to {largest:.2e}: their peak is only the ringing of a truncated series, \
-             as when all light is behind the object"
+            "note: {subject}, from {least} to {largest}: this is ringing, as a series that ends at \
+             a degree swings about zero where little light arrives, for example because the light \
+             is behind the object; `--window 12` damps it"
         ))
     }
 }
@@ -241,6 +246,18 @@ pub fn truncation_lines<S: Scalar + Into<f64>>(
     ]
 }
 
+/// A number with three digits, without an exponent if it is short without.
+fn plain(value: f64) -> String {
+    match value.abs() {
+        0.0 => "0".to_owned(),
+        size @ 1e-3..1e4 => {
+            let decimals = (2.0 - size.log10().floor()).max(0.0) as usize;
+            format!("{value:.decimals$}")
+        }
+        _ => format!("{value:.2e}"),
+    }
+}
+
 /// Rounds up to two digits, so that a printed bound remains a bound.
 fn rounded_up(value: f64) -> f64 {
     if value <= 0.0 {
@@ -285,6 +302,16 @@ mod tests {
         images.record(|| "a".into(), -0.4, 1.0);
         images.record(|| "b".into(), -1.0, -0.5);
         let note = images.note().unwrap();
-        assert!(note.starts_with("note: 2 of 5 images") && note.contains("of b, from -1.00e0"));
+        assert!(
+            note.starts_with("note: 2 of 5 images") && note.contains("of b, from -1.00 to -0.500:")
+        );
+        let mut image = Ringing::default();
+        image.record(|| "a".into(), -4e-5, 0.0);
+        assert!(
+            image
+                .note()
+                .unwrap()
+                .contains("the image of a falls far below zero, from -4.00e-5 to 0:")
+        );
     }
 }

@@ -3,7 +3,8 @@
 pub use eigenshade_model::inputs::coefficient_text::exact;
 
 use crate::messages::is_quiet;
-use eigenshade_model::error::{Error, Result};
+use eigenshade_model::error::{Error, Result, STANDARD_INPUT};
+use eigenshade_model::inputs::input_file::is_file;
 use eigenshade_model::output::{end_of_links, write_atomically};
 use serde::Serialize;
 use std::ffi::OsStr;
@@ -188,7 +189,7 @@ impl<W: Write> Write for Pipe<W> {
 }
 
 /// Checks, before anything is written, that all outputs of a command are different files and that
-/// none of them is an input.
+/// none of them is an input. An input that is not there, such as a shipped name, is no file.
 ///
 /// The check compares files, not names: it follows links, `.` and `..`. Another hard link to an
 /// input counts as a different file, because writing creates a new file under that name and leaves
@@ -196,16 +197,21 @@ impl<W: Write> Write for Pipe<W> {
 ///
 /// # Errors
 ///
-/// For the first output that goes to the same place as an earlier output or an input.
+/// For the first output that goes to the same place as an earlier output or an input, and for `-`.
 pub fn refuse_collisions<P: AsRef<Path>, Q: AsRef<Path>>(
     outputs: impl IntoIterator<Item = P>,
     inputs: impl IntoIterator<Item = Q>,
 ) -> Result<()> {
+    let with_place = |input: Q| (place(input.as_ref()), input);
     let inputs: Vec<(PathBuf, Q)> =
-        inputs.into_iter().map(|input| (place(input.as_ref()), input)).collect();
+        inputs.into_iter().filter(|input| is_file(input.as_ref())).map(with_place).collect();
     let mut taken: Vec<(PathBuf, P)> = Vec::new();
     for output in outputs {
         let path = output.as_ref();
+        if path.as_os_str() == STANDARD_INPUT {
+            let remedy = "name a file; without --out, CSV and text go to standard output";
+            return Err(Error::new("`-` stands for standard input only", remedy));
+        }
         let place = place(path);
         if place.exists() && !place.is_file() {
             continue;

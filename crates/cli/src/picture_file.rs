@@ -46,8 +46,12 @@ impl PictureFile {
                 Err(Error::new("this build writes no OpenEXR", remedy).in_file(path))
             }
             _ => {
+                let what = match path.extension() {
+                    Some(_) => "unknown kind of picture",
+                    None => "its name has no extension, which decides the kind of picture",
+                };
                 let remedy = "name it .png for sRGB, or .exr for linear numbers";
-                Err(Error::new("unknown kind of picture", remedy).in_file(path))
+                Err(Error::new(what, remedy).in_file(path))
             }
         }
     }

@@ -4,7 +4,7 @@ use eigenshade_model::budget::Budget;
 use eigenshade_model::database::{Lights, Materials, Named, name_remedy};
 use eigenshade_model::error::{Error, Result, STANDARD_INPUT};
 use eigenshade_model::inputs::coefficient_csv::{read_lights, read_materials};
-use eigenshade_model::inputs::input_file::InputFile;
+use eigenshade_model::inputs::input_file::{InputFile, is_file};
 use eigenshade_shading::shipped;
 use std::convert::Infallible;
 use std::path::{Path, PathBuf};
@@ -32,12 +32,13 @@ impl FromStr for Source {
     type Err = Infallible;
 
     /// A file that exists is taken as such. Otherwise, an entry's name follows the last colon, and
-    /// one word without an extension is a shipped name.
+    /// one word without an extension, or with digits as in `dielectric-0.2`, is a shipped name.
     fn from_str(text: &str) -> std::result::Result<Self, Infallible> {
         let path = Path::new(text);
-        let is_word = !text.contains(['/', '\\']) && path.extension().is_none();
+        let end = path.extension().unwrap_or_default().as_encoded_bytes();
+        let is_word = !text.contains(['/', '\\']) && end.iter().all(u8::is_ascii_digit);
         let (path, entry) = match text.rsplit_once(':') {
-            _ if path.exists() || text == STANDARD_INPUT => (text, Entry::All),
+            _ if is_file(path) || text == STANDARD_INPUT => (text, Entry::All),
             Some((path, name)) if !path.is_empty() && !name.is_empty() => {
                 (path, Entry::Named(name.to_owned()))
             }
@@ -63,7 +64,16 @@ impl Source {
     pub fn lights(&self, budget: Budget) -> Result<Lights> {
         let Lights { degree, entries } = match self.entry {
             Entry::Shipped => shipped::lights()?,
-            _ => read_lights(InputFile::new(&self.path, budget), None)?,
+            _ => {
+                let file = InputFile::new(&self.path, budget);
+                if is_file(&self.path) && MAPS.contains(&file.extension().as_str()) {
+                    let remedy =
+                        "run `eigenshade light` on it, and use the light CSV that it writes";
+                    let error = Error::new("it is an environment map, not a light CSV", remedy);
+                    return Err(error.in_file(&self.path));
+                }
+                read_lights(file, None)?
+            }
         };
         Ok(Lights { degree, entries: self.chosen("light", entries)? })
     }
@@ -136,6 +146,9 @@ impl Source {
     }
 }
 
+/// The extensions of environment maps.
+const MAPS: [&str; 6] = ["exr", "hdr", "pfm", "png", "jpg", "jpeg"];
+
 /// A total error above this share is worth a note.
 const LARGE: f64 = 0.05;
 
@@ -157,6 +170,9 @@ mod tests {
             ("no/such.csv:", Entry::All),
             ("-", Entry::All),
             ("felt", Entry::Shipped),
+            ("dielectric-0.2", Entry::Shipped),
+            // A folder, which has no entries.
+            ("src", Entry::Shipped),
             ("no/felt", Entry::All),
             ("Cargo.toml", Entry::All),
         ] {

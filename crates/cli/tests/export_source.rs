@@ -3,6 +3,7 @@
 use crate::compiled::output_of;
 use crate::support::{Folder, repository};
 use eigenshade_model::inputs::coefficient_csv::{read_lights, read_materials};
+use std::fs;
 use std::process::Command;
 
 const BOTH: &str = "--light lights.csv --material materials.csv";
@@ -169,7 +170,20 @@ fn c_headers_compile_and_hold_the_numbers() {
             }
         }
     }
-    let twice = "#include \"f32.h\"\n#include \"q15.h\"\n".repeat(2);
+    folder.ok("pack-normals sphere --size 16 --out ball.bin");
+    folder.ok("pack-normals sphere --size 16 --out ball.h");
+    assert!(folder.read("ball.h").lines().all(|line| line.len() <= 100));
+    let codes = fs::read(folder.path("ball.bin")).expect("bytes");
+    let sum: usize = codes.iter().enumerate().map(|(k, &code)| k * usize::from(code)).sum();
+    body += &format!(
+        "  size_t sum = 0;
+  const eigenshade_normal_map_t *map = &normal_map_ball;
+  for (size_t k = 0; k < map->length; k++) sum += k * map->codes[k];
+  if (map->width != 16 || map->height != 16 || map->length != {}) return 1;
+  if (sum != {sum}) return 2;\n",
+        codes.len()
+    );
+    let twice = "#include \"f32.h\"\n#include \"q15.h\"\n#include \"ball.h\"\n".repeat(2);
     let program = format!("{twice}{PRINT}int main(void) {{\n{body}  return 0;\n}}\n");
     folder.write("main.c", &program);
     folder.write("main.cpp", &program);
@@ -185,6 +199,7 @@ fn c_headers_compile_and_hold_the_numbers() {
             .expect("a compiler");
         assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
         let output = Command::new(folder.path("program")).output().expect("the program runs");
+        assert!(output.status.success(), "{:?}", output.status);
         let text = String::from_utf8(output.stdout).expect("text");
         let expected = expected(&folder);
         let lines: Vec<&str> = text.lines().collect();

@@ -46,6 +46,61 @@ fn tables_have_names() {
     assert_eq!(by_name, folder.ok(&format!("read v.png -n sphere -t {}", curet.display())));
 }
 
+/// Each database of `read` has its own default.
+#[test]
+fn one_database_of_two() {
+    let folder = Folder::new();
+    folder.ok("render -l workshop -m pearl-paint -s 48 -o ball.png");
+    let light = repository().join("tables/inputs/lights.csv");
+    for (options, count) in [
+        ("-m pearl-paint".to_owned(), "of 1 "),
+        (format!("-l {}", light.display()), "of 72 "),
+        (String::new(), "of 72 "),
+    ] {
+        let summary = folder.messages(&format!("read ball.png -n sphere -o b.csv {options}"));
+        assert!(summary.contains("nearest materials") && summary.contains(count), "{summary}");
+    }
+}
+
+/// Folders and outputs may have the names of shipped tables, lights and materials.
+#[test]
+fn folders_do_not_hide_names() {
+    let folder = Folder::with_table();
+    let export = "export --lang c -l park -m chrome -o";
+    folder.ok(&format!("{export} park"));
+    fs::remove_file(folder.path("park")).unwrap();
+    for name in ["color", "park", "chrome"] {
+        fs::create_dir(folder.path(name)).unwrap();
+    }
+    folder.ok(&format!("{export} pair.h"));
+    assert_fails(&folder, "info -t none", &["neither a file", "`color`, `sphere`, `curet`"]);
+}
+
+/// Inputs of another kind, and names that are almost right.
+#[test]
+fn likely_mistakes() {
+    let folder = Folder::with_table();
+    folder.ok("pack -t b.bin -o w.esw");
+    folder.write("map.exr", "");
+    for (arguments, fragments) in [
+        ("info -t WRONG", ["`WRONG`", "`color`, `sphere`, `curet`"]),
+        ("eigenvalues -t w.esw", ["w.esw: it is a wire file", "packed"]),
+        ("project -l map.exr -m chrome", ["map.exr: it is an environment map", "eigenshade light"]),
+        ("project -l LOBBY -m chrome", ["`LOBBY`", "use `lobby`"]),
+        ("project -l park -m dielectric-0.2", ["`dielectric-0.2` is neither", "shipped material"]),
+        ("project -l park -m chrome -o -", ["`-`", "without --out"]),
+        ("render -l park -m chrome -o picture", ["picture: its name has no extension", ".png"]),
+        ("info -t b.bin --memory 1B", ["the budget is 1 byte;", "--memory"]),
+        (
+            "shade -t b.bin -l lights.csv -m materials.csv -n normals.csv --method modes \
+             --components 3",
+            ["modes", "--components"],
+        ),
+    ] {
+        assert_fails(&folder, arguments, &fragments);
+    }
+}
+
 /// `--light` and `--material` mean the same in each command.
 #[test]
 fn one_entry_of_a_file() {
@@ -81,6 +136,12 @@ fn standard_input_in_place_of_a_file() {
     assert_eq!(
         String::from_utf8_lossy(&one.stdout),
         folder.ok("project -t b.bin -l lights.csv:light-1 -m materials.csv")
+    );
+    let export = "export --lang json -t b.bin --normals";
+    let images = fed(&folder, &format!("{export} -"), folder.read("normals.csv").as_bytes());
+    assert_eq!(
+        String::from_utf8_lossy(&images.stdout),
+        folder.ok(&format!("{export} normals.csv"))
     );
     let light = fed(&folder, "light - --degree 2", lights.as_bytes());
     assert_eq!(String::from_utf8_lossy(&light.stdout), folder.ok("light lights.csv --degree 2"));

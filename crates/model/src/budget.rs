@@ -112,6 +112,7 @@ impl fmt::Display for Size {
             bytes if bytes >= 10 * GIBI => write!(f, "{} GiB", bytes.div_ceil(GIBI)),
             bytes if bytes.is_multiple_of(GIBI) && bytes > 0 => write!(f, "{} GiB", bytes / GIBI),
             bytes if bytes >= MEBI => write!(f, "{} MiB", bytes.div_ceil(MEBI)),
+            1 => f.write_str("1 byte"),
             bytes => write!(f, "{bytes} bytes"),
         }
     }
@@ -133,6 +134,7 @@ mod tests {
         }
         assert_eq!(Budget::READING.to_string(), "512 MiB");
         assert_eq!(Budget::BASIS.to_string(), "2 GiB");
+        assert_eq!(Budget::new(1).to_string(), "1 byte");
         assert_eq!(Budget::new(1000).to_string(), "1000 bytes");
     }
 

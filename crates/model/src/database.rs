@@ -19,15 +19,20 @@ const SIMILAR: f64 = 0.75;
 /// The most names that a message offers.
 const OFFERED: usize = 3;
 
-/// The remedy for a name that is none of `names`: `use`, the most similar ones, and `otherwise`.
+/// The remedy for a name that is none of `names`: `use`, the most similar ones, whatever their case,
+/// and `otherwise`.
 pub fn name_remedy<'a>(
     name: &str,
     names: impl IntoIterator<Item = &'a str>,
     otherwise: &str,
 ) -> String {
-    let similarity = |other: &'a str| (strsim::jaro_winkler(name, other), other);
+    let lower = name.to_lowercase();
+    let name = lower.as_str();
+    let similarity = |other: &'a str| (strsim::jaro_winkler(name, &other.to_lowercase()), other);
     let mut similar: Vec<_> = names.into_iter().map(similarity).collect();
-    similar.retain(|(similarity, other)| *similarity >= SIMILAR || other.contains(name));
+    similar.retain(|(similarity, other)| {
+        *similarity >= SIMILAR || other.to_lowercase().contains(name)
+    });
     similar.sort_by(|(a, _), (b, _)| b.total_cmp(a));
     let offered = similar.iter().take(OFFERED).map(|(_, name)| format!("`{name}`, "));
     let offered = offered.collect::<String>();
@@ -147,6 +152,7 @@ mod tests {
         assert_eq!(name_remedy("parc", names, "others"), "use `park`, or others");
         assert_eq!(name_remedy("park", names, "others"), "use `park`, `parking-lot`, or others");
         assert_eq!(name_remedy("velvet", names, "others"), "use `07-velvet`, or others");
+        assert_eq!(name_remedy("PARC", names, "others"), "use `park`, or others");
         assert_eq!(name_remedy("xyzzy", names, "another"), "use another");
     }
 }

@@ -28,12 +28,13 @@ const ERRORS: &str = "errors.csv";
 
 /// Make the table of a scene: its eigenimages
 ///
-/// Memory is estimated first, and a table that would take more than --memory is refused. If the
-/// scene has a tolerance, the choice for it is reported on standard error. --out writes the table
-/// and its manifest, B.manifest.csv. Errors recorded in B.errors.csv are repeated in the manifest,
-/// and refused if they belong to another table. --check makes the table again and compares
-/// eigenvalues, profiles, mode means, rows of U^T M and the images A U, each to 1e-9 of its largest
-/// number. Terms that only one of two polynomials has may be as large as profile_tolerance allows.
+/// The command estimates its memory first, and refuses a table that would take more than --memory.
+/// If the scene has a tolerance, standard error reports the choice for it. With `--out B.bin`, it
+/// writes the table to B.bin and its manifest to B.manifest.csv. The manifest repeats the errors
+/// recorded in B.errors.csv, if there is such a file; errors of another table are refused. --check
+/// makes the table again and compares eigenvalues, profiles, mode means, rows of U^T M and the
+/// images A U, each to 1e-9 of its largest number. Terms that only one of two polynomials has may
+/// be as large as profile_tolerance allows.
 #[derive(Args, Debug)]
 pub struct Basis {
     /// Scene file; paths in it are relative to the file

@@ -36,6 +36,11 @@ impl Choices {
         self.effects.is_empty()
     }
 
+    /// Whether the number of components is given.
+    pub fn has_components(&self) -> bool {
+        self.components.is_some()
+    }
+
     /// The number of components to use.
     ///
     /// # Errors

@@ -24,12 +24,12 @@ const DEGREE: usize = 9;
 /// Writes the CSV `name,l,m,r,g,b` with nine significant digits. Maps are equirectangular, with row
 /// 0 at the top, or cubes. The middle of a map, or the face pz, is -z, in front of the camera.
 /// Pictures (.png, .jpg) are decoded by the curve of sRGB, white to a radiance of 1, without their
-/// opacity; the other kinds are linear. The share of each map's radiance that is negative is
-/// reported on standard error.
+/// opacity; the other kinds are linear. Standard error reports the share of negative radiance in each
+/// map.
 ///
 /// A single light CSV in place of maps is converted from the convention --from to --convention.
-/// Without --from, `paper` is read from `graphics`, and any other from `paper`. --degree then drops
-/// higher degrees; a degree that the file does not reach is an error. `cmgen-irradiance` and
+/// Without --from, the CSV is in `graphics` if --convention is `paper`, and in `paper` otherwise.
+/// --degree then drops higher degrees, and must not exceed that of the file. `cmgen-irradiance` and
 /// `filament` hold irradiance, up to degree 2.
 #[derive(Args, Debug)]
 pub struct Light {
@@ -40,8 +40,7 @@ pub struct Light {
     /// for a picture of 4:3 or 3:4 with square faces, else `equirectangular`]
     #[arg(long, value_enum)]
     layout: Option<Layout>,
-    /// Program that places the maps: the light is that of the map there, for a camera that looks
-    /// along -z with y up. Cubes are placed by `eigenshade`, `threejs` and `filament` only
+    /// Program whose placement of maps to follow. The camera looks along -z with y up. Cubes are placed by `eigenshade`, `threejs` and `filament` only
     #[arg(long, value_enum, default_value_t = Frame::Eigenshade)]
     frame: Frame,
     /// Largest degree l of the coefficients, 0 to 256 [default: 9, or that of the light CSV]
@@ -212,13 +211,16 @@ impl Light {
         };
         // The share of a map without negative texels is -0.
         let share = map.negative_integral().negative_share() + 0.0;
-        if share.is_nan() {
-            print_message(format_args!("{name}: {shape}, black"));
-        } else {
-            print_message(format_args!(
-                "{name}: {shape}, negative radiance {share:.2e} of the whole"
-            ));
-        }
+        let negative = match 100.0 * share {
+            percent if percent.is_nan() => "black".to_owned(),
+            0.0 => "no negative radiance".to_owned(),
+            percent => format!(
+                "{} % of the radiance is negative, which filters and color conversions of a map \
+                 leave; it is kept",
+                if percent < 0.01 { "less than 0.01".to_owned() } else { format!("{percent:.2}") }
+            ),
+        };
+        print_message(format_args!("{name}: {shape}, {negative}"));
         let clips = pictures(path).is_ok_and(|files| files.iter().any(|file| is_picture(file)));
         let path = path.display();
         if let Map::Equirectangular(map) = map

@@ -9,7 +9,7 @@ use serde::Serialize;
 
 /// List the shipped lights and materials
 ///
-/// Each command takes one of these names in place of a file. Writes the CSV
+/// The options --light and --material take these names in place of a file. Writes the CSV
 /// `kind,name,size,color,error_9_7,error_12_12`: size is the degree of a light or the order of a
 /// material, and color is `rgb` or `gray`. The errors are those of the material's pictures at degree
 /// 9 and order 7 and at 12 and 12 against direct integration of its BRDF: rms as a share of the

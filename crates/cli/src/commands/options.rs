@@ -130,7 +130,7 @@ pub fn width(text: &str) -> Parsed<f64> {
 pub fn positive(text: &str) -> Parsed<f32> {
     match text.parse::<f32>() {
         Ok(number) if number >= f32::MIN_POSITIVE && number.is_finite() => Ok(number),
-        _ => Err("expected a number above 0, as in 1.5".to_owned()),
+        _ => Err("expected a number from 1e-37 to 3e38, as in 1.5".to_owned()),
     }
 }
 

@@ -2,6 +2,8 @@
 
 use super::options::{Memory, count};
 use clap::Args;
+use eigenshade_cli::export::c;
+use eigenshade_cli::export::entry::identifier;
 use eigenshade_cli::messages::{grouped, printable};
 use eigenshade_cli::object::ObjectView;
 use eigenshade_cli::output;
@@ -19,7 +21,8 @@ const PER_LINE: usize = 20;
 ///
 /// A mesh is seen from +z, with x to the right and y up. A normal map has x in red, y (up) in green
 /// and z in blue; its opacity is the object's coverage. The file is the map's bytes, two for each
-/// pixel, or Rust source with the map as the static `MAP`. Normals are within 0.51 degrees.
+/// pixel; Rust source with the map as the static `MAP`; or, for F.h, a C header with the constant
+/// `normal_map_F` for `eigenshade_color.h`. Normals are within 0.51 degrees.
 #[derive(Args, Debug)]
 pub struct PackNormals {
     /// `sphere`, a normal map (.png), or a mesh (.obj, .stl, .ply)
@@ -29,7 +32,7 @@ pub struct PackNormals {
     /// of a normal map]
     #[arg(short, long, value_name = "N", value_parser = count(2, 4096))]
     size: Option<usize>,
-    /// Write bytes (.bin) or Rust source (.rs) to this file
+    /// Write bytes (.bin), Rust source (.rs) or a C header (.h) to this file
     #[arg(short, long, value_name = "FILE")]
     out: PathBuf,
 }
@@ -38,11 +41,12 @@ impl PackNormals {
     pub fn run(self, memory: Memory) -> Result<()> {
         output::refuse_collisions([&self.out], [&self.normals])?;
         let extension = self.out.extension().unwrap_or_default().to_ascii_lowercase();
-        let is_source = match extension.to_str() {
-            Some("rs") => true,
-            Some("bin") => false,
+        let kind = match extension.to_str() {
+            Some("bin") => Kind::Bytes,
+            Some("rs") => Kind::Rust,
+            Some("h") => Kind::C,
             _ => {
-                let remedy = "name it .bin for bytes, or .rs for Rust source";
+                let remedy = "name it .bin for bytes, .rs for Rust source, or .h for a C header";
                 return Err(Error::new("unknown kind of output", remedy).in_file(&self.out));
             }
         };
@@ -52,38 +56,52 @@ impl PackNormals {
         let codes = view.codes()?;
         let bytes = codes.as_flattened();
         let map = format!("eigenshade::NormalMap::new({}, {}, ", view.width, view.height);
-        let (contents, line) = if is_source {
-            (self.source(&map, bytes), format!("mod {};", stem(&self.out)))
-        } else {
-            let file = self.out.display();
-            (bytes.to_vec(), format!("{map}include_bytes!({:?}))", file.to_string()))
+        let stem = self.out.file_stem().unwrap_or_default().to_string_lossy();
+        let (contents, (language, line)) = match kind {
+            Kind::Bytes => {
+                let file = self.out.display().to_string();
+                (bytes.to_vec(), ("in Rust", format!("{map}include_bytes!({file:?}))")))
+            }
+            Kind::Rust => (self.source(&map, bytes), ("in Rust", format!("mod {stem};"))),
+            Kind::C => {
+                let name = identifier(&format!("normal map {stem}"));
+                let size = [view.width, view.height];
+                let text = c::normal_map(&name, size, bytes, &self.command());
+                (text.into_bytes(), ("in C", format!("&{name}")))
+            }
         };
         output::write_all(Some(&self.out), contents)?;
         let covered = grouped(view.pixels.len());
         output::report(format!(
-            "{:<12} {} x {}, {covered} with an object\n{:<12} {}\n{:<12} {line}\n",
+            "{:<12} {} x {}, {covered} with an object\n{:<12} {}\n{:<12} {}\n",
             "pixels",
             view.width,
             view.height,
             "bytes",
             grouped(bytes.len()),
-            "in Rust",
+            language,
+            line,
         ))
     }
 
-    /// Source that holds the map, below a comment with the command, without folders.
-    fn source(&self, map: &str, bytes: &[u8]) -> Vec<u8> {
+    /// The command, without folders.
+    fn command(&self) -> String {
         let name =
             |path: &Path| path.file_name().unwrap_or_default().to_string_lossy().into_owned();
         let size = self.size.map(|size| format!(" --size {size}")).unwrap_or_default();
-        let command = format!("{}{size} --out {}", name(&self.normals), name(&self.out));
+        let files = format!("{}{size} --out {}", name(&self.normals), name(&self.out));
+        format!("eigenshade pack-normals {}", printable(&files))
+    }
+
+    /// Source that holds the map, below a comment with the command.
+    fn source(&self, map: &str, bytes: &[u8]) -> Vec<u8> {
         let count = bytes.len();
         let mut text = format!(
-            "// eigenshade pack-normals {}\n\n/// The map.\n\
+            "// {}\n\n/// The map.\n\
              pub static MAP: eigenshade::NormalMap<'static> =\n    \
              eigenshade::specialized::checked({map}&CODES));\n\n\
              #[rustfmt::skip]\nstatic CODES: [u8; {count}] = [\n",
-            printable(&command)
+            self.command()
         );
         for line in bytes.chunks(PER_LINE) {
             text.push_str("   ");
@@ -97,7 +115,10 @@ impl PackNormals {
     }
 }
 
-/// The name of the module that a source file is.
-fn stem(path: &Path) -> String {
-    path.file_stem().unwrap_or_default().to_string_lossy().into_owned()
+/// What a file holds.
+#[derive(Clone, Copy)]
+enum Kind {
+    Bytes,
+    Rust,
+    C,
 }

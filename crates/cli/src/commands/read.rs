@@ -14,6 +14,7 @@ use eigenshade_generator::scene_file;
 use eigenshade_model::database::{Lights, Materials};
 use eigenshade_model::error::{Error, Result};
 use eigenshade_model::inputs::coefficient_csv::{read_lights, read_materials_and_order};
+use eigenshade_model::inputs::input_file::is_file;
 use eigenshade_shading::shader::{fitted, of_higher_order};
 use eigenshade_shading::shipped;
 use eigenshade_table::Table;
@@ -94,7 +95,10 @@ impl Read {
             path.and_then(|path| of_higher_order(&path, materials.order, table.gram.order));
         let (lights, materials) = fitted(&table, &lights, &materials);
         let reader = Reader::new(&table, components, &lights, &materials)?;
-        if (lights_are_shipped || materials_are_shipped) && !reader.is_of_the_database() {
+        // Databases from the options may be others than those of the table.
+        let are_of_scene = self.light.is_none() && self.material.is_none();
+        let are_shipped = lights_are_shipped || materials_are_shipped;
+        if are_of_scene && are_shipped && !reader.is_of_the_database() {
             let what =
                 "the databases of its scene are missing, and the shipped ones differ from them";
             let remedy = "give them with --light and --material";
@@ -230,7 +234,7 @@ impl Read {
     fn beside(&self, of_scene: &str) -> std::result::Result<PathBuf, PathBuf> {
         let table = self.table.path();
         let path = table.parent().unwrap_or(Path::new("")).join(of_scene);
-        let is_beside = path.exists() && table::shipped(table).is_none();
+        let is_beside = is_file(&path) && table::shipped(table).is_none();
         if is_beside { Ok(path) } else { Err(path) }
     }
 

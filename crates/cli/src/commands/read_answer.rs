@@ -202,5 +202,9 @@ pub fn summarize(answer: &Answer<'_>) {
             format!("{name} ({:.1})", candidate.evidence - best)
         })
         .collect();
-    print_message(format_args!("nearest materials (log evidence): {}", nearest.join(", ")));
+    print_message(format_args!(
+        "nearest materials of {} (log evidence): {}",
+        reading.candidates.len(),
+        nearest.join(", ")
+    ));
 }

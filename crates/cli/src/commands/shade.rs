@@ -99,6 +99,10 @@ impl Shade {
             let what = "the method modes supports only f64";
             return Err(Error::new(what, "leave --format out, or choose another method"));
         }
+        if self.method == Method::Modes && self.choices.has_components() {
+            let what = "the method modes sums modes, not components";
+            return Err(Error::new(what, "leave --components out, or choose another method"));
+        }
         if is_integer && self.method != Method::Polynomial {
             let what = "integer formats support only the method polynomial";
             return Err(Error::new(what, "use --method polynomial, or --format f32"));

@@ -1,5 +1,5 @@
-//! Lights and materials as a C header: a constant record for each, which the functions of
-//! `eigenshade_color.h` take.
+//! Lights, materials and normal maps as C headers: a constant record for each, which the functions
+//! of `eigenshade_color.h` take.
 
 use super::entry::{Channel, Entry, Format, Kind};
 use super::source::{comment, float, lines};
@@ -8,13 +8,32 @@ use std::fmt::Write;
 /// The text of the header. `guard` is the macro against including it twice.
 #[must_use]
 pub fn header(entries: &[Entry], format: Format, command: &str, guard: &str) -> String {
-    let command = comment(command);
-    let mut text = format!(
-        "/* {command} */\n\n#ifndef {guard}\n#define {guard}\n\n#include \"eigenshade_color.h\"\n"
-    );
+    let mut text = String::new();
     entries.iter().for_each(|entry| record(&mut text, entry, format));
-    let _ = writeln!(text, "\n#endif /* {guard} */");
-    text
+    guarded(&text, command, guard)
+}
+
+/// The text of the header of a normal map of this name, from two bytes for each pixel.
+#[must_use]
+pub fn normal_map(name: &str, size: [usize; 2], codes: &[u8], command: &str) -> String {
+    let mut text = "\n".to_owned();
+    array(&mut text, "uint8_t", &format!("{name}_codes"), codes);
+    let ([width, height], length) = (size, codes.len());
+    let _ = writeln!(
+        text,
+        "static const eigenshade_normal_map_t {name} = {{\n  \
+         {width}, {height}, {length}, {name}_codes}};"
+    );
+    guarded(&text, command, &format!("EIGENSHADE_{}_H", name.to_uppercase()))
+}
+
+/// A header of these constants.
+fn guarded(constants: &str, command: &str, guard: &str) -> String {
+    let command = comment(command);
+    format!(
+        "/* {command} */\n\n#ifndef {guard}\n#define {guard}\n\n\
+         #include \"eigenshade_color.h\"\n{constants}\n#endif /* {guard} */\n"
+    )
 }
 
 fn record(text: &mut String, entry: &Entry, format: Format) {

@@ -27,17 +27,15 @@ impl Shown {
     ///
     /// Those of reading the file; and for a CSV with a size.
     pub fn read(file: InputFile, size: Option<usize>) -> Result<Self> {
-        let has_end = |end: &str| {
-            file.path().extension().is_some_and(|found| found.eq_ignore_ascii_case(end))
-        };
-        if has_end("csv") {
+        let extension = file.extension();
+        if extension == "csv" {
             if size.is_some() {
                 let what = "a list of normals has no pixels to count";
                 return Err(Error::new(what, "leave --size out").in_file(file.path()));
             }
             return Ok(Self { normals: read_normals(file)?, pixels: Vec::new() });
         }
-        let size = size.or((!has_end("png")).then_some(SIZE));
+        let size = size.or((extension != "png").then_some(SIZE));
         let ObjectView { normals, pixels, .. } = ObjectView::read(file, size)?;
         Ok(Self { normals, pixels })
     }

@@ -11,9 +11,8 @@ use eigenshade::wire::{Header, WireError, WireFormat, aligned};
 use eigenshade::{Basis, GeneralBasis, GeneralParts, Parts, Q15, Q31, quantized};
 use eigenshade_index::effect::{Effect, Effects};
 use eigenshade_index::wire::{ENTRY, HEADER, LABEL};
-use eigenshade_model::database::name_remedy;
 use eigenshade_model::error::{Error, Result};
-use eigenshade_model::inputs::input_file::InputFile;
+use eigenshade_model::inputs::input_file::{InputFile, is_file};
 use eigenshade_shading::shipped;
 use eigenshade_table::Table;
 use std::borrow::Cow;
@@ -27,7 +26,7 @@ const SHIPPED: [&str; 3] = ["color", "sphere", "curet"];
 pub fn shipped(path: &Path) -> Option<&'static [u8]> {
     let tables = [shipped::COLOR, shipped::TABLE, shipped::CURET];
     let place = SHIPPED.iter().position(|name| path.as_os_str() == *name);
-    place.filter(|_| !path.exists()).map(|place| tables[place])
+    place.filter(|_| !is_file(path)).map(|place| tables[place])
 }
 
 /// The bytes of a table's file, or of the shipped table of this name.
@@ -42,9 +41,10 @@ pub fn bytes(file: &InputFile) -> Result<Cow<'static, [u8]>> {
     }
     let name = path.to_string_lossy();
     let is_word = !name.contains(['/', '\\', '.']) && !file.is_standard_input();
-    if is_word && !path.exists() {
+    if is_word && !is_file(path) {
         let what = format!("`{name}` is neither a file nor a shipped table");
-        return Err(Error::new(what, name_remedy(&name, SHIPPED, "the path of a file")));
+        let names = SHIPPED.map(|name| format!("`{name}`")).join(", ");
+        return Err(Error::new(what, format!("use {names}, or the path of a file")));
     }
     file.bytes().map(Cow::Owned)
 }
@@ -65,6 +65,10 @@ pub fn read(file: impl Into<InputFile>) -> Result<Table> {
 ///
 /// If the bytes are not a table, have another version, or are damaged.
 pub fn decode(bytes: &[u8]) -> Result<Table> {
+    if is_wire(bytes) {
+        let what = "it is a wire file, which only the runtime and `eigenshade info` read";
+        return Err(Error::new(what, "use the table from which it was packed"));
+    }
     eigenshade_table::decode(bytes).map_err(|error| Error::table(&error))
 }
 

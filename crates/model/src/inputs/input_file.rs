@@ -19,6 +19,12 @@ pub struct InputFile {
     beside: u64,
 }
 
+/// Whether there is a file at this path, or a device or a pipe, but not a folder.
+#[must_use]
+pub fn is_file(path: &Path) -> bool {
+    path.exists() && !path.is_dir()
+}
+
 impl InputFile {
     /// A file to be read within this budget.
     pub fn new(path: impl AsRef<Path>, budget: Budget) -> Self {
