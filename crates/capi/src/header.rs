@@ -8,7 +8,6 @@ use crate::status::{STATUSES, eigenshade_message};
 use crate::{color, eigenshade_table, eigenshade_version, float, integers, presets, table_header};
 use core::ffi::c_char;
 use core::marker::PhantomData;
-use eigenshade::index::material;
 use eigenshade::{Display, Q15, Q31};
 use std::collections::BTreeSet;
 use std::string::String;
@@ -158,8 +157,10 @@ fn declares(header: &str, expected: Vec<String>) {
     for (name, _, value) in CONSTANTS {
         code = code.replace(&format!("[EIGENSHADE_{name}]"), &format!("[{value}]"));
     }
-    code = code.replace("[EIGENSHADE_METALLIC_ROUGHNESS]", &format!("[{}]", material::count(7)));
-    code = code.replace("[EIGENSHADE_METALLIC_ROUGHNESS_ORDER + 1]", "[8]");
+    let (order, count) = (color::ORDER, color::MATERIAL);
+    code = code.replace("[EIGENSHADE_METALLIC_ROUGHNESS]", &format!("[{count}]"));
+    let exponents = format!("[{}]", order + 1);
+    code = code.replace("[EIGENSHADE_METALLIC_ROUGHNESS_ORDER + 1]", &exponents);
     // Several functions take the same structure.
     for expected in expected.into_iter().collect::<BTreeSet<_>>() {
         assert!(code.contains(&expected), "the header lacks `{expected}`");
@@ -190,9 +191,9 @@ fn the_headers_declare_this_library() {
     let color = [color::f32_functions(), color::q15_functions(), displays()].concat();
     let (directives, _) = parts(COLOR);
     let defines = directives.into_iter().filter(|line| line.starts_with("#define"));
-    let of_gltf = format!("#define EIGENSHADE_METALLIC_ROUGHNESS {}", material::count(7));
-    let order = "#define EIGENSHADE_METALLIC_ROUGHNESS_ORDER 7";
-    assert_eq!(defines.collect::<Vec<_>>(), ["#define EIGENSHADE_COLOR_H", order, &of_gltf]);
+    let of_gltf = format!("#define EIGENSHADE_METALLIC_ROUGHNESS {}", color::MATERIAL);
+    let order = format!("#define EIGENSHADE_METALLIC_ROUGHNESS_ORDER {}", color::ORDER);
+    assert_eq!(defines.collect::<Vec<_>>(), ["#define EIGENSHADE_COLOR_H", &order, &of_gltf]);
     // Its records are made of those of one channel.
     declares(COLOR, color.into_iter().filter(|one| !one_channel.contains(one)).collect());
     declares(PRESETS, presets());

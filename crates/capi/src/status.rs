@@ -2,8 +2,8 @@
 
 use crate::table;
 use core::ffi::{CStr, c_char};
-use eigenshade::Error;
 use eigenshade::index::{light, material};
+use eigenshade::{Argument, Error};
 
 macro_rules! statuses {
     ($($status:ident = $number:literal: $message:literal)*) => {
@@ -73,6 +73,7 @@ impl From<Error> for Status {
             Error::Normal => Self::Normal,
             Error::Hidden => Self::Hidden,
             Error::Bound => Self::Transfer,
+            Error::NotFinite { argument: Argument::Exposure, .. } => Self::Exposure,
             Error::NotFinite { .. } | Error::Saturated { .. } => Self::NotFinite,
             Error::Outside { .. } => Self::Outside,
             Error::Rotation => Self::Rotation,

@@ -1,20 +1,15 @@
 //! Color in `f32`.
 #![expect(unsafe_code, reason = "memory of C")]
 
-use super::format::{Format, check_size, thirds};
+use super::format::{Format, MATERIAL, ORDER, check_size, thirds};
 use crate::boundary::{Input, Place, Plain};
 use crate::export::records;
 use crate::float::{self, Light, Material, Scene, Transfer};
 use crate::status::Status;
 use crate::table::{self, LIGHT};
-use eigenshade::index::material;
 use eigenshade::{
     BakedMap, DiscPixel, Error, Exposure, Linear, MapPoint, Normal, NormalPixel, Rgb, Rotation,
 };
-
-/// The order of glTF materials, and their coefficients.
-const ORDER: usize = 7;
-const MATERIAL: usize = material::count(ORDER);
 
 records! {
     LightBuffer = "color_light_buffer" f32: numbers: [[f32; LIGHT]; 3];

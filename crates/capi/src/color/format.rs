@@ -3,7 +3,12 @@
 use crate::boundary::{Input, Place, Plain};
 use crate::float;
 use crate::status::Status;
+use eigenshade::index::material;
 use eigenshade::{DiscPixel, Error, Linear, NormalPixel, Rgb};
+
+/// The order of glTF materials, and their coefficients.
+pub(crate) const ORDER: usize = 7;
+pub(crate) const MATERIAL: usize = material::count(ORDER);
 
 /// Three channels of anything.
 #[repr(transparent)]

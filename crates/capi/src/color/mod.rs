@@ -15,3 +15,5 @@ mod exported;
 #[cfg(test)]
 pub(crate) use exported::{f32_functions, q15_functions};
 pub(crate) use format::Channels;
+#[cfg(test)]
+pub(crate) use format::{MATERIAL, ORDER};

@@ -1,7 +1,7 @@
 //! Color in Q15.
 #![expect(unsafe_code, reason = "memory of C")]
 
-use super::format::{Format, check_size, thirds};
+use super::format::{Format, MATERIAL, ORDER, check_size, thirds};
 use crate::boundary::{Input, Place, Plain};
 use crate::export::records;
 use crate::float;
@@ -9,13 +9,10 @@ use crate::integers::{self, Light, Material, Scene, Shipped, Transfer};
 use crate::status::Status;
 use crate::table::{COMPONENTS, LIGHT, q15};
 use core::marker::PhantomData;
-use eigenshade::index::material;
 use eigenshade::quantized::{self, LightBuffer as Turned, Normal, Rotation};
 use eigenshade::{DiscPixel, Error, Exposure, IntegerMap, Linear, MapPoint, NormalPixel, Q15, Rgb};
 
-/// The order of glTF materials, their coefficients and exponents.
-const ORDER: usize = 7;
-const MATERIAL: usize = material::count(ORDER);
+/// The exponents of glTF materials.
 const EXPONENTS: usize = ORDER + 1;
 
 records! {

@@ -65,7 +65,7 @@ fn draw<F: Format>(
     if target.row >= height || target.length < width {
         return Err(Status::Row);
     }
-    let exposure = |exponent| F::exposure(target.exposure, exponent).map_err(|_| Status::Exposure);
+    let exposure = |exponent| F::exposure(target.exposure, exponent);
     let [of_r, of_g, of_b] = [exposure(r)?, exposure(g)?, exposure(b)?];
     let display = target.display.value()?;
     let written = [target.pixels.place_of_array(target.length)?];
