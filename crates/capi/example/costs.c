@@ -1,4 +1,5 @@
-/* The cost of each function on the board in instructions: CSV `operation,format,instructions`.
+/* The cost of each function on the board in instructions: CSV `operation,format,instructions`; of
+ * `stack of color_scene` in bytes.
  * Under QEMU's -icount shift=0 each instruction takes the same time; a loop of known length
  * calibrates the ticks of SysTick. */
 #include "eigenshade_presets.h"
@@ -46,6 +47,30 @@ static void report(const char *operation, const char *format, uint32_t ticks, ui
       faults += (uint32_t)(call);                                                             \
     }                                                                                         \
     report(operation, name, since(before), each);                                             \
+  } while (0)
+
+/* Bytes below the caller's stack, which calls use, from the lowest. */
+enum { PAINTED = 16384 };
+static volatile uint8_t *below(void) {
+  uint8_t *top;
+  __asm__ volatile("mov %0, sp" : "=r"(top));
+  return top - PAINTED;
+}
+
+#define STACK(operation, name, call)                                                          \
+  do {                                                                                        \
+    volatile uint8_t *const painted = below();                                                \
+    uint32_t unused = 0;                                                                      \
+    for (uint32_t k = 0; k < PAINTED - 64; k++) {                                             \
+      painted[k] = 0x5a;                                                                      \
+    }                                                                                         \
+    faults += (uint32_t)(call);                                                               \
+    while (unused < PAINTED - 64 && painted[unused] == 0x5a) {                                \
+      unused++;                                                                               \
+    }                                                                                         \
+    print("stack of " operation "," name ",");                                                \
+    print_u32(PAINTED - unused);                                                              \
+    print("\n");                                                                              \
   } while (0)
 
 #define COSTS(FORMAT, format, name, answer)                                                   \
@@ -108,6 +133,7 @@ enum { SIDE = 64, PIXELS_OF_ROW = SIDE };
     MEASURED("color_relight", name, 1,                                                        \
              eigenshade_color_relight_##format(&transfer, light, &scene));                    \
     MEASURED("color_scene", name, 1, eigenshade_color_scene_##format(light, material, &scene)); \
+    STACK("color_scene", name, eigenshade_color_scene_##format(light, material, &scene));     \
     MEASURED("color_turn", name, 1,                                                           \
              eigenshade_color_turn_##format(light, quaternion, &buffer, &turned));            \
     MEASURED("color_turn_about_view", name, 1,                                                \

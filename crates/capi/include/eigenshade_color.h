@@ -3,9 +3,10 @@ pixels, in float (f32) and in integers (q15). The shipped lights and materials a
 `eigenshade_presets.h`.
 
 The steps are: compute the scene of a light and a material, and draw its rows; or keep the
-transfer of a material, and relight it with each new light. A gray material is three times the
-same pointer; its transfer is then computed once. The rules of `eigenshade.h` about memory hold
-here too. All functions in q15 do without a float unit, except `eigenshade_color_bake_q15`. */
+transfer of a material, and relight it with each new light. The three channels of a gray material
+point to the same numbers; its transfer is then computed once. The rules of `eigenshade.h` about
+memory hold here too. All functions in q15 do without a float unit, except
+`eigenshade_color_bake_q15`. */
 
 #ifndef EIGENSHADE_COLOR_H
 #define EIGENSHADE_COLOR_H
@@ -19,8 +20,9 @@ here too. All functions in q15 do without a float unit, except `eigenshade_color
 #define EIGENSHADE_METALLIC_ROUGHNESS 40
 
 /**
- * A tone curve and the sRGB encoding, as a table of 774 bytes: `eigenshade_display_linear` clips at
- * white, `eigenshade_display_reinhard` and `eigenshade_display_filmic` do not.
+ * A tone curve and the sRGB encoding, as a table of 774 bytes: `eigenshade_display_linear` clips
+ * colors brighter than white, `eigenshade_display_reinhard` and `eigenshade_display_filmic`
+ * compress them.
  */
 typedef struct eigenshade_display_t eigenshade_display_t;
 
@@ -218,7 +220,8 @@ eigenshade_status eigenshade_color_shade_f32(const struct eigenshade_color_scene
                                              float x, float y, float z, float *irradiance);
 
 /**
- * A light turned by the rotation of a quaternion (x, y, z, w): L'(R w) = L(w).
+ * A light turned by the rotation of a quaternion (x, y, z, w): L'(R v) = L(v) for
+ * every direction v.
  *
  * The turned light is in `buffer`, and `to` points there. On an error neither may be used.
  */
@@ -228,13 +231,13 @@ eigenshade_status eigenshade_color_turn_f32(const struct eigenshade_color_light_
                                             struct eigenshade_color_light_f32_t *to);
 
 /**
- * A light turned about the view axis, from x toward y, by the angle of this cosine and
- * sine: much cheaper than any other axis.
+ * A light turned about the view axis, from x toward y, by an angle, given by its cosine and sine:
+ * much cheaper than any other axis.
  *
  * The turned light is in `buffer`, and `to` points there. On an error neither may be used.
  */
 eigenshade_status eigenshade_color_turn_about_view_f32(
-    const struct eigenshade_color_light_f32_t *from, const float *angle,
+    const struct eigenshade_color_light_f32_t *from, const float *cosine_and_sine,
     struct eigenshade_color_light_buffer_f32_t *buffer, struct eigenshade_color_light_f32_t *to);
 
 /**
@@ -304,7 +307,7 @@ eigenshade_status eigenshade_color_baked_normal_map_row_f32(
 /**
  * The picture of a material under a light.
  *
- * Uses 3 KB of stack. On an error `scene` is unchanged.
+ * Uses 2 KB of stack. On an error `scene` is unchanged.
  */
 eigenshade_status eigenshade_color_scene_q15(const struct eigenshade_color_light_q15_t *light,
                                              const struct eigenshade_color_material_q15_t *material,
@@ -339,7 +342,8 @@ eigenshade_status eigenshade_color_shade_q15(const struct eigenshade_color_scene
                                              int16_t x, int16_t y, int16_t z, int32_t *irradiance);
 
 /**
- * A light turned by the rotation of a quaternion (x, y, z, w) of any scale: L'(R w) = L(w).
+ * A light turned by the rotation of a quaternion (x, y, z, w) of any scale:
+ * L'(R v) = L(v) for every direction v.
  *
  * The turned light is in `buffer`, and `to` points there. On an error neither may be used.
  */
@@ -349,13 +353,13 @@ eigenshade_status eigenshade_color_turn_q15(const struct eigenshade_color_light_
                                             struct eigenshade_color_light_q15_t *to);
 
 /**
- * A light turned about the view axis, from x toward y, by the angle of this cosine and
- * sine of any scale: much cheaper than any other axis.
+ * A light turned about the view axis, from x toward y, by an angle, given by its cosine and sine
+ * of any scale: much cheaper than any other axis.
  *
  * The turned light is in `buffer`, and `to` points there. On an error neither may be used.
  */
 eigenshade_status eigenshade_color_turn_about_view_q15(
-    const struct eigenshade_color_light_q15_t *from, const int32_t *angle,
+    const struct eigenshade_color_light_q15_t *from, const int32_t *cosine_and_sine,
     struct eigenshade_color_light_buffer_q15_t *buffer, struct eigenshade_color_light_q15_t *to);
 
 /**

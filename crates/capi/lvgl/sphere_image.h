@@ -19,7 +19,8 @@ typedef struct {
 /* Registers how LVGL draws them: once, after `lv_init`. */
 void sphere_image_register(void);
 
-/* Makes an image of this diameter: the other fields are the caller's. */
+/* Makes an image of this diameter, at most 2047, as LVGL keeps sizes in 11 bits. The other fields
+ * are the caller's. */
 void sphere_image_init(sphere_image_t *image, uint16_t diameter);
 
 #endif

@@ -44,7 +44,7 @@ macro_rules! exported {
                 buffer: Output<$buffers::LightBuffer>, to: Output<Channels<$light>>
             )
             color_turn_about_view<$number>(
-                from: Input<Channels<$light>>, angle: Input<[$angle; 2]>,
+                from: Input<Channels<$light>>, cosine_and_sine: Input<[$angle; 2]>,
                 buffer: Output<$buffers::LightBuffer>, to: Output<Channels<$light>>
             )
             color_metallic_roughness<$number>(
