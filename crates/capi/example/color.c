@@ -118,6 +118,48 @@ static int are_near(uint16_t a, uint16_t b, int low, int bits) {
   return difference >= -1 && difference <= 1;
 }
 
+/* The irradiance of one normal, from a scene and from a baked one: in integers printed, in float
+ * those in integers to a thousandth. */
+static void check_shade(void) {
+  static eigenshade_color_scene_f32_t scene_f32;
+  static eigenshade_color_scene_q15_t scene_q15;
+  static float texels_f32[3 * BAKED * BAKED];
+  static int16_t texels_q15[3 * BAKED * BAKED];
+  const char *const name = "shade";
+  eigenshade_color_baked_f32_t baked_f32;
+  eigenshade_color_baked_q15_t baked_q15;
+  float found_f32[6];
+  int32_t found_q15[6];
+
+  CHECKED(eigenshade_color_scene_f32(&eigenshade_light_lobby_f32,
+                                     &eigenshade_material_dark_red_paint_f32, &scene_f32));
+  CHECKED(eigenshade_color_scene_q15(&eigenshade_light_lobby_q15,
+                                     &eigenshade_material_dark_red_paint_q15, &scene_q15));
+  CHECKED(eigenshade_color_bake_f32(&scene_f32, BAKED, texels_f32, 3 * BAKED * BAKED, &baked_f32));
+  CHECKED(eigenshade_color_bake_q15(&scene_f32, BAKED, texels_q15, 3 * BAKED * BAKED, &baked_q15));
+  CHECKED(eigenshade_color_shade_f32(&scene_f32, 0, 0.6f, 0.8f, found_f32));
+  CHECKED(eigenshade_color_shade_q15(&scene_q15, 0, 19661, 26214, found_q15));
+  CHECKED(eigenshade_color_baked_shade_f32(&baked_f32, 0, 0.6f, 0.8f, found_f32 + 3));
+  CHECKED(eigenshade_color_baked_shade_q15(&baked_q15, 0, 19661, 26214, found_q15 + 3));
+  const int32_t exponents[6] = {scene_q15.r.exponent,   scene_q15.g.exponent,
+                                scene_q15.b.exponent,   baked_q15.exponents[0],
+                                baked_q15.exponents[1], baked_q15.exponents[2]};
+  for (uint32_t k = 0; k < 6; k++) {
+    float found = found_f32[k];
+    for (int32_t exponent = exponents[k]; exponent < 0; exponent++) {
+      found *= 2;
+    }
+    for (int32_t exponent = exponents[k]; exponent > 0; exponent--) {
+      found /= 2;
+    }
+    const float expected = (float)found_q15[k];
+    check(found > 0.999f * expected && found < 1.001f * expected, "f32", name, k);
+    print("shade,");
+    print_u32((uint32_t)found_q15[k]);
+    print("\n");
+  }
+}
+
 void check_color(void) {
   fill_codes();
   pictures_f32();
@@ -134,4 +176,5 @@ void check_color(void) {
     print_u32(checksum(drawn_q15[picture]));
     print("\n");
   }
+  check_shade();
 }

@@ -9,6 +9,9 @@ enum { SIDE = 8, BAKED = 4 };
 #define EXPECTED(expected, call)                                                              \
   check_status(call, EIGENSHADE_STATUS_##expected, name, #call " is not " #expected)
 
+/* A pointer that is not aligned. */
+#define BESIDE(pointer) ((void *)((char *)(pointer) + 1))
+
 #define FAULTS(format, number, texel, angle)                                                  \
   static void faults_##format(void) {                                                         \
     static eigenshade_color_transfer_##format##_t transfer;                                   \
@@ -19,7 +22,7 @@ enum { SIDE = 8, BAKED = 4 };
     static texel texels[3 * BAKED * BAKED];                                                   \
     static const angle none[4] = {0, 0, 0, 0};                                                \
     static const uint8_t codes[2] = {0, 0};                                                   \
-    number outside[4] = {0, (number)-1, 0, 0};                                                \
+    static const number black[3] = {0, 0, 0}, outside[3] = {0, (number)-1, 0};                \
     const eigenshade_color_light_##format##_t *const lobby = &eigenshade_light_lobby_##format; \
     const eigenshade_color_material_##format##_t *const gold =                                \
         &eigenshade_material_gold_metallic_paint_##format;                                    \
@@ -38,10 +41,13 @@ enum { SIDE = 8, BAKED = 4 };
     EXPECTED(LIGHT_BEYOND, eigenshade_color_relight_##format(&transfer, &light, &scene));     \
     material.g.length = 39;                                                                   \
     EXPECTED(MATERIAL_LENGTH, eigenshade_color_scene_##format(lobby, &material, &scene));     \
+    transfer.b.numbers[0] = 77;                                                               \
     EXPECTED(MATERIAL_LENGTH, eigenshade_color_transfer_##format(&material, &transfer));      \
+    check(transfer.b.numbers[0] == (number)77, name, "the transfer is as it was", 0);         \
     EXPECTED(NULL_POINTER, eigenshade_color_scene_##format(NULL, gold, &scene));              \
     EXPECTED(NULL_POINTER, eigenshade_color_scene_##format(lobby, NULL, &scene));             \
     EXPECTED(NULL_POINTER, eigenshade_color_scene_##format(lobby, gold, NULL));               \
+    EXPECTED(UNALIGNED, eigenshade_color_scene_##format(lobby, gold, BESIDE(&scene)));        \
     check(scene.b.terms[0] == (number)77, name, "the scene is as it was", 0);                 \
                                                                                               \
     light = *lobby;                                                                           \
@@ -52,7 +58,10 @@ enum { SIDE = 8, BAKED = 4 };
              eigenshade_color_metallic_roughness_##format(outside, 0, 0, &material_buffer,    \
                                                           &material));                        \
     EXPECTED(OUTSIDE,                                                                         \
-             eigenshade_color_metallic_roughness_##format(outside + 1, 0, (number)-1,         \
+             eigenshade_color_metallic_roughness_##format(black, (number)-1, 0,               \
+                                                          &material_buffer, &material));      \
+    EXPECTED(OUTSIDE,                                                                         \
+             eigenshade_color_metallic_roughness_##format(black, 0, (number)-1,               \
                                                           &material_buffer, &material));      \
                                                                                               \
     EXPECTED(DIAMETER,                                                                        \

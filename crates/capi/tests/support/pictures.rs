@@ -1,4 +1,5 @@
-//! The pictures of `example/color.c` as the runtime draws them: `name,checksum` in lines.
+//! The pictures of `example/color.c` as the runtime draws them: `name,checksum` in lines, and the
+//! irradiances that it prints.
 
 use eigenshade::presets::{light, material};
 use eigenshade::quantized::{self, Rotation};
@@ -96,6 +97,13 @@ pub fn lines() -> Result<String, Error> {
     for (name, picture) in pictures {
         // Writing to a string cannot fail.
         let _ = writeln!(lines, "{name},{}", checksum(&picture));
+    }
+    let normal = quantized::Normal::<Q15>::new(Q15(0), Q15(19_661), Q15(26_214))?;
+    let scene = q15::color::scene(lobby, material::q15::DARK_RED_PAINT)?;
+    for found in [scene.shade(normal), baked.bilinear(MapPoint::of_quantized(normal))] {
+        for irradiance in <[i32; 3]>::from(found) {
+            let _ = writeln!(lines, "shade,{}", irradiance.cast_unsigned());
+        }
     }
     Ok(lines)
 }
