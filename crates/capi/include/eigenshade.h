@@ -282,8 +282,8 @@ extern "C" {
 const char *eigenshade_version(void);
 
 /**
- * Which table the library has. If it is not `EIGENSHADE_TABLE`, the headers are those of another
- * library: do not call it.
+ * A checksum of the sizes of the library's table. If it is not `EIGENSHADE_TABLE`, the headers are
+ * those of another library: do not call it. Tables of the same sizes have the same checksum.
  */
 uint32_t eigenshade_table(void);
 
@@ -297,8 +297,8 @@ const char *eigenshade_message(int32_t status);
 /**
  * Computes the transfer of a material, for any number of lights.
  *
- * Cost: a multiplication for each of the table's factors. On an error `transfer` is as it
- * was.
+ * Cost: a multiplication for each of the table's factors. On an error `transfer` is
+ * unchanged.
  *
  * Every pointer that is neither NULL nor unaligned points to a value of its type, and
  * `workspace` and `transfer` to nothing else's memory.
@@ -311,7 +311,7 @@ eigenshade_status eigenshade_transfer_f32(const struct eigenshade_material_f32_t
  * Computes d of a new light on a material from its transfer.
  *
  * Cost: a multiplication for each number of the transfer. On an error `coefficients` is
- * as it was.
+ * unchanged.
  *
  * Every pointer that is neither NULL nor unaligned points to a value of its type, and
  * `coefficients` to nothing else's memory.
@@ -323,7 +323,7 @@ eigenshade_status eigenshade_relight_f32(const struct eigenshade_transfer_f32_t 
 /**
  * Computes d of a light on a material without a transfer, for when both change each time.
  *
- * Cost: as `eigenshade_transfer_f32`. On an error `coefficients` is as it was.
+ * Cost: as `eigenshade_transfer_f32`. On an error `coefficients` is unchanged.
  *
  * Every pointer that is neither NULL nor unaligned points to a value of its type, and
  * `workspace` and `coefficients` to nothing else's memory.
@@ -337,7 +337,7 @@ eigenshade_status eigenshade_project_f32(const struct eigenshade_light_f32_t *li
  * Sums the components of each azimuth to a scene, from which pixels are shaded.
  *
  * Of d only the first `components` are used, at most EIGENSHADE_COMPONENTS; the others count
- * as zero. On an error `scene` is as it was.
+ * as zero. On an error `scene` is unchanged.
  *
  * Every pointer that is neither NULL nor unaligned points to a value of its type, and
  * `scene` to nothing else's memory.
@@ -411,7 +411,7 @@ eigenshade_status eigenshade_shade_many_f32(const struct eigenshade_scene_f32_t 
  *
  * Writes `length` mantissas, as many as `from` has coefficients, and the light that they
  * make; they stay the caller's, and the light points to them. On an error
- * nothing is written, unless a number is not finite or it is `to` that is at fault.
+ * nothing is written, unless a number is not finite or `to` is at fault.
  *
  * Every pointer that is neither NULL nor unaligned points to a value of its type, `mantissas`
  * to room for `length` numbers, and it and `to` to nothing else's memory.
@@ -425,8 +425,8 @@ eigenshade_status eigenshade_quantize_light_q15(const struct eigenshade_light_f3
  *
  * Writes `length` mantissas, as many as `from` has coefficients, `exponents_length`
  * exponents, one for each o, and the material that they make; they stay the caller's, and
- * the material points to them. On an error nothing is written, unless a number is not finite
- * or it is `exponents` or `to` that is at fault.
+ * the material points to them. On an error nothing is written, unless a number is not finite,
+ * or `exponents` or `to` is at fault.
  *
  * Every pointer that is neither NULL nor unaligned points to a value of its type, `mantissas`
  * and `exponents` to room for as many numbers, and they and `to` to nothing else's memory.
@@ -439,8 +439,8 @@ eigenshade_status eigenshade_quantize_material_q15(const struct eigenshade_mater
 /**
  * Computes the transfer of a material, for any number of lights.
  *
- * Cost: a multiplication for each of the table's factors. On an error `transfer` is as it
- * was.
+ * Cost: a multiplication for each of the table's factors. On an error `transfer` is
+ * unchanged.
  *
  * Every pointer that is neither NULL nor unaligned points to a value of its type, and
  * `workspace` and `transfer` to nothing else's memory.
@@ -454,8 +454,8 @@ eigenshade_status eigenshade_transfer_q15(const struct eigenshade_material_q15_t
  *
  * A transfer that `eigenshade_transfer_q15` did not write is refused if its rows could overflow
  * their sums, and gives meaningless numbers otherwise. Cost: two multiplications for each
- * number of the transfer. On an error `coefficients` is as it was, but that the transfer
- * is refused: then it is zero.
+ * number of the transfer. On an error `coefficients` is unchanged, except that it is zero if
+ * the transfer is refused.
  *
  * Every pointer that is neither NULL nor unaligned points to a value of its type, and
  * `coefficients` to nothing else's memory.
@@ -468,7 +468,7 @@ eigenshade_status eigenshade_relight_q15(const struct eigenshade_transfer_q15_t 
  * Computes d of a light on a material: first the `transfer`, then d.
  *
  * Cost: as `eigenshade_transfer_q15` and `eigenshade_relight_q15`. On an error `coefficients`
- * is as it was; `transfer` may have changed.
+ * is unchanged; `transfer` may have changed.
  *
  * Every pointer that is neither NULL nor unaligned points to a value of its type, and
  * `workspace`, `transfer` and `coefficients` to nothing else's memory.
@@ -484,7 +484,7 @@ eigenshade_status eigenshade_project_q15(const struct eigenshade_light_q15_t *li
  *
  * Of d only the first `components` are used, at most EIGENSHADE_COMPONENTS; the others count
  * as zero. Of coefficients that `eigenshade_relight_q15` did not write the exponent has to be
- * 2048 at most, either way. On an error `scene` is as it was.
+ * 2048 at most, either way. On an error `scene` is unchanged.
  *
  * Every pointer that is neither NULL nor unaligned points to a value of its type, and
  * `scene` to nothing else's memory.
@@ -497,7 +497,7 @@ eigenshade_status eigenshade_collapse_q15(const struct eigenshade_coefficients_q
  * of a normal map of 8 bits, whose channel c says 2c - 255.
  *
  * One that points away by no more than 1/8 is laid on the rim. Cost: a root and three divisions
- * in 64 bits. On an error `normal` is as it was.
+ * in 64 bits. On an error `normal` is unchanged.
  *
  * Pointers that are neither NULL nor unaligned point to three numbers each.
  */
@@ -509,7 +509,7 @@ eigenshade_status eigenshade_normalize_q15(const int32_t *vector, int16_t *norma
  * material's 1/sr.
  *
  * A scene that `eigenshade_collapse_q15` did not write gives meaningless numbers. On an
- * error `irradiance` is as it was.
+ * error `irradiance` is unchanged.
  *
  * Every pointer that is neither NULL nor unaligned points to a value of its type, and
  * `irradiance` to nothing else's memory.
@@ -520,8 +520,8 @@ eigenshade_status eigenshade_shade_q15(const struct eigenshade_scene_q15_t *scen
 /**
  * The irradiances of `count` such normals, into `irradiance`.
  *
- * Of no normals the pointers to numbers do not matter. On an error `irradiance` is as it was, but
- * that a normal is at fault: then those before it are written, and zeros from it on.
+ * If `count` is 0, the pointers to numbers are not read. On an error `irradiance` is unchanged,
+ * unless a normal is at fault: then the irradiances before it are written, and zeros from it on.
  *
  * Every pointer that is neither NULL nor unaligned points to a value of its type, the last
  * four to `count` numbers each.
@@ -535,7 +535,7 @@ eigenshade_status eigenshade_shade_many_q15(const struct eigenshade_scene_q15_t 
  *
  * Writes `length` mantissas, as many as `from` has coefficients, and the light that they
  * make; they stay the caller's, and the light points to them. On an error
- * nothing is written, unless a number is not finite or it is `to` that is at fault.
+ * nothing is written, unless a number is not finite or `to` is at fault.
  *
  * Every pointer that is neither NULL nor unaligned points to a value of its type, `mantissas`
  * to room for `length` numbers, and it and `to` to nothing else's memory.
@@ -549,8 +549,8 @@ eigenshade_status eigenshade_quantize_light_q31(const struct eigenshade_light_f3
  *
  * Writes `length` mantissas, as many as `from` has coefficients, `exponents_length`
  * exponents, one for each o, and the material that they make; they stay the caller's, and
- * the material points to them. On an error nothing is written, unless a number is not finite
- * or it is `exponents` or `to` that is at fault.
+ * the material points to them. On an error nothing is written, unless a number is not finite,
+ * or `exponents` or `to` is at fault.
  *
  * Every pointer that is neither NULL nor unaligned points to a value of its type, `mantissas`
  * and `exponents` to room for as many numbers, and they and `to` to nothing else's memory.
@@ -563,8 +563,8 @@ eigenshade_status eigenshade_quantize_material_q31(const struct eigenshade_mater
 /**
  * Computes the transfer of a material, for any number of lights.
  *
- * Cost: a multiplication for each of the table's factors. On an error `transfer` is as it
- * was.
+ * Cost: a multiplication for each of the table's factors. On an error `transfer` is
+ * unchanged.
  *
  * Every pointer that is neither NULL nor unaligned points to a value of its type, and
  * `workspace` and `transfer` to nothing else's memory.
@@ -578,8 +578,8 @@ eigenshade_status eigenshade_transfer_q31(const struct eigenshade_material_q31_t
  *
  * A transfer that `eigenshade_transfer_q31` did not write is refused if its rows could overflow
  * their sums, and gives meaningless numbers otherwise. Cost: two multiplications for each
- * number of the transfer. On an error `coefficients` is as it was, but that the transfer
- * is refused: then it is zero.
+ * number of the transfer. On an error `coefficients` is unchanged, except that it is zero if
+ * the transfer is refused.
  *
  * Every pointer that is neither NULL nor unaligned points to a value of its type, and
  * `coefficients` to nothing else's memory.
@@ -592,7 +592,7 @@ eigenshade_status eigenshade_relight_q31(const struct eigenshade_transfer_q31_t 
  * Computes d of a light on a material: first the `transfer`, then d.
  *
  * Cost: as `eigenshade_transfer_q31` and `eigenshade_relight_q31`. On an error `coefficients`
- * is as it was; `transfer` may have changed.
+ * is unchanged; `transfer` may have changed.
  *
  * Every pointer that is neither NULL nor unaligned points to a value of its type, and
  * `workspace`, `transfer` and `coefficients` to nothing else's memory.
@@ -608,7 +608,7 @@ eigenshade_status eigenshade_project_q31(const struct eigenshade_light_q31_t *li
  *
  * Of d only the first `components` are used, at most EIGENSHADE_COMPONENTS; the others count
  * as zero. Of coefficients that `eigenshade_relight_q31` did not write the exponent has to be
- * 2048 at most, either way. On an error `scene` is as it was.
+ * 2048 at most, either way. On an error `scene` is unchanged.
  *
  * Every pointer that is neither NULL nor unaligned points to a value of its type, and
  * `scene` to nothing else's memory.
@@ -621,7 +621,7 @@ eigenshade_status eigenshade_collapse_q31(const struct eigenshade_coefficients_q
  * of a normal map of 8 bits, whose channel c says 2c - 255.
  *
  * One that points away by no more than 1/8 is laid on the rim. Cost: a root and three divisions
- * in 64 bits. On an error `normal` is as it was.
+ * in 64 bits. On an error `normal` is unchanged.
  *
  * Pointers that are neither NULL nor unaligned point to three numbers each.
  */
@@ -633,7 +633,7 @@ eigenshade_status eigenshade_normalize_q31(const int32_t *vector, int32_t *norma
  * material's 1/sr.
  *
  * A scene that `eigenshade_collapse_q31` did not write gives meaningless numbers. On an
- * error `irradiance` is as it was.
+ * error `irradiance` is unchanged.
  *
  * Every pointer that is neither NULL nor unaligned points to a value of its type, and
  * `irradiance` to nothing else's memory.
@@ -644,8 +644,8 @@ eigenshade_status eigenshade_shade_q31(const struct eigenshade_scene_q31_t *scen
 /**
  * The irradiances of `count` such normals, into `irradiance`.
  *
- * Of no normals the pointers to numbers do not matter. On an error `irradiance` is as it was, but
- * that a normal is at fault: then those before it are written, and zeros from it on.
+ * If `count` is 0, the pointers to numbers are not read. On an error `irradiance` is unchanged,
+ * unless a normal is at fault: then the irradiances before it are written, and zeros from it on.
  *
  * Every pointer that is neither NULL nor unaligned points to a value of its type, the last
  * four to `count` numbers each.

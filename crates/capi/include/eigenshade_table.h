@@ -4,7 +4,7 @@ file. */
 #ifndef EIGENSHADE_TABLE_H
 #define EIGENSHADE_TABLE_H
 
-/** Which table this is: compare it with `eigenshade_table()`. */
+/** A checksum of these sizes: compare it with `eigenshade_table()`. */
 #define EIGENSHADE_TABLE 2404433736u
 
 /** Largest degree l of a light. */

@@ -13,8 +13,8 @@ pub(crate) fn header() -> String {
         .collect();
     format!(
         "/* The sizes of the table that the library was built with. The example table_header writes \
-         this\nfile. */\n\n#ifndef EIGENSHADE_TABLE_H\n#define EIGENSHADE_TABLE_H\n\n/** Which table \
-         this is: compare it with `eigenshade_table()`. */\n#define EIGENSHADE_TABLE {TABLE}u\n\n{}\n\
+         this\nfile. */\n\n#ifndef EIGENSHADE_TABLE_H\n#define EIGENSHADE_TABLE_H\n\n/** A \
+         checksum of these sizes: compare it with `eigenshade_table()`. */\n#define EIGENSHADE_TABLE {TABLE}u\n\n{}\n\
          #endif\n",
         defines.join("\n")
     )
