@@ -62,7 +62,7 @@ fn chosen(names: &[&str], options: &[&str]) -> Result<()> {
     }
 }
 
-/// Builds, runs and checks some programs of a board, and prints their counts.
+/// Builds, runs and checks some programs of a board, with their budgets, and prints their counts.
 fn some_programs(board: Board, names: &[&str]) -> Result<()> {
     let listed: Vec<Listed> = program::of_board(board).collect();
     if let Some(name) = names.iter().find(|name| !listed.iter().any(|one| one.name == **name)) {
@@ -74,7 +74,7 @@ fn some_programs(board: Board, names: &[&str]) -> Result<()> {
     build(&[(board, &programs)])?;
     let rows = run(board, &programs)?;
     rows.iter().for_each(|row| println!("{row}"));
-    Ok(())
+    budget::within_measured(&rows)
 }
 
 /// Builds, runs and checks all programs of these boards, and prints the counts as CSV.
