@@ -9,8 +9,7 @@ macro_rules! names {
 
 const START: &str = "\
 /* The shipped lights and materials in color, as `eigenshade list` names them, each in float (f32)
-and in integers (q15). A program contains only those that it names: 1,200 bytes for a light in
-float, 600 in q15; 480 and 264 for a material, a third of that for a gray one.
+and in integers (q15). A program contains only those that it names.
 
 The example presets_header writes this file. */
 

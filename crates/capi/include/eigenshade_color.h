@@ -280,8 +280,8 @@ eigenshade_status eigenshade_color_normal_map_row_f32(
  * Bakes a picture into maps of `size` x `size` texels, 2 to 4096. `length` is
  * 3 * size * size.
  *
- * A look-up costs less than a pixel of the scene and is off by about 0.0004 of the peak (rms) at 32
- * texels a side, 0.0001 at 64. The texels are in `texels`, and `baked` points there. On an error
+ * A look-up costs less than a pixel of the scene and is less exact, as docs/method.md lists by size.
+ * The texels are in `texels`, and `baked` points there. On an error
  * neither may be used.
  */
 eigenshade_status eigenshade_color_bake_f32(const struct eigenshade_color_scene_f32_t *scene,
@@ -402,8 +402,8 @@ eigenshade_status eigenshade_color_normal_map_row_q15(
  * Bakes a picture, which is in float, into maps of `size` x `size` texels, 2 to 4096. `length` is
  * 3 * size * size.
  *
- * A look-up costs less than a pixel of the scene and is off by about 0.0004 of the peak (rms) at 32
- * texels a side, 0.0001 at 64. The texels are in `texels`, and `baked` points there. On an error
+ * A look-up costs less than a pixel of the scene and is less exact, as docs/method.md lists by size.
+ * The texels are in `texels`, and `baked` points there. On an error
  * neither may be used.
  */
 eigenshade_status eigenshade_color_bake_q15(const struct eigenshade_color_scene_f32_t *scene,

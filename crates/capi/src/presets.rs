@@ -12,7 +12,7 @@ use eigenshade::{Display, Q15, Tone, quantized, sphere};
 #[repr(transparent)]
 struct Constant<T>(T);
 
-// SAFETY: nobody writes to it, nor to what it points to.
+// SAFETY: neither it nor what it points to is ever written.
 unsafe impl<T> Sync for Constant<T> {}
 
 macro_rules! channels {

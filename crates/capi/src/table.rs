@@ -1,4 +1,4 @@
-//! The table of the library: the shipped one, or that of a scene of one's own.
+//! The library's table: the shipped one or, with the feature `own-table`, that of your scene.
 
 #[cfg(feature = "own-table")]
 pub(crate) use eigenshade::generated::*;

@@ -1,4 +1,4 @@
-//! What a file contains, for people and for programs.
+//! Descriptions of files, as text and as JSON.
 
 use crate::messages::{grouped, printable};
 use serde::ser::{Serialize, SerializeMap, Serializer};

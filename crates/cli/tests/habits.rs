@@ -283,15 +283,17 @@ fn a_full_device() {
     assert_fails(&folder, render, &["full.png", "No space left"]);
     for arguments in ["list", "info -t b.bin", "eigenvalues --json -t b.bin"] {
         let script = format!("exec {PROGRAM} {arguments} > /dev/full");
-        let output = Command::new("sh")
-            .args(["-c", &script])
-            .current_dir(folder.path("."))
-            .output()
-            .unwrap();
+        let output = shell(&folder, &script);
         let line = String::from_utf8_lossy(&output.stderr);
         assert_eq!(output.status.code(), Some(1), "{arguments}: {line}");
         assert!(line.starts_with("error: standard output: No space left"), "{line}");
     }
+}
+
+/// Runs a line of the shell in a folder.
+#[cfg(unix)]
+fn shell(folder: &Folder, script: &str) -> Output {
+    Command::new("sh").args(["-c", script]).current_dir(folder.path(".")).output().unwrap()
 }
 
 /// A picture that does not fit is not there in part.
@@ -303,11 +305,7 @@ fn pictures_on_a_full_disk() {
         let before = folder.names();
         // A limit of the shell takes the place of a full disk.
         let script = format!("trap '' XFSZ; ulimit -f 1; exec {PROGRAM} {arguments}");
-        let output = Command::new("sh")
-            .args(["-c", &script])
-            .current_dir(folder.path("."))
-            .output()
-            .unwrap();
+        let output = shell(&folder, &script);
         let line = String::from_utf8_lossy(&output.stderr);
         assert!(output.status.code() == Some(1) && line.contains(".png: File too large"), "{line}");
         assert_eq!(folder.names(), before, "{arguments}");

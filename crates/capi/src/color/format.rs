@@ -1,4 +1,4 @@
-//! What a number format has to provide for color.
+//! The operations in color that each number format has.
 
 use crate::boundary::{Input, Place, Plain};
 use crate::float;

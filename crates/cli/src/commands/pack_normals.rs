@@ -115,7 +115,7 @@ impl PackNormals {
     }
 }
 
-/// What a file holds.
+/// The kinds of file that hold a normal map.
 #[derive(Clone, Copy)]
 enum Kind {
     Bytes,

@@ -8,7 +8,7 @@ pub struct Array {
     /// Its name in the file.
     #[serde(skip)]
     pub name: &'static str,
-    /// What it holds.
+    /// A description of the values.
     pub meaning: &'static str,
     /// What each axis counts, as many as the shape has numbers.
     pub axes: &'static [&'static str],

@@ -64,7 +64,7 @@ impl Kind {
         }
     }
 
-    /// What a comment says about the coefficients.
+    /// The comment on the coefficients: their unit and order.
     #[must_use]
     pub fn meaning(self) -> &'static str {
         match self {

@@ -7,7 +7,7 @@ use std::io::{Cursor, Write};
 use zip::write::SimpleFileOptions;
 use zip::{CompressionMethod, DateTime, ZipWriter};
 
-/// What the length of a file's header is a multiple of.
+/// The header of an array ends at a multiple of this many bytes.
 const ALIGNMENT: usize = 64;
 
 /// The bytes of the file, the same in every run: real numbers are `<f8`, whole numbers `<i8`, and
