@@ -3,12 +3,12 @@
 
 use super::format::Channels;
 use super::rows::{
-    NormalMap, color_baked_disc_row, color_baked_normal_map_row, color_disc_row,
-    color_normal_map_row,
+    NormalMap, color_disc_row, color_disc_row as color_baked_disc_row, color_normal_map_row,
+    color_normal_map_row as color_baked_normal_map_row,
 };
 use super::steps::{
-    color_bake, color_baked_shade, color_metallic_roughness, color_relight, color_scene,
-    color_shade, color_transfer, color_turn, color_turn_about_view,
+    color_bake, color_metallic_roughness, color_relight, color_scene, color_shade,
+    color_shade as color_baked_shade, color_transfer, color_turn, color_turn_about_view,
 };
 use super::{float as of_float, q15 as of_q15};
 use crate::boundary::{Input, Output};

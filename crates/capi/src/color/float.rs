@@ -2,6 +2,7 @@
 #![expect(unsafe_code, reason = "memory of C")]
 
 use super::format::{Format, MATERIAL, ORDER, check_size, thirds};
+use super::picture::{Opened, Picture, Shade};
 use crate::boundary::{Input, Place, Plain};
 use crate::export::records;
 use crate::float::{self, Light, Material, Scene, Transfer};
@@ -43,7 +44,6 @@ impl Format for f32 {
     type Transfer = Transfer;
     type Scene = Scene;
     type Baked = Baked;
-    type Maps<'m> = Rgb<BakedMap<f32, &'m [f32]>>;
     type Texel = f32;
     type Irradiance = f32;
     type Normal = Normal<f32>;
@@ -142,24 +142,8 @@ impl Format for f32 {
         Baked { size, length, texels }
     }
 
-    fn maps(map: &Baked) -> Result<(Self::Maps<'_>, Place), Status> {
-        check_size(map.size, map.length)?;
-        // SAFETY: C promises `length` texels.
-        let texels = unsafe { map.texels.array(map.length) }?;
-        let maps = thirds(texels)?.try_map(|texels| BakedMap::new(map.size, texels))?;
-        Ok((maps, Place::of(texels)))
-    }
-
-    fn look_up(maps: &Self::Maps<'_>, normal: Normal<f32>) -> [f32; 3] {
-        maps.bilinear(MapPoint::of(normal)).into()
-    }
-
-    fn exponents(_: &[Scene; 3]) -> [i32; 3] {
-        [0; 3]
-    }
-
-    fn exponents_of_baked(_: &Baked) -> [i32; 3] {
-        [0; 3]
+    fn exponent(_: &Scene) -> i32 {
+        0
     }
 
     fn exposure(exposure: f32, exponent: i32) -> Result<f32, Error> {
@@ -169,5 +153,16 @@ impl Format for f32 {
     #[inline]
     fn exposed(irradiance: f32, exposure: f32) -> Linear {
         Linear::from(irradiance * exposure)
+    }
+}
+
+impl Picture<f32> for Baked {
+    fn open(&self) -> Result<Opened<impl Shade<f32>>, Status> {
+        check_size(self.size, self.length)?;
+        // SAFETY: C promises `length` texels.
+        let texels = unsafe { self.texels.array(self.length) }?;
+        let maps = thirds(texels)?.try_map(|texels| BakedMap::new(self.size, texels))?;
+        let shade = move |normal| Ok(maps.bilinear(MapPoint::of(normal)).into());
+        Ok(Opened { shade, exponents: [0; 3], places: [Place::of(self), Place::of(texels)] })
     }
 }

@@ -1,5 +1,6 @@
 //! The operations in color that each number format has.
 
+use super::picture::Picture;
 use crate::boundary::{Input, Place, Plain};
 use crate::float;
 use crate::status::Status;
@@ -25,8 +26,7 @@ pub(crate) trait Format: Plain + Copy {
     type Transfer: Plain + Clone;
     type Scene: Plain;
     /// Three baked maps of the same size.
-    type Baked: Plain;
-    type Maps<'m>;
+    type Baked: Plain + Picture<Self>;
     type Texel: Plain + Copy;
     /// One channel of a pixel.
     type Irradiance: Plain + Copy;
@@ -101,13 +101,8 @@ pub(crate) trait Format: Plain + Copy {
         exponents: [i32; 3],
     ) -> Self::Baked;
 
-    /// The maps, and where their texels lie. The number of texels was checked.
-    fn maps(map: &Self::Baked) -> Result<(Self::Maps<'_>, Place), Status>;
-    fn look_up(maps: &Self::Maps<'_>, normal: Self::Normal) -> [Self::Irradiance; 3];
-
-    /// The exponents of scenes, 0 in `f32`.
-    fn exponents(scene: &[Self::Scene; 3]) -> [i32; 3];
-    fn exponents_of_baked(map: &Self::Baked) -> [i32; 3];
+    /// The exponent of a scene, 0 in `f32`.
+    fn exponent(scene: &Self::Scene) -> i32;
     /// What exposes an irradiance times 2^-`exponent`.
     fn exposure(exposure: f32, exponent: i32) -> Result<Self::Exposure, Error>;
     fn exposed(irradiance: Self::Irradiance, exposure: Self::Exposure) -> Linear;

@@ -2,6 +2,7 @@
 #![expect(unsafe_code, reason = "memory of C")]
 
 use super::format::{Format, MATERIAL, ORDER, check_size, thirds};
+use super::picture::{Opened, Picture, Shade};
 use crate::boundary::{Input, Place, Plain};
 use crate::export::records;
 use crate::float;
@@ -51,7 +52,6 @@ impl Format for Q15 {
     type Transfer = Transfer<Self>;
     type Scene = Scene<Self>;
     type Baked = Baked;
-    type Maps<'m> = Rgb<IntegerMap<&'m [i16]>>;
     type Texel = i16;
     type Irradiance = i32;
     type Normal = Normal<Self>;
@@ -170,26 +170,8 @@ impl Format for Q15 {
         Baked { size, length, texels, exponents }
     }
 
-    fn maps(map: &Baked) -> Result<(Self::Maps<'_>, Place), Status> {
-        check_size(map.size, map.length)?;
-        // SAFETY: C promises `length` texels.
-        let texels = unsafe { map.texels.array(map.length) }?;
-        let channels = thirds(texels)?.zip(Rgb::from(map.exponents));
-        let maps =
-            channels.try_map(|(texels, exponent)| IntegerMap::new(map.size, exponent, texels))?;
-        Ok((maps, Place::of(texels)))
-    }
-
-    fn look_up(maps: &Self::Maps<'_>, normal: Normal<Self>) -> [i32; 3] {
-        maps.bilinear(MapPoint::of_quantized(normal)).into()
-    }
-
-    fn exponents(scene: &[Scene<Self>; 3]) -> [i32; 3] {
-        scene.each_ref().map(|scene| scene.exponent)
-    }
-
-    fn exponents_of_baked(map: &Baked) -> [i32; 3] {
-        map.exponents
+    fn exponent(scene: &Scene<Self>) -> i32 {
+        scene.exponent
     }
 
     fn exposure(exposure: f32, exponent: i32) -> Result<Exposure, Error> {
@@ -199,5 +181,19 @@ impl Format for Q15 {
     #[inline]
     fn exposed(irradiance: i32, exposure: Exposure) -> Linear {
         exposure.of(irradiance)
+    }
+}
+
+impl Picture<Q15> for Baked {
+    fn open(&self) -> Result<Opened<impl Shade<Q15>>, Status> {
+        check_size(self.size, self.length)?;
+        // SAFETY: C promises `length` texels.
+        let texels = unsafe { self.texels.array(self.length) }?;
+        let maps = thirds(texels)?
+            .zip(Rgb::from(self.exponents))
+            .try_map(|(texels, exponent)| IntegerMap::new(self.size, exponent, texels))?;
+        let shade = move |normal| Ok(maps.bilinear(MapPoint::of_quantized(normal)).into());
+        let places = [Place::of(self), Place::of(texels)];
+        Ok(Opened { shade, exponents: self.exponents, places })
     }
 }

@@ -1,7 +1,8 @@
 //! Rows of RGB565 pixels: a program needs memory for one of them.
 #![expect(unsafe_code, reason = "memory of C")]
 
-use super::format::{Channels, Format};
+use super::format::Format;
+use super::picture::{Opened, Picture, Shade};
 use crate::boundary::{Input, Output, Place, Plain, disjoint};
 use crate::export::records;
 use crate::status::Status;
@@ -53,11 +54,10 @@ fn normal_map<F: Format>(
     Ok((Shape { size: [map.width, map.height], row }, Place::of(codes)))
 }
 
-/// Draws a row of an object in the light that `shade` says, once everything is checked.
+/// Draws a row of an object, once everything is checked.
 fn draw<F: Format>(
     shape: Shape<impl Row<F>>,
-    shade: impl Fn(F::Normal) -> Result<[F::Irradiance; 3], Status>,
-    [r, g, b]: [i32; 3],
+    picture: Opened<impl Shade<F>>,
     target: &Target,
     read: &[Place],
 ) -> Result<(), Status> {
@@ -66,15 +66,17 @@ fn draw<F: Format>(
         return Err(Status::Row);
     }
     let exposure = |exponent| F::exposure(target.exposure, exponent);
+    let [r, g, b] = picture.exponents;
     let [of_r, of_g, of_b] = [exposure(r)?, exposure(g)?, exposure(b)?];
     let display = target.display.value()?;
     let written = [target.pixels.place_of_array(target.length)?];
     disjoint(&written, read)?;
+    disjoint(&written, &picture.places)?;
     disjoint(&written, &[Place::of(display)])?;
     // SAFETY: C promises `length` pixels, which overlap no other.
     let pixels = unsafe { target.pixels.array(target.length) }?;
     for (column, coverage, normal) in shape.row {
-        let [r, g, b] = shade(normal)?;
+        let [r, g, b] = (picture.shade)(normal)?;
         let color = Rgb::new(F::exposed(r, of_r), F::exposed(g, of_g), F::exposed(b, of_b));
         if let Some(pixel) = pixels.get_mut(column) {
             *pixel = blend565(*pixel, display.rgb565(color), coverage);
@@ -83,15 +85,8 @@ fn draw<F: Format>(
     Ok(())
 }
 
-/// The irradiance of a normal in each channel of a scene.
-fn shading<F: Format>(
-    Channels([r, g, b]): &Channels<F::Scene>,
-) -> impl Fn(F::Normal) -> Result<[F::Irradiance; 3], Status> {
-    |normal| Ok([F::shade(r, normal)?, F::shade(g, normal)?, F::shade(b, normal)?])
-}
-
 pub(crate) fn color_disc_row<F: Format>(
-    scene: Input<Channels<F::Scene>>,
+    picture: Input<impl Picture<F>>,
     diameter: usize,
     row: usize,
     exposure: f32,
@@ -99,20 +94,13 @@ pub(crate) fn color_disc_row<F: Format>(
     pixels: Output<u16>,
     length: usize,
 ) -> Result<(), Status> {
-    let scene = scene.value()?;
     let target = Target { row, exposure, display, pixels, length };
-    let exponents = F::exponents(&scene.0);
-    draw::<F>(
-        disc::<F>(diameter, row)?,
-        shading::<F>(scene),
-        exponents,
-        &target,
-        &[Place::of(scene)],
-    )
+    let picture = picture.value()?.open()?;
+    draw(disc::<F>(diameter, row)?, picture, &target, &[])
 }
 
 pub(crate) fn color_normal_map_row<F: Format>(
-    scene: Input<Channels<F::Scene>>,
+    picture: Input<impl Picture<F>>,
     map: Input<NormalMap>,
     row: usize,
     exposure: f32,
@@ -120,56 +108,8 @@ pub(crate) fn color_normal_map_row<F: Format>(
     pixels: Output<u16>,
     length: usize,
 ) -> Result<(), Status> {
-    let (scene, map) = (scene.value()?, map.value()?);
+    let target = Target { row, exposure, display, pixels, length };
+    let (picture, map) = (picture.value()?.open()?, map.value()?);
     let (shape, of_codes) = normal_map::<F>(map, row)?;
-    let target = Target { row, exposure, display, pixels, length };
-    let exponents = F::exponents(&scene.0);
-    draw::<F>(
-        shape,
-        shading::<F>(scene),
-        exponents,
-        &target,
-        &[Place::of(scene), Place::of(map), of_codes],
-    )
-}
-
-pub(crate) fn color_baked_disc_row<F: Format>(
-    baked: Input<F::Baked>,
-    diameter: usize,
-    row: usize,
-    exposure: f32,
-    display: Input<Display>,
-    pixels: Output<u16>,
-    length: usize,
-) -> Result<(), Status> {
-    let baked = baked.value()?;
-    let (maps, of_texels) = F::maps(baked)?;
-    let target = Target { row, exposure, display, pixels, length };
-    let shade = |normal| Ok(F::look_up(&maps, normal));
-    let exponents = F::exponents_of_baked(baked);
-    draw::<F>(disc::<F>(diameter, row)?, shade, exponents, &target, &[Place::of(baked), of_texels])
-}
-
-pub(crate) fn color_baked_normal_map_row<F: Format>(
-    baked: Input<F::Baked>,
-    map: Input<NormalMap>,
-    row: usize,
-    exposure: f32,
-    display: Input<Display>,
-    pixels: Output<u16>,
-    length: usize,
-) -> Result<(), Status> {
-    let (baked, map) = (baked.value()?, map.value()?);
-    let (maps, of_texels) = F::maps(baked)?;
-    let (shape, of_codes) = normal_map::<F>(map, row)?;
-    let target = Target { row, exposure, display, pixels, length };
-    let shade = |normal| Ok(F::look_up(&maps, normal));
-    let exponents = F::exponents_of_baked(baked);
-    draw::<F>(
-        shape,
-        shade,
-        exponents,
-        &target,
-        &[Place::of(baked), of_texels, Place::of(map), of_codes],
-    )
+    draw(shape, picture, &target, &[Place::of(map), of_codes])
 }

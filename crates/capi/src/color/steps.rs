@@ -2,6 +2,7 @@
 #![expect(unsafe_code, reason = "memory of C")]
 
 use super::format::{Channels, Format, check_size, places, thirds_mut};
+use super::picture::{Opened, Picture};
 use crate::boundary::{Input, Output, Place, disjoint};
 use crate::float;
 use crate::status::Status;
@@ -75,17 +76,15 @@ pub(crate) fn color_scene<F: Format>(
 }
 
 pub(crate) fn color_shade<F: Format>(
-    scene: Input<Channels<F::Scene>>,
+    picture: Input<impl Picture<F>>,
     x: F,
     y: F,
     z: F,
     irradiance: Output<[F::Irradiance; 3]>,
 ) -> Result<(), Status> {
-    let scene = scene.value()?;
-    disjoint(&[irradiance.place()], &[Place::of(scene)])?;
-    let normal = F::normal(x, y, z)?;
-    let [r, g, b] = &scene.0;
-    let found = [F::shade(r, normal)?, F::shade(g, normal)?, F::shade(b, normal)?];
+    let Opened { shade, places, .. } = picture.value()?.open()?;
+    disjoint(&[irradiance.place()], &places)?;
+    let found = shade(F::normal(x, y, z)?)?;
     // SAFETY: it overlaps no other.
     *unsafe { irradiance.zeroed() }? = found;
     Ok(())
@@ -157,21 +156,5 @@ pub(crate) fn color_bake<F: Format>(
     let (numbers, map) = unsafe { (texels.zeroed_array(length)?, map.zeroed()?) };
     let exponents = F::bake(&scene.0, size, thirds_mut(numbers)?)?;
     *map = F::baked(size, texels.to_input(), length, exponents);
-    Ok(())
-}
-
-pub(crate) fn color_baked_shade<F: Format>(
-    map: Input<F::Baked>,
-    x: F,
-    y: F,
-    z: F,
-    irradiance: Output<[F::Irradiance; 3]>,
-) -> Result<(), Status> {
-    let map = map.value()?;
-    let (maps, of_texels) = F::maps(map)?;
-    disjoint(&[irradiance.place()], &[Place::of(map), of_texels])?;
-    let found = F::look_up(&maps, F::normal(x, y, z)?);
-    // SAFETY: it overlaps no other.
-    *unsafe { irradiance.zeroed() }? = found;
     Ok(())
 }
