@@ -113,6 +113,8 @@ mod nine_terms;
 
 mod shade;
 
+mod shader;
+
 #[doc(hidden)]
 pub mod specialized;
 
@@ -218,6 +220,7 @@ pub use sampled::{SampledBuffer, SampledScene};
 pub use scalar::Scalar;
 pub use scene::{Scene, SceneBuffer};
 pub use shade::NegativePolicy;
+pub use shader::{Shader, ShaderLanguage};
 pub use transfer::Transfer;
 pub use truncation::{Shape, Tolerance, Truncation};
 

@@ -108,7 +108,7 @@ impl<C> Scene<'_, C> {
         for (knot, samples) in to.chunks_exact_mut(width.max(1)).enumerate() {
             let t = argument((S::from_whole(knot) - S::ONE) * step);
             let values = self.azimuths().enumerate().flat_map(|(azimuth, (plus, minus))| {
-                let recurrence = self.recurrence(azimuth);
+                let recurrence = self.recurrences().of(azimuth);
                 let of_minus = (azimuth > 0).then(|| polynomial::value(minus, t, recurrence));
                 core::iter::once(polynomial::value(plus, t, recurrence)).chain(of_minus)
             });

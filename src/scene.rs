@@ -171,10 +171,10 @@ impl<'a, B> Scene<'a, B> {
         Self { lengths, recurrences, buffer }
     }
 
-    /// The recurrence of an azimuth, or empty.
+    /// The recurrences of all azimuths.
     #[inline]
-    pub(crate) fn recurrence(&self, azimuth: usize) -> &'a [Recurrence] {
-        self.recurrences.of(azimuth)
+    pub(crate) fn recurrences(&self) -> Recurrences<'a> {
+        self.recurrences
     }
 
     /// Number of terms for each |m|.

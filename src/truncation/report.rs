@@ -137,7 +137,7 @@ pub(super) fn peak<S: Scalar, B: AsRef<[S]>>(scene: &Scene<'_, B>) -> S {
             power.iter_mut().zip(&sines).for_each(|(power, &of_slant)| *power = *power * of_slant);
             continue;
         }
-        let recurrence = scene.recurrence(azimuth);
+        let recurrence = scene.recurrences().of(azimuth);
         // m = 0 has no sin mβ.
         let minus = if azimuth == 0 { plus } else { minus };
         let lanes = match recurrence {

@@ -6,6 +6,8 @@
 #![cfg(target_arch = "wasm32")]
 #![no_std]
 
+#[cfg(feature = "color")]
+mod color;
 #[cfg(feature = "f32")]
 mod pixels;
 

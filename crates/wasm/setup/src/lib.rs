@@ -31,6 +31,8 @@ pub mod table {
     }
 }
 
+#[cfg(feature = "color")]
+pub mod color;
 #[cfg(feature = "f32")]
 pub mod floats;
 
