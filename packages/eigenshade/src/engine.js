@@ -1,0 +1,126 @@
+// The WebAssembly module: one instance serves all scenes of a page.
+
+import { asset } from "./assets.js";
+
+/** A module that has one SIMD instruction, to see whether this machine takes it. */
+const SIMD = Uint8Array.of(
+  0, 97, 115, 109, 1, 0, 0, 0, 1, 5, 1, 96, 0, 1, 123, 3, 2, 1, 0, 10, 10, 1, 8, 0, 65, 0, 253, 15,
+  253, 98, 11,
+);
+
+/** @type {Promise<Engine> | undefined} */
+let shared;
+
+/**
+ * The engine of the package, loaded once.
+ *
+ * @returns {Promise<Engine>}
+ */
+export function engine() {
+  if (!shared) {
+    const name = WebAssembly.validate(SIMD) ? "wasm/eigenshade.simd.wasm" : "wasm/eigenshade.wasm";
+    shared = asset(name).then((bytes) => {
+      if (!bytes) throw new Error(`${name} is missing from the package`);
+      return load(bytes);
+    });
+    // A failed download may be tried again.
+    shared.catch(() => (shared = undefined));
+  }
+  return shared;
+}
+
+/**
+ * An engine with a table of your own: a module that `crates/wasm/build color` made.
+ *
+ * @param {BufferSource | Response | Promise<Response>} source the module's bytes, such as `fetch(url)`
+ * @returns {Promise<Engine>} for the option `engine` of `Scene.create` and `Preview.create`
+ * @throws {Error} if it cannot be fetched, or is no such module
+ */
+export async function load(source) {
+  const given = await source;
+  let bytes = given;
+  if (typeof Response !== "undefined" && given instanceof Response) {
+    if (!given.ok) throw new Error(`${given.url}: ${given.status} ${given.statusText}`);
+    bytes = await given.arrayBuffer();
+  }
+  const { instance } = await WebAssembly.instantiate(/** @type {BufferSource} */ (bytes));
+  if (!("color_shade" in instance.exports)) {
+    throw new Error("load: this module has no scenes in color; build the module `color`");
+  }
+  return new Engine(instance);
+}
+
+/**
+ * Number of coefficients of a light of this degree.
+ *
+ * @param {number} degree
+ */
+export const lightCount = (degree) => (degree + 1) ** 2;
+
+/**
+ * Number of coefficients of a material up to this order.
+ *
+ * @param {number} order
+ */
+export function materialCount(order) {
+  let count = 0;
+  for (let o = 0; o <= order; o++) {
+    const half = Math.floor(o / 2);
+    count += ((half + 1) * (half + 2)) / 2;
+  }
+  return count;
+}
+
+/**
+ * The buffers and functions of a module. One engine serves any number of scenes, one at a time.
+ *
+ * @hideconstructor
+ */
+export class Engine {
+  /** @param {WebAssembly.Instance} instance */
+  constructor({ exports }) {
+    const { memory } = /** @type {{ memory: WebAssembly.Memory }} */ (exports);
+    /**
+     * @template T
+     * @param {string} name
+     * @param {new (buffer: ArrayBuffer, place: number, length: number) => T} kind
+     * @param {number} length
+     * @returns {T}
+     */
+    const view = (name, kind, length) => {
+      const { value } = /** @type {WebAssembly.Global} */ (exports[name]);
+      return new kind(/** @type {ArrayBuffer} */ (memory.buffer), value, length);
+    };
+    /** @type {(name: string) => (...numbers: number[]) => number} */
+    const step = (name) => /** @type {any} */ (exports[`color_${name}`]);
+    const [degree, order, components, normals] = view("shape", Uint32Array, 4);
+    this.degree = degree;
+    this.order = order;
+    this.components = components;
+    /** Maximum number of normals in a call. */
+    this.normals = normals;
+    this.light = view("color_light", Float32Array, 3 * lightCount(degree));
+    this.material = view("color_material", Float32Array, 3 * materialCount(order));
+    this.turn = view("color_turn", Float32Array, 4);
+    this.parameters = view("color_parameters", Float32Array, 5);
+    this.d = view("color_d", Float32Array, 3 * components);
+    this.report = view("color_report", Float32Array, 5);
+    this.axes = view("color_normals", Float32Array, 3 * normals);
+    this.irradiance = view("color_irradiance", Float32Array, 3 * normals);
+    this.pixels = view("color_pixels", Uint8ClampedArray, 4 * normals);
+    this.metallicRoughness = step("metallic_roughness");
+    this.transfer = step("transfer");
+    this.relight = step("relight");
+    this.collapse = step("collapse");
+    this.truncate = step("truncate");
+    this.shade = step("shade");
+    this.encode = step("encode");
+    /** The vectors of the scene's shader: a copy. */
+    this.vectors = () => view("color_array", Float32Array, 4 * step("vectors")()).slice();
+    /** The text of the scene's shader. */
+    this.shader = (/** @type {number} */ language) =>
+      new TextDecoder().decode(view("color_text", Uint8Array, step("shader")(language)));
+    /** What the module holds now: a scene's inputs, so that nothing is computed twice. */
+    this.held = { material: /** @type {unknown} */ (undefined), scene: /** @type {unknown} */ (undefined) };
+  }
+}

@@ -1,0 +1,90 @@
+// The shipped lights and materials, each a file of its own that is fetched by name.
+
+import { asset } from "./assets.js";
+
+/**
+ * Coefficients in three channels: (degree + 1)² of a light in radiance, or those of a material in
+ * 1/sr.
+ *
+ * @typedef {{ r: ArrayLike<number>, g: ArrayLike<number>, b: ArrayLike<number> }} Channels
+ */
+
+/** @type {Map<string, Promise<Channels>>} */
+const loaded = new Map();
+
+/**
+ * The coefficients of a shipped light, to degree 9.
+ *
+ * @param {string} name such as `"park"`; {@link presetNames} lists all
+ * @returns {Promise<Channels>}
+ * @throws {RangeError} if there is no light of this name
+ */
+export const lightPreset = (name) => preset("light", name);
+
+/**
+ * The coefficients of a shipped material, to order 7.
+ *
+ * @param {string} name such as `"gold-metallic-paint"`; {@link presetNames} lists all
+ * @returns {Promise<Channels>}
+ * @throws {RangeError} if there is no material of this name
+ */
+export const materialPreset = (name) => preset("material", name);
+
+/**
+ * The names of the shipped lights and materials.
+ *
+ * @returns {Promise<{ light: string[], material: string[] }>}
+ */
+export async function presetNames() {
+  const bytes = await asset("presets/names.json");
+  if (!bytes) throw new Error("presets/names.json is missing from the package");
+  return JSON.parse(new TextDecoder().decode(bytes));
+}
+
+/**
+ * @param {"light" | "material"} kind
+ * @param {string} name
+ * @returns {Promise<Channels>}
+ */
+function preset(kind, name) {
+  const path = `presets/${kind}/${name}.bin`;
+  let found = loaded.get(path);
+  if (!found) {
+    found = read(kind, name, path);
+    loaded.set(path, found);
+    // A failed download may be tried again.
+    found.catch(() => loaded.delete(path));
+  }
+  return found;
+}
+
+/**
+ * @param {"light" | "material"} kind
+ * @param {string} name
+ * @param {string} path
+ */
+async function read(kind, name, path) {
+  const bytes = /^[a-z0-9-]+$/.test(name) ? await asset(path) : undefined;
+  if (!bytes) throw await unknown(kind, name);
+  // Little-endian, as every machine that runs WebAssembly in a browser is.
+  const numbers = new Float32Array(bytes);
+  const count = numbers.length / 3;
+  const [r, g, b] = [0, 1, 2].map((channel) => numbers.subarray(channel * count, (channel + 1) * count));
+  return { r, g, b };
+}
+
+/**
+ * The error for a name that does not exist, with names that resemble it.
+ *
+ * @param {"light" | "material"} kind
+ * @param {string} name
+ */
+async function unknown(kind, name) {
+  const names = (await presetNames())[kind];
+  const parts = String(name).toLowerCase().split(/[^a-z0-9]+/).filter(Boolean);
+  const score = (/** @type {string} */ other) =>
+    parts.filter((part) => other.split("-").some((word) => word.startsWith(part))).length;
+  const near = names.filter((other) => score(other) > 0).sort((a, b) => score(b) - score(a)).slice(0, 3);
+  const offered = near.length ? `did you mean ${near.join(", ")}?` : `there are ${names.join(", ")}`;
+  return new RangeError(`no ${kind} is called "${name}"; ${offered}`);
+}

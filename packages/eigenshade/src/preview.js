@@ -1,0 +1,197 @@
+// A canvas that shows a sphere of a material under a light.
+
+import { renderer, sphere } from "./renderer.js";
+import { Scene, checkExposure, lightOf, materialOf, toneNumber } from "./scene.js";
+
+/** @typedef {import("./presets.js").Channels} Channels */
+/**
+ * How the picture is shown. The exposure is the factor from irradiance to display; `"auto"`, the
+ * default, chooses it anew for each light and material, but not when the light turns. The tone curve
+ * is `"filmic"` by default.
+ *
+ * @typedef {{ exposure?: number | "auto", tone?: import("./scene.js").Tone }} Look
+ */
+/** @typedef {import("./scene.js").MetallicRoughness} MetallicRoughness */
+/** @typedef {import("./scene.js").Turn} Turn */
+
+/**
+ * A sphere on a canvas. It is drawn anew in the next frame after a change, as large as the canvas is
+ * shown.
+ *
+ * All previews of a page share one WebAssembly module and one WebGL context. Without WebGL 2, or
+ * while the context is lost, the CPU draws.
+ */
+export class Preview {
+  #canvas;
+  #context;
+  #scene;
+  #look;
+  /** The exposure of the picture, if it is chosen; it lasts until the light or the material changes. */
+  #chosen = 0;
+  #frame = 0;
+  #freed = false;
+  /** Inputs that are still loading: the last one given wins. */
+  #asked = { light: 0, material: 0 };
+  #resized;
+  #restored = () => this.#changed();
+
+  /**
+   * A preview, after its light and material are loaded.
+   *
+   * @param {HTMLCanvasElement} canvas
+   * @param {import("./scene.js").Inputs & Look} options
+   * @returns {Promise<Preview>}
+   * @throws {TypeError | RangeError} for a canvas, a light, a material or a look that is none
+   */
+  static async create(canvas, { light, material, engine, ...look }) {
+    if (!(canvas instanceof HTMLCanvasElement)) throw new TypeError("Preview: expected a canvas");
+    check("Preview", look);
+    return new Preview(canvas, await Scene.create({ light, material, engine }), look);
+  }
+
+  /**
+   * @param {HTMLCanvasElement} canvas
+   * @param {Scene} scene
+   * @param {Look} [look]
+   */
+  constructor(canvas, scene, look = {}) {
+    check("Preview", look);
+    const context = canvas.getContext("2d");
+    if (!context) throw new TypeError("Preview: the canvas already has a context of another kind");
+    this.#canvas = canvas;
+    this.#context = context;
+    this.#scene = scene;
+    this.#look = { ...look };
+    this.#resized = new ResizeObserver(() => this.#changed());
+    this.#resized.observe(canvas);
+    renderer()?.restored.addEventListener("restored", this.#restored);
+    this.draw();
+  }
+
+  /** The scene, which also writes shaders and shades normals. Call {@link draw} after changing it. */
+  get scene() {
+    return this.#scene;
+  }
+
+  /**
+   * Sets the light.
+   *
+   * @param {string | Channels} light a preset's name, or coefficients
+   * @returns {Promise<this>} once it is set; the last of several lights wins
+   * @throws {TypeError | RangeError} as {@link Scene#light}; the picture then stays
+   */
+  async light(light) {
+    return this.#load("light", lightOf(light), (loaded) => this.#scene.light(loaded));
+  }
+
+  /**
+   * Sets the material.
+   *
+   * @param {string | Channels | MetallicRoughness} material a preset's name, coefficients, or the
+   *   parameters of a glTF material
+   * @returns {Promise<this>} once it is set; the last of several materials wins
+   * @throws {TypeError | RangeError} as {@link Scene#material}; the picture then stays
+   */
+  async material(material) {
+    return this.#load("material", materialOf(material), (loaded) => this.#scene.material(loaded));
+  }
+
+  /**
+   * Turns the light.
+   *
+   * @param {Turn} turn
+   * @returns {this}
+   * @throws {TypeError | RangeError} as {@link Scene#turn}; the picture then stays
+   */
+  turn(turn) {
+    this.#alive();
+    this.#scene.turn(turn);
+    return this.#changed();
+  }
+
+  /**
+   * Sets the exposure and the tone curve.
+   *
+   * @param {Look} look what is left out stays
+   * @returns {this}
+   * @throws {RangeError} for an exposure that is not above 0 or an unknown curve
+   */
+  look(look) {
+    this.#alive();
+    check("look", look);
+    this.#look = { ...this.#look, ...look };
+    return this.#changed();
+  }
+
+  /** Draws now instead of in the next frame. */
+  draw() {
+    this.#alive();
+    cancelAnimationFrame(this.#frame);
+    this.#frame = 0;
+    const scale = globalThis.devicePixelRatio || 1;
+    const { clientWidth, clientHeight } = this.#canvas;
+    const size = Math.min(4096, Math.max(1, Math.round(scale * Math.min(clientWidth, clientHeight))));
+    if (this.#canvas.width !== size || this.#canvas.height !== size) {
+      this.#canvas.width = this.#canvas.height = size;
+    }
+    const { exposure: given = "auto", tone = "filmic" } = this.#look;
+    const exposure = given === "auto" ? (this.#chosen ||= AUTO * this.#scene.exposure()) : given;
+    const drawn = renderer()?.draw(this.#scene, size, { exposure, tone });
+    if (drawn) {
+      this.#context.clearRect(0, 0, size, size);
+      this.#context.drawImage(drawn, 0, 0);
+    } else {
+      const picture = new ImageData(size, size);
+      picture.data.set(sphere(this.#scene, size, { exposure, tone }));
+      this.#context.putImageData(picture, 0, 0);
+    }
+    return this;
+  }
+
+  /** Ends the preview; the canvas keeps its picture. Later calls throw an `Error`. */
+  free() {
+    this.#freed = true;
+    cancelAnimationFrame(this.#frame);
+    this.#resized.disconnect();
+    renderer()?.restored.removeEventListener("restored", this.#restored);
+  }
+
+  /**
+   * @template T
+   * @param {"light" | "material"} what
+   * @param {T | Promise<T>} input
+   * @param {(loaded: T) => void} set
+   */
+  async #load(what, input, set) {
+    this.#alive();
+    const asked = ++this.#asked[what];
+    const loaded = await input;
+    if (asked === this.#asked[what] && !this.#freed) {
+      set(loaded);
+      this.#chosen = 0;
+      this.#changed();
+    }
+    return this;
+  }
+
+  #changed() {
+    if (!this.#freed) this.#frame ||= requestAnimationFrame(() => this.draw());
+    return this;
+  }
+
+  #alive() {
+    if (this.#freed) throw new Error("Preview: it was freed");
+  }
+}
+
+/** An exposure chosen by the picture is a little darker than one that makes its bright parts white. */
+const AUTO = 0.8;
+
+/**
+ * @param {string} what
+ * @param {Look} look
+ */
+function check(what, { exposure = "auto", tone = "filmic" }) {
+  if (exposure !== "auto") checkExposure(what, exposure);
+  toneNumber(what, tone);
+}

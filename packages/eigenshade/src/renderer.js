@@ -1,0 +1,210 @@
+// Draws spheres: by a shader in one WebGL 2 context that all previews of a page share, or on the CPU
+// where there is none.
+
+import { TONES } from "./scene.js";
+
+/** @typedef {import("./scene.js").Scene} Scene */
+/** @typedef {import("./scene.js").Tone} Tone */
+
+/** A quad that covers the picture, as one triangle. */
+const VERTEX = `#version 300 es
+void main() {
+  vec2 corner = vec2((gl_VertexID << 1) & 2, gl_VertexID & 2);
+  gl_Position = vec4(2.0 * corner - 1.0, 0.0, 1.0);
+}`;
+
+/**
+ * The fragment shader of a sphere around a scene's function.
+ *
+ * @param {string} irradiance
+ */
+const fragment = (irradiance) => `#version 300 es
+precision highp float;
+precision highp int;
+${irradiance}
+uniform float size;
+uniform float exposure;
+uniform int tone;
+out vec4 color;
+
+float srgb(float x) {
+  return x <= 0.0031308 ? 12.92 * x : 1.055 * pow(x, 1.0 / 2.4) - 0.055;
+}
+
+float shown(float x) {
+  if (tone == 1) x = x * (1.0 + x / 256.0) / (1.0 + x);
+  if (tone == 2) x = x * (2.51 * x + 0.03) / (x * (2.43 * x + 0.59) + 0.14);
+  return srgb(clamp(x, 0.0, 1.0));
+}
+
+void main() {
+  vec2 at = 2.0 * gl_FragCoord.xy / size - 1.0;
+  float square = dot(at, at);
+  float coverage = clamp(0.5 * size * (1.0 - sqrt(square)) + 0.5, 0.0, 1.0);
+  // Pixels that the outline crosses show the rim.
+  vec3 normal = square < 1.0 ? vec3(at, sqrt(1.0 - square)) : vec3(at * inversesqrt(square), 0.0);
+  vec3 exposed = max(exposure * irradiance(normal), 0.0);
+  color = coverage * vec4(shown(exposed.r), shown(exposed.g), shown(exposed.b), 1.0);
+}`;
+
+/** Programs that are kept; scenes of other shapes are compiled anew. */
+const KEPT = 16;
+
+/** The shared context. */
+class Shared {
+  #canvas;
+  #gl;
+  /** @type {Map<string, { program: WebGLProgram, places: Record<string, WebGLUniformLocation | null> }>} */
+  #programs = new Map();
+  /** What to draw again after the context was lost. */
+  restored = new EventTarget();
+
+  /**
+   * @param {OffscreenCanvas} canvas
+   * @param {WebGL2RenderingContext} gl
+   */
+  constructor(canvas, gl) {
+    this.#canvas = canvas;
+    this.#gl = gl;
+    canvas.addEventListener("webglcontextlost", (event) => {
+      event.preventDefault();
+      this.#programs.clear();
+    });
+    canvas.addEventListener("webglcontextrestored", () => {
+      this.restored.dispatchEvent(new Event("restored"));
+    });
+  }
+
+  /** Whether nothing can be drawn now. */
+  get lost() {
+    return this.#gl.isContextLost();
+  }
+
+  /** The context, for tests of its loss. */
+  get context() {
+    return this.#gl;
+  }
+
+  /**
+   * Draws a sphere.
+   *
+   * @param {Scene} scene
+   * @param {number} size
+   * @param {{ exposure: number, tone: Tone }} look
+   * @returns {OffscreenCanvas | undefined} `undefined` if the context is lost
+   */
+  draw(scene, size, { exposure, tone }) {
+    const gl = this.#gl;
+    const text = scene.glsl();
+    const found = this.#programs.get(text) ?? this.#compiled(text);
+    if (!found || this.lost) return undefined;
+    // The programs used last are kept.
+    this.#programs.delete(text);
+    this.#programs.set(text, found);
+    if (this.#canvas.width !== size) this.#canvas.width = this.#canvas.height = size;
+    gl.viewport(0, 0, size, size);
+    gl.useProgram(found.program);
+    const { places } = found;
+    gl.uniform4fv(places.eigenshade, scene.uniforms());
+    gl.uniform1f(places.size, size);
+    gl.uniform1f(places.exposure, exposure);
+    gl.uniform1i(places.tone, TONES.indexOf(tone));
+    gl.drawArrays(gl.TRIANGLES, 0, 3);
+    return this.lost ? undefined : this.#canvas;
+  }
+
+  /**
+   * @param {string} text
+   */
+  #compiled(text) {
+    const gl = this.#gl;
+    const program = gl.createProgram();
+    if (!program) return undefined;
+    for (const [kind, source] of /** @type {[GLenum, string][]} */ ([
+      [gl.VERTEX_SHADER, VERTEX],
+      [gl.FRAGMENT_SHADER, fragment(text)],
+    ])) {
+      const shader = gl.createShader(kind);
+      if (!shader) return undefined;
+      gl.shaderSource(shader, source);
+      gl.compileShader(shader);
+      gl.attachShader(program, shader);
+      gl.deleteShader(shader);
+    }
+    gl.linkProgram(program);
+    if (!gl.getProgramParameter(program, gl.LINK_STATUS)) {
+      const log = gl.getProgramInfoLog(program);
+      gl.deleteProgram(program);
+      if (gl.isContextLost()) return undefined;
+      throw new Error(`the shader of the scene does not compile: ${log}`);
+    }
+    const place = (/** @type {string} */ name) => gl.getUniformLocation(program, name);
+    const found = {
+      program,
+      places: {
+        eigenshade: place("eigenshade"),
+        size: place("size"),
+        exposure: place("exposure"),
+        tone: place("tone"),
+      },
+    };
+    this.#programs.set(text, found);
+    if (this.#programs.size > KEPT) {
+      const [[oldest, { program: old }]] = this.#programs;
+      this.#programs.delete(oldest);
+      gl.deleteProgram(old);
+    }
+    return found;
+  }
+}
+
+/** @type {Shared | null | undefined} */
+let shared;
+
+/** The shared context, or `null` where there is no WebGL 2. */
+export function renderer() {
+  if (shared === undefined) {
+    const canvas = typeof OffscreenCanvas === "undefined" ? undefined : new OffscreenCanvas(1, 1);
+    const gl = canvas?.getContext("webgl2", { antialias: false, depth: false });
+    shared = canvas && gl ? new Shared(canvas, gl) : null;
+  }
+  return shared;
+}
+
+/**
+ * The picture of a sphere, computed on the CPU.
+ *
+ * @param {Scene} scene
+ * @param {number} size pixels across
+ * @param {{ exposure?: number, tone?: Tone }} [look] as `Scene.pixels`
+ * @returns {Uint8ClampedArray} red, green, blue and opacity, row by row from the top
+ * @throws {RangeError} unless the size is a whole number from 1 to 4096, or as `Scene.pixels`
+ */
+export function sphere(scene, size, look = {}) {
+  if (!(Number.isInteger(size) && size >= 1 && size <= 4096)) {
+    throw new RangeError(`sphere: the size is ${size}, expected a whole number from 1 to 4096`);
+  }
+  const picture = new Uint8ClampedArray(4 * size * size);
+  const [x, y, z] = [0, 1, 2].map(() => new Float32Array(size));
+  for (let row = 0; row < size; row++) {
+    const places = [];
+    for (let column = 0; column < size; column++) {
+      const [across, up] = [(2 * column + 1) / size - 1, 1 - (2 * row + 1) / size];
+      const distance = Math.hypot(across, up);
+      const coverage = Math.min(1, 0.5 * size * (1 - distance) + 0.5);
+      if (coverage <= 0) continue;
+      const scale = Math.max(1, distance);
+      const k = places.length;
+      [x[k], y[k]] = [across / scale, up / scale];
+      z[k] = Math.sqrt(Math.max(0, 1 - distance * distance));
+      places.push({ at: 4 * (row * size + column), coverage });
+    }
+    const parts = [x, y, z].map((axis) => axis.subarray(0, places.length));
+    const pixels = scene.pixels(parts[0], parts[1], parts[2], look);
+    places.forEach(({ at, coverage }, k) => {
+      picture.set(pixels.subarray(4 * k, 4 * k + 3), at);
+      picture[at + 3] = 255 * coverage;
+    });
+  }
+  return picture;
+}

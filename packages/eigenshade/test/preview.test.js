@@ -1,0 +1,302 @@
+// Previews and elements in a browser.
+
+import assert from "node:assert/strict";
+import { after, before, beforeEach, test } from "node:test";
+import { launch, serve } from "./support/browser.js";
+
+const PAGE = `<!doctype html><link rel=icon href=data:,><title>Previews</title>
+<style>canvas { width: 120px; height: 120px }</style><canvas></canvas><canvas></canvas>`;
+
+let browser, server, page;
+const faults = [];
+
+before(async () => {
+  server = await serve({ "/": PAGE });
+  browser = await launch();
+});
+
+beforeEach(async () => {
+  await page?.close();
+  page = await open();
+});
+
+after(async () => {
+  await browser?.close();
+  server?.close();
+  assert.deepEqual(faults, []);
+});
+
+/** A page with `library`, and `pixels` of a canvas. */
+async function open(script = () => {}) {
+  const page = await browser.newPage();
+  page.on("pageerror", (fault) => faults.push(fault.message));
+  page.on("console", (message) => message.type() === "error" && faults.push(message.text()));
+  await page.addInitScript(script);
+  await page.goto(`${server.address}/`);
+  await page.evaluate(async () => {
+    window.library = await import("/src/index.js");
+    window.canvases = [...document.querySelectorAll("canvas")];
+    window.pixels = (canvas) =>
+      canvas.getContext("2d").getImageData(0, 0, canvas.width, canvas.height).data;
+    window.frame = () => new Promise((resolve) => requestAnimationFrame(() => requestAnimationFrame(resolve)));
+    /** The largest difference, of pixels that the outline does not cross. */
+    window.difference = (one, other) => {
+      let most = 0;
+      for (let k = 0; k < one.length; k++) {
+        if (one[k | 3] === 255 && other[k | 3] === 255) most = Math.max(most, Math.abs(one[k] - other[k]));
+        if ((k & 3) === 3) most = Math.max(most, Math.abs(one[k] - other[k]));
+      }
+      return most;
+    };
+  });
+  return page;
+}
+
+test("a preview is the sphere that the module draws, to one code", async () => {
+  for (const tone of ["linear", "reinhard", "filmic"]) {
+    const { found, lit, size } = await page.evaluate(async (tone) => {
+      const { Preview, sphere } = library;
+      const look = { exposure: 2, tone };
+      const preview = await Preview.create(canvases[0], { light: "lobby", material: "red-fabric2", ...look });
+      const [shown, computed] = [pixels(canvases[0]), sphere(preview.scene, 120, look)];
+      preview.free();
+      return {
+        found: difference(shown, computed),
+        lit: Math.max(...shown.filter((_, k) => k % 4 === 0)),
+        size: canvases[0].width,
+      };
+    }, tone);
+    assert.ok(found <= 1, `${tone}: ${found}`);
+    assert.ok(lit > 100 && size === 120);
+  }
+});
+
+test("two previews share a context and do not disturb each other", async () => {
+  const { contexts, before, after, same } = await page.evaluate(async () => {
+    const { Preview } = library;
+    let contexts = 0;
+    const { getContext } = OffscreenCanvas.prototype;
+    OffscreenCanvas.prototype.getContext = function (...all) {
+      contexts++;
+      return getContext.apply(this, all);
+    };
+    const [one, other] = await Promise.all([
+      Preview.create(canvases[0], { light: "lobby", material: "red-fabric2" }),
+      Preview.create(canvases[1], { light: "park", material: "gold-metallic-paint" }),
+    ]);
+    const before = difference(pixels(canvases[0]), pixels(canvases[1]));
+    const first = pixels(canvases[0]);
+    other.turn({ yaw: 1 });
+    await other.material({ baseColor: "#b87333", metallic: 1, roughness: 0.4 });
+    await frame();
+    one.draw();
+    const same = difference(first, pixels(canvases[0]));
+    await other.light("lobby");
+    await other.turn([0, 0, 0, 1]).material("red-fabric2");
+    await frame();
+    return { contexts, before, after: difference(pixels(canvases[0]), pixels(canvases[1])), same };
+  });
+  assert.equal(contexts, 1);
+  assert.ok(before > 20);
+  assert.equal(same, 0);
+  assert.equal(after, 0);
+});
+
+test("changes are drawn in the next frame, as large as the canvas is shown", async () => {
+  const { sizes, turned } = await page.evaluate(async () => {
+    const [canvas] = canvases;
+    const preview = await library.Preview.create(canvas, { light: "studio", material: "red-fabric2" });
+    const before = pixels(canvas);
+    preview.turn({ yaw: 1 });
+    await frame();
+    const turned = difference(before, pixels(canvas));
+    const sizes = [canvas.width];
+    canvas.style.width = canvas.style.height = "77px";
+    await frame();
+    sizes.push(canvas.width);
+    return { sizes, turned };
+  });
+  assert.ok(turned > 20);
+  assert.deepEqual(sizes, [120, 77]);
+});
+
+test("the last of several lights wins, whichever comes first", async () => {
+  const found = await page.evaluate(async () => {
+    const preview = await library.Preview.create(canvases[0], { light: "studio", material: "red-fabric2" });
+    await Promise.all([preview.light("park"), preview.light(await library.lightPreset("lobby"))]);
+    await frame();
+    const other = await library.Preview.create(canvases[1], { light: "lobby", material: "red-fabric2" });
+    other.draw();
+    return difference(pixels(canvases[0]), pixels(canvases[1]));
+  });
+  assert.equal(found, 0);
+});
+
+test("a lost context comes back, and the CPU draws until then", async () => {
+  const { lost, back } = await page.evaluate(async () => {
+    const { renderer } = await import("/src/renderer.js");
+    const preview = await library.Preview.create(canvases[0], { light: "studio", material: "red-fabric2" });
+    const before = pixels(canvases[0]);
+    const extension = renderer().context.getExtension("WEBGL_lose_context");
+    extension.loseContext();
+    preview.draw();
+    const lost = difference(before, pixels(canvases[0]));
+    const restored = new Promise((resolve) => renderer().restored.addEventListener("restored", resolve));
+    canvases[0].getContext("2d").clearRect(0, 0, 120, 120);
+    await frame();
+    extension.restoreContext();
+    await restored;
+    await frame();
+    return { lost, back: renderer().lost || difference(before, pixels(canvases[0])) };
+  });
+  assert.ok(lost <= 1, `${lost}`);
+  assert.equal(back, 0);
+});
+
+test("without WebGL 2 the CPU draws", async () => {
+  const bare = await open(() => {
+    const { getContext } = OffscreenCanvas.prototype;
+    OffscreenCanvas.prototype.getContext = function (kind, ...all) {
+      return kind === "webgl2" ? null : getContext.call(this, kind, ...all);
+    };
+  });
+  const found = await bare.evaluate(async () => {
+    const preview = await library.Preview.create(canvases[0], {
+      light: "studio", material: "red-fabric2", exposure: 1, tone: "linear",
+    });
+    const { sphere } = library;
+    return difference(pixels(canvases[0]), sphere(preview.scene, 120, { exposure: 1, tone: "linear" }));
+  });
+  assert.equal(found, 0);
+  await bare.close();
+});
+
+test("wrong input rejects with one clear error, and the picture stays", async () => {
+  const messages = await page.evaluate(async () => {
+    const { Preview } = library;
+    const messages = [];
+    const fails = async (what) => {
+      try {
+        await what();
+        messages.push("nothing");
+      } catch (fault) {
+        messages.push(`${fault.name}: ${fault.message}`);
+      }
+    };
+    const good = { light: "park", material: "red-fabric2" };
+    await fails(() => Preview.create(document.body, good));
+    await fails(() => Preview.create(canvases[1], { ...good, exposure: -1 }));
+    await fails(() => Preview.create(canvases[1], { ...good, material: "red" }));
+    const other = document.createElement("canvas");
+    other.getContext("webgl");
+    await fails(() => Preview.create(other, good));
+    const preview = await Preview.create(canvases[0], good);
+    const before = pixels(canvases[0]);
+    await fails(() => preview.light("parc"));
+    await fails(() => preview.material({ roughness: 2 }));
+    await fails(() => preview.turn({ yaw: "left" }));
+    await fails(() => preview.look({ tone: "aces" }));
+    await fails(() => preview.look({ exposure: NaN }));
+    await frame();
+    messages.push(difference(before, pixels(canvases[0])));
+    preview.free();
+    preview.free();
+    await fails(() => preview.turn({ yaw: 1 }));
+    await fails(() => preview.light("lobby"));
+    await fails(() => preview.draw());
+    const next = await Preview.create(canvases[0], good);
+    messages.push(difference(before, pixels(canvases[0])));
+    next.free();
+    return messages;
+  });
+  assert.deepEqual(messages.map((message) => String(message).slice(0, 90)), [
+    "TypeError: Preview: expected a canvas",
+    "RangeError: Preview: the exposure is -1, expected a number above 0",
+    'RangeError: no material is called "red"; did you mean dark-red-paint, light-red-paint, red',
+    "TypeError: Preview: the canvas already has a context of another kind",
+    'RangeError: no light is called "parc"; there are apartment, bridge, city, dawn, esplanade,',
+    "RangeError: material: roughness is 2, expected a number from 0 to 1",
+    "RangeError: turn: yaw is left, expected a number",
+    'RangeError: look: "aces" is not one of linear, reinhard, filmic',
+    "RangeError: look: the exposure is NaN, expected a number above 0",
+    "0",
+    "Error: Preview: it was freed",
+    "Error: Preview: it was freed",
+    "Error: Preview: it was freed",
+    "0",
+  ]);
+  faults.splice(0, faults.length, ...faults.filter((fault) => !fault.includes("404")));
+});
+
+test("an element draws what its attributes say, and says what is wrong", async () => {
+  const found = await page.evaluate(async () => {
+    await import("/src/element.js");
+    const next = (element, event) => new Promise((resolve) => element.addEventListener(event, resolve, { once: true }));
+    document.body.insertAdjacentHTML("beforeend",
+      `<eigen-shade light="studio" material="red-fabric2" exposure="2" yaw="30"></eigen-shade>`);
+    const element = document.querySelector("eigen-shade");
+    await next(element, "load");
+    element.preview.draw();
+    const canvas = element.shadowRoot.querySelector("canvas");
+    const size = canvas.width;
+    const scene = await library.Scene.create({ light: "studio", material: "red-fabric2" });
+    scene.turn({ yaw: Math.PI / 6 });
+    const same = difference(pixels(canvas), library.sphere(scene, size, { exposure: 2 }));
+    const label = canvas.getAttribute("aria-label");
+    const message = element.shadowRoot.querySelector("[role=alert]");
+    const wrong = [];
+    for (const [name, value] of [["light", "parc"], ["yaw", "left"], ["tone", "aces"]]) {
+      const before = element.getAttribute(name);
+      element.setAttribute(name, value);
+      const { message: said } = await next(element, "error");
+      wrong.push(said.slice(0, 40), message.textContent === said);
+      if (before === null) element.removeAttribute(name);
+      else element.setAttribute(name, before);
+      await next(element, "load");
+      wrong.push(message.textContent);
+    }
+    element.removeAttribute("material");
+    element.setAttribute("base-color", "#b87333");
+    element.setAttribute("metallic", "1");
+    await next(element, "load");
+    element.preview.draw();
+    const copper = difference(pixels(canvas), library.sphere(scene.material({ baseColor: "#b87333", metallic: 1 }), size, { exposure: 2 }));
+    element.remove();
+    return { size, same, label, wrong, copper, gone: element.preview === undefined };
+  });
+  assert.ok(found.size > 100 && found.same <= 1 && found.copper <= 1, `${found.same}, ${found.copper}`);
+  assert.equal(found.label, "A sphere of red-fabric2 under the light studio");
+  assert.deepEqual(found.wrong, [
+    'no light is called "parc"; there are apa', true, "",
+    'yaw="left" is not a number', true, "",
+    'look: "aces" is not one of linear, reinh', true, "",
+  ]);
+  assert.ok(found.gone);
+  faults.splice(0, faults.length, ...faults.filter((fault) => !fault.includes("404")));
+});
+
+test("a thousand lights leak nothing", async () => {
+  const session = await page.context().newCDPSession(page);
+  const used = async () => {
+    await session.send("HeapProfiler.collectGarbage");
+    return (await session.send("Runtime.getHeapUsage")).usedSize;
+  };
+  await page.evaluate(async () => {
+    const { light } = await library.presetNames();
+    const lights = await Promise.all(light.map(library.lightPreset));
+    canvases[0].style.width = canvases[0].style.height = "8px";
+    window.preview = await library.Preview.create(canvases[0], { light: "park", material: "red-fabric2" });
+    window.change = async (count) => {
+      for (let k = 0; k < count; k++) {
+        await preview.light(lights[k % lights.length]);
+        preview.turn({ yaw: k / 10 }).draw();
+      }
+    };
+    // As small as possible, so that the renderer does not take the time, and until all is compiled.
+    await change(1000);
+  });
+  const before = await used();
+  await page.evaluate(() => change(1000));
+  const after = await used();
+  assert.ok(after <= 1.05 * before, `${before} bytes before, ${after} after`);
+});

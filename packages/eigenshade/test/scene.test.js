@@ -1,0 +1,215 @@
+// Scenes in Node: the golden file, turned lights, glTF materials, tolerances, and wrong input.
+
+import assert from "node:assert/strict";
+import { test } from "node:test";
+import { PAIRS, normals, row } from "../../../crates/wasm/tests/support/golden.mjs";
+import { Scene, lightPreset, materialPreset, presetNames, sphere } from "../src/index.js";
+
+const largest = (numbers) => numbers.reduce((most, number) => Math.max(most, Math.abs(number)), 0);
+
+function assertNear(found, expected, tolerance, what) {
+  assert.equal(found.length, expected.length, what);
+  const most = tolerance * largest(expected);
+  expected.forEach((number, k) => {
+    assert.ok(Math.abs(found[k] - number) <= most, `${what} ${k}: ${found[k]} for ${number}`);
+  });
+}
+
+const gold = () => Scene.create({ light: "park", material: "gold-metallic-paint" });
+const three = (numbers) => ({ r: numbers, g: numbers, b: numbers });
+
+test("three pairs of the golden file are the channels of one scene", async () => {
+  const [tolerance] = row("f32", "tolerance").numbers;
+  const scene = await gold();
+  const axes = normals("f32", Float32Array);
+  for (let first = 0; first + 3 <= PAIRS.length; first += 3) {
+    const pairs = ["r", "g", "b"].map((channel, k) => [channel, PAIRS[first + k]]);
+    const of = (array) =>
+      Object.fromEntries(pairs.map(([channel, pair]) => [channel, row("f32", array, pair).numbers]));
+    scene.light(of("light")).material(of("material"));
+    const [d, irradiance] = [scene.coefficients(), scene.shade(...axes)];
+    for (const [channel, pair] of pairs) {
+      assertNear(d[channel], row("f32", "d", pair).numbers, tolerance, `${pair} d`);
+      assertNear(irradiance[channel], row("f32", "irradiance", pair).numbers, tolerance, pair);
+    }
+  }
+});
+
+test("a light of degree 1 on a matte material is linear in the normal, and turns", async () => {
+  // The component along x. The 46 components are off by some 1e-3 of the peak.
+  const scene = await gold();
+  scene.light(three([3.5, 0, 0, 1])).material(three([2]));
+  const at = (x, y, z) => scene.shade([x], [y], [z]).r[0];
+  const [mean, up] = [at(0, 1, 0), at(0.6, 0, 0.8)];
+  const right = at(1, 0, 0) - mean;
+  // Y_11 = √(3/4π) x, convolved with the cosine to 2π/3 of it, on a white matte, 1/π.
+  const slope = (((2 * Math.PI) / 3) * Math.sqrt(3 / (4 * Math.PI))) / Math.PI;
+  const near = (one, other) => Math.abs(one - other) < 4e-3;
+  assert.ok(near(Math.abs(right), slope), `${right}: ${slope}`);
+  assert.ok(near(up - mean, 0.6 * right), "linear in n_x");
+  // By a quarter about z, what came from the right comes from above.
+  scene.turn({ roll: Math.PI / 2 });
+  assert.ok(near(at(0, 1, 0) - mean, right) && near(at(1, 0, 0), mean));
+  // About y, it comes from behind or from the camera: -z, for R x = -z.
+  scene.turn({ yaw: -Math.PI / 2 });
+  assert.ok(near(at(0, 0, 1) - mean, right));
+  // Roll before pitch before yaw.
+  scene.turn({ yaw: Math.PI / 2, roll: Math.PI / 2 });
+  assert.ok(near(at(0, 1, 0) - mean, right));
+  scene.turn({ pitch: Math.PI / 2, roll: Math.PI / 2 });
+  assert.ok(near(at(0, 0, 1) - mean, right));
+  scene.turn([0, 0, Math.SQRT1_2, Math.SQRT1_2]);
+  assert.ok(near(at(0, 1, 0) - mean, right));
+});
+
+test("the base color of a glTF material enters linearly", async () => {
+  const scene = await gold();
+  const light = await lightPreset("lobby");
+  const at = (material) => scene.light(light).material(material).shade([0], [0.6], [0.8]);
+  const [white, gray] = [at({ baseColor: [1, 1, 1] }), at({ baseColor: [0.5, 0.5, 0.5] })];
+  const black = at({ baseColor: "#000000" });
+  for (const channel of ["r", "g", "b"]) {
+    const middle = (white[channel][0] + black[channel][0]) / 2;
+    assert.ok(Math.abs(gray[channel][0] - middle) < 1e-5 * white[channel][0]);
+  }
+  const share = ((188 / 255 + 0.055) / 1.055) ** 2.4;
+  const expected = share * white.g[0] + (1 - share) * black.g[0];
+  assert.ok(Math.abs(at({ baseColor: "#bcbcbc" }).g[0] / expected - 1) < 1e-5);
+});
+
+test("scenes that share the module do not disturb each other", async () => {
+  const [one, other] = await Promise.all([gold(), Scene.create({ light: "lobby", material: "red-fabric2" })]);
+  const read = (scene) => JSON.stringify([scene.coefficients(), scene.uniforms(), scene.shade([0], [0.6], [0.8])]);
+  const [first, second] = [read(one), read(other)];
+  other.within(1e-2);
+  const [short] = [other.terms];
+  assert.equal(read(one), first);
+  assert.equal(other.terms, short);
+  other.within();
+  assert.equal(read(other), second);
+  one.material({ metallic: 1 });
+  assert.equal(read(other), second);
+});
+
+test("a tolerance holds, and fewer terms suffice for a larger one", async () => {
+  const scene = await gold();
+  const axes = [0, 1, 2].map(() => []);
+  for (let k = 0; k < 2000; k++) {
+    // Uniform over the picture of a sphere, as the error of a truncation is defined.
+    const [sine, angle] = [Math.sqrt((k + 0.5) / 2000), 2.399963 * k];
+    const normal = [sine * Math.cos(angle), sine * Math.sin(angle), Math.sqrt(1 - sine * sine)];
+    normal.forEach((number, axis) => axes[axis].push(number));
+  }
+  const whole = scene.shade(...axes);
+  const peak = Math.max(...["r", "g", "b"].map((channel) => largest(whole[channel])));
+  assert.equal(scene.truncation, undefined);
+  let before = scene.terms;
+  for (const tolerance of [1e-3, 1e-2, 1e-1]) {
+    scene.within(tolerance);
+    const { terms, bound } = scene.truncation;
+    assert.ok(terms < before && scene.terms === terms);
+    const found = scene.shade(...axes);
+    for (const channel of ["r", "g", "b"]) {
+      const square = found[channel].reduce((sum, number, k) => sum + (number - whole[channel][k]) ** 2, 0);
+      assert.ok(Math.sqrt(square / 2000) <= 1.02 * bound && bound <= 1.02 * tolerance * peak);
+    }
+    before = terms;
+  }
+});
+
+test("pixels are encoded by the named curve", async () => {
+  const scene = await gold();
+  // Ambient light of radiance 1 on white: the irradiance is 1 everywhere.
+  scene.light(three([2 * Math.sqrt(Math.PI)])).material(three([2]));
+  const level = scene.shade([0], [0], [1]).r[0];
+  const exposure = 0.5 / level;
+  const of = (tone) => scene.pixels([0], [0], [1], { exposure, tone })[0];
+  const srgb = (x) => 255 * (1.055 * x ** (1 / 2.4) - 0.055);
+  assert.ok(Math.abs(of("linear") - srgb(0.5)) <= 0.6);
+  assert.ok(Math.abs(of("reinhard") - srgb(0.5 * (1 + 0.5 / 256) / 1.5)) <= 0.6);
+  assert.ok(Math.abs(of("filmic") - srgb((0.5 * (2.51 * 0.5 + 0.03)) / (0.5 * (2.43 * 0.5 + 0.59) + 0.14))) <= 0.6);
+});
+
+test("the exposure makes a share of the picture at most white", async () => {
+  const scene = await gold();
+  const picture = sphere(scene, 100, { exposure: scene.exposure(0.9), tone: "linear" });
+  let [inside, white] = [0, 0];
+  for (let k = 0; k < picture.length; k += 4) {
+    if (picture[k + 3] < 255) continue;
+    inside++;
+    if (Math.max(picture[k], picture[k + 1], picture[k + 2]) === 255) white++;
+  }
+  assert.ok(Math.abs(white / inside - 0.1) < 0.01, `${white} of ${inside}`);
+  scene.light(three([0]));
+  assert.equal(scene.exposure(), 1);
+});
+
+test("every preset is there", async () => {
+  const names = await presetNames();
+  assert.equal(names.light.length, 26);
+  assert.ok(names.material.length > 100);
+  for (const [all, load] of [[names.light, lightPreset], [names.material, materialPreset]]) {
+    for (const { r, g, b } of await Promise.all(all.map(load))) {
+      assert.ok([r, g, b].every((channel) => channel.length === r.length && channel.every(Number.isFinite)));
+    }
+  }
+});
+
+test("wrong input throws one clear error and changes nothing", async () => {
+  const scene = await gold();
+  const before = scene.uniforms();
+  const light = await lightPreset("park");
+  const fails = (what, name, message) => assert.throws(what, { name, message });
+  fails(() => scene.light(null), "TypeError", "light: expected { r, g, b } with arrays of coefficients");
+  fails(() => scene.light({ ...light, g: "red" }), "TypeError", "light: g is not an array of numbers");
+  fails(() => scene.light({ ...light, b: light.b.slice(1) }), "RangeError",
+    "light: b has 99 coefficients, expected 1, 4, 9, 16, 25, 36, 49, 64, 81, 100");
+  fails(() => scene.light(three(new Float32Array(121))), "RangeError",
+    "light: r has 121 coefficients, expected 1, 4, 9, 16, 25, 36, 49, 64, 81, 100; leave out the rest");
+  const detached = Float32Array.from(light.r);
+  structuredClone(detached, { transfer: [detached.buffer] });
+  fails(() => scene.light({ ...light, r: detached }), "RangeError",
+    "light: r has 0 coefficients, expected 1, 4, 9, 16, 25, 36, 49, 64, 81, 100");
+  for (const bad of [NaN, Infinity, 1e300, undefined, "red"]) {
+    fails(() => scene.light({ ...light, g: Array.from(light.g).with(7, bad) }), "RangeError",
+      `light: coefficient 7 of g is ${bad}, not a finite f32`);
+  }
+  fails(() => scene.material(three([])), "RangeError",
+    "material: r has 0 coefficients, expected 1, 2, 5, 8, 14, 20, 30, 40");
+  fails(() => scene.material("red"), "TypeError",
+    "material: expected { r, g, b } or { baseColor, metallic, roughness }");
+  fails(() => scene.material({ color: "#ffffff" }), "TypeError",
+    "material: no parameter is called color; there are baseColor, metallic and roughness");
+  fails(() => scene.material({ roughness: 1.1 }), "RangeError",
+    "material: roughness is 1.1, expected a number from 0 to 1");
+  fails(() => scene.material({ baseColor: "red" }), "RangeError",
+    'material: baseColor is "red", expected "#rrggbb" or three numbers');
+  fails(() => scene.material({ baseColor: [1, NaN, 0] }), "RangeError",
+    "material: green is NaN, expected a number from 0 to 1");
+  fails(() => scene.turn([0, 0, 0, 0]), "RangeError", "turn: [0,0,0,0] is not a quaternion");
+  fails(() => scene.turn([0, 0, 0]), "RangeError", "turn: [0,0,0] is not a quaternion");
+  fails(() => scene.turn({ yaw: NaN }), "RangeError", "turn: yaw is NaN, expected a number");
+  fails(() => scene.within(0), "RangeError", "within: the tolerance is 0, expected a number above 0");
+  fails(() => scene.glsl("buffer"), "RangeError",
+    'glsl: "buffer" is not one of uniforms, block and texture');
+  fails(() => scene.shade([0], [0, 0], [1]), "RangeError", "shade: x has 1 numbers, y has 2");
+  fails(() => scene.shade([0, 0], [0, 0], [1, -1]), "RangeError",
+    "shade: normal 1 is (0, 0, -1), expected a unit vector with z >= 0");
+  fails(() => scene.shade(1, 2, 3), "TypeError", "shade: x is not an array of numbers");
+  fails(() => scene.pixels([0], [0], [1], { exposure: 0 }), "RangeError",
+    "pixels: the exposure is 0, expected a number above 0");
+  fails(() => scene.pixels([0], [0], [1], { tone: "aces" }), "RangeError",
+    'pixels: "aces" is not one of linear, reinhard, filmic');
+  fails(() => sphere(scene, 0), "RangeError", "sphere: the size is 0, expected a whole number from 1 to 4096");
+  await assert.rejects(Scene.create({ light: "parc", material: "red-fabric" }), {
+    name: "RangeError",
+    message: /^no light is called "parc"; there are apartment, bridge, /,
+  });
+  await assert.rejects(Scene.create({ light: "park", material: "../light/park" }), {
+    message: /^no material is called "..\/light\/park"; /,
+  });
+  await assert.rejects(Scene.create({ light: "park", material: "fabric-red" }), {
+    message: /^no material is called "fabric-red"; did you mean red-fabric2, /,
+  });
+  assert.deepEqual(scene.uniforms(), before);
+});
