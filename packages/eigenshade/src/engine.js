@@ -30,7 +30,7 @@ export function engine() {
 }
 
 /**
- * An engine with a table of your own: a module that `crates/wasm/build color` made.
+ * An engine with a table of your own: a module `color` or `color-series` that `crates/wasm/build` made.
  *
  * @param {BufferSource | Response | Promise<Response>} source the module's bytes, such as `fetch(url)`
  * @returns {Promise<Engine>} for the option `engine` of `Scene.create` and `Preview.create`

@@ -4,4 +4,4 @@ export { load } from "./engine.js";
 export { Preview } from "./preview.js";
 export { sphere } from "./renderer.js";
 export { lightPreset, materialPreset, presetNames } from "./presets.js";
-export { Scene, TONES } from "./scene.js";
+export { EFFECTS, Scene, TONES } from "./scene.js";

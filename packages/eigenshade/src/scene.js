@@ -55,6 +55,20 @@ import { lightPreset, materialPreset } from "./presets.js";
 /** @type {readonly string[]} */
 const LANGUAGES = ["uniforms", "block", "texture", "wgsl"];
 
+/**
+ * The effects, in the module's order: the response to the mean light, Lambertian shading, rough and
+ * backscattering lobes, and highlights.
+ */
+export const EFFECTS = Object.freeze(/** @type {const} */ (["ambient", "diffuse", "broad", "gloss"]));
+
+/** @typedef {typeof EFFECTS[number]} Effect */
+
+/** Largest degree of a light that turns. */
+const TURNED = 12;
+
+/** The bits of all effects. */
+const ALL = 0b1111;
+
 /** Normals at points spread evenly over a sphere's picture, in a spiral. */
 const DISC = (() => {
   const axes = [0, 1, 2].map(() => new Float32Array(512));
@@ -84,6 +98,9 @@ export class Scene {
   #light;
   #turn = Float32Array.of(0, 0, 0, 1);
   #material;
+  #effects = ALL;
+  /** @type {number | undefined} */
+  #components;
   /** @type {number | undefined} */
   #tolerance;
   /** @type {Truncation | undefined} */
@@ -174,7 +191,45 @@ export class Scene {
    * @throws {RangeError} unless this is a rotation; the scene is then unchanged
    */
   turn(turn) {
-    this.#turn.set(quaternion(turn));
+    const rotation = quaternion(turn);
+    if (this.#engine.degree > TURNED) {
+      throw new RangeError(`turn: the table has degree ${this.#engine.degree}; lights turn up to degree ${TURNED}`);
+    }
+    this.#turn.set(rotation);
+    this.#changed();
+    return this;
+  }
+
+  /**
+   * Keeps only these effects. A picture is the sum of the pictures of its effects.
+   *
+   * @param {Iterable<Effect>} [effects] all by default
+   * @returns {this}
+   * @throws {RangeError} for a name that is no effect
+   */
+  effects(effects = EFFECTS) {
+    let bits = 0;
+    for (const effect of effects) bits |= 1 << nameOf("effects", effect, EFFECTS);
+    this.#effects = bits;
+    this.#transfer = {};
+    this.#changed();
+    return this;
+  }
+
+  /**
+   * Keeps only the first of the eigenimages.
+   *
+   * @param {number} [count] all by default
+   * @returns {this}
+   * @throws {RangeError} unless this is a whole number from 0 to their number
+   */
+  components(count) {
+    if (count !== undefined && !(Number.isInteger(count) && count >= 0 && count <= this.#engine.components)) {
+      throw new RangeError(
+        `components: ${count} is not a whole number from 0 to ${this.#engine.components}`,
+      );
+    }
+    this.#components = count;
     this.#changed();
     return this;
   }
@@ -281,6 +336,37 @@ export class Scene {
   }
 
   /**
+   * The values of an eigenimage at normals, as {@link shade}. Eigenimages are orthonormal over a
+   * sphere's picture.
+   *
+   * @param {number} index from 0
+   * @param {ArrayLike<number>} x
+   * @param {ArrayLike<number>} y
+   * @param {ArrayLike<number>} z
+   * @returns {Float32Array}
+   * @throws {RangeError} as {@link shade}, or if there is no such eigenimage
+   */
+  eigenimage(index, x, y, z) {
+    const { d, components } = this.#engine;
+    if (!(Number.isInteger(index) && index >= 0 && index < components)) {
+      throw new RangeError(`eigenimage: ${index} is not a whole number from 0 to ${components - 1}`);
+    }
+    const values = new Float32Array(x.length);
+    this.#chunks(
+      "eigenimage",
+      [x, y, z],
+      (start, count) => values.set(this.#engine.irradiance.subarray(0, count), start),
+      () => {
+        this.#engine.held.scene = undefined;
+        d.fill(0);
+        d[index] = 1;
+        this.#call("collapse");
+      },
+    );
+    return values;
+  }
+
+  /**
    * The pixels of normals, as {@link shade}: red, green, blue and 255, for `ImageData`.
    *
    * @param {ArrayLike<number>} x
@@ -327,10 +413,11 @@ export class Scene {
    * @param {string} what
    * @param {ArrayLike<number>[]} normals
    * @param {(start: number, count: number) => void} done
+   * @param {() => void} ready makes the module hold what is shaded
    */
-  #chunks(what, normals, done) {
+  #chunks(what, normals, done, ready = () => this.#ready()) {
     checkNormals(what, normals);
-    this.#ready();
+    ready();
     const { axes, normals: most } = this.#engine;
     const { length } = normals[0];
     for (let start = 0; start < length; start += most) {
@@ -343,6 +430,16 @@ export class Scene {
     }
   }
 
+  /**
+   * Calls a function of the module.
+   *
+   * @param {"transfer" | "relight" | "collapse"} step
+   * @param {number[]} numbers
+   */
+  #call(step, ...numbers) {
+    if (!this.#engine[step](...numbers)) throw new Error(`${step}: the module rejected its input`);
+  }
+
   #changed() {
     this.#state = {};
   }
@@ -352,21 +449,24 @@ export class Scene {
     const { held } = this.#engine;
     if (held.scene === this.#state) return;
     held.scene = undefined;
-    const call = (/** @type {"transfer" | "relight" | "collapse"} */ step) => {
-      if (!this.#engine[step]()) throw new Error(`${step}: the module rejected its input`);
-    };
     if (held.material !== this.#transfer) {
       held.material = undefined;
       this.#engine.material.set(this.#material);
-      call("transfer");
+      this.#call("transfer", this.#effects);
       held.material = this.#transfer;
     }
     this.#engine.light.set(this.#light);
     this.#engine.turn.set(this.#turn);
-    call("relight");
+    this.#call("relight");
+    if (this.#components !== undefined) {
+      const { d, components } = this.#engine;
+      for (let from = this.#components; from < d.length; from += components) {
+        d.fill(0, from, from + components - this.#components);
+      }
+    }
     this.#truncation = undefined;
     if (this.#tolerance === undefined) {
-      call("collapse");
+      this.#call("collapse");
     } else {
       if (!this.#engine.truncate(this.#tolerance)) throw new Error("within: the module rejected it");
       const [terms, azimuths, bound, floor, peak] = this.#engine.report;
@@ -542,10 +642,19 @@ export function checkExposure(what, exposure) {
  * @param {string} what
  * @param {string} tone
  */
-export function toneNumber(what, tone) {
-  const number = TONES.indexOf(/** @type {Tone} */ (tone));
-  if (number < 0) throw new RangeError(`${what}: "${tone}" is not one of ${TONES.join(", ")}`);
-  return number;
+export const toneNumber = (what, tone) => nameOf(what, tone, TONES);
+
+/**
+ * The place of a name in a list.
+ *
+ * @param {string} what
+ * @param {string} name
+ * @param {readonly string[]} names
+ */
+function nameOf(what, name, names) {
+  const place = names.indexOf(name);
+  if (place < 0) throw new RangeError(`${what}: "${name}" is not one of ${names.join(", ")}`);
+  return place;
 }
 
 /**

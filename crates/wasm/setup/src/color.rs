@@ -5,7 +5,7 @@ use crate::table::{BASIS, COMPONENTS, DEGREE, SCENE, TRANSFER, WORKSPACE};
 use crate::{LIGHT_COUNT, MATERIAL_COUNT, Shared};
 use core::fmt;
 use eigenshade::{
-    Light, Material, Parts, Recurrences, Rgb, Rotation, Scene, Shader, ShaderLanguage, Shape,
+    Effect, Effects, Light, Material, Parts, Recurrences, Rgb, Rotation, Scene, Shader, ShaderLanguage, Shape,
     Tolerance, Truncation,
 };
 
@@ -70,15 +70,22 @@ extern "C" fn color_metallic_roughness() -> u32 {
     1
 }
 
-/// The transfers of the material.
+/// The transfers of the material, for the effects whose bits are set: ambient, diffuse, broad and
+/// gloss from the lowest.
 #[unsafe(no_mangle)]
-extern "C" fn color_transfer() -> u32 {
+extern "C" fn color_transfer(effects: u32) -> u32 {
+    let mut of = Effects::NONE;
+    for (bit, effect) in Effect::ALL.into_iter().enumerate() {
+        if effects >> bit & 1 == 1 {
+            of = of.with(effect);
+        }
+    }
     // SAFETY: each buffer is borrowed once, and no other function runs.
     let (materials, room, transfers) =
         unsafe { (MATERIAL.borrow(), ROOM.borrow(), TRANSFERS.borrow()) };
     let done = materials.iter().zip(transfers).all(|(material, transfer)| {
         Material::new(material)
-            .and_then(|material| BASIS.transfer_into(&material, room, transfer))
+            .and_then(|material| BASIS.transfer_effects_into(&material, of, room, transfer))
             .is_ok()
     });
     done.into()

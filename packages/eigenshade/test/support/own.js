@@ -5,7 +5,8 @@ import { mkdirSync, readFileSync } from "node:fs";
 import { fileURLToPath } from "node:url";
 
 const ROOT = fileURLToPath(new URL("../../../../", import.meta.url));
-const EIGENSHADE = process.env.EIGENSHADE ?? `${ROOT}target/debug/eigenshade`;
+/** The program. */
+export const EIGENSHADE = process.env.EIGENSHADE ?? `${ROOT}target/debug/eigenshade`;
 
 /** The module of a scene's table, with SIMD. */
 export function ownModule(scene) {
@@ -14,6 +15,6 @@ export function ownModule(scene) {
   mkdirSync(folder, { recursive: true });
   execFileSync(EIGENSHADE, ["basis", "--quiet", "--scene", path, "--out", `${folder}/table.bin`]);
   const environment = { ...process.env, EIGENSHADE_TABLE: `${folder}/table.bin` };
-  execFileSync(`${ROOT}crates/wasm/build`, ["--to", folder, "color.simd"], { env: environment, stdio: "pipe" });
-  return readFileSync(`${folder}/color.simd.wasm`);
+  execFileSync(`${ROOT}crates/wasm/build`, ["--to", folder, "color-series.simd"], { env: environment, stdio: "pipe" });
+  return readFileSync(`${folder}/color-series.simd.wasm`);
 }
