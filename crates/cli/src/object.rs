@@ -8,6 +8,46 @@ use eigenshade_model::inputs::input_file::InputFile;
 /// Pixels across a sphere and a mesh, unless the caller asks for another number.
 pub const SIZE: usize = 512;
 
+/// The object of a picture. The pixels of the first two are not stored, because they may be many.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Object {
+    /// A sphere in this many pixels across, as in [`SphereView`].
+    Sphere(usize),
+    /// A [`Matcap`] of this many texels a side and of this radius, 1 for the square's width.
+    Matcap(usize, f32),
+    /// The object of a file.
+    View(ObjectView),
+}
+
+impl Object {
+    /// Pixels across and down.
+    #[must_use]
+    pub fn size(&self) -> [usize; 2] {
+        match self {
+            Self::Sphere(size) | Self::Matcap(size, _) => [*size; 2],
+            Self::View(view) => [view.width, view.height],
+        }
+    }
+
+    /// The pixels, row by row from the top, each with its unit normal, z >= 0.
+    #[must_use]
+    pub fn pixels(&self) -> Box<dyn Iterator<Item = (Pixel, [f64; 3])> + '_> {
+        match self {
+            Self::Sphere(size) => Box::new(SphereView::pixels(*size)),
+            Self::Matcap(size, radius) => {
+                Box::new(Matcap::new(*size).with_radius(*radius).map(|texel| {
+                    let normal = texel.normal().components().map(f64::from);
+                    let (column, row, is_inside) = (texel.column(), texel.row(), normal[2] > 0.0);
+                    (Pixel { column, row, coverage: 1.0, is_inside }, normal)
+                }))
+            }
+            Self::View(view) => {
+                Box::new(view.pixels.iter().copied().zip(view.normals.iter().copied()))
+            }
+        }
+    }
+}
+
 /// The pixels of a picture that an object covers at least in part.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ObjectView {
@@ -48,24 +88,6 @@ impl ObjectView {
     pub fn sphere(size: usize) -> Self {
         let SphereView { size, pixels, normals } = SphereView::new(size);
         Self { width: size, height: size, pixels, normals }
-    }
-
-    /// The texels of a [`Matcap`] whose disc has this radius, 1 for the square's width.
-    #[must_use]
-    pub fn matcap(size: usize, radius: f32) -> Self {
-        let texels = || Matcap::new(size).with_radius(radius);
-        let pixel = |texel: eigenshade::MatcapTexel| {
-            let (column, row) = (texel.column(), texel.row());
-            let is_inside = texel.normal().components()[2] > 0.0;
-            Pixel { column, row, coverage: 1.0, is_inside }
-        };
-        let normals = texels().map(|texel| texel.normal().components().map(f64::from));
-        Self {
-            width: size,
-            height: size,
-            pixels: texels().map(pixel).collect(),
-            normals: normals.collect(),
-        }
     }
 
     /// The codes of a [`NormalMap`] of this picture, row by row. A pixel that the object covers in

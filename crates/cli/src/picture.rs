@@ -38,25 +38,25 @@ impl SphereView {
     /// A sphere that fills a picture of `size` x `size` pixels up to a margin of half a pixel.
     #[must_use]
     pub fn new(size: usize) -> Self {
+        let (pixels, normals) = Self::pixels(size).unzip();
+        Self { size, pixels, normals }
+    }
+
+    /// The pixels of this picture with their normals, in the same order.
+    pub fn pixels(size: usize) -> impl Iterator<Item = (Pixel, [f64; 3])> {
         let radius = 0.5 * size as f64 - 0.5;
-        let mut view = Self { size, pixels: Vec::new(), normals: Vec::new() };
-        let offset = |k: usize| k as f64 + 0.5 - 0.5 * size as f64;
-        for row in 0..size {
-            for column in 0..size {
-                let (x, y) = (offset(column), -offset(row));
-                let distance = x.hypot(y);
-                let coverage = (radius - distance + 0.5).clamp(0.0, 1.0);
-                if coverage > 0.0 {
-                    let is_inside = distance < radius;
-                    let scale = if is_inside { radius } else { distance }.recip();
-                    let (x, y) = (scale * x, scale * y);
-                    let z = (1.0 - x * x - y * y).max(0.0).sqrt();
-                    view.pixels.push(Pixel { column, row, coverage, is_inside });
-                    view.normals.push([x, y, if is_inside { z } else { 0.0 }]);
-                }
-            }
-        }
-        view
+        let offset = move |k: usize| k as f64 + 0.5 - 0.5 * size as f64;
+        let places = (0..size).flat_map(move |row| (0..size).map(move |column| (row, column)));
+        places.filter_map(move |(row, column)| {
+            let (x, y) = (offset(column), -offset(row));
+            let distance = x.hypot(y);
+            let coverage = (radius - distance + 0.5).clamp(0.0, 1.0);
+            let is_inside = distance < radius;
+            let scale = if is_inside { radius } else { distance }.recip();
+            let (x, y) = (scale * x, scale * y);
+            let z = if is_inside { (1.0 - x * x - y * y).max(0.0).sqrt() } else { 0.0 };
+            (coverage > 0.0).then_some((Pixel { column, row, coverage, is_inside }, [x, y, z]))
+        })
     }
 }
 

@@ -1,7 +1,6 @@
 //! Files of drawn pictures: sRGB as PNG, or linear numbers as OpenEXR.
 
-use crate::object::ObjectView;
-use crate::picture::write_png;
+use crate::picture::{Pixel, write_png};
 use eigenshade::{Display, Meter, Rgb, Tone};
 use eigenshade_model::error::{Error, Result};
 use std::path::Path;
@@ -17,6 +16,9 @@ pub enum PictureFile {
     /// Linear 32-bit floats, multiplied by opacity.
     Exr,
 }
+
+/// Draws a picture: calls its argument with each pixel and its irradiance. It may be called again.
+pub type Draw<'a> = dyn FnMut(&mut dyn FnMut(Pixel, Rgb<f32>)) -> Result<()> + 'a;
 
 /// How irradiances become pixels.
 #[derive(Clone, Copy, Debug)]
@@ -56,56 +58,69 @@ impl PictureFile {
         }
     }
 
-    /// Writes the irradiances of a view's pixels.
+    /// The memory in bytes that [`write`](Self::write) takes for each pixel of a picture, at most.
+    #[must_use]
+    pub fn bytes_per_pixel(self) -> u64 {
+        match self {
+            Self::Png => 4,
+            // The numbers, and the file.
+            Self::Exr => 2 * 16,
+        }
+    }
+
+    /// Writes a picture of `size` pixels across and down. Metering draws it once more.
     ///
     /// # Errors
     ///
-    /// If the file, its folder or the disk fails, or the picture is too large.
+    /// Those of `draw`; and if the file, its folder or the disk fails, or the picture is too large.
     pub fn write(
         self,
         path: &Path,
-        view: &ObjectView,
-        image: &[Rgb<f32>],
+        size: [usize; 2],
         development: Development,
+        draw: &mut Draw<'_>,
     ) -> Result<()> {
         match self {
-            Self::Png => png(path, view, image, development),
-            Self::Exr => exr(path, view, image, development),
+            Self::Png => png(path, size, development, draw),
+            Self::Exr => exr(path, size, development, draw),
         }
     }
 }
 
-fn png(path: &Path, view: &ObjectView, image: &[Rgb<f32>], how: Development) -> Result<()> {
+fn png(path: &Path, [width, height]: [usize; 2], how: Development, draw: &mut Draw) -> Result<()> {
     let mut meter = Meter::default();
-    let pixels = || image.iter().zip(&view.pixels);
-    // A matcap repeats its rim in the corners.
-    let counts = pixels().filter(|(_, pixel)| pixel.is_inside || !how.is_opaque);
-    counts.for_each(|(&color, _)| meter.add(color));
+    if how.exposure.is_none() {
+        draw(&mut |pixel, color| {
+            // A matcap repeats its rim in the corners.
+            if pixel.is_inside || !how.is_opaque {
+                meter.add(color);
+            }
+        })?;
+    }
     let exposure = how.exposure.or_else(|| meter.exposure(UNCLIPPED)).unwrap_or(1.0);
     let display = Display::new(how.tone);
     let channels = if how.is_opaque { 3 } else { 4 };
-    let mut bytes = vec![0; channels * view.width * view.height];
-    for (&color, pixel) in pixels() {
+    let mut bytes = vec![0; channels * width * height];
+    draw(&mut |pixel, color| {
         let Rgb { r, g, b } = display.rgb888(color.exposed(exposure));
-        let start = channels * (pixel.row * view.width + pixel.column);
+        let start = channels * (pixel.row * width + pixel.column);
         let opacity = (255.0 * pixel.coverage).round() as u8;
         bytes[start..start + channels].copy_from_slice(&[r, g, b, opacity][..channels]);
-    }
-    write_png(path, view.width, view.height, &bytes)
+    })?;
+    write_png(path, width, height, &bytes)
 }
 
 #[cfg(feature = "generate")]
-fn exr(path: &Path, view: &ObjectView, image: &[Rgb<f32>], how: Development) -> Result<()> {
+fn exr(path: &Path, [width, height]: [usize; 2], how: Development, draw: &mut Draw) -> Result<()> {
     use eigenshade_model::output::write_atomically;
     use exr::prelude::{Image, SpecificChannels, Vec2, WritableImage};
-    let size = (view.width, view.height);
-    let mut colors = vec![[0.0_f32; 4]; view.width * view.height];
-    for (&color, pixel) in image.iter().zip(&view.pixels) {
+    let mut colors = vec![[0.0_f32; 4]; width * height];
+    draw(&mut |pixel, color| {
         let opacity = pixel.coverage as f32;
         let Rgb { r, g, b } = color.exposed(how.exposure.unwrap_or(1.0) * opacity);
-        colors[pixel.row * view.width + pixel.column] = [r, g, b, opacity];
-    }
-    let at = |Vec2(column, row)| colors[row * view.width + column];
+        colors[pixel.row * width + pixel.column] = [r, g, b, opacity];
+    })?;
+    let at = |Vec2(column, row)| colors[row * width + column];
     let mut bytes = std::io::Cursor::new(Vec::new());
     let written = if how.is_opaque {
         let channels = SpecificChannels::rgb(|place| {
@@ -114,10 +129,10 @@ fn exr(path: &Path, view: &ObjectView, image: &[Rgb<f32>], how: Development) -> 
                 [r, g, b]
             })
         });
-        Image::from_channels(size, channels).write().to_buffered(&mut bytes)
+        Image::from_channels((width, height), channels).write().to_buffered(&mut bytes)
     } else {
         let channels = SpecificChannels::rgba(|place| <(f32, f32, f32, f32)>::from(at(place)));
-        Image::from_channels(size, channels).write().to_buffered(&mut bytes)
+        Image::from_channels((width, height), channels).write().to_buffered(&mut bytes)
     };
     written.map_err(|error| Error::new(error.to_string(), "ask for a smaller picture"))?;
     write_atomically(path, |out| {
@@ -126,6 +141,6 @@ fn exr(path: &Path, view: &ObjectView, image: &[Rgb<f32>], how: Development) -> 
 }
 
 #[cfg(not(feature = "generate"))]
-fn exr(path: &Path, _view: &ObjectView, _image: &[Rgb<f32>], _how: Development) -> Result<()> {
+fn exr(path: &Path, _size: [usize; 2], _how: Development, _draw: &mut Draw) -> Result<()> {
     PictureFile::of(path).map(drop)
 }

@@ -248,6 +248,22 @@ fn a_scene_beyond_the_budget() {
     assert_refused(&folder, basis, &["degree 64, order 64", "minutes", "2 GiB"]);
 }
 
+/// A picture of a sphere takes its bytes: its pixels are not stored before they are drawn. Those of
+/// an .exr count.
+#[test]
+fn large_pictures() {
+    let folder = Folder::new();
+    let render = "render -q -l park -m chrome";
+    let output = limited(&folder, &format!("{render} -s 3072 --out a.png"), LIMIT);
+    assert_eq!(output.status.code(), Some(0), "{}", String::from_utf8_lossy(&output.stderr));
+    assert_refused(&folder, &format!("{render} -s 8192 --out new.exr"), &["new.exr", "2 GiB"]);
+    assert_refused(
+        &folder,
+        &format!("{render} -s 8192 --out new.png --memory 128MiB"),
+        &["256 MiB"],
+    );
+}
+
 /// The estimated memory is enough.
 #[test]
 fn a_table_takes_what_was_estimated() {

@@ -128,6 +128,24 @@ fn pictures_follow_their_options() {
     assert!(diffuse != gloss);
 }
 
+/// A picture of more pixels than are shaded together is the runtime's.
+#[test]
+fn bands_have_no_seams() {
+    let folder = Folder::new();
+    let table = repository().join("tables/sphere.bin");
+    let size = 600;
+    folder.ok(&format!(
+        "render --table {} --light lobby --material gold-metallic-paint --exposure 0.5 \
+         --size {size} --out a.png",
+        table.display()
+    ));
+    let found = pixels(&folder.path("a.png"));
+    let expected = gold(size, Tone::Linear, 0.5, presets::light::LOBBY);
+    assert_eq!(found.len(), expected.len());
+    // Rounding may move a code by one.
+    assert!(found.iter().zip(&expected).all(|(a, b)| a.abs_diff(*b) <= 1));
+}
+
 /// The bytes of the picture of gold paint under a light, as the runtime computes it.
 fn gold(size: usize, tone: Tone, exposure: f32, light: Rgb<Light<'_, f32>>) -> Vec<u8> {
     let display = Display::new(tone);

@@ -17,7 +17,7 @@ type Parsed<T> = std::result::Result<T, String>;
 /// The memory limits of a command.
 #[derive(Args, Clone, Copy, Debug)]
 pub struct Memory {
-    /// Memory limit for reading an input file and for making a table, like 4GiB
+    /// Memory limit for a file that is read, drawn or exported, and for making a table, like 4GiB
     /// [default: 512MiB for a file, 2GiB for a table]
     #[arg(long = "memory", global = true, value_name = "SIZE", display_order = 900)]
     budget: Option<Budget>,

@@ -6,8 +6,9 @@ use clap::{Args, ValueEnum};
 use eigenshade::{Effects, Matcap, Rgb, Scalar, Tone};
 use eigenshade_cli::messages::print_message;
 use eigenshade_cli::messages::{Ringing, albedo_warning};
-use eigenshade_cli::object::{ObjectView, SIZE};
+use eigenshade_cli::object::{Object, ObjectView, SIZE};
 use eigenshade_cli::output;
+use eigenshade_cli::picture::Pixel;
 use eigenshade_cli::picture_file::{Development, PictureFile};
 use eigenshade_cli::table::rounding;
 use eigenshade_model::database::{Lights, Materials};
@@ -128,25 +129,35 @@ impl Render {
         let warnings = [higher, albedo_warning(&materials), rounded].into_iter().flatten();
         let (mut lights, materials) = fitted(&table, &lights, &materials);
         self.choices.change(&mut lights);
-        let view = match self.matcap {
-            Some(engine) => ObjectView::matcap(self.size.unwrap_or(SIZE), engine.radius()),
-            None => ObjectView::read(memory.file(&self.normals), self.size)?,
+        let is_sphere = self.normals.as_os_str() == "sphere";
+        let object = match self.matcap {
+            Some(engine) => Object::Matcap(self.size.unwrap_or(SIZE), engine.radius()),
+            None if is_sphere => Object::Sphere(self.size.unwrap_or(SIZE)),
+            None => Object::View(ObjectView::read(memory.file(&self.normals), self.size)?),
         };
+        let [width, height] = object.size();
+        memory.file(&self.out).admit_pixels((width * height) as u64, file.bytes_per_pixel(), 0)?;
         let scene = Pair { table: &table, lights: &lights, materials: &materials };
-        let image = match self.format {
-            Format::F32 => scene.shaded::<f32>(components, effects, &view),
-            Format::F64 => scene.shaded::<f64>(components, effects, &view),
-        }?;
-        let values = || image.iter().flat_map(|&pixel| <[f32; 3]>::from(pixel)).map(f64::from);
-        let mut ringing = Ringing::default();
-        let pair = || overflow::pair(&lights.entries[0], &materials.entries[0]);
-        let (least, largest) = (values().reduce(f64::min), values().reduce(f64::max));
-        ringing.record(pair, least.unwrap_or_default(), largest.unwrap_or_default());
+        let (mut least, mut largest) = (f64::INFINITY, f64::NEG_INFINITY);
+        let mut draw = |show: &mut dyn FnMut(Pixel, Rgb<f32>)| {
+            let mut show = |pixel, color: Rgb<f32>| {
+                for value in <[f32; 3]>::from(color).map(f64::from) {
+                    (least, largest) = (least.min(value), largest.max(value));
+                }
+                show(pixel, color);
+            };
+            match self.format {
+                Format::F32 => scene.draw::<f32>(components, effects, &object, &mut show),
+                Format::F64 => scene.draw::<f64>(components, effects, &object, &mut show),
+            }
+        };
         let (exposure, is_opaque) = (self.exposure, self.matcap.is_some());
         let tone = self.tone.map_or(Tone::Linear, Tone::from);
         let development = Development { exposure, tone, is_opaque };
-        file.write(&self.out, &view, &image, development)?;
-        let is_sphere = self.normals.as_os_str() == "sphere";
+        file.write(&self.out, object.size(), development, &mut draw)?;
+        let mut ringing = Ringing::default();
+        let pair = || overflow::pair(&lights.entries[0], &materials.entries[0]);
+        ringing.record(pair, least, largest);
         let note = note(self.table.path(), &table.scene.geometry).filter(|_| is_sphere);
         let ringing = ringing.note().filter(|_| self.choices.has_all_effects());
         let sharp = material.error_note((table.gram.degree, table.gram.order));
@@ -162,24 +173,35 @@ struct Pair<'a> {
     materials: &'a Materials,
 }
 
+/// Pixels that are shaded together.
+const BAND: usize = 1 << 18;
+
 impl Pair<'_> {
-    /// The irradiances of the picture's pixels.
-    fn shaded<S: Scalar + Into<f64>>(
+    /// Calls `show` with each pixel of an object and its irradiance.
+    fn draw<S: Scalar + Into<f64>>(
         &self,
         components: usize,
         effects: Effects,
-        view: &ObjectView,
-    ) -> Result<Vec<Rgb<f32>>> {
+        object: &Object,
+        show: &mut dyn FnMut(Pixel, Rgb<f32>),
+    ) -> Result<()> {
         let basis = OwnedBasis::<S>::new(self.table);
         let mut shader = Shader::new(basis.any().map_err(fault)?, components)
             .with_transfers(basis.transfers())
             .with_effects(effects)?;
-        let normals = OwnedNormals::new(&view.normals);
         let light = (self.lights.degree, &self.lights.entries[0]);
         let material = (self.materials.order, &self.materials.entries[0]);
-        let [r, g, b] = shader.color(light, material, &normals)?;
-        let pixels = r.into_iter().zip(g).zip(b).map(|((r, g), b)| [r, g, b]);
-        Ok(pixels.map(|pixel| pixel.map(|channel| channel.into() as f32).into()).collect())
+        let mut all = object.pixels();
+        loop {
+            let (pixels, normals): (Vec<Pixel>, Vec<_>) = all.by_ref().take(BAND).unzip();
+            if pixels.is_empty() {
+                return Ok(());
+            }
+            let [r, g, b] = shader.color(light, material, &OwnedNormals::new(&normals))?;
+            for (pixel, ((r, g), b)) in pixels.into_iter().zip(r.into_iter().zip(g).zip(b)) {
+                show(pixel, [r, g, b].map(|channel| channel.into() as f32).into());
+            }
+        }
     }
 }
 
