@@ -264,6 +264,16 @@ fn large_pictures() {
     );
 }
 
+/// Eigenimages and images of a large sphere are refused before its normals are computed.
+#[test]
+fn an_export_of_many_normals() {
+    let folder = Folder::new();
+    for inputs in ["", "-l park -m chrome"] {
+        let export = format!("export --lang npz {inputs} --normals sphere -s 8192 --out new.npz");
+        assert_refused(&folder, &export, &["give a smaller input"]);
+    }
+}
+
 /// The estimated memory is enough.
 #[test]
 fn a_table_takes_what_was_estimated() {

@@ -73,25 +73,29 @@ impl Export {
         output::refuse_collisions(&self.out.path, inputs)?;
         self.check()?;
         let table = self.table.read(memory)?;
-        let normals = self.normals.as_ref().map(|path| memory.file(path));
-        let shown = normals.map(|file| Shown::read(file, self.size)).transpose()?;
-        if light.is_none() && material.is_none() {
-            let path = self.table.path();
-            if self.holds_arrays() {
-                memory.file(path).admit(of_table::size(&table, shown.as_ref()))?;
-            }
-            let contents = self.table_contents(&table, shown.as_ref());
-            let contents = contents.map_err(|error| error.in_file(path))?;
-            return output::write_all(self.out.path.as_deref(), contents);
-        }
         let none = Lights { degree: 0, entries: Vec::new() };
         let lights = light.map_or(Ok(none), |one| one.lights(memory.of_file()))?;
         let none = Materials { order: 0, entries: Vec::new() };
         let of_file = material.map_or(Ok(none), |one| one.materials(memory.of_file()))?;
         let (lights, materials) = fitted(&table, &lights, &of_file);
-        if let Some(light) = light {
-            let pairs = lights.entries.len() * materials.entries.len();
-            memory.file(light.path()).admit(scene::size(&table, pairs, shown.as_ref()))?;
+        let pairs = lights.entries.len() * materials.entries.len();
+        let admit = |normals: usize| match (light, material) {
+            (Some(light), _) => {
+                memory.file(light.path()).admit(scene::size(&table, pairs, normals))
+            }
+            (None, None) if self.holds_arrays() => {
+                memory.file(self.table.path()).admit(of_table::size(&table, normals))
+            }
+            _ => Ok(()),
+        };
+        let shown = match &self.normals {
+            Some(path) => Some(Shown::read(memory.file(path), self.size, admit)?),
+            None => admit(0).map(|()| None)?,
+        };
+        if light.is_none() && material.is_none() {
+            let contents = self.table_contents(&table, shown.as_ref());
+            let contents = contents.map_err(|error| error.in_file(self.table.path()))?;
+            return output::write_all(self.out.path.as_deref(), contents);
         }
         let contents = self.coefficients(&table, &lights, &materials, shown.as_ref())?;
         output::write_all(self.out.path.as_deref(), contents)?;

@@ -10,10 +10,10 @@ use eigenshade_shading::owned_basis::OwnedBasis;
 use eigenshade_shading::shader::{OwnedNormals, Shader, fault};
 use eigenshade_table::Table;
 
-/// The bytes that an export of this many pairs of a light and a material takes at most.
+/// The bytes that an export of this many pairs of a light and a material at this many normals takes
+/// at most.
 #[must_use]
-pub fn size(table: &Table, pairs: usize, shown: Option<&Shown>) -> u64 {
-    let normals = shown.map_or(0, |shown| shown.normals.len());
+pub fn size(table: &Table, pairs: usize, normals: usize) -> u64 {
     BYTES * (3 * pairs * (table.count() + normals)) as u64
 }
 

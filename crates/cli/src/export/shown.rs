@@ -2,7 +2,7 @@
 
 use super::array::Array;
 use crate::object::ObjectView;
-use crate::picture::Pixel;
+use crate::picture::{Pixel, SphereView};
 use eigenshade_model::error::{Error, Result};
 use eigenshade_model::inputs::input_file::InputFile;
 use eigenshade_model::inputs::normals::read_normals;
@@ -21,22 +21,33 @@ pub struct Shown {
 
 impl Shown {
     /// The normals of a CSV `x,y,z`, or of the object that [`ObjectView::read`] reads, in `size`
-    /// pixels across; by default 64, and all of a normal map.
+    /// pixels across; by default 64, and all of a normal map. `admit` checks the number of normals:
+    /// of a sphere before they are computed, of a file when it has been read.
     ///
     /// # Errors
     ///
-    /// Those of reading the file; and for a CSV with a size.
-    pub fn read(file: InputFile, size: Option<usize>) -> Result<Self> {
+    /// Those of reading the file and of `admit`; and for a CSV with a size.
+    pub fn read(
+        file: InputFile,
+        size: Option<usize>,
+        admit: impl Fn(usize) -> Result<()>,
+    ) -> Result<Self> {
         let extension = file.extension();
         if extension == "csv" {
             if size.is_some() {
                 let what = "a list of normals has no pixels to count";
                 return Err(Error::new(what, "leave --size out").in_file(file.path()));
             }
-            return Ok(Self { normals: read_normals(file)?, pixels: Vec::new() });
+            let normals = read_normals(file)?;
+            admit(normals.len())?;
+            return Ok(Self { normals, pixels: Vec::new() });
         }
         let size = size.or((extension != "png").then_some(SIZE));
+        if file.path().as_os_str() == "sphere" {
+            admit(SphereView::pixels(size.unwrap_or(SIZE)).count())?;
+        }
         let ObjectView { normals, pixels, .. } = ObjectView::read(file, size)?;
+        admit(normals.len())?;
         Ok(Self { normals, pixels })
     }
 

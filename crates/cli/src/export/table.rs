@@ -14,11 +14,10 @@ pub(super) const BYTES: u64 = 48;
 
 /// The bytes that an export of a table takes at most: the arrays, and the text of a file.
 #[must_use]
-pub fn size(table: &Table, shown: Option<&Shown>) -> u64 {
+pub fn size(table: &Table, normals: usize) -> u64 {
     let modes = mode::total(table.gram.degree, table.gram.order);
     let by_mode = modes * (table.gram.nodes.len() + 2 * table.components.len() + 7);
-    let images = shown.map_or(0, |shown| shown.normals.len() * (table.count() + 7));
-    BYTES * (by_mode + images) as u64
+    BYTES * (by_mode + normals * (table.count() + 7)) as u64
 }
 
 /// The arrays of a table. Modes are sorted by m from -degree to degree, and within one m in the
