@@ -1,5 +1,6 @@
 //! Bad input: exit status 1, one line that names the file, and nothing written.
 
+use crate::support::files::with_geometry;
 use crate::support::{self, Folder, PAIR, assert_fails, lights, materials, scene};
 use std::fs;
 
@@ -29,6 +30,18 @@ fn missing_files() {
     }
     let arguments = format!("shade --table b.bin {PAIR} --normals none.csv --out new.csv");
     assert_fails(&folder, &arguments, &["none.csv"]);
+    // A scene that was copied without its databases.
+    fs::create_dir(folder.path("copied")).unwrap();
+    let place = folder.path("copied").canonicalize().unwrap().display().to_string();
+    let basis = "basis --scene copied/scene.toml --out new.bin";
+    let object = with_geometry("normals = \"none.png\"\nmask = \"mask.png\"\n");
+    folder.write("copied/scene.toml", object);
+    for file in ["lights.csv", "materials.csv", "none.png", "mask.png"] {
+        let named = format!("`{file}`");
+        let fragments = ["copied/scene.toml: ", &named, &place, "copy the file"];
+        assert_fails(&folder, basis, &fragments);
+        folder.write(&format!("copied/{file}"), "");
+    }
 }
 
 /// A word that is no file and no shipped name: similar names are offered.

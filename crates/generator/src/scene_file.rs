@@ -79,6 +79,15 @@ pub fn load(file: impl Into<InputFile>) -> Result<Loaded> {
         None => error.in_file(path),
     })?;
     let folder = file.folder();
+    if let Some(name) = named_files(&scene).find(|name| !folder.join(name).exists()) {
+        let place = folder.join(".").canonicalize().unwrap_or_else(|_| folder.to_owned());
+        let what = format!(
+            "it names the file `{name}`, which does not exist; relative paths in a scene start at \
+             its folder, here {}",
+            place.display()
+        );
+        return Err(Error::new(what, "copy the file there, or correct its path").in_file(path));
+    }
     let lights = file.other(folder.join(&scene.light.database));
     let lights = read_lights(lights, Some(scene.light.degree))?;
     let databases = scene.material.database.iter().map(|path| folder.join(path));
@@ -101,17 +110,21 @@ pub fn inputs(path: &Path) -> Vec<PathBuf> {
     let folder = path.parent().unwrap_or(Path::new("."));
     let mut inputs = vec![path.to_owned()];
     if let Ok(scene) = toml::from_str::<Scene>(&text) {
-        let geometry = &scene.geometry;
-        let object = match geometry.normals.as_str() {
-            "sphere" => None,
-            "slant-density" => geometry.density.as_ref().filter(|one| density::is_file(one)),
-            _ => Some(&geometry.normals),
-        };
-        let databases = std::iter::once(&scene.light.database).chain(&scene.material.database);
-        let files = databases.chain(object).chain(&geometry.mask);
-        inputs.extend(files.map(|file| folder.join(file)));
+        inputs.extend(named_files(&scene).map(|file| folder.join(file)));
     }
     inputs
+}
+
+/// The files that a scene names.
+fn named_files(scene: &Scene) -> impl Iterator<Item = &String> {
+    let geometry = &scene.geometry;
+    let object = match geometry.normals.as_str() {
+        "sphere" => None,
+        "slant-density" => geometry.density.as_ref().filter(|one| density::is_file(one)),
+        _ => Some(&geometry.normals),
+    };
+    let databases = std::iter::once(&scene.light.database).chain(&scene.material.database);
+    databases.chain(object).chain(&geometry.mask)
 }
 
 /// The materials of several files, to the lowest of their orders, and the highest order that all
