@@ -164,11 +164,28 @@ fn draw(
     Ok(())
 }
 
-/// A name in one line, or in two that part at a hyphen.
+/// A name in one line, or in two that part after a hyphen.
 fn lines(name: &str, most: usize) -> Vec<&str> {
     let place = name.get(..most).and_then(|start| start.rfind('-'));
     match place {
-        Some(place) if name.len() > most => vec![&name[..place], &name[place + 1..]],
+        Some(place) if name.len() > most => {
+            let (first, second) = name.split_at(place + 1);
+            vec![first, second]
+        }
         _ => vec![name],
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    #[test]
+    fn lines_are_the_name() {
+        for (name, expected) in [
+            ("chrome", vec!["chrome"]),
+            ("gold-metallic-paint", vec!["gold-metallic-", "paint"]),
+            ("specular-black-phenolic", vec!["specular-black-", "phenolic"]),
+        ] {
+            assert_eq!(super::lines(name, 15), expected);
+        }
     }
 }
