@@ -16,11 +16,10 @@ use eigenshade_model::database::{Lights, Named};
 use eigenshade_model::error::{Error, Result};
 use eigenshade_model::inputs::coefficient_csv::{read_lights, read_materials};
 use eigenshade_model::scattering;
+use eigenshade_shading::shipped::ERROR_SIZES;
 use indicatif::ProgressBar;
 use std::path::Path;
 
-/// Degrees and orders: that of the shipped table, and the largest that one would use on a device.
-pub const SIZES: [(usize, usize); 2] = [(9, 7), (12, 12)];
 /// The window of the shipped coefficients in color, `material --window`.
 const WINDOW: Window<f64> = Window::SincFourth { width: 40.0 };
 /// The material that was measured and is not in color.
@@ -45,7 +44,7 @@ pub struct Errors {
     pub pixel: f64,
 }
 
-/// The errors of the shipped materials, or of those with these names, at each of [`SIZES`].
+/// The errors of the shipped materials, or of those with these names, at each of [`ERROR_SIZES`].
 ///
 /// # Errors
 ///
@@ -79,7 +78,7 @@ pub fn errors(
                 let material = sized(surface, shipped, size.1);
                 errors_of(&reference, &lights, size, &material, &map_names)
             };
-            (surface.name.clone(), SIZES.iter().map(of_size).collect())
+            (surface.name.clone(), ERROR_SIZES.iter().map(of_size).collect())
         })
         .collect())
 }

@@ -9,7 +9,7 @@ use eigenshade_generator::material::brdf::{Brdf, Part};
 use eigenshade_generator::material::files::{Source, read};
 use eigenshade_shading::shipped;
 use experiments::light_tree::LightTree;
-use experiments::material_errors::{SIZES, SPACING, errors};
+use experiments::material_errors::{SPACING, errors};
 use experiments::numbers::{median, percent};
 use indicatif::ProgressBar;
 use std::fs;
@@ -75,7 +75,7 @@ fn recorded_errors_are_found_again() {
     let again = |spacing| errors(&inputs, &names, spacing, &ProgressBar::hidden()).unwrap();
     let (found, wider) = (again(SPACING), again(1.4 * SPACING));
     for ((name, found), (_, wider)) in found.iter().zip(&wider) {
-        for ((&size, found), wider) in SIZES.iter().zip(found).zip(wider) {
+        for ((&size, found), wider) in shipped::ERROR_SIZES.iter().zip(found).zip(wider) {
             let recorded = shipped::total_error(name, size).expect("a row");
             println!("{name} {size:?}: {found:?}, wider {wider:?}");
             let near = |a: f64, b: f64, digit: f64| assert!((a - b).abs() <= OF_DIGITS * digit);
@@ -106,7 +106,7 @@ fn the_page_has_the_errors_of_materials() {
         "| degree, order | median | 95th percentile | worst material | worst map | worst pixel |\n\
          |---|---:|---:|---:|---:|---:|\n",
     );
-    for size in SIZES {
+    for size in shipped::ERROR_SIZES {
         let of_size = named
             .iter()
             .filter_map(|one| Some((one.name.as_str(), shipped::total_error(&one.name, size)?)));

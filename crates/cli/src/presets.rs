@@ -130,16 +130,18 @@ impl Source {
         Err(Error::new(format!("it has {count} entries"), remedy).in_file(&self.path))
     }
 
-    /// A note if this is a shipped material whose pictures at this degree and order are far from
-    /// those of its BRDF.
+    /// A note if this is a shipped material whose pictures at this order are far from those of its
+    /// BRDF, at the degree at which they were measured.
     #[must_use]
-    pub fn error_note(&self, size: (usize, usize)) -> Option<String> {
+    pub fn error_note(&self, order: usize) -> Option<String> {
         let name = self.path.to_str().filter(|_| self.entry == Entry::Shipped)?;
-        let error = shipped::total_error(name, size).filter(|error| error.worst > LARGE)?;
+        let (degree, _) = shipped::ERROR_SIZES.into_iter().find(|size| size.1 == order)?;
+        let error = shipped::total_error(name, (degree, order));
+        let error = error.filter(|error| error.worst > LARGE)?;
         Some(format!(
-            "note: `{name}` is sharper than order {} can show: pictures are off by {:.1} % of \
-             their peak, under some lights by {:.0} %, and highlights are blurred",
-            size.1,
+            "note: `{name}` is sharper than order {order} can show: at degree {degree}, pictures \
+             are off by {:.1} % of their peak, under some lights by {:.0} %, and highlights are \
+             blurred",
             100.0 * error.median,
             100.0 * error.worst
         ))

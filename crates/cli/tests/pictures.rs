@@ -1,7 +1,7 @@
 //! Pictures: reading them, the transfer functions of PNG files, and the normals of a sphere.
 
 use crate::support::files::{answer, get, nearest, png};
-use crate::support::{Folder, repository};
+use crate::support::{Folder, materials, repository};
 use crate::tolerances;
 use eigenshade::mathematics::Libm;
 use eigenshade::{Display, Light, Normal, Rgb, Rotation, Tone, Window, presets, sphere};
@@ -71,7 +71,8 @@ fn names_are_entries_of_the_shipped_files() {
     assert_eq!(projected.lines().count(), 4);
 }
 
-/// A material sharper than the table says so; a matte one, and a file's, do not.
+/// A material sharper than the table says so, at each order at which errors were measured; a matte
+/// one, and a file's, do not.
 #[test]
 fn sharp_materials_are_named() {
     let folder = Folder::new();
@@ -79,7 +80,16 @@ fn sharp_materials_are_named() {
         folder.messages(&format!("render --light park --material {material} --size 32 --out a.png"))
     };
     let note = drawn("chrome");
-    assert!(note.contains("`chrome` is sharper than order 7 can show"), "{note}");
+    assert!(note.contains("`chrome` is sharper than order 7 can show: at degree 9,"), "{note}");
+    folder.ok("basis --scene scene.toml --out b.bin");
+    assert!(!drawn("chrome --table b.bin").contains("sharper"));
+    // A table of order 12, of another degree than the errors.
+    let scene = folder.read("scene.toml").replace("order = 3", "order = 12");
+    folder.write("scene.toml", scene);
+    folder.write("materials.csv", materials(12, 2));
+    folder.ok("basis --scene scene.toml --out b.bin");
+    let note = drawn("chrome --table b.bin");
+    assert!(note.contains("`chrome` is sharper than order 12 can show: at degree 12,"), "{note}");
     assert!(!drawn("ptfe-633nm").contains("sharper"));
     let file = repository().join("tables/inputs/merl.csv");
     assert!(!drawn(&format!("{}:chrome", file.display())).contains("sharper"));

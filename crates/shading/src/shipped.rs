@@ -109,6 +109,10 @@ pub struct TotalError {
     pub pixel: f64,
 }
 
+/// The degrees and orders of [`total_error`]: that of the shipped table, and the largest that one
+/// would use on a device.
+pub const ERROR_SIZES: [(usize, usize); 2] = [(9, 7), (12, 12)];
+
 /// The total error of a shipped material at a degree and an order, from
 /// `tables/inputs/merl.errors.csv`. `None` if it is not there.
 #[must_use]

@@ -4,8 +4,9 @@ use clap::Args;
 use eigenshade_cli::messages::progress_bar;
 use eigenshade_cli::output::{self, Rows};
 use eigenshade_model::error::Result;
+use eigenshade_shading::shipped::ERROR_SIZES;
 use experiments::command_line::write_command_line;
-use experiments::material_errors::{self, Errors, SIZES, SPACING};
+use experiments::material_errors::{self, Errors, SPACING};
 use std::path::PathBuf;
 
 /// Total errors of the shipped materials, tables/inputs/merl.errors.csv
@@ -42,7 +43,7 @@ impl MaterialErrors {
             let mut rows = Rows::new(out, material_errors::COLUMNS)?;
             for (name, errors) in &found {
                 for ((degree, order), Errors { median, worst, map, pixel }) in
-                    SIZES.iter().zip(errors)
+                    ERROR_SIZES.iter().zip(errors)
                 {
                     rows.row([
                         name.clone(),

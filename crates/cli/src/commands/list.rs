@@ -38,7 +38,7 @@ impl List {
         let Materials { order, entries: materials } = shipped::named_materials()?;
         let row = |(kind, size, entry): (&'static str, usize, Named)| {
             let color = if entry.is_gray() { "gray" } else { "rgb" };
-            let [error_9_7, error_12_12] = [(9, 7), (12, 12)].map(|size| {
+            let [error_9_7, error_12_12] = shipped::ERROR_SIZES.map(|size| {
                 let error = shipped::total_error(&entry.name, size)?;
                 (kind == "material").then_some(error.median)
             });

@@ -160,7 +160,7 @@ impl Render {
         ringing.record(pair, least, largest);
         let note = note(self.table.path(), &table.scene.geometry).filter(|_| is_sphere);
         let ringing = ringing.note().filter(|_| self.choices.has_all_effects());
-        let sharp = material.error_note((table.gram.degree, table.gram.order));
+        let sharp = material.error_note(table.gram.order);
         note.into_iter().chain(warnings).chain(ringing).chain(sharp).for_each(print_message);
         Ok(())
     }
