@@ -219,7 +219,20 @@ fn pages_and_completions() {
         let script = folder.ok(&format!("completions {shell}"));
         assert!(script.contains("render") && script.contains("exposure"), "{shell}");
     }
+    // The shipped names, and files beside them: bash has these where no name fits.
+    for (shell, files) in [("bash", "-o default"), ("zsh", "; _files}"), ("fish", "-F -a \"")] {
+        let script = folder.ok(&format!("completions {shell}"));
+        for expected in ["esplanade", "gold-metallic-paint", files] {
+            assert!(script.contains(expected), "{shell}: {expected}");
+        }
+        // In zsh, a colon ends the name of a value.
+        assert!(!script.contains("FILE[:NAME]"), "{shell}");
+    }
     folder.ok("completions bash -o e.bash");
+    let typed = "source e.bash; COMP_WORDS=(eigenshade render -l par); COMP_CWORD=3; \
+                 _eigenshade eigenshade par -l; echo \"${COMPREPLY[@]}\"";
+    let offered = Command::new("bash").args(["-c", typed]).current_dir(folder.path(".")).output();
+    assert_eq!(String::from_utf8_lossy(&offered.unwrap().stdout), "park\n");
     assert!(
         Command::new("bash")
             .args(["-n", "e.bash"])

@@ -5,7 +5,9 @@ use clap::{Args, Command};
 use clap_complete::Shell;
 use clap_mangen::Man;
 use eigenshade_cli::output;
+use eigenshade_model::database::Named;
 use eigenshade_model::error::{Error, Result};
+use eigenshade_shading::shipped;
 use std::fs;
 use std::path::{Path, PathBuf};
 
@@ -23,9 +25,33 @@ pub struct Completions {
 
 impl Completions {
     pub fn run(self, mut program: Command) -> Result<()> {
+        let names = |entries: Vec<Named>| entries.into_iter().map(|entry| entry.name).collect();
+        let lists: [(&str, Vec<String>); 2] = [
+            ("light", names(shipped::lights()?.entries)),
+            ("material", names(shipped::named_materials()?.entries)),
+        ];
+        // For the script alone: the program also takes files. In zsh a colon ends a value's name.
+        for (option, names) in &lists {
+            program = program.mut_subcommands(|command| {
+                let takes_it = command.get_arguments().any(|one| one.get_id().as_str() == *option);
+                if !takes_it {
+                    return command;
+                }
+                command
+                    .mut_arg(option, |one| one.value_name("NAME|FILE").value_parser(names.clone()))
+            });
+        }
         let mut script = Vec::new();
         let name = program.get_name().to_owned();
         clap_complete::generate(self.shell, &mut program, name, &mut script);
+        let mut script = String::from_utf8_lossy(&script).into_owned();
+        // Files too: bash offers them where no name fits, zsh and fish if the script says so.
+        for (_, names) in &lists {
+            let (first, all) = (&names[0], names.join(" "));
+            script = script
+                .replace(&format!(":({all})"), &format!(":{{compadd -- {all}; _files}}"))
+                .replace(&format!("-f -a \"{first}\\t"), &format!("-F -a \"{first}\\t"));
+        }
         output::write_all(self.out.path.as_deref(), script)
     }
 }
