@@ -25,6 +25,7 @@ mod read;
 mod results;
 mod scene_choices;
 mod shade;
+mod shader;
 mod shapes;
 mod tolerance_choice;
 

@@ -58,6 +58,33 @@ impl<S: Scalar> Shader<'_, S> {
         normals: &OwnedNormals<S>,
         tolerance: Tolerance<S>,
     ) -> Result<Vec<(Vec<S>, Truncation<S>)>> {
+        let normals = normals.view()?;
+        self.truncated(channels, tolerance, |scenes, truncations| {
+            let mut shaded = Vec::new();
+            for ((scene, truncation), (light, material)) in
+                scenes.iter().zip(truncations).zip(channels)
+            {
+                let mut irradiance = vec![S::ZERO; normals.len()];
+                scene.shade_slice(normals, &mut irradiance).map_err(fault)?;
+                overflow::check(&irradiance, light.1, material.1)?;
+                shaded.push((irradiance, truncation));
+            }
+            Ok(shaded)
+        })
+    }
+
+    /// Calls a function with the scenes of [`within`](Self::within), which have one shape, and their
+    /// truncations.
+    ///
+    /// # Errors
+    ///
+    /// As [`within`](Self::within), and those of the function.
+    pub fn truncated<R>(
+        &mut self,
+        channels: &[Lit<'_>],
+        tolerance: Tolerance<S>,
+        function: impl FnOnce(&[Scene<'_, &[S]>], Vec<Truncation<S>>) -> Result<R>,
+    ) -> Result<R> {
         let mut images = Vec::new();
         for &(light, material) in channels {
             images.push(self.project(light, material)?.to_vec());
@@ -81,18 +108,9 @@ impl<S: Scalar> Shader<'_, S> {
         let shape = basis
             .collapse_set_within(&images, count, tolerance, &mut lengths, room, report)
             .map_err(fault)?;
-        let normals = normals.view()?;
-        let mut shaded = Vec::new();
-        for (k, (truncation, (light, material))) in
-            truncations.into_iter().zip(channels).enumerate()
-        {
-            let scene = shape.scene(&buffer[k * len..]).map_err(fault)?;
-            let mut irradiance = vec![S::ZERO; normals.len()];
-            scene.shade_slice(normals, &mut irradiance).map_err(fault)?;
-            overflow::check(&irradiance, light.1, material.1)?;
-            shaded.push((irradiance, truncation));
-        }
-        Ok(shaded)
+        let scenes = buffer.chunks(len).map(|numbers| shape.scene(numbers));
+        let scenes = scenes.collect::<std::result::Result<Vec<_>, _>>().map_err(fault)?;
+        function(&scenes, truncations)
     }
 
     /// One channel of the image, looked up.

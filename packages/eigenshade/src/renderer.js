@@ -54,6 +54,8 @@ const KEPT = 16;
 class Shared {
   #canvas;
   #gl;
+  /** The array of a scene: a block, because all terms are more vectors than WebGL 2 promises. */
+  #array;
   /** @type {Map<string, { program: WebGLProgram, places: Record<string, WebGLUniformLocation | null> }>} */
   #programs = new Map();
   /** What to draw again after the context was lost. */
@@ -66,11 +68,13 @@ class Shared {
   constructor(canvas, gl) {
     this.#canvas = canvas;
     this.#gl = gl;
+    this.#array = gl.createBuffer();
     canvas.addEventListener("webglcontextlost", (event) => {
       event.preventDefault();
       this.#programs.clear();
     });
     canvas.addEventListener("webglcontextrestored", () => {
+      this.#array = gl.createBuffer();
       this.restored.dispatchEvent(new Event("restored"));
     });
   }
@@ -95,7 +99,7 @@ class Shared {
    */
   draw(scene, size, { exposure, tone }) {
     const gl = this.#gl;
-    const text = scene.glsl();
+    const text = scene.glsl("block");
     const found = this.#programs.get(text) ?? this.#compiled(text);
     if (!found || this.lost) return undefined;
     // The programs used last are kept.
@@ -105,7 +109,8 @@ class Shared {
     gl.viewport(0, 0, size, size);
     gl.useProgram(found.program);
     const { places } = found;
-    gl.uniform4fv(places.eigenshade, scene.uniforms());
+    gl.bindBufferBase(gl.UNIFORM_BUFFER, 0, this.#array);
+    gl.bufferData(gl.UNIFORM_BUFFER, scene.uniforms(), gl.DYNAMIC_DRAW);
     gl.uniform1f(places.size, size);
     gl.uniform1f(places.exposure, exposure);
     gl.uniform1i(places.tone, TONES.indexOf(tone));
@@ -138,11 +143,11 @@ class Shared {
       if (gl.isContextLost()) return undefined;
       throw new Error(`the shader of the scene does not compile: ${log}`);
     }
+    gl.uniformBlockBinding(program, gl.getUniformBlockIndex(program, "Eigenshade"), 0);
     const place = (/** @type {string} */ name) => gl.getUniformLocation(program, name);
     const found = {
       program,
       places: {
-        eigenshade: place("eigenshade"),
         size: place("size"),
         exposure: place("exposure"),
         tone: place("tone"),

@@ -54,6 +54,27 @@ test("scenes are the direct sum over all modes", async () => {
   }
 });
 
+test("the program writes the same shaders", async () => {
+  const scene = await Scene.create({ light: "park", material: "gold-metallic-paint" });
+  for (const [language, text] of [
+    ["glsl", () => scene.glsl()],
+    ["glsl-block", () => scene.glsl("block")],
+    ["glsl-texture", () => scene.glsl("texture")],
+    ["wgsl", () => scene.wgsl()],
+  ]) {
+    for (const tolerance of [undefined, 0.05]) {
+      const all = ["shader", "--json", "--lang", language, "-l", "park", "-m", "gold-metallic-paint"];
+      if (tolerance) all.push("--tolerance", String(tolerance));
+      const written = JSON.parse(execFileSync(EIGENSHADE, all, { encoding: "utf8" }));
+      scene.within(tolerance);
+      assert.equal(written.text, text());
+      const [vectors, peak] = [written.vectors.flat(), largest(scene.uniforms())];
+      assert.equal(vectors.length, scene.uniforms().length);
+      scene.uniforms().forEach((number, k) => assert.ok(Math.abs(number - vectors[k]) <= 1e-5 * peak));
+    }
+  }
+});
+
 test("turned lights are the program's", async () => {
   const scene = await gold();
   // The program's Rz(a) Ry(b) Rz(c), as a quaternion.

@@ -28,6 +28,7 @@ mod read_answer;
 mod render;
 mod shade;
 mod shade_images;
+mod shader;
 
 use clap::Subcommand;
 use eigenshade_model::error::Result;
@@ -54,6 +55,7 @@ pub enum Command {
     Render(render::Render),
     #[cfg(feature = "generate")]
     Read(read::Read),
+    Shader(shader::Shader),
     Export(export::Export),
     Evaluate(evaluate::Evaluate),
     Completions(manual::Completions),
@@ -82,6 +84,7 @@ impl Command {
             Self::Render(command) => command.run(memory),
             #[cfg(feature = "generate")]
             Self::Read(command) => command.run(memory),
+            Self::Shader(command) => command.run(memory),
             Self::Export(command) => command.run(memory),
             Self::Evaluate(command) => command.run(memory),
             Self::Completions(command) => command.run(program),

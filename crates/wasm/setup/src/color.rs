@@ -5,8 +5,8 @@ use crate::table::{BASIS, COMPONENTS, DEGREE, SCENE, TRANSFER, WORKSPACE};
 use crate::{LIGHT_COUNT, MATERIAL_COUNT, Shared};
 use core::fmt;
 use eigenshade::{
-    Effect, Effects, Light, Material, Parts, Recurrences, Rgb, Rotation, Scene, Shader, ShaderLanguage, Shape,
-    Tolerance, Truncation,
+    Effect, Effects, Light, Material, Parts, Recurrences, Rgb, Rotation, Scene, Shader,
+    ShaderLanguage, Shape, Tolerance, Truncation,
 };
 
 /// The light of the next `color_relight`, channel by channel.

@@ -1,0 +1,126 @@
+//! `eigenshade shader`: writes a scene as a function of a shader.
+
+use super::options::{Destination, Inputs, Memory, TableChoice, tolerance};
+use clap::{Args, ValueEnum};
+use eigenshade::{Rgb, Scene, ShaderLanguage, Tolerance};
+use eigenshade_cli::messages::print_message;
+use eigenshade_cli::output;
+use eigenshade_model::error::{Error, Result};
+use eigenshade_shading::overflow;
+use eigenshade_shading::owned_basis::OwnedBasis;
+use eigenshade_shading::shader::{Lit, Shader as Projector, fault, fitted, of_higher_order};
+use serde::Serialize;
+
+/// Write a light on a material as a function of a shader
+///
+/// The function is `vec3 irradiance(vec3 normal)`, in WGSL `fn irradiance(normal: vec3f) -> vec3f`: the
+/// linear irradiance of a visible unit normal, z toward the camera. It reads an array of vectors,
+/// `eigenshade`, which --json writes beside it. Scenes of the same table without --tolerance have the
+/// same text.
+#[derive(Args, Debug)]
+pub struct Shader {
+    /// Language, and where the array is
+    #[arg(long, value_enum)]
+    lang: Lang,
+    #[command(flatten)]
+    inputs: Inputs,
+    #[command(flatten)]
+    table: TableChoice,
+    /// Leave out as many terms as this error allows: a share of the peak, or decibels below it, like
+    /// 1e-2 or 40dB
+    #[arg(long, value_name = "T", value_parser = tolerance, allow_negative_numbers = true)]
+    tolerance: Option<Tolerance<f64>>,
+    /// Write JSON instead of the text: text, number of terms, and vectors
+    #[arg(long)]
+    json: bool,
+    #[command(flatten)]
+    out: Destination,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+enum Lang {
+    /// GLSL ES 3.00 with a uniform array; WebGL 2 promises 224 vectors
+    Glsl,
+    /// GLSL ES 3.00 with a uniform block, for up to 1,024 vectors
+    GlslBlock,
+    /// GLSL ES 3.00 with a float texture of one row, for any number of vectors
+    GlslTexture,
+    /// WGSL with a uniform buffer at group 0, binding 0
+    Wgsl,
+}
+
+/// What --json writes.
+#[derive(Serialize)]
+struct Written {
+    text: String,
+    terms: usize,
+    vectors: Vec<[f32; 4]>,
+}
+
+impl Shader {
+    pub fn run(self, memory: Memory) -> Result<()> {
+        let inputs = self.inputs.paths().into_iter().chain([self.table.path()]);
+        output::refuse_collisions(&self.out.path, inputs)?;
+        let table = self.table.read(memory)?;
+        let lights = self.inputs.light.lights(memory.of_file())?;
+        let of_file = self.inputs.material.materials(memory.of_file())?;
+        let (lights, materials) = fitted(&table, &lights, &of_file);
+        let light = self.inputs.light.only(lights.entries)?;
+        let material = self.inputs.material.only(materials.entries)?;
+        let basis = OwnedBasis::<f32>::new(&table);
+        let any = basis.any().map_err(fault)?;
+        let projector = Projector::new(any, table.count()).with_transfers(basis.transfers());
+        let channels = [0, 1, 2]
+            .map(|c| ((lights.degree, &light.rgb[c][..]), (materials.order, &material.rgb[c][..])));
+        let written = self.written(projector, channels);
+        let written = written.map_err(|error| error.of(overflow::pair(&light, &material)))?;
+        let contents = if self.json {
+            let text = serde_json::to_string(&written);
+            text.map_err(|error| Error::new(error.to_string(), "report it"))? + "\n"
+        } else {
+            written.text
+        };
+        output::write_all(self.out.path.as_deref(), contents.into_bytes())?;
+        let higher = of_higher_order(self.inputs.material.path(), of_file.order, materials.order);
+        higher.iter().for_each(print_message);
+        Ok(())
+    }
+
+    /// The shader of three channels.
+    fn written(&self, projector: Projector<'_, f32>, channels: [Lit<'_>; 3]) -> Result<Written> {
+        if let Some(tolerance) = self.tolerance {
+            let tolerance = match tolerance {
+                Tolerance::OfPeak(share) => Tolerance::OfPeak(share as f32),
+                Tolerance::Decibels(decibels) => Tolerance::Decibels(decibels),
+                _ => return Err(Error::new("this tolerance is not supported", "give a share")),
+            };
+            let mut projector = projector;
+            return projector.truncated(&channels, tolerance, |scenes, _| match scenes {
+                [r, g, b] => self.of_scenes(Rgb::new(r, g, b)),
+                _ => unreachable!("three channels have three scenes"),
+            });
+        }
+        let mut projectors = [projector.clone(), projector.clone(), projector];
+        for (projector, (light, material)) in projectors.iter_mut().zip(channels) {
+            projector.project(light, material)?;
+        }
+        let [r, g, b] = projectors.each_mut().map(Projector::scene);
+        self.of_scenes(Rgb::new(&r?, &g?, &b?))
+    }
+
+    fn of_scenes<B: AsRef<[f32]>>(&self, scene: Rgb<&Scene<'_, B>>) -> Result<Written> {
+        let language = match self.lang {
+            Lang::Glsl => ShaderLanguage::Glsl,
+            Lang::GlslBlock => ShaderLanguage::GlslBlock,
+            Lang::GlslTexture => ShaderLanguage::GlslTexture,
+            Lang::Wgsl => ShaderLanguage::Wgsl,
+        };
+        let shader = eigenshade::Shader::new(scene.r);
+        let (mut text, mut vectors) = (String::new(), vec![[0.0; 4]; shader.vectors()]);
+        shader
+            .write(language, &mut text)
+            .map_err(|error| Error::new(error.to_string(), "report it"))?;
+        shader.uniforms(scene, &mut vectors);
+        Ok(Written { text, terms: shader.terms(), vectors })
+    }
+}

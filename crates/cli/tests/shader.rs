@@ -1,0 +1,185 @@
+//! `shader` writes functions whose values are the direct sum, in every language, and refuses what is
+//! no single scene. Their compilers are tried by packages/eigenshade in a browser.
+
+use crate::support::{Folder, assert_fails, difference};
+use serde_json::Value;
+use std::collections::HashMap;
+
+const ONE: &str = "--table b.bin --light lights.csv:light-1 --material materials.csv:material-2";
+
+/// The sums of a table with all components in f32 against the direct sum, relative to the peak:
+/// measured 1.5e-7.
+const F32: f64 = 5e-7;
+
+/// An interpreter of the functions that `shader` writes, for one channel.
+struct Interpreter<'a> {
+    vectors: &'a [[f64; 3]],
+    channel: usize,
+    variables: HashMap<String, f64>,
+}
+
+impl Interpreter<'_> {
+    /// The value that the function returns.
+    fn run(&mut self, text: &str, normal: [f64; 3]) -> f64 {
+        for (axis, number) in ["x", "y", "z"].into_iter().zip(normal) {
+            self.variables.insert(format!("normal.{axis}"), number);
+        }
+        let body = text.split_once(") {").or_else(|| text.split_once("vec3f {")).expect("a body").1;
+        let body = body.replace("vec4f", "vec4").replace(" += ", " + = ");
+        for statement in body.split(';').map(str::trim) {
+            if let Some(result) = statement.strip_prefix("return ") {
+                return self.sum(&mut tokens(result).into_iter().peekable());
+            }
+            let declared = ["float ", "vec4 ", "let ", "var "].into_iter();
+            let kind = declared.clone().find(|kind| statement.starts_with(kind));
+            for part in statement.trim_start_matches(kind.unwrap_or_default()).split(", ") {
+                let Some((name, value)) = part.split_once(" = ") else { continue };
+                let (name, before) = match name.strip_suffix(" +") {
+                    Some(name) => (name, self.variables[name]),
+                    None => (name, 0.0),
+                };
+                let value = self.sum(&mut tokens(value).into_iter().peekable());
+                self.variables.insert(name.to_owned(), before + value);
+            }
+        }
+        panic!("the function returns nothing: {text}")
+    }
+
+    fn sum(&self, tokens: &mut Tokens) -> f64 {
+        let mut sum = self.product(tokens);
+        while let Some(sign) = tokens.next_if(|token| token == "+" || token == "-") {
+            let next = self.product(tokens);
+            sum += if sign == "+" { next } else { -next };
+        }
+        sum
+    }
+
+    fn product(&self, tokens: &mut Tokens) -> f64 {
+        let mut product = self.atom(tokens);
+        while tokens.next_if(|token| token == "*").is_some() {
+            product *= self.atom(tokens);
+        }
+        product
+    }
+
+    fn atom(&self, tokens: &mut Tokens) -> f64 {
+        let token = tokens.next().expect("an operand");
+        match token.as_str() {
+            "(" => {
+                let sum = self.sum(tokens);
+                assert_eq!(tokens.next().as_deref(), Some(")"));
+                sum
+            }
+            "vec4" => self.atom(tokens),
+            "eigenshade" => {
+                let place: usize = tokens.nth(1).and_then(|k| k.parse().ok()).expect("a place");
+                assert_eq!(tokens.next().as_deref(), Some("]"));
+                self.vectors[place][self.channel]
+            }
+            number if number.starts_with(|c: char| c.is_ascii_digit()) => {
+                number.parse().expect("a number")
+            }
+            name => self.variables[name.trim_end_matches(".rgb")],
+        }
+    }
+}
+
+type Tokens = std::iter::Peekable<std::vec::IntoIter<String>>;
+
+fn tokens(text: &str) -> Vec<String> {
+    let mut tokens: Vec<String> = Vec::new();
+    for letter in text.chars() {
+        let is_word = |c: char| c.is_ascii_alphanumeric() || c == '.';
+        match tokens.last_mut() {
+            Some(last) if is_word(letter) && last.ends_with(is_word) => last.push(letter),
+            _ => tokens.push(letter.into()),
+        }
+    }
+    tokens.retain(|token| token != " ");
+    tokens
+}
+
+/// The text of a language and the array.
+fn written(folder: &Folder, options: &str) -> (String, Vec<[f64; 3]>) {
+    let text = folder.ok(&format!("shader {ONE} {options}"));
+    let json: Value =
+        serde_json::from_str(&folder.ok(&format!("shader {ONE} {options} --json"))).expect("JSON");
+    assert_eq!(json["text"].as_str(), Some(text.as_str()));
+    let vectors = json["vectors"].as_array().expect("vectors").iter();
+    let vectors: Vec<_> = vectors
+        .map(|vector| [0, 1, 2].map(|channel| vector[channel].as_f64().expect("a number")))
+        .collect();
+    assert_eq!(json["terms"].as_u64(), Some(vectors.len() as u64), "no recurrences");
+    (text, vectors)
+}
+
+/// The values of the function at the folder's normals, channel after channel.
+fn evaluated(folder: &Folder, text: &str, vectors: &[[f64; 3]]) -> Vec<f64> {
+    let mut values = Vec::new();
+    for line in folder.read("normals.csv").lines().skip(1) {
+        let along: Vec<f64> = line.split(',').map(|n| n.parse().expect("a number")).collect();
+        let length = along.iter().map(|n| n * n).sum::<f64>().sqrt();
+        let normal = [0, 1, 2].map(|axis| along[axis] / length);
+        for channel in 0..3 {
+            let mut interpreter = Interpreter { vectors, channel, variables: HashMap::new() };
+            values.push(interpreter.run(text, normal));
+        }
+    }
+    values
+}
+
+#[test]
+fn functions_are_the_direct_sum() {
+    let folder = Folder::with_table();
+    let reference = folder.ok(&format!("shade {ONE} --normals normals.csv --method modes"));
+    let reference: Vec<f64> = reference.lines().skip(1).flat_map(numbers).collect();
+    for lang in ["glsl", "glsl-block", "wgsl"] {
+        let (text, vectors) = written(&folder, &format!("--lang {lang}"));
+        assert!(text.contains(&vectors.len().to_string()), "the length of the array: {text}");
+        let found = difference(&evaluated(&folder, &text, &vectors), &reference);
+        println!("{lang}: {found:.1e}");
+        assert!(found <= F32, "{lang}: {found}");
+    }
+    let (text, _) = written(&folder, "--lang glsl-texture");
+    let (plain, _) = written(&folder, "--lang glsl");
+    let fetched =
+        text.replace("texelFetch(eigenshade, ivec2(", "eigenshade[").replace(", 0), 0)", "]");
+    assert_eq!(
+        fetched.lines().skip(1).collect::<Vec<_>>(),
+        plain.lines().skip(1).collect::<Vec<_>>()
+    );
+}
+
+/// The numbers of a line of `shade`.
+fn numbers(line: &str) -> Vec<f64> {
+    line.split(',').skip(3).map(|number| number.parse().expect("a number")).collect()
+}
+
+#[test]
+fn fewer_terms_are_near_the_whole() {
+    let folder = Folder::with_table();
+    let (text, vectors) = written(&folder, "--lang glsl");
+    let whole = evaluated(&folder, &text, &vectors);
+    // A tolerance is a root mean square; measured at single normals: 0.06 and 0.3.
+    let mut before = vectors.len();
+    for (tolerance, worst) in [("1e-2", 0.1), ("0.1", 0.5)] {
+        let (text, vectors) = written(&folder, &format!("--lang glsl --tolerance {tolerance}"));
+        assert!(vectors.len() < before, "{} terms", vectors.len());
+        before = vectors.len();
+        let found = difference(&evaluated(&folder, &text, &vectors), &whole);
+        println!("{tolerance}: {found:.1e}");
+        assert!(found > 0.0 && found <= worst, "{tolerance}: {found}");
+    }
+}
+
+#[test]
+fn several_entries_are_refused() {
+    let folder = Folder::with_table();
+    for (options, named) in [
+        ("--light lights.csv --material materials.csv:material-2", "lights.csv: it has 3 entries"),
+        ("--light lights.csv:light-1 --material materials.csv", "materials.csv: it has 4 entries"),
+        ("--light lights.csv:z --material materials.csv:material-2", "it has no light `z`"),
+    ] {
+        assert_fails(&folder, &format!("shader --lang glsl --table b.bin {options}"), &[named]);
+    }
+}
