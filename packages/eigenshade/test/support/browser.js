@@ -8,12 +8,12 @@ import { chromium } from "playwright-core";
 const ROOT = new URL("../../", import.meta.url);
 const TYPES = { ".js": "text/javascript", ".html": "text/html", ".json": "application/json", ".wasm": "application/wasm" };
 
-/** Serves the package, and `pages` by path. Returns the address and a function that ends it. */
-export async function serve(pages = {}) {
+/** Serves a folder, the package's by default, and `pages` by path. Returns the address and a function that ends it. */
+export async function serve(pages = {}, root = ROOT) {
   const server = createServer(async (request, response) => {
     const { pathname } = new URL(request.url, "http://localhost");
     try {
-      const body = pages[pathname] ?? (await readFile(new URL(`.${pathname}`, ROOT)));
+      const body = pages[pathname] ?? (await readFile(new URL(`.${pathname}`, root)));
       const type = TYPES[extname(pathname) || ".html"];
       response.writeHead(200, { "content-type": type ?? "application/octet-stream" });
       response.end(body);

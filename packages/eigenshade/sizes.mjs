@@ -1,0 +1,47 @@
+// node packages/eigenshade/sizes.mjs [--write]: prints the sizes of the package's parts, or writes them to
+// README.md.
+
+import { readFileSync, readdirSync, writeFileSync } from "node:fs";
+import { fileURLToPath } from "node:url";
+import { gzipSync } from "node:zlib";
+import { sizes } from "../../crates/wasm/tests/support/modules.mjs";
+
+const file = (path) => new URL(path, import.meta.url);
+const README = file("README.md");
+const MARKS = ["<!-- node packages/eigenshade/sizes.mjs --write -->\n", "<!-- end -->"];
+
+const zipped = (bytes) => gzipSync(bytes, { level: 9 }).length;
+
+/** Bytes with gzip of each part, by its name in the table. */
+export function parts() {
+  const found = [];
+  for (const [name, path] of [["with", "wasm/eigenshade.simd.wasm"], ["without", "wasm/eigenshade.wasm"]]) {
+    const bytes = readFileSync(file(path));
+    const { zipped: code } = sizes(bytes);
+    found.push([`module ${name} SIMD: code`, code], [`module ${name} SIMD: all, with the tables`, zipped(bytes)]);
+  }
+  const sources = readdirSync(file("src")).map((name) => readFileSync(file(`src/${name}`)));
+  found.push(["JavaScript with its comments", zipped(Buffer.concat(sources))]);
+  for (const kind of ["light", "material"]) {
+    const all = readdirSync(file(`presets/${kind}`));
+    const largest = Math.max(...all.map((name) => readFileSync(file(`presets/${kind}/${name}`)).length));
+    found.push([`a ${kind}, as it is`, largest]);
+  }
+  return found;
+}
+
+function table() {
+  const rows = parts().map(([name, bytes]) => `| ${name} | ${bytes.toLocaleString("en-US")} |`);
+  return ["| gzip -9 | bytes |", "|---|---:|", ...rows, ""].join("\n");
+}
+
+if (process.argv[1] === fileURLToPath(import.meta.url)) {
+  if (process.argv[2] === "--write") {
+    const text = readFileSync(README, "utf8");
+    const [before, rest] = text.split(MARKS[0]);
+    const [, after] = rest.split(MARKS[1]);
+    writeFileSync(README, before + MARKS[0] + table() + MARKS[1] + after);
+  } else {
+    process.stdout.write(table());
+  }
+}

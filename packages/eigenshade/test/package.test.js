@@ -1,0 +1,116 @@
+// The packed archive, installed into an empty folder: the examples of README.md, and sizes.
+
+import assert from "node:assert/strict";
+import { execFileSync } from "node:child_process";
+import { mkdtempSync, readFileSync, writeFileSync } from "node:fs";
+import { tmpdir } from "node:os";
+import { join } from "node:path";
+import { after, before, test } from "node:test";
+import { fileURLToPath, pathToFileURL } from "node:url";
+import { parts } from "../sizes.mjs";
+import { launch, serve } from "./support/browser.js";
+
+const PACKAGE = fileURLToPath(new URL("../", import.meta.url));
+const README = readFileSync(join(PACKAGE, "README.md"), "utf8");
+
+/** The examples of README.md in a language. */
+const examples = (language) =>
+  [...README.matchAll(/```(\w+)\n(.*?)```/gs)].filter((found) => found[1] === language).map((found) => found[2]);
+
+let folder, browser;
+
+before(async () => {
+  folder = mkdtempSync(join(tmpdir(), "eigenshade-"));
+  const npm = (...all) => execFileSync("npm", all, { cwd: folder, encoding: "utf8" });
+  const [{ filename }] = JSON.parse(npm("pack", "--ignore-scripts", "--json", PACKAGE));
+  assert.equal(filename, "eigenshade-0.1.0.tgz");
+  npm("install", "--no-audit", "--no-fund", `./${filename}`);
+  browser = await launch();
+});
+
+after(() => browser?.close());
+
+test("nothing is missing from the archive, nothing is too much", () => {
+  const listed = execFileSync("tar", ["tzf", join(folder, "eigenshade-0.1.0.tgz")], { encoding: "utf8" });
+  const names = listed.trim().split("\n").map((name) => name.replace(/^package\//, ""));
+  for (const name of [
+    "LICENSE-APACHE", "LICENSE-MIT", "README.md", "src/index.js", "types/index.d.ts",
+    "wasm/eigenshade.wasm", "wasm/eigenshade.simd.wasm", "presets/names.json", "presets/light/park.bin",
+  ]) {
+    assert.ok(names.includes(name), name);
+  }
+  assert.ok(!names.some((name) => /test|node_modules|\.mjs$|^build/.test(name)), listed);
+  assert.deepEqual(JSON.parse(readFileSync(join(folder, "node_modules/eigenshade/package.json"))).dependencies, undefined);
+});
+
+test("the program of README.md draws a sphere in Node", () => {
+  const [program] = examples("js");
+  writeFileSync(join(folder, "sphere.mjs"), program);
+  execFileSync("node", ["sphere.mjs"], { cwd: folder });
+  const picture = readFileSync(join(folder, "sphere.pam"));
+  const pixels = picture.subarray(picture.indexOf("ENDHDR\n") + 7);
+  assert.equal(pixels.length, 4 * 240 * 240);
+  const center = pixels.subarray(4 * (120 * 240 + 120)).subarray(0, 4);
+  assert.ok(center[0] > center[2] && center[3] === 255, `red fabric: ${[...center]}`);
+  assert.equal(pixels[3], 0);
+});
+
+test("the pages of README.md draw", async () => {
+  const pages = examples("html");
+  assert.equal(pages.length, 2);
+  const root = pathToFileURL(`${folder}/`);
+  const paths = Object.fromEntries(pages.map((page, k) => [`/${k}.html`, page]));
+  const server = await serve({ ...paths, "/favicon.ico": "" }, root);
+  for (const [k, color] of [[0, "copper"], [1, "red"]]) {
+    const page = await browser.newPage();
+    const faults = [];
+    page.on("pageerror", (fault) => faults.push(fault.message));
+    page.on("request", (request) => {
+      if (!request.url().startsWith(server.address)) faults.push(request.url());
+    });
+    page.on("console", (message) => message.type() === "error" && faults.push(message.text()));
+    await page.goto(`${server.address}/${k}.html`);
+    // Its middle pixel.
+    const middle = () =>
+      page.evaluate(() => {
+        const canvas = document.querySelector("canvas") ?? document.querySelector("eigen-shade")?.shadowRoot?.querySelector("canvas");
+        const half = canvas.width >> 1;
+        return [...canvas.getContext("2d").getImageData(half, half, 1, 1).data];
+      });
+    await page.waitForFunction(() => {
+      const canvas = document.querySelector("canvas") ?? document.querySelector("eigen-shade")?.shadowRoot?.querySelector("canvas");
+      const half = canvas.width >> 1;
+      return canvas.width > 1 && canvas.getContext("2d").getImageData(half, half, 1, 1).data[3] === 255;
+    });
+    await page.waitForTimeout(200);
+    const [red, , blue] = await middle();
+    assert.ok(red > 1.2 * blue, `${color}: ${await middle()}`);
+    assert.deepEqual(faults, []);
+    await page.close();
+  }
+  server.close();
+});
+
+test("the declarations are those of a strict program", () => {
+  writeFileSync(join(folder, "use.mts"), `import { Preview, Scene, presetNames, type Truncation } from "eigenshade";
+    const scene: Scene = await Scene.create({ light: "park", material: { roughness: 0.3, metallic: 1 } });
+    const { r }: { r: Float32Array } = scene.turn({ yaw: 1 }).within(1e-2).shade([0], [0], [1]);
+    const truncation: Truncation | undefined = scene.truncation;
+    const preview: Promise<Preview> = Preview.create(document.createElement("canvas"), { light: "park", material: "chrome", tone: "filmic" });
+    // @ts-expect-error: there is no such curve
+    await preview.then((one) => one.look({ tone: "aces" }));
+    export { r, truncation, presetNames };`);
+  const tsc = join(PACKAGE, "node_modules/.bin/tsc");
+  const options = ["--noEmit", "--strict", "--target", "es2022", "--module", "nodenext", "--lib", "es2022,dom", "use.mts"];
+  execFileSync(tsc, options, { cwd: folder, stdio: "pipe" });
+});
+
+test("README.md states the sizes", () => {
+  for (const [name, bytes] of parts()) {
+    const line = README.split("\n").find((text) => text.startsWith(`| ${name} |`));
+    const stated = Number(line?.split("|")[2].replaceAll(",", ""));
+    // Another compiler may make another module.
+    assert.ok(Math.abs(stated - bytes) <= 0.03 * bytes, `${name}: ${bytes} bytes, not ${stated}`);
+    if (name.startsWith("a ")) assert.ok(bytes <= 2048, name);
+  }
+});
