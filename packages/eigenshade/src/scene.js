@@ -322,18 +322,24 @@ export class Scene {
    * @param {ArrayLike<number>} x
    * @param {ArrayLike<number>} y
    * @param {ArrayLike<number>} z
+   * @param {{ r: Float32Array, g: Float32Array, b: Float32Array }} [irradiance] where to write it; new
+   *   arrays by default
    * @returns {{ r: Float32Array, g: Float32Array, b: Float32Array }}
    * @throws {RangeError} if the lengths differ, or a normal is not a unit vector or points away
    */
-  shade(x, y, z) {
-    const [r, g, b] = [0, 1, 2].map(() => new Float32Array(x.length));
+  shade(x, y, z, irradiance) {
+    const [r, g, b] = [0, 1, 2].map(() => new Float32Array(irradiance ? 0 : x.length));
+    const to = irradiance ?? { r, g, b };
+    if (![to.r, to.g, to.b].every((channel) => channel?.length === (irradiance ? x.length : r.length))) {
+      throw new RangeError(`shade: expected { r, g, b } with ${x.length} numbers each, as x has`);
+    }
+    const { irradiance: from, normals } = this.#engine;
     this.#chunks("shade", [x, y, z], (start, count) => {
-      const part = channels(this.#engine.irradiance, this.#engine.normals, count);
-      r.set(part.r, start);
-      g.set(part.g, start);
-      b.set(part.b, start);
+      to.r.set(from.subarray(0, count), start);
+      to.g.set(from.subarray(normals, normals + count), start);
+      to.b.set(from.subarray(2 * normals, 2 * normals + count), start);
     });
-    return { r, g, b };
+    return to;
   }
 
   /**
@@ -424,7 +430,9 @@ export class Scene {
     for (let start = 0; start < length; start += most) {
       const count = Math.min(most, length - start);
       normals.forEach((axis, which) => {
-        for (let k = 0; k < count; k++) axes[which * most + k] = axis[start + k];
+        const part = ArrayBuffer.isView(axis) ? /** @type {Float32Array} */ (axis).subarray(start, start + count) : axis;
+        if (part !== axis) axes.set(part, which * most);
+        else for (let k = 0; k < count; k++) axes[which * most + k] = axis[start + k];
       });
       if (this.#engine.shade(count) !== count) throw new Error(`${what}: the module rejected the normals`);
       done(start, count);

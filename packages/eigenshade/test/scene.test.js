@@ -284,6 +284,9 @@ test("wrong input throws one clear error and changes nothing", async () => {
   fails(() => scene.shade([0], [0, 0], [1]), "RangeError", "shade: x has 1 numbers, y has 2");
   fails(() => scene.shade([0, 0], [0, 0], [1, -1]), "RangeError",
     "shade: normal 1 is (0, 0, -1), expected a unit vector with z >= 0");
+  const short = { r: new Float32Array(1), g: new Float32Array(1), b: new Float32Array(2) };
+  fails(() => scene.shade([0], [0], [1], short), "RangeError",
+    "shade: expected { r, g, b } with 1 numbers each, as x has");
   fails(() => scene.shade(1, 2, 3), "TypeError", "shade: x is not an array of numbers");
   fails(() => scene.pixels([0], [0], [1], { exposure: 0 }), "RangeError",
     "pixels: the exposure is 0, expected a number above 0");
@@ -301,4 +304,13 @@ test("wrong input throws one clear error and changes nothing", async () => {
     message: /^no material is called "fabric-red"; did you mean red-fabric2, /,
   });
   assert.deepEqual(scene.uniforms(), before);
+});
+
+test("irradiances are written where they are wanted", async () => {
+  const scene = await gold();
+  const to = three(new Float32Array(60));
+  to.g = new Float32Array(60);
+  assert.equal(scene.shade(...NORMALS, to), to);
+  const { g, b } = scene.shade(...NORMALS);
+  assert.deepEqual([to.g, to.b], [g, b]);
 });
