@@ -1,0 +1,41 @@
+// The modules: no import, as a reachable panic would be, and at most half of the stack in use.
+
+import assert from "node:assert/strict";
+import { readFileSync } from "node:fs";
+import { test } from "node:test";
+import { Scene, load } from "../src/index.js";
+
+/** The stack size that `crates/wasm/build` sets. The stack is at the start of memory and grows down. */
+const STACK = 65536;
+
+const MARK = 0xa5;
+
+for (const name of ["eigenshade.wasm", "eigenshade.simd.wasm"]) {
+  const bytes = readFileSync(new URL(`../wasm/${name}`, import.meta.url));
+
+  test(`${name} cannot panic and imports nothing`, () => {
+    assert.deepEqual(WebAssembly.Module.imports(new WebAssembly.Module(bytes)), []);
+  });
+
+  test(`every call of ${name} uses at most half of the stack`, async () => {
+    const engine = await load(bytes);
+    const memory = engine.light.buffer;
+    assert.ok(engine.light.byteOffset >= STACK, "the stack must be at the start of memory");
+    const scene = await Scene.create({ light: "park", material: "gold-metallic-paint", engine });
+    const depths = [
+      () => scene.material({ baseColor: "#b87333" }).turn({ yaw: 1 }).coefficients(),
+      () => scene.within(1e-3).shade([0], [0], [1]),
+      () => scene.within().pixels([0], [0.6], [0.8]),
+      () => scene.uniforms(),
+      () => scene.glsl() + scene.wgsl(),
+    ].map((call) => {
+      const stack = new Uint8Array(memory, 0, STACK).fill(MARK);
+      call();
+      const lowest = stack.findIndex((byte) => byte !== MARK);
+      return lowest < 0 ? 0 : STACK - lowest;
+    });
+    console.log(`${name}: ${depths} bytes`);
+    assert.ok(Math.max(...depths) > 1000 && Math.max(...depths) <= STACK / 2, `${depths} bytes`);
+    assert.equal(memory.byteLength, engine.light.buffer.byteLength);
+  });
+}
