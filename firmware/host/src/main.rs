@@ -16,6 +16,7 @@ mod row;
 
 use list::Listed;
 use program::{BOARDS, Board, Kind};
+use rayon::prelude::*;
 use row::Row;
 use std::collections::BTreeMap;
 use std::process::ExitCode;
@@ -124,12 +125,7 @@ fn build(boards: &[(Board, &[Listed])]) -> Result<()> {
 fn run(board: Board, programs: &[Listed]) -> Result<Vec<Row>> {
     let mut empty = gate::Sizes::default();
     let mut rows = Vec::new();
-    for program in programs {
-        let path = toolchain::binary(board.target, program.profile(), program.name);
-        let linked = gate::Linked::read(&path)?;
-        gate::check(board, program.name, &linked)?;
-        let output = toolchain::run(board, &path)?;
-        let sizes = linked.sizes();
+    for (program, (sizes, output)) in programs.iter().zip(outputs(board, programs)?) {
         match program.kind() {
             Kind::Empty => empty = sizes,
             Kind::Demonstration => eprint!("{}: {}\n{output}", board.name, program.name),
@@ -137,4 +133,15 @@ fn run(board: Board, programs: &[Listed]) -> Result<Vec<Row>> {
         }
     }
     Ok(rows)
+}
+
+/// Checks what was linked and runs it, on all processors: sizes and output of each program.
+fn outputs(board: Board, programs: &[Listed]) -> Result<Vec<(gate::Sizes, String)>> {
+    let outputs = programs.par_iter().map(|program| {
+        let path = toolchain::binary(board.target, program.profile(), program.name);
+        let linked = gate::Linked::read(&path)?;
+        gate::check(board, program.name, &linked)?;
+        Ok((linked.sizes(), toolchain::run(board, &path)?))
+    });
+    outputs.collect()
 }

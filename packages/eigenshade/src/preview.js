@@ -128,22 +128,19 @@ export class Preview {
     this.#alive();
     cancelAnimationFrame(this.#frame);
     this.#frame = 0;
-    const scale = globalThis.devicePixelRatio || 1;
-    const { clientWidth, clientHeight } = this.#canvas;
-    const size = Math.min(4096, Math.max(1, Math.round(scale * Math.min(clientWidth, clientHeight))));
-    if (this.#canvas.width !== size || this.#canvas.height !== size) {
-      this.#canvas.width = this.#canvas.height = size;
-    }
+    const [width, height] = this.#resize();
+    const size = Math.min(width, height);
+    const place = [Math.floor((width - size) / 2), Math.floor((height - size) / 2)];
     const { exposure: given = "auto", tone = "filmic" } = this.#look;
     const exposure = given === "auto" ? (this.#chosen ||= AUTO * this.#scene.exposure()) : given;
     const drawn = renderer()?.draw(this.#scene, size, { exposure, tone });
+    this.#context.clearRect(0, 0, width, height);
     if (drawn) {
-      this.#context.clearRect(0, 0, size, size);
-      this.#context.drawImage(drawn, 0, 0);
+      this.#context.drawImage(drawn, place[0], place[1]);
     } else {
       const picture = new ImageData(size, size);
       picture.data.set(sphere(this.#scene, size, { exposure, tone }));
-      this.#context.putImageData(picture, 0, 0);
+      this.#context.putImageData(picture, place[0], place[1]);
     }
     return this;
   }
@@ -154,6 +151,26 @@ export class Preview {
     cancelAnimationFrame(this.#frame);
     this.#resized.disconnect();
     renderer()?.restored.removeEventListener("restored", this.#restored);
+  }
+
+  /**
+   * Gives the canvas the pixels of the screen that it covers.
+   *
+   * @returns {[number, number]} width and height
+   */
+  #resize() {
+    const canvas = this.#canvas;
+    const { clientWidth, clientHeight } = canvas;
+    const pixels = (/** @type {number} */ length) =>
+      Math.min(4096, Math.max(1, Math.round((globalThis.devicePixelRatio || 1) * length)));
+    const [width, height] = [pixels(clientWidth), pixels(clientHeight)];
+    if (canvas.width !== width || canvas.height !== height) {
+      [canvas.width, canvas.height] = [width, height];
+      // Without a size in CSS it would grow with its pixels.
+      if (canvas.clientWidth !== clientWidth) canvas.style.width = `${clientWidth}px`;
+      if (canvas.clientHeight !== clientHeight) canvas.style.height = `${clientHeight}px`;
+    }
+    return [width, height];
   }
 
   /**

@@ -27,8 +27,8 @@ after(async () => {
 });
 
 /** A page with `library`, and `pixels` of a canvas. */
-async function open(script = () => {}) {
-  const page = await browser.newPage();
+async function open(script = () => {}, options = {}) {
+  const page = await browser.newPage(options);
   page.on("pageerror", (fault) => faults.push(fault.message));
   page.on("console", (message) => message.type() === "error" && faults.push(message.text()));
   await page.addInitScript(script);
@@ -118,6 +118,26 @@ test("changes are drawn in the next frame, as large as the canvas is shown", asy
   });
   assert.ok(turned > 20);
   assert.deepEqual(sizes, [120, 77]);
+});
+
+test("a canvas of any shape, with or without a size in CSS, on a dense screen", async () => {
+  const dense = await open(undefined, { deviceScaleFactor: 2 });
+  const found = await dense.evaluate(async () => {
+    const sizes = [];
+    canvases[0].style.cssText = "width: 200px; height: 100px";
+    canvases[1].style.cssText = "width: auto; height: auto";
+    for (const canvas of canvases) {
+      await library.Preview.create(canvas, { light: "lobby", material: "red-fabric2" });
+      for (let k = 0; k < 5; k++) await frame();
+      const at = (x, y) => canvas.getContext("2d").getImageData(x * canvas.width, y * canvas.height, 1, 1).data[3];
+      sizes.push([canvas.width, canvas.height, canvas.clientWidth, canvas.clientHeight]);
+      sizes.push([at(0.5, 0.5), at(0.27, 0.5), at(0.2, 0.5), at(0.7, 0.5), at(0.8, 0.5)]);
+    }
+    return sizes;
+  });
+  const centered = [255, 255, 0, 255, 0];
+  assert.deepEqual(found, [[400, 200, 200, 100], centered, [600, 300, 300, 150], centered]);
+  await dense.close();
 });
 
 test("the last of several lights wins, whichever comes first", async () => {
