@@ -135,9 +135,9 @@ impl<'a> Shader<'a> {
         }
         // Sums of (n_x + i n_y)^m: `re` and `im` those of the azimuths above, `p` and `q` this one's.
         out.write_str(if glsl {
-            ";\n  vec4 re = vec4(0.0), im = re, p, q;\n"
+            ";\n  vec3 re = vec3(0.0), im = re, p, q;\n"
         } else {
-            ";\n  var re = vec4f(0.0);\n  var im = re;\n  var p: vec4f;\n  var q: vec4f;\n"
+            ";\n  var re = vec3f(0.0);\n  var im = re;\n  var p: vec3f;\n  var q: vec3f;\n"
         })?;
         if self.entries().next().is_some() {
             out.write_str(if glsl {
@@ -179,7 +179,7 @@ impl<'a> Shader<'a> {
         if self.lengths.is_empty() {
             out.write_str("  p = re;\n")?;
         }
-        out.write_str("  return p.rgb;\n}\n")
+        out.write_str("  return p;\n}\n")
     }
 }
 
@@ -200,6 +200,12 @@ struct Azimuth {
 }
 
 impl Azimuth {
+    /// Writes the color of a coefficient.
+    fn color(&self, place: usize, out: &mut impl Write) -> fmt::Result {
+        self.vector(place, out)?;
+        out.write_str(".rgb")
+    }
+
     /// Writes a vector of the array.
     fn vector(&self, place: usize, out: &mut impl Write) -> fmt::Result {
         match self.language {
@@ -217,8 +223,8 @@ impl Azimuth {
         if self.length == 0 {
             assign(out)?;
             return out.write_str(match self.language {
-                ShaderLanguage::Wgsl => "vec4f(0.0);\n",
-                _ => "vec4(0.0);\n",
+                ShaderLanguage::Wgsl => "vec3f(0.0);\n",
+                _ => "vec3(0.0);\n",
             });
         }
         let odd = self.length % 2;
@@ -232,7 +238,7 @@ impl Azimuth {
             self.pair(place, out)?;
             place += 2;
         } else {
-            self.vector(first, out)?;
+            self.color(first, out)?;
         }
         out.write_str(";\n")?;
         while place < first + self.length {
@@ -243,7 +249,7 @@ impl Azimuth {
                 self.pair(place, out)?;
             } else {
                 out.write_str(" * t + ")?;
-                self.vector(place, out)?;
+                self.color(place, out)?;
             }
             out.write_str(";\n")?;
             place += step;
@@ -254,27 +260,27 @@ impl Azimuth {
     /// Writes an odd and an even half.
     fn pair(&self, place: usize, out: &mut impl Write) -> fmt::Result {
         out.write_str("(")?;
-        self.vector(place, out)?;
+        self.color(place, out)?;
         out.write_str(" * t + ")?;
-        self.vector(place + 1, out)?;
+        self.color(place + 1, out)?;
         out.write_str(")")
     }
 
     /// Writes the sums of both polynomials by the recurrence of their azimuth.
     fn orthogonal(&self, azimuth: usize, out: &mut impl Write) -> fmt::Result {
         out.write_str(match self.language {
-            ShaderLanguage::Wgsl => "  p = vec4f(0.0);\n  q = p;\n",
-            _ => "  p = vec4(0.0);\n  q = p;\n",
+            ShaderLanguage::Wgsl => "  p = vec3f(0.0);\n  q = p;\n",
+            _ => "  p = vec3(0.0);\n  q = p;\n",
         })?;
         out.write_str("  e = 1.0;\n  f = 0.0;\n")?;
         for k in 0..self.length {
             let last = self.first + self.length - 1 - k;
             statement(out, "p", " += ")?;
-            self.vector(last, out)?;
+            self.color(last, out)?;
             out.write_str(" * e;\n")?;
             if azimuth > 0 {
                 statement(out, "q", " += ")?;
-                self.vector(last + self.length, out)?;
+                self.color(last + self.length, out)?;
                 out.write_str(" * e;\n")?;
             }
             if k + 1 < self.length {

@@ -25,12 +25,12 @@ impl Interpreter<'_> {
             self.variables.insert(format!("normal.{axis}"), number);
         }
         let body = text.split_once(") {").or_else(|| text.split_once("vec3f {")).expect("a body").1;
-        let body = body.replace("vec4f", "vec4").replace(" += ", " + = ");
+        let body = body.replace("vec3f", "vec3").replace(" += ", " + = ");
         for statement in body.split(';').map(str::trim) {
             if let Some(result) = statement.strip_prefix("return ") {
                 return self.sum(&mut tokens(result).into_iter().peekable());
             }
-            let declared = ["float ", "vec4 ", "let ", "var "].into_iter();
+            let declared = ["float ", "vec3 ", "let ", "var "].into_iter();
             let kind = declared.clone().find(|kind| statement.starts_with(kind));
             for part in statement.trim_start_matches(kind.unwrap_or_default()).split(", ") {
                 let Some((name, value)) = part.split_once(" = ") else { continue };
@@ -70,16 +70,17 @@ impl Interpreter<'_> {
                 assert_eq!(tokens.next().as_deref(), Some(")"));
                 sum
             }
-            "vec4" => self.atom(tokens),
+            "vec3" => self.atom(tokens),
             "eigenshade" => {
                 let place: usize = tokens.nth(1).and_then(|k| k.parse().ok()).expect("a place");
                 assert_eq!(tokens.next().as_deref(), Some("]"));
+                assert_eq!(tokens.next().as_deref(), Some(".rgb"));
                 self.vectors[place][self.channel]
             }
             number if number.starts_with(|c: char| c.is_ascii_digit()) => {
                 number.parse().expect("a number")
             }
-            name => self.variables[name.trim_end_matches(".rgb")],
+            name => self.variables[name],
         }
     }
 }
