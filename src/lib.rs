@@ -20,7 +20,8 @@
 //!    8, 6 or 5 bits of an [`Rgb`], and the module `presets` has lights and materials by name.
 //! 8. [`Disc`] iterates over the pixels of a sphere, [`NormalMap`] over those of any object, and
 //!    [`Matcap`] over the texels of a look-up by normal.
-//! 9. In the other direction, [`Basis::estimate`] takes pixels one by one and estimates d.
+//! 9. [`Shader`] writes a scene as a function of GLSL or WGSL, for graphics processors.
+//! 10. In the other direction, [`Basis::estimate`] takes pixels one by one and estimates d.
 //!
 //! A [`GeneralBasis`] does the same for objects other than a sphere.
 //!

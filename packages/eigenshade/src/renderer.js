@@ -54,7 +54,7 @@ const KEPT = 16;
 class Shared {
   #canvas;
   #gl;
-  /** The array of a scene: a block, because all terms are more vectors than WebGL 2 promises. */
+  /** The array of a scene: a block, which takes larger tables than uniforms do. */
   #array;
   /** @type {Map<string, { program: WebGLProgram, places: Record<string, WebGLUniformLocation | null> }>} */
   #programs = new Map();

@@ -46,9 +46,9 @@ import { lightPreset, materialPreset } from "./presets.js";
  */
 
 /**
- * Where a GLSL function finds the coefficients: a uniform array, which WebGL 2 promises up to 224
- * vectors (a tolerance of 1e-3 needs fewer, all terms 296), a uniform block `Eigenshade` for up to
- * 1,024, or a float texture of one row.
+ * Where a GLSL function finds the coefficients: a uniform array, of which WebGL 2 promises 224
+ * vectors (all terms are 202), a uniform block `Eigenshade` for up to 1,024, or a float texture of
+ * one row.
  *
  * @typedef {"uniforms" | "block" | "texture"} Storage
  */
@@ -627,9 +627,10 @@ function checkNormals(what, normals) {
       throw new RangeError(`${what}: x has ${x.length} numbers, ${name} has ${axis.length}`);
     }
   }
-  for (let k = 0; k < x.length; k++) {
-    const square = x[k] * x[k] + y[k] * y[k] + z[k] * z[k];
-    if (!(square >= 0.999 && square <= 1.001 && z[k] >= -1e-3)) {
+  const { length } = x;
+  for (let k = 0; k < length; k++) {
+    const up = z[k];
+    if (!(Math.abs(x[k] * x[k] + y[k] * y[k] + up * up - 1) <= 1e-3 && up >= -1e-3)) {
       throw new RangeError(
         `${what}: normal ${k} is (${x[k]}, ${y[k]}, ${z[k]}), expected a unit vector with z >= 0`,
       );
