@@ -47,7 +47,7 @@ import { lightPreset, materialPreset } from "./presets.js";
 
 /**
  * Where a GLSL function finds the coefficients: a uniform array, of which WebGL 2 promises 224
- * vectors (all terms are 202), a uniform block `Eigenshade` for up to 1,024, or a float texture of
+ * vectors (all terms are 194), a uniform block `Eigenshade` for up to 1,024, or a float texture of
  * one row.
  *
  * @typedef {"uniforms" | "block" | "texture"} Storage
