@@ -226,7 +226,7 @@ test("the exposure makes a share of the picture at most white", async () => {
   const scene = await gold();
   const picture = sphere(scene, 100, { exposure: scene.exposure(0.9), tone: "linear" });
   let [inside, white] = [0, 0];
-  for (let k = 0; k < picture.length; k += 3) {
+  for (let k = 0; k < picture.length; k += 4) {
     if (picture[k + 3] < 255) continue;
     inside++;
     if (Math.max(picture[k], picture[k + 1], picture[k + 2]) === 255) white++;
