@@ -1,0 +1,94 @@
+// A three.js material whose outgoing light is the irradiance of an eigenshade scene.
+
+import { Matrix3, Matrix4, MeshMatcapMaterial, Quaternion, Sphere, Vector3 } from "three";
+
+const TOWARD_CAMERA = new Vector3(0, 0, 1);
+
+/**
+ * A material, for one mesh if the camera is a perspective one. It is a `MeshMatcapMaterial` with another last line, so normal maps, bump
+ * maps, skinning, morph targets, instancing, fog and tone mapping work as in every material of
+ * three.js, and lights, shadows and environments of the three.js scene have no effect. `color` is
+ * the exposure.
+ *
+ * The light is fixed to the world: before each frame the material turns the scene's light by the
+ * inverse rotation of the camera, and `material.lightRotation`, a quaternion, turns it in the world.
+ * A new turn is an upload of uniforms. After `scene.light(..)` or `scene.material(..)` call
+ * `material.update()`.
+ *
+ * eigenshade's view is orthographic. With `view: "object"` a perspective camera gets a frame whose z
+ * axis points from the center of the mesh to the camera, with the light and the normals turned into
+ * it: a small mesh is then exact anywhere on the screen. `view: "camera"` saves the turn of each
+ * mesh and takes the camera's axis for the view direction of all.
+ *
+ * @param {import("eigenshade").Scene} scene which the material turns
+ * @param {object} [options] `view`, and parameters of `MeshMatcapMaterial`
+ */
+export function eigenMaterial(scene, { view = "object", ...parameters } = {}) {
+  const material = new MeshMatcapMaterial(parameters);
+  const uniforms = { eigenshade: { value: scene.uniforms() }, eigenFrame: { value: new Matrix3() } };
+  let text = scene.glsl();
+  const [turn, turned] = [new Quaternion(), new Quaternion()];
+  let [changed, mesh] = [true, undefined];
+
+  material.lightRotation = new Quaternion();
+  material.update = () => {
+    changed = true;
+    return material;
+  };
+  material.customProgramCacheKey = () => text;
+  material.onBeforeCompile = (shader) => {
+    Object.assign(shader.uniforms, uniforms);
+    shader.fragmentShader = shader.fragmentShader
+      .replace("void main() {", `${text}\nuniform mat3 eigenFrame;\nvoid main() {`)
+      .replace(/vec3 outgoingLight = .*/, OUTGOING);
+  };
+  material.onBeforeRender = (renderer, world, camera, geometry, object) => {
+    turn.setFromRotationMatrix(camera.matrixWorldInverse).multiply(material.lightRotation);
+    if (view === "object" && camera.isPerspectiveCamera) {
+      // three.js uploads the uniforms of a material once for all meshes that follow each other.
+      if (object !== (mesh ??= object)) throw new Error("eigenMaterial: each mesh needs a material of its own");
+      const frame = frameOf(object, camera);
+      uniforms.eigenFrame.value.setFromMatrix4(matrix.makeRotationFromQuaternion(frame));
+      turn.premultiply(frame);
+    } else {
+      uniforms.eigenFrame.value.identity();
+    }
+    if (!changed && turn.equals(turned)) return;
+    scene.turn(turned.copy(turn).toArray());
+    uniforms.eigenshade.value = scene.uniforms();
+    // With a tolerance the terms depend on the light and its turn.
+    const now = changed || scene.truncation ? scene.glsl() : text;
+    if (now !== text) material.needsUpdate = true;
+    [text, changed] = [now, false];
+  };
+  return material;
+}
+
+/**
+ * Turns a scene's light, which is fixed to the world, into the frame of the camera.
+ *
+ * @param {import("eigenshade").Scene} scene
+ * @param {import("three").Camera} camera with current world matrices
+ * @param {Quaternion} [rotation] of the light in the world
+ */
+export function turnWithCamera(scene, camera, rotation = new Quaternion()) {
+  return scene.turn(new Quaternion().setFromRotationMatrix(camera.matrixWorldInverse).multiply(rotation).toArray());
+}
+
+// Behind the rim the polynomials grow without bound. Fragments there have the irradiance of the rim.
+const OUTGOING = `
+  vec3 eigenNormal = eigenFrame * normal;
+  if (eigenNormal.z < 0.0) eigenNormal = vec3(normalize(eigenNormal.xy), 0.0);
+  vec3 outgoingLight = diffuseColor.rgb * max(irradiance(eigenNormal), 0.0);`;
+
+const [frame, matrix, center, sphere] = [new Quaternion(), new Matrix4(), new Vector3(), new Sphere()];
+
+/** The rotation that turns the direction from a mesh to the camera, in the camera's frame, to z. */
+function frameOf(object, camera) {
+  // Skinned and instanced meshes have spheres of their own.
+  const owner = object.boundingSphere === undefined ? object.geometry : object;
+  if (owner.boundingSphere === null) owner.computeBoundingSphere();
+  sphere.copy(owner.boundingSphere).applyMatrix4(object.matrixWorld);
+  center.copy(sphere.center).applyMatrix4(camera.matrixWorldInverse).negate();
+  return frame.setFromUnitVectors(center.normalize(), TOWARD_CAMERA);
+}

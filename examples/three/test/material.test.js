@@ -1,0 +1,194 @@
+// The material against the package's module, on 8 bits.
+
+import assert from "node:assert/strict";
+import { after, before, test } from "node:test";
+import { open } from "./support.js";
+
+/** Codes of 8 bits. The module and the shader round a number on the edge between two codes differently. */
+const CODES = 1;
+
+let page, faults, close;
+
+before(async () => {
+  ({ page, faults, close } = await open());
+  await page.evaluate(async () => {
+    Object.assign(window, await import("/examples/three/test/page.js"));
+    window.meshes = await import("/examples/three/meshes.js");
+    window.inputs = { light: "lobby", material: "gold-metallic-paint" };
+    window.sphere = () => new THREE.SphereGeometry(1, 96, 64);
+    /** A scene as `eigenMaterial` has to turn it, by other means. */
+    window.expected = async (camera, direction = new THREE.Vector3(0, 0, 1), rotation = new THREE.Quaternion()) => {
+      const frame = new THREE.Quaternion().setFromUnitVectors(direction.clone().normalize(), new THREE.Vector3(0, 0, 1));
+      const turn = frame.clone().multiply(camera.quaternion.clone().invert()).multiply(rotation);
+      return { scene: (await Scene.create(inputs)).turn(turn.toArray()), frame };
+    };
+  });
+});
+
+after(async () => {
+  await close?.();
+  assert.deepEqual(faults, []);
+});
+
+/** Asserts that a picture is the module's. */
+function same({ most, lit, count }) {
+  assert.ok(most <= CODES, `${most} codes`);
+  assert.ok(lit > 100 && count > 1000, `${lit}, ${count}`);
+}
+
+for (const mapped of [false, true]) {
+  test(`a sphere ${mapped ? "with" : "without"} a normal map`, async () => {
+    same(await page.evaluate(async (mapped) => {
+      const scene = await Scene.create(inputs);
+      const material = eigenMaterial(scene, { normalMap: mapped ? meshes.normalMap() : null });
+      material.color.setScalar(0.8 * scene.exposure());
+      const camera = orthographic([0, 0, 5]);
+      return difference(new THREE.Mesh(sphere(), material), camera, (await expected(camera)).scene);
+    }, mapped));
+  });
+}
+
+for (const kind of ["column", "morphing", "instances", "knot"]) {
+  test(`a mesh with ${kind}`, async () => {
+    same(await page.evaluate(async (kind) => {
+      const scene = await Scene.create(inputs);
+      const material = eigenMaterial(scene, { normalMap: meshes.normalMap() });
+      material.color.setScalar(0.8 * scene.exposure());
+      const mesh = meshes[kind](material, 0.7);
+      mesh.bend?.(0.4);
+      mesh.rotation.set(0.3, 0.5, 0.1);
+      const camera = orthographic([2, 1, 5]);
+      return difference(mesh, camera, (await expected(camera)).scene);
+    }, kind));
+  });
+}
+
+test("the light stays in the world while a camera goes around, and by one program", async () => {
+  const found = await page.evaluate(async () => {
+    const scene = await Scene.create(inputs);
+    const material = eigenMaterial(scene);
+    material.color.setScalar(0.8 * scene.exposure());
+    material.lightRotation.setFromEuler(new THREE.Euler(0.3, -0.8, 0.2));
+    const mesh = new THREE.Mesh(sphere(), material);
+    const found = [];
+    let before;
+    for (const position of [[0, 0, 5], [5, 0, 0], [-2, 3, -4], [1, -4, 2]]) {
+      const camera = orthographic(position);
+      const { scene } = await expected(camera, undefined, material.lightRotation);
+      found.push(difference(mesh, camera, scene));
+      before ??= programs();
+    }
+    return { found, compiled: programs() - before };
+  });
+  found.found.forEach(same);
+  assert.equal(found.compiled, 0);
+});
+
+test("a matte point has the same irradiance from all sides", async () => {
+  const spread = await page.evaluate(async () => {
+    // Of all materials, only the radiance of a matte surface does not depend on the view.
+    const scene = await Scene.create({ light: "lobby", material: { r: [2], g: [2], b: [2] } });
+    const material = eigenMaterial(scene);
+    material.color.setScalar(0.8 * scene.exposure());
+    const mesh = new THREE.Mesh(sphere(), material);
+    const normal = new THREE.Vector3(0.3, 0.4, Math.sqrt(0.75));
+    const codes = [[0, 0, 5], [3, 1, 4], [-1, 4, 3]].map((position) => {
+      const camera = orthographic(position);
+      const pixels = picture(mesh, camera);
+      const [x, y] = normal.clone().project(camera).toArray().map((at) => Math.round(80 * (at + 1) - 0.5));
+      return [...pixels.slice(4 * (160 * y + x), 4 * (160 * y + x) + 3)];
+    });
+    return Math.max(...[0, 1, 2].map((c) => Math.max(...codes.map((code) => code[c])) - Math.min(...codes.map((code) => code[c]))));
+  });
+  // The normals of the three pixels differ by up to half a pixel, 0.6 degrees.
+  assert.ok(spread <= 3, `${spread}`);
+});
+
+test("a small mesh at the edge of a perspective picture has the frame of its own direction", async () => {
+  same(await page.evaluate(async () => {
+    const scene = await Scene.create(inputs);
+    const material = eigenMaterial(scene);
+    material.color.setScalar(0.8 * scene.exposure());
+    const mesh = new THREE.Mesh(sphere(), material);
+    mesh.position.set(3, 2, 0.5);
+    mesh.updateMatrixWorld();
+    const camera = perspective([1, 1, 8], 60);
+    const direction = mesh.position.clone().applyMatrix4(camera.matrixWorldInverse).negate();
+    const of = await expected(camera, direction);
+    return difference(mesh, camera, of.scene, of.frame);
+  }));
+});
+
+test("with view `camera` it has the camera's frame", async () => {
+  same(await page.evaluate(async () => {
+    const scene = await Scene.create(inputs);
+    const material = eigenMaterial(scene, { view: "camera" });
+    material.color.setScalar(0.8 * scene.exposure());
+    const mesh = new THREE.Mesh(sphere(), material);
+    mesh.position.set(1, 0.6, 0);
+    const camera = perspective([1, 1, 6], 40);
+    return difference(mesh, camera, (await expected(camera)).scene);
+  }));
+});
+
+test("a new light or material is an upload, a tolerance is a new program", async () => {
+  const counts = await page.evaluate(async () => {
+    const { lightPreset, materialPreset } = await import("eigenshade");
+    const scene = await Scene.create(inputs);
+    const material = eigenMaterial(scene);
+    const mesh = new THREE.Mesh(sphere(), material);
+    const camera = orthographic([0, 0, 5]);
+    const pictures = [picture(mesh, camera)];
+    const counts = [programs()];
+    scene.light(await lightPreset("studio"));
+    material.update();
+    pictures.push(picture(mesh, camera));
+    scene.material(await materialPreset("red-fabric2"));
+    material.update();
+    pictures.push(picture(mesh, camera));
+    scene.material({ baseColor: "#336699", roughness: 0.6 });
+    material.update();
+    pictures.push(picture(mesh, camera));
+    counts.push(programs());
+    scene.within(0.01);
+    material.update();
+    picture(mesh, camera);
+    counts.push(programs());
+    const different = pictures.every((one, k) => pictures.every((other, l) => k === l || one.some((n, at) => n !== other[at])));
+    return { counts, different };
+  });
+  const [first, updated, truncated] = counts.counts;
+  assert.equal(updated, first);
+  assert.equal(truncated, first + 1);
+  assert.ok(counts.different);
+});
+
+test("two materials of scenes with different terms do not share a program", async () => {
+  const found = await page.evaluate(async () => {
+    const camera = orthographic([0, 0, 5]);
+    const found = [];
+    for (const tolerance of [undefined, 0.1]) {
+      const scene = (await Scene.create(inputs)).within(tolerance);
+      const material = eigenMaterial(scene);
+      material.color.setScalar(0.8 * scene.exposure());
+      const module = (await expected(camera)).scene.within(tolerance);
+      found.push(difference(new THREE.Mesh(sphere(), material), camera, module));
+    }
+    return found;
+  });
+  found.forEach(same);
+});
+
+test("a second mesh with the same material in perspective is an error", async () => {
+  const message = await page.evaluate(async () => {
+    const material = eigenMaterial(await Scene.create(inputs));
+    const camera = perspective([0, 0, 5]);
+    picture(new THREE.Mesh(sphere(), material), camera);
+    try {
+      picture(new THREE.Mesh(sphere(), material), camera);
+    } catch (fault) {
+      return fault.message;
+    }
+  });
+  assert.match(message, /each mesh needs a material of its own/);
+});
