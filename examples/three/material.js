@@ -15,17 +15,17 @@ const TOWARD_CAMERA = new Vector3(0, 0, 1);
  * A new turn is an upload of uniforms. After `scene.light(..)` or `scene.material(..)` call
  * `material.update()`.
  *
- * eigenshade's view is orthographic. With `view: "object"` a perspective camera gets a frame whose z
- * axis points from the center of the mesh to the camera, with the light and the normals turned into
- * it: a small mesh is then exact anywhere on the screen. `view: "camera"` saves the turn of each
- * mesh and takes the camera's axis for the view direction of all.
+ * eigenshade's view is orthographic. For a perspective camera, `view: "object"` turns the light and
+ * the normals into a frame whose z axis points from the center of the mesh to the camera: a small
+ * mesh is then right anywhere on the screen. `view: "camera"` takes the camera's frame for all
+ * meshes, which may then share a material. results/perspective.csv has the errors of both.
  *
  * @param {import("eigenshade").Scene} scene which the material turns
  * @param {object} [options] `view`, and parameters of `MeshMatcapMaterial`
  */
 export function eigenMaterial(scene, { view = "object", ...parameters } = {}) {
   const material = new MeshMatcapMaterial(parameters);
-  const uniforms = { eigenshade: { value: scene.uniforms() }, eigenFrame: { value: new Matrix3() } };
+  const uniforms = { eigenshade: { value: scene.uniforms() }, eigenFrame: { value: new Matrix3() }, eigenPerspective: { value: false } };
   let text = scene.glsl();
   const [turn, turned] = [new Quaternion(), new Quaternion()];
   let [changed, mesh] = [true, undefined];
@@ -39,11 +39,12 @@ export function eigenMaterial(scene, { view = "object", ...parameters } = {}) {
   material.onBeforeCompile = (shader) => {
     Object.assign(shader.uniforms, uniforms);
     shader.fragmentShader = shader.fragmentShader
-      .replace("void main() {", `${text}\nuniform mat3 eigenFrame;\nvoid main() {`)
+      .replace("void main() {", `${text}${DECLARED}void main() {`)
       .replace(/vec3 outgoingLight = .*/, OUTGOING);
   };
   material.onBeforeRender = (renderer, world, camera, geometry, object) => {
     turn.setFromRotationMatrix(camera.matrixWorldInverse).multiply(material.lightRotation);
+    uniforms.eigenPerspective.value = camera.isPerspectiveCamera;
     if (view === "object" && camera.isPerspectiveCamera) {
       // three.js uploads the uniforms of a material once for all meshes that follow each other.
       if (object !== (mesh ??= object)) throw new Error("eigenMaterial: each mesh needs a material of its own");
@@ -75,9 +76,23 @@ export function turnWithCamera(scene, camera, rotation = new Quaternion()) {
   return scene.turn(new Quaternion().setFromRotationMatrix(camera.matrixWorldInverse).multiply(rotation).toArray());
 }
 
-// Behind the rim the polynomials grow without bound. Fragments there have the irradiance of the rim.
+const DECLARED = `
+uniform mat3 eigenFrame;
+uniform bool eigenPerspective;
+`;
+
+// In perspective the normal turns halfway to the frame in which z is its own direction of view: matte
+// light needs no turn and mirrored light a whole one. Behind the rim the polynomials grow without
+// bound, so the irradiance there is that of the rim.
 const OUTGOING = `
   vec3 eigenNormal = eigenFrame * normal;
+  if (eigenPerspective) {
+    vec3 eigenView = eigenFrame * normalize(vViewPosition);
+    vec3 eigenHalf = normalize(eigenView + vec3(0.0, 0.0, 1.0));
+    vec3 eigenSum = eigenView + eigenHalf;
+    eigenNormal += 2.0 * dot(eigenNormal, eigenView) * eigenHalf
+      - dot(eigenNormal, eigenSum) / (1.0 + dot(eigenView, eigenHalf)) * eigenSum;
+  }
   if (eigenNormal.z < 0.0) eigenNormal = vec3(normalize(eigenNormal.xy), 0.0);
   vec3 outgoingLight = diffuseColor.rgb * max(irradiance(eigenNormal), 0.0);`;
 

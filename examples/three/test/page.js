@@ -66,15 +66,22 @@ const encoded = (x) => {
 
 /**
  * The largest difference, in codes, of a mesh's pixels from the module's irradiance of its normals,
- * which `frame` (a quaternion) turns first. The module's scene is turned already.
+ * which `frame` (a quaternion) and, in perspective, half the rotation from the pixel's direction to z
+ * turn first. The module's scene is turned already.
  */
 export function difference(mesh, camera, scene, frame = new THREE.Quaternion()) {
   const { at, axes } = normals(mesh, camera);
+  const halfway = camera.isPerspectiveCamera ? at.map((pixel) => {
+    const view = new THREE.Vector3((2 * (pixel % SIZE) + 1) / SIZE - 1, (2 * Math.floor(pixel / SIZE) + 1) / SIZE - 1, 0.5);
+    view.applyMatrix4(camera.projectionMatrixInverse).normalize().negate().applyQuaternion(frame);
+    return new THREE.Quaternion().setFromUnitVectors(view, view.clone().setZ(view.z + 1).normalize());
+  }) : [];
   const pixels = picture(mesh, camera);
   const turned = axes.map(() => new Float32Array(at.length));
   const normal = new THREE.Vector3();
   for (let k = 0; k < at.length; k++) {
     normal.set(axes[0][k], axes[1][k], axes[2][k]).applyQuaternion(frame);
+    if (halfway[k]) normal.applyQuaternion(halfway[k]);
     if (normal.z < 0) normal.setZ(0).normalize();
     normal.toArray().forEach((number, axis) => (turned[axis][k] = number));
   }
