@@ -86,15 +86,16 @@ export function difference(mesh, camera, scene, frame = new THREE.Quaternion()) 
     normal.toArray().forEach((number, axis) => (turned[axis][k] = number));
   }
   const colors = scene.shade(...turned);
-  let [most, lit] = [0, 0];
+  let [most, sum, lit] = [0, 0, 0];
   at.forEach((pixel, k) => {
     [colors.r, colors.g, colors.b].forEach((color, channel) => {
       const code = encoded(mesh.material.color.r * color[k]);
       most = Math.max(most, Math.abs(code - pixels[4 * pixel + channel]));
+      sum += (code - pixels[4 * pixel + channel]) ** 2;
       lit = Math.max(lit, pixels[4 * pixel + channel]);
     });
   });
-  return { most, lit, count: at.length };
+  return { most, rms: Math.sqrt(sum / (3 * at.length)), lit, count: at.length };
 }
 
 export const programs = () => renderer.info.programs.length;
