@@ -3,10 +3,10 @@
 // README.md. All rows of a file are of one run, interleaved; read the ratios. Needs Linux: for the
 // shaders it reads the processor time of Chromium's GPU process, which other programs disturb less.
 
-import { readFileSync, readdirSync } from "node:fs";
 import { SphericalHarmonics3, Vector3 } from "three";
 import { Scene } from "../../packages/eigenshade/src/index.js";
 import { engine as shared } from "../../packages/eigenshade/src/engine.js";
+import { clock } from "./clock.js";
 import { open } from "./test/support.js";
 import { markdown, putTable, writeRows } from "./tables.js";
 
@@ -90,15 +90,6 @@ const scenes = {
   full: await Scene.create({ light: "lobby", material: "gold-metallic-paint" }),
 };
 const tasks = cpu(scenes, await shared());
-
-/** The processor time of Chromium's GPU process in nanoseconds. */
-async function clock(browser) {
-  const session = await browser.newBrowserCDPSession();
-  const { processInfo } = await session.send("SystemInfo.getProcessInfo");
-  const { id } = processInfo.find(({ type }) => type === "GPU");
-  const tasks = `/proc/${id}/task`;
-  return () => readdirSync(tasks).reduce((sum, task) => sum + Number(readFileSync(`${tasks}/${task}/schedstat`, "utf8").split(" ")[0]), 0);
-}
 
 /** Names and nanoseconds a pixel of shaders. */
 async function gpu({ few, more, full }) {

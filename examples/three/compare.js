@@ -1,0 +1,113 @@
+// node compare.js [--check]: errors, bytes and times of four ways to light a glTF material by a map.
+// Writes results/compare.csv and a table of README.md. With --check it computes the errors and bytes
+// anew and compares them. Times are of software rendering, on Linux.
+
+import { readFileSync } from "node:fs";
+import { gzipSync } from "node:zlib";
+import { FloatType } from "three";
+import { EXRLoader } from "three/addons/loaders/EXRLoader.js";
+import { clock } from "./clock.js";
+import { integrals, irradiance, texels } from "./reference.js";
+import { checkRows, markdown, percent, putTable, writeRows } from "./tables.js";
+import { open } from "./test/support.js";
+
+const COMMAND = "node compare.js";
+const check = process.argv.includes("--check");
+const { page, close, faults } = await open();
+await page.evaluate(async () => (window.measure = await import("/examples/three/measure.js")));
+const { methods, lights, materials, normals } = await page.evaluate(() => ({
+  methods: Object.keys(measure.METHODS), lights: measure.LIGHTS, materials: measure.MATERIALS, normals: measure.normals(),
+}));
+
+// Errors.
+const errors = methods.map(() => materials.map(() => ({ squares: [], worst: 0 })));
+for (const light of lights) {
+  const file = readFileSync(new URL(`../../tables/inputs/maps/${light}.exr`, import.meta.url));
+  const map = texels(new EXRLoader().setDataType(FloatType).parse(file.buffer.slice(file.byteOffset, file.byteOffset + file.length)));
+  const sums = Object.fromEntries([0.3, 0.5, 0.8].map((roughness) =>
+    [roughness, normals.map(({ normal }) => integrals(map, normal, roughness))]));
+  for (const [m, material] of materials.entries()) {
+    const expected = sums[material.roughness].map((sums) => irradiance(sums, material));
+    const peak = Math.max(...expected.flat());
+    for (const [k, method] of methods.entries()) {
+      const colors = await page.evaluate(([method, light, material, normals]) => measure.colors(method, light, material, normals), [method, light, material, normals]);
+      if (process.env.MEANS) console.log(light, material.metallic, material.roughness, method, (colors.flat().reduce((a, b) => a + b) / expected.flat().reduce((a, b) => a + b)).toFixed(3));
+      const off = colors.flatMap((color, k) => color.map((number, channel) => Math.abs(number - expected[k][channel]) / peak));
+      errors[k][m].squares.push(off.reduce((sum, one) => sum + one * one, 0) / off.length);
+      errors[k][m].worst = Math.max(errors[k][m].worst, ...off);
+    }
+  }
+}
+
+// Bytes: what a page loads beside three.js's core, and what it loads and keeps for each light.
+const zipped = (...files) => files.reduce((sum, file) => sum + gzipSync(readFileSync(new URL(file, import.meta.url)), { level: 9 }).length, 0);
+const size = (file) => readFileSync(new URL(file, import.meta.url)).length;
+const PACKAGE = "../../packages/eigenshade/";
+const eigenshade = zipped(...["assets", "engine", "index", "presets", "preview", "renderer", "scene"].map((name) => `${PACKAGE}src/${name}.js`), `${PACKAGE}wasm/eigenshade.simd.wasm`);
+const exr = zipped("node_modules/three/examples/jsm/loaders/EXRLoader.js", "node_modules/three/examples/jsm/libs/fflate.module.js");
+const light = size(`${PACKAGE}presets/light/${lights[0]}.bin`);
+const times = await page.evaluate(() => measure.setUp());
+const loaded = (method) => {
+  if (method.startsWith("PMREM")) return { code: exr, light: size(`../../tables/inputs/maps/${lights[0]}.exr`), texture: times.texture };
+  if (method.startsWith("LightProbe")) return { code: 0, light: 108, texture: 0 };
+  const matcap = method.includes("matcap");
+  return { code: eigenshade + zipped("material.js", ...(matcap ? ["matcap.js"] : [])), light, texture: matcap ? 8 * 128 * 128 : 0 };
+};
+
+// Times: a frame as the processor time of the GPU process, which other programs disturb less.
+const frames = [];
+if (!check) {
+  const now = await clock(page.context().browser());
+  await page.evaluate(() => measure.prepareFrames());
+  const frame = (which, count) => page.evaluate(([which, count]) => measure.frame(which, count), [which, count]);
+  for (let round = 0; round < 4; round++) {
+    for (let which = 0; which <= methods.length; which++) {
+      const count = round ? Math.ceil(3e8 / frames[which]) : 2;
+      const start = now();
+      await frame(which, count);
+      frames[which] = Math.min(round < 2 ? Infinity : frames[which], (now() - start) / count);
+    }
+  }
+}
+await close();
+if (faults.length) throw new Error(faults.join("\n"));
+
+const milliseconds = (time) => (time >= 100 ? time.toFixed(0) : time === 0 ? "0" : time.toPrecision(time < 0.001 ? 1 : 2));
+const rows = methods.map((method, k) => {
+  const { code, light, texture } = loaded(method);
+  const set = times[method] ?? (method.startsWith("PMREM") ? times.pmrem : times.probe);
+  const row = { method: method.replaceAll(",", ";"), code, light, texture };
+  materials.forEach(({ metallic, roughness }, m) => {
+    const { squares, worst } = errors[k][m];
+    const name = `${metallic ? "metal" : "dielectric"}_${roughness}`;
+    row[`${name}_rms`] = Math.sqrt(squares.reduce((sum, one) => sum + one) / squares.length).toPrecision(3);
+    row[`${name}_worst`] = worst.toPrecision(3);
+  });
+  return { ...row, new_light_ms: milliseconds(set.light), turn_ms: milliseconds(set.turn), frame: (frames[k + 1] / frames[0]).toPrecision(2) };
+});
+
+const CANNOT = {
+  "eigenshade": "sharp gloss; shadows; near lights; perspective is approximate",
+  "eigenshade, 1 %": "the same; the terms change with the light, which compiles a new program",
+  "eigenshade, matcap of 128²": "the same; roughness and color per pixel",
+  "LightProbe, MeshStandardMaterial": "highlights; metals; light beyond degree 2",
+  "LightProbe, MeshLambertMaterial": "the same; roughness",
+  "PMREM, MeshStandardMaterial": "measured BRDFs; its lobes are round, and it adds multiple scattering, which the formula lacks",
+};
+if (check) {
+  const stable = Object.keys(rows[0]).filter((name) => !/_ms|^frame/.test(name));
+  checkRows("compare", COMMAND, rows, stable);
+} else {
+  writeRows("compare", COMMAND, rows);
+  const thousands = (number) => Number(number).toLocaleString("en-US");
+  const cells = (row, kind) => [0.3, 0.5, 0.8].map((roughness) => `${percent(row[`${kind}_${roughness}_rms`])} / ${percent(row[`${kind}_${roughness}_worst`])}`);
+  const errorsTable = markdown(
+    ["rms / worst pixel, % of the peak", ...["dielectric", "metal"].flatMap((kind) => [0.3, 0.5, 0.8].map((roughness) => `${kind} ${roughness}`)), "cannot do"],
+    rows.map((row, k) => [methods[k], ...cells(row, "dielectric"), ...cells(row, "metal"), CANNOT[methods[k]]]), ["cannot do"],
+  );
+  const costsTable = markdown(
+    ["costs", "code, gzip", "a light, bytes", "texture, bytes", "a new light, ms", "a turned light, ms", "frame, trivial shader = 1"],
+    rows.map((row, k) => [methods[k], ...[row.code, row.light, row.texture].map(thousands), row.new_light_ms, row.turn_ms, row.frame]),
+  );
+  putTable("compare", `${errorsTable}\n\n${costsTable}`);
+}

@@ -1,0 +1,76 @@
+// Four ways to light the same glTF material by the same map: each makes a world with one mesh.
+
+import * as THREE from "three";
+import { EXRLoader } from "three/addons/loaders/EXRLoader.js";
+import { Scene, lightPreset } from "eigenshade";
+import { eigenMaterial } from "./material.js";
+import { eigenMatcap } from "./matcap.js";
+
+/** An equirectangular texture of one of the maps behind the package's lights, in radiance. */
+export async function map(name) {
+  const texture = await new EXRLoader().loadAsync(new URL(`../../tables/inputs/maps/${name}.exr`, import.meta.url).href);
+  const { data, width, height } = texture.image;
+  // The middle of the map is -z; for three.js it is +x.
+  const turned = new data.constructor(data.length);
+  for (let k = 0; k < width * height; k++) {
+    const column = (k % width + 0.75 * width) % width;
+    turned.set(data.subarray(4 * k, 4 * k + 4), 4 * (k - (k % width) + column));
+  }
+  const made = new THREE.DataTexture(turned, width, height, THREE.RGBAFormat, texture.type);
+  made.mapping = THREE.EquirectangularReflectionMapping;
+  made.colorSpace = THREE.LinearSRGBColorSpace;
+  made.magFilter = made.minFilter = THREE.LinearFilter;
+  made.wrapS = THREE.RepeatWrapping;
+  made.needsUpdate = true;
+  return made;
+}
+
+/** A light probe of the first nine coefficients of a light: docs/conventions.md has the signs. */
+export function lightProbe({ r, g, b }) {
+  const probe = new THREE.LightProbe();
+  probe.sh.coefficients.forEach((coefficient, k) => {
+    const degree = Math.floor(Math.sqrt(k));
+    const order = k - degree * degree - degree;
+    const sign = order < 0 ? -1 : (-1) ** order;
+    coefficient.set(r[k], g[k], b[k]).multiplyScalar(sign);
+  });
+  return probe;
+}
+
+/** The parameters of a glTF material for `MeshStandardMaterial`. */
+const standard = ({ baseColor, metallic, roughness }) =>
+  new THREE.MeshStandardMaterial({ color: new THREE.Color(...baseColor), metalness: metallic, roughness });
+
+function world(geometry, material, ...lights) {
+  const made = new THREE.Scene();
+  made.add(new THREE.Mesh(geometry, material), ...lights);
+  return made;
+}
+
+const prefiltered = {};
+
+/** By name, functions of a geometry, the name of a light, a material, and a renderer. */
+export const METHODS = {
+  eigenshade: async (geometry, light, material) =>
+    world(geometry, eigenMaterial(await Scene.create({ light, material }))),
+  "eigenshade, 1 %": async (geometry, light, material) =>
+    world(geometry, eigenMaterial((await Scene.create({ light, material })).within(0.01))),
+  "eigenshade, matcap of 128²": async (geometry, light, material) =>
+    world(geometry, eigenMatcap(await Scene.create({ light, material }))),
+  "LightProbe, MeshStandardMaterial": async (geometry, light, material) =>
+    world(geometry, standard(material), lightProbe(await lightPreset(light))),
+  "LightProbe, MeshLambertMaterial": async (geometry, light, { baseColor }) =>
+    world(geometry, new THREE.MeshLambertMaterial({ color: new THREE.Color(...baseColor) }), lightProbe(await lightPreset(light))),
+  "PMREM, MeshStandardMaterial": async (geometry, light, material, renderer) => {
+    const made = world(geometry, standard(material));
+    prefiltered[light] ??= new THREE.PMREMGenerator(renderer).fromEquirectangular(await map(light));
+    made.environment = prefiltered[light].texture;
+    return made;
+  },
+};
+
+/** glTF materials: a dielectric and a metal, of three roughnesses. */
+export const MATERIALS = [0, 1].flatMap((metallic) =>
+  [0.3, 0.5, 0.8].map((roughness) => ({ baseColor: metallic ? [1, 0.72, 0.3] : [0.5, 0.2, 0.08], metallic, roughness })));
+
+export const LIGHTS = ["lobby", "park", "studio"];
