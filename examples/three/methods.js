@@ -6,9 +6,13 @@ import { Scene, lightPreset } from "eigenshade";
 import { eigenMaterial } from "./material.js";
 import { eigenMatcap } from "./matcap.js";
 
-/** An equirectangular texture of one of the maps behind the package's lights, in radiance. */
-export async function map(name) {
+/**
+ * An equirectangular texture of one of the maps behind the package's lights, in radiance: with its
+ * middle where three.js has it, or as it is.
+ */
+export async function map(name, turn = true) {
   const texture = await new EXRLoader().loadAsync(new URL(`../../tables/inputs/maps/${name}.exr`, import.meta.url).href);
+  if (!turn) return texture;
   const { data, width, height } = texture.image;
   // The middle of the map is -z; for three.js it is +x.
   const turned = new data.constructor(data.length);

@@ -7,9 +7,11 @@ import { pathToFileURL } from "node:url";
 
 const ROOT = new URL("../../", import.meta.url);
 const TYPES = {
+  ".css": "text/css",
   ".html": "text/html; charset=utf-8",
   ".js": "text/javascript",
   ".json": "application/json",
+  ".md": "text/plain; charset=utf-8",
   ".wasm": "application/wasm",
 };
 

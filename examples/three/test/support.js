@@ -3,7 +3,7 @@
 import { chromium } from "playwright-core";
 import { serve } from "../serve.js";
 
-export async function open(path = "test/blank.html") {
+export async function open(path = "test/blank.html", viewport = { width: 480, height: 400 }) {
   const server = await serve();
   const browser = await chromium.launch({
     executablePath: process.env.CHROMIUM ?? "/usr/bin/chromium",
@@ -18,7 +18,7 @@ export async function open(path = "test/blank.html") {
       "--enable-unsafe-swiftshader",
     ],
   });
-  const page = await browser.newPage({ viewport: { width: 480, height: 400 } });
+  const page = await browser.newPage({ viewport });
   const faults = [];
   page.on("pageerror", (fault) => faults.push(fault.message));
   page.on("console", (message) => {
