@@ -37,26 +37,46 @@ test("a light probe on a matte sphere is the scene of the light's first nine coe
   assert.ok(most <= 1, `${most}`);
 });
 
-test("the direct integral is the scene of a rough material, up to the degrees that it leaves out", async () => {
+/** The radiance toward +z by the formula as glTF's specification writes it, with vectors, in one channel. */
+function written(map, normal, { baseColor: [base], metallic, roughness }) {
+  const dot = (a, b) => a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+  const [alpha, view] = [roughness ** 2, [0, 0, 1]];
+  let sum = 0;
+  for (let k = 0; k < map.x.length; k++) {
+    const light = [map.x[k], map.y[k], map.z[k]];
+    const [nl, nv] = [dot(normal, light), dot(normal, view)];
+    if (nl <= 0) continue;
+    const middle = light.map((number, axis) => number + view[axis]);
+    const half = middle.map((number) => number / Math.hypot(...middle));
+    const [nh, vh] = [dot(normal, half), dot(view, half)];
+    const D = alpha ** 2 / (Math.PI * (nh ** 2 * (alpha ** 2 - 1) + 1) ** 2);
+    const V = 0.5 / (nl * Math.sqrt(nv ** 2 * (1 - alpha ** 2) + alpha ** 2) + nv * Math.sqrt(nl ** 2 * (1 - alpha ** 2) + alpha ** 2));
+    const f0 = 0.04 * (1 - metallic) + base * metallic;
+    const F = f0 + (1 - f0) * (1 - vh) ** 5;
+    sum += map.r[k] * nl * (((1 - F) * base * (1 - metallic)) / Math.PI + F * D * V);
+  }
+  return sum;
+}
+
+test("the direct integral is glTF's formula, and the scene of a matte material", async () => {
   const file = readFileSync(new URL("../../../tables/inputs/maps/park.exr", import.meta.url));
   const map = texels(new EXRLoader().setDataType(FloatType).parse(file.buffer.slice(file.byteOffset, file.byteOffset + file.length)));
-  for (const metallic of [0, 1]) {
-    const material = { baseColor: [0.5, 0.2, 0.08], metallic, roughness: 1 };
-    const scene = await Scene.create({ light: "park", material });
-    const normals = [[0, 0, 1], [0.6, 0, 0.8], [-0.48, 0.64, 0.6], [0, -0.8, 0.6], [0.2, 0.9, Math.sqrt(0.15)]];
-    const found = scene.shade(...[0, 1, 2].map((axis) => normals.map((normal) => normal[axis])));
-    const expected = normals.map((normal) => irradiance(integrals(map, normal, 1), material));
-    const peak = Math.max(...expected.flat());
-    normals.forEach((_, k) => ["r", "g", "b"].forEach((channel, c) => {
-      const off = Math.abs(found[channel][k] - expected[k][c]) / peak;
-      assert.ok(off <= 0.03, `${metallic}, normal ${k}: ${off}`);
-    }));
+  const normals = [[0, 0.6, 0.8], [0.6, 0, 0.8], [-0.48, 0.64, 0.6]];
+  for (const roughness of [0.3, 0.8]) {
+    for (const metallic of [0, 1]) {
+      const material = { baseColor: [0.5, 0.2, 0.08], metallic, roughness };
+      for (const normal of normals) {
+        const [found] = irradiance(integrals(map, normal, roughness), material);
+        const expected = written(map, normal, material);
+        assert.ok(Math.abs(found / expected - 1) <= 1e-9, `${found}, ${expected}`);
+      }
+    }
   }
-  // A matte surface hardly responds to what is beyond degree 9.
+  // What is beyond degree 9 of this light, which has a sun, changes a matte surface by 2 %.
   const scene = await Scene.create({ light: "park", material: { r: [2], g: [2], b: [2] } });
-  const found = scene.shade([0, 0.6, -0.48], [0.6, 0, 0.64], [0.8, 0.8, 0.6]);
-  [[0, 0.6, 0.8], [0.6, 0, 0.8], [-0.48, 0.64, 0.6]].forEach((normal, k) => {
+  const found = scene.shade(...[0, 1, 2].map((axis) => normals.map((normal) => normal[axis])));
+  normals.forEach((normal, k) => {
     const expected = integrals(map, normal, 1);
-    ["r", "g", "b"].forEach((channel, c) => assert.ok(Math.abs(found[channel][k] / expected[c] - 1) <= 5e-3, `${found[channel][k]}, ${expected[c]}`));
+    ["r", "g", "b"].forEach((channel, c) => assert.ok(Math.abs(found[channel][k] / expected[c] - 1) <= 0.03, `${found[channel][k]}, ${expected[c]}`));
   });
 });
