@@ -36,7 +36,9 @@ export function eigenMaterial(scene, { view = "object", ...parameters } = {}) {
     return material;
   };
   material.customProgramCacheKey = () => text;
-  material.onBeforeCompile = (shader) => {
+  material.onBeforeCompile = (shader, renderer) => {
+    const [needed, most] = [uniforms.eigenshade.value.length / 4 + OTHERS, renderer.capabilities.maxFragmentUniforms];
+    if (needed > most) throw new Error(`eigenMaterial: the device has ${most} uniform vectors of ${needed}; use scene.within(1e-3)`);
     Object.assign(shader.uniforms, uniforms);
     shader.fragmentShader = shader.fragmentShader
       .replace("void main() {", `${text}${DECLARED}void main() {`)
@@ -75,6 +77,9 @@ export function eigenMaterial(scene, { view = "object", ...parameters } = {}) {
 export function turnWithCamera(scene, camera, rotation = new Quaternion()) {
   return scene.turn(new Quaternion().setFromRotationMatrix(camera.matrixWorldInverse).multiply(rotation).toArray());
 }
+
+/** Uniform vectors of the rest of the shader, at most. WebGL 2 promises 224 in all. */
+const OTHERS = 24;
 
 const DECLARED = `
 uniform mat3 eigenFrame;

@@ -192,3 +192,25 @@ test("a second mesh with the same material in perspective is an error", async ()
   });
   assert.match(message, /each mesh needs a material of its own/);
 });
+
+test("a scene of more terms than the device has uniforms is an error that names the remedy", async () => {
+  const { message, fewer } = await page.evaluate(async () => {
+    const { maxFragmentUniforms } = renderer.capabilities;
+    renderer.capabilities.maxFragmentUniforms = 224;
+    try {
+      const camera = orthographic([0, 0, 5]);
+      const fewer = (await Scene.create(inputs)).within(1e-3);
+      picture(new THREE.Mesh(sphere(), eigenMaterial(fewer, { flatShading: true })), camera);
+      const material = eigenMaterial(await Scene.create(inputs), { flatShading: true });
+      try {
+        picture(new THREE.Mesh(sphere(), material), camera);
+      } catch ({ message }) {
+        return { message, fewer: fewer.terms };
+      }
+    } finally {
+      renderer.capabilities.maxFragmentUniforms = maxFragmentUniforms;
+    }
+  });
+  assert.match(message, /the device has 224 uniform vectors of 320; use scene.within/);
+  assert.ok(fewer <= 200);
+});
