@@ -18,7 +18,7 @@ for (let k = 0; k < COUNT; k++) {
   [x[k], y[k]] = [sine * Math.cos(around), sine * Math.sin(around)];
 }
 
-function cpu({ few, more, full }, engine) {
+function cpu(scenes, engine) {
   const nine = new SphericalHarmonics3();
   nine.coefficients.forEach((c, k) => c.set(1 / (k + 1), 0.3 / (k + 2), 0.2 / (k + 3)));
   const objects = Array.from({ length: COUNT }, (_, k) => new Vector3(x[k], y[k], z[k]));
@@ -59,8 +59,8 @@ function cpu({ few, more, full }, engine) {
     { name: "three.js, `getIrradianceAt`, results stored in arrays", work: () => stored(nine) },
     { name: "three.js, `getIrradianceAt`", work: () => called(nine) },
     { name: "nine terms, written by hand", work: handwritten },
-    ...[few, more, full].map((scene) => ({ name: `\`scene.shade\`, ${named(scene)}`, work: () => scene.shade(x, y, z, { r, g, b }) })),
-    ...[few, more, full].map((scene) => ({ name: `the module alone, ${named(scene)}`, ready: () => module(scene), count: engine.normals })),
+    ...scenes.map((scene) => ({ name: `\`scene.shade\`, ${named(scene)}`, work: () => scene.shade(x, y, z, { r, g, b }) })),
+    ...scenes.map((scene) => ({ name: `the module alone, ${named(scene)}`, ready: () => module(scene), count: engine.normals })),
   ];
 }
 
@@ -83,19 +83,29 @@ function times(tasks) {
   return all;
 }
 
-const named = (scene) => (scene.truncation ? `${scene.terms} terms (1 %)` : `all ${scene.terms} terms`);
-const scenes = {
-  few: (await Scene.create({ light: "workshop", material: "red-fabric2" })).within(0.01),
-  more: (await Scene.create({ light: "lobby", material: "gold-metallic-paint" })).within(0.01),
-  full: await Scene.create({ light: "lobby", material: "gold-metallic-paint" }),
+const GOLD = { light: "lobby", material: "gold-metallic-paint" };
+const tolerances = new Map();
+/** A scene, whose name tells its tolerance. */
+const made = async (inputs, tolerance) => {
+  const scene = (await Scene.create(inputs)).within(tolerance);
+  tolerances.set(scene, tolerance);
+  return scene;
 };
+const named = (scene) => `${scene.terms} terms, ${{ 0.01: "1 %", 1e-5: "0.001 %" }[tolerances.get(scene)] ?? "all"}`;
+const digits = (number) => (number >= 100 ? number.toFixed(0) : number.toPrecision(number >= 10 ? 3 : 2));
+const scenes = [
+  await made({ light: "workshop", material: "red-fabric2" }, 0.01),
+  await made(GOLD, 0.01),
+  await made(GOLD, 1e-5),
+  await made(GOLD),
+];
 const tasks = cpu(scenes, await shared());
 
 /** Names and nanoseconds a pixel of shaders. */
-async function gpu({ few, more, full }) {
+async function gpu(scenes) {
   const { page, close } = await open();
   const now = await clock(page.context().browser());
-  const texts = [few, more, full].map((scene) => ({ name: named(scene), text: scene.glsl(), numbers: [...scene.uniforms()] }));
+  const texts = scenes.map((scene) => ({ name: named(scene), text: scene.glsl(), numbers: [...scene.uniforms()] }));
   const names = await page.evaluate(async (texts) => {
     const { NINE, TRIVIAL, narrow, program, draw } = await import("/examples/three/gpu.js");
     window.draw = (k, pictures) => draw(window.made[k].made, pictures);
@@ -122,8 +132,8 @@ async function gpu({ few, more, full }) {
 
 /** Writes times with their ratios to some of them, and the table. */
 function write(file, names, found, ratios) {
-  const columns = (k) => Object.fromEntries(Object.entries(ratios).map(([name, of]) => [name, (found[k] / found[of]).toPrecision(2)]));
-  const rows = names.map((what, k) => ({ what: what.replaceAll(",", ";"), ns: found[k].toPrecision(3), ...columns(k) }));
+  const columns = (k) => Object.fromEntries(Object.entries(ratios).map(([name, of]) => [name, digits(found[k] / found[of])]));
+  const rows = names.map((what, k) => ({ what: what.replaceAll(",", ";"), ns: digits(found[k]), ...columns(k) }));
   writeRows(file, "node benchmark.js", rows);
   console.table(rows);
   putTable(file, markdown(

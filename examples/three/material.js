@@ -38,7 +38,7 @@ export function eigenMaterial(scene, { view = "object", ...parameters } = {}) {
   material.customProgramCacheKey = () => text;
   material.onBeforeCompile = (shader, renderer) => {
     const [needed, most] = [uniforms.eigenshade.value.length / 4 + OTHERS, renderer.capabilities.maxFragmentUniforms];
-    if (needed > most) throw new Error(`eigenMaterial: the device has ${most} uniform vectors of ${needed}; use scene.within(1e-3)`);
+    if (needed > most) throw new Error(`eigenMaterial: the device has ${most} uniform vectors of ${needed}; use scene.within(1e-5)`);
     Object.assign(shader.uniforms, uniforms);
     shader.fragmentShader = shader.fragmentShader
       .replace("void main() {", `${text}${DECLARED}void main() {`)

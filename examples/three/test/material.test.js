@@ -199,7 +199,7 @@ test("a scene of more terms than the device has uniforms is an error that names 
     renderer.capabilities.maxFragmentUniforms = 224;
     try {
       const camera = orthographic([0, 0, 5]);
-      const fewer = (await Scene.create(inputs)).within(1e-3);
+      const fewer = (await Scene.create(inputs)).within(1e-5);
       picture(new THREE.Mesh(sphere(), eigenMaterial(fewer, { flatShading: true })), camera);
       const material = eigenMaterial(await Scene.create(inputs), { flatShading: true });
       try {
