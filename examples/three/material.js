@@ -28,7 +28,7 @@ export function eigenMaterial(scene, { view = "object", ...parameters } = {}) {
   const uniforms = { eigenshade: { value: scene.uniforms() }, eigenFrame: { value: new Matrix3() }, eigenPerspective: { value: false } };
   let text = scene.glsl();
   const [turn, turned] = [new Quaternion(), new Quaternion()];
-  let [changed, mesh] = [true, undefined];
+  let [changed, mesh, picture] = [true, undefined, undefined];
 
   material.lightRotation = new Quaternion();
   material.update = () => {
@@ -49,7 +49,9 @@ export function eigenMaterial(scene, { view = "object", ...parameters } = {}) {
     uniforms.eigenPerspective.value = camera.isPerspectiveCamera;
     if (view === "object" && camera.isPerspectiveCamera) {
       // three.js uploads the uniforms of a material once for all meshes that follow each other.
-      if (object !== (mesh ??= object)) throw new Error("eigenMaterial: each mesh needs a material of its own");
+      const { frame: now } = renderer.info.render;
+      if (object !== mesh && picture === now) throw new Error("eigenMaterial: each mesh needs a material of its own");
+      [mesh, picture] = [object, now];
       const frame = frameOf(object, camera);
       uniforms.eigenFrame.value.setFromMatrix4(matrix.makeRotationFromQuaternion(frame));
       turn.premultiply(frame);

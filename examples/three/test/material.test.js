@@ -179,17 +179,20 @@ test("two materials of scenes with different terms do not share a program", asyn
   found.forEach(same);
 });
 
-test("a second mesh with the same material in perspective is an error", async () => {
-  const message = await page.evaluate(async () => {
+test("two meshes with the same material in a perspective picture are an error", async () => {
+  const { message, turns } = await page.evaluate(async () => {
     const material = eigenMaterial(await Scene.create(inputs));
+    const [one, other] = [0, 1].map(() => new THREE.Mesh(sphere(), material));
     const camera = perspective([0, 0, 5]);
-    picture(new THREE.Mesh(sphere(), material), camera);
+    let turns = 0;
+    for (const mesh of [one, other, one]) turns += picture(mesh, camera).some((code) => code > 100);
     try {
-      picture(new THREE.Mesh(sphere(), material), camera);
-    } catch (fault) {
-      return fault.message;
+      picture(new THREE.Group().add(one, other), camera);
+    } catch ({ message }) {
+      return { message, turns };
     }
   });
+  assert.equal(turns, 3);
   assert.match(message, /each mesh needs a material of its own/);
 });
 
