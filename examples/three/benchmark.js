@@ -84,19 +84,12 @@ function times(tasks) {
 }
 
 const GOLD = { light: "lobby", material: "gold-metallic-paint" };
-const tolerances = new Map();
-/** A scene, whose name tells its tolerance. */
-const made = async (inputs, tolerance) => {
-  const scene = (await Scene.create(inputs)).within(tolerance);
-  tolerances.set(scene, tolerance);
-  return scene;
-};
-const named = (scene) => `${scene.terms} terms, ${{ 0.01: "1 %", 1e-5: "0.001 %" }[tolerances.get(scene)] ?? "all"}`;
+const made = async (inputs, tolerance) => (await Scene.create(inputs)).within(tolerance);
+const named = (scene) => `${scene.terms} terms, ${scene.truncation ? "1 %" : "all"}`;
 const digits = (number) => (number >= 100 ? number.toFixed(0) : number.toPrecision(number >= 10 ? 3 : 2));
 const scenes = [
   await made({ light: "workshop", material: "red-fabric2" }, 0.01),
   await made(GOLD, 0.01),
-  await made(GOLD, 1e-5),
   await made(GOLD),
 ];
 const tasks = cpu(scenes, await shared());
@@ -107,13 +100,12 @@ async function gpu(scenes) {
   const now = await clock(page.context().browser());
   const texts = scenes.map((scene) => ({ name: named(scene), text: scene.glsl(), numbers: [...scene.uniforms()] }));
   const names = await page.evaluate(async (texts) => {
-    const { NINE, TRIVIAL, narrow, program, draw } = await import("/examples/three/gpu.js");
+    const { NINE, TRIVIAL, program, draw } = await import("/examples/three/gpu.js");
     window.draw = (k, pictures) => draw(window.made[k].made, pictures);
     window.made = [
       { name: "trivial shader", made: program(TRIVIAL) },
       { name: "nine terms, `vec4` uniforms", made: program(NINE, "nine", new Float32Array(36).fill(0.1)) },
       ...texts.map(({ name, text, numbers }) => ({ name: `\`scene.glsl()\`, ${name}`, made: program(text, "eigenshade", new Float32Array(numbers)) })),
-      ...texts.map(({ name, text, numbers }) => ({ name: `the same with \`vec3\`, ${name}`, made: program(narrow(text), "eigenshade", new Float32Array(numbers)) })),
     ];
     return window.made.map(({ name }) => name);
   }, texts);

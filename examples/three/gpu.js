@@ -3,17 +3,15 @@
 const SIZE = 256;
 const gl = new OffscreenCanvas(SIZE, SIZE).getContext("webgl2", { antialias: false, depth: false });
 
-/** The nine-term formula, with `vec4` uniforms. */
+/** The nine-term formula, with `vec4` uniforms, in sums of three numbers as in a scene's text. */
 export const NINE = `uniform vec4 nine[9];
 vec3 irradiance(vec3 n) {
-  return (nine[0] + nine[1] * n.y + nine[2] * n.z + nine[3] * n.x + nine[4] * (n.x * n.y) + nine[5] * (n.y * n.z)
-    + nine[6] * (n.z * n.z) + nine[7] * (n.x * n.z) + nine[8] * (n.x * n.x - n.y * n.y)).rgb;
+  return nine[0].rgb + nine[1].rgb * n.y + nine[2].rgb * n.z + nine[3].rgb * n.x + nine[4].rgb * (n.x * n.y)
+    + nine[5].rgb * (n.y * n.z) + nine[6].rgb * (n.z * n.z) + nine[7].rgb * (n.x * n.z)
+    + nine[8].rgb * (n.x * n.x - n.y * n.y);
 }`;
 
 export const TRIVIAL = "vec3 irradiance(vec3 n) { return n; }";
-
-/** The text of a scene with `vec3` in place of `vec4`. */
-export const narrow = (text) => text.replaceAll("vec4", "vec3").replace("p.rgb", "p");
 
 /** A program around a function, and the numbers of its array of uniforms, four for each vector. */
 export function program(text, name, numbers) {
@@ -38,11 +36,7 @@ export function program(text, name, numbers) {
   gl.linkProgram(made);
   if (!gl.getProgramParameter(made, gl.LINK_STATUS)) throw new Error(gl.getProgramInfoLog(made));
   gl.useProgram(made);
-  if (name) {
-    const place = gl.getUniformLocation(made, name);
-    if (text.includes("uniform vec3")) gl.uniform3fv(place, numbers.filter((_, k) => k % 4 < 3));
-    else gl.uniform4fv(place, numbers);
-  }
+  if (name) gl.uniform4fv(gl.getUniformLocation(made, name), numbers);
   return made;
 }
 
