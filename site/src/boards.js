@@ -1,0 +1,15 @@
+// What terms cost on small machines: straight lines through the counted pixels of firmware/counts.csv.
+
+/**
+ * Instructions of a pixel of one channel are base + each * terms, for the counted tables of 8 to 166
+ * terms (least squares, relative to the root of the count). No count is further from its line than
+ * `within`. A test fits the lines again.
+ */
+export const BOARDS = Object.freeze([
+  { name: "Cortex-M0", board: "microbit", format: "q15", base: 49.4, each: 5.26, within: 0.19 },
+  { name: "Cortex-M4F", board: "mps2-an386", format: "f32", base: 11.0, each: 2.1, within: 0.07 },
+]);
+
+/** Instructions of a pixel in color. */
+export const instructions = (/** @type {typeof BOARDS[number]} */ { base, each }, /** @type {number} */ terms) =>
+  3 * (base + each * terms);

@@ -1,0 +1,54 @@
+// The page in Debian's Chromium, served from site/.
+
+import { createServer } from "node:http";
+import { readFile } from "node:fs/promises";
+import { extname } from "node:path";
+import { fileURLToPath } from "node:url";
+import { launch } from "../../packages/eigenshade/test/support/browser.js";
+
+export { launch };
+export const SITE = fileURLToPath(new URL("../", import.meta.url));
+export const ROOT = fileURLToPath(new URL("../../", import.meta.url));
+const TYPES = {
+  ".html": "text/html", ".js": "text/javascript", ".css": "text/css", ".json": "application/json",
+  ".wasm": "application/wasm", ".svg": "image/svg+xml",
+};
+
+/** Serves site/ as any file server does. */
+export async function serve() {
+  const server = createServer(async (request, response) => {
+    const { pathname } = new URL(request.url, "http://localhost");
+    try {
+      const body = await readFile(SITE + (pathname === "/" ? "index.html" : `.${pathname}`));
+      response.writeHead(200, { "content-type": TYPES[extname(pathname) || ".html"] ?? "application/octet-stream" });
+      response.end(body);
+    } catch {
+      response.writeHead(404).end();
+    }
+  });
+  await new Promise((resolve) => server.listen(0, "127.0.0.1", resolve));
+  return { address: `http://127.0.0.1:${server.address().port}/`, close: () => server.close() };
+}
+
+/**
+ * A page that has settled, and what went wrong in it: errors, and requests to other servers.
+ */
+export async function open(browser, address, { hash = "", width = 1440, height = 900, script, ...context } = {}) {
+  const page = await browser.newPage({ viewport: { width, height }, reducedMotion: "reduce", ...context });
+  const faults = [];
+  page.on("pageerror", (fault) => faults.push(String(fault)));
+  page.on("console", (message) => ["error", "warning"].includes(message.type()) && !/GPU stall|GL Driver/.test(message.text()) && faults.push(message.text()));
+  page.on("request", (request) => {
+    if (!/^(data|blob):/.test(request.url()) && !request.url().startsWith(address)) faults.push(`request to ${request.url()}`);
+  });
+  if (script) await page.addInitScript(script);
+  await page.goto(address + (hash ? `#${hash}` : ""));
+  await settled(page);
+  return { page, faults };
+}
+
+/** Waits until the picture and its numbers are those of the state. */
+export async function settled(page) {
+  const before = await page.evaluate(() => document.documentElement.dataset.settled ?? "0");
+  await page.waitForFunction((before) => (document.documentElement.dataset.settled ?? "0") !== before, before, { timeout: 15000 });
+}
