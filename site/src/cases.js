@@ -104,7 +104,7 @@ function drawn(/** @type {(drawing: Drawing) => void} */ object, /** @type {Scen
 
 /** Normals of a knurled sphere that face away near the rim. */
 async function rim() {
-  const scene = await Scene.create({ light: "venice", material: "red-plastic" });
+  const scene = await Scene.create({ light: "venice", material: "specular-blue-phenolic" });
   const pair = drawn((drawing) => drawing.object(KINDS.bumps), scene, SHOWN.picture);
   return pair && {
     ...pair,

@@ -175,9 +175,13 @@ export class Drawing {
    *
    * @param {number} kind of {@link KINDS}
    * @param {import("./objects.js").Mesh} [mesh]
+   * @param {boolean} [closed] whether its triangles are counterclockwise from outside
    */
-  object(kind, mesh) {
+  object(kind, mesh, closed = true) {
     const gl = this.#gl;
+    // Triangles of a closed mesh that face away are hidden; those of a file may face anywhere.
+    if (mesh && closed) gl.enable(gl.CULL_FACE);
+    else gl.disable(gl.CULL_FACE);
     this.#kind = kind;
     this.#count = mesh ? mesh.indices.length : 0;
     if (this.#array) gl.deleteVertexArray(this.#array);

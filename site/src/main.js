@@ -81,6 +81,7 @@ let loads = 0;
 async function take(/** @type {Partial<typeof state>} */ parts) {
   const wanted = { ...state, ...parts };
   const turn = ++loads;
+  busy(true);
   try {
     const inputs = await load(wanted);
     if (turn !== loads) return;
@@ -97,7 +98,7 @@ async function take(/** @type {Partial<typeof state>} */ parts) {
   } catch (fault) {
     if (turn === loads) {
       fail(/** @type {Error} */ (fault).message);
-      controls();
+      changed();
     }
   }
 }
@@ -109,6 +110,7 @@ let idle = 0;
 
 /** Draws and measures in the next frame, and what takes longer a little later. */
 function changed() {
+  busy(true);
   frame ||= requestAnimationFrame(() => {
     frame = 0;
     draw();
@@ -125,7 +127,7 @@ function draw() {
       drawnObject = state.object;
       if (state.object === "sphere") drawing.object(KINDS.sphere);
       if (state.object === "relief") drawing.object(KINDS.mesh, (meshes.relief ??= relief()));
-      if (state.object === "own") drawing.object(KINDS.mesh, ownMesh);
+      if (state.object === "own") drawing.object(KINDS.mesh, ownMesh, false);
       if (state.object === "coin") {
         drawing.object(KINDS.map, (meshes.coin ??= coin()));
         drawing.map(512, (meshes.coinNormals ??= coinNormals(512)));
@@ -195,10 +197,11 @@ function later() {
   }
   scratch.components().turn(IDENTITY);
   if (shownTab() === "images") showGallery(find("gallery"), whole, state.components);
-  document.documentElement.dataset.settled = String(++settled);
+  busy(false);
 }
 
-let settled = 0;
+/** Whether the picture and its numbers are not yet those of the state; tests wait for it. */
+const busy = (/** @type {boolean} */ is) => (document.documentElement.dataset.busy = String(is));
 
 // ---- state to controls ----
 

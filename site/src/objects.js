@@ -56,10 +56,10 @@ export const relief = () =>
     const [around, slant] = [2 * Math.PI * u, Math.PI * v];
     const sine = Math.sin(slant);
     const rib = 0.055 * sine * Math.abs(Math.cos(5 * around)) ** 1.5;
-    const wart = 0.011 * sine ** 2 * (Math.sin(40 * around) * Math.sin(26 * slant)) ** 2;
+    const wart = 0.013 * sine ** 2 * (Math.sin(30 * around) * Math.sin(19 * slant)) ** 2;
     const radius = 0.9 - rib + wart;
     return [radius * sine * Math.cos(around), 0.78 * radius * Math.cos(slant), radius * sine * Math.sin(around)];
-  }, 480, 240);
+  }, 420, 140);
 
 /** The height of the coin's face over its plane, at a point of the unit disc. */
 function coinHeight(x, y) {

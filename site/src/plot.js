@@ -1,6 +1,6 @@
 // Error against terms, as SVG: both on logarithmic scales.
 
-const [LEFT, RIGHT, TOP, BOTTOM] = [40, 352, 8, 172];
+const [LEFT, RIGHT, TOP, BOTTOM] = [52, 352, 8, 172];
 const [LEAST, MOST] = [1e-6, 2];
 const TERMS = 300;
 

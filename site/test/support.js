@@ -48,7 +48,4 @@ export async function open(browser, address, { hash = "", width = 1440, height =
 }
 
 /** Waits until the picture and its numbers are those of the state. */
-export async function settled(page) {
-  const before = await page.evaluate(() => document.documentElement.dataset.settled ?? "0");
-  await page.waitForFunction((before) => (document.documentElement.dataset.settled ?? "0") !== before, before, { timeout: 15000 });
-}
+export const settled = (page) => page.waitForFunction(() => document.documentElement.dataset.busy === "false", null, { timeout: 15000 });

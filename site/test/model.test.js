@@ -1,0 +1,258 @@
+// The page's mathematics in Node, against the committed counts, the program and other ways to compute it.
+
+import assert from "node:assert/strict";
+import { execFileSync } from "node:child_process";
+import { readFileSync, readdirSync, statSync } from "node:fs";
+import { join } from "node:path";
+import { test } from "node:test";
+import { EIGENSHADE } from "../../packages/eigenshade/test/support/own.js";
+import { EFFECTS, Scene, lightPreset } from "../eigenshade/src/index.js";
+import { BOARDS, instructions } from "../src/boards.js";
+import { ANALYTIC, ambient, directional, disc, harmonics, windowed } from "../src/harmonics.js";
+import * as measure from "../src/measure.js";
+import { nineTerms, shadeNine } from "../src/nine.js";
+import { coin, coinNormals, parseObj, relief } from "../src/objects.js";
+import { percent } from "../src/plot.js";
+import { project } from "../src/project.js";
+import { parseHdr } from "../src/rgbe.js";
+import { fromHash, initial, toHash } from "../src/state.js";
+import { dragged, multiply, rotate } from "../src/turn.js";
+import parseExr from "../vendor/parse-exr.js";
+import { hdrFile } from "./files.js";
+import { ROOT, SITE } from "./support.js";
+
+const table = (path) => {
+  const [head, ...rows] = readFileSync(join(ROOT, path), "utf8").split("\n").filter((line) => line && !line.startsWith("#"));
+  const names = head.split(",");
+  return rows.map((row) => Object.fromEntries(row.split(",").map((value, k) => [names[k], value])));
+};
+const near = (one, other, tolerance) => assert.ok(Math.abs(one - other) <= tolerance, `${one}: ${other}`);
+
+test("the lines of the boards are fits to the committed counts", () => {
+  const settings = table("docs/accuracy-cost/accuracy-cost.csv");
+  const counts = table("firmware/counts.csv");
+  for (const { board, format, base, each, within } of BOARDS) {
+    const column = board === "microbit" ? "m0_pixel" : "m4f_pixel";
+    // The terms of a counted table are those of the setting with its count.
+    const points = counts
+      .filter((row) => row.board === board && row.format === format && /^(first_\d+|full|curet)\/pixel$/.test(row.operation))
+      .map(({ instructions, operation }) => {
+        const row = settings.find((row) => row.way === "polynomial" && row.format === format && row.setting.startsWith("9/7") && row[column] === instructions);
+        assert.ok(row, operation);
+        return [Number(row.terms), Number(instructions)];
+      });
+    assert.equal(points.length, 7);
+    let [s, st, stt, sy, sty] = [0, 0, 0, 0, 0];
+    for (const [t, y] of points) {
+      const w = 1 / y;
+      [s, st, stt, sy, sty] = [s + w, st + w * t, stt + w * t * t, sy + w * y, sty + w * t * y];
+    }
+    const slope = (s * sty - st * sy) / (s * stt - st * st);
+    near(each, slope, 0.006);
+    near(base, (sy - slope * st) / s, 0.06);
+    const worst = Math.max(...points.map(([t, y]) => Math.abs((base + each * t) / y - 1)));
+    assert.ok(worst <= within && worst > within - 0.01, `${board}: ${worst}`);
+    assert.equal(instructions({ base, each }, 100), 3 * (base + 100 * each));
+  }
+});
+
+test("maps give the light of the program", () => {
+  for (const name of ["park", "sunset", "hall"]) {
+    const path = join(ROOT, `tables/inputs/maps/${name}.exr`);
+    const bytes = readFileSync(path);
+    const { width, height, data } = parseExr(bytes.buffer.slice(bytes.byteOffset, bytes.byteOffset + bytes.length), 1015);
+    const flipped = Float32Array.from({ length: 4 * width * height }, (_, k) => data[4 * width * (height - 1 - Math.floor(k / 4 / width)) + (k % (4 * width))]);
+    const found = project({ width, height, stride: 4, data: flipped });
+    const rows = execFileSync(EIGENSHADE, ["light", "-q", path], { encoding: "utf8" }).trim().split("\n").slice(1);
+    const expected = rows.map((row) => row.split(",").slice(3).map(Number));
+    assert.equal(expected.length, 100);
+    const peak = Math.max(...expected.flat().map(Math.abs));
+    // parse-exr cuts halves off instead of rounding them.
+    for (const [c, channel] of ["r", "g", "b"].entries()) {
+      expected.forEach((row, k) => near(found[channel][k], row[c], (name === "park" && c === 2 ? 4e-3 : 1e-3) * peak));
+    }
+  }
+});
+
+test("a map of floats gives the light of the program to 1e-5", () => {
+  const [width, height] = [64, 32];
+  const data = Float32Array.from({ length: 3 * width * height }, (_, k) => 1 + Math.sin(k * 0.37) + (k % 97 === 0 ? 20 : 0));
+  // RGBE, so that both read the same numbers.
+  const file = hdrFile(width, height, data);
+  const map = parseHdr(file.buffer.slice(file.byteOffset, file.byteOffset + file.length));
+  const found = project(map);
+  const path = join(ROOT, "target", "site-test.hdr");
+  execFileSync("tee", [path], { input: file, stdio: ["pipe", "ignore", "inherit"] });
+  const rows = execFileSync(EIGENSHADE, ["light", "-q", path], { encoding: "utf8" }).trim().split("\n").slice(1);
+  rows.forEach((row, k) => row.split(",").slice(3).forEach((value, c) => near(found[["r", "g", "b"][c]][k], Number(value), 1e-4)));
+});
+
+test(".hdr files that are wrong say why", () => {
+  const good = hdrFile(16, 8, new Float32Array(3 * 16 * 8).fill(1));
+  const read = (bytes) => parseHdr(bytes.buffer.slice(bytes.byteOffset, bytes.byteOffset + bytes.length));
+  assert.equal(read(good).data[0], 1);
+  assert.throws(() => read(good.subarray(0, good.length - 9)), /ends within its pixels/);
+  assert.throws(() => read(good.subarray(0, 12)), /ends within its header/);
+  assert.throws(() => read(Buffer.from("P6\n1 1\n255\n")), /does not start with/);
+  assert.throws(() => read(Buffer.from("#?RADIANCE\nFORMAT=32-bit_rle_xyze\n\n-Y 1 +X 1\n")), /its format is 32-bit_rle_xyze/);
+  assert.throws(() => read(Buffer.from("#?RADIANCE\n\n+Y 1 +X 1\n")), /its size is/);
+  assert.throws(() => project({ width: 2, height: 1, stride: 3, data: [1, 1, 1, NaN, 1, 1] }), /NaN/);
+});
+
+test("lights by formula are those of maps", () => {
+  const [width, height] = [512, 256];
+  const radius = 1.1;
+  const up = [0.48, 0.6, 0.64];
+  const data = new Float32Array(3 * width * height);
+  for (let k = 0; k < width * height; k++) {
+    const [theta, t] = [(Math.PI * (Math.floor(k / width) + 0.5)) / height, 2 * Math.PI * (((k % width) + 0.5) / width - 0.5)];
+    const along = up[0] * Math.sin(t) * Math.sin(theta) + up[1] * Math.cos(theta) - up[2] * Math.cos(t) * Math.sin(theta);
+    data[3 * k] = data[3 * k + 1] = data[3 * k + 2] = along > Math.cos(radius) ? 2 : 0.5;
+  }
+  const found = project({ width, height, stride: 3, data });
+  const [glow, rest] = [disc(up, radius, [1.5, 1.5, 1.5]), ambient([0.5, 0.5, 0.5])];
+  found.r.forEach((value, k) => near(value, glow.r[k] + rest.r[k], 0.02));
+  // Y_1^-1, Y_1^0 and Y_1^1 of the conventions.
+  const values = harmonics(0.48, 0.6, 0.64, new Float64Array(4));
+  const scale = Math.sqrt(3 / (4 * Math.PI));
+  [-0.6, 0.64, -0.48].forEach((axis, k) => near(values[k + 1], scale * axis, 1e-12));
+  const lamp = directional(up, [1, 2, 3]);
+  near(windowed(lamp).g[0], lamp.g[0], 0);
+  near(windowed(lamp, 20).g[90] / lamp.g[90], (Math.sin(0.45 * Math.PI) / (0.45 * Math.PI)) ** 4, 1e-6);
+  assert.deepEqual(Object.keys(ANALYTIC), ["ambient", "hemisphere", "directional"]);
+});
+
+test("on a white matte under a light of degree 2, nine terms are the whole", async () => {
+  const park = await lightPreset("park");
+  const light = Object.fromEntries(["r", "g", "b"].map((c) => [c, park[c].slice(0, 9)]));
+  const scene = await Scene.create({ light: ambient(), material: { r: [2], g: [1], b: [0.5] } });
+  const albedo = measure.meanOf(measure.pictureOf(scene));
+  [1, 0.5, 0.25].forEach((share, k) => near(albedo[k], share, 1e-4));
+  const turn = multiply(dragged(0.7, 0.4), dragged(-0.2, 0.5, 0.3));
+  scene.light(light).turn(turn);
+  const { worst } = measure.errorOf(shadeNine(nineTerms(light, albedo), turn, measure.NORMALS), measure.pictureOf(scene));
+  assert.ok(worst <= 2e-3, `${worst}`);
+});
+
+test("turns compose, and drags turn to the right and down", () => {
+  const quarter = Math.PI / 2;
+  const close = (one, other) => one.forEach((value, k) => near(value, other[k], 1e-12));
+  close(rotate(dragged(quarter, 0), [0, 0, 1]), [1, 0, 0]);
+  close(rotate(dragged(0, quarter), [0, 0, 1]), [0, -1, 0]);
+  close(rotate(multiply(dragged(quarter, 0), dragged(0, quarter)), [0, 1, 0]), [1, 0, 0]);
+});
+
+test("the curve of errors falls to zero, by the package's own bound", async () => {
+  const scene = await Scene.create({ light: "studio", material: "gold-metallic-paint" });
+  const whole = measure.pictureOf(scene);
+  const curve = measure.curveOf(scene, whole);
+  assert.equal(curve.length, measure.STEPS);
+  assert.ok(curve[0].terms <= 10 && curve.at(-1).terms > 200 && curve.at(-1).rms === 0);
+  curve.forEach(({ terms, rms, worst }, step) => {
+    assert.ok(worst >= rms);
+    if (step > 0) assert.ok(terms >= curve[step - 1].terms);
+    const tolerance = measure.toleranceOf(step);
+    if (tolerance) assert.ok(rms <= 1.3 * tolerance, `${rms}: ${tolerance}`);
+  });
+  const times = measure.timesOf(scene, await lightPreset("studio"));
+  assert.ok(times.light > 1e-6 && times.light < 0.1 && times.pixel > 1e-9 && times.pixel < 1e-4);
+});
+
+test("the automatic choice holds its tolerance, and no choice of fewer terms does", async () => {
+  const scene = await Scene.create({ light: "sky", material: { baseColor: "#808080", roughness: 1 } });
+  const whole = measure.pictureOf(scene);
+  for (const tolerance of [0.1, 0.01]) {
+    const best = measure.automatic(scene, tolerance);
+    assert.ok(best.rms <= tolerance);
+    scene.effects(best.effects).within(measure.toleranceOf(best.step));
+    near(measure.errorOf(measure.pictureOf(scene), whole).rms, best.rms, 1e-6);
+    for (let bits = 0; bits < 16; bits++) {
+      scene.effects(EFFECTS.filter((_, k) => bits & (1 << k)));
+      for (let step = 0; step < measure.STEPS; step++) {
+        scene.within(measure.toleranceOf(step));
+        if (scene.terms < best.terms) assert.ok(measure.errorOf(measure.pictureOf(scene), whole).rms > tolerance);
+      }
+    }
+    scene.effects().within();
+  }
+});
+
+test("effects have shares, and what they save is counted at one absolute error", async () => {
+  const scene = await Scene.create({ light: "studio", material: "gold-metallic-paint" });
+  const parts = measure.effectsOf(scene, 0.01);
+  assert.deepEqual(Object.keys(parts), [...EFFECTS]);
+  const picture = measure.pictureOf(scene.within().effects(["gloss"]));
+  near(parts.gloss.share, measure.rmsOf(picture) / measure.rmsOf(measure.pictureOf(scene.effects())), 1e-6);
+  assert.ok(parts.gloss.saved > 10 && Number.isInteger(parts.ambient.saved));
+});
+
+test("the state survives its link, with a light of one's own", async () => {
+  const light = await lightPreset("park");
+  const state = {
+    ...initial(), object: "coin", light: "own", ownLight: { name: "my sky, 1.hdr", light },
+    material: { baseColor: "#b87333", metallic: 1, roughness: 0.35 }, turn: dragged(0.3, 0.4), pose: dragged(1, 0),
+    step: 7, effects: ["diffuse", "gloss"], components: 33, exposure: -1.25, view: "split", drag: "light",
+    tab: "effects", case: "rim", automatic: 5,
+  };
+  const { state: found, faults } = fromHash(`#${toHash(state)}`);
+  assert.deepEqual(faults, []);
+  assert.deepEqual(found.ownLight, state.ownLight);
+  for (const key of Object.keys(state)) {
+    if (key === "turn" || key === "pose") found[key].forEach((value, k) => near(value, state[key][k], 1e-4));
+    else assert.deepEqual(found[key], state[key], key);
+  }
+  assert.equal(toHash(initial()), "");
+  assert.deepEqual(fromHash("").state, initial());
+  const wrong = fromHash("#step=99&light=own&object=own&turn=0,0,0,0&material=../x&effects=ambient,x&foo=1&exposure=");
+  assert.equal(wrong.faults.length, 8);
+  assert.deepEqual(wrong.state, initial());
+});
+
+test("meshes by formula have unit normals that look outward, and so do their triangles", () => {
+  for (const mesh of [relief(), coin()]) {
+    const at = (array, k) => [...array.subarray(3 * k, 3 * k + 3)];
+    const dot = (a, b) => a.reduce((sum, value, k) => sum + value * b[k], 0);
+    for (let k = 0; k < mesh.positions.length / 3; k += 97) {
+      const normal = at(mesh.normals, k);
+      near(Math.hypot(...normal), 1, 1e-5);
+      assert.ok(dot(normal, at(mesh.positions, k)) > -0.2);
+      assert.ok(Math.hypot(...at(mesh.positions, k)) <= 1.01);
+    }
+    for (let k = 0; k < mesh.indices.length; k += 3 * 97) {
+      const [a, b, c] = [0, 1, 2].map((corner) => at(mesh.positions, mesh.indices[k + corner]));
+      const [p, q] = [b.map((v, i) => v - a[i]), c.map((v, i) => v - a[i])];
+      const cross = [p[1] * q[2] - p[2] * q[1], p[2] * q[0] - p[0] * q[2], p[0] * q[1] - p[1] * q[0]];
+      if (Math.hypot(...cross) > 1e-9) assert.ok(dot(cross, at(mesh.normals, mesh.indices[k])) > 0, `triangle ${k / 3}`);
+    }
+  }
+  const normals = coinNormals(64);
+  let tilted = 0;
+  for (let k = 0; k < normals.length; k += 4) {
+    near(Math.hypot(normals[k], normals[k + 1], normals[k + 2]), 1, 1e-5);
+    tilted += Number(normals[k + 2] < 0.98);
+  }
+  assert.ok(tilted > 300);
+});
+
+test("an .obj is read with or without normals, and faults name their line", () => {
+  const cube = "v 0 0 0\nv 2 0 0\nv 2 2 0\nv 0 2 0\nf 1 2 3 4\n";
+  const mesh = parseObj(cube);
+  assert.equal(mesh.indices.length, 6);
+  assert.deepEqual([...mesh.normals.subarray(0, 3)], [0, 0, 1]);
+  near(Math.hypot(...mesh.positions.subarray(0, 3)), 1, 1e-6);
+  assert.deepEqual([...parseObj(`${cube.replace("f 1 2 3 4", "vn 1 0 0\nf 1//1 2//1 -2//-1")}`).normals.subarray(6, 9)], [1, 0, 0]);
+  assert.throws(() => parseObj("v 0 0 0\nf 1 2 3"), /line 2 refers to vertex 2/);
+  assert.throws(() => parseObj("v 0 zero 0"), /line 1 is not three numbers/);
+  assert.throws(() => parseObj("hello"), /no faces/);
+  assert.throws(() => parseObj("v 1 1 1\nf 1 1 1"), /no extent/);
+});
+
+test("percentages have two digits", () => {
+  assert.deepEqual([0, 1e-7, 1.234e-3, 0.0567, 0.25, 1].map(percent), ["0", "< 0.001 %", "0.12 %", "5.7 %", "25 %", "100 %"]);
+});
+
+test("the page is under 1 MB", () => {
+  const size = (path) => (statSync(path).isDirectory() ? readdirSync(path).reduce((sum, name) => sum + size(join(path, name)), 0) : statSync(path).size);
+  const total = ["index.html", "style.css", "icon.svg", "src", "eigenshade", "vendor"].reduce((sum, name) => sum + size(join(SITE, name)), 0);
+  assert.ok(total > 3e5 && total < 1e6, `${total} bytes`);
+});
