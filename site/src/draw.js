@@ -230,7 +230,7 @@ export class Drawing {
    */
   draw(panes, look, size) {
     const gl = this.#gl;
-    if (this.canvas.width !== size) this.canvas.width = this.canvas.height = size;
+    if (this.canvas.width !== size || this.canvas.height !== size) this.canvas.width = this.canvas.height = size;
     gl.viewport(0, 0, size, size);
     gl.clearColor(0, 0, 0, 0);
     gl.clear(gl.COLOR_BUFFER_BIT | gl.DEPTH_BUFFER_BIT);

@@ -485,6 +485,9 @@ async function open(/** @type {File} */ file) {
   }
 }
 
+/** Seconds that a worker may say nothing. */
+const PATIENCE = 60;
+
 /** @type {Worker | undefined} */
 let worker;
 
@@ -493,7 +496,14 @@ function panorama(/** @type {File} */ file) {
   worker?.terminate();
   const mine = (worker = new Worker(new URL("panorama.js", import.meta.url), { type: "module" }));
   return new Promise((resolve, reject) => {
+    const stop = () => {
+      mine.terminate();
+      reject(new Error(`it is not read after ${PATIENCE} seconds`));
+    };
+    let patience = setTimeout(stop, 1000 * PATIENCE);
     mine.addEventListener("message", ({ data }) => {
+      clearTimeout(patience);
+      if (data.stage) patience = setTimeout(stop, 1000 * PATIENCE);
       if (data.stage) {
         say(data.stage === "decoding" ? `${file.name}: decoding` : `${file.name}: projecting, ${Math.round(100 * data.share)} %`);
         return;

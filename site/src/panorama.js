@@ -8,8 +8,47 @@ import { parseHdr } from "./rgbe.js";
 const FLOAT = 1015;
 const ONE_CHANNEL = 1028;
 
+/** Rows of a block, by the number of the compression. */
+const ROWS = [1, 1, 1, 16, 32, 16, 32, 32, 32, 256];
+
+/**
+ * Throws for a file that ends too early: parse-exr would not end. Tiles it checks by itself.
+ *
+ * @param {ArrayBuffer} buffer
+ */
+function checkExr(buffer) {
+  const [bytes, view] = [new Uint8Array(buffer), new DataView(buffer)];
+  let at = 8;
+  const text = () => {
+    const end = bytes.indexOf(0, at);
+    if (end < 0 || end - at > 255) throw new Error("it ends within its header");
+    const found = String.fromCharCode(...bytes.subarray(at, end));
+    at = end + 1;
+    return found;
+  };
+  let [rows, height, tiled] = [1, 0, false];
+  for (let name = text(); name !== ""; name = text()) {
+    text();
+    const size = view.getUint32(at, true);
+    at += 4;
+    if (at + size > bytes.length) throw new Error("it ends within its header");
+    if (name === "compression") rows = ROWS[bytes[at]] ?? 1;
+    if (name === "dataWindow") height = view.getInt32(at + 12, true) - view.getInt32(at + 4, true) + 1;
+    if (name === "tiles") tiled = true;
+    at += size;
+  }
+  if (tiled) return;
+  for (let block = 0; block < Math.ceil(height / rows); block++, at += 8) {
+    const place = at + 8 <= bytes.length ? Number(view.getBigUint64(at, true)) : bytes.length;
+    if (place + 8 > bytes.length || place + 8 + view.getUint32(place + 4, true) > bytes.length) {
+      throw new Error("it ends within its pixels");
+    }
+  }
+}
+
 /** @param {ArrayBuffer} buffer */
 function exr(buffer) {
+  checkExr(buffer);
   const { width, height, data, format } = parseExr(buffer, FLOAT);
   const stride = format === ONE_CHANNEL ? 1 : 4;
   // Its rows run from the bottom, and a map of one channel is gray.

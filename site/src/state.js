@@ -72,7 +72,7 @@ const number = (/** @type {number} */ least, /** @type {number} */ most, whole =
   },
 });
 const rotation = {
-  write: (/** @type {number[]} */ turn) => turn.map((value) => Number(value.toFixed(4))).join(),
+  write: (/** @type {number[]} */ turn) => turn.map((value) => Number(value.toFixed(5))).join(),
   read(/** @type {string} */ text) {
     const turn = text.split(",").map(Number);
     const length = Math.hypot(...turn);
