@@ -245,12 +245,21 @@ export class Drawing {
     return !gl.isContextLost();
   }
 
+  /** Whether a scene of as many uniforms fits beside the nine vectors, the matrices and the rest. */
+  #fits(/** @type {Scene} */ scene) {
+    return scene.terms + 32 <= this.#gl.getParameter(this.#gl.MAX_FRAGMENT_UNIFORM_VECTORS);
+  }
+
+  /** Whether a scene's program is compiled: another may take longer than a frame. */
+  has(/** @type {Scene} */ scene) {
+    return this.#programs.has(scene.glsl(this.#fits(scene) ? "uniforms" : "texture"));
+  }
+
   /** @param {Pane} pane @param {Look} look @param {number} size */
   #pane({ scene, shown = SHOWN.picture, careful = true }, { exposure, pose, nine, times = TIMES }, size) {
     const gl = this.#gl;
     const uniforms = scene.uniforms();
-    // Nine vectors of the formula, the matrices and the rest need less than 32.
-    const fits = uniforms.length / 4 + 32 <= gl.getParameter(gl.MAX_FRAGMENT_UNIFORM_VECTORS);
+    const fits = this.#fits(scene);
     const text = scene.glsl(fits ? "uniforms" : "texture");
     const found = this.#programs.get(text) ?? this.#compiled(text);
     if (!found) return;

@@ -136,8 +136,12 @@ function draw() {
     const panes = split
       ? [{ scene: ours }, { scene: whole }, { scene: ours, shown: SHOWN.nine }, { scene: ours, shown: SHOWN.difference }]
       : [{ scene: ours }];
+    // While something turns, terms come and go, and each set of them is a program. Until it rests, the
+    // picture has all terms instead of waiting for a long one.
+    if (dragging && ours.terms > 60 && !drawing.has(ours)) ours.within();
     const side = Math.min(1400, Math.max(64, Math.round(canvas.clientWidth * Math.min(2, devicePixelRatio))));
     drawing.draw(panes, look, side + (side % 2));
+    ours.within(measure.toleranceOf(state.step));
   } else {
     drawCpu(canvas, ours, split ? whole : undefined, look);
   }
@@ -315,6 +319,7 @@ for (const end of ["pointerup", "pointercancel"]) {
   canvas.addEventListener(end, (event) => {
     pointers.delete(/** @type {PointerEvent} */ (event).pointerId);
     dragging = pointers.size > 0;
+    changed();
   });
 }
 canvas.addEventListener("keydown", (event) => {

@@ -101,7 +101,7 @@ on("accuracy: the slider moves terms, errors, costs and the point, and the pictu
   assert.ok((await page.locator("polyline.rms").getAttribute("points")).split(" ").length > 20);
 });
 
-on("the split view has ours, all terms, the nine-term formula and the difference", "object=sphere&step=20&view=split&turn=0.2,0.4,0.1,0.9&light=park", async (page) => {
+on("the split view has ours, all terms, the nine-term formula and the difference", "object=sphere&step=6&view=split&turn=0.2,0.4,0.1,0.9&light=park", async (page) => {
   assert.ok(await page.locator("#captions").isVisible());
   const found = await page.evaluate(async () => {
     const { Scene, lightPreset } = await import("/eigenshade/src/index.js");
@@ -125,7 +125,7 @@ on("the split view has ours, all terms, the nine-term formula and the difference
       const normal = [[x], [y], [Math.sqrt(1 - x * x - y * y)]];
       const whole = scene.within().turn(turn).shade(...normal);
       const nine = shadeNine(terms, turn, normal);
-      const ours = scene.within(10 ** (-0.5 - (5.5 * 20) / 39)).shade(...normal);
+      const ours = scene.within(10 ** (-0.5 - (5.5 * 6) / 39)).shade(...normal);
       [ours, whole, nine].forEach((picture, pane) => {
         for (const [c, channel] of ["r", "g", "b"].entries()) {
           const at = 4 * (width * (row + (pane >> 1) * (width / 2)) + column + (pane & 1) * (width / 2)) + c;
@@ -146,7 +146,7 @@ on("the split view has ours, all terms, the nine-term formula and the difference
   assert.ok((await apart(page)) > 5 && !(await page.locator("#captions").isVisible()));
 });
 
-on("effects: switches change picture, shares and terms, and automatic chooses", "object=sphere&tab=effects&light=studio", async (page) => {
+on("effects: switches change picture, shares and terms, and automatic chooses", "object=sphere&step=5&tab=effects&light=studio", async (page) => {
   for (const effect of ["ambient", "diffuse", "broad", "gloss"]) {
     assert.match(await text(page, `share-${effect}`), /^[\d.]+ %$/);
     assert.match(await text(page, `saved-${effect}`), /^(saves (no|\d+) terms|takes \d+ more terms without it)$/);
@@ -201,7 +201,7 @@ on("eigenimages: 24 pictures with their coefficients, and their sum", "object=sp
   assert.equal(await text(page, "grow"), "Grow");
 });
 
-on("hard cases: each shows two pictures that differ, and says why", "object=sphere&tab=cases", async (page) => {
+on("hard cases: each shows two pictures that differ, and says why", "object=sphere&step=5&tab=cases", async (page) => {
   const options = await page.locator("#case option").evaluateAll((all) => all.map(({ value }) => value));
   assert.deepEqual(options, ["sun", "direction", "rim", "behind", "bytes"]);
   const texts = new Set();
@@ -223,7 +223,7 @@ on("hard cases: each shows two pictures that differ, and says why", "object=sphe
   assert.ok((await depth("case-naive-caption")) > 2 * (await depth("case-ours-caption")));
 });
 
-on("scene: objects, lights, materials and exposure change the picture", "object=sphere&tab=scene", async (page) => {
+on("scene: objects, lights, materials and exposure change the picture", "object=sphere&step=5&tab=scene", async (page) => {
   assert.equal(await page.locator("#light option").count(), 26 + 3 + 1);
   assert.ok((await page.locator("#thumbs label").count()) >= 30);
   const change = async (what, act) => {
@@ -248,7 +248,7 @@ on("scene: objects, lights, materials and exposure change the picture", "object=
   assert.ok(lit);
 });
 
-on("drags, Alt-drags, two fingers and arrow keys turn object and light", "object=coin&pose=0,0,0,1", async (page) => {
+on("drags, Alt-drags, two fingers and arrow keys turn object and light", "object=coin&step=5&pose=0,0,0,1", async (page) => {
   const state = () => page.evaluate(() => Object.fromEntries(new URLSearchParams(location.hash.slice(1))));
   const box = await page.locator("#picture").boundingBox();
   const [x, y] = [box.x + box.width / 2, box.y + box.height / 2];
@@ -304,7 +304,7 @@ on("drags, Alt-drags, two fingers and arrow keys turn object and light", "object
   assert.equal((await state()).turn, undefined);
 }, { hasTouch: true });
 
-on("the keyboard reaches everything, and arrows move between tabs", "object=sphere", async (page) => {
+on("the keyboard reaches everything, and arrows move between tabs", "object=sphere&step=5", async (page) => {
   await page.locator("#tab-accuracy").focus();
   await page.keyboard.press("ArrowRight");
   assert.ok(await page.locator("#effects").isVisible());
@@ -327,7 +327,7 @@ on("the keyboard reaches everything, and arrows move between tabs", "object=sphe
   assert.notEqual(await text(page, "summary"), before);
 });
 
-on("a link holds the whole state, and restores it", "object=coin&light=sunset&material=red-plastic&step=22&exposure=1&tab=effects&effects=diffuse,gloss", async (page, faults) => {
+on("a link holds the whole state, and restores it", "object=coin&light=sunset&material=red-plastic&step=6&exposure=1&tab=effects&effects=diffuse,gloss", async (page, faults) => {
   await keep(page);
   assert.ok(await page.locator("#effects").isVisible());
   assert.ok(!(await page.locator("#effect-ambient").isChecked()) && (await page.locator("#effect-gloss").isChecked()));
@@ -367,7 +367,7 @@ const drop = (page, name, bytes) =>
 const said = (page, id, pattern) =>
   page.waitForFunction(([id, source]) => new RegExp(source).test(document.getElementById(id).textContent), [id, pattern.source]);
 
-on("good files are shown: .exr, .hdr, .png and .obj", "object=sphere", async (page) => {
+on("good files are shown: .exr, .hdr, .png and .obj", "object=sphere&step=5", async (page) => {
   await page.evaluate(() => {
     window.stages = [];
     new MutationObserver(() => stages.push(document.getElementById("status").textContent)).observe(document.getElementById("status"), { childList: true });
@@ -382,7 +382,7 @@ on("good files are shown: .exr, .hdr, .png and .obj", "object=sphere", async (pa
   await keep(page);
   assert.equal(await page.locator("#light").inputValue(), "own");
   const own = page.url();
-  await page.evaluate(() => (location.hash = "object=sphere&light=sunset"));
+  await page.evaluate(() => (location.hash = "object=sphere&step=5&light=sunset"));
   await page.waitForFunction(() => document.getElementById("light").value === "sunset");
   await settled(page);
   assert.ok((await apart(page)) < 0.6, `${await apart(page)}`);
@@ -417,7 +417,7 @@ on("good files are shown: .exr, .hdr, .png and .obj", "object=sphere", async (pa
   assert.equal(await text(page, "fault"), "");
 });
 
-on("files that cannot be used are said in place, and nothing is lost", "object=sphere", async (page, faults) => {
+on("files that cannot be used are said in place, and nothing is lost", "object=sphere&step=5", async (page, faults) => {
   await keep(page);
   const good = hdrFile(32, 16, new Float32Array(3 * 32 * 16).fill(1));
   for (const [name, bytes, pattern] of [
@@ -446,7 +446,7 @@ on("files that cannot be used are said in place, and nothing is lost", "object=s
   faults.splice(0, faults.length, ...faults.filter((fault) => !fault.includes("404")));
 });
 
-on("without WebGL 2 the CPU draws, alone and split", "object=sphere", async (page) => {
+on("without WebGL 2 the CPU draws, alone and split", "object=sphere&step=5", async (page) => {
   assert.match(await text(page, "hint"), /no WebGL 2/);
   const lit = () => page.evaluate(async () => (await pixels()).filter((code, k) => k % 4 === 0 && code > 100).length);
   assert.ok((await lit()) > 5000);
@@ -466,7 +466,7 @@ on("without WebGL 2 the CPU draws, alone and split", "object=sphere", async (pag
     HTMLCanvasElement.prototype.getContext = function (kind, ...all) { return kind === "webgl2" ? null : getContext.call(this, kind, ...all); };`,
 });
 
-on("a lost context comes back", "object=coin", async (page) => {
+on("a lost context comes back", "object=coin&step=5", async (page) => {
   await keep(page);
   await page.evaluate(async () => {
     const canvas = document.getElementById("picture");
