@@ -8,7 +8,7 @@ import { Drawing, KINDS, SHOWN } from "./draw.js";
 import { showGallery } from "./gallery.js";
 import { ANALYTIC, ambient } from "./harmonics.js";
 import * as measure from "./measure.js";
-import { nineTerms } from "./nine.js";
+import { nineTerms, shadeNine } from "./nine.js";
 import { coin, coinNormals, parseObj, relief } from "./objects.js";
 import { mark, percent, plot } from "./plot.js";
 import { COMPONENTS, fromHash, initial, toHash } from "./state.js";
@@ -154,6 +154,7 @@ function draw() {
 
 const meshes = /** @type {Record<string, any>} */ ({});
 let now = { terms: 0, rms: 0, worst: 0 };
+let nineError = { rms: 0, worst: 0 };
 
 /** The error of the picture, and costs by counts. */
 function numbers() {
@@ -168,7 +169,10 @@ function numbers() {
     const count = Math.round(instructions(/** @type {any} */ (board), terms) / 10) * 10;
     find(/** @type {string} */ (id)).textContent = `${count.toLocaleString("en")} instr.`;
   }
-  mark(find("plot"), now);
+  nineError = measure.errorOf(shadeNine(look.nine.terms, state.turn, measure.NORMALS), reference);
+  find("nine-rms").textContent = percent(nineError.rms);
+  find("nine-worst").textContent = percent(nineError.worst);
+  mark(find("plot"), now, nineError);
 }
 
 /** The inputs of which the curve was measured. */
@@ -186,7 +190,7 @@ function later() {
     curved = inputs;
     plot(find("plot"), measure.curveOf(ours, reference));
     ours.within(measure.toleranceOf(state.step));
-    mark(find("plot"), now);
+    mark(find("plot"), now, nineError);
   }
   const times = measure.timesOf(ours, loaded.light);
   find("light-time").textContent = `${Number((1e6 * times.light).toPrecision(2))} µs`;
@@ -550,7 +554,7 @@ async function start() {
     );
   }
   find("model").textContent = BOARDS.map(
-    ({ name, base, each, within }) => `3 × (${base} + ${each} per term) for the ${name.replace("Cortex-", "")}, within ${(100 * within).toFixed(0)} %`,
+    ({ name, base, each, within }) => `3 × (${base} + ${each} per term) for the ${name.replace("Cortex-", "")}, within ${(100 * within).toFixed(0)}\u00a0%`,
   ).join(", ");
   plot(find("plot"), []);
   const inputs = { light: "studio", material: "gold-metallic-paint" };

@@ -40,6 +40,7 @@ export function plot(svg, curve) {
     <text x="${(LEFT + RIGHT) / 2}" y="${BOTTOM + 26}" text-anchor="middle">terms</text>
     ${path("worst")}${path("rms")}
     <text x="${LEFT + 8}" y="${BOTTOM - 20}">— rms</text><text x="${LEFT + 8}" y="${BOTTOM - 7}">- - worst pixel</text>
+    <circle class="nine-point" r="4"/><text class="nine-name" text-anchor="end">nine terms</text>
     <circle class="worst-point" r="4"/><circle class="rms-point" r="5.5"/>`;
 }
 
@@ -48,8 +49,13 @@ export function plot(svg, curve) {
  *
  * @param {Element} svg
  * @param {{ terms: number, rms: number, worst: number }} now
+ * @param {{ rms: number }} nine the error of the nine-term formula
  */
-export function mark(svg, { terms, rms, worst }) {
+export function mark(svg, { terms, rms, worst }, nine) {
+  svg.querySelector(".nine-point")?.setAttribute("cx", across(9).toFixed(1));
+  svg.querySelector(".nine-point")?.setAttribute("cy", down(nine.rms).toFixed(1));
+  svg.querySelector(".nine-name")?.setAttribute("x", (across(9) - 7).toFixed(1));
+  svg.querySelector(".nine-name")?.setAttribute("y", (down(nine.rms) + 13).toFixed(1));
   for (const [name, error] of /** @type {[string, number][]} */ ([["rms", rms], ["worst", worst]])) {
     const circle = svg.querySelector(`.${name}-point`);
     circle?.setAttribute("cx", across(terms).toFixed(1));

@@ -62,14 +62,15 @@ const choose = async (page, name, value) => {
   await settled(page);
 };
 
-on("the sphere is what the CPU module draws, to a code", "object=sphere&step=40", async (page) => {
+on("the sphere is what the CPU module draws, to two codes", "object=sphere&step=9", async (page) => {
   const { most, middle } = await page.evaluate(async () => {
     const { Scene } = await import("/eigenshade/src/index.js");
     const scene = await Scene.create({ light: "lobby", material: "gold-metallic-paint" });
     const { disc } = await import("/src/cpu.js");
     const shown = await pixels();
     const { x, y, z, places, coverage } = disc(document.getElementById("picture").width);
-    const codes = scene.pixels(x, y, z, { exposure: 0.8 * scene.exposure() });
+    const exposure = 0.8 * scene.exposure();
+    const codes = scene.within(10 ** (-0.5 - (5.5 * 9) / 39)).pixels(x, y, z, { exposure });
     let most = 0;
     places.forEach((place, k) => {
       if (coverage[k] < 1 || Math.hypot(x[k], y[k]) > 0.985) return;
@@ -165,7 +166,7 @@ on("effects: switches change picture, shares and terms, and automatic chooses", 
   assert.match(await text(page, "summary"), new RegExp(`^${terms} terms · rms ${error} %`));
 });
 
-on("eigenimages: 24 pictures with their coefficients, and their sum", "object=sphere&tab=images&step=40", async (page) => {
+on("eigenimages: 24 pictures with their coefficients, and their sum", "object=sphere&tab=images&step=8", async (page) => {
   const captions = await page.locator("#gallery span").allTextContents();
   assert.equal(captions.length, 24);
   const { coefficients, signs } = await page.evaluate(async () => {

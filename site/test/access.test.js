@@ -1,0 +1,86 @@
+// Accessibility by axe-core, motion, and what the page looks like.
+
+import assert from "node:assert/strict";
+import { readFileSync, statSync } from "node:fs";
+import { join } from "node:path";
+import { after, before, describe, test } from "node:test";
+import { SIZES } from "./screenshots.js";
+import { ROOT, SITE, launch, open, serve, settled } from "./support.js";
+
+const AXE = readFileSync(join(SITE, "node_modules/axe-core/axe.min.js"), "utf8");
+
+let browser, server;
+
+before(async () => {
+  server = await serve();
+  browser = await launch();
+});
+
+after(async () => {
+  await browser?.close();
+  server?.close();
+});
+
+describe("the page", { concurrency: 2 }, () => {
+  for (const [colorScheme, width, height] of [["light", 360, 560], ["dark", 360, 560], ["dark", 1000, 560]]) {
+    test(`axe finds nothing, ${colorScheme}, ${width} wide`, async () => {
+      const { page, faults } = await open(browser, server.address, { width, height, colorScheme, hash: "object=sphere&step=4&view=split" });
+      await page.evaluate(AXE);
+      for (const tab of width < 960 ? ["scene", "accuracy", "effects", "images", "cases"] : ["effects"]) {
+        await page.locator(`#tab-${tab}`).click();
+        await settled(page);
+        const found = await page.evaluate(async () => {
+          const { violations, passes } = await axe.run();
+          return { passes: passes.length, violations: violations.map(({ id, nodes }) => `${id}: ${nodes.map(({ html }) => html.slice(0, 120))}`) };
+        });
+        assert.deepEqual(found.violations, [], tab);
+        assert.ok(found.passes > 20);
+      }
+      // axe finds what is wrong: a picture without a name.
+      const planted = await page.evaluate(async () => {
+        document.getElementById("frame").append(document.createElement("img"));
+        return (await axe.run()).violations.map(({ id }) => id);
+      });
+      assert.deepEqual(planted, ["image-alt"]);
+      assert.deepEqual(faults, []);
+      await page.close();
+    });
+  }
+
+  test("without motion, switches jump and growing takes a second a step", async () => {
+    for (const [reducedMotion, duration] of [["reduce", "0s"], ["no-preference", "0.12s"]]) {
+      const { page } = await open(browser, server.address, { width: 360, height: 480, reducedMotion, hash: "object=sphere&step=4&tab=images" });
+      assert.equal(await page.evaluate(() => getComputedStyle(document.querySelector("[role=switch]"), "::after").transitionDuration), duration);
+      await page.locator("#grow").click();
+      const start = Date.now();
+      await page.waitForFunction(() => /^[2-9] of/.test(document.getElementById("components-value").textContent));
+      if (reducedMotion === "reduce") assert.ok(Date.now() - start > 1500);
+      await page.close();
+    }
+  });
+
+  for (const [width, height] of SIZES) {
+    test(`${width} pixels wide, nothing is cut off, and the committed picture is of this page`, async () => {
+      const { page } = await open(browser, server.address, { width, height });
+      const sizes = await page.evaluate(() => [document.documentElement.scrollWidth, document.documentElement.scrollHeight,
+        ...[...document.querySelectorAll(".panel, .stage, header")].filter((part) => part.offsetParent).map((part) => part.scrollWidth - part.clientWidth)]);
+      assert.deepEqual(sizes.slice(0, 2), [width, height]);
+      assert.ok(sizes.slice(2).every((beyond) => beyond <= 0), `${sizes}`);
+      const path = join(ROOT, `docs/site-${width}.png`);
+      assert.ok(statSync(path).size < 300e3);
+      const shot = (await page.screenshot()).toString("base64");
+      const apart = await page.evaluate(async (pictures) => {
+        const small = await Promise.all(pictures.map(async (base64) => {
+          const bitmap = await createImageBitmap(await (await fetch(`data:image/png;base64,${base64}`)).blob());
+          const context = new OffscreenCanvas(48, 48).getContext("2d");
+          context.imageSmoothingQuality = "high";
+          context.drawImage(bitmap, 0, 0, 48, 48);
+          return context.getImageData(0, 0, 48, 48).data;
+        }));
+        return small[0].reduce((sum, code, k) => sum + Math.abs(code - small[1][k]), 0) / small[0].length;
+      }, [shot, readFileSync(path).toString("base64")]);
+      assert.ok(apart < 4, `${apart}`);
+      await page.close();
+    });
+  }
+});
