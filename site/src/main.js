@@ -30,7 +30,7 @@ const MATERIALS = [
 
 const NAMES = { ambient: "Ambient", hemisphere: "Hemisphere", directional: "Directional" };
 const EFFECT_TEXT = {
-  ambient: "what the mean of the light gives",
+  ambient: "response to the mean light",
   diffuse: "Lambertian shading",
   broad: "rough and backscattering lobes",
   gloss: "highlights",
@@ -201,7 +201,7 @@ function later() {
     const { share, saved } = parts[effect];
     find(`share-${effect}`).textContent = percent(share);
     find(`saved-${effect}`).textContent =
-      saved > 0 ? `saves ${saved} terms` : saved < 0 ? `takes ${-saved} more terms without it` : "saves no terms";
+      saved > 0 ? `leaving it out saves ${saved} terms` : saved < 0 ? `leaving it out takes ${-saved} more terms` : "leaving it out saves no terms";
   }
   scratch.components().turn(IDENTITY);
   if (shownTab() === "images") showGallery(find("gallery"), whole, state.components);
