@@ -147,7 +147,7 @@ async function bytes() {
     ...pair,
     oursCaption: "Ours, made unit: 10 × the error",
     naiveCaption: "Naive, as decoded: 10 × the error",
-    text: "Normals of 8 bits are up to half a percent too long or too short, which high powers of z magnify; scaled to unit length, only their direction is off.",
+    text: "Normals of 8 bits are up to 0.7 % too long or too short, which high powers of z magnify; scaled to unit length, only their direction is off.",
   };
 }
 

@@ -77,14 +77,17 @@ async function load(/** @type {typeof state} */ wanted) {
 /** Loads of which only the last counts. */
 let loads = 0;
 
-/** Takes parts of a new state, loads what they name, and shows it. A fault leaves all as it was. */
+/**
+ * Takes parts of a new state, loads what they name, and shows it. A fault leaves all as it was, and is
+ * returned.
+ */
 async function take(/** @type {Partial<typeof state>} */ parts) {
   const wanted = { ...state, ...parts };
   const turn = ++loads;
   busy(true);
   try {
     const inputs = await load(wanted);
-    if (turn !== loads) return;
+    if (turn !== loads) return "";
     state = { ...state, ...parts };
     loaded = inputs;
     whole.light(loaded.light).material(loaded.material);
@@ -95,11 +98,13 @@ async function take(/** @type {Partial<typeof state>} */ parts) {
     auto = 0.8 * whole.exposure();
     fail("");
     changed();
+    return "";
   } catch (fault) {
-    if (turn === loads) {
-      fail(/** @type {Error} */ (fault).message);
-      changed();
-    }
+    const { message } = /** @type {Error} */ (fault);
+    if (turn !== loads) return "";
+    fail(message);
+    if (loaded.light) changed();
+    return message;
   }
 }
 
@@ -279,7 +284,9 @@ function saveLink() {
 async function openLink() {
   const { state: wanted, faults } = fromHash(location.hash);
   if (wanted.case && !CASES[wanted.case]) wanted.case = initial().case;
-  await take(wanted);
+  const fault = await take(wanted);
+  if (fault) faults.push(fault);
+  if (!loaded.light) await take(initial());
   if (faults.length) fail(`This link is not whole: ${faults.join("; ")}.`);
   refreshCase();
 }
@@ -546,7 +553,7 @@ async function start() {
   find("switches").innerHTML = EFFECTS.map(
     (effect) => `<li><label><input type="checkbox" role="switch" id="effect-${effect}" aria-describedby="saved-${effect}">
       <span>${effect[0].toUpperCase()}${effect.slice(1)}: ${EFFECT_TEXT[effect]}</span>
-      <output id="share-${effect}" for="effect-${effect}"></output><small id="saved-${effect}"></small></label></li>`,
+      <span class="share" id="share-${effect}"></span><small id="saved-${effect}"></small></label></li>`,
   ).join("");
   for (const effect of EFFECTS) {
     on(`effect-${effect}`, "change", ({ checked }) =>

@@ -443,7 +443,12 @@ on("files that cannot be used are said in place, and nothing is lost", "object=s
   await said(page, "status", /white.hdr: 32 × 16/);
   assert.equal(await text(page, "fault"), "");
   await page.evaluate(() => (location.hash = "light=nowhere"));
-  await said(page, "fault", /no light is called "nowhere"/);
+  await said(page, "fault", /This link is not whole: no light is called "nowhere"/);
+  await page.goto("about:blank");
+  await page.goto(`${server.address}#material=nothing`);
+  await settled(page);
+  assert.match(await text(page, "fault"), /no material is called "nothing"/);
+  assert.match(await text(page, "summary"), /^88 terms/);
   faults.splice(0, faults.length, ...faults.filter((fault) => !fault.includes("404")));
 });
 
