@@ -70,11 +70,11 @@ async function picture(/** @type {Blob} */ file) {
   if (!context) throw new Error("this browser decodes no pictures in workers");
   context.drawImage(bitmap, 0, 0);
   const bytes = context.getImageData(0, 0, width, height).data;
-  const linear = Float32Array.from({ length: 256 }, (_, code) => {
+  const table = Float32Array.from({ length: 256 }, (_, code) => {
     const encoded = code / 255;
     return encoded <= 0.04045 ? encoded / 12.92 : ((encoded + 0.055) / 1.055) ** 2.4;
   });
-  return { width, height, stride: 4, data: Float32Array.from(bytes, (code) => linear[code]) };
+  return { width, height, stride: 4, data: bytes, table };
 }
 
 /** @param {Blob} file @param {string} name */

@@ -10,11 +10,11 @@ const AROUND = 24;
  * exact solid angle; what a row holds beyond degree 9 about the vertical integrates to zero, so each
  * row is first reduced to a few directions.
  *
- * @param {{ width: number, height: number, stride: number, data: ArrayLike<number> }} map red, green
- *   and blue at each stride
+ * @param {{ width: number, height: number, stride: number, data: ArrayLike<number>, table?: ArrayLike<number> }} map
+ *   red, green and blue at each stride; with a table, the data are places in it
  * @param {(share: number) => void} [progress]
  */
-export function project({ width, height, stride, data }, progress = () => {}) {
+export function project({ width, height, stride, data, table }, progress = () => {}) {
   const total = [0, 1, 2].map(() => new Float64Array(COUNT));
   const angle = (/** @type {number} */ k, /** @type {number} */ of) => 2 * Math.PI * ((k + 0.5) / of - 0.5);
   const tables = Array.from({ length: DEGREE + 1 }, (_, k) => ({
@@ -27,9 +27,7 @@ export function project({ width, height, stride, data }, progress = () => {}) {
     const [top, bottom] = [(Math.PI * y) / height, (Math.PI * (y + 1)) / height];
     const weight = ((2 * Math.PI) / width) * (Math.cos(top) - Math.cos(bottom));
     for (let x = 0, at = y * width * stride; x < width; x++, at += stride) {
-      row[0][x] = data[at];
-      row[1][x] = data[at + 1];
-      row[2][x] = data[at + 2];
+      for (let c = 0; c < 3; c++) row[c][x] = table ? table[data[at + c]] : data[at + c];
     }
     const moments = row.map((line) =>
       tables.map(({ cosine, sine }) => {

@@ -201,6 +201,8 @@ test("the state survives its link, with a light of one's own", async () => {
     if (key === "turn" || key === "pose") found[key].forEach((value, k) => near(value, state[key][k], 1e-4));
     else assert.deepEqual(found[key], state[key], key);
   }
+  // A shipped light has its name in the link, and one's own no longer.
+  assert.equal(toHash({ ...initial(), light: "sunset", ownLight: state.ownLight }), "light=sunset");
   assert.equal(toHash(initial()), "");
   assert.deepEqual(fromHash("").state, initial());
   const wrong = fromHash("#step=99&light=own&object=own&turn=0,0,0,0&material=../x&effects=ambient,x&foo=1&exposure=");

@@ -409,6 +409,13 @@ on("good files are shown: .exr, .hdr, .png and .obj", "object=sphere&step=5", as
   await drop(page, "wide.png", png);
   await said(page, "status", /wide.png: 30 × 20, .* not twice as wide as high/);
   await settled(page);
+  // sRGB: the mean of red is half of 1, of green half of that of code 68, and of blue 0.
+  const mean = await page.evaluate(async () => {
+    const { fromHash } = await import("/src/state.js");
+    const { r, g, b } = fromHash(location.hash).state.ownLight.light;
+    return [r, g, b].map((channel) => channel[0] / Math.sqrt(4 * Math.PI));
+  });
+  [0.5, 0.5 * ((68 / 255 + 0.055) / 1.055) ** 2.4, 0].forEach((level, c) => assert.ok(Math.abs(mean[c] - level) < 1e-4, `${mean}`));
   assert.ok((await apart(page)) > 1);
   await keep(page);
   await drop(page, "corner.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
