@@ -78,14 +78,14 @@ export function drawCpu(canvas, scene, all, { exposure, nine, times = 10 }) {
   const context = canvas.getContext("2d");
   if (!context) return;
   if (!all) {
-    show(canvas, new ImageData(sphere(scene, SIDE, { exposure }), SIDE, SIDE));
+    show(canvas, new ImageData(/** @type {any} */ (sphere(scene, SIDE, { exposure })), SIDE, SIDE));
     return;
   }
   const pixels = disc(SIDE / 2);
   const { x, y, z } = pixels;
   const [ours, whole, formula] = [scene.shade(x, y, z), all.shade(x, y, z), shadeNine(nine.terms, nine.turn, [x, y, z])];
-  const apart = Object.fromEntries(
-    ["r", "g", "b"].map((c) => [c, ours[c].map((value, k) => times * Math.abs(value - formula[c][k]))]),
+  const apart = /** @type {any} */ (
+    Object.fromEntries(["r", "g", "b"].map((c) => [c, ours[c].map((value, k) => times * Math.abs(value - formula[c][k]))]))
   );
   canvas.width = canvas.height = SIDE;
   [ours, whole, formula, apart].forEach((values, k) =>

@@ -166,7 +166,7 @@ function numbers() {
   reference = measure.pictureOf(whole);
   now = { terms: ours.terms, ...measure.errorOf(measure.pictureOf(ours), reference) };
   const { terms, rms, worst } = now;
-  find("summary").textContent = `${terms} terms · rms ${percent(rms)} · worst ${percent(worst)}`;
+  find("summary").textContent = `${terms} ${terms === 1 ? "term" : "terms"} · rms ${percent(rms)} · worst ${percent(worst)}`;
   find("rms").textContent = percent(rms);
   find("worst").textContent = percent(worst);
   find("terms").textContent = String(terms);
@@ -257,7 +257,7 @@ function controls() {
   for (const effect of EFFECTS) find(`effect-${effect}`).checked = state.effects.includes(effect);
   const shown = shownTab();
   for (const tab of document.querySelectorAll("[role=tab]")) {
-    const panel = tab.getAttribute("aria-controls");
+    const panel = /** @type {string} */ (tab.getAttribute("aria-controls"));
     const selected = panel === shown;
     tab.setAttribute("aria-selected", String(selected));
     /** @type {HTMLElement} */ (tab).tabIndex = selected ? 0 : -1;
@@ -320,7 +320,7 @@ canvas.addEventListener("pointermove", (event) => {
   let twist = 0;
   if (pointers.size === 2) {
     const other = [...pointers.values()].find(({ pointerId }) => pointerId !== event.pointerId);
-    const angle = (/** @type {PointerEvent} */ at) => Math.atan2(at.clientY - other.clientY, at.clientX - other.clientX);
+    const angle = (/** @type {PointerEvent} */ at) => Math.atan2(at.clientY - (other?.clientY ?? 0), at.clientX - (other?.clientX ?? 0));
     twist = -Math.atan2(Math.sin(angle(event) - angle(before)), Math.cos(angle(event) - angle(before)));
   }
   pointers.set(event.pointerId, event);

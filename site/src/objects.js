@@ -44,6 +44,7 @@ function surface(at, columns, rows) {
   return mesh;
 }
 
+/** @type {(one: any, other: any) => number[]} */
 const cross = ([a, b, c], [d, e, f]) => [b * f - c * e, c * d - a * f, a * e - b * d];
 const unit = (/** @type {number[]} */ vector) => {
   const length = Math.hypot(...vector) || 1;

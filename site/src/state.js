@@ -24,7 +24,7 @@ export const initial = () => ({
   turn: [0, 0, 0, 1],
   pose: [0.2, -0.26, 0, 0.945],
   step: 14,
-  effects: /** @type {string[]} */ ([...EFFECTS]),
+  effects: [...EFFECTS],
   components: COMPONENTS,
   exposure: 0,
   view: "picture",
