@@ -154,7 +154,7 @@ function draw() {
   numbers();
   controls();
   clearTimeout(idle);
-  idle = setTimeout(later, 220);
+  idle = setTimeout(later, 150);
 }
 
 const meshes = /** @type {Record<string, any>} */ ({});
@@ -187,7 +187,7 @@ let curved = "";
 function later() {
   saveLink();
   if (dragging) {
-    idle = setTimeout(later, 220);
+    idle = setTimeout(later, 150);
     return;
   }
   const inputs = JSON.stringify([state.turn, state.effects, state.components, loads]);

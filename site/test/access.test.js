@@ -21,7 +21,7 @@ after(async () => {
   server?.close();
 });
 
-describe("the page", { concurrency: 2 }, () => {
+describe("the page", { concurrency: 4 }, () => {
   for (const [colorScheme, width, height] of [["light", 360, 560], ["dark", 360, 560], ["dark", 1000, 560]]) {
     test(`axe finds nothing, ${colorScheme}, ${width} wide`, async () => {
       const { page, faults } = await open(browser, server.address, { width, height, colorScheme, hash: "step=4&view=split", script: NO_WEBGL });

@@ -197,7 +197,7 @@ on("eigenimages: 24 pictures with their coefficients, and their sum", "object=sp
   assert.ok(errors[0] > errors[1] && errors[1] > errors[2] && errors[2] > errors[3] && errors[3] === 0, `${errors}`);
   assert.equal(await page.locator("#gallery li.out").count(), 0);
   await page.locator("#grow").click();
-  await page.waitForFunction(() => /^[12] of 160$/.test(document.getElementById("components-value").textContent));
+  await page.waitForFunction(() => { const count = parseInt(document.getElementById("components-value").textContent); return count >= 1 && count < 160; });
   await page.locator("#grow").click();
   assert.equal(await text(page, "grow"), "Grow");
 });
