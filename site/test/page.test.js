@@ -90,7 +90,7 @@ on("accuracy: the slider moves terms, errors, costs and the point, and the pictu
   await keep(page);
   await slide(page, "step", 0);
   const few = Number(await text(page, "terms"));
-  assert.ok(few < 15 && all > 200);
+  assert.ok(few < 15 && all > 150);
   assert.match(await text(page, "summary"), new RegExp(`^${few} terms? · rms \\d+(\\.\\d)? % · worst \\d+ %$`));
   assert.ok(Number(await page.locator(".rms-point").getAttribute("cx")) < Number(x) - 100);
   assert.ok((await apart(page)) > 3);
