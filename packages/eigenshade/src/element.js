@@ -2,7 +2,7 @@
 
 import { Preview } from "./preview.js";
 
-/** @typedef {import("./scene.js").MetallicRoughness} MetallicRoughness */
+/** @typedef {import("./input.js").MetallicRoughness} MetallicRoughness */
 
 /**
  * A sphere of a material under a light, as an element. Attributes:
@@ -110,7 +110,7 @@ export class EigenShade extends HTMLElement {
       material,
       look: {
         exposure: this.hasAttribute("exposure") ? number("exposure", 1) : /** @type {const} */ ("auto"),
-        tone: /** @type {import("./scene.js").Tone} */ (this.getAttribute("tone") ?? "filmic"),
+        tone: /** @type {import("./input.js").Tone} */ (this.getAttribute("tone") ?? "filmic"),
       },
       turn: { yaw, pitch, roll },
       label: `A sphere of ${name ?? "a glTF material"} under the light ${light}`,

@@ -2,12 +2,8 @@
 
 import { asset } from "./assets.js";
 
-/**
- * Coefficients in three channels: (degree + 1)² of a light in radiance, or those of a material in
- * 1/sr.
- *
- * @typedef {{ r: ArrayLike<number>, g: ArrayLike<number>, b: ArrayLike<number> }} Channels
- */
+/** @typedef {import("./input.js").Channels} Channels */
+/** @typedef {import("./input.js").MetallicRoughness} MetallicRoughness */
 
 /** @type {Map<string, Promise<Channels>>} */
 const loaded = new Map();
@@ -29,6 +25,21 @@ export const lightPreset = (name) => preset("light", name);
  * @throws {RangeError} if there is no material of this name
  */
 export const materialPreset = (name) => preset("material", name);
+
+/**
+ * A light, by name or as it is.
+ *
+ * @param {string | Channels} light
+ */
+export const lightOf = (light) => (typeof light === "string" ? lightPreset(light) : light);
+
+/**
+ * A material, by name or as it is.
+ *
+ * @param {string | Channels | MetallicRoughness} material
+ */
+export const materialOf = (material) =>
+  typeof material === "string" ? materialPreset(material) : material;
 
 /**
  * The names of the shipped lights and materials.

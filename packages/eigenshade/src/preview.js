@@ -1,18 +1,20 @@
 // A canvas that shows a sphere of a material under a light.
 
+import { checkExposure, toneNumber } from "./input.js";
+import { lightOf, materialOf } from "./presets.js";
 import { renderer, sphere } from "./renderer.js";
-import { Scene, checkExposure, lightOf, materialOf, toneNumber } from "./scene.js";
+import { Scene } from "./scene.js";
 
-/** @typedef {import("./presets.js").Channels} Channels */
+/** @typedef {import("./input.js").Channels} Channels */
 /**
  * How the picture is shown. The exposure is the factor from irradiance to display; `"auto"`, the
  * default, chooses it anew for each light and material, but not when the light turns. The tone curve
  * is `"filmic"` by default.
  *
- * @typedef {{ exposure?: number | "auto", tone?: import("./scene.js").Tone }} Look
+ * @typedef {{ exposure?: number | "auto", tone?: import("./input.js").Tone }} Look
  */
-/** @typedef {import("./scene.js").MetallicRoughness} MetallicRoughness */
-/** @typedef {import("./scene.js").Turn} Turn */
+/** @typedef {import("./input.js").MetallicRoughness} MetallicRoughness */
+/** @typedef {import("./input.js").Turn} Turn */
 
 /**
  * A sphere on a canvas. It is drawn anew in the next frame after a change, as large as the canvas is

@@ -1,10 +1,10 @@
 // Draws spheres: by a shader in one WebGL 2 context that all previews of a page share, or on the CPU
 // where there is none.
 
-import { TONES } from "./scene.js";
+import { TONES } from "./input.js";
 
 /** @typedef {import("./scene.js").Scene} Scene */
-/** @typedef {import("./scene.js").Tone} Tone */
+/** @typedef {import("./input.js").Tone} Tone */
 
 /** A quad that covers the picture, as one triangle. */
 const VERTEX = `#version 300 es

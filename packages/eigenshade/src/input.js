@@ -1,0 +1,205 @@
+// What a user gives: names of choices, and checks that throw one clear error.
+
+/**
+ * Coefficients in three channels: (degree + 1)² of a light in radiance, or those of a material in
+ * 1/sr.
+ *
+ * @typedef {{ r: ArrayLike<number>, g: ArrayLike<number>, b: ArrayLike<number> }} Channels
+ */
+
+/**
+ * A glTF material: a GGX lobe over a matte base. A roughness below 0.2 is drawn as 0.2.
+ *
+ * @typedef {object} MetallicRoughness
+ * @property {string | ArrayLike<number>} [baseColor] `"#rrggbb"` in sRGB, or three linear numbers
+ *   from 0 to 1; white by default
+ * @property {number} [metallic] from 0 to 1; 0 by default
+ * @property {number} [roughness] from 0 to 1; 0.5 by default
+ */
+
+/**
+ * A rotation of the light: a quaternion `[x, y, z, w]`, or angles in radians, applied in the order
+ * roll (about z, toward the camera), pitch (about x, to the right), yaw (about y, up).
+ *
+ * @typedef {ArrayLike<number> | { yaw?: number, pitch?: number, roll?: number }} Turn
+ */
+
+/**
+ * The effects, in the module's order: the response to the mean light, Lambertian shading, rough and
+ * backscattering lobes, and highlights.
+ */
+export const EFFECTS = Object.freeze(/** @type {const} */ (["ambient", "diffuse", "broad", "gloss"]));
+
+/** @typedef {typeof EFFECTS[number]} Effect */
+
+/** The tone curves, in the module's order. */
+export const TONES = Object.freeze(/** @type {const} */ (["linear", "reinhard", "filmic"]));
+
+/** @typedef {typeof TONES[number]} Tone */
+
+/**
+ * @param {unknown} value
+ * @returns {value is Channels}
+ */
+export const isChannels = (value) => value !== null && typeof value === "object" && "r" in value;
+
+/**
+ * Copies checked coefficients to `to`, with zeros above their degree or order.
+ *
+ * @param {string} what
+ * @param {Channels} given
+ * @param {Float32Array} to
+ * @param {(largest: number) => number} count
+ * @param {number} most the largest degree or order
+ */
+export function put(what, given, to, count, most) {
+  if (!isChannels(given)) {
+    throw new TypeError(`${what}: expected { r, g, b } with arrays of coefficients`);
+  }
+  const counts = Array.from({ length: most + 1 }, (_, largest) => count(largest));
+  const checked = /** @type {const} */ (["r", "g", "b"]).map((name) => {
+    const numbers = given[name];
+    if (!(Array.isArray(numbers) || ArrayBuffer.isView(numbers))) {
+      throw new TypeError(`${what}: ${name} is not an array of numbers`);
+    }
+    if (!counts.includes(numbers.length)) {
+      const beyond = numbers.length > counts[most] ? "; leave out the rest" : "";
+      throw new RangeError(
+        `${what}: ${name} has ${numbers.length} coefficients, expected ${counts.join(", ")}${beyond}`,
+      );
+    }
+    const floats = Float32Array.from(numbers);
+    const bad = floats.findIndex((number) => !Number.isFinite(number));
+    if (bad >= 0) {
+      throw new RangeError(`${what}: coefficient ${bad} of ${name} is ${numbers[bad]}, not a finite f32`);
+    }
+    return floats;
+  });
+  to.fill(0);
+  checked.forEach((floats, channel) => to.set(floats, (channel * to.length) / 3));
+}
+
+/**
+ * @param {MetallicRoughness} material
+ * @returns {number[]}
+ */
+export function parameters(material) {
+  if (material === null || typeof material !== "object") {
+    throw new TypeError("material: expected { r, g, b } or { baseColor, metallic, roughness }");
+  }
+  const { baseColor = [1, 1, 1], metallic = 0, roughness = 0.5, ...other } = material;
+  const [unknown] = Object.keys(other);
+  if (unknown !== undefined) {
+    throw new TypeError(`material: no parameter is called ${unknown}; there are baseColor, metallic and roughness`);
+  }
+  const color = typeof baseColor === "string" ? linear(baseColor) : Array.from(baseColor);
+  if (color.length !== 3) {
+    throw new RangeError(`material: baseColor has ${color.length} numbers, expected 3`);
+  }
+  const all = [...color, metallic, roughness];
+  const names = ["red", "green", "blue", "metallic", "roughness"];
+  all.forEach((number, k) => {
+    if (!(number >= 0 && number <= 1)) {
+      throw new RangeError(`material: ${names[k]} is ${number}, expected a number from 0 to 1`);
+    }
+  });
+  return all;
+}
+
+/**
+ * The linear color of `"#rrggbb"`.
+ *
+ * @param {string} text
+ */
+function linear(text) {
+  if (!/^#[0-9a-f]{6}$/i.test(text)) {
+    throw new RangeError(`material: baseColor is "${text}", expected "#rrggbb" or three numbers`);
+  }
+  return [1, 3, 5].map((at) => {
+    const encoded = parseInt(text.slice(at, at + 2), 16) / 255;
+    return encoded <= 0.04045 ? encoded / 12.92 : ((encoded + 0.055) / 1.055) ** 2.4;
+  });
+}
+
+/**
+ * @param {Turn} turn
+ * @returns {ArrayLike<number>} x, y, z, w
+ */
+export function quaternion(turn) {
+  if (turn === null || typeof turn !== "object") {
+    throw new TypeError("turn: expected a quaternion [x, y, z, w] or { yaw, pitch, roll }");
+  }
+  if ("length" in turn) {
+    const square = Array.from(turn).reduce((sum, number) => sum + number * number, 0);
+    if (turn.length !== 4 || !(square > 1e-12 && square < 1e12)) {
+      throw new RangeError(`turn: [${Array.from(turn)}] is not a quaternion`);
+    }
+    return turn;
+  }
+  const { yaw = 0, pitch = 0, roll = 0 } = turn;
+  for (const [name, angle] of Object.entries({ yaw, pitch, roll })) {
+    if (!Number.isFinite(angle)) throw new RangeError(`turn: ${name} is ${angle}, expected a number`);
+  }
+  const [sy, sp, sr] = [yaw, pitch, roll].map((angle) => Math.sin(angle / 2));
+  const [cy, cp, cr] = [yaw, pitch, roll].map((angle) => Math.cos(angle / 2));
+  return [
+    cy * sp * cr + sy * cp * sr,
+    sy * cp * cr - cy * sp * sr,
+    cy * cp * sr - sy * sp * cr,
+    cy * cp * cr + sy * sp * sr,
+  ];
+}
+
+/**
+ * @param {string} what
+ * @param {ArrayLike<number>[]} normals
+ */
+export function checkNormals(what, normals) {
+  const [x, y, z] = normals;
+  for (const [name, axis] of Object.entries({ x, y, z })) {
+    if (!(Array.isArray(axis) || ArrayBuffer.isView(axis))) {
+      throw new TypeError(`${what}: ${name} is not an array of numbers`);
+    }
+    if (axis.length !== x.length) {
+      throw new RangeError(`${what}: x has ${x.length} numbers, ${name} has ${axis.length}`);
+    }
+  }
+  const { length } = x;
+  for (let k = 0; k < length; k++) {
+    const up = z[k];
+    if (!(Math.abs(x[k] * x[k] + y[k] * y[k] + up * up - 1) <= 1e-3 && up >= -1e-3)) {
+      throw new RangeError(
+        `${what}: normal ${k} is (${x[k]}, ${y[k]}, ${z[k]}), expected a unit vector with z >= 0`,
+      );
+    }
+  }
+}
+
+/**
+ * @param {string} what
+ * @param {number} exposure
+ */
+export function checkExposure(what, exposure) {
+  if (!(exposure > 0 && exposure < Infinity)) {
+    throw new RangeError(`${what}: the exposure is ${exposure}, expected a number above 0`);
+  }
+}
+
+/**
+ * @param {string} what
+ * @param {string} tone
+ */
+export const toneNumber = (what, tone) => nameOf(what, tone, TONES);
+
+/**
+ * The place of a name in a list.
+ *
+ * @param {string} what
+ * @param {string} name
+ * @param {readonly string[]} names
+ */
+export function nameOf(what, name, names) {
+  const place = names.indexOf(name);
+  if (place < 0) throw new RangeError(`${what}: "${name}" is not one of ${names.join(", ")}`);
+  return place;
+}
