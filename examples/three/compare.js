@@ -2,7 +2,7 @@
 // Writes results/compare.csv and a table of README.md. With --check it computes the errors and bytes
 // anew and compares them. Times are of software rendering, on Linux.
 
-import { readFileSync } from "node:fs";
+import { readFileSync, readdirSync } from "node:fs";
 import { gzipSync } from "node:zlib";
 import { FloatType } from "three";
 import { EXRLoader } from "three/addons/loaders/EXRLoader.js";
@@ -44,7 +44,8 @@ for (const light of lights) {
 const zipped = (...files) => files.reduce((sum, file) => sum + gzipSync(readFileSync(new URL(file, import.meta.url)), { level: 9 }).length, 0);
 const size = (file) => readFileSync(new URL(file, import.meta.url)).length;
 const PACKAGE = "../../packages/eigenshade/";
-const eigenshade = zipped(...["assets", "engine", "index", "presets", "preview", "renderer", "scene"].map((name) => `${PACKAGE}src/${name}.js`), `${PACKAGE}wasm/eigenshade.simd.wasm`);
+const sources = readdirSync(new URL(`${PACKAGE}src`, import.meta.url)).filter((name) => name !== "element.js");
+const eigenshade = zipped(...sources.map((name) => `${PACKAGE}src/${name}`), `${PACKAGE}wasm/eigenshade.simd.wasm`);
 const exr = zipped("node_modules/three/examples/jsm/loaders/EXRLoader.js", "node_modules/three/examples/jsm/libs/fflate.module.js");
 const light = size(`${PACKAGE}presets/light/${lights[0]}.bin`);
 const times = await page.evaluate(() => measure.setUp());
@@ -108,7 +109,7 @@ if (check) {
     rows.map((row, k) => [methods[k], ...cells(row, "dielectric"), ...cells(row, "metal"), CANNOT[methods[k]]]), ["cannot do"],
   );
   const costsTable = markdown(
-    ["costs", "code, gzip", "a light, bytes", "texture, bytes", "a new light, ms", "a turned light, ms", "frame, trivial shader = 1"],
+    ["costs", "code, gzip", "a light, bytes", "texture, bytes", "set-up of a new light, ms", "of a turned light, ms", "frame, trivial shader = 1"],
     rows.map((row, k) => [methods[k], ...[row.code, row.light, row.texture].map(thousands), row.new_light_ms, row.turn_ms, row.frame]),
   );
   putTable("compare", `${errorsTable}\n\n${costsTable}`);

@@ -1,7 +1,6 @@
 // A matcap that follows the light: a MeshMatcapMaterial whose texture an eigenshade scene computes.
 
 import { DataTexture, DataUtils, HalfFloatType, LinearFilter, MeshMatcapMaterial, Quaternion, RGBAFormat } from "three";
-import { turnWithCamera } from "./material.js";
 
 /** Radius of the disc in a texture, as in the shader of `MeshMatcapMaterial`. */
 const RADIUS = 0.495;
@@ -33,7 +32,7 @@ export function eigenMatcap(scene, { size = 128, ...parameters } = {}) {
     if (!changed && turn.equals(turned)) return;
     turned.copy(turn);
     changed = false;
-    const { r, g, b } = shade(turnWithCamera(scene, camera, material.lightRotation));
+    const { r, g, b } = shade(scene.turn(turn.toArray()));
     for (let k = 0; k < size * size; k++) {
       texels[4 * k] = half(r[k]);
       texels[4 * k + 1] = half(g[k]);

@@ -5,10 +5,10 @@ import { Matrix3, Matrix4, MeshMatcapMaterial, Quaternion, Sphere, Vector3 } fro
 const TOWARD_CAMERA = new Vector3(0, 0, 1);
 
 /**
- * A material, for one mesh if the camera is a perspective one. It is a `MeshMatcapMaterial` with another last line, so normal maps, bump
- * maps, skinning, morph targets, instancing, fog and tone mapping work as in every material of
- * three.js, and lights, shadows and environments of the three.js scene have no effect. `color` is
- * the exposure.
+ * A material of `WebGLRenderer`, for one mesh if the camera is a perspective one. It is a
+ * `MeshMatcapMaterial` with another last line, so normal maps, bump maps, skinning, morph targets,
+ * instancing, fog and tone mapping work as in every material of three.js, and lights, shadows and
+ * environments of the three.js scene have no effect. `color` is the exposure.
  *
  * The light is fixed to the world: before each frame the material turns the scene's light by the
  * inverse rotation of the camera, and `material.lightRotation`, a quaternion, turns it in the world.
@@ -40,9 +40,11 @@ export function eigenMaterial(scene, { view = "object", ...parameters } = {}) {
     const [needed, most] = [uniforms.eigenshade.value.length / 4 + OTHERS, renderer.capabilities.maxFragmentUniforms];
     if (needed > most) throw new Error(`eigenMaterial: the device has ${most} uniform vectors of ${needed}; use scene.within(1e-5)`);
     Object.assign(shader.uniforms, uniforms);
-    shader.fragmentShader = shader.fragmentShader
-      .replace("void main() {", `${text}${DECLARED}void main() {`)
-      .replace(/vec3 outgoingLight = .*/, OUTGOING);
+    const [main, outgoing] = ["void main() {", /vec3 outgoingLight = .*/];
+    if (!(shader.fragmentShader.includes(main) && outgoing.test(shader.fragmentShader))) {
+      throw new Error("eigenMaterial: this version of three.js has another MeshMatcapMaterial");
+    }
+    shader.fragmentShader = shader.fragmentShader.replace(main, `${text}${DECLARED}${main}`).replace(outgoing, OUTGOING);
   };
   material.onBeforeRender = (renderer, world, camera, geometry, object) => {
     turn.setFromRotationMatrix(camera.matrixWorldInverse).multiply(material.lightRotation);
@@ -69,17 +71,6 @@ export function eigenMaterial(scene, { view = "object", ...parameters } = {}) {
   return material;
 }
 
-/**
- * Turns a scene's light, which is fixed to the world, into the frame of the camera.
- *
- * @param {import("eigenshade").Scene} scene
- * @param {import("three").Camera} camera with current world matrices
- * @param {Quaternion} [rotation] of the light in the world
- */
-export function turnWithCamera(scene, camera, rotation = new Quaternion()) {
-  return scene.turn(new Quaternion().setFromRotationMatrix(camera.matrixWorldInverse).multiply(rotation).toArray());
-}
-
 /** Uniform vectors of the rest of the shader, at most. WebGL 2 promises 224 in all. */
 const OTHERS = 24;
 
@@ -100,7 +91,9 @@ const OUTGOING = `
     eigenNormal += 2.0 * dot(eigenNormal, eigenView) * eigenHalf
       - dot(eigenNormal, eigenSum) / (1.0 + dot(eigenView, eigenHalf)) * eigenSum;
   }
-  if (eigenNormal.z < 0.0) eigenNormal = vec3(normalize(eigenNormal.xy), 0.0);
+  if (eigenNormal.z < 0.0) {
+    eigenNormal = vec3(eigenNormal.xy * inversesqrt(max(dot(eigenNormal.xy, eigenNormal.xy), 1e-12)), 0.0);
+  }
   vec3 outgoingLight = diffuseColor.rgb * max(irradiance(eigenNormal), 0.0);`;
 
 const [frame, matrix, center, sphere] = [new Quaternion(), new Matrix4(), new Vector3(), new Sphere()];

@@ -41,9 +41,12 @@ export async function controls(form, changed) {
     form[kind].append(...names[kind].map((name) => new Option(name, name, name === first, name === first)));
   }
   const shown = {};
+  let asked = 0;
   const show = async () => {
-    const { light, material } = form;
+    const [{ light, material }, turn] = [form, ++asked];
     const [loadedLight, loadedMaterial] = await Promise.all([lightPreset(light.value), materialPreset(material.value)]);
+    // What was chosen since then is shown instead.
+    if (turn !== asked) return;
     changed({
       light: shown.light !== loadedLight && loadedLight,
       material: shown.material !== loadedMaterial && loadedMaterial,

@@ -71,7 +71,7 @@ vec3 filmic(vec3 x) {
 /** A normal that faces away moves to the rim. */
 vec3 visible(vec3 n) {
   n = normalize(n);
-  return n.z < 0.0 ? vec3(normalize(n.xy), 0.0) : n;
+  return n.z < 0.0 ? vec3(n.xy * inversesqrt(max(dot(n.xy, n.xy), 1e-12)), 0.0) : n;
 }
 vec3 onFace(vec3 n) {
   return pose * vec3(side * n.x, n.y, side * n.z);

@@ -67,31 +67,45 @@ async function load(/** @type {typeof state} */ wanted) {
   const light =
     wanted.light === "own"
       ? /** @type {any} */ (wanted.ownLight).light
-      : wanted.light in ANALYTIC
+      : Object.hasOwn(ANALYTIC, wanted.light)
         ? ANALYTIC[wanted.light]()
         : await lightPreset(wanted.light);
   const material = typeof wanted.material === "string" ? await materialPreset(wanted.material) : wanted.material;
   return { light, material };
 }
 
-/** Loads of which only the last counts. */
+/** Loads: the last one shows its parts and those of the loads that it overtook. */
 let loads = 0;
+/** @type {Partial<typeof state>} */
+let pending = {};
+
+/** Gives both scenes these inputs, or leaves both as they were. */
+function accept(/** @type {typeof loaded} */ { light, material }) {
+  const give = (/** @type {typeof loaded} */ inputs) => {
+    for (const scene of [whole, ours]) scene.light(inputs.light).material(inputs.material);
+  };
+  try {
+    give({ light, material });
+  } catch (fault) {
+    if (loaded.light) give(loaded);
+    throw fault;
+  }
+}
 
 /**
  * Takes parts of a new state, loads what they name, and shows it. A fault leaves all as it was, and is
  * returned.
  */
 async function take(/** @type {Partial<typeof state>} */ parts) {
-  const wanted = { ...state, ...parts };
+  pending = { ...pending, ...parts };
+  const wanted = { ...state, ...pending };
   const turn = ++loads;
   busy(true);
   try {
     const inputs = await load(wanted);
     if (turn !== loads) return "";
-    state = { ...state, ...parts };
-    loaded = inputs;
-    whole.light(loaded.light).material(loaded.material);
-    ours.light(loaded.light).material(loaded.material);
+    accept(inputs);
+    [state, loaded, pending] = [{ ...state, ...pending }, inputs, {}];
     const albedo = measure.meanOf(measure.pictureOf(scratch.light(ambient()).material(loaded.material)));
     look.nine.terms = nineTerms(loaded.light, albedo);
     whole.turn(IDENTITY);
@@ -102,6 +116,7 @@ async function take(/** @type {Partial<typeof state>} */ parts) {
   } catch (fault) {
     const { message } = /** @type {Error} */ (fault);
     if (turn !== loads) return "";
+    pending = {};
     fail(message);
     if (loaded.light) changed();
     return message;
@@ -228,8 +243,7 @@ function controls() {
     }
   };
   const set = (/** @type {any} */ control, /** @type {unknown} */ value) => {
-    if (document.activeElement !== control || control.type !== "range") control.value = String(value);
-    else if (control.value !== String(value)) control.value = String(value);
+    if (control.value !== String(value)) control.value = String(value);
   };
   check("object", state.object);
   check("view", state.view);
@@ -283,7 +297,7 @@ function saveLink() {
 
 async function openLink() {
   const { state: wanted, faults } = fromHash(location.hash);
-  if (wanted.case && !CASES[wanted.case]) wanted.case = initial().case;
+  if (wanted.case && !Object.hasOwn(CASES, wanted.case)) wanted.case = initial().case;
   const fault = await take(wanted);
   if (fault) faults.push(fault);
   if (!loaded.light) await take(initial());
@@ -491,7 +505,8 @@ async function open(/** @type {File} */ file) {
       if (!drawing) say(`${file.name} is read, but without WebGL 2 only spheres are drawn.`);
     } else {
       const { light, width, height } = await panorama(file);
-      await take({ light: "own", ownLight: { name: file.name.slice(0, 80), light } });
+      const fault = await take({ light: "own", ownLight: { name: file.name.slice(0, 80), light } });
+      if (fault) throw new Error(fault);
       const shape = width === 2 * height ? "" : " It is not twice as wide as high; it is read as equirectangular.";
       say(`${file.name}: ${width} × ${height}, projected to degree 9.${shape}`);
     }
@@ -504,32 +519,41 @@ async function open(/** @type {File} */ file) {
 /** Seconds that a worker may say nothing. */
 const PATIENCE = 60;
 
-/** @type {Worker | undefined} */
-let worker;
+/** Ends the worker of the last panorama. Nothing is said of it any more. */
+let end = () => {};
 
 /** The light of a panorama, by a worker. A new one ends the one before. */
 function panorama(/** @type {File} */ file) {
-  worker?.terminate();
-  const mine = (worker = new Worker(new URL("panorama.js", import.meta.url), { type: "module" }));
+  end();
+  const worker = new Worker(new URL("panorama.js", import.meta.url), { type: "module" });
   return new Promise((resolve, reject) => {
-    const stop = () => {
-      mine.terminate();
-      reject(new Error(`it is not read after ${PATIENCE} seconds`));
-    };
-    let patience = setTimeout(stop, 1000 * PATIENCE);
-    mine.addEventListener("message", ({ data }) => {
+    /** @type {ReturnType<typeof setTimeout>} */
+    let patience;
+    end = () => {
       clearTimeout(patience);
-      if (data.stage) patience = setTimeout(stop, 1000 * PATIENCE);
+      worker.terminate();
+    };
+    const refuse = (/** @type {string} */ why) => {
+      end();
+      reject(new Error(why));
+    };
+    const wait = () => {
+      clearTimeout(patience);
+      patience = setTimeout(() => refuse(`it is not read after ${PATIENCE} seconds`), 1000 * PATIENCE);
+    };
+    wait();
+    worker.addEventListener("message", ({ data }) => {
       if (data.stage) {
+        wait();
         say(data.stage === "decoding" ? `${file.name}: decoding` : `${file.name}: projecting, ${Math.round(100 * data.share)} %`);
         return;
       }
-      mine.terminate();
-      if (data.fault) reject(new Error(data.fault));
-      else resolve(data);
+      if (data.fault) return refuse(data.fault);
+      end();
+      resolve(data);
     });
-    mine.addEventListener("error", (event) => reject(new Error(event.message || "the decoder cannot be loaded")));
-    mine.postMessage({ file, name: file.name });
+    worker.addEventListener("error", (event) => refuse(event.message || "the decoder cannot be loaded"));
+    worker.postMessage({ file, name: file.name });
   });
 }
 

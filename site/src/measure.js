@@ -114,7 +114,9 @@ export function effectsOf(scene, tolerance = 1e-6) {
     const share = rmsOf(pictureOf(scene.within().effects([effect]))) / (rms || 1);
     scene.effects(EFFECTS.filter((other) => other !== effect));
     const rest = peakOf(pictureOf(scene));
-    const terms = scene.within(Math.min(1e6, (tolerance * peak) / rest)).terms;
+    const relative = (tolerance * peak) / rest;
+    // What is left may be darker than the error.
+    const terms = relative < 1 ? scene.within(Math.max(1e-30, relative)).terms : 0;
     return [effect, { share, saved: all - terms }];
   });
   scene.effects().within(tolerance);

@@ -154,7 +154,8 @@ const MOST = 2_000_000;
  */
 export function parseObj(text) {
   const places = [], directions = [], positions = [], normals = [], indices = [];
-  let given = true;
+  /** @type {number[]} Vertices without a normal. */
+  const missing = [];
   const corners = new Map();
   const numbers = (/** @type {string[]} */ words, /** @type {number} */ line) => {
     const values = words.slice(1, 4).map(Number);
@@ -175,8 +176,8 @@ export function parseObj(text) {
       const found = find(places, place);
       if (!found) throw new RangeError(`line ${k + 1} refers to vertex ${place}, which is not there`);
       const normal = direction ? find(directions, direction) : undefined;
-      if (!normal) given = false;
       corner = positions.length / 3;
+      if (!normal || Math.hypot(...normal) === 0) missing.push(corner);
       // Relative indices mean another vertex each time.
       if (!word.includes("-")) corners.set(word, corner);
       positions.push(...found);
@@ -194,13 +195,13 @@ export function parseObj(text) {
     uvs: new Float32Array((positions.length / 3) * 2).fill(-1),
     indices: Uint32Array.from(indices),
   };
-  if (!given) smooth(mesh);
+  if (missing.length > 0) smooth(mesh, missing);
   fit(mesh.positions);
   return mesh;
 }
 
-/** Normals from facets; vertices at one place share theirs. */
-function smooth({ positions, normals, indices }) {
+/** Normals of these vertices from facets; those at one place share theirs. */
+function smooth({ positions, normals, indices }, missing) {
   const at = (/** @type {number} */ k) => [positions[3 * k], positions[3 * k + 1], positions[3 * k + 2]];
   const sums = new Map();
   const key = (/** @type {number} */ k) => at(k).join();
@@ -213,7 +214,7 @@ function smooth({ positions, normals, indices }) {
       sums.set(place, sum.map((value, axis) => value + normal[axis]));
     }
   }
-  for (let k = 0; k < positions.length / 3; k++) normals.set(unit(sums.get(key(k)) ?? [0, 0, 1]), 3 * k);
+  for (const k of missing) normals.set(unit(sums.get(key(k)) ?? [0, 0, 1]), 3 * k);
 }
 
 /** Moves and scales positions into the unit sphere. */

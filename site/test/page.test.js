@@ -247,6 +247,14 @@ on("scene: lights, materials and exposure change the picture", "object=sphere&st
   assert.ok(lit);
 }, { script: `(${helpers})(); ${NO_WEBGL}` });
 
+on("inputs that overtake each other: all are shown", "object=sphere&step=3&tab=scene", async (page) => {
+  await page.locator("#light").selectOption("night");
+  await page.locator("input[name=material][value=red-plastic]").check({ force: true });
+  await settled(page);
+  const label = await page.locator("#picture").getAttribute("aria-label");
+  assert.match(label, /^A sphere of red plastic under the light night$/);
+}, { script: `(${helpers})(); ${NO_WEBGL}` });
+
 on("objects: a sphere, a coin and a relief", "object=sphere&step=3&tab=scene", async (page) => {
   for (const object of ["coin", "relief", "sphere"]) {
     await keep(page);
@@ -462,6 +470,9 @@ on("files that cannot be used are said in place, and nothing is lost", "object=s
   assert.equal(await text(page, "fault"), "");
   await page.evaluate(() => (location.hash = "light=nowhere"));
   await said(page, "fault", /This link is not whole: no light is called "nowhere"/);
+  // A name that every object of JavaScript has.
+  await page.evaluate(() => (location.hash = "light=constructor&case=constructor"));
+  await said(page, "fault", /This link is not whole: .*no light is called "constructor"/);
   await page.goto("about:blank");
   await page.goto(`${server.address}#material=nothing`);
   await settled(page);

@@ -23,6 +23,8 @@ export class EigenShade extends HTMLElement {
   #preview;
   #canvas;
   #message;
+  /** The light and the material of the preview. */
+  #set = "";
   /** The last update that was asked for. */
   #update = 0;
 
@@ -65,13 +67,18 @@ export class EigenShade extends HTMLElement {
     if (update !== this.#update) return;
     try {
       const { light, material, look, turn, label } = this.#read();
+      const set = JSON.stringify([light, material]);
       if (this.#preview) {
-        await Promise.all([this.#preview.light(light), this.#preview.material(material)]);
+        // The same inputs again would choose another exposure.
+        if (set !== this.#set) {
+          await Promise.all([this.#preview.light(light), this.#preview.material(material)]);
+        }
       } else {
         const preview = await Preview.create(this.#canvas, { light, material });
         if (update !== this.#update) return preview.free();
         this.#preview = preview;
       }
+      this.#set = set;
       if (update !== this.#update) return;
       this.#preview.look(look).turn(turn);
       this.#canvas.setAttribute("aria-label", label);

@@ -115,6 +115,7 @@ export class Engine {
     this.truncate = step("truncate");
     this.shade = step("shade");
     this.encode = step("encode");
+    this.terms = step("terms");
     /** The vectors of the scene's shader: a copy. */
     this.vectors = () => view("color_array", Float32Array, 4 * step("vectors")()).slice();
     /** The text of the scene's shader. */

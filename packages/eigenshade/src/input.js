@@ -39,6 +39,20 @@ export const TONES = Object.freeze(/** @type {const} */ (["linear", "reinhard", 
 
 /**
  * @param {unknown} value
+ * @returns {value is number}
+ */
+export const isNumber = (value) => typeof value === "number" && !Number.isNaN(value);
+
+/**
+ * Whether this is an array, or a typed one, of whatever.
+ *
+ * @param {unknown} value
+ * @returns {value is ArrayLike<number>}
+ */
+const isArray = (value) => Array.isArray(value) || (ArrayBuffer.isView(value) && "length" in value);
+
+/**
+ * @param {unknown} value
  * @returns {value is Channels}
  */
 export const isChannels = (value) => value !== null && typeof value === "object" && "r" in value;
@@ -59,7 +73,7 @@ export function put(what, given, to, count, most) {
   const counts = Array.from({ length: most + 1 }, (_, largest) => count(largest));
   const checked = /** @type {const} */ (["r", "g", "b"]).map((name) => {
     const numbers = given[name];
-    if (!(Array.isArray(numbers) || ArrayBuffer.isView(numbers))) {
+    if (!isArray(numbers)) {
       throw new TypeError(`${what}: ${name} is not an array of numbers`);
     }
     if (!counts.includes(numbers.length)) {
@@ -69,7 +83,7 @@ export function put(what, given, to, count, most) {
       );
     }
     const floats = Float32Array.from(numbers);
-    const bad = floats.findIndex((number) => !Number.isFinite(number));
+    const bad = floats.findIndex((float, k) => !isNumber(numbers[k]) || !Number.isFinite(float));
     if (bad >= 0) {
       throw new RangeError(`${what}: coefficient ${bad} of ${name} is ${numbers[bad]}, not a finite f32`);
     }
@@ -92,14 +106,14 @@ export function parameters(material) {
   if (unknown !== undefined) {
     throw new TypeError(`material: no parameter is called ${unknown}; there are baseColor, metallic and roughness`);
   }
-  const color = typeof baseColor === "string" ? linear(baseColor) : Array.from(baseColor);
-  if (color.length !== 3) {
-    throw new RangeError(`material: baseColor has ${color.length} numbers, expected 3`);
+  if (typeof baseColor !== "string" && !(isArray(baseColor) && baseColor.length === 3)) {
+    throw new TypeError('material: baseColor is neither "#rrggbb" nor three numbers');
   }
+  const color = typeof baseColor === "string" ? linear(baseColor) : Array.from(baseColor);
   const all = [...color, metallic, roughness];
   const names = ["red", "green", "blue", "metallic", "roughness"];
   all.forEach((number, k) => {
-    if (!(number >= 0 && number <= 1)) {
+    if (!(isNumber(number) && number >= 0 && number <= 1)) {
       throw new RangeError(`material: ${names[k]} is ${number}, expected a number from 0 to 1`);
     }
   });
@@ -157,7 +171,7 @@ export function quaternion(turn) {
 export function checkNormals(what, normals) {
   const [x, y, z] = normals;
   for (const [name, axis] of Object.entries({ x, y, z })) {
-    if (!(Array.isArray(axis) || ArrayBuffer.isView(axis))) {
+    if (!isArray(axis)) {
       throw new TypeError(`${what}: ${name} is not an array of numbers`);
     }
     if (axis.length !== x.length) {
@@ -180,7 +194,7 @@ export function checkNormals(what, normals) {
  * @param {number} exposure
  */
 export function checkExposure(what, exposure) {
-  if (!(exposure > 0 && exposure < Infinity)) {
+  if (!(isNumber(exposure) && exposure > 0 && exposure < Infinity)) {
     throw new RangeError(`${what}: the exposure is ${exposure}, expected a number above 0`);
   }
 }

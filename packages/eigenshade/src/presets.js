@@ -77,6 +77,9 @@ function preset(kind, name) {
 async function read(kind, name, path) {
   const bytes = /^[a-z0-9-]+$/.test(name) ? await asset(path) : undefined;
   if (!bytes) throw await unknown(kind, name);
+  if (bytes.byteLength % 12 !== 0 || bytes.byteLength > 2048) {
+    throw new Error(`${path} is no preset: it has ${bytes.byteLength} bytes`);
+  }
   // Little-endian, as every machine that runs WebAssembly in a browser is.
   const numbers = new Float32Array(bytes);
   const count = numbers.length / 3;

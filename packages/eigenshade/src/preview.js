@@ -32,8 +32,9 @@ export class Preview {
   #chosen = 0;
   #frame = 0;
   #freed = false;
-  /** Inputs that are still loading: the last one given wins. */
+  /** Numbers of the inputs that were asked for, and of those that were set: the last one wins. */
   #asked = { light: 0, material: 0 };
+  #set = { light: 0, material: 0 };
   #resized;
   #restored = () => this.#changed();
 
@@ -65,9 +66,9 @@ export class Preview {
     this.#scene = scene;
     this.#look = { ...look };
     this.#resized = new ResizeObserver(() => this.#changed());
+    this.draw();
     this.#resized.observe(canvas);
     renderer()?.restored.addEventListener("restored", this.#restored);
-    this.draw();
   }
 
   /** The scene, which also writes shaders and shades normals. Call {@link draw} after changing it. */
@@ -125,11 +126,12 @@ export class Preview {
     return this.#changed();
   }
 
-  /** Draws now instead of in the next frame. */
+  /** Draws now instead of in the next frame. A canvas that is not shown is drawn once it is. */
   draw() {
     this.#alive();
     cancelAnimationFrame(this.#frame);
     this.#frame = 0;
+    if (!(this.#canvas.clientWidth && this.#canvas.clientHeight)) return this;
     const [width, height] = this.#resize();
     const size = Math.min(width, height);
     const place = [Math.floor((width - size) / 2), Math.floor((height - size) / 2)];
@@ -185,8 +187,10 @@ export class Preview {
     this.#alive();
     const asked = ++this.#asked[what];
     const loaded = await input;
-    if (asked === this.#asked[what] && !this.#freed) {
+    // Input that fails does not keep an earlier one from being set.
+    if (asked > this.#set[what] && !this.#freed) {
       set(loaded);
+      this.#set[what] = asked;
       this.#chosen = 0;
       this.#changed();
     }

@@ -95,10 +95,13 @@ class Shared {
    * @param {Scene} scene
    * @param {number} size
    * @param {{ exposure: number, tone: Tone }} look
-   * @returns {OffscreenCanvas | undefined} `undefined` if the context is lost
+   * @returns {OffscreenCanvas | undefined} `undefined` if the context is lost, or the scene has more
+   *   terms than a uniform block holds
    */
   draw(scene, size, { exposure, tone }) {
     const gl = this.#gl;
+    const array = scene.uniforms();
+    if (array.byteLength > gl.getParameter(gl.MAX_UNIFORM_BLOCK_SIZE)) return undefined;
     const text = scene.glsl("block");
     const found = this.#programs.get(text) ?? this.#compiled(text);
     if (!found || this.lost) return undefined;
@@ -110,7 +113,7 @@ class Shared {
     gl.useProgram(found.program);
     const { places } = found;
     gl.bindBufferBase(gl.UNIFORM_BUFFER, 0, this.#array);
-    gl.bufferData(gl.UNIFORM_BUFFER, scene.uniforms(), gl.DYNAMIC_DRAW);
+    gl.bufferData(gl.UNIFORM_BUFFER, array, gl.DYNAMIC_DRAW);
     gl.uniform1f(places.size, size);
     gl.uniform1f(places.exposure, exposure);
     gl.uniform1i(places.tone, TONES.indexOf(tone));

@@ -2,7 +2,7 @@
 
 import { engine as shared, lightCount, materialCount } from "./engine.js";
 import {
-  EFFECTS, checkExposure, checkNormals, isChannels, nameOf, parameters, put, quaternion, toneNumber,
+  EFFECTS, checkExposure, checkNormals, isChannels, isNumber, nameOf, parameters, put, quaternion, toneNumber,
 } from "./input.js";
 import { lightOf, materialOf } from "./presets.js";
 
@@ -95,13 +95,17 @@ export class Scene {
    * @returns {Promise<Scene>}
    * @throws {RangeError} for an unknown name, or as {@link Scene#light} and {@link Scene#material}
    */
-  static async create({ light, material, engine }) {
-    const [loaded, of, on] = await Promise.all([
+  static async create(inputs) {
+    if (inputs === null || typeof inputs !== "object") {
+      throw new TypeError("Scene: expected { light, material }");
+    }
+    const { light, material, engine } = inputs;
+    const [loaded, givenLight, givenMaterial] = await Promise.all([
       engine ?? shared(),
       lightOf(light),
       materialOf(material),
     ]);
-    return new Scene(loaded, of, on);
+    return new Scene(loaded, givenLight, givenMaterial);
   }
 
   /**
@@ -171,7 +175,9 @@ export class Scene {
   turn(turn) {
     const rotation = quaternion(turn);
     if (this.#engine.degree > TURNED) {
-      throw new RangeError(`turn: the table has degree ${this.#engine.degree}; lights turn up to degree ${TURNED}`);
+      throw new RangeError(
+        `turn: the table has degree ${this.#engine.degree}; lights turn up to degree ${TURNED}`,
+      );
     }
     this.#turn.set(rotation);
     this.#changed();
@@ -186,6 +192,7 @@ export class Scene {
    * @throws {RangeError} for a name that is no effect
    */
   effects(effects = EFFECTS) {
+    if (typeof effects === "string") throw new TypeError("effects: expected a list of names");
     let bits = 0;
     for (const effect of effects) bits |= 1 << nameOf("effects", effect, EFFECTS);
     this.#effects = bits;
@@ -216,13 +223,15 @@ export class Scene {
    * Leaves out as many terms as this error allows: root mean square over a sphere's normals, as a
    * fraction of the peak, the same terms in all channels. Without a number, all terms are kept again.
    *
-   * @param {number} [tolerance] above 0
+   * @param {number} [tolerance] from 1e-30 to less than 1
    * @returns {this}
-   * @throws {RangeError} unless the tolerance is above 0
+   * @throws {RangeError} for another tolerance
    */
   within(tolerance) {
-    if (tolerance !== undefined && !(tolerance > 0 && tolerance < Infinity)) {
-      throw new RangeError(`within: the tolerance is ${tolerance}, expected a number above 0`);
+    if (tolerance !== undefined && !(isNumber(tolerance) && tolerance >= 1e-30 && tolerance < 1)) {
+      throw new RangeError(
+        `within: the tolerance is ${tolerance}, expected a number from 1e-30 to less than 1`,
+      );
     }
     this.#tolerance = tolerance;
     this.#changed();
@@ -241,7 +250,8 @@ export class Scene {
 
   /** Number of terms of the polynomials: multiplications and additions a pixel and channel, about. */
   get terms() {
-    return this.uniforms().length / 4;
+    this.#ready();
+    return this.#engine.terms();
   }
 
   /**
@@ -305,6 +315,7 @@ export class Scene {
    * @throws {RangeError} if the lengths differ, or a normal is not a unit vector or points away
    */
   shade(x, y, z, irradiance) {
+    checkNormals("shade", [x, y, z]);
     const [r, g, b] = [0, 1, 2].map(() => new Float32Array(irradiance ? 0 : x.length));
     const to = irradiance ?? { r, g, b };
     if (![to.r, to.g, to.b].every((channel) => channel?.length === (irradiance ? x.length : r.length))) {
@@ -321,7 +332,7 @@ export class Scene {
 
   /**
    * The values of an eigenimage at normals, as {@link shade}. Eigenimages are orthonormal over a
-   * sphere's picture.
+   * sphere's picture. A table that has a mean image adds it.
    *
    * @param {number} index from 0
    * @param {ArrayLike<number>} x
@@ -335,6 +346,7 @@ export class Scene {
     if (!(Number.isInteger(index) && index >= 0 && index < components)) {
       throw new RangeError(`eigenimage: ${index} is not a whole number from 0 to ${components - 1}`);
     }
+    checkNormals("eigenimage", [x, y, z]);
     const values = new Float32Array(x.length);
     this.#chunks(
       "eigenimage",
@@ -364,6 +376,7 @@ export class Scene {
   pixels(x, y, z, { exposure = 1, tone = "filmic" } = {}) {
     checkExposure("pixels", exposure);
     const curve = toneNumber("pixels", tone);
+    checkNormals("pixels", [x, y, z]);
     const pixels = new Uint8ClampedArray(4 * x.length);
     this.#chunks("pixels", [x, y, z], (start, count) => {
       this.#engine.encode(count, exposure, curve);
@@ -381,7 +394,7 @@ export class Scene {
    * @throws {RangeError} unless the share is from 0 to 1
    */
   exposure(share = 0.95) {
-    if (!(share >= 0 && share <= 1)) {
+    if (!(isNumber(share) && share >= 0 && share <= 1)) {
       throw new RangeError(`exposure: the share is ${share}, expected a number from 0 to 1`);
     }
     const [x, y, z] = DISC;
@@ -392,7 +405,7 @@ export class Scene {
   }
 
   /**
-   * Shades in parts of the size of the module's buffers.
+   * Shades checked normals in parts of the size of the module's buffers.
    *
    * @param {string} what
    * @param {ArrayLike<number>[]} normals
@@ -400,7 +413,6 @@ export class Scene {
    * @param {() => void} ready makes the module hold what is shaded
    */
   #chunks(what, normals, done, ready = () => this.#ready()) {
-    checkNormals(what, normals);
     ready();
     const { axes, normals: most } = this.#engine;
     const { length } = normals[0];
@@ -420,10 +432,10 @@ export class Scene {
    * Calls a function of the module.
    *
    * @param {"transfer" | "relight" | "collapse"} step
-   * @param {number[]} numbers
+   * @param {string} [why] it may reject its input
    */
-  #call(step, ...numbers) {
-    if (!this.#engine[step](...numbers)) throw new Error(`${step}: the module rejected its input`);
+  #call(step, why = "the module rejected its input") {
+    if (!this.#engine[step](this.#effects)) throw new RangeError(`${step}: ${why}`);
   }
 
   #changed() {
@@ -438,12 +450,12 @@ export class Scene {
     if (held.material !== this.#transfer) {
       held.material = undefined;
       this.#engine.material.set(this.#material);
-      this.#call("transfer", this.#effects);
+      this.#call("transfer");
       held.material = this.#transfer;
     }
     this.#engine.light.set(this.#light);
     this.#engine.turn.set(this.#turn);
-    this.#call("relight");
+    this.#call("relight", "its numbers are too large for f32");
     if (this.#components !== undefined) {
       const { d, components } = this.#engine;
       for (let from = this.#components; from < d.length; from += components) {

@@ -152,6 +152,34 @@ test("the last of several lights wins, whichever comes first", async () => {
   assert.equal(found, 0);
 });
 
+test("input that fails does not keep an earlier one from being set", async () => {
+  const found = await page.evaluate(async () => {
+    const preview = await library.Preview.create(canvases[0], { light: "studio", material: "red-fabric2" });
+    const good = preview.light("lobby");
+    const [light, material] = [preview.light("parc"), preview.material({ roughness: 2 })];
+    const other = preview.material("gold-metallic-paint");
+    const failed = (await Promise.allSettled([light, material])).map(({ status }) => status);
+    await Promise.all([good, other]);
+    preview.draw();
+    const same = await library.Preview.create(canvases[1], { light: "lobby", material: "gold-metallic-paint" });
+    return [failed, difference(pixels(canvases[0]), pixels(same && canvases[1]))];
+  });
+  assert.deepEqual(found, [["rejected", "rejected"], 0]);
+});
+
+test("a canvas that is not shown yet is drawn once it is", async () => {
+  const found = await page.evaluate(async () => {
+    const canvas = document.createElement("canvas");
+    await library.Preview.create(canvas, { light: "lobby", material: "red-fabric2" });
+    const before = canvas.width;
+    document.body.append(canvas);
+    canvas.style.cssText = "width: auto; height: auto";
+    for (let k = 0; k < 5; k++) await frame();
+    return [before, canvas.width, canvas.height, pixels(canvas)[4 * (75 * 300 + 150) + 3]];
+  });
+  assert.deepEqual(found, [300, 300, 150, 255]);
+});
+
 test("a lost context comes back, and the CPU draws until then", async () => {
   const { lost, back } = await page.evaluate(async () => {
     const { renderer } = await import("/src/renderer.js");
@@ -275,6 +303,19 @@ test("an element draws what its attributes say, and says what is wrong", async (
       await next(element, "load");
       wrong.push(message.textContent);
     }
+    // A turn keeps the exposure that was chosen.
+    element.removeAttribute("exposure");
+    await next(element, "load");
+    element.preview.draw();
+    element.setAttribute("yaw", "150");
+    await next(element, "load");
+    element.preview.draw();
+    const exposure = 0.8 * scene.turn({ yaw: Math.PI / 6 }).exposure();
+    scene.turn({ yaw: (5 * Math.PI) / 6 });
+    const kept = difference(pixels(canvas), library.sphere(scene, size, { exposure }));
+    element.setAttribute("exposure", "2");
+    element.setAttribute("yaw", "30");
+    scene.turn({ yaw: Math.PI / 6 });
     element.removeAttribute("material");
     element.setAttribute("base-color", "#b87333");
     element.setAttribute("metallic", "1");
@@ -282,9 +323,9 @@ test("an element draws what its attributes say, and says what is wrong", async (
     element.preview.draw();
     const copper = difference(pixels(canvas), library.sphere(scene.material({ baseColor: "#b87333", metallic: 1 }), size, { exposure: 2 }));
     element.remove();
-    return { size, same, label, wrong, copper, gone: element.preview === undefined };
+    return { size, same, label, wrong, copper, kept, gone: element.preview === undefined };
   });
-  assert.ok(found.size > 100 && found.same <= 1 && found.copper <= 1, `${found.same}, ${found.copper}`);
+  assert.ok(found.size > 100 && found.same <= 1 && found.copper <= 1 && found.kept <= 1, `${found.same}, ${found.copper}, ${found.kept}`);
   assert.equal(found.label, "A sphere of red-fabric2 under the light studio");
   assert.deepEqual(found.wrong, [
     'no light is called "parc"; there are apa', true, "",

@@ -3,12 +3,14 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { execFileSync } from "node:child_process";
-import { mkdtempSync, writeFileSync } from "node:fs";
+import { mkdtempSync, readFileSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
-import { EFFECTS, Scene, lightPreset, materialPreset, presetNames, sphere } from "../src/index.js";
+import { EFFECTS, Scene, load, lightPreset, materialPreset, presetNames, sphere } from "../src/index.js";
 
 import { EIGENSHADE } from "./support/own.js";
+
+const README = readFileSync(new URL("../README.md", import.meta.url), "utf8");
 
 /** The largest difference from the direct sum, relative to the peak. */
 const DIRECT = 1e-4;
@@ -99,7 +101,8 @@ test("effects are the program's, and sum to the whole", async () => {
     const found = scene.effects([effect]).shade(...NORMALS);
     const expected = directSum("park", "gold-metallic-paint", "--effects", effect);
     // Relative to the whole picture: a part may be dark.
-    const scale = largest(expected.b) / largest(whole.b);
+    const peak = (picture) => Math.max(...["r", "g", "b"].map((channel) => largest(picture[channel])));
+    const scale = peak(expected) / peak(whole);
     assert.ok(difference(found, expected) * scale <= DIRECT, effect);
     sum.g = sum.g.map((number, k) => number + found.g[k]);
   }
@@ -183,6 +186,33 @@ test("scenes that share the module do not disturb each other", async () => {
   assert.equal(read(other), second);
 });
 
+test("the module without SIMD draws the same", async () => {
+  const plain = await load(readFileSync(new URL("../wasm/eigenshade.wasm", import.meta.url)));
+  const inputs = { light: "studio", material: "red-fabric2" };
+  const [one, other] = [await Scene.create(inputs), await Scene.create({ ...inputs, engine: plain })];
+  for (const change of [(scene) => scene, (scene) => scene.turn({ yaw: 1 }), (scene) => scene.within(1e-2)]) {
+    const [expected, found] = [one, other].map((scene) => change(scene).shade(...NORMALS));
+    assert.ok(difference(found, expected) <= 1e-5);
+    assert.equal(other.glsl(), one.glsl());
+  }
+});
+
+test("half of the pairs of shipped inputs keep at most 31 terms within 1 %", async () => {
+  const names = await presetNames();
+  const [lights, materials] = await Promise.all([
+    Promise.all(names.light.map(lightPreset)), Promise.all(names.material.map(materialPreset)),
+  ]);
+  const scene = (await gold()).within(1e-2);
+  const terms = [];
+  for (const material of materials) {
+    scene.material(material);
+    for (const light of lights) terms.push(scene.light(light).terms);
+  }
+  const middle = terms.sort((a, b) => a - b)[terms.length >> 1];
+  assert.equal(middle, Number(/keep at most (\d+)/.exec(README)[1]));
+  assert.equal(scene.within().terms, Number(/of (\d+), half/.exec(README)[1]));
+});
+
 test("a tolerance holds, and fewer terms suffice for a larger one", async () => {
   const scene = await gold();
   const axes = [0, 1, 2].map(() => []);
@@ -262,7 +292,7 @@ test("wrong input throws one clear error and changes nothing", async () => {
   structuredClone(detached, { transfer: [detached.buffer] });
   fails(() => scene.light({ ...light, r: detached }), "RangeError",
     "light: r has 0 coefficients, expected 1, 4, 9, 16, 25, 36, 49, 64, 81, 100");
-  for (const bad of [NaN, Infinity, 1e300, undefined, "red"]) {
+  for (const bad of [NaN, Infinity, 1e300, undefined, null, "1"]) {
     fails(() => scene.light({ ...light, g: Array.from(light.g).with(7, bad) }), "RangeError",
       `light: coefficient 7 of g is ${bad}, not a finite f32`);
   }
@@ -276,12 +306,23 @@ test("wrong input throws one clear error and changes nothing", async () => {
     "material: roughness is 1.1, expected a number from 0 to 1");
   fails(() => scene.material({ baseColor: "red" }), "RangeError",
     'material: baseColor is "red", expected "#rrggbb" or three numbers');
+  fails(() => scene.material({ baseColor: null }), "TypeError",
+    'material: baseColor is neither "#rrggbb" nor three numbers');
+  fails(() => scene.material({ metallic: null }), "RangeError",
+    "material: metallic is null, expected a number from 0 to 1");
   fails(() => scene.material({ baseColor: [1, NaN, 0] }), "RangeError",
     "material: green is NaN, expected a number from 0 to 1");
   fails(() => scene.turn([0, 0, 0, 0]), "RangeError", "turn: [0,0,0,0] is not a quaternion");
   fails(() => scene.turn([0, 0, 0]), "RangeError", "turn: [0,0,0] is not a quaternion");
   fails(() => scene.turn({ yaw: NaN }), "RangeError", "turn: yaw is NaN, expected a number");
-  fails(() => scene.within(0), "RangeError", "within: the tolerance is 0, expected a number above 0");
+  fails(() => scene.within(0), "RangeError", "within: the tolerance is 0, expected a number from 1e-30 to less than 1");
+  for (const bad of [1e-50, 1, 2, NaN, "0.1", null]) fails(() => scene.within(bad), "RangeError", /^within: /);
+  fails(() => scene.effects("gloss"), "TypeError", "effects: expected a list of names");
+  fails(() => scene.effects(["glos"]), "RangeError",
+    'effects: "glos" is not one of ambient, diffuse, broad, gloss');
+  fails(() => scene.components(161), "RangeError", "components: 161 is not a whole number from 0 to 160");
+  fails(() => scene.eigenimage(160, [0], [0], [1]), "RangeError",
+    "eigenimage: 160 is not a whole number from 0 to 159");
   fails(() => scene.glsl("buffer"), "RangeError",
     'glsl: "buffer" is not one of uniforms, block and texture');
   fails(() => scene.shade([0], [0, 0], [1]), "RangeError", "shade: x has 1 numbers, y has 2");
@@ -290,6 +331,8 @@ test("wrong input throws one clear error and changes nothing", async () => {
   const short = { r: new Float32Array(1), g: new Float32Array(1), b: new Float32Array(2) };
   fails(() => scene.shade([0], [0], [1], short), "RangeError",
     "shade: expected { r, g, b } with 1 numbers each, as x has");
+  fails(() => scene.shade(), "TypeError", "shade: x is not an array of numbers");
+  await assert.rejects(Scene.create(), { message: "Scene: expected { light, material }" });
   fails(() => scene.shade(1, 2, 3), "TypeError", "shade: x is not an array of numbers");
   fails(() => scene.pixels([0], [0], [1], { exposure: 0 }), "RangeError",
     "pixels: the exposure is 0, expected a number above 0");
@@ -309,11 +352,20 @@ test("wrong input throws one clear error and changes nothing", async () => {
   assert.deepEqual(scene.uniforms(), before);
 });
 
+test("numbers that are too large are an error, and no later picture suffers", async () => {
+  const scene = await gold();
+  const before = scene.uniforms();
+  const [light, material] = [await lightPreset("park"), await materialPreset("gold-metallic-paint")];
+  scene.light(three([3e38])).material(three([1e5]));
+  assert.throws(() => scene.shade([0], [0], [1]), { message: "relight: its numbers are too large for f32" });
+  assert.throws(() => scene.exposure(), { message: /too large/ });
+  assert.deepEqual(scene.light(light).material(material).uniforms(), before);
+});
+
 test("irradiances are written where they are wanted", async () => {
   const scene = await gold();
-  const to = three(new Float32Array(60));
-  to.g = new Float32Array(60);
+  const [r, g, b] = [0, 1, 2].map(() => new Float32Array(60));
+  const to = { r, g, b };
   assert.equal(scene.shade(...NORMALS, to), to);
-  const { g, b } = scene.shade(...NORMALS);
-  assert.deepEqual([to.g, to.b], [g, b]);
+  assert.deepEqual(to, scene.shade(...NORMALS));
 });

@@ -91,7 +91,8 @@ extern "C" fn color_transfer(effects: u32) -> u32 {
     done.into()
 }
 
-/// The coefficients d of the turned light on the material of the last `color_transfer`.
+/// The coefficients d of the turned light on the material of the last `color_transfer`; 0 also if one
+/// is not finite.
 #[unsafe(no_mangle)]
 extern "C" fn color_relight() -> u32 {
     // SAFETY: each buffer is borrowed once, and no other function runs.
@@ -115,6 +116,8 @@ extern "C" fn color_relight() -> u32 {
     let mut done = true;
     for ((light, transfer), d) in channels {
         done &= BASIS.relight_into(&transfer[..], &light, d).is_ok();
+        // A sum of magnitudes: as large as any irradiance, about.
+        done &= d.iter().map(|d| d.abs()).sum::<f32>().is_finite();
     }
     done.into()
 }
@@ -168,6 +171,14 @@ const VECTORS: usize = SCENE + BASIS.parts().recurrences.len();
 /// The array of the shader of the last `color_vectors`.
 #[unsafe(export_name = "color_array")]
 static ARRAY: Shared<[[f32; 4]; VECTORS]> = Shared::new([[0.0; 4]; VECTORS]);
+
+/// Terms of the scene.
+#[unsafe(no_mangle)]
+extern "C" fn color_terms() -> usize {
+    // SAFETY: no other function runs.
+    let scene = unsafe { COLLAPSED.borrow() }.scene();
+    scene.map_or(0, |scene| Shader::new(&scene.r).terms())
+}
 
 /// Writes the scene as the array of its shader. Returns the number of vectors.
 #[unsafe(no_mangle)]
