@@ -72,8 +72,8 @@ impl<'a> Shader<'a> {
     }
 
     /// Writes the array of the shader: red, green and blue of each coefficient, and the numbers of
-    /// the recurrences. All `vectors` beyond [`vectors`](Self::vectors) become zero; coefficients of
-    /// scenes of another shape are meaningless.
+    /// the recurrences. Those of `vectors` beyond [`vectors`](Self::vectors) become zero; if it has
+    /// fewer, the rest are left out. The shader of another shape makes nothing of them.
     pub fn uniforms<S: Scalar + Into<f32>, B: AsRef<[S]>>(
         &self,
         scene: Rgb<&Scene<'_, B>>,

@@ -1,7 +1,7 @@
 //! `shader` writes functions whose values are the direct sum, in every language, and refuses what is
 //! no single scene. Their compilers are tried by packages/eigenshade in a browser.
 
-use crate::support::{Folder, assert_fails, difference};
+use crate::support::{Folder, assert_fails, difference, repository};
 use serde_json::Value;
 use std::collections::HashMap;
 
@@ -170,6 +170,20 @@ fn fewer_terms_are_near_the_whole() {
         let found = difference(&evaluated(&folder, &text, &vectors), &whole);
         println!("{tolerance}: {found:.1e}");
         assert!(found > 0.0 && found <= worst, "{tolerance}: {found}");
+    }
+}
+
+#[test]
+fn more_vectors_than_promised_give_a_note() {
+    let folder = Folder::new();
+    let table = repository().join("tables/pbr.bin");
+    let of = |lang: &str| {
+        let inputs = "--light lobby --material gold-metallic-paint --out scene.txt";
+        folder.messages(&format!("shader --lang {lang} --table {} {inputs}", table.display()))
+    };
+    assert!(of("glsl").contains("note: 454 vectors are more than the 224 "), "{}", of("glsl"));
+    for lang in ["glsl-block", "glsl-texture", "wgsl"] {
+        assert!(!of(lang).contains("vectors"), "{}", of(lang));
     }
 }
 

@@ -38,9 +38,11 @@ float shown(float x) {
 }
 
 void main() {
-  vec2 at = 2.0 * gl_FragCoord.xy / size - 1.0;
+  // The outline is half a pixel from the border.
+  float radius = 0.5 * max(size - 1.0, 1.0);
+  vec2 at = (gl_FragCoord.xy - 0.5 * size) / radius;
   float square = dot(at, at);
-  float coverage = clamp(0.5 * size * (1.0 - sqrt(square)) + 0.5, 0.0, 1.0);
+  float coverage = clamp(radius * (1.0 - sqrt(square)) + 0.5, 0.0, 1.0);
   // Pixels that the outline crosses show the rim.
   vec3 normal = square < 1.0 ? vec3(at, sqrt(1.0 - square)) : vec3(at * inversesqrt(square), 0.0);
   vec3 exposed = max(exposure * irradiance(normal), 0.0);
@@ -194,12 +196,14 @@ export function sphere(scene, size, look = {}) {
   }
   const picture = new Uint8ClampedArray(4 * size * size);
   const [x, y, z] = [0, 1, 2].map(() => new Float32Array(size));
+  // As in the shader: the outline is half a pixel from the border.
+  const radius = Math.max(size - 1, 1) / 2;
   for (let row = 0; row < size; row++) {
     const places = [];
     for (let column = 0; column < size; column++) {
-      const [across, up] = [(2 * column + 1) / size - 1, 1 - (2 * row + 1) / size];
+      const [across, up] = [(column + 0.5 - size / 2) / radius, (size / 2 - row - 0.5) / radius];
       const distance = Math.hypot(across, up);
-      const coverage = Math.min(1, 0.5 * size * (1 - distance) + 0.5);
+      const coverage = Math.min(1, radius * (1 - distance) + 0.5);
       if (coverage <= 0) continue;
       const scale = Math.max(1, distance);
       const k = places.length;

@@ -174,7 +174,7 @@ struct Pair<'a> {
 }
 
 /// Pixels that are shaded together.
-const BAND: usize = 1 << 18;
+const BAND: usize = 1 << 16;
 
 impl Pair<'_> {
     /// Calls `show` with each pixel of an object and its irradiance.

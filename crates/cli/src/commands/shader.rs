@@ -49,6 +49,18 @@ enum Lang {
     Wgsl,
 }
 
+impl Lang {
+    /// The vectors that WebGL 2 and WebGPU promise.
+    fn most(self) -> usize {
+        match self {
+            Self::Glsl => 224,
+            Self::GlslBlock => 1024,
+            Self::GlslTexture => usize::MAX,
+            Self::Wgsl => 4096,
+        }
+    }
+}
+
 /// What --json writes.
 #[derive(Serialize)]
 struct Written {
@@ -74,6 +86,13 @@ impl Shader {
             .map(|c| ((lights.degree, &light.rgb[c][..]), (materials.order, &material.rgb[c][..])));
         let written = self.written(projector, channels);
         let written = written.map_err(|error| error.of(overflow::pair(&light, &material)))?;
+        let (found, most) = (written.vectors.len(), self.lang.most());
+        let many = (found > most).then(|| {
+            format!(
+                "note: {found} vectors are more than the {most} that a device surely has; allow an \
+                 error by --tolerance, or write another --lang"
+            )
+        });
         let contents = if self.json {
             let text = serde_json::to_string(&written);
             text.map_err(|error| Error::new(error.to_string(), "report it"))? + "\n"
@@ -82,7 +101,7 @@ impl Shader {
         };
         output::write_all(self.out.path.as_deref(), contents.into_bytes())?;
         let higher = of_higher_order(self.inputs.material.path(), of_file.order, materials.order);
-        higher.iter().for_each(print_message);
+        higher.iter().chain(&many).for_each(print_message);
         Ok(())
     }
 
