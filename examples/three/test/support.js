@@ -9,6 +9,7 @@ export async function open(path = "test/blank.html", viewport = { width: 480, he
     executablePath: process.env.CHROMIUM ?? "/usr/bin/chromium",
     args: [
       "--no-sandbox",
+      "--disable-dev-shm-usage",
       "--disable-quic",
       "--no-first-run",
       "--disable-background-networking",
