@@ -1,6 +1,7 @@
 //! Scenes as functions of a shader: the same sums as [`Scene::shade`], unrolled, in three channels.
 
 use crate::color::Rgb;
+use crate::error::{Argument, Error};
 use crate::index::layout::{Form, Recurrence};
 use crate::invariant::part;
 use crate::recurrences::Recurrences;
@@ -24,7 +25,9 @@ use core::fmt::{self, Write};
 /// shader.write(ShaderLanguage::Glsl, &mut text).unwrap();
 /// assert!(text.contains("uniform vec4 eigenshade[167];"));
 /// let mut uniforms = [[0.0; 4]; sphere::SCENE];
-/// shader.uniforms(scene.each_ref().map(|scene| &**scene), &mut uniforms);
+/// shader.uniforms(scene.each_ref().map(|scene| &**scene), &mut uniforms)?;
+/// let short = &mut uniforms[1..];
+/// assert!(shader.uniforms(scene.each_ref().map(|scene| &**scene), short).is_err());
 /// # }
 /// # Ok::<(), eigenshade::Error>(())
 /// ```
@@ -72,19 +75,26 @@ impl<'a> Shader<'a> {
     }
 
     /// Writes the array of the shader: red, green and blue of each coefficient, and the numbers of
-    /// the recurrences. Those of `vectors` beyond [`vectors`](Self::vectors) become zero; if it has
-    /// fewer, the rest are left out. The shader of another shape makes nothing of them.
+    /// the recurrences. Those of `vectors` beyond [`vectors`](Self::vectors) become zero. The numbers
+    /// are meaningless for a shader of another shape.
+    ///
+    /// # Errors
+    ///
+    /// [`Error::Length`] if there are fewer `vectors`.
     pub fn uniforms<S: Scalar + Into<f32>, B: AsRef<[S]>>(
         &self,
         scene: Rgb<&Scene<'_, B>>,
         vectors: &mut [[f32; 4]],
-    ) {
+    ) -> Result<(), Error> {
+        let needed = self.vectors();
+        Error::check(Argument::Scene, needed, needed.min(vectors.len()))?;
         let Rgb { r, g, b } =
             scene.map(|scene| scene.numbers().iter().map(|&number| number.into()));
         let colors = r.zip(g).zip(b).take(self.terms()).map(|((r, g), b)| [r, g, b, 0.0]);
         let entries = self.entries().map(|&[at, below]| [at, below, 0.0, 0.0]);
         let mut all = colors.chain(entries);
         vectors.fill_with(|| all.next().unwrap_or_default());
+        Ok(())
     }
 
     /// The entries of the recurrences that are used: the last term needs no next polynomial.

@@ -85,7 +85,7 @@ async function direction() {
 }
 
 /** Two pictures of one drawing. */
-function drawn(/** @type {(drawing: Drawing) => void} */ object, /** @type {Scene} */ scene, /** @type {number} */ shown, exposure = 0.8 * scene.exposure()) {
+function drawn(/** @type {(drawing: Drawing) => void} */ object, /** @type {Scene} */ scene, /** @type {number} */ shown, exposure = scene.exposure()) {
   const canvas = document.createElement("canvas");
   const drawing = Drawing.of(canvas);
   if (!drawing) return undefined;

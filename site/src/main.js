@@ -109,7 +109,7 @@ async function take(/** @type {Partial<typeof state>} */ parts) {
     const albedo = measure.meanOf(measure.pictureOf(scratch.light(ambient()).material(loaded.material)));
     look.nine.terms = nineTerms(loaded.light, albedo);
     whole.turn(IDENTITY);
-    auto = 0.8 * whole.exposure();
+    auto = whole.exposure();
     fail("");
     changed();
     return "";
@@ -613,7 +613,7 @@ function thumbnails() {
       observer.unobserve(target);
       const input = /** @type {HTMLInputElement} */ (target.querySelector("input"));
       Scene.create({ light: "studio", material: input.value }).then((scene) =>
-        show(/** @type {HTMLCanvasElement} */ (target.querySelector("canvas")), image(pixels, scene.shade(x, y, z), 0.8 * scene.exposure())),
+        show(/** @type {HTMLCanvasElement} */ (target.querySelector("canvas")), image(pixels, scene.shade(x, y, z), scene.exposure())),
       );
     }
   });

@@ -69,7 +69,7 @@ on("the sphere is what the CPU module draws, to two codes", "object=sphere&step=
     const { disc } = await import("/src/cpu.js");
     const shown = await pixels();
     const { x, y, z, places, coverage } = disc(document.getElementById("picture").width);
-    const exposure = 0.8 * scene.exposure();
+    const exposure = scene.exposure();
     const codes = scene.within(10 ** (-0.5 - (5.5 * 9) / 39)).pixels(x, y, z, { exposure });
     let most = 0;
     places.forEach((place, k) => {
@@ -113,7 +113,7 @@ on("the split view has ours, all terms, the nine-term formula and the difference
     const scene = await Scene.create({ light: ambient(), material: "gold-metallic-paint" });
     const light = await lightPreset("park");
     const terms = nineTerms(light, meanOf(pictureOf(scene)));
-    const exposure = 0.8 * scene.light(light).exposure();
+    const exposure = scene.light(light).exposure();
     const length = Math.hypot(0.2, 0.4, 0.1, 0.9);
     const turn = [0.2, 0.4, 0.1, 0.9].map((value) => value / length);
     const shown = await pixels();

@@ -1,33 +1,16 @@
 // The page in Debian's Chromium, served from site/.
 
-import { createServer } from "node:http";
-import { readFile } from "node:fs/promises";
-import { extname } from "node:path";
 import { fileURLToPath } from "node:url";
-import { launch } from "../../packages/eigenshade/test/support/browser.js";
+import { launch, serve as servePackage } from "../../packages/eigenshade/test/support/browser.js";
 
 export { launch };
 export const SITE = fileURLToPath(new URL("../", import.meta.url));
 export const ROOT = fileURLToPath(new URL("../../", import.meta.url));
-const TYPES = {
-  ".html": "text/html", ".js": "text/javascript", ".css": "text/css", ".json": "application/json",
-  ".wasm": "application/wasm", ".svg": "image/svg+xml",
-};
 
 /** Serves site/ as any file server does. */
 export async function serve() {
-  const server = createServer(async (request, response) => {
-    const { pathname } = new URL(request.url, "http://localhost");
-    try {
-      const body = await readFile(SITE + (pathname === "/" ? "index.html" : `.${pathname}`));
-      response.writeHead(200, { "content-type": TYPES[extname(pathname) || ".html"] ?? "application/octet-stream" });
-      response.end(body);
-    } catch {
-      response.writeHead(404).end();
-    }
-  });
-  await new Promise((resolve) => server.listen(0, "127.0.0.1", resolve));
-  return { address: `http://127.0.0.1:${server.address().port}/`, close: () => server.close() };
+  const { address, close } = await servePackage({}, new URL("../", import.meta.url));
+  return { address: `${address}/`, close };
 }
 
 /**

@@ -4,6 +4,8 @@
 use crate::support::{Folder, assert_fails, difference, repository};
 use serde_json::Value;
 use std::collections::HashMap;
+use std::fmt::Write;
+use std::fs;
 
 const ONE: &str = "--table b.bin --light lights.csv:light-1 --material materials.csv:material-2";
 
@@ -184,6 +186,49 @@ fn more_vectors_than_promised_give_a_note() {
     assert!(of("glsl").contains("note: 454 vectors are more than the 224 "), "{}", of("glsl"));
     for lang in ["glsl-block", "glsl-texture", "wgsl"] {
         assert!(!of(lang).contains("vectors"), "{}", of(lang));
+    }
+}
+
+/// What the cut of `tables/color.toml` leaves out of its pictures, relative to the peak of each, as that
+/// file states.
+const CUT: f64 = 2e-5;
+
+/// Every shipped light on every material in color, at normals spread over a sphere's picture.
+#[test]
+fn the_cut_of_the_table_in_color_shows_in_no_picture() {
+    let folder = Folder::new();
+    let scene = fs::read_to_string(repository().join("tables/color.toml")).expect("a scene");
+    let inputs = format!("\"{}/inputs/", repository().join("tables").display());
+    let whole: Vec<_> = scene.lines().filter(|line| !line.starts_with("cut = ")).collect();
+    assert_eq!(whole.len() + 1, scene.lines().count());
+    folder.write("whole.toml", whole.join("\n").replace("\"inputs/", &inputs));
+    folder.ok("basis --scene whole.toml --out whole.bin");
+    let mut normals = "x,y,z\n".to_owned();
+    for k in 0..100 {
+        let (radius, angle) = (((f64::from(k) + 0.5) / 100.0).sqrt(), 2.399_963 * f64::from(k));
+        let (x, y) = (radius * angle.cos(), radius * angle.sin());
+        writeln!(normals, "{x},{y},{}", (1.0 - radius * radius).sqrt()).expect("text");
+    }
+    folder.write("disc.csv", normals);
+    let databases = repository().join("tables/inputs");
+    let databases = databases.display();
+    let shaded = |table: &str| -> Vec<f64> {
+        let text = folder.ok(&format!(
+            "shade --quiet --table {table} --normals disc.csv --format f64 --light \
+             {databases}/lights.csv --material {databases}/merl.csv"
+        ));
+        text.lines().skip(1).flat_map(numbers).collect()
+    };
+    let (found, expected) = (shaded("color"), shaded("whole.bin"));
+    let pairs = found.chunks(300).zip(expected.chunks(300));
+    let most = pairs.map(|(found, expected)| difference(found, expected)).fold(0.0, f64::max);
+    println!("{} pictures: {most:.1e}", found.len() / 300);
+    assert!(most > 1e-7 && most <= CUT, "{most}");
+    for (table, terms) in [("color", 194), ("whole.bin", 296)] {
+        let inputs = "--light lobby --material gold-metallic-paint --json";
+        let json = folder.ok(&format!("shader --quiet --lang glsl --table {table} {inputs}"));
+        let json: Value = serde_json::from_str(&json).expect("JSON");
+        assert_eq!(json["terms"].as_u64(), Some(terms));
     }
 }
 

@@ -24,7 +24,7 @@ for (const [size, rms, most] of [[32, 2.5, 45], [64, 1.5, 36], [128, 0.8, 22], [
       const inputs = { light: "lobby", material: "gold-metallic-paint" };
       const scene = await Scene.create(inputs);
       const material = eigenMatcap(scene, { size });
-      material.color.setScalar(0.8 * scene.exposure());
+      material.color.setScalar(scene.exposure());
       const mesh = new THREE.Mesh(new THREE.SphereGeometry(0.01, 96, 64), material);
       const found = [];
       for (const position of [[0, 0, 5], [3, 2, 3]]) {

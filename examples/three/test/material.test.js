@@ -41,7 +41,7 @@ for (const mapped of [false, true]) {
     same(await page.evaluate(async (mapped) => {
       const scene = await Scene.create(inputs);
       const material = eigenMaterial(scene, { normalMap: mapped ? meshes.normalMap() : null });
-      material.color.setScalar(0.8 * scene.exposure());
+      material.color.setScalar(scene.exposure());
       const camera = orthographic([0, 0, 5]);
       return difference(new THREE.Mesh(sphere(), material), camera, (await expected(camera)).scene);
     }, mapped));
@@ -53,7 +53,7 @@ for (const kind of ["column", "morphing", "instances", "knot"]) {
     same(await page.evaluate(async (kind) => {
       const scene = await Scene.create(inputs);
       const material = eigenMaterial(scene, { normalMap: meshes.normalMap() });
-      material.color.setScalar(0.8 * scene.exposure());
+      material.color.setScalar(scene.exposure());
       const mesh = meshes[kind](material, 0.7);
       mesh.bend?.(0.4);
       mesh.rotation.set(0.3, 0.5, 0.1);
@@ -67,7 +67,7 @@ test("the light stays in the world while a camera goes around, and by one progra
   const found = await page.evaluate(async () => {
     const scene = await Scene.create(inputs);
     const material = eigenMaterial(scene);
-    material.color.setScalar(0.8 * scene.exposure());
+    material.color.setScalar(scene.exposure());
     material.lightRotation.setFromEuler(new THREE.Euler(0.3, -0.8, 0.2));
     const mesh = new THREE.Mesh(sphere(), material);
     const found = [];
@@ -89,7 +89,7 @@ test("a matte point has the same irradiance from all sides", async () => {
     // Of all materials, only the radiance of a matte surface does not depend on the view.
     const scene = await Scene.create({ light: "lobby", material: { r: [2], g: [2], b: [2] } });
     const material = eigenMaterial(scene);
-    material.color.setScalar(0.8 * scene.exposure());
+    material.color.setScalar(scene.exposure());
     const mesh = new THREE.Mesh(sphere(), material);
     const normal = new THREE.Vector3(0.3, 0.4, Math.sqrt(0.75));
     const codes = [[0, 0, 5], [3, 1, 4], [-1, 4, 3]].map((position) => {
@@ -108,7 +108,7 @@ test("a small mesh at the edge of a perspective picture has the frame of its own
   same(await page.evaluate(async () => {
     const scene = await Scene.create(inputs);
     const material = eigenMaterial(scene);
-    material.color.setScalar(0.8 * scene.exposure());
+    material.color.setScalar(scene.exposure());
     const mesh = new THREE.Mesh(sphere(), material);
     mesh.position.set(3, 2, 0.5);
     mesh.updateMatrixWorld();
@@ -123,7 +123,7 @@ test("with view `camera` it has the camera's frame", async () => {
   same(await page.evaluate(async () => {
     const scene = await Scene.create(inputs);
     const material = eigenMaterial(scene, { view: "camera" });
-    material.color.setScalar(0.8 * scene.exposure());
+    material.color.setScalar(scene.exposure());
     const mesh = new THREE.Mesh(sphere(), material);
     mesh.position.set(1, 0.6, 0);
     const camera = perspective([1, 1, 6], 40);
@@ -170,7 +170,7 @@ test("two materials of scenes with different terms do not share a program", asyn
     for (const tolerance of [undefined, 0.1]) {
       const scene = (await Scene.create(inputs)).within(tolerance);
       const material = eigenMaterial(scene);
-      material.color.setScalar(0.8 * scene.exposure());
+      material.color.setScalar(scene.exposure());
       const module = (await expected(camera)).scene.within(tolerance);
       found.push(difference(new THREE.Mesh(sphere(), material), camera, module));
     }

@@ -102,3 +102,26 @@ function smooth(cosine) {
   });
   return sum;
 }
+
+test("the sentences of README.md have the figures of the tables' files", () => {
+  const read = (path) => readFileSync(new URL(`../${path}`, import.meta.url), "utf8");
+  const rows = (name) => {
+    const [header, ...lines] = read(`results/${name}.csv`).trim().split("\n").slice(1).map((line) => line.split(","));
+    return lines.map((line) => Object.fromEntries(header.map((column, k) => [column, line[k]])));
+  };
+  const readme = read("README.md").replaceAll("\n", " ");
+  const near = (pattern, ...expected) => {
+    const found = pattern.exec(readme)?.slice(1).map(Number);
+    assert.ok(found, String(pattern));
+    found.forEach((number, k) => assert.ok(Math.abs(number - expected[k]) <= 0.03 * expected[k], `${number}: ${expected[k]}`));
+  };
+  const worst = (radius, view) =>
+    100 * rows("perspective").find((row) => row.field === "50" && row.radius === radius && row.view === view).worst;
+  near(/is off by (\d+) % of the peak for the smaller sphere and by (\d+) % for the larger one/, worst("0.05", "object"), worst("0.15", "object"));
+  near(/`view: "camera"` by (\d+) % and (\d+) %/, worst("0.05", "camera"), worst("0.15", "camera"));
+  const brightness = (method, column) => Number(rows("compare").find((row) => row.method.startsWith(method))[`${column}_brightness`]);
+  near(/metal of roughness 0.3 is ([\d.]+) times as bright/, brightness("eigenshade", "metal_0.3"));
+  near(/metal of roughness 0.8 is ([\d.]+) times as bright/, brightness("PMREM", "metal_0.8"));
+  const matte = rows("perspective").find((row) => row.field === "50" && row.radius === "0.15" && row.view === "object").matte_largest;
+  near(/([\d.]+) % of the peak for a white sphere/, 100 * matte);
+});

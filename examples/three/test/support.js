@@ -1,24 +1,11 @@
 // A page in Debian's Chromium, with WebGL 2 in software. It records faults and requests elsewhere.
 
-import { chromium } from "playwright-core";
+import { launch } from "../../../packages/eigenshade/test/support/browser.js";
 import { serve } from "../serve.js";
 
 export async function open(path = "test/blank.html", viewport = { width: 480, height: 400 }) {
   const server = await serve();
-  const browser = await chromium.launch({
-    executablePath: process.env.CHROMIUM ?? "/usr/bin/chromium",
-    args: [
-      "--no-sandbox",
-      "--disable-dev-shm-usage",
-      "--disable-quic",
-      "--no-first-run",
-      "--disable-background-networking",
-      "--disable-component-update",
-      "--disable-sync",
-      "--use-angle=swiftshader",
-      "--enable-unsafe-swiftshader",
-    ],
-  });
+  const browser = await launch();
   const page = await browser.newPage({ viewport });
   const faults = [];
   page.on("pageerror", (fault) => faults.push(fault.message));

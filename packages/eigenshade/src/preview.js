@@ -136,7 +136,7 @@ export class Preview {
     const size = Math.min(width, height);
     const place = [Math.floor((width - size) / 2), Math.floor((height - size) / 2)];
     const { exposure: given = "auto", tone = "filmic" } = this.#look;
-    const exposure = given === "auto" ? (this.#chosen ||= AUTO * this.#scene.exposure()) : given;
+    const exposure = given === "auto" ? (this.#chosen ||= this.#scene.exposure()) : given;
     const drawn = renderer()?.draw(this.#scene, size, { exposure, tone });
     this.#context.clearRect(0, 0, width, height);
     if (drawn) {
@@ -206,9 +206,6 @@ export class Preview {
     if (this.#freed) throw new Error("Preview: it was freed");
   }
 }
-
-/** An exposure chosen by the picture is a little darker than one that makes its bright parts white. */
-const AUTO = 0.8;
 
 /**
  * @param {string} what

@@ -46,6 +46,9 @@ import { lightOf, materialOf } from "./presets.js";
 /** @type {readonly string[]} */
 const LANGUAGES = ["uniforms", "block", "texture", "wgsl"];
 
+/** What bright pixels have after {@link Scene#exposure}. */
+const BRIGHT = 0.8;
+
 /** Largest degree of a light that turns. */
 const TURNED = 12;
 
@@ -386,8 +389,8 @@ export class Scene {
   }
 
   /**
-   * The exposure at which this share of a sphere's pixels is at most white before the tone curve, in
-   * all channels.
+   * The exposure of a picture: this share of a sphere's pixels is at most 0.8 before the tone curve, in
+   * all channels, where 1 is white.
    *
    * @param {number} [share] from 0 to 1
    * @returns {number} 1 for a black picture
@@ -401,7 +404,7 @@ export class Scene {
     const { r, g, b } = this.shade(x, y, z);
     const largest = r.map((red, k) => Math.max(red, g[k], b[k])).sort();
     const white = largest[Math.round(share * (largest.length - 1))];
-    return white > 0 && 1 / white < Infinity ? 1 / white : 1;
+    return white > 0 && 1 / white < Infinity ? BRIGHT / white : 1;
   }
 
   /**

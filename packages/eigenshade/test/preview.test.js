@@ -26,7 +26,7 @@ after(async () => {
   assert.deepEqual(faults, []);
 });
 
-/** A page with `library`, and `pixels` of a canvas. */
+/** A page with `eigenshade`, and `pixels` of a canvas. */
 async function open(script = () => {}, options = {}) {
   const page = await browser.newPage(options);
   page.on("pageerror", (fault) => faults.push(fault.message));
@@ -34,7 +34,7 @@ async function open(script = () => {}, options = {}) {
   await page.addInitScript(script);
   await page.goto(`${server.address}/`);
   await page.evaluate(async () => {
-    window.library = await import("/src/index.js");
+    window.eigenshade = await import("/src/index.js");
     window.canvases = [...document.querySelectorAll("canvas")];
     window.pixels = (canvas) =>
       canvas.getContext("2d").getImageData(0, 0, canvas.width, canvas.height).data;
@@ -55,7 +55,7 @@ async function open(script = () => {}, options = {}) {
 test("a preview is the sphere that the module draws, to one code", async () => {
   for (const tone of ["linear", "reinhard", "filmic"]) {
     const { found, lit, size } = await page.evaluate(async (tone) => {
-      const { Preview, sphere } = library;
+      const { Preview, sphere } = eigenshade;
       const look = { exposure: 2, tone };
       const preview = await Preview.create(canvases[0], { light: "lobby", material: "red-fabric2", ...look });
       const [shown, computed] = [pixels(canvases[0]), sphere(preview.scene, 120, look)];
@@ -73,7 +73,7 @@ test("a preview is the sphere that the module draws, to one code", async () => {
 
 test("two previews share a context and do not disturb each other", async () => {
   const { contexts, before, after, same } = await page.evaluate(async () => {
-    const { Preview } = library;
+    const { Preview } = eigenshade;
     let contexts = 0;
     const { getContext } = OffscreenCanvas.prototype;
     OffscreenCanvas.prototype.getContext = function (...all) {
@@ -105,7 +105,7 @@ test("two previews share a context and do not disturb each other", async () => {
 test("changes are drawn in the next frame, as large as the canvas is shown", async () => {
   const { sizes, turned } = await page.evaluate(async () => {
     const [canvas] = canvases;
-    const preview = await library.Preview.create(canvas, { light: "studio", material: "red-fabric2" });
+    const preview = await eigenshade.Preview.create(canvas, { light: "studio", material: "red-fabric2" });
     const before = pixels(canvas);
     preview.turn({ yaw: 1 });
     await frame();
@@ -127,7 +127,7 @@ test("a canvas of any shape, with or without a size in CSS, on a dense screen", 
     canvases[0].style.cssText = "width: 200px; height: 100px";
     canvases[1].style.cssText = "width: auto; height: auto";
     for (const canvas of canvases) {
-      await library.Preview.create(canvas, { light: "lobby", material: "red-fabric2" });
+      await eigenshade.Preview.create(canvas, { light: "lobby", material: "red-fabric2" });
       for (let k = 0; k < 5; k++) await frame();
       const at = (x, y) => canvas.getContext("2d").getImageData(x * canvas.width, y * canvas.height, 1, 1).data[3];
       sizes.push([canvas.width, canvas.height, canvas.clientWidth, canvas.clientHeight]);
@@ -142,10 +142,10 @@ test("a canvas of any shape, with or without a size in CSS, on a dense screen", 
 
 test("the last of several lights wins, whichever comes first", async () => {
   const found = await page.evaluate(async () => {
-    const preview = await library.Preview.create(canvases[0], { light: "studio", material: "red-fabric2" });
-    await Promise.all([preview.light("park"), preview.light(await library.lightPreset("lobby"))]);
+    const preview = await eigenshade.Preview.create(canvases[0], { light: "studio", material: "red-fabric2" });
+    await Promise.all([preview.light("park"), preview.light(await eigenshade.lightPreset("lobby"))]);
     await frame();
-    const other = await library.Preview.create(canvases[1], { light: "lobby", material: "red-fabric2" });
+    const other = await eigenshade.Preview.create(canvases[1], { light: "lobby", material: "red-fabric2" });
     other.draw();
     return difference(pixels(canvases[0]), pixels(canvases[1]));
   });
@@ -154,14 +154,14 @@ test("the last of several lights wins, whichever comes first", async () => {
 
 test("input that fails does not keep an earlier one from being set", async () => {
   const found = await page.evaluate(async () => {
-    const preview = await library.Preview.create(canvases[0], { light: "studio", material: "red-fabric2" });
+    const preview = await eigenshade.Preview.create(canvases[0], { light: "studio", material: "red-fabric2" });
     const good = preview.light("lobby");
     const [light, material] = [preview.light("parc"), preview.material({ roughness: 2 })];
     const other = preview.material("gold-metallic-paint");
     const failed = (await Promise.allSettled([light, material])).map(({ status }) => status);
     await Promise.all([good, other]);
     preview.draw();
-    const same = await library.Preview.create(canvases[1], { light: "lobby", material: "gold-metallic-paint" });
+    const same = await eigenshade.Preview.create(canvases[1], { light: "lobby", material: "gold-metallic-paint" });
     return [failed, difference(pixels(canvases[0]), pixels(same && canvases[1]))];
   });
   assert.deepEqual(found, [["rejected", "rejected"], 0]);
@@ -170,7 +170,7 @@ test("input that fails does not keep an earlier one from being set", async () =>
 test("a canvas that is not shown yet is drawn once it is", async () => {
   const found = await page.evaluate(async () => {
     const canvas = document.createElement("canvas");
-    await library.Preview.create(canvas, { light: "lobby", material: "red-fabric2" });
+    await eigenshade.Preview.create(canvas, { light: "lobby", material: "red-fabric2" });
     const before = canvas.width;
     document.body.append(canvas);
     canvas.style.cssText = "width: auto; height: auto";
@@ -183,7 +183,7 @@ test("a canvas that is not shown yet is drawn once it is", async () => {
 test("a lost context comes back, and the CPU draws until then", async () => {
   const { lost, back } = await page.evaluate(async () => {
     const { renderer } = await import("/src/renderer.js");
-    const preview = await library.Preview.create(canvases[0], { light: "studio", material: "red-fabric2" });
+    const preview = await eigenshade.Preview.create(canvases[0], { light: "studio", material: "red-fabric2" });
     const before = pixels(canvases[0]);
     const extension = renderer().context.getExtension("WEBGL_lose_context");
     extension.loseContext();
@@ -209,10 +209,10 @@ test("without WebGL 2 the CPU draws", async () => {
     };
   });
   const found = await bare.evaluate(async () => {
-    const preview = await library.Preview.create(canvases[0], {
+    const preview = await eigenshade.Preview.create(canvases[0], {
       light: "studio", material: "red-fabric2", exposure: 1, tone: "linear",
     });
-    const { sphere } = library;
+    const { sphere } = eigenshade;
     return difference(pixels(canvases[0]), sphere(preview.scene, 120, { exposure: 1, tone: "linear" }));
   });
   assert.equal(found, 0);
@@ -221,7 +221,7 @@ test("without WebGL 2 the CPU draws", async () => {
 
 test("wrong input rejects with one clear error, and the picture stays", async () => {
   const messages = await page.evaluate(async () => {
-    const { Preview } = library;
+    const { Preview } = eigenshade;
     const messages = [];
     const fails = async (what) => {
       try {
@@ -287,9 +287,9 @@ test("an element draws what its attributes say, and says what is wrong", async (
     element.preview.draw();
     const canvas = element.shadowRoot.querySelector("canvas");
     const size = canvas.width;
-    const scene = await library.Scene.create({ light: "studio", material: "red-fabric2" });
+    const scene = await eigenshade.Scene.create({ light: "studio", material: "red-fabric2" });
     scene.turn({ yaw: Math.PI / 6 });
-    const same = difference(pixels(canvas), library.sphere(scene, size, { exposure: 2 }));
+    const same = difference(pixels(canvas), eigenshade.sphere(scene, size, { exposure: 2 }));
     const label = canvas.getAttribute("aria-label");
     const message = element.shadowRoot.querySelector("[role=alert]");
     const wrong = [];
@@ -310,9 +310,9 @@ test("an element draws what its attributes say, and says what is wrong", async (
     element.setAttribute("yaw", "150");
     await next(element, "load");
     element.preview.draw();
-    const exposure = 0.8 * scene.turn({ yaw: Math.PI / 6 }).exposure();
+    const exposure = scene.turn({ yaw: Math.PI / 6 }).exposure();
     scene.turn({ yaw: (5 * Math.PI) / 6 });
-    const kept = difference(pixels(canvas), library.sphere(scene, size, { exposure }));
+    const kept = difference(pixels(canvas), eigenshade.sphere(scene, size, { exposure }));
     element.setAttribute("exposure", "2");
     element.setAttribute("yaw", "30");
     scene.turn({ yaw: Math.PI / 6 });
@@ -321,7 +321,7 @@ test("an element draws what its attributes say, and says what is wrong", async (
     element.setAttribute("metallic", "1");
     await next(element, "load");
     element.preview.draw();
-    const copper = difference(pixels(canvas), library.sphere(scene.material({ baseColor: "#b87333", metallic: 1 }), size, { exposure: 2 }));
+    const copper = difference(pixels(canvas), eigenshade.sphere(scene.material({ baseColor: "#b87333", metallic: 1 }), size, { exposure: 2 }));
     element.remove();
     return { size, same, label, wrong, copper, kept, gone: element.preview === undefined };
   });
@@ -343,10 +343,10 @@ test("a thousand lights leak nothing", async () => {
     return (await session.send("Runtime.getHeapUsage")).usedSize;
   };
   await page.evaluate(async () => {
-    const { light } = await library.presetNames();
-    const lights = await Promise.all(light.map(library.lightPreset));
+    const { light } = await eigenshade.presetNames();
+    const lights = await Promise.all(light.map(eigenshade.lightPreset));
     canvases[0].style.width = canvases[0].style.height = "8px";
-    window.preview = await library.Preview.create(canvases[0], { light: "park", material: "red-fabric2" });
+    window.preview = await eigenshade.Preview.create(canvases[0], { light: "park", material: "red-fabric2" });
     window.change = async (count) => {
       for (let k = 0; k < count; k++) {
         await preview.light(lights[k % lights.length]);

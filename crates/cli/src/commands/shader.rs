@@ -139,7 +139,7 @@ impl Shader {
         shader
             .write(language, &mut text)
             .map_err(|error| Error::new(error.to_string(), "report it"))?;
-        shader.uniforms(scene, &mut vectors);
+        shader.uniforms(scene, &mut vectors).map_err(fault)?;
         Ok(Written { text, terms: shader.terms(), vectors })
     }
 }

@@ -187,8 +187,7 @@ extern "C" fn color_vectors() -> usize {
     let (collapsed, array) = unsafe { (COLLAPSED.borrow(), ARRAY.borrow()) };
     let Some(scene) = collapsed.scene() else { return 0 };
     let shader = Shader::new(&scene.r);
-    shader.uniforms(scene.each_ref(), array);
-    shader.vectors()
+    if shader.uniforms(scene.each_ref(), array).is_ok() { shader.vectors() } else { 0 }
 }
 
 /// The text of the shader of the last `color_shader`.

@@ -6,15 +6,26 @@ import { extname } from "node:path";
 import { chromium } from "playwright-core";
 
 const ROOT = new URL("../../", import.meta.url);
-const TYPES = { ".js": "text/javascript", ".html": "text/html", ".json": "application/json", ".wasm": "application/wasm" };
+const TYPES = {
+  ".css": "text/css",
+  ".html": "text/html",
+  ".js": "text/javascript",
+  ".json": "application/json",
+  ".svg": "image/svg+xml",
+  ".wasm": "application/wasm",
+};
 
-/** Serves a folder, the package's by default, and `pages` by path. Returns the address and a function that ends it. */
+/**
+ * Serves a folder, the package's by default, and `pages` by path. Returns the address and a function
+ * that ends it.
+ */
 export async function serve(pages = {}, root = ROOT) {
   const server = createServer(async (request, response) => {
     const { pathname } = new URL(request.url, "http://localhost");
+    const path = pathname === "/" ? "/index.html" : pathname;
     try {
-      const body = pages[pathname] ?? (await readFile(new URL(`.${pathname}`, root)));
-      const type = TYPES[extname(pathname) || ".html"];
+      const body = pages[pathname] ?? (await readFile(new URL(`.${path}`, root)));
+      const type = TYPES[extname(path)];
       response.writeHead(200, { "content-type": type ?? "application/octet-stream" });
       response.end(body);
     } catch {
