@@ -127,29 +127,13 @@ impl<S: Scalar, const N: usize> AnalyticLight<S, N> {
             return Err(Error::Direction);
         }
         let scale = M::inverse_root(square);
-        let [x, y, z] = [x * scale, y * scale, z * scale];
-        let degree = degree(N)?;
-        for l in 0..=degree {
+        let mut harmonics = [S::ZERO; N];
+        add_harmonics::<S, M>(&mut harmonics, [x * scale, y * scale, z * scale], S::ONE)?;
+        let mut pairs = self.coefficients.iter_mut().zip(&harmonics);
+        for l in 0..=degree(N)? {
             let factor = factor(l);
-            // Re and -Im of (x + iy)^m, with the phase (-1)^m in the cosine.
-            let [mut cosine, mut sine] = [S::ONE, S::ZERO];
-            for m in 0..=l {
-                let value = factor * reduced::<S, M>(l, m, z);
-                let mut add = |order: isize, amount: S| {
-                    if let Some(to) = self.coefficients.get_mut(light::position(l, order)) {
-                        *to += amount;
-                    }
-                };
-                let root = S::from_f64(SQRT_2);
-                match m.cast_signed() {
-                    0 => add(0, value),
-                    m => {
-                        let cosine = if m % 2 == 0 { cosine } else { -cosine };
-                        add(m, root * value * cosine);
-                        add(-m, -root * value * sine);
-                    }
-                }
-                [cosine, sine] = [cosine * x - sine * y, cosine * y + sine * x];
+            for (to, &harmonic) in pairs.by_ref().take(2 * l + 1) {
+                *to += factor * harmonic;
             }
         }
         Ok(self)
@@ -195,23 +179,47 @@ impl<S: Scalar, const N: usize> AnalyticLight<S, N> {
     }
 }
 
-/// N_l^m P_l^m(z) / (-sin θ)^m, a polynomial in z, by the three-term recurrence of the normalized
-/// functions.
-fn reduced<S: Scalar, M: Mathematics<S>>(l: usize, m: usize, z: S) -> S {
+/// Adds weight Y_l^m(direction) to each coefficient of a light. The direction is a unit vector.
+///
+/// N_l^m P_l^m(z) / (-sin θ)^m is a polynomial in z, by the three-term recurrence of the normalized
+/// functions. Cost: two roots for each degree and order.
+pub(crate) fn add_harmonics<S: Scalar, M: Mathematics<S>>(
+    coefficients: &mut [S],
+    [x, y, z]: [S; 3],
+    weight: S,
+) -> Result<(), Error> {
+    let degree = degree(coefficients.len())?;
+    let ratio = |numerator: usize, denominator: usize| {
+        M::square_root(S::from_whole(numerator) * S::from_whole(denominator).reciprocal())
+    };
+    let mut add = |l: usize, order: isize, amount: S| {
+        if let Some(to) = coefficients.get_mut(light::position(l, order)) {
+            *to += amount;
+        }
+    };
     // N_m^m: the product of √((2k + 1) / 2k), over √(4π).
     let mut square = S::from_f64(0.25 / PI);
-    for k in 1..=m {
-        square = square * S::from_whole(2 * k + 1) * S::from_whole(2 * k).reciprocal();
+    // Re and -Im of (x + iy)^m, with the phase (-1)^m in the cosine.
+    let [mut cosine, mut sine] = [weight, S::ZERO];
+    for m in 0..=degree {
+        let root = if m == 0 { S::ONE } else { S::from_f64(SQRT_2) };
+        let plus = root * if m % 2 == 0 { cosine } else { -cosine };
+        let minus = -root * sine;
+        let (mut before, mut now) = (S::ZERO, M::square_root(square));
+        for l in m..=degree {
+            if l > m {
+                let (product, last) = (l * l - m * m, l - 1);
+                let factor = ratio(4 * l * l - 1, product);
+                let share = ratio(last * last - m * m, (4 * last * last).max(2) - 1);
+                (before, now) = (now, factor * (z * now - share * before));
+            }
+            add(l, m.cast_signed(), now * plus);
+            if m > 0 {
+                add(l, -m.cast_signed(), now * minus);
+            }
+        }
+        [cosine, sine] = [cosine * x - sine * y, cosine * y + sine * x];
+        square = square * S::from_whole(2 * m + 3) * S::from_whole(2 * m + 2).reciprocal();
     }
-    let (mut before, mut now) = (S::ZERO, M::square_root(square));
-    for l in m + 1..=l {
-        let ratio = |numerator: usize, denominator: usize| {
-            M::square_root(S::from_whole(numerator) * S::from_whole(denominator).reciprocal())
-        };
-        let (product, last) = (l * l - m * m, l - 1);
-        let factor = ratio(4 * l * l - 1, product);
-        let share = ratio(last * last - m * m, (4 * last * last).max(2) - 1);
-        (before, now) = (now, factor * (z * now - share * before));
-    }
-    now
+    Ok(())
 }

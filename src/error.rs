@@ -116,6 +116,10 @@ pub enum Error {
     Series,
     /// A tolerance is not finite or not above zero.
     Tolerance,
+    /// A source of light is not a small blob of positive energy: its direction is not a unit vector
+    /// to within 1e-3, a number is not finite, a channel of its energy is below 0, or its spreads do
+    /// not satisfy 0 <= minor <= major <= 0.5 rad.
+    Source,
     /// The number of knots of a look-up is not 8 to 65,536.
     Knots {
         /// The number of knots.
@@ -132,7 +136,7 @@ pub enum Argument {
     Light,
     /// Coefficients of a material.
     Material,
-    /// A color that tints a material, or its base color.
+    /// A color that tints a material, its base color, or the albedo of its matte base.
     Color,
     /// The share of a material that is metal.
     Metallic,
@@ -158,6 +162,10 @@ pub enum Argument {
     Texels,
     /// Samples of a look-up.
     Samples,
+    /// Sources of light.
+    Sources,
+    /// The reflectance of a material at normal incidence, f0.
+    Reflectance,
     /// Part of a basis: the pairs that each coefficient of a material couples.
     Couplings,
     /// Part of a basis: polar integrals.
@@ -194,6 +202,17 @@ impl Error {
         if expected == found { Ok(()) } else { Err(Self::Length { argument, expected, found }) }
     }
 
+    /// `Ok` if all parameters are from the first number to the last.
+    pub(crate) fn check_range<T: PartialOrd, const P: usize>(
+        parameters: [(Argument, T); P],
+        [least, most]: [T; 2],
+    ) -> Result<(), Self> {
+        match parameters.into_iter().find(|(_, number)| !(*number >= least && *number <= most)) {
+            Some((argument, _)) => Err(Self::Outside { argument }),
+            None => Ok(()),
+        }
+    }
+
     /// `Ok` if all numbers are finite.
     pub(crate) fn check_finite<S: Scalar>(argument: Argument, numbers: &[S]) -> Result<(), Self> {
         match numbers.iter().position(|number| !number.is_finite()) {
@@ -218,6 +237,11 @@ impl fmt::Display for Error {
                 f,
                 "{argument:?}: {found} coefficients do not fill all degrees up to any l; give \
                  (l + 1)² of them"
+            ),
+            Self::Capacity { argument: Argument::Sources, needed, capacity } => write!(
+                f,
+                "Sources: {needed} of them, room for {capacity}; give the strongest, or make room for \
+                 more"
             ),
             Self::Capacity { argument, needed, capacity } => write!(
                 f,
@@ -294,6 +318,10 @@ impl fmt::Display for Error {
             Self::Direction => f.write_str(
                 "a light needs a finite direction of some length, and an angular radius above 0 and \
                  at most π",
+            ),
+            Self::Source => f.write_str(
+                "a source needs a unit direction, finite energies of at least 0, and spreads with 0 \
+                 <= minor <= major <= 0.5 rad; leave a wider one in the light",
             ),
             Self::Irradiance { degree } => write!(
                 f,

@@ -20,8 +20,11 @@
 //!    8, 6 or 5 bits of an [`Rgb`], and the module `presets` has lights and materials by name.
 //! 8. [`Disc`] iterates over the pixels of a sphere, [`NormalMap`] over those of any object, and
 //!    [`Matcap`] over the texels of a look-up by normal.
-//! 9. [`Shader`] writes a scene as a function of GLSL or WGSL, for graphics processors.
-//! 10. In the other direction, [`Basis::estimate`] takes pixels one by one and estimates d.
+//! 9. Glossy materials mirror lamps and the sun more sharply than the harmonics of a light can
+//!    represent. [`Rgb::residual`] takes each such [`Source`] out of the light, and [`Highlights`]
+//!    adds its reflection on a [`Gloss`].
+//! 10. [`Shader`] writes a scene as a function of GLSL or WGSL, for graphics processors.
+//! 11. In the other direction, [`Basis::estimate`] takes pixels one by one and estimates d.
 //!
 //! A [`GeneralBasis`] does the same for objects other than a sphere.
 //!
@@ -47,7 +50,7 @@
 //! [`quantized`] does all of this in integers.
 //!
 //! The crate needs no allocator and does not panic. Its loops over pixels use no trigonometry, no
-//! roots and no division.
+//! roots and no division, except that [`Highlights`] takes one of each for a source and a pixel.
 //!
 //! It is `no_std`. `mul_add` is not in `core`: on targets with the target feature `fma`, such as
 //! x86-64 with `-C target-cpu=x86-64-v3`, the feature `std` fuses sums of products, which is faster
@@ -135,6 +138,12 @@ mod estimate;
 
 mod color;
 
+mod source;
+
+mod gloss;
+
+mod highlights;
+
 mod graphics;
 
 mod piece;
@@ -203,7 +212,9 @@ pub use error::{Argument, Error};
 pub use estimate::Estimate;
 pub use format::{FixedPoint, Format, Q15, Q31, Wide};
 pub use general::GeneralBasis;
+pub use gloss::Gloss;
 pub use graphics::Convention;
+pub use highlights::Highlights;
 pub use index::effect::{Effect, Effects};
 #[doc(inline)]
 pub use index::record::floats::{GeneralParts, Parts};
@@ -222,6 +233,7 @@ pub use scalar::Scalar;
 pub use scene::{Scene, SceneBuffer};
 pub use shade::NegativePolicy;
 pub use shader::{Shader, ShaderLanguage};
+pub use source::Source;
 pub use transfer::Transfer;
 pub use truncation::{Shape, Tolerance, Truncation};
 

@@ -20,7 +20,7 @@ use crate::quantized::{self, MaterialBuffer, mantissas};
 include!(concat!(env!("OUT_DIR"), "/metallic_roughness.rs"));
 
 /// The reflectance of dielectrics at normal incidence.
-const DIELECTRIC: f32 = 0.04;
+const DIELECTRIC: f32 = crate::gloss::DIELECTRIC as f32;
 
 /// The least roughness of the series.
 const LEAST: f32 = 0.2;
@@ -188,17 +188,6 @@ fn of_color<T>([r, g, b]: [T; 3], metallic: T) -> [(Argument, T); 4] {
     [(color, r), (color, g), (color, b), (Argument::Metallic, metallic)]
 }
 
-/// Checks that all parameters are from 0 to the number one.
-fn check<T: PartialOrd, const P: usize>(
-    parameters: [(Argument, T); P],
-    [zero, one]: [T; 2],
-) -> Result<(), Error> {
-    match parameters.into_iter().find(|(_, number)| !(*number >= zero && *number <= one)) {
-        Some((argument, _)) => Err(Error::Outside { argument }),
-        None => Ok(()),
-    }
-}
-
 impl<const N: usize, const K: usize> Series<N, K> {
     fn material(
         &self,
@@ -220,7 +209,7 @@ impl<const N: usize, const K: usize> Series<N, K> {
     /// The parts rim and metal at a roughness. Inlined: the arrays would be copied.
     #[inline(always)]
     fn at(&self, roughness: f32) -> Result<[[f32; N]; 2], Error> {
-        check([(Argument::Roughness, roughness)], [0.0, 1.0])?;
+        Error::check_range([(Argument::Roughness, roughness)], [0.0, 1.0])?;
         let x = 2.5 * roughness.max(LEAST) - 1.5;
         let [mut before, mut now] = [x, 1.0];
         let (mut rim, mut metal) = ([0.0; N], [0.0; N]);
@@ -245,7 +234,7 @@ impl<const N: usize, const K: usize> Series<N, K> {
 
 /// How much of matte, rim and metal each channel of a material has.
 fn shares(color: [f32; 3], metallic: f32) -> Result<Rgb<[f32; 3]>, Error> {
-    check(of_color(color, metallic), [0.0, 1.0])?;
+    Error::check_range(of_color(color, metallic), [0.0, 1.0])?;
     Ok(Rgb::from(color).map(|base| {
         let f0 = DIELECTRIC + (base - DIELECTRIC) * metallic;
         [base * (1.0 - metallic) * (1.0 - f0), 1.0, f0]
@@ -263,8 +252,8 @@ impl<const N: usize, const O: usize, const K: usize> IntegerSeries<N, O, K> {
         const OF_DIELECTRIC: i32 = (DIELECTRIC * ONE as f32 + 0.5) as i32;
         const OF_LEAST: i32 = (LEAST * ONE as f32 + 0.5) as i32;
         let range = [Q15(0), Q15(i16::MAX)];
-        check(of_color(color, metallic), range)?;
-        check([(Argument::Roughness, roughness)], range)?;
+        Error::check_range(of_color(color, metallic), range)?;
+        Error::check_range([(Argument::Roughness, roughness)], range)?;
         let roughness = i32::from(roughness.0).max(OF_LEAST);
         // 1 / roughness² is this fraction of 2^16, between a half and one, times 2^raised.
         let square = (roughness * roughness).cast_unsigned();

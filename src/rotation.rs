@@ -153,10 +153,10 @@ impl<S: Scalar> Rotation<S> {
     }
 }
 
-fn dot<S: Scalar>([a, b, c]: [S; 3], [x, y, z]: [S; 3]) -> S {
+pub(crate) fn dot<S: Scalar>([a, b, c]: [S; 3], [x, y, z]: [S; 3]) -> S {
     a * x + b * y + c * z
 }
 
-fn cross<S: Scalar>([a, b, c]: [S; 3], [x, y, z]: [S; 3]) -> [S; 3] {
+pub(crate) fn cross<S: Scalar>([a, b, c]: [S; 3], [x, y, z]: [S; 3]) -> [S; 3] {
     [b * z - c * y, c * x - a * z, a * y - b * x]
 }

@@ -14,6 +14,7 @@ mod formulas;
 mod found;
 mod golden_file;
 mod graphics;
+mod highlights;
 mod integer_lights;
 mod kernels;
 mod lights;

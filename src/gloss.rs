@@ -1,0 +1,105 @@
+//! The gloss of a material: a microfacet lobe over a matte base.
+
+use crate::color::Rgb;
+use crate::error::{Argument, Error};
+use crate::scalar::Scalar;
+
+/// The reflectance of dielectrics at normal incidence.
+pub(crate) const DIELECTRIC: f64 = 0.04;
+
+/// The least roughness. Lobes of f32 lose more digits the narrower they are.
+const SMOOTHEST: f64 = 0.1;
+
+/// The parameters of a GGX lobe over a matte base, with which [`Highlights`](crate::Highlights)
+/// shade small sources of light.
+///
+/// With α = roughness² and the half-way direction h of light and view, the BRDF is
+/// f = (1 - F) albedo / π + F D V, where
+///
+/// * F = f0 + (1 - f0)(1 - cos θ_d)^5;
+/// * D = α² / π(sin² θ_h + α² cos² θ_h)²;
+/// * V = 1/2 / (cos θ_i √(α² + (1 - α²) cos² θ_r) + the same with i and r exchanged).
+///
+/// This is the BRDF of `eigenshade material ggx` and of `Material::metallic_roughness`, here for any
+/// roughness, as it needs no coefficients.
+///
+/// ```
+/// use eigenshade::{Gloss, Rgb};
+///
+/// let plastic = Gloss::metallic_roughness([0.6, 0.1, 0.1], 0.0, 0.3)?;
+/// assert_eq!(plastic.reflectance(), Rgb::gray(0.04));
+/// assert_eq!(plastic.albedo(), Rgb::new(0.6, 0.1, 0.1));
+/// # Ok::<(), eigenshade::Error>(())
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct Gloss<S> {
+    alpha: S,
+    reflectance: Rgb<S>,
+    albedo: Rgb<S>,
+}
+
+impl<S: Scalar> Gloss<S> {
+    /// From the roughness, the reflectance at normal incidence (f0) and the albedo of the matte base,
+    /// all from 0 to 1.
+    ///
+    /// A roughness below 0.1 counts as 0.1: its lobe, of α = 0.01, is narrower than a pixel of a
+    /// sphere of 200 pixels.
+    ///
+    /// # Errors
+    ///
+    /// [`Error::Outside`] if a number is not from 0 to 1.
+    pub fn new(roughness: S, reflectance: [S; 3], albedo: [S; 3]) -> Result<Self, Error> {
+        let range = [S::ZERO, S::ONE];
+        Error::check_range([(Argument::Roughness, roughness)], range)?;
+        Error::check_range(reflectance.map(|f0| (Argument::Reflectance, f0)), range)?;
+        Error::check_range(albedo.map(|albedo| (Argument::Color, albedo)), range)?;
+        let least = S::from_f64(SMOOTHEST);
+        let roughness = if roughness > least { roughness } else { least };
+        let [reflectance, albedo] = [reflectance.into(), albedo.into()];
+        Ok(Self { alpha: roughness * roughness, reflectance, albedo })
+    }
+
+    /// From the linear base color, metallic and roughness of glTF, all from 0 to 1: f0 is 0.04 + (base
+    /// color - 0.04) metallic, the albedo base color (1 - metallic).
+    ///
+    /// # Errors
+    ///
+    /// [`Error::Outside`] if a number is not from 0 to 1.
+    pub fn metallic_roughness(
+        base_color: [S; 3],
+        metallic: S,
+        roughness: S,
+    ) -> Result<Self, Error> {
+        let range = [S::ZERO, S::ONE];
+        Error::check_range(base_color.map(|base| (Argument::Color, base)), range)?;
+        Error::check_range([(Argument::Metallic, metallic)], range)?;
+        let dielectric = S::from_f64(DIELECTRIC);
+        // Rounding may exceed 1.
+        let rest = S::ONE - metallic;
+        let reflectance = base_color.map(|base| dielectric * rest + base * metallic);
+        Self::new(roughness, reflectance.map(at_most_one), base_color.map(|base| base * rest))
+    }
+
+    /// α, the square of the roughness.
+    #[must_use]
+    pub const fn alpha(&self) -> S {
+        self.alpha
+    }
+
+    /// The reflectance at normal incidence, f0.
+    #[must_use]
+    pub const fn reflectance(&self) -> Rgb<S> {
+        self.reflectance
+    }
+
+    /// The albedo of the matte base.
+    #[must_use]
+    pub const fn albedo(&self) -> Rgb<S> {
+        self.albedo
+    }
+}
+
+fn at_most_one<S: Scalar>(number: S) -> S {
+    if number < S::ONE { number } else { S::ONE }
+}

@@ -1,0 +1,339 @@
+//! Shades small sources by a microfacet formula, one lobe for each source.
+
+use crate::buffer::{Buffer, zeros};
+use crate::color::Rgb;
+use crate::error::{Argument, Error};
+use crate::gloss::Gloss;
+use crate::mathematics::Mathematics;
+use crate::normal::{Normal, Normals};
+use crate::rotation::{cross, dot};
+use crate::scalar::Scalar;
+use crate::source::Source;
+use core::f64::consts::{FRAC_1_PI, PI};
+
+/// How much the covariance of a blob, halved in angle, adds to α²: κ. A GGX lobe blurred by a blob
+/// much narrower than itself has the peak of κ = 4, by one much wider that of κ = 2. This one has the
+/// least error of the peak, for spreads from 0.01 to 0.2 rad and roughness from 0.2 to 0.6.
+const BLUR: f64 = 2.5;
+
+/// The least cosine of the angle between view and half-way direction: a source nearly behind the
+/// object would have no half-way direction.
+const LEAST_COSINE: f64 = 1.0 / 32.0;
+
+/// The least divisor of a lobe, where normal, light and view are all perpendicular.
+const LEAST_DIVISOR: f64 = 1e-20;
+
+/// Normals that are shaded for one source before the next.
+const BLOCK: usize =
+    if cfg!(any(target_arch = "x86_64", target_arch = "aarch64", target_feature = "simd128")) {
+        64
+    } else {
+        1
+    };
+
+/// The reflections of up to `N` small sources on a glossy material.
+///
+/// The irradiance of one source s at a normal n is
+///
+/// E (F D V n·s + (1 - F) albedo / π n·s), and 0 where n·s <= 0,
+///
+/// by the formulas of [`Gloss`] with the half-way direction h of source and view. F is the same for
+/// all normals. The source's extent blurs the lobe: instead of α² I, D has the matrix A = α² I + κ J C
+/// Jᵀ in the plane tangent to h, where C is the blob's covariance in the plane tangent to s, and J =
+/// diag(1/2, 1/(2 cos θ_h)) is how far h moves along and across the plane of source and view. So D =
+/// 1 / (π √det A (nᵀ Q n)²), Q = h hᵀ + T A⁻¹ Tᵀ with the tangents T at h.
+///
+/// ```
+/// # #[cfg(feature = "presets")] {
+/// use eigenshade::mathematics::SinglePrecision;
+/// use eigenshade::presets::light::LOBBY;
+/// use eigenshade::{Gloss, Highlights, Material, Normal, Rgb, Source, sphere};
+///
+/// let (color, metallic, roughness) = ([0.93, 0.52, 0.38], 1.0, 0.25);
+/// let lamp = Source::round::<SinglePrecision>([0.0, 0.6, 0.8], [0.5; 3], 0.03)?;
+///
+/// // All light but the lamp.
+/// let rest = LOBBY.residual::<SinglePrecision, 100>(&[lamp])?;
+/// let copper = Material::metallic_roughness(color, metallic, roughness)?;
+/// let scene = sphere::color::scene(rest.lights()?, copper.materials()?)?;
+///
+/// let gloss = Gloss::metallic_roughness(color, metallic, roughness)?;
+/// let highlights = Highlights::<f32, 4>::new::<SinglePrecision>(&gloss, &[lamp])?;
+/// let color = |normal| {
+///     let (Rgb { r, g, b }, lamp) = (scene.shade(normal), highlights.shade(normal));
+///     Rgb::new(r + lamp.r, g + lamp.g, b + lamp.b)
+/// };
+/// // Half-way between lamp and camera, and elsewhere.
+/// let mirrored = color(Normal::new(0.0, 0.316, 0.949)?);
+/// assert!(mirrored.r > 2.0 * color(Normal::new(0.0, -0.316, 0.949)?).r);
+/// # }
+/// # Ok::<(), eigenshade::Error>(())
+/// ```
+#[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct Highlights<S, const N: usize> {
+    /// α² and 1 - α².
+    masking: [S; 2],
+    lobes: Buffer<Lobe<S>, N>,
+}
+
+/// The reflection of one source.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+struct Lobe<S> {
+    /// The upper triangle R of Q = Rᵀ R, row by row. Its elements are of the size of the roots of
+    /// Q's, so nᵀ Q n as a sum of squares loses half as many digits as by Q.
+    form: [S; 6],
+    direction: [S; 3],
+    /// E F / (2 π √det A).
+    specular: Rgb<S>,
+    /// E (1 - F) albedo / π.
+    matte: Rgb<S>,
+}
+
+impl<S: Scalar, const N: usize> Highlights<S, N> {
+    /// The reflections of these sources. `M` computes some ten roots for each; for f32,
+    /// `SinglePrecision` links no f64 code.
+    ///
+    /// # Errors
+    ///
+    /// [`Error::Capacity`] if there are more than `N` sources.
+    pub fn new<M: Mathematics<S>>(gloss: &Gloss<S>, sources: &[Source<S>]) -> Result<Self, Error> {
+        let mut lobes = zeros::<Lobe<S>, N>(Argument::Sources, sources.len())?;
+        for (lobe, source) in lobes.iter_mut().zip(sources) {
+            *lobe = Lobe::new::<M>(gloss, source);
+        }
+        let square = gloss.alpha() * gloss.alpha();
+        Ok(Self { masking: [square, S::ONE - square], lobes })
+    }
+
+    /// The irradiance of one normal by the sources alone, to be added to that of
+    /// [`Scene::shade`](crate::Scene::shade).
+    ///
+    /// In f32 it is within 5e-5 of the peak of the formula in exact arithmetic for a roughness of 0.1,
+    /// and within 4e-6 from 0.3 on. Cost: a root, and for each source that the normal faces a root, a
+    /// division and 32 products. The root is a few products: no library function is called.
+    #[inline]
+    #[must_use]
+    pub fn shade(&self, normal: Normal<S>) -> Rgb<S> {
+        let Rgb { r: [r], g: [g], b: [b] } = self.block(&[normal.x], &[normal.y], &[normal.z]);
+        Rgb::new(r, g, b)
+    }
+
+    /// Adds the irradiance of each normal to `irradiance`, after `shade_slice` of a scene has written
+    /// that of the rest of the light. The sums are those of [`shade`](Self::shade) to the last bit.
+    ///
+    /// ```
+    /// use eigenshade::mathematics::SinglePrecision;
+    /// use eigenshade::{Gloss, Highlights, Normals, Rgb, Source};
+    ///
+    /// let sun = Source::round::<SinglePrecision>([0.6, 0.0, 0.8], [1.0, 0.9, 0.8], 0.005)?;
+    /// let gloss = Gloss::metallic_roughness([0.1, 0.1, 0.2], 0.0, 0.3)?;
+    /// let highlights = Highlights::<f32, 1>::new::<SinglePrecision>(&gloss, &[sun])?;
+    /// let mut colors = [Rgb::gray(0.25); 2]; // of ambient light
+    /// let normals = Normals::new(&[0.0, 0.6], &[0.0, 0.0], &[1.0, 0.8])?;
+    /// highlights.add_slice(normals, &mut colors)?;
+    /// assert!(colors[1].r > 0.25);
+    /// # Ok::<(), eigenshade::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    ///
+    /// [`Error::Length`] unless `irradiance` and `normals` have the same length.
+    pub fn add_slice(
+        &self,
+        normals: Normals<'_, S>,
+        irradiance: &mut [Rgb<S>],
+    ) -> Result<(), Error> {
+        Error::check(Argument::Normals, normals.len(), irradiance.len())?;
+        if self.lobes.is_empty() {
+            return Ok(());
+        }
+        let [(x, x_rest), (y, y_rest), (z, z_rest)] =
+            [normals.x, normals.y, normals.z].map(<[S]>::as_chunks::<BLOCK>);
+        let (colors, rest) = irradiance.as_chunks_mut::<BLOCK>();
+        for (((x, y), z), colors) in x.iter().zip(y).zip(z).zip(colors) {
+            add(&self.block(x, y, z), colors);
+        }
+        if !rest.is_empty() {
+            let [x, y, z] = [padded(x_rest), padded(y_rest), padded(z_rest)];
+            add(&self.block(&x, &y, &z), rest);
+        }
+        Ok(())
+    }
+
+    /// The sources that are shaded.
+    #[must_use]
+    pub fn len(&self) -> usize {
+        self.lobes.len()
+    }
+
+    /// Whether there are none.
+    #[must_use]
+    pub fn is_empty(&self) -> bool {
+        self.lobes.is_empty()
+    }
+
+    #[inline(always)]
+    fn block<const B: usize>(&self, x: &[S; B], y: &[S; B], z: &[S; B]) -> Rgb<[S; B]> {
+        let mut sums = Rgb::gray([S::ZERO; B]);
+        let mut facing = [S::ZERO; B];
+        for (facing, &z) in facing.iter_mut().zip(z) {
+            *facing = masked(self.masking, positive(z));
+        }
+        for lobe in &self.lobes {
+            let Rgb { r, g, b } = &mut sums;
+            let sums = r.iter_mut().zip(g).zip(b);
+            let normals = x.iter().zip(y).zip(z).zip(&facing);
+            for (((r, g), b), (((&x, &y), &z), &facing)) in sums.zip(normals) {
+                let cosine = dot(lobe.direction, [x, y, z]);
+                // Without vectors, a branch is faster than a product with zero.
+                if B == 1 && !(cosine > S::ZERO) {
+                    continue;
+                }
+                let cosine = positive(cosine);
+                let weight = cosine * lobe.share(self.masking, [x, y, z], cosine, facing);
+                let Lobe { specular, matte, .. } = lobe;
+                *r = r.add_product(specular.r, weight).add_product(matte.r, cosine);
+                *g = g.add_product(specular.g, weight).add_product(matte.g, cosine);
+                *b = b.add_product(specular.b, weight).add_product(matte.b, cosine);
+            }
+        }
+        sums
+    }
+}
+
+impl<S: Scalar> Lobe<S> {
+    fn new<M: Mathematics<S>>(gloss: &Gloss<S>, source: &Source<S>) -> Self {
+        let direction = source.direction();
+        let [half, one] = [S::from_f64(0.5), S::ONE];
+        let [x, y, z] = direction;
+
+        // The azimuth of the plane of source and view; any where both are the same line.
+        let planar = x * x + y * y;
+        let ([ex, ey], radius) = if planar > S::from_f64(1e-30) {
+            let scale = M::inverse_root(planar);
+            ([x * scale, y * scale], planar * scale)
+        } else {
+            ([one, S::ZERO], S::ZERO)
+        };
+        // Half the angle between them. The larger of sine and cosine comes from a root, the other
+        // one from sin θ, which keeps its digits.
+        let root = M::square_root(half + half * if z < S::ZERO { -z } else { z });
+        let other = half * radius * root.reciprocal();
+        let [cosine, sine] = if z < S::ZERO { [other, root] } else { [root, other] };
+        let least = S::from_f64(LEAST_COSINE);
+        let cosine = if cosine > least { cosine } else { least };
+        let halfway = [sine * ex, sine * ey, cosine];
+        let across = [-ey, ex, S::ZERO];
+        let along_half = [cosine * ex, cosine * ey, -sine];
+        let along = [z * ex, z * ey, -radius];
+
+        // The blob's covariance J C Jᵀ.
+        let [a, b] = [dot(source.major(), along), dot(source.major(), across)];
+        let long = a * a + b * b;
+        let minor = source.minor();
+        let ratio = if long > S::ZERO { minor * minor * long.reciprocal() } else { one };
+        let blur = S::from_f64(0.25 * BLUR);
+        let wider = cosine.reciprocal();
+        let square = gloss.alpha() * gloss.alpha();
+        let a11 = square + blur * (a * a + ratio * b * b);
+        let a12 = blur * wider * (a * b * (one - ratio));
+        let a22 = square + blur * wider * wider * (b * b + ratio * a * a);
+
+        // A = L Lᵀ, and the rows h, L⁻¹ Tᵀ, whose squares add up to Q.
+        let first = M::inverse_root(a11);
+        let shear = a12 * first;
+        let rest = a22 - shear * shear;
+        let second = M::inverse_root(if rest > square { rest } else { square });
+        let one_row = along_half.map(|t| t * first);
+        let [ux, uy, uz] = one_row;
+        let [vx, vy, vz] = across;
+        let other_row =
+            [(vx - shear * ux) * second, (vy - shear * uy) * second, (vz - shear * uz) * second];
+
+        let fresnel = {
+            let rest = one - cosine;
+            let square = rest * rest;
+            square * square * rest
+        };
+        let peak = S::from_f64(0.5 * FRAC_1_PI) * first * second;
+        let matte = S::from_f64(1.0 / PI);
+        let parts = source.energy().zip(gloss.reflectance()).zip(gloss.albedo());
+        let parts = parts.map(|((energy, f0), albedo)| {
+            let reflected = f0 + (one - f0) * fresnel;
+            [energy * reflected * peak, energy * (one - reflected) * albedo * matte]
+        });
+        Self {
+            form: triangle::<S, M>([halfway, one_row, other_row]),
+            direction,
+            specular: parts.map(|[specular, _]| specular),
+            matte: parts.map(|[_, matte]| matte),
+        }
+    }
+
+    /// 1 / ((nᵀ Q n)² (n·s √(α² + (1 - α²) n_z²) + n_z √(α² + (1 - α²) (n·s)²))).
+    #[inline(always)]
+    fn share(&self, masking: [S; 2], [x, y, z]: [S; 3], cosine: S, facing: S) -> S {
+        let [xx, xy, xz, yy, yz, zz] = self.form;
+        let first = (xx * x).add_product(xy, y).add_product(xz, z);
+        let second = (yy * y).add_product(yz, z);
+        let third = zz * z;
+        let form = (third * third).add_product(first, first).add_product(second, second);
+        let masked = (cosine * facing).add_product(positive(z), masked(masking, cosine));
+        let divisor = form * form * masked;
+        let least = S::from_f64(LEAST_DIVISOR);
+        if divisor > least { divisor } else { least }.reciprocal()
+    }
+}
+
+/// √(α² + (1 - α²) c²).
+#[inline(always)]
+fn masked<S: Scalar>([square, rest]: [S; 2], cosine: S) -> S {
+    square.add_product(rest, cosine * cosine).root_by_newton()
+}
+
+/// The number, or 0 if it is negative or NaN.
+#[inline(always)]
+fn positive<S: Scalar>(number: S) -> S {
+    if number > S::ZERO { number } else { S::ZERO }
+}
+
+/// The upper triangle R with Rᵀ R = Bᵀ B, row by row, from the rows of B, by Gram and Schmidt's
+/// method.
+fn triangle<S: Scalar, M: Mathematics<S>>(rows: [[S; 3]; 3]) -> [S; 6] {
+    let [[x0, y0, z0], [x1, y1, z1], [x2, y2, z2]] = rows;
+    let unit = |column: [S; 3]| {
+        let square = dot(column, column);
+        let scale = M::inverse_root(square);
+        (square * scale, column.map(|element| element * scale))
+    };
+    let less = |[a, b, c]: [S; 3], factor: S, [u, v, w]: [S; 3]| {
+        [a - factor * u, b - factor * v, c - factor * w]
+    };
+    let (xx, first) = unit([x0, x1, x2]);
+    let [y, z] = [[y0, y1, y2], [z0, z1, z2]];
+    let [xy, xz] = [dot(first, y), dot(first, z)];
+    let (yy, second) = unit(less(y, xy, first));
+    let z = less(z, xz, first);
+    // The third column is perpendicular to the first two.
+    [xx, xy, xz, yy, dot(second, z), dot(cross(first, second), z)]
+}
+
+/// Adds planes to pixels.
+#[inline(always)]
+fn add<S: Scalar>(planes: &Rgb<[S; BLOCK]>, colors: &mut [Rgb<S>]) {
+    let pixels = planes.r.iter().zip(&planes.g).zip(&planes.b);
+    for (color, ((&r, &g), &b)) in colors.iter_mut().zip(pixels) {
+        *color = Rgb::new(color.r + r, color.g + g, color.b + b);
+    }
+}
+
+/// The rest of a slice, padded with zeros to a block.
+fn padded<S: Scalar>(rest: &[S]) -> [S; BLOCK] {
+    let mut block = [S::ZERO; BLOCK];
+    for (to, &from) in block.iter_mut().zip(rest) {
+        *to = from;
+    }
+    block
+}
