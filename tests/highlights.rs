@@ -190,7 +190,8 @@ impl Glossy {
         cosine * (matte + fresnel * distribution * self.visibility(cosine, view))
     }
 
-    /// The lobe of a source of energy 1, with D from slopes about the half-way direction.
+    /// The lobe of a source of energy 1, with D from slopes about the half-way direction, no wider
+    /// across the plane of source and view than a uniform one.
     fn lobe(&self, blob: &Blob, blur: f64, normal: Vector) -> f64 {
         let [cosine, view] = [dot(blob.direction, normal), normal[2]];
         if cosine <= 0.0 {
@@ -213,6 +214,11 @@ impl Glossy {
                 wide[i][j] = blur * jacobian[i] * covariance[i][j] * jacobian[j];
             }
             wide[i][i] += self.alpha().powi(2);
+        }
+        if wide[1][1] > 1.0 {
+            wide[0][1] /= wide[1][1];
+            wide[1][0] = wide[0][1];
+            wide[1][1] = 1.0;
         }
         let determinant = wide[0][0] * wide[1][1] - wide[0][1] * wide[1][0];
         // The tangents of the source's plane at the half-way direction.
@@ -264,7 +270,8 @@ const LOBE_F64: f64 = 2e-12;
 /// In f32, of the lobe's peak, by roughness. A lobe of α moves by its width where a normal turns by
 /// α: rounding a normal and a direction to 24 bits, and forms of numbers to 1/α, leave some ε/α. All
 /// lobes have the root's 7e-7.
-const LOBE_F32: [(f64, f64); 5] = [(0.1, 5e-5), (0.2, 1e-5), (0.3, 4e-6), (0.5, 4e-6), (1.0, 4e-6)];
+const LOBE_F32: [(f64, f64); 5] =
+    [(0.1, 1e-5), (0.2, 5e-6), (0.3, 3e-6), (0.5, 2e-6), (1.0, 1.5e-6)];
 
 /// Blobs by angle from the view: round and elongated, from a point to the widest.
 fn blobs(degrees: &[f64]) -> Vec<Blob> {
@@ -352,7 +359,7 @@ fn single_precision() {
 /// rms over the disc, as fractions of the exact peak. Sources to 110 degrees from the view, roughness
 /// 0.2 to 0.6; and to 140 degrees.
 const LOBE_ERRORS: [(f64, [f64; 2], [f64; 2]); 5] = [
-    (0.01, [0.04, 0.0005], [0.07, 0.0006]),
+    (0.01, [0.04, 0.0006], [0.07, 0.001]),
     (0.02, [0.09, 0.0015], [0.10, 0.003]),
     (0.05, [0.11, 0.005], [0.11, 0.008]),
     (0.1, [0.11, 0.012], [0.11, 0.013]),
@@ -367,7 +374,7 @@ fn lobe_errors(material: &Glossy, blob: &Blob, blurs: &[f64]) -> Vec<[f64; 2]> {
     let exact = |normal: Vector| -> f64 {
         nodes.iter().map(|&(light, weight)| weight * material.reflected(light, normal)).sum()
     };
-    let all = disc(48);
+    let all = disc(80);
     let near = around(blob, 0.25 * alpha.hypot(0.5 * narrower), 6);
     let images: Vec<f64> = all.iter().map(|&normal| exact(normal)).collect();
     let peak = near.iter().map(|&normal| exact(normal)).chain(images.iter().copied());
@@ -463,7 +470,7 @@ fn blobs_have_the_harmonics_of_their_definition() {
         for (major, minor) in shapes {
             let blob = Blob { direction, angle: 0.5 + k as f64, major, minor };
             let found = taken::<f64, 169>(blob.source([1.0, 0.0, 0.0]));
-            let nodes = blob.nodes(0.1);
+            let nodes = blob.nodes(0.2);
             for (found, explicit) in found.iter().zip(&explicit) {
                 let expected: f64 =
                     nodes.iter().map(|&(at, weight)| weight * explicit.radiance(at)).sum();
@@ -475,8 +482,9 @@ fn blobs_have_the_harmonics_of_their_definition() {
     assert!(most <= BLOB, "{most:e}");
 }
 
-/// Rounding of degree 9 in f32: three terms a step.
-const BLOB_F32: f64 = 2e-6;
+/// Degree 9 in f32: the direction rounded by 6e-8, times a slope of up to 13, and nine steps of a
+/// recurrence with factors of up to 2.
+const BLOB_F32: f64 = 4e-6;
 
 #[test]
 fn blobs_in_single_precision() {
@@ -610,7 +618,7 @@ fn sources_that_are_none_are_refused() {
     // What is nearly right is made right.
     let source = new([0.6, 0.0, 0.8004], gray, [0.1, 0.1, 0.1], 0.05).expect("a source");
     let [direction, major] = [source.direction(), source.major()].map(|v| v.map(f64::from));
-    assert!((dot(direction, direction) - 1.0).abs() < 3e-7 && dot(direction, major).abs() < 1e-8);
+    assert!((dot(direction, direction) - 1.0).abs() < 6e-7 && dot(direction, major).abs() < 3e-8);
     for k in 0..50 {
         let direction = at(0.07 * f64::from(k), f64::from(k)).map(|x| x as f32);
         let source = Source::round::<SinglePrecision>(direction, gray, 0.2).expect("a source");
@@ -706,6 +714,9 @@ fn hard_cases() {
     for (roughness, tolerance) in [(0.1, 5e-5), (1.0, 4e-6)] {
         let material = Glossy { roughness, f0: 0.5, albedo: 0.5 };
         let gloss: Gloss<f32> = material.gloss();
+        // D <= 1.35 / π α², as a lobe is at most √1.16 wide, V n·s <= 1 / 2 α, F <= 1.
+        let alpha = material.alpha();
+        let largest = 0.5 * 1.35 / (PI * alpha.powi(3)) + 1.0 / PI;
         let new = |sources: &[Source<f32>]| {
             Highlights::<f32, 2>::new::<SinglePrecision>(&gloss, sources).expect("room for two")
         };
@@ -717,7 +728,7 @@ fn hard_cases() {
                 new(&[blob.single([0.0; 3])]),
                 new(&[blob.single([1e6; 3])]),
             ];
-            let normals = normals_for(&blob, material.alpha());
+            let normals = normals_for(&blob, alpha);
             let expected: Vec<_> =
                 normals.iter().map(|&normal| material.lobe(&blob, BLUR, normal)).collect();
             let peak = expected.iter().copied().fold(0.0, f64::max);
@@ -733,16 +744,13 @@ fn hard_cases() {
                     let off = (f64::from(single) - expected).abs();
                     assert!(off <= tolerance * peak, "{blob:?} {normal:?}: {single} {expected}");
                 } else {
-                    // Behind: F is nearly 1 and the rim faces the source at up to 5 degrees.
-                    assert!(f64::from(single) <= BEHIND, "{blob:?} {normal:?}: {single}");
+                    let found = f64::from(single);
+                    assert!(found <= largest, "{blob:?} {normal:?}: {single}");
                 }
             }
         }
     }
 }
-
-/// The largest irradiance of sources of energy 1 behind the object.
-const BEHIND: f64 = 1e6;
 
 /// A light that turns: each source sets behind the rim and rises again, and the picture has no
 /// sources that are not there.
