@@ -5,10 +5,11 @@
 
 use board::{Passes, holds, measure};
 use core::hint::black_box;
+use eigenshade::mathematics::SinglePrecision;
 use eigenshade::presets::{light::LOBBY, material::GOLD_METALLIC_PAINT};
 use eigenshade::{
-    BakedMap, Buffer, Disc, DiscPixel, Display, Light, MapPoint, Material, NineTerms, NormalPixel,
-    Rgb, Rotation, Tolerance, Tone, sphere,
+    BakedMap, Buffer, Disc, DiscPixel, Display, Error, Gloss, Highlights, Light, MapPoint,
+    Material, NineTerms, Normal, NormalPixel, Rgb, Rotation, Source, Tolerance, Tone, sphere,
 };
 use programs::inputs::floats as inputs;
 use table::{COMPONENTS, Coefficients, DEGREE, SCENE, Transfer};
@@ -185,6 +186,68 @@ fn gold_light() {
     measure(&[LOBBY], Passes(64), |light| {
         sphere::color::relight_into(&transfer, *light, black_box(&mut scene)).is_ok()
     });
+}
+
+/// A pixel of the gold sphere, in color.
+fn color() {
+    let Ok(scene) = sphere::color::scene(LOBBY, GOLD_METALLIC_PAINT) else { board::exit(false) };
+    let scene = black_box(scene);
+    holds(size_of_val(&scene));
+    measure(&inputs::normals(), Passes(64), |normal| scene.shade(*normal));
+}
+
+/// The same with the highlights of four sources, which all normals face.
+fn highlights() {
+    let Ok(scene) = sphere::color::scene(LOBBY, GOLD_METALLIC_PAINT) else { board::exit(false) };
+    let sources = sources(black_box(0.3));
+    let Ok(highlights) = reflected(&sources) else { board::exit(false) };
+    let (scene, highlights) = (black_box(scene), black_box(highlights));
+    holds(size_of_val(&scene) + size_of_val(&highlights));
+    measure(&inputs::normals(), Passes(64), |normal| {
+        let (rest, lamps) = (scene.shade(*normal), highlights.shade(*normal));
+        Rgb::new(rest.r + lamps.r, rest.g + lamps.g, rest.b + lamps.b)
+    });
+}
+
+/// The highlights of four sources that turned.
+fn highlights_turn() {
+    let sources = sources(black_box(0.3));
+    let Ok(rotation) = Rotation::from_quaternion(black_box([0.1, 0.2, 0.3, 1.0])) else {
+        board::exit(false)
+    };
+    holds(size_of_val(&sources));
+    measure(&[sources], Passes(64), |sources| {
+        reflected(&sources.map(|source| source.turned(rotation)))
+    });
+}
+
+/// A light in color without four sources, of which two are round.
+fn residual() {
+    measure(&[sources(black_box(0.3))], Passes(4), |sources| {
+        LOBBY.residual::<SinglePrecision, 100>(sources)
+    });
+}
+
+/// Two round and two elongated sources in front of the object.
+fn sources(along: f32) -> [Source<f32>; 4] {
+    let new = |[x, y]: [f32; 2], minor: f32| {
+        let Ok(normal) = Normal::with_mathematics::<SinglePrecision>(x, y, 1.0) else {
+            board::exit(false)
+        };
+        let major = [0.0, 0.05, 0.0];
+        match minor {
+            0.05 => Source::round::<SinglePrecision>(normal.components(), [1.0, 0.9, 0.8], minor),
+            _ => Source::new::<SinglePrecision>(normal.components(), [1.0, 0.9, 0.8], major, minor),
+        }
+    };
+    [([along, 0.2], 0.05), ([-along, 0.2], 0.05), ([along, -0.2], 0.02), ([-along, -0.2], 0.02)]
+        .map(|(place, minor)| new(place, minor).unwrap_or_else(|_| board::exit(false)))
+}
+
+#[inline(never)]
+fn reflected(sources: &[Source<f32>; 4]) -> Result<Highlights<f32, 4>, Error> {
+    let gloss = Gloss::metallic_roughness([1.0, 0.78, 0.34], 1.0, 0.3)?;
+    Highlights::new::<SinglePrecision>(&gloss, sources)
 }
 
 /// The coefficients of a glTF material in color, for a new roughness.
