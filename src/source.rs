@@ -151,6 +151,20 @@ impl<S: Scalar> Source<S> {
         Self { direction, major, ..self }
     }
 
+    /// The harmonics up to `degree` of the blob with energy 1. `N` must be at least (degree + 1)².
+    ///
+    /// # Errors
+    ///
+    /// [`Error::Capacity`] if `N` is too small.
+    pub fn harmonics<M: Mathematics<S>, const N: usize>(
+        &self,
+        degree: usize,
+    ) -> Result<LightBuffer<S, N>, Error> {
+        let mut blob = zeros::<S, N>(Argument::Light, count(degree))?;
+        self.add_blob::<M>(&mut blob, degree)?;
+        Ok(blob)
+    }
+
     /// Adds the coefficients of the blob with energy 1 to those of a light.
     ///
     /// The integral along the major axis is a trapezoid sum over nodes s_j = cos(x_j) s + sin(x_j)
@@ -249,8 +263,7 @@ impl<S: Scalar> Rgb<Light<'_, S>> {
         })?;
         let degree = self.r.degree().max(self.g.degree()).max(self.b.degree());
         for source in sources {
-            let mut blob = zeros::<S, N>(Argument::Light, count(degree))?;
-            source.add_blob::<M>(&mut blob, degree)?;
+            let blob = source.harmonics::<M, N>(degree)?;
             let Rgb { r, g, b } = &mut residual;
             let Rgb { r: of_r, g: of_g, b: of_b } = source.energy;
             for (channel, energy) in [(r, of_r), (g, of_g), (b, of_b)] {

@@ -18,11 +18,7 @@ pub mod figures;
 
 pub mod multiplications;
 
-pub mod sphere;
-
-pub mod light_tree;
-
-pub mod mirrored;
+pub use eigenshade_sources::{light_tree, mirrored, sphere};
 
 pub mod accuracy;
 

@@ -45,18 +45,21 @@ pub mod error;
 
 pub mod database;
 
+pub mod source;
+
 pub mod srgb;
 
 pub mod budget;
 
 pub mod inputs {
-    //! Coefficients and normals as files.
+    //! Coefficients, sources and normals as files.
 
     pub mod coefficient_csv;
     pub mod coefficient_text;
     pub mod input_file;
     pub mod normals;
     pub mod sheet;
+    pub mod source_csv;
 }
 
 pub mod output;

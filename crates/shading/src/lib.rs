@@ -36,3 +36,5 @@ pub mod integer_shader;
 pub mod reference_image;
 
 pub mod sphere_rings;
+
+pub mod highlights;

@@ -1,0 +1,42 @@
+//! Small bright sources of a light.
+
+/// An elliptical blob of light on the sphere of directions: see the runtime's `Source`.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Source {
+    /// The unit vector toward the source.
+    pub direction: [f64; 3],
+    /// The integral of radiance over solid angle, by channel.
+    pub energy: [f64; 3],
+    /// Perpendicular to the direction; its length is the standard deviation along it in radians.
+    pub major: [f64; 3],
+    /// The standard deviation across it in radians, at most the length of `major`.
+    pub minor: f64,
+}
+
+impl Source {
+    /// This source after a rotation by a row-major matrix.
+    #[must_use]
+    pub fn turned(&self, matrix: [[f64; 3]; 3]) -> Self {
+        let turn = |[x, y, z]: [f64; 3]| matrix.map(|[a, b, c]| a * x + b * y + c * z);
+        Self { direction: turn(self.direction), major: turn(self.major), ..*self }
+    }
+}
+
+/// The sources of one light: several sets of different sizes.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct SourceSets {
+    /// The name of the light.
+    pub name: String,
+    /// The most sources of each set, in rising order, and its sources. A set has fewer than its most
+    /// if more do not pay.
+    pub sets: Vec<(usize, Vec<Source>)>,
+}
+
+impl SourceSets {
+    /// The largest set of at most this many sources.
+    #[must_use]
+    pub fn of_most(&self, most: usize) -> &[Source] {
+        let fitting = self.sets.iter().rev().find(|(size, _)| *size <= most);
+        fitting.map_or(&[], |(_, sources)| sources)
+    }
+}

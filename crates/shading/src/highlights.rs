@@ -1,0 +1,51 @@
+//! Small sources of the host as sources of the runtime.
+
+use crate::shader::fault;
+use eigenshade::Scalar;
+use eigenshade::mathematics::Libm;
+use eigenshade_index::light;
+use eigenshade_model::database::Lights;
+use eigenshade_model::error::Result;
+use eigenshade_model::source::Source;
+
+/// The largest degree of a light that sources are taken out of.
+const DEGREE: usize = 32;
+
+/// A source in a number format.
+///
+/// # Errors
+///
+/// If the runtime refuses it: see [`eigenshade::Source::new`].
+pub fn source<S: Scalar>(source: &Source) -> Result<eigenshade::Source<S>> {
+    let number = S::from_f64;
+    let energy = source.energy.map(number);
+    let (direction, major) = (source.direction.map(number), source.major.map(number));
+    eigenshade::Source::new::<Libm>(direction, energy, major, number(source.minor)).map_err(fault)
+}
+
+/// The harmonics up to `degree` of a source of energy 1, rounded to a format.
+///
+/// # Errors
+///
+/// As [`source`], and if the degree exceeds 32.
+pub fn harmonics<S: Scalar>(of: &Source, degree: usize) -> Result<Vec<S>> {
+    let harmonics = self::source::<S>(of)?.harmonics::<Libm, { light::count(DEGREE) }>(degree);
+    Ok(harmonics.map_err(fault)?.to_vec())
+}
+
+/// Takes sources out of the first light.
+///
+/// # Errors
+///
+/// As [`harmonics`].
+pub fn take_out(lights: &mut Lights, sources: &[Source]) -> Result<()> {
+    let Lights { degree, entries } = lights;
+    for source in sources {
+        let harmonics = harmonics::<f64>(source, *degree)?;
+        let channels = entries.iter_mut().take(1).flat_map(|light| &mut light.rgb);
+        for (channel, energy) in channels.zip(source.energy) {
+            channel.iter_mut().zip(&harmonics).for_each(|(to, y)| *to -= energy * y);
+        }
+    }
+    Ok(())
+}

@@ -1,0 +1,155 @@
+//! The normals at which sources are fitted, what truncated pictures lack there, and what a source
+//! would add.
+
+use crate::response::{Glossy, Response};
+use crate::view::View;
+use eigenshade::mathematics::Libm;
+use eigenshade::{Gloss, Highlights, Normals, Rgb};
+use eigenshade_model::error::Result;
+use eigenshade_model::source::Source;
+use eigenshade_shading::highlights;
+use eigenshade_shading::parallel;
+use eigenshade_shading::shader::fault;
+use faer::linalg::matmul::matmul;
+use faer::{Accum, Mat, Par};
+
+/// The normals of a part: those with the largest errors, and evenly chosen ones of the rest.
+const WORST: usize = 250;
+const OTHERS: usize = 600;
+/// The least weight of a normal, of the mean of all. Normals that mirror a lamp stand for little of
+/// the picture, but are where it is worst.
+const LEAST: f64 = 0.1;
+
+/// What is fitted: parts for each view, material and size, with their rows one after another.
+pub struct Sample<'a> {
+    views: &'a [View],
+    materials: &'a [Glossy],
+    parts: Vec<Part>,
+    /// What the truncated pictures lack, of their peaks, by channel.
+    pub lack: [Vec<f32>; 3],
+    /// The weight of each row in the sum of squares.
+    pub weights: Vec<f32>,
+}
+
+struct Part {
+    view: usize,
+    material: usize,
+    normals: [Vec<f32>; 3],
+    /// The irradiance at each normal under each harmonic.
+    response: Mat<f32>,
+    peak: f32,
+}
+
+impl<'a> Sample<'a> {
+    /// Samples pictures at the normals of [`View::sphere`].
+    #[must_use]
+    pub fn new(views: &'a [View], materials: &'a [Glossy], spacing: f64) -> Self {
+        let mut sample = Self {
+            views,
+            materials,
+            parts: Vec::new(),
+            lack: [const { Vec::new() }; 3],
+            weights: Vec::new(),
+        };
+        for (v, view) in views.iter().enumerate() {
+            let sphere = view.sphere(spacing);
+            for (m, material) in materials.iter().enumerate() {
+                let pictures = view.pictures(material, &sphere.normals);
+                for (size, truncated) in pictures.truncated.iter().enumerate() {
+                    let lack = |c: usize, k: usize| pictures.reference[c][k] - truncated[c][k];
+                    let lack = |c: usize, k: usize| (lack(c, k) / pictures.peak) as f32;
+                    let most = |k: usize| (0..3).map(|c| lack(c, k).abs()).fold(0.0, f32::max);
+                    let chosen = chosen(sphere.normals.len(), most);
+                    let squares = chosen.iter().flat_map(|&k| (0..3).map(move |c| lack(c, k)));
+                    let count = (3 * chosen.len()) as f32;
+                    let rms = (squares.map(|lack| lack * lack).sum::<f32>() / count).sqrt();
+                    for (c, to) in sample.lack.iter_mut().enumerate() {
+                        to.extend(chosen.iter().map(|&k| lack(c, k)));
+                    }
+                    // Pictures count by the share of their error that is left. Large errors of a
+                    // pixel count more.
+                    let share = |k: usize| {
+                        let of_mean = sphere.weights[k] * sphere.normals.len() as f64;
+                        (of_mean + LEAST) as f32
+                    };
+                    let rms = rms.max(f32::MIN_POSITIVE);
+                    let weights = chosen.iter().map(|&k| share(k) * (rms + most(k)) / rms);
+                    sample.weights.extend(weights);
+                    let rows = parallel::map(chosen.len(), &(), |row| {
+                        material.responses[size].at(sphere.normals[chosen[row]])
+                    });
+                    let columns = rows.first().map_or(0, Vec::len);
+                    let axis = |a: usize| {
+                        chosen.iter().map(|&k| sphere.normals[k][a] as f32).collect::<Vec<f32>>()
+                    };
+                    sample.parts.push(Part {
+                        view: v,
+                        material: m,
+                        normals: [0, 1, 2].map(axis),
+                        response: Mat::from_fn(rows.len(), columns, |i, j| rows[i][j] as f32),
+                        peak: pictures.peak as f32,
+                    });
+                }
+            }
+        }
+        sample
+    }
+
+    /// What each source adds with energy 1 at each row, of the peaks: its highlight less the response
+    /// to its harmonics.
+    ///
+    /// # Errors
+    ///
+    /// If the runtime refuses a source or a material.
+    pub fn additions(&self, sources: &[Source]) -> Result<Vec<Vec<f32>>> {
+        let degree = self.materials.iter().flat_map(|material| &material.responses);
+        let degree = degree.map(Response::degree).max().unwrap_or(0);
+        let mut additions = vec![Vec::with_capacity(self.weights.len()); sources.len()];
+        for (v, view) in self.views.iter().enumerate() {
+            let turned = sources.iter().map(|source| {
+                let source = Source { energy: [1.0; 3], ..view.turned(source) };
+                let harmonics = highlights::harmonics::<f32>(&source, degree)?;
+                Ok((highlights::source(&source)?, harmonics))
+            });
+            let turned = turned.collect::<Result<Vec<(eigenshade::Source<f32>, _)>>>()?;
+            for part in self.parts.iter().filter(|part| part.view == v) {
+                let gloss = gloss(&self.materials[part.material])?;
+                let [x, y, z] = &part.normals;
+                let normals = Normals::new(x, y, z).map_err(fault)?;
+                let columns = part.response.ncols();
+                let harmonics = Mat::from_fn(columns, sources.len(), |k, j| turned[j].1[k]);
+                let mut low = Mat::<f32>::zeros(x.len(), sources.len());
+                matmul(&mut low, Accum::Replace, &part.response, &harmonics, 1.0, Par::Seq);
+                for (j, ((source, _), addition)) in turned.iter().zip(&mut additions).enumerate() {
+                    let mut colors = vec![Rgb::gray(0.0); x.len()];
+                    let highlight = Highlights::<f32, 1>::new::<Libm>(&gloss, &[*source]);
+                    highlight.and_then(|h| h.add_slice(normals, &mut colors)).map_err(fault)?;
+                    let rows = colors.iter().zip(low.col(j).iter());
+                    addition.extend(rows.map(|(color, low)| (color.r - low) / part.peak));
+                }
+            }
+        }
+        Ok(additions)
+    }
+}
+
+/// The numbers of the worst of `count` normals, and of evenly chosen ones of the rest.
+fn chosen(count: usize, error: impl Fn(usize) -> f32) -> Vec<usize> {
+    let mut all: Vec<usize> = (0..count).collect();
+    all.sort_by(|&a, &b| error(b).total_cmp(&error(a)));
+    let rest = all.split_off(WORST.min(count));
+    let step = (rest.len() / OTHERS).max(1);
+    all.extend(rest.into_iter().step_by(step));
+    all
+}
+
+/// The parameters of the material's lobe.
+///
+/// # Errors
+///
+/// If they are out of range.
+pub fn gloss(material: &Glossy) -> Result<Gloss<f32>> {
+    let [roughness, reflectance, albedo] =
+        [material.roughness, material.reflectance, material.albedo].map(|number| number as f32);
+    Gloss::new(roughness, [reflectance; 3], [albedo; 3]).map_err(fault)
+}

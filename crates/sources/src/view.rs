@@ -1,0 +1,104 @@
+//! A captured light seen from one side.
+
+use crate::light_tree::LightTree;
+use crate::mirrored;
+use crate::response::Glossy;
+use crate::sphere::Sphere;
+use eigenshade_generator::light::environment::EnvironmentMap;
+use eigenshade_generator::light::projection::project;
+use eigenshade_model::error::Result;
+use eigenshade_model::rotation::Rotation;
+use eigenshade_model::source::Source;
+use eigenshade_shading::parallel;
+use rayon::iter::{IntoParallelIterator, ParallelIterator};
+use std::f64::consts::{PI, TAU};
+
+/// An environment map after a rotation.
+pub struct View {
+    rotation: Option<Rotation>,
+    map: EnvironmentMap,
+    tree: LightTree,
+    /// The harmonics of the map.
+    light: [Vec<f64>; 3],
+}
+
+/// Pictures of a sphere of one material, by channel and normal.
+pub struct Pictures {
+    /// By direct integration of the whole map.
+    pub reference: [Vec<f64>; 3],
+    /// Without sources, at each size.
+    pub truncated: Vec<[Vec<f64>; 3]>,
+    /// The largest irradiance of the reference.
+    pub peak: f64,
+}
+
+impl View {
+    /// The map as it is, or after a rotation, with harmonics up to `degree`.
+    ///
+    /// # Errors
+    ///
+    /// Those of [`LightTree::new`].
+    pub fn new(map: &EnvironmentMap, rotation: Option<Rotation>, degree: usize) -> Result<Self> {
+        let map = rotation.map_or_else(|| map.clone(), |rotation| turned(map, rotation.matrix()));
+        let tree = LightTree::new(std::slice::from_ref(&map))?;
+        Ok(Self { rotation, light: project(&map, degree), map, tree })
+    }
+
+    /// Evenly spaced normals, and others that mirror the lamps.
+    #[must_use]
+    pub fn sphere(&self, spacing: f64) -> Sphere {
+        let brightest = self.tree.surroundings().mirror(0);
+        mirrored::sphere(std::slice::from_ref(&self.map), spacing, &[brightest])
+    }
+
+    /// A source of the map, seen from here.
+    #[must_use]
+    pub fn turned(&self, source: &Source) -> Source {
+        self.rotation.map_or(*source, |rotation| source.turned(rotation.matrix()))
+    }
+
+    /// Pictures of a material at these normals.
+    #[must_use]
+    pub fn pictures(&self, material: &Glossy, normals: &[[f64; 3]]) -> Pictures {
+        let found = parallel::map(normals.len(), &(), |k| {
+            let reference = self.tree.irradiance(&*material.brdf, normals[k], 1.0)[0];
+            let truncated = material.responses.iter().map(|response| {
+                let response = response.at(normals[k]);
+                let of = |light: &Vec<f64>| response.iter().zip(light).map(|(r, l)| r * l).sum();
+                [0, 1, 2].map(|c: usize| of(&self.light[c]))
+            });
+            (reference, truncated.collect::<Vec<[f64; 3]>>())
+        });
+        let reference =
+            [0, 1, 2].map(|c: usize| found.iter().map(|(reference, _)| reference[c]).collect());
+        let truncated = (0..material.responses.len()).map(|size| {
+            [0, 1, 2].map(|c: usize| found.iter().map(|(_, sums)| sums[size][c]).collect())
+        });
+        let truncated = truncated.collect();
+        let peak = crate::sphere::peak(&reference);
+        Pictures { reference, truncated, peak }
+    }
+}
+
+/// The map turned by a matrix. Each texel is the mean of 2 x 2 samples.
+fn turned(map: &EnvironmentMap, matrix: [[f64; 3]; 3]) -> EnvironmentMap {
+    let (width, height) = (map.width, map.height);
+    let texel = |k: usize| {
+        let mut sum = [0.0; 3];
+        for part in 0..4 {
+            let u = ((k % width) as f64 + 0.25 + 0.5 * f64::from(part % 2)) / width as f64;
+            let v = ((k / width) as f64 + 0.25 + 0.5 * f64::from(part / 2)) / height as f64;
+            let (sin_t, cos_t) = (TAU * (u - 0.5)).sin_cos();
+            let (sine, cosine) = (PI * v).sin_cos();
+            let direction = [sin_t * sine, cosine, -cos_t * sine];
+            let back = |i: usize| (0..3).map(|j| matrix[j][i] * direction[j]).sum::<f64>();
+            let column = (back(0).atan2(-back(2)) / TAU + 0.5) * width as f64;
+            let row = back(1).clamp(-1.0, 1.0).acos() / PI * height as f64;
+            let (column, row) = ((column as usize).min(width - 1), (row as usize).min(height - 1));
+            let from = map.texels[row * width + column];
+            sum.iter_mut().zip(from).for_each(|(sum, value)| *sum += 0.25 * value);
+        }
+        sum
+    };
+    EnvironmentMap { width, height, texels: (0..width * height).into_par_iter().map(texel).collect() }
+}
