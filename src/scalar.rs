@@ -42,10 +42,13 @@ pub trait Scalar:
     fn from_f64(value: f64) -> Self;
     /// Converts an `f32` exactly: this format contains every `f32`.
     fn from_f32(value: f32) -> Self;
-    /// √x for x > 0 by Newton's method, without branches, division or tables, so that loops over
-    /// pixels can be vectorized. Relative error: 7e-7 in f32, 5e-16 in f64.
+    /// self / divisor. As `reciprocal`.
     #[doc(hidden)]
-    fn root_by_newton(self) -> Self;
+    fn over(self, divisor: Self) -> Self;
+    /// √(x/2) for x > 0 by Newton's method, without branches, division or tables, so that loops over
+    /// pixels can be vectorized. The half saves a product. Relative error: 8e-7 in f32, 5e-16 in f64.
+    #[doc(hidden)]
+    fn root_of_half(self) -> Self;
     /// The square root, from `libm`.
     fn root_by_libm(self) -> Self;
     /// Sine and cosine of an angle in radians, from `libm`.
@@ -61,8 +64,8 @@ mod sealed {
 macro_rules! scalar {
     (
         $float:ident, $exchange:path,
-        |$value:ident| $nearest:expr, |$square:ident| $newton:expr,
-        $root:path, $sine_and_cosine:path
+        |$value:ident| $nearest:expr,
+        $inverse:path, $root:path, $sine_and_cosine:path
     ) => {
         impl Scalar for $float {
             const ZERO: Self = 0.0;
@@ -103,9 +106,12 @@ macro_rules! scalar {
                 value.into()
             }
             #[inline(always)]
-            fn root_by_newton(self) -> Self {
-                let $square = self;
-                $square * $newton
+            fn over(self, divisor: Self) -> Self {
+                self / divisor
+            }
+            #[inline(always)]
+            fn root_of_half(self) -> Self {
+                self * $inverse(self)
             }
             #[inline]
             fn root_by_libm(self) -> Self {
@@ -122,34 +128,27 @@ scalar!(
     f32,
     exchange::F32,
     |value| value as f32,
-    |square| inverse_root_of_single(square),
+    inverse_root_of_single,
     libm::sqrtf,
     libm::sincosf
 );
-scalar!(
-    f64,
-    exchange::F64,
-    |value| value,
-    |square| inverse_root_of_double(square),
-    libm::sqrt,
-    libm::sincos
-);
+scalar!(f64, exchange::F64, |value| value, inverse_root_of_double, libm::sqrt, libm::sincos);
 
-/// 1/√x. The first step, with constants for the smallest error over all mantissas, leaves 6.5e-4,
-/// and the second one 6.4e-7.
+/// 1/√(2x). Each step multiplies by 3/2 - x y², with the constants for the smallest largest error:
+/// 8.8e-4 after the first one, 5.8e-7 after the second.
 #[inline(always)]
 fn inverse_root_of_single(x: f32) -> f32 {
-    let first = f32::from_bits(0x5f1f_fff9_u32.wrapping_sub(x.to_bits() >> 1));
-    let second = first * 0.703_952_25 * (2.389_244_6 - x * first * first);
-    second * (1.5 - 0.5 * x * second * second)
+    let first = f32::from_bits(0x5ef7_6a26_u32.wrapping_sub(x.to_bits() >> 1));
+    let second = first * (1.500_88 - x * first * first);
+    second * (1.500_000_6 - x * second * second)
 }
 
-/// 1/√x in four steps.
+/// 1/√(2x) in four steps.
 #[inline(always)]
 fn inverse_root_of_double(x: f64) -> f64 {
-    let mut inverse = f64::from_bits(0x5fe6_eb50_c7b5_37a9_u64.wrapping_sub(x.to_bits() >> 1));
+    let mut inverse = f64::from_bits(0x5fde_eb50_c7b5_37a9_u64.wrapping_sub(x.to_bits() >> 1));
     for _ in 0..4 {
-        inverse += 0.5 * inverse * (1.0 - x * inverse * inverse);
+        inverse *= 1.5 - x * inverse * inverse;
     }
     inverse
 }
@@ -160,18 +159,18 @@ mod tests {
 
     /// Every mantissa of two octaves, of which all others are copies.
     #[test]
-    fn roots_by_newton() {
+    fn roots_of_halves() {
         let mut most = 0.0_f64;
         for bits in 1.0_f32.to_bits()..4.0_f32.to_bits() {
             let x = f32::from_bits(bits);
-            let exact = libm::sqrt(f64::from(x));
-            most = most.max((f64::from(x.root_by_newton()) / exact - 1.0).abs());
+            let exact = libm::sqrt(0.5 * f64::from(x));
+            most = most.max((f64::from(x.root_of_half()) / exact - 1.0).abs());
         }
-        assert!(most <= 7e-7, "{most:e}");
+        assert!(most <= 8e-7, "{most:e}");
         let mut most = 0.0_f64;
         for k in 1..100_000 {
             let x = f64::from(k) * 1e-4;
-            most = most.max((x.root_by_newton() / libm::sqrt(x) - 1.0).abs());
+            most = most.max((x.root_of_half() / libm::sqrt(0.5 * x) - 1.0).abs());
         }
         assert!(most <= 5e-16, "{most:e}");
     }

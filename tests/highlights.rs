@@ -374,7 +374,8 @@ fn lobe_errors(material: &Glossy, blob: &Blob, blurs: &[f64]) -> Vec<[f64; 2]> {
     let exact = |normal: Vector| -> f64 {
         nodes.iter().map(|&(light, weight)| weight * material.reflected(light, normal)).sum()
     };
-    let all = disc(80);
+    // Enough for the narrowest lobe.
+    let all = disc(if narrower < 0.02 { 80 } else { 48 });
     let near = around(blob, 0.25 * alpha.hypot(0.5 * narrower), 6);
     let images: Vec<f64> = all.iter().map(|&normal| exact(normal)).collect();
     let peak = near.iter().map(|&normal| exact(normal)).chain(images.iter().copied());
