@@ -268,7 +268,9 @@ impl<S: Scalar> Lobe<S> {
             let square = rest * rest;
             square * square * rest
         };
-        let peak = S::from_f64(0.25 * FRAC_1_PI) * first * second;
+        // Less of a source that spreads around the object's back, where h is not linear in s.
+        let fade = (one + half * far * far).reciprocal();
+        let peak = S::from_f64(0.25 * FRAC_1_PI) * first * second * fade;
         let matte = S::from_f64(FRAC_1_PI);
         let parts = source.energy().zip(gloss.reflectance()).zip(gloss.albedo());
         let parts = parts.map(|((energy, f0), albedo)| {

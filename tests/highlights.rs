@@ -187,7 +187,7 @@ impl Glossy {
         let distribution = square / (PI * divisor * divisor);
         let fresnel = self.fresnel(dot(half, VIEW));
         let matte = (1.0 - fresnel) * self.albedo / PI;
-        cosine * (matte + faded * fresnel * distribution * self.visibility(cosine, view))
+        cosine * (matte + fresnel * distribution * self.visibility(cosine, view))
     }
 
     /// The lobe of a source of energy 1, with D from slopes about the half-way direction, no wider
@@ -366,11 +366,11 @@ fn single_precision() {
 /// rms over the disc, as fractions of the exact peak. Sources to 110 degrees from the view, roughness
 /// 0.2 to 0.6; and to 140 degrees.
 const LOBE_ERRORS: [(f64, [f64; 2], [f64; 2]); 5] = [
-    (0.01, [0.04, 0.0006], [0.07, 0.001]),
-    (0.02, [0.09, 0.0015], [0.10, 0.003]),
-    (0.05, [0.11, 0.005], [0.11, 0.008]),
-    (0.1, [0.11, 0.012], [0.11, 0.013]),
-    (0.2, [0.13, 0.028], [0.15, 0.036]),
+    (0.01, [0.025, 0.0005], [0.04, 0.0006]),
+    (0.02, [0.05, 0.0014], [0.06, 0.002]),
+    (0.05, [0.065, 0.005], [0.065, 0.006]),
+    (0.1, [0.075, 0.011], [0.075, 0.012]),
+    (0.2, [0.065, 0.025], [0.065, 0.03]),
 ];
 
 /// The error of the peak and the rms error for some κ, of the exact peak.
@@ -425,7 +425,7 @@ fn lobes_are_near_the_exact_brdf_over_the_blob() {
 
 /// The same for elongated blobs in any orientation, on a metal and on a dielectric: of the peak, and
 /// rms.
-const ELONGATED: [f64; 2] = [0.12, 0.012];
+const ELONGATED: [f64; 2] = [0.06, 0.0095];
 
 #[test]
 fn lobes_of_elongated_blobs() {
