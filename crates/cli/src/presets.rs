@@ -5,6 +5,8 @@ use eigenshade_model::database::{Lights, Materials, Named, name_remedy};
 use eigenshade_model::error::{Error, Result, STANDARD_INPUT};
 use eigenshade_model::inputs::coefficient_csv::{read_lights, read_materials};
 use eigenshade_model::inputs::input_file::{InputFile, is_file};
+use eigenshade_model::inputs::source_csv::read_sources;
+use eigenshade_model::source::{Gloss, Source as SmallSource};
 use eigenshade_shading::shipped;
 use std::convert::Infallible;
 use std::path::{Path, PathBuf};
@@ -78,6 +80,42 @@ impl Source {
         Ok(Lights { degree, entries: self.chosen("light", entries)? })
     }
 
+    /// The largest set of at most this many small sources of one light.
+    ///
+    /// # Errors
+    ///
+    /// If the sources of a light CSV, which are in a file beside it, cannot be read; or if there are
+    /// none for the light.
+    pub fn sources(&self, light: &str, most: usize, budget: Budget) -> Result<Vec<SmallSource>> {
+        let (lights, file) = match self.entry {
+            Entry::Shipped => (shipped::sources()?, PathBuf::from(SOURCES)),
+            _ => {
+                let file = source_file(&self.path);
+                (read_sources(InputFile::new(&file, budget))?, file)
+            }
+        };
+        let sets = lights.into_iter().find(|sets| sets.name == light).ok_or_else(|| {
+            let what = format!("it has no sources of the light `{light}`");
+            let remedy = "find them with `eigenshade light MAP --sources 8`, or leave --sources out";
+            Error::new(what, remedy).in_file(&file)
+        })?;
+        Ok(sets.of_most(most).to_vec())
+    }
+
+    /// The gloss of a shipped material, and the error of the fit.
+    ///
+    /// # Errors
+    ///
+    /// If this is not a shipped material with gloss.
+    pub fn gloss(&self) -> Result<(Gloss, f64)> {
+        let path = self.path.display();
+        let name = self.path.to_str().filter(|_| self.entry == Entry::Shipped);
+        name.and_then(shipped::gloss).ok_or_else(|| {
+            let remedy = "leave --sources out, or name a shipped material in color";
+            Error::new(format!("the gloss of `{path}` is not known"), remedy)
+        })
+    }
+
     /// The materials.
     ///
     /// # Errors
@@ -146,6 +184,15 @@ impl Source {
             100.0 * error.worst
         ))
     }
+}
+
+/// The shipped sources.
+const SOURCES: &str = "tables/inputs/sources.csv";
+
+/// The file with the sources of the lights of a light CSV.
+#[must_use]
+pub fn source_file(lights: &Path) -> PathBuf {
+    lights.with_extension("sources.csv")
 }
 
 /// The extensions of environment maps.

@@ -1,4 +1,4 @@
-//! Small bright sources of a light.
+//! Small bright sources of a light, and the gloss of the materials that reflect them.
 
 /// An elliptical blob of light on the sphere of directions: see the runtime's `Source`.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -20,6 +20,20 @@ impl Source {
         let turn = |[x, y, z]: [f64; 3]| matrix.map(|[a, b, c]| a * x + b * y + c * z);
         Self { direction: turn(self.direction), major: turn(self.major), ..*self }
     }
+
+    /// Rounded to so many significant digits, for smaller files.
+    #[must_use]
+    pub fn rounded(&self, digits: usize) -> Self {
+        let round = |number: f64| {
+            format!("{number:.*e}", digits.saturating_sub(1)).parse().unwrap_or(number)
+        };
+        Self {
+            direction: self.direction.map(round),
+            energy: self.energy.map(round),
+            major: self.major.map(round),
+            minor: round(self.minor),
+        }
+    }
 }
 
 /// The sources of one light: several sets of different sizes.
@@ -39,4 +53,15 @@ impl SourceSets {
         let fitting = self.sets.iter().rev().find(|(size, _)| *size <= most);
         fitting.map_or(&[], |(_, sources)| sources)
     }
+}
+
+/// A GGX lobe over a matte base: see the runtime's `Gloss`.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Gloss {
+    /// The perceptual roughness, 0 to 1.
+    pub roughness: f64,
+    /// The reflectance at normal incidence by channel, 0 to 1.
+    pub reflectance: [f64; 3],
+    /// The albedo of the base by channel, 0 to 1.
+    pub albedo: [f64; 3],
 }

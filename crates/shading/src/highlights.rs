@@ -6,7 +6,7 @@ use eigenshade::mathematics::Libm;
 use eigenshade_index::light;
 use eigenshade_model::database::Lights;
 use eigenshade_model::error::Result;
-use eigenshade_model::source::Source;
+use eigenshade_model::source::{Gloss, Source};
 
 /// The largest degree of a light that sources are taken out of.
 const DEGREE: usize = 32;
@@ -21,6 +21,16 @@ pub fn source<S: Scalar>(source: &Source) -> Result<eigenshade::Source<S>> {
     let energy = source.energy.map(number);
     let (direction, major) = (source.direction.map(number), source.major.map(number));
     eigenshade::Source::new::<Libm>(direction, energy, major, number(source.minor)).map_err(fault)
+}
+
+/// A gloss in a number format.
+///
+/// # Errors
+///
+/// If a parameter is not in \[0, 1\].
+pub fn gloss<S: Scalar>(gloss: &Gloss) -> Result<eigenshade::Gloss<S>> {
+    let [reflectance, albedo] = [gloss.reflectance, gloss.albedo].map(|rgb| rgb.map(S::from_f64));
+    eigenshade::Gloss::new(S::from_f64(gloss.roughness), reflectance, albedo).map_err(fault)
 }
 
 /// The harmonics up to `degree` of a source of energy 1, rounded to a format.

@@ -4,6 +4,8 @@
 use eigenshade_model::database::{Lights, Materials};
 use eigenshade_model::error::{Error, Result};
 use eigenshade_model::inputs::coefficient_csv::{parse_lights, parse_materials};
+use eigenshade_model::inputs::source_csv::parse_sources;
+use eigenshade_model::source::{Gloss, SourceSets};
 use eigenshade_table::decode;
 use std::ffi::OsStr;
 use std::path::Path;
@@ -19,6 +21,8 @@ const MATERIALS: &str = include_str!("../tables/inputs/materials.csv");
 const FORMULAS: &str = include_str!("../tables/inputs/pbr-materials.csv");
 const COLORED: &str = include_str!("../tables/inputs/merl.csv");
 
+const SOURCES: &str = include_str!("../tables/inputs/sources.csv");
+const GLOSS: &str = include_str!("../tables/inputs/gloss.csv");
 const ERRORS: &str = include_str!("../tables/inputs/merl.errors.csv");
 
 /// Shipped materials that pictures and reports show, from matte to specular.
@@ -42,6 +46,32 @@ pub const SHOWN_LIGHTS: [&str; 4] = ["esplanade", "park", "blender-courtyard", "
 /// As [`parse_lights`], for the compiled-in file.
 pub fn lights() -> Result<Lights> {
     parse_lights(LIGHTS, "tables/inputs/lights.csv", None)
+}
+
+/// The small sources of the captured lights, `tables/inputs/sources.csv`.
+///
+/// # Errors
+///
+/// As [`parse_sources`], for the compiled-in file.
+pub fn sources() -> Result<Vec<SourceSets>> {
+    parse_sources(SOURCES, "tables/inputs/sources.csv")
+}
+
+/// The gloss of a material in color, and the rms of what it leaves of pictures under a point of light,
+/// from `tables/inputs/gloss.csv`. `None` if it is not there.
+#[must_use]
+pub fn gloss(material: &str) -> Option<(Gloss, f64)> {
+    GLOSS.lines().find_map(|line| {
+        let (name, numbers) = line.split_once(',')?;
+        if name != material {
+            return None;
+        }
+        let numbers = numbers.split(',').map(|number| number.parse::<f64>().ok());
+        let numbers = numbers.collect::<Option<Vec<f64>>>()?;
+        let [roughness, f0_r, f0_g, f0_b, r, g, b, error] = numbers[..] else { return None };
+        let gloss = Gloss { roughness, reflectance: [f0_r, f0_g, f0_b], albedo: [r, g, b] };
+        Some((gloss, error))
+    })
 }
 
 /// The materials in `tables/inputs/materials.csv`.

@@ -22,3 +22,5 @@ pub mod view;
 pub mod sample;
 
 pub mod pursuit;
+
+pub mod gloss;

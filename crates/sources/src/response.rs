@@ -4,6 +4,7 @@ use eigenshade_generator::material::brdf::{Brdf, Ggx, Measure, projection};
 use eigenshade_index::light;
 use eigenshade_model::error::Result;
 use eigenshade_model::reference::DirectSum;
+use eigenshade_model::source::Gloss;
 use eigenshade_model::special::spherical_harmonic::azimuth;
 use rayon::iter::{IntoParallelIterator, ParallelIterator};
 use std::f64::consts::{FRAC_PI_2, PI};
@@ -82,12 +83,8 @@ fn angle(node: usize) -> f64 {
 
 /// One channel of a GGX material, with its responses at several sizes.
 pub struct Glossy {
-    /// The perceptual roughness.
-    pub roughness: f64,
-    /// The reflectance at normal incidence.
-    pub reflectance: f64,
-    /// The albedo of the matte base.
-    pub albedo: f64,
+    /// Its parameters, the same in each channel.
+    pub gloss: Gloss,
     /// The BRDF.
     pub brdf: Box<dyn Brdf>,
     /// One for each size.
@@ -110,6 +107,7 @@ impl Glossy {
         let responses = sizes.iter().zip(&projections);
         let responses = responses.map(|(&size, of)| Response::new(size, &of.coefficients));
         let responses = responses.collect();
-        Ok(Self { roughness, reflectance, albedo, brdf: Box::new(brdf), responses })
+        let gloss = Gloss { roughness, reflectance: [reflectance; 3], albedo: [albedo; 3] };
+        Ok(Self { gloss, brdf: Box::new(brdf), responses })
     }
 }

@@ -4,7 +4,7 @@
 use crate::response::{Glossy, Response};
 use crate::view::View;
 use eigenshade::mathematics::Libm;
-use eigenshade::{Gloss, Highlights, Normals, Rgb};
+use eigenshade::{Highlights, Normals, Rgb};
 use eigenshade_model::error::Result;
 use eigenshade_model::source::Source;
 use eigenshade_shading::highlights;
@@ -113,7 +113,7 @@ impl<'a> Sample<'a> {
             });
             let turned = turned.collect::<Result<Vec<(eigenshade::Source<f32>, _)>>>()?;
             for part in self.parts.iter().filter(|part| part.view == v) {
-                let gloss = gloss(&self.materials[part.material])?;
+                let gloss = highlights::gloss(&self.materials[part.material].gloss)?;
                 let [x, y, z] = &part.normals;
                 let normals = Normals::new(x, y, z).map_err(fault)?;
                 let columns = part.response.ncols();
@@ -141,15 +141,4 @@ fn chosen(count: usize, error: impl Fn(usize) -> f32) -> Vec<usize> {
     let step = (rest.len() / OTHERS).max(1);
     all.extend(rest.into_iter().step_by(step));
     all
-}
-
-/// The parameters of the material's lobe.
-///
-/// # Errors
-///
-/// If they are out of range.
-pub fn gloss(material: &Glossy) -> Result<Gloss<f32>> {
-    let [roughness, reflectance, albedo] =
-        [material.roughness, material.reflectance, material.albedo].map(|number| number as f32);
-    Gloss::new(roughness, [reflectance; 3], [albedo; 3]).map_err(fault)
 }

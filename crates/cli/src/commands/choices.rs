@@ -8,6 +8,7 @@ use eigenshade_cli::table;
 use eigenshade_model::database::Lights;
 use eigenshade_model::error::{Error, Result};
 use eigenshade_model::rotation::Rotation;
+use eigenshade_model::source::Source;
 use eigenshade_table::Table;
 use std::path::Path;
 
@@ -79,6 +80,11 @@ impl Choices {
             ));
         }
         Ok(())
+    }
+
+    /// A source after the rotation of the light.
+    pub fn turned(&self, source: &Source) -> Source {
+        self.rotate.map_or(*source, |rotation| source.turned(rotation.matrix()))
     }
 
     /// Rotates lights, then applies the window.

@@ -4,6 +4,7 @@ use super::options::{Destination, Memory, count};
 use clap::{Args, ValueEnum};
 use eigenshade_cli::messages::{print_message, progress_bar};
 use eigenshade_cli::output;
+use eigenshade_cli::presets::source_file;
 use eigenshade_generator::light::cube::face_files;
 use eigenshade_generator::light::map::Map;
 use eigenshade_generator::light::map_file::is_picture;
@@ -14,7 +15,13 @@ use eigenshade_model::error::{Error, Result};
 use eigenshade_model::inputs::coefficient_csv::{read_lights, write_lights};
 use eigenshade_model::inputs::coefficient_text::{LIGHT_DIGITS, rounded};
 use eigenshade_model::inputs::input_file::InputFile;
+use eigenshade_model::inputs::source_csv::write_sources;
+use eigenshade_model::source::{Source, SourceSets};
+use eigenshade_sources::pursuit::{self, ROUGHNESS};
 use std::path::{Path, PathBuf};
+
+/// Digits of the numbers of a source.
+const DIGITS: usize = 6;
 
 /// The degree of the shipped table.
 const DEGREE: usize = 9;
@@ -52,6 +59,15 @@ pub struct Light {
     /// Convention of a light CSV
     #[arg(long, value_enum)]
     from: Option<Convention>,
+    /// Find sets of 1, 2, 4, ... up to K small bright sources, 1 to 32, for the highlights of glossy
+    /// materials: see `render --sources`. They are written beside the output, to FILE.sources.csv for
+    /// FILE.csv. Takes some ten seconds a map
+    #[arg(long, value_name = "K", value_parser = count(1, 32), requires = "out")]
+    sources: Option<usize>,
+    /// Roughness of the materials that sources are found for, 0.1 to 1
+    #[arg(long = "for", value_name = "R,R", value_delimiter = ',', value_parser = roughness,
+        requires = "sources", default_values_t = ROUGHNESS)]
+    roughness: Vec<f64>,
     #[command(flatten)]
     out: Destination,
 }
@@ -147,6 +163,10 @@ impl Light {
     pub fn run(self, memory: Memory) -> Result<()> {
         let lights = match self.maps.as_slice() {
             [file] if is_csv(file) => {
+                if self.sources.is_some() {
+                    let what = "--sources needs a map: a light CSV has harmonics only";
+                    return Err(Error::new(what, "give the map").in_file(file));
+                }
                 if self.layout.is_some() || self.frame != Frame::Eigenshade {
                     let what = "a light CSV has neither a layout nor a frame";
                     let remedy = "leave --layout and --frame out, or give maps";
@@ -166,11 +186,16 @@ impl Light {
                     return Err(Error::new(what, "leave it out, or give one light CSV"));
                 }
                 let files = files(maps)?;
+                let beside = self.out.path.as_deref().map(source_file);
                 let mut inputs = Vec::new();
                 for (_, path) in &files {
                     inputs.extend(pictures(path)?);
                 }
-                output::refuse_collisions(&self.out.path, inputs)?;
+                output::refuse_collisions(self.out.path.iter().chain(&beside), inputs)?;
+                if let (Some(most), Some(beside)) = (self.sources, beside) {
+                    let sets = self.found(&files, most, memory)?;
+                    output::write(Some(&beside), |out| write_sources(&sets, out))?;
+                }
                 Convention::Paper.convert(self.projected(files, memory)?, self.convention)?
             }
         };
@@ -192,6 +217,35 @@ impl Light {
         }
         progress.finish_and_clear();
         Ok(rounded(&Lights { degree, entries }, LIGHT_DIGITS))
+    }
+
+    /// The sources of the maps, in the frame of the lights.
+    fn found(
+        &self,
+        files: &[(String, PathBuf)],
+        most: usize,
+        memory: Memory,
+    ) -> Result<Vec<SourceSets>> {
+        let progress = progress_bar("maps", files.len());
+        let materials = pursuit::metals(&self.roughness)?;
+        let mut lights = Vec::new();
+        for (name, path) in files {
+            let map = Map::read(memory.file(path), self.layout.map(Into::into))?;
+            let Map::Equirectangular(map) = &map else {
+                let remedy = "leave --sources out, or give an equirectangular map";
+                return Err(Error::new("sources are not found in cubes", remedy).in_file(path));
+            };
+            let turn = frame::Frame::from(self.frame).turn(false)?.matrix();
+            let sets = pursuit::find(map, &materials, most).map_err(|error| error.in_file(path))?;
+            let turned = |(most, set): (usize, Vec<Source>)| {
+                (most, set.iter().map(|source| source.turned(turn).rounded(DIGITS)).collect())
+            };
+            let sets = sets.into_iter().map(turned).collect();
+            lights.push(SourceSets { name: name.clone(), sets });
+            progress.inc(1);
+        }
+        progress.finish_and_clear();
+        Ok(lights)
     }
 
     /// Describes a map that was read, with warnings, on standard error.
@@ -236,6 +290,14 @@ impl Light {
                  the sun are missing, and images are flatter than with an .hdr or .exr map"
             ));
         }
+    }
+}
+
+/// Parses a roughness.
+fn roughness(text: &str) -> std::result::Result<f64, String> {
+    match text.parse() {
+        Ok(number) if (0.1..=1.0).contains(&number) => Ok(number),
+        _ => Err("expected a roughness from 0.1 to 1".to_owned()),
     }
 }
 

@@ -3,7 +3,8 @@
 use super::choices::Choices;
 use super::options::{Inputs, Memory, TableChoice, count, positive};
 use clap::{Args, ValueEnum};
-use eigenshade::{Effects, Matcap, Rgb, Scalar, Tone};
+use eigenshade::mathematics::Libm;
+use eigenshade::{Effects, Highlights, Matcap, Rgb, Scalar, Tone};
 use eigenshade_cli::messages::print_message;
 use eigenshade_cli::messages::{Ringing, albedo_warning};
 use eigenshade_cli::object::{Object, ObjectView, SIZE};
@@ -13,6 +14,9 @@ use eigenshade_cli::picture_file::{Development, PictureFile};
 use eigenshade_cli::table::rounding;
 use eigenshade_model::database::{Lights, Materials};
 use eigenshade_model::error::{Error, Result};
+use eigenshade_model::inputs::source_csv::MOST;
+use eigenshade_model::source::{Gloss, Source};
+use eigenshade_shading::highlights;
 use eigenshade_shading::overflow;
 use eigenshade_shading::owned_basis::OwnedBasis;
 use eigenshade_shading::shader::{OwnedNormals, Shader, fault, fitted, of_higher_order};
@@ -48,6 +52,10 @@ pub struct Render {
     format: Format,
     #[command(flatten)]
     choices: Choices,
+    /// Shade up to K small bright sources of the light by the material's gloss, for sharp highlights:
+    /// 1, 2, 4 or 8 of a shipped light. Needs a shipped material in color
+    #[arg(long, value_name = "K", value_parser = count(1, 32), conflicts_with = "effects")]
+    sources: Option<usize>,
     /// The factor from irradiance to what the tone curve shows, white being 1 [default: metered,
     /// and 1 for an .exr]
     #[arg(long, value_name = "E", value_parser = positive, allow_hyphen_values = true)]
@@ -104,6 +112,26 @@ impl From<Curve> for Tone {
 }
 
 impl Render {
+    /// The sources to shade, which are taken out of the light.
+    fn highlights(&self, lights: &mut Lights, memory: Memory) -> Result<Option<Gleam>> {
+        let Some(most) = self.sources else { return Ok(None) };
+        let Inputs { light, material } = &self.inputs;
+        let (gloss, _) = material.gloss()?;
+        let sources = light.sources(&lights.entries[0].name, most, memory.of_file())?;
+        if gloss.roughness > MATTE {
+            print_message(format_args!(
+                "note: `{}` is as matte as a roughness of {:.2}: its pictures are as near without \
+                 sources, and it is drawn without",
+                material.path().display(),
+                gloss.roughness
+            ));
+            return Ok(None);
+        }
+        highlights::take_out(lights, &sources)?;
+        let sources = sources.iter().map(|source| self.choices.turned(source)).collect();
+        Ok(Some(Gleam { gloss, sources }))
+    }
+
     pub fn run(self, memory: Memory) -> Result<()> {
         let Inputs { light, material } = &self.inputs;
         let inputs = [self.table.path(), light.path(), material.path(), &self.normals];
@@ -128,6 +156,7 @@ impl Render {
         };
         let warnings = [higher, albedo_warning(&materials), rounded].into_iter().flatten();
         let (mut lights, materials) = fitted(&table, &lights, &materials);
+        let highlights = self.highlights(&mut lights, memory)?;
         self.choices.change(&mut lights);
         let is_sphere = self.normals.as_os_str() == "sphere";
         let object = match self.matcap {
@@ -137,7 +166,7 @@ impl Render {
         };
         let [width, height] = object.size();
         memory.file(&self.out).admit_pixels((width * height) as u64, file.bytes_per_pixel(), 0)?;
-        let scene = Pair { table: &table, lights: &lights, materials: &materials };
+        let scene = Pair { table: &table, lights: &lights, materials: &materials, highlights };
         let (mut least, mut largest) = (f64::INFINITY, f64::NEG_INFINITY);
         let mut draw = |show: &mut dyn FnMut(Pixel, Rgb<f32>)| {
             let mut show = |pixel, color: Rgb<f32>| {
@@ -166,12 +195,29 @@ impl Render {
     }
 }
 
+/// Small sources on a gloss.
+struct Gleam {
+    gloss: Gloss,
+    sources: Vec<Source>,
+}
+
 /// One light on one material.
 struct Pair<'a> {
+    highlights: Option<Gleam>,
     table: &'a Table,
     lights: &'a Lights,
     materials: &'a Materials,
 }
+
+impl Gleam {
+    fn shaded<S: Scalar>(&self) -> Result<Highlights<S, MOST>> {
+        let sources = self.sources.iter().map(highlights::source).collect::<Result<Vec<_>>>()?;
+        Highlights::new::<Libm>(&highlights::gloss(&self.gloss)?, &sources).map_err(fault)
+    }
+}
+
+/// The roughness above which harmonics of degree 9 show all of a highlight.
+const MATTE: f64 = 0.6;
 
 /// Pixels that are shaded together.
 const BAND: usize = 1 << 16;
@@ -191,15 +237,22 @@ impl Pair<'_> {
             .with_effects(effects)?;
         let light = (self.lights.degree, &self.lights.entries[0]);
         let material = (self.materials.order, &self.materials.entries[0]);
+        let highlights = self.highlights.as_ref().map(Gleam::shaded::<S>).transpose()?;
         let mut all = object.pixels();
         loop {
             let (pixels, normals): (Vec<Pixel>, Vec<_>) = all.by_ref().take(BAND).unzip();
             if pixels.is_empty() {
                 return Ok(());
             }
-            let [r, g, b] = shader.color(light, material, &OwnedNormals::new(&normals))?;
-            for (pixel, ((r, g), b)) in pixels.into_iter().zip(r.into_iter().zip(g).zip(b)) {
-                show(pixel, [r, g, b].map(|channel| channel.into() as f32).into());
+            let normals = OwnedNormals::new(&normals);
+            let [r, g, b] = shader.color(light, material, &normals)?;
+            let colors = r.into_iter().zip(g).zip(b).map(|((r, g), b)| Rgb::new(r, g, b));
+            let mut colors: Vec<Rgb<S>> = colors.collect();
+            if let Some(highlights) = &highlights {
+                highlights.add_slice(normals.view()?, &mut colors).map_err(fault)?;
+            }
+            for (pixel, color) in pixels.into_iter().zip(colors) {
+                show(pixel, color.map(|channel| channel.into() as f32));
             }
         }
     }

@@ -1,0 +1,155 @@
+//! Fits the runtime's gloss, one GGX lobe over a matte base, to any BRDF.
+//!
+//! The picture of a sphere under a point of light is fitted, for lights from near the camera to behind
+//! the object, each relative to its peak. For one roughness, the picture is linear in the reflectance
+//! f0 and in albedo (1 - f0); the roughness is searched.
+
+use eigenshade_generator::material::brdf::{Brdf, Geometry, Ggx, Surface};
+use eigenshade_model::error::Result;
+use eigenshade_model::source::Gloss;
+use eigenshade_shading::parallel;
+use std::f64::consts::{FRAC_PI_2, PI, TAU};
+
+/// Angles of the lights from the camera in degrees.
+const LIGHTS: [f64; 6] = [10.0, 35.0, 60.0, 85.0, 110.0, 135.0];
+/// Normals around the half-way direction: rings from this angle to a right angle, and normals of one.
+const NEAREST: f64 = 0.004;
+const RINGS: usize = 40;
+const AROUND: usize = 16;
+/// Roughness that is tried at first, and halvings of the step after it.
+const TRIED: usize = 46;
+const LEAST: f64 = 0.1;
+const HALVINGS: usize = 6;
+/// Steps of the least squares solution.
+const STEPS: usize = 100;
+
+/// A point of a picture.
+struct Point {
+    at: Geometry,
+    weight: f64,
+    /// The BRDF times the cosine, by channel.
+    values: [f64; 3],
+}
+
+/// The gloss nearest to a surface, and the rms of what it leaves relative to that of the surface.
+///
+/// # Errors
+///
+/// Cannot fail in practice: the roughness is in range.
+pub fn fit(surface: &Surface) -> Result<(Gloss, f64)> {
+    let points: Vec<Point> = LIGHTS.iter().flat_map(|&angle| points(surface, angle)).collect();
+    let of = |roughness: f64| at_roughness(&points, roughness);
+    let step = (1.0 - LEAST) / (TRIED - 1) as f64;
+    let tried = parallel::map(TRIED, &(), |k| of(LEAST + step * k as f64));
+    let tried = tried.into_iter().collect::<Result<Vec<_>>>()?;
+    let mut best = tried[0];
+    for one in &tried[1..] {
+        if one.1 < best.1 {
+            best = *one;
+        }
+    }
+    let mut step = step;
+    for _ in 0..HALVINGS {
+        step *= 0.5;
+        for roughness in [best.0.roughness - step, best.0.roughness + step] {
+            let one = of(roughness.clamp(LEAST, 1.0))?;
+            if one.1 < best.1 {
+                best = one;
+            }
+        }
+    }
+    Ok(best)
+}
+
+fn points(surface: &Surface, angle: f64) -> Vec<Point> {
+    let (sine, cosine) = angle.to_radians().sin_cos();
+    let (sin_h, cos_h) = (0.5 * angle.to_radians()).sin_cos();
+    let ratio = (FRAC_PI_2 / NEAREST).powf(1.0 / RINGS as f64);
+    let mut points = Vec::new();
+    for ring in 0..RINGS {
+        let inner = NEAREST * ratio.powi(ring as i32);
+        let (near, far) = (if ring == 0 { 0.0 } else { inner }, inner * ratio);
+        let (s, c) = (0.5 * (near + far)).sin_cos();
+        let solid_angle = TAU * (near.cos() - far.cos()) / AROUND as f64;
+        for k in 0..AROUND {
+            let (sin_t, cos_t) = (TAU * (k as f64 + 0.5) / AROUND as f64).sin_cos();
+            // Along the plane of light and camera, and across it.
+            let [x, y, z] =
+                [c * sin_h + s * cos_t * cos_h, s * sin_t, c * cos_h - s * cos_t * sin_h];
+            let incident = sine * x + cosine * z;
+            if y.is_finite() && z > 0.0 && incident > 0.0 {
+                let at = Geometry { incident, reflected: z, between: cosine };
+                let values = [0, 1, 2].map(|c: usize| {
+                    let channel = c.min(surface.channels() - 1);
+                    surface.channel(channel).value(at) * incident
+                });
+                points.push(Point { at, weight: solid_angle * z, values });
+            }
+        }
+    }
+    let values = points.iter().flat_map(|point| point.values);
+    let peak = values.fold(f64::MIN_POSITIVE, f64::max);
+    points.iter_mut().for_each(|point| point.weight /= peak * peak);
+    points
+}
+
+/// The best reflectance and albedo of one roughness.
+fn at_roughness(points: &[Point], roughness: f64) -> Result<(Gloss, f64)> {
+    let lobe = Ggx::new(roughness, 1.0, 0.0)?;
+    let mut gloss = Gloss { roughness, reflectance: [0.0; 3], albedo: [0.0; 3] };
+    let (mut left, mut all) = (0.0, 0.0);
+    // f cos = p S + f0 (1 - p) S + albedo (1 - f0) (1 - p) cos / π with p = (1 - cos θ_d)^5.
+    let terms: Vec<[f64; 3]> = points
+        .iter()
+        .map(|Point { at, .. }| {
+            let rise = (1.0 - at.difference_cosine()).powi(5);
+            let lobe = lobe.value(*at) * at.incident;
+            [rise * lobe, (1.0 - rise) * lobe, (1.0 - rise) * at.incident / PI]
+        })
+        .collect();
+    for c in 0..3 {
+        let mut sums = [[0.0; 2]; 2];
+        let mut right = [0.0; 2];
+        for (point, [fixed, a, b]) in points.iter().zip(&terms) {
+            let rest = point.values[c] - fixed;
+            for (i, p) in [a, b].into_iter().enumerate() {
+                right[i] += point.weight * p * rest;
+                for (j, q) in [a, b].into_iter().enumerate() {
+                    sums[i][j] += point.weight * p * q;
+                }
+            }
+        }
+        // By turns, each within its range.
+        let [mut f0, mut matte] = [0.0; 2];
+        for _ in 0..STEPS {
+            f0 = ((right[0] - sums[0][1] * matte) / sums[0][0]).clamp(0.0, 1.0);
+            matte = ((right[1] - sums[1][0] * f0) / sums[1][1]).clamp(0.0, 1.0 - f0);
+        }
+        gloss.reflectance[c] = f0;
+        gloss.albedo[c] = if f0 < 1.0 { matte / (1.0 - f0) } else { 0.0 };
+        for (point, [fixed, a, b]) in points.iter().zip(&terms) {
+            let off = point.values[c] - fixed - f0 * a - matte * b;
+            left += point.weight * off * off;
+            all += point.weight * point.values[c].powi(2);
+        }
+    }
+    Ok((gloss, (left / all).sqrt()))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_lobe_is_found_again() {
+        let [r, g, b] = [(0.9, 0.0), (0.3, 0.2), (0.04, 0.7)]
+            .map(|(f0, albedo)| Ggx::new(0.314, f0, albedo).unwrap());
+        let surface = Surface::colored("x".into(), [Box::new(r), Box::new(g), Box::new(b)]);
+        let (gloss, error) = fit(&surface).unwrap();
+        assert!(error < 0.01 && (gloss.roughness - 0.314).abs() < 2e-3, "{gloss:?} {error}");
+        for (c, (f0, albedo)) in [(0.9, 0.0), (0.3, 0.2), (0.04, 0.7)].into_iter().enumerate() {
+            assert!((gloss.reflectance[c] - f0).abs() < 0.01, "{gloss:?}");
+            assert!((gloss.albedo[c] - albedo).abs() < 0.02, "{gloss:?}");
+        }
+    }
+}
