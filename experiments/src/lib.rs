@@ -24,6 +24,8 @@ pub mod accuracy;
 
 pub mod material_errors;
 
+pub mod highlights;
+
 pub mod paper;
 
 pub mod accuracy_cost;

@@ -1,7 +1,7 @@
 //! Fits the runtime's gloss, one GGX lobe over a matte base, to any BRDF.
 //!
-//! The picture of a sphere under a point of light is fitted, for lights from near the camera to behind
-//! the object, each relative to its peak. For one roughness, the picture is linear in the reflectance
+//! The picture of a sphere under a small round source is fitted, for sources from near the camera to
+//! the side of the object, each relative to its peak. For one roughness, the picture is linear in the reflectance
 //! f0 and in albedo (1 - f0); the roughness is searched.
 
 use eigenshade_generator::material::brdf::{Brdf, Geometry, Ggx, Surface};
@@ -11,7 +11,17 @@ use eigenshade_shading::parallel;
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
 /// Angles of the lights from the camera in degrees.
-const LIGHTS: [f64; 6] = [10.0, 35.0, 60.0, 85.0, 110.0, 135.0];
+const LIGHTS: [f64; 5] = [10.0, 35.0, 60.0, 85.0, 110.0];
+/// The standard deviation of a source in radians, about that of captured lamps, and the points that
+/// stand for it: those of a Gauss-Hermite rule along and across, by place and weight.
+const SPREAD: f64 = 0.04;
+const NODES: [(f64, f64); 5] = [
+    (-2.856_970_013_872_806, 0.011_257_411_327_720_69),
+    (-1.355_626_179_974_266, 0.222_075_922_005_612_6),
+    (0.0, 0.533_333_333_333_333_3),
+    (1.355_626_179_974_266, 0.222_075_922_005_612_6),
+    (2.856_970_013_872_806, 0.011_257_411_327_720_69),
+];
 /// Normals around the half-way direction: rings from this angle to a right angle, and normals of one.
 const NEAREST: f64 = 0.004;
 const RINGS: usize = 40;
@@ -25,10 +35,18 @@ const STEPS: usize = 100;
 
 /// A point of a picture.
 struct Point {
-    at: Geometry,
+    /// The geometry of each point of the source that the normal faces, and its share.
+    lit: Vec<(Geometry, f64)>,
     weight: f64,
-    /// The BRDF times the cosine, by channel.
+    /// The irradiance of a source of energy 1, by channel.
     values: [f64; 3],
+}
+
+impl Point {
+    /// Σ share f cos.
+    fn irradiance(&self, brdf: &dyn Brdf) -> f64 {
+        self.lit.iter().map(|(at, share)| share * at.incident * brdf.value(*at)).sum()
+    }
 }
 
 /// The gloss nearest to a surface, and the rms of what it leaves relative to that of the surface.
@@ -63,6 +81,13 @@ pub fn fit(surface: &Surface) -> Result<(Gloss, f64)> {
 
 fn points(surface: &Surface, angle: f64) -> Vec<Point> {
     let (sine, cosine) = angle.to_radians().sin_cos();
+    let source = NODES.iter().flat_map(|&(u, of_u)| {
+        NODES.map(|(v, of_v)| {
+            let ((su, cu), (sv, cv)) = ((SPREAD * u).sin_cos(), (SPREAD * v).sin_cos());
+            ([(sine * cu + cosine * su) * cv, sv, (cosine * cu - sine * su) * cv], of_u * of_v)
+        })
+    });
+    let source: Vec<([f64; 3], f64)> = source.collect();
     let (sin_h, cos_h) = (0.5 * angle.to_radians()).sin_cos();
     let ratio = (FRAC_PI_2 / NEAREST).powf(1.0 / RINGS as f64);
     let mut points = Vec::new();
@@ -76,15 +101,18 @@ fn points(surface: &Surface, angle: f64) -> Vec<Point> {
             // Along the plane of light and camera, and across it.
             let [x, y, z] =
                 [c * sin_h + s * cos_t * cos_h, s * sin_t, c * cos_h - s * cos_t * sin_h];
-            let incident = sine * x + cosine * z;
-            if y.is_finite() && z > 0.0 && incident > 0.0 {
-                let at = Geometry { incident, reflected: z, between: cosine };
-                let values = [0, 1, 2].map(|c: usize| {
-                    let channel = c.min(surface.channels() - 1);
-                    surface.channel(channel).value(at) * incident
-                });
-                points.push(Point { at, weight: solid_angle * z, values });
+            if z <= 0.0 {
+                continue;
             }
+            let lit = source.iter().map(|&([a, b, c], share)| {
+                let at = Geometry { incident: a * x + b * y + c * z, reflected: z, between: c };
+                (at, share)
+            });
+            let lit = lit.filter(|(at, _)| at.incident > 0.0).collect();
+            let mut point = Point { lit, weight: solid_angle * z, values: [0.0; 3] };
+            let of = |c: usize| surface.channel(c.min(surface.channels() - 1));
+            point.values = [0, 1, 2].map(|c| point.irradiance(of(c)));
+            points.push(point);
         }
     }
     let values = points.iter().flat_map(|point| point.values);
@@ -101,10 +129,15 @@ fn at_roughness(points: &[Point], roughness: f64) -> Result<(Gloss, f64)> {
     // f cos = p S + f0 (1 - p) S + albedo (1 - f0) (1 - p) cos / π with p = (1 - cos θ_d)^5.
     let terms: Vec<[f64; 3]> = points
         .iter()
-        .map(|Point { at, .. }| {
-            let rise = (1.0 - at.difference_cosine()).powi(5);
-            let lobe = lobe.value(*at) * at.incident;
-            [rise * lobe, (1.0 - rise) * lobe, (1.0 - rise) * at.incident / PI]
+        .map(|Point { lit, .. }| {
+            let mut terms = [0.0; 3];
+            for (at, share) in lit {
+                let rise = (1.0 - at.difference_cosine()).powi(5);
+                let (of_lobe, of_matte) = (share * lobe.value(*at), share / PI);
+                let parts = [rise * of_lobe, (1.0 - rise) * of_lobe, (1.0 - rise) * of_matte];
+                terms.iter_mut().zip(parts).for_each(|(term, part)| *term += at.incident * part);
+            }
+            terms
         })
         .collect();
     for c in 0..3 {

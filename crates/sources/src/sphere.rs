@@ -26,6 +26,13 @@ impl Sphere {
         Self { weights: weights.collect(), normals, rings }
     }
 
+    /// These normals, of equal weight.
+    #[must_use]
+    pub fn of_normals(normals: &[[f64; 3]]) -> Self {
+        let weights = vec![1.0 / normals.len().max(1) as f64; normals.len()];
+        Self { rings: Vec::new(), normals: normals.to_vec(), weights }
+    }
+
     /// The irradiances of each light on its material, by material, light and normal. `degree` is
     /// that of the sum and of all lights.
     pub fn direct(

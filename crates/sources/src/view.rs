@@ -3,9 +3,10 @@
 use crate::light_tree::LightTree;
 use crate::mirrored;
 use crate::response::Glossy;
-use crate::sphere::Sphere;
+use crate::sphere::{Picture, Sphere};
 use eigenshade_generator::light::environment::EnvironmentMap;
 use eigenshade_generator::light::projection::project;
+use eigenshade_generator::material::brdf::Surface;
 use eigenshade_model::error::Result;
 use eigenshade_model::rotation::Rotation;
 use eigenshade_model::source::Source;
@@ -25,9 +26,9 @@ pub struct View {
 /// Pictures of a sphere of one material, by channel and normal.
 pub struct Pictures {
     /// By direct integration of the whole map.
-    pub reference: [Vec<f64>; 3],
+    pub reference: Picture,
     /// Without sources, at each size.
-    pub truncated: Vec<[Vec<f64>; 3]>,
+    pub truncated: Vec<Picture>,
     /// The largest irradiance of the reference.
     pub peak: f64,
 }
@@ -55,6 +56,27 @@ impl View {
     #[must_use]
     pub fn turned(&self, source: &Source) -> Source {
         self.rotation.map_or(*source, |rotation| source.turned(rotation.matrix()))
+    }
+
+    /// The harmonics, by channel.
+    #[must_use]
+    pub fn light(&self) -> &[Vec<f64>; 3] {
+        &self.light
+    }
+
+    /// The picture of a surface by direct integration.
+    #[must_use]
+    pub fn reference(&self, surface: &Surface, normals: &[[f64; 3]]) -> Picture {
+        let parts = surface.parts();
+        let colors = parallel::map(normals.len(), &(), |k| {
+            let mut color = [0.0; 3];
+            for part in &parts {
+                let lit = self.tree.irradiance(part.brdf, normals[k], 1.0)[0];
+                color.iter_mut().zip(lit).zip(part.shares).for_each(|((to, lit), s)| *to += s * lit);
+            }
+            color
+        });
+        [0, 1, 2].map(|c: usize| colors.iter().map(|color| color[c]).collect())
     }
 
     /// Pictures of a material at these normals.

@@ -3,6 +3,7 @@
 mod errors;
 mod figures;
 mod files;
+mod highlights;
 mod material_errors;
 mod pictures;
 
@@ -46,7 +47,10 @@ pub enum Command {
     ///
     /// Integers must be equal; floats may differ by the tolerance that the file states.
     Golden(Purpose),
+    Gloss(highlights::Gloss),
     GlossyMaterials(files::GlossyMaterials),
+    Highlights(highlights::Highlights),
+    HighlightPicture(highlights::HighlightPicture),
     MaterialErrors(material_errors::MaterialErrors),
     MetallicRoughness(files::MetallicRoughness),
     SameOrder(files::SameOrder),
@@ -87,7 +91,10 @@ impl Command {
                 Ok(())
             }
             Self::Golden(purpose) => files::golden(&purpose),
+            Self::Gloss(command) => command.run(),
             Self::GlossyMaterials(command) => command.run(),
+            Self::Highlights(command) => command.run(),
+            Self::HighlightPicture(command) => command.run(),
             Self::MaterialErrors(command) => command.run(),
             Self::MetallicRoughness(command) => command.run(),
             Self::SameOrder(command) => command.run(),

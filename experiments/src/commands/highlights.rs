@@ -1,0 +1,132 @@
+//! Errors and pictures of small sources, and the gloss of the shipped materials.
+
+use clap::Args;
+use eigenshade_cli::messages::{print_message, progress_bar};
+use eigenshade_cli::output;
+use eigenshade_cli::picture::{self, Canvas, SphereView, write_png};
+use eigenshade_model::error::Result;
+use experiments::command_line::write_command_line;
+use experiments::highlights::{self, DRAWN};
+use experiments::numbers::percent;
+use experiments::pages::filled;
+use std::path::PathBuf;
+
+/// The gloss of the shipped materials in color, tables/inputs/gloss.csv
+///
+/// One GGX lobe over a matte base is fitted to each. `error` is the rms of what it leaves of pictures
+/// under points of light, relative to that of the pictures.
+#[derive(Args, Debug)]
+pub struct Gloss {
+    /// Folder of the shipped tables' inputs
+    #[arg(long, value_name = "DIR", default_value = "tables/inputs")]
+    inputs: PathBuf,
+    /// Write the CSV to this file instead of standard output
+    #[arg(long, value_name = "FILE")]
+    out: Option<PathBuf>,
+}
+
+impl Gloss {
+    pub fn run(self) -> Result<()> {
+        let glosses = highlights::glosses(&self.inputs)?;
+        output::write(self.out.as_deref(), |out| {
+            write_command_line(out)?;
+            highlights::write_glosses(&glosses, out)
+        })
+    }
+}
+
+/// Errors of pictures with small sources, docs/highlights.csv and the tables of docs/highlights.md
+///
+/// The pictures are of GGX metals under the captured lights as they are and turned, and under three
+/// synthetic ones. The reference is direct integration of the whole map. Takes some five minutes on
+/// two cores.
+#[derive(Args, Debug)]
+pub struct Highlights {
+    /// Names of lights [default: all]
+    #[arg(value_name = "LIGHT")]
+    lights: Vec<String>,
+    /// Folder of the shipped tables' inputs
+    #[arg(long, value_name = "DIR", default_value = "tables/inputs")]
+    inputs: PathBuf,
+    /// Write the CSV to this file instead of standard output
+    #[arg(long, value_name = "FILE")]
+    out: Option<PathBuf>,
+    /// Write the tables into this page
+    #[arg(long, value_name = "FILE")]
+    page: Option<PathBuf>,
+}
+
+impl Highlights {
+    pub fn run(self) -> Result<()> {
+        let progress = progress_bar("lights", 0);
+        let rows = highlights::errors(&self.inputs, &self.lights, &progress)?;
+        progress.finish_and_clear();
+        output::write(self.out.as_deref(), |out| {
+            write_command_line(out)?;
+            highlights::write(&rows, out)
+        })?;
+        match &self.page {
+            Some(page) => {
+                let text = filled(page, &highlights::parts(&rows))?;
+                output::write_all(Some(page), text)
+            }
+            None => Ok(()),
+        }
+    }
+}
+
+/// Width of a sphere and of the gap beside it, in pixels.
+const SIZE: usize = 150;
+const GAP: usize = 10;
+const BACKGROUND: [u8; 3] = [32; 3];
+/// The share of the reference's values that its exposure leaves unclipped.
+const UNCLIPPED: f64 = 0.995;
+
+const LIGHTS: [&str; 3] = ["studio", "sunset", "night"];
+const MATERIALS: [&str; 3] =
+    ["gold-metallic-paint2", "blue-metallic-paint", "specular-maroon-phenolic"];
+
+/// Spheres with sources beside those without, and direct integration, docs/highlights.png
+#[derive(Args, Debug)]
+pub struct HighlightPicture {
+    /// Folder of the shipped tables' inputs
+    #[arg(long, value_name = "DIR", default_value = "tables/inputs")]
+    inputs: PathBuf,
+    /// The file to write
+    #[arg(long, value_name = "FILE")]
+    out: PathBuf,
+    /// Materials
+    #[arg(long, value_name = "NAME", value_delimiter = ',', default_values_t = MATERIALS.map(str::to_owned))]
+    materials: Vec<String>,
+}
+
+impl HighlightPicture {
+    pub fn run(self) -> Result<()> {
+        let view = SphereView::new(SIZE);
+        let across = |count: usize| GAP + count * (SIZE + GAP);
+        let rows = LIGHTS.len() * self.materials.len();
+        let mut canvas = Canvas::new(across(DRAWN.len()), across(rows), BACKGROUND);
+        let pairs = LIGHTS.iter().flat_map(|light| self.materials.iter().map(move |m| (*light, m)));
+        for (row, (light, material)) in pairs.enumerate() {
+            let pictures = highlights::spheres(&self.inputs, light, material, &view.normals)?;
+            let reference = pictures.last().into_iter().flatten().flatten().copied().collect();
+            let exposure = picture::exposure(reference, UNCLIPPED);
+            for (column, (picture, drawn)) in pictures.iter().zip(DRAWN).enumerate() {
+                if let (Some(reference), Some(((degree, order), sources))) = (pictures.last(), drawn) {
+                    let [rms, worst] = highlights::errors_of(&view.normals, picture, reference);
+                    print_message(format_args!(
+                        "{light}, {material}, {degree}/{order} + {sources}: {} rms, {} worst",
+                        percent(rms, 2),
+                        percent(worst, 2)
+                    ));
+                }
+                for (k, pixel) in view.pixels.iter().enumerate() {
+                    let color = [0, 1, 2].map(|c: usize| picture::srgb(exposure * picture[c][k]));
+                    let (x, y) = (across(column) + pixel.column, across(row) + pixel.row);
+                    canvas.blend(x, y, color, pixel.coverage);
+                }
+            }
+        }
+        write_png(&self.out, canvas.width, canvas.height, &canvas.bytes)
+    }
+}

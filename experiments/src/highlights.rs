@@ -1,0 +1,343 @@
+//! Errors of pictures with small sources against direct integration of whole maps, pictures of them,
+//! and the gloss of the shipped materials.
+
+use crate::numbers::{median, percent};
+use crate::pages::{Page, Part, table};
+use eigenshade::mathematics::Libm;
+use eigenshade::{Highlights, Normal};
+use eigenshade_cli::output::Rows;
+use eigenshade_generator::light::environment::EnvironmentMap;
+use eigenshade_generator::light::projection::named_maps;
+use eigenshade_generator::material::brdf::{Measure, Surface};
+use eigenshade_generator::material::files::{Source as MaterialSource, read};
+use eigenshade_index::light;
+use eigenshade_model::error::{Error, Result};
+use eigenshade_model::inputs::source_csv::{MOST, read_sources};
+use eigenshade_model::rotation::Rotation;
+use eigenshade_model::source::{Gloss, Source, SourceSets};
+use eigenshade_shading::shader::fault;
+use eigenshade_shading::{highlights, parallel, shipped};
+use eigenshade_sources::pursuit::{self, ROUGHNESS, SETS};
+use eigenshade_sources::response::{Glossy, Response};
+use eigenshade_sources::sphere::{Picture, Sphere};
+use eigenshade_sources::view::View;
+use eigenshade_sources::gloss;
+use indicatif::ProgressBar;
+use std::io::Write;
+use std::path::Path;
+
+/// The page with the errors.
+pub const PAGE: Page = Page { name: "highlights", same: |_, old, new| old == new };
+
+/// Degrees and orders, and whether sources are used.
+const SIZES: [((usize, usize), bool); 4] =
+    [((9, 7), true), ((12, 12), true), ((24, 24), false), ((32, 32), false)];
+/// A rotation of the light that sources are not fitted to.
+const OTHER: Rotation = Rotation { alpha: 0.8, beta: -2.1, gamma: 0.9 };
+/// Spacing of the normals in radians, other than that of the fit.
+const SPACING: f64 = 0.071;
+/// Size of the synthetic maps.
+const SIZE: [usize; 2] = [512, 256];
+
+/// The error of one picture.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Row {
+    /// The light.
+    pub light: String,
+    /// Whether the light is turned by [`OTHER`].
+    pub is_turned: bool,
+    /// The roughness of the metal.
+    pub roughness: f64,
+    /// Degree and order.
+    pub size: (usize, usize),
+    /// The most sources.
+    pub sources: usize,
+    /// The root mean square error and the largest error of a pixel, of the peak.
+    pub errors: [f64; 2],
+}
+
+/// The columns of the errors.
+pub const COLUMNS: [&str; 8] =
+    ["light", "turned", "roughness", "degree", "order", "sources", "rms", "worst"];
+
+/// Lights that no camera took: their names and maps.
+fn synthetic() -> Vec<(&'static str, EnvironmentMap)> {
+    let [width, height] = SIZE;
+    let map = |radiance: &dyn Fn([f64; 3]) -> f32| {
+        let mut map = EnvironmentMap { width, height, texels: vec![[0.0; 3]; width * height] };
+        for texel in 0..width * height {
+            let value = radiance(map.direction(texel % width, texel / width));
+            map.texels[texel] = [value; 3];
+        }
+        map
+    };
+    let near = |direction: [f64; 3], to: [f64; 3], radius: f64| {
+        let cosine: f64 = direction.iter().zip(to).map(|(a, b)| a * b).sum();
+        cosine > radius.cos()
+    };
+    let lamps = [[0.48, 0.64, 0.6], [-0.8, 0.36, 0.48], [0.0, -0.6, -0.8]];
+    vec![
+        ("one sun", map(&|d| if near(d, [0.36, 0.8, 0.48], 0.008) { 2e4 } else { 0.3 })),
+        (
+            "three lamps",
+            map(&|d| if lamps.iter().any(|&lamp| near(d, lamp, 0.06)) { 60.0 } else { 0.1 }),
+        ),
+        ("constant", map(&|_| 1.0)),
+    ]
+}
+
+/// The errors under all captured lights and three synthetic ones, or under those with these names.
+///
+/// # Errors
+///
+/// If a map or the sources of a light cannot be read.
+pub fn errors(inputs: &Path, names: &[String], progress: &ProgressBar) -> Result<Vec<Row>> {
+    let sources = read_sources(inputs.join("sources.csv"))?;
+    let sizes = SIZES.map(|(size, _)| size);
+    let materials = ROUGHNESS.iter().map(|&roughness| Glossy::new([roughness, 1.0, 0.0], &sizes));
+    let materials = materials.collect::<Result<Vec<_>>>()?;
+    let is_chosen = |name: &str| names.is_empty() || names.iter().any(|one| one == name);
+    let mut lights = Vec::new();
+    for (name, path) in named_maps(&[inputs.join("maps")])? {
+        if is_chosen(&name) {
+            let sets = sources.iter().find(|sets| sets.name == name).cloned();
+            lights.push((EnvironmentMap::from_path(path)?, sets.unwrap_or_default(), name));
+        }
+    }
+    for (name, map) in synthetic() {
+        if is_chosen(name) {
+            let sets = pursuit::find(&map, &pursuit::metals(&ROUGHNESS)?, SETS[SETS.len() - 1])?;
+            lights.push((map, SourceSets { name: name.into(), sets }, name.into()));
+        }
+    }
+    progress.set_length(lights.len() as u64);
+    let mut rows = Vec::new();
+    for (map, sets, name) in &lights {
+        for turn in [None, Some(OTHER)] {
+            let degree = sizes.iter().map(|size| size.0).max().unwrap_or(0);
+            let view = View::new(map, turn, degree)?;
+            let sphere = view.sphere(SPACING);
+            for material in &materials {
+                let reference = view.pictures(material, &sphere.normals).reference;
+                for (response, (size, has_sources)) in material.responses.iter().zip(SIZES) {
+                    let counts = std::iter::once(0).chain(SETS.into_iter().filter(|_| has_sources));
+                    for sources in counts {
+                        let set = sets.of_most(sources);
+                        let responses = [response, response, response];
+                        let found = picture(&view, responses, &material.gloss, set, &sphere)?;
+                        rows.push(Row {
+                            light: name.clone(),
+                            is_turned: turn.is_some(),
+                            roughness: material.gloss.roughness,
+                            size,
+                            sources,
+                            errors: off(&sphere, &found, &reference),
+                        });
+                    }
+                }
+            }
+        }
+        progress.inc(1);
+    }
+    Ok(rows)
+}
+
+/// The root mean square and the largest difference of two pictures, of the peak.
+fn off(sphere: &Sphere, found: &Picture, reference: &Picture) -> [f64; 2] {
+    let peak = eigenshade_sources::sphere::peak(reference);
+    let pairs = found.iter().flatten().zip(reference.iter().flatten());
+    let worst = pairs.map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
+    [sphere.error(found, reference), worst / peak]
+}
+
+/// The root mean square and the largest difference of two pictures at normals of equal weight, of the
+/// peak of the second.
+pub fn errors_of(normals: &[[f64; 3]], found: &Picture, reference: &Picture) -> [f64; 2] {
+    off(&Sphere::of_normals(normals), found, reference)
+}
+
+/// The picture of a material by harmonics and sources, both in f64.
+fn picture(
+    view: &View,
+    responses: [&Response; 3],
+    gloss: &Gloss,
+    sources: &[Source],
+    sphere: &Sphere,
+) -> Result<Picture> {
+    let degree = responses[0].degree();
+    let mut rest = view.light().each_ref().map(|light| light[..light::count(degree)].to_vec());
+    let turned: Vec<Source> = sources.iter().map(|source| view.turned(source)).collect();
+    for source in &turned {
+        let harmonics = highlights::harmonics::<f64>(source, degree)?;
+        for (channel, energy) in rest.iter_mut().zip(source.energy) {
+            channel.iter_mut().zip(&harmonics).for_each(|(to, y)| *to -= energy * y);
+        }
+    }
+    let turned = turned.iter().map(highlights::source).collect::<Result<Vec<_>>>()?;
+    let lobes = Highlights::<f64, MOST>::new::<Libm>(&highlights::gloss(gloss)?, &turned);
+    let lobes = lobes.map_err(fault)?;
+    let color = |k: usize| {
+        let [x, y, z] = sphere.normals[k];
+        let lit: [f64; 3] = lobes.shade(Normal::new(x, y, z).map_err(fault)?).into();
+        let smooth = [0, 1, 2].map(|c: usize| responses[c].irradiance([x, y, z], &rest[c]));
+        Ok([0, 1, 2].map(|c: usize| smooth[c] + lit[c]))
+    };
+    let colors = parallel::map(sphere.normals.len(), &(), color);
+    let colors = colors.into_iter().collect::<Result<Vec<[f64; 3]>>>()?;
+    Ok([0, 1, 2].map(|c: usize| colors.iter().map(|color| color[c]).collect()))
+}
+
+/// Writes errors as CSV.
+///
+/// # Errors
+///
+/// If the output fails.
+pub fn write(rows: &[Row], out: &mut dyn Write) -> Result<()> {
+    let mut csv = Rows::new(out, COLUMNS)?;
+    for Row { light, is_turned, roughness, size, sources, errors } in rows {
+        csv.row([
+            light.clone(),
+            u8::from(*is_turned).to_string(),
+            roughness.to_string(),
+            size.0.to_string(),
+            size.1.to_string(),
+            sources.to_string(),
+            format!("{:.5}", errors[0]),
+            format!("{:.4}", errors[1]),
+        ])?;
+    }
+    csv.finish()
+}
+
+/// The tables of the page.
+pub fn parts(rows: &[Row]) -> Vec<Part> {
+    let find = |light: &str, is_turned: bool, roughness: f64, size, sources| {
+        rows.iter().find(|row| {
+            row.light == light
+                && row.is_turned == is_turned
+                && row.roughness == roughness
+                && row.size == size
+                && row.sources == sources
+        })
+    };
+    let mut lights: Vec<&str> = rows.iter().map(|row| row.light.as_str()).collect();
+    lights.dedup();
+    let settings: [((usize, usize), usize); 7] = [
+        ((9, 7), 0),
+        ((9, 7), 4),
+        ((9, 7), 8),
+        ((12, 12), 0),
+        ((12, 12), 4),
+        ((12, 12), 8),
+        ((32, 32), 0),
+    ];
+    let title = |((degree, order), sources): ((usize, usize), usize)| match sources {
+        0 => format!("{degree}/{order}:"),
+        _ => format!("{degree}/{order} + {sources}:"),
+    };
+    let titles = settings.map(title).join(" | ");
+    let cell = |row: Option<&Row>| {
+        row.map_or("-".into(), |row| {
+            format!("{:.2} / {:.1}", 100.0 * row.errors[0], 100.0 * row.errors[1])
+        })
+    };
+    let lines = lights.iter().map(|light| {
+        let cells = settings.map(|(size, sources)| cell(find(light, false, 0.3, size, sources)));
+        std::iter::once((*light).to_owned()).chain(cells).collect()
+    });
+    let by_light = table(&format!("light | {titles}"), lines);
+    let mut lines = Vec::new();
+    for roughness in ROUGHNESS {
+        for (is_turned, name) in [(false, "as fitted"), (true, "turned")] {
+            let cells = settings.map(|(size, sources)| {
+                let of = |k: usize| -> Vec<f64> {
+                    let found = lights.iter().filter_map(|light| {
+                        find(light, is_turned, roughness, size, sources).map(|row| row.errors[k])
+                    });
+                    found.collect()
+                };
+                format!("{} / {}", percent(median(&of(0)), 2), percent(median(&of(1)), 2))
+            });
+            lines.push([roughness.to_string(), name.to_owned()].into_iter().chain(cells).collect());
+        }
+    }
+    let medians = table(&format!("roughness: | light | {titles}"), lines);
+    vec![("errors by light", by_light), ("median errors", medians)]
+}
+
+/// The gloss of each shipped material in color, and what it leaves.
+///
+/// # Errors
+///
+/// If the parameters of the materials cannot be read.
+pub fn glosses(inputs: &Path) -> Result<Vec<(String, Gloss, f64)>> {
+    let surfaces = surfaces(inputs)?;
+    let fitted = surfaces.iter().map(|surface| {
+        gloss::fit(surface).map(|(gloss, left)| (surface.name.clone(), gloss, left))
+    });
+    fitted.collect()
+}
+
+fn surfaces(inputs: &Path) -> Result<Vec<Surface>> {
+    let all = read(inputs.join("merl-abc.csv"))?.into_iter();
+    Ok(all
+        .filter_map(|source| match source {
+            MaterialSource::Surface(surface) => Some(surface),
+            MaterialSource::Measured(_) => None,
+        })
+        .collect())
+}
+
+/// Writes glosses as CSV.
+///
+/// # Errors
+///
+/// If the output fails.
+pub fn write_glosses(glosses: &[(String, Gloss, f64)], out: &mut dyn Write) -> Result<()> {
+    let columns =
+        ["material", "roughness", "f0_r", "f0_g", "f0_b", "albedo_r", "albedo_g", "albedo_b", "error"];
+    let mut csv = Rows::new(out, columns)?;
+    for (name, Gloss { roughness, reflectance, albedo }, left) in glosses {
+        let numbers = [&[*roughness][..], reflectance, albedo, &[*left]].concat();
+        let numbers = numbers.into_iter().map(|number| format!("{number:.4}"));
+        csv.row(std::iter::once(name.clone()).chain(numbers))?;
+    }
+    csv.finish()
+}
+
+/// What a picture of [`spheres`] is made of: degree and order, and the most sources; or the
+/// reference.
+pub const DRAWN: [Option<((usize, usize), usize)>; 4] =
+    [Some(((9, 7), 0)), Some(((9, 7), 4)), Some(((12, 12), 8)), None];
+
+/// Pictures of a shipped material under a captured light, one for each of [`DRAWN`].
+///
+/// # Errors
+///
+/// If an input cannot be read.
+pub fn spheres(
+    inputs: &Path,
+    map: &str,
+    material: &str,
+    normals: &[[f64; 3]],
+) -> Result<Vec<Picture>> {
+    let path = inputs.join(format!("maps/{map}.exr"));
+    let view = View::new(&EnvironmentMap::from_path(path)?, None, 12)?;
+    let surface = surfaces(inputs)?.into_iter().find(|surface| surface.name == material);
+    let surface = surface.ok_or_else(|| Error::new("no such material", "take a shipped one"))?;
+    let sources = shipped::sources()?.into_iter().find(|sets| sets.name == map);
+    let sources = sources.unwrap_or_default();
+    let (gloss, _) = gloss::fit(&surface)?;
+    let sphere = Sphere::of_normals(normals);
+    DRAWN
+        .iter()
+        .map(|drawn| match *drawn {
+            Some((size, most)) => {
+                let projected = surface.project(size.1, Measure::default()).material;
+                let [r, g, b] = projected.rgb.each_ref().map(|b| Response::new(size, b));
+                picture(&view, [&r, &g, &b], &gloss, sources.of_most(most), &sphere)
+            }
+            None => Ok(view.reference(&surface, normals)),
+        })
+        .collect()
+}
