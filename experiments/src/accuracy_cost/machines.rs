@@ -188,8 +188,8 @@ impl Times {
     }
 }
 
-/// The error limits.
-pub const LIMITS: [f64; 7] = [0.1, 0.05, 0.01, 3e-3, 1e-3, 1e-4, 1e-5];
+/// The limits of the total error.
+pub const LIMITS: [f64; 6] = [0.1, 0.08, 0.07, 0.06, 0.05, 0.04];
 /// The number of pixels of the picture over which costs are summed.
 pub const PIXELS: f64 = 96.0 * 96.0;
 /// Times that differ by less than this factor count as equal, because runs differ by more.

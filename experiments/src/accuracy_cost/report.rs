@@ -80,6 +80,11 @@ fn cost(value: f64) -> String {
     }
 }
 
+/// Counted instructions: all digits of small counts.
+fn instructions(value: f64) -> String {
+    if value < 1000.0 { grouped(value as usize) } else { cost(value) }
+}
+
 /// A difference of colors.
 fn difference(value: f64) -> String {
     format!("{value:.1}")
@@ -100,7 +105,7 @@ fn choice(rows: &[Record]) -> String {
             let chosen = cheapest(rows, machine, Lighting::Still, below);
             let pixel = chosen.and_then(|row| machine.number(row, "pixel"));
             fields.push(chosen.map_or(MISSING.into(), |row| format!("`{}`", row.text("setting"))));
-            fields.push(pixel.map_or(MISSING.into(), cost));
+            fields.push(pixel.map_or(MISSING.into(), instructions));
         }
         fields
     };
@@ -185,7 +190,7 @@ fn rivals(measured: &Measured) -> String {
             _ => measured.settings.iter().find(is_it).and_then(|row| row.number("m4f_pixel")),
         };
         let gpu = if setting == PREFILTERED { "GPU only" } else { MISSING };
-        fields.push(pixel.map_or(gpu.into(), cost));
+        fields.push(pixel.map_or(gpu.into(), instructions));
         fields
     };
     table(columns, COMPARED.map(row))
@@ -239,11 +244,7 @@ fn of_machine(rows: &[Record], machine: &Machine) -> String {
         columns += " | program, flash: | program, RAM:";
     }
     let whole = |value: f64| grouped(value.round() as usize);
-    let price = if machine.board.is_some() {
-        |value: f64| if value < 1000.0 { grouped(value as usize) } else { cost(value) }
-    } else {
-        cost
-    };
+    let price = if machine.board.is_some() { instructions } else { cost };
     let row = |lighting, below: f64| {
         let light = if lighting == Lighting::Still { "still" } else { "moving" };
         let mut fields = vec![light.to_owned(), limit(below)];

@@ -195,29 +195,29 @@ fn the_cheapest_setting_that_suffices_is_chosen() {
     assert!(checked > 30, "{checked}");
 }
 
-/// Pictures of 96 x 96 pixels with an error below one per cent on a Cortex-M4F of 64 MHz, at an
+/// Pictures of 96 x 96 pixels with a total error below five per cent on a Cortex-M4F of 64 MHz, at an
 /// instruction a cycle: 60 a second with less than half of the cycles where the light stands still,
-/// 20 where it moves.
+/// 50 where it moves.
 #[test]
 fn a_reader_finds_a_setting_for_a_board() {
     let rows = rows(&SETTINGS);
     let m4f = MACHINES.iter().find(|machine| machine.key == "m4f").expect("a machine");
-    let still = cheapest(&rows, m4f, Lighting::Still, 0.01).expect("a setting");
+    let still = cheapest(&rows, m4f, Lighting::Still, 0.05).expect("a setting");
     assert_eq!(still.text("way"), "bilinear32");
     assert!(9216.0 * m4f.number(still, "pixel").expect("a cost") < 0.5 * 64e6 / 60.0);
-    let moving = cheapest(&rows, m4f, Lighting::Moving, 0.01).expect("a setting");
+    let moving = cheapest(&rows, m4f, Lighting::Moving, 0.05).expect("a setting");
     assert_eq!(moving.text("way"), "polynomial");
     let [pixel, light] = ["pixel", "light"].map(|one| m4f.number(moving, one).expect("a cost"));
-    assert!(9216.0 * pixel + light < 64e6 / 20.0);
+    assert!(9216.0 * pixel + light < 64e6 / 50.0);
 }
 
-/// Every board has an answer down to 0.1 % for light that changes with every picture, and the
+/// Every board has an answer down to 5 % for light that changes with every picture, and the
 /// memory of its program.
 #[test]
 fn boards_have_rows_for_moving_light() {
     let rows = rows(&SETTINGS);
     for machine in MACHINES.iter().filter(|machine| machine.board.is_some()) {
-        for limit in LIMITS.into_iter().filter(|limit| *limit >= 1e-3) {
+        for limit in LIMITS.into_iter().filter(|limit| *limit >= 0.05) {
             let row = cheapest(&rows, machine, Lighting::Moving, limit).expect("a setting");
             let [light, flash, ram] =
                 ["light", "flash", "ram"].map(|one| machine.number(row, one).expect("a number"));

@@ -253,3 +253,31 @@ fn errors_are_those_of_known_pictures() {
     one[1][7] = f64::NAN;
     assert!(reference.error(&one, &world.sphere).pixel.is_nan());
 }
+
+/// What the page says of its tables.
+#[test]
+fn the_page_says_what_the_file_has() {
+    let rows = rows(&TOTAL);
+    let number =
+        |setting, kind, column: &str| find(&rows, setting, kind).number(column).expect("a number");
+    let (whole, nine) = ("9/7 all polynomial f32", "2/0 all nine-terms f32");
+    assert!(number(whole, "all", "rms_median") < 0.02);
+    // Sharp measured materials keep the 95th percentile up.
+    let [low, high] = [whole, "16/16 K400 polynomial f32"];
+    assert!(number(high, "measured", "rms_most") > 0.85 * number(low, "measured", "rms_most"));
+    assert!(number(high, "gltf", "rms_most") < 0.6 * number(low, "gltf", "rms_most"));
+    // Neither the format nor the last terms matter.
+    let ratio = |a, b| number(a, "all", "rms_most") / number(b, "all", "rms_most");
+    assert!((ratio("sphere.bin q15", "sphere.bin f32") - 1.0).abs() < 0.01);
+    assert!((ratio("9/7 K130 trim2e-4 polynomial f32", whole) - 1.0).abs() < 0.01);
+    // Nine components: a smaller rms than the nine-term formula, a larger difference of color.
+    let few = "9/7 K9 trim1e-1 polynomial f32";
+    assert!(ratio(few, nine) < 0.8);
+    let color = |setting| number(setting, "all", "difference_most");
+    assert!(color(few) > 1.4 * color(nine));
+    // Of glTF materials, the prefiltered maps are off by more than twice as much.
+    for column in ["rms_median", "rms_most"] {
+        assert!(number(PREFILTERED, "gltf", column) > 2.0 * number(whole, "gltf", column));
+        assert!(number(MATCAP, "gltf", column) < 0.7 * number(whole, "gltf", column));
+    }
+}
