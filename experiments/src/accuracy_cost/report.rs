@@ -209,22 +209,29 @@ fn total_chart(measured: &Measured) -> Chart {
         measured.settings.iter().filter(is_it).filter_map(point).collect()
     };
     let (polynomials, baked) = (of_ways(&["polynomial"]), of_ways(&["bilinear"]));
-    let steps = staircase(&pareto(&polynomials));
-    let matcap = matcap_pixel().zip(error(MATCAP)).into_iter().collect();
+    let front = pareto(&polynomials);
+    let matcap: Points = matcap_pixel().zip(error(MATCAP)).into_iter().collect();
+    let nine = of_ways(&["nine-terms"]);
+    let labels = front.iter().chain(&matcap).chain(&nine).map(labelled).collect();
     let costs = || polynomials.iter().chain(&baked).map(|point| point.0);
     let ends = [costs().fold(f64::INFINITY, f64::min), costs().fold(0.0, f64::max)];
     let prefiltered = error(PREFILTERED).map(|error| ends.map(|cost| (cost, error)).to_vec());
     let series = vec![
         ("eigenshade, polynomials".into(), Style::Dots, polynomials),
         ("eigenshade, baked map".into(), Style::Dots, baked),
-        ("nine-term formula".into(), Style::Dots, of_ways(&["nine-terms"])),
+        ("nine-term formula".into(), Style::Dots, nine),
         ("32 x 32 matcap".into(), Style::Dots, matcap),
         ("prefiltered maps (GPU)".into(), Style::Dashed, prefiltered.unwrap_or_default()),
-        ("best polynomials".into(), Style::Line, steps),
+        ("best polynomials".into(), Style::Line, staircase(&front)),
     ];
     let titles =
         ["Cortex-M4F: a pixel, in instructions".into(), "total rms error, 95 of 100 glTF".into()];
-    chart(titles, SeriesLabelPosition::UpperRight, series)
+    Chart { labels, ..chart(titles, SeriesLabelPosition::LowerRight, series) }
+}
+
+/// A point with its error.
+fn labelled(&(cost, error): &(f64, f64)) -> ((f64, f64), String) {
+    ((cost, error), percent(error))
 }
 
 /// A front is a staircase: a higher cost need not bring any gain.
@@ -395,10 +402,12 @@ fn chart_of_machine(rows: &[Record], machine: &Machine) -> Chart {
             series.push((name.into(), Style::Dots, points));
         }
     }
-    series.push(("Pareto front".into(), Style::Line, staircase(&pareto(&all))));
+    let front = pareto(&all);
+    let labels = front.first().into_iter().chain(front.last()).map(labelled).collect();
+    series.push(("Pareto front".into(), Style::Line, staircase(&front)));
     let horizontal = format!("{}: a pixel, in {}", machine.title, machine.unit());
     let titles = [horizontal, "total rms error of the peak, 95 of 100".into()];
-    chart(titles, SeriesLabelPosition::UpperRight, series)
+    Chart { labels, ..chart(titles, SeriesLabelPosition::UpperRight, series) }
 }
 
 /// The model's error against the cost of a pixel, by the cheapest setting whose error of the method
