@@ -41,7 +41,7 @@ use std::collections::BTreeSet;
 use std::path::Path;
 use times::Case;
 use total::references::SPACING;
-use total::{KINDS_OF_ERROR, QUICK, Study, subjects};
+use total::{ERROR_COLUMNS, QUICK, Study, subjects};
 
 /// Rounds of the timed runs.
 const ROUNDS: usize = 25;
@@ -179,7 +179,7 @@ fn measure(
 
 /// Fills in the total error over all pictures.
 fn copy_total(row: &mut Record, total: &Record) {
-    for (column, _) in KINDS_OF_ERROR {
+    for (column, _) in ERROR_COLUMNS {
         for kind in ["median", "most"] {
             let column = format!("{column}_{kind}");
             row.put(format!("total_{column}"), total.text(&column));

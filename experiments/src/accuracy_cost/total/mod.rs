@@ -23,7 +23,7 @@ use rivals::Prefiltered;
 use std::path::Path;
 use subjects::{GROUPS, Kind, Subject, coefficients, of_kinds};
 
-/// The highest order: to project the materials beyond it takes as long as all the rest.
+/// The highest order. To project the materials to a higher one takes as long as all the rest.
 pub const HIGHEST: usize = 16;
 /// The kinds of a quick run.
 pub const QUICK: [Kind; 2] = [Kind::Dielectric, Kind::Matte];
@@ -178,7 +178,7 @@ impl Study {
             row.put("kind", name);
             let errors = of_kinds.concat();
             row.put("pictures", errors.len());
-            for (column, of) in KINDS_OF_ERROR {
+            for (column, of) in ERROR_COLUMNS {
                 let Spread { median, most, .. } =
                     Spread::of(&errors.iter().map(of).collect::<Vec<f64>>());
                 row.measure(format!("{column}_median"), median);
@@ -190,8 +190,11 @@ impl Study {
     }
 }
 
+/// The name of an error's columns, and its value.
+type ErrorColumns = (&'static str, fn(&PictureError) -> f64);
+
 /// The columns of [`PictureError`], each with its median and its 95th percentile.
-pub const KINDS_OF_ERROR: [(&str, fn(&PictureError) -> f64); 3] = [
+pub const ERROR_COLUMNS: [ErrorColumns; 3] = [
     ("rms", |error| error.rms),
     ("pixel", |error| error.pixel),
     ("difference", |error| error.difference),
