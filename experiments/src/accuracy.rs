@@ -56,7 +56,7 @@ pub fn named<'a>(all: &Lights, names: impl Iterator<Item = &'a str>) -> Result<L
 }
 
 /// The color of a surface under a map, from that of each part.
-fn color(parts: &[Part<'_>], of_parts: &[Vec<[f64; 3]>], map: usize) -> [f64; 3] {
+pub fn color(parts: &[Part<'_>], of_parts: &[Vec<[f64; 3]>], map: usize) -> [f64; 3] {
     let of_channel =
         |c: usize| parts.iter().zip(of_parts).map(move |(p, i)| p.shares[c] * i[map][c]);
     [0, 1, 2].map(|c| of_channel(c).sum())

@@ -135,13 +135,17 @@ fn sized(surface: &Surface, shipped: &Named, order: usize) -> Named {
         padded.rgb.iter_mut().for_each(|channel| channel.resize(count, 0.0));
         return padded;
     }
-    let mut projected = surface.project(order, Measure::Projected).material;
-    for channel in &mut projected.rgb {
-        for (b, (o, ..)) in channel.iter_mut().zip(material::indices(order)) {
+    windowed(surface.project(order, Measure::Projected).material)
+}
+
+/// Coefficients with the window of the shipped ones in color.
+pub fn windowed(mut material: Named) -> Named {
+    for channel in &mut material.rgb {
+        for (b, (o, ..)) in channel.iter_mut().zip(material::indices(usize::MAX)) {
             *b *= WINDOW.factor::<Libm>(o);
         }
     }
-    projected
+    material
 }
 
 /// A BRDF that is a sum of modes.

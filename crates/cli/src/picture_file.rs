@@ -6,7 +6,7 @@ use eigenshade_model::error::{Error, Result};
 use std::path::Path;
 
 /// The share of the picture's pixels that the exposure leaves unclipped.
-const UNCLIPPED: f32 = 0.99;
+pub const UNCLIPPED: f32 = 0.99;
 
 /// The kinds of picture files.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -188,8 +188,8 @@ impl Times {
     }
 }
 
-/// The error limits.
-pub const LIMITS: [f64; 7] = [0.1, 0.05, 0.01, 3e-3, 1e-3, 1e-4, 1e-5];
+/// The limits of the total error.
+pub const LIMITS: [f64; 6] = [0.1, 0.08, 0.07, 0.06, 0.05, 0.04];
 /// The number of pixels of the picture over which costs are summed.
 pub const PIXELS: f64 = 96.0 * 96.0;
 /// Times that differ by less than this factor count as equal, because runs differ by more.
@@ -213,23 +213,19 @@ pub fn picture(row: &Record, machine: &Machine, lighting: Lighting) -> Option<f6
     }
 }
 
-/// Whether a setting has the shipped degree and order and takes normals of unit length; only such
-/// settings have comparable errors.
-pub fn is_comparable(row: &Record) -> bool {
-    (row.text("degree"), row.text("order")) == ("9", "7") && row.text("parameter") != "mathematics"
+/// Whether a setting takes normals of unit length, as those that can be chosen do.
+pub fn is_choice(row: &Record) -> bool {
+    row.text("parameter") != "mathematics"
 }
 
-/// Whether a setting's error is below a limit. The error is that of the method, for 95 of 100 of
-/// the lights on materials that its basis never saw. Below the paper's degree and order, the median
-/// error of the model must be below the limit too.
+/// Whether the total error of a setting is below a limit in 95 of 100 pictures.
 pub fn suffices(row: &Record, limit: f64) -> bool {
-    let is_below = |column| row.number(column).is_some_and(|error| error <= limit);
-    let models = is_comparable(row) || is_below("model_median");
-    models && row.text("parameter") != "mathematics" && is_below("unseen_rms_most")
+    is_choice(row) && row.number("total_rms_most").is_some_and(|error| error <= limit)
 }
 
-/// The cheapest setting whose error is below a limit. Times that differ by no more than [`TIE`]
-/// count as equal; among those, the setting with the least error, of method or model, is chosen.
+/// The cheapest setting whose total error is below a limit. Times that differ by no more than
+/// [`TIE`] count as equal; among those, the setting with the least total error is chosen, then that
+/// with the least error of the method.
 pub fn cheapest<'a>(
     rows: &'a [Record],
     machine: &Machine,
@@ -242,14 +238,13 @@ pub fn cheapest<'a>(
     let least = priced.iter().map(|(_, cost)| *cost).fold(f64::INFINITY, f64::min);
     let most = if machine.board.is_some() { least } else { least * TIE };
     let errors = |row: &Record| {
-        let [method, model] = ["unseen_rms_most", "model_median"]
-            .map(|column| row.number(column).unwrap_or(f64::INFINITY));
-        [method.max(model), method]
+        ["total_rms_most", "unseen_rms_most"]
+            .map(|column| row.number(column).unwrap_or(f64::INFINITY))
     };
     let tied = priced.into_iter().filter(|(_, cost)| *cost <= most).map(|(row, _)| row);
     tied.min_by(|a, b| {
-        let [[worse_a, a], [worse_b, b]] = [errors(a), errors(b)];
-        worse_a.total_cmp(&worse_b).then(a.total_cmp(&b))
+        let [[total_a, a], [total_b, b]] = [errors(a), errors(b)];
+        total_a.total_cmp(&total_b).then(a.total_cmp(&b))
     })
 }
 

@@ -19,6 +19,8 @@ pub mod times;
 
 pub mod errors;
 
+pub mod total;
+
 pub mod machines;
 
 pub mod report;
@@ -34,10 +36,12 @@ use numbers::table_bytes;
 use scope::Bases;
 use scope::Scope;
 use settings::Varied;
-use sheet::{GROWTH, MODEL, SETTINGS};
+use sheet::{GROWTH, MODEL, SETTINGS, TOTAL};
 use std::collections::BTreeSet;
 use std::path::Path;
 use times::Case;
+use total::references::SPACING;
+use total::{ERROR_COLUMNS, QUICK, Study, subjects};
 
 /// Rounds of the timed runs.
 const ROUNDS: usize = 25;
@@ -49,6 +53,7 @@ const TIMES: [&str; 4] = ["host_pixel_ns", "host_light_ns", "host_pixel", "host_
 pub struct Measured {
     pub settings: Vec<Record>,
     pub model: Vec<Record>,
+    pub total: Vec<Record>,
     pub growth: Vec<Record>,
 }
 
@@ -57,22 +62,37 @@ impl Measured {
     /// the settings, surfaces and sizes. Times are left out unless `timed`.
     pub fn new(quick: bool, timed: bool, maps: &Path, progress: &ProgressBar) -> Result<Self> {
         let models = errors::rows(maps, quick, progress)?;
+        let kinds = if quick { &QUICK[..] } else { &subjects::ALL };
+        let orders: Vec<usize> = settings::sizes().map(|(_, order)| order).collect();
+        let study = Study::new(maps, kinds, &orders, SPACING, progress)?;
         // A quick run has too few surfaces for the error of the model.
-        let settings =
-            measure(&settings::all(quick), (!quick).then_some(&models[..]), timed, progress)?;
+        let models_of_all = (!quick).then_some(&models[..]);
+        let (settings, mut total) =
+            measure(&settings::all(quick), models_of_all, &study, timed, progress)?;
+        if !quick {
+            total.extend(study.shipped()?);
+            total.extend(study.rivals()?);
+        }
         let growth = times::rows(quick, timed)?;
-        Ok(Self { settings, model: models.iter().map(errors::Row::record).collect(), growth })
+        let model = models.iter().map(errors::Row::record).collect();
+        Ok(Self { settings, model, total, growth })
     }
 
     /// Reads the files of a folder.
     pub fn read(folder: &Path) -> Result<Self> {
-        let [settings, model, growth] = [&SETTINGS, &MODEL, &GROWTH].map(|form| read(form, folder));
-        Ok(Self { settings: settings?, model: model?, growth: growth? })
+        let [settings, model, total, growth] =
+            [&SETTINGS, &MODEL, &TOTAL, &GROWTH].map(|form| read(form, folder));
+        Ok(Self { settings: settings?, model: model?, total: total?, growth: growth? })
     }
 
     /// The rows with the form of their file.
-    pub fn sheets(&self) -> [(&'static Form, &[Record]); 3] {
-        [(&SETTINGS, &self.settings), (&MODEL, &self.model), (&GROWTH, &self.growth)]
+    pub fn sheets(&self) -> [(&'static Form, &[Record]); 4] {
+        [
+            (&SETTINGS, &self.settings),
+            (&MODEL, &self.model),
+            (&TOTAL, &self.total),
+            (&GROWTH, &self.growth),
+        ]
     }
 
     /// Takes over the times of an earlier run, which must have all settings.
@@ -96,15 +116,18 @@ impl Measured {
     }
 }
 
+/// The rows of the settings, and those of their total errors.
 fn measure(
     varied: &[Varied],
     models: Option<&[errors::Row]>,
+    study: &Study,
     timed: bool,
     progress: &ProgressBar,
-) -> Result<Vec<Record>> {
+) -> Result<(Vec<Record>, Vec<Record>)> {
     let size = |one: &Varied| one.setting.recipe.size();
     let (boards, wasm) = (Boards::new()?, Times::new()?);
     let mut rows = vec![Record::default(); varied.len()];
+    let mut totals = vec![Vec::new(); varied.len()];
     let mut cases = Vec::new();
     progress.set_length(varied.len() as u64);
     let sizes: BTreeSet<(usize, usize)> = varied.iter().map(size).collect();
@@ -125,6 +148,11 @@ fn measure(
             let row = &mut rows[k];
             describe(row, one);
             fill(row, &found);
+            if let Some(errors) = study.of_setting(setting, &table).map_err(of)? {
+                totals[k] = study.rows(&setting.to_string(), setting.sources, &errors);
+                let whole = totals[k].iter().find(|row| row.text("kind") == total::ALL);
+                whole.into_iter().for_each(|total| copy_total(row, total));
+            }
             if let Some(models) = models {
                 let spread = errors::spread(models, of_scope);
                 row.measure("model_median", spread.median);
@@ -146,7 +174,17 @@ fn measure(
         let times = [pixel, light, pixel / nine, light / nine];
         TIMES.into_iter().zip(times).for_each(|(column, time)| row.measure(column, time));
     }
-    Ok(rows)
+    Ok((rows, totals.concat()))
+}
+
+/// Fills in the total error over all pictures.
+fn copy_total(row: &mut Record, total: &Record) {
+    for (column, _) in ERROR_COLUMNS {
+        for kind in ["median", "most"] {
+            let column = format!("{column}_{kind}");
+            row.put(format!("total_{column}"), total.text(&column));
+        }
+    }
 }
 
 /// Fills in what a setting is.
@@ -163,6 +201,7 @@ fn describe(row: &mut Record, Varied { parameter, setting }: &Varied) {
     }
     row.put("way", setting.way);
     row.put("format", setting.format);
+    row.put("sources", setting.sources);
 }
 
 /// Fills in the errors of the method.

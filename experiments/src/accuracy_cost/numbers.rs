@@ -15,6 +15,9 @@ use std::hint::black_box;
 
 /// The numbers of a setting, unless its format has no such way or cannot represent the table.
 pub fn numbers(setting: &Setting, table: &Table, normals: &[[f64; 3]]) -> Result<Box<dyn Numbers>> {
+    if setting.sources > 0 {
+        return Err(unrepresentable("no way to a pixel adds sources"));
+    }
     let scale = match setting.scaling {
         Scaling::None => None,
         Scaling::Libm => Some(scale::<f32, Libm> as _),

@@ -2,16 +2,17 @@
 
 use super::errors::MAPS;
 use super::errors::Spread;
-use super::machines::{LIMITS, Lighting, PIXELS, cheapest, is_comparable, pareto, picture};
+use super::machines::{LIMITS, Lighting, PIXELS, cheapest, is_choice, pareto, picture};
 use super::machines::{MACHINES, Machine};
 use super::sheet::{FIGURES, csv};
 use super::times::{Curve, curves, power_law};
+use super::total::{ALL, MATCAP, PREFILTERED};
 use super::{Measured, settings};
 use crate::chart::{Axes, Chart, Points, Style, colored};
 use crate::figures::OutputFile;
 use crate::numbers::{self, limit};
 use crate::pages::{Part, table, with_parts};
-use crate::sheet::Record;
+use crate::sheet::{Counts, M4F, Record};
 use eigenshade_cli::messages::grouped;
 use eigenshade_model::error::{Error, Result};
 use plotters::prelude::SeriesLabelPosition;
@@ -48,6 +49,9 @@ fn tables(measured: &Measured) -> Vec<Part> {
         .iter()
         .map(|machine| (machine.key, of_machine(&measured.settings, machine)))
         .collect();
+    parts.push(("choice", choice(&measured.settings)));
+    parts.push(("total", total(measured)));
+    parts.push(("rivals", rivals(measured)));
     parts.push(("model", model(&measured.model)));
     parts.push(("mathematics", mathematics(&measured.settings)));
     parts.push(("growth", growth(&measured.growth)));
@@ -76,21 +80,178 @@ fn cost(value: f64) -> String {
     }
 }
 
+/// Counted instructions: all digits of small counts.
+fn instructions(value: f64) -> String {
+    if value < 1000.0 { grouped(value as usize) } else { cost(value) }
+}
+
+/// A difference of colors.
+fn difference(value: f64) -> String {
+    format!("{value:.1}")
+}
+
+/// The boards of the short table.
+const SHORT: [&str; 2] = ["m4f", "m0"];
+
+/// The cheapest settings of two boards by total error, for still light.
+fn choice(rows: &[Record]) -> String {
+    let boards = || MACHINES.iter().filter(|machine| SHORT.contains(&machine.key)).rev();
+    let columns =
+        boards().map(|machine| format!(" | {} | a pixel, {}:", machine.title, machine.unit()));
+    let columns = format!("total error below{}", columns.collect::<String>());
+    let row = |below| {
+        let mut fields = vec![limit(below)];
+        for machine in boards() {
+            let chosen = cheapest(rows, machine, Lighting::Still, below);
+            let pixel = chosen.and_then(|row| machine.number(row, "pixel"));
+            fields.push(chosen.map_or(MISSING.into(), |row| format!("`{}`", row.text("setting"))));
+            fields.push(pixel.map_or(MISSING.into(), instructions));
+        }
+        fields
+    };
+    table(&columns, LIMITS.map(row))
+}
+
+/// The ways to a picture whose total errors the page shows for all kinds of materials.
+const SHOWN: [&str; 11] = [
+    "2/0 all nine-terms f32",
+    "2/2 all polynomial f32",
+    "4/3 all polynomial f32",
+    "6/5 all polynomial f32",
+    "9/7 all polynomial f32",
+    "12/12 K400 polynomial f32",
+    "16/16 K400 polynomial f32",
+    "sphere.bin f32",
+    "sphere.bin q15",
+    "color.bin f32",
+    "pbr.bin f32",
+];
+
+/// The row of total errors of a way to a picture, for a kind of materials.
+fn of_kind<'a>(rows: &'a [Record], setting: &str, kind: &str) -> Option<&'a Record> {
+    rows.iter().find(|row| (row.text("setting"), row.text("kind")) == (setting, kind))
+}
+
+fn total(measured: &Measured) -> String {
+    let columns = "setting | glTF, median: | 95 of 100: | matte: | 95 of 100: | measured: | \
+                   95 of 100: | all: | 95 of 100: | worst pixel: | 95 of 100: | color: | \
+                   95 of 100:";
+    let row = |setting: &str| {
+        let mut fields = vec![format!("`{setting}`")];
+        let mut add = |kind, error: &str, format: fn(f64) -> String| {
+            for column in ["median", "most"] {
+                let row = of_kind(&measured.total, setting, kind);
+                let number = row.and_then(|row| row.number(&format!("{error}_{column}")));
+                fields.push(number.map_or(MISSING.into(), format));
+            }
+        };
+        ["gltf", "matte", "measured", ALL].into_iter().for_each(|kind| add(kind, "rms", percent));
+        add(ALL, "pixel", percent);
+        add(ALL, "difference", difference);
+        fields
+    };
+    table(columns, SHOWN.map(row))
+}
+
+/// The instructions of a pixel of a matcap on a Cortex-M4F. A baked map that is looked up by points
+/// is the same look-up: its points are the matcap's normals.
+fn matcap_pixel() -> Option<f64> {
+    Counts::recorded().get(M4F, "baked_point", "instructions").map(|count| count as f64)
+}
+
+/// The settings that the page compares with their rivals.
+const COMPARED: [&str; 7] = [
+    "2/0 all nine-terms f32",
+    MATCAP,
+    PREFILTERED,
+    "9/7 K9 trim1e-1 polynomial f32",
+    "9/7 K25 trim3e-2 polynomial f32",
+    "9/7 K130 trim2e-4 polynomial f32",
+    "9/7 all bilinear32 f32",
+];
+
+fn rivals(measured: &Measured) -> String {
+    let columns = "way | rms, median: | 95 of 100: | worst pixel: | 95 of 100: | color: | \
+                   95 of 100: | a pixel, instructions:";
+    let row = |setting: &str| {
+        let mut fields = vec![format!("`{setting}`")];
+        for (error, format) in
+            [("rms", percent as fn(f64) -> String), ("pixel", percent), ("difference", difference)]
+        {
+            for column in ["median", "most"] {
+                let row = of_kind(&measured.total, setting, "gltf");
+                let number = row.and_then(|row| row.number(&format!("{error}_{column}")));
+                fields.push(number.map_or(MISSING.into(), format));
+            }
+        }
+        let is_it = |row: &&Record| row.text("setting") == setting;
+        let pixel = match setting {
+            MATCAP => matcap_pixel(),
+            _ => measured.settings.iter().find(is_it).and_then(|row| row.number("m4f_pixel")),
+        };
+        let gpu = if setting == PREFILTERED { "GPU only" } else { MISSING };
+        fields.push(pixel.map_or(gpu.into(), instructions));
+        fields
+    };
+    table(columns, COMPARED.map(row))
+}
+
+/// Total errors of glTF materials against the instructions of a pixel on a Cortex-M4F.
+fn total_chart(measured: &Measured) -> Chart {
+    let error = |setting: &str| {
+        of_kind(&measured.total, setting, "gltf").and_then(|row| row.number("rms_most"))
+    };
+    let point = |row: &Record| Some((row.number("m4f_pixel")?, error(row.text("setting"))?));
+    let of_ways = |ways: &[&str]| -> Points {
+        let is_it = |row: &&Record| {
+            is_choice(row) && ways.iter().any(|way| row.text("way").starts_with(way))
+        };
+        measured.settings.iter().filter(is_it).filter_map(point).collect()
+    };
+    let (polynomials, baked) = (of_ways(&["polynomial"]), of_ways(&["bilinear"]));
+    let front = pareto(&polynomials);
+    let matcap: Points = matcap_pixel().zip(error(MATCAP)).into_iter().collect();
+    let nine = of_ways(&["nine-terms"]);
+    let labels = front.iter().chain(&matcap).chain(&nine).map(labelled).collect();
+    let costs = || polynomials.iter().chain(&baked).map(|point| point.0);
+    let ends = [costs().fold(f64::INFINITY, f64::min), costs().fold(0.0, f64::max)];
+    let prefiltered = error(PREFILTERED).map(|error| ends.map(|cost| (cost, error)).to_vec());
+    let series = vec![
+        ("eigenshade, polynomials".into(), Style::Dots, polynomials),
+        ("eigenshade, baked map".into(), Style::Dots, baked),
+        ("nine-term formula".into(), Style::Dots, nine),
+        ("32 x 32 matcap".into(), Style::Dots, matcap),
+        ("prefiltered maps (GPU)".into(), Style::Dashed, prefiltered.unwrap_or_default()),
+        ("best polynomials".into(), Style::Line, staircase(&front)),
+    ];
+    let titles =
+        ["Cortex-M4F: a pixel, in instructions".into(), "total rms error, 95 of 100 glTF".into()];
+    Chart { labels, ..chart(titles, SeriesLabelPosition::LowerRight, series) }
+}
+
+/// A point with its error.
+fn labelled(&(cost, error): &(f64, f64)) -> ((f64, f64), String) {
+    ((cost, error), percent(error))
+}
+
+/// A front is a staircase: a higher cost need not bring any gain.
+fn staircase(front: &[(f64, f64)]) -> Points {
+    let steps = front.windows(2).flat_map(|pair| [(pair[1].0, pair[0].1), pair[1]]);
+    front.first().copied().into_iter().chain(steps).collect()
+}
+
 fn of_machine(rows: &[Record], machine: &Machine) -> String {
     let mut columns = format!(
-        "light | error below | setting | terms: | median: | 95 of 100: | worst: | worst pixel: | \
-         model: | a pixel, {}: | a new light: | 96 x 96 pixels: | table, bytes: | RAM, bytes:",
+        "light | total error below | setting | terms: | median: | 95 of 100: | worst pixel: | \
+         color: | method: | a pixel, {}: | a new light: | 96 x 96 pixels: | table, bytes: | \
+         RAM, bytes:",
         machine.unit()
     );
     if machine.board.is_some() {
         columns += " | program, flash: | program, RAM:";
     }
     let whole = |value: f64| grouped(value.round() as usize);
-    let price = if machine.board.is_some() {
-        |value: f64| if value < 1000.0 { grouped(value as usize) } else { cost(value) }
-    } else {
-        cost
-    };
+    let price = if machine.board.is_some() { instructions } else { cost };
     let row = |lighting, below: f64| {
         let light = if lighting == Lighting::Still { "still" } else { "moving" };
         let mut fields = vec![light.to_owned(), limit(below)];
@@ -100,10 +261,11 @@ fn of_machine(rows: &[Record], machine: &Machine) -> String {
                 fields.push(value.map_or(MISSING.into(), format));
             };
             add(row.number("terms"), whole);
-            for kind in ["rms_median", "rms_most", "rms_worst", "largest_worst"] {
-                add(row.number(&format!("unseen_{kind}")), percent);
+            for kind in ["rms_median", "rms_most", "pixel_most"] {
+                add(row.number(&format!("total_{kind}")), percent);
             }
-            add(row.number("model_median"), percent);
+            add(row.number("total_difference_most"), difference);
+            add(row.number("unseen_rms_most"), percent);
             add(machine.number(row, "pixel"), price);
             add(machine.number(row, "light"), price);
             add(picture(row, machine, lighting), price);
@@ -190,6 +352,7 @@ fn charts(measured: &Measured) -> Result<Vec<OutputFile>> {
         .iter()
         .map(|machine| (machine.key.to_owned(), chart_of_machine(&measured.settings, machine)))
         .collect();
+    charts.push(("total".into(), total_chart(measured)));
     charts.push(("degrees".into(), degrees(measured)));
     let curves = curves(&measured.growth);
     for of_kind in curves.chunk_by(|a, b| (&a.quantity, &a.unit) == (&b.quantity, &b.unit)) {
@@ -215,50 +378,36 @@ fn chart(
 }
 
 /// The series of a chart of errors against costs, by parts of the method's name.
-const WAYS: [(&str, &[&str]); 5] = [
+const WAYS: [(&str, &[&str]); 6] = [
     ("polynomials", &["polynomial"]),
     ("within a tolerance", &["within"]),
     ("look-ups", &["linear", "cubic"]),
     ("baked maps", &["bilinear", "nearest"]),
     ("component by component", &["eigen"]),
+    ("nine-term formula", &["nine-terms"]),
 ];
 
 fn chart_of_machine(rows: &[Record], machine: &Machine) -> Chart {
     let point = |row: &Record| {
-        let error = row.number("unseen_rms_most").filter(|error| *error > 0.0)?;
+        let error = row.number("total_rms_most").filter(|error| *error > 0.0)?;
         Some((machine.number(row, "pixel")?, error))
     };
-    let comparable = || rows.iter().filter(|row| is_comparable(row));
-    let all: Vec<(f64, f64)> = comparable().filter_map(point).collect();
+    let choices = || rows.iter().filter(|row| is_choice(row));
+    let all: Vec<(f64, f64)> = choices().filter_map(point).collect();
     let mut series = Vec::new();
     for (name, ways) in WAYS {
         let of = |row: &&Record| ways.iter().any(|way| row.text("way").starts_with(way));
-        let points: Points = comparable().filter(of).filter_map(point).collect();
+        let points: Points = choices().filter(of).filter_map(point).collect();
         if !points.is_empty() {
             series.push((name.into(), Style::Dots, points));
         }
     }
-    // A front is a staircase: a higher cost need not bring any gain.
     let front = pareto(&all);
-    let steps = front.windows(2).flat_map(|pair| [(pair[1].0, pair[0].1), pair[1]]);
-    let points = front.first().copied().into_iter().chain(steps).collect();
-    series.push(("Pareto front".into(), Style::Line, points));
-    let ends = |of: fn(&(f64, f64)) -> f64| {
-        let values = || all.iter().map(of);
-        [values().fold(f64::INFINITY, f64::min), values().fold(0.0, f64::max)]
-    };
-    let nine = rows.iter().find(|row| row.text("way") == "nine-terms");
-    if let Some(cost) = nine.and_then(|row| machine.number(row, "pixel")) {
-        let points = ends(|point| point.1).map(|error| (cost, error)).to_vec();
-        series.push(("nine-term formula, cost".into(), Style::Dashed, points));
-    }
-    if let Some(error) = comparable().find_map(|row| row.number("model_median")) {
-        let points = ends(|point| point.0).map(|cost| (cost, error)).to_vec();
-        series.push(("degree 9, order 7, error".into(), Style::Dashed, points));
-    }
+    let labels = front.first().into_iter().chain(front.last()).map(labelled).collect();
+    series.push(("Pareto front".into(), Style::Line, staircase(&front)));
     let horizontal = format!("{}: a pixel, in {}", machine.title, machine.unit());
-    let titles = [horizontal, "rms error of the peak, 95 of 100 unseen".into()];
-    chart(titles, SeriesLabelPosition::LowerLeft, series)
+    let titles = [horizontal, "total rms error of the peak, 95 of 100".into()];
+    Chart { labels, ..chart(titles, SeriesLabelPosition::UpperRight, series) }
 }
 
 /// The model's error against the cost of a pixel, by the cheapest setting whose error of the method

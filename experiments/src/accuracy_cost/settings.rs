@@ -91,12 +91,16 @@ pub struct Setting {
     pub way: Way,
     pub format: Format,
     pub scaling: Scaling,
+    /// The number of light sources whose highlights a pixel adds to the table's sum. No way to a
+    /// pixel adds any yet, so it is 0.
+    pub sources: usize,
 }
 
 impl Setting {
     /// The collapsed polynomials of a basis in f32.
     pub fn of(recipe: Recipe) -> Self {
-        Self { recipe, way: Way::Polynomial, format: Format::F32, scaling: Scaling::None }
+        let (way, format, scaling) = (Way::Polynomial, Format::F32, Scaling::None);
+        Self { recipe, way, format, scaling, sources: 0 }
     }
 
     /// The same by another method.
@@ -152,10 +156,13 @@ impl fmt::Display for Format {
 impl fmt::Display for Setting {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(f, "{} {} {}", self.recipe, self.way, self.format)?;
-        match self.scaling {
-            Scaling::None => Ok(()),
-            scaling => write!(f, " {}", format!("{scaling:?}").to_lowercase()),
+        if self.scaling != Scaling::None {
+            write!(f, " {}", format!("{:?}", self.scaling).to_lowercase())?;
         }
+        if self.sources > 0 {
+            write!(f, " sources{}", self.sources)?;
+        }
+        Ok(())
     }
 }
 

@@ -11,15 +11,18 @@ use std::path::Path;
 pub const FIGURES: Figures = Figures { command: "accuracy-cost", folder: "", is_exact: true };
 
 /// The settings: errors of the method (`unseen_` over materials that the basis never saw), the
-/// error of the model, bytes, times, and costs on each machine.
+/// error of the model, the total error over all its pictures, bytes, times, and costs on each
+/// machine.
 pub const SETTINGS: Form = Form {
     name: "accuracy-cost.csv",
-    columns: "parameter,setting,degree,order,components,modes,effects,azimuths,way,format,terms,\
+    columns: "parameter,setting,degree,order,components,modes,effects,azimuths,way,format,sources,terms,\
               rms_median,rms_worst,rms_median_db,rms_worst_db,\
               largest_median,largest_worst,largest_median_db,largest_worst_db,\
               unseen_rms_median,unseen_rms_most,unseen_rms_worst,\
               unseen_largest_median,unseen_largest_most,unseen_largest_worst,\
-              model_median,model_worst,table_bytes,state_bytes,\
+              model_median,model_worst,total_rms_median,total_rms_most,\
+              total_pixel_median,total_pixel_most,total_difference_median,total_difference_most,\
+              table_bytes,state_bytes,\
               host_pixel_ns,host_light_ns,host_pixel,host_light,\
               m0_pixel,m0_light,m0_flash,m0_ram,m3_pixel,m3_light,m3_flash,m3_ram,\
               m4f_pixel,m4f_light,m4f_flash,m4f_ram,rv32_pixel,rv32_light,rv32_flash,rv32_ram,\
@@ -31,6 +34,13 @@ pub const MODEL: Form = Form {
     name: "model.csv",
     columns: "surface,degree,order,median,worst,esplanade,hall,park,sky,studio,venice",
     keys: &["surface", "degree", "order"],
+};
+/// The total error by kind of material, of the settings, the shipped tables and their rivals.
+pub const TOTAL: Form = Form {
+    name: "total.csv",
+    columns: "setting,sources,kind,pictures,rms_median,rms_most,pixel_median,pixel_most,\
+              difference_median,difference_most",
+    keys: &["setting", "sources", "kind"],
 };
 /// The growth curves, with separate columns for counts and nanoseconds.
 pub const GROWTH: Form = Form {

@@ -52,11 +52,11 @@ impl Paper {
 /// --out writes the numbers as CSV and the charts as SVG to DIR, and the tables of
 /// DIR/accuracy-cost.md: errors against the direct sum over the shipped lights and materials and
 /// over others, errors of a degree and an order against direct integration under captured maps,
-/// times on this machine, and the instructions that were counted on emulated boards. --check
-/// recomputes errors, bytes and counts and compares them with the files of a folder; times are not
-/// compared. It also compares the charts and tables there with the CSV files, and fails if the
-/// folder has other files. --quick does either for a part of the settings. A full run takes some
-/// ten minutes on two cores, a quick check a minute and a half.
+/// total errors of pictures against direct integration, times on this machine, and the instructions
+/// that were counted on emulated boards. --check recomputes errors, bytes and counts and compares
+/// them with the files of a folder; times are not compared. It also compares the charts and tables
+/// there with the CSV files, and fails if the folder has other files. --quick does either for a part
+/// of the settings. A full run takes some twenty minutes on two cores, a quick check two minutes.
 #[derive(Args, Debug)]
 pub struct AccuracyCost {
     #[command(flatten)]

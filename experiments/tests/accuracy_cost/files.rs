@@ -3,7 +3,7 @@
 use super::{docs, rows};
 use crate::support::{Folder, assert_fails};
 use experiments::accuracy_cost::scope::modelled;
-use experiments::accuracy_cost::sheet::{FIGURES, GROWTH, MODEL, SETTINGS, compare};
+use experiments::accuracy_cost::sheet::{FIGURES, GROWTH, MODEL, SETTINGS, TOTAL, compare};
 use experiments::accuracy_cost::{Measured, report, settings};
 use experiments::sheet::Record;
 use std::fs;
@@ -101,7 +101,7 @@ fn charts_and_tables_are_made_from_the_files() {
     let files = report::files(&measured, &docs()).expect("all markers");
     FIGURES.compare(&files, &docs()).unwrap_or_else(|error| panic!("{error}"));
     let folder = Folder::new();
-    for form in [&SETTINGS, &MODEL, &GROWTH] {
+    for form in [&SETTINGS, &MODEL, &TOTAL, &GROWTH] {
         folder.write(form.name, read(form.name));
     }
     folder.ok("accuracy-cost --out . --from-csv");
@@ -151,6 +151,8 @@ fn damage_is_found() {
         ("unseen_rms_most", 1.1),
         ("unseen_largest_worst", 1.1),
         ("model_median", 1.1),
+        ("total_rms_most", 1.1),
+        ("total_difference_median", 1.1),
         ("table_bytes", 1.022),
         ("state_bytes", 0.5),
         ("m4f_light", 1.001),

@@ -25,6 +25,7 @@ use experiments::sheet::{self, Form, Record};
 use std::path::PathBuf;
 
 mod files;
+mod total;
 
 /// The error of the nine-term formula for what it is exact for: roundings of f32.
 const COST_ROUNDING: f64 = 1e-6;
@@ -169,12 +170,9 @@ fn the_cheapest_setting_that_suffices_is_chosen() {
             let able: Vec<_> = rows
                 .iter()
                 .filter(|row| {
-                    let of_paper = row.text("degree") == "9" && row.text("order") == "7";
-                    let modelled = row.number("model_median").is_some_and(|one| one <= limit);
-                    let error = row.number("unseen_rms_most").expect("an error");
+                    let total = row.number("total_rms_most");
                     row.text("parameter") != "mathematics"
-                        && error <= limit
-                        && (of_paper || modelled)
+                        && total.is_some_and(|error| error <= limit)
                 })
                 .filter_map(|row| Some((row, cost(row)?)))
                 .collect();
@@ -187,10 +185,7 @@ fn the_cheapest_setting_that_suffices_is_chosen() {
             // Times that are nearly the least are as good; the least error decides.
             let most = if ["host", "wasm"].contains(&key) { TIE * least } else { least };
             assert!(*taken_cost <= most, "{key} {limit}: {taken:?}");
-            let error = |row: &Record| {
-                let model = row.number("model_median").unwrap_or(f64::INFINITY);
-                model.max(row.number("unseen_rms_most").expect("an error"))
-            };
+            let error = |row: &Record| row.number("total_rms_most").expect("an error");
             let is_better =
                 |(row, cost): &(&Record, f64)| *cost <= most && error(row) < error(taken);
             assert!(!able.iter().any(is_better), "{key} {limit}: {taken:?}");
@@ -200,29 +195,29 @@ fn the_cheapest_setting_that_suffices_is_chosen() {
     assert!(checked > 30, "{checked}");
 }
 
-/// Pictures of 96 x 96 pixels with an error below one per cent on a Cortex-M4F of 64 MHz, at an
+/// Pictures of 96 x 96 pixels with a total error below five per cent on a Cortex-M4F of 64 MHz, at an
 /// instruction a cycle: 60 a second with less than half of the cycles where the light stands still,
-/// 20 where it moves.
+/// 50 where it moves.
 #[test]
 fn a_reader_finds_a_setting_for_a_board() {
     let rows = rows(&SETTINGS);
     let m4f = MACHINES.iter().find(|machine| machine.key == "m4f").expect("a machine");
-    let still = cheapest(&rows, m4f, Lighting::Still, 0.01).expect("a setting");
+    let still = cheapest(&rows, m4f, Lighting::Still, 0.05).expect("a setting");
     assert_eq!(still.text("way"), "bilinear32");
     assert!(9216.0 * m4f.number(still, "pixel").expect("a cost") < 0.5 * 64e6 / 60.0);
-    let moving = cheapest(&rows, m4f, Lighting::Moving, 0.01).expect("a setting");
+    let moving = cheapest(&rows, m4f, Lighting::Moving, 0.05).expect("a setting");
     assert_eq!(moving.text("way"), "polynomial");
     let [pixel, light] = ["pixel", "light"].map(|one| m4f.number(moving, one).expect("a cost"));
-    assert!(9216.0 * pixel + light < 64e6 / 20.0);
+    assert!(9216.0 * pixel + light < 64e6 / 50.0);
 }
 
-/// Every board has an answer down to 0.1 % for light that changes with every picture, and the
+/// Every board has an answer down to 5 % for light that changes with every picture, and the
 /// memory of its program.
 #[test]
 fn boards_have_rows_for_moving_light() {
     let rows = rows(&SETTINGS);
     for machine in MACHINES.iter().filter(|machine| machine.board.is_some()) {
-        for limit in LIMITS.into_iter().filter(|limit| *limit >= 1e-3) {
+        for limit in LIMITS.into_iter().filter(|limit| *limit >= 0.05) {
             let row = cheapest(&rows, machine, Lighting::Moving, limit).expect("a setting");
             let [light, flash, ram] =
                 ["light", "flash", "ram"].map(|one| machine.number(row, one).expect("a number"));

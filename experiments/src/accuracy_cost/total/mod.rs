@@ -1,0 +1,201 @@
+//! The total error: a picture against direct integration of the BRDF under the whole map. It
+//! contains the errors of the table, of its degree and order, and of the number format.
+
+pub mod references;
+
+pub mod rivals;
+
+pub mod subjects;
+
+use super::errors::Spread;
+use super::images::Pair;
+use super::numbers::numbers;
+use super::settings::{DEGREE, Format, ORDER, Recipe, Setting};
+use crate::sheet::Record;
+use crate::sphere::Picture;
+use eigenshade_model::database::Materials;
+use eigenshade_model::error::{Error, Result};
+use eigenshade_shading::{parallel, shipped};
+use eigenshade_table::{Table, decode};
+use indicatif::ProgressBar;
+use references::{PictureError, Reference, World};
+use rivals::Prefiltered;
+use std::path::Path;
+use subjects::{GROUPS, Kind, Subject, coefficients, of_kinds};
+
+/// The highest order. To project the materials to a higher one takes as long as all the rest.
+pub const HIGHEST: usize = 16;
+/// The kinds of a quick run.
+pub const QUICK: [Kind; 2] = [Kind::Dielectric, Kind::Matte];
+/// The largest group of kinds.
+pub const ALL: &str = "all";
+/// The rival whose look-up on a device is that of a baked map by points.
+pub const MATCAP: &str = "matcap32 f32";
+/// The rival of graphics processors.
+pub const PREFILTERED: &str = "prefiltered f32";
+
+/// `tables/pbr.bin`.
+const PBR: &[u8] = include_bytes!("../../../../tables/pbr.bin");
+
+/// The errors of one way to a picture, by material and then by map.
+pub type Errors = Vec<Vec<PictureError>>;
+
+/// The materials with their reference pictures and coefficients.
+pub struct Study {
+    world: World,
+    subjects: Vec<Subject>,
+    /// By material and then by map.
+    references: Vec<Vec<Reference>>,
+    /// By order.
+    materials: Vec<Materials>,
+}
+
+impl Study {
+    /// Integrates the pictures of these kinds under the maps of a folder, at normals of this spacing
+    /// in radians.
+    pub fn new(
+        folder: &Path,
+        kinds: &[Kind],
+        orders: &[usize],
+        spacing: f64,
+        progress: &ProgressBar,
+    ) -> Result<Self> {
+        let world = World::new(folder, spacing)?;
+        let subjects = of_kinds(kinds)?;
+        progress.set_length(subjects.len() as u64);
+        let reference = |subject: &Subject| {
+            let pictures = world.pictures(&subject.surface, &world.sphere.normals);
+            progress.inc(1);
+            pictures.into_iter().map(|picture| Reference::new(picture, &world.sphere)).collect()
+        };
+        let references = subjects.iter().map(reference).collect();
+        let mut orders = orders.to_vec();
+        orders.retain(|&order| order <= HIGHEST);
+        orders.sort_unstable();
+        orders.dedup();
+        let materials = coefficients(&subjects, &orders);
+        Ok(Self { world, subjects, references, materials })
+    }
+
+    /// The errors of a setting; `None` if its order is too high.
+    pub fn of_setting(&self, setting: &Setting, table: &Table) -> Result<Option<Errors>> {
+        let order = setting.recipe.order;
+        let Some(materials) = self.materials.iter().find(|one| one.order == order) else {
+            return Ok(None);
+        };
+        let (sphere, lights) = (&self.world.sphere, &self.world.lights.entries);
+        let numbers = numbers(setting, table, &sphere.normals)?;
+        let maps = lights.len();
+        let found = parallel::map(self.subjects.len() * maps, &(), |k| {
+            let (material, map) = (k / maps, k % maps);
+            let channel = |c: usize| {
+                let [light, material] =
+                    [&lights[map], &materials.entries[material]].map(|one| one.rgb[c].clone());
+                Ok(numbers.image(&Pair { light, material })?.irradiances)
+            };
+            let picture: Picture = [channel(0)?, channel(1)?, channel(2)?];
+            Ok(self.references[material][map].error(&picture, sphere))
+        });
+        let found = found.into_iter().collect::<Result<Vec<_>>>()?;
+        Ok(Some(found.chunks(maps).map(<[_]>::to_vec).collect()))
+    }
+
+    /// The rows of the shipped tables with all their components.
+    pub fn shipped(&self) -> Result<Vec<Record>> {
+        let mut rows = Vec::new();
+        for (name, bytes, (degree, order), format) in [
+            ("sphere.bin", shipped::TABLE, (DEGREE, ORDER), Format::F32),
+            ("sphere.bin", shipped::TABLE, (DEGREE, ORDER), Format::Q15),
+            ("color.bin", shipped::COLOR, (DEGREE, ORDER), Format::F32),
+            ("pbr.bin", PBR, (12, 12), Format::F32),
+        ] {
+            let table = decode(bytes).map_err(|error| {
+                Error::new(error.to_string(), "report it").in_file(format!("tables/{name}"))
+            })?;
+            let setting = Setting::of(Recipe::all(degree, order)).in_format(format);
+            if let Some(errors) = self.of_setting(&setting, &table)? {
+                rows.extend(self.rows(&format!("{name} {format}"), setting.sources, &errors));
+            }
+        }
+        Ok(rows)
+    }
+
+    /// The rows of the rivals, for formulas.
+    pub fn rivals(&self) -> Result<Vec<Record>> {
+        let mut rows = Vec::new();
+        let formulas = |kind: Kind| kind != Kind::Measured;
+        let matcap =
+            self.by(formulas, |subject| Ok(rivals::matcap(&subject.surface, &self.world)))?;
+        rows.extend(self.rows(MATCAP, 0, &matcap));
+        let mut filtered: Vec<Prefiltered> = Vec::new();
+        let prefiltered = self.by(
+            |kind| [Kind::Metal, Kind::Dielectric].contains(&kind),
+            |subject| {
+                let Some(gltf) = subject.gltf else { return Ok(Vec::new()) };
+                let is_it = |one: &Prefiltered| one.roughness() == gltf.roughness;
+                if !filtered.iter().any(is_it) {
+                    filtered.push(Prefiltered::new(gltf.roughness, &self.world)?);
+                }
+                let filtered = filtered.iter().find(|one| is_it(one));
+                filtered.map_or(Ok(Vec::new()), |one| one.pictures(gltf, &self.world))
+            },
+        )?;
+        rows.extend(self.rows(PREFILTERED, 0, &prefiltered));
+        Ok(rows)
+    }
+
+    /// The errors of pictures by map, for the materials of some kinds; no errors for others.
+    fn by(
+        &self,
+        is_shown: impl Fn(Kind) -> bool,
+        mut pictures: impl FnMut(&Subject) -> Result<Vec<Picture>>,
+    ) -> Result<Errors> {
+        let mut errors = Vec::new();
+        for (subject, references) in self.subjects.iter().zip(&self.references) {
+            let pictures = if is_shown(subject.kind) { pictures(subject)? } else { Vec::new() };
+            let pairs = pictures.iter().zip(references);
+            let sphere = &self.world.sphere;
+            errors.push(pairs.map(|(found, one)| one.error(found, sphere)).collect());
+        }
+        Ok(errors)
+    }
+
+    /// A row for each group whose kinds are all there.
+    pub fn rows(&self, setting: &str, sources: usize, errors: &Errors) -> Vec<Record> {
+        let row = |(name, kinds): &(&str, &[Kind])| {
+            let of_kind = |kind: &Kind| -> Vec<PictureError> {
+                let pairs = self.subjects.iter().zip(errors);
+                let of = pairs.filter(|(subject, _)| subject.kind == *kind);
+                of.flat_map(|(_, errors)| errors.iter().copied()).collect()
+            };
+            let of_kinds: Vec<Vec<PictureError>> = kinds.iter().map(of_kind).collect();
+            if of_kinds.iter().any(Vec::is_empty) {
+                return None;
+            }
+            let mut row = Record::default();
+            row.put("setting", setting);
+            row.put("sources", sources);
+            row.put("kind", name);
+            let errors = of_kinds.concat();
+            row.put("pictures", errors.len());
+            for (column, of) in ERROR_COLUMNS {
+                let Spread { median, most, .. } =
+                    Spread::of(&errors.iter().map(of).collect::<Vec<f64>>());
+                row.measure(format!("{column}_median"), median);
+                row.measure(format!("{column}_most"), most);
+            }
+            Some(row)
+        };
+        GROUPS.iter().filter_map(row).collect()
+    }
+}
+
+/// The name of an error's columns, and its value.
+type ErrorColumns = (&'static str, fn(&PictureError) -> f64);
+
+/// The columns of [`PictureError`], each with its median and its 95th percentile.
+pub const ERROR_COLUMNS: [ErrorColumns; 3] = [
+    ("rms", |error| error.rms),
+    ("pixel", |error| error.pixel),
+    ("difference", |error| error.difference),
+];
