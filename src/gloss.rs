@@ -16,7 +16,7 @@ const SMOOTHEST: f64 = 0.1;
 /// With α = roughness² and the half-way direction h of light and view, the BRDF is
 /// f = (1 - F) albedo / π + F D V, where
 ///
-/// * F = f0 + (1 - f0)(1 - cos θ_d)^5;
+/// * F = f0 + (f90 - f0)(1 - cos θ_d)^5, with f90 = 1 unless given;
 /// * D = α² / π(sin² θ_h + α² cos² θ_h)²;
 /// * V = 1/2 / (cos θ_i √(α² + (1 - α²) cos² θ_r) + the same with i and r exchanged).
 ///
@@ -36,6 +36,7 @@ const SMOOTHEST: f64 = 0.1;
 pub struct Gloss<S> {
     alpha: S,
     reflectance: Rgb<S>,
+    grazing: Rgb<S>,
     albedo: Rgb<S>,
 }
 
@@ -57,7 +58,20 @@ impl<S: Scalar> Gloss<S> {
         let least = S::from_f64(SMOOTHEST);
         let roughness = if roughness > least { roughness } else { least };
         let [reflectance, albedo] = [reflectance.into(), albedo.into()];
-        Ok(Self { alpha: roughness * roughness, reflectance, albedo })
+        let grazing = Rgb::gray(S::ONE);
+        Ok(Self { alpha: roughness * roughness, reflectance, grazing, albedo })
+    }
+
+    /// With this reflectance at grazing incidence, f90, from 0 to 1; it is 1 by default. Lobes fitted
+    /// to measured materials need less.
+    ///
+    /// # Errors
+    ///
+    /// [`Error::Outside`] if a number is not from 0 to 1.
+    pub fn with_grazing(self, grazing: [S; 3]) -> Result<Self, Error> {
+        let range = [S::ZERO, S::ONE];
+        Error::check_range(grazing.map(|f90| (Argument::Reflectance, f90)), range)?;
+        Ok(Self { grazing: grazing.into(), ..self })
     }
 
     /// From the linear base color, metallic and roughness of glTF, all from 0 to 1: f0 is 0.04 + (base
@@ -91,6 +105,12 @@ impl<S: Scalar> Gloss<S> {
     #[must_use]
     pub const fn reflectance(&self) -> Rgb<S> {
         self.reflectance
+    }
+
+    /// The reflectance at grazing incidence, f90.
+    #[must_use]
+    pub const fn grazing(&self) -> Rgb<S> {
+        self.grazing
     }
 
     /// The albedo of the matte base.

@@ -272,9 +272,10 @@ impl<S: Scalar> Lobe<S> {
         let fade = (one + half * far * far).reciprocal();
         let peak = S::from_f64(0.25 * FRAC_1_PI) * first * second * fade;
         let matte = S::from_f64(FRAC_1_PI);
-        let parts = source.energy().zip(gloss.reflectance()).zip(gloss.albedo());
-        let parts = parts.map(|((energy, f0), albedo)| {
-            let reflected = f0 + (one - f0) * fresnel;
+        let reflectance = gloss.reflectance().zip(gloss.grazing());
+        let parts = source.energy().zip(reflectance).zip(gloss.albedo());
+        let parts = parts.map(|((energy, (f0, f90)), albedo)| {
+            let reflected = f0 + (f90 - f0) * fresnel;
             [energy * reflected * peak, energy * (one - reflected) * albedo * matte]
         });
         Self {

@@ -17,11 +17,11 @@ use eigenshade_model::rotation::Rotation;
 use eigenshade_model::source::{Gloss, Source, SourceSets};
 use eigenshade_shading::shader::fault;
 use eigenshade_shading::{highlights, parallel, shipped};
+use eigenshade_sources::gloss;
 use eigenshade_sources::pursuit::{self, ROUGHNESS, SETS};
 use eigenshade_sources::response::{Glossy, Response};
 use eigenshade_sources::sphere::{Picture, Sphere};
 use eigenshade_sources::view::View;
-use eigenshade_sources::gloss;
 use indicatif::ProgressBar;
 use std::io::Write;
 use std::path::Path;
@@ -295,10 +295,10 @@ fn surfaces(inputs: &Path) -> Result<Vec<Surface>> {
 /// If the output fails.
 pub fn write_glosses(glosses: &[(String, Gloss, f64)], out: &mut dyn Write) -> Result<()> {
     let columns =
-        ["material", "roughness", "f0_r", "f0_g", "f0_b", "albedo_r", "albedo_g", "albedo_b", "error"];
-    let mut csv = Rows::new(out, columns)?;
-    for (name, Gloss { roughness, reflectance, albedo }, left) in glosses {
-        let numbers = [&[*roughness][..], reflectance, albedo, &[*left]].concat();
+        "material,roughness,f0_r,f0_g,f0_b,f90_r,f90_g,f90_b,albedo_r,albedo_g,albedo_b,error";
+    let mut csv = Rows::new(out, columns.split(','))?;
+    for (name, Gloss { roughness, reflectance, grazing, albedo }, left) in glosses {
+        let numbers = [&[*roughness][..], reflectance, grazing, albedo, &[*left]].concat();
         let numbers = numbers.into_iter().map(|number| format!("{number:.4}"));
         csv.row(std::iter::once(name.clone()).chain(numbers))?;
     }

@@ -15,6 +15,7 @@ mod effects;
 mod export;
 mod export_source;
 mod habits;
+mod highlights;
 mod materials;
 mod memory;
 mod objects;

@@ -62,6 +62,8 @@ pub struct Gloss {
     pub roughness: f64,
     /// The reflectance at normal incidence by channel, 0 to 1.
     pub reflectance: [f64; 3],
+    /// The reflectance at grazing incidence by channel, 0 to 1.
+    pub grazing: [f64; 3],
     /// The albedo of the base by channel, 0 to 1.
     pub albedo: [f64; 3],
 }

@@ -29,8 +29,10 @@ pub fn source<S: Scalar>(source: &Source) -> Result<eigenshade::Source<S>> {
 ///
 /// If a parameter is not in \[0, 1\].
 pub fn gloss<S: Scalar>(gloss: &Gloss) -> Result<eigenshade::Gloss<S>> {
-    let [reflectance, albedo] = [gloss.reflectance, gloss.albedo].map(|rgb| rgb.map(S::from_f64));
-    eigenshade::Gloss::new(S::from_f64(gloss.roughness), reflectance, albedo).map_err(fault)
+    let Gloss { roughness, reflectance, grazing, albedo } = *gloss;
+    let [f0, f90, albedo] = [reflectance, grazing, albedo].map(|rgb| rgb.map(S::from_f64));
+    let gloss = eigenshade::Gloss::new(S::from_f64(roughness), f0, albedo);
+    gloss.and_then(|gloss| gloss.with_grazing(f90)).map_err(fault)
 }
 
 /// The harmonics up to `degree` of a source of energy 1, rounded to a format.

@@ -68,9 +68,11 @@ pub fn gloss(material: &str) -> Option<(Gloss, f64)> {
         }
         let numbers = numbers.split(',').map(|number| number.parse::<f64>().ok());
         let numbers = numbers.collect::<Option<Vec<f64>>>()?;
-        let [roughness, f0_r, f0_g, f0_b, r, g, b, error] = numbers[..] else { return None };
-        let gloss = Gloss { roughness, reflectance: [f0_r, f0_g, f0_b], albedo: [r, g, b] };
-        Some((gloss, error))
+        let (&[roughness], colors) = numbers.split_first_chunk()?;
+        let (colors, [error]) = colors.split_last_chunk()?;
+        let [reflectance, grazing, albedo] = colors.as_chunks().0 else { return None };
+        let (&reflectance, &grazing, &albedo) = (reflectance, grazing, albedo);
+        Some((Gloss { roughness, reflectance, grazing, albedo }, *error))
     })
 }
 

@@ -1,8 +1,8 @@
 //! Fits the runtime's gloss, one GGX lobe over a matte base, to any BRDF.
 //!
 //! The picture of a sphere under a small round source is fitted, for sources from near the camera to
-//! the side of the object, each relative to its peak. For one roughness, the picture is linear in the reflectance
-//! f0 and in albedo (1 - f0); the roughness is searched.
+//! behind the object, each relative to its peak. For one roughness, the picture is linear in each of the
+//! reflectances and the albedo; the roughness is searched.
 
 use eigenshade_generator::material::brdf::{Brdf, Geometry, Ggx, Surface};
 use eigenshade_model::error::Result;
@@ -11,7 +11,7 @@ use eigenshade_shading::parallel;
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
 /// Angles of the lights from the camera in degrees.
-const LIGHTS: [f64; 5] = [10.0, 35.0, 60.0, 85.0, 110.0];
+const LIGHTS: [f64; 6] = [10.0, 35.0, 60.0, 85.0, 110.0, 140.0];
 /// The standard deviation of a source in radians, about that of captured lamps, and the points that
 /// stand for it: those of a Gauss-Hermite rule along and across, by place and weight.
 const SPREAD: f64 = 0.04;
@@ -121,50 +121,66 @@ fn points(surface: &Surface, angle: f64) -> Vec<Point> {
     points
 }
 
-/// The best reflectance and albedo of one roughness.
+/// The best reflectances and albedo of one roughness.
+///
+/// With p = (1 - cos θ_d)^5, the picture is f0 (1 - p) S + f90 p S + albedo (1 - f0 (1 - p) - f90 p) / π,
+/// all times the cosine, with the lobe S.
 fn at_roughness(points: &[Point], roughness: f64) -> Result<(Gloss, f64)> {
     let lobe = Ggx::new(roughness, 1.0, 0.0)?;
-    let mut gloss = Gloss { roughness, reflectance: [0.0; 3], albedo: [0.0; 3] };
+    let terms = points.iter().map(|Point { lit, .. }| {
+        let mut terms = [0.0; 4];
+        for (at, share) in lit {
+            let p = (1.0 - at.difference_cosine()).powi(5);
+            let (lobe, matte) = (lobe.value(*at), 1.0 / PI);
+            let parts = [(1.0 - p) * lobe, p * lobe, (1.0 - p) * matte, p * matte];
+            let cosine = share * at.incident;
+            terms.iter_mut().zip(parts).for_each(|(term, part)| *term += cosine * part);
+        }
+        terms
+    });
+    let terms: Vec<[f64; 4]> = terms.collect();
+    let mut gloss = Gloss { roughness, reflectance: [0.0; 3], grazing: [0.0; 3], albedo: [0.0; 3] };
     let (mut left, mut all) = (0.0, 0.0);
-    // f cos = p S + f0 (1 - p) S + albedo (1 - f0) (1 - p) cos / π with p = (1 - cos θ_d)^5.
-    let terms: Vec<[f64; 3]> = points
-        .iter()
-        .map(|Point { lit, .. }| {
-            let mut terms = [0.0; 3];
-            for (at, share) in lit {
-                let rise = (1.0 - at.difference_cosine()).powi(5);
-                let (of_lobe, of_matte) = (share * lobe.value(*at), share / PI);
-                let parts = [rise * of_lobe, (1.0 - rise) * of_lobe, (1.0 - rise) * of_matte];
-                terms.iter_mut().zip(parts).for_each(|(term, part)| *term += at.incident * part);
-            }
-            terms
-        })
-        .collect();
     for c in 0..3 {
-        let mut sums = [[0.0; 2]; 2];
-        let mut right = [0.0; 2];
-        for (point, [fixed, a, b]) in points.iter().zip(&terms) {
-            let rest = point.values[c] - fixed;
-            for (i, p) in [a, b].into_iter().enumerate() {
-                right[i] += point.weight * p * rest;
-                for (j, q) in [a, b].into_iter().enumerate() {
-                    sums[i][j] += point.weight * p * q;
+        // Sums of products of the four terms and of the values.
+        let mut sums = [[0.0; 4]; 4];
+        let (mut right, mut square) = ([0.0; 4], 0.0);
+        for (point, terms) in points.iter().zip(&terms) {
+            let value = point.values[c];
+            square += point.weight * value * value;
+            for (i, a) in terms.iter().enumerate() {
+                right[i] += point.weight * a * value;
+                for (j, b) in terms.iter().enumerate() {
+                    sums[i][j] += point.weight * a * b;
                 }
             }
         }
-        // By turns, each within its range.
-        let [mut f0, mut matte] = [0.0; 2];
-        for _ in 0..STEPS {
-            f0 = ((right[0] - sums[0][1] * matte) / sums[0][0]).clamp(0.0, 1.0);
-            matte = ((right[1] - sums[1][0] * f0) / sums[1][1]).clamp(0.0, 1.0 - f0);
+        let factors =
+            |[f0, f90, albedo]: [f64; 3]| [f0, f90, albedo * (1.0 - f0), albedo * (1.0 - f90)];
+        let of = |a: [f64; 4], b: [f64; 4]| -> f64 {
+            let row = |i: usize| (0..4).map(move |j| a[i] * b[j] * sums[i][j]).sum::<f64>();
+            (0..4).map(row).sum()
+        };
+        let with = |a: [f64; 4]| -> f64 { a.iter().zip(&right).map(|(a, b)| a * b).sum() };
+        // One after the other, each within its range: the picture is linear in each.
+        let mut found = [0.1, 0.1, 0.1];
+        for step in 0..3 * STEPS {
+            let mut at = |value: f64| {
+                found[step % 3] = value;
+                factors(found)
+            };
+            let (zero, one) = (at(0.0), at(1.0));
+            let slope = [0, 1, 2, 3].map(|k: usize| one[k] - zero[k]);
+            let steepness = of(slope, slope);
+            if steepness > 0.0 {
+                found[step % 3] = ((with(slope) - of(zero, slope)) / steepness).clamp(0.0, 1.0);
+            }
         }
-        gloss.reflectance[c] = f0;
-        gloss.albedo[c] = if f0 < 1.0 { matte / (1.0 - f0) } else { 0.0 };
-        for (point, [fixed, a, b]) in points.iter().zip(&terms) {
-            let off = point.values[c] - fixed - f0 * a - matte * b;
-            left += point.weight * off * off;
-            all += point.weight * point.values[c].powi(2);
-        }
+        let [f0, f90, albedo] = found;
+        (gloss.reflectance[c], gloss.grazing[c], gloss.albedo[c]) = (f0, f90, albedo);
+        let factors = factors(found);
+        left += (of(factors, factors) - 2.0 * with(factors) + square).max(0.0);
+        all += square;
     }
     Ok((gloss, (left / all).sqrt()))
 }
@@ -183,6 +199,7 @@ mod tests {
         for (c, (f0, albedo)) in [(0.9, 0.0), (0.3, 0.2), (0.04, 0.7)].into_iter().enumerate() {
             assert!((gloss.reflectance[c] - f0).abs() < 0.01, "{gloss:?}");
             assert!((gloss.albedo[c] - albedo).abs() < 0.02, "{gloss:?}");
+            assert!(gloss.grazing[c] > 0.95, "{gloss:?}");
         }
     }
 }

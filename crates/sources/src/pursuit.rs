@@ -31,8 +31,7 @@ pub const SETS: [usize; 4] = [1, 2, 4, 8];
 pub const ROUGHNESS: [f64; 3] = [0.2, 0.3, 0.5];
 
 /// Rotations of the light: none, and views of other sides. The last is not fitted to.
-const ROTATIONS: [[f64; 3]; 4] =
-    [[0.0; 3], [0.4, 1.1, 2.0], [-1.0, 2.2, 0.7], [2.5, 1.7, -1.4]];
+const ROTATIONS: [[f64; 3]; 4] = [[0.0; 3], [0.4, 1.1, 2.0], [-1.0, 2.2, 0.7], [2.5, 1.7, -1.4]];
 
 /// Spacing of the normals in radians.
 const SPACING: f64 = 0.06;
@@ -220,8 +219,10 @@ fn grid(sample: &Sample<'_>) -> Result<Vec<Trial>> {
 
 fn trials(sample: &Sample<'_>, sources: &[Source], lack: &[Vec<f32>; 3]) -> Result<Vec<Trial>> {
     let additions = sample.additions(sources)?.into_iter();
-    let trial = |(&source, addition): (&Source, Vec<f32>)| {
-        Trial { source, score: score(sample, &addition, lack), addition }
+    let trial = |(&source, addition): (&Source, Vec<f32>)| Trial {
+        source,
+        score: score(sample, &addition, lack),
+        addition,
     };
     Ok(sources.iter().zip(additions).map(trial).collect())
 }
@@ -258,11 +259,8 @@ fn moved(source: &Source, step: f64) -> Vec<Source> {
         let direction = unit(direction);
         let axis = unit(plus(axis, times(-dot(axis, direction), direction)));
         let [long, minor] = [long, minor].map(|spread| spread.clamp(SPREADS[0], SPREADS[1]));
-        let (axis, long, minor) = if minor > long {
-            (cross(direction, axis), minor, long)
-        } else {
-            (axis, long, minor)
-        };
+        let (axis, long, minor) =
+            if minor > long { (cross(direction, axis), minor, long) } else { (axis, long, minor) };
         Source { direction, energy: [1.0; 3], major: times(long, axis), minor }
     };
     let from = source.direction;

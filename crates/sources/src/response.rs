@@ -107,7 +107,8 @@ impl Glossy {
         let responses = sizes.iter().zip(&projections);
         let responses = responses.map(|(&size, of)| Response::new(size, &of.coefficients));
         let responses = responses.collect();
-        let gloss = Gloss { roughness, reflectance: [reflectance; 3], albedo: [albedo; 3] };
+        let [reflectance, albedo] = [reflectance, albedo].map(|number| [number; 3]);
+        let gloss = Gloss { roughness, reflectance, grazing: [1.0; 3], albedo };
         Ok(Self { gloss, brdf: Box::new(brdf), responses })
     }
 }

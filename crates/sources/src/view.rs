@@ -72,7 +72,11 @@ impl View {
             let mut color = [0.0; 3];
             for part in &parts {
                 let lit = self.tree.irradiance(part.brdf, normals[k], 1.0)[0];
-                color.iter_mut().zip(lit).zip(part.shares).for_each(|((to, lit), s)| *to += s * lit);
+                color
+                    .iter_mut()
+                    .zip(lit)
+                    .zip(part.shares)
+                    .for_each(|((to, lit), s)| *to += s * lit);
             }
             color
         });
@@ -122,5 +126,9 @@ fn turned(map: &EnvironmentMap, matrix: [[f64; 3]; 3]) -> EnvironmentMap {
         }
         sum
     };
-    EnvironmentMap { width, height, texels: (0..width * height).into_par_iter().map(texel).collect() }
+    EnvironmentMap {
+        width,
+        height,
+        texels: (0..width * height).into_par_iter().map(texel).collect(),
+    }
 }

@@ -76,15 +76,14 @@ impl Highlights {
 }
 
 /// Width of a sphere and of the gap beside it, in pixels.
-const SIZE: usize = 150;
-const GAP: usize = 10;
+const SIZE: usize = 112;
+const GAP: usize = 8;
 const BACKGROUND: [u8; 3] = [32; 3];
 /// The share of the reference's values that its exposure leaves unclipped.
 const UNCLIPPED: f64 = 0.995;
 
 const LIGHTS: [&str; 3] = ["studio", "sunset", "night"];
-const MATERIALS: [&str; 3] =
-    ["gold-metallic-paint2", "blue-metallic-paint", "specular-maroon-phenolic"];
+const MATERIALS: [&str; 3] = ["gold-metallic-paint", "blue-metallic-paint", "yellow-phenolic"];
 
 /// Spheres with sources beside those without, and direct integration, docs/highlights.png
 #[derive(Args, Debug)]
@@ -104,15 +103,19 @@ impl HighlightPicture {
     pub fn run(self) -> Result<()> {
         let view = SphereView::new(SIZE);
         let across = |count: usize| GAP + count * (SIZE + GAP);
-        let rows = LIGHTS.len() * self.materials.len();
-        let mut canvas = Canvas::new(across(DRAWN.len()), across(rows), BACKGROUND);
-        let pairs = LIGHTS.iter().flat_map(|light| self.materials.iter().map(move |m| (*light, m)));
-        for (row, (light, material)) in pairs.enumerate() {
+        let columns = DRAWN.len() * self.materials.len();
+        let mut canvas = Canvas::new(across(columns), across(LIGHTS.len()), BACKGROUND);
+        let materials = || self.materials.iter().enumerate();
+        let pairs =
+            LIGHTS.iter().enumerate().flat_map(|light| materials().map(move |m| (light, m)));
+        for ((row, light), (group, material)) in pairs {
             let pictures = highlights::spheres(&self.inputs, light, material, &view.normals)?;
             let reference = pictures.last().into_iter().flatten().flatten().copied().collect();
             let exposure = picture::exposure(reference, UNCLIPPED);
             for (column, (picture, drawn)) in pictures.iter().zip(DRAWN).enumerate() {
-                if let (Some(reference), Some(((degree, order), sources))) = (pictures.last(), drawn) {
+                if let (Some(reference), Some(((degree, order), sources))) =
+                    (pictures.last(), drawn)
+                {
                     let [rms, worst] = highlights::errors_of(&view.normals, picture, reference);
                     print_message(format_args!(
                         "{light}, {material}, {degree}/{order} + {sources}: {} rms, {} worst",
@@ -122,6 +125,7 @@ impl HighlightPicture {
                 }
                 for (k, pixel) in view.pixels.iter().enumerate() {
                     let color = [0, 1, 2].map(|c: usize| picture::srgb(exposure * picture[c][k]));
+                    let column = DRAWN.len() * group + column;
                     let (x, y) = (across(column) + pixel.column, across(row) + pixel.row);
                     canvas.blend(x, y, color, pixel.coverage);
                 }

@@ -116,7 +116,14 @@ impl Render {
     fn highlights(&self, lights: &mut Lights, memory: Memory) -> Result<Option<Gleam>> {
         let Some(most) = self.sources else { return Ok(None) };
         let Inputs { light, material } = &self.inputs;
-        let (gloss, _) = material.gloss()?;
+        let (gloss, left) = material.gloss()?;
+        if left > FAR && gloss.roughness <= MATTE {
+            print_message(format_args!(
+                "note: the gloss of `{}` is not quite a GGX lobe: its highlights are off by {:.0} %",
+                material.path().display(),
+                100.0 * left
+            ));
+        }
         let sources = light.sources(&lights.entries[0].name, most, memory.of_file())?;
         if gloss.roughness > MATTE {
             print_message(format_args!(
@@ -215,6 +222,10 @@ impl Gleam {
         Highlights::new::<Libm>(&highlights::gloss(&self.gloss)?, &sources).map_err(fault)
     }
 }
+
+/// The rms that a fitted gloss leaves, relative to pictures under a small source, from which on it is
+/// worth a note.
+const FAR: f64 = 0.15;
 
 /// The roughness above which harmonics of degree 9 show all of a highlight.
 const MATTE: f64 = 0.6;
