@@ -91,14 +91,16 @@ impl Source {
             Entry::Shipped => (shipped::sources()?, PathBuf::from(SOURCES)),
             _ => {
                 let file = source_file(&self.path);
+                if !is_file(&file) {
+                    let what = "there are no sources beside the light CSV";
+                    return Err(Error::new(what, FIND_SOURCES).in_file(file));
+                }
                 (read_sources(InputFile::new(&file, budget))?, file)
             }
         };
         let sets = lights.into_iter().find(|sets| sets.name == light).ok_or_else(|| {
             let what = format!("it has no sources of the light `{light}`");
-            let remedy =
-                "find them with `eigenshade light MAP --sources 8`, or leave --sources out";
-            Error::new(what, remedy).in_file(&file)
+            Error::new(what, FIND_SOURCES).in_file(&file)
         })?;
         Ok(sets.of_most(most).to_vec())
     }
@@ -186,6 +188,10 @@ impl Source {
         ))
     }
 }
+
+/// The remedy for a light without sources.
+const FIND_SOURCES: &str =
+    "find them with `eigenshade light MAP --sources 8`, or leave --sources out";
 
 /// The shipped sources.
 const SOURCES: &str = "tables/inputs/sources.csv";

@@ -68,9 +68,10 @@ fn responses_are_those_of_the_direct_sum() {
     assert!(most <= INTERPOLATED * largest, "{most:e} {largest:e}");
 }
 
-/// How far a source is from a lamp of 0.05 rad, and by how much energies differ.
+/// How far a source is from a lamp of 0.05 rad, and by how much energies differ: the peak of a lobe is
+/// wrong by up to 7 %, which the energy makes up for.
 const PLACE: f64 = 0.01;
-const ENERGY: f64 = 0.04;
+const ENERGY: f64 = 0.07;
 
 #[test]
 fn a_lamp_is_found_where_it_is() {
