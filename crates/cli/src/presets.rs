@@ -96,7 +96,8 @@ impl Source {
         };
         let sets = lights.into_iter().find(|sets| sets.name == light).ok_or_else(|| {
             let what = format!("it has no sources of the light `{light}`");
-            let remedy = "find them with `eigenshade light MAP --sources 8`, or leave --sources out";
+            let remedy =
+                "find them with `eigenshade light MAP --sources 8`, or leave --sources out";
             Error::new(what, remedy).in_file(&file)
         })?;
         Ok(sets.of_most(most).to_vec())
