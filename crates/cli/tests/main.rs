@@ -15,6 +15,7 @@ mod effects;
 mod export;
 mod export_source;
 mod habits;
+mod interpreter;
 mod materials;
 mod memory;
 mod objects;
@@ -26,6 +27,7 @@ mod results;
 mod scene_choices;
 mod shade;
 mod shader;
+mod shader_sources;
 mod shapes;
 mod tolerance_choice;
 
