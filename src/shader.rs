@@ -175,8 +175,8 @@ impl<'a> Shader<'a> {
     /// `fn irradiance(normal: vec3f) -> vec3f`.
     ///
     /// The normal is a unit vector in the camera's frame, z toward the camera; the irradiance is
-    /// linear, in the unit of [`Scene::shade`], and may be negative. GLSL needs a precision for
-    /// floats; use `precision highp float`.
+    /// linear, in the unit of [`Scene::shade`], and may be negative. With sources it includes their
+    /// highlights. GLSL needs a precision for floats; use `precision highp float`.
     ///
     /// # Errors
     ///

@@ -9,7 +9,8 @@ use core::fmt::{self, Write};
 #[non_exhaustive]
 pub enum ShaderLanguage {
     /// GLSL ES 3.00 (WebGL 2) with `uniform vec4 eigenshade[N]`. WebGL 2 promises 224 vectors to a
-    /// fragment shader. The shipped tables `sphere` and `color` take 167 and 194, `pbr` 454.
+    /// fragment shader. The shipped tables `sphere` and `color` take 167 and 194, `pbr` 454; eight
+    /// sources take 33.
     Glsl,
     /// The same with a uniform block `Eigenshade` of layout `std140`, for up to 1,024 vectors.
     GlslBlock,
