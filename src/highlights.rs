@@ -175,6 +175,20 @@ impl<S: Scalar, const N: usize> Highlights<S, N> {
         self.lobes.is_empty()
     }
 
+    /// The constants as vectors of a shader: α² and 1 - α², then four of each source. These are the
+    /// first row of R and R_22; the direction and R_23; twice the specular color and R_33; the matte
+    /// color and 0. Doubled colors leave the root and the divisor without halves.
+    pub(crate) fn vectors(&self) -> impl Iterator<Item = [S; 4]> {
+        let [square, rest] = self.masking.map(|half| half + half);
+        let lobes = self.lobes.iter().flat_map(|lobe| {
+            let ([xx, xy, xz, yy, yz, zz], [x, y, z]) = (lobe.form, lobe.direction);
+            let Rgb { r, g, b } = lobe.specular.map(|half| half + half);
+            let matte = lobe.matte;
+            [[xx, xy, xz, yy], [x, y, z, yz], [r, g, b, zz], [matte.r, matte.g, matte.b, S::ZERO]]
+        });
+        core::iter::once([square, rest, S::ZERO, S::ZERO]).chain(lobes)
+    }
+
     #[inline(always)]
     fn block<const B: usize>(&self, x: &[S; B], y: &[S; B], z: &[S; B]) -> Rgb<[S; B]> {
         let mut sums = Rgb::gray([S::ZERO; B]);

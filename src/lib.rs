@@ -23,7 +23,8 @@
 //! 9. Glossy materials mirror lamps and the sun more sharply than the harmonics of a light can
 //!    represent. [`Rgb::residual`] takes each such [`Source`] out of the light, and [`Highlights`]
 //!    adds its reflection on a [`Gloss`].
-//! 10. [`Shader`] writes a scene as a function of GLSL or WGSL, for graphics processors.
+//! 10. [`Shader`] writes a scene and its highlights as a function of GLSL or WGSL, for graphics
+//!     processors.
 //! 11. In the other direction, [`Basis::estimate`] takes pixels one by one and estimates d.
 //!
 //! A [`GeneralBasis`] does the same for objects other than a sphere.
@@ -117,8 +118,6 @@ mod nine_terms;
 
 mod shade;
 
-mod shader;
-
 #[doc(hidden)]
 pub mod specialized;
 
@@ -143,6 +142,10 @@ mod source;
 mod gloss;
 
 mod highlights;
+
+mod shader_text;
+
+mod shader;
 
 mod graphics;
 
@@ -232,7 +235,8 @@ pub use sampled::{SampledBuffer, SampledScene};
 pub use scalar::Scalar;
 pub use scene::{Scene, SceneBuffer};
 pub use shade::NegativePolicy;
-pub use shader::{Shader, ShaderLanguage};
+pub use shader::Shader;
+pub use shader_text::ShaderLanguage;
 pub use source::Source;
 pub use transfer::Transfer;
 pub use truncation::{Shape, Tolerance, Truncation};

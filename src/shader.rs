@@ -2,11 +2,12 @@
 
 use crate::color::Rgb;
 use crate::error::{Argument, Error};
+use crate::highlights::Highlights;
 use crate::index::layout::{Form, Recurrence};
-use crate::invariant::part;
 use crate::recurrences::Recurrences;
 use crate::scalar::Scalar;
 use crate::scene::Scene;
+use crate::shader_text::{Azimuth, ShaderLanguage, highlight_vectors, highlights, put};
 use core::fmt::{self, Write};
 
 /// A shader that computes the irradiance of scenes of one shape.
@@ -35,29 +36,59 @@ use core::fmt::{self, Write};
 pub struct Shader<'a> {
     lengths: &'a [u16],
     recurrences: Recurrences<'a>,
+    sources: usize,
 }
 
-/// The language of a shader, and where it finds the coefficients.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-#[non_exhaustive]
-pub enum ShaderLanguage {
-    /// GLSL ES 3.00 (WebGL 2) with `uniform vec4 eigenshade[N]`. WebGL 2 promises 224 vectors to a
-    /// fragment shader. The shipped tables `sphere` and `color` take 167 and 194, `pbr` 454.
-    Glsl,
-    /// The same with a uniform block `Eigenshade` of layout `std140`, for up to 1,024 vectors.
-    GlslBlock,
-    /// The same with a float texture `eigenshade` of one row, for any number of vectors.
-    GlslTexture,
-    /// WGSL with a uniform buffer, `@group(0) @binding(0) var<uniform> eigenshade`, of up to 4,096
-    /// vectors.
-    Wgsl,
-}
+/// The most sources of a shader.
+const SOURCES: usize = 32;
 
 impl<'a> Shader<'a> {
     /// The shader for scenes of the shape of this one.
     #[must_use]
     pub fn new<B>(scene: &Scene<'a, B>) -> Self {
-        Self { lengths: scene.lengths(), recurrences: scene.recurrences() }
+        Self { lengths: scene.lengths(), recurrences: scene.recurrences(), sources: 0 }
+    }
+
+    /// The shader that adds the [`Highlights`] of up to `sources` small sources, 0 to 32.
+    ///
+    /// The sources add a loop to the text, which depends on their number alone. A new or turned source
+    /// and a new gloss are an upload of [`highlight_uniforms`](Self::highlight_uniforms). Cost: four
+    /// vectors for each source, and one; a root, and for each source that the normal faces another
+    /// root, a division and 24 products.
+    ///
+    /// ```
+    /// # #[cfg(all(feature = "baked", feature = "presets"))] {
+    /// use eigenshade::mathematics::SinglePrecision;
+    /// use eigenshade::presets::light::LOBBY;
+    /// use eigenshade::{Gloss, Highlights, Material, Shader, ShaderLanguage, Source, sphere};
+    ///
+    /// let (color, metallic, roughness) = ([0.93, 0.52, 0.38], 1.0, 0.25);
+    /// let lamp = Source::round::<SinglePrecision>([0.0, 0.6, 0.8], [0.5; 3], 0.03)?;
+    /// let rest = LOBBY.residual::<SinglePrecision, 100>(&[lamp])?;
+    /// let copper = Material::metallic_roughness(color, metallic, roughness)?;
+    /// let scene = sphere::color::scene(rest.lights()?, copper.materials()?)?;
+    /// let gloss = Gloss::metallic_roughness(color, metallic, roughness)?;
+    /// let highlights = Highlights::<f32, 4>::new::<SinglePrecision>(&gloss, &[lamp])?;
+    ///
+    /// let shader = Shader::new(&scene.r).with_sources(4)?;
+    /// let mut text = String::new();
+    /// shader.write(ShaderLanguage::Wgsl, &mut text).unwrap();
+    /// let mut vectors = [[0.0; 4]; 256];
+    /// shader.uniforms(scene.each_ref().map(|scene| &**scene), &mut vectors)?;
+    /// shader.highlight_uniforms(&highlights, &mut vectors)?;
+    /// # }
+    /// # Ok::<(), eigenshade::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    ///
+    /// [`Error::Capacity`] if there are more than 32.
+    pub fn with_sources(self, sources: usize) -> Result<Self, Error> {
+        if sources > SOURCES {
+            let argument = Argument::Sources;
+            return Err(Error::Capacity { argument, needed: sources, capacity: SOURCES });
+        }
+        Ok(Self { sources, ..self })
     }
 
     /// Number of coefficients: terms of all polynomials.
@@ -68,15 +99,21 @@ impl<'a> Shader<'a> {
     }
 
     /// Number of vectors of four numbers in the shader's array: one for each coefficient, and one for
-    /// each entry of a recurrence. At least 1, because no array is empty.
+    /// each entry of a recurrence; with sources, four for each and one more. At least 1, because no
+    /// array is empty.
     #[must_use]
     pub fn vectors(&self) -> usize {
-        (self.terms() + self.entries().count()).max(1)
+        (self.scene_vectors() + highlight_vectors(self.sources)).max(1)
+    }
+
+    /// Number of vectors of the scene.
+    fn scene_vectors(&self) -> usize {
+        self.terms() + self.entries().count()
     }
 
     /// Writes the array of the shader: red, green and blue of each coefficient, and the numbers of
-    /// the recurrences. Those of `vectors` beyond [`vectors`](Self::vectors) become zero. The numbers
-    /// are meaningless for a shader of another shape.
+    /// the recurrences. All other `vectors` become zero, which makes the sources dark. The numbers are
+    /// meaningless for a shader of another shape.
     ///
     /// # Errors
     ///
@@ -97,6 +134,34 @@ impl<'a> Shader<'a> {
         Ok(())
     }
 
+    /// Writes the sources' part of the shader's array, after [`uniforms`](Self::uniforms) or in place of
+    /// the highlights before. Sources that are not there are dark: their vectors become zero.
+    ///
+    /// In f32, a shader is as near to the formula as [`Highlights::shade`].
+    ///
+    /// # Errors
+    ///
+    /// [`Error::Length`] if there are fewer `vectors` than [`vectors`](Self::vectors), and
+    /// [`Error::Capacity`] if there are more highlights than the shader has sources.
+    pub fn highlight_uniforms<S: Scalar + Into<f32>, const N: usize>(
+        &self,
+        highlights: &Highlights<S, N>,
+        vectors: &mut [[f32; 4]],
+    ) -> Result<(), Error> {
+        let (needed, capacity) = (self.vectors(), self.sources);
+        Error::check(Argument::Scene, needed, needed.min(vectors.len()))?;
+        if highlights.len() > capacity {
+            let argument = Argument::Sources;
+            return Err(Error::Capacity { argument, needed: highlights.len(), capacity });
+        }
+        let mut all = highlights.vectors().map(|vector| vector.map(Into::into));
+        let places = vectors.iter_mut().skip(self.scene_vectors());
+        for vector in places.take(highlight_vectors(capacity)) {
+            *vector = all.next().unwrap_or_default();
+        }
+        Ok(())
+    }
+
     /// The entries of the recurrences that are used: the last term needs no next polynomial.
     fn entries(&self) -> impl Iterator<Item = &'a Recurrence> {
         let lengths = self.lengths.iter().enumerate();
@@ -110,8 +175,8 @@ impl<'a> Shader<'a> {
     /// `fn irradiance(normal: vec3f) -> vec3f`.
     ///
     /// The normal is a unit vector in the camera's frame, z toward the camera; the irradiance is
-    /// linear, in the unit of [`Scene::shade`], and may be negative. GLSL needs a precision for
-    /// floats; use `precision highp float`.
+    /// linear, in the unit of [`Scene::shade`], and may be negative. With sources it includes their
+    /// highlights. GLSL needs a precision for floats; use `precision highp float`.
     ///
     /// # Errors
     ///
@@ -156,7 +221,7 @@ impl<'a> Shader<'a> {
                 "  var e: f32;\n  var f: f32;\n  var g: f32;\n"
             })?;
         }
-        let (mut terms, mut entry) = (self.terms(), vectors);
+        let (mut terms, mut entry) = (self.terms(), self.scene_vectors());
         let mut above = false;
         for (azimuth, &length) in self.lengths.iter().enumerate().rev() {
             let length = usize::from(length);
@@ -189,6 +254,9 @@ impl<'a> Shader<'a> {
         if self.lengths.is_empty() {
             out.write_str("  p = re;\n")?;
         }
+        if self.sources > 0 {
+            highlights(language, self.scene_vectors(), self.sources, out)?;
+        }
         out.write_str("  return p;\n}\n")
     }
 }
@@ -196,134 +264,4 @@ impl<'a> Shader<'a> {
 /// How many polynomials an azimuth has.
 fn signs(azimuth: usize) -> usize {
     if azimuth == 0 { 1 } else { 2 }
-}
-
-/// The text of the polynomials of an azimuth, that of +m and that of -m.
-struct Azimuth {
-    language: ShaderLanguage,
-    /// Place of the first coefficient.
-    first: usize,
-    /// Terms of each polynomial.
-    length: usize,
-    /// Place of the first entry of the recurrence.
-    entry: usize,
-}
-
-impl Azimuth {
-    /// Writes the color of a coefficient.
-    fn color(&self, place: usize, out: &mut impl Write) -> fmt::Result {
-        self.vector(place, out)?;
-        out.write_str(".rgb")
-    }
-
-    /// Writes a vector of the array.
-    fn vector(&self, place: usize, out: &mut impl Write) -> fmt::Result {
-        match self.language {
-            ShaderLanguage::GlslTexture => {
-                put(out, "texelFetch(eigenshade, ivec2(", place, ", 0), 0)")
-            }
-            _ => put(out, "eigenshade[", place, "]"),
-        }
-    }
-
-    /// Writes the sum of a polynomial in the form of its length, by Horner's rule.
-    fn sum(&self, name: &str, from: usize, out: &mut impl Write) -> fmt::Result {
-        let first = self.first + from;
-        let assign = |out: &mut _| statement(out, name, " = ");
-        if self.length == 0 {
-            assign(out)?;
-            return out.write_str(match self.language {
-                ShaderLanguage::Wgsl => "vec3f(0.0);\n",
-                _ => "vec3(0.0);\n",
-            });
-        }
-        let odd = self.length % 2;
-        let (mut place, step) = match Form::of(self.length) {
-            Form::Monomial => (first + 1, 1),
-            Form::EvenOdd => (first + odd, 2),
-        };
-        // The first of the sum: a single term, or the highest pair.
-        assign(out)?;
-        if step == 2 && odd == 0 {
-            self.pair(place, out)?;
-            place += 2;
-        } else {
-            self.color(first, out)?;
-        }
-        out.write_str(";\n")?;
-        while place < first + self.length {
-            assign(out)?;
-            out.write_str(name)?;
-            if step == 2 {
-                out.write_str(" * u + ")?;
-                self.pair(place, out)?;
-            } else {
-                out.write_str(" * t + ")?;
-                self.color(place, out)?;
-            }
-            out.write_str(";\n")?;
-            place += step;
-        }
-        Ok(())
-    }
-
-    /// Writes an odd and an even half.
-    fn pair(&self, place: usize, out: &mut impl Write) -> fmt::Result {
-        out.write_str("(")?;
-        self.color(place, out)?;
-        out.write_str(" * t + ")?;
-        self.color(place + 1, out)?;
-        out.write_str(")")
-    }
-
-    /// Writes the sums of both polynomials by the recurrence of their azimuth.
-    fn orthogonal(&self, azimuth: usize, out: &mut impl Write) -> fmt::Result {
-        out.write_str(match self.language {
-            ShaderLanguage::Wgsl => "  p = vec3f(0.0);\n  q = p;\n",
-            _ => "  p = vec3(0.0);\n  q = p;\n",
-        })?;
-        out.write_str("  e = 1.0;\n  f = 0.0;\n")?;
-        for k in 0..self.length {
-            let last = self.first + self.length - 1 - k;
-            statement(out, "p", " += ")?;
-            self.color(last, out)?;
-            out.write_str(" * e;\n")?;
-            if azimuth > 0 {
-                statement(out, "q", " += ")?;
-                self.color(last + self.length, out)?;
-                out.write_str(" * e;\n")?;
-            }
-            if k + 1 < self.length {
-                out.write_str("  g = (2.0 * t - ")?;
-                self.vector(self.entry + k, out)?;
-                out.write_str(".x) * e - ")?;
-                self.vector(self.entry + k, out)?;
-                out.write_str(".y * f;\n  f = e;\n  e = g;\n")?;
-            }
-        }
-        Ok(())
-    }
-}
-
-/// The beginning of a statement.
-fn statement(out: &mut impl Write, name: &str, operator: &str) -> fmt::Result {
-    out.write_str("  ")?;
-    out.write_str(name)?;
-    out.write_str(operator)
-}
-
-/// Writes a number between two texts. By hand: `core::fmt` would double the size of a module.
-fn put(out: &mut impl Write, before: &str, number: usize, after: &str) -> fmt::Result {
-    out.write_str(before)?;
-    let (mut digits, mut rest, mut count) = ([0; 20], number, 0);
-    for digit in &mut digits {
-        (*digit, rest, count) = (b'0' + (rest % 10) as u8, rest / 10, count + 1);
-        if rest == 0 {
-            break;
-        }
-    }
-    for &digit in part(&digits, ..count).iter().rev() {
-        out.write_char(char::from(digit))?;
-    }
-    out.write_str(after)
 }

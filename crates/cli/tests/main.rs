@@ -16,6 +16,7 @@ mod export;
 mod export_source;
 mod habits;
 mod highlights;
+mod interpreter;
 mod materials;
 mod memory;
 mod objects;
@@ -27,6 +28,7 @@ mod results;
 mod scene_choices;
 mod shade;
 mod shader;
+mod shader_sources;
 mod shapes;
 mod tolerance_choice;
 

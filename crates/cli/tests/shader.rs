@@ -1,9 +1,9 @@
 //! `shader` writes functions whose values are the direct sum, in every language, and refuses what is
 //! no single scene. Their compilers are tried by packages/eigenshade in a browser.
 
+use crate::interpreter::Function;
 use crate::support::{Folder, assert_fails, difference, repository};
 use serde_json::Value;
-use std::collections::HashMap;
 use std::fmt::Write;
 use std::fs;
 
@@ -13,122 +13,41 @@ const ONE: &str = "--table b.bin --light lights.csv:light-1 --material materials
 /// measured 1.5e-7.
 const F32: f64 = 5e-7;
 
-/// An interpreter of the functions that `shader` writes, for one channel.
-struct Interpreter<'a> {
-    vectors: &'a [[f64; 3]],
-    channel: usize,
-    variables: HashMap<String, f64>,
-}
-
-impl Interpreter<'_> {
-    /// The value that the function returns.
-    fn run(&mut self, text: &str, normal: [f64; 3]) -> f64 {
-        for (axis, number) in ["x", "y", "z"].into_iter().zip(normal) {
-            self.variables.insert(format!("normal.{axis}"), number);
-        }
-        let body = text.split_once(") {").or_else(|| text.split_once("vec3f {")).expect("a body").1;
-        let body = body.replace("vec3f", "vec3").replace(" += ", " + = ");
-        for statement in body.split(';').map(str::trim) {
-            if let Some(result) = statement.strip_prefix("return ") {
-                return self.sum(&mut tokens(result).into_iter().peekable());
-            }
-            let declared = ["float ", "vec3 ", "let ", "var "].into_iter();
-            let kind = declared.clone().find(|kind| statement.starts_with(kind));
-            for part in statement.trim_start_matches(kind.unwrap_or_default()).split(", ") {
-                let Some((name, value)) = part.split_once(" = ") else { continue };
-                let (name, before) = match name.strip_suffix(" +") {
-                    Some(name) => (name, self.variables[name]),
-                    None => (name, 0.0),
-                };
-                let value = self.sum(&mut tokens(value).into_iter().peekable());
-                self.variables.insert(name.to_owned(), before + value);
-            }
-        }
-        panic!("the function returns nothing: {text}")
-    }
-
-    fn sum(&self, tokens: &mut Tokens) -> f64 {
-        let mut sum = self.product(tokens);
-        while let Some(sign) = tokens.next_if(|token| token == "+" || token == "-") {
-            let next = self.product(tokens);
-            sum += if sign == "+" { next } else { -next };
-        }
-        sum
-    }
-
-    fn product(&self, tokens: &mut Tokens) -> f64 {
-        let mut product = self.atom(tokens);
-        while tokens.next_if(|token| token == "*").is_some() {
-            product *= self.atom(tokens);
-        }
-        product
-    }
-
-    fn atom(&self, tokens: &mut Tokens) -> f64 {
-        let token = tokens.next().expect("an operand");
-        match token.as_str() {
-            "(" => {
-                let sum = self.sum(tokens);
-                assert_eq!(tokens.next().as_deref(), Some(")"));
-                sum
-            }
-            "vec3" => self.atom(tokens),
-            "eigenshade" => {
-                let place: usize = tokens.nth(1).and_then(|k| k.parse().ok()).expect("a place");
-                assert_eq!(tokens.next().as_deref(), Some("]"));
-                assert_eq!(tokens.next().as_deref(), Some(".rgb"));
-                self.vectors[place][self.channel]
-            }
-            number if number.starts_with(|c: char| c.is_ascii_digit()) => {
-                number.parse().expect("a number")
-            }
-            name => self.variables[name],
-        }
-    }
-}
-
-type Tokens = std::iter::Peekable<std::vec::IntoIter<String>>;
-
-fn tokens(text: &str) -> Vec<String> {
-    let mut tokens: Vec<String> = Vec::new();
-    for letter in text.chars() {
-        let is_word = |c: char| c.is_ascii_alphanumeric() || c == '.';
-        match tokens.last_mut() {
-            Some(last) if is_word(letter) && last.ends_with(is_word) => last.push(letter),
-            _ => tokens.push(letter.into()),
-        }
-    }
-    tokens.retain(|token| token != " ");
-    tokens
-}
-
 /// The text of a language and the array.
-fn written(folder: &Folder, options: &str) -> (String, Vec<[f64; 3]>) {
-    let text = folder.ok(&format!("shader {ONE} {options}"));
-    let json: Value =
-        serde_json::from_str(&folder.ok(&format!("shader {ONE} {options} --json"))).expect("JSON");
-    assert_eq!(json["text"].as_str(), Some(text.as_str()));
-    let vectors = json["vectors"].as_array().expect("vectors").iter();
-    let vectors: Vec<_> = vectors
-        .map(|vector| [0, 1, 2].map(|channel| vector[channel].as_f64().expect("a number")))
-        .collect();
-    assert_eq!(json["terms"].as_u64(), Some(vectors.len() as u64), "no recurrences");
+fn written(folder: &Folder, options: &str) -> (String, Vec<[f64; 4]>) {
+    let (text, vectors, terms) = parts(folder, &format!("{ONE} {options}"));
+    assert_eq!(terms, vectors.len(), "no recurrences");
     (text, vectors)
 }
 
+/// The text of the shader with these options, the array, and the number of terms.
+pub fn parts(folder: &Folder, options: &str) -> (String, Vec<[f64; 4]>, usize) {
+    let text = folder.ok(&format!("shader --quiet {options}"));
+    let json: Value = serde_json::from_str(&folder.ok(&format!("shader --quiet {options} --json")))
+        .expect("JSON");
+    assert_eq!(json["text"].as_str(), Some(text.as_str()));
+    let vectors = json["vectors"].as_array().expect("vectors").iter();
+    let vectors: Vec<_> = vectors
+        .map(|vector| [0, 1, 2, 3].map(|place| vector[place].as_f64().expect("a number")))
+        .collect();
+    (text, vectors, json["terms"].as_u64().expect("a number") as usize)
+}
+
 /// The values of the function at the folder's normals, channel after channel.
-fn evaluated(folder: &Folder, text: &str, vectors: &[[f64; 3]]) -> Vec<f64> {
-    let mut values = Vec::new();
-    for line in folder.read("normals.csv").lines().skip(1) {
+fn evaluated(folder: &Folder, text: &str, vectors: &[[f64; 4]]) -> Vec<f64> {
+    let function = Function::new(text);
+    normals(folder).into_iter().flat_map(|normal| function.irradiance(vectors, normal)).collect()
+}
+
+/// The folder's normals.
+pub fn normals(folder: &Folder) -> Vec<[f64; 3]> {
+    let text = folder.read("normals.csv");
+    let normal = |line: &str| {
         let along: Vec<f64> = line.split(',').map(|n| n.parse().expect("a number")).collect();
         let length = along.iter().map(|n| n * n).sum::<f64>().sqrt();
-        let normal = [0, 1, 2].map(|axis| along[axis] / length);
-        for channel in 0..3 {
-            let mut interpreter = Interpreter { vectors, channel, variables: HashMap::new() };
-            values.push(interpreter.run(text, normal));
-        }
-    }
-    values
+        [0, 1, 2].map(|axis| along[axis] / length)
+    };
+    text.lines().skip(1).map(normal).collect()
 }
 
 #[test]
@@ -154,7 +73,7 @@ fn functions_are_the_direct_sum() {
 }
 
 /// The numbers of a line of `shade`.
-fn numbers(line: &str) -> Vec<f64> {
+pub fn numbers(line: &str) -> Vec<f64> {
     line.split(',').skip(3).map(|number| number.parse().expect("a number")).collect()
 }
 

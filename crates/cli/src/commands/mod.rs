@@ -9,6 +9,7 @@ mod demo_relief;
 mod demo_sheet;
 mod evaluate;
 mod export;
+mod gleam;
 mod info;
 #[cfg(feature = "generate")]
 mod light;

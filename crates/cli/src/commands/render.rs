@@ -1,10 +1,10 @@
 //! `eigenshade render`: draws a sphere, a mesh or a normal map, or makes a matcap.
 
 use super::choices::Choices;
+use super::gleam::Gleam;
 use super::options::{Inputs, Memory, TableChoice, count, positive};
 use clap::{Args, ValueEnum};
-use eigenshade::mathematics::Libm;
-use eigenshade::{Effects, Highlights, Matcap, Rgb, Scalar, Tone};
+use eigenshade::{Effects, Matcap, Rgb, Scalar, Tone};
 use eigenshade_cli::messages::print_message;
 use eigenshade_cli::messages::{Ringing, albedo_warning};
 use eigenshade_cli::object::{Object, ObjectView, SIZE};
@@ -14,9 +14,6 @@ use eigenshade_cli::picture_file::{Development, PictureFile};
 use eigenshade_cli::table::rounding;
 use eigenshade_model::database::{Lights, Materials};
 use eigenshade_model::error::{Error, Result};
-use eigenshade_model::inputs::source_csv::MOST;
-use eigenshade_model::source::{Gloss, Source};
-use eigenshade_shading::highlights;
 use eigenshade_shading::overflow;
 use eigenshade_shading::owned_basis::OwnedBasis;
 use eigenshade_shading::shader::{OwnedNormals, Shader, fault, fitted, of_higher_order};
@@ -112,33 +109,6 @@ impl From<Curve> for Tone {
 }
 
 impl Render {
-    /// The sources to shade, which are taken out of the light.
-    fn highlights(&self, lights: &mut Lights, memory: Memory) -> Result<Option<Gleam>> {
-        let Some(most) = self.sources else { return Ok(None) };
-        let Inputs { light, material } = &self.inputs;
-        let (gloss, left) = material.gloss()?;
-        if left > FAR && gloss.roughness <= MATTE {
-            print_message(format_args!(
-                "note: the gloss of `{}` is not quite a GGX lobe: its highlights are off by {:.0} %",
-                material.path().display(),
-                100.0 * left
-            ));
-        }
-        let sources = light.sources(&lights.entries[0].name, most, memory.of_file())?;
-        if gloss.roughness > MATTE {
-            print_message(format_args!(
-                "note: `{}` is as matte as a roughness of {:.2}: its pictures are as near without \
-                 sources, and it is drawn without",
-                material.path().display(),
-                gloss.roughness
-            ));
-            return Ok(None);
-        }
-        highlights::take_out(lights, &sources)?;
-        let sources = sources.iter().map(|source| self.choices.turned(source)).collect();
-        Ok(Some(Gleam { gloss, sources }))
-    }
-
     pub fn run(self, memory: Memory) -> Result<()> {
         let Inputs { light, material } = &self.inputs;
         let inputs = [self.table.path(), light.path(), material.path(), &self.normals];
@@ -163,7 +133,11 @@ impl Render {
         };
         let warnings = [higher, albedo_warning(&materials), rounded].into_iter().flatten();
         let (mut lights, materials) = fitted(&table, &lights, &materials);
-        let highlights = self.highlights(&mut lights, memory)?;
+        let highlights = match self.sources {
+            Some(most) => Gleam::taken_out(&self.inputs, &mut lights, most, memory)?,
+            None => None,
+        };
+        let highlights = highlights.map(|gleam| gleam.turned(&self.choices));
         self.choices.change(&mut lights);
         let is_sphere = self.normals.as_os_str() == "sphere";
         let object = match self.matcap {
@@ -202,12 +176,6 @@ impl Render {
     }
 }
 
-/// Small sources on a gloss.
-struct Gleam {
-    gloss: Gloss,
-    sources: Vec<Source>,
-}
-
 /// One light on one material.
 struct Pair<'a> {
     highlights: Option<Gleam>,
@@ -215,20 +183,6 @@ struct Pair<'a> {
     lights: &'a Lights,
     materials: &'a Materials,
 }
-
-impl Gleam {
-    fn shaded<S: Scalar>(&self) -> Result<Highlights<S, MOST>> {
-        let sources = self.sources.iter().map(highlights::source).collect::<Result<Vec<_>>>()?;
-        Highlights::new::<Libm>(&highlights::gloss(&self.gloss)?, &sources).map_err(fault)
-    }
-}
-
-/// The rms that a fitted gloss leaves, relative to pictures under a small source, from which on it is
-/// worth a note.
-const FAR: f64 = 0.15;
-
-/// The roughness above which harmonics of degree 9 show all of a highlight.
-const MATTE: f64 = 0.6;
 
 /// Pixels that are shaded together.
 const BAND: usize = 1 << 16;

@@ -1,11 +1,14 @@
 //! `eigenshade shader`: writes a scene as a function of a shader.
 
-use super::options::{Destination, Inputs, Memory, TableChoice, tolerance};
+use super::gleam::Gleam;
+use super::options::{Destination, Inputs, Memory, TableChoice, count, tolerance};
 use clap::{Args, ValueEnum};
-use eigenshade::{Rgb, Scene, ShaderLanguage, Tolerance};
+use eigenshade::{Highlights, Rgb, Scene, ShaderLanguage, Tolerance};
 use eigenshade_cli::messages::print_message;
 use eigenshade_cli::output;
+use eigenshade_model::database::Lights;
 use eigenshade_model::error::{Error, Result};
+use eigenshade_model::inputs::source_csv::MOST;
 use eigenshade_shading::overflow;
 use eigenshade_shading::owned_basis::OwnedBasis;
 use eigenshade_shading::shader::{Lit, Shader as Projector, fault, fitted, of_higher_order};
@@ -15,8 +18,8 @@ use serde::Serialize;
 ///
 /// The function is `vec3 irradiance(vec3 normal)`, in WGSL `fn irradiance(normal: vec3f) -> vec3f`: the
 /// linear irradiance of a visible unit normal, z toward the camera. It reads an array of vectors,
-/// `eigenshade`, which --json writes beside it. Scenes of the same table without --tolerance have the
-/// same text.
+/// `eigenshade`, which --json writes beside it. Scenes of the same table with the same --sources and
+/// without --tolerance have the same text.
 #[derive(Args, Debug)]
 pub struct Shader {
     /// Language, and where the array is
@@ -30,6 +33,11 @@ pub struct Shader {
     /// 1e-2 or 40dB
     #[arg(long, value_name = "T", value_parser = tolerance, allow_negative_numbers = true)]
     tolerance: Option<Tolerance<f64>>,
+    /// Add a loop over K small bright sources, for sharp highlights. With --json or --tolerance, up to K
+    /// sources are taken out of the light, as `render --sources` does; this needs a shipped material
+    /// in color. Text alone serves any light and material
+    #[arg(long, value_name = "K", value_parser = count(1, MOST as u64))]
+    sources: Option<usize>,
     /// Write JSON instead of the text: text, number of terms, and vectors
     #[arg(long)]
     json: bool,
@@ -61,6 +69,9 @@ impl Lang {
     }
 }
 
+/// The highlights of a scene.
+type Lobes = Highlights<f32, MOST>;
+
 /// What --json writes.
 #[derive(Serialize)]
 struct Written {
@@ -79,13 +90,16 @@ impl Shader {
         let (lights, materials) = fitted(&table, &lights, &of_file);
         let light = self.inputs.light.only(lights.entries)?;
         let material = self.inputs.material.only(materials.entries)?;
+        let mut lights = Lights { degree: lights.degree, entries: vec![light] };
+        let highlights = self.highlights(&mut lights, memory)?;
+        let light = &lights.entries[0];
         let basis = OwnedBasis::<f32>::new(&table);
         let any = basis.any().map_err(fault)?;
         let projector = Projector::new(any, table.count()).with_transfers(basis.transfers());
         let channels = [0, 1, 2]
             .map(|c| ((lights.degree, &light.rgb[c][..]), (materials.order, &material.rgb[c][..])));
-        let written = self.written(projector, channels);
-        let written = written.map_err(|error| error.of(overflow::pair(&light, &material)))?;
+        let written = self.written(projector, channels, highlights.as_ref());
+        let written = written.map_err(|error| error.of(overflow::pair(light, &material)))?;
         let (found, most) = (written.vectors.len(), self.lang.most());
         let many = (found > most).then(|| {
             format!(
@@ -105,8 +119,22 @@ impl Shader {
         Ok(())
     }
 
+    /// The highlights, if the text or the vectors depend on them. Their sources are taken out of the
+    /// light.
+    fn highlights(&self, lights: &mut Lights, memory: Memory) -> Result<Option<Lobes>> {
+        let depends = self.json || self.tolerance.is_some();
+        let Some(most) = self.sources.filter(|_| depends) else { return Ok(None) };
+        let gleam = Gleam::taken_out(&self.inputs, lights, most, memory)?;
+        gleam.map(|gleam| gleam.shaded()).transpose()
+    }
+
     /// The shader of three channels.
-    fn written(&self, projector: Projector<'_, f32>, channels: [Lit<'_>; 3]) -> Result<Written> {
+    fn written(
+        &self,
+        projector: Projector<'_, f32>,
+        channels: [Lit<'_>; 3],
+        highlights: Option<&Lobes>,
+    ) -> Result<Written> {
         if let Some(tolerance) = self.tolerance {
             let tolerance = match tolerance {
                 Tolerance::OfPeak(share) => Tolerance::OfPeak(share as f32),
@@ -115,7 +143,7 @@ impl Shader {
             };
             let mut projector = projector;
             return projector.truncated(&channels, tolerance, |scenes, _| match scenes {
-                [r, g, b] => self.of_scenes(Rgb::new(r, g, b)),
+                [r, g, b] => self.of_scenes(Rgb::new(r, g, b), highlights),
                 _ => unreachable!("three channels have three scenes"),
             });
         }
@@ -124,10 +152,14 @@ impl Shader {
             projector.project(light, material)?;
         }
         let [r, g, b] = projectors.each_mut().map(Projector::scene);
-        self.of_scenes(Rgb::new(&r?, &g?, &b?))
+        self.of_scenes(Rgb::new(&r?, &g?, &b?), highlights)
     }
 
-    fn of_scenes<B: AsRef<[f32]>>(&self, scene: Rgb<&Scene<'_, B>>) -> Result<Written> {
+    fn of_scenes<B: AsRef<[f32]>>(
+        &self,
+        scene: Rgb<&Scene<'_, B>>,
+        highlights: Option<&Lobes>,
+    ) -> Result<Written> {
         let language = match self.lang {
             Lang::Glsl => ShaderLanguage::Glsl,
             Lang::GlslBlock => ShaderLanguage::GlslBlock,
@@ -135,11 +167,15 @@ impl Shader {
             Lang::Wgsl => ShaderLanguage::Wgsl,
         };
         let shader = eigenshade::Shader::new(scene.r);
+        let shader = shader.with_sources(self.sources.unwrap_or(0)).map_err(fault)?;
         let (mut text, mut vectors) = (String::new(), vec![[0.0; 4]; shader.vectors()]);
         shader
             .write(language, &mut text)
             .map_err(|error| Error::new(error.to_string(), "report it"))?;
         shader.uniforms(scene, &mut vectors).map_err(fault)?;
+        if let Some(highlights) = highlights {
+            shader.highlight_uniforms(highlights, &mut vectors).map_err(fault)?;
+        }
         Ok(Written { text, terms: shader.terms(), vectors })
     }
 }
