@@ -131,7 +131,7 @@ pub fn errors(inputs: &Path, names: &[String], progress: &ProgressBar) -> Result
                             roughness: material.gloss.roughness,
                             size,
                             sources,
-                            errors: off(&sphere, &found, &reference),
+                            errors: rounded(off(&sphere, &found, &reference)),
                         });
                     }
                 }
@@ -140,6 +140,11 @@ pub fn errors(inputs: &Path, names: &[String], progress: &ProgressBar) -> Result
         progress.inc(1);
     }
     Ok(rows)
+}
+
+/// The digits that are recorded.
+fn rounded([rms, worst]: [f64; 2]) -> [f64; 2] {
+    [(rms * 1e5).round() / 1e5, (worst * 1e4).round() / 1e4]
 }
 
 /// The root mean square and the largest difference of two pictures, of the peak.
