@@ -54,12 +54,12 @@ pub struct Lobe<T> {
     pub form: [i32; 6],
     /// The direction in units of 2^-15.
     pub direction: [i32; 3],
-    /// E F / (4 π √det A): a mantissa from 0 to 2^14.
+    /// E F / (4 π √det A): a mantissa from 0 to 2^14, exclusive.
     pub specular: T,
     /// The part of the shift from the specular mantissa to the irradiance that is the same for all
     /// normals.
     pub specular_shift: T,
-    /// E (1 - F) albedo / π: a mantissa from 0 to 2^14.
+    /// E (1 - F) albedo / π: a mantissa from 0 to 2^14, exclusive.
     pub matte: T,
     /// The shift from the matte mantissa times the cosine to the irradiance.
     pub matte_shift: T,
@@ -131,7 +131,7 @@ impl<T: Irradiance, const N: usize> Highlights<T, N> {
                 form: from.form.map(|number| fixed(number, 16 - bits)),
                 direction: from.direction.map(|number| fixed(number, 15)),
                 specular: specular[0],
-                specular_shift: shift(specular[1], 4 * bits - 31),
+                specular_shift: shift(specular[1], 4 * bits + 15),
                 matte: matte[0],
                 matte_shift: shift(matte[1], 15),
             };
@@ -196,26 +196,27 @@ impl<T: Irradiance, const N: usize> Highlights<T, N> {
     #[inline]
     #[must_use]
     pub fn add<Q: FixedPoint>(&self, irradiance: T, normal: Normal<Q>) -> T {
-        let [x, y, z] =
-            normal.components().map(|of| of.widen().floor_shr(15 - Q::BITS.cast_signed()).saturated());
-        let facing = masked(self.alpha_square, z);
+        let [x, y, z] = normal
+            .components()
+            .map(|of| of.widen().floor_shr(15 - Q::BITS.cast_signed()).saturated());
+        let facing = masking(self.alpha_square, z);
         let mut sum = T::default();
         for lobe in &self.lobes {
-            let [sx, sy, sz] = lobe.direction;
-            let cosine = products([sx, sy, sz], [x, y, z]) >> 15;
+            let cosine = products(lobe.direction, [x, y, z]) >> 15;
             if cosine <= 0 {
                 continue;
             }
-            let form = lobe.form([x, y, z]);
-            let masked = product(cosine, facing)
-                .wrapping_add(product(z, masked(self.alpha_square, cosine)));
-            let (weight, by) = weight(form, masked, cosine.cast_unsigned());
+            let of_source = masking(self.alpha_square, cosine);
+            let masked = product(cosine, facing).wrapping_add(product(z, of_source));
+            let (weight, by) = weight(lobe.form([x, y, z]), masked);
+            let cosine = cosine.cast_unsigned();
             let specular = lobe.specular.with(lobe.specular_shift, |mantissa, shift| {
-                scaled(product(mantissa, weight), shift.wrapping_add(by))
+                let number = (product(mantissa, cosine) >> 13).wrapping_mul(weight);
+                scaled(number, shift.wrapping_sub(by))
             });
-            let matte = lobe.matte.with(lobe.matte_shift, |mantissa, shift| {
-                scaled(product(mantissa, cosine.cast_unsigned()), shift)
-            });
+            let matte = lobe
+                .matte
+                .with(lobe.matte_shift, |mantissa, shift| scaled(product(mantissa, cosine), shift));
             sum = sum.with(specular, plus).with(matte, plus);
         }
         irradiance.with(sum, i32::saturating_add)
@@ -296,112 +297,97 @@ fn far(number: u32, shift: i32) -> i32 {
 
 /// √(α² + (1 - α²) c²) in units of 2^-15, for c in the same, at least 0, and α² in 2^-30.
 #[inline(always)]
-fn masked(alpha_square: u32, cosine: i32) -> u32 {
+fn masking(alpha_square: u32, cosine: i32) -> u32 {
     let square = product(cosine, cosine.cast_unsigned());
     // At most 2^30 and a two-hundredth: a normal may be a two-thousandth too long.
-    root(alpha_square
-        .wrapping_add(square)
-        .wrapping_sub((square >> 16).wrapping_mul(alpha_square >> 14)))
+    root(
+        alpha_square
+            .wrapping_add(square)
+            .wrapping_sub((square >> 16).wrapping_mul(alpha_square >> 14)),
+    )
 }
 
-/// The root of a number from 2^16 to 2^30 and a little, within 2e-4 of itself and a unit.
+/// The root of a number from 2^16 on, within 2e-4 of itself and a unit.
 #[inline(always)]
 fn root(number: u32) -> u32 {
-    let (mut number, mut shift) = (number, 0);
-    for bits in [4, 2, 1] {
-        if number >> (30 - 2 * bits) == 0 {
-            number <<= 2 * bits;
-            shift += bits;
-        }
-    }
-    let [base, slope] = at(&ROOTS, number >> 24);
-    let rest = (number >> 8) & 0xffff;
-    (u32::from(base) + ((u32::from(slope) * rest) >> 16)) >> shift
+    let lead = leading(number);
+    let number = number << (lead & 30);
+    let [base, slope] = at(&ROOTS, number >> 26);
+    let rest = (number >> 10) & 0xffff;
+    (u32::from(base) + ((u32::from(slope) * rest) >> 16)) >> ((lead & 30) >> 1)
 }
 
-/// Roots of multiples of 2^24, and the differences to the next ones. The last one, of 2^30, is the
-/// first of the table.
+/// Roots of multiples of 2^26 from 2^30 on, and the differences to the next ones.
 static ROOTS: [[u16; 2]; 64] = {
     let mut table = [[0; 2]; 64];
     let mut k = 16;
-    while k <= 64 {
+    while k < 64 {
         let (root, next) = (root_of(k), root_of(k + 1));
-        #[expect(clippy::indexing_slicing, reason = "the index is below 64, as the compiler checks")]
+        #[expect(clippy::indexing_slicing, reason = "the index is below 64")]
         {
-            table[(k & 63) as usize] = [root as u16, (next - root) as u16];
+            table[k as usize] = [root as u16, (next - root) as u16];
         }
         k += 1;
     }
     table
 };
 
-/// The root of k 2^24, rounded.
+/// The root of k 2^26, rounded.
 const fn root_of(k: u64) -> u64 {
-    ((k << 26).isqrt() + 1) >> 1
+    ((k << 28).isqrt() + 1) >> 1
 }
 
-/// c / (½ (nᵀ Q n)² m), where m = `masked` in 2^-30 and c in 2^-15: a number of up to 17 bits, and the
-/// part of its exponent that depends on the normal, negated.
+/// 1 / (½ (nᵀ Q n)² m), where m = `masked` in 2^-30: a number of at most 16 bits, and the part of its
+/// exponent that depends on the normal.
 #[inline(always)]
-fn weight(form: u32, masked: u32, cosine: u32) -> (u32, i32) {
-    // The form gets 14 to 16 bits, its square 11 to 15.
-    let (mut form, mut shift) = (form >> 4, 8);
-    for bits in [8, 4, 2] {
-        if form >> (14 + bits) != 0 {
-            form >>= bits;
-            shift += 2 * bits;
-        }
-    }
-    let square = form.wrapping_mul(form) >> 17;
-    // At most 2^31 and a two-hundredth, to 16 bits and a two-hundredth.
-    let (masked, by) = if masked >> 24 == 0 { (masked >> 8, 8) } else { (masked >> 15, 15) };
-    let divisor = square.wrapping_mul(masked);
-    let lead = leading(divisor);
-    // From 2^15 on.
-    let divisor = (divisor << lead) >> 16;
-    let reciprocal = reciprocal(divisor);
-    (cosine.wrapping_mul(reciprocal) >> 15, shift + by - lead)
+fn weight(form: u32, masked: u32) -> (u32, i32) {
+    // 16 bits of each, from 2^15 on; the square from 2^13 on; so the divisor from 2^28 on.
+    let leads = [leading(form), leading(masked)];
+    let form = (form << (leads[0] & 31)) >> 16;
+    let masked = (masked << (leads[1] & 31)) >> 16;
+    let divisor = (form.wrapping_mul(form) >> 17).wrapping_mul(masked);
+    let by = leads[0] + leads[0] + leads[1];
+    (reciprocal(divisor), by.cast_signed())
 }
 
-/// 2^31 / `divisor`, which is from 2^15 to 2^16, by one step of Newton's method, within 7e-5.
+/// 2^43 / `divisor`, by one step of Newton's method, within 3e-4. Domain: from 2^28 to 2^31. Less is
+/// possible where normal and source are both at the rim, and saturates.
 #[inline(always)]
 fn reciprocal(divisor: u32) -> u32 {
-    let guess = u32::from(at(&RECIPROCALS, divisor >> 9));
-    let correction = guess.wrapping_mul(divisor).wrapping_neg() >> 16;
+    let guess = u32::from(RECIPROCALS.get((divisor >> 23) as usize & 255).copied().unwrap_or(0));
+    let correction = (1_u32 << 29).wrapping_sub(guess.wrapping_mul(divisor >> 15)) >> 13;
     guess.wrapping_mul(correction) >> 15
 }
 
-/// Reciprocals of the middles of 64 intervals from 2^15 to 2^16.
-static RECIPROCALS: [u16; 64] = {
-    let mut table = [0; 64];
+/// Reciprocals of the middles of the intervals of 2^23.
+static RECIPROCALS: [u16; 256] = {
+    let mut table = [0; 256];
     let mut k = 0;
-    while k < 64 {
-        #[expect(clippy::indexing_slicing, reason = "the index is below 64, as the compiler checks")]
+    while k < 256 {
+        let reciprocal = ((1 << 22) / (2 * k + 1) + 1) / 2;
+        #[expect(clippy::indexing_slicing, reason = "the index is below 256")]
         {
-            table[k] = (((1 << 24) / (129 + 2 * k) + 1) / 2) as u16;
+            table[k] = if reciprocal > 0xffff { 0xffff } else { reciprocal as u16 };
         }
         k += 1;
     }
     table
 };
 
-/// The leading zeros of a number, by halves and a table: small processors have no instruction.
+/// The leading zeros of a number from 2^16 on, by a table: small processors have no instruction. It is
+/// at most 16, which leaves less than 16 bits of smaller numbers.
 #[inline(always)]
-fn leading(number: u32) -> i32 {
-    let (byte, bits) = match number {
-        0x100_0000.. => (number >> 24, 0),
-        0x1_0000.. => (number >> 16, 8),
-        0x100.. => (number >> 8, 16),
-        _ => (number, 24),
-    };
-    bits + i32::from(LEADING.get((byte & 0xff) as usize).copied().unwrap_or_default())
+fn leading(number: u32) -> u32 {
+    let high = number >> 24;
+    let of = |byte: u32| u32::from(LEADING.get(byte as usize & 255).copied().unwrap_or_default());
+    if high == 0 { 8 + of(number >> 16) } else { of(high) }
 }
 
 static LEADING: [u8; 256] = {
     let mut table = [0; 256];
     let mut k = 0;
     while k < 256 {
-        #[expect(clippy::indexing_slicing, reason = "the index is below 256, as the compiler checks")]
+        #[expect(clippy::indexing_slicing, reason = "the index is below 256")]
         {
             table[k] = (k as u8).leading_zeros() as u8;
         }
@@ -440,8 +426,14 @@ fn fixed(number: f32, bits: i32) -> i32 {
     i64::from(significand).shifted((exponent + bits).min(32)).saturated()
 }
 
-/// The mantissa of at most 14 bits of a number that is at least 0, and its exponent.
+/// The largest mantissa. Times the cosine of a normal that is a little too long, it is below 2^29.
+const LARGEST: i32 = 16_372;
+
+/// The mantissa of a number that is at least 0, of 13 to 14 bits, and its exponent.
 fn mantissa(number: f32) -> [i32; 2] {
     let (significand, exponent) = decoded(number);
-    [significand.shifted(-10), exponent + 10]
+    match significand.shifted(-10) {
+        ..=LARGEST => [significand.shifted(-10), exponent + 10],
+        _ => [significand.shifted(-11), exponent + 11],
+    }
 }

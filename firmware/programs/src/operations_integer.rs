@@ -6,9 +6,12 @@
 use board::{Passes, holds, measure};
 use core::hint::black_box;
 use eigenshade::presets::{light::q15::LOBBY, material::q15::GOLD_METALLIC_PAINT};
-use eigenshade::quantized::{Highlights, Irradiance, LightBuffer, Lobe, Material, MaterialBuffer, NineTerms, Rotation};
+use eigenshade::quantized::{
+    Highlights, Irradiance, LightBuffer, Lobe, Material, MaterialBuffer, NineTerms, Rotation,
+};
 use eigenshade::{
-    Disc, DiscPixel, Display, Error, Exposure, IntegerMap, MapPoint, NormalPixel, Q15, Rgb, Tone, sphere,
+    Disc, DiscPixel, Display, Error, Exposure, IntegerMap, MapPoint, NormalPixel, Q15, Rgb, Tone,
+    sphere,
 };
 use programs::inputs::integers as inputs;
 use table::{BASIS, COMPONENTS, Coefficients, ORDER, SCENE, Scene, Transfer};
@@ -60,9 +63,7 @@ fn highlights() {
     };
     let (scene, highlights) = (black_box(scene), black_box(highlights));
     holds(size_of_val(&scene) + size_of_val(&highlights));
-    measure(&inputs::normals(), Passes(64), |normal| {
-        highlights.add(scene.shade(*normal), *normal)
-    });
+    measure(&inputs::normals(), Passes(64), |normal| highlights.add(scene.shade(*normal), *normal));
 }
 
 /// A pixel of a Lambertian scene, by the nine-term formula.
