@@ -7,9 +7,9 @@ use eigenshade::{Argument, Error, Q15, Q31, Rgb, Source};
 
 /// In Q15, of the lobe's peak, by roughness. A normal, a direction and a form of 16 bits turn a lobe
 /// by some 2^-16, of its width α; the squares of a narrow lobe's form have as few as 9 bits. Roots,
-/// reciprocals and cosines leave 1e-3.
-const LOBE_Q15: [(f64, f64); 5] =
-    [(0.1, 1e-2), (0.2, 4e-3), (0.3, 2.5e-3), (0.5, 2.5e-3), (1.0, 2.5e-3)];
+/// reciprocals and cosines leave 1e-3, and more where a source behind the object lights a rim at
+/// cosines of some hundred units.
+const LOBE_Q15: [(f64, f64); 5] = [(0.1, 1e-2), (0.2, 3e-3), (0.3, 2e-3), (0.5, 4e-3), (1.0, 4e-3)];
 
 /// Where a normal's z and its cosine to the source are both smaller, the formula itself jumps: at
 /// z = 0 from 0, for a source below the horizon, to that of grazing light.
@@ -98,7 +98,7 @@ fn tails_of_bright_sources() {
         let (mut most, mut saturated) = (0.0_f64, 0);
         for blob in blobs(&[5.0, 40.0, 110.0]) {
             let expected = expected(&material, &blob);
-            let exponent = exponent_of(1e-3 * peak_of(&expected)) - 4;
+            let exponent = exponent_of(1e-3 * peak_of(&expected)) - 6;
             let highlights = gray(&material, &[blob.single([1e6; 3])], exponent + 20);
             for (normal, exact, irradiance) in expected {
                 let found = highlights.shade(normal);
@@ -113,6 +113,7 @@ fn tails_of_bright_sources() {
             }
         }
         println!("roughness {roughness}, of itself: {most:e}; {saturated} saturated");
+        assert!(saturated > 0);
         assert!(most <= TAIL, "{roughness}: {most:e}");
     }
 }
@@ -245,7 +246,7 @@ fn normals_in_q31() {
 
 /// FNV-1a of the irradiances of two stored lobes, one of roughness 0.3 and one of 0.1, for normals of
 /// the whole disc: the same bits on every machine.
-const CHECKSUM: u32 = 0;
+const CHECKSUM: u32 = 3_997_470_640;
 
 #[test]
 fn bits_are_the_same_everywhere() {
@@ -255,10 +256,10 @@ fn bits_are_the_same_everywhere() {
         specular: 9054,
         specular_shift,
         matte: 15_000,
-        matte_shift: 27,
+        matte_shift: 17,
     };
     let lobes = [
-        lobe([45_000, -120, -9_000, 45_511, -4_200, 4_300], [12_540, 5_000, 29_860], 22),
+        lobe([45_000, -120, -9_000, 45_511, -4_200, 4_300], [12_540, 5_000, 29_860], 25),
         lobe([50_900, 300, 14_000, 51_000, -20_000, 600], [-17_000, 20_000, 19_500], 36),
     ];
     let mut checksum = 0x811c_9dc5_u32;
