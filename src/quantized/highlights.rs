@@ -370,7 +370,7 @@ static RECIPROCALS: [u16; 256] = {
     let mut table = [0; 256];
     let mut k = 0;
     while k < 256 {
-        let reciprocal = ((1 << 22) / (2 * k + 1) + 1) / 2;
+        let reciprocal = ((1 << 21) + k) / (2 * k + 1);
         #[expect(clippy::indexing_slicing, reason = "the index is below 256")]
         {
             table[k] = if reciprocal > 0xffff { 0xffff } else { reciprocal as u16 };
@@ -418,7 +418,7 @@ fn size(form: &[f32; 6]) -> i32 {
     let root = xx * yy * zz;
     let mut most = 1.0 / 1.01_f32;
     for k in 0..8 {
-        most = most * 4.0;
+        most *= 4.0;
         if most > 0.5 * trace && most * (most - trace) + root * root > 0.0 {
             return k + 1;
         }
