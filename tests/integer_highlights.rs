@@ -155,6 +155,8 @@ fn energies_and_exponents_of_any_size() {
     }
 }
 
+type Channel = fn(Rgb<f32>) -> f32;
+
 /// Sources add up, two in one place too, and each channel is that of one channel.
 #[test]
 fn sources_and_channels_add_up() {
@@ -170,7 +172,7 @@ fn sources_and_channels_add_up() {
     assert_eq!((color.lobes().len(), color.exponent()), (3, exponents));
     let stored = Highlights::stored(color.exponent(), color.alpha_square(), color.lobes());
     assert_eq!(stored.as_ref(), Ok(&color));
-    let one = |source: &Source<f32>, channel: fn(Rgb<f32>) -> f32, exponent| {
+    let one = |source: &Source<f32>, channel: Channel, exponent| {
         let energy = [channel(source.energy()); 3];
         let gray_source = Source::new::<SinglePrecision>(
             source.direction(),
@@ -180,8 +182,7 @@ fn sources_and_channels_add_up() {
         );
         gray(&material, &[gray_source.expect("it was one before")], exponent)
     };
-    let channels: [(fn(Rgb<f32>) -> f32, i32); 3] =
-        [(|rgb| rgb.r, -16), (|rgb| rgb.g, -14), (|rgb| rgb.b, -9)];
+    let channels: [(Channel, i32); 3] = [(|rgb| rgb.r, -16), (|rgb| rgb.g, -14), (|rgb| rgb.b, -9)];
     let alone = channels.map(|(channel, exponent)| [a, b].map(|of| one(of, channel, exponent)));
     let mut slice = vec![Rgb::new(5, -6, 7); normals.len()];
     color.add_slice(&normals, &mut slice).expect("as many");

@@ -188,9 +188,9 @@ impl<T: Irradiance, const N: usize> Highlights<T, N> {
     ///
     /// For an irradiance of 17 bits, it is within 1 % of the peak of the formula in exact arithmetic
     /// for a roughness of 0.1, and within 0.4 % from 0.2 on. It may be anything up to the peak where
-    /// the formula jumps: where z is below 1/128 and the cosine to the source below 1/1024. Cost: two
-    /// roots by table, the second for each source, and a reciprocal for each source: some 170
-    /// instructions on a Cortex-M0, and 40 for a normal.
+    /// the formula jumps: where z is below 1/128 and the cosine to the source below 1/1024. Cost: a
+    /// root by table, and for each source that the normal faces another one and a reciprocal: with two
+    /// sources some 390 instructions on a Cortex-M0.
     #[inline]
     #[must_use]
     pub fn shade<Q: FixedPoint>(&self, normal: Normal<Q>) -> T {
