@@ -73,22 +73,22 @@ const BLOCK: usize =
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Highlights<S, const N: usize> {
     /// Halves of α² and 1 - α².
-    masking: [S; 2],
-    lobes: Buffer<Lobe<S>, N>,
+    pub(crate) masking: [S; 2],
+    pub(crate) lobes: Buffer<Lobe<S>, N>,
 }
 
 /// The reflection of one source.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-struct Lobe<S> {
+pub(crate) struct Lobe<S> {
     /// The upper triangle R of Q = Rᵀ R, row by row. Its elements are of the size of the roots of
     /// Q's, so nᵀ Q n as a sum of squares loses half as many digits as by Q.
-    form: [S; 6],
-    direction: [S; 3],
+    pub(crate) form: [S; 6],
+    pub(crate) direction: [S; 3],
     /// E F / (4 π √det A).
-    specular: Rgb<S>,
+    pub(crate) specular: Rgb<S>,
     /// E (1 - F) albedo / π.
-    matte: Rgb<S>,
+    pub(crate) matte: Rgb<S>,
 }
 
 impl<S: Scalar, const N: usize> Highlights<S, N> {

@@ -10,9 +10,9 @@ use eigenshade::{
 };
 use std::f64::consts::PI;
 
-type Vector = [f64; 3];
+pub type Vector = [f64; 3];
 
-fn dot(a: Vector, b: Vector) -> f64 {
+pub fn dot(a: Vector, b: Vector) -> f64 {
     a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
 }
 
@@ -20,7 +20,7 @@ fn cross(a: Vector, b: Vector) -> Vector {
     [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
 }
 
-fn sum(a: Vector, weight: f64, b: Vector) -> Vector {
+pub fn sum(a: Vector, weight: f64, b: Vector) -> Vector {
     [a[0] + weight * b[0], a[1] + weight * b[1], a[2] + weight * b[2]]
 }
 
@@ -28,14 +28,14 @@ fn scaled(a: Vector, factor: f64) -> Vector {
     a.map(|component| component * factor)
 }
 
-fn unit(a: Vector) -> Vector {
+pub fn unit(a: Vector) -> Vector {
     scaled(a, 1.0 / dot(a, a).sqrt())
 }
 
-const VIEW: Vector = [0.0, 0.0, 1.0];
+pub const VIEW: Vector = [0.0, 0.0, 1.0];
 
 /// The direction at an angle from the view, in an azimuth.
-fn at(angle: f64, azimuth: f64) -> Vector {
+pub fn at(angle: f64, azimuth: f64) -> Vector {
     [angle.sin() * azimuth.cos(), angle.sin() * azimuth.sin(), angle.cos()]
 }
 
@@ -48,11 +48,11 @@ fn tangents(direction: Vector) -> [Vector; 2] {
 
 /// A source in f64, and the tangent angle of its major axis.
 #[derive(Clone, Copy, Debug)]
-struct Blob {
-    direction: Vector,
-    angle: f64,
-    major: f64,
-    minor: f64,
+pub struct Blob {
+    pub direction: Vector,
+    pub angle: f64,
+    pub major: f64,
+    pub minor: f64,
 }
 
 impl Blob {
@@ -66,7 +66,7 @@ impl Blob {
             .expect("a small source")
     }
 
-    fn single(&self, energy: [f64; 3]) -> Source<f32> {
+    pub fn single(&self, energy: [f64; 3]) -> Source<f32> {
         let of = |v: Vector| v.map(|x| x as f32);
         let major = of(scaled(self.axis(), self.major));
         let [direction, energy] = [self.direction, energy].map(of);
@@ -147,18 +147,18 @@ fn heat_kernel(spread: f64, spacing: f64) -> Vec<([f64; 2], f64)> {
 
 /// A material in f64, one channel.
 #[derive(Clone, Copy, Debug)]
-struct Glossy {
-    roughness: f64,
-    f0: f64,
-    albedo: f64,
+pub struct Glossy {
+    pub roughness: f64,
+    pub f0: f64,
+    pub albedo: f64,
 }
 
 impl Glossy {
-    fn alpha(&self) -> f64 {
+    pub fn alpha(&self) -> f64 {
         self.roughness * self.roughness
     }
 
-    fn gloss<S: Scalar>(&self) -> Gloss<S> {
+    pub fn gloss<S: Scalar>(&self) -> Gloss<S> {
         let [roughness, f0, albedo] = [self.roughness, self.f0, self.albedo].map(S::from_f64);
         Gloss::new(roughness, [f0; 3], [albedo; 3]).expect("numbers from 0 to 1")
     }
@@ -192,7 +192,7 @@ impl Glossy {
 
     /// The lobe of a source of energy 1, with D from slopes about the half-way direction, no wider
     /// across the plane of source and view than a uniform one.
-    fn lobe(&self, blob: &Blob, blur: Option<f64>, normal: Vector) -> f64 {
+    pub fn lobe(&self, blob: &Blob, blur: Option<f64>, normal: Vector) -> f64 {
         let [cosine, view] = [dot(blob.direction, normal), normal[2]];
         if cosine <= 0.0 {
             return 0.0;
@@ -268,7 +268,7 @@ fn around(blob: &Blob, step: f64, count: i32) -> Vec<Vector> {
 }
 
 /// The κ of the runtime, by which the blob's covariance widens the lobe.
-const BLUR: Option<f64> = None;
+pub const BLUR: Option<f64> = None;
 
 /// In f64 against the formula in slopes, of the lobe's peak: roots by Newton's method, and slopes of
 /// up to a hundred.
@@ -281,7 +281,7 @@ const LOBE_F32: [(f64, f64); 5] =
     [(0.1, 1e-5), (0.2, 5e-6), (0.3, 3e-6), (0.5, 2e-6), (1.0, 1.5e-6)];
 
 /// Blobs by angle from the view: round and elongated, from a point to the widest.
-fn blobs(degrees: &[f64]) -> Vec<Blob> {
+pub fn blobs(degrees: &[f64]) -> Vec<Blob> {
     let shapes = [(0.0, 0.0), (0.02, 0.02), (0.1, 0.03), (0.2, 0.0), (0.5, 0.5)];
     let mut blobs = Vec::new();
     for (k, degrees) in degrees.iter().enumerate() {
@@ -293,10 +293,10 @@ fn blobs(degrees: &[f64]) -> Vec<Blob> {
     blobs
 }
 
-const ANGLES: [f64; 9] = [0.0, 0.01, 5.0, 40.0, 80.0, 90.0, 110.0, 150.0, 175.0];
+pub const ANGLES: [f64; 9] = [0.0, 0.01, 5.0, 40.0, 80.0, 90.0, 110.0, 150.0, 175.0];
 
 /// Normals of the disc, around the highlight, and of the rim.
-fn normals_for(blob: &Blob, width: f64) -> Vec<Vector> {
+pub fn normals_for(blob: &Blob, width: f64) -> Vec<Vector> {
     let mut normals = disc(24);
     normals.extend(around(blob, 0.4 * width, 5));
     normals.extend(

@@ -15,6 +15,7 @@ mod found;
 mod golden_file;
 mod graphics;
 mod highlights;
+mod integer_highlights;
 mod integer_lights;
 mod kernels;
 mod lights;

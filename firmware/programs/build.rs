@@ -1,7 +1,9 @@
-//! Writes tables and golden vectors as statics, and for each program its function and its table.
+//! Writes tables, golden vectors and highlights as statics, and for each program its function and its table.
 
 #[path = "build/golden.rs"]
 mod golden;
+#[path = "build/highlights.rs"]
+mod highlights;
 #[path = "build/tables.rs"]
 mod tables;
 
@@ -31,6 +33,7 @@ fn main() {
 fn write_all() -> Result<()> {
     write("golden.rs", &golden::modules()?)?;
     write("tables.rs", &tables::modules()?)?;
+    write("highlights.rs", &highlights::constants()?)?;
     list::programs().try_for_each(|one| write(&format!("programs/{}.rs", one.name), &program(one)?))
 }
 
@@ -51,7 +54,7 @@ fn program(Listed { name, source }: Listed) -> Result<String> {
         }
         "operations_f32" | "operations_integer" => {
             let module = match operation {
-                "shade" => "programs::tables::full",
+                "shade" | "shade_highlights" => "programs::tables::full",
                 "shade_lambertian" => "programs::tables::lambertian",
                 _ => "eigenshade::sphere",
             };

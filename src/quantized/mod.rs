@@ -40,6 +40,7 @@
 
 mod basis;
 mod estimate;
+mod highlights;
 mod inputs;
 mod nine_terms;
 mod pixel;
@@ -71,6 +72,7 @@ pub mod kernels {
 
 pub use basis::{Basis, Parts, Profile};
 pub use estimate::Estimate;
+pub use highlights::{Highlights, Irradiance, Lobe};
 #[cfg(feature = "presets")]
 pub(crate) use inputs::{LEAST_TOP, decoded, mantissas};
 pub use inputs::{Light, Material, MaterialBuffer, Normal};

@@ -11,6 +11,14 @@ pub mod tables {
 
 pub mod golden;
 
+/// The highlights of four sources.
+pub mod highlights {
+    use eigenshade::Rgb;
+    use eigenshade::quantized::Lobe;
+
+    include!(concat!(env!("OUT_DIR"), "/highlights.rs"));
+}
+
 pub mod inputs;
 
 pub mod drawing;

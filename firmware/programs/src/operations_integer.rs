@@ -6,9 +6,12 @@
 use board::{Passes, holds, measure};
 use core::hint::black_box;
 use eigenshade::presets::{light::q15::LOBBY, material::q15::GOLD_METALLIC_PAINT};
-use eigenshade::quantized::{LightBuffer, Material, MaterialBuffer, NineTerms, Rotation};
+use eigenshade::quantized::{
+    Highlights, Irradiance, LightBuffer, Lobe, Material, MaterialBuffer, NineTerms, Rotation,
+};
 use eigenshade::{
-    Disc, DiscPixel, Display, Exposure, IntegerMap, MapPoint, NormalPixel, Q15, Rgb, Tone, sphere,
+    Disc, DiscPixel, Display, Error, Exposure, IntegerMap, MapPoint, NormalPixel, Q15, Rgb, Tone,
+    sphere,
 };
 use programs::inputs::integers as inputs;
 use table::{BASIS, COMPONENTS, Coefficients, ORDER, SCENE, Scene, Transfer};
@@ -22,6 +25,45 @@ fn shade() {
     let scene = black_box(scene);
     holds(size_of_val(&scene));
     measure(&inputs::normals(), Passes(256), |normal| table::shade(&scene, *normal));
+}
+
+/// The same with the highlights of two sources, which all normals face.
+fn shade_highlights() {
+    let mantissas = [0; COMPONENTS].map(|_: i32| black_box(123_456_789));
+    let Ok(scene) = BASIS.collapse::<SCENE>(&mantissas, -30) else { board::exit(false) };
+    let lobes = programs::highlights::GRAY.first_chunk::<2>();
+    let Some(Ok(highlights)) = lobes.map(|lobes| of_lobes::<_, 2>(lobes, scene.exponent())) else {
+        board::exit(false)
+    };
+    let (scene, highlights) = (black_box(scene), black_box(highlights));
+    holds(size_of_val(&scene) + size_of_val(&highlights));
+    measure(&inputs::normals(), Passes(256), |normal| {
+        highlights.add(table::shade(&scene, *normal), *normal)
+    });
+}
+
+/// Highlights of constants in flash.
+#[inline(never)]
+fn of_lobes<T: Irradiance, const N: usize>(
+    lobes: &[Lobe<T>; N],
+    exponent: T,
+) -> Result<Highlights<T, N>, Error> {
+    let highlights = Highlights::stored(T::default(), programs::highlights::ALPHA_SQUARE, lobes);
+    highlights.map(|highlights| highlights.aligned(exponent))
+}
+
+/// A pixel of the gold sphere in color with the highlights of four sources, which all normals face.
+fn highlights() {
+    let Ok(scene) = sphere::q15::color::scene(LOBBY, GOLD_METALLIC_PAINT) else {
+        board::exit(false)
+    };
+    let exponents = scene.each_ref().map(|channel| channel.exponent());
+    let Ok(highlights) = of_lobes(&programs::highlights::COLOR, exponents) else {
+        board::exit(false)
+    };
+    let (scene, highlights) = (black_box(scene), black_box(highlights));
+    holds(size_of_val(&scene) + size_of_val(&highlights));
+    measure(&inputs::normals(), Passes(64), |normal| highlights.add(scene.shade(*normal), *normal));
 }
 
 /// A pixel of a Lambertian scene, by the nine-term formula.
