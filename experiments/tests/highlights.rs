@@ -81,7 +81,16 @@ fn sources_show_highlights() {
         let is_near = rms <= limits[0] && (worst <= limits[1] || row.light == "park");
         assert!(is_near, "{row:?}");
     }
-    // Four sources at 9/7 are nearer than 12/12 without, but for two lights.
+    // Two at 9/7 are nearer than 32/32 under the studio.
+    let studio = |size, sources| {
+        let rms: Vec<f64> = of(size, sources)
+            .filter(|row| row.light == "studio")
+            .map(|row| row.errors[0])
+            .collect();
+        rms[0]
+    };
+    assert!(studio((9, 7), 2) < studio((32, 32), 0));
+    // Four sources at 9/7 are nearer than 12/12 without, under most lights.
     let nearer = of((9, 7), 4).zip(of((12, 12), 0)).filter(|(a, b)| a.errors[0] < b.errors[0]);
     let farther: Vec<&str> = of((9, 7), 4)
         .zip(of((12, 12), 0))
