@@ -168,8 +168,8 @@ fn texts_are_the_highlights() {
 }
 
 /// The irradiance of points of light by the formula of the literature, in one channel.
-fn of_points(gloss: (f64, f64, f64), points: &[(Vector, f64)], normal: Vector) -> f64 {
-    let (roughness, f0, albedo) = gloss;
+fn of_points(gloss: [f64; 4], points: &[(Vector, f64)], normal: Vector) -> f64 {
+    let [roughness, f0, f90, albedo] = gloss;
     // A frame about the normal.
     let first = unit(cross(normal, [0.36, 0.48, 0.8]));
     let second = cross(normal, first);
@@ -180,7 +180,11 @@ fn of_points(gloss: (f64, f64, f64), points: &[(Vector, f64)], normal: Vector) -
         if light[2] <= 0.0 {
             return 0.0;
         }
-        energy * light[2] * ggx(roughness, f0, albedo, light, view)
+        // The formula has f90 = 1, and is linear in F: with f0 = 0 it has p = (1 - cos)^5, with f0 = 1
+        // it has 1, and F = f0 (1 - p) + f90 p.
+        let [dark, bright] = [0.0, 1.0].map(|f0| ggx(roughness, f0, albedo, light, view));
+        let matte = albedo / PI;
+        energy * light[2] * (matte + f0 * (bright - dark) + f90 * (dark - matte))
     };
     points.iter().map(one).sum()
 }
@@ -260,7 +264,8 @@ fn scenes_with_sources_are_the_direct_sum_and_the_highlights() {
         .flat_map(|&normal| {
             [0, 1, 2].map(|c| {
                 let lit: Vec<_> = points.iter().map(|s| (s.direction, s.energy[c])).collect();
-                let gloss = (gloss.roughness, gloss.reflectance[c], gloss.albedo[c]);
+                let [f0, f90] = [gloss.reflectance[c], gloss.grazing[c]];
+                let gloss = [gloss.roughness, f0, f90, gloss.albedo[c]];
                 of_points(gloss, &lit, normal)
             })
         })

@@ -40,13 +40,6 @@ impl Gleam {
     ) -> Result<Option<Self>> {
         let Inputs { light, material } = inputs;
         let (gloss, left) = material.gloss()?;
-        if left > FAR && gloss.roughness <= MATTE {
-            print_message(format_args!(
-                "note: the gloss of `{}` is not quite a GGX lobe: its highlights are off by {:.0} %",
-                material.path().display(),
-                100.0 * left
-            ));
-        }
         let sources = light.sources(&lights.entries[0].name, most, memory.of_file())?;
         if gloss.roughness > MATTE {
             print_message(format_args!(
@@ -56,6 +49,13 @@ impl Gleam {
                 gloss.roughness
             ));
             return Ok(None);
+        }
+        if left > FAR {
+            print_message(format_args!(
+                "note: the gloss of `{}` is not quite a GGX lobe: its highlights are off by {:.0} %",
+                material.path().display(),
+                100.0 * left
+            ));
         }
         highlights::take_out(lights, &sources)?;
         Ok(Some(Self { gloss, sources }))
