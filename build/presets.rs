@@ -12,7 +12,8 @@ const ORDER: usize = 7;
 /// The one gray material that is not from a set in color.
 const GRAY: &str = "ptfe-633nm";
 
-/// Writes `preset_lights.rs`, `preset_materials.rs` and both in integers to the output folder.
+/// Writes `preset_lights.rs`, `preset_materials.rs` and both in integers, `preset_sources.rs` and
+/// `preset_gloss.rs` to the output folder.
 ///
 /// # Errors
 ///
@@ -24,7 +25,9 @@ pub fn write() -> Result<(), String> {
     let gray = read("tables/inputs/materials.csv", material::count(ORDER))?;
     materials.extend(gray.into_iter().filter(|one| one.name == GRAY));
     let errors = errors()?;
-    constants("Material", &materials, |name| error_text(&errors, name))
+    constants("Material", &materials, |name| error_text(&errors, name))?;
+    sources()?;
+    glosses()
 }
 
 /// Total errors: name, degree, order, median, worst, map and worst pixel.
@@ -140,9 +143,91 @@ fn constants(kind: &str, presets: &[Preset], error: impl Fn(&str) -> String) -> 
         let text = format!(
             "{text}/// All of them, by name.\npub const ALL: [(&str, {kind}); {count}] = [\n{all}];\n"
         );
-        let folder = env::var_os("OUT_DIR").ok_or("OUT_DIR is not set")?;
-        let to = PathBuf::from(folder).join(format!("preset_{lower}s{format}.rs"));
-        fs::write(&to, text).map_err(|error| format!("{}: {error}", to.display()))?;
+        write_output(&format!("preset_{lower}s{format}.rs"), &text)?;
     }
     Ok(())
+}
+
+fn write_output(file: &str, text: &str) -> Result<(), String> {
+    let folder = env::var_os("OUT_DIR").ok_or("OUT_DIR is not set")?;
+    let to = PathBuf::from(folder).join(file);
+    fs::write(&to, text).map_err(|error| format!("{}: {error}", to.display()))
+}
+
+/// The name and the numbers of each line of a file, which have this count.
+fn rows<const N: usize>(path: &str) -> Result<Vec<(String, [f64; N])>, String> {
+    println!("cargo::rerun-if-changed={path}");
+    let text = fs::read_to_string(path).map_err(|error| format!("{path}: {error}"))?;
+    let lines = text.lines().filter(|line| !line.starts_with('#')).skip(1);
+    let row = |line: &str| {
+        let (name, numbers) = line.split_once(',')?;
+        let numbers: Vec<f64> =
+            numbers.split(',').map(|n| n.parse().ok()).collect::<Option<_>>()?;
+        Some((name.to_owned(), numbers.try_into().ok()?))
+    };
+    lines.map(|line| row(line).ok_or_else(|| format!("{path}: `{line}`"))).collect()
+}
+
+/// Writes the sets of sources: constants such as `STUDIO_4`, and a list of all of them.
+fn sources() -> Result<(), String> {
+    let mut sets: Vec<(String, usize, String)> = Vec::new();
+    for (light, numbers) in rows("tables/inputs/sources.csv")? {
+        let [set, x, y, z, r, g, b, u, v, w, minor] = numbers;
+        // Exactly of length 1 and perpendicular, which six digits are not.
+        let length = (x * x + y * y + z * z).sqrt();
+        let [x, y, z] = [x, y, z].map(|component| component / length);
+        let along = u * x + v * y + w * z;
+        let [u, v, w] = [u - along * x, v - along * y, w - along * z];
+        let minor = minor.min((u * u + v * v + w * w).sqrt());
+        let [x, y, z, u, v, w, minor] = [x, y, z, u, v, w, minor].map(|number| number as f32);
+        let [r, g, b] = [r, g, b].map(|energy| energy as f32);
+        let text = format!(
+            "    Source::stored([{x:?}, {y:?}, {z:?}], [{r:?}, {g:?}, {b:?}], \
+             [{u:?}, {v:?}, {w:?}], {minor:?}),\n"
+        );
+        match sets.last_mut() {
+            Some(last) if last.0 == light && last.1 == set as usize => last.2 += &text,
+            _ => sets.push((light, set as usize, text)),
+        }
+    }
+    let (mut constants, mut all) = (String::new(), String::new());
+    for (light, most, sources) in &sets {
+        let constant = format!("{}_{most}", light.to_uppercase().replace('-', "_"));
+        let s = if *most == 1 { "" } else { "s" };
+        constants += &format!(
+            "/// At most {most} source{s} of `{light}`.\npub const {constant}: &[Source<f32>] = \
+             &[\n{sources}];\n"
+        );
+        all += &format!("    (\"{light}\", {most}, {constant}),\n");
+    }
+    let count = sets.len();
+    let text = format!(
+        "{constants}/// All of them, by the name of the light and the most sources.\n\
+         pub const ALL: [(&str, usize, &[Source<f32>]); {count}] = [\n{all}];\n"
+    );
+    write_output("preset_sources.rs", &text)
+}
+
+/// Writes the gloss of the materials in color as constants.
+fn glosses() -> Result<(), String> {
+    let (mut constants, mut all) = (String::new(), String::new());
+    let rows = rows("tables/inputs/gloss.csv")?;
+    for (name, numbers) in &rows {
+        let constant = name.to_uppercase().replace('-', "_");
+        let [roughness, f0_r, f0_g, f0_b, f90_r, f90_g, f90_b, r, g, b, error] = numbers;
+        constants += &format!(
+            "/// `{name}`. The lobe leaves {:.0} % of pictures under a small source (rms).\n\
+             pub const {constant}: Gloss<f32> = Gloss::stored({roughness:?}, \
+             [{f0_r:?}, {f0_g:?}, {f0_b:?}], [{f90_r:?}, {f90_g:?}, {f90_b:?}], \
+             [{r:?}, {g:?}, {b:?}]);\n",
+            100.0 * error
+        );
+        all += &format!("    (\"{name}\", {constant}),\n");
+    }
+    let count = rows.len();
+    let text = format!(
+        "{constants}/// All of them, by name.\n\
+         pub const ALL: [(&str, Gloss<f32>); {count}] = [\n{all}];\n"
+    );
+    write_output("preset_gloss.rs", &text)
 }

@@ -40,6 +40,24 @@ pub struct Gloss<S> {
     albedo: Rgb<S>,
 }
 
+#[cfg(feature = "presets")]
+impl Gloss<f32> {
+    /// A gloss that [`new`](Self::new) accepts, of a roughness from 0.1 to 1.
+    pub(crate) const fn stored(
+        roughness: f32,
+        [f0_r, f0_g, f0_b]: [f32; 3],
+        [f90_r, f90_g, f90_b]: [f32; 3],
+        [r, g, b]: [f32; 3],
+    ) -> Self {
+        Self {
+            alpha: roughness * roughness,
+            reflectance: Rgb::new(f0_r, f0_g, f0_b),
+            grazing: Rgb::new(f90_r, f90_g, f90_b),
+            albedo: Rgb::new(r, g, b),
+        }
+    }
+}
+
 impl<S: Scalar> Gloss<S> {
     /// From the roughness, the reflectance at normal incidence (f0) and the albedo of the matte base,
     /// all from 0 to 1.

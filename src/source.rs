@@ -118,6 +118,17 @@ impl<S: Scalar> Source<S> {
         Self::new::<M>(direction, energy, across.map(|component| component * scale), spread)
     }
 
+    /// A source that [`new`](Self::new) accepts, without changes.
+    #[cfg(feature = "presets")]
+    pub(crate) const fn stored(
+        direction: [S; 3],
+        [r, g, b]: [S; 3],
+        major: [S; 3],
+        minor: S,
+    ) -> Self {
+        Self { direction, energy: Rgb::new(r, g, b), major, minor }
+    }
+
     /// The direction, of length 1.
     #[must_use]
     pub const fn direction(&self) -> [S; 3] {

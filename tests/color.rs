@@ -1,13 +1,14 @@
 //! Three channels at once, the presets, and pixels of a display.
 
-use eigenshade::presets::{light, material};
+use eigenshade::mathematics::Libm;
+use eigenshade::presets::{gloss, light, material, sources};
 use eigenshade::quantized;
 use eigenshade::sphere::{self, q15};
 use eigenshade::{
-    Argument, Disc, Display, Error, Light, MapPoint, Material, Normal, Normals, Q15, Rgb,
+    Argument, Disc, Display, Error, Light, MapPoint, Material, Normal, Normals, Q15, Rgb, Source,
     Tolerance, Tone, index,
 };
-use eigenshade_shading::shipped;
+use eigenshade_shading::{highlights, shipped};
 
 const NORMALS: [[f32; 3]; 4] =
     [[0.0, 0.0, 1.0], [0.6, 0.0, 0.8], [0.0, -0.6, 0.8], [-0.28, 0.96, 0.0]];
@@ -83,6 +84,39 @@ fn presets_are_the_shipped_files() {
             let expected = quantized::Material::quantize(from, &mut room, &mut exponents);
             assert_eq!(expected, Ok(integers), "{name}");
         }
+    }
+}
+
+/// Sources are those of the files after their check, and so are glosses.
+#[test]
+fn sources_and_glosses_are_the_shipped_files() {
+    let files = shipped::sources().unwrap();
+    let mut all = sources::ALL.into_iter();
+    for (light, (most, set)) in files.iter().flat_map(|f| f.sets.iter().map(move |s| (&f.name, s)))
+    {
+        let (name, of_preset, presets) = all.next().unwrap();
+        assert_eq!((name, of_preset, presets.len()), (light.as_str(), *most, set.len()));
+        for (preset, file) in presets.iter().zip(set) {
+            let file = highlights::source::<f64>(file).unwrap();
+            let near =
+                |a: f32, b: f64| assert!((f64::from(a) - b).abs() <= 1e-6 * b.abs().max(1.0));
+            for k in 0..3 {
+                near(preset.direction()[k], file.direction()[k]);
+                near(preset.major()[k], file.major()[k]);
+            }
+            near(preset.minor(), file.minor());
+            assert_eq!(preset.energy(), file.energy().map(|energy| energy as f32));
+            // It is accepted as it is.
+            let [x, y, z] = preset.direction();
+            assert!((x * x + y * y + z * z - 1.0).abs() < 1e-6);
+            Source::new::<Libm>([x, y, z], preset.energy(), preset.major(), preset.minor())
+                .unwrap();
+        }
+    }
+    assert!(all.next().is_none());
+    for (name, preset) in gloss::ALL {
+        let (file, _) = shipped::gloss(name).unwrap();
+        assert_eq!(Ok(preset), highlights::gloss::<f32>(&file).map_err(|error| error.to_string()));
     }
 }
 

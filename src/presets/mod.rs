@@ -75,6 +75,39 @@ pub mod material {
     }
 }
 
+/// Small sources of the captured lights that have maps, in sets of at most 1, 2, 4 and 8: 40 bytes
+/// each. [`Highlights`](crate::Highlights) shade them.
+///
+/// ```
+/// # #[cfg(feature = "baked")] {
+/// use eigenshade::mathematics::SinglePrecision;
+/// use eigenshade::presets::{gloss, light::STUDIO, material::GOLD_METALLIC_PAINT, sources};
+/// use eigenshade::{Highlights, Normal, sphere};
+///
+/// let rest = STUDIO.residual::<SinglePrecision, 100>(sources::STUDIO_4)?;
+/// let scene = sphere::color::scene(rest.lights()?, GOLD_METALLIC_PAINT)?;
+/// let gold = gloss::GOLD_METALLIC_PAINT;
+/// let highlights = Highlights::<f32, 4>::new::<SinglePrecision>(&gold, sources::STUDIO_4)?;
+///
+/// let normal = Normal::new(-0.5, 0.4, 0.768)?;
+/// assert!(scene.shade(normal).r + highlights.shade(normal).r > 0.0);
+/// # }
+/// # Ok::<(), eigenshade::Error>(())
+/// ```
+pub mod sources {
+    use crate::Source;
+    include!(concat!(env!("OUT_DIR"), "/preset_sources.rs"));
+}
+
+/// The gloss of the materials in color: a GGX lobe over a matte base, fitted to each.
+///
+/// Sources pay for a roughness below 0.6. Each constant states how far its lobe is off.
+#[expect(clippy::approx_constant, reason = "numbers of a file")]
+pub mod gloss {
+    use crate::Gloss;
+    include!(concat!(env!("OUT_DIR"), "/preset_gloss.rs"));
+}
+
 /// The channels of a preset: numbers as statics, shared if they are gray.
 macro_rules! channels {
     ($new:path, $gray:expr) => {{
