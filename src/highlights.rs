@@ -39,7 +39,7 @@ const BLOCK: usize =
 /// view. So D = 1 / (π √det A (nᵀ Q n)²), Q = h hᵀ + T A⁻¹ Tᵀ with the tangents T at h.
 ///
 /// A GGX lobe blurred by a normal distribution is not a GGX lobe. κ = 2 + α² / (α² + tr(J C Jᵀ)/2)
-/// leaves an error of the peak of at most 7 %, from points to sources that are much wider than the
+/// leaves an error of the peak of at most 7.5 %, from points to sources that are much wider than the
 /// lobe. Of a source behind the object, A is at most 1 across the plane, and the lobe is divided by
 /// 1 + c²/2 with c = C_across / cos² θ_h.
 ///

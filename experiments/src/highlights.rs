@@ -310,8 +310,7 @@ pub fn write_glosses(glosses: &[(String, Gloss, f64)], out: &mut dyn Write) -> R
     csv.finish()
 }
 
-/// What a picture of [`spheres`] is made of: degree and order, and the most sources; or the
-/// reference.
+/// The pictures of [`spheres`]: a degree, an order and the most sources; `None` is the reference.
 pub const DRAWN: [Option<((usize, usize), usize)>; 4] =
     [Some(((9, 7), 0)), Some(((9, 7), 4)), Some(((12, 12), 8)), None];
 

@@ -56,7 +56,7 @@ fn the_page_has_the_recorded_errors() {
 
 /// The errors of metals of roughness 0.3 that the page's readers count on, in rms and of the worst
 /// pixel: lights of small lamps, and all others but those of large windows and of many lamps.
-const OF_LAMPS: [f64; 2] = [0.0015, 0.03];
+const OF_LAMPS: [f64; 2] = [0.0015, 0.04];
 const OF_OTHERS: [f64; 2] = [0.0125, 0.145];
 const HARD: [&str; 3] = ["hall", "city", "workshop"];
 /// And of these.
@@ -78,8 +78,7 @@ fn sources_show_highlights() {
             _ => OF_OTHERS,
         };
         let [rms, worst] = row.errors;
-        let is_near = rms <= limits[0] && (worst <= limits[1] || row.light == "park");
-        assert!(is_near, "{row:?}");
+        assert!(rms <= limits[0] && worst <= limits[1], "{row:?}");
     }
     // Two at 9/7 are nearer than 32/32 under the studio.
     let studio = |size, sources| {
@@ -104,6 +103,10 @@ fn sources_show_highlights() {
 fn glosses_are_fitted_again() {
     let all = glosses(&repository().join("tables/inputs")).unwrap();
     assert_eq!(all.len(), 94);
+    // As docs/highlights.md says: 7 % in the median, 28 % or more for a quarter.
+    let mut errors: Vec<f64> = all.iter().map(|(.., left)| *left).collect();
+    errors.sort_by(f64::total_cmp);
+    assert!((0.065..0.075).contains(&errors[46]) && errors[70] >= 0.28, "{errors:?}");
     for (name, gloss, left) in all {
         let (recorded, error) = shipped::gloss(&name).unwrap();
         let near = |a: f64, b: f64| assert!((a - b).abs() <= 2e-4, "{name}: {a} {b}");

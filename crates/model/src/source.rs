@@ -21,7 +21,7 @@ impl Source {
         Self { direction: turn(self.direction), major: turn(self.major), ..*self }
     }
 
-    /// Rounded to so many significant digits, for smaller files.
+    /// This source with its numbers rounded to significant digits, for smaller files.
     #[must_use]
     pub fn rounded(&self, digits: usize) -> Self {
         let round = |number: f64| {

@@ -24,7 +24,7 @@ use std::f64::consts::{PI, TAU};
 /// The degrees and orders at which sources are fitted.
 pub const SIZES: [(usize, usize); 2] = [(9, 7), (12, 12)];
 
-/// The sizes of the sets.
+/// The sizes of the sets, up to the largest that is asked for.
 pub const SETS: [usize; 4] = [1, 2, 4, 8];
 
 /// The roughness of the metals that sources are fitted to.
@@ -155,7 +155,7 @@ fn pursue(sample: &Sample<'_>, most: usize) -> Result<Vec<Vec<Source>>> {
     Ok(sets)
 }
 
-/// What the pictures lack with these sources.
+/// The lack of the pictures with these sources.
 fn rest<'a>(
     sample: &Sample<'_>,
     sources: impl Iterator<Item = (usize, &'a Trial)>,

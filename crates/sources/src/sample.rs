@@ -20,12 +20,12 @@ const OTHERS: usize = 600;
 /// the picture, but are where it is worst.
 const LEAST: f64 = 0.1;
 
-/// What is fitted: parts for each view, material and size, with their rows one after another.
+/// The pictures to fit: a part for each view, material and size, with their rows one after another.
 pub struct Sample<'a> {
     views: &'a [View],
     materials: &'a [Glossy],
     parts: Vec<Part>,
-    /// What the truncated pictures lack, of their peaks, by channel.
+    /// Reference less truncated picture, relative to the peak, by channel.
     pub lack: [Vec<f32>; 3],
     /// The weight of each row in the sum of squares.
     pub weights: Vec<f32>,

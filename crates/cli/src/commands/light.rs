@@ -59,7 +59,7 @@ pub struct Light {
     /// Convention of a light CSV
     #[arg(long, value_enum)]
     from: Option<Convention>,
-    /// Find sets of 1, 2, 4, ... up to K small bright sources, 1 to 32, for the highlights of glossy
+    /// Find sets of 1, 2, 4, 8 and K small bright sources, K from 1 to 32, for the highlights of glossy
     /// materials: see `render --sources`. They are written beside the output, to FILE.sources.csv for
     /// FILE.csv. Takes some ten seconds a map
     #[arg(long, value_name = "K", value_parser = count(1, 32), requires = "out")]
