@@ -137,6 +137,8 @@ mod estimate;
 
 mod color;
 
+mod table_in_color;
+
 mod source;
 
 mod gloss;

@@ -1,6 +1,6 @@
 //! Highlights in integers: against the formula in f64, at the limits of their numbers, and their bits.
 
-use crate::highlights::{ANGLES, BLUR, Blob, Glossy, Vector, at, blobs, dot, normals_for};
+use crate::blobs::{ANGLES, BLUR, Blob, Glossy, Vector, at, blobs, dot, normals_for};
 use eigenshade::mathematics::SinglePrecision;
 use eigenshade::quantized::{Highlights, Lobe, Normal};
 use eigenshade::{Argument, Error, Q15, Q31, Rgb, Source};

@@ -1,6 +1,7 @@
 //! Every test of the runtime but those of other features and the properties, in one binary: to
 //! link each file by itself takes longer than the tests do.
 
+mod blobs;
 mod invariants;
 mod reading;
 mod wire_files;
@@ -28,6 +29,7 @@ mod reading_scenes;
 mod reading_spheres;
 mod runtime;
 mod sampled_and_baked;
+mod sources;
 mod truncation;
 mod truncation_sets;
 mod wire;

@@ -2,6 +2,7 @@
 
 use super::Normal;
 use super::inputs::decoded;
+use super::tabulated::{leading, reciprocal, root};
 use crate::buffer::{Buffer, zeros};
 use crate::color::Rgb;
 use crate::error::{Argument, Error};
@@ -313,36 +314,6 @@ fn masking(alpha_square: u32, cosine: i32) -> u32 {
     )
 }
 
-/// The root of a number from 2^16 on, within 2e-4 of itself and a unit.
-#[inline(always)]
-fn root(number: u32) -> u32 {
-    let lead = leading(number);
-    let number = number << (lead & 30);
-    let [base, slope] = at(&ROOTS, number >> 26);
-    let rest = (number >> 10) & 0xffff;
-    (u32::from(base) + ((u32::from(slope) * rest) >> 16)) >> ((lead & 30) >> 1)
-}
-
-/// Roots of multiples of 2^26 from 2^30 on, and the differences to the next ones.
-static ROOTS: [[u16; 2]; 64] = {
-    let mut table = [[0; 2]; 64];
-    let mut k = 16;
-    while k < 64 {
-        let (root, next) = (root_of(k), root_of(k + 1));
-        #[expect(clippy::indexing_slicing, reason = "the index is below 64")]
-        {
-            table[k as usize] = [root as u16, (next - root) as u16];
-        }
-        k += 1;
-    }
-    table
-};
-
-/// The root of k 2^26, rounded.
-const fn root_of(k: u64) -> u64 {
-    ((k << 28).isqrt() + 1) >> 1
-}
-
 /// 1 / (½ (nᵀ Q n)² m), where m = `masked` in 2^-30: a number of at most 16 bits, and the part of its
 /// exponent that depends on the normal.
 #[inline(always)]
@@ -354,58 +325,6 @@ fn weight(form: u32, masked: u32) -> (u32, i32) {
     let divisor = (form.wrapping_mul(form) >> 17).wrapping_mul(masked);
     let by = leads[0] + leads[0] + leads[1];
     (reciprocal(divisor), by.cast_signed())
-}
-
-/// 2^43 / `divisor`, by one step of Newton's method, within 3e-4. Domain: from 2^28 to 2^31. Less is
-/// possible where normal and source are both at the rim, and saturates.
-#[inline(always)]
-fn reciprocal(divisor: u32) -> u32 {
-    let guess = u32::from(RECIPROCALS.get((divisor >> 23) as usize & 255).copied().unwrap_or(0));
-    let correction = (1_u32 << 29).wrapping_sub(guess.wrapping_mul(divisor >> 15)) >> 13;
-    guess.wrapping_mul(correction) >> 15
-}
-
-/// Reciprocals of the middles of the intervals of 2^23.
-static RECIPROCALS: [u16; 256] = {
-    let mut table = [0; 256];
-    let mut k = 0;
-    while k < 256 {
-        let reciprocal = ((1 << 21) + k) / (2 * k + 1);
-        #[expect(clippy::indexing_slicing, reason = "the index is below 256")]
-        {
-            table[k] = if reciprocal > 0xffff { 0xffff } else { reciprocal as u16 };
-        }
-        k += 1;
-    }
-    table
-};
-
-/// The leading zeros of a number from 2^16 on, by a table: small processors have no instruction. It is
-/// at most 16, which leaves less than 16 bits of smaller numbers.
-#[inline(always)]
-fn leading(number: u32) -> u32 {
-    let high = number >> 24;
-    let of = |byte: u32| u32::from(LEADING.get(byte as usize & 255).copied().unwrap_or_default());
-    if high == 0 { 8 + of(number >> 16) } else { of(high) }
-}
-
-static LEADING: [u8; 256] = {
-    let mut table = [0; 256];
-    let mut k = 0;
-    while k < 256 {
-        #[expect(clippy::indexing_slicing, reason = "the index is below 256")]
-        {
-            table[k] = (k as u8).leading_zeros() as u8;
-        }
-        k += 1;
-    }
-    table
-};
-
-/// The entry of a table, modulo its length.
-#[inline(always)]
-fn at<E: Copy + Default>(table: &[E; 64], place: u32) -> E {
-    table.get((place & 63) as usize).copied().unwrap_or_default()
 }
 
 /// The least k such that nᵀ Q n is less than 4^k, with a margin of a hundredth for rounding and normals

@@ -48,6 +48,7 @@ mod relight;
 mod rotation;
 mod scene;
 mod table;
+mod tabulated;
 mod transfer;
 mod turn;
 mod view;

@@ -10,6 +10,7 @@ use crate::light::environment::EnvironmentMap;
 use crate::material::brdf::{Brdf, Geometry};
 use eigenshade_model::database::luminance;
 use eigenshade_model::error::{Error, Result};
+use eigenshade_model::vector::dot;
 use faer::linalg::matmul::matmul;
 use faer::{Accum, Mat, Par};
 use std::f64::consts::{PI, TAU};
@@ -204,8 +205,4 @@ impl Lobe<'_> {
         let narrowest = half.min(at.incident.max(self.width));
         (wanted / narrowest).ceil().clamp(1.0, MOST_PARTS) as usize
     }
-}
-
-fn dot([a, b, c]: [f64; 3], [x, y, z]: [f64; 3]) -> f64 {
-    a * x + b * y + c * z
 }

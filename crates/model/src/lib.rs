@@ -29,6 +29,8 @@ pub mod special {
     pub mod zernike;
 }
 
+pub mod vector;
+
 pub mod rotation;
 
 pub mod polar_integral;

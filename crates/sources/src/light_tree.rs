@@ -10,6 +10,7 @@ use eigenshade_generator::direct::Surroundings;
 use eigenshade_generator::light::environment::EnvironmentMap;
 use eigenshade_generator::material::brdf::{Brdf, Geometry};
 use eigenshade_model::error::{Error, Result};
+use eigenshade_model::vector::dot;
 use std::f64::consts::{PI, TAU};
 
 /// Texels along a side of the smallest block.
@@ -223,8 +224,4 @@ impl Block {
         let power = power.into_iter().map(|power| power as f32).collect();
         Self { center, radius, nodes: std::array::from_fn(of_node), power }
     }
-}
-
-fn dot([a, b, c]: [f64; 3], [x, y, z]: [f64; 3]) -> f64 {
-    a * x + b * y + c * z
 }

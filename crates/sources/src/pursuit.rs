@@ -17,6 +17,7 @@ use eigenshade_generator::light::environment::EnvironmentMap;
 use eigenshade_model::error::Result;
 use eigenshade_model::rotation::Rotation;
 use eigenshade_model::source::Source;
+use eigenshade_model::vector::{cross, dot, plus, times, unit};
 use rayon::iter::{IntoParallelRefIterator, ParallelIterator};
 use rayon::slice::ParallelSlice;
 use std::f64::consts::{PI, TAU};
@@ -25,7 +26,11 @@ use std::f64::consts::{PI, TAU};
 pub const SIZES: [(usize, usize); 2] = [(9, 7), (12, 12)];
 
 /// The sizes of the sets, up to the largest that is asked for.
-pub const SETS: [usize; 4] = [1, 2, 4, 8];
+pub const SETS: [usize; 5] = [1, 2, 4, 8, 16];
+
+/// Sets up to this size are fitted at all of [`SIZES`], larger ones at the last alone: degree 9 lacks
+/// so much of some lights that eight sources which mend it do little for degree 12.
+const SMALL: usize = 4;
 
 /// The roughness of the metals that sources are fitted to.
 pub const ROUGHNESS: [f64; 3] = [0.2, 0.3, 0.5];
@@ -88,18 +93,24 @@ pub fn find(
     let view = |k: usize| View::new(map, (k > 0).then(|| rotation(ROTATIONS[k])), degree);
     let mut views = (0..ROTATIONS.len()).map(view).collect::<Result<Vec<_>>>()?;
     let other = views.split_off(ROTATIONS.len() - 1);
-    let sample = Sample::new(&views, materials, SPACING);
-    let held_out = Sample::new(&other, materials, OTHER_SPACING);
     let mut sets: Vec<(usize, Vec<Source>)> = Vec::new();
-    let mut least = left(&held_out, &[])?;
-    for (count, sources) in (1..).zip(pursue(&sample, most)?) {
-        if !SETS.contains(&count) && count != most {
-            continue;
+    let mut chosen = Vec::new();
+    for (first, until) in [(0, most.min(SMALL)), (SIZES.len() - 1, most)] {
+        let sample = Sample::new(&views, materials, SPACING, first);
+        let held_out = Sample::new(&other, materials, OTHER_SPACING, first);
+        let mut best = sets.last().map_or(Vec::new(), |(_, set)| set.clone());
+        let mut least = left(&held_out, &best)?;
+        for (count, sources) in pursue(&sample, &chosen, until)? {
+            if SETS.contains(&count) || count == most {
+                let left = left(&held_out, &sources)?;
+                if left < least {
+                    let is_lit = |source: &&Source| source.energy != [0.0; 3];
+                    (best, least) = (sources.iter().filter(is_lit).copied().collect(), left);
+                }
+                sets.push((count, best.clone()));
+            }
+            chosen = sources;
         }
-        let left = left(&held_out, &sources)?;
-        let before = sets.last().map_or(Vec::new(), |(_, set)| set.clone());
-        sets.push((count, if left < least { sources } else { before }));
-        least = least.min(left);
     }
     Ok(sets)
 }
@@ -123,16 +134,18 @@ fn left(sample: &Sample<'_>, sources: &[Source]) -> Result<f64> {
     Ok(lack.iter().map(of).sum())
 }
 
-/// The sources after each step.
-fn pursue(sample: &Sample<'_>, most: usize) -> Result<Vec<Vec<Source>>> {
-    let grid = grid(sample)?;
-    let mut lack = sample.lack.clone();
-    let mut chosen: Vec<Trial> = Vec::new();
+/// Adds one source after the other to some, up to a number: the sources after each step. A source
+/// whose energy is zero stays, and may get some later.
+fn pursue(sample: &Sample<'_>, start: &[Source], most: usize) -> Result<Vec<(usize, Vec<Source>)>> {
     let mut sets = Vec::new();
-    if sample.lack.iter().flatten().all(|&lack| lack == 0.0) {
+    if start.len() >= most || sample.lack.iter().flatten().all(|&lack| lack == 0.0) {
         return Ok(sets);
     }
-    while sets.len() < most {
+    let grid = grid(sample)?;
+    let mut chosen = trials(sample, start, &sample.lack)?;
+    let energies = solved(sample, &chosen);
+    let mut lack = rest(sample, chosen.iter().enumerate(), &energies);
+    while chosen.len() < most {
         let scores = grid.par_iter().map(|trial| score(sample, &trial.addition, &lack));
         let scores: Vec<f64> = scores.collect();
         let best = (0..grid.len()).max_by(|&a, &b| scores[a].total_cmp(&scores[b]));
@@ -150,7 +163,7 @@ fn pursue(sample: &Sample<'_>, most: usize) -> Result<Vec<Vec<Source>>> {
         lack = rest(sample, chosen.iter().enumerate(), &energies);
         let lit = chosen.iter().zip(&energies);
         let lit = lit.map(|(trial, &energy)| Source { energy, ..trial.source });
-        sets.push(lit.filter(|source| source.energy != [0.0; 3]).collect());
+        sets.push((chosen.len(), lit.collect()));
     }
     Ok(sets)
 }
@@ -298,24 +311,4 @@ fn solved(sample: &Sample<'_>, sources: &[Trial]) -> Vec<[f64; 3]> {
         }
     }
     energies
-}
-
-fn dot([a, b, c]: [f64; 3], [x, y, z]: [f64; 3]) -> f64 {
-    a * x + b * y + c * z
-}
-
-fn cross([a, b, c]: [f64; 3], [x, y, z]: [f64; 3]) -> [f64; 3] {
-    [b * z - c * y, c * x - a * z, a * y - b * x]
-}
-
-fn times(factor: f64, vector: [f64; 3]) -> [f64; 3] {
-    vector.map(|component| factor * component)
-}
-
-fn plus([a, b, c]: [f64; 3], [x, y, z]: [f64; 3]) -> [f64; 3] {
-    [a + x, b + y, c + z]
-}
-
-fn unit(vector: [f64; 3]) -> [f64; 3] {
-    times(dot(vector, vector).sqrt().recip(), vector)
 }

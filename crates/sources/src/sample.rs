@@ -41,9 +41,10 @@ struct Part {
 }
 
 impl<'a> Sample<'a> {
-    /// Samples pictures at the normals of [`View::sphere`].
+    /// Samples pictures at the normals of [`View::sphere`], at the sizes of the materials from `first`
+    /// on.
     #[must_use]
-    pub fn new(views: &'a [View], materials: &'a [Glossy], spacing: f64) -> Self {
+    pub fn new(views: &'a [View], materials: &'a [Glossy], spacing: f64, first: usize) -> Self {
         let mut sample = Self {
             views,
             materials,
@@ -55,7 +56,7 @@ impl<'a> Sample<'a> {
             let sphere = view.sphere(spacing);
             for (m, material) in materials.iter().enumerate() {
                 let pictures = view.pictures(material, &sphere.normals);
-                for (size, truncated) in pictures.truncated.iter().enumerate() {
+                for (size, truncated) in pictures.truncated.iter().enumerate().skip(first) {
                     let lack = |c: usize, k: usize| pictures.reference[c][k] - truncated[c][k];
                     let lack = |c: usize, k: usize| (lack(c, k) / pictures.peak) as f32;
                     let most = |k: usize| (0..3).map(|c| lack(c, k).abs()).fold(0.0, f32::max);

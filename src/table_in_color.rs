@@ -1,0 +1,172 @@
+//! The steps from light to pixel in three channels, for each table that is compiled in.
+
+/// The module `color` of a table: its steps for three channels.
+#[doc(hidden)]
+#[macro_export]
+macro_rules! table_in_color {
+    (
+        $a:lifetime, light $light:ty, material $material:ty,
+        normal $normal:ty, irradiance $irradiance:ty,
+        blank $coefficients:ident::$of_numbers:ident($($numbers:expr)?),
+        $scene:ident::$blank:ident(), view |$transfer:ident| $view:expr
+    ) => {
+        /// The steps from light to pixel in three channels.
+        pub mod color {
+            use $crate::Rgb;
+
+            type Light<$a> = $light;
+            type Material<$a> = $material;
+
+            /// The transfer of a material in each channel. For a gray material one
+            /// [`Transfer`](super::Transfer) serves all channels.
+            pub type Transfer = Rgb<super::Transfer>;
+
+            /// One image in three channels, ready to be shaded. It dereferences to the images of
+            /// the channels.
+            #[derive(Clone, Debug, PartialEq)]
+            pub struct Scene(Rgb<super::Scene>);
+
+            impl core::ops::Deref for Scene {
+                type Target = Rgb<super::Scene>;
+                #[inline]
+                fn deref(&self) -> &Rgb<super::Scene> {
+                    &self.0
+                }
+            }
+
+            impl Scene {
+                /// The irradiance of one normal in each channel.
+                #[inline]
+                #[must_use]
+                pub fn shade(&self, normal: $normal) -> Rgb<$irradiance> {
+                    self.0.each_ref().map(|scene| scene.shade(normal))
+                }
+            }
+
+            /// The image of a material under a light: transfer, relight and collapse in each
+            /// channel. A gray material is transferred once.
+            ///
+            /// # Errors
+            ///
+            /// Those of [`transfer`](super::transfer) and [`relight`](super::relight).
+            pub fn scene<'l, 'm>(
+                light: impl Into<Rgb<Light<'l>>>,
+                material: impl Into<Rgb<Material<'m>>>,
+            ) -> Result<Scene, $crate::Error> {
+                lit(light.into(), material.into())
+            }
+
+            fn lit(
+                light: Rgb<Light<'_>>,
+                material: Rgb<Material<'_>>,
+            ) -> Result<Scene, $crate::Error> {
+                let mut scene = blank();
+                if let Some(gray) = material.as_gray() {
+                    lit_gray(&gray, light, &mut scene)?;
+                    return Ok(scene);
+                }
+                let mut d = coefficients();
+                let Scene(Rgb { r, g, b }) = &mut scene;
+                lit_channel(&material.r, &light.r, &mut d, r)?;
+                lit_channel(&material.g, &light.g, &mut d, g)?;
+                lit_channel(&material.b, &light.b, &mut d, b)?;
+                Ok(scene)
+            }
+
+            // Not inlined, so that the memory of a transfer is free again between the channels.
+            #[inline(never)]
+            fn lit_channel(
+                material: &Material<'_>,
+                light: &Light<'_>,
+                d: &mut super::Coefficients,
+                scene: &mut super::Scene,
+            ) -> Result<(), $crate::Error> {
+                channel(&super::transfer(material)?, light, d, scene)
+            }
+
+            // As above.
+            #[inline(never)]
+            fn lit_gray(
+                material: &Material<'_>,
+                light: Rgb<Light<'_>>,
+                scene: &mut Scene,
+            ) -> Result<(), $crate::Error> {
+                relit(Rgb::gray(&super::transfer(material)?), light, scene)
+            }
+
+            /// The transfer of a material in each channel: see [`transfer`](super::transfer).
+            ///
+            /// # Errors
+            ///
+            /// The same.
+            pub fn transfer<'m>(
+                material: impl Into<Rgb<Material<'m>>>,
+            ) -> Result<Transfer, $crate::Error> {
+                material.into().try_map(|material| super::transfer(&material))
+            }
+
+            /// The image of a transferred material under a new light: relight and collapse in each
+            /// channel. `transfer` is a [`Transfer`] or, for a gray material, that of one channel.
+            ///
+            /// # Errors
+            ///
+            /// Those of [`relight`](super::relight).
+            pub fn relight<'l, 't>(
+                transfer: impl Into<Rgb<&'t super::Transfer>>,
+                light: impl Into<Rgb<Light<'l>>>,
+            ) -> Result<Scene, $crate::Error> {
+                let mut scene = blank();
+                relit(transfer.into(), light.into(), &mut scene)?;
+                Ok(scene)
+            }
+
+            /// [`relight`] into an existing scene, without moving it.
+            ///
+            /// # Errors
+            ///
+            /// The same; `scene` is then left unspecified.
+            pub fn relight_into<'l, 't>(
+                transfer: impl Into<Rgb<&'t super::Transfer>>,
+                light: impl Into<Rgb<Light<'l>>>,
+                scene: &mut Scene,
+            ) -> Result<(), $crate::Error> {
+                relit(transfer.into(), light.into(), scene)
+            }
+
+            fn relit(
+                transfer: Rgb<&super::Transfer>,
+                light: Rgb<Light<'_>>,
+                scene: &mut Scene,
+            ) -> Result<(), $crate::Error> {
+                let mut d = coefficients();
+                let Scene(Rgb { r, g, b }) = scene;
+                channel(transfer.r, &light.r, &mut d, r)?;
+                channel(transfer.g, &light.g, &mut d, g)?;
+                channel(transfer.b, &light.b, &mut d, b)
+            }
+
+            /// Relights and collapses one channel.
+            fn channel(
+                $transfer: &super::Transfer,
+                light: &Light<'_>,
+                d: &mut super::Coefficients,
+                scene: &mut super::Scene,
+            ) -> Result<(), $crate::Error> {
+                super::relight_into($view, light, d)?;
+                super::collapse_into(d, scene)
+            }
+
+            /// A scene to be overwritten.
+            #[inline(always)]
+            fn blank() -> Scene {
+                let blank = super::$scene::$blank;
+                Scene(Rgb::new(blank(), blank(), blank()))
+            }
+
+            #[inline(always)]
+            fn coefficients() -> super::Coefficients {
+                super::$coefficients::$of_numbers($($numbers)?)
+            }
+        }
+    };
+}

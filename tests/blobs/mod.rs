@@ -1,0 +1,292 @@
+//! Oracles of small sources, in f64: the blob that defines a source by quadrature, and the microfacet
+//! formula in slopes.
+
+use eigenshade::mathematics::{Libm, SinglePrecision};
+use eigenshade::{Gloss, Scalar, Source};
+use std::f64::consts::PI;
+
+pub type Vector = [f64; 3];
+
+pub fn dot(a: Vector, b: Vector) -> f64 {
+    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
+}
+
+pub fn cross(a: Vector, b: Vector) -> Vector {
+    [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
+}
+
+pub fn sum(a: Vector, weight: f64, b: Vector) -> Vector {
+    [a[0] + weight * b[0], a[1] + weight * b[1], a[2] + weight * b[2]]
+}
+
+pub fn scaled(a: Vector, factor: f64) -> Vector {
+    a.map(|component| component * factor)
+}
+
+pub fn unit(a: Vector) -> Vector {
+    scaled(a, 1.0 / dot(a, a).sqrt())
+}
+
+pub const VIEW: Vector = [0.0, 0.0, 1.0];
+
+/// The direction at an angle from the view, in an azimuth.
+pub fn at(angle: f64, azimuth: f64) -> Vector {
+    [angle.sin() * azimuth.cos(), angle.sin() * azimuth.sin(), angle.cos()]
+}
+
+/// Two tangents at a direction that is not the view's negative: away from the view, and across.
+pub fn tangents(direction: Vector) -> [Vector; 2] {
+    let across = cross(VIEW, direction);
+    let across = if dot(across, across) > 1e-24 { unit(across) } else { [0.0, 1.0, 0.0] };
+    [cross(across, direction), across]
+}
+
+/// A source in f64, and the tangent angle of its major axis.
+#[derive(Clone, Copy, Debug)]
+pub struct Blob {
+    pub direction: Vector,
+    pub angle: f64,
+    pub major: f64,
+    pub minor: f64,
+}
+
+impl Blob {
+    pub fn axis(&self) -> Vector {
+        let [along, across] = tangents(self.direction);
+        sum(scaled(along, self.angle.cos()), self.angle.sin(), across)
+    }
+
+    pub fn source(&self, energy: [f64; 3]) -> Source<f64> {
+        Source::new::<Libm>(self.direction, energy, scaled(self.axis(), self.major), self.minor)
+            .expect("a small source")
+    }
+
+    pub fn single(&self, energy: [f64; 3]) -> Source<f32> {
+        let of = |v: Vector| v.map(|x| x as f32);
+        let major = of(scaled(self.axis(), self.major));
+        let [direction, energy] = [self.direction, energy].map(of);
+        Source::new::<SinglePrecision>(direction, energy, major, self.minor as f32)
+            .expect("a small source")
+    }
+
+    /// Directions and weights that integrate the blob as it is defined: a heat kernel at each node
+    /// along the major axis, by trapezoid sums of this spacing at most.
+    pub fn nodes(&self, spacing: f64) -> Vec<(Vector, f64)> {
+        let length = (self.major.powi(2) - self.minor.powi(2)).max(0.0).sqrt();
+        let axis = self.axis();
+        let arc: Vec<(Vector, f64)> = if length > 0.0 {
+            let step = spacing.min(0.7 * length);
+            let count = (7.0 * length / step).ceil() as i32;
+            (-count..=count)
+                .map(|k| {
+                    let x = f64::from(k) * step;
+                    let direction = sum(scaled(self.direction, x.cos()), x.sin(), axis);
+                    (direction, (-0.5 * (x / length).powi(2)).exp())
+                })
+                .collect()
+        } else {
+            vec![(self.direction, 1.0)]
+        };
+        let kernel = heat_kernel(self.minor, spacing);
+        let mut nodes: Vec<_> = arc
+            .iter()
+            .flat_map(|&(center, weight)| {
+                let [a, b] = tangents(center);
+                kernel.iter().map(move |&([u, v], of_kernel)| {
+                    let angle = u.hypot(v);
+                    let tangent = sum(scaled(a, u), v, b);
+                    let ratio = if angle > 0.0 { angle.sin() / angle } else { 1.0 };
+                    (sum(scaled(center, angle.cos()), ratio, tangent), weight * of_kernel)
+                })
+            })
+            .collect();
+        let total: f64 = nodes.iter().map(|(_, weight)| weight).sum();
+        nodes.iter_mut().for_each(|(_, weight)| *weight /= total);
+        nodes
+    }
+}
+
+/// Points of a tangent plane, as angles, and weights of the heat kernel there: its harmonics summed
+/// at each distance.
+pub fn heat_kernel(spread: f64, spacing: f64) -> Vec<([f64; 2], f64)> {
+    if spread == 0.0 {
+        return vec![([0.0; 2], 1.0)];
+    }
+    let variance = spread * spread;
+    let value = |cosine: f64| {
+        let (mut before, mut now, mut sum) = (0.0, 1.0, 0.0);
+        for l in 0..(9.0 / spread) as i32 + 8 {
+            let degree = f64::from(l);
+            sum += (2.0 * degree + 1.0) * (-0.5 * degree * (degree + 1.0) * variance).exp() * now;
+            let next = ((2.0 * degree + 1.0) * cosine * now - degree * before) / (degree + 1.0);
+            (before, now) = (now, next);
+        }
+        sum
+    };
+    let reach = (7.0 * spread).min(3.1);
+    let step = spacing.min(0.7 * spread);
+    let count = (reach / step).ceil() as i32;
+    let mut points = Vec::new();
+    for i in -count..=count {
+        for j in -count..=count {
+            let [u, v] = [i, j].map(|k| f64::from(k) * step);
+            let angle = u.hypot(v);
+            if angle < reach {
+                let ratio = if angle > 0.0 { angle.sin() / angle } else { 1.0 };
+                points.push(([u, v], value(angle.cos()) * ratio));
+            }
+        }
+    }
+    points
+}
+
+/// A material in f64, one channel.
+#[derive(Clone, Copy, Debug)]
+pub struct Glossy {
+    pub roughness: f64,
+    pub f0: f64,
+    pub albedo: f64,
+}
+
+impl Glossy {
+    pub fn alpha(&self) -> f64 {
+        self.roughness * self.roughness
+    }
+
+    pub fn gloss<S: Scalar>(&self) -> Gloss<S> {
+        let [roughness, f0, albedo] = [self.roughness, self.f0, self.albedo].map(S::from_f64);
+        Gloss::new(roughness, [f0; 3], [albedo; 3]).expect("numbers from 0 to 1")
+    }
+
+    pub fn fresnel(&self, cosine: f64) -> f64 {
+        self.f0 + (1.0 - self.f0) * (1.0 - cosine).powi(5)
+    }
+
+    /// Smith's term for the cosines of light and view.
+    pub fn visibility(&self, light: f64, view: f64) -> f64 {
+        let square = self.alpha().powi(2);
+        let root = |cosine: f64| (square + (1.0 - square) * cosine * cosine).sqrt();
+        0.5 / (light * root(view) + view * root(light))
+    }
+
+    /// BRDF times cosine for light from one direction at a normal.
+    pub fn reflected(&self, light: Vector, normal: Vector) -> f64 {
+        let [cosine, view] = [dot(light, normal), normal[2]];
+        if cosine <= 0.0 {
+            return 0.0;
+        }
+        let half = unit(sum(light, 1.0, VIEW));
+        let square = self.alpha().powi(2);
+        let facing = dot(half, normal);
+        let divisor = facing * facing * (square - 1.0) + 1.0;
+        let distribution = square / (PI * divisor * divisor);
+        let fresnel = self.fresnel(dot(half, VIEW));
+        let matte = (1.0 - fresnel) * self.albedo / PI;
+        cosine * (matte + fresnel * distribution * self.visibility(cosine, view))
+    }
+
+    /// The lobe of a source of energy 1, with D from slopes about the half-way direction, no wider
+    /// across the plane of source and view than a uniform one.
+    pub fn lobe(&self, blob: &Blob, blur: Option<f64>, normal: Vector) -> f64 {
+        let [cosine, view] = [dot(blob.direction, normal), normal[2]];
+        if cosine <= 0.0 {
+            return 0.0;
+        }
+        let half = unit(sum(blob.direction, 1.0, VIEW));
+        let along_view = dot(half, VIEW);
+        let covariance = {
+            let [c, s] = [blob.angle.cos(), blob.angle.sin()];
+            let [long, short] = [blob.major.powi(2), blob.minor.powi(2)];
+            [
+                [long * c * c + short * s * s, (long - short) * c * s],
+                [(long - short) * c * s, long * s * s + short * c * c],
+            ]
+        };
+        let jacobian = [0.5, 0.5 / along_view];
+        let mut wide = [[0.0; 2]; 2];
+        for i in 0..2 {
+            for j in 0..2 {
+                wide[i][j] = jacobian[i] * covariance[i][j] * jacobian[j];
+            }
+        }
+        let ratio = 0.5 * (wide[0][0] + wide[1][1]) / self.alpha().powi(2);
+        let blur = blur.unwrap_or(2.0 + 1.0 / (1.0 + ratio));
+        for (i, row) in wide.iter_mut().enumerate() {
+            row.iter_mut().for_each(|element| *element *= blur);
+            row[i] += self.alpha().powi(2);
+        }
+        let behind = covariance[1][1] / along_view.powi(2);
+        let faded = 1.0 / (1.0 + 0.5 * behind * behind);
+        if wide[1][1] > 1.0 {
+            wide[0][1] /= wide[1][1];
+            wide[1][0] = wide[0][1];
+            wide[1][1] = 1.0;
+        }
+        let determinant = wide[0][0] * wide[1][1] - wide[0][1] * wide[1][0];
+        // The tangents of the source's plane at the half-way direction.
+        let across = tangents(blob.direction)[1];
+        let along = cross(across, half);
+        let facing = dot(half, normal);
+        let [p, q] = [dot(along, normal) / facing, dot(across, normal) / facing];
+        let quadratic =
+            (wide[1][1] * p * p - 2.0 * wide[0][1] * p * q + wide[0][0] * q * q) / determinant;
+        let distribution =
+            1.0 / (PI * determinant.sqrt() * facing.powi(4) * (1.0 + quadratic).powi(2));
+        let fresnel = self.fresnel(along_view);
+        let matte = (1.0 - fresnel) * self.albedo / PI;
+        cosine * (matte + faded * fresnel * distribution * self.visibility(cosine, view))
+    }
+}
+
+/// Normals uniform over the sphere's disc.
+pub fn disc(width: i32) -> Vec<Vector> {
+    let place = |k: i32| f64::from(2 * k + 1) / f64::from(width) - 1.0;
+    let all = (0..width * width).map(|k| [place(k % width), place(k / width)]);
+    all.filter(|[x, y]| x.hypot(*y) < 1.0)
+        .map(|[x, y]| [x, y, (1.0 - x * x - y * y).sqrt()])
+        .collect()
+}
+
+/// Normals around the half-way direction of a source, in steps of a part of the lobe.
+pub fn around(blob: &Blob, step: f64, count: i32) -> Vec<Vector> {
+    let half = unit(sum(blob.direction, 1.0, VIEW));
+    let [a, b] = tangents(half);
+    let mut normals = Vec::new();
+    for i in -count..=count {
+        for j in -count..=count {
+            let [u, v] = [i, j].map(|k| f64::from(k) * step);
+            normals.push(unit(sum(sum(half, u, a), v, b)));
+        }
+    }
+    normals.retain(|normal| normal[2] >= 0.0);
+    normals
+}
+
+/// The κ of the runtime, by which the blob's covariance widens the lobe.
+pub const BLUR: Option<f64> = None;
+
+/// Blobs by angle from the view: round and elongated, from a point to the widest.
+pub fn blobs(degrees: &[f64]) -> Vec<Blob> {
+    let shapes = [(0.0, 0.0), (0.02, 0.02), (0.1, 0.03), (0.2, 0.0), (0.5, 0.5)];
+    let mut blobs = Vec::new();
+    for (k, degrees) in degrees.iter().enumerate() {
+        for (j, (major, minor)) in shapes.into_iter().enumerate() {
+            let direction = at(degrees.to_radians(), 0.4 + 1.3 * k as f64);
+            blobs.push(Blob { direction, angle: 0.3 + j as f64, major, minor });
+        }
+    }
+    blobs
+}
+
+pub const ANGLES: [f64; 9] = [0.0, 0.01, 5.0, 40.0, 80.0, 90.0, 110.0, 150.0, 175.0];
+
+/// Normals of the disc, around the highlight, and of the rim.
+pub fn normals_for(blob: &Blob, width: f64) -> Vec<Vector> {
+    let mut normals = disc(24);
+    normals.extend(around(blob, 0.4 * width, 5));
+    normals.extend(
+        (0..24).map(|k| at(0.5 * PI, f64::from(k) * PI / 12.0)).map(|[x, y, _]| [x, y, 0.0]),
+    );
+    normals.push(VIEW);
+    normals
+}

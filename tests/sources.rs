@@ -1,0 +1,242 @@
+//! Small sources taken out of a light, against quadrature of the blob that defines a source; and the
+//! gloss that reflects them.
+
+use crate::blobs::{ANGLES, Blob, VIEW, at, blobs, dot};
+use crate::oracle::{ExplicitLight, Numbers};
+use eigenshade::mathematics::{Libm, SinglePrecision, Tabled};
+use eigenshade::{Argument, Error, Gloss, Light, LightBuffer, Rgb, Rotation, Scalar, Source};
+use std::f64::consts::PI;
+
+/// Coefficients of a blob by the trapezoid rule of the runtime, for energy 1: its ends and its
+/// aliases leave 4e-6 each, of a harmonic of at most 1.41 times √((2l + 1) / 4π) = 1.41.
+const BLOB: f64 = 1e-5;
+
+/// The coefficients that a source takes from no light, negated.
+fn taken<S: Scalar, const N: usize>(source: Source<S>) -> Vec<S>
+where
+    Libm: eigenshade::mathematics::Mathematics<S>,
+{
+    let dark = [S::ZERO; N];
+    let light = Rgb::gray(Light::new(&dark).expect("all degrees"));
+    let residual = light.residual::<Libm, N>(&[source]).expect("room");
+    residual.r.iter().map(|&coefficient| -coefficient).collect()
+}
+
+#[test]
+fn blobs_have_the_harmonics_of_their_definition() {
+    let explicit: Vec<_> = (0..169)
+        .map(|k| {
+            let mut alone = [0.0; 169];
+            alone[k] = 1.0;
+            ExplicitLight::new(&alone)
+        })
+        .collect();
+    let shapes =
+        [(0.0, 0.0), (0.05, 0.05), (0.3, 0.0), (0.3, 0.1), (0.5, 0.45), (0.5, 0.0), (0.4, 0.4)];
+    let directions =
+        [VIEW, [0.0, 0.0, -1.0], at(1e-6, 2.0), at(0.7, 0.4), at(PI / 2.0, 2.5), at(2.5, -1.0)];
+    let mut most = 0.0_f64;
+    for (k, direction) in directions.into_iter().enumerate() {
+        for (major, minor) in shapes {
+            let blob = Blob { direction, angle: 0.5 + k as f64, major, minor };
+            let found = taken::<f64, 169>(blob.source([1.0, 0.0, 0.0]));
+            let nodes = blob.nodes(0.2);
+            for (found, explicit) in found.iter().zip(&explicit) {
+                let expected: f64 =
+                    nodes.iter().map(|&(at, weight)| weight * explicit.radiance(at)).sum();
+                most = most.max((found - expected).abs());
+            }
+        }
+    }
+    println!("of energy 1: {most:e}");
+    assert!(most <= BLOB, "{most:e}");
+}
+
+/// Degree 9 in f32: the direction rounded by 6e-8, times a slope of up to 13, and nine steps of a
+/// recurrence with factors of up to 2.
+const BLOB_F32: f64 = 4e-6;
+
+#[test]
+fn blobs_in_single_precision() {
+    let mut most = 0.0_f64;
+    for blob in blobs(&ANGLES) {
+        let exact = taken::<f64, 100>(blob.source([1.0; 3]));
+        let dark = [0.0; 100];
+        let light = Rgb::gray(Light::new(&dark).expect("degree 9"));
+        for residual in [
+            light.residual::<SinglePrecision, 100>(&[blob.single([1.0; 3])]),
+            light.residual::<Tabled, 100>(&[blob.single([1.0; 3])]),
+        ] {
+            for (found, exact) in residual.expect("room").g.iter().zip(&exact) {
+                most = most.max((f64::from(-found) - exact).abs());
+            }
+        }
+    }
+    println!("of energy 1: {most:e}");
+    assert!(most <= BLOB_F32, "{most:e}");
+}
+
+fn noise<const N: usize>(numbers: &mut Numbers) -> Rgb<[f64; N]> {
+    Rgb::gray(()).map(|()| [(); N].map(|()| numbers.next()))
+}
+
+fn sources() -> [Source<f64>; 4] {
+    let blobs = blobs(&[20.0, 100.0]);
+    [0, 1, 7, 8].map(|k| blobs[k].source([1.0 + k as f64, 0.5, 30.0]))
+}
+
+fn lights<const N: usize>(residual: &Rgb<LightBuffer<f64, N>>) -> Rgb<Light<'_, f64>> {
+    residual.lights().expect("all degrees")
+}
+
+/// L = L' + Σ E Y, each channel with its own energy, and L' turns as the light and the sources do.
+#[test]
+fn residuals_lose_what_sources_take_and_turn_with_them() {
+    let mut numbers = Numbers(3);
+    let of_light = noise::<100>(&mut numbers);
+    let light = of_light.each_ref().try_map(|channel| Light::new(channel)).expect("degree 9");
+    let sources = sources();
+    let residual = light.residual::<Libm, 100>(&sources).expect("room");
+    let mut most = 0.0_f64;
+    for (channel, k) in [(&residual.r, 0), (&residual.g, 1), (&residual.b, 2)] {
+        let of_light: [&[f64]; 3] = light.map(|light| light.coefficients()).into();
+        let energy = |source: &Source<f64>| <[f64; 3]>::from(source.energy())[k];
+        let blobs =
+            sources.map(|source| (energy(&source), taken::<f64, 100>(with_energy_1(source))));
+        for (place, rest) in channel.iter().enumerate() {
+            let sum: f64 = blobs.iter().map(|(energy, blob)| energy * blob[place]).sum();
+            most = most.max((rest + sum - of_light[k][place]).abs());
+        }
+    }
+    // Sums of four energies of up to 30.
+    assert!(most <= 1e-13, "{most:e}");
+
+    let rotation = Rotation::from_euler::<Libm>(0.4, 2.0, -1.1).expect("a rotation");
+    let turned = light.turned::<100>(&rotation).expect("room");
+    let turned_sources = sources.map(|source| source.turned(rotation));
+    let before = lights(&turned).residual::<Libm, 100>(&turned_sources).expect("room");
+    let after = lights(&residual).turned::<100>(&rotation).expect("room");
+    for (before, after) in [(before.r, after.r), (before.g, after.g), (before.b, after.b)] {
+        for (before, after) in before.iter().zip(&after) {
+            assert!((before - after).abs() <= 1e-12, "{before} {after}");
+        }
+    }
+    // The same blob, seen from elsewhere.
+    let back = turned_sources.map(|source| source.turned(rotation.inverse()));
+    for (back, source) in back.iter().zip(&sources) {
+        for (a, b) in [(back.direction(), source.direction()), (back.major(), source.major())] {
+            assert!(a.iter().zip(b).all(|(a, b)| (a - b).abs() <= 1e-15));
+        }
+        assert_eq!((back.minor(), back.energy()), (source.minor(), source.energy()));
+    }
+}
+
+fn with_energy_1(source: Source<f64>) -> Source<f64> {
+    Source::new::<Libm>(source.direction(), [1.0; 3], source.major(), source.minor())
+        .expect("it was one before")
+}
+
+/// The channels of a light may have degrees of their own.
+#[test]
+fn residuals_of_channels_of_several_degrees() {
+    let (low, high) = ([1.0; 4], [1.0; 16]);
+    let light = Rgb::new(&low[..], &high[..], &low[..1]);
+    let light = light.try_map(Light::new).expect("all degrees");
+    let source = Source::round::<Libm>([0.0, 0.6, 0.8], [1.0; 3], 0.1).expect("a source");
+    let residual = light.residual::<Libm, 16>(&[source]).expect("room");
+    let blob = taken::<f64, 16>(source);
+    assert_eq!([residual.r.len(), residual.g.len(), residual.b.len()], [4, 16, 1]);
+    for channel in [&residual.r, &residual.g, &residual.b] {
+        assert!(channel.iter().zip(&blob).all(|(rest, blob)| (rest + blob - 1.0).abs() <= 1e-15));
+    }
+    let refused = light.residual::<Libm, 9>(&[source]);
+    let expected = Error::Capacity { argument: Argument::Light, needed: 16, capacity: 9 };
+    assert_eq!(refused, Err(expected));
+}
+
+#[test]
+fn sources_that_are_none_are_refused() {
+    let new = |direction, energy: [f32; 3], major, minor| {
+        Source::new::<SinglePrecision>(direction, energy, major, minor)
+    };
+    let (front, gray, wide) = ([0.0, 0.0, 1.0], [1.0; 3], [0.5, 0.0, 0.0]);
+    assert!(new(front, gray, wide, 0.5).is_ok());
+    assert!(new(front, [0.0; 3], [0.0; 3], 0.0).is_ok());
+    for (direction, energy, major, minor) in [
+        (front, gray, [0.51, 0.0, 0.0], 0.1),
+        (front, gray, wide, 0.51),
+        (front, gray, wide, -0.1),
+        (front, gray, wide, f32::NAN),
+        (front, gray, [f32::NAN, 0.0, 0.0], 0.1),
+        (front, gray, [f32::INFINITY, 0.0, 0.0], 0.1),
+        // Along the direction, so nothing is left.
+        (front, gray, [0.0, 0.0, 0.5], 0.1),
+        (front, [1.0, -1e-6, 1.0], wide, 0.1),
+        (front, [1.0, f32::NAN, 1.0], wide, 0.1),
+        (front, [1.0, f32::INFINITY, 1.0], wide, 0.1),
+        ([0.0; 3], gray, wide, 0.1),
+        ([0.0, 0.0, 1.01], gray, wide, 0.1),
+        ([f32::NAN, 0.0, 1.0], gray, wide, 0.1),
+    ] {
+        assert_eq!(new(direction, energy, major, minor), Err(Error::Source), "{major:?} {minor}");
+    }
+    for spread in [-0.1, 0.51, f32::NAN] {
+        assert_eq!(Source::round::<SinglePrecision>(front, gray, spread), Err(Error::Source));
+    }
+    assert_eq!(Source::round::<SinglePrecision>([0.0; 3], gray, 0.1), Err(Error::Source));
+
+    // What is nearly right is made right.
+    let source = new([0.6, 0.0, 0.8004], gray, [0.1, 0.1, 0.1], 0.05).expect("a source");
+    let [direction, major] = [source.direction(), source.major()].map(|v| v.map(f64::from));
+    assert!((dot(direction, direction) - 1.0).abs() < 6e-7 && dot(direction, major).abs() < 3e-8);
+    for k in 0..50 {
+        let direction = at(0.07 * f64::from(k), f64::from(k)).map(|x| x as f32);
+        let source = Source::round::<SinglePrecision>(direction, gray, 0.2).expect("a source");
+        let major = source.major().map(f64::from);
+        assert!(
+            (dot(major, major).sqrt() - 0.2).abs() < 1e-7 && (source.minor() - 0.2).abs() < 1e-7
+        );
+    }
+}
+
+#[test]
+fn gloss_is_that_of_gltf() {
+    let gloss = Gloss::metallic_roughness([0.5, 1.0, 0.0], 0.25, 0.6).expect("a material");
+    assert!((gloss.alpha() - 0.36_f64).abs() <= 1e-15);
+    for (found, expected) in
+        [(gloss.reflectance(), [0.155, 0.28, 0.03]), (gloss.albedo(), [0.375, 0.75, 0.0])]
+    {
+        let found: [f64; 3] = found.into();
+        assert!(found.iter().zip(expected).all(|(f, e)| (f - e).abs() <= 1e-15), "{found:?}");
+    }
+    assert_eq!(Gloss::new(0.0_f32, [0.0; 3], [0.0; 3]).map(|gloss| gloss.alpha()), Ok(0.1 * 0.1));
+    let refused = |gloss: Result<Gloss<f32>, Error>, argument| {
+        assert_eq!(gloss, Err(Error::Outside { argument }));
+    };
+    refused(Gloss::new(1.1, [0.0; 3], [0.0; 3]), Argument::Roughness);
+    refused(Gloss::new(f32::NAN, [0.0; 3], [0.0; 3]), Argument::Roughness);
+    refused(Gloss::new(0.5, [0.0, -0.1, 0.0], [0.0; 3]), Argument::Reflectance);
+    refused(Gloss::new(0.5, [0.0; 3], [0.0, 0.0, 1.1]), Argument::Color);
+    refused(Gloss::metallic_roughness([0.0, 1.1, 0.0], 0.5, 0.5), Argument::Color);
+    refused(Gloss::metallic_roughness([0.0; 3], -0.5, 0.5), Argument::Metallic);
+    refused(Gloss::metallic_roughness([0.0; 3], 0.5, 1.5), Argument::Roughness);
+    for (color, metallic) in [(1.0_f32, 0.0), (1.0, 0.3), (1.0, 0.7), (1.0, 1.0), (0.0, 0.6)] {
+        assert!(Gloss::metallic_roughness([color; 3], metallic, 0.5).is_ok(), "{color} {metallic}");
+    }
+}
+
+/// Of f0 and of the matte base, what the coefficients of a glTF material are made of.
+#[cfg(feature = "presets")]
+#[test]
+fn gloss_agrees_with_coefficients() {
+    let color = [0.9, 0.4, 0.1];
+    for metallic in [0.0, 0.3, 1.0] {
+        let gloss = Gloss::metallic_roughness(color, metallic, 0.5).expect("a material");
+        let shares = eigenshade::Material::metallic_roughness_shares(color, metallic);
+        let shares = shares.expect("a material");
+        let parts: [_; 3] = shares.zip(gloss.reflectance()).zip(gloss.albedo()).into();
+        for (([matte, _, metal], f0), albedo) in parts {
+            assert!((f0 - metal).abs() <= 1e-7 && (albedo * (1.0 - f0) - matte).abs() <= 1e-7);
+        }
+    }
+}
