@@ -2,6 +2,7 @@
 //! the shipped materials.
 
 use crate::support::repository;
+use eigenshade_model::source::NamedGloss;
 use eigenshade_shading::shipped;
 use experiments::highlights::{Row, errors, glosses, parts};
 use experiments::pages::filled;
@@ -104,11 +105,14 @@ fn glosses_are_fitted_again() {
     let all = glosses(&repository().join("tables/inputs")).unwrap();
     assert_eq!(all.len(), 94);
     // As docs/highlights.md says: 7 % in the median, 28 % or more for a quarter.
-    let mut errors: Vec<f64> = all.iter().map(|(.., left)| *left).collect();
+    let mut errors: Vec<f64> = all.iter().map(|one| one.error).collect();
     errors.sort_by(f64::total_cmp);
     assert!((0.065..0.075).contains(&errors[46]) && errors[70] >= 0.28, "{errors:?}");
-    for (name, gloss, left) in all {
-        let (recorded, error) = shipped::gloss(&name).unwrap();
+    for (NamedGloss { name, gloss, error: left }, recorded) in
+        all.into_iter().zip(shipped::glosses().unwrap())
+    {
+        assert_eq!(name, recorded.name);
+        let NamedGloss { gloss: recorded, error, .. } = recorded;
         let near = |a: f64, b: f64| assert!((a - b).abs() <= 2e-4, "{name}: {a} {b}");
         near(gloss.roughness, recorded.roughness);
         near(left, error);

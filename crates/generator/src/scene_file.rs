@@ -3,6 +3,8 @@
 use crate::basis;
 use crate::basis::choice::Choice;
 use crate::basis::general;
+use crate::material::analytic;
+use crate::material::brdf::{Measure, Surface};
 use crate::object::geometry::{Geometry, WeightedNormals};
 use crate::object::{density, mesh, normal_map};
 use eigenshade_index::effect::Effects;
@@ -13,6 +15,7 @@ use eigenshade_model::inputs::input_file::InputFile;
 use eigenshade_model::inputs::normals::read_weighted_normals;
 use eigenshade_table::scene::{self, KNOTS, LightRotation};
 use eigenshade_table::{Scene, Table};
+use rayon::iter::{IntoParallelRefIterator, ParallelIterator};
 use std::path::{Path, PathBuf};
 
 /// A scene with the databases that it names.
@@ -91,15 +94,26 @@ pub fn load(file: impl Into<InputFile>) -> Result<Loaded> {
     let lights = file.other(folder.join(&scene.light.database));
     let lights = read_lights(lights, Some(scene.light.degree))?;
     let databases = scene.material.database.iter().map(|path| folder.join(path));
-    let order = Some(scene.material.order);
-    let (mut materials, order_of_file) =
-        together(databases, |path| read_materials_and_order(file.other(path), order))?;
+    let order = scene.material.order;
+    let (mut materials, order_of_file) = together(databases, |path| {
+        if path.extension().is_some_and(|end| end == "toml") {
+            return Ok((projected(path, order)?, order));
+        }
+        read_materials_and_order(file.other(path), Some(order))
+    })?;
     if !scene.material.names.is_empty() {
         materials.entries = named(&materials, &scene.material.names)
             .map_err(|error| error.in_file(folder.join(scene.material.database.join(", "))))?;
     }
     let geometry = read_geometry(&scene.geometry, scene.light.degree, &file)?;
     Ok(Loaded { scene, lights, materials, order_of_file, geometry })
+}
+
+/// The formulas of a file, projected to this order.
+fn projected(path: &Path, order: usize) -> Result<Materials> {
+    let surfaces = analytic::read(path)?;
+    let project = |surface: &Surface| surface.project(order, Measure::default()).material;
+    Ok(Materials { order, entries: surfaces.par_iter().map(project).collect() })
 }
 
 /// The files from which the table of a scene file is made, starting with the scene file itself,
