@@ -237,14 +237,15 @@ pub fn glosses(inputs: &Path) -> Result<Vec<NamedGloss>> {
     surfaces(inputs)?.iter().map(gloss::named).collect()
 }
 
-/// The errors that the shipped sources of each captured light leave.
+/// The errors that the shipped sources of each captured light leave, or of those with these names.
 ///
 /// # Errors
 ///
 /// If a map or the sources cannot be read.
-pub fn remaining(inputs: &Path, progress: &ProgressBar) -> Result<Vec<SetError>> {
+pub fn remaining(inputs: &Path, names: &[String], progress: &ProgressBar) -> Result<Vec<SetError>> {
     let metals = remaining::metals()?;
-    let lights = read_sources(inputs.join("sources.csv"))?;
+    let mut lights = read_sources(inputs.join("sources.csv"))?;
+    lights.retain(|sets| names.is_empty() || names.contains(&sets.name));
     progress.set_length(lights.len() as u64);
     let mut all = Vec::new();
     for sets in lights {

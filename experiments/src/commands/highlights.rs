@@ -42,6 +42,9 @@ impl Gloss {
 /// They are the same that `eigenshade light --sources` writes for the same sources.
 #[derive(Args, Debug)]
 pub struct SourceErrors {
+    /// Names of lights [default: all]
+    #[arg(value_name = "LIGHT")]
+    lights: Vec<String>,
     /// Folder of the shipped tables' inputs
     #[arg(long, value_name = "DIR", default_value = "tables/inputs")]
     inputs: PathBuf,
@@ -53,7 +56,7 @@ pub struct SourceErrors {
 impl SourceErrors {
     pub fn run(self) -> Result<()> {
         let progress = progress_bar("lights", 0);
-        let errors = highlights::remaining(&self.inputs, &progress)?;
+        let errors = highlights::remaining(&self.inputs, &self.lights, &progress)?;
         progress.finish_and_clear();
         output::write(self.out.as_deref(), |out| {
             write_command_line(out)?;
