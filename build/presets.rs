@@ -200,12 +200,56 @@ fn sources() -> Result<(), String> {
         );
         all += &format!("    (\"{light}\", {most}, {constant}),\n");
     }
+    constants += &source_sets(&sets)?;
     let count = sets.len();
     let text = format!(
         "{constants}/// All of them, by the name of the light and the most sources.\n\
          pub const ALL: [(&str, usize, &[Source<f32>]); {count}] = [\n{all}];\n"
     );
     write_output("preset_sources.rs", &text)
+}
+
+/// Constants such as `STUDIO`: no sources, and the sets of a light, with their errors at the degree and
+/// order of the presets.
+fn source_sets(sets: &[(String, usize, String)]) -> Result<String, String> {
+    let mut constants: Vec<(String, String, usize)> = Vec::new();
+    for (light, numbers) in rows("tables/inputs/sources.errors.csv")? {
+        let [most, degree, order, rms @ .., _, _, _, _, _, _]: [f64; 15] = numbers;
+        if [degree, order] != [DEGREE as f64, ORDER as f64] {
+            continue;
+        }
+        let name = light.to_uppercase().replace('-', "_");
+        let sources = match most as usize {
+            0 => "&[]".to_owned(),
+            most if sets.iter().any(|set| set.0 == light && set.1 == most) => {
+                format!("{name}_{most}")
+            }
+            most => return Err(format!("`{light}` has no set of {most} sources")),
+        };
+        let errors: [f64; 6] = rms;
+        let text = format!("    SourceSet::new({sources}, {errors:?}),\n");
+        match constants.last_mut() {
+            Some(last) if last.0 == light => {
+                (last.1, last.2) = (last.1.clone() + &text, last.2 + 1)
+            }
+            _ => constants.push((light, text, 1)),
+        }
+    }
+    let name = |light: &str| light.to_uppercase().replace('-', "_");
+    let (mut text, mut all) = (String::new(), String::new());
+    for (light, sets, count) in &constants {
+        let name = name(light);
+        text += &format!(
+            "/// No sources of `{light}`, and its sets.\n\
+             pub const {name}: [SourceSet<'static, f32>; {count}] = [\n{sets}];\n"
+        );
+        all += &format!("    (\"{light}\", &{name}),\n");
+    }
+    let count = constants.len();
+    Ok(format!(
+        "{text}/// The sets of all lights, by name.\n\
+         pub const SETS: [(&str, &[SourceSet<'static, f32>]); {count}] = [\n{all}];\n"
+    ))
 }
 
 /// Writes the gloss of the materials in color as constants.

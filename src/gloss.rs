@@ -10,6 +10,9 @@ pub(crate) const DIELECTRIC: f64 = 0.04;
 /// The least roughness. Lobes of f32 lose more digits the narrower they are.
 const SMOOTHEST: f64 = 0.1;
 
+/// The roughness from which on harmonics of degree 9 show highlights as well as sources do.
+const MATTE: f64 = 0.6;
+
 /// The parameters of a GGX lobe over a matte base, with which [`Highlights`](crate::Highlights)
 /// shade small sources of light.
 ///
@@ -117,6 +120,23 @@ impl<S: Scalar> Gloss<S> {
     #[must_use]
     pub const fn alpha(&self) -> S {
         self.alpha
+    }
+
+    /// Whether sources make pictures of this material nearer: its roughness is below 0.6. Harmonics of
+    /// degree 9 show wider lobes without.
+    ///
+    /// ```
+    /// use eigenshade::Gloss;
+    ///
+    /// let gloss = |roughness| Gloss::new(roughness, [0.9_f32; 3], [0.0; 3]);
+    /// assert!(gloss(0.3)?.needs_sources());
+    /// assert!(!gloss(0.6)?.needs_sources());
+    /// # Ok::<(), eigenshade::Error>(())
+    /// ```
+    #[must_use]
+    pub fn needs_sources(&self) -> bool {
+        let matte = S::from_f64(MATTE);
+        self.alpha < matte * matte
     }
 
     /// The reflectance at normal incidence, f0.

@@ -5,8 +5,8 @@ use eigenshade::presets::{gloss, light, material, sources};
 use eigenshade::quantized;
 use eigenshade::sphere::{self, q15};
 use eigenshade::{
-    Argument, Disc, Display, Error, Light, MapPoint, Material, Normal, Normals, Q15, Rgb, Source,
-    Tolerance, Tone, index,
+    Argument, Disc, Display, Error, Gloss, Light, MapPoint, Material, Normal, Normals, Q15, Rgb,
+    Source, SourceSet, Tolerance, Tone, index,
 };
 use eigenshade_shading::{highlights, shipped};
 
@@ -87,6 +87,40 @@ fn presets_are_the_shipped_files() {
     }
 }
 
+/// The errors of the sets are those of the file, at the degree and order of the presets, and the choice
+/// for a tolerance is that of the file's numbers.
+#[test]
+fn sets_have_the_errors_of_the_shipped_file() {
+    let files = shipped::set_errors().unwrap();
+    let size = (sphere::DEGREE, sphere::ORDER);
+    let mut count = 0;
+    for (light, sets) in sources::SETS {
+        let of_light = files.iter().filter(|one| one.light == light && one.size == size);
+        let of_light: Vec<_> = of_light.collect();
+        assert_eq!(sets.len(), of_light.len(), "{light}");
+        for tenths in 1..=10_u8 {
+            let roughness = f64::from(tenths) / 10.0;
+            let gloss = Gloss::new(roughness as f32, [0.9; 3], [0.0; 3]).unwrap();
+            for (set, file) in sets.iter().zip(&of_light) {
+                let (found, expected) = (f64::from(set.error(&gloss)), file.at(roughness).rms);
+                assert!(
+                    (found - expected).abs() < 1e-6,
+                    "{light}, {roughness}: {found} {expected}"
+                );
+                count += 1;
+            }
+            for tolerance in [1.03e-3, 5.03e-3, 1.003e-2, 2.003e-2, 5.003e-2] {
+                let chosen = SourceSet::within(sets, &gloss, tolerance as f32);
+                let fits =
+                    |k: &usize| roughness >= 0.6 || of_light[*k].at(roughness).rms <= tolerance;
+                let expected = (0..sets.len()).find(fits);
+                assert_eq!(chosen, expected.map(|k| sets[k]), "{light}, {roughness}, {tolerance}");
+            }
+        }
+    }
+    assert!(count >= 18 * 4 * 10, "{count}");
+}
+
 /// Sources are those of the files after their check, and so are glosses.
 #[test]
 fn sources_and_glosses_are_the_shipped_files() {
@@ -114,9 +148,14 @@ fn sources_and_glosses_are_the_shipped_files() {
         }
     }
     assert!(all.next().is_none());
-    for (name, preset) in gloss::ALL {
-        let (file, _) = shipped::gloss(name).unwrap();
-        assert_eq!(Ok(preset), highlights::gloss::<f32>(&file).map_err(|error| error.to_string()));
+    let glosses = shipped::glosses().unwrap();
+    assert_eq!(gloss::ALL.len(), glosses.len());
+    for ((name, preset), file) in gloss::ALL.into_iter().zip(glosses) {
+        assert_eq!(name, file.name);
+        assert_eq!(
+            Ok(preset),
+            highlights::gloss::<f32>(&file.gloss).map_err(|error| error.to_string())
+        );
     }
 }
 

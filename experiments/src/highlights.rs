@@ -3,22 +3,19 @@
 
 use crate::numbers::{median, percent};
 use crate::pages::{Page, Part, table};
-use eigenshade::mathematics::Libm;
-use eigenshade::{Highlights, Normal};
 use eigenshade_cli::output::Rows;
 use eigenshade_generator::light::environment::EnvironmentMap;
 use eigenshade_generator::light::projection::named_maps;
 use eigenshade_generator::material::brdf::{Measure, Surface};
 use eigenshade_generator::material::files::{Source as MaterialSource, read};
-use eigenshade_index::light;
 use eigenshade_model::error::{Error, Result};
-use eigenshade_model::inputs::source_csv::{MOST, read_sources};
+use eigenshade_model::inputs::source_csv::read_sources;
 use eigenshade_model::rotation::Rotation;
-use eigenshade_model::source::{Gloss, Source, SourceSets};
-use eigenshade_shading::shader::fault;
-use eigenshade_shading::{highlights, parallel, shipped};
+use eigenshade_model::source::{NamedGloss, SetError, SourceSets};
+use eigenshade_shading::shipped;
 use eigenshade_sources::gloss;
 use eigenshade_sources::pursuit::{self, ROUGHNESS, SETS};
+use eigenshade_sources::remaining::{self, off, picture};
 use eigenshade_sources::response::{Glossy, Response};
 use eigenshade_sources::sphere::{Picture, Sphere};
 use eigenshade_sources::view::View;
@@ -122,9 +119,9 @@ pub fn errors(inputs: &Path, names: &[String], progress: &ProgressBar) -> Result
                 for (response, (size, has_sources)) in material.responses.iter().zip(SIZES) {
                     let counts = std::iter::once(0).chain(SETS.into_iter().filter(|_| has_sources));
                     for sources in counts {
-                        let set = sets.of_most(sources);
                         let responses = [response, response, response];
-                        let found = picture(&view, responses, &material.gloss, set, &sphere)?;
+                        let gloss = &material.gloss;
+                        let found = picture(&view, responses, gloss, sets, sources, &sphere)?;
                         rows.push(Row {
                             light: name.clone(),
                             is_turned: turn.is_some(),
@@ -147,49 +144,10 @@ fn rounded([rms, worst]: [f64; 2]) -> [f64; 2] {
     [(rms * 1e5).round() / 1e5, (worst * 1e4).round() / 1e4]
 }
 
-/// The root mean square and the largest difference of two pictures, of the peak.
-fn off(sphere: &Sphere, found: &Picture, reference: &Picture) -> [f64; 2] {
-    let peak = eigenshade_sources::sphere::peak(reference);
-    let pairs = found.iter().flatten().zip(reference.iter().flatten());
-    let worst = pairs.map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
-    [sphere.error(found, reference), worst / peak]
-}
-
 /// The root mean square and the largest difference of two pictures at normals of equal weight, of the
 /// peak of the second.
 pub fn errors_of(normals: &[[f64; 3]], found: &Picture, reference: &Picture) -> [f64; 2] {
     off(&Sphere::of_normals(normals), found, reference)
-}
-
-/// The picture of a material by harmonics and sources, both in f64.
-fn picture(
-    view: &View,
-    responses: [&Response; 3],
-    gloss: &Gloss,
-    sources: &[Source],
-    sphere: &Sphere,
-) -> Result<Picture> {
-    let degree = responses[0].degree();
-    let mut rest = view.light().each_ref().map(|light| light[..light::count(degree)].to_vec());
-    let turned: Vec<Source> = sources.iter().map(|source| view.turned(source)).collect();
-    for source in &turned {
-        let harmonics = highlights::harmonics::<f64>(source, degree)?;
-        for (channel, energy) in rest.iter_mut().zip(source.energy) {
-            channel.iter_mut().zip(&harmonics).for_each(|(to, y)| *to -= energy * y);
-        }
-    }
-    let turned = turned.iter().map(highlights::source).collect::<Result<Vec<_>>>()?;
-    let lobes = Highlights::<f64, MOST>::new::<Libm>(&highlights::gloss(gloss)?, &turned);
-    let lobes = lobes.map_err(fault)?;
-    let color = |k: usize| {
-        let [x, y, z] = sphere.normals[k];
-        let lit: [f64; 3] = lobes.shade(Normal::new(x, y, z).map_err(fault)?).into();
-        let smooth = [0, 1, 2].map(|c: usize| responses[c].irradiance([x, y, z], &rest[c]));
-        Ok([0, 1, 2].map(|c: usize| smooth[c] + lit[c]))
-    };
-    let colors = parallel::map(sphere.normals.len(), &(), color);
-    let colors = colors.into_iter().collect::<Result<Vec<[f64; 3]>>>()?;
-    Ok([0, 1, 2].map(|c: usize| colors.iter().map(|color| color[c]).collect()))
 }
 
 /// Writes errors as CSV.
@@ -275,12 +233,27 @@ pub fn parts(rows: &[Row]) -> Vec<Part> {
 /// # Errors
 ///
 /// If the parameters of the materials cannot be read.
-pub fn glosses(inputs: &Path) -> Result<Vec<(String, Gloss, f64)>> {
-    let surfaces = surfaces(inputs)?;
-    let fitted = surfaces.iter().map(|surface| {
-        gloss::fit(surface).map(|(gloss, left)| (surface.name.clone(), gloss, left))
-    });
-    fitted.collect()
+pub fn glosses(inputs: &Path) -> Result<Vec<NamedGloss>> {
+    surfaces(inputs)?.iter().map(gloss::named).collect()
+}
+
+/// The errors that the shipped sources of each captured light leave, or of those with these names.
+///
+/// # Errors
+///
+/// If a map or the sources cannot be read.
+pub fn remaining(inputs: &Path, names: &[String], progress: &ProgressBar) -> Result<Vec<SetError>> {
+    let metals = remaining::metals()?;
+    let mut lights = read_sources(inputs.join("sources.csv"))?;
+    lights.retain(|sets| names.is_empty() || names.contains(&sets.name));
+    progress.set_length(lights.len() as u64);
+    let mut all = Vec::new();
+    for sets in lights {
+        let path = inputs.join(format!("maps/{}.exr", sets.name));
+        all.extend(remaining::errors(&EnvironmentMap::from_path(path)?, &sets, &metals)?);
+        progress.inc(1);
+    }
+    Ok(all)
 }
 
 fn surfaces(inputs: &Path) -> Result<Vec<Surface>> {
@@ -291,23 +264,6 @@ fn surfaces(inputs: &Path) -> Result<Vec<Surface>> {
             MaterialSource::Measured(_) => None,
         })
         .collect())
-}
-
-/// Writes glosses as CSV.
-///
-/// # Errors
-///
-/// If the output fails.
-pub fn write_glosses(glosses: &[(String, Gloss, f64)], out: &mut dyn Write) -> Result<()> {
-    let columns =
-        "material,roughness,f0_r,f0_g,f0_b,f90_r,f90_g,f90_b,albedo_r,albedo_g,albedo_b,error";
-    let mut csv = Rows::new(out, columns.split(','))?;
-    for (name, Gloss { roughness, reflectance, grazing, albedo }, left) in glosses {
-        let numbers = [&[*roughness][..], reflectance, grazing, albedo, &[*left]].concat();
-        let numbers = numbers.into_iter().map(|number| format!("{number:.4}"));
-        csv.row(std::iter::once(name.clone()).chain(numbers))?;
-    }
-    csv.finish()
 }
 
 /// The pictures of [`spheres`]: a degree, an order and the most sources; `None` is the reference.
@@ -339,7 +295,7 @@ pub fn spheres(
             Some((size, most)) => {
                 let projected = surface.project(size.1, Measure::default()).material;
                 let [r, g, b] = projected.rgb.each_ref().map(|b| Response::new(size, b));
-                picture(&view, [&r, &g, &b], &gloss, sources.of_most(most), &sphere)
+                picture(&view, [&r, &g, &b], &gloss, &sources, most, &sphere)
             }
             None => Ok(view.reference(&surface, normals)),
         })

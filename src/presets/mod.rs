@@ -76,7 +76,8 @@ pub mod material {
 }
 
 /// Small sources of the captured lights that have maps, in sets of at most 1, 2, 4 and 8: 40 bytes
-/// each. [`Highlights`](crate::Highlights) shade them.
+/// each. [`Highlights`](crate::Highlights) shade them. For each light there is also a list such as
+/// `STUDIO`, with the errors of each set, for [`SourceSet::within`](crate::SourceSet::within).
 ///
 /// ```
 /// # #[cfg(feature = "baked")] {
@@ -95,13 +96,14 @@ pub mod material {
 /// # Ok::<(), eigenshade::Error>(())
 /// ```
 pub mod sources {
-    use crate::Source;
+    use crate::{Source, SourceSet};
     include!(concat!(env!("OUT_DIR"), "/preset_sources.rs"));
 }
 
 /// The gloss of the materials in color: a GGX lobe over a matte base, fitted to each.
 ///
-/// Sources pay for a roughness below 0.6. Each constant states how far its lobe is off.
+/// [`Gloss::needs_sources`](crate::Gloss::needs_sources) tells whether sources pay. Each constant states
+/// how far its lobe is off.
 #[expect(clippy::approx_constant, reason = "numbers of a file")]
 pub mod gloss {
     use crate::Gloss;

@@ -20,3 +20,5 @@ pub mod export;
 pub mod messages;
 
 pub mod presets;
+
+pub mod sharpness;

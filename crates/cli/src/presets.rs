@@ -1,12 +1,15 @@
 //! Lights and materials as options name them: shipped ones, all of a file, or one of a file.
 
+use crate::sharpness::{Known, shipped_note};
 use eigenshade_model::budget::Budget;
 use eigenshade_model::database::{Lights, Materials, Named, name_remedy};
 use eigenshade_model::error::{Error, Result, STANDARD_INPUT};
 use eigenshade_model::inputs::coefficient_csv::{read_lights, read_materials};
+use eigenshade_model::inputs::gloss_csv::read_glosses;
 use eigenshade_model::inputs::input_file::{InputFile, is_file};
+use eigenshade_model::inputs::set_error_csv::read_set_errors;
 use eigenshade_model::inputs::source_csv::read_sources;
-use eigenshade_model::source::{Gloss, Source as SmallSource};
+use eigenshade_model::source::{NamedGloss, SetError, Source as SmallSource};
 use eigenshade_shading::shipped;
 use std::convert::Infallible;
 use std::path::{Path, PathBuf};
@@ -105,18 +108,64 @@ impl Source {
         Ok(sets.of_most(most).to_vec())
     }
 
-    /// The gloss of a shipped material, and the error of the fit.
+    /// The errors that the sets of small sources of one light leave, if they are known.
     ///
     /// # Errors
     ///
-    /// If this is not a shipped material with gloss.
-    pub fn gloss(&self) -> Result<(Gloss, f64)> {
-        let path = self.path.display();
-        let name = self.path.to_str().filter(|_| self.entry == Entry::Shipped);
-        name.and_then(shipped::gloss).ok_or_else(|| {
-            let remedy = "leave --sources out, or name a shipped material in color";
-            Error::new(format!("the gloss of `{path}` is not known"), remedy)
+    /// If the errors of a light CSV, which are in a file beside it, cannot be read.
+    pub fn set_errors(&self, light: &str, budget: Budget) -> Result<Vec<SetError>> {
+        let errors = match self.entry {
+            Entry::Shipped => shipped::set_errors()?,
+            _ => {
+                let file = set_error_file(&self.path);
+                if !is_file(&file) {
+                    return Ok(Vec::new());
+                }
+                read_set_errors(InputFile::new(&file, budget))?
+            }
+        };
+        Ok(errors.into_iter().filter(|one| one.light == light).collect())
+    }
+
+    /// The gloss of one material, if it is known.
+    ///
+    /// # Errors
+    ///
+    /// If the gloss of a material CSV, which is in a file beside it, cannot be read.
+    pub fn gloss(&self, material: &str, budget: Budget) -> Result<Option<Known>> {
+        let glosses = match self.entry {
+            Entry::Shipped => shipped::glosses()?,
+            _ => {
+                let file = gloss_file(&self.path);
+                if !is_file(&file) {
+                    return Ok(None);
+                }
+                read_glosses(InputFile::new(&file, budget))?
+            }
+        };
+        let found = glosses.into_iter().find(|one| one.name == material);
+        Ok(found.map(|NamedGloss { gloss, error, .. }| Known { gloss, error }))
+    }
+
+    /// The gloss of one material.
+    ///
+    /// # Errors
+    ///
+    /// As [`gloss`](Self::gloss), and if it is not known.
+    pub fn known_gloss(&self, material: &str, budget: Budget) -> Result<Known> {
+        self.gloss(material, budget)?.ok_or_else(|| {
+            let remedy = "leave --sources out, name a shipped material in color, or make the CSV with \
+                          `eigenshade material .. --out FILE.csv`, which writes FILE.gloss.csv";
+            Error::new(format!("the gloss of `{material}` is not known"), remedy)
         })
+    }
+
+    /// For a shipped material whose pictures were measured at this order: a note if they are far from
+    /// those of its BRDF without sources.
+    #[must_use]
+    pub fn shipped_note(&self, order: usize) -> Option<Option<String>> {
+        let name = self.path.to_str().filter(|_| self.entry == Entry::Shipped)?;
+        shipped_note(name, order)
     }
 
     /// The materials.
@@ -170,23 +219,6 @@ impl Source {
         let remedy = format!("name one as {path}:NAME, with one of {names}, ...");
         Err(Error::new(format!("it has {count} entries"), remedy).in_file(&self.path))
     }
-
-    /// A note if this is a shipped material whose pictures at this order are far from those of its
-    /// BRDF, at the degree at which they were measured.
-    #[must_use]
-    pub fn error_note(&self, order: usize) -> Option<String> {
-        let name = self.path.to_str().filter(|_| self.entry == Entry::Shipped)?;
-        let (degree, _) = shipped::ERROR_SIZES.into_iter().find(|size| size.1 == order)?;
-        let error = shipped::total_error(name, (degree, order));
-        let error = error.filter(|error| error.worst > LARGE)?;
-        Some(format!(
-            "note: `{name}` is sharper than order {order} can show: at degree {degree}, pictures \
-             are off by {:.1} % of their peak, under some lights by {:.0} %, and highlights are \
-             blurred",
-            100.0 * error.median,
-            100.0 * error.worst
-        ))
-    }
 }
 
 /// The remedy for a light without sources.
@@ -202,11 +234,20 @@ pub fn source_file(lights: &Path) -> PathBuf {
     lights.with_extension("sources.csv")
 }
 
+/// The file with the errors that these sources leave.
+#[must_use]
+pub fn set_error_file(lights: &Path) -> PathBuf {
+    lights.with_extension("sources.errors.csv")
+}
+
+/// The file with the gloss of the materials of a material CSV.
+#[must_use]
+pub fn gloss_file(materials: &Path) -> PathBuf {
+    materials.with_extension("gloss.csv")
+}
+
 /// The extensions of environment maps.
 const MAPS: [&str; 6] = ["exr", "hdr", "pfm", "png", "jpg", "jpeg"];
-
-/// A total error above this share is worth a note.
-const LARGE: f64 = 0.05;
 
 #[cfg(test)]
 mod tests {

@@ -3,9 +3,13 @@
 
 use crate::PROGRAM;
 use crate::support::{
-    Folder, PAIR, assert_fails, difference, materials, numbers, repository, rows, scene,
+    Folder, PAIR, SHADED, assert_fails, difference, materials, numbers, repository, rows, scene,
 };
 use crate::tolerances;
+use eigenshade_model::inputs::coefficient_csv::read_materials;
+use eigenshade_model::inputs::normals::read_normals;
+use eigenshade_model::reference::DirectSum;
+use eigenshade_shading::shipped;
 use eigenshade_table::{General, MeanImage, Table, decode, encode};
 use std::fs;
 use std::process::Command;
@@ -36,6 +40,50 @@ fn with_stores(criterion: &str) -> Folder {
         folder.ok(&format!("basis --scene {store}.toml --check {store}.bin"));
     }
     folder
+}
+
+/// Pictures of a table of degree 32 against the direct sum, of the peak, in f64: profiles are within
+/// 1e-7 of their largest value.
+const HIGH_DEGREE: f64 = 1e-6;
+
+/// The scene file of degree 32 with formulas, here of four materials: a smooth metal is the direct sum.
+#[test]
+fn a_table_of_degree_32_is_the_direct_sum() {
+    let folder = Folder::new();
+    let inputs = repository().join("tables/inputs");
+    let formulas = fs::read_to_string(inputs.join("pbr-materials.toml")).unwrap();
+    let few = ["lambertian", "metal-0.2", "metal-0.3", "metal-0.5"];
+    let of = |formula: &&str| few.iter().any(|name| formula.contains(&format!("\"{name}\"\n")));
+    let formulas: Vec<&str> = formulas.split("[[material]]").filter(of).collect();
+    assert_eq!(formulas.len(), few.len());
+    folder.write("four.toml", format!("[[material]]{}", formulas.join("[[material]]")));
+    let scene = fs::read_to_string(repository().join("tables/pbr-32.toml")).unwrap();
+    let lights = inputs.join("lights.csv").display().to_string();
+    let scene = scene.replace("inputs/lights.csv", &lights);
+    folder.write("32.toml", scene.replace("inputs/pbr-materials.toml", "four.toml"));
+    folder.ok("basis --scene 32.toml --out 32.bin");
+    folder.ok("material ggx --roughness 0.3 --f0 0.9 --order 32 --out m.csv");
+    let command = "shade --table 32.bin --light studio --material m.csv --format f64";
+    let found = numbers(&rows(&folder.ok(&format!("{command} --normals normals.csv")), SHADED), 3);
+    let studio = shipped::lights().unwrap().entries;
+    let studio = studio.into_iter().find(|light| light.name == "studio").unwrap();
+    let material = read_materials(folder.path("m.csv"), None).unwrap();
+    let sum = DirectSum::new(32, 32);
+    let normals = read_normals(folder.path("normals.csv")).unwrap();
+    let expected: Vec<f64> = normals
+        .iter()
+        .flat_map(|normal| {
+            let modes = sum.at(*normal);
+            let scattered = modes.scatter(&material.entries[0].rgb[0]);
+            studio.rgb.each_ref().map(|light| modes.irradiance(light, &scattered))
+        })
+        .collect();
+    let peak = expected.iter().fold(0.0_f64, |peak, value| peak.max(value.abs()));
+    assert_eq!(found.len(), expected.len());
+    let off = found.iter().zip(&expected).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
+    assert!(off <= HIGH_DEGREE * peak, "{}", off / peak);
+    // And it is drawn.
+    folder.ok("render --table 32.bin --light studio --material m.csv -s 16 -o a.png");
 }
 
 #[test]

@@ -243,7 +243,8 @@ fn write_rest(folder: &Folder, set: &[Blob]) {
 #[test]
 fn scenes_with_sources_are_the_direct_sum_and_the_highlights() {
     let folder = folder_with_sources();
-    let (gloss, _) = shipped::gloss(MATERIAL).expect("a gloss");
+    let glosses = shipped::glosses().expect("glosses");
+    let gloss = glosses.iter().find(|one| one.name == MATERIAL).expect("a gloss").gloss;
     let [round, points] = source_sets();
     // Near highlights too, and no rim, where the formula of the literature has 0/0.
     let mut text = folder.read("normals.csv").replace("1,0,0\n0,-1,0\n", "");
@@ -377,8 +378,8 @@ fn materials_and_lights_without_sources() {
     let known = folder.ok(&of("light-1", MATERIAL, ""));
     assert_eq!(folder.ok(&of("light-0", "materials.csv:material-2", "")), known);
     for (light, material, options, named) in [
-        ("light-1", "materials.csv:material-2", "--json", "the gloss of `materials.csv`"),
-        ("light-1", "materials.csv:material-2", "--tolerance 0.1", "the gloss of `materials.csv`"),
+        ("light-1", "materials.csv:material-2", "--json", "the gloss of `material-2`"),
+        ("light-1", "materials.csv:material-2", "--tolerance 0.1", "the gloss of `material-2`"),
         ("light-0", MATERIAL, "--json", "no sources of the light `light-0`"),
     ] {
         assert_fails(&folder, &of(light, material, options), &[named]);

@@ -22,6 +22,7 @@
 //! opt-level = 2
 //! ```
 
+use crate::highlights::Highlights;
 use crate::scene_file;
 use eigenshade_model::error::{Error, Result};
 use eigenshade_model::output::write_atomically;
@@ -32,10 +33,13 @@ use std::{env, process};
 pub use eigenshade_table::quantize::Format;
 
 /// Writes the statics of the scene at `scene` to the file `name` in the build script's `OUT_DIR`:
-/// in `f32`, and in a module `q15` or `q31` for each format in `integers`.
+/// in `f32`, and in a module `q15` or `q31` for each format in `integers`. If the scene has a section
+/// `[highlights]`, the modules `sources` and `gloss` hold the small sources of its lights and the
+/// gloss of its materials.
 ///
 /// Prints directives for cargo on standard output: the files that the statics depend on, and a
-/// warning for each integer format that does not serve the scene and is left out. On an error it
+/// warning for each integer format that does not serve the scene and is left out, for lights without
+/// sources and for materials without gloss. On an error it
 /// prints one line and ends the process.
 pub fn statics(scene: impl AsRef<Path>, name: &str, integers: &[Format]) {
     let scene = scene.as_ref();
@@ -55,24 +59,28 @@ pub fn statics(scene: impl AsRef<Path>, name: &str, integers: &[Format]) {
 }
 
 /// Writes the statics of a scene to the file `out`. Returns one line for each format that does not
-/// serve the scene.
+/// serve the scene, and for what its highlights lack.
 ///
 /// # Errors
 ///
 /// The errors of [`scene_file::load`] and [`Loaded::build`](scene_file::Loaded::build), a scene
 /// that stores only transfers, and errors of writing.
 pub fn write(scene: &Path, out: &Path, integers: &[Format]) -> Result<Vec<String>> {
-    let table = scene_file::load(scene)?.build().map_err(|error| error.in_file(scene))?;
+    let loaded = scene_file::load(scene)?;
+    let table = loaded.build().map_err(|error| error.in_file(scene))?;
     let command = format!("eigenshade-generator, from {}", scene.display());
     let statics = statics::module(&table, &command, integers).map_err(|_| {
         let what = "it stores only transfers, which have no static form";
         Error::new(what, "set store = \"projection\"").in_file(scene)
     })?;
+    let text = statics.text + &loaded.highlights.iter().map(Highlights::text).collect::<String>();
     write_atomically(out, |to| {
-        to.write_all(statics.text.as_bytes()).map_err(|error| Error::io(out, &error))
+        to.write_all(text.as_bytes()).map_err(|error| Error::io(out, &error))
     })?;
     let line = |(format, error): &(Format, _)| {
         format!("{}: no {}: {error}", scene.display(), format.name())
     };
-    Ok(statics.left_out.iter().map(line).collect())
+    let missing = loaded.highlights.iter().flat_map(Highlights::warnings);
+    let missing = missing.map(|line| format!("{}: {line}", scene.display()));
+    Ok(statics.left_out.iter().map(line).chain(missing).collect())
 }

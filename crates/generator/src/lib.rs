@@ -70,6 +70,8 @@ pub mod object {
 
 pub mod basis;
 
+pub mod highlights;
+
 pub mod scene_file;
 
 pub mod direct;

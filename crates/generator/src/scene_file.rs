@@ -3,16 +3,23 @@
 use crate::basis;
 use crate::basis::choice::Choice;
 use crate::basis::general;
+use crate::highlights::Highlights;
+use crate::material::analytic;
+use crate::material::brdf::{Measure, Surface};
 use crate::object::geometry::{Geometry, WeightedNormals};
 use crate::object::{density, mesh, normal_map};
 use eigenshade_index::effect::Effects;
 use eigenshade_model::database::{Lights, Materials, Named, name_remedy};
 use eigenshade_model::error::{Error, Result};
 use eigenshade_model::inputs::coefficient_csv::{read_lights, read_materials_and_order};
+use eigenshade_model::inputs::gloss_csv::read_glosses;
 use eigenshade_model::inputs::input_file::InputFile;
 use eigenshade_model::inputs::normals::read_weighted_normals;
+use eigenshade_model::inputs::source_csv::{MOST, read_sources};
 use eigenshade_table::scene::{self, KNOTS, LightRotation};
 use eigenshade_table::{Scene, Table};
+use rayon::iter::{IntoParallelRefIterator, ParallelIterator};
+use serde::Deserialize;
 use std::path::{Path, PathBuf};
 
 /// A scene with the databases that it names.
@@ -28,6 +35,37 @@ pub struct Loaded {
     pub order_of_file: usize,
     /// The normals of the object.
     pub geometry: Geometry,
+    /// Sources and gloss for a build script, if the scene names them.
+    pub highlights: Option<Highlights>,
+}
+
+/// A scene file: the scene of a table, and the files of its highlights, which no table holds.
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct File {
+    geometry: scene::Geometry,
+    light: scene::Light,
+    material: scene::Material,
+    basis: scene::Basis,
+    #[serde(default)]
+    effects: scene::Effects,
+    highlights: Option<HighlightFiles>,
+}
+
+/// The section `[highlights]`.
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct HighlightFiles {
+    sources: String,
+    gloss: String,
+    most: usize,
+}
+
+impl File {
+    fn parts(self) -> (Scene, Option<HighlightFiles>) {
+        let Self { geometry, light, material, basis, effects, highlights } = self;
+        (Scene { geometry, light, material, basis, effects }, highlights)
+    }
 }
 
 impl Loaded {
@@ -74,12 +112,14 @@ pub fn load(file: impl Into<InputFile>) -> Result<Loaded> {
         let what = format!("it has {} bytes, too many for a scene", text.len());
         return Err(Error::new(what, format!("give at most {LONGEST}")).in_file(path));
     }
-    let scene = parse(&text).map_err(|(error, line)| match line {
+    let (scene, highlights) = parse(&text).map_err(|(error, line)| match line {
         Some(line) => error.at_line(path, line),
         None => error.in_file(path),
     })?;
     let folder = file.folder();
-    if let Some(name) = named_files(&scene).find(|name| !folder.join(name).exists()) {
+    let is_missing = |name: &&String| !folder.join(name).exists();
+    let missing = named_files(&scene, highlights.as_ref()).find(is_missing).cloned();
+    if let Some(name) = missing {
         let place = folder.join(".").canonicalize().unwrap_or_else(|_| folder.to_owned());
         let what = format!(
             "it names the file `{name}`, which does not exist; relative paths in a scene start at \
@@ -91,15 +131,75 @@ pub fn load(file: impl Into<InputFile>) -> Result<Loaded> {
     let lights = file.other(folder.join(&scene.light.database));
     let lights = read_lights(lights, Some(scene.light.degree))?;
     let databases = scene.material.database.iter().map(|path| folder.join(path));
-    let order = Some(scene.material.order);
-    let (mut materials, order_of_file) =
-        together(databases, |path| read_materials_and_order(file.other(path), order))?;
+    let order = scene.material.order;
+    let (mut materials, order_of_file) = together(databases, |path| {
+        if path.extension().is_some_and(|end| end == "toml") {
+            return Ok((projected(path, order)?, order));
+        }
+        read_materials_and_order(file.other(path), Some(order))
+    })?;
     if !scene.material.names.is_empty() {
         materials.entries = named(&materials, &scene.material.names)
             .map_err(|error| error.in_file(folder.join(scene.material.database.join(", "))))?;
     }
     let geometry = read_geometry(&scene.geometry, scene.light.degree, &file)?;
-    Ok(Loaded { scene, lights, materials, order_of_file, geometry })
+    let highlights = match &highlights {
+        Some(files) => Some(read_highlights(files, &file, &lights, &materials)?),
+        None => None,
+    };
+    Ok(Loaded { scene, lights, materials, order_of_file, geometry, highlights })
+}
+
+/// The sources of the lights and the gloss of the materials, as far as they are known.
+///
+/// # Errors
+///
+/// If a file cannot be read, or no light has sources, or no material a gloss.
+fn read_highlights(
+    files: &HighlightFiles,
+    scene: &InputFile,
+    lights: &Lights,
+    materials: &Materials,
+) -> Result<Highlights> {
+    let folder = scene.folder();
+    let [of_sources, of_gloss] = [&files.sources, &files.gloss].map(|name| folder.join(name));
+    let mut sources = read_sources(scene.other(&of_sources))?;
+    let mut glosses = read_glosses(scene.other(&of_gloss))?;
+    let is_in = |entries: &[Named], name: &str| entries.iter().any(|entry| entry.name == name);
+    sources.retain(|sets| is_in(&lights.entries, &sets.name));
+    glosses.retain(|gloss| is_in(&materials.entries, &gloss.name));
+    if sources.is_empty() {
+        let remedy = "find them with `eigenshade light MAP --sources 8`, or remove [highlights]";
+        return Err(
+            Error::new("it has sources of no light of the scene", remedy).in_file(of_sources)
+        );
+    }
+    if glosses.is_empty() {
+        let remedy = "make it with `eigenshade material .. --out FILE.csv`, or remove [highlights]";
+        return Err(
+            Error::new("it has the gloss of no material of the scene", remedy).in_file(of_gloss)
+        );
+    }
+    let others = |entries: &[Named], has: &dyn Fn(&str) -> bool| {
+        let names = entries.iter().map(|entry| entry.name.clone());
+        names.filter(|name| !has(name)).collect()
+    };
+    Ok(Highlights {
+        most: files.most,
+        dark: others(&lights.entries, &|name| sources.iter().any(|sets| sets.name == name)),
+        without_gloss: others(&materials.entries, &|name| {
+            glosses.iter().any(|one| one.name == name)
+        }),
+        sources,
+        glosses,
+    })
+}
+
+/// The formulas of a file, projected to this order.
+fn projected(path: &Path, order: usize) -> Result<Materials> {
+    let surfaces = analytic::read(path)?;
+    let project = |surface: &Surface| surface.project(order, Measure::default()).material;
+    Ok(Materials { order, entries: surfaces.par_iter().map(project).collect() })
 }
 
 /// The files from which the table of a scene file is made, starting with the scene file itself,
@@ -109,14 +209,18 @@ pub fn inputs(path: &Path) -> Vec<PathBuf> {
     let text = std::fs::read_to_string(path).unwrap_or_default();
     let folder = path.parent().unwrap_or(Path::new("."));
     let mut inputs = vec![path.to_owned()];
-    if let Ok(scene) = toml::from_str::<Scene>(&text) {
-        inputs.extend(named_files(&scene).map(|file| folder.join(file)));
+    if let Ok(file) = toml::from_str::<File>(&text) {
+        let (scene, highlights) = file.parts();
+        inputs.extend(named_files(&scene, highlights.as_ref()).map(|file| folder.join(file)));
     }
     inputs
 }
 
 /// The files that a scene names.
-fn named_files(scene: &Scene) -> impl Iterator<Item = &String> {
+fn named_files<'a>(
+    scene: &'a Scene,
+    highlights: Option<&'a HighlightFiles>,
+) -> impl Iterator<Item = &'a String> {
     let geometry = &scene.geometry;
     let object = match geometry.normals.as_str() {
         "sphere" => None,
@@ -124,7 +228,8 @@ fn named_files(scene: &Scene) -> impl Iterator<Item = &String> {
         _ => Some(&geometry.normals),
     };
     let databases = std::iter::once(&scene.light.database).chain(&scene.material.database);
-    databases.chain(object).chain(&geometry.mask)
+    let highlights = highlights.into_iter().flat_map(|files| [&files.sources, &files.gloss]);
+    databases.chain(object).chain(&geometry.mask).chain(highlights)
 }
 
 /// The materials of several files, to the lowest of their orders, and the highest order that all
@@ -218,14 +323,20 @@ fn read_geometry(geometry: &scene::Geometry, degree: usize, scene: &InputFile) -
 }
 
 /// Parses a scene; on failure, returns the error and its line.
-fn parse(text: &str) -> std::result::Result<Scene, (Error, Option<u64>)> {
-    let scene: Scene = toml::from_str(text).map_err(|error| {
+fn parse(text: &str) -> std::result::Result<(Scene, Option<HighlightFiles>), (Error, Option<u64>)> {
+    let file: File = toml::from_str(text).map_err(|error| {
         let line = error.span().map(|span| 1 + text[..span.start].matches('\n').count() as u64);
         let what = error.message().lines().next().unwrap_or("not a scene").to_owned();
         (Error::new(what, "see tables/README.md for the fields of a scene"), line)
     })?;
+    let (scene, highlights) = file.parts();
     check(&scene).map_err(|error| (error, None))?;
-    Ok(scene)
+    let most = highlights.as_ref().map_or(1, |files| files.most);
+    if !(1..=MOST).contains(&most) {
+        let what = format!("highlights.most = {most} is out of range");
+        return Err((Error::new(what, format!("give 1 to {MOST} sources")), None));
+    }
+    Ok((scene, highlights))
 }
 
 /// Checks that this version supports the values.

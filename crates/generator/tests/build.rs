@@ -62,6 +62,72 @@ fn integers_stand_beside_floats_where_they_serve() {
     }
 }
 
+/// Sources and gloss are beside the table, exactly those of the files; a light without a map and a
+/// material without gloss are named, and a scene of nothing else is refused.
+#[test]
+fn highlights_stand_beside_the_table() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let out = folder.path().join("table.rs");
+    let inputs = repository().join("tables/inputs");
+    let at = |name: &str| inputs.join(name).display().to_string();
+    let basis = "criterion = \"image-centered\"\ncomponents = 4";
+    let path = scene(folder.path(), "normals = \"sphere\"", basis);
+    let text = fs::read_to_string(&path).expect("a scene");
+    let text = text.replace("inputs/materials.csv", "inputs/merl.csv");
+    let section = |most: usize, gloss: &str| {
+        let (sources, gloss) = (at("sources.csv"), at(gloss));
+        format!("{text}[highlights]\nsources = \"{sources}\"\ngloss = \"{gloss}\"\nmost = {most}\n")
+    };
+    fs::write(&path, section(2, "gloss.csv")).expect("a file");
+    let named = eigenshade_generator::scene_file::inputs(&path);
+    assert!(
+        named.contains(&inputs.join("sources.csv")) && named.contains(&inputs.join("gloss.csv"))
+    );
+    let warnings = write(&path, &out, &[]).expect("a table");
+    let [dark] = &warnings[..] else { panic!("{warnings:?}") };
+    assert!(dark.contains("no sources of the lights blender-city, "), "{dark}");
+    assert!(dark.contains("they have no map") && !dark.contains(" studio"), "{dark}");
+    let statics = fs::read_to_string(&out).expect("a file");
+    let numbers = |text: &str| -> Vec<f32> {
+        let number = |c: char| !(c.is_ascii_digit() || "+-.e".contains(c));
+        text.split(number).filter_map(|number| number.parse().ok()).collect()
+    };
+    let after = |name: &str| {
+        let from = statics.find(&format!("(\"{name}\",")).expect(name) + name.len() + 3;
+        &statics[from..]
+    };
+    let rows = |file: &str, start: &str| -> Vec<Vec<f32>> {
+        let text = fs::read_to_string(inputs.join(file)).expect("a file");
+        text.lines()
+            .filter(|line| line.starts_with(start))
+            .map(|line| numbers(&line[start.len()..]))
+            .collect()
+    };
+    let of_studio = after("studio");
+    let found = numbers(&of_studio[..of_studio.find("])").expect("an end")]);
+    assert_eq!(found, rows("sources.csv", "studio,2,").concat());
+    let of_nylon = after("nylon");
+    let found = numbers(of_nylon.lines().next().expect("a line"));
+    // f90 follows the albedo here.
+    let [row] = &rows("gloss.csv", "nylon,")[..] else { panic!("one row") };
+    let expected = [&row[..4], &row[7..10], &row[4..7]].concat();
+    assert_eq!(found, expected);
+
+    for (text, expected) in [
+        (section(33, "gloss.csv"), "highlights.most = 33"),
+        (section(2, "none.csv"), "none.csv"),
+        (
+            section(2, "gloss.csv").replace("inputs/merl.csv", "inputs/materials.csv"),
+            "the gloss of no material",
+        ),
+        (section(2, "gloss.csv").replace("most = 2", "most = 2\nmore = 1"), "more"),
+    ] {
+        fs::write(&path, text).expect("a file");
+        let error = write(&path, &out, &[]).expect_err("an error").to_string();
+        assert!(error.contains(expected), "{error}");
+    }
+}
+
 #[test]
 fn faults_leave_nothing_behind() {
     let folder = tempfile::tempdir().expect("a folder");

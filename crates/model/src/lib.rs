@@ -58,8 +58,10 @@ pub mod inputs {
 
     pub mod coefficient_csv;
     pub mod coefficient_text;
+    pub mod gloss_csv;
     pub mod input_file;
     pub mod normals;
+    pub mod set_error_csv;
     pub mod sheet;
     pub mod source_csv;
 }

@@ -67,3 +67,63 @@ pub struct Gloss {
     /// The albedo of the base by channel, 0 to 1.
     pub albedo: [f64; 3],
 }
+
+/// The gloss of one material.
+#[derive(Clone, Debug, PartialEq)]
+pub struct NamedGloss {
+    /// The name of the material.
+    pub name: String,
+    /// The lobe that is nearest.
+    pub gloss: Gloss,
+    /// What the lobe leaves of pictures under a small source: the root mean square, relative to the
+    /// picture.
+    pub error: f64,
+}
+
+/// What is left of pictures of a GGX metal: root mean square and largest error of a pixel, relative to
+/// the peak.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct SetErrors {
+    /// The root mean square over a sphere's picture.
+    pub rms: f64,
+    /// The largest error of a pixel.
+    pub worst: f64,
+}
+
+/// The errors of pictures under one light with one set of sources.
+#[derive(Clone, Debug, PartialEq)]
+pub struct SetError {
+    /// The name of the light.
+    pub light: String,
+    /// The most sources of the set; 0 for no sources.
+    pub most: usize,
+    /// Degree and order.
+    pub size: (usize, usize),
+    /// For a metal of each of [`ROUGHNESS`](Self::ROUGHNESS).
+    pub errors: [SetErrors; 6],
+}
+
+impl SetError {
+    /// The roughness of the metals.
+    pub const ROUGHNESS: [f64; 6] = [0.1, 0.2, 0.3, 0.4, 0.5, 0.6];
+
+    /// The errors of a metal of another roughness, linear in its square between these. Below the first
+    /// and above the last they are those of these.
+    #[must_use]
+    pub fn at(&self, roughness: f64) -> SetErrors {
+        let knots = Self::ROUGHNESS.windows(2).zip(self.errors.windows(2));
+        let mut at = self.errors[0];
+        for (knots, errors) in knots {
+            let [square, low, high] = [roughness, knots[0], knots[1]].map(|knot| knot * knot);
+            let share = ((square - low) / (high - low)).clamp(0.0, 1.0);
+            if roughness >= knots[0] {
+                let between = |a: f64, b: f64| a + share * (b - a);
+                at = SetErrors {
+                    rms: between(errors[0].rms, errors[1].rms),
+                    worst: between(errors[0].worst, errors[1].worst),
+                };
+            }
+        }
+        at
+    }
+}

@@ -4,8 +4,10 @@
 use eigenshade_model::database::{Lights, Materials};
 use eigenshade_model::error::{Error, Result};
 use eigenshade_model::inputs::coefficient_csv::{parse_lights, parse_materials};
+use eigenshade_model::inputs::gloss_csv::parse_glosses;
+use eigenshade_model::inputs::set_error_csv::parse_set_errors;
 use eigenshade_model::inputs::source_csv::parse_sources;
-use eigenshade_model::source::{Gloss, SourceSets};
+use eigenshade_model::source::{NamedGloss, SetError, SourceSets};
 use eigenshade_table::decode;
 use std::ffi::OsStr;
 use std::path::Path;
@@ -16,12 +18,15 @@ pub const TABLE: &[u8] = include_bytes!("../tables/sphere.bin");
 pub const COLOR: &[u8] = include_bytes!("../tables/color.bin");
 /// The contents of `tables/curet.bin`: 50 components of the measured materials of the paper.
 pub const CURET: &[u8] = include_bytes!("../tables/curet.bin");
+/// The contents of `tables/pbr.bin`: 250 components of formulas, of degree and order 12.
+pub const PBR: &[u8] = include_bytes!("../tables/pbr.bin");
 const LIGHTS: &str = include_str!("../tables/inputs/lights.csv");
 const MATERIALS: &str = include_str!("../tables/inputs/materials.csv");
 const FORMULAS: &str = include_str!("../tables/inputs/pbr-materials.csv");
 const COLORED: &str = include_str!("../tables/inputs/merl.csv");
 
 const SOURCES: &str = include_str!("../tables/inputs/sources.csv");
+const SET_ERRORS: &str = include_str!("../tables/inputs/sources.errors.csv");
 const GLOSS: &str = include_str!("../tables/inputs/gloss.csv");
 const ERRORS: &str = include_str!("../tables/inputs/merl.errors.csv");
 
@@ -57,23 +62,23 @@ pub fn sources() -> Result<Vec<SourceSets>> {
     parse_sources(SOURCES, "tables/inputs/sources.csv")
 }
 
-/// The gloss of a material in color, and the rms of what it leaves of pictures under a point of light,
-/// from `tables/inputs/gloss.csv`. `None` if it is not there.
-#[must_use]
-pub fn gloss(material: &str) -> Option<(Gloss, f64)> {
-    GLOSS.lines().find_map(|line| {
-        let (name, numbers) = line.split_once(',')?;
-        if name != material {
-            return None;
-        }
-        let numbers = numbers.split(',').map(|number| number.parse::<f64>().ok());
-        let numbers = numbers.collect::<Option<Vec<f64>>>()?;
-        let (&[roughness], colors) = numbers.split_first_chunk()?;
-        let (colors, [error]) = colors.split_last_chunk()?;
-        let [reflectance, grazing, albedo] = colors.as_chunks().0 else { return None };
-        let (&reflectance, &grazing, &albedo) = (reflectance, grazing, albedo);
-        Some((Gloss { roughness, reflectance, grazing, albedo }, *error))
-    })
+/// The errors that the small sources of the captured lights leave, and those without sources,
+/// `tables/inputs/sources.errors.csv`.
+///
+/// # Errors
+///
+/// As [`parse_set_errors`], for the compiled-in file.
+pub fn set_errors() -> Result<Vec<SetError>> {
+    parse_set_errors(SET_ERRORS, "tables/inputs/sources.errors.csv")
+}
+
+/// The gloss of the materials in color, `tables/inputs/gloss.csv`.
+///
+/// # Errors
+///
+/// As [`parse_glosses`], for the compiled-in file.
+pub fn glosses() -> Result<Vec<NamedGloss>> {
+    parse_glosses(GLOSS, "tables/inputs/gloss.csv")
 }
 
 /// The materials in `tables/inputs/materials.csv`.

@@ -5,8 +5,9 @@
 //! reflectances and the albedo; the roughness is searched.
 
 use eigenshade_generator::material::brdf::{Brdf, Geometry, Ggx, Surface};
+use eigenshade_generator::material::measurements::{Measured, Measurement};
 use eigenshade_model::error::Result;
-use eigenshade_model::source::Gloss;
+use eigenshade_model::source::{Gloss, NamedGloss};
 use eigenshade_shading::parallel;
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
@@ -56,7 +57,43 @@ impl Point {
 /// Cannot fail in practice: the roughness is in range.
 pub fn fit(surface: &Surface) -> Result<(Gloss, f64)> {
     let points: Vec<Point> = LIGHTS.iter().flat_map(|&angle| points(surface, angle)).collect();
-    let of = |roughness: f64| at_roughness(&points, roughness);
+    nearest(&points)
+}
+
+/// The gloss of a surface: exact, or fitted.
+///
+/// # Errors
+///
+/// Those of [`fit`].
+pub fn named(surface: &Surface) -> Result<NamedGloss> {
+    let (gloss, error) = match surface.gloss() {
+        Some(gloss) => (gloss, 0.0),
+        None => fit(surface)?,
+    };
+    Ok(NamedGloss { name: surface.name.clone(), gloss, error })
+}
+
+/// The gloss nearest to measurements. Its error is relative to them: what the lobe is between them is
+/// not known.
+///
+/// # Errors
+///
+/// Those of [`fit`].
+pub fn of_measured(measured: &Measured) -> Result<NamedGloss> {
+    let point = |sample: &Measurement| {
+        let Measurement { theta_i, theta_r, delta_phi, rgb } = *sample;
+        let at = Geometry::from_angles(theta_i, theta_r, delta_phi);
+        let values = rgb.map(|value| value * at.incident);
+        Point { lit: vec![(at, 1.0)], weight: at.reflected, values }
+    };
+    let points: Vec<Point> = measured.samples.iter().map(point).collect();
+    let (gloss, error) = nearest(&points)?;
+    Ok(NamedGloss { name: measured.name.clone(), gloss, error })
+}
+
+/// The gloss nearest to pictures, and the rms of what it leaves.
+fn nearest(points: &[Point]) -> Result<(Gloss, f64)> {
+    let of = |roughness: f64| at_roughness(points, roughness);
     let step = (1.0 - LEAST) / (TRIED - 1) as f64;
     let tried = parallel::map(TRIED, &(), |k| of(LEAST + step * k as f64));
     let tried = tried.into_iter().collect::<Result<Vec<_>>>()?;
@@ -182,7 +219,8 @@ fn at_roughness(points: &[Point], roughness: f64) -> Result<(Gloss, f64)> {
         left += (of(factors, factors) - 2.0 * with(factors) + square).max(0.0);
         all += square;
     }
-    Ok((gloss, (left / all).sqrt()))
+    // A black surface is any gloss without reflectance.
+    Ok((gloss, if all > 0.0 { (left / all).sqrt() } else { 0.0 }))
 }
 
 #[cfg(test)]

@@ -23,4 +23,6 @@ pub mod sample;
 
 pub mod pursuit;
 
+pub mod remaining;
+
 pub mod gloss;

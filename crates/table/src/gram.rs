@@ -56,17 +56,17 @@ impl GramFactor {
         &self.radials[start..start + count]
     }
 
-    /// Number of frequencies q of degree l.
-    fn frequencies(&self, l: usize) -> usize {
-        l.min(self.order) + 1
-    }
-
     /// D_l^mq / Φ_m at all nodes.
     #[must_use]
     pub fn rotation(&self, azimuth: usize, l: usize, q: usize) -> &[f64] {
-        let from = |azimuth| azimuth..=self.degree;
-        let earlier: usize =
-            (0..azimuth).flat_map(from).chain(azimuth..l).map(|l| self.frequencies(l)).sum();
+        // The frequencies of all degrees below this one.
+        let below = |degree: usize| {
+            let (rising, level) = (degree.min(self.order), degree.saturating_sub(self.order));
+            rising * (rising + 1) / 2 + level * (self.order + 1)
+        };
+        let of_azimuths = azimuth * below(self.degree + 1);
+        let earlier =
+            of_azimuths - (0..azimuth).map(below).sum::<usize>() + below(l) - below(azimuth);
         let count = self.nodes.len();
         &self.rotations[(earlier + q) * count..(earlier + q + 1) * count]
     }
@@ -76,22 +76,28 @@ impl GramFactor {
     #[must_use]
     pub fn columns(&self, azimuth: usize) -> Vec<Vec<f64>> {
         mode::indices(self.degree, self.order, azimuth)
-            .map(|(l, o, p, q)| self.column(azimuth, l, o, p, q))
+            .map(|(l, o, p, q)| self.column(azimuth, l, o, p, q).collect())
             .collect()
     }
 
-    /// One column of A: √w_k f_s(α_k).
-    fn column(&self, azimuth: usize, l: usize, o: usize, p: usize, q: usize) -> Vec<f64> {
+    /// One column of A, √w_k f_s(α_k), one value per node.
+    pub fn column(
+        &self,
+        azimuth: usize,
+        l: usize,
+        o: usize,
+        p: usize,
+        q: usize,
+    ) -> impl Iterator<Item = f64> {
         let gain = self.gains[material::position(o, p, q)];
         let (of_o, of_p) = (self.polar_integral(l, o, q), self.polar_integral(l, p, q));
         self.root_weights
             .iter()
             .zip(self.rotation(azimuth, l, q))
             .zip(self.radial(p, q).iter().zip(self.radial(o, q)))
-            .map(|((root, rotation), (radial_p, radial_o))| {
+            .map(move |((root, rotation), (radial_p, radial_o))| {
                 root * gain * rotation * (of_o * radial_p + of_p * radial_o)
             })
-            .collect()
     }
 
     /// e of (30): the mean of each mode over the normals. Only the modes of m = 0 have nonzero

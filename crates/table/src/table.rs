@@ -228,6 +228,19 @@ impl Table {
         self.summary.roundings.iter().find(|one| one.format == format)
     }
 
+    /// Number of polynomial terms of a collapsed scene, with both signs of m: the multiply-adds of a
+    /// pixel and channel but for those of the azimuths.
+    #[must_use]
+    pub fn terms(&self) -> usize {
+        let azimuths = self.profiles.iter().map(|one| (one.azimuth, one.chebyshev.len()));
+        let mean = self.mean.iter().map(|mean| (0, mean.chebyshev.len()));
+        let mut longest = vec![0; self.gram.degree + 1];
+        for (azimuth, length) in azimuths.chain(mean) {
+            longest[azimuth] = length.max(longest[azimuth]);
+        }
+        longest.iter().enumerate().map(|(m, length)| length * if m == 0 { 1 } else { 2 }).sum()
+    }
+
     /// Number of eigenimages K.
     #[must_use]
     pub fn count(&self) -> usize {

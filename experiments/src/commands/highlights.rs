@@ -5,6 +5,8 @@ use eigenshade_cli::messages::{print_message, progress_bar};
 use eigenshade_cli::output;
 use eigenshade_cli::picture::{self, Canvas, SphereView, write_png};
 use eigenshade_model::error::Result;
+use eigenshade_model::inputs::gloss_csv::write_glosses;
+use eigenshade_model::inputs::set_error_csv::write_set_errors;
 use experiments::command_line::write_command_line;
 use experiments::highlights::{self, DRAWN};
 use experiments::numbers::percent;
@@ -30,7 +32,35 @@ impl Gloss {
         let glosses = highlights::glosses(&self.inputs)?;
         output::write(self.out.as_deref(), |out| {
             write_command_line(out)?;
-            highlights::write_glosses(&glosses, out)
+            write_glosses(&glosses, out)
+        })
+    }
+}
+
+/// The errors that the shipped sources leave, tables/inputs/sources.errors.csv
+///
+/// They are the same that `eigenshade light --sources` writes for the same sources.
+#[derive(Args, Debug)]
+pub struct SourceErrors {
+    /// Names of lights [default: all]
+    #[arg(value_name = "LIGHT")]
+    lights: Vec<String>,
+    /// Folder of the shipped tables' inputs
+    #[arg(long, value_name = "DIR", default_value = "tables/inputs")]
+    inputs: PathBuf,
+    /// Write the CSV to this file instead of standard output
+    #[arg(long, value_name = "FILE")]
+    out: Option<PathBuf>,
+}
+
+impl SourceErrors {
+    pub fn run(self) -> Result<()> {
+        let progress = progress_bar("lights", 0);
+        let errors = highlights::remaining(&self.inputs, &self.lights, &progress)?;
+        progress.finish_and_clear();
+        output::write(self.out.as_deref(), |out| {
+            write_command_line(out)?;
+            write_set_errors(&errors, out)
         })
     }
 }

@@ -1,16 +1,18 @@
 //! Small sources of a light on the gloss of a material, which `render` and `shader` share.
 
 use super::choices::Choices;
-use super::options::{Inputs, Memory};
+use super::options::{Inputs, Memory, TableChoice};
 use eigenshade::mathematics::Libm;
 use eigenshade::{Highlights, Scalar};
 use eigenshade_cli::messages::print_message;
-use eigenshade_model::database::Lights;
+use eigenshade_cli::sharpness::{Choice, Known, Sharpness};
+use eigenshade_model::database::{Lights, Materials};
 use eigenshade_model::error::Result;
 use eigenshade_model::inputs::source_csv::MOST;
 use eigenshade_model::source::{Gloss, Source};
 use eigenshade_shading::highlights;
 use eigenshade_shading::shader::fault;
+use eigenshade_table::Table;
 
 /// Small sources on a gloss.
 pub struct Gleam {
@@ -18,16 +20,62 @@ pub struct Gleam {
     sources: Vec<Source>,
 }
 
-/// The roughness above which harmonics of degree 9 show all of a highlight.
-const MATTE: f64 = 0.6;
+/// Multiply-adds of a pixel for one source.
+const OF_SOURCE: usize = 31;
 
-/// The rms that a fitted gloss leaves, relative to pictures under a small source, from which on it is
-/// worth a note.
-const FAR: f64 = 0.15;
+/// The shipped tables that a tolerance chooses from, with degree and order.
+const TABLES: [(&str, (usize, usize)); 2] = [("color", (9, 7)), ("pbr", (12, 12))];
+
+/// The table and the most sources that take the fewest multiply-adds of those that leave at most
+/// `tolerance`, or, if all leave more, those that leave least. A report says which. Only the given
+/// table is used, if one is given.
+///
+/// # Errors
+///
+/// If the gloss of the material or the errors of the light's sources are not known, or a file cannot
+/// be read.
+pub fn within(
+    tolerance: f64,
+    inputs: &Inputs,
+    table: &TableChoice,
+    (light, material): ((&str, usize), (&str, usize)),
+    memory: Memory,
+) -> Result<(TableChoice, usize)> {
+    let ((light, degree), (material, order)) = (light, material);
+    let Known { gloss, .. } = inputs.material.known_gloss(material, memory.of_file())?;
+    let sharpness = Sharpness::under(&inputs.light, light, memory.of_file())?;
+    let fits = |size: (usize, usize)| size == TABLES[0].1 || (size.0 <= degree && size.1 <= order);
+    let mut best: Option<(usize, Choice, TableChoice, (usize, usize))> = None;
+    for (name, size) in TABLES {
+        if !fits(size) || table.is_given() && best.is_some() {
+            continue;
+        }
+        let table = table.or(name);
+        let read = table.read(memory)?;
+        let size = (read.gram.degree.min(degree), read.gram.order.min(order));
+        let choice = sharpness.fewest(size, &gloss, tolerance)?;
+        let products = 3 * read.terms() + OF_SOURCE * choice.most;
+        let is_better = best.as_ref().is_none_or(|(least, other, ..)| {
+            match (choice.error <= tolerance, other.error <= tolerance) {
+                (true, true) => products < *least,
+                (false, false) => choice.error < other.error,
+                (is_within, _) => is_within,
+            }
+        });
+        if is_better {
+            best = Some((products, choice, table, size));
+        }
+    }
+    let Some((_, choice, table, size)) = best else { return Ok((table.or(TABLES[0].0), 0)) };
+    if highlights::gloss::<f64>(&gloss)?.needs_sources() {
+        print_message(choice.report(size, tolerance));
+    }
+    Ok((table, choice.most))
+}
 
 impl Gleam {
-    /// Up to `most` sources of the first light, which they are taken out of. A matte material has
-    /// none, with a note.
+    /// Up to `most` sources of the first light, which they are taken out of, for the first material. A
+    /// matte material has none, with a note.
     ///
     /// # Errors
     ///
@@ -35,30 +83,29 @@ impl Gleam {
     pub fn taken_out(
         inputs: &Inputs,
         lights: &mut Lights,
+        materials: &Materials,
         most: usize,
         memory: Memory,
     ) -> Result<Option<Self>> {
-        let Inputs { light, material } = inputs;
-        let (gloss, left) = material.gloss()?;
-        let sources = light.sources(&lights.entries[0].name, most, memory.of_file())?;
-        if gloss.roughness > MATTE {
+        let (light, material) = (&lights.entries[0].name, &materials.entries[0].name);
+        let Known { gloss, .. } = inputs.material.known_gloss(material, memory.of_file())?;
+        if !highlights::gloss::<f64>(&gloss)?.needs_sources() {
+            inputs.light.sources(light, MOST, memory.of_file())?;
             print_message(format_args!(
-                "note: `{}` is as matte as a roughness of {:.2}: its pictures are as near without \
-                 sources, and it is drawn without",
-                material.path().display(),
+                "note: `{material}` is as matte as a roughness of {:.2}: its pictures are as near \
+                 without sources, and it is drawn without",
                 gloss.roughness
             ));
             return Ok(None);
         }
-        if left > FAR {
-            print_message(format_args!(
-                "note: the gloss of `{}` is not quite a GGX lobe: its highlights are off by {:.0} %",
-                material.path().display(),
-                100.0 * left
-            ));
-        }
+        let sources = inputs.light.sources(light, most, memory.of_file())?;
         highlights::take_out(lights, &sources)?;
         Ok(Some(Self { gloss, sources }))
+    }
+
+    /// The number of sources.
+    pub fn count(&self) -> usize {
+        self.sources.len()
     }
 
     /// These sources after the rotation of the light.
@@ -76,4 +123,26 @@ impl Gleam {
         let sources = self.sources.iter().map(highlights::source).collect::<Result<Vec<_>>>()?;
         Highlights::new::<Libm>(&highlights::gloss(&self.gloss)?, &sources).map_err(fault)
     }
+}
+
+/// A note if the picture of the first light on the first material is far off.
+///
+/// # Errors
+///
+/// If a file with errors or gloss cannot be read.
+pub fn sharpness_note(
+    inputs: &Inputs,
+    table: &Table,
+    (lights, materials): (&Lights, &Materials),
+    sources: usize,
+    memory: Memory,
+) -> Result<Option<String>> {
+    let (light, material) = (&lights.entries[0].name, &materials.entries[0].name);
+    let sharpness = Sharpness::under(&inputs.light, light, memory.of_file())?;
+    if let Some(note) = inputs.material.shipped_note(table.gram.order).filter(|_| sources == 0) {
+        return Ok(note);
+    }
+    let gloss = inputs.material.gloss(material, memory.of_file())?;
+    let size = (lights.degree, materials.order);
+    Ok(gloss.and_then(|gloss| sharpness.note(material, &gloss, size, sources)))
 }

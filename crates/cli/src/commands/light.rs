@@ -4,7 +4,7 @@ use super::options::{Destination, Memory, count};
 use clap::{Args, ValueEnum};
 use eigenshade_cli::messages::{print_message, progress_bar};
 use eigenshade_cli::output;
-use eigenshade_cli::presets::source_file;
+use eigenshade_cli::presets::{set_error_file, source_file};
 use eigenshade_generator::light::cube::face_files;
 use eigenshade_generator::light::map::Map;
 use eigenshade_generator::light::map_file::is_picture;
@@ -15,9 +15,11 @@ use eigenshade_model::error::{Error, Result};
 use eigenshade_model::inputs::coefficient_csv::{read_lights, write_lights};
 use eigenshade_model::inputs::coefficient_text::{LIGHT_DIGITS, rounded};
 use eigenshade_model::inputs::input_file::InputFile;
+use eigenshade_model::inputs::set_error_csv::write_set_errors;
 use eigenshade_model::inputs::source_csv::write_sources;
-use eigenshade_model::source::{Source, SourceSets};
+use eigenshade_model::source::{SetError, Source, SourceSets};
 use eigenshade_sources::pursuit::{self, ROUGHNESS};
+use eigenshade_sources::remaining;
 use std::path::{Path, PathBuf};
 
 /// Digits of the numbers of a source.
@@ -61,7 +63,8 @@ pub struct Light {
     from: Option<Convention>,
     /// Find sets of 1, 2, 4, 8 and K small bright sources, K from 1 to 32, for the highlights of glossy
     /// materials: see `render --sources`. They are written beside the output, to FILE.sources.csv for
-    /// FILE.csv. Takes some ten seconds a map
+    /// FILE.csv, and what they leave of pictures to FILE.sources.errors.csv. Takes some twenty seconds
+    /// a map
     #[arg(long, value_name = "K", value_parser = count(1, 32), requires = "out")]
     sources: Option<usize>,
     /// Roughness of the materials that sources are found for, 0.1 to 1
@@ -186,15 +189,18 @@ impl Light {
                     return Err(Error::new(what, "leave it out, or give one light CSV"));
                 }
                 let files = files(maps)?;
-                let beside = self.out.path.as_deref().map(source_file);
+                let out = self.out.path.as_deref();
+                let beside = out.map(|out| (source_file(out), set_error_file(out)));
                 let mut inputs = Vec::new();
                 for (_, path) in &files {
                     inputs.extend(pictures(path)?);
                 }
-                output::refuse_collisions(self.out.path.iter().chain(&beside), inputs)?;
-                if let (Some(most), Some(beside)) = (self.sources, beside) {
-                    let sets = self.found(&files, most, memory)?;
-                    output::write(Some(&beside), |out| write_sources(&sets, out))?;
+                let all_beside = beside.iter().flat_map(|(sources, errors)| [sources, errors]);
+                output::refuse_collisions(self.out.path.iter().chain(all_beside), inputs)?;
+                if let (Some(most), Some((of_sources, of_errors))) = (self.sources, beside) {
+                    let (sets, errors) = self.found(&files, most, memory)?;
+                    output::write(Some(&of_sources), |out| write_sources(&sets, out))?;
+                    output::write(Some(&of_errors), |out| write_set_errors(&errors, out))?;
                 }
                 Convention::Paper.convert(self.projected(files, memory)?, self.convention)?
             }
@@ -219,16 +225,16 @@ impl Light {
         Ok(rounded(&Lights { degree, entries }, LIGHT_DIGITS))
     }
 
-    /// The sources of the maps, in the frame of the lights.
+    /// The sources of the maps, in the frame of the lights, and the errors that they leave.
     fn found(
         &self,
         files: &[(String, PathBuf)],
         most: usize,
         memory: Memory,
-    ) -> Result<Vec<SourceSets>> {
+    ) -> Result<(Vec<SourceSets>, Vec<SetError>)> {
         let progress = progress_bar("maps", files.len());
-        let materials = pursuit::metals(&self.roughness)?;
-        let mut lights = Vec::new();
+        let (materials, metals) = (pursuit::metals(&self.roughness)?, remaining::metals()?);
+        let (mut lights, mut errors) = (Vec::new(), Vec::new());
         for (name, path) in files {
             let map = Map::read(memory.file(path), self.layout.map(Into::into))?;
             let Map::Equirectangular(map) = &map else {
@@ -237,15 +243,18 @@ impl Light {
             };
             let turn = frame::Frame::from(self.frame).turn(false)?.matrix();
             let sets = pursuit::find(map, &materials, most).map_err(|error| error.in_file(path))?;
+            let sets = SourceSets { name: name.clone(), sets };
+            let left = remaining::errors(map, &sets, &metals);
+            errors.extend(left.map_err(|error| error.in_file(path))?);
             let turned = |(most, set): (usize, Vec<Source>)| {
                 (most, set.iter().map(|source| source.turned(turn).rounded(DIGITS)).collect())
             };
-            let sets = sets.into_iter().map(turned).collect();
+            let sets = sets.sets.into_iter().map(turned).collect();
             lights.push(SourceSets { name: name.clone(), sets });
             progress.inc(1);
         }
         progress.finish_and_clear();
-        Ok(lights)
+        Ok((lights, errors))
     }
 
     /// Describes a map that was read, with warnings, on standard error.

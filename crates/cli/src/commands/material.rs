@@ -7,6 +7,7 @@ use eigenshade::mathematics::Libm;
 use eigenshade_cli::messages::albedo_warning;
 use eigenshade_cli::messages::{print_message, progress_bar};
 use eigenshade_cli::output;
+use eigenshade_cli::presets::gloss_file;
 use eigenshade_generator::material;
 use eigenshade_generator::material::analytic::{Analytic, Model, Shares};
 use eigenshade_generator::material::brdf::{Measure, Projected, Surface};
@@ -16,7 +17,10 @@ use eigenshade_index::material::count as count_of_orders;
 use eigenshade_model::database::{Materials, Named};
 use eigenshade_model::error::{Error, Result};
 use eigenshade_model::inputs::coefficient_csv::write_materials;
+use eigenshade_model::inputs::gloss_csv::write_glosses;
+use eigenshade_model::source::NamedGloss;
 use eigenshade_shading::parallel;
+use eigenshade_sources::gloss;
 use std::collections::HashSet;
 use std::path::PathBuf;
 
@@ -30,6 +34,9 @@ const ORDER: usize = 7;
 /// fitted values relative to the largest measured one, and the condition number. MERL files and
 /// formulas are projected by quadrature. For each projection, standard error shows the share of the
 /// energy, f^2 cos theta_i cos theta_r over both hemispheres, that the order leaves out.
+///
+/// With --out FILE.csv, the gloss of each material is written to FILE.gloss.csv, for `render
+/// --sources`: one GGX lobe over a matte base, exact for `lambertian` and `ggx` and fitted to others.
 #[derive(Args, Debug)]
 #[command(args_conflicts_with_subcommands = true, subcommand_negates_reqs = true)]
 pub struct Material {
@@ -68,8 +75,9 @@ impl Material {
             }
             None => {
                 let inputs = self.paths.iter().flat_map(|path| material::files::files(path));
+                let beside = beside(&self.out);
                 output::refuse_collisions(
-                    [&self.out.path, &self.report].into_iter().flatten(),
+                    [&self.out.path, &self.report, &beside].into_iter().flatten(),
                     inputs,
                 )?;
                 let mut sources = Vec::new();
@@ -80,16 +88,38 @@ impl Material {
             }
         };
         let negative = negative_values(&sources);
+        let beside = beside(&out);
+        let glosses = match &beside {
+            Some(_) => sources.iter().map(gloss).collect::<Result<Vec<_>>>()?,
+            None => Vec::new(),
+        };
         let (mut materials, fits) = coefficients(sources, order, measure.into())?;
         if let Some(width) = window {
             attenuate(&mut materials, Window::SincFourth { width });
         }
         output::write(out.path.as_deref(), |to| write_materials(&materials, to))?;
+        if beside.is_some() {
+            output::write(beside.as_deref(), |out| write_glosses(&glosses, out))?;
+        }
         if let Some(path) = &self.report {
             output::write(Some(path), |out| write_figures(&fits, out))?;
         }
         albedo_warning(&materials).into_iter().chain(negative).for_each(print_message);
         Ok(())
+    }
+}
+
+/// The file of the gloss, beside a CSV.
+fn beside(out: &Destination) -> Option<PathBuf> {
+    let csv = out.path.as_deref().filter(|path| path.extension().is_some_and(|end| end == "csv"));
+    csv.map(gloss_file)
+}
+
+/// The gloss of a material: exact for the formulas `lambertian` and `ggx`, fitted to others.
+fn gloss(source: &Source) -> Result<NamedGloss> {
+    match source {
+        Source::Measured(measured) => gloss::of_measured(measured),
+        Source::Surface(surface) => gloss::named(surface),
     }
 }
 

@@ -7,6 +7,7 @@ use eigenshade_cli::table;
 use eigenshade_model::budget::Budget;
 use eigenshade_model::error::Result;
 use eigenshade_model::inputs::input_file::InputFile;
+use eigenshade_model::inputs::source_csv::MOST;
 use eigenshade_model::rotation::Rotation;
 use eigenshade_table::Table;
 use std::path::{Path, PathBuf};
@@ -45,15 +46,26 @@ impl Memory {
 #[derive(Args, Debug)]
 pub struct TableChoice {
     /// Table: a file, or the name of a shipped one, which is `color` (160 components), `sphere`
-    /// (the one that the runtime contains) or `curet`
-    #[arg(id = "table", short, long, value_name = "NAME|FILE", default_value = "color")]
-    path: PathBuf,
+    /// (the one that the runtime contains), `curet`, or `pbr` (250 components of degree and order 12)
+    /// [default: color]
+    #[arg(id = "table", short, long, value_name = "NAME|FILE")]
+    path: Option<PathBuf>,
 }
 
 impl TableChoice {
     /// The file, or the shipped name.
     pub fn path(&self) -> &Path {
-        &self.path
+        self.path.as_deref().unwrap_or(Path::new("color"))
+    }
+
+    /// Whether it is given, and not the default.
+    pub fn is_given(&self) -> bool {
+        self.path.is_some()
+    }
+
+    /// This table, or another shipped one if none is given.
+    pub fn or(&self, name: &str) -> Self {
+        Self { path: Some(self.path.clone().unwrap_or_else(|| name.into())) }
     }
 
     /// Reads the table.
@@ -62,7 +74,7 @@ impl TableChoice {
     ///
     /// Those of [`table::read`].
     pub fn read(&self, memory: Memory) -> Result<Table> {
-        table::read(memory.file(&self.path))
+        table::read(memory.file(self.path()))
     }
 }
 
@@ -97,6 +109,25 @@ pub fn count(low: u64, high: u64) -> impl Fn(&str) -> Parsed<usize> + Clone {
     move |text| match text.parse::<u64>() {
         Ok(number) if (low..=high).contains(&number) => Ok(number as usize),
         _ => Err(format!("expected a whole number from {low} to {high}")),
+    }
+}
+
+/// How many sources a picture has.
+#[derive(Clone, Copy, Debug)]
+pub enum Sources {
+    /// At most this many.
+    Most(usize),
+    /// As few as a tolerance allows.
+    Auto,
+}
+
+/// Parses a number of sources.
+pub fn sources(text: &str) -> Parsed<Sources> {
+    match text {
+        "auto" => Ok(Sources::Auto),
+        _ => count(1, MOST as u64)(text)
+            .map(Sources::Most)
+            .map_err(|expected| format!("{expected}, or auto")),
     }
 }
 

@@ -1,10 +1,10 @@
 //! `eigenshade render`: draws a sphere, a mesh or a normal map, or makes a matcap.
 
 use super::choices::Choices;
-use super::gleam::Gleam;
-use super::options::{Inputs, Memory, TableChoice, count, positive};
+use super::gleam::{Gleam, sharpness_note, within};
+use super::options::{Inputs, Memory, Sources, TableChoice, count, positive, sources, tolerance};
 use clap::{Args, ValueEnum};
-use eigenshade::{Effects, Matcap, Rgb, Scalar, Tone};
+use eigenshade::{Effects, Matcap, Rgb, Scalar, Tolerance, Tone};
 use eigenshade_cli::messages::print_message;
 use eigenshade_cli::messages::{Ringing, albedo_warning};
 use eigenshade_cli::object::{Object, ObjectView, SIZE};
@@ -50,9 +50,15 @@ pub struct Render {
     #[command(flatten)]
     choices: Choices,
     /// Shade up to K small bright sources of the light by the material's gloss, for sharp highlights:
-    /// 1, 2, 4 or 8 of a shipped light. Needs a shipped material in color
-    #[arg(long, value_name = "K", value_parser = count(1, 32), conflicts_with = "effects")]
-    sources: Option<usize>,
+    /// 1, 2, 4 or 8 of a shipped light. `auto` takes as few as --tolerance allows and, without --table,
+    /// the table `color` or `pbr` with which a pixel takes the fewest multiply-adds. Needs a shipped
+    /// material in color, or a CSV with FILE.gloss.csv beside it, which `material` writes
+    #[arg(long, value_name = "K|auto", value_parser = sources, conflicts_with = "effects")]
+    sources: Option<Sources>,
+    /// What `--sources auto` allows: the root mean square error of the picture, as a share of the
+    /// peak, or decibels below it, like 1e-2 or 40dB [default: 1e-2]
+    #[arg(long, value_name = "T", value_parser = tolerance, requires = "sources")]
+    tolerance: Option<Tolerance<f64>>,
     /// The factor from irradiance to what the tone curve shows, white being 1 [default: metered,
     /// and 1 for an .exr]
     #[arg(long, value_name = "E", value_parser = positive, allow_hyphen_values = true)]
@@ -118,14 +124,15 @@ impl Render {
             let remedy = "leave --tone out, or write a .png";
             return Err(Error::new("an .exr has no tone curve", remedy).in_file(&self.out));
         }
-        let table = self.table.read(memory)?;
-        self.choices.check_rotation(&table)?;
-        let components = self.choices.components(&table, self.table.path())?;
-        let effects = self.choices.effects(&table)?;
         let Lights { degree, entries } = light.lights(memory.of_file())?;
         let lights = Lights { degree, entries: vec![light.only(entries)?] };
         let Materials { order, entries } = material.materials(memory.of_file())?;
         let materials = Materials { order, entries: vec![material.only(entries)?] };
+        let (choice, most) = self.chosen(&lights, &materials, memory)?;
+        let table = choice.read(memory)?;
+        self.choices.check_rotation(&table)?;
+        let components = self.choices.components(&table, choice.path())?;
+        let effects = self.choices.effects(&table)?;
         let higher = of_higher_order(material.path(), order, table.gram.order);
         let rounded = match self.format {
             Format::F32 => rounding::warning(&table, wire::Format::F32),
@@ -133,10 +140,11 @@ impl Render {
         };
         let warnings = [higher, albedo_warning(&materials), rounded].into_iter().flatten();
         let (mut lights, materials) = fitted(&table, &lights, &materials);
-        let highlights = match self.sources {
-            Some(most) => Gleam::taken_out(&self.inputs, &mut lights, most, memory)?,
+        let highlights = match most {
+            Some(most) => Gleam::taken_out(&self.inputs, &mut lights, &materials, most, memory)?,
             None => None,
         };
+        let sources = highlights.as_ref().map_or(0, Gleam::count);
         let highlights = highlights.map(|gleam| gleam.turned(&self.choices));
         self.choices.change(&mut lights);
         let is_sphere = self.normals.as_os_str() == "sphere";
@@ -168,13 +176,50 @@ impl Render {
         let mut ringing = Ringing::default();
         let pair = || overflow::pair(&lights.entries[0], &materials.entries[0]);
         ringing.record(pair, least, largest);
-        let note = note(self.table.path(), &table.scene.geometry).filter(|_| is_sphere);
+        let note = note(choice.path(), &table.scene.geometry).filter(|_| is_sphere);
         let ringing = ringing.note().filter(|_| self.choices.has_all_effects());
-        let sharp = material.error_note(table.gram.order);
+        let pair = (&lights, &materials);
+        let sharp = sharpness_note(&self.inputs, &table, pair, sources, memory)?;
         note.into_iter().chain(warnings).chain(ringing).chain(sharp).for_each(print_message);
         Ok(())
     }
 }
+
+impl Render {
+    /// The table, and the most sources if there may be any.
+    fn chosen(
+        &self,
+        lights: &Lights,
+        materials: &Materials,
+        memory: Memory,
+    ) -> Result<(TableChoice, Option<usize>)> {
+        let given = || self.table.or("color");
+        let tolerance = match self.tolerance {
+            None => WITHIN,
+            Some(Tolerance::OfPeak(share)) => share,
+            Some(Tolerance::Decibels(decibels)) => 10_f64.powf(-f64::from(decibels) / 20.0),
+            Some(_) => return Err(Error::new("this tolerance is not supported", "give a share")),
+        };
+        match (self.sources, self.tolerance) {
+            (Some(Sources::Most(_)), Some(_)) => {
+                let remedy = "leave one out, or give --sources auto";
+                Err(Error::new("--tolerance chooses the number of sources, which is given", remedy))
+            }
+            (Some(Sources::Most(most)), None) => Ok((given(), Some(most))),
+            (None, _) => Ok((given(), None)),
+            (Some(Sources::Auto), _) => {
+                let light = (lights.entries[0].name.as_str(), lights.degree);
+                let material = (materials.entries[0].name.as_str(), materials.order);
+                let pair = (light, material);
+                let (table, most) = within(tolerance, &self.inputs, &self.table, pair, memory)?;
+                Ok((table, Some(most)))
+            }
+        }
+    }
+}
+
+/// What `--sources auto` allows by default.
+const WITHIN: f64 = 1e-2;
 
 /// One light on one material.
 struct Pair<'a> {

@@ -1,17 +1,18 @@
 //! `eigenshade shader`: writes a scene as a function of a shader.
 
-use super::gleam::Gleam;
+use super::gleam::{Gleam, sharpness_note};
 use super::options::{Destination, Inputs, Memory, TableChoice, count, tolerance};
 use clap::{Args, ValueEnum};
 use eigenshade::{Highlights, Rgb, Scene, ShaderLanguage, Tolerance};
 use eigenshade_cli::messages::print_message;
 use eigenshade_cli::output;
-use eigenshade_model::database::Lights;
+use eigenshade_model::database::{Lights, Materials};
 use eigenshade_model::error::{Error, Result};
 use eigenshade_model::inputs::source_csv::MOST;
 use eigenshade_shading::overflow;
 use eigenshade_shading::owned_basis::OwnedBasis;
 use eigenshade_shading::shader::{Lit, Shader as Projector, fault, fitted, of_higher_order};
+use eigenshade_table::Table;
 use serde::Serialize;
 
 /// Write a light on a material as a function of a shader
@@ -91,15 +92,16 @@ impl Shader {
         let light = self.inputs.light.only(lights.entries)?;
         let material = self.inputs.material.only(materials.entries)?;
         let mut lights = Lights { degree: lights.degree, entries: vec![light] };
-        let highlights = self.highlights(&mut lights, memory)?;
-        let light = &lights.entries[0];
+        let materials = Materials { order: materials.order, entries: vec![material] };
+        let (highlights, sharp) = self.highlights(&table, &mut lights, &materials, memory)?;
+        let (light, material) = (&lights.entries[0], &materials.entries[0]);
         let basis = OwnedBasis::<f32>::new(&table);
         let any = basis.any().map_err(fault)?;
         let projector = Projector::new(any, table.count()).with_transfers(basis.transfers());
         let channels = [0, 1, 2]
             .map(|c| ((lights.degree, &light.rgb[c][..]), (materials.order, &material.rgb[c][..])));
         let written = self.written(projector, channels, highlights.as_ref());
-        let written = written.map_err(|error| error.of(overflow::pair(light, &material)))?;
+        let written = written.map_err(|error| error.of(overflow::pair(light, material)))?;
         let (found, most) = (written.vectors.len(), self.lang.most());
         let many = (found > most).then(|| {
             format!(
@@ -115,17 +117,26 @@ impl Shader {
         };
         output::write_all(self.out.path.as_deref(), contents.into_bytes())?;
         let higher = of_higher_order(self.inputs.material.path(), of_file.order, materials.order);
-        higher.iter().chain(&many).for_each(print_message);
+        higher.iter().chain(&many).chain(&sharp).for_each(print_message);
         Ok(())
     }
 
-    /// The highlights, if the text or the vectors depend on them. Their sources are taken out of the
-    /// light.
-    fn highlights(&self, lights: &mut Lights, memory: Memory) -> Result<Option<Lobes>> {
+    /// The highlights, if the text or the vectors depend on them, with a note if pictures are far off.
+    /// Their sources are taken out of the light.
+    fn highlights(
+        &self,
+        table: &Table,
+        lights: &mut Lights,
+        materials: &Materials,
+        memory: Memory,
+    ) -> Result<(Option<Lobes>, Option<String>)> {
         let depends = self.json || self.tolerance.is_some();
-        let Some(most) = self.sources.filter(|_| depends) else { return Ok(None) };
-        let gleam = Gleam::taken_out(&self.inputs, lights, most, memory)?;
-        gleam.map(|gleam| gleam.shaded()).transpose()
+        let Some(most) = self.sources.filter(|_| depends) else { return Ok((None, None)) };
+        let gleam = Gleam::taken_out(&self.inputs, lights, materials, most, memory)?;
+        let Some(gleam) = gleam else { return Ok((None, None)) };
+        let pair = (&*lights, materials);
+        let note = sharpness_note(&self.inputs, table, pair, gleam.count(), memory)?;
+        Ok((Some(gleam.shaded()?), note))
     }
 
     /// The shader of three channels.

@@ -19,12 +19,12 @@ use std::borrow::Cow;
 use std::path::Path;
 
 /// The names of the shipped tables.
-const SHIPPED: [&str; 3] = ["color", "sphere", "curet"];
+const SHIPPED: [&str; 4] = ["color", "sphere", "curet", "pbr"];
 
 /// The bytes of a shipped table, if there is no file of its name.
 #[must_use]
 pub fn shipped(path: &Path) -> Option<&'static [u8]> {
-    let tables = [shipped::COLOR, shipped::TABLE, shipped::CURET];
+    let tables = [shipped::COLOR, shipped::TABLE, shipped::CURET, shipped::PBR];
     let place = SHIPPED.iter().position(|name| path.as_os_str() == *name);
     place.filter(|_| !is_file(path)).map(|place| tables[place])
 }

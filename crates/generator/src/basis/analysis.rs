@@ -13,7 +13,7 @@ use crate::basis::profile;
 use eigenshade_model::database::{self, Lights, Materials};
 use eigenshade_model::error::Result;
 use eigenshade_model::selection::{self, Kept};
-use eigenshade_table::scene::Criterion;
+use eigenshade_table::scene::{self, Criterion, Store};
 use eigenshade_table::{Component, GramFactor, MeanImage, Profile, Scene, Summary, Table};
 use faer::Mat;
 use rayon::iter::{IntoParallelIterator, ParallelIterator};
@@ -56,7 +56,7 @@ impl Analysis {
         let kept = Kept { effects, selection };
         let azimuths: Vec<Result<Azimuth>> = (0..=gram.degree)
             .into_par_iter()
-            .map(|azimuth| analyze(&gram, &kept, &light, &of_materials, criterion, azimuth))
+            .map(|azimuth| analyze(&gram, &kept, (&light, &of_materials), &scene.basis, azimuth))
             .collect();
         // Report the first fault by azimuth, regardless of which thread found one first.
         let azimuths = azimuths.into_iter().collect::<Result<Vec<_>>>()?;
@@ -194,12 +194,16 @@ fn largest_of(azimuths: &[Azimuth], values: fn(&Azimuth) -> &[f64]) -> f64 {
 fn analyze(
     gram: &GramFactor,
     kept: &Kept,
-    light: &LightMoments,
-    materials: &MaterialMoments,
-    criterion: Criterion,
+    (light, materials): (&LightMoments, &MaterialMoments),
+    basis: &scene::Basis,
     azimuth: usize,
 ) -> Result<Azimuth> {
-    let block = Block::new(gram, azimuth, |l, o, p, q| kept.keeps(gram, azimuth, (l, o, p, q)))?;
+    let criterion = basis.criterion;
+    let keeps = |l, o, p, q| kept.keeps(gram, azimuth, (l, o, p, q));
+    let block = match basis.store {
+        Store::Modes => Block::new(gram, azimuth, keeps)?,
+        _ => Block::without_modes(gram, azimuth, keeps)?,
+    };
     let deviations = moments::deviations(light, materials, kept.effects, criterion, azimuth);
     let images = block.images(gram, &deviations);
     let constant = (criterion == Criterion::ImageCentered && azimuth == 0)

@@ -194,8 +194,8 @@ pub(crate) fn constant_coordinates(gram: &GramFactor, space: &ProfileSpace) -> V
     space.coordinates(&ones).col(0).iter().copied().collect()
 }
 
-/// Largest |UᵀMU - I| over the first `count` components, computed from AU without forming M.
-/// Domain: a table that stores U over modes.
+/// Largest |UᵀMU - I| over the first `count` components, computed from AU without forming M, or, if
+/// the table has no U over modes, from its profiles.
 #[must_use]
 pub fn orthonormality(table: &Table, count: usize) -> f64 {
     let mut worst: f64 = 0.0;
@@ -206,9 +206,13 @@ pub fn orthonormality(table: &Table, count: usize) -> f64 {
                 table.profiles[k].azimuth == azimuth && first.is_some_and(|first| first < count)
             })
             .collect();
-        let columns = table.gram.columns(azimuth);
-        let images: Vec<Vec<f64>> =
-            wanted.iter().map(|&k| node_values(&columns, &table.profiles[k].modes)).collect();
+        let has_modes = wanted.iter().any(|&k| !table.profiles[k].modes.is_empty());
+        let columns = if has_modes { table.gram.columns(azimuth) } else { Vec::new() };
+        let image = |&k: &usize| {
+            let Profile { modes, node_values: values, .. } = &table.profiles[k];
+            if has_modes { node_values(&columns, modes) } else { values.clone() }
+        };
+        let images: Vec<Vec<f64>> = wanted.iter().map(image).collect();
         for (i, a) in images.iter().enumerate() {
             for (j, b) in images.iter().enumerate().take(i + 1) {
                 let product: f64 = a.iter().zip(b).map(|(a, b)| a * b).sum();

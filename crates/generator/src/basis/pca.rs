@@ -11,6 +11,9 @@ use eigenshade_model::error::{Error, Result};
 use eigenshade_table::GramFactor;
 use faer::{Mat, MatRef};
 
+/// Modes that are processed at once.
+const CHUNK: usize = 4096;
+
 /// The matrix A of one azimuth, in the coordinates of its profile space.
 #[derive(Clone, Debug)]
 pub struct Block {
@@ -25,8 +28,8 @@ pub struct Block {
     left: Mat<f64>,
     /// Singular values of `factor`, falling.
     pub singular_values: Vec<f64>,
-    /// Right singular vectors of `factor`.
-    right: Mat<f64>,
+    /// Right singular vectors of `factor`, for U over modes.
+    right: Option<Mat<f64>>,
 }
 
 impl Block {
@@ -47,7 +50,38 @@ impl Block {
             space,
             left: svd.U().to_owned(),
             singular_values: diagonal(svd.S().column_vector()),
-            right: svd.V().to_owned(),
+            right: Some(svd.V().to_owned()),
+            factor,
+        })
+    }
+
+    /// Like [`new`](Self::new), without what U over modes needs, which is most of the work: a block has
+    /// a thousand times as many modes as profiles.
+    ///
+    /// # Errors
+    ///
+    /// Those of [`new`](Self::new).
+    pub fn without_modes(
+        gram: &GramFactor,
+        azimuth: usize,
+        keeps: impl Fn(usize, usize, usize, usize) -> bool,
+    ) -> Result<Self> {
+        let (space, factor) = factor(gram, azimuth, keeps);
+        // Aᵀ = Q R, so A has the left singular vectors and the values of Rᵀ. Only R is computed: the
+        // factors of some modes at a time, under that of those before.
+        let mut triangle = Mat::zeros(0, factor.nrows());
+        for first in (0..factor.ncols()).step_by(CHUNK) {
+            let part = factor.get(.., first..(first + CHUNK).min(factor.ncols())).transpose();
+            let rows = concat(triangle.as_ref(), part);
+            triangle = rows.qr().thin_R().to_owned();
+        }
+        let svd = triangle.transpose().thin_svd().map_err(|_| not_converged(azimuth))?;
+        Ok(Self {
+            azimuth,
+            space,
+            left: svd.U().to_owned(),
+            singular_values: diagonal(svd.S().column_vector()),
+            right: None,
             factor,
         })
     }
@@ -65,15 +99,16 @@ impl Block {
     }
 
     /// U = A⁺W: mode coefficients of the eigenimages with these coordinates, one column each.
-    /// Singular values up to `threshold` count as zero.
+    /// Singular values up to `threshold` count as zero. Without rows for a block without modes.
     #[must_use]
     pub fn mode_coefficients(&self, coordinates: &Mat<f64>, threshold: f64) -> Mat<f64> {
+        let Some(right) = &self.right else { return Mat::zeros(0, coordinates.ncols()) };
         let rank = self.rank(threshold);
         let projected = self.left.get(.., ..rank).transpose() * coordinates;
         let scaled = Mat::from_fn(rank, coordinates.ncols(), |i, j| {
             projected[(i, j)] / self.singular_values[i]
         });
-        self.right.get(.., ..rank) * scaled
+        right.get(.., ..rank) * scaled
     }
 
     /// AF, the coordinates of the images of these deviations.
@@ -106,16 +141,29 @@ pub(crate) fn factor(
     keeps: impl Fn(usize, usize, usize, usize) -> bool,
 ) -> (ProfileSpace, Mat<f64>) {
     let space = ProfileSpace::new(gram, azimuth);
-    let mut columns = gram.columns(azimuth);
-    let modes = mode::indices(gram.degree, gram.order, azimuth);
-    for (column, (l, o, p, q)) in columns.iter_mut().zip(modes) {
-        if !keeps(l, o, p, q) {
-            column.fill(0.0);
+    let modes: Vec<_> = mode::indices(gram.degree, gram.order, azimuth).collect();
+    let mut factor = Mat::zeros(space.dimension(), modes.len());
+    for (chunk, modes) in modes.chunks(CHUNK).enumerate() {
+        let mut nodes = Mat::zeros(gram.nodes.len(), modes.len());
+        for (s, &(l, o, p, q)) in modes.iter().enumerate() {
+            if keeps(l, o, p, q) {
+                let column = nodes.col_mut(s).iter_mut();
+                column.zip(gram.column(azimuth, l, o, p, q)).for_each(|(to, value)| *to = value);
+            }
         }
+        let first = chunk * CHUNK;
+        let part = space.coordinates(&nodes);
+        factor.get_mut(.., first..first + modes.len()).copy_from(&part);
     }
-    let nodes = Mat::from_fn(gram.nodes.len(), columns.len(), |k, s| columns[s][k]);
-    let factor = space.coordinates(&nodes);
     (space, factor)
+}
+
+/// The rows of two matrices, one after the other.
+fn concat(above: MatRef<'_, f64>, below: MatRef<'_, f64>) -> Mat<f64> {
+    let mut rows = Mat::zeros(above.nrows() + below.nrows(), below.ncols());
+    rows.get_mut(..above.nrows(), ..).copy_from(above);
+    rows.get_mut(above.nrows().., ..).copy_from(below);
+    rows
 }
 
 /// The principal components of a set of images.

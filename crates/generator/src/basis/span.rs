@@ -69,7 +69,8 @@ impl Span {
     pub fn new(gram: &GramFactor, kept: &Kept) -> Result<Self> {
         let blocks: Vec<Block> = (0..=gram.degree)
             .map(|azimuth| {
-                Block::new(gram, azimuth, |l, o, p, q| kept.keeps(gram, azimuth, (l, o, p, q)))
+                let keeps = |l, o, p, q| kept.keeps(gram, azimuth, (l, o, p, q));
+                Block::without_modes(gram, azimuth, keeps)
             })
             .collect::<Result<_>>()?;
         let largest =

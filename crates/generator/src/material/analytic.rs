@@ -12,6 +12,7 @@
 
 use crate::material::brdf::{Brdf, Ggx, Lambertian, OrenNayar, Surface};
 use eigenshade_model::error::{Error, Result};
+use eigenshade_model::source::Gloss;
 use serde::Deserialize;
 use std::collections::HashSet;
 use std::path::Path;
@@ -106,10 +107,29 @@ impl Analytic {
         let of =
             |channel| self.channel(channel).map_err(|error| error.of(format_args!("`{name}`")));
         let gray = [self.albedo, self.f0].into_iter().flatten().all(Shares::is_gray);
-        if gray {
-            return Ok(Surface::gray(name.clone(), of(0)?));
-        }
-        Ok(Surface::colored(name.clone(), [of(0)?, of(1)?, of(2)?]))
+        let surface = if gray {
+            Surface::gray(name.clone(), of(0)?)
+        } else {
+            Surface::colored(name.clone(), [of(0)?, of(1)?, of(2)?])
+        };
+        Ok(match self.gloss() {
+            Some(gloss) => surface.with_gloss(gloss),
+            None => surface,
+        })
+    }
+
+    /// The lobe over a matte base that the material exactly is.
+    fn gloss(&self) -> Option<Gloss> {
+        let rgb = |shares: Option<Shares>| {
+            [0, 1, 2].map(|c: usize| shares.map_or(0.0, |shares| shares.channel(c)))
+        };
+        let (reflectance, albedo) = (rgb(self.f0), rgb(self.albedo));
+        let (roughness, grazing) = match self.model {
+            Model::Ggx => (self.roughness?, [1.0; 3]),
+            Model::Lambertian => (1.0, [0.0; 3]),
+            Model::OrenNayar => return None,
+        };
+        Some(Gloss { roughness, reflectance, grazing, albedo })
     }
 
     fn channel(&self, channel: usize) -> Result<Box<dyn Brdf>> {

@@ -74,7 +74,7 @@ pub(crate) fn within(
     let start = scene.basis.profile_tolerance.min((WHOLE * tolerance).max(NEAREST));
     let mut table = analysis.table(count, start);
     let mean = analysis.mean_values();
-    let most_terms = terms(&table);
+    let most_terms = table.terms();
     let lost = left_out(&table, mean.as_deref());
     let allowed = ((budget - leaves).max(0.0).sqrt() - lost.sqrt()).max(0.0);
     let size = table.summary.energy.sqrt();
@@ -89,7 +89,7 @@ pub(crate) fn within(
         reach,
         components: remaining.share(count, share),
         terms: Some(Share {
-            kept: terms(&table),
+            kept: table.terms(),
             of: most_terms,
             leaves: share(lost),
             one_less: None,
@@ -103,17 +103,6 @@ pub(crate) fn within(
         ));
     }
     Ok((table, choice))
-}
-
-/// Number of terms of a collapsed scene, with both signs of m included.
-fn terms(table: &Table) -> usize {
-    let azimuths = table.profiles.iter().map(|one| (one.azimuth, one.chebyshev.len()));
-    let mean = table.mean.iter().map(|mean| (0, mean.chebyshev.len()));
-    let mut longest = vec![0; table.gram.degree + 1];
-    for (azimuth, length) in azimuths.chain(mean) {
-        longest[azimuth] = length.max(longest[azimuth]);
-    }
-    longest.iter().enumerate().map(|(m, length)| length * if m == 0 { 1 } else { 2 }).sum()
 }
 
 /// Mean energy of the database's images that the polynomials omit. The coefficients of components

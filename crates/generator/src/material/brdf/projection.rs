@@ -17,6 +17,7 @@ use eigenshade_index::{material, pair};
 use eigenshade_model::database::Named;
 use eigenshade_model::irradiance::slant_radials;
 use eigenshade_model::scattering::norm;
+use eigenshade_model::source::Gloss;
 use eigenshade_model::special::quadrature::{Feature, gauss_legendre, spread};
 use std::f64::consts::{FRAC_PI_2, FRAC_PI_8, PI};
 
@@ -261,6 +262,7 @@ pub struct Surface {
     pub name: String,
     channels: Vec<Box<dyn Brdf>>,
     lobe: Option<Lobe>,
+    gloss: Option<Gloss>,
 }
 
 /// The BRDF f that all channels share: each is k + a f.
@@ -291,13 +293,13 @@ impl Surface {
     /// A surface with the same BRDF in all channels.
     #[must_use]
     pub fn gray(name: String, brdf: Box<dyn Brdf>) -> Self {
-        Self { name, channels: vec![brdf], lobe: None }
+        Self { name, channels: vec![brdf], lobe: None, gloss: None }
     }
 
     /// A surface with separate BRDFs for r, g and b.
     #[must_use]
     pub fn colored(name: String, rgb: [Box<dyn Brdf>; 3]) -> Self {
-        Self { name, channels: Vec::from(rgb), lobe: None }
+        Self { name, channels: Vec::from(rgb), lobe: None, gloss: None }
     }
 
     /// The same surface, whose channels are k + a f for this f and a share [k, a] for each. It is
@@ -305,6 +307,18 @@ impl Surface {
     #[must_use]
     pub fn of_lobe(self, brdf: Box<dyn Brdf>, shares: [[f64; 2]; 3]) -> Self {
         Self { lobe: Some(Lobe { brdf, shares }), ..self }
+    }
+
+    /// The same surface, which is exactly this lobe over a matte base.
+    #[must_use]
+    pub fn with_gloss(self, gloss: Gloss) -> Self {
+        Self { gloss: Some(gloss), ..self }
+    }
+
+    /// The lobe over a matte base that this surface exactly is, if it is one.
+    #[must_use]
+    pub fn gloss(&self) -> Option<Gloss> {
+        self.gloss
     }
 
     /// The BRDF of a channel, 0 to 2.

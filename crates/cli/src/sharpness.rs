@@ -1,0 +1,226 @@
+//! How far pictures of sharp materials are off, without sources and with them.
+//!
+//! The figures are looked up: those of a material of a shipped file are its own; those of any other
+//! gloss are of a GGX metal of the same roughness, under the same light if it has been measured.
+
+use crate::presets::Source;
+use eigenshade::SourceSet;
+use eigenshade_model::budget::Budget;
+use eigenshade_model::error::{Error, Result};
+use eigenshade_model::source::{Gloss, SetError};
+use eigenshade_shading::{highlights, shipped};
+use std::fmt::Write as _;
+
+/// A total error above this share of the peak, over a picture, is worth a note.
+const LARGE: f64 = 0.05;
+/// And so is one of a pixel above this share: the highlight is not half as bright as it should be.
+const DIM: f64 = 0.5;
+/// The same with sources, which are meant for highlights.
+const DIM_WITH_SOURCES: f64 = 0.25;
+/// The rms that a fitted gloss leaves, relative to pictures under a small source, from which on it is
+/// worth a note.
+const FAR: f64 = 0.15;
+
+/// A degree and an order.
+type Size = (usize, usize);
+
+/// The errors of pictures of GGX metals under a light, or under many.
+pub struct Sharpness {
+    /// The name of the light, if the errors are its own.
+    light: Option<String>,
+    errors: Vec<SetError>,
+}
+
+/// What is left of pictures of a metal.
+struct Left {
+    /// The root mean square, in the median over the lights and under the worst one.
+    rms: [f64; 2],
+    /// The largest error of a pixel.
+    pixel: f64,
+    /// Degree and order at which it was measured.
+    size: Size,
+}
+
+impl Sharpness {
+    /// The errors under a light, or under all shipped lights with maps if its own are not known.
+    ///
+    /// # Errors
+    ///
+    /// If the errors beside a light CSV cannot be read.
+    pub fn under(light: &Source, name: &str, budget: Budget) -> Result<Self> {
+        let errors = light.set_errors(name, budget)?;
+        if errors.is_empty() {
+            return Ok(Self { light: None, errors: shipped::set_errors()? });
+        }
+        Ok(Self { light: Some(name.to_owned()), errors })
+    }
+
+    /// For each light, the errors of its largest set of at most this many sources, at the largest
+    /// measured degree and order that are not larger, or else at the least.
+    fn sets(&self, size: Size, most: usize) -> Vec<&SetError> {
+        let size = self.size(size);
+        let mut sets: Vec<&SetError> = Vec::new();
+        let fitting = self.errors.iter().filter(|one| one.size == size && one.most <= most);
+        for one in fitting {
+            match sets.iter_mut().find(|set| set.light == one.light) {
+                Some(set) if set.most <= one.most => *set = one,
+                Some(_) => {}
+                None => sets.push(one),
+            }
+        }
+        sets
+    }
+
+    fn size(&self, (degree, order): Size) -> Size {
+        let sizes = || self.errors.iter().map(|one| one.size);
+        let smaller = sizes().filter(|size| size.0 <= degree && size.1 <= order);
+        smaller.max().or(sizes().min()).unwrap_or_default()
+    }
+
+    fn left(&self, size: Size, most: usize, roughness: f64) -> Left {
+        let sets = self.sets(size, most);
+        let errors = sets.iter().map(|set| set.at(roughness)).collect::<Vec<_>>();
+        let mut rms: Vec<f64> = errors.iter().map(|error| error.rms).collect();
+        rms.sort_by(f64::total_cmp);
+        let median = rms.get(rms.len() / 2).copied().unwrap_or(0.0);
+        Left {
+            rms: [median, rms.last().copied().unwrap_or(0.0)],
+            pixel: errors.iter().map(|error| error.worst).fold(0.0, f64::max),
+            size: self.size(size),
+        }
+    }
+
+    /// The smallest set of sources that leaves at most `tolerance` at a degree and an order, or, if all
+    /// leave more, the one that leaves least.
+    ///
+    /// # Errors
+    ///
+    /// If the errors of the light's sets are not known.
+    pub fn fewest(&self, size: Size, gloss: &Gloss, tolerance: f64) -> Result<Choice> {
+        if self.light.is_none() {
+            let remedy = "find its sources again with `eigenshade light MAP --sources 8`, which \
+                          measures them, or give their number: --sources 4";
+            return Err(Error::new("the errors of the light's sources are not known", remedy));
+        }
+        let gloss = highlights::gloss::<f64>(gloss)?;
+        let measured = self.size(size);
+        let of_size = self.errors.iter().filter(|one| one.size == measured);
+        let mut all: Vec<&SetError> = of_size.collect();
+        all.sort_by_key(|one| one.most);
+        let sets = all.iter().map(|one| SourceSet::new(&[], one.errors.map(|error| error.rms)));
+        let sets: Vec<SourceSet<'_, f64>> = sets.collect();
+        let choices = all
+            .iter()
+            .zip(&sets)
+            .map(|(one, set)| Choice { most: one.most, error: set.error(&gloss) });
+        let choices: Vec<Choice> = choices.collect();
+        let within = choices.iter().find(|choice| choice.error <= tolerance);
+        let least = || choices.iter().min_by(|a, b| a.error.total_cmp(&b.error));
+        Ok(within.or_else(least).copied().unwrap_or_default())
+    }
+
+    /// A note if pictures of a material are far off, at this degree and order with at most this many
+    /// sources. `name` is what the user called it, and `error` what the fit of its gloss leaves.
+    #[must_use]
+    pub fn note(&self, name: &str, gloss: &Known, size: Size, sources: usize) -> Option<String> {
+        let (degree, order) = size;
+        let with = if sources > 0 { format!(" and {}", counted(sources)) } else { String::new() };
+        let mut text = format!("note: `{name}` is sharper than order {order}{with} can show");
+        let roughness = gloss.gloss.roughness;
+        let left = self.left(size, sources, roughness);
+        let dim = if sources > 0 { DIM_WITH_SOURCES } else { DIM };
+        let is_blurred = left.rms[1] > LARGE || left.pixel > dim;
+        let is_other = sources > 0 && gloss.error > FAR;
+        if is_blurred {
+            let [median, worst] = left.rms;
+            let bound = match left.size {
+                measured if measured == size => "",
+                measured if measured.0 <= degree && measured.1 <= order => "at most ",
+                _ => "at least ",
+            };
+            let _ = write!(
+                text,
+                ": at degree {degree}, pictures of a metal of its roughness, {roughness:.2}, are off \
+                 by {bound}{:.1} % of their peak",
+                100.0 * median
+            );
+            let _ = match &self.light {
+                Some(light) => write!(text, " under `{light}`"),
+                None => write!(text, ", under some lights by {:.0} %", 100.0 * worst),
+            };
+            let _ = write!(text, ", and blurred highlights by up to {:.0} %", 100.0 * left.pixel);
+        }
+        if is_other {
+            let joint = if is_blurred { "; moreover" } else { ":" };
+            let _ = write!(
+                text,
+                "{joint} its gloss is not quite a GGX lobe, and its highlights are off by {:.0} %",
+                100.0 * gloss.error
+            );
+        }
+        (is_blurred || is_other).then_some(text)
+    }
+}
+
+/// A set of sources that was chosen.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Choice {
+    /// The most sources of the set; 0 for none.
+    pub most: usize,
+    /// What it leaves of pictures: root mean square, relative to the peak.
+    pub error: f64,
+}
+
+impl Choice {
+    /// What was chosen, and what it leaves.
+    #[must_use]
+    pub fn report(&self, (degree, order): Size, tolerance: f64) -> String {
+        let [error, asked] = [self.error, tolerance].map(|share| 100.0 * share);
+        let sources = match self.most {
+            0 => "no sources".to_owned(),
+            most => counted(most),
+        };
+        let leave = if self.most == 1 { "leaves" } else { "leave" };
+        let text =
+            format!("{sources} at degree {degree}, order {order} {leave} {error:.2} % of the peak");
+        if error > asked {
+            format!("note: {text}, and no set leaves {asked} %")
+        } else {
+            format!("{text}, {asked} % asked for")
+        }
+    }
+}
+
+/// A gloss, and what it leaves of pictures of its material under a small source.
+#[derive(Clone, Copy, Debug)]
+pub struct Known {
+    /// The lobe.
+    pub gloss: Gloss,
+    /// The rms, relative to the pictures.
+    pub error: f64,
+}
+
+/// A number of sources in words.
+#[must_use]
+pub fn counted(sources: usize) -> String {
+    format!("{sources} source{}", if sources == 1 { "" } else { "s" })
+}
+
+/// If pictures of a shipped material were measured at this order, without sources: a note if they are
+/// far from those of its BRDF, at the degree at which they were measured.
+#[must_use]
+pub fn shipped_note(name: &str, order: usize) -> Option<Option<String>> {
+    let (degree, _) = shipped::ERROR_SIZES.into_iter().find(|size| size.1 == order)?;
+    let error = shipped::total_error(name, (degree, order))?;
+    let note = || {
+        format!(
+            "note: `{name}` is sharper than order {order} can show: at degree {degree}, pictures \
+             are off by {:.1} % of their peak, under some lights by {:.0} %, and blurred highlights \
+             by up to {:.0} %",
+            100.0 * error.median,
+            100.0 * error.worst,
+            100.0 * error.pixel
+        )
+    };
+    Some((error.worst > LARGE || error.pixel > DIM).then(note))
+}
