@@ -12,13 +12,16 @@ const SIMD = Uint8Array.of(
 const shared = new Map();
 
 /**
- * The engine of the package, loaded once; that of scenes with sources is another one.
+ * The engine of the package, loaded once. That of scenes with sources is another one, which serves
+ * later scenes without sources too.
  *
  * @param {boolean} sources
  * @returns {Promise<Engine>}
  */
 export function engine(sources) {
-  const name = `wasm/eigenshade${sources ? ".sources" : ""}${WebAssembly.validate(SIMD) ? ".simd" : ""}.wasm`;
+  const simd = WebAssembly.validate(SIMD) ? ".simd" : "";
+  const larger = `wasm/eigenshade.sources${simd}.wasm`;
+  const name = sources || shared.has(larger) ? larger : `wasm/eigenshade${simd}.wasm`;
   let found = shared.get(name);
   if (!found) {
     found = asset(name).then((bytes) => {
