@@ -6,8 +6,27 @@ import { checkSources } from "./input.js";
 /** @typedef {import("./input.js").Channels} Channels */
 /** @typedef {import("./input.js").MetallicRoughness} MetallicRoughness */
 
-/** @type {Map<string, Promise<Channels>>} */
+/** @type {Map<string, Promise<any>>} */
 const loaded = new Map();
+
+/**
+ * What is read from a file, once.
+ *
+ * @template T
+ * @param {string} path
+ * @param {() => Promise<T>} read
+ * @returns {Promise<T>}
+ */
+function once(path, read) {
+  let found = loaded.get(path);
+  if (!found) {
+    found = read();
+    loaded.set(path, found);
+    // A failed download may be tried again.
+    found.catch(() => loaded.delete(path));
+  }
+  return found;
+}
 
 /**
  * The coefficients of a shipped light, to degree 9, and at most this many small sources of it. Lights
@@ -22,10 +41,13 @@ export async function lightPreset(name, { sources = 0 } = {}) {
   checkSources(sources);
   const light = await preset("light", name);
   if (sources === 0) return light;
-  const bytes = await asset(`presets/sources/${name}.bin`);
-  if (!bytes) throw new Error(`presets/sources/${name}.bin is missing from the package`);
-  // Eleven numbers for each source: the size of its set, and those of `Channels`.
-  const rows = Array.from({ length: bytes.byteLength / 44 }, (_, k) => new Float32Array(bytes, 44 * k, 11));
+  const path = `presets/sources/${name}.bin`;
+  const rows = await once(path, async () => {
+    const bytes = await asset(path);
+    if (!bytes) throw new Error(`${path} is missing from the package`);
+    // Eleven numbers for each source: the size of its set, and those of `Channels`.
+    return Array.from({ length: bytes.byteLength / 44 }, (_, k) => new Float32Array(bytes, 44 * k, 11));
+  });
   const set = Math.max(0, ...rows.map(([size]) => size).filter((size) => size <= sources));
   return { ...light, sources: rows.filter(([size]) => size === set).flatMap((row) => [...row.subarray(1)]) };
 }
@@ -72,24 +94,17 @@ export async function presetNames() {
 /**
  * @param {"light" | "material"} kind
  * @param {string} name
- * @returns {Promise<Channels>}
  */
 function preset(kind, name) {
   const path = `presets/${kind}/${name}.bin`;
-  let found = loaded.get(path);
-  if (!found) {
-    found = read(kind, name, path);
-    loaded.set(path, found);
-    // A failed download may be tried again.
-    found.catch(() => loaded.delete(path));
-  }
-  return found;
+  return once(path, () => read(kind, name, path));
 }
 
 /**
  * @param {"light" | "material"} kind
  * @param {string} name
  * @param {string} path
+ * @returns {Promise<Channels>}
  */
 async function read(kind, name, path) {
   const bytes = /^[a-z0-9-]+$/.test(name) ? await asset(path) : undefined;

@@ -166,7 +166,8 @@ test("wrong sources throw one clear error and change nothing", async () => {
       name: "RangeError", message: `sources: ${sources} is not a whole number from 0 to 32`,
     });
   }
-  const whole = await Scene.create(inputs);
+  const plain = await load(readFileSync(new URL("../wasm/eigenshade.wasm", import.meta.url)));
+  const whole = await Scene.create({ ...inputs, engine: plain });
   const scene = await Scene.create({ ...inputs, sources: 4 });
   const [before, beforeWhole] = [scene.uniforms(), whole.uniforms()];
   const fails = (what, message) => assert.throws(what, { name: "RangeError", message });
