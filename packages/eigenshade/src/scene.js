@@ -93,11 +93,10 @@ export class Scene {
    * @type {Float32Array}
    */
   #rest;
-  /** @type {ArrayLike<number>} */
-  #sources = [];
+  #sources = new Float32Array();
   #turn = Float32Array.of(0, 0, 0, 1);
   #material;
-  /** @type {ArrayLike<number> | undefined} */
+  /** @type {Float32Array | undefined} */
   #gloss;
   #effects = ALL;
   /** @type {number | undefined} */
@@ -166,9 +165,10 @@ export class Scene {
   light(light) {
     const numbers = new Float32Array(this.#light.length);
     put("light", light, numbers, lightCount, this.#engine.degree);
-    this.#rest = this.#without(light.sources ?? [], numbers);
+    const sources = Float32Array.from(light.sources ?? []);
+    this.#rest = this.#without(sources, numbers);
     this.#light = numbers;
-    this.#sources = light.sources ?? [];
+    this.#sources = sources;
     this.#changed();
     return this;
   }
@@ -188,13 +188,13 @@ export class Scene {
         throw new RangeError("material: gloss is not ten numbers from 0 to 1");
       }
       put("material", material, this.#material, materialCount, this.#engine.order);
-      this.#gloss = gloss;
+      this.#gloss = gloss && Float32Array.from(gloss);
     } else {
       const given = parameters(material);
       this.#engine.parameters.set(given);
       if (!this.#engine.metallicRoughness()) throw new Error("material: the module rejected it");
       this.#material.set(this.#engine.material);
-      this.#gloss = glossOf(given);
+      this.#gloss = Float32Array.from(glossOf(given));
     }
     this.#transfer = {};
     this.#changed();
@@ -491,7 +491,7 @@ export class Scene {
   /**
    * A light without its sources.
    *
-   * @param {ArrayLike<number>} sources
+   * @param {Float32Array} sources
    * @param {Float32Array} light
    */
   #without(sources, light) {
@@ -522,8 +522,10 @@ export class Scene {
     const { sources } = this;
     this.#engine.light.set(sources ? this.#rest : this.#light);
     this.#engine.turn.set(this.#turn);
-    this.#engine.sources?.set(sources ? this.#sources : []);
-    this.#engine.gloss?.set(this.#gloss ?? []);
+    if (sources) {
+      this.#engine.sources?.set(this.#sources);
+      this.#engine.gloss?.set(/** @type {Float32Array} */ (this.#gloss));
+    }
     if (this.#engine.highlights?.(sources) === 0) throw new Error("sources: the module rejected them");
     this.#call("relight", "its numbers are too large for f32");
     if (this.#components !== undefined) {
