@@ -123,22 +123,7 @@ fn constants(kind: &str, presets: &[Preset], error: impl Fn(&str) -> String) -> 
         add(&mut all, format_args!("    (\"{name}\", {constant}),\n"))?;
     }
     let count = presets.len();
-    let each: String = presets
-        .iter()
-        .map(|Preset { name, .. }| {
-            let name = name.replace('-', "_");
-            format!("        {} \"{name}\"\n", name.to_uppercase())
-        })
-        .collect();
-    // For other languages, whose names are made of these.
-    add(
-        &mut floats,
-        format_args!(
-            "/// Calls a macro with the constant and the name of each of them.\n\
-             #[doc(hidden)]\n#[macro_export]\nmacro_rules! each_preset_{lower} {{\n    \
-             ($call:ident) => {{ $call! {{\n{each}    }} }};\n}}\n"
-        ),
-    )?;
+    floats += &each(&lower, presets.iter().map(|preset| preset.name.as_str()));
     for (text, format) in [(floats, ""), (integers, "_q15")] {
         let text = format!(
             "{text}/// All of them, by name.\npub const ALL: [(&str, {kind}); {count}] = [\n{all}];\n"
@@ -146,6 +131,22 @@ fn constants(kind: &str, presets: &[Preset], error: impl Fn(&str) -> String) -> 
         write_output(&format!("preset_{lower}s{format}.rs"), &text)?;
     }
     Ok(())
+}
+
+/// A macro that calls another one with the constant and the name of each of them: for other languages,
+/// whose names are made of these.
+fn each<'a>(kind: &str, names: impl Iterator<Item = &'a str>) -> String {
+    let each: String = names
+        .map(|name| {
+            let name = name.replace('-', "_");
+            format!("        {} \"{name}\"\n", name.to_uppercase())
+        })
+        .collect();
+    format!(
+        "/// Calls a macro with the constant and the name of each of them.\n\
+         #[doc(hidden)]\n#[macro_export]\nmacro_rules! each_preset_{kind} {{\n    \
+         ($call:ident) => {{ $call! {{\n{each}    }} }};\n}}\n"
+    )
 }
 
 fn write_output(file: &str, text: &str) -> Result<(), String> {
@@ -202,6 +203,8 @@ fn sources() -> Result<(), String> {
     }
     constants += &source_sets(&sets)?;
     let count = sets.len();
+    let names: Vec<_> = sets.iter().map(|(light, most, _)| format!("{light}-{most}")).collect();
+    constants += &each("sources", names.iter().map(String::as_str));
     let text = format!(
         "{constants}/// All of them, by the name of the light and the most sources.\n\
          pub const ALL: [(&str, usize, &[Source<f32>]); {count}] = [\n{all}];\n"
@@ -269,6 +272,7 @@ fn glosses() -> Result<(), String> {
         all += &format!("    (\"{name}\", {constant}),\n");
     }
     let count = rows.len();
+    constants += &each("gloss", rows.iter().map(|(name, _)| name.as_str()));
     let text = format!(
         "{constants}/// All of them, by name.\n\
          pub const ALL: [(&str, Gloss<f32>); {count}] = [\n{all}];\n"

@@ -1,4 +1,4 @@
-// node compare.js [--check]: errors, bytes and times of four ways to light a glTF material by a map.
+// node compare.js [--check]: errors, bytes and times of ways to light a glTF material by a map.
 // Writes results/compare.csv and a table of README.md. With --check it computes the errors and bytes
 // anew and compares them. Times are of software rendering, on Linux.
 
@@ -45,15 +45,16 @@ const zipped = (...files) => files.reduce((sum, file) => sum + gzipSync(readFile
 const size = (file) => readFileSync(new URL(file, import.meta.url)).length;
 const PACKAGE = "../../packages/eigenshade/";
 const sources = readdirSync(new URL(`${PACKAGE}src`, import.meta.url)).filter((name) => name !== "element.js");
-const eigenshade = zipped(...sources.map((name) => `${PACKAGE}src/${name}`), `${PACKAGE}wasm/eigenshade.simd.wasm`);
+const javascript = zipped(...sources.map((name) => `${PACKAGE}src/${name}`));
 const exr = zipped("node_modules/three/examples/jsm/loaders/EXRLoader.js", "node_modules/three/examples/jsm/libs/fflate.module.js");
-const light = size(`${PACKAGE}presets/light/${lights[0]}.bin`);
 const times = await page.evaluate(() => measure.setUp());
 const loaded = (method) => {
   if (method.startsWith("PMREM")) return { code: exr, light: size(`../../tables/inputs/maps/${lights[0]}.exr`), texture: times.texture };
   if (method.startsWith("LightProbe")) return { code: 0, light: 108, texture: 0 };
-  const matcap = method.includes("matcap");
-  return { code: eigenshade + zipped("material.js", ...(matcap ? ["matcap.js"] : [])), light, texture: matcap ? 8 * 128 * 128 : 0 };
+  const [matcap, few] = ["matcap", "sources"].map((word) => method.includes(word));
+  const module = zipped(`${PACKAGE}wasm/eigenshade.${few ? "sources." : ""}simd.wasm`);
+  const light = size(`${PACKAGE}presets/light/${lights[0]}.bin`) + (few ? size(`${PACKAGE}presets/sources/${lights[0]}.bin`) : 0);
+  return { code: javascript + module + zipped("material.js", ...(matcap ? ["matcap.js"] : [])), light, texture: matcap ? 8 * 128 * 128 : 0 };
 };
 
 // Times: a frame as the processor time of the GPU process, which other programs disturb less.
@@ -91,7 +92,8 @@ const rows = methods.map((method, k) => {
 
 const CANNOT = {
   "eigenshade": "sharp gloss; shadows; near lights; perspective is approximate",
-  "eigenshade, 1 %": "the same; the terms change with the light, which compiles a new program",
+  "eigenshade, 4 sources": "sharp gloss of many or large lamps; the rest is the same",
+  "eigenshade, 1 %": "as all terms; these change with the light, which compiles a new program",
   "eigenshade, matcap of 128²": "the same; roughness and color per pixel",
   "LightProbe, MeshStandardMaterial": "highlights; metals; light beyond degree 2",
   "LightProbe, MeshLambertMaterial": "the same; roughness",

@@ -1,6 +1,6 @@
 // A three.js material whose outgoing light is the irradiance of an eigenshade scene.
 
-import { Matrix3, Matrix4, MeshMatcapMaterial, Quaternion, Sphere, Vector3 } from "three";
+import { DataTexture, FloatType, Matrix3, Matrix4, MeshMatcapMaterial, Quaternion, RGBAFormat, Sphere, Vector3 } from "three";
 
 const TOWARD_CAMERA = new Vector3(0, 0, 1);
 
@@ -25,8 +25,8 @@ const TOWARD_CAMERA = new Vector3(0, 0, 1);
  */
 export function eigenMaterial(scene, { view = "object", ...parameters } = {}) {
   const material = new MeshMatcapMaterial(parameters);
-  const uniforms = { eigenshade: { value: scene.uniforms() }, eigenFrame: { value: new Matrix3() }, eigenPerspective: { value: false } };
-  let text = scene.glsl();
+  const uniforms = { eigenshade: { value: stored(scene) }, eigenFrame: { value: new Matrix3() }, eigenPerspective: { value: false } };
+  let text = textOf(scene, uniforms.eigenshade.value);
   const [turn, turned] = [new Quaternion(), new Quaternion()];
   let [changed, mesh, picture] = [true, undefined, undefined];
 
@@ -36,9 +36,7 @@ export function eigenMaterial(scene, { view = "object", ...parameters } = {}) {
     return material;
   };
   material.customProgramCacheKey = () => text;
-  material.onBeforeCompile = (shader, renderer) => {
-    const [needed, most] = [uniforms.eigenshade.value.length / 4 + OTHERS, renderer.capabilities.maxFragmentUniforms];
-    if (needed > most) throw new Error(`eigenMaterial: the device has ${most} uniform vectors of ${needed}; use scene.within(1e-5)`);
+  material.onBeforeCompile = (shader) => {
     Object.assign(shader.uniforms, uniforms);
     const [main, outgoing] = ["void main() {", /vec3 outgoingLight = .*/];
     if (!(shader.fragmentShader.includes(main) && outgoing.test(shader.fragmentShader))) {
@@ -62,17 +60,32 @@ export function eigenMaterial(scene, { view = "object", ...parameters } = {}) {
     }
     if (!changed && turn.equals(turned)) return;
     scene.turn(turned.copy(turn).toArray());
-    uniforms.eigenshade.value = scene.uniforms();
+    uniforms.eigenshade.value = stored(scene, uniforms.eigenshade.value);
     // With a tolerance the terms depend on the light and its turn.
-    const now = changed || scene.truncation ? scene.glsl() : text;
+    const now = changed || scene.truncation ? textOf(scene, uniforms.eigenshade.value) : text;
     if (now !== text) material.needsUpdate = true;
     [text, changed] = [now, false];
   };
   return material;
 }
 
-/** Uniform vectors of the rest of the shader, at most. WebGL 2 promises 224 in all. */
-const OTHERS = 24;
+/** Uniform vectors that are left for a scene: WebGL 2 promises 224 in all. */
+const MOST = 200;
+
+/** The array of a scene as a uniform, or where it is too long as a texture, the one `before` if it fits. */
+function stored(scene, before) {
+  const vectors = scene.uniforms();
+  const width = vectors.length / 4;
+  if (width <= MOST) return vectors;
+  const texture = before?.image?.width === width ? before : new DataTexture(vectors, width, 1, RGBAFormat, FloatType);
+  if (before !== texture) before?.dispose?.();
+  texture.image.data = vectors;
+  texture.needsUpdate = true;
+  return texture;
+}
+
+/** The text of a scene that reads what is stored. */
+const textOf = (scene, { isTexture }) => scene.glsl(isTexture ? "texture" : "uniforms");
 
 const DECLARED = `
 uniform mat3 eigenFrame;

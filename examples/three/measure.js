@@ -74,8 +74,8 @@ export function frame(which, count) {
  * uploaded; only a prefiltered map is made by the GPU.
  */
 export async function setUp() {
-  const [one, other] = await Promise.all(LIGHTS.slice(0, 2).map(lightPreset));
   const equirects = await Promise.all(LIGHTS.slice(0, 2).map((name) => map(name)));
+  const light = await lightPreset(LIGHTS[0]);
   const world = new THREE.Scene();
   // The browser's clock has steps of 0.1 ms.
   const least = (work, repeat = 200) => {
@@ -87,8 +87,9 @@ export async function setUp() {
     }
     return best;
   };
-  const of = async (make, { tolerance, repeat } = {}) => {
-    const scene = (await Scene.create({ light: LIGHTS[0], material: MATERIALS[1] })).within(tolerance);
+  const of = async (make, { tolerance, repeat, sources = 0 } = {}) => {
+    const scene = (await Scene.create({ light: LIGHTS[0], material: MATERIALS[1], sources })).within(tolerance);
+    const [one, other] = await Promise.all(LIGHTS.slice(0, 2).map((light) => lightPreset(light, { sources })));
     const material = make(scene);
     const mesh = new THREE.Mesh(geometry, material);
     const rotation = material.lightRotation;
@@ -111,9 +112,10 @@ export async function setUp() {
   const pixel = new Uint8Array(4);
   return {
     eigenshade: await of(eigenMaterial),
+    "eigenshade, 4 sources": await of(eigenMaterial, { sources: 4 }),
     "eigenshade, 1 %": await of(eigenMaterial, { tolerance: 0.01 }),
     "eigenshade, matcap of 128²": await of(eigenMatcap, { repeat: 10 }),
-    probe: { light: least(() => lightProbe(one)), turn: 0 },
+    probe: { light: least(() => lightProbe(light)), turn: 0 },
     pmrem: {
       light: Math.min(...[0, 1, 2].map((k) => {
         const start = performance.now();

@@ -1,4 +1,4 @@
-// Four ways to light the same glTF material by the same map: each makes a world with one mesh.
+// Ways to light the same glTF material by the same map: each makes a world with one mesh.
 
 import * as THREE from "three";
 import { EXRLoader } from "three/addons/loaders/EXRLoader.js";
@@ -57,6 +57,8 @@ const prefiltered = {};
 export const METHODS = {
   eigenshade: async (geometry, light, material) =>
     world(geometry, eigenMaterial(await Scene.create({ light, material }))),
+  "eigenshade, 4 sources": async (geometry, light, material) =>
+    world(geometry, eigenMaterial(await Scene.create({ light, material, sources: 4 }))),
   "eigenshade, 1 %": async (geometry, light, material) =>
     world(geometry, eigenMaterial((await Scene.create({ light, material })).within(0.01))),
   "eigenshade, matcap of 128²": async (geometry, light, material) =>

@@ -32,9 +32,9 @@ export function stage(canvas) {
 
 /**
  * Fills the lists of a form, and calls `changed` with its values now and after each change: the
- * coefficients of a light or material that is new, the turn in radians.
+ * coefficients of a light, with at most so many sources, or material that is new, the turn in radians.
  */
-export async function controls(form, changed) {
+export async function controls(form, changed, sources = 0) {
   const names = await presetNames();
   const lists = { light: "lobby", material: "gold-metallic-paint" };
   for (const [kind, first] of Object.entries(lists)) {
@@ -43,17 +43,17 @@ export async function controls(form, changed) {
   const shown = {};
   let asked = 0;
   const show = async () => {
-    const [{ light, material }, turn] = [form, ++asked];
-    const [loadedLight, loadedMaterial] = await Promise.all([lightPreset(light.value), materialPreset(material.value)]);
+    const [light, material, turn] = [form.light.value, form.material.value, ++asked];
+    const [loadedLight, loadedMaterial] = await Promise.all([lightPreset(light, { sources }), materialPreset(material)]);
     // What was chosen since then is shown instead.
     if (turn !== asked) return;
     changed({
-      light: shown.light !== loadedLight && loadedLight,
-      material: shown.material !== loadedMaterial && loadedMaterial,
+      light: shown.light !== light && loadedLight,
+      material: shown.material !== material && loadedMaterial,
       turn: (form.turn.valueAsNumber * Math.PI) / 180,
       bumps: form.bumps.checked,
     });
-    Object.assign(shown, { light: loadedLight, material: loadedMaterial });
+    Object.assign(shown, { light, material });
   };
   const fault = ({ message }) => (document.querySelector("[role=alert]").textContent = message);
   form.addEventListener("input", () => show().catch(fault));

@@ -15,17 +15,22 @@ const zipped = (bytes) => gzipSync(bytes, { level: 9 }).length;
 /** Bytes with gzip of each part, by its name in the table. */
 export function parts() {
   const found = [];
-  for (const [name, path] of [["with", "wasm/eigenshade.simd.wasm"], ["without", "wasm/eigenshade.wasm"]]) {
+  for (const [name, path] of [
+    ["module with SIMD", "wasm/eigenshade.simd.wasm"],
+    ["module without SIMD", "wasm/eigenshade.wasm"],
+    ["module for sources with SIMD", "wasm/eigenshade.sources.simd.wasm"],
+    ["module for sources without SIMD", "wasm/eigenshade.sources.wasm"],
+  ]) {
     const bytes = readFileSync(file(path));
     const { zipped: code } = sizes(bytes);
-    found.push([`module ${name} SIMD: code`, code], [`module ${name} SIMD: all, with the tables`, zipped(bytes)]);
+    found.push([`${name}: code`, code], [`${name}: all, with the tables`, zipped(bytes)]);
   }
   const sources = readdirSync(file("src")).map((name) => readFileSync(file(`src/${name}`)));
   found.push(["JavaScript with its comments", zipped(Buffer.concat(sources))]);
-  for (const kind of ["light", "material"]) {
+  for (const [what, kind] of [["a light", "light"], ["sources of a light", "sources"], ["a material", "material"]]) {
     const all = readdirSync(file(`presets/${kind}`));
     const largest = Math.max(...all.map((name) => readFileSync(file(`presets/${kind}/${name}`)).length));
-    found.push([`a ${kind}, as it is`, largest]);
+    found.push([`${what}, as it is`, largest]);
   }
   return found;
 }

@@ -3,13 +3,13 @@
 /**
  * Instructions of a pixel of one channel are base + each * terms, for the counted tables of 8 to 166
  * terms (least squares, relative to the root of the count). No count is further from its line than
- * `within`. A test fits the lines again.
+ * `within`. A test fits the lines again. Each source that the normal faces adds `source` in color.
  */
 export const BOARDS = Object.freeze([
-  { name: "Cortex-M0", board: "microbit", format: "q15", base: 49.4, each: 5.26, within: 0.19 },
-  { name: "Cortex-M4F", board: "mps2-an386", format: "f32", base: 11.0, each: 2.1, within: 0.07 },
+  { name: "Cortex-M0", board: "microbit", format: "q15", base: 49.4, each: 5.26, within: 0.19, source: 218 },
+  { name: "Cortex-M4F", board: "mps2-an386", format: "f32", base: 11.0, each: 2.1, within: 0.07, source: 72 },
 ]);
 
-/** Instructions of a pixel in color. */
-export const instructions = (/** @type {typeof BOARDS[number]} */ { base, each }, /** @type {number} */ terms) =>
-  3 * (base + each * terms);
+/** Instructions of a pixel in color that faces all sources. */
+export const instructions = (/** @type {typeof BOARDS[number]} */ { base, each, source }, /** @type {number} */ terms, sources = 0) =>
+  3 * (base + each * terms) + source * sources;

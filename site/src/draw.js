@@ -247,7 +247,8 @@ export class Drawing {
 
   /** Whether a scene of as many uniforms fits beside the nine vectors, the matrices and the rest. */
   #fits(/** @type {Scene} */ scene) {
-    return scene.terms + 32 <= this.#gl.getParameter(this.#gl.MAX_FRAGMENT_UNIFORM_VECTORS);
+    const vectors = scene.terms + (scene.sources && 1 + 4 * scene.sources);
+    return vectors + 32 <= this.#gl.getParameter(this.#gl.MAX_FRAGMENT_UNIFORM_VECTORS);
   }
 
   /** Whether a scene's program is compiled: another may take longer than a frame. */

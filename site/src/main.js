@@ -69,7 +69,7 @@ async function load(/** @type {typeof state} */ wanted) {
       ? /** @type {any} */ (wanted.ownLight).light
       : Object.hasOwn(ANALYTIC, wanted.light)
         ? ANALYTIC[wanted.light]()
-        : await lightPreset(wanted.light);
+        : await lightPreset(wanted.light, { sources: wanted.sources });
   const material = typeof wanted.material === "string" ? await materialPreset(wanted.material) : wanted.material;
   return { light, material };
 }
@@ -181,18 +181,44 @@ function numbers() {
   reference = measure.pictureOf(whole);
   now = { terms: ours.terms, ...measure.errorOf(measure.pictureOf(ours), reference) };
   const { terms, rms, worst } = now;
-  find("summary").textContent = `${terms} ${terms === 1 ? "term" : "terms"} · rms ${percent(rms)} · worst ${percent(worst)}`;
+  find("summary").textContent = `${counted(terms, "term")}${ours.sources ? ` + ${counted(ours.sources, "source")}` : ""} · rms ${percent(rms)} · worst ${percent(worst)}`;
+  sources();
   find("rms").textContent = percent(rms);
   find("worst").textContent = percent(worst);
   find("terms").textContent = String(terms);
   for (const [id, board] of [["m0", BOARDS[0]], ["m4f", BOARDS[1]]]) {
-    const count = Math.round(instructions(/** @type {any} */ (board), terms) / 10) * 10;
+    const count = Math.round(instructions(/** @type {any} */ (board), terms, ours.sources) / 10) * 10;
     find(/** @type {string} */ (id)).textContent = `${count.toLocaleString("en")} instr.`;
   }
   nineError = measure.errorOf(shadeNine(look.nine.terms, state.turn, measure.NORMALS), reference);
   find("nine-rms").textContent = percent(nineError.rms);
   find("nine-worst").textContent = percent(nineError.worst);
   mark(find("plot"), now, nineError);
+}
+
+const counted = (/** @type {number} */ count, /** @type {string} */ noun) => `${count} ${noun}${count === 1 ? "" : "s"}`;
+
+/** Lines of `eigenshade/errors.csv`: light, roughness, sources, rms, worst pixel; each light twice, turned. */
+let errors = /** @type {string[][]} */ ([]);
+
+/** How many sources are drawn, and what degree 9 leaves with them. */
+function sources() {
+  const { light, material } = loaded;
+  const roughness = material.roughness ?? material.gloss?.[0];
+  const why = !light.sources?.length
+    ? `this light has no set of at most ${state.sources}`
+    : state.effects.length < EFFECTS.length
+      ? "effects are left out"
+      : roughness === undefined ? "this material has no gloss" : "this material is matte";
+  find("sources-drawn").textContent =
+    ours.sources ? `${counted(ours.sources, "source")} drawn.` : state.sources ? `None drawn: ${why}.` : "";
+  const nearest = [0.2, 0.3, 0.5].reduce((best, other) => (Math.abs(other - roughness) < Math.abs(best - roughness) ? other : best));
+  const found = roughness <= 0.6
+    ? errors.filter(([name, rough, count]) => name === state.light && Number(rough) === nearest && Number(count) === (ours.sources && state.sources))
+    : [];
+  for (const [id, column] of /** @type {[string, number][]} */ ([["degree-rms", 3], ["degree-worst", 4]])) {
+    find(id).textContent = found.length ? percent(Math.max(...found.map((row) => Number(row[column])))) : "-";
+  }
 }
 
 /** The inputs of which the curve was measured. */
@@ -215,7 +241,8 @@ function later() {
   const times = measure.timesOf(ours, loaded.light);
   find("light-time").textContent = `${Number((1e6 * times.light).toPrecision(2))} µs`;
   find("pixel-time").textContent = `${Number((1e9 * times.pixel).toPrecision(2))} ns`;
-  scratch.light(loaded.light).material(loaded.material).turn(state.turn).components(state.components);
+  // Effects are those of light without sources.
+  scratch.light({ ...loaded.light, sources: [] }).material(loaded.material).turn(state.turn).components(state.components);
   const parts = measure.effectsOf(scratch, measure.toleranceOf(state.step));
   for (const effect of EFFECTS) {
     const { share, saved } = parts[effect];
@@ -225,7 +252,8 @@ function later() {
   }
   scratch.components().turn(IDENTITY);
   if (shownTab() === "images") showGallery(find("gallery"), whole, state.components);
-  busy(false);
+  // What is being loaded is not shown yet.
+  busy(Object.keys(pending).length > 0);
 }
 
 /** Whether the picture and its numbers are not yet those of the state; tests wait for it. */
@@ -247,6 +275,7 @@ function controls() {
   };
   check("object", state.object);
   check("view", state.view);
+  check("sources", String(state.sources));
   check("drag", state.drag);
   check("material", typeof state.material === "string" ? state.material : "");
   find("own-object").hidden = !ownMesh;
@@ -387,6 +416,9 @@ for (const id of ["base-color", "metallic", "roughness"]) {
       },
     }),
   );
+}
+for (const input of document.querySelectorAll("input[name=sources]")) {
+  input.addEventListener("change", () => take({ sources: Number(/** @type {HTMLInputElement} */ (input).value) }));
 }
 for (const name of ["object", "view", "drag"]) {
   for (const input of document.querySelectorAll(`input[name=${name}]`)) {
@@ -561,6 +593,8 @@ function panorama(/** @type {File} */ file) {
 
 async function start() {
   const names = await presetNames();
+  const text = await (await fetch(new URL("../eigenshade/errors.csv", import.meta.url))).text();
+  errors = text.trim().split("\n").map((line) => line.split(","));
   const options = (/** @type {[string, string][]} */ entries) => entries.map(([value, text]) => new Option(text, value));
   const group = (/** @type {string} */ label, /** @type {HTMLOptionElement[]} */ children) => {
     const element = document.createElement("optgroup");
@@ -585,10 +619,11 @@ async function start() {
     );
   }
   find("model").textContent = BOARDS.map(
-    ({ name, base, each, within }) => `3 × (${base} + ${each} per term) for the ${name.replace("Cortex-", "")}, within ${(100 * within).toFixed(0)}\u00a0%`,
+    ({ name, base, each, within, source }) => `3 × (${base} + ${each} per term) + ${source} per source for the ${name.replace("Cortex-", "")}, terms within ${(100 * within).toFixed(0)}\u00a0%`,
   ).join(", ");
   plot(find("plot"), []);
-  const inputs = { light: "studio", material: "gold-metallic-paint" };
+  // With sources, for their module.
+  const inputs = { light: "studio", material: "gold-metallic-paint", sources: 1 };
   [whole, ours, scratch] = await Promise.all([1, 2, 3].map(() => Scene.create(inputs)));
   find("base-color").value = "#b87333";
   find("metallic").value = "1";

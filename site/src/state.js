@@ -11,6 +11,7 @@ export const OBJECTS = ["sphere", "relief", "coin", "own"];
 export const VIEWS = ["picture", "split"];
 export const TABS = ["scene", "accuracy", "effects", "images", "cases"];
 export const COMPONENTS = 160;
+export const SOURCES = ["0", "1", "2", "4", "8"];
 
 export const initial = () => ({
   object: "relief",
@@ -24,6 +25,8 @@ export const initial = () => ({
   turn: [0, 0, 0, 1],
   pose: [0.2, -0.26, 0, 0.945],
   step: 14,
+  /** Most small sources of a captured light. */
+  sources: 4,
   effects: [...EFFECTS],
   components: COMPONENTS,
   exposure: 0,
@@ -113,6 +116,7 @@ const PARTS = {
   turn: rotation,
   pose: rotation,
   step: number(0, ALL_TERMS, true),
+  sources: { write: String, read: (text) => Number(one(SOURCES).read(text)) },
   effects: {
     write: (value) => EFFECTS.filter((effect) => value.includes(effect)).join() || "none",
     read: (text) => (text === "none" ? [] : text.split(",").map(one([...EFFECTS]).read)),

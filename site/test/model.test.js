@@ -31,7 +31,10 @@ const near = (one, other, tolerance) => assert.ok(Math.abs(one - other) <= toler
 test("the lines of the boards are fits to the committed counts", () => {
   const settings = table("docs/accuracy-cost/accuracy-cost.csv");
   const counts = table("firmware/counts.csv");
-  for (const { board, format, base, each, within } of BOARDS) {
+  for (const { board, format, base, each, within, source } of BOARDS) {
+    const count = (operation) => Number(counts.find((row) => row.board === board && row.format === format && row.operation === operation)?.instructions);
+    // The M0 counts no pixel in color without sources.
+    near(source, (count("highlights") - (count("color") || 3 * count("shade"))) / 4, 0.5);
     const column = board === "microbit" ? "m0_pixel" : "m4f_pixel";
     // The terms of a counted table are those of the setting with its count.
     const points = counts
@@ -52,7 +55,7 @@ test("the lines of the boards are fits to the committed counts", () => {
     near(base, (sy - slope * st) / s, 0.06);
     const worst = Math.max(...points.map(([t, y]) => Math.abs((base + each * t) / y - 1)));
     assert.ok(worst <= within && worst > within - 0.01, `${board}: ${worst}`);
-    assert.equal(instructions({ base, each }, 100), 3 * (base + 100 * each));
+    assert.equal(instructions({ base, each, source }, 100, 2), 3 * (base + 100 * each) + 2 * source);
   }
 });
 
@@ -191,7 +194,7 @@ test("the state survives its link, with a light of one's own", async () => {
   const state = {
     ...initial(), object: "coin", light: "own", ownLight: { name: "my sky, 1.hdr", light },
     material: { baseColor: "#b87333", metallic: 1, roughness: 0.35 }, turn: dragged(0.3, 0.4), pose: dragged(1, 0),
-    step: 7, effects: ["diffuse", "gloss"], components: 33, exposure: -1.25, view: "split", drag: "light",
+    step: 7, sources: 8, effects: ["diffuse", "gloss"], components: 33, exposure: -1.25, view: "split", drag: "light",
     tab: "effects", case: "rim", automatic: 5,
   };
   const { state: found, faults } = fromHash(`#${toHash(state)}`);

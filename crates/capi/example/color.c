@@ -42,16 +42,19 @@ static void fill_codes(void) {
     static eigenshade_color_transfer_##format##_t transfer;                                   \
     static eigenshade_color_scene_f32_t to_bake;                                              \
     static eigenshade_color_scene_##format##_t scene;                                         \
-    static eigenshade_color_light_buffer_##format##_t light_buffer;                           \
+    static eigenshade_color_light_buffer_##format##_t light_buffer, turned_buffer;            \
     static eigenshade_color_material_buffer_##format##_t material_buffer;                     \
     static texel texels[3 * BAKED * BAKED];                                                   \
     static const angle quaternion[4] = {1, -2, 3, 4}, angles[2] = {FIFTHS_##format};          \
     static const number copper[3] = {(number)(0.93f * (one)), (number)(0.5f * (one)),         \
                                      (number)(0.25f * (one))};                                \
     const eigenshade_color_light_##format##_t *lobby = &eigenshade_light_lobby_##format;      \
-    eigenshade_color_light_##format##_t light;                                                \
+    eigenshade_color_light_##format##_t light, turned;                                        \
     eigenshade_color_material_##format##_t material;                                          \
     eigenshade_color_baked_##format##_t baked;                                                \
+    eigenshade_source_f32_t sources[4];                                                       \
+    eigenshade_color_glossy_##format##_t glossy = {                                           \
+        &scene, &eigenshade_gloss_gold_metallic_paint_f32, eigenshade_sources_lobby_4_f32, 4}; \
     const char *const name = #format;                                                         \
                                                                                               \
     CHECKED(eigenshade_color_scene_##format(                                                  \
@@ -72,6 +75,22 @@ static void fill_codes(void) {
           eigenshade_color_normal_map_row_##format(&scene, &map, row, 0.7f,                   \
                                                    &eigenshade_display_reinhard, pixels,      \
                                                    SIDE));                                    \
+    CHECKED(eigenshade_color_residual_##format(&eigenshade_light_lobby_f32, glossy.sources, 4, \
+                                               &light_buffer, &light));                       \
+    CHECKED(eigenshade_color_relight_##format(&transfer, &light, &scene));                    \
+    DRAWN(format, "highlights", SIDE,                                                         \
+          eigenshade_color_glossy_disc_row_##format(&glossy, SIDE, row, 1.0f,                 \
+                                                    &eigenshade_display_linear, pixels, SIDE)); \
+    CHECKED(eigenshade_color_turn_##format(&light, quaternion, &turned_buffer, &turned));     \
+    CHECKED(eigenshade_color_relight_##format(&transfer, &turned, &scene));                   \
+    for (size_t k = 0; k < 4; k++) {                                                          \
+      CHECKED(eigenshade_source_turn_f32(&eigenshade_sources_lobby_4_f32[k],                  \
+                                         quaternion_f32, &sources[k]));                       \
+    }                                                                                         \
+    glossy.sources = sources;                                                                 \
+    DRAWN(format, "turned highlights", MAP,                                                   \
+          eigenshade_color_glossy_normal_map_row_##format(                                    \
+              &glossy, &map, row, 1.0f, &eigenshade_display_linear, pixels, SIDE));           \
     CHECKED(eigenshade_color_metallic_roughness_##format(                                     \
         copper, (number)(0.75f * (one)), (number)(0.5f * (one)), &material_buffer,            \
         &material));                                                                          \
@@ -93,6 +112,9 @@ static void fill_codes(void) {
   }
 
 #define CHECKED(call) check_status(call, EIGENSHADE_STATUS_OK, name, #call)
+
+/* The rotation of sources, which are in float. */
+static const float quaternion_f32[4] = {1, -2, 3, 4};
 
 /* Cosine and sine: in integers of any scale. */
 #define FIFTHS_f32 0.6f, 0.8f
@@ -128,8 +150,8 @@ static void check_shade(void) {
   const char *const name = "shade";
   eigenshade_color_baked_f32_t baked_f32;
   eigenshade_color_baked_q15_t baked_q15;
-  float found_f32[6];
-  int32_t found_q15[6];
+  float found_f32[9];
+  int32_t found_q15[9];
 
   CHECKED(eigenshade_color_scene_f32(&eigenshade_light_lobby_f32,
                                      &eigenshade_material_dark_red_paint_f32, &scene_f32));
@@ -141,10 +163,25 @@ static void check_shade(void) {
   CHECKED(eigenshade_color_shade_q15(&scene_q15, 0, 19661, 26214, found_q15));
   CHECKED(eigenshade_color_baked_shade_f32(&baked_f32, 0, 0.6f, 0.8f, found_f32 + 3));
   CHECKED(eigenshade_color_baked_shade_q15(&baked_q15, 0, 19661, 26214, found_q15 + 3));
-  const int32_t exponents[6] = {scene_q15.r.exponent,   scene_q15.g.exponent,
+  /* Half-way between a lamp and the camera, on copper. */
+  static const eigenshade_source_f32_t lamp = {
+      {0, 0.6f, 0.8f}, {0.5f, 0.4f, 0.3f}, {0.03f, 0, 0}, 0.03f};
+  static const float copper[3] = {0.93f, 0.5f, 0.25f};
+  eigenshade_gloss_f32_t gloss;
+  CHECKED(eigenshade_gloss_metallic_roughness_f32(copper, 1, 0.3f, &gloss));
+  const eigenshade_color_glossy_f32_t glossy_f32 = {&scene_f32, &gloss, &lamp, 1};
+  const eigenshade_color_glossy_q15_t glossy_q15 = {&scene_q15, &gloss, &lamp, 1};
+  CHECKED(eigenshade_color_glossy_shade_f32(&glossy_f32, 0, 0.3162f, 0.9487f, found_f32 + 6));
+  CHECKED(eigenshade_color_glossy_shade_q15(&glossy_q15, 0, 10362, 31086, found_q15 + 6));
+  const int32_t exponents[9] = {scene_q15.r.exponent,   scene_q15.g.exponent,
                                 scene_q15.b.exponent,   baked_q15.exponents[0],
-                                baked_q15.exponents[1], baked_q15.exponents[2]};
-  for (uint32_t k = 0; k < 6; k++) {
+                                baked_q15.exponents[1], baked_q15.exponents[2],
+                                scene_q15.r.exponent,   scene_q15.g.exponent,
+                                scene_q15.b.exponent};
+  /* By the textbook E F D / (4 n.v): 0.5 x 0.93 x 35 / 3.8 for a lobe that the lamp widens; and the
+   * scene. */
+  check(found_f32[6] > 4.3f && found_f32[6] < 5, "f32", "the peak of a highlight", 0);
+  for (uint32_t k = 0; k < 9; k++) {
     float found = found_f32[k];
     for (int32_t exponent = exponents[k]; exponent < 0; exponent++) {
       found *= 2;

@@ -12,6 +12,12 @@ enum { SIDE = 8, BAKED = 4 };
 /* A pointer that is not aligned. */
 #define BESIDE(pointer) ((void *)((char *)(pointer) + 1))
 
+/* The one row of a disc of a pixel, which is column 4 of the buffer. */
+#define GLOSSY(format)                                                                        \
+  eigenshade_color_glossy_disc_row_##format(&glossy, 1, 0, 1, display, pixels + 4, 1)
+
+static const float zeros[4] = {0, 0, 0, 0};
+
 #define FAULTS(format, number, texel, angle)                                                  \
   static void faults_##format(void) {                                                         \
     static eigenshade_color_transfer_##format##_t transfer;                                   \
@@ -94,6 +100,51 @@ enum { SIDE = 8, BAKED = 4 };
     for (size_t column = 0; column < SIDE; column++) {                                        \
       check(pixels[column] == 7, name, "the pixels are as they were", (uint32_t)column);      \
     }                                                                                         \
+                                                                                              \
+    eigenshade_source_f32_t sources[9], lamp = {{0, 0, 1}, {1, 1, 1}, {0, 0, 0}, 0};          \
+    eigenshade_gloss_f32_t gloss = {0.3f, {0, 0, 0}, {1, 1, 1}, {1, 1, 1}};                   \
+    eigenshade_color_glossy_##format##_t glossy = {&scene, &gloss, sources, 8};               \
+    for (size_t k = 0; k < 9; k++) {                                                          \
+      sources[k] = lamp;                                                                      \
+    }                                                                                         \
+    EXPECTED(OK, GLOSSY(format));                                                             \
+    check(pixels[4] != 7, name, "a glossy row", 0);                                           \
+    pixels[4] = 7;                                                                            \
+    glossy.count = 9;                                                                         \
+    EXPECTED(SOURCE, GLOSSY(format));                                                         \
+    EXPECTED(SOURCE, eigenshade_color_residual_##format(&eigenshade_light_lobby_f32, sources, \
+                                                        9, &light_buffer, &light));           \
+    glossy.count = 8;                                                                         \
+    sources[7].minor = 0.1f;                                                                  \
+    EXPECTED(SOURCE, GLOSSY(format));                                                         \
+    EXPECTED(SOURCE, eigenshade_color_residual_##format(&eigenshade_light_lobby_f32, sources, \
+                                                        8, &light_buffer, &light));           \
+    glossy.count = 7;                                                                         \
+    gloss.albedo[1] = 2;                                                                      \
+    EXPECTED(OUTSIDE, GLOSSY(format));                                                        \
+    gloss.albedo[1] = 1;                                                                      \
+    glossy.gloss = NULL;                                                                      \
+    EXPECTED(NULL_POINTER, GLOSSY(format));                                                   \
+    glossy.gloss = &gloss;                                                                    \
+    glossy.scene = NULL;                                                                      \
+    EXPECTED(NULL_POINTER, GLOSSY(format));                                                   \
+    glossy.scene = &scene;                                                                    \
+    glossy.sources = NULL;                                                                    \
+    EXPECTED(NULL_POINTER, GLOSSY(format));                                                   \
+    glossy.sources = sources;                                                                 \
+    EXPECTED(OVERLAP, eigenshade_color_glossy_disc_row_##format(                              \
+                          &glossy, 8, 4, 1, display, (uint16_t *)(void *)sources, SIDE));     \
+    EXPECTED(OVERLAP, eigenshade_color_glossy_disc_row_##format(                              \
+                          &glossy, 8, 4, 1, display, (uint16_t *)(void *)&gloss, SIDE));      \
+    EXPECTED(OVERLAP, eigenshade_color_glossy_disc_row_##format(                              \
+                          &glossy, 8, 4, 1, display, (uint16_t *)(void *)&scene, SIDE));      \
+    for (size_t column = 0; column < SIDE; column++) {                                        \
+      check(pixels[column] == 7, name, "the pixels are as they were", (uint32_t)column);      \
+    }                                                                                         \
+    EXPECTED(ROTATION, eigenshade_source_turn_f32(&lamp, zeros, &sources[0]));                \
+    EXPECTED(OVERLAP, eigenshade_source_turn_f32(&lamp, zeros, &lamp));                       \
+    EXPECTED(OUTSIDE, eigenshade_gloss_metallic_roughness_f32(zeros, 2, 0, &gloss));          \
+    check(gloss.grazing[2] > 0.5f, name, "the gloss is as it was", 0);                        \
                                                                                               \
     EXPECTED(OK, eigenshade_color_scene_f32(&eigenshade_light_lobby_f32,                      \
                                             &eigenshade_material_gold_metallic_paint_f32,     \

@@ -9,7 +9,8 @@ macro_rules! names {
 
 const START: &str = "\
 /* The shipped lights and materials in color, as `eigenshade list` names them, each in float (f32)
-and in integers (q15). A program contains only those that it names.
+and in integers (q15); small sources of the lights that have some, in sets of at most 1, 2, 4 and 8;
+and the gloss of the materials. A program contains only those that it names.
 
 The example presets_header writes this file. */
 
@@ -31,6 +32,12 @@ const END: &str = "
 #endif
 ";
 
+macro_rules! counted {
+    ($($constant:ident $name:literal)*) => {
+        [$(($name, eigenshade::presets::sources::$constant.len())),*]
+    };
+}
+
 fn main() {
     print!("{START}");
     let lights: &[&str] = &eigenshade::each_preset_light!(names);
@@ -43,6 +50,17 @@ fn main() {
                 println!("extern const struct {of_kind} eigenshade_{kind}_{name}_{format};");
             }
         }
+    }
+    println!();
+    let sources: &[(&str, usize)] = &eigenshade::each_preset_sources!(counted);
+    for (name, count) in sources {
+        let constant = format!("eigenshade_sources_{name}_f32[{count}]");
+        println!("extern const struct eigenshade_source_f32_t {constant};");
+    }
+    println!();
+    let glosses: &[&str] = &eigenshade::each_preset_gloss!(names);
+    for name in glosses {
+        println!("extern const struct eigenshade_gloss_f32_t eigenshade_gloss_{name}_f32;");
     }
     print!("{END}");
 }

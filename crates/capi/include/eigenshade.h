@@ -86,6 +86,8 @@ enum eigenshade_status
   EIGENSHADE_STATUS_EXPOSURE = 21,
   /** A baked map is not of 2 to 4096 texels a side, or has not three times its square. */
   EIGENSHADE_STATUS_BAKED = 22,
+  /** A source has wrong numbers, or there are more than `EIGENSHADE_SOURCES`. */
+  EIGENSHADE_STATUS_SOURCE = 23,
 };
 #ifndef __cplusplus
 #if __STDC_VERSION__ >= 202311L

@@ -6,7 +6,11 @@ The steps are: compute the scene of a light and a material, and draw its rows; o
 transfer of a material, and relight it with each new light. The three channels of a gray material
 point to the same numbers; its transfer is then computed once. The rules of `eigenshade.h` about
 memory hold here too. All functions in q15 do without a float unit, except
-`eigenshade_color_bake_q15`. */
+`eigenshade_color_bake_q15` and those with sources.
+
+For sharp highlights, take small bright sources out of a light (`eigenshade_color_residual_f32`), and
+draw the scene of the rest together with the sources and the gloss of the material
+(`eigenshade_color_glossy_disc_row_f32`). Where a light turns, turn the rest and the sources. */
 
 #ifndef EIGENSHADE_COLOR_H
 #define EIGENSHADE_COLOR_H
@@ -18,6 +22,9 @@ memory hold here too. All functions in q15 do without a float unit, except
 
 /** Coefficients of a glTF material. */
 #define EIGENSHADE_METALLIC_ROUGHNESS 40
+
+/** The most sources of a light. */
+#define EIGENSHADE_SOURCES 8
 
 /**
  * A tone curve and the sRGB encoding, as a table of 774 bytes: `eigenshade_display_linear` clips
@@ -40,6 +47,30 @@ typedef struct eigenshade_normal_map_t {
   /** Two bytes for each pixel, row by row from the top; the caller's. */
   const uint8_t *codes;
 } eigenshade_normal_map_t;
+
+/** A small bright source of light, as `eigenshade light --sources` writes it. May be kept in flash. */
+typedef struct eigenshade_source_f32_t {
+  /** A unit vector from the object to the light, in the camera's frame. */
+  float direction[3];
+  /** The integral of its radiance over solid angle: red, green and blue, at least 0. */
+  float energy[3];
+  /** A vector across the direction, whose length is the standard deviation along it in radians. */
+  float major[3];
+  /** The standard deviation across the major axis: from 0 to its length, at most 0.5. */
+  float minor;
+} eigenshade_source_f32_t;
+
+/** A GGX lobe over a matte base; all numbers are from 0 to 1. May be kept in flash. */
+typedef struct eigenshade_gloss_f32_t {
+  /** The roughness; below 0.1 it counts as 0.1. */
+  float roughness;
+  /** The reflectance at normal incidence: the base color of a metal, 0.04 of other materials. */
+  float reflectance[3];
+  /** The reflectance at grazing incidence, usually 1. */
+  float grazing[3];
+  /** The color of the matte base: 0 of a metal. */
+  float albedo[3];
+} eigenshade_gloss_f32_t;
 
 /** Distant light in three channels. */
 typedef struct eigenshade_color_light_f32_t {
@@ -102,6 +133,18 @@ typedef struct eigenshade_color_baked_f32_t {
   /** The texels of red, then of green, then of blue; the caller's. */
   const float *texels;
 } eigenshade_color_baked_f32_t;
+
+/** A picture with sharp highlights. May be kept in flash. */
+typedef struct eigenshade_color_glossy_f32_t {
+  /** The scene of the light without its sources; the caller's. */
+  const struct eigenshade_color_scene_f32_t *scene;
+  /** The gloss of the material; the caller's. */
+  const struct eigenshade_gloss_f32_t *gloss;
+  /** The sources; the caller's. */
+  const struct eigenshade_source_f32_t *sources;
+  /** Number of sources, at most `EIGENSHADE_SOURCES`. */
+  size_t count;
+} eigenshade_color_glossy_f32_t;
 
 /** Distant light in three channels. */
 typedef struct eigenshade_color_light_q15_t {
@@ -168,6 +211,18 @@ typedef struct eigenshade_color_baked_q15_t {
   /** For each channel the exponent of its texels. */
   int32_t exponents[3];
 } eigenshade_color_baked_q15_t;
+
+/** A picture with sharp highlights. May be kept in flash. */
+typedef struct eigenshade_color_glossy_q15_t {
+  /** The scene of the light without its sources; the caller's. */
+  const struct eigenshade_color_scene_q15_t *scene;
+  /** The gloss of the material; the caller's. */
+  const struct eigenshade_gloss_f32_t *gloss;
+  /** The sources; the caller's. */
+  const struct eigenshade_source_f32_t *sources;
+  /** Number of sources, at most `EIGENSHADE_SOURCES`. */
+  size_t count;
+} eigenshade_color_glossy_q15_t;
 
 #ifdef __cplusplus
 extern "C" {
@@ -305,6 +360,55 @@ eigenshade_status eigenshade_color_baked_normal_map_row_f32(
     size_t length);
 
 /**
+ * A source turned by the rotation of a quaternion (x, y, z, w), as the light is that it was taken
+ * out of.
+ *
+ * On an error `to` is unchanged.
+ */
+eigenshade_status eigenshade_source_turn_f32(const struct eigenshade_source_f32_t *from,
+                                             const float *quaternion,
+                                             struct eigenshade_source_f32_t *to);
+
+/**
+ * The gloss of a glTF material from its linear base color, metallic and roughness, all from 0 to 1.
+ *
+ * On an error `gloss` is unchanged.
+ */
+eigenshade_status eigenshade_gloss_metallic_roughness_f32(const float *base_color, float metallic,
+                                                          float roughness,
+                                                          struct eigenshade_gloss_f32_t *gloss);
+
+/**
+ * A light without `count` sources, at most `EIGENSHADE_SOURCES`.
+ *
+ * The light is in `buffer`, and `to` points there. On an error neither may be used.
+ */
+eigenshade_status eigenshade_color_residual_f32(const struct eigenshade_color_light_f32_t *from,
+                                                const struct eigenshade_source_f32_t *sources,
+                                                size_t count,
+                                                struct eigenshade_color_light_buffer_f32_t *buffer,
+                                                struct eigenshade_color_light_f32_t *to);
+
+/**
+ * `eigenshade_color_shade_f32` with highlights.
+ *
+ * A call prepares all sources, which costs as much as two pixels.
+ */
+eigenshade_status eigenshade_color_glossy_shade_f32(
+    const struct eigenshade_color_glossy_f32_t *glossy, float x, float y, float z, float *irradiance);
+
+/** `eigenshade_color_disc_row_f32` with highlights. A call prepares all sources. */
+eigenshade_status eigenshade_color_glossy_disc_row_f32(
+    const struct eigenshade_color_glossy_f32_t *glossy, size_t diameter, size_t row, float exposure,
+    const struct eigenshade_display_t *display, uint16_t *pixels, size_t length);
+
+/** `eigenshade_color_normal_map_row_f32` with highlights. A call prepares all sources. */
+eigenshade_status eigenshade_color_glossy_normal_map_row_f32(
+    const struct eigenshade_color_glossy_f32_t *glossy, const struct eigenshade_normal_map_t *map,
+    size_t row, float exposure, const struct eigenshade_display_t *display, uint16_t *pixels,
+    size_t length);
+
+/**
  * The picture of a material under a light.
  *
  * Uses 2 KB of stack. On an error `scene` is unchanged.
@@ -423,6 +527,36 @@ eigenshade_status eigenshade_color_baked_disc_row_q15(
 /** `eigenshade_color_normal_map_row_q15` from a baked picture. */
 eigenshade_status eigenshade_color_baked_normal_map_row_q15(
     const struct eigenshade_color_baked_q15_t *baked, const struct eigenshade_normal_map_t *map,
+    size_t row, float exposure, const struct eigenshade_display_t *display, uint16_t *pixels,
+    size_t length);
+
+/**
+ * A light without `count` sources, at most `EIGENSHADE_SOURCES`. The light and the sources are in float.
+ *
+ * The light is in `buffer`, and `to` points there. On an error neither may be used.
+ */
+eigenshade_status eigenshade_color_residual_q15(const struct eigenshade_color_light_f32_t *from,
+                                                const struct eigenshade_source_f32_t *sources,
+                                                size_t count,
+                                                struct eigenshade_color_light_buffer_q15_t *buffer,
+                                                struct eigenshade_color_light_q15_t *to);
+
+/**
+ * `eigenshade_color_shade_q15` with highlights.
+ *
+ * A call prepares all sources in floats: without a float unit some 20,000 instructions for each.
+ */
+eigenshade_status eigenshade_color_glossy_shade_q15(
+    const struct eigenshade_color_glossy_q15_t *glossy, int16_t x, int16_t y, int16_t z, int32_t *irradiance);
+
+/** `eigenshade_color_disc_row_q15` with highlights. A call prepares all sources. */
+eigenshade_status eigenshade_color_glossy_disc_row_q15(
+    const struct eigenshade_color_glossy_q15_t *glossy, size_t diameter, size_t row, float exposure,
+    const struct eigenshade_display_t *display, uint16_t *pixels, size_t length);
+
+/** `eigenshade_color_normal_map_row_q15` with highlights. A call prepares all sources. */
+eigenshade_status eigenshade_color_glossy_normal_map_row_q15(
+    const struct eigenshade_color_glossy_q15_t *glossy, const struct eigenshade_normal_map_t *map,
     size_t row, float exposure, const struct eigenshade_display_t *display, uint16_t *pixels,
     size_t length);
 

@@ -130,7 +130,17 @@ fn presets() -> Vec<String> {
         };
         [of_format("f32"), of_format("q15")].concat()
     };
-    [of_kind("light", presets::LIGHTS), of_kind("material", presets::MATERIALS)].concat()
+    let sources = presets::SOURCES.iter().map(|(name, count)| {
+        format!(
+            "extern const struct eigenshade_source_f32_t eigenshade_sources_{name}_f32[{count}];"
+        )
+    });
+    let gloss = presets::GLOSS.iter().map(|name| {
+        format!("extern const struct eigenshade_gloss_f32_t eigenshade_gloss_{name}_f32;")
+    });
+    let of_sources: Vec<_> = sources.chain(gloss).collect();
+    [of_kind("light", presets::LIGHTS), of_kind("material", presets::MATERIALS), of_sources]
+        .concat()
 }
 
 /// The tone curves.
@@ -188,12 +198,15 @@ fn the_headers_declare_this_library() {
     let (q15, q31) = (integers::q15_functions(), integers::q31_functions());
     let one_channel = [statuses(), others, float::functions(), q15, q31].concat();
     declares(HEADER, one_channel.clone());
-    let color = [color::f32_functions(), color::q15_functions(), displays()].concat();
+    let of_formats = [color::f32_functions(), color::q15_functions()].concat();
+    let color = [of_formats, color::source_functions(), displays()].concat();
     let (directives, _) = parts(COLOR);
     let defines = directives.into_iter().filter(|line| line.starts_with("#define"));
     let of_gltf = format!("#define EIGENSHADE_METALLIC_ROUGHNESS {}", color::MATERIAL);
     let order = format!("#define EIGENSHADE_METALLIC_ROUGHNESS_ORDER {}", color::ORDER);
-    assert_eq!(defines.collect::<Vec<_>>(), ["#define EIGENSHADE_COLOR_H", &order, &of_gltf]);
+    let sources = format!("#define EIGENSHADE_SOURCES {}", color::SOURCES);
+    let expected = ["#define EIGENSHADE_COLOR_H", &order, &of_gltf, &sources];
+    assert_eq!(defines.collect::<Vec<_>>(), expected);
     // Its records are made of those of one channel.
     declares(COLOR, color.into_iter().filter(|one| !one_channel.contains(one)).collect());
     declares(PRESETS, presets());

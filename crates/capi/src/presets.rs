@@ -1,12 +1,12 @@
-//! The shipped lights, materials and tone curves as constants of C. A program links those that it
+//! The shipped lights, materials, sources, gloss and tone curves as constants of C. A program links those that it
 //! names.
 #![expect(unsafe_code, reason = "exported symbols")]
 
 use crate::boundary::Input;
-use crate::color::Channels;
+use crate::color::{Channels, Gloss, Source};
 use crate::{float, integers};
-use eigenshade::presets::{light, material};
-use eigenshade::{Display, Q15, Tone, quantized, sphere};
+use eigenshade::presets::{gloss, light, material, sources};
+use eigenshade::{Display, Q15, Rgb, Tone, quantized, sphere};
 
 /// A constant that C reads.
 #[repr(transparent)]
@@ -89,6 +89,66 @@ macro_rules! materials {
     };
 }
 eigenshade::each_preset_material!(materials);
+
+const fn sources_f32<const N: usize>(from: &[eigenshade::Source<f32>]) -> [Source; N] {
+    const NONE: Source =
+        Source { direction: [0.0; 3], energy: [0.0; 3], major: [0.0; 3], minor: 0.0 };
+    let (mut to, mut k) = ([NONE; N], 0);
+    while k < N {
+        let Rgb { r, g, b } = from[k].energy();
+        to[k] = Source {
+            direction: from[k].direction(),
+            energy: [r, g, b],
+            major: from[k].major(),
+            minor: from[k].minor(),
+        };
+        k += 1;
+    }
+    to
+}
+
+const fn gloss_f32(gloss: &eigenshade::Gloss<f32>) -> Gloss {
+    const fn numbers(Rgb { r, g, b }: Rgb<f32>) -> [f32; 3] {
+        [r, g, b]
+    }
+    // The root of alpha, by Newton's method.
+    let alpha = gloss.alpha() as f64;
+    let mut root = 1.0;
+    let mut k = 0;
+    while k < 16 {
+        root = 0.5 * (root + alpha / root);
+        k += 1;
+    }
+    let [reflectance, grazing] = [numbers(gloss.reflectance()), numbers(gloss.grazing())];
+    Gloss { roughness: root as f32, reflectance, grazing, albedo: numbers(gloss.albedo()) }
+}
+
+macro_rules! sources {
+    ($($constant:ident $name:literal)*) => {
+        const _: () = {$(
+            #[unsafe(export_name = concat!("eigenshade_sources_", $name, "_f32"))]
+            static $constant: Constant<[Source; sources::$constant.len()]> =
+                Constant(sources_f32(sources::$constant));
+        )*};
+        /// The names of the sets of sources, and how many each has.
+        #[cfg(test)]
+        pub(crate) const SOURCES: &[(&str, usize)] = &[$(($name, sources::$constant.len())),*];
+    };
+}
+eigenshade::each_preset_sources!(sources);
+
+macro_rules! glosses {
+    ($($constant:ident $name:literal)*) => {
+        const _: () = {$(
+            #[unsafe(export_name = concat!("eigenshade_gloss_", $name, "_f32"))]
+            static $constant: Constant<Gloss> = Constant(gloss_f32(&gloss::$constant));
+        )*};
+        /// The names of the materials with gloss.
+        #[cfg(test)]
+        pub(crate) const GLOSS: &[&str] = &[$($name),*];
+    };
+}
+eigenshade::each_preset_gloss!(glosses);
 
 macro_rules! displays {
     ($($constant:ident $tone:ident $name:literal)*) => {

@@ -45,13 +45,14 @@ statuses! {
     Internal = 13: c"a bug in the library; please report it"
     Transfer = 14: c"a transfer could overflow the sums; use one that this library computed"
     NotFinite = 15: c"a coefficient is infinite or NaN; leave it out, or scale the numbers down"
-    Outside = 16: c"a color, metallic or roughness is not from 0 to 1; clamp it"
+    Outside = 16: c"a color, reflectance, metallic or roughness is not from 0 to 1; clamp it"
     Rotation = 17: c"a rotation is zero or not finite; use a quaternion, or cosine and sine"
     Row = 18: c"the object has no such row, or the buffer is shorter than one; check both"
     Diameter = 19: c"a disc has a diameter of 1 to 4096 pixels; check it"
     NormalMap = 20: c"a normal map has at least one pixel, and two bytes for each; check its size"
     Exposure = 21: c"an exposure is not a number above 0; check it"
     Baked = 22: c"a baked map has 2 to 4096 texels a side and three times its square; check both"
+    Source = 23: c"a source has wrong numbers, or there are more than EIGENSHADE_SOURCES; check both"
 }
 
 #[expect(unsafe_code, reason = "an exported symbol")]
@@ -77,6 +78,7 @@ impl From<Error> for Status {
             Error::NotFinite { .. } | Error::Saturated { .. } => Self::NotFinite,
             Error::Outside { .. } => Self::Outside,
             Error::Rotation => Self::Rotation,
+            Error::Source => Self::Source,
             // The lengths of lights and materials are checked below, all others are constants.
             _ => Self::Internal,
         }

@@ -33,7 +33,7 @@ fn the_library_exports_the_functions_of_the_header() {
         include_str!("../include/eigenshade_color.h"),
         include_str!("../include/eigenshade_presets.h"),
     );
-    let names = headers.split(['(', ';']);
+    let names = headers.split(['(', ';', '[']);
     let words = names.filter_map(|text| text.split([' ', '`', '*']).next_back());
     let declared: BTreeSet<&str> = words.filter(|word| word.starts_with("eigenshade_")).collect();
     // Names of types end a definition as a constant's name does.
@@ -54,6 +54,43 @@ fn the_checks_hold_under_sanitizers() {
     let program = compiled("checks", &sources, ("golden.h", &golden));
     let pictures = pictures::lines().expect("pictures");
     assert_eq!(run(&mut Command::new(program)), format!("{pictures}0 faults\n"));
+}
+
+/// The README's second example draws brighter highlights, in both formats.
+#[test]
+fn the_readme_draws_highlights() {
+    let readme = include_str!("../README.md");
+    let examples: Vec<&str> =
+        readme.split("```c\n").skip(1).filter_map(|text| text.split("```").next()).collect();
+    let [plain, glossy] = examples[..] else { panic!("two examples in C") };
+    let main = "#include <stdio.h>\nint main(void) {\n  static uint16_t other[240 * 240];\n  \
+                const int status = draw() || draw_glossy(other);\n  \
+                for (size_t k = 0; k < 240 * 240; k++) printf(\"%u %u\\n\", (unsigned)screen[k], \
+                (unsigned)other[k]);\n  return status;\n}\n";
+    for format in ["f32", "q15"] {
+        // The light, the sources and the gloss stay in float.
+        let of_float =
+            ["eigenshade_light_lobby_", "eigenshade_gloss_gold_metallic_paint_", "lobby_4_"];
+        let glossy = of_float.into_iter().fold(glossy.replace("f32", format), |text, name| {
+            text.replace(&format!("{name}{format}"), &format!("{name}f32"))
+        });
+        let source = Path::new(env!("CARGO_TARGET_TMPDIR")).join(format!("glossy_{format}.c"));
+        fs::write(&source, plain.to_owned() + &glossy + main).expect("the examples are written");
+        let name = format!("glossy_{format}");
+        let text = run(&mut Command::new(compiled(&name, &[&source], ("none.h", ""))));
+        // Levels of green, of which 63 is white.
+        let green = |column| {
+            text.lines().map(move |line| {
+                let pixel = line.split(' ').nth(column).and_then(|pixel| pixel.parse::<u16>().ok());
+                (pixel.expect("a pixel") >> 5) & 63
+            })
+        };
+        let sum = |column| green(column).map(u64::from).sum::<u64>();
+        let [without, with] = [0, 1].map(sum);
+        assert!(without.abs_diff(with) < without / 20, "{format}: {without}, {with}");
+        let sharper = green(0).zip(green(1)).filter(|(without, with)| *with > without + 5).count();
+        assert!(sharper > 200, "{format}: {sharper}");
+    }
 }
 
 /// The sphere of the README of the runtime, of this many pixels across.

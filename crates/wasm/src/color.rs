@@ -24,10 +24,21 @@ extern "C" fn color_shade(count: usize) -> usize {
         return 0;
     };
     let Ok(normals) = Normals::new(x, y, z) else { return 0 };
-    for (scene, plane) in <[_; 3]>::from(scene).iter().zip(planes) {
+    for (scene, plane) in <[_; 3]>::from(scene).iter().zip(&mut *planes) {
         let Some(irradiance) = plane.get_mut(..count) else { return 0 };
         if scene.shade_slice(normals, irradiance).is_err() {
             return 0;
+        }
+    }
+    #[cfg(feature = "sources")]
+    // SAFETY: as above.
+    if let Some(highlights) = unsafe { eigenshade_wasm_setup::highlights::HIGHLIGHTS.borrow() } {
+        let [r, g, b] = planes;
+        for (((normal, r), g), b) in normals.iter().zip(r).zip(g).zip(b) {
+            let color = highlights.shade(normal);
+            *r += color.r;
+            *g += color.g;
+            *b += color.b;
         }
     }
     count

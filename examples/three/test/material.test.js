@@ -48,6 +48,28 @@ for (const mapped of [false, true]) {
   });
 }
 
+test("small sources of the light, which turn with it and come and go", async () => {
+  // Four are read from a texture.
+  for (const found of await page.evaluate(async () => {
+    const { lightPreset } = await import("eigenshade");
+    window.inputs = { light: "lobby", material: "gold-metallic-paint", sources: 4 };
+    const scene = await Scene.create(inputs);
+    const material = eigenMaterial(scene, { normalMap: meshes.normalMap() });
+    material.color.setScalar(scene.exposure());
+    material.lightRotation.setFromEuler(new THREE.Euler(0.2, 0.5, -0.3));
+    const [mesh, camera, found] = [new THREE.Mesh(sphere(), material), orthographic([1, 2, 5]), []];
+    for (const sources of [4, 0, 1, 8]) {
+      window.inputs = { ...inputs, sources };
+      scene.light(await lightPreset("lobby", { sources }));
+      material.update();
+      found.push(difference(mesh, camera, (await expected(camera, undefined, material.lightRotation)).scene));
+      if (scene.sources !== sources) throw new Error(`${scene.sources} sources`);
+    }
+    window.inputs = { light: "lobby", material: "gold-metallic-paint" };
+    return found;
+  })) same(found);
+});
+
 for (const kind of ["column", "morphing", "instances", "knot"]) {
   test(`a mesh with ${kind}`, async () => {
     same(await page.evaluate(async (kind) => {
@@ -194,25 +216,4 @@ test("two meshes with the same material in a perspective picture are an error", 
   });
   assert.equal(turns, 3);
   assert.match(message, /each mesh needs a material of its own/);
-});
-
-test("a scene of more terms than the device has uniforms is an error that names the remedy", async () => {
-  const message = await page.evaluate(async () => {
-    const { maxFragmentUniforms } = renderer.capabilities;
-    renderer.capabilities.maxFragmentUniforms = 224;
-    try {
-      const camera = orthographic([0, 0, 5]);
-      const scene = await Scene.create(inputs);
-      picture(new THREE.Mesh(sphere(), eigenMaterial(scene, { flatShading: true })), camera);
-      renderer.capabilities.maxFragmentUniforms = 200;
-      try {
-        picture(new THREE.Mesh(sphere(), eigenMaterial(scene, { fog: false, flatShading: true, vertexColors: true })), camera);
-      } catch ({ message }) {
-        return message;
-      }
-    } finally {
-      renderer.capabilities.maxFragmentUniforms = maxFragmentUniforms;
-    }
-  });
-  assert.match(message, /the device has 200 uniform vectors of 218; use scene.within/);
 });

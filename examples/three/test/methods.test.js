@@ -121,6 +121,11 @@ test("the sentences of README.md have the figures of the tables' files", () => {
   near(/`view: "camera"` by (\d+) % and (\d+) %/, worst("0.05", "camera"), worst("0.15", "camera"));
   const brightness = (method, column) => Number(rows("compare").find((row) => row.method.startsWith(method))[`${column}_brightness`]);
   near(/metal of roughness 0.3 is ([\d.]+) times as bright/, brightness("eigenshade", "metal_0.3"));
+  near(/With four sources it is ([\d.]+) times as bright/, brightness("eigenshade; 4 sources", "metal_0.3"));
+  const [without, sources] = ["eigenshade", "eigenshade; 4 sources"].map((name) => rows("compare").find(({ method }) => method === name));
+  for (const column of ["dielectric_0.3_rms", "dielectric_0.5_rms", "metal_0.3_rms", "metal_0.5_rms"]) {
+    assert.ok(sources[column] < without[column] / 3, column);
+  }
   near(/metal of roughness 0.8 is ([\d.]+) times as bright/, brightness("PMREM", "metal_0.8"));
   const matte = rows("perspective").find((row) => row.field === "50" && row.radius === "0.15" && row.view === "object").matte_largest;
   near(/([\d.]+) % of the peak for a white sphere/, 100 * matte);

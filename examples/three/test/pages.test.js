@@ -28,6 +28,7 @@ for (const name of ["index.html", "matcap.html"]) {
     };
     try {
       await page.waitForFunction(() => document.forms[0].light.options.length > 0);
+      for (let turn = 0; turn < 40 && (await colors(page)) <= 300; turn++) await page.waitForTimeout(50);
       assert.ok((await colors(page)) > 300);
       shown = await page.locator("canvas").screenshot();
       await page.selectOption("[name=light]", "studio");

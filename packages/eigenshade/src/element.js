@@ -9,6 +9,7 @@ import { Preview } from "./preview.js";
  *
  * - `light`, `material`: presets' names;
  * - `base-color`, `metallic`, `roughness`: a glTF material instead of `material`;
+ * - `sources`: most small sources of the light, for sharp highlights;
  * - `yaw`, `pitch`, `roll`: the turn of the light, in degrees;
  * - `exposure`, `tone`: from irradiance to display; without `exposure`, it is chosen.
  *
@@ -16,7 +17,7 @@ import { Preview } from "./preview.js";
  */
 export class EigenShade extends HTMLElement {
   static observedAttributes = [
-    "light", "material", "base-color", "metallic", "roughness", "yaw", "pitch", "roll", "exposure", "tone",
+    "light", "material", "base-color", "metallic", "roughness", "sources", "yaw", "pitch", "roll", "exposure", "tone",
   ];
 
   /** @type {Preview | undefined} */
@@ -25,6 +26,7 @@ export class EigenShade extends HTMLElement {
   #message;
   /** The light and the material of the preview. */
   #set = "";
+  #hasSources = false;
   /** The last update that was asked for. */
   #update = 0;
 
@@ -66,17 +68,19 @@ export class EigenShade extends HTMLElement {
     await undefined;
     if (update !== this.#update) return;
     try {
-      const { light, material, look, turn, label } = this.#read();
-      const set = JSON.stringify([light, material]);
-      if (this.#preview) {
+      const { light, material, sources, look, turn, label } = this.#read();
+      const set = JSON.stringify([light, material, sources]);
+      // Sources need another module.
+      if (this.#preview && this.#hasSources === sources > 0) {
         // The same inputs again would choose another exposure.
         if (set !== this.#set) {
-          await Promise.all([this.#preview.light(light), this.#preview.material(material)]);
+          await Promise.all([this.#preview.light(light, { sources }), this.#preview.material(material)]);
         }
       } else {
-        const preview = await Preview.create(this.#canvas, { light, material });
+        const preview = await Preview.create(this.#canvas, { light, material, sources });
         if (update !== this.#update) return preview.free();
-        this.#preview = preview;
+        this.#preview?.free();
+        [this.#preview, this.#hasSources] = [preview, sources > 0];
       }
       this.#set = set;
       if (update !== this.#update) return;
@@ -115,6 +119,7 @@ export class EigenShade extends HTMLElement {
     return {
       light,
       material,
+      sources: number("sources", 0),
       look: {
         exposure: this.hasAttribute("exposure") ? number("exposure", 1) : /** @type {const} */ ("auto"),
         tone: /** @type {import("./input.js").Tone} */ (this.getAttribute("tone") ?? "filmic"),

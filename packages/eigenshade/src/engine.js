@@ -8,29 +8,35 @@ const SIMD = Uint8Array.of(
   253, 98, 11,
 );
 
-/** @type {Promise<Engine> | undefined} */
-let shared;
+/** @type {Map<string, Promise<Engine>>} */
+const shared = new Map();
 
 /**
- * The engine of the package, loaded once.
+ * The engine of the package, loaded once. That of scenes with sources is another one, which serves
+ * later scenes without sources too.
  *
+ * @param {boolean} sources
  * @returns {Promise<Engine>}
  */
-export function engine() {
-  if (!shared) {
-    const name = WebAssembly.validate(SIMD) ? "wasm/eigenshade.simd.wasm" : "wasm/eigenshade.wasm";
-    shared = asset(name).then((bytes) => {
+export function engine(sources) {
+  const simd = WebAssembly.validate(SIMD) ? ".simd" : "";
+  const larger = `wasm/eigenshade.sources${simd}.wasm`;
+  const name = sources || shared.has(larger) ? larger : `wasm/eigenshade${simd}.wasm`;
+  let found = shared.get(name);
+  if (!found) {
+    found = asset(name).then((bytes) => {
       if (!bytes) throw new Error(`${name} is missing from the package`);
       return load(bytes);
     });
+    shared.set(name, found);
     // A failed download may be tried again.
-    shared.catch(() => (shared = undefined));
+    found.catch(() => shared.delete(name));
   }
-  return shared;
+  return found;
 }
 
 /**
- * An engine with a table of your own: a module `color` or `color-series` that `crates/wasm/build` made.
+ * An engine with a table of your own: a module `color`, `color-series` or `color-sources` that `crates/wasm/build` made.
  *
  * @param {BufferSource | Response | Promise<Response>} source the module's bytes, such as `fetch(url)`
  * @returns {Promise<Engine>} for the option `engine` of `Scene.create` and `Preview.create`
@@ -49,6 +55,9 @@ export async function load(source) {
   }
   return new Engine(instance);
 }
+
+/** Maximum number of small sources. */
+export const MOST_SOURCES = 32;
 
 /**
  * Number of coefficients of a light of this degree.
@@ -108,6 +117,14 @@ export class Engine {
     this.axes = view("color_normals", Float32Array, 3 * normals);
     this.irradiance = view("color_irradiance", Float32Array, 3 * normals);
     this.pixels = view("color_pixels", Uint8ClampedArray, 4 * normals);
+    /** Whether this module draws small sources. */
+    this.hasSources = "color_residual" in exports;
+    if (this.hasSources) {
+      this.sources = view("color_sources", Float32Array, 10 * MOST_SOURCES);
+      this.gloss = view("color_gloss", Float32Array, 10);
+      this.residual = step("residual");
+      this.highlights = step("highlights");
+    }
     this.metallicRoughness = step("metallic_roughness");
     this.transfer = step("transfer");
     this.relight = step("relight");

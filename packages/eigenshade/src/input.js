@@ -1,10 +1,21 @@
 // What a user gives: names of choices, and checks that throw one clear error.
 
+import { MOST_SOURCES } from "./engine.js";
+
 /**
  * Coefficients in three channels: (degree + 1)² of a light in radiance, or those of a material in
  * 1/sr.
  *
- * @typedef {{ r: ArrayLike<number>, g: ArrayLike<number>, b: ArrayLike<number> }} Channels
+ * Small bright sources of a light are ten numbers each: direction, energy, major axis, and spread
+ * across it. The gloss of a material is ten numbers from 0 to 1: roughness, reflectance in three
+ * channels at normal and at grazing incidence, and albedo.
+ *
+ * @typedef {object} Channels
+ * @property {ArrayLike<number>} r
+ * @property {ArrayLike<number>} g
+ * @property {ArrayLike<number>} b
+ * @property {ArrayLike<number>} [sources]
+ * @property {ArrayLike<number>} [gloss]
  */
 
 /**
@@ -121,6 +132,17 @@ export function parameters(material) {
 }
 
 /**
+ * The gloss of a glTF material, from its parameters.
+ *
+ * @param {number[]} parameters
+ */
+export function glossOf([red, green, blue, metallic, roughness]) {
+  const color = [red, green, blue];
+  const reflectance = color.map((base) => 0.04 * (1 - metallic) + base * metallic);
+  return [roughness, ...reflectance, 1, 1, 1, ...color.map((base) => base * (1 - metallic))];
+}
+
+/**
  * The linear color of `"#rrggbb"`.
  *
  * @param {string} text
@@ -186,6 +208,13 @@ export function checkNormals(what, normals) {
         `${what}: normal ${k} is (${x[k]}, ${y[k]}, ${z[k]}), expected a unit vector with z >= 0`,
       );
     }
+  }
+}
+
+/** @param {number} sources */
+export function checkSources(sources) {
+  if (!(Number.isInteger(sources) && sources >= 0 && sources <= MOST_SOURCES)) {
+    throw new RangeError(`sources: ${sources} is not a whole number from 0 to ${MOST_SOURCES}`);
   }
 }
 

@@ -1,21 +1,56 @@
 // The shipped lights and materials, each a file of its own that is fetched by name.
 
 import { asset } from "./assets.js";
+import { checkSources } from "./input.js";
 
 /** @typedef {import("./input.js").Channels} Channels */
 /** @typedef {import("./input.js").MetallicRoughness} MetallicRoughness */
 
-/** @type {Map<string, Promise<Channels>>} */
+/** @type {Map<string, Promise<any>>} */
 const loaded = new Map();
 
 /**
- * The coefficients of a shipped light, to degree 9.
+ * What is read from a file, once.
+ *
+ * @template T
+ * @param {string} path
+ * @param {() => Promise<T>} read
+ * @returns {Promise<T>}
+ */
+function once(path, read) {
+  let found = loaded.get(path);
+  if (!found) {
+    found = read();
+    loaded.set(path, found);
+    // A failed download may be tried again.
+    found.catch(() => loaded.delete(path));
+  }
+  return found;
+}
+
+/**
+ * The coefficients of a shipped light, to degree 9, and at most this many small sources of it. Lights
+ * without a map have none.
  *
  * @param {string} name such as `"park"`; {@link presetNames} lists all
+ * @param {{ sources?: number }} [options] 0 sources by default
  * @returns {Promise<Channels>}
- * @throws {RangeError} if there is no light of this name
+ * @throws {RangeError} if there is no light of this name, or for another number of sources
  */
-export const lightPreset = (name) => preset("light", name);
+export async function lightPreset(name, { sources = 0 } = {}) {
+  checkSources(sources);
+  const light = await preset("light", name);
+  if (sources === 0) return light;
+  const path = `presets/sources/${name}.bin`;
+  const rows = await once(path, async () => {
+    const bytes = await asset(path);
+    if (!bytes) throw new Error(`${path} is missing from the package`);
+    // Eleven numbers for each source: the size of its set, and those of `Channels`.
+    return Array.from({ length: bytes.byteLength / 44 }, (_, k) => new Float32Array(bytes, 44 * k, 11));
+  });
+  const set = Math.max(0, ...rows.map(([size]) => size).filter((size) => size <= sources));
+  return { ...light, sources: rows.filter(([size]) => size === set).flatMap((row) => [...row.subarray(1)]) };
+}
 
 /**
  * The coefficients of a shipped material, to order 7.
@@ -30,8 +65,12 @@ export const materialPreset = (name) => preset("material", name);
  * A light, by name or as it is.
  *
  * @param {string | Channels} light
+ * @param {number} sources of a light by name
  */
-export const lightOf = (light) => (typeof light === "string" ? lightPreset(light) : light);
+export function lightOf(light, sources) {
+  if (typeof light !== "string") return light;
+  return sources > 0 ? lightPreset(light, { sources }) : preset("light", light);
+}
 
 /**
  * A material, by name or as it is.
@@ -55,36 +94,30 @@ export async function presetNames() {
 /**
  * @param {"light" | "material"} kind
  * @param {string} name
- * @returns {Promise<Channels>}
  */
 function preset(kind, name) {
   const path = `presets/${kind}/${name}.bin`;
-  let found = loaded.get(path);
-  if (!found) {
-    found = read(kind, name, path);
-    loaded.set(path, found);
-    // A failed download may be tried again.
-    found.catch(() => loaded.delete(path));
-  }
-  return found;
+  return once(path, () => read(kind, name, path));
 }
 
 /**
  * @param {"light" | "material"} kind
  * @param {string} name
  * @param {string} path
+ * @returns {Promise<Channels>}
  */
 async function read(kind, name, path) {
   const bytes = /^[a-z0-9-]+$/.test(name) ? await asset(path) : undefined;
   if (!bytes) throw await unknown(kind, name);
-  if (bytes.byteLength % 12 !== 0 || bytes.byteLength > 2048) {
+  const count = kind === "light" ? 100 : 40;
+  const gloss = bytes.byteLength - 12 * count;
+  if (gloss !== 0 && (gloss !== 40 || kind === "light")) {
     throw new Error(`${path} is no preset: it has ${bytes.byteLength} bytes`);
   }
   // Little-endian, as every machine that runs WebAssembly in a browser is.
   const numbers = new Float32Array(bytes);
-  const count = numbers.length / 3;
   const [r, g, b] = [0, 1, 2].map((channel) => numbers.subarray(channel * count, (channel + 1) * count));
-  return { r, g, b };
+  return gloss ? { r, g, b, gloss: numbers.subarray(3 * count) } : { r, g, b };
 }
 
 /**

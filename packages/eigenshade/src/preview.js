@@ -1,6 +1,6 @@
 // A canvas that shows a sphere of a material under a light.
 
-import { checkExposure, toneNumber } from "./input.js";
+import { checkExposure, checkSources, toneNumber } from "./input.js";
 import { lightOf, materialOf } from "./presets.js";
 import { renderer, sphere } from "./renderer.js";
 import { Scene } from "./scene.js";
@@ -28,6 +28,8 @@ export class Preview {
   #context;
   #scene;
   #look;
+  /** Small sources of lights by name. */
+  #sources;
   /** The exposure of the picture, if it is chosen; it lasts until the light or the material changes. */
   #chosen = 0;
   #frame = 0;
@@ -46,18 +48,19 @@ export class Preview {
    * @returns {Promise<Preview>}
    * @throws {TypeError | RangeError} for a canvas, a light, a material or a look that is none
    */
-  static async create(canvas, { light, material, engine, ...look }) {
+  static async create(canvas, { light, material, sources = 0, engine, ...look }) {
     if (!(canvas instanceof HTMLCanvasElement)) throw new TypeError("Preview: expected a canvas");
     check("Preview", look);
-    return new Preview(canvas, await Scene.create({ light, material, engine }), look);
+    return new Preview(canvas, await Scene.create({ light, material, sources, engine }), look, sources);
   }
 
   /**
    * @param {HTMLCanvasElement} canvas
    * @param {Scene} scene
    * @param {Look} [look]
+   * @param {number} [sources] most small sources of later lights by name, 0 by default
    */
-  constructor(canvas, scene, look = {}) {
+  constructor(canvas, scene, look = {}, sources = 0) {
     check("Preview", look);
     const context = canvas.getContext("2d");
     if (!context) throw new TypeError("Preview: the canvas already has a context of another kind");
@@ -65,6 +68,7 @@ export class Preview {
     this.#context = context;
     this.#scene = scene;
     this.#look = { ...look };
+    this.#sources = sources;
     this.#resized = new ResizeObserver(() => this.#changed());
     this.draw();
     this.#resized.observe(canvas);
@@ -80,11 +84,16 @@ export class Preview {
    * Sets the light.
    *
    * @param {string | Channels} light a preset's name, or coefficients
+   * @param {{ sources?: number }} [options] most small sources of this light and later ones, as before
+   *   by default; more than 0 only if the preview was created with some
    * @returns {Promise<this>} once it is set; the last of several lights wins
    * @throws {TypeError | RangeError} as {@link Scene#light}; the picture then stays
    */
-  async light(light) {
-    return this.#load("light", lightOf(light), (loaded) => this.#scene.light(loaded));
+  async light(light, { sources = this.#sources } = {}) {
+    this.#alive();
+    checkSources(sources);
+    this.#sources = sources;
+    return this.#load("light", lightOf(light, sources), (loaded) => this.#scene.light(loaded));
   }
 
   /**

@@ -2,7 +2,8 @@
 
 import { engine as shared, lightCount, materialCount } from "./engine.js";
 import {
-  EFFECTS, checkExposure, checkNormals, isChannels, isNumber, nameOf, parameters, put, quaternion, toneNumber,
+  EFFECTS, checkExposure, checkNormals, checkSources, glossOf, isChannels, isNumber, nameOf, parameters, put,
+  quaternion, toneNumber,
 } from "./input.js";
 import { lightOf, materialOf } from "./presets.js";
 
@@ -17,9 +18,14 @@ import { lightOf, materialOf } from "./presets.js";
  * What a scene is made of: a preset's name or coefficients of the light, and of the material, or the
  * parameters of a glTF material. An engine of `load` has a table of your own.
  *
+ * With `sources`, at most this many small bright sources of a light by name, up to 32, are shaded on
+ * their own, for sharp highlights. Such a scene has a larger module. {@link Scene#sources} is the
+ * number of those drawn.
+ *
  * @typedef {object} Inputs
  * @property {string | Channels} light
  * @property {string | Channels | MetallicRoughness} material
+ * @property {number} [sources] 0 by default
  * @property {Engine} [engine]
  */
 
@@ -37,7 +43,7 @@ import { lightOf, materialOf } from "./presets.js";
 
 /**
  * Where a GLSL function finds the coefficients: a uniform array, of which WebGL 2 promises 224
- * vectors (all terms are 194), a uniform block `Eigenshade` for up to 1,024, or a float texture of
+ * vectors (all terms are 194, and sources take one and four each), a uniform block `Eigenshade` for up to 1,024, or a float texture of
  * one row.
  *
  * @typedef {"uniforms" | "block" | "texture"} Storage
@@ -51,6 +57,9 @@ const BRIGHT = 0.8;
 
 /** Largest degree of a light that turns. */
 const TURNED = 12;
+
+/** The roughness above which a material is drawn without sources: they would change nothing. */
+const MATTE = Math.fround(0.6);
 
 /** The bits of all effects. */
 const ALL = 0b1111;
@@ -76,9 +85,19 @@ const DISC = (() => {
 export class Scene {
   /** @type {Engine} */
   #engine;
+  /** @type {Float32Array} */
   #light;
+  /**
+   * The light without its sources.
+   *
+   * @type {Float32Array}
+   */
+  #rest;
+  #sources = new Float32Array();
   #turn = Float32Array.of(0, 0, 0, 1);
   #material;
+  /** @type {Float32Array | undefined} */
+  #gloss;
   #effects = ALL;
   /** @type {number | undefined} */
   #components;
@@ -102,10 +121,11 @@ export class Scene {
     if (inputs === null || typeof inputs !== "object") {
       throw new TypeError("Scene: expected { light, material }");
     }
-    const { light, material, engine } = inputs;
+    const { light, material, sources = 0, engine } = inputs;
+    checkSources(sources);
     const [loaded, givenLight, givenMaterial] = await Promise.all([
-      engine ?? shared(),
-      lightOf(light),
+      engine ?? shared(sources > 0),
+      lightOf(light, sources),
       materialOf(material),
     ]);
     return new Scene(loaded, givenLight, givenMaterial);
@@ -118,7 +138,7 @@ export class Scene {
    */
   constructor(engine, light, material) {
     this.#engine = engine;
-    this.#light = new Float32Array(engine.light.length);
+    this.#rest = this.#light = new Float32Array(engine.light.length);
     this.#material = new Float32Array(engine.material.length);
     this.light(light);
     this.material(material);
@@ -135,21 +155,27 @@ export class Scene {
   }
 
   /**
-   * Sets the light: in each channel (degree + 1)² coefficients in radiance, up to {@link degree}.
+   * Sets the light: in each channel (degree + 1)² coefficients in radiance, up to {@link degree}, and
+   * maybe sources, which are part of it.
    *
    * @param {Channels} light
    * @returns {this}
    * @throws {TypeError | RangeError} unless these are numbers of a light; the scene is then unchanged
    */
   light(light) {
-    put("light", light, this.#light, lightCount, this.#engine.degree);
+    const numbers = new Float32Array(this.#light.length);
+    put("light", light, numbers, lightCount, this.#engine.degree);
+    const sources = Float32Array.from(light.sources ?? []);
+    this.#rest = this.#without(sources, numbers);
+    this.#light = numbers;
+    this.#sources = sources;
     this.#changed();
     return this;
   }
 
   /**
-   * Sets the material: in each channel coefficients in 1/sr up to {@link order}, or the parameters of
-   * a glTF material.
+   * Sets the material: in each channel coefficients in 1/sr up to {@link order} and maybe a gloss, or
+   * the parameters of a glTF material.
    *
    * @param {Channels | MetallicRoughness} material
    * @returns {this}
@@ -157,11 +183,18 @@ export class Scene {
    */
   material(material) {
     if (isChannels(material)) {
+      const { gloss } = material;
+      if (gloss && !(gloss.length === 10 && Array.from(gloss).every((n) => isNumber(n) && n >= 0 && n <= 1))) {
+        throw new RangeError("material: gloss is not ten numbers from 0 to 1");
+      }
       put("material", material, this.#material, materialCount, this.#engine.order);
+      this.#gloss = gloss && Float32Array.from(gloss);
     } else {
-      this.#engine.parameters.set(parameters(material));
+      const given = parameters(material);
+      this.#engine.parameters.set(given);
       if (!this.#engine.metallicRoughness()) throw new Error("material: the module rejected it");
       this.#material.set(this.#engine.material);
+      this.#gloss = Float32Array.from(glossOf(given));
     }
     this.#transfer = {};
     this.#changed();
@@ -242,6 +275,15 @@ export class Scene {
   }
 
   /**
+   * Number of small sources that are drawn: 0 if the light has none, the material is more matte than a
+   * roughness of 0.6 or has no gloss, or effects are left out. The light is then drawn as a whole.
+   */
+  get sources() {
+    const glossy = this.#gloss && this.#gloss[0] <= MATTE && this.#effects === ALL;
+    return glossy ? this.#sources.length / 10 : 0;
+  }
+
+  /**
    * What is left out, or `undefined` without a tolerance.
    *
    * @returns {Truncation | undefined}
@@ -280,7 +322,7 @@ export class Scene {
   /**
    * The function `vec3 irradiance(vec3 normal)` in GLSL ES 3.00, and the array `eigenshade` that it
    * reads, to be filled with {@link uniforms}. The text stays the same as long as no term comes or
-   * goes, so that a new light or material is an upload.
+   * goes, so that a new light or material is an upload. Sources are a loop over their number.
    *
    * @param {Storage} [storage]
    * @returns {string}
@@ -357,6 +399,7 @@ export class Scene {
       (start, count) => values.set(this.#engine.irradiance.subarray(0, count), start),
       () => {
         this.#engine.held.scene = undefined;
+        this.#engine.highlights?.(0);
         d.fill(0);
         d[index] = 1;
         this.#call("collapse");
@@ -445,6 +488,26 @@ export class Scene {
     this.#state = {};
   }
 
+  /**
+   * A light without its sources.
+   *
+   * @param {Float32Array} sources
+   * @param {Float32Array} light
+   */
+  #without(sources, light) {
+    const count = sources.length / 10;
+    if (count === 0) return light;
+    const { light: buffer, sources: list, residual } = this.#engine;
+    if (!list || !residual) {
+      throw new RangeError("light: this scene has no sources; create it with the option `sources`");
+    }
+    checkSources(count);
+    buffer.set(light);
+    list.set(sources);
+    if (!residual(count)) throw new RangeError("light: its sources are not as Channels describes them");
+    return buffer.slice();
+  }
+
   /** Makes the module hold this scene. */
   #ready() {
     const { held } = this.#engine;
@@ -456,8 +519,14 @@ export class Scene {
       this.#call("transfer");
       held.material = this.#transfer;
     }
-    this.#engine.light.set(this.#light);
+    const { sources } = this;
+    this.#engine.light.set(sources ? this.#rest : this.#light);
     this.#engine.turn.set(this.#turn);
+    if (sources) {
+      this.#engine.sources?.set(this.#sources);
+      this.#engine.gloss?.set(/** @type {Float32Array} */ (this.#gloss));
+    }
+    if (this.#engine.highlights?.(sources) === 0) throw new Error("sources: the module rejected them");
     this.#call("relight", "its numbers are too large for f32");
     if (this.#components !== undefined) {
       const { d, components } = this.#engine;

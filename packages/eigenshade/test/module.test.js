@@ -3,14 +3,14 @@
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { test } from "node:test";
-import { Scene, load } from "../src/index.js";
+import { Scene, lightPreset, load } from "../src/index.js";
 
 /** The stack size that `crates/wasm/build` sets. The stack is at the start of memory and grows down. */
 const STACK = 65536;
 
 const MARK = 0xa5;
 
-for (const name of ["eigenshade.wasm", "eigenshade.simd.wasm"]) {
+for (const name of ["eigenshade.wasm", "eigenshade.simd.wasm", "eigenshade.sources.wasm", "eigenshade.sources.simd.wasm"]) {
   const bytes = readFileSync(new URL(`../wasm/${name}`, import.meta.url));
 
   test(`${name} cannot panic and imports nothing`, () => {
@@ -22,8 +22,12 @@ for (const name of ["eigenshade.wasm", "eigenshade.simd.wasm"]) {
     const memory = engine.light.buffer;
     const before = memory.byteLength;
     assert.ok(engine.light.byteOffset >= STACK, "the stack must be at the start of memory");
-    const scene = await Scene.create({ light: "park", material: "gold-metallic-paint", engine });
+    const sources = engine.hasSources ? 8 : 0;
+    const scene = await Scene.create({ light: "studio", material: "gold-metallic-paint", sources, engine });
+    assert.equal(scene.sources, sources);
+    const light = await lightPreset("studio", { sources });
     const depths = [
+      () => scene.light(light).shade([0], [0], [1]),
       () => scene.material({ baseColor: "#b87333" }).turn({ yaw: 1 }).coefficients(),
       () => scene.within(1e-3).shade([0], [0], [1]),
       () => scene.within().pixels([0], [0.6], [0.8]),

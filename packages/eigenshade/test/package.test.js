@@ -35,7 +35,8 @@ test("nothing is missing from the archive, nothing is too much", () => {
   const names = listed.trim().split("\n").map((name) => name.replace(/^package\//, ""));
   for (const name of [
     "LICENSE-APACHE", "LICENSE-MIT", "README.md", "src/index.js", "types/index.d.ts",
-    "wasm/eigenshade.wasm", "wasm/eigenshade.simd.wasm", "presets/names.json", "presets/light/park.bin",
+    "wasm/eigenshade.wasm", "wasm/eigenshade.simd.wasm", "wasm/eigenshade.sources.wasm",
+    "wasm/eigenshade.sources.simd.wasm", "presets/names.json", "presets/light/park.bin", "presets/sources/park.bin",
   ]) {
     assert.ok(names.includes(name), name);
   }
@@ -93,13 +94,14 @@ test("the pages of README.md draw", async () => {
 
 test("the declarations are those of a strict program", () => {
   writeFileSync(join(folder, "use.mts"), `import { Preview, Scene, presetNames, type Truncation } from "eigenshade";
-    const scene: Scene = await Scene.create({ light: "park", material: { roughness: 0.3, metallic: 1 } });
+    const scene: Scene = await Scene.create({ light: "park", material: { roughness: 0.3, metallic: 1 }, sources: 4 });
+    const drawn: number = scene.sources;
     const { r }: { r: Float32Array } = scene.turn({ yaw: 1 }).within(1e-2).shade([0], [0], [1]);
     const truncation: Truncation | undefined = scene.truncation;
     const preview: Promise<Preview> = Preview.create(document.createElement("canvas"), { light: "park", material: "chrome", tone: "filmic" });
     // @ts-expect-error: there is no such curve
     await preview.then((one) => one.look({ tone: "aces" }));
-    export { r, truncation, presetNames };`);
+    export { drawn, r, truncation, presetNames };`);
   const tsc = join(PACKAGE, "node_modules/.bin/tsc");
   const options = ["--noEmit", "--strict", "--target", "es2022", "--module", "nodenext", "--lib", "es2022,dom", "use.mts"];
   execFileSync(tsc, options, { cwd: folder, stdio: "pipe" });

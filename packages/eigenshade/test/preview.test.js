@@ -71,6 +71,33 @@ test("a preview is the sphere that the module draws, to one code", async () => {
   }
 });
 
+test("a preview with sources is the sphere that the module draws, to one code", async () => {
+  const { found, fewer, none, rejected } = await page.evaluate(async () => {
+    const { Preview, Scene, sphere } = eigenshade;
+    const [material, look] = ["blue-metallic-paint", { exposure: 2, tone: "linear" }];
+    const preview = await Preview.create(canvases[0], { light: "lobby", material, sources: 8, ...look });
+    const against = async (sources) => {
+      const scene = await Scene.create({ light: "studio", material, sources });
+      preview.draw();
+      return [preview.scene.sources, difference(pixels(canvases[0]), sphere(scene, 120, look))];
+    };
+    await preview.light("studio");
+    const found = await against(8);
+    await preview.light("studio", { sources: 2 });
+    const fewer = await against(2);
+    const rejected = await preview.light("studio", { sources: -1 }).catch(({ message }) => message);
+    await preview.light("studio", { sources: 0 });
+    const none = await against(0);
+    preview.free();
+    return { found, fewer, none, rejected };
+  });
+  for (const [[count, off], sources] of [[found, 8], [fewer, 2], [none, 0]]) {
+    assert.equal(count, sources);
+    assert.ok(off <= 1, `${sources} sources: ${off}`);
+  }
+  assert.equal(rejected, "sources: -1 is not a whole number from 0 to 32");
+});
+
 test("two previews share a context and do not disturb each other", async () => {
   const { contexts, before, after, same } = await page.evaluate(async () => {
     const { Preview } = eigenshade;
@@ -322,10 +349,17 @@ test("an element draws what its attributes say, and says what is wrong", async (
     await next(element, "load");
     element.preview.draw();
     const copper = difference(pixels(canvas), eigenshade.sphere(scene.material({ baseColor: "#b87333", metallic: 1 }), size, { exposure: 2 }));
+    element.setAttribute("sources", "4");
+    await next(element, "load");
+    element.preview.draw();
+    const bright = await eigenshade.Scene.create({ light: "studio", material: { baseColor: "#b87333", metallic: 1 }, sources: 4 });
+    bright.turn({ yaw: Math.PI / 6 });
+    const sharp = [difference(pixels(canvas), eigenshade.sphere(bright, size, { exposure: 2 })), element.preview.scene.sources];
     element.remove();
-    return { size, same, label, wrong, copper, kept, gone: element.preview === undefined };
+    return { sharp, size, same, label, wrong, copper, kept, gone: element.preview === undefined };
   });
   assert.ok(found.size > 100 && found.same <= 1 && found.copper <= 1 && found.kept <= 1, `${found.same}, ${found.copper}, ${found.kept}`);
+  assert.ok(found.sharp[0] <= 1 && found.sharp[1] === 4, `${found.sharp}`);
   assert.equal(found.label, "A sphere of red-fabric2 under the light studio");
   assert.deepEqual(found.wrong, [
     'no light is called "parc"; there are apa', true, "",

@@ -76,6 +76,21 @@ for (const tolerance of [undefined, 1e-2, 0.3]) {
   });
 }
 
+test("small sources, in every language", async () => {
+  const found = await page.evaluate(async () => {
+    const found = [];
+    for (const [light, material, sources] of [["studio", "gold-metallic-paint", 4], ["night", { metallic: 1, roughness: 0.3 }, 8]]) {
+      const scene = await Scene.create({ light, material, sources });
+      scene.turn({ yaw: 0.4, pitch: 0.2, roll: -0.3 }).within(1e-3);
+      for (const storage of ["uniforms", "block", "texture"]) found.push(difference(scene, webgl(scene, storage, axes)));
+      found.push(difference(scene, await webgpu(scene, axes)));
+      if (scene.sources !== sources) throw new Error(`${scene.sources} sources`);
+    }
+    return found;
+  });
+  for (const difference of found) assert.ok(difference <= TOLERANCE, `${found}`);
+});
+
 test("every shipped material under a light of its own, by one program", async () => {
   const { most, texts } = await page.evaluate(async () => {
     const { light, material } = await presetNames();

@@ -2,13 +2,17 @@
 #![expect(unsafe_code, reason = "exported symbols")]
 
 use super::format::Channels;
+use super::glossy::{GlossyF32, GlossyQ15, Source, color_residual};
 use super::rows::{
-    NormalMap, color_disc_row, color_disc_row as color_baked_disc_row, color_normal_map_row,
+    NormalMap, color_disc_row, color_disc_row as color_baked_disc_row,
+    color_disc_row as color_glossy_disc_row, color_normal_map_row,
     color_normal_map_row as color_baked_normal_map_row,
+    color_normal_map_row as color_glossy_normal_map_row,
 };
 use super::steps::{
     color_bake, color_metallic_roughness, color_relight, color_scene, color_shade,
-    color_shade as color_baked_shade, color_transfer, color_turn, color_turn_about_view,
+    color_shade as color_baked_shade, color_shade as color_glossy_shade, color_transfer,
+    color_turn, color_turn_about_view,
 };
 use super::{float as of_float, q15 as of_q15};
 use crate::boundary::{Input, Output};
@@ -21,7 +25,7 @@ macro_rules! exported {
     (
         $declarations:ident $format:literal $number:ty, angle $angle:ty,
         irradiance $irradiance:ty, texel $texel:ty, buffers $buffers:ident,
-        $light:ty, $material:ty, $transfer:ty, $scene:ty
+        $light:ty, $material:ty, $transfer:ty, $scene:ty, $glossy:ty
     ) => {
         export! { $declarations $format
             color_scene<$number>(
@@ -75,15 +79,32 @@ macro_rules! exported {
                 baked: Input<$buffers::Baked>, map: Input<NormalMap>, row: usize, exposure: f32,
                 display: Input<Display>, pixels: Output<u16>, length: usize
             )
+            color_residual<$number>(
+                from: Input<Channels<float::Light>>, sources: Input<Source>, count: usize,
+                buffer: Output<$buffers::LightBuffer>, to: Output<Channels<$light>>
+            )
+            color_glossy_shade<$number>(
+                glossy: Input<$glossy>, x: $number, y: $number, z: $number,
+                irradiance: Output<[$irradiance; 3]>
+            )
+            color_glossy_disc_row<$number>(
+                glossy: Input<$glossy>, diameter: usize, row: usize, exposure: f32,
+                display: Input<Display>, pixels: Output<u16>, length: usize
+            )
+            color_glossy_normal_map_row<$number>(
+                glossy: Input<$glossy>, map: Input<NormalMap>, row: usize, exposure: f32,
+                display: Input<Display>, pixels: Output<u16>, length: usize
+            )
         }
     };
 }
 
 exported!(
     f32_functions "f32" f32, angle f32, irradiance f32, texel f32, buffers of_float,
-    float::Light, float::Material, float::Transfer, float::Scene
+    float::Light, float::Material, float::Transfer, float::Scene, GlossyF32
 );
 exported!(
     q15_functions "q15" Q15, angle i32, irradiance i32, texel i16, buffers of_q15,
-    integers::Light<Q15>, integers::Material<Q15>, integers::Transfer<Q15>, integers::Scene<Q15>
+    integers::Light<Q15>, integers::Material<Q15>, integers::Transfer<Q15>, integers::Scene<Q15>,
+    GlossyQ15
 );

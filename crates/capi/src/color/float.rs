@@ -2,14 +2,17 @@
 #![expect(unsafe_code, reason = "memory of C")]
 
 use super::format::{Format, MATERIAL, ORDER, check_size, thirds};
+use super::glossy::SOURCES;
 use super::picture::{Opened, Picture, Shade};
 use crate::boundary::{Input, Place, Plain};
 use crate::export::records;
 use crate::float::{self, Light, Material, Scene, Transfer};
 use crate::status::Status;
 use crate::table::{self, LIGHT};
+use eigenshade::mathematics::SinglePrecision;
 use eigenshade::{
-    BakedMap, DiscPixel, Error, Exposure, Linear, MapPoint, Normal, NormalPixel, Rgb, Rotation,
+    BakedMap, DiscPixel, Error, Exposure, Highlights, Linear, MapPoint, Normal, NormalPixel, Rgb,
+    Rotation, Source,
 };
 
 records! {
@@ -19,7 +22,7 @@ records! {
 }
 
 /// The lights, for the runtime.
-fn lights(from: &[Light; 3]) -> Result<Rgb<eigenshade::Light<'_, f32>>, Status> {
+pub(crate) fn lights(from: &[Light; 3]) -> Result<Rgb<eigenshade::Light<'_, f32>>, Status> {
     Rgb::from(from.each_ref()).try_map(|light| Ok(light.view()?.0))
 }
 
@@ -51,6 +54,7 @@ impl Format for f32 {
     type LightBuffer = LightBuffer;
     type MaterialBuffer = MaterialBuffer;
     type Angle = f32;
+    type Highlights = Highlights<f32, SOURCES>;
 
     fn light(light: &Light) -> Result<[Place; 2], Status> {
         Ok(light.view()?.1)
@@ -92,6 +96,32 @@ impl Format for f32 {
         numbers: &mut LightBuffer,
     ) -> Result<[Light; 3], Status> {
         Ok(stored(from, lights(from)?.turned_about_view::<LIGHT>(*angle)?, numbers))
+    }
+
+    fn residual(
+        from: &[Light; 3],
+        sources: &[Source<f32>],
+        numbers: &mut LightBuffer,
+    ) -> Result<[Light; 3], Status> {
+        let rest = lights(from)?.residual::<SinglePrecision, LIGHT>(sources)?;
+        Ok(stored(from, rest, numbers))
+    }
+
+    fn highlights(
+        of: Highlights<f32, SOURCES>,
+        _: [i32; 3],
+    ) -> Result<Highlights<f32, SOURCES>, Status> {
+        Ok(of)
+    }
+
+    #[inline]
+    fn add(
+        highlights: &Highlights<f32, SOURCES>,
+        [r, g, b]: [f32; 3],
+        normal: Normal<f32>,
+    ) -> [f32; 3] {
+        let of = highlights.shade(normal);
+        [r + of.r, g + of.g, b + of.b]
     }
 
     fn metallic_roughness(
@@ -161,8 +191,10 @@ impl Picture<f32> for Baked {
         check_size(self.size, self.length)?;
         // SAFETY: C promises `length` texels.
         let texels = unsafe { self.texels.array(self.length) }?;
+        let (of_record, of_texels) = (Place::of(self), Place::of(texels));
         let maps = thirds(texels)?.try_map(|texels| BakedMap::new(self.size, texels))?;
         let shade = move |normal| Ok(maps.bilinear(MapPoint::of(normal)).into());
-        Ok(Opened { shade, exponents: [0; 3], places: [Place::of(self), Place::of(texels)] })
+        let places = [of_record, of_texels, of_texels, of_texels];
+        Ok(Opened { shade, exponents: [0; 3], places })
     }
 }

@@ -1,11 +1,12 @@
 //! The operations in color that each number format has.
 
+use super::glossy::SOURCES;
 use super::picture::Picture;
 use crate::boundary::{Input, Place, Plain};
 use crate::float;
 use crate::status::Status;
 use eigenshade::index::material;
-use eigenshade::{DiscPixel, Error, Linear, NormalPixel, Rgb};
+use eigenshade::{DiscPixel, Error, Highlights, Linear, NormalPixel, Rgb, Source};
 
 /// The order of glTF materials, and their coefficients.
 pub(crate) const ORDER: usize = 7;
@@ -39,6 +40,8 @@ pub(crate) trait Format: Plain + Copy {
     type MaterialBuffer: Plain;
     /// A component of a quaternion, a cosine or a sine.
     type Angle: Plain;
+    /// The highlights of small sources.
+    type Highlights;
 
     /// Checks a light, and says where it lies.
     fn light(light: &Self::Light) -> Result<[Place; 2], Status>;
@@ -74,6 +77,26 @@ pub(crate) trait Format: Plain + Copy {
         angle: &[Self::Angle; 2],
         numbers: &mut Self::LightBuffer,
     ) -> Result<[Self::Light; 3], Status>;
+
+    /// A light in `f32` without sources. The result points to `numbers`.
+    fn residual(
+        from: &[float::Light; 3],
+        sources: &[Source<f32>],
+        numbers: &mut Self::LightBuffer,
+    ) -> Result<[Self::Light; 3], Status>;
+
+    /// Highlights for a scene with these exponents.
+    fn highlights(
+        of: Highlights<f32, SOURCES>,
+        exponents: [i32; 3],
+    ) -> Result<Self::Highlights, Status>;
+
+    /// Adds highlights to the irradiance of a scene.
+    fn add(
+        highlights: &Self::Highlights,
+        irradiance: [Self::Irradiance; 3],
+        normal: Self::Normal,
+    ) -> [Self::Irradiance; 3];
 
     /// A glTF material. The result points to `numbers`.
     fn metallic_roughness(

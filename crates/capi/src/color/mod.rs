@@ -8,6 +8,8 @@ mod float;
 
 mod q15;
 
+mod glossy;
+
 mod steps;
 
 mod rows;
@@ -19,3 +21,6 @@ pub(crate) use exported::{f32_functions, q15_functions};
 pub(crate) use format::Channels;
 #[cfg(test)]
 pub(crate) use format::{MATERIAL, ORDER};
+pub(crate) use glossy::{Gloss, Source};
+#[cfg(test)]
+pub(crate) use glossy::{SOURCES, functions as source_functions};

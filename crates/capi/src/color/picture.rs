@@ -1,4 +1,4 @@
-//! What pixels are shaded from: a scene, or a baked picture.
+//! What pixels are shaded from: a scene, one with highlights, or a baked picture.
 
 use super::format::{Channels, Format};
 use crate::boundary::Place;
@@ -16,10 +16,10 @@ pub(crate) struct Opened<S> {
     pub(crate) shade: S,
     /// The exponents of the channels, 0 in `f32`.
     pub(crate) exponents: [i32; 3],
-    pub(crate) places: [Place; 2],
+    pub(crate) places: [Place; 4],
 }
 
-/// A scene or a baked picture.
+/// A scene, one with highlights, or a baked picture.
 pub(crate) trait Picture<F: Format> {
     /// Checks it.
     fn open(&self) -> Result<Opened<impl Shade<F>>, Status>;
@@ -33,6 +33,6 @@ impl<F: Format> Picture<F> for Channels<F::Scene> {
             Ok([F::shade(r, normal)?, F::shade(g, normal)?, F::shade(b, normal)?])
         };
         let exponents = scenes.each_ref().map(F::exponent);
-        Ok(Opened { shade, exponents, places: [Place::of(self); 2] })
+        Ok(Opened { shade, exponents, places: [Place::of(self); 4] })
     }
 }

@@ -2,6 +2,7 @@
 #![expect(unsafe_code, reason = "memory of C")]
 
 use super::format::{Format, MATERIAL, ORDER, check_size, thirds};
+use super::glossy::SOURCES;
 use super::picture::{Opened, Picture, Shade};
 use crate::boundary::{Input, Place, Plain};
 use crate::export::records;
@@ -10,8 +11,11 @@ use crate::integers::{self, Light, Material, Scene, Shipped, Transfer};
 use crate::status::Status;
 use crate::table::{COMPONENTS, LIGHT, q15};
 use core::marker::PhantomData;
-use eigenshade::quantized::{self, LightBuffer as Turned, Normal, Rotation};
-use eigenshade::{DiscPixel, Error, Exposure, IntegerMap, Linear, MapPoint, NormalPixel, Q15, Rgb};
+use eigenshade::mathematics::SinglePrecision;
+use eigenshade::quantized::{self, Highlights, LightBuffer as Turned, Normal, Rotation};
+use eigenshade::{
+    DiscPixel, Error, Exposure, IntegerMap, Linear, MapPoint, NormalPixel, Q15, Rgb, Source,
+};
 
 /// The exponents of glTF materials.
 const EXPONENTS: usize = ORDER + 1;
@@ -59,6 +63,7 @@ impl Format for Q15 {
     type LightBuffer = LightBuffer;
     type MaterialBuffer = MaterialBuffer;
     type Angle = i32;
+    type Highlights = Highlights<Rgb<i32>, SOURCES>;
 
     fn light(light: &Light<Self>) -> Result<[Place; 2], Status> {
         Ok(light.view()?.1)
@@ -107,6 +112,38 @@ impl Format for Q15 {
         numbers: &mut LightBuffer,
     ) -> Result<[Light<Self>; 3], Status> {
         stored(from, &lights(from)?.turned_about_view::<LIGHT>(*angle)?, numbers)
+    }
+
+    fn residual(
+        from: &[float::Light; 3],
+        sources: &[Source<f32>],
+        numbers: &mut LightBuffer,
+    ) -> Result<[Light<Self>; 3], Status> {
+        let rest = super::float::lights(from)?.residual::<SinglePrecision, LIGHT>(sources)?;
+        let store = |of: &float::Light, rest: &[f32], to: &mut [Q15; LIGHT]| {
+            let (degree, length) = (of.degree, of.length);
+            let to = to.get_mut(..length).ok_or(Status::Internal)?;
+            let exponent = quantized::Light::quantize(rest, to)?.exponent();
+            Ok::<_, Status>(Light { degree, length, mantissas: Input::to(&*to), exponent })
+        };
+        let ([of_r, of_g, of_b], [r, g, b]) = (from, &mut numbers.mantissas);
+        Ok([store(of_r, &rest.r, r)?, store(of_g, &rest.g, g)?, store(of_b, &rest.b, b)?])
+    }
+
+    fn highlights(
+        of: eigenshade::Highlights<f32, SOURCES>,
+        exponents: [i32; 3],
+    ) -> Result<Highlights<Rgb<i32>, SOURCES>, Status> {
+        Ok(Highlights::quantize(&of, exponents.into())?)
+    }
+
+    #[inline]
+    fn add(
+        highlights: &Highlights<Rgb<i32>, SOURCES>,
+        irradiance: [i32; 3],
+        normal: Normal<Self>,
+    ) -> [i32; 3] {
+        highlights.add(irradiance.into(), normal).into()
     }
 
     fn metallic_roughness(
@@ -189,11 +226,12 @@ impl Picture<Q15> for Baked {
         check_size(self.size, self.length)?;
         // SAFETY: C promises `length` texels.
         let texels = unsafe { self.texels.array(self.length) }?;
+        let (of_record, of_texels) = (Place::of(self), Place::of(texels));
         let maps = thirds(texels)?
             .zip(Rgb::from(self.exponents))
             .try_map(|(texels, exponent)| IntegerMap::new(self.size, exponent, texels))?;
         let shade = move |normal| Ok(maps.bilinear(MapPoint::of_quantized(normal)).into());
-        let places = [Place::of(self), Place::of(texels)];
+        let places = [of_record, of_texels, of_texels, of_texels];
         Ok(Opened { shade, exponents: self.exponents, places })
     }
 }

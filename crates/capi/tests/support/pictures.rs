@@ -1,11 +1,12 @@
 //! The pictures of `example/color.c` as the runtime draws them: `name,checksum` in lines, and the
 //! irradiances that it prints.
 
-use eigenshade::presets::{light, material};
+use eigenshade::mathematics::SinglePrecision;
+use eigenshade::presets::{gloss, light, material, sources};
 use eigenshade::quantized::{self, Rotation};
 use eigenshade::{
-    Disc, Display, Error, Exposure, IntegerMap, MapPoint, NormalMap, Q15, Rgb, Tone, blend565,
-    sphere, sphere::q15,
+    Disc, Display, Error, Exposure, Gloss, Highlights, IntegerMap, MapPoint, NormalMap, Q15, Rgb,
+    Source, Tone, blend565, sphere, sphere::q15,
 };
 use std::fmt::Write as _;
 
@@ -76,6 +77,45 @@ pub fn lines() -> Result<String, Error> {
     draw("turned about the view", &scene)?;
     pictures.push(("normal map", of_map(&codes, &reinhard, &exposed(&scene, 0.7)?)?));
 
+    // Sources and gloss as C has them, rounded once more.
+    let source = |source: &Source<f32>| {
+        let (energy, minor) = (source.energy(), source.minor());
+        Source::new::<SinglePrecision>(source.direction(), energy, source.major(), minor)
+    };
+    let mut sources = [source(&sources::LOBBY_4[0])?; 4];
+    for (to, from) in sources.iter_mut().zip(sources::LOBBY_4) {
+        *to = source(from)?;
+    }
+    let of_gold = gloss::GOLD_METALLIC_PAINT;
+    let [reflectance, grazing] = [of_gold.reflectance(), of_gold.grazing()].map(Into::into);
+    let of_gold = Gloss::new(of_gold.alpha().sqrt(), reflectance, of_gold.albedo().into())?
+        .with_grazing(grazing)?;
+    let rest = light::LOBBY.residual::<SinglePrecision, LIGHT>(&sources)?;
+    let mut mantissas = [[Q15(0); LIGHT]; 3];
+    let [r, g, b] = &mut mantissas;
+    let rest = Rgb::new(
+        quantized::Light::quantize(&rest.r, r)?,
+        quantized::Light::quantize(&rest.g, g)?,
+        quantized::Light::quantize(&rest.b, b)?,
+    );
+    let glossy = |scene: &q15::color::Scene, sources: &[Source<f32>]| {
+        let highlights = Highlights::<f32, 4>::new::<SinglePrecision>(&of_gold, sources)?;
+        let exponents = scene.each_ref().map(|channel| channel.exponent());
+        let highlights = quantized::Highlights::<_, 4>::quantize(&highlights, exponents)?;
+        let (scene, exposure) = (scene.clone(), scene.exposure(1.0)?);
+        Ok::<_, Error>(move |normal| exposure.of(highlights.add(scene.shade(normal), normal)))
+    };
+    pictures.push(("highlights", disc(&linear, &glossy(&relit(rest)?, &sources)?)));
+    let turned = rest.turned::<LIGHT>(&Rotation::from_quaternion([1, -2, 3, 4])?)?;
+    let by = eigenshade::Rotation::from_quaternion([1.0, -2.0, 3.0, 4.0])?;
+    let mut turned_sources = sources;
+    for to in &mut turned_sources {
+        // C gives what it turned as a source.
+        *to = source(&to.turned(by))?;
+    }
+    let shade = glossy(&relit(turned.lights()?)?, &turned_sources)?;
+    pictures.push(("turned highlights", of_map(&codes, &linear, &shade)?));
+
     let number = |x: f32| Q15((x * 32_767.0) as i16);
     let copper = [0.93, 0.5, 0.25].map(number);
     let copper = quantized::Material::metallic_roughness(copper, number(0.75), number(0.5))?;
@@ -100,7 +140,15 @@ pub fn lines() -> Result<String, Error> {
     }
     let normal = quantized::Normal::<Q15>::new(Q15(0), Q15(19_661), Q15(26_214))?;
     let scene = q15::color::scene(lobby, material::q15::DARK_RED_PAINT)?;
-    for found in [scene.shade(normal), baked.bilinear(MapPoint::of_quantized(normal))] {
+    let lamp = [0.0, 0.6, 0.8];
+    let lamp = Source::new::<SinglePrecision>(lamp, [0.5, 0.4, 0.3], [0.03, 0.0, 0.0], 0.03)?;
+    let copper = Gloss::metallic_roughness([0.93, 0.5, 0.25], 1.0, 0.3)?;
+    let highlights = Highlights::<f32, 1>::new::<SinglePrecision>(&copper, &[lamp])?;
+    let exponents = scene.each_ref().map(|channel| channel.exponent());
+    let highlights = quantized::Highlights::<_, 1>::quantize(&highlights, exponents)?;
+    let half = quantized::Normal::<Q15>::new(Q15(0), Q15(10_362), Q15(31_086))?;
+    let glossy = highlights.add(scene.shade(half), half);
+    for found in [scene.shade(normal), baked.bilinear(MapPoint::of_quantized(normal)), glossy] {
         for irradiance in <[i32; 3]>::from(found) {
             let _ = writeln!(lines, "shade,{}", irradiance.cast_unsigned());
         }

@@ -11,10 +11,10 @@ use eigenshade::{
 
 /// The light of the next `color_relight`, channel by channel.
 #[unsafe(export_name = "color_light")]
-static LIGHT: Shared<[[f32; LIGHT_COUNT]; 3]> = Shared::new([[0.0; LIGHT_COUNT]; 3]);
+pub(crate) static LIGHT: Shared<[[f32; LIGHT_COUNT]; 3]> = Shared::new([[0.0; LIGHT_COUNT]; 3]);
 /// The quaternion (x, y, z, w) by which the light is turned.
 #[unsafe(export_name = "color_turn")]
-static TURN: Shared<[f32; 4]> = Shared::new(UNTURNED);
+pub(crate) static TURN: Shared<[f32; 4]> = Shared::new(UNTURNED);
 /// The quaternion of no rotation.
 const UNTURNED: [f32; 4] = [0.0, 0.0, 0.0, 1.0];
 /// The material of the next `color_transfer`, channel by channel.
@@ -166,8 +166,12 @@ extern "C" fn color_truncate(tolerance: f32) -> u32 {
     1
 }
 
-/// Vectors of a shader's array: those of all terms and recurrences.
-const VECTORS: usize = SCENE + BASIS.parts().recurrences.len();
+/// Vectors of a shader's array: those of all terms, recurrences and sources.
+const VECTORS: usize = SCENE + BASIS.parts().recurrences.len() + OF_SOURCES;
+#[cfg(feature = "sources")]
+const OF_SOURCES: usize = 1 + 4 * crate::highlights::MOST;
+#[cfg(not(feature = "sources"))]
+const OF_SOURCES: usize = 0;
 /// The array of the shader of the last `color_vectors`.
 #[unsafe(export_name = "color_array")]
 static ARRAY: Shared<[[f32; 4]; VECTORS]> = Shared::new([[0.0; 4]; VECTORS]);
@@ -186,8 +190,29 @@ extern "C" fn color_vectors() -> usize {
     // SAFETY: each buffer is borrowed once, and no other function runs.
     let (collapsed, array) = unsafe { (COLLAPSED.borrow(), ARRAY.borrow()) };
     let Some(scene) = collapsed.scene() else { return 0 };
-    let shader = Shader::new(&scene.r);
-    if shader.uniforms(scene.each_ref(), array).is_ok() { shader.vectors() } else { 0 }
+    let shader = shader(&scene.r);
+    if shader.uniforms(scene.each_ref(), array).is_err() {
+        return 0;
+    }
+    #[cfg(feature = "sources")]
+    // SAFETY: as above.
+    if let Some(highlights) = unsafe { crate::highlights::HIGHLIGHTS.borrow() }
+        && shader.highlight_uniforms(highlights, array).is_err()
+    {
+        return 0;
+    }
+    shader.vectors()
+}
+
+/// The shader of a scene, and of the highlights of the last `color_highlights`.
+fn shader<'a>(scene: &Scene<'a, &[f32]>) -> Shader<'a> {
+    let shader = Shader::new(scene);
+    #[cfg(feature = "sources")]
+    // SAFETY: no other function borrows it now.
+    let sources = unsafe { crate::highlights::HIGHLIGHTS.borrow() }.as_ref().map_or(0, |h| h.len());
+    #[cfg(feature = "sources")]
+    let shader = shader.with_sources(sources).unwrap_or(shader);
+    shader
 }
 
 /// The text of the shader of the last `color_shader`.
@@ -210,7 +235,7 @@ extern "C" fn color_shader(language: u32) -> usize {
     let (collapsed, text) = unsafe { (COLLAPSED.borrow(), TEXT.borrow()) };
     let Some(scene) = collapsed.scene() else { return 0 };
     let mut text = Text { rest: text, written: 0 };
-    if Shader::new(&scene.r).write(language, &mut text).is_ok() { text.written } else { 0 }
+    if shader(&scene.r).write(language, &mut text).is_ok() { text.written } else { 0 }
 }
 
 /// A text in a buffer.

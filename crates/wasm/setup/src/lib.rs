@@ -35,6 +35,8 @@ pub mod table {
 pub mod color;
 #[cfg(feature = "f32")]
 pub mod floats;
+#[cfg(feature = "sources")]
+pub mod highlights;
 
 #[cfg(any(feature = "q15", feature = "q31"))]
 pub mod integers;

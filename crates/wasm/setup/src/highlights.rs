@@ -1,0 +1,66 @@
+//! Small sources of a light: taken out of it, and as highlights. Every function returns 0 if its
+//! input is invalid.
+
+use crate::color::{LIGHT, TURN};
+use crate::{LIGHT_COUNT, Shared};
+use eigenshade::mathematics::SinglePrecision;
+use eigenshade::{Error, Gloss, Highlights, Light, Rgb, Rotation, Source};
+
+/// Maximum number of sources.
+pub const MOST: usize = 32;
+
+/// The sources, each with its direction, energy, major axis and minor spread.
+#[unsafe(export_name = "color_sources")]
+static SOURCES: Shared<[[f32; 10]; MOST]> = Shared::new([[0.0; 10]; MOST]);
+/// The gloss of the material: roughness, reflectance at normal and at grazing incidence, albedo.
+#[unsafe(export_name = "color_gloss")]
+static GLOSS: Shared<[f32; 10]> = Shared::new([0.0; 10]);
+
+/// The highlights of the last `color_highlights`; none if it failed.
+pub static HIGHLIGHTS: Shared<Option<Highlights<f32, MOST>>> = Shared::new(None);
+
+/// Takes the first `count` sources out of the light of the next `color_relight`.
+#[unsafe(no_mangle)]
+extern "C" fn color_residual(count: usize) -> u32 {
+    // SAFETY: each buffer is borrowed once, and no other function runs.
+    let (light, sources) = unsafe { (LIGHT.borrow(), SOURCES.borrow()) };
+    let mut taken_out = |numbers| {
+        let [r, g, b] = &*light;
+        let lights = Rgb::new(r, g, b).try_map(|numbers| Light::new(&numbers[..]))?;
+        let rest = lights.residual::<SinglePrecision, LIGHT_COUNT>(&[source(numbers)?])?;
+        for (to, from) in light.iter_mut().zip(<[_; 3]>::from(rest)) {
+            to.iter_mut().zip(&*from).for_each(|(to, &from)| *to = from);
+        }
+        Ok::<_, Error>(())
+    };
+    let done = count <= MOST && sources.iter().take(count).all(|source| taken_out(source).is_ok());
+    done.into()
+}
+
+/// The highlights of the first `count` sources, turned like the light, on the gloss.
+#[unsafe(no_mangle)]
+extern "C" fn color_highlights(count: usize) -> u32 {
+    // SAFETY: each buffer is borrowed once, and no other function runs.
+    let (sources, turn, gloss, highlights) =
+        unsafe { (SOURCES.borrow(), TURN.borrow(), GLOSS.borrow(), HIGHLIGHTS.borrow()) };
+    let [roughness, f0_r, f0_g, f0_b, f90_r, f90_g, f90_b, r, g, b] = *gloss;
+    let shaded = || {
+        let gloss = Gloss::new(roughness, [f0_r, f0_g, f0_b], [r, g, b])?;
+        let gloss = gloss.with_grazing([f90_r, f90_g, f90_b])?;
+        let rotation = Rotation::from_quaternion(*turn)?;
+        let mut turned = [source(&NONE)?; MOST];
+        for (to, from) in turned.iter_mut().zip(sources).take(count) {
+            *to = source(from)?.turned(rotation);
+        }
+        Highlights::new::<SinglePrecision>(&gloss, turned.get(..count).unwrap_or_default())
+    };
+    *highlights = shaded().ok();
+    highlights.is_some().into()
+}
+
+/// A dark source.
+const NONE: [f32; 10] = [0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0];
+
+fn source(&[x, y, z, r, g, b, u, v, w, minor]: &[f32; 10]) -> Result<Source<f32>, Error> {
+    Source::new::<SinglePrecision>([x, y, z], [r, g, b], [u, v, w], minor)
+}

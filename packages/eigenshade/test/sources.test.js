@@ -1,0 +1,186 @@
+// Small sources of light: against the program's shaders, the formula of the literature, and turns.
+
+import assert from "node:assert/strict";
+import { execFileSync } from "node:child_process";
+import { readFileSync } from "node:fs";
+import { test } from "node:test";
+import { Scene, lightPreset, load, presetNames } from "../src/index.js";
+import { EIGENSHADE } from "./support/own.js";
+
+const largest = (numbers) => numbers.reduce((most, number) => Math.max(most, Math.abs(number)), 0);
+const three = (numbers) => ({ r: numbers, g: numbers, b: numbers });
+const dot = (a, b) => a.reduce((sum, number, k) => sum + number * b[k], 0);
+const unit = (a) => a.map((number) => number / Math.sqrt(dot(a, a)));
+
+/** Normals of a sphere's picture, in a spiral. */
+const NORMALS = [0, 1, 2].map(() => []);
+for (let k = 0; k < 4000; k++) {
+  const [sine, angle] = [Math.sqrt((k + 0.5) / 4000), 2.399963 * k];
+  const normal = [sine * Math.cos(angle), sine * Math.sin(angle), Math.sqrt(1 - sine * sine)];
+  normal.forEach((number, axis) => NORMALS[axis].push(number));
+}
+
+test("the program writes the same shaders and vectors", async () => {
+  for (const [light, material, sources] of [
+    ["studio", "gold-metallic-paint", 4], ["night", "blue-metallic-paint", 8], ["lobby", "chrome", 1], ["park", "pearl-paint", 1],
+  ]) {
+    const scene = await Scene.create({ light, material, sources });
+    assert.equal(scene.sources, sources);
+    const all = ["shader", "--json", "--lang", "wgsl", "-l", light, "-m", material, "--sources", sources];
+    const written = JSON.parse(execFileSync(EIGENSHADE, all.map(String), { encoding: "utf8", stdio: ["ignore", "pipe", "ignore"] }));
+    assert.equal(scene.wgsl(), written.text);
+    const found = scene.uniforms();
+    assert.equal(found.length, 4 * written.vectors.length);
+    // Terms, lobes, directions and colors differ in size: each vector on its own, to the rounding of
+    // six digits in the files and of f32.
+    const terms = 4 * written.terms;
+    const [scale, expected] = [largest(found.subarray(0, terms)), written.vectors.flat()];
+    for (let k = 0; k < found.length; k += 4) {
+      const size = k < terms ? scale : largest(expected.slice(k, k + 4));
+      for (let at = k; at < k + 4; at++) {
+        assert.ok(Math.abs(found[at] - expected[at]) <= 3e-5 * size, `${light}, ${at}: ${found[at]}, ${expected[at]}`);
+      }
+    }
+  }
+});
+
+test("points of light are GGX by the textbook, wherever they turn", async () => {
+  const scene = await Scene.create({ light: "park", material: "gold-metallic-paint", sources: 1 });
+  const [roughness, f0, f90, albedo] = [0.4, [0.04, 0.5, 0.9], [0.7, 0.9, 1], [0.6, 0.2, 0]];
+  // Black in harmonics, so that the highlight is all that is there.
+  scene.material({ ...three([0]), gloss: [roughness, ...f0, ...f90, ...albedo] });
+  const energy = [1, 0.8, 0.5];
+  const view = [0, 0, 1];
+  let most = 0;
+  for (const [yaw, roll, turned] of [
+    [0, 0, [0.48, 0.6, 0.64]],
+    [Math.PI / 2, 0, [0.64, 0.6, -0.48]],
+    [0, Math.PI / 2, [-0.6, 0.48, 0.64]],
+  ]) {
+    scene.light({ ...three([1]), sources: [0.48, 0.6, 0.64, ...energy, 0, 0, 0, 0] }).turn({ yaw, roll });
+    assert.equal(scene.sources, 1);
+    const found = scene.shade(...NORMALS);
+    const half = unit(turned.map((number, k) => number + view[k]));
+    const square = roughness ** 4;
+    const root = (cosine) => Math.sqrt(square + (1 - square) * cosine * cosine);
+    const rest = (1 - dot(half, view)) ** 5;
+    const expected = NORMALS[0].map((_, k) => {
+      const normal = NORMALS.map((axis) => axis[k]);
+      const [cosine, up, toHalf] = [dot(normal, turned), normal[2], dot(normal, half)];
+      if (cosine <= 0) return [0, 0, 0];
+      const d = square / (Math.PI * (1 + (square - 1) * toHalf * toHalf) ** 2);
+      const v = 0.5 / (cosine * root(up) + up * root(cosine));
+      return f0.map((f, c) => {
+        const fresnel = f + (f90[c] - f) * rest;
+        return energy[c] * cosine * (fresnel * d * v + ((1 - fresnel) * albedo[c]) / Math.PI);
+      });
+    });
+    const peak = largest(expected.flat());
+    ["r", "g", "b"].forEach((channel, c) =>
+      found[channel].forEach((number, k) => (most = Math.max(most, Math.abs(number - expected[k][c]) / peak))),
+    );
+  }
+  console.log(`GGX: ${most.toExponential(1)}`);
+  assert.ok(most <= 1e-5, `${most}`);
+});
+
+test("a roll of the light is a roll of the picture", async () => {
+  const scene = await Scene.create({ light: "lobby", material: "blue-metallic-paint", sources: 8 });
+  const { g } = scene.shade(...NORMALS);
+  const [sine, cosine] = [Math.sin(0.7), Math.cos(0.7)];
+  const [x, y, z] = NORMALS;
+  const rolled = [x.map((_, k) => cosine * x[k] - sine * y[k]), y.map((_, k) => sine * x[k] + cosine * y[k]), z];
+  const found = scene.turn({ roll: 0.7 }).shade(...rolled);
+  assert.equal(scene.sources, 8);
+  const off = largest(found.g.map((number, k) => number - g[k]));
+  assert.ok(off <= 2e-5 * largest(g), `${off / largest(g)}`);
+  // A sharp picture is another one than without, and as bright.
+  const whole = (await Scene.create({ light: "lobby", material: "blue-metallic-paint" })).shade(...NORMALS);
+  assert.ok(largest(g) > 1.3 * largest(whole.g));
+  const mean = (numbers) => numbers.reduce((sum, number) => sum + number, 0) / numbers.length;
+  assert.ok(Math.abs(mean(g) / mean(whole.g) - 1) < 0.05, `${mean(g)}, ${mean(whole.g)}`);
+});
+
+test("scenes say how many sources they draw, and draw the whole light without", async () => {
+  const inputs = { light: "sunset", material: "gold-metallic-paint" };
+  const whole = await Scene.create(inputs);
+  const scene = await Scene.create({ ...inputs, sources: 8 });
+  assert.equal(whole.sources, 0);
+  // The best set of at most eight has four.
+  assert.equal(scene.sources, 4);
+  assert.equal((await Scene.create({ ...inputs, sources: 3 })).sources, 2);
+  // Bridge has no set of one.
+  assert.equal((await Scene.create({ ...inputs, light: "bridge", sources: 1 })).sources, 0);
+  const same = (one) => {
+    assert.equal(one.sources, 0);
+    assert.deepEqual(one.shade(...NORMALS), whole.shade(...NORMALS));
+    assert.equal(one.glsl(), whole.glsl());
+    assert.deepEqual(one.uniforms(), whole.uniforms());
+  };
+  const sharp = scene.shade(...NORMALS);
+  scene.effects(["gloss"]), whole.effects(["gloss"]);
+  same(scene);
+  scene.effects(), whole.effects();
+  assert.equal(scene.sources, 4);
+  assert.deepEqual(scene.shade(...NORMALS), sharp);
+  // Eigenimages have no highlights.
+  assert.deepEqual(scene.eigenimage(3, ...NORMALS), whole.eigenimage(3, ...NORMALS));
+  assert.deepEqual(scene.shade(...NORMALS), sharp);
+  // A light without a map, a matte material, and one without gloss.
+  const { light, material } = await presetNames();
+  const mapped = await Promise.all(light.map((name) => lightPreset(name, { sources: 8 })));
+  assert.equal(mapped.filter(({ sources }) => sources.length > 0).length, 18);
+  const unmapped = mapped.find(({ sources }) => sources.length === 0);
+  for (const change of [
+    { light: unmapped }, { light: await lightPreset("sunset") }, { material: { roughness: 0.7 } }, { material: three([1]) },
+  ]) {
+    for (const one of [scene, whole]) {
+      if (change.light) one.light(change.light);
+      if (change.material) one.material(change.material);
+    }
+    same(scene);
+    whole.light(await lightPreset("sunset"));
+    scene.light(await lightPreset("sunset", { sources: 4 }));
+  }
+  assert.ok(material.includes("ptfe-633nm"));
+  assert.equal((await Scene.create({ ...inputs, material: "ptfe-633nm", sources: 4 })).sources, 0);
+  // Just glossy enough.
+  assert.equal((await Scene.create({ ...inputs, material: "yellow-paint", sources: 4 })).sources, 4);
+  // A smooth glTF material has a gloss.
+  assert.equal(scene.material({ metallic: 1, roughness: 0.3 }).sources, 4);
+});
+
+test("the module without SIMD draws the same highlights", async () => {
+  const engine = await load(readFileSync(new URL("../wasm/eigenshade.sources.wasm", import.meta.url)));
+  const inputs = { light: "studio", material: { metallic: 1, roughness: 0.3 }, sources: 4 };
+  const [one, other] = [await Scene.create(inputs), await Scene.create({ ...inputs, engine })];
+  const [{ g: expected }, { g: found }] = [one, other].map((scene) => scene.turn({ yaw: 0.2 }).shade(...NORMALS));
+  assert.equal(other.sources, 4);
+  assert.ok(largest(found.map((number, k) => number - expected[k])) <= 1e-5 * largest(expected));
+});
+
+test("wrong sources throw one clear error and change nothing", async () => {
+  const inputs = { light: "studio", material: "gold-metallic-paint" };
+  for (const sources of [-1, 1.5, 33, NaN, "4", null]) {
+    await assert.rejects(Scene.create({ ...inputs, sources }), {
+      name: "RangeError", message: `sources: ${sources} is not a whole number from 0 to 32`,
+    });
+  }
+  const plain = await load(readFileSync(new URL("../wasm/eigenshade.wasm", import.meta.url)));
+  const whole = await Scene.create({ ...inputs, engine: plain });
+  const scene = await Scene.create({ ...inputs, sources: 4 });
+  const [before, beforeWhole] = [scene.uniforms(), whole.uniforms()];
+  const fails = (what, message) => assert.throws(what, { name: "RangeError", message });
+  const light = await lightPreset("studio", { sources: 4 });
+  fails(() => whole.light(light), "light: this scene has no sources; create it with the option `sources`");
+  fails(() => scene.light({ ...light, sources: light.sources.slice(1) }), "sources: 3.9 is not a whole number from 0 to 32");
+  fails(() => scene.light({ ...light, sources: new Float32Array(330) }), "sources: 33 is not a whole number from 0 to 32");
+  for (const [at, bad] of [[0, 2], [3, -1], [4, NaN], [6, Infinity], [9, 1]]) {
+    fails(() => scene.light({ ...light, sources: light.sources.with(at, bad) }), /^light: its sources are not/);
+  }
+  for (const gloss of [[], new Float32Array(10).fill(2), Array(10).fill("0")]) {
+    fails(() => scene.material({ ...three([1]), gloss }), "material: gloss is not ten numbers from 0 to 1");
+  }
+  assert.deepEqual(scene.uniforms(), before);
+  assert.deepEqual(whole.uniforms(), beforeWhole);
+});
