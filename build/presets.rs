@@ -133,8 +133,8 @@ fn constants(kind: &str, presets: &[Preset], error: impl Fn(&str) -> String) -> 
     Ok(())
 }
 
-/// A macro that calls another one with the constant and the name of each of them: for other languages,
-/// whose names are made of these.
+/// A macro that calls another one with the constant and the name of each of them: for other
+/// languages, whose names are made of these.
 fn each<'a>(kind: &str, names: impl Iterator<Item = &'a str>) -> String {
     let each: String = names
         .map(|name| {

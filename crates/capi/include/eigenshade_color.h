@@ -8,8 +8,8 @@ point to the same numbers; its transfer is then computed once. The rules of `eig
 memory hold here too. All functions in q15 do without a float unit, except
 `eigenshade_color_bake_q15` and those with sources.
 
-For sharp highlights, take small bright sources out of a light (`eigenshade_color_residual_f32`), and
-draw the scene of the rest together with the sources and the gloss of the material
+For sharp highlights, take small bright sources out of a light (`eigenshade_color_residual_f32`),
+and draw the scene of the rest together with the sources and the gloss of the material
 (`eigenshade_color_glossy_disc_row_f32`). Where a light turns, turn the rest and the sources. */
 
 #ifndef EIGENSHADE_COLOR_H
@@ -48,7 +48,9 @@ typedef struct eigenshade_normal_map_t {
   const uint8_t *codes;
 } eigenshade_normal_map_t;
 
-/** A small bright source of light, as `eigenshade light --sources` writes it. May be kept in flash. */
+/**
+ * A small bright source of light, as `eigenshade light --sources` writes it. May be kept in flash.
+ */
 typedef struct eigenshade_source_f32_t {
   /** A unit vector from the object to the light, in the camera's frame. */
   float direction[3];
@@ -395,7 +397,8 @@ eigenshade_status eigenshade_color_residual_f32(const struct eigenshade_color_li
  * A call prepares all sources, which costs as much as two pixels.
  */
 eigenshade_status eigenshade_color_glossy_shade_f32(
-    const struct eigenshade_color_glossy_f32_t *glossy, float x, float y, float z, float *irradiance);
+    const struct eigenshade_color_glossy_f32_t *glossy, float x, float y, float z,
+    float *irradiance);
 
 /** `eigenshade_color_disc_row_f32` with highlights. A call prepares all sources. */
 eigenshade_status eigenshade_color_glossy_disc_row_f32(
@@ -531,7 +534,8 @@ eigenshade_status eigenshade_color_baked_normal_map_row_q15(
     size_t length);
 
 /**
- * A light without `count` sources, at most `EIGENSHADE_SOURCES`. The light and the sources are in float.
+ * A light without `count` sources, at most `EIGENSHADE_SOURCES`. The light and the sources are in
+ * float.
  *
  * The light is in `buffer`, and `to` points there. On an error neither may be used.
  */
@@ -547,7 +551,8 @@ eigenshade_status eigenshade_color_residual_q15(const struct eigenshade_color_li
  * A call prepares all sources in floats: without a float unit some 20,000 instructions for each.
  */
 eigenshade_status eigenshade_color_glossy_shade_q15(
-    const struct eigenshade_color_glossy_q15_t *glossy, int16_t x, int16_t y, int16_t z, int32_t *irradiance);
+    const struct eigenshade_color_glossy_q15_t *glossy, int16_t x, int16_t y, int16_t z,
+    int32_t *irradiance);
 
 /** `eigenshade_color_disc_row_q15` with highlights. A call prepares all sources. */
 eigenshade_status eigenshade_color_glossy_disc_row_q15(

@@ -1,5 +1,5 @@
-//! The shipped lights, materials, sources, gloss and tone curves as constants of C. A program links those that it
-//! names.
+//! The shipped lights, materials, sources, gloss and tone curves as constants of C. A program links
+//! those that it names.
 #![expect(unsafe_code, reason = "exported symbols")]
 
 use crate::boundary::Input;

@@ -52,7 +52,7 @@ statuses! {
     NormalMap = 20: c"a normal map has at least one pixel, and two bytes for each; check its size"
     Exposure = 21: c"an exposure is not a number above 0; check it"
     Baked = 22: c"a baked map has 2 to 4096 texels a side and three times its square; check both"
-    Source = 23: c"a source has wrong numbers, or there are more than EIGENSHADE_SOURCES; check both"
+    Source = 23: c"a source has wrong numbers, or there are over EIGENSHADE_SOURCES; check both"
 }
 
 #[expect(unsafe_code, reason = "an exported symbol")]
