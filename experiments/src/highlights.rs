@@ -188,10 +188,10 @@ pub fn parts(rows: &[Row]) -> Vec<Part> {
     let settings: [((usize, usize), usize); 7] = [
         ((9, 7), 0),
         ((9, 7), 4),
-        ((9, 7), 8),
         ((12, 12), 0),
         ((12, 12), 4),
         ((12, 12), 8),
+        ((12, 12), 16),
         ((32, 32), 0),
     ];
     let title = |((degree, order), sources): ((usize, usize), usize)| match sources {
