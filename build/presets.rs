@@ -239,7 +239,8 @@ fn source_sets(sets: &[(String, usize, String)]) -> Result<String, String> {
         let text = format!("    SourceSet::new({sources}, {errors:?}),\n");
         match constants.last_mut() {
             Some(last) if last.0 == light => {
-                (last.1, last.2) = (last.1.clone() + &text, last.2 + 1)
+                last.1 += &text;
+                last.2 += 1;
             }
             _ => constants.push((light, text, 1)),
         }
