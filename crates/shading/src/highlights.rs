@@ -11,6 +11,15 @@ use eigenshade_model::source::{Gloss, Source};
 /// The largest degree of a light that sources are taken out of.
 const DEGREE: usize = 32;
 
+/// The roughness above which harmonics of degree 9 show all of a highlight.
+const MATTE: f64 = 0.6;
+
+/// Whether pictures of a gloss are nearer with sources than without.
+#[must_use]
+pub fn pay(gloss: &Gloss) -> bool {
+    gloss.roughness <= MATTE
+}
+
 /// A source in a number format.
 ///
 /// # Errors

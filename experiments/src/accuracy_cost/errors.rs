@@ -70,7 +70,7 @@ pub fn compare(setting: &Setting, table: &Table, images: &Images) -> Result<Foun
     let numbers = numbers(setting, table, &images.sphere.normals)?;
     let all = parallel::map(images.images.len(), &(), |k| {
         let image = &images.images[k];
-        let Shaded { irradiances, terms, bytes } = numbers.image(&image.pair)?;
+        let Shaded { irradiances, terms, bytes, .. } = numbers.image(&image.pair)?;
         Ok((errors(&irradiances, image, &images.sphere.weights), [terms, k, bytes]))
     });
     let all = all.into_iter().collect::<Result<Vec<([f64; 2], [usize; 3])>>>()?;
@@ -162,9 +162,15 @@ pub fn rows(folder: &Path, quick: bool, progress: &ProgressBar) -> Result<Vec<Ro
 }
 
 /// The errors of a degree and an order over all surfaces and maps.
-pub fn spread(rows: &[Row], size: (usize, usize)) -> Spread {
-    let of_size = rows.iter().filter(|row| row.size == size);
-    Spread::of(&of_size.flat_map(|row| row.errors.iter().copied()).collect::<Vec<f64>>())
+pub fn spread(rows: &[Record], size: (usize, usize)) -> Spread {
+    let errors = of_size(rows, size).flat_map(|row| MAPS.iter().filter_map(|map| row.number(map)));
+    Spread::of(&errors.collect::<Vec<f64>>())
+}
+
+/// The rows of a degree and an order.
+pub fn of_size(rows: &[Record], (degree, order): (usize, usize)) -> impl Iterator<Item = &Record> {
+    let size = [degree, order].map(|one| one.to_string());
+    rows.iter().filter(move |row| ["degree", "order"].map(|column| row.text(column)) == size)
 }
 
 #[cfg(test)]

@@ -3,7 +3,9 @@
 
 use eigenshade_cli::table;
 use eigenshade_index::effect::{Effect, Effects};
+use eigenshade_shading::shipped;
 use eigenshade_table::scene::Cut;
+use std::collections::BTreeSet;
 use std::fmt;
 
 /// The part of a basis that is kept; `None` keeps all.
@@ -91,8 +93,7 @@ pub struct Setting {
     pub way: Way,
     pub format: Format,
     pub scaling: Scaling,
-    /// The number of light sources whose highlights a pixel adds to the table's sum. No way to a
-    /// pixel adds any yet, so it is 0.
+    /// The most small sources of the light whose highlights a pixel adds.
     pub sources: usize,
 }
 
@@ -176,6 +177,9 @@ const LOWER: [(usize, usize); 8] = [(1, 0), (2, 0), (2, 2), (3, 2), (4, 3), (5, 
 const HIGHER: [(usize, usize); 4] = [(12, 12), (16, 16), (24, 24), (32, 32)];
 /// The largest number of components that a basis beyond the shipped order keeps.
 const HIGH_COMPONENTS: usize = 400;
+
+/// The number of sources of a quick run.
+const QUICK_SOURCES: usize = 4;
 
 /// A setting and the parameter that it varies, by its name in the file.
 #[derive(Clone, Debug, PartialEq)]
@@ -288,6 +292,13 @@ pub fn all(quick: bool) -> Vec<Varied> {
             add("degree and order", trimmed(recipe, share));
         }
     }
+    let counts = source_counts();
+    let counts = counts.into_iter().filter(|count| !quick || *count == QUICK_SOURCES);
+    for sources in std::iter::once(0).chain(counts) {
+        for setting in with_sources() {
+            add("sources", Setting { sources, ..setting });
+        }
+    }
     for (degree, order) in HIGHER {
         let recipe = Recipe::first(degree, order, HIGH_COMPONENTS);
         add("degree and order", Setting::of(recipe));
@@ -305,10 +316,44 @@ pub fn all(quick: bool) -> Vec<Varied> {
     found
 }
 
+/// Numbers of sources: the sizes of the sets in `tables/inputs/sources.csv`.
+fn source_counts() -> BTreeSet<usize> {
+    let lights = shipped::sources().unwrap_or_default();
+    lights.iter().flat_map(|light| light.sets.iter().map(|(most, _)| *most)).collect()
+}
+
+/// The settings that sources are added to: the nine-term formula, tables whose pixels are counted on
+/// boards, and all that a degree and an order have.
+fn with_sources() -> impl Iterator<Item = Setting> {
+    let trimmed = |count, share| Setting::of(Recipe::first(DEGREE, ORDER, count).trimmed(share));
+    let whole = Setting::of(Recipe::all(DEGREE, ORDER));
+    let few = Setting::of(Recipe::first(DEGREE, ORDER, 50));
+    let higher = Setting::of(Recipe::first(HIGHER[0].0, HIGHER[0].1, HIGH_COMPONENTS));
+    let cut = Setting { recipe: higher.recipe.trimmed(1e-2), ..higher };
+    let baked = Way::Bilinear(32);
+    let in_floats = [
+        Setting::of(Recipe::all(2, 0)).by(Way::NineTerms),
+        trimmed(9, 1e-1),
+        trimmed(25, 3e-2),
+        trimmed(50, 1e-2),
+        few,
+        trimmed(130, 2e-4),
+        whole,
+        whole.by(baked),
+        higher,
+        cut,
+        cut.by(Way::Within(1e-2)),
+        higher.by(baked),
+    ];
+    let in_integers =
+        [trimmed(9, 1e-1), trimmed(25, 3e-2), trimmed(130, 2e-4), few.by(baked), higher.by(baked)];
+    let in_integers = in_integers.map(|setting| setting.in_format(Format::Q15));
+    in_floats.into_iter().chain(in_integers)
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
-    use std::collections::BTreeSet;
     use std::mem::discriminant;
 
     /// The kind of a setting, ignoring sizes.
@@ -317,7 +362,8 @@ mod tests {
         let Cut { azimuths, terms, trim } = recipe.cut;
         let parts = [recipe.components, recipe.modes, azimuths, terms].map(|part| part.is_some());
         let forms = (discriminant(&setting.way), trim.is_some());
-        (*parameter, parts, recipe.effects == Effects::ALL, forms, setting.format, setting.scaling)
+        let format = (setting.format, setting.scaling, setting.sources > 0);
+        (*parameter, parts, recipe.effects == Effects::ALL, forms, format)
     }
 
     #[test]

@@ -18,9 +18,6 @@ pub struct Gleam {
     sources: Vec<Source>,
 }
 
-/// The roughness above which harmonics of degree 9 show all of a highlight.
-const MATTE: f64 = 0.6;
-
 /// The rms that a fitted gloss leaves, relative to pictures under a small source, from which on it is
 /// worth a note.
 const FAR: f64 = 0.15;
@@ -41,7 +38,7 @@ impl Gleam {
         let Inputs { light, material } = inputs;
         let (gloss, left) = material.gloss()?;
         let sources = light.sources(&lights.entries[0].name, most, memory.of_file())?;
-        if gloss.roughness > MATTE {
+        if !highlights::pay(&gloss) {
             print_message(format_args!(
                 "note: `{}` is as matte as a roughness of {:.2}: its pictures are as near without \
                  sources, and it is drawn without",
