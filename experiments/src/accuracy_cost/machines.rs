@@ -203,7 +203,7 @@ impl Times {
 }
 
 /// The limits of the total error.
-pub const LIMITS: [f64; 6] = [0.1, 0.08, 0.07, 0.06, 0.05, 0.04];
+pub const LIMITS: [f64; 7] = [0.1, 0.08, 0.06, 0.05, 0.04, 0.035, 0.03];
 /// The number of pixels of the picture over which costs are summed.
 pub const PIXELS: f64 = 96.0 * 96.0;
 /// Times that differ by less than this factor count as equal, because runs differ by more.

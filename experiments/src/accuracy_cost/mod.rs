@@ -91,7 +91,7 @@ impl Measured {
         // Times are relative to those of the first setting, the nine-term formula.
         let mut first = true;
         varied.retain(|one| take(&mut first) || !known.contains(&one.setting.to_string()));
-        let orders: Vec<usize> = varied.iter().map(|one| one.setting.recipe.order).collect();
+        let orders: Vec<usize> = settings::sizes().map(|(_, order)| order).collect();
         let study = Study::new(maps, subjects::all()?, &orders, SPACING, progress)?;
         let (settings, total) = measure(&varied, Some(&self.model), &study, true, progress)?;
         self.settings.extend(settings.into_iter().filter(|row| !is_known(row)));

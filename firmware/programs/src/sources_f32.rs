@@ -23,9 +23,8 @@ fn main() {
 fn of_count<const N: usize>([pixel, light]: [&str; 2]) {
     let along = black_box(0.3);
     let four = inputs::sources(along);
-    let sources: [Source<f32>; N] = core::array::from_fn(|k| {
-        four.get(k % 4).copied().unwrap_or_else(|| board::exit(false))
-    });
+    let sources: [Source<f32>; N] =
+        core::array::from_fn(|k| four.get(k % 4).copied().unwrap_or_else(|| board::exit(false)));
     let Ok(rotation) = Rotation::from_quaternion(black_box([0.1, 0.2, 0.3, 1.0])) else {
         board::exit(false)
     };

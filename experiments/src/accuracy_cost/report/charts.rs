@@ -15,6 +15,7 @@ use crate::figures::OutputFile;
 use crate::sheet::Record;
 use eigenshade_model::error::Result;
 use plotters::prelude::SeriesLabelPosition;
+use std::ops::RangeInclusive;
 
 /// All charts.
 pub fn all(measured: &Measured) -> Result<Vec<OutputFile>> {
@@ -120,12 +121,17 @@ fn growth_chart(curves: &[Curve]) -> Chart {
 }
 
 /// The series of eigenshade in the chart of total errors, by their numbers of sources.
-const LAMPS: [(&str, std::ops::RangeInclusive<usize>); 4] = [
+const LAMPS: [(&str, RangeInclusive<usize>); 4] = [
     ("eigenshade, no sources", 0..=0),
     ("1 or 2 sources", 1..=2),
     ("4 sources", 4..=4),
     ("8 or 16 sources", 8..=16),
 ];
+
+/// The ways to a pixel that the chart of total errors joins.
+const POLYNOMIALS: [&str; 2] = ["polynomial", "within"];
+/// See [`POLYNOMIALS`].
+const MAPS: [&str; 2] = ["bilinear", "nearest"];
 
 /// Total errors of glTF materials against the instructions of a pixel on a Cortex-M4F.
 fn total_chart(measured: &Measured) -> Chart {
@@ -133,15 +139,30 @@ fn total_chart(measured: &Measured) -> Chart {
         of_kind(&measured.total, setting, "gltf").and_then(|row| row.number("rms_most"))
     };
     let point = |row: &Record| Some((row.number("m4f_pixel")?, error(row.text("setting"))?));
-    let is_nine = |row: &Record| row.text("way") == "nine-terms" && row.text("sources") == "0";
     let choices = || measured.settings.iter().filter(|row| is_choice(row));
     let rival = |pixel: Option<f64>, name| pixel.zip(error(name)).into_iter().collect::<Points>();
-    let nine: Points = choices().filter(|row| is_nine(row)).filter_map(point).collect();
+    let is_nine = |row: &&Record| row.text("way") == "nine-terms" && row.text("sources") == "0";
+    let nine: Points = choices().filter(is_nine).filter_map(point).collect();
     let matcap = rival(matcap_pixel(), MATCAP);
     let prefiltered = rival(prefiltered_pixel(), PREFILTERED);
     let all: Vec<((f64, f64), &Record)> =
         choices().filter_map(|row| Some((point(row)?, row))).collect();
-    let front = pareto(&all.iter().map(|(point, _)| *point).collect::<Vec<_>>());
+    // The best of each number of sources, by polynomials and by maps.
+    let best = |counts: &RangeInclusive<usize>, ways: [&str; 2]| {
+        let has = |row: &Record| {
+            ways.iter().any(|way| row.text("way").starts_with(way))
+                && row.text("sources").parse().is_ok_and(|count| counts.contains(&count))
+        };
+        let of = all.iter().filter(|(_, row)| has(row)).map(|(point, _)| *point);
+        pareto(&of.collect::<Vec<_>>())
+    };
+    let mut series: Vec<(String, Style, Points)> = Vec::new();
+    for (name, counts) in LAMPS {
+        let points = [POLYNOMIALS, MAPS].map(|ways| best(&counts, ways)).concat();
+        series.push((name.into(), Style::Dots, points));
+    }
+    let any = 0..=usize::MAX;
+    let [polynomials, maps] = [POLYNOMIALS, MAPS].map(|ways| best(&any, ways));
     let named = |point: &(f64, f64)| {
         let (_, row) = all.iter().find(|(other, _)| other == point)?;
         let [degree, order, sources] = ["degree", "order", "sources"].map(|one| row.text(one));
@@ -149,25 +170,18 @@ fn total_chart(measured: &Measured) -> Chart {
         Some((*point, format!("{degree}/{order}{sources}: {}", percent(point.1))))
     };
     let rivals = nine.iter().chain(&matcap).chain(&prefiltered).map(labelled);
-    let labels = front.iter().filter_map(named).chain(rivals).collect();
-    let mut series: Vec<(String, Style, Points)> = Vec::new();
-    for (name, counts) in LAMPS {
-        let has = |row: &Record| {
-            !is_nine(row) && row.text("sources").parse().is_ok_and(|count| counts.contains(&count))
-        };
-        let points = all.iter().filter(|(_, row)| has(row)).map(|(point, _)| *point);
-        series.push((name.into(), Style::Dots, points.collect()));
-    }
+    let labels = maps.iter().chain(polynomials.first()).filter_map(named).chain(rivals).collect();
     series.extend([
         ("nine-term formula".into(), Style::Dots, nine),
         ("prefiltered maps".into(), Style::Dots, prefiltered),
         ("32 x 32 matcap".into(), Style::Dots, matcap),
-        ("best of eigenshade".into(), Style::Line, staircase(&front)),
+        ("best polynomials".into(), Style::Dashed, staircase(&polynomials)),
+        ("best baked maps".into(), Style::Line, staircase(&maps)),
     ]);
     series.retain(|(_, _, points)| !points.is_empty());
     let titles =
         ["Cortex-M4F: a pixel, in instructions".into(), "total rms error, 95 of 100 glTF".into()];
-    Chart { labels, ..chart(titles, SeriesLabelPosition::LowerLeft, series) }
+    Chart { labels, ..chart(titles, SeriesLabelPosition::UpperRight, series) }
 }
 
 /// A point with its error.

@@ -13,7 +13,7 @@ use eigenshade_cli::messages::grouped;
 /// The boards of the short table.
 const SHORT: [&str; 2] = ["m4f", "m0"];
 
-/// The cheapest settings of two boards by total error, for still light.
+/// The cheapest settings of two boards by total error, for a new light with every picture.
 pub fn choice(rows: &[Record]) -> String {
     let boards = || MACHINES.iter().filter(|machine| SHORT.contains(&machine.key)).rev();
     let columns = boards().map(|one| format!(" | {} | a pixel, {}:", one.title, one.unit()));
@@ -21,7 +21,7 @@ pub fn choice(rows: &[Record]) -> String {
     let row = |below| {
         let mut fields = vec![limit(below)];
         for machine in boards() {
-            let chosen = cheapest(rows, machine, Lighting::Still, below);
+            let chosen = cheapest(rows, machine, Lighting::Moving, below);
             let pixel = chosen.and_then(|row| machine.number(row, "pixel"));
             fields.push(chosen.map_or(MISSING.into(), described));
             fields.push(pixel.map_or(MISSING.into(), instructions));
@@ -36,11 +36,10 @@ fn described(row: &Record) -> String {
     let [degree, order, components, way, terms, sources, format] =
         ["degree", "order", "components", "way", "terms", "sources", "format"]
             .map(|column| row.text(column));
-    let components = if components.is_empty() { "all" } else { components };
-    let read = match way {
-        "nine-terms" => "nine terms".into(),
-        _ if way.starts_with("bilinear") => "a 32 x 32 map".into(),
-        _ => format!("K = {components}, {terms} terms"),
+    let read = match (way, components) {
+        ("nine-terms", _) => "nine terms".into(),
+        (_, "") => format!("{terms} terms"),
+        _ => format!("{components} components, {terms} terms"),
     };
     let sources = match sources {
         "0" => String::new(),
