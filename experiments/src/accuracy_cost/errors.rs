@@ -103,7 +103,7 @@ fn errors(values: &[f64], image: &Image, weights: &[f64]) -> [f64; 2] {
 /// The maps: some are soft, others have a small strong light.
 pub const MAPS: [&str; 6] = ["esplanade", "hall", "park", "sky", "studio", "venice"];
 /// The surfaces of a quick run.
-const QUICK: [&str; 3] = ["lambertian", "ggx-0.9-0.7", "teflon"];
+const QUICK: [&str; 2] = ["ggx-0.9-0.7", "teflon"];
 
 /// One surface at one degree and order.
 pub struct Row {
@@ -129,7 +129,7 @@ impl Row {
     }
 }
 
-/// Integrates under the maps in this folder; with `quick`, only three surfaces.
+/// Integrates under the maps in this folder; with `quick`, only two surfaces.
 pub fn rows(folder: &Path, quick: bool, progress: &ProgressBar) -> Result<Vec<Row>> {
     let map = |name: &&str| {
         let path = folder.join(format!("{name}.exr"));

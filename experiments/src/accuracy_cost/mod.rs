@@ -49,6 +49,9 @@ const ROUNDS: usize = 25;
 /// The columns of a setting's times on this machine.
 const TIMES: [&str; 4] = ["host_pixel_ns", "host_light_ns", "host_pixel", "host_light"];
 
+/// The highest order with total errors in a quick run.
+const QUICK_ORDER: usize = 12;
+
 /// The rows of all files.
 #[derive(Clone, Debug, Default)]
 pub struct Measured {
@@ -65,7 +68,8 @@ impl Measured {
         let model: Vec<Record> =
             errors::rows(maps, quick, progress)?.iter().map(errors::Row::record).collect();
         let subjects = if quick { subjects::few()? } else { subjects::all()? };
-        let orders: Vec<usize> = settings::sizes().map(|(_, order)| order).collect();
+        let mut orders: Vec<usize> = settings::sizes().map(|(_, order)| order).collect();
+        orders.retain(|&order| !quick || order <= QUICK_ORDER);
         let study = Study::new(maps, subjects, &orders, SPACING, progress)?;
         // A quick run has too few surfaces for the error of the model.
         let models_of_all = (!quick).then_some(&model[..]);

@@ -44,7 +44,7 @@ fn the_counted_baseline_is_the_split_sum() {
     }
     let matte = NineTerms::new([0.4, 0.1, 0.2, -0.1, 0.0, 0.0, 0.0, 0.0, 0.0]);
     let reflected = std::array::from_fn(|k| share(k as f32 / (STEPS - 1) as f32));
-    let formula = SplitSum { radiance: texels, reflected, matte: matte.clone() };
+    let formula = SplitSum { radiance: texels, reflected, matte };
     let mut normals = spread(1000);
     normals.extend([[0.0, 0.0, 1.0], [1.0, 0.0, 0.0], [0.0, -1.0, 0.0], [0.6, 0.8, 0.0]]);
     let mut largest = 0.0_f32;

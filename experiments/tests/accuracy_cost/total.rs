@@ -263,6 +263,11 @@ fn the_page_says_what_the_file_has() {
     let [low, high] = [whole, "16/16 K400 polynomial f32"];
     assert!(number(high, "measured", "rms_most") > 0.85 * number(low, "measured", "rms_most"));
     assert!(number(high, "gltf", "rms_most") < 0.6 * number(low, "gltf", "rms_most"));
+    // With 4 sources, degree 9 and order 7 is nearer than degree 12 and order 12.
+    for (kind, column) in [("gltf", "rms_median"), ("gltf", "rms_most"), ("measured", "rms_most")] {
+        let four = number("9/7 all polynomial f32 sources4", kind, column);
+        assert!(four < number("12/12 K400 polynomial f32", kind, column), "{kind} {column}");
+    }
     // Neither the format nor the last terms matter.
     let ratio = |a, b| number(a, "all", "rms_most") / number(b, "all", "rms_most");
     assert!((ratio("sphere.bin q15", "sphere.bin f32") - 1.0).abs() < 0.01);

@@ -169,14 +169,19 @@ fn total_chart(measured: &Measured) -> Chart {
         let sources = if sources == "0" { String::new() } else { format!(" + {sources}") };
         Some((*point, format!("{degree}/{order}{sources}: {}", percent(point.1))))
     };
-    let rivals = nine.iter().chain(&matcap).chain(&prefiltered).map(labelled);
+    let rivals = [
+        ("nine terms", nine.first()),
+        ("split sum", prefiltered.first()),
+        ("32 x 32 matcap", matcap.first()),
+    ];
+    let rivals = rivals
+        .into_iter()
+        .filter_map(|(name, point)| point.map(|p| (*p, format!("{name}: {}", percent(p.1)))));
     let labels = maps.iter().chain(polynomials.first()).filter_map(named).chain(rivals).collect();
     series.extend([
-        ("nine-term formula".into(), Style::Dots, nine),
-        ("prefiltered maps".into(), Style::Dots, prefiltered),
-        ("32 x 32 matcap".into(), Style::Dots, matcap),
-        ("best polynomials".into(), Style::Dashed, staircase(&polynomials)),
-        ("best baked maps".into(), Style::Line, staircase(&maps)),
+        ("polynomials".into(), Style::Dashed, staircase(&polynomials)),
+        ("maps of 32 x 32 texels".into(), Style::Line, staircase(&maps)),
+        (String::new(), Style::Dots, [nine, prefiltered, matcap].concat()),
     ]);
     series.retain(|(_, _, points)| !points.is_empty());
     let titles =

@@ -31,7 +31,7 @@ use subjects::{GROUPS, Group, Kind, Subject, coefficients};
 pub const HIGHEST: usize = 16;
 /// The rival whose look-up on a device is that of a baked map by points.
 pub const MATCAP: &str = "matcap32 f32";
-/// The rival of graphics processors.
+/// The rival that engines draw with.
 pub const PREFILTERED: &str = "prefiltered f32";
 
 /// `tables/pbr.bin`.
