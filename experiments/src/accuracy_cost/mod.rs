@@ -49,9 +49,6 @@ const ROUNDS: usize = 25;
 /// The columns of a setting's times on this machine.
 const TIMES: [&str; 4] = ["host_pixel_ns", "host_light_ns", "host_pixel", "host_light"];
 
-/// The highest order with total errors in a quick run.
-const QUICK_ORDER: usize = 12;
-
 /// The rows of all files.
 #[derive(Clone, Debug, Default)]
 pub struct Measured {
@@ -68,8 +65,7 @@ impl Measured {
         let model: Vec<Record> =
             errors::rows(maps, quick, progress)?.iter().map(errors::Row::record).collect();
         let subjects = if quick { subjects::few()? } else { subjects::all()? };
-        let mut orders: Vec<usize> = settings::sizes().map(|(_, order)| order).collect();
-        orders.retain(|&order| !quick || order <= QUICK_ORDER);
+        let orders: Vec<usize> = settings::sizes().map(|(_, order)| order).collect();
         let study = Study::new(maps, subjects, &orders, SPACING, progress)?;
         // A quick run has too few surfaces for the error of the model.
         let models_of_all = (!quick).then_some(&model[..]);
@@ -124,9 +120,10 @@ impl Measured {
         ]
     }
 
-    /// Takes over the times of an earlier run, which must have all settings.
+    /// Takes over the times of an earlier run, which must have all settings. Those with sources are
+    /// not timed.
     pub fn keep_times(&mut self, earlier: &Self) -> Result<()> {
-        for row in &mut self.settings {
+        for row in self.settings.iter_mut().filter(|row| row.text("sources") == "0") {
             let is_it = |other: &&Record| other.key(&SETTINGS) == row.key(&SETTINGS);
             let found = earlier.settings.iter().find(is_it);
             let Some(found) = found.filter(|row| TIMES.iter().all(|one| row.number(one).is_some()))
@@ -160,7 +157,9 @@ fn measure(
     let mut cases = Vec::new();
     progress.set_length(varied.len() as u64);
     let sizes: BTreeSet<(usize, usize)> = varied.iter().map(size).collect();
-    for scope in Scope::all(&Vec::from_iter(sizes))? {
+    // To project other materials to a higher order takes as long as the rest of a quick run.
+    let unseen = if models.is_some() { usize::MAX } else { total::HIGHEST };
+    for scope in Scope::all(&Vec::from_iter(sizes), unseen)? {
         let of_scope = (scope.degree, scope.order);
         let images = Images::new(&scope);
         let of_size = || varied.iter().zip(0..).filter(|(one, _)| size(one) == of_scope);
@@ -249,6 +248,9 @@ fn fill(row: &mut Record, Found { seen, unseen, terms, .. }: &Found) {
             row.measure(format!("{name}_{kind}"), error);
             row.put(format!("{name}_{kind}_db"), decibels(error));
         }
+    }
+    if unseen.rms.median.is_nan() {
+        return;
     }
     for (name, spread) in [("unseen_rms", unseen.rms), ("unseen_largest", unseen.largest)] {
         row.measure(format!("{name}_median"), spread.median);
