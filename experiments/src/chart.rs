@@ -105,7 +105,7 @@ impl Chart {
             Axes::Logarithmic => {
                 let points = || self.series.iter().flat_map(|series| &series.points);
                 let columns = range(points().map(|point| point.0)).log_scale();
-                self.draw(&mut svg, columns, range(points().map(|point| point.1)), 11, number)
+                self.draw(&mut svg, columns, range(points().map(|point| point.1)), 6, number)
             }
         };
         drawn.map_err(fault)?;

@@ -71,6 +71,7 @@ fn program(Listed { name, source }: Listed) -> Result<String> {
             }
             items + &run("main")
         }
+        "sources_f32" | "sources_q15" => run("main"),
         "watch" => run(&format!("in_{format}")),
         _ => run(operation),
     })

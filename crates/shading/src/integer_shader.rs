@@ -104,6 +104,7 @@ pub struct IntegerShader<Q: Integer> {
     mantissas: Vec<i32>,
     exponent: i32,
     scene: Vec<i32>,
+    unit: i32,
 }
 
 impl<Q: Integer> IntegerShader<Q> {
@@ -125,6 +126,7 @@ impl<Q: Integer> IntegerShader<Q> {
             mantissas: vec![0; view.components()],
             exponent: 0,
             scene: vec![0; view.scene_len()],
+            unit: 0,
             basis,
         })
     }
@@ -133,6 +135,13 @@ impl<Q: Integer> IntegerShader<Q> {
     #[must_use]
     pub fn terms(&self) -> usize {
         self.scene.len()
+    }
+
+    /// The exponent of the last image that [`polynomial`](Self::polynomial) made: its irradiances are
+    /// multiples of 2 to that power.
+    #[must_use]
+    pub fn unit(&self) -> i32 {
+        self.unit
     }
 
     /// d for one channel of a light and one channel of a material, of at most the table's degree
@@ -186,10 +195,12 @@ impl<Q: Integer> IntegerShader<Q> {
         let used = self.mantissas.get(..self.components).unwrap_or(&self.mantissas);
         let scene = basis.collapse_into(used, self.exponent, &mut self.scene).map_err(fault)?;
         if let Some(formula) = scene.nine_terms() {
-            let one = |normal: &Normal<Q>| scaled(formula.shade(*normal), formula.exponent());
+            self.unit = formula.exponent();
+            let one = |normal: &Normal<Q>| scaled(formula.shade(*normal), self.unit);
             return Ok(normals.iter().map(one).collect());
         }
-        let one = |normal: &Normal<Q>| scaled(scene.shade(*normal), scene.exponent());
+        self.unit = scene.exponent();
+        let one = |normal: &Normal<Q>| scaled(scene.shade(*normal), self.unit);
         Ok(normals.iter().map(one).collect())
     }
 }

@@ -70,7 +70,7 @@ pub fn compare(setting: &Setting, table: &Table, images: &Images) -> Result<Foun
     let numbers = numbers(setting, table, &images.sphere.normals)?;
     let all = parallel::map(images.images.len(), &(), |k| {
         let image = &images.images[k];
-        let Shaded { irradiances, terms, bytes } = numbers.image(&image.pair)?;
+        let Shaded { irradiances, terms, bytes, .. } = numbers.image(&image.pair)?;
         Ok((errors(&irradiances, image, &images.sphere.weights), [terms, k, bytes]))
     });
     let all = all.into_iter().collect::<Result<Vec<([f64; 2], [usize; 3])>>>()?;
@@ -103,7 +103,7 @@ fn errors(values: &[f64], image: &Image, weights: &[f64]) -> [f64; 2] {
 /// The maps: some are soft, others have a small strong light.
 pub const MAPS: [&str; 6] = ["esplanade", "hall", "park", "sky", "studio", "venice"];
 /// The surfaces of a quick run.
-const QUICK: [&str; 3] = ["lambertian", "ggx-0.9-0.7", "teflon"];
+const QUICK: [&str; 2] = ["ggx-0.9-0.7", "teflon"];
 
 /// One surface at one degree and order.
 pub struct Row {
@@ -129,7 +129,7 @@ impl Row {
     }
 }
 
-/// Integrates under the maps in this folder; with `quick`, only three surfaces.
+/// Integrates under the maps in this folder; with `quick`, only two surfaces.
 pub fn rows(folder: &Path, quick: bool, progress: &ProgressBar) -> Result<Vec<Row>> {
     let map = |name: &&str| {
         let path = folder.join(format!("{name}.exr"));
@@ -162,9 +162,15 @@ pub fn rows(folder: &Path, quick: bool, progress: &ProgressBar) -> Result<Vec<Ro
 }
 
 /// The errors of a degree and an order over all surfaces and maps.
-pub fn spread(rows: &[Row], size: (usize, usize)) -> Spread {
-    let of_size = rows.iter().filter(|row| row.size == size);
-    Spread::of(&of_size.flat_map(|row| row.errors.iter().copied()).collect::<Vec<f64>>())
+pub fn spread(rows: &[Record], size: (usize, usize)) -> Spread {
+    let errors = of_size(rows, size).flat_map(|row| MAPS.iter().filter_map(|map| row.number(map)));
+    Spread::of(&errors.collect::<Vec<f64>>())
+}
+
+/// The rows of a degree and an order.
+pub fn of_size(rows: &[Record], (degree, order): (usize, usize)) -> impl Iterator<Item = &Record> {
+    let size = [degree, order].map(|one| one.to_string());
+    rows.iter().filter(move |row| ["degree", "order"].map(|column| row.text(column)) == size)
 }
 
 #[cfg(test)]

@@ -183,7 +183,8 @@ impl<S: Scalar + Into<f64> + Sync> Numbers for Floats<S> {
         let mut lengths = vec![0; self.setting.recipe.degree + 1];
         let Operations { mut pixels, terms, bytes, .. } = self.operations(pair, &mut lengths)?;
         pixels.shade();
-        Ok(Shaded { irradiances: pixels.irradiances(), terms, bytes })
+        let (irradiances, exponent) = (pixels.irradiances(), pixels.exponent());
+        Ok(Shaded { irradiances, terms, bytes, exponent })
     }
 
     fn works<'a>(&'a self, pair: &Pair, lengths: &'a mut [u16]) -> Result<[Work<'a>; 2]> {

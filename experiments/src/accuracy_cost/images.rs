@@ -103,6 +103,8 @@ pub struct Shaded {
     /// Bytes in RAM for one channel of an image whose light may change: the transferred material,
     /// d, and the data that a pixel reads.
     pub bytes: usize,
+    /// Irradiances are multiples of 2 to this power in an integer format; otherwise it is 0.
+    pub exponent: i32,
 }
 
 /// A basis and normals in a setting's number format.
@@ -121,6 +123,9 @@ pub trait Pixels {
 
     /// Their irradiances, as last computed.
     fn irradiances(&self) -> Vec<f64>;
+
+    /// Irradiances are multiples of 2 to this power.
+    fn exponent(&self) -> i32;
 }
 
 /// Writes irradiances as multiples of 2^`exponent`.
@@ -146,6 +151,10 @@ impl<T: Copy + Into<f64>, F: FnMut(&mut [T])> Pixels for Shading<T, F> {
     fn irradiances(&self) -> Vec<f64> {
         let unit = 2f64.powi(self.exponent);
         self.out.iter().map(|&value| unit * value.into()).collect()
+    }
+
+    fn exponent(&self) -> i32 {
+        self.exponent
     }
 }
 

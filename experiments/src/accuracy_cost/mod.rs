@@ -35,13 +35,14 @@ use machines::{Boards, Times};
 use numbers::table_bytes;
 use scope::Bases;
 use scope::Scope;
-use settings::Varied;
+use settings::{Setting, Varied};
 use sheet::{GROWTH, MODEL, SETTINGS, TOTAL};
 use std::collections::BTreeSet;
+use std::mem::take;
 use std::path::Path;
 use times::Case;
 use total::references::SPACING;
-use total::{ERROR_COLUMNS, QUICK, Study, subjects};
+use total::{ERROR_COLUMNS, Study, subjects};
 
 /// Rounds of the timed runs.
 const ROUNDS: usize = 25;
@@ -61,12 +62,13 @@ impl Measured {
     /// Runs the measurements with the environment maps in `maps`; with `quick`, only for a part of
     /// the settings, surfaces and sizes. Times are left out unless `timed`.
     pub fn new(quick: bool, timed: bool, maps: &Path, progress: &ProgressBar) -> Result<Self> {
-        let models = errors::rows(maps, quick, progress)?;
-        let kinds = if quick { &QUICK[..] } else { &subjects::ALL };
+        let model: Vec<Record> =
+            errors::rows(maps, quick, progress)?.iter().map(errors::Row::record).collect();
+        let subjects = if quick { subjects::few()? } else { subjects::all()? };
         let orders: Vec<usize> = settings::sizes().map(|(_, order)| order).collect();
-        let study = Study::new(maps, kinds, &orders, SPACING, progress)?;
+        let study = Study::new(maps, subjects, &orders, SPACING, progress)?;
         // A quick run has too few surfaces for the error of the model.
-        let models_of_all = (!quick).then_some(&models[..]);
+        let models_of_all = (!quick).then_some(&model[..]);
         let (settings, mut total) =
             measure(&settings::all(quick), models_of_all, &study, timed, progress)?;
         if !quick {
@@ -74,8 +76,31 @@ impl Measured {
             total.extend(study.rivals()?);
         }
         let growth = times::rows(quick, timed)?;
-        let model = models.iter().map(errors::Row::record).collect();
         Ok(Self { settings, model, total, growth })
+    }
+
+    /// Measures the settings that these rows lack, with their times, and removes the rows of settings
+    /// that there are no more.
+    pub fn completed(mut self, maps: &Path, progress: &ProgressBar) -> Result<Self> {
+        let mut varied = settings::all(false);
+        let names: Vec<String> = varied.iter().map(|one| one.setting.to_string()).collect();
+        let place = |row: &Record| names.iter().position(|name| *name == row.text("setting"));
+        let known: BTreeSet<String> =
+            self.settings.iter().map(|row| row.text("setting").to_owned()).collect();
+        let is_known = |row: &Record| known.contains(row.text("setting"));
+        // Times are relative to those of the first setting, the nine-term formula.
+        let mut first = true;
+        varied.retain(|one| take(&mut first) || !known.contains(&one.setting.to_string()));
+        let orders: Vec<usize> = settings::sizes().map(|(_, order)| order).collect();
+        let study = Study::new(maps, subjects::all()?, &orders, SPACING, progress)?;
+        let (settings, total) = measure(&varied, Some(&self.model), &study, true, progress)?;
+        self.settings.extend(settings.into_iter().filter(|row| !is_known(row)));
+        self.settings.retain(|row| place(row).is_some());
+        self.settings.sort_by_key(|row| place(row));
+        self.total.extend(total.into_iter().filter(|row| !is_known(row)));
+        // The shipped tables and the rivals come last.
+        self.total.sort_by_key(|row| place(row).unwrap_or(names.len()));
+        Ok(self)
     }
 
     /// Reads the files of a folder.
@@ -95,9 +120,10 @@ impl Measured {
         ]
     }
 
-    /// Takes over the times of an earlier run, which must have all settings.
+    /// Takes over the times of an earlier run, which must have all settings. Those with sources are
+    /// not timed.
     pub fn keep_times(&mut self, earlier: &Self) -> Result<()> {
-        for row in &mut self.settings {
+        for row in self.settings.iter_mut().filter(|row| row.text("sources") == "0") {
             let is_it = |other: &&Record| other.key(&SETTINGS) == row.key(&SETTINGS);
             let found = earlier.settings.iter().find(is_it);
             let Some(found) = found.filter(|row| TIMES.iter().all(|one| row.number(one).is_some()))
@@ -119,7 +145,7 @@ impl Measured {
 /// The rows of the settings, and those of their total errors.
 fn measure(
     varied: &[Varied],
-    models: Option<&[errors::Row]>,
+    models: Option<&[Record]>,
     study: &Study,
     timed: bool,
     progress: &ProgressBar,
@@ -131,17 +157,26 @@ fn measure(
     let mut cases = Vec::new();
     progress.set_length(varied.len() as u64);
     let sizes: BTreeSet<(usize, usize)> = varied.iter().map(size).collect();
-    for scope in Scope::all(&Vec::from_iter(sizes))? {
+    // To project other materials to a higher order takes as long as the rest of a quick run.
+    let unseen = if models.is_some() { usize::MAX } else { total::HIGHEST };
+    for scope in Scope::all(&Vec::from_iter(sizes), unseen)? {
         let of_scope = (scope.degree, scope.order);
         let images = Images::new(&scope);
         let of_size = || varied.iter().zip(0..).filter(|(one, _)| size(one) == of_scope);
         let bases = Bases::new(&scope, of_size().map(|(one, _)| one.setting.recipe))?;
+        let mut methods: Vec<(Setting, Found)> = Vec::new();
         for (one, k) in of_size() {
             let setting = &one.setting;
             let of = |error: Error| error.of(format_args!("`{setting}`"));
             let table = bases.table(&setting.recipe)?;
-            let found = compare(setting, &table, &images).map_err(of)?;
-            if timed {
+            // Sources change nothing in how near a table is to its degree and order.
+            let base = Setting { sources: 0, ..*setting };
+            let found = match methods.iter().find(|(other, _)| *other == base) {
+                Some((_, found)) => found.clone(),
+                None => compare(&base, &table, &images).map_err(of)?,
+            };
+            methods.push((base, found.clone()));
+            if timed && setting.sources == 0 {
                 let pair = &images.images[found.typical].pair;
                 cases.push((k, Case::new(setting, &table, pair).map_err(of)?));
             }
@@ -150,7 +185,7 @@ fn measure(
             fill(row, &found);
             if let Some(errors) = study.of_setting(setting, &table).map_err(of)? {
                 totals[k] = study.rows(&setting.to_string(), setting.sources, &errors);
-                let whole = totals[k].iter().find(|row| row.text("kind") == total::ALL);
+                let whole = totals[k].iter().find(|row| row.text("kind") == subjects::ALL);
                 whole.into_iter().for_each(|total| copy_total(row, total));
             }
             if let Some(models) = models {
@@ -159,7 +194,7 @@ fn measure(
                 row.measure("model_worst", spread.worst);
             }
             row.put("table_bytes", table_bytes(setting, &table).map_err(of)?);
-            row.put("state_bytes", found.bytes);
+            row.put("state_bytes", found.bytes + setting.sources * numbers::source_bytes(setting));
             boards.fill(row, setting);
             wasm.fill(row, setting);
             progress.inc(1);
@@ -213,6 +248,9 @@ fn fill(row: &mut Record, Found { seen, unseen, terms, .. }: &Found) {
             row.measure(format!("{name}_{kind}"), error);
             row.put(format!("{name}_{kind}_db"), decibels(error));
         }
+    }
+    if unseen.rms.median.is_nan() {
+        return;
     }
     for (name, spread) in [("unseen_rms", unseen.rms), ("unseen_largest", unseen.largest)] {
         row.measure(format!("{name}_median"), spread.median);

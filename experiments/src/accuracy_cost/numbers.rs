@@ -13,11 +13,8 @@ use eigenshade_table::{Table, parts, quantize, wire};
 use std::fmt::Display;
 use std::hint::black_box;
 
-/// The numbers of a setting, unless its format has no such way or cannot represent the table.
+/// The numbers of a setting without its sources, unless its format has no such way or cannot represent the table.
 pub fn numbers(setting: &Setting, table: &Table, normals: &[[f64; 3]]) -> Result<Box<dyn Numbers>> {
-    if setting.sources > 0 {
-        return Err(unrepresentable("no way to a pixel adds sources"));
-    }
     let scale = match setting.scaling {
         Scaling::None => None,
         Scaling::Libm => Some(scale::<f32, Libm> as _),
@@ -58,6 +55,20 @@ pub fn table_bytes(setting: &Setting, table: &Table) -> Result<usize> {
     Ok(bytes + 4 * (parts.polar.len() + parts.factors.len() + parts.terms.len()))
 }
 
+/// Bytes in RAM for each source: itself, to be turned, and its lobe; in integers, which turn none,
+/// its lobe.
+pub fn source_bytes(setting: &Setting) -> usize {
+    use eigenshade::{Highlights as Lobes, Source};
+    type Integers<const N: usize> = quantized::Highlights<i32, N>;
+    match setting.format {
+        Format::Q15 | Format::Q31 => size_of::<Integers<2>>() - size_of::<Integers<1>>(),
+        _ => {
+            let lobe = size_of::<Lobes<f32, 2>>() - size_of::<Lobes<f32, 1>>();
+            size_of::<Source<f32>>() + lobe
+        }
+    }
+}
+
 /// The shader of images, and what the timed operations read.
 struct Integers<Q: Integer> {
     shader: IntegerShader<Q>,
@@ -83,7 +94,7 @@ impl<Q: Integer<Wide: Sync> + Sync> Numbers for Integers<Q> {
         let terms = shader.terms();
         let transfer = size_of::<Q>() * basis.transfer_len() + size_of::<i16>() * basis.profiles();
         let bytes = transfer + size_of::<i32>() * (basis.components() + terms);
-        Ok(Shaded { irradiances, terms, bytes })
+        Ok(Shaded { irradiances, terms, bytes, exponent: shader.unit() })
     }
 
     fn works<'a>(&'a self, pair: &Pair, _: &'a mut [u16]) -> Result<[Work<'a>; 2]> {

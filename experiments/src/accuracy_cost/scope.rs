@@ -55,15 +55,16 @@ impl Scope {
     /// Adds materials that the basis never saw: formulas and materials in color. Above the measured
     /// order the basis sees more formulas, but fewer lights shine on them.
     pub fn new(degree: usize, order: usize) -> Result<Self> {
-        let scopes = Self::all(&[(degree, order)])?;
+        let scopes = Self::all(&[(degree, order)], usize::MAX)?;
         scopes.into_iter().next().ok_or_else(|| Error::new("no scope", "report it"))
     }
 
     /// [`new`](Self::new) for each of these degrees and orders. All orders of a material come from
-    /// one integration, up to the measured order and above it.
-    pub fn all(sizes: &[(usize, usize)]) -> Result<Vec<Self>> {
+    /// one integration, up to the measured order and above it. Scopes of an order above `unseen` have
+    /// none of the materials that the basis never saw.
+    pub fn all(sizes: &[(usize, usize)], unseen: usize) -> Result<Vec<Self>> {
         let highest = shipped::materials()?.order;
-        let orders = sizes.iter().map(|&(_, order)| order);
+        let orders = sizes.iter().map(|&(_, order)| order).filter(|&order| order <= unseen);
         let (low, high): (Vec<usize>, Vec<usize>) = orders.partition(|&order| order <= highest);
         let mut unseen = projected_orders(&ggx(&ROUGH, &[0.04, 0.9])?, &low);
         let color = shipped::unseen_materials()?;

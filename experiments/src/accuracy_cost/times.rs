@@ -200,7 +200,7 @@ pub fn rows(quick: bool, timed: bool) -> Result<Vec<Record>> {
     let orders = [8, 12, 16, 24].map(|o| (o, first(DEGREE, o, COMPONENTS)));
     let counts = [10, 25, COMPONENTS, 100, 200].map(|count| (count, first(DEGREE, ORDER, count)));
     let [degrees, orders] =
-        if quick { [&degrees[..5], &orders[..2]] } else { [&degrees[..], &orders[..]] };
+        if quick { [&degrees[..3], &orders[..1]] } else { [&degrees[..], &orders[..]] };
     let mut rows = of_tables("degree", &made(degrees)?, timed)?;
     rows.extend(of_tables("order", &made(orders)?, timed)?);
     let tables = made(&counts)?;

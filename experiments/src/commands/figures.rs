@@ -2,10 +2,11 @@
 
 use clap::Args;
 use eigenshade_cli::messages::{print_message, progress_bar, spinner};
+use eigenshade_cli::output;
 use eigenshade_model::error::{Error, Result};
 use experiments::accuracy_cost::sheet::{self, SETTINGS, compare};
 use experiments::accuracy_cost::{Measured, report};
-use experiments::pages::Purpose;
+use experiments::pages::{Purpose, filled};
 use experiments::paper;
 use std::fs;
 use std::path::PathBuf;
@@ -56,7 +57,7 @@ impl Paper {
 /// that were counted on emulated boards. --check recomputes errors, bytes and counts and compares
 /// them with the files of a folder; times are not compared. It also compares the charts and tables
 /// there with the CSV files, and fails if the folder has other files. --quick does either for a part
-/// of the settings. A full run takes some twenty minutes on two cores, a quick check two minutes.
+/// of the settings. A full run takes some twenty minutes on two cores, a quick check a minute.
 #[derive(Args, Debug)]
 pub struct AccuracyCost {
     #[command(flatten)]
@@ -67,8 +68,14 @@ pub struct AccuracyCost {
     /// With --out: keep the times of DIR's files and recompute the rest
     #[arg(long, conflicts_with_all = ["quick", "check"])]
     keep_times: bool,
-    /// With --out: measure nothing, only make the charts and tables from DIR's CSV files
+    /// With --out: keep the rows of DIR's files, and measure only the settings that they lack
     #[arg(long, conflicts_with_all = ["quick", "check", "keep_times"])]
+    add: bool,
+    /// Also write, or compare, the choices of a setting in this page
+    #[arg(long, value_name = "FILE")]
+    page: Option<PathBuf>,
+    /// With --out: measure nothing, only make the charts and tables from DIR's CSV files
+    #[arg(long, conflicts_with_all = ["quick", "check", "keep_times", "add"])]
     from_csv: bool,
     /// Folder of the project's environment maps
     #[arg(long, value_name = "DIR", default_value = "tables/inputs/maps")]
@@ -86,9 +93,16 @@ impl AccuracyCost {
         // Paths that cannot be read or written fail before the long computation.
         if let Some(out) = &self.purpose.out {
             fs::create_dir_all(out).map_err(|error| Error::io(out, &error))?;
-            let earlier = (self.keep_times || self.from_csv).then(|| Measured::read(out));
+            let earlier =
+                (self.keep_times || self.add || self.from_csv).then(|| Measured::read(out));
             let measured = match earlier.transpose()? {
                 Some(earlier) if self.from_csv => earlier,
+                Some(earlier) if self.add => {
+                    let progress = progress_bar("settings", 0);
+                    let completed = earlier.completed(&self.maps, &progress);
+                    progress.finish_and_clear();
+                    completed?
+                }
                 Some(earlier) => {
                     let mut measured = measure(false)?;
                     measured.keep_times(&earlier)?;
@@ -98,6 +112,10 @@ impl AccuracyCost {
             };
             let files = report::files(&measured, out)?;
             sheet::FIGURES.write(&files, out)?;
+            if let Some(page) = &self.page {
+                let text = filled(page, &[report::choice(&measured)])?;
+                output::write_all(Some(page), &text)?;
+            }
             let (settings, files) = (measured.settings.len(), files.len());
             print_message(format_args!("{settings} settings, {files} files in {}", out.display()));
         }
@@ -111,8 +129,17 @@ impl AccuracyCost {
                 rows += compared[0];
                 numbers += compared[1];
             }
-            let shown = report::files(&Measured::read(folder)?, folder)?;
+            let recorded = Measured::read(folder)?;
+            let shown = report::files(&recorded, folder)?;
             sheet::FIGURES.compare(&shown, folder)?;
+            if let Some(page) = &self.page {
+                let text = fs::read_to_string(page).map_err(|error| Error::io(page, &error))?;
+                if text != filled(page, &[report::choice(&recorded)])? {
+                    let what = "its choices are not those of the files";
+                    let remedy = "run it with --from-csv --out instead of --check";
+                    return Err(Error::new(what, remedy).in_file(page));
+                }
+            }
             print_message(format_args!("{rows} rows are what they should be: {numbers} numbers"));
         }
         Ok(())

@@ -25,6 +25,8 @@ use experiments::sheet::{self, Form, Record};
 use std::path::PathBuf;
 
 mod files;
+mod sources;
+mod split_sum;
 mod total;
 
 /// The error of the nine-term formula for what it is exact for: roundings of f32.

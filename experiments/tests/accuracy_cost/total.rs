@@ -10,15 +10,14 @@ use eigenshade_generator::light::projection::project;
 use eigenshade_generator::material::brdf::Ggx;
 use eigenshade_model::database::{Lights, Named};
 use eigenshade_shading::shipped;
-use experiments::accuracy_cost::scope::{Bases, Scope};
-use experiments::accuracy_cost::settings::{self, Recipe, Setting, Way};
+use experiments::accuracy_cost::settings;
 use experiments::accuracy_cost::sheet::{TOTAL, compare};
 use experiments::accuracy_cost::total::references::{Reference, SPACING, World};
 use experiments::accuracy_cost::total::rivals::{Prefiltered, matcap};
 use experiments::accuracy_cost::total::subjects::{
-    ALL, GROUPS, Gltf, Kind, coefficients, of_kinds,
+    self, GROUPS, Gltf, Kind, Subject, coefficients,
 };
-use experiments::accuracy_cost::total::{HIGHEST, MATCAP, PREFILTERED, QUICK, Study};
+use experiments::accuracy_cost::total::{HIGHEST, MATCAP, PREFILTERED, Study};
 use experiments::sheet::Record;
 use experiments::sphere::Picture;
 use indicatif::ProgressBar;
@@ -38,9 +37,11 @@ const OF_WHITE: f64 = 1e-6;
 /// disc: bilinear look-ups err by an eighth of a texel's square times the curvature.
 const OF_MATCAP: f64 = 2e-3;
 
-fn study(kinds: &[Kind], orders: &[usize], spacing: f64) -> Study {
-    let maps = repository().join("tables/inputs/maps");
-    Study::new(&maps, kinds, orders, spacing, &ProgressBar::hidden()).expect("the shipped data")
+/// The materials of a kind.
+fn of_kind(kind: Kind) -> Vec<Subject> {
+    let mut all = subjects::all().expect("the materials");
+    all.retain(|subject| subject.kind == kind);
+    all
 }
 
 fn find<'a>(rows: &'a [Record], setting: &str, kind: &str) -> &'a Record {
@@ -48,27 +49,24 @@ fn find<'a>(rows: &'a [Record], setting: &str, kind: &str) -> &'a Record {
     rows.iter().find(is_it).unwrap_or_else(|| panic!("no row of {setting}, {kind}"))
 }
 
-/// For matte materials and dielectrics: the shipped tables, the rivals, the nine-term formula and a
-/// trimmed table.
+/// The shipped tables and the rivals, for a few materials. A check of the command finds those of the
+/// settings again.
 #[test]
 fn recorded_total_errors_are_found_again() {
-    let again = study(&QUICK, &[0, 7, 12], SPACING);
-    let mut found = again.shipped().expect("the shipped tables");
-    found.extend(again.rivals().expect("the rivals"));
-    let nine = Setting::of(Recipe::all(2, 0)).by(Way::NineTerms);
-    for setting in [nine, Setting::of(Recipe::first(9, 7, 25).trimmed(3e-2))] {
-        let recipe = setting.recipe;
-        let scope = Scope::seen(recipe.degree, recipe.order).expect("the shipped data");
-        let bases = Bases::new(&scope, [recipe]).expect("a basis");
-        let table = bases.table(&recipe).expect("a table");
-        let errors = again.of_setting(&setting, &table).expect("errors").expect("its order");
-        found.extend(again.rows(&setting.to_string(), 0, &errors));
-    }
-    // Two kinds, but the prefiltered maps are for one.
-    assert_eq!(found.len(), 2 * 7 + 1);
+    let maps = repository().join("tables/inputs/maps");
+    let study = |spacing| {
+        let few = subjects::few().expect("the materials");
+        Study::new(&maps, few, &[7, 12], spacing, &ProgressBar::hidden()).expect("the shipped data")
+    };
+    let again = study(SPACING);
+    let shipped = again.shipped().expect("the shipped tables");
+    let rivals = again.rivals().expect("the rivals");
+    let found = [shipped, rivals].concat();
+    // Two groups, but the rivals are for glTF.
+    assert_eq!(found.len(), 2 * 4 + 2);
     let [rows, numbers] = compare(&TOTAL, &found, &docs(), false).unwrap_or_else(|e| panic!("{e}"));
-    assert_eq!((rows, numbers), (15, 15 * 8));
-    let wider = study(&QUICK, &[7], 1.4 * SPACING).shipped().expect("the shipped tables");
+    assert_eq!((rows, numbers), (10, 10 * 8));
+    let wider = study(1.4 * SPACING).shipped().expect("the shipped tables");
     assert!(wider.len() >= 6);
     for wider in &wider {
         let found = find(&found, wider.text("setting"), wider.text("kind"));
@@ -95,9 +93,8 @@ fn the_file_has_all_settings_and_kinds() {
         let of = rows.iter().filter(|row| row.text("setting") == name);
         of.map(|row| row.text("kind")).collect()
     };
-    assert_eq!(kinds(MATCAP), ["metal", "dielectric", "gltf", "matte"]);
-    assert_eq!(kinds(PREFILTERED), ["metal", "dielectric", "gltf"]);
-    assert!(rows.iter().all(|row| row.text("sources") == "0"));
+    assert_eq!(kinds(MATCAP), ["metal", "dielectric", "gltf", "matte", "few gltf"]);
+    assert_eq!(kinds(PREFILTERED), ["metal", "dielectric", "gltf", "few gltf"]);
     let whole = find(&rows, "color.bin f32", "all");
     assert_eq!(whole.text("pictures"), (18 * (18 + 3 + 47)).to_string());
 }
@@ -106,7 +103,7 @@ fn the_file_has_all_settings_and_kinds() {
 /// of `tables/inputs/pbr-materials.toml`.
 #[test]
 fn the_materials_are_unseen() {
-    let subjects = of_kinds(&ALL).expect("the materials");
+    let subjects = subjects::all().expect("the materials");
     let unseen = shipped::unseen_materials().expect("the materials").entries;
     let text = include_str!("../../../tables/inputs/pbr-materials.toml");
     for subject in &subjects {
@@ -119,7 +116,7 @@ fn the_materials_are_unseen() {
         assert!(!text.contains(&format!("{key} = {parameter}\n")), "{name}");
     }
     // At the shipped order, measured materials have the shipped coefficients.
-    let materials = &coefficients(&of_kinds(&[Kind::Measured]).expect("the materials"), &[7])[0];
+    let materials = &coefficients(&of_kind(Kind::Measured), &[7])[0];
     for (found, shipped) in materials.entries.iter().zip(&unseen) {
         assert_eq!(found.name, shipped.name);
         for (found, shipped) in found.rgb.iter().flatten().zip(shipped.rgb.iter().flatten()) {
@@ -213,7 +210,7 @@ fn a_matcap_is_right_inside() {
         }
     }
     let world = World::of(world.maps, world.lights, 0.15).expect("a map");
-    let matte = &of_kinds(&[Kind::Matte]).expect("the materials")[0];
+    let matte = &of_kind(Kind::Matte)[0];
     let found = &matcap(&matte.surface, &world)[0];
     let expected = &world.pictures(&matte.surface, &world.sphere.normals)[0];
     let peak = expected.iter().flatten().fold(0.0, |most: f64, &value| value.max(most));
@@ -266,6 +263,11 @@ fn the_page_says_what_the_file_has() {
     let [low, high] = [whole, "16/16 K400 polynomial f32"];
     assert!(number(high, "measured", "rms_most") > 0.85 * number(low, "measured", "rms_most"));
     assert!(number(high, "gltf", "rms_most") < 0.6 * number(low, "gltf", "rms_most"));
+    // With 4 sources, degree 9 and order 7 is nearer than degree 12 and order 12.
+    for (kind, column) in [("gltf", "rms_median"), ("gltf", "rms_most"), ("measured", "rms_most")] {
+        let four = number("9/7 all polynomial f32 sources4", kind, column);
+        assert!(four < number("12/12 K400 polynomial f32", kind, column), "{kind} {column}");
+    }
     // Neither the format nor the last terms matter.
     let ratio = |a, b| number(a, "all", "rms_most") / number(b, "all", "rms_most");
     assert!((ratio("sphere.bin q15", "sphere.bin f32") - 1.0).abs() < 0.01);

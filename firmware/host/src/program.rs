@@ -87,7 +87,8 @@ pub enum Kind {
     Empty,
     /// One operation, measured.
     Operation,
-    /// A scene, or a table of one size: several operations of one program, and its total memory.
+    /// A scene, a table of one size, or sources: several operations of one program, and its total
+    /// memory.
     Scene,
     /// A complete program, whose size has a budget.
     Complete,
@@ -104,7 +105,7 @@ impl Listed {
         match self.source {
             "empty" => Kind::Empty,
             "golden_f32" | "golden_integer" => Kind::Demonstration,
-            "scene_f32" | "scene_q15" | "size_q15" => Kind::Scene,
+            "scene_f32" | "scene_q15" | "size_q15" | "sources_f32" | "sources_q15" => Kind::Scene,
             "complete_q15" => Kind::Complete,
             _ => Kind::Operation,
         }
@@ -124,7 +125,7 @@ impl Listed {
     fn runs_on(&self, board: Board) -> bool {
         match (self.source, list::parts(self.name).1) {
             // Without a float unit, integers cost a twentieth of the instructions of floats.
-            ("scene_f32", _) => board.floats == Floats::Hardware,
+            ("scene_f32" | "sources_f32", _) => board.floats == Floats::Hardware,
             // The page of scenes has the smallest board and the one with a float unit.
             ("scene_q15", _) => board.floats == Floats::None,
             // A frame is longer than the clock without one.

@@ -30,7 +30,8 @@ pub fn pixels(codes: &[[u8; 2]; 1088]) -> NormalPixels<'_> {
 /// Inputs in f32.
 pub mod floats {
     use core::hint::black_box;
-    use eigenshade::{Light, Material, Normal};
+    use eigenshade::mathematics::SinglePrecision;
+    use eigenshade::{Light, Material, Normal, Source};
 
     /// 16 visible normals.
     #[must_use]
@@ -69,6 +70,24 @@ pub mod floats {
     #[must_use]
     pub fn material(coefficients: &[f32]) -> Material<'_, f32> {
         Material::new(coefficients).unwrap_or_else(|_| board::exit(false))
+    }
+
+    /// Two round and two elongated sources in front of the object.
+    #[must_use]
+    pub fn sources(along: f32) -> [Source<f32>; 4] {
+        let new = |[x, y]: [f32; 2], minor: f32| {
+            let Ok(normal) = Normal::with_mathematics::<SinglePrecision>(x, y, 1.0) else {
+                board::exit(false)
+            };
+            let (direction, energy, major) =
+                (normal.components(), [1.0, 0.9, 0.8], [0.0, 0.05, 0.0]);
+            match minor {
+                0.05 => Source::round::<SinglePrecision>(direction, energy, minor),
+                _ => Source::new::<SinglePrecision>(direction, energy, major, minor),
+            }
+        };
+        [([along, 0.2], 0.05), ([-along, 0.2], 0.05), ([along, -0.2], 0.02), ([-along, -0.2], 0.02)]
+            .map(|(place, minor)| new(place, minor).unwrap_or_else(|_| board::exit(false)))
     }
 }
 

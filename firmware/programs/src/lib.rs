@@ -21,6 +21,8 @@ pub mod highlights {
 
 pub mod inputs;
 
+pub mod split_sum;
+
 pub mod drawing;
 
 /// Runs one function of a source as the program. The build script derives the function and the module

@@ -12,6 +12,7 @@ use eigenshade::{
     Material, NineTerms, Normal, NormalPixel, Rgb, Rotation, Source, Tolerance, Tone, sphere,
 };
 use programs::inputs::floats as inputs;
+use programs::split_sum::{SIDE, STEPS, SplitSum};
 use table::{COMPONENTS, Coefficients, DEGREE, SCENE, Transfer};
 
 programs::program!();
@@ -121,6 +122,17 @@ fn nine_terms() {
     measure(&inputs::normals(), Passes(64), |normal| formula.shade(*normal));
 }
 
+/// A pixel by a prefiltered map and the split sum.
+fn prefiltered() {
+    let formula = black_box(SplitSum {
+        radiance: inputs::numbers::<{ SIDE * SIDE }>(),
+        reflected: inputs::numbers::<STEPS>(),
+        matte: NineTerms::new(inputs::numbers::<9>()),
+    });
+    holds(size_of_val(&formula));
+    measure(&inputs::normals(), Passes(64), |normal| formula.shade(*normal));
+}
+
 /// A bilinear look-up in a baked map, by normal.
 fn baked() {
     let Ok(map) = BakedMap::new(32, inputs::numbers::<1024>()) else { board::exit(false) };
@@ -196,10 +208,30 @@ fn color() {
     measure(&inputs::normals(), Passes(64), |normal| scene.shade(*normal));
 }
 
+/// `shade` with the highlights of two sources in one channel, which all normals face.
+fn shade_highlights() {
+    let numbers = inputs::numbers::<COMPONENTS>();
+    let Ok(scene) = table::collapse(&Coefficients::from(numbers)) else { board::exit(false) };
+    let [first, second, ..] = inputs::sources(black_box(0.3));
+    let Ok(highlights) = reflected(&[first, second]) else { board::exit(false) };
+    let (scene, highlights) = (black_box(scene), black_box(highlights));
+    holds(size_of_val(&scene) + size_of_val(&highlights));
+    let Some(terms) = table::terms(&scene) else { board::exit(false) };
+    measure(&inputs::normals(), Passes(64), |normal| {
+        table::shade_terms(terms, *normal) + reflection(&highlights, *normal)
+    });
+}
+
+/// In a function of its own, which leaves the registers to the polynomials.
+#[inline(never)]
+fn reflection(highlights: &Highlights<f32, 2>, normal: Normal<f32>) -> f32 {
+    highlights.shade(normal).g
+}
+
 /// The same with the highlights of four sources, which all normals face.
 fn highlights() {
     let Ok(scene) = sphere::color::scene(LOBBY, GOLD_METALLIC_PAINT) else { board::exit(false) };
-    let sources = sources(black_box(0.3));
+    let sources = inputs::sources(black_box(0.3));
     let Ok(highlights) = reflected(&sources) else { board::exit(false) };
     let (scene, highlights) = (black_box(scene), black_box(highlights));
     holds(size_of_val(&scene) + size_of_val(&highlights));
@@ -211,7 +243,7 @@ fn highlights() {
 
 /// The highlights of four sources that turned.
 fn highlights_turn() {
-    let sources = sources(black_box(0.3));
+    let sources = inputs::sources(black_box(0.3));
     let Ok(rotation) = Rotation::from_quaternion(black_box([0.1, 0.2, 0.3, 1.0])) else {
         board::exit(false)
     };
@@ -223,29 +255,13 @@ fn highlights_turn() {
 
 /// A light in color without four sources, of which two are round.
 fn residual() {
-    measure(&[sources(black_box(0.3))], Passes(4), |sources| {
+    measure(&[inputs::sources(black_box(0.3))], Passes(4), |sources| {
         LOBBY.residual::<SinglePrecision, 100>(sources)
     });
 }
 
-/// Two round and two elongated sources in front of the object.
-fn sources(along: f32) -> [Source<f32>; 4] {
-    let new = |[x, y]: [f32; 2], minor: f32| {
-        let Ok(normal) = Normal::with_mathematics::<SinglePrecision>(x, y, 1.0) else {
-            board::exit(false)
-        };
-        let major = [0.0, 0.05, 0.0];
-        match minor {
-            0.05 => Source::round::<SinglePrecision>(normal.components(), [1.0, 0.9, 0.8], minor),
-            _ => Source::new::<SinglePrecision>(normal.components(), [1.0, 0.9, 0.8], major, minor),
-        }
-    };
-    [([along, 0.2], 0.05), ([-along, 0.2], 0.05), ([along, -0.2], 0.02), ([-along, -0.2], 0.02)]
-        .map(|(place, minor)| new(place, minor).unwrap_or_else(|_| board::exit(false)))
-}
-
 #[inline(never)]
-fn reflected(sources: &[Source<f32>; 4]) -> Result<Highlights<f32, 4>, Error> {
+fn reflected<const N: usize>(sources: &[Source<f32>; N]) -> Result<Highlights<f32, N>, Error> {
     let gloss = Gloss::metallic_roughness([1.0, 0.78, 0.34], 1.0, 0.3)?;
     Highlights::new::<SinglePrecision>(&gloss, sources)
 }

@@ -1,6 +1,8 @@
 //! The total error: a picture against direct integration of the BRDF under the whole map. It
 //! contains the errors of the table, of its degree and order, and of the number format.
 
+pub mod lamps;
+
 pub mod references;
 
 pub mod rivals;
@@ -15,23 +17,21 @@ use crate::sheet::Record;
 use crate::sphere::Picture;
 use eigenshade_model::database::Materials;
 use eigenshade_model::error::{Error, Result};
+use eigenshade_model::source::SourceSets;
 use eigenshade_shading::{parallel, shipped};
 use eigenshade_table::{Table, decode};
 use indicatif::ProgressBar;
+use lamps::Lamps;
 use references::{PictureError, Reference, World};
 use rivals::Prefiltered;
 use std::path::Path;
-use subjects::{GROUPS, Kind, Subject, coefficients, of_kinds};
+use subjects::{GROUPS, Group, Kind, Subject, coefficients};
 
 /// The highest order. To project the materials to a higher one takes as long as all the rest.
 pub const HIGHEST: usize = 16;
-/// The kinds of a quick run.
-pub const QUICK: [Kind; 2] = [Kind::Dielectric, Kind::Matte];
-/// The largest group of kinds.
-pub const ALL: &str = "all";
 /// The rival whose look-up on a device is that of a baked map by points.
 pub const MATCAP: &str = "matcap32 f32";
-/// The rival of graphics processors.
+/// The rival that engines draw with.
 pub const PREFILTERED: &str = "prefiltered f32";
 
 /// `tables/pbr.bin`.
@@ -48,20 +48,21 @@ pub struct Study {
     references: Vec<Vec<Reference>>,
     /// By order.
     materials: Vec<Materials>,
+    /// The sources of the maps.
+    sources: Vec<SourceSets>,
 }
 
 impl Study {
-    /// Integrates the pictures of these kinds under the maps of a folder, at normals of this spacing
-    /// in radians.
+    /// Integrates the pictures of these materials under the maps of a folder, at normals of this
+    /// spacing in radians.
     pub fn new(
         folder: &Path,
-        kinds: &[Kind],
+        subjects: Vec<Subject>,
         orders: &[usize],
         spacing: f64,
         progress: &ProgressBar,
     ) -> Result<Self> {
         let world = World::new(folder, spacing)?;
-        let subjects = of_kinds(kinds)?;
         progress.set_length(subjects.len() as u64);
         let reference = |subject: &Subject| {
             let pictures = world.pictures(&subject.surface, &world.sphere.normals);
@@ -74,7 +75,7 @@ impl Study {
         orders.sort_unstable();
         orders.dedup();
         let materials = coefficients(&subjects, &orders);
-        Ok(Self { world, subjects, references, materials })
+        Ok(Self { world, subjects, references, materials, sources: shipped::sources()? })
     }
 
     /// The errors of a setting; `None` if its order is too high.
@@ -85,15 +86,21 @@ impl Study {
         };
         let (sphere, lights) = (&self.world.sphere, &self.world.lights.entries);
         let numbers = numbers(setting, table, &sphere.normals)?;
+        let lamps = Lamps::new(setting, lights, &self.sources, &sphere.normals)?;
         let maps = lights.len();
         let found = parallel::map(self.subjects.len() * maps, &(), |k| {
             let (material, map) = (k / maps, k % maps);
+            let gloss = self.subjects[material].gloss.filter(|_| setting.sources > 0);
+            let light = gloss.map_or(&lights[map].rgb, |_| lamps.rest(map));
             let channel = |c: usize| {
-                let [light, material] =
-                    [&lights[map], &materials.entries[material]].map(|one| one.rgb[c].clone());
-                Ok(numbers.image(&Pair { light, material })?.irradiances)
+                let material = &materials.entries[material].rgb[c];
+                numbers.image(&Pair { light: light[c].clone(), material: material.clone() })
             };
-            let picture: Picture = [channel(0)?, channel(1)?, channel(2)?];
+            let rest = [channel(0)?, channel(1)?, channel(2)?];
+            let picture = match gloss {
+                Some(gloss) => lamps.add(map, &gloss, &rest)?,
+                None => rest.map(|channel| channel.irradiances),
+            };
             Ok(self.references[material][map].error(&picture, sphere))
         });
         let found = found.into_iter().collect::<Result<Vec<_>>>()?;
@@ -160,23 +167,20 @@ impl Study {
         Ok(errors)
     }
 
-    /// A row for each group whose kinds are all there.
+    /// A row for each group whose materials all have errors.
     pub fn rows(&self, setting: &str, sources: usize, errors: &Errors) -> Vec<Record> {
-        let row = |(name, kinds): &(&str, &[Kind])| {
-            let of_kind = |kind: &Kind| -> Vec<PictureError> {
-                let pairs = self.subjects.iter().zip(errors);
-                let of = pairs.filter(|(subject, _)| subject.kind == *kind);
-                of.flat_map(|(_, errors)| errors.iter().copied()).collect()
-            };
-            let of_kinds: Vec<Vec<PictureError>> = kinds.iter().map(of_kind).collect();
-            if of_kinds.iter().any(Vec::is_empty) {
+        let row = |Group { name, count, has }: &Group| {
+            let pairs = self.subjects.iter().zip(errors);
+            let of = pairs.filter(|(subject, errors)| has(subject) && !errors.is_empty());
+            let errors: Vec<&[PictureError]> = of.map(|(_, errors)| &errors[..]).collect();
+            if errors.len() != *count {
                 return None;
             }
             let mut row = Record::default();
             row.put("setting", setting);
             row.put("sources", sources);
             row.put("kind", name);
-            let errors = of_kinds.concat();
+            let errors = errors.concat();
             row.put("pictures", errors.len());
             for (column, of) in ERROR_COLUMNS {
                 let Spread { median, most, .. } =

@@ -6,6 +6,8 @@ use eigenshade_generator::material::published_fits;
 use eigenshade_model::database::{Materials, Named};
 use eigenshade_model::error::Result;
 use eigenshade_model::inputs::sheet::Sheet;
+use eigenshade_model::source::Gloss;
+use eigenshade_shading::highlights;
 use eigenshade_shading::{parallel, shipped};
 
 /// Roughnesses of GGX, between those of `tables/inputs/pbr-materials.toml`.
@@ -32,17 +34,32 @@ pub enum Kind {
     Measured,
 }
 
-/// Several kinds by the name that they have together in the file.
-pub const GROUPS: [(&str, &[Kind]); 6] = [
-    ("metal", &[Kind::Metal]),
-    ("dielectric", &[Kind::Dielectric]),
-    ("gltf", &[Kind::Metal, Kind::Dielectric]),
-    ("matte", &[Kind::Matte]),
-    ("measured", &[Kind::Measured]),
-    ("all", &ALL),
+/// Materials that have a row together.
+pub struct Group {
+    /// The name in the file.
+    pub name: &'static str,
+    /// The number of materials.
+    pub count: usize,
+    /// Whether a material is one of them.
+    pub has: fn(&Subject) -> bool,
+}
+
+/// The groups. A check integrates the materials of the last two only.
+pub const GROUPS: [Group; 8] = [
+    Group { name: "metal", count: 9, has: |one| one.kind == Kind::Metal },
+    Group { name: "dielectric", count: 9, has: |one| one.kind == Kind::Dielectric },
+    Group { name: "gltf", count: 18, has: |one| one.gltf.is_some() },
+    Group { name: "matte", count: 3, has: |one| one.kind == Kind::Matte },
+    Group { name: "measured", count: 47, has: |one| one.kind == Kind::Measured },
+    Group { name: ALL, count: 68, has: |_| true },
+    Group { name: "few gltf", count: 3, has: |one| FEW[..3].contains(&&*one.surface.name) },
+    Group { name: "few others", count: 2, has: |one| FEW[3..].contains(&&*one.surface.name) },
 ];
-/// All kinds.
-pub const ALL: [Kind; 4] = [Kind::Metal, Kind::Dielectric, Kind::Matte, Kind::Measured];
+/// The name of the largest group.
+pub const ALL: &str = "all";
+/// The materials of a check: those of glTF, a matte one and a measured one.
+const FEW: [&str; 5] =
+    ["metal-0.28", "dielectric-0.45", "dielectric-0.75", "oren-nayar-0.27", "purple-paint"];
 
 /// The parameters of a glTF material.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -58,6 +75,8 @@ pub struct Subject {
     pub surface: Surface,
     /// Its parameters, if it is a glTF material.
     pub gltf: Option<Gltf>,
+    /// Its lobe, if sources pay.
+    pub gloss: Option<Gloss>,
 }
 
 impl Gltf {
@@ -66,10 +85,23 @@ impl Gltf {
         let Self { roughness, f0, albedo } = self;
         Ok(Surface::gray(name, Box::new(Ggx::new(roughness, f0, albedo)?)))
     }
+
+    /// The lobe of that surface.
+    pub fn gloss(self) -> Gloss {
+        let Self { roughness, f0, albedo } = self;
+        Gloss { roughness, reflectance: [f0; 3], grazing: [1.0; 3], albedo: [albedo; 3] }
+    }
 }
 
-/// The materials of these kinds.
-pub fn of_kinds(kinds: &[Kind]) -> Result<Vec<Subject>> {
+/// The materials of a check.
+pub fn few() -> Result<Vec<Subject>> {
+    let mut few = all()?;
+    few.retain(|one| FEW.contains(&&*one.surface.name));
+    Ok(few)
+}
+
+/// All materials.
+pub fn all() -> Result<Vec<Subject>> {
     let mut subjects = Vec::new();
     for (kind, name, f0, albedo) in
         [(Kind::Metal, "metal", METAL, 0.0), (Kind::Dielectric, "dielectric", DIELECTRIC, ALBEDO)]
@@ -77,23 +109,32 @@ pub fn of_kinds(kinds: &[Kind]) -> Result<Vec<Subject>> {
         for roughness in ROUGHNESSES {
             let gltf = Gltf { roughness, f0, albedo };
             let surface = gltf.surface(format!("{name}-{roughness}"))?;
-            subjects.push(Subject { kind, surface, gltf: Some(gltf) });
+            let gloss = shiny(gltf.gloss())?;
+            subjects.push(Subject { kind, surface, gltf: Some(gltf), gloss });
         }
     }
     for sigma in DEVIATIONS {
         let brdf = Box::new(OrenNayar::new(ALBEDO, sigma)?);
         let surface = Surface::gray(format!("oren-nayar-{sigma}"), brdf);
-        subjects.push(Subject { kind: Kind::Matte, surface, gltf: None });
+        subjects.push(Subject { kind: Kind::Matte, surface, gltf: None, gloss: None });
     }
     let text = include_bytes!("../../../../tables/inputs/merl-abc.csv");
     let sheet = Sheet::parse(text.to_vec(), "tables/inputs/merl-abc.csv".as_ref(), "name,kd_r,..")?;
     let unseen = shipped::unseen_materials()?.entries;
     let mut measured = published_fits::of_sheet(&sheet)?.unwrap_or_default();
     measured.retain(|surface| unseen.iter().any(|one| one.name == surface.name));
-    let subject = |surface| Subject { kind: Kind::Measured, surface, gltf: None };
-    subjects.extend(measured.into_iter().map(subject));
-    subjects.retain(|subject| kinds.contains(&subject.kind));
+    let glosses = shipped::glosses()?;
+    for surface in measured {
+        let fitted = glosses.iter().find(|one| one.name == surface.name);
+        let gloss = fitted.map_or(Ok(None), |one| shiny(one.gloss))?;
+        subjects.push(Subject { kind: Kind::Measured, surface, gltf: None, gloss });
+    }
     Ok(subjects)
+}
+
+/// The gloss if sources pay.
+fn shiny(gloss: Gloss) -> Result<Option<Gloss>> {
+    Ok(highlights::gloss::<f64>(&gloss)?.needs_sources().then_some(gloss))
 }
 
 /// The coefficients at each of these orders, made as the shipped ones are: those of measured

@@ -1,170 +1,10 @@
-//! The settings that are measured: each a basis, the method of computing a pixel, and the number
-//! format. Each parameter varies by itself, and combinations of parameters.
+//! The list of the settings.
 
-use eigenshade_cli::table;
+use super::{Format, Recipe, Scaling, Setting, Way};
 use eigenshade_index::effect::{Effect, Effects};
+use eigenshade_shading::shipped;
 use eigenshade_table::scene::Cut;
-use std::fmt;
-
-/// The part of a basis that is kept; `None` keeps all.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Recipe {
-    pub degree: usize,
-    pub order: usize,
-    pub components: Option<usize>,
-    /// The number of modes, by highest variance.
-    pub modes: Option<usize>,
-    pub effects: Effects,
-    /// The largest azimuth |m|, and where its polynomials are truncated: by default at 1e-7 of each
-    /// profile.
-    pub cut: Cut,
-}
-
-impl Recipe {
-    /// All components of a degree and an order.
-    pub fn all(degree: usize, order: usize) -> Self {
-        let (components, modes, cut) = (None, None, Cut::default());
-        Self { degree, order, components, modes, effects: Effects::ALL, cut }
-    }
-
-    /// The first components of a degree and an order.
-    pub fn first(degree: usize, order: usize, components: usize) -> Self {
-        Self { components: Some(components), ..Self::all(degree, order) }
-    }
-
-    /// The same with polynomials trimmed where the total loss is this share of the database's rms.
-    pub fn trimmed(self, share: f64) -> Self {
-        Self { cut: Cut { trim: Some(share), ..self.cut }, ..self }
-    }
-
-    /// Degree and order.
-    pub fn size(&self) -> (usize, usize) {
-        (self.degree, self.order)
-    }
-}
-
-/// The method that computes a pixel from coefficients.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Way {
-    /// The nine-term formula: a Lambertian material under light of degree 2.
-    NineTerms,
-    /// Component by component.
-    Eigen,
-    /// The collapsed polynomials.
-    Polynomial,
-    /// The collapsed polynomials truncated to a tolerance of the scene, relative to its peak.
-    Within(f64),
-    /// Linear interpolation between this many knots.
-    Linear(usize),
-    /// Cubic interpolation between this many knots.
-    Cubic(usize),
-    /// Bilinear interpolation between four texels of a map of this width.
-    Bilinear(usize),
-    /// The nearest texel of a map of this width.
-    Nearest(usize),
-}
-
-/// The number format in which a pixel is computed.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Format {
-    F64,
-    F32,
-    Q31,
-    Q15,
-}
-
-/// The method that scales normals to unit length.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Scaling {
-    /// None: normals arrive scaled.
-    None,
-    Libm,
-    Single,
-    Tabled,
-    Micromath,
-}
-
-/// One value for every parameter.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Setting {
-    pub recipe: Recipe,
-    pub way: Way,
-    pub format: Format,
-    pub scaling: Scaling,
-    /// The number of light sources whose highlights a pixel adds to the table's sum. No way to a
-    /// pixel adds any yet, so it is 0.
-    pub sources: usize,
-}
-
-impl Setting {
-    /// The collapsed polynomials of a basis in f32.
-    pub fn of(recipe: Recipe) -> Self {
-        let (way, format, scaling) = (Way::Polynomial, Format::F32, Scaling::None);
-        Self { recipe, way, format, scaling, sources: 0 }
-    }
-
-    /// The same by another method.
-    pub fn by(self, way: Way) -> Self {
-        Self { way, ..self }
-    }
-
-    /// The same in another number format.
-    pub fn in_format(self, format: Format) -> Self {
-        Self { format, ..self }
-    }
-}
-
-impl fmt::Display for Recipe {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let Cut { azimuths, terms, trim } = self.cut;
-        let effects = table::effect_names(self.effects).replace(' ', "+");
-        let parts = [
-            Some(self.components.map_or("all".into(), |count| format!("K{count}"))),
-            self.modes.map(|count| format!("modes{count}")),
-            azimuths.map(|largest| format!("m{largest}")),
-            (!self.effects.is_all()).then_some(effects),
-            terms.map(|count| format!("terms{count}")),
-            trim.map(|share| format!("trim{share:e}")),
-        ];
-        write!(f, "{}/{}", self.degree, self.order)?;
-        parts.into_iter().flatten().try_for_each(|part| write!(f, " {part}"))
-    }
-}
-
-impl fmt::Display for Way {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::NineTerms => write!(f, "nine-terms"),
-            Self::Eigen => write!(f, "eigen"),
-            Self::Polynomial => write!(f, "polynomial"),
-            Self::Within(tolerance) => write!(f, "within{tolerance:e}"),
-            Self::Linear(knots) => write!(f, "linear{knots}"),
-            Self::Cubic(knots) => write!(f, "cubic{knots}"),
-            Self::Bilinear(size) => write!(f, "bilinear{size}"),
-            Self::Nearest(size) => write!(f, "nearest{size}"),
-        }
-    }
-}
-
-impl fmt::Display for Format {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(&format!("{self:?}").to_lowercase())
-    }
-}
-
-/// The setting's name, which identifies it in files and tests.
-impl fmt::Display for Setting {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "{} {} {}", self.recipe, self.way, self.format)?;
-        if self.scaling != Scaling::None {
-            write!(f, " {}", format!("{:?}", self.scaling).to_lowercase())?;
-        }
-        if self.sources > 0 {
-            write!(f, " sources{}", self.sources)?;
-        }
-        Ok(())
-    }
-}
+use std::collections::BTreeSet;
 
 /// Degree and order of the shipped set, at which all other parameters are varied.
 pub const DEGREE: usize = 9;
@@ -176,6 +16,9 @@ const LOWER: [(usize, usize); 8] = [(1, 0), (2, 0), (2, 2), (3, 2), (4, 3), (5, 
 const HIGHER: [(usize, usize); 4] = [(12, 12), (16, 16), (24, 24), (32, 32)];
 /// The largest number of components that a basis beyond the shipped order keeps.
 const HIGH_COMPONENTS: usize = 400;
+
+/// The number of sources of a quick run.
+const QUICK_SOURCES: usize = 4;
 
 /// A setting and the parameter that it varies, by its name in the file.
 #[derive(Clone, Debug, PartialEq)]
@@ -277,6 +120,10 @@ pub fn all(quick: bool) -> Vec<Varied> {
         add("baked maps", few);
         add("baked maps", few.in_format(Format::Q15));
     }
+    let higher = Setting::of(Recipe::first(HIGHER[0].0, HIGHER[0].1, HIGH_COMPONENTS));
+    for format in [Format::F32, Format::Q15] {
+        add("baked maps", higher.by(Way::Bilinear(32)).in_format(format));
+    }
     add("component by component", Setting::of(first(50)).by(Way::Eigen));
     for scaling in [Scaling::Libm, Scaling::Single, Scaling::Tabled, Scaling::Micromath] {
         add("mathematics", Setting { scaling, ..Setting::of(first(50)) });
@@ -286,6 +133,12 @@ pub fn all(quick: bool) -> Vec<Varied> {
         add("degree and order", Setting::of(recipe));
         for share in either(quick, &[1e-2, 1e-3], &[1e-2]) {
             add("degree and order", trimmed(recipe, share));
+        }
+    }
+    let counts = source_counts().into_iter();
+    for sources in counts.filter(|count| !quick || *count == QUICK_SOURCES) {
+        for setting in with_sources() {
+            add("sources", Setting { sources, ..setting });
         }
     }
     for (degree, order) in HIGHER {
@@ -305,10 +158,50 @@ pub fn all(quick: bool) -> Vec<Varied> {
     found
 }
 
+/// Numbers of sources: the sizes of the sets in `tables/inputs/sources.csv`.
+fn source_counts() -> BTreeSet<usize> {
+    let lights = shipped::sources().unwrap_or_default();
+    lights.iter().flat_map(|light| light.sets.iter().map(|(most, _)| *most)).collect()
+}
+
+/// The settings that sources are added to: the nine-term formula, tables whose pixels are counted on
+/// boards, and all that a degree and an order have.
+fn with_sources() -> impl Iterator<Item = Setting> {
+    let trimmed = |count, share| Setting::of(Recipe::first(DEGREE, ORDER, count).trimmed(share));
+    let whole = Setting::of(Recipe::all(DEGREE, ORDER));
+    let few = Setting::of(Recipe::first(DEGREE, ORDER, 50));
+    let higher = Setting::of(Recipe::first(HIGHER[0].0, HIGHER[0].1, HIGH_COMPONENTS));
+    let cut = Setting { recipe: higher.recipe.trimmed(1e-2), ..higher };
+    let baked = Way::Bilinear(32);
+    let in_floats = [
+        Setting::of(Recipe::all(2, 0)).by(Way::NineTerms),
+        trimmed(9, 1e-1),
+        trimmed(25, 3e-2),
+        trimmed(50, 1e-2),
+        few,
+        trimmed(130, 2e-4),
+        whole,
+        whole.by(baked),
+        higher,
+        cut,
+        cut.by(Way::Within(1e-2)),
+        higher.by(baked),
+    ];
+    let in_integers = [
+        trimmed(9, 1e-1),
+        trimmed(25, 3e-2),
+        trimmed(50, 1e-2),
+        trimmed(130, 2e-4),
+        few.by(baked),
+        higher.by(baked),
+    ];
+    let in_integers = in_integers.map(|setting| setting.in_format(Format::Q15));
+    in_floats.into_iter().chain(in_integers)
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
-    use std::collections::BTreeSet;
     use std::mem::discriminant;
 
     /// The kind of a setting, ignoring sizes.
@@ -317,15 +210,8 @@ mod tests {
         let Cut { azimuths, terms, trim } = recipe.cut;
         let parts = [recipe.components, recipe.modes, azimuths, terms].map(|part| part.is_some());
         let forms = (discriminant(&setting.way), trim.is_some());
-        (*parameter, parts, recipe.effects == Effects::ALL, forms, setting.format, setting.scaling)
-    }
-
-    #[test]
-    fn names_tell_settings_apart() {
-        let recipe = Recipe::first(9, 7, 50).trimmed(1e-3);
-        let setting = Setting::of(recipe).by(Way::Within(0.01)).in_format(Format::F64);
-        assert_eq!(setting.to_string(), "9/7 K50 trim1e-3 within1e-2 f64");
-        assert_eq!(Setting::of(Recipe::all(2, 0)).to_string(), "2/0 all polynomial f32");
+        let format = (setting.format, setting.scaling, setting.sources > 0);
+        (*parameter, parts, recipe.effects == Effects::ALL, forms, format)
     }
 
     #[test]

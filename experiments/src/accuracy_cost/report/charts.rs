@@ -1,0 +1,201 @@
+//! The charts.
+
+use super::percent;
+use super::total::{matcap_pixel, of_kind, prefiltered_pixel};
+use crate::accuracy_cost::errors;
+use crate::accuracy_cost::machines::{
+    Lighting, MACHINES, Machine, PIXELS, is_choice, pareto, picture,
+};
+use crate::accuracy_cost::sheet::FIGURES;
+use crate::accuracy_cost::times::{Curve, curves, power_law};
+use crate::accuracy_cost::total::{MATCAP, PREFILTERED};
+use crate::accuracy_cost::{Measured, settings};
+use crate::chart::{Axes, Chart, Points, Style, colored};
+use crate::figures::OutputFile;
+use crate::sheet::Record;
+use eigenshade_model::error::Result;
+use plotters::prelude::SeriesLabelPosition;
+use std::ops::RangeInclusive;
+
+/// All charts.
+pub fn all(measured: &Measured) -> Result<Vec<OutputFile>> {
+    let mut charts: Vec<(String, Chart)> = MACHINES
+        .iter()
+        .map(|machine| (machine.key.to_owned(), chart_of_machine(&measured.settings, machine)))
+        .collect();
+    charts.push(("total".into(), total_chart(measured)));
+    charts.push(("degrees".into(), degrees(measured)));
+    let curves = curves(&measured.growth);
+    for of_kind in curves.chunk_by(|a, b| (&a.quantity, &a.unit) == (&b.quantity, &b.unit)) {
+        // Where all are proportional, a chart shows nothing that the table does not.
+        if of_kind.len() > 1 {
+            let unit = if of_kind[0].unit == "ns" { "times" } else { &of_kind[0].unit };
+            let name = format!("growth-{}-{unit}", of_kind[0].quantity);
+            charts.push((name, growth_chart(of_kind)));
+        }
+    }
+    let drawn =
+        |(name, chart): (String, Chart)| Ok(FIGURES.chart(&format!("{name}.svg"), &chart.svg()?));
+    charts.into_iter().map(drawn).collect()
+}
+
+/// A chart with logarithmic axes.
+fn chart(
+    titles: [String; 2],
+    legend: SeriesLabelPosition,
+    series: Vec<(String, Style, Points)>,
+) -> Chart {
+    Chart { titles, axes: Axes::Logarithmic, legend, series: colored(series), labels: vec![] }
+}
+
+/// The series of a chart of errors against costs, by parts of the method's name.
+const WAYS: [(&str, &[&str]); 6] = [
+    ("polynomials", &["polynomial"]),
+    ("within a tolerance", &["within"]),
+    ("look-ups", &["linear", "cubic"]),
+    ("baked maps", &["bilinear", "nearest"]),
+    ("component by component", &["eigen"]),
+    ("nine-term formula", &["nine-terms"]),
+];
+
+fn chart_of_machine(rows: &[Record], machine: &Machine) -> Chart {
+    let point = |row: &Record| {
+        let error = row.number("total_rms_most").filter(|error| *error > 0.0)?;
+        Some((machine.number(row, "pixel")?, error))
+    };
+    let choices = || rows.iter().filter(|row| is_choice(row));
+    let all: Vec<(f64, f64)> = choices().filter_map(point).collect();
+    let mut series = Vec::new();
+    for (name, ways) in WAYS {
+        let of = |row: &&Record| ways.iter().any(|way| row.text("way").starts_with(way));
+        let points: Points = choices().filter(of).filter_map(point).collect();
+        if !points.is_empty() {
+            series.push((name.into(), Style::Dots, points));
+        }
+    }
+    let front = pareto(&all);
+    let labels = front.first().into_iter().chain(front.last()).map(labelled).collect();
+    series.push(("Pareto front".into(), Style::Line, staircase(&front)));
+    let horizontal = format!("{}: a pixel, in {}", machine.title, machine.unit());
+    let titles = [horizontal, "total rms error of the peak, 95 of 100".into()];
+    Chart { labels, ..chart(titles, SeriesLabelPosition::UpperRight, series) }
+}
+
+/// The model's error against the cost of a pixel, by the cheapest setting whose error of the method
+/// is at most a third of the model's.
+fn degrees(measured: &Measured) -> Chart {
+    let cheapest_of = |size| {
+        let error = errors::spread(&measured.model, size).median;
+        let able = errors::of_size(&measured.settings, size).filter(|row| {
+            row.text("parameter") != "mathematics"
+                && row.number("rms_median").is_some_and(|method| method <= error / 3.0)
+        });
+        let costs = able.filter_map(|row| picture(row, &MACHINES[0], Lighting::Still));
+        costs.min_by(f64::total_cmp).map(|cost| (cost / PIXELS, error))
+    };
+    let sizes = settings::sizes().filter_map(|size| cheapest_of(size).map(|point| (size, point)));
+    let labels: Vec<_> =
+        sizes.map(|((degree, order), point)| (point, format!("{degree}, {order}"))).collect();
+    let points = labels.iter().map(|(point, _)| *point).collect();
+    let series = vec![("degree, order".into(), Style::Dots, points)];
+    let horizontal = format!("a pixel, in {}", MACHINES[0].unit());
+    let titles = [horizontal, "error of the model, median".into()];
+    Chart { labels, ..chart(titles, SeriesLabelPosition::LowerLeft, series) }
+}
+
+/// Curves relative to their first points, each with its fitted power law.
+fn growth_chart(curves: &[Curve]) -> Chart {
+    let mut series = Vec::new();
+    for curve in curves {
+        let Some((&(_, first), (a, b))) = curve.points.first().zip(power_law(&curve.points)) else {
+            continue;
+        };
+        let points = curve.points.iter().map(|&(x, y)| (x, y / first)).collect();
+        series.push((curve.measure.clone(), Style::Line, points));
+        let fitted = &curve.points[curve.points.len() / 2..];
+        let points = fitted.iter().map(|&(x, _)| (x, a * x.powf(b) / first)).collect();
+        series.push((format!("exponent {b:.2}"), Style::Dashed, points));
+    }
+    let titles = [curves[0].quantity.clone(), format!("{}, of the first", curves[0].unit)];
+    chart(titles, SeriesLabelPosition::UpperLeft, series)
+}
+
+/// The series of eigenshade in the chart of total errors, by their numbers of sources.
+const LAMPS: [(&str, RangeInclusive<usize>); 4] = [
+    ("eigenshade, no sources", 0..=0),
+    ("1 or 2 sources", 1..=2),
+    ("4 sources", 4..=4),
+    ("8 or 16 sources", 8..=16),
+];
+
+/// The ways to a pixel that the chart of total errors joins.
+const POLYNOMIALS: [&str; 2] = ["polynomial", "within"];
+/// See [`POLYNOMIALS`].
+const MAPS: [&str; 2] = ["bilinear", "nearest"];
+
+/// Total errors of glTF materials against the instructions of a pixel on a Cortex-M4F.
+fn total_chart(measured: &Measured) -> Chart {
+    let error = |setting: &str| {
+        of_kind(&measured.total, setting, "gltf").and_then(|row| row.number("rms_most"))
+    };
+    let point = |row: &Record| Some((row.number("m4f_pixel")?, error(row.text("setting"))?));
+    let choices = || measured.settings.iter().filter(|row| is_choice(row));
+    let rival = |pixel: Option<f64>, name| pixel.zip(error(name)).into_iter().collect::<Points>();
+    let is_nine = |row: &&Record| row.text("way") == "nine-terms" && row.text("sources") == "0";
+    let nine: Points = choices().filter(is_nine).filter_map(point).collect();
+    let matcap = rival(matcap_pixel(), MATCAP);
+    let prefiltered = rival(prefiltered_pixel(), PREFILTERED);
+    let all: Vec<((f64, f64), &Record)> =
+        choices().filter_map(|row| Some((point(row)?, row))).collect();
+    // The best of each number of sources, by polynomials and by maps.
+    let best = |counts: &RangeInclusive<usize>, ways: [&str; 2]| {
+        let has = |row: &Record| {
+            ways.iter().any(|way| row.text("way").starts_with(way))
+                && row.text("sources").parse().is_ok_and(|count| counts.contains(&count))
+        };
+        let of = all.iter().filter(|(_, row)| has(row)).map(|(point, _)| *point);
+        pareto(&of.collect::<Vec<_>>())
+    };
+    let mut series: Vec<(String, Style, Points)> = Vec::new();
+    for (name, counts) in LAMPS {
+        let points = [POLYNOMIALS, MAPS].map(|ways| best(&counts, ways)).concat();
+        series.push((name.into(), Style::Dots, points));
+    }
+    let any = 0..=usize::MAX;
+    let [polynomials, maps] = [POLYNOMIALS, MAPS].map(|ways| best(&any, ways));
+    let named = |point: &(f64, f64)| {
+        let (_, row) = all.iter().find(|(other, _)| other == point)?;
+        let [degree, order, sources] = ["degree", "order", "sources"].map(|one| row.text(one));
+        let sources = if sources == "0" { String::new() } else { format!(" + {sources}") };
+        Some((*point, format!("{degree}/{order}{sources}: {}", percent(point.1))))
+    };
+    let rivals = [
+        ("nine terms", nine.first()),
+        ("split sum", prefiltered.first()),
+        ("32 x 32 matcap", matcap.first()),
+    ];
+    let rivals = rivals
+        .into_iter()
+        .filter_map(|(name, point)| point.map(|p| (*p, format!("{name}: {}", percent(p.1)))));
+    let labels = maps.iter().chain(polynomials.first()).filter_map(named).chain(rivals).collect();
+    series.extend([
+        ("polynomials".into(), Style::Dashed, staircase(&polynomials)),
+        ("maps of 32 x 32 texels".into(), Style::Line, staircase(&maps)),
+        (String::new(), Style::Dots, [nine, prefiltered, matcap].concat()),
+    ]);
+    series.retain(|(_, _, points)| !points.is_empty());
+    let titles =
+        ["Cortex-M4F: a pixel, in instructions".into(), "total rms error, 95 of 100 glTF".into()];
+    Chart { labels, ..chart(titles, SeriesLabelPosition::UpperRight, series) }
+}
+
+/// A point with its error.
+fn labelled(&(cost, error): &(f64, f64)) -> ((f64, f64), String) {
+    ((cost, error), percent(error))
+}
+
+/// A front is a staircase: a higher cost need not bring any gain.
+fn staircase(front: &[(f64, f64)]) -> Points {
+    let steps = front.windows(2).flat_map(|pair| [(pair[1].0, pair[0].1), pair[1]]);
+    front.first().copied().into_iter().chain(steps).collect()
+}

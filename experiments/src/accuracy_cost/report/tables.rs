@@ -1,0 +1,149 @@
+//! The tables of the page.
+
+use super::{MISSING, cost, difference, instructions, percent};
+use crate::accuracy_cost::errors::{self, Spread};
+use crate::accuracy_cost::machines::{LIMITS, Lighting, MACHINES, Machine, cheapest, picture};
+use crate::accuracy_cost::settings;
+use crate::accuracy_cost::times::{Curve, curves};
+use crate::numbers::limit;
+use crate::pages::table;
+use crate::sheet::Record;
+use eigenshade_cli::messages::grouped;
+
+/// The boards of the short table.
+const SHORT: [&str; 2] = ["m4f", "m0"];
+
+/// The cheapest settings of two boards by total error, for a new light with every picture.
+pub fn choice(rows: &[Record]) -> String {
+    let boards = || MACHINES.iter().filter(|machine| SHORT.contains(&machine.key)).rev();
+    let columns = boards().map(|one| format!(" | {} | a pixel, {}:", one.title, one.unit()));
+    let columns = format!("total error below{}", columns.collect::<String>());
+    let row = |below| {
+        let mut fields = vec![limit(below)];
+        for machine in boards() {
+            let chosen = cheapest(rows, machine, Lighting::Moving, below);
+            let pixel = chosen.and_then(|row| machine.number(row, "pixel"));
+            fields.push(chosen.map_or(MISSING.into(), described));
+            fields.push(pixel.map_or(MISSING.into(), instructions));
+        }
+        fields
+    };
+    table(&columns, LIMITS.map(row))
+}
+
+/// What a setting is, in words.
+fn described(row: &Record) -> String {
+    let [degree, order, components, way, terms, sources, format] =
+        ["degree", "order", "components", "way", "terms", "sources", "format"]
+            .map(|column| row.text(column));
+    let read = match (way, components) {
+        ("nine-terms", _) => "nine terms".into(),
+        (_, "") => format!("{terms} terms"),
+        _ => format!("{components} components, {terms} terms"),
+    };
+    let sources = match sources {
+        "0" => String::new(),
+        "1" => " + 1 source".into(),
+        _ => format!(" + {sources} sources"),
+    };
+    format!("{degree}/{order}, {read}{sources}, {format}")
+}
+
+/// The cheapest settings of a machine.
+pub fn of_machine(rows: &[Record], machine: &Machine) -> String {
+    let mut columns = format!(
+        "light | total error below | setting | terms: | median: | 95 of 100: | worst pixel: | \
+         color: | method: | a pixel, {}: | a new light: | 96 x 96 pixels: | table, bytes: | \
+         RAM, bytes:",
+        machine.unit()
+    );
+    if machine.board.is_some() {
+        columns += " | program, flash: | program, RAM:";
+    }
+    let whole = |value: f64| grouped(value.round() as usize);
+    let price = if machine.board.is_some() { instructions } else { cost };
+    let row = |lighting, below: f64| {
+        let light = if lighting == Lighting::Still { "still" } else { "moving" };
+        let mut fields = vec![light.to_owned(), limit(below)];
+        if let Some(row) = cheapest(rows, machine, lighting, below) {
+            fields.push(format!("`{}`", row.text("setting")));
+            let mut add = |value: Option<f64>, format: fn(f64) -> String| {
+                fields.push(value.map_or(MISSING.into(), format));
+            };
+            add(row.number("terms"), whole);
+            for kind in ["rms_median", "rms_most", "pixel_most"] {
+                add(row.number(&format!("total_{kind}")), percent);
+            }
+            add(row.number("total_difference_most"), difference);
+            add(row.number("unseen_rms_most"), percent);
+            add(machine.number(row, "pixel"), price);
+            add(machine.number(row, "light"), price);
+            add(picture(row, machine, lighting), price);
+            add(row.number("table_bytes"), whole);
+            add(row.number("state_bytes"), whole);
+            if machine.board.is_some() {
+                add(machine.number(row, "flash"), whole);
+                add(machine.number(row, "ram"), whole);
+            }
+        }
+        fields.resize(columns.split(" | ").count(), MISSING.into());
+        fields
+    };
+    let lines = [Lighting::Still, Lighting::Moving]
+        .into_iter()
+        .flat_map(|lighting| LIMITS.map(|below| row(lighting, below)));
+    table(&columns, lines)
+}
+
+/// The errors of the model.
+pub fn model(rows: &[Record]) -> String {
+    let surfaces = rows.len() / settings::sizes().count();
+    let names = errors::of_size(rows, (1, 0)).map(|row| format!(" | {}:", row.text("surface")));
+    let columns =
+        format!("degree, order | median: | worst:{}", names.take(surfaces).collect::<String>());
+    let row = |(degree, order)| {
+        let Spread { median, worst, .. } = errors::spread(rows, (degree, order));
+        let mut fields = vec![format!("{degree}, {order}"), percent(median), percent(worst)];
+        let of_surface =
+            errors::of_size(rows, (degree, order)).filter_map(|row| row.number("median"));
+        fields.extend(of_surface.map(percent));
+        fields
+    };
+    table(&columns, settings::sizes().map(row))
+}
+
+/// Ways to scale normals.
+pub fn mathematics(rows: &[Record]) -> String {
+    let reference = "9/7 K50 polynomial f32";
+    let row = |row: &Record| {
+        let name = row.text("setting");
+        let name = if name == reference { "none" } else { name.rsplit(' ').next().unwrap_or("") };
+        let [median, worst] = ["rms_median", "rms_worst"]
+            .map(|column| row.number(column).map_or(MISSING.into(), percent));
+        let pixel = row.number("host_pixel").map_or(MISSING.into(), cost);
+        vec![format!("`{name}`"), median, worst, pixel]
+    };
+    let is_shown =
+        |row: &&Record| row.text("parameter") == "mathematics" || row.text("setting") == reference;
+    let columns = "root | median: | worst: | a pixel, nine-term pixels:";
+    table(columns, rows.iter().filter(is_shown).map(row))
+}
+
+/// How everything grows.
+pub fn growth(rows: &[Record]) -> String {
+    let row = |curve: Curve| {
+        let size = |place: Option<&(f64, f64)>| place.map_or(0, |point| point.0.round() as usize);
+        let [first, last] = [curve.points.first(), curve.points.last()].map(size).map(grouped);
+        let exponent = |value: Option<f64>| match value {
+            Some(value) if value.fract() == 0.0 => value.to_string(),
+            Some(value) => format!("{value:.2}"),
+            None => MISSING.into(),
+        };
+        let [fitted, theory] =
+            [curve.exponent().map(|fitted| fitted + 1e-9), curve.theory].map(exponent);
+        let Curve { measure, unit, quantity, .. } = curve;
+        vec![format!("{measure}, {unit}"), quantity, format!("{first} to {last}"), fitted, theory]
+    };
+    let columns = "what | against | sizes | fitted: | theory:";
+    table(columns, curves(rows).into_iter().map(row))
+}

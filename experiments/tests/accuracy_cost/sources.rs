@@ -1,0 +1,181 @@
+//! Settings with light sources: their pictures, their errors and their costs.
+
+use super::rows;
+use crate::spread;
+use eigenshade::mathematics::Libm;
+use eigenshade::{Highlights, Normal};
+use eigenshade_index::light::count;
+use eigenshade_model::inputs::source_csv::MOST;
+use eigenshade_model::source::Gloss;
+use eigenshade_shading::{highlights, shipped};
+use experiments::accuracy_cost::images::Shaded;
+use experiments::accuracy_cost::machines::MACHINES;
+use experiments::accuracy_cost::settings::{Format, Recipe, Setting};
+use experiments::accuracy_cost::sheet::{SETTINGS, TOTAL};
+use experiments::accuracy_cost::total::lamps::Lamps;
+use experiments::sheet::{Counts, Record};
+
+/// Highlights in f32 against f64, of the peak, from a roughness of 0.3 on: as `Highlights::shade`
+/// states.
+const OF_F32: f64 = 3e-6;
+/// In integers of 17 bits, of the peak, away from the rim: as `quantized::Highlights::shade` states.
+const OF_Q15: f64 = 4e-3;
+/// A light without its sources in f32, of their energy: as `Rgb::residual` states.
+const OF_REST: f64 = 1e-5;
+/// Costs of four digits in the file against a sum with such a number, relative: half of the last digit
+/// of 1,000, twice.
+const OF_DIGITS: f64 = 1e-3;
+/// A program with a pixel and two sources in one loop against the sum of both, relative.
+const OF_SUM: f64 = 0.04;
+
+fn shaded(irradiance: f64, count: usize, exponent: i32) -> Shaded {
+    Shaded { irradiances: vec![irradiance; count], terms: 0, bytes: 0, exponent }
+}
+
+/// A picture is that of the rest of the light and the highlights of the sources taken out of it.
+#[test]
+fn lamps_are_the_sources_that_lights_lack() {
+    let lights = shipped::lights().expect("the lights");
+    let named = |name: &str| lights.entries.iter().find(|light| light.name == name).cloned();
+    let lights = ["studio", "lobby"].map(|name| named(name).expect("a light"));
+    let sets = shipped::sources().expect("the sources");
+    let mut normals = spread(60);
+    normals.retain(|[.., z]| *z > 0.1);
+    let albedo = [0.2, 0.1, 0.3];
+    let gloss =
+        Gloss { roughness: 0.35, reflectance: [0.5, 0.4, 0.3], grazing: [1.0, 0.9, 0.8], albedo };
+    for (k, light) in lights.iter().enumerate() {
+        let of_light = sets.iter().find(|sets| sets.name == light.name).expect("sources");
+        let sources = of_light.of_most(4);
+        assert!(sources.len() > 1, "{}", light.name);
+        let setting = Setting { sources: 4, ..Setting::of(Recipe::all(9, 7)) };
+        let lamps = Lamps::new(&setting, &lights, &sets, &normals).expect("sources");
+        for c in 0..3 {
+            let mut whole = lamps.rest(k)[c].clone();
+            assert_eq!(whole.len(), count(9));
+            for source in sources {
+                let blob = highlights::harmonics::<f64>(source, 9).expect("a source");
+                whole.iter_mut().zip(&blob).for_each(|(to, y)| *to += source.energy[c] * y);
+            }
+            let energy: f64 = sources.iter().map(|source| source.energy[c]).sum();
+            for (whole, light) in whole.iter().zip(&light.rgb[c]) {
+                let apart = (whole - light).abs();
+                assert!(apart <= OF_REST * energy + 1e-6 * light.abs(), "{apart:e}");
+            }
+        }
+        // In f64, on an irradiance of 0.25.
+        let lobes: Vec<_> =
+            sources.iter().map(|one| highlights::source::<f64>(one).expect("a source")).collect();
+        let in_f64 = highlights::gloss::<f64>(&gloss).expect("a gloss");
+        let in_f64 = Highlights::<f64, MOST>::new::<Libm>(&in_f64, &lobes).expect("sources");
+        let expected: Vec<[f64; 3]> = normals
+            .iter()
+            .map(|&[x, y, z]| {
+                let lit: [f64; 3] = in_f64.shade(Normal::new(x, y, z).expect("a normal")).into();
+                lit.map(|one| one + 0.25)
+            })
+            .collect();
+        let peak = expected.iter().flatten().fold(0.0, |most: f64, one| one.max(most));
+        assert!(peak > 0.3, "{peak}");
+        // 17 bits of the peak.
+        let exponent = peak.log2().ceil() as i32 - 17;
+        for (format, exponent, most) in [(Format::F32, 0, OF_F32), (Format::Q15, exponent, OF_Q15)]
+        {
+            let setting = setting.in_format(format);
+            let lamps = Lamps::new(&setting, &lights, &sets, &normals).expect("sources");
+            let rest = [0; 3].map(|_| shaded(0.25, normals.len(), exponent));
+            let picture = lamps.add(k, &gloss, &rest).expect("a picture");
+            for (j, expected) in expected.iter().enumerate() {
+                for (channel, expected) in picture.iter().zip(expected) {
+                    let apart = (channel[j] - expected).abs() / peak;
+                    assert!(apart <= most, "{format} {:?}: {apart:e}", normals[j]);
+                }
+            }
+        }
+        let setting = setting.in_format(Format::F64);
+        let lamps = Lamps::new(&setting, &lights, &sets, &normals).expect("sources");
+        let rest = [0; 3].map(|_| shaded(0.25, normals.len(), 0));
+        assert!(lamps.add(k, &gloss, &rest).is_err());
+    }
+}
+
+fn of<'a>(rows: &'a [Record], setting: &str) -> &'a Record {
+    let is_it = |row: &&Record| row.text("setting") == setting;
+    rows.iter().find(is_it).unwrap_or_else(|| panic!("no row of {setting}"))
+}
+
+/// The settings with sources, and the same settings without.
+fn pairs(rows: &[Record]) -> Vec<(&Record, &Record)> {
+    let with = rows.iter().filter(|row| row.text("sources") != "0");
+    let pair = |row| {
+        let name = Record::text(row, "setting");
+        (row, of(rows, name.split_once(" sources").expect("a name with sources").0))
+    };
+    with.map(pair).collect()
+}
+
+/// The cost of sources is that of the programs with sources alone, and nearly that of a program with
+/// both.
+#[test]
+fn costs_of_sources_are_added() {
+    let (rows, counts) = (rows(&SETTINGS), Counts::recorded());
+    let mut checked = 0;
+    for (with, without) in pairs(&rows) {
+        for machine in &MACHINES {
+            for kind in ["pixel", "light"] {
+                let [all, table] = [with, without].map(|row| machine.number(row, kind));
+                let Some(board) = machine.board.filter(|_| table.is_some()) else {
+                    assert!(all.is_none(), "{with:?}");
+                    continue;
+                };
+                let operation = format!("sources/{kind}_{}", with.text("sources"));
+                let sources = counts.get([board, with.text("format")], &operation, "instructions");
+                let sum = table.zip(sources).map(|(table, sources)| table + sources as f64);
+                assert_eq!(all.is_some(), sum.is_some(), "{with:?}");
+                let near = |(all, sum): (f64, f64)| (all / sum - 1.0).abs() <= OF_DIGITS;
+                assert!(all.zip(sum).is_none_or(near), "{with:?}");
+                checked += usize::from(all.is_some());
+            }
+        }
+    }
+    assert!(checked > 100, "{checked}");
+    for (board, format) in [
+        ("microbit", "q15"),
+        ("mps2-an385", "q15"),
+        ("mps2-an386", "q15"),
+        ("mps2-an386", "f32"),
+        ("riscv32", "q15"),
+    ] {
+        let count = |operation| {
+            counts.get([board, format], operation, "instructions").expect("a count") as f64
+        };
+        let ratio = count("shade_highlights") / (count("shade") + count("sources/pixel_2"));
+        println!("{board} {format}: {ratio:.3}");
+        assert!((ratio - 1.0).abs() <= OF_SUM, "{ratio}");
+    }
+}
+
+/// Sources bring glTF and measured materials nearer and leave matte ones as they are.
+#[test]
+fn sources_bring_pictures_nearer() {
+    let total = rows(&TOTAL);
+    let most = |setting: &str, kind: &str| {
+        let is_it = |row: &&Record| row.text("setting") == setting && row.text("kind") == kind;
+        let row = total.iter().find(is_it).unwrap_or_else(|| panic!("{setting}, {kind}"));
+        ["rms_median", "rms_most"].map(|column| row.number(column).expect("a number"))
+    };
+    for table in
+        ["9/7 all polynomial f32", "12/12 K400 polynomial f32", "9/7 K130 trim2e-4 polynomial q15"]
+    {
+        let none = table.to_owned();
+        let four = format!("{table} sources4");
+        let eight = format!("{table} sources8");
+        for kind in ["gltf", "measured", "all"] {
+            let [none, four, eight] = [&none, &four, &eight].map(|one| most(one, kind));
+            for k in 0..2 {
+                assert!(four[k] < 0.9 * none[k] && eight[k] < four[k], "{table}, {kind}");
+            }
+        }
+        assert_eq!(most(&none, "matte"), most(&four, "matte"), "{table}");
+    }
+}
