@@ -63,7 +63,8 @@ struct Preset {
     channels: Vec<Vec<String>>,
 }
 
-/// The first `count` coefficients of each name in a file of `name,index...,index,value` or `...,r,g,b`.
+/// The first `count` coefficients of each name in a file of `name,index...,index,value` or
+/// `...,r,g,b`.
 fn read(path: &str, count: usize) -> Result<Vec<Preset>, String> {
     println!("cargo::rerun-if-changed={path}");
     let text = fs::read_to_string(path).map_err(|error| format!("{path}: {error}"))?;
@@ -169,17 +170,11 @@ fn rows<const N: usize>(path: &str) -> Result<Vec<(String, [f64; N])>, String> {
     lines.map(|line| row(line).ok_or_else(|| format!("{path}: `{line}`"))).collect()
 }
 
-/// The largest set of sources. Larger ones are for pictures of degree 12.
-const MOST_SOURCES: usize = 8;
-
 /// Writes the sets of sources: constants such as `STUDIO_4`, and a list of all of them.
 fn sources() -> Result<(), String> {
     let mut sets: Vec<(String, usize, String)> = Vec::new();
     for (light, numbers) in rows("tables/inputs/sources.csv")? {
         let [set, x, y, z, r, g, b, u, v, w, minor] = numbers;
-        if set as usize > MOST_SOURCES {
-            continue;
-        }
         // Exactly of length 1 and perpendicular, which six digits are not.
         let length = (x * x + y * y + z * z).sqrt();
         let [x, y, z] = [x, y, z].map(|component| component / length);
@@ -218,13 +213,13 @@ fn sources() -> Result<(), String> {
     write_output("preset_sources.rs", &text)
 }
 
-/// Constants such as `STUDIO`: no sources, and the sets of a light, with their errors at the degree and
-/// order of the presets.
+/// Constants such as `STUDIO`: no sources, and the sets of a light, with their errors at the degree
+/// and order of the presets.
 fn source_sets(sets: &[(String, usize, String)]) -> Result<String, String> {
     let mut constants: Vec<(String, String, usize)> = Vec::new();
     for (light, numbers) in rows("tables/inputs/sources.errors.csv")? {
         let [most, degree, order, rms @ .., _, _, _, _, _, _]: [f64; 15] = numbers;
-        if [degree, order] != [DEGREE as f64, ORDER as f64] || most as usize > MOST_SOURCES {
+        if [degree, order] != [DEGREE as f64, ORDER as f64] {
             continue;
         }
         let name = light.to_uppercase().replace('-', "_");

@@ -23,8 +23,8 @@ const MATTE: f64 = 0.6;
 /// * D = α² / π(sin² θ_h + α² cos² θ_h)²;
 /// * V = 1/2 / (cos θ_i √(α² + (1 - α²) cos² θ_r) + the same with i and r exchanged).
 ///
-/// This is the BRDF of `eigenshade material ggx` and of `Material::metallic_roughness`, here for any
-/// roughness, as it needs no coefficients.
+/// This is the BRDF of `eigenshade material ggx` and of `Material::metallic_roughness`, here for
+/// any roughness, as it needs no coefficients.
 ///
 /// ```
 /// use eigenshade::{Gloss, Rgb};
@@ -62,8 +62,8 @@ impl Gloss<f32> {
 }
 
 impl<S: Scalar> Gloss<S> {
-    /// From the roughness, the reflectance at normal incidence (f0) and the albedo of the matte base,
-    /// all from 0 to 1.
+    /// From the roughness, the reflectance at normal incidence (f0) and the albedo of the matte
+    /// base, all from 0 to 1.
     ///
     /// A roughness below 0.1 counts as 0.1: its lobe, of α = 0.01, is narrower than a pixel of a
     /// sphere of 200 pixels.
@@ -83,8 +83,8 @@ impl<S: Scalar> Gloss<S> {
         Ok(Self { alpha: roughness * roughness, reflectance, grazing, albedo })
     }
 
-    /// With this reflectance at grazing incidence, f90, from 0 to 1; it is 1 by default. Lobes fitted
-    /// to measured materials need less.
+    /// With this reflectance at grazing incidence, f90, from 0 to 1; it is 1 by default. Lobes
+    /// fitted to measured materials need less.
     ///
     /// # Errors
     ///
@@ -95,8 +95,8 @@ impl<S: Scalar> Gloss<S> {
         Ok(Self { grazing: grazing.into(), ..self })
     }
 
-    /// From the linear base color, metallic and roughness of glTF, all from 0 to 1: f0 is 0.04 + (base
-    /// color - 0.04) metallic, the albedo base color (1 - metallic).
+    /// From the linear base color, metallic and roughness of glTF, all from 0 to 1: f0 is 0.04 +
+    /// (base color - 0.04) metallic, the albedo base color (1 - metallic).
     ///
     /// # Errors
     ///
@@ -122,8 +122,8 @@ impl<S: Scalar> Gloss<S> {
         self.alpha
     }
 
-    /// Whether sources make pictures of this material nearer: its roughness is below 0.6. Harmonics of
-    /// degree 9 show wider lobes without.
+    /// Whether sources make pictures of this material nearer: its roughness is below 0.6. Harmonics
+    /// of degree 9 show wider lobes without.
     ///
     /// ```
     /// use eigenshade::Gloss;

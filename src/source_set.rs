@@ -10,9 +10,9 @@ const KNOTS: [f64; 6] = [0.01, 0.04, 0.09, 0.16, 0.25, 0.36];
 /// A set of sources of a light, with the errors of pictures that use it.
 ///
 /// An error is the root mean square over a sphere's picture, relative to the peak, against direct
-/// integration of the whole light. Errors are those of GGX metals, as measured: the larger one of the
-/// light as captured and turned. A dielectric over a matte base has smaller ones. For a lobe that was
-/// fitted to another material, add what the fit leaves.
+/// integration of the whole light. Errors are those of GGX metals, as measured: the larger one of
+/// the light as captured and turned. A dielectric over a matte base has smaller ones. For a lobe
+/// that was fitted to another material, add what the fit leaves.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct SourceSet<'a, S> {
@@ -33,8 +33,8 @@ impl<'a, S: Scalar> SourceSet<'a, S> {
         self.sources
     }
 
-    /// The error of pictures of a material, linear in α between the metals. Beyond a roughness of 0.6
-    /// it is that of 0.6, and so too large.
+    /// The error of pictures of a material, linear in α between the metals. Beyond a roughness of
+    /// 0.6 it is that of 0.6, and so too large.
     #[must_use]
     pub fn error(&self, gloss: &Gloss<S>) -> S {
         let [first, ..] = self.errors;
@@ -49,9 +49,9 @@ impl<'a, S: Scalar> SourceSet<'a, S> {
         error
     }
 
-    /// The first of some sets whose error is at most `tolerance`, or `None` if all exceed it; the very
-    /// first for a material that [needs no sources](Gloss::needs_sources). Let the sets have a rising
-    /// number of sources; the first may have none.
+    /// The first of some sets whose error is at most `tolerance`, or `None` if all exceed it; the
+    /// very first for a material that [needs no sources](Gloss::needs_sources). Let the sets have a
+    /// rising number of sources; the first may have none.
     ///
     /// ```
     /// # #[cfg(feature = "presets")] {

@@ -87,8 +87,8 @@ fn presets_are_the_shipped_files() {
     }
 }
 
-/// The errors of the sets are those of the file, at the degree and order of the presets, and the choice
-/// for a tolerance is that of the file's numbers.
+/// The errors of the sets are those of the file, at the degree and order of the presets, and the
+/// choice for a tolerance is that of the file's numbers.
 #[test]
 fn sets_have_the_errors_of_the_shipped_file() {
     let files = shipped::set_errors().unwrap();

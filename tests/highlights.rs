@@ -8,13 +8,13 @@ use eigenshade::{
 };
 use std::f64::consts::PI;
 
-/// In f64 against the formula in slopes, of the lobe's peak: roots by Newton's method, and slopes of
-/// up to a hundred.
+/// In f64 against the formula in slopes, of the lobe's peak: roots by Newton's method, and slopes
+/// of up to a hundred.
 const LOBE_F64: f64 = 2e-12;
 
 /// In f32, of the lobe's peak, by roughness. A lobe of α moves by its width where a normal turns by
-/// α: rounding a normal and a direction to 24 bits, and forms of numbers to 1/α, leave some ε/α. All
-/// lobes have the root's 7e-7.
+/// α: rounding a normal and a direction to 24 bits, and forms of numbers to 1/α, leave some ε/α.
+/// All lobes have the root's 7e-7.
 const LOBE_F32: [(f64, f64); 5] =
     [(0.1, 1e-5), (0.2, 5e-6), (0.3, 3e-6), (0.5, 2e-6), (1.0, 1.5e-6)];
 
@@ -75,7 +75,8 @@ fn single_precision() {
 }
 
 /// Errors of the lobe against the exact BRDF over the blob, by spread in radians: of the peak and
-/// rms over the disc, as fractions of the exact peak. Sources to 110 degrees from the view, roughness
+/// rms over the disc, as fractions of the exact peak. Sources to 110 degrees from the view,
+/// roughness
 /// 0.2 to 0.6; and to 140 degrees.
 const LOBE_ERRORS: [(f64, [f64; 2], [f64; 2]); 5] = [
     (0.01, [0.025, 0.0005], [0.04, 0.0006]),
@@ -135,8 +136,8 @@ fn lobes_are_near_the_exact_brdf_over_the_blob() {
     }
 }
 
-/// The same for elongated blobs in any orientation, on a metal and on a dielectric: of the peak, and
-/// rms.
+/// The same for elongated blobs in any orientation, on a metal and on a dielectric: of the peak,
+/// and rms.
 const ELONGATED: [f64; 2] = [0.06, 0.0095];
 
 #[test]
@@ -192,8 +193,8 @@ fn slices_are_the_sums_of_single_normals() {
     assert_eq!(refused.map(|_| ()), Err(expected));
 }
 
-/// Sources at the rim, behind, at the pole and below; two that coincide; none and a million times the
-/// energy: finite, not negative, and where a half-way direction exists, the formula's.
+/// Sources at the rim, behind, at the pole and below; two that coincide; none and a million times
+/// the energy: finite, not negative, and where a half-way direction exists, the formula's.
 #[test]
 fn hard_cases() {
     let degrees = [0.0, 1e-5, 89.99, 90.0, 90.01, 175.0, 177.0, 179.9, 180.0];

@@ -1,22 +1,23 @@
-//! Highlights in integers: against the formula in f64, at the limits of their numbers, and their bits.
+//! Highlights in integers: against the formula in f64, at the limits of their numbers, and their
+//! bits.
 
 use crate::blobs::{ANGLES, BLUR, Blob, Glossy, Vector, at, blobs, dot, normals_for};
 use eigenshade::mathematics::SinglePrecision;
 use eigenshade::quantized::{Highlights, Lobe, Normal};
 use eigenshade::{Argument, Error, Q15, Q31, Rgb, Source};
 
-/// In Q15, of the lobe's peak, by roughness. A normal, a direction and a form of 16 bits turn a lobe
-/// by some 2^-16, of its width α; the squares of a narrow lobe's form have as few as 9 bits. Roots,
-/// reciprocals and cosines leave 1e-3, and more where a source behind the object lights a rim at
-/// cosines of some hundred units.
+/// In Q15, of the lobe's peak, by roughness. A normal, a direction and a form of 16 bits turn a
+/// lobe by some 2^-16, of its width α; the squares of a narrow lobe's form have as few as 9 bits.
+/// Roots, reciprocals and cosines leave 1e-3, and more where a source behind the object lights a
+/// rim at cosines of some hundred units.
 const LOBE_Q15: [(f64, f64); 5] = [(0.1, 1e-2), (0.2, 3e-3), (0.3, 2e-3), (0.5, 4e-3), (1.0, 4e-3)];
 
 /// Where a normal's z and its cosine to the source are both smaller, the formula itself jumps: at
 /// z = 0 from 0, for a source below the horizon, to that of grazing light.
 const CORNER: [f64; 2] = [1.0 / 128.0, 1.0 / 1024.0];
 
-/// A tail of the lobe, of itself: twice the relative error of the form, near 2^-9 of a wide lobe, and
-/// a unit of some hundred.
+/// A tail of the lobe, of itself: twice the relative error of the form, near 2^-9 of a wide lobe,
+/// and a unit of some hundred.
 const TAIL: f64 = 0.02;
 
 /// The normal in 15 bits, and the same in f64.
@@ -203,7 +204,8 @@ fn sources_and_channels_add_up() {
     assert_eq!(refused, Err(full));
 }
 
-/// A source that sets: no normal is lit by one behind the object, and only those that face it before.
+/// A source that sets: no normal is lit by one behind the object, and only those that face it
+/// before.
 #[test]
 fn sources_set() {
     for roughness in [0.1, 1.0] {
@@ -245,8 +247,8 @@ fn normals_in_q31() {
     }
 }
 
-/// FNV-1a of the irradiances of two stored lobes, one of roughness 0.3 and one of 0.1, for normals of
-/// the whole disc: the same bits on every machine.
+/// FNV-1a of the irradiances of two stored lobes, one of roughness 0.3 and one of 0.1, for normals
+/// of the whole disc: the same bits on every machine.
 const CHECKSUM: u32 = 3_997_470_640;
 
 #[test]

@@ -1,5 +1,5 @@
-//! Small sources taken out of a light, against quadrature of the blob that defines a source; and the
-//! gloss that reflects them.
+//! Small sources taken out of a light, against quadrature of the blob that defines a source; and
+//! the gloss that reflects them.
 
 use crate::blobs::{ANGLES, Blob, VIEW, at, blobs, dot};
 use crate::oracle::{ExplicitLight, Numbers};

@@ -66,6 +66,7 @@ export function eigenMaterial(scene, { view = "object", ...parameters } = {}) {
     if (now !== text) material.needsUpdate = true;
     [text, changed] = [now, false];
   };
+  material.addEventListener("dispose", () => uniforms.eigenshade.value.dispose?.());
   return material;
 }
 
@@ -76,7 +77,10 @@ const MOST = 200;
 function stored(scene, before) {
   const vectors = scene.uniforms();
   const width = vectors.length / 4;
-  if (width <= MOST) return vectors;
+  if (width <= MOST) {
+    before?.dispose?.();
+    return vectors;
+  }
   const texture = before?.image?.width === width ? before : new DataTexture(vectors, width, 1, RGBAFormat, FloatType);
   if (before !== texture) before?.dispose?.();
   texture.image.data = vectors;

@@ -1,5 +1,5 @@
-//! Errors of pictures with small sources against direct integration of whole maps, pictures of them,
-//! and the gloss of the shipped materials.
+//! Errors of pictures with small sources against direct integration of whole maps, pictures of
+//! them, and the gloss of the shipped materials.
 
 use crate::numbers::{median, percent};
 use crate::pages::{Page, Part, table};
@@ -144,8 +144,8 @@ fn rounded([rms, worst]: [f64; 2]) -> [f64; 2] {
     [(rms * 1e5).round() / 1e5, (worst * 1e4).round() / 1e4]
 }
 
-/// The root mean square and the largest difference of two pictures at normals of equal weight, of the
-/// peak of the second.
+/// The root mean square and the largest difference of two pictures at normals of equal weight, of
+/// the peak of the second.
 pub fn errors_of(normals: &[[f64; 3]], found: &Picture, reference: &Picture) -> [f64; 2] {
     off(&Sphere::of_normals(normals), found, reference)
 }

@@ -1,4 +1,5 @@
-//! Writes tables, golden vectors and highlights as statics, and for each program its function and its table.
+//! Writes tables, golden vectors and highlights as statics, and for each program its function and
+//! its table.
 
 #[path = "build/golden.rs"]
 mod golden;
@@ -85,7 +86,8 @@ struct Scene<'a> {
 }
 
 impl<'a> Scene<'a> {
-    /// Reads a scene's file. A table of `../tables/sizes.csv` has none: one channel, and no rotation.
+    /// Reads a scene's file. A table of `../tables/sizes.csv` has none: one channel, and no
+    /// rotation.
     fn read(name: &'a str) -> Result<Self> {
         let file = format!("{SCENES}/{name}.toml");
         if !Path::new(&file).exists() {

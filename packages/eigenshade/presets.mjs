@@ -9,14 +9,12 @@ const [program] = process.argv.slice(2);
 const run = (...options) => JSON.parse(execFileSync(program, options, { maxBuffer: 1 << 28 }));
 
 /** The numbers after the name in each line of a file. */
-function lines(file, count, fits = () => true) {
+function lines(file, count) {
   const text = readFileSync(new URL(`../../tables/inputs/${file}`, import.meta.url), "utf8");
-  const all = text.trim().split("\n").slice(2).map((line) => line.split(",")).filter(fits);
+  const all = text.trim().split("\n").slice(2).map((line) => line.split(","));
   return (name) => all.filter((fields) => fields[0] === name).flatMap((fields) => fields.slice(1, 1 + count).map(Number));
 }
-// Larger sets are for pictures of degree 12.
-const sources = lines("sources.csv", 11, ([, set]) => set <= 8);
-const gloss = lines("gloss.csv", 10);
+const [sources, gloss] = [lines("sources.csv", 11), lines("gloss.csv", 10)];
 
 const names = { light: [], material: [] };
 mkdirSync("presets/sources", { recursive: true });

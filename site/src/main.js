@@ -213,7 +213,7 @@ function sources() {
   find("sources-drawn").textContent =
     ours.sources ? `${counted(ours.sources, "source")} drawn.` : state.sources ? `None drawn: ${why}.` : "";
   const nearest = [0.2, 0.3, 0.5].reduce((best, other) => (Math.abs(other - roughness) < Math.abs(best - roughness) ? other : best));
-  const found = roughness <= 0.6
+  const found = roughness < 0.6
     ? errors.filter(([name, rough, count]) => name === state.light && Number(rough) === nearest && Number(count) === (ours.sources && state.sources))
     : [];
   for (const [id, column] of /** @type {[string, number][]} */ ([["degree-rms", 3], ["degree-worst", 4]])) {

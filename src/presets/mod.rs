@@ -75,9 +75,10 @@ pub mod material {
     }
 }
 
-/// Small sources of the captured lights that have maps, in sets of at most 1, 2, 4 and 8: 40 bytes
-/// each. [`Highlights`](crate::Highlights) shade them. For each light there is also a list such as
-/// `STUDIO`, with the errors of each set, for [`SourceSet::within`](crate::SourceSet::within).
+/// Small sources of the captured lights that have maps, in sets of at most 1, 2, 4, 8 and 16: 40
+/// bytes each. [`Highlights`](crate::Highlights) shade them. For each light there is also a list
+/// such as `STUDIO`, with the errors of each set, for
+/// [`SourceSet::within`](crate::SourceSet::within).
 ///
 /// ```
 /// # #[cfg(feature = "baked")] {
@@ -102,8 +103,8 @@ pub mod sources {
 
 /// The gloss of the materials in color: a GGX lobe over a matte base, fitted to each.
 ///
-/// [`Gloss::needs_sources`](crate::Gloss::needs_sources) tells whether sources pay. Each constant states
-/// how far its lobe is off.
+/// [`Gloss::needs_sources`](crate::Gloss::needs_sources) tells whether sources pay. Each constant
+/// states how far its lobe is off.
 #[expect(clippy::approx_constant, reason = "numbers of a file")]
 pub mod gloss {
     use crate::Gloss;

@@ -1,4 +1,5 @@
-//! The reflections of small sources in fixed point: the formula of [`crate::Highlights`] in integers.
+//! The reflections of small sources in fixed point: the formula of [`crate::Highlights`] in
+//! integers.
 
 use super::Normal;
 use super::inputs::decoded;
@@ -51,7 +52,8 @@ pub struct Highlights<T, const N: usize> {
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Lobe<T> {
-    /// The upper triangle R of Q = Rᵀ R, row by row, in units of 2^(k - 16) for some k: at most 2^16.
+    /// The upper triangle R of Q = Rᵀ R, row by row, in units of 2^(k - 16) for some k: at most
+    /// 2^16.
     pub form: [i32; 6],
     /// The direction in units of 2^-15.
     pub direction: [i32; 3],
@@ -108,8 +110,8 @@ impl Irradiance for Rgb<i32> {
 
 impl<T: Irradiance, const N: usize> Highlights<T, N> {
     /// The constants of `highlights` in integers, for a scene of this
-    /// [`exponent`](super::Scene::exponent). One channel has the energies, reflectance and albedo of
-    /// green.
+    /// [`exponent`](super::Scene::exponent). One channel has the energies, reflectance and albedo
+    /// of green.
     ///
     /// Cost: some 20 operations in floats for each source.
     ///
@@ -142,9 +144,10 @@ impl<T: Irradiance, const N: usize> Highlights<T, N> {
         Ok(Self { exponent, alpha_square, lobes })
     }
 
-    /// Highlights of constants that were computed earlier: the results of [`exponent`](Self::exponent),
-    /// [`alpha_square`](Self::alpha_square) and [`lobes`](Self::lobes). Machines without floats need
-    /// no others. The irradiances are meaningless for any other numbers.
+    /// Highlights of constants that were computed earlier: the results of
+    /// [`exponent`](Self::exponent), [`alpha_square`](Self::alpha_square) and
+    /// [`lobes`](Self::lobes). Machines without floats need no others. The irradiances are
+    /// meaningless for any other numbers.
     ///
     /// # Errors
     ///
@@ -187,19 +190,19 @@ impl<T: Irradiance, const N: usize> Highlights<T, N> {
     /// The irradiance of one normal by the sources alone, in units of 2^exponent, rounded down for
     /// each source. It saturates.
     ///
-    /// For an irradiance of 17 bits, it is within 1 % of the peak of the formula in exact arithmetic
-    /// for a roughness of 0.1, and within 0.4 % from 0.2 on. It may be anything up to the peak where
-    /// the formula jumps: where z is below 1/128 and the cosine to the source below 1/1024. Cost: a
-    /// root by table, and for each source that the normal faces another one and a reciprocal: with two
-    /// sources some 390 instructions on a Cortex-M0.
+    /// For an irradiance of 17 bits, it is within 1 % of the peak of the formula in exact
+    /// arithmetic for a roughness of 0.1, and within 0.4 % from 0.2 on. It may be anything up to
+    /// the peak where the formula jumps: where z is below 1/128 and the cosine to the source below
+    /// 1/1024. Cost: a root by table, and for each source that the normal faces another one and a
+    /// reciprocal: with two sources some 390 instructions on a Cortex-M0.
     #[inline]
     #[must_use]
     pub fn shade<Q: FixedPoint>(&self, normal: Normal<Q>) -> T {
         self.add(T::default(), normal)
     }
 
-    /// The sum of the irradiance of a scene, whose exponent is that of these highlights, and that of
-    /// the sources. The sum saturates.
+    /// The sum of the irradiance of a scene, whose exponent is that of these highlights, and that
+    /// of the sources. The sum saturates.
     #[inline]
     #[must_use]
     pub fn add<Q: FixedPoint>(&self, irradiance: T, normal: Normal<Q>) -> T {
@@ -314,8 +317,8 @@ fn masking(alpha_square: u32, cosine: i32) -> u32 {
     )
 }
 
-/// 1 / (½ (nᵀ Q n)² m), where m = `masked` in 2^-30: a number of at most 16 bits, and the part of its
-/// exponent that depends on the normal.
+/// 1 / (½ (nᵀ Q n)² m), where m = `masked` in 2^-30: a number of at most 16 bits, and the part of
+/// its exponent that depends on the normal.
 #[inline(always)]
 fn weight(form: u32, masked: u32) -> (u32, i32) {
     // 16 bits of each, from 2^15 on; the square from 2^13 on; so the divisor from 2^28 on.
@@ -327,8 +330,8 @@ fn weight(form: u32, masked: u32) -> (u32, i32) {
     (reciprocal(divisor), by.cast_signed())
 }
 
-/// The least k such that nᵀ Q n is less than 4^k, with a margin of a hundredth for rounding and normals
-/// that are a little too long.
+/// The least k such that nᵀ Q n is less than 4^k, with a margin of a hundredth for rounding and
+/// normals that are a little too long.
 ///
 /// Q has the eigenvalues 1 and those of A⁻¹, which are the roots of x² - tr x + det.
 fn size(form: &[f32; 6]) -> i32 {

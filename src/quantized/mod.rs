@@ -53,9 +53,10 @@ mod transfer;
 mod turn;
 mod view;
 
-/// Kernels for tables that are known when the program is compiled: `integer_table!` calls them, once
-/// for each azimuth. They compute the same bits as the methods of a [`Basis`] and a [`Scene`], with
-/// constants for all sizes and positions. If an argument has another shape, the methods are called.
+/// Kernels for tables that are known when the program is compiled: `integer_table!` calls them,
+/// once for each azimuth. They compute the same bits as the methods of a [`Basis`] and a [`Scene`],
+/// with constants for all sizes and positions. If an argument has another shape, the methods are
+/// called.
 #[doc(hidden)]
 pub mod kernels {
     pub mod collapse;

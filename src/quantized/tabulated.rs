@@ -31,8 +31,8 @@ const fn root_of(k: u64) -> u64 {
     ((k << 28).isqrt() + 1) >> 1
 }
 
-/// 2^43 / `divisor`, by one step of Newton's method, within 3e-4. Domain: from 2^28 to 2^31. Less is
-/// possible where normal and source are both at the rim, and saturates.
+/// 2^43 / `divisor`, by one step of Newton's method, within 3e-4. Domain: from 2^28 to 2^31. Less
+/// is possible where normal and source are both at the rim, and saturates.
 #[inline(always)]
 pub(super) fn reciprocal(divisor: u32) -> u32 {
     let guess = u32::from(RECIPROCALS.get((divisor >> 23) as usize & 255).copied().unwrap_or(0));
@@ -55,8 +55,8 @@ static RECIPROCALS: [u16; 256] = {
     table
 };
 
-/// The leading zeros of a number from 2^16 on, by a table: small processors have no instruction. It is
-/// at most 16, which leaves less than 16 bits of smaller numbers.
+/// The leading zeros of a number from 2^16 on, by a table: small processors have no instruction. It
+/// is at most 16, which leaves less than 16 bits of smaller numbers.
 #[inline(always)]
 pub(super) fn leading(number: u32) -> u32 {
     let high = number >> 24;

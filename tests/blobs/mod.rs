@@ -1,5 +1,5 @@
-//! Oracles of small sources, in f64: the blob that defines a source by quadrature, and the microfacet
-//! formula in slopes.
+//! Oracles of small sources, in f64: the blob that defines a source by quadrature, and the
+//! microfacet formula in slopes.
 
 use eigenshade::mathematics::{Libm, SinglePrecision};
 use eigenshade::{Gloss, Scalar, Source};

@@ -101,25 +101,26 @@ static const float zeros[4] = {0, 0, 0, 0};
       check(pixels[column] == 7, name, "the pixels are as they were", (uint32_t)column);      \
     }                                                                                         \
                                                                                               \
-    eigenshade_source_f32_t sources[9], lamp = {{0, 0, 1}, {1, 1, 1}, {0, 0, 0}, 0};          \
+    eigenshade_source_f32_t sources[EIGENSHADE_SOURCES + 1];                                  \
+    eigenshade_source_f32_t lamp = {{0, 0, 1}, {1, 1, 1}, {0, 0, 0}, 0};                      \
     eigenshade_gloss_f32_t gloss = {0.3f, {0, 0, 0}, {1, 1, 1}, {1, 1, 1}};                   \
-    eigenshade_color_glossy_##format##_t glossy = {&scene, &gloss, sources, 8};               \
-    for (size_t k = 0; k < 9; k++) {                                                          \
+    eigenshade_color_glossy_##format##_t glossy = {&scene, &gloss, sources, EIGENSHADE_SOURCES}; \
+    for (size_t k = 0; k <= EIGENSHADE_SOURCES; k++) {                                        \
       sources[k] = lamp;                                                                      \
     }                                                                                         \
     EXPECTED(OK, GLOSSY(format));                                                             \
     check(pixels[4] != 7, name, "a glossy row", 0);                                           \
     pixels[4] = 7;                                                                            \
-    glossy.count = 9;                                                                         \
+    glossy.count = EIGENSHADE_SOURCES + 1;                                                    \
     EXPECTED(SOURCE, GLOSSY(format));                                                         \
     EXPECTED(SOURCE, eigenshade_color_residual_##format(&eigenshade_light_lobby_f32, sources, \
-                                                        9, &light_buffer, &light));           \
-    glossy.count = 8;                                                                         \
-    sources[7].minor = 0.1f;                                                                  \
+                                                        glossy.count, &light_buffer, &light)); \
+    glossy.count = EIGENSHADE_SOURCES;                                                        \
+    sources[EIGENSHADE_SOURCES - 1].minor = 0.1f;                                             \
     EXPECTED(SOURCE, GLOSSY(format));                                                         \
     EXPECTED(SOURCE, eigenshade_color_residual_##format(&eigenshade_light_lobby_f32, sources, \
-                                                        8, &light_buffer, &light));           \
-    glossy.count = 7;                                                                         \
+                                                        glossy.count, &light_buffer, &light)); \
+    glossy.count = EIGENSHADE_SOURCES - 1;                                                    \
     gloss.albedo[1] = 2;                                                                      \
     EXPECTED(OUTSIDE, GLOSSY(format));                                                        \
     gloss.albedo[1] = 1;                                                                      \

@@ -1,5 +1,5 @@
-//! Prints the shipped lights and materials as a C header:
-//! `cargo run -p eigenshade-capi --example presets_header > crates/capi/include/eigenshade_presets.h`.
+//! Prints the shipped lights and materials as a C header: `cargo run -p eigenshade-capi --example
+//! presets_header > crates/capi/include/eigenshade_presets.h`.
 
 macro_rules! names {
     ($($constant:ident $name:literal)*) => {

@@ -24,7 +24,7 @@ and draw the scene of the rest together with the sources and the gloss of the ma
 #define EIGENSHADE_METALLIC_ROUGHNESS 40
 
 /** The most sources of a light. */
-#define EIGENSHADE_SOURCES 8
+#define EIGENSHADE_SOURCES 16
 
 /**
  * A tone curve and the sRGB encoding, as a table of 774 bytes: `eigenshade_display_linear` clips

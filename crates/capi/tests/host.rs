@@ -70,7 +70,7 @@ fn the_readme_draws_highlights() {
     for format in ["f32", "q15"] {
         // The light, the sources and the gloss stay in float.
         let of_float =
-            ["eigenshade_light_lobby_", "eigenshade_gloss_gold_metallic_paint_", "lobby_4_"];
+            ["light_lobby_", "gloss_gold_metallic_paint_", "lobby_4_", "eigenshade_source_"];
         let glossy = of_float.into_iter().fold(glossy.replace("f32", format), |text, name| {
             text.replace(&format!("{name}{format}"), &format!("{name}f32"))
         });
@@ -105,8 +105,8 @@ fn gold_sphere(size: usize) -> Result<Vec<u16>, Error> {
     Ok(screen)
 }
 
-/// The README's sphere is that of the README of the runtime: in integers the same pixels, in floats to
-/// one level of a channel.
+/// The README's sphere is that of the README of the runtime: in integers the same pixels, in floats
+/// to one level of a channel.
 #[test]
 fn the_readme_draws_the_same_sphere_as_rust() {
     let readme = include_str!("../README.md");

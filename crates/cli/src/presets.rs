@@ -87,8 +87,8 @@ impl Source {
     ///
     /// # Errors
     ///
-    /// If the sources of a light CSV, which are in a file beside it, cannot be read; or if there are
-    /// none for the light.
+    /// If the sources of a light CSV, which are in a file beside it, cannot be read; or if there
+    /// are none for the light.
     pub fn sources(&self, light: &str, most: usize, budget: Budget) -> Result<Vec<SmallSource>> {
         let (lights, file) = match self.entry {
             Entry::Shipped => (shipped::sources()?, PathBuf::from(SOURCES)),
@@ -160,8 +160,8 @@ impl Source {
         })
     }
 
-    /// For a shipped material whose pictures were measured at this order: a note if they are far from
-    /// those of its BRDF without sources.
+    /// For a shipped material whose pictures were measured at this order: a note if they are far
+    /// from those of its BRDF without sources.
     #[must_use]
     pub fn shipped_note(&self, order: usize) -> Option<Option<String>> {
         let name = self.path.to_str().filter(|_| self.entry == Entry::Shipped)?;
@@ -223,7 +223,7 @@ impl Source {
 
 /// The remedy for a light without sources.
 const FIND_SOURCES: &str =
-    "find them with `eigenshade light MAP --sources 8`, or leave --sources out";
+    "find them with `eigenshade light MAP --sources 8 --out FILE.csv`, or leave --sources out";
 
 /// The shipped sources.
 const SOURCES: &str = "tables/inputs/sources.csv";

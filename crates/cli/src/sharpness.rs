@@ -17,8 +17,8 @@ const LARGE: f64 = 0.05;
 const DIM: f64 = 0.5;
 /// The same with sources, which are meant for highlights.
 const DIM_WITH_SOURCES: f64 = 0.25;
-/// The rms that a fitted gloss leaves, relative to pictures under a small source, from which on it is
-/// worth a note.
+/// The rms that a fitted gloss leaves, relative to pictures under a small source, from which on it
+/// is worth a note.
 const FAR: f64 = 0.15;
 
 /// A degree and an order.
@@ -90,15 +90,15 @@ impl Sharpness {
         }
     }
 
-    /// The smallest set of sources that leaves at most `tolerance` at a degree and an order, or, if all
-    /// leave more, the one that leaves least.
+    /// The smallest set of sources that leaves at most `tolerance` at a degree and an order, or, if
+    /// all leave more, the one that leaves least.
     ///
     /// # Errors
     ///
     /// If the errors of the light's sets are not known.
     pub fn fewest(&self, size: Size, gloss: &Gloss, tolerance: f64) -> Result<Choice> {
         if self.light.is_none() {
-            let remedy = "find its sources again with `eigenshade light MAP --sources 8`, which \
+            let remedy = "find its sources again with `eigenshade light MAP --sources 8 --out FILE.csv`, which \
                           measures them, or give their number: --sources 4";
             return Err(Error::new("the errors of the light's sources are not known", remedy));
         }
@@ -119,8 +119,9 @@ impl Sharpness {
         Ok(within.or_else(least).copied().unwrap_or_default())
     }
 
-    /// A note if pictures of a material are far off, at this degree and order with at most this many
-    /// sources. `name` is what the user called it, and `error` what the fit of its gloss leaves.
+    /// A note if pictures of a material are far off, at this degree and order with at most this
+    /// many sources. `name` is what the user called it, and `error` what the fit of its gloss
+    /// leaves.
     #[must_use]
     pub fn note(&self, name: &str, gloss: &Known, size: Size, sources: usize) -> Option<String> {
         let (degree, order) = size;
@@ -206,8 +207,8 @@ pub fn counted(sources: usize) -> String {
     format!("{sources} source{}", if sources == 1 { "" } else { "s" })
 }
 
-/// If pictures of a shipped material were measured at this order, without sources: a note if they are
-/// far from those of its BRDF, at the degree at which they were measured.
+/// If pictures of a shipped material were measured at this order, without sources: a note if they
+/// are far from those of its BRDF, at the degree at which they were measured.
 #[must_use]
 pub fn shipped_note(name: &str, order: usize) -> Option<Option<String>> {
     let (degree, _) = shipped::ERROR_SIZES.into_iter().find(|size| size.1 == order)?;

@@ -42,11 +42,12 @@ fn with_stores(criterion: &str) -> Folder {
     folder
 }
 
-/// Pictures of a table of degree 32 against the direct sum, of the peak, in f64: profiles are within
-/// 1e-7 of their largest value.
+/// Pictures of a table of degree 32 against the direct sum, of the peak, in f64: profiles are
+/// within 1e-7 of their largest value.
 const HIGH_DEGREE: f64 = 1e-6;
 
-/// The scene file of degree 32 with formulas, here of four materials: a smooth metal is the direct sum.
+/// The scene file of degree 32 with formulas, here of four materials: a smooth metal is the direct
+/// sum.
 #[test]
 fn a_table_of_degree_32_is_the_direct_sum() {
     let folder = Folder::new();

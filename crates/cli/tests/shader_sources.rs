@@ -1,6 +1,6 @@
-//! `shader --sources`: the text with highlights against [`Highlights`] in f64, against the formula of
-//! the literature for points of light, and against the direct sum over the rest of the light. Texts
-//! without sources stay as they are.
+//! `shader --sources`: the text with highlights against [`Highlights`] in f64, against the formula
+//! of the literature for points of light, and against the direct sum over the rest of the light.
+//! Texts without sources stay as they are.
 
 use crate::interpreter::Function;
 use crate::oracle::ggx;
@@ -23,8 +23,9 @@ use std::fmt::Write;
 
 type Vector = [f64; 3];
 
-/// The text on constants in f32, of the peak. A lobe of α moves by its width where a direction turns
-/// by α, so rounding a direction to 24 bits leaves some ε/α: measured 7.5e-6 for α = 0.01, 1.5e-6 for
+/// The text on constants in f32, of the peak. A lobe of α moves by its width where a direction
+/// turns by α, so rounding a direction to 24 bits leaves some ε/α: measured 7.5e-6 for α = 0.01,
+/// 1.5e-6 for
 /// 0.09.
 const TEXT: f64 = 1e-5;
 
@@ -87,7 +88,8 @@ fn normals_for(sources: &[Blob], alpha: f64) -> Vec<Vector> {
     normals
 }
 
-/// What highlights in f64 give at these normals, one by one as slices take them: beyond the rim too.
+/// What highlights in f64 give at these normals, one by one as slices take them: beyond the rim
+/// too.
 fn shaded<const N: usize>(highlights: &Highlights<f64, N>, normals: &[Vector]) -> Vec<f64> {
     let [x, y, z] = [0, 1, 2].map(|axis| normals.iter().map(|n| n[axis]).collect::<Vec<_>>());
     let mut irradiance = vec![Rgb::gray(0.0); normals.len()];
@@ -180,8 +182,8 @@ fn of_points(gloss: [f64; 4], points: &[(Vector, f64)], normal: Vector) -> f64 {
         if light[2] <= 0.0 {
             return 0.0;
         }
-        // The formula has f90 = 1, and is linear in F: with f0 = 0 it has p = (1 - cos)^5, with f0 = 1
-        // it has 1, and F = f0 (1 - p) + f90 p.
+        // The formula has f90 = 1, and is linear in F: with f0 = 0 it has p = (1 - cos)^5, with f0
+        // = 1 it has 1, and F = f0 (1 - p) + f90 p.
         let [dark, bright] = [0.0, 1.0].map(|f0| ggx(roughness, f0, albedo, light, view));
         let matte = albedo / PI;
         energy * light[2] * (matte + f0 * (bright - dark) + f90 * (dark - matte))

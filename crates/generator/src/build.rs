@@ -33,14 +33,14 @@ use std::{env, process};
 pub use eigenshade_table::quantize::Format;
 
 /// Writes the statics of the scene at `scene` to the file `name` in the build script's `OUT_DIR`:
-/// in `f32`, and in a module `q15` or `q31` for each format in `integers`. If the scene has a section
-/// `[highlights]`, the modules `sources` and `gloss` hold the small sources of its lights and the
-/// gloss of its materials.
+/// in `f32`, and in a module `q15` or `q31` for each format in `integers`. If the scene has a
+/// section `[highlights]`, the modules `sources` and `gloss` hold the small sources of its lights
+/// and the gloss of its materials.
 ///
 /// Prints directives for cargo on standard output: the files that the statics depend on, and a
-/// warning for each integer format that does not serve the scene and is left out, for lights without
-/// sources and for materials without gloss. On an error it
-/// prints one line and ends the process.
+/// warning for each integer format that does not serve the scene and is left out, for lights
+/// without sources and for materials without gloss. On an error it prints one line and ends the
+/// process.
 pub fn statics(scene: impl AsRef<Path>, name: &str, integers: &[Format]) {
     let scene = scene.as_ref();
     for input in scene_file::inputs(scene) {

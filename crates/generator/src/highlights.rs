@@ -61,11 +61,11 @@ impl Highlights {
         text + "    ];\n}\n"
     }
 
-    /// A line for what is not there.
+    /// A line for each kind of thing that is missing: sources, or gloss.
     #[must_use]
     pub fn warnings(&self) -> Vec<String> {
         let lines = [
-            ("no sources of the lights", &self.dark, "they have no map in `highlights.sources`"),
+            ("no sources of the lights", &self.dark, "they are not in `highlights.sources`"),
             (
                 "no gloss of the materials",
                 &self.without_gloss,

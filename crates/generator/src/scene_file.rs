@@ -169,7 +169,7 @@ fn read_highlights(
     sources.retain(|sets| is_in(&lights.entries, &sets.name));
     glosses.retain(|gloss| is_in(&materials.entries, &gloss.name));
     if sources.is_empty() {
-        let remedy = "find them with `eigenshade light MAP --sources 8`, or remove [highlights]";
+        let remedy = "find them with `eigenshade light MAP --sources 8 --out FILE.csv`, or remove [highlights]";
         return Err(
             Error::new("it has sources of no light of the scene", remedy).in_file(of_sources)
         );

@@ -4,8 +4,8 @@
 //! The modules follow the mathematics of Nillius and Eklundh, "Phenomenological Eigenfunctions for
 //! Image Irradiance", ICCV 2003; "(n)" in these pages is equation n of that paper.
 //!
-//! The irradiance of a matte white sphere where it faces the camera and at its rim, by the direct sum
-//! over all modes:
+//! The irradiance of a matte white sphere where it faces the camera and at its rim, by the direct
+//! sum over all modes:
 //!
 //! ```
 //! use eigenshade_model::reference::DirectSum;

@@ -41,8 +41,8 @@ impl Source {
 pub struct SourceSets {
     /// The name of the light.
     pub name: String,
-    /// The most sources of each set, in rising order, and its sources. A set has fewer than its most
-    /// if more do not pay.
+    /// The most sources of each set, in rising order, and its sources. A set has fewer than its
+    /// most if more do not pay.
     pub sets: Vec<(usize, Vec<Source>)>,
 }
 
@@ -80,8 +80,8 @@ pub struct NamedGloss {
     pub error: f64,
 }
 
-/// What is left of pictures of a GGX metal: root mean square and largest error of a pixel, relative to
-/// the peak.
+/// What is left of pictures of a GGX metal: root mean square and largest error of a pixel, relative
+/// to the peak.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct SetErrors {
     /// The root mean square over a sphere's picture.
@@ -107,8 +107,8 @@ impl SetError {
     /// The roughness of the metals.
     pub const ROUGHNESS: [f64; 6] = [0.1, 0.2, 0.3, 0.4, 0.5, 0.6];
 
-    /// The errors of a metal of another roughness, linear in its square between these. Below the first
-    /// and above the last they are those of these.
+    /// The errors of a metal of another roughness, linear in its square between these. Below the
+    /// first and above the last they are those of these.
     #[must_use]
     pub fn at(&self, roughness: f64) -> SetErrors {
         let knots = Self::ROUGHNESS.windows(2).zip(self.errors.windows(2));

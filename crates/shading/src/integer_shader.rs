@@ -137,8 +137,8 @@ impl<Q: Integer> IntegerShader<Q> {
         self.scene.len()
     }
 
-    /// The exponent of the last image that [`polynomial`](Self::polynomial) made: its irradiances are
-    /// multiples of 2 to that power.
+    /// The exponent of the last image that [`polynomial`](Self::polynomial) made: its irradiances
+    /// are multiples of 2 to that power.
     #[must_use]
     pub fn unit(&self) -> i32 {
         self.unit

@@ -14,7 +14,8 @@ use std::path::Path;
 
 /// The contents of `tables/sphere.bin`.
 pub const TABLE: &[u8] = include_bytes!("../tables/sphere.bin");
-/// The contents of `tables/color.bin`: 160 components of materials in color, for pictures on a host.
+/// The contents of `tables/color.bin`: 160 components of materials in color, for pictures on a
+/// host.
 pub const COLOR: &[u8] = include_bytes!("../tables/color.bin");
 /// The contents of `tables/curet.bin`: 50 components of the measured materials of the paper.
 pub const CURET: &[u8] = include_bytes!("../tables/curet.bin");
@@ -120,8 +121,8 @@ pub fn materials_in(file: &Path) -> Result<Materials> {
     parse_materials(text, file, None)
 }
 
-/// The materials in color of which no shipped table is made: those that `tables/color.toml` does not
-/// name.
+/// The materials in color of which no shipped table is made: those that `tables/color.toml` does
+/// not name.
 ///
 /// # Errors
 ///

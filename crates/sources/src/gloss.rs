@@ -1,8 +1,8 @@
 //! Fits the runtime's gloss, one GGX lobe over a matte base, to any BRDF.
 //!
-//! The picture of a sphere under a small round source is fitted, for sources from near the camera to
-//! behind the object, each relative to its peak. For one roughness, the picture is linear in each of the
-//! reflectances and the albedo; the roughness is searched.
+//! The picture of a sphere under a small round source is fitted, for sources from near the camera
+//! to behind the object, each relative to its peak. For one roughness, the picture is linear in
+//! each of the reflectances and the albedo; the roughness is searched.
 
 use eigenshade_generator::material::brdf::{Brdf, Geometry, Ggx, Surface};
 use eigenshade_generator::material::measurements::{Measured, Measurement};
@@ -23,7 +23,8 @@ const NODES: [(f64, f64); 5] = [
     (1.355_626_179_974_266, 0.222_075_922_005_612_6),
     (2.856_970_013_872_806, 0.011_257_411_327_720_69),
 ];
-/// Normals around the half-way direction: rings from this angle to a right angle, and normals of one.
+/// Normals around the half-way direction: rings from this angle to a right angle, and normals of
+/// one.
 const NEAREST: f64 = 0.004;
 const RINGS: usize = 40;
 const AROUND: usize = 16;
@@ -73,8 +74,8 @@ pub fn named(surface: &Surface) -> Result<NamedGloss> {
     Ok(NamedGloss { name: surface.name.clone(), gloss, error })
 }
 
-/// The gloss nearest to measurements. Its error is relative to them: what the lobe is between them is
-/// not known.
+/// The gloss nearest to measurements. Its error is relative to them: what the lobe is between them
+/// is not known.
 ///
 /// # Errors
 ///
@@ -160,8 +161,8 @@ fn points(surface: &Surface, angle: f64) -> Vec<Point> {
 
 /// The best reflectances and albedo of one roughness.
 ///
-/// With p = (1 - cos θ_d)^5, the picture is f0 (1 - p) S + f90 p S + albedo (1 - f0 (1 - p) - f90 p) / π,
-/// all times the cosine, with the lobe S.
+/// With p = (1 - cos θ_d)^5, the picture is f0 (1 - p) S + f90 p S + albedo (1 - f0 (1 - p) - f90
+/// p) / π, all times the cosine, with the lobe S.
 fn at_roughness(points: &[Point], roughness: f64) -> Result<(Gloss, f64)> {
     let lobe = Ggx::new(roughness, 1.0, 0.0)?;
     let terms = points.iter().map(|Point { lit, .. }| {

@@ -2,9 +2,9 @@
 //!
 //! Near the mirror direction, near the horizon and near the direction opposite to the camera, where
 //! the BRDF changes fast, each texel is integrated as in `Surroundings`. Elsewhere, blocks of 8 x 8
-//! texels up to 64 x 64 are. Within a block, the BRDF times the cosine is the polynomial through its
-//! values at 4 x 4 Chebyshev nodes. What each node contributes is a sum over the block's texels,
-//! computed once for all BRDFs and normals.
+//! texels up to 64 x 64 are. Within a block, the BRDF times the cosine is the polynomial through
+//! its values at 4 x 4 Chebyshev nodes. What each node contributes is a sum over the block's
+//! texels, computed once for all BRDFs and normals.
 
 use eigenshade_generator::direct::Surroundings;
 use eigenshade_generator::light::environment::EnvironmentMap;

@@ -3,12 +3,12 @@
 //! The lack of a picture is its direct integral less the truncated sum, at normals of spheres of
 //! glossy materials under several rotations of the light. A source adds its highlight less the
 //! response to its harmonics. One source after the other is taken that reduces the weighted sum of
-//! squares most, first from a grid of directions and widths, then moved, stretched and turned as long
-//! as that helps. After each, the energies of all are the non-negative least squares solution, and
-//! every source is moved again with the others kept.
+//! squares most, first from a grid of directions and widths, then moved, stretched and turned as
+//! long as that helps. After each, the energies of all are the non-negative least squares solution,
+//! and every source is moved again with the others kept.
 //!
-//! A larger set is kept only if it leaves less at normals and under a rotation that it was not fitted
-//! to.
+//! A larger set is kept only if it leaves less at normals and under a rotation that it was not
+//! fitted to.
 
 use crate::response::Glossy;
 use crate::sample::Sample;
@@ -28,8 +28,8 @@ pub const SIZES: [(usize, usize); 2] = [(9, 7), (12, 12)];
 /// The sizes of the sets, up to the largest that is asked for.
 pub const SETS: [usize; 5] = [1, 2, 4, 8, 16];
 
-/// Sets up to this size are fitted at all of [`SIZES`], larger ones at the last alone: degree 9 lacks
-/// so much of some lights that eight sources which mend it do little for degree 12.
+/// Sets up to this size are fitted at all of [`SIZES`], larger ones at the last alone: degree 9
+/// lacks so much of some lights that eight sources which mend it do little for degree 12.
 const SMALL: usize = 4;
 
 /// The roughness of the metals that sources are fitted to.
@@ -50,8 +50,8 @@ const KEPT: usize = 2000;
 const BATCH: usize = 50;
 /// Standard deviations of the grid, radians.
 const WIDTHS: [f64; 5] = [0.01, 0.025, 0.05, 0.1, 0.16];
-/// Limits of standard deviations, radians. A narrower source is as a point for a roughness of 0.2; a
-/// wider one is in the harmonics of degree 9.
+/// Limits of standard deviations, radians. A narrower source is as a point for a roughness of 0.2;
+/// a wider one is in the harmonics of degree 9.
 const SPREADS: [f64; 2] = [0.004, 0.2];
 
 /// A step of 1 moves a source by this many radians, and widens it by this factor.

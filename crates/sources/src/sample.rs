@@ -41,8 +41,8 @@ struct Part {
 }
 
 impl<'a> Sample<'a> {
-    /// Samples pictures at the normals of [`View::sphere`], at the sizes of the materials from `first`
-    /// on.
+    /// Samples pictures at the normals of [`View::sphere`], at the sizes of the materials from
+    /// `first` on.
     #[must_use]
     pub fn new(views: &'a [View], materials: &'a [Glossy], spacing: f64, first: usize) -> Self {
         let mut sample = Self {
@@ -96,8 +96,8 @@ impl<'a> Sample<'a> {
         sample
     }
 
-    /// What each source adds with energy 1 at each row, of the peaks: its highlight less the response
-    /// to its harmonics.
+    /// What each source adds with energy 1 at each row, of the peaks: its highlight less the
+    /// response to its harmonics.
     ///
     /// # Errors
     ///

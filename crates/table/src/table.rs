@@ -228,8 +228,8 @@ impl Table {
         self.summary.roundings.iter().find(|one| one.format == format)
     }
 
-    /// Number of polynomial terms of a collapsed scene, with both signs of m: the multiply-adds of a
-    /// pixel and channel but for those of the azimuths.
+    /// Number of polynomial terms of a collapsed scene, with both signs of m: the multiply-adds of
+    /// a pixel and channel but for those of the azimuths.
     #[must_use]
     pub fn terms(&self) -> usize {
         let azimuths = self.profiles.iter().map(|one| (one.azimuth, one.chebyshev.len()));

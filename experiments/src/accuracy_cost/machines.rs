@@ -163,7 +163,8 @@ pub fn timed<'a>(table: &Recipe, all: &'a [Setting]) -> impl Iterator<Item = &'a
             Way::Bilinear(size) => size == MAP && setting.format == Format::F32,
             _ => false,
         };
-        is_timed && setting.recipe == table && setting.scaling == Scaling::None
+        let is_plain = setting.scaling == Scaling::None && setting.sources == 0;
+        is_timed && setting.recipe == table && is_plain
     })
 }
 

@@ -79,8 +79,8 @@ impl Measured {
         Ok(Self { settings, model, total, growth })
     }
 
-    /// Measures the settings that these rows lack, with their times, and removes the rows of settings
-    /// that there are no more.
+    /// Measures the settings that these rows lack, with their times, and removes the rows of
+    /// settings that there are no more.
     pub fn completed(mut self, maps: &Path, progress: &ProgressBar) -> Result<Self> {
         let mut varied = settings::all(false);
         let names: Vec<String> = varied.iter().map(|one| one.setting.to_string()).collect();

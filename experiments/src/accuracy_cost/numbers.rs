@@ -13,7 +13,8 @@ use eigenshade_table::{Table, parts, quantize, wire};
 use std::fmt::Display;
 use std::hint::black_box;
 
-/// The numbers of a setting without its sources, unless its format has no such way or cannot represent the table.
+/// The numbers of a setting without its sources, unless its format has no such way or cannot
+/// represent the table.
 pub fn numbers(setting: &Setting, table: &Table, normals: &[[f64; 3]]) -> Result<Box<dyn Numbers>> {
     let scale = match setting.scaling {
         Scaling::None => None,

@@ -60,8 +60,8 @@ impl Scope {
     }
 
     /// [`new`](Self::new) for each of these degrees and orders. All orders of a material come from
-    /// one integration, up to the measured order and above it. Scopes of an order above `unseen` have
-    /// none of the materials that the basis never saw.
+    /// one integration, up to the measured order and above it. Scopes of an order above `unseen`
+    /// have none of the materials that the basis never saw.
     pub fn all(sizes: &[(usize, usize)], unseen: usize) -> Result<Vec<Self>> {
         let highest = shipped::materials()?.order;
         let orders = sizes.iter().map(|&(_, order)| order).filter(|&order| order <= unseen);
@@ -119,8 +119,8 @@ pub fn modelled() -> Result<Vec<Surface>> {
     Ok(surfaces)
 }
 
-/// Published fits to materials of the MERL database, one of each kind, from felt to paint, with lobes
-/// wider than 0.05 rad. Sharper lobes are beyond any degree and order here.
+/// Published fits to materials of the MERL database, one of each kind, from felt to paint, with
+/// lobes wider than 0.05 rad. Sharper lobes are beyond any degree and order here.
 const MEASURED: [&str; 7] = [
     "pink-felt",
     "teflon",

@@ -68,7 +68,8 @@ pub struct AccuracyCost {
     /// With --out: keep the times of DIR's files and recompute the rest
     #[arg(long, conflicts_with_all = ["quick", "check"])]
     keep_times: bool,
-    /// With --out: keep the rows of DIR's files, and measure only the settings that they lack
+    /// With --out: keep the rows of DIR's files, and measure only the settings that they lack.
+    /// Where inputs have changed, delete their rows first
     #[arg(long, conflicts_with_all = ["quick", "check", "keep_times"])]
     add: bool,
     /// Also write, or compare, the choices of a setting in this page

@@ -15,8 +15,8 @@ use std::path::PathBuf;
 
 /// The gloss of the shipped materials in color, tables/inputs/gloss.csv
 ///
-/// One GGX lobe over a matte base is fitted to each. `error` is the rms of what it leaves of pictures
-/// under points of light, relative to that of the pictures.
+/// One GGX lobe over a matte base is fitted to each. `error` is the rms of what it leaves of
+/// pictures under points of light, relative to that of the pictures.
 #[derive(Args, Debug)]
 pub struct Gloss {
     /// Folder of the shipped tables' inputs

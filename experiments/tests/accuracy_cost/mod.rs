@@ -1,6 +1,6 @@
-//! `experiments accuracy-cost`: its errors, its choices, and the floor of a truncation, which estimates
-//! the error of a table's components from an image's own coefficients, here for materials that the
-//! table never saw.
+//! `experiments accuracy-cost`: its errors, its choices, and the floor of a truncation, which
+//! estimates the error of a table's components from an image's own coefficients, here for materials
+//! that the table never saw.
 
 use crate::support::repository;
 use crate::{oracle, spread, tolerances};
@@ -197,9 +197,9 @@ fn the_cheapest_setting_that_suffices_is_chosen() {
     assert!(checked > 30, "{checked}");
 }
 
-/// Pictures of 96 x 96 pixels with a total error below five per cent on a Cortex-M4F of 64 MHz, at an
-/// instruction a cycle: 60 a second with less than half of the cycles where the light stands still,
-/// 50 where it moves.
+/// Pictures of 96 x 96 pixels with a total error below five per cent on a Cortex-M4F of 64 MHz, at
+/// an instruction a cycle: 60 a second with less than half of the cycles where the light stands
+/// still, 50 where it moves.
 #[test]
 fn a_reader_finds_a_setting_for_a_board() {
     let rows = rows(&SETTINGS);

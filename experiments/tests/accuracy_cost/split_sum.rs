@@ -7,8 +7,8 @@ use crate::spread;
 use baseline::{SIDE, STEPS, SplitSum, WITHIN, place};
 use eigenshade::{NineTerms, Normal};
 
-/// Between 32 texels along a side, a function of direction that is linear in each component bends by
-/// less than this share of its range; more at the equator, where the octahedron has an edge.
+/// Between 32 texels along a side, a function of direction that is linear in each component bends
+/// by less than this share of its range; more at the equator, where the octahedron has an edge.
 const OF_TEXELS: f32 = 0.02;
 
 /// The direction of a place in the map, by the inverse formula.

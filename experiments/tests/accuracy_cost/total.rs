@@ -33,8 +33,8 @@ const OF_TREE: f64 = 3e-4;
 /// lobe over the same texels.
 const OF_WHITE: f64 = 1e-6;
 
-/// A matcap of a matte sphere against direct integration, of the peak, where no texel is outside the
-/// disc: bilinear look-ups err by an eighth of a texel's square times the curvature.
+/// A matcap of a matte sphere against direct integration, of the peak, where no texel is outside
+/// the disc: bilinear look-ups err by an eighth of a texel's square times the curvature.
 const OF_MATCAP: f64 = 2e-3;
 
 /// The materials of a kind.
@@ -49,8 +49,8 @@ fn find<'a>(rows: &'a [Record], setting: &str, kind: &str) -> &'a Record {
     rows.iter().find(is_it).unwrap_or_else(|| panic!("no row of {setting}, {kind}"))
 }
 
-/// The shipped tables and the rivals, for a few materials. A check of the command finds those of the
-/// settings again.
+/// The shipped tables and the rivals, for a few materials. A check of the command finds those of
+/// the settings again.
 #[test]
 fn recorded_total_errors_are_found_again() {
     let maps = repository().join("tables/inputs/maps");
@@ -236,8 +236,8 @@ fn errors_are_those_of_known_pictures() {
     assert_eq!([same.rms, same.pixel, same.difference], [0.0; 3]);
     let off = reference.error(&flat(1.5), &world.sphere);
     assert!((off.rms - 0.25).abs() < 1e-12 && (off.pixel - 0.25).abs() < 1e-12, "{off:?}");
-    // Black instead of white is a difference of 100 by definition. A metered picture of one color is
-    // white to within the seven per cent of the meter.
+    // Black instead of white is a difference of 100 by definition. A metered picture of one color
+    // is white to within the seven per cent of the meter.
     let black = reference.error(&flat(0.0), &world.sphere);
     assert!((95.0..=100.001).contains(&black.difference), "{black:?}");
     assert!((0.0..black.difference).contains(&off.difference) && off.difference > 1.0);

@@ -25,8 +25,8 @@ pub mod split_sum;
 
 pub mod drawing;
 
-/// Runs one function of a source as the program. The build script derives the function and the module
-/// `table` from the program's name.
+/// Runs one function of a source as the program. The build script derives the function and the
+/// module `table` from the program's name.
 #[macro_export]
 macro_rules! program {
     () => {

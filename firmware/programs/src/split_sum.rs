@@ -1,11 +1,12 @@
-//! Baseline: a pixel as engines draw environments, by a prefiltered map and the split sum (B. Karis,
-//! "Real Shading in Unreal Engine 4", SIGGRAPH 2013 courses), in one channel.
+//! Baseline: a pixel as engines draw environments, by a prefiltered map and the split sum (B.
+//! Karis, "Real Shading in Unreal Engine 4", SIGGRAPH 2013 courses), in one channel.
 //!
-//! The form is a cheap one. The map is octahedral, so a direction becomes a place in it by a division
-//! and without trigonometry. It is prefiltered for the roughness of the material: engines interpolate
-//! between two maps of a stack, which reads eight texels instead of four. The texels of its border
-//! repeat others, so that no neighbor is sought across an edge. The scale and the bias of the split
-//! sum are multiplied with the reflectances of the material beforehand, in a table by n_z.
+//! The form is a cheap one. The map is octahedral, so a direction becomes a place in it by a
+//! division and without trigonometry. It is prefiltered for the roughness of the material: engines
+//! interpolate between two maps of a stack, which reads eight texels instead of four. The texels of
+//! its border repeat others, so that no neighbor is sought across an edge. The scale and the bias
+//! of the split sum are multiplied with the reflectances of the material beforehand, in a table by
+//! n_z.
 
 use eigenshade::{NineTerms, Normal};
 

@@ -58,7 +58,7 @@ const BRIGHT = 0.8;
 /** Largest degree of a light that turns. */
 const TURNED = 12;
 
-/** The roughness above which a material is drawn without sources: they would change nothing. */
+/** The roughness from which on a material is drawn without sources: they would change nothing. */
 const MATTE = Math.fround(0.6);
 
 /** The bits of all effects. */
@@ -275,11 +275,11 @@ export class Scene {
   }
 
   /**
-   * Number of small sources that are drawn: 0 if the light has none, the material is more matte than a
-   * roughness of 0.6 or has no gloss, or effects are left out. The light is then drawn as a whole.
+   * Number of small sources that are drawn: 0 if the light has none, the material has a
+   * roughness of 0.6 or more, or no gloss, or effects are left out. The light is then drawn as a whole.
    */
   get sources() {
-    const glossy = this.#gloss && this.#gloss[0] <= MATTE && this.#effects === ALL;
+    const glossy = this.#gloss && this.#gloss[0] < MATTE && this.#effects === ALL;
     return glossy ? this.#sources.length / 10 : 0;
   }
 

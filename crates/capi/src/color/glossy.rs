@@ -11,7 +11,7 @@ use eigenshade::mathematics::SinglePrecision;
 use eigenshade::{Highlights, Q15, Rotation};
 
 /// The most sources of a picture.
-pub(crate) const SOURCES: usize = 8;
+pub(crate) const SOURCES: usize = 16;
 
 records! {
     Source = "source" f32:

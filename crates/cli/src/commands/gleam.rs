@@ -32,8 +32,8 @@ const TABLES: [(&str, (usize, usize)); 2] = [("color", (9, 7)), ("pbr", (12, 12)
 ///
 /// # Errors
 ///
-/// If the gloss of the material or the errors of the light's sources are not known, or a file cannot
-/// be read.
+/// If the gloss of the material or the errors of the light's sources are not known, or a file
+/// cannot be read.
 pub fn within(
     tolerance: f64,
     inputs: &Inputs,
@@ -43,6 +43,9 @@ pub fn within(
 ) -> Result<(TableChoice, usize)> {
     let ((light, degree), (material, order)) = (light, material);
     let Known { gloss, .. } = inputs.material.known_gloss(material, memory.of_file())?;
+    if !highlights::gloss::<f64>(&gloss)?.needs_sources() {
+        return Ok((table.or(TABLES[0].0), 0));
+    }
     let sharpness = Sharpness::under(&inputs.light, light, memory.of_file())?;
     let fits = |size: (usize, usize)| size == TABLES[0].1 || (size.0 <= degree && size.1 <= order);
     let mut best: Option<(usize, Choice, TableChoice, (usize, usize))> = None;
@@ -67,15 +70,13 @@ pub fn within(
         }
     }
     let Some((_, choice, table, size)) = best else { return Ok((table.or(TABLES[0].0), 0)) };
-    if highlights::gloss::<f64>(&gloss)?.needs_sources() {
-        print_message(choice.report(size, tolerance));
-    }
+    print_message(choice.report(size, tolerance));
     Ok((table, choice.most))
 }
 
 impl Gleam {
-    /// Up to `most` sources of the first light, which they are taken out of, for the first material. A
-    /// matte material has none, with a note.
+    /// Up to `most` sources of the first light, which they are taken out of, for the first
+    /// material. A matte material has none, with a note.
     ///
     /// # Errors
     ///

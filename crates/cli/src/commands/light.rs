@@ -33,8 +33,8 @@ const DEGREE: usize = 9;
 /// Writes the CSV `name,l,m,r,g,b` with nine significant digits. Maps are equirectangular, with row
 /// 0 at the top, or cubes. The middle of a map, or the face pz, is -z, in front of the camera.
 /// Pictures (.png, .jpg) are decoded by the curve of sRGB, white to a radiance of 1, without their
-/// opacity; the other kinds are linear. Standard error reports the share of negative radiance in each
-/// map.
+/// opacity; the other kinds are linear. Standard error reports the share of negative radiance in
+/// each map.
 ///
 /// A single light CSV in place of maps is converted from the convention --from to --convention.
 /// Without --from, the CSV is in `graphics` if --convention is `paper`, and in `paper` otherwise.
@@ -49,7 +49,8 @@ pub struct Light {
     /// for a picture of 4:3 or 3:4 with square faces, else `equirectangular`]
     #[arg(long, value_enum)]
     layout: Option<Layout>,
-    /// Program whose placement of maps to follow. The camera looks along -z with y up. Cubes are placed by `eigenshade`, `threejs` and `filament` only
+    /// Program whose placement of maps to follow. The camera looks along -z with y up. Cubes are
+    /// placed by `eigenshade`, `threejs` and `filament` only
     #[arg(long, value_enum, default_value_t = Frame::Eigenshade)]
     frame: Frame,
     /// Largest degree l of the coefficients, 0 to 256 [default: 9, or that of the light CSV]
@@ -61,10 +62,10 @@ pub struct Light {
     /// Convention of a light CSV
     #[arg(long, value_enum)]
     from: Option<Convention>,
-    /// Find sets of 1, 2, 4, 8, 16 and K small bright sources, K from 1 to 32, for the highlights of
-    /// glossy materials: see `render --sources`. They are written beside the output, to
-    /// FILE.sources.csv for FILE.csv, and what they leave of pictures to FILE.sources.errors.csv. Takes
-    /// some twenty seconds a map
+    /// Find sets of 1, 2, 4, 8, 16 and K small bright sources, K from 1 to 32, for the highlights
+    /// of glossy materials: see `render --sources`. They are written beside the output, to
+    /// FILE.sources.csv for FILE.csv, and what they leave of pictures to FILE.sources.errors.csv.
+    /// Takes some twenty seconds a map
     #[arg(long, value_name = "K", value_parser = count(1, 32), requires = "out")]
     sources: Option<usize>,
     /// Roughness of the materials that sources are found for, 0.1 to 1

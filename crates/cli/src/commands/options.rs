@@ -46,8 +46,8 @@ impl Memory {
 #[derive(Args, Debug)]
 pub struct TableChoice {
     /// Table: a file, or the name of a shipped one, which is `color` (160 components), `sphere`
-    /// (the one that the runtime contains), `curet`, or `pbr` (250 components of degree and order 12)
-    /// [default: color]
+    /// (the one that the runtime contains), `curet`, or `pbr` (250 components of degree and order
+    /// 12) [default: color]
     #[arg(id = "table", short, long, value_name = "NAME|FILE")]
     path: Option<PathBuf>,
 }

@@ -35,8 +35,8 @@ pub struct Render {
     /// What to draw: `sphere`, a normal map (.png), or a mesh (.obj, .stl, .ply) from +z
     #[arg(short, long, value_name = "NORMALS", default_value = "sphere")]
     normals: PathBuf,
-    /// Make a matcap: the texel at (u, v), v up, has the normal whose x and y are 2u - 1 and 2v - 1.
-    /// three and blender are for engines that multiply normals by 0.495 and 0.496 instead of 1/2
+    /// Make a matcap: the texel at (u, v), v up, has the normal whose x and y are 2u - 1 and 2v -
+    /// 1. three and blender are for engines that multiply normals by 0.495 and 0.496 instead of 1/2
     #[arg(long, value_name = "FOR", value_enum, num_args = 0..=1, require_equals = true,
         default_missing_value = "half", conflicts_with = "normals")]
     matcap: Option<Engine>,
@@ -49,10 +49,11 @@ pub struct Render {
     format: Format,
     #[command(flatten)]
     choices: Choices,
-    /// Shade up to K small bright sources of the light by the material's gloss, for sharp highlights:
-    /// 1, 2, 4 or 8 of a shipped light. `auto` takes as few as --tolerance allows and, without --table,
-    /// the table `color` or `pbr` with which a pixel takes the fewest multiply-adds. Needs a shipped
-    /// material in color, or a CSV with FILE.gloss.csv beside it, which `material` writes
+    /// Shade up to K small bright sources of the light by the material's gloss, for sharp
+    /// highlights: 1, 2, 4, 8 or 16 of a shipped light. `auto` takes as few as --tolerance allows
+    /// and, without --table, the table `color` or `pbr` with which a pixel takes the fewest
+    /// multiply-adds. Needs a shipped material in color, or a CSV with FILE.gloss.csv beside it,
+    /// which `material` writes
     #[arg(long, value_name = "K|auto", value_parser = sources, conflicts_with = "effects")]
     sources: Option<Sources>,
     /// What `--sources auto` allows: the root mean square error of the picture, as a share of the

@@ -17,10 +17,10 @@ use serde::Serialize;
 
 /// Write a light on a material as a function of a shader
 ///
-/// The function is `vec3 irradiance(vec3 normal)`, in WGSL `fn irradiance(normal: vec3f) -> vec3f`: the
-/// linear irradiance of a visible unit normal, z toward the camera. It reads an array of vectors,
-/// `eigenshade`, which --json writes beside it. Scenes of the same table with the same --sources and
-/// without --tolerance have the same text.
+/// The function is `vec3 irradiance(vec3 normal)`, in WGSL `fn irradiance(normal: vec3f) -> vec3f`:
+/// the linear irradiance of a visible unit normal, z toward the camera. It reads an array of
+/// vectors, `eigenshade`, which --json writes beside it. Scenes of the same table with the same
+/// --sources and without --tolerance have the same text.
 #[derive(Args, Debug)]
 pub struct Shader {
     /// Language, and where the array is
@@ -30,13 +30,14 @@ pub struct Shader {
     inputs: Inputs,
     #[command(flatten)]
     table: TableChoice,
-    /// Leave out as many terms as this error allows: a share of the peak, or decibels below it, like
-    /// 1e-2 or 40dB
+    /// Leave out as many terms as this error allows: a share of the peak, or decibels below it,
+    /// like 1e-2 or 40dB
     #[arg(long, value_name = "T", value_parser = tolerance, allow_negative_numbers = true)]
     tolerance: Option<Tolerance<f64>>,
-    /// Add a loop over K small bright sources, for sharp highlights. With --json or --tolerance, up to K
-    /// sources are taken out of the light, as `render --sources` does; this needs a shipped material
-    /// in color. Text alone serves any light and material
+    /// Add a loop over K small bright sources, for sharp highlights. With --json or --tolerance, up
+    /// to K sources are taken out of the light, as `render --sources` does; this needs a shipped
+    /// material in color, or a CSV with FILE.gloss.csv beside it. Text alone serves any light and
+    /// material
     #[arg(long, value_name = "K", value_parser = count(1, MOST as u64))]
     sources: Option<usize>,
     /// Write JSON instead of the text: text, number of terms, and vectors
@@ -121,8 +122,8 @@ impl Shader {
         Ok(())
     }
 
-    /// The highlights, if the text or the vectors depend on them, with a note if pictures are far off.
-    /// Their sources are taken out of the light.
+    /// The highlights, if the text or the vectors depend on them, with a note if pictures are far
+    /// off. Their sources are taken out of the light.
     fn highlights(
         &self,
         table: &Table,

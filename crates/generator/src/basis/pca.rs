@@ -55,8 +55,8 @@ impl Block {
         })
     }
 
-    /// Like [`new`](Self::new), without what U over modes needs, which is most of the work: a block has
-    /// a thousand times as many modes as profiles.
+    /// Like [`new`](Self::new), without what U over modes needs, which is most of the work: a block
+    /// has a thousand times as many modes as profiles.
     ///
     /// # Errors
     ///
@@ -67,8 +67,8 @@ impl Block {
         keeps: impl Fn(usize, usize, usize, usize) -> bool,
     ) -> Result<Self> {
         let (space, factor) = factor(gram, azimuth, keeps);
-        // Aᵀ = Q R, so A has the left singular vectors and the values of Rᵀ. Only R is computed: the
-        // factors of some modes at a time, under that of those before.
+        // Aᵀ = Q R, so A has the left singular vectors and the values of Rᵀ. Only R is computed:
+        // the factors of some modes at a time, under that of those before.
         let mut triangle = Mat::zeros(0, factor.nrows());
         for first in (0..factor.ncols()).step_by(CHUNK) {
             let part = factor.get(.., first..(first + CHUNK).min(factor.ncols())).transpose();

@@ -191,7 +191,8 @@ impl Span {
         SpanTransfer(self.azimuths.iter().enumerate().map(of_azimuth).collect())
     }
 
-    /// Coordinates of the image of a light on a transferred material. The light has the span's degree.
+    /// Coordinates of the image of a light on a transferred material. The light has the span's
+    /// degree.
     #[must_use]
     pub fn image(&self, transfer: &SpanTransfer, light: &[f64]) -> Vec<f64> {
         self.functions()

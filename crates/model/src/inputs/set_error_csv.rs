@@ -1,8 +1,8 @@
 //! The errors that sets of sources leave as CSV: one row per light, set and size,
 //! `light,set,degree,order,rms_0.1,..,rms_0.6,worst_0.1,..,worst_0.6`.
 //!
-//! `set` is the most sources of the set, 0 without sources; the numbers in the names are the roughness
-//! of metals. Other columns and lines that begin with `#` are ignored.
+//! `set` is the most sources of the set, 0 without sources; the numbers in the names are the
+//! roughness of metals. Other columns and lines that begin with `#` are ignored.
 
 use super::input_file::InputFile;
 use super::sheet::{Row, Sheet};

@@ -91,8 +91,8 @@ extern "C" fn color_transfer(effects: u32) -> u32 {
     done.into()
 }
 
-/// The coefficients d of the turned light on the material of the last `color_transfer`; 0 also if one
-/// is not finite.
+/// The coefficients d of the turned light on the material of the last `color_transfer`; 0 also if
+/// one is not finite.
 #[unsafe(no_mangle)]
 extern "C" fn color_relight() -> u32 {
     // SAFETY: each buffer is borrowed once, and no other function runs.

@@ -164,8 +164,8 @@ fn source_counts() -> BTreeSet<usize> {
     lights.iter().flat_map(|light| light.sets.iter().map(|(most, _)| *most)).collect()
 }
 
-/// The settings that sources are added to: the nine-term formula, tables whose pixels are counted on
-/// boards, and all that a degree and an order have.
+/// The settings that sources are added to: the nine-term formula, tables whose pixels are counted
+/// on boards, and all that a degree and an order have.
 fn with_sources() -> impl Iterator<Item = Setting> {
     let trimmed = |count, share| Setting::of(Recipe::first(DEGREE, ORDER, count).trimmed(share));
     let whole = Setting::of(Recipe::all(DEGREE, ORDER));

@@ -1,5 +1,5 @@
-//! Pictures with small sources, by the runtime's own path: the sources are taken out of a light, and
-//! their highlights are added to each pixel of the rest.
+//! Pictures with small sources, by the runtime's own path: the sources are taken out of a light,
+//! and their highlights are added to each pixel of the rest.
 
 use crate::accuracy_cost::images::Shaded;
 use crate::accuracy_cost::settings::{Format, Setting};

@@ -333,8 +333,8 @@ impl Surface {
         self.channels.len()
     }
 
-    /// The parts of this surface: in each channel f is the sum of those of the parts, each times its
-    /// share there.
+    /// The parts of this surface: in each channel f is the sum of those of the parts, each times
+    /// its share there.
     #[must_use]
     pub fn parts(&self) -> Vec<Part<'_>> {
         if let Some(Lobe { brdf, shares }) = &self.lobe {
