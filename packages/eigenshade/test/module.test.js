@@ -23,9 +23,9 @@ for (const name of ["eigenshade.wasm", "eigenshade.simd.wasm", "eigenshade.sourc
     const before = memory.byteLength;
     assert.ok(engine.light.byteOffset >= STACK, "the stack must be at the start of memory");
     const sources = engine.hasSources ? 8 : 0;
-    const scene = await Scene.create({ light: "studio", material: "gold-metallic-paint", sources, engine });
+    const scene = await Scene.create({ light: "lobby", material: "gold-metallic-paint", sources, engine });
     assert.equal(scene.sources, sources);
-    const light = await lightPreset("studio", { sources });
+    const light = await lightPreset("lobby", { sources });
     const depths = [
       () => scene.light(light).shade([0], [0], [1]),
       () => scene.material({ baseColor: "#b87333" }).turn({ yaw: 1 }).coefficients(),

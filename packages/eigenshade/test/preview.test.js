@@ -77,16 +77,16 @@ test("a preview with sources is the sphere that the module draws, to one code", 
     const [material, look] = ["blue-metallic-paint", { exposure: 2, tone: "linear" }];
     const preview = await Preview.create(canvases[0], { light: "lobby", material, sources: 8, ...look });
     const against = async (sources) => {
-      const scene = await Scene.create({ light: "studio", material, sources });
+      const scene = await Scene.create({ light: "sunset", material, sources });
       preview.draw();
       return [preview.scene.sources, difference(pixels(canvases[0]), sphere(scene, 120, look))];
     };
-    await preview.light("studio");
+    await preview.light("sunset");
     const found = await against(8);
-    await preview.light("studio", { sources: 2 });
+    await preview.light("sunset", { sources: 2 });
     const fewer = await against(2);
-    const rejected = await preview.light("studio", { sources: -1 }).catch(({ message }) => message);
-    await preview.light("studio", { sources: 0 });
+    const rejected = await preview.light("sunset", { sources: -1 }).catch(({ message }) => message);
+    await preview.light("sunset", { sources: 0 });
     const none = await against(0);
     preview.free();
     return { found, fewer, none, rejected };

@@ -102,7 +102,7 @@ test("a roll of the light is a roll of the picture", async () => {
 });
 
 test("scenes say how many sources they draw, and draw the whole light without", async () => {
-  const inputs = { light: "sunset", material: "gold-metallic-paint" };
+  const inputs = { light: "studio", material: "gold-metallic-paint" };
   const whole = await Scene.create(inputs);
   const scene = await Scene.create({ ...inputs, sources: 8 });
   assert.equal(whole.sources, 0);
@@ -132,15 +132,15 @@ test("scenes say how many sources they draw, and draw the whole light without", 
   assert.equal(mapped.filter(({ sources }) => sources.length > 0).length, 18);
   const unmapped = mapped.find(({ sources }) => sources.length === 0);
   for (const change of [
-    { light: unmapped }, { light: await lightPreset("sunset") }, { material: { roughness: 0.7 } }, { material: three([1]) },
+    { light: unmapped }, { light: await lightPreset("studio") }, { material: { roughness: 0.7 } }, { material: three([1]) },
   ]) {
     for (const one of [scene, whole]) {
       if (change.light) one.light(change.light);
       if (change.material) one.material(change.material);
     }
     same(scene);
-    whole.light(await lightPreset("sunset"));
-    scene.light(await lightPreset("sunset", { sources: 4 }));
+    whole.light(await lightPreset("studio"));
+    scene.light(await lightPreset("studio", { sources: 4 }));
   }
   assert.ok(material.includes("ptfe-633nm"));
   assert.equal((await Scene.create({ ...inputs, material: "ptfe-633nm", sources: 4 })).sources, 0);
