@@ -41,7 +41,7 @@ const SIZE: [usize; 2] = [512, 256];
 pub struct Row {
     /// The light.
     pub light: String,
-    /// Whether the light is turned by [`OTHER`].
+    /// Whether the light is turned.
     pub is_turned: bool,
     /// The roughness of the metal.
     pub roughness: f64,
