@@ -21,7 +21,8 @@ pub struct SourceSet<'a, S> {
 }
 
 impl<'a, S: Scalar> SourceSet<'a, S> {
-    /// The sources, and the errors for a roughness of 0.1, 0.2, 0.3, 0.4, 0.5 and 0.6.
+    /// The sources, and the errors for a roughness of 0.1, 0.2, 0.3, 0.4, 0.5 and 0.6: shares of the
+    /// peak, 0 or more, which is not checked.
     #[must_use]
     pub const fn new(sources: &'a [Source<S>], errors: [S; 6]) -> Self {
         Self { sources, errors }
@@ -50,8 +51,8 @@ impl<'a, S: Scalar> SourceSet<'a, S> {
     }
 
     /// The first of some sets whose error is at most `tolerance`, or `None` if all exceed it; the
-    /// very first for a material that [needs no sources](Gloss::needs_sources). Let the sets have a
-    /// rising number of sources; the first may have none.
+    /// very first for a material that [needs no sources](Gloss::needs_sources). Order the
+    /// sets by their number of sources; the first may have none.
     ///
     /// ```
     /// # #[cfg(feature = "presets")] {

@@ -82,3 +82,29 @@ static LEADING: [u8; 256] = {
 fn at<E: Copy + Default>(table: &[E; 64], place: u32) -> E {
     table.get((place & 63) as usize).copied().unwrap_or_default()
 }
+
+#[cfg(test)]
+mod tests {
+    use super::{leading, reciprocal, root};
+
+    /// Numbers from 2^`from` to 2^`to`, about a thousand for each factor of two.
+    fn numbers(from: u32, to: u32) -> impl Iterator<Item = u32> {
+        (from..to).flat_map(|bits| {
+            let step = ((1_u32 << bits) / 997).max(1);
+            ((1 << bits)..(1_u64 << (bits + 1)) as u32).step_by(step as usize)
+        })
+    }
+
+    #[test]
+    fn approximations_are_as_near_as_stated() {
+        for number in numbers(16, 31) {
+            let exact = f64::from(number).sqrt();
+            assert!((f64::from(root(number)) - exact).abs() <= 2e-4 * exact + 1.0, "{number}");
+            assert_eq!(leading(number), number.leading_zeros(), "{number}");
+        }
+        for divisor in numbers(28, 31) {
+            let exact = 43_f64.exp2() / f64::from(divisor);
+            assert!((f64::from(reciprocal(divisor)) / exact - 1.0).abs() <= 3e-4, "{divisor}");
+        }
+    }
+}

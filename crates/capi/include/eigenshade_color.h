@@ -394,7 +394,7 @@ eigenshade_status eigenshade_color_residual_f32(const struct eigenshade_color_li
 /**
  * `eigenshade_color_shade_f32` with highlights.
  *
- * A call prepares all sources, which costs as much as two pixels.
+ * A call prepares all sources, which costs as much as two pixels for four of them.
  */
 eigenshade_status eigenshade_color_glossy_shade_f32(
     const struct eigenshade_color_glossy_f32_t *glossy, float x, float y, float z,

@@ -31,7 +31,7 @@ pub struct Sharpness {
     errors: Vec<SetError>,
 }
 
-/// What is left of pictures of a metal.
+/// Errors of pictures of a metal.
 struct Left {
     /// The root mean square, in the median over the lights and under the worst one.
     rms: [f64; 2],
@@ -98,8 +98,8 @@ impl Sharpness {
     /// If the errors of the light's sets are not known.
     pub fn fewest(&self, size: Size, gloss: &Gloss, tolerance: f64) -> Result<Choice> {
         if self.light.is_none() {
-            let remedy = "find its sources again with `eigenshade light MAP --sources 8 --out FILE.csv`, which \
-                          measures them, or give their number: --sources 4";
+            let remedy = "find its sources again with `eigenshade light MAP --sources 8 --out \
+                          FILE.csv`, which measures them, or give their number: --sources 4";
             return Err(Error::new("the errors of the light's sources are not known", remedy));
         }
         let gloss = highlights::gloss::<f64>(gloss)?;
@@ -168,7 +168,7 @@ impl Sharpness {
 pub struct Choice {
     /// The most sources of the set; 0 for none.
     pub most: usize,
-    /// What it leaves of pictures: root mean square, relative to the peak.
+    /// The error of pictures with it: root mean square, relative to the peak.
     pub error: f64,
 }
 

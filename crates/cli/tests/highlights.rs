@@ -60,7 +60,7 @@ fn a_lamp_is_found_and_mirrored() {
     // A rotation turns the source with the light: by π about z to the other side.
     let (column, turned) = peak("--sources 1 --rotate 3.14159265,0,0");
     assert!(column.abs_diff(21) <= 2 && (turned / sharp - 1.0).abs() < 0.02, "{column} {turned}");
-    // A material of one's own.
+    // A material that is not shipped.
     let copper = |options: &str| peak_of(&folder, &format!("-l lamp.csv -m copper.csv {options}"));
     let [(_, blurred), (column, sharp)] = ["", "--sources 1"].map(copper);
     assert!(column.abs_diff(42) <= 2 && sharp > 1.3 * blurred, "{column} {sharp} {blurred}");

@@ -1,7 +1,22 @@
 //! The small sources of a scene's lights and the gloss of its materials, as Rust constants.
 
+use eigenshade_model::database::{Lights, Materials, Named};
+use eigenshade_model::error::{Error, Result};
+use eigenshade_model::inputs::gloss_csv::read_glosses;
+use eigenshade_model::inputs::input_file::InputFile;
+use eigenshade_model::inputs::source_csv::read_sources;
 use eigenshade_model::source::{Gloss, NamedGloss, Source, SourceSets};
+use serde::Deserialize;
 use std::fmt::Write;
+
+/// The section `[highlights]`.
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(crate) struct HighlightFiles {
+    pub sources: String,
+    pub gloss: String,
+    pub most: usize,
+}
 
 /// What highlights of a scene need.
 #[derive(Clone, Debug, PartialEq)]
@@ -19,6 +34,52 @@ pub struct Highlights {
 }
 
 impl Highlights {
+    /// The sources of the lights and the gloss of the materials, as far as they are known.
+    ///
+    /// # Errors
+    ///
+    /// If a file cannot be read, or no light has sources, or no material a gloss.
+    pub(crate) fn read(
+        files: &HighlightFiles,
+        scene: &InputFile,
+        lights: &Lights,
+        materials: &Materials,
+    ) -> Result<Self> {
+        let folder = scene.folder();
+        let [of_sources, of_gloss] = [&files.sources, &files.gloss].map(|name| folder.join(name));
+        let mut sources = read_sources(scene.other(&of_sources))?;
+        let mut glosses = read_glosses(scene.other(&of_gloss))?;
+        let is_in = |entries: &[Named], name: &str| entries.iter().any(|entry| entry.name == name);
+        sources.retain(|sets| is_in(&lights.entries, &sets.name));
+        glosses.retain(|gloss| is_in(&materials.entries, &gloss.name));
+        if sources.is_empty() {
+            let remedy = "find them with `eigenshade light MAP --sources 8 --out FILE.csv`, or remove \
+                          [highlights]";
+            return Err(
+                Error::new("it has sources of no light of the scene", remedy).in_file(of_sources)
+            );
+        }
+        if glosses.is_empty() {
+            let remedy =
+                "make it with `eigenshade material .. --out FILE.csv`, or remove [highlights]";
+            return Err(Error::new("it has the gloss of no material of the scene", remedy)
+                .in_file(of_gloss));
+        }
+        let others = |entries: &[Named], has: &dyn Fn(&str) -> bool| {
+            let names = entries.iter().map(|entry| entry.name.clone());
+            names.filter(|name| !has(name)).collect()
+        };
+        Ok(Self {
+            most: files.most,
+            dark: others(&lights.entries, &|name| sources.iter().any(|sets| sets.name == name)),
+            without_gloss: others(&materials.entries, &|name| {
+                glosses.iter().any(|one| one.name == name)
+            }),
+            sources,
+            glosses,
+        })
+    }
+
     /// The modules `sources` and `gloss`: data alone, to which the runtime's types are made at run
     /// time.
     #[must_use]

@@ -3,7 +3,7 @@
 use crate::basis;
 use crate::basis::choice::Choice;
 use crate::basis::general;
-use crate::highlights::Highlights;
+use crate::highlights::{HighlightFiles, Highlights};
 use crate::material::analytic;
 use crate::material::brdf::{Measure, Surface};
 use crate::object::geometry::{Geometry, WeightedNormals};
@@ -12,10 +12,9 @@ use eigenshade_index::effect::Effects;
 use eigenshade_model::database::{Lights, Materials, Named, name_remedy};
 use eigenshade_model::error::{Error, Result};
 use eigenshade_model::inputs::coefficient_csv::{read_lights, read_materials_and_order};
-use eigenshade_model::inputs::gloss_csv::read_glosses;
 use eigenshade_model::inputs::input_file::InputFile;
 use eigenshade_model::inputs::normals::read_weighted_normals;
-use eigenshade_model::inputs::source_csv::{MOST, read_sources};
+use eigenshade_model::inputs::source_csv::MOST;
 use eigenshade_table::scene::{self, KNOTS, LightRotation};
 use eigenshade_table::{Scene, Table};
 use rayon::iter::{IntoParallelRefIterator, ParallelIterator};
@@ -50,15 +49,6 @@ struct File {
     #[serde(default)]
     effects: scene::Effects,
     highlights: Option<HighlightFiles>,
-}
-
-/// The section `[highlights]`.
-#[derive(Deserialize)]
-#[serde(deny_unknown_fields)]
-struct HighlightFiles {
-    sources: String,
-    gloss: String,
-    most: usize,
 }
 
 impl File {
@@ -144,55 +134,10 @@ pub fn load(file: impl Into<InputFile>) -> Result<Loaded> {
     }
     let geometry = read_geometry(&scene.geometry, scene.light.degree, &file)?;
     let highlights = match &highlights {
-        Some(files) => Some(read_highlights(files, &file, &lights, &materials)?),
+        Some(files) => Some(Highlights::read(files, &file, &lights, &materials)?),
         None => None,
     };
     Ok(Loaded { scene, lights, materials, order_of_file, geometry, highlights })
-}
-
-/// The sources of the lights and the gloss of the materials, as far as they are known.
-///
-/// # Errors
-///
-/// If a file cannot be read, or no light has sources, or no material a gloss.
-fn read_highlights(
-    files: &HighlightFiles,
-    scene: &InputFile,
-    lights: &Lights,
-    materials: &Materials,
-) -> Result<Highlights> {
-    let folder = scene.folder();
-    let [of_sources, of_gloss] = [&files.sources, &files.gloss].map(|name| folder.join(name));
-    let mut sources = read_sources(scene.other(&of_sources))?;
-    let mut glosses = read_glosses(scene.other(&of_gloss))?;
-    let is_in = |entries: &[Named], name: &str| entries.iter().any(|entry| entry.name == name);
-    sources.retain(|sets| is_in(&lights.entries, &sets.name));
-    glosses.retain(|gloss| is_in(&materials.entries, &gloss.name));
-    if sources.is_empty() {
-        let remedy = "find them with `eigenshade light MAP --sources 8 --out FILE.csv`, or remove [highlights]";
-        return Err(
-            Error::new("it has sources of no light of the scene", remedy).in_file(of_sources)
-        );
-    }
-    if glosses.is_empty() {
-        let remedy = "make it with `eigenshade material .. --out FILE.csv`, or remove [highlights]";
-        return Err(
-            Error::new("it has the gloss of no material of the scene", remedy).in_file(of_gloss)
-        );
-    }
-    let others = |entries: &[Named], has: &dyn Fn(&str) -> bool| {
-        let names = entries.iter().map(|entry| entry.name.clone());
-        names.filter(|name| !has(name)).collect()
-    };
-    Ok(Highlights {
-        most: files.most,
-        dark: others(&lights.entries, &|name| sources.iter().any(|sets| sets.name == name)),
-        without_gloss: others(&materials.entries, &|name| {
-            glosses.iter().any(|one| one.name == name)
-        }),
-        sources,
-        glosses,
-    })
 }
 
 /// The formulas of a file, projected to this order.

@@ -75,13 +75,12 @@ pub struct NamedGloss {
     pub name: String,
     /// The lobe that is nearest.
     pub gloss: Gloss,
-    /// What the lobe leaves of pictures under a small source: the root mean square, relative to the
+    /// The error of pictures under a small source by this lobe: the root mean square, relative to the
     /// picture.
     pub error: f64,
 }
 
-/// What is left of pictures of a GGX metal: root mean square and largest error of a pixel, relative
-/// to the peak.
+/// Errors of pictures of a GGX metal, relative to the peak.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct SetErrors {
     /// The root mean square over a sphere's picture.

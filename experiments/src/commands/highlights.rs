@@ -39,7 +39,7 @@ impl Gloss {
 
 /// The errors that the shipped sources leave, tables/inputs/sources.errors.csv
 ///
-/// They are the same that `eigenshade light --sources` writes for the same sources.
+/// Those that `eigenshade light --sources` writes are of sources that are not yet rounded.
 #[derive(Args, Debug)]
 pub struct SourceErrors {
     /// Names of lights [default: all]

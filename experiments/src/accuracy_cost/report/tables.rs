@@ -31,7 +31,7 @@ pub fn choice(rows: &[Record]) -> String {
     table(&columns, LIMITS.map(row))
 }
 
-/// What a setting is, in words.
+/// A setting in words: degree, order, components, terms, sources and format.
 fn described(row: &Record) -> String {
     let [degree, order, components, way, terms, sources, format] =
         ["degree", "order", "components", "way", "terms", "sources", "format"]
