@@ -3,6 +3,7 @@
 use crate::color::Rgb;
 use crate::error::{Argument, Error};
 use crate::highlights::Highlights;
+use crate::index::highlights::MAX_SOURCES;
 use crate::index::layout::{Form, Recurrence};
 use crate::recurrences::Recurrences;
 use crate::scalar::Scalar;
@@ -39,9 +40,6 @@ pub struct Shader<'a> {
     sources: usize,
 }
 
-/// The most sources of a shader.
-const SOURCES: usize = 32;
-
 impl<'a> Shader<'a> {
     /// The shader for scenes of the shape of this one.
     #[must_use]
@@ -49,7 +47,8 @@ impl<'a> Shader<'a> {
         Self { lengths: scene.lengths(), recurrences: scene.recurrences(), sources: 0 }
     }
 
-    /// The shader that adds the [`Highlights`] of up to `sources` small sources, 0 to 32.
+    /// The shader that adds the [`Highlights`] of up to `sources` small sources, 0 to
+    /// [`MAX_SOURCES`].
     ///
     /// The sources add a loop to the text, which depends on their number alone. A new or turned source
     /// and a new gloss are an upload of [`highlight_uniforms`](Self::highlight_uniforms). Cost: four
@@ -82,11 +81,11 @@ impl<'a> Shader<'a> {
     ///
     /// # Errors
     ///
-    /// [`Error::Capacity`] if there are more than 32.
+    /// [`Error::Capacity`] if there are more than [`MAX_SOURCES`].
     pub fn with_sources(self, sources: usize) -> Result<Self, Error> {
-        if sources > SOURCES {
+        if sources > MAX_SOURCES {
             let argument = Argument::Sources;
-            return Err(Error::Capacity { argument, needed: sources, capacity: SOURCES });
+            return Err(Error::Capacity { argument, needed: sources, capacity: MAX_SOURCES });
         }
         Ok(Self { sources, ..self })
     }

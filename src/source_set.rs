@@ -1,11 +1,9 @@
 //! Sets of sources of different sizes, and the choice of one for a tolerance.
 
 use crate::gloss::Gloss;
+use crate::index::highlights::ROUGHNESS;
 use crate::scalar::Scalar;
 use crate::source::Source;
-
-/// α of the metals whose errors a set has: the squares of 0.1 to 0.6.
-const KNOTS: [f64; 6] = [0.01, 0.04, 0.09, 0.16, 0.25, 0.36];
 
 /// A set of sources of a light, with the errors of pictures that use it.
 ///
@@ -40,7 +38,8 @@ impl<'a, S: Scalar> SourceSet<'a, S> {
     pub fn error(&self, gloss: &Gloss<S>) -> S {
         let [first, ..] = self.errors;
         let (mut knot, mut error) = (S::ZERO, first);
-        for (&next, next_knot) in self.errors.iter().zip(KNOTS.map(S::from_f64)) {
+        let knots = ROUGHNESS.map(|roughness| S::from_f64(roughness * roughness));
+        for (&next, next_knot) in self.errors.iter().zip(knots) {
             if gloss.alpha() <= next_knot {
                 let width = (next_knot - knot).reciprocal();
                 return error + (next - error) * (gloss.alpha() - knot) * width;

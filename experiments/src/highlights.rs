@@ -8,13 +8,14 @@ use eigenshade_generator::light::environment::EnvironmentMap;
 use eigenshade_generator::light::projection::named_maps;
 use eigenshade_generator::material::brdf::{Measure, Surface};
 use eigenshade_generator::material::files::{Source as MaterialSource, read};
+use eigenshade_index::highlights::{LARGEST_SET, SETS};
 use eigenshade_model::error::{Error, Result};
 use eigenshade_model::inputs::source_csv::read_sources;
 use eigenshade_model::rotation::Rotation;
 use eigenshade_model::source::{NamedGloss, SetError, SourceSets};
 use eigenshade_shading::shipped;
 use eigenshade_sources::gloss;
-use eigenshade_sources::pursuit::{self, ROUGHNESS, SETS};
+use eigenshade_sources::pursuit::{self, ROUGHNESS};
 use eigenshade_sources::remaining::{self, off, picture};
 use eigenshade_sources::response::{Glossy, Response};
 use eigenshade_sources::sphere::{Picture, Sphere};
@@ -103,7 +104,7 @@ pub fn errors(inputs: &Path, names: &[String], progress: &ProgressBar) -> Result
     }
     for (name, map) in synthetic() {
         if is_chosen(name) {
-            let sets = pursuit::find(&map, &pursuit::metals(&ROUGHNESS)?, SETS[SETS.len() - 1])?;
+            let sets = pursuit::find(&map, &pursuit::metals(&ROUGHNESS)?, LARGEST_SET)?;
             lights.push((map, SourceSets { name: name.into(), sets }, name.into()));
         }
     }

@@ -2,8 +2,9 @@
 //! the shipped materials.
 
 use crate::support::repository;
+use eigenshade::Gloss;
 use eigenshade_model::source::{NamedGloss, SetError};
-use eigenshade_shading::shipped;
+use eigenshade_shading::{highlights, shipped};
 use experiments::highlights::{Row, errors, glosses, parts, remaining};
 use experiments::pages::filled;
 use indicatif::ProgressBar;
@@ -77,7 +78,8 @@ fn errors_of_sets_hold_under_another_view() {
             (one.light.as_str(), one.most, one.size) == (row.light.as_str(), row.sources, row.size)
         };
         let Some(estimate) = estimates.iter().find(is) else { continue };
-        let (found, estimate) = (row.errors[0], estimate.at(row.roughness).rms);
+        let metal = Gloss::new(row.roughness, [1.0; 3], [0.0; 3]).unwrap();
+        let (found, estimate) = (row.errors[0], highlights::set_errors(estimate, &metal).rms);
         assert!(found <= estimate + 0.015, "{row:?} {estimate}");
         if found > 0.005 {
             shares.push(found / estimate);

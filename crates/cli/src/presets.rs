@@ -1,6 +1,6 @@
 //! Lights and materials as options name them: shipped ones, all of a file, or one of a file.
 
-use crate::sharpness::{Known, shipped_note};
+use crate::sharpness::Known;
 use eigenshade_model::budget::Budget;
 use eigenshade_model::database::{Lights, Materials, Named, name_remedy};
 use eigenshade_model::error::{Error, Result, STANDARD_INPUT};
@@ -10,7 +10,7 @@ use eigenshade_model::inputs::input_file::{InputFile, is_file};
 use eigenshade_model::inputs::set_error_csv::read_set_errors;
 use eigenshade_model::inputs::source_csv::read_sources;
 use eigenshade_model::source::{NamedGloss, SetError, Source as SmallSource};
-use eigenshade_shading::shipped;
+use eigenshade_shading::shipped::{self, TotalError};
 use std::convert::Infallible;
 use std::path::{Path, PathBuf};
 use std::str::FromStr;
@@ -160,12 +160,13 @@ impl Source {
         })
     }
 
-    /// For a shipped material whose pictures were measured at this order: a note if they are far
-    /// from those of its BRDF without sources.
+    /// For a shipped material whose pictures were measured at this order, without sources: the
+    /// degree, and their error.
     #[must_use]
-    pub fn shipped_note(&self, order: usize) -> Option<Option<String>> {
+    pub fn total_error(&self, order: usize) -> Option<(usize, TotalError)> {
         let name = self.path.to_str().filter(|_| self.entry == Entry::Shipped)?;
-        shipped_note(name, order)
+        let (degree, _) = shipped::ERROR_SIZES.into_iter().find(|size| size.1 == order)?;
+        Some((degree, shipped::total_error(name, (degree, order))?))
     }
 
     /// The materials.

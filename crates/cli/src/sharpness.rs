@@ -4,10 +4,10 @@
 //! gloss are of a GGX metal of the same roughness, under the same light if it has been measured.
 
 use crate::presets::Source;
-use eigenshade::SourceSet;
 use eigenshade_model::budget::Budget;
 use eigenshade_model::error::{Error, Result};
 use eigenshade_model::source::{Gloss, SetError};
+use eigenshade_shading::shipped::TotalError;
 use eigenshade_shading::{highlights, shipped};
 use std::fmt::Write as _;
 
@@ -77,17 +77,18 @@ impl Sharpness {
         smaller.max().or(sizes().min()).unwrap_or_default()
     }
 
-    fn left(&self, size: Size, most: usize, roughness: f64) -> Left {
+    fn left(&self, size: Size, most: usize, gloss: &Gloss) -> Result<Left> {
+        let gloss = highlights::gloss(gloss)?;
         let sets = self.sets(size, most);
-        let errors = sets.iter().map(|set| set.at(roughness)).collect::<Vec<_>>();
+        let errors: Vec<_> = sets.iter().map(|set| highlights::set_errors(set, &gloss)).collect();
         let mut rms: Vec<f64> = errors.iter().map(|error| error.rms).collect();
         rms.sort_by(f64::total_cmp);
         let median = rms.get(rms.len() / 2).copied().unwrap_or(0.0);
-        Left {
+        Ok(Left {
             rms: [median, rms.last().copied().unwrap_or(0.0)],
             pixel: errors.iter().map(|error| error.worst).fold(0.0, f64::max),
             size: self.size(size),
-        }
+        })
     }
 
     /// The smallest set of sources that leaves at most `tolerance` at a degree and an order, or, if
@@ -107,12 +108,8 @@ impl Sharpness {
         let of_size = self.errors.iter().filter(|one| one.size == measured);
         let mut all: Vec<&SetError> = of_size.collect();
         all.sort_by_key(|one| one.most);
-        let sets = all.iter().map(|one| SourceSet::new(&[], one.errors.map(|error| error.rms)));
-        let sets: Vec<SourceSet<'_, f64>> = sets.collect();
-        let choices = all
-            .iter()
-            .zip(&sets)
-            .map(|(one, set)| Choice { most: one.most, error: set.error(&gloss) });
+        let error = |one| highlights::set_errors(one, &gloss).rms;
+        let choices = all.iter().map(|one| Choice { most: one.most, error: error(one) });
         let choices: Vec<Choice> = choices.collect();
         let within = choices.iter().find(|choice| choice.error <= tolerance);
         let least = || choices.iter().min_by(|a, b| a.error.total_cmp(&b.error));
@@ -122,13 +119,22 @@ impl Sharpness {
     /// A note if pictures of a material are far off, at this degree and order with at most this
     /// many sources. `name` is what the user called it, and `error` what the fit of its gloss
     /// leaves.
-    #[must_use]
-    pub fn note(&self, name: &str, gloss: &Known, size: Size, sources: usize) -> Option<String> {
+    ///
+    /// # Errors
+    ///
+    /// If a parameter of the gloss is not from 0 to 1.
+    pub fn note(
+        &self,
+        name: &str,
+        gloss: &Known,
+        size: Size,
+        sources: usize,
+    ) -> Result<Option<String>> {
         let (degree, order) = size;
         let with = if sources > 0 { format!(" and {}", counted(sources)) } else { String::new() };
         let mut text = format!("note: `{name}` is sharper than order {order}{with} can show");
         let roughness = gloss.gloss.roughness;
-        let left = self.left(size, sources, roughness);
+        let left = self.left(size, sources, &gloss.gloss)?;
         let dim = if sources > 0 { DIM_WITH_SOURCES } else { DIM };
         let is_blurred = left.rms[1] > LARGE || left.pixel > dim;
         let is_other = sources > 0 && gloss.error > FAR;
@@ -159,7 +165,7 @@ impl Sharpness {
                 100.0 * gloss.error
             );
         }
-        (is_blurred || is_other).then_some(text)
+        Ok((is_blurred || is_other).then_some(text))
     }
 }
 
@@ -207,21 +213,19 @@ pub fn counted(sources: usize) -> String {
     format!("{sources} source{}", if sources == 1 { "" } else { "s" })
 }
 
-/// If pictures of a shipped material were measured at this order, without sources: a note if they
-/// are far from those of its BRDF, at the degree at which they were measured.
+/// A note if the pictures of a shipped material that were measured at this degree and order, without
+/// sources, are far from those of its BRDF.
 #[must_use]
-pub fn shipped_note(name: &str, order: usize) -> Option<Option<String>> {
-    let (degree, _) = shipped::ERROR_SIZES.into_iter().find(|size| size.1 == order)?;
-    let error = shipped::total_error(name, (degree, order))?;
-    let note = || {
+pub fn shipped_note(name: &str, (degree, order): Size, error: TotalError) -> Option<String> {
+    let TotalError { median, worst, pixel } = error;
+    (worst > LARGE || pixel > DIM).then(|| {
         format!(
             "note: `{name}` is sharper than order {order} can show: at degree {degree}, pictures \
              are off by {:.1} % of their peak, under some lights by {:.0} %, and blurred highlights \
              by up to {:.0} %",
-            100.0 * error.median,
-            100.0 * error.worst,
-            100.0 * error.pixel
+            100.0 * median,
+            100.0 * worst,
+            100.0 * pixel
         )
-    };
-    Some((error.worst > LARGE || error.pixel > DIM).then(note))
+    })
 }

@@ -9,12 +9,12 @@ use crate::material::brdf::{Measure, Surface};
 use crate::object::geometry::{Geometry, WeightedNormals};
 use crate::object::{density, mesh, normal_map};
 use eigenshade_index::effect::Effects;
+use eigenshade_index::highlights::MAX_SOURCES;
 use eigenshade_model::database::{Lights, Materials, Named, name_remedy};
 use eigenshade_model::error::{Error, Result};
 use eigenshade_model::inputs::coefficient_csv::{read_lights, read_materials_and_order};
 use eigenshade_model::inputs::input_file::InputFile;
 use eigenshade_model::inputs::normals::read_weighted_normals;
-use eigenshade_model::inputs::source_csv::MOST;
 use eigenshade_table::scene::{self, KNOTS, LightRotation};
 use eigenshade_table::{Scene, Table};
 use rayon::iter::{IntoParallelRefIterator, ParallelIterator};
@@ -277,9 +277,9 @@ fn parse(text: &str) -> std::result::Result<(Scene, Option<HighlightFiles>), (Er
     let (scene, highlights) = file.parts();
     check(&scene).map_err(|error| (error, None))?;
     let most = highlights.as_ref().map_or(1, |files| files.most);
-    if !(1..=MOST).contains(&most) {
+    if !(1..=MAX_SOURCES).contains(&most) {
         let what = format!("highlights.most = {most} is out of range");
-        return Err((Error::new(what, format!("give 1 to {MOST} sources")), None));
+        return Err((Error::new(what, format!("give 1 to {MAX_SOURCES} sources")), None));
     }
     Ok((scene, highlights))
 }

@@ -98,31 +98,6 @@ pub struct SetError {
     pub most: usize,
     /// Degree and order.
     pub size: (usize, usize),
-    /// For a metal of each of [`ROUGHNESS`](Self::ROUGHNESS).
+    /// For a metal of each of [`ROUGHNESS`](eigenshade_index::highlights::ROUGHNESS).
     pub errors: [SetErrors; 6],
-}
-
-impl SetError {
-    /// The roughness of the metals.
-    pub const ROUGHNESS: [f64; 6] = [0.1, 0.2, 0.3, 0.4, 0.5, 0.6];
-
-    /// The errors of a metal of another roughness, linear in its square between these. Below the
-    /// first and above the last they are those of these.
-    #[must_use]
-    pub fn at(&self, roughness: f64) -> SetErrors {
-        let knots = Self::ROUGHNESS.windows(2).zip(self.errors.windows(2));
-        let mut at = self.errors[0];
-        for (knots, errors) in knots {
-            let [square, low, high] = [roughness, knots[0], knots[1]].map(|knot| knot * knot);
-            let share = ((square - low) / (high - low)).clamp(0.0, 1.0);
-            if roughness >= knots[0] {
-                let between = |a: f64, b: f64| a + share * (b - a);
-                at = SetErrors {
-                    rms: between(errors[0].rms, errors[1].rms),
-                    worst: between(errors[0].worst, errors[1].worst),
-                };
-            }
-        }
-        at
-    }
 }

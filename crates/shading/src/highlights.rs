@@ -1,12 +1,12 @@
 //! Small sources of the host as sources of the runtime.
 
 use crate::shader::fault;
-use eigenshade::Scalar;
 use eigenshade::mathematics::Libm;
+use eigenshade::{Scalar, SourceSet};
 use eigenshade_index::light;
 use eigenshade_model::database::Lights;
 use eigenshade_model::error::Result;
-use eigenshade_model::source::{Gloss, Source};
+use eigenshade_model::source::{Gloss, SetError, SetErrors, Source};
 
 /// The largest degree of a light that sources are taken out of.
 const DEGREE: usize = 32;
@@ -33,6 +33,13 @@ pub fn gloss<S: Scalar>(gloss: &Gloss) -> Result<eigenshade::Gloss<S>> {
     let [f0, f90, albedo] = [reflectance, grazing, albedo].map(|rgb| rgb.map(S::from_f64));
     let gloss = eigenshade::Gloss::new(S::from_f64(roughness), f0, albedo);
     gloss.and_then(|gloss| gloss.with_grazing(f90)).map_err(fault)
+}
+
+/// The errors of pictures with a set of sources of a material: see [`SourceSet::error`].
+#[must_use]
+pub fn set_errors(set: &SetError, gloss: &eigenshade::Gloss<f64>) -> SetErrors {
+    let error = |of: fn(SetErrors) -> f64| SourceSet::new(&[], set.errors.map(of)).error(gloss);
+    SetErrors { rms: error(|errors| errors.rms), worst: error(|errors| errors.worst) }
 }
 
 /// The harmonics up to `degree` of a source of energy 1, rounded to a format.

@@ -14,6 +14,7 @@ use crate::response::Glossy;
 use crate::sample::Sample;
 use crate::view::View;
 use eigenshade_generator::light::environment::EnvironmentMap;
+use eigenshade_index::highlights::SETS;
 use eigenshade_model::error::Result;
 use eigenshade_model::rotation::Rotation;
 use eigenshade_model::source::Source;
@@ -24,9 +25,6 @@ use std::f64::consts::{PI, TAU};
 
 /// The degrees and orders at which sources are fitted.
 pub const SIZES: [(usize, usize); 2] = [(9, 7), (12, 12)];
-
-/// The sizes of the sets, up to the largest that is asked for.
-pub const SETS: [usize; 5] = [1, 2, 4, 8, 16];
 
 /// Sets up to this size are fitted at all of [`SIZES`], larger ones at the last alone: degree 9
 /// lacks so much of some lights that eight sources which mend it do little for degree 12.

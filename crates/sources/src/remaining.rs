@@ -6,9 +6,9 @@ use crate::view::View;
 use eigenshade::mathematics::Libm;
 use eigenshade::{Highlights, Normal};
 use eigenshade_generator::light::environment::EnvironmentMap;
+use eigenshade_index::highlights::{MAX_SOURCES, ROUGHNESS};
 use eigenshade_index::light;
 use eigenshade_model::error::Result;
-use eigenshade_model::inputs::source_csv::MOST;
 use eigenshade_model::rotation::Rotation;
 use eigenshade_model::source::{Gloss, SetError, SetErrors, SourceSets};
 use eigenshade_shading::shader::fault;
@@ -30,7 +30,7 @@ const SPACING: f64 = 0.09;
 /// Those of [`Glossy::new`].
 pub fn metals() -> Result<Vec<Glossy>> {
     let of = |&roughness: &f64| Glossy::new([roughness, 1.0, 0.0], &SIZES);
-    SetError::ROUGHNESS.iter().map(of).collect()
+    ROUGHNESS.iter().map(of).collect()
 }
 
 /// The errors of the pictures of these metals under a map, without sources and with each set: the
@@ -103,7 +103,7 @@ pub fn picture(
         }
     }
     let turned = turned.iter().map(highlights::source).collect::<Result<Vec<_>>>()?;
-    let lobes = Highlights::<f64, MOST>::new::<Libm>(&highlights::gloss(gloss)?, &turned);
+    let lobes = Highlights::<f64, MAX_SOURCES>::new::<Libm>(&highlights::gloss(gloss)?, &turned);
     let lobes = lobes.map_err(fault)?;
     let color = |k: usize| {
         let [x, y, z] = sphere.normals[k];

@@ -4,8 +4,8 @@ use super::rows;
 use crate::spread;
 use eigenshade::mathematics::Libm;
 use eigenshade::{Highlights, Normal};
+use eigenshade_index::highlights::MAX_SOURCES;
 use eigenshade_index::light::count;
-use eigenshade_model::inputs::source_csv::MOST;
 use eigenshade_model::source::Gloss;
 use eigenshade_shading::{highlights, shipped};
 use experiments::accuracy_cost::images::Shaded;
@@ -68,7 +68,7 @@ fn lamps_are_the_sources_that_lights_lack() {
         let lobes: Vec<_> =
             sources.iter().map(|one| highlights::source::<f64>(one).expect("a source")).collect();
         let in_f64 = highlights::gloss::<f64>(&gloss).expect("a gloss");
-        let in_f64 = Highlights::<f64, MOST>::new::<Libm>(&in_f64, &lobes).expect("sources");
+        let in_f64 = Highlights::<f64, MAX_SOURCES>::new::<Libm>(&in_f64, &lobes).expect("sources");
         let expected: Vec<[f64; 3]> = normals
             .iter()
             .map(|&[x, y, z]| {

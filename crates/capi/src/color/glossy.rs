@@ -7,11 +7,9 @@ use crate::boundary::{Input, Output, Place, Plain, disjoint};
 use crate::export::{export, records};
 use crate::status::Status;
 use crate::{float, integers};
+pub(crate) use eigenshade::index::highlights::LARGEST_SET as SOURCES;
 use eigenshade::mathematics::SinglePrecision;
 use eigenshade::{Highlights, Q15, Rotation};
-
-/// The most sources of a picture.
-pub(crate) const SOURCES: usize = 16;
 
 records! {
     Source = "source" f32:

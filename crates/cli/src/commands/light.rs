@@ -10,6 +10,7 @@ use eigenshade_generator::light::map::Map;
 use eigenshade_generator::light::map_file::is_picture;
 use eigenshade_generator::light::projection::{coefficients, named_maps};
 use eigenshade_generator::light::{frame, map};
+use eigenshade_index::highlights::MAX_SOURCES;
 use eigenshade_model::database::{Lights, Named};
 use eigenshade_model::error::{Error, Result};
 use eigenshade_model::inputs::coefficient_csv::{read_lights, write_lights};
@@ -66,7 +67,7 @@ pub struct Light {
     /// of glossy materials: see `render --sources`. They are written beside the output, to
     /// FILE.sources.csv for FILE.csv, and what they leave of pictures to FILE.sources.errors.csv.
     /// Takes some twenty seconds a map
-    #[arg(long, value_name = "K", value_parser = count(1, 32), requires = "out")]
+    #[arg(long, value_name = "K", value_parser = count(1, MAX_SOURCES as u64), requires = "out")]
     sources: Option<usize>,
     /// Roughness of the materials that sources are found for, 0.1 to 1
     #[arg(long = "for", value_name = "R,R", value_delimiter = ',', value_parser = roughness,

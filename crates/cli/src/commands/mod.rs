@@ -9,7 +9,7 @@ mod demo_relief;
 mod demo_sheet;
 mod evaluate;
 mod export;
-mod gleam;
+mod highlights;
 mod info;
 #[cfg(feature = "generate")]
 mod light;

@@ -4,10 +4,10 @@ use clap::Args;
 use eigenshade::{Effect, Tolerance};
 use eigenshade_cli::presets::Source;
 use eigenshade_cli::table;
+use eigenshade_index::highlights::MAX_SOURCES;
 use eigenshade_model::budget::Budget;
 use eigenshade_model::error::Result;
 use eigenshade_model::inputs::input_file::InputFile;
-use eigenshade_model::inputs::source_csv::MOST;
 use eigenshade_model::rotation::Rotation;
 use eigenshade_table::Table;
 use std::path::{Path, PathBuf};
@@ -125,7 +125,7 @@ pub enum Sources {
 pub fn sources(text: &str) -> Parsed<Sources> {
     match text {
         "auto" => Ok(Sources::Auto),
-        _ => count(1, MOST as u64)(text)
+        _ => count(1, MAX_SOURCES as u64)(text)
             .map(Sources::Most)
             .map_err(|expected| format!("{expected}, or auto")),
     }

@@ -1,7 +1,7 @@
 //! `eigenshade render`: draws a sphere, a mesh or a normal map, or makes a matcap.
 
 use super::choices::Choices;
-use super::gleam::{Gleam, sharpness_note, within};
+use super::highlights::{HighlightInputs, sharpness_note, within};
 use super::options::{Inputs, Memory, Sources, TableChoice, count, positive, sources, tolerance};
 use clap::{Args, ValueEnum};
 use eigenshade::{Effects, Matcap, Rgb, Scalar, Tolerance, Tone};
@@ -142,11 +142,13 @@ impl Render {
         let warnings = [higher, albedo_warning(&materials), rounded].into_iter().flatten();
         let (mut lights, materials) = fitted(&table, &lights, &materials);
         let highlights = match most {
-            Some(most) => Gleam::taken_out(&self.inputs, &mut lights, &materials, most, memory)?,
+            Some(most) => {
+                HighlightInputs::taken_out(&self.inputs, &mut lights, &materials, most, memory)?
+            }
             None => None,
         };
-        let sources = highlights.as_ref().map_or(0, Gleam::count);
-        let highlights = highlights.map(|gleam| gleam.turned(&self.choices));
+        let sources = highlights.as_ref().map_or(0, HighlightInputs::count);
+        let highlights = highlights.map(|inputs| inputs.turned(&self.choices));
         self.choices.change(&mut lights);
         let is_sphere = self.normals.as_os_str() == "sphere";
         let object = match self.matcap {
@@ -224,7 +226,7 @@ const WITHIN: f64 = 1e-2;
 
 /// One light on one material.
 struct Pair<'a> {
-    highlights: Option<Gleam>,
+    highlights: Option<HighlightInputs>,
     table: &'a Table,
     lights: &'a Lights,
     materials: &'a Materials,
@@ -248,7 +250,7 @@ impl Pair<'_> {
             .with_effects(effects)?;
         let light = (self.lights.degree, &self.lights.entries[0]);
         let material = (self.materials.order, &self.materials.entries[0]);
-        let highlights = self.highlights.as_ref().map(Gleam::shaded::<S>).transpose()?;
+        let highlights = self.highlights.as_ref().map(HighlightInputs::shaded::<S>).transpose()?;
         let mut all = object.pixels();
         loop {
             let (pixels, normals): (Vec<Pixel>, Vec<_>) = all.by_ref().take(BAND).unzip();

@@ -1,14 +1,14 @@
 //! `eigenshade shader`: writes a scene as a function of a shader.
 
-use super::gleam::{Gleam, sharpness_note};
+use super::highlights::{HighlightInputs, sharpness_note};
 use super::options::{Destination, Inputs, Memory, TableChoice, count, tolerance};
 use clap::{Args, ValueEnum};
 use eigenshade::{Highlights, Rgb, Scene, ShaderLanguage, Tolerance};
 use eigenshade_cli::messages::print_message;
 use eigenshade_cli::output;
+use eigenshade_index::highlights::MAX_SOURCES;
 use eigenshade_model::database::{Lights, Materials};
 use eigenshade_model::error::{Error, Result};
-use eigenshade_model::inputs::source_csv::MOST;
 use eigenshade_shading::overflow;
 use eigenshade_shading::owned_basis::OwnedBasis;
 use eigenshade_shading::shader::{Lit, Shader as Projector, fault, fitted, of_higher_order};
@@ -38,7 +38,7 @@ pub struct Shader {
     /// to K sources are taken out of the light, as `render --sources` does; this needs a shipped
     /// material in color, or a CSV with FILE.gloss.csv beside it. Text alone serves any light and
     /// material
-    #[arg(long, value_name = "K", value_parser = count(1, MOST as u64))]
+    #[arg(long, value_name = "K", value_parser = count(1, MAX_SOURCES as u64))]
     sources: Option<usize>,
     /// Write JSON instead of the text: text, number of terms, and vectors
     #[arg(long)]
@@ -72,7 +72,7 @@ impl Lang {
 }
 
 /// The highlights of a scene.
-type Lobes = Highlights<f32, MOST>;
+type Lobes = Highlights<f32, MAX_SOURCES>;
 
 /// What --json writes.
 #[derive(Serialize)]
@@ -133,11 +133,11 @@ impl Shader {
     ) -> Result<(Option<Lobes>, Option<String>)> {
         let depends = self.json || self.tolerance.is_some();
         let Some(most) = self.sources.filter(|_| depends) else { return Ok((None, None)) };
-        let gleam = Gleam::taken_out(&self.inputs, lights, materials, most, memory)?;
-        let Some(gleam) = gleam else { return Ok((None, None)) };
+        let highlights = HighlightInputs::taken_out(&self.inputs, lights, materials, most, memory)?;
+        let Some(highlights) = highlights else { return Ok((None, None)) };
         let pair = (&*lights, materials);
-        let note = sharpness_note(&self.inputs, table, pair, gleam.count(), memory)?;
-        Ok((Some(gleam.shaded()?), note))
+        let note = sharpness_note(&self.inputs, table, pair, highlights.count(), memory)?;
+        Ok((Some(highlights.shaded()?), note))
     }
 
     /// The shader of three channels.

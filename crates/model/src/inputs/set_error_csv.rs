@@ -116,10 +116,6 @@ mod tests {
                 assert!((0.0..1.01e-4).contains(&(read - written)), "{read} {written}");
             }
         }
-        assert_eq!((one.at(0.05), one.at(0.9)), (error(0.01), error(0.0)));
-        let between = one.at(0.125_f64.sqrt());
-        assert!((between.rms - 0.025).abs() < 1e-12 && (between.worst - 0.25).abs() < 1e-12);
-        assert!((one.at(0.3).rms - 0.03).abs() < 1e-12);
         for (from, to) in [("0.0201", "-1"), ("a,4,9", "a,-4,9"), ("0.0201", "inf")] {
             let error = parse_set_errors(&text.replace(from, to), "f").unwrap_err().to_string();
             assert!(error.contains("f:2"), "{error}");

@@ -9,21 +9,19 @@ use super::input_file::InputFile;
 use super::sheet::{Row, Sheet};
 use crate::error::{Error, Result};
 use crate::source::{Source, SourceSets};
+use eigenshade_index::highlights::MAX_SOURCES;
 use std::io::Write;
 use std::path::Path;
 
 const COLUMNS: [&str; 12] =
     ["light", "set", "x", "y", "z", "r", "g", "b", "major_x", "major_y", "major_z", "minor"];
 
-/// The most sources of a set.
-pub const MOST: usize = 32;
-
 /// Reads the sets of all lights of a file, in the order in which the names first appear.
 ///
 /// # Errors
 ///
 /// If the file cannot be read, a row is ragged or a number not finite, or a set has more rows than
-/// `set` says or than 32.
+/// `set` says or than [`MAX_SOURCES`].
 pub fn read_sources(file: impl Into<InputFile>) -> Result<Vec<SourceSets>> {
     sources(&Sheet::read(file, &COLUMNS.join(","))?)
 }
@@ -65,9 +63,11 @@ fn sources(sheet: &Sheet) -> Result<Vec<SourceSets>> {
 
 fn entry<'a>(row: Row<'a>, columns: [usize; 12]) -> Result<(&'a str, usize, Source)> {
     let [name, set, ..] = columns;
-    let most = usize::try_from(row.integer(set)?).ok().filter(|set| (1..=MOST).contains(set));
+    let most =
+        usize::try_from(row.integer(set)?).ok().filter(|set| (1..=MAX_SOURCES).contains(set));
     let most = most.ok_or_else(|| {
-        row.fault("its set is out of range", "give the most sources of the set, 1 to 32")
+        let remedy = format!("give the most sources of the set, 1 to {MAX_SOURCES}");
+        row.fault("its set is out of range", remedy)
     })?;
     let mut numbers = [0.0; 10];
     for (number, &column) in numbers.iter_mut().zip(&columns[2..]) {

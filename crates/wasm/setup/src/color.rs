@@ -169,7 +169,7 @@ extern "C" fn color_truncate(tolerance: f32) -> u32 {
 /// Vectors of a shader's array: those of all terms, recurrences and sources.
 const VECTORS: usize = SCENE + BASIS.parts().recurrences.len() + OF_SOURCES;
 #[cfg(feature = "sources")]
-const OF_SOURCES: usize = 1 + 4 * crate::highlights::MOST;
+const OF_SOURCES: usize = 1 + 4 * eigenshade::index::highlights::MAX_SOURCES;
 #[cfg(not(feature = "sources"))]
 const OF_SOURCES: usize = 0;
 /// The array of the shader of the last `color_vectors`.

@@ -6,10 +6,10 @@ use crate::accuracy_cost::settings::{Format, Setting};
 use crate::sphere::Picture;
 use eigenshade::mathematics::Libm;
 use eigenshade::{Highlights, Light, Q15, Rgb, Source, quantized};
+use eigenshade_index::highlights::MAX_SOURCES;
 use eigenshade_index::light::count;
 use eigenshade_model::database::Named;
 use eigenshade_model::error::{Error, Result};
-use eigenshade_model::inputs::source_csv::MOST;
 use eigenshade_model::source::{Gloss, SourceSets};
 use eigenshade_shading::highlights;
 use eigenshade_shading::integer_shader;
@@ -77,7 +77,8 @@ impl Lamps {
     /// The picture of the rest of a light with the highlights of its sources.
     pub fn add(&self, light: usize, gloss: &Gloss, rest: &[Shaded; 3]) -> Result<Picture> {
         let gloss = highlights::gloss(gloss)?;
-        let highlights = Highlights::<f32, MOST>::new::<Libm>(&gloss, &self.rests[light].sources);
+        let highlights =
+            Highlights::<f32, MAX_SOURCES>::new::<Libm>(&gloss, &self.rests[light].sources);
         let highlights = highlights.map_err(fault)?;
         match self.format {
             Format::F32 => self.in_floats(&highlights, rest),
@@ -86,7 +87,11 @@ impl Lamps {
         }
     }
 
-    fn in_floats(&self, highlights: &Highlights<f32, MOST>, rest: &[Shaded; 3]) -> Result<Picture> {
+    fn in_floats(
+        &self,
+        highlights: &Highlights<f32, MAX_SOURCES>,
+        rest: &[Shaded; 3],
+    ) -> Result<Picture> {
         let color = |k: usize| rest.each_ref().map(|channel| channel.irradiances[k] as f32).into();
         let mut colors: Vec<Rgb<f32>> = (0..self.quantized.len()).map(color).collect();
         highlights.add_slice(self.normals.view()?, &mut colors).map_err(fault)?;
@@ -98,13 +103,14 @@ impl Lamps {
 
     fn in_integers(
         &self,
-        highlights: &Highlights<f32, MOST>,
+        highlights: &Highlights<f32, MAX_SOURCES>,
         rest: &[Shaded; 3],
     ) -> Result<Picture> {
         let exponents = rest.each_ref().map(|channel| channel.exponent);
         let units = exponents.map(|exponent| 2f64.powi(exponent));
         let exponents = Rgb::from(exponents);
-        let highlights = quantized::Highlights::<Rgb<i32>, MOST>::quantize(highlights, exponents);
+        let highlights =
+            quantized::Highlights::<Rgb<i32>, MAX_SOURCES>::quantize(highlights, exponents);
         let highlights = highlights.map_err(fault)?;
         let mut picture = [const { Vec::new() }; 3];
         for (k, normal) in self.quantized.iter().enumerate() {

@@ -5,23 +5,24 @@ use super::options::{Inputs, Memory, TableChoice};
 use eigenshade::mathematics::Libm;
 use eigenshade::{Highlights, Scalar};
 use eigenshade_cli::messages::print_message;
-use eigenshade_cli::sharpness::{Choice, Known, Sharpness};
+use eigenshade_cli::sharpness::{Choice, Known, Sharpness, shipped_note};
+use eigenshade_index::highlights::MAX_SOURCES;
 use eigenshade_model::database::{Lights, Materials};
 use eigenshade_model::error::Result;
-use eigenshade_model::inputs::source_csv::MOST;
 use eigenshade_model::source::{Gloss, Source};
 use eigenshade_shading::highlights;
 use eigenshade_shading::shader::fault;
 use eigenshade_table::Table;
 
-/// Small sources on a gloss.
-pub struct Gleam {
+/// What `Highlights` are made of: small sources, and the gloss that reflects them.
+pub struct HighlightInputs {
     gloss: Gloss,
     sources: Vec<Source>,
 }
 
-/// Multiply-adds of a pixel for one source.
-const OF_SOURCE: usize = 31;
+/// Products of `Highlights::shade` for one source: 3 of its cosine, 11 of the lobe, 4 of masking, 6
+/// in color, and 7 of a root.
+const OF_SOURCE: usize = 3 + 11 + 4 + 6 + 7;
 
 /// The shipped tables that a tolerance chooses from, with degree and order.
 const TABLES: [(&str, (usize, usize)); 2] = [("color", (9, 7)), ("pbr", (12, 12))];
@@ -74,7 +75,7 @@ pub fn within(
     Ok((table, choice.most))
 }
 
-impl Gleam {
+impl HighlightInputs {
     /// Up to `most` sources of the first light, which they are taken out of, for the first
     /// material. A matte material has none, with a note.
     ///
@@ -91,7 +92,7 @@ impl Gleam {
         let (light, material) = (&lights.entries[0].name, &materials.entries[0].name);
         let Known { gloss, .. } = inputs.material.known_gloss(material, memory.of_file())?;
         if !highlights::gloss::<f64>(&gloss)?.needs_sources() {
-            inputs.light.sources(light, MOST, memory.of_file())?;
+            inputs.light.sources(light, MAX_SOURCES, memory.of_file())?;
             print_message(format_args!(
                 "note: `{material}` is as matte as a roughness of {:.2}: its pictures are as near \
                  without sources, and it is drawn without",
@@ -120,7 +121,7 @@ impl Gleam {
     /// # Errors
     ///
     /// If the runtime refuses a source or the gloss.
-    pub fn shaded<S: Scalar>(&self) -> Result<Highlights<S, MOST>> {
+    pub fn shaded<S: Scalar>(&self) -> Result<Highlights<S, MAX_SOURCES>> {
         let sources = self.sources.iter().map(highlights::source).collect::<Result<Vec<_>>>()?;
         Highlights::new::<Libm>(&highlights::gloss(&self.gloss)?, &sources).map_err(fault)
     }
@@ -140,10 +141,13 @@ pub fn sharpness_note(
 ) -> Result<Option<String>> {
     let (light, material) = (&lights.entries[0].name, &materials.entries[0].name);
     let sharpness = Sharpness::under(&inputs.light, light, memory.of_file())?;
-    if let Some(note) = inputs.material.shipped_note(table.gram.order).filter(|_| sources == 0) {
-        return Ok(note);
+    let order = table.gram.order;
+    if sources == 0
+        && let Some((degree, error)) = inputs.material.total_error(order)
+    {
+        return Ok(shipped_note(material, (degree, order), error));
     }
     let gloss = inputs.material.gloss(material, memory.of_file())?;
     let size = (lights.degree, materials.order);
-    Ok(gloss.and_then(|gloss| sharpness.note(material, &gloss, size, sources)))
+    gloss.map_or(Ok(None), |gloss| sharpness.note(material, &gloss, size, sources))
 }
