@@ -79,11 +79,7 @@ fn tables_that_integers_do_not_serve_are_refused_as_documented() {
     assert_eq!((floats, integers), ("no", "no"));
     let mut table = shipped().table.clone();
     table.scene.basis.store = Store::Materials;
-    for format in [
-        wire::Format::F32,
-        wire::Format::Integer(quantize::Format::Q15),
-        wire::Format::Integer(quantize::Format::Q31),
-    ] {
+    for format in [wire::Format::F32, wire::Format::Q15, wire::Format::Q31] {
         let refused = wire::encode(&table, format, Endian::Little).expect_err("no factors");
         assert!(refused.to_string().contains(error), "`{error}` in `{refused}`");
     }

@@ -1,17 +1,13 @@
 //! Wire files: what is written is read, and any bytes give a basis or an error.
 
 use crate::wire_files as files;
-use eigenshade::wire::{Fault, Header, WireError, WireFormat, aligned};
+use eigenshade::wire::{Fault, Header, WireError, aligned};
 use eigenshade::{Basis, GeneralBasis, Q15, Q31, quantized, sphere};
-use eigenshade_table::quantize;
 use eigenshade_table::wire::{Endian, Format, encode};
 use files::{
     ALL, GENERAL, INTEGERS_15, LONG, SPHERE, facing_15, facing_31, floats, integers, room,
 };
 use proptest::prelude::*;
-
-const Q15_FORMAT: Format = Format::Integer(quantize::Format::Q15);
-const Q31_FORMAT: Format = Format::Integer(quantize::Format::Q31);
 
 fn shipped(format: Format) -> Vec<u8> {
     let bytes = std::fs::read("tables/sphere.bin").expect("the shipped table");
@@ -37,11 +33,11 @@ fn the_shipped_table_comes_back() {
     let floats = Basis::<f32>::from_bytes(aligned(&bytes, &mut a).expect("room"));
     let floats = floats.expect("a wire file");
     assert_eq!(format!("{:?}", floats.parts()), format!("{:?}", sphere::BASIS.parts()));
-    let bytes = shipped(Q15_FORMAT);
+    let bytes = shipped(Format::Q15);
     let integers = quantized::Basis::<Q15>::from_bytes(aligned(&bytes, &mut b).expect("room"));
     let integers = integers.expect("a wire file");
     assert_eq!(format!("{:?}", integers.parts()), format!("{:?}", sphere::q15::BASIS.parts()));
-    let bytes = shipped(Q31_FORMAT);
+    let bytes = shipped(Format::Q31);
     let integers = quantized::Basis::<Q31>::from_bytes(aligned(&bytes, &mut c).expect("room"));
     let integers = integers.expect("a wire file");
     assert_eq!(format!("{:?}", integers.parts()), format!("{:?}", sphere::q31::BASIS.parts()));
@@ -52,7 +48,7 @@ fn the_shipped_table_comes_back() {
 fn a_header_is_as_written_down() {
     let header = Header::read(&INTEGERS_15.0).expect("a header");
     assert_eq!((header.version, header.length), (1, INTEGERS_15.0.len()));
-    assert_eq!(WireFormat::of(header.format), Some(WireFormat::Q15));
+    assert_eq!(Format::of(header.format), Some(Format::Q15));
     assert_eq!((header.degree, header.order, header.components), (2, 2, 6));
     assert_eq!((header.images, header.sections), (0, 7));
     let expected = [
@@ -176,8 +172,8 @@ fn errors_say_which_they_are() {
         (of(&SPHERE.0[..100]), Fault::Length { expected: length, found: 100 }.into()),
         (with(&SPHERE.0, 12, 4), Fault::Version(4).into()),
         (with(&SPHERE.0, 30, 0), Fault::Effects { bits: 0 }.into()),
-        (with(&SPHERE.0, 14, 7), Fault::Format { expected: WireFormat::F32, found: 7 }.into()),
-        (of(&INTEGERS_15.0), Fault::Format { expected: WireFormat::F32, found: 2 }.into()),
+        (with(&SPHERE.0, 14, 7), Fault::Format { expected: Format::F32, found: 7 }.into()),
+        (of(&INTEGERS_15.0), Fault::Format { expected: Format::F32, found: 2 }.into()),
         (of(&GENERAL.0), Fault::Images { found: 4 }.into()),
         (with(&SPHERE.0, 21, 2), Fault::Shape { degree: 514, order: 2 }.into()),
         (with(&GENERAL.0, 28, 18), Fault::Section { number: 17 }.into()),

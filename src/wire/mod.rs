@@ -33,5 +33,6 @@
 mod bases;
 mod error;
 
-pub use crate::index::wire::{Aligned, Fault, Header, WireFormat, aligned};
+pub use crate::index::format::Format;
+pub use crate::index::wire::{Aligned, Fault, Header, aligned};
 pub use error::WireError;

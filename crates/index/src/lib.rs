@@ -5,6 +5,7 @@
 //! * [`pair`]: one Zernike polynomial (p, q), half of a scattering mode.
 //! * [`mode`]: the irradiance modes of one azimuth |m|.
 //! * [`effect`]: sets of irradiance modes with a visible meaning.
+//! * [`format`](mod@format): the number formats.
 //! * [`highlights`]: the sizes of sets of small sources, and the metals of their errors.
 //! * [`layout`]: the memory layout of the runtime's rows.
 //! * [`record`]: the arrays of a table.
@@ -30,6 +31,7 @@
 extern crate alloc;
 
 pub mod effect;
+pub mod format;
 pub mod highlights;
 pub mod layout;
 pub mod light;

@@ -28,8 +28,6 @@ pub mod scene;
 
 pub mod gram;
 
-pub mod format;
-
 pub mod table;
 
 mod chebyshev;

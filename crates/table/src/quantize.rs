@@ -5,9 +5,9 @@
 //! one: Σ |mantissa| < 2^(bits + 1).
 
 use crate::chebyshev::polynomial;
-pub use crate::format::IntegerFormat as Format;
 use crate::table::{Profile, Table};
 use eigenshade_index::effect::Effect;
+pub use eigenshade_index::format::IntegerFormat as Format;
 use eigenshade_index::record::integers::{OwnedParts, Profile as Place};
 use eigenshade_index::record::{NONE, Q15, Q31};
 use eigenshade_index::{layout, material, pair};

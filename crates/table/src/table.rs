@@ -1,9 +1,9 @@
 //! A table: the eigenbasis of one scene.
 
-use crate::format::Format;
 use crate::gram::GramFactor;
 use crate::scene::{Scene, Store};
 use eigenshade_index::effect::Effects;
+use eigenshade_index::format::Format;
 use eigenshade_index::pair;
 use serde::{Deserialize, Serialize};
 

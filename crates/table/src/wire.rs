@@ -1,15 +1,15 @@
 //! A table as bytes that the runtime reads in place: the wire format of [`eigenshade_index::wire`].
 
-pub use crate::format::Format;
-use crate::format::IntegerFormat;
 use crate::parts;
 use crate::quantize::{self, QuantizeError};
 use crate::table::Table;
 use eigenshade_index::effect::Effects;
+pub use eigenshade_index::format::Format;
+use eigenshade_index::format::IntegerFormat;
 use eigenshade_index::record::integers::OwnedParts;
 use eigenshade_index::record::{Item, Visitor, Word};
 use eigenshade_index::wire::{
-    ALIGNMENT, CHECKSUM, ENTRY, HEADER, LABEL, MARK, MAX_DEGREE_AND_ORDER, VERSION, format,
+    ALIGNMENT, CHECKSUM, ENTRY, HEADER, LABEL, MARK, MAX_DEGREE_AND_ORDER, VERSION,
 };
 use std::fmt;
 
@@ -104,7 +104,7 @@ fn floats(table: &Table, endian: Endian) -> Result<Vec<u8>, WireError> {
     parts.convert(|&number| number as f32).borrow().visit(&mut sections);
     general.convert(|&number| number as f32).borrow().visit(&mut sections);
     let shape = [parts.degree, parts.order, parts.components, general.components];
-    sections.file(format::F32, shape, parts.effects)
+    sections.file(Format::F32, shape, parts.effects)
 }
 
 fn integers(
@@ -113,18 +113,12 @@ fn integers(
     endian: Endian,
 ) -> Result<Vec<u8>, WireError> {
     let mut sections = Sections { endian, sections: Vec::new() };
-    let number = match format {
-        IntegerFormat::Q15 => {
-            quantize::in_q15(parts).borrow().visit(&mut sections);
-            format::Q15
-        }
-        IntegerFormat::Q31 => {
-            quantize::in_q31(parts).borrow().visit(&mut sections);
-            format::Q31
-        }
-    };
+    match format {
+        IntegerFormat::Q15 => quantize::in_q15(parts).borrow().visit(&mut sections),
+        IntegerFormat::Q31 => quantize::in_q31(parts).borrow().visit(&mut sections),
+    }
     let shape = [parts.degree, parts.order, parts.components, 0];
-    sections.file(number, shape, parts.effects)
+    sections.file(Format::Integer(format), shape, parts.effects)
 }
 
 /// The sections of a file.
@@ -145,7 +139,12 @@ impl Visitor for Sections {
 
 impl Sections {
     /// The whole file: header, entries, sections up to the last that is not empty, checksum.
-    fn file(self, format: u16, shape: [usize; 4], effects: Effects) -> Result<Vec<u8>, WireError> {
+    fn file(
+        self,
+        format: Format,
+        shape: [usize; 4],
+        effects: Effects,
+    ) -> Result<Vec<u8>, WireError> {
         let Self { endian, mut sections } = self;
         let last = sections.iter().rposition(|section| !section.bytes.is_empty());
         sections.truncate(last.map_or(0, |last| last + 1));
@@ -156,7 +155,7 @@ impl Sections {
         let mut file = Bytes { endian, bytes: LABEL.to_vec() }
             .long(MARK)
             .short(VERSION)
-            .short(format)
+            .short(format.number())
             .long(long(start + padded + CHECKSUM)?)
             .shorts(&shape.map(short))
             .short(short(sections.len()))

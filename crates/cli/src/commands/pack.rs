@@ -1,14 +1,15 @@
 //! `eigenshade pack`: writes a table as a wire file.
 
 use super::options::{Memory, TableChoice, count};
-use clap::{Args, ValueEnum};
+use clap::Args;
+use clap::builder::{PossibleValuesParser, TypedValueParser};
 use eigenshade_cli::messages::{grouped, print_message};
 use eigenshade_cli::output;
 use eigenshade_cli::table::{self, rounding};
 use eigenshade_model::error::{Error, Result};
+use eigenshade_table::Table;
 use eigenshade_table::reduce::with_components;
-use eigenshade_table::wire::{self, Endian};
-use eigenshade_table::{Table, quantize};
+use eigenshade_table::wire::{self, Endian, Format};
 use std::path::PathBuf;
 
 /// Write a table as a wire file, which the runtime reads in place
@@ -20,7 +21,7 @@ pub struct Pack {
     #[command(flatten)]
     table: TableChoice,
     /// Number format of the file
-    #[arg(short, long, value_enum, default_value_t = Format::F32)]
+    #[arg(short, long, default_value = "f32", value_parser = formats())]
     format: Format,
     /// Keep only the first components, which have the highest variance [default: all]
     #[arg(long, value_name = "K", value_parser = count(1, u64::from(u16::MAX)))]
@@ -33,22 +34,18 @@ pub struct Pack {
     out: PathBuf,
 }
 
-#[derive(Clone, Copy, Debug, ValueEnum)]
-enum Format {
-    F32,
-    Q15,
-    Q31,
+/// Parses the name of a format.
+fn formats() -> impl TypedValueParser<Value = Format> {
+    let named = |name: String| Format::ALL.into_iter().find(|format| format.name() == name);
+    PossibleValuesParser::new(["f32", "q15", "q31"])
+        .try_map(move |name| named(name).ok_or("no format"))
 }
 
 impl Pack {
     pub fn run(self, memory: Memory) -> Result<()> {
         output::refuse_collisions([&self.out], [self.table.path()])?;
         let table = self.first_components(self.table.read(memory)?)?;
-        let format = match self.format {
-            Format::F32 => wire::Format::F32,
-            Format::Q15 => wire::Format::Integer(quantize::Format::Q15),
-            Format::Q31 => wire::Format::Integer(quantize::Format::Q31),
-        };
+        let format = self.format;
         let endian = if self.big_endian { Endian::Big } else { Endian::Little };
         let bytes = wire::encode(&table, format, endian).map_err(|error| {
             let line = error.to_string();

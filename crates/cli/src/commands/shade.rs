@@ -13,7 +13,7 @@ use eigenshade_model::error::{Error, Result};
 use eigenshade_model::inputs::normals::read_normals;
 use eigenshade_shading::methods::LookUp;
 use eigenshade_shading::shader::{fitted, of_higher_order};
-use eigenshade_table::{quantize, wire};
+use eigenshade_table::wire;
 use std::path::PathBuf;
 
 /// Shade given normals for every light on every material
@@ -164,8 +164,8 @@ impl Shade {
         match (self.method, self.format) {
             (Method::Modes, _) | (_, Some(Format::F64)) => None,
             (_, None | Some(Format::F32)) => Some(wire::Format::F32),
-            (_, Some(Format::Q31)) => Some(wire::Format::Integer(quantize::Format::Q31)),
-            (_, Some(Format::Q15)) => Some(wire::Format::Integer(quantize::Format::Q15)),
+            (_, Some(Format::Q31)) => Some(wire::Format::Q31),
+            (_, Some(Format::Q15)) => Some(wire::Format::Q15),
         }
     }
 

@@ -8,7 +8,7 @@ use eigenshade_shading::owned_basis::OwnedBasis;
 use eigenshade_shading::shader::{OwnedNormals, Shader, fault, fitted};
 use eigenshade_shading::sphere_rings::{Ring, rings};
 use eigenshade_table::wire::Format;
-use eigenshade_table::{Rounding, Table, quantize};
+use eigenshade_table::{Rounding, Table};
 
 /// Approximate limit on the products of a measurement: for larger tables, only a sample of the
 /// images is measured.
@@ -49,12 +49,8 @@ pub fn measure(table: &Table, lights: &Lights, materials: &Materials) -> Vec<Rou
     for format in Format::ALL {
         let images = match format {
             Format::F32 => floats::<f32>(table, degrees, &chosen, &normals).ok(),
-            Format::Integer(quantize::Format::Q15) => {
-                integers::<Q15>(table, degrees, &chosen, &normals)
-            }
-            Format::Integer(quantize::Format::Q31) => {
-                integers::<Q31>(table, degrees, &chosen, &normals)
-            }
+            Format::Q15 => integers::<Q15>(table, degrees, &chosen, &normals),
+            Format::Q31 => integers::<Q31>(table, degrees, &chosen, &normals),
         };
         let Some(images) = images else { continue };
         let mut rounding = Rounding { format, largest: 0.0, rms: 0.0 };

@@ -1,43 +1,8 @@
-//! The number formats of wire files, and what may be wrong with one.
+//! What may be wrong with a wire file.
 
-use super::{ALIGNMENT, MAX_DEGREE_AND_ORDER, VERSION, format};
+use super::{ALIGNMENT, MAX_DEGREE_AND_ORDER, VERSION};
+use crate::format::Format;
 use core::fmt;
-
-/// The number format of a wire file.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-#[cfg_attr(feature = "defmt", derive(defmt::Format))]
-#[non_exhaustive]
-pub enum WireFormat {
-    /// 32-bit floats, `f32`.
-    F32,
-    /// 16-bit fixed point, [`Q15`](crate::record::Q15).
-    Q15,
-    /// 32-bit fixed point, [`Q31`](crate::record::Q31).
-    Q31,
-}
-
-impl WireFormat {
-    /// The format with this number in a file, or `None` if there is none.
-    #[must_use]
-    pub const fn of(number: u16) -> Option<Self> {
-        match number {
-            format::F32 => Some(Self::F32),
-            format::Q15 => Some(Self::Q15),
-            format::Q31 => Some(Self::Q31),
-            _ => None,
-        }
-    }
-
-    /// The name of the format on a command line.
-    #[must_use]
-    pub const fn name(self) -> &'static str {
-        match self {
-            Self::F32 => "f32",
-            Self::Q15 => "q15",
-            Self::Q31 => "q31",
-        }
-    }
-}
 
 /// The first problem found in the bytes of a wire file.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -53,8 +18,8 @@ pub enum Fault {
     /// The numbers have another format.
     Format {
         /// The format to be read.
-        expected: WireFormat,
-        /// The number of the format in the file; see [`WireFormat::of`].
+        expected: Format,
+        /// The number of the format in the file; see [`Format::of`].
         found: u16,
     },
     /// A table of eigenimages over a span was read as one that only has components, or vice versa.
@@ -125,7 +90,7 @@ impl fmt::Display for Fault {
                  eigenshade that reads it"
             ),
             Self::Format { expected, found } => {
-                let name = WireFormat::of(*found).map_or("an unknown one", WireFormat::name);
+                let name = Format::of(*found).map_or("an unknown one", Format::name);
                 let expected = expected.name();
                 write!(
                     f,

@@ -1,10 +1,11 @@
 //! A wire file: its alignment, its header, its checksum and its sections.
 
-use super::fault::{Fault, WireFormat};
+use super::fault::Fault;
 use super::{
     ALIGNMENT, CHECKSUM, ENTRY, HEADER, LABEL, MARK, MAX_DEGREE_AND_ORDER, VERSION, place,
 };
 use crate::effect::Effects;
+use crate::format::Format;
 use crate::record::{Item, Q15, Q31, Reader, floats, integers};
 use zerocopy::{IntoBytes, TryFromBytes};
 
@@ -17,7 +18,7 @@ use zerocopy::{IntoBytes, TryFromBytes};
 pub fn read_floats(
     bytes: &[u8],
 ) -> Result<(floats::Parts<'_, f32>, floats::GeneralParts<'_, f32>), Fault> {
-    let mut file = File::open(bytes, WireFormat::F32)?;
+    let mut file = File::open(bytes, Format::F32)?;
     let parts = floats::Parts::read(file.header.shape(), &mut file)?;
     let general = floats::GeneralParts::read((file.header.images,), &mut file)?;
     file.end()?;
@@ -42,18 +43,18 @@ pub fn read_integers<Q: Mantissa>(bytes: &[u8]) -> Result<integers::Parts<'_, Q>
 /// A mantissa that a wire file may hold.
 pub trait Mantissa: Item {
     /// The format of its files.
-    const WIRE: WireFormat;
+    const WIRE: Format;
     /// The name of its type.
     const NAME: &'static str;
 }
 
 impl Mantissa for Q15 {
-    const WIRE: WireFormat = WireFormat::Q15;
+    const WIRE: Format = Format::Q15;
     const NAME: &'static str = "Q15";
 }
 
 impl Mantissa for Q31 {
-    const WIRE: WireFormat = WireFormat::Q31;
+    const WIRE: Format = Format::Q31;
     const NAME: &'static str = "Q31";
 }
 
@@ -67,9 +68,9 @@ struct File<'a> {
 
 impl<'a> File<'a> {
     /// Opens the file at the start of these bytes, which must have this format.
-    fn open(bytes: &'a [u8], expected: WireFormat) -> Result<Self, Fault> {
+    fn open(bytes: &'a [u8], expected: Format) -> Result<Self, Fault> {
         let header = Header::read(bytes)?;
-        if WireFormat::of(header.format) != Some(expected) {
+        if header.format != expected.number() {
             return Err(Fault::Format { expected, found: header.format });
         }
         // Whatever length the header claims, there are sections and a checksum.
@@ -127,7 +128,7 @@ impl<'a> Reader<'a> for File<'a> {
 pub struct Header {
     /// The version of the file.
     pub version: u16,
-    /// The number format of the file: see [`WireFormat::of`](super::WireFormat::of).
+    /// The number format of the file: see [`Format::of`].
     pub format: u16,
     /// Length of the whole file in bytes.
     pub length: usize,

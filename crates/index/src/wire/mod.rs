@@ -7,7 +7,7 @@
 mod fault;
 mod file;
 
-pub use fault::{Fault, WireFormat};
+pub use fault::Fault;
 pub use file::{Aligned, Header, Mantissa, aligned, read_floats, read_integers};
 
 /// The first bytes of every wire file.
@@ -40,7 +40,7 @@ pub mod place {
     pub const MARK: usize = 8;
     /// u16: the version.
     pub const VERSION: usize = 12;
-    /// u16: a number of [`format`](super::format).
+    /// u16: [`Format::number`](crate::format::Format::number).
     pub const FORMAT: usize = 14;
     /// u32: length of the whole file in bytes.
     pub const LENGTH: usize = 16;
@@ -56,14 +56,4 @@ pub mod place {
     pub const SECTIONS: usize = 28;
     /// u16: the bits of the effects that the table serves.
     pub const EFFECTS: usize = 30;
-}
-
-/// Number formats.
-pub mod format {
-    /// Numbers are `f32`.
-    pub const F32: u16 = 1;
-    /// Numbers are 15-bit mantissas.
-    pub const Q15: u16 = 2;
-    /// Numbers are 31-bit mantissas.
-    pub const Q31: u16 = 3;
 }
