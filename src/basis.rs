@@ -111,7 +111,7 @@ impl<'a, S> Basis<'a, S> {
         let selection = if parts.selection.is_empty() { 0 } else { basis.selection_length() };
         let mean = if parts.mean.is_empty() { 0 } else { parts.components };
         let mean_terms = if parts.mean.is_empty() { 0 } else { basis.length(0) };
-        let checks = [
+        let checked = Error::first(&[
             Error::check(Argument::Slots, slots, parts.slots.len()),
             Error::check(Argument::Polar, polar, parts.polar.len()),
             Error::check(Argument::Factors, factors, parts.factors.len()),
@@ -120,13 +120,9 @@ impl<'a, S> Basis<'a, S> {
             Error::check(Argument::Mean, mean_terms, parts.mean.len()),
             Error::check(Argument::Mean, mean, parts.mean_coefficients.len()),
             Error::check(Argument::Selection, selection, parts.selection.len()),
-        ];
-        let mut rest = checks.as_slice();
-        while let [check, tail @ ..] = rest {
-            if let Err(error) = check {
-                return Err(*error);
-            }
-            rest = tail;
+        ]);
+        if let Err(error) = checked {
+            return Err(error);
         }
         if served != parts.components {
             return Err(Error::Profile);

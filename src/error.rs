@@ -202,6 +202,23 @@ impl Error {
         if expected == found { Ok(()) } else { Err(Self::Length { argument, expected, found }) }
     }
 
+    /// `Ok` if there are not more coefficients of eigenimages than a basis has components.
+    pub(crate) fn check_components(components: usize, found: usize) -> Result<(), Self> {
+        let (argument, expected) = (Argument::Coefficients, components);
+        if found > components { Err(Self::Length { argument, expected, found }) } else { Ok(()) }
+    }
+
+    /// The first error of several checks.
+    pub(crate) const fn first(mut checks: &[Result<(), Self>]) -> Result<(), Self> {
+        while let [check, rest @ ..] = checks {
+            if check.is_err() {
+                return *check;
+            }
+            checks = rest;
+        }
+        Ok(())
+    }
+
     /// `Ok` if all parameters are from the first number to the last.
     pub(crate) fn check_range<T: PartialOrd, const P: usize>(
         parameters: [(Argument, T); P],

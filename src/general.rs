@@ -35,29 +35,19 @@ impl<'a, S> GeneralBasis<'a, S> {
     /// [`Error::Length`] if a part does not have the length that the others require.
     pub const fn new(span: Basis<'a, S>, parts: GeneralParts<'a, S>) -> Result<Self, Error> {
         let functions = span.components();
-        let Some(length) = functions.checked_mul(parts.components) else {
-            return Err(Error::Length {
-                argument: Argument::Projection,
-                expected: usize::MAX,
-                found: parts.projection.len(),
-            });
-        };
+        let length = functions.saturating_mul(parts.components);
         let has_mean = !parts.span_mean.is_empty();
         let (mean, coefficients) = if has_mean { (functions, parts.components) } else { (0, 0) };
-        let checks = [
+        let checked = Error::first(&[
             Error::check(Argument::Projection, length, parts.projection.len()),
             Error::check(Argument::Synthesis, length, parts.synthesis.len()),
             Error::check(Argument::Mean, mean, parts.span_mean.len()),
             Error::check(Argument::Mean, coefficients, parts.image_mean.len()),
-        ];
-        let mut rest = checks.as_slice();
-        while let [check, tail @ ..] = rest {
-            if let Err(error) = *check {
-                return Err(error);
-            }
-            rest = tail;
+        ]);
+        match checked {
+            Ok(()) => Ok(Self { span, parts }),
+            Err(error) => Err(error),
         }
-        Ok(Self { span, parts })
     }
 
     /// The parts of this basis, without the span.
@@ -248,10 +238,7 @@ impl<'a, S: Scalar> GeneralBasis<'a, S> {
         workspace: &'w mut [S],
     ) -> Result<&'w [S], Error> {
         Error::check(Argument::Workspace, self.workspace_len(), workspace.len())?;
-        if coefficients.len() > self.components() {
-            let (expected, found) = (self.components(), coefficients.len());
-            return Err(Error::Length { argument: Argument::Coefficients, expected, found });
-        }
+        Error::check_components(self.components(), coefficients.len())?;
         let (_, coordinates) = split_mut(workspace, self.span.workspace_len());
         coordinates.fill(S::ZERO);
         for (coordinate, &mean) in coordinates.iter_mut().zip(self.parts.span_mean) {

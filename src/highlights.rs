@@ -4,6 +4,7 @@ use crate::buffer::{Buffer, zeros};
 use crate::color::Rgb;
 use crate::error::{Argument, Error};
 use crate::gloss::Gloss;
+use crate::lanes::padded;
 use crate::mathematics::Mathematics;
 use crate::normal::{Normal, Normals};
 use crate::rotation::{cross, dot};
@@ -353,13 +354,4 @@ fn add<S: Scalar>(planes: &Rgb<[S; BLOCK]>, colors: &mut [Rgb<S>]) {
     for (color, ((&r, &g), &b)) in colors.iter_mut().zip(pixels) {
         *color = Rgb::new(color.r + r, color.g + g, color.b + b);
     }
-}
-
-/// The rest of a slice, padded with zeros to a block.
-fn padded<S: Scalar>(rest: &[S]) -> [S; BLOCK] {
-    let mut block = [S::ZERO; BLOCK];
-    for (to, &from) in block.iter_mut().zip(rest) {
-        *to = from;
-    }
-    block
 }

@@ -54,6 +54,15 @@ pub(crate) fn product<'a, S: Scalar>(
     sum
 }
 
+/// The rest of a slice, padded with zeros to a block.
+pub(crate) fn padded<S: Scalar, const N: usize>(rest: &[S]) -> [S; N] {
+    let mut block = [S::ZERO; N];
+    for (to, &from) in block.iter_mut().zip(rest) {
+        *to = from;
+    }
+    block
+}
+
 /// The sum across the lanes of each profile.
 #[inline(always)]
 pub(crate) fn sums<S: Scalar>([a0, a1, a2, a3, b0, b1, b2, b3]: Two<S>) -> [S; 2] {

@@ -150,8 +150,8 @@ pub(crate) fn nine_terms<S: Scalar>(mut polynomials: Descent<'_, S>) -> Option<N
 
 /// The terms, highest first, after leading zeros; `None` if there are too many.
 #[inline]
-fn filled<S: Scalar, const N: usize>(terms: &[S]) -> Option<[S; N]> {
-    let mut filled = [S::ZERO; N];
+pub(crate) fn filled<T: Copy + Default, const N: usize>(terms: &[T]) -> Option<[T; N]> {
+    let mut filled = [T::default(); N];
     let zeros = N.checked_sub(terms.len())?;
     for (to, &term) in filled.iter_mut().skip(zeros).zip(terms) {
         *to = term;

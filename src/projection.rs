@@ -79,22 +79,6 @@ impl<'a, S: Scalar> Basis<'a, S> {
         self.image((light, material, Effects::ALL), workspace, coefficients)
     }
 
-    /// [`project_effects_into`](Self::project_effects_into) with buffers of fixed capacity.
-    ///
-    /// # Errors
-    ///
-    /// The same as [`project`](Self::project).
-    pub fn project_effects<const N: usize, const K: usize>(
-        &self,
-        light: &Light<'_, S>,
-        material: &Material<'_, S>,
-        effects: Effects,
-    ) -> Result<Coefficients<S, K>, Error> {
-        buffered::<S, N, K>(self.workspace_len(), self.components(), |workspace, d| {
-            self.project_effects_into(light, material, effects, workspace, d)
-        })
-    }
-
     /// [`project_into`](Self::project_into) for some effects only: d of the image that these
     /// effects produce. The images of [all effects](Effect::ALL) sum to the whole image.
     ///

@@ -58,10 +58,7 @@ impl<'a, S: Scalar> Basis<'a, S> {
     ) -> Result<Scene<'a, B>, Error> {
         let sums = buffer.as_mut();
         Error::check(Argument::Scene, self.scene_len(), sums.len())?;
-        if coefficients.len() > self.components() {
-            let (expected, found) = (self.components(), coefficients.len());
-            return Err(Error::Length { argument: Argument::Coefficients, expected, found });
-        }
+        Error::check_components(self.components(), coefficients.len())?;
         sums.fill(S::ZERO);
         for (sum, &mean) in sums.iter_mut().zip(self.parts.mean) {
             *sum = mean;
@@ -105,10 +102,7 @@ impl<'a, S: Scalar> Basis<'a, S> {
     ///
     /// [`Error::Length`] if there are more coefficients than components.
     pub fn reconstruct(&self, coefficients: &[S], normal: Normal<S>) -> Result<S, Error> {
-        if coefficients.len() > self.components() {
-            let (expected, found) = (self.components(), coefficients.len());
-            return Err(Error::Length { argument: Argument::Coefficients, expected, found });
-        }
+        Error::check_components(self.components(), coefficients.len())?;
         let weight = |index: Option<u16>| {
             let found = index.and_then(|index| coefficients.get(usize::from(index)));
             found.copied().unwrap_or(S::ZERO)

@@ -106,32 +106,10 @@ impl<S: Scalar> Basis<'_, S> {
         material: &Material<'_, S>,
     ) -> Result<Transfer<S, T>, Error> {
         let mut workspace = zeros::<S, N>(Argument::Workspace, self.workspace_len())?;
-        let mut transfer = self.blank()?;
+        let numbers = zeros::<S, T>(Argument::Transfer, self.transfer_len())?;
+        let mut transfer = Transfer { before: [0; BEFORE], numbers };
         self.transfer_into(material, &mut workspace, &mut transfer.numbers)?;
         Ok(transfer)
-    }
-
-    /// [`transfer_effects_into`](Self::transfer_effects_into) with buffers of fixed capacity.
-    ///
-    /// # Errors
-    ///
-    /// The same as [`transfer`](Self::transfer).
-    pub fn transfer_effects<const N: usize, const T: usize>(
-        &self,
-        material: &Material<'_, S>,
-        effects: Effects,
-    ) -> Result<Transfer<S, T>, Error> {
-        let mut workspace = zeros::<S, N>(Argument::Workspace, self.workspace_len())?;
-        let mut transfer = self.blank()?;
-        self.transfer_effects_into(material, effects, &mut workspace, &mut transfer.numbers)?;
-        Ok(transfer)
-    }
-
-    /// A transfer of zeros.
-    #[inline(always)]
-    fn blank<const T: usize>(&self) -> Result<Transfer<S, T>, Error> {
-        let numbers = zeros::<S, T>(Argument::Transfer, self.transfer_len())?;
-        Ok(Transfer { before: [0; BEFORE], numbers })
     }
 
     /// [`transfer`](Self::transfer) with slices.

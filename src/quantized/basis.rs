@@ -79,21 +79,13 @@ impl<Q> Basis<'_, Q> {
         let holds_transfers = self.parts.polar.is_empty() && self.parts.factors.is_empty();
         let (degrees, rows) = if holds_transfers { (0, 0) } else { (degrees, rows) };
         let polar = pairs.saturating_mul(degrees);
-        let checks = [
+        Error::first(&[
             Error::check(Argument::Polar, polar, self.parts.polar.len()),
             Error::check(Argument::Polar, polar, self.parts.polar_exponents.len()),
             Error::check(Argument::Factors, pairs.saturating_mul(rows), self.parts.factors.len()),
             Error::check(Argument::Factors, rows, self.parts.factor_exponents.len()),
             Error::check(Argument::Terms, terms, self.parts.terms.len()),
-        ];
-        let mut rest = checks.as_slice();
-        while let [check, tail @ ..] = rest {
-            if let Err(error) = check {
-                return Err(*error);
-            }
-            rest = tail;
-        }
-        Ok(())
+        ])
     }
 
     /// Number of terms of an azimuth's polynomials; 0 if it has none.

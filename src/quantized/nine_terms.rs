@@ -3,6 +3,7 @@
 use super::{Normal, Scene};
 use crate::format::{FixedPoint, Wide as _};
 use crate::invariant::split;
+use crate::nine_terms::filled;
 
 /// Irradiance as a polynomial of degree 2 in the normal, with nine multiplications.
 ///
@@ -95,9 +96,11 @@ impl<Q: FixedPoint, B: AsRef<[i32]>> Scene<'_, Q, B> {
             rest = after;
             terms
         };
-        let [square, linear, constant] = filled(polynomial(0))?;
-        let ([of_xz, of_x], [of_yz, of_y]) = (filled(polynomial(1))?, filled(polynomial(1))?);
-        let ([plus], [minus]) = (filled(polynomial(2))?, filled(polynomial(2))?);
+        let [square, linear, constant] = filled(polynomial(0))?.map(i64::from);
+        let [of_xz, of_x] = filled(polynomial(1))?.map(i64::from);
+        let [of_yz, of_y] = filled(polynomial(1))?.map(i64::from);
+        let [plus] = filled(polynomial(2))?.map(i64::from);
+        let [minus] = filled(polynomial(2))?.map(i64::from);
         let coefficients = [
             constant - linear + square,
             of_x - of_xz,
@@ -117,16 +120,6 @@ impl<Q: FixedPoint, B: AsRef<[i32]>> Scene<'_, Q, B> {
 /// Number of bits of a number.
 fn bits(number: u64) -> u32 {
     u64::BITS - number.leading_zeros()
-}
-
-/// The terms, highest first, after leading zeros; `None` if there are too many.
-fn filled<const N: usize>(terms: &[i32]) -> Option<[i64; N]> {
-    let mut filled = [0; N];
-    let zeros = N.checked_sub(terms.len())?;
-    for (to, &term) in filled.iter_mut().skip(zeros).zip(terms) {
-        *to = term.into();
-    }
-    Some(filled)
 }
 
 #[cfg(test)]

@@ -65,10 +65,7 @@ impl<'a, Q: FixedPoint> Basis<'a, Q> {
     ) -> Result<Scene<'a, Q, B>, Error> {
         let sums = buffer.as_mut();
         Error::check(Argument::Scene, self.scene_len(), sums.len())?;
-        if mantissas.len() > self.components() {
-            let (expected, found) = (self.components(), mantissas.len());
-            return Err(Error::Length { argument: Argument::Coefficients, expected, found });
-        }
+        Error::check_components(self.components(), mantissas.len())?;
         if exponent.unsigned_abs() > 1 << 16 {
             return Err(Error::Exponent);
         }

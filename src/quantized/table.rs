@@ -102,16 +102,7 @@ macro_rules! integer_table {
     };
     ($format:ident transfer scatter $([$p:literal $q:literal $($o:literal)*])*
         azimuths $($azimuth:literal)*) => {
-        $crate::integer_table!(@transfer $format);
-        /// [`transfer`] into an existing transfer, without moving it.
-        ///
-        /// # Errors
-        ///
-        /// The same; `transfer` is then left unspecified.
-        pub fn transfer_into(
-            material: &$crate::quantized::Material<'_, $crate::$format>,
-            transfer: &mut Transfer,
-        ) -> Result<(), $crate::Error> {
+        $crate::integer_table!(@transfer $format, |material, transfer| {
             use $crate::quantized::kernels::transfer as kernels;
             let inputs = kernels::inputs::<$crate::$format, MODES, ORDERS>(material);
             let of_transfer = kernels::numbers(transfer);
@@ -131,7 +122,7 @@ macro_rules! integer_table {
                 return Ok(());
             }
             transfer_generally(material, transfer)
-        }
+        });
         #[cold]
         #[inline(never)]
         fn transfer_generally(
@@ -162,21 +153,12 @@ macro_rules! integer_table {
         const MODES: usize = $crate::index::material::count(ORDER);
     };
     ($format:ident transfer by basis) => {
-        $crate::integer_table!(@transfer $format);
-        /// [`transfer`] into an existing transfer.
-        ///
-        /// # Errors
-        ///
-        /// The same; `transfer` is then left unspecified.
-        pub fn transfer_into(
-            material: &$crate::quantized::Material<'_, $crate::$format>,
-            transfer: &mut Transfer,
-        ) -> Result<(), $crate::Error> {
+        $crate::integer_table!(@transfer $format, |material, transfer| {
             *transfer = BASIS.transfer::<WORKSPACE, TRANSFER, PROFILES>(material)?;
             Ok(())
-        }
+        });
     };
-    (@transfer $format:ident) => {
+    (@transfer $format:ident, |$material:ident, $transfer:ident| $into:block) => {
         /// The transfer of a material: see [`eigenshade::quantized::Basis::transfer`].
         ///
         /// # Errors
@@ -189,6 +171,15 @@ macro_rules! integer_table {
             transfer_into(material, &mut transfer)?;
             Ok(transfer)
         }
+        /// [`transfer`] into an existing transfer, without moving it.
+        ///
+        /// # Errors
+        ///
+        /// The same; `transfer` is then left unspecified.
+        pub fn transfer_into(
+            $material: &$crate::quantized::Material<'_, $crate::$format>,
+            $transfer: &mut Transfer,
+        ) -> Result<(), $crate::Error> $into
     };
     ($format:ident relight $($azimuth:literal)*) => {
         /// A new light on a transferred material: see [`eigenshade::quantized::Basis::relight`].
@@ -245,16 +236,7 @@ macro_rules! integer_table {
         }
     };
     ($format:ident collapse $([$azimuth:literal $profiles:literal])*) => {
-        $crate::integer_table!(@collapse);
-        /// [`collapse`] into an existing scene, without moving it.
-        ///
-        /// # Errors
-        ///
-        /// The same; `scene` is then left unspecified.
-        pub fn collapse_into(
-            coefficients: &Coefficients,
-            scene: &mut Scene,
-        ) -> Result<(), $crate::Error> {
+        $crate::integer_table!(@collapse |coefficients, scene| {
             use $crate::quantized::kernels::collapse as kernels;
             const AZIMUTHS: usize = kernels::azimuths(&BASIS);
             let terms = kernels::terms(&BASIS, &mut scene.0);
@@ -270,7 +252,7 @@ macro_rules! integer_table {
                 }
             }
             collapse_generally(coefficients, scene)
-        }
+        });
         #[cold]
         #[inline(never)]
         fn collapse_generally(
@@ -282,21 +264,12 @@ macro_rules! integer_table {
         }
     };
     ($format:ident collapse by basis) => {
-        $crate::integer_table!(@collapse);
-        /// [`collapse`] into an existing scene.
-        ///
-        /// # Errors
-        ///
-        /// The same; `scene` is then left unspecified.
-        pub fn collapse_into(
-            coefficients: &Coefficients,
-            scene: &mut Scene,
-        ) -> Result<(), $crate::Error> {
+        $crate::integer_table!(@collapse |coefficients, scene| {
             *scene = Scene(BASIS.collapse(coefficients.mantissas(), coefficients.exponent())?);
             Ok(())
-        }
+        });
     };
-    (@collapse) => {
+    (@collapse |$coefficients:ident, $scene:ident| $into:block) => {
         /// Sums the components of each azimuth: see [`eigenshade::quantized::Basis::collapse`].
         ///
         /// # Errors
@@ -307,6 +280,15 @@ macro_rules! integer_table {
             collapse_into(coefficients, &mut scene)?;
             Ok(scene)
         }
+        /// [`collapse`] into an existing scene, without moving it.
+        ///
+        /// # Errors
+        ///
+        /// The same; `scene` is then left unspecified.
+        pub fn collapse_into(
+            $coefficients: &Coefficients,
+            $scene: &mut Scene,
+        ) -> Result<(), $crate::Error> $into
     };
     ($format:ident shade $($azimuth:literal)*) => {
         impl Scene {

@@ -21,11 +21,7 @@ pub mod relight {
 
 pub use crate::places::Shape;
 
-use crate::buffer::zeros;
 use crate::error::{Argument, Error};
-use crate::light::{Light, LightBuffer};
-use crate::mathematics::Libm;
-use crate::rotation::Rotation;
 use crate::scalar::Scalar;
 
 /// Shades normals one by one.
@@ -58,25 +54,6 @@ pub const fn checked<B: Copy>(basis: Result<B, Error>) -> B {
         Ok(basis) => basis,
         Err(_) => panic!("the table's parts do not fit together"),
     }
-}
-
-/// The coefficients of a light after rotation. `W` is the workspace of turning a light of the
-/// largest degree, and 0 where [`Light::turned`] is enough.
-///
-/// # Errors
-///
-/// [`Error::Capacity`] if `N` or `W` is too small.
-pub fn turned<S: Scalar, const N: usize, const W: usize>(
-    light: &Light<'_, S>,
-    rotation: &Rotation<S>,
-) -> Result<LightBuffer<S, N>, Error> {
-    if W == 0 {
-        return light.turned(rotation);
-    }
-    let mut turned = zeros::<S, N>(Argument::Light, light.coefficients().len())?;
-    let mut workspace = zeros::<S, W>(Argument::Workspace, Light::<S>::turn_len(light.degree()))?;
-    light.turn_into::<Libm>(rotation, &mut workspace, &mut turned)?;
-    Ok(turned)
 }
 
 /// Length of a sampled scene with polynomials of these lengths.

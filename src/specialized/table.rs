@@ -18,37 +18,7 @@ macro_rules! table {
         /// The basis; its shape was checked when it was compiled.
         pub static BASIS: $crate::Basis<'static, f32> =
             $crate::specialized::checked($crate::Basis::new(PARTS));
-        /// The transfer of a material: see [`eigenshade::Basis::transfer`].
-        ///
-        /// # Errors
-        ///
-        /// The same, except that no capacity can be too small.
-        pub fn transfer(material: &$crate::Material<'_, f32>) -> Result<Transfer, $crate::Error> {
-            BASIS.transfer::<WORKSPACE, TRANSFER>(material)
-        }
-        /// [`project`] for some effects only: see [`eigenshade::Basis::project_effects_into`].
-        ///
-        /// # Errors
-        ///
-        /// The same.
-        pub fn project_effects(
-            light: &$crate::Light<'_, f32>,
-            material: &$crate::Material<'_, f32>,
-            effects: $crate::Effects,
-        ) -> Result<Coefficients, $crate::Error> {
-            BASIS.project_effects::<WORKSPACE, COMPONENTS>(light, material, effects)
-        }
-        /// [`transfer`] for some effects only: see [`eigenshade::Basis::transfer_effects_into`].
-        ///
-        /// # Errors
-        ///
-        /// The same.
-        pub fn transfer_effects(
-            material: &$crate::Material<'_, f32>,
-            effects: $crate::Effects,
-        ) -> Result<Transfer, $crate::Error> {
-            BASIS.transfer_effects::<WORKSPACE, TRANSFER>(material, effects)
-        }
+        $crate::table!(@transfer BASIS);
         /// An estimate of the coefficients d from pixels.
         pub type Estimate = $crate::Estimate<'static, f32, COMPONENTS>;
         /// Starts an estimate from pixels: see [`eigenshade::Basis::estimate`].
@@ -76,39 +46,14 @@ macro_rules! table {
         }
         /// A scene with fewer terms than a [`Scene`].
         pub type Truncated<'l> = $crate::Scene<'l, $crate::SceneBuffer<f32, SCENE>>;
-        /// A new light on a transferred material: see [`eigenshade::Basis::relight`].
-        ///
-        /// # Errors
-        ///
-        /// The same, except that no capacity can be too small.
-        pub fn relight(
-            transfer: &Transfer,
-            light: &$crate::Light<'_, f32>,
-        ) -> Result<Coefficients, $crate::Error> {
-            let Some(inputs) = $crate::specialized::relight::inputs(transfer, light) else {
-                return BASIS.relight(transfer, light);
-            };
-            let mut coefficients = [0.0; COMPONENTS];
-            relight_whole(inputs, &mut coefficients);
-            Ok(coefficients.into())
-        }
-        /// [`relight`] into existing coefficients, without moving them.
-        ///
-        /// # Errors
-        ///
-        /// The same; `coefficients` is then left unspecified.
-        pub fn relight_into(
-            transfer: &Transfer,
-            light: &$crate::Light<'_, f32>,
-            coefficients: &mut Coefficients,
-        ) -> Result<(), $crate::Error> {
+        $crate::table!(@relight |transfer, light, coefficients| {
             let inputs = $crate::specialized::relight::inputs(transfer, light);
             if let (Some(inputs), Ok(d)) = (inputs, coefficients.as_mut_slice().try_into()) {
                 relight_whole(inputs, d);
                 return Ok(());
             }
             relight_generally(transfer, light, coefficients)
-        }
+        });
         #[cold]
         #[inline(never)]
         fn relight_generally(
@@ -150,82 +95,20 @@ macro_rules! table {
         /// The basis; its shape was checked when it was compiled.
         pub static BASIS: $crate::GeneralBasis<'static, f32> =
             $crate::specialized::checked($crate::GeneralBasis::new(SPAN, GENERAL));
-        /// d = UᵀMc: see [`eigenshade::GeneralBasis::project`].
-        ///
-        /// # Errors
-        ///
-        /// The same, except that no capacity can be too small.
-        pub fn project(
-            light: &$crate::Light<'_, f32>,
-            material: &$crate::Material<'_, f32>,
-        ) -> Result<Coefficients, $crate::Error> {
-            BASIS.project::<WORKSPACE, COMPONENTS>(light, material)
-        }
-        /// The transfer of a material in the span: see [`eigenshade::Basis::transfer`].
-        ///
-        /// # Errors
-        ///
-        /// The same, except that no capacity can be too small.
-        pub fn transfer(material: &$crate::Material<'_, f32>) -> Result<Transfer, $crate::Error> {
-            SPAN.transfer::<WORKSPACE, TRANSFER>(material)
-        }
-        /// A new light on a transferred material: see [`eigenshade::GeneralBasis::relight`].
-        ///
-        /// # Errors
-        ///
-        /// The same, except that no capacity can be too small.
-        pub fn relight(
-            transfer: &Transfer,
-            light: &$crate::Light<'_, f32>,
-        ) -> Result<Coefficients, $crate::Error> {
-            BASIS.relight::<TRANSFER, WORKSPACE, COMPONENTS>(transfer, light)
-        }
-        /// [`relight`] into existing coefficients.
-        ///
-        /// # Errors
-        ///
-        /// The same; `coefficients` is then unchanged.
-        pub fn relight_into(
-            transfer: &Transfer,
-            light: &$crate::Light<'_, f32>,
-            coefficients: &mut Coefficients,
-        ) -> Result<(), $crate::Error> {
-            *coefficients = relight(transfer, light)?;
+        $crate::table!(@transfer SPAN);
+        $crate::table!(project by basis);
+        $crate::table!(@relight |transfer, light, coefficients| {
+            *coefficients = BASIS.relight::<TRANSFER, WORKSPACE, COMPONENTS>(transfer, light)?;
             Ok(())
-        }
-        /// Sums the eigenimages azimuth by azimuth: see
-        /// [`eigenshade::GeneralBasis::collapse`].
-        ///
-        /// # Errors
-        ///
-        /// The same, except that no capacity can be too small.
-        pub fn collapse(coefficients: &Coefficients) -> Result<Scene, $crate::Error> {
-            BASIS.collapse::<WORKSPACE, SCENE>(coefficients).map(Scene)
-        }
-        /// [`collapse`] into an existing scene.
-        ///
-        /// # Errors
-        ///
-        /// The same; `scene` is then unchanged.
-        pub fn collapse_into(
-            coefficients: &Coefficients,
-            scene: &mut Scene,
-        ) -> Result<(), $crate::Error> {
-            *scene = collapse(coefficients)?;
+        });
+        $crate::table!(@collapse |coefficients, scene| {
+            *scene = Scene(BASIS.collapse::<WORKSPACE, SCENE>(coefficients)?);
             Ok(())
-        }
+        });
     };
     (project scatter $([$q:literal $pairs:literal])*
         $(azimuth $azimuth:literal $([$first:literal $twos:literal])*)*) => {
-        /// d = UᵀMc: see [`eigenshade::Basis::project`].
-        ///
-        /// # Errors
-        ///
-        /// The same, except that no capacity can be too small.
-        pub fn project(
-            light: &$crate::Light<'_, f32>,
-            material: &$crate::Material<'_, f32>,
-        ) -> Result<Coefficients, $crate::Error> {
+        $crate::table!(@project |light, material| {
             let inputs = $crate::specialized::project::inputs(light, material);
             let Some((light, material)) = inputs else {
                 return BASIS.project::<WORKSPACE, COMPONENTS>(light, material);
@@ -235,7 +118,7 @@ macro_rules! table {
                 project_whole(light, material, d);
             }
             Ok(d)
-        }
+        });
         const MODES: usize = $crate::index::material::count(ORDER);
         /// Projects a light and a material of this table's degree and order.
         ///
@@ -276,19 +159,85 @@ macro_rules! table {
         }
     };
     (project by basis) => {
+        $crate::table!(@project |light, material| {
+            BASIS.project::<WORKSPACE, COMPONENTS>(light, material)
+        });
+    };
+    (@project |$light:ident, $material:ident| $project:block) => {
         /// d = UᵀMc: see [`eigenshade::Basis::project`].
         ///
         /// # Errors
         ///
         /// The same, except that no capacity can be too small.
         pub fn project(
-            light: &$crate::Light<'_, f32>,
-            material: &$crate::Material<'_, f32>,
-        ) -> Result<Coefficients, $crate::Error> {
-            BASIS.project::<WORKSPACE, COMPONENTS>(light, material)
+            $light: &$crate::Light<'_, f32>,
+            $material: &$crate::Material<'_, f32>,
+        ) -> Result<Coefficients, $crate::Error> $project
+    };
+    (@transfer $basis:ident) => {
+        /// The transfer of a material: see [`eigenshade::Basis::transfer`].
+        ///
+        /// # Errors
+        ///
+        /// The same, except that no capacity can be too small.
+        pub fn transfer(material: &$crate::Material<'_, f32>) -> Result<Transfer, $crate::Error> {
+            $basis.transfer::<WORKSPACE, TRANSFER>(material)
         }
     };
+    (@relight |$transfer:ident, $light:ident, $coefficients:ident| $relight:block) => {
+        /// A new light on a transferred material: see [`eigenshade::Basis::relight`].
+        ///
+        /// # Errors
+        ///
+        /// The same, except that no capacity can be too small.
+        pub fn relight(
+            transfer: &Transfer,
+            light: &$crate::Light<'_, f32>,
+        ) -> Result<Coefficients, $crate::Error> {
+            let mut coefficients = Coefficients::from([0.0; COMPONENTS]);
+            relight_into(transfer, light, &mut coefficients)?;
+            Ok(coefficients)
+        }
+        /// [`relight`] into existing coefficients, without moving them.
+        ///
+        /// # Errors
+        ///
+        /// The same; `coefficients` is then left unspecified.
+        pub fn relight_into(
+            $transfer: &Transfer,
+            $light: &$crate::Light<'_, f32>,
+            $coefficients: &mut Coefficients,
+        ) -> Result<(), $crate::Error> $relight
+    };
     (collapse $([$azimuth:literal $profiles:literal])*) => {
+        $crate::table!(@collapse |coefficients, scene| {
+            let d: Result<&[f32; COMPONENTS], _> = coefficients.as_slice().try_into();
+            let terms = $crate::specialized::scene_mut(&mut scene.0, PARTS.lengths);
+            if let (Ok(d), Some(terms)) = (d, terms) {
+                $($crate::specialized::collapse::<
+                    Shape, f32, $azimuth, $profiles, COMPONENTS, SCENE,
+                >(d, terms);)*
+                return Ok(());
+            }
+            collapse_generally(coefficients, scene)
+        });
+        #[cold]
+        #[inline(never)]
+        fn collapse_generally(
+            coefficients: &Coefficients,
+            scene: &mut Scene,
+        ) -> Result<(), $crate::Error> {
+            *scene = Scene(BASIS.collapse::<SCENE>(coefficients)?);
+            Ok(())
+        }
+    };
+    (collapse by basis) => {
+        $crate::table!(@collapse |coefficients, scene| {
+            *scene = Scene(BASIS.collapse::<SCENE>(coefficients)?);
+            Ok(())
+        });
+    };
+    (@collapse |$coefficients:ident, $scene:ident| $collapse:block) => {
         /// Sums the components of each azimuth: see [`eigenshade::Basis::collapse`].
         ///
         /// # Errors
@@ -303,52 +252,11 @@ macro_rules! table {
         ///
         /// # Errors
         ///
-        /// The same; `scene` is then unchanged.
+        /// The same; `scene` is then left unspecified.
         pub fn collapse_into(
-            coefficients: &Coefficients,
-            scene: &mut Scene,
-        ) -> Result<(), $crate::Error> {
-            let d: Result<&[f32; COMPONENTS], _> = coefficients.as_slice().try_into();
-            let terms = $crate::specialized::scene_mut(&mut scene.0, PARTS.lengths);
-            if let (Ok(d), Some(terms)) = (d, terms) {
-                $($crate::specialized::collapse::<
-                    Shape, f32, $azimuth, $profiles, COMPONENTS, SCENE,
-                >(d, terms);)*
-                return Ok(());
-            }
-            collapse_generally(coefficients, scene)
-        }
-        #[cold]
-        #[inline(never)]
-        fn collapse_generally(
-            coefficients: &Coefficients,
-            scene: &mut Scene,
-        ) -> Result<(), $crate::Error> {
-            *scene = Scene(BASIS.collapse::<SCENE>(coefficients)?);
-            Ok(())
-        }
-    };
-    (collapse by basis) => {
-        /// Sums the components of each azimuth: see [`eigenshade::Basis::collapse`].
-        ///
-        /// # Errors
-        ///
-        /// The same, except that no capacity can be too small.
-        pub fn collapse(coefficients: &Coefficients) -> Result<Scene, $crate::Error> {
-            BASIS.collapse::<SCENE>(coefficients).map(Scene)
-        }
-        /// [`collapse`] into an existing scene.
-        ///
-        /// # Errors
-        ///
-        /// The same; `scene` is then unchanged.
-        pub fn collapse_into(
-            coefficients: &Coefficients,
-            scene: &mut Scene,
-        ) -> Result<(), $crate::Error> {
-            *scene = collapse(coefficients)?;
-            Ok(())
-        }
+            $coefficients: &Coefficients,
+            $scene: &mut Scene,
+        ) -> Result<(), $crate::Error> $collapse
     };
     (shade $($azimuth:literal)*) => {
         $crate::table!(@shade &'s [f32; SCENE], |scene| {
@@ -479,33 +387,6 @@ macro_rules! table {
             fn deref(&self) -> &Collapsed {
                 &self.0
             }
-        }
-        /// Coefficients of a light of this table's degree.
-        pub type LightBuffer = $crate::LightBuffer<f32, LIGHT>;
-        /// The coefficients of a light after rotation: see [`eigenshade::Light::turned`].
-        ///
-        /// # Errors
-        ///
-        /// [`Error::Capacity`](eigenshade::Error::Capacity) if the light has a higher degree than
-        /// this table.
-        pub fn turned(
-            light: &$crate::Light<'_, f32>,
-            rotation: &$crate::Rotation<f32>,
-        ) -> Result<LightBuffer, $crate::Error> {
-            const WORKSPACE: usize = $crate::Light::<f32>::turn_len(DEGREE);
-            $crate::specialized::turned::<_, LIGHT, WORKSPACE>(light, rotation)
-        }
-        /// The coefficients of a light after a window: see [`eigenshade::Light::windowed`].
-        ///
-        /// # Errors
-        ///
-        /// [`Error::Capacity`](eigenshade::Error::Capacity) if the light has a higher degree than
-        /// this table.
-        pub fn windowed(
-            light: &$crate::Light<'_, f32>,
-            window: $crate::Window<f32>,
-        ) -> Result<LightBuffer, $crate::Error> {
-            light.windowed::<$crate::mathematics::SinglePrecision, LIGHT>(window)
         }
         $crate::table_in_color! {
             'a, light $crate::Light<'a, f32>, material $crate::Material<'a, f32>,
