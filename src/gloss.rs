@@ -5,7 +5,7 @@ use crate::error::{Argument, Error};
 use crate::scalar::Scalar;
 
 /// The reflectance of dielectrics at normal incidence.
-pub(crate) const DIELECTRIC: f64 = 0.04;
+const DIELECTRIC: f64 = 0.04;
 
 /// The least roughness. Lobes of f32 lose more digits the narrower they are.
 const SMOOTHEST: f64 = 0.1;
@@ -41,6 +41,13 @@ pub struct Gloss<S> {
     reflectance: Rgb<S>,
     grazing: Rgb<S>,
     albedo: Rgb<S>,
+}
+
+impl Gloss<f32> {
+    /// The reflectance of dielectrics at normal incidence.
+    pub const DIELECTRIC: f32 = DIELECTRIC as f32;
+    /// The roughness from which on a material [needs no sources](Self::needs_sources).
+    pub const MATTE: f32 = MATTE as f32;
 }
 
 #[cfg(feature = "presets")]
@@ -122,7 +129,7 @@ impl<S: Scalar> Gloss<S> {
         self.alpha
     }
 
-    /// Whether sources make pictures of this material nearer: its roughness is below 0.6. Harmonics
+    /// Whether sources make pictures of this material nearer: its roughness is below [`MATTE`](Gloss::MATTE). Harmonics
     /// of degree 9 show wider lobes without.
     ///
     /// ```

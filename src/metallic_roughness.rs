@@ -12,6 +12,7 @@ use crate::buffer::Buffer;
 use crate::color::Rgb;
 use crate::error::{Argument, Error};
 use crate::format::Q15;
+use crate::gloss::Gloss;
 use crate::index::material::count;
 use crate::invariant::{part, part_mut};
 use crate::material::Material;
@@ -20,7 +21,7 @@ use crate::quantized::{self, MaterialBuffer, mantissas};
 include!(concat!(env!("OUT_DIR"), "/metallic_roughness.rs"));
 
 /// The reflectance of dielectrics at normal incidence.
-const DIELECTRIC: f32 = crate::gloss::DIELECTRIC as f32;
+const DIELECTRIC: f32 = Gloss::DIELECTRIC;
 
 /// The least roughness of the series.
 const LEAST: f32 = 0.2;

@@ -36,7 +36,8 @@ export function engine(sources) {
 }
 
 /**
- * An engine with a table of your own: a module `color`, `color-series` or `color-sources` that `crates/wasm/build` made.
+ * An engine with a table of your own: a module `color`, `color-series` or
+ * `color-sources` that `crates/wasm/build` made.
  *
  * @param {BufferSource | Response | Promise<Response>} source the module's bytes, such as `fetch(url)`
  * @returns {Promise<Engine>} for the option `engine` of `Scene.create` and `Preview.create`
@@ -55,9 +56,6 @@ export async function load(source) {
   }
   return new Engine(instance);
 }
-
-/** Maximum number of small sources. */
-export const MOST_SOURCES = 32;
 
 /**
  * Number of coefficients of a light of this degree.
@@ -79,6 +77,33 @@ export function materialCount(order) {
   }
   return count;
 }
+
+/**
+ * What a scene with fewer terms leaves out, in the unit of the irradiance, root mean square over a
+ * sphere's normals.
+ *
+ * @typedef {object} Truncation
+ * @property {number} terms terms of the polynomials that are left
+ * @property {number} azimuths azimuths that are left
+ * @property {number} bound the largest difference, over the channels, from the scene of all terms
+ * @property {number} floor an estimate of the table's own error
+ * @property {number} peak the largest irradiance, about
+ */
+
+/**
+ * What a scene asks of the module.
+ *
+ * @typedef {object} Request
+ * @property {Float32Array} light without its sources
+ * @property {Float32Array} sources
+ * @property {Float32Array} turn
+ * @property {Float32Array} material
+ * @property {Float32Array} [gloss]
+ * @property {number} effects their bits
+ * @property {object} transfer what stands for material and effects
+ * @property {number} [components]
+ * @property {number} [tolerance]
+ */
 
 /**
  * The buffers and functions of a module. One engine serves any number of scenes, one at a time.
@@ -120,7 +145,10 @@ export class Engine {
     /** Whether this module draws small sources. */
     this.hasSources = "color_residual" in exports;
     if (this.hasSources) {
-      this.sources = view("color_sources", Float32Array, 10 * MOST_SOURCES);
+      const [most, dielectric, matte] = view("color_limits", Float32Array, 3);
+      this.dielectric = dielectric;
+      this.matte = matte;
+      this.sources = view("color_sources", Float32Array, 10 * most);
       this.gloss = view("color_gloss", Float32Array, 10);
       this.residual = step("residual");
       this.highlights = step("highlights");
@@ -140,5 +168,102 @@ export class Engine {
       new TextDecoder().decode(view("color_text", Uint8Array, step("shader")(language)));
     /** What the module holds now: a scene's inputs, so that nothing is computed twice. */
     this.held = { material: /** @type {unknown} */ (undefined), scene: /** @type {unknown} */ (undefined) };
+  }
+
+  /**
+   * Computes a scene.
+   *
+   * @param {Request} request
+   * @returns {Truncation | undefined} what is left out, with a tolerance
+   */
+  compute({ light, sources, turn, material, gloss, effects, transfer, components = this.components, tolerance }) {
+    if (this.held.material !== transfer) {
+      this.held.material = undefined;
+      this.material.set(material);
+      if (!this.transfer(effects)) throw new Error("transfer: the module rejected its input");
+      this.held.material = transfer;
+    }
+    this.light.set(light);
+    this.turn.set(turn);
+    this.sources?.set(sources);
+    if (gloss) this.gloss?.set(gloss);
+    if (this.highlights?.(sources.length / 10) === 0) throw new Error("sources: the module rejected them");
+    if (!this.relight()) throw new RangeError("relight: its numbers are too large for f32");
+    for (let from = components; from < this.d.length; from += this.components) {
+      this.d.fill(0, from, from + this.components - components);
+    }
+    if (tolerance === undefined) {
+      this.collapse();
+      return undefined;
+    }
+    if (!this.truncate(tolerance)) throw new Error("within: the module rejected it");
+    const [terms, azimuths, bound, floor, peak] = this.report;
+    return { terms, azimuths, bound, floor, peak };
+  }
+
+  /**
+   * The gloss of a glTF material, from its parameters; `undefined` without small sources.
+   *
+   * @param {number[]} parameters
+   */
+  glossOf([red, green, blue, metallic, roughness]) {
+    const { dielectric } = this;
+    if (dielectric === undefined) return undefined;
+    const color = [red, green, blue];
+    const reflectance = color.map((base) => dielectric * (1 - metallic) + base * metallic);
+    return Float32Array.of(roughness, ...reflectance, 1, 1, 1, ...color.map((base) => base * (1 - metallic)));
+  }
+
+  /**
+   * A light without its sources.
+   *
+   * @param {Float32Array} light
+   * @param {Float32Array} sources
+   */
+  without(light, sources) {
+    const count = sources.length / 10;
+    if (count === 0) return light;
+    if (!this.sources || !this.residual) {
+      throw new RangeError("light: this scene has no sources; create it with the option `sources`");
+    }
+    const most = this.sources.length / 10;
+    if (!Number.isInteger(count) || count > most) {
+      throw new RangeError(`light: it has ${count} sources, expected up to ${most} of ten numbers each`);
+    }
+    this.light.set(light);
+    this.sources.set(sources);
+    if (!this.residual(count)) throw new RangeError("light: its sources are not as Channels describes them");
+    return this.light.slice();
+  }
+
+  /** Makes the scene one eigenimage. */
+  eigenimage(/** @type {number} */ index) {
+    this.held.scene = undefined;
+    this.highlights?.(0);
+    this.d.fill(0);
+    this.d[index] = 1;
+    this.collapse();
+  }
+
+  /**
+   * Shades checked normals in parts of the size of the buffers.
+   *
+   * @param {string} what
+   * @param {ArrayLike<number>[]} normals
+   * @param {(start: number, count: number) => void} done
+   */
+  shadeAll(what, normals, done) {
+    const { axes, normals: most } = this;
+    const { length } = normals[0];
+    for (let start = 0; start < length; start += most) {
+      const count = Math.min(most, length - start);
+      normals.forEach((axis, which) => {
+        const part = ArrayBuffer.isView(axis) ? /** @type {Float32Array} */ (axis).subarray(start, start + count) : axis;
+        if (part !== axis) axes.set(part, which * most);
+        else for (let k = 0; k < count; k++) axes[which * most + k] = axis[start + k];
+      });
+      if (this.shade(count) !== count) throw new Error(`${what}: the module rejected the normals`);
+      done(start, count);
+    }
   }
 }

@@ -14,10 +14,10 @@ export { Scene } from "./scene.js";
  * @typedef {import("./input.js").Channels} Channels
  * @typedef {import("./preview.js").Look} Look
  * @typedef {import("./input.js").Effect} Effect
- * @typedef {import("./scene.js").Inputs} Inputs
+ * @typedef {import("./input.js").Inputs} Inputs
  * @typedef {import("./input.js").MetallicRoughness} MetallicRoughness
- * @typedef {import("./scene.js").Storage} Storage
+ * @typedef {import("./input.js").Storage} Storage
  * @typedef {import("./input.js").Tone} Tone
- * @typedef {import("./scene.js").Truncation} Truncation
+ * @typedef {import("./engine.js").Truncation} Truncation
  * @typedef {import("./input.js").Turn} Turn
  */

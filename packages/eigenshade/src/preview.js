@@ -44,7 +44,7 @@ export class Preview {
    * A preview, after its light and material are loaded.
    *
    * @param {HTMLCanvasElement} canvas
-   * @param {import("./scene.js").Inputs & Look} options
+   * @param {import("./input.js").Inputs & Look} options
    * @returns {Promise<Preview>}
    * @throws {TypeError | RangeError} for a canvas, a light, a material or a look that is none
    */

@@ -2,6 +2,7 @@
 // where there is none.
 
 import { TONES } from "./input.js";
+import { Programs } from "./programs.js";
 
 /** @typedef {import("./scene.js").Scene} Scene */
 /** @typedef {import("./input.js").Tone} Tone */
@@ -58,8 +59,7 @@ class Shared {
   #gl;
   /** The array of a scene: a block, which takes larger tables than uniforms do. */
   #array;
-  /** @type {Map<string, { program: WebGLProgram, places: Record<string, WebGLUniformLocation | null> }>} */
-  #programs = new Map();
+  #programs;
   /** What to draw again after the context was lost. */
   restored = new EventTarget();
 
@@ -71,6 +71,7 @@ class Shared {
     this.#canvas = canvas;
     this.#gl = gl;
     this.#array = gl.createBuffer();
+    this.#programs = new Programs(gl, VERTEX, fragment, KEPT);
     canvas.addEventListener("webglcontextlost", (event) => {
       event.preventDefault();
       this.#programs.clear();
@@ -104,67 +105,19 @@ class Shared {
     const gl = this.#gl;
     const array = scene.uniforms();
     if (array.byteLength > gl.getParameter(gl.MAX_UNIFORM_BLOCK_SIZE)) return undefined;
-    const text = scene.glsl("block");
-    const found = this.#programs.get(text) ?? this.#compiled(text);
+    const found = this.#programs.of(scene.glsl("block"));
     if (!found || this.lost) return undefined;
-    // The programs used last are kept.
-    this.#programs.delete(text);
-    this.#programs.set(text, found);
     if (this.#canvas.width !== size) this.#canvas.width = this.#canvas.height = size;
     gl.viewport(0, 0, size, size);
-    gl.useProgram(found.program);
-    const { places } = found;
+    const { program, place } = found;
+    gl.useProgram(program);
     gl.bindBufferBase(gl.UNIFORM_BUFFER, 0, this.#array);
     gl.bufferData(gl.UNIFORM_BUFFER, array, gl.DYNAMIC_DRAW);
-    gl.uniform1f(places.size, size);
-    gl.uniform1f(places.exposure, exposure);
-    gl.uniform1i(places.tone, TONES.indexOf(tone));
+    gl.uniform1f(place("size"), size);
+    gl.uniform1f(place("exposure"), exposure);
+    gl.uniform1i(place("tone"), TONES.indexOf(tone));
     gl.drawArrays(gl.TRIANGLES, 0, 3);
     return this.lost ? undefined : this.#canvas;
-  }
-
-  /**
-   * @param {string} text
-   */
-  #compiled(text) {
-    const gl = this.#gl;
-    const program = gl.createProgram();
-    if (!program) return undefined;
-    for (const [kind, source] of /** @type {[GLenum, string][]} */ ([
-      [gl.VERTEX_SHADER, VERTEX],
-      [gl.FRAGMENT_SHADER, fragment(text)],
-    ])) {
-      const shader = gl.createShader(kind);
-      if (!shader) return undefined;
-      gl.shaderSource(shader, source);
-      gl.compileShader(shader);
-      gl.attachShader(program, shader);
-      gl.deleteShader(shader);
-    }
-    gl.linkProgram(program);
-    if (!gl.getProgramParameter(program, gl.LINK_STATUS)) {
-      const log = gl.getProgramInfoLog(program);
-      gl.deleteProgram(program);
-      if (gl.isContextLost()) return undefined;
-      throw new Error(`the shader of the scene does not compile: ${log}`);
-    }
-    gl.uniformBlockBinding(program, gl.getUniformBlockIndex(program, "Eigenshade"), 0);
-    const place = (/** @type {string} */ name) => gl.getUniformLocation(program, name);
-    const found = {
-      program,
-      places: {
-        size: place("size"),
-        exposure: place("exposure"),
-        tone: place("tone"),
-      },
-    };
-    this.#programs.set(text, found);
-    if (this.#programs.size > KEPT) {
-      const [[oldest, { program: old }]] = this.#programs;
-      this.#programs.delete(oldest);
-      gl.deleteProgram(old);
-    }
-    return found;
   }
 }
 

@@ -2,79 +2,25 @@
 
 import { engine as shared, lightCount, materialCount } from "./engine.js";
 import {
-  EFFECTS, checkExposure, checkNormals, checkSources, glossOf, isChannels, isNumber, nameOf, parameters, put,
-  quaternion, toneNumber,
+  EFFECTS, STORAGES, checkExposure, checkGloss, checkNormals, checkSources, checkTolerance, checkWhole,
+  effectBits, isChannels, nameOf, parameters, put, quaternion, toneNumber,
 } from "./input.js";
+import { exposureOf } from "./exposure.js";
 import { lightOf, materialOf } from "./presets.js";
 
 /** @typedef {import("./engine.js").Engine} Engine */
+/** @typedef {import("./engine.js").Truncation} Truncation */
 /** @typedef {import("./input.js").Effect} Effect */
 /** @typedef {import("./input.js").MetallicRoughness} MetallicRoughness */
 /** @typedef {import("./input.js").Tone} Tone */
 /** @typedef {import("./input.js").Turn} Turn */
 /** @typedef {import("./input.js").Channels} Channels */
 
-/**
- * What a scene is made of: a preset's name or coefficients of the light, and of the material, or the
- * parameters of a glTF material. An engine of `load` has a table of your own.
- *
- * With `sources`, at most this many small bright sources of a light by name, up to 32, are shaded on
- * their own, for sharp highlights. Such a scene has a larger module. {@link Scene#sources} is the
- * number of those drawn.
- *
- * @typedef {object} Inputs
- * @property {string | Channels} light
- * @property {string | Channels | MetallicRoughness} material
- * @property {number} [sources] 0 by default
- * @property {Engine} [engine]
- */
-
-/**
- * What a scene with fewer terms leaves out, in the unit of the irradiance, root mean square over a
- * sphere's normals.
- *
- * @typedef {object} Truncation
- * @property {number} terms terms of the polynomials that are left
- * @property {number} azimuths azimuths that are left
- * @property {number} bound the largest difference, over the channels, from the scene of all terms
- * @property {number} floor an estimate of the table's own error
- * @property {number} peak the largest irradiance, about
- */
-
-/**
- * Where a GLSL function finds the coefficients: a uniform array, of which WebGL 2 promises 224
- * vectors (all terms are 194, and sources take one and four each), a uniform block `Eigenshade` for up to 1,024, or a float texture of
- * one row.
- *
- * @typedef {"uniforms" | "block" | "texture"} Storage
- */
-
-/** @type {readonly string[]} */
-const LANGUAGES = ["uniforms", "block", "texture", "wgsl"];
-
-/** What bright pixels have after {@link Scene#exposure}. */
-const BRIGHT = 0.8;
-
 /** Largest degree of a light that turns. */
 const TURNED = 12;
 
-/** The roughness from which on a material is drawn without sources: they would change nothing. */
-const MATTE = Math.fround(0.6);
-
 /** The bits of all effects. */
 const ALL = 0b1111;
-
-/** Normals at points spread evenly over a sphere's picture, in a spiral. */
-const DISC = (() => {
-  const axes = [0, 1, 2].map(() => new Float32Array(512));
-  for (let k = 0; k < 512; k++) {
-    const [radius, angle] = [Math.sqrt((k + 0.5) / 512), k * Math.PI * (3 - Math.sqrt(5))];
-    axes[0][k] = radius * Math.cos(angle);
-    axes[1][k] = radius * Math.sin(angle);
-    axes[2][k] = Math.sqrt(1 - radius * radius);
-  }
-  return axes;
-})();
 
 /**
  * A light on a material.
@@ -113,7 +59,7 @@ export class Scene {
   /**
    * A scene, with lights and materials of the package by name.
    *
-   * @param {Inputs} inputs
+   * @param {import("./input.js").Inputs} inputs
    * @returns {Promise<Scene>}
    * @throws {RangeError} for an unknown name, or as {@link Scene#light} and {@link Scene#material}
    */
@@ -166,7 +112,7 @@ export class Scene {
     const numbers = new Float32Array(this.#light.length);
     put("light", light, numbers, lightCount, this.#engine.degree);
     const sources = Float32Array.from(light.sources ?? []);
-    this.#rest = this.#without(sources, numbers);
+    this.#rest = this.#engine.without(numbers, sources);
     this.#light = numbers;
     this.#sources = sources;
     this.#changed();
@@ -184,9 +130,7 @@ export class Scene {
   material(material) {
     if (isChannels(material)) {
       const { gloss } = material;
-      if (gloss && !(gloss.length === 10 && Array.from(gloss).every((n) => isNumber(n) && n >= 0 && n <= 1))) {
-        throw new RangeError("material: gloss is not ten numbers from 0 to 1");
-      }
+      checkGloss(gloss);
       put("material", material, this.#material, materialCount, this.#engine.order);
       this.#gloss = gloss && Float32Array.from(gloss);
     } else {
@@ -194,7 +138,7 @@ export class Scene {
       this.#engine.parameters.set(given);
       if (!this.#engine.metallicRoughness()) throw new Error("material: the module rejected it");
       this.#material.set(this.#engine.material);
-      this.#gloss = Float32Array.from(glossOf(given));
+      this.#gloss = this.#engine.glossOf(given);
     }
     this.#transfer = {};
     this.#changed();
@@ -228,10 +172,7 @@ export class Scene {
    * @throws {RangeError} for a name that is no effect
    */
   effects(effects = EFFECTS) {
-    if (typeof effects === "string") throw new TypeError("effects: expected a list of names");
-    let bits = 0;
-    for (const effect of effects) bits |= 1 << nameOf("effects", effect, EFFECTS);
-    this.#effects = bits;
+    this.#effects = effectBits(effects);
     this.#transfer = {};
     this.#changed();
     return this;
@@ -245,11 +186,7 @@ export class Scene {
    * @throws {RangeError} unless this is a whole number from 0 to their number
    */
   components(count) {
-    if (count !== undefined && !(Number.isInteger(count) && count >= 0 && count <= this.#engine.components)) {
-      throw new RangeError(
-        `components: ${count} is not a whole number from 0 to ${this.#engine.components}`,
-      );
-    }
+    if (count !== undefined) checkWhole("components", count, this.#engine.components);
     this.#components = count;
     this.#changed();
     return this;
@@ -264,23 +201,24 @@ export class Scene {
    * @throws {RangeError} for another tolerance
    */
   within(tolerance) {
-    if (tolerance !== undefined && !(isNumber(tolerance) && tolerance >= 1e-30 && tolerance < 1)) {
-      throw new RangeError(
-        `within: the tolerance is ${tolerance}, expected a number from 1e-30 to less than 1`,
-      );
-    }
+    if (tolerance !== undefined) checkTolerance(tolerance);
     this.#tolerance = tolerance;
     this.#changed();
     return this;
   }
 
+  /** Whether sources change pictures of the material; false without a module for sources. */
+  get isGlossy() {
+    const { matte } = this.#engine;
+    return matte !== undefined && this.#gloss !== undefined && this.#gloss[0] < matte;
+  }
+
   /**
-   * Number of small sources that are drawn: 0 if the light has none, the material has a
-   * roughness of 0.6 or more, or no gloss, or effects are left out. The light is then drawn as a whole.
+   * Number of small sources that are drawn: 0 if the light has none, the material is not
+   * {@link isGlossy | glossy}, or effects are left out. The light is then drawn as a whole.
    */
   get sources() {
-    const glossy = this.#gloss && this.#gloss[0] < MATTE && this.#effects === ALL;
-    return glossy ? this.#sources.length / 10 : 0;
+    return this.isGlossy && this.#effects === ALL ? this.#sources.length / 10 : 0;
   }
 
   /**
@@ -306,7 +244,9 @@ export class Scene {
    */
   coefficients() {
     this.#ready();
-    return channels(this.#engine.d, this.#engine.components, this.#engine.components);
+    const { d, components } = this.#engine;
+    const [r, g, b] = [0, 1, 2].map((channel) => d.slice(channel * components, (channel + 1) * components));
+    return { r, g, b };
   }
 
   /**
@@ -324,14 +264,11 @@ export class Scene {
    * reads, to be filled with {@link uniforms}. The text stays the same as long as no term comes or
    * goes, so that a new light or material is an upload. Sources are a loop over their number.
    *
-   * @param {Storage} [storage]
+   * @param {import("./input.js").Storage} [storage]
    * @returns {string}
    */
   glsl(storage = "uniforms") {
-    const language = LANGUAGES.slice(0, 3).indexOf(storage);
-    if (language < 0) {
-      throw new RangeError(`glsl: "${storage}" is not one of uniforms, block and texture`);
-    }
+    const language = nameOf("glsl", storage, STORAGES);
     this.#ready();
     return this.#engine.shader(language);
   }
@@ -344,7 +281,7 @@ export class Scene {
    */
   wgsl() {
     this.#ready();
-    return this.#engine.shader(LANGUAGES.indexOf("wgsl"));
+    return this.#engine.shader(STORAGES.length);
   }
 
   /**
@@ -367,7 +304,8 @@ export class Scene {
       throw new RangeError(`shade: expected { r, g, b } with ${x.length} numbers each, as x has`);
     }
     const { irradiance: from, normals } = this.#engine;
-    this.#chunks("shade", [x, y, z], (start, count) => {
+    this.#ready();
+    this.#engine.shadeAll("shade", [x, y, z], (start, count) => {
       to.r.set(from.subarray(0, count), start);
       to.g.set(from.subarray(normals, normals + count), start);
       to.b.set(from.subarray(2 * normals, 2 * normals + count), start);
@@ -387,24 +325,13 @@ export class Scene {
    * @throws {RangeError} as {@link shade}, or if there is no such eigenimage
    */
   eigenimage(index, x, y, z) {
-    const { d, components } = this.#engine;
-    if (!(Number.isInteger(index) && index >= 0 && index < components)) {
-      throw new RangeError(`eigenimage: ${index} is not a whole number from 0 to ${components - 1}`);
-    }
+    checkWhole("eigenimage", index, this.#engine.components - 1);
     checkNormals("eigenimage", [x, y, z]);
+    this.#engine.eigenimage(index);
     const values = new Float32Array(x.length);
-    this.#chunks(
-      "eigenimage",
-      [x, y, z],
-      (start, count) => values.set(this.#engine.irradiance.subarray(0, count), start),
-      () => {
-        this.#engine.held.scene = undefined;
-        this.#engine.highlights?.(0);
-        d.fill(0);
-        d[index] = 1;
-        this.#call("collapse");
-      },
-    );
+    this.#engine.shadeAll("eigenimage", [x, y, z], (start, count) => {
+      values.set(this.#engine.irradiance.subarray(0, count), start);
+    });
     return values;
   }
 
@@ -424,7 +351,8 @@ export class Scene {
     const curve = toneNumber("pixels", tone);
     checkNormals("pixels", [x, y, z]);
     const pixels = new Uint8ClampedArray(4 * x.length);
-    this.#chunks("pixels", [x, y, z], (start, count) => {
+    this.#ready();
+    this.#engine.shadeAll("pixels", [x, y, z], (start, count) => {
       this.#engine.encode(count, exposure, curve);
       pixels.set(this.#engine.pixels.subarray(0, 4 * count), 4 * start);
     });
@@ -440,72 +368,11 @@ export class Scene {
    * @throws {RangeError} unless the share is from 0 to 1
    */
   exposure(share = 0.95) {
-    if (!(isNumber(share) && share >= 0 && share <= 1)) {
-      throw new RangeError(`exposure: the share is ${share}, expected a number from 0 to 1`);
-    }
-    const [x, y, z] = DISC;
-    const { r, g, b } = this.shade(x, y, z);
-    const largest = r.map((red, k) => Math.max(red, g[k], b[k])).sort();
-    const white = largest[Math.round(share * (largest.length - 1))];
-    return white > 0 && 1 / white < Infinity ? BRIGHT / white : 1;
-  }
-
-  /**
-   * Shades checked normals in parts of the size of the module's buffers.
-   *
-   * @param {string} what
-   * @param {ArrayLike<number>[]} normals
-   * @param {(start: number, count: number) => void} done
-   * @param {() => void} ready makes the module hold what is shaded
-   */
-  #chunks(what, normals, done, ready = () => this.#ready()) {
-    ready();
-    const { axes, normals: most } = this.#engine;
-    const { length } = normals[0];
-    for (let start = 0; start < length; start += most) {
-      const count = Math.min(most, length - start);
-      normals.forEach((axis, which) => {
-        const part = ArrayBuffer.isView(axis) ? /** @type {Float32Array} */ (axis).subarray(start, start + count) : axis;
-        if (part !== axis) axes.set(part, which * most);
-        else for (let k = 0; k < count; k++) axes[which * most + k] = axis[start + k];
-      });
-      if (this.#engine.shade(count) !== count) throw new Error(`${what}: the module rejected the normals`);
-      done(start, count);
-    }
-  }
-
-  /**
-   * Calls a function of the module.
-   *
-   * @param {"transfer" | "relight" | "collapse"} step
-   * @param {string} [why] it may reject its input
-   */
-  #call(step, why = "the module rejected its input") {
-    if (!this.#engine[step](this.#effects)) throw new RangeError(`${step}: ${why}`);
+    return exposureOf(this, share);
   }
 
   #changed() {
     this.#state = {};
-  }
-
-  /**
-   * A light without its sources.
-   *
-   * @param {Float32Array} sources
-   * @param {Float32Array} light
-   */
-  #without(sources, light) {
-    const count = sources.length / 10;
-    if (count === 0) return light;
-    const { light: buffer, sources: list, residual } = this.#engine;
-    if (!list || !residual) {
-      throw new RangeError("light: this scene has no sources; create it with the option `sources`");
-    }
-    checkSources(count);
-    buffer.set(light);
-    list.set(sources);
-    if (!residual(count)) throw new RangeError("light: its sources are not as Channels describes them");
-    return buffer.slice();
   }
 
   /** Makes the module hold this scene. */
@@ -513,47 +380,18 @@ export class Scene {
     const { held } = this.#engine;
     if (held.scene === this.#state) return;
     held.scene = undefined;
-    if (held.material !== this.#transfer) {
-      held.material = undefined;
-      this.#engine.material.set(this.#material);
-      this.#call("transfer");
-      held.material = this.#transfer;
-    }
     const { sources } = this;
-    this.#engine.light.set(sources ? this.#rest : this.#light);
-    this.#engine.turn.set(this.#turn);
-    if (sources) {
-      this.#engine.sources?.set(this.#sources);
-      this.#engine.gloss?.set(/** @type {Float32Array} */ (this.#gloss));
-    }
-    if (this.#engine.highlights?.(sources) === 0) throw new Error("sources: the module rejected them");
-    this.#call("relight", "its numbers are too large for f32");
-    if (this.#components !== undefined) {
-      const { d, components } = this.#engine;
-      for (let from = this.#components; from < d.length; from += components) {
-        d.fill(0, from, from + components - this.#components);
-      }
-    }
-    this.#truncation = undefined;
-    if (this.#tolerance === undefined) {
-      this.#call("collapse");
-    } else {
-      if (!this.#engine.truncate(this.#tolerance)) throw new Error("within: the module rejected it");
-      const [terms, azimuths, bound, floor, peak] = this.#engine.report;
-      this.#truncation = { terms, azimuths, bound, floor, peak };
-    }
+    this.#truncation = this.#engine.compute({
+      light: sources ? this.#rest : this.#light,
+      sources: sources ? this.#sources : new Float32Array(),
+      turn: this.#turn,
+      material: this.#material,
+      gloss: this.#gloss,
+      effects: this.#effects,
+      transfer: this.#transfer,
+      components: this.#components,
+      tolerance: this.#tolerance,
+    });
     held.scene = this.#state;
   }
-}
-
-/**
- * Three parts of an array, copied.
- *
- * @param {Float32Array} all
- * @param {number} stride
- * @param {number} count
- */
-function channels(all, stride, count) {
-  const [r, g, b] = [0, 1, 2].map((channel) => all.slice(channel * stride, channel * stride + count));
-  return { r, g, b };
 }

@@ -324,7 +324,7 @@ test("wrong input throws one clear error and changes nothing", async () => {
   fails(() => scene.eigenimage(160, [0], [0], [1]), "RangeError",
     "eigenimage: 160 is not a whole number from 0 to 159");
   fails(() => scene.glsl("buffer"), "RangeError",
-    'glsl: "buffer" is not one of uniforms, block and texture');
+    'glsl: "buffer" is not one of uniforms, block, texture');
   fails(() => scene.shade([0], [0, 0], [1]), "RangeError", "shade: x has 1 numbers, y has 2");
   fails(() => scene.shade([0, 0], [0, 0], [1, -1]), "RangeError",
     "shade: normal 1 is (0, 0, -1), expected a unit vector with z >= 0");

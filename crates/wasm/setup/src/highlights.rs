@@ -3,21 +3,23 @@
 
 use crate::color::{LIGHT, TURN};
 use crate::{LIGHT_COUNT, Shared};
+use eigenshade::index::highlights::MAX_SOURCES;
 use eigenshade::mathematics::SinglePrecision;
 use eigenshade::{Error, Gloss, Highlights, Light, Rgb, Rotation, Source};
 
-/// Maximum number of sources.
-pub const MOST: usize = 32;
-
+/// What a page needs to know: the most sources, the reflectance of dielectrics, and the roughness
+/// from which on sources change nothing.
+#[unsafe(export_name = "color_limits")]
+static LIMITS: [f32; 3] = [MAX_SOURCES as f32, Gloss::DIELECTRIC, Gloss::MATTE];
 /// The sources, each with its direction, energy, major axis and minor spread.
 #[unsafe(export_name = "color_sources")]
-static SOURCES: Shared<[[f32; 10]; MOST]> = Shared::new([[0.0; 10]; MOST]);
+static SOURCES: Shared<[[f32; 10]; MAX_SOURCES]> = Shared::new([[0.0; 10]; MAX_SOURCES]);
 /// The gloss of the material: roughness, reflectance at normal and at grazing incidence, albedo.
 #[unsafe(export_name = "color_gloss")]
 static GLOSS: Shared<[f32; 10]> = Shared::new([0.0; 10]);
 
 /// The highlights of the last `color_highlights`; none if it failed.
-pub static HIGHLIGHTS: Shared<Option<Highlights<f32, MOST>>> = Shared::new(None);
+pub static HIGHLIGHTS: Shared<Option<Highlights<f32, MAX_SOURCES>>> = Shared::new(None);
 
 /// Takes the first `count` sources out of the light of the next `color_relight`.
 #[unsafe(no_mangle)]
@@ -33,8 +35,8 @@ extern "C" fn color_residual(count: usize) -> u32 {
         }
         Ok::<_, Error>(())
     };
-    let done = count <= MOST && sources.iter().take(count).all(|source| taken_out(source).is_ok());
-    done.into()
+    let taken = sources.get(..count);
+    taken.is_some_and(|all| all.iter().all(|source| taken_out(source).is_ok())).into()
 }
 
 /// The highlights of the first `count` sources, turned like the light, on the gloss.
@@ -48,11 +50,13 @@ extern "C" fn color_highlights(count: usize) -> u32 {
         let gloss = Gloss::new(roughness, [f0_r, f0_g, f0_b], [r, g, b])?;
         let gloss = gloss.with_grazing([f90_r, f90_g, f90_b])?;
         let rotation = Rotation::from_quaternion(*turn)?;
-        let mut turned = [source(&NONE)?; MOST];
-        for (to, from) in turned.iter_mut().zip(sources).take(count) {
+        let from = sources.get(..count).unwrap_or_default();
+        let mut turned = [source(&NONE)?; MAX_SOURCES];
+        let turned = turned.get_mut(..count).unwrap_or_default();
+        for (to, from) in turned.iter_mut().zip(from) {
             *to = source(from)?.turned(rotation);
         }
-        Highlights::new::<SinglePrecision>(&gloss, turned.get(..count).unwrap_or_default())
+        Highlights::new::<SinglePrecision>(&gloss, turned)
     };
     *highlights = shaded().ok();
     highlights.is_some().into()
