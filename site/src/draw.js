@@ -1,5 +1,6 @@
 // Draws objects under a scene by WebGL 2: the sphere, meshes, normal maps, and views that compare.
 
+import { Programs } from "../eigenshade/src/programs.js";
 import { GLSL as NINE } from "./nine.js";
 import { inverse, matrix } from "./turn.js";
 
@@ -131,7 +132,7 @@ const KEPT = 48;
 /** A canvas with WebGL 2. */
 export class Drawing {
   #gl;
-  #programs = new Map();
+  #programs;
   #kind = KINDS.sphere;
   #count = 0;
   /** @type {WebGLTexture[]} */
@@ -160,6 +161,7 @@ export class Drawing {
   constructor(canvas, gl, restored) {
     this.canvas = canvas;
     this.#gl = gl;
+    this.#programs = new Programs(gl, VERTEX, fragment, KEPT);
     canvas.addEventListener("webglcontextlost", (event) => {
       event.preventDefault();
       this.#programs.clear();
@@ -261,11 +263,8 @@ export class Drawing {
     const gl = this.#gl;
     const uniforms = scene.uniforms();
     const fits = this.#fits(scene);
-    const text = scene.glsl(fits ? "uniforms" : "texture");
-    const found = this.#programs.get(text) ?? this.#compiled(text);
+    const found = this.#programs.of(scene.glsl(fits ? "uniforms" : "texture"));
     if (!found) return;
-    this.#programs.delete(text);
-    this.#programs.set(text, found);
     const { program, place } = found;
     gl.useProgram(program);
     if (fits) {
@@ -298,43 +297,5 @@ export class Drawing {
   /** Gives the context back: a page has only a few. */
   free() {
     this.#gl.getExtension("WEBGL_lose_context")?.loseContext();
-  }
-
-  /** @param {string} text */
-  #compiled(text) {
-    const gl = this.#gl;
-    const program = gl.createProgram();
-    for (const [kind, source] of /** @type {[GLenum, string][]} */ ([
-      [gl.VERTEX_SHADER, VERTEX],
-      [gl.FRAGMENT_SHADER, fragment(text)],
-    ])) {
-      const shader = gl.createShader(kind);
-      if (!shader) return undefined;
-      gl.shaderSource(shader, source);
-      gl.compileShader(shader);
-      gl.attachShader(program, shader);
-      gl.deleteShader(shader);
-      if (!gl.getShaderParameter(shader, gl.COMPILE_STATUS) && !gl.isContextLost()) {
-        throw new Error(`the shader does not compile: ${gl.getShaderInfoLog(shader)}`);
-      }
-    }
-    gl.linkProgram(program);
-    if (!gl.getProgramParameter(program, gl.LINK_STATUS)) {
-      if (gl.isContextLost()) return undefined;
-      throw new Error(`the shader does not link: ${gl.getProgramInfoLog(program)}`);
-    }
-    const places = new Map();
-    const place = (/** @type {string} */ name) => {
-      if (!places.has(name)) places.set(name, gl.getUniformLocation(program, name));
-      return places.get(name);
-    };
-    const found = { program, place };
-    this.#programs.set(text, found);
-    if (this.#programs.size > KEPT) {
-      const [[oldest, { program: old }]] = this.#programs;
-      this.#programs.delete(oldest);
-      gl.deleteProgram(old);
-    }
-    return found;
   }
 }

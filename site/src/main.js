@@ -1,41 +1,25 @@
 // The page: controls and state, state and picture.
 
-import { EFFECTS, Scene, lightPreset, materialPreset, presetNames } from "../eigenshade/src/index.js";
+import { EFFECTS, Scene, presetNames } from "../eigenshade/src/index.js";
 import { BOARDS, instructions } from "./boards.js";
 import { CASES, showCase } from "./cases.js";
-import { disc, drawCpu, image, show } from "./cpu.js";
+import { controls, fill, find, onTab, wide } from "./controls.js";
+import { drawCpu } from "./cpu.js";
 import { Drawing, KINDS, SHOWN } from "./draw.js";
+import { checkSize, onDrop, panorama } from "./files.js";
 import { showGallery } from "./gallery.js";
-import { ANALYTIC, ambient } from "./harmonics.js";
+import { ambient } from "./harmonics.js";
 import * as measure from "./measure.js";
 import { nineTerms, shadeNine } from "./nine.js";
 import { coin, coinNormals, parseObj, relief } from "./objects.js";
 import { mark, percent, plot } from "./plot.js";
-import { COMPONENTS, fromHash, initial, toHash } from "./state.js";
+import { turnable } from "./pointers.js";
+import { counted, loadErrors, showSources } from "./sources.js";
+import { COMPONENTS, fromHash, initial, inputsOf, toHash } from "./state.js";
+import { thumbnails } from "./thumbnails.js";
 import { IDENTITY, dragged, multiply } from "./turn.js";
 
-const find = (/** @type {string} */ id) => /** @type {any} */ (document.getElementById(id));
-const wide = matchMedia("(min-width: 960px)");
 const still = matchMedia("(prefers-reduced-motion: reduce)");
-
-/** Materials that have a thumbnail. */
-const MATERIALS = [
-  "gold-metallic-paint", "two-layer-gold", "brass", "alum-bronze", "silver-metallic-paint", "chrome-steel",
-  "aluminium", "tungsten-carbide", "hematite", "black-obsidian", "blue-metallic-paint", "green-metallic-paint",
-  "red-metallic-paint", "color-changing-paint1", "color-changing-paint2", "pearl-paint", "red-plastic",
-  "yellow-plastic", "green-plastic", "violet-acrylic", "specular-blue-phenolic", "specular-red-phenolic",
-  "green-latex", "violet-rubber", "pure-rubber", "red-fabric2", "blue-fabric", "green-fabric", "pink-felt",
-  "white-fabric", "cherry-235", "natural-209", "white-marble", "pink-jasper", "orange-paint", "dark-blue-paint",
-];
-
-const NAMES = { ambient: "Ambient", hemisphere: "Hemisphere", directional: "Directional" };
-const EFFECT_TEXT = {
-  ambient: "response to the mean light",
-  diffuse: "Lambertian shading",
-  broad: "rough and backscattering lobes",
-  gloss: "highlights",
-};
-const OBJECT_TEXT = { sphere: "A sphere", relief: "A shell in relief", coin: "A coin", own: "Your mesh" };
 
 let state = initial();
 /** Of the inputs as they are: all terms of all effects, and what is shown. */
@@ -56,23 +40,10 @@ const drawing = Drawing.of(canvas, () => {
   changed();
 });
 
-const readable = (/** @type {string} */ name) => name.replace(/^\d+-/, "").replaceAll("-", " ").replace(/\s?\d+$/, "");
 const say = (/** @type {string} */ text) => (find("status").textContent = text);
 const fail = (/** @type {string} */ text) => (find("fault").textContent = text);
 
 // ---- inputs to scenes ----
-
-/** The scenes' inputs that the state names. Throws for a name that does not exist. */
-async function load(/** @type {typeof state} */ wanted) {
-  const light =
-    wanted.light === "own"
-      ? /** @type {any} */ (wanted.ownLight).light
-      : Object.hasOwn(ANALYTIC, wanted.light)
-        ? ANALYTIC[wanted.light]()
-        : await lightPreset(wanted.light, { sources: wanted.sources });
-  const material = typeof wanted.material === "string" ? await materialPreset(wanted.material) : wanted.material;
-  return { light, material };
-}
 
 /** Loads: the last one shows its parts and those of the loads that it overtook. */
 let loads = 0;
@@ -102,7 +73,7 @@ async function take(/** @type {Partial<typeof state>} */ parts) {
   const turn = ++loads;
   busy(true);
   try {
-    const inputs = await load(wanted);
+    const inputs = await inputsOf(wanted);
     if (turn !== loads) return "";
     accept(inputs);
     [state, loaded, pending] = [{ ...state, ...pending }, inputs, {}];
@@ -167,7 +138,7 @@ function draw() {
   }
   find("captions").hidden = !split;
   numbers();
-  controls();
+  showControls();
   clearTimeout(idle);
   idle = setTimeout(later, 150);
 }
@@ -182,7 +153,7 @@ function numbers() {
   now = { terms: ours.terms, ...measure.errorOf(measure.pictureOf(ours), reference) };
   const { terms, rms, worst } = now;
   find("summary").textContent = `${counted(terms, "term")}${ours.sources ? ` + ${counted(ours.sources, "source")}` : ""} · rms ${percent(rms)} · worst ${percent(worst)}`;
-  sources();
+  showSources(state, loaded, ours);
   find("rms").textContent = percent(rms);
   find("worst").textContent = percent(worst);
   find("terms").textContent = String(terms);
@@ -194,31 +165,6 @@ function numbers() {
   find("nine-rms").textContent = percent(nineError.rms);
   find("nine-worst").textContent = percent(nineError.worst);
   mark(find("plot"), now, nineError);
-}
-
-const counted = (/** @type {number} */ count, /** @type {string} */ noun) => `${count} ${noun}${count === 1 ? "" : "s"}`;
-
-/** Lines of `eigenshade/errors.csv`: light, roughness, sources, rms, worst pixel; each light twice, turned. */
-let errors = /** @type {string[][]} */ ([]);
-
-/** How many sources are drawn, and what degree 9 leaves with them. */
-function sources() {
-  const { light, material } = loaded;
-  const roughness = material.roughness ?? material.gloss?.[0];
-  const why = !light.sources?.length
-    ? `this light has no set of at most ${state.sources}`
-    : state.effects.length < EFFECTS.length
-      ? "effects are left out"
-      : roughness === undefined ? "this material has no gloss" : "this material is matte";
-  find("sources-drawn").textContent =
-    ours.sources ? `${counted(ours.sources, "source")} drawn.` : state.sources ? `None drawn: ${why}.` : "";
-  const nearest = [0.2, 0.3, 0.5].reduce((best, other) => (Math.abs(other - roughness) < Math.abs(best - roughness) ? other : best));
-  const found = roughness < 0.6
-    ? errors.filter(([name, rough, count]) => name === state.light && Number(rough) === nearest && Number(count) === (ours.sources && state.sources))
-    : [];
-  for (const [id, column] of /** @type {[string, number][]} */ ([["degree-rms", 3], ["degree-worst", 4]])) {
-    find(id).textContent = found.length ? percent(Math.max(...found.map((row) => Number(row[column])))) : "-";
-  }
 }
 
 /** The inputs of which the curve was measured. */
@@ -259,63 +205,11 @@ function later() {
 /** Whether the picture and its numbers are not yet those of the state; tests wait for it. */
 const busy = (/** @type {boolean} */ is) => (document.documentElement.dataset.busy = String(is));
 
-// ---- state to controls ----
-
 /** The tab that is shown: on wide screens the scene has a place of its own. */
 const shownTab = () => (wide.matches && state.tab === "scene" ? "accuracy" : state.tab);
 
-function controls() {
-  const check = (/** @type {string} */ name, /** @type {string} */ value) => {
-    for (const input of document.querySelectorAll(`input[name="${name}"]`)) {
-      /** @type {HTMLInputElement} */ (input).checked = /** @type {HTMLInputElement} */ (input).value === value;
-    }
-  };
-  const set = (/** @type {any} */ control, /** @type {unknown} */ value) => {
-    if (control.value !== String(value)) control.value = String(value);
-  };
-  check("object", state.object);
-  check("view", state.view);
-  check("sources", String(state.sources));
-  check("drag", state.drag);
-  check("material", typeof state.material === "string" ? state.material : "");
-  find("own-object").hidden = !ownMesh;
-  const own = find("light").querySelector("option[value=own]");
-  own.hidden = own.disabled = !state.ownLight;
-  own.textContent = state.ownLight ? state.ownLight.name : "Your own";
-  set(find("light"), state.light);
-  set(find("step"), state.step);
-  const tolerance = measure.toleranceOf(state.step);
-  find("step").setAttribute("aria-valuetext", tolerance ? `within ${percent(tolerance)}` : "all terms");
-  set(find("exposure"), state.exposure);
-  find("exposure-value").textContent = `${state.exposure > 0 ? "+" : ""}${state.exposure} EV`;
-  set(find("components"), state.components);
-  find("components-value").textContent = `${state.components} of ${COMPONENTS}`;
-  set(find("automatic"), state.automatic);
-  set(find("case"), state.case);
-  if (typeof state.material !== "string") {
-    set(find("base-color"), state.material.baseColor);
-    set(find("metallic"), state.material.metallic);
-    set(find("roughness"), state.material.roughness);
-  }
-  for (const effect of EFFECTS) find(`effect-${effect}`).checked = state.effects.includes(effect);
-  const shown = shownTab();
-  for (const tab of document.querySelectorAll("[role=tab]")) {
-    const panel = /** @type {string} */ (tab.getAttribute("aria-controls"));
-    const selected = panel === shown;
-    tab.setAttribute("aria-selected", String(selected));
-    /** @type {HTMLElement} */ (tab).tabIndex = selected ? 0 : -1;
-    find(panel).hidden = !selected && !(wide.matches && panel === "scene");
-  }
-  const turns = turnsLight() ? "the light" : "the object";
-  find("hint").textContent = !drawing
-    ? "This browser has no WebGL 2: the CPU draws a sphere. Drag to turn the light."
-    : state.object === "sphere"
-      ? "Drag to turn the light: a sphere looks the same from every side."
-      : `Drag or use arrow keys to turn ${turns}; with Alt or two fingers, the ${turns === "the light" ? "object" : "light"}.`;
-  const light = state.light === "own" ? state.ownLight?.name : state.light;
-  const material = typeof state.material === "string" ? readable(state.material) : "a glTF material";
-  canvas.setAttribute("aria-label", `${OBJECT_TEXT[drawing ? state.object : "sphere"]} of ${material} under the light ${light}`);
-}
+const showControls = () =>
+  controls(state, { drawing: Boolean(drawing), ownMesh: Boolean(ownMesh), turnsLight: turnsLight(), tab: shownTab() });
 
 // ---- link ----
 
@@ -347,40 +241,9 @@ function turnBy(/** @type {number} */ right, /** @type {number} */ down, /** @ty
   state[what] = multiply(by, /** @type {any} */ (state[what]));
   changed();
 }
-
-/** @type {Map<number, PointerEvent>} */
-const pointers = new Map();
-canvas.addEventListener("pointerdown", (event) => {
-  if (event.button > 0) return;
-  canvas.setPointerCapture(event.pointerId);
-  pointers.set(event.pointerId, event);
-  dragging = true;
-});
-canvas.addEventListener("pointermove", (event) => {
-  const before = pointers.get(event.pointerId);
-  if (!before) return;
-  const scale = 3 / canvas.clientWidth / pointers.size;
-  let twist = 0;
-  if (pointers.size === 2) {
-    const other = [...pointers.values()].find(({ pointerId }) => pointerId !== event.pointerId);
-    const angle = (/** @type {PointerEvent} */ at) => Math.atan2(at.clientY - (other?.clientY ?? 0), at.clientX - (other?.clientX ?? 0));
-    twist = -Math.atan2(Math.sin(angle(event) - angle(before)), Math.cos(angle(event) - angle(before)));
-  }
-  pointers.set(event.pointerId, event);
-  turnBy(scale * (event.clientX - before.clientX), scale * (event.clientY - before.clientY), twist, event.altKey || pointers.size > 1);
-});
-for (const end of ["pointerup", "pointercancel"]) {
-  canvas.addEventListener(end, (event) => {
-    pointers.delete(/** @type {PointerEvent} */ (event).pointerId);
-    dragging = pointers.size > 0;
-    changed();
-  });
-}
-canvas.addEventListener("keydown", (event) => {
-  const [right, down] = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, -1], ArrowDown: [0, 1] }[event.key] ?? [0, 0];
-  if (!right && !down) return;
-  event.preventDefault();
-  turnBy(right * 0.0873, down * 0.0873, 0, event.altKey || event.shiftKey);
+turnable(canvas, turnBy, (is) => {
+  dragging = is;
+  if (!is) changed();
 });
 
 // ---- controls to state ----
@@ -462,26 +325,11 @@ on("grow", "click", () => {
 
 // ---- tabs ----
 
-const tabs = /** @type {HTMLElement[]} */ ([...document.querySelectorAll("[role=tab]")]);
-function openTab(/** @type {HTMLElement} */ tab) {
-  set({ tab: /** @type {string} */ (tab.getAttribute("aria-controls")) });
-  controls();
+onTab((tab) => {
+  set({ tab });
+  showControls();
   refreshCase();
-}
-for (const tab of tabs) {
-  tab.addEventListener("click", () => openTab(tab));
-  tab.addEventListener("keydown", (event) => {
-    const visible = tabs.filter((other) => other.offsetParent);
-    const place = visible.indexOf(tab);
-    const next = { ArrowRight: place + 1, ArrowLeft: place - 1, Home: 0, End: -1 }[event.key];
-    if (next === undefined) return;
-    event.preventDefault();
-    const other = visible.at(next % visible.length);
-    if (!other) return;
-    openTab(other);
-    other.focus();
-  });
-}
+});
 /** The hard case that is shown; drawn once. */
 let shownCase = "";
 function refreshCase() {
@@ -501,42 +349,21 @@ on("file", "change", (input) => {
   if (input.files[0]) open(input.files[0]);
   input.value = "";
 });
-let depth = 0;
-addEventListener("dragenter", (event) => {
-  event.preventDefault();
-  depth++;
-  document.body.classList.add("dropping");
-});
-addEventListener("dragleave", () => {
-  if (--depth <= 0) document.body.classList.remove("dropping");
-});
-addEventListener("dragover", (event) => event.preventDefault());
-addEventListener("drop", (event) => {
-  event.preventDefault();
-  depth = 0;
-  document.body.classList.remove("dropping");
-  const [file] = event.dataTransfer?.files ?? [];
-  if (file) open(file);
-});
-
-/** Most bytes of a file. */
-const LARGEST = 512 * 2 ** 20;
+onDrop(open);
 
 async function open(/** @type {File} */ file) {
   fail("");
   say(`Reading ${file.name}`);
   try {
-    if (file.size === 0) throw new Error("it is empty");
-    if (file.size > LARGEST) throw new Error("it is larger than 512 MB");
+    checkSize(file);
     if (/\.obj$/i.test(file.name)) {
-      const mesh = parseObj(await file.text());
-      ownMesh = mesh;
+      ownMesh = parseObj(await file.text());
       drawnObject = "";
       set({ object: "own" });
-      say(`${file.name}: ${mesh.indices.length / 3} triangles.`);
+      say(`${file.name}: ${ownMesh.indices.length / 3} triangles.`);
       if (!drawing) say(`${file.name} is read, but without WebGL 2 only spheres are drawn.`);
     } else {
-      const { light, width, height } = await panorama(file);
+      const { light, width, height } = await panorama(file, say);
       const fault = await take({ light: "own", ownLight: { name: file.name.slice(0, 80), light } });
       if (fault) throw new Error(fault);
       const shape = width === 2 * height ? "" : " It is not twice as wide as high; it is read as equirectangular.";
@@ -548,115 +375,26 @@ async function open(/** @type {File} */ file) {
   }
 }
 
-/** Seconds that a worker may say nothing. */
-const PATIENCE = 60;
-
-/** Ends the worker of the last panorama. Nothing is said of it any more. */
-let end = () => {};
-
-/** The light of a panorama, by a worker. A new one ends the one before. */
-function panorama(/** @type {File} */ file) {
-  end();
-  const worker = new Worker(new URL("panorama.js", import.meta.url), { type: "module" });
-  return new Promise((resolve, reject) => {
-    /** @type {ReturnType<typeof setTimeout>} */
-    let patience;
-    end = () => {
-      clearTimeout(patience);
-      worker.terminate();
-    };
-    const refuse = (/** @type {string} */ why) => {
-      end();
-      reject(new Error(why));
-    };
-    const wait = () => {
-      clearTimeout(patience);
-      patience = setTimeout(() => refuse(`it is not read after ${PATIENCE} seconds`), 1000 * PATIENCE);
-    };
-    wait();
-    worker.addEventListener("message", ({ data }) => {
-      if (data.stage) {
-        wait();
-        say(data.stage === "decoding" ? `${file.name}: decoding` : `${file.name}: projecting, ${Math.round(100 * data.share)} %`);
-        return;
-      }
-      if (data.fault) return refuse(data.fault);
-      end();
-      resolve(data);
-    });
-    worker.addEventListener("error", (event) => refuse(event.message || "the decoder cannot be loaded"));
-    worker.postMessage({ file, name: file.name });
-  });
-}
-
 // ---- start ----
 
 async function start() {
   const names = await presetNames();
-  const text = await (await fetch(new URL("../eigenshade/errors.csv", import.meta.url))).text();
-  errors = text.trim().split("\n").map((line) => line.split(","));
-  const options = (/** @type {[string, string][]} */ entries) => entries.map(([value, text]) => new Option(text, value));
-  const group = (/** @type {string} */ label, /** @type {HTMLOptionElement[]} */ children) => {
-    const element = document.createElement("optgroup");
-    element.label = label;
-    element.append(...children);
-    return element;
-  };
-  find("light").append(
-    group("Captured", options(names.light.map((name) => [name, name.replaceAll("-", " ")]))),
-    group("By formula", options(Object.entries(NAMES))),
-    group("Yours", options([["own", "Your own"]])),
-  );
-  find("case").append(...options(Object.entries(CASES).map(([key, { title }]) => [key, title])));
-  find("switches").innerHTML = EFFECTS.map(
-    (effect) => `<li><label><input type="checkbox" role="switch" id="effect-${effect}" aria-describedby="saved-${effect}">
-      <span>${effect[0].toUpperCase()}${effect.slice(1)}: ${EFFECT_TEXT[effect]}</span>
-      <span class="share" id="share-${effect}"></span><small id="saved-${effect}"></small></label></li>`,
-  ).join("");
+  await loadErrors();
+  fill(names);
   for (const effect of EFFECTS) {
     on(`effect-${effect}`, "change", ({ checked }) =>
       set({ effects: EFFECTS.filter((other) => (other === effect ? checked : state.effects.includes(other))) }),
     );
   }
-  find("model").textContent = BOARDS.map(
-    ({ name, base, each, within, source }) => `3 × (${base} + ${each} per term) + ${source} per source for the ${name.replace("Cortex-", "")}, terms within ${(100 * within).toFixed(0)}\u00a0%`,
-  ).join(", ");
   plot(find("plot"), []);
   // With sources, for their module.
   const inputs = { light: "studio", material: "gold-metallic-paint", sources: 1 };
   [whole, ours, scratch] = await Promise.all([1, 2, 3].map(() => Scene.create(inputs)));
-  find("base-color").value = "#b87333";
-  find("metallic").value = "1";
-  find("roughness").value = "0.4";
-  thumbnails();
+  thumbnails(find("thumbs"), (material) => take({ material }));
   await openLink();
   addEventListener("hashchange", openLink);
   wide.addEventListener("change", changed);
   new ResizeObserver(changed).observe(canvas);
-}
-
-/** The materials, each a sphere in the studio. */
-function thumbnails() {
-  find("thumbs").innerHTML = MATERIALS.map(
-    (name) => `<label><input type="radio" name="material" value="${name}"><canvas width="64" height="64" aria-hidden="true"></canvas>${readable(name)}</label>`,
-  ).join("");
-  const pixels = disc(64);
-  const { x, y, z } = pixels;
-  const observer = new IntersectionObserver((entries) => {
-    for (const { isIntersecting, target } of entries) {
-      if (!isIntersecting) continue;
-      observer.unobserve(target);
-      const input = /** @type {HTMLInputElement} */ (target.querySelector("input"));
-      Scene.create({ light: "studio", material: input.value }).then((scene) =>
-        show(/** @type {HTMLCanvasElement} */ (target.querySelector("canvas")), image(pixels, scene.shade(x, y, z), scene.exposure())),
-      );
-    }
-  });
-  for (const label of find("thumbs").children) {
-    observer.observe(label);
-    const input = label.querySelector("input");
-    input.addEventListener("change", () => take({ material: input.value }));
-  }
 }
 
 start().catch((fault) => fail(`The page cannot start: ${fault.message}`));

@@ -1,8 +1,8 @@
 // The page's whole state, and the link that holds it.
 
-import { EFFECTS } from "../eigenshade/src/index.js";
+import { EFFECTS, lightPreset, materialPreset } from "../eigenshade/src/index.js";
 import { ALL_TERMS } from "./measure.js";
-import { COUNT } from "./harmonics.js";
+import { ANALYTIC, COUNT } from "./harmonics.js";
 
 /** @typedef {{ r: Float32Array, g: Float32Array, b: Float32Array }} Light */
 /** @typedef {{ baseColor: string, metallic: number, roughness: number }} Gltf */
@@ -174,4 +174,16 @@ export function fromHash(hash) {
     state.object = initial().object;
   }
   return { state, faults };
+}
+
+/** The scenes' inputs that the state names. Throws for a name that does not exist. */
+export async function inputsOf(/** @type {State} */ wanted) {
+  const light =
+    wanted.light === "own"
+      ? /** @type {any} */ (wanted.ownLight).light
+      : Object.hasOwn(ANALYTIC, wanted.light)
+        ? ANALYTIC[wanted.light]()
+        : await lightPreset(wanted.light, { sources: wanted.sources });
+  const material = typeof wanted.material === "string" ? await materialPreset(wanted.material) : wanted.material;
+  return { light, material };
 }
