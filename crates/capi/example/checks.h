@@ -11,6 +11,10 @@ void check(int holds, const char *format, const char *what, uint32_t number);
 void check_status(eigenshade_status found, eigenshade_status expected, const char *format,
                   const char *what);
 
+/* One that a call in the format `name` has this status. */
+#define EXPECTED(expected, call)                                                              \
+  check_status(call, EIGENSHADE_STATUS_##expected, name, #call " is not " #expected)
+
 /* The number of checks that failed. */
 uint32_t found_faults(void);
 

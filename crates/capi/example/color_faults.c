@@ -6,9 +6,6 @@
 
 enum { SIDE = 8, BAKED = 4 };
 
-#define EXPECTED(expected, call)                                                              \
-  check_status(call, EIGENSHADE_STATUS_##expected, name, #call " is not " #expected)
-
 /* A pointer that is not aligned. */
 #define BESIDE(pointer) ((void *)((char *)(pointer) + 1))
 

@@ -20,60 +20,41 @@ static void faults_f32(void) {
   float irradiance = 0.0f;
 
   /* A matte sphere in light from everywhere: pi times its radiance Y_0^0 over pi. */
-  check_status(eigenshade_project_f32(&light, &material, &workspace, &d),
-               EIGENSHADE_STATUS_OK, name, "ambient");
-  check_status(eigenshade_collapse_f32(&d, EIGENSHADE_COMPONENTS, &scene),
-               EIGENSHADE_STATUS_OK, name, "ambient");
-  check_status(eigenshade_shade_f32(&scene, 0.0f, 0.0f, 2.0f, &irradiance),
-               EIGENSHADE_STATUS_OK, name, "ambient");
+  EXPECTED(OK, eigenshade_project_f32(&light, &material, &workspace, &d));
+  EXPECTED(OK, eigenshade_collapse_f32(&d, EIGENSHADE_COMPONENTS, &scene));
+  EXPECTED(OK, eigenshade_shade_f32(&scene, 0.0f, 0.0f, 2.0f, &irradiance));
   check(irradiance > 0.2820f && irradiance < 0.2822f, name, "ambient", 0);
 
   d.numbers[0] = 7.0f;
-  check_status(eigenshade_project_f32(NULL, &material, &workspace, &d),
-               EIGENSHADE_STATUS_NULL_POINTER, name, "no light");
-  check_status(eigenshade_project_f32(&light, NULL, &workspace, &d),
-               EIGENSHADE_STATUS_NULL_POINTER, name, "no material");
-  check_status(eigenshade_project_f32(&light, &material, NULL, &d),
-               EIGENSHADE_STATUS_NULL_POINTER, name, "no workspace");
-  check_status(eigenshade_project_f32(&light, &material, &workspace, NULL),
-               EIGENSHADE_STATUS_NULL_POINTER, name, "no d");
+  EXPECTED(NULL_POINTER, eigenshade_project_f32(NULL, &material, &workspace, &d));
+  EXPECTED(NULL_POINTER, eigenshade_project_f32(&light, NULL, &workspace, &d));
+  EXPECTED(NULL_POINTER, eigenshade_project_f32(&light, &material, NULL, &d));
+  EXPECTED(NULL_POINTER, eigenshade_project_f32(&light, &material, &workspace, NULL));
   light.coefficients = NULL;
-  check_status(eigenshade_relight_f32(&transfer, &light, &d), EIGENSHADE_STATUS_NULL_POINTER,
-               name, "no coefficients");
+  EXPECTED(NULL_POINTER, eigenshade_relight_f32(&transfer, &light, &d));
   light.coefficients = (const float *)(const void *)((const char *)numbers + 1);
-  check_status(eigenshade_relight_f32(&transfer, &light, &d), EIGENSHADE_STATUS_UNALIGNED,
-               name, "odd address");
+  EXPECTED(UNALIGNED, eigenshade_relight_f32(&transfer, &light, &d));
   light = ambient;
   light.degree = EIGENSHADE_DEGREE + 1;
-  check_status(eigenshade_relight_f32(&transfer, &light, &d), EIGENSHADE_STATUS_LIGHT_BEYOND,
-               name, "degree");
+  EXPECTED(LIGHT_BEYOND, eigenshade_relight_f32(&transfer, &light, &d));
   light.degree = 1;
-  check_status(eigenshade_relight_f32(&transfer, &light, &d), EIGENSHADE_STATUS_LIGHT_LENGTH,
-               name, "length of light");
+  EXPECTED(LIGHT_LENGTH, eigenshade_relight_f32(&transfer, &light, &d));
   material.order = (size_t)-1;
-  check_status(eigenshade_transfer_f32(&material, &workspace, &transfer),
-               EIGENSHADE_STATUS_MATERIAL_BEYOND, name, "order");
+  EXPECTED(MATERIAL_BEYOND, eigenshade_transfer_f32(&material, &workspace, &transfer));
   material.order = 1;
-  check_status(eigenshade_transfer_f32(&material, &workspace, &transfer),
-               EIGENSHADE_STATUS_MATERIAL_LENGTH, name, "length of material");
+  EXPECTED(MATERIAL_LENGTH, eigenshade_transfer_f32(&material, &workspace, &transfer));
   check(d.numbers[0] == 7.0f, name, "d is as it was", 0);
 
-  check_status(eigenshade_collapse_f32(&d, EIGENSHADE_COMPONENTS + 1, &scene),
-               EIGENSHADE_STATUS_COMPONENTS, name, "components");
+  EXPECTED(COMPONENTS, eigenshade_collapse_f32(&d, EIGENSHADE_COMPONENTS + 1, &scene));
   irradiance = 7.0f;
-  check_status(eigenshade_shade_f32(&scene, 0.0f, 0.0f, 0.0f, &irradiance),
-               EIGENSHADE_STATUS_NORMAL, name, "no direction");
-  check_status(eigenshade_shade_f32(&scene, 0.0f, 0.0f, -1.0f, &irradiance),
-               EIGENSHADE_STATUS_HIDDEN, name, "away");
+  EXPECTED(NORMAL, eigenshade_shade_f32(&scene, 0.0f, 0.0f, 0.0f, &irradiance));
+  EXPECTED(HIDDEN, eigenshade_shade_f32(&scene, 0.0f, 0.0f, -1.0f, &irradiance));
   check(irradiance == 7.0f, name, "irradiance is as it was", 0);
-  check_status(eigenshade_shade_many_f32(&scene, 2, numbers, numbers, numbers, numbers + 1),
-               EIGENSHADE_STATUS_OVERLAP, name, "overlap");
-  check_status(eigenshade_shade_many_f32(&scene, (size_t)-1, numbers, numbers, numbers, numbers),
-               EIGENSHADE_STATUS_COUNT, name, "count");
-  check_status(eigenshade_shade_many_f32(&scene, 2, numbers, NULL, numbers, numbers + 2),
-               EIGENSHADE_STATUS_NULL_POINTER, name, "no y");
-  check_status(eigenshade_shade_many_f32(&scene, 0, NULL, NULL, NULL, NULL),
-               EIGENSHADE_STATUS_OK, name, "no normals");
+  EXPECTED(OVERLAP, eigenshade_shade_many_f32(&scene, 2, numbers, numbers, numbers, numbers + 1));
+  EXPECTED(COUNT,
+           eigenshade_shade_many_f32(&scene, (size_t)-1, numbers, numbers, numbers, numbers));
+  EXPECTED(NULL_POINTER, eigenshade_shade_many_f32(&scene, 2, numbers, NULL, numbers, numbers + 2));
+  EXPECTED(OK, eigenshade_shade_many_f32(&scene, 0, NULL, NULL, NULL, NULL));
 }
 
 /* What is written to overlaps what is read, or something else that is written to: the numbers
@@ -92,41 +73,30 @@ static void overlaps_f32(void) {
     eigenshade_material_f32_t material;
     float numbers[4];
   } one;
-  const eigenshade_status overlap = EIGENSHADE_STATUS_OVERLAP;
   const char *const name = "f32";
   const eigenshade_light_f32_t light = {.degree = 0, .length = 1, .coefficients = bright};
   const eigenshade_light_f32_t light_in_d = {.degree = 0, .length = 1, .coefficients = d.numbers + 7};
   const eigenshade_material_f32_t material = {.order = 0, .length = 1, .coefficients = white};
   const eigenshade_material_f32_t in_workspace = {
       .order = 0, .length = 1, .coefficients = workspace.numbers};
-  check_status(eigenshade_transfer_f32(&material, &one.workspace, &one.transfer), overlap, name,
-               "workspace and transfer");
-  check_status(eigenshade_transfer_f32(&in_workspace, &workspace, &transfer), overlap, name,
-               "material in workspace");
+  EXPECTED(OVERLAP, eigenshade_transfer_f32(&material, &one.workspace, &one.transfer));
+  EXPECTED(OVERLAP, eigenshade_transfer_f32(&in_workspace, &workspace, &transfer));
   one.material = material;
-  check_status(eigenshade_transfer_f32(&one.material, &workspace, &one.transfer), overlap, name,
-               "material and transfer");
+  EXPECTED(OVERLAP, eigenshade_transfer_f32(&one.material, &workspace, &one.transfer));
   check(one.material.length == 1, name, "the material is as it was", 0);
-  check_status(eigenshade_relight_f32(&transfer, &light_in_d, &d), overlap, name, "light in d");
-  check_status(eigenshade_relight_f32(&one.transfer, &light, &one.d), overlap, name,
-               "transfer and d");
+  EXPECTED(OVERLAP, eigenshade_relight_f32(&transfer, &light_in_d, &d));
+  EXPECTED(OVERLAP, eigenshade_relight_f32(&one.transfer, &light, &one.d));
   one.light = light;
-  check_status(eigenshade_relight_f32(&transfer, &one.light, &one.d), overlap, name,
-               "light and d");
-  check_status(eigenshade_project_f32(&light, &material, &one.workspace, &one.d), overlap, name,
-               "workspace and d");
-  check_status(eigenshade_project_f32(&light_in_d, &material, &workspace, &d), overlap, name,
-               "project: light in d");
-  check_status(eigenshade_project_f32(&light, &in_workspace, &workspace, &d), overlap, name,
-               "project: material in workspace");
-  check_status(eigenshade_collapse_f32(&one.d, 1, &one.scene), overlap, name, "d and scene");
-  check_status(eigenshade_shade_f32(&scene, 0.0f, 0.0f, 1.0f, scene.terms + 3), overlap, name,
-               "irradiance in scene");
-  check_status(eigenshade_shade_many_f32(&scene, 1, white, white, white, scene.terms), overlap,
-               name, "irradiances in scene");
+  EXPECTED(OVERLAP, eigenshade_relight_f32(&transfer, &one.light, &one.d));
+  EXPECTED(OVERLAP, eigenshade_project_f32(&light, &material, &one.workspace, &one.d));
+  EXPECTED(OVERLAP, eigenshade_project_f32(&light_in_d, &material, &workspace, &d));
+  EXPECTED(OVERLAP, eigenshade_project_f32(&light, &in_workspace, &workspace, &d));
+  EXPECTED(OVERLAP, eigenshade_collapse_f32(&one.d, 1, &one.scene));
+  EXPECTED(OVERLAP, eigenshade_shade_f32(&scene, 0.0f, 0.0f, 1.0f, scene.terms + 3));
+  EXPECTED(OVERLAP, eigenshade_shade_many_f32(&scene, 1, white, white, white, scene.terms));
   size_t normalized = 7;
-  check_status(eigenshade_normalize_f32(one.numbers, one.numbers + 1, one.numbers + 3, 2, &normalized),
-               overlap, name, "x and y");
+  EXPECTED(OVERLAP,
+           eigenshade_normalize_f32(one.numbers, one.numbers + 1, one.numbers + 3, 2, &normalized));
   check(normalized == 7, name, "nothing is normalized", 0);
 }
 
@@ -135,25 +105,24 @@ static void runtime_inputs_f32(void) {
   const float numbers[4] = {1.0f, 0.0f, __builtin_inff(), 0.0f};
   const eigenshade_light_f32_t light = {.degree = 1, .length = 4, .coefficients = numbers};
   const eigenshade_material_f32_t material = {.order = 1, .length = 2, .coefficients = numbers + 1};
-  check_status(eigenshade_check_light_f32(&light), EIGENSHADE_STATUS_NOT_FINITE, name, "light");
-  check_status(eigenshade_check_material_f32(&material), EIGENSHADE_STATUS_NOT_FINITE, name,
-               "material");
+  EXPECTED(NOT_FINITE, eigenshade_check_light_f32(&light));
+  EXPECTED(NOT_FINITE, eigenshade_check_material_f32(&material));
   const eigenshade_light_f32_t ambient = {.degree = 0, .length = 1, .coefficients = numbers};
-  check_status(eigenshade_check_light_f32(&ambient), EIGENSHADE_STATUS_OK, name, "finite light");
-  check_status(eigenshade_check_material_f32(NULL), EIGENSHADE_STATUS_NULL_POINTER, name, "none");
+  EXPECTED(OK, eigenshade_check_light_f32(&ambient));
+  EXPECTED(NULL_POINTER, eigenshade_check_material_f32(NULL));
   /* Of a map of 8 bits: toward the camera, just behind the rim, far behind it. */
   float x[3] = {1.0f, 255.0f, 255.0f}, y[3] = {1.0f, 1.0f, 1.0f}, z[3] = {255.0f, -1.0f, -255.0f};
   size_t normalized = 7;
-  check_status(eigenshade_normalize_f32(x, y, z, 3, &normalized), EIGENSHADE_STATUS_HIDDEN, name,
-               "one behind");
+  EXPECTED(HIDDEN, eigenshade_normalize_f32(x, y, z, 3, &normalized));
   check(normalized == 2 && z[0] > 0.9999f && z[0] < 1.0f && z[1] == 0.0f && x[1] > 0.9999f, name,
         "those before it", 0);
   check(x[2] == 255.0f && z[2] == -255.0f, name, "the one behind is as it was", 0);
 }
 
 /* The same in an integer format of type `mantissa`, its largest `one`. */
-#define FAULTS_OF_INTEGERS(FORMAT, format, name, mantissa, one)                               \
+#define FAULTS_OF_INTEGERS(format, mantissa, one)                                             \
   static void faults_##format(void) {                                                         \
+    const char *const name = #format;                                                         \
     static const mantissa largest[1] = {one};                                                 \
     static const int8_t exponents[1] = {0};                                                   \
     static eigenshade_workspace_##format##_t workspace;                                       \
@@ -163,84 +132,60 @@ static void runtime_inputs_f32(void) {
     static mantissa zeros[3], z[3] = {one, -one, one};                                        \
     static int32_t irradiances[3] = {7, 7, 7};                                                \
     const eigenshade_light_##format##_t ambient = {.degree = 0, .length = 1, .mantissas = largest}; \
-    const eigenshade_material_##format##_t matte = {.order = 0,                               \
-                                                .length = 1,                                  \
-                                                .mantissas = largest,                         \
-                                                .exponents_length = 1,                        \
-                                                .exponents = exponents};                      \
+    const eigenshade_material_##format##_t matte = {                                          \
+        .order = 0, .length = 1, .mantissas = largest, .exponents_length = 1,                 \
+        .exponents = exponents};                                                              \
     eigenshade_light_##format##_t light = ambient;                                            \
     eigenshade_material_##format##_t material = matte;                                        \
     int32_t irradiance = 7;                                                                   \
-    check_status(eigenshade_project_##format(&light, &material, &workspace, &transfer, &d),   \
-                 EIGENSHADE_STATUS_OK, name, "ambient");                                      \
-    check_status(eigenshade_collapse_##format(&d, EIGENSHADE_COMPONENTS, &scene),             \
-                 EIGENSHADE_STATUS_OK, name, "ambient");                                      \
+    EXPECTED(OK, eigenshade_project_##format(&light, &material, &workspace, &transfer, &d));  \
+    EXPECTED(OK, eigenshade_collapse_##format(&d, EIGENSHADE_COMPONENTS, &scene));            \
     const eigenshade_light_f32_t of_floats = {.degree = 0, .length = 1, .coefficients = bright}; \
     mantissa quantized[1] = {7};                                                              \
-    check_status(eigenshade_quantize_light_##format(&of_floats, NULL, 1, &light),             \
-                 EIGENSHADE_STATUS_NULL_POINTER, name, "no mantissas");                       \
-    check_status(eigenshade_quantize_light_##format(&of_floats, quantized, 4, &light),        \
-                 EIGENSHADE_STATUS_LIGHT_LENGTH, name, "room for another light");             \
+    EXPECTED(NULL_POINTER, eigenshade_quantize_light_##format(&of_floats, NULL, 1, &light));  \
+    EXPECTED(LIGHT_LENGTH, eigenshade_quantize_light_##format(&of_floats, quantized, 4, &light)); \
     check(quantized[0] == 7, name, "mantissas are as they were", 0);                          \
-    check_status(eigenshade_quantize_light_##format(&of_floats, quantized, 1, &light),        \
-                 EIGENSHADE_STATUS_OK, name, "light of floats");                              \
+    EXPECTED(OK, eigenshade_quantize_light_##format(&of_floats, quantized, 1, &light));       \
     check(light.mantissas == quantized, name, "the light's mantissas", 0);                    \
     light = ambient;                                                                          \
     d.mantissas[0] = 7;                                                                       \
-    check_status(eigenshade_transfer_##format(NULL, &workspace, &transfer),                   \
-                 EIGENSHADE_STATUS_NULL_POINTER, name, "no material");                        \
-    check_status(eigenshade_transfer_##format(&material, NULL, &transfer),                    \
-                 EIGENSHADE_STATUS_NULL_POINTER, name, "no workspace");                       \
-    check_status(eigenshade_transfer_##format(&material, &workspace, NULL),                   \
-                 EIGENSHADE_STATUS_NULL_POINTER, name, "no transfer");                        \
+    EXPECTED(NULL_POINTER, eigenshade_transfer_##format(NULL, &workspace, &transfer));        \
+    EXPECTED(NULL_POINTER, eigenshade_transfer_##format(&material, NULL, &transfer));         \
+    EXPECTED(NULL_POINTER, eigenshade_transfer_##format(&material, &workspace, NULL));        \
     material.exponents = NULL;                                                                \
-    check_status(eigenshade_transfer_##format(&material, &workspace, &transfer),              \
-                 EIGENSHADE_STATUS_NULL_POINTER, name, "no exponents");                       \
+    EXPECTED(NULL_POINTER, eigenshade_transfer_##format(&material, &workspace, &transfer));   \
     material = matte;                                                                         \
     material.exponents_length = 2;                                                            \
-    check_status(eigenshade_transfer_##format(&material, &workspace, &transfer),              \
-                 EIGENSHADE_STATUS_MATERIAL_LENGTH, name, "exponents");                       \
+    EXPECTED(MATERIAL_LENGTH, eigenshade_transfer_##format(&material, &workspace, &transfer)); \
     material.order = EIGENSHADE_ORDER + 1;                                                    \
-    check_status(eigenshade_transfer_##format(&material, &workspace, &transfer),              \
-                 EIGENSHADE_STATUS_MATERIAL_BEYOND, name, "order");                           \
+    EXPECTED(MATERIAL_BEYOND, eigenshade_transfer_##format(&material, &workspace, &transfer)); \
     light.exponent = 129;                                                                     \
-    check_status(eigenshade_relight_##format(&transfer, &light, &d),                          \
-                 EIGENSHADE_STATUS_EXPONENT, name, "exponent of light");                      \
+    EXPECTED(EXPONENT, eigenshade_relight_##format(&transfer, &light, &d));                   \
     light.degree = EIGENSHADE_DEGREE + 1;                                                     \
-    check_status(eigenshade_relight_##format(&transfer, &light, &d),                          \
-                 EIGENSHADE_STATUS_LIGHT_BEYOND, name, "degree");                             \
+    EXPECTED(LIGHT_BEYOND, eigenshade_relight_##format(&transfer, &light, &d));               \
     light.degree = 1;                                                                         \
-    check_status(eigenshade_relight_##format(&transfer, &light, &d),                          \
-                 EIGENSHADE_STATUS_LIGHT_LENGTH, name, "length of light");                    \
+    EXPECTED(LIGHT_LENGTH, eigenshade_relight_##format(&transfer, &light, &d));               \
     check(d.mantissas[0] == 7, name, "d is as it was", 0);                                    \
     light = ambient;                                                                          \
     transfer.numbers[0] = transfer.numbers[1] = transfer.numbers[2] = one;                    \
-    check_status(eigenshade_relight_##format(&transfer, &light, &d),                          \
-                 EIGENSHADE_STATUS_TRANSFER, name, "transfer");                               \
+    EXPECTED(TRANSFER, eigenshade_relight_##format(&transfer, &light, &d));                   \
     check(d.mantissas[0] == 0, name, "d is zero", 0);                                         \
-    check_status(eigenshade_collapse_##format(&d, EIGENSHADE_COMPONENTS + 1, &scene),         \
-                 EIGENSHADE_STATUS_COMPONENTS, name, "components");                           \
+    EXPECTED(COMPONENTS, eigenshade_collapse_##format(&d, EIGENSHADE_COMPONENTS + 1, &scene)); \
     d.exponent = INT32_MIN;                                                                   \
-    check_status(eigenshade_collapse_##format(&d, EIGENSHADE_COMPONENTS, &scene),             \
-                 EIGENSHADE_STATUS_EXPONENT, name, "exponent of d");                          \
-    check_status(eigenshade_shade_##format(&scene, 0, 0, one / 2, &irradiance),               \
-                 EIGENSHADE_STATUS_NORMAL, name, "no unit vector");                           \
-    check_status(eigenshade_shade_##format(&scene, 0, 0, -one, &irradiance),                  \
-                 EIGENSHADE_STATUS_HIDDEN, name, "away");                                     \
+    EXPECTED(EXPONENT, eigenshade_collapse_##format(&d, EIGENSHADE_COMPONENTS, &scene));      \
+    EXPECTED(NORMAL, eigenshade_shade_##format(&scene, 0, 0, one / 2, &irradiance));          \
+    EXPECTED(HIDDEN, eigenshade_shade_##format(&scene, 0, 0, -one, &irradiance));             \
     check(irradiance == 7, name, "irradiance is as it was", 0);                               \
-    check_status(eigenshade_shade_##format(&scene, 0, 0, one, &irradiance),                   \
-                 EIGENSHADE_STATUS_OK, name, "toward");                                       \
-    check_status(eigenshade_shade_many_##format(&scene, 3, zeros, NULL, z, irradiances),      \
-                 EIGENSHADE_STATUS_NULL_POINTER, name, "no y");                               \
+    EXPECTED(OK, eigenshade_shade_##format(&scene, 0, 0, one, &irradiance));                  \
+    EXPECTED(NULL_POINTER,                                                                    \
+             eigenshade_shade_many_##format(&scene, 3, zeros, NULL, z, irradiances));         \
     check(irradiances[0] == 7, name, "irradiances are as they were", 0);                      \
     /* The second normal points away. */                                                      \
-    check_status(eigenshade_shade_many_##format(&scene, 3, zeros, zeros, z, irradiances),     \
-                 EIGENSHADE_STATUS_HIDDEN, name, "one away");                                 \
+    EXPECTED(HIDDEN, eigenshade_shade_many_##format(&scene, 3, zeros, zeros, z, irradiances)); \
     check(irradiances[0] == irradiance && irradiances[1] == 0 && irradiances[2] == 0, name,   \
           "what stands before it", 0);                                                        \
-    check_status(                                                                             \
-        eigenshade_shade_many_##format(&scene, 1, zeros, zeros, z, (int32_t *)(void *)z),     \
-        EIGENSHADE_STATUS_OVERLAP, name, "overlap");                                          \
+    EXPECTED(OVERLAP,                                                                         \
+             eigenshade_shade_many_##format(&scene, 1, zeros, zeros, z, (int32_t *)(void *)z)); \
     static eigenshade_light_##format##_t light_in_d;                                          \
     static union {                                                                            \
       eigenshade_workspace_##format##_t workspace;                                            \
@@ -250,51 +195,37 @@ static void runtime_inputs_f32(void) {
       eigenshade_light_##format##_t light;                                                    \
       mantissa mantissas[4];                                                                  \
     } same;                                                                                   \
-    const eigenshade_status overlap = EIGENSHADE_STATUS_OVERLAP;                              \
-    check_status(eigenshade_transfer_##format(&matte, &same.workspace, &same.transfer), overlap, \
-                 name, "workspace and transfer");                                             \
+    EXPECTED(OVERLAP, eigenshade_transfer_##format(&matte, &same.workspace, &same.transfer)); \
     light_in_d = ambient;                                                                     \
     light_in_d.mantissas = (const mantissa *)(const void *)d.mantissas;                       \
-    check_status(eigenshade_relight_##format(&transfer, &light_in_d, &d), overlap, name,      \
-                 "light in d");                                                               \
-    check_status(eigenshade_relight_##format(&same.transfer, &ambient, &same.d), overlap,     \
-                 name, "transfer and d");                                                     \
-    check_status(eigenshade_project_##format(&ambient, &matte, &workspace, &same.transfer,    \
-                                             &same.d),                                        \
-                 overlap, name, "project: transfer and d");                                   \
-    check_status(eigenshade_project_##format(&ambient, &matte, &same.workspace, &transfer,    \
-                                             &same.d),                                        \
-                 overlap, name, "project: workspace and d");                                  \
-    check_status(eigenshade_collapse_##format(&same.d, 1, &same.scene), overlap, name,        \
-                 "d and scene");                                                              \
-    check_status(eigenshade_shade_##format(&scene, 0, 0, one, scene.terms + 3), overlap, name, \
-                 "irradiance in scene");                                                      \
-    check_status(eigenshade_shade_many_##format(&scene, 1, zeros, zeros, z, &scene.exponent), \
-                 overlap, name, "irradiances in scene");                                      \
-    check_status(eigenshade_quantize_light_##format(&of_floats, same.mantissas, 1,            \
-                                                    &same.light),                             \
-                 overlap, name, "mantissas in their light");                                  \
+    EXPECTED(OVERLAP, eigenshade_relight_##format(&transfer, &light_in_d, &d));               \
+    EXPECTED(OVERLAP, eigenshade_relight_##format(&same.transfer, &ambient, &same.d));        \
+    EXPECTED(OVERLAP,                                                                         \
+             eigenshade_project_##format(&ambient, &matte, &workspace, &same.transfer, &same.d)); \
+    EXPECTED(OVERLAP,                                                                         \
+             eigenshade_project_##format(&ambient, &matte, &same.workspace, &transfer, &same.d)); \
+    EXPECTED(OVERLAP, eigenshade_collapse_##format(&same.d, 1, &same.scene));                 \
+    EXPECTED(OVERLAP, eigenshade_shade_##format(&scene, 0, 0, one, scene.terms + 3));         \
+    EXPECTED(OVERLAP,                                                                         \
+             eigenshade_shade_many_##format(&scene, 1, zeros, zeros, z, &scene.exponent));    \
+    EXPECTED(OVERLAP,                                                                         \
+             eigenshade_quantize_light_##format(&of_floats, same.mantissas, 1, &same.light)); \
     const float endless[1] = {__builtin_inff()};                                              \
     const eigenshade_light_f32_t of_infinity = {                                              \
         .degree = 0, .length = 1, .coefficients = endless};                                   \
-    check_status(eigenshade_quantize_light_##format(&of_infinity, quantized, 1, &light),      \
-                 EIGENSHADE_STATUS_NOT_FINITE, name, "light of infinity");                    \
+    EXPECTED(NOT_FINITE, eigenshade_quantize_light_##format(&of_infinity, quantized, 1, &light)); \
     /* Of a map of 8 bits. */                                                                 \
     const int32_t behind[3] = {255, 1, -1}, away[3] = {1, 1, -255};                           \
     mantissa normal[3] = {7, 7, 7};                                                           \
-    check_status(eigenshade_normalize_##format(away, normal), EIGENSHADE_STATUS_HIDDEN, name, \
-                 "far behind");                                                               \
+    EXPECTED(HIDDEN, eigenshade_normalize_##format(away, normal));                            \
     check(normal[0] == 7 && normal[2] == 7, name, "normal is as it was", 0);                  \
-    check_status(eigenshade_normalize_##format(behind, normal), EIGENSHADE_STATUS_OK, name,   \
-                 "behind");                                                                   \
+    EXPECTED(OK, eigenshade_normalize_##format(behind, normal));                              \
     check(normal[0] > one - one / 1000 && normal[1] > 0 && normal[2] == 0, name, "rim", 0);   \
-    check_status(eigenshade_shade_##format(&scene, normal[0], normal[1], normal[2],           \
-                                           &irradiance),                                      \
-                 EIGENSHADE_STATUS_OK, name, "at the rim");                                   \
+    EXPECTED(OK, eigenshade_shade_##format(&scene, normal[0], normal[1], normal[2], &irradiance)); \
   }
 
-FAULTS_OF_INTEGERS(Q15, q15, "q15", int16_t, 32767)
-FAULTS_OF_INTEGERS(Q31, q31, "q31", int32_t, 2147483647)
+FAULTS_OF_INTEGERS(q15, int16_t, 32767)
+FAULTS_OF_INTEGERS(q31, int32_t, 2147483647)
 
 void check_faults(void) {
   faults_f32();

@@ -1,6 +1,8 @@
 //! Prints the shipped lights and materials as a C header: `cargo run -p eigenshade-capi --example
 //! presets_header > crates/capi/include/eigenshade_presets.h`.
 
+use eigenshade::index::highlights::SETS;
+
 macro_rules! names {
     ($($constant:ident $name:literal)*) => {
         [$($name),*]
@@ -9,8 +11,8 @@ macro_rules! names {
 
 const START: &str = "\
 /* The shipped lights and materials in color, as `eigenshade list` names them, each in float (f32)
-and in integers (q15); small sources of the lights that have some, in sets of at most 1, 2, 4 and 8;
-and the gloss of the materials. A program contains only those that it names.
+and in integers (q15); small sources of the lights that have some, in sets of at most
+SETS; and the gloss of the materials. A program contains only those that it names.
 
 The example presets_header writes this file. */
 
@@ -39,7 +41,9 @@ macro_rules! counted {
 }
 
 fn main() {
-    print!("{START}");
+    let (last, others) = SETS.split_last().expect("some sets");
+    let others: Vec<String> = others.iter().map(ToString::to_string).collect();
+    print!("{}", START.replace("\nSETS;", &format!("\n{} and {last};", others.join(", "))));
     let lights: &[&str] = &eigenshade::each_preset_light!(names);
     let materials: &[&str] = &eigenshade::each_preset_material!(names);
     for (kind, names) in [("light", lights), ("material", materials)] {

@@ -214,62 +214,43 @@ typedef struct eigenshade_scene_q15_t {
   int32_t exponent;
 } eigenshade_scene_q15_t;
 
-/** One channel of distant light: as `eigenshade_light_f32_t`, in mantissas times 2^exponent. */
+/** `eigenshade_light_q15_t` in Q31. */
 typedef struct eigenshade_light_q31_t {
-  /** Largest l, at most EIGENSHADE_DEGREE; above it the light is zero. */
   size_t degree;
-  /** Number of mantissas: (degree + 1)^2. */
   size_t length;
-  /** The mantissas; the caller's. The more bits the largest has, the better. */
   const int32_t *mantissas;
-  /** The exponent of all of them, from -128 to 128. */
   int32_t exponent;
 } eigenshade_light_q31_t;
 
-/**
- * One channel of an isotropic material: as `eigenshade_material_f32_t`, in mantissas times
- * 2^exponent, an exponent for each o.
- */
+/** `eigenshade_material_q15_t` in Q31. */
 typedef struct eigenshade_material_q31_t {
-  /** Largest o, at most EIGENSHADE_ORDER; above it the material is zero. */
   size_t order;
-  /** Number of mantissas: 1, 2, 5, 8, 14, 20, 30, 40 for orders 0 to 7. */
   size_t length;
-  /** The mantissas; the caller's. The more bits the largest of each o has, the better. */
   const int32_t *mantissas;
-  /** Number of exponents: order + 1. */
   size_t exponents_length;
-  /** For each o the exponent of its mantissas; the caller's. */
   const int8_t *exponents;
 } eigenshade_material_q31_t;
 
-/** Scratch memory; holds nothing between two calls. */
+/** `eigenshade_workspace_q15_t` in Q31. */
 typedef struct eigenshade_workspace_q31_t {
-  /** Scratch. */
   int64_t numbers[EIGENSHADE_WORKSPACE];
 } eigenshade_workspace_q31_t;
 
-/** The transfer of a material, as `eigenshade_transfer_q31` writes it. May be kept in flash. */
+/** `eigenshade_transfer_q15_t` in Q31. */
 typedef struct eigenshade_transfer_q31_t {
-  /** Its mantissas. */
   int32_t numbers[EIGENSHADE_TRANSFER];
-  /** Its exponents. */
   int16_t exponents[EIGENSHADE_PROFILES];
 } eigenshade_transfer_q31_t;
 
-/** The coefficients d of one image, component by component: mantissas times 2^exponent. */
+/** `eigenshade_coefficients_q15_t` in Q31. */
 typedef struct eigenshade_coefficients_q31_t {
-  /** Mantissas of at most 2^30. */
   int32_t mantissas[EIGENSHADE_COMPONENTS];
-  /** The exponent of all of them. */
   int32_t exponent;
 } eigenshade_coefficients_q31_t;
 
-/** One image, as `eigenshade_collapse_q31` writes it. May be kept in flash. */
+/** `eigenshade_scene_q15_t` in Q31. */
 typedef struct eigenshade_scene_q31_t {
-  /** Its polynomials. */
   int32_t terms[EIGENSHADE_SCENE_Q31];
-  /** The exponent of every irradiance. */
   int32_t exponent;
 } eigenshade_scene_q31_t;
 
@@ -532,126 +513,46 @@ eigenshade_status eigenshade_shade_many_q15(const struct eigenshade_scene_q15_t 
                                             size_t count, const int16_t *x, const int16_t *y,
                                             const int16_t *z, int32_t *irradiance);
 
-/**
- * A light in these mantissas from one in float, in integer arithmetic throughout.
- *
- * Writes `length` mantissas, as many as `from` has coefficients, and the light that they
- * make; they stay the caller's, and the light points to them. On an error
- * nothing is written, unless a number is not finite or `to` is at fault.
- *
- * Every pointer that is neither NULL nor unaligned points to a value of its type, `mantissas`
- * to room for `length` numbers, and it and `to` to nothing else's memory.
- */
+/** `eigenshade_quantize_light_q15` in Q31. */
 eigenshade_status eigenshade_quantize_light_q31(const struct eigenshade_light_f32_t *from,
                                                 int32_t *mantissas, size_t length,
                                                 struct eigenshade_light_q31_t *to);
 
-/**
- * A material in these mantissas from one in float, in integer arithmetic throughout.
- *
- * Writes `length` mantissas, as many as `from` has coefficients, `exponents_length`
- * exponents, one for each o, and the material that they make; they stay the caller's, and
- * the material points to them. On an error nothing is written, unless a number is not finite,
- * or `exponents` or `to` is at fault.
- *
- * Every pointer that is neither NULL nor unaligned points to a value of its type, `mantissas`
- * and `exponents` to room for as many numbers, and they and `to` to nothing else's memory.
- */
+/** `eigenshade_quantize_material_q15` in Q31. */
 eigenshade_status eigenshade_quantize_material_q31(const struct eigenshade_material_f32_t *from,
                                                    int32_t *mantissas, size_t length,
                                                    int8_t *exponents, size_t exponents_length,
                                                    struct eigenshade_material_q31_t *to);
 
-/**
- * Computes the transfer of a material, for any number of lights.
- *
- * Cost: a multiplication for each of the table's factors. On an error `transfer` is
- * unchanged.
- *
- * Every pointer that is neither NULL nor unaligned points to a value of its type, and
- * `workspace` and `transfer` to nothing else's memory.
- */
+/** `eigenshade_transfer_q15` in Q31. */
 eigenshade_status eigenshade_transfer_q31(const struct eigenshade_material_q31_t *material,
                                           struct eigenshade_workspace_q31_t *workspace,
                                           struct eigenshade_transfer_q31_t *transfer);
 
-/**
- * Computes d of a new light on a material from its transfer.
- *
- * A transfer that `eigenshade_transfer_q31` did not write is refused if its rows could overflow
- * their sums, and gives meaningless numbers otherwise. Cost: two multiplications for each
- * number of the transfer. On an error `coefficients` is unchanged, except that it is zero if
- * the transfer is refused.
- *
- * Every pointer that is neither NULL nor unaligned points to a value of its type, and
- * `coefficients` to nothing else's memory.
- */
+/** `eigenshade_relight_q15` in Q31. */
 eigenshade_status eigenshade_relight_q31(const struct eigenshade_transfer_q31_t *transfer,
                                          const struct eigenshade_light_q31_t *light,
                                          struct eigenshade_coefficients_q31_t *coefficients);
 
-/**
- * Computes d of a light on a material: first the `transfer`, then d.
- *
- * Cost: as `eigenshade_transfer_q31` and `eigenshade_relight_q31`. On an error `coefficients`
- * is unchanged; `transfer` may have changed.
- *
- * Every pointer that is neither NULL nor unaligned points to a value of its type, and
- * `workspace`, `transfer` and `coefficients` to nothing else's memory.
- */
+/** `eigenshade_project_q15` in Q31. */
 eigenshade_status eigenshade_project_q31(const struct eigenshade_light_q31_t *light,
                                          const struct eigenshade_material_q31_t *material,
                                          struct eigenshade_workspace_q31_t *workspace,
                                          struct eigenshade_transfer_q31_t *transfer,
                                          struct eigenshade_coefficients_q31_t *coefficients);
 
-/**
- * Sums the components of each azimuth to a scene, from which pixels are shaded.
- *
- * Of d only the first `components` are used, at most EIGENSHADE_COMPONENTS; the others count
- * as zero. Of coefficients that `eigenshade_relight_q31` did not write the exponent has to be
- * 2048 at most, either way. On an error `scene` is unchanged.
- *
- * Every pointer that is neither NULL nor unaligned points to a value of its type, and
- * `scene` to nothing else's memory.
- */
+/** `eigenshade_collapse_q15` in Q31. */
 eigenshade_status eigenshade_collapse_q31(const struct eigenshade_coefficients_q31_t *coefficients,
                                           size_t components, struct eigenshade_scene_q31_t *scene);
 
-/**
- * The unit normal along a vector of three integers of any scale, as three mantissas, x, y and z:
- * of a normal map of 8 bits, whose channel c says 2c - 255.
- *
- * One that points away by no more than 1/8 is laid on the rim. Cost: a root and three divisions
- * in 64 bits. On an error `normal` is unchanged.
- *
- * Pointers that are neither NULL nor unaligned point to three numbers each.
- */
+/** `eigenshade_normalize_q15` in Q31. */
 eigenshade_status eigenshade_normalize_q31(const int32_t *vector, int32_t *normal);
 
-/**
- * The irradiance of the unit normal (x, y, z), in fractions of 2^31 (1 as 2^31 - 1):
- * `irradiance` times 2 to the scene's exponent, in the light's radiance times sr times the
- * material's 1/sr.
- *
- * A scene that `eigenshade_collapse_q31` did not write gives meaningless numbers. On an
- * error `irradiance` is unchanged.
- *
- * Every pointer that is neither NULL nor unaligned points to a value of its type, and
- * `irradiance` to nothing else's memory.
- */
+/** `eigenshade_shade_q15` in Q31: (x, y, z) is in fractions of 2^31 (1 as 2^31 - 1). */
 eigenshade_status eigenshade_shade_q31(const struct eigenshade_scene_q31_t *scene, int32_t x,
                                        int32_t y, int32_t z, int32_t *irradiance);
 
-/**
- * The irradiances of `count` such normals, into `irradiance`.
- *
- * If `count` is 0, the pointers to numbers are not read. On an error `irradiance` is unchanged,
- * unless a normal is at fault: then the irradiances before it are written, and zeros from it on.
- *
- * Every pointer that is neither NULL nor unaligned points to a value of its type, the last
- * four to `count` numbers each.
- */
+/** `eigenshade_shade_many_q15` in Q31. */
 eigenshade_status eigenshade_shade_many_q31(const struct eigenshade_scene_q31_t *scene,
                                             size_t count, const int32_t *x, const int32_t *y,
                                             const int32_t *z, int32_t *irradiance);

@@ -10,7 +10,9 @@ memory hold here too. All functions in q15 do without a float unit, except
 
 For sharp highlights, take small bright sources out of a light (`eigenshade_color_residual_f32`),
 and draw the scene of the rest together with the sources and the gloss of the material
-(`eigenshade_color_glossy_disc_row_f32`). Where a light turns, turn the rest and the sources. */
+(`eigenshade_color_glossy_disc_row_f32`). Where a light turns, turn the rest and the sources.
+
+In structures, r, g and b are the red, green and blue channel. */
 
 #ifndef EIGENSHADE_COLOR_H
 #define EIGENSHADE_COLOR_H
@@ -76,41 +78,29 @@ typedef struct eigenshade_gloss_f32_t {
 
 /** Distant light in three channels. */
 typedef struct eigenshade_color_light_f32_t {
-  /** The red channel. */
   struct eigenshade_light_f32_t r;
-  /** The green channel. */
   struct eigenshade_light_f32_t g;
-  /** The blue channel. */
   struct eigenshade_light_f32_t b;
 } eigenshade_color_light_f32_t;
 
 /** An isotropic material in three channels. */
 typedef struct eigenshade_color_material_f32_t {
-  /** The red channel. */
   struct eigenshade_material_f32_t r;
-  /** The green channel. */
   struct eigenshade_material_f32_t g;
-  /** The blue channel. */
   struct eigenshade_material_f32_t b;
 } eigenshade_color_material_f32_t;
 
 /** The transfer of a material in three channels. May be kept in flash. */
 typedef struct eigenshade_color_transfer_f32_t {
-  /** The red channel. */
   struct eigenshade_transfer_f32_t r;
-  /** The green channel. */
   struct eigenshade_transfer_f32_t g;
-  /** The blue channel. */
   struct eigenshade_transfer_f32_t b;
 } eigenshade_color_transfer_f32_t;
 
 /** A picture in three channels. May be kept in flash. */
 typedef struct eigenshade_color_scene_f32_t {
-  /** The red channel. */
   struct eigenshade_scene_f32_t r;
-  /** The green channel. */
   struct eigenshade_scene_f32_t g;
-  /** The blue channel. */
   struct eigenshade_scene_f32_t b;
 } eigenshade_color_scene_f32_t;
 
@@ -148,43 +138,31 @@ typedef struct eigenshade_color_glossy_f32_t {
   size_t count;
 } eigenshade_color_glossy_f32_t;
 
-/** Distant light in three channels. */
+/** `eigenshade_color_light_f32_t` in Q15. */
 typedef struct eigenshade_color_light_q15_t {
-  /** The red channel. */
   struct eigenshade_light_q15_t r;
-  /** The green channel. */
   struct eigenshade_light_q15_t g;
-  /** The blue channel. */
   struct eigenshade_light_q15_t b;
 } eigenshade_color_light_q15_t;
 
-/** An isotropic material in three channels. */
+/** `eigenshade_color_material_f32_t` in Q15. */
 typedef struct eigenshade_color_material_q15_t {
-  /** The red channel. */
   struct eigenshade_material_q15_t r;
-  /** The green channel. */
   struct eigenshade_material_q15_t g;
-  /** The blue channel. */
   struct eigenshade_material_q15_t b;
 } eigenshade_color_material_q15_t;
 
-/** The transfer of a material in three channels. May be kept in flash. */
+/** `eigenshade_color_transfer_f32_t` in Q15. */
 typedef struct eigenshade_color_transfer_q15_t {
-  /** The red channel. */
   struct eigenshade_transfer_q15_t r;
-  /** The green channel. */
   struct eigenshade_transfer_q15_t g;
-  /** The blue channel. */
   struct eigenshade_transfer_q15_t b;
 } eigenshade_color_transfer_q15_t;
 
-/** A picture in three channels. May be kept in flash. */
+/** `eigenshade_color_scene_f32_t` in Q15. */
 typedef struct eigenshade_color_scene_q15_t {
-  /** The red channel. */
   struct eigenshade_scene_q15_t r;
-  /** The green channel. */
   struct eigenshade_scene_q15_t g;
-  /** The blue channel. */
   struct eigenshade_scene_q15_t b;
 } eigenshade_color_scene_q15_t;
 
@@ -202,27 +180,20 @@ typedef struct eigenshade_color_material_buffer_q15_t {
   int8_t exponents[3][EIGENSHADE_METALLIC_ROUGHNESS_ORDER + 1];
 } eigenshade_color_material_buffer_q15_t;
 
-/** A picture baked into three square maps, one for each channel. May be kept in flash. */
+/** `eigenshade_color_baked_f32_t` in Q15. */
 typedef struct eigenshade_color_baked_q15_t {
-  /** Texels a side, 2 to 4096. */
   size_t size;
-  /** Number of texels: 3 * size * size. */
   size_t length;
-  /** The texels of red, then of green, then of blue; the caller's. */
   const int16_t *texels;
   /** For each channel the exponent of its texels. */
   int32_t exponents[3];
 } eigenshade_color_baked_q15_t;
 
-/** A picture with sharp highlights. May be kept in flash. */
+/** `eigenshade_color_glossy_f32_t` in Q15. */
 typedef struct eigenshade_color_glossy_q15_t {
-  /** The scene of the light without its sources; the caller's. */
   const struct eigenshade_color_scene_q15_t *scene;
-  /** The gloss of the material; the caller's. */
   const struct eigenshade_gloss_f32_t *gloss;
-  /** The sources; the caller's. */
   const struct eigenshade_source_f32_t *sources;
-  /** Number of sources, at most `EIGENSHADE_SOURCES`. */
   size_t count;
 } eigenshade_color_glossy_q15_t;
 
@@ -411,134 +382,79 @@ eigenshade_status eigenshade_color_glossy_normal_map_row_f32(
     size_t row, float exposure, const struct eigenshade_display_t *display, uint16_t *pixels,
     size_t length);
 
-/**
- * The picture of a material under a light.
- *
- * Uses 2 KB of stack. On an error `scene` is unchanged.
- */
+/** `eigenshade_color_scene_f32` in Q15. Uses 2 KB of stack. */
 eigenshade_status eigenshade_color_scene_q15(const struct eigenshade_color_light_q15_t *light,
                                              const struct eigenshade_color_material_q15_t *material,
                                              struct eigenshade_color_scene_q15_t *scene);
 
-/**
- * The transfer of a material, for any number of lights.
- *
- * On an error `transfer` is unchanged.
- */
+/** `eigenshade_color_transfer_f32` in Q15. */
 eigenshade_status eigenshade_color_transfer_q15(
     const struct eigenshade_color_material_q15_t *material,
     struct eigenshade_color_transfer_q15_t *transfer);
 
-/**
- * The picture of a transferred material under a new light.
- *
- * On an error `scene` is unchanged, unless the transfer is refused: then its numbers are
- * meaningless.
- */
+/** `eigenshade_color_relight_f32` in Q15. */
 eigenshade_status eigenshade_color_relight_q15(
     const struct eigenshade_color_transfer_q15_t *transfer,
     const struct eigenshade_color_light_q15_t *light, struct eigenshade_color_scene_q15_t *scene);
 
 /**
- * Writes three numbers, red, green and blue: the irradiance of the unit normal (x, y, z)
- * in fractions of 2^15, each times 2 to the exponent of its channel.
- *
- * On an error `irradiance` is unchanged.
+ * `eigenshade_color_shade_f32` in Q15: (x, y, z) has length 1, in fractions of 2^15, and the
+ * numbers are times 2 to the exponent of their channel.
  */
 eigenshade_status eigenshade_color_shade_q15(const struct eigenshade_color_scene_q15_t *scene,
                                              int16_t x, int16_t y, int16_t z, int32_t *irradiance);
 
-/**
- * A light turned by the rotation of a quaternion (x, y, z, w) of any scale:
- * L'(R v) = L(v) for every direction v.
- *
- * The turned light is in `buffer`, and `to` points there. On an error neither may be used.
- */
+/** `eigenshade_color_turn_f32` in Q15. The quaternion may have any scale. */
 eigenshade_status eigenshade_color_turn_q15(const struct eigenshade_color_light_q15_t *from,
                                             const int32_t *quaternion,
                                             struct eigenshade_color_light_buffer_q15_t *buffer,
                                             struct eigenshade_color_light_q15_t *to);
 
-/**
- * A light turned about the view axis, from x toward y, by an angle, given by its cosine and sine
- * of any scale: much cheaper than any other axis.
- *
- * The turned light is in `buffer`, and `to` points there. On an error neither may be used.
- */
+/** `eigenshade_color_turn_about_view_f32` in Q15. Cosine and sine may have any scale. */
 eigenshade_status eigenshade_color_turn_about_view_q15(
     const struct eigenshade_color_light_q15_t *from, const int32_t *cosine_and_sine,
     struct eigenshade_color_light_buffer_q15_t *buffer, struct eigenshade_color_light_q15_t *to);
 
-/**
- * A glTF material from its linear base color, metallic and roughness, all from 0 to 1 (32767).
- *
- * A roughness below 0.2 is drawn as 0.2. The table's order
- * has to be 7 or more. The material is in `buffer`, and `to` points there. On an
- * error neither may be used.
- */
+/** `eigenshade_color_metallic_roughness_f32` in Q15, in which 1 is 32767. */
 eigenshade_status eigenshade_color_metallic_roughness_q15(
     const int16_t *base_color, int16_t metallic, int16_t roughness,
     struct eigenshade_color_material_buffer_q15_t *buffer,
     struct eigenshade_color_material_q15_t *to);
 
-/**
- * One row of a sphere that fills a square of `diameter` x `diameter` pixels, 1 to 4096, into
- * `length` RGB565 pixels, at least `diameter`. Row 0 is the top.
- *
- * Pixels beside the sphere are unchanged, and on an error all of them. `exposure` is a number above
- * 0 that multiplies the irradiance; its bits are read in integers.
- */
+/** `eigenshade_color_disc_row_f32` in Q15. The bits of `exposure` are read in integers. */
 eigenshade_status eigenshade_color_disc_row_q15(const struct eigenshade_color_scene_q15_t *scene,
                                                 size_t diameter, size_t row, float exposure,
                                                 const struct eigenshade_display_t *display,
                                                 uint16_t *pixels, size_t length);
 
-/**
- * One row of the object of a normal map, into `length` RGB565 pixels, at least its width. Pixels
- * that the object covers in part are mixed with what they were.
- *
- * Other pixels are unchanged, and on an error all of them. The rest is as in
- * `eigenshade_color_disc_row_q15`.
- */
+/** `eigenshade_color_normal_map_row_f32` in Q15. */
 eigenshade_status eigenshade_color_normal_map_row_q15(
     const struct eigenshade_color_scene_q15_t *scene, const struct eigenshade_normal_map_t *map,
     size_t row, float exposure, const struct eigenshade_display_t *display, uint16_t *pixels,
     size_t length);
 
-/**
- * Bakes a picture, which is in float, into maps of `size` x `size` texels, 2 to 4096. `length` is
- * 3 * size * size.
- *
- * A look-up costs less than a pixel of the scene and is less exact, as docs/method.md lists by size.
- * The texels are in `texels`, and `baked` points there. On an error
- * neither may be used.
- */
+/** `eigenshade_color_bake_f32` in Q15, from a picture in float. */
 eigenshade_status eigenshade_color_bake_q15(const struct eigenshade_color_scene_f32_t *scene,
                                             size_t size, int16_t *texels, size_t length,
                                             struct eigenshade_color_baked_q15_t *baked);
 
-/** `eigenshade_color_shade_q15` from a baked picture, with its exponents. */
+/** `eigenshade_color_baked_shade_f32` in Q15, with the exponents of the picture. */
 eigenshade_status eigenshade_color_baked_shade_q15(
     const struct eigenshade_color_baked_q15_t *baked, int16_t x, int16_t y, int16_t z,
     int32_t *irradiance);
 
-/** `eigenshade_color_disc_row_q15` from a baked picture. */
+/** `eigenshade_color_baked_disc_row_f32` in Q15. */
 eigenshade_status eigenshade_color_baked_disc_row_q15(
     const struct eigenshade_color_baked_q15_t *baked, size_t diameter, size_t row, float exposure,
     const struct eigenshade_display_t *display, uint16_t *pixels, size_t length);
 
-/** `eigenshade_color_normal_map_row_q15` from a baked picture. */
+/** `eigenshade_color_baked_normal_map_row_f32` in Q15. */
 eigenshade_status eigenshade_color_baked_normal_map_row_q15(
     const struct eigenshade_color_baked_q15_t *baked, const struct eigenshade_normal_map_t *map,
     size_t row, float exposure, const struct eigenshade_display_t *display, uint16_t *pixels,
     size_t length);
 
-/**
- * A light without `count` sources, at most `EIGENSHADE_SOURCES`. The light and the sources are in
- * float.
- *
- * The light is in `buffer`, and `to` points there. On an error neither may be used.
- */
+/** `eigenshade_color_residual_f32` in Q15, from light and sources in float. */
 eigenshade_status eigenshade_color_residual_q15(const struct eigenshade_color_light_f32_t *from,
                                                 const struct eigenshade_source_f32_t *sources,
                                                 size_t count,
@@ -546,20 +462,19 @@ eigenshade_status eigenshade_color_residual_q15(const struct eigenshade_color_li
                                                 struct eigenshade_color_light_q15_t *to);
 
 /**
- * `eigenshade_color_shade_q15` with highlights.
- *
- * A call prepares all sources in floats: without a float unit some 20,000 instructions for each.
+ * `eigenshade_color_glossy_shade_f32` in Q15. Without a float unit, a call prepares each source
+ * in some 20,000 instructions.
  */
 eigenshade_status eigenshade_color_glossy_shade_q15(
     const struct eigenshade_color_glossy_q15_t *glossy, int16_t x, int16_t y, int16_t z,
     int32_t *irradiance);
 
-/** `eigenshade_color_disc_row_q15` with highlights. A call prepares all sources. */
+/** `eigenshade_color_glossy_disc_row_f32` in Q15. */
 eigenshade_status eigenshade_color_glossy_disc_row_q15(
     const struct eigenshade_color_glossy_q15_t *glossy, size_t diameter, size_t row, float exposure,
     const struct eigenshade_display_t *display, uint16_t *pixels, size_t length);
 
-/** `eigenshade_color_normal_map_row_q15` with highlights. A call prepares all sources. */
+/** `eigenshade_color_glossy_normal_map_row_f32` in Q15. */
 eigenshade_status eigenshade_color_glossy_normal_map_row_q15(
     const struct eigenshade_color_glossy_q15_t *glossy, const struct eigenshade_normal_map_t *map,
     size_t row, float exposure, const struct eigenshade_display_t *display, uint16_t *pixels,

@@ -1,6 +1,6 @@
 /* The shipped lights and materials in color, as `eigenshade list` names them, each in float (f32)
-and in integers (q15); small sources of the lights that have some, in sets of at most 1, 2, 4 and 8;
-and the gloss of the materials. A program contains only those that it names.
+and in integers (q15); small sources of the lights that have some, in sets of at most
+1, 2, 4, 8 and 16; and the gloss of the materials. A program contains only those that it names.
 
 The example presets_header writes this file. */
 

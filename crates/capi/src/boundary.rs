@@ -183,6 +183,26 @@ impl Place {
     }
 }
 
+/// The components of `count` normals, and memory for their irradiances, filled with zeros.
+///
+/// # Safety
+///
+/// C promises as many numbers each.
+pub(crate) unsafe fn normals<'a, 'w, N: Plain, I: Plain>(
+    scene: Place,
+    count: usize,
+    axes: [&'a Input<N>; 3],
+    irradiance: &Output<I>,
+) -> Result<([&'a [N]; 3], &'w mut [I]), Status> {
+    let [x, y, z] = axes;
+    // SAFETY: the caller's promise.
+    let (x, y, z) = unsafe { (x.array(count)?, y.array(count)?, z.array(count)?) };
+    let read = [scene, Place::of(x), Place::of(y), Place::of(z)];
+    disjoint(&[irradiance.place_of_array(count)?], &read)?;
+    // SAFETY: the caller's promise; it overlaps no other.
+    Ok(([x, y, z], unsafe { irradiance.zeroed_array(count) }?))
+}
+
 /// Checks that the places that are written to overlap neither each other nor those that are read.
 pub(crate) fn disjoint(written: &[Place], read: &[Place]) -> Result<(), Status> {
     let mut rest = written;

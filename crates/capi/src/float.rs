@@ -1,7 +1,7 @@
 //! In float: `f32`, for machines with a float unit.
 #![expect(unsafe_code, reason = "memory of C")]
 
-use crate::boundary::{Input, Output, Place, Plain, disjoint};
+use crate::boundary::{Input, Output, Place, Plain, disjoint, normals};
 use crate::export::{export, records};
 use crate::status::{Status, light_shape, material_shape};
 use crate::table::{self, COMPONENTS, SCENE, TRANSFER, WORKSPACE};
@@ -190,11 +190,8 @@ pub(crate) fn shade_many(
 ) -> Result<(), Status> {
     let scene = scene.value()?;
     // SAFETY: C promises `count` numbers each.
-    let (x, y, z) = unsafe { (x.array(count)?, y.array(count)?, z.array(count)?) };
-    let read = [Place::of(scene), Place::of(x), Place::of(y), Place::of(z)];
-    disjoint(&[irradiance.place_of_array(count)?], &read)?;
-    // SAFETY: C promises memory for `count` numbers, which overlaps no other.
-    let irradiance = unsafe { irradiance.zeroed_array(count) }?;
+    let ([x, y, z], irradiance) =
+        unsafe { normals(Place::of(scene), count, [&x, &y, &z], &irradiance) }?;
     for (irradiance, normal) in irradiance.iter_mut().zip(Normals::new(x, y, z)?.iter()) {
         *irradiance = self::irradiance(scene, normal);
     }

@@ -217,16 +217,3 @@ fn the_headers_declare_this_library() {
 fn the_sizes_are_those_of_the_table() {
     assert_eq!(include_str!("../include/eigenshade_table.h"), table_header::header());
 }
-
-/// The comments on both integer formats are the same.
-#[test]
-fn the_comments_on_integers_are_the_same() {
-    let comments = |format: &str| {
-        let items = HEADER.split("\n\n").filter(|item| item.contains(&format!("_{format}")));
-        let comments = items.flat_map(str::lines);
-        let comments = comments.filter(|line| line.trim_start().starts_with(['/', '*']));
-        let comments = comments.map(|line| line.replace("q15", "q31").replace("2^15", "2^31"));
-        comments.collect::<Vec<_>>()
-    };
-    assert_eq!(comments("q15"), comments("q31"));
-}

@@ -1,7 +1,7 @@
 //! In integers: mantissas of 15 or 31 bits, for machines without a float unit.
 #![expect(unsafe_code, reason = "memory of C")]
 
-use crate::boundary::{Input, Output, Place, Plain, disjoint};
+use crate::boundary::{Input, Output, Place, Plain, disjoint, normals};
 use crate::export::{export, records};
 use crate::float;
 use crate::status::{Status, light_shape, material_shape};
@@ -288,11 +288,8 @@ pub(crate) fn shade_many<Q: Shipped>(
 ) -> Result<(), Status> {
     let scene = scene.value()?;
     // SAFETY: C promises `count` numbers each.
-    let (x, y, z) = unsafe { (x.array(count)?, y.array(count)?, z.array(count)?) };
-    let read = [Place::of(scene), Place::of(x), Place::of(y), Place::of(z)];
-    disjoint(&[irradiance.place_of_array(count)?], &read)?;
-    // SAFETY: C promises memory for `count` numbers, which overlaps no other.
-    let irradiance = unsafe { irradiance.zeroed_array(count) }?;
+    let ([x, y, z], irradiance) =
+        unsafe { normals(Place::of(scene), count, [&x, &y, &z], &irradiance) }?;
     let scene = Q::relight_only().scene(0, scene.terms.as_ref())?;
     for (((irradiance, &x), &y), &z) in irradiance.iter_mut().zip(x).zip(y).zip(z) {
         *irradiance = Q::irradiance(&scene, Q::normal(x, y, z)?);

@@ -1,7 +1,7 @@
 //! Color in `f32`.
 #![expect(unsafe_code, reason = "memory of C")]
 
-use super::format::{Format, MATERIAL, ORDER, check_size, thirds};
+use super::format::{Format, MATERIAL, ORDER, baked_texels};
 use super::glossy::SOURCES;
 use super::picture::{Opened, Picture, Shade};
 use crate::boundary::{Input, Place, Plain};
@@ -188,13 +188,9 @@ impl Format for f32 {
 
 impl Picture<f32> for Baked {
     fn open(&self) -> Result<Opened<impl Shade<f32>>, Status> {
-        check_size(self.size, self.length)?;
-        // SAFETY: C promises `length` texels.
-        let texels = unsafe { self.texels.array(self.length) }?;
-        let (of_record, of_texels) = (Place::of(self), Place::of(texels));
-        let maps = thirds(texels)?.try_map(|texels| BakedMap::new(self.size, texels))?;
+        let (texels, places) = baked_texels(Place::of(self), self.size, &self.texels, self.length)?;
+        let maps = texels.try_map(|texels| BakedMap::new(self.size, texels))?;
         let shade = move |normal| Ok(maps.bilinear(MapPoint::of(normal)).into());
-        let places = [of_record, of_texels, of_texels, of_texels];
         Ok(Opened { shade, exponents: [0; 3], places })
     }
 }

@@ -140,6 +140,21 @@ pub(crate) fn places<T, const N: usize>(
     Ok([check(r)?, check(g)?, check(b)?])
 }
 
+/// The texels of each channel of baked maps, and where all lies.
+#[expect(unsafe_code, reason = "memory of C")]
+pub(crate) fn baked_texels<T: Plain>(
+    record: Place,
+    size: usize,
+    texels: &Input<T>,
+    length: usize,
+) -> Result<(Rgb<&[T]>, [Place; 4]), Status> {
+    check_size(size, length)?;
+    // SAFETY: C promises `length` texels.
+    let texels = unsafe { texels.array(length) }?;
+    let of_texels = Place::of(texels);
+    Ok((thirds(texels)?, [record, of_texels, of_texels, of_texels]))
+}
+
 /// Checks the size of three baked maps, and the number of their texels.
 pub(crate) fn check_size(size: usize, length: usize) -> Result<(), Status> {
     // The size is checked first, so that nothing wraps.
@@ -151,7 +166,7 @@ pub(crate) fn check_size(size: usize, length: usize) -> Result<(), Status> {
 }
 
 /// The texels of each channel.
-pub(crate) fn thirds<T>(texels: &[T]) -> Result<Rgb<&[T]>, Status> {
+fn thirds<T>(texels: &[T]) -> Result<Rgb<&[T]>, Status> {
     let third = texels.len() / 3;
     let (r, rest) = texels.split_at_checked(third).ok_or(Status::Internal)?;
     let (g, b) = rest.split_at_checked(third).ok_or(Status::Internal)?;

@@ -1,7 +1,7 @@
 //! Color in Q15.
 #![expect(unsafe_code, reason = "memory of C")]
 
-use super::format::{Format, MATERIAL, ORDER, check_size, thirds};
+use super::format::{Format, MATERIAL, ORDER, baked_texels};
 use super::glossy::SOURCES;
 use super::picture::{Opened, Picture, Shade};
 use crate::boundary::{Input, Place, Plain};
@@ -223,15 +223,11 @@ impl Format for Q15 {
 
 impl Picture<Q15> for Baked {
     fn open(&self) -> Result<Opened<impl Shade<Q15>>, Status> {
-        check_size(self.size, self.length)?;
-        // SAFETY: C promises `length` texels.
-        let texels = unsafe { self.texels.array(self.length) }?;
-        let (of_record, of_texels) = (Place::of(self), Place::of(texels));
-        let maps = thirds(texels)?
+        let (texels, places) = baked_texels(Place::of(self), self.size, &self.texels, self.length)?;
+        let maps = texels
             .zip(Rgb::from(self.exponents))
             .try_map(|(texels, exponent)| IntegerMap::new(self.size, exponent, texels))?;
         let shade = move |normal| Ok(maps.bilinear(MapPoint::of_quantized(normal)).into());
-        let places = [of_record, of_texels, of_texels, of_texels];
         Ok(Opened { shade, exponents: self.exponents, places })
     }
 }
