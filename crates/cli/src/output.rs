@@ -5,7 +5,7 @@ pub use eigenshade_model::inputs::coefficient_text::exact;
 use crate::messages::is_quiet;
 use eigenshade_model::error::{Error, Result, STANDARD_INPUT};
 use eigenshade_model::inputs::input_file::is_file;
-use eigenshade_model::output::{end_of_links, write_atomically};
+use eigenshade_model::output::{Watched, end_of_links, write_atomically};
 use serde::Serialize;
 use std::ffi::OsStr;
 use std::io::{self, BufWriter, ErrorKind, Write};
@@ -146,7 +146,7 @@ pub fn write_error(error: &io::Error) -> Error {
 }
 
 fn to_standard_output(write: impl FnOnce(&mut dyn Write) -> Result<()>) -> Result<()> {
-    let mut pipe = Pipe { inner: io::stdout().lock(), failed: None };
+    let mut pipe = Watched::new(io::stdout().lock());
     let mut buffer = BufWriter::with_capacity(1 << 16, &mut pipe);
     let written = write(&mut buffer).and_then(|()| buffer.flush().map_err(|e| write_error(&e)));
     // Dropped without flushing: the reader has gone, or has received everything.
@@ -155,36 +155,6 @@ fn to_standard_output(write: impl FnOnce(&mut dyn Write) -> Result<()>) -> Resul
         Some(error) if error.kind() == ErrorKind::BrokenPipe => Ok(()),
         Some(error) => Err(Error::io("standard output", &error)),
         None => written,
-    }
-}
-
-/// Records the first failure.
-struct Pipe<W> {
-    inner: W,
-    failed: Option<io::Error>,
-}
-
-impl<W: Write> Pipe<W> {
-    fn note<T>(&mut self, result: io::Result<T>) -> io::Result<T> {
-        result.map_err(|error| {
-            let kind = error.kind();
-            if kind != ErrorKind::Interrupted {
-                self.failed.get_or_insert(error);
-            }
-            kind.into()
-        })
-    }
-}
-
-impl<W: Write> Write for Pipe<W> {
-    fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
-        let result = self.inner.write(bytes);
-        self.note(result)
-    }
-
-    fn flush(&mut self) -> io::Result<()> {
-        let result = self.inner.flush();
-        self.note(result)
     }
 }
 

@@ -4,8 +4,9 @@
 use eigenshade_model::database::{Lights, Materials, Named};
 use eigenshade_model::error::Result;
 use eigenshade_model::inputs::coefficient_csv::{
-    parse_lights, parse_materials, read_lights, read_materials, write_lights, write_materials,
+    read_lights, read_materials, write_lights, write_materials,
 };
+use eigenshade_model::inputs::input_file::InputFile;
 use eigenshade_model::inputs::normals::read_normals;
 use std::fs;
 use std::path::PathBuf;
@@ -259,10 +260,13 @@ fn normals_that_cannot_be_seen_are_refused() {
 /// Text that is in no file is read like a file, and errors name it as the caller does.
 #[test]
 fn texts_read_as_files() {
-    let lights = parse_lights("name,l,m,value\na,0,0,2.5\n", "there.csv", None).unwrap();
+    let lights =
+        read_lights(InputFile::of_text("name,l,m,value\na,0,0,2.5\n", "there.csv"), None).unwrap();
     assert_eq!((lights.degree, &lights.entries[0].rgb[1]), (0, &vec![2.5]));
-    let error = parse_lights("name,l,m,value\na,0,1,2.5\n", "there.csv", None).unwrap_err();
+    let error = read_lights(InputFile::of_text("name,l,m,value\na,0,1,2.5\n", "there.csv"), None)
+        .unwrap_err();
     assert!(error.to_string().starts_with("there.csv:2: "), "{error}");
-    let error = parse_materials("name,o,p,q,value\n", "here.csv", None).unwrap_err();
+    let error =
+        read_materials(InputFile::of_text("name,o,p,q,value\n", "here.csv"), None).unwrap_err();
     assert!(error.to_string().starts_with("here.csv: it contains no material"), "{error}");
 }

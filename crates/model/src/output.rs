@@ -179,7 +179,7 @@ fn fill<W: Write>(
     file: W,
     write: impl FnOnce(&mut dyn Write) -> Result<()>,
 ) -> Result<W> {
-    let mut watched = Watched { inner: BufWriter::new(file), failed: None };
+    let mut watched = Watched::new(BufWriter::new(file));
     let written =
         write(&mut watched).and_then(|()| watched.flush().map_err(|error| Error::io(path, &error)));
     if let Some(error) = watched.failed {
@@ -192,12 +192,18 @@ fn fill<W: Write>(
 }
 
 /// Remembers the first error of the inner writer.
-struct Watched<W: Write> {
-    inner: BufWriter<W>,
-    failed: Option<io::Error>,
+pub struct Watched<W> {
+    inner: W,
+    /// The error.
+    pub failed: Option<io::Error>,
 }
 
 impl<W: Write> Watched<W> {
+    /// A writer that has not failed.
+    pub fn new(inner: W) -> Self {
+        Self { inner, failed: None }
+    }
+
     fn note<T>(&mut self, result: io::Result<T>) -> io::Result<T> {
         if let Err(error) = &result
             && self.failed.is_none()

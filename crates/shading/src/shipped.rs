@@ -3,10 +3,11 @@
 
 use eigenshade_model::database::{Lights, Materials};
 use eigenshade_model::error::{Error, Result};
-use eigenshade_model::inputs::coefficient_csv::{parse_lights, parse_materials};
-use eigenshade_model::inputs::gloss_csv::parse_glosses;
-use eigenshade_model::inputs::set_error_csv::parse_set_errors;
-use eigenshade_model::inputs::source_csv::parse_sources;
+use eigenshade_model::inputs::coefficient_csv::{read_lights, read_materials};
+use eigenshade_model::inputs::gloss_csv::read_glosses;
+use eigenshade_model::inputs::input_file::InputFile;
+use eigenshade_model::inputs::set_error_csv::read_set_errors;
+use eigenshade_model::inputs::source_csv::read_sources;
 use eigenshade_model::source::{NamedGloss, SetError, SourceSets};
 use eigenshade_table::decode;
 use std::ffi::OsStr;
@@ -49,18 +50,18 @@ pub const SHOWN_LIGHTS: [&str; 4] = ["esplanade", "park", "blender-courtyard", "
 ///
 /// # Errors
 ///
-/// As [`parse_lights`], for the compiled-in file.
+/// As [`read_lights`], for the compiled-in file.
 pub fn lights() -> Result<Lights> {
-    parse_lights(LIGHTS, "tables/inputs/lights.csv", None)
+    read_lights(InputFile::of_text(LIGHTS, "tables/inputs/lights.csv"), None)
 }
 
 /// The small sources of the captured lights, `tables/inputs/sources.csv`.
 ///
 /// # Errors
 ///
-/// As [`parse_sources`], for the compiled-in file.
+/// As [`read_sources`], for the compiled-in file.
 pub fn sources() -> Result<Vec<SourceSets>> {
-    parse_sources(SOURCES, "tables/inputs/sources.csv")
+    read_sources(InputFile::of_text(SOURCES, "tables/inputs/sources.csv"))
 }
 
 /// The errors that the small sources of the captured lights leave, and those without sources,
@@ -68,27 +69,27 @@ pub fn sources() -> Result<Vec<SourceSets>> {
 ///
 /// # Errors
 ///
-/// As [`parse_set_errors`], for the compiled-in file.
+/// As [`read_set_errors`], for the compiled-in file.
 pub fn set_errors() -> Result<Vec<SetError>> {
-    parse_set_errors(SET_ERRORS, "tables/inputs/sources.errors.csv")
+    read_set_errors(InputFile::of_text(SET_ERRORS, "tables/inputs/sources.errors.csv"))
 }
 
 /// The gloss of the materials in color, `tables/inputs/gloss.csv`.
 ///
 /// # Errors
 ///
-/// As [`parse_glosses`], for the compiled-in file.
+/// As [`read_glosses`], for the compiled-in file.
 pub fn glosses() -> Result<Vec<NamedGloss>> {
-    parse_glosses(GLOSS, "tables/inputs/gloss.csv")
+    read_glosses(InputFile::of_text(GLOSS, "tables/inputs/gloss.csv"))
 }
 
 /// The materials in `tables/inputs/materials.csv`.
 ///
 /// # Errors
 ///
-/// As [`parse_materials`], for the compiled-in file.
+/// As [`read_materials`], for the compiled-in file.
 pub fn materials() -> Result<Materials> {
-    parse_materials(MATERIALS, "tables/inputs/materials.csv", None)
+    read_materials(InputFile::of_text(MATERIALS, "tables/inputs/materials.csv"), None)
 }
 
 /// All materials that have names: those in color of `tables/inputs/merl.csv`, then the gray ones of
@@ -96,9 +97,9 @@ pub fn materials() -> Result<Materials> {
 ///
 /// # Errors
 ///
-/// As [`parse_materials`], for the compiled-in files.
+/// As [`read_materials`], for the compiled-in files.
 pub fn named_materials() -> Result<Materials> {
-    let mut named = parse_materials(COLORED, "tables/inputs/merl.csv", None)?;
+    let mut named = read_materials(InputFile::of_text(COLORED, "tables/inputs/merl.csv"), None)?;
     named.entries.extend(materials()?.truncated(named.order).entries);
     Ok(named)
 }
@@ -107,7 +108,7 @@ pub fn named_materials() -> Result<Materials> {
 ///
 /// # Errors
 ///
-/// If no shipped database has that name; and as [`parse_materials`], for the compiled-in file.
+/// If no shipped database has that name; and as [`read_materials`], for the compiled-in file.
 pub fn materials_in(file: &Path) -> Result<Materials> {
     let text = match file.file_name().and_then(OsStr::to_str) {
         Some("materials.csv") => MATERIALS,
@@ -118,7 +119,7 @@ pub fn materials_in(file: &Path) -> Result<Materials> {
             return Err(Error::new(what, "give the file itself").in_file(file));
         }
     };
-    parse_materials(text, file, None)
+    read_materials(InputFile::of_text(text, file), None)
 }
 
 /// The materials in color of which no shipped table is made: those that `tables/color.toml` does
@@ -126,9 +127,9 @@ pub fn materials_in(file: &Path) -> Result<Materials> {
 ///
 /// # Errors
 ///
-/// As [`parse_materials`] and [`decode`], for the compiled-in files.
+/// As [`read_materials`] and [`decode`], for the compiled-in files.
 pub fn unseen_materials() -> Result<Materials> {
-    let mut color = parse_materials(COLORED, "tables/inputs/merl.csv", None)?;
+    let mut color = read_materials(InputFile::of_text(COLORED, "tables/inputs/merl.csv"), None)?;
     let table = decode(COLOR)
         .map_err(|error| Error::new(error.to_string(), "report it").in_file("tables/color.bin"))?;
     color.entries.retain(|entry| !table.scene.material.names.contains(&entry.name));

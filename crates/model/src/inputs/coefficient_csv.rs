@@ -11,12 +11,11 @@
 
 use super::coefficient_text::{Kind, LIGHT, MATERIAL, exact};
 use super::input_file::InputFile;
-use super::sheet::{Row, Sheet};
+use super::sheet::{Row, Sheet, output_fault};
 use crate::database::{Lights, Materials, Named};
 use crate::error::{Error, Result};
 use std::collections::HashMap;
 use std::io::Write;
-use std::path::Path;
 
 /// Reads lights up to `degree`, or up to the largest degree in the file if `degree` is `None`.
 ///
@@ -25,21 +24,8 @@ use std::path::Path;
 /// If the file cannot be read, contains no light, or ends below `degree`; if a row is missing,
 /// duplicated, ragged or out of range; or if a number is not finite.
 pub fn read_lights(file: impl Into<InputFile>, degree: Option<usize>) -> Result<Lights> {
-    lights(&Sheet::read(file, &LIGHT.header("r,g,b"))?, degree)
-}
-
-/// Parses lights as [`read_lights`] does, from the text of a file. Error messages name the file
-/// `path`.
-///
-/// # Errors
-///
-/// See [`read_lights`].
-pub fn parse_lights(text: &str, path: impl AsRef<Path>, degree: Option<usize>) -> Result<Lights> {
-    lights(&Sheet::parse(text.into(), path.as_ref(), &LIGHT.header("r,g,b"))?, degree)
-}
-
-fn lights(sheet: &Sheet, degree: Option<usize>) -> Result<Lights> {
-    let (degree, _, entries) = entries(&LIGHT, sheet, degree)?;
+    let sheet = Sheet::read(file, &LIGHT.header("r,g,b"))?;
+    let (degree, _, entries) = entries(&LIGHT, &sheet, degree)?;
     Ok(Lights { degree, entries })
 }
 
@@ -62,26 +48,8 @@ pub fn read_materials_and_order(
     file: impl Into<InputFile>,
     order: Option<usize>,
 ) -> Result<(Materials, usize)> {
-    materials(&Sheet::read(file, &MATERIAL.header("r,g,b"))?, order)
-}
-
-/// Parses materials as [`read_materials`] does, from the text of a file. Error messages name the
-/// file `path`.
-///
-/// # Errors
-///
-/// See [`read_lights`].
-pub fn parse_materials(
-    text: &str,
-    path: impl AsRef<Path>,
-    order: Option<usize>,
-) -> Result<Materials> {
-    let sheet = Sheet::parse(text.into(), path.as_ref(), &MATERIAL.header("r,g,b"))?;
-    Ok(materials(&sheet, order)?.0)
-}
-
-fn materials(sheet: &Sheet, order: Option<usize>) -> Result<(Materials, usize)> {
-    let (order, largest, entries) = entries(&MATERIAL, sheet, order)?;
+    let sheet = Sheet::read(file, &MATERIAL.header("r,g,b"))?;
+    let (order, largest, entries) = entries(&MATERIAL, &sheet, order)?;
     Ok((Materials { order, entries }, largest))
 }
 
@@ -235,7 +203,7 @@ fn write<const N: usize>(
     let header = kind.header(if gray { "value" } else { "r,g,b" });
     let indices: Vec<_> = (kind.indices)(size).collect();
     let mut writer = csv::WriterBuilder::new().comment(Some(b'#')).from_writer(out);
-    writer.write_record(header.split(',')).map_err(output)?;
+    writer.write_record(header.split(',')).map_err(output_fault)?;
     for entry in entries {
         if entry.rgb.iter().any(|channel| channel.len() != indices.len()) {
             return Err(Error::new(
@@ -257,12 +225,8 @@ fn write<const N: usize>(
                 }
                 fields.push(exact(channel[k]));
             }
-            writer.write_record(&fields).map_err(output)?;
+            writer.write_record(&fields).map_err(output_fault)?;
         }
     }
-    writer.flush().map_err(|error| output(error.into()))
-}
-
-fn output(error: csv::Error) -> Error {
-    Error::new(error.to_string(), "check where the output goes")
+    writer.flush().map_err(|error| output_fault(error.into()))
 }

@@ -4,11 +4,10 @@
 //! Other columns and lines that begin with `#` are ignored.
 
 use super::input_file::InputFile;
-use super::sheet::{Row, Sheet};
-use crate::error::{Error, Result};
+use super::sheet::{Row, read_entries, write_entries};
+use crate::error::Result;
 use crate::source::{Gloss, NamedGloss};
 use std::io::Write;
-use std::path::Path;
 
 const COLUMNS: [&str; 12] = [
     "material",
@@ -32,23 +31,7 @@ const COLUMNS: [&str; 12] = [
 /// If the file cannot be read, a row is ragged, a parameter is not from 0 to 1, or an error is not
 /// finite or below 0.
 pub fn read_glosses(file: impl Into<InputFile>) -> Result<Vec<NamedGloss>> {
-    glosses(&Sheet::read(file, &COLUMNS.join(","))?)
-}
-
-/// Parses glosses as [`read_glosses`] does, from the text of a file. Error messages name the file
-/// `path`.
-///
-/// # Errors
-///
-/// See [`read_glosses`].
-pub fn parse_glosses(text: &str, path: impl AsRef<Path>) -> Result<Vec<NamedGloss>> {
-    glosses(&Sheet::parse(text.into(), path.as_ref(), &COLUMNS.join(","))?)
-}
-
-fn glosses(sheet: &Sheet) -> Result<Vec<NamedGloss>> {
-    let columns = sheet.columns(COLUMNS);
-    let columns = columns.ok_or_else(|| sheet.wrong_header(&format!("`{}`", COLUMNS.join(","))))?;
-    sheet.rows().map(|row| entry(row, columns)).collect()
+    read_entries(file, COLUMNS, entry)
 }
 
 fn entry(row: Row<'_>, columns: [usize; 12]) -> Result<NamedGloss> {
@@ -77,16 +60,13 @@ fn entry(row: Row<'_>, columns: [usize; 12]) -> Result<NamedGloss> {
 ///
 /// If the output fails.
 pub fn write_glosses(glosses: &[NamedGloss], out: &mut (impl Write + ?Sized)) -> Result<()> {
-    let fault = |error: csv::Error| Error::new(error.to_string(), "check where the output goes");
-    let mut writer = csv::WriterBuilder::new().comment(Some(b'#')).from_writer(out);
-    writer.write_record(COLUMNS).map_err(fault)?;
-    for NamedGloss { name, gloss, error } in glosses {
+    let rows = glosses.iter().map(|NamedGloss { name, gloss, error }| {
         let Gloss { roughness, reflectance, grazing, albedo } = gloss;
         let numbers = [&[*roughness][..], reflectance, grazing, albedo, &[*error]].concat();
         let numbers = numbers.into_iter().map(|number| format!("{number:.4}"));
-        writer.write_record(std::iter::once(name.clone()).chain(numbers)).map_err(fault)?;
-    }
-    writer.flush().map_err(|error| fault(error.into()))
+        std::iter::once(name.clone()).chain(numbers)
+    });
+    write_entries(COLUMNS, rows, out)
 }
 
 #[cfg(test)]
@@ -105,9 +85,11 @@ mod tests {
         let mut text = Vec::new();
         write_glosses(std::slice::from_ref(&one), &mut text).unwrap();
         let text = String::from_utf8(text).unwrap();
-        assert_eq!(parse_glosses(&text, "f").unwrap(), [one]);
+        assert_eq!(read_glosses(InputFile::of_text(&text, "f")).unwrap(), [one]);
         for (from, to) in [("0.1250", "1.1"), ("0.1250", "-0.1"), ("1.5000", "nan")] {
-            let error = parse_glosses(&text.replace(from, to), "f").unwrap_err().to_string();
+            let error = read_glosses(InputFile::of_text(text.replace(from, to), "f"))
+                .unwrap_err()
+                .to_string();
             assert!(error.contains("f:2"), "{error}");
         }
     }

@@ -17,6 +17,7 @@ pub struct InputFile {
     path: PathBuf,
     budget: Budget,
     beside: u64,
+    text: Option<String>,
 }
 
 /// Whether there is a file at this path, or a device or a pipe, but not a folder.
@@ -28,7 +29,12 @@ pub fn is_file(path: &Path) -> bool {
 impl InputFile {
     /// A file to be read within this budget.
     pub fn new(path: impl AsRef<Path>, budget: Budget) -> Self {
-        Self { path: path.as_ref().to_owned(), budget, beside: 0 }
+        Self { path: path.as_ref().to_owned(), budget, beside: 0, text: None }
+    }
+
+    /// A file that has already been read. Error messages name it `path`.
+    pub fn of_text(text: impl Into<String>, path: impl AsRef<Path>) -> Self {
+        Self { text: Some(text.into()), ..Self::new(path, Budget::READING) }
     }
 
     /// The same file for a caller that allocates this many additional bytes per pixel while it
@@ -109,6 +115,9 @@ impl InputFile {
     ///
     /// If the file cannot be read or is larger than the budget.
     pub fn bytes(&self) -> Result<Vec<u8>> {
+        if let Some(text) = &self.text {
+            return Ok(text.clone().into_bytes());
+        }
         let source: Box<dyn Read> = if self.is_standard_input() {
             if IS_TAKEN.swap(true, Ordering::Relaxed) {
                 let remedy = "give one input as `-`, and files for the others";

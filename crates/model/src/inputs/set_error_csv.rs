@@ -5,11 +5,10 @@
 //! roughness of metals. Other columns and lines that begin with `#` are ignored.
 
 use super::input_file::InputFile;
-use super::sheet::{Row, Sheet};
-use crate::error::{Error, Result};
+use super::sheet::{Row, read_entries, write_entries};
+use crate::error::Result;
 use crate::source::{SetError, SetErrors};
 use std::io::Write;
-use std::path::Path;
 
 const COLUMNS: [&str; 16] = [
     "light",
@@ -36,23 +35,7 @@ const COLUMNS: [&str; 16] = [
 ///
 /// If the file cannot be read, a row is ragged, or a number not finite or below 0.
 pub fn read_set_errors(file: impl Into<InputFile>) -> Result<Vec<SetError>> {
-    set_errors(&Sheet::read(file, &COLUMNS.join(","))?)
-}
-
-/// Parses errors as [`read_set_errors`] does, from the text of a file. Error messages name the file
-/// `path`.
-///
-/// # Errors
-///
-/// See [`read_set_errors`].
-pub fn parse_set_errors(text: &str, path: impl AsRef<Path>) -> Result<Vec<SetError>> {
-    set_errors(&Sheet::parse(text.into(), path.as_ref(), &COLUMNS.join(","))?)
-}
-
-fn set_errors(sheet: &Sheet) -> Result<Vec<SetError>> {
-    let columns = sheet.columns(COLUMNS);
-    let columns = columns.ok_or_else(|| sheet.wrong_header(&format!("`{}`", COLUMNS.join(","))))?;
-    sheet.rows().map(|row| entry(row, columns)).collect()
+    read_entries(file, COLUMNS, entry)
 }
 
 fn entry(row: Row<'_>, columns: [usize; 16]) -> Result<SetError> {
@@ -83,18 +66,14 @@ fn entry(row: Row<'_>, columns: [usize; 16]) -> Result<SetError> {
 ///
 /// If the output fails.
 pub fn write_set_errors(errors: &[SetError], out: &mut (impl Write + ?Sized)) -> Result<()> {
-    let fault = |error: csv::Error| Error::new(error.to_string(), "check where the output goes");
-    let mut writer = csv::WriterBuilder::new().comment(Some(b'#')).from_writer(out);
-    writer.write_record(COLUMNS).map_err(fault)?;
-    for SetError { light, most, size, errors } in errors {
+    let rows = errors.iter().map(|SetError { light, most, size, errors }| {
         let counts = [*most, size.0, size.1].map(|count| count.to_string());
         let rms = errors.iter().map(|error| error.rms);
         let numbers = rms.chain(errors.iter().map(|error| error.worst));
         let numbers = numbers.map(|number| format!("{:.4}", (number * 1e4).ceil() / 1e4));
-        let fields = std::iter::once(light.clone()).chain(counts).chain(numbers);
-        writer.write_record(fields).map_err(fault)?;
-    }
-    writer.flush().map_err(|error| fault(error.into()))
+        std::iter::once(light.clone()).chain(counts).chain(numbers)
+    });
+    write_entries(COLUMNS, rows, out)
 }
 
 #[cfg(test)]
@@ -109,7 +88,7 @@ mod tests {
         let mut text = Vec::new();
         write_set_errors(std::slice::from_ref(&one), &mut text).unwrap();
         let text = String::from_utf8(text).unwrap();
-        let read = parse_set_errors(&text, "f").unwrap();
+        let read = read_set_errors(InputFile::of_text(&text, "f")).unwrap();
         assert_eq!((read.len(), read[0].most, read[0].size), (1, 4, (9, 7)));
         for (read, written) in read[0].errors.iter().zip(one.errors) {
             for (read, written) in [(read.rms, written.rms), (read.worst, written.worst)] {
@@ -117,7 +96,9 @@ mod tests {
             }
         }
         for (from, to) in [("0.0201", "-1"), ("a,4,9", "a,-4,9"), ("0.0201", "inf")] {
-            let error = parse_set_errors(&text.replace(from, to), "f").unwrap_err().to_string();
+            let error = read_set_errors(InputFile::of_text(text.replace(from, to), "f"))
+                .unwrap_err()
+                .to_string();
             assert!(error.contains("f:2"), "{error}");
         }
     }

@@ -4,6 +4,7 @@ use super::input_file::InputFile;
 use crate::error::{Error, Result};
 use csv::{ErrorKind, ReaderBuilder, StringRecord, Trim};
 use std::collections::HashSet;
+use std::io::Write;
 use std::path::Path;
 
 /// Memory per row that a caller may need, besides the entries that it builds by name.
@@ -36,20 +37,9 @@ impl Sheet {
     /// a row whose length differs from the header.
     pub fn read(file: impl Into<InputFile>, columns: &str) -> Result<Self> {
         let file = file.into();
-        Self::of(file.bytes()?, file, columns)
-    }
-
-    /// Parses the text of a file in the same way as [`read`](Self::read). Error messages name the
-    /// file `path`.
-    ///
-    /// # Errors
-    ///
-    /// See [`read`](Self::read).
-    pub fn parse(text: Vec<u8>, path: &Path, columns: &str) -> Result<Self> {
-        Self::of(text, path.into(), columns)
-    }
-
-    fn of(text: Vec<u8>, file: InputFile, columns: &str) -> Result<Self> {
+        let text = file.bytes()?;
+        // Without a text that was given.
+        let file = file.other(file.path());
         // An upper bound, because a comma may be part of a field.
         let count = |wanted: &[u8]| text.iter().filter(|byte| wanted.contains(byte)).count();
         let rows = count(b"\n\r") + 1;
@@ -231,6 +221,46 @@ impl<'a> Row<'a> {
         let line = line_of(&self.sheet.text, self.sheet.starts[self.number]);
         error.at_line(self.sheet.file.path(), line)
     }
+}
+
+/// The entries of a CSV file with these columns, one for each row.
+///
+/// # Errors
+///
+/// Those of [`Sheet::read`] and of `entry`, and if a column is missing.
+pub(super) fn read_entries<T, const N: usize>(
+    file: impl Into<InputFile>,
+    columns: [&str; N],
+    mut entry: impl FnMut(Row<'_>, [usize; N]) -> Result<T>,
+) -> Result<Vec<T>> {
+    let header = columns.join(",");
+    let sheet = Sheet::read(file, &header)?;
+    let places = sheet.columns(columns);
+    let places = places.ok_or_else(|| sheet.wrong_header(&format!("`{header}`")))?;
+    sheet.rows().map(|row| entry(row, places)).collect()
+}
+
+/// Writes a CSV file with these columns.
+///
+/// # Errors
+///
+/// If the output fails.
+pub(super) fn write_entries<const N: usize>(
+    columns: [&str; N],
+    rows: impl IntoIterator<Item = impl IntoIterator<Item = String>>,
+    out: &mut (impl Write + ?Sized),
+) -> Result<()> {
+    let mut writer = csv::WriterBuilder::new().comment(Some(b'#')).from_writer(out);
+    writer.write_record(columns).map_err(output_fault)?;
+    for row in rows {
+        writer.write_record(row.into_iter().collect::<Vec<_>>()).map_err(output_fault)?;
+    }
+    writer.flush().map_err(|error| output_fault(error.into()))
+}
+
+/// The error of an output.
+pub(super) fn output_fault(error: csv::Error) -> Error {
+    Error::new(error.to_string(), "check where the output goes")
 }
 
 /// The first column with the same name as an earlier one. Empty names do not count, and neither do

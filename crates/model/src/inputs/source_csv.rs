@@ -6,12 +6,11 @@
 
 use super::coefficient_text::exact;
 use super::input_file::InputFile;
-use super::sheet::{Row, Sheet};
-use crate::error::{Error, Result};
+use super::sheet::{Row, read_entries, write_entries};
+use crate::error::Result;
 use crate::source::{Source, SourceSets};
 use eigenshade_index::highlights::MAX_SOURCES;
 use std::io::Write;
-use std::path::Path;
 
 const COLUMNS: [&str; 12] =
     ["light", "set", "x", "y", "z", "r", "g", "b", "major_x", "major_y", "major_z", "minor"];
@@ -23,24 +22,8 @@ const COLUMNS: [&str; 12] =
 /// If the file cannot be read, a row is ragged or a number not finite, or a set has more rows than
 /// `set` says or than [`MAX_SOURCES`].
 pub fn read_sources(file: impl Into<InputFile>) -> Result<Vec<SourceSets>> {
-    sources(&Sheet::read(file, &COLUMNS.join(","))?)
-}
-
-/// Parses sources as [`read_sources`] does, from the text of a file. Error messages name the file
-/// `path`.
-///
-/// # Errors
-///
-/// See [`read_sources`].
-pub fn parse_sources(text: &str, path: impl AsRef<Path>) -> Result<Vec<SourceSets>> {
-    sources(&Sheet::parse(text.into(), path.as_ref(), &COLUMNS.join(","))?)
-}
-
-fn sources(sheet: &Sheet) -> Result<Vec<SourceSets>> {
-    let columns = sheet.columns(COLUMNS);
-    let columns = columns.ok_or_else(|| sheet.wrong_header(&format!("`{}`", COLUMNS.join(","))))?;
     let mut lights: Vec<SourceSets> = Vec::new();
-    for row in sheet.rows() {
+    read_entries(file, COLUMNS, |row, columns| {
         let (name, set, source) = entry(row, columns)?;
         let place = lights.iter().position(|light| light.name == name).unwrap_or_else(|| {
             lights.push(SourceSets { name: name.to_owned(), sets: Vec::new() });
@@ -57,7 +40,8 @@ fn sources(sheet: &Sheet) -> Result<Vec<SourceSets>> {
             return Err(row.fault(what, "remove the row, or give it another set"));
         }
         sources.push(source);
-    }
+        Ok(())
+    })?;
     Ok(lights)
 }
 
@@ -89,19 +73,15 @@ fn entry<'a>(row: Row<'a>, columns: [usize; 12]) -> Result<(&'a str, usize, Sour
 ///
 /// If the output fails.
 pub fn write_sources(lights: &[SourceSets], out: &mut (impl Write + ?Sized)) -> Result<()> {
-    let fault = |error: csv::Error| Error::new(error.to_string(), "check where the output goes");
-    let mut writer = csv::WriterBuilder::new().comment(Some(b'#')).from_writer(out);
-    writer.write_record(COLUMNS).map_err(fault)?;
-    for SourceSets { name, sets } in lights {
-        for (most, source) in sets.iter().flat_map(|(most, set)| set.iter().map(move |s| (most, s)))
-        {
+    let rows = lights.iter().flat_map(|SourceSets { name, sets }| {
+        let sources = sets.iter().flat_map(|(most, set)| set.iter().map(move |one| (most, one)));
+        sources.map(move |(most, source)| {
             let numbers = [&source.direction[..], &source.energy, &source.major, &[source.minor]];
-            let numbers = numbers.into_iter().flatten().map(|&number| exact(number));
-            let fields = [name.clone(), most.to_string()].into_iter().chain(numbers);
-            writer.write_record(fields).map_err(fault)?;
-        }
-    }
-    writer.flush().map_err(|error| fault(error.into()))
+            let numbers = numbers.concat().into_iter().map(exact);
+            [name.clone(), most.to_string()].into_iter().chain(numbers)
+        })
+    });
+    write_entries(COLUMNS, rows, out)
 }
 
 #[cfg(test)]
@@ -126,7 +106,7 @@ mod tests {
         let mut text = Vec::new();
         write_sources(&lights, &mut text).unwrap();
         let text = String::from_utf8(text).unwrap();
-        assert_eq!(parse_sources(&text, "f").unwrap(), lights);
+        assert_eq!(read_sources(InputFile::of_text(&text, "f")).unwrap(), lights);
         assert_eq!(lights[1].of_most(4).len(), 2);
         assert_eq!(lights[1].of_most(32).len(), 1);
         assert!(lights[1].of_most(1).is_empty());
@@ -141,7 +121,9 @@ mod tests {
             ("a,33,0,0,1,1,1,1,0,0,0,0", "out of range"),
             ("a,1,0,0,nan,1,1,1,0,0,0,0", "nan"),
         ] {
-            let error = parse_sources(&format!("{header}\n{rows}"), "f").unwrap_err().to_string();
+            let error = read_sources(InputFile::of_text(format!("{header}\n{rows}"), "f"))
+                .unwrap_err()
+                .to_string();
             assert!(error.contains(expected) && error.contains("f:"), "{error}");
         }
     }
