@@ -155,9 +155,13 @@ mod graphics;
 
 mod piece;
 
+mod exposure;
+
 mod display;
 
 mod disc;
+
+mod normal_code;
 
 mod normal_map;
 
@@ -214,9 +218,10 @@ pub use blend::blend565;
 pub use buffer::Buffer;
 pub use color::Rgb;
 pub use disc::{Disc, DiscPixel};
-pub use display::{Display, Exposure, Linear, Meter, Tone};
+pub use display::{Display, Tone};
 pub use error::{Argument, Error};
 pub use estimate::Estimate;
+pub use exposure::{Exposure, Linear, Meter};
 pub use format::{FixedPoint, Format, Q15, Q31, Wide};
 pub use general::GeneralBasis;
 pub use gloss::Gloss;

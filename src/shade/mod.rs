@@ -226,12 +226,24 @@ pub(crate) fn block<S: Scalar, const LONGEST: usize, const N: usize>(
     let Some((plus, minus)) = polynomials.next() else {
         return polynomial::values::<S, LONGEST, N>(polynomials.pole, at);
     };
-    let mut sums = polynomial::pairs::<S, LONGEST, N>([plus, minus], at);
+    let [mut real, mut imaginary] = polynomial::pairs::<S, LONGEST, N>([plus, minus], at);
     for (plus, minus) in polynomials.by_ref() {
-        let here = polynomial::pairs::<S, LONGEST, N>([plus, minus], at);
-        descend(&mut sums, &here, x, y);
+        let [plus, minus] = polynomial::pairs::<S, LONGEST, N>([plus, minus], at);
+        let above = real.iter_mut().zip(&mut imaginary);
+        let here = plus.iter().zip(&minus).zip(x.iter().zip(y));
+        for ((real, imaginary), ((&plus, &minus), (&x, &y))) in above.zip(here) {
+            (*real, *imaginary) = (
+                plus.add_product(*real, x).add_product(*imaginary, y),
+                minus.add_product(*imaginary, x).add_product(-*real, y),
+            );
+        }
     }
-    arrive(polynomial::values::<S, LONGEST, N>(polynomials.pole, at), &sums, x, y)
+    let mut sums = polynomial::values::<S, LONGEST, N>(polynomials.pole, at);
+    let above = real.iter().zip(&imaginary).zip(x.iter().zip(y));
+    for (sum, ((&real, &imaginary), (&x, &y))) in sums.iter_mut().zip(above) {
+        *sum = sum.add_product(real, x).add_product(imaginary, y);
+    }
+    sums
 }
 
 /// [`block`] for a scene in which some azimuths have recurrences. Partial sums from the highest
@@ -249,47 +261,26 @@ pub(crate) fn orthogonal<S: Scalar, const N: usize>(
         [] => terms.map(|terms| polynomial::values::<S, ANY, N>(terms, [&t, &t])),
         _ => polynomial::orthogonal(terms, &t, recurrence),
     };
-    let mut sums = [[S::ZERO; N]; 2];
+    let [mut real, mut imaginary] = [[S::ZERO; N]; 2];
     loop {
         let recurrence = polynomials.recurrence();
         let Some((plus, minus)) = polynomials.next() else { break };
-        descend(&mut sums, &both([plus, minus], recurrence), x, y);
+        let [plus, minus] = both([plus, minus], recurrence);
+        let above = real.iter_mut().zip(&mut imaginary);
+        let here = plus.iter().zip(&minus).zip(x.iter().zip(y));
+        for ((real, imaginary), ((&plus, &minus), (&x, &y))) in above.zip(here) {
+            (*real, *imaginary) = (
+                plus.add_product(*real, x).add_product(*imaginary, y),
+                minus.add_product(*imaginary, x).add_product(-*real, y),
+            );
+        }
     }
-    let [pole, _] = both([polynomials.pole; 2], polynomials.recurrence());
-    arrive(pole, &sums, x, y)
-}
-
-/// The sums of the next azimuth down: P + i Q + w̄ above.
-#[inline(always)]
-fn descend<S: Scalar, const N: usize>(
-    [real, imaginary]: &mut [[S; N]; 2],
-    [plus, minus]: &[[S; N]; 2],
-    x: &[S; N],
-    y: &[S; N],
-) {
-    let here = plus.iter().zip(minus).zip(x.iter().zip(y));
-    for ((real, imaginary), ((&plus, &minus), (&x, &y))) in real.iter_mut().zip(imaginary).zip(here)
-    {
-        (*real, *imaginary) = (
-            plus.add_product(*real, x).add_product(*imaginary, y),
-            minus.add_product(*imaginary, x).add_product(-*real, y),
-        );
-    }
-}
-
-/// The irradiances: P_0 + Re w̄ above.
-#[inline(always)]
-fn arrive<S: Scalar, const N: usize>(
-    mut pole: [S; N],
-    [real, imaginary]: &[[S; N]; 2],
-    x: &[S; N],
-    y: &[S; N],
-) -> [S; N] {
-    let above = real.iter().zip(imaginary).zip(x.iter().zip(y));
-    for (sum, ((&real, &imaginary), (&x, &y))) in pole.iter_mut().zip(above) {
+    let [mut sums, _] = both([polynomials.pole; 2], polynomials.recurrence());
+    let above = real.iter().zip(&imaginary).zip(x.iter().zip(y));
+    for (sum, ((&real, &imaginary), (&x, &y))) in sums.iter_mut().zip(above) {
         *sum = sum.add_product(real, x).add_product(imaginary, y);
     }
-    pole
+    sums
 }
 
 /// The argument t of each normal. A loop, because `map` may become a call.

@@ -1,0 +1,202 @@
+//! Unit vectors in two bytes.
+//!
+//! A code is a point (u, v) with |u|, |v| <= 127: the normal's direction in the picture, and its
+//! angle from the camera as the distance from (0, 0), 127 for 90°. In this azimuthal equidistant map
+//! a step of u or v turns the normal by at most 0.71° everywhere, so rounding turns it by at most
+//! 0.51°. Octahedral codes are off by up to 0.55° and paraboloid codes by up to 0.64°. Both sin θ / θ
+//! and cos θ are series in θ², which is u² + v², so a short polynomial decodes each.
+
+use crate::normal::Normal;
+use crate::{Q15, quantized};
+use core::f32::consts::FRAC_PI_2;
+
+/// The distance of the rim from the center.
+const RIM: f32 = 127.0;
+
+/// The square of the largest distance that counts as the rim, in which all rounded codes lie.
+const LARGEST: i32 = 1 << 14;
+
+/// sin θ / s, with s = θ / (π/2), as a polynomial in (u² + v²) / 2^14, from the constant on: within
+/// 1.3e-6.
+const SINE: [f64; 4] = [1.570_795_05, -0.656_135_98, 0.082_027_47, -0.004_576_182];
+
+/// (1 - cos θ) / t, with t = (u² + v²) / 2^14, in t: within 2.1e-7, times t.
+const COSINE: [f64; 4] = [1.253_205_19, -0.261_747_396, 0.021_835_836, -0.000_925_671_56];
+
+/// The code of a visible normal: its point (u, v).
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub(crate) struct NormalCode([i8; 2]);
+
+impl NormalCode {
+    /// The nearest code.
+    pub(crate) fn of(normal: Normal<f32>) -> Self {
+        let Normal { x, y, z } = normal;
+        let sine = libm::sqrtf(x * x + y * y);
+        let scale = if sine > 0.0 {
+            RIM / FRAC_PI_2 * libm::atan2f(sine, z) / sine
+        } else {
+            return Self([0; 2]);
+        };
+        Self([x, y].map(|along| libm::roundf(along * scale).clamp(-RIM, RIM) as i8))
+    }
+
+    /// These bytes as a code, if its point is inside the rim.
+    #[inline(always)]
+    pub(crate) fn inside(bytes: [u8; 2]) -> Option<Self> {
+        let point = bytes.map(u8::cast_signed);
+        (square(point) <= LARGEST).then_some(Self(point))
+    }
+
+    /// Its bytes.
+    pub(crate) fn bytes(self) -> [u8; 2] {
+        self.0.map(i8::cast_unsigned)
+    }
+
+    /// The normal. Components are within 2e-6 of those of its code.
+    #[inline]
+    #[must_use]
+    pub(crate) fn normal(self) -> Normal<f32> {
+        const SINE_32: [f32; 4] = rounded(SINE, 1.0 / 127.0);
+        const COSINE_32: [f32; 4] = rounded(COSINE, 1.0);
+        let t = square(self.0) as f32 * (1.0 / LARGEST as f32);
+        let value = |[a, b, c, d]: [f32; 4]| ((d * t + c) * t + b) * t + a;
+        let scale = value(SINE_32);
+        let [x, y] = self.0.map(|along| f32::from(along) * scale);
+        Normal { x, y, z: (1.0 - t * value(COSINE_32)).max(0.0) }
+    }
+
+    /// The normal in integers. Components are within 2.5 units of 2^-15 of those of its code.
+    #[inline]
+    #[must_use]
+    pub(crate) fn quantized_normal(self) -> quantized::Normal<Q15> {
+        const SINE_15: [i32; 4] = whole(SINE, 32_767.0 * 128.0 / 127.0);
+        const COSINE_15: [i32; 4] = whole(COSINE, 32_767.0);
+        let t = square(self.0);
+        let value = |[a, b, c, d]: [i32; 4]| {
+            let sum = ((d * t) >> 14) + c;
+            let sum = ((sum * t) >> 14) + b;
+            ((sum * t) >> 14) + a
+        };
+        let scale = value(SINE_15);
+        let [x, y] = self.0.map(|along| {
+            // At most 2^15 before.
+            Q15(((i32::from(along) * scale + 64) >> 7).min(32_767) as i16)
+        });
+        let z = 32_767 - ((value(COSINE_15) * t + (1 << 13)) >> 14);
+        quantized::Normal { x, y, z: Q15(z.max(0) as i16) }
+    }
+}
+
+const fn rounded([a, b, c, d]: [f64; 4], scale: f64) -> [f32; 4] {
+    [(a * scale) as f32, (b * scale) as f32, (c * scale) as f32, (d * scale) as f32]
+}
+
+/// Rounds up what is added to a step of Horner's rule, which rounds down, and the first coefficient
+/// to the nearest integer. The signs alternate.
+const fn whole([a, b, c, d]: [f64; 4], scale: f64) -> [i32; 4] {
+    let [a, b, c, d] = [a * scale, b * scale, c * scale, d * scale - 0.5];
+    [a as i32 + 1, b as i32, c as i32 + 1, d as i32]
+}
+
+#[inline(always)]
+fn square([u, v]: [i8; 2]) -> i32 {
+    let [u, v] = [i32::from(u), i32::from(v)];
+    u * u + v * v
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use core::f64::consts::FRAC_PI_2;
+
+    /// The normal of a code, by the definition of the map.
+    fn exact([u, v]: [i8; 2]) -> [f64; 3] {
+        let [u, v] = [u, v].map(f64::from);
+        let distance = libm::sqrt(u * u + v * v);
+        let angle = (distance / 127.0 * FRAC_PI_2).min(FRAC_PI_2);
+        let scale = if distance > 0.0 { libm::sin(angle) / distance } else { 0.0 };
+        [u * scale, v * scale, libm::cos(angle)]
+    }
+
+    /// The angle between two unit vectors in degrees, precise for small ones.
+    fn degrees(a: [f64; 3], b: [f64; 3]) -> f64 {
+        let square: f64 = a.iter().zip(b).map(|(a, b)| (a - b) * (a - b)).sum();
+        (2.0 * libm::asin(0.5 * libm::sqrt(square))).to_degrees()
+    }
+
+    /// Calls a function with unit vectors, spread evenly over the visible hemisphere.
+    fn spread(mut with: impl FnMut([f64; 3])) {
+        const COUNT: usize = 200_000;
+        for k in 0..COUNT {
+            let z = k as f64 / (COUNT - 1) as f64;
+            let (sine, turn) = (libm::sqrt(1.0 - z * z), k as f64 * 2.399_963_229_728_653);
+            with([sine * libm::cos(turn), sine * libm::sin(turn), z]);
+        }
+    }
+
+    #[test]
+    fn every_code_is_decoded_in_floats_and_integers() {
+        // Codes just beyond the rim have its normals, which are too short by 7e-5.
+        const AT_THE_RIM: f64 = 8e-5;
+        for code in 0..=u16::MAX {
+            let code = code.to_le_bytes();
+            let point = code.map(u8::cast_signed);
+            let Some(pixel) = NormalCode::inside(code) else {
+                assert!(square(point) > LARGEST);
+                continue;
+            };
+            assert_eq!(pixel.bytes(), code);
+            let exact = exact(point);
+            let beyond = square(point) > 127 * 127;
+            let found = pixel.normal().components().map(f64::from);
+            let integers = pixel.quantized_normal().components();
+            for ((found, integer), exact) in found.into_iter().zip(integers).zip(exact) {
+                let more = if beyond { AT_THE_RIM } else { 0.0 };
+                assert!((found - exact).abs() < 2e-6 + more, "{point:?}: {found} {exact}");
+                let off = (f64::from(integer.0) - 32_768.0 * exact).abs();
+                assert!(off < 2.5 + 32_768.0 * more, "{point:?}: {integer:?} {exact}");
+            }
+            assert!(found[2] >= 0.0 && found[2] <= 1.0 && integers[2].0 >= 0);
+        }
+    }
+
+    #[test]
+    fn rounding_turns_normals_by_half_a_degree_at_most() {
+        let (mut worst, mut sum, mut count) = (0.0_f64, 0.0, 0.0);
+        spread(|[x, y, z]| {
+            let code = NormalCode::of(Normal { x: x as f32, y: y as f32, z: z as f32 });
+            let found = code.normal().components().map(f64::from);
+            let off = degrees(found, [x, y, z]);
+            worst = worst.max(off);
+            // By the projected area.
+            (sum, count) = (sum + z * off * off, count + z);
+        });
+        let rms = libm::sqrt(sum / count);
+        assert!(worst < 0.51 && rms < 0.28, "{worst} {rms}");
+    }
+
+    /// The two other maps that need no trigonometry, rounded to the same number of steps.
+    #[test]
+    fn other_maps_are_less_exact() {
+        let round = |x: f64| libm::round(x * 127.0) / 127.0;
+        let unit = |[x, y, z]: [f64; 3]| {
+            let length = libm::sqrt(x * x + y * y + z * z);
+            [x / length, y / length, z / length]
+        };
+        let (mut paraboloid, mut octahedral) = (0.0_f64, 0.0_f64);
+        spread(|[x, y, z]| {
+            let [u, v] = [x, y].map(|along| round(along / (1.0 + z)));
+            let found = unit([2.0 * u, 2.0 * v, 1.0 - u * u - v * v]);
+            paraboloid = paraboloid.max(degrees(found, [x, y, z]));
+            // The hemisphere fills the square turned by 45 degrees.
+            let sum = x.abs() + y.abs() + z;
+            let [u, v] = [(x + y) / sum, (x - y) / sum].map(round);
+            let [p, q] = [(u + v) / 2.0, (u - v) / 2.0];
+            let found = unit([p, q, 1.0 - p.abs() - q.abs()]);
+            octahedral = octahedral.max(degrees(found, [x, y, z]));
+        });
+        assert!((paraboloid - 0.64).abs() < 0.01, "{paraboloid}");
+        assert!((octahedral - 0.55).abs() < 0.01, "{octahedral}");
+    }
+}
