@@ -150,11 +150,13 @@ pub(crate) fn nine_terms<S: Scalar>(mut polynomials: Descent<'_, S>) -> Option<N
 
 /// The terms, highest first, after leading zeros; `None` if there are too many.
 #[inline]
-pub(crate) fn filled<T: Copy + Default, const N: usize>(terms: &[T]) -> Option<[T; N]> {
-    let mut filled = [T::default(); N];
+pub(crate) fn filled<T: Copy, U: Copy + Default + From<T>, const N: usize>(
+    terms: &[T],
+) -> Option<[U; N]> {
+    let mut filled = [U::default(); N];
     let zeros = N.checked_sub(terms.len())?;
     for (to, &term) in filled.iter_mut().skip(zeros).zip(terms) {
-        *to = term;
+        *to = term.into();
     }
     Some(filled)
 }

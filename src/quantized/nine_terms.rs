@@ -96,11 +96,10 @@ impl<Q: FixedPoint, B: AsRef<[i32]>> Scene<'_, Q, B> {
             rest = after;
             terms
         };
-        let [square, linear, constant] = filled(polynomial(0))?.map(i64::from);
-        let [of_xz, of_x] = filled(polynomial(1))?.map(i64::from);
-        let [of_yz, of_y] = filled(polynomial(1))?.map(i64::from);
-        let [plus] = filled(polynomial(2))?.map(i64::from);
-        let [minus] = filled(polynomial(2))?.map(i64::from);
+        let [square, linear, constant]: [i64; 3] = filled(polynomial(0))?;
+        let [[of_xz, of_x], [of_yz, of_y]]: [[i64; 2]; 2] =
+            [filled(polynomial(1))?, filled(polynomial(1))?];
+        let [[plus], [minus]]: [[i64; 1]; 2] = [filled(polynomial(2))?, filled(polynomial(2))?];
         let coefficients = [
             constant - linear + square,
             of_x - of_xz,
