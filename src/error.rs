@@ -99,7 +99,7 @@ pub enum Error {
     },
     /// Angles, a quaternion or a matrix do not describe a rotation.
     Rotation,
-    /// Lights turn to degree 12.
+    /// Integers turn lights of degrees to 12.
     Degree {
         /// The degree of the light.
         found: usize,
@@ -203,7 +203,6 @@ impl Error {
     }
 
     /// `Ok` if there are not more coefficients of eigenimages than a basis has components.
-    #[inline(always)]
     pub(crate) fn check_components(components: usize, found: usize) -> Result<(), Self> {
         let (argument, expected) = (Argument::Coefficients, components);
         if found > components { Err(Self::Length { argument, expected, found }) } else { Ok(()) }
@@ -331,7 +330,7 @@ impl fmt::Display for Error {
             ),
             Self::Degree { found } => write!(
                 f,
-                "lights turn to degree 12, {found} found; truncate it, or turn the map that it is made of"
+                "integers turn lights to degree 12, {found} found; truncate it, or turn it in floats"
             ),
             Self::Direction => f.write_str(
                 "a light needs a finite direction of some length, and an angular radius above 0 and \

@@ -2,6 +2,7 @@
 
 mod degree;
 pub(crate) mod exchange;
+mod recursion;
 mod swing_twist;
 pub(crate) mod view;
 
@@ -13,6 +14,7 @@ use crate::color::Rgb;
 use crate::error::{Argument, Error};
 use crate::index::light;
 use crate::light::{Light, LightBuffer};
+use crate::mathematics::{Libm, Mathematics};
 use crate::rotation::Rotation;
 use crate::scalar::Scalar;
 use swing_twist::Floats;
@@ -20,7 +22,8 @@ use swing_twist::Floats;
 impl<S: Scalar> Light<'_, S> {
     /// The coefficients of this light after rotation: L'(Rω) = L(ω).
     ///
-    /// `N` must be at least (degree + 1)², and the degree at most 12.
+    /// `N` must be at least (degree + 1)², and the degree at most 12; for higher ones there is
+    /// [`turn_into`](Self::turn_into).
     ///
     /// The energy of each degree is preserved. A light of degree 9 in f32 that is rotated and
     /// rotated back matches the original within 1e-6 of its largest coefficient. Cost: for degree 9
@@ -41,13 +44,47 @@ impl<S: Scalar> Light<'_, S> {
     ///
     /// # Errors
     ///
-    /// [`Error::Capacity`] if `N` is too small, [`Error::Degree`] if the degree is above 12.
+    /// [`Error::Capacity`] if `N` is too small, or the degree above 12.
     pub fn turned<const N: usize>(
         &self,
         rotation: &Rotation<S>,
     ) -> Result<LightBuffer<S, N>, Error> {
         let [turned] = turned([*self], rotation)?;
         Ok(turned)
+    }
+
+    /// Workspace length for [`turn_into`](Self::turn_into): 0 to degree 12, above the matrices of
+    /// two degrees, and some numbers for each order. `usize::MAX` if that overflows.
+    #[must_use]
+    pub const fn turn_len(degree: usize) -> usize {
+        if degree <= LARGEST { 0 } else { recursion::workspace_len(degree) }
+    }
+
+    /// [`turned`](Self::turned) of any degree, with slices, and with a choice of implementation
+    /// for the roots.
+    ///
+    /// Above degree 12 the rotation's matrices are computed, which takes for each degree l
+    /// (2l + 1)² elements of some twenty operations each, and three roots for each order.
+    ///
+    /// # Errors
+    ///
+    /// [`Error::Length`] unless `workspace` has [`turn_len`](Self::turn_len) numbers and `turned`
+    /// has (degree + 1)².
+    pub fn turn_into<M: Mathematics<S>>(
+        &self,
+        rotation: &Rotation<S>,
+        workspace: &mut [S],
+        turned: &mut [S],
+    ) -> Result<(), Error> {
+        let degree = self.degree();
+        Error::check(Argument::Light, light::count(degree), turned.len())?;
+        Error::check(Argument::Workspace, Self::turn_len(degree), workspace.len())?;
+        if degree <= LARGEST {
+            turn([*self], &rotation.turn::<M>(degree), [turned]);
+        } else {
+            recursion::turn::<S, M>(self, rotation, workspace, turned);
+        }
+        Ok(())
     }
 }
 
@@ -72,13 +109,14 @@ fn turned<S: Scalar, const C: usize, const N: usize>(
 ) -> Result<[LightBuffer<S, N>; C], Error> {
     let mut turned = [(); C].map(|()| LightBuffer::default());
     for (to, light) in turned.iter_mut().zip(&lights) {
-        if light.degree() > LARGEST {
-            return Err(Error::Degree { found: light.degree() });
+        let needed = Light::<S>::turn_len(light.degree());
+        if needed > 0 {
+            return Err(Error::Capacity { argument: Argument::Workspace, needed, capacity: 0 });
         }
         *to = zeros(Argument::Light, light.coefficients().len())?;
     }
     let degree = lights.iter().map(Light::degree).max().unwrap_or_default();
-    turn(lights, &rotation.turn(degree), turned.each_mut().map(LightBuffer::as_mut_slice));
+    turn(lights, &rotation.turn::<Libm>(degree), turned.each_mut().map(LightBuffer::as_mut_slice));
     Ok(turned)
 }
 

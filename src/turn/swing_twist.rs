@@ -2,7 +2,7 @@
 
 use super::degree::{Arithmetic, Multiples, Turn};
 use super::exchange::LARGEST;
-use crate::mathematics::{Libm, Mathematics};
+use crate::mathematics::Mathematics;
 use crate::rotation::Rotation;
 use crate::scalar::Scalar;
 use core::marker::PhantomData;
@@ -32,7 +32,7 @@ impl<S: Scalar> Arithmetic for Floats<S> {
 impl<S: Scalar> Rotation<S> {
     /// This rotation, prepared. A rotation and its inverse have the same numbers, so that one
     /// undoes the other up to the rounding of the coefficients.
-    pub(super) fn turn(&self, degree: usize) -> Turn<S> {
+    pub(super) fn turn<M: Mathematics<S>>(&self, degree: usize) -> Turn<S> {
         let (Self { matrix }, is_inverse) = self.upright();
         let [[xx, xy, xz], [yx, yy, yz], [_, _, zz]] = matrix;
         let flips = zz < S::ZERO;
@@ -45,7 +45,7 @@ impl<S: Scalar> Rotation<S> {
         // The swing moves the view axis to (xz, yz, zz). Below 1e-18 it changes no coefficient.
         let square = xz * xz + yz * yz;
         let (inverse, column) = match square > S::from_f64(1e-36) {
-            true => (Libm::inverse_root(square), [xz, yz]),
+            true => (M::inverse_root(square), [xz, yz]),
             false => (S::ONE, [S::ONE, S::ZERO]),
         };
         let axis = Angle::new(column, [S::ZERO; 2], inverse);
@@ -69,7 +69,7 @@ impl<S: Scalar> Rotation<S> {
 
     /// Either this rotation or its inverse, chosen the same way for both, and whether it is the
     /// inverse.
-    fn upright(&self) -> (Self, bool) {
+    pub(super) fn upright(&self) -> (Self, bool) {
         let [[_, xy, xz], [yx, _, yz], [zx, zy, _]] = self.matrix;
         let apart = [xy - yx, xz - zx, yz - zy].into_iter().find(|&apart| apart != S::ZERO);
         match apart {

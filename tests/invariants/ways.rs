@@ -169,7 +169,7 @@ fn indices(input: &mut Reader<'_>) {
     let _ = (light::position(a, b.cast_signed()), material::position(a, b, c), light::count(a));
     let _ = (eigenshade_index::pair::position(a, b), eigenshade_index::pair::count(a));
     let _ = (eigenshade_index::layout::factors(a, b, c, a), material::count(a));
-    let _ = Light::<f32>::new(&[0.0; 30][..b % 31]);
+    let _ = (Light::<f32>::turn_len(a), Light::<f32>::new(&[0.0; 30][..b % 31]));
     let _ = eigenshade::Material::<f32>::checked(&[0.0; 30][..c % 31]);
 }
 
