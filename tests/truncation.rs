@@ -9,7 +9,7 @@ use eigenshade_model::reference::DirectSum;
 use eigenshade_model::special::quadrature::gauss_legendre;
 use eigenshade_shading::owned_basis::{AnyBasis, OwnedBasis};
 use eigenshade_table::decode;
-use eigenshade_testing::images;
+use eigenshade_testing::{assert_stated, images};
 use images::{Image, coefficients, products, rule, single, vectors};
 use proptest::prelude::*;
 use std::f64::consts::TAU;
@@ -73,21 +73,13 @@ fn bounds_hold_and_are_near_over_the_shipped_set() {
             }
         }
     }
-    let (_, table) = METHOD.split_once("<!-- tolerances: ").expect("the table's start");
-    let (table, _) = table.split_once("<!-- end of tolerances -->").expect("its end");
     for (share, (mut ratios, mut terms)) in shares.into_iter().zip(found) {
         ratios.sort_by(f64::total_cmp);
         terms.sort_unstable();
         let middle = ratios.len() / 2;
         let last = ratios.len() - 1;
         let found = [terms[middle] as f64, terms[last] as f64, ratios[middle], ratios[last]];
-        println!("| {share} | {} | {} | {:.2} | {:.2} |", found[0], found[1], found[2], found[3]);
-        let line = table.lines().find_map(|line| line.strip_prefix(&format!("| {share} | ")));
-        let line = line.expect("the table of docs/method.md has it");
-        let stated = line.split('|').filter_map(|one| one.trim().parse::<f64>().ok());
-        for (stated, found) in stated.zip(found) {
-            assert!((stated - found).abs() <= tolerances::STATED * found, "{line}: {found}");
-        }
+        assert_stated(METHOD, "tolerances", &format!("| {share} |"), &found, tolerances::STATED);
         assert!(ratios[middle] <= MEDIAN_BOUND_TO_ERROR, "{share}: {}", ratios[middle]);
     }
 }

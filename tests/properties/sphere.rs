@@ -89,20 +89,8 @@ proptest! {
     fn projection_is_linear(sample in samples(), weight in -3.0f64..3.0) {
         let loaded = sample.scene();
         let projector = Projector::new(&fixtures::table(&loaded));
-        let ([light, other], [material, on]) = strangers(&sample);
-        let mix = |a: &[f64], b: &[f64]| -> Vec<f64> {
-            a.iter().zip(b).map(|(a, b)| weight * a + (1.0 - weight) * b).collect()
-        };
-        for (mixed, first, second) in [
-            (projector.project(&mix(&light, &other), &material), (&light, &material), (&other, &material)),
-            (projector.project(&light, &mix(&material, &on)), (&light, &material), (&light, &on)),
-        ] {
-            let first = projector.project(first.0, first.1);
-            let second = projector.project(second.0, second.1);
-            let scale = largest(first.iter().chain(&second).copied()) * (1.0 + weight.abs());
-            let apart = mixed.iter().zip(mix(&first, &second)).map(|(a, b)| a - b);
-            prop_assert!(largest(apart) <= tolerances::DENSE_PROJECTION * scale);
-        }
+        let apart = off_affine(&projector, strangers(&sample), weight, 0.0);
+        prop_assert!(apart <= tolerances::DENSE_PROJECTION, "{apart:e}");
     }
 
     /// Light and normals turned about the view: nothing changes.
@@ -310,4 +298,26 @@ pub fn energy(table: &Table, light: &[f64], material: &[f64]) -> f64 {
         }
     }
     energy
+}
+
+/// How far the projection of a weighted sum of two lights, or of two materials, is from the sum of
+/// theirs, of the larger and of `least`.
+pub fn off_affine(
+    projector: &Projector,
+    ([light, other], [material, on]): ([Vec<f64>; 2], [Vec<f64>; 2]),
+    weight: f64,
+    least: f64,
+) -> f64 {
+    let mix = |a: &[f64], b: &[f64]| -> Vec<f64> {
+        a.iter().zip(b).map(|(a, b)| weight * a + (1.0 - weight) * b).collect()
+    };
+    let first = projector.project(&light, &material);
+    let of_lights =
+        (projector.project(&mix(&light, &other), &material), projector.project(&other, &material));
+    let of_materials =
+        (projector.project(&light, &mix(&material, &on)), projector.project(&light, &on));
+    largest([of_lights, of_materials].map(|(mixed, second)| {
+        let scale = largest(first.iter().chain(&second).copied()) * (1.0 + weight.abs()) + least;
+        largest(mixed.iter().zip(mix(&first, &second)).map(|(a, b)| a - b)) / scale
+    }))
 }
