@@ -183,6 +183,18 @@ pub fn materials(order: usize, count: usize) -> String {
     text
 }
 
+/// Gray materials with these shares of green and blue.
+pub fn colored(gray: &str, [green, blue]: [f64; 2]) -> String {
+    let row = |line: &str| match line.rsplit_once(',').expect("a row") {
+        (places, "value") => format!("{places},r,g,b\n"),
+        (places, value) => {
+            let red: f64 = value.parse().expect("a number");
+            format!("{places},{red},{},{}\n", green * red, blue * red)
+        }
+    };
+    gray.lines().map(row).collect()
+}
+
 /// Normals, with the pole and the rim.
 fn normals() -> String {
     let mut text = "x,y,z\n0,0,1\n1,0,0\n0,-1,0\n".to_owned();
