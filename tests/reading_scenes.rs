@@ -14,11 +14,9 @@ use eigenshade_generator::reading::modes::{self, ModeCoefficients};
 use eigenshade_generator::reading::observation::{EigenimageValues, Observer};
 use eigenshade_generator::reading::rank_one::RankOne;
 use eigenshade_model::database::Named;
-use eigenshade_model::special::quadrature::gauss_legendre;
 use eigenshade_table::scene::{Criterion, LightRotation};
-use eigenshade_testing::largest;
+use eigenshade_testing::{fixtures, largest};
 use nalgebra::{DMatrix, DVector};
-use std::f64::consts::TAU;
 
 /// A product in exact modes comes back: some hundred roundings.
 const READ_RANK_ONE: f64 = 2e-15;
@@ -79,15 +77,10 @@ fn the_scalar_product_is_the_integral() {
     let values = EigenimageValues::new(&table, 20);
     let mut row = vec![0.0; 21];
     let mut observer = Observer::new(values, 1);
-    for (z, weight) in gauss_legendre(40, 0.0, 1.0) {
-        for tilt in 0..16 {
-            let (y, x) = (TAU * f64::from(tilt) / 16.0).sin_cos();
-            let sine = (1.0 - z * z).sqrt();
-            let normal = [sine * x, sine * y, z];
-            values.at(normal, &mut row);
-            let value: f64 = row.iter().zip(&d).map(|(u, d)| u * d).sum();
-            observer.see(normal, &[value], 2.0 * z * weight / 16.0);
-        }
+    for (normal, weight) in fixtures::rule(40, 16) {
+        values.at(normal, &mut row);
+        let value: f64 = row.iter().zip(&d).map(|(u, d)| u * d).sum();
+        observer.see(normal, &[value], weight);
     }
     let found = scalar_product(&observer.finish(), 0);
     assert_near("scalar product", apart(&found, &d), tolerances::READ_LEAST_SQUARES);

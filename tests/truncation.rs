@@ -6,13 +6,11 @@ use eigenshade::{Error, Light, Material, Normal, Normals, Scene, Tolerance, Trun
 use eigenshade_generator::basis::build;
 use eigenshade_model::inputs::coefficient_csv::{read_lights, read_materials};
 use eigenshade_model::reference::DirectSum;
-use eigenshade_model::special::quadrature::gauss_legendre;
 use eigenshade_shading::owned_basis::{AnyBasis, OwnedBasis};
 use eigenshade_table::decode;
-use eigenshade_testing::{assert_stated, images};
+use eigenshade_testing::{assert_stated, fixtures, images};
 use images::{Image, coefficients, products, rule, single, vectors};
 use proptest::prelude::*;
-use std::f64::consts::TAU;
 
 /// The same of series whose recurrences are rounded to f32, 6e-8: polynomials are as orthogonal.
 const RECURRENCE_ROUNDING: f64 = 1e-7;
@@ -282,14 +280,9 @@ fn bounds_hold_of_long_series() {
         let mut lengths = [0; 32];
         let within = basis.collapse_within(&d, Tolerance::OfPeak(share), &mut lengths, room());
         let (scene, report) = within.expect("sizes");
-        let squares = gauss_legendre(40, 0.0, 1.0).into_iter().flat_map(|(z, weight)| {
-            let sine = (1.0 - z * z).sqrt();
-            let (scene, whole) = (&scene, &whole);
-            (0..50).map(move |k| {
-                let (y, x) = (TAU * f64::from(k) / 50.0).sin_cos();
-                let normal = Normal::new(sine * x, sine * y, z).expect("visible");
-                2.0 * z * weight / 50.0 * (scene.shade(normal) - whole.shade(normal)).powi(2)
-            })
+        let squares = fixtures::rule(40, 50).into_iter().map(|([x, y, z], weight)| {
+            let normal = Normal::new(x, y, z).expect("visible");
+            weight * (scene.shade(normal) - whole.shade(normal)).powi(2)
         });
         let error = squares.sum::<f64>().sqrt();
         println!(

@@ -11,7 +11,6 @@ use eigenshade_model::polar_integral::PolarIntegrals;
 use eigenshade_model::reference::DirectSum;
 use eigenshade_model::rotation::Rotation;
 use eigenshade_model::scattering;
-use eigenshade_model::special::quadrature::gauss_legendre;
 use eigenshade_table::scene::Criterion;
 use eigenshade_table::{Table, decode, encode};
 use eigenshade_testing::fixtures::Projector;
@@ -19,26 +18,11 @@ use eigenshade_testing::oracle::Numbers;
 use eigenshade_testing::rotations::{euler, irradiance, product, rotation};
 use eigenshade_testing::{fixtures, largest};
 use proptest::prelude::*;
-use std::f64::consts::{FRAC_PI_2, PI, TAU};
+use std::f64::consts::{FRAC_PI_2, PI};
 
 /// |d|² + residual against the energy, relative: the orthonormality of W, twice, and polynomials
 /// that end at 1e-13.
 const PARSEVAL: f64 = 2e-14;
-
-/// Normals of the sphere and their weights, which sum to 1: exact for products of two
-/// images to rounding.
-fn quadrature(degree: usize, order: usize) -> Vec<([f64; 3], f64)> {
-    let tilts = 2 * degree + 1;
-    let mut normals = Vec::new();
-    for (z, weight) in gauss_legendre(2 * degree + order + 20, 0.0, 1.0) {
-        let sine = ((1.0 - z) * (1.0 + z)).sqrt();
-        for k in 0..tilts {
-            let (y, x) = (TAU * k as f64 / tilts as f64).sin_cos();
-            normals.push(([sine * x, sine * y, z], 2.0 * z * weight / tilts as f64));
-        }
-    }
-    normals
-}
 
 /// |d|² + |residual|² = cᵀMc, the residual by quadrature of the direct sum.
 fn assert_parseval(loaded: &Loaded, table: &Table, light: &[f64], material: &[f64]) {
@@ -47,7 +31,9 @@ fn assert_parseval(loaded: &Loaded, table: &Table, light: &[f64], material: &[f6
     let d = projector.project(light, material);
     let reference = DirectSum::new(degree, order);
     let (mut residual, mut about_mean) = (0.0, 0.0);
-    let (normals, weights): (Vec<_>, Vec<_>) = quadrature(degree, order).into_iter().unzip();
+    // Exact for products of two images to rounding.
+    let (normals, weights): (Vec<_>, Vec<_>) =
+        fixtures::rule(2 * degree + order + 20, 2 * degree + 1).into_iter().unzip();
     let (image, mean) = (projector.shade(&d, &normals), projector.shade(&[], &normals));
     for (k, weight) in weights.iter().enumerate() {
         let modes = reference.at(normals[k]);

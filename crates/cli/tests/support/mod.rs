@@ -195,6 +195,12 @@ pub fn colored(gray: &str, [green, blue]: [f64; 2]) -> String {
     gray.lines().map(row).collect()
 }
 
+/// The CSV of so many normals that each stand for an equal part of a sphere's picture.
+pub fn of_equal_areas(count: usize) -> String {
+    let normals = eigenshade_testing::fixtures::of_equal_areas(count).into_iter();
+    "x,y,z\n".to_owned() + &normals.map(|[x, y, z]| format!("{x},{y},{z}\n")).collect::<String>()
+}
+
 /// Normals, with the pole and the rim.
 fn normals() -> String {
     let mut text = "x,y,z\n0,0,1\n1,0,0\n0,-1,0\n".to_owned();
