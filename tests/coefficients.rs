@@ -4,11 +4,9 @@
 use crate::tolerances;
 use eigenshade::index::material;
 use eigenshade::{Effect, Effects, Error, Light, Material, Normal, sphere};
-use eigenshade_model::special::quadrature::gauss_legendre;
 use eigenshade_shading::owned_basis::OwnedBasis;
 use eigenshade_testing::oracle::Numbers;
 use eigenshade_testing::{fixtures, largest};
-use std::f64::consts::TAU;
 use std::ops::RangeInclusive;
 
 /// The degrees l and the orders o of each effect.
@@ -76,14 +74,10 @@ fn weighted_pixels_give_back_the_coefficients() {
         basis.project_into(&light, &material, &mut workspace, &mut d).expect("sizes");
         let scene = basis.collapse_into(&d, vec![0.0; basis.scene_len()]).expect("sizes");
         let mut estimate = basis.estimate::<60>().expect("room");
-        for (z, weight) in gauss_legendre(48, 0.0, 1.0) {
-            let sine = ((1.0 - z) * (1.0 + z)).sqrt();
-            for k in 0..19 {
-                let (y, x) = (TAU * f64::from(k) / 19.0).sin_cos();
-                let normal = Normal::new(sine * x, sine * y, z).expect("visible");
-                // The sphere's density; any factor of all weights drops out.
-                estimate.add(normal, scene.shade(normal), 7.0 * z * weight);
-            }
+        for ([x, y, z], weight) in fixtures::rule(48, 19) {
+            let normal = Normal::new(x, y, z).expect("visible");
+            // Any factor of all weights drops out.
+            estimate.add(normal, scene.shade(normal), 7.0 * weight);
         }
         let found = estimate.coefficients().expect("pixels");
         let apart = largest(found.iter().zip(&d).map(|(a, b)| a - b));

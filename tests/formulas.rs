@@ -10,6 +10,7 @@ use eigenshade::{
 };
 use eigenshade_model::special::spherical_harmonic;
 use eigenshade_testing::fixtures::spiral;
+use eigenshade_testing::vectors::unit;
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
 /// Midpoints in the angle from the middle of a disc, relative to its coefficients.
@@ -20,11 +21,6 @@ const SINGLE: f64 = 2e-6;
 
 const DIRECTIONS: [[f64; 3]; 5] =
     [[0.0, 0.0, 1.0], [0.0, 0.0, -2.0], [1.0, 0.0, 0.0], [0.3, -0.5, 0.2], [-4.0, 3.0, -1.0]];
-
-fn unit(direction: [f64; 3]) -> [f64; 3] {
-    let length = direction.iter().map(|c| c * c).sum::<f64>().sqrt();
-    direction.map(|c| c / length)
-}
 
 /// The integral of every harmonic over a disc.
 fn disc(direction: [f64; 3], radius: f64) -> Vec<f64> {

@@ -4,6 +4,7 @@
 use crate::{oracle, tolerances};
 use eigenshade::mathematics::{Libm, SinglePrecision, Tabled};
 use eigenshade::{Argument, Error, Light, NegativePolicy, Rgb, Rotation, Scalar, Window};
+use eigenshade_testing::largest;
 use oracle::{ExplicitLight, Numbers};
 use std::f64::consts::PI;
 
@@ -24,12 +25,6 @@ fn noise(degree: usize, numbers: &mut Numbers) -> Vec<f64> {
 
 fn single(values: &[f64]) -> Vec<f32> {
     values.iter().map(|&value| value as f32).collect()
-}
-
-fn largest(values: impl IntoIterator<Item = f64>) -> f64 {
-    values.into_iter().fold(0.0, |most: f64, value| {
-        if value.is_nan() || value.abs() > most { value.abs() } else { most }
-    })
 }
 
 /// A light turned with roots by libm.

@@ -26,7 +26,6 @@ mod parts;
 mod polynomials;
 mod quantized;
 mod reading_scenes;
-mod reading_spheres;
 mod runtime;
 mod sampled_and_baked;
 mod sources;

@@ -1,5 +1,4 @@
-//! What the paper promises, on the shipped databases: the direct sum, the
-//! principal components, and what their eigenvalues say.
+//! What the paper promises, on the shipped databases: the direct sum and the principal components.
 
 use crate::oracle;
 use crate::tolerances;
@@ -14,8 +13,6 @@ use eigenshade_generator::scene_file::{self, Loaded};
 use eigenshade_model::database::Named;
 use eigenshade_model::irradiance::slant_rotation;
 use eigenshade_model::reference::DirectSum;
-use eigenshade_model::rotation::Rotation;
-use eigenshade_model::special::quadrature::gauss_legendre;
 use eigenshade_shading::owned_basis::OwnedBasis;
 use eigenshade_table::scene::Normalize;
 use eigenshade_table::{GramFactor, Table};
@@ -24,10 +21,6 @@ use std::path::Path;
 
 /// Eigenvalues of +m and -m, of the largest: the same numbers by another way.
 const EQUAL_EIGENVALUES: f64 = 2e-15;
-
-/// Share of the whole energy down to which residual energies are compared with the eigenvalues:
-/// below it, roundings of the whole show.
-const RESIDUAL_FLOOR: f64 = 1e-10;
 
 fn shipped() -> Loaded {
     scene_file::load(Path::new("tables/curet.toml")).expect("the shipped scene")
@@ -156,26 +149,6 @@ fn luminances(entries: &[Named]) -> Vec<Vec<f64>> {
     entries.iter().map(Named::luminance).collect()
 }
 
-#[test]
-fn components_are_orthonormal() {
-    let (_, table) = whole();
-    assert!(table.components.len() >= 100);
-    let modes = basis::orthonormality(&table, 100);
-    let mut nodes: f64 = 0.0;
-    for (i, a) in table.profiles.iter().enumerate() {
-        for (j, b) in table.profiles.iter().enumerate().take(i + 1) {
-            if a.azimuth == b.azimuth {
-                let product: f64 =
-                    a.node_values.iter().zip(&b.node_values).map(|(a, b)| a * b).sum();
-                nodes = nodes.max((product - f64::from(u8::from(i == j))).abs());
-            }
-        }
-    }
-    println!("|UᵀMU - I| {modes:.1e} on 100, |WᵀW - I| {nodes:.1e} on {}", table.components.len());
-    assert!(modes <= tolerances::ORTHONORMAL_MODES, "{modes}");
-    assert!(nodes <= tolerances::ORTHONORMAL_NODES, "{nodes}");
-}
-
 /// The blocks of -m, built from D_l^-m,q itself, have the eigenvalues of +m.
 #[test]
 fn signs_of_m_have_equal_eigenvalues() {
@@ -223,98 +196,6 @@ fn negative_rotations(gram: &GramFactor) -> Vec<f64> {
         }
     }
     values
-}
-
-/// Every light of the database turned by a set of rotations that integrates
-/// products of two D up to degree 9 exactly, on every material: the mean energy
-/// that K components leave is what the eigenvalues say.
-#[test]
-fn residual_energy_is_what_the_eigenvalues_say() {
-    let (loaded, table) = whole();
-    let owned = OwnedBasis::<f64>::new(&table);
-    let basis = owned.basis().expect("a basis");
-    let transfers: Vec<Vec<f64>> = luminances(&loaded.materials.entries)
-        .iter()
-        .map(|material| {
-            let material = eigenshade::Material::new(material).expect("40 coefficients");
-            let mut workspace = vec![0.0; basis.workspace_len()];
-            let mut transfer = vec![0.0; basis.transfer_len()];
-            basis.transfer_into(&material, &mut workspace, &mut transfer).expect("sizes");
-            transfer
-        })
-        .collect();
-    let lights: Vec<Vec<f64>> = luminances(&loaded.lights.entries)
-        .iter()
-        .map(|light| light.iter().map(|value| value / light[0]).collect())
-        .collect();
-    let rotations = rotations();
-    let energies = std::thread::scope(|scope| {
-        let halves: Vec<_> = rotations
-            .chunks(rotations.len().div_ceil(2))
-            .map(|part| scope.spawn(|| mean_energies(&basis, &lights, &transfers, part)))
-            .collect();
-        let mut sums = vec![0.0; basis.components()];
-        for half in halves {
-            let part = half.join().expect("no panic");
-            sums.iter_mut().zip(part).for_each(|(sum, part)| *sum += part);
-        }
-        sums
-    });
-    let (whole, mut left) = (table.energy_left(0), 0.0);
-    let (mut worst, mut compared) = (0.0f64, 0);
-    // From the small end. Component 0 is the constant: its energy is no variance.
-    for (count, energy) in energies.iter().enumerate().skip(1).rev() {
-        left += energy;
-        let expected = table.energy_left(count);
-        if expected > RESIDUAL_FLOOR * whole {
-            worst = worst.max((left / expected - 1.0).abs());
-            compared += 1;
-        }
-    }
-    println!("{compared} truncations: residual energy within {worst:.1e}");
-    assert!(compared > 50);
-    assert!(worst <= tolerances::RESIDUAL_ENERGY, "{worst}");
-}
-
-/// Weighted rotations: Gauss-Legendre in cos α, equal steps in β and γ. Exact for
-/// products of two D of degree 9, which have degree 18.
-fn rotations() -> Vec<(Rotation, f64)> {
-    let mut rotations = Vec::new();
-    for (z, weight) in gauss_legendre(10, -1.0, 1.0) {
-        for beta in 0..19 {
-            for gamma in 0..19 {
-                let angle = |k: i32| 2.0 * PI * f64::from(k) / 19.0;
-                let rotation = Rotation { alpha: z.acos(), beta: angle(beta), gamma: angle(gamma) };
-                rotations.push((rotation, weight / (2.0 * 361.0)));
-            }
-        }
-    }
-    rotations
-}
-
-/// Mean of each d² over these rotations, all lights and all materials.
-fn mean_energies(
-    basis: &eigenshade::Basis<'_, f64>,
-    lights: &[Vec<f64>],
-    transfers: &[Vec<f64>],
-    rotations: &[(Rotation, f64)],
-) -> Vec<f64> {
-    let mut energies = vec![0.0; basis.components()];
-    let mut coefficients = vec![0.0; basis.components()];
-    for (rotation, weight) in rotations {
-        let share = weight / (lights.len() * transfers.len()) as f64;
-        for light in lights {
-            let turned = rotation.turn(9, light);
-            let turned = eigenshade::Light::new(&turned).expect("100 coefficients");
-            for transfer in transfers {
-                basis.relight_into(transfer, &turned, &mut coefficients).expect("sizes");
-                for (energy, d) in energies.iter_mut().zip(&coefficients) {
-                    *energy += share * d * d;
-                }
-            }
-        }
-    }
-    energies
 }
 
 /// UᵀM in factors is UᵀM by multiplication: U through A, then M = AᵀA.

@@ -1,26 +1,22 @@
-//! Light, material and modes of an image of a sphere, and of tables of an object, under light as
+//! Components, light, material and modes of an image of a sphere, and of an object under light as
 //! captured, about the vertical and turned freely: against dense formulas over the pixels, by
 //! another library, against the images of modes, the direct sum, and the runtime.
 
-use crate::reading;
-use eigenshade::index::light;
-use eigenshade_generator::basis::moments::LightMoments;
-use eigenshade_generator::reading::coefficients::{LeastSquares, scalar_product};
+use crate::oracle::Numbers;
+use crate::reading::{
+    COUNT, CRITERIA, LitImage, Subject, apart, assert_near, image_of_modes, scene, strongest,
+    to_dense,
+};
+use crate::tolerances;
+use eigenshade_generator::reading::coefficients::{LeastSquares, fit, scalar_product};
 use eigenshade_generator::reading::light_estimate::LightEstimate;
 use eigenshade_generator::reading::modes::{self, ModeCoefficients};
-use eigenshade_generator::reading::observation::EigenimageValues;
-use eigenshade_generator::reading::posterior::Posterior;
+use eigenshade_generator::reading::observation::{EigenimageValues, Observer};
 use eigenshade_generator::reading::rank_one::RankOne;
 use eigenshade_model::database::Named;
-use eigenshade_model::rotation::Rotation;
 use eigenshade_table::scene::{Criterion, LightRotation};
+use eigenshade_testing::{fixtures, largest};
 use nalgebra::{DMatrix, DVector};
-use reading::oracle::Numbers;
-use reading::{
-    COUNT, CRITERIA, DEGREE, LitImage, NOISE, Object, apart, assert_likeliest, assert_near, dense,
-    image_of_modes, observe, pixels, prior, small, to_dense, tolerances,
-};
-use std::f64::consts::TAU;
 
 /// A product in exact modes comes back: some hundred roundings.
 const READ_RANK_ONE: f64 = 2e-15;
@@ -32,39 +28,229 @@ const READ_NO_PRODUCT: f64 = 1e-3;
 /// by which the error still falls.
 const READ_RANK_ONE_SLOPE: f64 = 3e-7;
 
+/// Posterior deviations over those of least squares, less one, at noises of 1e-3, 1e-6 and 1e-9:
+/// half the noise's variance over the prior's, 6e-3 at the first, falls with its square, to
+/// rounding.
+const READ_DEVIATIONS: [f64; 3] = [1e-2, 1e-8, 1e-11];
+
 #[test]
-fn modes_have_the_image_that_they_were_read_from() {
-    let (loaded, table) = small(Criterion::ImageCentered, usize::MAX);
-    let pixels = pixels(&loaded, 7);
-    let observation = observe(&table, &pixels);
-    let (transfers, prior) = prior(&loaded, &table);
-    let posterior = Posterior::new(&observation, &prior).expect("singular values");
-    let estimate = posterior.estimate(0, NOISE);
-    let least_norm = modes::least_norm(&table, &estimate.d);
-    let likely = modes::posterior_mean(&transfers, &prior, &estimate);
-    let values = EigenimageValues::new(&table, table.components.len());
-    let mut row = vec![0.0; table.components.len() + 1];
-    let (mut numbers, mut far, mut peak) = (Numbers(9), [0.0f64; 2], 0.0f64);
-    for _ in 0..20 {
-        let normal = numbers.normal();
-        values.at(normal, &mut row);
-        let expected: f64 = row.iter().zip(&estimate.d).map(|(u, d)| u * d).sum();
-        peak = peak.max(expected.abs());
-        for (far, c) in far.iter_mut().zip([&least_norm, &likely]) {
-            *far = far.max((image_of_modes(c, normal) - expected).abs());
+fn least_squares_and_fit_are_those_over_the_pixels() {
+    for criterion in CRITERIA {
+        for subject in Subject::both(criterion, LightRotation::None, 20) {
+            let image = subject.noisy();
+            let observation = subject.observe(&image);
+            let (design, mean) = subject.dense();
+            let centered = subject.rooted(&image) - &mean;
+            let svd = design.clone().svd(true, true);
+            let expected = svd.solve(&centered, tolerances::READ_CUT_OFF).expect("a solution");
+            let squares = LeastSquares::new(&observation, tolerances::READ_CUT_OFF);
+            let squares = squares.expect("singular values");
+            assert_eq!(squares.rank(), 20);
+            let d = squares.solve(observation.centered(0).as_ref());
+            assert_near("least squares", apart(&d, &expected), tolerances::READ_LEAST_SQUARES);
+
+            let weight: f64 = subject.weights.iter().sum();
+            let product = scalar_product(&observation, 0);
+            let expected = design.transpose() * &centered / weight;
+            let far = apart(&product, &expected);
+            assert_near("scalar product", far, tolerances::READ_LEAST_SQUARES);
+
+            let found = fit(&observation, 0, &d, 20);
+            let left = (&centered - &design * DVector::from_column_slice(&d)).norm_squared();
+            let weighted = subject.weights.iter().zip(&image);
+            let average = weighted.clone().map(|(w, i)| w * i).sum::<f64>() / weight;
+            let spread: f64 = weighted.map(|(w, i)| w * (i - average).powi(2)).sum();
+            let expected = [(left / weight).sqrt(), left / spread, (left / 280.0).sqrt()];
+            let found = [found.residual_rms, found.relative_residual, found.noise];
+            for (found, expected) in found.iter().zip(&expected) {
+                assert_near("fit", apart([found], [expected]), tolerances::READ_LEAST_SQUARES);
+            }
         }
     }
-    assert_near("image of the least-norm modes", far[0] / peak, tolerances::READ_MODES);
-    assert_near("image of the posterior modes", far[1] / peak, tolerances::READ_MODES);
-    // Of the same image, the one is of least norm.
-    let length = |c: &ModeCoefficients| c.values.norm_l2();
-    println!("norms {} and {}", length(&least_norm), length(&likely));
-    assert!(length(&least_norm) < length(&likely));
+}
+
+/// A whole sphere by quadrature: the scalar product is then least squares, and d.
+#[test]
+fn the_scalar_product_is_the_integral() {
+    let table = Subject::sphere(Criterion::ImageCentered, 20).table;
+    let d: Vec<f64> = (0..20).map(|k| f64::from(k + 1).recip()).collect();
+    let values = EigenimageValues::new(&table, 20);
+    let mut row = vec![0.0; 21];
+    let mut observer = Observer::new(values, 1);
+    for (normal, weight) in fixtures::rule(40, 16) {
+        values.at(normal, &mut row);
+        let value: f64 = row.iter().zip(&d).map(|(u, d)| u * d).sum();
+        observer.see(normal, &[value], weight);
+    }
+    let found = scalar_product(&observer.finish(), 0);
+    assert_near("scalar product", apart(&found, &d), tolerances::READ_LEAST_SQUARES);
+}
+
+#[test]
+fn components_are_those_of_the_direct_sum() {
+    for criterion in CRITERIA {
+        // An image of the database itself lies in the span of all its components.
+        let object = Subject::object(criterion, LightRotation::None, usize::MAX);
+        let (light, material) = object.pair();
+        let image = object.image();
+        let observation = object.observe(&image);
+        let (design, mean) = object.dense();
+        // The weights sum to 1, so this is the mean over the object.
+        let direct = design.transpose() * (object.rooted(&image) - mean);
+        let product = scalar_product(&observation, 0);
+        assert_near("scalar product", apart(&product, &direct), tolerances::READ_LEAST_SQUARES);
+        let projected = &object.project(&light, &material);
+        assert_near("projection", apart(&product, projected), tolerances::READ_MODES);
+        let squares =
+            LeastSquares::new(&observation, tolerances::READ_CUT_OFF).expect("singular values");
+        assert_eq!(squares.rank(), object.table.count());
+        let d = squares.solve(observation.centered(0).as_ref());
+        assert_near("least squares", apart(&d, projected), tolerances::READ_MODES);
+    }
+}
+
+#[test]
+fn prior_is_the_databases_second_moment() {
+    use LightRotation::{Any, None, Vertical};
+    for criterion in CRITERIA {
+        let object = |rotation| Subject::object(criterion, rotation, 20);
+        for subject in [Subject::sphere(criterion, 20), object(Any), object(Vertical), object(None)]
+        {
+            let found = to_dense(&subject.prior().1.second_moment());
+            let expected = subject.second_moment();
+            assert_near("V_d", apart(&found, &expected), tolerances::READ_PRIOR);
+            // (28) and (33): uncorrelated, the eigenvalues on the diagonal.
+            let values = subject.eigenvalues();
+            for (i, a) in values.iter().enumerate() {
+                for (j, _) in values.iter().enumerate().filter(|(_, b)| a.is_some() && b.is_some())
+                {
+                    let expected = a.filter(|_| i == j).unwrap_or(0.0);
+                    let far = (found[(i, j)] - expected).abs() / strongest(&values);
+                    assert!(far <= tolerances::READ_PRIOR, "{i} {j}: {far:e}");
+                }
+            }
+        }
+    }
+    // The constant goes with the others of m = 0, so V_d is not diagonal.
+    let moment = Subject::sphere(Criterion::ImageCentered, 20).prior().1.second_moment();
+    let correlation = |j: usize| moment[(0, j)] / (moment[(0, 0)] * moment[(j, j)]).sqrt();
+    assert!((1..20).any(|j| correlation(j).abs() > 0.05));
+}
+
+/// With all pixels, and with fewer than components, which do not see the rest.
+#[test]
+fn posterior_is_the_dense_formula() {
+    for (criterion, count) in CRITERIA.into_iter().flat_map(|one| [(one, COUNT), (one, 8)]) {
+        for mut subject in Subject::both(criterion, LightRotation::Vertical, 20) {
+            subject.weights[count..].fill(0.0);
+            let (image, noise) = (subject.noisy(), subject.noise());
+            assert_eq!(subject.observe(&image).pixels, count);
+            let found = subject.estimate(&image, noise);
+
+            let ((design, mean), image) = (subject.dense(), subject.rooted(&image));
+            let moment = subject.second_moment();
+            let energy = (&design * &moment * design.transpose()).trace() + mean.norm_squared();
+            let s = ((image.norm_squared() - count as f64 * noise * noise) / energy).sqrt();
+            assert_near("exposure", apart([&found.exposure], [&s]), tolerances::READ_POSTERIOR);
+            // s² V Eᵀ (s² E V Eᵀ + noise²)⁻¹ (I - s m), over the pixels.
+            let cross = s * s * &moment * design.transpose();
+            let total = &design * &cross + DMatrix::identity(COUNT, COUNT) * noise * noise;
+            let inverse = total.cholesky().expect("a positive matrix").inverse();
+            let d = &cross * &inverse * (image - s * mean) - (s - 1.0) * subject.dark();
+            assert_near("posterior mean", apart(&found.d, &d), tolerances::READ_POSTERIOR);
+            if subject.table.general.is_none() {
+                let covariance = s * s * &moment - &cross * &inverse * cross.transpose();
+                let deviations = covariance.diagonal().map(f64::sqrt);
+                let far = apart(&found.deviations, &deviations);
+                assert_near("posterior deviations", far, tolerances::READ_POSTERIOR);
+            }
+        }
+    }
+}
+
+/// Where pixels determine d, its deviations are those of least squares, noise times the
+/// roots of the diagonal of (EᵀWE)⁻¹, however small the noise: the prior adds nothing.
+#[test]
+fn posterior_deviations_are_in_proportion_to_a_small_noise() {
+    for criterion in CRITERIA {
+        let sphere = Subject::sphere(criterion, 20);
+        // The light as captured.
+        let ambient = sphere.loaded.lights.entries[4].luminance()[0];
+        let image: Vec<f64> = sphere.noisy().iter().map(|value| ambient * value).collect();
+        let (design, _) = sphere.dense();
+        let normal = (design.transpose() * &design).cholesky().expect("a positive matrix");
+        let expected = normal.inverse().diagonal().map(f64::sqrt);
+        // The prior's share is the square of noise over its own spread.
+        for (noise, allowed) in [1e-3, 1e-6, 1e-9].into_iter().zip(READ_DEVIATIONS) {
+            let found = sphere.estimate(&image, noise).deviations;
+            let over = found.iter().zip(&expected).map(|(found, one)| found / (noise * one) - 1.0);
+            assert_near("deviations over the noise's", largest(over), allowed);
+        }
+        // All components: some are not determined, but none is known without error.
+        let sphere = Subject::sphere(criterion, usize::MAX);
+        for noise in [1e-3, 1e-6, 1e-9] {
+            let found = sphere.estimate(&image, noise).deviations;
+            assert!(found.iter().all(|deviation| *deviation > 0.0), "{noise:e}: {found:?}");
+        }
+    }
+}
+
+#[test]
+fn light_and_evidence_are_the_dense_formulas() {
+    for criterion in CRITERIA {
+        for subject in Subject::both(criterion, LightRotation::None, 40) {
+            let (image, noise) = (subject.noisy(), subject.noise());
+            let (transfers, prior) = subject.prior();
+            let transfer = transfers.of(&subject.pair().1);
+            let observation = subject.observe(&image);
+            let estimate = LightEstimate::new(&observation, &prior, &transfer).expect("values");
+            let found = estimate.explain(0, noise);
+
+            let (design, mean) = subject.dense();
+            let images = subject.lit(&design);
+            let target = subject.rooted(&image) - mean - &design * subject.dark();
+            let statistics = subject.statistics();
+            LitImage { images, target, statistics, noise }.assert_likeliest(&found);
+        }
+    }
+}
+
+/// The images of modes are compared at one pixel in this many.
+const STEP: usize = 15;
+
+#[test]
+fn modes_have_the_image_that_they_were_read_from() {
+    for criterion in CRITERIA {
+        for subject in Subject::both(criterion, LightRotation::None, usize::MAX) {
+            let (transfers, prior) = subject.prior();
+            let estimate = subject.estimate(&subject.noisy(), subject.noise());
+            let (design, mean) = subject.dense();
+            let d = DVector::from_column_slice(&estimate.d);
+            let some =
+                |image: DVector<f64>| image.iter().copied().step_by(STEP).collect::<Vec<_>>();
+            let near = |what: &str, c: &ModeCoefficients, expected: DVector<f64>| {
+                let places = (0..COUNT).step_by(STEP);
+                let value =
+                    |k: usize| subject.weights[k].sqrt() * image_of_modes(c, subject.normals[k]);
+                let found: Vec<f64> = places.map(value).collect();
+                assert_near(what, apart(&found, &some(expected)), tolerances::READ_MODES);
+            };
+            let least_norm = modes::least_norm(&subject.table, &estimate.d);
+            near("least norm", &least_norm, &design * &d);
+            // Whole images: s (m + E δ), with the mean image's own modes.
+            let s = estimate.exposure;
+            let likely = modes::posterior_mean(&transfers, &prior, &estimate);
+            near("posterior", &likely, s * &mean + &design * (d + (s - 1.0) * subject.dark()));
+            // Of the same image, the one is of least norm.
+            let [least, other] = [&least_norm, &likely].map(|c| c.values.norm_l2());
+            assert!(criterion == Criterion::Standard || least < other, "{least} {other}");
+        }
+    }
 }
 
 #[test]
 fn products_come_back_from_the_modes_that_exist() {
-    let (loaded, _) = small(Criterion::ImageCentered, 1);
+    let loaded = scene(Criterion::ImageCentered, LightRotation::Any, 1);
     let of = |entry: &Named| entry.luminance();
     let (light, material) = (of(&loaded.lights.entries[2]), of(&loaded.materials.entries[14]));
     let mut c = ModeCoefficients::zeros(4, 3);
@@ -115,245 +301,11 @@ fn the_best_product_of_any_modes_is_where_no_turn_makes_it_better() {
             by_light[row] += left * product.material[column];
             by_material[column] += left * product.light[row];
         }
-        let steepest =
-            by_light.iter().chain(&by_material).fold(0.0f64, |most, x| most.max(x.abs()));
-        let scale = product.light.iter().fold(0.0f64, |most, l| most.max(l.abs()));
+        let steepest = largest(by_light.into_iter().chain(by_material));
+        let scale = largest(product.light.iter().copied());
         assert_near("slope", steepest / scale, READ_RANK_ONE_SLOPE);
         // A limit that cuts it short is said, and the product is no better for it.
         let short = RankOne::within(&c, 2).expect("singular values");
         assert!(!short.has_converged && short.left > product.left, "seed {seed}");
-    }
-}
-
-#[test]
-fn light_and_evidence_are_the_dense_formulas() {
-    for criterion in CRITERIA {
-        let (loaded, table) = small(criterion, usize::MAX);
-        let pixels = pixels(&loaded, 11);
-        let observation = observe(&table, &pixels);
-        let (transfers, prior) = prior(&loaded, &table);
-        let material = loaded.materials.entries[6].luminance();
-        let transfer = transfers.of(&material);
-        let estimate = LightEstimate::new(&observation, &prior, &transfer).expect("values");
-        let found = estimate.explain(0, NOISE);
-
-        let (design, mean, image) = dense(&table, &pixels);
-        let d_mean = DVector::from_column_slice(&prior.mean);
-        let target = image - mean + &design * d_mean;
-        let images = &design * to_dense(&transfer);
-        let normalize = loaded.scene.light.normalize;
-        let moments = LightMoments::new(&loaded.lights, normalize).expect("moments");
-        let spread = DVector::from_iterator(
-            light::count(4),
-            light::indices(4).map(|(l, _)| match l {
-                0 => moments.ambient_variance,
-                _ => moments.power[l],
-            }),
-        );
-        let mut center = DVector::zeros(light::count(4));
-        center[0] = moments.ambient_mean;
-        let covariance = DMatrix::from_diagonal(&spread);
-        let image = LitImage { images, target, mean: center, covariance, noise: NOISE };
-        assert_likeliest(&image, &found);
-    }
-}
-
-const ROTATIONS: [LightRotation; 3] =
-    [LightRotation::Any, LightRotation::Vertical, LightRotation::None];
-
-#[test]
-fn components_are_those_of_the_direct_sum() {
-    for criterion in CRITERIA {
-        // An image of the database itself lies in the span of all its components.
-        let object = Object::new(criterion, LightRotation::None, usize::MAX);
-        let (light, material) = object.pair();
-        let image = object.image(&light, &material);
-        let observation = object.observe(&image);
-        let (design, mean) = object.dense();
-        // The weights sum to 1, so this is the mean over the object.
-        let direct = design.transpose() * (object.rooted(&image) - mean);
-        let product = scalar_product(&observation, 0);
-        assert_near("scalar product", apart(&product, &direct), tolerances::READ_LEAST_SQUARES);
-        let projected = &object.projected(&[(&light, &material)])[0];
-        assert_near("projection", apart(&product, projected), tolerances::READ_MODES);
-        let squares =
-            LeastSquares::new(&observation, tolerances::READ_CUT_OFF).expect("singular values");
-        assert_eq!(squares.rank(), object.table.count());
-        let d = squares.solve(observation.centered(0).as_ref());
-        assert_near("least squares", apart(&d, projected), tolerances::READ_MODES);
-    }
-}
-
-/// E{d dᵀ} by the runtime's projections: of each light at each angle, or, turned
-/// freely, of L_0^0 and then of every harmonic alone.
-fn second_moment(object: &Object) -> DMatrix<f64> {
-    let materials: Vec<Vec<f64>> =
-        object.loaded.materials.entries.iter().map(Named::luminance).collect();
-    let rotation = object.loaded.scene.light.rotation;
-    let lights = object.lights();
-    let angles = if rotation == LightRotation::Vertical { 4 * DEGREE + 3 } else { 1 };
-    let turned = |light: &Vec<f64>, k: usize| {
-        let alpha = TAU * (k as f64 + 0.3) / angles as f64;
-        Rotation { alpha, beta: 0.0, gamma: 0.0 }.turn(DEGREE, light)
-    };
-    let unit = |place: usize, length: f64| {
-        let mut light = vec![0.0; light::count(DEGREE)];
-        light[place] = length;
-        light
-    };
-    let free = rotation == LightRotation::Any;
-    let samples: Vec<Vec<f64>> = match rotation {
-        LightRotation::None => lights,
-        LightRotation::Vertical => {
-            lights.iter().flat_map(|light| (0..angles).map(|k| turned(light, k))).collect()
-        }
-        LightRotation::Any => {
-            let power = |l: usize| {
-                let of = |light: &Vec<f64>| -> f64 {
-                    light[l * l..(l + 1) * (l + 1)].iter().map(|x| x * x).sum()
-                };
-                lights.iter().map(of).sum::<f64>() / (lights.len() * (2 * l + 1)) as f64
-            };
-            light::indices(DEGREE)
-                .map(|(l, m)| unit(light::position(l, m), power(l).sqrt()))
-                .collect()
-        }
-    };
-    let pairs: Vec<(&[f64], &[f64])> = materials
-        .iter()
-        .flat_map(|material| samples.iter().map(move |light| (&light[..], &material[..])))
-        .collect();
-    let black = unit(0, 0.0);
-    let dark = &object.projected(&[(&black, &materials[0])])[0];
-    let count = if free { materials.len() } else { pairs.len() } as f64;
-    let mut moment = DMatrix::zeros(dark.len(), dark.len());
-    for ((light, _), mut d) in pairs.iter().zip(object.projected(&pairs)) {
-        // Every L_0^0 is 1 here: a harmonic alone is a difference from it.
-        if free && light[0] == 0.0 {
-            d -= dark;
-        }
-        moment += &d * d.transpose() / count;
-    }
-    moment
-}
-
-#[test]
-fn prior_is_the_databases_second_moment() {
-    for criterion in CRITERIA {
-        for rotation in ROTATIONS {
-            let object = Object::new(criterion, rotation, 20);
-            let found = to_dense(&object.prior().1.second_moment());
-            let expected = second_moment(&object);
-            assert_near("V_d", apart(&found, &expected), tolerances::READ_PRIOR);
-            let general = object.table.general.as_ref().expect("a general table");
-            let first = usize::from(general.eigenvalues[0].is_none());
-            let values = || general.eigenvalues.iter().skip(first).flatten();
-            let diagonal = found.diagonal();
-            let found = diagonal.iter().skip(first);
-            assert_near("eigenvalues", apart(found, values()), tolerances::READ_PRIOR);
-        }
-    }
-}
-
-#[test]
-fn posterior_is_the_dense_formula() {
-    for (criterion, rotation) in CRITERIA.into_iter().zip([LightRotation::Vertical; 2]) {
-        let object = Object::new(criterion, rotation, 20);
-        let (light, material) = object.pair();
-        let image = object.image(&light, &material);
-        let observation = object.observe(&image);
-        let (_, prior) = object.prior();
-        // Of a pixel of weight 1, the mean weight being 1 / COUNT.
-        let noise = NOISE / (COUNT as f64).sqrt();
-        let posterior = Posterior::new(&observation, &prior).expect("singular values");
-        let found = posterior.estimate(0, noise);
-
-        let (design, mean) = object.dense();
-        let image = object.rooted(&image);
-        let moment = second_moment(&object);
-        let energy = (&design * &moment * design.transpose()).trace() + mean.norm_squared();
-        let s = ((image.norm_squared() - NOISE * NOISE) / energy).sqrt();
-        assert_near("exposure", apart([&found.exposure], [&s]), tolerances::READ_POSTERIOR);
-        let cross = s * s * &moment * design.transpose();
-        let total = &design * &cross + DMatrix::identity(COUNT, COUNT) * noise * noise;
-        let solved = total.cholesky().expect("a positive matrix").solve(&(image - s * &mean));
-        // The mean image's components: minus those of darkness.
-        let black = vec![0.0; light::count(DEGREE)];
-        let dark = &object.projected(&[(&black, &material)])[0];
-        let d = &cross * solved - (s - 1.0) * dark;
-        assert_near("posterior mean", apart(&found.d, &d), tolerances::READ_POSTERIOR);
-    }
-}
-
-#[test]
-fn light_and_evidence_are_the_dense_formulas_for_objects() {
-    for criterion in CRITERIA {
-        let object = Object::new(criterion, LightRotation::None, 40);
-        let (light, material) = object.pair();
-        let image = object.image(&light, &material);
-        let observation = object.observe(&image);
-        let (transfers, prior) = object.prior();
-        let transfer = transfers.of(&material);
-        let estimate = LightEstimate::new(&observation, &prior, &transfer).expect("values");
-        let noise = NOISE / (COUNT as f64).sqrt();
-        let found = estimate.explain(0, noise);
-
-        // Mean and covariance of the lights themselves; E T by projecting harmonics.
-        let count = light::count(DEGREE);
-        let lights = object.lights();
-        let lights = DMatrix::from_fn(count, lights.len(), |i, j| lights[j][i]);
-        let center = lights.column_mean();
-        let spread = DMatrix::from_fn(count, lights.ncols(), |i, j| lights[(i, j)] - center[i]);
-        let covariance = &spread * spread.transpose() / lights.ncols() as f64;
-        let (design, mean) = object.dense();
-        let unit = DMatrix::<f64>::identity(count, count);
-        let mut pairs: Vec<(&[f64], &[f64])> =
-            unit.as_slice().chunks(count).map(|light| (light, &material[..])).collect();
-        let black = vec![0.0; count];
-        pairs.push((&black, &material));
-        let mut columns = object.projected(&pairs);
-        let dark = columns.pop().expect("d of darkness");
-        columns.iter_mut().for_each(|d| *d -= &dark);
-        let images = &design * DMatrix::from_columns(&columns);
-        let target = object.rooted(&image) - mean - &design * dark;
-        let image = LitImage { images, target, mean: center, covariance, noise };
-        assert_likeliest(&image, &found);
-    }
-}
-
-/// The images of modes are compared at one pixel in this many.
-const STEP: usize = 15;
-
-/// √W Σ c_s E_s at some of the object's normals.
-fn images_of_modes(object: &Object, c: &ModeCoefficients) -> DVector<f64> {
-    let (normals, weights) = (object.normals.normals(), object.normals.weights());
-    let value = |k: usize| weights[k].sqrt() * image_of_modes(c, normals[k]);
-    DVector::from_fn(COUNT / STEP, |k, _| value(k * STEP))
-}
-
-#[test]
-fn modes_have_the_image_that_they_were_read_from_for_objects() {
-    for criterion in CRITERIA {
-        let object = Object::new(criterion, LightRotation::None, usize::MAX);
-        let (light, material) = object.pair();
-        let observation = object.observe(&object.image(&light, &material));
-        let (transfers, prior) = object.prior();
-        let posterior = Posterior::new(&observation, &prior).expect("singular values");
-        let estimate = posterior.estimate(0, NOISE / (COUNT as f64).sqrt());
-        let (design, mean) = object.dense();
-        let d = DVector::from_column_slice(&estimate.d);
-
-        let least_norm = images_of_modes(&object, &modes::least_norm(&object.table, &estimate.d));
-        let some = |image: DVector<f64>| DVector::from_fn(COUNT / STEP, |k, _| image[k * STEP]);
-        let expected = some(&design * &d);
-        assert_near("least norm", apart(&least_norm, &expected), tolerances::READ_MODES);
-
-        // Whole images: s (m + E δ), with the mean image's own modes.
-        let s = estimate.exposure;
-        let d_mean = DVector::from_column_slice(&prior.mean);
-        let expected = some(s * &mean + &design * (d - (s - 1.0) * d_mean));
-        let likely = modes::posterior_mean(&transfers, &prior, &estimate);
-        let found = images_of_modes(&object, &likely);
-        assert_near("posterior", apart(&found, &expected), tolerances::READ_MODES);
     }
 }

@@ -2,24 +2,21 @@
 //! lights and materials.
 
 use eigenshade::{BakedMap, Error, IntegerMap, MapPoint, Normal, Normals, Q15, quantized, sphere};
-use eigenshade_model::inputs::coefficient_csv::{read_lights, read_materials};
+use eigenshade_model::inputs::coefficient_csv::read_materials;
+use eigenshade_testing::images::{coefficients, single};
+use eigenshade_testing::{fixtures, largest};
 
 /// One image.
 pub type Shipped = sphere::Scene;
 
 /// Every `step`-th light on every `step`-th material.
 pub fn scenes(step: usize) -> Vec<Shipped> {
-    let lights = read_lights("tables/inputs/lights.csv", Some(9)).expect("the shipped lights");
     let materials = read_materials("tables/inputs/materials.csv", Some(7)).expect("materials");
-    let single = |values: Vec<f64>| values.iter().map(|&value| value as f32).collect::<Vec<_>>();
     let mut scenes = Vec::new();
-    for light in lights.entries.iter().step_by(step) {
+    for light in fixtures::captured(9).entries.iter().step_by(step) {
         let light = single(light.luminance());
-        let light = eigenshade::Light::new(&light).expect("coefficients");
         for material in materials.entries.iter().step_by(step) {
-            let material = single(material.luminance());
-            let material = eigenshade::Material::new(&material).expect("coefficients");
-            let d = sphere::project(&light, &material).expect("it fits");
+            let d = coefficients(&light, &single(material.luminance()));
             scenes.push(sphere::collapse(&d).expect("it fits"));
         }
     }
@@ -27,15 +24,9 @@ pub fn scenes(step: usize) -> Vec<Shipped> {
 }
 
 /// Normals as a picture of a sphere has them, `across` pixels across.
-pub fn normals(across: i32) -> Vec<Normal<f32>> {
-    let place = |k: i32| f64::from(2 * k + 1) / f64::from(across) - 1.0;
-    let pixels = (0..across).flat_map(|j| (0..across).map(move |k| (place(k), place(j))));
-    let visible = pixels.filter(|(x, y)| x * x + y * y <= 1.0);
-    let normal = |(x, y): (f64, f64)| {
-        let z = (1.0 - x * x - y * y).sqrt();
-        Normal::new(x as f32, y as f32, z as f32).expect("visible")
-    };
-    visible.map(normal).collect()
+pub fn normals(across: usize) -> Vec<Normal<f32>> {
+    let normal = |[x, y, z]: [f64; 3]| Normal::new(x as f32, y as f32, z as f32).expect("visible");
+    fixtures::disc(across).into_iter().map(normal).collect()
 }
 
 /// Rms and largest error, of the peak, of each scene.
@@ -66,12 +57,6 @@ pub fn assert_within(what: &str, errors: &[[f64; 2]], [rms, worst]: [f64; 2]) {
     let found = middle(errors, 0);
     println!("{what}: rms {found:?}, largest {:?}", middle(errors, 1));
     assert!(found[0] <= rms && found[1] <= worst, "{what}: {found:?} of {rms}, {worst}");
-}
-
-fn largest(values: impl IntoIterator<Item = f64>) -> f64 {
-    values.into_iter().fold(0.0, |most: f64, value| {
-        if value.is_nan() || value.abs() > most { value.abs() } else { most }
-    })
 }
 
 /// Sampled scenes by number of knots: knots, rms of linear and of cubic ones, of the peak, each of the

@@ -6,13 +6,11 @@ use eigenshade::{Error, Light, Material, Normal, Normals, Scene, Tolerance, Trun
 use eigenshade_generator::basis::build;
 use eigenshade_model::inputs::coefficient_csv::{read_lights, read_materials};
 use eigenshade_model::reference::DirectSum;
-use eigenshade_model::special::quadrature::gauss_legendre;
 use eigenshade_shading::owned_basis::{AnyBasis, OwnedBasis};
 use eigenshade_table::decode;
-use eigenshade_testing::images;
+use eigenshade_testing::{assert_stated, fixtures, images};
 use images::{Image, coefficients, products, rule, single, vectors};
 use proptest::prelude::*;
-use std::f64::consts::TAU;
 
 /// The same of series whose recurrences are rounded to f32, 6e-8: polynomials are as orthogonal.
 const RECURRENCE_ROUNDING: f64 = 1e-7;
@@ -73,21 +71,13 @@ fn bounds_hold_and_are_near_over_the_shipped_set() {
             }
         }
     }
-    let (_, table) = METHOD.split_once("<!-- tolerances: ").expect("the table's start");
-    let (table, _) = table.split_once("<!-- end of tolerances -->").expect("its end");
     for (share, (mut ratios, mut terms)) in shares.into_iter().zip(found) {
         ratios.sort_by(f64::total_cmp);
         terms.sort_unstable();
         let middle = ratios.len() / 2;
         let last = ratios.len() - 1;
         let found = [terms[middle] as f64, terms[last] as f64, ratios[middle], ratios[last]];
-        println!("| {share} | {} | {} | {:.2} | {:.2} |", found[0], found[1], found[2], found[3]);
-        let line = table.lines().find_map(|line| line.strip_prefix(&format!("| {share} | ")));
-        let line = line.expect("the table of docs/method.md has it");
-        let stated = line.split('|').filter_map(|one| one.trim().parse::<f64>().ok());
-        for (stated, found) in stated.zip(found) {
-            assert!((stated - found).abs() <= tolerances::STATED * found, "{line}: {found}");
-        }
+        assert_stated(METHOD, "tolerances", &format!("| {share} |"), &found, tolerances::STATED);
         assert!(ratios[middle] <= MEDIAN_BOUND_TO_ERROR, "{share}: {}", ratios[middle]);
     }
 }
@@ -290,14 +280,9 @@ fn bounds_hold_of_long_series() {
         let mut lengths = [0; 32];
         let within = basis.collapse_within(&d, Tolerance::OfPeak(share), &mut lengths, room());
         let (scene, report) = within.expect("sizes");
-        let squares = gauss_legendre(40, 0.0, 1.0).into_iter().flat_map(|(z, weight)| {
-            let sine = (1.0 - z * z).sqrt();
-            let (scene, whole) = (&scene, &whole);
-            (0..50).map(move |k| {
-                let (y, x) = (TAU * f64::from(k) / 50.0).sin_cos();
-                let normal = Normal::new(sine * x, sine * y, z).expect("visible");
-                2.0 * z * weight / 50.0 * (scene.shade(normal) - whole.shade(normal)).powi(2)
-            })
+        let squares = fixtures::rule(40, 50).into_iter().map(|([x, y, z], weight)| {
+            let normal = Normal::new(x, y, z).expect("visible");
+            weight * (scene.shade(normal) - whole.shade(normal)).powi(2)
         });
         let error = squares.sum::<f64>().sqrt();
         println!(

@@ -10,7 +10,6 @@ use crate::accuracy_cost::errors::compare;
 use crate::accuracy_cost::images::Images;
 use crate::accuracy_cost::scope::{Scope, scene};
 use crate::accuracy_cost::settings::{Format, Recipe, Setting, Way};
-use crate::light_tree::LightTree;
 use crate::sphere::{self, Picture, Sphere};
 use eigenshade_generator::basis;
 use eigenshade_generator::direct::Surroundings;
@@ -95,25 +94,9 @@ impl<'a> Reference<'a> {
         Self { surface, sphere, pictures, peaks }
     }
 
-    /// Integrates the surface with a [`LightTree`]. Normals without weight count for peaks and worst
+    /// With the surface's pictures under each map. Normals without weight count for peaks and worst
     /// pixels only.
-    pub fn by_tree(
-        surface: &'a Surface,
-        maps: &LightTree,
-        sphere: &Sphere,
-        progress: &ProgressBar,
-    ) -> Self {
-        let parts = surface.parts();
-        let count = maps.surroundings().maps();
-        let irradiance = |k: usize| {
-            let of_part = |part: &Part<'_>| maps.irradiance(part.brdf, sphere.normals[k], 1.0);
-            parts.iter().map(of_part).collect::<Vec<_>>()
-        };
-        let integrated = parallel::map(sphere.normals.len(), progress, irradiance);
-        let of_map = |map: usize| {
-            [0, 1, 2].map(|c| integrated.iter().map(|i| color(&parts, i, map)[c]).collect())
-        };
-        let pictures: Vec<Picture> = (0..count).map(of_map).collect();
+    pub fn of_pictures(surface: &'a Surface, sphere: &Sphere, pictures: Vec<Picture>) -> Self {
         let peaks = pictures.iter().map(sphere::peak).collect();
         Self { surface, sphere: sphere.clone(), pictures, peaks }
     }

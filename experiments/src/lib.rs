@@ -4,8 +4,6 @@
 
 pub use eigenshade_testing::tolerances;
 
-pub mod command_line;
-
 pub mod numbers;
 
 pub mod sheet;
@@ -22,13 +20,13 @@ pub use eigenshade_sources::{light_tree, mirrored, sphere};
 
 pub mod accuracy;
 
-pub mod material_errors;
-
 pub mod highlights;
 
 pub mod paper;
 
 pub mod accuracy_cost;
+
+pub mod material_errors;
 
 pub mod ablation;
 

@@ -1,14 +1,11 @@
 //! The total error of each shipped material in color, and of PTFE: the picture of its coefficients
 //! at a degree and an order against direct integration under environment maps.
 
-use crate::accuracy::{Reference, named};
-use crate::light_tree::LightTree;
-use crate::mirrored;
+use crate::accuracy::Reference;
+use crate::accuracy_cost::total::references::World;
 use crate::numbers::median;
 use eigenshade::Window;
 use eigenshade::mathematics::Libm;
-use eigenshade_generator::light::environment::EnvironmentMap;
-use eigenshade_generator::light::projection::named_maps;
 use eigenshade_generator::material::brdf::{Brdf, Geometry, Measure, Surface};
 use eigenshade_generator::material::files::{Source, read};
 use eigenshade_index::material;
@@ -55,32 +52,28 @@ pub fn errors(
     spacing: f64,
     progress: &ProgressBar,
 ) -> Result<Vec<(String, Vec<Errors>)>> {
-    let maps = named_maps(&[inputs.join("maps")])?;
     let lights = read_lights(inputs.join("lights.csv"), None)?;
-    let lights = named(&lights, maps.iter().map(|(name, _)| name.as_str()))?;
-    let map_names: Vec<&str> = maps.iter().map(|(name, _)| name.as_str()).collect();
-    let maps = maps.iter().map(|(_, path)| EnvironmentMap::from_path(path));
-    let maps = maps.collect::<Result<Vec<_>>>()?;
-    let tree = LightTree::new(&maps)?;
-    let brightest = (0..maps.len()).map(|map| tree.surroundings().mirror(map));
-    let sphere = mirrored::sphere(&maps, spacing, &brightest.collect::<Vec<_>>());
+    let world = World::new(&inputs.join("maps"), &lights, spacing)?;
     let materials = materials(inputs)?;
     if let Some(name) = names.iter().find(|name| materials.iter().all(|(s, _)| s.name != **name)) {
         let what = format!("no material is named `{name}`");
         return Err(Error::new(what, "give names of tables/inputs/merl-abc.csv, or none"));
     }
-    let chosen =
-        materials.iter().filter(|(surface, _)| names.is_empty() || names.contains(&surface.name));
-    Ok(chosen
-        .map(|(surface, shipped)| {
-            let reference = Reference::by_tree(surface, &tree, &sphere, progress);
-            let of_size = |&size: &(usize, usize)| {
-                let material = sized(surface, shipped, size.1);
-                errors_of(&reference, &lights, size, &material, &map_names)
-            };
-            (surface.name.clone(), ERROR_SIZES.iter().map(of_size).collect())
-        })
-        .collect())
+    let is_chosen =
+        |(surface, _): &&(Surface, Named)| names.is_empty() || names.contains(&surface.name);
+    let chosen: Vec<_> = materials.iter().filter(is_chosen).collect();
+    progress.set_length(chosen.len() as u64);
+    let of_material = |(surface, shipped): &(Surface, Named)| {
+        let pictures = world.pictures(surface, &world.sphere.normals);
+        let reference = Reference::of_pictures(surface, &world.sphere, pictures);
+        progress.inc(1);
+        let of_size = |&size: &(usize, usize)| {
+            let material = sized(surface, shipped, size.1);
+            errors_of(&reference, &world.lights, size, &material)
+        };
+        (surface.name.clone(), ERROR_SIZES.iter().map(of_size).collect())
+    };
+    Ok(chosen.into_iter().map(of_material).collect())
 }
 
 fn errors_of(
@@ -88,7 +81,6 @@ fn errors_of(
     lights: &Lights,
     size: (usize, usize),
     material: &Named,
-    maps: &[&str],
 ) -> Errors {
     let [errors, pixels] = reference.of_sum_and_pixel(lights, size, material);
     let worst = (0..errors.len()).max_by(|&a, &b| errors[a].total_cmp(&errors[b]));
@@ -96,7 +88,7 @@ fn errors_of(
     Errors {
         median: median(&errors),
         worst: errors[worst],
-        map: maps[worst].to_owned(),
+        map: lights.entries[worst].name.clone(),
         pixel: pixels.into_iter().fold(0.0, f64::max),
     }
 }

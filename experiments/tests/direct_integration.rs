@@ -3,7 +3,7 @@
 //! material to pixels, against the direct sum over modes.
 
 use crate::support::{self, Folder, assert_fails, repository, rows};
-use crate::{spread, tolerances};
+use crate::{measured_surfaces, shipped_map, spread, tolerances};
 use eigenshade::wire::aligned;
 use eigenshade::{Argument, Basis, Error, Parts};
 use eigenshade_generator::direct::Surroundings;
@@ -94,10 +94,6 @@ fn window(width: usize, height: usize, column: usize, row: usize) -> Environment
     EnvironmentMap::new(width, height, (0..width * height).map(texel).collect()).unwrap()
 }
 
-fn shipped(name: &str) -> EnvironmentMap {
-    EnvironmentMap::from_path(repository().join(format!("tables/inputs/maps/{name}.exr"))).unwrap()
-}
-
 /// Under radiance 1 a matte normal has the irradiance of its albedo.
 #[test]
 fn a_matte_sphere_in_white_light_is_white() {
@@ -146,7 +142,7 @@ fn mirror_of_the_brightest(map: &EnvironmentMap) -> [f64; 3] {
 #[test]
 fn narrow_lobes_converge() {
     for (name, roughness) in [("studio", 0.1), ("park", 0.1), ("park", 0.2), ("park", 0.5)] {
-        let map = shipped(name);
+        let map = shipped_map(name);
         let mut normals = spread(60);
         normals.push(mirror_of_the_brightest(&map));
         let maps = Surroundings::new(&[map]).unwrap();
@@ -249,6 +245,37 @@ fn the_command_agrees_with_another_quadrature() {
     }
 }
 
+/// Recorded errors against the same again, in units of their last digit.
+const OF_DIGITS: f64 = 2.5;
+
+/// The rows of one material in `tables/pbr.errors.csv`.
+#[test]
+fn recorded_errors_of_a_formula_are_found_again() {
+    const NAME: &str = "metal-0.5";
+    let folder = Folder::new();
+    let tables = repository().join("tables");
+    let read = |name: &str| fs::read_to_string(tables.join(name)).unwrap();
+    let formulas = read("inputs/pbr-materials.toml");
+    let mut formulas = formulas.split("[[material]]");
+    let formula = formulas.find(|one| one.contains(&format!("\"{NAME}\"\n"))).unwrap();
+    folder.write("one.toml", format!("[[material]]{formula}"));
+    let inputs = tables.join("inputs").display().to_string();
+    let found = folder.ok(&format!(
+        "errors {} --lights {inputs}/lights.csv --maps {inputs}/maps --materials one.toml",
+        tables.join("pbr.bin").display()
+    ));
+    let (found, mut recorded) = (rows(&found, HEADER), rows(&read("pbr.errors.csv"), HEADER));
+    recorded.retain(|row| row[0] == NAME);
+    assert_eq!((found.len(), recorded.len()), (4, 4));
+    for (found, recorded) in found.iter().zip(&recorded) {
+        assert_eq!((&found[..4], &found[6..9]), (&recorded[..4], &recorded[6..9]));
+        for column in [4, 5] {
+            let [a, b] = [found, recorded].map(|row| row[column].parse::<f64>().unwrap());
+            assert!((a - b).abs() <= OF_DIGITS * 1e-6, "{found:?} {recorded:?}");
+        }
+    }
+}
+
 #[test]
 fn inputs_that_cannot_be_compared_are_errors() {
     let folder = with_maps();
@@ -280,7 +307,6 @@ fn inputs_that_cannot_be_compared_are_errors() {
 /// peak, and ringing is the largest value below zero, both in the green channel and on average.
 #[test]
 fn the_window_of_materials_in_color_pays() {
-    use eigenshade_generator::material::files::{Source, read};
     use eigenshade_model::database::{Lights, Materials};
     use eigenshade_shading::{reference_image, shipped as databases};
     const NAMES: [&str; 6] = [
@@ -294,14 +320,10 @@ fn the_window_of_materials_in_color_pays() {
     const MAPS: [&str; 6] = ["park", "lobby", "sunrise", "esplanade", "studio", "workshop"];
     const WIDTH: f64 = 40.0;
     let normals = spread(80);
-    let surroundings = Surroundings::new(&MAPS.map(shipped)).unwrap();
-    let sources = read(repository().join("tables/inputs/merl-abc.csv")).unwrap();
+    let surroundings = Surroundings::new(&MAPS.map(shipped_map)).unwrap();
+    let all = measured_surfaces();
     let surfaces = NAMES.map(|name| {
-        let surfaces = sources.iter().filter_map(|source| match source {
-            Source::Surface(surface) => Some(surface),
-            Source::Measured(_) => None,
-        });
-        surfaces.into_iter().find(|surface| surface.name == name).unwrap().channel(1)
+        all.iter().find(|surface| surface.name == name).expect("a material").channel(1)
     });
     let exact = surroundings.irradiance(&surfaces, &normals, 1.0);
     let all = databases::lights().unwrap().truncated(9).entries;

@@ -15,6 +15,9 @@ mod paper_oracle;
 mod paper_statements;
 mod reading_page;
 mod unseen_materials;
+use eigenshade_generator::light::environment::EnvironmentMap;
+use eigenshade_generator::material::brdf::Surface;
+use eigenshade_generator::material::files::{Source, read};
 use eigenshade_testing::{oracle, tolerances};
 use std::path::{Path, PathBuf};
 
@@ -29,6 +32,23 @@ fn program(command: &str) -> PathBuf {
         experiments.with_file_name(format!("eigenshade{}", std::env::consts::EXE_SUFFIX));
     assert!(eigenshade.exists(), "build it first: cargo build -p eigenshade-cli");
     eigenshade
+}
+
+/// A shipped map.
+fn shipped_map(name: &str) -> EnvironmentMap {
+    let path = support::repository().join(format!("tables/inputs/maps/{name}.exr"));
+    EnvironmentMap::from_path(path).expect("a map")
+}
+
+/// The published fits of the measured materials.
+fn measured_surfaces() -> Vec<Surface> {
+    let path = support::repository().join("tables/inputs/merl-abc.csv");
+    let sources = read(path).expect("the fits").into_iter();
+    let surface = |source| match source {
+        Source::Surface(surface) => Some(surface),
+        Source::Measured(_) => None,
+    };
+    sources.filter_map(surface).collect()
 }
 
 /// Normals of equal shares of the disc, spread evenly from the axis to the rim.

@@ -1,14 +1,15 @@
 //! Total errors of shipped materials: the integration that they come from, the recorded rows, and
 //! the table that `docs/accuracy.md` makes of them.
 
-use crate::spread;
 use crate::support::repository;
+use crate::{measured_surfaces, shipped_map, spread};
 use eigenshade_generator::direct::Surroundings;
-use eigenshade_generator::light::environment::EnvironmentMap;
-use eigenshade_generator::material::brdf::{Brdf, Part};
-use eigenshade_generator::material::files::{Source, read};
+use eigenshade_generator::material::brdf::Brdf;
+use eigenshade_model::database::Lights;
 use eigenshade_shading::shipped;
-use experiments::light_tree::LightTree;
+use eigenshade_testing::largest;
+use experiments::accuracy_cost::total::references::World;
+use experiments::accuracy_cost::total::subjects::Gltf;
 use experiments::material_errors::{SPACING, errors};
 use experiments::numbers::{median, percent};
 use indicatif::ProgressBar;
@@ -25,45 +26,33 @@ const OF_SPACING: f64 = 1.1;
 /// Recorded errors against the same again, in units of their last digit.
 const OF_DIGITS: f64 = 2.5;
 
+/// Measured materials and formulas.
 #[test]
 fn blocks_are_their_texels() {
-    let maps = ["park", "studio"].map(|name| {
-        let path = repository().join(format!("tables/inputs/maps/{name}.exr"));
-        EnvironmentMap::from_path(path).unwrap()
-    });
-    let (tree, whole) = (LightTree::new(&maps).unwrap(), Surroundings::new(&maps).unwrap());
-    let sources = read(repository().join("tables/inputs/merl-abc.csv")).unwrap();
-    for name in ["chrome", "gold-metallic-paint", "white-fabric2", "two-layer-gold", "pvc"] {
-        let surface = sources.iter().find_map(|source| match source {
-            Source::Surface(surface) if surface.name == name => Some(surface),
-            _ => None,
-        });
-        let surface = surface.unwrap();
+    let maps = ["park", "studio"].map(shipped_map);
+    let whole = Surroundings::new(&maps).unwrap();
+    let lights = Lights { degree: 0, entries: Vec::new() };
+    let world = World::of(maps.to_vec(), lights, 0.5).unwrap();
+    let mut normals = spread(16);
+    normals.retain(|[.., z]| *z > 0.0);
+    normals.extend([0, 1].map(|map| whole.mirror(map)));
+    let gltf = [(0.22, 0.8, 0.0), (0.45, 0.04, 0.7), (0.95, 0.8, 0.0)];
+    let gltf = gltf.map(|(roughness, f0, albedo)| Gltf { roughness, f0, albedo });
+    let formulas = gltf.map(|gltf| gltf.surface(format!("{}", gltf.roughness)).unwrap());
+    let names = ["chrome", "gold-metallic-paint", "white-fabric2", "two-layer-gold", "pvc"];
+    let measured =
+        measured_surfaces().into_iter().filter(|surface| names.contains(&surface.name.as_str()));
+    let surfaces: Vec<_> = measured.chain(formulas).collect();
+    assert_eq!(surfaces.len(), 8);
+    for surface in surfaces {
         let brdfs: [&dyn Brdf; 3] = [0, 1, 2].map(|c| surface.channel(c));
-        let mut normals = spread(16);
-        normals.retain(|[.., z]| *z > 0.0);
-        normals.extend([0, 1].map(|map| whole.mirror(map)));
         let expected = whole.irradiance(&brdfs, &normals, 1.0);
-        // The parts of all channels, each of which is a whole BRDF above.
-        let of_part = |part: &Part<'_>, normal| -> Vec<[f64; 3]> {
-            let all = tree.irradiance(part.brdf, normal, 1.0).into_iter();
-            all.map(|i| [0, 1, 2].map(|c| part.shares[c] * i[c])).collect()
-        };
-        let of_parts = |&normal: &[f64; 3]| -> Vec<[f64; 3]> {
-            let each = surface.parts().into_iter().map(|part| of_part(&part, normal));
-            let add = |a: Vec<[f64; 3]>, b: Vec<[f64; 3]>| {
-                a.iter().zip(&b).map(|(a, b)| [0, 1, 2].map(|c| a[c] + b[c])).collect()
-            };
-            each.reduce(add).unwrap()
-        };
-        let found: Vec<_> = normals.iter().map(of_parts).collect();
-        for map in 0..maps.len() {
-            let values = expected.iter().flat_map(|image| [0, 1, 2].map(|c| image[c][map][c]));
-            let found = found.iter().flat_map(|image| image[map]);
-            let peak = values.clone().fold(0.0, |most: f64, value| most.max(value.abs()));
-            let apart = values.zip(found).fold(0.0, |most: f64, (a, b)| most.max((a - b).abs()));
-            println!("{name}, map {map}: {:.1e} of the peak", apart / peak);
-            assert!(apart <= OF_TREE * peak, "{name}: {}", apart / peak);
+        for (map, found) in world.pictures(&surface, &normals).iter().enumerate() {
+            let of = |c: usize| expected.iter().map(move |image| image[c][map][c]);
+            let peak = largest((0..3).flat_map(of));
+            let apart = largest((0..3).flat_map(|c| of(c).zip(&found[c]).map(|(a, b)| a - b)));
+            println!("{}, map {map}: {:.1e} of the peak", surface.name, apart / peak);
+            assert!(apart <= OF_TREE * peak, "{}: {}", surface.name, apart / peak);
         }
     }
 }

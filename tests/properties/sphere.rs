@@ -11,7 +11,6 @@ use eigenshade_model::polar_integral::PolarIntegrals;
 use eigenshade_model::reference::DirectSum;
 use eigenshade_model::rotation::Rotation;
 use eigenshade_model::scattering;
-use eigenshade_model::special::quadrature::gauss_legendre;
 use eigenshade_table::scene::Criterion;
 use eigenshade_table::{Table, decode, encode};
 use eigenshade_testing::fixtures::Projector;
@@ -19,26 +18,11 @@ use eigenshade_testing::oracle::Numbers;
 use eigenshade_testing::rotations::{euler, irradiance, product, rotation};
 use eigenshade_testing::{fixtures, largest};
 use proptest::prelude::*;
-use std::f64::consts::{FRAC_PI_2, PI, TAU};
+use std::f64::consts::{FRAC_PI_2, PI};
 
 /// |d|² + residual against the energy, relative: the orthonormality of W, twice, and polynomials
 /// that end at 1e-13.
 const PARSEVAL: f64 = 2e-14;
-
-/// Normals of the sphere and their weights, which sum to 1: exact for products of two
-/// images to rounding.
-fn quadrature(degree: usize, order: usize) -> Vec<([f64; 3], f64)> {
-    let tilts = 2 * degree + 1;
-    let mut normals = Vec::new();
-    for (z, weight) in gauss_legendre(2 * degree + order + 20, 0.0, 1.0) {
-        let sine = ((1.0 - z) * (1.0 + z)).sqrt();
-        for k in 0..tilts {
-            let (y, x) = (TAU * k as f64 / tilts as f64).sin_cos();
-            normals.push(([sine * x, sine * y, z], 2.0 * z * weight / tilts as f64));
-        }
-    }
-    normals
-}
 
 /// |d|² + |residual|² = cᵀMc, the residual by quadrature of the direct sum.
 fn assert_parseval(loaded: &Loaded, table: &Table, light: &[f64], material: &[f64]) {
@@ -47,7 +31,9 @@ fn assert_parseval(loaded: &Loaded, table: &Table, light: &[f64], material: &[f6
     let d = projector.project(light, material);
     let reference = DirectSum::new(degree, order);
     let (mut residual, mut about_mean) = (0.0, 0.0);
-    let (normals, weights): (Vec<_>, Vec<_>) = quadrature(degree, order).into_iter().unzip();
+    // Exact for products of two images to rounding.
+    let (normals, weights): (Vec<_>, Vec<_>) =
+        fixtures::rule(2 * degree + order + 20, 2 * degree + 1).into_iter().unzip();
     let (image, mean) = (projector.shade(&d, &normals), projector.shade(&[], &normals));
     for (k, weight) in weights.iter().enumerate() {
         let modes = reference.at(normals[k]);
@@ -89,20 +75,8 @@ proptest! {
     fn projection_is_linear(sample in samples(), weight in -3.0f64..3.0) {
         let loaded = sample.scene();
         let projector = Projector::new(&fixtures::table(&loaded));
-        let ([light, other], [material, on]) = strangers(&sample);
-        let mix = |a: &[f64], b: &[f64]| -> Vec<f64> {
-            a.iter().zip(b).map(|(a, b)| weight * a + (1.0 - weight) * b).collect()
-        };
-        for (mixed, first, second) in [
-            (projector.project(&mix(&light, &other), &material), (&light, &material), (&other, &material)),
-            (projector.project(&light, &mix(&material, &on)), (&light, &material), (&light, &on)),
-        ] {
-            let first = projector.project(first.0, first.1);
-            let second = projector.project(second.0, second.1);
-            let scale = largest(first.iter().chain(&second).copied()) * (1.0 + weight.abs());
-            let apart = mixed.iter().zip(mix(&first, &second)).map(|(a, b)| a - b);
-            prop_assert!(largest(apart) <= tolerances::DENSE_PROJECTION * scale);
-        }
+        let apart = off_affine(&projector, strangers(&sample), weight, 0.0);
+        prop_assert!(apart <= tolerances::DENSE_PROJECTION, "{apart:e}");
     }
 
     /// Light and normals turned about the view: nothing changes.
@@ -310,4 +284,26 @@ pub fn energy(table: &Table, light: &[f64], material: &[f64]) -> f64 {
         }
     }
     energy
+}
+
+/// How far the projection of a weighted sum of two lights, or of two materials, is from the sum of
+/// theirs, of the larger and of `least`.
+pub fn off_affine(
+    projector: &Projector,
+    ([light, other], [material, on]): ([Vec<f64>; 2], [Vec<f64>; 2]),
+    weight: f64,
+    least: f64,
+) -> f64 {
+    let mix = |a: &[f64], b: &[f64]| -> Vec<f64> {
+        a.iter().zip(b).map(|(a, b)| weight * a + (1.0 - weight) * b).collect()
+    };
+    let first = projector.project(&light, &material);
+    let of_lights =
+        (projector.project(&mix(&light, &other), &material), projector.project(&other, &material));
+    let of_materials =
+        (projector.project(&light, &mix(&material, &on)), projector.project(&light, &on));
+    largest([of_lights, of_materials].map(|(mixed, second)| {
+        let scale = largest(first.iter().chain(&second).copied()) * (1.0 + weight.abs()) + least;
+        largest(mixed.iter().zip(mix(&first, &second)).map(|(a, b)| a - b)) / scale
+    }))
 }

@@ -2,7 +2,7 @@
 //! error, and no azimuth could lose another term.
 
 use crate::tolerances;
-use eigenshade_testing::images;
+use eigenshade_testing::{assert_stated, images};
 
 mod corner_cases;
 
@@ -165,24 +165,13 @@ fn check_sets(what: &str, channels: usize, sets: &[Vec<sphere::Coefficients>]) {
             terms.push(Chosen::new(set, channels, Tolerance::OfPeak(*share)).shape().terms());
         }
     }
-    let mut lines = Vec::new();
     for Found { share, mut terms, mut ratios } in found {
         let (terms, most) = middle(&mut terms);
         let (ratio, worst) = middle(&mut ratios);
-        println!("| {what} | {share} | {terms} | {most} | {ratio:.2} | {worst:.2} |");
         assert!(ratio <= MEDIAN_BOUND_TO_ERROR, "{what} at {share}: {ratio}");
-        lines.push((share, [terms as f64, most as f64, ratio, worst]));
-    }
-    let (_, table) = METHOD.split_once("<!-- sets: ").expect("the table's start");
-    let (table, _) = table.split_once("<!-- end of sets -->").expect("its end");
-    for (share, found) in lines {
-        let start = format!("| {what} | {share} |");
-        let line = table.lines().find_map(|one| one.strip_prefix(&start));
-        let line = line.expect("the table of docs/method.md has it");
-        let stated = line.split('|').filter_map(|one| one.trim().parse::<f64>().ok());
-        for (stated, found) in stated.zip(found) {
-            assert!((stated - found).abs() <= tolerances::STATED * found, "{line}: {found}");
-        }
+        let (start, found) =
+            (format!("| {what} | {share} |"), [terms as f64, most as f64, ratio, worst]);
+        assert_stated(METHOD, "sets", &start, &found, tolerances::STATED);
     }
 }
 

@@ -1,6 +1,6 @@
 //! `eigenshade read`: images, masks, normals and tables that are refused.
 
-use crate::support::files::{READ, answer, get, nearest, png, with_image};
+use crate::support::files::{READ, answer, claims, get, nearest, png, with_image};
 use crate::support::{self, assert_fails, lights, repository};
 use png::{BitDepth, ColorType};
 use std::fs;
@@ -123,25 +123,10 @@ fn bad_images() {
     assert_fails(&folder, &format!("read flipped.png {sphere}"), &["flipped.png"]);
     // 2^31 - 1 pixels across and down, in 67 bytes.
     let tiny = png(1, 1, BitDepth::Eight, ColorType::Grayscale, &[0]);
-    let mut absurd = tiny.clone();
-    absurd[16..24].copy_from_slice(&[0x7f, 0xff, 0xff, 0xff, 0x7f, 0xff, 0xff, 0xff]);
-    let crc = crc(&absurd[12..29]);
-    absurd[29..33].copy_from_slice(&crc.to_be_bytes());
-    folder.write("absurd.png", absurd);
+    folder.write("absurd.png", claims(tiny.clone(), u32::MAX >> 1, u32::MAX >> 1));
     assert_fails(&folder, &format!("read absurd.png {sphere}"), &["absurd.png", "2147483647"]);
     folder.write("tiny.png", tiny);
     assert_fails(&folder, &format!("read tiny.png {sphere}"), &["tiny.png", "50 components"]);
-}
-
-/// The checksum of PNG chunks, bit by bit.
-fn crc(bytes: &[u8]) -> u32 {
-    !bytes.iter().fold(u32::MAX, |mut crc, byte| {
-        crc ^= u32::from(*byte);
-        for _ in 0..8 {
-            crc = if crc & 1 == 1 { 0xedb8_8320 ^ (crc >> 1) } else { crc >> 1 };
-        }
-        crc
-    })
 }
 
 #[test]

@@ -2,7 +2,7 @@
 //! an absurd size, with a number that is not finite; and scenes with bad objects. Each gives one
 //! line that names the file, and nothing is written.
 
-use crate::support::files::{normal_map, obj, ply, square_png, stl, with_geometry};
+use crate::support::files::{claims, normal_map, obj, ply, square_png, stl, with_geometry};
 use crate::support::{Folder, assert_fails, scene};
 use png::BitDepth;
 use std::time::Instant;
@@ -31,17 +31,6 @@ fn binary_ply(list: &str, vertices: &str, coordinate: f32, face: &[u8]) -> Vec<u
 /// A list of three corners, after its count in these bytes.
 fn list(count: &[u8]) -> Vec<u8> {
     count.iter().copied().chain([0i32, 1, 2].iter().flat_map(|place| place.to_le_bytes())).collect()
-}
-
-/// A PNG whose header claims another size, with a correct checksum.
-fn claims(mut bytes: Vec<u8>, width: u32, height: u32) -> Vec<u8> {
-    bytes[16..20].copy_from_slice(&width.to_be_bytes());
-    bytes[20..24].copy_from_slice(&height.to_be_bytes());
-    let crc = !bytes[12..29].iter().fold(u32::MAX, |crc, byte| {
-        (0..8).fold(crc ^ u32::from(*byte), |crc, _| (crc >> 1) ^ (0xedb8_8320 * (crc & 1)))
-    });
-    bytes[29..33].copy_from_slice(&crc.to_be_bytes());
-    bytes
 }
 
 fn assert_each(geometry: &str, cases: &[(&str, &[u8], &[&str])]) {
@@ -254,11 +243,7 @@ fn densities() {
 fn scenes_of_bad_objects() {
     let folder = Folder::new();
     folder.write("short.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\nf 2 3\n");
-    let mut wide = normal_map(png::BitDepth::Eight);
-    wide[16..24].copy_from_slice(&[0, 0, 0x40, 0, 0, 0, 0x40, 0]);
-    // The header's checksum.
-    wide[29..33].copy_from_slice(&[0xa9, 0xc8, 0x10, 0x84]);
-    folder.write("wide.png", &wide);
+    folder.write("wide.png", claims(normal_map(png::BitDepth::Eight), 16_384, 16_384));
     folder.write("back.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 3 2 1\n");
     folder.write("n.png", normal_map(png::BitDepth::Eight));
     let small = square_png(8, png::ColorType::Grayscale, png::BitDepth::Eight, &[1.0; 64]);

@@ -2,8 +2,10 @@
 //! number of threads.
 
 use crate::PROGRAM;
+use crate::support::files::built;
 use crate::support::{
-    Folder, PAIR, SHADED, assert_fails, difference, materials, numbers, repository, rows, scene,
+    Folder, PAIR, SHADED, assert_fails, colored, difference, materials, numbers, repository, rows,
+    scene,
 };
 use crate::tolerances;
 use eigenshade_model::inputs::coefficient_csv::read_materials;
@@ -21,17 +23,7 @@ const STORES: [&str; 3] = ["modes", "projection", "materials"];
 /// A folder with a table of each store and with materials in color.
 fn with_stores(criterion: &str) -> Folder {
     let folder = Folder::new();
-    let color: String = materials(3, 4)
-        .lines()
-        .map(|line| match line.rsplit_once(',') {
-            Some((places, "value")) => format!("{places},r,g,b\n"),
-            Some((places, value)) => {
-                let value: f64 = value.parse().unwrap();
-                format!("{places},{value},{},{value}\n", 0.5 * value)
-            }
-            None => panic!("a row"),
-        })
-        .collect();
+    let color = colored(&materials(3, 4), [0.5, 1.0]);
     folder.write("materials.csv", color);
     for store in STORES {
         let scene = scene(criterion, 30, "[]") + &format!("store = \"{store}\"\n");
@@ -250,28 +242,22 @@ fn new_tables_pass() {
 }
 
 #[test]
-fn an_altered_eigenvalue_is_found() {
-    let folder = altered(|table| {
-        let value = table.components[3].eigenvalue.as_mut().unwrap();
-        *value *= 1.0 + 1e-6;
-    });
-    assert_differs(&folder, "components' eigenvalues");
-    let folder = altered(|table| *table.spectrum[3].1.as_mut().unwrap() *= 1.0 + 1e-6);
-    assert_differs(&folder, "spectrum");
-}
-
-#[test]
-fn altered_profiles_are_found() {
-    let folder = altered(|table| table.profiles[0].node_values[5] += 1e-6);
-    assert_differs(&folder, "profiles at the nodes");
-    let folder = altered(|table| table.profiles[1].chebyshev[0] += 1e-6);
-    assert_differs(&folder, "polynomials");
-    let folder = altered(|table| table.profiles[1].factors[0] += 1e-6);
-    assert_differs(&folder, "rows of U^T M");
-    let folder = altered(|table| table.profiles[0].modes[0] += 1e-6);
-    assert_differs(&folder, "images A U");
-    let folder = altered(|table| table.gram.root_weights[2] += 1e-6);
-    assert_differs(&folder, "mode means e");
+fn altered_numbers_are_found() {
+    for (change, what) in [
+        (
+            |table: &mut Table| *table.components[3].eigenvalue.as_mut().unwrap() *= 1.0 + 1e-6,
+            "components' eigenvalues",
+        ),
+        (|table| *table.spectrum[3].1.as_mut().unwrap() *= 1.0 + 1e-6, "spectrum"),
+        (|table| table.profiles[0].node_values[5] += 1e-6, "profiles at the nodes"),
+        (|table| table.profiles[1].chebyshev[0] += 1e-6, "polynomials"),
+        (|table| table.profiles[1].factors[0] += 1e-6, "rows of U^T M"),
+        (|table| table.profiles[0].modes[0] += 1e-6, "images A U"),
+        (|table| table.gram.root_weights[2] += 1e-6, "mode means e"),
+    ] as [(fn(&mut Table), &str); 7]
+    {
+        assert_differs(&altered(change), what);
+    }
 }
 
 /// Polynomials of different lengths are compared as closely as others.
@@ -291,21 +277,6 @@ fn polynomials_of_other_lengths_are_compared_term_by_term() {
 }
 
 #[test]
-fn altered_means_are_found() {
-    let altered = |change: fn(&mut MeanImage), what| {
-        let folder = Folder::new();
-        folder.write("scene.toml", scene("standard", 30, "[]"));
-        folder.ok("basis --scene scene.toml --out b.bin");
-        let mut table = folder.table("b.bin");
-        change(table.mean.as_mut().unwrap());
-        folder.write("b.bin", encode(&table));
-        assert_differs(&folder, what);
-    };
-    altered(|mean| mean.chebyshev[1] += 1e-6, "polynomials");
-    altered(|mean| mean.coefficients[0] += 1e-6, "coefficients of the mean");
-}
-
-#[test]
 fn another_scene_is_reported() {
     let folder = Folder::with_table();
     folder.write("scene.toml", scene("image-centered", 9, "[]"));
@@ -313,23 +284,29 @@ fn another_scene_is_reported() {
     assert_fails(&folder, arguments, &["b.bin", "another scene"]);
 }
 
-/// Tables of objects: eigenimages, their modes, and the projection.
+/// The mean image; and of objects eigenimages, their modes, and the projection.
 #[test]
-fn altered_objects_are_found() {
-    for (change, what) in [
-        (|one: &mut General| one.synthesis[3] += 0.1, "eigenimages drawn"),
-        (|one: &mut General| one.synthesis[3] += 0.1, "d of the eigenimages"),
-        (|one: &mut General| one.modes[3] += 0.1, "d of their modes"),
-        (|one: &mut General| one.projection[3] += 0.1, "rows of U^T M"),
-    ] as [(fn(&mut General), &str); 4]
-    {
-        let folder = Folder::new();
-        let scene = scene("image-centered", 12, "[]").replace("\"any\"", "\"vertical\"");
-        folder.write("scene.toml", scene);
-        folder.ok("basis --scene scene.toml --out b.bin");
+fn altered_means_and_objects_are_found() {
+    fn mean(table: &mut Table) -> &mut MeanImage {
+        table.mean.as_mut().unwrap()
+    }
+    fn general(table: &mut Table) -> &mut General {
+        table.general.as_mut().unwrap()
+    }
+    let standard = scene("standard", 30, "[]");
+    let object = scene("image-centered", 12, "[]").replace("\"any\"", "\"vertical\"");
+    for (scene, change, what) in [
+        (&standard, (|table| mean(table).chebyshev[1] += 1e-6) as fn(&mut Table), "polynomials"),
+        (&standard, |table| mean(table).coefficients[0] += 1e-6, "coefficients of the mean"),
+        (&object, |table| general(table).synthesis[3] += 0.1, "eigenimages drawn"),
+        (&object, |table| general(table).synthesis[3] += 0.1, "d of the eigenimages"),
+        (&object, |table| general(table).modes[3] += 0.1, "d of their modes"),
+        (&object, |table| general(table).projection[3] += 0.1, "rows of U^T M"),
+    ] {
+        let folder = built(scene, &[]);
         folder.ok("basis --scene scene.toml --check b.bin");
         let mut table = folder.table("b.bin");
-        change(table.general.as_mut().unwrap());
+        change(&mut table);
         folder.write("b.bin", encode(&table));
         assert_differs(&folder, what);
     }

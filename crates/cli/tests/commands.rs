@@ -1,7 +1,7 @@
 //! Each command once: the form of its output.
 
 use crate::PROGRAM;
-use crate::support::files::png;
+use crate::support::files::{decoded, png};
 use crate::support::{DEGREE, Folder, ORDER, PAIR, SHADED, assert_fails, materials, numbers};
 use crate::support::{repository, rows};
 use crate::tolerances;
@@ -205,11 +205,8 @@ fn render_makes_a_transparent_picture() {
     let folder = Folder::with_table();
     let choice = "--light lights.csv:light-1 --material materials.csv:material-0";
     folder.ok(&format!("render --table b.bin {choice} --out p.png --size 40"));
-    let file = std::io::BufReader::new(fs::File::open(folder.path("p.png")).unwrap());
-    let mut reader = png::Decoder::new(file).read_info().unwrap();
-    let mut bytes = vec![0; reader.output_buffer_size().unwrap()];
-    let info = reader.next_frame(&mut bytes).unwrap();
-    assert_eq!((info.width, info.height, info.color_type), (40, 40, png::ColorType::Rgba));
+    let (width, color, bytes) = decoded(&folder.path("p.png"));
+    assert_eq!((width, bytes.len(), color), (40, 4 * 1600, ColorType::Rgba));
     assert_eq!((bytes[3], bytes[4 * (20 * 40 + 20) + 3]), (0, 255));
 }
 

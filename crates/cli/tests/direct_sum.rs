@@ -1,19 +1,13 @@
-//! Images against the direct sum over modes, the direct sum against quadrature, and the errors that
-//! docs/accuracy.md states.
+//! Images against the direct sum over modes, and the errors that docs/accuracy.md states.
 
-use crate::oracle;
 use crate::support::{Folder, PAIR, SHADED, difference, numbers, rows};
 use crate::tolerances;
 use eigenshade_cli::picture::SphereView;
-use eigenshade_index::{light, material};
 use eigenshade_model::database::Named;
 use eigenshade_shading::owned_basis::OwnedBasis;
 use eigenshade_shading::shader::{OwnedNormals, Shader, fitted};
 use eigenshade_shading::{reference_image, shipped};
-use eigenshade_testing::fixtures;
-use std::collections::HashMap;
-use std::f64::consts::FRAC_PI_2;
-use std::fmt::Write;
+use eigenshade_testing::{assert_stated, fixtures};
 
 /// Pictures under a light turned with its normals against those as they were, of the peak: sums of
 /// 25 terms, and angles of 16 digits.
@@ -57,79 +51,6 @@ fn the_light_rotates() {
     assert!(difference(&turned, &folder.shaded("--method modes")) < ROTATED_LIGHT);
 }
 
-/// Random coefficients that decrease with their degree.
-fn falling(count: usize, numbers: &mut oracle::Numbers) -> Vec<f64> {
-    (0..count).map(|k| numbers.next() / (1.0 + 0.05 * k as f64)).collect()
-}
-
-/// `shade --method modes --format f64` on the shipped table against direct quadrature of (3), which
-/// shares no code with it: five lights, four materials and ten normals are 200 cases.
-#[test]
-fn modes_are_the_integral() {
-    let mut numbers = oracle::Numbers(7);
-    let lights: Vec<Vec<f64>> = (0..5).map(|_| falling(100, &mut numbers)).collect();
-    let materials: Vec<Vec<f64>> = (0..4).map(|_| falling(40, &mut numbers)).collect();
-    // The pole, as near to it as matters, the rim, as near to that, and between.
-    let at =
-        |slant: f64, tilt: f64| [slant.sin() * tilt.cos(), slant.sin() * tilt.sin(), slant.cos()];
-    let mut normals =
-        vec![[0.0, 0.0, 1.0], at(1e-9, 0.4), [0.6, -0.8, 0.0], at(FRAC_PI_2 - 1e-9, 2.0)];
-    normals.extend((0..6).map(|_| numbers.normal()));
-
-    let mut text = String::from("name,l,m,value\n");
-    for (name, coefficients) in lights.iter().enumerate() {
-        for ((l, m), value) in light::indices(9).zip(coefficients) {
-            writeln!(text, "light-{name},{l},{m},{value:e}").expect("a string");
-        }
-    }
-    let folder = Folder::new();
-    folder.write("lights.csv", text);
-    let mut text = String::from("name,o,p,q,value\n");
-    for (name, coefficients) in materials.iter().enumerate() {
-        for ((o, p, q), value) in material::indices(7).zip(coefficients) {
-            writeln!(text, "material-{name},{o},{p},{q},{value:e}").expect("a string");
-        }
-    }
-    folder.write("materials.csv", text);
-    let mut text = String::from("x,y,z\n");
-    for [x, y, z] in &normals {
-        writeln!(text, "{x:e},{y:e},{z:e}").expect("a string");
-    }
-    folder.write("normals.csv", text);
-
-    let table = concat!(env!("CARGO_MANIFEST_DIR"), "/../../tables/sphere.bin");
-    let shaded = folder.ok(&format!(
-        "shade --table {table} --light lights.csv --material materials.csv --normals normals.csv \
-         --method modes --format f64"
-    ));
-    let mut found: HashMap<[String; 3], f64> = HashMap::new();
-    for row in csv::Reader::from_reader(shaded.as_bytes()).records() {
-        let row = row.expect("a row");
-        let key = std::array::from_fn(|k| row[k].to_owned());
-        found.insert(key, row[3].parse().expect("a number"));
-    }
-    assert_eq!(found.len(), 200);
-    let mut worst: f64 = 0.0;
-    for (a, light) in lights.iter().enumerate() {
-        let light = oracle::ExplicitLight::new(light);
-        for (b, material) in materials.iter().enumerate() {
-            let terms: Vec<_> = eigenshade_index::material::indices(7)
-                .zip(material)
-                .map(|((o, p, q), b)| (o, p, q, *b))
-                .collect();
-            let expected: Vec<f64> =
-                normals.iter().map(|normal| oracle::irradiance(&light, &terms, *normal)).collect();
-            let peak = expected.iter().fold(0.0f64, |most, value| most.max(value.abs()));
-            for (k, expected) in expected.iter().enumerate() {
-                let key = [format!("light-{a}"), format!("material-{b}"), k.to_string()];
-                worst = worst.max((found[&key] - expected).abs() / peak);
-            }
-        }
-    }
-    println!("shade --method modes against quadrature: {worst:.1e} of the peak");
-    assert!(worst <= tolerances::DIRECT_SUM, "{worst}");
-}
-
 /// As [`tolerances::STATED`], for rounding errors of f32, which differ by a half where
 /// multiplication and addition are fused.
 const STATED_ROUNDING: f64 = 0.5;
@@ -138,24 +59,7 @@ const STATED_ROUNDING: f64 = 0.5;
 /// n_z > 0.3, in per cent of the peak, which `docs/accuracy.md` quotes.
 const STATED_FARTHER_IN: [&str; 2] = ["19.2", "2.5"];
 
-/// Asserts that this table of docs/accuracy.md has a line that starts like this and states these
-/// numbers.
-fn assert_stated(table: &str, start: &str, found: &[f64], tolerance: f64) {
-    let page = include_str!("../../../docs/accuracy.md");
-    let (_, text) = page.split_once(&format!("<!-- {table}: ")).expect("the table's start");
-    let (text, _) = text.split_once(&format!("<!-- end of {table} -->")).expect("its end");
-    let line = text.lines().find(|line| line.starts_with(start));
-    let line = line.unwrap_or_else(|| panic!("the table of docs/accuracy.md lacks `{start}`"));
-    let stated: Vec<f64> =
-        line[start.len()..].split(['|', '/']).filter_map(|one| one.trim().parse().ok()).collect();
-    let printed: Vec<String> = found.iter().map(|one| format!("{one:.1e}")).collect();
-    println!("{start} {}", printed.join(" | "));
-    assert_eq!(stated.len(), found.len(), "{line}");
-    for (stated, found) in stated.iter().zip(found) {
-        let difference = (stated - found).abs();
-        assert!(difference <= tolerance * found, "{line}: {found}");
-    }
-}
+const PAGE: &str = include_str!("../../../docs/accuracy.md");
 
 /// Median and maximum. Of an even number of errors, the median is the larger one in the middle, as
 /// in the page.
@@ -219,6 +123,7 @@ fn errors_of_few_components_are_as_stated() {
                 let found: Vec<f64> =
                     of_material.flat_map(|(rms, most)| [100.0 * rms, 100.0 * most]).collect();
                 assert_stated(
+                    PAGE,
                     "pairs",
                     &format!("| {} |", material.name),
                     &found,
@@ -231,6 +136,6 @@ fn errors_of_few_components_are_as_stated() {
         let found = [median_and_worst(rms), median_and_worst(largest)].concat();
         let is_rounding = components == all;
         let tolerance = if is_rounding { STATED_ROUNDING } else { tolerances::STATED };
-        assert_stated("components", &format!("| {name} |"), &found, tolerance);
+        assert_stated(PAGE, "components", &format!("| {name} |"), &found, tolerance);
     }
 }

@@ -2,7 +2,7 @@
 //! that are left out are in no table.
 
 use crate::support::{
-    self, Folder, PAIR, SHADED, assert_fails, difference, materials, numbers, rows, scene,
+    self, Folder, PAIR, SHADED, assert_fails, colored, difference, materials, numbers, rows, scene,
 };
 use crate::tolerances;
 use eigenshade_index::effect::{Effect, Effects};
@@ -278,18 +278,7 @@ fn what_a_scene_leaves_out_is_refused() {
 #[test]
 fn without_color_there_is_luminance() {
     let folder = folder("image-centered");
-    let colored: String = materials(6, 40)
-        .lines()
-        .map(|line| match line.rsplit_once(',') {
-            Some((places, "value")) => format!("{places},r,g,b\n"),
-            Some((places, value)) => {
-                let value: f64 = value.parse().unwrap();
-                format!("{places},{value},{},{}\n", 0.5 * value, 0.25 * value)
-            }
-            None => panic!("a row"),
-        })
-        .collect();
-    folder.write("colored.csv", colored);
+    folder.write("colored.csv", colored(&materials(6, 40), [0.5, 0.25]));
     let scene = folder.read("scene.toml");
     let scene = scene.replace("database.csv", "colored.csv");
     let luminance = 0.2126 + 0.7152 * 0.5 + 0.0722 * 0.25;

@@ -1,6 +1,6 @@
 //! Pictures: reading them, the transfer functions of PNG files, and the normals of a sphere.
 
-use crate::support::files::{answer, get, nearest, png};
+use crate::support::files::{answer, decoded, get, nearest, png};
 use crate::support::{Folder, materials, repository};
 use crate::tolerances;
 use eigenshade::mathematics::Libm;
@@ -14,7 +14,6 @@ use eigenshade_shading::sphere_rings::rings;
 use png::chunk::ChunkType;
 use png::{BitDepth, ColorType, Encoder, ScaledFloat, SrgbRenderingIntent};
 use std::fs;
-use std::path::Path;
 
 /// d of an image and normals in 16 bits against d of an image in 8 bits of sRGB and exact normals,
 /// relative to the largest: half a step of 2^-16 in normals, more at the rim.
@@ -106,7 +105,7 @@ fn pictures_follow_their_options() {
         let choice = "--light lobby --material gold-metallic-paint --out a.png";
         let table = repository().join("tables/sphere.bin");
         folder.ok(&format!("render --table {} {choice} --size {size} {options}", table.display()));
-        pixels(&folder.path("a.png"))
+        decoded(&folder.path("a.png")).2
     };
     // Rounding may move a code by one.
     let near = |options: &str, expected: Vec<u8>| {
@@ -150,7 +149,7 @@ fn bands_have_no_seams() {
          --size {size} --out a.png",
         table.display()
     ));
-    let found = pixels(&folder.path("a.png"));
+    let (.., found) = decoded(&folder.path("a.png"));
     let expected = gold(size, Tone::Linear, 0.5, presets::light::LOBBY);
     assert_eq!(found.len(), expected.len());
     // Rounding may move a code by one.
@@ -171,15 +170,6 @@ fn gold(size: usize, tone: Tone, exposure: f32, light: Rgb<Light<'_, f32>>) -> V
         let opacity = (255.0 * pixel.coverage).round() as u8;
         bytes[start..start + 4].copy_from_slice(&[r, g, b, opacity]);
     }
-    bytes
-}
-
-/// The bytes of a picture with opacity.
-fn pixels(path: &Path) -> Vec<u8> {
-    let file = std::io::BufReader::new(fs::File::open(path).unwrap());
-    let mut reader = png::Decoder::new(file).read_info().unwrap();
-    let mut bytes = vec![0; reader.output_buffer_size().unwrap()];
-    reader.next_frame(&mut bytes).unwrap();
     bytes
 }
 
@@ -204,10 +194,7 @@ fn pictures_of_velvet() {
     assert!(get(&sphere, "relative-residual", "posterior")[0][0] < READ_PICTURE);
 
     // The same in 16 linear bits, with the normals as a map and a mask of half.
-    let file = fs::File::open(folder.path("v.png")).unwrap();
-    let mut reader = png::Decoder::new(std::io::BufReader::new(file)).read_info().unwrap();
-    let mut bytes = vec![0; reader.output_buffer_size().unwrap()];
-    reader.next_frame(&mut bytes).unwrap();
+    let (.., bytes) = decoded(&folder.path("v.png"));
     let (mut samples, mut map, mut mask) = (Vec::new(), Vec::new(), Vec::new());
     for (place, pixel) in bytes.chunks_exact(4).enumerate() {
         let (x, y) = ((place % 96) as f64 - 47.5, 47.5 - (place / 96) as f64);

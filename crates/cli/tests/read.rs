@@ -50,19 +50,6 @@ fn components_and_material_come_back() {
 }
 
 #[test]
-fn both_criteria_agree() {
-    let folder = with_image();
-    folder.write("scene.toml", scene("standard", 10_000, "[]"));
-    folder.ok("basis --scene scene.toml --out b.bin");
-    let found = answer(&folder.ok(READ));
-    assert!(get(&found, "relative-residual", "least-squares")[0][0] < RESIDUAL);
-    assert_eq!(nearest(&found), "material-2");
-    let project = folder.ok("project --table b.bin --light light.csv --material material.csv");
-    let expected = numbers(&rows(&project, "light,material,component,r,g,b"), 3);
-    assert_near("least squares", get(&found, "d", "least-squares").as_flattened(), &expected);
-}
-
-#[test]
 fn weighted_images() {
     let folder = with_image();
     // A pixel of weight 0 may have any value.

@@ -2,9 +2,8 @@
 //! no single scene. Their compilers are tried by packages/eigenshade in a browser.
 
 use crate::interpreter::Function;
-use crate::support::{Folder, assert_fails, difference, repository};
+use crate::support::{Folder, assert_fails, difference, of_equal_areas, repository};
 use serde_json::Value;
-use std::fmt::Write;
 use std::fs;
 
 const ONE: &str = "--table b.bin --light lights.csv:light-1 --material materials.csv:material-2";
@@ -122,13 +121,7 @@ fn the_cut_of_the_table_in_color_shows_in_no_picture() {
     assert_eq!(whole.len() + 1, scene.lines().count());
     folder.write("whole.toml", whole.join("\n").replace("\"inputs/", &inputs));
     folder.ok("basis --scene whole.toml --out whole.bin");
-    let mut normals = "x,y,z\n".to_owned();
-    for k in 0..100 {
-        let (radius, angle) = (((f64::from(k) + 0.5) / 100.0).sqrt(), 2.399_963 * f64::from(k));
-        let (x, y) = (radius * angle.cos(), radius * angle.sin());
-        writeln!(normals, "{x},{y},{}", (1.0 - radius * radius).sqrt()).expect("text");
-    }
-    folder.write("disc.csv", normals);
+    folder.write("disc.csv", of_equal_areas(100));
     let databases = repository().join("tables/inputs");
     let databases = databases.display();
     let shaded = |table: &str| -> Vec<f64> {

@@ -1,13 +1,12 @@
 //! Objects other than a sphere: packed normals, pictures of them, and matcaps.
 
-use crate::support::files::{normal_map, obj, ply, png, stl};
+use crate::support::files::{decoded, normal_map, obj, ply, png, stl};
 use crate::support::{Folder, assert_fails};
 use eigenshade::{Display, Matcap, Normal, NormalMap, Rgb, Tone, presets, sphere};
 use eigenshade_cli::object::ObjectView;
 use eigenshade_generator::light::environment::EnvironmentMap;
 use png::{BitDepth, ColorType};
 use std::fs;
-use std::path::Path;
 
 /// A normal after packing, in degrees.
 const PACKED: f64 = 0.51;
@@ -181,15 +180,6 @@ fn lobby() -> sphere::color::Scene {
 
 const CHOICE: &str = "--light lobby --material gold-metallic-paint";
 
-/// The channels of a PNG's pixels.
-fn bytes_of(path: &Path) -> (u32, Vec<u8>) {
-    let file = std::io::BufReader::new(fs::File::open(path).unwrap());
-    let mut reader = png::Decoder::new(file).read_info().unwrap();
-    let mut bytes = vec![0; reader.output_buffer_size().unwrap()];
-    reader.next_frame(&mut bytes).unwrap();
-    (reader.info().width, bytes)
-}
-
 /// Pictures of a mesh and of a normal map have the colors of their normals, and their opacity is the
 /// object's coverage.
 #[test]
@@ -206,7 +196,7 @@ fn any_object_is_rendered() {
             "render -t sphere {CHOICE} --normals {input} {options} --exposure 1.5 --tone filmic \
              --out p.png"
         ));
-        let (width, bytes) = bytes_of(&folder.path("p.png"));
+        let (width, _, bytes) = decoded(&folder.path("p.png"));
         assert_eq!((width, bytes.len()), (size, 4 * (size * size) as usize));
         let asked = (!options.is_empty()).then_some(size as usize);
         let view = ObjectView::read(folder.path(input).into(), asked).unwrap();
@@ -253,7 +243,7 @@ fn matcaps_hold_the_scene() {
             "render --table sphere {CHOICE} {option} --size 40 --exposure 0.5 --out m.png"
         ));
         let map = EnvironmentMap::from_path(folder.path("m.exr")).unwrap();
-        let (width, bytes) = bytes_of(&folder.path("m.png"));
+        let (width, _, bytes) = decoded(&folder.path("m.png"));
         assert_eq!((width, bytes.len(), map.width, map.height), (40, 3 * 1600, 40, 40));
         let display = Display::new(Tone::Linear);
         for texel in Matcap::new(40).with_radius(radius) {
@@ -281,7 +271,7 @@ fn matcaps_hold_the_scene() {
     }
     // Metered as a sphere is: white is not all of it.
     folder.ok(&format!("render {CHOICE} --matcap --size 64 --out metered.png"));
-    let (_, bytes) = bytes_of(&folder.path("metered.png"));
+    let (.., bytes) = decoded(&folder.path("metered.png"));
     let white = bytes.chunks(3).filter(|pixel| pixel.contains(&255)).count();
     assert!(white > 0 && white < 400, "{white}");
 }

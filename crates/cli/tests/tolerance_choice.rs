@@ -11,12 +11,13 @@ use eigenshade_index::{light, material};
 use eigenshade_model::database::{Lights, Materials};
 use eigenshade_model::reference::DirectSum;
 use eigenshade_model::rotation::Rotation;
-use eigenshade_model::special::quadrature::gauss_legendre;
 use eigenshade_shading::owned_basis::OwnedBasis;
 use eigenshade_shading::shader::{OwnedNormals, Shader};
 use eigenshade_shading::shipped;
 use eigenshade_table::scene::Criterion;
 use eigenshade_table::{Scene, Table, parts};
+use eigenshade_testing::fixtures::{self, of_equal_areas};
+use eigenshade_testing::largest;
 use std::f64::consts::{FRAC_PI_2, TAU};
 use std::sync::OnceLock;
 
@@ -52,18 +53,6 @@ fn scene_of(criterion: Criterion, effects: Effects, tolerance: f64) -> Scene {
     scene.basis.criterion = criterion;
     scene.effects.wanted = Effect::ALL.into_iter().filter(|one| effects.has(*one)).collect();
     scene
-}
-
-/// Normals of equal projected areas.
-fn normals() -> Vec<[f64; 3]> {
-    let count = 150;
-    let normal = |k| {
-        let square = (f64::from(k) + 0.5) / f64::from(count);
-        let (y, x) = (TAU * 0.618_034 * f64::from(k)).sin_cos();
-        let radius = square.sqrt();
-        [radius * x, radius * y, (1.0 - square).sqrt()]
-    };
-    (0..count).map(normal).collect()
 }
 
 /// The database's lights, scaled to L_0^0 = 1.
@@ -140,8 +129,7 @@ fn peak(lights: &Lights, materials: &Materials, effects: Effects) -> f64 {
         })
         .collect();
     let images = direct(&scaled(lights), materials, &grid, effects, [DEGREE, ORDER]);
-    let largest = |image: &Vec<f64>| image.iter().fold(0.0f64, |most, one| most.max(one.abs()));
-    let squares: f64 = images.iter().map(|image| largest(image).powi(2)).sum();
+    let squares: f64 = images.iter().map(|image| largest(image.iter().copied()).powi(2)).sum();
     (squares / images.len() as f64).sqrt()
 }
 
@@ -204,7 +192,7 @@ fn sample() -> &'static Sample {
     static SAMPLE: OnceLock<Sample> = OnceLock::new();
     SAMPLE.get_or_init(|| {
         let (lights, materials) = databases();
-        let (rotated, normals) = (rotated(&lights, 24), normals());
+        let (rotated, normals) = (rotated(&lights, 24), of_equal_areas(150));
         let images = direct(&rotated, &materials, &normals, Effects::ALL, [DEGREE, ORDER]);
         let peak = peak(&lights, &materials, Effects::ALL);
         Sample { lights, materials, rotated, normals, images, peak }
@@ -279,27 +267,22 @@ fn energies(lights: &Lights, materials: &Materials) -> Vec<Vec<f64>> {
     let (degree, order) = (lights.degree, materials.order);
     let reference = DirectSum::new(degree, order);
     let scaled = scaled(lights);
-    let tilts = 2 * degree + 1;
     let mut left = vec![vec![0.0; order + 2]; degree + 1];
-    for (z, weight) in gauss_legendre(40, 0.0, 1.0) {
-        for tilt in 0..tilts {
-            let (y, x) = (TAU * tilt as f64 / tilts as f64).sin_cos();
-            let sine = (1.0 - z * z).sqrt();
-            let at = reference.at([sine * x, sine * y, z]);
-            let share = 2.0 * z * weight / (tilts * materials.entries.len()) as f64;
-            for entry in &materials.entries {
-                let of_orders = |first: usize| {
-                    let each = material::indices(order).zip(entry.luminance());
-                    let kept = each.map(|((o, _, _), b)| if o < first { 0.0 } else { b });
-                    at.scatter(&kept.collect::<Vec<_>>())
-                };
-                let scattered: Vec<_> = (0..=order).map(of_orders).collect();
-                for (place, (l, _)) in light::indices(degree).enumerate() {
-                    let mut unit = vec![0.0; light::count(degree)];
-                    unit[place] = 1.0;
-                    for (energy, scattered) in left[l].iter_mut().zip(&scattered) {
-                        *energy += share * at.irradiance(&unit, scattered).powi(2);
-                    }
+    for (normal, weight) in fixtures::rule(40, 2 * degree + 1) {
+        let at = reference.at(normal);
+        let share = weight / materials.entries.len() as f64;
+        for entry in &materials.entries {
+            let of_orders = |first: usize| {
+                let each = material::indices(order).zip(entry.luminance());
+                let kept = each.map(|((o, _, _), b)| if o < first { 0.0 } else { b });
+                at.scatter(&kept.collect::<Vec<_>>())
+            };
+            let scattered: Vec<_> = (0..=order).map(of_orders).collect();
+            for (place, (l, _)) in light::indices(degree).enumerate() {
+                let mut unit = vec![0.0; light::count(degree)];
+                unit[place] = 1.0;
+                for (energy, scattered) in left[l].iter_mut().zip(&scattered) {
+                    *energy += share * at.irradiance(&unit, scattered).powi(2);
                 }
             }
         }

@@ -11,7 +11,7 @@ use eigenshade_index::material;
 use eigenshade_model::scattering;
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
-use eigenshade_testing::oracle;
+use eigenshade_testing::{largest, oracle, relative_error, vectors};
 
 /// BRDF models by three cosines against the literature's vectors, relative: α² = 1e-4 under
 /// cancellation of 1 - (n h)² near the mirror leaves twelve digits of sixteen.
@@ -53,10 +53,19 @@ fn at(brdf: &dyn Brdf, theta_i: f64, theta_r: f64, delta_phi: f64) -> f64 {
 
 /// The oracle at (θ_i, θ_r, Δφ).
 fn ggx_by_vectors(roughness: f64, f0: f64, albedo: f64, angles: [f64; 3]) -> f64 {
-    let [theta_i, theta_r, delta_phi] = angles;
-    let i = [theta_i.sin() * delta_phi.cos(), theta_i.sin() * delta_phi.sin(), theta_i.cos()];
-    let r = [theta_r.sin(), 0.0, theta_r.cos()];
+    let [i, r] = vectors(angles);
     oracle::ggx(roughness, f0, albedo, i, r)
+}
+
+/// Unit vectors to the light and to the viewer at (θ_i, θ_r, Δφ).
+fn vectors([theta_i, theta_r, delta_phi]: [f64; 3]) -> [[f64; 3]; 2] {
+    [vectors::at(theta_i, delta_phi), vectors::at(theta_r, 0.0)]
+}
+
+/// n • h and i • h.
+fn half_way([i, r]: [[f64; 3]; 2]) -> [f64; 2] {
+    let half = vectors::unit(vectors::sum(i, 1.0, r));
+    [half[2], vectors::dot(i, half)]
 }
 
 /// The largest relative difference of a model from a formula of (θ_i, θ_r, Δφ).
@@ -98,13 +107,9 @@ fn abc([matte, a, b, c, index]: [f64; 5]) -> Abc {
 
 /// The formula as its authors print it, with vectors, and with Fresnel's two polarizations by
 /// Snell's law.
-fn abc_by_vectors([matte, a, b, c, index]: [f64; 5], [theta_i, theta_r, phi]: [f64; 3]) -> f64 {
-    let i = [theta_i.sin() * phi.cos(), theta_i.sin() * phi.sin(), theta_i.cos()];
-    let r = [theta_r.sin(), 0.0, theta_r.cos()];
-    let sum = [0, 1, 2].map(|k| i[k] + r[k]);
-    let length = sum.iter().map(|x| x * x).sum::<f64>().sqrt();
-    let d = (0..3).map(|k| i[k] * sum[k]).sum::<f64>() / length;
-    let up = sum[2] / length;
+fn abc_by_vectors([matte, a, b, c, index]: [f64; 5], angles: [f64; 3]) -> f64 {
+    let [i, r] = vectors(angles);
+    let [up, d] = half_way([i, r]);
     let inside = (d.min(1.0).acos().sin() / index).asin().cos();
     let (s, p) =
         ((d - index * inside) / (d + index * inside), (index * d - inside) / (index * d + inside));
@@ -176,13 +181,10 @@ fn sgd(fit: [f64; 11]) -> Result<Sgd, eigenshade_model::error::Error> {
 }
 
 /// The formula as its authors print it, with vectors.
-fn sgd_by_vectors(fit: [f64; 11], [theta_i, theta_r, phi]: [f64; 3]) -> f64 {
+fn sgd_by_vectors(fit: [f64; 11], angles: [f64; 3]) -> f64 {
     let [rho_d, rho_s, alpha, p, f0, f1, kappa, lambda, c, k, theta_0] = fit;
-    let i = [theta_i.sin() * phi.cos(), theta_i.sin() * phi.sin(), theta_i.cos()];
-    let r = [theta_r.sin(), 0.0, theta_r.cos()];
-    let sum = [0, 1, 2].map(|k| i[k] + r[k]);
-    let length = sum.iter().map(|x| x * x).sum::<f64>().sqrt();
-    let (x, d) = (sum[2] / length, (0..3).map(|k| i[k] * sum[k]).sum::<f64>() / length);
+    let ([i, r], [theta_i, theta_r, _]) = (vectors(angles), angles);
+    let [x, d] = half_way([i, r]);
     let fresnel = f0 - f1 * d + (1.0 - f0) * (1.0 - d).powi(5);
     let u = alpha + (1.0 - x * x) / (x * x * alpha);
     let lobe = kappa * (-u).exp() / (PI * u.powf(p) * x.powi(4));
@@ -267,14 +269,8 @@ fn a_matte_material_has_one_coefficient() {
     }
 }
 
-fn largest(values: &[f64]) -> f64 {
-    values.iter().fold(0.0, |most, value| most.max(value.abs()))
-}
-
 fn apart(a: &Projection, b: &Projection) -> f64 {
-    let difference: Vec<f64> =
-        a.coefficients.iter().zip(&b.coefficients).map(|(a, b)| a - b).collect();
-    largest(&difference) / largest(&b.coefficients)
+    relative_error(&a.coefficients, &b.coefficients)
 }
 
 /// Half as many nodes again change nothing: not even for a lobe of 1e-3 rad.
@@ -285,7 +281,7 @@ fn the_quadrature_has_converged() {
     let cases: [(&str, &dyn Brdf, usize, Measure); 6] = [
         ("ggx 0.03", &ggx(0.03, 0.9, 0.0), 12, projected),
         ("ggx 0.1", &ggx(0.1, 0.04, 0.5), 12, projected),
-        ("ggx 0.5", &ggx(0.5, 0.9, 0.0), 32, projected),
+        ("ggx 0.5", &ggx(0.5, 0.9, 0.0), 24, projected),
         ("oren-nayar", &matte, 12, projected),
         ("ggx 0.5", &ggx(0.5, 0.9, 0.0), 12, grazing),
         ("oren-nayar", &matte, 12, grazing),
@@ -351,9 +347,7 @@ fn coefficients_are_the_integrals_of_the_definition() {
             }
         }
     }
-    let difference: Vec<f64> =
-        expected.iter().zip(&found.coefficients).map(|(a, b)| a - b).collect();
-    let found = largest(&difference) / largest(&expected);
+    let found = relative_error(&found.coefficients, &expected);
     println!("against midpoints: {found:.1e}");
     assert!(found <= PROJECTION_MIDPOINT, "{found}");
 }
@@ -399,8 +393,9 @@ fn assert_nearest(brdf: &dyn Brdf) {
             }
         }
     }
-    println!("left {} {}, gradient {:.1e}", left / energy, found.left_out, largest(&gradient));
-    assert!(largest(&gradient) <= PROJECTION_MIDPOINT * energy.sqrt());
+    let steepest = largest(gradient);
+    println!("left {} {}, gradient {steepest:.1e}", left / energy, found.left_out);
+    assert!(steepest <= PROJECTION_MIDPOINT * energy.sqrt());
     assert!((left / energy / found.left_out - 1.0).abs() <= LEFT_OUT_MIDPOINT);
     let plain = project(brdf, order, Measure::SolidAngle);
     assert!(found.left_out < plain.left_out, "{} {}", found.left_out, plain.left_out);

@@ -53,17 +53,13 @@ fn direct(map: &EnvironmentMap, degree: usize) -> [Vec<f64>; 3] {
     sums
 }
 
-fn largest(channel: &[f64]) -> f64 {
-    channel.iter().fold(0.0, |top: f64, value| top.max(value.abs()))
-}
-
 /// Asserts that the coefficients differ by no more than `tolerance` of the
 /// largest expected one, channel by channel.
 #[track_caller]
 fn assert_near(found: &[Vec<f64>; 3], expected: &[Vec<f64>; 3], tolerance: f64) {
     for (found, expected) in found.iter().zip(expected) {
         assert_eq!(found.len(), expected.len());
-        let scale = largest(expected);
+        let scale = eigenshade_testing::largest(expected.iter().copied());
         for (k, (found, expected)) in found.iter().zip(expected).enumerate() {
             let error = (found - expected).abs() / scale;
             assert!(error <= tolerance, "coefficient {k}: {found} for {expected}, {error:e}");

@@ -207,6 +207,9 @@ fn files_without_lights_are_refused() {
         ("name,o,p,q,value\na,0,0,0,1\n", "in.csv:1: its header is "),
         ("l,m,value\n0,0,1\n", "in.csv:1: its header is "),
         ("a,0,0,1\n", "in.csv:1: its header is "),
+        ("name,l,order,r,g,b\n", "in.csv:1: its header is "),
+        ("name,l,m,r,r,b\n", "in.csv:1: column 5 has the same name as an earlier one, `r`; "),
+        ("name,l,m,r,g,b,value\n", "in.csv:1: it has the columns `value` and `r`; "),
     ] {
         assert_starts(&message(lights(text, None)), start);
     }

@@ -8,6 +8,7 @@ use eigenshade_index::{light, material};
 use eigenshade_model::database::{Lights, Materials, Named};
 use eigenshade_model::inputs::coefficient_csv::read_lights;
 use eigenshade_model::reference::DirectSum;
+use eigenshade_model::special::quadrature::gauss_legendre;
 use eigenshade_shading::owned_basis::{AnyBasis, OwnedBasis};
 use eigenshade_table::Table;
 use eigenshade_table::scene::Criterion;
@@ -89,6 +90,19 @@ pub fn normals(slants: &[f64], tilts: usize) -> Vec<[f64; 3]> {
         [alpha.sin() * beta.cos(), alpha.sin() * beta.sin(), z]
     };
     slants.iter().flat_map(|&alpha| (0..tilts).map(move |k| at(alpha, tilt(k)))).collect()
+}
+
+/// Normals of a sphere's picture and their weights, which sum to 1: Gauss-Legendre in z, equal steps
+/// around.
+pub fn rule(heights: usize, tilts: usize) -> Vec<([f64; 3], f64)> {
+    let at = |(z, weight): (f64, f64)| {
+        let sine = ((1.0 - z) * (1.0 + z)).sqrt();
+        (0..tilts).map(move |k| {
+            let (y, x) = (2.0 * PI * k as f64 / tilts as f64).sin_cos();
+            ([sine * x, sine * y, z], 2.0 * z * weight / tilts as f64)
+        })
+    };
+    gauss_legendre(heights, 0.0, 1.0).into_iter().flat_map(at).collect()
 }
 
 /// Normals of these z, each a golden angle on from the one before.

@@ -1,7 +1,7 @@
 //! Images of the shipped basis, component by component, and their differences from scenes.
 
+use crate::fixtures;
 use eigenshade::{Light, Material, Normal, Scene, sphere};
-use eigenshade_model::special::quadrature::gauss_legendre;
 use std::f64::consts::TAU;
 
 /// d for a light and a material.
@@ -17,16 +17,7 @@ pub fn single(values: Vec<f64>) -> Vec<f32> {
 
 /// Unit vectors and weights of a quadrature rule for squares of images over a sphere.
 pub fn vectors() -> Vec<([f64; 3], f64)> {
-    let around = 2 * sphere::DEGREE + 2;
-    let mut rule = Vec::new();
-    for (z, weight) in gauss_legendre(24, 0.0, 1.0) {
-        let sine = (1.0 - z * z).sqrt();
-        for k in 0..around {
-            let (y, x) = (TAU * k as f64 / around as f64).sin_cos();
-            rule.push(([sine * x, sine * y, z], 2.0 * z * weight / around as f64));
-        }
-    }
-    rule
+    fixtures::rule(24, 2 * sphere::DEGREE + 2)
 }
 
 /// The same rule with normals instead of vectors.

@@ -1,5 +1,6 @@
 //! `experiments errors`: a table against direct integration.
 
+use super::write_command_line;
 use clap::Args;
 use eigenshade_cli::messages::{print_message, progress_bar};
 use eigenshade_cli::output;
@@ -18,7 +19,6 @@ use eigenshade_model::inputs::coefficient_csv::read_lights;
 use eigenshade_model::inputs::input_file::InputFile;
 use eigenshade_table::Table;
 use experiments::accuracy::{self, Reference};
-use experiments::command_line::write_command_line;
 use experiments::numbers::median;
 use std::path::{Path, PathBuf};
 

@@ -2,6 +2,7 @@
 //! comparison of two tables' components, tables for WebAssembly modules, and the table from which
 //! the runtime computes materials of metallic and roughness.
 
+use super::write_command_line;
 use clap::Args;
 use eigenshade_cli::messages::{print_message, progress_bar};
 use eigenshade_cli::output::{self, Rows};
@@ -17,7 +18,6 @@ use eigenshade_testing::{glossy, golden};
 use experiments::accuracy_cost::machines::{tables, timed};
 use experiments::accuracy_cost::scope::{Bases, Scope};
 use experiments::accuracy_cost::settings::{Format, Setting, Way, all};
-use experiments::command_line::write_command_line;
 use experiments::numbers::digits;
 use experiments::pages::Purpose;
 use experiments::stability::spectrum::{Agreement, agreement};

@@ -1,5 +1,6 @@
 //! Errors and pictures of small sources, and the gloss of the shipped materials.
 
+use super::write_command_line;
 use clap::Args;
 use eigenshade_cli::messages::{print_message, progress_bar};
 use eigenshade_cli::output;
@@ -7,7 +8,6 @@ use eigenshade_cli::picture::{self, Canvas, SphereView, write_png};
 use eigenshade_model::error::Result;
 use eigenshade_model::inputs::gloss_csv::write_glosses;
 use eigenshade_model::inputs::set_error_csv::write_set_errors;
-use experiments::command_line::write_command_line;
 use experiments::highlights::{self, DRAWN};
 use experiments::numbers::percent;
 use experiments::pages::filled;

@@ -1,11 +1,11 @@
 //! The total errors of the shipped materials in color, and of PTFE.
 
+use super::write_command_line;
 use clap::Args;
 use eigenshade_cli::messages::progress_bar;
 use eigenshade_cli::output::{self, Rows};
 use eigenshade_model::error::Result;
 use eigenshade_shading::shipped::ERROR_SIZES;
-use experiments::command_line::write_command_line;
 use experiments::material_errors::{self, Errors, SPACING};
 use std::path::PathBuf;
 
@@ -35,7 +35,7 @@ pub struct MaterialErrors {
 
 impl MaterialErrors {
     pub fn run(self) -> Result<()> {
-        let progress = progress_bar("normals", 0);
+        let progress = progress_bar("materials", 0);
         let found = material_errors::errors(&self.inputs, &self.names, self.spacing, &progress)?;
         progress.finish_and_clear();
         output::write(self.out.as_deref(), |out| {

@@ -8,10 +8,13 @@ mod material_errors;
 mod pictures;
 
 use clap::Subcommand;
+use eigenshade_cli::messages::printable;
 use eigenshade_cli::messages::spinner;
+use eigenshade_cli::output::write_error;
 use eigenshade_model::error::{Error, Result};
 use experiments::pages::Purpose;
 use experiments::{ablation, accuracy, mutations, reading, stability};
+use std::io::Write;
 use std::path::PathBuf;
 
 /// The commands of the program.
@@ -111,4 +114,11 @@ fn shape(text: &str) -> std::result::Result<[usize; 2], String> {
         Some([degree.parse::<usize>().ok()?, order.parse::<usize>().ok()?])
     });
     numbers.ok_or_else(|| "expected two whole numbers like 9,7".to_owned())
+}
+
+/// Writes the comment line `# experiments ...` with the command that makes this file.
+fn write_command_line(out: &mut dyn Write) -> Result<()> {
+    let arguments: Vec<String> = std::env::args().skip(1).collect();
+    let line = printable(&arguments.join(" "));
+    writeln!(out, "# experiments {line}").map_err(|error| write_error(&error))
 }

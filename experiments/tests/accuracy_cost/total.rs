@@ -2,12 +2,9 @@
 //! are what they are said to be.
 
 use super::{docs, rows};
-use crate::spread;
 use crate::support::repository;
-use eigenshade_generator::direct::Surroundings;
 use eigenshade_generator::light::environment::EnvironmentMap;
 use eigenshade_generator::light::projection::project;
-use eigenshade_generator::material::brdf::Ggx;
 use eigenshade_model::database::{Lights, Named};
 use eigenshade_shading::shipped;
 use experiments::accuracy_cost::settings;
@@ -25,9 +22,6 @@ use indicatif::ProgressBar;
 /// Medians and 95th percentiles of an rms at normals 1.4 times as far apart, as a factor: half as
 /// many normals meet other parts of the highlights.
 const OF_SPACING: f64 = 1.1;
-
-/// Integration in blocks against every texel, of the peak, as for measured materials.
-const OF_TREE: f64 = 3e-4;
 
 /// The split sum under white light against direct integration, of the peak. Both integrate the same
 /// lobe over the same texels.
@@ -115,47 +109,18 @@ fn the_materials_are_unseen() {
         let key = if subject.kind == Kind::Matte { "sigma" } else { "roughness" };
         assert!(!text.contains(&format!("{key} = {parameter}\n")), "{name}");
     }
-    // At the shipped order, measured materials have the shipped coefficients.
-    let materials = &coefficients(&of_kind(Kind::Measured), &[7])[0];
-    for (found, shipped) in materials.entries.iter().zip(&unseen) {
-        assert_eq!(found.name, shipped.name);
+    // At the shipped order, measured materials have the shipped coefficients: some of them.
+    let measured = of_kind(Kind::Measured);
+    assert!(measured.iter().map(|one| &one.surface.name).eq(unseen.iter().map(|one| &one.name)));
+    let some: Vec<Subject> = measured.into_iter().step_by(9).collect();
+    let materials = &coefficients(&some, &[7])[0];
+    for (found, shipped) in materials.entries.iter().zip(unseen.iter().step_by(9)) {
         for (found, shipped) in found.rgb.iter().flatten().zip(shipped.rgb.iter().flatten()) {
             assert!(
                 (found - shipped).abs() <= 1e-5 * shipped.abs().max(1e-2),
                 "{}",
                 found - shipped
             );
-        }
-    }
-}
-
-/// GGX in blocks of texels is GGX at every texel.
-#[test]
-fn blocks_are_their_texels_for_formulas() {
-    let maps = ["park", "studio"].map(|name| {
-        EnvironmentMap::from_path(repository().join(format!("tables/inputs/maps/{name}.exr")))
-    });
-    let maps = maps.map(|map| map.expect("a map"));
-    let whole = Surroundings::new(&maps).expect("maps");
-    let lights = Lights { degree: 0, entries: Vec::new() };
-    let world = World::of(maps.to_vec(), lights, 0.5).expect("maps");
-    let mut normals = spread(16);
-    normals.retain(|[.., z]| *z > 0.0);
-    normals.extend([0, 1].map(|map| whole.mirror(map)));
-    for (roughness, f0, albedo) in [(0.22, 0.8, 0.0), (0.45, 0.04, 0.7), (0.95, 0.8, 0.0)] {
-        let brdf = Ggx::new(roughness, f0, albedo).expect("a material");
-        let expected = whole.irradiance(&[&brdf], &normals, 1.0);
-        let gltf = Gltf { roughness, f0, albedo };
-        let surface = gltf.surface("one".into()).expect("a material");
-        for (map, picture) in world.pictures(&surface, &normals).iter().enumerate() {
-            let values = |c: usize| expected.iter().map(move |one| one[0][map][c]);
-            let peak = (0..3).flat_map(values).fold(0.0, f64::max);
-            for (c, channel) in picture.iter().enumerate() {
-                for (found, expected) in channel.iter().zip(values(c)) {
-                    let apart = (found - expected).abs() / peak;
-                    assert!(apart <= OF_TREE, "{roughness}: {apart}");
-                }
-            }
         }
     }
 }
@@ -178,22 +143,18 @@ fn largest_apart([found, expected]: [&Picture; 2]) -> f64 {
 fn the_split_sum_is_exact_under_white_light() {
     let world = white();
     for (roughness, f0) in [(0.22, 0.8), (0.65, 0.04)] {
-        let gltf = Gltf { roughness, f0, albedo: 0.0 };
-        let surface = gltf.surface("metal".into()).expect("a material");
+        let gltf = |albedo| Gltf { roughness, f0, albedo };
+        let surface = gltf(0.0).surface("metal".into()).expect("a material");
         let expected = &world.pictures(&surface, &world.sphere.normals)[0];
         let prefiltered = Prefiltered::new(roughness, &world).expect("a map");
-        let found = &prefiltered.pictures(gltf, &world).expect("a picture")[0];
-        let apart = largest_apart([found, expected]);
+        let picture = |albedo| prefiltered.pictures(gltf(albedo), &world).expect("a picture");
+        let (whole, lobe) = (&picture(0.7)[0], &picture(0.0)[0]);
+        let apart = largest_apart([lobe, expected]);
         assert!(apart <= OF_WHITE, "{roughness}: {apart:e}");
-    }
-    // The matte part is what the lobe leaves of the albedo.
-    let gltf = Gltf { roughness: 0.65, f0: 0.04, albedo: 0.7 };
-    let prefiltered = Prefiltered::new(0.65, &world).expect("a map");
-    let [whole, lobe] = [0.7, 0.0].map(|albedo| {
-        prefiltered.pictures(Gltf { albedo, ..gltf }, &world).expect("a picture")[0].clone()
-    });
-    for (whole, lobe) in whole[0].iter().zip(&lobe[0]) {
-        assert!((whole - lobe - 0.7 * (1.0 - lobe)).abs() < 1e-3, "{whole} {lobe}");
+        // The matte part is what the lobe leaves of the albedo.
+        for (whole, lobe) in whole[0].iter().zip(&lobe[0]).filter(|_| roughness == 0.65) {
+            assert!((whole - lobe - 0.7 * (1.0 - lobe)).abs() < 1e-3, "{whole} {lobe}");
+        }
     }
 }
 

@@ -2,10 +2,10 @@
 
 use super::options::{Destination, Memory, TableChoice, count};
 use clap::{Args, ValueEnum};
-use eigenshade_cli::export::array::Array;
+use eigenshade_cli::export::array::{Array, json};
 use eigenshade_cli::export::entry::{Format, entries, identifier};
 use eigenshade_cli::export::shown::Shown;
-use eigenshade_cli::export::{c, coefficients, js, json, npz, rust, scene, table as of_table};
+use eigenshade_cli::export::{c, coefficients, js, npz, rust, scene, table as of_table};
 use eigenshade_cli::messages::print_message;
 use eigenshade_cli::output;
 use eigenshade_cli::presets::Source;
@@ -200,7 +200,7 @@ impl Export {
     fn arrays(&self, arrays: &[Array]) -> Result<Vec<u8>> {
         match self.lang {
             Lang::Npz => npz::bytes(arrays),
-            _ => json::text(arrays).map(String::into_bytes),
+            _ => json(arrays).map(String::into_bytes),
         }
     }
 

@@ -47,18 +47,8 @@ pub struct Material {
     /// folder of such files; several are combined
     #[arg(value_name = "PATH", required = true)]
     paths: Vec<PathBuf>,
-    /// Largest order o of the coefficients, 0 to 64
-    #[arg(long, value_name = "O", value_parser = count(0, 64), default_value_t = ORDER)]
-    order: usize,
-    /// Measure under which projected coefficients approximate the function best
-    #[arg(long, value_enum, default_value_t)]
-    measure: Nearness,
-    /// Multiply the coefficients of order o by sinc^4, (sin x / x)^4 with x = pi o / W, zero from
-    /// order W on: less ringing of gloss that the order cannot represent. 40 suits order 7
-    #[arg(long, value_name = "W", value_parser = width)]
-    window: Option<f64>,
     #[command(flatten)]
-    out: Destination,
+    projection: Projection,
     /// Also write the quality of the fits to this file:
     /// `name,samples,maximum,residual,lowest,highest,condition`, the maximum in 1/sr
     #[arg(long, value_name = "FILE")]
@@ -67,24 +57,24 @@ pub struct Material {
 
 impl Material {
     pub fn run(self, memory: Memory) -> Result<()> {
-        let (sources, order, measure, window, out) = match self.formula {
+        let (sources, Projection { order, measure, window, out }) = match self.formula {
             Some(formula) => {
-                let (surface, options) = formula.surface()?;
-                let Projection { order, measure, window, out, .. } = options;
-                (vec![Source::Surface(surface)], order, measure, window, out)
+                let (surface, projection) = formula.surface()?;
+                (vec![Source::Surface(surface)], projection)
             }
             None => {
                 let inputs = self.paths.iter().flat_map(|path| material::files::files(path));
-                let beside = beside(&self.out);
+                let out = &self.projection.out;
+                let beside = beside(out);
                 output::refuse_collisions(
-                    [&self.out.path, &self.report, &beside].into_iter().flatten(),
+                    [&out.path, &self.report, &beside].into_iter().flatten(),
                     inputs,
                 )?;
                 let mut sources = Vec::new();
                 for path in &self.paths {
                     sources.extend(material::files::read(memory.file(path))?);
                 }
-                (sources, self.order, self.measure, self.window, self.out)
+                (sources, self.projection)
             }
         };
         let negative = negative_values(&sources);
@@ -215,7 +205,7 @@ pub enum Formula {
         #[arg(long, value_name = "A", value_parser = shares)]
         albedo: Shares,
         #[command(flatten)]
-        projection: Projection,
+        options: Options,
     },
     /// Rough diffuse: the qualitative model of Oren and Nayar, 1994
     OrenNayar {
@@ -226,7 +216,7 @@ pub enum Formula {
         #[arg(long, value_name = "A", default_value = "1", value_parser = shares)]
         albedo: Shares,
         #[command(flatten)]
-        projection: Projection,
+        options: Options,
     },
     /// A glTF metallic-roughness material: a GGX lobe over a diffuse base
     ///
@@ -243,20 +233,27 @@ pub enum Formula {
         #[arg(long, value_name = "A", default_value = "0", value_parser = shares)]
         albedo: Shares,
         #[command(flatten)]
-        projection: Projection,
+        options: Options,
     },
 }
 
-/// Options of the projection of a formula.
+/// Options of a formula.
+#[derive(Args, Debug)]
+pub struct Options {
+    /// Name of the material [default: the model]
+    #[arg(long, value_name = "NAME", value_parser = clap::builder::NonEmptyStringValueParser::new())]
+    name: Option<String>,
+    #[command(flatten)]
+    projection: Projection,
+}
+
+/// Options of the coefficients.
 #[derive(Args, Debug)]
 pub struct Projection {
     /// Largest order o of the coefficients, 0 to 64
     #[arg(long, value_name = "O", value_parser = count(0, 64), default_value_t = ORDER)]
     order: usize,
-    /// Name of the material [default: the model]
-    #[arg(long, value_name = "NAME", value_parser = clap::builder::NonEmptyStringValueParser::new())]
-    name: Option<String>,
-    /// Measure under which the coefficients approximate the function best
+    /// Measure under which projected coefficients approximate the function best
     #[arg(long, value_enum, default_value_t)]
     measure: Nearness,
     /// Multiply the coefficients of order o by sinc^4, (sin x / x)^4 with x = pi o / W, zero from
@@ -301,24 +298,23 @@ impl Formula {
             roughness: None,
             f0: None,
         };
-        let (analytic, projection) = match self {
-            Self::Lambertian { albedo, projection } => {
+        let (analytic, options) = match self {
+            Self::Lambertian { albedo, options } => {
                 let base = of(Model::Lambertian, "lambertian");
-                (Analytic { albedo: Some(albedo), ..base }, projection)
+                (Analytic { albedo: Some(albedo), ..base }, options)
             }
-            Self::OrenNayar { sigma, albedo, projection } => {
+            Self::OrenNayar { sigma, albedo, options } => {
                 let base = of(Model::OrenNayar, "oren-nayar");
-                (Analytic { albedo: Some(albedo), sigma: Some(sigma), ..base }, projection)
+                (Analytic { albedo: Some(albedo), sigma: Some(sigma), ..base }, options)
             }
-            Self::Ggx { roughness, f0, albedo, projection } => {
+            Self::Ggx { roughness, f0, albedo, options } => {
                 let base = of(Model::Ggx, "ggx");
                 let roughness = Some(roughness);
-                (Analytic { albedo: Some(albedo), roughness, f0: Some(f0), ..base }, projection)
+                (Analytic { albedo: Some(albedo), roughness, f0: Some(f0), ..base }, options)
             }
         };
-        let name = projection.name.clone().unwrap_or_else(|| analytic.name.clone());
-        let surface = Analytic { name, ..analytic }.surface()?;
-        Ok((surface, projection))
+        let name = options.name.unwrap_or_else(|| analytic.name.clone());
+        Ok((Analytic { name, ..analytic }.surface()?, options.projection))
     }
 }
 

@@ -1,6 +1,8 @@
-//! Arrays with names, axes and units.
+//! Arrays with names, axes and units, and as JSON: an object with, for each name, meaning, axes,
+//! shape, unit and values.
 
-use serde::Serialize;
+use eigenshade_model::error::{Error, Result};
+use serde::{Serialize, Serializer};
 
 /// One array of an export.
 #[derive(Clone, Debug, PartialEq, Serialize)]
@@ -84,5 +86,24 @@ impl Array {
         let values = values.into();
         assert_eq!(values.len(), shape.iter().product::<usize>(), "the shape of {name}");
         Self { name, meaning, axes, shape: shape.to_vec(), unit, values }
+    }
+}
+
+/// The text of a JSON file. Values are in one list, the last axis fastest; NaN is `null`. Numbers read
+/// back as the same bits.
+///
+/// # Errors
+///
+/// Cannot fail in practice: names, numbers and texts always have a form in JSON.
+pub fn json(arrays: &[Array]) -> Result<String> {
+    let text = serde_json::to_string(&ByName(arrays));
+    Ok(text.map_err(|error| Error::new(error.to_string(), "report it"))? + "\n")
+}
+
+struct ByName<'a>(&'a [Array]);
+
+impl Serialize for ByName<'_> {
+    fn serialize<S: Serializer>(&self, serializer: S) -> std::result::Result<S::Ok, S::Error> {
+        serializer.collect_map(self.0.iter().map(|array| (array.name, array)))
     }
 }

@@ -11,8 +11,6 @@ pub mod table;
 
 pub mod scene;
 
-pub mod json;
-
 pub mod npz;
 
 pub mod entry;

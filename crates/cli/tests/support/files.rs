@@ -5,6 +5,7 @@ use png::{BitDepth, ColorType, Encoder};
 use std::collections::HashMap;
 use std::f64::consts::{PI, TAU};
 use std::fmt::Write;
+use std::path::Path;
 use std::sync::OnceLock;
 
 /// The small scene with another `[geometry]`, every component.
@@ -211,6 +212,26 @@ pub fn png(
     encoder.set_color(color);
     encoder.write_header().unwrap().write_image_data(bytes).unwrap();
     file
+}
+
+/// The width, the colors and the bytes of a PNG file.
+pub fn decoded(path: &Path) -> (u32, ColorType, Vec<u8>) {
+    let file = std::io::BufReader::new(std::fs::File::open(path).unwrap());
+    let mut reader = png::Decoder::new(file).read_info().unwrap();
+    let mut bytes = vec![0; reader.output_buffer_size().unwrap()];
+    let info = reader.next_frame(&mut bytes).unwrap();
+    (info.width, info.color_type, bytes)
+}
+
+/// A PNG whose header claims another size, with a correct checksum.
+pub fn claims(mut bytes: Vec<u8>, width: u32, height: u32) -> Vec<u8> {
+    bytes[16..20].copy_from_slice(&width.to_be_bytes());
+    bytes[20..24].copy_from_slice(&height.to_be_bytes());
+    let crc = !bytes[12..29].iter().fold(u32::MAX, |crc, byte| {
+        (0..8).fold(crc ^ u32::from(*byte), |crc, _| (crc >> 1) ^ (0xedb8_8320 * (crc & 1)))
+    });
+    bytes[29..33].copy_from_slice(&crc.to_be_bytes());
+    bytes
 }
 
 /// A folder with the small table of all components, 400 normals, and `image.csv`, the image of one

@@ -183,6 +183,24 @@ pub fn materials(order: usize, count: usize) -> String {
     text
 }
 
+/// Gray materials with these shares of green and blue.
+pub fn colored(gray: &str, [green, blue]: [f64; 2]) -> String {
+    let row = |line: &str| match line.rsplit_once(',').expect("a row") {
+        (places, "value") => format!("{places},r,g,b\n"),
+        (places, value) => {
+            let red: f64 = value.parse().expect("a number");
+            format!("{places},{red},{},{}\n", green * red, blue * red)
+        }
+    };
+    gray.lines().map(row).collect()
+}
+
+/// The CSV of so many normals that each stand for an equal part of a sphere's picture.
+pub fn of_equal_areas(count: usize) -> String {
+    let normals = eigenshade_testing::fixtures::of_equal_areas(count).into_iter();
+    "x,y,z\n".to_owned() + &normals.map(|[x, y, z]| format!("{x},{y},{z}\n")).collect::<String>()
+}
+
 /// Normals, with the pole and the rim.
 fn normals() -> String {
     let mut text = "x,y,z\n0,0,1\n1,0,0\n0,-1,0\n".to_owned();

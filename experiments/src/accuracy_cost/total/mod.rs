@@ -62,7 +62,7 @@ impl Study {
         spacing: f64,
         progress: &ProgressBar,
     ) -> Result<Self> {
-        let world = World::new(folder, spacing)?;
+        let world = World::new(folder, &shipped::lights()?, spacing)?;
         progress.set_length(subjects.len() as u64);
         let reference = |subject: &Subject| {
             let pictures = world.pictures(&subject.surface, &world.sphere.normals);

@@ -12,7 +12,7 @@ use eigenshade_generator::light::projection::named_maps;
 use eigenshade_generator::material::brdf::Surface;
 use eigenshade_model::database::Lights;
 use eigenshade_model::error::Result;
-use eigenshade_shading::{parallel, shipped};
+use eigenshade_shading::parallel;
 use palette::color_difference::Ciede2000;
 use palette::{IntoColor, Lab, Srgb};
 use std::path::Path;
@@ -34,12 +34,13 @@ pub struct World {
 }
 
 impl World {
-    /// Reads the maps of a folder. The spacing of the evenly spaced normals is in radians.
-    pub fn new(folder: &Path, spacing: f64) -> Result<Self> {
+    /// Reads the maps of a folder, which have lights of their names. The spacing of the evenly
+    /// spaced normals is in radians.
+    pub fn new(folder: &Path, lights: &Lights, spacing: f64) -> Result<Self> {
         let files = named_maps(&[folder])?;
         let maps = files.iter().map(|(_, path)| EnvironmentMap::from_path(path));
         let maps = maps.collect::<Result<Vec<_>>>()?;
-        let lights = named(&shipped::lights()?, files.iter().map(|(name, _)| name.as_str()))?;
+        let lights = named(lights, files.iter().map(|(name, _)| name.as_str()))?;
         Self::of(maps, lights, spacing)
     }
 
