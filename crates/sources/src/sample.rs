@@ -19,6 +19,11 @@ const OTHERS: usize = 600;
 /// The least weight of a normal, of the mean of all. Normals that mirror a lamp stand for little of
 /// the picture, but are where it is worst.
 const LEAST: f64 = 0.1;
+/// How often the pictures of the middle one of the materials count. A few sources mend least in
+/// those of a smoother material, and those of a rougher one need them least.
+const MIDDLE: f32 = 3.0;
+/// A smaller error of a picture is taken for rounding.
+const ROUNDING: f32 = 1e-6;
 
 /// The pictures to fit: a part for each view, material and size, with their rows one after another.
 pub struct Sample<'a> {
@@ -67,15 +72,16 @@ impl<'a> Sample<'a> {
                     for (c, to) in sample.lack.iter_mut().enumerate() {
                         to.extend(chosen.iter().map(|&k| lack(c, k)));
                     }
-                    // Pictures count by the share of their error that is left. Large errors of a
-                    // pixel count more.
+                    // Squares count in relation to the error that the picture has without sources,
+                    // and large errors of a pixel more: otherwise the sharpest material decides.
+                    let count = if m == materials.len() / 2 { MIDDLE } else { 1.0 };
                     let share = |k: usize| {
                         let of_mean = sphere.weights[k] * sphere.normals.len() as f64;
-                        (of_mean + LEAST) as f32
+                        count * (of_mean + LEAST) as f32
                     };
-                    let rms = rms.max(f32::MIN_POSITIVE);
-                    let weights = chosen.iter().map(|&k| share(k) * (rms + most(k)) / rms);
-                    sample.weights.extend(weights);
+                    let rms = rms.max(ROUNDING);
+                    let weight = |&k: &usize| share(k) * (rms + most(k)) / (rms * rms);
+                    sample.weights.extend(chosen.iter().map(weight));
                     let rows = parallel::map(chosen.len(), &(), |row| {
                         material.responses[size].at(sphere.normals[chosen[row]])
                     });

@@ -8,6 +8,7 @@ use eigenshade_generator::material::published_fits;
 use eigenshade_index::effect::Effects;
 use eigenshade_model::database::{Lights, Materials};
 use eigenshade_model::error::{Error, Result};
+use eigenshade_model::inputs::input_file::InputFile;
 use eigenshade_model::inputs::sheet::Sheet;
 use eigenshade_shading::{parallel, shipped};
 use eigenshade_table::reduce::{cut, with_components};
@@ -131,11 +132,16 @@ const MEASURED: [&str; 7] = [
     "purple-paint",
 ];
 
+/// All measured materials that are shipped as parameters of a model.
+pub fn published() -> Result<Vec<Surface>> {
+    let text = include_str!("../../../tables/inputs/merl-abc.csv");
+    let file = InputFile::of_text(text, "tables/inputs/merl-abc.csv");
+    Ok(published_fits::of_sheet(&Sheet::read(file, "name,kd_r,..")?)?.unwrap_or_default())
+}
+
 /// The measured materials, in color.
 fn measured() -> Result<Vec<Surface>> {
-    let text = include_bytes!("../../../tables/inputs/merl-abc.csv");
-    let sheet = Sheet::parse(text.to_vec(), "tables/inputs/merl-abc.csv".as_ref(), "name,kd_r,..")?;
-    let mut surfaces = published_fits::of_sheet(&sheet)?.unwrap_or_default();
+    let mut surfaces = published()?;
     let kind = |surface: &Surface| MEASURED.iter().position(|name| *name == surface.name);
     surfaces.retain(|surface| kind(surface).is_some());
     surfaces.sort_by_key(kind);

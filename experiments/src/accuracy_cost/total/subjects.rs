@@ -1,11 +1,10 @@
 //! The materials of the total error: no table is made of any of them.
 
+use crate::accuracy_cost::scope::published;
 use crate::material_errors::windowed;
 use eigenshade_generator::material::brdf::{Ggx, Measure, OrenNayar, Surface};
-use eigenshade_generator::material::published_fits;
 use eigenshade_model::database::{Materials, Named};
 use eigenshade_model::error::Result;
-use eigenshade_model::inputs::sheet::Sheet;
 use eigenshade_model::source::Gloss;
 use eigenshade_shading::highlights;
 use eigenshade_shading::{parallel, shipped};
@@ -118,10 +117,8 @@ pub fn all() -> Result<Vec<Subject>> {
         let surface = Surface::gray(format!("oren-nayar-{sigma}"), brdf);
         subjects.push(Subject { kind: Kind::Matte, surface, gltf: None, gloss: None });
     }
-    let text = include_bytes!("../../../../tables/inputs/merl-abc.csv");
-    let sheet = Sheet::parse(text.to_vec(), "tables/inputs/merl-abc.csv".as_ref(), "name,kd_r,..")?;
     let unseen = shipped::unseen_materials()?.entries;
-    let mut measured = published_fits::of_sheet(&sheet)?.unwrap_or_default();
+    let mut measured = published()?;
     measured.retain(|surface| unseen.iter().any(|one| one.name == surface.name));
     let glosses = shipped::glosses()?;
     for surface in measured {
