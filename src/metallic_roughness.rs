@@ -20,9 +20,6 @@ use crate::quantized::{self, MaterialBuffer, mantissas};
 
 include!(concat!(env!("OUT_DIR"), "/metallic_roughness.rs"));
 
-/// The reflectance of dielectrics at normal incidence.
-const DIELECTRIC: f32 = Gloss::DIELECTRIC;
-
 /// The least roughness of the series.
 const LEAST: f32 = 0.2;
 
@@ -237,7 +234,7 @@ impl<const N: usize, const K: usize> Series<N, K> {
 fn shares(color: [f32; 3], metallic: f32) -> Result<Rgb<[f32; 3]>, Error> {
     Error::check_range(of_color(color, metallic), [0.0, 1.0])?;
     Ok(Rgb::from(color).map(|base| {
-        let f0 = DIELECTRIC + (base - DIELECTRIC) * metallic;
+        let f0 = Gloss::DIELECTRIC + (base - Gloss::DIELECTRIC) * metallic;
         [base * (1.0 - metallic) * (1.0 - f0), 1.0, f0]
     }))
 }
@@ -250,7 +247,7 @@ impl<const N: usize, const O: usize, const K: usize> IntegerSeries<N, O, K> {
         roughness: Q15,
     ) -> Result<Rgb<MaterialBuffer<Q15, N, O>>, Error> {
         const ONE: i32 = 1 << 15;
-        const OF_DIELECTRIC: i32 = (DIELECTRIC * ONE as f32 + 0.5) as i32;
+        const OF_DIELECTRIC: i32 = (Gloss::DIELECTRIC * ONE as f32 + 0.5) as i32;
         const OF_LEAST: i32 = (LEAST * ONE as f32 + 0.5) as i32;
         let range = [Q15(0), Q15(i16::MAX)];
         Error::check_range(of_color(color, metallic), range)?;

@@ -48,7 +48,7 @@ impl<'a> Shader<'a> {
     }
 
     /// The shader that adds the [`Highlights`] of up to `sources` small sources, 0 to
-    /// [`MAX_SOURCES`].
+    /// [`MAX_SOURCES`], 32.
     ///
     /// The sources add a loop to the text, which depends on their number alone. A new or turned source
     /// and a new gloss are an upload of [`highlight_uniforms`](Self::highlight_uniforms). Cost: four

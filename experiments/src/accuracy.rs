@@ -94,8 +94,8 @@ impl<'a> Reference<'a> {
         Self { surface, sphere, pictures, peaks }
     }
 
-    /// With the surface's pictures under each map. Normals without weight count for peaks and worst
-    /// pixels only.
+    /// The reference made of the surface's pictures, one for each map. Normals without weight count
+    /// for peaks and worst pixels only.
     pub fn of_pictures(surface: &'a Surface, sphere: &Sphere, pictures: Vec<Picture>) -> Self {
         let peaks = pictures.iter().map(sphere::peak).collect();
         Self { surface, sphere: sphere.clone(), pictures, peaks }

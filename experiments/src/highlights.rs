@@ -15,7 +15,7 @@ use eigenshade_model::rotation::Rotation;
 use eigenshade_model::source::{NamedGloss, SetError, SourceSets};
 use eigenshade_shading::shipped;
 use eigenshade_sources::gloss;
-use eigenshade_sources::pursuit::{self, ROUGHNESS};
+use eigenshade_sources::pursuit::{self, FITTED};
 use eigenshade_sources::remaining::{self, off, picture};
 use eigenshade_sources::response::{Glossy, Response};
 use eigenshade_sources::sphere::{Picture, Sphere};
@@ -92,7 +92,7 @@ fn synthetic() -> Vec<(&'static str, EnvironmentMap)> {
 pub fn errors(inputs: &Path, names: &[String], progress: &ProgressBar) -> Result<Vec<Row>> {
     let sources = read_sources(inputs.join("sources.csv"))?;
     let sizes = SIZES.map(|(size, _)| size);
-    let materials = ROUGHNESS.iter().map(|&roughness| Glossy::new([roughness, 1.0, 0.0], &sizes));
+    let materials = FITTED.iter().map(|&roughness| Glossy::new([roughness, 1.0, 0.0], &sizes));
     let materials = materials.collect::<Result<Vec<_>>>()?;
     let is_chosen = |name: &str| names.is_empty() || names.iter().any(|one| one == name);
     let mut lights = Vec::new();
@@ -104,7 +104,7 @@ pub fn errors(inputs: &Path, names: &[String], progress: &ProgressBar) -> Result
     }
     for (name, map) in synthetic() {
         if is_chosen(name) {
-            let sets = pursuit::find(&map, &pursuit::metals(&ROUGHNESS)?, LARGEST_SET)?;
+            let sets = pursuit::find(&map, &pursuit::metals(&FITTED)?, LARGEST_SET)?;
             lights.push((map, SourceSets { name: name.into(), sets }, name.into()));
         }
     }
@@ -211,7 +211,7 @@ pub fn parts(rows: &[Row]) -> Vec<Part> {
     });
     let by_light = table(&format!("light | {titles}"), lines);
     let mut lines = Vec::new();
-    for roughness in ROUGHNESS {
+    for roughness in FITTED {
         for (is_turned, name) in [(false, "as fitted"), (true, "turned")] {
             let cells = settings.map(|(size, sources)| {
                 let of = |k: usize| -> Vec<f64> {

@@ -2,10 +2,9 @@
 //! at a degree and an order against direct integration under environment maps.
 
 use crate::accuracy::Reference;
+use crate::accuracy_cost::scope::windowed;
 use crate::accuracy_cost::total::references::World;
 use crate::numbers::median;
-use eigenshade::Window;
-use eigenshade::mathematics::Libm;
 use eigenshade_generator::material::brdf::{Brdf, Geometry, Measure, Surface};
 use eigenshade_generator::material::files::{Source, read};
 use eigenshade_index::material;
@@ -17,8 +16,6 @@ use eigenshade_shading::shipped::ERROR_SIZES;
 use indicatif::ProgressBar;
 use std::path::Path;
 
-/// The window of the shipped coefficients in color, `material --window`.
-const WINDOW: Window<f64> = Window::SincFourth { width: 40.0 };
 /// The material that was measured and is not in color.
 const MEASURED: &str = "ptfe-633nm";
 /// Distance of the evenly spaced normals of the sphere in radians: 1,000, and 800 that mirror the
@@ -128,16 +125,6 @@ fn sized(surface: &Surface, shipped: &Named, order: usize) -> Named {
         return padded;
     }
     windowed(surface.project(order, Measure::Projected).material)
-}
-
-/// Coefficients with the window of the shipped ones in color.
-pub fn windowed(mut material: Named) -> Named {
-    for channel in &mut material.rgb {
-        for (b, (o, ..)) in channel.iter_mut().zip(material::indices(usize::MAX)) {
-            *b *= WINDOW.factor::<Libm>(o);
-        }
-    }
-    material
 }
 
 /// A BRDF that is a sum of modes.

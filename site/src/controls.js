@@ -1,4 +1,4 @@
-// The state to the page's controls.
+// Shows the state in the page's controls.
 
 import { EFFECTS } from "../eigenshade/src/index.js";
 import { BOARDS } from "./boards.js";

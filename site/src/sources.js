@@ -6,7 +6,10 @@ import { percent } from "./plot.js";
 
 export const counted = (/** @type {number} */ count, /** @type {string} */ noun) => `${count} ${noun}${count === 1 ? "" : "s"}`;
 
-/** Lines of `eigenshade/errors.csv`: light, roughness, sources, rms, worst pixel; each light twice, turned. */
+/**
+ * Lines of `eigenshade/errors.csv`: light, roughness, sources, rms, worst pixel; each light twice,
+ * the second time turned.
+ */
 let errors = /** @type {string[][]} */ ([]);
 
 /** Fetches the errors. */
@@ -31,9 +34,11 @@ export function showSources(state, { light, material }, { sources: drawn, isGlos
       : roughness === undefined ? "this material has no gloss" : "this material is matte";
   find("sources-drawn").textContent =
     drawn ? `${counted(drawn, "source")} drawn.` : state.sources ? `None drawn: ${why}.` : "";
-  const nearest = [0.2, 0.3, 0.5].reduce((best, other) => (Math.abs(other - roughness) < Math.abs(best - roughness) ? other : best));
+  const away = (/** @type {string} */ rough) => Math.abs(Number(rough) - roughness);
+  const [nearest] = errors.map(([, rough]) => rough).sort((a, b) => away(a) - away(b));
   const found = isGlossy
-    ? errors.filter(([name, rough, count]) => name === state.light && Number(rough) === nearest && Number(count) === (drawn && state.sources))
+    ? errors.filter(([name, rough, count]) =>
+      name === state.light && rough === nearest && Number(count) === (drawn && state.sources))
     : [];
   for (const [id, column] of /** @type {[string, number][]} */ ([["degree-rms", 3], ["degree-worst", 4]])) {
     find(id).textContent = found.length ? percent(Math.max(...found.map((row) => Number(row[column])))) : "-";

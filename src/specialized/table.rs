@@ -164,7 +164,7 @@ macro_rules! table {
         });
     };
     (@project |$light:ident, $material:ident| $project:block) => {
-        /// d = UᵀMc: see [`eigenshade::Basis::project`].
+        /// d = UᵀMc: see `project` of [`BASIS`].
         ///
         /// # Errors
         ///
@@ -185,7 +185,7 @@ macro_rules! table {
         }
     };
     (@relight |$transfer:ident, $light:ident, $coefficients:ident| $relight:block) => {
-        /// A new light on a transferred material: see [`eigenshade::Basis::relight`].
+        /// A new light on a transferred material: see `relight` of [`BASIS`].
         ///
         /// # Errors
         ///
@@ -238,7 +238,7 @@ macro_rules! table {
         });
     };
     (@collapse |$coefficients:ident, $scene:ident| $collapse:block) => {
-        /// Sums the components of each azimuth: see [`eigenshade::Basis::collapse`].
+        /// Sums the components of each azimuth: see `collapse` of [`BASIS`].
         ///
         /// # Errors
         ///

@@ -11,7 +11,7 @@ void check(int holds, const char *format, const char *what, uint32_t number);
 void check_status(eigenshade_status found, eigenshade_status expected, const char *format,
                   const char *what);
 
-/* One that a call in the format `name` has this status. */
+/* Checks the status of a call; `name` in scope is the format. */
 #define EXPECTED(expected, call)                                                              \
   check_status(call, EIGENSHADE_STATUS_##expected, name, #call " is not " #expected)
 

@@ -1,13 +1,14 @@
-//! Hard cases of scenes: no variance at all, objects of few normals, black lights and materials, and coefficients out of
-//! range. `experiments stability` measures more of them, and the runtime's properties cover any
-//! degree and order.
+//! Hard cases of scenes: images without variance, objects of few normals, black lights and
+//! materials, and coefficients out of range. `experiments stability` measures more of them, and the
+//! runtime's properties cover any degree and order.
 
 use crate::support::{
     Folder, PAIR, SHADED, assert_fails, difference, lights, materials, numbers, rows, scene,
 };
 use crate::tolerances;
 
-/// A constant image is the constant, and if all images are one, the mean is all there is.
+/// If images do not vary, image-centered tables have the constant alone, and standard tables no
+/// component.
 #[test]
 fn no_variance_gives_no_components() {
     let folder = Folder::new();

@@ -106,6 +106,7 @@ fn some_effects_are_the_direct_sum_over_their_modes() {
                 ("some.bin", "--format f64".into(), tolerances::ALL_COMPONENTS),
                 ("some.bin", "--format f64 --method eigen".into(), tolerances::ALL_COMPONENTS),
                 ("some.bin", "--format f32".into(), tolerances::ALL_COMPONENTS_F32),
+                ("some.bin", "--format f32 --method eigen".into(), tolerances::ALL_COMPONENTS_F32),
                 ("all.bin", format!("--format f64 {options}"), tolerances::ALL_COMPONENTS),
                 ("all.bin", format!("--format f32 {options}"), tolerances::ALL_COMPONENTS_F32),
             ] {

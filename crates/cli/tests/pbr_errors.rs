@@ -1,5 +1,5 @@
 //! The recorded errors of the table of formulas in the manifest, in tables/README.md, and refused
-//! beside another table. The tests of the experiments find them again.
+//! beside another table. The tests of the experiments find those of three materials again.
 
 use crate::support::{Folder, assert_fails, repository, rows};
 use std::fs;

@@ -189,8 +189,10 @@ fn comes_back(folder: &Folder, normals: &str) -> Answer {
 
 #[test]
 fn an_object_comes_back() {
+    let colored = lights(DEGREE, 1);
+    // A sphere's table, with the pixels of another object.
+    comes_back(&with_object("standard", "sphere", "any", &colored), "object.csv");
     for criterion in ["image-centered", "standard"] {
-        let colored = lights(DEGREE, 1);
         let folder = with_object(criterion, "object.csv", "any", &colored);
         let answer = comes_back(&folder, "object.csv");
         // Its pixels are its normals, so that the paper's scalar product is exact.

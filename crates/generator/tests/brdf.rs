@@ -53,12 +53,12 @@ fn at(brdf: &dyn Brdf, theta_i: f64, theta_r: f64, delta_phi: f64) -> f64 {
 
 /// The oracle at (θ_i, θ_r, Δφ).
 fn ggx_by_vectors(roughness: f64, f0: f64, albedo: f64, angles: [f64; 3]) -> f64 {
-    let [i, r] = vectors(angles);
+    let [i, r] = directions(angles);
     oracle::ggx(roughness, f0, albedo, i, r)
 }
 
 /// Unit vectors to the light and to the viewer at (θ_i, θ_r, Δφ).
-fn vectors([theta_i, theta_r, delta_phi]: [f64; 3]) -> [[f64; 3]; 2] {
+fn directions([theta_i, theta_r, delta_phi]: [f64; 3]) -> [[f64; 3]; 2] {
     [vectors::at(theta_i, delta_phi), vectors::at(theta_r, 0.0)]
 }
 
@@ -108,7 +108,7 @@ fn abc([matte, a, b, c, index]: [f64; 5]) -> Abc {
 /// The formula as its authors print it, with vectors, and with Fresnel's two polarizations by
 /// Snell's law.
 fn abc_by_vectors([matte, a, b, c, index]: [f64; 5], angles: [f64; 3]) -> f64 {
-    let [i, r] = vectors(angles);
+    let [i, r] = directions(angles);
     let [up, d] = half_way([i, r]);
     let inside = (d.min(1.0).acos().sin() / index).asin().cos();
     let (s, p) =
@@ -183,7 +183,7 @@ fn sgd(fit: [f64; 11]) -> Result<Sgd, eigenshade_model::error::Error> {
 /// The formula as its authors print it, with vectors.
 fn sgd_by_vectors(fit: [f64; 11], angles: [f64; 3]) -> f64 {
     let [rho_d, rho_s, alpha, p, f0, f1, kappa, lambda, c, k, theta_0] = fit;
-    let ([i, r], [theta_i, theta_r, _]) = (vectors(angles), angles);
+    let ([i, r], [theta_i, theta_r, _]) = (directions(angles), angles);
     let [x, d] = half_way([i, r]);
     let fresnel = f0 - f1 * d + (1.0 - f0) * (1.0 - d).powi(5);
     let u = alpha + (1.0 - x * x) / (x * x * alpha);

@@ -31,7 +31,7 @@ pub const SIZES: [(usize, usize); 2] = [(9, 7), (12, 12)];
 const SMALL: usize = 4;
 
 /// The roughness of the metals that sources are fitted to.
-pub const ROUGHNESS: [f64; 3] = [0.2, 0.3, 0.5];
+pub const FITTED: [f64; 3] = [0.2, 0.3, 0.5];
 
 /// Rotations of the light: none, and views of other sides. The last is not fitted to.
 const ROTATIONS: [[f64; 3]; 4] = [[0.0; 3], [0.4, 1.1, 2.0], [-1.0, 2.2, 0.7], [2.5, 1.7, -1.4]];
@@ -122,13 +122,14 @@ pub fn metals(roughness: &[f64]) -> Result<Vec<Glossy>> {
     roughness.iter().map(|&roughness| Glossy::new([roughness, 1.0, 0.0], &SIZES)).collect()
 }
 
-/// The weighted sum of squares that sources leave.
+/// The sum of squares that sources leave. Here each counts by its share of the picture alone: sets
+/// for two degrees may mend the one, whose errors are larger, at the cost of the other.
 fn left(sample: &Sample<'_>, sources: &[Source]) -> Result<f64> {
     let mut lack = sample.lack.clone();
     for (source, addition) in sources.iter().zip(sample.additions(sources)?) {
         subtract(&mut lack, &addition, source.energy);
     }
-    let of = |channel: &Vec<f32>| inner(&sample.weights, channel, channel);
+    let of = |channel: &Vec<f32>| inner(&sample.areas, channel, channel);
     Ok(lack.iter().map(of).sum())
 }
 

@@ -18,11 +18,11 @@ const WORST: usize = 250;
 const OTHERS: usize = 600;
 /// The least weight of a normal, of the mean of all. Normals that mirror a lamp stand for little of
 /// the picture, but are where it is worst.
-const LEAST: f64 = 0.1;
-/// How often the pictures of the middle one of the materials count. A few sources mend least in
+const LEAST: f32 = 0.1;
+/// How often the pictures of the material of median roughness count. A few sources mend least in
 /// those of a smoother material, and those of a rougher one need them least.
 const MIDDLE: f32 = 3.0;
-/// A smaller error of a picture is taken for rounding.
+/// An error of a picture below this, of the peak, is rounding.
 const ROUNDING: f32 = 1e-6;
 
 /// The pictures to fit: a part for each view, material and size, with their rows one after another.
@@ -32,8 +32,10 @@ pub struct Sample<'a> {
     parts: Vec<Part>,
     /// Reference less truncated picture, relative to the peak, by channel.
     pub lack: [Vec<f32>; 3],
-    /// The weight of each row in the sum of squares.
+    /// The weight of each row in the sum of squares that is fitted.
     pub weights: Vec<f32>,
+    /// The share of the picture that each row stands for, of the mean of all.
+    pub areas: Vec<f32>,
 }
 
 struct Part {
@@ -56,7 +58,12 @@ impl<'a> Sample<'a> {
             parts: Vec::new(),
             lack: [const { Vec::new() }; 3],
             weights: Vec::new(),
+            areas: Vec::new(),
         };
+        let mut by_roughness: Vec<usize> = (0..materials.len()).collect();
+        let roughness = |m: usize| materials[m].gloss.roughness;
+        by_roughness.sort_by(|&a, &b| roughness(a).total_cmp(&roughness(b)));
+        let middle = by_roughness.get(materials.len() / 2).copied().unwrap_or(0);
         for (v, view) in views.iter().enumerate() {
             let sphere = view.sphere(spacing);
             for (m, material) in materials.iter().enumerate() {
@@ -74,14 +81,14 @@ impl<'a> Sample<'a> {
                     }
                     // Squares count in relation to the error that the picture has without sources,
                     // and large errors of a pixel more: otherwise the sharpest material decides.
-                    let count = if m == materials.len() / 2 { MIDDLE } else { 1.0 };
-                    let share = |k: usize| {
-                        let of_mean = sphere.weights[k] * sphere.normals.len() as f64;
-                        count * (of_mean + LEAST) as f32
-                    };
+                    let times = if m == middle { MIDDLE } else { 1.0 };
                     let rms = rms.max(ROUNDING);
-                    let weight = |&k: &usize| share(k) * (rms + most(k)) / (rms * rms);
-                    sample.weights.extend(chosen.iter().map(weight));
+                    for &k in &chosen {
+                        let area = (sphere.weights[k] * sphere.normals.len() as f64) as f32;
+                        let large = (rms + most(k)) / rms;
+                        sample.weights.push(times * (area + LEAST) * large / rms);
+                        sample.areas.push(area);
+                    }
                     let rows = parallel::map(chosen.len(), &(), |row| {
                         material.responses[size].at(sphere.normals[chosen[row]])
                     });

@@ -2,11 +2,14 @@
 //! bases of the settings, each computed once.
 
 use super::settings::Recipe;
+use eigenshade::Window;
+use eigenshade::mathematics::Libm;
 use eigenshade_generator::basis;
 use eigenshade_generator::material::brdf::{Ggx, Lambertian, Measure, OrenNayar, Surface};
 use eigenshade_generator::material::published_fits;
 use eigenshade_index::effect::Effects;
-use eigenshade_model::database::{Lights, Materials};
+use eigenshade_index::material;
+use eigenshade_model::database::{Lights, Materials, Named};
 use eigenshade_model::error::{Error, Result};
 use eigenshade_model::inputs::input_file::InputFile;
 use eigenshade_model::inputs::sheet::Sheet;
@@ -131,6 +134,19 @@ const MEASURED: [&str; 7] = [
     "fruitwood-241",
     "purple-paint",
 ];
+
+/// The window of the shipped coefficients in color, `material --window`.
+const WINDOW: Window<f64> = Window::SincFourth { width: 40.0 };
+
+/// Coefficients with the window of the shipped ones in color.
+pub fn windowed(mut material: Named) -> Named {
+    for channel in &mut material.rgb {
+        for (b, (o, ..)) in channel.iter_mut().zip(material::indices(usize::MAX)) {
+            *b *= WINDOW.factor::<Libm>(o);
+        }
+    }
+    material
+}
 
 /// All measured materials that are shipped as parameters of a model.
 pub fn published() -> Result<Vec<Surface>> {

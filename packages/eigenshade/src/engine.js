@@ -93,8 +93,8 @@ export function materialCount(order) {
 /**
  * What a scene asks of the module.
  *
- * @typedef {object} Request
- * @property {Float32Array} light without its sources
+ * @typedef {object} SceneRequest
+ * @property {Float32Array} light the light, without the sources that are drawn
  * @property {Float32Array} sources
  * @property {Float32Array} turn
  * @property {Float32Array} material
@@ -167,16 +167,21 @@ export class Engine {
     this.shader = (/** @type {number} */ language) =>
       new TextDecoder().decode(view("color_text", Uint8Array, step("shader")(language)));
     /** What the module holds now: a scene's inputs, so that nothing is computed twice. */
-    this.held = { material: /** @type {unknown} */ (undefined), scene: /** @type {unknown} */ (undefined) };
+    this.held = {
+      material: /** @type {unknown} */ (undefined),
+      scene: /** @type {unknown} */ (undefined),
+    };
   }
 
   /**
    * Computes a scene.
    *
-   * @param {Request} request
+   * @param {SceneRequest} request
    * @returns {Truncation | undefined} what is left out, with a tolerance
    */
-  compute({ light, sources, turn, material, gloss, effects, transfer, components = this.components, tolerance }) {
+  compute({
+    light, sources, turn, material, gloss, effects, transfer, components = this.components, tolerance,
+  }) {
     if (this.held.material !== transfer) {
       this.held.material = undefined;
       this.material.set(material);
@@ -187,13 +192,15 @@ export class Engine {
     this.turn.set(turn);
     this.sources?.set(sources);
     if (gloss) this.gloss?.set(gloss);
-    if (this.highlights?.(sources.length / 10) === 0) throw new Error("sources: the module rejected them");
+    if (this.highlights?.(sources.length / 10) === 0) {
+      throw new Error("sources: the module rejected them");
+    }
     if (!this.relight()) throw new RangeError("relight: its numbers are too large for f32");
     for (let from = components; from < this.d.length; from += this.components) {
       this.d.fill(0, from, from + this.components - components);
     }
     if (tolerance === undefined) {
-      this.collapse();
+      if (!this.collapse()) throw new RangeError("collapse: its numbers are too large for f32");
       return undefined;
     }
     if (!this.truncate(tolerance)) throw new Error("within: the module rejected it");
@@ -211,7 +218,8 @@ export class Engine {
     if (dielectric === undefined) return undefined;
     const color = [red, green, blue];
     const reflectance = color.map((base) => dielectric * (1 - metallic) + base * metallic);
-    return Float32Array.of(roughness, ...reflectance, 1, 1, 1, ...color.map((base) => base * (1 - metallic)));
+    const albedo = color.map((base) => base * (1 - metallic));
+    return Float32Array.of(roughness, ...reflectance, 1, 1, 1, ...albedo);
   }
 
   /**
@@ -228,11 +236,14 @@ export class Engine {
     }
     const most = this.sources.length / 10;
     if (!Number.isInteger(count) || count > most) {
-      throw new RangeError(`light: it has ${count} sources, expected up to ${most} of ten numbers each`);
+      const expected = `expected up to ${most} of ten numbers each`;
+      throw new RangeError(`light: it has ${count} sources, ${expected}`);
     }
     this.light.set(light);
     this.sources.set(sources);
-    if (!this.residual(count)) throw new RangeError("light: its sources are not as Channels describes them");
+    if (!this.residual(count)) {
+      throw new RangeError("light: its sources are not as Channels describes them");
+    }
     return this.light.slice();
   }
 
@@ -258,9 +269,12 @@ export class Engine {
     for (let start = 0; start < length; start += most) {
       const count = Math.min(most, length - start);
       normals.forEach((axis, which) => {
-        const part = ArrayBuffer.isView(axis) ? /** @type {Float32Array} */ (axis).subarray(start, start + count) : axis;
-        if (part !== axis) axes.set(part, which * most);
-        else for (let k = 0; k < count; k++) axes[which * most + k] = axis[start + k];
+        if (ArrayBuffer.isView(axis)) {
+          const part = /** @type {Float32Array} */ (axis).subarray(start, start + count);
+          axes.set(part, which * most);
+        } else {
+          for (let k = 0; k < count; k++) axes[which * most + k] = axis[start + k];
+        }
       });
       if (this.shade(count) !== count) throw new Error(`${what}: the module rejected the normals`);
       done(start, count);

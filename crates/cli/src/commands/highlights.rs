@@ -14,7 +14,7 @@ use eigenshade_shading::highlights;
 use eigenshade_shading::shader::fault;
 use eigenshade_table::Table;
 
-/// What `Highlights` are made of: small sources, and the gloss that reflects them.
+/// The inputs of `Highlights`: small sources, and the gloss that reflects them.
 pub struct HighlightInputs {
     gloss: Gloss,
     sources: Vec<Source>,

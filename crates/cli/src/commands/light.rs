@@ -19,7 +19,7 @@ use eigenshade_model::inputs::input_file::InputFile;
 use eigenshade_model::inputs::set_error_csv::write_set_errors;
 use eigenshade_model::inputs::source_csv::write_sources;
 use eigenshade_model::source::{SetError, Source, SourceSets};
-use eigenshade_sources::pursuit::{self, ROUGHNESS};
+use eigenshade_sources::pursuit::{self, FITTED};
 use eigenshade_sources::remaining;
 use std::path::{Path, PathBuf};
 
@@ -71,7 +71,7 @@ pub struct Light {
     sources: Option<usize>,
     /// Roughness of the materials that sources are found for, 0.1 to 1
     #[arg(long = "for", value_name = "R,R", value_delimiter = ',', value_parser = roughness,
-        requires = "sources", default_values_t = ROUGHNESS)]
+        requires = "sources", default_values_t = FITTED)]
     roughness: Vec<f64>,
     #[command(flatten)]
     out: Destination,

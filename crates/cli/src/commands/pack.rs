@@ -37,7 +37,7 @@ pub struct Pack {
 /// Parses the name of a format.
 fn formats() -> impl TypedValueParser<Value = Format> {
     let named = |name: String| Format::ALL.into_iter().find(|format| format.name() == name);
-    PossibleValuesParser::new(["f32", "q15", "q31"])
+    PossibleValuesParser::new(Format::ALL.map(Format::name))
         .try_map(move |name| named(name).ok_or("no format"))
 }
 

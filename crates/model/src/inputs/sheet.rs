@@ -38,7 +38,7 @@ impl Sheet {
     pub fn read(file: impl Into<InputFile>, columns: &str) -> Result<Self> {
         let file = file.into();
         let text = file.bytes()?;
-        // Without a text that was given.
+        // Drops a text that was given: the rows hold it.
         let file = file.other(file.path());
         // An upper bound, because a comma may be part of a field.
         let count = |wanted: &[u8]| text.iter().filter(|byte| wanted.contains(byte)).count();

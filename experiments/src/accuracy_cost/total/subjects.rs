@@ -1,7 +1,6 @@
 //! The materials of the total error: no table is made of any of them.
 
-use crate::accuracy_cost::scope::published;
-use crate::material_errors::windowed;
+use crate::accuracy_cost::scope::{published, windowed};
 use eigenshade_generator::material::brdf::{Ggx, Measure, OrenNayar, Surface};
 use eigenshade_model::database::{Materials, Named};
 use eigenshade_model::error::Result;
