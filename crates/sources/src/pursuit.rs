@@ -122,14 +122,13 @@ pub fn metals(roughness: &[f64]) -> Result<Vec<Glossy>> {
     roughness.iter().map(|&roughness| Glossy::new([roughness, 1.0, 0.0], &SIZES)).collect()
 }
 
-/// The sum of squares that sources leave. Here each counts by its share of the picture alone: sets
-/// for two degrees may mend the one, whose errors are larger, at the cost of the other.
+/// The weighted sum of squares that sources leave.
 fn left(sample: &Sample<'_>, sources: &[Source]) -> Result<f64> {
     let mut lack = sample.lack.clone();
     for (source, addition) in sources.iter().zip(sample.additions(sources)?) {
         subtract(&mut lack, &addition, source.energy);
     }
-    let of = |channel: &Vec<f32>| inner(&sample.areas, channel, channel);
+    let of = |channel: &Vec<f32>| inner(&sample.weights, channel, channel);
     Ok(lack.iter().map(of).sum())
 }
 

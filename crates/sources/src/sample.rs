@@ -18,12 +18,7 @@ const WORST: usize = 250;
 const OTHERS: usize = 600;
 /// The least weight of a normal, of the mean of all. Normals that mirror a lamp stand for little of
 /// the picture, but are where it is worst.
-const LEAST: f32 = 0.1;
-/// How often the pictures of the material of median roughness count. A few sources mend least in
-/// those of a smoother material, and those of a rougher one need them least.
-const MIDDLE: f32 = 3.0;
-/// An error of a picture below this, of the peak, is rounding.
-const ROUNDING: f32 = 1e-6;
+const LEAST: f64 = 0.1;
 
 /// The pictures to fit: a part for each view, material and size, with their rows one after another.
 pub struct Sample<'a> {
@@ -32,10 +27,8 @@ pub struct Sample<'a> {
     parts: Vec<Part>,
     /// Reference less truncated picture, relative to the peak, by channel.
     pub lack: [Vec<f32>; 3],
-    /// The weight of each row in the sum of squares that is fitted.
+    /// The weight of each row in the sum of squares.
     pub weights: Vec<f32>,
-    /// The share of the picture that each row stands for, of the mean of all.
-    pub areas: Vec<f32>,
 }
 
 struct Part {
@@ -58,12 +51,7 @@ impl<'a> Sample<'a> {
             parts: Vec::new(),
             lack: [const { Vec::new() }; 3],
             weights: Vec::new(),
-            areas: Vec::new(),
         };
-        let mut by_roughness: Vec<usize> = (0..materials.len()).collect();
-        let roughness = |m: usize| materials[m].gloss.roughness;
-        by_roughness.sort_by(|&a, &b| roughness(a).total_cmp(&roughness(b)));
-        let middle = by_roughness.get(materials.len() / 2).copied().unwrap_or(0);
         for (v, view) in views.iter().enumerate() {
             let sphere = view.sphere(spacing);
             for (m, material) in materials.iter().enumerate() {
@@ -79,16 +67,14 @@ impl<'a> Sample<'a> {
                     for (c, to) in sample.lack.iter_mut().enumerate() {
                         to.extend(chosen.iter().map(|&k| lack(c, k)));
                     }
-                    // Squares count in relation to the error that the picture has without sources,
-                    // and large errors of a pixel more: otherwise the sharpest material decides.
-                    let times = if m == middle { MIDDLE } else { 1.0 };
-                    let rms = rms.max(ROUNDING);
-                    for &k in &chosen {
-                        let area = (sphere.weights[k] * sphere.normals.len() as f64) as f32;
-                        let large = (rms + most(k)) / rms;
-                        sample.weights.push(times * (area + LEAST) * large / rms);
-                        sample.areas.push(area);
-                    }
+                    // Large errors of a pixel count more.
+                    let share = |k: usize| {
+                        let of_mean = sphere.weights[k] * sphere.normals.len() as f64;
+                        (of_mean + LEAST) as f32
+                    };
+                    let rms = rms.max(f32::MIN_POSITIVE);
+                    let weights = chosen.iter().map(|&k| share(k) * (rms + most(k)) / rms);
+                    sample.weights.extend(weights);
                     let rows = parallel::map(chosen.len(), &(), |row| {
                         material.responses[size].at(sphere.normals[chosen[row]])
                     });
