@@ -64,7 +64,8 @@ fn integers<Q: Mantissa>(bytes: &[u8], command: &str) -> Result<String, Fault> {
     Ok(source::integers::module(&read_integers::<Q>(bytes)?, command))
 }
 
-/// Writes the statics of the shipped table in this format to `sphere_FORMAT.rs` in the output folder.
+/// Writes the statics of the shipped table in this format to `sphere_FORMAT.rs` in the output
+/// folder.
 fn bake(
     format: &str,
     module: impl FnOnce(&[u8], &str) -> Result<String, Fault>,

@@ -2,10 +2,11 @@
 
 use crate::color::Rgb;
 
-/// A pixel of 5, 6 and 5 bits that `above` covers by `coverage` / 255, with `below` in the rest of it.
+/// A pixel of 5, 6 and 5 bits that `above` covers by `coverage` / 255, with `below` in the rest of
+/// it.
 ///
-/// Coverage is rounded to 1/32. Channels are within 0.6 of a step of the mean of the encoded values.
-/// Costs two products for all three channels.
+/// Coverage is rounded to 1/32. Channels are within 0.6 of a step of the mean of the encoded
+/// values. Costs two products for all three channels.
 ///
 /// ```
 /// use eigenshade::blend565;

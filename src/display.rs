@@ -1,8 +1,8 @@
 //! From exposed irradiance to a pixel of a display: tone curve, sRGB encoding, 24 or 16 bits.
 //!
 //! A tone curve and the encoding are one increasing function of the exposed irradiance. A
-//! [`Display`] holds it as a table in three pieces, from 0 to 1/16, to 1 and to 16, of 128 intervals
-//! each, and interpolates. The table is computed when the program is compiled.
+//! [`Display`] holds it as a table in three pieces, from 0 to 1/16, to 1 and to 16, of 128
+//! intervals each, and interpolates. The table is computed when the program is compiled.
 
 use crate::color::Rgb;
 use crate::exposure::{Linear, POINT};
@@ -70,8 +70,8 @@ const fn srgb(x: f64) -> f64 {
 /// ```
 ///
 /// A color is exposed first: the irradiance times the exposure. Encoded values are within 0.6 of a
-/// step of 1/255 of the exact function, the half step of rounding included. An `f32` costs a product
-/// and a conversion more than a [`Linear`], which needs integers only.
+/// step of 1/255 of the exact function, the half step of rounding included. An `f32` costs a
+/// product and a conversion more than a [`Linear`], which needs integers only.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Display {
     /// The encoded values in units of 1/65,535, piece by piece.
@@ -148,7 +148,8 @@ impl Display {
     }
 }
 
-/// One of the levels 0 to `MOST`: rounds down after adding a threshold, in units of 2^-16 of a level.
+/// One of the levels 0 to `MOST`: rounds down after adding a threshold, in units of 2^-16 of a
+/// level.
 #[inline(always)]
 fn levels<const MOST: u32>(encoded: u16, threshold: u32) -> u16 {
     // At most 65,535 / 65,536 of a level above `MOST`.

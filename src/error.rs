@@ -104,8 +104,8 @@ pub enum Error {
         /// The degree of the light.
         found: usize,
     },
-    /// The direction of a light has no length or is not finite, or its angular radius is not above 0
-    /// and at most π.
+    /// The direction of a light has no length or is not finite, or its angular radius is not above
+    /// 0 and at most π.
     Direction,
     /// Coefficients of irradiance go beyond degree 2.
     Irradiance {
@@ -117,8 +117,8 @@ pub enum Error {
     /// A tolerance is not finite or not above zero.
     Tolerance,
     /// A source of light is not a small blob of positive energy: its direction is not a unit vector
-    /// to within 1e-3, a number is not finite, a channel of its energy is below 0, or its spreads do
-    /// not satisfy 0 <= minor <= major <= 0.5 rad.
+    /// to within 1e-3, a number is not finite, a channel of its energy is below 0, or its spreads
+    /// do not satisfy 0 <= minor <= major <= 0.5 rad.
     Source,
     /// The number of knots of a look-up is not 8 to 65,536.
     Knots {

@@ -6,7 +6,8 @@ use crate::error::{Argument, Error};
 /// Bits of a [`Linear`] after the binary point.
 pub(crate) const POINT: u32 = 16;
 
-/// An exposed irradiance in units of 2^-16: 65,536 is white under [`Tone::Linear`](crate::Tone::Linear).
+/// An exposed irradiance in units of 2^-16: 65,536 is white under
+/// [`Tone::Linear`](crate::Tone::Linear).
 ///
 /// It converts from `f32`: values below 0 and NaN become 0, large ones the largest number.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord)]

@@ -129,8 +129,8 @@ impl<S: Scalar> Gloss<S> {
         self.alpha
     }
 
-    /// Whether sources make pictures of this material nearer: its roughness is below [`MATTE`](Gloss::MATTE). Harmonics
-    /// of degree 9 show wider lobes without.
+    /// Whether sources make pictures of this material nearer: its roughness is below
+    /// [`MATTE`](Gloss::MATTE). Harmonics of degree 9 show wider lobes without.
     ///
     /// ```
     /// use eigenshade::Gloss;

@@ -35,14 +35,14 @@ const BLOCK: usize =
 ///
 /// by the formulas of [`Gloss`] with the half-way direction h of source and view. F is the same for
 /// all normals. The source's extent blurs the lobe: instead of α² I, D has the matrix
-/// A = α² I + κ J C Jᵀ in the plane tangent to h, where C is the blob's covariance in the plane tangent
-/// to s, and J = diag(1/2, 1/(2 cos θ_h)) is how far h moves along and across the plane of source and
-/// view. So D = 1 / (π √det A (nᵀ Q n)²), Q = h hᵀ + T A⁻¹ Tᵀ with the tangents T at h.
+/// A = α² I + κ J C Jᵀ in the plane tangent to h, where C is the blob's covariance in the plane
+/// tangent to s, and J = diag(1/2, 1/(2 cos θ_h)) is how far h moves along and across the plane of
+/// source and view. So D = 1 / (π √det A (nᵀ Q n)²), Q = h hᵀ + T A⁻¹ Tᵀ with the tangents T at h.
 ///
 /// A GGX lobe blurred by a normal distribution is not a GGX lobe. κ = 2 + α² / (α² + tr(J C Jᵀ)/2)
-/// leaves an error of the peak of at most 7.5 %, from points to sources that are much wider than the
-/// lobe. Of a source behind the object, A is at most 1 across the plane, and the lobe is divided by
-/// 1 + c²/2 with c = C_across / cos² θ_h.
+/// leaves an error of the peak of at most 7.5 %, from points to sources that are much wider than
+/// the lobe. Of a source behind the object, A is at most 1 across the plane, and the lobe is
+/// divided by 1 + c²/2 with c = C_across / cos² θ_h.
 ///
 /// ```
 /// # #[cfg(feature = "presets")] {
@@ -112,9 +112,10 @@ impl<S: Scalar, const N: usize> Highlights<S, N> {
     /// The irradiance of one normal by the sources alone, to be added to that of
     /// [`Scene::shade`](crate::Scene::shade).
     ///
-    /// In f32 it is within 1e-5 of the peak of the formula in exact arithmetic for a roughness of 0.1,
-    /// and within 3e-6 from 0.3 on. Cost: a root, and for each source that the normal faces a
-    /// division and 31 products, those of a second root among them: 60 instructions on a Cortex-M4F.
+    /// In f32 it is within 1e-5 of the peak of the formula in exact arithmetic for a roughness of
+    /// 0.1, and within 3e-6 from 0.3 on. Cost: a root, and for each source that the normal faces a
+    /// division and 31 products, those of a second root among them: 60 instructions on a
+    /// Cortex-M4F.
     #[inline]
     #[must_use]
     pub fn shade(&self, normal: Normal<S>) -> Rgb<S> {
@@ -122,8 +123,9 @@ impl<S: Scalar, const N: usize> Highlights<S, N> {
         Rgb::new(r, g, b)
     }
 
-    /// Adds the irradiance of each normal to `irradiance`, after `shade_slice` of a scene has written
-    /// that of the rest of the light. The sums are those of [`shade`](Self::shade) to the last bit.
+    /// Adds the irradiance of each normal to `irradiance`, after `shade_slice` of a scene has
+    /// written that of the rest of the light. The sums are those of [`shade`](Self::shade) to the
+    /// last bit.
     ///
     /// ```
     /// use eigenshade::mathematics::SinglePrecision;
@@ -177,8 +179,8 @@ impl<S: Scalar, const N: usize> Highlights<S, N> {
     }
 
     /// The constants as vectors of a shader: α² and 1 - α², then four of each source. These are the
-    /// first row of R and R_22; the direction and R_23; twice the specular color and R_33; the matte
-    /// color and 0. Doubled colors leave the root and the divisor without halves.
+    /// first row of R and R_22; the direction and R_23; twice the specular color and R_33; the
+    /// matte color and 0. Doubled colors leave the root and the divisor without halves.
     pub(crate) fn vectors(&self) -> impl Iterator<Item = [S; 4]> {
         let [square, rest] = self.masking.map(|half| half + half);
         let lobes = self.lobes.iter().flat_map(|lobe| {

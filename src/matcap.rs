@@ -6,8 +6,8 @@ use crate::normal::Normal;
 /// Iterates over the texels of a matcap of `size` x `size`, row by row from the top.
 ///
 /// The texel in column i and row j has the normal whose x is 2 (i + 1/2) / N - 1 and whose y is
-/// 1 - 2 (j + 1/2) / N: an engine looks up (n_x, n_y) / 2 + 1/2, with y up. Outside the disc a texel
-/// has the nearest normal of the rim, so that a bilinear look-up is right there too.
+/// 1 - 2 (j + 1/2) / N: an engine looks up (n_x, n_y) / 2 + 1/2, with y up. Outside the disc a
+/// texel has the nearest normal of the rim, so that a bilinear look-up is right there too.
 ///
 /// The image falls steeply just inside the rim, where z does, so bilinear look-ups are worst there.
 /// Against the scene, as fractions of the peak of the brightest channel, they are off by these rms

@@ -1,8 +1,8 @@
 //! Materials of glTF: base color, metallic and roughness.
 //!
-//! With f0 = 0.04 + (base color - 0.04) metallic and albedo = base color (1 - metallic), the BRDF of
-//! appendix B of the glTF 2.0 specification is linear in albedo (1 - f0), 1 and f0. Its coefficients
-//! are therefore
+//! With f0 = 0.04 + (base color - 0.04) metallic and albedo = base color (1 - metallic), the BRDF
+//! of appendix B of the glTF 2.0 specification is linear in albedo (1 - f0), 1 and f0. Its
+//! coefficients are therefore
 //!
 //! b = albedo (1 - f0) matte + rim(roughness) + f0 metal(roughness),
 //!
@@ -31,8 +31,8 @@ struct Series<const N: usize, const K: usize> {
 }
 
 /// A [`Series`] in integers, in which rim and metal are multiplied by roughness²: mantissas as
-/// fractions of 2^15, for each part and order an exponent, and for each polynomial the bits by which
-/// its mantissas are finer.
+/// fractions of 2^15, for each part and order an exponent, and for each polynomial the bits by
+/// which its mantissas are finer.
 struct IntegerSeries<const N: usize, const O: usize, const K: usize> {
     exponents: [[i8; O]; 3],
     finer: [u8; K],
@@ -42,8 +42,8 @@ struct IntegerSeries<const N: usize, const O: usize, const K: usize> {
 }
 
 impl Material<'_, f32> {
-    /// A glTF material of order 7: a GGX lobe over a matte base, from its linear base color, metallic
-    /// and roughness, all from 0 to 1.
+    /// A glTF material of order 7: a GGX lobe over a matte base, from its linear base color,
+    /// metallic and roughness, all from 0 to 1.
     ///
     /// ```
     /// # #[cfg(feature = "baked")] {
@@ -58,9 +58,10 @@ impl Material<'_, f32> {
     /// # Ok::<(), eigenshade::Error>(())
     /// ```
     ///
-    /// A picture differs by at most 2e-4 of its largest irradiance from one with the coefficients of
-    /// the program's `eigenshade material ggx`. A roughness below 0.2 is drawn as 0.2: its highlight
-    /// is narrower than order 7 can represent. Cost: some 1,000 multiplications, and 4 KB of tables.
+    /// A picture differs by at most 2e-4 of its largest irradiance from one with the coefficients
+    /// of the program's `eigenshade material ggx`. A roughness below 0.2 is drawn as 0.2: its
+    /// highlight is narrower than order 7 can represent. Cost: some 1,000 multiplications, and 4 KB
+    /// of tables.
     ///
     /// # Errors
     ///
@@ -73,7 +74,8 @@ impl Material<'_, f32> {
         ORDER_7.material(base_color, metallic, roughness)
     }
 
-    /// The parts matte, rim and metal of which every glTF material of a roughness is a sum, order 7.
+    /// The parts matte, rim and metal of which every glTF material of a roughness is a sum, order
+    /// 7.
     ///
     /// Transfers are linear in the material. With those of the three parts, a material of another
     /// color or share of metal needs no new transfer, but a sum of three, and one of another
@@ -100,8 +102,8 @@ impl Material<'_, f32> {
     /// # Ok::<(), eigenshade::Error>(())
     /// ```
     ///
-    /// A roughness below 0.2 counts as 0.2. Cost: 960 multiplications; with the shipped table, 1,704
-    /// for a sum of three transfers, where a transfer takes 5,400.
+    /// A roughness below 0.2 counts as 0.2. Cost: 960 multiplications; with the shipped table,
+    /// 1,704 for a sum of three transfers, where a transfer takes 5,400.
     ///
     /// # Errors
     ///
@@ -166,7 +168,8 @@ impl quantized::Material<'_, Q15> {
         ORDER_7_Q15.material(base_color, metallic, roughness)
     }
 
-    /// [`metallic_roughness`](Self::metallic_roughness) for tables of order 12, with the same error.
+    /// [`metallic_roughness`](Self::metallic_roughness) for tables of order 12, with the same
+    /// error.
     ///
     /// # Errors
     ///

@@ -67,7 +67,8 @@ impl<'a> NormalMap<'a> {
     ///
     /// # Errors
     ///
-    /// [`Error::Empty`] if there is no pixel; [`Error::Length`] unless there are two bytes for each.
+    /// [`Error::Empty`] if there is no pixel; [`Error::Length`] unless there are two bytes for
+    /// each.
     pub const fn new(width: usize, height: usize, bytes: &'a [u8]) -> Result<Self, Error> {
         let expected = width.saturating_mul(height).saturating_mul(2);
         if expected == 0 {
@@ -114,10 +115,10 @@ impl<'a> NormalMap<'a> {
         NormalCode::of(normal).bytes()
     }
 
-    /// The code of a pixel that the object covers in part, by `coverage` / 255. It has the normal of
-    /// the neighbor that is so many pixels to the right and down, each -1, 0 or 1. The code is that
-    /// of the background unless that is one of the eight neighbors. Coverage is rounded to 1/32 to
-    /// 31/32.
+    /// The code of a pixel that the object covers in part, by `coverage` / 255. It has the normal
+    /// of the neighbor that is so many pixels to the right and down, each -1, 0 or 1. The code is
+    /// that of the background unless that is one of the eight neighbors. Coverage is rounded to
+    /// 1/32 to 31/32.
     #[must_use]
     pub fn edge_code(coverage: u8, neighbor: [i8; 2]) -> [u8; 2] {
         let Some(number) = NEIGHBORS.iter().position(|&step| step == neighbor) else {

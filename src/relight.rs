@@ -1,8 +1,9 @@
 //! A new light on a transferred material: d_i = Σ_l T_i,l L_l^m.
 //!
-//! A machine that computes with groups of numbers takes a transfer pass by pass. The lanes run along
-//! m, as do the light's coefficients of one degree, so nothing is gathered and nothing is summed
-//! across lanes. Lanes with |m| > l read coefficients of other degrees and multiply them by zero.
+//! A machine that computes with groups of numbers takes a transfer pass by pass. The lanes run
+//! along m, as do the light's coefficients of one degree, so nothing is gathered and nothing is
+//! summed across lanes. Lanes with |m| > l read coefficients of other degrees and multiply them by
+//! zero.
 //!
 //! Other machines take it run by run, that is, order by order: this skips products with zero, and
 //! reads each coefficient of the light once.

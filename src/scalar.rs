@@ -45,8 +45,9 @@ pub trait Scalar:
     /// self / divisor. As `reciprocal`.
     #[doc(hidden)]
     fn over(self, divisor: Self) -> Self;
-    /// √(x/2) for x > 0 by Newton's method, without branches, division or tables, so that loops over
-    /// pixels can be vectorized. The half saves a product. Relative error: 8e-7 in f32, 5e-16 in f64.
+    /// √(x/2) for x > 0 by Newton's method, without branches, division or tables, so that loops
+    /// over pixels can be vectorized. The half saves a product. Relative error: 8e-7 in f32, 5e-16
+    /// in f64.
     #[doc(hidden)]
     fn root_of_half(self) -> Self;
     /// The square root, from `libm`.

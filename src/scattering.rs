@@ -111,8 +111,8 @@ impl<S: Scalar> Basis<'_, S> {
     }
 
     /// Calls `add(b, from, to, mode, more)` for every term b Ĉ\[from\] of S\[to\]. `more` is the
-    /// additional item of the coefficient; b is divided by √2 off the diagonal. A coefficient that is
-    /// not factored has positions beyond all rows: nothing is added.
+    /// additional item of the coefficient; b is divided by √2 off the diagonal. A coefficient that
+    /// is not factored has positions beyond all rows: nothing is added.
     #[inline(always)]
     fn couple<M: Copy>(
         &self,

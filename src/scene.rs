@@ -120,8 +120,8 @@ impl<'a, S: Scalar> Basis<'a, S> {
         polynomial::value(self.parts.mean, argument(normal.z), self.recurrences.of(0))
     }
 
-    /// For each profile the value of its polynomial at a normal, and what it is multiplied by in the
-    /// eigenimages of +m and -m. There is no root and no division.
+    /// For each profile the value of its polynomial at a normal, and what it is multiplied by in
+    /// the eigenimages of +m and -m. There is no root and no division.
     #[inline]
     pub(crate) fn eigenimages_at(
         &self,

@@ -50,10 +50,10 @@ impl<'a> Shader<'a> {
     /// The shader that adds the [`Highlights`] of up to `sources` small sources, 0 to
     /// [`MAX_SOURCES`], 32.
     ///
-    /// The sources add a loop to the text, which depends on their number alone. A new or turned source
-    /// and a new gloss are an upload of [`highlight_uniforms`](Self::highlight_uniforms). Cost: four
-    /// vectors for each source, and one; a root, and for each source that the normal faces another
-    /// root, a division and 24 products.
+    /// The sources add a loop to the text, which depends on their number alone. A new or turned
+    /// source and a new gloss are an upload of [`highlight_uniforms`](Self::highlight_uniforms).
+    /// Cost: four vectors for each source, and one; a root, and for each source that the normal
+    /// faces another root, a division and 24 products.
     ///
     /// ```
     /// # #[cfg(all(feature = "baked", feature = "presets"))] {
@@ -97,9 +97,9 @@ impl<'a> Shader<'a> {
         lengths.map(|(azimuth, &length)| signs(azimuth) * usize::from(length)).sum()
     }
 
-    /// Number of vectors of four numbers in the shader's array: one for each coefficient, and one for
-    /// each entry of a recurrence; with sources, four for each and one more. At least 1, because no
-    /// array is empty.
+    /// Number of vectors of four numbers in the shader's array: one for each coefficient, and one
+    /// for each entry of a recurrence; with sources, four for each and one more. At least 1,
+    /// because no array is empty.
     #[must_use]
     pub fn vectors(&self) -> usize {
         (self.scene_vectors() + highlight_vectors(self.sources)).max(1)
@@ -111,8 +111,8 @@ impl<'a> Shader<'a> {
     }
 
     /// Writes the array of the shader: red, green and blue of each coefficient, and the numbers of
-    /// the recurrences. All other `vectors` become zero, which makes the sources dark. The numbers are
-    /// meaningless for a shader of another shape.
+    /// the recurrences. All other `vectors` become zero, which makes the sources dark. The numbers
+    /// are meaningless for a shader of another shape.
     ///
     /// # Errors
     ///
@@ -133,8 +133,9 @@ impl<'a> Shader<'a> {
         Ok(())
     }
 
-    /// Writes the sources' part of the shader's array, after [`uniforms`](Self::uniforms) or in place of
-    /// the highlights before. Sources that are not there are dark: their vectors become zero.
+    /// Writes the sources' part of the shader's array, after [`uniforms`](Self::uniforms) or in
+    /// place of the highlights before. Sources that are not there are dark: their vectors become
+    /// zero.
     ///
     /// In f32, a shader is as near to the formula as [`Highlights::shade`].
     ///
@@ -207,7 +208,8 @@ impl<'a> Shader<'a> {
             out.write_str(if glsl { ", u" } else { ";\n  let u" })?;
             out.write_str(" = 2.0 * t * t - 1.0")?;
         }
-        // Sums of (n_x + i n_y)^m: `re` and `im` those of the azimuths above, `p` and `q` this one's.
+        // Sums of (n_x + i n_y)^m: `re` and `im` those of the azimuths above, `p` and `q` this
+        // one's.
         out.write_str(if glsl {
             ";\n  vec3 re = vec3(0.0), im = re, p, q;\n"
         } else {

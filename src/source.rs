@@ -19,15 +19,15 @@ const WIDEST: f64 = 0.5 * (1.0 + 1e-5);
 
 /// A small bright source of light: an elliptical blob on the sphere of directions.
 ///
-/// The harmonics of a light represent a lamp, a window or the sun as a patch some 180 degrees / degree
-/// wide, so its reflection on a glossy material is just as wide. Taken out of the light
+/// The harmonics of a light represent a lamp, a window or the sun as a patch some 180 degrees /
+/// degree wide, so its reflection on a glossy material is just as wide. Taken out of the light
 /// ([`Rgb::residual`]) and shaded by [`Highlights`](crate::Highlights), it is sharp.
 ///
-/// The blob has the standard deviation |major| along the great circle through its direction s and s +
-/// major, and `minor` across. It is the heat kernel of variance minor², whose harmonics of degree l
-/// are those of a point times exp(-l (l + 1) minor² / 2), convolved along that circle with a normal
-/// distribution of variance t² = |major|² - minor². Its integral over the sphere is 1, times the
-/// energy.
+/// The blob has the standard deviation |major| along the great circle through its direction s and s
+/// + major, and `minor` across. It is the heat kernel of variance minor², whose harmonics of degree
+/// l are those of a point times exp(-l (l + 1) minor² / 2), convolved along that circle with a
+/// normal distribution of variance t² = |major|² - minor². Its integral over the sphere is 1, times
+/// the energy.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Source<S> {
@@ -50,8 +50,8 @@ impl<S: Scalar> Source<S> {
     ///
     /// # Errors
     ///
-    /// [`Error::Source`] if the length of the direction differs from 1 by more than 1e-3, a number is
-    /// not finite, an energy is below 0, or not 0 <= minor <= |major| <= 0.5.
+    /// [`Error::Source`] if the length of the direction differs from 1 by more than 1e-3, a number
+    /// is not finite, an energy is below 0, or not 0 <= minor <= |major| <= 0.5.
     pub fn new<M: Mathematics<S>>(
         direction: [S; 3],
         energy: impl Into<Rgb<S>>,
@@ -154,8 +154,8 @@ impl<S: Scalar> Source<S> {
         self.minor
     }
 
-    /// This source after a rotation, which must also turn the light that it was taken out of. It may
-    /// set behind the object and rise again.
+    /// This source after a rotation, which must also turn the light that it was taken out of. It
+    /// may set behind the object and rise again.
     #[must_use]
     pub fn turned(self, rotation: Rotation<S>) -> Self {
         let [direction, major] = [self.direction, self.major].map(|v| rotation.turn_direction(v));
@@ -179,8 +179,8 @@ impl<S: Scalar> Source<S> {
     /// Adds the coefficients of the blob with energy 1 to those of a light.
     ///
     /// The integral along the major axis is a trapezoid sum over nodes s_j = cos(x_j) s + sin(x_j)
-    /// major / |major|, x_j = j h t and |j h| <= 5, with weights exp(-(j h)² / 2) over their sum. With
-    /// h <= 2π / (5 + t l), its ends and its aliases each leave at most 4e-6 of degree l.
+    /// major / |major|, x_j = j h t and |j h| <= 5, with weights exp(-(j h)² / 2) over their sum.
+    /// With h <= 2π / (5 + t l), its ends and its aliases each leave at most 4e-6 of degree l.
     fn add_blob<M: Mathematics<S>>(
         &self,
         coefficients: &mut [S],
@@ -240,8 +240,8 @@ impl<S: Scalar> Rgb<Light<'_, S>> {
     /// This light without some sources: L' = L - Σ E_k Y(blob_k). The harmonics lose exactly what
     /// [`Highlights`](crate::Highlights) add for the same sources.
     ///
-    /// `N` must be at least (degree + 1)². The residual may be negative in some directions, where the
-    /// sources are wider or brighter than what the light has there.
+    /// `N` must be at least (degree + 1)². The residual may be negative in some directions, where
+    /// the sources are wider or brighter than what the light has there.
     ///
     /// ```
     /// use eigenshade::mathematics::SinglePrecision;
@@ -257,8 +257,8 @@ impl<S: Scalar> Rgb<Light<'_, S>> {
     /// ```
     ///
     /// Accurate to 1e-5 of a source's energy. Cost: for each round source two roots for each degree
-    /// and order l >= m >= 0, so 110 at degree 9; for an elongated one of degree 9, 11 to 15 times as
-    /// many. A light that turns needs it once: turn the residual and the sources.
+    /// and order l >= m >= 0, so 110 at degree 9; for an elongated one of degree 9, 11 to 15 times
+    /// as many. A light that turns needs it once: turn the residual and the sources.
     ///
     /// # Errors
     ///

@@ -20,8 +20,8 @@ pub struct SourceSet<'a, S> {
 
 impl<'a, S: Scalar> SourceSet<'a, S> {
     /// The sources, and the errors for metals of the roughness of
-    /// [`ROUGHNESS`](crate::index::highlights::ROUGHNESS), 0.1 to 0.6: shares of the peak, 0 or more,
-    /// which is not checked.
+    /// [`ROUGHNESS`](crate::index::highlights::ROUGHNESS), 0.1 to 0.6: shares of the peak, 0 or
+    /// more, which is not checked.
     #[must_use]
     pub const fn new(sources: &'a [Source<S>], errors: [S; 6]) -> Self {
         Self { sources, errors }

@@ -17,8 +17,8 @@ const MODES: [(Effect, RangeInclusive<usize>, RangeInclusive<usize>); 4] = [
     (Effect::Gloss, 1..=17, 4..=5),
 ];
 
-/// d of an effect is d of the light and the material without all other degrees and orders. At degree
-/// 17, rows have more groups than the kernels for the usual degrees.
+/// d of an effect is d of the light and the material without all other degrees and orders. At
+/// degree 17, rows have more groups than the kernels for the usual degrees.
 #[test]
 fn effects_are_the_modes_of_their_degrees_and_orders() {
     for degree in [5, 17] {

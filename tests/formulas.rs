@@ -1,5 +1,5 @@
-//! Lights of formulas against sums of the model's spherical harmonics over their directions, and the
-//! nine-term formula against the harmonics of degree 2 themselves, integrated.
+//! Lights of formulas against sums of the model's spherical harmonics over their directions, and
+//! the nine-term formula against the harmonics of degree 2 themselves, integrated.
 
 use crate::invariants::integer::Integer;
 use crate::oracle::{ExplicitLight, irradiance};

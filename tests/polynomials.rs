@@ -1,6 +1,6 @@
-//! Polynomials that are too long for powers of t, against their Chebyshev series by cosines, trimmed
-//! polynomials against the direct sum (15), and what a scene within a tolerance costs a pixel, beside
-//! the least that any lengths could cost: found by trying all, azimuth by azimuth.
+//! Polynomials that are too long for powers of t, against their Chebyshev series by cosines,
+//! trimmed polynomials against the direct sum (15), and what a scene within a tolerance costs a
+//! pixel, beside the least that any lengths could cost: found by trying all, azimuth by azimuth.
 
 use crate::invariants::integer::eigenimage;
 use eigenshade::{Normal, Recurrences, Scalar, Shape, Tolerance, sphere};

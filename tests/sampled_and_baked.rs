@@ -59,8 +59,8 @@ pub fn assert_within(what: &str, errors: &[[f64; 2]], [rms, worst]: [f64; 2]) {
     assert!(found[0] <= rms && found[1] <= worst, "{what}: {found:?} of {rms}, {worst}");
 }
 
-/// Sampled scenes by number of knots: knots, rms of linear and of cubic ones, of the peak, each of the
-/// median image and of the worst: linear falls by four, cubic by sixteen at best, down to the
+/// Sampled scenes by number of knots: knots, rms of linear and of cubic ones, of the peak, each of
+/// the median image and of the worst: linear falls by four, cubic by sixteen at best, down to the
 /// rounding of f32.
 const LOOKUP: [(usize, [f64; 2], [f64; 2]); 4] = [
     (16, [6.5e-4, 4e-3], [9.5e-5, 6e-4]),

@@ -75,8 +75,8 @@ function checked(what, coefficients, count, most) {
 
 /**
  * Unit normals along vectors, given component by component: those of a mesh or of a normal map,
- * whose 8-bit channel c means 2c - 255. Vectors that point away by no more than 1/8 are moved to the
- * rim.
+ * whose 8-bit channel c means 2c - 255. Vectors that point away by no more than 1/8 are moved to
+ * the rim.
  */
 export function normalized(x, y, z) {
   const count = x.length;

@@ -24,7 +24,8 @@ function cpu(scenes, engine) {
   const objects = Array.from({ length: COUNT }, (_, k) => new Vector3(x[k], y[k], z[k]));
   const target = new Vector3();
   const [r, g, b] = [0, 1, 2].map(() => new Float32Array(COUNT));
-  // The factors of getIrradianceAt, multiplied in once. In f64 the loop is fastest: V8 computes in f64.
+  // The factors of getIrradianceAt, multiplied in once. In f64 the loop is fastest: V8 computes in
+  // f64.
   const c = Float64Array.from(nine.toArray());
   const factors = [0.886227, 1.023328, 1.023328, 1.023328, 0.858086, 0.858086, 0.743125, 0.858086, 0.429043];
   const f = c.map((number, k) => number * factors[Math.floor(k / 3)]);

@@ -1,6 +1,6 @@
 // node compare.js [--check]: errors, bytes and times of ways to light a glTF material by a map.
-// Writes results/compare.csv and a table of README.md. With --check it computes the errors and bytes
-// anew and compares them. Times are of software rendering, on Linux.
+// Writes results/compare.csv and a table of README.md. With --check it computes the errors and
+// bytes anew and compares them. Times are of software rendering, on Linux.
 
 import { readFileSync, readdirSync } from "node:fs";
 import { gzipSync } from "node:zlib";

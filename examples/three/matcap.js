@@ -47,8 +47,8 @@ export function eigenMatcap(scene, { size = 128, ...parameters } = {}) {
 const half = (number) => DataUtils.toHalfFloat(Math.min(65504, Math.max(0, number)));
 
 /**
- * A function that shades the texels of a matcap, row by row from the bottom. Texels outside the disc
- * have the irradiance of the rim.
+ * A function that shades the texels of a matcap, row by row from the bottom. Texels outside the
+ * disc have the irradiance of the rim.
  */
 export function matcap(size) {
   const [x, y, z, r, g, b] = Array.from({ length: 6 }, () => new Float32Array(size * size));

@@ -11,8 +11,8 @@ const TOWARD_CAMERA = new Vector3(0, 0, 1);
  * environments of the three.js scene have no effect. `color` is the exposure.
  *
  * The light is fixed to the world: before each frame the material turns the scene's light by the
- * inverse rotation of the camera, and `material.lightRotation`, a quaternion, turns it in the world.
- * A new turn is an upload of uniforms. After `scene.light(..)` or `scene.material(..)` call
+ * inverse rotation of the camera, and `material.lightRotation`, a quaternion, turns it in the
+ * world. A new turn is an upload of uniforms. After `scene.light(..)` or `scene.material(..)` call
  * `material.update()`.
  *
  * eigenshade's view is orthographic. For a perspective camera, `view: "object"` turns the light and
@@ -96,9 +96,9 @@ uniform mat3 eigenFrame;
 uniform bool eigenPerspective;
 `;
 
-// In perspective the normal turns halfway to the frame in which z is its own direction of view: matte
-// light needs no turn and mirrored light a whole one. Behind the rim the polynomials grow without
-// bound, so the irradiance there is that of the rim.
+// In perspective the normal turns halfway to the frame in which z is its own direction of view:
+// matte light needs no turn and mirrored light a whole one. Behind the rim the polynomials grow
+// without bound, so the irradiance there is that of the rim.
 const OUTGOING = `
   vec3 eigenNormal = eigenFrame * normal;
   if (eigenPerspective) {

@@ -70,8 +70,8 @@ export function frame(which, count) {
 }
 
 /**
- * Milliseconds of set-up on the CPU for a new light, and for one that only turned. Nothing is compiled or
- * uploaded; only a prefiltered map is made by the GPU.
+ * Milliseconds of set-up on the CPU for a new light, and for one that only turned. Nothing is
+ * compiled or uploaded; only a prefiltered map is made by the GPU.
  */
 export async function setUp() {
   const equirects = await Promise.all(LIGHTS.slice(0, 2).map((name) => map(name)));

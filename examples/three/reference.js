@@ -4,9 +4,9 @@
 const { PI, SQRT1_2, cos, sin, sqrt, max } = Math;
 
 /**
- * The texels of an equirectangular map as directions in the camera's frame and radiances times solid
- * angles. Rows are from the bottom, four numbers a texel, as three.js's EXRLoader gives them; the
- * middle of the map is -z.
+ * The texels of an equirectangular map as directions in the camera's frame and radiances times
+ * solid angles. Rows are from the bottom, four numbers a texel, as three.js's EXRLoader gives them;
+ * the middle of the map is -z.
  */
 export function texels({ data, width, height }) {
   const all = { x: [], y: [], z: [], r: [], g: [], b: [] };
@@ -27,9 +27,10 @@ export function texels({ data, width, height }) {
 }
 
 /**
- * The four integrals, in each channel, of which the irradiance of every glTF material of a roughness
- * is a sum: of cos θ_i times 1/π, k/π, D V and k D V, with k = (1 - cos θ_d)^5 of Schlick's Fresnel
- * term, D of Trowbridge and Reitz, and V of Smith, height-correlated. The view is along z.
+ * The four integrals, in each channel, of which the irradiance of every glTF material of a
+ * roughness is a sum: of cos θ_i times 1/π, k/π, D V and k D V, with k = (1 - cos θ_d)^5 of
+ * Schlick's Fresnel term, D of Trowbridge and Reitz, and V of Smith, height-correlated. The view is
+ * along z.
  */
 export function integrals(map, [nx, ny, nz], roughness) {
   const square = roughness ** 4;

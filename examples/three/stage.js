@@ -32,7 +32,8 @@ export function stage(canvas) {
 
 /**
  * Fills the lists of a form, and calls `changed` with its values now and after each change: the
- * coefficients of a light, with at most so many sources, or material that is new, the turn in radians.
+ * coefficients of a light, with at most so many sources, or material that is new, the turn in
+ * radians.
  */
 export async function controls(form, changed, sources = 0) {
   const names = await presetNames();

@@ -1,7 +1,7 @@
 //! The files that a command makes in a folder: texts, charts and pictures, written or compared with
-//! those that are there. Words and elements must be equal, numbers nearly so: hosts differ in the last
-//! digits of their arithmetic, and where a value lies between two whole pixels or levels, such a digit
-//! decides how it is rounded.
+//! those that are there. Words and elements must be equal, numbers nearly so: hosts differ in the
+//! last digits of their arithmetic, and where a value lies between two whole pixels or levels, such
+//! a digit decides how it is rounded.
 
 use crate::pages::compare_words;
 use crate::sheet;

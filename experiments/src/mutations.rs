@@ -195,8 +195,8 @@ impl Mutations {
         }
     }
 
-    /// Copies the files that git tracks, with the mutations. Files that the copy has already are not
-    /// written, so that cargo builds only what changed.
+    /// Copies the files that git tracks, with the mutations. Files that the copy has already are
+    /// not written, so that cargo builds only what changed.
     fn copy(&self, mutations: &[Mutation], copy: &Path) -> Result<()> {
         let read = |file: &str| {
             let path = self.tree.join(file);

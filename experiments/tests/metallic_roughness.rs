@@ -1,5 +1,5 @@
-//! Materials of metallic and roughness, from the runtime's series, against projections of the formula
-//! itself.
+//! Materials of metallic and roughness, from the runtime's series, against projections of the
+//! formula itself.
 
 use crate::spread;
 use crate::support::{Folder, repository, rows};

@@ -29,9 +29,9 @@ fn committed(name: &str) -> OutputFile {
     OutputFile { name: name.into(), content }
 }
 
-/// Every file in `docs` is shown by the page and names its command. That one is missing, foreign or cut
-/// short is found, and the file is named. That the command makes these files, `paper --check docs`
-/// checks.
+/// Every file in `docs` is shown by the page and names its command. That one is missing, foreign or
+/// cut short is found, and the file is named. That the command makes these files, `paper --check
+/// docs` checks.
 #[test]
 fn damage_to_every_committed_file_is_found() {
     let docs = repository().join("docs");

@@ -1,6 +1,6 @@
 // node presets.mjs PROGRAM: writes each shipped light and material to a file of its own, f32 in
-// little-endian, all red, all green, all blue, and the gloss of a material; the sources of each light,
-// and all names.
+// little-endian, all red, all green, all blue, and the gloss of a material; the sources of each
+// light, and all names.
 
 import { execFileSync } from "node:child_process";
 import { mkdirSync, readFileSync, writeFileSync } from "node:fs";

@@ -1,5 +1,5 @@
-// node packages/eigenshade/sizes.mjs [--write]: prints the sizes of the package's parts, or writes them to
-// README.md.
+// node packages/eigenshade/sizes.mjs [--write]: prints the sizes of the package's parts, or writes
+// them to README.md.
 
 import { readFileSync, readdirSync, writeFileSync } from "node:fs";
 import { fileURLToPath } from "node:url";

@@ -1,9 +1,11 @@
-// What terms cost on small machines: straight lines through the counted pixels of firmware/counts.csv.
+// What terms cost on small machines: straight lines through the counted pixels of
+// firmware/counts.csv.
 
 /**
- * Instructions of a pixel of one channel are base + each * terms, for the counted tables of 8 to 166
- * terms (least squares, relative to the root of the count). No count is further from its line than
- * `within`. A test fits the lines again. Each source that the normal faces adds `source` in color.
+ * Instructions of a pixel of one channel are base + each * terms, for the counted tables of 8 to
+ * 166 terms (least squares, relative to the root of the count). No count is further from its line
+ * than `within`. A test fits the lines again. Each source that the normal faces adds `source` in
+ * color.
  */
 export const BOARDS = Object.freeze([
   { name: "Cortex-M0", board: "microbit", format: "q15", base: 49.4, each: 5.26, within: 0.19, source: 218 },

@@ -51,7 +51,8 @@ async function sun() {
   const samples = 64;
   const hit = (samples * angle) / (4 * Math.PI);
   const naive = Float32Array.from(x, (_, k) => {
-    // Of uniform directions, each meets the sun by chance; the sky is taken exactly, in favor of the naive program.
+    // Of uniform directions, each meets the sun by chance; the sky is taken exactly, in favor of
+    // the naive program.
     const meets = random() < hit;
     met += Number(meets && facing(k) > 0);
     return (sky * (1 + y[k]) + ground * (1 - y[k])) / 2 + (meets ? (4 * radiance * facing(k)) / samples : 0);

@@ -1,4 +1,5 @@
-// Pictures of a sphere on the CPU: for machines without WebGL 2, thumbnails, eigenimages and hard cases.
+// Pictures of a sphere on the CPU: for machines without WebGL 2, thumbnails, eigenimages and hard
+// cases.
 
 import { sphere } from "../eigenshade/src/index.js";
 import { shadeNine } from "./nine.js";

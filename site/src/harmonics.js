@@ -1,4 +1,5 @@
-// Spherical harmonics in the convention of docs/conventions.md, and lights that a formula describes.
+// Spherical harmonics in the convention of docs/conventions.md, and lights that a formula
+// describes.
 
 export const DEGREE = 9;
 export const COUNT = (DEGREE + 1) ** 2;
@@ -73,7 +74,8 @@ export const hemisphere = (/** @type {number[]} */ sky, /** @type {number[]} */ 
   sum(ambient(ground), disc([0, 1, 0], Math.PI / 2, sky.map((value, k) => value - ground[k])));
 
 /**
- * The light after the window (sin x / x)⁴, x = π l / width, which blurs it instead of letting it ring.
+ * The light after the window (sin x / x)⁴, x = π l / width, which blurs it instead of letting it
+ * ring.
  *
  * @param {{ r: Float32Array, g: Float32Array, b: Float32Array }} light
  * @param {number} width

@@ -64,8 +64,8 @@ function accept(/** @type {typeof loaded} */ { light, material }) {
 }
 
 /**
- * Takes parts of a new state, loads what they name, and shows it. A fault leaves all as it was, and is
- * returned.
+ * Takes parts of a new state, loads what they name, and shows it. A fault leaves all as it was, and
+ * is returned.
  */
 async function take(/** @type {Partial<typeof state>} */ parts) {
   pending = { ...pending, ...parts };
@@ -127,8 +127,8 @@ function draw() {
     const panes = split
       ? [{ scene: ours }, { scene: whole }, { scene: ours, shown: SHOWN.nine }, { scene: ours, shown: SHOWN.difference }]
       : [{ scene: ours }];
-    // While something turns, terms come and go, and each set of them is a program. Until it rests, the
-    // picture has all terms instead of waiting for a long one.
+    // While something turns, terms come and go, and each set of them is a program. Until it rests,
+    // the picture has all terms instead of waiting for a long one.
     if (dragging && ours.terms > 60 && !drawing.has(ours)) ours.within();
     const side = Math.min(1400, Math.max(64, Math.round(canvas.clientWidth * Math.min(2, devicePixelRatio))));
     drawing.draw(panes, look, side + (side % 2));

@@ -124,8 +124,8 @@ export function effectsOf(scene, tolerance = 1e-6) {
 }
 
 /**
- * The effects and the step that take the fewest terms within an error (rms); of equals, those of fewer
- * effects.
+ * The effects and the step that take the fewest terms within an error (rms); of equals, those of
+ * fewer effects.
  *
  * @param {Scene} scene
  * @param {number} tolerance

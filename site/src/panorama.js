@@ -1,4 +1,5 @@
-// A worker: reads a panorama and projects it. Says { stage, share } as it goes, then { light } or { fault }.
+// A worker: reads a panorama and projects it. Says { stage, share } as it goes, then { light } or {
+// fault }.
 
 import parseExr from "../vendor/parse-exr.js";
 import { project } from "./project.js";

@@ -1,8 +1,8 @@
 // Turns by pointers and arrow keys.
 
 /**
- * Calls back for each turn: radians to the right, down and about the view axis, and whether Alt or a
- * second finger swaps light and object.
+ * Calls back for each turn: radians to the right, down and about the view axis, and whether Alt or
+ * a second finger swaps light and object.
  *
  * @param {HTMLCanvasElement} canvas
  * @param {(right: number, down: number, twist: number, other: boolean) => void} turn

@@ -6,9 +6,9 @@ import { COUNT, DEGREE, harmonics } from "./harmonics.js";
 const AROUND = 24;
 
 /**
- * The coefficients of an equirectangular map of linear radiance, row 0 at the top. Texels have their
- * exact solid angle; what a row holds beyond degree 9 about the vertical integrates to zero, so each
- * row is first reduced to a few directions.
+ * The coefficients of an equirectangular map of linear radiance, row 0 at the top. Texels have
+ * their exact solid angle; what a row holds beyond degree 9 about the vertical integrates to zero,
+ * so each row is first reduced to a few directions.
  *
  * @param {{ width: number, height: number, stride: number, data: ArrayLike<number>, table?: ArrayLike<number> }} map
  *   red, green and blue at each stride; with a table, the data are places in it

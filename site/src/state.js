@@ -147,7 +147,8 @@ export function toHash(state) {
 }
 
 /**
- * The state of a link. What it does not hold, or holds wrongly, is initial; `faults` says what is wrong.
+ * The state of a link. What it does not hold, or holds wrongly, is initial; `faults` says what is
+ * wrong.
  *
  * @param {string} hash
  * @returns {{ state: State, faults: string[] }}

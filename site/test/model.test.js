@@ -1,4 +1,5 @@
-// The page's mathematics in Node, against the committed counts, the program and other ways to compute it.
+// The page's mathematics in Node, against the committed counts, the program and other ways to
+// compute it.
 
 import assert from "node:assert/strict";
 import { execFileSync } from "node:child_process";

@@ -1,5 +1,5 @@
-//! Lights and materials in [`Q15`] as the compiler computes them: the same bits as the `quantize` of
-//! [`quantized::Light`](crate::quantized::Light) and
+//! Lights and materials in [`Q15`] as the compiler computes them: the same bits as the `quantize`
+//! of [`quantized::Light`](crate::quantized::Light) and
 //! [`quantized::Material`](crate::quantized::Material), which are not constant functions.
 
 use crate::format::Q15;

@@ -1,6 +1,6 @@
 //! Projects a light on a material with all sizes constant: the steps of
-//! [`Basis::project`](crate::Basis::project). Four profiles at once read the scattered material only
-//! once.
+//! [`Basis::project`](crate::Basis::project). Four profiles at once read the scattered material
+//! only once.
 
 use super::Shape;
 use crate::basis::Basis;

@@ -127,8 +127,8 @@ pub(super) const NODES: [(f64, f64); 20] = [
     (0.993_447_786_661_899_8, 0.016_741_688_352_545_114),
 ];
 
-/// The mean square of `scale` times sin^m (P cos mβ + Q sin mβ), for polynomials of equal length. It
-/// is exact if m and this length are together at most the number of [`NODES`].
+/// The mean square of `scale` times sin^m (P cos mβ + Q sin mβ), for polynomials of equal length.
+/// It is exact if m and this length are together at most the number of [`NODES`].
 pub(super) fn mean_square<S: Scalar>(azimuth: usize, [plus, minus]: [&[S]; 2], scale: S) -> S {
     let [mut t, mut weights, mut squares] = [[S::ZERO; NODES.len()]; 3];
     let places = t.iter_mut().zip(&mut weights).zip(&mut squares);

@@ -1,9 +1,10 @@
 //! The matrices that exchange y and z: (Ef)(x, y, z) = f(x, z, y), for degrees 1 to 12.
 //!
-//! Without the phase, that is, in the basis of [`graphics_sign`](crate::index::light::graphics_sign),
-//! let c_m and s_m be the harmonics of orders m and -m. E is its own inverse and therefore
-//! symmetric. It maps functions that are even in y to functions that are even in z, and preserves
-//! the parity in x, so three quarters of its elements are zero. The others are four square blocks.
+//! Without the phase, that is, in the basis of
+//! [`graphics_sign`](crate::index::light::graphics_sign), let c_m and s_m be the harmonics of
+//! orders m and -m. E is its own inverse and therefore symmetric. It maps functions that are even
+//! in y to functions that are even in z, and preserves the parity in x, so three quarters of its
+//! elements are zero. The others are four square blocks.
 //!
 //! E maps a rotation about z to one about -y, so E D_z = -D_y E for their generators. That is a
 //! recurrence along each column. It starts with the order l, (x + iz)^l, and proceeds toward

@@ -30,9 +30,9 @@ macro_rules! records {
 }
 pub(crate) use records;
 
-/// Exports functions of this module in one format as `eigenshade_FUNCTION_FORMAT`, those of a generic
-/// function for the type in brackets. Tests list their declarations and the structures that these
-/// need.
+/// Exports functions of this module in one format as `eigenshade_FUNCTION_FORMAT`, those of a
+/// generic function for the type in brackets. Tests list their declarations and the structures that
+/// these need.
 macro_rules! export {
     (
         $declarations:ident $format:literal

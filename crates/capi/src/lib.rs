@@ -1,9 +1,9 @@
 //! The shipped table of [`eigenshade`] for firmware written in C: the headers in `include` and a
 //! static library.
 //!
-//! The headers document every function. The modules `float` and `integers` hold those of one channel,
-//! for `f32` and for Q15 and Q31, the module `color` those of three; a program links only what it
-//! calls.
+//! The headers document every function. The modules `float` and `integers` hold those of one
+//! channel, for `f32` and for Q15 and Q31, the module `color` those of three; a program links only
+//! what it calls.
 //!
 //! On bare metal the static library has a panic handler. In release builds it calls an undefined
 //! symbol, so a reachable panic fails to link, provided that the linker drops unused functions

@@ -62,9 +62,9 @@ pub struct ObjectView {
 }
 
 impl ObjectView {
-    /// The object of a file in `size` pixels across: a normal map (.png) or a mesh (.obj, .stl, .ply)
-    /// from +z; or a sphere, if its name is `sphere`. The default size is [`SIZE`], and that of the
-    /// file for a normal map, which can only shrink.
+    /// The object of a file in `size` pixels across: a normal map (.png) or a mesh (.obj, .stl,
+    /// .ply) from +z; or a sphere, if its name is `sphere`. The default size is [`SIZE`], and that
+    /// of the file for a normal map, which can only shrink.
     ///
     /// # Errors
     ///

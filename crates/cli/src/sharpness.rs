@@ -213,8 +213,8 @@ pub fn counted(sources: usize) -> String {
     format!("{sources} source{}", if sources == 1 { "" } else { "s" })
 }
 
-/// A note if the pictures of a shipped material that were measured at this degree and order, without
-/// sources, are far from those of its BRDF.
+/// A note if the pictures of a shipped material that were measured at this degree and order,
+/// without sources, are far from those of its BRDF.
 #[must_use]
 pub fn shipped_note(name: &str, (degree, order): Size, error: TotalError) -> Option<String> {
     let TotalError { median, worst, pixel } = error;

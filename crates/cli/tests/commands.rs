@@ -83,8 +83,8 @@ fn light_converts_both_ways() {
     assert_eq!(rows(&lower, "name,l,m,r,g,b").len(), 3 * 4);
 }
 
-/// A light that is the same from everywhere has Filament's irradiance over π, which is its radiance,
-/// and cmgen's irradiance π times its L_0^0.
+/// A light that is the same from everywhere has Filament's irradiance over π, which is its
+/// radiance, and cmgen's irradiance π times its L_0^0.
 #[test]
 fn light_converts_for_other_programs() {
     let folder = Folder::new();
@@ -290,8 +290,8 @@ fn a_closed_pipe_is_not_an_error() {
     assert_eq!(String::from_utf8_lossy(&output.stderr), "");
 }
 
-/// `evaluate` against 25-digit values of degrees up to 9 and up to 64, from explicit sums and quadrature
-/// in 60-digit arithmetic; a column `value` is replaced.
+/// `evaluate` against 25-digit values of degrees up to 9 and up to 64, from explicit sums and
+/// quadrature in 60-digit arithmetic; a column `value` is replaced.
 #[test]
 fn functions_agree_with_the_vectors() {
     let folder = Folder::new();

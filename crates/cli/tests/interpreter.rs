@@ -1,5 +1,5 @@
-//! An interpreter of the functions that `shader` writes, in f64: the part of GLSL and WGSL that they
-//! use. It shares no code with the program.
+//! An interpreter of the functions that `shader` writes, in f64: the part of GLSL and WGSL that
+//! they use. It shares no code with the program.
 
 use std::collections::HashMap;
 

@@ -1,5 +1,5 @@
-//! `shader` writes functions whose values are the direct sum, in every language, and refuses what is
-//! no single scene. Their compilers are tried by packages/eigenshade in a browser.
+//! `shader` writes functions whose values are the direct sum, in every language, and refuses what
+//! is no single scene. Their compilers are tried by packages/eigenshade in a browser.
 
 use crate::interpreter::Function;
 use crate::support::{Folder, assert_fails, difference, of_equal_areas, repository};
@@ -107,8 +107,8 @@ fn more_vectors_than_promised_give_a_note() {
     }
 }
 
-/// What the cut of `tables/color.toml` leaves out of its pictures, relative to the peak of each, as that
-/// file states.
+/// What the cut of `tables/color.toml` leaves out of its pictures, relative to the peak of each, as
+/// that file states.
 const CUT: f64 = 2e-5;
 
 /// Every shipped light on every material in color, at normals spread over a sphere's picture.

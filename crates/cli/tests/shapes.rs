@@ -180,8 +180,8 @@ fn lobby() -> sphere::color::Scene {
 
 const CHOICE: &str = "--light lobby --material gold-metallic-paint";
 
-/// Pictures of a mesh and of a normal map have the colors of their normals, and their opacity is the
-/// object's coverage.
+/// Pictures of a mesh and of a normal map have the colors of their normals, and their opacity is
+/// the object's coverage.
 #[test]
 fn any_object_is_rendered() {
     let folder = Folder::new();

@@ -8,8 +8,8 @@ use embedded_graphics_core::draw_target::DrawTarget;
 use embedded_graphics_core::geometry::{Dimensions, Point, Size};
 use embedded_graphics_core::primitives::Rectangle;
 
-/// A relief, or any object, from a [`NormalMap`]: `eigenshade pack-normals` makes one from a mesh or a
-/// normal map.
+/// A relief, or any object, from a [`NormalMap`]: `eigenshade pack-normals` makes one from a mesh
+/// or a normal map.
 #[derive(Debug)]
 pub struct Relief<'p, 'm, P, C> {
     top_left: Point,

@@ -22,8 +22,8 @@ const MERL_VALUE: f64 = 0.01;
 /// beyond which the table is constant and the formula grows.
 const MERL_PROJECTION: f64 = 0.01;
 
-/// Channels that are projected together, of the largest coefficient, and the part of the energy left
-/// out: rounding.
+/// Channels that are projected together, of the largest coefficient, and the part of the energy
+/// left out: rounding.
 const TOGETHER: f64 = 1e-12;
 
 /// A tabulated BRDF of a constant, or with light and view exchanged, relative: weighted means of

@@ -1,6 +1,6 @@
 //! Statistics of a database: weights, where twice the weight is being there twice and none is not
-//! being there, and the moments of lights that turn about the vertical axis. With the normals of the
-//! sphere as those of an object, the basis is the one of the sphere.
+//! being there, and the moments of lights that turn about the vertical axis. With the normals of
+//! the sphere as those of an object, the basis is the one of the sphere.
 
 use crate::tolerances;
 use eigenshade_generator::basis::moments::{LightStatistics, equal};

@@ -19,8 +19,8 @@ const SIMILAR: f64 = 0.75;
 /// The most names that a message offers.
 const OFFERED: usize = 3;
 
-/// The remedy for a name that is none of `names`: `use`, the most similar ones, whatever their case,
-/// and `otherwise`.
+/// The remedy for a name that is none of `names`: `use`, the most similar ones, whatever their
+/// case, and `otherwise`.
 pub fn name_remedy<'a>(
     name: &str,
     names: impl IntoIterator<Item = &'a str>,

@@ -75,8 +75,8 @@ pub struct NamedGloss {
     pub name: String,
     /// The lobe that is nearest.
     pub gloss: Gloss,
-    /// The error of pictures under a small source by this lobe: the root mean square, relative to the
-    /// picture.
+    /// The error of pictures under a small source by this lobe: the root mean square, relative to
+    /// the picture.
     pub error: f64,
 }
 

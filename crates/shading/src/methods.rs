@@ -73,8 +73,8 @@ impl<S: Scalar> Shader<'_, S> {
         })
     }
 
-    /// Calls a function with the scenes of [`within`](Self::within), which have one shape, and their
-    /// truncations.
+    /// Calls a function with the scenes of [`within`](Self::within), which have one shape, and
+    /// their truncations.
     ///
     /// # Errors
     ///

@@ -1,11 +1,11 @@
 //! Normals of a sphere at which polished materials show the lamps of environment maps.
 //!
-//! Equal areas of a sphere's picture mirror equal solid angles, so evenly spaced normals meet a small
-//! lamp by chance. Here more normals are drawn, which mirror blocks of texels in proportion to the
-//! square of their luminance: of one texel for the sharpest lobes, and of more for wider ones. Each
-//! normal weighs the inverse of the density of all normals where it is (the balance heuristic: E.
-//! Veach and L. Guibas, "Optimally Combining Sampling Techniques for Monte Carlo Rendering",
-//! SIGGRAPH 1995).
+//! Equal areas of a sphere's picture mirror equal solid angles, so evenly spaced normals meet a
+//! small lamp by chance. Here more normals are drawn, which mirror blocks of texels in proportion
+//! to the square of their luminance: of one texel for the sharpest lobes, and of more for wider
+//! ones. Each normal weighs the inverse of the density of all normals where it is (the balance
+//! heuristic: E. Veach and L. Guibas, "Optimally Combining Sampling Techniques for Monte Carlo
+//! Rendering", SIGGRAPH 1995).
 
 use crate::sphere::Sphere;
 use eigenshade_generator::light::environment::EnvironmentMap;

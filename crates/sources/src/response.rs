@@ -49,8 +49,8 @@ impl Response {
         self.degree
     }
 
-    /// The irradiance under each harmonic at a unit normal with z >= 0, by barycentric interpolation
-    /// at Chebyshev points.
+    /// The irradiance under each harmonic at a unit normal with z >= 0, by barycentric
+    /// interpolation at Chebyshev points.
     #[must_use]
     pub fn at(&self, [x, y, z]: [f64; 3]) -> Vec<f64> {
         let (slant, tilt) = (x.hypot(y).atan2(z), y.atan2(x));

@@ -7,8 +7,8 @@
 //! * [`file`](mod@file), [`wire`]: a table as bytes.
 //! * [`statics`]: a table as Rust source.
 //!
-//! `eigenshade-generator` makes tables; the command line reads them. A table file as a wire file for
-//! a device:
+//! `eigenshade-generator` makes tables; the command line reads them. A table file as a wire file
+//! for a device:
 //!
 //! ```
 //! use eigenshade_table::decode;

@@ -98,8 +98,8 @@ pub fn transfer(parts: &OwnedParts<f64>, numbers: &[f64]) -> Vec<f64> {
     transfer
 }
 
-/// The positions of the pairs (o, q) and (p, q) for each (o, p, q) up to `order`; [`Coupling::NONE`]
-/// for coefficients that are not factored.
+/// The positions of the pairs (o, q) and (p, q) for each (o, p, q) up to `order`;
+/// [`Coupling::NONE`] for coefficients that are not factored.
 fn couplings(effects: Effects, order: usize) -> Vec<Coupling> {
     let short = |place: usize| u16::try_from(place).expect("orders are small");
     material::indices(order)

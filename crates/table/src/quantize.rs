@@ -86,9 +86,9 @@ impl fmt::Display for QuantizeError {
 
 impl std::error::Error for QuantizeError {}
 
-/// The arrays of a table in this format, with mantissas as `i32`. Trims its polynomials so that each component loses at most
-/// `tolerance`, relative to the rms of the database's images, which follows from the
-/// eigenvalues.
+/// The arrays of a table in this format, with mantissas as `i32`. Trims its polynomials so that
+/// each component loses at most `tolerance`, relative to the rms of the database's images, which
+/// follows from the eigenvalues.
 ///
 /// # Errors
 ///

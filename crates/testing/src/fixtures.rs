@@ -92,8 +92,8 @@ pub fn normals(slants: &[f64], tilts: usize) -> Vec<[f64; 3]> {
     slants.iter().flat_map(|&alpha| (0..tilts).map(move |k| at(alpha, tilt(k)))).collect()
 }
 
-/// Normals of a sphere's picture and their weights, which sum to 1: Gauss-Legendre in z, equal steps
-/// around.
+/// Normals of a sphere's picture and their weights, which sum to 1: Gauss-Legendre in z, equal
+/// steps around.
 pub fn rule(heights: usize, tilts: usize) -> Vec<([f64; 3], f64)> {
     let at = |(z, weight): (f64, f64)| {
         let sine = ((1.0 - z) * (1.0 + z)).sqrt();

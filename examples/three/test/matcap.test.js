@@ -16,8 +16,8 @@ after(async () => {
   assert.deepEqual(faults, []);
 });
 
-// Root mean square and largest difference in codes of sRGB. The irradiance changes at the rim as a root,
-// which a texture cuts off.
+// Root mean square and largest difference in codes of sRGB. The irradiance changes at the rim as a
+// root, which a texture cuts off.
 for (const [size, rms, most] of [[32, 2.5, 45], [64, 1.5, 36], [128, 0.8, 22], [256, 0.5, 16]]) {
   test(`a sphere by a matcap of ${size} texels, while the camera goes around`, async () => {
     const found = await page.evaluate(async (size) => {

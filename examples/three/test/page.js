@@ -66,8 +66,8 @@ const encoded = (x) => {
 
 /**
  * The largest difference, in codes, of a mesh's pixels from the module's irradiance of its normals,
- * which `frame` (a quaternion) and, in perspective, half the rotation from the pixel's direction to z
- * turn first. The module's scene is turned already.
+ * which `frame` (a quaternion) and, in perspective, half the rotation from the pixel's direction to
+ * z turn first. The module's scene is turned already.
  */
 export function difference(mesh, camera, scene, frame = new THREE.Quaternion()) {
   const { at, axes } = normals(mesh, camera);

@@ -129,8 +129,8 @@ pub fn terms_within(scene: &Scene, tolerance: f32) -> Vec<usize> {
 }
 
 /// Errors under each shipped light on a Lambertian material, of the formula of Ramamoorthi and
-/// Hanrahan for light of degree 2, and of the nine coefficients that are best for light of degree 9:
-/// root mean square over the sphere, relative to the peak of the direct sum of degree 9.
+/// Hanrahan for light of degree 2, and of the nine coefficients that are best for light of degree
+/// 9: root mean square over the sphere, relative to the peak of the direct sum of degree 9.
 pub fn of_nine_terms() -> Vec<[f64; 2]> {
     let scene = Scene::named("park_lambertian");
     let sphere = self::sphere();

@@ -1,6 +1,6 @@
 //! The CSV files, in which a row is a [`Record`] from its measurement to the charts, and their
-//! comparison with fresh errors, bytes and counted instructions. Times, and anything that depends on
-//! them, are not compared.
+//! comparison with fresh errors, bytes and counted instructions. Times, and anything that depends
+//! on them, are not compared.
 
 use crate::figures::{Figures, OutputFile};
 use crate::sheet::{Form, Record, read};

@@ -197,7 +197,8 @@ impl MetallicRoughness {
             let mut rows = Rows::new(out, ["order", "k", "o", "p", "q", "matte", "rim", "metal"])?;
             for (of_order, (order, terms)) in ORDERS.into_iter().enumerate() {
                 for k in 0..terms {
-                    // The coefficient of T_k in a function of roughness, from its values at the nodes.
+                    // The coefficient of T_k in a function of roughness, from its values at the
+                    // nodes.
                     let coefficient = |value: &dyn Fn(usize) -> f64| -> f64 {
                         let cosines = angles.iter().enumerate();
                         let sum: f64 = cosines.map(|(j, t)| value(j) * (k as f64 * t).cos()).sum();

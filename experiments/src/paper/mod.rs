@@ -1,7 +1,7 @@
 //! The figures of Nillius and Eklundh, "Phenomenological Eigenfunctions for Image Irradiance", ICCV
 //! 2003, on the shipped databases. Each file from `variance` to `bound` makes one figure, as CSV
-//! and as a picture; `tables` makes the tables of `docs/paper.md` from the CSV. All share the lights, the materials, the four bases, and
-//! how well each basis represents every image.
+//! and as a picture; `tables` makes the tables of `docs/paper.md` from the CSV. All share the
+//! lights, the materials, the four bases, and how well each basis represents every image.
 
 mod plate;
 

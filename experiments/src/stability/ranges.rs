@@ -1,5 +1,6 @@
-//! Coefficients that are tiny or huge, the share of f32 numbers that are subnormal when the light is at
-//! 1e-30 with the time that they take, and sums over very many pixels, in f32 and in integers.
+//! Coefficients that are tiny or huge, the share of f32 numbers that are subnormal when the light
+//! is at 1e-30 with the time that they take, and sums over very many pixels, in f32 and in
+//! integers.
 
 use super::degrees::coefficients;
 use super::{Figure, exactly, least, most, report, tight};

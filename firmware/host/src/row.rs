@@ -17,10 +17,11 @@ const SCENE: char = '/';
 /// The recorded counts.
 const RECORD: &str = "counts.csv";
 
-/// Bytes of flash by which two checkouts may differ. Names contain a hash of the path of the sources,
-/// and functions are compiled and linked in the order of names: this changes padding and, in the
-/// largest functions, which numbers stay in registers. The largest difference between checkouts was
-/// 100 bytes of 53,268, and between versions that changed other code 84 bytes of 18,500, a 220th.
+/// Bytes of flash by which two checkouts may differ. Names contain a hash of the path of the
+/// sources, and functions are compiled and linked in the order of names: this changes padding and,
+/// in the largest functions, which numbers stay in registers. The largest difference between
+/// checkouts was 100 bytes of 53,268, and between versions that changed other code 84 bytes of
+/// 18,500, a 220th.
 fn of_the_path(flash: u64) -> u64 {
     (flash / 128).max(32)
 }
@@ -35,8 +36,8 @@ pub struct Row {
 }
 
 impl Row {
-    /// The rows of a program. That of an operation has flash and RAM beyond those of `empty`; that of
-    /// a complete program has totals, and its RAM includes the stack. A scene has a row for each
+    /// The rows of a program. That of an operation has flash and RAM beyond those of `empty`; that
+    /// of a complete program has totals, and its RAM includes the stack. A scene has a row for each
     /// operation, such as `NAME/pixel`, and `NAME/scene` with its memory beyond that of `empty`.
     pub fn of_program(
         board: Board,

@@ -1,5 +1,5 @@
-//! A whole frame of the watch face: the light turned, two materials relit, and every pixel sent to a
-//! display. Its pixels in integers are compared with those of the host.
+//! A whole frame of the watch face: the light turned, two materials relit, and every pixel sent to
+//! a display. Its pixels in integers are compared with those of the host.
 #![no_std]
 #![no_main]
 #![expect(dead_code, reason = "a program draws in one number format")]

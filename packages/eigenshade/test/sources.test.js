@@ -31,8 +31,8 @@ test("the program writes the same shaders and vectors", async () => {
     assert.equal(scene.wgsl(), written.text);
     const found = scene.uniforms();
     assert.equal(found.length, 4 * written.vectors.length);
-    // Terms, lobes, directions and colors differ in size: each vector on its own, to the rounding of
-    // six digits in the files and of f32.
+    // Terms, lobes, directions and colors differ in size: each vector on its own, to the rounding
+    // of six digits in the files and of f32.
     const terms = 4 * written.terms;
     const [scale, expected] = [largest(found.subarray(0, terms)), written.vectors.flat()];
     for (let k = 0; k < found.length; k += 4) {

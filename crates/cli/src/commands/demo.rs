@@ -21,11 +21,11 @@ use std::path::{Path, PathBuf};
 
 /// Draw a relief and spheres of measured materials under captured lights
 ///
-/// Writes demo.png, computed in f32. --errors also compares each sphere with the direct sum over all
-/// modes of the table's degree and order in f64: errors.png has both side by side, and errors.csv,
-/// which is also printed, has the numbers. These are the share of the image's energy about its mean
-/// that the components keep, the rms and the largest error relative to the image's peak, and
-/// nanoseconds per pixel in three channels.
+/// Writes demo.png, computed in f32. --errors also compares each sphere with the direct sum over
+/// all modes of the table's degree and order in f64: errors.png has both side by side, and
+/// errors.csv, which is also printed, has the numbers. These are the share of the image's energy
+/// about its mean that the components keep, the rms and the largest error relative to the image's
+/// peak, and nanoseconds per pixel in three channels.
 #[derive(Args, Debug)]
 pub struct Demo {
     #[command(flatten)]

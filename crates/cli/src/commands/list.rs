@@ -11,10 +11,10 @@ use serde::Serialize;
 ///
 /// The options --light and --material take these names in place of a file. Writes the CSV
 /// `kind,name,size,color,error_9_7,error_12_12`: size is the degree of a light or the order of a
-/// material, and color is `rgb` or `gray`. The errors are those of the material's pictures at degree
-/// 9 and order 7 and at 12 and 12 against direct integration of its BRDF: rms as a share of the
-/// peak, the median over 18 maps. They are empty for lights, and for materials that were measured
-/// in few directions.
+/// material, and color is `rgb` or `gray`. The errors are those of the material's pictures at
+/// degree 9 and order 7 and at 12 and 12 against direct integration of its BRDF: rms as a share of
+/// the peak, the median over 18 maps. They are empty for lights, and for materials that were
+/// measured in few directions.
 #[derive(Args, Debug)]
 pub struct List {
     /// Write a JSON array of objects

@@ -89,8 +89,8 @@ impl Array {
     }
 }
 
-/// The text of a JSON file. Values are in one list, the last axis fastest; NaN is `null`. Numbers read
-/// back as the same bits.
+/// The text of a JSON file. Values are in one list, the last axis fastest; NaN is `null`. Numbers
+/// read back as the same bits.
 ///
 /// # Errors
 ///

@@ -113,8 +113,8 @@ impl DrawTarget for Panel {
 /// and `paint` in it; `$wrist` gives the quaternion of a frame.
 macro_rules! frames {
     ($number:ty, $wrist:expr) => {
-        /// Draws a frame. It takes the materials in anew for each frame, which costs little beside the
-        /// pixels and needs no memory between frames.
+        /// Draws a frame. It takes the materials in anew for each frame, which costs little beside
+        /// the pixels and needs no memory between frames.
         pub fn draw<D: DrawTarget<Color: DisplayColor>>(
             frame: i32,
             target: &mut D,

@@ -64,8 +64,8 @@ pub fn material_weights(scene: &Scene, lights: &Lights, materials: &Materials) -
 /// Materials' weights, which sum to 1, as a scene's [`MaterialNormalize`] changes them.
 ///
 /// With [`MaterialNormalize::EqualVariance`], each weight is divided by the variance of the
-/// material's images: the second moment (36) is then that of materials scaled to variance 1. A black
-/// material has weight 0, unless all of them are black.
+/// material's images: the second moment (36) is then that of materials scaled to variance 1. A
+/// black material has weight 0, unless all of them are black.
 ///
 /// # Errors
 ///

@@ -81,8 +81,8 @@ impl CubeMap {
     }
 
     /// The cube that is unfolded to a cross, in one picture: py above pz, ny below it, nx left and
-    /// px right of it. nz is right of px in a horizontal cross, of 4 x 3 faces, and below ny, upside
-    /// down, in a vertical one, of 3 x 4. What is beside the faces is ignored.
+    /// px right of it. nz is right of px in a horizontal cross, of 4 x 3 faces, and below ny,
+    /// upside down, in a vertical one, of 3 x 4. What is beside the faces is ignored.
     ///
     /// # Errors
     ///

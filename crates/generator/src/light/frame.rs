@@ -1,7 +1,7 @@
 //! Where other programs place the same map.
 //!
-//! Each program is taken with y up, and with a camera that looks along -z. All of them place the map
-//! by a turn about y, none mirrors it.
+//! Each program is taken with y up, and with a camera that looks along -z. All of them place the
+//! map by a turn about y, none mirrors it.
 //!
 //! | | middle of an equirectangular map | to its right | source |
 //! |---|---|---|---|
@@ -13,10 +13,10 @@
 //! | Filament's cmgen | +z | -x | `equirectangularToCubemap` and `mirrorCubemap` of `CubemapUtils.cpp` |
 //!
 //! Blender's x right, y forward and z up are x, -z and y here, as in its export to glTF: the camera
-//! is that of the front view, which looks along Blender's +y. three.js and cmgen read the six faces of
-//! a cube in OpenGL's frame with x reversed, so that pz is +z and px is -x. OpenEXR puts the centers, not
-//! the edges, of the first and last texels of a row at the same direction; that half texel is not
-//! modeled.
+//! is that of the front view, which looks along Blender's +y. three.js and cmgen read the six faces
+//! of a cube in OpenGL's frame with x reversed, so that pz is +z and px is -x. OpenEXR puts the
+//! centers, not the edges, of the first and last texels of a row at the same direction; that half
+//! texel is not modeled.
 
 use eigenshade_model::error::{Error, Result};
 use eigenshade_model::rotation::Rotation;

@@ -1,7 +1,7 @@
 //! Pictures as environment maps: PNG and JPEG, of samples from 0 to white.
 //!
-//! The samples are decoded by the curve of sRGB, so that white is a radiance of 1. Opacity and color
-//! profiles are ignored.
+//! The samples are decoded by the curve of sRGB, so that white is a radiance of 1. Opacity and
+//! color profiles are ignored.
 
 use crate::light::environment::{BYTES_PER_TEXEL, EnvironmentMap, believable, broken, other_type};
 use crate::png_samples::{self, Curve};

@@ -31,9 +31,9 @@ impl Source {
 
 /// Reads materials by file type. A `.binary` file is a MERL table ([`merl::read`]), a `.toml` file
 /// holds formulas ([`analytic::read`]), any other file is a CSV of [`published_fits`] or of
-/// measurements ([`measurements::read`]). A folder with an `abrdf.dat` is a CUReT folder ([`measurements::read_curet`]); from any other
-/// folder all
-/// `.binary`, `.toml` and `.csv` files are read, sorted by name.
+/// measurements ([`measurements::read`]). A folder with an `abrdf.dat` is a CUReT folder
+/// ([`measurements::read_curet`]); from any other folder all `.binary`, `.toml` and `.csv` files
+/// are read, sorted by name.
 ///
 /// # Errors
 ///

@@ -77,7 +77,8 @@ fn each(map: &PngSamples, counts: &[bool]) -> impl Iterator<Item = Result<Option
 }
 
 /// Like [`normals`], one pixel at a time, also of pixels whose opacity is below one half: their
-/// coverage, the second number, is their opacity. Among these, those that point away from the camera show nothing.
+/// coverage, the second number, is their opacity. Among these, those that point away from the
+/// camera show nothing.
 pub(crate) fn shown(map: &PngSamples) -> impl Iterator<Item = Result<Option<([f64; 3], f64)>>> {
     let full = f64::from(map.full);
     map.colors.iter().zip(&map.opacities).enumerate().map(move |(number, (&color, &opacity))| {

@@ -86,8 +86,8 @@ impl Picture {
         drawn().map_err(|error| error.in_file(file.path()))
     }
 
-    /// The picture of a normal map: see [`normal_map::normals`]. Opacity is coverage. With a `size`,
-    /// the longer side shrinks to so many pixels, each the mean of what it covers.
+    /// The picture of a normal map: see [`normal_map::normals`]. Opacity is coverage. With a
+    /// `size`, the longer side shrinks to so many pixels, each the mean of what it covers.
     ///
     /// # Errors
     ///
@@ -145,8 +145,8 @@ fn in_front(facets: &[Facet], size: usize, samples: usize) -> Vec<u32> {
     shown
 }
 
-/// The pixels of `to` that pixel number `place` of `from` falls into, each with the share of it that
-/// this pixel covers.
+/// The pixels of `to` that pixel number `place` of `from` falls into, each with the share of it
+/// that this pixel covers.
 fn parts(place: usize, from: usize, to: usize) -> impl Iterator<Item = (usize, f64)> {
     // In units of 1 / (from to) of the side, so that all ends are whole.
     let (start, end) = (place * to, (place + 1) * to);

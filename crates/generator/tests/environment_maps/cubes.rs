@@ -18,8 +18,8 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use tempfile::TempDir;
 
-/// The midpoint rule of a smooth function on faces of 32 x 32 texels and on a map of 64 rows, of the
-/// largest coefficient, to degree 6.
+/// The midpoint rule of a smooth function on faces of 32 x 32 texels and on a map of 64 rows, of
+/// the largest coefficient, to degree 6.
 const CUBE_MIDPOINT: f64 = 4e-3;
 
 /// Solid angles as differences of angles, of the sphere.
@@ -225,8 +225,8 @@ fn published(frame: Frame, u: f64, v: f64) -> [f64; 3] {
             let height = (PI * (0.5 - v)).sin();
             [x * sine, height, z * sine]
         }
-        // Cycles, direction_to_equirectangular of kernel/camera/projection.h, inverted: with z up, u
-        // is (atan2(y, x) - pi) / -2 pi, and (acos(z) - pi) / -pi counts from the bottom.
+        // Cycles, direction_to_equirectangular of kernel/camera/projection.h, inverted: with z up,
+        // u is (atan2(y, x) - pi) / -2 pi, and (acos(z) - pi) / -pi counts from the bottom.
         Frame::Blender => {
             let (y, x) = (PI - 2.0 * PI * u).sin_cos();
             let z = (PI - PI * (1.0 - v)).cos();

@@ -48,8 +48,8 @@ record! {
         mean: [S],
         /// The mean image's coefficients, or empty.
         mean_coefficients: [S],
-        /// For each |m|, each (o, p, q) and each l, whether the mode is selected; empty if all modes
-        /// are.
+        /// For each |m|, each (o, p, q) and each l, whether the mode is selected; empty if all
+        /// modes are.
         selection: [bool],
         /// For each profile of m = 0, a row of UᵀM over the coefficients that are
         /// [not factored](crate::effect::Effects::unfactored); empty if all are.
@@ -60,8 +60,8 @@ record! {
 }
 
 record! {
-    /// The arrays of a general basis. Matrices are stored row by row, with a row for each eigenimage
-    /// and a column for each component of the span.
+    /// The arrays of a general basis. Matrices are stored row by row, with a row for each
+    /// eigenimage and a column for each component of the span.
     "eigenshade::GeneralParts" GeneralParts OwnedGeneralParts
     sizes {
         /// Number of eigenimages K.
@@ -150,8 +150,8 @@ item! {
 }
 
 item! {
-    /// The pairs that one coefficient b_op^q couples: polar integrals of (o, q) are added to the sum
-    /// of (p, q), and vice versa.
+    /// The pairs that one coefficient b_op^q couples: polar integrals of (o, q) are added to the
+    /// sum of (p, q), and vice versa.
     Coupling {
         /// Position of (o, q) among the pairs.
         o: u16,

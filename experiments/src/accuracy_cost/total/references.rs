@@ -17,7 +17,8 @@ use palette::color_difference::Ciede2000;
 use palette::{IntoColor, Lab, Srgb};
 use std::path::Path;
 
-/// Distance of the evenly spaced normals in radians: 500, and 450 that mirror the lamps of the maps.
+/// Distance of the evenly spaced normals in radians: 500, and 450 that mirror the lamps of the
+/// maps.
 pub const SPACING: f64 = 0.113;
 /// The number of pixels that are metered: each normal counts as many as its weight is of them.
 const METERED: f64 = 10_000.0;

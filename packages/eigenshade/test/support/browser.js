@@ -16,8 +16,8 @@ const TYPES = {
 };
 
 /**
- * Serves a folder, the package's by default, and `pages` by path. Returns the address and a function
- * that ends it.
+ * Serves a folder, the package's by default, and `pages` by path. Returns the address and a
+ * function that ends it.
  */
 export async function serve(pages = {}, root = ROOT) {
   const server = createServer(async (request, response) => {

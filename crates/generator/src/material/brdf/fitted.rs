@@ -1,5 +1,5 @@
-//! Two models that were made to be fitted to measured BRDFs. Both have a matte part and a lobe whose
-//! tail is wider than that of GGX.
+//! Two models that were made to be fitted to measured BRDFs. Both have a matte part and a lobe
+//! whose tail is wider than that of GGX.
 
 use crate::material::brdf::{Brdf, Geometry};
 use eigenshade_model::error::{Error, Result};
