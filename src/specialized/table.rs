@@ -46,7 +46,14 @@ macro_rules! table {
         }
         /// A scene with fewer terms than a [`Scene`].
         pub type Truncated<'l> = $crate::Scene<'l, $crate::SceneBuffer<f32, SCENE>>;
-        $crate::table!(@relight |transfer, light, coefficients| {
+        $crate::table!(@relight |transfer, light| {
+            let Some(inputs) = $crate::specialized::relight::inputs(transfer, light) else {
+                return BASIS.relight(transfer, light);
+            };
+            let mut coefficients = [0.0; COMPONENTS];
+            relight_whole(inputs, &mut coefficients);
+            Ok(coefficients.into())
+        }, |transfer, light, coefficients| {
             let inputs = $crate::specialized::relight::inputs(transfer, light);
             if let (Some(inputs), Ok(d)) = (inputs, coefficients.as_mut_slice().try_into()) {
                 relight_whole(inputs, d);
@@ -97,7 +104,9 @@ macro_rules! table {
             $crate::specialized::checked($crate::GeneralBasis::new(SPAN, GENERAL));
         $crate::table!(@transfer SPAN);
         $crate::table!(project by basis);
-        $crate::table!(@relight |transfer, light, coefficients| {
+        $crate::table!(@relight |transfer, light| {
+            BASIS.relight::<TRANSFER, WORKSPACE, COMPONENTS>(transfer, light)
+        }, |transfer, light, coefficients| {
             *coefficients = BASIS.relight::<TRANSFER, WORKSPACE, COMPONENTS>(transfer, light)?;
             Ok(())
         });
@@ -184,30 +193,27 @@ macro_rules! table {
             $basis.transfer::<WORKSPACE, TRANSFER>(material)
         }
     };
-    (@relight |$transfer:ident, $light:ident, $coefficients:ident| $relight:block) => {
+    (@relight |$transfer:ident, $light:ident| $relight:block,
+        |$to:ident, $under:ident, $coefficients:ident| $relight_into:block) => {
         /// A new light on a transferred material: see `relight` of [`BASIS`].
         ///
         /// # Errors
         ///
         /// The same, except that no capacity can be too small.
         pub fn relight(
-            transfer: &Transfer,
-            light: &$crate::Light<'_, f32>,
-        ) -> Result<Coefficients, $crate::Error> {
-            let mut coefficients = Coefficients::from([0.0; COMPONENTS]);
-            relight_into(transfer, light, &mut coefficients)?;
-            Ok(coefficients)
-        }
+            $transfer: &Transfer,
+            $light: &$crate::Light<'_, f32>,
+        ) -> Result<Coefficients, $crate::Error> $relight
         /// [`relight`] into existing coefficients, without moving them.
         ///
         /// # Errors
         ///
         /// The same; `coefficients` is then left unspecified.
         pub fn relight_into(
-            $transfer: &Transfer,
-            $light: &$crate::Light<'_, f32>,
+            $to: &Transfer,
+            $under: &$crate::Light<'_, f32>,
             $coefficients: &mut Coefficients,
-        ) -> Result<(), $crate::Error> $relight
+        ) -> Result<(), $crate::Error> $relight_into
     };
     (collapse $([$azimuth:literal $profiles:literal])*) => {
         $crate::table!(@collapse |coefficients, scene| {
