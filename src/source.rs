@@ -23,8 +23,8 @@ const WIDEST: f64 = 0.5 * (1.0 + 1e-5);
 /// degree wide, so its reflection on a glossy material is just as wide. Taken out of the light
 /// ([`Rgb::residual`]) and shaded by [`Highlights`](crate::Highlights), it is sharp.
 ///
-/// The blob has the standard deviation |major| along the great circle through its direction s and s
-/// + major, and `minor` across. It is the heat kernel of variance minor², whose harmonics of degree
+/// The blob has the standard deviation |major| along the great circle through its direction s and
+/// s + major, and `minor` across. It is the heat kernel of variance minor², whose harmonics of degree
 /// l are those of a point times exp(-l (l + 1) minor² / 2), convolved along that circle with a
 /// normal distribution of variance t² = |major|² - minor². Its integral over the sphere is 1, times
 /// the energy.

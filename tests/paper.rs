@@ -198,10 +198,23 @@ fn negative_rotations(gram: &GramFactor) -> Vec<f64> {
     values
 }
 
-/// UᵀM in factors is UᵀM by multiplication: U through A, then M = AᵀA.
+/// W is orthonormal, and UᵀM in factors is UᵀM by multiplication: U through A, then M = AᵀA.
 #[test]
 fn factored_rows_are_the_products() {
     let (_, table) = whole();
+    assert!(table.components.len() >= 100);
+    let mut apart: f64 = 0.0;
+    for (i, a) in table.profiles.iter().enumerate() {
+        for (j, b) in table.profiles.iter().enumerate().take(i + 1) {
+            if a.azimuth == b.azimuth {
+                let pairs = a.node_values.iter().zip(&b.node_values);
+                let product: f64 = pairs.map(|(a, b)| a * b).sum();
+                apart = apart.max((product - f64::from(u8::from(i == j))).abs());
+            }
+        }
+    }
+    println!("|WᵀW - I| {apart:.1e} on {}", table.profiles.len());
+    assert!(apart <= tolerances::ORTHONORMAL_NODES, "{apart}");
     let mut worst: f64 = 0.0;
     for profile in &table.profiles {
         let columns = table.gram.columns(profile.azimuth);
