@@ -115,10 +115,10 @@ impl<'a> NormalMap<'a> {
         NormalCode::of(normal).bytes()
     }
 
-    /// The code of a pixel that the object covers in part, by `coverage` / 255. It has the normal
-    /// of the neighbor that is so many pixels to the right and down, each -1, 0 or 1. The code is
-    /// that of the background unless that is one of the eight neighbors. Coverage is rounded to
-    /// 1/32 to 31/32.
+    /// The code of a pixel that the object covers in part, by `coverage` / 255. Its normal is
+    /// that of `neighbor`, given by its offset in pixels to the right and down, each -1, 0 or 1. If
+    /// `neighbor` is none of the eight neighbors, the code is that of the background. Coverage is
+    /// rounded to 1/32 to 31/32.
     #[must_use]
     pub fn edge_code(coverage: u8, neighbor: [i8; 2]) -> [u8; 2] {
         let Some(number) = NEIGHBORS.iter().position(|&step| step == neighbor) else {

@@ -165,7 +165,7 @@ pub(crate) fn highlights(
     join(&[" + ", before, "k + 3", after, ".rgb * s;\n    }\n  }\n"], out)
 }
 
-/// Number of vectors of the highlights of so many sources: four for each, and one of the gloss.
+/// Number of vectors of the highlights: four for each source, and one for the gloss.
 pub(crate) fn highlight_vectors(sources: usize) -> usize {
     if sources == 0 { 0 } else { 1 + 4 * sources }
 }

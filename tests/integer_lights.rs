@@ -42,8 +42,8 @@ fn values<Q: Input>(light: Light<'_, Q>) -> Vec<f64> {
     light.mantissas().iter().map(|mantissa| mantissa.value() * scale).collect()
 }
 
-/// Largest errors of coefficients beyond so many units of the mantissas, of the root of the energy
-/// of their degree.
+/// The largest error of a coefficient, less `units` of the mantissas, relative to the root of the
+/// energy of its degree.
 fn worst<Q: Input>(light: Light<'_, Q>, exact: &[f64], found: Light<'_, Q>, units: f64) -> f64 {
     let unit = f64::from(found.exponent()).exp2();
     let found = values(found);

@@ -1,4 +1,4 @@
-//! What the paper promises, on the shipped databases: the direct sum and the principal components.
+//! The paper's direct sum and principal components, checked on the shipped databases.
 
 use crate::oracle;
 use crate::tolerances;

@@ -8,7 +8,7 @@
 /// - `table!(general)`: the same for the table of another object.
 /// - `table!(project ...)`, `table!(collapse ...)` and `table!(shade ...)`: functions specialized for
 ///   the azimuths listed and their profiles, or those of the basis or the scene.
-/// - `table!(sampled 64)`: functions that sample an image at so many knots.
+/// - `table!(sampled 64)`: functions that sample an image at this number of knots.
 #[doc(hidden)]
 #[macro_export]
 macro_rules! table {

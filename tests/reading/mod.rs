@@ -81,7 +81,7 @@ pub fn scene(criterion: Criterion, rotation: LightRotation, components: usize) -
     loaded
 }
 
-/// What is seen: the pixels of a sphere or of an object, with its table.
+/// The pixels of a sphere or of an object, and its table.
 pub struct Subject {
     pub loaded: Loaded,
     pub table: Table,
@@ -299,7 +299,7 @@ impl Subject {
 pub struct LitImage {
     /// √W E T, a column for each coefficient of the light.
     pub images: DMatrix<f64>,
-    /// What is left of √W I without what light does not change.
+    /// √W I less the part that does not depend on the light.
     pub target: DVector<f64>,
     pub statistics: (DVector<f64>, DMatrix<f64>),
     /// Standard deviation of a number of the target.

@@ -68,7 +68,7 @@ fn error_in(d: &[f32], shape: Shape<'_>, image: &Image, rule: &Rule) -> f64 {
     image.apart(&made.0, rule)
 }
 
-/// What of the images' energy components beyond the first so many have.
+/// The energy of the images in all components after the first `components`.
 fn beyond(d: &[f32], components: usize) -> f64 {
     d.iter().skip(components).map(|&d| f64::from(d).powi(2)).sum()
 }

@@ -107,8 +107,8 @@ fn more_vectors_than_promised_give_a_note() {
     }
 }
 
-/// What the cut of `tables/color.toml` leaves out of its pictures, relative to the peak of each, as
-/// that file states.
+/// The error of the truncation that `tables/color.toml` states, relative to the peak of each
+/// picture.
 const CUT: f64 = 2e-5;
 
 /// Every shipped light on every material in color, at normals spread over a sphere's picture.

@@ -195,7 +195,7 @@ pub fn colored(gray: &str, [green, blue]: [f64; 2]) -> String {
     gray.lines().map(row).collect()
 }
 
-/// The CSV of so many normals that each stand for an equal part of a sphere's picture.
+/// The CSV of `count` normals, each of which represents an equal area of a sphere's picture.
 pub fn of_equal_areas(count: usize) -> String {
     let normals = eigenshade_testing::fixtures::of_equal_areas(count).into_iter();
     "x,y,z\n".to_owned() + &normals.map(|[x, y, z]| format!("{x},{y},{z}\n")).collect::<String>()

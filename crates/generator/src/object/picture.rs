@@ -87,7 +87,8 @@ impl Picture {
     }
 
     /// The picture of a normal map: see [`normal_map::normals`]. Opacity is coverage. With a
-    /// `size`, the longer side shrinks to so many pixels, each the mean of what it covers.
+    /// `size`, the map shrinks until its longer side has that many pixels; each pixel is the mean
+    /// of those that it replaces.
     ///
     /// # Errors
     ///

@@ -7,7 +7,7 @@ use eigenshade::index::highlights::MAX_SOURCES;
 use eigenshade::mathematics::SinglePrecision;
 use eigenshade::{Error, Gloss, Highlights, Light, Rgb, Rotation, Source};
 
-/// What a page needs to know: the most sources, the reflectance of dielectrics, and the roughness
+/// Constants for a page: the most sources, the reflectance of dielectrics, and the roughness
 /// from which on sources change nothing.
 #[unsafe(export_name = "color_limits")]
 static LIMITS: [f32; 3] = [MAX_SOURCES as f32, Gloss::DIELECTRIC, Gloss::MATTE];
