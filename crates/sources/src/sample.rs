@@ -19,6 +19,11 @@ const OTHERS: usize = 600;
 /// The least weight of a normal, of the mean of all. Normals that mirror a lamp stand for little of
 /// the picture, but are where it is worst.
 const LEAST: f64 = 0.1;
+/// How often the pictures of the material of median roughness count. A few sources mend least in
+/// those of a smoother material, and those of a rougher one need them least.
+const MIDDLE: f32 = 8.0;
+/// An error of a picture below this, of the peak, is rounding.
+const ROUNDING: f32 = 1e-6;
 
 /// The pictures to fit: a part for each view, material and size, with their rows one after another.
 pub struct Sample<'a> {
@@ -52,6 +57,10 @@ impl<'a> Sample<'a> {
             lack: [const { Vec::new() }; 3],
             weights: Vec::new(),
         };
+        let mut by_roughness: Vec<usize> = (0..materials.len()).collect();
+        let roughness = |m: usize| materials[m].gloss.roughness;
+        by_roughness.sort_by(|&a, &b| roughness(a).total_cmp(&roughness(b)));
+        let middle = by_roughness.get(materials.len() / 2).copied().unwrap_or(0);
         for (v, view) in views.iter().enumerate() {
             let sphere = view.sphere(spacing);
             for (m, material) in materials.iter().enumerate() {
@@ -67,12 +76,19 @@ impl<'a> Sample<'a> {
                     for (c, to) in sample.lack.iter_mut().enumerate() {
                         to.extend(chosen.iter().map(|&k| lack(c, k)));
                     }
-                    // Large errors of a pixel count more.
+                    // Large errors of a pixel count more. Between sizes, squares count as they are,
+                    // so that the errors of the smaller one decide. At one size they count in
+                    // relation to the error without sources: else the smoothest material decides.
+                    let rms = rms.max(ROUNDING);
+                    let times = match (first + 1 < pictures.truncated.len(), m == middle) {
+                        (true, _) => 1.0,
+                        (false, true) => MIDDLE / rms,
+                        (false, false) => 1.0 / rms,
+                    };
                     let share = |k: usize| {
                         let of_mean = sphere.weights[k] * sphere.normals.len() as f64;
-                        (of_mean + LEAST) as f32
+                        times * (of_mean + LEAST) as f32
                     };
-                    let rms = rms.max(f32::MIN_POSITIVE);
                     let weights = chosen.iter().map(|&k| share(k) * (rms + most(k)) / rms);
                     sample.weights.extend(weights);
                     let rows = parallel::map(chosen.len(), &(), |row| {
