@@ -1,8 +1,9 @@
 //! `export --lang rust` and `--lang c`: source that compiles and holds the numbers of the files.
 
 use crate::compiled::output_of;
-use crate::support::{Folder, repository};
+use crate::support::{Folder, assert_fails, repository};
 use eigenshade_model::inputs::coefficient_csv::{read_lights, read_materials};
+use eigenshade_shading::shipped;
 use std::fs;
 use std::process::Command;
 
@@ -151,6 +152,28 @@ static void material_q15(eigenshade_material_q15_t material) {
 }
 "#;
 
+/// What a program prints as C and as C++.
+fn printed_in_c(folder: &Folder, program: &str) -> Vec<String> {
+    let sources = [("cc", "c99", "main.c"), ("c++", "c++17", "main.cpp")];
+    let printed = sources.into_iter().map(|(compiler, standard, source)| {
+        folder.write(source, program);
+        let output = Command::new(compiler)
+            .arg(format!("-std={standard}"))
+            .args(["-Wall", "-Wextra", "-Wconversion", "-Wpedantic", "-Werror", "-o", "program"])
+            .arg("-I")
+            .arg(repository().join("crates/capi/include").canonicalize().expect("a path"))
+            .arg(source)
+            .current_dir(folder.path("."))
+            .output()
+            .expect("a compiler");
+        assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
+        let output = Command::new(folder.path("program")).output().expect("the program runs");
+        assert!(output.status.success(), "{:?}", output.status);
+        String::from_utf8(output.stdout).expect("text")
+    });
+    printed.collect()
+}
+
 #[test]
 fn c_headers_compile_and_hold_the_numbers() {
     let folder = named();
@@ -185,26 +208,113 @@ fn c_headers_compile_and_hold_the_numbers() {
     );
     let twice = "#include \"f32.h\"\n#include \"q15.h\"\n#include \"ball.h\"\n".repeat(2);
     let program = format!("{twice}{PRINT}int main(void) {{\n{body}  return 0;\n}}\n");
-    folder.write("main.c", &program);
-    folder.write("main.cpp", &program);
-    for (compiler, standard, source) in [("cc", "c99", "main.c"), ("c++", "c++17", "main.cpp")] {
-        let output = Command::new(compiler)
-            .arg(format!("-std={standard}"))
-            .args(["-Wall", "-Wextra", "-Wconversion", "-Wpedantic", "-Werror", "-o", "program"])
-            .arg("-I")
-            .arg(repository().join("crates/capi/include").canonicalize().expect("a path"))
-            .arg(source)
-            .current_dir(folder.path("."))
-            .output()
-            .expect("a compiler");
-        assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
-        let output = Command::new(folder.path("program")).output().expect("the program runs");
-        assert!(output.status.success(), "{:?}", output.status);
-        let text = String::from_utf8(output.stdout).expect("text");
+    for text in printed_in_c(&folder, &program) {
         let expected = expected(&folder);
         let lines: Vec<&str> = text.lines().collect();
         let (floats, integers) = lines.split_at(expected.len());
         assert_printed(&floats.join("\n"), "f32", &expected);
         assert_printed(&integers.join("\n"), "q15", &expected);
     }
+}
+
+/// A program in C that prints the numbers of sources and of a gloss as bits.
+const PRINT_HIGHLIGHTS: &str = r#"
+#include <inttypes.h>
+#include <stdio.h>
+#include <string.h>
+static void print(const float *numbers, size_t count) {
+  for (size_t k = 0; k < count; k++) {
+    uint32_t bits;
+    memcpy(&bits, &numbers[k], sizeof bits);
+    printf("%" PRIu32 " ", bits);
+  }
+}
+static void source(const eigenshade_source_f32_t *one) {
+  print(one->direction, 3);
+  print(one->energy, 3);
+  print(one->major, 3);
+  print(&one->minor, 1);
+  printf("\n");
+}
+static void gloss(const eigenshade_gloss_f32_t *one) {
+  print(&one->roughness, 1);
+  print(one->reflectance, 3);
+  print(one->grazing, 3);
+  print(one->albedo, 3);
+  printf("\n");
+}
+"#;
+
+#[test]
+fn sources_and_gloss_compile_and_hold_the_numbers() {
+    let folder = Folder::new();
+    let inputs = "--light studio --material gold-metallic-paint --sources 4";
+    for (lang, file) in [("rust", "scene.rs"), ("c", "scene.h"), ("c", "q15.h")] {
+        let format = if file == "q15.h" { "q15" } else { "f32" };
+        folder.ok(&format!("export --lang {lang} --format {format} {inputs} --out {file}"));
+    }
+    let sets = shipped::sources().expect("sources");
+    let sets = sets.iter().find(|sets| sets.name == "studio").expect("the studio");
+    let sources = sets.of_most(4);
+    assert!(sources.len() > 1);
+    let glosses = shipped::glosses().expect("gloss");
+    let gold = glosses.iter().find(|one| one.name == "gold-metallic-paint").expect("gold").gloss;
+    let line = |numbers: Vec<f64>| numbers.iter().map(|&number| number as f32).collect();
+    let mut expected: Vec<Vec<f32>> = sources
+        .iter()
+        .map(|one| line([&one.direction[..], &one.energy, &one.major, &[one.minor]].concat()))
+        .collect();
+    let colors = [&[gold.roughness][..], &gold.reflectance, &gold.grazing, &gold.albedo];
+    expected.push(line(colors.concat()));
+
+    let program = format!(
+        "#include \"scene.h\"\n{PRINT_HIGHLIGHTS}int main(void) {{
+  for (size_t k = 0; k < sizeof sources_studio_f32 / sizeof *sources_studio_f32; k++)
+    source(&sources_studio_f32[k]);
+  gloss(&gloss_gold_metallic_paint_f32);
+  return 0;\n}}\n"
+    );
+    for text in printed_in_c(&folder, &program) {
+        assert_printed(&text, "f32", &expected);
+    }
+    let body = "for &(name, of_light) in scene::sources::ALL {
+            assert_eq!(name, \"studio\");
+            for &(direction, energy, major, minor) in of_light {
+                let one = eigenshade::Source::new::<eigenshade::mathematics::Libm>(
+                    direction, energy, major, minor,
+                );
+                assert!(one.is_ok());
+                for number in [direction, energy, major].concat() { print!(\"{} \", number.to_bits()); }
+                println!(\"{}\", minor.to_bits());
+            }
+        }
+        for &(name, (roughness, f0, albedo, f90)) in scene::gloss::ALL {
+            assert_eq!(name, \"gold-metallic-paint\");
+            let one = eigenshade::Gloss::new(roughness, f0, albedo);
+            assert!(one.is_ok_and(|one| one.with_grazing(f90).is_ok()));
+            print!(\"{} \", roughness.to_bits());
+            for number in [f0, f90, albedo].concat() { print!(\"{} \", number.to_bits()); }
+        }";
+    let modules = [("scene".to_owned(), folder.read("scene.rs"))];
+    assert_printed(&output_of("highlights", &modules, body), "f32", &expected);
+
+    // The integers' header has them too, and JavaScript with the channels.
+    assert!(folder.read("q15.h").contains("eigenshade_gloss_f32_t gloss_gold_metallic_paint_f32"));
+    let js = folder.ok(&format!("export --lang js {inputs}"));
+    let count = |name: &str| {
+        let (_, list) = js.split_once(name).expect("a list");
+        let (list, _) = list.split_once("])").expect("its end");
+        list.split(',').filter(|number| !number.trim().is_empty()).count()
+    };
+    assert_eq!(count("sources: new Float32Array(["), 10 * sources.len());
+    assert_eq!(count("gloss: new Float32Array(["), 10);
+
+    assert_fails(
+        &folder,
+        &format!("export --lang json {inputs}"),
+        &["--sources", "rust, c and js"],
+    );
+    assert_fails(&folder, "export --lang c --sources 4", &["--sources", "--light or --material"]);
+    let no_map = "export --lang c --light blender-city --sources 4";
+    assert_fails(&folder, no_map, &["blender-city", "light MAP --sources"]);
 }

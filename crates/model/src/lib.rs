@@ -49,6 +49,8 @@ pub mod database;
 
 pub mod source;
 
+pub mod source_text;
+
 pub mod srgb;
 
 pub mod budget;

@@ -69,8 +69,9 @@ export class Scene {
     }
     const { light, material, sources = 0, engine } = inputs;
     checkSources(sources);
+    const own = typeof light === "object" && light?.sources?.length;
     const [loaded, givenLight, givenMaterial] = await Promise.all([
-      engine ?? shared(sources > 0),
+      engine ?? shared(sources > 0 || Boolean(own)),
       lightOf(light, sources),
       materialOf(material),
     ]);

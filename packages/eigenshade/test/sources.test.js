@@ -159,6 +159,18 @@ test("the module without SIMD draws the same highlights", async () => {
   assert.ok(largest(found.map((number, k) => number - expected[k])) <= 1e-5 * largest(expected));
 });
 
+test("what the program exports is the shipped light and material with their sources", async () => {
+  const [light, material] = ["studio", "gold-metallic-paint"];
+  const all = ["export", "--lang", "js", "--light", light, "--material", material, "--sources", "4"];
+  const text = execFileSync(EIGENSHADE, all, { encoding: "utf8" });
+  const { lights, materials } = await import(`data:text/javascript,${encodeURIComponent(text)}`);
+  // The sources of the light choose the module that shades them.
+  const exported = await Scene.create({ light: lights[light], material: materials[material] });
+  const shipped = await Scene.create({ light, material, sources: 4 });
+  assert.equal(exported.sources, 4);
+  assert.deepEqual(exported.uniforms(), shipped.uniforms());
+});
+
 test("wrong sources throw one clear error and change nothing", async () => {
   const inputs = { light: "studio", material: "gold-metallic-paint" };
   for (const sources of [-1, 1.5, NaN, Infinity, "4", null]) {

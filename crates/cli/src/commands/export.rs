@@ -4,15 +4,19 @@ use super::options::{Destination, Memory, TableChoice, count};
 use clap::{Args, ValueEnum};
 use eigenshade_cli::export::array::{Array, json};
 use eigenshade_cli::export::entry::{Format, entries, identifier};
+use eigenshade_cli::export::highlights::{self, Highlights};
 use eigenshade_cli::export::shown::Shown;
 use eigenshade_cli::export::{c, coefficients, js, npz, rust, scene, table as of_table};
 use eigenshade_cli::messages::print_message;
 use eigenshade_cli::output;
 use eigenshade_cli::presets::Source;
-use eigenshade_model::database::{Lights, Materials};
+use eigenshade_cli::sharpness::Known;
+use eigenshade_index::highlights::MAX_SOURCES;
+use eigenshade_model::database::{Lights, Materials, Named};
 use eigenshade_model::error::{Error, Result};
+use eigenshade_model::source::{NamedGloss, SourceSets};
 use eigenshade_shading::shader::{fitted, of_higher_order};
-use eigenshade_table::quantize::{Format as IntegerFormat, integers};
+use eigenshade_table::quantize::{IntegerFormat, integers};
 use eigenshade_table::{Table, statics};
 use std::path::{Path, PathBuf};
 
@@ -37,6 +41,10 @@ pub struct Export {
     /// Number format of rust and c [default: f32]
     #[arg(short, long, value_enum)]
     format: Option<Format>,
+    /// Add the largest set of at most K small sources of each light and the gloss of each material,
+    /// for sharp highlights, in f32; for rust, c and js
+    #[arg(long, value_name = "K", value_parser = count(1, MAX_SOURCES as u64))]
+    sources: Option<usize>,
     /// Add eigenimages, or the images of a scene, at normals: a normals CSV, `sphere`, a normal map
     /// (.png) or a mesh (.obj, .stl, .ply); for json and npz
     #[arg(short, long, value_name = "NORMALS")]
@@ -97,7 +105,11 @@ impl Export {
             let contents = contents.map_err(|error| error.in_file(self.table.path()))?;
             return output::write_all(self.out.path.as_deref(), contents);
         }
-        let contents = self.coefficients(&table, &lights, &materials, shown.as_ref())?;
+        let highlights =
+            self.sources.map(|most| self.highlights(most, &lights, &materials, memory));
+        let highlights = highlights.transpose()?;
+        let entries = (&lights, &materials, highlights.as_ref());
+        let contents = self.coefficients(&table, entries, shown.as_ref())?;
         output::write_all(self.out.path.as_deref(), contents)?;
         let order = table.gram.order;
         let higher = material.and_then(|one| of_higher_order(one.path(), of_file.order, order));
@@ -118,6 +130,12 @@ impl Export {
             let what = "--normals adds eigenimages or images, which only tables and scenes have, \
                         in json and npz";
             return fault(what, "leave it out, or export a table, or a light with a material");
+        }
+        if self.sources.is_some()
+            && (self.holds_arrays() || self.light.is_none() && self.material.is_none())
+        {
+            let what = "--sources adds sources of lights and gloss of materials, in rust, c and js";
+            return fault(what, "leave it out, or give --light or --material");
         }
         match (self.lang, self.format) {
             (Lang::Js, Some(Format::Q15)) => fault(
@@ -165,21 +183,48 @@ impl Export {
         }
     }
 
+    /// Sources of the lights and gloss of the materials.
+    fn highlights(
+        &self,
+        most: usize,
+        lights: &Lights,
+        materials: &Materials,
+        memory: Memory,
+    ) -> Result<Highlights> {
+        let mut found = Highlights { most, ..Highlights::default() };
+        if let Some(light) = &self.light {
+            for Named { name, .. } in &lights.entries {
+                let sources = light.sources(name, most, memory.of_file())?;
+                found.sources.push(SourceSets { name: name.clone(), sets: vec![(most, sources)] });
+            }
+        }
+        if let Some(material) = &self.material {
+            for Named { name, .. } in &materials.entries {
+                let Known { gloss, error } = material.known_gloss(name, memory.of_file())?;
+                found.glosses.push(NamedGloss { name: name.clone(), gloss, error });
+            }
+        }
+        Ok(found)
+    }
+
     /// The file of lights, materials, or both; either may be empty.
     fn coefficients(
         &self,
         table: &Table,
-        lights: &Lights,
-        materials: &Materials,
+        (lights, materials, highlights): (&Lights, &Materials, Option<&Highlights>),
         shown: Option<&Shown>,
     ) -> Result<Vec<u8>> {
         let format = self.format.unwrap_or_default();
         let source = match self.lang {
-            Lang::Rust => rust::module(&entries(lights, materials, format)?, format, COMMAND),
-            Lang::C => {
-                c::header(&entries(lights, materials, format)?, format, COMMAND, &self.guard())
+            Lang::Rust => {
+                let text = rust::module(&entries(lights, materials, format)?, format, COMMAND);
+                text + &highlights.map(highlights::rust).unwrap_or_default()
             }
-            Lang::Js => js::module(&entries(lights, materials, format)?, COMMAND),
+            Lang::C => {
+                let entries = entries(lights, materials, format)?;
+                c::header(&entries, format, highlights, COMMAND, &self.guard())
+            }
+            Lang::Js => js::module(&entries(lights, materials, format)?, highlights, COMMAND),
             Lang::Json | Lang::Npz => {
                 let mut arrays = Vec::new();
                 if !lights.entries.is_empty() {

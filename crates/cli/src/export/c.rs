@@ -2,14 +2,22 @@
 //! of `eigenshade_color.h` take.
 
 use super::entry::{Channel, Entry, Format, Kind};
+use super::highlights::{self, Highlights};
 use super::source::{comment, float, lines};
 use std::fmt::Write;
 
 /// The text of the header. `guard` is the macro against including it twice.
 #[must_use]
-pub fn header(entries: &[Entry], format: Format, command: &str, guard: &str) -> String {
+pub fn header(
+    entries: &[Entry],
+    format: Format,
+    highlights: Option<&Highlights>,
+    command: &str,
+    guard: &str,
+) -> String {
     let mut text = String::new();
     entries.iter().for_each(|entry| record(&mut text, entry, format));
+    text += &highlights.map(highlights::c).unwrap_or_default();
     guarded(&text, command, guard)
 }
 

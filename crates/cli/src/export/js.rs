@@ -1,12 +1,14 @@
 //! Lights and materials as a JavaScript module: typed arrays, which `eigenshade.mjs` takes.
 
 use super::entry::{Channel, Entry, Kind};
+use super::highlights::Highlights;
 use super::source::{float, lines};
 use std::fmt::Write;
 
-/// The text of the module: objects `lights` and `materials` by name, with the channels r, g and b.
+/// The text of the module: objects `lights` and `materials` by name, with the channels r, g and b,
+/// and the `sources` and `gloss` of highlights.
 #[must_use]
-pub fn module(entries: &[Entry], command: &str) -> String {
+pub fn module(entries: &[Entry], highlights: Option<&Highlights>, command: &str) -> String {
     let mut text = format!("// {command}\n");
     for kind in [Kind::Light, Kind::Material] {
         let of_kind: Vec<&Entry> = entries.iter().filter(|entry| entry.kind == kind).collect();
@@ -14,13 +16,13 @@ pub fn module(entries: &[Entry], command: &str) -> String {
             continue;
         }
         let _ = writeln!(text, "\n/** {}. */\nexport const {}s = {{", kind.meaning(), kind.name());
-        of_kind.into_iter().for_each(|entry| object(&mut text, entry));
+        of_kind.into_iter().for_each(|entry| object(&mut text, entry, highlights));
         text.push_str("};\n");
     }
     text
 }
 
-fn object(text: &mut String, entry: &Entry) {
+fn object(text: &mut String, entry: &Entry, highlights: Option<&Highlights>) {
     let _ = writeln!(
         text,
         "  // {}\n  {}: {{",
@@ -32,6 +34,14 @@ fn object(text: &mut String, entry: &Entry) {
             let list = lines(numbers.iter().copied().map(float), 6);
             let _ = writeln!(text, "    {channel}: new Float32Array([\n{list}\n    ]),");
         }
+    }
+    if let Some(highlights) = highlights {
+        let (name, numbers) = match entry.kind {
+            Kind::Light => ("sources", highlights.sources_of(&entry.name)),
+            Kind::Material => ("gloss", highlights.gloss_of(&entry.name)),
+        };
+        let list = lines(numbers.into_iter().map(float), 6);
+        let _ = writeln!(text, "    {name}: new Float32Array([\n{list}\n    ]),");
     }
     text.push_str("  },\n");
 }

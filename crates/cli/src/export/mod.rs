@@ -15,6 +15,8 @@ pub mod npz;
 
 pub mod entry;
 
+pub mod highlights;
+
 mod source;
 
 pub mod rust;
