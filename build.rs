@@ -43,7 +43,7 @@ fn sphere() -> Result<(), String> {
 /// generated.rs in the output folder.
 #[cfg(feature = "generate")]
 fn generate() {
-    use eigenshade_generator::build::{self, Format};
+    use eigenshade_generator::build::{self, IntegerFormat};
 
     println!("cargo::rerun-if-env-changed=EIGENSHADE_SCENE");
     let scene = env::var_os("EIGENSHADE_SCENE").map(PathBuf::from);
@@ -56,7 +56,7 @@ fn generate() {
         process::exit(1);
     }
     let scene = scene.unwrap_or_else(|| "tables/sphere.toml".into());
-    build::statics(scene, "generated.rs", &[Format::Q15, Format::Q31]);
+    build::statics(scene, "generated.rs", &[IntegerFormat::Q15, IntegerFormat::Q31]);
 }
 
 /// The statics of a table in integers.

@@ -2,7 +2,7 @@
 
 use crate::index::record::{Coupling, Pass, ProfilePlace, Row};
 use crate::mathematics::{Libm, SinglePrecision, Tabled};
-use crate::wire::{Aligned, Fault, Format, Header, WireError};
+use crate::wire::{Aligned, Fault, Header, NumberFormat, WireError};
 use crate::{
     Argument, BakedMap, Basis, Effect, Effects, Error, Estimate, GeneralBasis, GeneralParts,
     IntegerMap, Light, MapPoint, Material, NegativePolicy, Normal, Normals, Parts, Q15, Q31,
@@ -26,7 +26,7 @@ const _: () = {
         Shape<'_>,
         Fault,
         WireError,
-        Format,
+        NumberFormat,
         Header,
         Aligned<u8>,
     )>();

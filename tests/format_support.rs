@@ -39,7 +39,7 @@ fn assert_refused(what: &str, change: impl Fn(&mut Table)) {
     assert_eq!((floats, integers), ("yes", "no"), "{what}");
     let mut table = shipped().table.clone();
     change(&mut table);
-    for format in [quantize::Format::Q15, quantize::Format::Q31] {
+    for format in [quantize::IntegerFormat::Q15, quantize::IntegerFormat::Q31] {
         let refused = quantize::integers(&table, format, format.tolerance()).err();
         let refused = refused.expect(what).to_string();
         assert!(refused.contains(error), "{what}: `{error}` in `{refused}`");
@@ -79,7 +79,7 @@ fn tables_that_integers_do_not_serve_are_refused_as_documented() {
     assert_eq!((floats, integers), ("no", "no"));
     let mut table = shipped().table.clone();
     table.scene.basis.store = Store::Materials;
-    for format in [wire::Format::F32, wire::Format::Q15, wire::Format::Q31] {
+    for format in [wire::NumberFormat::F32, wire::NumberFormat::Q15, wire::NumberFormat::Q31] {
         let refused = wire::encode(&table, format, Endian::Little).expect_err("no factors");
         assert!(refused.to_string().contains(error), "`{error}` in `{refused}`");
     }
@@ -160,7 +160,7 @@ fn what_every_format_supports_is_there() {
     let mut table = shipped().table.clone();
     for effects in [vec![Effect::Diffuse, Effect::Broad], Effect::ALL.to_vec()] {
         table.scene.effects.wanted = effects;
-        for format in [quantize::Format::Q15, quantize::Format::Q31] {
+        for format in [quantize::IntegerFormat::Q15, quantize::IntegerFormat::Q31] {
             let taken = quantize::integers(&table, format, format.tolerance());
             assert!(taken.is_ok(), "{:?}", taken.err());
         }

@@ -5,7 +5,7 @@ use crate::oracle::Numbers;
 use eigenshade::quantized::{Basis, Light, Material, Normal, Parts, Transfer};
 use eigenshade::sphere::{q15, q31};
 use eigenshade::{Argument, Error, FixedPoint, Q15, Q31};
-use eigenshade_table::quantize::{self, Format};
+use eigenshade_table::quantize::{self, IntegerFormat};
 use eigenshade_testing::fixtures::{of_equal_areas, spiral};
 use eigenshade_testing::relative_error;
 
@@ -114,7 +114,7 @@ fn inputs_are_quantized_alike() {
         let light = Light::quantize(&values, &mut mantissas).expect("a light");
         let expected: Vec<Q15> = host.into_iter().map(Q15::of).collect();
         assert_eq!(Light::new(exponent.into(), &expected), Ok(light));
-        let (host, exponents) = quantize::material(ORDER, &wide[..40], Format::Q31);
+        let (host, exponents) = quantize::material(ORDER, &wide[..40], IntegerFormat::Q31);
         let (mut mantissas, mut found) = ([Q31::default(); 40], [0; 8]);
         let material = Material::quantize(&values[..40], &mut mantissas, &mut found).expect("one");
         let expected: Vec<Q31> = host.into_iter().map(Q31::of).collect();
@@ -274,7 +274,7 @@ fn estimates_are_means() {
 #[test]
 fn profiles_keep_a_term() {
     let table = &shipped().table;
-    let parts = quantize::integers(table, Format::Q15, 1e9).expect("parts");
+    let parts = quantize::integers(table, IntegerFormat::Q15, 1e9).expect("parts");
     let served = table.profiles.iter().map(|profile| profile.azimuth).max().expect("profiles");
     assert_eq!(parts.lengths[..=served], vec![1; served + 1]);
 }

@@ -3,13 +3,13 @@
 use crate::wire_files as files;
 use eigenshade::wire::{Fault, Header, WireError, aligned};
 use eigenshade::{Basis, GeneralBasis, Q15, Q31, quantized, sphere};
-use eigenshade_table::wire::{Endian, Format, encode};
+use eigenshade_table::wire::{Endian, NumberFormat, encode};
 use files::{
     ALL, GENERAL, INTEGERS_15, LONG, SPHERE, facing_15, facing_31, floats, integers, room,
 };
 use proptest::prelude::*;
 
-fn shipped(format: Format) -> Vec<u8> {
+fn shipped(format: NumberFormat) -> Vec<u8> {
     let bytes = std::fs::read("tables/sphere.bin").expect("the shipped table");
     let table = eigenshade_table::decode(&bytes).expect("a table");
     encode(&table, format, Endian::Little).expect("it has every format")
@@ -18,7 +18,7 @@ fn shipped(format: Format) -> Vec<u8> {
 /// The files that are compiled in are those of the shipped table.
 #[test]
 fn what_is_compiled_in_is_the_shipped_table() {
-    for format in Format::ALL {
+    for format in NumberFormat::ALL {
         let file = format!("tables/sphere.{}.esw", format.name());
         let bytes = std::fs::read(&file).expect("what build.rs reads");
         assert!(bytes == shipped(format), "{file}: make it again, as tables/README.md says");
@@ -28,16 +28,16 @@ fn what_is_compiled_in_is_the_shipped_table() {
 /// Whatever is compiled in as statics comes back from bytes, array by array.
 #[test]
 fn the_shipped_table_comes_back() {
-    let bytes = shipped(Format::F32);
+    let bytes = shipped(NumberFormat::F32);
     let (mut a, mut b, mut c) = (room(&bytes), room(&bytes), room(&bytes));
     let floats = Basis::<f32>::from_bytes(aligned(&bytes, &mut a).expect("room"));
     let floats = floats.expect("a wire file");
     assert_eq!(format!("{:?}", floats.parts()), format!("{:?}", sphere::BASIS.parts()));
-    let bytes = shipped(Format::Q15);
+    let bytes = shipped(NumberFormat::Q15);
     let integers = quantized::Basis::<Q15>::from_bytes(aligned(&bytes, &mut b).expect("room"));
     let integers = integers.expect("a wire file");
     assert_eq!(format!("{:?}", integers.parts()), format!("{:?}", sphere::q15::BASIS.parts()));
-    let bytes = shipped(Format::Q31);
+    let bytes = shipped(NumberFormat::Q31);
     let integers = quantized::Basis::<Q31>::from_bytes(aligned(&bytes, &mut c).expect("room"));
     let integers = integers.expect("a wire file");
     assert_eq!(format!("{:?}", integers.parts()), format!("{:?}", sphere::q31::BASIS.parts()));
@@ -48,7 +48,7 @@ fn the_shipped_table_comes_back() {
 fn a_header_is_as_written_down() {
     let header = Header::read(&INTEGERS_15.0).expect("a header");
     assert_eq!((header.version, header.length), (1, INTEGERS_15.0.len()));
-    assert_eq!(Format::of(header.format), Some(Format::Q15));
+    assert_eq!(NumberFormat::of(header.format), Some(NumberFormat::Q15));
     assert_eq!((header.degree, header.order, header.components), (2, 2, 6));
     assert_eq!((header.images, header.sections), (0, 7));
     let expected = [
@@ -172,8 +172,8 @@ fn errors_say_which_they_are() {
         (of(&SPHERE.0[..100]), Fault::Length { expected: length, found: 100 }.into()),
         (with(&SPHERE.0, 12, 4), Fault::Version(4).into()),
         (with(&SPHERE.0, 30, 0), Fault::Effects { bits: 0 }.into()),
-        (with(&SPHERE.0, 14, 7), Fault::Format { expected: Format::F32, found: 7 }.into()),
-        (of(&INTEGERS_15.0), Fault::Format { expected: Format::F32, found: 2 }.into()),
+        (with(&SPHERE.0, 14, 7), Fault::Format { expected: NumberFormat::F32, found: 7 }.into()),
+        (of(&INTEGERS_15.0), Fault::Format { expected: NumberFormat::F32, found: 2 }.into()),
         (of(&GENERAL.0), Fault::Images { found: 4 }.into()),
         (with(&SPHERE.0, 21, 2), Fault::Shape { degree: 514, order: 2 }.into()),
         (with(&GENERAL.0, 28, 18), Fault::Section { number: 17 }.into()),
@@ -213,7 +213,7 @@ fn the_other_byte_order_is_told() {
     let table = std::fs::read("tables/sphere.bin").expect("the shipped table");
     let table = eigenshade_table::decode(&table).expect("a table");
     let [little, big] = [Endian::Little, Endian::Big]
-        .map(|endian| encode(&table, Format::F32, endian).expect("a sphere's table"));
+        .map(|endian| encode(&table, NumberFormat::F32, endian).expect("a sphere's table"));
     let mut room = room(&big);
     let refused = Basis::<f32>::from_bytes(aligned(&big, &mut room).expect("room"));
     assert_eq!(refused.expect_err("another order"), Fault::Endianness.into());

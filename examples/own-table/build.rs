@@ -1,7 +1,7 @@
 //! Makes the table.
 
-use eigenshade_generator::build::{self, Format};
+use eigenshade_generator::build::{self, IntegerFormat};
 
 fn main() {
-    build::statics("scene.toml", "table.rs", &[Format::Q15]);
+    build::statics("scene.toml", "table.rs", &[IntegerFormat::Q15]);
 }

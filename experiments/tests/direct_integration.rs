@@ -13,7 +13,7 @@ use eigenshade_generator::material::brdf::projection::project as project_brdf;
 use eigenshade_generator::material::brdf::{Brdf, Ggx, Lambertian, Measure};
 use eigenshade_model::reference::DirectSum;
 use eigenshade_shading::owned_basis::OwnedBasis;
-use eigenshade_table::wire::{Endian, Format, encode};
+use eigenshade_table::wire::{Endian, NumberFormat, encode};
 use eigenshade_testing::oracle::ggx;
 use experiments::accuracy::{SHAPES, errors, table};
 use std::f64::consts::{PI, TAU};
@@ -403,7 +403,7 @@ fn a_table_with_series_is_read_back() {
     let owned = OwnedBasis::<f32>::new(&table);
     let basis = owned.basis().expect("a basis");
     assert!(!basis.parts().recurrences.is_empty());
-    let bytes = encode(&table, Format::F32, Endian::Little).expect("a wire file");
+    let bytes = encode(&table, NumberFormat::F32, Endian::Little).expect("a wire file");
     let mut room = vec![0; bytes.len() / 4 + 1];
     let read = Basis::<f32>::from_bytes(aligned(&bytes, &mut room).expect("room"));
     let read = read.expect("a wire file");

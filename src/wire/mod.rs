@@ -33,6 +33,6 @@
 mod bases;
 mod error;
 
-pub use crate::index::format::{Format, IntegerFormat};
+pub use crate::index::format::{IntegerFormat, NumberFormat};
 pub use crate::index::wire::{Aligned, Fault, Header, aligned};
 pub use error::WireError;

@@ -7,14 +7,14 @@ use eigenshade::quantized::{Basis, Light, Material, Normal, Scene, Transfer};
 use eigenshade::sphere::{q15, q31};
 use eigenshade::{Error, FixedPoint, Q15, Q31};
 use eigenshade_index::{light, material, mode, pair};
-use eigenshade_table::quantize::{Format, integers};
+use eigenshade_table::quantize::{IntegerFormat, integers};
 use eigenshade_table::{Component, Table};
 use std::f64::consts::SQRT_2;
 use std::sync::OnceLock;
 
 /// An integer format and its shipped table.
 pub trait Integer: FixedPoint<Wide: Into<i128>> {
-    const FORMAT: Format;
+    const FORMAT: IntegerFormat;
     /// The number with this mantissa, which fits the format.
     fn of(mantissa: i32) -> Self;
     fn normal(components: [Self; 3]) -> Result<Normal<Self>, Error>;
@@ -51,8 +51,8 @@ pub trait Integer: FixedPoint<Wide: Into<i128>> {
     /// The mantissa of these bits.
     fn read(input: &mut Reader<'_>) -> Self {
         match Self::FORMAT {
-            Format::Q15 => Self::of(i16::from_le_bytes(input.bytes()).into()),
-            Format::Q31 => Self::of(input.i32()),
+            IntegerFormat::Q15 => Self::of(i16::from_le_bytes(input.bytes()).into()),
+            IntegerFormat::Q31 => Self::of(input.i32()),
         }
     }
 }
@@ -60,7 +60,7 @@ pub trait Integer: FixedPoint<Wide: Into<i128>> {
 macro_rules! integer {
     ($format:ident, $module:ident) => {
         impl Integer for $format {
-            const FORMAT: Format = Format::$format;
+            const FORMAT: IntegerFormat = IntegerFormat::$format;
             fn of(mantissa: i32) -> Self {
                 Self(mantissa.try_into().expect("a mantissa of the format"))
             }
@@ -220,13 +220,13 @@ pub fn shipped() -> &'static Shipped {
     SHIPPED.get_or_init(|| {
         let bytes = include_bytes!("../../tables/sphere.bin");
         let table = eigenshade_table::decode(bytes).expect("a table");
-        let parts = |format: Format| {
+        let parts = |format: IntegerFormat| {
             integers(&table, format, format.tolerance()).expect("a sphere's table")
         };
         Shipped {
             rows: table.profiles.iter().map(|profile| table.gram_row(profile)).collect(),
-            q15: parts(Format::Q15),
-            q31: parts(Format::Q31),
+            q15: parts(IntegerFormat::Q15),
+            q31: parts(IntegerFormat::Q31),
             table,
         }
     })
@@ -234,7 +234,7 @@ pub fn shipped() -> &'static Shipped {
 
 impl Shipped {
     pub fn parts<Q: Integer>(&self) -> &OwnedParts<i32> {
-        if Q::FORMAT == Format::Q15 { &self.q15 } else { &self.q31 }
+        if Q::FORMAT == IntegerFormat::Q15 { &self.q15 } else { &self.q31 }
     }
 
     /// d = UᵀMc, mode by mode; coefficients beyond the slices are zero.

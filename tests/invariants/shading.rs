@@ -9,7 +9,7 @@ use eigenshade::{
     Error, Light, Material, Normal, Normals, Tolerance, Truncation, quantized, sphere,
 };
 use eigenshade_index::{light, material};
-use eigenshade_table::quantize::Format;
+use eigenshade_table::quantize::IntegerFormat;
 
 /// What counts as moderate: sums of products of two stay below f32's largest.
 const MODERATE: f32 = 1e12;
@@ -215,8 +215,8 @@ fn relit<Q: Integer>(made: &Relit<Q>, light: &[Q], of_light: i32) {
 /// What of the size of its addends, and of the range of a pixel, the integers may be off by.
 pub fn parts<Q: Integer>() -> (f64, f64) {
     match Q::FORMAT {
-        Format::Q15 => (super::ANY_D_Q15, ANY_PIXEL_Q15),
-        Format::Q31 => (super::ANY_D_Q31, ANY_PIXEL_Q31),
+        IntegerFormat::Q15 => (super::ANY_D_Q15, ANY_PIXEL_Q15),
+        IntegerFormat::Q31 => (super::ANY_D_Q31, ANY_PIXEL_Q31),
     }
 }
 

@@ -10,7 +10,7 @@ use eigenshade::{
     Tolerance, Truncation, Window, quantized, sphere,
 };
 use eigenshade_index::{light, material};
-use eigenshade_table::quantize::Format;
+use eigenshade_table::quantize::IntegerFormat;
 
 /// d of any light and material, of what its addends could be, all of the largest size and of one
 /// sign: some roundings of 24 bits, of addends far smaller.
@@ -125,8 +125,8 @@ impl Case {
         let scale = 2f64.powi(exponent);
         let wide: Vec<f64> = d.iter().map(|&d| scale * f64::from(d)).collect();
         let of_pixel = match Q::FORMAT {
-            Format::Q15 => ANY_IMAGE_Q15,
-            Format::Q31 => ANY_IMAGE_Q31,
+            IntegerFormat::Q15 => ANY_IMAGE_Q15,
+            IntegerFormat::Q31 => ANY_IMAGE_Q31,
         };
         self.projected(&wide, parts::<Q>().0, super::ANY_D_COMMON);
         let (basis, room) = (Q::basis(), vec![0; Q::basis().scene_len()]);

@@ -6,7 +6,7 @@ use crate::inputs::{coefficients, database, lights};
 use crate::limit::necessary;
 use eigenshade::wire::aligned;
 use eigenshade::{Basis, Parts, Scene, Tolerance, sphere};
-use eigenshade_table::wire::{Endian, Format, encode};
+use eigenshade_table::wire::{Endian, NumberFormat, encode};
 use std::path::Path;
 
 /// A white matte, f = 1/π.
@@ -143,7 +143,7 @@ pub fn long_terms() -> (Vec<u16>, usize) {
 fn basis() -> Basis<'static, f32> {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../tables/pbr.bin");
     let table = eigenshade_table::decode(&std::fs::read(path).expect("the shipped table"));
-    let bytes = encode(&table.expect("a table"), Format::F32, Endian::Little).expect("a sphere's");
+    let bytes = encode(&table.expect("a table"), NumberFormat::F32, Endian::Little).expect("a sphere's");
     let room = Vec::leak(vec![0; bytes.len().div_ceil(4)]);
     Basis::from_bytes(aligned(&bytes, room).expect("room")).expect("a wire file")
 }

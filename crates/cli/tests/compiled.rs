@@ -7,7 +7,7 @@ use eigenshade_model::database::{Lights, Materials};
 use eigenshade_model::inputs::coefficient_csv::{read_lights, read_materials};
 use eigenshade_shading::owned_basis::OwnedBasis;
 use eigenshade_shading::shader::{OwnedNormals, Shader};
-use eigenshade_table::quantize::{Format, integers};
+use eigenshade_table::quantize::{IntegerFormat, integers};
 use eigenshade_table::{Table, statics};
 use std::fmt::Write;
 use std::fs;
@@ -191,7 +191,7 @@ fn compiled() -> &'static Compiled {
             let small = ("small", "sphere", "any", degree, order, "image-centered", 30, 0);
             let (table, ..) = self::table(&folder, &small);
             for (format, kind, bits, int) in
-                [(Format::Q15, "Q15", "15", "i16"), (Format::Q31, "Q31", "31", "i32")]
+                [(IntegerFormat::Q15, "Q15", "15", "i16"), (IntegerFormat::Q31, "Q31", "31", "i32")]
             {
                 let name = format!("of_{degree}_{order}_{bits}");
                 let parts = integers(&table, format, format.tolerance()).expect("parts");

@@ -3,9 +3,9 @@
 //! Add `eigenshade-generator` to the `[build-dependencies]` and write this `build.rs`:
 //!
 //! ```no_run
-//! use eigenshade_generator::build::{self, Format};
+//! use eigenshade_generator::build::{self, IntegerFormat};
 //!
-//! build::statics("scene.toml", "table.rs", &[Format::Q15]);
+//! build::statics("scene.toml", "table.rs", &[IntegerFormat::Q15]);
 //! ```
 //!
 //! In the crate, add a module `table` that contains `include!(concat!(env!("OUT_DIR"),
@@ -30,7 +30,7 @@ use eigenshade_table::statics;
 use std::path::Path;
 use std::{env, process};
 
-pub use eigenshade_table::quantize::Format;
+pub use eigenshade_table::quantize::IntegerFormat;
 
 /// Writes the statics of the scene at `scene` to the file `name` in the build script's `OUT_DIR`:
 /// in `f32`, and in a module `q15` or `q31` for each format in `integers`. If the scene has a
@@ -41,7 +41,7 @@ pub use eigenshade_table::quantize::Format;
 /// warning for each integer format that does not serve the scene and is left out, for lights
 /// without sources and for materials without gloss. On an error it prints one line and ends the
 /// process.
-pub fn statics(scene: impl AsRef<Path>, name: &str, integers: &[Format]) {
+pub fn statics(scene: impl AsRef<Path>, name: &str, integers: &[IntegerFormat]) {
     let scene = scene.as_ref();
     for input in scene_file::inputs(scene) {
         println!("cargo::rerun-if-changed={}", input.display());
@@ -65,7 +65,7 @@ pub fn statics(scene: impl AsRef<Path>, name: &str, integers: &[Format]) {
 ///
 /// The errors of [`scene_file::load`] and [`Loaded::build`](scene_file::Loaded::build), a scene
 /// that stores only transfers, and errors of writing.
-pub fn write(scene: &Path, out: &Path, integers: &[Format]) -> Result<Vec<String>> {
+pub fn write(scene: &Path, out: &Path, integers: &[IntegerFormat]) -> Result<Vec<String>> {
     let loaded = scene_file::load(scene)?;
     let table = loaded.build().map_err(|error| error.in_file(scene))?;
     let command = format!("eigenshade-generator, from {}", scene.display());
@@ -77,7 +77,7 @@ pub fn write(scene: &Path, out: &Path, integers: &[Format]) -> Result<Vec<String
     write_atomically(out, |to| {
         to.write_all(text.as_bytes()).map_err(|error| Error::io(out, &error))
     })?;
-    let line = |(format, error): &(Format, _)| {
+    let line = |(format, error): &(IntegerFormat, _)| {
         format!("{}: no {}: {error}", scene.display(), format.name())
     };
     let missing = loaded.highlights.iter().flat_map(Highlights::warnings);

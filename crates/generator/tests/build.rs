@@ -1,6 +1,6 @@
 //! Statics of a scene, as a build script asks for them.
 
-use eigenshade_generator::build::{Format, write};
+use eigenshade_generator::build::{IntegerFormat, write};
 use eigenshade_generator::scene_file::inputs;
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -27,7 +27,7 @@ fn scene(folder: &Path, geometry: &str, basis: &str) -> PathBuf {
 fn integers_stand_beside_floats_where_they_serve() {
     let folder = tempfile::tempdir().expect("a folder");
     let out = folder.path().join("table.rs");
-    let formats = [Format::Q15, Format::Q31];
+    let formats = [IntegerFormat::Q15, IntegerFormat::Q31];
     for (geometry, basis, reason) in [
         ("normals = \"sphere\"", "criterion = \"image-centered\"\ncomponents = 4", None),
         ("normals = \"sphere\"", "criterion = \"standard\"\ncomponents = 4", Some("mean image")),

@@ -4,14 +4,14 @@
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
-pub enum Format {
+pub enum NumberFormat {
     /// `f32`.
     F32,
     /// An integer format.
     Integer(IntegerFormat),
 }
 
-impl Format {
+impl NumberFormat {
     /// 15-bit mantissas, [`Q15`](crate::record::Q15).
     pub const Q15: Self = Self::Integer(IntegerFormat::Q15);
     /// 31-bit mantissas, [`Q31`](crate::record::Q31).
@@ -67,10 +67,10 @@ impl IntegerFormat {
         }
     }
 
-    /// As [`Format::name`].
+    /// As [`NumberFormat::name`].
     #[must_use]
     pub const fn name(self) -> &'static str {
-        Format::Integer(self).name()
+        NumberFormat::Integer(self).name()
     }
 
     /// The truncation error that is allowed for polynomials in this format, relative to the

@@ -10,12 +10,12 @@ use eigenshade::{FixedPoint, Q15, Q31};
 use eigenshade_index::record::integers::OwnedParts;
 use eigenshade_model::error::{Error, Result};
 use eigenshade_table::Table;
-use eigenshade_table::quantize::{self, Format, QuantizeError};
+use eigenshade_table::quantize::{self, IntegerFormat, QuantizeError};
 
 /// An integer format that the command line offers.
 pub trait Integer: FixedPoint {
     /// The format's identifier.
-    const FORMAT: Format;
+    const FORMAT: IntegerFormat;
     /// The number with this mantissa, which must fit the format.
     fn of(mantissa: i32) -> Self;
     /// The nearest representable normal.
@@ -33,7 +33,7 @@ pub trait Integer: FixedPoint {
 }
 
 impl Integer for Q15 {
-    const FORMAT: Format = Format::Q15;
+    const FORMAT: IntegerFormat = IntegerFormat::Q15;
     fn of(mantissa: i32) -> Self {
         Self(mantissa as i16)
     }
@@ -47,7 +47,7 @@ impl Integer for Q15 {
 }
 
 impl Integer for Q31 {
-    const FORMAT: Format = Format::Q31;
+    const FORMAT: IntegerFormat = IntegerFormat::Q31;
     fn of(mantissa: i32) -> Self {
         Self(mantissa)
     }

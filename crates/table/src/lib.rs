@@ -12,11 +12,11 @@
 //!
 //! ```
 //! use eigenshade_table::decode;
-//! use eigenshade_table::wire::{self, Endian, Format};
+//! use eigenshade_table::wire::{self, Endian, NumberFormat};
 //!
 //! # let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/../../tables");
 //! let table = decode(&std::fs::read(format!("{folder}/sphere.bin"))?)?;
-//! let bytes = wire::encode(&table, Format::F32, Endian::Little)?;
+//! let bytes = wire::encode(&table, NumberFormat::F32, Endian::Little)?;
 //! assert_eq!(bytes, std::fs::read(format!("{folder}/sphere.f32.esw"))?);
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```

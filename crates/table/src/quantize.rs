@@ -7,7 +7,7 @@
 use crate::chebyshev::polynomial;
 use crate::table::{Profile, Table};
 use eigenshade_index::effect::Effect;
-pub use eigenshade_index::format::IntegerFormat as Format;
+pub use eigenshade_index::format::IntegerFormat;
 use eigenshade_index::record::integers::{OwnedParts, Profile as Place};
 use eigenshade_index::record::{NONE, Q15, Q31};
 use eigenshade_index::{layout, material, pair};
@@ -95,7 +95,7 @@ impl std::error::Error for QuantizeError {}
 /// If the table cannot be converted to integers.
 pub fn integers(
     table: &Table,
-    format: Format,
+    format: IntegerFormat,
     tolerance: f64,
 ) -> Result<OwnedParts<i32>, QuantizeError> {
     for (fault, error) in [
@@ -172,13 +172,13 @@ pub fn integers(
     })
 }
 
-/// The arrays of a table in [`Format::Q15`].
+/// The arrays of a table in [`IntegerFormat::Q15`].
 #[must_use]
 pub fn in_q15(parts: &OwnedParts<i32>) -> OwnedParts<Q15> {
     parts.convert(|&number| Q15(number as i16))
 }
 
-/// The arrays of a table in [`Format::Q31`].
+/// The arrays of a table in [`IntegerFormat::Q31`].
 #[must_use]
 pub fn in_q31(parts: &OwnedParts<i32>) -> OwnedParts<Q31> {
     parts.convert(|&number| Q31(number))
@@ -253,7 +253,7 @@ fn needed(profile: &Profile, tolerance: f64) -> usize {
 
 /// The coefficients of a material as mantissas, with one exponent for each o.
 #[must_use]
-pub fn material(order: usize, coefficients: &[f64], format: Format) -> (Vec<i32>, Vec<i8>) {
+pub fn material(order: usize, coefficients: &[f64], format: IntegerFormat) -> (Vec<i32>, Vec<i8>) {
     let (mut mantissas, mut exponents) = (Vec::new(), Vec::new());
     for o in 0..=order {
         let of_order = &coefficients[material::position(o, o % 2, o % 2)..material::count(o)];
@@ -266,7 +266,7 @@ pub fn material(order: usize, coefficients: &[f64], format: Format) -> (Vec<i32>
 
 /// Whether the coefficients of a light or a material fit the format without saturation.
 #[must_use]
-pub fn holds(numbers: &[f64], format: Format) -> bool {
+pub fn holds(numbers: &[f64], format: IntegerFormat) -> bool {
     in_range(numbers, format.bits(), i64::MAX).is_some()
 }
 
@@ -315,7 +315,7 @@ mod tests {
 
     #[test]
     fn saturation_is_recognized() {
-        for format in [Format::Q15, Format::Q31] {
+        for format in [IntegerFormat::Q15, IntegerFormat::Q31] {
             // The largest mantissa times 2^127.
             let most = (2f64.powi(format.bits()) - 1.0) * 2f64.powi(127);
             assert!(holds(&[most, -most, 1e-300, 0.0], format));

@@ -1,7 +1,7 @@
 //! A table as Rust source: statics in floats, and modules with the table in integers.
 
 use crate::parts;
-use crate::quantize::{self, Format, QuantizeError, in_q15, in_q31};
+use crate::quantize::{self, IntegerFormat, QuantizeError, in_q15, in_q31};
 use crate::table::Table;
 use eigenshade_index::record::integers::OwnedParts;
 use eigenshade_index::source;
@@ -12,7 +12,7 @@ pub struct Statics {
     /// The text of [`floats`], then a `mod q15` or `mod q31` for each format.
     pub text: String,
     /// Formats to which the table cannot be converted, with the reasons.
-    pub left_out: Vec<(Format, QuantizeError)>,
+    pub left_out: Vec<(IntegerFormat, QuantizeError)>,
 }
 
 /// The statics of a table in `f32` and in those of the given integer formats to which it can be
@@ -21,7 +21,11 @@ pub struct Statics {
 /// # Errors
 ///
 /// [`QuantizeError::TransfersOnly`] for a table that stores only transfers: it has no statics.
-pub fn module(table: &Table, command: &str, formats: &[Format]) -> Result<Statics, QuantizeError> {
+pub fn module(
+    table: &Table,
+    command: &str,
+    formats: &[IntegerFormat],
+) -> Result<Statics, QuantizeError> {
     if !table.has_projection() {
         return Err(QuantizeError::TransfersOnly);
     }
@@ -53,9 +57,9 @@ pub fn floats(table: &Table, command: &str) -> String {
 
 /// The statics of a table in integers.
 #[must_use]
-pub fn integers(parts: &OwnedParts<i32>, format: Format, command: &str) -> String {
+pub fn integers(parts: &OwnedParts<i32>, format: IntegerFormat, command: &str) -> String {
     match format {
-        Format::Q15 => source::integers::module(&in_q15(parts).borrow(), command),
-        Format::Q31 => source::integers::module(&in_q31(parts).borrow(), command),
+        IntegerFormat::Q15 => source::integers::module(&in_q15(parts).borrow(), command),
+        IntegerFormat::Q31 => source::integers::module(&in_q31(parts).borrow(), command),
     }
 }

@@ -3,7 +3,7 @@
 use crate::gram::GramFactor;
 use crate::scene::{Scene, Store};
 use eigenshade_index::effect::Effects;
-use eigenshade_index::format::Format;
+use eigenshade_index::format::NumberFormat;
 use eigenshade_index::pair;
 use serde::{Deserialize, Serialize};
 
@@ -147,7 +147,7 @@ pub struct Summary {
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Rounding {
     /// The format.
-    pub format: Format,
+    pub format: NumberFormat,
     /// The largest error of any pixel in any image.
     pub largest: f64,
     /// The largest root mean square error of any image, over the sphere's normals.
@@ -224,7 +224,7 @@ impl Table {
 
     /// The rounding errors of a format, if they were measured.
     #[must_use]
-    pub fn rounding(&self, format: Format) -> Option<&Rounding> {
+    pub fn rounding(&self, format: NumberFormat) -> Option<&Rounding> {
         self.summary.roundings.iter().find(|one| one.format == format)
     }
 

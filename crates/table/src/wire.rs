@@ -4,8 +4,8 @@ use crate::parts;
 use crate::quantize::{self, QuantizeError};
 use crate::table::Table;
 use eigenshade_index::effect::Effects;
-pub use eigenshade_index::format::Format;
 use eigenshade_index::format::IntegerFormat;
+pub use eigenshade_index::format::NumberFormat;
 use eigenshade_index::record::integers::OwnedParts;
 use eigenshade_index::record::{Item, Visitor, Word};
 use eigenshade_index::wire::{
@@ -78,15 +78,15 @@ impl From<QuantizeError> for WireError {
 ///
 /// If the table stores only transfers, its numbers exceed the format, or it cannot be converted to
 /// integers.
-pub fn encode(table: &Table, format: Format, endian: Endian) -> Result<Vec<u8>, WireError> {
+pub fn encode(table: &Table, format: NumberFormat, endian: Endian) -> Result<Vec<u8>, WireError> {
     let (degree, order) = (table.gram.degree, table.gram.order);
     if degree > MAX_DEGREE_AND_ORDER || order > MAX_DEGREE_AND_ORDER {
         return Err(WireError::Shape { degree, order });
     }
     match format {
-        Format::F32 if !table.has_projection() => Err(WireError::TransfersOnly),
-        Format::F32 => floats(table, endian),
-        Format::Integer(format) => {
+        NumberFormat::F32 if !table.has_projection() => Err(WireError::TransfersOnly),
+        NumberFormat::F32 => floats(table, endian),
+        NumberFormat::Integer(format) => {
             let parts = quantize::integers(table, format, format.tolerance())?;
             integers(&parts, format, endian)
         }
@@ -104,7 +104,7 @@ fn floats(table: &Table, endian: Endian) -> Result<Vec<u8>, WireError> {
     parts.convert(|&number| number as f32).borrow().visit(&mut sections);
     general.convert(|&number| number as f32).borrow().visit(&mut sections);
     let shape = [parts.degree, parts.order, parts.components, general.components];
-    sections.file(Format::F32, shape, parts.effects)
+    sections.file(NumberFormat::F32, shape, parts.effects)
 }
 
 fn integers(
@@ -118,7 +118,7 @@ fn integers(
         IntegerFormat::Q31 => quantize::in_q31(parts).borrow().visit(&mut sections),
     }
     let shape = [parts.degree, parts.order, parts.components, 0];
-    sections.file(Format::Integer(format), shape, parts.effects)
+    sections.file(NumberFormat::Integer(format), shape, parts.effects)
 }
 
 /// The sections of a file.
@@ -141,7 +141,7 @@ impl Sections {
     /// The whole file: header, entries, sections up to the last that is not empty, checksum.
     fn file(
         self,
-        format: Format,
+        format: NumberFormat,
         shape: [usize; 4],
         effects: Effects,
     ) -> Result<Vec<u8>, WireError> {

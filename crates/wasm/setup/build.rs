@@ -1,7 +1,7 @@
 //! Writes the table that `EIGENSHADE_TABLE` names as statics to the output folder. Without it the
 //! module has the shipped table.
 
-use eigenshade_table::quantize::{Format, integers};
+use eigenshade_table::quantize::{IntegerFormat, integers};
 use eigenshade_table::{Table, statics};
 use std::path::{Path, PathBuf};
 use std::{env, fs, process};
@@ -29,7 +29,7 @@ fn bake(path: &Path) -> Result<(), String> {
     fits(&table)?;
     let command = format!("build.rs, from {}", path.display());
     write("table.rs", &statics::floats(&table, &command))?;
-    for (format, name) in [(Format::Q15, "q15"), (Format::Q31, "q31")] {
+    for (format, name) in [(IntegerFormat::Q15, "q15"), (IntegerFormat::Q31, "q31")] {
         if env::var_os(format!("CARGO_FEATURE_{}", name.to_uppercase())).is_none() {
             continue;
         }

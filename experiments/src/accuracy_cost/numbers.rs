@@ -43,9 +43,9 @@ fn unrepresentable(error: impl Display) -> Error {
 pub fn table_bytes(setting: &Setting, table: &Table) -> Result<usize> {
     let format = match (setting.format, setting.way) {
         (_, Way::NineTerms) => return Ok(0),
-        (Format::Q31, _) => wire::Format::Q31,
-        (Format::Q15, Way::Polynomial) => wire::Format::Q15,
-        _ => wire::Format::F32,
+        (Format::Q31, _) => wire::NumberFormat::Q31,
+        (Format::Q15, Way::Polynomial) => wire::NumberFormat::Q15,
+        _ => wire::NumberFormat::F32,
     };
     let bytes = wire::encode(table, format, wire::Endian::Little).map_err(unrepresentable)?.len();
     if setting.format != Format::F64 {

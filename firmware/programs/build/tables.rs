@@ -5,7 +5,7 @@ use eigenshade::Q15;
 use eigenshade::index::record::integers::OwnedParts;
 use eigenshade::index::source;
 use eigenshade::quantized::{Basis, Material};
-use eigenshade_table::quantize::{self, Format};
+use eigenshade_table::quantize::{self, IntegerFormat};
 use eigenshade_table::reduce::with_components;
 use eigenshade_table::trim::trim;
 use eigenshade_table::{Table, statics};
@@ -76,8 +76,8 @@ fn size(line: &str) -> Result<String> {
 /// The module of a table in the formats of its programs.
 fn any_material(name: &str, table: &Table) -> Result<String> {
     let mut text = statics::floats(table, COMMAND);
-    for (format, suffix) in [(Format::Q15, "q15"), (Format::Q31, "q31")] {
-        if format == Format::Q31 && !IN_Q31.contains(&name) {
+    for (format, suffix) in [(IntegerFormat::Q15, "q15"), (IntegerFormat::Q31, "q31")] {
+        if format == IntegerFormat::Q31 && !IN_Q31.contains(&name) {
             continue;
         }
         let parts = parts(table, format)?;
@@ -86,14 +86,15 @@ fn any_material(name: &str, table: &Table) -> Result<String> {
     Ok(in_module(name, &text))
 }
 
-fn parts(table: &Table, format: Format) -> Result<OwnedParts<i32>> {
+fn parts(table: &Table, format: IntegerFormat) -> Result<OwnedParts<i32>> {
     quantize::integers(table, format, format.tolerance()).map_err(|error| error.to_string())
 }
 
 /// The module of a scene: f32 for any material, Q15 for its material.
 fn one_scene(name: &str, table: &Table) -> Result<String> {
     let material = coefficients(table)?;
-    let (mantissas, exponents) = quantize::material(table.gram.order, &material, Format::Q15);
+    let (mantissas, exponents) =
+        quantize::material(table.gram.order, &material, IntegerFormat::Q15);
     let in_q15 = one_material(table, &exponents, &mantissas)?;
     let text = statics::floats(table, COMMAND) + &in_module("q15", &in_q15);
     Ok(in_module(name, &text))
@@ -121,7 +122,7 @@ fn coefficients(table: &Table) -> Result<Vec<f64>> {
 /// A table in Q15 with the transfer of one material as `MATERIAL`, and without the statics that
 /// only a transfer uses.
 fn one_material(table: &Table, exponents: &[i8], mantissas: &[i32]) -> Result<String> {
-    let mut parts = parts(table, Format::Q15)?;
+    let mut parts = parts(table, IntegerFormat::Q15)?;
     let (numbers, of_profiles) =
         transfer(&parts, exponents, mantissas).map_err(|error| error.to_string())?;
     for numbers in [&mut parts.polar, &mut parts.factors] {
@@ -130,7 +131,7 @@ fn one_material(table: &Table, exponents: &[i8], mantissas: &[i32]) -> Result<St
     for exponents in [&mut parts.polar_exponents, &mut parts.factor_exponents] {
         exponents.clear();
     }
-    Ok(statics::integers(&parts, Format::Q15, COMMAND)
+    Ok(statics::integers(&parts, IntegerFormat::Q15, COMMAND)
         + &source::integers::transfer(&numbers, &of_profiles))
 }
 

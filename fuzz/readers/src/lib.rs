@@ -9,7 +9,7 @@ use eigenshade_generator::png_samples;
 use eigenshade_generator::scene_file;
 use eigenshade_model::error::{Error, Result};
 use eigenshade_model::inputs::{coefficient_csv, normals};
-use eigenshade_table::wire::{Endian, Format};
+use eigenshade_table::wire::{Endian, NumberFormat};
 use eigenshade_table::{decode, encode, wire};
 use std::path::{Path, PathBuf};
 use std::sync::OnceLock;
@@ -171,7 +171,7 @@ fn bin(bytes: &[u8]) {
     };
     let Some(table) = accepted(found.map_err(|error| Error::table(&error))) else { return };
     assert!(decode(&encode(&table)).as_ref() == Ok(&table));
-    for format in [Format::F32, Format::Q15, Format::Q31] {
+    for format in [NumberFormat::F32, NumberFormat::Q15, NumberFormat::Q31] {
         let _ = wire::encode(&table, format, Endian::Little);
     }
 }

@@ -14,7 +14,7 @@ use eigenshade_model::error::{Error, Result};
 use eigenshade_model::output::writable;
 use eigenshade_shading::shader::of_higher_order;
 use eigenshade_table::file::manifest;
-use eigenshade_table::wire::Format;
+use eigenshade_table::wire::NumberFormat;
 use eigenshade_table::{Table, encode};
 use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
@@ -101,7 +101,7 @@ impl Basis {
         let warnings = [
             of_higher_order(&database, loaded.order_of_file, order),
             albedo_warning(&loaded.materials),
-            rounding::warning(&table, Format::F32),
+            rounding::warning(&table, NumberFormat::F32),
         ];
         warnings.into_iter().flatten().for_each(print_message);
         output::report(report(&table, bytes.len(), start.elapsed()))

@@ -9,7 +9,7 @@ use eigenshade_cli::table::{self, rounding};
 use eigenshade_model::error::{Error, Result};
 use eigenshade_table::Table;
 use eigenshade_table::reduce::with_components;
-use eigenshade_table::wire::{self, Endian, Format};
+use eigenshade_table::wire::{self, Endian, NumberFormat};
 use std::path::PathBuf;
 
 /// Write a table as a wire file, which the runtime reads in place
@@ -22,7 +22,7 @@ pub struct Pack {
     table: TableChoice,
     /// Number format of the file
     #[arg(short, long, default_value = "f32", value_parser = formats())]
-    format: Format,
+    format: NumberFormat,
     /// Keep only the first components, which have the highest variance [default: all]
     #[arg(long, value_name = "K", value_parser = count(1, u64::from(u16::MAX)))]
     components: Option<usize>,
@@ -35,9 +35,9 @@ pub struct Pack {
 }
 
 /// Parses the name of a format.
-fn formats() -> impl TypedValueParser<Value = Format> {
-    let named = |name: String| Format::ALL.into_iter().find(|format| format.name() == name);
-    PossibleValuesParser::new(Format::ALL.map(Format::name))
+fn formats() -> impl TypedValueParser<Value = NumberFormat> {
+    let named = |name: String| NumberFormat::ALL.into_iter().find(|format| format.name() == name);
+    PossibleValuesParser::new(NumberFormat::ALL.map(NumberFormat::name))
         .try_map(move |name| named(name).ok_or("no format"))
 }
 

@@ -18,7 +18,7 @@ use eigenshade_model::inputs::input_file::is_file;
 use eigenshade_shading::shader::{fitted, of_higher_order};
 use eigenshade_shading::shipped;
 use eigenshade_table::Table;
-use eigenshade_table::wire::Format;
+use eigenshade_table::wire::NumberFormat;
 use std::path::{Path, PathBuf};
 
 /// The largest value of an image: its square times any number of pixels is finite.
@@ -116,7 +116,7 @@ impl Read {
 
         let answer = Answer { reading: &reading, observation: &observation, materials: &materials };
         self.write(&answer)?;
-        warning.iter().chain(&rounding::warning(&table, Format::F32)).for_each(print_message);
+        warning.iter().chain(&rounding::warning(&table, NumberFormat::F32)).for_each(print_message);
         print_message(summary);
         read_answer::summarize(&answer);
         Ok(())

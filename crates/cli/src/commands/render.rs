@@ -136,7 +136,7 @@ impl Render {
         let effects = self.choices.effects(&table)?;
         let higher = of_higher_order(material.path(), order, table.gram.order);
         let rounded = match self.format {
-            Format::F32 => rounding::warning(&table, wire::Format::F32),
+            Format::F32 => rounding::warning(&table, wire::NumberFormat::F32),
             Format::F64 => None,
         };
         let warnings = [higher, albedo_warning(&materials), rounded].into_iter().flatten();

@@ -160,12 +160,12 @@ impl Shade {
     }
 
     /// The format that the table's numbers are rounded to, if any.
-    fn stored(&self) -> Option<wire::Format> {
+    fn stored(&self) -> Option<wire::NumberFormat> {
         match (self.method, self.format) {
             (Method::Modes, _) | (_, Some(Format::F64)) => None,
-            (_, None | Some(Format::F32)) => Some(wire::Format::F32),
-            (_, Some(Format::Q31)) => Some(wire::Format::Q31),
-            (_, Some(Format::Q15)) => Some(wire::Format::Q15),
+            (_, None | Some(Format::F32)) => Some(wire::NumberFormat::F32),
+            (_, Some(Format::Q31)) => Some(wire::NumberFormat::Q31),
+            (_, Some(Format::Q15)) => Some(wire::NumberFormat::Q15),
         }
     }
 

@@ -7,7 +7,7 @@ pub mod recorded_errors;
 pub mod rounding;
 
 use crate::description::Description;
-use eigenshade::wire::{Format, Header, WireError, aligned};
+use eigenshade::wire::{Header, NumberFormat, WireError, aligned};
 use eigenshade::{Basis, GeneralBasis, GeneralParts, Parts, Q15, Q31, quantized};
 use eigenshade_index::effect::{Effect, Effects};
 use eigenshade_index::wire::{ENTRY, HEADER, LABEL};
@@ -102,9 +102,9 @@ pub fn is_wire(bytes: &[u8]) -> bool {
 /// If the runtime refuses the bytes.
 pub fn wire_description(bytes: &[u8]) -> Result<Description> {
     let header = checked(bytes).map_err(|error| described(&error))?;
-    let (format, names) = match Format::of(header.format) {
-        Some(Format::F32) | None => {
-            (Format::F32, [Parts::<f32>::ARRAYS, GeneralParts::<f32>::ARRAYS].concat())
+    let (format, names) = match NumberFormat::of(header.format) {
+        Some(NumberFormat::F32) | None => {
+            (NumberFormat::F32, [Parts::<f32>::ARRAYS, GeneralParts::<f32>::ARRAYS].concat())
         }
         Some(format) => (format, quantized::Parts::<Q15>::ARRAYS.to_vec()),
     };
@@ -137,9 +137,9 @@ fn checked(bytes: &[u8]) -> std::result::Result<Header, WireError> {
     let header = Header::read(bytes)?;
     let mut room = vec![0; bytes.len().div_ceil(4)];
     let bytes = aligned(bytes, &mut room)?;
-    match Format::of(header.format) {
-        Some(Format::Q15) => quantized::Basis::<Q15>::from_bytes(bytes).map(drop)?,
-        Some(Format::Q31) => quantized::Basis::<Q31>::from_bytes(bytes).map(drop)?,
+    match NumberFormat::of(header.format) {
+        Some(NumberFormat::Q15) => quantized::Basis::<Q15>::from_bytes(bytes).map(drop)?,
+        Some(NumberFormat::Q31) => quantized::Basis::<Q31>::from_bytes(bytes).map(drop)?,
         _ if header.images > 0 => GeneralBasis::<f32>::from_bytes(bytes).map(drop)?,
         _ => Basis::<f32>::from_bytes(bytes).map(drop)?,
     }

@@ -7,7 +7,7 @@ use eigenshade_shading::integer_shader::{self, Integer, IntegerShader};
 use eigenshade_shading::owned_basis::OwnedBasis;
 use eigenshade_shading::shader::{OwnedNormals, Shader, fault, fitted};
 use eigenshade_shading::sphere_rings::{Ring, rings};
-use eigenshade_table::wire::Format;
+use eigenshade_table::wire::NumberFormat;
 use eigenshade_table::{Rounding, Table};
 
 /// Approximate limit on the products of a measurement: for larger tables, only a sample of the
@@ -46,11 +46,11 @@ pub fn measure(table: &Table, lights: &Lights, materials: &Materials) -> Vec<Rou
         return Vec::new();
     };
     let mut roundings = Vec::new();
-    for format in Format::ALL {
+    for format in NumberFormat::ALL {
         let images = match format {
-            Format::F32 => floats::<f32>(table, degrees, &chosen, &normals).ok(),
-            Format::Q15 => integers::<Q15>(table, degrees, &chosen, &normals),
-            Format::Q31 => integers::<Q31>(table, degrees, &chosen, &normals),
+            NumberFormat::F32 => floats::<f32>(table, degrees, &chosen, &normals).ok(),
+            NumberFormat::Q15 => integers::<Q15>(table, degrees, &chosen, &normals),
+            NumberFormat::Q31 => integers::<Q31>(table, degrees, &chosen, &normals),
         };
         let Some(images) = images else { continue };
         let mut rounding = Rounding { format, largest: 0.0, rms: 0.0 };
@@ -72,7 +72,7 @@ pub fn measure(table: &Table, lights: &Lights, materials: &Materials) -> Vec<Rou
 
 /// A warning if a format causes a visible error in a table's images.
 #[must_use]
-pub fn warning(table: &Table, format: Format) -> Option<String> {
+pub fn warning(table: &Table, format: NumberFormat) -> Option<String> {
     let Rounding { largest, rms, .. } = table.rounding(format)?;
     (*largest > UNSEEN).then(|| {
         format!(

@@ -1,7 +1,7 @@
 //! What may be wrong with a wire file.
 
 use super::{ALIGNMENT, MAX_DEGREE_AND_ORDER, VERSION};
-use crate::format::Format;
+use crate::format::NumberFormat;
 use core::fmt;
 
 /// The first problem found in the bytes of a wire file.
@@ -18,8 +18,8 @@ pub enum Fault {
     /// The numbers have another format.
     Format {
         /// The format to be read.
-        expected: Format,
-        /// The number of the format in the file; see [`Format::of`].
+        expected: NumberFormat,
+        /// The number of the format in the file; see [`NumberFormat::of`].
         found: u16,
     },
     /// A table of eigenimages over a span was read as one that only has components, or vice versa.
@@ -90,7 +90,7 @@ impl fmt::Display for Fault {
                  eigenshade that reads it"
             ),
             Self::Format { expected, found } => {
-                let name = Format::of(*found).map_or("an unknown one", Format::name);
+                let name = NumberFormat::of(*found).map_or("an unknown one", NumberFormat::name);
                 let expected = expected.name();
                 write!(
                     f,

@@ -5,7 +5,7 @@ use super::{
     ALIGNMENT, CHECKSUM, ENTRY, HEADER, LABEL, MARK, MAX_DEGREE_AND_ORDER, VERSION, place,
 };
 use crate::effect::Effects;
-use crate::format::Format;
+use crate::format::NumberFormat;
 use crate::record::{Item, Q15, Q31, Reader, floats, integers};
 use zerocopy::{IntoBytes, TryFromBytes};
 
@@ -18,7 +18,7 @@ use zerocopy::{IntoBytes, TryFromBytes};
 pub fn read_floats(
     bytes: &[u8],
 ) -> Result<(floats::Parts<'_, f32>, floats::GeneralParts<'_, f32>), Fault> {
-    let mut file = File::open(bytes, Format::F32)?;
+    let mut file = File::open(bytes, NumberFormat::F32)?;
     let parts = floats::Parts::read(file.header.shape(), &mut file)?;
     let general = floats::GeneralParts::read((file.header.images,), &mut file)?;
     file.end()?;
@@ -43,18 +43,18 @@ pub fn read_integers<Q: Mantissa>(bytes: &[u8]) -> Result<integers::Parts<'_, Q>
 /// A mantissa that a wire file may hold.
 pub trait Mantissa: Item {
     /// The format of its files.
-    const WIRE: Format;
+    const WIRE: NumberFormat;
     /// The name of its type.
     const NAME: &'static str;
 }
 
 impl Mantissa for Q15 {
-    const WIRE: Format = Format::Q15;
+    const WIRE: NumberFormat = NumberFormat::Q15;
     const NAME: &'static str = "Q15";
 }
 
 impl Mantissa for Q31 {
-    const WIRE: Format = Format::Q31;
+    const WIRE: NumberFormat = NumberFormat::Q31;
     const NAME: &'static str = "Q31";
 }
 
@@ -68,7 +68,7 @@ struct File<'a> {
 
 impl<'a> File<'a> {
     /// Opens the file at the start of these bytes, which must have this format.
-    fn open(bytes: &'a [u8], expected: Format) -> Result<Self, Fault> {
+    fn open(bytes: &'a [u8], expected: NumberFormat) -> Result<Self, Fault> {
         let header = Header::read(bytes)?;
         if header.format != expected.number() {
             return Err(Fault::Format { expected, found: header.format });
@@ -128,7 +128,7 @@ impl<'a> Reader<'a> for File<'a> {
 pub struct Header {
     /// The version of the file.
     pub version: u16,
-    /// The number format of the file: see [`Format::of`].
+    /// The number format of the file: see [`NumberFormat::of`].
     pub format: u16,
     /// Length of the whole file in bytes.
     pub length: usize,

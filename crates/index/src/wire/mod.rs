@@ -40,7 +40,7 @@ pub mod place {
     pub const MARK: usize = 8;
     /// u16: the version.
     pub const VERSION: usize = 12;
-    /// u16: [`Format::number`](crate::format::Format::number).
+    /// u16: [`NumberFormat::number`](crate::format::NumberFormat::number).
     pub const FORMAT: usize = 14;
     /// u32: length of the whole file in bytes.
     pub const LENGTH: usize = 16;
