@@ -10,6 +10,7 @@ use eigenshade_model::inputs::input_file::{InputFile, is_file};
 use eigenshade_model::inputs::set_error_csv::read_set_errors;
 use eigenshade_model::inputs::source_csv::read_sources;
 use eigenshade_model::source::{NamedGloss, SetError, Source as SmallSource};
+use eigenshade_shading::highlights;
 use eigenshade_shading::shipped::{self, TotalError};
 use std::convert::Infallible;
 use std::path::{Path, PathBuf};
@@ -61,6 +62,23 @@ impl Source {
         &self.path
     }
 
+    /// The files with the light: its own, and those beside it with its sources and their errors.
+    #[must_use]
+    pub fn light_files(&self) -> Vec<PathBuf> {
+        self.with_existing([source_file(&self.path), set_error_file(&self.path)])
+    }
+
+    /// The files with the material: its own, and the one beside it with its gloss.
+    #[must_use]
+    pub fn material_files(&self) -> Vec<PathBuf> {
+        self.with_existing([gloss_file(&self.path)])
+    }
+
+    fn with_existing<const N: usize>(&self, beside: [PathBuf; N]) -> Vec<PathBuf> {
+        let beside = beside.into_iter().filter(|path| is_file(path));
+        [self.path.clone()].into_iter().chain(beside).collect()
+    }
+
     /// The lights.
     ///
     /// # Errors
@@ -88,24 +106,35 @@ impl Source {
     /// # Errors
     ///
     /// If the sources of a light CSV, which are in a file beside it, cannot be read; or if there
-    /// are none for the light.
+    /// are none for the light, or one that the runtime refuses in f32.
     pub fn sources(&self, light: &str, most: usize, budget: Budget) -> Result<Vec<SmallSource>> {
-        let (lights, file) = match self.entry {
-            Entry::Shipped => (shipped::sources()?, PathBuf::from(SOURCES)),
-            _ => {
-                let file = source_file(&self.path);
-                if !is_file(&file) {
-                    let what = "there are no sources beside the light CSV";
-                    return Err(Error::new(what, FIND_SOURCES).in_file(file));
-                }
-                (read_sources(InputFile::new(&file, budget))?, file)
-            }
-        };
+        if self.entry == Entry::Shipped {
+            let sets = shipped::sources()?.into_iter().find(|sets| sets.name == light);
+            let sets = sets.ok_or_else(|| {
+                let what =
+                    format!("the shipped light `{light}` has no map, so no sources are known");
+                Error::new(what, "take another light, or leave --sources out")
+            })?;
+            return Ok(sets.of_most(most).to_vec());
+        }
+        let file = source_file(&self.path);
+        if !is_file(&file) {
+            let what = "there are no sources beside the light CSV";
+            return Err(Error::new(what, FIND_SOURCES).in_file(file));
+        }
+        let lights = read_sources(InputFile::new(&file, budget))?;
         let sets = lights.into_iter().find(|sets| sets.name == light).ok_or_else(|| {
             let what = format!("it has no sources of the light `{light}`");
             Error::new(what, FIND_SOURCES).in_file(&file)
         })?;
-        Ok(sets.of_most(most).to_vec())
+        let sources = sets.of_most(most);
+        if let Some(bad) = sources.iter().position(|one| highlights::source::<f32>(one).is_err()) {
+            let what = format!("source {} of `{light}` is not one", bad + 1);
+            let remedy = "a source has a unit direction, energies of at least 0, and spreads of 0 <= \
+                          minor <= |major| <= 0.5";
+            return Err(Error::new(what, remedy).in_file(file));
+        }
+        Ok(sources.to_vec())
     }
 
     /// The errors that the sets of small sources of one light leave, if they are known.
@@ -156,7 +185,9 @@ impl Source {
         self.gloss(material, budget)?.ok_or_else(|| {
             let remedy = "leave --sources out, name a shipped material in color, or make the CSV with \
                           `eigenshade material .. --out FILE.csv`, which writes FILE.gloss.csv";
-            Error::new(format!("the gloss of `{material}` is not known"), remedy)
+            let error = Error::new(format!("the gloss of `{material}` is not known"), remedy);
+            let is_shipped = self.entry == Entry::Shipped;
+            if is_shipped { error } else { error.in_file(gloss_file(&self.path)) }
         })
     }
 
@@ -225,9 +256,6 @@ impl Source {
 /// The remedy for a light without sources.
 const FIND_SOURCES: &str =
     "find them with `eigenshade light MAP --sources 8 --out FILE.csv`, or leave --sources out";
-
-/// The shipped sources.
-const SOURCES: &str = "tables/inputs/sources.csv";
 
 /// The file with the sources of the lights of a light CSV.
 #[must_use]

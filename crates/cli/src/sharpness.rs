@@ -155,7 +155,11 @@ impl Sharpness {
                 Some(light) => write!(text, " under `{light}`"),
                 None => write!(text, ", under some lights by {:.0} %", 100.0 * worst),
             };
-            let _ = write!(text, ", and blurred highlights by up to {:.0} %", 100.0 * left.pixel);
+            let _ = write!(
+                text,
+                ", and blurred highlights by up to {:.0} %, in the worse of two views",
+                100.0 * left.pixel
+            );
         }
         if is_other {
             let joint = if is_blurred { "; moreover" } else { ":" };
@@ -211,6 +215,33 @@ pub struct Known {
 #[must_use]
 pub fn counted(sources: usize) -> String {
     format!("{sources} source{}", if sources == 1 { "" } else { "s" })
+}
+
+/// A note on a material that sources show as well as harmonics do.
+#[must_use]
+pub fn matte_note(name: &str, gloss: &Gloss) -> String {
+    format!(
+        "note: `{name}` is as matte as a roughness of {:.2}: its pictures are as near without sources",
+        gloss.roughness
+    )
+}
+
+/// A note if a material needs no sources, or its highlights are far off with them.
+///
+/// # Errors
+///
+/// If a parameter of the gloss is not from 0 to 1.
+pub fn gloss_note(name: &str, Known { gloss, error }: &Known) -> Result<Option<String>> {
+    if !highlights::gloss::<f64>(gloss)?.needs_sources() {
+        return Ok(Some(matte_note(name, gloss)));
+    }
+    let percent = 100.0 * error;
+    Ok((*error > FAR).then(|| {
+        format!(
+            "note: the gloss of `{name}` is not quite a GGX lobe, and its highlights are off by \
+             {percent:.0} %"
+        )
+    }))
 }
 
 /// A note if the pictures of a shipped material that were measured at this degree and order,

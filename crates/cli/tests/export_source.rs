@@ -249,9 +249,8 @@ static void gloss(const eigenshade_gloss_f32_t *one) {
 fn sources_and_gloss_compile_and_hold_the_numbers() {
     let folder = Folder::new();
     let inputs = "--light studio --material gold-metallic-paint --sources 4";
-    for (lang, file) in [("rust", "scene.rs"), ("c", "scene.h"), ("c", "q15.h")] {
-        let format = if file == "q15.h" { "q15" } else { "f32" };
-        folder.ok(&format!("export --lang {lang} --format {format} {inputs} --out {file}"));
+    for (lang, file) in [("rust", "scene.rs"), ("c", "scene.h")] {
+        folder.ok(&format!("export --lang {lang} {inputs} --out {file}"));
     }
     let sets = shipped::sources().expect("sources");
     let sets = sets.iter().find(|sets| sets.name == "studio").expect("the studio");
@@ -298,8 +297,7 @@ fn sources_and_gloss_compile_and_hold_the_numbers() {
     let modules = [("scene".to_owned(), folder.read("scene.rs"))];
     assert_printed(&output_of("highlights", &modules, body), "f32", &expected);
 
-    // The integers' header has them too, and JavaScript with the channels.
-    assert!(folder.read("q15.h").contains("eigenshade_gloss_f32_t gloss_gold_metallic_paint_f32"));
+    // JavaScript has them with the channels.
     let js = folder.ok(&format!("export --lang js {inputs}"));
     let count = |name: &str| {
         let (_, list) = js.split_once(name).expect("a list");
@@ -308,13 +306,78 @@ fn sources_and_gloss_compile_and_hold_the_numbers() {
     };
     assert_eq!(count("sources: new Float32Array(["), 10 * sources.len());
     assert_eq!(count("gloss: new Float32Array(["), 10);
+}
 
-    assert_fails(
-        &folder,
-        &format!("export --lang json {inputs}"),
-        &["--sources", "rust, c and js"],
+/// The light is in floats, of which the library takes sources.
+#[test]
+fn sources_fit_a_material_in_integers() {
+    let folder = Folder::new();
+    folder.write("lights.sources.csv", format!("{COLUMNS}light-0,4,{LAMP}\nx\u{202e}y,1,{LAMP}\n"));
+    folder.write("named.csv", folder.read("lights.csv").replace("light-0", "x\u{202e}y"));
+    folder.write("named.sources.csv", folder.read("lights.sources.csv"));
+    let material = "--material nylon --format q15";
+    folder.ok(&format!(
+        "export --lang c --light lights.csv:light-0 {material} --sources 4 --out a.h"
+    ));
+    folder.ok("export --lang c --light named.csv:x\u{202e}y --sources 1 --out b.h");
+    // No set has so few.
+    let few =
+        format!("export --lang c --light lights.csv:light-0 {material} --sources 2 --out c.h");
+    assert!(
+        folder.messages(&few).contains("of `light-0`, the largest set of at most 2 sources has 0")
     );
-    assert_fails(&folder, "export --lang c --sources 4", &["--sources", "--light or --material"]);
-    let no_map = "export --lang c --light blender-city --sources 4";
-    assert_fails(&folder, no_map, &["blender-city", "light MAP --sources"]);
+    let call =
+        "  (void)sizeof(eigenshade_color_residual_q15(&light_light_0_f32, sources_light_0_f32,
+                                             sources_light_0_count, 0, 0));
+  printf(\"%d\\n\", sources_light_0_count);";
+    for (header, count) in [("a.h", "1\n"), ("c.h", "0\n")] {
+        let program = format!(
+            "#include \"{header}\"\n#include \"b.h\"\n#include <stdio.h>\n\
+             int main(void) {{\n{call}\n  \
+             (void)material_nylon_q15, (void)gloss_nylon_f32, (void)light_x_y_f32;\n  \
+             return (int)sources_x_y_f32[0].minor;\n}}\n"
+        );
+        assert_eq!(printed_in_c(&folder, &program), [count, count]);
+    }
+}
+
+const COLUMNS: &str = "light,set,x,y,z,r,g,b,major_x,major_y,major_z,minor\n";
+const LAMP: &str = "0,0,1,1,1,1,0.1,0,0,0.1";
+
+#[test]
+fn wrong_sources_are_refused() {
+    let folder = Folder::new();
+    let fails = |options: &str, parts: &[&str]| {
+        assert_fails(&folder, &format!("export {options}"), parts);
+    };
+    fails("--lang json -l studio --sources 4", &["json and npz have no sources"]);
+    fails("--lang c --sources 4", &["--light or --material"]);
+    fails("--lang c -l studio --sources 24", &["up to 16 sources, not 24"]);
+    fails("--lang c -l blender-city --sources 4", &["blender-city", "has no map"]);
+    fails("--lang c -m materials.csv --sources 4", &["materials.gloss.csv", "material-0"]);
+    let own = "--lang js -l lights.csv:light-0 --sources 4";
+    fails(own, &["lights.sources.csv", "there are no sources"]);
+    for wrong in
+        ["0,0,2,1,1,1,0.1,0,0,0.1", "0,0,1,1e39,1,1,0.1,0,0,0.1", "0,0,1,1,-3,1,0.1,0,0,0.1"]
+    {
+        folder
+            .write("lights.sources.csv", format!("{COLUMNS}light-0,4,{LAMP}\nlight-0,4,{wrong}\n"));
+        fails(own, &["lights.sources.csv", "source 2 of `light-0` is not one"]);
+    }
+    // What was found is not overwritten.
+    folder.write("lights.sources.csv", format!("{COLUMNS}light-0,4,{LAMP}\n"));
+    fails(&format!("{own} --out lights.sources.csv"), &["lights.sources.csv"]);
+    let project = "project -l lights.csv:light-0 -m nylon --out lights.sources.csv";
+    assert_fails(&folder, project, &["lights.sources.csv"]);
+}
+
+#[test]
+fn notes_say_where_sources_do_not_show() {
+    let folder = Folder::new();
+    let said = |material: &str| {
+        folder.messages(&format!("export --lang c -m {material} --sources 4 --out a.h"))
+    };
+    assert!(said("pink-felt").contains("as matte as a roughness"));
+    assert!(said("chrome").contains("not quite a GGX lobe"));
+    assert_eq!(said("gold-metallic-paint"), "");
 }

@@ -2,11 +2,11 @@
 
 use eigenshade_model::database::{Lights, Materials, Named};
 use eigenshade_model::error::{Error, Result};
+use eigenshade_model::highlight_constants::modules;
 use eigenshade_model::inputs::gloss_csv::read_glosses;
 use eigenshade_model::inputs::input_file::InputFile;
 use eigenshade_model::inputs::source_csv::read_sources;
 use eigenshade_model::source::{NamedGloss, SourceSets};
-use eigenshade_model::source_text::modules;
 use serde::Deserialize;
 
 /// The section `[highlights]`.
@@ -84,7 +84,9 @@ impl Highlights {
     /// time.
     #[must_use]
     pub fn text(&self) -> String {
-        modules(self.most, &self.sources, &self.glosses)
+        let sources = self.sources.iter();
+        let sources = sources.map(|sets| (sets.name.as_str(), sets.of_most(self.most)));
+        modules(&sources.collect::<Vec<_>>(), &self.glosses)
     }
 
     /// A line for each kind of thing that is missing: sources, or gloss.

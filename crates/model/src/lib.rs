@@ -49,7 +49,7 @@ pub mod database;
 
 pub mod source;
 
-pub mod source_text;
+pub mod highlight_constants;
 
 pub mod srgb;
 

@@ -4,17 +4,17 @@ use super::options::{Destination, Memory, TableChoice, count};
 use clap::{Args, ValueEnum};
 use eigenshade_cli::export::array::{Array, json};
 use eigenshade_cli::export::entry::{Format, entries, identifier};
-use eigenshade_cli::export::highlights::{self, Highlights};
+use eigenshade_cli::export::highlights::SourcesAndGloss;
 use eigenshade_cli::export::shown::Shown;
 use eigenshade_cli::export::{c, coefficients, js, npz, rust, scene, table as of_table};
 use eigenshade_cli::messages::print_message;
 use eigenshade_cli::output;
 use eigenshade_cli::presets::Source;
-use eigenshade_cli::sharpness::Known;
-use eigenshade_index::highlights::MAX_SOURCES;
+use eigenshade_cli::sharpness::{Known, gloss_note};
+use eigenshade_index::highlights::{LARGEST_SET, MAX_SOURCES};
 use eigenshade_model::database::{Lights, Materials, Named};
 use eigenshade_model::error::{Error, Result};
-use eigenshade_model::source::{NamedGloss, SourceSets};
+use eigenshade_model::source::NamedGloss;
 use eigenshade_shading::shader::{fitted, of_higher_order};
 use eigenshade_table::quantize::{IntegerFormat, integers};
 use eigenshade_table::{Table, statics};
@@ -42,7 +42,8 @@ pub struct Export {
     #[arg(short, long, value_enum)]
     format: Option<Format>,
     /// Add the largest set of at most K small sources of each light and the gloss of each material,
-    /// for sharp highlights, in f32; for rust, c and js
+    /// for sharp highlights; for rust, c (up to 16) and js. They are in f32, and so are the lights,
+    /// out of which the runtime takes the sources
     #[arg(long, value_name = "K", value_parser = count(1, MAX_SOURCES as u64))]
     sources: Option<usize>,
     /// Add eigenimages, or the images of a scene, at normals: a normals CSV, `sphere`, a normal map
@@ -76,8 +77,10 @@ enum Lang {
 impl Export {
     pub fn run(self, memory: Memory) -> Result<()> {
         let [light, material] = [&self.light, &self.material].map(Option::as_ref);
-        let sources = [light, material].into_iter().flatten().map(Source::path);
-        let inputs = sources.chain([self.table.path()]).chain(self.normals.as_deref());
+        let mut inputs = light.map_or_else(Vec::new, Source::light_files);
+        inputs.extend(material.into_iter().flat_map(Source::material_files));
+        let inputs = inputs.iter().map(PathBuf::as_path).chain(self.normals.as_deref());
+        let inputs = inputs.chain([self.table.path()]);
         output::refuse_collisions(&self.out.path, inputs)?;
         self.check()?;
         let table = self.table.read(memory)?;
@@ -131,11 +134,18 @@ impl Export {
                         in json and npz";
             return fault(what, "leave it out, or export a table, or a light with a material");
         }
-        if self.sources.is_some()
-            && (self.holds_arrays() || self.light.is_none() && self.material.is_none())
-        {
-            let what = "--sources adds sources of lights and gloss of materials, in rust, c and js";
-            return fault(what, "leave it out, or give --light or --material");
+        if let Some(most) = self.sources {
+            if self.holds_arrays() {
+                return fault("json and npz have no sources and gloss", "leave --sources out");
+            }
+            if self.light.is_none() && self.material.is_none() {
+                let what = "--sources adds sources to lights and gloss to materials";
+                return fault(what, "give --light or --material, or leave it out");
+            }
+            if self.lang == Lang::C && most > LARGEST_SET {
+                let what = format!("the C library draws up to {LARGEST_SET} sources, not {most}");
+                return fault(&what, "give --sources 16, or another language");
+            }
         }
         match (self.lang, self.format) {
             (Lang::Js, Some(Format::Q15)) => fault(
@@ -183,26 +193,31 @@ impl Export {
         }
     }
 
-    /// Sources of the lights and gloss of the materials.
+    /// Sources of the lights and gloss of the materials. Notes say where they are fewer than asked
+    /// for, or do not show.
     fn highlights(
         &self,
         most: usize,
         lights: &Lights,
         materials: &Materials,
         memory: Memory,
-    ) -> Result<Highlights> {
-        let mut found = Highlights { most, ..Highlights::default() };
-        if let Some(light) = &self.light {
-            for Named { name, .. } in &lights.entries {
-                let sources = light.sources(name, most, memory.of_file())?;
-                found.sources.push(SourceSets { name: name.clone(), sets: vec![(most, sources)] });
+    ) -> Result<SourcesAndGloss> {
+        let mut found = SourcesAndGloss::default();
+        for (light, Named { name, .. }) in of_each(self.light.as_ref(), &lights.entries) {
+            let sources = light.sources(name, most, memory.of_file())?;
+            if sources.len() < most {
+                let count = sources.len();
+                print_message(format_args!(
+                    "note: of `{name}`, the largest set of at most {most} sources has {count}"
+                ));
             }
+            found.sources.push((name.clone(), sources));
         }
-        if let Some(material) = &self.material {
-            for Named { name, .. } in &materials.entries {
-                let Known { gloss, error } = material.known_gloss(name, memory.of_file())?;
-                found.glosses.push(NamedGloss { name: name.clone(), gloss, error });
-            }
+        for (material, Named { name, .. }) in of_each(self.material.as_ref(), &materials.entries) {
+            let known = material.known_gloss(name, memory.of_file())?;
+            gloss_note(name, &known)?.iter().for_each(print_message);
+            let Known { gloss, error } = known;
+            found.glosses.push(NamedGloss { name: name.clone(), gloss, error });
         }
         Ok(found)
     }
@@ -211,20 +226,17 @@ impl Export {
     fn coefficients(
         &self,
         table: &Table,
-        (lights, materials, highlights): (&Lights, &Materials, Option<&Highlights>),
+        (lights, materials, highlights): (&Lights, &Materials, Option<&SourcesAndGloss>),
         shown: Option<&Shown>,
     ) -> Result<Vec<u8>> {
         let format = self.format.unwrap_or_default();
+        // Sources are taken out of lights in floats.
+        let of_lights = if highlights.is_some() { Format::F32 } else { format };
+        let entries = || entries(lights, materials, [of_lights, format]);
         let source = match self.lang {
-            Lang::Rust => {
-                let text = rust::module(&entries(lights, materials, format)?, format, COMMAND);
-                text + &highlights.map(highlights::rust).unwrap_or_default()
-            }
-            Lang::C => {
-                let entries = entries(lights, materials, format)?;
-                c::header(&entries, format, highlights, COMMAND, &self.guard())
-            }
-            Lang::Js => js::module(&entries(lights, materials, format)?, highlights, COMMAND),
+            Lang::Rust => rust::module(&entries()?, highlights, COMMAND),
+            Lang::C => c::header(&entries()?, highlights, COMMAND, &self.guard()),
+            Lang::Js => js::module(&entries()?, highlights, COMMAND),
             Lang::Json | Lang::Npz => {
                 let mut arrays = Vec::new();
                 if !lights.entries.is_empty() {
@@ -255,4 +267,12 @@ impl Export {
         let name = format!("eigenshade export {} h", stem.to_string_lossy());
         identifier(&name).to_uppercase()
     }
+}
+
+/// The entries of an input, each with the input.
+fn of_each<'a>(
+    source: Option<&'a Source>,
+    entries: &'a [Named],
+) -> impl Iterator<Item = (&'a Source, &'a Named)> {
+    source.into_iter().flat_map(move |source| entries.iter().map(move |entry| (source, entry)))
 }

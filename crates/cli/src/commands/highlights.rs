@@ -5,7 +5,7 @@ use super::options::{Inputs, Memory, TableChoice};
 use eigenshade::mathematics::Libm;
 use eigenshade::{Highlights, Scalar};
 use eigenshade_cli::messages::print_message;
-use eigenshade_cli::sharpness::{Choice, Known, Sharpness, shipped_note};
+use eigenshade_cli::sharpness::{Choice, Known, Sharpness, matte_note, shipped_note};
 use eigenshade_index::highlights::MAX_SOURCES;
 use eigenshade_model::database::{Lights, Materials};
 use eigenshade_model::error::Result;
@@ -94,9 +94,8 @@ impl HighlightInputs {
         if !highlights::gloss::<f64>(&gloss)?.needs_sources() {
             inputs.light.sources(light, MAX_SOURCES, memory.of_file())?;
             print_message(format_args!(
-                "note: `{material}` is as matte as a roughness of {:.2}: its pictures are as near \
-                 without sources, and it is drawn without",
-                gloss.roughness
+                "{}, and it is drawn without",
+                matte_note(material, &gloss)
             ));
             return Ok(None);
         }

@@ -100,6 +100,7 @@ fn description(table: &Table) -> Description {
     found.field("effects", effects(table));
     found.field("stored", stored(table));
     found.field("profiles", table.profiles.len());
+    found.field("terms", table.terms());
     found.field("spectrum", table.spectrum.len());
     found.field("nodes", table.gram.nodes.len());
     for line in manifest(table).lines().skip(1) {

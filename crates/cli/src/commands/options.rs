@@ -90,9 +90,9 @@ pub struct Inputs {
 }
 
 impl Inputs {
-    /// The files, as far as these are files.
-    pub fn paths(&self) -> [&Path; 2] {
-        [self.light.path(), self.material.path()]
+    /// The files, as far as these are files, with those beside them.
+    pub fn files(&self) -> Vec<PathBuf> {
+        [self.light.light_files(), self.material.material_files()].concat()
     }
 }
 

@@ -10,6 +10,7 @@ use eigenshade_model::error::Result;
 use eigenshade_shading::overflow;
 use eigenshade_shading::owned_basis::OwnedBasis;
 use eigenshade_shading::shader::{Shader, fault, fitted, of_higher_order};
+use std::path::PathBuf;
 
 /// Project every light on every material onto a table's components
 ///
@@ -30,13 +31,15 @@ pub struct Project {
 
 impl Project {
     pub fn run(self, memory: Memory) -> Result<()> {
-        let [light, material] = self.inputs.paths();
-        output::refuse_collisions(&self.out.path, [self.table.path(), light, material])?;
+        let inputs = self.inputs.files();
+        let inputs = inputs.iter().map(PathBuf::as_path).chain([self.table.path()]);
+        output::refuse_collisions(&self.out.path, inputs)?;
         let table = self.table.read(memory)?;
         let components = table::components(&table, self.components, self.table.path())?;
         let lights = self.inputs.light.lights(memory.of_file())?;
         let materials = self.inputs.material.materials(memory.of_file())?;
-        let higher = of_higher_order(material, materials.order, table.gram.order);
+        let higher =
+            of_higher_order(self.inputs.material.path(), materials.order, table.gram.order);
         let warnings = higher.into_iter().chain(albedo_warning(&materials));
         let (lights, materials) = fitted(&table, &lights, &materials);
         let basis = OwnedBasis::<f64>::new(&table);

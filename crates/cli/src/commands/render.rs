@@ -117,9 +117,10 @@ impl From<Curve> for Tone {
 
 impl Render {
     pub fn run(self, memory: Memory) -> Result<()> {
+        let inputs = self.inputs.files();
+        let inputs = inputs.iter().chain([&self.normals]).map(PathBuf::as_path);
+        output::refuse_collisions([&self.out], inputs.chain([self.table.path()]))?;
         let Inputs { light, material } = &self.inputs;
-        let inputs = [self.table.path(), light.path(), material.path(), &self.normals];
-        output::refuse_collisions([&self.out], inputs)?;
         let file = PictureFile::of(&self.out)?;
         if file == PictureFile::Exr && self.tone.is_some() {
             let remedy = "leave --tone out, or write a .png";

@@ -111,8 +111,9 @@ impl Shade {
             let what = "--tolerance needs the method polynomial in f32 or f64";
             return Err(Error::new(what, "leave it out, or use those"));
         }
-        let [light, material] = self.inputs.paths();
-        let inputs = [self.table.path(), light, material, &self.normals];
+        let inputs = self.inputs.files();
+        let inputs = inputs.iter().chain([&self.normals]).map(PathBuf::as_path);
+        let inputs = inputs.chain([self.table.path()]);
         output::refuse_collisions(&self.out.path, inputs)?;
         let table = self.table.read(memory)?;
         let effects = self.choices.effects(&table)?;
@@ -125,7 +126,8 @@ impl Shade {
         let components = self.choices.components(&table, self.table.path())?;
         let lights = self.inputs.light.lights(memory.of_file())?;
         let materials = self.inputs.material.materials(memory.of_file())?;
-        let higher = of_higher_order(material, materials.order, table.gram.order);
+        let higher =
+            of_higher_order(self.inputs.material.path(), materials.order, table.gram.order);
         let warnings = higher.into_iter().chain(albedo_warning(&materials));
         let (mut lights, materials) = fitted(&table, &lights, &materials);
         self.choices.change(&mut lights);

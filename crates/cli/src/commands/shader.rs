@@ -14,6 +14,7 @@ use eigenshade_shading::owned_basis::OwnedBasis;
 use eigenshade_shading::shader::{Lit, Shader as Projector, fault, fitted, of_higher_order};
 use eigenshade_table::Table;
 use serde::Serialize;
+use std::path::PathBuf;
 
 /// Write a light on a material as a function of a shader
 ///
@@ -84,7 +85,8 @@ struct Written {
 
 impl Shader {
     pub fn run(self, memory: Memory) -> Result<()> {
-        let inputs = self.inputs.paths().into_iter().chain([self.table.path()]);
+        let inputs = self.inputs.files();
+        let inputs = inputs.iter().map(PathBuf::as_path).chain([self.table.path()]);
         output::refuse_collisions(&self.out.path, inputs)?;
         let table = self.table.read(memory)?;
         let lights = self.inputs.light.lights(memory.of_file())?;

@@ -1,23 +1,27 @@
 //! Lights, materials and normal maps as C headers: a constant record for each, which the functions
 //! of `eigenshade_color.h` take.
 
-use super::entry::{Channel, Entry, Format, Kind};
-use super::highlights::{self, Highlights};
+use super::entry::{Channel, Entry, Format, Kind, identifier};
+use super::highlights::{SourcesAndGloss, numbers_of, numbers_of_gloss};
 use super::source::{comment, float, lines};
+use crate::messages::printable;
+use eigenshade_model::source::{NamedGloss, Source};
 use std::fmt::Write;
 
 /// The text of the header. `guard` is the macro against including it twice.
 #[must_use]
 pub fn header(
     entries: &[Entry],
-    format: Format,
-    highlights: Option<&Highlights>,
+    highlights: Option<&SourcesAndGloss>,
     command: &str,
     guard: &str,
 ) -> String {
     let mut text = String::new();
-    entries.iter().for_each(|entry| record(&mut text, entry, format));
-    text += &highlights.map(highlights::c).unwrap_or_default();
+    entries.iter().for_each(|entry| record(&mut text, entry));
+    for (name, sources) in highlights.iter().flat_map(|one| &one.sources) {
+        sources_of(&mut text, name, sources);
+    }
+    highlights.iter().flat_map(|one| &one.glosses).for_each(|gloss| gloss_of(&mut text, gloss));
     guarded(&text, command, guard)
 }
 
@@ -44,9 +48,9 @@ fn guarded(constants: &str, command: &str, guard: &str) -> String {
     )
 }
 
-fn record(text: &mut String, entry: &Entry, format: Format) {
+fn record(text: &mut String, entry: &Entry) {
     let kind = entry.kind.name();
-    let suffix = match format {
+    let suffix = match entry.format {
         Format::F32 => "f32",
         Format::Q15 => "q15",
     };
@@ -81,6 +85,47 @@ fn record(text: &mut String, entry: &Entry, format: Format) {
         "static const eigenshade_color_{kind}_{suffix}_t {name} = {{\n  {}}};",
         each.join(",\n  ")
     );
+}
+
+/// The sources of a light and their number. C has no empty arrays: no sources are a null pointer.
+fn sources_of(text: &mut String, light: &str, sources: &[Source]) {
+    let (name, count) = (format!("sources_{}", identifier(light)), sources.len());
+    let comment = comment(&printable(light));
+    let _ = writeln!(
+        text,
+        "\n/* `{comment}`: {count} small sources. */\nenum {{ {name}_count = {count} }};"
+    );
+    let record = "static const eigenshade_source_f32_t";
+    if sources.is_empty() {
+        let _ = writeln!(text, "{record} *const {name}_f32 = 0;");
+        return;
+    }
+    let _ = writeln!(text, "{record} {name}_f32[] = {{");
+    for numbers in sources.iter().map(numbers_of) {
+        let [direction, energy, major] = [0, 3, 6].map(|k| vector(&numbers[k..k + 3]));
+        let minor = float(numbers[9]);
+        let _ = writeln!(text, "  {{{direction}, {energy},\n   {major}, {minor}f}},");
+    }
+    text.push_str("};\n");
+}
+
+fn gloss_of(text: &mut String, NamedGloss { name, gloss, error }: &NamedGloss) {
+    let numbers = numbers_of_gloss(gloss);
+    let roughness = float(numbers[0]);
+    let colors = [1, 4, 7].map(|k| vector(&numbers[k..k + 3])).join(",\n  ");
+    let _ = writeln!(
+        text,
+        "\n/* `{}`: gloss, which leaves {:.0} % of pictures under a small source (rms). */\n\
+         static const eigenshade_gloss_f32_t gloss_{}_f32 = {{\n  {roughness}f,\n  {colors}}};",
+        comment(&printable(name)),
+        100.0 * error,
+        identifier(name)
+    );
+}
+
+fn vector(numbers: &[f32]) -> String {
+    let numbers: Vec<String> = numbers.iter().map(|&number| float(number) + "f").collect();
+    format!("{{{}}}", numbers.join(", "))
 }
 
 fn array<T: std::fmt::Display>(

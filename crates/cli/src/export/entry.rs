@@ -35,6 +35,8 @@ pub struct Entry {
     pub identifier: String,
     /// Degree of a light, order of a material.
     pub size: usize,
+    /// The number format of the channels.
+    pub format: Format,
     /// Three channels, or one for all three if it is gray.
     pub channels: Vec<Channel>,
 }
@@ -96,17 +98,22 @@ impl Entry {
     }
 }
 
-/// The entries of these lights and materials.
+/// The entries of these lights and materials, in a number format for each.
 ///
 /// # Errors
 ///
 /// If two names have the same identifier, a name has none, or a coefficient exceeds `f32`.
-pub fn entries(lights: &Lights, materials: &Materials, format: Format) -> Result<Vec<Entry>> {
-    let (degree, order) = (lights.degree, materials.order);
-    let lights = lights.entries.iter().map(|entry| (Kind::Light, degree, entry));
-    let materials = materials.entries.iter().map(|entry| (Kind::Material, order, entry));
+pub fn entries(
+    lights: &Lights,
+    materials: &Materials,
+    [of_lights, of_materials]: [Format; 2],
+) -> Result<Vec<Entry>> {
+    let lights = lights.entries.iter().map(|named| (Kind::Light, lights.degree, named, of_lights));
+    let order = materials.order;
+    let materials = materials.entries.iter();
+    let materials = materials.map(|named| (Kind::Material, order, named, of_materials));
     let mut all: Vec<Entry> = Vec::new();
-    for (kind, size, named) in lights.chain(materials) {
+    for (kind, size, named, format) in lights.chain(materials) {
         let entry = entry(kind, size, named, format)?;
         let same = |other: &&Entry| other.kind == kind && other.identifier == entry.identifier;
         if let Some(other) = all.iter().find(same) {
@@ -140,6 +147,7 @@ fn entry(kind: Kind, size: usize, named: &Named, format: Format) -> Result<Entry
         name: named.name.clone(),
         identifier,
         size,
+        format,
         channels: channels.collect::<Result<_>>().map_err(of)?,
     })
 }

@@ -1,14 +1,14 @@
 //! Lights and materials as a JavaScript module: typed arrays, which `eigenshade.mjs` takes.
 
 use super::entry::{Channel, Entry, Kind};
-use super::highlights::Highlights;
+use super::highlights::SourcesAndGloss;
 use super::source::{float, lines};
 use std::fmt::Write;
 
 /// The text of the module: objects `lights` and `materials` by name, with the channels r, g and b,
 /// and the `sources` and `gloss` of highlights.
 #[must_use]
-pub fn module(entries: &[Entry], highlights: Option<&Highlights>, command: &str) -> String {
+pub fn module(entries: &[Entry], highlights: Option<&SourcesAndGloss>, command: &str) -> String {
     let mut text = format!("// {command}\n");
     for kind in [Kind::Light, Kind::Material] {
         let of_kind: Vec<&Entry> = entries.iter().filter(|entry| entry.kind == kind).collect();
@@ -22,7 +22,7 @@ pub fn module(entries: &[Entry], highlights: Option<&Highlights>, command: &str)
     text
 }
 
-fn object(text: &mut String, entry: &Entry, highlights: Option<&Highlights>) {
+fn object(text: &mut String, entry: &Entry, highlights: Option<&SourcesAndGloss>) {
     let _ = writeln!(
         text,
         "  // {}\n  {}: {{",
@@ -36,12 +36,20 @@ fn object(text: &mut String, entry: &Entry, highlights: Option<&Highlights>) {
         }
     }
     if let Some(highlights) = highlights {
-        let (name, numbers) = match entry.kind {
-            Kind::Light => ("sources", highlights.sources_of(&entry.name)),
-            Kind::Material => ("gloss", highlights.gloss_of(&entry.name)),
+        let (name, meaning, numbers) = match entry.kind {
+            Kind::Light => (
+                "sources",
+                "Small sources: direction, energy, major axis and minor spread of each.",
+                highlights.sources_of(&entry.name),
+            ),
+            Kind::Material => (
+                "gloss",
+                "Roughness, then reflectance, the same at grazing incidence, and albedo.",
+                highlights.gloss_of(&entry.name),
+            ),
         };
         let list = lines(numbers.into_iter().map(float), 6);
-        let _ = writeln!(text, "    {name}: new Float32Array([\n{list}\n    ]),");
+        let _ = writeln!(text, "    // {meaning}\n    {name}: new Float32Array([\n{list}\n    ]),");
     }
     text.push_str("  },\n");
 }

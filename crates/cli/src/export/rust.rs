@@ -1,19 +1,19 @@
 //! Lights and materials as Rust source: modules `light` and `material` of constants, like those of
-//! `eigenshade::presets`.
+//! `eigenshade::presets`, and `sources` and `gloss` for highlights.
 
 use super::entry::{Channel, Entry, Format, Kind};
+use super::highlights::SourcesAndGloss;
 use super::source::{float, lines};
+use eigenshade_model::highlight_constants::modules;
 use std::fmt::Write;
 
 /// The text of the module. `command` appears in its first line.
 #[must_use]
-pub fn module(entries: &[Entry], format: Format, command: &str) -> String {
+pub fn module(entries: &[Entry], highlights: Option<&SourcesAndGloss>, command: &str) -> String {
     let mut text = format!("// {command}\n");
     for kind in [Kind::Light, Kind::Material] {
         let of_kind: Vec<&Entry> = entries.iter().filter(|entry| entry.kind == kind).collect();
-        if of_kind.is_empty() {
-            continue;
-        }
+        let Some(format) = of_kind.first().map(|entry| entry.format) else { continue };
         let (name, record) = (kind.name(), record(kind));
         let _ = write!(
             text,
@@ -31,8 +31,12 @@ pub fn module(entries: &[Entry], format: Format, command: &str) -> String {
                 ),
             }
         );
-        of_kind.into_iter().for_each(|entry| constant(&mut text, entry, format));
+        of_kind.into_iter().for_each(|entry| constant(&mut text, entry));
         text.push_str("}\n");
+    }
+    if let Some(SourcesAndGloss { sources, glosses }) = highlights {
+        let sources = sources.iter().map(|(name, sources)| (name.as_str(), sources.as_slice()));
+        let _ = write!(text, "\n{}", modules(&sources.collect::<Vec<_>>(), glosses));
     }
     text
 }
@@ -44,11 +48,11 @@ fn record(kind: Kind) -> &'static str {
     }
 }
 
-fn constant(text: &mut String, entry: &Entry, format: Format) {
+fn constant(text: &mut String, entry: &Entry) {
     let digit = entry.identifier.starts_with(|letter: char| letter.is_ascii_digit());
     let name = format!("{}{}", if digit { "_" } else { "" }, entry.identifier.to_uppercase());
     let record = record(entry.kind);
-    let number = match format {
+    let number = match entry.format {
         Format::F32 => "f32",
         Format::Q15 => "Q15",
     };
