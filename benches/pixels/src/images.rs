@@ -143,7 +143,8 @@ pub fn long_terms() -> (Vec<u16>, usize) {
 fn basis() -> Basis<'static, f32> {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../tables/pbr.bin");
     let table = eigenshade_table::decode(&std::fs::read(path).expect("the shipped table"));
-    let bytes = encode(&table.expect("a table"), NumberFormat::F32, Endian::Little).expect("a sphere's");
+    let bytes =
+        encode(&table.expect("a table"), NumberFormat::F32, Endian::Little).expect("a sphere's");
     let room = Vec::leak(vec![0; bytes.len().div_ceil(4)]);
     Basis::from_bytes(aligned(&bytes, room).expect("room")).expect("a wire file")
 }
