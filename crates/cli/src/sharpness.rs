@@ -163,11 +163,7 @@ impl Sharpness {
         }
         if is_other {
             let joint = if is_blurred { "; moreover" } else { ":" };
-            let _ = write!(
-                text,
-                "{joint} its gloss is not quite a GGX lobe, and its highlights are off by {:.0} %",
-                100.0 * gloss.error
-            );
+            let _ = write!(text, "{joint} its gloss {}", off_lobe(gloss.error));
         }
         Ok((is_blurred || is_other).then_some(text))
     }
@@ -235,13 +231,13 @@ pub fn gloss_note(name: &str, Known { gloss, error }: &Known) -> Result<Option<S
     if !highlights::gloss::<f64>(gloss)?.needs_sources() {
         return Ok(Some(matte_note(name, gloss)));
     }
+    Ok((*error > FAR).then(|| format!("note: the gloss of `{name}` {}", off_lobe(*error))))
+}
+
+/// What is said of a gloss that leaves this error.
+fn off_lobe(error: f64) -> String {
     let percent = 100.0 * error;
-    Ok((*error > FAR).then(|| {
-        format!(
-            "note: the gloss of `{name}` is not quite a GGX lobe, and its highlights are off by \
-             {percent:.0} %"
-        )
-    }))
+    format!("is not quite a GGX lobe, and its highlights are off by {percent:.0} %")
 }
 
 /// A note if the pictures of a shipped material that were measured at this degree and order,

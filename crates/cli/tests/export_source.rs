@@ -152,7 +152,7 @@ static void material_q15(eigenshade_material_q15_t material) {
 }
 "#;
 
-/// What a program prints as C and as C++.
+/// Compiles a program as C and as C++, runs both, and returns what each prints.
 fn printed_in_c(folder: &Folder, program: &str) -> Vec<String> {
     let sources = [("cc", "c99", "main.c"), ("c++", "c++17", "main.cpp")];
     let printed = sources.into_iter().map(|(compiler, standard, source)| {
@@ -276,26 +276,43 @@ fn sources_and_gloss_compile_and_hold_the_numbers() {
     for text in printed_in_c(&folder, &program) {
         assert_printed(&text, "f32", &expected);
     }
+    // The page's example makes the runtime's types.
+    let page = fs::read_to_string(repository().join("docs/commands.md")).expect("the page");
+    let (_, example) = page.split_once("```rust\n").expect("an example");
+    let (example, _) = example.split_once("```").expect("its end");
     let body = "for &(name, of_light) in scene::sources::ALL {
             assert_eq!(name, \"studio\");
             for &(direction, energy, major, minor) in of_light {
-                let one = eigenshade::Source::new::<eigenshade::mathematics::Libm>(
-                    direction, energy, major, minor,
-                );
-                assert!(one.is_ok());
                 for number in [direction, energy, major].concat() { print!(\"{} \", number.to_bits()); }
                 println!(\"{}\", minor.to_bits());
             }
         }
         for &(name, (roughness, f0, albedo, f90)) in scene::gloss::ALL {
             assert_eq!(name, \"gold-metallic-paint\");
-            let one = eigenshade::Gloss::new(roughness, f0, albedo);
-            assert!(one.is_ok_and(|one| one.with_grazing(f90).is_ok()));
             print!(\"{} \", roughness.to_bits());
             for number in [f0, f90, albedo].concat() { print!(\"{} \", number.to_bits()); }
         }";
     let modules = [("scene".to_owned(), folder.read("scene.rs"))];
-    assert_printed(&output_of("highlights", &modules, body), "f32", &expected);
+    let made = format!(
+        "fn made() -> Result<(), eigenshade::Error> {{
+            use eigenshade::mathematics::Libm;
+            use eigenshade::{{Gloss, Source}};
+            use scene::{{gloss, sources}};
+            {example}
+            let first = sources::ALL[0].1;
+            let made = first.iter().map(record).collect::<Result<Vec<_>, _>>()?;
+            for (made, given) in made.iter().zip(first) {{
+                let energy = made.energy();
+                assert_eq!([energy.r, energy.g, energy.b], given.1);
+            }}
+            let grazing = gloss.grazing();
+            assert_eq!([grazing.r, grazing.g, grazing.b], gloss::ALL[0].1.3);
+            Ok(())
+        }}
+        assert!(made().is_ok());
+        {body}"
+    );
+    assert_printed(&output_of("highlights", &modules, &made), "f32", &expected);
 
     // JavaScript has them with the channels.
     let js = folder.ok(&format!("export --lang js {inputs}"));
@@ -313,6 +330,7 @@ fn sources_and_gloss_compile_and_hold_the_numbers() {
 fn sources_fit_a_material_in_integers() {
     let folder = Folder::new();
     folder.write("lights.sources.csv", format!("{COLUMNS}light-0,4,{LAMP}\nx\u{202e}y,1,{LAMP}\n"));
+    // A name that turns the direction of text around, in comments of a header.
     folder.write("named.csv", folder.read("lights.csv").replace("light-0", "x\u{202e}y"));
     folder.write("named.sources.csv", folder.read("lights.sources.csv"));
     let material = "--material nylon --format q15";

@@ -144,7 +144,8 @@ impl Export {
             }
             if self.lang == Lang::C && most > LARGEST_SET {
                 let what = format!("the C library draws up to {LARGEST_SET} sources, not {most}");
-                return fault(&what, "give --sources 16, or another language");
+                let remedy = format!("give --sources {LARGEST_SET}, or another language");
+                return fault(&what, &remedy);
             }
         }
         match (self.lang, self.format) {
