@@ -5,8 +5,11 @@ use eigenshade::presets::light::HALL;
 use eigenshade::presets::material::{BLUE_METALLIC_PAINT2, GOLD_METALLIC_PAINT};
 use eigenshade::{Display, NormalMap, Rotation, Tone, sphere};
 use eigenshade_embedded_graphics::{Dial, Paint, Relief};
-use embedded_graphics::{pixelcolor::Rgb565, prelude::*};
-use embedded_graphics_simulator::{OutputSettings, SimulatorDisplay};
+use embedded_graphics::framebuffer::{Framebuffer, buffer_size};
+use embedded_graphics::image::GetPixel as _;
+use embedded_graphics::pixelcolor::raw::{LittleEndian, RawU16};
+use embedded_graphics::pixelcolor::{Rgb565, Rgb888};
+use embedded_graphics::prelude::*;
 
 static COIN: &[u8] = include_bytes!("coin.bin");
 static DISPLAY: Display = Display::new(Tone::Filmic);
@@ -34,10 +37,14 @@ where
 fn main() -> Result<(), Box<dyn std::error::Error>> {
     let file = std::env::args().nth(1).ok_or("usage: coin FILE.png")?;
     // Three moments, side by side.
-    let mut display = SimulatorDisplay::<Rgb565>::new(Size::new(3 * 128, 128));
+    const BYTES: usize = buffer_size::<Rgb565>(3 * 128, 128);
+    let mut display = Framebuffer::<Rgb565, RawU16, LittleEndian, 384, 128, BYTES>::new();
     for (place, tilt) in [(0, -0.5), (128, 0.0), (256, 0.5)] {
         draw(tilt, &mut display.translated(Point::new(place, 0)))??;
     }
-    display.to_rgb_output_image(&OutputSettings::default()).save_png(file)?;
-    Ok(())
+    let colors = display.bounding_box().points().filter_map(|place| display.pixel(place));
+    let colors = colors.map(Rgb888::from).flat_map(|color| [color.r(), color.g(), color.b()]);
+    let mut png = png::Encoder::new(std::fs::File::create(file)?, 3 * 128, 128);
+    png.set_color(png::ColorType::Rgb);
+    Ok(png.write_header()?.write_image_data(&colors.collect::<Vec<u8>>())?)
 }

@@ -10,15 +10,18 @@
 //! use eigenshade::{Display, Tone, sphere};
 //! use eigenshade_embedded_graphics::{Paint, Sphere};
 //! use embedded_graphics::{pixelcolor::Rgb565, prelude::*};
-//! # use embedded_graphics_simulator::SimulatorDisplay;
+//! # use embedded_graphics::framebuffer::{Framebuffer, buffer_size};
+//! # use embedded_graphics::image::GetPixel;
+//! # use embedded_graphics::pixelcolor::raw::{LittleEndian, RawU16};
 //!
 //! static DISPLAY: Display = Display::new(Tone::Filmic);
 //!
-//! # let mut display = SimulatorDisplay::<Rgb565>::new(Size::new(240, 240));
+//! # const BYTES: usize = buffer_size::<Rgb565>(240, 240);
+//! # let mut display = Framebuffer::<Rgb565, RawU16, LittleEndian, 240, 240, BYTES>::new();
 //! let scene = sphere::color::scene(LOBBY, GOLD_METALLIC_PAINT)?;
 //! let gold = Paint::new(|normal| scene.shade(normal), 1.5, &DISPLAY)?;
 //! Sphere::new(Point::new(70, 70), 100, &gold).draw(&mut display).unwrap();
-//! # assert_ne!(display.get_pixel(Point::new(120, 120)), Rgb565::BLACK);
+//! # assert_ne!(display.pixel(Point::new(120, 120)), Some(Rgb565::BLACK));
 //! # Ok::<(), eigenshade::Error>(())
 //! ```
 //!

@@ -6,7 +6,7 @@ use eigenshade_cli::export::array::{Array, json};
 use eigenshade_cli::export::entry::{Format, entries, identifier};
 use eigenshade_cli::export::highlights::SourcesAndGloss;
 use eigenshade_cli::export::shown::Shown;
-use eigenshade_cli::export::{c, coefficients, js, npz, rust, scene, table as of_table};
+use eigenshade_cli::export::{c, coefficients, js, rust, scene, table as of_table};
 use eigenshade_cli::messages::print_message;
 use eigenshade_cli::output;
 use eigenshade_cli::presets::Source;
@@ -257,7 +257,13 @@ impl Export {
 
     fn arrays(&self, arrays: &[Array]) -> Result<Vec<u8>> {
         match self.lang {
-            Lang::Npz => npz::bytes(arrays),
+            #[cfg(feature = "generate")]
+            Lang::Npz => eigenshade_cli::export::npz::bytes(arrays),
+            #[cfg(not(feature = "generate"))]
+            Lang::Npz => Err(Error::new(
+                "this build lacks npz",
+                "use json, or build the program with its default features",
+            )),
             _ => json(arrays).map(String::into_bytes),
         }
     }

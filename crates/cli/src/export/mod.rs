@@ -11,6 +11,7 @@ pub mod table;
 
 pub mod scene;
 
+#[cfg(feature = "generate")]
 pub mod npz;
 
 pub mod entry;
