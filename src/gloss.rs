@@ -7,8 +7,9 @@ use crate::scalar::Scalar;
 /// The reflectance of dielectrics at normal incidence.
 const DIELECTRIC: f64 = 0.04;
 
-/// The least roughness. Lobes of f32 lose more digits the narrower they are.
-const SMOOTHEST: f64 = 0.1;
+/// The least roughness. Lobes lose more digits the narrower they are, and Q15 has room for 1/α² up
+/// to 2^16.
+const SMOOTHEST: f64 = 0.065;
 
 /// The roughness from which on harmonics of degree 9 show highlights as well as sources do.
 const MATTE: f64 = 0.6;
@@ -52,7 +53,7 @@ impl Gloss<f32> {
 
 #[cfg(feature = "presets")]
 impl Gloss<f32> {
-    /// A gloss that [`new`](Self::new) accepts, of a roughness from 0.1 to 1.
+    /// A gloss that [`new`](Self::new) accepts, of a roughness from 0.065 to 1.
     pub(crate) const fn stored(
         roughness: f32,
         [f0_r, f0_g, f0_b]: [f32; 3],
@@ -72,8 +73,8 @@ impl<S: Scalar> Gloss<S> {
     /// From the roughness, the reflectance at normal incidence (f0) and the albedo of the matte
     /// base, all from 0 to 1.
     ///
-    /// A roughness below 0.1 counts as 0.1: its lobe, of α = 0.01, is narrower than a pixel of a
-    /// sphere of 200 pixels.
+    /// A roughness below 0.065 counts as 0.065: most sources are far wider than its lobe, of
+    /// α = 0.0042.
     ///
     /// # Errors
     ///

@@ -209,7 +209,10 @@ fn gloss_is_that_of_gltf() {
         let found: [f64; 3] = found.into();
         assert!(found.iter().zip(expected).all(|(f, e)| (f - e).abs() <= 1e-15), "{found:?}");
     }
-    assert_eq!(Gloss::new(0.0_f32, [0.0; 3], [0.0; 3]).map(|gloss| gloss.alpha()), Ok(0.1 * 0.1));
+    assert_eq!(
+        Gloss::new(0.0_f32, [0.0; 3], [0.0; 3]).map(|gloss| gloss.alpha()),
+        Ok(0.065 * 0.065)
+    );
     let refused = |gloss: Result<Gloss<f32>, Error>, argument| {
         assert_eq!(gloss, Err(Error::Outside { argument }));
     };

@@ -229,13 +229,15 @@ pub fn parts(rows: &[Row]) -> Vec<Part> {
     vec![("errors by light", by_light), ("median errors", medians)]
 }
 
-/// The gloss of each shipped material in color, and what it leaves.
+/// The gloss of each shipped material in color, or of those with these names, and what it leaves.
 ///
 /// # Errors
 ///
 /// If the parameters of the materials cannot be read.
-pub fn glosses(inputs: &Path) -> Result<Vec<NamedGloss>> {
-    surfaces(inputs)?.iter().map(gloss::named).collect()
+pub fn glosses(inputs: &Path, names: &[String]) -> Result<Vec<NamedGloss>> {
+    let mut all = surfaces(inputs)?;
+    all.retain(|surface| names.is_empty() || names.contains(&surface.name));
+    all.iter().map(gloss::named).collect()
 }
 
 /// The errors that the shipped sources of each captured light leave, or of those with these names.

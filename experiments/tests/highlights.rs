@@ -155,16 +155,22 @@ fn sources_show_highlights() {
 }
 
 #[test]
-fn glosses_are_fitted_again() {
-    let all = glosses(&repository().join("tables/inputs")).unwrap();
-    assert_eq!(all.len(), 94);
-    // As docs/highlights.md says: 7 % in the median, 28 % or more for a quarter.
-    let mut errors: Vec<f64> = all.iter().map(|one| one.error).collect();
+fn glosses_leave_what_the_page_says() {
+    // 5 % in the median, and more than 15 % for five: 18 to 27 %.
+    let mut errors: Vec<f64> = shipped::glosses().unwrap().iter().map(|one| one.error).collect();
     errors.sort_by(f64::total_cmp);
-    assert!((0.065..0.075).contains(&errors[46]) && errors[70] >= 0.28, "{errors:?}");
-    for (NamedGloss { name, gloss, error: left }, recorded) in
-        all.into_iter().zip(shipped::glosses().unwrap())
-    {
+    assert!(errors.len() == 94 && (0.05..0.06).contains(&errors[46]), "{errors:?}");
+    assert!(errors[88] <= 0.15 && errors[89] >= 0.17 && errors[93] <= 0.27, "{errors:?}");
+}
+
+/// One of ten: fits take a second each.
+#[test]
+fn glosses_are_fitted_again() {
+    let recorded: Vec<NamedGloss> = shipped::glosses().unwrap().into_iter().step_by(10).collect();
+    let names: Vec<String> = recorded.iter().map(|one| one.name.clone()).collect();
+    let found = glosses(&repository().join("tables/inputs"), &names).unwrap();
+    assert_eq!(found.len(), 10);
+    for (NamedGloss { name, gloss, error: left }, recorded) in found.into_iter().zip(recorded) {
         assert_eq!(name, recorded.name);
         let NamedGloss { gloss: recorded, error, .. } = recorded;
         let near = |a: f64, b: f64| assert!((a - b).abs() <= 2e-4, "{name}: {a} {b}");

@@ -190,10 +190,10 @@ impl<T: Irradiance, const N: usize> Highlights<T, N> {
     /// The irradiance of one normal by the sources alone, in units of 2^exponent, rounded down for
     /// each source. It saturates.
     ///
-    /// For an irradiance of 17 bits, it is within 1 % of the peak of the formula in exact
-    /// arithmetic for a roughness of 0.1, and within 0.4 % from 0.2 on. It may be anything up to
-    /// the peak where the formula jumps: where z is below 1/128 and the cosine to the source below
-    /// 1/1024. Cost: a root by table, and for each source that the normal faces another one and a
+    /// For an irradiance of 17 bits, it is within 2 % of the peak of the formula in exact
+    /// arithmetic for the least roughness, within 1 % for 0.1, and within 0.4 % from 0.2 on. It may
+    /// be anything up to the peak where the formula jumps: where z is below 1/128 and the cosine to
+    /// the source below 1/1024. Cost: a root by table, and for each source that the normal faces another one and a
     /// reciprocal: with two sources some 390 instructions on a Cortex-M0.
     #[inline]
     #[must_use]
@@ -252,7 +252,7 @@ impl<T: Irradiance, const N: usize> Highlights<T, N> {
 
 impl<T> Lobe<T> {
     /// nᵀ Q n in units of 2^(2k - 32). It is less than 2^32, as [`size`] chooses k, and at least
-    /// 2^17.
+    /// 2^16.
     #[inline(always)]
     fn form(&self, [x, y, z]: [i32; 3]) -> u32 {
         let [xx, xy, xz, yy, yz, zz] = self.form;

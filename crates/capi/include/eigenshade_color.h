@@ -66,7 +66,7 @@ typedef struct eigenshade_source_f32_t {
 
 /** A GGX lobe over a matte base; all numbers are from 0 to 1. May be kept in flash. */
 typedef struct eigenshade_gloss_f32_t {
-  /** The roughness; below 0.1 it counts as 0.1. */
+  /** The roughness; below 0.065 it counts as 0.065. */
   float roughness;
   /** The reflectance at normal incidence: the base color of a metal, 0.04 of other materials. */
   float reflectance[3];

@@ -396,6 +396,6 @@ fn notes_say_where_sources_do_not_show() {
         folder.messages(&format!("export --lang c -m {material} --sources 4 --out a.h"))
     };
     assert!(said("pink-felt").contains("as matte as a roughness"));
-    assert!(said("chrome").contains("not quite a GGX lobe"));
+    assert!(said("two-layer-gold").contains("not quite a GGX lobe"));
     assert_eq!(said("gold-metallic-paint"), "");
 }

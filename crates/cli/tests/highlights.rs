@@ -190,7 +190,7 @@ fn pictures_say_what_they_lack() {
     let folder = Folder::new();
     let said = |arguments: &str| folder.messages(&format!("render {arguments} -s 16 -o a.png"));
     assert!(said("-l studio -m pink-felt --sources 4").contains("as matte as a roughness"));
-    assert!(said("-l studio -m chrome --sources 4").contains("not quite a GGX lobe"));
+    assert!(said("-l studio -m two-layer-gold --sources 4").contains("not quite a GGX lobe"));
     assert!(!said("-l studio -m gold-metallic-paint --sources 4").contains("gloss"));
     let no_map = "render -l blender-city -m nylon --sources 4 -o a.png";
     assert_fails(&folder, no_map, &["blender-city", "has no map"]);

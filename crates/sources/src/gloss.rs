@@ -9,28 +9,25 @@ use eigenshade_generator::material::measurements::{Measured, Measurement};
 use eigenshade_model::error::Result;
 use eigenshade_model::source::{Gloss, NamedGloss};
 use eigenshade_shading::parallel;
-use std::f64::consts::{FRAC_PI_2, PI, TAU};
+use std::f64::consts::{FRAC_PI_2, PI};
 
 /// Angles of the lights from the camera in degrees.
 const LIGHTS: [f64; 6] = [10.0, 35.0, 60.0, 85.0, 110.0, 140.0];
-/// The standard deviation of a source in radians, about that of captured lamps, and the points that
-/// stand for it: those of a Gauss-Hermite rule along and across, by place and weight.
+/// The standard deviation of a source in radians, about that of captured lamps.
 const SPREAD: f64 = 0.04;
-const NODES: [(f64, f64); 5] = [
-    (-2.856_970_013_872_806, 0.011_257_411_327_720_69),
-    (-1.355_626_179_974_266, 0.222_075_922_005_612_6),
-    (0.0, 0.533_333_333_333_333_3),
-    (1.355_626_179_974_266, 0.222_075_922_005_612_6),
-    (2.856_970_013_872_806, 0.011_257_411_327_720_69),
-];
+/// The points that stand for a source are a grid of this step to this radius, both in standard
+/// deviations. Half-way directions are half as far apart: 0.003, less than α of the smoothest lobe.
+/// With a coarser grid, that lobe would show each point, and no fit could be right.
+const STEP: f64 = 0.15;
+const RADIUS: f64 = 3.0;
 /// Normals around the half-way direction: rings from this angle to a right angle, and normals of
-/// one.
+/// one on one side of the plane of source and camera. The other side is its mirror image.
 const NEAREST: f64 = 0.004;
 const RINGS: usize = 40;
-const AROUND: usize = 16;
+const AROUND: usize = 8;
 /// Roughness that is tried at first, and halvings of the step after it.
-const TRIED: usize = 46;
-const LEAST: f64 = 0.1;
+const TRIED: usize = 48;
+const LEAST: f64 = 0.065;
 const HALVINGS: usize = 6;
 /// Steps of the least squares solution.
 const STEPS: usize = 100;
@@ -117,15 +114,35 @@ fn nearest(points: &[Point]) -> Result<(Gloss, f64)> {
     Ok(best)
 }
 
-fn points(surface: &Surface, angle: f64) -> Vec<Point> {
+/// The points of a source at this angle from the camera, with their shares of its energy: a grid of
+/// this step in standard deviations.
+fn source(angle: f64, step: f64) -> Vec<([f64; 3], f64)> {
     let (sine, cosine) = angle.to_radians().sin_cos();
-    let source = NODES.iter().flat_map(|&(u, of_u)| {
-        NODES.map(|(v, of_v)| {
-            let ((su, cu), (sv, cv)) = ((SPREAD * u).sin_cos(), (SPREAD * v).sin_cos());
-            ([(sine * cu + cosine * su) * cv, sv, (cosine * cu - sine * su) * cv], of_u * of_v)
-        })
+    let most = (RADIUS / step) as i32;
+    let places = (-most..=most).flat_map(|i| (-most..=most).map(move |j| [i, j]));
+    let places = places.map(|place| place.map(|k| step * f64::from(k)));
+    let places = places.filter(|[u, v]| u.hypot(*v) <= RADIUS);
+    let points = places.map(|[u, v]| {
+        let ((su, cu), (sv, cv)) = ((SPREAD * u).sin_cos(), (SPREAD * v).sin_cos());
+        let at = [(sine * cu + cosine * su) * cv, sv, (cosine * cu - sine * su) * cv];
+        (at, (-0.5 * (u * u + v * v)).exp())
     });
-    let source: Vec<([f64; 3], f64)> = source.collect();
+    let mut points: Vec<_> = points.collect();
+    let total: f64 = points.iter().map(|point| point.1).sum();
+    points.iter_mut().for_each(|point| point.1 /= total);
+    points
+}
+
+/// The points of a source that a normal faces, and their shares.
+fn lit(source: &[([f64; 3], f64)], [x, y, z]: [f64; 3]) -> Vec<(Geometry, f64)> {
+    let lit = source.iter().map(|&([a, b, c], share)| {
+        (Geometry { incident: a * x + b * y + c * z, reflected: z, between: c }, share)
+    });
+    lit.filter(|(at, _)| at.incident > 0.0).collect()
+}
+
+fn points(surface: &Surface, angle: f64) -> Vec<Point> {
+    let source = source(angle, STEP);
     let (sin_h, cos_h) = (0.5 * angle.to_radians()).sin_cos();
     let ratio = (FRAC_PI_2 / NEAREST).powf(1.0 / RINGS as f64);
     let mut points = Vec::new();
@@ -133,20 +150,16 @@ fn points(surface: &Surface, angle: f64) -> Vec<Point> {
         let inner = NEAREST * ratio.powi(ring as i32);
         let (near, far) = (if ring == 0 { 0.0 } else { inner }, inner * ratio);
         let (s, c) = (0.5 * (near + far)).sin_cos();
-        let solid_angle = TAU * (near.cos() - far.cos()) / AROUND as f64;
+        let solid_angle = PI * (near.cos() - far.cos()) / AROUND as f64;
         for k in 0..AROUND {
-            let (sin_t, cos_t) = (TAU * (k as f64 + 0.5) / AROUND as f64).sin_cos();
+            let (sin_t, cos_t) = (PI * (k as f64 + 0.5) / AROUND as f64).sin_cos();
             // Along the plane of light and camera, and across it.
             let [x, y, z] =
                 [c * sin_h + s * cos_t * cos_h, s * sin_t, c * cos_h - s * cos_t * sin_h];
             if z <= 0.0 {
                 continue;
             }
-            let lit = source.iter().map(|&([a, b, c], share)| {
-                let at = Geometry { incident: a * x + b * y + c * z, reflected: z, between: c };
-                (at, share)
-            });
-            let lit = lit.filter(|(at, _)| at.incident > 0.0).collect();
+            let lit = lit(&source, [x, y, z]);
             let mut point = Point { lit, weight: solid_angle * z, values: [0.0; 3] };
             let of = |c: usize| surface.channel(c.min(surface.channels() - 1));
             point.values = [0, 1, 2].map(|c| point.irradiance(of(c)));
@@ -240,5 +253,28 @@ mod tests {
             assert!((gloss.albedo[c] - albedo).abs() < 0.02, "{gloss:?}");
             assert!(gloss.grazing[c] > 0.95, "{gloss:?}");
         }
+    }
+
+    /// The picture of the smoothest lobe does not show the grid that stands for a source.
+    #[test]
+    fn a_source_is_smooth() {
+        let lobe = Ggx::new(LEAST, 0.9, 0.0).unwrap();
+        let angle = 60.0;
+        let picture = |step: f64| {
+            let source = source(angle, step);
+            (0..60).map(move |k| {
+                // From the middle of the lobe outwards, askew to the grid.
+                let from = 1e-3 * f64::from(k);
+                let [slant, y] = [0.5 * angle.to_radians() + 0.8 * from, (0.6 * from).sin()];
+                let rest = (1.0 - y * y).sqrt();
+                let lit = lit(&source, [rest * slant.sin(), y, rest * slant.cos()]);
+                Point { lit, weight: 1.0, values: [0.0; 3] }
+            })
+        };
+        let [found, fine] = [STEP, 0.2 * STEP]
+            .map(|step| picture(step).map(|point| point.irradiance(&lobe)).collect::<Vec<_>>());
+        let off = found.iter().zip(&fine).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
+        println!("of the peak: {}", off / fine[0]);
+        assert!(off < 0.02 * fine[0], "{off} of {}", fine[0]);
     }
 }

@@ -29,7 +29,7 @@ pub struct Gloss {
 
 impl Gloss {
     pub fn run(self) -> Result<()> {
-        let glosses = highlights::glosses(&self.inputs)?;
+        let glosses = highlights::glosses(&self.inputs, &[])?;
         output::write(self.out.as_deref(), |out| {
             write_command_line(out)?;
             write_glosses(&glosses, out)
