@@ -193,8 +193,8 @@ impl<T: Irradiance, const N: usize> Highlights<T, N> {
     /// For an irradiance of 17 bits, it is within 2 % of the peak of the formula in exact
     /// arithmetic for the least roughness, within 1 % for 0.1, and within 0.4 % from 0.2 on. It may
     /// be anything up to the peak where the formula jumps: where z is below 1/128 and the cosine to
-    /// the source below 1/1024. Cost: a root by table, and for each source that the normal faces another one and a
-    /// reciprocal: with two sources some 390 instructions on a Cortex-M0.
+    /// the source below 1/1024. Cost: a root by table, and for each source that the normal faces
+    /// another one and a reciprocal: with two sources some 390 instructions on a Cortex-M0.
     #[inline]
     #[must_use]
     pub fn shade<Q: FixedPoint>(&self, normal: Normal<Q>) -> T {

@@ -38,6 +38,7 @@ fn frames_in_integers_are_the_same_on_every_machine() {
 fn the_picture_in_the_documentation_has_these_frames() {
     let picture = std::io::Cursor::new(include_bytes!("../../../docs/watch.png"));
     let mut picture = png::Decoder::new(picture).read_info().unwrap();
+    assert_eq!(picture.info().size(), (picture::SIDE, picture::SIDE));
     let frames = picture.info().animation_control.unwrap().num_frames;
     assert_eq!(frames, face::FRAMES.cast_unsigned());
     let mut found = vec![0; picture.output_buffer_size().unwrap()];
