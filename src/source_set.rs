@@ -34,7 +34,7 @@ impl<'a, S: Scalar> SourceSet<'a, S> {
     }
 
     /// The error of pictures of a material, linear in α between the metals. Beyond a roughness of
-    /// 0.6 it is that of 0.6, and so too large.
+    /// 0.6 it is that of 0.6, and so too large; below 0.1 it is that of 0.1, and so too small.
     #[must_use]
     pub fn error(&self, gloss: &Gloss<S>) -> S {
         let [first, ..] = self.errors;

@@ -159,17 +159,19 @@ fn glosses_leave_what_the_page_says() {
     // 5 % in the median, and more than 15 % for five: 18 to 27 %.
     let mut errors: Vec<f64> = shipped::glosses().unwrap().iter().map(|one| one.error).collect();
     errors.sort_by(f64::total_cmp);
-    assert!(errors.len() == 94 && (0.05..0.06).contains(&errors[46]), "{errors:?}");
-    assert!(errors[88] <= 0.15 && errors[89] >= 0.17 && errors[93] <= 0.27, "{errors:?}");
+    assert!(errors.len() == 94 && (0.045..0.055).contains(&errors[46]), "{errors:?}");
+    assert!(errors[88] <= 0.15 && errors[89] >= 0.175 && errors[93] <= 0.275, "{errors:?}");
 }
 
-/// One of ten: fits take a second each.
+/// One of ten, and the sharpest: fits take a second each.
 #[test]
 fn glosses_are_fitted_again() {
-    let recorded: Vec<NamedGloss> = shipped::glosses().unwrap().into_iter().step_by(10).collect();
+    let all = shipped::glosses().unwrap().into_iter().enumerate();
+    let some = all.filter(|(k, one)| k % 10 == 0 || one.gloss.roughness < 0.08);
+    let recorded: Vec<NamedGloss> = some.map(|(_, one)| one).collect();
     let names: Vec<String> = recorded.iter().map(|one| one.name.clone()).collect();
     let found = glosses(&repository().join("tables/inputs"), &names).unwrap();
-    assert_eq!(found.len(), 10);
+    assert!(found.len() == recorded.len() && found.len() > 10);
     for (NamedGloss { name, gloss, error: left }, recorded) in found.into_iter().zip(recorded) {
         assert_eq!(name, recorded.name);
         let NamedGloss { gloss: recorded, error, .. } = recorded;

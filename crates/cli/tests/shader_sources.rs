@@ -24,9 +24,8 @@ use std::fmt::Write;
 
 /// The text on constants in f32, of the peak. A lobe of α moves by its width where a direction
 /// turns by α, so rounding a direction to 24 bits leaves some ε/α: measured 7.5e-6 for α = 0.01,
-/// 1.5e-6 for
-/// 0.09.
-const TEXT: f64 = 1e-5;
+/// 1.5e-6 for 0.09. And for the least roughness.
+const TEXT: [f64; 2] = [1e-5, 3e-5];
 
 const LANGUAGES: [ShaderLanguage; 4] = [
     ShaderLanguage::Glsl,
@@ -131,7 +130,10 @@ fn compare<const N: usize>(shader: Shader<'_>, roughness: f64, count: usize) {
         for (function, language) in functions.iter().zip(languages) {
             let values = normals.iter().flat_map(|&normal| function.irradiance(&vectors, normal));
             let found = difference(&values.collect::<Vec<_>>(), &expected);
-            assert!(found <= TEXT, "{language:?}, {roughness}, {count}, {first}: {found:e}");
+            assert!(
+                found <= TEXT[usize::from(roughness < 0.1)],
+                "{language:?}, {roughness}, {count}, {first}: {found:e}"
+            );
             most = most.max(found);
         }
     }
@@ -143,7 +145,7 @@ fn texts_are_the_highlights() {
     with_shader(|shader| {
         // One source and a dark one; two; eight; eight and 24 dark ones.
         compare::<2>(shader, 0.3, 1);
-        for roughness in [0.1, 0.3, 1.0] {
+        for roughness in [0.065, 0.1, 0.3, 1.0] {
             compare::<2>(shader, roughness, 2);
             compare::<8>(shader, roughness, 8);
         }
@@ -282,7 +284,7 @@ fn scenes_with_sources_are_the_direct_sum_and_the_highlights() {
             let values: Vec<_> = values.collect();
             let found = difference(&values, &expected);
             println!("{lang}, {most} sources: {found:.1e}");
-            assert!(found <= TEXT, "{lang}, {most}: {found:e}");
+            assert!(found <= TEXT[0], "{lang}, {most}: {found:e}");
         }
     }
 }

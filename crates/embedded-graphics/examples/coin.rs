@@ -37,14 +37,15 @@ where
 fn main() -> Result<(), Box<dyn std::error::Error>> {
     let file = std::env::args().nth(1).ok_or("usage: coin FILE.png")?;
     // Three moments, side by side.
-    const BYTES: usize = buffer_size::<Rgb565>(3 * 128, 128);
-    let mut display = Framebuffer::<Rgb565, RawU16, LittleEndian, 384, 128, BYTES>::new();
+    const WIDTH: usize = 3 * 128;
+    const BYTES: usize = buffer_size::<Rgb565>(WIDTH, 128);
+    let mut display = Framebuffer::<Rgb565, RawU16, LittleEndian, WIDTH, 128, BYTES>::new();
     for (place, tilt) in [(0, -0.5), (128, 0.0), (256, 0.5)] {
         draw(tilt, &mut display.translated(Point::new(place, 0)))??;
     }
     let colors = display.bounding_box().points().filter_map(|place| display.pixel(place));
     let colors = colors.map(Rgb888::from).flat_map(|color| [color.r(), color.g(), color.b()]);
-    let mut png = png::Encoder::new(std::fs::File::create(file)?, 3 * 128, 128);
+    let mut png = png::Encoder::new(std::fs::File::create(file)?, WIDTH as u32, 128);
     png.set_color(png::ColorType::Rgb);
     Ok(png.write_header()?.write_image_data(&colors.collect::<Vec<u8>>())?)
 }

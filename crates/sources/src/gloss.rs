@@ -116,7 +116,7 @@ fn nearest(points: &[Point]) -> Result<(Gloss, f64)> {
 
 /// The points of a source at this angle from the camera, with their shares of its energy: a grid of
 /// this step in standard deviations.
-fn source(angle: f64, step: f64) -> Vec<([f64; 3], f64)> {
+fn source_points(angle: f64, step: f64) -> Vec<([f64; 3], f64)> {
     let (sine, cosine) = angle.to_radians().sin_cos();
     let most = (RADIUS / step) as i32;
     let places = (-most..=most).flat_map(|i| (-most..=most).map(move |j| [i, j]));
@@ -134,7 +134,7 @@ fn source(angle: f64, step: f64) -> Vec<([f64; 3], f64)> {
 }
 
 /// The points of a source that a normal faces, and their shares.
-fn lit(source: &[([f64; 3], f64)], [x, y, z]: [f64; 3]) -> Vec<(Geometry, f64)> {
+fn lit_points(source: &[([f64; 3], f64)], [x, y, z]: [f64; 3]) -> Vec<(Geometry, f64)> {
     let lit = source.iter().map(|&([a, b, c], share)| {
         (Geometry { incident: a * x + b * y + c * z, reflected: z, between: c }, share)
     });
@@ -142,7 +142,7 @@ fn lit(source: &[([f64; 3], f64)], [x, y, z]: [f64; 3]) -> Vec<(Geometry, f64)> 
 }
 
 fn points(surface: &Surface, angle: f64) -> Vec<Point> {
-    let source = source(angle, STEP);
+    let source = source_points(angle, STEP);
     let (sin_h, cos_h) = (0.5 * angle.to_radians()).sin_cos();
     let ratio = (FRAC_PI_2 / NEAREST).powf(1.0 / RINGS as f64);
     let mut points = Vec::new();
@@ -159,7 +159,7 @@ fn points(surface: &Surface, angle: f64) -> Vec<Point> {
             if z <= 0.0 {
                 continue;
             }
-            let lit = lit(&source, [x, y, z]);
+            let lit = lit_points(&source, [x, y, z]);
             let mut point = Point { lit, weight: solid_angle * z, values: [0.0; 3] };
             let of = |c: usize| surface.channel(c.min(surface.channels() - 1));
             point.values = [0, 1, 2].map(|c| point.irradiance(of(c)));
@@ -261,20 +261,19 @@ mod tests {
         let lobe = Ggx::new(LEAST, 0.9, 0.0).unwrap();
         let angle = 60.0;
         let picture = |step: f64| {
-            let source = source(angle, step);
+            let source = source_points(angle, step);
             (0..60).map(move |k| {
                 // From the middle of the lobe outwards, askew to the grid.
                 let from = 1e-3 * f64::from(k);
                 let [slant, y] = [0.5 * angle.to_radians() + 0.8 * from, (0.6 * from).sin()];
                 let rest = (1.0 - y * y).sqrt();
-                let lit = lit(&source, [rest * slant.sin(), y, rest * slant.cos()]);
+                let lit = lit_points(&source, [rest * slant.sin(), y, rest * slant.cos()]);
                 Point { lit, weight: 1.0, values: [0.0; 3] }
             })
         };
         let [found, fine] = [STEP, 0.2 * STEP]
             .map(|step| picture(step).map(|point| point.irradiance(&lobe)).collect::<Vec<_>>());
         let off = found.iter().zip(&fine).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
-        println!("of the peak: {}", off / fine[0]);
         assert!(off < 0.02 * fine[0], "{off} of {}", fine[0]);
     }
 }
