@@ -2,14 +2,11 @@
 
 use crate::color::Rgb;
 use crate::error::{Argument, Error};
+use crate::index::highlights::SMOOTHEST;
 use crate::scalar::Scalar;
 
 /// The reflectance of dielectrics at normal incidence.
 const DIELECTRIC: f64 = 0.04;
-
-/// The least roughness. Lobes lose more digits the narrower they are, and Q15 has room for 1/α² up
-/// to 2^16.
-const SMOOTHEST: f64 = 0.065;
 
 /// The roughness from which on harmonics of degree 9 show highlights as well as sources do.
 const MATTE: f64 = 0.6;

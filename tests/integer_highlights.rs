@@ -17,9 +17,9 @@ const LOBE_Q15: [(f64, f64); 6] =
 /// z = 0 from 0, for a source below the horizon, to that of grazing light.
 const CORNER: [f64; 2] = [1.0 / 128.0, 1.0 / 1024.0];
 
-/// A tail of the lobe, of itself: twice the relative error of the form, near 2^-9 of a wide lobe,
-/// and a unit of some hundred.
-const TAIL: f64 = 0.025;
+/// A tail of the lobe, of itself, by roughness: twice the relative error of the form, near 2^-9 of a
+/// wide lobe, and a unit of some hundred.
+const TAIL: [(f64, f64); 3] = [(0.065, 2.5e-2), (0.1, 1e-2), (0.3, 3e-3)];
 
 /// The normal in 15 bits, and the same in f64.
 fn rounded(normal: Vector) -> (Normal<Q15>, Vector) {
@@ -95,7 +95,7 @@ fn highlights_are_those_of_the_formula() {
 /// overflow of the peak.
 #[test]
 fn tails_of_bright_sources() {
-    for roughness in [0.065, 0.1, 0.3] {
+    for (roughness, tolerance) in TAIL {
         let material = Glossy { roughness, f0: 0.9, albedo: 0.0 };
         let (mut most, mut saturated) = (0.0_f64, 0);
         for blob in blobs(&[5.0, 40.0, 110.0]) {
@@ -116,7 +116,7 @@ fn tails_of_bright_sources() {
         }
         println!("roughness {roughness}, of itself: {most:e}; {saturated} saturated");
         assert!(saturated > 0);
-        assert!(most <= TAIL, "{roughness}: {most:e}");
+        assert!(most <= tolerance, "{roughness}: {most:e}");
     }
 }
 
@@ -209,7 +209,7 @@ fn sources_and_channels_add_up() {
 /// before.
 #[test]
 fn sources_set() {
-    for roughness in [0.065, 1.0] {
+    for roughness in [0.065, 0.1, 1.0] {
         let material = Glossy { roughness, f0: 0.9, albedo: 0.3 };
         for degrees in [90.0, 150.0, 175.0, 179.0, 179.99, 180.0] {
             let blob = Blob {

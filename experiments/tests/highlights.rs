@@ -160,7 +160,10 @@ fn glosses_leave_what_the_page_says() {
     let mut errors: Vec<f64> = shipped::glosses().unwrap().iter().map(|one| one.error).collect();
     errors.sort_by(f64::total_cmp);
     assert!(errors.len() == 94 && (0.045..0.055).contains(&errors[46]), "{errors:?}");
-    assert!(errors[88] <= 0.15 && errors[89] >= 0.175 && errors[93] <= 0.275, "{errors:?}");
+    assert!(
+        errors[88] <= 0.15 && errors[89] >= 0.175 && (0.265..0.275).contains(&errors[93]),
+        "{errors:?}"
+    );
 }
 
 /// One of ten, and the sharpest: fits take a second each.

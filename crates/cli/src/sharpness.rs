@@ -234,7 +234,7 @@ pub fn gloss_note(name: &str, Known { gloss, error }: &Known) -> Result<Option<S
     Ok((*error > FAR).then(|| format!("note: the gloss of `{name}` {}", off_lobe(*error))))
 }
 
-/// What is said of a gloss that leaves this error.
+/// How far the highlights of a lobe with this error are off, for messages.
 fn off_lobe(error: f64) -> String {
     let percent = 100.0 * error;
     format!("is not quite a GGX lobe, and its highlights are off by {percent:.0} %")

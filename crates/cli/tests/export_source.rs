@@ -392,9 +392,7 @@ fn wrong_sources_are_refused() {
 #[test]
 fn notes_say_where_sources_do_not_show() {
     let folder = Folder::new();
-    let said = |material: &str| {
-        folder.messages(&format!("export --lang c -m {material} --sources 4 --out a.h"))
-    };
+    let said = |m: &str| folder.messages(&format!("export --lang c -m {m} --sources 4 --out a.h"));
     assert!(said("pink-felt").contains("as matte as a roughness"));
     assert!(said("two-layer-gold").contains("not quite a GGX lobe"));
     assert_eq!(said("gold-metallic-paint"), "");

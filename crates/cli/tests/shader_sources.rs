@@ -24,7 +24,7 @@ use std::fmt::Write;
 
 /// The text on constants in f32, of the peak. A lobe of α moves by its width where a direction
 /// turns by α, so rounding a direction to 24 bits leaves some ε/α: measured 7.5e-6 for α = 0.01,
-/// 1.5e-6 for 0.09. And for the least roughness.
+/// 1.5e-6 for 0.09. The second bound is for the least roughness, α = 0.0042: measured 2.7e-5.
 const TEXT: [f64; 2] = [1e-5, 3e-5];
 
 const LANGUAGES: [ShaderLanguage; 4] = [

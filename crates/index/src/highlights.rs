@@ -1,4 +1,5 @@
-//! Small sources of a light: how many a set has, and the metals by which its errors are measured.
+//! Small sources of a light: how many a set has, the metals by which its errors are measured, and the
+//! smoothest lobe that shows them.
 
 /// The most sources of a set.
 pub const MAX_SOURCES: usize = 32;
@@ -8,6 +9,10 @@ pub const SETS: [usize; 5] = [1, 2, 4, 8, LARGEST_SET];
 
 /// The most sources of the largest set that is shipped.
 pub const LARGEST_SET: usize = 16;
+
+/// The least roughness of a lobe. Lobes lose more digits the narrower they are, and Q15 has room for
+/// 1/α² up to 2^16.
+pub const SMOOTHEST: f64 = 0.065;
 
 /// The roughness of the metals whose errors a set has.
 pub const ROUGHNESS: [f64; 6] = [0.1, 0.2, 0.3, 0.4, 0.5, 0.6];

@@ -6,6 +6,7 @@
 
 use eigenshade_generator::material::brdf::{Brdf, Geometry, Ggx, Surface};
 use eigenshade_generator::material::measurements::{Measured, Measurement};
+use eigenshade_index::highlights::SMOOTHEST;
 use eigenshade_model::error::Result;
 use eigenshade_model::source::{Gloss, NamedGloss};
 use eigenshade_shading::parallel;
@@ -27,7 +28,6 @@ const RINGS: usize = 40;
 const AROUND: usize = 8;
 /// Roughness that is tried at first, and halvings of the step after it.
 const TRIED: usize = 48;
-const LEAST: f64 = 0.065;
 const HALVINGS: usize = 6;
 /// Steps of the least squares solution.
 const STEPS: usize = 100;
@@ -92,8 +92,8 @@ pub fn of_measured(measured: &Measured) -> Result<NamedGloss> {
 /// The gloss nearest to pictures, and the rms of what it leaves.
 fn nearest(points: &[Point]) -> Result<(Gloss, f64)> {
     let of = |roughness: f64| at_roughness(points, roughness);
-    let step = (1.0 - LEAST) / (TRIED - 1) as f64;
-    let tried = parallel::map(TRIED, &(), |k| of(LEAST + step * k as f64));
+    let step = (1.0 - SMOOTHEST) / (TRIED - 1) as f64;
+    let tried = parallel::map(TRIED, &(), |k| of(SMOOTHEST + step * k as f64));
     let tried = tried.into_iter().collect::<Result<Vec<_>>>()?;
     let mut best = tried[0];
     for one in &tried[1..] {
@@ -105,7 +105,7 @@ fn nearest(points: &[Point]) -> Result<(Gloss, f64)> {
     for _ in 0..HALVINGS {
         step *= 0.5;
         for roughness in [best.0.roughness - step, best.0.roughness + step] {
-            let one = of(roughness.clamp(LEAST, 1.0))?;
+            let one = of(roughness.clamp(SMOOTHEST, 1.0))?;
             if one.1 < best.1 {
                 best = one;
             }
@@ -258,7 +258,7 @@ mod tests {
     /// The picture of the smoothest lobe does not show the grid that stands for a source.
     #[test]
     fn a_source_is_smooth() {
-        let lobe = Ggx::new(LEAST, 0.9, 0.0).unwrap();
+        let lobe = Ggx::new(SMOOTHEST, 0.9, 0.0).unwrap();
         let angle = 60.0;
         let picture = |step: f64| {
             let source = source_points(angle, step);
