@@ -2,7 +2,7 @@
 
 mod commands;
 
-use clap::{CommandFactory, Parser};
+use clap::{CommandFactory, FromArgMatches, Parser};
 use commands::{Command, Memory};
 use eigenshade_cli::messages::{be_quiet, report_error};
 use std::process::ExitCode;
@@ -11,7 +11,7 @@ use std::process::ExitCode;
 ///
 /// CSV goes to standard output unless --out names a file, and messages to standard error. The file
 /// `-` is standard input, where a CSV, a table or a scene is read. Exit status: 0; 1 for bad input
-/// (one line says what is wrong, where, and how to fix it); 2 for wrong usage.
+/// (one line says what is wrong, where, and how to fix it); 2 for options that cannot be parsed.
 #[derive(Debug, Parser)]
 #[command(name = "eigenshade", version, arg_required_else_help = true)]
 #[cfg_attr(
@@ -30,10 +30,22 @@ struct Program {
     command: Command,
 }
 
+/// Lets every option take a negative number, so that it is refused as a value and not as an option.
+fn with_negative_numbers(command: clap::Command) -> clap::Command {
+    command
+        .mut_args(|one| {
+            let takes = one.get_action().takes_values() && !one.is_positional();
+            if takes { one.allow_negative_numbers(true) } else { one }
+        })
+        .mut_subcommands(with_negative_numbers)
+}
+
 fn main() -> ExitCode {
     #[cfg(unix)]
     eigenshade_cli::output::clean_up_on_signals();
-    let Program { memory, quiet, command } = Program::parse();
+    let matches = with_negative_numbers(Program::command()).get_matches();
+    let program = Program::from_arg_matches(&matches);
+    let Program { memory, quiet, command } = program.unwrap_or_else(|error| error.exit());
     if quiet {
         be_quiet();
     }

@@ -150,9 +150,13 @@ pub fn albedo_warning(materials: &Materials) -> Option<String> {
     let (name, albedo) = found.iter().max_by(|a, b| beyond(a.1).total_cmp(&beyond(b.1)))?;
     let (count, all) = (found.len(), materials.entries.len());
     let fault = if *albedo > 1.0 { "more light than it receives" } else { "a negative amount" };
+    let of_all = match all {
+        1 => String::new(),
+        _ => format!(" (albedos beyond 0 to 1: {count} of {all})"),
+    };
     Some(format!(
-        "warning: material `{name}` has albedo {albedo:.4}: it reflects {fault} (of {all} \
-         materials, {count} are beyond 0 to 1); check that its unit is 1/sr, or scale it"
+        "warning: material `{name}` has albedo {albedo:.4}: it reflects {fault}{of_all}; check that \
+         its unit is 1/sr, or scale it"
     ))
 }
 

@@ -191,13 +191,13 @@ impl Source {
         })
     }
 
-    /// For a shipped material whose pictures were measured at this order, without sources: the
-    /// degree, and their error.
+    /// For a shipped material whose pictures were measured without sources: degree and order,
+    /// the largest measured ones that do not exceed these, or else the least, and the error.
     #[must_use]
-    pub fn total_error(&self, order: usize) -> Option<(usize, TotalError)> {
+    pub fn total_error(&self, size: (usize, usize)) -> Option<((usize, usize), TotalError)> {
         let name = self.path.to_str().filter(|_| self.entry == Entry::Shipped)?;
-        let (degree, _) = shipped::ERROR_SIZES.into_iter().find(|size| size.1 == order)?;
-        Some((degree, shipped::total_error(name, (degree, order))?))
+        let measured = nearest(shipped::ERROR_SIZES.into_iter(), size)?;
+        Some((measured, shipped::total_error(name, measured)?))
     }
 
     /// The materials.
@@ -247,10 +247,20 @@ impl Source {
             return Ok(entry);
         }
         let names = entries.iter().take(3).map(|entry| entry.name.as_str()).collect::<Vec<_>>();
+        let more = if count > names.len() { ", ..." } else { "" };
         let (path, names) = (self.path.display(), names.join(", "));
-        let remedy = format!("name one as {path}:NAME, with one of {names}, ...");
+        let remedy = format!("name one as {path}:NAME, with one of {names}{more}");
         Err(Error::new(format!("it has {count} entries"), remedy).in_file(&self.path))
     }
+}
+
+/// The largest degree and order of these that do not exceed a size, or else the least.
+pub(crate) fn nearest(
+    sizes: impl Iterator<Item = (usize, usize)> + Clone,
+    (degree, order): (usize, usize),
+) -> Option<(usize, usize)> {
+    let smaller = sizes.clone().filter(|size| size.0 <= degree && size.1 <= order);
+    smaller.max().or(sizes.min())
 }
 
 /// The remedy for a light without sources.

@@ -3,7 +3,7 @@
 //! The figures are looked up: those of a material of a shipped file are its own; those of any other
 //! gloss are of a GGX metal of the same roughness, under the same light if it has been measured.
 
-use crate::presets::Source;
+use crate::presets::{Source, nearest};
 use eigenshade_model::budget::Budget;
 use eigenshade_model::error::{Error, Result};
 use eigenshade_model::source::{Gloss, SetError};
@@ -23,6 +23,17 @@ const FAR: f64 = 0.15;
 
 /// A degree and an order.
 type Size = (usize, usize);
+
+/// What the error measured at one size is to that of pictures of another.
+fn bound(measured: Size, drawn: Size) -> &'static str {
+    if measured == drawn {
+        ""
+    } else if measured.0 <= drawn.0 && measured.1 <= drawn.1 {
+        "at most "
+    } else {
+        "at least "
+    }
+}
 
 /// The errors of pictures of GGX metals under a light, or under many.
 pub struct Sharpness {
@@ -71,10 +82,8 @@ impl Sharpness {
         sets
     }
 
-    fn size(&self, (degree, order): Size) -> Size {
-        let sizes = || self.errors.iter().map(|one| one.size);
-        let smaller = sizes().filter(|size| size.0 <= degree && size.1 <= order);
-        smaller.max().or(sizes().min()).unwrap_or_default()
+    fn size(&self, size: Size) -> Size {
+        nearest(self.errors.iter().map(|one| one.size), size).unwrap_or_default()
     }
 
     fn left(&self, size: Size, most: usize, gloss: &Gloss) -> Result<Left> {
@@ -140,11 +149,7 @@ impl Sharpness {
         let is_other = sources > 0 && gloss.error > FAR;
         if is_blurred {
             let [median, worst] = left.rms;
-            let bound = match left.size {
-                measured if measured == size => "",
-                measured if measured.0 <= degree && measured.1 <= order => "at most ",
-                _ => "at least ",
-            };
+            let bound = bound(left.size, size);
             let _ = write!(
                 text,
                 ": at degree {degree}, pictures of a metal of its roughness, {roughness:.2}, are off \
@@ -153,7 +158,9 @@ impl Sharpness {
             );
             let _ = match &self.light {
                 Some(light) => write!(text, " under `{light}`"),
-                None => write!(text, ", under some lights by {:.0} %", 100.0 * worst),
+                None => {
+                    write!(text, " in the median, under some lights by {:.0} %", 100.0 * worst)
+                }
             };
             let _ = write!(
                 text,
@@ -240,16 +247,17 @@ fn off_lobe(error: f64) -> String {
     format!("is not quite a GGX lobe, and its highlights are off by {percent:.0} %")
 }
 
-/// A note if the pictures of a shipped material that were measured at this degree and order,
-/// without sources, are far from those of its BRDF.
+/// A note if the pictures of a shipped material that were measured at a degree and order, without
+/// sources, are far from those of its BRDF. `drawn` are the degree and order of the picture.
 #[must_use]
-pub fn shipped_note(name: &str, (degree, order): Size, error: TotalError) -> Option<String> {
+pub fn shipped_note(name: &str, measured: Size, drawn: Size, error: TotalError) -> Option<String> {
     let TotalError { median, worst, pixel } = error;
+    let ((degree, order), bound) = (drawn, bound(measured, drawn));
     (worst > LARGE || pixel > DIM).then(|| {
         format!(
             "note: `{name}` is sharper than order {order} can show: at degree {degree}, pictures \
-             are off by {:.1} % of their peak, under some lights by {:.0} %, and blurred highlights \
-             by up to {:.0} %",
+             are off by {bound}{:.1} % of their peak in the median, under some lights by {:.0} %, \
+             and blurred highlights by up to {:.0} %",
             100.0 * median,
             100.0 * worst,
             100.0 * pixel

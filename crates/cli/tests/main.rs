@@ -19,6 +19,7 @@ mod highlights;
 mod interpreter;
 mod materials;
 mod memory;
+mod mismatches;
 mod objects;
 mod outputs;
 mod pbr_errors;

@@ -70,8 +70,8 @@ fn names_are_entries_of_the_shipped_files() {
     assert_eq!(projected.lines().count(), 4);
 }
 
-/// A material sharper than the table says so, at each order at which errors were measured; a matte
-/// one, and a file's, do not.
+/// A material sharper than its picture says so, of whatever degree and order; a matte one, and a
+/// file's, do not.
 #[test]
 fn sharp_materials_are_named() {
     let folder = Folder::new();
@@ -83,13 +83,15 @@ fn sharp_materials_are_named() {
     folder.ok("basis --scene scene.toml --out b.bin");
     let note = drawn("chrome --table b.bin");
     assert!(note.contains("order 3 can show") && note.contains("by at least"), "{note}");
-    // A table of order 12, of another degree than the errors.
+    // A table of order 12, of a lower degree; the material ends at order 7.
     let scene = folder.read("scene.toml").replace("order = 3", "order = 12");
     folder.write("scene.toml", scene);
     folder.write("materials.csv", materials(12, 2));
     folder.ok("basis --scene scene.toml --out b.bin");
     let note = drawn("chrome --table b.bin");
-    assert!(note.contains("`chrome` is sharper than order 12 can show: at degree 12,"), "{note}");
+    let start =
+        "`chrome` is sharper than order 7 can show: at degree 4, pictures are off by at least";
+    assert!(note.contains(start), "{note}");
     assert!(!drawn("ptfe-633nm").contains("sharper"));
     let file = repository().join("tables/inputs/merl.csv");
     assert!(!drawn(&format!("{}:chrome", file.display())).contains("sharper"));

@@ -246,3 +246,38 @@ fn weights_of_the_scene_count() {
         assert_near("exposure", &get(&answer, "fit", "exposure")[0][..1], &light[..1]);
     }
 }
+
+/// Where a channel of a PNG is 0, it may have been below.
+#[test]
+fn black_is_clipped() {
+    let folder = Folder::new();
+    let [gold, pearl] = ["gold-metallic-paint", "pearl-paint"];
+    for (light, material, first) in [
+        ("park", "brass", "brass"),
+        ("studio", "brass", "brass"),
+        ("park", gold, gold),
+        // As the guide says.
+        ("lobby", gold, pearl),
+    ] {
+        folder.ok(&format!("render -l {light} -m {material} -s 128 --exposure 0.2 -o a.png"));
+        let said = folder.messages("read a.png -n sphere -o d.csv");
+        assert_eq!(said.contains(" 0 clipped or"), light == "lobby", "{said}");
+        assert_eq!(nearest(&answer(&folder.read("d.csv"))), first, "{light}, {material}");
+    }
+}
+
+/// An EXR is multiplied by its opacity, a PNG is not.
+#[test]
+fn an_exr_is_divided_by_its_opacity() {
+    let folder = Folder::new();
+    let [mut materials, mut transparent] = [Vec::new(), Vec::new()];
+    for file in ["a.png", "a.exr"] {
+        folder.ok(&format!("render -l lobby -m pearl-paint -s 128 --exposure 0.2 -o {file}"));
+        let said = folder.messages(&format!("read {file} -n sphere -o d.csv"));
+        let counts = said.split_once("(of all: ").unwrap().1.lines().next().unwrap().to_owned();
+        transparent.push(counts);
+        materials.push(nearest(&answer(&folder.read("d.csv"))).to_owned());
+    }
+    assert_eq!(materials, ["pearl-paint"; 2]);
+    assert_eq!(transparent[0], transparent[1]);
+}

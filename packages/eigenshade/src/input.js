@@ -101,7 +101,9 @@ export const isChannels = (value) => value !== null && typeof value === "object"
  */
 export function put(what, given, to, count, most) {
   if (!isChannels(given)) {
-    throw new TypeError(`${what}: expected { r, g, b } with arrays of coefficients`);
+    throw new TypeError(
+      `${what}: expected { r, g, b } with arrays of coefficients, which ${what}Preset(name) loads`,
+    );
   }
   const counts = Array.from({ length: most + 1 }, (_, largest) => count(largest));
   const checked = /** @type {const} */ (["r", "g", "b"]).map((name) => {
@@ -132,13 +134,12 @@ export function put(what, given, to, count, most) {
  */
 export function parameters(material) {
   if (material === null || typeof material !== "object") {
-    throw new TypeError("material: expected { r, g, b } or { baseColor, metallic, roughness }");
+    throw new TypeError(
+      "material: expected { r, g, b }, which materialPreset(name) loads, or { baseColor, metallic, roughness }",
+    );
   }
   const { baseColor = [1, 1, 1], metallic = 0, roughness = 0.5, ...other } = material;
-  const [unknown] = Object.keys(other);
-  if (unknown !== undefined) {
-    throw new TypeError(`material: no parameter is called ${unknown}; there are baseColor, metallic and roughness`);
-  }
+  checkKnown("material", other, "baseColor, metallic, roughness");
   if (typeof baseColor !== "string" && !(isArray(baseColor) && baseColor.length === 3)) {
     throw new TypeError('material: baseColor is neither "#rrggbb" nor three numbers');
   }
@@ -151,6 +152,18 @@ export function parameters(material) {
     }
   });
   return all;
+}
+
+/**
+ * Throws if there are other parameters than these.
+ *
+ * @param {string} what
+ * @param {object} other
+ * @param {string} known
+ */
+export function checkKnown(what, other, known) {
+  const [unknown] = Object.keys(other);
+  if (unknown !== undefined) throw new TypeError(`${what}: "${unknown}" is not one of ${known}`);
 }
 
 /**
@@ -183,7 +196,8 @@ export function quaternion(turn) {
     }
     return turn;
   }
-  const { yaw = 0, pitch = 0, roll = 0 } = turn;
+  const { yaw = 0, pitch = 0, roll = 0, ...other } = turn;
+  checkKnown("turn", other, "yaw, pitch, roll");
   for (const [name, angle] of Object.entries({ yaw, pitch, roll })) {
     if (!Number.isFinite(angle)) throw new RangeError(`turn: ${name} is ${angle}, expected a number`);
   }

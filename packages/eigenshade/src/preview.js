@@ -1,6 +1,6 @@
 // A canvas that shows a sphere of a material under a light.
 
-import { checkExposure, checkSources, toneNumber } from "./input.js";
+import { checkExposure, checkKnown, checkSources, toneNumber } from "./input.js";
 import { lightOf, materialOf } from "./presets.js";
 import { renderer, sphere } from "./renderer.js";
 import { Scene } from "./scene.js";
@@ -50,7 +50,7 @@ export class Preview {
    */
   static async create(canvas, { light, material, sources = 0, engine, ...look }) {
     if (!(canvas instanceof HTMLCanvasElement)) throw new TypeError("Preview: expected a canvas");
-    check("Preview", look);
+    check("Preview", look, "light, material, sources, engine, ");
     return new Preview(canvas, await Scene.create({ light, material, sources, engine }), look, sources);
   }
 
@@ -92,8 +92,10 @@ export class Preview {
   async light(light, { sources = this.#sources } = {}) {
     this.#alive();
     checkSources(sources);
-    this.#sources = sources;
-    return this.#load("light", lightOf(light, sources), (loaded) => this.#scene.light(loaded));
+    return this.#load("light", lightOf(light, sources), (loaded) => {
+      this.#scene.light(loaded);
+      this.#sources = sources;
+    });
   }
 
   /**
@@ -219,8 +221,10 @@ export class Preview {
 /**
  * @param {string} what
  * @param {Look} look
+ * @param {string} [more] names that `look` lacks
  */
-function check(what, { exposure = "auto", tone = "filmic" }) {
+function check(what, { exposure = "auto", tone = "filmic", ...other }, more = "") {
+  checkKnown(what, other, `${more}exposure, tone`);
   if (exposure !== "auto") checkExposure(what, exposure);
   toneNumber(what, tone);
 }

@@ -282,7 +282,7 @@ test("wrong input throws one clear error and changes nothing", async () => {
   const before = scene.uniforms();
   const light = await lightPreset("park");
   const fails = (what, name, message) => assert.throws(what, { name, message });
-  fails(() => scene.light(null), "TypeError", "light: expected { r, g, b } with arrays of coefficients");
+  fails(() => scene.light(null), "TypeError", "light: expected { r, g, b } with arrays of coefficients, which lightPreset(name) loads");
   fails(() => scene.light({ ...light, g: "red" }), "TypeError", "light: g is not an array of numbers");
   fails(() => scene.light({ ...light, b: light.b.slice(1) }), "RangeError",
     "light: b has 99 coefficients, expected 1, 4, 9, 16, 25, 36, 49, 64, 81, 100");
@@ -299,9 +299,11 @@ test("wrong input throws one clear error and changes nothing", async () => {
   fails(() => scene.material(three([])), "RangeError",
     "material: r has 0 coefficients, expected 1, 2, 5, 8, 14, 20, 30, 40");
   fails(() => scene.material("red"), "TypeError",
-    "material: expected { r, g, b } or { baseColor, metallic, roughness }");
+    "material: expected { r, g, b }, which materialPreset(name) loads, or { baseColor, metallic, roughness }");
+  fails(() => scene.turn({ yow: 1 }), "TypeError", 'turn: "yow" is not one of yaw, pitch, roll');
+  fails(() => scene.turn({ x: 0, y: 0, z: 0, w: 1 }), "TypeError", 'turn: "x" is not one of yaw, pitch, roll');
   fails(() => scene.material({ color: "#ffffff" }), "TypeError",
-    "material: no parameter is called color; there are baseColor, metallic and roughness");
+    "material: \"color\" is not one of baseColor, metallic, roughness");
   fails(() => scene.material({ roughness: 1.1 }), "RangeError",
     "material: roughness is 1.1, expected a number from 0 to 1");
   fails(() => scene.material({ baseColor: "red" }), "RangeError",

@@ -37,6 +37,11 @@ impl Choices {
         self.effects.is_empty()
     }
 
+    /// Whether pictures lack some components or have a window.
+    pub fn leave_something_out(&self) -> bool {
+        self.components.is_some() || self.window.is_some()
+    }
+
     /// Whether the number of components is given.
     pub fn has_components(&self) -> bool {
         self.components.is_some()

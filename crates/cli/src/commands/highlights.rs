@@ -3,12 +3,12 @@
 use super::choices::Choices;
 use super::options::{Inputs, Memory, TableChoice};
 use eigenshade::mathematics::Libm;
-use eigenshade::{Highlights, Scalar};
+use eigenshade::{Effect, Highlights, Scalar};
 use eigenshade_cli::messages::print_message;
 use eigenshade_cli::sharpness::{Choice, Known, Sharpness, matte_note, shipped_note};
 use eigenshade_index::highlights::MAX_SOURCES;
 use eigenshade_model::database::{Lights, Materials};
-use eigenshade_model::error::Result;
+use eigenshade_model::error::{Error, Result};
 use eigenshade_model::source::{Gloss, Source};
 use eigenshade_shading::highlights;
 use eigenshade_shading::shader::fault;
@@ -81,14 +81,20 @@ impl HighlightInputs {
     ///
     /// # Errors
     ///
-    /// If the light has no sources, or the gloss of the material is not known.
+    /// If the table has no gloss, the light has no sources, or the gloss of the material is not
+    /// known.
     pub fn taken_out(
         inputs: &Inputs,
-        lights: &mut Lights,
-        materials: &Materials,
+        table: &Table,
+        (lights, materials): (&mut Lights, &Materials),
         most: usize,
         memory: Memory,
     ) -> Result<Option<Self>> {
+        if !table.effects().has(Effect::Gloss) {
+            let what = "the table's scene has no gloss, and sources are for highlights";
+            let remedy = "leave --sources out, or use a table with all effects";
+            return Err(Error::new(what, remedy));
+        }
         let (light, material) = (&lights.entries[0].name, &materials.entries[0].name);
         let Known { gloss, .. } = inputs.material.known_gloss(material, memory.of_file())?;
         if !highlights::gloss::<f64>(&gloss)?.needs_sources() {
@@ -126,27 +132,25 @@ impl HighlightInputs {
     }
 }
 
-/// A note if the picture of the first light on the first material is far off.
+/// A note if the picture of the first light on the first material, as they are drawn, is far off.
 ///
 /// # Errors
 ///
 /// If a file with errors or gloss cannot be read.
 pub fn sharpness_note(
     inputs: &Inputs,
-    table: &Table,
     (lights, materials): (&Lights, &Materials),
     sources: usize,
     memory: Memory,
 ) -> Result<Option<String>> {
     let (light, material) = (&lights.entries[0].name, &materials.entries[0].name);
     let sharpness = Sharpness::under(&inputs.light, light, memory.of_file())?;
-    let order = table.gram.order;
+    let size = (lights.degree, materials.order);
     if sources == 0
-        && let Some((degree, error)) = inputs.material.total_error(order)
+        && let Some((measured, error)) = inputs.material.total_error(size)
     {
-        return Ok(shipped_note(material, (degree, order), error));
+        return Ok(shipped_note(material, measured, size, error));
     }
     let gloss = inputs.material.gloss(material, memory.of_file())?;
-    let size = (lights.degree, materials.order);
     gloss.map_or(Ok(None), |gloss| sharpness.note(material, &gloss, size, sources))
 }

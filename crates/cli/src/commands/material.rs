@@ -37,6 +37,8 @@ const ORDER: usize = 7;
 ///
 /// With --out FILE.csv, the gloss of each material is written to FILE.gloss.csv, for `render
 /// --sources`: one GGX lobe over a matte base, exact for `lambertian` and `ggx` and fitted to others.
+///
+/// The options of a formula follow its name: `material ggx --roughness 0.3 --f0 0.9 --order 12`.
 #[derive(Args, Debug)]
 #[command(args_conflicts_with_subcommands = true, subcommand_negates_reqs = true)]
 pub struct Material {

@@ -37,6 +37,19 @@ pub struct PackNormals {
     out: PathBuf,
 }
 
+/// The declaration of a file as a module.
+fn module(stem: &str) -> String {
+    let name = identifier(stem);
+    if name == stem {
+        format!("mod {name};")
+    } else {
+        format!(
+            "#[path = \"{stem}.rs\"] mod {};",
+            if name.is_empty() { "normal_map" } else { &name }
+        )
+    }
+}
+
 impl PackNormals {
     pub fn run(self, memory: Memory) -> Result<()> {
         output::refuse_collisions([&self.out], [&self.normals])?;
@@ -62,7 +75,7 @@ impl PackNormals {
                 let file = self.out.display().to_string();
                 (bytes.to_vec(), ("in Rust", format!("{map}include_bytes!({file:?}))")))
             }
-            Kind::Rust => (self.source(&map, bytes), ("in Rust", format!("mod {stem};"))),
+            Kind::Rust => (self.source(&map, bytes), ("in Rust", module(&stem))),
             Kind::C => {
                 let name = identifier(&format!("normal map {stem}"));
                 let size = [view.width, view.height];

@@ -144,7 +144,8 @@ impl Render {
         let (mut lights, materials) = fitted(&table, &lights, &materials);
         let highlights = match most {
             Some(most) => {
-                HighlightInputs::taken_out(&self.inputs, &mut lights, &materials, most, memory)?
+                let pair = (&mut lights, &materials);
+                HighlightInputs::taken_out(&self.inputs, &table, pair, most, memory)?
             }
             None => None,
         };
@@ -183,7 +184,9 @@ impl Render {
         let note = note(choice.path(), &table.scene.geometry).filter(|_| is_sphere);
         let ringing = ringing.note().filter(|_| self.choices.has_all_effects());
         let pair = (&lights, &materials);
-        let sharp = sharpness_note(&self.inputs, &table, pair, sources, memory)?;
+        let sharp = sharpness_note(&self.inputs, pair, sources, memory)?;
+        // Errors are those of all effects.
+        let sharp = sharp.filter(|_| effects == Effects::ALL);
         note.into_iter().chain(warnings).chain(ringing).chain(sharp).for_each(print_message);
         Ok(())
     }
@@ -211,6 +214,10 @@ impl Render {
             }
             (Some(Sources::Most(most)), None) => Ok((given(), Some(most))),
             (None, _) => Ok((given(), None)),
+            (Some(Sources::Auto), _) if self.choices.leave_something_out() => {
+                let remedy = "leave --components and --window out, or give a number: --sources 4";
+                Err(Error::new("--sources auto is for whole pictures", remedy))
+            }
             (Some(Sources::Auto), _) => {
                 let light = (lights.entries[0].name.as_str(), lights.degree);
                 let material = (materials.entries[0].name.as_str(), materials.order);

@@ -52,7 +52,7 @@ pub struct Shade {
     /// stays within this share of the brightest channel's peak (1e-3) or this many decibels below
     /// it (60dB). Needs the method polynomial in f32 or f64. The error of the components in use
     /// is not included
-    #[arg(long, value_name = "T", value_parser = tolerance, allow_negative_numbers = true)]
+    #[arg(long, value_name = "T", value_parser = tolerance)]
     tolerance: Option<Tolerance<f64>>,
     /// Set irradiance below zero to zero, and report the least value on standard error
     #[arg(long)]
@@ -65,9 +65,9 @@ pub struct Shade {
 enum Format {
     F64,
     F32,
-    /// Integers: mantissas of 31 bits
+    /// Integers of 32 bits
     Q31,
-    /// Integers: mantissas of 15 bits
+    /// Integers of 16 bits
     Q15,
 }
 
@@ -138,6 +138,13 @@ impl Shade {
         let rounding = rounding.map_or(0.0, |rounding| rounding.largest);
         let images =
             Images { table, lights, materials, normals, components, effects, tolerance, rounding };
+        // Before anything is written.
+        let has_form = match self.format {
+            Some(Format::Q31) => images.integer_shader::<Q31>().map(drop),
+            Some(Format::Q15) => images.integer_shader::<Q15>().map(drop),
+            _ => Ok(()),
+        };
+        has_form.map_err(|error| error.in_file(self.table.path()))?;
         let negatives = if self.clamp { NegativePolicy::Clamped } else { NegativePolicy::Kept };
         let (mut least, mut ringing) = (f64::INFINITY, Ringing::default());
         output::write(self.out.path.as_deref(), |out| {

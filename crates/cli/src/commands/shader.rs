@@ -33,7 +33,7 @@ pub struct Shader {
     table: TableChoice,
     /// Leave out as many terms as this error allows: a share of the peak, or decibels below it,
     /// like 1e-2 or 40dB
-    #[arg(long, value_name = "T", value_parser = tolerance, allow_negative_numbers = true)]
+    #[arg(long, value_name = "T", value_parser = tolerance)]
     tolerance: Option<Tolerance<f64>>,
     /// Add a loop over K small bright sources, for sharp highlights. With --json or --tolerance, up
     /// to K sources are taken out of the light, as `render --sources` does; this needs a shipped
@@ -135,10 +135,11 @@ impl Shader {
     ) -> Result<(Option<Lobes>, Option<String>)> {
         let depends = self.json || self.tolerance.is_some();
         let Some(most) = self.sources.filter(|_| depends) else { return Ok((None, None)) };
-        let highlights = HighlightInputs::taken_out(&self.inputs, lights, materials, most, memory)?;
+        let pair = (&mut *lights, materials);
+        let highlights = HighlightInputs::taken_out(&self.inputs, table, pair, most, memory)?;
         let Some(highlights) = highlights else { return Ok((None, None)) };
         let pair = (&*lights, materials);
-        let note = sharpness_note(&self.inputs, table, pair, highlights.count(), memory)?;
+        let note = sharpness_note(&self.inputs, pair, highlights.count(), memory)?;
         Ok((Some(highlights.shaded()?), note))
     }
 

@@ -20,7 +20,7 @@ pub enum Format {
     /// Single precision.
     #[default]
     F32,
-    /// Mantissas of 16 bits.
+    /// Integers of 16 bits.
     Q15,
 }
 

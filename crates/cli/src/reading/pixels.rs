@@ -35,7 +35,7 @@ pub struct LinearImage {
     pub pixels: Vec<[f64; 3]>,
     /// The weight of each pixel: its opacity, or 0 if it is clipped.
     pub weights: Vec<f64>,
-    /// The number of pixels left out because one of their channels is at full scale.
+    /// The number of pixels left out because one of their channels is at full scale or at 0.
     pub clipped: usize,
     /// The number of pixels left out because they are transparent.
     pub transparent: usize,
@@ -47,8 +47,9 @@ impl LinearImage {
     ///
     /// Without a `transfer`, a PNG is read with the curve that it declares ([`Curve`]). A PNG that
     /// declares no curve is read as sRGB if it has 8 bits, as cameras and programs write such
-    /// files, and as linear if it has 16. The other types are linear. The true value of a clipped
-    /// pixel is unknown, so its weight is 0.
+    /// files, and as linear if it has 16. The other types are linear, and the colors of an `.exr`
+    /// are divided by its opacity. The true value of a pixel that is clipped, at white or at black,
+    /// is unknown, so its weight is 0.
     ///
     /// # Errors
     ///
@@ -68,16 +69,37 @@ impl LinearImage {
         }
         match ending.as_str() {
             "csv" => Self::of_csv(file),
-            "exr" | "hdr" | "pfm" => {
-                let map = EnvironmentMap::from_path(file)?;
-                let pixels = map.texels.iter().map(|texel| texel.map(f64::from)).collect();
-                Ok(Self::whole(Some([map.width, map.height]), pixels))
+            "exr" => {
+                let (map, opacities) = EnvironmentMap::with_opacities(file)?;
+                let mut image = Self::of_map(&map);
+                image.uncover(&opacities);
+                Ok(image)
             }
+            "hdr" | "pfm" => Ok(Self::of_map(&EnvironmentMap::from_path(file)?)),
             _ => Err(Error::new(
                 "it is not an image of a supported type",
                 "give a file that ends in .png, .exr, .hdr, .pfm or .csv",
             )
             .in_file(path)),
+        }
+    }
+
+    fn of_map(map: &EnvironmentMap) -> Self {
+        let pixels = map.texels.iter().map(|texel| texel.map(f64::from)).collect();
+        Self::whole(Some([map.width, map.height]), pixels)
+    }
+
+    /// Divides the pixels by their opacities, which become their weights.
+    fn uncover(&mut self, opacities: &[f32]) {
+        let pixels = self.pixels.iter_mut().zip(&mut self.weights);
+        for ((pixel, weight), &opacity) in pixels.zip(opacities) {
+            // Also where it is not a number.
+            let opacity = f64::from(if opacity > 0.0 { opacity.min(1.0) } else { 0.0 });
+            if opacity > 0.0 {
+                *pixel = pixel.map(|value| value / opacity);
+            }
+            *weight = opacity;
+            self.transparent += usize::from(opacity == 0.0);
         }
     }
 
@@ -110,10 +132,13 @@ impl LinearImage {
         };
         let pixels = png.colors.iter().map(|color| color.map(value)).collect();
         let mut image = Self::whole(Some([png.width, png.height]), pixels);
+        // A channel that is dark everywhere has no light to clip.
+        let least = [0, 1, 2].map(|c| u16::from(png.colors.iter().any(|color| color[c] > 0)));
         for ((weight, color), opacity) in
             image.weights.iter_mut().zip(&png.colors).zip(&png.opacities)
         {
-            let clips = color.contains(&png.full);
+            let is_black = color.iter().zip(&least).any(|(sample, least)| sample < least);
+            let clips = is_black || color.contains(&png.full);
             *weight = if clips { 0.0 } else { f64::from(*opacity) / full };
             image.transparent += usize::from(*opacity == 0);
             image.clipped += usize::from(clips && *opacity > 0);

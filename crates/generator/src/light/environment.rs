@@ -40,12 +40,13 @@ pub struct Integrals {
 }
 
 impl Integrals {
-    /// The negative part of the luminance integral as a share of the whole.
+    /// The negative part of the luminance as a share of both parts, 0 to 1.
     ///
     /// NaN if the map is black.
     #[must_use]
     pub fn negative_share(&self) -> f64 {
-        -luminance(self.negative) / luminance(self.total)
+        let negative = -luminance(self.negative);
+        negative / (luminance(self.total) + negative + negative)
     }
 }
 
@@ -68,10 +69,10 @@ impl EnvironmentMap {
             let (column, row) = (first % width, first / width);
             return Err(Error::new(
                 format!(
-                    "{count} of its pixels are not finite, the first in column {column} of row \
+                    "pixels that are not finite: {count}, the first in column {column} of row \
                      {row}, from 0 at the top left"
                 ),
-                "clean the map: paint these pixels over with their neighbors",
+                "clean the map: paint them over with their neighbors",
             ));
         }
         Ok(Self { width, height, texels })

@@ -21,14 +21,15 @@ use std::fs::File;
 use std::io::{BufRead, BufReader, Seek};
 
 /// Decodes the first part of an OpenEXR file that has the channels R, G, B, those of a layer
-/// (`name.R`, ...), or the gray channel Y, in this order of preference.
+/// (`name.R`, ...), or the gray channel Y, in this order of preference; and the opacity of each
+/// pixel, by which the file has multiplied its color: none if there is no channel A.
 ///
 /// Primaries that differ from the project's are not converted.
 pub(crate) fn decode(
     reader: &mut BufReader<File>,
     length: u64,
     file: &InputFile,
-) -> Result<EnvironmentMap> {
+) -> Result<(EnvironmentMap, Vec<f32>)> {
     let io = |error: std::io::Error| Error::io(file.path(), &error);
     if !reader.fill_buf().map_err(io)?.starts_with(&[0x76, 0x2f, 0x31, 0x01]) {
         return Err(other_type("OpenEXR"));
@@ -51,16 +52,21 @@ pub(crate) fn decode(
         ));
     }
     let count = width * height;
-    file.admit_pixels(count as u64, BYTES_PER_TEXEL, bytes_beside(&headers, length))?;
+    let opacity = channels.opacity();
+    let has_opacity = header.channels.list.iter().any(|channel| channel.name == opacity);
+    let bytes = BYTES_PER_TEXEL + if has_opacity { BYTES_PER_OPACITY } else { 0 };
+    file.admit_pixels(count as u64, bytes, bytes_beside(&headers, length))?;
     check_counters(&headers, parts.all_chunks(false).map_err(fault)?)?;
     reader.rewind().map_err(io)?;
-    let grid = Cell::new(vec![[0.0; 3]; count]);
+    let opacities = if has_opacity { vec![1.0; count] } else { Vec::new() };
+    let grid = Cell::new((vec![[0.0; 3]; count], opacities));
     // A part of another size is not the one to read.
-    let empty = |size: Vec2<usize>| Grid {
-        width,
-        texels: if size == Vec2(width, height) { grid.take() } else { Vec::new() },
+    let empty = |size: Vec2<usize>| {
+        let (texels, opacities) =
+            if size == Vec2(width, height) { grid.take() } else { Default::default() };
+        Grid { width, texels, opacities }
     };
-    let texels = match channels {
+    let Grid { texels, opacities, .. } = match channels {
         Color::Rgb([r, g, b]) => read()
             .no_deep_data()
             .largest_resolution_level()
@@ -68,41 +74,53 @@ pub(crate) fn decode(
             .required(r)
             .required(g)
             .required(b)
+            .optional(opacity, 1.0)
             .collect_pixels(
                 |size, _: &_| empty(size),
-                |grid: &mut Grid, place, (r, g, b)| {
-                    grid.set(place, [r, g, b]);
+                |grid: &mut Grid, place, (r, g, b, a)| {
+                    grid.set(place, [r, g, b], a);
                 },
             )
             .first_valid_layer()
             .all_attributes()
             .non_parallel()
             .from_buffered(reader)
-            .map(|image| image.layer_data.channel_data.pixels.texels),
+            .map(|image| image.layer_data.channel_data.pixels),
         Color::Gray(y) => read()
             .no_deep_data()
             .largest_resolution_level()
             .specific_channels()
             .required(y)
+            .optional(opacity, 1.0)
             .collect_pixels(
                 |size, _: &_| empty(size),
-                |grid: &mut Grid, place, (y,)| {
-                    grid.set(place, [y; 3]);
+                |grid: &mut Grid, place, (y, a)| {
+                    grid.set(place, [y; 3], a);
                 },
             )
             .first_valid_layer()
             .all_attributes()
             .non_parallel()
             .from_buffered(reader)
-            .map(|image| image.layer_data.channel_data.pixels.texels),
+            .map(|image| image.layer_data.channel_data.pixels),
     }
     .map_err(fault)?;
-    EnvironmentMap::new(width, height, texels)
+    Ok((EnvironmentMap::new(width, height, texels)?, opacities))
 }
 
 enum Color {
     Rgb([Text; 3]),
     Gray(Text),
+}
+
+impl Color {
+    /// The channel that would have the opacity: `A`, that of the layer.
+    fn opacity(&self) -> Text {
+        let (Self::Rgb([name, ..]) | Self::Gray(name)) = self;
+        let name = name.to_string();
+        let layer = name.rfind('.').map_or("", |dot| &name[..=dot]);
+        Text::new_or_panic(format!("{layer}A"))
+    }
 }
 
 /// The color channels of one part, if it has them at full resolution.
@@ -145,16 +163,24 @@ fn without_color(headers: &[Header]) -> Error {
     )
 }
 
-/// Texels row by row.
+/// Bytes of an opacity.
+const BYTES_PER_OPACITY: u64 = 4;
+
+/// Texels row by row, and their opacities or none.
 struct Grid {
     width: usize,
     texels: Vec<[f32; 3]>,
+    opacities: Vec<f32>,
 }
 
 impl Grid {
-    fn set(&mut self, Vec2(column, row): Vec2<usize>, value: [f32; 3]) {
-        if let Some(texel) = self.texels.get_mut(row * self.width + column) {
+    fn set(&mut self, Vec2(column, row): Vec2<usize>, value: [f32; 3], opacity: f32) {
+        let place = row * self.width + column;
+        if let Some(texel) = self.texels.get_mut(place) {
             *texel = value;
+        }
+        if let Some(to) = self.opacities.get_mut(place) {
+            *to = opacity;
         }
     }
 }

@@ -37,6 +37,18 @@ impl EnvironmentMap {
         let (mut reader, length) = file.open()?;
         decode(&mut reader, length, &file).map_err(|error| error.in_file(path))
     }
+
+    /// Reads an OpenEXR file as a picture: its colors as they are, which are multiplied by opacity,
+    /// and the opacity of each texel, of which there are none if the file has no channel A.
+    ///
+    /// # Errors
+    ///
+    /// Those of [`from_path`](Self::from_path).
+    pub fn with_opacities(file: impl Into<InputFile>) -> Result<(Self, Vec<f32>)> {
+        let file = file.into();
+        let (mut reader, length) = file.open()?;
+        map_exr::decode(&mut reader, length, &file).map_err(|error| error.in_file(file.path()))
+    }
 }
 
 type Decode = fn(&mut BufReader<File>, u64, &InputFile) -> Result<EnvironmentMap>;
@@ -44,7 +56,7 @@ type Decode = fn(&mut BufReader<File>, u64, &InputFile) -> Result<EnvironmentMap
 /// The decoder for a file of this name.
 fn decoder(path: &Path) -> Option<Decode> {
     match extension(path)?.as_str() {
-        "exr" => Some(map_exr::decode),
+        "exr" => Some(|reader, length, file| Ok(map_exr::decode(reader, length, file)?.0)),
         "hdr" => Some(decode_hdr),
         "pfm" => Some(decode_pfm),
         "png" => Some(map_picture::decode_png),

@@ -310,7 +310,7 @@ fn texels_that_are_not_finite_are_counted() {
             .unwrap_err()
             .to_string();
         assert!(
-            text.contains(": 2 of its pixels are not finite, the first in column 5 of row 3, "),
+            text.contains(": pixels that are not finite: 2, the first in column 5 of row 3, "),
             "{text}"
         );
         assert!(text.contains("; clean the map"), "{text}");

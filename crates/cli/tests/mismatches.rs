@@ -1,0 +1,89 @@
+//! Files and options that do not belong together, and would give a wrong picture without a word.
+
+use crate::support::{Folder, assert_fails};
+
+/// A map of this radiance, as PFM.
+fn uniform(radiance: f32) -> Vec<u8> {
+    let mut bytes = b"PF\n8 4\n-1.0\n".to_vec();
+    (0..8 * 4 * 3).for_each(|_| bytes.extend(radiance.to_le_bytes()));
+    bytes
+}
+
+#[test]
+fn sources_of_other_lights_are_not_left_beside_new_ones() {
+    let folder = Folder::new();
+    folder.write("map.pfm", uniform(1.0));
+    folder.write("beside.sources.errors.csv", "");
+    let what = "has the sources of lights that would be replaced";
+    for command in ["map.pfm", "lights.csv"] {
+        assert_fails(&folder, &format!("light {command} -o beside.csv"), &[what]);
+    }
+    folder.ok("light map.pfm -o other.csv");
+}
+
+#[test]
+fn a_table_without_gloss_takes_no_sources() {
+    let folder = Folder::new();
+    let scene = folder.read("scene.toml");
+    folder.write("matte.toml", format!("{scene}\n[effects]\nuse = [\"ambient\", \"diffuse\"]\n"));
+    folder.ok("basis --scene matte.toml --out matte.bin");
+    let options = "-t matte.bin -l lobby -m brass --sources 4";
+    assert_fails(&folder, &format!("render {options} -o a.png"), &["has no gloss"]);
+    assert_fails(&folder, &format!("shader --lang glsl --json {options}"), &["has no gloss"]);
+}
+
+#[test]
+fn auto_is_for_whole_pictures() {
+    let folder = Folder::new();
+    for option in ["--components 10", "--window 20"] {
+        let drawn = format!("render -l lobby -m brass --sources auto {option} -o a.png");
+        assert_fails(&folder, &drawn, &["--sources auto is for whole pictures"]);
+    }
+}
+
+/// The errors of shipped materials are of one degree and order, and of all effects.
+#[test]
+fn notes_say_of_which_pictures_the_errors_are() {
+    let folder = Folder::new();
+    folder.write("map.pfm", uniform(1.0));
+    folder.ok("light map.pfm -o low.csv --degree 2");
+    let said =
+        |options: &str| folder.messages(&format!("render -m brass -s 16 -o a.png {options}"));
+    let start = "note: `brass` is sharper than order 7 can show: at degree";
+    assert!(said("-l lobby").contains(&format!("{start} 9, pictures are off by 1.7 %")));
+    assert!(said("-l low.csv").contains(&format!("{start} 2, pictures are off by at least 1.7 %")));
+    assert!(!said("-l lobby --effects diffuse").contains(start));
+    let said = said("-l lobby -t pbr");
+    assert!(said.contains(start) && !said.contains("at least"), "{said}");
+}
+
+/// Integers that a table does not have are refused before anything is written.
+#[test]
+fn a_table_without_integers_writes_nothing() {
+    let folder = Folder::new();
+    let command = "shade -l lobby -m brass -n normals.csv -f q15";
+    assert_fails(&folder, command, &["color", "--table sphere"]);
+    assert_eq!(folder.run(command).stdout, b"");
+    for options in ["--components 64", "--table sphere"] {
+        assert!(folder.ok(&format!("{command} {options}")).lines().count() > 1);
+    }
+}
+
+#[test]
+fn negative_numbers_are_values() {
+    let folder = Folder::new();
+    for command in ["light lights.csv --degree -1", "material ggx --f0 -1 --roughness 0.5"] {
+        let output = folder.run(command);
+        let text = String::from_utf8_lossy(&output.stderr);
+        assert!(text.contains("-1") && !text.contains("unexpected argument"), "{text}");
+        assert!(!output.status.success());
+    }
+}
+
+#[test]
+fn all_of_a_negative_map_is_negative() {
+    let folder = Folder::new();
+    folder.write("below.pfm", uniform(-1.0));
+    let said = folder.messages("light below.pfm -o below.csv");
+    assert!(said.contains("100.00 % of the radiance is negative"), "{said}");
+}
