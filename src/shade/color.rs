@@ -14,11 +14,6 @@ use crate::scene::Scene;
 const CHUNK: usize = if SPECIAL { 640 } else { 4 * BLOCK };
 const _: () = assert!(CHUNK.is_multiple_of(BLOCK) && (!SPECIAL || CHUNK.is_multiple_of(TILE)));
 
-/// Whether three formulas of nine terms are faster at once. The wider the vectors, the more loads of
-/// coefficients, for which there are too few registers, and exchanges between lanes wait for each
-/// other.
-const NINE_TERMS_AT_ONCE: bool = SPECIAL && !cfg!(target_feature = "avx");
-
 impl<B> Rgb<&Scene<'_, B>> {
     /// [`Rgb::shade_slice`] of the scenes.
     #[doc(hidden)]
@@ -36,7 +31,7 @@ impl<B> Rgb<&Scene<'_, B>> {
             [Way::Constant(r), Way::Constant(g), Way::Constant(b)] if SPECIAL => {
                 irradiance.fill(Rgb::new(r, g, b));
             }
-            [Way::NineTerms(r), Way::NineTerms(g), Way::NineTerms(b)] if NINE_TERMS_AT_ONCE => {
+            [Way::NineTerms(r), Way::NineTerms(g), Way::NineTerms(b)] if SPECIAL => {
                 let nine_terms = Rgb::new(r, g, b);
                 let axes = normals.x.iter().zip(normals.y).zip(normals.z);
                 for (color, ((&x, &y), &z)) in irradiance.iter_mut().zip(axes) {
