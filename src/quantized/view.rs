@@ -160,12 +160,11 @@ fn turn_all<Q: FixedPoint, const N: usize>(
     // No light has another length.
     let degree = const { if let Ok(degree) = degree(N) { degree } else { 0 } };
     means(degree, from, turned, false);
-    let mut all = 0;
     unrolled!(m in 1..=degree {
         {}
-        l => all |= pair(m, l, multiples, half, from, turned, false)
+        l => if !pair(m, l, multiples, half, from, turned, false) { return false }
     });
-    fits::<Q>(all)
+    true
 }
 
 /// The same for a degree that is known at run time, and for halved numbers, which fit.
@@ -178,19 +177,9 @@ fn turn_in_loops<Q: FixedPoint>(
 ) -> bool {
     means(light.degree, light.mantissas, turned, halves);
     let half = Q::Wide::of(1 << (Q::BITS - 2));
-    let mut all = 0;
-    for m in 1..=light.degree {
-        for l in m..=light.degree {
-            all |= pair(m, l, multiples, half, light.mantissas, turned, halves);
-        }
-    }
-    fits::<Q>(all)
-}
-
-/// Whether numbers fit whose bits [`pair`] has returned.
-#[inline(always)]
-fn fits<Q: FixedPoint>(all: u32) -> bool {
-    Q::BITS >= 30 || all >> (Q::BITS + 1) == 0
+    (1..=light.degree).all(|m| {
+        (m..=light.degree).all(|l| pair(m, l, multiples, half, light.mantissas, turned, halves))
+    })
 }
 
 /// Copies the coefficients of order 0.
@@ -203,8 +192,7 @@ fn means<Q: FixedPoint>(degree: usize, from: &[Q], turned: &mut [Q], halves: boo
     }
 }
 
-/// Turns the orders -m and m of degree l. Returns the bits of both numbers, moved so that those
-/// that fit have no high ones.
+/// Turns the orders -m and m of degree l. Returns whether the numbers fit.
 #[inline(always)]
 fn pair<Q: FixedPoint>(
     m: usize,
@@ -214,7 +202,7 @@ fn pair<Q: FixedPoint>(
     from: &[Q],
     turned: &mut [Q],
     halves: bool,
-) -> u32 {
+) -> bool {
     let pair = light::position(l, -m.cast_signed())..=light::position(l, m.cast_signed());
     match (from.get(pair.clone()), turned.get_mut(pair), multiples.get(m - 1)) {
         (Some(&[minus, .., plus]), Some([to_minus, .., to_plus]), Some(&[c, s])) => {
@@ -226,9 +214,9 @@ fn pair<Q: FixedPoint>(
             .map(|sum| sum.floor_shr(1 - Q::BITS.cast_signed()).saturated());
             (*to_minus, *to_plus) = (Q::truncated(x), Q::truncated(y));
             let [a, b] = [x, y].map(|number| number.wrapping_add(1 << Q::BITS).cast_unsigned());
-            a | b
+            Q::BITS >= 30 || (a | b) >> (Q::BITS + 1) == 0
         }
-        _ => 0,
+        _ => true,
     }
 }
 
