@@ -279,6 +279,24 @@ pub fn set_error_file(lights: &Path) -> PathBuf {
     lights.with_extension("sources.errors.csv")
 }
 
+/// Refuses to write a light CSV beside the sources of other lights, which would be taken for those
+/// of the new ones.
+///
+/// # Errors
+///
+/// If there are such files.
+pub fn refuse_stale_sources(lights: Option<&Path>) -> Result<()> {
+    let beside = lights.map(|lights| [source_file(lights), set_error_file(lights)]);
+    match beside.into_iter().flatten().find(|file| is_file(file)) {
+        None => Ok(()),
+        Some(file) => {
+            let what = "it has the sources of lights that would be replaced";
+            let remedy = "delete it, or write the lights elsewhere; `light --sources` writes both";
+            Err(Error::new(what, remedy).in_file(file))
+        }
+    }
+}
+
 /// The file with the gloss of the materials of a material CSV.
 #[must_use]
 pub fn gloss_file(materials: &Path) -> PathBuf {

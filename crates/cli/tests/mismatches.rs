@@ -19,6 +19,8 @@ fn sources_of_other_lights_are_not_left_beside_new_ones() {
         assert_fails(&folder, &format!("light {command} -o beside.csv"), &[what]);
     }
     folder.ok("light map.pfm -o other.csv");
+    folder.ok("render -l lobby -m nylon -s 64 -o a.png");
+    assert_fails(&folder, "read a.png -n sphere -o d.csv --light-out beside.csv", &[what]);
 }
 
 #[test]
@@ -67,6 +69,14 @@ fn a_table_without_integers_writes_nothing() {
     for options in ["--components 64", "--table sphere"] {
         assert!(folder.ok(&format!("{command} {options}")).lines().count() > 1);
     }
+}
+
+#[test]
+fn a_module_has_a_name_of_rust() {
+    let folder = Folder::new();
+    let printed = folder.ok("pack-normals sphere --size 8 -o my-map.rs");
+    assert!(printed.contains("#[path = \"my-map.rs\"] mod my_map;"), "{printed}");
+    assert!(folder.ok("pack-normals sphere --size 8 -o map.rs").contains(" mod map;"));
 }
 
 #[test]

@@ -72,7 +72,7 @@ test("a preview is the sphere that the module draws, to one code", async () => {
 });
 
 test("a preview with sources is the sphere that the module draws, to one code", async () => {
-  const { found, fewer, none, rejected } = await page.evaluate(async () => {
+  const { found, fewer, still, none, rejected } = await page.evaluate(async () => {
     const { Preview, Scene, sphere } = eigenshade;
     const [material, look] = ["blue-metallic-paint", { exposure: 2, tone: "linear" }];
     const preview = await Preview.create(canvases[0], { light: "lobby", material, sources: 8, ...look });
@@ -85,13 +85,17 @@ test("a preview with sources is the sphere that the module draws, to one code", 
     const found = await against(8);
     await preview.light("sunset", { sources: 2 });
     const fewer = await against(2);
+    // A light that is not set changes no number of sources.
+    await preview.light("sunsets", { sources: 8 }).catch(() => {});
+    await preview.light("sunset");
+    const still = await against(2);
     const rejected = await preview.light("sunset", { sources: -1 }).catch(({ message }) => message);
     await preview.light("sunset", { sources: 0 });
     const none = await against(0);
     preview.free();
-    return { found, fewer, none, rejected };
+    return { found, fewer, still, none, rejected };
   });
-  for (const [[count, off], sources] of [[found, 8], [fewer, 2], [none, 0]]) {
+  for (const [[count, off], sources] of [[found, 8], [fewer, 2], [still, 2], [none, 0]]) {
     assert.equal(count, sources);
     assert.ok(off <= 1, `${sources} sources: ${off}`);
   }
@@ -272,6 +276,7 @@ test("wrong input rejects with one clear error, and the picture stays", async ()
     await fails(() => preview.turn({ yaw: "left" }));
     await fails(() => preview.look({ tone: "aces" }));
     await fails(() => preview.look({ exposure: NaN }));
+    await fails(() => preview.look({ exposur: 1 }));
     await frame();
     messages.push(difference(before, pixels(canvases[0])));
     preview.free();
@@ -294,6 +299,7 @@ test("wrong input rejects with one clear error, and the picture stays", async ()
     "RangeError: turn: yaw is left, expected a number",
     'RangeError: look: "aces" is not one of linear, reinhard, filmic',
     "RangeError: look: the exposure is NaN, expected a number above 0",
+    'TypeError: look: "exposur" is not one of exposure, tone',
     "0",
     "Error: Preview: it was freed",
     "Error: Preview: it was freed",

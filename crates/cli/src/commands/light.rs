@@ -4,7 +4,7 @@ use super::options::{Destination, Memory, count};
 use clap::{Args, ValueEnum};
 use eigenshade_cli::messages::{print_message, progress_bar};
 use eigenshade_cli::output;
-use eigenshade_cli::presets::{set_error_file, source_file};
+use eigenshade_cli::presets::{refuse_stale_sources, set_error_file, source_file};
 use eigenshade_generator::light::cube::face_files;
 use eigenshade_generator::light::map::Map;
 use eigenshade_generator::light::map_file::is_picture;
@@ -15,7 +15,7 @@ use eigenshade_model::database::{Lights, Named};
 use eigenshade_model::error::{Error, Result};
 use eigenshade_model::inputs::coefficient_csv::{read_lights, write_lights};
 use eigenshade_model::inputs::coefficient_text::{LIGHT_DIGITS, rounded};
-use eigenshade_model::inputs::input_file::{InputFile, is_file};
+use eigenshade_model::inputs::input_file::InputFile;
 use eigenshade_model::inputs::set_error_csv::write_set_errors;
 use eigenshade_model::inputs::source_csv::write_sources;
 use eigenshade_model::source::{SetError, Source, SourceSets};
@@ -178,7 +178,9 @@ impl Light {
                     return Err(Error::new(what, remedy).in_file(file));
                 }
                 output::refuse_collisions(&self.out.path, [file])?;
-                self.refuse_stale_sources()?;
+                if self.sources.is_none() {
+                    refuse_stale_sources(self.out.path.as_deref())?;
+                }
                 let from = self.from.unwrap_or(match self.convention {
                     Convention::Paper => Convention::Graphics,
                     _ => Convention::Paper,
@@ -200,7 +202,9 @@ impl Light {
                 }
                 let all_beside = beside.iter().flat_map(|(sources, errors)| [sources, errors]);
                 output::refuse_collisions(self.out.path.iter().chain(all_beside), inputs)?;
-                self.refuse_stale_sources()?;
+                if self.sources.is_none() {
+                    refuse_stale_sources(self.out.path.as_deref())?;
+                }
                 if let (Some(most), Some((of_sources, of_errors))) = (self.sources, beside) {
                     let (sets, errors) = self.found(&files, most, memory)?;
                     output::write(Some(&of_sources), |out| write_sources(&sets, out))?;
@@ -210,21 +214,6 @@ impl Light {
             }
         };
         output::write(self.out.path.as_deref(), |out| write_lights(&lights, out))
-    }
-
-    /// Refuses an output with the sources of other lights beside it, which would be taken for
-    /// those of the new ones.
-    fn refuse_stale_sources(&self) -> Result<()> {
-        let out = self.out.path.as_deref().filter(|_| self.sources.is_none());
-        let beside = out.map(|out| [source_file(out), set_error_file(out)]);
-        match beside.into_iter().flatten().find(|file| is_file(file)) {
-            None => Ok(()),
-            Some(file) => {
-                let what = "it has the sources of lights that would be replaced";
-                let remedy = "delete it, give another --out, or find sources again with --sources";
-                Err(Error::new(what, remedy).in_file(file))
-            }
-        }
     }
 
     /// The lights of the maps, with the digits of the shipped files.

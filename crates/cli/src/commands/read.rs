@@ -5,7 +5,7 @@ use super::read_answer::{self, Answer};
 use clap::Args;
 use eigenshade_cli::messages::print_message;
 use eigenshade_cli::output;
-use eigenshade_cli::presets::Source;
+use eigenshade_cli::presets::{Source, refuse_stale_sources};
 use eigenshade_cli::reading::pixels::{LinearImage, Transfer};
 use eigenshade_cli::reading::{Reader, pixels};
 use eigenshade_cli::table::{self, rounding};
@@ -155,7 +155,8 @@ impl Read {
             None => inputs.extend(self.beside_all(table).into_iter().flatten()),
         }
         let outputs = [&self.out.path, &self.light_out, &self.modes_out];
-        output::refuse_collisions(outputs.into_iter().flatten(), inputs)
+        output::refuse_collisions(outputs.into_iter().flatten(), inputs)?;
+        refuse_stale_sources(self.light_out.as_deref())
     }
 
     /// Checks that the table stores what reading needs.
