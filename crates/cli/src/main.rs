@@ -10,7 +10,7 @@ use std::process::ExitCode;
 /// Image irradiance from any isotropic material under any distant light.
 ///
 /// CSV goes to standard output unless --out names a file, and messages to standard error. The file
-/// `-` is standard input, where a CSV, a table or a scene is read. Exit status: 0; 1 for bad input
+/// `-` is standard input, where a CSV, a table or a scene is read. Exit status: 0; 1 for an error
 /// (one line says what is wrong, where, and how to fix it); 2 for options that cannot be parsed.
 #[derive(Debug, Parser)]
 #[command(name = "eigenshade", version, arg_required_else_help = true)]
@@ -30,7 +30,7 @@ struct Program {
     command: Command,
 }
 
-/// Lets every option take a negative number, so that it is refused as a value and not as an option.
+/// Lets every option take a negative number, which is then refused as a value and not as an option.
 fn with_negative_numbers(command: clap::Command) -> clap::Command {
     command
         .mut_args(|one| {
@@ -45,7 +45,8 @@ fn main() -> ExitCode {
     eigenshade_cli::output::clean_up_on_signals();
     let matches = with_negative_numbers(Program::command()).get_matches();
     let program = Program::from_arg_matches(&matches);
-    let Program { memory, quiet, command } = program.unwrap_or_else(|error| error.exit());
+    let Program { memory, quiet, command } =
+        program.unwrap_or_else(|error| error.format(&mut Program::command()).exit());
     if quiet {
         be_quiet();
     }

@@ -196,7 +196,7 @@ impl Source {
     #[must_use]
     pub fn total_error(&self, size: (usize, usize)) -> Option<((usize, usize), TotalError)> {
         let name = self.path.to_str().filter(|_| self.entry == Entry::Shipped)?;
-        let measured = nearest(shipped::ERROR_SIZES.into_iter(), size)?;
+        let measured = largest_within(shipped::ERROR_SIZES.into_iter(), size)?;
         Some((measured, shipped::total_error(name, measured)?))
     }
 
@@ -255,7 +255,7 @@ impl Source {
 }
 
 /// The largest degree and order of these that do not exceed a size, or else the least.
-pub(crate) fn nearest(
+pub(crate) fn largest_within(
     sizes: impl Iterator<Item = (usize, usize)> + Clone,
     (degree, order): (usize, usize),
 ) -> Option<(usize, usize)> {
@@ -287,14 +287,14 @@ pub fn set_error_file(lights: &Path) -> PathBuf {
 /// If there are such files.
 pub fn refuse_stale_sources(lights: Option<&Path>) -> Result<()> {
     let beside = lights.map(|lights| [source_file(lights), set_error_file(lights)]);
-    match beside.into_iter().flatten().find(|file| is_file(file)) {
-        None => Ok(()),
-        Some(file) => {
-            let what = "it has the sources of lights that would be replaced";
-            let remedy = "delete it, or write the lights elsewhere; `light --sources` writes both";
-            Err(Error::new(what, remedy).in_file(file))
-        }
+    let beside = beside.into_iter().flatten().filter(|file| is_file(file));
+    let beside: Vec<String> = beside.map(|file| file.display().to_string()).collect();
+    if beside.is_empty() {
+        return Ok(());
     }
+    let what = format!("{} would be taken for that of the new lights", beside.join(" and "));
+    let remedy = "delete it, write the lights elsewhere, or give maps and --sources";
+    Err(Error::new(what, remedy))
 }
 
 /// The file with the gloss of the materials of a material CSV.

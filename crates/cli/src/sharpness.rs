@@ -3,12 +3,13 @@
 //! The figures are looked up: those of a material of a shipped file are its own; those of any other
 //! gloss are of a GGX metal of the same roughness, under the same light if it has been measured.
 
-use crate::presets::{Source, nearest};
+use crate::presets::{Source, largest_within};
 use eigenshade_model::budget::Budget;
 use eigenshade_model::error::{Error, Result};
 use eigenshade_model::source::{Gloss, SetError};
 use eigenshade_shading::shipped::TotalError;
 use eigenshade_shading::{highlights, shipped};
+use std::cmp::Ordering;
 use std::fmt::Write as _;
 
 /// A total error above this share of the peak, over a picture, is worth a note.
@@ -26,12 +27,11 @@ type Size = (usize, usize);
 
 /// What the error measured at one size is to that of pictures of another.
 fn bound(measured: Size, drawn: Size) -> &'static str {
-    if measured == drawn {
-        ""
-    } else if measured.0 <= drawn.0 && measured.1 <= drawn.1 {
-        "at most "
-    } else {
-        "at least "
+    match (measured.0.cmp(&drawn.0), measured.1.cmp(&drawn.1)) {
+        (Ordering::Equal, Ordering::Equal) => "",
+        (Ordering::Less | Ordering::Equal, Ordering::Less | Ordering::Equal) => "at most ",
+        (Ordering::Greater | Ordering::Equal, Ordering::Greater | Ordering::Equal) => "at least ",
+        _ => "about ",
     }
 }
 
@@ -83,7 +83,7 @@ impl Sharpness {
     }
 
     fn size(&self, size: Size) -> Size {
-        nearest(self.errors.iter().map(|one| one.size), size).unwrap_or_default()
+        largest_within(self.errors.iter().map(|one| one.size), size).unwrap_or_default()
     }
 
     fn left(&self, size: Size, most: usize, gloss: &Gloss) -> Result<Left> {

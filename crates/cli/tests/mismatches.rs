@@ -13,12 +13,16 @@ fn uniform(radiance: f32) -> Vec<u8> {
 fn sources_of_other_lights_are_not_left_beside_new_ones() {
     let folder = Folder::new();
     folder.write("map.pfm", uniform(1.0));
+    folder.write("beside.csv", "");
+    folder.write("beside.sources.csv", "");
     folder.write("beside.sources.errors.csv", "");
-    let what = "has the sources of lights that would be replaced";
+    let what = "beside.sources.csv and beside.sources.errors.csv would be taken for";
     for command in ["map.pfm", "lights.csv"] {
         assert_fails(&folder, &format!("light {command} -o beside.csv"), &[what]);
     }
     folder.ok("light map.pfm -o other.csv");
+    folder.write("other.sources.errors.csv", "");
+    assert_fails(&folder, "light map.pfm -o other.csv", &["error: other.sources.errors.csv would"]);
     folder.ok("render -l lobby -m nylon -s 64 -o a.png");
     assert_fails(&folder, "read a.png -n sphere -o d.csv --light-out beside.csv", &[what]);
 }
@@ -43,7 +47,8 @@ fn auto_is_for_whole_pictures() {
     }
 }
 
-/// The errors of shipped materials are of one degree and order, and of all effects.
+/// The errors of shipped materials are of one degree and order, and of whole pictures. A light of a
+/// lower degree may be whole.
 #[test]
 fn notes_say_of_which_pictures_the_errors_are() {
     let folder = Folder::new();
@@ -53,8 +58,9 @@ fn notes_say_of_which_pictures_the_errors_are() {
         |options: &str| folder.messages(&format!("render -m brass -s 16 -o a.png {options}"));
     let start = "note: `brass` is sharper than order 7 can show: at degree";
     assert!(said("-l lobby").contains(&format!("{start} 9, pictures are off by 1.7 %")));
-    assert!(said("-l low.csv").contains(&format!("{start} 2, pictures are off by at least 1.7 %")));
-    assert!(!said("-l lobby --effects diffuse").contains(start));
+    for other in ["-l low.csv", "-l lobby --effects diffuse", "-l lobby --components 10"] {
+        assert!(!said(other).contains(start), "{other}");
+    }
     let said = said("-l lobby -t pbr");
     assert!(said.contains(start) && !said.contains("at least"), "{said}");
 }
@@ -75,7 +81,9 @@ fn a_table_without_integers_writes_nothing() {
 fn a_module_has_a_name_of_rust() {
     let folder = Folder::new();
     let printed = folder.ok("pack-normals sphere --size 8 -o my-map.rs");
-    assert!(printed.contains("#[path = \"my-map.rs\"] mod my_map;"), "{printed}");
+    assert!(printed.contains("#[path = \"my-map.rs\"] mod normal_map;"), "{printed}");
+    let printed = folder.ok("pack-normals sphere --size 8 -o 1.rs");
+    assert!(printed.contains("#[path = \"1.rs\"] mod normal_map;"), "{printed}");
     assert!(folder.ok("pack-normals sphere --size 8 -o map.rs").contains(" mod map;"));
 }
 

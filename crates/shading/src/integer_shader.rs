@@ -114,7 +114,7 @@ impl<Q: Integer> IntegerShader<Q> {
     ///
     /// If the table has no integer form.
     pub fn new(table: &Table, components: usize) -> Result<Self> {
-        let remedy = "use --table sphere, fewer --components, or --format f32";
+        let remedy = "use --format f32, fewer --components, or another table, as --table sphere";
         let basis = OwnedQuantized::new(table, Q::FORMAT.tolerance())
             .map_err(|error| Error::new(error.to_string(), remedy))?;
         let view = basis.view().map_err(fault)?;

@@ -92,10 +92,14 @@ export class Preview {
   async light(light, { sources = this.#sources } = {}) {
     this.#alive();
     checkSources(sources);
-    return this.#load("light", lightOf(light, sources), (loaded) => {
-      this.#scene.light(loaded);
-      this.#sources = sources;
-    });
+    const before = this.#sources;
+    this.#sources = sources;
+    try {
+      return await this.#load("light", lightOf(light, sources), (loaded) => this.#scene.light(loaded));
+    } catch (fault) {
+      if (this.#sources === sources) this.#sources = before;
+      throw fault;
+    }
   }
 
   /**
@@ -128,7 +132,7 @@ export class Preview {
    *
    * @param {Look} look what is left out stays
    * @returns {this}
-   * @throws {RangeError} for an exposure that is not above 0 or an unknown curve
+   * @throws {TypeError | RangeError} for an exposure that is not above 0, an unknown curve or name
    */
   look(look) {
     this.#alive();

@@ -38,7 +38,7 @@ impl Choices {
     }
 
     /// Whether pictures lack some components or have a window.
-    pub fn leave_something_out(&self) -> bool {
+    pub fn is_partial(&self) -> bool {
         self.components.is_some() || self.window.is_some()
     }
 

@@ -92,8 +92,7 @@ impl HighlightInputs {
     ) -> Result<Option<Self>> {
         if !table.effects().has(Effect::Gloss) {
             let what = "the table's scene has no gloss, and sources are for highlights";
-            let remedy = "leave --sources out, or use a table with all effects";
-            return Err(Error::new(what, remedy));
+            return Err(Error::new(what, "leave --sources out, or use --table color"));
         }
         let (light, material) = (&lights.entries[0].name, &materials.entries[0].name);
         let Known { gloss, .. } = inputs.material.known_gloss(material, memory.of_file())?;
@@ -139,6 +138,7 @@ impl HighlightInputs {
 /// If a file with errors or gloss cannot be read.
 pub fn sharpness_note(
     inputs: &Inputs,
+    table: &Table,
     (lights, materials): (&Lights, &Materials),
     sources: usize,
     memory: Memory,
@@ -149,6 +149,10 @@ pub fn sharpness_note(
     if sources == 0
         && let Some((measured, error)) = inputs.material.total_error(size)
     {
+        // A light of a lower degree may be whole.
+        if lights.degree < measured.0.min(table.gram.degree) {
+            return Ok(None);
+        }
         return Ok(shipped_note(material, measured, size, error));
     }
     let gloss = inputs.material.gloss(material, memory.of_file())?;

@@ -37,16 +37,14 @@ pub struct PackNormals {
     out: PathBuf,
 }
 
-/// The declaration of a file as a module.
-fn module(stem: &str) -> String {
-    let name = identifier(stem);
-    if name == stem {
-        format!("mod {name};")
-    } else {
-        format!(
-            "#[path = \"{stem}.rs\"] mod {};",
-            if name.is_empty() { "normal_map" } else { &name }
-        )
+/// The declaration of a file as a module, which has the name of the file if that is one.
+fn module(file: &str) -> String {
+    let is_name = |stem: &&str| {
+        stem.starts_with(|letter: char| letter.is_ascii_lowercase()) && identifier(stem) == **stem
+    };
+    match file.strip_suffix(".rs").filter(is_name) {
+        Some(stem) => format!("mod {stem};"),
+        None => format!("#[path = {file:?}] mod normal_map;"),
     }
 }
 
@@ -75,7 +73,10 @@ impl PackNormals {
                 let file = self.out.display().to_string();
                 (bytes.to_vec(), ("in Rust", format!("{map}include_bytes!({file:?}))")))
             }
-            Kind::Rust => (self.source(&map, bytes), ("in Rust", module(&stem))),
+            Kind::Rust => (
+                self.source(&map, bytes),
+                ("in Rust", module(&self.out.file_name().unwrap_or_default().to_string_lossy())),
+            ),
             Kind::C => {
                 let name = identifier(&format!("normal map {stem}"));
                 let size = [view.width, view.height];

@@ -50,6 +50,10 @@ pub struct Read {
     /// residual]
     #[arg(long, value_name = "S", value_parser = positive)]
     noise: Option<f64>,
+    /// Leave out pixels with a channel at 0, where the picture may be clipped: `render` draws what
+    /// is below zero as black. In a photograph they are dark, and count
+    #[arg(long)]
+    without_black: bool,
     /// Transfer function of a PNG [default: that of its chunks sRGB, gAMA or cICP, or else sRGB for
     /// 8 bits and linear for 16 bits]. Required for another gamma, or for a color profile without
     /// these chunks
@@ -269,13 +273,21 @@ impl Read {
         let mut observer = Observer::new(values, channels);
         let (mut without_normal, mut masked, mut unusable) = (0, 0, 0);
         let mut largest = 0.0f64;
+        // A channel without light has nothing to clip.
+        let used = || image.pixels.iter().zip(counts.iter().zip(&normals));
+        let is_lit = [0, 1, 2].map(|channel| {
+            used().any(|(pixel, (counts, normal))| {
+                *counts && normal.is_some() && pixel[channel] > 0.0
+            })
+        });
+        let is_black = |pixel: &[f64; 3]| (0..3).any(|c| is_lit[c] && pixel[c] <= 0.0);
         for (((pixel, weight), normal), mask) in
             image.pixels.iter().zip(&image.weights).zip(&normals).zip(&mask)
         {
             match normal {
                 None => without_normal += 1,
                 Some(_) if *mask == 0.0 => masked += 1,
-                Some(_) if *weight == 0.0 => unusable += 1,
+                Some(_) if *weight == 0.0 || self.without_black && is_black(pixel) => unusable += 1,
                 Some(normal) => {
                     largest = pixel.iter().fold(largest, |most, value| most.max(value.abs()));
                     observer.see(*normal, &pixel[..channels], weight * mask);

@@ -52,7 +52,7 @@ pub struct Render {
     /// Shade up to K small bright sources of the light by the material's gloss, for sharp
     /// highlights: 1, 2, 4, 8 or 16 of a shipped light. `auto` takes as few as --tolerance allows
     /// and, without --table, the table `color` or `pbr` with which a pixel takes the fewest
-    /// multiply-adds. Needs a shipped material in color, or a CSV with FILE.gloss.csv beside it,
+    /// multiply-adds, for pictures of all components without a window. Needs a shipped material in color, or a CSV with FILE.gloss.csv beside it,
     /// which `material` writes
     #[arg(long, value_name = "K|auto", value_parser = sources, conflicts_with = "effects")]
     sources: Option<Sources>,
@@ -62,7 +62,7 @@ pub struct Render {
     tolerance: Option<Tolerance<f64>>,
     /// The factor from irradiance to what the tone curve shows, white being 1 [default: metered,
     /// and 1 for an .exr]
-    #[arg(long, value_name = "E", value_parser = positive, allow_hyphen_values = true)]
+    #[arg(long, value_name = "E", value_parser = positive)]
     exposure: Option<f32>,
     /// Tone curve of a PNG [default: linear]
     #[arg(long, value_enum)]
@@ -184,9 +184,9 @@ impl Render {
         let note = note(choice.path(), &table.scene.geometry).filter(|_| is_sphere);
         let ringing = ringing.note().filter(|_| self.choices.has_all_effects());
         let pair = (&lights, &materials);
-        let sharp = sharpness_note(&self.inputs, pair, sources, memory)?;
-        // Errors are those of all effects.
-        let sharp = sharp.filter(|_| effects == Effects::ALL);
+        let sharp = sharpness_note(&self.inputs, &table, pair, sources, memory)?;
+        // Errors are those of whole pictures.
+        let sharp = sharp.filter(|_| effects == Effects::ALL && !self.choices.is_partial());
         note.into_iter().chain(warnings).chain(ringing).chain(sharp).for_each(print_message);
         Ok(())
     }
@@ -214,7 +214,7 @@ impl Render {
             }
             (Some(Sources::Most(most)), None) => Ok((given(), Some(most))),
             (None, _) => Ok((given(), None)),
-            (Some(Sources::Auto), _) if self.choices.leave_something_out() => {
+            (Some(Sources::Auto), _) if self.choices.is_partial() => {
                 let remedy = "leave --components and --window out, or give a number: --sources 4";
                 Err(Error::new("--sources auto is for whole pictures", remedy))
             }

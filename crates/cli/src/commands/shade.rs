@@ -11,8 +11,10 @@ use eigenshade_cli::output::{self, Rows, exact};
 use eigenshade_cli::table::rounding;
 use eigenshade_model::error::{Error, Result};
 use eigenshade_model::inputs::normals::read_normals;
+use eigenshade_shading::integer_shader::{Integer, IntegerShader};
 use eigenshade_shading::methods::LookUp;
 use eigenshade_shading::shader::{fitted, of_higher_order};
+use eigenshade_table::reduce::with_components;
 use eigenshade_table::wire;
 use std::path::PathBuf;
 
@@ -124,6 +126,17 @@ impl Shade {
         }
         let way = self.way(table.scene.basis.knots, table.gram.degree)?;
         let components = self.choices.components(&table, self.table.path())?;
+        // Integers of some components are scaled without the others, as `pack` scales them.
+        let is_part = is_integer
+            && components < table.components.len()
+            && table.general.is_none()
+            && table.has_projection();
+        let table = match is_part {
+            true => with_components(&table, |number, _| number < components),
+            false => table,
+        };
+        // The rounding of all components was measured, but not that of fewer.
+        let stored = self.stored().filter(|_| !is_part);
         let lights = self.inputs.light.lights(memory.of_file())?;
         let materials = self.inputs.material.materials(memory.of_file())?;
         let higher =
@@ -131,41 +144,49 @@ impl Shade {
         let warnings = higher.into_iter().chain(albedo_warning(&materials));
         let (mut lights, materials) = fitted(&table, &lights, &materials);
         self.choices.change(&mut lights);
-        let warnings = warnings.chain(self.stored().and_then(|one| rounding::warning(&table, one)));
+        let warnings = warnings.chain(stored.and_then(|one| rounding::warning(&table, one)));
         let normals = read_normals(memory.file(&self.normals))?;
         let tolerance = self.tolerance;
-        let rounding = self.stored().and_then(|format| table.rounding(format));
+        let rounding = stored.and_then(|format| table.rounding(format));
         let rounding = rounding.map_or(0.0, |rounding| rounding.largest);
         let images =
             Images { table, lights, materials, normals, components, effects, tolerance, rounding };
-        // Before anything is written.
-        let has_form = match self.format {
-            Some(Format::Q31) => images.integer_shader::<Q31>().map(drop),
-            Some(Format::Q15) => images.integer_shader::<Q15>().map(drop),
-            _ => Ok(()),
-        };
-        has_form.map_err(|error| error.in_file(self.table.path()))?;
         let negatives = if self.clamp { NegativePolicy::Clamped } else { NegativePolicy::Kept };
         let (mut least, mut ringing) = (f64::INFINITY, Ringing::default());
-        output::write(self.out.path.as_deref(), |out| {
-            let rows = Rows::new(out, ["light", "material", "normal", "r", "g", "b"])?;
-            let mut out = Output { rows, negatives, least, ringing: Ringing::default() };
-            match (self.method, self.format) {
-                (Method::Modes, _) => images.modes(&mut out),
-                (_, Some(Format::F64)) => images.floats::<f64>(way, &mut out),
-                (_, Some(Format::Q31)) => images.integers::<Q31>(&mut out),
-                (_, Some(Format::Q15)) => images.integers::<Q15>(&mut out),
-                (_, _) => images.floats::<f32>(way, &mut out),
-            }?;
-            (least, ringing) = (out.least, out.ringing);
-            out.rows.finish()
-        })?;
+        let mut write = |draw: &mut dyn FnMut(&mut Output<'_>) -> Result<()>| {
+            output::write(self.out.path.as_deref(), |out| {
+                let rows = Rows::new(out, ["light", "material", "normal", "r", "g", "b"])?;
+                let mut out = Output { rows, negatives, least, ringing: Ringing::default() };
+                draw(&mut out)?;
+                (least, ringing) = (out.least, out.ringing);
+                out.rows.finish()
+            })
+        };
+        match (self.method, self.format) {
+            (Method::Modes, _) => write(&mut |out| images.modes(out)),
+            (_, Some(Format::F64)) => write(&mut |out| images.floats::<f64>(way, out)),
+            (_, Some(Format::Q31)) => {
+                let mut shader = self.integer_shader::<Q31>(&images)?;
+                write(&mut |out| images.integers(&mut shader, out))
+            }
+            (_, Some(Format::Q15)) => {
+                let mut shader = self.integer_shader::<Q15>(&images)?;
+                write(&mut |out| images.integers(&mut shader, out))
+            }
+            (_, _) => write(&mut |out| images.floats::<f32>(way, out)),
+        }?;
         if self.clamp && least < 0.0 {
             print_message(format_args!("least irradiance {}, clamped", exact(least)));
         }
         let note = ringing.note().filter(|_| self.choices.has_all_effects());
         warnings.chain(note).for_each(print_message);
         Ok(())
+    }
+
+    /// The shader in integers, before anything is written.
+    fn integer_shader<Q: Integer>(&self, images: &Images) -> Result<IntegerShader<Q>> {
+        IntegerShader::new(&images.table, images.components)
+            .map_err(|error| error.in_file(self.table.path()))
     }
 
     /// The format that the table's numbers are rounded to, if any.

@@ -12,7 +12,6 @@ use eigenshade_shading::owned_basis::OwnedBasis;
 use eigenshade_shading::shader::{Lit, OwnedNormals, Shader, fault};
 use eigenshade_shading::{overflow, reference_image};
 use eigenshade_table::Table;
-use eigenshade_table::reduce::with_components;
 
 /// The inputs of the images.
 pub struct Images {
@@ -72,24 +71,13 @@ impl Images {
         Ok(())
     }
 
-    /// The shader of the first components in integers.
-    ///
-    /// # Errors
-    ///
-    /// If they have no integer form.
-    pub fn integer_shader<Q: Integer>(&self) -> Result<IntegerShader<Q>> {
-        let (table, count) = (&self.table, self.components);
-        let can_lose = table.general.is_none() && table.has_projection();
-        if !can_lose || count == table.components.len() {
-            return IntegerShader::new(table, count);
-        }
-        IntegerShader::new(&with_components(table, |number, _| number < count), count)
-    }
-
     /// Writes the images in integers.
-    pub fn integers<Q: Integer>(&self, out: &mut Output<'_>) -> Result<()> {
-        let (mut shader, normals) = (self.integer_shader::<Q>()?, &self.normals);
-        let normals = integer_shader::normals(normals)?;
+    pub fn integers<Q: Integer>(
+        &self,
+        shader: &mut IntegerShader<Q>,
+        out: &mut Output<'_>,
+    ) -> Result<()> {
+        let normals = integer_shader::normals(&self.normals)?;
         self.channels(out, |light, material| shader.polynomial(light, material, &normals))
     }
 

@@ -139,7 +139,7 @@ impl Shader {
         let highlights = HighlightInputs::taken_out(&self.inputs, table, pair, most, memory)?;
         let Some(highlights) = highlights else { return Ok((None, None)) };
         let pair = (&*lights, materials);
-        let note = sharpness_note(&self.inputs, pair, highlights.count(), memory)?;
+        let note = sharpness_note(&self.inputs, table, pair, highlights.count(), memory)?;
         Ok((Some(highlights.shaded()?), note))
     }
 

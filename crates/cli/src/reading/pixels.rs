@@ -17,6 +17,12 @@ use std::path::Path;
 /// Bytes per pixel of a [`LinearImage`] while it is read, including its weight and its normal.
 const BYTES_PER_PIXEL: u64 = 136;
 
+/// By how much rounding may leave an opacity outside 0 to 1.
+const OPACITY_SLACK: f32 = 1e-3;
+
+/// Colors that were multiplied by less have too few digits.
+const LEAST_OPACITY: f32 = 1.0 / 255.0;
+
 /// How the samples of a PNG encode light.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
 pub enum Transfer {
@@ -35,7 +41,7 @@ pub struct LinearImage {
     pub pixels: Vec<[f64; 3]>,
     /// The weight of each pixel: its opacity, or 0 if it is clipped.
     pub weights: Vec<f64>,
-    /// The number of pixels left out because one of their channels is at full scale or at 0.
+    /// The number of pixels left out because one of their channels is at full scale.
     pub clipped: usize,
     /// The number of pixels left out because they are transparent.
     pub transparent: usize,
@@ -48,8 +54,7 @@ impl LinearImage {
     /// Without a `transfer`, a PNG is read with the curve that it declares ([`Curve`]). A PNG that
     /// declares no curve is read as sRGB if it has 8 bits, as cameras and programs write such
     /// files, and as linear if it has 16. The other types are linear, and the colors of an `.exr`
-    /// are divided by its opacity. The true value of a pixel that is clipped, at white or at black,
-    /// is unknown, so its weight is 0.
+    /// are divided by its opacity. The true value of a clipped pixel is unknown, so its weight is 0.
     ///
     /// # Errors
     ///
@@ -70,9 +75,9 @@ impl LinearImage {
         match ending.as_str() {
             "csv" => Self::of_csv(file),
             "exr" => {
-                let (map, opacities) = EnvironmentMap::with_opacities(file)?;
+                let (map, opacities) = EnvironmentMap::with_opacities(file.clone())?;
                 let mut image = Self::of_map(&map);
-                image.uncover(&opacities);
+                image.uncover(&opacities).map_err(|error| error.in_file(path))?;
                 Ok(image)
             }
             "hdr" | "pfm" => Ok(Self::of_map(&EnvironmentMap::from_path(file)?)),
@@ -90,17 +95,24 @@ impl LinearImage {
     }
 
     /// Divides the pixels by their opacities, which become their weights.
-    fn uncover(&mut self, opacities: &[f32]) {
+    fn uncover(&mut self, opacities: &[f32]) -> Result<()> {
+        let allowed = -OPACITY_SLACK..=1.0 + OPACITY_SLACK;
+        if let Some(at) = opacities.iter().position(|opacity| !allowed.contains(opacity)) {
+            let what = format!("the opacity of pixel {at} in its channel A is {}", opacities[at]);
+            let remedy = "give opacities from 0 to 1, or save the picture without the channel A";
+            return Err(Error::new(what, remedy));
+        }
         let pixels = self.pixels.iter_mut().zip(&mut self.weights);
         for ((pixel, weight), &opacity) in pixels.zip(opacities) {
-            // Also where it is not a number.
-            let opacity = f64::from(if opacity > 0.0 { opacity.min(1.0) } else { 0.0 });
-            if opacity > 0.0 {
-                *pixel = pixel.map(|value| value / opacity);
+            if opacity < LEAST_OPACITY {
+                *weight = 0.0;
+                self.transparent += 1;
+            } else {
+                *weight = f64::from(opacity.min(1.0));
+                *pixel = pixel.map(|value| value / *weight);
             }
-            *weight = opacity;
-            self.transparent += usize::from(opacity == 0.0);
         }
+        Ok(())
     }
 
     fn whole(size: Option<[usize; 2]>, pixels: Vec<[f64; 3]>) -> Self {
@@ -132,13 +144,10 @@ impl LinearImage {
         };
         let pixels = png.colors.iter().map(|color| color.map(value)).collect();
         let mut image = Self::whole(Some([png.width, png.height]), pixels);
-        // A channel that is dark everywhere has no light to clip.
-        let least = [0, 1, 2].map(|c| u16::from(png.colors.iter().any(|color| color[c] > 0)));
         for ((weight, color), opacity) in
             image.weights.iter_mut().zip(&png.colors).zip(&png.opacities)
         {
-            let is_black = color.iter().zip(&least).any(|(sample, least)| sample < least);
-            let clips = is_black || color.contains(&png.full);
+            let clips = color.contains(&png.full);
             *weight = if clips { 0.0 } else { f64::from(*opacity) / full };
             image.transparent += usize::from(*opacity == 0);
             image.clipped += usize::from(clips && *opacity > 0);

@@ -40,13 +40,13 @@ pub struct Integrals {
 }
 
 impl Integrals {
-    /// The negative part of the luminance as a share of both parts, 0 to 1.
+    /// The negative part of the map's luminance as a share of both parts, 0 to 1.
     ///
     /// NaN if the map is black.
     #[must_use]
     pub fn negative_share(&self) -> f64 {
         let negative = -luminance(self.negative);
-        negative / (luminance(self.total) + negative + negative)
+        negative / (luminance(self.total) + 2.0 * negative)
     }
 }
 

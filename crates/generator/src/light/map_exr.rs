@@ -21,14 +21,16 @@ use std::fs::File;
 use std::io::{BufRead, BufReader, Seek};
 
 /// Decodes the first part of an OpenEXR file that has the channels R, G, B, those of a layer
-/// (`name.R`, ...), or the gray channel Y, in this order of preference; and the opacity of each
-/// pixel, by which the file has multiplied its color: none if there is no channel A.
+/// (`name.R`, ...), or the gray channel Y, in this order of preference. With `needs_opacity`, also
+/// the opacity of each pixel, by which the file has multiplied its color: none if there is no
+/// channel A.
 ///
 /// Primaries that differ from the project's are not converted.
 pub(crate) fn decode(
     reader: &mut BufReader<File>,
     length: u64,
     file: &InputFile,
+    needs_opacity: bool,
 ) -> Result<(EnvironmentMap, Vec<f32>)> {
     let io = |error: std::io::Error| Error::io(file.path(), &error);
     if !reader.fill_buf().map_err(io)?.starts_with(&[0x76, 0x2f, 0x31, 0x01]) {
@@ -53,7 +55,8 @@ pub(crate) fn decode(
     }
     let count = width * height;
     let opacity = channels.opacity();
-    let has_opacity = header.channels.list.iter().any(|channel| channel.name == opacity);
+    let has_opacity =
+        needs_opacity && header.channels.list.iter().any(|channel| channel.name == opacity);
     let bytes = BYTES_PER_TEXEL + if has_opacity { BYTES_PER_OPACITY } else { 0 };
     file.admit_pixels(count as u64, bytes, bytes_beside(&headers, length))?;
     check_counters(&headers, parts.all_chunks(false).map_err(fault)?)?;

@@ -43,11 +43,12 @@ impl EnvironmentMap {
     ///
     /// # Errors
     ///
-    /// Those of [`from_path`](Self::from_path).
+    /// Those of [`from_path`](Self::from_path); four more bytes a texel are needed.
     pub fn with_opacities(file: impl Into<InputFile>) -> Result<(Self, Vec<f32>)> {
         let file = file.into();
         let (mut reader, length) = file.open()?;
-        map_exr::decode(&mut reader, length, &file).map_err(|error| error.in_file(file.path()))
+        map_exr::decode(&mut reader, length, &file, true)
+            .map_err(|error| error.in_file(file.path()))
     }
 }
 
@@ -56,7 +57,7 @@ type Decode = fn(&mut BufReader<File>, u64, &InputFile) -> Result<EnvironmentMap
 /// The decoder for a file of this name.
 fn decoder(path: &Path) -> Option<Decode> {
     match extension(path)?.as_str() {
-        "exr" => Some(|reader, length, file| Ok(map_exr::decode(reader, length, file)?.0)),
+        "exr" => Some(|reader, length, file| Ok(map_exr::decode(reader, length, file, false)?.0)),
         "hdr" => Some(decode_hdr),
         "pfm" => Some(decode_pfm),
         "png" => Some(map_picture::decode_png),

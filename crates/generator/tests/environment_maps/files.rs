@@ -360,3 +360,25 @@ fn lights_are_called_as_their_files() {
     assert!(lights_from_paths(&[folder.path().join("nowhere.exr")], 3).is_err());
     assert!(lights_from_paths::<&str>(&[], 3).is_err());
 }
+
+/// The opacity belongs to the layer of the colors, and lights ignore it.
+#[test]
+fn opacities_of_pictures() {
+    let folder = TempDir::new().unwrap();
+    let path = folder.path().join("a.exr");
+    let samples = |value: f32| FlatSamples::F32(vec![value, 2.0 * value]);
+    for (names, opacity) in [
+        (&["R", "G", "B"][..], None),
+        (&["A", "B", "G", "R"], Some("A")),
+        (&["A", "L.A", "L.B", "L.G", "L.R"], Some("L.A")),
+        (&["A", "Y"], Some("A")),
+    ] {
+        let value = |name: &str| if Some(name) == opacity { 0.25 } else { 0.125 };
+        let channels = names.iter().map(|&name| (name, samples(value(name)))).collect();
+        exr_channels(&path, (2, 1), channels);
+        let (map, opacities) = EnvironmentMap::with_opacities(&path).unwrap();
+        assert_eq!(opacities, if opacity.is_some() { vec![0.25, 0.5] } else { vec![] });
+        assert_eq!(map.texels, [[0.125; 3], [0.25; 3]]);
+        assert_eq!(map, EnvironmentMap::from_path(&path).unwrap());
+    }
+}
