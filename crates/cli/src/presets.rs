@@ -292,8 +292,8 @@ pub fn refuse_stale_sources(lights: Option<&Path>) -> Result<()> {
     if beside.is_empty() {
         return Ok(());
     }
-    let what = format!("{} would be taken for that of the new lights", beside.join(" and "));
-    let remedy = "delete it, write the lights elsewhere, or give maps and --sources";
+    let what = format!("{} would be taken for the new lights'", beside.join(" and "));
+    let remedy = "delete what is old, write the lights elsewhere, or give maps and --sources";
     Err(Error::new(what, remedy))
 }
 

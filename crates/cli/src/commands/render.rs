@@ -52,8 +52,8 @@ pub struct Render {
     /// Shade up to K small bright sources of the light by the material's gloss, for sharp
     /// highlights: 1, 2, 4, 8 or 16 of a shipped light. `auto` takes as few as --tolerance allows
     /// and, without --table, the table `color` or `pbr` with which a pixel takes the fewest
-    /// multiply-adds, for pictures of all components without a window. Needs a shipped material in color, or a CSV with FILE.gloss.csv beside it,
-    /// which `material` writes
+    /// multiply-adds, for pictures of all components without a window. Needs a shipped material in
+    /// color, or a CSV with FILE.gloss.csv beside it, which `material` writes
     #[arg(long, value_name = "K|auto", value_parser = sources, conflicts_with = "effects")]
     sources: Option<Sources>,
     /// What `--sources auto` allows: the root mean square error of the picture, as a share of the

@@ -315,3 +315,25 @@ fn weights_of_csv(file: &InputFile) -> Result<Vec<f64>> {
     };
     sheet.rows().map(weight).collect()
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn colors_are_divided_by_their_opacities() {
+        let covered = |opacities: &[f32]| {
+            let pixels = vec![[0.5, 0.25, 0.0]; opacities.len()];
+            let mut image = LinearImage::whole(None, pixels);
+            image.uncover(opacities).map(|()| image)
+        };
+        let image = covered(&[0.5, 1.0, 0.0, 1.0005]).unwrap();
+        assert_eq!(image.pixels[..2], [[1.0, 0.5, 0.0], [0.5, 0.25, 0.0]]);
+        assert_eq!(image.weights, [0.5, 1.0, 0.0, 1.0]);
+        assert_eq!((image.transparent, image.clipped), (1, 0));
+        for bad in [f32::NAN, -0.5, 2.0, f32::INFINITY] {
+            let error = covered(&[1.0, bad]).unwrap_err().to_string();
+            assert!(error.contains(&format!("the opacity of pixel 1 in its channel A is {bad}")));
+        }
+    }
+}
