@@ -218,8 +218,9 @@ function saveLink() {
   if (hash !== location.hash.slice(1)) history.replaceState(null, "", hash ? `#${hash}` : location.pathname + location.search);
 }
 
-async function openLink() {
-  const { state: wanted, faults } = fromHash(location.hash);
+/** Takes the state of a link. */
+async function openLink(/** @type {string} */ hash) {
+  const { state: wanted, faults } = fromHash(hash);
   if (wanted.case && !Object.hasOwn(CASES, wanted.case)) wanted.case = initial().case;
   const fault = await take(wanted);
   if (fault) faults.push(fault);
@@ -391,8 +392,9 @@ async function start() {
   const inputs = { light: "studio", material: "gold-metallic-paint", sources: 1 };
   [whole, ours, scratch] = await Promise.all([1, 2, 3].map(() => Scene.create(inputs)));
   thumbnails(find("thumbs"), (material) => take({ material }));
-  await openLink();
-  addEventListener("hashchange", openLink);
+  await openLink(location.hash);
+  // By now the page may have replaced its own address.
+  addEventListener("hashchange", ({ newURL }) => openLink(new URL(newURL).hash));
   wide.addEventListener("change", changed);
   new ResizeObserver(changed).observe(canvas);
 }

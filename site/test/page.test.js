@@ -498,6 +498,12 @@ on("files that cannot be used are said in place, and nothing is lost", "object=s
   assert.equal(await text(page, "fault"), "");
   await page.evaluate(() => (location.hash = "light=nowhere"));
   await said(page, "fault", /This link is not whole: no light is called "nowhere"/);
+  // A link counts even if the page saves its state in the address before the event.
+  await page.evaluate(() => {
+    location.hash = "light=elsewhere";
+    history.replaceState(null, "", "#");
+  });
+  await said(page, "fault", /no light is called "elsewhere"/);
   // A name that every object of JavaScript has.
   await page.evaluate(() => (location.hash = "light=constructor&case=constructor"));
   await said(page, "fault", /This link is not whole: .*no light is called "constructor"/);
