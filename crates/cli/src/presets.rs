@@ -279,8 +279,8 @@ pub fn set_error_file(lights: &Path) -> PathBuf {
     lights.with_extension("sources.errors.csv")
 }
 
-/// Refuses to write a light CSV beside the sources of other lights, which would be taken for those
-/// of the new ones.
+/// Refuses to write a light CSV beside the sources of other lights, with which the new ones would
+/// be drawn.
 ///
 /// # Errors
 ///
@@ -292,9 +292,8 @@ pub fn refuse_stale_sources(lights: Option<&Path>) -> Result<()> {
     if beside.is_empty() {
         return Ok(());
     }
-    let what = format!("{} would be taken for the new lights'", beside.join(" and "));
-    let remedy = "delete what is old, write the lights elsewhere, or give maps and --sources";
-    Err(Error::new(what, remedy))
+    let what = format!("{} would be used with the new lights", beside.join(" and "));
+    Err(Error::new(what, "delete what belongs to other lights, or write the new ones elsewhere"))
 }
 
 /// The file with the gloss of the materials of a material CSV.

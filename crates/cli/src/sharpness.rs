@@ -25,7 +25,7 @@ const FAR: f64 = 0.15;
 /// A degree and an order.
 type Size = (usize, usize);
 
-/// What the error measured at one size is to that of pictures of another.
+/// Whether an error measured at one size is too large or too small for pictures of another.
 fn bound(measured: Size, drawn: Size) -> &'static str {
     match (measured.0.cmp(&drawn.0), measured.1.cmp(&drawn.1)) {
         (Ordering::Equal, Ordering::Equal) => "",

@@ -1,7 +1,7 @@
 //! Each command once: the form of its output.
 
 use crate::PROGRAM;
-use crate::support::files::{decoded, png};
+use crate::support::files::{decoded, map, png};
 use crate::support::{DEGREE, Folder, ORDER, PAIR, SHADED, assert_fails, materials, numbers};
 use crate::support::{repository, rows};
 use crate::tolerances;
@@ -12,13 +12,6 @@ use std::fs;
 /// b_00^0 of a matte surface measured without error, relative: the square of the fit's
 /// regularization.
 const MATTE_FIT: f64 = 1e-8;
-
-/// A map in the portable float format, 8 x 4, of one gray.
-fn map(value: f32) -> Vec<u8> {
-    let mut bytes = b"PF\n8 4\n-1.0\n".to_vec();
-    (0..8 * 4 * 3).for_each(|_| bytes.extend(value.to_le_bytes()));
-    bytes
-}
 
 #[test]
 fn light_projects_maps() {

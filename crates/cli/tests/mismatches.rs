@@ -1,22 +1,16 @@
 //! Files and options that do not belong together, and would give a wrong picture without a word.
 
+use crate::support::files::map;
 use crate::support::{Folder, assert_fails};
-
-/// A map of this radiance, as PFM.
-fn uniform(radiance: f32) -> Vec<u8> {
-    let mut bytes = b"PF\n8 4\n-1.0\n".to_vec();
-    (0..8 * 4 * 3).for_each(|_| bytes.extend(radiance.to_le_bytes()));
-    bytes
-}
 
 #[test]
 fn sources_of_other_lights_are_not_left_beside_new_ones() {
     let folder = Folder::new();
-    folder.write("map.pfm", uniform(1.0));
+    folder.write("map.pfm", map(1.0));
     folder.write("beside.csv", "");
     folder.write("beside.sources.csv", "");
     folder.write("beside.sources.errors.csv", "");
-    let what = "beside.sources.csv and beside.sources.errors.csv would be taken for";
+    let what = "beside.sources.csv and beside.sources.errors.csv would be used with the new lights";
     for command in ["map.pfm", "lights.csv"] {
         assert_fails(&folder, &format!("light {command} -o beside.csv"), &[what]);
     }
@@ -38,6 +32,24 @@ fn a_table_without_gloss_takes_no_sources() {
     assert_fails(&folder, &format!("shader --lang glsl --json {options}"), &["has no gloss"]);
 }
 
+/// As docs/commands.md says of a matte.
+#[test]
+fn integers_of_a_matte_end_at_its_orders() {
+    let folder = Folder::new();
+    let packed = "pack -t matte.bin -f q15 -o matte.esw";
+    for (order, effects, fits) in [(3, "", false), (0, "", true), (3, ", \"broad\"", true)] {
+        let scene = folder.read("scene.toml").replace("order = 3", &format!("order = {order}"));
+        let effects = format!("[effects]\nuse = [\"ambient\", \"diffuse\"{effects}]\n");
+        folder.write("matte.toml", format!("{scene}\n{effects}"));
+        folder.ok("basis --scene matte.toml --out matte.bin");
+        if fits {
+            folder.ok(packed);
+        } else {
+            assert_fails(&folder, packed, &["ambient"]);
+        }
+    }
+}
+
 #[test]
 fn auto_is_for_whole_pictures() {
     let folder = Folder::new();
@@ -52,7 +64,7 @@ fn auto_is_for_whole_pictures() {
 #[test]
 fn notes_say_of_which_pictures_the_errors_are() {
     let folder = Folder::new();
-    folder.write("map.pfm", uniform(1.0));
+    folder.write("map.pfm", map(1.0));
     folder.ok("light map.pfm -o low.csv --degree 2");
     let said =
         |options: &str| folder.messages(&format!("render -m brass -s 16 -o a.png {options}"));
@@ -78,7 +90,7 @@ fn a_table_without_integers_writes_nothing() {
 }
 
 #[test]
-fn a_module_has_a_name_of_rust() {
+fn the_printed_module_names_the_file() {
     let folder = Folder::new();
     let printed = folder.ok("pack-normals sphere --size 8 -o my-map.rs");
     assert!(printed.contains("#[path = \"my-map.rs\"] mod normal_map;"), "{printed}");
@@ -101,7 +113,7 @@ fn negative_numbers_are_values() {
 #[test]
 fn all_of_a_negative_map_is_negative() {
     let folder = Folder::new();
-    folder.write("below.pfm", uniform(-1.0));
+    folder.write("below.pfm", map(-1.0));
     let said = folder.messages("light below.pfm -o below.csv");
     assert!(said.contains("100.00 % of the radiance is negative"), "{said}");
 }

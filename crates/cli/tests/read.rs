@@ -266,7 +266,7 @@ fn black_may_be_clipped() {
     }
 }
 
-/// An EXR is multiplied by its opacity, a PNG is not.
+/// The colors of an EXR are multiplied by its opacity, those of a PNG are not.
 #[test]
 fn an_exr_is_divided_by_its_opacity() {
     let folder = Folder::new();

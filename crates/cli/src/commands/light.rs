@@ -166,6 +166,9 @@ impl From<Frame> for frame::Frame {
 
 impl Light {
     pub fn run(self, memory: Memory) -> Result<()> {
+        if self.sources.is_none() {
+            refuse_stale_sources(self.out.path.as_deref())?;
+        }
         let lights = match self.maps.as_slice() {
             [file] if is_csv(file) => {
                 if self.sources.is_some() {
@@ -178,9 +181,6 @@ impl Light {
                     return Err(Error::new(what, remedy).in_file(file));
                 }
                 output::refuse_collisions(&self.out.path, [file])?;
-                if self.sources.is_none() {
-                    refuse_stale_sources(self.out.path.as_deref())?;
-                }
                 let from = self.from.unwrap_or(match self.convention {
                     Convention::Paper => Convention::Graphics,
                     _ => Convention::Paper,
@@ -202,9 +202,6 @@ impl Light {
                 }
                 let all_beside = beside.iter().flat_map(|(sources, errors)| [sources, errors]);
                 output::refuse_collisions(self.out.path.iter().chain(all_beside), inputs)?;
-                if self.sources.is_none() {
-                    refuse_stale_sources(self.out.path.as_deref())?;
-                }
                 if let (Some(most), Some((of_sources, of_errors))) = (self.sources, beside) {
                     let (sets, errors) = self.found(&files, most, memory)?;
                     output::write(Some(&of_sources), |out| write_sources(&sets, out))?;

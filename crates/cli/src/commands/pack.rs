@@ -71,7 +71,7 @@ impl Pack {
             return Ok(table);
         }
         let count = table::components(&table, self.components, self.table.path())?;
-        if table.general.is_some() || !table.has_projection() {
+        if !table::can_lose_components(&table) {
             let what = "only a sphere's table that projects can lose components";
             return Err(Error::new(what, "make it with fewer").in_file(self.table.path()));
         }

@@ -273,21 +273,21 @@ impl Read {
         let mut observer = Observer::new(values, channels);
         let (mut without_normal, mut masked, mut unusable) = (0, 0, 0);
         let mut largest = 0.0f64;
-        // A channel without light has nothing to clip.
-        let used = || image.pixels.iter().zip(counts.iter().zip(&normals));
-        let is_lit = [0, 1, 2].map(|channel| {
-            used().any(|(pixel, (counts, normal))| {
-                *counts && normal.is_some() && pixel[channel] > 0.0
-            })
-        });
-        let is_black = |pixel: &[f64; 3]| (0..3).any(|c| is_lit[c] && pixel[c] <= 0.0);
+        // A channel that is 0 wherever the object is has nothing to clip.
+        let mut is_lit = [false; 3];
+        for ((pixel, counts), normal) in image.pixels.iter().zip(&counts).zip(&normals) {
+            if self.without_black && *counts && normal.is_some() {
+                is_lit = [0, 1, 2].map(|c| is_lit[c] || pixel[c] != 0.0);
+            }
+        }
+        let is_black = |pixel: &[f64; 3]| (0..3).any(|c| is_lit[c] && pixel[c] == 0.0);
         for (((pixel, weight), normal), mask) in
             image.pixels.iter().zip(&image.weights).zip(&normals).zip(&mask)
         {
             match normal {
                 None => without_normal += 1,
                 Some(_) if *mask == 0.0 => masked += 1,
-                Some(_) if *weight == 0.0 || self.without_black && is_black(pixel) => unusable += 1,
+                Some(_) if *weight == 0.0 || is_black(pixel) => unusable += 1,
                 Some(normal) => {
                     largest = pixel.iter().fold(largest, |most, value| most.max(value.abs()));
                     observer.see(*normal, &pixel[..channels], weight * mask);
@@ -310,7 +310,11 @@ impl Read {
                 "{} of its pixels are used, for {components} components",
                 observation.pixels
             );
-            let remedy = "show more of the object, or request fewer with --components";
+            let remedy = if self.without_black {
+                "leave --without-black out, or request fewer with --components"
+            } else {
+                "show more of the object, or request fewer with --components"
+            };
             return Err(Error::new(what, remedy).in_file(&self.image));
         }
         let (clipped, transparent) = (image.clipped, image.transparent);

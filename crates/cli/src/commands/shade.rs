@@ -8,7 +8,7 @@ use eigenshade::{NegativePolicy, Q15, Q31, Tolerance};
 use eigenshade_cli::messages::print_message;
 use eigenshade_cli::messages::{Ringing, albedo_warning};
 use eigenshade_cli::output::{self, Rows, exact};
-use eigenshade_cli::table::rounding;
+use eigenshade_cli::table::{self, rounding};
 use eigenshade_model::error::{Error, Result};
 use eigenshade_model::inputs::normals::read_normals;
 use eigenshade_shading::integer_shader::{Integer, IntegerShader};
@@ -127,14 +127,10 @@ impl Shade {
         let way = self.way(table.scene.basis.knots, table.gram.degree)?;
         let components = self.choices.components(&table, self.table.path())?;
         // Integers of some components are scaled without the others, as `pack` scales them.
-        let is_part = is_integer
-            && components < table.components.len()
-            && table.general.is_none()
-            && table.has_projection();
-        let table = match is_part {
-            true => with_components(&table, |number, _| number < components),
-            false => table,
-        };
+        let is_part =
+            is_integer && components < table.count() && table::can_lose_components(&table);
+        let table =
+            if is_part { with_components(&table, |number, _| number < components) } else { table };
         // The rounding of all components was measured, but not that of fewer.
         let stored = self.stored().filter(|_| !is_part);
         let lights = self.inputs.light.lights(memory.of_file())?;

@@ -89,6 +89,12 @@ pub fn components(table: &Table, requested: Option<usize>, path: &Path) -> Resul
     }
 }
 
+/// Whether a table can lose components: only one of a sphere that projects can.
+#[must_use]
+pub fn can_lose_components(table: &Table) -> bool {
+    table.general.is_none() && table.has_projection()
+}
+
 /// Whether the bytes begin like a wire file.
 #[must_use]
 pub fn is_wire(bytes: &[u8]) -> bool {

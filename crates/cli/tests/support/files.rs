@@ -260,3 +260,10 @@ pub fn with_image() -> Folder {
 
 /// Reads that image.
 pub const READ: &str = "read image.csv --normals normals.csv --table b.bin";
+
+/// A map in the portable float format, 8 x 4, of one gray.
+pub fn map(value: f32) -> Vec<u8> {
+    let mut bytes = b"PF\n8 4\n-1.0\n".to_vec();
+    (0..8 * 4 * 3).for_each(|_| bytes.extend(value.to_le_bytes()));
+    bytes
+}

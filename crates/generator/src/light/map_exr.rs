@@ -54,9 +54,10 @@ pub(crate) fn decode(
         ));
     }
     let count = width * height;
-    let opacity = channels.opacity();
-    let has_opacity =
-        needs_opacity && header.channels.list.iter().any(|channel| channel.name == opacity);
+    let opacity = channels.opacity(header).filter(|_| needs_opacity);
+    let has_opacity = opacity.is_some();
+    // Without, a name that no channel has.
+    let opacity = opacity.unwrap_or_default();
     let bytes = BYTES_PER_TEXEL + if has_opacity { BYTES_PER_OPACITY } else { 0 };
     file.admit_pixels(count as u64, bytes, bytes_beside(&headers, length))?;
     check_counters(&headers, parts.all_chunks(false).map_err(fault)?)?;
@@ -117,25 +118,25 @@ enum Color {
 }
 
 impl Color {
-    /// The channel that would have the opacity: `A`, that of the layer.
-    fn opacity(&self) -> Text {
+    /// The channel A of the same layer, if the part has it.
+    fn opacity(&self, header: &Header) -> Option<Text> {
         let (Self::Rgb([name, ..]) | Self::Gray(name)) = self;
         let name = name.to_string();
         let layer = name.rfind('.').map_or("", |dot| &name[..=dot]);
-        Text::new_or_panic(format!("{layer}A"))
+        let wanted = format!("{layer}A");
+        whole_channels(header).find(|name| **name == *wanted).cloned()
     }
+}
+
+/// The names of the channels with a sample for each pixel.
+fn whole_channels(header: &Header) -> impl Iterator<Item = &Text> {
+    let whole = header.channels.list.iter().filter(|one| one.sampling == Vec2(1, 1));
+    whole.filter(|_| !header.deep).map(|channel| &channel.name)
 }
 
 /// The color channels of one part, if it has them at full resolution.
 fn color(header: &Header) -> Option<Color> {
-    let full = Vec2(1, 1);
-    let names: Vec<&Text> = header
-        .channels
-        .list
-        .iter()
-        .filter(|channel| !header.deep && channel.sampling == full)
-        .map(|channel| &channel.name)
-        .collect();
+    let names: Vec<&Text> = whole_channels(header).collect();
     let find = |prefix: &str, name: &str| {
         let wanted = format!("{prefix}{name}");
         names.iter().copied().find(|&name| *name == *wanted)
