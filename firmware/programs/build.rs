@@ -33,14 +33,17 @@ fn main() {
 
 fn write_all() -> Result<()> {
     write("golden.rs", &golden::modules()?)?;
-    write("tables.rs", &tables::modules()?)?;
+    if env::var_os("CARGO_FEATURE_TABLES").is_some() {
+        write("tables.rs", &tables::modules()?)?;
+    }
+    write("one_material.rs", &tables::of_one_material()?)?;
     write("highlights.rs", &highlights::constants()?)?;
     list::programs().try_for_each(|one| write(&format!("programs/{}.rs", one.name), &program(one)?))
 }
 
 /// The items that `program!` includes: the modules and constants that the source uses, and the
 /// function to run.
-fn program(Listed { name, source }: Listed) -> Result<String> {
+fn program(Listed { name, source, .. }: Listed) -> Result<String> {
     let (operation, format) = list::parts(name);
     let in_format = |module: &str| match format {
         "f32" => module.to_owned(),

@@ -8,6 +8,8 @@ pub struct Listed {
     pub name: &'static str,
     /// The file in `src` with its source, without `.rs`.
     pub source: &'static str,
+    /// Whether it needs the feature `tables`.
+    pub needs_tables: bool,
 }
 
 /// All programs, in the order of the list.
@@ -15,8 +17,11 @@ pub fn programs() -> impl Iterator<Item = Listed> {
     let lines = include_str!("Cargo.toml").lines().map(str::trim);
     lines.filter(|line| line.starts_with("{ name")).map(|line| {
         let texts: Vec<&str> = line.split('"').collect();
-        let [_, name, _, path, _] = texts[..] else { panic!("`{line}` lists no program") };
-        Listed { name, source: path.trim_start_matches("src/").trim_end_matches(".rs") }
+        let [_, name, _, path, _, rest @ ..] = &texts[..] else {
+            panic!("`{line}` lists no program")
+        };
+        let source = path.trim_start_matches("src/").trim_end_matches(".rs");
+        Listed { name, source, needs_tables: rest.contains(&"tables") }
     })
 }
 

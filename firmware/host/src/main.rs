@@ -109,15 +109,17 @@ fn boards(boards: &[Board], options: &[&str]) -> Result<()> {
 /// Builds the programs of boards. One run of cargo builds those that have the same boards, for all
 /// of these side by side.
 fn build(boards: &[(Board, &[Listed])]) -> Result<()> {
-    let mut groups: BTreeMap<(&str, Vec<&str>), Vec<&str>> = BTreeMap::new();
+    let mut groups: BTreeMap<(&str, Vec<&str>), Vec<Listed>> = BTreeMap::new();
     for program in list::programs() {
         let runs = |programs: &[Listed]| programs.iter().any(|one| one.name == program.name);
         let of_program = boards.iter().filter(|(_, programs)| runs(programs));
         let targets = of_program.map(|(board, _)| board.target).collect();
-        groups.entry((program.profile(), targets)).or_default().push(program.name);
+        groups.entry((program.profile(), targets)).or_default().push(program);
     }
-    groups.into_iter().try_for_each(|((profile, targets), names)| {
-        toolchain::build(&targets, "programs", &names, profile)
+    groups.into_iter().try_for_each(|((profile, targets), programs)| {
+        let names: Vec<&str> = programs.iter().map(|program| program.name).collect();
+        let with_tables = programs.iter().any(|program| program.needs_tables);
+        toolchain::build(&targets, "programs", &names, profile, with_tables)
     })
 }
 

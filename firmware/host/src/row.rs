@@ -259,7 +259,7 @@ mod tests {
 
     #[test]
     fn a_scene_has_a_row_for_each_operation_and_one_of_its_memory() {
-        let program = Listed { name: "sun_f32", source: "scene_f32" };
+        let program = Listed { name: "sun_f32", source: "scene_f32", needs_tables: true };
         let sizes = |flash, ram| Sizes { flash, ram, initialized: 0 };
         let of = |operation: &str, ticks: u32, stack: u32| {
             format!(

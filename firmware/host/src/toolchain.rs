@@ -11,12 +11,19 @@ use std::process::Command;
 /// Debian's compiler and linker.
 const DEBIAN: [&str; 2] = ["/usr/bin/rustc", "ld.lld-22"];
 
-/// Builds programs of a package for some targets side by side.
+/// Builds programs of a package, with or without the feature `tables`, for some targets side by
+/// side.
 ///
 /// # Errors
 ///
 /// The output of the compiler or the linker.
-pub fn build(targets: &[&str], package: &str, binaries: &[&str], profile: &str) -> Result<()> {
+pub fn build(
+    targets: &[&str],
+    package: &str,
+    binaries: &[&str],
+    profile: &str,
+    with_tables: bool,
+) -> Result<()> {
     if binaries.is_empty() || targets.is_empty() {
         return Ok(());
     }
@@ -24,6 +31,9 @@ pub fn build(targets: &[&str], package: &str, binaries: &[&str], profile: &str) 
     command.args(["build", "--quiet", "--profile", profile, "-p", package]);
     targets.iter().for_each(|target| _ = command.args(["--target", target]));
     binaries.iter().for_each(|binary| _ = command.args(["--bin", binary]));
+    if with_tables {
+        command.args(["--features", "tables"]);
+    }
     if is_debian() {
         command
             .args(["-Zbuild-std=core", "--target-dir", "target/debian"])

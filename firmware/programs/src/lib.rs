@@ -4,9 +4,15 @@
 //! `relight` of `operations_integer.rs`, with the shipped table in Q15 as the module `table`.
 #![no_std]
 
-/// The tables. Modules `q15` and `q31` have the integer formats.
+/// Tables that are not the library's. Modules `q15` and `q31` have the integer formats.
+#[cfg(feature = "tables")]
 pub mod tables {
     include!(concat!(env!("OUT_DIR"), "/tables.rs"));
+}
+
+/// The library's table in Q15, with the transfer of one material.
+pub mod one_material {
+    include!(concat!(env!("OUT_DIR"), "/one_material.rs"));
 }
 
 pub mod golden;
