@@ -33,12 +33,14 @@ fn main() {
 
 fn write_all() -> Result<()> {
     write("golden.rs", &golden::modules()?)?;
-    if env::var_os("CARGO_FEATURE_TABLES").is_some() {
+    let has_tables = env::var_os("CARGO_FEATURE_TABLES").is_some();
+    if has_tables {
         write("tables.rs", &tables::modules()?)?;
     }
     write("one_material.rs", &tables::of_one_material()?)?;
     write("highlights.rs", &highlights::constants()?)?;
-    list::programs().try_for_each(|one| write(&format!("programs/{}.rs", one.name), &program(one)?))
+    let mut compiled = list::programs().filter(|one| has_tables || !one.needs_tables);
+    compiled.try_for_each(|one| write(&format!("programs/{}.rs", one.name), &program(one)?))
 }
 
 /// The items that `program!` includes: the modules and constants that the source uses, and the
