@@ -7,6 +7,7 @@ mod ablation_page;
 mod accuracy_cost;
 mod benchmark_tables;
 mod direct_integration;
+mod float_errors;
 mod highlights;
 mod material_errors;
 mod metallic_roughness;

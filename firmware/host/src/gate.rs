@@ -187,7 +187,7 @@ const REJECTED: [(&str, Board, Step, &str); 6] = [
 /// If a program is accepted, or rejected for another reason.
 pub fn test() -> Result<()> {
     for (program, board, step, reason) in REJECTED {
-        let built = toolchain::build(&[board.target], "gates", &[program], "fast", false);
+        let built = toolchain::build(&[board.target], "gates", &[program], "fast", &[]);
         let checked = match step {
             Step::Linker => built,
             Step::Check => {

@@ -118,8 +118,9 @@ fn build(boards: &[(Board, &[Listed])]) -> Result<()> {
     }
     groups.into_iter().try_for_each(|((profile, targets), programs)| {
         let names: Vec<&str> = programs.iter().map(|program| program.name).collect();
-        let with_tables = programs.iter().any(|program| program.needs_tables);
-        toolchain::build(&targets, "programs", &names, profile, with_tables)
+        let needs_tables = programs.iter().any(|program| program.needs_tables);
+        let features: &[&str] = if needs_tables { &["tables"] } else { &[] };
+        toolchain::build(&targets, "programs", &names, profile, features)
     })
 }
 

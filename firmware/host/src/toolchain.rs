@@ -11,8 +11,7 @@ use std::process::Command;
 /// Debian's compiler and linker.
 const DEBIAN: [&str; 2] = ["/usr/bin/rustc", "ld.lld-22"];
 
-/// Builds programs of a package, with or without the feature `tables`, for some targets side by
-/// side.
+/// Builds programs of a package with these features, for some targets side by side.
 ///
 /// # Errors
 ///
@@ -22,7 +21,7 @@ pub fn build(
     package: &str,
     binaries: &[&str],
     profile: &str,
-    with_tables: bool,
+    features: &[&str],
 ) -> Result<()> {
     if binaries.is_empty() || targets.is_empty() {
         return Ok(());
@@ -31,9 +30,7 @@ pub fn build(
     command.args(["build", "--quiet", "--profile", profile, "-p", package]);
     targets.iter().for_each(|target| _ = command.args(["--target", target]));
     binaries.iter().for_each(|binary| _ = command.args(["--bin", binary]));
-    if with_tables {
-        command.args(["--features", "tables"]);
-    }
+    features.iter().for_each(|feature| _ = command.args(["--features", feature]));
     if is_debian() {
         command
             .args(["-Zbuild-std=core", "--target-dir", "target/debian"])
