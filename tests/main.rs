@@ -31,6 +31,7 @@ mod sampled_and_baked;
 mod sources;
 mod truncation;
 mod truncation_sets;
+mod truncation_sources;
 mod wire;
 
 use eigenshade_testing::{oracle, tolerances};

@@ -1,11 +1,19 @@
 //! The recorded errors of pictures with small sources, what the page says of them, and the gloss of
 //! the shipped materials.
 
+use crate::shipped_map;
 use crate::support::repository;
-use eigenshade::Gloss;
+use eigenshade::mathematics::SinglePrecision;
+use eigenshade::presets::{light, sources};
+use eigenshade::{Gloss, Highlights, Material, Normal, Tolerance, sphere};
+use eigenshade_generator::material::brdf::Measure;
+use eigenshade_generator::material::brdf::projection::project_orders;
 use eigenshade_model::source::{NamedGloss, SetError};
 use eigenshade_shading::{highlights, shipped};
+use eigenshade_sources::response::Glossy;
+use eigenshade_sources::view::View;
 use experiments::highlights::{Row, errors, glosses, parts, remaining};
+use experiments::numbers::median;
 use experiments::pages::filled;
 use indicatif::ProgressBar;
 use std::fs;
@@ -93,6 +101,66 @@ fn errors_of_sets_hold_under_another_view() {
         "{over} of {count}, {:?}",
         shares.last()
     );
+}
+
+/// The error of a scene with chosen sources, of what is stated.
+const OF_STATED: f64 = 1.2;
+
+/// Sources and terms chosen together by the runtime: pictures in f32 against direct integration of
+/// the whole map, for metals between those whose errors the sets have.
+#[test]
+fn scenes_with_sources_are_within_their_tolerance() {
+    let (mut ratios, mut within) = (Vec::new(), 0);
+    for name in ["studio", "sunset", "city", "bridge", "venice"] {
+        let view = View::new(&shipped_map(name), None, sphere::DEGREE).unwrap();
+        let disc = view.sphere(0.12);
+        let normals = &disc.normals;
+        let (_, light) = light::ALL.into_iter().find(|(other, _)| *other == name).unwrap();
+        let (_, sets) = sources::SETS.into_iter().find(|(other, _)| *other == name).unwrap();
+        for roughness in [0.15, 0.25, 0.35, 0.5] {
+            let metal = Glossy::new([roughness, 1.0, 0.0], &[]).unwrap();
+            let reference = view.pictures(&metal, normals).reference;
+            let projected = project_orders(&*metal.brdf, &[sphere::ORDER], Measure::default());
+            let coefficients: Vec<f32> =
+                projected[0].coefficients.iter().map(|&number| number as f32).collect();
+            let material = Material::new(&coefficients).unwrap();
+            let gloss = Gloss::new(roughness as f32, [1.0; 3], [0.0; 3]).unwrap();
+            let project = |taken: &[_]| {
+                let rest = light.residual::<SinglePrecision, { sphere::LIGHT }>(taken)?;
+                rest.lights()?.try_map(|light| sphere::project(&light, &material))
+            };
+            for share in [0.05, 0.02, 0.01] {
+                let tolerance = Tolerance::OfPeak(share as f32);
+                let (mut lengths, mut room) = ([0; sphere::DEGREE + 1], [0.0; 3 * sphere::SCENE]);
+                let chosen = sphere::BASIS
+                    .collapse_sources_within(
+                        sets,
+                        &gloss,
+                        tolerance,
+                        project,
+                        &mut lengths,
+                        &mut room,
+                    )
+                    .unwrap();
+                let lobes =
+                    Highlights::<f32, 16>::new::<SinglePrecision>(&gloss, chosen.sources).unwrap();
+                let of = |&[x, y, z]: &[f64; 3]| {
+                    let normal = Normal::new(x as f32, y as f32, z as f32).unwrap();
+                    let both = chosen.scenes.each_ref().zip(lobes.shade(normal));
+                    <[f64; 3]>::from(both.map(|(scene, lobe)| (scene.shade(normal) + lobe).into()))
+                };
+                let colors: Vec<[f64; 3]> = normals.iter().map(of).collect();
+                let found = [0, 1, 2].map(|c: usize| colors.iter().map(|one| one[c]).collect());
+                let rms = disc.error(&found, &reference);
+                let stated = f64::from(chosen.error);
+                assert!(rms <= OF_STATED * stated, "{name} {roughness} {share}: {rms} {stated}");
+                ratios.push(rms / stated);
+                within += usize::from(stated <= share);
+            }
+        }
+    }
+    assert!(ratios.len() == 60 && within >= 40, "{within}");
+    assert!(median(&ratios) <= 0.8, "{}", median(&ratios));
 }
 
 #[test]

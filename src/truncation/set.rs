@@ -61,7 +61,7 @@ impl<'l> Shape<'l> {
     /// Completes the report of an image in this shape, converting squared errors into irradiances.
     fn settle<S: Scalar>(self, image: &[S], report: &mut Truncation<S>) {
         let (components, terms) = (report.left_out_by_components, report.left_out_by_terms);
-        let floor = left_out(image, image.len() - image.len().div_ceil(FLOOR), report);
+        let floor = floor(image, report);
         let unit = report.unit();
         let irradiance = |square| Libm::square_root(square) * unit;
         *report = Truncation {
@@ -243,6 +243,11 @@ fn needed<S: Scalar>(image: &[S], report: &Truncation<S>) -> usize {
         !within
     });
     last.map_or(0, |last| last + 1)
+}
+
+/// The squared error of the table, as estimated: see [`Truncation::floor`].
+pub(super) fn floor<S: Scalar>(image: &[S], report: &Truncation<S>) -> S {
+    left_out(image, image.len() - image.len().div_ceil(FLOOR), report)
 }
 
 /// The squared error if this many components are kept.

@@ -16,3 +16,7 @@ pub const SMOOTHEST: f64 = 0.065;
 
 /// The roughness of the metals whose errors a set has.
 pub const ROUGHNESS: [f64; 6] = [0.1, 0.2, 0.3, 0.4, 0.5, 0.6];
+
+/// Products of a pixel in color for one source: 3 of its cosine, 11 of the lobe, 4 of masking, 6 in
+/// color, and 7 of a root.
+pub const PRODUCTS: usize = 3 + 11 + 4 + 6 + 7;

@@ -6,7 +6,7 @@ use eigenshade::mathematics::Libm;
 use eigenshade::{Effect, Highlights, Scalar};
 use eigenshade_cli::messages::print_message;
 use eigenshade_cli::sharpness::{Choice, Known, Sharpness, matte_note, shipped_note};
-use eigenshade_index::highlights::MAX_SOURCES;
+use eigenshade_index::highlights::{MAX_SOURCES, PRODUCTS};
 use eigenshade_model::database::{Lights, Materials};
 use eigenshade_model::error::{Error, Result};
 use eigenshade_model::source::{Gloss, Source};
@@ -19,10 +19,6 @@ pub struct HighlightInputs {
     gloss: Gloss,
     sources: Vec<Source>,
 }
-
-/// Products of `Highlights::shade` for one source: 3 of its cosine, 11 of the lobe, 4 of masking, 6
-/// in color, and 7 of a root.
-const OF_SOURCE: usize = 3 + 11 + 4 + 6 + 7;
 
 /// The shipped tables that a tolerance chooses from, with degree and order.
 const TABLES: [(&str, (usize, usize)); 2] = [("color", (9, 7)), ("pbr", (12, 12))];
@@ -58,7 +54,7 @@ pub fn within(
         let read = table.read(memory)?;
         let size = (read.gram.degree.min(degree), read.gram.order.min(order));
         let choice = sharpness.fewest(size, &gloss, tolerance)?;
-        let products = 3 * read.terms() + OF_SOURCE * choice.most;
+        let products = 3 * read.terms() + PRODUCTS * choice.most;
         let is_better = best.as_ref().is_none_or(|(least, other, ..)| {
             match (choice.error <= tolerance, other.error <= tolerance) {
                 (true, true) => products < *least,

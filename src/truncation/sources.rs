@@ -1,0 +1,178 @@
+//! The number of sources of a light and the terms of its harmonics, chosen together.
+
+use super::report::{Tolerance, Truncation, larger, peak};
+use super::set::{Shape, floor};
+use crate::basis::Basis;
+use crate::color::Rgb;
+use crate::error::{Argument, Error};
+use crate::gloss::Gloss;
+use crate::index::highlights::PRODUCTS;
+use crate::lanes::{rows, rows_mut};
+use crate::mathematics::{Libm, Mathematics};
+use crate::scalar::Scalar;
+use crate::scene::Scene;
+use crate::source::Source;
+use crate::source_set::SourceSet;
+
+/// The least share of the squared tolerance that a set leaves to terms. With less, rounding would
+/// decide what they may lose.
+const LEAST: f64 = 1e-4;
+
+/// The scenes of a glossy material in three channels, and the sources to be added: see
+/// [`Basis::collapse_sources_within`].
+#[derive(Clone, Debug)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct GlossyScenes<'l, 'b, 's, S> {
+    /// The scenes of the light without the sources.
+    pub scenes: Rgb<Scene<'l, &'b [S]>>,
+    /// The shape of the scenes, for other lights or materials.
+    pub shape: Shape<'l>,
+    /// The sources, for [`Highlights`](crate::Highlights).
+    pub sources: &'s [Source<S>],
+    /// The cost of each scene, and its bound against the scene of all terms.
+    pub reports: Rgb<Truncation<S>>,
+    /// An estimate of the error against the whole light, without degree or order: root mean square
+    /// over normals and channels, relative to the peak. Greater than the tolerance if no set of
+    /// sources is that near.
+    ///
+    /// Metals under the shipped lights that have maps, with the shipped table, have at most 1.2
+    /// times this error, and less than 0.8 times in the median.
+    pub error: S,
+}
+
+/// Sources, the square of the error that they and the table leave, and what terms may leave out.
+#[derive(Clone, Copy)]
+struct Chosen<'s, S> {
+    sources: &'s [Source<S>],
+    error: S,
+    of_terms: Tolerance<S>,
+}
+
+impl<'a, S: Scalar> Basis<'a, S> {
+    /// Computes the scenes of a glossy material in three channels under a light with small sources,
+    /// within a tolerance of the picture under the whole light. The number of sources and the terms
+    /// are chosen together: the fewest multiply-adds for a pixel, a source counted as
+    /// [`PRODUCTS`](crate::index::highlights::PRODUCTS).
+    ///
+    /// `sets` are those of the light, such as `presets::sources::STUDIO`, in order of their number
+    /// of sources; the first may have none. `project` gives the coefficients of each channel under
+    /// the light without the given sources. It is called several times, also with no sources.
+    ///
+    /// What a set leaves ([`SourceSet::error`]), the table ([`Truncation::floor`]) and the terms
+    /// are taken as independent, so their squares add: the less a set leaves, the more terms may
+    /// go. If all sets leave more than the tolerance, the one that leaves least is taken, and
+    /// [`error`](GlossyScenes::error) says how much. A material that [needs no
+    /// sources](Gloss::needs_sources) gets the first set. The peak is that of the scenes without
+    /// sources, in which highlights are dim, so the true error is mostly smaller.
+    ///
+    /// `buffer` needs room for three scenes, each of [`scene_len`](Self::scene_len), and `lengths`
+    /// for [`azimuths`](Self::azimuths).
+    ///
+    /// Set-up cost: three projections, and three of
+    /// [`collapse_within`](Self::collapse_within) with their projections for each set that is
+    /// tried, and again for the chosen one.
+    ///
+    /// ```
+    /// # #[cfg(all(feature = "baked", feature = "presets"))] {
+    /// use eigenshade::mathematics::SinglePrecision;
+    /// use eigenshade::presets::{gloss, light::STUDIO, material::GOLD_METALLIC_PAINT, sources};
+    /// use eigenshade::{Highlights, Normal, Tolerance, sphere};
+    ///
+    /// let project = |sources: &[_]| {
+    ///     let rest = STUDIO.residual::<SinglePrecision, { sphere::LIGHT }>(sources)?;
+    ///     let channels = rest.lights()?.zip(GOLD_METALLIC_PAINT);
+    ///     channels.try_map(|(light, material)| sphere::project(&light, &material))
+    /// };
+    /// let (sets, gold) = (&sources::STUDIO, &gloss::GOLD_METALLIC_PAINT);
+    /// let tolerance = Tolerance::OfPeak(0.02);
+    /// let (mut lengths, mut buffer) = ([0; sphere::DEGREE + 1], [0.0; 3 * sphere::SCENE]);
+    /// let chosen = sphere::BASIS
+    ///     .collapse_sources_within(sets, gold, tolerance, project, &mut lengths, &mut buffer)?;
+    ///
+    /// assert_eq!(chosen.sources.len(), 1);
+    /// assert!(chosen.shape.terms() < sphere::SCENE / 2 && chosen.error < 0.02);
+    /// let highlights = Highlights::<f32, 16>::new::<SinglePrecision>(gold, chosen.sources)?;
+    /// let normal = Normal::new(0.0, 0.0, 1.0)?;
+    /// assert!(chosen.scenes.r.shade(normal) + highlights.shade(normal).r > 0.0);
+    /// # }
+    /// # Ok::<(), eigenshade::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    ///
+    /// Those of [`collapse_set_within`](Self::collapse_set_within) and of `project`;
+    /// [`Error::Length`] if there are no sets.
+    pub fn collapse_sources_within<'l, 'b, 's, C: AsRef<[S]>>(
+        &self,
+        sets: &[SourceSet<'s, S>],
+        gloss: &Gloss<S>,
+        tolerance: Tolerance<S>,
+        project: impl Fn(&[Source<S>]) -> Result<Rgb<C>, Error>,
+        lengths: &'l mut [u16],
+        buffer: &'b mut [S],
+    ) -> Result<GlossyScenes<'l, 'b, 's, S>, Error>
+    where
+        'a: 'l,
+    {
+        Error::check(Argument::Sources, sets.len().max(1), sets.len())?;
+        let sets = if gloss.needs_sources() { sets } else { sets.get(..1).unwrap_or(sets) };
+        let (count, len) = (3, self.scene_len());
+        Error::check(Argument::Scene, count * len, buffer.len())?;
+        let mut whole = Truncation::default();
+        for (image, numbers) in <[C; 3]>::from(project(&[])?).iter().zip(rows_mut(buffer, len)) {
+            whole.peak = larger(whole.peak, peak(&self.collapse_into(image.as_ref(), numbers)?));
+        }
+        // Squares in units of the peak.
+        let allowed = whole.allowed(tolerance)?;
+        let mut reports = [Truncation::default(); 3];
+        let (mut nearest, mut best) = (None, None);
+        for set in sets {
+            let of_sources = PRODUCTS * set.sources().len();
+            let least = best.map_or(usize::MAX, |(products, _)| products);
+            if of_sources >= least {
+                continue;
+            }
+            let images: [C; 3] = project(set.sources())?.into();
+            let error = set.error(gloss) * whole.peak * whole.scale();
+            let of_table = mean(images.each_ref().map(|image| floor(image.as_ref(), &whole)));
+            let error = of_table.add_product(error, error);
+            if nearest.is_none_or(|one: Chosen<'s, S>| error < one.error) {
+                nearest = Some(Chosen { sources: set.sources(), error, of_terms: tolerance });
+            }
+            let rest = allowed - error;
+            if !(rest > S::from_f64(LEAST) * allowed) {
+                continue;
+            }
+            let of_terms = Tolerance::Irradiance(Libm::square_root(rest) * whole.unit());
+            let shape =
+                self.collapse_set_within(&images, count, of_terms, lengths, buffer, &mut reports)?;
+            let products = of_sources + count * shape.terms();
+            if products < least {
+                best = Some((products, Chosen { sources: set.sources(), error, of_terms }));
+            }
+        }
+        let none = Error::Length { argument: Argument::Sources, expected: 1, found: 0 };
+        let chosen = best.map(|(_, chosen)| chosen).or(nearest).ok_or(none)?;
+        let Chosen { sources, error, of_terms } = chosen;
+        let images: [C; 3] = project(sources)?.into();
+        let shape =
+            self.collapse_set_within(&images, count, of_terms, lengths, buffer, &mut reports)?;
+        let of_terms = mean(reports.map(|report| {
+            let bound = report.bound * whole.scale();
+            bound * bound
+        }));
+        let mut scenes = rows(&*buffer, len).map(|numbers| shape.scene(numbers));
+        let mut scene = || scenes.next().unwrap_or_else(|| shape.scene(&[][..]));
+        Ok(GlossyScenes {
+            scenes: Rgb::new(scene()?, scene()?, scene()?),
+            shape,
+            sources,
+            reports: reports.into(),
+            error: Libm::square_root(error + of_terms),
+        })
+    }
+}
+
+fn mean<S: Scalar>([r, g, b]: [S; 3]) -> S {
+    (r + g + b) * S::from_f64(1.0 / 3.0)
+}
