@@ -121,7 +121,7 @@ fn scenes_are_those_of_the_rest_of_the_light() {
         let chosen = chosen.unwrap();
         assert!(!chosen.sources.is_empty() && chosen.shape.terms() < sphere::SCENE);
         let d = projected(light::STUDIO, &metal.0, chosen.sources).unwrap();
-        let channels = <[_; 3]>::from(chosen.scenes.clone().zip(chosen.reports).zip(d));
+        let channels = <[_; 3]>::from(chosen.scenes.zip(chosen.reports).zip(d));
         for ((scene, report), d) in channels {
             assert_eq!(report.terms, chosen.shape.terms());
             let room = [0.0; sphere::SCENE];

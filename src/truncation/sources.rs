@@ -20,7 +20,7 @@ const LEAST: f64 = 1e-4;
 
 /// The scenes of a glossy material in three channels, and the sources to be added: see
 /// [`Basis::collapse_sources_within`].
-#[derive(Clone, Debug)]
+#[derive(Clone, Copy, Debug)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct GlossyScenes<'l, 'b, 's, S> {
     /// The scenes of the light without the sources.
@@ -140,7 +140,8 @@ impl<'a, S: Scalar> Basis<'a, S> {
                 nearest = Some(Chosen { sources: set.sources(), error, of_terms: tolerance });
             }
             let rest = allowed - error;
-            if !(rest > S::from_f64(LEAST) * allowed) {
+            let is_near = rest > S::from_f64(LEAST) * allowed;
+            if !is_near {
                 continue;
             }
             let of_terms = Tolerance::Irradiance(Libm::square_root(rest) * whole.unit());

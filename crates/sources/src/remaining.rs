@@ -105,10 +105,11 @@ pub fn picture(
     let turned = turned.iter().map(highlights::source).collect::<Result<Vec<_>>>()?;
     let lobes = Highlights::<f64, MAX_SOURCES>::new::<Libm>(&highlights::gloss(gloss)?, &turned);
     let lobes = lobes.map_err(fault)?;
+    let images = [0, 1, 2].map(|c: usize| responses[c].under(&rest[c]));
     let color = |k: usize| {
         let [x, y, z] = sphere.normals[k];
         let lit: [f64; 3] = lobes.shade(Normal::new(x, y, z).map_err(fault)?).into();
-        let smooth = [0, 1, 2].map(|c: usize| responses[c].irradiance([x, y, z], &rest[c]));
+        let smooth = images.each_ref().map(|image| image.irradiance([x, y, z]));
         Ok([0, 1, 2].map(|c: usize| smooth[c] + lit[c]))
     };
     let colors = parallel::map(sphere.normals.len(), &(), color);

@@ -49,32 +49,73 @@ impl Response {
         self.degree
     }
 
-    /// The irradiance under each harmonic at a unit normal with z >= 0, by barycentric
-    /// interpolation at Chebyshev points.
+    /// The irradiance under each harmonic at a unit normal with z >= 0.
     #[must_use]
-    pub fn at(&self, [x, y, z]: [f64; 3]) -> Vec<f64> {
-        let (slant, tilt) = (x.hypot(y).atan2(z), y.atan2(x));
-        let mut sums = vec![0.0; light::count(self.degree)];
-        let mut total = 0.0;
-        for (k, (node, values)) in self.nodes.iter().enumerate() {
-            let apart = slant - node;
-            // At a node, its weight exceeds all others by far.
-            let apart = if apart.abs() < 1e-14 { 1e-14 } else { apart };
-            let weight = if k % 2 == 0 { angle(k).sin() } else { -angle(k).sin() } / apart;
-            total += weight;
-            sums.iter_mut().zip(values).for_each(|(sum, value)| *sum += weight * value);
+    pub fn at(&self, normal: [f64; 3]) -> Vec<f64> {
+        let (mut values, waves) = interpolated(&self.nodes, normal, self.degree);
+        for ((_, m), value) in light::indices(self.degree).zip(&mut values) {
+            *value *= waves[place(m, self.degree)];
         }
-        for ((_, m), sum) in light::indices(self.degree).zip(&mut sums) {
-            *sum *= azimuth(m, tilt) / total;
-        }
-        sums
+        values
     }
 
-    /// The irradiance under a light.
+    /// The image under a light of the same degree.
     #[must_use]
-    pub fn irradiance(&self, normal: [f64; 3], light: &[f64]) -> f64 {
-        self.at(normal).iter().zip(light).map(|(response, light)| response * light).sum()
+    pub fn under(&self, light: &[f64]) -> Image {
+        let profiles = |(slant, values): &(f64, Vec<f64>)| {
+            let mut profiles = vec![0.0; 2 * self.degree + 1];
+            for (((_, m), value), light) in light::indices(self.degree).zip(values).zip(light) {
+                profiles[place(m, self.degree)] += value * light;
+            }
+            (*slant, profiles)
+        };
+        Image { degree: self.degree, nodes: self.nodes.iter().map(profiles).collect() }
     }
+}
+
+/// The image of a material under one light.
+#[derive(Clone, Debug)]
+pub struct Image {
+    degree: usize,
+    /// Slants, and for each the factor of each azimuth.
+    nodes: Vec<(f64, Vec<f64>)>,
+}
+
+impl Image {
+    /// The irradiance at a unit normal with z >= 0.
+    #[must_use]
+    pub fn irradiance(&self, normal: [f64; 3]) -> f64 {
+        let (profiles, waves) = interpolated(&self.nodes, normal, self.degree);
+        profiles.iter().zip(&waves).map(|(profile, wave)| profile * wave).sum()
+    }
+}
+
+/// The place of an order of the azimuth among those from -`degree` to `degree`.
+fn place(m: isize, degree: usize) -> usize {
+    degree.wrapping_add_signed(m)
+}
+
+/// What the nodes hold, at the slant of a normal, by barycentric interpolation at Chebyshev points;
+/// and the azimuths at its tilt, from -`degree` to `degree`.
+fn interpolated(
+    nodes: &[(f64, Vec<f64>)],
+    [x, y, z]: [f64; 3],
+    degree: usize,
+) -> (Vec<f64>, Vec<f64>) {
+    let (slant, tilt) = (x.hypot(y).atan2(z), y.atan2(x));
+    let mut sums = vec![0.0; nodes.first().map_or(0, |(_, values)| values.len())];
+    let mut total = 0.0;
+    for (k, (node, values)) in nodes.iter().enumerate() {
+        let apart = slant - node;
+        // At a node, its weight exceeds all others by far.
+        let apart = if apart.abs() < 1e-14 { 1e-14 } else { apart };
+        let weight = if k % 2 == 0 { angle(k).sin() } else { -angle(k).sin() } / apart;
+        total += weight;
+        sums.iter_mut().zip(values).for_each(|(sum, value)| *sum += weight * value);
+    }
+    sums.iter_mut().for_each(|sum| *sum /= total);
+    let highest = degree as isize;
+    (sums, (-highest..=highest).map(|m| azimuth(m, tilt)).collect())
 }
 
 fn angle(node: usize) -> f64 {

@@ -2,7 +2,7 @@
 
 use crate::light_tree::LightTree;
 use crate::mirrored;
-use crate::response::Glossy;
+use crate::response::{Glossy, Image};
 use crate::sphere::{Picture, Sphere};
 use eigenshade_generator::light::environment::EnvironmentMap;
 use eigenshade_generator::light::projection::project;
@@ -86,13 +86,16 @@ impl View {
     /// Pictures of a material at these normals.
     #[must_use]
     pub fn pictures(&self, material: &Glossy, normals: &[[f64; 3]]) -> Pictures {
+        let images: Vec<[Image; 3]> = material
+            .responses
+            .iter()
+            .map(|response| self.light.each_ref().map(|light| response.under(light)))
+            .collect();
         let found = parallel::map(normals.len(), &(), |k| {
             let reference = self.tree.irradiance(&*material.brdf, normals[k], 1.0)[0];
-            let truncated = material.responses.iter().map(|response| {
-                let response = response.at(normals[k]);
-                let of = |light: &Vec<f64>| response.iter().zip(light).map(|(r, l)| r * l).sum();
-                [0, 1, 2].map(|c: usize| of(&self.light[c]))
-            });
+            let truncated = images
+                .iter()
+                .map(|images| images.each_ref().map(|image| image.irradiance(normals[k])));
             (reference, truncated.collect::<Vec<[f64; 3]>>())
         });
         let reference =

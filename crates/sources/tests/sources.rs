@@ -50,6 +50,8 @@ fn responses_are_those_of_the_direct_sum() {
     let material = projection::project(&brdf, 12, Measure::default()).coefficients;
     let response = Response::new((12, 12), &material);
     let sum = DirectSum::new(12, 12);
+    let of_all: Vec<f64> = (0..169).map(|k| f64::from(k * 7 % 19) - 9.0).collect();
+    let image = response.under(&of_all);
     let (mut most, mut largest) = (0.0_f64, 0.0_f64);
     for k in 0..40 {
         let (slant, tilt) = (0.04 * f64::from(k), 2.4 * f64::from(k));
@@ -63,6 +65,9 @@ fn responses_are_those_of_the_direct_sum() {
             most = most.max((found - expected).abs());
             largest = largest.max(expected.abs());
         }
+        let expected = modes.irradiance(&of_all, &scattered);
+        most = most.max((image.irradiance(normal) - expected).abs());
+        largest = largest.max(expected.abs());
     }
     println!("{:e}", most / largest);
     assert!(most <= INTERPOLATED * largest, "{most:e} {largest:e}");
