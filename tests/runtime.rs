@@ -75,13 +75,6 @@ fn generated_kernels_agree_with_the_general_way() {
 }
 
 #[test]
-fn capacities_are_the_basiss() {
-    assert_eq!(sphere::WORKSPACE, sphere::BASIS.workspace_len());
-    assert_eq!(sphere::TRANSFER, sphere::BASIS.transfer_len());
-    assert_eq!(sphere::SCENE, sphere::BASIS.scene_len());
-}
-
-#[test]
 fn arguments_beyond_the_table_are_errors() {
     use eigenshade::{Argument, Error, Light, Material, Normal, Normals};
     let (many, few) = (vec![0.0f32; 121], vec![0.0f32; 55]);

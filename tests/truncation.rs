@@ -85,19 +85,6 @@ fn bounds_hold_and_are_near_over_the_shipped_set() {
 /// Σ |b| = 2 f, f = 1/π.
 const MATTE: [f32; 1] = [2.0];
 
-#[test]
-fn a_matte_costs_nine_terms() {
-    let light: Vec<f32> = (0..9).map(|k| 3.5 / (1.0 + k as f32)).collect();
-    let d = coefficients(&light, &MATTE);
-    let mut lengths = [0; 16];
-    let (scene, report) = truncated(&d, Tolerance::OfPeak(1e-2), &mut lengths);
-    println!("{report:?}");
-    assert!(report.terms <= 9 && report.azimuths <= 3, "{report:?}");
-    let rule = rule();
-    let image = Image::new(&d, &rule);
-    assert!(image.apart(&scene, &rule) <= 1e-2 * image.peak);
-}
-
 /// Irradiance of a white matte, over π: Ramamoorthi and Hanrahan (2001), whose factors of
 /// degree 0, 1 and 2 are π, 2π/3 and π/4, in the harmonics of docs/conventions.md.
 fn nine_terms(light: &[f32], [x, y, z]: [f64; 3]) -> f64 {

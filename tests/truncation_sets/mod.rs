@@ -1,6 +1,7 @@
 //! Sets of images in one shape: each is within its tolerance, its bound holds and is near the
 //! error, and no azimuth could lose another term.
 
+use crate::invariants::TRUNCATED_PARTS;
 use crate::tolerances;
 use eigenshade_testing::{assert_stated, images};
 
@@ -23,10 +24,6 @@ const PARSEVAL: f64 = 1e-12;
 /// The same of the images of a set in one shape, most of which are off by less than they may be:
 /// their bounds are of what they lack all the same.
 const MEDIAN_BOUND_TO_ERROR: f64 = 1.1;
-
-/// A bound against its parts, and what components are said to leave out against the sum of their
-/// squares, of the bound: roundings of f32 of sums of some hundred squares.
-const TRUNCATED_PARTS: f64 = 2e-6;
 
 const METHOD: &str = include_str!("../../docs/method.md");
 

@@ -80,7 +80,6 @@ pub fn floats(basis: &Basis<'_, f32>) -> (Vec<f32>, f32) {
     if !basis.projects() {
         return (d, 0.0);
     }
-    basis.project_into(&light, &material, &mut workspace, &mut d).expect("sizes");
     let mut transfer = vec![0.0; basis.transfer_len()];
     basis.transfer_into(&material, &mut workspace, &mut transfer).expect("sizes");
     basis.relight_into(&transfer, &light, &mut d).expect("sizes");

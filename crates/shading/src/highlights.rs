@@ -4,7 +4,6 @@ use crate::shader::fault;
 use eigenshade::mathematics::Libm;
 use eigenshade::{Scalar, SourceSet};
 use eigenshade_index::light;
-use eigenshade_model::database::Lights;
 use eigenshade_model::error::Result;
 use eigenshade_model::source::{Gloss, SetError, SetErrors, Source};
 
@@ -52,17 +51,15 @@ pub fn harmonics<S: Scalar>(of: &Source, degree: usize) -> Result<Vec<S>> {
     Ok(harmonics.map_err(fault)?.to_vec())
 }
 
-/// Takes sources out of the first light.
+/// Takes sources out of the channels of a light of a degree.
 ///
 /// # Errors
 ///
 /// As [`harmonics`].
-pub fn take_out(lights: &mut Lights, sources: &[Source]) -> Result<()> {
-    let Lights { degree, entries } = lights;
+pub fn take_out(rgb: &mut [Vec<f64>; 3], degree: usize, sources: &[Source]) -> Result<()> {
     for source in sources {
-        let harmonics = harmonics::<f64>(source, *degree)?;
-        let channels = entries.iter_mut().take(1).flat_map(|light| &mut light.rgb);
-        for (channel, energy) in channels.zip(source.energy) {
+        let harmonics = harmonics::<f64>(source, degree)?;
+        for (channel, energy) in rgb.iter_mut().zip(source.energy) {
             channel.iter_mut().zip(&harmonics).for_each(|(to, y)| *to -= energy * y);
         }
     }

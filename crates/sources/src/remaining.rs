@@ -1,6 +1,6 @@
 //! The errors that sources leave: pictures of metals against direct integration of the whole map.
 
-use crate::response::{Glossy, Response};
+use crate::response::{Glossy, Place, Response};
 use crate::sphere::{Picture, Sphere, peak};
 use crate::view::View;
 use eigenshade::mathematics::Libm;
@@ -96,12 +96,7 @@ pub fn picture(
     let degree = responses[0].degree();
     let mut rest = view.light().each_ref().map(|light| light[..light::count(degree)].to_vec());
     let turned = sets.of_most(most).iter().map(|source| view.turned(source)).collect::<Vec<_>>();
-    for source in &turned {
-        let harmonics = highlights::harmonics::<f64>(source, degree)?;
-        for (channel, energy) in rest.iter_mut().zip(source.energy) {
-            channel.iter_mut().zip(&harmonics).for_each(|(to, y)| *to -= energy * y);
-        }
-    }
+    highlights::take_out(&mut rest, degree, &turned)?;
     let turned = turned.iter().map(highlights::source).collect::<Result<Vec<_>>>()?;
     let lobes = Highlights::<f64, MAX_SOURCES>::new::<Libm>(&highlights::gloss(gloss)?, &turned);
     let lobes = lobes.map_err(fault)?;
@@ -109,7 +104,8 @@ pub fn picture(
     let color = |k: usize| {
         let [x, y, z] = sphere.normals[k];
         let lit: [f64; 3] = lobes.shade(Normal::new(x, y, z).map_err(fault)?).into();
-        let smooth = images.each_ref().map(|image| image.irradiance([x, y, z]));
+        let at = Place::new([x, y, z], degree);
+        let smooth = images.each_ref().map(|image| image.irradiance(&at));
         Ok([0, 1, 2].map(|c: usize| smooth[c] + lit[c]))
     };
     let colors = parallel::map(sphere.normals.len(), &(), color);

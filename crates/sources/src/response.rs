@@ -17,8 +17,8 @@ const NODES: usize = 64;
 #[derive(Clone, Debug)]
 pub struct Response {
     degree: usize,
-    /// Slants, and for each the irradiance at tilt 0 of each harmonic without its azimuth.
-    nodes: Vec<(f64, Vec<f64>)>,
+    /// For each slant the irradiance at tilt 0 of each harmonic without its azimuth.
+    nodes: Vec<Vec<f64>>,
 }
 
 impl Response {
@@ -27,7 +27,7 @@ impl Response {
     pub fn new((degree, order): (usize, usize), material: &[f64]) -> Self {
         let sum = DirectSum::new(degree, order);
         let node = |k: usize| {
-            let slant = 0.5 * FRAC_PI_2 * (1.0 - angle(k).cos());
+            let slant = slant(k);
             let modes = sum.at([slant.sin(), 0.0, slant.cos()]);
             let scattered = modes.scatter(material);
             let mut values = vec![0.0; light::count(degree)];
@@ -38,7 +38,7 @@ impl Response {
                 let profile = modes.profile(&of_degree, &scattered);
                 values[l * l..light::count(l)].copy_from_slice(&profile[degree - l..=degree + l]);
             }
-            (slant, values)
+            values
         };
         Self { degree, nodes: (0..NODES).into_par_iter().map(node).collect() }
     }
@@ -49,25 +49,25 @@ impl Response {
         self.degree
     }
 
-    /// The irradiance under each harmonic at a unit normal with z >= 0.
+    /// The irradiance under each harmonic at a normal.
     #[must_use]
-    pub fn at(&self, normal: [f64; 3]) -> Vec<f64> {
-        let (mut values, waves) = interpolated(&self.nodes, normal, self.degree);
+    pub fn at(&self, at: &Place) -> Vec<f64> {
+        let mut values = at.interpolated(&self.nodes);
         for ((_, m), value) in light::indices(self.degree).zip(&mut values) {
-            *value *= waves[place(m, self.degree)];
+            *value *= at.wave(m);
         }
         values
     }
 
-    /// The image under a light of the same degree.
+    /// The image under a light of the same degree or a higher one.
     #[must_use]
     pub fn under(&self, light: &[f64]) -> Image {
-        let profiles = |(slant, values): &(f64, Vec<f64>)| {
+        let profiles = |values: &Vec<f64>| {
             let mut profiles = vec![0.0; 2 * self.degree + 1];
             for (((_, m), value), light) in light::indices(self.degree).zip(values).zip(light) {
-                profiles[place(m, self.degree)] += value * light;
+                profiles[self.degree.wrapping_add_signed(m)] += value * light;
             }
-            (*slant, profiles)
+            profiles
         };
         Image { degree: self.degree, nodes: self.nodes.iter().map(profiles).collect() }
     }
@@ -77,49 +77,66 @@ impl Response {
 #[derive(Clone, Debug)]
 pub struct Image {
     degree: usize,
-    /// Slants, and for each the factor of each azimuth.
-    nodes: Vec<(f64, Vec<f64>)>,
+    /// For each slant the factor of each azimuth, from -degree to degree.
+    nodes: Vec<Vec<f64>>,
 }
 
 impl Image {
-    /// The irradiance at a unit normal with z >= 0.
+    /// The irradiance at a normal.
     #[must_use]
-    pub fn irradiance(&self, normal: [f64; 3]) -> f64 {
-        let (profiles, waves) = interpolated(&self.nodes, normal, self.degree);
-        profiles.iter().zip(&waves).map(|(profile, wave)| profile * wave).sum()
+    pub fn irradiance(&self, at: &Place) -> f64 {
+        let highest = self.degree as isize;
+        let profiles = at.interpolated(&self.nodes);
+        profiles.iter().zip(-highest..).map(|(profile, m)| profile * at.wave(m)).sum()
     }
 }
 
-/// The place of an order of the azimuth among those from -`degree` to `degree`.
-fn place(m: isize, degree: usize) -> usize {
-    degree.wrapping_add_signed(m)
+/// A normal, for responses and images of up to a degree.
+#[derive(Clone, Debug)]
+pub struct Place {
+    /// The weights of the nodes at its slant: barycentric interpolation at Chebyshev points.
+    weights: Vec<f64>,
+    /// The azimuths at its tilt, from -degree to degree.
+    waves: Vec<f64>,
 }
 
-/// What the nodes hold, at the slant of a normal, by barycentric interpolation at Chebyshev points;
-/// and the azimuths at its tilt, from -`degree` to `degree`.
-fn interpolated(
-    nodes: &[(f64, Vec<f64>)],
-    [x, y, z]: [f64; 3],
-    degree: usize,
-) -> (Vec<f64>, Vec<f64>) {
-    let (slant, tilt) = (x.hypot(y).atan2(z), y.atan2(x));
-    let mut sums = vec![0.0; nodes.first().map_or(0, |(_, values)| values.len())];
-    let mut total = 0.0;
-    for (k, (node, values)) in nodes.iter().enumerate() {
-        let apart = slant - node;
-        // At a node, its weight exceeds all others by far.
-        let apart = if apart.abs() < 1e-14 { 1e-14 } else { apart };
-        let weight = if k % 2 == 0 { angle(k).sin() } else { -angle(k).sin() } / apart;
-        total += weight;
-        sums.iter_mut().zip(values).for_each(|(sum, value)| *sum += weight * value);
+impl Place {
+    /// Of a unit normal with z >= 0.
+    #[must_use]
+    pub fn new([x, y, z]: [f64; 3], degree: usize) -> Self {
+        let (at, tilt) = (x.hypot(y).atan2(z), y.atan2(x));
+        let weight = |k: usize| {
+            let apart = at - slant(k);
+            // At a node, its weight exceeds all others by far.
+            let apart = if apart.abs() < 1e-14 { 1e-14 } else { apart };
+            if k % 2 == 0 { angle(k).sin() / apart } else { -angle(k).sin() / apart }
+        };
+        let mut weights: Vec<f64> = (0..NODES).map(weight).collect();
+        let total: f64 = weights.iter().sum();
+        weights.iter_mut().for_each(|weight| *weight /= total);
+        let highest = degree as isize;
+        Self { weights, waves: (-highest..=highest).map(|m| azimuth(m, tilt)).collect() }
     }
-    sums.iter_mut().for_each(|sum| *sum /= total);
-    let highest = degree as isize;
-    (sums, (-highest..=highest).map(|m| azimuth(m, tilt)).collect())
+
+    fn wave(&self, m: isize) -> f64 {
+        self.waves[(self.waves.len() / 2).wrapping_add_signed(m)]
+    }
+
+    fn interpolated(&self, nodes: &[Vec<f64>]) -> Vec<f64> {
+        let mut sums = vec![0.0; nodes.first().map_or(0, Vec::len)];
+        for (weight, values) in self.weights.iter().zip(nodes) {
+            sums.iter_mut().zip(values).for_each(|(sum, value)| *sum += weight * value);
+        }
+        sums
+    }
 }
 
 fn angle(node: usize) -> f64 {
     PI * (node as f64 + 0.5) / NODES as f64
+}
+
+fn slant(node: usize) -> f64 {
+    0.5 * FRAC_PI_2 * (1.0 - angle(node).cos())
 }
 
 /// One channel of a GGX material, with its responses at several sizes.

@@ -1,7 +1,7 @@
 //! The normals at which sources are fitted, what truncated pictures lack there, and what a source
 //! would add.
 
-use crate::response::{Glossy, Response};
+use crate::response::{Glossy, Place, Response};
 use crate::view::View;
 use eigenshade::mathematics::Libm;
 use eigenshade::{Highlights, Normals, Rgb};
@@ -93,7 +93,9 @@ impl<'a> Sample<'a> {
                     let weights = chosen.iter().map(|&k| share(k) * (rms + most(k)) / rms);
                     sample.weights.extend(weights);
                     let rows = parallel::map(chosen.len(), &(), |row| {
-                        material.responses[size].at(sphere.normals[chosen[row]])
+                        let response = &material.responses[size];
+                        let normal = sphere.normals[chosen[row]];
+                        response.at(&Place::new(normal, response.degree()))
                     });
                     let columns = rows.first().map_or(0, Vec::len);
                     let axis = |a: usize| {

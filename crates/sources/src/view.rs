@@ -2,7 +2,7 @@
 
 use crate::light_tree::LightTree;
 use crate::mirrored;
-use crate::response::{Glossy, Image};
+use crate::response::{Glossy, Image, Place, Response};
 use crate::sphere::{Picture, Sphere};
 use eigenshade_generator::light::environment::EnvironmentMap;
 use eigenshade_generator::light::projection::project;
@@ -86,6 +86,7 @@ impl View {
     /// Pictures of a material at these normals.
     #[must_use]
     pub fn pictures(&self, material: &Glossy, normals: &[[f64; 3]]) -> Pictures {
+        let highest = material.responses.iter().map(Response::degree).max().unwrap_or(0);
         let images: Vec<[Image; 3]> = material
             .responses
             .iter()
@@ -93,9 +94,9 @@ impl View {
             .collect();
         let found = parallel::map(normals.len(), &(), |k| {
             let reference = self.tree.irradiance(&*material.brdf, normals[k], 1.0)[0];
-            let truncated = images
-                .iter()
-                .map(|images| images.each_ref().map(|image| image.irradiance(normals[k])));
+            let at = Place::new(normals[k], highest);
+            let truncated =
+                images.iter().map(|images| images.each_ref().map(|image| image.irradiance(&at)));
             (reference, truncated.collect::<Vec<[f64; 3]>>())
         });
         let reference =

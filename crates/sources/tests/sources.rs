@@ -5,7 +5,7 @@ use eigenshade_generator::material::brdf::{Ggx, Measure, projection};
 use eigenshade_model::reference::DirectSum;
 use eigenshade_model::source::Source;
 use eigenshade_sources::pursuit::{find, metals};
-use eigenshade_sources::response::Response;
+use eigenshade_sources::response::{Place, Response};
 
 /// Lamps of this radiance within an angle of these directions, on a dim sky.
 fn lamps(directions: &[[f64; 3]], angle: f64, radiance: f32) -> EnvironmentMap {
@@ -56,9 +56,10 @@ fn responses_are_those_of_the_direct_sum() {
     for k in 0..40 {
         let (slant, tilt) = (0.04 * f64::from(k), 2.4 * f64::from(k));
         let normal = [slant.sin() * tilt.cos(), slant.sin() * tilt.sin(), slant.cos().max(0.0)];
+        let at = Place::new(normal, 13);
         let modes = sum.at(normal);
         let scattered = modes.scatter(&material);
-        for (harmonic, found) in response.at(normal).into_iter().enumerate() {
+        for (harmonic, found) in response.at(&at).into_iter().enumerate() {
             let mut light = vec![0.0; 169];
             light[harmonic] = 1.0;
             let expected = modes.irradiance(&light, &scattered);
@@ -66,7 +67,7 @@ fn responses_are_those_of_the_direct_sum() {
             largest = largest.max(expected.abs());
         }
         let expected = modes.irradiance(&of_all, &scattered);
-        most = most.max((image.irradiance(normal) - expected).abs());
+        most = most.max((image.irradiance(&at) - expected).abs());
         largest = largest.max(expected.abs());
     }
     println!("{:e}", most / largest);

@@ -220,6 +220,6 @@ fn file(ending: &str, bytes: &[u8]) -> PathBuf {
 }
 
 /// The light database of a seed's scene.
-pub const LIGHTS: &str = "name,l,m,value\na,0,0,2\na,1,-1,0.5\na,1,0,1\na,1,1,-0.5\n";
+const LIGHTS: &str = "name,l,m,value\na,0,0,2\na,1,-1,0.5\na,1,0,1\na,1,1,-0.5\n";
 /// The material database of a seed's scene.
-pub const MATERIALS: &str = "name,o,p,q,value\nm,0,0,0,1\nn,0,0,0,0.5\n";
+const MATERIALS: &str = "name,o,p,q,value\nm,0,0,0,1\nn,0,0,0,0.5\n";

@@ -101,7 +101,7 @@ impl HighlightInputs {
             return Ok(None);
         }
         let sources = inputs.light.sources(light, most, memory.of_file())?;
-        highlights::take_out(lights, &sources)?;
+        highlights::take_out(&mut lights.entries[0].rgb, lights.degree, &sources)?;
         Ok(Some(Self { gloss, sources }))
     }
 

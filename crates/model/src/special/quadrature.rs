@@ -45,27 +45,13 @@ pub struct Feature {
     pub scale: f64,
 }
 
-/// Ascending nodes and weights on \[low, high\].
+/// Ascending nodes and weights on \[low, high\], from a Gauss-Legendre rule on \[0, 1\].
 ///
-/// The rule consists of Gauss-Legendre rules of `count` nodes on panels. Next to a feature a panel
-/// is as wide as the feature's scale; the width doubles with the distance from it and never exceeds
-/// `widest`.
+/// The rule is repeated on panels. Next to a feature a panel is as wide as the feature's scale; the
+/// width doubles with the distance from it and never exceeds `widest`.
 ///
-/// A pole one scale away from its feature leaves an error of about 5^(-2 count) of the function's
-/// size.
-#[must_use]
-pub fn graded(
-    count: usize,
-    low: f64,
-    high: f64,
-    features: &[Feature],
-    widest: f64,
-) -> Vec<(f64, f64)> {
-    let unit = gauss_legendre(count, 0.0, 1.0);
-    spread(&unit, low, high, features, widest)
-}
-
-/// Like [`graded`], for a given Gauss-Legendre rule on \[0, 1\].
+/// A pole one scale away from its feature leaves an error of about 5^(-2 n) of the function's size,
+/// with n nodes in the rule.
 #[must_use]
 pub fn spread(
     unit: &[(f64, f64)],
