@@ -12,6 +12,7 @@ use crate::normal::Normal;
 use crate::scalar::Scalar;
 use crate::scene::Scene;
 use crate::{Window, quantized};
+use core::ops::Add;
 
 /// Red, green and blue: three lights, three materials, three irradiances.
 ///
@@ -79,6 +80,16 @@ impl<T: Copy> Rgb<T> {
     #[inline]
     pub const fn gray(value: T) -> Self {
         Self::new(value, value, value)
+    }
+}
+
+/// The sum in each channel, such as that of a scene and its [`Highlights`](crate::Highlights).
+impl<T: Add> Add for Rgb<T> {
+    type Output = Rgb<T::Output>;
+
+    #[inline]
+    fn add(self, other: Self) -> Self::Output {
+        self.zip(other).map(|(one, other)| one + other)
     }
 }
 

@@ -102,7 +102,7 @@ impl Rgb<f32> {
     }
 }
 
-/// Meters a picture for its exposure: the share of pixels brighter than white.
+/// Meters a picture for its exposure: how bright all but a share of its pixels are.
 ///
 /// ```
 /// use eigenshade::{Meter, Rgb};

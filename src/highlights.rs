@@ -48,7 +48,7 @@ const BLOCK: usize =
 /// # #[cfg(feature = "presets")] {
 /// use eigenshade::mathematics::SinglePrecision;
 /// use eigenshade::presets::light::LOBBY;
-/// use eigenshade::{Gloss, Highlights, Material, Normal, Rgb, Source, sphere};
+/// use eigenshade::{Gloss, Highlights, Material, Normal, Source, sphere};
 ///
 /// let (color, metallic, roughness) = ([0.93, 0.52, 0.38], 1.0, 0.25);
 /// let lamp = Source::round::<SinglePrecision>([0.0, 0.6, 0.8], [0.5; 3], 0.03)?;
@@ -60,10 +60,7 @@ const BLOCK: usize =
 ///
 /// let gloss = Gloss::metallic_roughness(color, metallic, roughness)?;
 /// let highlights = Highlights::<f32, 4>::new::<SinglePrecision>(&gloss, &[lamp])?;
-/// let color = |normal| {
-///     let (Rgb { r, g, b }, lamp) = (scene.shade(normal), highlights.shade(normal));
-///     Rgb::new(r + lamp.r, g + lamp.g, b + lamp.b)
-/// };
+/// let color = |normal| scene.shade(normal) + highlights.shade(normal);
 /// // Half-way between lamp and camera, and elsewhere.
 /// let mirrored = color(Normal::new(0.0, 0.316, 0.949)?);
 /// assert!(mirrored.r > 2.0 * color(Normal::new(0.0, -0.316, 0.949)?).r);

@@ -46,11 +46,16 @@ fn tried(
     let mean = |squares: [f32; 3]| squares.iter().sum::<f32>() / 3.0;
     let peak = collapse(&of(&[]), Tolerance::OfPeak(0.5)).1[0].peak;
     let images = of(set.sources());
-    let floors = collapse(&images, Tolerance::Irradiance(peak)).1.map(|report| report.floor);
+    let (_, alone) = collapse(&images, Tolerance::OfPeak(share));
+    let floors = alone.map(|report| report.floor);
     let error = set.error(gloss).powi(2) + mean(floors.map(|floor| (floor / peak).powi(2)));
     let rest = share * share - error;
     let found = (rest > 1e-4 * share * share).then(|| {
-        let (terms, reports) = collapse(&images, Tolerance::Irradiance(rest.sqrt() * peak));
+        let of_all = rest.sqrt() * peak;
+        let is_less = of_all < share * alone[0].peak;
+        let tolerance =
+            if is_less { Tolerance::Irradiance(of_all) } else { Tolerance::OfPeak(share) };
+        let (terms, reports) = collapse(&images, tolerance);
         let of_terms = mean(reports.map(|report| (report.bound / peak).powi(2)));
         (3 * terms + PRODUCTS * set.sources().len(), (error + of_terms).sqrt())
     });
@@ -98,13 +103,14 @@ fn no_other_set_takes_fewer_products() {
                         assert_eq!(products, expected, "{name}, {roughness}, {share}");
                         assert_eq!(chosen.sources, set.sources());
                         assert!((chosen.error - error).abs() <= ROUNDING);
-                        assert!(chosen.error <= share * (1.0 + ROUNDING));
+                        assert!(chosen.error <= share * (1.0 + ROUNDING) && chosen.is_within);
                         return;
                     }
                     let nearest = all.iter().min_by(|(_, (a, _)), (_, (b, _))| a.total_cmp(b));
                     let (set, (least, _)) = nearest.unwrap();
                     assert_eq!(chosen.sources, set.sources(), "{name}, {roughness}, {share}");
                     assert!(chosen.error >= *least && chosen.error > share * 0.99);
+                    assert!(!chosen.is_within);
                 });
             }
         }
@@ -124,6 +130,8 @@ fn scenes_are_those_of_the_rest_of_the_light() {
         let channels = <[_; 3]>::from(chosen.scenes.zip(chosen.reports).zip(d));
         for ((scene, report), d) in channels {
             assert_eq!(report.terms, chosen.shape.terms());
+            // Within the tolerance without the sources, too.
+            assert!(report.bound <= 0.02 * report.peak && report.peak < chosen.peak);
             let room = [0.0; sphere::SCENE];
             let (again, of_again) = sphere::BASIS.collapse_as(&d, chosen.shape, room).unwrap();
             assert!((of_again.bound - report.bound).abs() <= ROUNDING * report.peak);
@@ -146,8 +154,13 @@ fn bad_input_is_refused() {
     assert_eq!(refused(&[], Tolerance::OfPeak(0.1)), none);
     for share in [0.0, -1.0, f32::NAN, f32::INFINITY] {
         assert_eq!(refused(&sources::STUDIO, Tolerance::OfPeak(share)), Error::Tolerance);
-        assert_eq!(refused(&sources::STUDIO, Tolerance::Irradiance(share)), Error::Tolerance);
     }
+    assert_eq!(refused(&sources::STUDIO, Tolerance::Irradiance(0.1)), Error::Tolerance);
+    // A set without a known error does not hide the others.
+    let sets = [SourceSet::new(&[], [f32::NAN; 6]), sources::STUDIO[2]];
+    chosen(light::STUDIO, &sets, &metal, Tolerance::OfPeak(0.001), |chosen| {
+        assert_eq!(chosen.unwrap().sources, sources::STUDIO[2].sources());
+    });
     let project = |taken: &[_]| projected(light::STUDIO, &metal.0, taken);
     let collapse = |lengths: &mut [u16], buffer: &mut [f32]| {
         let (sets, tolerance) = (&sources::STUDIO, Tolerance::Decibels(40));
@@ -196,10 +209,6 @@ fn black_and_endless_light() {
         let chosen = chosen.unwrap();
         assert_eq!((chosen.sources.len(), chosen.error), (0, 0.0));
         assert_eq!(chosen.scenes.r.shade(Normal::new(0.0, 0.0, 1.0).unwrap()), 0.0);
-    });
-    // An absolute tolerance holds as well.
-    chosen(black, &sets, &metal, Tolerance::Irradiance(0.1), |chosen| {
-        assert_eq!(chosen.unwrap().shape.terms(), 0);
     });
     let endless = Rgb::gray(Light::new(&[3e38; 100]).unwrap());
     chosen(endless, &sets, &metal, Tolerance::OfPeak(0.1), |chosen| {

@@ -92,7 +92,8 @@ pub mod material {
 /// let highlights = Highlights::<f32, 4>::new::<SinglePrecision>(&gold, sources::STUDIO_4)?;
 ///
 /// let normal = Normal::new(-0.5, 0.4, 0.768)?;
-/// assert!(scene.shade(normal).r + highlights.shade(normal).r > 0.0);
+/// let color = scene.shade(normal) + highlights.shade(normal);
+/// assert!(color.r > color.b);
 /// # }
 /// # Ok::<(), eigenshade::Error>(())
 /// ```

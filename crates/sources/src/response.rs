@@ -109,7 +109,7 @@ impl Place {
             let apart = at - slant(k);
             // At a node, its weight exceeds all others by far.
             let apart = if apart.abs() < 1e-14 { 1e-14 } else { apart };
-            if k % 2 == 0 { angle(k).sin() / apart } else { -angle(k).sin() / apart }
+            if k.is_multiple_of(2) { angle(k).sin() / apart } else { -angle(k).sin() / apart }
         };
         let mut weights: Vec<f64> = (0..NODES).map(weight).collect();
         let total: f64 = weights.iter().sum();
