@@ -47,6 +47,9 @@ impl ExplicitLight {
             for m in 0..=l {
                 let plus = coefficients[l * l + l + m];
                 let minus = coefficients[l * l + l - m];
+                if [plus, minus] == [0.0; 2] {
+                    continue;
+                }
                 terms.push((m, legendre_coefficients(l, m), plus, minus));
             }
         }
