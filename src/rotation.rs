@@ -25,7 +25,8 @@ impl<S: Scalar> Rotation<S> {
     };
 
     /// R = Rz(`beta`) Ry(`alpha`) Rz(`gamma`), in radians: first about z by γ, then about y by α,
-    /// then about z by β.
+    /// then about z by β. So (angle, 0, 0) is about the view, z, and (0, angle, 0) about the
+    /// vertical, y.
     ///
     /// For f32, [`SinglePrecision`](crate::mathematics::SinglePrecision) computes without f64.
     ///

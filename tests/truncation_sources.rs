@@ -1,5 +1,5 @@
-//! Sources and terms chosen together: the choice against all others, and its corner cases. The error
-//! itself is compared with direct integration among the experiments.
+//! Sources and terms chosen together: the choice against all others, and its corner cases. The
+//! experiments compare the error with direct integration.
 
 use eigenshade::index::highlights::PRODUCTS;
 use eigenshade::mathematics::SinglePrecision;

@@ -62,13 +62,8 @@ pub fn color(parts: &[Part<'_>], of_parts: &[Vec<[f64; 3]>], map: usize) -> [f64
 }
 
 impl<'a> Reference<'a> {
-    /// Integrates the surface; `fineness` as in [`Surroundings::irradiance`].
-    pub fn new(
-        surface: &'a Surface,
-        maps: &Surroundings,
-        fineness: f64,
-        progress: &ProgressBar,
-    ) -> Self {
+    /// Integrates the surface.
+    pub fn new(surface: &'a Surface, maps: &Surroundings, progress: &ProgressBar) -> Self {
         let parts = surface.parts();
         let brdfs: Vec<&dyn Brdf> = parts.iter().map(|part| part.brdf).collect();
         // The narrowest lobe is resolved.
@@ -76,7 +71,7 @@ impl<'a> Reference<'a> {
         let sphere = Sphere::new(rings((SPACING * width).min(WIDEST)));
         let batches: Vec<&[[f64; 3]]> = sphere.normals.chunks(BATCH).collect();
         progress.set_length(batches.len() as u64);
-        let irradiance = |k: usize| maps.irradiance(&brdfs, batches[k], fineness);
+        let irradiance = |k: usize| maps.irradiance(&brdfs, batches[k], 1.0);
         let integrated = parallel::map(batches.len(), progress, irradiance).concat();
         let of_map = |map: usize| {
             [0, 1, 2].map(|c| integrated.iter().map(|image| color(&parts, image, map)[c]).collect())
@@ -84,7 +79,7 @@ impl<'a> Reference<'a> {
         let pictures: Vec<Picture> = (0..maps.maps()).map(of_map).collect();
         // A narrow lobe peaks where it mirrors the sun, which is between the normals of the rings.
         let mirrors: Vec<[f64; 3]> = (0..maps.maps()).map(|map| maps.mirror(map)).collect();
-        let at_mirrors = maps.irradiance(&brdfs, &mirrors, fineness);
+        let at_mirrors = maps.irradiance(&brdfs, &mirrors, 1.0);
         let largest = |(map, picture): (usize, &Picture)| {
             let values =
                 picture.iter().flatten().copied().chain(color(&parts, &at_mirrors[map], map));

@@ -35,9 +35,23 @@ pub fn limit(share: f64) -> String {
     format!("{} %", value.trim_end_matches('0').trim_end_matches('.'))
 }
 
+/// The exposure factor: it scales the value below which a `share` of the values lie to 1. Returns 1
+/// if that value is not positive.
+#[must_use]
+pub fn exposure(mut values: Vec<f64>, share: f64) -> f64 {
+    values.retain(|value| value.is_finite());
+    values.sort_by(f64::total_cmp);
+    let last = values.len().saturating_sub(1);
+    let place = (share.clamp(0.0, 1.0) * last as f64).round() as usize;
+    match values.get(place) {
+        Some(&value) if value > 0.0 => value.recip(),
+        _ => 1.0,
+    }
+}
+
 #[cfg(test)]
 mod tests {
-    use super::{digits, limit, percent};
+    use super::{digits, exposure, limit, percent};
 
     #[test]
     fn shares_have_three_digits() {
@@ -54,5 +68,13 @@ mod tests {
             [0.25, 1.0 / 3.0, 2e-7 / 3.0].map(|one| digits(one, 4)),
             ["0.25", "0.3333", "6.667e-8"]
         );
+    }
+
+    #[test]
+    fn exposures_follow_the_percentile() {
+        let values: Vec<f64> = (0..=100).map(f64::from).collect();
+        assert_eq!(exposure(values, 0.5), 1.0 / 50.0);
+        assert_eq!(exposure(vec![], 0.5), 1.0);
+        assert_eq!(exposure(vec![-1.0], 1.0), 1.0);
     }
 }

@@ -76,8 +76,8 @@ impl<'a, S: Scalar> Basis<'a, S> {
     ///
     /// Set-up cost: `project` is called once, once for each set that is tried, and once for the
     /// chosen one. All but the first call are followed by three of
-    /// [`collapse_within`](Self::collapse_within). Most of it is the residual of large sets: half a
-    /// million instructions on a Cortex-M4F for eight sources.
+    /// [`collapse_within`](Self::collapse_within). Most of it is the residual of the larger sets: each
+    /// source takes longer than a projection.
     ///
     /// ```
     /// # #[cfg(all(feature = "baked", feature = "presets"))] {

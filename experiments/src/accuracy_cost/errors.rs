@@ -151,7 +151,7 @@ pub fn rows(folder: &Path, quick: bool, progress: &ProgressBar) -> Result<Vec<Ro
     let projected = parallel::map(surfaces.len(), &(), project);
     let mut rows = Vec::new();
     for (surface, projected) in surfaces.iter().zip(&projected) {
-        let reference = Reference::new(surface, &maps, 1.0, progress);
+        let reference = Reference::new(surface, &maps, progress);
         rows.extend(sizes.iter().zip(projected).map(|(&size, Projected { material, .. })| Row {
             surface: surface.name.clone(),
             size,

@@ -49,9 +49,6 @@ pub struct Errors {
     /// Materials given as functions: .toml of formulas, MERL .binary, or folders of them
     #[arg(long, value_name = "PATH", required = true)]
     materials: Vec<PathBuf>,
-    /// Parts of a texel for each width of the features within it
-    #[arg(long, value_name = "N", default_value = "1", value_parser = fineness)]
-    fineness: f64,
     /// Write the CSV to this file instead of standard output
     #[arg(long, value_name = "FILE")]
     out: Option<PathBuf>,
@@ -90,7 +87,7 @@ impl Errors {
             for surface in &surfaces {
                 let name = &surface.name;
                 let progress = progress_bar("batches of normals", 0);
-                let reference = Reference::new(surface, &maps, self.fineness, &progress);
+                let reference = Reference::new(surface, &maps, &progress);
                 progress.finish_and_clear();
                 if let Some(black) = reference.black() {
                     let what = format!("`{name}` is black under `{}`", named[black].0);
@@ -160,13 +157,6 @@ impl Errors {
             }
         }
         Ok(surfaces)
-    }
-}
-
-fn fineness(text: &str) -> std::result::Result<f64, String> {
-    match text.parse::<f64>() {
-        Ok(number) if (0.25..=16.0).contains(&number) => Ok(number),
-        _ => Err("expected a number from 0.25 to 16".to_owned()),
     }
 }
 

@@ -1,15 +1,16 @@
 //! Errors and pictures of small sources, and the gloss of the shipped materials.
 
-use super::write_command_line;
+use super::{inputs, write_command_line};
 use clap::Args;
 use eigenshade_cli::messages::{print_message, progress_bar};
 use eigenshade_cli::output;
-use eigenshade_cli::picture::{self, Canvas, SphereView, write_png};
+use eigenshade_cli::picture::{Canvas, SphereView, write_png};
 use eigenshade_model::error::Result;
 use eigenshade_model::inputs::gloss_csv::write_glosses;
 use eigenshade_model::inputs::set_error_csv::write_set_errors;
+use eigenshade_model::srgb::srgb;
 use experiments::highlights::{self, DRAWN};
-use experiments::numbers::percent;
+use experiments::numbers::{exposure, percent};
 use experiments::pages::filled;
 use std::path::PathBuf;
 
@@ -19,9 +20,6 @@ use std::path::PathBuf;
 /// pictures under points of light, relative to that of the pictures.
 #[derive(Args, Debug)]
 pub struct Gloss {
-    /// Folder of the shipped tables' inputs
-    #[arg(long, value_name = "DIR", default_value = "tables/inputs")]
-    inputs: PathBuf,
     /// Write the CSV to this file instead of standard output
     #[arg(long, value_name = "FILE")]
     out: Option<PathBuf>,
@@ -29,7 +27,7 @@ pub struct Gloss {
 
 impl Gloss {
     pub fn run(self) -> Result<()> {
-        let glosses = highlights::glosses(&self.inputs, &[])?;
+        let glosses = highlights::glosses(inputs(), &[])?;
         output::write(self.out.as_deref(), |out| {
             write_command_line(out)?;
             write_glosses(&glosses, out)
@@ -42,12 +40,6 @@ impl Gloss {
 /// Those that `eigenshade light --sources` writes are of sources that are not yet rounded.
 #[derive(Args, Debug)]
 pub struct SourceErrors {
-    /// Names of lights [default: all]
-    #[arg(value_name = "LIGHT")]
-    lights: Vec<String>,
-    /// Folder of the shipped tables' inputs
-    #[arg(long, value_name = "DIR", default_value = "tables/inputs")]
-    inputs: PathBuf,
     /// Write the CSV to this file instead of standard output
     #[arg(long, value_name = "FILE")]
     out: Option<PathBuf>,
@@ -56,7 +48,7 @@ pub struct SourceErrors {
 impl SourceErrors {
     pub fn run(self) -> Result<()> {
         let progress = progress_bar("lights", 0);
-        let errors = highlights::remaining(&self.inputs, &self.lights, &progress)?;
+        let errors = highlights::remaining(inputs(), &[], &progress)?;
         progress.finish_and_clear();
         output::write(self.out.as_deref(), |out| {
             write_command_line(out)?;
@@ -72,12 +64,6 @@ impl SourceErrors {
 /// two cores.
 #[derive(Args, Debug)]
 pub struct Highlights {
-    /// Names of lights [default: all]
-    #[arg(value_name = "LIGHT")]
-    lights: Vec<String>,
-    /// Folder of the shipped tables' inputs
-    #[arg(long, value_name = "DIR", default_value = "tables/inputs")]
-    inputs: PathBuf,
     /// Write the CSV to this file instead of standard output
     #[arg(long, value_name = "FILE")]
     out: Option<PathBuf>,
@@ -89,7 +75,7 @@ pub struct Highlights {
 impl Highlights {
     pub fn run(self) -> Result<()> {
         let progress = progress_bar("lights", 0);
-        let rows = highlights::errors(&self.inputs, &self.lights, &progress)?;
+        let rows = highlights::errors(inputs(), &[], &progress)?;
         progress.finish_and_clear();
         output::write(self.out.as_deref(), |out| {
             write_command_line(out)?;
@@ -118,30 +104,24 @@ const MATERIALS: [&str; 3] = ["gold-metallic-paint", "blue-metallic-paint", "yel
 /// Spheres with sources beside those without, and direct integration, docs/highlights.png
 #[derive(Args, Debug)]
 pub struct HighlightPicture {
-    /// Folder of the shipped tables' inputs
-    #[arg(long, value_name = "DIR", default_value = "tables/inputs")]
-    inputs: PathBuf,
     /// The file to write
     #[arg(long, value_name = "FILE")]
     out: PathBuf,
-    /// Materials
-    #[arg(long, value_name = "NAME", value_delimiter = ',', default_values_t = MATERIALS.map(str::to_owned))]
-    materials: Vec<String>,
 }
 
 impl HighlightPicture {
     pub fn run(self) -> Result<()> {
         let view = SphereView::new(SIZE);
         let across = |count: usize| GAP + count * (SIZE + GAP);
-        let columns = DRAWN.len() * self.materials.len();
+        let columns = DRAWN.len() * MATERIALS.len();
         let mut canvas = Canvas::new(across(columns), across(LIGHTS.len()), BACKGROUND);
-        let materials = || self.materials.iter().enumerate();
+        let materials = || MATERIALS.into_iter().enumerate();
         let pairs =
-            LIGHTS.iter().enumerate().flat_map(|light| materials().map(move |m| (light, m)));
+            LIGHTS.into_iter().enumerate().flat_map(|light| materials().map(move |m| (light, m)));
         for ((row, light), (group, material)) in pairs {
-            let pictures = highlights::spheres(&self.inputs, light, material, &view.normals)?;
+            let pictures = highlights::spheres(inputs(), light, material, &view.normals)?;
             let reference = pictures.last().into_iter().flatten().flatten().copied().collect();
-            let exposure = picture::exposure(reference, UNCLIPPED);
+            let exposure = exposure(reference, UNCLIPPED);
             for (column, (picture, drawn)) in pictures.iter().zip(DRAWN).enumerate() {
                 if let (Some(reference), Some(((degree, order), sources))) =
                     (pictures.last(), drawn)
@@ -154,7 +134,7 @@ impl HighlightPicture {
                     ));
                 }
                 for (k, pixel) in view.pixels.iter().enumerate() {
-                    let color = [0, 1, 2].map(|c: usize| picture::srgb(exposure * picture[c][k]));
+                    let color = [0, 1, 2].map(|c: usize| srgb(exposure * picture[c][k]));
                     let column = DRAWN.len() * group + column;
                     let (x, y) = (across(column) + pixel.column, across(row) + pixel.row);
                     canvas.blend(x, y, color, pixel.coverage);

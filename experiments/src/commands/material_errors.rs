@@ -1,6 +1,6 @@
 //! The total errors of the shipped materials in color, and of PTFE.
 
-use super::write_command_line;
+use super::{inputs, write_command_line};
 use clap::Args;
 use eigenshade_cli::messages::progress_bar;
 use eigenshade_cli::output::{self, Rows};
@@ -19,15 +19,6 @@ use std::path::PathBuf;
 /// spaced ones, and others that mirror the lamps of the maps. Takes some ten minutes on two cores.
 #[derive(Args, Debug)]
 pub struct MaterialErrors {
-    /// Names of materials [default: all]
-    #[arg(value_name = "NAME")]
-    names: Vec<String>,
-    /// Folder of the shipped tables' inputs
-    #[arg(long, value_name = "DIR", default_value = "tables/inputs")]
-    inputs: PathBuf,
-    /// Distance of the evenly spaced normals in radians, 0.002 to 0.5
-    #[arg(long, value_name = "ANGLE", default_value_t = SPACING, value_parser = spacing)]
-    spacing: f64,
     /// Write the CSV to this file instead of standard output
     #[arg(long, value_name = "FILE")]
     out: Option<PathBuf>,
@@ -36,7 +27,7 @@ pub struct MaterialErrors {
 impl MaterialErrors {
     pub fn run(self) -> Result<()> {
         let progress = progress_bar("materials", 0);
-        let found = material_errors::errors(&self.inputs, &self.names, self.spacing, &progress)?;
+        let found = material_errors::errors(inputs(), &[], SPACING, &progress)?;
         progress.finish_and_clear();
         output::write(self.out.as_deref(), |out| {
             write_command_line(out)?;
@@ -58,12 +49,5 @@ impl MaterialErrors {
             }
             rows.finish()
         })
-    }
-}
-
-fn spacing(text: &str) -> std::result::Result<f64, String> {
-    match text.parse::<f64>() {
-        Ok(number) if (0.002..=0.5).contains(&number) => Ok(number),
-        _ => Err("expected a number from 0.002 to 0.5".to_owned()),
     }
 }

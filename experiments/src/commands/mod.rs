@@ -15,7 +15,7 @@ use eigenshade_model::error::{Error, Result};
 use experiments::pages::Purpose;
 use experiments::{ablation, accuracy, mutations, reading, stability};
 use std::io::Write;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 /// The commands of the program.
 #[derive(Debug, Subcommand)]
@@ -114,6 +114,11 @@ fn shape(text: &str) -> std::result::Result<[usize; 2], String> {
         Some([degree.parse::<usize>().ok()?, order.parse::<usize>().ok()?])
     });
     numbers.ok_or_else(|| "expected two whole numbers like 9,7".to_owned())
+}
+
+/// The folder of the shipped tables' inputs, from the repository's root.
+fn inputs() -> &'static Path {
+    Path::new("tables/inputs")
 }
 
 /// Writes the comment line `# experiments ...` with the command that makes this file.

@@ -3,15 +3,17 @@
 use clap::Args;
 use eigenshade::presets::{self, light, material};
 use eigenshade::{Display, Meter, Normal, Tone, sphere};
-use eigenshade_cli::picture::{self, Canvas, SphereView, TextHeight, text_width, write_png};
+use eigenshade_cli::picture::{Canvas, SphereView, TextHeight, text_width, write_png};
 use eigenshade_cli::table;
 use eigenshade_generator::material::brdf::projection::project;
 use eigenshade_generator::material::brdf::{Ggx, Measure};
 use eigenshade_model::database::Named;
 use eigenshade_model::error::{Error, Result};
+use eigenshade_model::srgb::srgb;
 use eigenshade_shading::owned_basis::OwnedBasis;
 use eigenshade_shading::shader::{OwnedNormals, Shader, fault};
 use eigenshade_shading::shipped;
+use experiments::numbers::exposure;
 use std::path::PathBuf;
 
 /// Width of a sphere and of the gap beside it, in pixels.
@@ -72,19 +74,19 @@ impl Picture {
                 images.push(shader.color((degree, light), (order, material), &normals)?);
             }
             let all = images.iter().flatten().flatten().map(|&value| f64::from(value)).collect();
-            let exposure = picture::exposure(all, UNCLIPPED);
+            let exposure = exposure(all, UNCLIPPED);
             for (column, image) in images.iter().enumerate() {
                 for (k, pixel) in view.pixels.iter().enumerate() {
                     let (x, y) = (across(column) + pixel.column, across(row) + pixel.row);
                     let start = 4 * (y * width + x);
                     for (channel, byte) in image.iter().zip(&mut bytes[start..]) {
-                        *byte = picture::srgb(exposure * f64::from(channel[k]));
+                        *byte = srgb(exposure * f64::from(channel[k]));
                     }
                     bytes[start + 3] = (255.0 * pixel.coverage).round() as u8;
                 }
             }
         }
-        picture::write_png(&self.out, width, height, &bytes)
+        write_png(&self.out, width, height, &bytes)
     }
 }
 

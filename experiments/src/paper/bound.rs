@@ -8,7 +8,7 @@ use super::{FIGURES, row};
 use super::{Modes, Study, Trial, title};
 use crate::chart::{Axes, Chart, Points, Style, colored};
 use crate::figures::OutputFile;
-use eigenshade_cli::picture::exposure;
+use crate::numbers::exposure;
 use eigenshade_generator::basis::partial_sum::{PartialSum, Step};
 use eigenshade_model::error::Result;
 use eigenshade_model::reference::DirectSum;

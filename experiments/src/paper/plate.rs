@@ -1,8 +1,7 @@
 //! Plates of spheres: pictures in rows and columns, with text.
 
-use eigenshade_cli::picture::SphereView;
-use eigenshade_cli::picture::srgb;
-use eigenshade_cli::picture::{Canvas, TextHeight, text_width};
+use eigenshade_cli::picture::{Canvas, SphereView, TextHeight, text_width};
+use eigenshade_model::srgb::srgb;
 
 /// Color of the background.
 const PAPER: [u8; 3] = [212, 214, 217];

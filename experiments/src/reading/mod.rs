@@ -6,7 +6,7 @@
 use crate::pages::{Page, Part, same_word, table};
 use crate::tolerances;
 use eigenshade_cli::messages::progress_bar;
-use eigenshade_cli::picture::{self, SphereView};
+use eigenshade_cli::picture::SphereView;
 use eigenshade_cli::reading::{Reader, Reading};
 use eigenshade_cli::table;
 use eigenshade_generator::basis;
@@ -14,7 +14,7 @@ use eigenshade_generator::reading::observation::{EigenimageValues, Observation, 
 use eigenshade_model::database::{Lights, Materials, Named};
 use eigenshade_model::error::Result;
 use eigenshade_model::inputs::coefficient_csv::{read_lights, read_materials};
-use eigenshade_model::srgb::linear;
+use eigenshade_model::srgb::{linear, srgb};
 use eigenshade_shading::{parallel, shipped};
 use eigenshade_table::Table;
 use rand_chacha::ChaCha8Rng;
@@ -221,9 +221,7 @@ impl Degradation {
             let stored = match self.storage {
                 Storage::Exact => value,
                 Storage::Bits => (254.0 * value).round().max(0.0) / 254.0,
-                Storage::SrgbBits => {
-                    linear(f64::from(picture::srgb(scale * value)) / 255.0) / scale
-                }
+                Storage::SrgbBits => linear(f64::from(srgb(scale * value)) / 255.0) / scale,
                 Storage::Clipped | Storage::ClippedAndKept => value.min(clip),
             };
             (stored, if is_hidden || is_out { 0.0 } else { 1.0 })

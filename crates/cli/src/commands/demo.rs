@@ -1,6 +1,5 @@
 //! `eigenshade demo`: draws the shipped materials under the shipped lights.
 
-use super::demo_errors::{self, Errors, Trial};
 use super::demo_relief;
 use super::demo_sheet::{self, Column, Row, title};
 use super::options::{Memory, TableChoice, count};
@@ -8,7 +7,6 @@ use clap::Args;
 use eigenshade_cli::messages::print_message;
 use eigenshade_cli::object::ObjectView;
 use eigenshade_cli::output;
-use eigenshade_cli::picture::SphereView;
 use eigenshade_model::database::{Lights, Materials, Named};
 use eigenshade_model::error::{Error, Result};
 use eigenshade_model::output::writable;
@@ -21,42 +19,32 @@ use std::path::{Path, PathBuf};
 
 /// Draw a relief and spheres of measured materials under captured lights
 ///
-/// Writes demo.png, computed in f32. --errors also compares each sphere with the direct sum over
-/// all modes of the table's degree and order in f64: errors.png has both side by side, and
-/// errors.csv, which is also printed, has the numbers. These are the share of the image's energy
-/// about its mean that the components keep, the rms and the largest error relative to the image's
-/// peak, and nanoseconds per pixel in three channels.
+/// Writes demo.png, computed in f32.
 #[derive(Args, Debug)]
 pub struct Demo {
     #[command(flatten)]
     table: TableChoice,
-    /// Folder for the files; created if needed
+    /// Folder for the picture; created if needed
     #[arg(short, long, value_name = "DIR")]
     out: PathBuf,
     /// Pixels across each object, 16 to 512
     #[arg(short, long, value_name = "N", default_value = "160", value_parser = count(16, 512))]
     size: usize,
-    /// Also compare the spheres with the direct sum
-    #[arg(long)]
-    errors: bool,
-    /// Print the names of the files, and the errors, as a JSON object
+    /// Print the name of the picture as a JSON object
     #[arg(long)]
     json: bool,
 }
 
 #[derive(Serialize)]
-struct Answer<'a> {
-    files: Vec<String>,
-    #[serde(skip_serializing_if = "Vec::is_empty")]
-    errors: Vec<&'a Errors>,
+struct Answer {
+    files: [String; 1],
 }
 
 impl Demo {
     pub fn run(self, memory: Memory) -> Result<()> {
         fs::create_dir_all(&self.out).map_err(|error| Error::io(&self.out, &error))?;
-        let files = ["demo.png", "errors.png", "errors.csv"].map(|name| self.out.join(name));
-        let files = if self.errors { &files[..] } else { &files[..1] };
-        files.iter().try_for_each(|file| writable(file))?;
+        let file = self.out.join("demo.png");
+        writable(&file)?;
         let table = self.table.read(memory)?;
         let (lights, materials) = shown()?;
         let (lights, materials) = fitted(&table, &lights, &materials);
@@ -64,22 +52,12 @@ impl Demo {
         let components = table.count();
         let mut shader =
             Shader::new(basis.any().map_err(fault)?, components).with_transfers(basis.transfers());
-        self.draw(&files[0], &mut shader, &lights, &materials)?;
-        let mut trials: Vec<Trial> = Vec::new();
-        if let [_, picture, sheet] = files {
-            let view = SphereView::new(self.size);
-            trials = demo_errors::trials(&mut shader, components, (&lights, &materials), &view)?;
-            demo_errors::draw(picture, &view, &trials, materials.entries.len())?;
-            output::write_records(Some(sheet), false, &errors(&trials))?;
-        }
-        let files = files.iter().map(|file| file.display().to_string()).collect::<Vec<_>>();
+        self.draw(&file, &mut shader, &lights, &materials)?;
+        let file = file.display().to_string();
         if self.json {
-            return output::write_json(None, &Answer { files, errors: errors(&trials) });
+            return output::write_json(None, &Answer { files: [file] });
         }
-        if self.errors {
-            output::write_all(None, demo_errors::aligned(&trials))?;
-        }
-        files.iter().for_each(print_message);
+        print_message(file);
         Ok(())
     }
 
@@ -109,10 +87,6 @@ impl Demo {
         let columns: Vec<Column<'_>> = shown.into_iter().map(column).collect();
         demo_sheet::draw(file, &columns, &rows)
     }
-}
-
-fn errors(trials: &[Trial]) -> Vec<&Errors> {
-    trials.iter().map(|trial| &trial.errors).collect()
 }
 
 /// The shipped lights and materials of the picture.

@@ -9,9 +9,9 @@ use std::path::Path;
 /// The share of a row's pixels that its exposure leaves unclipped.
 const UNCLIPPED: f32 = 0.98;
 
-pub const BACKGROUND: [u8; 3] = [24, 25, 28];
-pub const BRIGHT: [u8; 3] = [226, 226, 222];
-pub const DIM: [u8; 3] = [138, 140, 146];
+const BACKGROUND: [u8; 3] = [24, 25, 28];
+const BRIGHT: [u8; 3] = [226, 226, 222];
+const DIM: [u8; 3] = [138, 140, 146];
 
 /// One column: an object of one material.
 pub struct Column<'a> {
@@ -63,7 +63,7 @@ pub fn draw(path: &Path, columns: &[Column<'_>], rows: &[Row]) -> Result<()> {
 }
 
 /// The text that fits under objects of this many pixels.
-pub fn text_height(size: usize) -> TextHeight {
+fn text_height(size: usize) -> TextHeight {
     match size {
         0..224 => TextHeight::Size16,
         224..288 => TextHeight::Size20,

@@ -4,7 +4,6 @@
 mod basis;
 mod choices;
 mod demo;
-mod demo_errors;
 mod demo_relief;
 mod demo_sheet;
 mod evaluate;

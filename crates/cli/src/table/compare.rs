@@ -162,25 +162,36 @@ fn same_shape(table: &Table, fresh: &Table) -> Result<(), String> {
 /// projection. Rounding affects where the profiles of the span end, but not these rows.
 fn general_rows(table: &Table) -> Vec<f64> {
     let Some(general) = &table.general else { return Vec::new() };
-    let of_profiles: Vec<Vec<f64>> =
-        table.profiles.iter().map(|profile| table.gram_row(profile)).collect();
+    let of_profiles = table.profiles.iter().map(|profile| table.gram_row(profile)).collect();
+    let length = |azimuth| mode::count(table.gram.degree, table.gram.order, azimuth);
+    let functions = table.components.len().max(1);
+    spanned(table, general.projection.chunks(functions), length, of_profiles)
+}
+
+/// Weighted sums of what belongs to the profiles of the span, for each row of weights and each m;
+/// `length` numbers for an azimuth.
+fn spanned<'w>(
+    table: &Table,
+    weights: impl Iterator<Item = &'w [f64]>,
+    length: impl Fn(usize) -> usize,
+    of_profiles: Vec<Vec<f64>>,
+) -> Vec<f64> {
     let degree = table.gram.degree as i32;
-    let mut rows = Vec::new();
-    for weights in general.projection.chunks(table.components.len().max(1)) {
+    let mut values = Vec::new();
+    for weights in weights {
         for order in -degree..=degree {
-            let azimuth = order.unsigned_abs() as usize;
-            let mut row = vec![0.0; mode::count(table.gram.degree, table.gram.order, azimuth)];
+            let mut sums = vec![0.0; length(order.unsigned_abs() as usize)];
             for (component, weight) in table.components.iter().zip(weights) {
                 if component.order == order {
-                    for (sum, value) in row.iter_mut().zip(&of_profiles[component.profile]) {
+                    for (sum, value) in sums.iter_mut().zip(&of_profiles[component.profile]) {
                         *sum += weight * value;
                     }
                 }
             }
-            rows.extend(row);
+            values.extend(sums);
         }
     }
-    rows
+    values
 }
 
 /// d of the eigenimages that a general table gives in its span, row by row.
@@ -196,28 +207,12 @@ fn projected(table: &Table, of: fn(&General) -> &Vec<f64>) -> Vec<f64> {
 /// each order m on slants from the pole to the rim.
 fn drawn(table: &Table) -> Vec<f64> {
     let Some(general) = &table.general else { return Vec::new() };
-    let of_profiles: Vec<Vec<f64>> = table
-        .profiles
-        .iter()
-        .map(|profile| polynomial(profile.azimuth, &profile.chebyshev))
-        .collect();
-    let degree = table.gram.degree as i32;
+    let profiles = table.profiles.iter();
+    let of_profiles =
+        profiles.map(|profile| polynomial(profile.azimuth, &profile.chebyshev)).collect();
     let functions = table.components.len().max(1);
-    let mut values = Vec::new();
-    for weights in general.synthesis.chunks(functions).chain(general.mean.chunks(functions)) {
-        for order in -degree..=degree {
-            let mut sum = vec![0.0; ARGUMENTS as usize + 1];
-            for (component, weight) in table.components.iter().zip(weights) {
-                if component.order == order {
-                    for (sum, value) in sum.iter_mut().zip(&of_profiles[component.profile]) {
-                        *sum += weight * value;
-                    }
-                }
-            }
-            values.extend(sum);
-        }
-    }
-    values
+    let weights = general.synthesis.chunks(functions).chain(general.mean.chunks(functions));
+    spanned(table, weights, |_| ARGUMENTS as usize + 1, of_profiles)
 }
 
 fn component_eigenvalues(table: &Table) -> Vec<f64> {
