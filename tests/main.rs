@@ -19,7 +19,6 @@ mod highlights;
 mod integer_highlights;
 mod integer_lights;
 mod kernels;
-mod lights;
 mod matcap;
 mod paper;
 mod parts;
@@ -32,6 +31,8 @@ mod sources;
 mod truncation;
 mod truncation_sets;
 mod truncation_sources;
+mod turned_lights;
+mod windows;
 mod wire;
 
 use eigenshade_testing::{oracle, tolerances};

@@ -10,7 +10,7 @@ use eigenshade::{
 };
 use std::cell::Cell;
 
-/// What is shaded and what is stated, of the peak: roundings of f32.
+/// Rounding of f32 in irradiances and errors, relative to the peak.
 const ROUNDING: f32 = 2e-6;
 
 type Metal = Rgb<Buffer<f32, 40>>;
@@ -26,8 +26,8 @@ fn projected(
     channels.try_map(|(light, material)| sphere::project(&light, &material))
 }
 
-/// What a set and the table leave, and if that is within the tolerance, the products and the whole
-/// error.
+/// The error of a set and the table; if it is within the tolerance, also the number of products and
+/// the total error.
 fn tried(
     light: Rgb<Light<'_, f32>>,
     metal: &Metal,

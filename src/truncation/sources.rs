@@ -38,14 +38,14 @@ pub struct GlossyScenes<'l, 'b, 's, S> {
     /// An estimate of the error against the whole light, without degree or order: root mean square
     /// over normals and channels, relative to the peak.
     ///
-    /// Metals under the shipped lights that have maps, with the shipped table and tolerances of 1
-    /// to 5 %, have at most 1.2 times this error, and less than 0.8 times in the median.
+    /// The true error of metals under five shipped lights, with the shipped table and tolerances of
+    /// 1 to 5 %, is at most 1.2 times this, and less than 0.8 times in the median.
     pub error: S,
     /// Whether the error is within the tolerance; false if all sets of sources leave more.
     pub is_within: bool,
 }
 
-/// Sources, the square of the error that they and the table leave, and what terms may leave out.
+/// Sources, the square of the error of them and the table, and the tolerance of the terms.
 #[derive(Clone, Copy)]
 struct Chosen<'s, S> {
     sources: &'s [Source<S>],
@@ -62,20 +62,20 @@ impl<'a, S: Scalar> Basis<'a, S> {
     ///
     /// `sets` are those of the light, such as `presets::sources::STUDIO`, in order of their number
     /// of sources; the first may have none. `project` gives the coefficients of each channel under
-    /// the light without the given sources. It is called several times, also with no sources.
+    /// the light without the given sources, of which there may be none.
     ///
-    /// What a set leaves ([`SourceSet::error`]), the table ([`Truncation::floor`]) and the terms
-    /// are taken as independent, so their squares add: the less a set leaves, the more terms may
-    /// go. But the scenes also keep the tolerance by themselves, without the sources: else the
-    /// surface beside a bright highlight could be anything. If all sets leave more than the
-    /// tolerance, the one that leaves least is taken. A material that [needs no
-    /// sources](Gloss::needs_sources) gets the first set.
+    /// The error has three parts, whose squares are added: that of the set
+    /// ([`SourceSet::error`]), that of the table ([`Truncation::floor`]) and that of the terms left
+    /// out. A set with a smaller error thus needs fewer terms. The scenes also keep the tolerance
+    /// by themselves, without the sources; otherwise the surface beside a bright highlight could be
+    /// black. If the error of every set exceeds the tolerance, the set with the least is taken. A
+    /// material that [needs no sources](Gloss::needs_sources) gets the first set.
     ///
     /// `buffer` needs room for three scenes, each of [`scene_len`](Self::scene_len), and `lengths`
     /// for [`azimuths`](Self::azimuths).
     ///
-    /// Set-up cost: `project` is called once, once for each set that is tried, and once for the
-    /// chosen one. All but the first call are followed by three of
+    /// Set-up cost: `project` is called without sources, then for each set that is tried, and again
+    /// for the chosen one. Each set takes three calls of
     /// [`collapse_within`](Self::collapse_within). Most of it is the residual of the larger sets: each
     /// source takes longer than a projection.
     ///
@@ -124,15 +124,14 @@ impl<'a, S: Scalar> Basis<'a, S> {
     where
         'a: 'l,
     {
-        Error::check(Argument::Sources, sets.len().max(1), sets.len())?;
         let sets = if gloss.needs_sources() { sets } else { sets.get(..1).unwrap_or(sets) };
         let (count, len) = (3, self.scene_len());
         Error::check(Argument::Scene, count * len, buffer.len())?;
         if matches!(tolerance, Tolerance::Irradiance(_)) {
             return Err(Error::Tolerance);
         }
-        let images: [C; 3] = project(&[])?.into();
-        let whole = Truncation { peak: self.peak_of(&images, buffer)?, ..Truncation::default() };
+        let all: [C; 3] = project(&[])?.into();
+        let whole = Truncation { peak: self.peak_of(&all, buffer)?, ..Truncation::default() };
         // Squares in units of the peak.
         let allowed = whole.allowed(tolerance)?;
         let mut reports = [Truncation::default(); 3];
@@ -143,7 +142,13 @@ impl<'a, S: Scalar> Basis<'a, S> {
             if of_sources >= least {
                 continue;
             }
-            let images: [C; 3] = project(set.sources())?.into();
+            let rest: [C; 3];
+            let images = if set.sources().is_empty() {
+                &all
+            } else {
+                rest = project(set.sources())?.into();
+                &rest
+            };
             let error = set.error(gloss) * whole.peak * whole.scale();
             let of_table = mean(images.each_ref().map(|image| floor(image.as_ref(), &whole)));
             let error = of_table.add_product(error, error);
@@ -158,10 +163,10 @@ impl<'a, S: Scalar> Basis<'a, S> {
                 continue;
             }
             let rest = Libm::square_root(rest) * whole.unit();
-            let of_own = tolerance.irradiance(self.peak_of(&images, buffer)?)?;
+            let of_own = tolerance.irradiance(self.peak_of(images, buffer)?)?;
             let of_terms = if rest < of_own { Tolerance::Irradiance(rest) } else { tolerance };
             let shape =
-                self.collapse_set_within(&images, count, of_terms, lengths, buffer, &mut reports)?;
+                self.collapse_set_within(images, count, of_terms, lengths, buffer, &mut reports)?;
             let products = of_sources + count * shape.terms();
             if products < least {
                 best = Some((products, Chosen { of_terms, ..chosen }));
@@ -174,7 +179,7 @@ impl<'a, S: Scalar> Basis<'a, S> {
         let images: [C; 3] = project(sources)?.into();
         let shape =
             self.collapse_set_within(&images, count, of_terms, lengths, buffer, &mut reports)?;
-        let of_terms = mean(reports.map(|report| {
+        let left_out = mean(reports.map(|report| {
             let bound = report.bound * whole.scale();
             bound * bound
         }));
@@ -187,7 +192,7 @@ impl<'a, S: Scalar> Basis<'a, S> {
             reports: reports.into(),
             peak: whole.peak,
             is_within,
-            error: Libm::square_root(error + of_terms),
+            error: Libm::square_root(error + left_out),
         })
     }
 

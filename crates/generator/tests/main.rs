@@ -4,6 +4,7 @@
 use eigenshade_testing::tolerances;
 
 mod brdf;
+mod brdf_projection;
 mod build;
 mod environment_maps;
 mod light_csv;
