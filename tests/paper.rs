@@ -169,7 +169,7 @@ fn signs_of_m_have_equal_eigenvalues() {
             azimuth,
         );
         let values = |gram: &GramFactor| {
-            let block = Block::new(gram, azimuth, |_, _, _, _| true).expect("finite");
+            let block = Block::new(gram, azimuth, &|_, _, _, _| true).expect("finite");
             let images = block.images(gram, &deviations);
             principal(&images, None, azimuth).expect("finite").singular_values
         };

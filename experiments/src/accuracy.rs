@@ -202,8 +202,8 @@ pub struct Errors {
 /// The errors of each method and format at this degree and order.
 pub fn errors([degree, order]: [usize; 2]) -> Vec<Errors> {
     let (table, mut lights, mut seen) = table([degree, order]);
-    // Their lobes are too narrow for any order here.
-    seen.entries.retain(|material| !material.name.ends_with("-0.1"));
+    // The lobes of 0.1 are too narrow for any order here, and half of the others show what all show.
+    seen.entries.retain(|material| !material.name.ends_with(['1', '3', '5', '7', '9']));
     lights.entries.retain(|light| LIGHTS.contains(&light.name.as_str()));
     let unseen = Materials { order, entries: Vec::new() };
     let images = Images::new(&Scope { degree, order, lights, seen, unseen });

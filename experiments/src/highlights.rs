@@ -237,7 +237,8 @@ pub fn parts(rows: &[Row]) -> Vec<Part> {
 pub fn glosses(inputs: &Path, names: &[String]) -> Result<Vec<NamedGloss>> {
     let mut all = surfaces(inputs)?;
     all.retain(|surface| names.is_empty() || names.contains(&surface.name));
-    all.iter().map(gloss::named).collect()
+    let mut fit = None;
+    all.iter().map(|surface| gloss::named(surface, &mut fit)).collect()
 }
 
 /// The errors that the shipped sources of each captured light leave, or of those with these names.
@@ -290,7 +291,7 @@ pub fn spheres(
     let surface = surface.ok_or_else(|| Error::new("no such material", "take a shipped one"))?;
     let sources = shipped::sources()?.into_iter().find(|sets| sets.name == map);
     let sources = sources.unwrap_or_default();
-    let (gloss, _) = gloss::fit(&surface)?;
+    let gloss = gloss::named(&surface, &mut None)?.gloss;
     let sphere = Sphere::of_normals(normals);
     DRAWN
         .iter()

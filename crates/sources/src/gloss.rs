@@ -28,45 +28,95 @@ const RINGS: usize = 40;
 const AROUND: usize = 8;
 /// Roughness that is tried at first, and halvings of the step after it.
 const TRIED: usize = 48;
+const FIRST_STEP: f64 = (1.0 - SMOOTHEST) / (TRIED - 1) as f64;
 const HALVINGS: usize = 6;
 /// Steps of the least squares solution.
 const STEPS: usize = 100;
 
-/// A point of a picture.
-struct Point {
+/// A normal of a picture.
+struct Place {
     /// The geometry of each point of the source that the normal faces, and its share.
     lit: Vec<(Geometry, f64)>,
     weight: f64,
-    /// The irradiance of a source of energy 1, by channel.
-    values: [f64; 3],
 }
 
-impl Point {
-    /// Σ share f cos.
+impl Place {
+    /// The irradiance of a source of energy 1: Σ share f cos.
     fn irradiance(&self, brdf: &dyn Brdf) -> f64 {
         self.lit.iter().map(|(at, share)| share * at.incident * brdf.value(*at)).sum()
     }
 }
 
-/// The gloss nearest to a surface, and the rms of what it leaves relative to that of the surface.
-///
-/// # Errors
-///
-/// Cannot fail in practice: the roughness is in range.
-pub fn fit(surface: &Surface) -> Result<(Gloss, f64)> {
-    let points: Vec<Point> = LIGHTS.iter().flat_map(|&angle| points(surface, angle)).collect();
-    nearest(&points)
+/// What a gloss is fitted to at a place.
+struct Point {
+    weight: f64,
+    /// The irradiance of a source of energy 1, by channel.
+    values: [f64; 3],
 }
 
-/// The gloss of a surface: exact, or fitted.
+/// A lobe and a matte base at each place, as the four terms of [`terms`].
+type Terms = Vec<[f64; 4]>;
+
+/// Fits surfaces. All are first compared with the same lobes, which are computed once.
+pub struct Fit {
+    places: Vec<Place>,
+    /// The number of places under each of [`LIGHTS`].
+    counts: [usize; LIGHTS.len()],
+    tried: Vec<Terms>,
+}
+
+impl Fit {
+    /// Computes the lobes: a few seconds, and 80 MB.
+    ///
+    /// # Errors
+    ///
+    /// Cannot fail in practice: the roughness is in range.
+    pub fn new() -> Result<Self> {
+        let pictures = LIGHTS.map(places);
+        let counts = pictures.each_ref().map(Vec::len);
+        let places: Vec<Place> = pictures.into_iter().flatten().collect();
+        let tried = tried(&places)?;
+        Ok(Self { places, counts, tried })
+    }
+
+    /// The gloss nearest to a surface, and the rms of what it leaves relative to that of the
+    /// surface.
+    ///
+    /// # Errors
+    ///
+    /// Those of [`new`](Self::new).
+    pub fn nearest(&self, surface: &Surface) -> Result<(Gloss, f64)> {
+        let last = surface.channels() - 1;
+        let values = parallel::map(self.places.len(), &(), |k| {
+            [0, 1, 2].map(|c| self.places[k].irradiance(surface.channel(c.min(last))))
+        });
+        let mut pairs = self.places.iter().zip(values);
+        let mut points = Vec::with_capacity(self.places.len());
+        for count in self.counts {
+            // Each picture counts relative to its peak.
+            let of_picture: Vec<_> = pairs.by_ref().take(count).collect();
+            let all = of_picture.iter().flat_map(|(_, values)| *values);
+            let peak = all.fold(f64::MIN_POSITIVE, f64::max);
+            points.extend(
+                of_picture
+                    .into_iter()
+                    .map(|(place, values)| Point { weight: place.weight / (peak * peak), values }),
+            );
+        }
+        nearest(&self.places, &points, &self.tried)
+    }
+}
+
+/// The gloss of a surface: exact, or fitted by `fit`, which is made when a surface first needs it.
 ///
 /// # Errors
 ///
-/// Those of [`fit`].
-pub fn named(surface: &Surface) -> Result<NamedGloss> {
-    let (gloss, error) = match surface.gloss() {
-        Some(gloss) => (gloss, 0.0),
-        None => fit(surface)?,
+/// Those of [`Fit::new`].
+pub fn named(surface: &Surface, fit: &mut Option<Fit>) -> Result<NamedGloss> {
+    let (gloss, error) = match (surface.gloss(), fit) {
+        (Some(gloss), _) => (gloss, 0.0),
+        (None, Some(fit)) => fit.nearest(surface)?,
+        (None, fit) => fit.insert(Fit::new()?).nearest(surface)?,
     };
     Ok(NamedGloss { name: surface.name.clone(), gloss, error })
 }
@@ -76,36 +126,46 @@ pub fn named(surface: &Surface) -> Result<NamedGloss> {
 ///
 /// # Errors
 ///
-/// Those of [`fit`].
+/// Those of [`Fit::new`].
 pub fn of_measured(measured: &Measured) -> Result<NamedGloss> {
-    let point = |sample: &Measurement| {
+    let of = |sample: &Measurement| {
         let Measurement { theta_i, theta_r, delta_phi, rgb } = *sample;
         let at = Geometry::from_angles(theta_i, theta_r, delta_phi);
         let values = rgb.map(|value| value * at.incident);
-        Point { lit: vec![(at, 1.0)], weight: at.reflected, values }
+        let place = Place { lit: vec![(at, 1.0)], weight: at.reflected };
+        (place, Point { weight: at.reflected, values })
     };
-    let points: Vec<Point> = measured.samples.iter().map(point).collect();
-    let (gloss, error) = nearest(&points)?;
+    let (places, points): (Vec<_>, Vec<_>) = measured.samples.iter().map(of).unzip();
+    let (gloss, error) = nearest(&places, &points, &tried(&places)?)?;
     Ok(NamedGloss { name: measured.name.clone(), gloss, error })
 }
 
+/// The roughness that is tried in this place.
+fn roughness(place: usize) -> f64 {
+    SMOOTHEST + FIRST_STEP * place as f64
+}
+
+/// The lobes of each roughness that is tried at first.
+fn tried(places: &[Place]) -> Result<Vec<Terms>> {
+    parallel::map(TRIED, &(), |k| terms(places, roughness(k))).into_iter().collect()
+}
+
 /// The gloss nearest to pictures, and the rms of what it leaves.
-fn nearest(points: &[Point]) -> Result<(Gloss, f64)> {
-    let of = |roughness: f64| at_roughness(points, roughness);
-    let step = (1.0 - SMOOTHEST) / (TRIED - 1) as f64;
-    let tried = parallel::map(TRIED, &(), |k| of(SMOOTHEST + step * k as f64));
-    let tried = tried.into_iter().collect::<Result<Vec<_>>>()?;
-    let mut best = tried[0];
-    for one in &tried[1..] {
+fn nearest(places: &[Place], points: &[Point], tried: &[Terms]) -> Result<(Gloss, f64)> {
+    let of = |k: usize| at_roughness(points, &tried[k], roughness(k));
+    let fits = parallel::map(tried.len(), &(), of);
+    let mut best = fits[0];
+    for one in &fits[1..] {
         if one.1 < best.1 {
             best = *one;
         }
     }
-    let mut step = step;
+    let mut step = FIRST_STEP;
     for _ in 0..HALVINGS {
         step *= 0.5;
         for roughness in [best.0.roughness - step, best.0.roughness + step] {
-            let one = of(roughness.clamp(SMOOTHEST, 1.0))?;
+            let roughness = roughness.clamp(SMOOTHEST, 1.0);
+            let one = at_roughness(points, &terms(places, roughness)?, roughness);
             if one.1 < best.1 {
                 best = one;
             }
@@ -141,11 +201,12 @@ fn lit_points(source: &[([f64; 3], f64)], [x, y, z]: [f64; 3]) -> Vec<(Geometry,
     lit.filter(|(at, _)| at.incident > 0.0).collect()
 }
 
-fn points(surface: &Surface, angle: f64) -> Vec<Point> {
+/// The places of a picture under the source at this angle.
+fn places(angle: f64) -> Vec<Place> {
     let source = source_points(angle, STEP);
     let (sin_h, cos_h) = (0.5 * angle.to_radians()).sin_cos();
     let ratio = (FRAC_PI_2 / NEAREST).powf(1.0 / RINGS as f64);
-    let mut points = Vec::new();
+    let mut places = Vec::new();
     for ring in 0..RINGS {
         let inner = NEAREST * ratio.powi(ring as i32);
         let (near, far) = (if ring == 0 { 0.0 } else { inner }, inner * ratio);
@@ -160,27 +221,21 @@ fn points(surface: &Surface, angle: f64) -> Vec<Point> {
                 continue;
             }
             let lit = lit_points(&source, [x, y, z]);
-            let mut point = Point { lit, weight: solid_angle * z, values: [0.0; 3] };
-            let of = |c: usize| surface.channel(c.min(surface.channels() - 1));
-            point.values = [0, 1, 2].map(|c| point.irradiance(of(c)));
-            points.push(point);
+            places.push(Place { lit, weight: solid_angle * z });
         }
     }
-    let values = points.iter().flat_map(|point| point.values);
-    let peak = values.fold(f64::MIN_POSITIVE, f64::max);
-    points.iter_mut().for_each(|point| point.weight /= peak * peak);
-    points
+    places
 }
 
-/// The best reflectances and albedo of one roughness.
+/// A lobe of this roughness and a matte base at each place.
 ///
 /// With p = (1 - cos θ_d)^5, the picture is f0 (1 - p) S + f90 p S + albedo (1 - f0 (1 - p) - f90
 /// p) / π, all times the cosine, with the lobe S.
-fn at_roughness(points: &[Point], roughness: f64) -> Result<(Gloss, f64)> {
+fn terms(places: &[Place], roughness: f64) -> Result<Terms> {
     let lobe = Ggx::new(roughness, 1.0, 0.0)?;
-    let terms = points.iter().map(|Point { lit, .. }| {
+    Ok(parallel::map(places.len(), &(), |k| {
         let mut terms = [0.0; 4];
-        for (at, share) in lit {
+        for (at, share) in &places[k].lit {
             let p = (1.0 - at.difference_cosine()).powi(5);
             let (lobe, matte) = (lobe.value(*at), 1.0 / PI);
             let parts = [(1.0 - p) * lobe, p * lobe, (1.0 - p) * matte, p * matte];
@@ -188,15 +243,18 @@ fn at_roughness(points: &[Point], roughness: f64) -> Result<(Gloss, f64)> {
             terms.iter_mut().zip(parts).for_each(|(term, part)| *term += cosine * part);
         }
         terms
-    });
-    let terms: Vec<[f64; 4]> = terms.collect();
+    }))
+}
+
+/// The best reflectances and albedo of one roughness, and the rms of what they leave.
+fn at_roughness(points: &[Point], terms: &Terms, roughness: f64) -> (Gloss, f64) {
     let mut gloss = Gloss { roughness, reflectance: [0.0; 3], grazing: [0.0; 3], albedo: [0.0; 3] };
     let (mut left, mut all) = (0.0, 0.0);
     for c in 0..3 {
         // Sums of products of the four terms and of the values.
         let mut sums = [[0.0; 4]; 4];
         let (mut right, mut square) = ([0.0; 4], 0.0);
-        for (point, terms) in points.iter().zip(&terms) {
+        for (point, terms) in points.iter().zip(terms) {
             let value = point.values[c];
             square += point.weight * value * value;
             for (i, a) in terms.iter().enumerate() {
@@ -234,7 +292,7 @@ fn at_roughness(points: &[Point], roughness: f64) -> Result<(Gloss, f64)> {
         all += square;
     }
     // A black surface is any gloss without reflectance.
-    Ok((gloss, if all > 0.0 { (left / all).sqrt() } else { 0.0 }))
+    (gloss, if all > 0.0 { (left / all).sqrt() } else { 0.0 })
 }
 
 #[cfg(test)]
@@ -246,7 +304,7 @@ mod tests {
         let [r, g, b] = [(0.9, 0.0), (0.3, 0.2), (0.04, 0.7)]
             .map(|(f0, albedo)| Ggx::new(0.314, f0, albedo).unwrap());
         let surface = Surface::colored("x".into(), [Box::new(r), Box::new(g), Box::new(b)]);
-        let (gloss, error) = fit(&surface).unwrap();
+        let (gloss, error) = Fit::new().unwrap().nearest(&surface).unwrap();
         assert!(error < 0.01 && (gloss.roughness - 0.314).abs() < 2e-3, "{gloss:?} {error}");
         for (c, (f0, albedo)) in [(0.9, 0.0), (0.3, 0.2), (0.04, 0.7)].into_iter().enumerate() {
             assert!((gloss.reflectance[c] - f0).abs() < 0.01, "{gloss:?}");
@@ -268,11 +326,11 @@ mod tests {
                 let [slant, y] = [0.5 * angle.to_radians() + 0.8 * from, (0.6 * from).sin()];
                 let rest = (1.0 - y * y).sqrt();
                 let lit = lit_points(&source, [rest * slant.sin(), y, rest * slant.cos()]);
-                Point { lit, weight: 1.0, values: [0.0; 3] }
+                Place { lit, weight: 1.0 }
             })
         };
         let [found, fine] = [STEP, 0.2 * STEP]
-            .map(|step| picture(step).map(|point| point.irradiance(&lobe)).collect::<Vec<_>>());
+            .map(|step| picture(step).map(|place| place.irradiance(&lobe)).collect::<Vec<_>>());
         let off = found.iter().zip(&fine).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
         assert!(off < 0.02 * fine[0], "{off} of {}", fine[0]);
     }

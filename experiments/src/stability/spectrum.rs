@@ -53,7 +53,7 @@ const RESOLVED: [(f64, [usize; 10]); 3] = [
 
 /// Singular values of A, relative to the largest of all blocks, by |m|.
 fn singular_values(gram: &GramFactor) -> Vec<Vec<f64>> {
-    let block = |azimuth| Block::new(gram, azimuth, |_, _, _, _| true).expect("finite");
+    let block = |azimuth| Block::new(gram, azimuth, &|_, _, _, _| true).expect("finite");
     let blocks: Vec<_> = (0..=gram.degree).map(|m| block(m).singular_values).collect();
     let most = largest(blocks.iter().flatten().copied());
     blocks.iter().map(|block| block.iter().map(|value| value / most).collect()).collect()
@@ -304,7 +304,7 @@ fn dense(matrix: &Mat<f64>) -> DMatrix<f64> {
 /// 1e-15 to 1e-3 apart, and zero.
 pub(super) fn nearly_equal() -> Vec<Figure> {
     let gram = gram::of_sphere(6, 5);
-    let block = Block::new(&gram, 0, |_, _, _, _| true).expect("finite");
+    let block = Block::new(&gram, 0, &|_, _, _, _| true).expect("finite");
     let deviation = |material| Deviation { degree: 2, material };
     // Images of plain materials under one degree.
     let plain = [(0, 0), (2, 0), (4, 0), (1, 1), (3, 1)].map(|(o, q)| {

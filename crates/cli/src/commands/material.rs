@@ -82,7 +82,7 @@ impl Material {
         let negative = negative_values(&sources);
         let beside = beside(&out);
         let glosses = match &beside {
-            Some(_) => sources.iter().map(gloss).collect::<Result<Vec<_>>>()?,
+            Some(_) => glosses(&sources)?,
             None => Vec::new(),
         };
         let (mut materials, fits) = coefficients(sources, order, measure.into())?;
@@ -107,12 +107,14 @@ fn beside(out: &Destination) -> Option<PathBuf> {
     csv.map(gloss_file)
 }
 
-/// The gloss of a material: exact for the formulas `lambertian` and `ggx`, fitted to others.
-fn gloss(source: &Source) -> Result<NamedGloss> {
-    match source {
+/// The gloss of each material: exact for the formulas `lambertian` and `ggx`, fitted to others.
+fn glosses(sources: &[Source]) -> Result<Vec<NamedGloss>> {
+    let mut fit = None;
+    let of = |source: &Source| match source {
         Source::Measured(measured) => gloss::of_measured(measured),
-        Source::Surface(surface) => gloss::named(surface),
-    }
+        Source::Surface(surface) => gloss::named(surface, &mut fit),
+    };
+    sources.iter().map(of).collect()
 }
 
 /// The coefficients of all sources, in order, and the fits among them.

@@ -201,8 +201,8 @@ fn analyze(
     let criterion = basis.criterion;
     let keeps = |l, o, p, q| kept.keeps(gram, azimuth, (l, o, p, q));
     let block = match basis.store {
-        Store::Modes => Block::new(gram, azimuth, keeps)?,
-        _ => Block::without_modes(gram, azimuth, keeps)?,
+        Store::Modes => Block::new(gram, azimuth, &keeps)?,
+        _ => Block::without_modes(gram, azimuth, &keeps)?,
     };
     let deviations = moments::deviations(light, materials, kept.effects, criterion, azimuth);
     let images = block.images(gram, &deviations);

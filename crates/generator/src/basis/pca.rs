@@ -41,7 +41,7 @@ impl Block {
     pub fn new(
         gram: &GramFactor,
         azimuth: usize,
-        keeps: impl Fn(usize, usize, usize, usize) -> bool,
+        keeps: &dyn Fn(usize, usize, usize, usize) -> bool,
     ) -> Result<Self> {
         let (space, factor) = factor(gram, azimuth, keeps);
         let svd = factor.thin_svd().map_err(|_| not_converged(azimuth))?;
@@ -64,7 +64,7 @@ impl Block {
     pub fn without_modes(
         gram: &GramFactor,
         azimuth: usize,
-        keeps: impl Fn(usize, usize, usize, usize) -> bool,
+        keeps: &dyn Fn(usize, usize, usize, usize) -> bool,
     ) -> Result<Self> {
         let (space, factor) = factor(gram, azimuth, keeps);
         // Aᵀ = Q R, so A has the left singular vectors and the values of Rᵀ. Only R is computed:
@@ -138,7 +138,7 @@ impl Block {
 pub(crate) fn factor(
     gram: &GramFactor,
     azimuth: usize,
-    keeps: impl Fn(usize, usize, usize, usize) -> bool,
+    keeps: &dyn Fn(usize, usize, usize, usize) -> bool,
 ) -> (ProfileSpace, Mat<f64>) {
     let space = ProfileSpace::new(gram, azimuth);
     let modes: Vec<_> = mode::indices(gram.degree, gram.order, azimuth).collect();

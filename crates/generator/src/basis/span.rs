@@ -70,7 +70,7 @@ impl Span {
         let blocks: Vec<Block> = (0..=gram.degree)
             .map(|azimuth| {
                 let keeps = |l, o, p, q| kept.keeps(gram, azimuth, (l, o, p, q));
-                Block::without_modes(gram, azimuth, keeps)
+                Block::without_modes(gram, azimuth, &keeps)
             })
             .collect::<Result<_>>()?;
         let largest =

@@ -174,7 +174,7 @@ impl<'a> Images<'a> {
     /// Uses the modes of the kept effects.
     pub(super) fn new(gram: &'a GramFactor, kept: &Kept, azimuth: usize) -> Self {
         let keeps = |l, o, p, q| kept.keeps(gram, azimuth, (l, o, p, q));
-        let (space, factor) = pca::factor(gram, azimuth, keeps);
+        let (space, factor) = pca::factor(gram, azimuth, &keeps);
         Self { gram, azimuth, space, factor }
     }
 
