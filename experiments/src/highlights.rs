@@ -14,7 +14,7 @@ use eigenshade_model::inputs::source_csv::read_sources;
 use eigenshade_model::rotation::Rotation;
 use eigenshade_model::source::{NamedGloss, SetError, SourceSets};
 use eigenshade_shading::shipped;
-use eigenshade_sources::gloss;
+use eigenshade_sources::gloss::Fitter;
 use eigenshade_sources::pursuit::{self, FITTED};
 use eigenshade_sources::remaining::{self, off, picture};
 use eigenshade_sources::response::{Glossy, Response};
@@ -237,8 +237,8 @@ pub fn parts(rows: &[Row]) -> Vec<Part> {
 pub fn glosses(inputs: &Path, names: &[String]) -> Result<Vec<NamedGloss>> {
     let mut all = surfaces(inputs)?;
     all.retain(|surface| names.is_empty() || names.contains(&surface.name));
-    let mut fit = None;
-    all.iter().map(|surface| gloss::named(surface, &mut fit)).collect()
+    let mut fitter = Fitter::default();
+    all.iter().map(|surface| fitter.named(surface)).collect()
 }
 
 /// The errors that the shipped sources of each captured light leave, or of those with these names.
@@ -291,7 +291,8 @@ pub fn spheres(
     let surface = surface.ok_or_else(|| Error::new("no such material", "take a shipped one"))?;
     let sources = shipped::sources()?.into_iter().find(|sets| sets.name == map);
     let sources = sources.unwrap_or_default();
-    let gloss = gloss::named(&surface, &mut None)?.gloss;
+    let gloss = shipped::glosses()?.into_iter().find(|one| one.name == material);
+    let gloss = gloss.ok_or_else(|| Error::new("no gloss", "take a shipped material"))?.gloss;
     let sphere = Sphere::of_normals(normals);
     DRAWN
         .iter()

@@ -234,7 +234,7 @@ fn glosses_leave_what_the_page_says() {
     );
 }
 
-/// One of ten, and the sharpest: fits take a second each.
+/// One of ten, and the sharpest.
 #[test]
 fn glosses_are_fitted_again() {
     let all = shipped::glosses().unwrap().into_iter().enumerate();

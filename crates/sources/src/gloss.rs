@@ -11,6 +11,7 @@ use eigenshade_model::error::Result;
 use eigenshade_model::source::{Gloss, NamedGloss};
 use eigenshade_shading::parallel;
 use std::f64::consts::{FRAC_PI_2, PI};
+use std::ops::Range;
 
 /// Angles of the lights from the camera in degrees.
 const LIGHTS: [f64; 6] = [10.0, 35.0, 60.0, 85.0, 110.0, 140.0];
@@ -33,7 +34,7 @@ const HALVINGS: usize = 6;
 /// Steps of the least squares solution.
 const STEPS: usize = 100;
 
-/// A normal of a picture.
+/// A normal of a picture, or a measured pair of directions.
 struct Place {
     /// The geometry of each point of the source that the normal faces, and its share.
     lit: Vec<(Geometry, f64)>,
@@ -47,78 +48,74 @@ impl Place {
     }
 }
 
-/// What a gloss is fitted to at a place.
+/// The irradiance to fit at a place, by channel, and its weight.
 struct Point {
     weight: f64,
-    /// The irradiance of a source of energy 1, by channel.
     values: [f64; 3],
 }
 
-/// A lobe and a matte base at each place, as the four terms of [`terms`].
+/// The four terms of [`terms`] at each place.
 type Terms = Vec<[f64; 4]>;
 
-/// Fits surfaces. All are first compared with the same lobes, which are computed once.
-pub struct Fit {
+/// Fits surfaces one after the other. All are first compared with the same lobes, which are computed
+/// for the first surface that needs them, in some seconds, and kept, in 80 MB.
+#[derive(Default)]
+pub struct Fitter(Option<Lobes>);
+
+struct Lobes {
     places: Vec<Place>,
-    /// The number of places under each of [`LIGHTS`].
-    counts: [usize; LIGHTS.len()],
+    /// The places under each of [`LIGHTS`].
+    pictures: [Range<usize>; LIGHTS.len()],
     tried: Vec<Terms>,
 }
 
-impl Fit {
-    /// Computes the lobes: a few seconds, and 80 MB.
+impl Fitter {
+    /// The gloss of a surface: exact, or fitted.
     ///
     /// # Errors
     ///
-    /// Cannot fail in practice: the roughness is in range.
-    pub fn new() -> Result<Self> {
-        let pictures = LIGHTS.map(places);
-        let counts = pictures.each_ref().map(Vec::len);
-        let places: Vec<Place> = pictures.into_iter().flatten().collect();
-        let tried = tried(&places)?;
-        Ok(Self { places, counts, tried })
+    /// Cannot fail in practice: every roughness is in range.
+    pub fn named(&mut self, surface: &Surface) -> Result<NamedGloss> {
+        let (gloss, error) = match surface.gloss() {
+            Some(gloss) => (gloss, 0.0),
+            None => self.fit(surface)?,
+        };
+        Ok(NamedGloss { name: surface.name.clone(), gloss, error })
     }
 
     /// The gloss nearest to a surface, and the rms of what it leaves relative to that of the
     /// surface.
-    ///
-    /// # Errors
-    ///
-    /// Those of [`new`](Self::new).
-    pub fn nearest(&self, surface: &Surface) -> Result<(Gloss, f64)> {
-        let last = surface.channels() - 1;
-        let values = parallel::map(self.places.len(), &(), |k| {
-            [0, 1, 2].map(|c| self.places[k].irradiance(surface.channel(c.min(last))))
-        });
-        let mut pairs = self.places.iter().zip(values);
-        let mut points = Vec::with_capacity(self.places.len());
-        for count in self.counts {
-            // Each picture counts relative to its peak.
-            let of_picture: Vec<_> = pairs.by_ref().take(count).collect();
-            let all = of_picture.iter().flat_map(|(_, values)| *values);
-            let peak = all.fold(f64::MIN_POSITIVE, f64::max);
-            points.extend(
-                of_picture
-                    .into_iter()
-                    .map(|(place, values)| Point { weight: place.weight / (peak * peak), values }),
-            );
+    fn fit(&mut self, surface: &Surface) -> Result<(Gloss, f64)> {
+        if self.0.is_none() {
+            self.0 = Some(Lobes::new()?);
         }
-        nearest(&self.places, &points, &self.tried)
+        let Some(Lobes { places, pictures, tried }) = &self.0 else { unreachable!("just made") };
+        let mut points = parallel::map(places.len(), &(), |k| {
+            let values = [0, 1, 2].map(|c| places[k].irradiance(surface.channel(c)));
+            Point { weight: places[k].weight, values }
+        });
+        // Each picture relative to its peak.
+        for picture in pictures {
+            let points = &mut points[picture.clone()];
+            let values = points.iter().flat_map(|point| point.values);
+            let peak = values.fold(f64::MIN_POSITIVE, f64::max);
+            points.iter_mut().for_each(|point| point.weight /= peak * peak);
+        }
+        nearest(places, &points, |k| Ok(at_roughness(&points, &tried[k], roughness(k))))
     }
 }
 
-/// The gloss of a surface: exact, or fitted by `fit`, which is made when a surface first needs it.
-///
-/// # Errors
-///
-/// Those of [`Fit::new`].
-pub fn named(surface: &Surface, fit: &mut Option<Fit>) -> Result<NamedGloss> {
-    let (gloss, error) = match (surface.gloss(), fit) {
-        (Some(gloss), _) => (gloss, 0.0),
-        (None, Some(fit)) => fit.nearest(surface)?,
-        (None, fit) => fit.insert(Fit::new()?).nearest(surface)?,
-    };
-    Ok(NamedGloss { name: surface.name.clone(), gloss, error })
+impl Lobes {
+    fn new() -> Result<Self> {
+        let mut places = Vec::new();
+        let pictures = LIGHTS.map(|angle| {
+            let first = places.len();
+            places.extend(picture(angle));
+            first..places.len()
+        });
+        let tried = (0..TRIED).map(|k| terms(&places, roughness(k))).collect::<Result<_>>()?;
+        Ok(Self { places, pictures, tried })
+    }
 }
 
 /// The gloss nearest to measurements. Its error is relative to them: what the lobe is between them
@@ -126,34 +123,34 @@ pub fn named(surface: &Surface, fit: &mut Option<Fit>) -> Result<NamedGloss> {
 ///
 /// # Errors
 ///
-/// Those of [`Fit::new`].
+/// Cannot fail in practice: every roughness is in range.
 pub fn of_measured(measured: &Measured) -> Result<NamedGloss> {
     let of = |sample: &Measurement| {
         let Measurement { theta_i, theta_r, delta_phi, rgb } = *sample;
         let at = Geometry::from_angles(theta_i, theta_r, delta_phi);
         let values = rgb.map(|value| value * at.incident);
-        let place = Place { lit: vec![(at, 1.0)], weight: at.reflected };
-        (place, Point { weight: at.reflected, values })
+        let weight = at.reflected;
+        (Place { lit: vec![(at, 1.0)], weight }, Point { weight, values })
     };
     let (places, points): (Vec<_>, Vec<_>) = measured.samples.iter().map(of).unzip();
-    let (gloss, error) = nearest(&places, &points, &tried(&places)?)?;
+    let fit = |k| Ok(at_roughness(&points, &terms(&places, roughness(k))?, roughness(k)));
+    let (gloss, error) = nearest(&places, &points, fit)?;
     Ok(NamedGloss { name: measured.name.clone(), gloss, error })
 }
 
-/// The roughness that is tried in this place.
-fn roughness(place: usize) -> f64 {
-    SMOOTHEST + FIRST_STEP * place as f64
+/// The k-th roughness that is tried at first.
+fn roughness(k: usize) -> f64 {
+    SMOOTHEST + FIRST_STEP * k as f64
 }
 
-/// The lobes of each roughness that is tried at first.
-fn tried(places: &[Place]) -> Result<Vec<Terms>> {
-    parallel::map(TRIED, &(), |k| terms(places, roughness(k))).into_iter().collect()
-}
-
-/// The gloss nearest to pictures, and the rms of what it leaves.
-fn nearest(places: &[Place], points: &[Point], tried: &[Terms]) -> Result<(Gloss, f64)> {
-    let of = |k: usize| at_roughness(points, &tried[k], roughness(k));
-    let fits = parallel::map(tried.len(), &(), of);
+/// The gloss nearest to pictures, and the rms of what it leaves, from the fit of the k-th roughness
+/// that is tried at first.
+fn nearest(
+    places: &[Place],
+    points: &[Point],
+    fit: impl Fn(usize) -> Result<(Gloss, f64)> + Sync,
+) -> Result<(Gloss, f64)> {
+    let fits = parallel::map(TRIED, &(), fit).into_iter().collect::<Result<Vec<_>>>()?;
     let mut best = fits[0];
     for one in &fits[1..] {
         if one.1 < best.1 {
@@ -202,7 +199,7 @@ fn lit_points(source: &[([f64; 3], f64)], [x, y, z]: [f64; 3]) -> Vec<(Geometry,
 }
 
 /// The places of a picture under the source at this angle.
-fn places(angle: f64) -> Vec<Place> {
+fn picture(angle: f64) -> Vec<Place> {
     let source = source_points(angle, STEP);
     let (sin_h, cos_h) = (0.5 * angle.to_radians()).sin_cos();
     let ratio = (FRAC_PI_2 / NEAREST).powf(1.0 / RINGS as f64);
@@ -304,7 +301,7 @@ mod tests {
         let [r, g, b] = [(0.9, 0.0), (0.3, 0.2), (0.04, 0.7)]
             .map(|(f0, albedo)| Ggx::new(0.314, f0, albedo).unwrap());
         let surface = Surface::colored("x".into(), [Box::new(r), Box::new(g), Box::new(b)]);
-        let (gloss, error) = Fit::new().unwrap().nearest(&surface).unwrap();
+        let (gloss, error) = Fitter::default().fit(&surface).unwrap();
         assert!(error < 0.01 && (gloss.roughness - 0.314).abs() < 2e-3, "{gloss:?} {error}");
         for (c, (f0, albedo)) in [(0.9, 0.0), (0.3, 0.2), (0.04, 0.7)].into_iter().enumerate() {
             assert!((gloss.reflectance[c] - f0).abs() < 0.01, "{gloss:?}");
@@ -318,7 +315,7 @@ mod tests {
     fn a_source_is_smooth() {
         let lobe = Ggx::new(SMOOTHEST, 0.9, 0.0).unwrap();
         let angle = 60.0;
-        let picture = |step: f64| {
+        let profile = |step: f64| {
             let source = source_points(angle, step);
             (0..60).map(move |k| {
                 // From the middle of the lobe outwards, askew to the grid.
@@ -330,7 +327,7 @@ mod tests {
             })
         };
         let [found, fine] = [STEP, 0.2 * STEP]
-            .map(|step| picture(step).map(|place| place.irradiance(&lobe)).collect::<Vec<_>>());
+            .map(|step| profile(step).map(|place| place.irradiance(&lobe)).collect::<Vec<_>>());
         let off = found.iter().zip(&fine).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
         assert!(off < 0.02 * fine[0], "{off} of {}", fine[0]);
     }

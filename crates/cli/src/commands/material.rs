@@ -20,7 +20,7 @@ use eigenshade_model::inputs::coefficient_csv::write_materials;
 use eigenshade_model::inputs::gloss_csv::write_glosses;
 use eigenshade_model::source::NamedGloss;
 use eigenshade_shading::parallel;
-use eigenshade_sources::gloss;
+use eigenshade_sources::gloss::{Fitter, of_measured};
 use std::collections::HashSet;
 use std::path::PathBuf;
 
@@ -109,10 +109,10 @@ fn beside(out: &Destination) -> Option<PathBuf> {
 
 /// The gloss of each material: exact for the formulas `lambertian` and `ggx`, fitted to others.
 fn glosses(sources: &[Source]) -> Result<Vec<NamedGloss>> {
-    let mut fit = None;
+    let mut fitter = Fitter::default();
     let of = |source: &Source| match source {
-        Source::Measured(measured) => gloss::of_measured(measured),
-        Source::Surface(surface) => gloss::named(surface, &mut fit),
+        Source::Measured(measured) => of_measured(measured),
+        Source::Surface(surface) => fitter.named(surface),
     };
     sources.iter().map(of).collect()
 }
