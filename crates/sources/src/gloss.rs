@@ -27,7 +27,7 @@ const RADIUS: f64 = 3.0;
 const NEAREST: f64 = 0.004;
 const RINGS: usize = 40;
 const AROUND: usize = 8;
-/// Roughness that is tried at first, and halvings of the step after it.
+/// The roughnesses that are tried at first, their step, and how often it is halved after them.
 const TRIED: usize = 48;
 const FIRST_STEP: f64 = (1.0 - SMOOTHEST) / (TRIED - 1) as f64;
 const HALVINGS: usize = 6;
@@ -58,10 +58,11 @@ struct Point {
 type Terms = Vec<[f64; 4]>;
 
 /// Fits surfaces one after the other. All are first compared with the same lobes, which are computed
-/// for the first surface that needs them, in some seconds, and kept, in 80 MB.
+/// for the first surface that needs them.
 #[derive(Default)]
 pub struct Fitter(Option<Lobes>);
 
+/// The pictures of the lobes that are tried at first.
 struct Lobes {
     places: Vec<Place>,
     /// The places under each of [`LIGHTS`].
@@ -86,16 +87,16 @@ impl Fitter {
     /// The gloss nearest to a surface, and the rms of what it leaves relative to that of the
     /// surface.
     fn fit(&mut self, surface: &Surface) -> Result<(Gloss, f64)> {
-        if self.0.is_none() {
-            self.0 = Some(Lobes::new()?);
-        }
-        let Some(Lobes { places, pictures, tried }) = &self.0 else { unreachable!("just made") };
+        let Lobes { places, pictures, tried } = match &mut self.0 {
+            Some(lobes) => lobes,
+            none => none.insert(Lobes::new()?),
+        };
         let mut points = parallel::map(places.len(), &(), |k| {
             let values = [0, 1, 2].map(|c| places[k].irradiance(surface.channel(c)));
             Point { weight: places[k].weight, values }
         });
-        // Each picture relative to its peak.
-        for picture in pictures {
+        // Each picture counts relative to its peak.
+        for picture in &*pictures {
             let points = &mut points[picture.clone()];
             let values = points.iter().flat_map(|point| point.values);
             let peak = values.fold(f64::MIN_POSITIVE, f64::max);
