@@ -47,11 +47,11 @@ fn error_text(errors: &[Vec<String>], name: &str) -> String {
             errors.iter().find(|row| row.len() == 7 && row[0] == name && row[1..3] == size)?;
         row[column].parse::<f64>().ok().map(|share| format!("{:.1} %", 100.0 * share))
     };
-    let of_size = |size| Some([percent(3, size)?, percent(6, size)?]);
+    let of_size = |size| Some([percent(3, size)?, percent(4, size)?, percent(6, size)?]);
     match (of_size(["9", "7"]), of_size(["12", "12"])) {
-        (Some([median, pixel]), Some([of_12, pixel_of_12])) => format!(
-            " Total error: {median} of the peak (rms, median of 18 maps; worst pixel {pixel}); \
-             {of_12} ({pixel_of_12}) at degree and order 12."
+        (Some([median, worst, pixel]), Some([of_12, worst_of_12, pixel_of_12])) => format!(
+            " Total error: {median} of the peak (rms, median of 18 maps; worst map {worst}, worst \
+             pixel {pixel}); {of_12} ({worst_of_12}, {pixel_of_12}) at degree and order 12."
         ),
         _ => String::new(),
     }

@@ -1,5 +1,6 @@
 //! Lights that a formula describes: ambient, sky and ground, discs and directions.
 
+use crate::color::Rgb;
 use crate::error::{Argument, Error};
 use crate::index::light;
 use crate::light::{Light, Window, degree};
@@ -173,9 +174,113 @@ impl<S: Scalar, const N: usize> AnalyticLight<S, N> {
     ///
     /// # Errors
     ///
-    /// None: [`dark`](Self::dark) has checked `N`.
+    /// [`Error::NotFinite`] if a radiance was infinite or NaN.
     pub fn light(&self) -> Result<Light<'_, S>, Error> {
+        Error::check_finite(Argument::Light, &self.coefficients)?;
         Light::new(&self.coefficients)
+    }
+}
+
+/// The same in color. Radiances and irradiances have three channels.
+///
+/// ```
+/// use eigenshade::mathematics::SinglePrecision;
+/// use eigenshade::{AnalyticLight, Rgb};
+///
+/// let light = Rgb::<AnalyticLight<f32, 100>>::dark()?
+///     .hemisphere::<SinglePrecision>([0.0, 1.0, 0.0], [0.3, 0.5, 1.0], [0.2, 0.2, 0.1])?
+///     .disc::<SinglePrecision>([1.0, 1.0, 1.0], 0.2, [9.0, 8.0, 6.0])?;
+/// assert!(light.lights()?.r.coefficients()[0] > 0.0);
+/// # Ok::<(), eigenshade::Error>(())
+/// ```
+impl<S: Scalar, const N: usize> Rgb<AnalyticLight<S, N>> {
+    /// [`AnalyticLight::dark`].
+    ///
+    /// # Errors
+    ///
+    /// The same.
+    pub fn dark() -> Result<Self, Error> {
+        AnalyticLight::dark().map(Self::gray)
+    }
+
+    /// [`AnalyticLight::ambient`].
+    #[must_use]
+    pub fn ambient(self, radiance: [S; 3]) -> Self {
+        self.zip(radiance.into()).map(|(light, radiance)| light.ambient(radiance))
+    }
+
+    /// [`AnalyticLight::hemisphere`].
+    ///
+    /// # Errors
+    ///
+    /// The same.
+    pub fn hemisphere<M: Mathematics<S>>(
+        self,
+        up: [S; 3],
+        sky: [S; 3],
+        ground: [S; 3],
+    ) -> Result<Self, Error> {
+        let radiances = Rgb::from(sky).zip(ground.into());
+        self.zip(radiances).try_map(|(light, (sky, ground))| light.hemisphere::<M>(up, sky, ground))
+    }
+
+    /// [`AnalyticLight::disc`].
+    ///
+    /// # Errors
+    ///
+    /// The same.
+    pub fn disc<M: Mathematics<S>>(
+        self,
+        direction: [S; 3],
+        radius: S,
+        radiance: [S; 3],
+    ) -> Result<Self, Error> {
+        let channels = self.zip(radiance.into());
+        channels.try_map(|(light, radiance)| light.disc::<M>(direction, radius, radiance))
+    }
+
+    /// [`AnalyticLight::directional`].
+    ///
+    /// # Errors
+    ///
+    /// The same.
+    pub fn directional<M: Mathematics<S>>(
+        self,
+        direction: [S; 3],
+        irradiance: [S; 3],
+    ) -> Result<Self, Error> {
+        let channels = self.zip(irradiance.into());
+        channels.try_map(|(light, irradiance)| light.directional::<M>(direction, irradiance))
+    }
+
+    /// [`AnalyticLight::scaled`].
+    #[must_use]
+    pub fn scaled(self, factor: S) -> Self {
+        self.map(|light| light.scaled(factor))
+    }
+
+    /// [`AnalyticLight::plus`].
+    ///
+    /// # Errors
+    ///
+    /// The same.
+    pub fn plus<'l>(self, other: impl Into<Rgb<Light<'l, S>>>) -> Result<Self, Error> {
+        self.zip(other.into()).try_map(|(light, other)| light.plus(&other))
+    }
+
+    /// [`AnalyticLight::windowed`].
+    #[must_use]
+    pub fn windowed<M: Mathematics<S>>(self, window: Window<S>) -> Self {
+        self.map(|light| light.windowed::<M>(window))
+    }
+
+    /// [`AnalyticLight::light`] in each channel.
+    ///
+    /// # Errors
+    ///
+    /// The same.
+    pub fn lights(&self) -> Result<Rgb<Light<'_, S>>, Error> {
+        self.each_ref().try_map(AnalyticLight::light)
     }
 }
 

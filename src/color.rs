@@ -1,10 +1,10 @@
 //! Three channels of anything: lights, materials, transfers, images and pixels.
 
-use crate::bake::{BakedMap, MapPoint};
+use crate::bake::{BakedMap, MapBuffer, MapPoint};
 use crate::bake_integer::IntegerMap;
 use crate::buffer::{Buffer, zeros};
 use crate::error::{Argument, Error};
-use crate::format::{FixedPoint, Q15};
+use crate::format::Q15;
 use crate::light::{Light, LightBuffer};
 use crate::material::Material;
 use crate::mathematics::Mathematics;
@@ -230,6 +230,23 @@ impl<B> Rgb<Scene<'_, B>> {
     }
 }
 
+impl<C> Rgb<&Scene<'_, C>> {
+    /// [`Scene::bake`] in each channel.
+    ///
+    /// # Errors
+    ///
+    /// The same.
+    pub fn bake<S: Scalar, const T: usize>(
+        self,
+        size: usize,
+    ) -> Result<Rgb<BakedMap<S, MapBuffer<S, T>>>, Error>
+    where
+        C: AsRef<[S]>,
+    {
+        self.try_map(|scene| scene.bake(size))
+    }
+}
+
 impl<S: Scalar, B: AsRef<[S]>> Rgb<BakedMap<S, B>> {
     /// [`BakedMap::bilinear`] in each channel.
     #[inline]
@@ -255,36 +272,11 @@ impl<B: AsRef<[i16]>> Rgb<IntegerMap<B>> {
     }
 }
 
-/// Inputs that the steps in color ask whether two channels are the same.
-#[doc(hidden)]
-pub trait Channel: Copy {
-    /// Whether both refer to the same coefficients in memory.
-    fn is(self, other: Self) -> bool;
-}
-
-impl<S> Channel for Material<'_, S>
-where
-    Self: Copy,
-{
-    #[inline]
-    fn is(self, other: Self) -> bool {
-        core::ptr::eq(self.coefficients(), other.coefficients())
-    }
-}
-
-impl<Q: FixedPoint> Channel for quantized::Material<'_, Q> {
-    #[inline]
-    fn is(self, other: Self) -> bool {
-        core::ptr::eq(self.mantissas, other.mantissas)
-            && core::ptr::eq(self.exponents, other.exponents)
-    }
-}
-
-impl<M: Channel> Rgb<M> {
-    /// The one material of a gray object: all channels refer to the same coefficients in memory.
+impl<M: Copy + PartialEq> Rgb<M> {
+    /// The one material of a gray object: all channels have the same coefficients.
     #[doc(hidden)]
     #[inline]
     pub fn as_gray(self) -> Option<M> {
-        (self.r.is(self.g) && self.r.is(self.b)).then_some(self.r)
+        (self.r == self.g && self.r == self.b).then_some(self.r)
     }
 }

@@ -1,5 +1,6 @@
 //! The pixels and normals of a sphere, without a root for each pixel.
 
+use crate::error::Error;
 use crate::normal::Normal;
 use crate::piece::{INTERVALS, Piece, interpolated};
 use crate::{Q15, quantized};
@@ -48,10 +49,11 @@ fn root(square: u32) -> u16 {
 /// use eigenshade::Disc;
 ///
 /// let mut picture = [' '; 4 * 4];
-/// for pixel in Disc::new(4) {
+/// for pixel in Disc::new(4)? {
 ///     picture[pixel.index()] = if pixel.normal().components()[1] > 0.0 { '^' } else { 'v' };
 /// }
 /// assert_eq!(picture.iter().collect::<String>(), " ^^ ^^^^vvvv vv ");
+/// # Ok::<(), eigenshade::Error>(())
 /// ```
 #[derive(Clone, Debug)]
 pub struct Disc {
@@ -71,16 +73,20 @@ impl Disc {
     /// The largest size.
     pub const MOST: usize = 4096;
 
-    /// The pixels of a picture of `size` x `size` pixels. A size of 0 or above [`MOST`](Self::MOST)
-    /// gives none.
-    #[must_use]
-    pub const fn new(size: usize) -> Self {
-        let size = if size > Self::MOST { 0 } else { size as i32 };
-        let of_one = if size == 0 { 1 } else { size };
-        let unit = (1 << 56) / (of_one as u64 * of_one as u64);
+    /// The pixels of a picture of `size` x `size` pixels.
+    ///
+    /// # Errors
+    ///
+    /// [`Error::Size`] unless the size is 1 to [`MOST`](Self::MOST).
+    pub const fn new(size: usize) -> Result<Self, Error> {
+        if size == 0 || size > Self::MOST {
+            return Err(Error::Size { found: size });
+        }
+        let unit = (1 << 56) / (size * size) as u64;
+        let size = size as i32;
         // 2^31 itself does not fit.
-        let scale = (i32::MAX as i64 / of_one as i64) as i32;
-        Self { size, column: 0, row: 0, end: size, unit, scale }
+        let scale = i32::MAX / size;
+        Ok(Self { size, column: 0, row: 0, end: size, unit, scale })
     }
 
     /// The pixels of one row, from the left. A row beyond the last one has none.
@@ -177,7 +183,7 @@ mod tests {
         let (mut worst, mut at_the_rim) = (0.0_f64, 0.0_f64);
         for size in [1, 2, 3, 17, 240, 1023, 4096] {
             let mut next = 0;
-            for pixel in Disc::new(size) {
+            for pixel in Disc::new(size).unwrap() {
                 assert!(pixel.index() >= next && pixel.index() < size * size);
                 next = pixel.index() + 1;
                 assert_eq!(pixel.index(), pixel.row() * size + pixel.column());
@@ -202,16 +208,19 @@ mod tests {
 
     #[test]
     fn the_circle_has_the_pixels_whose_centers_it_contains() {
-        for size in 0..60_usize {
+        for size in 1..60_usize {
             let inside = |x: usize, y: usize| {
                 let place = |k: usize| (2 * k + 1).abs_diff(size);
                 place(x).pow(2) + place(y).pow(2) <= size * size
             };
             let expected = (0..size * size).filter(|k| inside(k % size, k / size));
-            assert!(Disc::new(size).map(DiscPixel::index).eq(expected), "{size}");
-            let rows = (0..size + 2).flat_map(|row| Disc::new(size).row(row));
-            assert!(rows.eq(Disc::new(size)), "{size}");
+            let disc = Disc::new(size).unwrap();
+            assert!(disc.clone().map(DiscPixel::index).eq(expected), "{size}");
+            let rows = (0..size + 2).flat_map(|row| disc.row(row));
+            assert!(rows.eq(disc.clone()), "{size}");
         }
-        assert_eq!(Disc::new(Disc::MOST + 1).count(), 0);
+        for found in [0, Disc::MOST + 1] {
+            assert_eq!(Disc::new(found).err(), Some(Error::Size { found }));
+        }
     }
 }

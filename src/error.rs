@@ -82,9 +82,10 @@ pub enum Error {
     Bound,
     /// The weights of an estimate's pixels do not have a finite sum above zero.
     Weight,
-    /// The size of a baked map is not 2 to 4096 texels per side.
+    /// The size of a square picture is out of range: a baked map has 2 to 4096 texels a side, a
+    /// [`Disc`](crate::Disc) 1 to 4096 pixels, and a [`Matcap`](crate::Matcap) at least one.
     Size {
-        /// The number of texels per side.
+        /// The number of pixels a side.
         found: usize,
     },
     /// A picture has no pixel.
@@ -347,7 +348,8 @@ impl fmt::Display for Error {
             ),
             Self::Knots { found } => write!(f, "a look-up of {found} knots; take 8 to 65536"),
             Self::Size { found } => {
-                write!(f, "a map of {found} texels a side; take 2 to 4096")
+                write!(f, "a picture of {found} pixels a side; take at least 1, for a baked map 2, and \
+                 at most 4096")
             }
         }
     }

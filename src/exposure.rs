@@ -21,79 +21,59 @@ impl From<f32> for Linear {
     }
 }
 
-/// Exposes irradiances in integers: a mantissa of a [`quantized`](crate::quantized) scene becomes a
-/// [`Linear`].
+/// What an irradiance is multiplied by, so that white is 1.
 ///
 /// ```
-/// use eigenshade::{Exposure, Linear};
+/// use eigenshade::{Exposure, Rgb};
 ///
-/// // 0.5 times 3 x 2^-3.
-/// let exposure = Exposure::new(0.5, -3)?;
-/// assert_eq!(exposure.of(3), Linear((0.1875 * 65_536.0) as u32));
+/// let exposure = Exposure::new(1.5)?;
+/// assert_eq!(exposure.of(Rgb::new(0.5, 1.0, 2.0)), Rgb::new(0.75, 1.5, 3.0));
+/// assert!(Exposure::new(0.0).is_err());
 /// # Ok::<(), eigenshade::Error>(())
 /// ```
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+///
+/// Scenes in integers have an [`Exposure`](crate::quantized::Exposure) in each channel.
+#[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct Exposure {
-    /// 15 bits of the exposure, the highest one set; more if there is nothing to shift.
-    factor: u32,
-    /// The product of mantissa and factor is shifted to the right by this.
-    shift: u32,
+pub struct Exposure(f32);
+
+/// The exposure 1.
+impl Default for Exposure {
+    fn default() -> Self {
+        Self(1.0)
+    }
 }
 
 impl Exposure {
-    /// The exposure of a scene whose irradiances are mantissas times 2^`exponent`. Decodes the
-    /// exposure with integer operations, once per scene and channel.
+    /// An exposure that multiplies by this number.
     ///
     /// # Errors
     ///
-    /// [`Error::NotFinite`] unless the exposure is a normal number above 0.
-    pub const fn new(exposure: f32, exponent: i32) -> Result<Self, Error> {
-        let bits = exposure.to_bits();
-        let biased = (bits >> 23).cast_signed();
-        // With the sign bit set, it is above 255.
-        if biased <= 0 || biased >= 255 {
-            return Err(Error::NotFinite { argument: Argument::Exposure, index: 0 });
+    /// [`Error::NotFinite`] unless it is a normal number above 0.
+    pub const fn new(exposure: f32) -> Result<Self, Error> {
+        if exposure.is_normal() && exposure > 0.0 {
+            Ok(Self(exposure))
+        } else {
+            Err(Error::NotFinite { argument: Argument::Exposure, index: 0 })
         }
-        let fraction = (bits & 0x7f_ffff) | 0x80_0000;
-        let factor = (fraction + (1 << 8)) >> 9;
-        let left = exponent.saturating_add(biased - 127 - 14 + POINT.cast_signed());
-        let (left, shift) = match left {
-            // 30 bits are beyond white.
-            17.. => (16, 0),
-            0..=16 => (left, 0),
-            -63..=-1 => (0, left.unsigned_abs()),
-            _ => (0, 63),
-        };
-        Ok(Self { factor: factor << left, shift })
     }
 
-    /// The exposed irradiance of a mantissa, rounded down; 0 for negative ones.
+    /// The number that it multiplies by.
     #[inline]
     #[must_use]
-    pub fn of(self, mantissa: i32) -> Linear {
-        let product = u64::from(mantissa.max(0).cast_unsigned()) * u64::from(self.factor);
-        Linear(u32::try_from(product >> self.shift).unwrap_or(u32::MAX))
+    pub const fn factor(self) -> f32 {
+        self.0
     }
-}
 
-impl Rgb<Exposure> {
-    /// The exposed irradiances of a pixel's mantissas.
+    /// The exposed color.
     #[inline]
     #[must_use]
-    pub fn of(self, mantissas: Rgb<i32>) -> Rgb<Linear> {
-        self.zip(mantissas).map(|(exposure, mantissa)| exposure.of(mantissa))
+    pub fn of(self, color: Rgb<f32>) -> Rgb<f32> {
+        color.map(|channel| channel * self.0)
     }
 }
 
 impl Rgb<f32> {
-    /// This color times an exposure.
-    #[inline]
-    #[must_use]
-    pub fn exposed(self, exposure: f32) -> Self {
-        self.map(|channel| channel * exposure)
-    }
-
     /// The largest channel.
     #[inline]
     #[must_use]
@@ -102,7 +82,12 @@ impl Rgb<f32> {
     }
 }
 
+/// The biased exponent of 2^-16, the darkest that a [`Meter`] tells from black.
+const DARKEST: u32 = 127 - 16;
+
 /// Meters a picture for its exposure: how bright all but a share of its pixels are.
+///
+/// Pixels in integers are exposed first, such as by 1, and the exposure found comes on top.
 ///
 /// ```
 /// use eigenshade::{Meter, Rgb};
@@ -110,7 +95,7 @@ impl Rgb<f32> {
 /// let mut meter = Meter::default();
 /// (1..=100).for_each(|i| meter.add(Rgb::new(0.0, 0.02 * i as f32, 0.0)));
 /// let exposure = meter.exposure(0.9).expect("there are pixels"); // near 1 / 1.8
-/// assert!((exposure * 1.8 - 1.0).abs() < 0.07);
+/// assert!((exposure.factor() * 1.8 - 1.0).abs() < 0.07);
 /// ```
 ///
 /// The largest channels are counted in eight steps for each power of two, from 2^-16 to 2^16.
@@ -131,8 +116,19 @@ impl Meter {
     pub fn add(&mut self, color: Rgb<f32>) {
         let largest = color.largest();
         let largest = if largest > 0.0 && largest.is_finite() { largest } else { 0.0 };
-        // Exponent and three bits of the fraction, from 2^-16 on.
-        let step = (largest.to_bits() >> 20).saturating_sub((127 - 16) << 3).min(255);
+        self.count(largest, DARKEST);
+    }
+
+    /// Counts an exposed pixel in integers.
+    pub fn add_linear(&mut self, color: Rgb<Linear>) {
+        // The conversion and the shift are integer operations.
+        self.count(color.r.max(color.g).max(color.b).0 as f32, DARKEST + POINT);
+    }
+
+    /// Counts a number in units of which the darkest has this biased exponent.
+    fn count(&mut self, largest: f32, darkest: u32) {
+        // Exponent and three bits of the fraction.
+        let step = (largest.to_bits() >> 20).saturating_sub(darkest << 3).min(255);
         if let Some(count) = self.counts.get_mut(step as usize) {
             *count = count.saturating_add(1);
         }
@@ -142,7 +138,7 @@ impl Meter {
     /// The exposure with which this share of the pixels, from 0 to 1, is not brighter than white,
     /// to within 7 %. `None` if no pixel was counted or all of them are black.
     #[must_use]
-    pub fn exposure(&self, share: f32) -> Option<f32> {
+    pub fn exposure(&self, share: f32) -> Option<Exposure> {
         let enough = (share * self.total as f32) as u32;
         let mut counted = 0_u32;
         let step = self.counts.iter().position(|&count| {
@@ -151,17 +147,14 @@ impl Meter {
         })?;
         let brightest = self.counts.iter().rposition(|&count| count > 0)?;
         // The middle of the step.
-        let middle = f32::from_bits((((127 - 16) << 3) + step as u32) << 20 | 1 << 19);
-        (brightest > 0).then_some(1.0 / middle)
+        let middle = f32::from_bits(((DARKEST << 3) + step as u32) << 20 | 1 << 19);
+        (brightest > 0).then_some(Exposure(1.0 / middle))
     }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    /// The irradiance from which on every pixel is white.
-    const WHITE: u32 = 16;
 
     #[test]
     fn floats_saturate() {
@@ -172,26 +165,9 @@ mod tests {
     }
 
     #[test]
-    fn integers_are_exposed_as_floats() {
-        for exposure in [1e-6_f32, 0.3, 1.0, 1.7, 9e4] {
-            for exponent in [-40, -20, -16, -3, 0] {
-                let scaled = Exposure::new(exposure, exponent);
-                for mantissa in [-5, 0, 1, 1000, 70_001, i32::MAX] {
-                    let exact = f64::from(exposure)
-                        * f64::from(mantissa.max(0))
-                        * libm::exp2(f64::from(exponent) + 16.0);
-                    let found = f64::from(scaled.map_or(0, |scaled| scaled.of(mantissa).0));
-                    let white = f64::from(WHITE << POINT);
-                    let off = found.min(white) - exact.min(white);
-                    assert!(
-                        off.abs() <= 1.0 + exact / 32_000.0,
-                        "{exposure} {exponent} {mantissa}"
-                    );
-                }
-            }
-        }
+    fn exposures_are_above_zero() {
         for refused in [0.0, -1.0, f32::NAN, f32::INFINITY, 1e-40] {
-            assert!(Exposure::new(refused, 0).is_err(), "{refused}");
+            assert!(Exposure::new(refused).is_err(), "{refused}");
         }
     }
 
@@ -201,8 +177,14 @@ mod tests {
             let brightness = libm::exp2f(0.1 * k as f32);
             let mut meter = Meter::default();
             meter.add(Rgb::new(brightness, 0.0, -1.0));
-            let white = meter.exposure(1.0).map_or(0.0, |exposure| exposure * brightness);
+            let white = meter.exposure(1.0).unwrap().factor() * brightness;
             assert!((white - 1.0).abs() < 0.07, "{brightness}: {white}");
+            let mut of_integers = Meter::default();
+            of_integers.add_linear(Rgb::from([brightness, 0.0, 0.0]).map(Linear::from));
+            // A unit of 2^-16 is a sixteenth of 2^-12.
+            if brightness > 2.5e-4 {
+                assert_eq!(of_integers.exposure(1.0), meter.exposure(1.0), "{brightness}");
+            }
         }
     }
 
@@ -214,6 +196,6 @@ mod tests {
         meter.add(Rgb::gray(f32::NAN));
         assert_eq!(meter.exposure(0.5), None);
         meter.add(Rgb::gray(1e30));
-        assert!(meter.exposure(1.0).is_some_and(|exposure| exposure < 2e-5));
+        assert!(meter.exposure(1.0).is_some_and(|exposure| exposure.0 < 2e-5));
     }
 }

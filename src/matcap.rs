@@ -1,5 +1,6 @@
 //! Matcaps: squares that show a sphere, in which engines look up the color of a normal.
 
+use crate::error::Error;
 use crate::mathematics::{Libm, Mathematics};
 use crate::normal::Normal;
 
@@ -26,13 +27,14 @@ use crate::normal::Normal;
 /// use eigenshade::Matcap;
 ///
 /// let mut matcap = [[0.0; 3]; 8 * 8];
-/// for texel in Matcap::new(8) {
+/// for texel in Matcap::new(8)? {
 ///     matcap[texel.index()] = texel.normal().components();
 /// }
 /// assert_eq!(matcap[3 * 8 + 4][..2], [0.125, 0.125]);
 /// assert_eq!(matcap[0][2], 0.0);
+/// # Ok::<(), eigenshade::Error>(())
 /// ```
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Matcap {
     size: usize,
     /// Of 1/2 the width of the square.
@@ -49,10 +51,22 @@ impl Matcap {
     /// The radius of the disc that Blender looks up: it multiplies normals by 0.496.
     pub const BLENDER: f32 = 0.992;
 
-    /// The texels of a matcap. A size of 0 gives none.
+    /// The texels of a matcap.
+    ///
+    /// # Errors
+    ///
+    /// [`Error::Size`] if the size is 0.
+    pub const fn new(size: usize) -> Result<Self, Error> {
+        if size == 0 {
+            return Err(Error::Size { found: size });
+        }
+        Ok(Self { size, radius: 1.0, column: 0, row: 0 })
+    }
+
+    /// The texels of a side.
     #[must_use]
-    pub const fn new(size: usize) -> Self {
-        Self { size, radius: 1.0, column: 0, row: 0 }
+    pub const fn size(&self) -> usize {
+        self.size
     }
 
     /// The same for an engine that looks up a disc of this radius, of which 1 fills the square: a

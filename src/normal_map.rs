@@ -29,7 +29,7 @@ const NEIGHBORS: [[i8; 2]; 8] =
 ///
 /// // A sphere of 32 x 32 pixels, and a display of the same size with a blue background.
 /// let mut codes = [NormalMap::BACKGROUND; 32 * 32];
-/// for pixel in Disc::new(32) {
+/// for pixel in Disc::new(32)? {
 ///     codes[pixel.index()] = NormalMap::code(pixel.normal());
 /// }
 /// let map = NormalMap::new(32, 32, codes.as_flattened())?;
@@ -41,8 +41,9 @@ const NEIGHBORS: [[i8; 2]; 8] =
 ///
 /// static DISPLAY: Display = Display::new(Tone::Filmic);
 /// let scene = sphere::color::scene(PARK, DARK_RED_PAINT)?;
+/// let exposure = scene.exposure(1.5)?;
 /// for pixel in map.pixels() {
-///     let color = DISPLAY.rgb565(scene.shade(pixel.normal()).exposed(1.5));
+///     let color = DISPLAY.rgb565(exposure.of(scene.shade(pixel.normal())));
 ///     let below = &mut screen[pixel.index()];
 ///     *below = blend565(*below, color, pixel.coverage());
 /// }

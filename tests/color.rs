@@ -38,12 +38,51 @@ fn color_is_three_channels() {
     assert_eq!(scene, sphere::color::scene(light, matte).unwrap());
 }
 
+/// Materials are gray if their numbers are, wherever they lie.
+#[test]
+fn gray_materials_are_found_by_their_numbers() {
+    let channels = [[0.7, -0.2]; 3];
+    let is_gray = |channels: &[[f32; 2]; 3]| {
+        let [r, g, b] = channels.each_ref().map(|channel| Material::new(channel).unwrap());
+        Rgb::new(r, g, b).as_gray().is_some()
+    };
+    let mut colored = channels;
+    colored[2][1] = -0.1;
+    assert!(is_gray(&channels) && !is_gray(&colored));
+    let glossy = Material::metallic_roughness([0.5; 3], 1.0, 0.4).unwrap();
+    assert!(glossy.materials().unwrap().as_gray().is_some());
+    let exponents = [[0_i8; 2]; 3];
+    let of = |mantissas: &[[Q15; 2]; 3]| {
+        let [r, g, b] = [0, 1, 2]
+            .map(|c: usize| quantized::Material::new(&exponents[c], &mantissas[c]).unwrap());
+        Rgb::new(r, g, b).as_gray().is_some()
+    };
+    let gray = [[Q15(9000), Q15(-400)]; 3];
+    let mut colored = gray;
+    colored[0][0] = Q15(8999);
+    assert!(of(&gray) && !of(&colored));
+}
+
+/// A baked map in color is that of each channel.
+#[test]
+fn maps_are_baked_in_color() {
+    let scene = sphere::color::scene(light::LOBBY, material::GOLD_METALLIC_PAINT).unwrap();
+    let maps = scene.bake::<256>(16).unwrap();
+    let expected = scene.each_ref().map(|channel| channel.bake::<f32, 256>(16).unwrap());
+    assert_eq!(maps, expected);
+    let normal = Normal::new(0.0, 0.6, 0.8).unwrap();
+    let near = maps.bilinear(MapPoint::of(normal)).zip(scene.shade(normal));
+    assert!(<[_; 3]>::from(near).iter().all(|(map, scene)| (map / scene - 1.0).abs() < 0.05));
+    assert_eq!(scene.bake::<256>(1).err(), Some(Error::Size { found: 1 }));
+    assert!(scene.bake::<255>(16).is_err());
+}
+
 #[test]
 fn integers_in_color_are_three_channels() {
     let (light, gold) = (light::q15::PARK, material::q15::GOLD_METALLIC_PAINT);
     let scene = q15::color::scene(light, gold).unwrap();
     let exposure = scene.exposure(2.0).unwrap();
-    for pixel in Disc::new(9) {
+    for pixel in Disc::new(9).unwrap() {
         let normal = pixel.quantized_normal();
         let found = scene.shade(normal);
         let expected = light.zip(gold).map(|(light, material)| {
@@ -192,7 +231,7 @@ fn slices_are_shaded_in_color_as_their_normals() {
     let scene = sphere::color::scene(light::LOBBY, material::GOLD_METALLIC_PAINT).unwrap();
     let integers = q15::color::scene(light::q15::LOBBY, material::q15::GOLD_METALLIC_PAINT);
     let integers = integers.unwrap();
-    let pixels: Vec<_> = Disc::new(60).collect();
+    let pixels: Vec<_> = Disc::new(60).unwrap().collect();
     for count in [0, 1, 7, 64, 320, 321, 640, 1300, pixels.len()] {
         let pixels = &pixels[..count];
         let axis = |axis: usize| -> Vec<f32> {
@@ -226,7 +265,7 @@ fn slices_are_shaded_in_color_as_their_normals() {
 /// Channels of one irradiance, of nine terms, of more, and of each.
 #[test]
 fn few_terms_are_shaded_in_color_as_each_channel() {
-    let pixels: Vec<_> = Disc::new(60).collect();
+    let pixels: Vec<_> = Disc::new(60).unwrap().collect();
     let [x, y, z] = [0, 1, 2].map(|axis| -> Vec<f32> {
         pixels.iter().map(|pixel| pixel.normal().components()[axis]).collect()
     });
@@ -273,6 +312,38 @@ fn a_light_turns_and_a_map_is_baked_in_three_channels() {
     }
 }
 
+/// The programs of the README.
+mod gold {
+    include!("readme/gold.rs");
+    pub const DRAW: super::Draw = draw;
+}
+mod gold_q15 {
+    include!("readme/gold_q15.rs");
+    pub const DRAW: super::Draw = draw;
+}
+type Draw = fn(&mut [u16; 240 * 240], &Display) -> Result<(), Error>;
+
+/// The README's programs are those above. In floats and in integers they draw the same sphere to a
+/// step of each channel, in integers with the same bits on every machine.
+#[test]
+fn the_readme_draws_a_gold_sphere() {
+    let readme = include_str!("../README.md");
+    for program in [include_str!("readme/gold.rs"), include_str!("readme/gold_q15.rs")] {
+        assert!(readme.contains(&format!("```rust\n{program}```")), "{program}");
+    }
+    static DISPLAY: Display = Display::new(Tone::Filmic);
+    let (mut floats, mut integers) = ([0; 240 * 240], [0; 240 * 240]);
+    gold::DRAW(&mut floats, &DISPLAY).unwrap();
+    gold_q15::DRAW(&mut integers, &DISPLAY).unwrap();
+    let channels = |pixel: u16| [pixel >> 11, (pixel >> 5) & 63, pixel & 31];
+    for (&float, &integer) in floats.iter().zip(&integers) {
+        let pairs = channels(float).into_iter().zip(channels(integer));
+        assert!(pairs.into_iter().all(|(a, b)| a.abs_diff(b) <= 1), "{float:x} {integer:x}");
+    }
+    let bytes: Vec<u8> = integers.iter().flat_map(|pixel| pixel.to_le_bytes()).collect();
+    assert_eq!(crc32fast::hash(&bytes), 0);
+}
+
 /// Displayed pixels of integers differ from those of floats by what rounding explains, and are the
 /// same bits on every machine.
 #[test]
@@ -281,10 +352,10 @@ fn a_gold_sphere_on_a_display() {
     let floats = sphere::color::scene(light::LOBBY, material::GOLD_METALLIC_PAINT).unwrap();
     let integers =
         q15::color::scene(light::q15::LOBBY, material::q15::GOLD_METALLIC_PAINT).unwrap();
-    let exposure = integers.exposure(1.5).unwrap();
+    let (exposure, of_floats) = (integers.exposure(1.5).unwrap(), floats.exposure(1.5).unwrap());
     let mut bytes = Vec::new();
-    for pixel in Disc::new(120) {
-        let float = DISPLAY.rgb888(floats.shade(pixel.normal()).exposed(1.5));
+    for pixel in Disc::new(120).unwrap() {
+        let float = DISPLAY.rgb888(of_floats.of(floats.shade(pixel.normal())));
         let linear = exposure.of(integers.shade(pixel.quantized_normal()));
         let integer = DISPLAY.rgb888(linear);
         for (float, integer) in <[_; 3]>::from(float.zip(integer)) {

@@ -6,7 +6,7 @@ use crate::oracle::{ExplicitLight, irradiance};
 use eigenshade::index::light;
 use eigenshade::mathematics::{Libm, SinglePrecision};
 use eigenshade::{
-    AnalyticLight, Error, Light, NineTerms, Normal, Normals, Q15, Q31, Window, quantized,
+    AnalyticLight, Argument, Error, Light, NineTerms, Normal, Normals, Q15, Q31, Rgb, Window, quantized,
 };
 use eigenshade_model::special::spherical_harmonic;
 use eigenshade_testing::fixtures::spiral;
@@ -118,9 +118,39 @@ fn lights_are_summed_scaled_and_windowed() {
     assert_eq!(windowed.light().unwrap().coefficients(), expected.as_slice());
 }
 
+/// Each channel of a light in color is that of a call of its own.
+#[test]
+fn lights_in_color_are_three_lights() {
+    let [sky, ground, lamp, sun] = [[0.3, 0.5, 1.0], [0.2, 0.1, 0.0], [9.0, 8.0, 6.0], [3.0; 3]];
+    let [up, aside] = [[0.0, 1.0, 0.0], [1.0, 1.0, 1.0]];
+    let window = Window::SincFourth { width: 8.0 };
+    let base = Rgb::<AnalyticLight<f64, 25>>::dark().unwrap().ambient(ground);
+    let light = base
+        .hemisphere::<Libm>(up, sky, ground)
+        .and_then(|light| light.disc::<Libm>(aside, 0.3, lamp))
+        .and_then(|light| light.directional::<Libm>(up, sun)?.plus(base.lights()?))
+        .unwrap()
+        .scaled(0.5)
+        .windowed::<Libm>(window);
+    for (c, found) in <[_; 3]>::from(light.lights().unwrap()).into_iter().enumerate() {
+        let base = AnalyticLight::<f64, 25>::dark().unwrap().ambient(ground[c]);
+        let light = base
+            .hemisphere::<Libm>(up, sky[c], ground[c])
+            .and_then(|light| light.disc::<Libm>(aside, 0.3, lamp[c]))
+            .and_then(|light| light.directional::<Libm>(up, sun[c])?.plus(&base.light()?))
+            .unwrap();
+        assert_eq!(light.scaled(0.5).windowed::<Libm>(window).light(), Ok(found));
+    }
+}
+
 #[test]
 fn bad_lights_are_refused() {
     assert!(AnalyticLight::<f32, 10>::dark().is_err());
+    let bright = AnalyticLight::<f32, 4>::dark().unwrap().ambient(f32::NAN);
+    assert_eq!(
+        bright.light().err(),
+        Some(Error::NotFinite { argument: Argument::Light, index: 0 })
+    );
     let dark = AnalyticLight::<f32, 4>::dark().unwrap();
     for direction in [[0.0; 3], [f32::NAN, 0.0, 1.0], [f32::INFINITY, 0.0, 0.0]] {
         let refused = dark.directional::<SinglePrecision>(direction, 1.0);

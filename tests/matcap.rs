@@ -1,7 +1,7 @@
 //! The error of a bilinear look-up in a matcap against the scene that it was made of.
 
 use eigenshade::presets::{light, material};
-use eigenshade::{Disc, Matcap, Normal, Rgb, sphere};
+use eigenshade::{Disc, Error, Matcap, Normal, Rgb, sphere};
 use std::f64::consts::TAU;
 
 /// The rms errors in the documentation of [`Matcap`], in the median and at worst.
@@ -30,7 +30,7 @@ fn normal([column, row]: [f64; 2], size: usize, radius: f64) -> [f64; 3] {
 #[test]
 fn texels_have_the_normals_of_their_centers() {
     for (size, radius) in [(1, 1.0), (2, 1.0), (33, 1.0), (64, 0.99), (1024, 0.992)] {
-        let texels = Matcap::new(size).with_radius(radius);
+        let texels = Matcap::new(size).unwrap().with_radius(radius);
         let mut count = 0;
         for (index, texel) in texels.enumerate() {
             assert_eq!((texel.index(), texel.row()), (index, index / size));
@@ -45,7 +45,7 @@ fn texels_have_the_normals_of_their_centers() {
         }
         assert_eq!(count, size * size);
     }
-    assert_eq!(Matcap::new(0).count(), 0);
+    assert_eq!(Matcap::new(0).err(), Some(Error::Size { found: 0 }));
     assert_eq!([Matcap::THREE_JS, Matcap::BLENDER], [2.0 * 0.495, 2.0 * 0.496]);
 }
 
@@ -62,7 +62,7 @@ impl Lit {
         let materials = material::ALL.map(|(_, material)| (light::LOBBY, material));
         let lit = |(light, material)| {
             let scene = sphere::color::scene(light, material).unwrap();
-            let pixels = Disc::new(64).map(|pixel| scene.shade(pixel.normal()).largest());
+            let pixels = Disc::new(64).unwrap().map(|pixel| scene.shade(pixel.normal()).largest());
             let peak = pixels.fold(0.0, f32::max).into();
             Self { scene, peak }
         };

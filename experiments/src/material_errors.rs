@@ -2,10 +2,9 @@
 //! at a degree and an order against direct integration under environment maps.
 
 use crate::accuracy::Reference;
-use crate::accuracy_cost::scope::windowed;
 use crate::accuracy_cost::total::references::World;
 use crate::numbers::median;
-use eigenshade_generator::material::brdf::{Brdf, Geometry, Measure, Surface};
+use eigenshade_generator::material::brdf::{Brdf, Geometry, Surface};
 use eigenshade_generator::material::files::{Source, read};
 use eigenshade_index::material;
 use eigenshade_model::database::{Lights, Named};
@@ -16,6 +15,8 @@ use eigenshade_shading::shipped::ERROR_SIZES;
 use indicatif::ProgressBar;
 use std::path::Path;
 
+/// The shipped coefficients for each of [`ERROR_SIZES`].
+const FILES: [&str; 2] = ["merl.csv", "merl-12.csv"];
 /// The material that was measured and is not in color.
 const MEASURED: &str = "ptfe-633nm";
 /// Distance of the evenly spaced normals of the sphere in radians: 1,000, and 800 that mirror the
@@ -57,18 +58,15 @@ pub fn errors(
         return Err(Error::new(what, "give names of tables/inputs/merl-abc.csv, or none"));
     }
     let is_chosen =
-        |(surface, _): &&(Surface, Named)| names.is_empty() || names.contains(&surface.name);
+        |(surface, _): &&(Surface, [Named; 2])| names.is_empty() || names.contains(&surface.name);
     let chosen: Vec<_> = materials.iter().filter(is_chosen).collect();
     progress.set_length(chosen.len() as u64);
-    let of_material = |(surface, shipped): &(Surface, Named)| {
+    let of_material = |(surface, shipped): &(Surface, [Named; 2])| {
         let pictures = world.pictures(surface, &world.sphere.normals);
         let reference = Reference::of_pictures(surface, &world.sphere, pictures);
         progress.inc(1);
-        let of_size = |&size: &(usize, usize)| {
-            let material = sized(surface, shipped, size.1);
-            errors_of(&reference, &world.lights, size, &material)
-        };
-        (surface.name.clone(), ERROR_SIZES.iter().map(of_size).collect())
+        let of_size = |(size, material)| errors_of(&reference, &world.lights, size, material);
+        (surface.name.clone(), ERROR_SIZES.into_iter().zip(shipped).map(of_size).collect())
     };
     Ok(chosen.into_iter().map(of_material).collect())
 }
@@ -90,41 +88,32 @@ fn errors_of(
     }
 }
 
-/// The BRDFs with the coefficients that are shipped.
-fn materials(inputs: &Path) -> Result<Vec<(Surface, Named)>> {
+/// The BRDFs with the coefficients that are shipped for each of [`ERROR_SIZES`].
+fn materials(inputs: &Path) -> Result<Vec<(Surface, [Named; 2])>> {
     let find = |entries: &[Named], name: &str, file: &str| {
         entries.iter().find(|entry| entry.name == name).cloned().ok_or_else(|| {
             let what = format!("{file} has no material `{name}`");
             Error::new(what, "make it again, as in tables/README.md")
         })
     };
-    let shipped = read_materials(inputs.join("merl.csv"), None)?;
+    let [of_7, of_12] = FILES.map(|file| read_materials(inputs.join(file), None));
+    let [of_7, of_12] = [of_7?.entries, of_12?.entries];
     let mut materials = Vec::new();
     for source in read(inputs.join("merl-abc.csv"))? {
         if let Source::Surface(surface) = source {
-            let of_surface = find(&shipped.entries, &surface.name, "merl.csv")?;
-            materials.push((surface, of_surface));
+            let of_7 = find(&of_7, &surface.name, FILES[0])?;
+            let of_12 = find(&of_12, &surface.name, FILES[1])?;
+            materials.push((surface, [of_7, of_12]));
         }
     }
     let gray = read_materials(inputs.join("materials.csv"), None)?;
     let measured = find(&gray.entries, MEASURED, "materials.csv")?;
     let modes = Modes { order: gray.order, coefficients: measured.rgb[1].clone() };
-    materials.push((Surface::gray(MEASURED.to_owned(), Box::new(modes)), measured));
+    let mut padded = measured.clone();
+    let count = material::count(ERROR_SIZES[1].1);
+    padded.rgb.iter_mut().for_each(|channel| channel.resize(count, 0.0));
+    materials.push((Surface::gray(MEASURED.to_owned(), Box::new(modes)), [measured, padded]));
     Ok(materials)
-}
-
-/// The coefficients of an order: those shipped, or made in the same way.
-fn sized(surface: &Surface, shipped: &Named, order: usize) -> Named {
-    let count = material::count(order);
-    if shipped.rgb[0].len() >= count {
-        return shipped.clone();
-    }
-    if surface.name == MEASURED {
-        let mut padded = shipped.clone();
-        padded.rgb.iter_mut().for_each(|channel| channel.resize(count, 0.0));
-        return padded;
-    }
-    windowed(surface.project(order, Measure::Projected).material)
 }
 
 /// A BRDF that is a sum of modes.

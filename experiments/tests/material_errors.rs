@@ -4,10 +4,12 @@
 use crate::support::repository;
 use crate::{measured_surfaces, shipped_map, spread};
 use eigenshade_generator::direct::Surroundings;
-use eigenshade_generator::material::brdf::Brdf;
+use eigenshade_generator::material::brdf::{Brdf, Measure, Surface};
+use eigenshade_generator::material::files::{Source, read};
 use eigenshade_model::database::Lights;
 use eigenshade_shading::shipped;
 use eigenshade_testing::largest;
+use experiments::accuracy_cost::scope::windowed;
 use experiments::accuracy_cost::total::references::World;
 use experiments::accuracy_cost::total::subjects::Gltf;
 use experiments::material_errors::{SPACING, errors};
@@ -81,6 +83,73 @@ fn recorded_errors_are_found_again() {
     assert!(unknown.unwrap_err().to_string().contains("`chrom`"));
 }
 
+/// Rows of `merl.energy.csv` of a model and an order: material and share of the energy left out.
+fn left_out(model: &str, order: usize) -> Vec<(String, f64)> {
+    let path = repository().join("tables/inputs/merl.energy.csv");
+    let text = fs::read_to_string(path).unwrap();
+    let rows = text.lines().map(|line| line.split(',').collect::<Vec<_>>());
+    let of_kind = rows.filter(|row| row[1..3] == [model, &order.to_string()]);
+    of_kind.map(|row| (row[0].to_owned(), row[3].parse().unwrap())).collect()
+}
+
+/// The shipped coefficients of order 12 and the energies left out, of one broad and one narrow
+/// lobe.
+#[test]
+fn projections_are_found_again() {
+    let shipped = shipped::named_materials(12).unwrap().entries;
+    let parameters = |model: &str| -> Vec<Surface> {
+        let path = repository().join(format!("tables/inputs/merl-{model}.csv"));
+        let surface = |source| match source {
+            Source::Surface(surface) => Some(surface),
+            Source::Measured(_) => None,
+        };
+        read(path).unwrap().into_iter().filter_map(surface).collect()
+    };
+    for (model, order, name) in
+        [("abc", 12, "pink-felt"), ("abc", 12, "chrome"), ("sgd", 7, "pink-felt")]
+    {
+        let all = parameters(model);
+        assert_eq!(all.len(), 94);
+        let surface = all.iter().find(|surface| surface.name == name).unwrap();
+        let found = surface.project(order, Measure::Projected);
+        let recorded = left_out(model, order);
+        assert!(recorded.iter().map(|(name, _)| name).eq(all.iter().map(|one| &one.name)));
+        let (_, recorded) = recorded.iter().find(|(of, _)| of == name).unwrap();
+        println!("{model} {order} {name}: {:.3e}", found.left_out);
+        assert!((found.left_out / recorded - 1.0).abs() <= OF_DIGITS * 1e-3, "{recorded}");
+        if order == 12 {
+            let expected = &shipped.iter().find(|one| one.name == name).unwrap().rgb;
+            for (found, expected) in windowed(found.material).rgb.iter().zip(expected) {
+                let apart = found.iter().zip(expected).map(|(a, b)| a - b);
+                assert!(largest(apart) <= 1e-9 * largest(expected.iter().copied()), "{name}");
+            }
+        }
+    }
+}
+
+#[test]
+fn the_page_has_the_energies_left_out() {
+    let mut table = String::from(
+        "| model, order | median | 95th percentile | worst material |\n|---|---:|---:|---:|\n",
+    );
+    for (model, order) in [("abc", 7), ("abc", 12), ("sgd", 7), ("sgd", 12)] {
+        let all = left_out(model, order);
+        assert_eq!(all.len(), 94);
+        let shares: Vec<f64> = all.iter().map(|(_, share)| *share).collect();
+        let (name, worst) = all.iter().max_by(|(_, a), (_, b)| a.total_cmp(b)).unwrap();
+        table += &format!(
+            "| {}, {order} | {} | {} | {} ({name}) |\n",
+            model.to_uppercase(),
+            percent(median(&shares), 2),
+            percent(quantile(&shares, 0.95), 2),
+            percent(*worst, 2),
+        );
+    }
+    println!("{table}");
+    let page = fs::read_to_string(repository().join("tables/README.md")).unwrap();
+    assert!(page.contains(&table), "tables/README.md lacks the table above");
+}
+
 /// The share of the sorted values that is at most this.
 fn quantile(values: &[f64], share: f64) -> f64 {
     let mut sorted = values.to_vec();
@@ -90,24 +159,29 @@ fn quantile(values: &[f64], share: f64) -> f64 {
 
 #[test]
 fn the_page_has_the_errors_of_materials() {
-    let named = shipped::named_materials().unwrap().entries;
+    let named = shipped::named_materials(0).unwrap().entries;
+    let unseen = shipped::unseen_materials().unwrap().entries;
+    let is_unseen = |name: &str| unseen.iter().any(|one| one.name == name);
     let mut table = String::from(
-        "| degree, order | median | 95th percentile | worst material | worst map | worst pixel |\n\
-         |---|---:|---:|---:|---:|---:|\n",
+        "| degree, order | materials | median | 95th percentile | worst material | worst map | worst \
+         pixel |\n|---|---|---:|---:|---:|---:|---:|\n",
     );
-    for size in shipped::ERROR_SIZES {
-        let of_size = named
-            .iter()
+    let kinds = [("seen", 48), ("unseen", 47)];
+    for (size, (kind, count)) in
+        shipped::ERROR_SIZES.into_iter().flat_map(|size| kinds.map(|kind| (size, kind)))
+    {
+        let of_kind = named.iter().filter(|one| is_unseen(&one.name) == (kind == "unseen"));
+        let of_size = of_kind
             .filter_map(|one| Some((one.name.as_str(), shipped::total_error(&one.name, size)?)));
         let all: Vec<(&str, shipped::TotalError)> = of_size.collect();
-        assert_eq!(all.len(), 95);
+        assert_eq!(all.len(), count);
         let medians: Vec<f64> = all.iter().map(|(_, error)| error.median).collect();
         let most = |value: &dyn Fn(&shipped::TotalError) -> f64| {
             let worst = all.iter().max_by(|(_, a), (_, b)| value(a).total_cmp(&value(b)));
             worst.map(|(name, error)| format!("{} ({name})", percent(value(error), 2))).unwrap()
         };
         table += &format!(
-            "| {}, {} | {} | {} | {} | {} | {} |\n",
+            "| {}, {} | {kind} | {} | {} | {} | {} | {} |\n",
             size.0,
             size.1,
             percent(median(&medians), 2),

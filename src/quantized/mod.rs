@@ -40,6 +40,7 @@
 
 mod basis;
 mod estimate;
+mod exposure;
 mod highlights;
 mod inputs;
 mod nine_terms;
@@ -74,6 +75,7 @@ pub mod kernels {
 
 pub use basis::{Basis, Parts, Profile};
 pub use estimate::Estimate;
+pub use exposure::Exposure;
 pub use highlights::{Highlights, Irradiance, Lobe};
 #[cfg(feature = "presets")]
 pub(crate) use inputs::{LEAST_TOP, decoded, mantissas};

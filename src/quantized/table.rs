@@ -75,12 +75,14 @@ macro_rules! integer_table {
             ///
             /// # Errors
             ///
-            /// Those of [`eigenshade::Exposure::new`].
+            /// Those of [`eigenshade::quantized::Exposure::new`].
             pub fn exposure(
                 &self,
                 exposure: f32,
-            ) -> Result<$crate::Rgb<$crate::Exposure>, $crate::Error> {
-                self.each_ref().try_map(|scene| $crate::Exposure::new(exposure, scene.exponent()))
+            ) -> Result<$crate::Rgb<$crate::quantized::Exposure>, $crate::Error> {
+                self.each_ref().try_map(|scene| {
+                    $crate::quantized::Exposure::new(exposure, scene.exponent())
+                })
             }
 
             /// The mantissas of each normal in each channel, for engines that interpolate between

@@ -140,7 +140,8 @@ impl<'s, S: Scalar> Way<'s, S> {
                 let [(x, x_rest), (y, y_rest), (z, z_rest)] = axes.map(<[S]>::as_chunks);
                 let (out, out_rest) = irradiance.as_chunks_mut();
                 for (((x, y), z), out) in x.iter().zip(y).zip(z).zip(out) {
-                    tile::tile(polynomials, [x, y, z], room, out);
+                    tile::arguments(z, room);
+                    tile::tile(polynomials, [x, y], room, out);
                 }
                 blocks::<S, MONOMIAL_TERMS>(polynomials, [x_rest, y_rest, z_rest], out_rest);
             }

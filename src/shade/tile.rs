@@ -58,16 +58,21 @@ macro_rules! of_known_length {
     };
 }
 
-/// The irradiances of a tile of normals.
-pub(super) fn tile<S: Scalar>(
-    mut polynomials: Descent<'_, S>,
-    [x, y, z]: [&[S; TILE]; 3],
-    room: &mut Room<S>,
-    out: &mut [S; TILE],
-) {
+/// The first step of a tile, which scenes of the same normals share: the argument t of each normal.
+#[inline(always)]
+pub(super) fn arguments<S: Scalar>(z: &[S; TILE], room: &mut Room<S>) {
     for (t, &z) in room.t.iter_mut().zip(z) {
         *t = argument(z);
     }
+}
+
+/// The irradiances of a tile of normals, whose arguments are in `room`.
+pub(super) fn tile<S: Scalar>(
+    mut polynomials: Descent<'_, S>,
+    [x, y]: [&[S; TILE]; 2],
+    room: &mut Room<S>,
+    out: &mut [S; TILE],
+) {
     let Some((plus, minus)) = polynomials.next() else { return };
     of_known_length!(plus.len(), highest(plus, minus, room));
     for (plus, minus) in polynomials.by_ref() {

@@ -401,6 +401,28 @@ macro_rules! table {
             view |transfer| transfer
         }
         impl color::Scene {
+            /// What exposes the irradiances of [`shade`](Self::shade); the same for every scene.
+            ///
+            /// # Errors
+            ///
+            /// Those of [`eigenshade::Exposure::new`].
+            pub fn exposure(&self, exposure: f32) -> Result<$crate::Exposure, $crate::Error> {
+                $crate::Exposure::new(exposure)
+            }
+
+            /// Bakes the scene into N x N texels: see [`eigenshade::Scene::bake`].
+            ///
+            /// # Errors
+            ///
+            /// The same.
+            pub fn bake<const T: usize>(
+                &self,
+                size: usize,
+            ) -> Result<$crate::Rgb<$crate::BakedMap<f32, $crate::MapBuffer<f32, T>>>, $crate::Error>
+            {
+                self.each_ref().map(|scene| &**scene).bake(size)
+            }
+
             /// The irradiance of each normal in each channel: see [`eigenshade::Rgb::shade_slice`].
             ///
             /// # Errors

@@ -13,8 +13,8 @@ pub const SIZE: usize = 512;
 pub enum Object {
     /// A sphere in this many pixels across, as in [`SphereView`].
     Sphere(usize),
-    /// A [`Matcap`] of this many texels a side and of this radius, 1 for the square's width.
-    Matcap(usize, f32),
+    /// The texels of a matcap.
+    Matcap(Matcap),
     /// The object of a file.
     View(ObjectView),
 }
@@ -24,7 +24,8 @@ impl Object {
     #[must_use]
     pub fn size(&self) -> [usize; 2] {
         match self {
-            Self::Sphere(size) | Self::Matcap(size, _) => [*size; 2],
+            Self::Sphere(size) => [*size; 2],
+            Self::Matcap(texels) => [texels.size(); 2],
             Self::View(view) => [view.width, view.height],
         }
     }
@@ -34,13 +35,11 @@ impl Object {
     pub fn pixels(&self) -> Box<dyn Iterator<Item = (Pixel, [f64; 3])> + '_> {
         match self {
             Self::Sphere(size) => Box::new(SphereView::pixels(*size)),
-            Self::Matcap(size, radius) => {
-                Box::new(Matcap::new(*size).with_radius(*radius).map(|texel| {
-                    let normal = texel.normal().components().map(f64::from);
-                    let (column, row, is_inside) = (texel.column(), texel.row(), normal[2] > 0.0);
-                    (Pixel { column, row, coverage: 1.0, is_inside }, normal)
-                }))
-            }
+            Self::Matcap(texels) => Box::new(texels.clone().map(|texel| {
+                let normal = texel.normal().components().map(f64::from);
+                let (column, row, is_inside) = (texel.column(), texel.row(), normal[2] > 0.0);
+                (Pixel { column, row, coverage: 1.0, is_inside }, normal)
+            })),
             Self::View(view) => {
                 Box::new(view.pixels.iter().copied().zip(view.normals.iter().copied()))
             }

@@ -1,7 +1,7 @@
 //! Files of drawn pictures: sRGB as PNG, or linear numbers as OpenEXR.
 
 use crate::picture::{Pixel, write_png};
-use eigenshade::{Display, Meter, Rgb, Tone};
+use eigenshade::{Display, Exposure, Meter, Rgb, Tone};
 use eigenshade_model::error::{Error, Result};
 use std::path::Path;
 
@@ -25,7 +25,7 @@ pub type Draw<'a> = dyn FnMut(&mut dyn FnMut(Pixel, Rgb<f32>)) -> Result<()> + '
 pub struct Development {
     /// The factor from irradiance to what the tone curve shows; for an .exr, from irradiance to its
     /// numbers. Without, a PNG is metered, and an .exr has 1.
-    pub exposure: Option<f32>,
+    pub exposure: Option<Exposure>,
     /// The tone curve of a PNG.
     pub tone: Tone,
     /// Whether every pixel is opaque.
@@ -97,12 +97,12 @@ fn png(path: &Path, [width, height]: [usize; 2], how: Development, draw: &mut Dr
             }
         })?;
     }
-    let exposure = how.exposure.or_else(|| meter.exposure(UNCLIPPED)).unwrap_or(1.0);
+    let exposure = how.exposure.or_else(|| meter.exposure(UNCLIPPED)).unwrap_or_default();
     let display = Display::new(how.tone);
     let channels = if how.is_opaque { 3 } else { 4 };
     let mut bytes = vec![0; channels * width * height];
     draw(&mut |pixel, color| {
-        let Rgb { r, g, b } = display.rgb888(color.exposed(exposure));
+        let Rgb { r, g, b } = display.rgb888(exposure.of(color));
         let start = channels * (pixel.row * width + pixel.column);
         let opacity = (255.0 * pixel.coverage).round() as u8;
         bytes[start..start + channels].copy_from_slice(&[r, g, b, opacity][..channels]);
@@ -114,10 +114,11 @@ fn png(path: &Path, [width, height]: [usize; 2], how: Development, draw: &mut Dr
 fn exr(path: &Path, [width, height]: [usize; 2], how: Development, draw: &mut Draw) -> Result<()> {
     use eigenshade_model::output::write_atomically;
     use exr::prelude::{Image, SpecificChannels, Vec2, WritableImage};
+    let exposure = how.exposure.unwrap_or_default();
     let mut colors = vec![[0.0_f32; 4]; width * height];
     draw(&mut |pixel, color| {
         let opacity = pixel.coverage as f32;
-        let Rgb { r, g, b } = color.exposed(how.exposure.unwrap_or(1.0) * opacity);
+        let Rgb { r, g, b } = exposure.of(color).map(|channel| channel * opacity);
         colors[pixel.row * width + pixel.column] = [r, g, b, opacity];
     })?;
     let at = |Vec2(column, row)| colors[row * width + column];

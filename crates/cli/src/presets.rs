@@ -200,14 +200,14 @@ impl Source {
         Some((measured, shipped::total_error(name, measured)?))
     }
 
-    /// The materials.
+    /// The materials, shipped ones for a table of this order.
     ///
     /// # Errors
     ///
     /// As [`lights`](Self::lights).
-    pub fn materials(&self, budget: Budget) -> Result<Materials> {
+    pub fn materials(&self, order: usize, budget: Budget) -> Result<Materials> {
         let Materials { order, entries } = match self.entry {
-            Entry::Shipped => shipped::named_materials()?,
+            Entry::Shipped => shipped::named_materials(order)?,
             _ => read_materials(InputFile::new(&self.path, budget), None)?,
         };
         Ok(Materials { order, entries: self.chosen("material", entries)? })

@@ -184,7 +184,7 @@ fn answers_as_json() {
     assert_eq!(eigenvalues[1]["eigenvalue"].as_f64(), table.spectrum[1].1);
     let list = parsed("list");
     let names = shipped::lights().unwrap().entries.len()
-        + shipped::named_materials().unwrap().entries.len();
+        + shipped::named_materials(0).unwrap().entries.len();
     assert_eq!(list.as_array().unwrap().len(), names);
     let demo = parsed("demo -o d -s 16");
     assert_eq!(demo, serde_json::json!({ "files": ["d/demo.png"] }));

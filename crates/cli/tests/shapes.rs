@@ -2,7 +2,7 @@
 
 use crate::support::files::{decoded, normal_map, obj, ply, png, stl};
 use crate::support::{Folder, assert_fails};
-use eigenshade::{Display, Matcap, Normal, NormalMap, Rgb, Tone, presets, sphere};
+use eigenshade::{Display, Exposure, Matcap, Normal, NormalMap, Rgb, Tone, presets, sphere};
 use eigenshade_cli::object::ObjectView;
 use eigenshade_generator::light::environment::EnvironmentMap;
 use png::{BitDepth, ColorType};
@@ -201,8 +201,9 @@ fn any_object_is_rendered() {
         let asked = (!options.is_empty()).then_some(size as usize);
         let view = ObjectView::read(folder.path(input).into(), asked).unwrap();
         let mut expected = vec![0; bytes.len()];
+        let exposure = Exposure::new(1.5).unwrap();
         for (pixel, normal) in view.pixels.iter().zip(&view.normals) {
-            let color = display.rgb888(shaded(&scene, *normal).exposed(1.5));
+            let color = display.rgb888(exposure.of(shaded(&scene, *normal)));
             let [r, g, b] = <[u8; 3]>::from(color);
             let start = 4 * (pixel.row * view.width + pixel.column);
             let opacity = (255.0 * pixel.coverage).round() as u8;
@@ -229,6 +230,7 @@ fn matcaps_hold_the_scene() {
     let scene = lobby();
     let peak = f64::from(
         Matcap::new(64)
+            .unwrap()
             .fold(0.0, |most: f32, texel| most.max(scene.shade(texel.normal()).largest())),
     );
     for (option, radius) in [
@@ -246,13 +248,13 @@ fn matcaps_hold_the_scene() {
         let (width, _, bytes) = decoded(&folder.path("m.png"));
         assert_eq!((width, bytes.len(), map.width, map.height), (40, 3 * 1600, 40, 40));
         let display = Display::new(Tone::Linear);
-        for texel in Matcap::new(40).with_radius(radius) {
+        for texel in Matcap::new(40).unwrap().with_radius(radius) {
             let exact = scene.shade(texel.normal());
             let place = texel.index();
             for (found, exact) in map.texels[place].into_iter().zip(<[f32; 3]>::from(exact)) {
                 assert!((f64::from(found) - 2.0 * f64::from(exact)).abs() < 1e-5 * peak);
             }
-            let shown = <[u8; 3]>::from(display.rgb888(exact.exposed(0.5)));
+            let shown = <[u8; 3]>::from(display.rgb888(Exposure::new(0.5).unwrap().of(exact)));
             let pixel = &bytes[3 * place..3 * place + 3];
             assert!(pixel.iter().zip(shown).all(|(a, b)| a.abs_diff(b) <= 1));
         }

@@ -24,7 +24,7 @@ where
 
     let scene = sphere::color::scene(light.lights()?, BLUE_METALLIC_PAINT2)?;
     let blue = Paint::new(|normal| scene.shade(normal), 2.0, &DISPLAY)?;
-    if let Err(error) = Dial::new(Point::zero(), 128, 8, 4, &blue).draw(target) {
+    if let Err(error) = Dial::new(Point::zero(), 128, 8, 4, &blue)?.draw(target) {
         return Ok(Err(error));
     }
 

@@ -3,7 +3,7 @@
 use crate::paint::{DisplayColor, Shader};
 use crate::rows;
 use core::marker::PhantomData;
-use eigenshade::{Disc, DiscPixel, Normal, Q15, quantized};
+use eigenshade::{Disc, DiscPixel, Error, Normal, Q15, quantized};
 use embedded_graphics_core::Drawable;
 use embedded_graphics_core::draw_target::DrawTarget;
 use embedded_graphics_core::geometry::{Dimensions, Point, Size};
@@ -43,17 +43,26 @@ struct Shape {
 impl<'p, P: Shader, C: DisplayColor> Dial<'p, P, C> {
     /// A dial that fills a square of `diameter` pixels, with a bezel and marks of these widths in
     /// pixels; 0 for none. A bezel takes at most half the radius, and a mark at most a quarter of
-    /// it. A dial that is larger than [`Disc::MOST`] has no pixels.
-    pub fn new(top_left: Point, diameter: u32, bezel: u32, mark: u32, paint: &'p P) -> Self {
-        let disc = Disc::new(diameter as usize);
-        let most = Disc::MOST as u32;
+    /// it.
+    ///
+    /// # Errors
+    ///
+    /// Those of [`Disc::new`].
+    pub fn new(
+        top_left: Point,
+        diameter: u32,
+        bezel: u32,
+        mark: u32,
+        paint: &'p P,
+    ) -> Result<Self, Error> {
+        let disc = Disc::new(diameter as usize)?;
         let within = |width: u32, most: u32| width.min(most).cast_signed();
         let shape = Shape {
-            diameter: within(diameter, most),
-            bezel: within(bezel, diameter.min(most) / 4),
-            mark: within(mark, diameter.min(most) / 8),
+            diameter: diameter.cast_signed(),
+            bezel: within(bezel, diameter / 4),
+            mark: within(mark, diameter / 8),
         };
-        Self { top_left, disc, shape, paint, color: PhantomData }
+        Ok(Self { top_left, disc, shape, paint, color: PhantomData })
     }
 }
 

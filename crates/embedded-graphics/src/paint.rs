@@ -73,21 +73,25 @@ pub struct Paint<'d, F, E> {
     is_dithered: bool,
 }
 
-impl<'d, F: Fn(Normal<f32>) -> Rgb<f32>> Paint<'d, F, f32> {
+impl<'d, F: Fn(Normal<f32>) -> Rgb<f32>> Paint<'d, F, Exposure> {
     /// Paint of which `shade` gives the irradiance, multiplied by `exposure`.
     ///
     /// # Errors
     ///
     /// [`Error::NotFinite`] unless the exposure is a normal number above 0.
     pub fn new(shade: F, exposure: f32, display: &'d Display) -> Result<Self, Error> {
-        Exposure::new(exposure, 0)?;
+        let exposure = Exposure::new(exposure)?;
         Ok(Self { shade, exposure, display, is_dithered: false })
     }
 }
 
-impl<'d, F: Fn(quantized::Normal<Q15>) -> Rgb<i32>> Paint<'d, F, Rgb<Exposure>> {
+impl<'d, F: Fn(quantized::Normal<Q15>) -> Rgb<i32>> Paint<'d, F, Rgb<quantized::Exposure>> {
     /// Paint in integers: `shade` gives mantissas, and `exposure` comes from the same scene.
-    pub const fn quantized(shade: F, exposure: Rgb<Exposure>, display: &'d Display) -> Self {
+    pub const fn quantized(
+        shade: F,
+        exposure: Rgb<quantized::Exposure>,
+        display: &'d Display,
+    ) -> Self {
         Self { shade, exposure, display, is_dithered: false }
     }
 }
@@ -106,15 +110,15 @@ impl<F, E> Paint<'_, F, E> {
     }
 }
 
-impl<F: Fn(Normal<f32>) -> Rgb<f32>> Shader for Paint<'_, F, f32> {
+impl<F: Fn(Normal<f32>) -> Rgb<f32>> Shader for Paint<'_, F, Exposure> {
     #[inline]
     fn color<C: DisplayColor>(&self, place: impl Place) -> C {
-        let exposed = (self.shade)(place.normal()).exposed(self.exposure);
+        let exposed = self.exposure.of((self.shade)(place.normal()));
         self.encoded(exposed.map(Linear::from), place)
     }
 }
 
-impl<F: Fn(quantized::Normal<Q15>) -> Rgb<i32>> Shader for Paint<'_, F, Rgb<Exposure>> {
+impl<F: Fn(quantized::Normal<Q15>) -> Rgb<i32>> Shader for Paint<'_, F, Rgb<quantized::Exposure>> {
     #[inline]
     fn color<C: DisplayColor>(&self, place: impl Place) -> C {
         self.encoded(self.exposure.of((self.shade)(place.quantized_normal())), place)

@@ -3,7 +3,7 @@
 use crate::paint::{DisplayColor, Shader};
 use crate::rows;
 use core::marker::PhantomData;
-use eigenshade::Disc;
+use eigenshade::{Disc, Error};
 use embedded_graphics_core::Drawable;
 use embedded_graphics_core::draw_target::DrawTarget;
 use embedded_graphics_core::geometry::{Dimensions, Point, Size};
@@ -22,11 +22,14 @@ pub struct Sphere<'p, P, C> {
 }
 
 impl<'p, P: Shader, C: DisplayColor> Sphere<'p, P, C> {
-    /// A sphere that fills a square of `diameter` pixels. One that is larger than [`Disc::MOST`]
-    /// has no pixels.
-    pub const fn new(top_left: Point, diameter: u32, paint: &'p P) -> Self {
-        let disc = Disc::new(diameter as usize);
-        Self { top_left, disc, diameter, paint, color: PhantomData }
+    /// A sphere that fills a square of `diameter` pixels.
+    ///
+    /// # Errors
+    ///
+    /// Those of [`Disc::new`].
+    pub fn new(top_left: Point, diameter: u32, paint: &'p P) -> Result<Self, Error> {
+        let disc = Disc::new(diameter as usize)?;
+        Ok(Self { top_left, disc, diameter, paint, color: PhantomData })
     }
 }
 

@@ -66,14 +66,15 @@ impl<C: PixelColor> DrawTarget for Screen<C> {
 #[test]
 fn a_sphere_has_the_pixels_of_the_runtime() {
     let scene = sphere::color::scene(light::LOBBY, material::GOLD_METALLIC_PAINT).unwrap();
+    let exposure = scene.exposure(1.5).unwrap();
     let gold = Paint::new(|normal| scene.shade(normal), 1.5, &DISPLAY).unwrap();
     let (mut screen, mut fine) = (Screen::<Rgb565>::new(60, 50), Screen::<Rgb888>::new(60, 50));
     let mut dithered = Screen::<Rgb565>::new(60, 50);
-    Sphere::new(Point::new(7, 3), 40, &gold).draw(&mut screen).unwrap();
-    Sphere::new(Point::new(7, 3), 40, &gold).draw(&mut fine).unwrap();
-    Sphere::new(Point::new(7, 3), 40, &gold.dithered()).draw(&mut dithered).unwrap();
-    for pixel in Disc::new(40) {
-        let color = scene.shade(pixel.normal()).exposed(1.5);
+    Sphere::new(Point::new(7, 3), 40, &gold).unwrap().draw(&mut screen).unwrap();
+    Sphere::new(Point::new(7, 3), 40, &gold).unwrap().draw(&mut fine).unwrap();
+    Sphere::new(Point::new(7, 3), 40, &gold.dithered()).unwrap().draw(&mut dithered).unwrap();
+    for pixel in Disc::new(40).unwrap() {
+        let color = exposure.of(scene.shade(pixel.normal()));
         let place = (pixel.row() + 3) * 60 + pixel.column() + 7;
         assert_eq!(screen.pixels[place], Some(RawU16::new(DISPLAY.rgb565(color)).into()));
         let of_pattern = DISPLAY.rgb565_dithered(color, pixel.column(), pixel.row());
@@ -81,7 +82,7 @@ fn a_sphere_has_the_pixels_of_the_runtime() {
         let Rgb { r, g, b } = DISPLAY.rgb888(color);
         assert_eq!(fine.pixels[place], Some(Rgb888::new(r, g, b)));
     }
-    assert_eq!((screen.drawn(), screen.windows), (Disc::new(40).count(), 40));
+    assert_eq!((screen.drawn(), screen.windows), (Disc::new(40).unwrap().count(), 40));
 }
 
 #[test]
@@ -91,8 +92,8 @@ fn a_sphere_in_integers_has_the_pixels_of_the_runtime() {
     let exposure = scene.exposure(1.5).unwrap();
     let gold = Paint::quantized(|normal| scene.shade(normal), exposure, &DISPLAY);
     let mut screen = Screen::<Rgb565>::new(40, 40);
-    Sphere::new(Point::zero(), 40, &gold).draw(&mut screen).unwrap();
-    for pixel in Disc::new(40) {
+    Sphere::new(Point::zero(), 40, &gold).unwrap().draw(&mut screen).unwrap();
+    for pixel in Disc::new(40).unwrap() {
         let color = exposure.of(scene.shade(pixel.quantized_normal()));
         let expected = RawU16::new(DISPLAY.rgb565(color)).into();
         assert_eq!(screen.pixels[pixel.index()], Some(expected));
@@ -108,7 +109,7 @@ fn only_what_is_inside_the_target_is_shaded() {
     };
     let paint = Paint::new(count, 1.0, &DISPLAY).unwrap();
     let mut codes = [NormalMap::BACKGROUND; 32 * 32];
-    for pixel in Disc::new(32) {
+    for pixel in Disc::new(32).unwrap() {
         codes[pixel.index()] = NormalMap::code(pixel.normal());
     }
     let map = NormalMap::new(32, 32, codes.as_flattened()).unwrap();
@@ -119,15 +120,15 @@ fn only_what_is_inside_the_target_is_shaded() {
             let at = at + Point::new(pixel.column() as i32, pixel.row() as i32);
             Rectangle::new(first, Size::new(15, 20)).contains(at)
         };
-        let expected = Disc::new(32).filter(inside).count();
+        let expected = Disc::new(32).unwrap().filter(inside).count();
         for object in 0..3 {
             let mut screen = Screen::<Rgb565>::new(40, 30);
             let mut part = screen.clipped(&Rectangle::new(first, Size::new(15, 20)));
             shaded.set(0);
             match object {
-                0 => Sphere::new(at, 32, &paint).draw(&mut part),
+                0 => Sphere::new(at, 32, &paint).unwrap().draw(&mut part),
                 1 => Relief::new(at, map, &paint).draw(&mut part),
-                _ => Dial::new(at, 32, 3, 2, &paint).draw(&mut part),
+                _ => Dial::new(at, 32, 3, 2, &paint).unwrap().draw(&mut part),
             }
             .unwrap();
             assert_eq!((screen.drawn(), shaded.get()), (expected, expected), "{object}: {at}");
@@ -194,15 +195,15 @@ fn a_dial_has_a_bezel_and_twelve_marks_on_a_dome() {
         };
         let mut screen = Screen::<Rgb565>::new(diameter, diameter);
         let paint = Paint::new(floats, 1.0, &DISPLAY).unwrap();
-        Dial::new(Point::zero(), diameter, bezel, mark, &paint).draw(&mut screen).unwrap();
+        Dial::new(Point::zero(), diameter, bezel, mark, &paint).unwrap().draw(&mut screen).unwrap();
         let mut screen = Screen::<Rgb565>::new(diameter, diameter);
-        let exposure = Rgb::gray(eigenshade::Exposure::new(1.0, -15).unwrap());
+        let exposure = Rgb::gray(eigenshade::quantized::Exposure::new(1.0, -15).unwrap());
         let paint = Paint::quantized(whole, exposure, &DISPLAY);
-        Dial::new(Point::zero(), diameter, bezel, mark, &paint).draw(&mut screen).unwrap();
+        Dial::new(Point::zero(), diameter, bezel, mark, &paint).unwrap().draw(&mut screen).unwrap();
         let (mut elsewhere, mut marked) = (0, 0);
         let found = normals.borrow();
         for ((pixel, &found), &whole) in
-            Disc::new(diameter as usize).zip(&*found).zip(&*integers.borrow())
+            Disc::new(diameter as usize).unwrap().zip(&*found).zip(&*integers.borrow())
         {
             let size = f64::from(diameter);
             let at = [pixel.column(), size as usize - 1 - pixel.row()]
@@ -223,7 +224,7 @@ fn a_dial_has_a_bezel_and_twelve_marks_on_a_dome() {
 }
 
 #[test]
-fn what_cannot_be_drawn_is_an_error_or_empty() {
+fn what_cannot_be_drawn_is_an_error() {
     for exposure in [0.0, -1.0, f32::NAN, f32::INFINITY] {
         assert!(matches!(
             Paint::new(|_| Rgb::gray(1.0), exposure, &DISPLAY),
@@ -231,12 +232,11 @@ fn what_cannot_be_drawn_is_an_error_or_empty() {
         ));
     }
     let paint = Paint::new(|_| Rgb::gray(1.0), 1.0, &DISPLAY).unwrap();
+    let at = Point::zero();
     for diameter in [0, 4097, u32::MAX] {
-        let mut screen = Screen::<Rgb565>::new(10, 10);
-        Sphere::new(Point::new(-5, -5), diameter, &paint).draw(&mut screen).unwrap();
-        Dial::new(Point::new(-5, -5), diameter, u32::MAX, u32::MAX, &paint)
-            .draw(&mut screen)
-            .unwrap();
-        assert_eq!(screen.drawn(), 0);
+        let found = diameter as usize;
+        assert_eq!(Sphere::<_, Rgb565>::new(at, diameter, &paint).err(), Some(Error::Size { found }));
+        let dial = Dial::<_, Rgb565>::new(at, diameter, u32::MAX, u32::MAX, &paint);
+        assert_eq!(dial.err(), Some(Error::Size { found }));
     }
 }

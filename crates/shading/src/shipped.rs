@@ -1,6 +1,7 @@
 //! The shipped databases and table, compiled in, so that results do not depend on files in the
 //! working directory.
 
+use eigenshade_index::material;
 use eigenshade_model::database::{Lights, Materials};
 use eigenshade_model::error::{Error, Result};
 use eigenshade_model::inputs::coefficient_csv::{read_lights, read_materials};
@@ -26,6 +27,7 @@ const LIGHTS: &str = include_str!("../tables/inputs/lights.csv");
 const MATERIALS: &str = include_str!("../tables/inputs/materials.csv");
 const FORMULAS: &str = include_str!("../tables/inputs/pbr-materials.csv");
 const COLORED: &str = include_str!("../tables/inputs/merl.csv");
+const COLORED_12: &str = include_str!("../tables/inputs/merl-12.csv");
 
 const SOURCES: &str = include_str!("../tables/inputs/sources.csv");
 const SET_ERRORS: &str = include_str!("../tables/inputs/sources.errors.csv");
@@ -92,15 +94,24 @@ pub fn materials() -> Result<Materials> {
     read_materials(InputFile::of_text(MATERIALS, "tables/inputs/materials.csv"), None)
 }
 
-/// All materials that have names: those in color of `tables/inputs/merl.csv`, then the gray ones of
-/// [`materials`].
+/// All materials that have names, for a table of this order: those in color of
+/// `tables/inputs/merl.csv`, or from order 12 on of `merl-12.csv`, then the gray ones of
+/// [`materials`], whose higher coefficients are 0.
 ///
 /// # Errors
 ///
 /// As [`read_materials`], for the compiled-in files.
-pub fn named_materials() -> Result<Materials> {
-    let mut named = read_materials(InputFile::of_text(COLORED, "tables/inputs/merl.csv"), None)?;
-    named.entries.extend(materials()?.truncated(named.order).entries);
+pub fn named_materials(order: usize) -> Result<Materials> {
+    let mut named = if order < 12 {
+        read_materials(InputFile::of_text(COLORED, "tables/inputs/merl.csv"), None)?
+    } else {
+        read_materials(InputFile::of_text(COLORED_12, "tables/inputs/merl-12.csv"), None)?
+    };
+    let count = material::count(named.order);
+    named.entries.extend(materials()?.entries.into_iter().map(|mut gray| {
+        gray.rgb.iter_mut().for_each(|channel| channel.resize(count, 0.0));
+        gray
+    }));
     Ok(named)
 }
 
@@ -113,6 +124,7 @@ pub fn materials_in(file: &Path) -> Result<Materials> {
     let text = match file.file_name().and_then(OsStr::to_str) {
         Some("materials.csv") => MATERIALS,
         Some("merl.csv") => COLORED,
+        Some("merl-12.csv") => COLORED_12,
         Some("pbr-materials.csv") => FORMULAS,
         _ => {
             let what = "no shipped database has that name";

@@ -1,6 +1,6 @@
 //! Loops over pixels in color.
 
-use eigenshade::{Display, Normals, Rgb, Tone};
+use eigenshade::{Display, Exposure, Normals, Rgb, Tone};
 use eigenshade_wasm_setup::color::COLLAPSED;
 use eigenshade_wasm_setup::{NORMALS, Shared};
 
@@ -51,7 +51,7 @@ static DISPLAYS: [Display; 3] =
 static PIXELS: Shared<[[u8; 4]; NORMALS]> = Shared::new([[0; 4]; NORMALS]);
 
 /// Encodes the first `count` irradiances, exposed, by the tone curve of this number. Returns
-/// `count`, or 0 if it is too large or there is no such curve.
+/// `count`, or 0 if it is too large, there is no such curve, or the exposure is not above 0.
 #[unsafe(no_mangle)]
 extern "C" fn color_encode(count: usize, exposure: f32, tone: usize) -> usize {
     // SAFETY: each place once, and no other function runs.
@@ -59,8 +59,9 @@ extern "C" fn color_encode(count: usize, exposure: f32, tone: usize) -> usize {
     let (Some(display), Some(pixels)) = (DISPLAYS.get(tone), pixels.get_mut(..count)) else {
         return 0;
     };
+    let Ok(exposure) = Exposure::new(exposure) else { return 0 };
     for (pixel, ((&r, &g), &b)) in pixels.iter_mut().zip(r.iter().zip(&*g).zip(&*b)) {
-        let Rgb { r, g, b } = display.rgb888(Rgb::new(r, g, b).exposed(exposure));
+        let Rgb { r, g, b } = display.rgb888(exposure.of(Rgb::new(r, g, b)));
         *pixel = [r, g, b, u8::MAX];
     }
     count

@@ -152,10 +152,10 @@ fn draw(
         meter.add(color);
         colors.push(color);
     }
-    let exposure = meter.exposure(UNCLIPPED_PRESET).unwrap_or(1.0);
+    let exposure = meter.exposure(UNCLIPPED_PRESET).unwrap_or_default();
     let margin = (FIELD[0] - BALL) / 2;
     for (color, pixel) in colors.into_iter().zip(&view.pixels) {
-        let color = DISPLAY.rgb888(color.exposed(exposure)).into();
+        let color = DISPLAY.rgb888(exposure.of(color)).into();
         canvas.blend(left + margin + pixel.column, top + 4 + pixel.row, color, pixel.coverage);
     }
     let most = FIELD[0] / text_width(NAME, " ");

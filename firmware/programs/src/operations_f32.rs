@@ -8,8 +8,8 @@ use core::hint::black_box;
 use eigenshade::mathematics::SinglePrecision;
 use eigenshade::presets::{light::LOBBY, material::GOLD_METALLIC_PAINT};
 use eigenshade::{
-    BakedMap, Buffer, Disc, DiscPixel, Display, Error, Gloss, Highlights, Light, MapPoint,
-    Material, NineTerms, Normal, NormalPixel, Rgb, Rotation, Source, Tolerance, Tone, sphere,
+    BakedMap, Buffer, DiscPixel, Display, Error, Exposure, Gloss, Highlights, Light, MapPoint,
+    Material, Meter, NineTerms, Normal, NormalPixel, Normals, Rgb, Rotation, Source, Tolerance, Tone, sphere,
 };
 use programs::inputs::floats as inputs;
 use programs::split_sum::{SIDE, STEPS, SplitSum};
@@ -152,9 +152,13 @@ fn baked_point() {
 
 static DISPLAY: Display = Display::new(Tone::Filmic);
 
+fn exposure() -> Exposure {
+    Exposure::new(black_box(1.5)).unwrap_or_else(|_| board::exit(false))
+}
+
 /// The next pixel of a disc and its normal.
 fn disc() {
-    let mut disc = programs::inputs::middle(Disc::new(black_box(64)));
+    let mut disc = programs::inputs::middle();
     holds(size_of_val(&disc));
     measure(&[(); 16], Passes(64), |()| disc.next().map(DiscPixel::normal));
 }
@@ -171,10 +175,36 @@ fn normal_map() {
 fn display() {
     let channels = inputs::numbers::<48>();
     let (channels, _) = channels.as_chunks::<3>();
-    let exposure = black_box(1.5);
+    let exposure = exposure();
+    measure(channels, Passes(64), |channels| DISPLAY.rgb565(exposure.of(Rgb::from(*channels))));
+}
+
+/// The same in 24 bits.
+fn display_888() {
+    let channels = inputs::numbers::<48>();
+    let (channels, _) = channels.as_chunks::<3>();
+    let exposure = exposure();
+    measure(channels, Passes(64), |channels| DISPLAY.rgb888(exposure.of(Rgb::from(*channels))));
+}
+
+/// The same in 16 bits, with ordered dithering.
+fn display_dithered() {
+    let channels = inputs::numbers::<48>();
+    let (channels, _) = channels.as_chunks::<3>();
+    let (exposure, mut column) = (exposure(), 0);
     measure(channels, Passes(64), |channels| {
-        DISPLAY.rgb565(Rgb::from(*channels).exposed(exposure))
+        column += 1;
+        DISPLAY.rgb565_dithered(exposure.of(Rgb::from(*channels)), column, 1)
     });
+}
+
+/// Three irradiances, counted for an exposure.
+fn meter() {
+    let channels = inputs::numbers::<48>();
+    let (channels, _) = channels.as_chunks::<3>();
+    let mut meter = black_box(Meter::default());
+    holds(size_of_val(&meter));
+    measure(channels, Passes(64), |channels| meter.add(Rgb::from(*channels)));
 }
 
 /// A pixel of the gold sphere: normal, irradiance in color, 16 bits.
@@ -182,10 +212,10 @@ fn gold() {
     let Ok(scene) = sphere::color::scene(LOBBY, GOLD_METALLIC_PAINT) else { board::exit(false) };
     let scene = black_box(scene);
     holds(size_of_val(&scene));
-    let mut disc = programs::inputs::middle(Disc::new(black_box(64)));
+    let (mut disc, exposure) = (programs::inputs::middle(), exposure());
     measure(&[(); 16], Passes(64), |()| {
         let pixel = disc.next()?;
-        Some(DISPLAY.rgb565(scene.shade(pixel.normal()).exposed(1.5)))
+        Some(DISPLAY.rgb565(exposure.of(scene.shade(pixel.normal()))))
     });
 }
 
@@ -206,6 +236,36 @@ fn color() {
     let scene = black_box(scene);
     holds(size_of_val(&scene));
     measure(&inputs::normals(), Passes(64), |normal| scene.shade(*normal));
+}
+
+/// The same by a call for each channel.
+fn color_calls() {
+    let Ok(scene) = sphere::color::scene(LOBBY, GOLD_METALLIC_PAINT) else { board::exit(false) };
+    let scene = black_box(scene);
+    holds(size_of_val(&scene));
+    measure(&inputs::normals(), Passes(64), |normal| {
+        scene.each_ref().map(|scene| channel(scene, *normal))
+    });
+}
+
+#[inline(never)]
+fn channel(scene: &sphere::Scene, normal: Normal<f32>) -> f32 {
+    scene.shade(normal)
+}
+
+/// The irradiances of 16 vertices in color.
+fn vertices_16() {
+    let Ok(scene) = sphere::color::scene(LOBBY, GOLD_METALLIC_PAINT) else { board::exit(false) };
+    let scene = black_box(scene);
+    let axes = [0, 1, 2].map(|axis: usize| {
+        inputs::normals().map(|normal| normal.components().get(axis).copied().unwrap_or(0.0))
+    });
+    let mut colors = [Rgb::gray(0.0); 16];
+    holds(size_of_val(&scene) + size_of_val(&axes) + size_of_val(&colors));
+    measure(&[axes], Passes(4), |[x, y, z]| {
+        let normals = Normals::new(x, y, z)?;
+        scene.shade_slice(normals, black_box(&mut colors))
+    });
 }
 
 /// `shade` with the highlights of two sources in one channel, which all normals face.
@@ -272,6 +332,15 @@ fn metallic_roughness() {
     holds(size_of::<Rgb<Buffer<f32, 40>>>());
     measure(&[0.3, 0.7], Passes(64), |roughness| {
         Material::metallic_roughness(black_box(copper), 1.0, *roughness)
+    });
+}
+
+/// The same to order 12.
+fn metallic_roughness_12() {
+    let copper = [0.93, 0.52, 0.38];
+    holds(size_of::<Rgb<Buffer<f32, 140>>>());
+    measure(&[0.3, 0.7], Passes(64), |roughness| {
+        Material::metallic_roughness_of_order_12(black_box(copper), 1.0, *roughness)
     });
 }
 

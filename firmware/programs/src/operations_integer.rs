@@ -7,10 +7,10 @@ use board::{Passes, holds, measure};
 use core::hint::black_box;
 use eigenshade::presets::{light::q15::LOBBY, material::q15::GOLD_METALLIC_PAINT};
 use eigenshade::quantized::{
-    Highlights, Irradiance, LightBuffer, Lobe, Material, MaterialBuffer, NineTerms, Rotation,
+    Exposure, Highlights, Irradiance, LightBuffer, Lobe, Material, MaterialBuffer, NineTerms, Normal, Rotation,
 };
 use eigenshade::{
-    Disc, DiscPixel, Display, Error, Exposure, IntegerMap, MapPoint, NormalPixel, Q15, Rgb, Tone,
+    DiscPixel, Display, Error, IntegerMap, MapPoint, Meter, NormalPixel, Q15, Rgb, Tone,
     sphere,
 };
 use programs::inputs::integers as inputs;
@@ -201,9 +201,14 @@ fn dense_product(modes: &[i16; MODES]) -> i16 {
 
 static DISPLAY: Display = Display::new(Tone::Filmic);
 
+fn exposure() -> Rgb<Exposure> {
+    let exposure = Exposure::new(black_box(1.5), -15);
+    Rgb::gray(exposure.unwrap_or_else(|_| board::exit(false)))
+}
+
 /// The next pixel of a disc and its normal.
 fn disc() {
-    let mut disc = programs::inputs::middle(Disc::new(black_box(64)));
+    let mut disc = programs::inputs::middle();
     holds(size_of_val(&disc));
     measure(&[(); 16], Passes(64), |()| disc.next().map(DiscPixel::quantized_normal));
 }
@@ -220,9 +225,78 @@ fn normal_map() {
 fn display() {
     let channels = inputs::mantissas::<Q15, 48>().map(|channel| i32::from(channel.0));
     let (channels, _) = channels.as_chunks::<3>();
-    let Ok(exposure) = Exposure::new(black_box(1.5), -15) else { board::exit(false) };
-    let exposure = Rgb::gray(exposure);
+    let exposure = exposure();
     measure(channels, Passes(64), |channels| DISPLAY.rgb565(exposure.of(Rgb::from(*channels))));
+}
+
+/// The same in 24 bits.
+fn display_888() {
+    let channels = inputs::mantissas::<Q15, 48>().map(|channel| i32::from(channel.0));
+    let (channels, _) = channels.as_chunks::<3>();
+    let exposure = exposure();
+    measure(channels, Passes(64), |channels| DISPLAY.rgb888(exposure.of(Rgb::from(*channels))));
+}
+
+/// The same in 16 bits, with ordered dithering.
+fn display_dithered() {
+    let channels = inputs::mantissas::<Q15, 48>().map(|channel| i32::from(channel.0));
+    let (channels, _) = channels.as_chunks::<3>();
+    let (exposure, mut column) = (exposure(), 0);
+    measure(channels, Passes(64), |channels| {
+        column += 1;
+        DISPLAY.rgb565_dithered(exposure.of(Rgb::from(*channels)), column, 1)
+    });
+}
+
+/// Three irradiances, exposed and counted for an exposure.
+fn meter() {
+    let channels = inputs::mantissas::<Q15, 48>().map(|channel| i32::from(channel.0));
+    let (channels, _) = channels.as_chunks::<3>();
+    let (exposure, mut meter) = (exposure(), black_box(Meter::default()));
+    holds(size_of_val(&meter));
+    measure(channels, Passes(64), |channels| meter.add_linear(exposure.of(Rgb::from(*channels))));
+}
+
+/// A pixel of the gold sphere in three channels.
+fn color() {
+    let Ok(scene) = sphere::q15::color::scene(LOBBY, GOLD_METALLIC_PAINT) else {
+        board::exit(false)
+    };
+    let scene = black_box(scene);
+    holds(size_of_val(&scene));
+    measure(&inputs::normals(), Passes(64), |normal| scene.shade(*normal));
+}
+
+/// The same by a call for each channel.
+fn color_calls() {
+    let Ok(scene) = sphere::q15::color::scene(LOBBY, GOLD_METALLIC_PAINT) else {
+        board::exit(false)
+    };
+    let scene = black_box(scene);
+    holds(size_of_val(&scene));
+    measure(&inputs::normals(), Passes(64), |normal| {
+        scene.each_ref().map(|scene| channel(scene, *normal))
+    });
+}
+
+#[inline(never)]
+fn channel(scene: &sphere::q15::Scene, normal: Normal<Q15>) -> i32 {
+    scene.shade(normal)
+}
+
+/// The irradiances of 16 vertices in color.
+fn vertices_16() {
+    let Ok(scene) = sphere::q15::color::scene(LOBBY, GOLD_METALLIC_PAINT) else {
+        board::exit(false)
+    };
+    let scene = black_box(scene);
+    let four = inputs::normals::<Q15>();
+    let vertices: [_; 4] = [four; 4];
+    let mut colors = [Rgb::gray(0); 16];
+    holds(size_of_val(&scene) + size_of_val(&vertices) + size_of_val(&colors));
+    measure(&[vertices], Passes(4), |vertices| {
+        scene.shade_slice(vertices.as_flattened(), black_box(&mut colors))
+    });
 }
 
 /// A pixel of the gold sphere: normal, irradiance in color, 16 bits.
@@ -232,7 +306,7 @@ fn gold() {
     let Ok((exposure, scene)) = scene else { board::exit(false) };
     let scene = black_box(scene);
     holds(size_of_val(&scene) + size_of_val(&exposure));
-    let mut disc = programs::inputs::middle(Disc::new(black_box(64)));
+    let mut disc = programs::inputs::middle();
     measure(&[(); 16], Passes(64), |()| {
         let pixel = disc.next()?;
         Some(DISPLAY.rgb565(exposure.of(scene.shade(pixel.quantized_normal()))))
@@ -245,6 +319,19 @@ fn metallic_roughness() {
     holds(size_of::<Rgb<MaterialBuffer<Q15, 40, 8>>>());
     measure(&[Q15(9_830), Q15(22_938)], Passes(64), |roughness| {
         Material::metallic_roughness(black_box(copper), Q15(i16::MAX), *roughness)
+    });
+}
+
+/// The same to order 12.
+fn metallic_roughness_12() {
+    let copper = [Q15(30_474), Q15(17_039), Q15(12_452)];
+    holds(size_of::<Rgb<MaterialBuffer<Q15, 140, 13>>>());
+    measure(&[Q15(9_830), Q15(22_938)], Passes(64), |roughness| {
+        Material::metallic_roughness_of_order_12(
+            black_box(copper),
+            Q15(i16::MAX),
+            *roughness,
+        )
     });
 }
 

@@ -176,8 +176,8 @@ impl Format for f32 {
         0
     }
 
-    fn exposure(exposure: f32, exponent: i32) -> Result<f32, Error> {
-        Exposure::new(exposure, exponent).map(|_| exposure)
+    fn exposure(exposure: f32, _: i32) -> Result<f32, Error> {
+        Exposure::new(exposure).map(|_| exposure)
     }
 
     #[inline]

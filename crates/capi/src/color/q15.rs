@@ -12,9 +12,9 @@ use crate::status::Status;
 use crate::table::{COMPONENTS, LIGHT, q15};
 use core::marker::PhantomData;
 use eigenshade::mathematics::SinglePrecision;
-use eigenshade::quantized::{self, Highlights, LightBuffer as Turned, Normal, Rotation};
+use eigenshade::quantized::{self, Exposure, Highlights, LightBuffer as Turned, Normal, Rotation};
 use eigenshade::{
-    DiscPixel, Error, Exposure, IntegerMap, Linear, MapPoint, NormalPixel, Q15, Rgb, Source,
+    DiscPixel, Error, IntegerMap, Linear, MapPoint, NormalPixel, Q15, Rgb, Source,
 };
 
 /// The exponents of glTF materials.

@@ -33,10 +33,7 @@ struct Shape<I> {
 
 /// The row of a disc.
 fn disc<F: Format>(diameter: usize, row: usize) -> Result<Shape<impl Row<F>>, Status> {
-    if !(1..=Disc::MOST).contains(&diameter) {
-        return Err(Status::Diameter);
-    }
-    let row = Disc::new(diameter).row(row);
+    let row = Disc::new(diameter).map_err(|_| Status::Diameter)?.row(row);
     let row = row.map(|pixel| (pixel.column(), u8::MAX, F::of_disc(pixel)));
     Ok(Shape { size: [diameter; 2], row })
 }

@@ -5,7 +5,7 @@ use eigenshade::mathematics::SinglePrecision;
 use eigenshade::presets::{gloss, light, material, sources};
 use eigenshade::quantized::{self, Rotation};
 use eigenshade::{
-    Disc, Display, Error, Exposure, Gloss, Highlights, IntegerMap, MapPoint, NormalMap, Q15, Rgb,
+    Disc, Display, Error, Gloss, Highlights, IntegerMap, MapPoint, NormalMap, Q15, Rgb,
     Source, Tone, blend565, sphere, sphere::q15,
 };
 use std::fmt::Write as _;
@@ -20,7 +20,7 @@ type Shade<'s> = &'s dyn Fn(quantized::Normal<Q15>) -> Rgb<eigenshade::Linear>;
 
 fn disc(display: &Display, shade: Shade<'_>) -> Vec<u16> {
     let mut picture = vec![0; SIDE * SIDE];
-    for pixel in Disc::new(SIDE) {
+    for pixel in Disc::new(SIDE).expect("a size above 0") {
         picture[pixel.index()] = display.rgb565(shade(pixel.quantized_normal()));
     }
     picture
@@ -127,8 +127,8 @@ pub fn lines() -> Result<String, Error> {
     let red = sphere::color::scene(light::LOBBY, material::DARK_RED_PAINT)?;
     let baked =
         red.each_ref().try_map(|scene| scene.bake_integers_into(BAKED, vec![0; BAKED * BAKED]))?;
-    let exposure: Rgb<Exposure> =
-        baked.each_ref().try_map(|map: &IntegerMap<_>| Exposure::new(1.5, map.exponent()))?;
+    let exposure: Rgb<quantized::Exposure> =
+        baked.each_ref().try_map(|map: &IntegerMap<_>| quantized::Exposure::new(1.5, map.exponent()))?;
     let look_up = |normal| exposure.of(baked.bilinear(MapPoint::of_quantized(normal)));
     pictures.push(("baked", disc(&linear, &look_up)));
     pictures.push(("baked normal map", of_map(&codes, &filmic, &look_up)?));

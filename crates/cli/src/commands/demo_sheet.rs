@@ -50,11 +50,11 @@ pub fn draw(path: &Path, columns: &[Column<'_>], rows: &[Row]) -> Result<()> {
         let images: Vec<Vec<Rgb<f32>>> = row.images.iter().map(colors).collect();
         let mut meter = Meter::default();
         images.iter().flatten().for_each(|&color| meter.add(color));
-        let exposure = meter.exposure(UNCLIPPED).unwrap_or(1.0);
+        let exposure = meter.exposure(UNCLIPPED).unwrap_or_default();
         for (place, (column, image)) in columns.iter().zip(images).enumerate() {
             let left = left + place * step;
             for (pixel, color) in column.view.pixels.iter().zip(image) {
-                let color = display.rgb888(color.exposed(exposure)).into();
+                let color = display.rgb888(exposure.of(color)).into();
                 canvas.blend(left + pixel.column, top + pixel.row, color, pixel.coverage);
             }
         }

@@ -87,7 +87,8 @@ impl Export {
         let none = Lights { degree: 0, entries: Vec::new() };
         let lights = light.map_or(Ok(none), |one| one.lights(memory.of_file()))?;
         let none = Materials { order: 0, entries: Vec::new() };
-        let of_file = material.map_or(Ok(none), |one| one.materials(memory.of_file()))?;
+        let order = table.gram.order;
+        let of_file = material.map_or(Ok(none), |one| one.materials(order, memory.of_file()))?;
         let (lights, materials) = fitted(&table, &lights, &of_file);
         let pairs = lights.entries.len() * materials.entries.len();
         let admit = |normals: usize| match (light, material) {

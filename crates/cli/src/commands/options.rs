@@ -1,7 +1,7 @@
 //! Types and parsers of options that commands share.
 
 use clap::Args;
-use eigenshade::{Effect, Tolerance};
+use eigenshade::{Effect, Exposure, Tolerance};
 use eigenshade_cli::presets::Source;
 use eigenshade_cli::table;
 use eigenshade_index::highlights::MAX_SOURCES;
@@ -158,11 +158,9 @@ pub fn width(text: &str) -> Parsed<f64> {
 }
 
 /// Parses an exposure.
-pub fn positive(text: &str) -> Parsed<f32> {
-    match text.parse::<f32>() {
-        Ok(number) if number >= f32::MIN_POSITIVE && number.is_finite() => Ok(number),
-        _ => Err("expected a number from 1e-37 to 3e38, as in 1.5".to_owned()),
-    }
+pub fn exposure(text: &str) -> Parsed<Exposure> {
+    let exposure = text.parse().ok().and_then(|number| Exposure::new(number).ok());
+    exposure.ok_or_else(|| "expected a number from 1e-37 to 3e38, as in 1.5".to_owned())
 }
 
 /// Parses the three angles A,B,C of Rz(A) Ry(B) Rz(C).

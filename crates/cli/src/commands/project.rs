@@ -37,7 +37,7 @@ impl Project {
         let table = self.table.read(memory)?;
         let components = table::components(&table, self.components, self.table.path())?;
         let lights = self.inputs.light.lights(memory.of_file())?;
-        let materials = self.inputs.material.materials(memory.of_file())?;
+        let materials = self.inputs.material.materials(table.gram.order, memory.of_file())?;
         let higher =
             of_higher_order(self.inputs.material.path(), materials.order, table.gram.order);
         let warnings = higher.into_iter().chain(albedo_warning(&materials));

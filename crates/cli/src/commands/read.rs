@@ -204,7 +204,7 @@ impl Read {
     /// replace the latter.
     fn materials(&self, table: &Table, memory: Memory) -> Result<(Materials, bool)> {
         if let Some(source) = &self.material {
-            return Ok((source.materials(memory.of_file())?, false));
+            return Ok((source.materials(table.gram.order, memory.of_file())?, false));
         }
         let scene = &table.scene.material;
         let beside = self.beside_all(table);

@@ -2,9 +2,9 @@
 
 use super::choices::Choices;
 use super::highlights::{HighlightInputs, sharpness_note, within};
-use super::options::{Inputs, Memory, Sources, TableChoice, count, positive, sources, tolerance};
+use super::options::{Inputs, Memory, Sources, TableChoice, count, exposure, sources, tolerance};
 use clap::{Args, ValueEnum};
-use eigenshade::{Effects, Matcap, Rgb, Scalar, Tolerance, Tone};
+use eigenshade::{Effects, Exposure, Matcap, Rgb, Scalar, Tolerance, Tone};
 use eigenshade_cli::messages::print_message;
 use eigenshade_cli::messages::{Ringing, albedo_warning};
 use eigenshade_cli::object::{Object, ObjectView, SIZE};
@@ -62,8 +62,8 @@ pub struct Render {
     tolerance: Option<Tolerance<f64>>,
     /// The factor from irradiance to what the tone curve shows, white being 1 [default: metered,
     /// and 1 for an .exr]
-    #[arg(long, value_name = "E", value_parser = positive)]
-    exposure: Option<f32>,
+    #[arg(long, value_name = "E", value_parser = exposure)]
+    exposure: Option<Exposure>,
     /// Tone curve of a PNG [default: linear]
     #[arg(long, value_enum)]
     tone: Option<Curve>,
@@ -128,14 +128,17 @@ impl Render {
         }
         let Lights { degree, entries } = light.lights(memory.of_file())?;
         let lights = Lights { degree, entries: vec![light.only(entries)?] };
-        let Materials { order, entries } = material.materials(memory.of_file())?;
-        let materials = Materials { order, entries: vec![material.only(entries)?] };
-        let (choice, most) = self.chosen(&lights, &materials, memory)?;
+        let one = |order| -> Result<Materials> {
+            let Materials { order, entries } = material.materials(order, memory.of_file())?;
+            Ok(Materials { order, entries: vec![material.only(entries)?] })
+        };
+        let (choice, most) = self.chosen(&lights, &one(0)?, memory)?;
         let table = choice.read(memory)?;
+        let materials = one(table.gram.order)?;
         self.choices.check_rotation(&table)?;
         let components = self.choices.components(&table, choice.path())?;
         let effects = self.choices.effects(&table)?;
-        let higher = of_higher_order(material.path(), order, table.gram.order);
+        let higher = of_higher_order(material.path(), materials.order, table.gram.order);
         let rounded = match self.format {
             Format::F32 => rounding::warning(&table, wire::NumberFormat::F32),
             Format::F64 => None,
@@ -154,7 +157,10 @@ impl Render {
         self.choices.change(&mut lights);
         let is_sphere = self.normals.as_os_str() == "sphere";
         let object = match self.matcap {
-            Some(engine) => Object::Matcap(self.size.unwrap_or(SIZE), engine.radius()),
+            Some(engine) => {
+                let texels = Matcap::new(self.size.unwrap_or(SIZE)).map_err(fault)?;
+                Object::Matcap(texels.with_radius(engine.radius()))
+            }
             None if is_sphere => Object::Sphere(self.size.unwrap_or(SIZE)),
             None => Object::View(ObjectView::read(memory.file(&self.normals), self.size)?),
         };

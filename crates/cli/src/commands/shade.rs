@@ -134,7 +134,7 @@ impl Shade {
         // The rounding of all components was measured, but not that of fewer.
         let stored = self.stored().filter(|_| !is_part);
         let lights = self.inputs.light.lights(memory.of_file())?;
-        let materials = self.inputs.material.materials(memory.of_file())?;
+        let materials = self.inputs.material.materials(table.gram.order, memory.of_file())?;
         let higher =
             of_higher_order(self.inputs.material.path(), materials.order, table.gram.order);
         let warnings = higher.into_iter().chain(albedo_warning(&materials));

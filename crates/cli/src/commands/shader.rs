@@ -90,7 +90,7 @@ impl Shader {
         output::refuse_collisions(&self.out.path, inputs)?;
         let table = self.table.read(memory)?;
         let lights = self.inputs.light.lights(memory.of_file())?;
-        let of_file = self.inputs.material.materials(memory.of_file())?;
+        let of_file = self.inputs.material.materials(table.gram.order, memory.of_file())?;
         let (lights, materials) = fitted(&table, &lights, &of_file);
         let light = self.inputs.light.only(lights.entries)?;
         let material = self.inputs.material.only(materials.entries)?;

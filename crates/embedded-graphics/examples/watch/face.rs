@@ -50,7 +50,8 @@ fn draw_dial<D>(paint: &impl Shader, target: &mut D) -> Result<(), D::Error>
 where
     D: DrawTarget<Color: DisplayColor>,
 {
-    Dial::new(Point::zero(), SIZE, 8, 4, paint).draw(target)
+    // A constant size is an error always or never.
+    Dial::new(Point::zero(), SIZE, 8, 4, paint).map_or(Ok(()), |dial| dial.draw(target))
 }
 
 /// Draws the relief.

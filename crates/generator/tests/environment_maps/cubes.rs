@@ -263,17 +263,23 @@ const FRAMES: [Frame; 6] = [
     Frame::Filament,
 ];
 
+/// A red, a green and a blue patch of one texel each.
 #[test]
-fn a_point_of_light_is_where_the_program_places_it() {
-    for (column, row) in [(0, 8), (3, 5), (15, 8), (20, 2), (25, 12)] {
+fn patches_of_color_are_where_the_program_places_them() {
+    let places = [(0, 8), (3, 5), (15, 8), (20, 2), (25, 12)];
+    for patches in places.windows(3) {
         let mut map = map_of(16, |_| [0.0; 3]);
-        map.texels[row * map.width + column] = [1.0; 3];
+        for (channel, &(column, row)) in patches.iter().enumerate() {
+            map.texels[row * map.width + column][channel] = 1.0;
+        }
         let map = Map::Equirectangular(map);
         for frame in FRAMES {
-            let expected =
-                published(frame, (column as f64 + 0.5) / 32.0, (row as f64 + 0.5) / 16.0);
-            let [red, ..] = coefficients(&map, frame, 1).unwrap();
-            assert_direction(centroid(&red), expected);
+            let found = coefficients(&map, frame, 1).unwrap();
+            for (channel, &(column, row)) in found.iter().zip(patches) {
+                let expected =
+                    published(frame, (column as f64 + 0.5) / 32.0, (row as f64 + 0.5) / 16.0);
+                assert_direction(centroid(channel), expected);
+            }
         }
     }
 }

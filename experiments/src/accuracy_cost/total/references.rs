@@ -5,7 +5,7 @@ use crate::accuracy::{color, named};
 use crate::light_tree::LightTree;
 use crate::mirrored;
 use crate::sphere::{Picture, Sphere, peak};
-use eigenshade::{Display, Meter, Rgb, Tone};
+use eigenshade::{Display, Exposure, Meter, Rgb, Tone};
 use eigenshade_cli::picture_file::UNCLIPPED;
 use eigenshade_generator::light::environment::EnvironmentMap;
 use eigenshade_generator::light::projection::named_maps;
@@ -76,7 +76,7 @@ pub struct Reference {
     picture: Picture,
     peak: f64,
     /// As metered.
-    exposure: f32,
+    exposure: Exposure,
     /// As shown.
     shown: Vec<Lab>,
 }
@@ -100,7 +100,7 @@ impl Reference {
             let pixel = pixel(&picture, k);
             (0..(METERED * weight).round() as usize).for_each(|_| meter.add(pixel));
         }
-        let exposure = meter.exposure(UNCLIPPED).unwrap_or(1.0);
+        let exposure = meter.exposure(UNCLIPPED).unwrap_or_default();
         Self { peak: peak(&picture), exposure, shown: shown(&picture, exposure), picture }
     }
 
@@ -129,9 +129,9 @@ fn pixel(picture: &Picture, k: usize) -> Rgb<f32> {
 }
 
 /// The pixels of the display.
-fn shown(picture: &Picture, exposure: f32) -> Vec<Lab> {
+fn shown(picture: &Picture, exposure: Exposure) -> Vec<Lab> {
     let shown = |k: usize| {
-        let Rgb { r, g, b } = DISPLAY.rgb888(pixel(picture, k).exposed(exposure));
+        let Rgb { r, g, b } = DISPLAY.rgb888(exposure.of(pixel(picture, k)));
         Srgb::new(r, g, b).into_format::<f32>().into_color()
     };
     (0..picture[0].len()).map(shown).collect()

@@ -20,8 +20,9 @@ pub const MATCAP: usize = 32;
 /// The pictures of a matcap in floats, by map: direct integration at the normals of 32 x 32 texels,
 /// and bilinear look-ups, clamped at the sides.
 pub fn matcap(surface: &Surface, world: &World) -> Vec<Picture> {
-    let normals = Matcap::new(MATCAP).map(|texel| texel.normal().components().map(f64::from));
-    let texels = world.pictures(surface, &normals.collect::<Vec<_>>());
+    let texels = Matcap::new(MATCAP).into_iter().flatten();
+    let normals: Vec<_> = texels.map(|texel| texel.normal().components().map(f64::from)).collect();
+    let texels = world.pictures(surface, &normals);
     let side = MATCAP as f64;
     // The texels before and after a coordinate, and its place between them.
     let cell = |x: f64| {

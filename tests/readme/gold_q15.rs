@@ -1,0 +1,11 @@
+use eigenshade::presets::{light::q15::LOBBY, material::q15::GOLD_METALLIC_PAINT};
+use eigenshade::{Disc, Display, sphere::q15};
+
+fn draw(screen: &mut [u16; 240 * 240], display: &Display) -> Result<(), eigenshade::Error> {
+    let scene = q15::color::scene(LOBBY, GOLD_METALLIC_PAINT)?;
+    let exposure = scene.exposure(1.5)?;
+    for pixel in Disc::new(240)? {
+        screen[pixel.index()] = display.rgb565(exposure.of(scene.shade(pixel.quantized_normal())));
+    }
+    Ok(())
+}
