@@ -116,19 +116,20 @@ impl Meter {
     pub fn add(&mut self, color: Rgb<f32>) {
         let largest = color.largest();
         let largest = if largest > 0.0 && largest.is_finite() { largest } else { 0.0 };
-        self.count(largest, DARKEST);
+        self.count((largest.to_bits() >> 20).saturating_sub(DARKEST << 3));
     }
 
     /// Counts an exposed pixel in integers.
     pub fn add_linear(&mut self, color: Rgb<Linear>) {
-        // The conversion and the shift are integer operations.
-        self.count(color.r.max(color.g).max(color.b).0 as f32, DARKEST + POINT);
+        let Linear(units) = color.r.max(color.g).max(color.b);
+        // As in a float: the exponent, and the three bits after the highest.
+        let zeros = units.leading_zeros().min(31);
+        self.count((31 - zeros) << 3 | ((units << zeros) >> 28) & 7);
     }
 
-    /// Counts a number in units of which the darkest has this biased exponent.
-    fn count(&mut self, largest: f32, darkest: u32) {
-        // Exponent and three bits of the fraction.
-        let step = (largest.to_bits() >> 20).saturating_sub(darkest << 3).min(255);
+    /// Counts a step of an eighth of a power of two, from [`DARKEST`] on.
+    fn count(&mut self, step: u32) {
+        let step = step.min(255);
         if let Some(count) = self.counts.get_mut(step as usize) {
             *count = count.saturating_add(1);
         }
@@ -181,9 +182,11 @@ mod tests {
             assert!((white - 1.0).abs() < 0.07, "{brightness}: {white}");
             let mut of_integers = Meter::default();
             of_integers.add_linear(Rgb::from([brightness, 0.0, 0.0]).map(Linear::from));
-            // A unit of 2^-16 is a sixteenth of 2^-12.
-            if brightness > 2.5e-4 {
-                assert_eq!(of_integers.exposure(1.0), meter.exposure(1.0), "{brightness}");
+            // Half a unit of rounding comes on top.
+            if brightness > 1e-4 {
+                let white = of_integers.exposure(1.0).unwrap().factor() * brightness;
+                let rounded = 0.5 / (65_536.0 * brightness);
+                assert!((white - 1.0).abs() < 0.07 + rounded, "{brightness}: {white}");
             }
         }
     }

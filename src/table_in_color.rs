@@ -39,8 +39,14 @@ macro_rules! table_in_color {
                 #[inline]
                 #[must_use]
                 pub fn shade(&self, normal: $normal) -> Rgb<$irradiance> {
-                    self.0.each_ref().map(|scene| scene.shade(normal))
+                    self.0.each_ref().map(|scene| of_channel(scene, normal))
                 }
+            }
+
+            // Not inlined three times, which would leave too few registers.
+            #[inline(never)]
+            fn of_channel(scene: &super::Scene, normal: $normal) -> $irradiance {
+                scene.shade(normal)
             }
 
             /// The image of a material under a light: transfer, relight and collapse in each

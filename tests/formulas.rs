@@ -6,7 +6,8 @@ use crate::oracle::{ExplicitLight, irradiance};
 use eigenshade::index::light;
 use eigenshade::mathematics::{Libm, SinglePrecision};
 use eigenshade::{
-    AnalyticLight, Argument, Error, Light, NineTerms, Normal, Normals, Q15, Q31, Rgb, Window, quantized,
+    AnalyticLight, Argument, Error, Light, NineTerms, Normal, Normals, Q15, Q31, Rgb, Window,
+    quantized,
 };
 use eigenshade_model::special::spherical_harmonic;
 use eigenshade_testing::fixtures::spiral;

@@ -67,6 +67,7 @@ pub(super) fn arguments<S: Scalar>(z: &[S; TILE], room: &mut Room<S>) {
 }
 
 /// The irradiances of a tile of normals, whose arguments are in `room`.
+#[inline(always)]
 pub(super) fn tile<S: Scalar>(
     mut polynomials: Descent<'_, S>,
     [x, y]: [&[S; TILE]; 2],

@@ -22,6 +22,7 @@ pub mod relight {
 pub use crate::places::Shape;
 
 use crate::error::{Argument, Error};
+use crate::normal::{Normal, Normals};
 use crate::scalar::Scalar;
 
 /// Shades normals one by one.
@@ -38,6 +39,28 @@ pub fn shade_each<N: Copy, I>(
     Error::check(Argument::Normals, normals.len(), irradiance.len())?;
     for (irradiance, &normal) in irradiance.iter_mut().zip(normals) {
         *irradiance = shade(normal);
+    }
+    Ok(())
+}
+
+/// Whether the target has no vectors for [`shade_normals`] to fill.
+pub const ONE_BY_ONE: bool = crate::shade::ONE_BY_ONE;
+
+/// [`shade_each`] of normals in three slices.
+///
+/// # Errors
+///
+/// The same.
+#[inline(always)]
+pub fn shade_normals<S: Scalar, I>(
+    normals: Normals<'_, S>,
+    irradiance: &mut [I],
+    shade: impl Fn(Normal<S>) -> I,
+) -> Result<(), Error> {
+    Error::check(Argument::Normals, normals.len(), irradiance.len())?;
+    let axes = normals.x.iter().zip(normals.y).zip(normals.z);
+    for (irradiance, ((&x, &y), &z)) in irradiance.iter_mut().zip(axes) {
+        *irradiance = shade(Normal { x, y, z });
     }
     Ok(())
 }

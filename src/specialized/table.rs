@@ -435,6 +435,10 @@ macro_rules! table {
                 normals: $crate::Normals<'_, f32>,
                 irradiance: &mut [$crate::Rgb<f32>],
             ) -> Result<(), $crate::Error> {
+                use $crate::specialized::{ONE_BY_ONE, shade_normals};
+                if ONE_BY_ONE {
+                    return shade_normals(normals, irradiance, |normal| self.shade(normal));
+                }
                 self.each_ref().map(|scene| &**scene).shade_slice(normals, irradiance)
             }
         }

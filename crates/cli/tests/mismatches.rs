@@ -74,7 +74,9 @@ fn notes_say_of_which_pictures_the_errors_are() {
         assert!(!said(other).contains(start), "{other}");
     }
     let said = said("-l lobby -t pbr");
-    assert!(said.contains(start) && !said.contains("at least"), "{said}");
+    let of_12 =
+        "note: `brass` is sharper than order 12 can show: at degree 12, pictures are off by 1.7 %";
+    assert!(said.contains(of_12), "{said}");
 }
 
 /// Integers that a table does not have are refused before anything is written.

@@ -44,7 +44,9 @@ fn names_are_entries_of_the_shipped_files() {
         let rows = listed.lines().map(|row| row.split(',').collect::<Vec<_>>());
         rows.filter(|row| row[0] == kind).map(|row| row[1].to_owned()).collect()
     };
-    assert!(listed.starts_with("kind,name,size,color,error_9_7,worst_9_7,error_12_12,worst_12_12\n"));
+    assert!(
+        listed.starts_with("kind,name,size,color,error_9_7,worst_9_7,error_12_12,worst_12_12\n")
+    );
     // Shipped materials in color have errors; the gray ones of CUReT have none.
     for row in listed.lines().skip(1).map(|row| row.split(',').collect::<Vec<_>>()) {
         let errors = [4, 5, 6, 7].map(|column: usize| row[column].parse::<f64>().ok());
@@ -85,14 +87,14 @@ fn sharp_materials_are_named() {
     folder.ok("basis --scene scene.toml --out b.bin");
     let note = drawn("chrome --table b.bin");
     assert!(note.contains("order 3 can show") && note.contains("by at least"), "{note}");
-    // A table of order 12, of a lower degree; the material ends at order 7.
+    // A table of order 12, of a lower degree than any that was measured.
     let scene = folder.read("scene.toml").replace("order = 3", "order = 12");
     folder.write("scene.toml", scene);
     folder.write("materials.csv", materials(12, 2));
     folder.ok("basis --scene scene.toml --out b.bin");
     let note = drawn("chrome --table b.bin");
     let start =
-        "`chrome` is sharper than order 7 can show: at degree 4, pictures are off by at least";
+        "`chrome` is sharper than order 12 can show: at degree 4, pictures are off by about";
     assert!(note.contains(start), "{note}");
     assert!(!drawn("ptfe-633nm").contains("sharper"));
     let file = repository().join("tables/inputs/merl.csv");

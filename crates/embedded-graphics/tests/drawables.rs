@@ -235,7 +235,10 @@ fn what_cannot_be_drawn_is_an_error() {
     let at = Point::zero();
     for diameter in [0, 4097, u32::MAX] {
         let found = diameter as usize;
-        assert_eq!(Sphere::<_, Rgb565>::new(at, diameter, &paint).err(), Some(Error::Size { found }));
+        assert_eq!(
+            Sphere::<_, Rgb565>::new(at, diameter, &paint).err(),
+            Some(Error::Size { found })
+        );
         let dial = Dial::<_, Rgb565>::new(at, diameter, u32::MAX, u32::MAX, &paint);
         assert_eq!(dial.err(), Some(Error::Size { found }));
     }

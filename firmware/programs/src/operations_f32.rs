@@ -9,7 +9,8 @@ use eigenshade::mathematics::SinglePrecision;
 use eigenshade::presets::{light::LOBBY, material::GOLD_METALLIC_PAINT};
 use eigenshade::{
     BakedMap, Buffer, DiscPixel, Display, Error, Exposure, Gloss, Highlights, Light, MapPoint,
-    Material, Meter, NineTerms, Normal, NormalPixel, Normals, Rgb, Rotation, Source, Tolerance, Tone, sphere,
+    Material, Meter, NineTerms, Normal, NormalPixel, Normals, Rgb, Rotation, Source, Tolerance,
+    Tone, sphere,
 };
 use programs::inputs::floats as inputs;
 use programs::split_sum::{SIDE, STEPS, SplitSum};

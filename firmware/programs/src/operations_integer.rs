@@ -7,11 +7,11 @@ use board::{Passes, holds, measure};
 use core::hint::black_box;
 use eigenshade::presets::{light::q15::LOBBY, material::q15::GOLD_METALLIC_PAINT};
 use eigenshade::quantized::{
-    Exposure, Highlights, Irradiance, LightBuffer, Lobe, Material, MaterialBuffer, NineTerms, Normal, Rotation,
+    Exposure, Highlights, Irradiance, LightBuffer, Lobe, Material, MaterialBuffer, NineTerms,
+    Normal, Rotation,
 };
 use eigenshade::{
-    DiscPixel, Display, Error, IntegerMap, MapPoint, Meter, NormalPixel, Q15, Rgb, Tone,
-    sphere,
+    DiscPixel, Display, Error, IntegerMap, MapPoint, Meter, NormalPixel, Q15, Rgb, Tone, sphere,
 };
 use programs::inputs::integers as inputs;
 use table::{BASIS, COMPONENTS, Coefficients, ORDER, SCENE, Scene, Transfer};
@@ -327,11 +327,7 @@ fn metallic_roughness_12() {
     let copper = [Q15(30_474), Q15(17_039), Q15(12_452)];
     holds(size_of::<Rgb<MaterialBuffer<Q15, 140, 13>>>());
     measure(&[Q15(9_830), Q15(22_938)], Passes(64), |roughness| {
-        Material::metallic_roughness_of_order_12(
-            black_box(copper),
-            Q15(i16::MAX),
-            *roughness,
-        )
+        Material::metallic_roughness_of_order_12(black_box(copper), Q15(i16::MAX), *roughness)
     });
 }
 

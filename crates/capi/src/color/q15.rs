@@ -13,9 +13,7 @@ use crate::table::{COMPONENTS, LIGHT, q15};
 use core::marker::PhantomData;
 use eigenshade::mathematics::SinglePrecision;
 use eigenshade::quantized::{self, Exposure, Highlights, LightBuffer as Turned, Normal, Rotation};
-use eigenshade::{
-    DiscPixel, Error, IntegerMap, Linear, MapPoint, NormalPixel, Q15, Rgb, Source,
-};
+use eigenshade::{DiscPixel, Error, IntegerMap, Linear, MapPoint, NormalPixel, Q15, Rgb, Source};
 
 /// The exponents of glTF materials.
 const EXPONENTS: usize = ORDER + 1;

@@ -42,9 +42,8 @@ impl List {
         let Materials { entries: materials, .. } = shipped::named_materials(usize::MAX)?;
         let row = |(kind, size, entry): (&'static str, usize, Named)| {
             let color = if entry.is_gray() { "gray" } else { "rgb" };
-            let errors = shipped::ERROR_SIZES.map(|size| {
-                shipped::total_error(&entry.name, size).filter(|_| kind == "material")
-            });
+            let errors = shipped::ERROR_SIZES
+                .map(|size| shipped::total_error(&entry.name, size).filter(|_| kind == "material"));
             let [error_9_7, error_12_12] = errors.map(|error| Some(error?.median));
             let [worst_9_7, worst_12_12] = errors.map(|error| Some(error?.worst));
             let name = entry.name;
