@@ -183,7 +183,7 @@ mod tests {
         let (mut worst, mut at_the_rim) = (0.0_f64, 0.0_f64);
         for size in [1, 2, 3, 17, 240, 1023, 4096] {
             let mut next = 0;
-            for pixel in Disc::new(size).unwrap() {
+            for pixel in Disc::new(size).into_iter().flatten() {
                 assert!(pixel.index() >= next && pixel.index() < size * size);
                 next = pixel.index() + 1;
                 assert_eq!(pixel.index(), pixel.row() * size + pixel.column());
@@ -202,6 +202,7 @@ mod tests {
                     assert!((f64::from(integer.0) - 32_768.0 * exact).abs() <= 1.01);
                 }
             }
+            assert!(next > 0, "{size}");
         }
         assert!(worst < 1.5e-4 && at_the_rim < 4e-4, "{worst} {at_the_rim}");
     }
@@ -214,10 +215,10 @@ mod tests {
                 place(x).pow(2) + place(y).pow(2) <= size * size
             };
             let expected = (0..size * size).filter(|k| inside(k % size, k / size));
-            let disc = Disc::new(size).unwrap();
-            assert!(disc.clone().map(DiscPixel::index).eq(expected), "{size}");
-            let rows = (0..size + 2).flat_map(|row| disc.row(row));
-            assert!(rows.eq(disc.clone()), "{size}");
+            let pixels = || Disc::new(size).into_iter().flatten();
+            assert!(pixels().map(DiscPixel::index).eq(expected), "{size}");
+            let of_rows = |disc: Disc| (0..size + 2).flat_map(move |row| disc.row(row));
+            assert!(Disc::new(size).into_iter().flat_map(of_rows).eq(pixels()), "{size}");
         }
         for found in [0, Disc::MOST + 1] {
             assert_eq!(Disc::new(found).err(), Some(Error::Size { found }));
