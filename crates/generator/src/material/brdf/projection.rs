@@ -165,7 +165,7 @@ fn azimuth_integrals(
     let scale = scale.clamp(NARROWEST, PI);
     // The second feature is there because models may have a kink at Δφ = π/2.
     let features = [Feature { at: PI, scale }, Feature { at: FRAC_PI_2, scale: PI }];
-    let mut waves = vec![0.0; order + 1];
+    let mut waves = vec![[0.0; LANES]; order + 1];
     let mut square = 0.0;
     let slants = Slants::new(theta_i, theta_r);
     for nodes in spread(unit, 0.0, PI, &features, WIDEST).chunks(LANES) {
@@ -180,14 +180,14 @@ fn azimuth_integrals(
             (*twice, *factor) = (2.0 * cosine, weight * value);
         }
         let (mut before, mut now) = (twice.map(|twice| 0.5 * twice), [1.0; LANES]);
-        for sum in &mut waves {
+        for sums in &mut waves {
             for lane in 0..LANES {
-                *sum += factors[lane] * now[lane];
+                sums[lane] += factors[lane] * now[lane];
                 (before[lane], now[lane]) = (now[lane], twice[lane] * now[lane] - before[lane]);
             }
         }
     }
-    (waves, square)
+    (waves.iter().map(|sums| sums.iter().sum()).collect(), square)
 }
 
 /// The accumulated integrals.
