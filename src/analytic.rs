@@ -174,10 +174,9 @@ impl<S: Scalar, const N: usize> AnalyticLight<S, N> {
     ///
     /// # Errors
     ///
-    /// [`Error::NotFinite`] if a radiance was infinite or NaN.
+    /// [`Error::NotFinite`] if a coefficient is infinite or NaN.
     pub fn light(&self) -> Result<Light<'_, S>, Error> {
-        Error::check_finite(Argument::Light, &self.coefficients)?;
-        Light::new(&self.coefficients)
+        Light::checked(&self.coefficients)
     }
 }
 

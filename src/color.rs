@@ -230,12 +230,26 @@ impl<B> Rgb<Scene<'_, B>> {
     }
 }
 
-impl<C> Rgb<&Scene<'_, C>> {
+impl<C> Rgb<Scene<'_, C>> {
     /// [`Scene::bake`] in each channel.
     ///
     /// # Errors
     ///
     /// The same.
+    pub fn bake<S: Scalar, const T: usize>(
+        &self,
+        size: usize,
+    ) -> Result<Rgb<BakedMap<S, MapBuffer<S, T>>>, Error>
+    where
+        C: AsRef<[S]>,
+    {
+        self.each_ref().bake(size)
+    }
+}
+
+impl<C> Rgb<&Scene<'_, C>> {
+    /// [`Rgb::bake`] of the scenes.
+    #[doc(hidden)]
     pub fn bake<S: Scalar, const T: usize>(
         self,
         size: usize,

@@ -82,7 +82,7 @@ impl Disc {
         if size == 0 || size > Self::MOST {
             return Err(Error::Size { found: size });
         }
-        let unit = (1 << 56) / (size * size) as u64;
+        let unit = (1 << 56) / (size as u64 * size as u64);
         let size = size as i32;
         // 2^31 itself does not fit.
         let scale = i32::MAX / size;

@@ -145,6 +145,8 @@ pub enum Argument {
     Roughness,
     /// The exposure of a picture.
     Exposure,
+    /// The radius of a matcap's disc.
+    Radius,
     /// Coefficients of eigenimages.
     Coefficients,
     /// The workspace of a projection.

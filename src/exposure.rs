@@ -82,12 +82,13 @@ impl Rgb<f32> {
     }
 }
 
-/// The biased exponent of 2^-16, the darkest that a [`Meter`] tells from black.
+/// The biased exponent of 2^-16, below which a [`Meter`] takes a pixel for black.
 const DARKEST: u32 = 127 - 16;
 
 /// Meters a picture for its exposure: how bright all but a share of its pixels are.
 ///
-/// Pixels in integers are exposed first, such as by 1, and the exposure found comes on top.
+/// Pixels in integers are exposed first, say by `e`; the picture's exposure is `e` times the one that
+/// is found.
 ///
 /// ```
 /// use eigenshade::{Meter, Rgb};

@@ -1,6 +1,6 @@
 //! Matcaps: squares that show a sphere, in which engines look up the color of a normal.
 
-use crate::error::Error;
+use crate::error::{Argument, Error};
 use crate::mathematics::{Libm, Mathematics};
 use crate::normal::Normal;
 
@@ -71,9 +71,16 @@ impl Matcap {
 
     /// The same for an engine that looks up a disc of this radius, of which 1 fills the square: a
     /// margin of the rim's values is left around it.
-    #[must_use]
-    pub const fn with_radius(self, radius: f32) -> Self {
-        Self { radius, ..self }
+    ///
+    /// # Errors
+    ///
+    /// [`Error::Outside`] unless the radius is above 0 and at most 1.
+    pub const fn with_radius(self, radius: f32) -> Result<Self, Error> {
+        if radius > 0.0 && radius <= 1.0 {
+            Ok(Self { radius, ..self })
+        } else {
+            Err(Error::Outside { argument: Argument::Radius })
+        }
     }
 }
 

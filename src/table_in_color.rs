@@ -108,7 +108,12 @@ macro_rules! table_in_color {
             pub fn transfer<'m>(
                 material: impl Into<Rgb<Material<'m>>>,
             ) -> Result<Transfer, $crate::Error> {
-                material.into().try_map(|material| super::transfer(&material))
+                let material = material.into();
+                if let Some(gray) = material.as_gray() {
+                    let transfer = super::transfer(&gray)?;
+                    return Ok(Rgb::new(transfer.clone(), transfer.clone(), transfer));
+                }
+                material.try_map(|material| super::transfer(&material))
             }
 
             /// The image of a transferred material under a new light: relight and collapse in each

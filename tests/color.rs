@@ -3,6 +3,7 @@
 use eigenshade::mathematics::Libm;
 use eigenshade::presets::{gloss, light, material, sources};
 use eigenshade::quantized;
+use eigenshade::specialized::shade_normals;
 use eigenshade::sphere::{self, q15};
 use eigenshade::{
     Argument, Disc, Display, Error, Gloss, Light, MapPoint, Material, Normal, Normals, Q15, Rgb,
@@ -249,6 +250,10 @@ fn slices_are_shaded_in_color_as_their_normals() {
         for (index, color) in colors.iter().enumerate() {
             assert_eq!(*color, of_channel.each_ref().map(|values| values[index]), "{count}");
         }
+        // As on targets without vectors.
+        let mut one_by_one = vec![Rgb::gray(f32::NAN); count];
+        shade_normals(normals, &mut one_by_one, |normal| scene.shade(normal)).unwrap();
+        assert_eq!(one_by_one, colors);
         let normals: Vec<_> = pixels.iter().map(|pixel| pixel.quantized_normal()).collect();
         let mut colors = vec![Rgb::gray(i32::MIN); count];
         integers.shade_slice(&normals, &mut colors).unwrap();

@@ -1,7 +1,7 @@
 //! The error of a bilinear look-up in a matcap against the scene that it was made of.
 
 use eigenshade::presets::{light, material};
-use eigenshade::{Disc, Error, Matcap, Normal, Rgb, sphere};
+use eigenshade::{Argument, Disc, Error, Matcap, Normal, Rgb, sphere};
 use std::f64::consts::TAU;
 
 /// The rms errors in the documentation of [`Matcap`], in the median and at worst.
@@ -30,7 +30,7 @@ fn normal([column, row]: [f64; 2], size: usize, radius: f64) -> [f64; 3] {
 #[test]
 fn texels_have_the_normals_of_their_centers() {
     for (size, radius) in [(1, 1.0), (2, 1.0), (33, 1.0), (64, 0.99), (1024, 0.992)] {
-        let texels = Matcap::new(size).unwrap().with_radius(radius);
+        let texels = Matcap::new(size).unwrap().with_radius(radius).unwrap();
         let mut count = 0;
         for (index, texel) in texels.enumerate() {
             assert_eq!((texel.index(), texel.row()), (index, index / size));
@@ -46,6 +46,10 @@ fn texels_have_the_normals_of_their_centers() {
         assert_eq!(count, size * size);
     }
     assert_eq!(Matcap::new(0).err(), Some(Error::Size { found: 0 }));
+    for radius in [0.0, -0.5, 1.01, f32::NAN] {
+        let refused = Matcap::new(8).unwrap().with_radius(radius);
+        assert_eq!(refused.err(), Some(Error::Outside { argument: Argument::Radius }));
+    }
     assert_eq!([Matcap::THREE_JS, Matcap::BLENDER], [2.0 * 0.495, 2.0 * 0.496]);
 }
 

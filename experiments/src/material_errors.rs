@@ -6,17 +6,14 @@ use crate::accuracy_cost::total::references::World;
 use crate::numbers::median;
 use eigenshade_generator::material::brdf::{Brdf, Geometry, Surface};
 use eigenshade_generator::material::files::{Source, read};
-use eigenshade_index::material;
 use eigenshade_model::database::{Lights, Named};
 use eigenshade_model::error::{Error, Result};
-use eigenshade_model::inputs::coefficient_csv::{read_lights, read_materials};
+use eigenshade_model::inputs::coefficient_csv::read_lights;
 use eigenshade_model::scattering;
-use eigenshade_shading::shipped::ERROR_SIZES;
+use eigenshade_shading::shipped::{ERROR_SIZES, named_materials};
 use indicatif::ProgressBar;
 use std::path::Path;
 
-/// The shipped coefficients for each of [`ERROR_SIZES`].
-const FILES: [&str; 2] = ["merl.csv", "merl-12.csv"];
 /// The material that was measured and is not in color.
 const MEASURED: &str = "ptfe-633nm";
 /// Distance of the evenly spaced normals of the sphere in radians: 1,000, and 800 that mirror the
@@ -90,29 +87,27 @@ fn errors_of(
 
 /// The BRDFs with the coefficients that are shipped for each of [`ERROR_SIZES`].
 fn materials(inputs: &Path) -> Result<Vec<(Surface, [Named; 2])>> {
-    let find = |entries: &[Named], name: &str, file: &str| {
+    let [(_, low), (_, high)] = ERROR_SIZES;
+    let shipped = [named_materials(low)?, named_materials(high)?];
+    let find = |entries: &[Named], name: &str| {
         entries.iter().find(|entry| entry.name == name).cloned().ok_or_else(|| {
-            let what = format!("{file} has no material `{name}`");
-            Error::new(what, "make it again, as in tables/README.md")
+            let what = format!("no shipped material is named `{name}`");
+            Error::new(what, "make the files again, as in tables/README.md")
         })
     };
-    let [of_7, of_12] = FILES.map(|file| read_materials(inputs.join(file), None));
-    let [of_7, of_12] = [of_7?.entries, of_12?.entries];
+    let of_name = |name: &str| -> Result<[Named; 2]> {
+        Ok([find(&shipped[0].entries, name)?, find(&shipped[1].entries, name)?])
+    };
     let mut materials = Vec::new();
     for source in read(inputs.join("merl-abc.csv"))? {
         if let Source::Surface(surface) = source {
-            let of_7 = find(&of_7, &surface.name, FILES[0])?;
-            let of_12 = find(&of_12, &surface.name, FILES[1])?;
-            materials.push((surface, [of_7, of_12]));
+            let named = of_name(&surface.name)?;
+            materials.push((surface, named));
         }
     }
-    let gray = read_materials(inputs.join("materials.csv"), None)?;
-    let measured = find(&gray.entries, MEASURED, "materials.csv")?;
-    let modes = Modes { order: gray.order, coefficients: measured.rgb[1].clone() };
-    let mut padded = measured.clone();
-    let count = material::count(ERROR_SIZES[1].1);
-    padded.rgb.iter_mut().for_each(|channel| channel.resize(count, 0.0));
-    materials.push((Surface::gray(MEASURED.to_owned(), Box::new(modes)), [measured, padded]));
+    let measured = of_name(MEASURED)?;
+    let modes = Modes { order: low, coefficients: measured[0].rgb[1].clone() };
+    materials.push((Surface::gray(MEASURED.to_owned(), Box::new(modes)), measured));
     Ok(materials)
 }
 

@@ -324,7 +324,7 @@ fn the_window_of_materials_in_color_pays() {
     let all = databases::lights().unwrap().truncated(9).entries;
     let named = |name| all.iter().find(|light| light.name == name).unwrap().clone();
     let lights = Lights { degree: 9, entries: MAPS.map(named).into() };
-    let all = databases::named_materials(0).unwrap().entries;
+    let all = databases::named_materials(7).unwrap().entries;
     let named = |name| all.iter().find(|material| material.name == name).unwrap().clone();
     let windowed = Materials { order: 7, entries: NAMES.map(named).into() };
     let mut plain = windowed.clone();

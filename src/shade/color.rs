@@ -41,8 +41,9 @@ impl<B> Rgb<&Scene<'_, B>> {
                     *color = nine_terms.each_ref().map(|nine_terms| nine_terms.shade(normal));
                 }
             }
-            [Way::Tiles(_), Way::Tiles(_), Way::Tiles(_)] => {
-                return by_tiles(&ways, normals, irradiance);
+            [Way::Tiles(r), Way::Tiles(g), Way::Tiles(b)] => {
+                let rest = by_tiles([r, g, b], normals, irradiance);
+                return by_chunks(&ways, rest.0, rest.1);
             }
             [Way::Blocks(r), Way::Blocks(g), Way::Blocks(b)] if SPECIAL => {
                 let polynomials = [r, g, b];
@@ -87,12 +88,13 @@ fn by_blocks<S: Scalar, const LONGEST: usize>(
 }
 
 /// Shades each channel of a tile of normals before the next tile. The channels share the first step.
+/// Returns what is less than a tile.
 #[inline(never)]
-fn by_tiles<S: Scalar>(
-    ways: &Rgb<Way<'_, S>>,
-    normals: Normals<'_, S>,
-    irradiance: &mut [Rgb<S>],
-) -> Result<(), Error> {
+fn by_tiles<'n, 'i, S: Scalar>(
+    polynomials: [Descent<'_, S>; 3],
+    normals: Normals<'n, S>,
+    irradiance: &'i mut [Rgb<S>],
+) -> (Normals<'n, S>, &'i mut [Rgb<S>]) {
     let (mut room, mut planes) = (Room::new(), Rgb::gray([S::ZERO; TILE]));
     let [(x, x_rest), (y, y_rest), (z, z_rest)] =
         [normals.x, normals.y, normals.z].map(<[S]>::as_chunks::<TILE>);
@@ -100,14 +102,12 @@ fn by_tiles<S: Scalar>(
     for (((x, y), z), colors) in x.iter().zip(y).zip(z).zip(colors) {
         tile::arguments(z, &mut room);
         let Rgb { r, g, b } = &mut planes;
-        for (way, plane) in [(&ways.r, r), (&ways.g, g), (&ways.b, b)] {
-            if let Way::Tiles(polynomials) = way {
-                tile::tile(*polynomials, [x, y], &mut room, plane);
-            }
+        for (polynomials, plane) in polynomials.into_iter().zip([r, g, b]) {
+            tile::tile(polynomials, [x, y], &mut room, plane);
         }
         write(&planes, colors);
     }
-    by_chunks(ways, Normals { x: x_rest, y: y_rest, z: z_rest }, rest)
+    (Normals { x: x_rest, y: y_rest, z: z_rest }, rest)
 }
 
 /// Shades each channel of a chunk of normals before the next chunk.
@@ -166,8 +166,8 @@ impl<B> Rgb<Scene<'_, B>> {
     /// # Ok::<(), eigenshade::Error>(())
     /// ```
     ///
-    /// Cost: that of [`Scene::shade_slice`] in each channel and of a loop that writes the three
-    /// planes as pixels, without memory for the planes.
+    /// Cost: less than [`Scene::shade_slice`] in each channel and a loop that writes three planes as
+    /// pixels, and no memory for the planes.
     ///
     /// # Errors
     ///

@@ -24,11 +24,14 @@ const BLOCK: usize = if cfg!(target_feature = "avx512f") {
 } else if cfg!(any(target_arch = "aarch64", target_feature = "simd128")) {
     16
 } else {
-    4
+    SCALAR
 };
 
+/// Normals in one block without vector registers.
+const SCALAR: usize = 4;
+
 /// Whether normals are shaded faster one by one, in loops specialized for a table.
-pub(crate) const ONE_BY_ONE: bool = BLOCK == 4;
+pub(crate) const ONE_BY_ONE: bool = BLOCK == SCALAR;
 
 /// For polynomials of any length.
 pub(crate) const ANY: usize = usize::MAX;

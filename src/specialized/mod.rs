@@ -43,7 +43,8 @@ pub fn shade_each<N: Copy, I>(
     Ok(())
 }
 
-/// Whether the target has no vectors for [`shade_normals`] to fill.
+/// Whether [`shade_normals`] is faster than [`Rgb::shade_slice`](crate::Rgb::shade_slice): the target
+/// has no vectors.
 pub const ONE_BY_ONE: bool = crate::shade::ONE_BY_ONE;
 
 /// [`shade_each`] of normals in three slices.

@@ -410,7 +410,8 @@ macro_rules! table {
                 $crate::Exposure::new(exposure)
             }
 
-            /// Bakes the scene into N x N texels: see [`eigenshade::Scene::bake`].
+            /// Bakes the scene into `size` x `size` texels, at most `T`: see
+            /// [`eigenshade::Scene::bake`].
             ///
             /// # Errors
             ///

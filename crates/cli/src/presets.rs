@@ -62,6 +62,12 @@ impl Source {
         &self.path
     }
 
+    /// Whether it is the name of something shipped.
+    #[must_use]
+    pub fn is_shipped(&self) -> bool {
+        self.entry == Entry::Shipped
+    }
+
     /// The files with the light: its own, and those beside it with its sources and their errors.
     #[must_use]
     pub fn light_files(&self) -> Vec<PathBuf> {

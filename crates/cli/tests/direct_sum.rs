@@ -76,7 +76,7 @@ fn errors_of_few_components_are_as_stated() {
     };
     let loaded = fixtures::shipped("sphere");
     let table = fixtures::table(&loaded);
-    let all_materials = shipped::named_materials(0).unwrap();
+    let all_materials = shipped::named_materials(7).unwrap();
     let (mut lights, mut materials) = fitted(&table, &loaded.lights, &all_materials);
     lights.entries = chosen(&lights.entries, &shipped::SHOWN_LIGHTS);
     materials.entries = chosen(&materials.entries, &shipped::SHOWN_MATERIALS);

@@ -143,6 +143,13 @@ fn standard_input_in_place_of_a_file() {
         String::from_utf8_lossy(&images.stdout),
         folder.ok(&format!("{export} normals.csv"))
     );
+    let render = "render -t b.bin -l lights.csv:light-1 -s 8 -o a.png --material";
+    let material = folder.read("materials.csv");
+    let drawn = fed(&folder, &format!("{render}=-:material-1"), material.as_bytes());
+    assert_eq!(drawn.status.code(), Some(0));
+    let by_input = fs::read(folder.path("a.png")).unwrap();
+    folder.ok(&format!("{render} materials.csv:material-1"));
+    assert_eq!(by_input, fs::read(folder.path("a.png")).unwrap());
     let light = fed(&folder, "light - --degree 2", lights.as_bytes());
     assert_eq!(String::from_utf8_lossy(&light.stdout), folder.ok("light lights.csv --degree 2"));
     let scene = folder.read("scene.toml");
@@ -184,7 +191,7 @@ fn answers_as_json() {
     assert_eq!(eigenvalues[1]["eigenvalue"].as_f64(), table.spectrum[1].1);
     let list = parsed("list");
     let names = shipped::lights().unwrap().entries.len()
-        + shipped::named_materials(0).unwrap().entries.len();
+        + shipped::named_materials(7).unwrap().entries.len();
     assert_eq!(list.as_array().unwrap().len(), names);
     let demo = parsed("demo -o d -s 16");
     assert_eq!(demo, serde_json::json!({ "files": ["d/demo.png"] }));

@@ -233,6 +233,12 @@ fn a_tolerance_chooses_table_and_sources() {
     let (said, pixels) = auto("studio", "m.csv", "40dB");
     assert!(said.contains("1 source at degree 9, order 7 leaves 0.58 %"), "{said}");
     assert!(pixels == drawn("studio", "m.csv", "--sources 1").1);
+    // Shipped materials in color have both orders.
+    let (said, pixels) = drawn("city", "brass", "-t pbr --sources auto --tolerance 2e-2");
+    assert!(said.contains("at degree 12, order 12 leave"), "{said}");
+    let sources = said.split_once(" source").map(|(count, _)| count.rsplit(' ').next());
+    let sources = sources.flatten().and_then(|count| count.parse::<usize>().ok()).unwrap();
+    assert!(pixels == drawn("city", "brass", &format!("-t pbr --sources {sources}")).1);
     let both = "render -l city -m m.csv --sources 4 --tolerance 1e-2 -o a.png";
     assert_fails(&folder, both, &["--sources auto"]);
     let unknown = "render -l blender-city -m m.csv --sources auto -o a.png";

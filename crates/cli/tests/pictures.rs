@@ -60,7 +60,7 @@ fn names_are_entries_of_the_shipped_files() {
     }
     let (of_lights, of_materials) = (names("light"), names("material"));
     assert_eq!(of_lights, shipped_names(shipped::lights().unwrap().entries));
-    assert_eq!(of_materials, shipped_names(shipped::named_materials(0).unwrap().entries));
+    assert_eq!(of_materials, shipped_names(shipped::named_materials(7).unwrap().entries));
     // The other commands take names as well.
     let shaded =
         |rest: &str| folder.ok(&format!("shade --table {table} {rest} --normals normals.csv"));

@@ -248,7 +248,7 @@ fn matcaps_hold_the_scene() {
         let (width, _, bytes) = decoded(&folder.path("m.png"));
         assert_eq!((width, bytes.len(), map.width, map.height), (40, 3 * 1600, 40, 40));
         let display = Display::new(Tone::Linear);
-        for texel in Matcap::new(40).unwrap().with_radius(radius) {
+        for texel in Matcap::new(40).unwrap().with_radius(radius).unwrap() {
             let exact = scene.shade(texel.normal());
             let place = texel.index();
             for (found, exact) in map.texels[place].into_iter().zip(<[f32; 3]>::from(exact)) {

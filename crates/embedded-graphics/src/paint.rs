@@ -2,7 +2,7 @@
 
 use crate::dial::DialPixel;
 use eigenshade::{
-    DiscPixel, Display, Error, Exposure, Linear, Normal, NormalPixel, Q15, Rgb, blend565, quantized,
+    DiscPixel, Display, Exposure, Linear, Normal, NormalPixel, Q15, Rgb, blend565, quantized,
 };
 use embedded_graphics_core::pixelcolor::raw::{RawData as _, RawU16};
 use embedded_graphics_core::pixelcolor::{PixelColor, Rgb565, Rgb888, RgbColor as _};
@@ -74,14 +74,9 @@ pub struct Paint<'d, F, E> {
 }
 
 impl<'d, F: Fn(Normal<f32>) -> Rgb<f32>> Paint<'d, F, Exposure> {
-    /// Paint of which `shade` gives the irradiance, multiplied by `exposure`.
-    ///
-    /// # Errors
-    ///
-    /// [`Error::NotFinite`] unless the exposure is a normal number above 0.
-    pub fn new(shade: F, exposure: f32, display: &'d Display) -> Result<Self, Error> {
-        let exposure = Exposure::new(exposure)?;
-        Ok(Self { shade, exposure, display, is_dithered: false })
+    /// Paint of which `shade` gives the irradiance.
+    pub const fn new(shade: F, exposure: Exposure, display: &'d Display) -> Self {
+        Self { shade, exposure, display, is_dithered: false }
     }
 }
 

@@ -239,21 +239,6 @@ fn color() {
     measure(&inputs::normals(), Passes(64), |normal| scene.shade(*normal));
 }
 
-/// The same by a call for each channel.
-fn color_calls() {
-    let Ok(scene) = sphere::color::scene(LOBBY, GOLD_METALLIC_PAINT) else { board::exit(false) };
-    let scene = black_box(scene);
-    holds(size_of_val(&scene));
-    measure(&inputs::normals(), Passes(64), |normal| {
-        scene.each_ref().map(|scene| channel(scene, *normal))
-    });
-}
-
-#[inline(never)]
-fn channel(scene: &sphere::Scene, normal: Normal<f32>) -> f32 {
-    scene.shade(normal)
-}
-
 /// The irradiances of 16 vertices in color.
 fn vertices_16() {
     let Ok(scene) = sphere::color::scene(LOBBY, GOLD_METALLIC_PAINT) else { board::exit(false) };

@@ -50,7 +50,7 @@ impl Format for f32 {
     type Texel = f32;
     type Irradiance = f32;
     type Normal = Normal<f32>;
-    type Exposure = f32;
+    type Exposure = Exposure;
     type LightBuffer = LightBuffer;
     type MaterialBuffer = MaterialBuffer;
     type Angle = f32;
@@ -176,13 +176,13 @@ impl Format for f32 {
         0
     }
 
-    fn exposure(exposure: f32, _: i32) -> Result<f32, Error> {
-        Exposure::new(exposure).map(|_| exposure)
+    fn exposure(exposure: f32, _: i32) -> Result<Exposure, Error> {
+        Exposure::new(exposure)
     }
 
     #[inline]
-    fn exposed(irradiance: f32, exposure: f32) -> Linear {
-        Linear::from(irradiance * exposure)
+    fn exposed(irradiance: f32, exposure: Exposure) -> Linear {
+        Linear::from(irradiance * exposure.factor())
     }
 }
 

@@ -92,7 +92,7 @@ impl Demo {
 /// The shipped lights and materials of the picture.
 fn shown() -> Result<(Lights, Materials)> {
     let lights = shipped::lights()?;
-    let materials = shipped::named_materials(0)?;
+    let materials = shipped::named_materials(7)?;
     let entries = chosen(lights.entries, &shipped::SHOWN_LIGHTS)?;
     let lights = Lights { degree: lights.degree, entries };
     let entries = chosen(materials.entries, &shipped::SHOWN_MATERIALS)?;

@@ -11,12 +11,12 @@ use serde::Serialize;
 /// List the shipped lights and materials
 ///
 /// The options --light and --material take these names in place of a file. Writes the CSV
-/// `kind,name,size,color,error_9_7,worst_9_7,error_12_12,worst_12_12`: size is the degree of a light
-/// or the order of a material, and color is `rgb` or `gray`. The errors are those of the material's
-/// pictures at degree 9 and order 7 and at 12 and 12 against direct integration of its BRDF: rms as
-/// a share of the peak, the median over 18 maps and the worst map's. They are empty for lights, and
-/// for materials that were measured in few directions. `render` prints a note if the worst map's is
-/// above 0.05, or a pixel is off by half of the peak.
+/// `kind,name,size,color,error_9_7,worst_9_7,error_12_12,worst_12_12`: size is the degree of a
+/// light or the highest order of a material, and color is `rgb` or `gray`. The errors are those of
+/// the material's pictures at degree 9 and order 7 and at 12 and 12 against direct integration of
+/// its BRDF: rms as a share of the peak, the median over 18 maps and the worst map's. They are empty
+/// for lights, and for materials that were measured in few directions. `render` prints a note if the
+/// worst map's is above 0.05, or a pixel is off by half of the peak.
 #[derive(Args, Debug)]
 pub struct List {
     /// Write a JSON array of objects

@@ -28,7 +28,7 @@ impl Completions {
         let names = |entries: Vec<Named>| entries.into_iter().map(|entry| entry.name).collect();
         let lists: [(&str, Vec<String>); 2] = [
             ("light", names(shipped::lights()?.entries)),
-            ("material", names(shipped::named_materials(0)?.entries)),
+            ("material", names(shipped::named_materials(7)?.entries)),
         ];
         // For the script alone: the program also takes files. In zsh a colon ends a value's name.
         for (option, names) in &lists {

@@ -132,9 +132,12 @@ impl Render {
             let Materials { order, entries } = material.materials(order, memory.of_file())?;
             Ok(Materials { order, entries: vec![material.only(entries)?] })
         };
-        let (choice, most) = self.chosen(&lights, &one(0)?, memory)?;
+        let mut materials = one(usize::MAX)?;
+        let (choice, most) = self.chosen(&lights, &materials, memory)?;
         let table = choice.read(memory)?;
-        let materials = one(table.gram.order)?;
+        if material.is_shipped() {
+            materials = one(table.gram.order)?;
+        }
         self.choices.check_rotation(&table)?;
         let components = self.choices.components(&table, choice.path())?;
         let effects = self.choices.effects(&table)?;
@@ -159,7 +162,7 @@ impl Render {
         let object = match self.matcap {
             Some(engine) => {
                 let texels = Matcap::new(self.size.unwrap_or(SIZE)).map_err(fault)?;
-                Object::Matcap(texels.with_radius(engine.radius()))
+                Object::Matcap(texels.with_radius(engine.radius()).map_err(fault)?)
             }
             None if is_sphere => Object::Sphere(self.size.unwrap_or(SIZE)),
             None => Object::View(ObjectView::read(memory.file(&self.normals), self.size)?),

@@ -50,7 +50,7 @@ fn draw_dial<D>(paint: &impl Shader, target: &mut D) -> Result<(), D::Error>
 where
     D: DrawTarget<Color: DisplayColor>,
 {
-    // A constant size is an error always or never.
+    // This size is valid.
     Dial::new(Point::zero(), SIZE, 8, 4, paint).map_or(Ok(()), |dial| dial.draw(target))
 }
 
@@ -166,7 +166,7 @@ pub mod floats {
     frames!(f32, |frame| wrist(frame).map(|part| part as f32));
 
     fn paint(scene: &Scene) -> Result<impl Shader, Error> {
-        Paint::new(|normal| scene.shade(normal), EXPOSURE, &DISPLAY)
+        Ok(Paint::new(|normal| scene.shade(normal), scene.exposure(EXPOSURE)?, &DISPLAY))
     }
 }
 

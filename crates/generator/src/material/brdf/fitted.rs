@@ -74,8 +74,7 @@ impl Brdf for Abc {
     fn value(&self, at: Geometry) -> f64 {
         let (square, sine) = at.half_squared();
         let (half, difference) = (square.sqrt(), at.difference_cosine());
-        // 1 - cos θ_h without cancellation.
-        // To the power of -c; `powf` takes twice as long for its last digit.
+        // 1 - cos θ_h without cancellation; exp(-c ln x) takes half the time of a power.
         let lobe = self.a * (-self.c * (1.0 + self.b * sine / (1.0 + half)).ln()).exp();
         let product = at.incident * at.reflected;
         // G divided by the product of the cosines.
