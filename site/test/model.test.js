@@ -34,8 +34,7 @@ test("the lines of the boards are fits to the committed counts", () => {
   const counts = table("firmware/counts.csv");
   for (const { board, format, base, each, within, source } of BOARDS) {
     const count = (operation) => Number(counts.find((row) => row.board === board && row.format === format && row.operation === operation)?.instructions);
-    // The M0 counts no pixel in color without sources.
-    near(source, (count("highlights") - (count("color") || 3 * count("shade"))) / 4, 0.5);
+    near(source, (count("highlights") - count("color")) / 4, 0.5);
     const column = board === "microbit" ? "m0_pixel" : "m4f_pixel";
     // The terms of a counted table are those of the setting with its count.
     const points = counts

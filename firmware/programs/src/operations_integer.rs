@@ -8,7 +8,7 @@ use core::hint::black_box;
 use eigenshade::presets::{light::q15::LOBBY, material::q15::GOLD_METALLIC_PAINT};
 use eigenshade::quantized::{
     Exposure, Highlights, Irradiance, LightBuffer, Lobe, Material, MaterialBuffer, NineTerms,
-    Normal, Rotation,
+    Rotation,
 };
 use eigenshade::{
     DiscPixel, Display, Error, IntegerMap, MapPoint, Meter, NormalPixel, Q15, Rgb, Tone, sphere,
