@@ -1,12 +1,10 @@
 //! Shades many normals in three channels.
 
 use super::tile::{self, Room, TILE};
-use super::{BLOCK, SPECIAL, Way, arguments, block_at};
+use super::{BLOCK, SPECIAL, Way};
 use crate::color::Rgb;
 use crate::error::{Argument, Error};
-use crate::index::layout::{EVEN_ODD_TERMS, MONOMIAL_TERMS};
 use crate::invariant::part_mut;
-use crate::lanes::padded;
 use crate::normal::{Normal, Normals};
 use crate::scalar::Scalar;
 use crate::scene::{Descent, Scene};
@@ -45,45 +43,9 @@ impl<B> Rgb<&Scene<'_, B>> {
                 let rest = by_tiles([r, g, b], normals, irradiance);
                 return by_chunks(&ways, rest.0, rest.1);
             }
-            [Way::Blocks(r), Way::Blocks(g), Way::Blocks(b)] if SPECIAL => {
-                let polynomials = [r, g, b];
-                if polynomials.iter().any(|of| of.any_longer_than(MONOMIAL_TERMS)) {
-                    by_blocks::<S, EVEN_ODD_TERMS>(polynomials, normals, irradiance);
-                } else {
-                    by_blocks::<S, MONOMIAL_TERMS>(polynomials, normals, irradiance);
-                }
-            }
             _ => return by_chunks(&ways, normals, irradiance),
         }
         Ok(())
-    }
-}
-
-/// Shades each channel of a block of normals before the next block. The channels share the first
-/// step.
-#[inline(never)]
-fn by_blocks<S: Scalar, const LONGEST: usize>(
-    polynomials: [Descent<'_, S>; 3],
-    normals: Normals<'_, S>,
-    irradiance: &mut [Rgb<S>],
-) {
-    let mut planes = Rgb::gray([S::ZERO; BLOCK]);
-    let mut shade = |x: &[S; BLOCK], y: &[S; BLOCK], z: &[S; BLOCK], colors: &mut [Rgb<S>]| {
-        let [t, u] = arguments::<S, LONGEST, BLOCK>(z);
-        let Rgb { r, g, b } = &mut planes;
-        for (polynomials, plane) in polynomials.into_iter().zip([r, g, b]) {
-            *plane = block_at::<S, LONGEST, BLOCK>(polynomials, [x, y], [&t, &u]);
-        }
-        write(&planes, colors);
-    };
-    let [(x, x_rest), (y, y_rest), (z, z_rest)] =
-        [normals.x, normals.y, normals.z].map(<[S]>::as_chunks::<BLOCK>);
-    let (colors, rest) = irradiance.as_chunks_mut::<BLOCK>();
-    for (((x, y), z), colors) in x.iter().zip(y).zip(z).zip(colors) {
-        shade(x, y, z, colors);
-    }
-    if !rest.is_empty() {
-        shade(&padded(x_rest), &padded(y_rest), &padded(z_rest), rest);
     }
 }
 

@@ -217,19 +217,11 @@ fn one_block<S: Scalar, const LONGEST: usize>(
 /// Horner's rule from the highest azimuth down. `LONGEST` is as for [`polynomial::values`].
 #[inline(always)]
 pub(crate) fn block<S: Scalar, const LONGEST: usize, const N: usize>(
-    polynomials: Descent<'_, S>,
+    mut polynomials: Descent<'_, S>,
     x: &[S; N],
     y: &[S; N],
     z: &[S; N],
 ) -> [S; N] {
-    let [t, u] = arguments::<S, LONGEST, N>(z);
-    block_at::<S, LONGEST, N>(polynomials, [x, y], [&t, &u])
-}
-
-/// The first step of a block, which scenes of the same normals share: the argument t of each normal,
-/// and of polynomials in even and odd halves.
-#[inline(always)]
-fn arguments<S: Scalar, const LONGEST: usize, const N: usize>(z: &[S; N]) -> [[S; N]; 2] {
     let t = if SPECIAL { vectorized(z) } else { z.map(argument) };
     let mut u = t;
     if LONGEST > MONOMIAL_TERMS && LONGEST <= EVEN_ODD_TERMS {
@@ -237,16 +229,7 @@ fn arguments<S: Scalar, const LONGEST: usize, const N: usize>(z: &[S; N]) -> [[S
             *u = polynomial::doubled(*u);
         }
     }
-    [t, u]
-}
-
-/// The rest of [`block`].
-#[inline(always)]
-fn block_at<S: Scalar, const LONGEST: usize, const N: usize>(
-    mut polynomials: Descent<'_, S>,
-    [x, y]: [&[S; N]; 2],
-    at: [&[S; N]; 2],
-) -> [S; N] {
+    let at = [&t, &u];
     let Some((plus, minus)) = polynomials.next() else {
         return polynomial::values::<S, LONGEST, N>(polynomials.pole, at);
     };

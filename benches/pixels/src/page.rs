@@ -97,8 +97,7 @@ const MORE: f64 = 1.1;
 /// formula.
 const OF_NINE_TERMS: f64 = 1.1;
 
-/// Pixels in color take no more than this times the instructions of three calls and a loop, of which
-/// they take fewer: other compilers write other code.
+/// Pixels in color take no more than this times the instructions of three calls and a loop.
 const OF_THREE_CALLS: f64 = 1.01;
 
 /// Limit on the instructions of a scene within a tolerance, in projections, on the default target.
