@@ -317,38 +317,6 @@ fn a_light_turns_and_a_map_is_baked_in_three_channels() {
     }
 }
 
-/// The programs of the README.
-mod gold {
-    include!("readme/gold.rs");
-    pub const DRAW: super::Draw = draw;
-}
-mod gold_q15 {
-    include!("readme/gold_q15.rs");
-    pub const DRAW: super::Draw = draw;
-}
-type Draw = fn(&mut [u16; 240 * 240], &Display) -> Result<(), Error>;
-
-/// The README's programs are those above. In floats and in integers they draw the same sphere to a
-/// step of each channel, in integers with the same bits on every machine.
-#[test]
-fn the_readme_draws_a_gold_sphere() {
-    let readme = include_str!("../README.md");
-    for program in [include_str!("readme/gold.rs"), include_str!("readme/gold_q15.rs")] {
-        assert!(readme.contains(&format!("```rust\n{program}```")), "{program}");
-    }
-    static DISPLAY: Display = Display::new(Tone::Filmic);
-    let (mut floats, mut integers) = ([0; 240 * 240], [0; 240 * 240]);
-    gold::DRAW(&mut floats, &DISPLAY).unwrap();
-    gold_q15::DRAW(&mut integers, &DISPLAY).unwrap();
-    let channels = |pixel: u16| [pixel >> 11, (pixel >> 5) & 63, pixel & 31];
-    for (&float, &integer) in floats.iter().zip(&integers) {
-        let pairs = channels(float).into_iter().zip(channels(integer));
-        assert!(pairs.into_iter().all(|(a, b)| a.abs_diff(b) <= 1), "{float:x} {integer:x}");
-    }
-    let bytes: Vec<u8> = integers.iter().flat_map(|pixel| pixel.to_le_bytes()).collect();
-    assert_eq!(crc32fast::hash(&bytes), 4_054_475_507);
-}
-
 /// Displayed pixels of integers differ from those of floats by what rounding explains, and are the
 /// same bits on every machine.
 #[test]

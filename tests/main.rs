@@ -25,6 +25,7 @@ mod parts;
 mod polynomials;
 mod quantized;
 mod reading_scenes;
+mod readme;
 mod runtime;
 mod sampled_and_baked;
 mod sources;

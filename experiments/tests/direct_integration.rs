@@ -316,7 +316,7 @@ fn the_window_of_materials_in_color_pays() {
     const WIDTH: f64 = 40.0;
     let normals = spread(80);
     let surroundings = Surroundings::new(&MAPS.map(shipped_map)).unwrap();
-    let all = measured_surfaces();
+    let all = measured_surfaces("abc");
     let surfaces = NAMES.map(|name| {
         all.iter().find(|surface| surface.name == name).expect("a material").channel(1)
     });

@@ -41,9 +41,9 @@ fn shipped_map(name: &str) -> EnvironmentMap {
     EnvironmentMap::from_path(path).expect("a map")
 }
 
-/// The published fits of the measured materials.
-fn measured_surfaces() -> Vec<Surface> {
-    let path = support::repository().join("tables/inputs/merl-abc.csv");
+/// The published fits of a model, `abc` or `sgd`, to the measured materials.
+fn measured_surfaces(model: &str) -> Vec<Surface> {
+    let path = support::repository().join(format!("tables/inputs/merl-{model}.csv"));
     let sources = read(path).expect("the fits").into_iter();
     let surface = |source| match source {
         Source::Surface(surface) => Some(surface),

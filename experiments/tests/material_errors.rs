@@ -4,8 +4,7 @@
 use crate::support::repository;
 use crate::{measured_surfaces, shipped_map, spread};
 use eigenshade_generator::direct::Surroundings;
-use eigenshade_generator::material::brdf::{Brdf, Measure, Surface};
-use eigenshade_generator::material::files::{Source, read};
+use eigenshade_generator::material::brdf::{Brdf, Measure};
 use eigenshade_model::database::Lights;
 use eigenshade_shading::shipped;
 use eigenshade_testing::largest;
@@ -42,8 +41,9 @@ fn blocks_are_their_texels() {
     let gltf = gltf.map(|(roughness, f0, albedo)| Gltf { roughness, f0, albedo });
     let formulas = gltf.map(|gltf| gltf.surface(format!("{}", gltf.roughness)).unwrap());
     let names = ["chrome", "gold-metallic-paint", "white-fabric2", "two-layer-gold", "pvc"];
-    let measured =
-        measured_surfaces().into_iter().filter(|surface| names.contains(&surface.name.as_str()));
+    let measured = measured_surfaces("abc")
+        .into_iter()
+        .filter(|surface| names.contains(&surface.name.as_str()));
     let surfaces: Vec<_> = measured.chain(formulas).collect();
     assert_eq!(surfaces.len(), 8);
     for surface in surfaces {
@@ -98,18 +98,10 @@ fn left_out(model: &str, order: usize) -> Vec<(String, f64)> {
 #[test]
 fn projections_are_found_again() {
     let shipped = shipped::named_materials(12).unwrap().entries;
-    let parameters = |model: &str| -> Vec<Surface> {
-        let path = repository().join(format!("tables/inputs/merl-{model}.csv"));
-        let surface = |source| match source {
-            Source::Surface(surface) => Some(surface),
-            Source::Measured(_) => None,
-        };
-        read(path).unwrap().into_iter().filter_map(surface).collect()
-    };
     for (model, order, name) in
         [("abc", 12, "pink-felt"), ("abc", 12, "chrome"), ("sgd", 7, "pink-felt")]
     {
-        let all = parameters(model);
+        let all = measured_surfaces(model);
         assert_eq!(all.len(), 94);
         let surface = all.iter().find(|surface| surface.name == name).unwrap();
         let found = surface.project(order, Measure::Projected);

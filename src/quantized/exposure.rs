@@ -4,8 +4,7 @@ use crate::color::Rgb;
 use crate::error::{Argument, Error};
 use crate::exposure::{Linear, POINT};
 
-/// Exposes irradiances in integers: a mantissa of a scene becomes a
-/// [`Linear`].
+/// Exposes irradiances in integers: a mantissa of a scene becomes a [`Linear`].
 ///
 /// ```
 /// use eigenshade::{Linear, quantized::Exposure};

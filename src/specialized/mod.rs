@@ -8,8 +8,8 @@
 
 pub mod project;
 
+mod color;
 mod scene;
-
 mod table;
 
 pub use scene::{azimuth, blank_scene, collapse, pole, scene, scene_mut, shade};

@@ -400,48 +400,6 @@ macro_rules! table {
             blank Coefficients::from([0.0; super::COMPONENTS]), Scene::blank(),
             view |transfer| transfer
         }
-        impl color::Scene {
-            /// What exposes the irradiances of [`shade`](Self::shade); the same for every scene.
-            ///
-            /// # Errors
-            ///
-            /// Those of [`eigenshade::Exposure::new`].
-            pub fn exposure(&self, exposure: f32) -> Result<$crate::Exposure, $crate::Error> {
-                $crate::Exposure::new(exposure)
-            }
-
-            /// Bakes the scene into `size` x `size` texels, at most `T`: see
-            /// [`eigenshade::Scene::bake`].
-            ///
-            /// # Errors
-            ///
-            /// The same.
-            pub fn bake<const T: usize>(
-                &self,
-                size: usize,
-            ) -> Result<$crate::Rgb<$crate::BakedMap<f32, $crate::MapBuffer<f32, T>>>, $crate::Error>
-            {
-                self.each_ref().map(|scene| &**scene).bake(size)
-            }
-
-            /// The irradiance of each normal in each channel: see [`eigenshade::Rgb::shade_slice`].
-            ///
-            /// # Errors
-            ///
-            /// The same.
-            // Inlined: the crate that calls it chooses between speed and size.
-            #[inline]
-            pub fn shade_slice(
-                &self,
-                normals: $crate::Normals<'_, f32>,
-                irradiance: &mut [$crate::Rgb<f32>],
-            ) -> Result<(), $crate::Error> {
-                use $crate::specialized::{ONE_BY_ONE, shade_normals};
-                if ONE_BY_ONE {
-                    return shade_normals(normals, irradiance, |normal| self.shade(normal));
-                }
-                self.each_ref().map(|scene| &**scene).shade_slice(normals, irradiance)
-            }
-        }
+        $crate::float_table_in_color!();
     };
 }
