@@ -68,7 +68,7 @@ fn the_quadrature_has_converged() {
     ];
     for (name, brdf, order, measure) in cases {
         let coarse = project(brdf, order, measure);
-        let fine = project_with(brdf, order, measure, nodes(order) * 3 / 2);
+        let fine = project_with(brdf, order, measure, nodes(brdf, order) * 3 / 2);
         let found = apart(&coarse, &fine);
         println!("{name}, {order}, {measure:?}: {found:.1e}");
         let allowed = match measure {

@@ -104,7 +104,7 @@ impl Listed {
     pub fn kind(&self) -> Kind {
         match self.source {
             "empty" => Kind::Empty,
-            "golden_f32" | "golden_integer" => Kind::Demonstration,
+            "golden_f32" | "golden_integer" | "readme" => Kind::Demonstration,
             "scene_f32" | "scene_q15" | "size_q15" | "sources_f32" | "sources_q15" => Kind::Scene,
             "complete_q15" => Kind::Complete,
             _ => Kind::Operation,
@@ -130,6 +130,8 @@ impl Listed {
             ("scene_q15", _) => board.floats == Floats::None,
             // A frame is longer than the clock without one.
             ("watch", "f32") => board.floats == Floats::Hardware,
+            // Its screen takes 115,200 bytes.
+            ("readme", _) => board.floats != Floats::None,
             (_, format) => board.floats != Floats::None || format != "f32",
         }
     }

@@ -9,10 +9,10 @@
 /// polynomials, starting from ρ^q.
 #[must_use]
 pub fn column(order: usize, q: usize, rho: f64) -> Vec<f64> {
-    let mut values = Vec::new();
     if q > order {
-        return values;
+        return Vec::new();
     }
+    let mut values = Vec::with_capacity((order - q) / 2 + 1);
     let x = 1.0 - 2.0 * rho * rho;
     let a = q as f64;
     let (mut before, mut value) = (0.0, rho.powi(q as i32));

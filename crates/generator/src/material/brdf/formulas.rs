@@ -132,17 +132,21 @@ impl Brdf for Ggx {
     fn value(&self, at: Geometry) -> f64 {
         let square = self.alpha * self.alpha;
         let fresnel = self.f0 + (1.0 - self.f0) * (1.0 - at.difference_cosine()).powi(5);
-        let (cosine, sine) = at.half_squared();
-        let spread = sine + square * cosine;
-        let distribution = square / (PI * spread * spread);
+        // Both angles' squares times |i + r|², so that D V takes one division.
+        let (sum, up) = (at.sum_squared(), at.incident + at.reflected);
+        let spread = (sum - up * up).max(0.0) + square * up * up;
         let masked = |one: f64, other: f64| one * (square + (1.0 - square) * other * other).sqrt();
-        let visibility =
-            0.5 / (masked(at.incident, at.reflected) + masked(at.reflected, at.incident));
-        (1.0 - fresnel) * self.albedo / PI + fresnel * distribution * visibility
+        let masking = masked(at.incident, at.reflected) + masked(at.reflected, at.incident);
+        let lobe = 0.5 * square * sum * sum / (PI * spread * spread * masking);
+        (1.0 - fresnel) * self.albedo / PI + fresnel * lobe
     }
 
     fn width(&self) -> f64 {
         self.alpha
+    }
+
+    fn is_smooth(&self) -> bool {
+        true
     }
 }
 

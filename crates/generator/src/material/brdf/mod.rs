@@ -109,4 +109,11 @@ pub trait Brdf: Send + Sync {
     /// changes by its own size. Quadrature is this fine around the mirror direction and at grazing
     /// angles. In (0, 1\].
     fn width(&self) -> f64;
+
+    /// Whether f is smooth wherever its features are as wide as [`width`](Self::width) says, so
+    /// that quadrature needs fewer nodes. Most models have kinks, where a minimum of two terms
+    /// changes over or a term ends.
+    fn is_smooth(&self) -> bool {
+        false
+    }
 }
