@@ -50,7 +50,7 @@ fn root(square: u32) -> u16 {
 ///
 /// let mut picture = [' '; 4 * 4];
 /// for pixel in Disc::new(4)? {
-///     picture[pixel.index()] = if pixel.normal().components()[1] > 0.0 { '^' } else { 'v' };
+///     pixel.put(&mut picture, if pixel.normal().components()[1] > 0.0 { '^' } else { 'v' });
 /// }
 /// assert_eq!(picture.iter().collect::<String>(), " ^^ ^^^^vvvv vv ");
 /// # Ok::<(), eigenshade::Error>(())
@@ -155,6 +155,15 @@ impl DiscPixel {
     #[must_use]
     pub const fn index(self) -> usize {
         (self.row * self.size + self.column) as usize
+    }
+
+    /// Sets this pixel of a picture stored row by row. Nothing happens if the picture ends before it,
+    /// so no panic is linked.
+    #[inline]
+    pub fn put<T>(self, picture: &mut [T], value: T) {
+        if let Some(pixel) = picture.get_mut(self.index()) {
+            *pixel = value;
+        }
     }
 
     /// The normal. z is within 1.5e-4 of the exact root, at the rim within 4e-4.

@@ -5,7 +5,7 @@ fn draw(screen: &mut [u16; 240 * 240], display: &Display) -> Result<(), eigensha
     let scene = q15::color::scene(LOBBY, GOLD_METALLIC_PAINT)?;
     let exposure = scene.exposure(1.5)?;
     for pixel in Disc::new(240)? {
-        screen[pixel.index()] = display.rgb565(exposure.of(scene.shade(pixel.quantized_normal())));
+        pixel.put(screen, display.rgb565(exposure.of(scene.shade(pixel.quantized_normal()))));
     }
     Ok(())
 }

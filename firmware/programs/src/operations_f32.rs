@@ -274,9 +274,9 @@ fn reflection(highlights: &Highlights<f32, 2>, normal: Normal<f32>) -> f32 {
     highlights.shade(normal).g
 }
 
-/// The same with the highlights of four sources, which all normals face.
+/// A pixel of gold in color with the highlights of four sources, which all normals face.
 fn highlights() {
-    let Ok(scene) = sphere::color::scene(LOBBY, GOLD_METALLIC_PAINT) else { board::exit(false) };
+    let Ok(scene) = table::color::scene(LOBBY, GOLD_METALLIC_PAINT) else { board::exit(false) };
     let sources = inputs::sources(black_box(0.3));
     let Ok(highlights) = reflected(&sources) else { board::exit(false) };
     let (scene, highlights) = (black_box(scene), black_box(highlights));
