@@ -157,8 +157,8 @@ impl DiscPixel {
         (self.row * self.size + self.column) as usize
     }
 
-    /// Sets this pixel of a picture stored row by row. Nothing happens if the picture ends before it,
-    /// so no panic is linked.
+    /// Sets this pixel of a picture stored row by row. A picture that ends before the pixel is left
+    /// unchanged, so there is no panic.
     #[inline]
     pub fn put<T>(self, picture: &mut [T], value: T) {
         if let Some(pixel) = picture.get_mut(self.index()) {
@@ -186,6 +186,15 @@ impl DiscPixel {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn pixels_beyond_a_picture_are_left_out() {
+        let mut rows = [0; 4 * 3];
+        for pixel in Disc::new(4).into_iter().flatten() {
+            pixel.put(&mut rows, 1);
+        }
+        assert_eq!(rows, [0, 1, 1, 0, 1, 1, 1, 1, 1, 1, 1, 1]);
+    }
 
     #[test]
     fn normals_are_those_of_a_sphere() {

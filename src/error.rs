@@ -350,8 +350,8 @@ impl fmt::Display for Error {
             ),
             Self::Knots { found } => write!(f, "a look-up of {found} knots; take 8 to 65536"),
             Self::Size { found } => {
-                write!(f, "a picture of {found} pixels a side; take at least 1, for a baked map 2, and \
-                 for a map or a disc at most 4096")
+                write!(f, "a picture of {found} pixels a side; take 1 to 4096 for a disc, 2 to 4096 for a \
+                 baked map, at least 1 for a matcap")
             }
         }
     }

@@ -30,7 +30,7 @@ const NEIGHBORS: [[i8; 2]; 8] =
 /// // A sphere of 32 x 32 pixels, and a display of the same size with a blue background.
 /// let mut codes = [NormalMap::BACKGROUND; 32 * 32];
 /// for pixel in Disc::new(32)? {
-///     codes[pixel.index()] = NormalMap::code(pixel.normal());
+///     pixel.put(&mut codes, NormalMap::code(pixel.normal()));
 /// }
 /// let map = NormalMap::new(32, 32, codes.as_flattened())?;
 /// let mut screen = [0x001f_u16; 32 * 32];
@@ -44,8 +44,9 @@ const NEIGHBORS: [[i8; 2]; 8] =
 /// let exposure = scene.exposure(1.5)?;
 /// for pixel in map.pixels() {
 ///     let color = DISPLAY.rgb565(exposure.of(scene.shade(pixel.normal())));
-///     let below = &mut screen[pixel.index()];
-///     *below = blend565(*below, color, pixel.coverage());
+///     if let Some(below) = screen.get_mut(pixel.index()) {
+///         *below = blend565(*below, color, pixel.coverage());
+///     }
 /// }
 /// assert!(screen[0] == 0x001f && screen[16 * 32 + 16] != 0x001f);
 /// # }

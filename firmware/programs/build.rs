@@ -60,11 +60,14 @@ fn program(Listed { name, source, .. }: Listed) -> Result<String> {
         }
         "operations_f32" | "operations_integer" => {
             let module = match operation {
-                "shade" | "shade_highlights" | "highlights_full" => "programs::tables::full",
+                "shade" | "shade_highlights" => "programs::tables::full",
                 "shade_lambertian" => "programs::tables::lambertian",
                 _ => "eigenshade::sphere",
             };
-            table(module) + &run(operation.trim_end_matches("_full"))
+            match operation.strip_suffix("_full") {
+                Some(operation) => table("programs::tables::full") + &run(operation),
+                None => table(module) + &run(operation),
+            }
         }
         "size_q15" => table(&format!("programs::tables::{operation}")) + &run("main"),
         "scene_f32" | "scene_q15" => {

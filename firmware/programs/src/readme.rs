@@ -1,4 +1,4 @@
-//! The program in Q15 of the project's README, whose picture has the same bits as on the host.
+//! The README's program in Q15. Its picture must have the checksum that the host's test asserts.
 #![no_std]
 #![no_main]
 
@@ -19,7 +19,7 @@ fn readme() {
     }
 }
 
-/// As zlib's and PNG's.
+/// CRC-32, as in zlib and PNG.
 fn crc32(bytes: impl Iterator<Item = u8>) -> u32 {
     let shifted = |crc: u32, _| (crc >> 1) ^ (0xedb8_8320 & 0_u32.wrapping_sub(crc & 1));
     !bytes.fold(!0, |crc, byte| (0..8).fold(crc ^ u32::from(byte), shifted))

@@ -284,7 +284,7 @@ fn patches_of_color_are_where_the_program_places_them() {
     }
 }
 
-/// Each by patches of red, green and blue on three of the faces.
+/// Each frame, by a red, a green and a blue patch on three faces.
 #[test]
 fn frames_of_cubes() {
     let size = 4;

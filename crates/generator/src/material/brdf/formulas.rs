@@ -132,7 +132,7 @@ impl Brdf for Ggx {
     fn value(&self, at: Geometry) -> f64 {
         let square = self.alpha * self.alpha;
         let fresnel = self.f0 + (1.0 - self.f0) * (1.0 - at.difference_cosine()).powi(5);
-        // Both angles' squares times |i + r|², so that D V takes one division.
+        // sin² θ_h and cos² θ_h times |i + r|², so that D V takes one division.
         let (sum, up) = (at.sum_squared(), at.incident + at.reflected);
         let spread = (sum - up * up).max(0.0) + square * up * up;
         let masked = |one: f64, other: f64| one * (square + (1.0 - square) * other * other).sqrt();

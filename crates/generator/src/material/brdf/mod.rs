@@ -110,9 +110,9 @@ pub trait Brdf: Send + Sync {
     /// angles. In (0, 1\].
     fn width(&self) -> f64;
 
-    /// Whether f is smooth wherever its features are as wide as [`width`](Self::width) says, so
-    /// that quadrature needs fewer nodes. Most models have kinks, where a minimum of two terms
-    /// changes over or a term ends.
+    /// Whether f is known to have no kinks, so that panels as wide as [`width`](Self::width) need
+    /// fewer nodes. Most models have kinks, where a minimum changes from one term to another or a
+    /// term ends.
     fn is_smooth(&self) -> bool {
         false
     }
