@@ -7,10 +7,12 @@ mod fitted;
 mod formulas;
 mod overlaps;
 pub mod projection;
+mod surface;
 
 pub use fitted::{Abc, Sgd};
 pub use formulas::{Ggx, Lambertian, OrenNayar};
-pub use projection::{Measure, Part, Projected, Surface};
+pub use projection::Measure;
+pub use surface::{Part, Projected, Surface};
 
 /// Cosines of the polar angles of light and view, and of the angle between light and view.
 #[derive(Clone, Copy, Debug, PartialEq)]
