@@ -2,7 +2,7 @@
 //! only.
 
 use crate::bake::MapPoint;
-use crate::bake::{check_size, four, points};
+use crate::bake::{check_size, four};
 use crate::error::{Argument, Error};
 use crate::format::Q15;
 use crate::scalar::Scalar;
@@ -44,7 +44,8 @@ impl<C> Scene<'_, C> {
     /// # Ok::<(), eigenshade::Error>(())
     /// ```
     ///
-    /// Cost: twice that of [`bake`](Self::bake), because the scale must be known first.
+    /// Cost: shading 6 N² pixels: the scale must be known first, and there is no room for what the
+    /// texels are made of.
     ///
     /// # Errors
     ///
@@ -62,24 +63,27 @@ impl<C> Scene<'_, C> {
         check_size(size)?;
         let to = texels.as_mut();
         Error::check(Argument::Texels, size * size, to.len())?;
-        let values = || {
-            points::<S>(size).map(|point| point.map_or(S::ZERO, |point| self.fitted(point, size)))
-        };
-        let mut largest = S::ZERO;
-        for (index, value) in values().enumerate() {
+        let (mut largest, mut fault) = (S::ZERO, None);
+        self.each_texel(size, |index, value: S| {
             if !value.is_finite() {
-                return Err(Error::NotFinite { argument: Argument::Texels, index });
+                fault = fault.or(Some(index));
             }
             let value = if value < S::ZERO { -value } else { value };
             largest = if value > largest { value } else { largest };
+        });
+        if let Some(index) = fault {
+            return Err(Error::NotFinite { argument: Argument::Texels, index });
         }
         let (exponent, scale) = scale(largest);
         if largest * scale > S::from_whole(MOST) {
             return Err(Error::Saturated { argument: Argument::Texels });
         }
-        for (texel, value) in to.iter_mut().zip(values()) {
-            *texel = rounded(value * scale);
-        }
+        to.fill(0);
+        self.each_texel(size, |index, value: S| {
+            if let Some(texel) = to.get_mut(index) {
+                *texel = rounded(value * scale);
+            }
+        });
         Ok(IntegerMap { size: size as u16, exponent, texels })
     }
 }

@@ -18,7 +18,9 @@ pub mod multiplications;
 
 pub use eigenshade_sources::{light_tree, mirrored, sphere};
 
-pub mod accuracy;
+pub mod float_errors;
+
+pub mod reference;
 
 pub mod highlights;
 

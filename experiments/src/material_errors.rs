@@ -1,9 +1,9 @@
 //! The total error of each shipped material in color, and of PTFE: the picture of its coefficients
 //! at a degree and an order against direct integration under environment maps.
 
-use crate::accuracy::Reference;
 use crate::accuracy_cost::total::references::World;
 use crate::numbers::median;
+use crate::reference::Reference;
 use eigenshade_generator::material::brdf::{Brdf, Geometry, Surface};
 use eigenshade_generator::material::files::{Source, read};
 use eigenshade_model::database::{Lights, Named};

@@ -10,6 +10,7 @@ use eigenshade_generator::material::brdf::projection::project as project_brdf;
 use eigenshade_generator::material::brdf::{Brdf, Ggx, Lambertian, Measure};
 use eigenshade_model::reference::DirectSum;
 use eigenshade_testing::oracle::ggx;
+use experiments::light_tree::LightTree;
 use std::f64::consts::{PI, TAU};
 use std::fs;
 
@@ -315,12 +316,13 @@ fn the_window_of_materials_in_color_pays() {
     const MAPS: [&str; 6] = ["park", "lobby", "sunrise", "esplanade", "studio", "workshop"];
     const WIDTH: f64 = 40.0;
     let normals = spread(80);
-    let surroundings = Surroundings::new(&MAPS.map(shipped_map)).unwrap();
+    let maps = LightTree::new(&MAPS.map(shipped_map)).unwrap();
     let all = measured_surfaces("abc");
     let surfaces = NAMES.map(|name| {
         all.iter().find(|surface| surface.name == name).expect("a material").channel(1)
     });
-    let exact = surroundings.irradiance(&surfaces, &normals, 1.0);
+    let at = |&normal: &[f64; 3]| surfaces.map(|one| maps.irradiance(one, normal, 1.0));
+    let exact: Vec<_> = normals.iter().map(at).collect();
     let all = databases::lights().unwrap().truncated(9).entries;
     let named = |name| all.iter().find(|light| light.name == name).unwrap().clone();
     let lights = Lights { degree: 9, entries: MAPS.map(named).into() };

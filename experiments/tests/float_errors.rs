@@ -4,7 +4,7 @@ use eigenshade::wire::aligned;
 use eigenshade::{Argument, Basis, Error, Parts};
 use eigenshade_shading::owned_basis::OwnedBasis;
 use eigenshade_table::wire::{Endian, NumberFormat, encode};
-use experiments::accuracy::{SHAPES, errors, table};
+use experiments::float_errors::{SHAPES, errors, table};
 
 /// Errors of all components in f32 and f64 at each shape, relative to the peak: in f32 a few
 /// roundings of each of three steps, in f64 the rank's cut-off of 1e-10, which the sharpest lobes

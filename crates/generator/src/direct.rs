@@ -18,7 +18,7 @@ use std::f64::consts::{PI, TAU};
 /// Number of texels whose weights are held at once.
 const BLOCK: usize = 4096;
 /// Largest number of parts along one side of a texel.
-const MOST_PARTS: f64 = 32.0;
+const MOST_PARTS: usize = 32;
 
 /// Directions below this z are nearly opposite to the camera: no visible normal mirrors them.
 const OPPOSITE: f64 = -0.9999;
@@ -156,14 +156,17 @@ impl Surroundings {
         }
         let column = texel % self.width;
         let step = 1.0 / parts as f64;
+        let mut tilts = [(0.0, 0.0); MOST_PARTS];
+        for (tilt, j) in tilts[..parts].iter_mut().zip(0..) {
+            let along = column as f64 + (f64::from(j) + 0.5) * step;
+            *tilt = (TAU * (along / self.width as f64 - 0.5)).sin_cos();
+        }
         let mut sum = 0.0;
         for i in 0..parts {
             let top = row as f64 + i as f64 * step;
             let (sin_polar, cos_polar) = (size * (top + 0.5 * step)).sin_cos();
             let solid_angle = self.solid_angle(top, step);
-            for j in 0..parts {
-                let along = column as f64 + (j as f64 + 0.5) * step;
-                let (sin_t, cos_t) = (TAU * (along / self.width as f64 - 0.5)).sin_cos();
+            for (sin_t, cos_t) in &tilts[..parts] {
                 let direction = [sin_t * sin_polar, cos_polar, -cos_t * sin_polar];
                 let cosine = dot(direction, normal);
                 if cosine > 0.0 {
@@ -203,6 +206,6 @@ impl Lobe<'_> {
         let (_, sine) = at.half_squared();
         let half = 2.0 * difference * sine.sqrt().max(self.width);
         let narrowest = half.min(at.incident.max(self.width));
-        (wanted / narrowest).ceil().clamp(1.0, MOST_PARTS) as usize
+        (wanted / narrowest).ceil().clamp(1.0, MOST_PARTS as f64) as usize
     }
 }

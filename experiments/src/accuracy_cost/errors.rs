@@ -5,10 +5,10 @@ use super::images::{Image, Images, Shaded};
 use super::numbers::numbers;
 use super::scope::modelled;
 use super::settings::{Setting, sizes};
-use crate::accuracy::{Reference, named};
+use crate::light_tree::LightTree;
 use crate::numbers::median;
+use crate::reference::{Reference, named};
 use crate::sheet::Record;
-use eigenshade_generator::direct::Surroundings;
 use eigenshade_generator::light::environment::EnvironmentMap;
 use eigenshade_generator::material::brdf::{Measure, Projected};
 use eigenshade_model::error::{Error, Result};
@@ -140,7 +140,7 @@ pub fn rows(folder: &Path, quick: bool, progress: &ProgressBar) -> Result<Vec<Ro
         EnvironmentMap::from_path(path)
     };
     let maps = MAPS.iter().map(map).collect::<Result<Vec<_>>>()?;
-    let maps = Surroundings::new(&maps)?;
+    let maps = LightTree::new(&maps)?;
     let lights = named(&shipped::lights()?, MAPS.into_iter())
         .map_err(|error| error.with_remedy("build the program again"))?;
     let mut surfaces = modelled()?;

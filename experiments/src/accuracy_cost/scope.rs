@@ -52,8 +52,14 @@ impl Scope {
         } else {
             projected(&ggx(&EVEN, &[0.04, 0.9])?, order)
         };
-        let unseen = Materials { order, entries: Vec::new() };
-        Ok(Self { degree, order, lights: shipped::lights()?.truncated(degree), seen, unseen })
+        Self::of(degree, seen)
+    }
+
+    /// The lights up to a degree on materials from which the basis is made.
+    fn of(degree: usize, seen: Materials) -> Result<Self> {
+        let (order, entries) = (seen.order, Vec::new());
+        let lights = shipped::lights()?.truncated(degree);
+        Ok(Self { degree, order, lights, seen, unseen: Materials { order, entries } })
     }
 
     /// Adds materials that the basis never saw: formulas and materials in color. Above the measured
@@ -78,15 +84,24 @@ impl Scope {
         let mut between = ggx(&BETWEEN, &[0.04, 0.5])?;
         between.extend(measured()?);
         unseen.extend(projected_orders(&between, &high));
+        let mut formulas = ggx(&EVEN, &[0.04, 0.9])?;
+        formulas.extend(matte()?);
+        let orders = sizes.iter().map(|&(_, order)| order);
+        let beyond: Vec<usize> = orders.filter(|&order| order > highest).collect();
+        let formulas = projected_orders(&formulas, &beyond);
+        let of_order =
+            |all: &[Materials], order| all.iter().find(|one| one.order == order).cloned();
         let of_size = |&(degree, order): &(usize, usize)| {
-            let mut scope = Self::seen(degree, order)?;
+            let mut scope = match of_order(&formulas, order) {
+                Some(seen) => Self::of(degree, seen)?,
+                None => Self::seen(degree, order)?,
+            };
             if order > highest {
-                scope.seen.entries.extend(projected(&matte()?, order).entries);
                 let lights = scope.lights.entries.into_iter();
                 scope.lights.entries = lights.step_by(LIGHT_STEP).collect();
             }
-            let unseen = unseen.iter().find(|materials| materials.order == order);
-            Ok(Self { unseen: unseen.cloned().unwrap_or(scope.unseen), ..scope })
+            let unseen = of_order(&unseen, order).unwrap_or(scope.unseen);
+            Ok(Self { unseen, ..scope })
         };
         sizes.iter().map(of_size).collect()
     }

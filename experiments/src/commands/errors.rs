@@ -7,7 +7,6 @@ use eigenshade_cli::output;
 use eigenshade_cli::output::Rows;
 use eigenshade_cli::table;
 use eigenshade_cli::table::recorded_errors::{COLUMNS, Stamp};
-use eigenshade_generator::direct::Surroundings;
 use eigenshade_generator::light::environment::EnvironmentMap;
 use eigenshade_generator::light::projection::named_maps;
 use eigenshade_generator::material;
@@ -18,8 +17,9 @@ use eigenshade_model::error::{Error, Result};
 use eigenshade_model::inputs::coefficient_csv::read_lights;
 use eigenshade_model::inputs::input_file::InputFile;
 use eigenshade_table::Table;
-use experiments::accuracy::{self, Reference};
+use experiments::light_tree::LightTree;
 use experiments::numbers::median;
+use experiments::reference::{self, Reference};
 use std::path::{Path, PathBuf};
 
 /// Degrees at which the direct sum is shown beside the table; the order is the same.
@@ -64,7 +64,7 @@ impl Errors {
         let table = self.table()?;
         let (degree, order) = (table.gram.degree, table.gram.order);
         let lights = read_lights(file(&self.lights), None)?;
-        let lights = accuracy::named(&lights, named.iter().map(|(name, _)| name.as_str()))
+        let lights = reference::named(&lights, named.iter().map(|(name, _)| name.as_str()))
             .map_err(|error| error.in_file(&self.lights))?;
         if lights.degree < degree {
             let found = lights.degree;
@@ -74,7 +74,7 @@ impl Errors {
         let surfaces = self.surfaces()?;
         let map = |(_, path): &(String, PathBuf)| EnvironmentMap::from_path(file(path));
         let maps = named.iter().map(map).collect::<Result<Vec<_>>>()?;
-        let maps = Surroundings::new(&maps)?;
+        let maps = LightTree::new(&maps)?;
         let mut sums = vec![(degree, order)];
         sums.extend(OTHERS.iter().filter(|&&size| size <= lights.degree).map(|&s| (s, s)));
         let orders: Vec<usize> = sums.iter().map(|&(_, order)| order).collect();
@@ -86,7 +86,7 @@ impl Errors {
             let mut rows = Rows::new(out, COLUMNS)?;
             for surface in &surfaces {
                 let name = &surface.name;
-                let progress = progress_bar("batches of normals", 0);
+                let progress = progress_bar("normals", 0);
                 let reference = Reference::new(surface, &maps, &progress);
                 progress.finish_and_clear();
                 if let Some(black) = reference.black() {

@@ -13,7 +13,7 @@ use eigenshade_cli::messages::spinner;
 use eigenshade_cli::output::write_error;
 use eigenshade_model::error::{Error, Result};
 use experiments::pages::Purpose;
-use experiments::{ablation, accuracy, mutations, reading, stability};
+use experiments::{ablation, float_errors, mutations, reading, stability};
 use std::io::Write;
 use std::path::{Path, PathBuf};
 
@@ -90,8 +90,8 @@ impl Command {
             }
             Self::Errors(command) => command.run(),
             Self::FloatErrors { shapes } => {
-                let shapes = if shapes.is_empty() { &accuracy::SHAPES } else { &shapes[..] };
-                accuracy::print(shapes);
+                let shapes = if shapes.is_empty() { &float_errors::SHAPES } else { &shapes[..] };
+                float_errors::print(shapes);
                 Ok(())
             }
             Self::Golden(purpose) => files::golden(&purpose),

@@ -1,9 +1,9 @@
 //! Pictures by direct integration under the shipped maps, with no degree and no order, and the
 //! errors of other pictures against them.
 
-use crate::accuracy::{color, named};
 use crate::light_tree::LightTree;
 use crate::mirrored;
+use crate::reference::{integrated, named};
 use crate::sphere::{Picture, Sphere, peak};
 use eigenshade::{Display, Exposure, Meter, Rgb, Tone};
 use eigenshade_cli::picture_file::UNCLIPPED;
@@ -12,7 +12,6 @@ use eigenshade_generator::light::projection::named_maps;
 use eigenshade_generator::material::brdf::Surface;
 use eigenshade_model::database::Lights;
 use eigenshade_model::error::Result;
-use eigenshade_shading::parallel;
 use palette::color_difference::Ciede2000;
 use palette::{IntoColor, Lab, Srgb};
 use std::path::Path;
@@ -55,20 +54,8 @@ impl World {
 
     /// The pictures of a surface by direct integration at these normals, by map.
     pub fn pictures(&self, surface: &Surface, normals: &[[f64; 3]]) -> Vec<Picture> {
-        integrated(&self.tree, surface, normals)
+        integrated(&self.tree, surface, normals, &())
     }
-}
-
-/// The pictures of a surface by direct integration at these normals, by map.
-pub fn integrated(tree: &LightTree, surface: &Surface, normals: &[[f64; 3]]) -> Vec<Picture> {
-    let parts = surface.parts();
-    let at = |k: usize| -> Vec<_> {
-        parts.iter().map(|part| tree.irradiance(part.brdf, normals[k], 1.0)).collect()
-    };
-    let found = parallel::map(normals.len(), &(), at);
-    let of_map =
-        |map: usize| [0, 1, 2].map(|c| found.iter().map(|i| color(&parts, i, map)[c]).collect());
-    (0..tree.surroundings().maps()).map(of_map).collect()
 }
 
 /// A picture by direct integration.

@@ -1,36 +1,26 @@
-//! Errors of truncated sums and of tables against direct integration under environment maps.
+//! Pictures of a sphere by direct integration under environment maps, and the errors of truncated
+//! sums and of tables against them.
 //!
 //! The error of a map is the rms over the sphere's normals and the three channels, relative to the
 //! largest |I| of the direct integration over all of them.
-//!
-//! And errors of the runtime in floats against the direct sum over modes, with all components: GGX
-//! dielectrics and metals of roughness 0.2 to 1 and a Lambertian under three captured maps.
 
-use crate::accuracy_cost::errors::compare;
-use crate::accuracy_cost::images::Images;
-use crate::accuracy_cost::scope::{Scope, scene};
-use crate::accuracy_cost::settings::{Format, Recipe, Setting, Way};
+use crate::light_tree::LightTree;
 use crate::sphere::{self, Picture, Sphere};
-use eigenshade_generator::basis;
-use eigenshade_generator::direct::Surroundings;
-use eigenshade_generator::material::brdf::{Brdf, Measure, Part, Surface};
+use eigenshade_generator::material::brdf::{Measure, Surface};
 use eigenshade_index::{light, material};
-use eigenshade_model::database::{Lights, Materials, Named};
+use eigenshade_model::database::{Lights, Named};
 use eigenshade_model::error::{Error, Result};
 use eigenshade_shading::owned_basis::OwnedBasis;
+use eigenshade_shading::parallel::{self, Progress};
 use eigenshade_shading::shader::{OwnedNormals, Shader, fault};
 use eigenshade_shading::sphere_rings::rings;
-use eigenshade_shading::{parallel, shipped};
 use eigenshade_table::Table;
-use eigenshade_testing::glossy;
 use indicatif::ProgressBar;
 
 /// The widest spacing of normals in radians.
 const WIDEST: f64 = 0.06;
 /// Spacing of the normals, in widths of the narrowest lobe.
 const SPACING: f64 = 1.25;
-/// The number of normals integrated at a time.
-const BATCH: usize = 16;
 
 /// A surface under environment maps, integrated directly.
 pub struct Reference<'a> {
@@ -54,36 +44,42 @@ pub fn named<'a>(all: &Lights, names: impl Iterator<Item = &'a str>) -> Result<L
     Ok(Lights { degree: all.degree, entries: names.map(find).collect::<Result<_>>()? })
 }
 
-/// The color of a surface under a map, from that of each part.
-pub fn color(parts: &[Part<'_>], of_parts: &[Vec<[f64; 3]>], map: usize) -> [f64; 3] {
-    let of_channel =
-        |c: usize| parts.iter().zip(of_parts).map(move |(p, i)| p.shares[c] * i[map][c]);
-    [0, 1, 2].map(|c| of_channel(c).sum())
+/// The pictures of a surface by direct integration at these normals, by map.
+pub fn integrated(
+    tree: &LightTree,
+    surface: &Surface,
+    normals: &[[f64; 3]],
+    progress: &impl Progress,
+) -> Vec<Picture> {
+    let parts = surface.parts();
+    let at = |k: usize| -> Vec<_> {
+        parts.iter().map(|part| tree.irradiance(part.brdf, normals[k], 1.0)).collect()
+    };
+    let found = parallel::map(normals.len(), progress, at);
+    let of_channel = |map: usize, c: usize| {
+        let color = |of_parts: &Vec<Vec<[f64; 3]>>| {
+            parts.iter().zip(of_parts).map(|(part, i)| part.shares[c] * i[map][c]).sum()
+        };
+        found.iter().map(color).collect()
+    };
+    let maps = tree.surroundings().maps();
+    (0..maps).map(|map| [0, 1, 2].map(|c| of_channel(map, c))).collect()
 }
 
 impl<'a> Reference<'a> {
     /// Integrates the surface.
-    pub fn new(surface: &'a Surface, maps: &Surroundings, progress: &ProgressBar) -> Self {
+    pub fn new(surface: &'a Surface, maps: &LightTree, progress: &ProgressBar) -> Self {
         let parts = surface.parts();
-        let brdfs: Vec<&dyn Brdf> = parts.iter().map(|part| part.brdf).collect();
         // The narrowest lobe is resolved.
-        let width = brdfs.iter().map(|brdf| brdf.width()).fold(1.0, f64::min);
+        let width = parts.iter().map(|part| part.brdf.width()).fold(1.0, f64::min);
         let sphere = Sphere::new(rings((SPACING * width).min(WIDEST)));
-        let batches: Vec<&[[f64; 3]]> = sphere.normals.chunks(BATCH).collect();
-        progress.set_length(batches.len() as u64);
-        let irradiance = |k: usize| maps.irradiance(&brdfs, batches[k], 1.0);
-        let integrated = parallel::map(batches.len(), progress, irradiance).concat();
-        let of_map = |map: usize| {
-            [0, 1, 2].map(|c| integrated.iter().map(|image| color(&parts, image, map)[c]).collect())
-        };
-        let pictures: Vec<Picture> = (0..maps.maps()).map(of_map).collect();
+        progress.set_length(sphere.normals.len() as u64);
+        let pictures = integrated(maps, surface, &sphere.normals, progress);
         // A narrow lobe peaks where it mirrors the sun, which is between the normals of the rings.
-        let mirrors: Vec<[f64; 3]> = (0..maps.maps()).map(|map| maps.mirror(map)).collect();
-        let at_mirrors = maps.irradiance(&brdfs, &mirrors, 1.0);
         let largest = |(map, picture): (usize, &Picture)| {
-            let values =
-                picture.iter().flatten().copied().chain(color(&parts, &at_mirrors[map], map));
-            values.fold(0.0, |most: f64, i| most.max(i.abs()))
+            let mirror = [maps.surroundings().mirror(map)];
+            let at_mirror = &integrated(maps, surface, &mirror, &())[map];
+            sphere::peak(picture).max(sphere::peak(at_mirror))
         };
         let peaks = pictures.iter().enumerate().map(largest).collect();
         Self { surface, sphere, pictures, peaks }
@@ -172,64 +168,4 @@ impl<'a> Reference<'a> {
         let error = |(found, (expected, peak))| self.sphere.apart(&found, expected) / peak;
         found.zip(expected).map(error).collect()
     }
-}
-
-/// Degrees and orders.
-pub const SHAPES: [[usize; 2]; 5] = [[9, 7], [12, 12], [16, 16], [24, 24], [32, 32]];
-
-/// Three captured maps: small lamps, a low sun, a soft sky.
-const LIGHTS: [&str; 3] = ["studio", "sunset", "park"];
-
-/// Writes the errors as CSV to standard output.
-pub fn print(shapes: &[[usize; 2]]) {
-    println!("degree,order,components,method,format,max,rms");
-    for &[degree, order] in shapes {
-        for Errors { components, method, format, largest, rms } in errors([degree, order]) {
-            println!("{degree},{order},{components},{method},{format},{largest:.1e},{rms:.1e}");
-        }
-    }
-}
-
-/// Errors of the worst pair of a light and a material, as shares of the image's peak.
-pub struct Errors {
-    pub components: usize,
-    pub method: &'static str,
-    pub format: String,
-    pub largest: f64,
-    pub rms: f64,
-}
-
-/// The errors of each method and format at this degree and order.
-pub fn errors([degree, order]: [usize; 2]) -> Vec<Errors> {
-    let (table, mut lights, mut seen) = table([degree, order]);
-    // Their lobes are too narrow for any order here.
-    seen.entries.retain(|material| !material.name.ends_with("-0.1"));
-    lights.entries.retain(|light| LIGHTS.contains(&light.name.as_str()));
-    let unseen = Materials { order, entries: Vec::new() };
-    let images = Images::new(&Scope { degree, order, lights, seen, unseen });
-    // The number that `shade` uses.
-    let knots = (64 * degree).next_power_of_two();
-    let ways = [Way::Polynomial, Way::Eigen, Way::Cubic(knots)];
-    let error = |format: Format, way, method| {
-        let setting = Setting::of(Recipe::all(degree, order)).by(way).in_format(format);
-        let errors = compare(&setting, &table, &images).expect("a basis in floats").seen;
-        let (largest, rms) = (errors.largest.worst, errors.rms.worst);
-        Errors { components: table.count(), method, format: format.to_string(), largest, rms }
-    };
-    let methods = || ways.into_iter().zip(["polynomial", "eigen", "sampled"]);
-    let of = |format| methods().map(move |(way, method)| error(format, way, method));
-    [Format::F32, Format::F64].into_iter().flat_map(of).collect()
-}
-
-/// The table of all components at this degree and order, with its lights and materials.
-pub fn table([degree, order]: [usize; 2]) -> (Table, Lights, Materials) {
-    let scene = scene(degree, order, usize::MAX).expect("the shipped scene");
-    let mut materials = glossy::materials(order);
-    let mut matte = vec![0.0; eigenshade_index::material::count(order)];
-    matte[0] = 2.0;
-    let rgb = [matte.clone(), matte.clone(), matte];
-    materials.entries.push(Named { name: "lambertian".into(), rgb });
-    let lights = shipped::lights().expect("the shipped lights").truncated(degree);
-    let table = basis::build(&scene, &lights, &materials).expect("a table");
-    (table, lights, materials)
 }
