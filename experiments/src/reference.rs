@@ -62,8 +62,7 @@ pub fn integrated(
         };
         found.iter().map(color).collect()
     };
-    let maps = tree.surroundings().maps();
-    (0..maps).map(|map| [0, 1, 2].map(|c| of_channel(map, c))).collect()
+    (0..tree.maps()).map(|map| [0, 1, 2].map(|c| of_channel(map, c))).collect()
 }
 
 impl<'a> Reference<'a> {
@@ -77,7 +76,7 @@ impl<'a> Reference<'a> {
         let pictures = integrated(maps, surface, &sphere.normals, progress);
         // A narrow lobe peaks where it mirrors the sun, which is between the normals of the rings.
         let largest = |(map, picture): (usize, &Picture)| {
-            let mirror = [maps.surroundings().mirror(map)];
+            let mirror = [maps.mirror(map)];
             let at_mirror = &integrated(maps, surface, &mirror, &())[map];
             sphere::peak(picture).max(sphere::peak(at_mirror))
         };

@@ -2,8 +2,7 @@
 //! frame, which has other nodes and other formulas.
 
 use crate::support::{self, Folder, assert_fails, repository, rows};
-use crate::{measured_surfaces, shipped_map, spread, tolerances};
-use eigenshade_generator::direct::Surroundings;
+use crate::{by_texels, measured_surfaces, shipped_map, spread, tolerances};
 use eigenshade_generator::light::environment::EnvironmentMap;
 use eigenshade_generator::light::projection::project;
 use eigenshade_generator::material::brdf::projection::project as project_brdf;
@@ -93,10 +92,9 @@ fn window(width: usize, height: usize, column: usize, row: usize) -> Environment
 #[test]
 fn a_matte_sphere_in_white_light_is_white() {
     let white = EnvironmentMap::new(128, 64, vec![[1.0; 3]; 128 * 64]).unwrap();
-    let maps = Surroundings::new(&[white]).unwrap();
     let matte = MATTE.0();
     for normal in spread(20) {
-        let [r, g, b] = maps.irradiance(&[&*matte], &[normal], 1.0)[0][0][0];
+        let [r, g, b] = by_texels(std::slice::from_ref(&white), &*matte, &[normal], 1.0)[0][0];
         assert!((r / 0.8 - 1.0).abs() <= DIRECT_WHITE, "{r}");
         assert_eq!((r, r), (g, b));
     }
@@ -105,13 +103,12 @@ fn a_matte_sphere_in_white_light_is_white() {
 #[test]
 fn texels_and_the_normals_own_frame_agree() {
     let maps = [window(128, 64, 10, 30), window(128, 64, 90, 5)];
-    let surroundings = Surroundings::new(&maps).unwrap();
     let materials = [MATTE, METAL, DIELECTRIC];
     let functions = materials.map(|(function, _)| function());
-    let functions = functions.each_ref().map(|function| &**function);
     let mut worst: f64 = 0.0;
     for normal in spread(12) {
-        let found = &surroundings.irradiance(&functions, &[normal], 4.0)[0];
+        let found: Vec<_> =
+            functions.iter().flat_map(|one| by_texels(&maps, &**one, &[normal], 4.0)).collect();
         let expected = integrals(&materials, &maps, normal, 800);
         let pairs = found.iter().flatten().flatten().zip(expected.iter().flatten().flatten());
         for (found, expected) in pairs {
@@ -140,11 +137,10 @@ fn narrow_lobes_converge() {
         let map = shipped_map(name);
         let mut normals = spread(60);
         normals.push(mirror_of_the_brightest(&map));
-        let maps = Surroundings::new(&[map]).unwrap();
         let metal = Ggx::new(roughness, 0.9, 0.0).unwrap();
         let images = [1.0, 2.0, 4.0].map(|fine| -> Vec<f64> {
-            let images = maps.irradiance(&[&metal], &normals, fine);
-            images.iter().map(|image| image[0][0][1]).collect()
+            let images = by_texels(std::slice::from_ref(&map), &metal, &normals, fine);
+            images.iter().map(|image| image[0][1]).collect()
         });
         let peak = images[2].iter().fold(0.0, |most: f64, i| most.max(i.abs()));
         let apart = |k: usize| {

@@ -16,8 +16,9 @@ mod paper_oracle;
 mod paper_statements;
 mod reading_page;
 mod unseen_materials;
+use eigenshade_generator::direct::Texels;
 use eigenshade_generator::light::environment::EnvironmentMap;
-use eigenshade_generator::material::brdf::Surface;
+use eigenshade_generator::material::brdf::{Brdf, Surface};
 use eigenshade_generator::material::files::{Source, read};
 use eigenshade_testing::{oracle, tolerances};
 use std::path::{Path, PathBuf};
@@ -50,6 +51,28 @@ fn measured_surfaces(model: &str) -> Vec<Surface> {
         Source::Measured(_) => None,
     };
     sources.filter_map(surface).collect()
+}
+
+/// The irradiance from every texel of maps, r, g and b, by normal and then by map.
+fn by_texels(
+    maps: &[EnvironmentMap],
+    brdf: &dyn Brdf,
+    normals: &[[f64; 3]],
+    fineness: f64,
+) -> Vec<Vec<[f64; 3]>> {
+    let texels = Texels::new(maps).expect("maps of one size");
+    let at = |normal: &[f64; 3]| {
+        let mut sums = vec![[0.0; 3]; maps.len()];
+        for texel in 0..texels.directions().len() {
+            let weight = texels.weight(brdf, fineness, texel, *normal);
+            for (sum, map) in sums.iter_mut().zip(maps) {
+                let radiance = map.texels[texel];
+                *sum = [0, 1, 2].map(|c: usize| sum[c] + weight * f64::from(radiance[c]));
+            }
+        }
+        sums
+    };
+    normals.iter().map(at).collect()
 }
 
 /// Normals of equal shares of the disc, spread evenly from the axis to the rim.

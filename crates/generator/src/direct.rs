@@ -8,36 +8,24 @@
 
 use crate::light::environment::EnvironmentMap;
 use crate::material::brdf::{Brdf, Geometry};
-use eigenshade_model::database::luminance;
 use eigenshade_model::error::{Error, Result};
 use eigenshade_model::vector::dot;
-use faer::linalg::matmul::matmul;
-use faer::{Accum, Mat, Par};
 use std::f64::consts::{PI, TAU};
 
-/// Number of texels whose weights are held at once.
-const BLOCK: usize = 4096;
 /// Largest number of parts along one side of a texel.
 const MOST_PARTS: usize = 32;
 
-/// Directions below this z are nearly opposite to the camera: no visible normal mirrors them.
-const OPPOSITE: f64 = -0.9999;
-
-/// Environment maps of one common size, stored side by side.
-pub struct Surroundings {
+/// The texels of environment maps of one common size.
+pub struct Texels {
     width: usize,
     height: usize,
-    /// Unit directions of the texel centers, row by row.
     directions: Vec<[f64; 3]>,
-    /// Exact solid angle of one texel in each row.
+    /// The exact solid angle of one texel in each row.
     solid_angles: Vec<f64>,
-    /// Blocks of [`BLOCK`] texels, with one row for each texel and r, g, b of each map.
-    radiance: Vec<Mat<f64>>,
-    maps: usize,
 }
 
-impl Surroundings {
-    /// Combines maps of equal size.
+impl Texels {
+    /// Those of maps of equal size.
     ///
     /// # Errors
     ///
@@ -53,84 +41,22 @@ impl Surroundings {
                 "give maps of one size",
             ));
         }
-        let count = width * height;
-        let directions = (0..count).map(|k| first.direction(k % width, k / width)).collect();
-        let radiance = (0..count)
-            .step_by(BLOCK)
-            .map(|start| {
-                Mat::from_fn(BLOCK.min(count - start), 3 * maps.len(), |texel, column| {
-                    f64::from(maps[column / 3].texels[start + texel][column % 3])
-                })
-            })
-            .collect();
+        let direction = |k: usize| first.direction(k % width, k / width);
+        let directions = (0..width * height).map(direction).collect();
         let solid_angles = (0..height).map(|row| first.solid_angle(row)).collect();
-        Ok(Self { width, height, directions, solid_angles, radiance, maps: maps.len() })
+        Ok(Self { width, height, directions, solid_angles })
     }
 
-    /// Number of maps.
+    /// Unit directions of the centers, row by row.
     #[must_use]
-    pub fn maps(&self) -> usize {
-        self.maps
+    pub fn directions(&self) -> &[[f64; 3]] {
+        &self.directions
     }
 
-    /// The unit normal that mirrors the brightest texel of a map toward z.
-    ///
-    /// # Panics
-    ///
-    /// If `map` is out of range.
-    #[must_use]
-    pub fn mirror(&self, map: usize) -> [f64; 3] {
-        let brightness = |texel: usize| {
-            let radiance = &self.radiance[texel / BLOCK];
-            luminance([0, 1, 2].map(|c| radiance[(texel % BLOCK, 3 * map + c)]))
-        };
-        let brightest = (0..self.directions.len())
-            .filter(|&texel| self.directions[texel][2] > OPPOSITE)
-            .max_by(|&a, &b| brightness(a).total_cmp(&brightness(b)));
-        let [x, y, z] = brightest.map_or([0.0, 0.0, 1.0], |texel| self.directions[texel]);
-        let length = (2.0 + 2.0 * z).sqrt();
-        [x / length, y / length, (z + 1.0) / length]
-    }
-
-    /// The irradiance at unit normals with z > 0 seen along z, indexed by normal, then BRDF, then
-    /// map; r, g and b.
+    /// ∫ f cos θ_i dω over one texel, counted row by row, at a unit normal with z > 0 seen along z.
     ///
     /// `fineness` is the number of parts of a texel for each width of the features within it. 1 is
     /// coarse; compare with twice the value to check convergence.
-    #[must_use]
-    pub fn irradiance(
-        &self,
-        brdfs: &[&dyn Brdf],
-        normals: &[[f64; 3]],
-        fineness: f64,
-    ) -> Vec<Vec<Vec<[f64; 3]>>> {
-        let rows = normals.len() * brdfs.len();
-        let mut sums = Mat::<f64>::zeros(3 * self.maps, rows);
-        let mut weights = Mat::<f64>::zeros(BLOCK, rows);
-        for (block, radiance) in self.radiance.iter().enumerate() {
-            let texels = radiance.nrows();
-            for (n, &normal) in normals.iter().enumerate() {
-                for (b, &brdf) in brdfs.iter().enumerate() {
-                    let column = weights.col_mut(n * brdfs.len() + b).subrows_mut(0, texels);
-                    for (texel, weight) in (block * BLOCK..).zip(column.iter_mut()) {
-                        *weight = self.weight(brdf, fineness, texel, normal);
-                    }
-                }
-            }
-            let weights = weights.subrows(0, texels);
-            matmul(&mut sums, Accum::Add, radiance.transpose(), weights, 1.0, Par::Seq);
-        }
-        let value = |row: usize, map: usize| [0, 1, 2].map(|c| sums[(3 * map + c, row)]);
-        (0..normals.len())
-            .map(|n| {
-                let rows = n * brdfs.len()..(n + 1) * brdfs.len();
-                rows.map(|row| (0..self.maps).map(|map| value(row, map)).collect()).collect()
-            })
-            .collect()
-    }
-
-    /// ∫ f cos θ_i dω over one texel, counted row by row; `fineness` as in
-    /// [`irradiance`](Self::irradiance).
     ///
     /// # Panics
     ///

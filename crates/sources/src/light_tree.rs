@@ -1,14 +1,16 @@
-//! Direct integration of irradiance, as [`Surroundings`] does it, but in a hundredth of the time.
+//! Direct integration of irradiance, without harmonics, degree or order, in a hundredth of the time
+//! that all texels of [`Texels`] take.
 //!
 //! Near the mirror direction, near the horizon and near the direction opposite to the camera, where
-//! the BRDF changes fast, each texel is integrated as in `Surroundings`. Elsewhere, blocks of 8 x 8
+//! the BRDF changes fast, each texel is integrated. Elsewhere, blocks of 8 x 8
 //! texels up to 64 x 64 are. Within a block, the BRDF times the cosine is the polynomial through
 //! its values at 4 x 4 Chebyshev nodes. What each node contributes is a sum over the block's
 //! texels, computed once for all BRDFs and normals.
 
-use eigenshade_generator::direct::Surroundings;
+use eigenshade_generator::direct::Texels;
 use eigenshade_generator::light::environment::EnvironmentMap;
 use eigenshade_generator::material::brdf::{Brdf, Geometry};
+use eigenshade_model::database::luminance;
 use eigenshade_model::error::{Error, Result};
 use eigenshade_model::vector::dot;
 use std::f64::consts::{PI, TAU};
@@ -23,10 +25,12 @@ const NODES: usize = 4;
 const FAR: f64 = 0.25;
 /// A block is used if the horizon is farther from its center than this many radii.
 const HIGH: f64 = 1.25;
+/// Directions below this z are nearly opposite to the camera: no visible normal mirrors them.
+const OPPOSITE: f64 = -0.9999;
 
 /// Environment maps of one size, for integration.
 pub struct LightTree {
-    surroundings: Surroundings,
+    texels: Texels,
     columns: usize,
     maps: usize,
     /// For each texel and channel the radiance of every map.
@@ -64,9 +68,9 @@ impl LightTree {
     ///
     /// # Errors
     ///
-    /// Those of [`Surroundings::new`], or if a side is not a multiple of 8 texels.
+    /// Those of [`Texels::new`], or if a side is not a multiple of 8 texels.
     pub fn new(maps: &[EnvironmentMap]) -> Result<Self> {
-        let surroundings = Surroundings::new(maps)?;
+        let texels = Texels::new(maps)?;
         let (columns, rows) = (maps[0].width, maps[0].height);
         if !columns.is_multiple_of(BLOCK) || !rows.is_multiple_of(BLOCK) {
             let what = format!("maps of {columns} x {rows} texels");
@@ -86,12 +90,31 @@ impl LightTree {
                 .collect(),
         });
         let levels = levels.collect();
-        Ok(Self { surroundings, columns, maps: maps.len(), radiance, levels })
+        Ok(Self { texels, columns, maps: maps.len(), radiance, levels })
     }
 
-    /// The maps.
-    pub fn surroundings(&self) -> &Surroundings {
-        &self.surroundings
+    /// The number of maps.
+    pub fn maps(&self) -> usize {
+        self.maps
+    }
+
+    /// The unit normal that mirrors the brightest texel of a map toward z.
+    ///
+    /// # Panics
+    ///
+    /// If `map` is out of range.
+    pub fn mirror(&self, map: usize) -> [f64; 3] {
+        let directions = self.texels.directions();
+        let brightness = |texel: usize| {
+            let radiance = |c| f64::from(self.radiance[(3 * texel + c) * self.maps + map]);
+            luminance([0, 1, 2].map(radiance))
+        };
+        let brightest = (0..directions.len())
+            .filter(|&texel| directions[texel][2] > OPPOSITE)
+            .max_by(|&a, &b| brightness(a).total_cmp(&brightness(b)));
+        let [x, y, z] = brightest.map_or([0.0, 0.0, 1.0], |texel| directions[texel]);
+        let length = (2.0 + 2.0 * z).sqrt();
+        [x / length, y / length, (z + 1.0) / length]
     }
 
     /// The irradiance of a BRDF at a unit normal with z >= 0 by map.
@@ -138,7 +161,7 @@ impl LightTree {
 
     fn add_texel(&self, texel: usize, query: &Query<'_>, sums: &mut Sums) {
         let Query { brdf, normal, fineness } = *query;
-        let weight = self.surroundings.weight(brdf, fineness, texel, normal);
+        let weight = self.texels.weight(brdf, fineness, texel, normal);
         if weight != 0.0 {
             self.add_part(&self.radiance, texel, weight, sums);
         }

@@ -48,7 +48,7 @@ impl View {
     /// Evenly spaced normals, and others that mirror the lamps.
     #[must_use]
     pub fn sphere(&self, spacing: f64) -> Sphere {
-        let brightest = self.tree.surroundings().mirror(0);
+        let brightest = self.tree.mirror(0);
         mirrored::sphere(std::slice::from_ref(&self.map), spacing, &[brightest])
     }
 

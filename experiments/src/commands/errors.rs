@@ -31,10 +31,9 @@ const OTHERS: [usize; 2] = [16, 24];
 /// constant radiance, without harmonics. The error is the rms over a sphere's normals and the
 /// channels, relative to the largest irradiance. For each material the CSV gives the median and the
 /// worst error over the maps: of the table with all its components, of the direct sum at its degree
-/// and order, and at 16, 16 and 24, 24 as far as the lights reach. Narrow lobes need many normals:
-/// roughness 0.1 takes minutes. Figures below 0.001 are below the verified accuracy of the
-/// integration. The last two columns identify the table, so that `basis` recognizes errors of
-/// another one.
+/// and order, and at 16, 16 and 24, 24 as far as the lights reach. The sides of the maps must be
+/// multiples of 8. Figures below 0.001 are below the verified accuracy of the integration. The last
+/// two columns identify the table, so that `basis` recognizes errors of another one.
 #[derive(Args, Debug)]
 pub struct Errors {
     /// Table

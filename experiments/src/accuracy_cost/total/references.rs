@@ -47,7 +47,7 @@ impl World {
     /// Maps of one size with their projections.
     pub fn of(maps: Vec<EnvironmentMap>, lights: Lights, spacing: f64) -> Result<Self> {
         let tree = LightTree::new(&maps)?;
-        let brightest = (0..maps.len()).map(|map| tree.surroundings().mirror(map));
+        let brightest = (0..maps.len()).map(|map| tree.mirror(map));
         let sphere = mirrored::sphere(&maps, spacing, &brightest.collect::<Vec<_>>());
         Ok(Self { maps, tree, lights, sphere })
     }
