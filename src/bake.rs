@@ -102,16 +102,17 @@ impl<C> Scene<'_, C> {
         let map = Grid::new(size);
         for row in 0..size {
             let (run, v) = (map.run(row), map.place(row));
-            for (texel, u) in map.row(to, row).zip(run.clone().map(|k| map.place(k))) {
-                *texel = self.continued(u, v);
+            let texels = to.iter_mut().skip(row * size);
+            for (texel, column) in texels.zip(0..size).skip(run.start).take(run.len()) {
+                *texel = self.continued(map.place(column), v);
             }
-            let [before, after] = map.ends(&run).map(|u| self.continued(u, v));
-            fit(map.row(to, row), before, after);
+            let ends = map.ends(&run).map(|u| self.continued(u, v));
+            fit(to, row * size + run.start, 1, run.len(), ends);
         }
         for column in 0..size {
             let (run, u) = (map.run(column), map.place(column));
             let ends = map.ends(&run).map(|v| self.fitted_along_u(u, v, map.step));
-            fit(map.column(to, column), ends[0], ends[1]);
+            fit(to, run.start * size + column, size, run.len(), ends);
         }
         Ok(BakedMap { size, half: within(size), texels })
     }
@@ -177,10 +178,17 @@ fn fitted<S: Scalar>([before, here, after]: [S; 3]) -> S {
     here + (here + here - (before + after)) * S::from_f64(1.0 / 12.0)
 }
 
-/// Replaces values in a line by those of [`fitted`], given the values before and after them.
-fn fit<'a, S: Scalar>(line: impl Iterator<Item = &'a mut S>, mut before: S, after: S) {
+/// Replaces values in a row or a column by those of [`fitted`], given those at its ends.
+#[inline(never)]
+fn fit<S: Scalar>(
+    texels: &mut [S],
+    start: usize,
+    stride: usize,
+    count: usize,
+    [mut before, after]: [S; 2],
+) {
     let mut last: Option<&mut S> = None;
-    for next in line {
+    for next in texels.iter_mut().skip(start).step_by(stride).take(count) {
         if let Some(to) = last.take() {
             let here = *to;
             *to = fitted([before, here, *next]);
@@ -224,19 +232,6 @@ impl<S: Scalar> Grid<S> {
     fn ends(&self, run: &Range<usize>) -> [S; 2] {
         let [first, last] = [run.start, run.end.saturating_sub(1)].map(|k| self.place(k));
         [first - self.step, last + self.step]
-    }
-
-    /// The texels that are read of a row.
-    fn row<'a>(&self, texels: &'a mut [S], row: usize) -> impl Iterator<Item = &'a mut S> {
-        let run = self.run(row);
-        texels.iter_mut().skip(row * self.size + run.start).take(run.len())
-    }
-
-    /// The texels that are read of a column.
-    fn column<'a>(&self, texels: &'a mut [S], column: usize) -> impl Iterator<Item = &'a mut S> {
-        let run = self.run(column);
-        let after = texels.iter_mut().skip(run.start * self.size + column);
-        after.step_by(self.size).take(run.len())
     }
 }
 
