@@ -188,7 +188,8 @@ fn fit<S: Scalar>(
     [mut before, after]: [S; 2],
 ) {
     let mut last: Option<&mut S> = None;
-    for next in texels.iter_mut().skip(start).step_by(stride).take(count) {
+    // A step of 0 would be a panic.
+    for next in texels.iter_mut().skip(start).step_by(stride.max(1)).take(count) {
         if let Some(to) = last.take() {
             let here = *to;
             *to = fitted([before, here, *next]);

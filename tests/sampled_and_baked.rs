@@ -172,6 +172,9 @@ const MAP_POINT_Q15: f64 = 1.25;
 /// A texel in integers is the nearest: half a unit, and what f32 rounds of 15 bits.
 const TEXEL_ROUNDED: f32 = 0.501;
 
+/// A texel in f32 against nine points in f32, of the largest texel.
+const TEXEL_FITTED: f64 = 3e-6;
+
 /// Texels of tens met 1e-6 inward of the rim.
 const RIM_INWARD: f32 = 1e-4;
 
@@ -250,6 +253,44 @@ fn integers_round_and_no_more() {
         // Here a texel is nearest in both or on an edge.
         let apart = map.nearest(exact) / unit - integers.nearest(MapPoint::new(u, v)) as f32;
         assert!(apart.abs() <= 0.51, "{apart}");
+    }
+}
+
+/// Texels from the scene at the nine points around each, by the formula that is documented: in f32,
+/// and in integers, which need no room for the points between.
+#[test]
+fn texels_are_as_documented() {
+    let scene = &scenes(9)[5];
+    let shade = |u: f64, v: f64| {
+        let [x, y, z] = MapPoint::new(u as f32, v as f32).direction().map(|c| [c]);
+        let normal = Normals::new(&x, &y, &z).expect("one length").iter().next();
+        f64::from(scene.shade(normal.expect("one normal")))
+    };
+    let fitted = |[a, b, c]: [f64; 3]| b - (a - 2.0 * b + c) / 12.0;
+    for size in [2, 3, 4, 5, 8, 33] {
+        let map = scene.bake_into(size, vec![9.0f32; size * size]).expect("room");
+        let integers = scene.bake_integers_into(size, vec![9; size * size]).expect("room");
+        let unit = f64::powi(2.0, integers.exponent());
+        let most = largest(map.texels().iter().map(|&texel| f64::from(texel)));
+        let step = 2.0 / (size - 1) as f64;
+        for (k, (&texel, &integer)) in map.texels().iter().zip(integers.texels()).enumerate() {
+            let [u, v] = [k % size, k / size].map(|k| k as f64 * step - 1.0);
+            // The corner nearest to the center of the cells around the texel.
+            let [a, b] = [u, v].map(|x| (x.abs() - step).max(0.0));
+            let expected = match a * a + b * b {
+                square if square <= 1.0 => {
+                    let around = [-step, 0.0, step];
+                    fitted(around.map(|up| fitted(around.map(|on| shade(u + on, v + up)))))
+                }
+                square if square > 1.01 => 0.0,
+                _ => continue,
+            };
+            let [of_float, of_integer] =
+                [f64::from(texel), f64::from(integer) * unit].map(|x| (x - expected).abs());
+            assert!(of_float <= TEXEL_FITTED * most, "{size}: {texel} at {u}, {v}: {expected}");
+            let allowed = TEXEL_FITTED * most + f64::from(TEXEL_ROUNDED) * unit;
+            assert!(of_integer <= allowed, "{size}: {integer} at {u}, {v}: {expected}");
+        }
     }
 }
 

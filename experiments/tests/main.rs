@@ -21,6 +21,7 @@ use eigenshade_generator::light::environment::EnvironmentMap;
 use eigenshade_generator::material::brdf::{Brdf, Surface};
 use eigenshade_generator::material::files::{Source, read};
 use eigenshade_testing::{oracle, tolerances};
+use std::fs;
 use std::path::{Path, PathBuf};
 
 /// The program that has this command. `eigenshade` lies beside this package's program, if the
@@ -34,6 +35,13 @@ fn program(command: &str) -> PathBuf {
         experiments.with_file_name(format!("eigenshade{}", std::env::consts::EXE_SUFFIX));
     assert!(eigenshade.exists(), "build it first: cargo build -p eigenshade-cli");
     eigenshade
+}
+
+/// README.md has these words, whatever its lines are.
+fn assert_readme_says(words: &str) {
+    let text = fs::read_to_string(support::repository().join("README.md")).expect("README.md");
+    let text = text.split_whitespace().collect::<Vec<_>>().join(" ");
+    assert!(text.contains(words), "README.md lacks: {words}");
 }
 
 /// A shipped map.

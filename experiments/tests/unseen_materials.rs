@@ -1,6 +1,7 @@
 //! Errors that a table's components leave for materials outside its scene, and the table of them in
 //! `docs/accuracy.md`.
 
+use crate::assert_readme_says;
 use crate::support::repository;
 use eigenshade_generator::basis;
 use eigenshade_generator::scene_file::{self, Loaded};
@@ -62,6 +63,11 @@ fn the_page_has_the_errors_of_unseen_materials() {
     println!("{page}");
     let text = fs::read_to_string(repository().join("docs/accuracy.md")).unwrap();
     assert!(text.contains(&page), "docs/accuracy.md lacks the table above");
+    let Spread { median, most, .. } = measured[1][0].unseen.rms;
+    let [median, most] = [median, most].map(|share| percent(share, 2));
+    assert_readme_says(&format!(
+        "off by {median} of the peak (rms) in the median and by {most} for one in twenty"
+    ));
 }
 
 /// Multiplications of a table: a pixel, a new light's two steps, a new material.

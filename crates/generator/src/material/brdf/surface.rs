@@ -107,7 +107,8 @@ impl Surface {
         self.projected(&self.integrated(order), order, measure)
     }
 
-    /// Projects every channel up to each of these orders: see [`project_orders`](super::projection::project_orders).
+    /// Projects every channel up to each of these orders: see
+    /// [`project_orders`](super::projection::project_orders).
     #[must_use]
     pub fn project_orders(&self, orders: &[usize], measure: Measure) -> Vec<Projected> {
         let sums = self.integrated(orders.iter().copied().max().unwrap_or(0));
