@@ -11,10 +11,9 @@
 //! these continued values, so that bilinear look-ups are as accurate at the rim as elsewhere.
 //! Texels that no look-up of a visible normal reads are zero.
 //!
-//! A texel holds the irradiance at its point less a twelfth of the second difference along u, and
-//! of that less a twelfth of the second difference along v. Linear interpolation of a curved
-//! function errs to one side, by h² f''/12 on average over an interval h. Subtracting this mean
-//! makes the error 2.4 times smaller.
+//! A texel holds (1 - δ_u²/12)(1 - δ_v²/12) I, where δ² is the second difference along u or v.
+//! Linear interpolation of a curved function errs to one side, by h² f''/12 on average over an
+//! interval h. Subtracting this mean makes the error 2.4 times smaller.
 
 use crate::buffer::Buffer;
 use crate::error::{Argument, Error};
@@ -65,7 +64,7 @@ impl<C> Scene<'_, C> {
     /// # Ok::<(), eigenshade::Error>(())
     /// ```
     ///
-    /// Cost: shading about N² + 6 N pixels, and as many divisions.
+    /// Cost: shading at most N² + 8 N pixels, and as many divisions.
     ///
     /// # Errors
     ///
@@ -99,61 +98,64 @@ impl<C> Scene<'_, C> {
         let to = texels.as_mut();
         Error::check(Argument::Texels, size * size, to.len())?;
         to.fill(S::ZERO);
-        let map = Grid::new(size);
+        let grid = Grid::new(size);
         for row in 0..size {
-            let (run, v) = (map.run(row), map.place(row));
-            let texels = to.iter_mut().skip(row * size);
-            for (texel, column) in texels.zip(0..size).skip(run.start).take(run.len()) {
-                *texel = self.continued(map.place(column), v);
+            let run = grid.run(row);
+            let texels = to.iter_mut().skip(row * size + run.start);
+            for (texel, column) in texels.zip(run) {
+                *texel = self.continued(&grid, column + 1, row + 1);
             }
-            let ends = map.ends(&run).map(|u| self.continued(u, v));
-            fit(to, row * size + run.start, 1, run.len(), ends);
         }
         for column in 0..size {
-            let (run, u) = (map.run(column), map.place(column));
-            let ends = map.ends(&run).map(|v| self.fitted_along_u(u, v, map.step));
+            let run = grid.run(column);
+            let ends = [run.start, run.end + 1].map(|row| self.continued(&grid, column + 1, row));
             fit(to, run.start * size + column, size, run.len(), ends);
+        }
+        for row in 0..size {
+            let run = grid.run(row);
+            let ends = [run.start, run.end + 1].map(|place| self.fitted_along_v(&grid, place, row));
+            fit(to, row * size + run.start, 1, run.len(), ends);
         }
         Ok(BakedMap { size, half: within(size), texels })
     }
 
-    /// The irradiance at a point less a twelfth of its second difference along u.
-    fn fitted_along_u<S: Scalar>(&self, u: S, v: S, step: S) -> S
+    /// The irradiance less a twelfth of its second difference along v, at a place in a row.
+    fn fitted_along_v<S: Scalar>(&self, grid: &Grid<S>, place: usize, row: usize) -> S
     where
         C: AsRef<[S]>,
     {
-        fitted([u - step, u, u + step].map(|u| self.continued(u, v)))
+        fitted([row, row + 1, row + 2].map(|row| self.continued(grid, place, row)))
     }
 
-    /// Calls a function with each texel that a look-up reads and its index, in storage order.
-    /// Needs no room for other texels, at the cost of shading 3 N² pixels.
+    /// Calls a function with each texel that a look-up reads and its index, in storage order. The
+    /// texels are those of [`bake_into`](Self::bake_into), bit by bit. No other texel is kept, so
+    /// this shades up to 3 N² + 6 N pixels.
     pub(crate) fn each_texel<S: Scalar>(&self, size: usize, mut take: impl FnMut(usize, S))
     where
         C: AsRef<[S]>,
     {
-        let map = Grid::<S>::new(size);
+        let grid = Grid::<S>::new(size);
         for row in 0..size {
-            let (run, v) = (map.run(row), map.place(row));
-            let at = |u: S| fitted([v - map.step, v, v + map.step].map(|v| self.continued(u, v)));
-            let [before, after] = map.ends(&run);
-            let (mut before, mut here) = (at(before), at(map.place(run.start)));
-            for column in run.clone() {
-                let is_last = column + 1 == run.end;
-                let next = at(if is_last { after } else { map.place(column + 1) });
+            let run = grid.run(row);
+            let at = |place| self.fitted_along_v(&grid, place, row);
+            let (mut before, mut here) = (at(run.start), at(run.start + 1));
+            for column in run {
+                let next = at(column + 2);
                 take(row * size + column, fitted([before, here, next]));
                 (before, here) = (here, next);
             }
         }
     }
 
-    /// The irradiance at a point, also outside the disc. Not inlined, because its callers use it
+    /// The irradiance at two places, also outside the disc. Not inlined, because its callers use it
     /// several times.
     #[inline(never)]
-    fn continued<S: Scalar>(&self, u: S, v: S) -> S
+    fn continued<S: Scalar>(&self, grid: &Grid<S>, column: usize, row: usize) -> S
     where
         C: AsRef<[S]>,
     {
-        let [x, y, z] = MapPoint { u, v }.direction();
+        let point = MapPoint { u: grid.place(column), v: grid.place(row) };
+        let [x, y, z] = point.direction();
         self.shade(Normal { x, y, z })
     }
 }
@@ -188,7 +190,7 @@ fn fit<S: Scalar>(
     [mut before, after]: [S; 2],
 ) {
     let mut last: Option<&mut S> = None;
-    // A step of 0 would be a panic.
+    // `step_by` panics at 0, which no caller passes and the compiler cannot prove.
     for next in texels.iter_mut().skip(start).step_by(stride.max(1)).take(count) {
         if let Some(to) = last.take() {
             let here = *to;
@@ -213,26 +215,22 @@ impl<S: Scalar> Grid<S> {
         Self { size, step: half::<S>(size).reciprocal() }
     }
 
-    /// u of a column, or v of a row.
+    /// u or v of texel k - 1 along a side: place 0 lies before the first texel, place N + 1 after
+    /// the last.
     fn place(&self, k: usize) -> S {
-        S::from_whole(k) * self.step - S::ONE
+        (S::from_whole(k) - S::ONE) * self.step - S::ONE
     }
 
-    /// The columns of a row, or the rows of a column, that look-ups of visible normals read.
+    /// The columns of a row, or the rows of a column, that look-ups of visible normals read. Never
+    /// empty: the middle of each is read.
     fn run(&self, k: usize) -> Range<usize> {
         // From the point nearest to the center whose look-up reads the texel.
-        let near = |k: usize| toward_zero(self.place(k), self.step);
+        let near = |k: usize| toward_zero(self.place(k + 1), self.step);
         let square = near(k.min(self.size - 1 - k));
         let square = square * square;
         let is_read = |k: &usize| near(*k) * near(*k) + square <= S::from_f64(1.001);
         let start = (0..self.size / 2).find(is_read).unwrap_or(self.size / 2);
         start..self.size - start
-    }
-
-    /// The places before and after a run.
-    fn ends(&self, run: &Range<usize>) -> [S; 2] {
-        let [first, last] = [run.start, run.end.saturating_sub(1)].map(|k| self.place(k));
-        [first - self.step, last + self.step]
     }
 }
 

@@ -44,8 +44,7 @@ impl<C> Scene<'_, C> {
     /// # Ok::<(), eigenshade::Error>(())
     /// ```
     ///
-    /// Cost: shading 6 N² pixels: the scale must be known first, and there is no room for what the
-    /// texels are made of.
+    /// Cost: shading at most 6 N² + 12 N pixels, in two passes, since the scale must be known first.
     ///
     /// # Errors
     ///

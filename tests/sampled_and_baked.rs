@@ -169,7 +169,8 @@ const BAKED_INTEGERS: f64 = 4e-5;
 /// quotient, whose scale is cut to 2^-16.
 const MAP_POINT_Q15: f64 = 1.25;
 
-/// A texel in integers is the nearest: half a unit, and what f32 rounds of 15 bits.
+/// A texel in integers is the nearest to that in f32, whose bits are the same: half a unit, and what
+/// f32 rounds of 15 bits.
 const TEXEL_ROUNDED: f32 = 0.501;
 
 /// A texel in f32 against nine points in f32, of the largest texel.
@@ -256,8 +257,7 @@ fn integers_round_and_no_more() {
     }
 }
 
-/// Texels from the scene at the nine points around each, by the formula that is documented: in f32,
-/// and in integers, which need no room for the points between.
+/// Texels from the scene at the nine points around each, by the formula that is documented.
 #[test]
 fn texels_are_as_documented() {
     let scene = &scenes(9)[5];

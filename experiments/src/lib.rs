@@ -18,8 +18,6 @@ pub mod multiplications;
 
 pub use eigenshade_sources::{light_tree, mirrored, sphere};
 
-pub mod float_errors;
-
 pub mod reference;
 
 pub mod highlights;
@@ -27,6 +25,8 @@ pub mod highlights;
 pub mod paper;
 
 pub mod accuracy_cost;
+
+pub mod float_errors;
 
 pub mod material_errors;
 

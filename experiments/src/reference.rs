@@ -53,7 +53,7 @@ pub fn integrated(
 ) -> Vec<Picture> {
     let parts = surface.parts();
     let at = |k: usize| -> Vec<_> {
-        parts.iter().map(|part| tree.irradiance(part.brdf, normals[k], 1.0)).collect()
+        parts.iter().map(|part| tree.irradiance(part.brdf, normals[k])).collect()
     };
     let found = parallel::map(normals.len(), progress, at);
     let of_channel = |map: usize, c: usize| {
@@ -75,10 +75,11 @@ impl<'a> Reference<'a> {
         progress.set_length(sphere.normals.len() as u64);
         let pictures = integrated(maps, surface, &sphere.normals, progress);
         // A narrow lobe peaks where it mirrors the sun, which is between the normals of the rings.
+        let mirrors: Vec<_> = (0..maps.maps()).map(|map| maps.mirror(map)).collect();
+        let at_mirrors = integrated(maps, surface, &mirrors, &());
         let largest = |(map, picture): (usize, &Picture)| {
-            let mirror = [maps.mirror(map)];
-            let at_mirror = &integrated(maps, surface, &mirror, &())[map];
-            sphere::peak(picture).max(sphere::peak(at_mirror))
+            let at_mirror = at_mirrors[map].iter().map(|channel| channel[map].abs());
+            at_mirror.fold(sphere::peak(picture), f64::max)
         };
         let peaks = pictures.iter().enumerate().map(largest).collect();
         Self { surface, sphere, pictures, peaks }

@@ -280,6 +280,9 @@ fn inputs_that_cannot_be_compared_are_errors() {
     folder.write("cut.pfm", &pfm(&window(32, 16, 5, 5))[..100]);
     assert_fails(&folder, &errors("low.csv", "maps", "m.toml"), &["low.csv", "east"]);
     assert_fails(&folder, &errors("lights.csv", "other.pfm", "m.toml"), &["lights.csv", "other"]);
+    folder.write("odd.pfm", pfm(&window(36, 18, 5, 5)));
+    folder.ok("light odd.pfm --degree 16 --out odd.csv");
+    assert_fails(&folder, &errors("odd.csv", "odd.pfm", "m.toml"), &["36 x 18", "multiples of 8"]);
     assert_fails(&folder, &errors("lights.csv", "maps", "c.csv"), &["c.csv", "measured"]);
     assert_fails(&folder, &errors("lights.csv", "maps", "none.toml"), &["none.toml"]);
     assert_fails(&folder, &errors("lights.csv", "cut.pfm", "m.toml"), &["cut"]);
@@ -317,7 +320,7 @@ fn the_window_of_materials_in_color_pays() {
     let surfaces = NAMES.map(|name| {
         all.iter().find(|surface| surface.name == name).expect("a material").channel(1)
     });
-    let at = |&normal: &[f64; 3]| surfaces.map(|one| maps.irradiance(one, normal, 1.0));
+    let at = |&normal: &[f64; 3]| surfaces.map(|one| maps.irradiance(one, normal));
     let exact: Vec<_> = normals.iter().map(at).collect();
     let all = databases::lights().unwrap().truncated(9).entries;
     let named = |name| all.iter().find(|light| light.name == name).unwrap().clone();

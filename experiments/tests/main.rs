@@ -37,7 +37,7 @@ fn program(command: &str) -> PathBuf {
     eigenshade
 }
 
-/// README.md has these words, whatever its lines are.
+/// README.md contains these words, wherever its lines break.
 fn assert_readme_says(words: &str) {
     let text = fs::read_to_string(support::repository().join("README.md")).expect("README.md");
     let text = text.split_whitespace().collect::<Vec<_>>().join(" ");

@@ -241,12 +241,13 @@ pub fn counted(images: &[Image]) -> Vec<Count> {
     counts
 }
 
-/// Those of a pixel.
+/// Instructions of a pixel.
 fn of_a_pixel(what: &[String]) -> f64 {
     instructions(1, what) / PIXELS as f64
 }
 
-/// Those of one call. The loop's start, shared by all, is less than half an instruction.
+/// Instructions of one call. Entering the loop adds less than half an instruction a call, which
+/// rounding removes.
 fn of_one(what: &[String]) -> f64 {
     instructions(CALLED, what).round()
 }

@@ -1,5 +1,5 @@
-//! Irradiance (3) computed directly from environment maps and BRDF functions, without harmonics,
-//! degree or order.
+//! What each texel of an environment map adds to the irradiance (3), without harmonics, degree or
+//! order.
 //!
 //! Every texel is a patch of constant radiance. Its weight is the integral of f cos θ_i over its
 //! solid angle, computed by the midpoint rule on k x k equal parts with the exact solid angle of
@@ -25,7 +25,7 @@ pub struct Texels {
 }
 
 impl Texels {
-    /// Those of maps of equal size.
+    /// The texels of maps, which must have one size.
     ///
     /// # Errors
     ///

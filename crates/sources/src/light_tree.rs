@@ -1,11 +1,11 @@
-//! Direct integration of irradiance, without harmonics, degree or order, in a hundredth of the time
-//! that all texels of [`Texels`] take.
+//! Direct integration of irradiance, without harmonics, degree or order, about 100 times faster than
+//! summing every texel of [`Texels`].
 //!
-//! Near the mirror direction, near the horizon and near the direction opposite to the camera, where
-//! the BRDF changes fast, each texel is integrated. Elsewhere, blocks of 8 x 8
-//! texels up to 64 x 64 are. Within a block, the BRDF times the cosine is the polynomial through
-//! its values at 4 x 4 Chebyshev nodes. What each node contributes is a sum over the block's
-//! texels, computed once for all BRDFs and normals.
+//! Texels are integrated one by one where the BRDF changes fast: near the mirror direction, near the
+//! horizon and near the direction opposite to the camera. Elsewhere they are integrated in blocks of
+//! 8 x 8 up to 64 x 64. Within a block, the BRDF times the cosine is the polynomial through its
+//! values at 4 x 4 Chebyshev nodes. What each node contributes is a sum over the block's texels,
+//! computed once for all BRDFs and normals.
 
 use eigenshade_generator::direct::Texels;
 use eigenshade_generator::light::environment::EnvironmentMap;
@@ -25,6 +25,8 @@ const NODES: usize = 4;
 const FAR: f64 = 0.25;
 /// A block is used if the horizon is farther from its center than this many radii.
 const HIGH: f64 = 1.25;
+/// Parts of a texel for each width of the features within it: see [`Texels::weight`].
+const FINENESS: f64 = 1.0;
 /// Directions below this z are nearly opposite to the camera: no visible normal mirrors them.
 const OPPOSITE: f64 = -0.9999;
 
@@ -60,7 +62,6 @@ type Sums = [Vec<f64>; 3];
 struct Query<'a> {
     brdf: &'a dyn Brdf,
     normal: [f64; 3],
-    fineness: f64,
 }
 
 impl LightTree {
@@ -117,9 +118,9 @@ impl LightTree {
         [x / length, y / length, (z + 1.0) / length]
     }
 
-    /// The irradiance of a BRDF at a unit normal with z >= 0 by map.
-    pub fn irradiance(&self, brdf: &dyn Brdf, normal: [f64; 3], fineness: f64) -> Vec<[f64; 3]> {
-        let query = Query { brdf, normal, fineness };
+    /// The irradiance of a BRDF at a unit normal with z > 0 by map.
+    pub fn irradiance(&self, brdf: &dyn Brdf, normal: [f64; 3]) -> Vec<[f64; 3]> {
+        let query = Query { brdf, normal };
         let mut sums = [0, 1, 2].map(|_| vec![0.0; self.maps]);
         if let Some((level, largest)) = self.levels.iter().enumerate().next_back() {
             (0..largest.blocks.len()).for_each(|k| self.add(level, k, &query, &mut sums));
@@ -160,8 +161,8 @@ impl LightTree {
     }
 
     fn add_texel(&self, texel: usize, query: &Query<'_>, sums: &mut Sums) {
-        let Query { brdf, normal, fineness } = *query;
-        let weight = self.texels.weight(brdf, fineness, texel, normal);
+        let Query { brdf, normal } = *query;
+        let weight = self.texels.weight(brdf, FINENESS, texel, normal);
         if weight != 0.0 {
             self.add_part(&self.radiance, texel, weight, sums);
         }

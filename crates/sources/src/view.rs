@@ -71,7 +71,7 @@ impl View {
         let colors = parallel::map(normals.len(), &(), |k| {
             let mut color = [0.0; 3];
             for part in &parts {
-                let lit = self.tree.irradiance(part.brdf, normals[k], 1.0)[0];
+                let lit = self.tree.irradiance(part.brdf, normals[k])[0];
                 color
                     .iter_mut()
                     .zip(lit)
@@ -93,7 +93,7 @@ impl View {
             .map(|response| self.light.each_ref().map(|light| response.under(light)))
             .collect();
         let found = parallel::map(normals.len(), &(), |k| {
-            let reference = self.tree.irradiance(&*material.brdf, normals[k], 1.0)[0];
+            let reference = self.tree.irradiance(&*material.brdf, normals[k])[0];
             let at = Place::new(normals[k], highest);
             let truncated =
                 images.iter().map(|images| images.each_ref().map(|image| image.irradiance(&at)));

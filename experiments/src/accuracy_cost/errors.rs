@@ -139,8 +139,7 @@ pub fn rows(folder: &Path, quick: bool, progress: &ProgressBar) -> Result<Vec<Ro
         }
         EnvironmentMap::from_path(path)
     };
-    let maps = MAPS.iter().map(map).collect::<Result<Vec<_>>>()?;
-    let maps = LightTree::new(&maps)?;
+    let maps = LightTree::new(&MAPS.iter().map(map).collect::<Result<Vec<_>>>()?)?;
     let lights = named(&shipped::lights()?, MAPS.into_iter())
         .map_err(|error| error.with_remedy("build the program again"))?;
     let mut surfaces = modelled()?;

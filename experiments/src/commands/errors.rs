@@ -28,7 +28,7 @@ const OTHERS: [usize; 2] = [16, 24];
 /// Compares a table with direct integration of materials under maps
 ///
 /// The reference has no truncation: it uses the BRDF as a function and each texel as a patch of
-/// constant radiance, without harmonics. The error is the rms over a sphere's normals and the
+/// constant radiance, without harmonics; distant texels are integrated in blocks. The error is the rms over a sphere's normals and the
 /// channels, relative to the largest irradiance. For each material the CSV gives the median and the
 /// worst error over the maps: of the table with all its components, of the direct sum at its degree
 /// and order, and at 16, 16 and 24, 24 as far as the lights reach. The sides of the maps must be
@@ -72,8 +72,7 @@ impl Errors {
         }
         let surfaces = self.surfaces()?;
         let map = |(_, path): &(String, PathBuf)| EnvironmentMap::from_path(file(path));
-        let maps = named.iter().map(map).collect::<Result<Vec<_>>>()?;
-        let maps = LightTree::new(&maps)?;
+        let maps = LightTree::new(&named.iter().map(map).collect::<Result<Vec<_>>>()?)?;
         let mut sums = vec![(degree, order)];
         sums.extend(OTHERS.iter().filter(|&&size| size <= lights.degree).map(|&s| (s, s)));
         let orders: Vec<usize> = sums.iter().map(|&(_, order)| order).collect();
