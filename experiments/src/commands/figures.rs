@@ -57,7 +57,7 @@ impl Paper {
 /// that were counted on emulated boards. --check recomputes errors, bytes and counts and compares
 /// them with the files of a folder; times are not compared. It also compares the charts and tables
 /// there with the CSV files, and fails if the folder has other files. --quick does either for a part
-/// of the settings. A full run takes some twenty minutes on two cores, a quick check a minute.
+/// of the settings. A full run takes some ten minutes on two cores, a quick check one.
 #[derive(Args, Debug)]
 pub struct AccuracyCost {
     #[command(flatten)]
