@@ -147,8 +147,8 @@ impl<C> Scene<'_, C> {
         }
     }
 
-    /// The irradiance at two places, also outside the disc. Not inlined, because its callers use it
-    /// several times.
+    /// The irradiance at the places of a column and of a row, also outside the disc. Not inlined,
+    /// because its callers use it several times.
     #[inline(never)]
     fn continued<S: Scalar>(&self, grid: &Grid<S>, column: usize, row: usize) -> S
     where

@@ -173,7 +173,8 @@ const MAP_POINT_Q15: f64 = 1.25;
 /// f32 rounds of 15 bits.
 const TEXEL_ROUNDED: f32 = 0.501;
 
-/// A texel in f32 against nine points in f32, of the largest texel.
+/// A texel against nine points, of the largest texel: some roundings of 24 bits, of places and of
+/// irradiances.
 const TEXEL_FITTED: f64 = 3e-6;
 
 /// Texels of tens met 1e-6 inward of the rim.
