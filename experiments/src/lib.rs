@@ -16,7 +16,7 @@ pub mod figures;
 
 pub mod multiplications;
 
-pub use eigenshade_sources::{light_tree, mirrored, sphere};
+pub use eigenshade_sources::{light_tree, mirrored, sphere, texels};
 
 pub mod reference;
 

@@ -11,7 +11,6 @@ use eigenshade_index::{light, material};
 use eigenshade_model::database::{Lights, Named};
 use eigenshade_model::error::{Error, Result};
 use eigenshade_shading::owned_basis::OwnedBasis;
-use eigenshade_shading::parallel::{self, Progress};
 use eigenshade_shading::shader::{OwnedNormals, Shader, fault};
 use eigenshade_shading::sphere_rings::rings;
 use eigenshade_table::Table;
@@ -44,27 +43,6 @@ pub fn named<'a>(all: &Lights, names: impl Iterator<Item = &'a str>) -> Result<L
     Ok(Lights { degree: all.degree, entries: names.map(find).collect::<Result<_>>()? })
 }
 
-/// The pictures of a surface by direct integration at these normals, by map.
-pub fn integrated(
-    tree: &LightTree,
-    surface: &Surface,
-    normals: &[[f64; 3]],
-    progress: &impl Progress,
-) -> Vec<Picture> {
-    let parts = surface.parts();
-    let at = |k: usize| -> Vec<_> {
-        parts.iter().map(|part| tree.irradiance(part.brdf, normals[k])).collect()
-    };
-    let found = parallel::map(normals.len(), progress, at);
-    let of_channel = |map: usize, c: usize| {
-        let color = |of_parts: &Vec<Vec<[f64; 3]>>| {
-            parts.iter().zip(of_parts).map(|(part, i)| part.shares[c] * i[map][c]).sum()
-        };
-        found.iter().map(color).collect()
-    };
-    (0..tree.maps()).map(|map| [0, 1, 2].map(|c| of_channel(map, c))).collect()
-}
-
 impl<'a> Reference<'a> {
     /// Integrates the surface.
     pub fn new(surface: &'a Surface, maps: &LightTree, progress: &ProgressBar) -> Self {
@@ -73,10 +51,10 @@ impl<'a> Reference<'a> {
         let width = parts.iter().map(|part| part.brdf.width()).fold(1.0, f64::min);
         let sphere = Sphere::new(rings((SPACING * width).min(WIDEST)));
         progress.set_length(sphere.normals.len() as u64);
-        let pictures = integrated(maps, surface, &sphere.normals, progress);
+        let pictures = maps.pictures(surface, &sphere.normals, progress);
         // A narrow lobe peaks where it mirrors the sun, which is between the normals of the rings.
         let mirrors: Vec<_> = (0..maps.maps()).map(|map| maps.mirror(map)).collect();
-        let at_mirrors = integrated(maps, surface, &mirrors, &());
+        let at_mirrors = maps.pictures(surface, &mirrors, &());
         let largest = |(map, picture): (usize, &Picture)| {
             let at_mirror = at_mirrors[map].iter().map(|channel| channel[map].abs());
             at_mirror.fold(sphere::peak(picture), f64::max)

@@ -16,11 +16,11 @@ mod paper_oracle;
 mod paper_statements;
 mod reading_page;
 mod unseen_materials;
-use eigenshade_generator::direct::Texels;
 use eigenshade_generator::light::environment::EnvironmentMap;
 use eigenshade_generator::material::brdf::{Brdf, Surface};
 use eigenshade_generator::material::files::{Source, read};
 use eigenshade_testing::{oracle, tolerances};
+use experiments::texels::Texels;
 use std::fs;
 use std::path::{Path, PathBuf};
 

@@ -74,8 +74,6 @@ pub mod highlights;
 
 pub mod scene_file;
 
-pub mod direct;
-
 pub mod reading {
     //! Inverse rendering: from pixels and their normals back to the components d, the modes c, the
     //! light L and the material b.

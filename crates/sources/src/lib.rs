@@ -11,6 +11,8 @@
 
 pub mod sphere;
 
+pub mod texels;
+
 pub mod light_tree;
 
 pub mod mirrored;

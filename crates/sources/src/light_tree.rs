@@ -7,12 +7,14 @@
 //! values at 4 x 4 Chebyshev nodes. What each node contributes is a sum over the block's texels,
 //! computed once for all BRDFs and normals.
 
-use eigenshade_generator::direct::Texels;
+use crate::sphere::Picture;
+use crate::texels::Texels;
 use eigenshade_generator::light::environment::EnvironmentMap;
-use eigenshade_generator::material::brdf::{Brdf, Geometry};
+use eigenshade_generator::material::brdf::{Brdf, Geometry, Surface};
 use eigenshade_model::database::luminance;
 use eigenshade_model::error::{Error, Result};
 use eigenshade_model::vector::dot;
+use eigenshade_shading::parallel::{self, Progress};
 use std::f64::consts::{PI, TAU};
 
 /// Texels along a side of the smallest block.
@@ -126,6 +128,27 @@ impl LightTree {
             (0..largest.blocks.len()).for_each(|k| self.add(level, k, &query, &mut sums));
         }
         (0..self.maps).map(|map| [0, 1, 2].map(|c: usize| sums[c][map])).collect()
+    }
+
+    /// The pictures of a surface at unit normals with z > 0, by map. Counts the normals.
+    pub fn pictures(
+        &self,
+        surface: &Surface,
+        normals: &[[f64; 3]],
+        progress: &impl Progress,
+    ) -> Vec<Picture> {
+        let parts = surface.parts();
+        let at = |k: usize| -> Vec<_> {
+            parts.iter().map(|part| self.irradiance(part.brdf, normals[k])).collect()
+        };
+        let found = parallel::map(normals.len(), progress, at);
+        let of_channel = |map: usize, c: usize| {
+            let color = |of_parts: &Vec<Vec<[f64; 3]>>| {
+                parts.iter().zip(of_parts).map(|(part, i)| part.shares[c] * i[map][c]).sum()
+            };
+            found.iter().map(color).collect()
+        };
+        (0..self.maps).map(|map| [0, 1, 2].map(|c| of_channel(map, c))).collect()
     }
 
     fn add(&self, level: usize, index: usize, query: &Query<'_>, sums: &mut Sums) {

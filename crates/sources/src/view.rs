@@ -67,20 +67,8 @@ impl View {
     /// The picture of a surface by direct integration.
     #[must_use]
     pub fn reference(&self, surface: &Surface, normals: &[[f64; 3]]) -> Picture {
-        let parts = surface.parts();
-        let colors = parallel::map(normals.len(), &(), |k| {
-            let mut color = [0.0; 3];
-            for part in &parts {
-                let lit = self.tree.irradiance(part.brdf, normals[k])[0];
-                color
-                    .iter_mut()
-                    .zip(lit)
-                    .zip(part.shares)
-                    .for_each(|((to, lit), s)| *to += s * lit);
-            }
-            color
-        });
-        [0, 1, 2].map(|c: usize| colors.iter().map(|color| color[c]).collect())
+        let mut of_map = self.tree.pictures(surface, normals, &());
+        of_map.swap_remove(0)
     }
 
     /// Pictures of a material at these normals.

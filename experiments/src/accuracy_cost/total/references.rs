@@ -3,7 +3,7 @@
 
 use crate::light_tree::LightTree;
 use crate::mirrored;
-use crate::reference::{integrated, named};
+use crate::reference::named;
 use crate::sphere::{Picture, Sphere, peak};
 use eigenshade::{Display, Exposure, Meter, Rgb, Tone};
 use eigenshade_cli::picture_file::UNCLIPPED;
@@ -54,7 +54,7 @@ impl World {
 
     /// The pictures of a surface by direct integration at these normals, by map.
     pub fn pictures(&self, surface: &Surface, normals: &[[f64; 3]]) -> Vec<Picture> {
-        integrated(&self.tree, surface, normals, &())
+        self.tree.pictures(surface, normals, &())
     }
 }
 

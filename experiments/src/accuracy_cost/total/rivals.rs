@@ -5,7 +5,6 @@ use super::references::World;
 use super::subjects::Gltf;
 use crate::accuracy_cost::images::Pair;
 use crate::light_tree::LightTree;
-use crate::reference::integrated;
 use crate::sphere::Picture;
 use eigenshade::Matcap;
 use eigenshade_generator::light::environment::EnvironmentMap;
@@ -78,7 +77,7 @@ impl Prefiltered {
     /// albedo, under the light of degree 2.
     pub fn pictures(&self, gltf: Gltf, world: &World) -> Result<Vec<Picture>> {
         let lobe = Gltf { albedo: 0.0, ..gltf }.surface("lobe".into())?;
-        let [reflected, ..] = &integrated(&self.white, &lobe, &world.sphere.normals, &())[0];
+        let [reflected, ..] = &self.white.pictures(&lobe, &world.sphere.normals, &())[0];
         let normals = OwnedNormals::<f32>::new(&world.sphere.normals);
         let picture = |map: usize| -> Result<Picture> {
             let channel = |c: usize| -> Result<Vec<f64>> {

@@ -6,8 +6,8 @@
 //! each. k grows where f changes within the texel: it depends on the texel's size relative to the
 //! lobe's width at the half-way direction, and relative to the height above the horizon.
 
-use crate::light::environment::EnvironmentMap;
-use crate::material::brdf::{Brdf, Geometry};
+use eigenshade_generator::light::environment::EnvironmentMap;
+use eigenshade_generator::material::brdf::{Brdf, Geometry};
 use eigenshade_model::error::{Error, Result};
 use eigenshade_model::vector::dot;
 use std::f64::consts::{PI, TAU};
