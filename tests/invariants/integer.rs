@@ -294,6 +294,20 @@ impl Shipped {
         [sum, scale]
     }
 
+    /// At most what the integer polynomials change of an image of `d`: the terms that they leave
+    /// out, and half a unit of each mantissa.
+    pub fn lost<Q: Integer>(&self, d: &[f64]) -> f64 {
+        let parts = self.parts::<Q>();
+        let lost = d.iter().zip(&self.table.components).map(|(d, component)| {
+            let profile = &self.table.profiles[component.profile];
+            let length = usize::from(parts.lengths[profile.azimuth]);
+            let rest: f64 = profile.chebyshev.iter().skip(length).map(|term| term.abs()).sum();
+            let unit = 2f64.powi(parts.profiles[component.profile].exponent.into());
+            d.abs() * (SQRT_2 * rest + 0.5 * unit * length as f64)
+        });
+        lost.sum()
+    }
+
     /// Σ d_i U_i at the components of a normal as they are, from the mantissas of the
     /// integer form.
     pub fn reconstruct_quantized<Q: Integer>(&self, d: &[f64], [x, y, z]: [f64; 3]) -> f64 {

@@ -10,7 +10,6 @@ use eigenshade::{
     Tolerance, Truncation, Window, quantized, sphere,
 };
 use eigenshade_index::{light, material};
-use eigenshade_table::quantize::IntegerFormat;
 
 /// d of any light and material, of what its addends could be, all of the largest size and of one
 /// sign: some roundings of 24 bits, of addends far smaller.
@@ -18,12 +17,6 @@ const ANY_D_F32: f64 = 2e-8;
 
 /// A pixel of d in f32, of the sizes of all its terms: roundings of 24 bits.
 const ANY_PIXEL_F32: f64 = 1e-6;
-
-/// A pixel of d, of the sizes of all its terms: 15 bits, and what is trimmed of the polynomials.
-const ANY_IMAGE_Q15: f64 = 1e-3;
-
-/// See [`ANY_IMAGE_Q15`]: less is trimmed.
-const ANY_IMAGE_Q31: f64 = 1e-6;
 
 /// Any light and material of moderate size, rounded to each format by the runtime.
 pub fn reconstruct(input: &mut Reader<'_>) {
@@ -71,12 +64,12 @@ impl Case {
         near(found, &self.reference, &self.scales, [part, common, f32::MIN_POSITIVE.into()]);
     }
 
-    /// The image of `d`, of what its terms could be.
-    fn image(d: &[f64], normal: [f64; 3], found: f64, part: f64) {
+    /// The image of `d`, of what its terms could be and beside what `lost` allows.
+    fn image(d: &[f64], normal: [f64; 3], found: f64, part: f64, lost: f64) {
         let [expected, scale] = shipped().reconstruct(d, normal);
         let off = (found - expected).abs();
-        let allowed = part * scale + f64::from(f32::MIN_POSITIVE);
-        assert!(off <= allowed, "{found}, not {expected}: {} of its terms", off / scale);
+        let allowed = part * scale + lost + f64::from(f32::MIN_POSITIVE);
+        assert!(off <= allowed, "{found}, not {expected}: {off}, of {allowed} allowed");
     }
 
     fn in_floats(&self, normals: &[quantized::Normal<Q31>]) {
@@ -91,7 +84,7 @@ impl Case {
             let [x, y, z] = normal.components().map(|one| one.mantissa() as f32);
             let normal = Normal::new(x, y, z).expect("a normal");
             let at = normal.components().map(f64::from);
-            Self::image(&wide, at, scene.shade(normal).into(), ANY_PIXEL_F32);
+            Self::image(&wide, at, scene.shade(normal).into(), ANY_PIXEL_F32, 0.0);
         }
     }
 
@@ -124,17 +117,17 @@ impl Case {
         let Relit { d, exponent, .. } = Relit::new(&light, &material.expect("a material"));
         let scale = 2f64.powi(exponent);
         let wide: Vec<f64> = d.iter().map(|&d| scale * f64::from(d)).collect();
-        let of_pixel = match Q::FORMAT {
-            IntegerFormat::Q15 => ANY_IMAGE_Q15,
-            IntegerFormat::Q31 => ANY_IMAGE_Q31,
-        };
-        self.projected(&wide, parts::<Q>().0, super::ANY_D_COMMON);
+        let (of_d, of_pixel) = parts::<Q>();
+        self.projected(&wide, of_d, super::ANY_D_COMMON);
         let (basis, room) = (Q::basis(), vec![0; Q::basis().scene_len()]);
         let scene = basis.collapse_into(&d, exponent, room).expect("a moderate exponent");
+        let unit = 2f64.powi(scene.exponent());
+        // The rounding of a pixel is relative to the range of the scene's terms.
+        let lost = shipped().lost::<Q>(&wide) + of_pixel * 2f64.powi(Q::TERM_BITS as i32) * unit;
         for &normal in normals {
             // As long as it is: U is a polynomial of its components.
-            let found = f64::from(scene.shade(normal)) * 2f64.powi(scene.exponent());
-            Self::image(&wide, normal.components().map(Q::to_f64), found, of_pixel);
+            let found = f64::from(scene.shade(normal)) * unit;
+            Self::image(&wide, normal.components().map(Q::to_f64), found, 0.0, lost);
         }
     }
 }
