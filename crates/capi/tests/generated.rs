@@ -1,9 +1,15 @@
-//! The feature `generate`: with `EIGENSHADE_SCENE` naming tests/scenes/generate.toml, and
-//! without.
-#![cfg(feature = "generate")]
+//! The runtime's feature `generate`: with `EIGENSHADE_SCENE` naming tests/scenes/generate.toml, and
+//! without. Here and not among the runtime's tests, whose other crates would be compiled again for
+//! each table.
+#![cfg(feature = "own-table")]
 
-use eigenshade_testing::oracle;
-use eigenshade_testing::tolerances;
+#[path = "../../testing/src/oracle.rs"]
+#[expect(dead_code, reason = "other tests use the rest")]
+mod oracle;
+
+#[path = "../../testing/src/tolerances.rs"]
+#[expect(dead_code, reason = "other tests use the rest")]
+mod tolerances;
 
 use eigenshade::{Light, Material, Normal, generated, index, sphere};
 
