@@ -1,13 +1,9 @@
-//! Writes tables, golden vectors and highlights as statics, and for each program its function and
-//! its table.
+//! Writes golden vectors and highlights as statics, and for each program its function and its table.
 
 #[path = "build/golden.rs"]
 mod golden;
 #[path = "build/highlights.rs"]
 mod highlights;
-#[path = "build/tables.rs"]
-mod tables;
-
 mod list;
 
 use list::Listed;
@@ -34,10 +30,6 @@ fn main() {
 fn write_all() -> Result<()> {
     write("golden.rs", &golden::modules()?)?;
     let has_tables = env::var_os("CARGO_FEATURE_TABLES").is_some();
-    if has_tables {
-        write("tables.rs", &tables::modules()?)?;
-    }
-    write("one_material.rs", &tables::of_one_material()?)?;
     write("highlights.rs", &highlights::constants()?)?;
     let mut compiled = list::programs().filter(|one| has_tables || !one.needs_tables);
     compiled.try_for_each(|one| write(&format!("programs/{}.rs", one.name), &program(one)?))
@@ -60,19 +52,19 @@ fn program(Listed { name, source, .. }: Listed) -> Result<String> {
         }
         "operations_f32" | "operations_integer" => {
             let module = match operation {
-                "shade" | "shade_highlights" => "programs::tables::full",
-                "shade_lambertian" => "programs::tables::lambertian",
+                "shade" | "shade_highlights" => "tables::full",
+                "shade_lambertian" => "tables::lambertian",
                 _ => "eigenshade::sphere",
             };
             match operation.strip_suffix("_full") {
-                Some(operation) => table("programs::tables::full") + &run(operation),
+                Some(operation) => table("tables::full") + &run(operation),
                 None => table(module) + &run(operation),
             }
         }
-        "size_q15" => table(&format!("programs::tables::{operation}")) + &run("main"),
+        "size_q15" => table(&format!("tables::{operation}")) + &run("main"),
         "scene_f32" | "scene_q15" => {
             let scene = Scene::read(operation)?;
-            let mut items = table(&format!("programs::tables::{}", scene.table));
+            let mut items = table(&format!("tables::{}", scene.table));
             items += &format!("const CHANNELS: usize = {};\n", scene.channels);
             // Integers do not turn lights.
             if format == "f32" {
@@ -122,13 +114,6 @@ impl<'a> Scene<'a> {
 fn read(path: &str) -> Result<String> {
     println!("cargo::rerun-if-changed={path}");
     fs::read_to_string(path).map_err(|error| format!("{path}: {error}"))
-}
-
-/// Reads a table.
-fn decoded(path: &str) -> Result<eigenshade_table::Table> {
-    println!("cargo::rerun-if-changed={path}");
-    let bytes = fs::read(path).map_err(|error| format!("{path}: {error}"))?;
-    eigenshade_table::decode(&bytes).map_err(|error| format!("{path}: {error}"))
 }
 
 /// Writes a file of the output folder.

@@ -1,19 +1,8 @@
-//! The parts that all programs share: tables, golden vectors, inputs and drawings.
+//! The parts that all programs share: golden vectors, inputs and drawings.
 //!
 //! Cargo.toml lists the programs and their sources. `relight_q15`, for example, is the function
 //! `relight` of `operations_integer.rs`, with the shipped table in Q15 as the module `table`.
 #![no_std]
-
-/// Tables that are not the library's. Modules `q15` and `q31` have the integer formats.
-#[cfg(feature = "tables")]
-pub mod tables {
-    include!(concat!(env!("OUT_DIR"), "/tables.rs"));
-}
-
-/// The library's table in Q15, with the transfer of one material.
-pub mod one_material {
-    include!(concat!(env!("OUT_DIR"), "/one_material.rs"));
-}
 
 pub mod golden;
 

@@ -1,6 +1,9 @@
-//! The tables as modules, for any material or, in Q15, for the one material of a scene.
+//! Writes the tables as modules, for any material or, in Q15, for the one material of a scene.
 
-use crate::{Result, SCENES, decoded, golden, list, read};
+#[path = "../../crates/testing/src/golden/record.rs"]
+#[expect(dead_code, reason = "it writes such files as well")]
+mod record;
+
 use eigenshade::Q15;
 use eigenshade::index::record::integers::OwnedParts;
 use eigenshade::index::source;
@@ -9,14 +12,22 @@ use eigenshade_table::quantize::{self, IntegerFormat};
 use eigenshade_table::reduce::with_components;
 use eigenshade_table::trim::trim;
 use eigenshade_table::{Table, statics};
-use std::path::Path;
+use std::path::PathBuf;
+use std::{env, fs, process};
 
-/// The folder of the tables, and the list of those of several sizes.
-const FOLDER: &str = "../tables";
-const SIZES: &str = "../tables/sizes.csv";
+type Result<T> = std::result::Result<T, String>;
+
+/// The list of the tables of several sizes.
+const SIZES: &str = "sizes.csv";
 
 /// Light of degree 2 on Lambertian materials, and how far its polynomials are trimmed.
-const LAMBERTIAN: (&str, f64) = ("../tables/lambertian.bin", 2e-4);
+const LAMBERTIAN: (&str, f64) = ("lambertian.bin", 2e-4);
+
+/// The folder of the scenes' tables, and the database of materials that they name.
+const SCENES: &str = "../scenes";
+
+/// The golden file.
+const GOLDEN: &str = "../../tests/golden/sphere.csv";
 
 /// The tables with programs in Q31.
 const IN_Q31: [&str; 2] = ["lambertian", "full"];
@@ -27,8 +38,15 @@ const SHIPPED: &str = "../../tables/sphere.bin";
 /// The first line of each generated module.
 const COMMAND: &str = "build.rs";
 
+fn main() {
+    if let Err(error) = modules().and_then(|text| write(&text)) {
+        println!("cargo::error={error}");
+        process::exit(1);
+    }
+}
+
 /// A module for each table.
-pub fn modules() -> Result<String> {
+fn modules() -> Result<String> {
     let mut text = String::new();
     let mut table = decoded(LAMBERTIAN.0)?;
     trim(&mut table, LAMBERTIAN.1);
@@ -37,20 +55,23 @@ pub fn modules() -> Result<String> {
     for line in sizes.lines().filter(|line| !line.starts_with('#')).skip(1) {
         text += &size(line).map_err(|fault| format!("{SIZES}: `{line}`: {fault}"))?;
     }
-    for scene in list::programs().filter(|one| one.source == "scene_q15") {
-        let (name, _) = list::parts(scene.name);
-        let path = format!("{SCENES}/{name}.bin");
-        if Path::new(&path).exists() {
-            text +=
-                &one_scene(name, &decoded(&path)?).map_err(|fault| format!("{path}: {fault}"))?;
-        }
+    let fault = |error| format!("{SCENES}: {error}");
+    let files = fs::read_dir(SCENES).map_err(fault)?.map(|file| file.map(|file| file.path()));
+    let mut files: Vec<PathBuf> = files.collect::<std::io::Result<_>>().map_err(fault)?;
+    files.retain(|path| path.extension().is_some_and(|extension| extension == "bin"));
+    files.sort();
+    for path in files {
+        let name = path.file_stem().unwrap_or_default().to_string_lossy();
+        let path = path.to_string_lossy();
+        text += &one_scene(&name, &decoded(&path)?).map_err(|fault| format!("{path}: {fault}"))?;
     }
-    Ok(text)
+    Ok(text + &in_module("one_material", &of_one_material()?))
 }
 
 /// The shipped table in Q15, with the transfer of the first golden material.
-pub fn of_one_material() -> Result<String> {
-    let golden = golden::file()?;
+fn of_one_material() -> Result<String> {
+    let golden = record::Golden::parse(&read(GOLDEN)?);
+    let golden = golden.map_err(|fault| format!("{GOLDEN}: {fault}"))?;
     let pair = *golden.pairs().first().ok_or("no pair")?;
     let material = golden.find("q15", pair, "material")?;
     let exponents: Vec<i8> = material.exponents.iter().map(|&one| one as i8).collect();
@@ -69,7 +90,7 @@ fn size(line: &str) -> Result<String> {
     };
     let fault = |error: &dyn std::fmt::Display| error.to_string();
     let components: usize = components.parse().map_err(|error| fault(&error))?;
-    let whole = decoded(&format!("{FOLDER}/{file}"))?;
+    let whole = decoded(file)?;
     let mut table = with_components(&whole, |number, _| number < components);
     if !tolerance.is_empty() {
         trim(&mut table, tolerance.parse().map_err(|error| fault(&error))?);
@@ -154,4 +175,23 @@ fn transfer(
     let mut workspace = vec![0; basis.workspace_len()];
     basis.transfer_into(&material, &mut workspace, &mut numbers, &mut of_profiles)?;
     Ok((numbers, of_profiles))
+}
+
+/// Reads a file, and builds again when it changes.
+fn read(path: &str) -> Result<String> {
+    println!("cargo::rerun-if-changed={path}");
+    fs::read_to_string(path).map_err(|error| format!("{path}: {error}"))
+}
+
+/// Reads a table.
+fn decoded(path: &str) -> Result<eigenshade_table::Table> {
+    println!("cargo::rerun-if-changed={path}");
+    let bytes = fs::read(path).map_err(|error| format!("{path}: {error}"))?;
+    eigenshade_table::decode(&bytes).map_err(|error| format!("{path}: {error}"))
+}
+
+fn write(text: &str) -> Result<()> {
+    let folder = env::var_os("OUT_DIR").ok_or("OUT_DIR is not set")?;
+    let path = PathBuf::from(folder).join("tables.rs");
+    fs::write(&path, text).map_err(|error| format!("{}: {error}", path.display()))
 }
