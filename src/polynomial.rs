@@ -59,9 +59,7 @@ pub(crate) fn values<S: Scalar, const LONGEST: usize, const N: usize>(
     };
     let mut sums = [first; N];
     for &term in rest {
-        for (sum, &t) in sums.iter_mut().zip(t) {
-            *sum = term.add_product(*sum, t);
-        }
+        S::horner(term, &mut sums, t);
     }
     sums
 }
@@ -85,10 +83,7 @@ pub(crate) fn pairs<S: Scalar, const LONGEST: usize, const N: usize>(
     }
     let (mut sums, mut more) = ([first; N], [second; N]);
     for (&term, &another) in rest.iter().zip(others) {
-        for ((sum, more), &t) in sums.iter_mut().zip(&mut more).zip(t) {
-            *sum = term.add_product(*sum, t);
-            *more = another.add_product(*more, t);
-        }
+        S::horner_of_two([term, another], [&mut sums, &mut more], t);
     }
     [sums, more]
 }

@@ -1,5 +1,7 @@
 //! The number formats of the floating-point code.
 
+#[cfg(target_feature = "relaxed-simd")]
+use crate::lanes;
 use crate::turn::exchange;
 use core::ops::{Add, AddAssign, Mul, Neg, Sub, SubAssign};
 
@@ -30,6 +32,46 @@ pub trait Scalar:
     /// self + a b. With the feature `std` on a target with the target feature `fma`, it
     /// rounds once, otherwise twice.
     fn add_product(self, a: Self, b: Self) -> Self;
+    /// A step of Horner's rule for a polynomial at a block of arguments: each sum becomes
+    /// term + sum t.
+    #[doc(hidden)]
+    #[inline(always)]
+    fn horner<const N: usize>(term: Self, sums: &mut [Self; N], t: &[Self; N]) {
+        for (sum, &t) in sums.iter_mut().zip(t) {
+            *sum = term.add_product(*sum, t);
+        }
+    }
+    /// [`horner`](Self::horner) for two polynomials in one loop, which compilers keep in registers.
+    #[doc(hidden)]
+    #[inline(always)]
+    fn horner_of_two<const N: usize>(
+        [term, another]: [Self; 2],
+        [sums, more]: [&mut [Self; N]; 2],
+        t: &[Self; N],
+    ) {
+        for ((sum, more), &t) in sums.iter_mut().zip(more).zip(t) {
+            *sum = term.add_product(*sum, t);
+            *more = another.add_product(*more, t);
+        }
+    }
+    /// A step of Horner's rule in w̄ = x - i y at a block of normals: the sum above becomes
+    /// here + w̄ above. Real and imaginary parts.
+    #[doc(hidden)]
+    #[inline(always)]
+    fn descend<const N: usize>(
+        [real, imaginary]: [&mut [Self; N]; 2],
+        [plus, minus]: [[Self; N]; 2],
+        [x, y]: [&[Self; N]; 2],
+    ) {
+        let above = real.iter_mut().zip(imaginary);
+        let here = plus.iter().zip(&minus).zip(x.iter().zip(y));
+        for ((real, imaginary), ((&plus, &minus), (&x, &y))) in above.zip(here) {
+            (*real, *imaginary) = (
+                plus.add_product(*real, x).add_product(*imaginary, y),
+                minus.add_product(*imaginary, x).add_product(-*real, y),
+            );
+        }
+    }
     /// Whether the number is neither infinite nor NaN.
     fn is_finite(self) -> bool;
     /// 1/x. Per pixel only [`Highlights`](crate::Highlights) calls it.
@@ -66,12 +108,14 @@ macro_rules! scalar {
     (
         $float:ident, $exchange:path,
         |$value:ident| $nearest:expr,
-        $inverse:path, $root:path, $sine_and_cosine:path
+        $inverse:path, $root:path, $sine_and_cosine:path,
+        { $($steps:tt)* }
     ) => {
         impl Scalar for $float {
             const ZERO: Self = 0.0;
             const ONE: Self = 1.0;
             const EXCHANGE: &'static [Self] = &$exchange;
+            $($steps)*
             #[cfg(all(feature = "std", target_feature = "fma"))]
             #[inline(always)]
             fn add_product(self, a: Self, b: Self) -> Self {
@@ -131,9 +175,43 @@ scalar!(
     |value| value as f32,
     inverse_root_of_single,
     libm::sqrtf,
-    libm::sincosf
+    libm::sincosf,
+    {
+        #[cfg(target_feature = "relaxed-simd")]
+        #[inline(always)]
+        fn horner<const N: usize>(term: f32, sums: &mut [f32; N], t: &[f32; N]) {
+            *sums = lanes::fused([term; N], sums, t);
+        }
+
+        #[cfg(target_feature = "relaxed-simd")]
+        #[inline(always)]
+        fn horner_of_two<const N: usize>(
+            [term, another]: [f32; 2],
+            [sums, more]: [&mut [f32; N]; 2],
+            t: &[f32; N],
+        ) {
+            Self::horner(term, sums, t);
+            Self::horner(another, more, t);
+        }
+
+        #[cfg(target_feature = "relaxed-simd")]
+        #[inline(always)]
+        fn descend<const N: usize>(
+            [real, imaginary]: [&mut [f32; N]; 2],
+            [plus, minus]: [[f32; N]; 2],
+            [x, y]: [&[f32; N]; 2],
+        ) {
+            let plus = lanes::fused(plus, real, x);
+            let plus = lanes::fused(plus, imaginary, y);
+            for number in &mut *real {
+                *number = -*number;
+            }
+            let minus = lanes::fused(minus, imaginary, x);
+            (*real, *imaginary) = (plus, lanes::fused(minus, real, y));
+        }
+    }
 );
-scalar!(f64, exchange::F64, |value| value, inverse_root_of_double, libm::sqrt, libm::sincos);
+scalar!(f64, exchange::F64, |value| value, inverse_root_of_double, libm::sqrt, libm::sincos, {});
 
 /// 1/√(2x). Each step multiplies by 3/2 - x y², with the constants for the smallest largest error:
 /// 8.8e-4 after the first one, 5.8e-7 after the second.

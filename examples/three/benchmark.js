@@ -1,11 +1,14 @@
 // node benchmark.js: time of a normal in three channels, on the CPU in this program and in fragment
 // shaders by software rendering in Chromium. Writes results/cpu.csv, results/gpu.csv and tables of
-// README.md. All rows of a file are of one run, interleaved; read the ratios. Needs Linux: for the
+// README.md. All rows of a file are of one run, interleaved; read the ratios. Scenes on the CPU have
+// relaxed SIMD, as in browsers that have it, but for the rows that say otherwise. Needs Linux: for the
 // shaders it reads the processor time of Chromium's GPU process, which other programs disturb less.
 
+import { readFileSync } from "node:fs";
 import { SphericalHarmonics3, Vector3 } from "three";
-import { Scene } from "../../packages/eigenshade/src/index.js";
+import { Scene, load } from "../../packages/eigenshade/src/index.js";
 import { engine as shared } from "../../packages/eigenshade/src/engine.js";
+import { takeRelaxedSimd } from "../../packages/eigenshade/test/support/relaxed.js";
 import { clock } from "./clock.js";
 import { open } from "./test/support.js";
 import { markdown, putTable, writeRows } from "./tables.js";
@@ -18,7 +21,7 @@ for (let k = 0; k < COUNT; k++) {
   [x[k], y[k]] = [sine * Math.cos(around), sine * Math.sin(around)];
 }
 
-function cpu(scenes, engine) {
+function cpu(scenes, engine, simd) {
   const nine = new SphericalHarmonics3();
   nine.coefficients.forEach((c, k) => c.set(1 / (k + 1), 0.3 / (k + 2), 0.2 / (k + 3)));
   const objects = Array.from({ length: COUNT }, (_, k) => new Vector3(x[k], y[k], z[k]));
@@ -50,7 +53,7 @@ function cpu(scenes, engine) {
       b[k] = target.z;
     }
   };
-  const module = (scene) => {
+  const module = (scene, engine) => {
     scene.shade(x.subarray(0, 1), y.subarray(0, 1), z.subarray(0, 1));
     const { normals, axes } = engine;
     [x, y, z].forEach((axis, which) => axes.set(axis.subarray(0, normals), which * normals));
@@ -61,7 +64,8 @@ function cpu(scenes, engine) {
     { name: "three.js, `getIrradianceAt`", work: () => called(nine) },
     { name: "nine terms, written by hand", work: handwritten },
     ...scenes.map((scene) => ({ name: `\`scene.shade\`, ${named(scene)}`, work: () => scene.shade(x, y, z, { r, g, b }) })),
-    ...scenes.map((scene) => ({ name: `the module alone, ${named(scene)}`, ready: () => module(scene), count: engine.normals })),
+    ...scenes.map((scene) => ({ name: `the module alone, ${named(scene)}`, ready: () => module(scene, engine), count: engine.normals })),
+    { name: `the same without relaxed SIMD`, ready: () => module(simd.scene, simd.engine), count: engine.normals },
   ];
 }
 
@@ -88,12 +92,15 @@ const GOLD = { light: "lobby", material: "gold-metallic-paint" };
 const made = async (inputs, tolerance) => (await Scene.create(inputs)).within(tolerance);
 const named = (scene) => `${scene.terms} terms, ${scene.truncation ? "1 %" : "all"}`;
 const digits = (number) => (number >= 100 ? number.toFixed(0) : number.toPrecision(number >= 10 ? 3 : 2));
+const strict = await load(readFileSync(new URL("../../packages/eigenshade/wasm/eigenshade.simd.wasm", import.meta.url)));
+takeRelaxedSimd();
 const scenes = [
   await made({ light: "workshop", material: "red-fabric2" }, 0.01),
   await made(GOLD, 0.01),
   await made(GOLD),
 ];
-const tasks = cpu(scenes, await shared());
+const simd = { engine: strict, scene: await Scene.create({ ...GOLD, engine: strict }) };
+const tasks = cpu(scenes, await shared(), simd);
 
 /** Names and nanoseconds a pixel of shaders. */
 async function gpu(scenes) {

@@ -52,7 +52,7 @@ const loaded = (method) => {
   if (method.startsWith("PMREM")) return { code: exr, light: size(`../../tables/inputs/maps/${lights[0]}.exr`), texture: times.texture };
   if (method.startsWith("LightProbe")) return { code: 0, light: 108, texture: 0 };
   const [matcap, few] = ["matcap", "sources"].map((word) => method.includes(word));
-  const module = zipped(`${PACKAGE}wasm/eigenshade.${few ? "sources." : ""}simd.wasm`);
+  const module = zipped(`${PACKAGE}wasm/eigenshade.${few ? "sources." : ""}relaxed.wasm`);
   const light = size(`${PACKAGE}presets/light/${lights[0]}.bin`) + (few ? size(`${PACKAGE}presets/sources/${lights[0]}.bin`) : 0);
   return { code: javascript + module + zipped("material.js", ...(matcap ? ["matcap.js"] : [])), light, texture: matcap ? 8 * 128 * 128 : 0 };
 };

@@ -16,8 +16,10 @@ const zipped = (bytes) => gzipSync(bytes, { level: 9 }).length;
 export function parts() {
   const found = [];
   for (const [name, path] of [
+    ["module with relaxed SIMD", "wasm/eigenshade.relaxed.wasm"],
     ["module with SIMD", "wasm/eigenshade.simd.wasm"],
     ["module without SIMD", "wasm/eigenshade.wasm"],
+    ["module for sources with relaxed SIMD", "wasm/eigenshade.sources.relaxed.wasm"],
     ["module for sources with SIMD", "wasm/eigenshade.sources.simd.wasm"],
     ["module for sources without SIMD", "wasm/eigenshade.sources.wasm"],
   ]) {

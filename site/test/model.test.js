@@ -7,6 +7,7 @@ import { readFileSync, readdirSync, statSync } from "node:fs";
 import { join } from "node:path";
 import { test } from "node:test";
 import { EIGENSHADE } from "../../packages/eigenshade/test/support/own.js";
+import { engine } from "../eigenshade/src/engine.js";
 import { EFFECTS, Scene, lightPreset } from "../eigenshade/src/index.js";
 import { BOARDS, instructions } from "../src/boards.js";
 import { ANALYTIC, ambient, directional, disc, harmonics, windowed } from "../src/harmonics.js";
@@ -21,6 +22,9 @@ import { dragged, multiply, rotate } from "../src/turn.js";
 import parseExr from "../vendor/parse-exr.js";
 import { hdrFile } from "./files.js";
 import { ROOT, SITE } from "./support.js";
+
+// The modules of the page are those with sources.
+await engine(true);
 
 const table = (path) => {
   const [head, ...rows] = readFileSync(join(ROOT, path), "utf8").split("\n").filter((line) => line && !line.startsWith("#"));

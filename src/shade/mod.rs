@@ -235,15 +235,8 @@ pub(crate) fn block<S: Scalar, const LONGEST: usize, const N: usize>(
     };
     let [mut real, mut imaginary] = polynomial::pairs::<S, LONGEST, N>([plus, minus], at);
     for (plus, minus) in polynomials.by_ref() {
-        let [plus, minus] = polynomial::pairs::<S, LONGEST, N>([plus, minus], at);
-        let above = real.iter_mut().zip(&mut imaginary);
-        let here = plus.iter().zip(&minus).zip(x.iter().zip(y));
-        for ((real, imaginary), ((&plus, &minus), (&x, &y))) in above.zip(here) {
-            (*real, *imaginary) = (
-                plus.add_product(*real, x).add_product(*imaginary, y),
-                minus.add_product(*imaginary, x).add_product(-*real, y),
-            );
-        }
+        let here = polynomial::pairs::<S, LONGEST, N>([plus, minus], at);
+        S::descend([&mut real, &mut imaginary], here, [x, y]);
     }
     let mut sums = polynomial::values::<S, LONGEST, N>(polynomials.pole, at);
     let above = real.iter().zip(&imaginary).zip(x.iter().zip(y));
@@ -272,15 +265,7 @@ pub(crate) fn orthogonal<S: Scalar, const N: usize>(
     loop {
         let recurrence = polynomials.recurrence();
         let Some((plus, minus)) = polynomials.next() else { break };
-        let [plus, minus] = both([plus, minus], recurrence);
-        let above = real.iter_mut().zip(&mut imaginary);
-        let here = plus.iter().zip(&minus).zip(x.iter().zip(y));
-        for ((real, imaginary), ((&plus, &minus), (&x, &y))) in above.zip(here) {
-            (*real, *imaginary) = (
-                plus.add_product(*real, x).add_product(*imaginary, y),
-                minus.add_product(*imaginary, x).add_product(-*real, y),
-            );
-        }
+        S::descend([&mut real, &mut imaginary], both([plus, minus], recurrence), [x, y]);
     }
     let [mut sums, _] = both([polynomials.pole; 2], polynomials.recurrence());
     let above = real.iter().zip(&imaginary).zip(x.iter().zip(y));

@@ -35,8 +35,9 @@ test("nothing is missing from the archive, nothing is too much", () => {
   const names = listed.trim().split("\n").map((name) => name.replace(/^package\//, ""));
   for (const name of [
     "LICENSE-APACHE", "LICENSE-MIT", "README.md", "src/index.js", "types/index.d.ts",
-    "wasm/eigenshade.wasm", "wasm/eigenshade.simd.wasm", "wasm/eigenshade.sources.wasm",
-    "wasm/eigenshade.sources.simd.wasm", "presets/names.json", "presets/light/park.bin", "presets/sources/park.bin",
+    "wasm/eigenshade.wasm", "wasm/eigenshade.simd.wasm", "wasm/eigenshade.relaxed.wasm",
+    "wasm/eigenshade.sources.wasm", "wasm/eigenshade.sources.simd.wasm",
+    "wasm/eigenshade.sources.relaxed.wasm", "presets/names.json", "presets/light/park.bin", "presets/sources/park.bin",
   ]) {
     assert.ok(names.includes(name), name);
   }

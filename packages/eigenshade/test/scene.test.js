@@ -9,6 +9,7 @@ import { join } from "node:path";
 import { EFFECTS, Scene, load, lightPreset, materialPreset, presetNames, sphere } from "../src/index.js";
 
 import { EIGENSHADE } from "./support/own.js";
+import { takeRelaxedSimd } from "./support/relaxed.js";
 
 const README = readFileSync(new URL("../README.md", import.meta.url), "utf8");
 
@@ -186,14 +187,17 @@ test("scenes that share the module do not disturb each other", async () => {
   assert.equal(read(other), second);
 });
 
-test("the module without SIMD draws the same", async () => {
-  const plain = await load(readFileSync(new URL("../wasm/eigenshade.wasm", import.meta.url)));
-  const inputs = { light: "studio", material: "red-fabric2" };
-  const [one, other] = [await Scene.create(inputs), await Scene.create({ ...inputs, engine: plain })];
-  for (const change of [(scene) => scene, (scene) => scene.turn({ yaw: 1 }), (scene) => scene.within(1e-2)]) {
-    const [expected, found] = [one, other].map((scene) => change(scene).shade(...NORMALS));
-    assert.ok(difference(found, expected) <= 1e-5);
-    assert.equal(other.glsl(), one.glsl());
+test("the modules with relaxed SIMD and without SIMD draw the same", async () => {
+  takeRelaxedSimd();
+  const file = (name) => load(readFileSync(new URL(`../wasm/${name}`, import.meta.url)));
+  const scene = async (name) => Scene.create({ light: "studio", material: "red-fabric2", engine: await file(name) });
+  for (const name of ["eigenshade.wasm", "eigenshade.relaxed.wasm"]) {
+    const [one, other] = [await scene("eigenshade.simd.wasm"), await scene(name)];
+    for (const change of [(scene) => scene, (scene) => scene.turn({ yaw: 1 }), (scene) => scene.within(1e-2)]) {
+      const [expected, found] = [one, other].map((scene) => change(scene).shade(...NORMALS));
+      assert.ok(difference(found, expected) <= 1e-5);
+      assert.equal(other.glsl(), one.glsl());
+    }
   }
 });
 
