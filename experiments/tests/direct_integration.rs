@@ -2,7 +2,7 @@
 //! frame, which has other nodes and other formulas.
 
 use crate::support::{self, Folder, assert_fails, repository, rows};
-use crate::{by_texels, measured_surfaces, shipped_map, spread, tolerances};
+use crate::{OF_DIGITS, by_texels, measured_surfaces, shipped_map, spread, tolerances};
 use eigenshade_generator::light::environment::EnvironmentMap;
 use eigenshade_generator::light::projection::project;
 use eigenshade_generator::material::brdf::projection::project as project_brdf;
@@ -235,9 +235,6 @@ fn the_command_agrees_with_another_quadrature() {
         assert!(larger < 0.5 * found[worst], "{larger}");
     }
 }
-
-/// Recorded errors against the same again, in units of their last digit.
-const OF_DIGITS: f64 = 2.5;
 
 /// The rows of a matte material, a rough and a glossy one in `tables/pbr.errors.csv`.
 #[test]

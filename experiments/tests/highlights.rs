@@ -1,8 +1,8 @@
 //! The recorded errors of pictures with small sources, what the page says of them, and the gloss of
 //! the shipped materials.
 
-use crate::shipped_map;
 use crate::support::repository;
+use crate::{OF_DIGITS, shipped_map};
 use eigenshade::mathematics::SinglePrecision;
 use eigenshade::presets::{light, sources};
 use eigenshade::{Gloss, Highlights, Material, Normal, Tolerance, sphere};
@@ -17,10 +17,6 @@ use experiments::numbers::median;
 use experiments::pages::filled;
 use indicatif::ProgressBar;
 use std::fs;
-
-/// Recorded errors against the same again, in units of their last digit: maps are integrated and
-/// sources found again by another processor.
-const OF_DIGITS: f64 = 2.5;
 
 fn recorded() -> Vec<Row> {
     let text = fs::read_to_string(repository().join("docs/highlights.csv")).unwrap();

@@ -37,6 +37,10 @@ fn program(command: &str) -> PathBuf {
     eigenshade
 }
 
+/// Recorded errors against the same again, in units of their last digit: another processor rounds
+/// maps, integrals and the sources that are found differently.
+const OF_DIGITS: f64 = 2.5;
+
 /// README.md contains these words, wherever its lines break.
 fn assert_readme_says(words: &str) {
     let text = fs::read_to_string(support::repository().join("README.md")).expect("README.md");

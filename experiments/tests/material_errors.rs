@@ -2,7 +2,7 @@
 //! the table that `docs/accuracy.md` makes of them.
 
 use crate::support::repository;
-use crate::{assert_readme_says, by_texels, measured_surfaces, shipped_map, spread};
+use crate::{OF_DIGITS, assert_readme_says, by_texels, measured_surfaces, shipped_map, spread};
 use eigenshade_generator::material::brdf::Measure;
 use eigenshade_model::database::Lights;
 use eigenshade_shading::shipped;
@@ -22,9 +22,6 @@ const OF_TREE: f64 = 3e-4;
 /// Medians and worst maps at normals 1.4 times as far apart, as a factor, of the widest lobe and of
 /// the narrowest.
 const OF_SPACING: f64 = 1.1;
-
-/// Recorded errors against the same again, in units of their last digit.
-const OF_DIGITS: f64 = 2.5;
 
 /// Measured materials and formulas.
 #[test]

@@ -9,7 +9,7 @@ use eigenshade_model::database::{Lights, Named};
 use eigenshade_shading::shipped;
 use experiments::accuracy_cost::settings;
 use experiments::accuracy_cost::sheet::{TOTAL, compare};
-use experiments::accuracy_cost::total::references::{Reference, SPACING, World};
+use experiments::accuracy_cost::total::references::{ReferencePicture, SPACING, World};
 use experiments::accuracy_cost::total::rivals::{Prefiltered, matcap};
 use experiments::accuracy_cost::total::subjects::{
     self, GROUPS, Gltf, Kind, Subject, coefficients,
@@ -192,7 +192,7 @@ fn errors_are_those_of_known_pictures() {
     let world = white();
     let count = world.sphere.normals.len();
     let flat = |value: f64| [0; 3].map(|_| vec![value; count]);
-    let reference = Reference::new(flat(2.0), &world.sphere);
+    let reference = ReferencePicture::new(flat(2.0), &world.sphere);
     let same = reference.error(&flat(2.0), &world.sphere);
     assert_eq!([same.rms, same.pixel, same.difference], [0.0; 3]);
     let off = reference.error(&flat(1.5), &world.sphere);

@@ -22,7 +22,7 @@ use eigenshade_shading::{parallel, shipped};
 use eigenshade_table::{Table, decode};
 use indicatif::ProgressBar;
 use lamps::Lamps;
-use references::{PictureError, Reference, World};
+use references::{PictureError, ReferencePicture, World};
 use rivals::Prefiltered;
 use std::path::Path;
 use subjects::{GROUPS, Group, Kind, Subject, coefficients};
@@ -45,7 +45,7 @@ pub struct Study {
     world: World,
     subjects: Vec<Subject>,
     /// By material and then by map.
-    references: Vec<Vec<Reference>>,
+    references: Vec<Vec<ReferencePicture>>,
     /// By order.
     materials: Vec<Materials>,
     /// The sources of the maps.
@@ -67,7 +67,10 @@ impl Study {
         let reference = |subject: &Subject| {
             let pictures = world.pictures(&subject.surface, &world.sphere.normals);
             progress.inc(1);
-            pictures.into_iter().map(|picture| Reference::new(picture, &world.sphere)).collect()
+            pictures
+                .into_iter()
+                .map(|picture| ReferencePicture::new(picture, &world.sphere))
+                .collect()
         };
         let references = subjects.iter().map(reference).collect();
         let mut orders = orders.to_vec();

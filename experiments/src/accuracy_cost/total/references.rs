@@ -59,7 +59,7 @@ impl World {
 }
 
 /// A picture by direct integration.
-pub struct Reference {
+pub struct ReferencePicture {
     picture: Picture,
     peak: f64,
     /// As metered.
@@ -79,7 +79,7 @@ pub struct PictureError {
     pub difference: f64,
 }
 
-impl Reference {
+impl ReferencePicture {
     /// Of a picture at the normals of a sphere.
     pub fn new(picture: Picture, sphere: &Sphere) -> Self {
         let mut meter = Meter::default();
