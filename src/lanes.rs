@@ -21,8 +21,8 @@ pub(crate) fn multiply_add<S: Scalar>(
     [s0.add_product(a0, b0), s1.add_product(a1, b1), s2.add_product(a2, b2), s3.add_product(a3, b3)]
 }
 
-/// sums + a b, four at a time, by an instruction that rounds each sum once where the machine has
-/// one. Compilers do not choose it themselves, because elsewhere it rounds twice.
+/// sums + a b, four at a time, by an instruction that rounds each sum once where the processor has
+/// one. Compilers do not emit it on their own, because its result depends on the processor.
 #[cfg(target_feature = "relaxed-simd")]
 #[inline(always)]
 pub(crate) fn fused<const N: usize>(mut sums: [f32; N], a: &[f32; N], b: &[f32; N]) -> [f32; N] {

@@ -41,7 +41,8 @@ pub trait Scalar:
             *sum = term.add_product(*sum, t);
         }
     }
-    /// [`horner`](Self::horner) for two polynomials in one loop, which compilers keep in registers.
+    /// [`horner`](Self::horner) for two polynomials. In one loop: compilers for x86 leave the numbers
+    /// of two loops in memory, and take twice the instructions.
     #[doc(hidden)]
     #[inline(always)]
     fn horner_of_two<const N: usize>(
@@ -177,6 +178,7 @@ scalar!(
     libm::sqrtf,
     libm::sincosf,
     {
+        // The steps with `fused`, a loop for each product.
         #[cfg(target_feature = "relaxed-simd")]
         #[inline(always)]
         fn horner<const N: usize>(term: f32, sums: &mut [f32; N], t: &[f32; N]) {

@@ -1,7 +1,7 @@
 // node benchmark.js: time of a normal in three channels, on the CPU in this program and in fragment
 // shaders by software rendering in Chromium. Writes results/cpu.csv, results/gpu.csv and tables of
 // README.md. All rows of a file are of one run, interleaved; read the ratios. Scenes on the CPU have
-// relaxed SIMD, as in browsers that have it, but for the rows that say otherwise. Needs Linux: for the
+// relaxed SIMD, as in browsers that have it, except in the row that says so. Needs Linux: for the
 // shaders it reads the processor time of Chromium's GPU process, which other programs disturb less.
 
 import { readFileSync } from "node:fs";
@@ -65,7 +65,7 @@ function cpu(scenes, engine, simd) {
     { name: "nine terms, written by hand", work: handwritten },
     ...scenes.map((scene) => ({ name: `\`scene.shade\`, ${named(scene)}`, work: () => scene.shade(x, y, z, { r, g, b }) })),
     ...scenes.map((scene) => ({ name: `the module alone, ${named(scene)}`, ready: () => module(scene, engine), count: engine.normals })),
-    { name: `the same without relaxed SIMD`, ready: () => module(simd.scene, simd.engine), count: engine.normals },
+    { name: "the same without relaxed SIMD", ready: () => module(simd.scene, simd.engine), count: engine.normals },
   ];
 }
 

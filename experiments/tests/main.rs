@@ -37,8 +37,8 @@ fn program(command: &str) -> PathBuf {
     eigenshade
 }
 
-/// Recorded errors against the same again, in units of their last digit: another processor rounds
-/// maps, integrals and the sources that are found differently.
+/// Allowed difference from a recorded error, in units of its last digit. Processors round the maps,
+/// the integrals and the sources differently.
 const OF_DIGITS: f64 = 2.5;
 
 /// README.md contains these words, wherever its lines break.

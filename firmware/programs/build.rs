@@ -5,6 +5,8 @@ mod golden;
 #[path = "build/highlights.rs"]
 mod highlights;
 mod list;
+#[path = "../tables/one_material.rs"]
+mod one_material;
 
 use list::Listed;
 use std::path::{Path, PathBuf};
@@ -16,6 +18,9 @@ type Result<T> = std::result::Result<T, String>;
 /// without a table of their own have that of [`LEATHER`].
 const SCENES: &str = "../scenes";
 const LEATHER: &str = "sun_leather";
+
+/// The shipped table.
+const SHIPPED: &str = "../../tables/sphere.bin";
 
 fn main() {
     if env::var("CARGO_CFG_TARGET_OS").is_ok_and(|os| os == "none") {
@@ -30,6 +35,7 @@ fn main() {
 fn write_all() -> Result<()> {
     write("golden.rs", &golden::modules()?)?;
     let has_tables = env::var_os("CARGO_FEATURE_TABLES").is_some();
+    write("one_material.rs", &of_one_material()?)?;
     write("highlights.rs", &highlights::constants()?)?;
     let mut compiled = list::programs().filter(|one| has_tables || !one.needs_tables);
     compiled.try_for_each(|one| write(&format!("programs/{}.rs", one.name), &program(one)?))
@@ -108,6 +114,22 @@ impl<'a> Scene<'a> {
             turns: flag("rotation")?,
         })
     }
+}
+
+/// The shipped table in Q15, with the transfer of the first golden material.
+fn of_one_material() -> Result<String> {
+    let golden = golden::file()?;
+    let pair = *golden.pairs().first().ok_or("no pair")?;
+    let material = golden.find("q15", pair, "material")?;
+    let exponents: Vec<i8> = material.exponents.iter().map(|&one| one as i8).collect();
+    one_material::one_material(&decoded(SHIPPED)?, &exponents, &material.integers()?)
+}
+
+/// Reads a table.
+fn decoded(path: &str) -> Result<eigenshade_table::Table> {
+    println!("cargo::rerun-if-changed={path}");
+    let bytes = fs::read(path).map_err(|error| format!("{path}: {error}"))?;
+    eigenshade_table::decode(&bytes).map_err(|error| format!("{path}: {error}"))
 }
 
 /// Reads a file, and builds again when it changes.

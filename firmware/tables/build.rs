@@ -1,17 +1,12 @@
 //! Writes the tables as modules, for any material or, in Q15, for the one material of a scene.
 
-#[path = "../../crates/testing/src/golden/record.rs"]
-#[expect(dead_code, reason = "it writes such files as well")]
-mod record;
+mod one_material;
 
-use eigenshade::Q15;
-use eigenshade::index::record::integers::OwnedParts;
-use eigenshade::index::source;
-use eigenshade::quantized::{Basis, Material};
 use eigenshade_table::quantize::{self, IntegerFormat};
 use eigenshade_table::reduce::with_components;
 use eigenshade_table::trim::trim;
 use eigenshade_table::{Table, statics};
+use one_material::{COMMAND, one_material, parts};
 use std::path::PathBuf;
 use std::{env, fs, process};
 
@@ -23,20 +18,11 @@ const SIZES: &str = "sizes.csv";
 /// Light of degree 2 on Lambertian materials, and how far its polynomials are trimmed.
 const LAMBERTIAN: (&str, f64) = ("lambertian.bin", 2e-4);
 
-/// The folder of the scenes' tables, and the database of materials that they name.
+/// The folder of the scenes' tables. The databases that they name are relative to it.
 const SCENES: &str = "../scenes";
-
-/// The golden file.
-const GOLDEN: &str = "../../tests/golden/sphere.csv";
 
 /// The tables with programs in Q31.
 const IN_Q31: [&str; 2] = ["lambertian", "full"];
-
-/// The shipped table.
-const SHIPPED: &str = "../../tables/sphere.bin";
-
-/// The first line of each generated module.
-const COMMAND: &str = "build.rs";
 
 fn main() {
     if let Err(error) = modules().and_then(|text| write(&text)) {
@@ -55,6 +41,7 @@ fn modules() -> Result<String> {
     for line in sizes.lines().filter(|line| !line.starts_with('#')).skip(1) {
         text += &size(line).map_err(|fault| format!("{SIZES}: `{line}`: {fault}"))?;
     }
+    println!("cargo::rerun-if-changed={SCENES}");
     let fault = |error| format!("{SCENES}: {error}");
     let files = fs::read_dir(SCENES).map_err(fault)?.map(|file| file.map(|file| file.path()));
     let mut files: Vec<PathBuf> = files.collect::<std::io::Result<_>>().map_err(fault)?;
@@ -65,17 +52,7 @@ fn modules() -> Result<String> {
         let path = path.to_string_lossy();
         text += &one_scene(&name, &decoded(&path)?).map_err(|fault| format!("{path}: {fault}"))?;
     }
-    Ok(text + &in_module("one_material", &of_one_material()?))
-}
-
-/// The shipped table in Q15, with the transfer of the first golden material.
-fn of_one_material() -> Result<String> {
-    let golden = record::Golden::parse(&read(GOLDEN)?);
-    let golden = golden.map_err(|fault| format!("{GOLDEN}: {fault}"))?;
-    let pair = *golden.pairs().first().ok_or("no pair")?;
-    let material = golden.find("q15", pair, "material")?;
-    let exponents: Vec<i8> = material.exponents.iter().map(|&one| one as i8).collect();
-    one_material(&decoded(SHIPPED)?, &exponents, &material.integers()?)
+    Ok(text)
 }
 
 fn in_module(name: &str, text: &str) -> String {
@@ -111,10 +88,6 @@ fn any_material(name: &str, table: &Table) -> Result<String> {
     Ok(in_module(name, &text))
 }
 
-fn parts(table: &Table, format: IntegerFormat) -> Result<OwnedParts<i32>> {
-    quantize::integers(table, format, format.tolerance()).map_err(|error| error.to_string())
-}
-
 /// The module of a scene: f32 for any material, Q15 for its material.
 fn one_scene(name: &str, table: &Table) -> Result<String> {
     let material = coefficients(table)?;
@@ -142,39 +115,6 @@ fn coefficients(table: &Table) -> Result<Vec<f64>> {
     let values: Option<Vec<f64>> = values.take(count).map(value).collect();
     let values = values.filter(|values| values.len() == count);
     values.ok_or_else(|| format!("{database}: `{name}` has no {count} values"))
-}
-
-/// A table in Q15 with the transfer of one material as `MATERIAL`, and without the statics that
-/// only a transfer uses.
-fn one_material(table: &Table, exponents: &[i8], mantissas: &[i32]) -> Result<String> {
-    let mut parts = parts(table, IntegerFormat::Q15)?;
-    let (numbers, of_profiles) =
-        transfer(&parts, exponents, mantissas).map_err(|error| error.to_string())?;
-    for numbers in [&mut parts.polar, &mut parts.factors] {
-        numbers.clear();
-    }
-    for exponents in [&mut parts.polar_exponents, &mut parts.factor_exponents] {
-        exponents.clear();
-    }
-    Ok(statics::integers(&parts, IntegerFormat::Q15, COMMAND)
-        + &source::integers::transfer(&numbers, &of_profiles))
-}
-
-/// Numbers and exponents of the transfer of a material.
-fn transfer(
-    parts: &OwnedParts<i32>,
-    exponents: &[i8],
-    mantissas: &[i32],
-) -> std::result::Result<(Vec<Q15>, Vec<i16>), eigenshade::Error> {
-    let parts = quantize::in_q15(parts);
-    let basis = Basis::<Q15>::new(parts.borrow())?;
-    let mantissas: Vec<Q15> = mantissas.iter().map(|&number| Q15(number as i16)).collect();
-    let material = Material::new(exponents, &mantissas)?;
-    let mut numbers = vec![Q15(0); basis.transfer_len()];
-    let mut of_profiles = vec![0; basis.profiles()];
-    let mut workspace = vec![0; basis.workspace_len()];
-    basis.transfer_into(&material, &mut workspace, &mut numbers, &mut of_profiles)?;
-    Ok((numbers, of_profiles))
 }
 
 /// Reads a file, and builds again when it changes.

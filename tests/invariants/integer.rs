@@ -294,16 +294,18 @@ impl Shipped {
         [sum, scale]
     }
 
-    /// At most what the integer polynomials change of an image of `d`: the terms that they leave
-    /// out, and half a unit of each mantissa.
+    /// Upper bound of the difference between the image of `d` by the integer polynomials and by the
+    /// table's: the omitted terms, and half a unit for each mantissa. Normals may be 5e-4 too long.
     pub fn lost<Q: Integer>(&self, d: &[f64]) -> f64 {
         let parts = self.parts::<Q>();
         let lost = d.iter().zip(&self.table.components).map(|(d, component)| {
             let profile = &self.table.profiles[component.profile];
             let length = usize::from(parts.lengths[profile.azimuth]);
             let rest: f64 = profile.chebyshev.iter().skip(length).map(|term| term.abs()).sum();
+            let around = if profile.azimuth == 0 { 1.0 } else { SQRT_2 };
             let unit = 2f64.powi(parts.profiles[component.profile].exponent.into());
-            d.abs() * (SQRT_2 * rest + 0.5 * unit * length as f64)
+            let slant = 1.0005f64.powi(profile.azimuth as i32);
+            d.abs() * slant * (around * rest + 0.5 * unit * length as f64)
         });
         lost.sum()
     }

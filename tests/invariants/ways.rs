@@ -64,7 +64,7 @@ impl Case {
         near(found, &self.reference, &self.scales, [part, common, f32::MIN_POSITIVE.into()]);
     }
 
-    /// The image of `d`, of what its terms could be and beside what `lost` allows.
+    /// The pixel is within `part` of what its terms could be, and `lost`, of Σ d_i U_i in f64.
     fn image(d: &[f64], normal: [f64; 3], found: f64, part: f64, lost: f64) {
         let [expected, scale] = shipped().reconstruct(d, normal);
         let off = (found - expected).abs();

@@ -1,6 +1,5 @@
 //! The runtime's feature `generate`: with `EIGENSHADE_SCENE` naming tests/scenes/generate.toml, and
-//! without. Here and not among the runtime's tests, whose other crates would be compiled again for
-//! each table.
+//! without. Among the runtime's tests, each table would compile their other crates again.
 #![cfg(feature = "own-table")]
 
 #[path = "../../testing/src/oracle.rs"]

@@ -10,7 +10,7 @@ use eigenshade::sphere::q15 as sphere;
 use eigenshade::{Error, Q15};
 use programs::drawing;
 use programs::golden::q15::{LIGHT_0, LIGHT_1, LIGHT_2, MATERIAL_0, MATERIAL_1, MATERIAL_2};
-use tables::one_material as fixed;
+use programs::one_material as fixed;
 
 programs::program!();
 

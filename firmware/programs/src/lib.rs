@@ -4,6 +4,11 @@
 //! `relight` of `operations_integer.rs`, with the shipped table in Q15 as the module `table`.
 #![no_std]
 
+/// The library's table in Q15, with the transfer of one material.
+pub mod one_material {
+    include!(concat!(env!("OUT_DIR"), "/one_material.rs"));
+}
+
 pub mod golden;
 
 /// The highlights of four sources.

@@ -1,6 +1,6 @@
 //! Tables that are not the library's. Modules `q15` and `q31` have the integer formats.
 //!
-//! A crate of its own: programs that use none of them link faster without.
+//! A crate of its own, so that programs without these tables do not load its code to link.
 #![no_std]
 
 include!(concat!(env!("OUT_DIR"), "/tables.rs"));

@@ -13,7 +13,12 @@ const MARK = 0xa5;
 
 takeRelaxedSimd();
 const folder = new URL("../wasm/", import.meta.url);
-for (const name of readdirSync(folder)) {
+const names = readdirSync(folder);
+test("each module has three variants", () => {
+  const expected = ["", ".sources"].flatMap((kind) => ["", ".relaxed", ".simd"].map((variant) => `eigenshade${kind}${variant}.wasm`));
+  assert.deepEqual(names.toSorted(), expected.toSorted());
+});
+for (const name of names) {
   const bytes = readFileSync(new URL(name, folder));
 
   test(`${name} cannot panic and imports nothing`, () => {

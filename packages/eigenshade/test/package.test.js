@@ -65,10 +65,11 @@ test("the pages of README.md draw", async () => {
   const server = await serve({ ...paths, "/favicon.ico": "" }, root);
   for (const [k, color] of [[0, "copper"], [1, "red"]]) {
     const page = await browser.newPage();
-    const faults = [];
+    const [faults, modules] = [[], []];
     page.on("pageerror", (fault) => faults.push(fault.message));
     page.on("request", (request) => {
       if (!request.url().startsWith(server.address)) faults.push(request.url());
+      if (request.url().endsWith(".wasm")) modules.push(request.url().split("/").at(-1));
     });
     page.on("console", (message) => message.type() === "error" && faults.push(message.text()));
     await page.goto(`${server.address}/${k}.html`);
@@ -88,6 +89,8 @@ test("the pages of README.md draw", async () => {
     const [red, , blue] = await middle();
     assert.ok(red > 1.2 * blue, `${color}: ${await middle()}`);
     assert.deepEqual(faults, []);
+    // Chromium takes the fastest variant.
+    assert.deepEqual(modules, ["eigenshade.relaxed.wasm"]);
     await page.close();
   }
   server.close();

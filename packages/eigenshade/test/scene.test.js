@@ -11,6 +11,7 @@ import { EFFECTS, Scene, load, lightPreset, materialPreset, presetNames, sphere 
 import { EIGENSHADE } from "./support/own.js";
 import { takeRelaxedSimd } from "./support/relaxed.js";
 
+takeRelaxedSimd();
 const README = readFileSync(new URL("../README.md", import.meta.url), "utf8");
 
 /** The largest difference from the direct sum, relative to the peak. */
@@ -188,7 +189,6 @@ test("scenes that share the module do not disturb each other", async () => {
 });
 
 test("the modules with relaxed SIMD and without SIMD draw the same", async () => {
-  takeRelaxedSimd();
   const file = (name) => load(readFileSync(new URL(`../wasm/${name}`, import.meta.url)));
   const scene = async (name) => Scene.create({ light: "studio", material: "red-fabric2", engine: await file(name) });
   for (const name of ["eigenshade.wasm", "eigenshade.relaxed.wasm"]) {
