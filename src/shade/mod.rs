@@ -65,7 +65,8 @@ impl<B> Scene<'_, B> {
     /// Writes the irradiance of each normal into `irradiance`.
     ///
     /// The sums are those of [`shade`](Self::shade) in the same order, so the results agree to the
-    /// last bit. With WebAssembly's `relaxed-simd`, only those of a scene of a table's module differ.
+    /// last bit. With WebAssembly's `relaxed-simd`, `shade` of a generated table may differ in the
+    /// last bits.
     ///
     /// ```
     /// # #[cfg(feature = "baked")] {
