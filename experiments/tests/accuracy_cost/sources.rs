@@ -25,7 +25,7 @@ const OF_Q15: f64 = 4e-3;
 const OF_REST: f64 = 1e-5;
 /// Costs of four digits in the file against a sum with such a number, relative: half of the last
 /// digit of 1,000, twice.
-const OF_SUM: f64 = 1e-3;
+const OF_COSTS: f64 = 1e-3;
 /// A program with a pixel and two sources in one loop against the sum of both, relative.
 const OF_SUM: f64 = 0.04;
 
@@ -133,7 +133,7 @@ fn costs_of_sources_are_added() {
                 let sources = counts.get([board, with.text("format")], &operation, "instructions");
                 let sum = table.zip(sources).map(|(table, sources)| table + sources as f64);
                 assert_eq!(all.is_some(), sum.is_some(), "{with:?}");
-                let near = |(all, sum): (f64, f64)| (all / sum - 1.0).abs() <= OF_SUM;
+                let near = |(all, sum): (f64, f64)| (all / sum - 1.0).abs() <= OF_COSTS;
                 assert!(all.zip(sum).is_none_or(near), "{with:?}");
                 checked += usize::from(all.is_some());
             }
