@@ -283,15 +283,10 @@ impl Shipped {
         self.table.components.iter().map(|component| profiles[component.profile]).collect()
     }
 
-    /// Σ d_i U_i at a normal, and Σ |d_i| Σ |terms of U_i|.
-    pub fn reconstruct(&self, d: &[f64], normal: [f64; 3]) -> [f64; 2] {
-        let (mut sum, mut scale) = (0.0, 0.0);
-        for (d, component) in d.iter().zip(&self.table.components) {
-            sum += d * eigenimage(&self.table, component, normal);
-            let terms = &self.table.profiles[component.profile].chebyshev;
-            scale += d.abs() * SQRT_2 * terms.iter().map(|term| term.abs()).sum::<f64>();
-        }
-        [sum, scale]
+    /// Σ d_i U_i at a normal.
+    pub fn reconstruct(&self, d: &[f64], normal: [f64; 3]) -> f64 {
+        let components = d.iter().zip(&self.table.components);
+        components.map(|(d, component)| d * eigenimage(&self.table, component, normal)).sum()
     }
 
     /// Upper bound of the difference between the image of `d` by the integer polynomials and by the

@@ -9,14 +9,12 @@ use eigenshade::{
     Effect, Effects, Light, MapPoint, NegativePolicy, Normal, Normals, Q15, Q31, Rotation,
     Tolerance, Truncation, Window, quantized, sphere,
 };
+use eigenshade_index::record::ProfilePlace;
 use eigenshade_index::{light, material};
 
 /// d of any light and material, of what its addends could be, all of the largest size and of one
 /// sign: some roundings of 24 bits, of addends far smaller.
 const ANY_D_F32: f64 = 2e-8;
-
-/// A pixel of d in f32, of the sizes of all its terms: roundings of 24 bits.
-const ANY_PIXEL_F32: f64 = 1e-6;
 
 /// Any light and material of moderate size, rounded to each format by the runtime.
 pub fn reconstruct(input: &mut Reader<'_>) {
@@ -37,6 +35,25 @@ pub fn reconstruct(input: &mut Reader<'_>) {
     case.in_floats(&seen);
     case.in_integers::<Q15>(&normals(&mut Reader::new(&[])));
     case.in_integers::<Q31>(&seen);
+}
+
+/// Upper bound of what f32 rounds in a pixel of `d`. The number of roundings of each term, of half a
+/// unit of 24 bits: the stored term, its product with d, a sum for each profile of its azimuth,
+/// Horner's rule with t rounded, and five for each step in w̄, whose two products are at most √2.
+fn rounded(d: &[f64]) -> f64 {
+    let parts = sphere::BASIS.parts();
+    let mut terms = parts.terms;
+    let weight = |index: Option<u16>| index.map_or(0.0, |index| d[usize::from(index)].abs());
+    let of_profile = |place: &ProfilePlace| {
+        let azimuth = place.azimuth();
+        let profiles = parts.profiles.iter().filter(|other| other.azimuth() == azimuth).count();
+        let (of_profile, rest) = terms.split_at(parts.lengths[azimuth].into());
+        terms = rest;
+        let size: f64 = of_profile.iter().map(|term| f64::from(term.abs())).sum();
+        let roundings = 2 + profiles + 3 * of_profile.len() + 5 * azimuth;
+        roundings as f64 * size * (weight(place.plus()) + weight(place.minus()))
+    };
+    2f64.powi(-24) * parts.profiles.iter().map(of_profile).sum::<f64>()
 }
 
 fn largest(numbers: &[f32]) -> f64 {
@@ -64,11 +81,11 @@ impl Case {
         near(found, &self.reference, &self.scales, [part, common, f32::MIN_POSITIVE.into()]);
     }
 
-    /// The pixel is within `part` of what its terms could be, and `lost`, of Σ d_i U_i in f64.
-    fn image(d: &[f64], normal: [f64; 3], found: f64, part: f64, lost: f64) {
-        let [expected, scale] = shipped().reconstruct(d, normal);
+    /// The pixel is within `allowed` of Σ d_i U_i in f64.
+    fn image(d: &[f64], normal: [f64; 3], found: f64, allowed: f64) {
+        let expected = shipped().reconstruct(d, normal);
         let off = (found - expected).abs();
-        let allowed = part * scale + lost + f64::from(f32::MIN_POSITIVE);
+        let allowed = allowed + f64::from(f32::MIN_POSITIVE);
         assert!(off <= allowed, "{found}, not {expected}: {off}, of {allowed} allowed");
     }
 
@@ -80,11 +97,12 @@ impl Case {
         self.projected(&wide, ANY_D_F32, 0.0);
         self.projected(&self.of_effects(&light, &material), ANY_D_F32, 0.0);
         let scene = sphere::collapse(&d).expect("it fits");
+        let allowed = rounded(&wide);
         for normal in normals {
             let [x, y, z] = normal.components().map(|one| one.mantissa() as f32);
             let normal = Normal::new(x, y, z).expect("a normal");
             let at = normal.components().map(f64::from);
-            Self::image(&wide, at, scene.shade(normal).into(), ANY_PIXEL_F32, 0.0);
+            Self::image(&wide, at, scene.shade(normal).into(), allowed);
         }
     }
 
@@ -123,11 +141,12 @@ impl Case {
         let scene = basis.collapse_into(&d, exponent, room).expect("a moderate exponent");
         let unit = 2f64.powi(scene.exponent());
         // The rounding of a pixel is relative to the range of the scene's terms.
-        let lost = shipped().lost::<Q>(&wide) + of_pixel * 2f64.powi(Q::TERM_BITS as i32) * unit;
+        let rounded = of_pixel * 2f64.powi(Q::TERM_BITS as i32) * unit;
+        let allowed = shipped().lost::<Q>(&wide) + rounded;
         for &normal in normals {
             // As long as it is: U is a polynomial of its components.
             let found = f64::from(scene.shade(normal)) * unit;
-            Self::image(&wide, normal.components().map(Q::to_f64), found, 0.0, lost);
+            Self::image(&wide, normal.components().map(Q::to_f64), found, allowed);
         }
     }
 }
