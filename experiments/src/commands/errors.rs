@@ -28,12 +28,13 @@ const OTHERS: [usize; 2] = [16, 24];
 /// Compares a table with direct integration of materials under maps
 ///
 /// The reference has no truncation: it uses the BRDF as a function and each texel as a patch of
-/// constant radiance, without harmonics; distant texels are integrated in blocks. The error is the rms over a sphere's normals and the
-/// channels, relative to the largest irradiance. For each material the CSV gives the median and the
-/// worst error over the maps: of the table with all its components, of the direct sum at its degree
-/// and order, and at 16, 16 and 24, 24 as far as the lights reach. The sides of the maps must be
-/// multiples of 8. Figures below 0.001 are below the verified accuracy of the integration. The last
-/// two columns identify the table, so that `basis` recognizes errors of another one.
+/// constant radiance, without harmonics; distant texels are integrated in blocks. The error is the
+/// rms over a sphere's normals and the channels, relative to the largest irradiance. For each
+/// material the CSV gives the median and the worst error over the maps: of the table with all its
+/// components, of the direct sum at its degree and order, and at 16, 16 and 24, 24 as far as the
+/// lights reach. The sides of the maps must be multiples of 8. Figures below 0.001 are below the
+/// verified accuracy of the integration. The last two columns identify the table, so that `basis`
+/// recognizes errors of another one.
 #[derive(Args, Debug)]
 pub struct Errors {
     /// Table
