@@ -245,9 +245,38 @@ impl<C> Rgb<Scene<'_, C>> {
     {
         self.each_ref().bake(size)
     }
+
+    /// [`Scene::bake_integers_into`] in each channel.
+    ///
+    /// # Errors
+    ///
+    /// The same.
+    pub fn bake_integers_into<S: Scalar, B: AsMut<[i16]>>(
+        &self,
+        size: usize,
+        texels: Rgb<B>,
+    ) -> Result<Rgb<IntegerMap<B>>, Error>
+    where
+        C: AsRef<[S]>,
+    {
+        self.each_ref().bake_integers_into(size, texels)
+    }
 }
 
 impl<C> Rgb<&Scene<'_, C>> {
+    /// [`Rgb::bake_integers_into`] of the scenes.
+    #[doc(hidden)]
+    pub fn bake_integers_into<S: Scalar, B: AsMut<[i16]>>(
+        self,
+        size: usize,
+        texels: Rgb<B>,
+    ) -> Result<Rgb<IntegerMap<B>>, Error>
+    where
+        C: AsRef<[S]>,
+    {
+        self.zip(texels).try_map(|(scene, texels)| scene.bake_integers_into(size, texels))
+    }
+
     /// [`Rgb::bake`] of the scenes.
     #[doc(hidden)]
     pub fn bake<S: Scalar, const T: usize>(
@@ -283,6 +312,24 @@ impl<B: AsRef<[i16]>> Rgb<IntegerMap<B>> {
     #[must_use]
     pub fn bilinear(&self, point: MapPoint<Q15>) -> Rgb<i32> {
         self.each_ref().map(|map| map.bilinear(point))
+    }
+
+    /// [`IntegerMap::nearest`] in each channel.
+    #[inline]
+    #[must_use]
+    pub fn nearest(&self, point: MapPoint<Q15>) -> Rgb<i32> {
+        self.each_ref().map(|map| map.nearest(point))
+    }
+}
+
+impl<B> Rgb<IntegerMap<B>> {
+    /// What exposes looked-up irradiances, channel by channel.
+    ///
+    /// # Errors
+    ///
+    /// Those of [`quantized::Exposure::new`].
+    pub fn exposure(&self, exposure: f32) -> Result<Rgb<quantized::Exposure>, Error> {
+        self.each_ref().try_map(|map| quantized::Exposure::new(exposure, map.exponent))
     }
 }
 

@@ -1,6 +1,7 @@
 //! Lights and materials, and normals and points of the paraboloid map, in fixed point.
 
 use crate::bake::MapPoint;
+use crate::color::Rgb;
 use crate::error::{Argument, Error};
 use crate::format::Wide as _;
 use crate::format::{FixedPoint, Q15, Q31};
@@ -151,15 +152,66 @@ impl<'a, Q: FixedPoint> Material<'a, Q> {
         Error::check(Argument::Material, from.len(), to.len())?;
         Error::check(Argument::Material, order + 1, exponents.len())?;
         check_finite(Argument::Material, from)?;
-        let (mut from, mut rest) = (from, &mut *to);
-        for (o, exponent) in exponents.iter_mut().enumerate() {
-            let count = (o / 2 + 1) * (o / 2 + 2) / 2;
-            let (of_order, after) = split_row(from, count);
-            let (places, places_after) = split_mut(rest, count);
-            *exponent = quantize(of_order, places).clamp(-127, 127) as i8;
-            (from, rest) = (after, places_after);
-        }
+        by_order(from, to, exponents, |_, numbers, to| quantize(numbers, to));
         Ok(Self { order, exponents, mantissas: to })
+    }
+}
+
+impl<Q: FixedPoint> Material<'_, Q> {
+    /// This material in a color, in integers: its coefficients times each channel, a fraction of
+    /// 2^BITS. `N` is their number, `O` that of the exponents.
+    ///
+    /// ```
+    /// use eigenshade::quantized::Material;
+    /// use eigenshade::Q15;
+    ///
+    /// let gray = Material::new(&[-13, -14], &[Q15(16_384), Q15(-20_000)])?;
+    /// let red = gray.tint::<2, 2>([30_000, 8_192, 0].map(Q15))?;
+    /// assert_eq!(red.materials()?.g.mantissas(), [16_384, -20_000].map(Q15));
+    /// assert_eq!(red.materials()?.g.exponents(), [-15, -16]);
+    /// # Ok::<(), eigenshade::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    ///
+    /// [`Error::Length`] unless there are `N` mantissas and `O` exponents.
+    pub fn tint<const N: usize, const O: usize>(
+        &self,
+        color: [Q; 3],
+    ) -> Result<Rgb<MaterialBuffer<Q, N, O>>, Error> {
+        Error::check(Argument::Material, N, self.mantissas.len())?;
+        Error::check(Argument::Material, O, self.exponents.len())?;
+        let bits = Q::BITS.cast_signed();
+        Ok(Rgb::from(color).map(|factor| {
+            let product = |mantissa: &Q| {
+                (mantissa.widen() * factor.widen()).shifted(30 - 2 * bits).saturated()
+            };
+            let mut tinted = MaterialBuffer { exponents: [0; O], mantissas: [Q::default(); N] };
+            let MaterialBuffer { mantissas: to, exponents } = &mut tinted;
+            by_order(self.mantissas, to, exponents, |o, numbers, to| {
+                let of_gray = self.exponents.get(o).map_or(0, |&exponent| exponent.into());
+                let products = numbers.iter().map(|number| (product(number), of_gray + bits - 30));
+                mantissas(products, to)
+            });
+            tinted
+        }))
+    }
+}
+
+/// Writes the mantissas of each order o and, as `write` returns it, their exponent.
+#[inline]
+fn by_order<T, Q>(
+    mut from: &[T],
+    mut to: &mut [Q],
+    exponents: &mut [i8],
+    mut write: impl FnMut(usize, &[T], &mut [Q]) -> i32,
+) {
+    for (o, exponent) in exponents.iter_mut().enumerate() {
+        let count = (o / 2 + 1) * (o / 2 + 2) / 2;
+        let (numbers, after) = split_row(from, count);
+        let (places, places_after) = split_mut(to, count);
+        *exponent = write(o, numbers, places).clamp(-127, 127) as i8;
+        (from, to) = (after, places_after);
     }
 }
 

@@ -29,6 +29,20 @@ macro_rules! float_table_in_color {
                 self.each_ref().map(|scene| &**scene).bake(size)
             }
 
+            /// Bakes the scene into `size` x `size` integers: see
+            /// [`eigenshade::Scene::bake_integers_into`].
+            ///
+            /// # Errors
+            ///
+            /// The same.
+            pub fn bake_integers_into<B: AsMut<[i16]>>(
+                &self,
+                size: usize,
+                texels: $crate::Rgb<B>,
+            ) -> Result<$crate::Rgb<$crate::IntegerMap<B>>, $crate::Error> {
+                self.each_ref().map(|scene| &**scene).bake_integers_into(size, texels)
+            }
+
             /// The irradiance of each normal in each channel: see [`eigenshade::Rgb::shade_slice`].
             ///
             /// # Errors

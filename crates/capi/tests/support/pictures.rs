@@ -5,8 +5,8 @@ use eigenshade::mathematics::SinglePrecision;
 use eigenshade::presets::{gloss, light, material, sources};
 use eigenshade::quantized::{self, Rotation};
 use eigenshade::{
-    Disc, Display, Error, Gloss, Highlights, IntegerMap, MapPoint, NormalMap, Q15, Rgb, Source,
-    Tone, blend565, sphere, sphere::q15,
+    Disc, Display, Error, Gloss, Highlights, MapPoint, NormalMap, Q15, Rgb, Source, Tone, blend565,
+    sphere, sphere::q15,
 };
 use std::fmt::Write as _;
 
@@ -125,11 +125,9 @@ pub fn lines() -> Result<String, Error> {
     }
 
     let red = sphere::color::scene(light::LOBBY, material::DARK_RED_PAINT)?;
-    let baked =
-        red.each_ref().try_map(|scene| scene.bake_integers_into(BAKED, vec![0; BAKED * BAKED]))?;
-    let exposure: Rgb<quantized::Exposure> = baked
-        .each_ref()
-        .try_map(|map: &IntegerMap<_>| quantized::Exposure::new(1.5, map.exponent()))?;
+    let texels = [0; BAKED * BAKED];
+    let baked = red.bake_integers_into(BAKED, Rgb::gray(texels))?;
+    let exposure = baked.exposure(1.5)?;
     let look_up = |normal| exposure.of(baked.bilinear(MapPoint::of_quantized(normal)));
     pictures.push(("baked", disc(&linear, &look_up)));
     pictures.push(("baked normal map", of_map(&codes, &filmic, &look_up)?));
