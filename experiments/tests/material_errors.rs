@@ -4,10 +4,12 @@
 use crate::support::repository;
 use crate::{OF_DIGITS, assert_readme_says, by_texels, measured_surfaces, shipped_map, spread};
 use eigenshade_generator::material::brdf::Measure;
-use eigenshade_model::database::Lights;
+use eigenshade_model::database::{Lights, Materials, Named};
+use eigenshade_model::inputs::coefficient_csv::read_materials;
 use eigenshade_shading::shipped;
 use eigenshade_testing::largest;
-use experiments::accuracy_cost::scope::windowed;
+use experiments::accuracy_cost::images::{Image, Images};
+use experiments::accuracy_cost::scope::{Scope, windowed};
 use experiments::accuracy_cost::total::references::World;
 use experiments::accuracy_cost::total::subjects::Gltf;
 use experiments::material_errors::{SPACING, errors};
@@ -89,11 +91,11 @@ fn left_out(model: &str, order: usize) -> Vec<(String, f64)> {
     of_kind.map(|row| (row[0].to_owned(), row[3].parse().unwrap())).collect()
 }
 
-/// The shipped coefficients of order 12 and the energies left out, of one broad and one narrow
-/// lobe.
+/// Recorded coefficients and the energies left out, of one broad and one narrow lobe.
 #[test]
 fn projections_are_found_again() {
     let shipped = shipped::named_materials(12).unwrap().entries;
+    let sgd = sgd_to(7).entries;
     for (model, order, name) in
         [("abc", 12, "pink-felt"), ("abc", 12, "chrome"), ("sgd", 7, "pink-felt")]
     {
@@ -106,14 +108,58 @@ fn projections_are_found_again() {
         let (_, recorded) = recorded.iter().find(|(of, _)| of == name).unwrap();
         println!("{model} {order} {name}: {:.3e}", found.left_out);
         assert!((found.left_out / recorded - 1.0).abs() <= OF_DIGITS * 1e-3, "{recorded}");
-        if order == 12 {
-            let expected = &shipped.iter().find(|one| one.name == name).unwrap().rgb;
-            for (found, expected) in windowed(found.material).rgb.iter().zip(expected) {
-                let apart = found.iter().zip(expected).map(|(a, b)| a - b);
-                assert!(largest(apart) <= 1e-9 * largest(expected.iter().copied()), "{name}");
-            }
+        let coefficients = if model == "abc" { &shipped } else { &sgd };
+        let expected = &coefficients.iter().find(|one| one.name == name).unwrap().rgb;
+        for (found, expected) in windowed(found.material).rgb.iter().zip(expected) {
+            let apart = found.iter().zip(expected).map(|(a, b)| a - b);
+            assert!(largest(apart) <= 1e-9 * largest(expected.iter().copied()), "{name}");
         }
     }
+}
+
+/// Coefficients of the SGD model.
+fn sgd_to(order: usize) -> Materials {
+    let path = repository().join(format!("tables/inputs/merl-sgd-{order}.csv"));
+    read_materials(path, None).unwrap()
+}
+
+/// Pictures of two models of each material, by their coefficients under the shipped lights.
+#[test]
+fn the_page_has_how_far_the_models_are_apart() {
+    let (named, unseen) = (shipped::named_materials(7).unwrap().entries, sgd_to(7));
+    let of_same_name = |one: &Named| named.iter().find(|abc| abc.name == one.name).unwrap().clone();
+    let seen = Materials { order: 7, entries: unseen.entries.iter().map(of_same_name).collect() };
+    let count = unseen.entries.len();
+    assert_eq!(count, 94);
+    let lights = shipped::lights().unwrap().truncated(9);
+    let of_light = lights.entries.len();
+    let scope = Scope { degree: 9, order: 7, lights, seen, unseen };
+    let Images { sphere, images } = Images::new(&scope);
+    let (abc, sgd) = images.split_at(count * of_light);
+    let apart = |(abc, sgd): (&Image, &Image)| {
+        let pixels = abc.reference.iter().zip(&sgd.reference).zip(&sphere.weights);
+        let square: f64 = pixels.map(|((a, b), weight)| weight * (a - b).powi(2)).sum();
+        square.sqrt() / abc.peak
+    };
+    let rms: Vec<f64> = abc.iter().zip(sgd).map(apart).collect();
+    let medians: Vec<f64> = rms.chunks(of_light).map(median).collect();
+    let worst = (0..count).max_by(|&a, &b| medians[a].total_cmp(&medians[b])).unwrap();
+    // b_00^0 is twice the albedo under even light.
+    let is_bright = |one: &&Named| one.rgb.iter().any(|channel| channel[0] > 2.0);
+    let bright = scope.unseen.entries.iter().filter(is_bright).count();
+    let found = format!(
+        "differ by {} of the peak (rms; each material's median over the lights) in the median, by {} \
+         for one in twenty and by {} at most ({}); {bright} SGD fits reflect more light than they \
+         receive",
+        percent(median(&medians), 2),
+        percent(quantile(&medians, 0.95), 2),
+        percent(medians[worst], 2),
+        scope.seen.entries[worst].name
+    );
+    println!("{found}");
+    let page = fs::read_to_string(repository().join("docs/accuracy.md")).unwrap();
+    let page = page.split_whitespace().collect::<Vec<_>>().join(" ");
+    assert!(page.contains(&found), "docs/accuracy.md lacks: {found}");
 }
 
 #[test]
