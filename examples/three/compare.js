@@ -2,7 +2,7 @@
 // Writes results/compare.csv and a table of README.md. With --check it computes the errors and
 // bytes anew and compares them. Times are of software rendering, on Linux.
 
-import { readFileSync, readdirSync } from "node:fs";
+import { readFileSync } from "node:fs";
 import { gzipSync } from "node:zlib";
 import { FloatType } from "three";
 import { EXRLoader } from "three/addons/loaders/EXRLoader.js";
@@ -44,8 +44,7 @@ for (const light of lights) {
 const zipped = (...files) => files.reduce((sum, file) => sum + gzipSync(readFileSync(new URL(file, import.meta.url)), { level: 9 }).length, 0);
 const size = (file) => readFileSync(new URL(file, import.meta.url)).length;
 const PACKAGE = "../../packages/eigenshade/";
-const sources = readdirSync(new URL(`${PACKAGE}src`, import.meta.url)).filter((name) => name !== "element.js");
-const javascript = zipped(...sources.map((name) => `${PACKAGE}src/${name}`));
+const javascript = zipped(...["index", "shared"].map((name) => `${PACKAGE}dist/${name}.js`));
 const exr = zipped("node_modules/three/examples/jsm/loaders/EXRLoader.js", "node_modules/three/examples/jsm/libs/fflate.module.js");
 const times = await page.evaluate(() => measure.setUp());
 const loaded = (method) => {

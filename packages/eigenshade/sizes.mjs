@@ -27,8 +27,13 @@ export function parts() {
     const { zipped: code } = sizes(bytes);
     found.push([`${name}: code`, code], [`${name}: all, with the tables`, zipped(bytes)]);
   }
-  const sources = readdirSync(file("src")).map((name) => readFileSync(file(`src/${name}`)));
-  found.push(["JavaScript with its comments", zipped(Buffer.concat(sources))]);
+  for (const [name, scripts] of [
+    ["JavaScript", ["index", "shared"]],
+    ["JavaScript with the element", ["element", "shared"]],
+  ]) {
+    const bytes = scripts.map((script) => zipped(readFileSync(file(`dist/${script}.js`))));
+    found.push([name, bytes.reduce((sum, one) => sum + one)]);
+  }
   for (const [what, kind] of [["a light", "light"], ["sources of a light", "sources"], ["a material", "material"]]) {
     const all = readdirSync(file(`presets/${kind}`));
     const largest = Math.max(...all.map((name) => readFileSync(file(`presets/${kind}/${name}`)).length));

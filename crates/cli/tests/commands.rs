@@ -100,6 +100,15 @@ fn light_converts_for_other_programs() {
             [back, folder.read("l.csv")].map(|text| numbers(&rows(&text, "name,l,m,value"), 1));
         assert!(back.iter().zip(&before).all(|(a, b)| (a - b).abs() < 1e-12));
     }
+    // A shipped light by its name is its CSV.
+    let named = folder.ok("light park --degree 2 --convention filament");
+    folder.write("park.csv", folder.ok("light park --degree 2"));
+    assert_eq!(named, folder.ok("light park.csv --convention filament"));
+    assert_fails(&folder, "light park --degree 33", &["park", "degree 32"]);
+    assert_fails(&folder, "light park --from cmgen", &["park", "--from"]);
+    assert_fails(&folder, "light parkk", &["parkk"]);
+    let faces = "light px.png nx.png py.png ny.png pz.png nz.png";
+    assert_fails(&folder, faces, &["six faces", "the folder"]);
     let refused = "light lights.csv --degree 4 --convention filament";
     assert_fails(&folder, refused, &["lights.csv", "degree 4", "--degree 2"]);
     assert_fails(&folder, "light gray.pfm --from cmgen", &["--from", "light CSV"]);

@@ -84,6 +84,10 @@ fn sharp_materials_are_named() {
     };
     let note = drawn("chrome");
     assert!(note.contains("`chrome` is sharper than order 7 can show: at degree 9,"), "{note}");
+    for partial in ["--window 12", "--components 9"] {
+        let note = drawn(&format!("chrome {partial}"));
+        assert!(note.contains("; these are errors of all components without a window"), "{note}");
+    }
     folder.ok("basis --scene scene.toml --out b.bin");
     let note = drawn("chrome --table b.bin");
     assert!(note.contains("order 3 can show") && note.contains("by at least"), "{note}");

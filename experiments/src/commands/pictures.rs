@@ -1,8 +1,9 @@
 //! The pictures of the README: spheres of materials under captured lights, and all presets.
 
 use clap::Args;
+use eigenshade::mathematics::Libm;
 use eigenshade::presets::{self, light, material};
-use eigenshade::{Display, Meter, Normal, Tone, sphere};
+use eigenshade::{Display, Exposure, Light, Meter, Normal, Rgb, Tone, Window, sphere};
 use eigenshade_cli::picture::{Canvas, SphereView, TextHeight, text_width, write_png};
 use eigenshade_cli::table;
 use eigenshade_generator::material::brdf::projection::project;
@@ -107,8 +108,11 @@ const BACKGROUND: [u8; 3] = [32; 3];
 const TEXT: [u8; 3] = [200; 3];
 /// The share of a picture's pixels that its exposure leaves below white.
 const UNCLIPPED_PRESET: f32 = 0.95;
+/// The window of the lights, which takes the ringing of small lamps.
+const WIDTH: f32 = 12.0;
 
-/// All presets, docs/presets.png: the materials in the lobby, then the lights on gold paint
+/// All presets, docs/presets.png: the materials in the lobby with one exposure, then the lights on
+/// gold paint, each with its own
 #[derive(Args, Debug)]
 pub struct ContactSheet {
     /// The file to write
@@ -118,19 +122,51 @@ pub struct ContactSheet {
 
 impl ContactSheet {
     pub fn run(self) -> Result<()> {
-        let materials = material::ALL.map(|(name, material)| (name, light::LOBBY, material));
-        let lights = light::ALL.map(|(name, light)| (name, light, material::GOLD_METALLIC_PAINT));
-        let rows = [&materials[..], &lights[..]].into_iter().flat_map(|all| all.chunks(COLUMNS));
-        let rows: Vec<_> = rows.collect();
-        let mut canvas = Canvas::new(FIELD[0] * COLUMNS, FIELD[1] * rows.len(), BACKGROUND);
-        for (row, fields) in rows.into_iter().enumerate() {
-            for (column, &(name, light, material)) in fields.iter().enumerate() {
-                draw(&mut canvas, [FIELD[0] * column, FIELD[1] * row], name, light, material)
-                    .map_err(|fault| Error::new(fault.to_string(), "check the presets"))?;
-            }
-        }
-        write_png(&self.out, canvas.width, canvas.height, &canvas.bytes)
+        self.drawn().map_err(|fault| Error::new(fault.to_string(), "check the presets"))
     }
+
+    fn drawn(self) -> std::result::Result<(), Box<dyn std::error::Error>> {
+        let view = SphereView::new(BALL);
+        let mut spheres = Vec::new();
+        for (name, material) in material::ALL {
+            spheres.push((name, colors(&view, light::LOBBY, material)?));
+        }
+        // The materials have one light, and the exposure of all of them.
+        let of_all = metered(spheres.iter().flat_map(|(_, colors)| colors));
+        let mut spheres: Vec<_> =
+            spheres.into_iter().map(|(name, colors)| (name, colors, of_all)).collect();
+        for (name, light) in light::ALL {
+            let windowed = light.windowed::<Libm, 100>(Window::SincFourth { width: WIDTH })?;
+            let colors = colors(&view, windowed.lights()?, material::GOLD_METALLIC_PAINT)?;
+            let exposure = metered(&colors);
+            spheres.push((name, colors, exposure));
+        }
+        let rows = spheres.len().div_ceil(COLUMNS);
+        let mut canvas = Canvas::new(FIELD[0] * COLUMNS, FIELD[1] * rows, BACKGROUND);
+        for (k, (name, colors, exposure)) in spheres.into_iter().enumerate() {
+            let place = [FIELD[0] * (k % COLUMNS), FIELD[1] * (k / COLUMNS)];
+            draw(&mut canvas, place, name, &view, colors.into_iter().map(|one| exposure.of(one)));
+        }
+        Ok(write_png(&self.out, canvas.width, canvas.height, &canvas.bytes)?)
+    }
+}
+
+/// The irradiances of a sphere.
+fn colors(
+    view: &SphereView,
+    light: Rgb<Light<'_, f32>>,
+    material: presets::Material,
+) -> std::result::Result<Vec<Rgb<f32>>, eigenshade::Error> {
+    let scene = sphere::color::scene(light, material)?;
+    let normals = view.normals.iter().map(|normal| normal.map(|component| component as f32));
+    normals.map(|[x, y, z]| Ok(scene.shade(Normal::new(x, y, z)?))).collect()
+}
+
+/// The exposure of these irradiances.
+fn metered<'a>(colors: impl IntoIterator<Item = &'a Rgb<f32>>) -> Exposure {
+    let mut meter = Meter::default();
+    colors.into_iter().for_each(|&color| meter.add(color));
+    meter.exposure(UNCLIPPED_PRESET).unwrap_or_default()
 }
 
 /// Draws one sphere and its name into the field whose top left corner is given.
@@ -138,24 +174,13 @@ fn draw(
     canvas: &mut Canvas,
     [left, top]: [usize; 2],
     name: &str,
-    light: presets::Light,
-    material: presets::Material,
-) -> std::result::Result<(), eigenshade::Error> {
+    view: &SphereView,
+    colors: impl Iterator<Item = Rgb<f32>>,
+) {
     static DISPLAY: Display = Display::new(Tone::Filmic);
-    let scene = sphere::color::scene(light, material)?;
-    let view = SphereView::new(BALL);
-    let mut meter = Meter::default();
-    let mut colors = Vec::new();
-    for normal in &view.normals {
-        let [x, y, z] = normal.map(|component| component as f32);
-        let color = scene.shade(Normal::new(x, y, z)?);
-        meter.add(color);
-        colors.push(color);
-    }
-    let exposure = meter.exposure(UNCLIPPED_PRESET).unwrap_or_default();
     let margin = (FIELD[0] - BALL) / 2;
-    for (color, pixel) in colors.into_iter().zip(&view.pixels) {
-        let color = DISPLAY.rgb888(exposure.of(color)).into();
+    for (color, pixel) in colors.zip(&view.pixels) {
+        let color = DISPLAY.rgb888(color).into();
         canvas.blend(left + margin + pixel.column, top + 4 + pixel.row, color, pixel.coverage);
     }
     let most = FIELD[0] / text_width(NAME, " ");
@@ -163,7 +188,6 @@ fn draw(
         let place = (left + FIELD[0] / 2, top + 5 + BALL + LINE * line);
         canvas.centered_text(place, NAME, TEXT, part);
     }
-    Ok(())
 }
 
 /// A name in one line, or in two that part after a hyphen.

@@ -34,7 +34,7 @@ test("nothing is missing from the archive, nothing is too much", () => {
   const listed = execFileSync("tar", ["tzf", join(folder, "eigenshade-0.1.0.tgz")], { encoding: "utf8" });
   const names = listed.trim().split("\n").map((name) => name.replace(/^package\//, ""));
   for (const name of [
-    "LICENSE-APACHE", "LICENSE-MIT", "README.md", "src/index.js", "types/index.d.ts",
+    "LICENSE-APACHE", "LICENSE-MIT", "README.md", "dist/index.js", "dist/element.js", "types/index.d.ts",
     "wasm/eigenshade.wasm", "wasm/eigenshade.simd.wasm", "wasm/eigenshade.relaxed.wasm",
     "wasm/eigenshade.sources.wasm", "wasm/eigenshade.sources.simd.wasm",
     "wasm/eigenshade.sources.relaxed.wasm", "presets/names.json", "presets/light/park.bin", "presets/sources/park.bin",

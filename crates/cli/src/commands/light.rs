@@ -5,7 +5,7 @@ use clap::{Args, ValueEnum};
 use eigenshade_cli::messages::{print_message, progress_bar};
 use eigenshade_cli::output;
 use eigenshade_cli::presets::{refuse_stale_sources, set_error_file, source_file};
-use eigenshade_generator::light::cube::face_files;
+use eigenshade_generator::light::cube::{FACES, are_faces, face_files};
 use eigenshade_generator::light::map::Map;
 use eigenshade_generator::light::map_file::is_picture;
 use eigenshade_generator::light::projection::{coefficients, named_maps};
@@ -19,6 +19,7 @@ use eigenshade_model::inputs::input_file::InputFile;
 use eigenshade_model::inputs::set_error_csv::write_set_errors;
 use eigenshade_model::inputs::source_csv::write_sources;
 use eigenshade_model::source::{SetError, Source, SourceSets};
+use eigenshade_shading::shipped;
 use eigenshade_sources::pursuit::{self, FITTED};
 use eigenshade_sources::remaining;
 use std::path::{Path, PathBuf};
@@ -37,13 +38,13 @@ const DEGREE: usize = 9;
 /// opacity; the other kinds are linear. Standard error reports the share of negative radiance in
 /// each map.
 ///
-/// A single light CSV in place of maps is converted from the convention --from to --convention.
-/// Without --from, the CSV is in `graphics` if --convention is `paper`, and in `paper` otherwise.
+/// A single light CSV in place of maps is converted from the convention --from to --convention. The
+/// name of a shipped light stands for its CSV, in `paper`. Without --from, the CSV is in `graphics` if --convention is `paper`, and in `paper` otherwise.
 /// --degree then drops higher degrees, and must not exceed that of the file. `cmgen-irradiance` and
 /// `filament` hold irradiance, up to degree 2.
 #[derive(Args, Debug)]
 pub struct Light {
-    /// Maps (.exr, .hdr, .pfm, .png, .jpg), folders of maps, or one light CSV
+    /// Maps (.exr, .hdr, .pfm, .png, .jpg), folders of maps, or one light CSV or shipped light
     #[arg(value_name = "MAP", required = true)]
     maps: Vec<PathBuf>,
     /// Layout of the maps [default: `cube` for a folder of only px, nx, py, ny, pz and nz, `cross`
@@ -169,8 +170,12 @@ impl Light {
         if self.sources.is_none() {
             refuse_stale_sources(self.out.path.as_deref())?;
         }
+        let shipped = match self.maps.as_slice() {
+            [name] if !name.exists() => self.shipped(name)?,
+            _ => None,
+        };
         let lights = match self.maps.as_slice() {
-            [file] if is_csv(file) => {
+            [file] if shipped.is_some() || is_csv(file) => {
                 if self.sources.is_some() {
                     let what = "--sources needs a map: a light CSV has harmonics only";
                     return Err(Error::new(what, "give the map").in_file(file));
@@ -181,11 +186,20 @@ impl Light {
                     return Err(Error::new(what, remedy).in_file(file));
                 }
                 output::refuse_collisions(&self.out.path, [file])?;
-                let from = self.from.unwrap_or(match self.convention {
-                    Convention::Paper => Convention::Graphics,
-                    _ => Convention::Paper,
-                });
-                let lights = read_lights(memory.file(file), self.degree)?;
+                let (from, lights) = match (shipped, self.from, self.convention) {
+                    (Some(_), Some(_), _) => {
+                        let what = "--from is for files: a shipped light is in `paper`";
+                        return Err(Error::new(what, "leave it out").in_file(file));
+                    }
+                    (Some(lights), None, _) => (Convention::Paper, lights),
+                    (None, from, to) => {
+                        let from = from.unwrap_or(match to {
+                            Convention::Paper => Convention::Graphics,
+                            _ => Convention::Paper,
+                        });
+                        (from, read_lights(memory.file(file), self.degree)?)
+                    }
+                };
                 from.convert(lights, self.convention).map_err(|error| error.in_file(file))?
             }
             maps => {
@@ -213,6 +227,22 @@ impl Light {
         output::write(self.out.path.as_deref(), |out| write_lights(&lights, out))
     }
 
+    /// The shipped light of this name, to the degree that is asked for.
+    fn shipped(&self, name: &Path) -> Result<Option<Lights>> {
+        let mut lights = shipped::lights()?;
+        lights.entries.retain(|light| name.as_os_str() == light.name.as_str());
+        if lights.entries.is_empty() {
+            return Ok(None);
+        }
+        match self.degree {
+            Some(degree) if degree > lights.degree => {
+                let what = format!("the shipped lights end at degree {}", lights.degree);
+                Err(Error::new(what, "give a --degree up to that").in_file(name))
+            }
+            degree => Ok(Some(lights.truncated(degree.unwrap_or(lights.degree)))),
+        }
+    }
+
     /// The lights of the maps, with the digits of the shipped files.
     fn projected(&self, files: Vec<(String, PathBuf)>, memory: Memory) -> Result<Lights> {
         let degree = self.degree.unwrap_or(DEGREE);
@@ -220,9 +250,9 @@ impl Light {
         let mut entries = Vec::new();
         for (name, path) in files {
             let map = Map::read(memory.file(&path), self.layout.map(Into::into))?;
-            progress.suspend(|| self.report(&name, &path, &map));
             let rgb = coefficients(&map, self.frame.into(), degree)
                 .map_err(|error| error.in_file(&path))?;
+            progress.suspend(|| self.report(&name, &path, &map));
             entries.push(Named { name, rgb });
             progress.inc(1);
         }
@@ -290,6 +320,8 @@ impl Light {
         };
         print_message(format_args!("{name}: {shape}, {negative}"));
         let clips = pictures(path).is_ok_and(|files| files.iter().any(|file| is_picture(file)));
+        let kind =
+            if path.is_dir() { "has PNG or JPEG pictures" } else { "is a PNG or JPEG picture" };
         let path = path.display();
         if let Map::Equirectangular(map) = map
             && !map.is_twice_as_wide_as_high()
@@ -300,8 +332,8 @@ impl Light {
         }
         if clips {
             print_message(format_args!(
-                "warning: {path} is a PNG or JPEG picture, which clips light at white: lamps and \
-                 the sun are missing, and images are flatter than with an .hdr or .exr map"
+                "warning: {path} {kind}, where light is clipped at white: lamps and the sun are \
+                 missing, and images are flatter than with an .hdr or .exr map"
             ));
         }
     }
@@ -324,6 +356,9 @@ fn files(maps: &[PathBuf]) -> Result<Vec<(String, PathBuf)>> {
     if let Some(file) = maps.iter().find(|file| is_csv(file)) {
         let what = "a light CSV among other inputs";
         return Err(Error::new(what, "convert one CSV at a time, without maps").in_file(file));
+    }
+    if maps.len() == FACES.len() && are_faces(maps) {
+        return Err(Error::new("six faces of a cube as six maps", "give the folder that has them"));
     }
     named_maps(maps)
 }

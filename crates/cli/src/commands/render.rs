@@ -194,8 +194,12 @@ impl Render {
         let ringing = ringing.note().filter(|_| self.choices.has_all_effects());
         let pair = (&lights, &materials);
         let sharp = sharpness_note(&self.inputs, &table, pair, sources, memory)?;
-        // Errors are those of whole pictures.
-        let sharp = sharp.filter(|_| effects == Effects::ALL && !self.choices.is_partial());
+        let sharp = sharp.filter(|_| effects == Effects::ALL).map(|note| match note {
+            note if self.choices.is_partial() => {
+                format!("{note}; these are errors of all components without a window")
+            }
+            note => note,
+        });
         note.into_iter().chain(warnings).chain(ringing).chain(sharp).for_each(print_message);
         Ok(())
     }

@@ -179,7 +179,8 @@ fn corner_angle(x: f64, y: f64) -> f64 {
 }
 
 /// Whether these files are faces of a cube by their names, and nothing else.
-pub(crate) fn are_faces(files: &[PathBuf]) -> bool {
+#[must_use]
+pub fn are_faces(files: &[PathBuf]) -> bool {
     !files.is_empty() && files.iter().all(|file| FACES.iter().any(|face| is_named(file, face)))
 }
 

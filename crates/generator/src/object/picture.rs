@@ -103,7 +103,7 @@ impl Picture {
             if !(1..=longer).contains(&size) {
                 let what =
                     format!("the map is {} x {}, and {size} asked for", map.width, map.height);
-                return Err(Error::new(what, format!("ask for 1 to {longer}")));
+                return Err(Error::new(what, format!("ask for at most {longer}")));
             }
             let [width, height] = [map.width, map.height]
                 .map(|side| ((side * size) as f64 / longer as f64).round().max(1.0) as usize);
