@@ -226,7 +226,6 @@ impl Light {
             entries.push(Named { name, rgb });
             progress.inc(1);
         }
-        progress.finish_and_clear();
         Ok(rounded(&Lights { degree, entries }, LIGHT_DIGITS))
     }
 
@@ -258,7 +257,6 @@ impl Light {
             lights.push(SourceSets { name: name.clone(), sets });
             progress.inc(1);
         }
-        progress.finish_and_clear();
         Ok((lights, errors))
     }
 
