@@ -1,6 +1,8 @@
 //! Decodes the shipped table into typed statics, and generates the table of a scene if the feature
 //! `generate` is enabled.
 
+#[path = "build/files.rs"]
+mod files;
 #[path = "build/metallic_roughness.rs"]
 mod metallic_roughness;
 #[path = "build/presets.rs"]
@@ -9,7 +11,6 @@ mod presets;
 use eigenshade_index::record::{Q15, Q31};
 use eigenshade_index::source;
 use eigenshade_index::wire::{Fault, Mantissa, aligned, read_floats, read_integers};
-use std::path::PathBuf;
 use std::{env, fs, process};
 
 fn main() {
@@ -44,6 +45,7 @@ fn sphere() -> Result<(), String> {
 #[cfg(feature = "generate")]
 fn generate() {
     use eigenshade_generator::build::{self, IntegerFormat};
+    use std::path::PathBuf;
 
     println!("cargo::rerun-if-env-changed=EIGENSHADE_SCENE");
     let scene = env::var_os("EIGENSHADE_SCENE").map(PathBuf::from);
@@ -77,7 +79,5 @@ fn bake(
     let text = aligned(&bytes, &mut room)
         .and_then(|bytes| module(bytes, &format!("build.rs, from {from}")))
         .map_err(|fault| format!("{from}: {fault}"))?;
-    let folder = env::var_os("OUT_DIR").ok_or("OUT_DIR is not set")?;
-    let to = PathBuf::from(folder).join(format!("sphere_{format}.rs"));
-    fs::write(&to, text).map_err(|error| format!("{}: {error}", to.display()))
+    files::write_output(&format!("sphere_{format}.rs"), &text)
 }

@@ -1,9 +1,8 @@
 //! Writes the series in roughness from which glTF materials are computed, in floats and integers.
 
+use crate::files::{read_lines, write_output};
 use eigenshade_index::material;
 use std::fmt::Write as _;
-use std::path::PathBuf;
-use std::{env, fs};
 
 const PATH: &str = "tables/inputs/metallic-roughness.csv";
 
@@ -22,22 +21,15 @@ type Part = Vec<Vec<f64>>;
 ///
 /// If the file cannot be read or lacks lines.
 pub fn write() -> Result<(), String> {
-    println!("cargo::rerun-if-changed={PATH}");
-    let text = fs::read_to_string(PATH).map_err(|error| format!("{PATH}: {error}"))?;
-    let lines: Vec<Vec<&str>> = text
-        .lines()
-        .filter(|line| line.starts_with(|c: char| c.is_ascii_digit()))
-        .map(|line| line.split(',').collect())
-        .collect();
+    let lines = read_lines(PATH)?;
+    let lines: Vec<Vec<&str>> = lines.iter().map(|line| line.split(',').collect()).collect();
     let mut source = String::new();
     for order in [7, 12] {
         let parts = parts(&lines, order)?;
         floats(&mut source, order, &parts);
         integers(&mut source, order, &parts);
     }
-    let folder = env::var_os("OUT_DIR").ok_or("OUT_DIR is not set")?;
-    let to = PathBuf::from(folder).join("metallic_roughness.rs");
-    fs::write(&to, source).map_err(|error| format!("{}: {error}", to.display()))
+    write_output("metallic_roughness.rs", &source)
 }
 
 /// The parts matte, rim and metal of an order.

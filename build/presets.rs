@@ -1,9 +1,8 @@
 //! Writes the shipped lights and materials as constants with names.
 
+use crate::files::{read_lines, write_output};
 use eigenshade_index::{light, material};
 use std::fmt::Write as _;
-use std::path::PathBuf;
-use std::{env, fs};
 
 /// The degree of the lights and the order of the materials: those of the shipped table.
 const DEGREE: usize = 9;
@@ -34,10 +33,8 @@ pub fn write() -> Result<(), String> {
 const ERRORS: &str = "tables/inputs/merl.errors.csv";
 
 fn errors() -> Result<Vec<Vec<String>>, String> {
-    println!("cargo::rerun-if-changed={ERRORS}");
-    let text = fs::read_to_string(ERRORS).map_err(|error| format!("{ERRORS}: {error}"))?;
-    let lines = text.lines().filter(|line| !line.starts_with('#'));
-    Ok(lines.map(|line| line.split(',').map(str::to_owned).collect()).collect())
+    let lines = read_lines(ERRORS)?;
+    Ok(lines.iter().map(|line| line.split(',').map(str::to_owned).collect()).collect())
 }
 
 /// The total error, as a constant's documentation states it.
@@ -66,10 +63,8 @@ struct Preset {
 /// The first `count` coefficients of each name in a file of `name,index...,index,value` or
 /// `...,r,g,b`.
 fn read(path: &str, count: usize) -> Result<Vec<Preset>, String> {
-    println!("cargo::rerun-if-changed={path}");
-    let text = fs::read_to_string(path).map_err(|error| format!("{path}: {error}"))?;
-    let mut lines = text.lines().filter(|line| !line.starts_with('#'));
-    let header = lines.next().ok_or_else(|| format!("{path}: empty"))?;
+    let lines = read_lines(path)?;
+    let (header, lines) = lines.split_first().ok_or_else(|| format!("{path}: empty"))?;
     let width = if header.ends_with(",r,g,b") { 3 } else { 1 };
     let mut presets: Vec<Preset> = Vec::new();
     for line in lines {
@@ -150,24 +145,17 @@ fn each<'a>(kind: &str, names: impl Iterator<Item = &'a str>) -> String {
     )
 }
 
-fn write_output(file: &str, text: &str) -> Result<(), String> {
-    let folder = env::var_os("OUT_DIR").ok_or("OUT_DIR is not set")?;
-    let to = PathBuf::from(folder).join(file);
-    fs::write(&to, text).map_err(|error| format!("{}: {error}", to.display()))
-}
-
 /// The name and the numbers of each line of a file, which have this count.
 fn rows<const N: usize>(path: &str) -> Result<Vec<(String, [f64; N])>, String> {
-    println!("cargo::rerun-if-changed={path}");
-    let text = fs::read_to_string(path).map_err(|error| format!("{path}: {error}"))?;
-    let lines = text.lines().filter(|line| !line.starts_with('#')).skip(1);
     let row = |line: &str| {
         let (name, numbers) = line.split_once(',')?;
         let numbers: Vec<f64> =
             numbers.split(',').map(|n| n.parse().ok()).collect::<Option<_>>()?;
         Some((name.to_owned(), numbers.try_into().ok()?))
     };
-    lines.map(|line| row(line).ok_or_else(|| format!("{path}: `{line}`"))).collect()
+    let lines = read_lines(path)?;
+    let rows = lines.iter().skip(1);
+    rows.map(|line| row(line).ok_or_else(|| format!("{path}: `{line}`"))).collect()
 }
 
 /// Writes the sets of sources: constants such as `STUDIO_4`, and a list of all of them.

@@ -243,7 +243,7 @@ impl<C> Rgb<Scene<'_, C>> {
     where
         C: AsRef<[S]>,
     {
-        self.each_ref().bake(size)
+        self.each_ref().try_map(|scene| scene.bake(size))
     }
 
     /// [`Scene::bake_integers_into`] in each channel.
@@ -259,34 +259,8 @@ impl<C> Rgb<Scene<'_, C>> {
     where
         C: AsRef<[S]>,
     {
-        self.each_ref().bake_integers_into(size, texels)
-    }
-}
-
-impl<C> Rgb<&Scene<'_, C>> {
-    /// [`Rgb::bake_integers_into`] of the scenes.
-    #[doc(hidden)]
-    pub fn bake_integers_into<S: Scalar, B: AsMut<[i16]>>(
-        self,
-        size: usize,
-        texels: Rgb<B>,
-    ) -> Result<Rgb<IntegerMap<B>>, Error>
-    where
-        C: AsRef<[S]>,
-    {
-        self.zip(texels).try_map(|(scene, texels)| scene.bake_integers_into(size, texels))
-    }
-
-    /// [`Rgb::bake`] of the scenes.
-    #[doc(hidden)]
-    pub fn bake<S: Scalar, const T: usize>(
-        self,
-        size: usize,
-    ) -> Result<Rgb<BakedMap<S, MapBuffer<S, T>>>, Error>
-    where
-        C: AsRef<[S]>,
-    {
-        self.try_map(|scene| scene.bake(size))
+        let channels = self.each_ref().zip(texels);
+        channels.try_map(|(scene, texels)| scene.bake_integers_into(size, texels))
     }
 }
 

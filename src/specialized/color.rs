@@ -26,7 +26,7 @@ macro_rules! float_table_in_color {
                 size: usize,
             ) -> Result<$crate::Rgb<$crate::BakedMap<f32, $crate::MapBuffer<f32, T>>>, $crate::Error>
             {
-                self.each_ref().map(|scene| &**scene).bake(size)
+                self.each_ref().try_map(|scene| scene.bake(size))
             }
 
             /// Bakes the scene into `size` x `size` integers: see
@@ -40,7 +40,8 @@ macro_rules! float_table_in_color {
                 size: usize,
                 texels: $crate::Rgb<B>,
             ) -> Result<$crate::Rgb<$crate::IntegerMap<B>>, $crate::Error> {
-                self.each_ref().map(|scene| &**scene).bake_integers_into(size, texels)
+                let channels = self.each_ref().zip(texels);
+                channels.try_map(|(scene, texels)| scene.bake_integers_into(size, texels))
             }
 
             /// The irradiance of each normal in each channel: see [`eigenshade::Rgb::shade_slice`].

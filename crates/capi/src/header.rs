@@ -5,7 +5,10 @@ use crate::boundary::{Input, Output};
 use crate::color::Channels;
 use crate::constants::CONSTANTS;
 use crate::status::{STATUSES, eigenshade_message};
-use crate::{color, eigenshade_table, eigenshade_version, float, integers, presets, table_header};
+use crate::{
+    color, eigenshade_table, eigenshade_version, float, integers, presets, presets_header,
+    table_header,
+};
 use core::ffi::c_char;
 use core::marker::PhantomData;
 use eigenshade::{Display, Q15, Q31};
@@ -16,7 +19,6 @@ use std::{format, vec};
 
 const HEADER: &str = include_str!("../include/eigenshade.h");
 const COLOR: &str = include_str!("../include/eigenshade_color.h");
-const PRESETS: &str = include_str!("../include/eigenshade_presets.h");
 
 /// A type that the header knows.
 pub(crate) trait Declared {
@@ -116,33 +118,6 @@ fn statuses() -> Vec<String> {
     ]
 }
 
-/// Constants that are lists.
-fn presets() -> Vec<String> {
-    let of_kind = |kind: &str, names: &[&str]| {
-        let of_format = |format: &str| {
-            let declare = |name: &&str| {
-                format!(
-                    "extern const struct eigenshade_color_{kind}_{format}_t \
-                     eigenshade_{kind}_{name}_{format};"
-                )
-            };
-            names.iter().map(declare).collect::<Vec<_>>()
-        };
-        [of_format("f32"), of_format("q15")].concat()
-    };
-    let sources = presets::SOURCES.iter().map(|(name, count)| {
-        format!(
-            "extern const struct eigenshade_source_f32_t eigenshade_sources_{name}_f32[{count}];"
-        )
-    });
-    let gloss = presets::GLOSS.iter().map(|name| {
-        format!("extern const struct eigenshade_gloss_f32_t eigenshade_gloss_{name}_f32;")
-    });
-    let of_sources: Vec<_> = sources.chain(gloss).collect();
-    [of_kind("light", presets::LIGHTS), of_kind("material", presets::MATERIALS), of_sources]
-        .concat()
-}
-
 /// The tone curves.
 fn displays() -> Vec<String> {
     let display = "struct eigenshade_display_t";
@@ -209,7 +184,7 @@ fn the_headers_declare_this_library() {
     assert_eq!(defines.collect::<Vec<_>>(), expected);
     // Its records are made of those of one channel.
     declares(COLOR, color.into_iter().filter(|one| !one_channel.contains(one)).collect());
-    declares(PRESETS, presets());
+    assert_eq!(include_str!("../include/eigenshade_presets.h"), presets_header::header());
 }
 
 #[test]

@@ -33,6 +33,9 @@ mod color;
 mod presets;
 
 #[cfg(test)]
+mod presets_header;
+
+#[cfg(test)]
 mod table_header;
 
 #[cfg(test)]

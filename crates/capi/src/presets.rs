@@ -64,9 +64,6 @@ macro_rules! lights {
             static $constant: Constant<Channels<integers::Light<Q15>>> =
                 channels!(light::q15::$constant, light_q15);
         )*};
-        /// The names of the lights.
-        #[cfg(test)]
-        pub(crate) const LIGHTS: &[&str] = &[$($name),*];
     };
 }
 eigenshade::each_preset_light!(lights);
@@ -83,9 +80,6 @@ macro_rules! materials {
             static $constant: Constant<Channels<integers::Material<Q15>>> =
                 channels!(material::q15::$constant, material_q15);
         )*};
-        /// The names of the materials.
-        #[cfg(test)]
-        pub(crate) const MATERIALS: &[&str] = &[$($name),*];
     };
 }
 eigenshade::each_preset_material!(materials);
@@ -130,9 +124,6 @@ macro_rules! sources {
             static $constant: Constant<[Source; sources::$constant.len()]> =
                 Constant(sources_f32(sources::$constant));
         )*};
-        /// The names of the sets of sources, and how many each has.
-        #[cfg(test)]
-        pub(crate) const SOURCES: &[(&str, usize)] = &[$(($name, sources::$constant.len())),*];
     };
 }
 eigenshade::each_preset_sources!(sources);
@@ -143,9 +134,6 @@ macro_rules! glosses {
             #[unsafe(export_name = concat!("eigenshade_gloss_", $name, "_f32"))]
             static $constant: Constant<Gloss> = Constant(gloss_f32(&gloss::$constant));
         )*};
-        /// The names of the materials with gloss.
-        #[cfg(test)]
-        pub(crate) const GLOSS: &[&str] = &[$($name),*];
     };
 }
 eigenshade::each_preset_gloss!(glosses);

@@ -74,7 +74,7 @@ pub fn grouped(count: usize) -> String {
     text
 }
 
-/// A progress bar that counts to `count`, shown only on a terminal.
+/// A progress bar that counts to `count`, shown only on a terminal until it is dropped.
 #[cfg(feature = "generate")]
 #[must_use]
 pub fn progress_bar(what: &'static str, count: usize) -> indicatif::ProgressBar {
@@ -100,31 +100,10 @@ pub fn spinner(what: &'static str) -> indicatif::ProgressBar {
     spinner
 }
 
-/// Stands in for a progress bar: without the feature `generate` there is none.
-#[cfg(not(feature = "generate"))]
-#[derive(Clone, Copy, Debug)]
-pub struct NoProgress;
-
-#[cfg(not(feature = "generate"))]
-impl eigenshade_shading::parallel::Progress for NoProgress {
-    fn advance(&self) {}
-}
-
-#[cfg(not(feature = "generate"))]
-impl NoProgress {
-    /// Does nothing.
-    pub fn inc(self, _steps: u64) {}
-
-    /// Does nothing.
-    pub fn finish_and_clear(self) {}
-}
-
 /// Shows nothing: progress bars need the feature `generate`.
 #[cfg(not(feature = "generate"))]
 #[must_use]
-pub fn progress_bar(_what: &'static str, _count: usize) -> NoProgress {
-    NoProgress
-}
+pub fn progress_bar(_: &'static str, _: usize) -> impl eigenshade_shading::parallel::Progress {}
 
 /// How far an albedo may be beyond 0 to 1: the error of truncated coefficients.
 const ALBEDO_SLACK: f64 = 1e-3;

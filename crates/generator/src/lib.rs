@@ -13,12 +13,12 @@
 //! The light of an environment map:
 //!
 //! ```
-//! use eigenshade_generator::light::projection::lights_from_paths;
+//! use eigenshade_generator::light::environment::EnvironmentMap;
+//! use eigenshade_generator::light::projection::project;
 //!
 //! # let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/../../tables/inputs/maps");
-//! let lights = lights_from_paths(&[format!("{folder}/sky.exr")], 2)?;
-//! assert_eq!(lights.entries[0].name, "sky");
-//! assert_eq!(lights.entries[0].rgb[0].len(), 9);
+//! let rgb = project(&EnvironmentMap::from_path(format!("{folder}/sky.exr"))?, 2);
+//! assert_eq!(rgb[0].len(), 9);
 //! # Ok::<(), eigenshade_model::error::Error>(())
 //! ```
 

@@ -85,9 +85,7 @@ impl Errors {
             let mut rows = Rows::new(out, COLUMNS)?;
             for surface in &surfaces {
                 let name = &surface.name;
-                let progress = progress_bar("normals", 0);
-                let reference = Reference::new(surface, &maps, &progress);
-                progress.finish_and_clear();
+                let reference = Reference::new(surface, &maps, &progress_bar("normals", 0));
                 if let Some(black) = reference.black() {
                     let what = format!("`{name}` is black under `{}`", named[black].0);
                     return Err(Error::new(what, "leave it out: its images have no peak"));

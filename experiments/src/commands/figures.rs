@@ -85,12 +85,8 @@ pub struct AccuracyCost {
 
 impl AccuracyCost {
     pub fn run(self) -> Result<()> {
-        let measure = |timed| {
-            let progress = progress_bar("settings", 0);
-            let measured = Measured::new(self.quick, timed, &self.maps, &progress);
-            progress.finish_and_clear();
-            measured
-        };
+        let measure =
+            |timed| Measured::new(self.quick, timed, &self.maps, &progress_bar("settings", 0));
         // Paths that cannot be read or written fail before the long computation.
         if let Some(out) = &self.purpose.out {
             fs::create_dir_all(out).map_err(|error| Error::io(out, &error))?;
@@ -99,10 +95,7 @@ impl AccuracyCost {
             let measured = match earlier.transpose()? {
                 Some(earlier) if self.from_csv => earlier,
                 Some(earlier) if self.add => {
-                    let progress = progress_bar("settings", 0);
-                    let completed = earlier.completed(&self.maps, &progress);
-                    progress.finish_and_clear();
-                    completed?
+                    earlier.completed(&self.maps, &progress_bar("settings", 0))?
                 }
                 Some(earlier) => {
                     let mut measured = measure(false)?;

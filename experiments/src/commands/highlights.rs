@@ -47,9 +47,7 @@ pub struct SourceErrors {
 
 impl SourceErrors {
     pub fn run(self) -> Result<()> {
-        let progress = progress_bar("lights", 0);
-        let errors = highlights::remaining(inputs(), &[], &progress)?;
-        progress.finish_and_clear();
+        let errors = highlights::remaining(inputs(), &[], &progress_bar("lights", 0))?;
         output::write(self.out.as_deref(), |out| {
             write_command_line(out)?;
             write_set_errors(&errors, out)
@@ -74,9 +72,7 @@ pub struct Highlights {
 
 impl Highlights {
     pub fn run(self) -> Result<()> {
-        let progress = progress_bar("lights", 0);
-        let rows = highlights::errors(inputs(), &[], &progress)?;
-        progress.finish_and_clear();
+        let rows = highlights::errors(inputs(), &[], &progress_bar("lights", 0))?;
         output::write(self.out.as_deref(), |out| {
             write_command_line(out)?;
             highlights::write(&rows, out)

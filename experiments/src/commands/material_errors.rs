@@ -26,9 +26,7 @@ pub struct MaterialErrors {
 
 impl MaterialErrors {
     pub fn run(self) -> Result<()> {
-        let progress = progress_bar("materials", 0);
-        let found = material_errors::errors(inputs(), &[], SPACING, &progress)?;
-        progress.finish_and_clear();
+        let found = material_errors::errors(inputs(), &[], SPACING, &progress_bar("materials", 0))?;
         output::write(self.out.as_deref(), |out| {
             write_command_line(out)?;
             let mut rows = Rows::new(out, material_errors::COLUMNS)?;

@@ -1,15 +1,16 @@
 //! `eigenshade light`: projects environment maps onto spherical harmonics.
 
-use super::options::{Destination, Memory, count};
+use super::options::{Destination, Memory, choice, count};
+use clap::builder::TypedValueParser;
 use clap::{Args, ValueEnum};
 use eigenshade_cli::messages::{print_message, progress_bar};
 use eigenshade_cli::output;
 use eigenshade_cli::presets::{refuse_stale_sources, set_error_file, source_file};
 use eigenshade_generator::light::cube::{FACES, are_faces, face_files};
-use eigenshade_generator::light::map::Map;
+use eigenshade_generator::light::frame::Frame;
+use eigenshade_generator::light::map::{Layout, Map};
 use eigenshade_generator::light::map_file::is_picture;
 use eigenshade_generator::light::projection::{coefficients, named_maps};
-use eigenshade_generator::light::{frame, map};
 use eigenshade_index::highlights::MAX_SOURCES;
 use eigenshade_model::database::{Lights, Named};
 use eigenshade_model::error::{Error, Result};
@@ -49,11 +50,11 @@ pub struct Light {
     maps: Vec<PathBuf>,
     /// Layout of the maps [default: `cube` for a folder of only px, nx, py, ny, pz and nz, `cross`
     /// for a picture of 4:3 or 3:4 with square faces, else `equirectangular`]
-    #[arg(long, value_enum)]
+    #[arg(long, value_parser = layouts())]
     layout: Option<Layout>,
     /// Program whose placement of maps to follow. The camera looks along -z with y up. Cubes are
     /// placed by `eigenshade`, `threejs` and `filament` only
-    #[arg(long, value_enum, default_value_t = Frame::Eigenshade)]
+    #[arg(long, value_parser = frames(), default_value = "eigenshade")]
     frame: Frame,
     /// Largest degree l of the coefficients, 0 to 256 [default: 9, or that of the light CSV]
     #[arg(long, value_name = "L", value_parser = count(0, 256))]
@@ -116,53 +117,32 @@ impl Convention {
     }
 }
 
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-enum Layout {
-    /// One picture, twice as wide as high
-    Equirectangular,
-    /// A cube in one picture of 4 x 3 or 3 x 4 faces: pz in the middle, py above it, px right of it
-    Cross,
-    /// A folder with the faces px, nx, py, ny, pz and nz, seen from inside, as of OpenGL
-    Cube,
+fn layouts() -> impl TypedValueParser<Value = Layout> {
+    let cross = "A cube in one picture of 4 x 3 or 3 x 4 faces: pz in the middle, py above it, px \
+                 right of it";
+    let cube = "A folder with the faces px, nx, py, ny, pz and nz, seen from inside, as of OpenGL";
+    choice([
+        ("equirectangular", "One picture, twice as wide as high", Layout::Equirectangular),
+        ("cross", cross, Layout::Cross),
+        ("cube", cube, Layout::Cube),
+    ])
 }
 
-impl From<Layout> for map::Layout {
-    fn from(layout: Layout) -> Self {
-        match layout {
-            Layout::Equirectangular => Self::Equirectangular,
-            Layout::Cross => Self::Cross,
-            Layout::Cube => Self::Cube,
-        }
-    }
-}
-
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-enum Frame {
-    /// The middle of the map is -z
-    Eigenshade,
-    /// The middle of the map is +x; of a cube, pz is +z and px is -x
-    Threejs,
-    /// The middle of the map is Blender's +x, right of the camera of the front view
-    Blender,
-    /// The middle of the map is +z
-    Mitsuba,
-    /// The middle of the map is +z
-    Openexr,
-    /// That of cmgen: the middle of the map is +z; of a cube, pz is +z and px is -x
-    Filament,
-}
-
-impl From<Frame> for frame::Frame {
-    fn from(frame: Frame) -> Self {
-        match frame {
-            Frame::Eigenshade => Self::Eigenshade,
-            Frame::Threejs => Self::ThreeJs,
-            Frame::Blender => Self::Blender,
-            Frame::Mitsuba => Self::Mitsuba,
-            Frame::Openexr => Self::OpenExr,
-            Frame::Filament => Self::Filament,
-        }
-    }
+fn frames() -> impl TypedValueParser<Value = Frame> {
+    let blender = "The middle of the map is Blender's +x, right of the camera of the front view";
+    let filament = "That of cmgen: the middle of the map is +z; of a cube, pz is +z and px is -x";
+    choice([
+        ("eigenshade", "The middle of the map is -z", Frame::Eigenshade),
+        (
+            "threejs",
+            "The middle of the map is +x; of a cube, pz is +z and px is -x",
+            Frame::ThreeJs,
+        ),
+        ("blender", blender, Frame::Blender),
+        ("mitsuba", "The middle of the map is +z", Frame::Mitsuba),
+        ("openexr", "The middle of the map is +z", Frame::OpenExr),
+        ("filament", filament, Frame::Filament),
+    ])
 }
 
 impl Light {
@@ -249,14 +229,13 @@ impl Light {
         let progress = progress_bar("maps", files.len());
         let mut entries = Vec::new();
         for (name, path) in files {
-            let map = Map::read(memory.file(&path), self.layout.map(Into::into))?;
-            let rgb = coefficients(&map, self.frame.into(), degree)
-                .map_err(|error| error.in_file(&path))?;
+            let map = Map::read(memory.file(&path), self.layout)?;
+            let rgb =
+                coefficients(&map, self.frame, degree).map_err(|error| error.in_file(&path))?;
             progress.suspend(|| self.report(&name, &path, &map));
             entries.push(Named { name, rgb });
             progress.inc(1);
         }
-        progress.finish_and_clear();
         Ok(rounded(&Lights { degree, entries }, LIGHT_DIGITS))
     }
 
@@ -271,12 +250,12 @@ impl Light {
         let (materials, metals) = (pursuit::metals(&self.roughness)?, remaining::metals()?);
         let (mut lights, mut errors) = (Vec::new(), Vec::new());
         for (name, path) in files {
-            let map = Map::read(memory.file(path), self.layout.map(Into::into))?;
+            let map = Map::read(memory.file(path), self.layout)?;
             let Map::Equirectangular(map) = &map else {
                 let remedy = "leave --sources out, or give an equirectangular map";
                 return Err(Error::new("sources are not found in cubes", remedy).in_file(path));
             };
-            let turn = frame::Frame::from(self.frame).turn(false)?.matrix();
+            let turn = self.frame.turn(false)?.matrix();
             let sets = pursuit::find(map, &materials, most).map_err(|error| error.in_file(path))?;
             let sets = SourceSets { name: name.clone(), sets };
             let left = remaining::errors(map, &sets, &metals);
@@ -288,7 +267,6 @@ impl Light {
             lights.push(SourceSets { name: name.clone(), sets });
             progress.inc(1);
         }
-        progress.finish_and_clear();
         Ok((lights, errors))
     }
 

@@ -1,7 +1,8 @@
 //! `eigenshade material`: converts measured, tabulated or analytic BRDFs to coefficients.
 
-use super::options::{Destination, Memory, count, width};
-use clap::{Args, Subcommand, ValueEnum};
+use super::options::{Destination, Memory, choice, count, width};
+use clap::builder::TypedValueParser;
+use clap::{Args, Subcommand};
 use eigenshade::Window;
 use eigenshade::mathematics::Libm;
 use eigenshade_cli::messages::albedo_warning;
@@ -85,7 +86,7 @@ impl Material {
             Some(_) => glosses(&sources)?,
             None => Vec::new(),
         };
-        let (mut materials, fits) = coefficients(sources, order, measure.into())?;
+        let (mut materials, fits) = coefficients(sources, order, measure)?;
         if let Some(width) = window {
             attenuate(&mut materials, Window::SincFourth { width });
         }
@@ -258,8 +259,8 @@ pub struct Projection {
     #[arg(long, value_name = "O", value_parser = count(0, 64), default_value_t = ORDER)]
     order: usize,
     /// Measure under which projected coefficients approximate the function best
-    #[arg(long, value_enum, default_value_t)]
-    measure: Nearness,
+    #[arg(long, value_parser = measures(), default_value = "projected")]
+    measure: Measure,
     /// Multiply the coefficients of order o by sinc^4, (sin x / x)^4 with x = pi o / W, zero from
     /// order W on: less ringing of gloss that the order cannot represent. 40 suits order 7
     #[arg(long, value_name = "W", value_parser = width)]
@@ -268,23 +269,13 @@ pub struct Projection {
     out: Destination,
 }
 
-/// The measure under which coefficients approximate a function best.
-#[derive(Clone, Copy, Debug, Default, ValueEnum)]
-pub enum Nearness {
-    /// cos theta_i cos theta_r dw_i dw_r, as the irradiance of a sphere sees it
-    #[default]
-    Projected,
-    /// dw_i dw_r, in which the modes are orthonormal
-    SolidAngle,
-}
-
-impl From<Nearness> for Measure {
-    fn from(nearness: Nearness) -> Self {
-        match nearness {
-            Nearness::Projected => Self::Projected,
-            Nearness::SolidAngle => Self::SolidAngle,
-        }
-    }
+fn measures() -> impl TypedValueParser<Value = Measure> {
+    let projected = "cos theta_i cos theta_r dw_i dw_r, as the irradiance of a sphere sees it";
+    let solid_angle = "dw_i dw_r, in which the modes are orthonormal";
+    choice([
+        ("projected", projected, Measure::Projected),
+        ("solid-angle", solid_angle, Measure::SolidAngle),
+    ])
 }
 
 impl Formula {

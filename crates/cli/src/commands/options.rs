@@ -1,6 +1,7 @@
 //! Types and parsers of options that commands share.
 
 use clap::Args;
+use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
 use eigenshade::{Effect, Exposure, Tolerance};
 use eigenshade_cli::presets::Source;
 use eigenshade_cli::table;
@@ -102,6 +103,19 @@ pub struct Destination {
     /// Write to this file instead of standard output
     #[arg(id = "out", short, long, value_name = "FILE")]
     pub path: Option<PathBuf>,
+}
+
+/// Parses one of these names, each with its help, empty for none, and its value.
+pub fn choice<T: Copy + Send + Sync + 'static, const N: usize>(
+    choices: [(&'static str, &'static str, T); N],
+) -> impl TypedValueParser<Value = T> {
+    let named = |(name, help, _): (&'static str, &'static str, T)| {
+        PossibleValue::new(name).help((!help.is_empty()).then_some(help))
+    };
+    PossibleValuesParser::new(choices.map(named)).try_map(move |name| {
+        let found = choices.into_iter().find(|(known, ..)| *known == name);
+        found.map(|(.., value)| value).ok_or("no choice")
+    })
 }
 
 /// Parses a whole number within a range.

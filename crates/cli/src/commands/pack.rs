@@ -1,8 +1,7 @@
 //! `eigenshade pack`: writes a table as a wire file.
 
-use super::options::{Memory, TableChoice, count};
+use super::options::{Memory, TableChoice, choice, count};
 use clap::Args;
-use clap::builder::{PossibleValuesParser, TypedValueParser};
 use eigenshade_cli::messages::{grouped, print_message};
 use eigenshade_cli::output;
 use eigenshade_cli::table::{self, rounding};
@@ -21,7 +20,8 @@ pub struct Pack {
     #[command(flatten)]
     table: TableChoice,
     /// Number format of the file
-    #[arg(short, long, default_value = "f32", value_parser = formats())]
+    #[arg(short, long, default_value = "f32",
+        value_parser = choice(NumberFormat::ALL.map(|format| (format.name(), "", format))))]
     format: NumberFormat,
     /// Keep only the first components, which have the highest variance [default: all]
     #[arg(long, value_name = "K", value_parser = count(1, u64::from(u16::MAX)))]
@@ -32,13 +32,6 @@ pub struct Pack {
     /// Write the wire file to this file
     #[arg(short, long, value_name = "FILE")]
     out: PathBuf,
-}
-
-/// Parses the name of a format.
-fn formats() -> impl TypedValueParser<Value = NumberFormat> {
-    let named = |name: String| NumberFormat::ALL.into_iter().find(|format| format.name() == name);
-    PossibleValuesParser::new(NumberFormat::ALL.map(NumberFormat::name))
-        .try_map(move |name| named(name).ok_or("no format"))
 }
 
 impl Pack {

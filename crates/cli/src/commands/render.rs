@@ -2,7 +2,10 @@
 
 use super::choices::Choices;
 use super::highlights::{HighlightInputs, sharpness_note, within};
-use super::options::{Inputs, Memory, Sources, TableChoice, count, exposure, sources, tolerance};
+use super::options::{
+    Inputs, Memory, Sources, TableChoice, choice, count, exposure, sources, tolerance,
+};
+use clap::builder::TypedValueParser;
 use clap::{Args, ValueEnum};
 use eigenshade::{Effects, Exposure, Matcap, Rgb, Scalar, Tolerance, Tone};
 use eigenshade_cli::messages::print_message;
@@ -37,9 +40,9 @@ pub struct Render {
     normals: PathBuf,
     /// Make a matcap: the texel at (u, v), v up, has the normal whose x and y are 2u - 1 and 2v -
     /// 1. three and blender are for engines that multiply normals by 0.495 and 0.496 instead of 1/2
-    #[arg(long, value_name = "FOR", value_enum, num_args = 0..=1, require_equals = true,
-        default_missing_value = "half", conflicts_with = "normals")]
-    matcap: Option<Engine>,
+    #[arg(long, value_name = "FOR", value_parser = engines(), num_args = 0..=1,
+        require_equals = true, default_missing_value = "half", conflicts_with = "normals")]
+    matcap: Option<f32>,
     /// Pixels across the longer side, 2 to 8192; a normal map can only shrink [default: 512, or all
     /// of a normal map]
     #[arg(short, long, value_name = "N", value_parser = count(2, 8192))]
@@ -65,8 +68,8 @@ pub struct Render {
     #[arg(long, value_name = "E", value_parser = exposure)]
     exposure: Option<Exposure>,
     /// Tone curve of a PNG [default: linear]
-    #[arg(long, value_enum)]
-    tone: Option<Curve>,
+    #[arg(long, value_parser = tones())]
+    tone: Option<Tone>,
     /// Write the picture to this file, .png or .exr
     #[arg(short, long, value_name = "FILE")]
     out: PathBuf,
@@ -78,41 +81,17 @@ enum Format {
     F32,
 }
 
-#[derive(Clone, Copy, Debug, ValueEnum)]
-enum Engine {
-    Half,
-    Three,
-    Blender,
+/// The radius of a matcap for an engine.
+fn engines() -> impl TypedValueParser<Value = f32> {
+    choice([("half", "", 1.0), ("three", "", Matcap::THREE_JS), ("blender", "", Matcap::BLENDER)])
 }
 
-impl Engine {
-    fn radius(self) -> f32 {
-        match self {
-            Self::Half => 1.0,
-            Self::Three => Matcap::THREE_JS,
-            Self::Blender => Matcap::BLENDER,
-        }
-    }
-}
-
-#[derive(Clone, Copy, Debug, ValueEnum)]
-enum Curve {
-    /// Clipped at white
-    Linear,
-    /// Reinhard's, white at 16
-    Reinhard,
-    /// A fit to the ACES curve
-    Filmic,
-}
-
-impl From<Curve> for Tone {
-    fn from(curve: Curve) -> Self {
-        match curve {
-            Curve::Linear => Self::Linear,
-            Curve::Reinhard => Self::Reinhard,
-            Curve::Filmic => Self::Filmic,
-        }
-    }
+fn tones() -> impl TypedValueParser<Value = Tone> {
+    choice([
+        ("linear", "Clipped at white", Tone::Linear),
+        ("reinhard", "Reinhard's, white at 16", Tone::Reinhard),
+        ("filmic", "A fit to the ACES curve", Tone::Filmic),
+    ])
 }
 
 impl Render {
@@ -160,9 +139,9 @@ impl Render {
         self.choices.change(&mut lights);
         let is_sphere = self.normals.as_os_str() == "sphere";
         let object = match self.matcap {
-            Some(engine) => {
+            Some(radius) => {
                 let texels = Matcap::new(self.size.unwrap_or(SIZE)).map_err(fault)?;
-                Object::Matcap(texels.with_radius(engine.radius()).map_err(fault)?)
+                Object::Matcap(texels.with_radius(radius).map_err(fault)?)
             }
             None if is_sphere => Object::Sphere(self.size.unwrap_or(SIZE)),
             None => Object::View(ObjectView::read(memory.file(&self.normals), self.size)?),
@@ -184,7 +163,7 @@ impl Render {
             }
         };
         let (exposure, is_opaque) = (self.exposure, self.matcap.is_some());
-        let tone = self.tone.map_or(Tone::Linear, Tone::from);
+        let tone = self.tone.unwrap_or_default();
         let development = Development { exposure, tone, is_opaque };
         file.write(&self.out, object.size(), development, &mut draw)?;
         let mut ringing = Ringing::default();

@@ -9,6 +9,7 @@ use eigenshade_model::error::Result;
 use eigenshade_shading::integer_shader::{self, Integer, IntegerShader};
 use eigenshade_shading::methods::LookUp;
 use eigenshade_shading::owned_basis::OwnedBasis;
+use eigenshade_shading::parallel::Progress;
 use eigenshade_shading::shader::{Lit, OwnedNormals, Shader, fault};
 use eigenshade_shading::{overflow, reference_image};
 use eigenshade_table::Table;
@@ -52,12 +53,12 @@ impl Images {
 
     /// Writes the images by the direct sum over modes.
     pub fn modes(&self, out: &mut Output<'_>) -> Result<()> {
-        let progress = progress_bar("normals", self.normals.len());
         let (lights, materials) = (&self.lights, &self.materials);
         let (effects, normals) = (self.effects, &self.normals);
-        let images =
-            reference_image::images_of_effects(lights, materials, effects, normals, &progress);
-        progress.finish_and_clear();
+        let images = {
+            let progress = progress_bar("normals", normals.len());
+            reference_image::images_of_effects(lights, materials, effects, normals, &progress)
+        };
         for (pair, (light, material)) in self.pairs().enumerate() {
             out.record((light, material), images.iter().flat_map(|of_pairs| of_pairs[pair]));
             for (normal, of_pairs) in images.iter().enumerate() {
@@ -157,9 +158,8 @@ impl Images {
             for (normal, ((&r, &g), &b)) in red.iter().zip(&green).zip(&blue).enumerate() {
                 out.row((light, material), normal, [r.into(), g.into(), b.into()])?;
             }
-            progress.inc(1);
+            progress.advance();
         }
-        progress.finish_and_clear();
         Ok(())
     }
 }

@@ -1,8 +1,9 @@
 //! `eigenshade shader`: writes a scene as a function of a shader.
 
 use super::highlights::{HighlightInputs, sharpness_note};
-use super::options::{Destination, Inputs, Memory, TableChoice, count, tolerance};
-use clap::{Args, ValueEnum};
+use super::options::{Destination, Inputs, Memory, TableChoice, choice, count, tolerance};
+use clap::Args;
+use clap::builder::TypedValueParser;
 use eigenshade::{Highlights, Rgb, Scene, ShaderLanguage, Tolerance};
 use eigenshade_cli::messages::print_message;
 use eigenshade_cli::output;
@@ -25,8 +26,8 @@ use std::path::PathBuf;
 #[derive(Args, Debug)]
 pub struct Shader {
     /// Language, and where the array is
-    #[arg(long, value_enum)]
-    lang: Lang,
+    #[arg(long, value_parser = languages())]
+    lang: (ShaderLanguage, usize),
     #[command(flatten)]
     inputs: Inputs,
     #[command(flatten)]
@@ -48,28 +49,20 @@ pub struct Shader {
     out: Destination,
 }
 
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-enum Lang {
-    /// GLSL ES 3.00 with a uniform array; WebGL 2 promises 224 vectors
-    Glsl,
-    /// GLSL ES 3.00 with a uniform block, for up to 1,024 vectors
-    GlslBlock,
-    /// GLSL ES 3.00 with a float texture of one row, for any number of vectors
-    GlslTexture,
-    /// WGSL with a uniform buffer at group 0, binding 0
-    Wgsl,
-}
-
-impl Lang {
-    /// The vectors that WebGL 2 and WebGPU promise.
-    fn most(self) -> usize {
-        match self {
-            Self::Glsl => 224,
-            Self::GlslBlock => 1024,
-            Self::GlslTexture => usize::MAX,
-            Self::Wgsl => 4096,
-        }
-    }
+/// Languages, with the vectors that WebGL 2 and WebGPU promise.
+fn languages() -> impl TypedValueParser<Value = (ShaderLanguage, usize)> {
+    use ShaderLanguage::{Glsl, GlslBlock, GlslTexture, Wgsl};
+    let texture = "GLSL ES 3.00 with a float texture of one row, for any number of vectors";
+    choice([
+        ("glsl", "GLSL ES 3.00 with a uniform array; WebGL 2 promises 224 vectors", (Glsl, 224)),
+        (
+            "glsl-block",
+            "GLSL ES 3.00 with a uniform block, for up to 1,024 vectors",
+            (GlslBlock, 1024),
+        ),
+        ("glsl-texture", texture, (GlslTexture, usize::MAX)),
+        ("wgsl", "WGSL with a uniform buffer at group 0, binding 0", (Wgsl, 4096)),
+    ])
 }
 
 /// The highlights of a scene.
@@ -105,7 +98,7 @@ impl Shader {
             .map(|c| ((lights.degree, &light.rgb[c][..]), (materials.order, &material.rgb[c][..])));
         let written = self.written(projector, channels, highlights.as_ref());
         let written = written.map_err(|error| error.of(overflow::pair(light, material)))?;
-        let (found, most) = (written.vectors.len(), self.lang.most());
+        let (found, most) = (written.vectors.len(), self.lang.1);
         let many = (found > most).then(|| {
             format!(
                 "note: {found} vectors are more than the {most} that a device surely has; allow an \
@@ -175,17 +168,11 @@ impl Shader {
         scene: Rgb<&Scene<'_, B>>,
         highlights: Option<&Lobes>,
     ) -> Result<Written> {
-        let language = match self.lang {
-            Lang::Glsl => ShaderLanguage::Glsl,
-            Lang::GlslBlock => ShaderLanguage::GlslBlock,
-            Lang::GlslTexture => ShaderLanguage::GlslTexture,
-            Lang::Wgsl => ShaderLanguage::Wgsl,
-        };
         let shader = eigenshade::Shader::new(scene.r);
         let shader = shader.with_sources(self.sources.unwrap_or(0)).map_err(fault)?;
         let (mut text, mut vectors) = (String::new(), vec![[0.0; 4]; shader.vectors()]);
         shader
-            .write(language, &mut text)
+            .write(self.lang.0, &mut text)
             .map_err(|error| Error::new(error.to_string(), "report it"))?;
         shader.uniforms(scene, &mut vectors).map_err(fault)?;
         if let Some(highlights) = highlights {

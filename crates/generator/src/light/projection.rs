@@ -16,7 +16,6 @@ use crate::light::frame::Frame;
 use crate::light::map::Map;
 use crate::light::map_file::maps_in;
 use eigenshade_index::light;
-use eigenshade_model::database::{Lights, Named};
 use eigenshade_model::error::{Error, Result};
 use eigenshade_model::rotation::Rotation;
 use eigenshade_model::special::spherical_harmonic::{self, legendre};
@@ -195,23 +194,4 @@ fn name(path: &Path) -> String {
         _ => path.file_stem(),
     };
     name.map(|name| name.to_string_lossy().into_owned()).unwrap_or_default()
-}
-
-/// Projects the maps named by `paths`, see [`named_maps`], to lights of the given `degree`.
-///
-/// # Errors
-///
-/// The errors of [`named_maps`] and [`Map::read`]; also if `paths` is empty.
-pub fn lights_from_paths<P: AsRef<Path>>(paths: &[P], degree: usize) -> Result<Lights> {
-    let entries = named_maps(paths)?
-        .into_iter()
-        .map(|(name, path)| {
-            let rgb = coefficients(&Map::read(path, None)?, Frame::Eigenshade, degree)?;
-            Ok(Named { name, rgb })
-        })
-        .collect::<Result<Vec<_>>>()?;
-    if entries.is_empty() {
-        return Err(Error::new("there is no map to read", "name a map, or a folder of maps"));
-    }
-    Ok(Lights { degree, entries })
 }

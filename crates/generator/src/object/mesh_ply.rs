@@ -12,15 +12,8 @@ use std::io::BufRead;
 /// Largest number of entries in a list of any type.
 const MOST_NUMBERS: usize = LONGEST_LINE;
 
-/// Accepts the lists of an element as they come, unless they are too long.
+/// Accepts lists as they come, unless they are too long.
 macro_rules! bounded_lists {
-    () => {
-        bounded_lists!(
-            begin_list_char: i8, begin_list_uchar: u8, begin_list_short: i16,
-            begin_list_ushort: u16, begin_list_int: i32, begin_list_uint: u32,
-            begin_list_float: f32, begin_list_double: f64
-        );
-    };
     ($($begin:ident: $number:ty),*) => {
         $(fn $begin(&mut self, _: &str, count: usize) -> BeginList<'_, $number> {
             if count <= MOST_NUMBERS { BeginList::UseSetter } else { BeginList::UnsupportedType }
@@ -36,7 +29,7 @@ pub(crate) fn read(file: &InputFile) -> Result<Mesh> {
 
 fn decode(reader: impl BufRead, length: u64, file: &InputFile) -> Result<Mesh> {
     let mut reader = Reader::new(reader);
-    let header = Parser::<Vertex>::new().read_header(&mut reader).map_err(fault)?;
+    let header = Parser::<Element>::new().read_header(&mut reader).map_err(fault)?;
     let mut least = 0u64;
     for (name, element) in &header.elements {
         // A number takes at least one byte, a face at least four: the number of corners and three
@@ -55,12 +48,11 @@ fn decode(reader: impl BufRead, length: u64, file: &InputFile) -> Result<Mesh> {
     let mut rows = Rows { reader, encoding: header.encoding, line: Vec::new() };
     for (name, element) in &header.elements {
         for _ in 0..element.count {
+            let row = rows.next(element)?;
             match name.as_str() {
-                "vertex" => mesh.corners.push(rows.next::<Vertex>(element)?.corner()?),
-                "face" => mesh.push_polygon(file, &rows.next::<Face>(element)?.corners()?)?,
-                _ => {
-                    rows.next::<Other>(element)?;
-                }
+                "vertex" => mesh.corners.push(row.corner()?),
+                "face" => mesh.push_polygon(file, &row.corners()?)?,
+                _ => {}
             }
         }
     }
@@ -81,8 +73,8 @@ struct Rows<R: BufRead> {
 }
 
 impl<R: BufRead> Rows<R> {
-    fn next<E: PropertyAccess>(&mut self, element: &ElementDef) -> Result<E> {
-        let (parser, reader) = (Parser::<E>::new(), self.reader.get_mut());
+    fn next(&mut self, element: &ElementDef) -> Result<Element> {
+        let (parser, reader) = (Parser::<Element>::new(), self.reader.get_mut());
         match self.encoding {
             Encoding::BinaryBigEndian => parser.read_big_endian_element(reader, element),
             Encoding::BinaryLittleEndian => parser.read_little_endian_element(reader, element),
@@ -119,42 +111,60 @@ impl<R: BufRead> Rows<R> {
     }
 }
 
-/// The coordinates x, y and z, where present.
-struct Vertex([Option<f64>; 3]);
+/// The properties of a vertex and of a face, where present.
+struct Element {
+    /// x, y and z.
+    corner: [Option<f64>; 3],
+    /// The list of corners.
+    list: Option<Property>,
+}
 
-impl Vertex {
-    fn corner(self) -> Result<[f64; 3]> {
-        match self.0 {
-            [Some(x), Some(y), Some(z)] => Ok([x, y, z]),
-            [x, y, _] => {
-                let name = if x.is_none() {
-                    "x"
-                } else if y.is_none() {
-                    "y"
-                } else {
-                    "z"
-                };
-                Err(broken(format!("a vertex has no number `{name}`")))
-            }
+impl Element {
+    fn corner(&self) -> Result<[f64; 3]> {
+        let number = |axis: usize, name| {
+            self.corner[axis].ok_or_else(|| broken(format!("a vertex has no number `{name}`")))
+        };
+        Ok([number(0, "x")?, number(1, "y")?, number(2, "z")?])
+    }
+
+    fn corners(self) -> Result<Vec<u32>> {
+        let place = |value: i64| {
+            u32::try_from(value).map_err(|_| broken(format!("corner {value} does not exist")))
+        };
+        match self.list {
+            Some(Property::ListInt(list)) => list.iter().map(|&one| place(one.into())).collect(),
+            Some(Property::ListShort(list)) => list.iter().map(|&one| place(one.into())).collect(),
+            Some(Property::ListChar(list)) => list.iter().map(|&one| place(one.into())).collect(),
+            Some(Property::ListUInt(list)) => Ok(list),
+            Some(Property::ListUShort(list)) => Ok(list.into_iter().map(u32::from).collect()),
+            Some(Property::ListUChar(list)) => Ok(list.into_iter().map(u32::from).collect()),
+            _ => Err(broken("a face has no list `vertex_indices`")),
         }
     }
 }
 
-impl PropertyAccess for Vertex {
+impl PropertyAccess for Element {
     fn new() -> Self {
-        Self([None; 3])
+        Self { corner: [None; 3], list: None }
     }
 
-    bounded_lists!();
+    bounded_lists!(
+        begin_list_char: i8, begin_list_uchar: u8, begin_list_short: i16, begin_list_ushort: u16,
+        begin_list_int: i32, begin_list_uint: u32, begin_list_float: f32, begin_list_double: f64
+    );
 
     fn set_property(&mut self, name: &str, property: Property) -> PropertyAccessResult {
         let axis = match name {
             "x" => 0,
             "y" => 1,
             "z" => 2,
+            "vertex_indices" | "vertex_index" => {
+                self.list = Some(property);
+                return PropertyAccessResult::Set;
+            }
             _ => return PropertyAccessResult::Ignored,
         };
-        self.0[axis] = match property {
+        self.corner[axis] = match property {
             Property::Float(value) => Some(f64::from(value)),
             Property::Double(value) => Some(value),
             Property::Int(value) => Some(f64::from(value)),
@@ -167,53 +177,6 @@ impl PropertyAccess for Vertex {
         };
         PropertyAccessResult::Set
     }
-}
-
-/// The list of corners, if present.
-struct Face(Option<Property>);
-
-impl Face {
-    fn corners(self) -> Result<Vec<u32>> {
-        let place = |value: i64| {
-            u32::try_from(value).map_err(|_| broken(format!("corner {value} does not exist")))
-        };
-        match self.0 {
-            Some(Property::ListInt(list)) => list.iter().map(|&one| place(one.into())).collect(),
-            Some(Property::ListShort(list)) => list.iter().map(|&one| place(one.into())).collect(),
-            Some(Property::ListChar(list)) => list.iter().map(|&one| place(one.into())).collect(),
-            Some(Property::ListUInt(list)) => Ok(list),
-            Some(Property::ListUShort(list)) => Ok(list.into_iter().map(u32::from).collect()),
-            Some(Property::ListUChar(list)) => Ok(list.into_iter().map(u32::from).collect()),
-            _ => Err(broken("a face has no list `vertex_indices`")),
-        }
-    }
-}
-
-impl PropertyAccess for Face {
-    fn new() -> Self {
-        Self(None)
-    }
-
-    bounded_lists!();
-
-    fn set_property(&mut self, name: &str, property: Property) -> PropertyAccessResult {
-        if !matches!(name, "vertex_indices" | "vertex_index") {
-            return PropertyAccessResult::Ignored;
-        }
-        self.0 = Some(property);
-        PropertyAccessResult::Set
-    }
-}
-
-/// An element that is ignored.
-struct Other;
-
-impl PropertyAccess for Other {
-    fn new() -> Self {
-        Self
-    }
-
-    bounded_lists!();
 }
 
 #[cfg(test)]

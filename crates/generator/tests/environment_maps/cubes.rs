@@ -6,9 +6,7 @@ use eigenshade_generator::light::cube::{CubeMap, FACES};
 use eigenshade_generator::light::environment::EnvironmentMap;
 use eigenshade_generator::light::frame::Frame;
 use eigenshade_generator::light::map::{Layout, Map};
-use eigenshade_generator::light::projection::{
-    coefficients, lights_from_paths, named_maps, project, project_cube,
-};
+use eigenshade_generator::light::projection::{coefficients, named_maps, project, project_cube};
 use eigenshade_index::light;
 use eigenshade_model::budget::Budget;
 use eigenshade_model::inputs::input_file::InputFile;
@@ -145,9 +143,8 @@ fn layouts_are_recognized() {
 fn a_folder_of_faces_is_one_light() {
     let (kept, folder) = folder_of_faces(4);
     fs::write(folder.join("readme.txt"), "no map").unwrap();
-    let lights = lights_from_paths(&[&folder], 2).unwrap();
-    assert_eq!(lights.entries[0].name, "studio.v2");
-    assert_eq!(lights.entries.len(), 1);
+    assert_eq!(named_maps(&[&folder]).unwrap(), [("studio.v2".to_owned(), folder.clone())]);
+    assert!(Map::read(&folder, None).unwrap().is_cube());
     let text = Map::read(&folder, Some(Layout::Equirectangular)).unwrap_err().to_string();
     assert!(text.contains("studio.v2: this folder holds the six faces of a cube; "), "{text}");
     // With other maps it is a folder of maps.

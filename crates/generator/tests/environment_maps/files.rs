@@ -3,7 +3,7 @@
 
 use super::pictures::small;
 use eigenshade_generator::light::environment::EnvironmentMap;
-use eigenshade_generator::light::projection::{lights_from_paths, named_maps};
+use eigenshade_generator::light::projection::named_maps;
 use exr::prelude::{FlatSamples, *};
 use std::fs::{self, File, OpenOptions};
 use std::io::{Seek, SeekFrom, Write};
@@ -343,11 +343,11 @@ fn lights_are_called_as_their_files() {
     write(Type::PfmBig, &map, &one);
     fs::rename(one.join("map.PFM"), one.join("a.pfm")).unwrap();
     fs::write(one.join("notes.txt"), "no map").unwrap();
-    let lights = lights_from_paths(&[&one, &two], 3).unwrap();
-    let names: Vec<_> = lights.entries.iter().map(|entry| entry.name.as_str()).collect();
+    let maps = named_maps(&[&one, &two]).unwrap();
+    let names: Vec<_> = maps.iter().map(|(name, _)| name.as_str()).collect();
     assert_eq!(names, ["a", "b", "map"]);
-    assert_eq!(lights.entries[0].rgb, lights.entries[2].rgb);
-    assert_eq!(lights.degree, 3);
+    let [first, _, last] = [0, 1, 2].map(|k| EnvironmentMap::from_path(&maps[k].1).unwrap());
+    assert_eq!(first.texels, last.texels);
 
     fs::rename(two.join("map.exr"), two.join("a.exr")).unwrap();
     let twice = named_maps(&[&one, &two]).unwrap_err().to_string();
@@ -355,10 +355,9 @@ fn lights_are_called_as_their_files() {
     assert!(twice.contains("; rename one of the two files"), "{twice}");
     let empty = folder.path().join("empty");
     fs::create_dir(&empty).unwrap();
-    let empty = lights_from_paths(&[&empty], 3).unwrap_err().to_string();
+    let empty = named_maps(&[&empty]).unwrap_err().to_string();
     assert!(empty.contains("empty: there is no map in this folder; "), "{empty}");
-    assert!(lights_from_paths(&[folder.path().join("nowhere.exr")], 3).is_err());
-    assert!(lights_from_paths::<&str>(&[], 3).is_err());
+    assert!(named_maps(&[folder.path().join("nowhere.exr")]).is_err());
 }
 
 /// The opacity belongs to the layer of the colors, and lights ignore it.
