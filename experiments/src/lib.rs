@@ -26,8 +26,6 @@ pub mod paper;
 
 pub mod accuracy_cost;
 
-pub mod float_errors;
-
 pub mod material_errors;
 
 pub mod ablation;

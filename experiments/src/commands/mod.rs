@@ -13,7 +13,7 @@ use eigenshade_cli::messages::spinner;
 use eigenshade_cli::output::write_error;
 use eigenshade_model::error::{Error, Result};
 use experiments::pages::Purpose;
-use experiments::{ablation, float_errors, mutations, reading, stability};
+use experiments::{ablation, mutations, reading, stability};
 use std::io::Write;
 use std::path::{Path, PathBuf};
 
@@ -37,15 +37,6 @@ pub enum Command {
         tables: PathBuf,
     },
     Errors(errors::Errors),
-    /// Errors of the runtime in floats against the direct sum over modes, with all components
-    ///
-    /// Writes CSV to standard output: the largest and the root mean square error of a pixel,
-    /// relative to the image's peak, for the worst pair of a light and a material.
-    FloatErrors {
-        /// Degrees and orders [default: from 9,7 to 32,32]
-        #[arg(value_name = "DEGREE,ORDER", value_parser = shape)]
-        shapes: Vec<[usize; 2]>,
-    },
     /// Results of the runtime, tests/golden/sphere.csv
     ///
     /// Integers must be equal; floats may differ by the tolerance that the file states.
@@ -89,11 +80,6 @@ impl Command {
                 reading::PAGE.write_or_compare(&purpose, &reading::parts(&tables)?)
             }
             Self::Errors(command) => command.run(),
-            Self::FloatErrors { shapes } => {
-                let shapes = if shapes.is_empty() { &float_errors::SHAPES } else { &shapes[..] };
-                float_errors::print(shapes);
-                Ok(())
-            }
             Self::Golden(purpose) => files::golden(&purpose),
             Self::Gloss(command) => command.run(),
             Self::GlossyMaterials(command) => command.run(),
@@ -107,13 +93,6 @@ impl Command {
             Self::Mutations(command) => command.run(),
         }
     }
-}
-
-fn shape(text: &str) -> std::result::Result<[usize; 2], String> {
-    let numbers = text.split_once(',').and_then(|(degree, order)| {
-        Some([degree.parse::<usize>().ok()?, order.parse::<usize>().ok()?])
-    });
-    numbers.ok_or_else(|| "expected two whole numbers like 9,7".to_owned())
 }
 
 /// The folder of the shipped tables' inputs, from the repository's root.
