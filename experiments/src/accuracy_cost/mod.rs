@@ -61,8 +61,7 @@ impl Measured {
     /// Runs the measurements with the environment maps in `maps`; with `quick`, only for a part of
     /// the settings, surfaces and sizes. Times are left out unless `timed`.
     pub fn new(quick: bool, timed: bool, maps: &Path, progress: &ProgressBar) -> Result<Self> {
-        let model: Vec<Record> =
-            errors::rows(maps, quick, progress)?.iter().map(errors::Row::record).collect();
+        let model = errors::rows(maps, quick, progress)?;
         let subjects = if quick { subjects::few()? } else { subjects::all()? };
         let orders: Vec<usize> = settings::sizes().map(|(_, order)| order).collect();
         let study = Study::new(maps, subjects, &orders, SPACING, progress)?;

@@ -27,7 +27,7 @@ pub struct Gloss {
 
 impl Gloss {
     pub fn run(self) -> Result<()> {
-        let glosses = highlights::glosses(inputs(), &[])?;
+        let glosses = highlights::glosses(&[])?;
         output::write(self.out.as_deref(), |out| {
             write_command_line(out)?;
             write_glosses(&glosses, out)
