@@ -26,7 +26,7 @@ pub enum Command {
     AccuracyCost(figures::AccuracyCost),
     /// Cost and contribution of each effect, docs/ablation.md; times are not compared
     Ablation(Purpose),
-    /// The numerically hard cases, measured, docs/stability.md; ratios of times are not compared
+    /// The numerically hard cases, measured, docs/stability.md
     Stability(Purpose),
     /// Errors of estimates from degraded images, docs/reading.md
     Reading {
