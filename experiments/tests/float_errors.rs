@@ -1,6 +1,6 @@
-//! The runtime in floats, from light and material to pixels, with all components, against the direct
-//! sum over modes: GGX dielectrics and metals of roughness 0.2 to 1 and a Lambertian under three
-//! captured maps.
+//! The runtime in floats, from light and material to pixels, with all components, against the
+//! direct sum over modes: GGX dielectrics and metals of roughness 0.2 to 1 and a Lambertian under
+//! three captured maps.
 
 use eigenshade::wire::aligned;
 use eigenshade::{Argument, Basis, Error, Parts};
