@@ -1,13 +1,10 @@
 //! Wire files in which one array is corrupted: such a file is refused, or everything can be done
 //! with its basis. Tests have debug assertions, with which a broken invariant is a panic.
 
-use crate::wire_files as files;
+use crate::{invariants, wire_files as files};
 use eigenshade::index::record::{floats, integers};
 use eigenshade::wire::{WireError, aligned};
-use eigenshade::{
-    Basis, Effect, Effects, FixedPoint, GeneralBasis, Light, Material, Normal, Q15, Q31, Tolerance,
-    quantized,
-};
+use eigenshade::{Basis, GeneralBasis, Q15, Q31, quantized};
 use std::collections::BTreeMap;
 
 /// What a file holds, and what opens it and uses its basis.
@@ -32,22 +29,20 @@ fn kinds() -> [Kind; 4] {
                 &files::LONG.0,
             ],
             arrays: floats::Parts::<f32>::ARRAYS.to_vec(),
-            open: |bytes| Basis::from_bytes(bytes).map(|basis| use_floats(&basis)),
+            open: |bytes| Basis::from_bytes(bytes).map(|basis| invariants::floats(&basis)),
             checked: &["profiles", "passes", "slots", "couplings", "lengths", "selection"],
         },
         Kind {
             files: vec![&files::GENERAL.0],
             arrays: of_general,
-            open: |bytes| GeneralBasis::from_bytes(bytes).map(|basis| use_general(&basis)),
+            open: |bytes| GeneralBasis::from_bytes(bytes).map(|basis| invariants::general(&basis)),
             checked: &["profiles", "passes", "slots", "couplings", "lengths"],
         },
         Kind {
             files: vec![&files::INTEGERS_15.0, &files::TURNED_15.0],
             arrays: of_integers.clone(),
             open: |bytes| {
-                let basis = quantized::Basis::<Q15>::from_bytes(bytes)?;
-                use_integers(&basis, files::facing_15());
-                Ok(())
+                quantized::Basis::<Q15>::from_bytes(bytes).map(|one| invariants::integers(&one))
             },
             checked: &["profiles", "lengths", "factors", "terms"],
         },
@@ -55,66 +50,11 @@ fn kinds() -> [Kind; 4] {
             files: vec![&files::INTEGERS_31.0],
             arrays: of_integers,
             open: |bytes| {
-                let basis = quantized::Basis::<Q31>::from_bytes(bytes)?;
-                use_integers(&basis, files::facing_31());
-                Ok(())
+                quantized::Basis::<Q31>::from_bytes(bytes).map(|one| invariants::integers(&one))
             },
             checked: &["profiles", "lengths", "factors", "terms"],
         },
     ]
-}
-
-/// More components than any of the files has.
-const COMPONENTS: usize = 256;
-
-fn use_floats(basis: &Basis<'_, f32>) {
-    let (mut d, _) = files::floats(basis);
-    let normal = Normal::new(0.6, 0.0, 0.8).expect("a normal");
-    let mut estimate = basis.estimate::<COMPONENTS>().expect("room");
-    estimate.add(normal, 1.0, 1.0);
-    let _ = estimate.coefficients();
-    d.fill(1.0);
-    basis.reconstruct(&d, normal).expect("sizes");
-    let light = files::light();
-    let light = Light::new(&light).expect("nine coefficients").truncated(basis.degree());
-    if basis.projects() {
-        let material = files::material();
-        let material = Material::new(&material).expect("five coefficients");
-        let material = material.truncated(basis.order());
-        let mut workspace = vec![0.0; basis.workspace_len()];
-        for effect in Effect::ALL {
-            let effects = Effects::ALL.without(effect);
-            basis
-                .project_effects_into(&light, &material, effects, &mut workspace, &mut d)
-                .expect("sizes");
-        }
-    }
-    let transfer = vec![1.0; basis.transfer_len()];
-    basis.relight_into(&transfer, &light, &mut d).expect("sizes");
-    let scene = basis.collapse_into(&d, vec![0.0; basis.scene_len()]).expect("sizes");
-    let _ = scene.shade(normal);
-    let (mut lengths, buffer) = (vec![0; basis.azimuths()], vec![0.0; basis.scene_len()]);
-    let tolerance = Tolerance::OfPeak(0.01);
-    let within = basis.collapse_within(&d, tolerance, &mut lengths, buffer);
-    let _ = within.expect("sizes").0.shade(normal);
-}
-
-fn use_general(basis: &GeneralBasis<'_, f32>) {
-    use_floats(basis.span());
-    let d = files::general(basis);
-    let normal = Normal::new(0.6, 0.0, 0.8).expect("a normal");
-    let mut workspace = vec![0.0; basis.workspace_len()];
-    basis.reconstruct(&d, normal, &mut workspace).expect("sizes");
-    let buffer = vec![0.0; basis.span().scene_len()];
-    let scene = basis.collapse_into(&d, &mut workspace, buffer).expect("sizes");
-    let _ = scene.shade(normal);
-}
-
-fn use_integers<Q: FixedPoint>(basis: &quantized::Basis<'_, Q>, normal: quantized::Normal<Q>) {
-    files::integers(basis, normal);
-    let mut estimate = basis.estimate::<COMPONENTS>().expect("room");
-    estimate.add(normal, Q::default(), 1);
-    let _ = estimate.coefficients(0);
 }
 
 /// What the bytes are damaged by.

@@ -1,10 +1,11 @@
 //! Lights turned in integers: against the generator's rotations in f64, and the same bits on every
 //! machine.
 
+use crate::invariants::integer::Integer;
 use crate::oracle::Numbers;
 use eigenshade::mathematics::Libm;
 use eigenshade::quantized::{Light, LightBuffer, Rotation};
-use eigenshade::{Argument, Error, FixedPoint, Q15, Q31, Rgb};
+use eigenshade::{Argument, Error, Q15, Q31, Rgb};
 use eigenshade_model::rotation;
 use std::f64::consts::PI;
 
@@ -12,39 +13,20 @@ use std::f64::consts::PI;
 /// roundings of numbers of 15 or 30 bits, and in the latter those of the angles, times 12.
 const OF_ENERGY: [f64; 2] = [1.0 / 4_096.0, 1.0 / 33_554_432.0];
 
-/// A format, and what its mantissas are.
-trait Input: FixedPoint {
-    fn value(self) -> f64;
-    fn of(number: f64) -> Self;
-}
-
-impl Input for Q15 {
-    fn value(self) -> f64 {
-        self.0.into()
-    }
-    fn of(number: f64) -> Self {
-        Self((number * 32_767.0) as i16)
-    }
-}
-
-impl Input for Q31 {
-    fn value(self) -> f64 {
-        self.0.into()
-    }
-    fn of(number: f64) -> Self {
-        Self((number * 2_147_483_647.0) as i32)
-    }
+/// A number from -1 to 1, cut off to a mantissa of the format.
+fn fraction<Q: Integer>(number: f64) -> Q {
+    Q::of((number * (f64::from(Q::BITS).exp2() - 1.0)) as i32)
 }
 
 /// The coefficients of a light.
-fn values<Q: Input>(light: Light<'_, Q>) -> Vec<f64> {
+fn values<Q: Integer>(light: Light<'_, Q>) -> Vec<f64> {
     let scale = f64::from(light.exponent()).exp2();
-    light.mantissas().iter().map(|mantissa| mantissa.value() * scale).collect()
+    light.mantissas().iter().map(|mantissa| mantissa.mantissa() as f64 * scale).collect()
 }
 
 /// The largest error of a coefficient, less `units` of the mantissas, relative to the root of the
 /// energy of its degree.
-fn worst<Q: Input>(light: Light<'_, Q>, exact: &[f64], found: Light<'_, Q>, units: f64) -> f64 {
+fn worst<Q: Integer>(light: Light<'_, Q>, exact: &[f64], found: Light<'_, Q>, units: f64) -> f64 {
     let unit = f64::from(found.exponent()).exp2();
     let found = values(found);
     let degree = (exact.len() as f64).sqrt() as usize - 1;
@@ -75,7 +57,7 @@ fn quaternion([a, b, c]: [f64; 3]) -> [i32; 4] {
 }
 
 /// Lights of one size, of falling size, of one order, of nothing but one coefficient.
-fn lights<Q: Input>(degree: usize, numbers: &mut Numbers) -> Vec<Vec<Q>> {
+fn lights<Q: Integer>(degree: usize, numbers: &mut Numbers) -> Vec<Vec<Q>> {
     let count = (degree + 1) * (degree + 1);
     let noise = |numbers: &mut Numbers| (0..count).map(|_| numbers.next()).collect::<Vec<_>>();
     let falling = noise(numbers).iter().enumerate().map(|(k, x)| x / (1 + k) as f64).collect();
@@ -84,11 +66,11 @@ fn lights<Q: Input>(degree: usize, numbers: &mut Numbers) -> Vec<Vec<Q>> {
     single[count - 1 - degree] = -1.0;
     let faint = noise(numbers).iter().map(|x| x * 0.003).collect();
     [noise(numbers), falling, full, single, faint]
-        .map(|light: Vec<f64>| light.into_iter().map(Q::of).collect())
+        .map(|light: Vec<f64>| light.into_iter().map(fraction).collect())
         .into()
 }
 
-fn agrees<Q: Input>(most: f64) {
+fn agrees<Q: Integer>(most: f64) {
     let (mut numbers, mut found) = (Numbers(22), 0.0f64);
     for degree in [1, 2, 9, 12] {
         for (round, angles) in angles().into_iter().enumerate() {
@@ -124,7 +106,7 @@ fn light_turned_in_integers_is_the_generators() {
 fn no_turn_changes_nothing() {
     let mut numbers = Numbers(23);
     let mantissas: Vec<Q15> =
-        (0..100).map(|k| Q15::of(numbers.next() / f64::from(1 + k))).collect();
+        (0..100).map(|k| fraction(numbers.next() / f64::from(1 + k))).collect();
     let mut full = mantissas.clone();
     full[0] = Q15(-32_767);
     let light = Light::new(-15, &full).expect("a light");
@@ -145,7 +127,7 @@ fn no_turn_changes_nothing() {
 /// one bit more.
 #[test]
 fn turned_about_the_view_is_the_generators() {
-    fn agrees<Q: Input>(most: f64) {
+    fn agrees<Q: Integer>(most: f64) {
         let (mut numbers, mut found, mut larger) = (Numbers(27), 0.0f64, 0);
         // Of any scale, and as fractions of 2^30.
         let scales = [1e9, 1_073_741_824.0];
@@ -179,7 +161,7 @@ fn turned_about_the_view_is_the_generators() {
 fn color_is_each_channel() {
     let mut numbers = Numbers(24);
     let channels = [100, 16, 49]
-        .map(|count: usize| -> Vec<Q15> { (0..count).map(|_| Q15::of(numbers.next())).collect() });
+        .map(|count: usize| -> Vec<Q15> { (0..count).map(|_| fraction(numbers.next())).collect() });
     let lights =
         Rgb::from(channels.each_ref().map(|channel| Light::new(-15, channel).expect("a light")));
     let rotation = Rotation::from_quaternion([1, -2, 3, 5]).expect("a rotation");
@@ -198,9 +180,9 @@ fn color_is_each_channel() {
 /// The bits of a sequence of turns, as found once.
 #[test]
 fn turned_bits_are_the_same_everywhere() {
-    fn bytes<Q: Input, const B: usize>(bytes: fn(Q) -> [u8; B]) -> u32 {
+    fn bytes<Q: Integer, const B: usize>(bytes: fn(Q) -> [u8; B]) -> u32 {
         let mut numbers = Numbers(25);
-        let mantissas: Vec<Q> = (0..100).map(|_| Q::of(numbers.next())).collect();
+        let mantissas: Vec<Q> = (0..100).map(|_| fraction(numbers.next())).collect();
         let light = Light::new(-15, &mantissas).expect("a light");
         let mut turned: LightBuffer<Q, 100> = light.turned(&Rotation::NONE).expect("room");
         let mut found = Vec::new();

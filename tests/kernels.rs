@@ -39,22 +39,6 @@ fn collapsing_azimuth_by_azimuth() {
     }
 }
 
-#[test]
-fn a_pixel_from_the_highest_azimuth_down() {
-    for seed in 1..20 {
-        let scene = sphere::collapse(&coefficients(seed)).unwrap();
-        let images: Vec<[f32; 2]> =
-            normals().iter().map(|&n| [scene.shade(n), (*scene).shade(n)]).collect();
-        let peak = images.iter().fold(0.0f32, |most, [_, value]| most.max(value.abs()));
-        for [found, expected] in images {
-            assert!(
-                (found - expected).abs() <= tolerances::SAME_SUM_F32 * peak,
-                "{found} {expected}"
-            );
-        }
-    }
-}
-
 /// Fewer coefficients, and lights of a lower degree, take the general way.
 #[test]
 fn other_sizes_are_served() {

@@ -14,8 +14,11 @@ use eigenshade_model::database::Named;
 use eigenshade_model::irradiance::slant_rotation;
 use eigenshade_model::reference::DirectSum;
 use eigenshade_shading::owned_basis::OwnedBasis;
+use eigenshade_shading::shader::{OwnedNormals, Shader};
 use eigenshade_table::scene::Normalize;
 use eigenshade_table::{GramFactor, Table};
+use eigenshade_testing::fixtures::direct_images;
+use eigenshade_testing::{largest, relative_error};
 use std::f64::consts::{FRAC_PI_2, PI};
 use std::path::Path;
 
@@ -98,55 +101,19 @@ fn grid(slants: usize, tilts: usize) -> Vec<[f64; 3]> {
 fn all_components_in_f32_are_the_direct_sum() {
     let (loaded, table) = whole();
     let owned = OwnedBasis::<f32>::new(&table);
-    let basis = owned.basis().expect("a basis");
-    let reference = DirectSum::new(9, 7);
-    let (lights, materials) =
-        (luminances(&loaded.lights.entries), luminances(&loaded.materials.entries));
+    let mut shader = Shader::new(owned.basis().expect("a basis"), usize::MAX);
     // The device is given the reference's input, rounded.
-    let to_f32 = |values: &[f64]| values.iter().map(|&value| value as f32).collect::<Vec<_>>();
-    let normals: Vec<[f32; 3]> =
-        grid(14, 24).iter().map(|normal| normal.map(|value| value as f32)).collect();
-    let mut scenes = Vec::new();
-    let mut workspace = vec![0.0; basis.workspace_len()];
-    let mut coefficients = vec![0.0; basis.components()];
-    for light in &lights {
-        for material in &materials {
-            let (light, material) = (to_f32(light), to_f32(material));
-            let light = eigenshade::Light::new(&light).expect("100 coefficients");
-            let material = eigenshade::Material::new(&material).expect("40 coefficients");
-            basis
-                .project_into(&light, &material, &mut workspace, &mut coefficients)
-                .expect("sizes are the basis's");
-            let buffer = vec![0.0; basis.scene_len()];
-            scenes.push(basis.collapse_into(&coefficients, buffer).expect("sizes are the basis's"));
-        }
-    }
-    let mut peaks = vec![0.0f64; scenes.len()];
-    let mut errors = vec![0.0f64; scenes.len()];
-    let column = |k: usize| normals.iter().map(|normal| normal[k]).collect::<Vec<_>>();
-    let (x, y, z) = (column(0), column(1), column(2));
-    let mut shaded = vec![0.0; normals.len()];
-    let modes: Vec<_> = normals.iter().map(|normal| reference.at(normal.map(f64::from))).collect();
-    for (b, material) in materials.iter().enumerate() {
-        let scattered: Vec<_> = modes.iter().map(|modes| modes.scatter(material)).collect();
-        for (a, light) in lights.iter().enumerate() {
-            let pair = a * materials.len() + b;
-            let normals = eigenshade::Normals::new(&x, &y, &z).expect("one length");
-            scenes[pair].shade_slice(normals, &mut shaded).expect("one length");
-            for ((modes, scattered), &shaded) in modes.iter().zip(&scattered).zip(&shaded) {
-                let expected = modes.irradiance(light, scattered);
-                peaks[pair] = peaks[pair].max(expected.abs());
-                errors[pair] = errors[pair].max((f64::from(shaded) - expected).abs());
-            }
-        }
-    }
-    let worst = errors.iter().zip(&peaks).map(|(error, peak)| error / peak).fold(0.0, f64::max);
-    println!("{} components in f32: {worst:.2e} of the peak", basis.components());
+    let normals = grid(14, 24);
+    let normals: Vec<_> =
+        normals.iter().map(|normal| normal.map(|x| f64::from(x as f32))).collect();
+    let rounded = OwnedNormals::new(&normals);
+    let images = direct_images(&loaded.lights, &loaded.materials, &normals);
+    let worst = largest(images.iter().map(|(light, material, expected)| {
+        let found = shader.polynomial((9, light), (7, material), &rounded).expect("it fits");
+        relative_error(&found.into_iter().map(f64::from).collect::<Vec<_>>(), expected)
+    }));
+    println!("{} components in f32: {worst:.2e} of the peak", table.count());
     assert!(worst <= tolerances::POLYNOMIAL_F32, "{worst}");
-}
-
-fn luminances(entries: &[Named]) -> Vec<Vec<f64>> {
-    entries.iter().map(Named::luminance).collect()
 }
 
 /// The blocks of -m, built from D_l^-m,q itself, have the eigenvalues of +m.

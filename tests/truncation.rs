@@ -2,7 +2,9 @@
 //! not need costs nothing.
 
 use crate::tolerances;
-use eigenshade::{Error, Light, Material, Normal, Normals, Scene, Tolerance, Truncation, sphere};
+use eigenshade::{
+    Error, Light, Material, NineTerms, Normal, Normals, Scene, Tolerance, Truncation, sphere,
+};
 use eigenshade_generator::basis::build;
 use eigenshade_model::inputs::coefficient_csv::{read_lights, read_materials};
 use eigenshade_model::reference::DirectSum;
@@ -85,34 +87,22 @@ fn bounds_hold_and_are_near_over_the_shipped_set() {
 /// Σ |b| = 2 f, f = 1/π.
 const MATTE: [f32; 1] = [2.0];
 
-/// Irradiance of a white matte, over π: Ramamoorthi and Hanrahan (2001), whose factors of
-/// degree 0, 1 and 2 are π, 2π/3 and π/4, in the harmonics of docs/conventions.md.
-fn nine_terms(light: &[f32], [x, y, z]: [f64; 3]) -> f64 {
-    let harmonics = [
-        0.282_095,
-        -0.488_603 * y,
-        0.488_603 * z,
-        -0.488_603 * x,
-        -1.092_548 * x * y,
-        -1.092_548 * y * z,
-        0.315_392 * (3.0 * z * z - 1.0),
-        -1.092_548 * x * z,
-        0.546_274 * (x * x - y * y),
-    ];
-    let factor = |k: usize| [1.0, 2.0 / 3.0, 0.25][k.isqrt()];
-    let terms = light.iter().zip(harmonics).enumerate();
-    terms.map(|(k, (&light, harmonic))| factor(k) * f64::from(light) * harmonic).sum()
+/// A white matte by the nine-term formula.
+fn nine_terms(light: &[f32]) -> impl Fn([f64; 3]) -> f64 {
+    let light: Vec<f64> = light.iter().map(|&one| one.into()).collect();
+    let formula = NineTerms::lambertian(&Light::new(&light).expect("a light"), 1.0);
+    move |[x, y, z]| formula.shade(Normal::new(x, y, z).expect("visible"))
 }
 
 #[test]
 fn a_matte_is_shaded_as_by_the_nine_term_formula() {
     let light: Vec<f32> = (0..9).map(|k| 3.5 / (1.0 + k as f32)).collect();
-    let d = coefficients(&light, &MATTE);
+    let (d, formula) = (coefficients(&light, &MATTE), nine_terms(&light));
     let mut lengths = [0; 16];
     let (scene, report) = truncated(&d, Tolerance::OfPeak(1e-3), &mut lengths);
     let mut worst: f64 = 0.0;
     for (normal, _) in rule() {
-        let expected = nine_terms(&light, normal.components().map(f64::from));
+        let expected = formula(normal.components().map(f64::from));
         worst = worst.max((f64::from(scene.shade(normal)) - expected).abs());
     }
     println!("{report:?}, {:e}", worst / f64::from(report.peak));
@@ -130,15 +120,14 @@ fn a_matte_costs_no_more_than_nine_terms_where_they_are_enough() {
     let mut dearer = Vec::new();
     for entry in &lights.entries {
         let light = single(entry.luminance());
-        let d = coefficients(&light, &MATTE);
+        let (d, formula) = (coefficients(&light, &MATTE), nine_terms(&light));
         let image = Image::new(&d, &rule);
         let squares = vectors.iter().map(|&(at, weight)| {
             let modes = reference.at(at);
             let direct = modes.irradiance(&entry.luminance(), &modes.scatter(&[2.0]));
-            weight * (nine_terms(&light, at) - direct).powi(2)
+            weight * (formula(at) - direct).powi(2)
         });
-        let formula = squares.sum::<f64>().sqrt() / image.peak;
-        let share = formula.max(1e-2);
+        let share = (squares.sum::<f64>().sqrt() / image.peak).max(1e-2);
         let mut lengths = [0; 16];
         let (_, report) = truncated(&d, Tolerance::OfPeak(share as f32), &mut lengths);
         let cost = products(&lengths[..report.azimuths]);

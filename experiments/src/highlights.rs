@@ -1,13 +1,13 @@
 //! Errors of pictures with small sources against direct integration of whole maps, pictures of
 //! them, and the gloss of the shipped materials.
 
+use crate::accuracy_cost::scope::published;
 use crate::numbers::{median, percent};
 use crate::pages::{Page, Part, table};
 use eigenshade_cli::output::Rows;
 use eigenshade_generator::light::environment::EnvironmentMap;
 use eigenshade_generator::light::projection::named_maps;
-use eigenshade_generator::material::brdf::{Measure, Surface};
-use eigenshade_generator::material::files::{Source as MaterialSource, read};
+use eigenshade_generator::material::brdf::Measure;
 use eigenshade_index::highlights::{LARGEST_SET, SETS};
 use eigenshade_model::error::{Error, Result};
 use eigenshade_model::inputs::source_csv::read_sources;
@@ -233,9 +233,9 @@ pub fn parts(rows: &[Row]) -> Vec<Part> {
 ///
 /// # Errors
 ///
-/// If the parameters of the materials cannot be read.
-pub fn glosses(inputs: &Path, names: &[String]) -> Result<Vec<NamedGloss>> {
-    let mut all = surfaces(inputs)?;
+/// If a lobe cannot be fitted.
+pub fn glosses(names: &[String]) -> Result<Vec<NamedGloss>> {
+    let mut all = published()?;
     all.retain(|surface| names.is_empty() || names.contains(&surface.name));
     let mut fitter = Fitter::default();
     all.iter().map(|surface| fitter.named(surface)).collect()
@@ -260,16 +260,6 @@ pub fn remaining(inputs: &Path, names: &[String], progress: &ProgressBar) -> Res
     Ok(all)
 }
 
-fn surfaces(inputs: &Path) -> Result<Vec<Surface>> {
-    let all = read(inputs.join("merl-abc.csv"))?.into_iter();
-    Ok(all
-        .filter_map(|source| match source {
-            MaterialSource::Surface(surface) => Some(surface),
-            MaterialSource::Measured(_) => None,
-        })
-        .collect())
-}
-
 /// The pictures of [`spheres`]: a degree, an order and the most sources; `None` is the reference.
 pub const DRAWN: [Option<((usize, usize), usize)>; 4] =
     [Some(((9, 7), 0)), Some(((9, 7), 4)), Some(((12, 12), 8)), None];
@@ -287,7 +277,7 @@ pub fn spheres(
 ) -> Result<Vec<Picture>> {
     let path = inputs.join(format!("maps/{map}.exr"));
     let view = View::new(&EnvironmentMap::from_path(path)?, None, 12)?;
-    let surface = surfaces(inputs)?.into_iter().find(|surface| surface.name == material);
+    let surface = published()?.into_iter().find(|surface| surface.name == material);
     let surface = surface.ok_or_else(|| Error::new("no such material", "take a shipped one"))?;
     let sources = shipped::sources()?.into_iter().find(|sets| sets.name == map);
     let sources = sources.unwrap_or_default();

@@ -20,13 +20,11 @@ pub use eigenshade_sources::{light_tree, mirrored, sphere, texels};
 
 pub mod reference;
 
-pub mod highlights;
-
 pub mod paper;
 
 pub mod accuracy_cost;
 
-pub mod float_errors;
+pub mod highlights;
 
 pub mod material_errors;
 

@@ -1,11 +1,11 @@
 //! The total error of each shipped material in color, and of PTFE: the picture of its coefficients
 //! at a degree and an order against direct integration under environment maps.
 
+use crate::accuracy_cost::scope::published;
 use crate::accuracy_cost::total::references::World;
 use crate::numbers::median;
 use crate::reference::Reference;
 use eigenshade_generator::material::brdf::{Brdf, Geometry, Surface};
-use eigenshade_generator::material::files::{Source, read};
 use eigenshade_model::database::{Lights, Named};
 use eigenshade_model::error::{Error, Result};
 use eigenshade_model::inputs::coefficient_csv::read_lights;
@@ -40,7 +40,7 @@ pub struct Errors {
 ///
 /// # Errors
 ///
-/// If a file of `inputs` cannot be read, or has no material of a name.
+/// If a file of `inputs` cannot be read, or no shipped material has one of the names.
 pub fn errors(
     inputs: &Path,
     names: &[String],
@@ -49,7 +49,7 @@ pub fn errors(
 ) -> Result<Vec<(String, Vec<Errors>)>> {
     let lights = read_lights(inputs.join("lights.csv"), None)?;
     let world = World::new(&inputs.join("maps"), &lights, spacing)?;
-    let materials = materials(inputs)?;
+    let materials = materials()?;
     if let Some(name) = names.iter().find(|name| materials.iter().all(|(s, _)| s.name != **name)) {
         let what = format!("no material is named `{name}`");
         return Err(Error::new(what, "give names of tables/inputs/merl-abc.csv, or none"));
@@ -86,7 +86,7 @@ fn errors_of(
 }
 
 /// The BRDFs with the coefficients that are shipped for each of [`ERROR_SIZES`].
-fn materials(inputs: &Path) -> Result<Vec<(Surface, [Named; 2])>> {
+fn materials() -> Result<Vec<(Surface, [Named; 2])>> {
     let [(_, low), (_, high)] = ERROR_SIZES;
     let shipped = [named_materials(low)?, named_materials(high)?];
     let find = |entries: &[Named], name: &str| {
@@ -99,11 +99,9 @@ fn materials(inputs: &Path) -> Result<Vec<(Surface, [Named; 2])>> {
         Ok([find(&shipped[0].entries, name)?, find(&shipped[1].entries, name)?])
     };
     let mut materials = Vec::new();
-    for source in read(inputs.join("merl-abc.csv"))? {
-        if let Source::Surface(surface) = source {
-            let named = of_name(&surface.name)?;
-            materials.push((surface, named));
-        }
+    for surface in published()? {
+        let named = of_name(&surface.name)?;
+        materials.push((surface, named));
     }
     let measured = of_name(MEASURED)?;
     let modes = Modes { order: low, coefficients: measured[0].rgb[1].clone() };

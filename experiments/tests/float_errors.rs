@@ -1,16 +1,76 @@
-//! The runtime in floats, from light and material to pixels, against the direct sum over modes.
+//! The runtime in floats, from light and material to pixels, with all components, against the
+//! direct sum over modes: GGX dielectrics and metals of roughness 0.2 to 1 and a Lambertian under
+//! three captured maps.
 
 use eigenshade::wire::aligned;
 use eigenshade::{Argument, Basis, Error, Parts};
+use eigenshade_generator::basis;
+use eigenshade_model::database::{Lights, Materials, Named};
 use eigenshade_shading::owned_basis::OwnedBasis;
+use eigenshade_shading::shipped;
+use eigenshade_table::Table;
 use eigenshade_table::wire::{Endian, NumberFormat, encode};
-use experiments::float_errors::{SHAPES, errors, table};
+use eigenshade_testing::glossy;
+use experiments::accuracy_cost::errors::compare;
+use experiments::accuracy_cost::images::Images;
+use experiments::accuracy_cost::scope::{Scope, scene};
+use experiments::accuracy_cost::settings::{Format, Recipe, Setting, Way};
+
+/// Degrees and orders.
+const SHAPES: [[usize; 2]; 5] = [[9, 7], [12, 12], [16, 16], [24, 24], [32, 32]];
+
+/// Three captured maps: small lamps, a low sun, a soft sky.
+const LIGHTS: [&str; 3] = ["studio", "sunset", "park"];
 
 /// Errors of all components in f32 and f64 at each shape, relative to the peak: in f32 a few
 /// roundings of each of three steps, in f64 the rank's cut-off of 1e-10, which the sharpest lobes
 /// amplify, and look-ups, which end 2^-22 short of the pole.
 const ALL_COMPONENTS_AT: [[f64; 2]; 5] =
     [[2e-6, 5e-6], [1e-5, 5e-6], [1e-5, 5e-6], [2e-5, 1e-5], [2e-5, 1e-5]];
+
+/// Errors of the worst pair of a light and a material, as shares of the image's peak.
+struct Errors {
+    components: usize,
+    method: &'static str,
+    format: String,
+    largest: f64,
+    rms: f64,
+}
+
+/// The errors of each method and format at this degree and order.
+fn errors([degree, order]: [usize; 2]) -> Vec<Errors> {
+    let (table, mut lights, mut seen) = table([degree, order]);
+    // Their lobes are too narrow for any order here.
+    seen.entries.retain(|material| !material.name.ends_with("-0.1"));
+    lights.entries.retain(|light| LIGHTS.contains(&light.name.as_str()));
+    let unseen = Materials { order, entries: Vec::new() };
+    let images = Images::new(&Scope { degree, order, lights, seen, unseen });
+    // The number that `shade` uses.
+    let knots = (64 * degree).next_power_of_two();
+    let ways = [Way::Polynomial, Way::Eigen, Way::Cubic(knots)];
+    let error = |format: Format, way, method| {
+        let setting = Setting::of(Recipe::all(degree, order)).by(way).in_format(format);
+        let errors = compare(&setting, &table, &images).expect("a basis in floats").seen;
+        let (largest, rms) = (errors.largest.worst, errors.rms.worst);
+        Errors { components: table.count(), method, format: format.to_string(), largest, rms }
+    };
+    let methods = || ways.into_iter().zip(["polynomial", "eigen", "sampled"]);
+    let of = |format| methods().map(move |(way, method)| error(format, way, method));
+    [Format::F32, Format::F64].into_iter().flat_map(of).collect()
+}
+
+/// The table of all components at this degree and order, with its lights and materials.
+fn table([degree, order]: [usize; 2]) -> (Table, Lights, Materials) {
+    let scene = scene(degree, order, usize::MAX).expect("the shipped scene");
+    let mut materials = glossy::materials(order);
+    let mut matte = vec![0.0; eigenshade_index::material::count(order)];
+    matte[0] = 2.0;
+    let rgb = [matte.clone(), matte.clone(), matte];
+    materials.entries.push(Named { name: "lambertian".into(), rgb });
+    let lights = shipped::lights().expect("the shipped lights").truncated(degree);
+    let table = basis::build(&scene, &lights, &materials).expect("a table");
+    (table, lights, materials)
+}
 
 /// Three methods with every component above a rank cut-off of 1e-10. The table of
 /// `docs/method.md` has the errors in f32.

@@ -237,7 +237,7 @@ fn glosses_are_fitted_again() {
     let some = all.filter(|(k, one)| k % 10 == 0 || one.gloss.roughness < 0.08);
     let recorded: Vec<NamedGloss> = some.map(|(_, one)| one).collect();
     let names: Vec<String> = recorded.iter().map(|one| one.name.clone()).collect();
-    let found = glosses(&repository().join("tables/inputs"), &names).unwrap();
+    let found = glosses(&names).unwrap();
     assert!(found.len() == recorded.len() && found.len() > 10);
     for (NamedGloss { name, gloss, error: left }, recorded) in found.into_iter().zip(recorded) {
         assert_eq!(name, recorded.name);

@@ -5,6 +5,7 @@ use eigenshade::mathematics::{Libm, SinglePrecision};
 use eigenshade::{Gloss, Scalar, Source};
 use std::f64::consts::PI;
 
+pub use eigenshade_testing::fixtures::disc;
 pub use eigenshade_testing::vectors::{VIEW, Vector, at, cross, dot, scaled, sum, unit};
 
 /// Two tangents at a direction that is not the view's negative: away from the view, and across.
@@ -209,15 +210,6 @@ impl Glossy {
         let matte = (1.0 - fresnel) * self.albedo / PI;
         cosine * (matte + faded * fresnel * distribution * self.visibility(cosine, view))
     }
-}
-
-/// Normals uniform over the sphere's disc.
-pub fn disc(width: i32) -> Vec<Vector> {
-    let place = |k: i32| f64::from(2 * k + 1) / f64::from(width) - 1.0;
-    let all = (0..width * width).map(|k| [place(k % width), place(k / width)]);
-    all.filter(|[x, y]| x.hypot(*y) < 1.0)
-        .map(|[x, y]| [x, y, (1.0 - x * x - y * y).sqrt()])
-        .collect()
 }
 
 /// Normals around the half-way direction of a source, in steps of a part of the lobe.

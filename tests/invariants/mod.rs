@@ -18,7 +18,9 @@ pub use ways::{every_way, reconstruct};
 
 use eigenshade::index::{light, material, wire};
 use eigenshade::quantized::{self, Transfer};
-use eigenshade::{Basis, Effect, Effects, Format, GeneralBasis, Light, Material, Normal, Q15, Q31};
+use eigenshade::{
+    Basis, Effect, Effects, Format, GeneralBasis, Light, Material, Normal, Q15, Q31, Tolerance,
+};
 use integer::Integer;
 
 /// d in 15 bits, relative to what its addends could be: light, material, Ĉ, S, factors and T are
@@ -142,16 +144,7 @@ fn read(bytes: &[u8]) {
         floats(&basis);
     }
     if let Ok(basis) = GeneralBasis::<f32>::from_bytes(bytes) {
-        floats(basis.span());
-        let (degree, order) = (basis.span().degree(), basis.span().order());
-        let ones = vec![1.0; light::count(degree)];
-        let light = Light::new(&ones).expect("a light");
-        let ones = vec![1.0; material::count(order)];
-        let material = Material::new(&ones).expect("a material");
-        let mut workspace = vec![0.0; basis.workspace_len()];
-        let mut d = vec![0.0; basis.components()];
-        // A basis of transfers alone takes in no material.
-        let _ = basis.project_into(&light, &material, &mut workspace, &mut d);
+        general(&basis);
     }
     if let Ok(basis) = quantized::Basis::<Q15>::from_bytes(bytes) {
         integers(&basis);
@@ -161,7 +154,16 @@ fn read(bytes: &[u8]) {
     }
 }
 
-fn floats(basis: &Basis<'_, f32>) {
+/// More components than any table in `tests/wire_files` has. A basis with more is not estimated.
+const COMPONENTS: usize = 256;
+
+/// Everything can be done with a basis that was read.
+pub fn floats(basis: &Basis<'_, f32>) {
+    let normal = Normal::new(0.6, 0.0, 0.8).expect("a normal");
+    if let Ok(mut estimate) = basis.estimate::<COMPONENTS>() {
+        estimate.add(normal, 1.0, 1.0);
+        let _ = estimate.coefficients();
+    }
     let ones = vec![1.0; light::count(basis.degree())];
     let light = Light::new(&ones).expect("a light");
     let ones = vec![1.0; material::count(basis.order())];
@@ -169,26 +171,53 @@ fn floats(basis: &Basis<'_, f32>) {
     let mut workspace = vec![0.0; basis.workspace_len()];
     let mut d = vec![1.0; basis.components()];
     let mut transfer = vec![1.0; basis.transfer_len()];
-    if basis.project_into(&light, &material, &mut workspace, &mut d).is_ok() {
+    // A basis of transfers alone takes in no material.
+    let done = basis.project_into(&light, &material, &mut workspace, &mut d);
+    assert!(done.is_ok() || !basis.projects());
+    if done.is_ok() {
         basis.transfer_into(&material, &mut workspace, &mut transfer).expect("sizes");
         for effect in Effect::ALL {
-            let effects = Effects::NONE.with(effect);
-            basis
-                .project_effects_into(&light, &material, effects, &mut workspace, &mut d)
-                .expect("sizes");
-            basis
-                .transfer_effects_into(&material, effects, &mut workspace, &mut transfer)
-                .expect("sizes");
+            for effects in [Effects::NONE.with(effect), Effects::ALL.without(effect)] {
+                basis
+                    .project_effects_into(&light, &material, effects, &mut workspace, &mut d)
+                    .expect("sizes");
+                basis
+                    .transfer_effects_into(&material, effects, &mut workspace, &mut transfer)
+                    .expect("sizes");
+            }
         }
     }
     basis.relight_into(&transfer, &light, &mut d).expect("sizes");
-    let scene = basis.collapse_into(&d, vec![0.0; basis.scene_len()]).expect("sizes");
-    let normal = Normal::new(0.6, 0.0, 0.8).expect("a normal");
-    let _ = scene.shade(normal);
     basis.reconstruct(&d, normal).expect("as many as components");
+    let scene = basis.collapse_into(&d, vec![0.0; basis.scene_len()]).expect("sizes");
+    let _ = scene.shade(normal);
+    let (mut lengths, buffer) = (vec![0; basis.azimuths()], vec![0.0; basis.scene_len()]);
+    let tolerance = Tolerance::OfPeak(0.01);
+    let within = basis.collapse_within(&d, tolerance, &mut lengths, buffer);
+    let _ = within.expect("sizes").0.shade(normal);
 }
 
-fn integers<Q: Integer>(basis: &quantized::Basis<'_, Q>) {
+/// See [`floats`].
+pub fn general(basis: &GeneralBasis<'_, f32>) {
+    let span = basis.span();
+    floats(span);
+    let ones = vec![1.0; light::count(span.degree())];
+    let light = Light::new(&ones).expect("a light");
+    let ones = vec![1.0; material::count(span.order())];
+    let material = Material::new(&ones).expect("a material");
+    let normal = Normal::new(0.6, 0.0, 0.8).expect("a normal");
+    let mut workspace = vec![0.0; basis.workspace_len()];
+    let mut d = vec![1.0; basis.components()];
+    let done = basis.project_into(&light, &material, &mut workspace, &mut d);
+    assert!(done.is_ok() || !span.projects());
+    basis.reconstruct(&d, normal, &mut workspace).expect("sizes");
+    let buffer = vec![0.0; span.scene_len()];
+    let scene = basis.collapse_into(&d, &mut workspace, buffer).expect("sizes");
+    let _ = scene.shade(normal);
+}
+
+/// See [`floats`].
+pub fn integers<Q: Integer>(basis: &quantized::Basis<'_, Q>) {
     // Of any format a number of 16 bits.
     let own = |mantissa: i16| Q::rounded(f64::from(mantissa) / 32_768.0);
     let numbers = |count: usize| -> Vec<Q> {
@@ -215,6 +244,10 @@ fn integers<Q: Integer>(basis: &quantized::Basis<'_, Q>) {
         let normal = Q::normal(normal.map(Q::rounded)).expect("a unit vector");
         // Of a forged table it may mean nothing.
         let _ = scene.shade(normal);
+        if let Ok(mut estimate) = basis.estimate::<COMPONENTS>() {
+            estimate.add(normal, own(1), 1);
+            let _ = estimate.coefficients(0);
+        }
     }
 }
 

@@ -61,38 +61,6 @@ fn rotated_harmonics_are_sums_of_harmonics() {
     }
 }
 
-/// Each of the nine cases alone: D_l^mn is the integral of Y_l^m(Rω) Y_l^n(ω).
-#[test]
-fn each_sign_case_is_its_integral() {
-    let degree = 5;
-    for rotation in ROTATIONS {
-        let mut integrals = vec![vec![0.0; light::count(degree)]; light::count(degree)];
-        for (z, weight) in gauss_legendre(2 * degree + 1, -1.0, 1.0) {
-            let steps = 4 * degree + 3;
-            for k in 0..steps {
-                let phi = TAU * k as f64 / steps as f64;
-                let sine = (1.0 - z * z).sqrt();
-                let direction = [sine * phi.cos(), sine * phi.sin(), z];
-                let area = weight * TAU / steps as f64;
-                let before = spherical_harmonic::all(degree, direction);
-                let after = spherical_harmonic::all(degree, times(rotation.matrix(), direction));
-                for (row, after) in integrals.iter_mut().zip(&after) {
-                    for (sum, before) in row.iter_mut().zip(&before) {
-                        *sum += area * after * before;
-                    }
-                }
-            }
-        }
-        for (l, m) in light::indices(degree) {
-            for n in -l.cast_signed()..=l.cast_signed() {
-                let expected = integrals[light::position(l, m)][light::position(l, n)];
-                let found = rotation.coefficient(l, m, n);
-                assert!((found - expected).abs() <= tolerances::SPECIAL_LOW, "{l} {m} {n}");
-            }
-        }
-    }
-}
-
 #[test]
 fn turning_back_undoes_turning() {
     let degree = 12;

@@ -4,17 +4,17 @@
 
 use crate::tolerances;
 use eigenshade_generator::basis::moments::{LightStatistics, equal};
-use eigenshade_generator::basis::profile::evaluate;
 use eigenshade_generator::basis::{self, general};
 use eigenshade_generator::object::density;
 use eigenshade_generator::object::geometry::{Geometry, WeightedNormals};
 use eigenshade_model::database::{Lights, Materials, Named};
 use eigenshade_model::inputs::coefficient_csv::{read_lights, read_materials};
 use eigenshade_model::special::quadrature::gauss_legendre;
-use eigenshade_model::special::spherical_harmonic::{self, azimuth};
+use eigenshade_model::special::spherical_harmonic;
 use eigenshade_table::Table;
 use eigenshade_table::scene::{Criterion, LightRotation, MaterialNormalize, Normalize, Scene};
-use faer::Mat;
+use eigenshade_testing::fixtures::Projector;
+use eigenshade_testing::{largest, largest_difference};
 use std::path::Path;
 
 const FOLDER: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../../tables");
@@ -224,27 +224,6 @@ fn turned_about_y(light: &[f64], degree: usize, angle: f64) -> Vec<f64> {
     turned
 }
 
-/// The eigenimages at these normals: a row a normal.
-fn eigenimages(table: &Table, normals: &[[f64; 3]]) -> Mat<f64> {
-    let span = |[x, y, z]: [f64; 3]| -> Vec<f64> {
-        let of = |component: &eigenshade_table::Component| {
-            let profile = &table.profiles[component.profile];
-            let sine = x.hypot(y).powi(profile.azimuth as i32);
-            evaluate(&profile.chebyshev, z) * sine * azimuth(component.order as isize, y.atan2(x))
-        };
-        table.components.iter().map(of).collect()
-    };
-    let values: Vec<Vec<f64>> = normals.iter().map(|normal| span(*normal)).collect();
-    let count = table.components.len();
-    match &table.general {
-        None => Mat::from_fn(normals.len(), count, |k, i| values[k][i]),
-        Some(general) => Mat::from_fn(normals.len(), table.count(), |k, i| {
-            let row = &general.synthesis[i * count..(i + 1) * count];
-            row.iter().zip(&values[k]).map(|(a, b)| a * b).sum()
-        }),
-    }
-}
-
 /// Normals of a sphere by quadrature.
 fn sphere(degree: usize) -> WeightedNormals {
     let pairs = density::read("cos(a)", Path::new(""), degree).expect("a formula");
@@ -265,19 +244,17 @@ fn the_sphere_by_quadrature_is_the_sphere() {
         let listed = Geometry::Listed(sphere(9));
         let general = general::build(&scene, &listed, &lights, &materials).expect("a basis");
         assert_eq!(own.count(), general.count());
-        let largest = own.spectrum.iter().filter_map(|(_, value)| *value).fold(0.0, f64::max);
+        let most = largest(own.spectrum.iter().filter_map(|(_, value)| *value));
         for ((_, own), (_, general)) in own.spectrum.iter().zip(&general.spectrum) {
             let apart = (own.unwrap_or(0.0) - general.unwrap_or(0.0)).abs();
-            assert!(apart <= tolerances::GENERAL_SPHERE * largest, "{own:?} {general:?}");
+            assert!(apart <= tolerances::GENERAL_SPHERE * most, "{own:?} {general:?}");
         }
         let normals: Vec<[f64; 3]> = sphere(3).normals().to_vec();
-        let (a, b) = (eigenimages(&own, &normals), eigenimages(&general, &normals));
-        let mut worst: f64 = 0.0;
-        for i in 0..own.count() {
-            for k in 0..normals.len() {
-                worst = worst.max((a[(k, i)] - b[(k, i)]).abs());
-            }
-        }
+        let both = [&own, &general].map(Projector::new);
+        let worst = largest((0..own.count()).map(|i| {
+            let [a, b] = both.each_ref().map(|basis| basis.eigenimage(i, &normals));
+            largest_difference(&a, &b)
+        }));
         println!("{criterion:?}: eigenimages {worst:.1e}");
         assert!(worst <= tolerances::GENERAL_SPHERE, "{worst:e}");
     }

@@ -68,12 +68,6 @@ impl Rotation {
         }
     }
 
-    /// D_l^mn of one degree; 0 if |m| or |n| exceeds l.
-    #[must_use]
-    pub fn coefficient(self, l: usize, m: isize, n: isize) -> f64 {
-        self.column(l, m, n).last().copied().unwrap_or(0.0)
-    }
-
     /// The coefficients of the light rotated by R: L'(Rω) = L(ω), so L'_m = Σ_n D_l^mn L_n.
     ///
     /// `light` and the result have (degree + 1)² coefficients in the order of

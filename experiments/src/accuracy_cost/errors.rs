@@ -105,32 +105,9 @@ pub const MAPS: [&str; 6] = ["esplanade", "hall", "park", "sky", "studio", "veni
 /// The surfaces of a quick run.
 const QUICK: [&str; 2] = ["ggx-0.9-0.7", "teflon"];
 
-/// One surface at one degree and order.
-pub struct Row {
-    surface: String,
-    size: (usize, usize),
-    /// The rms over the sphere and the channels relative to the peak, by map.
-    errors: Vec<f64>,
-}
-
-impl Row {
-    pub fn record(&self) -> Record {
-        let mut record = Record::default();
-        record.put("surface", &self.surface);
-        record.put("degree", self.size.0);
-        record.put("order", self.size.1);
-        let Spread { median, worst, .. } = Spread::of(&self.errors);
-        record.measure("median", median);
-        record.measure("worst", worst);
-        for (map, &error) in MAPS.into_iter().zip(&self.errors) {
-            record.measure(map, error);
-        }
-        record
-    }
-}
-
-/// Integrates under the maps in this folder; with `quick`, only two surfaces.
-pub fn rows(folder: &Path, quick: bool, progress: &ProgressBar) -> Result<Vec<Row>> {
+/// The errors of each surface at each degree and order, under the maps in this folder; with
+/// `quick`, only of two surfaces.
+pub fn rows(folder: &Path, quick: bool, progress: &ProgressBar) -> Result<Vec<Record>> {
     let map = |name: &&str| {
         let path = folder.join(format!("{name}.exr"));
         if !path.is_file() {
@@ -151,11 +128,19 @@ pub fn rows(folder: &Path, quick: bool, progress: &ProgressBar) -> Result<Vec<Ro
     let mut rows = Vec::new();
     for (surface, projected) in surfaces.iter().zip(&projected) {
         let reference = Reference::new(surface, &maps, progress);
-        rows.extend(sizes.iter().zip(projected).map(|(&size, Projected { material, .. })| Row {
-            surface: surface.name.clone(),
-            size,
-            errors: reference.of_sum(&lights, size, material),
-        }));
+        for (&size, Projected { material, .. }) in sizes.iter().zip(projected) {
+            // The rms over the sphere and the channels relative to the peak, by map.
+            let errors = reference.of_sum(&lights, size, material);
+            let mut record = Record::default();
+            record.put("surface", &surface.name);
+            record.put("degree", size.0);
+            record.put("order", size.1);
+            let Spread { median, worst, .. } = Spread::of(&errors);
+            record.measure("median", median);
+            record.measure("worst", worst);
+            MAPS.into_iter().zip(&errors).for_each(|(map, &error)| record.measure(map, error));
+            rows.push(record);
+        }
     }
     Ok(rows)
 }

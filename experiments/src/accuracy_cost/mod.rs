@@ -38,7 +38,6 @@ use scope::Scope;
 use settings::{Setting, Varied};
 use sheet::{GROWTH, MODEL, SETTINGS, TOTAL};
 use std::collections::BTreeSet;
-use std::mem::take;
 use std::path::Path;
 use times::Case;
 use total::references::SPACING;
@@ -62,8 +61,7 @@ impl Measured {
     /// Runs the measurements with the environment maps in `maps`; with `quick`, only for a part of
     /// the settings, surfaces and sizes. Times are left out unless `timed`.
     pub fn new(quick: bool, timed: bool, maps: &Path, progress: &ProgressBar) -> Result<Self> {
-        let model: Vec<Record> =
-            errors::rows(maps, quick, progress)?.iter().map(errors::Row::record).collect();
+        let model = errors::rows(maps, quick, progress)?;
         let subjects = if quick { subjects::few()? } else { subjects::all()? };
         let orders: Vec<usize> = settings::sizes().map(|(_, order)| order).collect();
         let study = Study::new(maps, subjects, &orders, SPACING, progress)?;
@@ -77,30 +75,6 @@ impl Measured {
         }
         let growth = times::rows(quick, timed)?;
         Ok(Self { settings, model, total, growth })
-    }
-
-    /// Measures the settings that these rows lack, with their times, and removes the rows of
-    /// settings that there are no more.
-    pub fn completed(mut self, maps: &Path, progress: &ProgressBar) -> Result<Self> {
-        let mut varied = settings::all(false);
-        let names: Vec<String> = varied.iter().map(|one| one.setting.to_string()).collect();
-        let place = |row: &Record| names.iter().position(|name| *name == row.text("setting"));
-        let known: BTreeSet<String> =
-            self.settings.iter().map(|row| row.text("setting").to_owned()).collect();
-        let is_known = |row: &Record| known.contains(row.text("setting"));
-        // Times are relative to those of the first setting, the nine-term formula.
-        let mut first = true;
-        varied.retain(|one| take(&mut first) || !known.contains(&one.setting.to_string()));
-        let orders: Vec<usize> = settings::sizes().map(|(_, order)| order).collect();
-        let study = Study::new(maps, subjects::all()?, &orders, SPACING, progress)?;
-        let (settings, total) = measure(&varied, Some(&self.model), &study, true, progress)?;
-        self.settings.extend(settings.into_iter().filter(|row| !is_known(row)));
-        self.settings.retain(|row| place(row).is_some());
-        self.settings.sort_by_key(|row| place(row));
-        self.total.extend(total.into_iter().filter(|row| !is_known(row)));
-        // The shipped tables and the rivals come last.
-        self.total.sort_by_key(|row| place(row).unwrap_or(names.len()));
-        Ok(self)
     }
 
     /// Reads the files of a folder.

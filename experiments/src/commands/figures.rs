@@ -68,15 +68,11 @@ pub struct AccuracyCost {
     /// With --out: keep the times of DIR's files and recompute the rest
     #[arg(long, conflicts_with_all = ["quick", "check"])]
     keep_times: bool,
-    /// With --out: keep the rows of DIR's files, and measure only the settings that they lack.
-    /// Where inputs have changed, delete their rows first
-    #[arg(long, conflicts_with_all = ["quick", "check", "keep_times"])]
-    add: bool,
     /// Also write, or compare, the choices of a setting in this page
     #[arg(long, value_name = "FILE")]
     page: Option<PathBuf>,
     /// With --out: measure nothing, only make the charts and tables from DIR's CSV files
-    #[arg(long, conflicts_with_all = ["quick", "check", "keep_times", "add"])]
+    #[arg(long, conflicts_with_all = ["quick", "check", "keep_times"])]
     from_csv: bool,
     /// Folder of the project's environment maps
     #[arg(long, value_name = "DIR", default_value = "tables/inputs/maps")]
@@ -90,13 +86,9 @@ impl AccuracyCost {
         // Paths that cannot be read or written fail before the long computation.
         if let Some(out) = &self.purpose.out {
             fs::create_dir_all(out).map_err(|error| Error::io(out, &error))?;
-            let earlier =
-                (self.keep_times || self.add || self.from_csv).then(|| Measured::read(out));
+            let earlier = (self.keep_times || self.from_csv).then(|| Measured::read(out));
             let measured = match earlier.transpose()? {
                 Some(earlier) if self.from_csv => earlier,
-                Some(earlier) if self.add => {
-                    earlier.completed(&self.maps, &progress_bar("settings", 0))?
-                }
                 Some(earlier) => {
                     let mut measured = measure(false)?;
                     measured.keep_times(&earlier)?;

@@ -12,47 +12,22 @@ use eigenshade_model::srgb::srgb;
 use experiments::highlights::{self, DRAWN};
 use experiments::numbers::{exposure, percent};
 use experiments::pages::filled;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
-/// The gloss of the shipped materials in color, tables/inputs/gloss.csv
-///
-/// One GGX lobe over a matte base is fitted to each. `error` is the rms of what it leaves of
-/// pictures under points of light, relative to that of the pictures.
-#[derive(Args, Debug)]
-pub struct Gloss {
-    /// Write the CSV to this file instead of standard output
-    #[arg(long, value_name = "FILE")]
-    out: Option<PathBuf>,
+pub fn gloss(out: Option<&Path>) -> Result<()> {
+    let glosses = highlights::glosses(&[])?;
+    output::write(out, |out| {
+        write_command_line(out)?;
+        write_glosses(&glosses, out)
+    })
 }
 
-impl Gloss {
-    pub fn run(self) -> Result<()> {
-        let glosses = highlights::glosses(inputs(), &[])?;
-        output::write(self.out.as_deref(), |out| {
-            write_command_line(out)?;
-            write_glosses(&glosses, out)
-        })
-    }
-}
-
-/// The errors that the shipped sources leave, tables/inputs/sources.errors.csv
-///
-/// Those that `eigenshade light --sources` writes are of sources that are not yet rounded.
-#[derive(Args, Debug)]
-pub struct SourceErrors {
-    /// Write the CSV to this file instead of standard output
-    #[arg(long, value_name = "FILE")]
-    out: Option<PathBuf>,
-}
-
-impl SourceErrors {
-    pub fn run(self) -> Result<()> {
-        let errors = highlights::remaining(inputs(), &[], &progress_bar("lights", 0))?;
-        output::write(self.out.as_deref(), |out| {
-            write_command_line(out)?;
-            write_set_errors(&errors, out)
-        })
-    }
+pub fn source_errors(out: Option<&Path>) -> Result<()> {
+    let errors = highlights::remaining(inputs(), &[], &progress_bar("lights", 0))?;
+    output::write(out, |out| {
+        write_command_line(out)?;
+        write_set_errors(&errors, out)
+    })
 }
 
 /// Errors of pictures with small sources, docs/highlights.csv and the tables of docs/highlights.md
@@ -97,46 +72,34 @@ const UNCLIPPED: f64 = 0.995;
 const LIGHTS: [&str; 3] = ["studio", "sunset", "night"];
 const MATERIALS: [&str; 3] = ["gold-metallic-paint", "blue-metallic-paint", "yellow-phenolic"];
 
-/// Spheres with sources beside those without, and direct integration, docs/highlights.png
-#[derive(Args, Debug)]
-pub struct HighlightPicture {
-    /// The file to write
-    #[arg(long, value_name = "FILE")]
-    out: PathBuf,
-}
-
-impl HighlightPicture {
-    pub fn run(self) -> Result<()> {
-        let view = SphereView::new(SIZE);
-        let across = |count: usize| GAP + count * (SIZE + GAP);
-        let columns = DRAWN.len() * MATERIALS.len();
-        let mut canvas = Canvas::new(across(columns), across(LIGHTS.len()), BACKGROUND);
-        let materials = || MATERIALS.into_iter().enumerate();
-        let pairs =
-            LIGHTS.into_iter().enumerate().flat_map(|light| materials().map(move |m| (light, m)));
-        for ((row, light), (group, material)) in pairs {
-            let pictures = highlights::spheres(inputs(), light, material, &view.normals)?;
-            let reference = pictures.last().into_iter().flatten().flatten().copied().collect();
-            let exposure = exposure(reference, UNCLIPPED);
-            for (column, (picture, drawn)) in pictures.iter().zip(DRAWN).enumerate() {
-                if let (Some(reference), Some(((degree, order), sources))) =
-                    (pictures.last(), drawn)
-                {
-                    let [rms, worst] = highlights::errors_of(&view.normals, picture, reference);
-                    print_message(format_args!(
-                        "{light}, {material}, {degree}/{order} + {sources}: {} rms, {} worst",
-                        percent(rms, 2),
-                        percent(worst, 2)
-                    ));
-                }
-                for (k, pixel) in view.pixels.iter().enumerate() {
-                    let color = [0, 1, 2].map(|c: usize| srgb(exposure * picture[c][k]));
-                    let column = DRAWN.len() * group + column;
-                    let (x, y) = (across(column) + pixel.column, across(row) + pixel.row);
-                    canvas.blend(x, y, color, pixel.coverage);
-                }
+pub fn picture(out: &Path) -> Result<()> {
+    let view = SphereView::new(SIZE);
+    let across = |count: usize| GAP + count * (SIZE + GAP);
+    let columns = DRAWN.len() * MATERIALS.len();
+    let mut canvas = Canvas::new(across(columns), across(LIGHTS.len()), BACKGROUND);
+    let materials = || MATERIALS.into_iter().enumerate();
+    let pairs =
+        LIGHTS.into_iter().enumerate().flat_map(|light| materials().map(move |m| (light, m)));
+    for ((row, light), (group, material)) in pairs {
+        let pictures = highlights::spheres(inputs(), light, material, &view.normals)?;
+        let reference = pictures.last().into_iter().flatten().flatten().copied().collect();
+        let exposure = exposure(reference, UNCLIPPED);
+        for (column, (picture, drawn)) in pictures.iter().zip(DRAWN).enumerate() {
+            if let (Some(reference), Some(((degree, order), sources))) = (pictures.last(), drawn) {
+                let [rms, worst] = highlights::errors_of(&view.normals, picture, reference);
+                print_message(format_args!(
+                    "{light}, {material}, {degree}/{order} + {sources}: {} rms, {} worst",
+                    percent(rms, 2),
+                    percent(worst, 2)
+                ));
+            }
+            for (k, pixel) in view.pixels.iter().enumerate() {
+                let color = [0, 1, 2].map(|c: usize| srgb(exposure * picture[c][k]));
+                let column = DRAWN.len() * group + column;
+                let (x, y) = (across(column) + pixel.column, across(row) + pixel.row);
+                canvas.blend(x, y, color, pixel.coverage);
             }
         }
-        write_png(&self.out, canvas.width, canvas.height, &canvas.bytes)
     }
+    write_png(out, canvas.width, canvas.height, &canvas.bytes)
 }

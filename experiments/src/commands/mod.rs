@@ -7,26 +7,44 @@ mod highlights;
 mod material_errors;
 mod pictures;
 
-use clap::Subcommand;
+use clap::{Args, Subcommand};
 use eigenshade_cli::messages::printable;
 use eigenshade_cli::messages::spinner;
 use eigenshade_cli::output::write_error;
 use eigenshade_model::error::{Error, Result};
 use experiments::pages::Purpose;
-use experiments::{ablation, float_errors, mutations, reading, stability};
+use experiments::{ablation, mutations, reading, stability};
 use std::io::Write;
 use std::path::{Path, PathBuf};
+
+/// Where a command writes its CSV.
+#[derive(Args, Debug)]
+pub struct Csv {
+    /// Write the CSV to this file instead of standard output
+    #[arg(long, value_name = "FILE")]
+    out: Option<PathBuf>,
+}
+
+/// The file that a command makes.
+#[derive(Args, Debug)]
+pub struct OutputFile {
+    /// The file to write
+    #[arg(long, value_name = "FILE")]
+    out: PathBuf,
+}
 
 /// The commands of the program.
 #[derive(Debug, Subcommand)]
 pub enum Command {
     Paper(figures::Paper),
     Picture(pictures::Picture),
-    ContactSheet(pictures::ContactSheet),
+    /// All presets, docs/presets.png: the materials in the lobby with one exposure, then the lights
+    /// on gold paint, each with its own
+    ContactSheet(OutputFile),
     AccuracyCost(figures::AccuracyCost),
     /// Cost and contribution of each effect, docs/ablation.md; times are not compared
     Ablation(Purpose),
-    /// The numerically hard cases, measured, docs/stability.md; ratios of times are not compared
+    /// The numerically hard cases, measured, docs/stability.md
     Stability(Purpose),
     /// Errors of estimates from degraded images, docs/reading.md
     Reading {
@@ -37,26 +55,39 @@ pub enum Command {
         tables: PathBuf,
     },
     Errors(errors::Errors),
-    /// Errors of the runtime in floats against the direct sum over modes, with all components
-    ///
-    /// Writes CSV to standard output: the largest and the root mean square error of a pixel,
-    /// relative to the image's peak, for the worst pair of a light and a material.
-    FloatErrors {
-        /// Degrees and orders [default: from 9,7 to 32,32]
-        #[arg(value_name = "DEGREE,ORDER", value_parser = shape)]
-        shapes: Vec<[usize; 2]>,
-    },
     /// Results of the runtime, tests/golden/sphere.csv
     ///
     /// Integers must be equal; floats may differ by the tolerance that the file states.
     Golden(Purpose),
-    Gloss(highlights::Gloss),
+    /// The gloss of the shipped materials in color, tables/inputs/gloss.csv
+    ///
+    /// One GGX lobe over a matte base is fitted to each. `error` is the rms of what it leaves of
+    /// pictures under points of light, relative to that of the pictures.
+    Gloss(Csv),
     GlossyMaterials(files::GlossyMaterials),
     Highlights(highlights::Highlights),
-    HighlightPicture(highlights::HighlightPicture),
-    SourceErrors(highlights::SourceErrors),
-    MaterialErrors(material_errors::MaterialErrors),
-    MetallicRoughness(files::MetallicRoughness),
+    /// Spheres with sources beside those without, and direct integration, docs/highlights.png
+    HighlightPicture(OutputFile),
+    /// The errors that the shipped sources leave, tables/inputs/sources.errors.csv
+    ///
+    /// Those that `eigenshade light --sources` writes are of sources that are not yet rounded.
+    SourceErrors(Csv),
+    /// Total errors of the shipped materials, tables/inputs/merl.errors.csv
+    ///
+    /// The reference is direct integration of each BRDF under the environment maps, without degree
+    /// or order; PTFE, which was measured, is its own coefficients. The error of a map is the rms
+    /// over a sphere's picture and the channels, relative to the picture's peak. The CSV has its
+    /// median and its worst over the maps, the map of the worst, and the largest error of any pixel
+    /// under any map, for the coefficients that are shipped at 9/7 and for the same at 12/12. The
+    /// normals are evenly spaced ones, and others that mirror the lamps of the maps. Takes some ten
+    /// minutes on two cores.
+    MaterialErrors(Csv),
+    /// Coefficients of glTF materials, tables/inputs/metallic-roughness.csv
+    ///
+    /// A material's coefficients are albedo (1 - f0) `matte` + `rim` + f0 `metal`. `matte` does not
+    /// depend on roughness; `rim` and `metal` are sums of Chebyshev polynomials T_k in
+    /// (roughness - 0.6) / 0.4. Writes the CSV `order,k,o,p,q,matte,rim,metal`.
+    MetallicRoughness(OutputFile),
     SameOrder(files::SameOrder),
     WasmTables(files::WasmTables),
     Mutations(mutations::Mutations),
@@ -68,7 +99,7 @@ impl Command {
         match self {
             Self::Paper(command) => command.run(),
             Self::Picture(command) => command.run(),
-            Self::ContactSheet(command) => command.run(),
+            Self::ContactSheet(file) => pictures::contact_sheet(&file.out),
             Self::AccuracyCost(command) => command.run(),
             Self::Ablation(purpose) => {
                 let parts = ablation::parts(&ablation::scenes::Times::measured());
@@ -89,31 +120,19 @@ impl Command {
                 reading::PAGE.write_or_compare(&purpose, &reading::parts(&tables)?)
             }
             Self::Errors(command) => command.run(),
-            Self::FloatErrors { shapes } => {
-                let shapes = if shapes.is_empty() { &float_errors::SHAPES } else { &shapes[..] };
-                float_errors::print(shapes);
-                Ok(())
-            }
             Self::Golden(purpose) => files::golden(&purpose),
-            Self::Gloss(command) => command.run(),
+            Self::Gloss(csv) => highlights::gloss(csv.out.as_deref()),
             Self::GlossyMaterials(command) => command.run(),
             Self::Highlights(command) => command.run(),
-            Self::HighlightPicture(command) => command.run(),
-            Self::SourceErrors(command) => command.run(),
-            Self::MaterialErrors(command) => command.run(),
-            Self::MetallicRoughness(command) => command.run(),
+            Self::HighlightPicture(file) => highlights::picture(&file.out),
+            Self::SourceErrors(csv) => highlights::source_errors(csv.out.as_deref()),
+            Self::MaterialErrors(csv) => material_errors::run(csv.out.as_deref()),
+            Self::MetallicRoughness(file) => files::metallic_roughness(&file.out),
             Self::SameOrder(command) => command.run(),
             Self::WasmTables(command) => command.run(),
             Self::Mutations(command) => command.run(),
         }
     }
-}
-
-fn shape(text: &str) -> std::result::Result<[usize; 2], String> {
-    let numbers = text.split_once(',').and_then(|(degree, order)| {
-        Some([degree.parse::<usize>().ok()?, order.parse::<usize>().ok()?])
-    });
-    numbers.ok_or_else(|| "expected two whole numbers like 9,7".to_owned())
 }
 
 /// The folder of the shipped tables' inputs, from the repository's root.

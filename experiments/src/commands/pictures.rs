@@ -15,7 +15,7 @@ use eigenshade_shading::owned_basis::OwnedBasis;
 use eigenshade_shading::shader::{OwnedNormals, Shader, fault};
 use eigenshade_shading::shipped;
 use experiments::numbers::exposure;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 /// Width of a sphere and of the gap beside it, in pixels.
 const SIZE: usize = 168;
@@ -111,44 +111,33 @@ const UNCLIPPED_PRESET: f32 = 0.95;
 /// The window of the lights, which takes the ringing of small lamps.
 const WIDTH: f32 = 12.0;
 
-/// All presets, docs/presets.png: the materials in the lobby with one exposure, then the lights on
-/// gold paint, each with its own
-#[derive(Args, Debug)]
-pub struct ContactSheet {
-    /// The file to write
-    #[arg(long, value_name = "FILE")]
-    out: PathBuf,
+pub fn contact_sheet(out: &Path) -> Result<()> {
+    write_presets(out).map_err(|fault| Error::new(fault.to_string(), "check the presets"))
 }
 
-impl ContactSheet {
-    pub fn run(self) -> Result<()> {
-        self.drawn().map_err(|fault| Error::new(fault.to_string(), "check the presets"))
+fn write_presets(out: &Path) -> std::result::Result<(), Box<dyn std::error::Error>> {
+    let view = SphereView::new(BALL);
+    let mut spheres = Vec::new();
+    for (name, material) in material::ALL {
+        spheres.push((name, colors(&view, light::LOBBY, material)?));
     }
-
-    fn drawn(self) -> std::result::Result<(), Box<dyn std::error::Error>> {
-        let view = SphereView::new(BALL);
-        let mut spheres = Vec::new();
-        for (name, material) in material::ALL {
-            spheres.push((name, colors(&view, light::LOBBY, material)?));
-        }
-        // The materials have one light, and the exposure of all of them.
-        let of_all = metered(spheres.iter().flat_map(|(_, colors)| colors));
-        let mut spheres: Vec<_> =
-            spheres.into_iter().map(|(name, colors)| (name, colors, of_all)).collect();
-        for (name, light) in light::ALL {
-            let windowed = light.windowed::<Libm, 100>(Window::SincFourth { width: WIDTH })?;
-            let colors = colors(&view, windowed.lights()?, material::GOLD_METALLIC_PAINT)?;
-            let exposure = metered(&colors);
-            spheres.push((name, colors, exposure));
-        }
-        let rows = spheres.len().div_ceil(COLUMNS);
-        let mut canvas = Canvas::new(FIELD[0] * COLUMNS, FIELD[1] * rows, BACKGROUND);
-        for (k, (name, colors, exposure)) in spheres.into_iter().enumerate() {
-            let place = [FIELD[0] * (k % COLUMNS), FIELD[1] * (k / COLUMNS)];
-            draw(&mut canvas, place, name, &view, colors.into_iter().map(|one| exposure.of(one)));
-        }
-        Ok(write_png(&self.out, canvas.width, canvas.height, &canvas.bytes)?)
+    // The materials have one light, and the exposure of all of them.
+    let of_all = metered(spheres.iter().flat_map(|(_, colors)| colors));
+    let mut spheres: Vec<_> =
+        spheres.into_iter().map(|(name, colors)| (name, colors, of_all)).collect();
+    for (name, light) in light::ALL {
+        let windowed = light.windowed::<Libm, 100>(Window::SincFourth { width: WIDTH })?;
+        let colors = colors(&view, windowed.lights()?, material::GOLD_METALLIC_PAINT)?;
+        let exposure = metered(&colors);
+        spheres.push((name, colors, exposure));
     }
+    let rows = spheres.len().div_ceil(COLUMNS);
+    let mut canvas = Canvas::new(FIELD[0] * COLUMNS, FIELD[1] * rows, BACKGROUND);
+    for (k, (name, colors, exposure)) in spheres.into_iter().enumerate() {
+        let place = [FIELD[0] * (k % COLUMNS), FIELD[1] * (k / COLUMNS)];
+        draw(&mut canvas, place, name, &view, colors.into_iter().map(|one| exposure.of(one)));
+    }
+    Ok(write_png(out, canvas.width, canvas.height, &canvas.bytes)?)
 }
 
 /// The irradiances of a sphere.

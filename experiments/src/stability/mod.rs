@@ -54,11 +54,6 @@ fn exactly(what: impl Into<String>, found: usize, bound: usize) -> Figure {
     Figure::new(what, found.to_string(), format!("= {bound}"), found == bound)
 }
 
-/// A ratio of times, without a bound because it depends on the host.
-fn report(what: impl Into<String>, found: f64) -> Figure {
-    Figure::new(what, format!("×{found:.1}"), "-".into(), found > 0.0)
-}
-
 /// A case's name on the page, and what measures its figures.
 type Case = (&'static str, fn() -> Vec<Figure>);
 

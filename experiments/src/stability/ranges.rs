@@ -1,10 +1,8 @@
 //! Coefficients that are tiny or huge, the share of f32 numbers that are subnormal when the light
-//! is at 1e-30 with the time that they take, and sums over very many pixels, in f32 and in
-//! integers.
+//! is at 1e-30, and sums over very many pixels, in f32 and in integers.
 
 use super::degrees::coefficients;
-use super::{Figure, exactly, least, most, report, tight};
-use crate::accuracy_cost::times;
+use super::{Figure, exactly, least, most, tight};
 use crate::tolerances;
 use eigenshade::{Argument, Error, Light, Material, Normal, Q15, Scalar, quantized, sphere};
 use eigenshade_shading::owned_basis::OwnedBasis;
@@ -13,7 +11,6 @@ use eigenshade_table::Table;
 use eigenshade_testing::fixtures::{self, disc};
 use eigenshade_testing::oracle::Numbers;
 use eigenshade_testing::{images, largest, relative_error};
-use std::hint::black_box;
 
 /// 2^100 = 1.3e30.
 const FAR: i32 = 100;
@@ -174,14 +171,6 @@ fn products_of_pixel(mut terms: &[f32], [x, y, z]: [f32; 3]) -> [(f32, Vec<f32>)
     [(pixel, horner), (sum, powers)]
 }
 
-/// The time with the first input relative to that with the second.
-fn time<T>([first, second]: [&T; 2], task: impl Fn(&T)) -> f64 {
-    let works: Vec<Box<dyn FnMut() + '_>> =
-        vec![Box::new(|| task(black_box(first))), Box::new(|| task(black_box(second)))];
-    let times = times::least(works, 100);
-    times[0] / times[1]
-}
-
 pub(super) fn subnormal() -> Vec<Figure> {
     let on = fixtures::materials(7, 1, &mut Numbers(42)).entries[0].luminance();
     let light = fixtures::lights(9, 1, &mut Numbers(43)).entries[0].luminance();
@@ -229,11 +218,6 @@ pub(super) fn subnormal() -> Vec<Figure> {
     let far: Vec<f64> = tiny.iter().copied().map(f64::from).collect();
     let all = shader.project((9, &far), (7, &on)).expect("coefficients");
 
-    let of_relight = time([&tiny, &plain], |light| drop(black_box(relit(light))));
-    let of_project =
-        time([&tiny, &plain], |light| drop(black_box(images::coefficients(light, &material))));
-    let of_collapse = time([&d, &of_plain], |d| drop(black_box(sphere::collapse(d))));
-    let of_shade = time(scenes.each_ref(), |scene| drop(black_box(shaded(scene))));
     let of_terms = count_subnormal(&of_image) as f64 / of_image.len() as f64;
     let of_components = count_subnormal(all) as f64 / all.len() as f64;
     vec![
@@ -249,10 +233,6 @@ pub(super) fn subnormal() -> Vec<Figure> {
         most("subnormal coefficients of all components, of all", of_components, 0.5),
         most("subnormal products in shading, light scaled to 1", share(&of_scaled), 0.0),
         exactly("pixels that differ in a bit, scaled back", other, 0),
-        report("time of relighting, relative to light at 1", of_relight),
-        report("time of projecting", of_project),
-        report("time of collapsing", of_collapse),
-        report("time of shading", of_shade),
     ]
 }
 

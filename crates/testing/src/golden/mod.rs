@@ -6,10 +6,10 @@
 pub mod record;
 
 use self::record::{Golden, Row};
+use crate::fixtures::Projector;
 use eigenshade::quantized::{Basis, Light, Material, Normal, Transfer};
 use eigenshade::{Error, FixedPoint, Q15, Q31, sphere};
 use eigenshade_shading::integer_shader::Integer;
-use eigenshade_shading::owned_basis::{AnyBasis, OwnedBasis};
 use eigenshade_shading::shipped;
 
 /// d and irradiances in f32 against those in f64, relative to the largest number of their array:
@@ -29,32 +29,6 @@ pub const PAIRS: [([&str; 3], usize); 6] = [
 const DEGREE: usize = sphere::DEGREE;
 const ORDER: usize = sphere::ORDER;
 
-/// An integer format with its shipped basis.
-trait Shipped: Integer<Wide: Into<i64>> {
-    /// The shipped basis.
-    fn shipped() -> &'static Basis<'static, Self>;
-    /// The normal with these mantissas.
-    fn exactly(components: [Self; 3]) -> Result<Normal<Self>, Error>;
-}
-
-impl Shipped for Q15 {
-    fn shipped() -> &'static Basis<'static, Self> {
-        &sphere::q15::BASIS
-    }
-    fn exactly([x, y, z]: [Self; 3]) -> Result<Normal<Self>, Error> {
-        Normal::<Self>::new(x, y, z)
-    }
-}
-
-impl Shipped for Q31 {
-    fn shipped() -> &'static Basis<'static, Self> {
-        &sphere::q31::BASIS
-    }
-    fn exactly([x, y, z]: [Self; 3]) -> Result<Normal<Self>, Error> {
-        Normal::<Self>::new(x, y, z)
-    }
-}
-
 /// Normals at the pole, on the rim, at corners of the cube, next to the pole and the rim, and some
 /// in between.
 fn normals() -> Vec<[f64; 3]> {
@@ -73,7 +47,7 @@ fn normals() -> Vec<[f64; 3]> {
 }
 
 /// The mantissas of all normals. The last normal has the format's smallest mantissa.
-fn mantissas_of_normals<Q: Shipped>() -> Vec<i32> {
+fn mantissas_of_normals<Q: FixedPoint>() -> Vec<i32> {
     let one = 2f64.powi(Q::BITS as i32);
     let rounded = |component: f64| (one * component).round().clamp(1.0 - one, one - 1.0) as i32;
     let mut numbers: Vec<i32> = normals().into_iter().flatten().map(rounded).collect();
@@ -136,14 +110,20 @@ pub fn checksum<'a>(answers: impl IntoIterator<Item = &'a Answer>) -> u32 {
     hasher.finalize()
 }
 
-fn integer_rows<Q: Shipped>(rows: &mut Vec<Row>) {
+/// Adds the rows of a format. `exactly` returns the normal with these mantissas.
+fn integer_rows<Q: Integer<Wide: Into<i64>>>(
+    rows: &mut Vec<Row>,
+    basis: &Basis<'_, Q>,
+    exactly: fn(Q, Q, Q) -> Result<Normal<Q>, Error>,
+) {
     let numbers = mantissas_of_normals::<Q>();
     rows.push(Row::new(Q::NAME, [""; 3], "normals", &[-(Q::BITS as i32)], &numbers));
     let normals: Vec<Normal<Q>> = numbers
         .as_chunks::<3>()
         .0
         .iter()
-        .map(|&components| Q::exactly(components.map(Q::of)).expect("a visible normal"))
+        .map(|components| components.map(Q::of))
+        .map(|[x, y, z]| exactly(x, y, z).expect("a visible normal"))
         .collect();
     let mut answers = Vec::new();
     for (pair, channel) in PAIRS {
@@ -154,7 +134,7 @@ fn integer_rows<Q: Shipped>(rows: &mut Vec<Row>) {
         let mut exponents = [0; ORDER + 1];
         let material = Material::quantize(&input.material, &mut of_material, &mut exponents);
         let material = material.expect("a material");
-        let answer = answer(Q::shipped(), &light, &material, &normals).expect("they fit the basis");
+        let answer = answer(basis, &light, &material, &normals).expect("they fit the basis");
         let exponent_of_light = light.exponent();
         let mantissas = |numbers: &[Q]| -> Vec<i64> {
             numbers.iter().map(|number| number.widen().into()).collect()
@@ -175,31 +155,17 @@ fn integer_rows<Q: Shipped>(rows: &mut Vec<Row>) {
 
 fn float_rows(rows: &mut Vec<Row>) {
     let rounded = |numbers: &[f64]| numbers.iter().map(|&value| value as f32).collect::<Vec<_>>();
+    let wide = |numbers: &[f32]| numbers.iter().map(|&value| value.into()).collect::<Vec<f64>>();
     let table = eigenshade_table::decode(shipped::TABLE).expect("the shipped table");
-    let basis = OwnedBasis::<f64>::new(&table);
-    let AnyBasis::Sphere(basis) = basis.any().expect("a basis") else {
-        panic!("the shipped table is a sphere's")
-    };
+    let projector = Projector::new(&table);
     let normals = rounded(normals().as_flattened());
     rows.push(Row::new("f32", [""; 3], "normals", &[], &normals));
+    let components = wide(&normals);
+    let (normals, _) = components.as_chunks::<3>();
     for (pair, channel) in PAIRS {
         let input = input(pair, channel);
-        let wide =
-            |numbers: &[f32]| numbers.iter().map(|&value| value.into()).collect::<Vec<f64>>();
-        let (light, material) = (wide(&input.light), wide(&input.material));
-        let light = eigenshade::Light::new(&light).expect("a light");
-        let material = eigenshade::Material::new(&material).expect("a material");
-        let mut workspace = vec![0.0; basis.workspace_len()];
-        let mut d = vec![0.0; basis.components()];
-        basis.project_into(&light, &material, &mut workspace, &mut d).expect("they fit the basis");
-        let scene = basis.collapse_into(&d, vec![0.0; basis.scene_len()]).expect("it fits");
-        let normals = wide(&normals);
-        let irradiances: Vec<f64> = normals
-            .as_chunks::<3>()
-            .0
-            .iter()
-            .map(|&[x, y, z]| scene.shade(eigenshade::Normal::new(x, y, z).expect("a normal")))
-            .collect();
+        let d = projector.project(&wide(&input.light), &wide(&input.material));
+        let irradiances = projector.shade(&d, normals);
         let row = |array: &str, numbers: &[f32]| Row::new("f32", pair, array, &[], numbers);
         rows.push(row("light", &input.light));
         rows.push(row("material", &input.material));
@@ -214,7 +180,7 @@ fn float_rows(rows: &mut Vec<Row>) {
 pub fn golden() -> Golden {
     let mut rows = Vec::new();
     float_rows(&mut rows);
-    integer_rows::<Q15>(&mut rows);
-    integer_rows::<Q31>(&mut rows);
+    integer_rows(&mut rows, &sphere::q15::BASIS, Normal::<Q15>::new);
+    integer_rows(&mut rows, &sphere::q31::BASIS, Normal::<Q31>::new);
     Golden { rows }
 }
