@@ -59,7 +59,7 @@ fn auto_is_for_whole_pictures() {
     }
 }
 
-/// The errors of shipped materials are of one degree and order, and of whole pictures. A light of a
+/// The errors of shipped materials are of one degree and order, and of all effects. A light of a
 /// lower degree may be whole.
 #[test]
 fn notes_say_of_which_pictures_the_errors_are() {
@@ -70,7 +70,7 @@ fn notes_say_of_which_pictures_the_errors_are() {
         |options: &str| folder.messages(&format!("render -m brass -s 16 -o a.png {options}"));
     let start = "note: `brass` is sharper than order 7 can show: at degree";
     assert!(said("-l lobby").contains(&format!("{start} 9, pictures are off by 1.7 %")));
-    for other in ["-l low.csv", "-l lobby --effects diffuse", "-l lobby --components 10"] {
+    for other in ["-l low.csv", "-l lobby --effects diffuse"] {
         assert!(!said(other).contains(start), "{other}");
     }
     let said = said("-l lobby -t pbr");

@@ -296,7 +296,7 @@ fn bad_objects_and_outputs() {
         ("empty.obj", "", &["empty.obj", "no triangle"]),
         ("gray.png", "", &["gray.png", "no pixel"]),
         ("behind.png", "", &["behind.png", "pixel 1, 0", "points away"]),
-        ("map.png", "--size 65", &["map.png", "64 x 64", "1 to 64"]),
+        ("map.png", "--size 65", &["map.png", "64 x 64", "at most 64"]),
     ] {
         assert_fails(&folder, &format!("pack-normals {input} {options} --out new.bin"), fragments);
         let render = format!("render {CHOICE} --normals {input} {options} --out new.png");

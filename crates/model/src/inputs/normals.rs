@@ -64,7 +64,7 @@ pub fn visible(vector: [f64; 3]) -> std::result::Result<[f64; 3], (String, Strin
     })?;
     if z < -RIM {
         return Err((
-            format!("the normal points away from the camera, z = {z:.3} after normalizing"),
+            format!("the normal points away from the camera, z = {z:.4} after normalizing"),
             format!("remove it: only normals with z >= -{RIM:e} are visible"),
         ));
     }
