@@ -39,10 +39,11 @@ const DEGREE: usize = 9;
 /// opacity; the other kinds are linear. Standard error reports the share of negative radiance in
 /// each map.
 ///
-/// A single light CSV in place of maps is converted from the convention --from to --convention. The
-/// name of a shipped light stands for its CSV, in `paper`. Without --from, the CSV is in `graphics` if --convention is `paper`, and in `paper` otherwise.
-/// --degree then drops higher degrees, and must not exceed that of the file. `cmgen-irradiance` and
-/// `filament` hold irradiance, up to degree 2.
+/// A single light CSV in place of maps is converted from the convention --from to --convention.
+/// Without --from, the CSV is in `graphics` if --convention is `paper`, and in `paper` otherwise.
+/// The name of a shipped light stands for its CSV, in `paper`. --degree then drops higher degrees,
+/// and must not exceed that of the file. `cmgen-irradiance` and `filament` hold irradiance, up to
+/// degree 2.
 #[derive(Args, Debug)]
 pub struct Light {
     /// Maps (.exr, .hdr, .pfm, .png, .jpg), folders of maps, or one light CSV or shipped light
