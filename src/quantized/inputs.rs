@@ -5,7 +5,8 @@ use crate::color::Rgb;
 use crate::error::{Argument, Error};
 use crate::format::Wide as _;
 use crate::format::{FixedPoint, Q15, Q31};
-use crate::invariant::{split_mut, split_row};
+use crate::index::material::count;
+use crate::invariant::{part, part_mut, split_mut, split_row};
 use crate::light::degree;
 use crate::material::order;
 
@@ -152,7 +153,14 @@ impl<'a, Q: FixedPoint> Material<'a, Q> {
         Error::check(Argument::Material, from.len(), to.len())?;
         Error::check(Argument::Material, order + 1, exponents.len())?;
         check_finite(Argument::Material, from)?;
-        by_order(from, to, exponents, |_, numbers, to| quantize(numbers, to));
+        let (mut from, mut rest) = (from, &mut *to);
+        for (o, exponent) in exponents.iter_mut().enumerate() {
+            let count = (o / 2 + 1) * (o / 2 + 2) / 2;
+            let (of_order, after) = split_row(from, count);
+            let (places, places_after) = split_mut(rest, count);
+            *exponent = quantize(of_order, places).clamp(-127, 127) as i8;
+            (from, rest) = (after, places_after);
+        }
         Ok(Self { order, exponents, mantissas: to })
     }
 }
@@ -187,31 +195,19 @@ impl<Q: FixedPoint> Material<'_, Q> {
                 (mantissa.widen() * factor.widen()).shifted(30 - 2 * bits).saturated()
             };
             let mut tinted = MaterialBuffer { exponents: [0; O], mantissas: [Q::default(); N] };
-            let MaterialBuffer { mantissas: to, exponents } = &mut tinted;
-            by_order(self.mantissas, to, exponents, |o, numbers, to| {
-                let of_gray = self.exponents.get(o).map_or(0, |&exponent| exponent.into());
-                let products = numbers.iter().map(|number| (product(number), of_gray + bits - 30));
-                mantissas(products, to)
-            });
+            let exponents = tinted.exponents.iter_mut().zip(self.exponents);
+            let mut start = 0;
+            for (o, (exponent, &of_gray)) in exponents.enumerate() {
+                let places = start..count(o);
+                start = places.end;
+                let top = i32::from(of_gray) + bits - 30;
+                let products = part(self.mantissas, places.clone()).iter().map(product);
+                let products = products.map(|product| (product, top));
+                let to = part_mut(&mut tinted.mantissas, places);
+                *exponent = mantissas(products, to).clamp(-127, 127) as i8;
+            }
             tinted
         }))
-    }
-}
-
-/// Writes the mantissas of each order o and, as `write` returns it, their exponent.
-#[inline]
-fn by_order<T, Q>(
-    mut from: &[T],
-    mut to: &mut [Q],
-    exponents: &mut [i8],
-    mut write: impl FnMut(usize, &[T], &mut [Q]) -> i32,
-) {
-    for (o, exponent) in exponents.iter_mut().enumerate() {
-        let count = (o / 2 + 1) * (o / 2 + 2) / 2;
-        let (numbers, after) = split_row(from, count);
-        let (places, places_after) = split_mut(to, count);
-        *exponent = write(o, numbers, places).clamp(-127, 127) as i8;
-        (from, to) = (after, places_after);
     }
 }
 
