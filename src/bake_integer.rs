@@ -23,7 +23,7 @@ const MOST: usize = 32_767;
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct IntegerMap<B> {
     size: u16,
-    pub(crate) exponent: i32,
+    exponent: i32,
     texels: B,
 }
 

@@ -248,6 +248,20 @@ impl<C> Rgb<Scene<'_, C>> {
 
     /// [`Scene::bake_integers_into`] in each channel.
     ///
+    /// ```
+    /// # #[cfg(feature = "presets")] {
+    /// use eigenshade::presets::{light::LOBBY, material::GOLD_METALLIC_PAINT};
+    /// use eigenshade::{MapPoint, Q15, Rgb, sphere};
+    ///
+    /// let scene = sphere::color::scene(LOBBY, GOLD_METALLIC_PAINT)?;
+    /// let map = scene.bake_integers_into(32, Rgb::gray([0; 32 * 32]))?;
+    /// let exposure = map.exposure(1.5)?;
+    /// let color = exposure.of(map.bilinear(MapPoint::new(Q15(0), Q15(0))));
+    /// assert!(color.r > color.b);
+    /// # }
+    /// # Ok::<(), eigenshade::Error>(())
+    /// ```
+    ///
     /// # Errors
     ///
     /// The same.
@@ -294,16 +308,14 @@ impl<B: AsRef<[i16]>> Rgb<IntegerMap<B>> {
     pub fn nearest(&self, point: MapPoint<Q15>) -> Rgb<i32> {
         self.each_ref().map(|map| map.nearest(point))
     }
-}
 
-impl<B> Rgb<IntegerMap<B>> {
-    /// What exposes looked-up irradiances, channel by channel.
+    /// The exposure of what is looked up, channel by channel.
     ///
     /// # Errors
     ///
     /// Those of [`quantized::Exposure::new`].
     pub fn exposure(&self, exposure: f32) -> Result<Rgb<quantized::Exposure>, Error> {
-        self.each_ref().try_map(|map| quantized::Exposure::new(exposure, map.exponent))
+        self.each_ref().try_map(|map| quantized::Exposure::new(exposure, map.exponent()))
     }
 }
 

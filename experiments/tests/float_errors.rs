@@ -96,10 +96,16 @@ fn floats_are_right_at_every_degree() {
         let row = table.split_once(&row).expect("a row of the table").1.lines().next();
         let stated = row.expect("its figures").split('|').filter_map(|one| one.trim().parse().ok());
         let found = errors.iter().filter(|one| one.format == "f32");
-        for (one, stated) in found.zip(stated.collect::<Vec<f64>>()) {
-            // Another compiler sums in another order.
-            let ratio = one.largest / stated;
-            assert!((0.5..=2.0).contains(&ratio), "{shape:?} {}: {:e}", one.method, one.largest);
+        // The largest error of each method in f32, then the rms and f64 of the polynomials.
+        let found = found.map(|one| one.largest).chain([errors[0].rms, errors[1].largest]);
+        let stated: Vec<f64> = stated.collect();
+        assert_eq!(stated.len(), 5);
+        for (column, (found, stated)) in found.zip(stated).enumerate() {
+            // Another compiler sums in another order; in f64, other linear algebra ends at
+            // components beside the cut-off.
+            let most = if column == 4 { 4.0 } else { 2.0 };
+            let ratio = found / stated;
+            assert!((1.0 / most..=most).contains(&ratio), "{shape:?}, {column}: {found:e}");
         }
         for one in errors {
             let method = format!("{shape:?}, {} components, {}", one.components, one.method);

@@ -166,8 +166,11 @@ impl<'a, Q: FixedPoint> Material<'a, Q> {
 }
 
 impl<Q: FixedPoint> Material<'_, Q> {
-    /// This material in a color, in integers: its coefficients times each channel, a fraction of
-    /// 2^BITS. `N` is their number, `O` that of the exponents.
+    /// This material in a color: its coefficients times each channel, in integers. A channel is a
+    /// fraction of 2^BITS, of either sign. `N` is the number of coefficients, `O` that of exponents.
+    ///
+    /// In [`Q15`] a coefficient is off by at most half a unit of the result, in [`Q31`] by 1.5 units
+    /// of this material's exponent.
     ///
     /// ```
     /// use eigenshade::quantized::Material;

@@ -160,7 +160,9 @@ const COMPONENTS: usize = 256;
 /// Everything can be done with a basis that was read.
 pub fn floats(basis: &Basis<'_, f32>) {
     let normal = Normal::new(0.6, 0.0, 0.8).expect("a normal");
-    if let Ok(mut estimate) = basis.estimate::<COMPONENTS>() {
+    let estimate = basis.estimate::<COMPONENTS>();
+    assert!(estimate.is_ok() || basis.components() > COMPONENTS);
+    if let Ok(mut estimate) = estimate {
         estimate.add(normal, 1.0, 1.0);
         let _ = estimate.coefficients();
     }

@@ -86,7 +86,10 @@ fn sharp_materials_are_named() {
     assert!(note.contains("`chrome` is sharper than order 7 can show: at degree 9,"), "{note}");
     for partial in ["--window 12", "--components 9"] {
         let note = drawn(&format!("chrome {partial}"));
-        assert!(note.contains("; these are errors of all components without a window"), "{note}");
+        assert!(
+            note.contains("; this is for a picture of all components, without a window"),
+            "{note}"
+        );
     }
     folder.ok("basis --scene scene.toml --out b.bin");
     let note = drawn("chrome --table b.bin");

@@ -245,8 +245,8 @@ fn normals_are_normalized_and_laid_on_the_rim() {
 fn normals_that_cannot_be_seen_are_refused() {
     for (row, start) in [
         ("0,0,0", "in.csv:3: the normal has no direction; "),
-        ("0,0,-1", "in.csv:3: the normal points away from the camera, z = -1.0000"),
-        ("1,0,-0.0011", "in.csv:3: the normal points away from the camera, z = -0.0011"),
+        ("0,0,-1", "in.csv:3: the normal points away from the camera, z = -1.000000"),
+        ("1,0,-0.0011", "in.csv:3: the normal points away from the camera, z = -0.001100"),
         ("inf,0,1", "in.csv:3: `inf` is not a finite number; "),
         ("0,0,nan", "in.csv:3: `nan` is not a finite number; "),
         ("0,0,up", "in.csv:3: `up` is not a number; "),

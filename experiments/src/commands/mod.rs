@@ -39,7 +39,7 @@ pub enum Command {
     Paper(figures::Paper),
     Picture(pictures::Picture),
     /// All presets, docs/presets.png: the materials in the lobby with one exposure, then the lights
-    /// on gold paint, each with its own
+    /// on gold paint, each with a window and its own exposure
     ContactSheet(OutputFile),
     AccuracyCost(figures::AccuracyCost),
     /// Cost and contribution of each effect, docs/ablation.md; times are not compared

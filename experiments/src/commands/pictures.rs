@@ -108,14 +108,16 @@ const BACKGROUND: [u8; 3] = [32; 3];
 const TEXT: [u8; 3] = [200; 3];
 /// The share of a picture's pixels that its exposure leaves below white.
 const UNCLIPPED_PRESET: f32 = 0.95;
-/// The window of the lights, which takes the ringing of small lamps.
-const WIDTH: f32 = 12.0;
+/// The width of the lights' window, which removes the ringing of small lamps.
+const WINDOW: f32 = 12.0;
 
 pub fn contact_sheet(out: &Path) -> Result<()> {
-    write_presets(out).map_err(|fault| Error::new(fault.to_string(), "check the presets"))
+    let canvas = all_presets();
+    let canvas = canvas.map_err(|fault| Error::new(fault.to_string(), "check the presets"))?;
+    write_png(out, canvas.width, canvas.height, &canvas.bytes)
 }
 
-fn write_presets(out: &Path) -> std::result::Result<(), Box<dyn std::error::Error>> {
+fn all_presets() -> std::result::Result<Canvas, eigenshade::Error> {
     let view = SphereView::new(BALL);
     let mut spheres = Vec::new();
     for (name, material) in material::ALL {
@@ -126,7 +128,7 @@ fn write_presets(out: &Path) -> std::result::Result<(), Box<dyn std::error::Erro
     let mut spheres: Vec<_> =
         spheres.into_iter().map(|(name, colors)| (name, colors, of_all)).collect();
     for (name, light) in light::ALL {
-        let windowed = light.windowed::<Libm, 100>(Window::SincFourth { width: WIDTH })?;
+        let windowed = light.windowed::<Libm, 100>(Window::SincFourth { width: WINDOW })?;
         let colors = colors(&view, windowed.lights()?, material::GOLD_METALLIC_PAINT)?;
         let exposure = metered(&colors);
         spheres.push((name, colors, exposure));
@@ -137,7 +139,7 @@ fn write_presets(out: &Path) -> std::result::Result<(), Box<dyn std::error::Erro
         let place = [FIELD[0] * (k % COLUMNS), FIELD[1] * (k / COLUMNS)];
         draw(&mut canvas, place, name, &view, colors.into_iter().map(|one| exposure.of(one)));
     }
-    Ok(write_png(out, canvas.width, canvas.height, &canvas.bytes)?)
+    Ok(canvas)
 }
 
 /// The irradiances of a sphere.

@@ -158,11 +158,11 @@ impl Light {
         let lights = match self.maps.as_slice() {
             [file] if shipped.is_some() || is_csv(file) => {
                 if self.sources.is_some() {
-                    let what = "--sources needs a map: a light CSV has harmonics only";
+                    let what = "--sources needs a map: coefficients are harmonics only";
                     return Err(Error::new(what, "give the map").in_file(file));
                 }
                 if self.layout.is_some() || self.frame != Frame::Eigenshade {
-                    let what = "a light CSV has neither a layout nor a frame";
+                    let what = "coefficients have neither a layout nor a frame";
                     let remedy = "leave --layout and --frame out, or give maps";
                     return Err(Error::new(what, remedy).in_file(file));
                 }

@@ -105,7 +105,7 @@ pub struct Destination {
     pub path: Option<PathBuf>,
 }
 
-/// Parses one of these names, each with its help, empty for none, and its value.
+/// Parses one of these choices: name, help, which may be empty, and value.
 pub fn choice<T: Copy + Send + Sync + 'static, const N: usize>(
     choices: [(&'static str, &'static str, T); N],
 ) -> impl TypedValueParser<Value = T> {

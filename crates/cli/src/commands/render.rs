@@ -175,7 +175,7 @@ impl Render {
         let sharp = sharpness_note(&self.inputs, &table, pair, sources, memory)?;
         let sharp = sharp.filter(|_| effects == Effects::ALL).map(|note| match note {
             note if self.choices.is_partial() => {
-                format!("{note}; these are errors of all components without a window")
+                format!("{note}; this is for a picture of all components, without a window")
             }
             note => note,
         });

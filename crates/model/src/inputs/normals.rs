@@ -64,8 +64,8 @@ pub fn visible(vector: [f64; 3]) -> std::result::Result<[f64; 3], (String, Strin
     })?;
     if z < -RIM {
         return Err((
-            format!("the normal points away from the camera, z = {z:.4} after normalizing"),
-            format!("remove it: only normals with z >= -{RIM:e} are visible"),
+            format!("the normal points away from the camera, z = {z:.6} after normalizing"),
+            format!("remove it: only normals with z >= -{RIM} are visible"),
         ));
     }
     let laid = if z < 0.0 { unit([x, y, 0.0]) } else { None };
