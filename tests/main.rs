@@ -16,6 +16,7 @@ mod found;
 mod golden_file;
 mod graphics;
 mod highlights;
+mod integer_color;
 mod integer_highlights;
 mod integer_lights;
 mod kernels;

@@ -1,0 +1,72 @@
+//! Materials of integers in a color, and maps of integers in three channels.
+
+use eigenshade::presets::{light, material};
+use eigenshade::{Error, MapPoint, Q15, Q31, Rgb, index, quantized, sphere};
+
+/// Integers against the same product in floats: half a unit of each mantissa, and of the product.
+#[test]
+fn a_tint_in_integers_scales_each_channel() {
+    let gray = material::q15::PTFE_633NM.g;
+    let colors = [[32_767, 16_384, 3], [0, -9_000, 32_767]];
+    for color in colors {
+        let tinted = gray.tint::<40, 8>(color.map(Q15)).unwrap();
+        let found = <[_; 3]>::from(tinted.materials().unwrap());
+        for (factor, found) in color.into_iter().zip(found) {
+            for (o, (&of_gray, &exponent)) in
+                gray.exponents().iter().zip(found.exponents()).enumerate()
+            {
+                let (mut most, unit) = (0, f64::from(exponent).exp2());
+                let of_order = index::material::indices(7).map(|(of, ..)| of == o);
+                for (_, (&gray, &found)) in of_order
+                    .zip(gray.mantissas().iter().zip(found.mantissas()))
+                    .filter(|(is_of_order, _)| *is_of_order)
+                {
+                    let fraction = f64::from(factor) / 32_768.0;
+                    let exact = f64::from(gray.0) * f64::from(of_gray).exp2() * fraction;
+                    let apart = (f64::from(found.0) * unit - exact).abs();
+                    assert!(apart <= 0.5 * unit, "{factor}, {o}: {apart}");
+                    most = most.max(found.0.unsigned_abs());
+                }
+                assert!(factor == 0 || most >= 1 << 14, "{factor}, {o}: {most} of 15 bits");
+            }
+        }
+    }
+    assert!(matches!(gray.tint::<39, 8>([Q15(1); 3]), Err(Error::Length { .. })));
+    assert!(matches!(gray.tint::<40, 9>([Q15(1); 3]), Err(Error::Length { .. })));
+    // Q31 keeps 30 bits of the products.
+    let mantissas = [0x7fff_ffff, -0x4000_0001].map(Q31);
+    let fine = quantized::Material::new(&[-31, -30], &mantissas).unwrap();
+    let tinted = fine.tint::<2, 2>([Q31(0x7fff_ffff), Q31(0x1234_5678), Q31(0)]).unwrap();
+    for (factor, found) in [(0x7fff_ffff, &tinted.r), (0x1234_5678, &tinted.g), (0, &tinted.b)] {
+        let found = found.material().unwrap();
+        for k in 0..2 {
+            let at =
+                |mantissa: Q31, exponent: i8| f64::from(mantissa.0) * f64::from(exponent).exp2();
+            let exact =
+                at(fine.mantissas()[k], fine.exponents()[k]) * f64::from(factor) * 0.5_f64.powi(31);
+            let apart = (at(found.mantissas()[k], found.exponents()[k]) - exact).abs();
+            assert!(apart <= f64::from(fine.exponents()[k]).exp2() * 1.5, "{factor}: {apart}");
+        }
+    }
+}
+
+/// A baked map in color is three maps, looked up and exposed channel by channel.
+#[test]
+fn integers_are_baked_in_color() {
+    let scene = sphere::color::scene(light::LOBBY, material::DARK_RED_PAINT).unwrap();
+    let texels = || Rgb::gray([0; 16 * 16]);
+    let map = scene.bake_integers_into(16, texels()).unwrap();
+    let exposure = map.exposure(1.5).unwrap();
+    let point = MapPoint::new(Q15(3_000), Q15(-9_000));
+    let of_channel = scene.each_ref().map(|scene| {
+        let map = scene.bake_integers_into::<f32, _>(16, [0; 16 * 16]).unwrap();
+        let exposure = quantized::Exposure::new(1.5, map.exponent()).unwrap();
+        [map.bilinear(point), map.nearest(point)].map(|found| (found, exposure.of(found)))
+    });
+    for (k, found) in [map.bilinear(point), map.nearest(point)].into_iter().enumerate() {
+        assert_eq!(found.zip(exposure.of(found)), of_channel.map(|pairs| pairs[k]));
+    }
+    assert_ne!(map.bilinear(point), map.nearest(point));
+    assert!(scene.bake_integers_into(16, Rgb::gray([0; 15])).is_err());
+    assert!(map.exposure(0.0).is_err());
+}
