@@ -263,6 +263,11 @@ impl fmt::Display for Error {
                 "Sources: {needed} of them, room for {capacity}; give the strongest, or make room for \
                  more"
             ),
+            Self::Capacity { argument: Argument::Workspace, needed, capacity: 0 } => write!(
+                f,
+                "Workspace: {needed} numbers needed, and this function has none; use the one whose \
+                 name ends in _into"
+            ),
             Self::Capacity { argument, needed, capacity } => write!(
                 f,
                 "{argument:?}: {needed} numbers needed, room for {capacity}; take the capacity that \

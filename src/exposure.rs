@@ -138,19 +138,19 @@ impl Meter {
     }
 
     /// The exposure with which this share of the pixels, from 0 to 1, is not brighter than white,
-    /// to within 7 %. `None` if no pixel was counted or all of them are black.
+    /// to within 7 %. If more of them are black, the darkest other one becomes white. `None` if no
+    /// pixel was counted or all of them are black.
     #[must_use]
     pub fn exposure(&self, share: f32) -> Option<Exposure> {
         let enough = (share * self.total as f32) as u32;
         let mut counted = 0_u32;
-        let step = self.counts.iter().position(|&count| {
+        let step = self.counts.iter().enumerate().position(|(step, &count)| {
             counted = counted.saturating_add(count);
-            counted >= enough && counted > 0
+            counted >= enough && count > 0 && step > 0
         })?;
-        let brightest = self.counts.iter().rposition(|&count| count > 0)?;
         // The middle of the step.
         let middle = f32::from_bits(((DARKEST << 3) + step as u32) << 20 | 1 << 19);
-        (brightest > 0).then_some(Exposure(1.0 / middle))
+        Some(Exposure(1.0 / middle))
     }
 }
 
@@ -203,6 +203,9 @@ mod tests {
         meter.add(Rgb::gray(f32::NAN));
         assert_eq!(meter.exposure(0.5), None);
         meter.add(Rgb::gray(1e30));
-        assert!(meter.exposure(1.0).is_some_and(|exposure| exposure.0 < 2e-5));
+        let white = |share| meter.exposure(share).map(|exposure| exposure.0);
+        assert!(white(1.0).is_some_and(|factor| factor < 2e-5));
+        // More pixels are black than that share.
+        assert_eq!(white(0.5), white(1.0));
     }
 }

@@ -137,8 +137,8 @@ impl<'a, S: Scalar> GeneralBasis<'a, S> {
     ///
     /// # Errors
     ///
-    /// The same as for [`Basis::relight_into`]. A `workspace` of the wrong length gives the same
-    /// error as a transfer of the wrong length.
+    /// The same as for [`Basis::relight_into`], and [`Error::Length`] for a `workspace` of another
+    /// length.
     pub fn relight_into(
         &self,
         transfer: &[S],

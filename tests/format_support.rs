@@ -75,6 +75,13 @@ fn tables_that_integers_do_not_serve_are_refused_as_documented() {
         let last = table.profiles.last().cloned().expect("a profile");
         table.profiles.resize(512, last);
     });
+    assert_refused("a profile above 4,095, as of `color` from component 149 on", |table| {
+        table.profiles[0].chebyshev = vec![5000.0];
+    });
+    let color = eigenshade_table::file::decode(include_bytes!("../tables/color.bin"));
+    let color = color.expect("the shipped table");
+    let refused = quantize::integers(&color, quantize::IntegerFormat::Q15, 0.0).err();
+    assert_eq!(refused, Some(quantize::QuantizeError::Large { component: 149 }));
     let [_, floats, integers, error] = row("transfers alone, packed or quantized on the host");
     assert_eq!((floats, integers), ("no", "no"));
     let mut table = shipped().table.clone();

@@ -185,7 +185,8 @@ impl<Q: FixedPoint> Material<'_, Q> {
     ///
     /// # Errors
     ///
-    /// [`Error::Length`] unless there are `N` mantissas and `O` exponents.
+    /// [`Error::Length`] unless there are `N` mantissas and `O` exponents, [`Error::Exponent`] if a
+    /// product is 2^127.
     pub fn tint<const N: usize, const O: usize>(
         &self,
         color: [Q; 3],
@@ -193,7 +194,7 @@ impl<Q: FixedPoint> Material<'_, Q> {
         Error::check(Argument::Material, N, self.mantissas.len())?;
         Error::check(Argument::Material, O, self.exponents.len())?;
         let bits = Q::BITS.cast_signed();
-        Ok(Rgb::from(color).map(|factor| {
+        let tinted = |factor: Q| {
             let product = |mantissa: &Q| {
                 (mantissa.widen() * factor.widen()).shifted(30 - 2 * bits).saturated()
             };
@@ -207,10 +208,13 @@ impl<Q: FixedPoint> Material<'_, Q> {
                 let products = part(self.mantissas, places.clone()).iter().map(product);
                 let products = products.map(|product| (product, top));
                 let to = part_mut(&mut tinted.mantissas, places);
-                *exponent = mantissas(products, to).clamp(-127, 127) as i8;
+                let found = mantissas(products, to).max(-127);
+                *exponent = i8::try_from(found).map_err(|_| Error::Exponent)?;
             }
-            tinted
-        }))
+            Ok(tinted)
+        };
+        let [r, g, b] = color;
+        Ok(Rgb { r: tinted(r)?, g: tinted(g)?, b: tinted(b)? })
     }
 }
 

@@ -135,7 +135,7 @@ impl<'a, S: Scalar> Basis<'a, S> {
     {
         let (count, len) = (images.len(), self.scene_len());
         // No number of images is a whole number of colors without channels, not even 0.
-        let whole = count.checked_next_multiple_of(channels).unwrap_or(0);
+        let whole = count.checked_next_multiple_of(channels).unwrap_or(usize::from(count == 0));
         Error::check(Argument::Images, whole, count)?;
         Error::check(Argument::Images, count, reports.len())?;
         Error::check(Argument::Scene, count.saturating_mul(len), buffer.len())?;

@@ -88,6 +88,8 @@ enum eigenshade_status
   EIGENSHADE_STATUS_BAKED = 22,
   /** A source has wrong numbers, or there are more than `EIGENSHADE_SOURCES`. */
   EIGENSHADE_STATUS_SOURCE = 23,
+  /** A light above degree 12, beyond which none is turned. */
+  EIGENSHADE_STATUS_TURN = 24,
 };
 #ifndef __cplusplus
 #if __STDC_VERSION__ >= 202311L

@@ -2,6 +2,10 @@
 
 #include <string.h>
 
+#if LV_COLOR_DEPTH != 16 || LV_COLOR_16_SWAP
+#error "rows are written as 16 bits a pixel in the processor's byte order"
+#endif
+
 /* The format by which the functions below know their images. */
 #define FORMAT LV_IMG_CF_USER_ENCODED_0
 

@@ -39,7 +39,7 @@ statuses! {
     MaterialLength = 7: c"the lengths of a material do not match its order; check order and lengths"
     Components = 8: c"too many components; use at most EIGENSHADE_COMPONENTS"
     Exponent = 9: c"an exponent is out of range; scale the numbers"
-    Normal = 10: c"a normal is not a unit vector; scale it to length 1"
+    Normal = 10: c"a normal is zero, not finite, or, in integers, no unit vector; leave it out, or scale it"
     Hidden = 11: c"a normal points away from the camera; leave it out"
     Count = 12: c"more normals than memory can hold; check the count"
     Internal = 13: c"a bug in the library; please report it"
@@ -53,6 +53,7 @@ statuses! {
     Exposure = 21: c"an exposure is not a number above 0; check it"
     Baked = 22: c"a baked map has 2 to 4096 texels a side and three times its square; check both"
     Source = 23: c"a source has wrong numbers, or there are over EIGENSHADE_SOURCES; check both"
+    Turn = 24: c"lights are turned to degree 12; leave out the coefficients above it"
 }
 
 #[expect(unsafe_code, reason = "an exported symbol")]
@@ -79,6 +80,9 @@ impl From<Error> for Status {
             Error::Outside { .. } => Self::Outside,
             Error::Rotation => Self::Rotation,
             Error::Source => Self::Source,
+            Error::Degree { .. } | Error::Capacity { argument: Argument::Workspace, .. } => {
+                Self::Turn
+            }
             // The lengths of lights and materials are checked below, all others are constants.
             _ => Self::Internal,
         }

@@ -1,7 +1,7 @@
 //! Messages and progress on standard error, and the warnings and notes about inputs and results.
 
 use eigenshade::{Scalar, Truncation};
-use eigenshade_model::database::Materials;
+use eigenshade_model::database::{Lights, Materials, Named};
 use eigenshade_model::scattering;
 use std::fmt::Display;
 use std::io::Write;
@@ -136,6 +136,18 @@ pub fn albedo_warning(materials: &Materials) -> Option<String> {
     Some(format!(
         "warning: material `{name}` has albedo {albedo:.4}: it reflects {fault}{of_all}; check that \
          its unit is 1/sr, or scale it"
+    ))
+}
+
+/// A warning if a light has a mean radiance below zero, in any channel.
+#[must_use]
+pub fn dark_light_warning(lights: &Lights) -> Option<String> {
+    let is_dark = |light: &&Named| light.rgb.iter().any(|channel| channel[0] < 0.0);
+    let light = lights.entries.iter().find(is_dark)?;
+    Some(format!(
+        "warning: the mean radiance of light `{}` is below zero; check the sign of its first \
+         coefficient",
+        light.name
     ))
 }
 

@@ -37,13 +37,16 @@ enum Entry {
 impl FromStr for Source {
     type Err = Infallible;
 
-    /// A file that exists is taken as such. Otherwise, an entry's name follows the last colon, and
-    /// one word without an extension, or with digits as in `dielectric-0.2`, is a shipped name.
+    /// A file that exists is taken as such. Otherwise, an entry's name follows the first colon after
+    /// a file, or else the last one, and one word without an extension, or with digits as in `dielectric-0.2`, is a shipped name.
     fn from_str(text: &str) -> std::result::Result<Self, Infallible> {
         let path = Path::new(text);
         let end = path.extension().unwrap_or_default().as_encoded_bytes();
         let is_word = !text.contains(['/', '\\']) && end.iter().all(u8::is_ascii_digit);
-        let (path, entry) = match text.rsplit_once(':') {
+        let of_a_file = |&(place, _): &(usize, &str)| is_file(Path::new(&text[..place]));
+        let colon =
+            text.match_indices(':').find(of_a_file).or_else(|| text.rmatch_indices(':').next());
+        let (path, entry) = match colon.map(|(place, _)| (&text[..place], &text[place + 1..])) {
             _ if is_file(path) || text == STANDARD_INPUT => (text, Entry::All),
             Some((path, name)) if !path.is_empty() && !name.is_empty() => {
                 (path, Entry::Named(name.to_owned()))
@@ -96,10 +99,12 @@ impl Source {
             _ => {
                 let file = InputFile::new(&self.path, budget);
                 if is_file(&self.path) && MAPS.contains(&file.extension().as_str()) {
-                    let remedy =
-                        "run `eigenshade light` on it, and use the light CSV that it writes";
-                    let error = Error::new("it is an environment map, not a light CSV", remedy);
-                    return Err(error.in_file(&self.path));
+                    let remedy = "run `eigenshade light` on the map, and use the light CSV that it \
+                                  writes";
+                    let is_picture = matches!(file.extension().as_str(), "png" | "jpg" | "jpeg");
+                    let kind = if is_picture { "a picture" } else { "an environment map" };
+                    let what = format!("it is {kind}, not a light CSV");
+                    return Err(Error::new(what, remedy).in_file(&self.path));
                 }
                 read_lights(file, None)?
             }
@@ -219,14 +224,24 @@ impl Source {
         Ok(Materials { order, entries: self.chosen("material", entries)? })
     }
 
+    /// The entries that are asked for, of a `light` or a `material`.
     fn chosen(&self, kind: &str, mut entries: Vec<Named>) -> Result<Vec<Named>> {
         let path = self.path.display();
         let (name, what, otherwise) = match &self.entry {
             Entry::All => return Ok(entries),
             Entry::Shipped => {
                 let name = path.to_string();
-                let what = format!("`{name}` is neither a file nor a shipped {kind}");
-                (name, what, "a name that `eigenshade list` prints")
+                let of_the_other = match kind {
+                    "light" => shipped::named_materials(0)?.entries,
+                    _ => shipped::lights()?.entries,
+                };
+                let what = if of_the_other.iter().any(|other| other.name == name) {
+                    let other = if kind == "light" { "material" } else { "light" };
+                    format!("`{name}` is a {other}, not a {kind}")
+                } else {
+                    format!("`{name}` is neither a file nor a shipped {kind}")
+                };
+                (name, what, OTHERWISE[usize::from(kind == "material")])
             }
             Entry::Named(name) => {
                 (name.clone(), format!("it has no {kind} `{name}`"), "another name from it")
@@ -259,6 +274,12 @@ impl Source {
         Err(Error::new(format!("it has {count} entries"), remedy).in_file(&self.path))
     }
 }
+
+/// What to use for a light and for a material that is not shipped.
+const OTHERWISE: [&str; 2] = [
+    "a name that `eigenshade list` prints, or a CSV that `eigenshade light` writes",
+    "a name that `eigenshade list` prints, or a CSV that `eigenshade material` writes",
+];
 
 /// The largest degree and order of these that do not exceed a size, or else the least.
 pub(crate) fn largest_within(

@@ -14,8 +14,8 @@ use std::fmt::Write as _;
 
 /// A total error above this share of the peak, over a picture, is worth a note.
 const LARGE: f64 = 0.05;
-/// And so is one of a pixel above this share: the highlight is not half as bright as it should be.
-const DIM: f64 = 0.5;
+/// And so is one of a pixel above this share: a highlight is less than 0.4 of what it should be.
+const DIM: f64 = 0.6;
 /// The same with sources, which are meant for highlights.
 const DIM_WITH_SOURCES: f64 = 0.25;
 /// The rms that a fitted gloss leaves, relative to pictures under a small source, from which on it
@@ -195,6 +195,8 @@ impl Choice {
             most => counted(most),
         };
         let leave = if self.most == 1 { "leaves" } else { "leave" };
+        // Without the digits of rounding to binary.
+        let asked = (1e9 * asked).round() / 1e9;
         let text =
             format!("{sources} at degree {degree}, order {order} {leave} {error:.2} % of the peak");
         if error > asked {

@@ -40,6 +40,9 @@ fn light_projects_pictures() {
     assert!(output.status.success());
     let report = String::from_utf8_lossy(&output.stderr);
     assert!(report.contains("warning: white.png is a PNG"), "{report}");
+    let dim = png(8, 4, BitDepth::Eight, ColorType::Grayscale, &[254; 32]);
+    folder.write("dim.png", dim);
+    assert!(!folder.messages("light dim.png --degree 1").contains("warning"));
     let text = String::from_utf8(output.stdout).unwrap();
     let values = numbers(&rows(&text, "name,l,m,value"), 1);
     let expected = (4.0 * std::f64::consts::PI).sqrt();
@@ -70,10 +73,14 @@ fn light_converts_both_ways() {
         assert_eq!(after_r, factor(before) * before_r);
     }
     folder.write("there.csv", there);
-    let back = folder.ok("light there.csv --degree 4 --convention paper");
+    let back = folder.ok("light there.csv --from graphics --degree 4");
     assert_eq!(numbers(&rows(&back, "name,l,m,r,g,b"), 3), numbers(&before, 3));
     let lower = folder.ok("light lights.csv --degree 1");
-    assert_eq!(rows(&lower, "name,l,m,r,g,b").len(), 3 * 4);
+    assert_eq!(numbers(&rows(&lower, "name,l,m,r,g,b"), 3), {
+        let low = before.iter().filter(|row| row[1].as_str() <= "1").cloned().collect::<Vec<_>>();
+        numbers(&low, 3)
+    });
+    assert_fails(&folder, "light lights.csv", &["lights.csv", "--from graphics"]);
 }
 
 /// A light that is the same from everywhere has Filament's irradiance over π, which is its
@@ -106,7 +113,7 @@ fn light_converts_for_other_programs() {
     assert_eq!(named, folder.ok("light park.csv --convention filament"));
     assert_fails(&folder, "light park --degree 33", &["park", "degree 32"]);
     assert_fails(&folder, "light park --from cmgen", &["park", "--from"]);
-    assert_fails(&folder, "light parkk", &["parkk"]);
+    assert_fails(&folder, "light parkk", &["`parkk` is neither", "use `park`"]);
     let faces = "light px.png nx.png py.png ny.png pz.png nz.png";
     assert_fails(&folder, faces, &["six faces", "the folder"]);
     let refused = "light lights.csv --degree 4 --convention filament";

@@ -319,7 +319,7 @@ fn the_first_components_are_a_table_of_fewer() {
         let [few, first] =
             ["few.esw", "first.esw"].map(|name| fs::read(folder.path(name)).unwrap());
         assert_eq!(few, first, "{format}");
-        assert_eq!(summary.lines().count(), 1, "no error of another table: {summary}");
+        assert!(summary.contains("over the shipped lights and materials"), "{summary}");
     }
     let more = format!("pack --table b.bin --components {} --out new.esw", whole.count() + 1);
     let of = format!("it has {} components", whole.count());

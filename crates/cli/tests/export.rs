@@ -285,7 +285,7 @@ fn bad_requests_have_one_error() {
         ("--lang c --light none.csv", ["light `面`", "give it a name"]),
         ("--lang js --light large.csv", ["light `a`", "beyond f32"]),
         ("--lang js --light lights.csv:moon", ["lights.csv", "no light `moon`"]),
-        ("--lang js --material lobby", ["`lobby` is neither", "eigenshade list"]),
+        ("--lang js --material lobby", ["`lobby` is a light, not a material", "eigenshade list"]),
         ("--lang json --table b.bin --memory 100KiB", ["b.bin", "--memory"]),
         ("--lang json --table b.bin --out b.bin", ["b.bin", "replace the input"]),
     ] {

@@ -82,11 +82,16 @@ fn likely_mistakes() {
     let folder = Folder::with_table();
     folder.ok("pack -t b.bin -o w.esw");
     folder.write("map.exr", "");
+    folder.write("map.png", "");
     for (arguments, fragments) in [
         ("info -t WRONG", ["`WRONG`", "`color`, `sphere`, `curet`"]),
         ("eigenvalues -t w.esw", ["w.esw: it is a wire file", "packed"]),
         ("project -l map.exr -m chrome", ["map.exr: it is an environment map", "eigenshade light"]),
+        ("project -l map.png -m chrome", ["map.png: it is a picture", "eigenshade light"]),
         ("project -l LOBBY -m chrome", ["`LOBBY`", "use `lobby`"]),
+        ("project -l chrome -m lobby", ["`chrome` is a material, not a light", "eigenshade light"]),
+        ("project -l lobby -m park", ["`park` is a light, not a material", "eigenshade material"]),
+        ("pack -t color -f q15 -o w.esw", ["color: the profile of component 149", "keep 149"]),
         ("project -l park -m dielectric-0.2", ["`dielectric-0.2` is neither", "shipped material"]),
         ("project -l park -m chrome -o -", ["`-`", "without --out"]),
         ("render -l park -m chrome -o picture", ["picture: its name has no extension", ".png"]),
@@ -115,6 +120,11 @@ fn one_entry_of_a_file() {
         assert!(!found.is_empty());
         assert_eq!(found, rows(all, "light-1,material-2,"));
     }
+    folder.write("colon.csv", folder.read("lights.csv").replace("light-1", "light:1"));
+    assert_eq!(
+        folder.ok("project -t b.bin -l colon.csv:light:1 -m materials.csv").replace(':', "-"),
+        folder.ok("project -t b.bin -l lights.csv:light-1 -m materials.csv")
+    );
     let misnamed = "project -t b.bin -l lights.csv:lihgt-1 -m materials.csv";
     assert_fails(&folder, misnamed, &["lights.csv: it has no light `lihgt-1`", "`light-1`"]);
 }
@@ -286,7 +296,7 @@ fn options_are_spelled_alike() {
 fn a_full_device() {
     let folder = Folder::with_table();
     for arguments in [
-        "light lights.csv -o",
+        "light lights.csv --degree 2 -o",
         "eigenvalues -t b.bin -o",
         "eigenvalues --json -t b.bin -o",
         "pack -t b.bin -o",

@@ -43,7 +43,7 @@ fn degree_and_order_have_defaults() {
     let map = repository().join("tables/inputs/maps/sky.exr");
     let lights = rows(&folder.ok(&format!("light {}", map.display())), "name,l,m,r,g,b");
     assert_eq!(lights.last().map(|row| row[1..3].join(",")).as_deref(), Some("9,9"));
-    let lights = rows(&folder.ok("light lights.csv"), "name,l,m,r,g,b");
+    let lights = rows(&folder.ok("light lights.csv --from graphics"), "name,l,m,r,g,b");
     assert_eq!(lights.last().map(|row| row[1..3].join(",")).as_deref(), Some("4,4"));
 }
 

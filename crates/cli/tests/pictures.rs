@@ -104,6 +104,14 @@ fn sharp_materials_are_named() {
         "`chrome` is sharper than order 12 can show: at degree 4, pictures are off by about";
     assert!(note.contains(start), "{note}");
     assert!(!drawn("ptfe-633nm").contains("sharper"));
+    // Where the light ends below the table's degree, and where it is the same from everywhere.
+    folder.write("even.csv", "name,l,m,value\neven,0,0,1\neven,1,-1,0\neven,1,0,0\neven,1,1,0\n");
+    let under = |light: &str| {
+        folder.messages(&format!("render -l {light} -m chrome -t pbr --size 32 --out a.png"))
+    };
+    folder.ok("light park --degree 9 -o low.csv");
+    assert!(under("low.csv").contains("the light ends at degree 9, and the table shows 12"));
+    assert!(!under("even.csv").contains("sharper"));
     let file = repository().join("tables/inputs/merl.csv");
     assert!(!drawn(&format!("{}:chrome", file.display())).contains("sharper"));
 }

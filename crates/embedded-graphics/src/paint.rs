@@ -5,7 +5,9 @@ use eigenshade::{
     DiscPixel, Display, Exposure, Linear, Normal, NormalPixel, Q15, Rgb, blend565, quantized,
 };
 use embedded_graphics_core::pixelcolor::raw::{RawData as _, RawU16};
-use embedded_graphics_core::pixelcolor::{PixelColor, Rgb565, Rgb888, RgbColor as _};
+use embedded_graphics_core::pixelcolor::{
+    Bgr565, Bgr888, PixelColor, Rgb565, Rgb888, RgbColor as _,
+};
 
 /// A pixel of an object.
 pub trait Place: Copy {
@@ -157,4 +159,30 @@ impl DisplayColor for Rgb888 {
         let Rgb { r, g, b } = channels(self).over(channels(below), coverage);
         Self::new(r, g, b)
     }
+}
+
+/// Colors of displays that have the channels in the other order.
+macro_rules! reversed {
+    ($($color:ty, $of:ty;)*) => {
+        $(
+            impl DisplayColor for $color {
+                #[inline]
+                fn encoded(
+                    display: &Display,
+                    color: Rgb<Linear>,
+                    dither: Option<[usize; 2]>,
+                ) -> Self {
+                    <$of>::encoded(display, color, dither).into()
+                }
+                #[inline]
+                fn over(self, below: Self, coverage: u8) -> Self {
+                    <$of>::from(self).over(below.into(), coverage).into()
+                }
+            }
+        )*
+    };
+}
+reversed! {
+    Bgr565, Rgb565;
+    Bgr888, Rgb888;
 }

@@ -7,7 +7,7 @@ use eigenshade::{
 };
 use eigenshade_embedded_graphics::{Dial, Paint, Relief, Sphere};
 use embedded_graphics::pixelcolor::raw::RawU16;
-use embedded_graphics::pixelcolor::{Rgb565, Rgb888};
+use embedded_graphics::pixelcolor::{Bgr565, Bgr888, Rgb565, Rgb888};
 use embedded_graphics::prelude::*;
 use embedded_graphics::primitives::Rectangle;
 use std::cell::{Cell, RefCell};
@@ -75,6 +75,10 @@ fn a_sphere_has_the_pixels_of_the_runtime() {
     Sphere::new(Point::new(7, 3), 40, &gold).unwrap().draw(&mut screen).unwrap();
     Sphere::new(Point::new(7, 3), 40, &gold).unwrap().draw(&mut fine).unwrap();
     Sphere::new(Point::new(7, 3), 40, &gold.dithered()).unwrap().draw(&mut dithered).unwrap();
+    let mut reversed = Screen::<Bgr565>::new(60, 50);
+    let mut fine_reversed = Screen::<Bgr888>::new(60, 50);
+    Sphere::new(Point::new(7, 3), 40, &gold).unwrap().draw(&mut reversed).unwrap();
+    Sphere::new(Point::new(7, 3), 40, &gold).unwrap().draw(&mut fine_reversed).unwrap();
     for pixel in Disc::new(40).unwrap() {
         let color = exposure.of(scene.shade(pixel.normal()));
         let place = (pixel.row() + 3) * 60 + pixel.column() + 7;
@@ -83,6 +87,8 @@ fn a_sphere_has_the_pixels_of_the_runtime() {
         assert_eq!(dithered.pixels[place], Some(RawU16::new(of_pattern).into()));
         let Rgb { r, g, b } = DISPLAY.rgb888(color);
         assert_eq!(fine.pixels[place], Some(Rgb888::new(r, g, b)));
+        assert_eq!(fine_reversed.pixels[place], Some(Bgr888::new(r, g, b)));
+        assert_eq!(reversed.pixels[place], screen.pixels[place].map(Bgr565::from));
     }
     assert_eq!((screen.drawn(), screen.windows), (Disc::new(40).unwrap().count(), 40));
 }

@@ -41,8 +41,8 @@ pub enum QuantizeError {
     Many,
     /// A profile, a term of its polynomial or an intermediate sum exceeds 4,095.
     Large {
-        /// |m| of the profile.
-        azimuth: usize,
+        /// The first component of such a profile, from 0.
+        component: usize,
     },
 }
 
@@ -75,10 +75,10 @@ impl fmt::Display for QuantizeError {
                 "integer formats allow at most {MAX_PROFILES} profiles, and degrees below that; make \
                  the table with fewer components or a lower degree"
             ),
-            Self::Large { azimuth } => write!(
+            Self::Large { component } => write!(
                 f,
-                "a profile of |m| = {azimuth} exceeds 4095; make the table with fewer components or \
-                 a lower degree"
+                "the profile of component {component}, from 0, exceeds 4095, the limit of integer \
+                 formats; keep {component} components or fewer, or make the table of a lower degree"
             ),
         }
     }
@@ -128,6 +128,7 @@ pub fn integers(
     }
     let (mut factors, mut factor_exponents) = (Vec::new(), Vec::new());
     let (mut terms, mut profiles) = (Vec::new(), Vec::new());
+    let mut large = None;
     for (k, profile) in table.profiles.iter().enumerate() {
         for numbers in profile.factors.chunks_exact(pairs) {
             let (mantissas, exponent) = row(numbers, bits, 1 << (bits + 1));
@@ -140,8 +141,11 @@ pub fn integers(
         let kept = &profile.chebyshev[..length.min(profile.chebyshev.len())];
         let powers: Vec<f64> = polynomial(kept, length).iter().map(|term| scale * term).collect();
         let (mantissas, exponent) = row(&powers, bits, i64::MAX);
-        let sizes = sizes(&mantissas, exponent, azimuth);
-        let [size, step] = sizes.ok_or(QuantizeError::Large { azimuth })?;
+        let Some([size, step]) = sizes(&mantissas, exponent, azimuth) else {
+            let first = table.components.iter().position(|one| one.profile == k);
+            large = large.into_iter().chain(first).min();
+            continue;
+        };
         terms.extend(mantissas);
         let of = |is_minus: bool| {
             let mut components = table.components.iter();
@@ -156,6 +160,9 @@ pub fn integers(
             size,
             step,
         });
+    }
+    if let Some(component) = large {
+        return Err(QuantizeError::Large { component });
     }
     Ok(OwnedParts {
         degree,

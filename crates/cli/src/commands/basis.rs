@@ -84,7 +84,8 @@ impl Basis {
         if let Some((path, old)) = old {
             return check(&self.scene, path, &old, &table);
         }
-        table.summary.roundings = rounding::measure(&table, &loaded.lights, &loaded.materials);
+        table.summary.roundings =
+            rounding::measure(&table, &loaded.lights, &loaded.materials, &NumberFormat::ALL);
         let errors = match &self.purpose.out {
             Some(path) => manifest_rows(&path.with_extension(ERRORS), &table, &loaded)?,
             None => String::new(),

@@ -5,7 +5,7 @@ use super::options::{Inputs, Memory, TableChoice};
 use eigenshade::mathematics::Libm;
 use eigenshade::{Effect, Highlights, Scalar};
 use eigenshade_cli::messages::print_message;
-use eigenshade_cli::sharpness::{Choice, Known, Sharpness, matte_note, shipped_note};
+use eigenshade_cli::sharpness::{Choice, Known, Sharpness, counted, matte_note, shipped_note};
 use eigenshade_index::highlights::{MAX_SOURCES, PRODUCTS};
 use eigenshade_model::database::{Lights, Materials};
 use eigenshade_model::error::{Error, Result};
@@ -101,6 +101,10 @@ impl HighlightInputs {
             return Ok(None);
         }
         let sources = inputs.light.sources(light, most, memory.of_file())?;
+        if sources.len() != most {
+            let drawn = counted(sources.len());
+            print_message(format_args!("note: {drawn}, the largest set of at most {most}"));
+        }
         highlights::take_out(&mut lights.entries[0].rgb, lights.degree, &sources)?;
         Ok(Some(Self { gloss, sources }))
     }
@@ -139,18 +143,41 @@ pub fn sharpness_note(
     sources: usize,
     memory: Memory,
 ) -> Result<Option<String>> {
-    let (light, material) = (&lights.entries[0].name, &materials.entries[0].name);
-    let sharpness = Sharpness::under(&inputs.light, light, memory.of_file())?;
-    let size = (lights.degree, materials.order);
-    if sources == 0
-        && let Some((measured, error)) = inputs.material.total_error(size)
-    {
-        // A light of a lower degree may be whole.
-        if lights.degree < measured.0.min(table.gram.degree) {
-            return Ok(None);
-        }
-        return Ok(shipped_note(material, measured, size, error));
+    let (light, material) = (&lights.entries[0], &materials.entries[0].name);
+    // Light that is the same from everywhere has no highlights.
+    if light.rgb.iter().all(|channel| channel[1..].iter().all(|&coefficient| coefficient == 0.0)) {
+        return Ok(None);
     }
+    let size = (lights.degree, materials.order);
     let gloss = inputs.material.gloss(material, memory.of_file())?;
-    gloss.map_or(Ok(None), |gloss| sharpness.note(material, &gloss, size, sources))
+    let note = match inputs.material.total_error(size) {
+        // A light of a lower degree may be whole.
+        Some((measured, _))
+            if sources == 0 && lights.degree < measured.0.min(table.gram.degree) =>
+        {
+            None
+        }
+        Some((measured, error)) if sources == 0 => shipped_note(material, measured, size, error),
+        _ => match &gloss {
+            Some(gloss) => Sharpness::under(&inputs.light, &light.name, memory.of_file())?
+                .note(material, gloss, size, sources)?,
+            None => None,
+        },
+    };
+    let Some(mut note) = note else { return Ok(None) };
+    if lights.degree < table.gram.degree {
+        note += &format!(
+            "; the light ends at degree {}, and the table shows {}",
+            lights.degree, table.gram.degree
+        );
+    }
+    let known = |found: Result<Vec<Source>>| found.is_ok_and(|found| !found.is_empty());
+    let is_glossy = gloss.is_some() && table.effects().has(Effect::Gloss);
+    if sources == 0
+        && is_glossy
+        && known(inputs.light.sources(&light.name, MAX_SOURCES, memory.of_file()))
+    {
+        note += "; `--sources 4` draws small bright sources sharply";
+    }
+    Ok(Some(note))
 }

@@ -5,7 +5,9 @@ use clap::builder::TypedValueParser;
 use clap::{Args, ValueEnum};
 use eigenshade_cli::messages::{print_message, progress_bar};
 use eigenshade_cli::output;
-use eigenshade_cli::presets::{refuse_stale_sources, set_error_file, source_file};
+use eigenshade_cli::presets::{
+    Source as Preset, refuse_stale_sources, set_error_file, source_file,
+};
 use eigenshade_generator::light::cube::{FACES, are_faces, face_files};
 use eigenshade_generator::light::frame::Frame;
 use eigenshade_generator::light::map::{Layout, Map};
@@ -20,7 +22,6 @@ use eigenshade_model::inputs::input_file::InputFile;
 use eigenshade_model::inputs::set_error_csv::write_set_errors;
 use eigenshade_model::inputs::source_csv::write_sources;
 use eigenshade_model::source::{SetError, Source, SourceSets};
-use eigenshade_shading::shipped;
 use eigenshade_sources::pursuit::{self, FITTED};
 use eigenshade_sources::remaining;
 use std::path::{Path, PathBuf};
@@ -39,11 +40,10 @@ const DEGREE: usize = 9;
 /// opacity; the other kinds are linear. Standard error reports the share of negative radiance in
 /// each map.
 ///
-/// A single light CSV in place of maps is converted from the convention --from to --convention.
-/// Without --from, the CSV is in `graphics` if --convention is `paper`, and in `paper` otherwise.
-/// The name of a shipped light stands for its CSV, in `paper`. --degree then drops higher degrees,
-/// and must not exceed that of the file. `cmgen-irradiance` and `filament` hold irradiance, up to
-/// degree 2.
+/// A single light CSV in place of maps is converted from the convention --from to --convention. The
+/// name of a shipped light stands for its CSV, in `paper`. --degree then drops higher degrees, and
+/// must not exceed that of the file. `cmgen-irradiance` and `filament` hold irradiance, up to degree
+/// 2.
 #[derive(Args, Debug)]
 pub struct Light {
     /// Maps (.exr, .hdr, .pfm, .png, .jpg), folders of maps, or one light CSV or shipped light
@@ -63,7 +63,7 @@ pub struct Light {
     /// Convention of the output
     #[arg(long, value_enum, default_value_t = Convention::Paper)]
     convention: Convention,
-    /// Convention of a light CSV
+    /// Convention of a light CSV [default: paper]
     #[arg(long, value_enum)]
     from: Option<Convention>,
     /// Find sets of 1, 2, 4, 8, 16 and K small bright sources, K from 1 to 32, for the highlights
@@ -152,7 +152,7 @@ impl Light {
             refuse_stale_sources(self.out.path.as_deref())?;
         }
         let shipped = match self.maps.as_slice() {
-            [name] if !name.exists() => self.shipped(name)?,
+            [name] if !name.exists() => self.shipped(name, memory)?,
             _ => None,
         };
         let lights = match self.maps.as_slice() {
@@ -173,11 +173,14 @@ impl Light {
                         return Err(Error::new(what, "leave it out").in_file(file));
                     }
                     (Some(lights), None, _) => (Convention::Paper, lights),
-                    (None, from, to) => {
-                        let from = from.unwrap_or(match to {
-                            Convention::Paper => Convention::Graphics,
-                            _ => Convention::Paper,
-                        });
+                    (None, None, Convention::Paper) if self.degree.is_none() => {
+                        let what = "a light CSV is converted, but to nothing else";
+                        let remedy = "give its convention, as --from graphics, or --convention or \
+                                      --degree";
+                        return Err(Error::new(what, remedy).in_file(file));
+                    }
+                    (None, from, _) => {
+                        let from = from.unwrap_or(Convention::Paper);
                         (from, read_lights(memory.file(file), self.degree)?)
                     }
                 };
@@ -208,13 +211,13 @@ impl Light {
         output::write(self.out.path.as_deref(), |out| write_lights(&lights, out))
     }
 
-    /// The shipped light of this name, to the degree that is asked for.
-    fn shipped(&self, name: &Path) -> Result<Option<Lights>> {
-        let mut lights = shipped::lights()?;
-        lights.entries.retain(|light| name.as_os_str() == light.name.as_str());
-        if lights.entries.is_empty() {
+    /// The shipped light of this name, to the degree that is asked for. `None` if it cannot be one.
+    fn shipped(&self, name: &Path, memory: Memory) -> Result<Option<Lights>> {
+        let Ok(named) = name.to_string_lossy().parse::<Preset>();
+        if !named.is_shipped() {
             return Ok(None);
         }
+        let lights = named.lights(memory.of_file())?;
         match self.degree {
             Some(degree) if degree > lights.degree => {
                 let what = format!("the shipped lights end at degree {}", lights.degree);
@@ -298,7 +301,8 @@ impl Light {
             ),
         };
         print_message(format_args!("{name}: {shape}, {negative}"));
-        let clips = pictures(path).is_ok_and(|files| files.iter().any(|file| is_picture(file)));
+        let has_pictures =
+            pictures(path).is_ok_and(|files| files.iter().any(|file| is_picture(file)));
         let kind =
             if path.is_dir() { "has PNG or JPEG pictures" } else { "is a PNG or JPEG picture" };
         let path = path.display();
@@ -309,10 +313,10 @@ impl Light {
                 "warning: {path} is not twice as wide as high; it is read as equirectangular"
             ));
         }
-        if clips {
+        if has_pictures && map.reaches_white() {
             print_message(format_args!(
-                "warning: {path} {kind}, where light is clipped at white: lamps and the sun are \
-                 missing, and images are flatter than with an .hdr or .exr map"
+                "warning: {path} {kind}, where light is clipped at white: what is brighter, as \
+                 lamps and the sun are, counts as white; an .hdr or .exr map has it"
             ));
         }
     }

@@ -2,13 +2,14 @@
 
 use super::options::{Memory, TableChoice, choice, count};
 use clap::Args;
-use eigenshade_cli::messages::{grouped, print_message};
+use eigenshade_cli::messages::grouped;
 use eigenshade_cli::output;
 use eigenshade_cli::table::{self, rounding};
 use eigenshade_model::error::{Error, Result};
-use eigenshade_table::Table;
+use eigenshade_shading::shipped;
 use eigenshade_table::reduce::with_components;
 use eigenshade_table::wire::{self, Endian, NumberFormat};
+use eigenshade_table::{Rounding, Table};
 use std::path::PathBuf;
 
 /// Write a table as a wire file, which the runtime reads in place
@@ -47,13 +48,20 @@ impl Pack {
         })?;
         output::write_all(Some(&self.out), &bytes)?;
         let mut text = format!("{:<12} {}\n", "bytes", grouped(bytes.len()));
-        // The rounding of all components was measured, but not that of fewer.
-        if let Some(one) = table.rounding(format).filter(|_| self.components.is_none()) {
+        let (rounding, over) = match self.components {
+            None => (table.rounding(format).cloned(), "the table's database"),
+            Some(_) => {
+                let materials = shipped::named_materials(table.gram.order)?;
+                let of_format = [format];
+                let found = rounding::measure(&table, &shipped::lights()?, &materials, &of_format);
+                (found.first().cloned(), "the shipped lights and materials")
+            }
+        };
+        if let Some(Rounding { largest, rms, .. }) = rounding {
             text += &format!(
-                "{:<12} {:.1e} of the peak at most, rms {:.1e}\n",
-                "error", one.largest, one.rms
+                "{:<12} {largest:.1e} of the peak at most, rms {rms:.1e}, over {over}\n",
+                "error"
             );
-            rounding::warning(&table, format).iter().for_each(print_message);
         }
         output::report(text)
     }

@@ -9,7 +9,7 @@ use clap::builder::TypedValueParser;
 use clap::{Args, ValueEnum};
 use eigenshade::{Effects, Exposure, Matcap, Rgb, Scalar, Tolerance, Tone};
 use eigenshade_cli::messages::print_message;
-use eigenshade_cli::messages::{Ringing, albedo_warning};
+use eigenshade_cli::messages::{Ringing, albedo_warning, dark_light_warning};
 use eigenshade_cli::object::{Object, ObjectView, SIZE};
 use eigenshade_cli::output;
 use eigenshade_cli::picture::Pixel;
@@ -125,7 +125,9 @@ impl Render {
             Format::F32 => rounding::warning(&table, wire::NumberFormat::F32),
             Format::F64 => None,
         };
-        let warnings = [higher, albedo_warning(&materials), rounded].into_iter().flatten();
+        let dark = dark_light_warning(&lights);
+        let is_dark = dark.is_some();
+        let warnings = [higher, albedo_warning(&materials), dark, rounded].into_iter().flatten();
         let (mut lights, materials) = fitted(&table, &lights, &materials);
         let highlights = match most {
             Some(most) => {
@@ -170,7 +172,7 @@ impl Render {
         let pair = || overflow::pair(&lights.entries[0], &materials.entries[0]);
         ringing.record(pair, least, largest);
         let note = note(choice.path(), &table.scene.geometry).filter(|_| is_sphere);
-        let ringing = ringing.note().filter(|_| self.choices.has_all_effects());
+        let ringing = ringing.note().filter(|_| self.choices.has_all_effects() && !is_dark);
         let pair = (&lights, &materials);
         let sharp = sharpness_note(&self.inputs, &table, pair, sources, memory)?;
         let sharp = sharp.filter(|_| effects == Effects::ALL).map(|note| match note {

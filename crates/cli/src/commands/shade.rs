@@ -6,7 +6,7 @@ use super::shade_images::{Images, Output, Way};
 use clap::{Args, ValueEnum};
 use eigenshade::{NegativePolicy, Q15, Q31, Tolerance};
 use eigenshade_cli::messages::print_message;
-use eigenshade_cli::messages::{Ringing, albedo_warning};
+use eigenshade_cli::messages::{Ringing, albedo_warning, dark_light_warning};
 use eigenshade_cli::output::{self, Rows, exact};
 use eigenshade_cli::table::{self, rounding};
 use eigenshade_model::error::{Error, Result};
@@ -137,7 +137,9 @@ impl Shade {
         let materials = self.inputs.material.materials(table.gram.order, memory.of_file())?;
         let higher =
             of_higher_order(self.inputs.material.path(), materials.order, table.gram.order);
-        let warnings = higher.into_iter().chain(albedo_warning(&materials));
+        let dark = dark_light_warning(&lights);
+        let is_dark = dark.is_some();
+        let warnings = higher.into_iter().chain(albedo_warning(&materials)).chain(dark);
         let (mut lights, materials) = fitted(&table, &lights, &materials);
         self.choices.change(&mut lights);
         let warnings = warnings.chain(stored.and_then(|one| rounding::warning(&table, one)));
@@ -174,7 +176,7 @@ impl Shade {
         if self.clamp && least < 0.0 {
             print_message(format_args!("least irradiance {}, clamped", exact(least)));
         }
-        let note = ringing.note().filter(|_| self.choices.has_all_effects());
+        let note = ringing.note().filter(|_| self.choices.has_all_effects() && !is_dark);
         warnings.chain(note).for_each(print_message);
         Ok(())
     }

@@ -23,9 +23,15 @@ const SPACING: f64 = 0.2;
 /// The largest error of a pixel, as a share of the peak, that causes no warning.
 const UNSEEN: f64 = 1e-3;
 
-/// The error of each format that suits the table, over the images of its database in green.
+/// The error of each of these formats that suits the table, over the images of a database in green:
+/// the table's own, where it is made.
 #[must_use]
-pub fn measure(table: &Table, lights: &Lights, materials: &Materials) -> Vec<Rounding> {
+pub fn measure(
+    table: &Table,
+    lights: &Lights,
+    materials: &Materials,
+    formats: &[NumberFormat],
+) -> Vec<Rounding> {
     let (lights, materials) = fitted(table, lights, materials);
     let normals: Vec<[f64; 3]> = rings(SPACING).iter().flat_map(Ring::normals).collect();
     let pairs = lights.entries.len() * materials.entries.len();
@@ -46,7 +52,7 @@ pub fn measure(table: &Table, lights: &Lights, materials: &Materials) -> Vec<Rou
         return Vec::new();
     };
     let mut roundings = Vec::new();
-    for format in NumberFormat::ALL {
+    for &format in formats {
         let images = match format {
             NumberFormat::F32 => floats::<f32>(table, degrees, &chosen, &normals).ok(),
             NumberFormat::Q15 => integers::<Q15>(table, degrees, &chosen, &normals),
@@ -77,7 +83,7 @@ pub fn warning(table: &Table, format: NumberFormat) -> Option<String> {
     (*largest > UNSEEN).then(|| {
         format!(
             "warning: rounding to {} costs up to {largest:.1e} of an image's peak (rms {rms:.1e}) \
-             over the table's database; use another format, or a table with fewer components",
+             over the table's database; use another format",
             format.name()
         )
     })

@@ -1,6 +1,6 @@
 //! A map of either layout, and how it is recognized.
 
-use crate::light::cube::CubeMap;
+use crate::light::cube::{CubeMap, FACES};
 use crate::light::environment::{EnvironmentMap, Integrals};
 use eigenshade_model::error::{Error, Result};
 use eigenshade_model::inputs::input_file::InputFile;
@@ -74,6 +74,19 @@ impl Map {
         match self {
             Self::Equirectangular(map) => map.negative_integral(),
             Self::Cube(cube) => cube.negative_integral(),
+        }
+    }
+
+    /// Whether some texel is white in a channel, as a picture shows it: a radiance of 1 or more.
+    #[must_use]
+    pub fn reaches_white(&self) -> bool {
+        let is_white = |texel: [f32; 3]| texel.into_iter().any(|channel| channel > 0.9999);
+        match self {
+            Self::Equirectangular(map) => map.texels.iter().copied().any(is_white),
+            Self::Cube(cube) => {
+                let mut texels = (0..FACES.len()).flat_map(|face| cube.texels(face));
+                texels.any(|(_, _, texel)| is_white(texel))
+            }
         }
     }
 }
