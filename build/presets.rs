@@ -2,7 +2,6 @@
 
 use crate::files::{read_lines, write_output};
 use eigenshade_index::{light, material};
-use std::fmt::Write as _;
 
 /// The degree of the lights and the order of the materials: those of the shipped table.
 const DEGREE: usize = 9;
@@ -90,53 +89,49 @@ fn read(path: &str, count: usize) -> Result<Vec<Preset>, String> {
 /// Writes the constants of one kind, in floats and in integers, and a list of all of them.
 fn constants(kind: &str, presets: &[Preset], error: impl Fn(&str) -> String) -> Result<(), String> {
     let lower = kind.to_lowercase();
-    let (mut floats, mut integers, mut all) = (String::new(), String::new(), String::new());
-    let add = |to: &mut String, text: std::fmt::Arguments<'_>| {
-        to.write_fmt(text).map_err(|error| error.to_string())
-    };
+    let (mut floats, mut integers, mut entries) = (String::new(), String::new(), Vec::new());
     for Preset { name, channels } in presets {
-        let constant = name.to_uppercase().replace('-', "_");
+        let constant = constant_name(name);
         let numbers: Vec<String> =
             channels.iter().map(|channel| format!("[{}]", channel.join(", "))).collect();
         let gray = if channels.len() == 1 { "gray " } else { "" };
         let numbers = numbers.join(", ");
-        add(
-            &mut floats,
-            format_args!(
-                "/// `{name}`.{}\npub const {constant}: {kind} = \
-                 channels!(crate::{kind}::new, {numbers});\n",
-                error(name)
-            ),
-        )?;
-        add(
-            &mut integers,
-            format_args!(
-                "/// `{name}`.{}\npub const {constant}: {kind} = \
-                 quantized_{lower}!({gray}super::{constant});\n",
-                error(name)
-            ),
-        )?;
-        add(&mut all, format_args!("    (\"{name}\", {constant}),\n"))?;
+        let head = format!("/// `{name}`.{}\npub const {constant}: {kind} =", error(name));
+        floats += &format!("{head} channels!(crate::{kind}::new, {numbers});\n");
+        integers += &format!("{head} quantized_{lower}!({gray}super::{constant});\n");
+        entries.push(format!("    (\"{name}\", {constant}),\n"));
     }
-    let count = presets.len();
     floats += &each(&lower, presets.iter().map(|preset| preset.name.as_str()));
+    let all = list("All of them, by name", "ALL", &format!("&str, {kind}"), &entries);
     for (text, format) in [(floats, ""), (integers, "_q15")] {
-        let text = format!(
-            "{text}/// All of them, by name.\npub const ALL: [(&str, {kind}); {count}] = [\n{all}];\n"
-        );
-        write_output(&format!("preset_{lower}s{format}.rs"), &text)?;
+        write_output(&format!("preset_{lower}s{format}.rs"), &(text + &all))?;
     }
     Ok(())
+}
+
+fn constant_name(name: &str) -> String {
+    name.to_uppercase().replace('-', "_")
+}
+
+/// A constant that lists others.
+fn list(what: &str, constant: &str, entry: &str, entries: &[String]) -> String {
+    let (count, entries) = (entries.len(), entries.concat());
+    format!("/// {what}.\npub const {constant}: [({entry}); {count}] = [\n{entries}];\n")
+}
+
+/// Adds a text to the last group, or to a new one if that has another key.
+fn add<K: PartialEq>(groups: &mut Vec<(K, Vec<String>)>, key: K, text: String) {
+    match groups.last_mut() {
+        Some((last, texts)) if *last == key => texts.push(text),
+        _ => groups.push((key, vec![text])),
+    }
 }
 
 /// A macro that calls another one with the constant and the name of each of them: for other
 /// languages, whose names are made of these.
 fn each<'a>(kind: &str, names: impl Iterator<Item = &'a str>) -> String {
     let each: String = names
-        .map(|name| {
-            let name = name.replace('-', "_");
-            format!("        {} \"{name}\"\n", name.to_uppercase())
-        })
+        .map(|name| format!("        {} \"{}\"\n", constant_name(name), name.replace('-', "_")))
         .collect();
     format!(
         "/// Calls a macro with the constant and the name of each of them.\n\
@@ -160,7 +155,7 @@ fn rows<const N: usize>(path: &str) -> Result<Vec<(String, [f64; N])>, String> {
 
 /// Writes the sets of sources: constants such as `STUDIO_4`, and a list of all of them.
 fn sources() -> Result<(), String> {
-    let mut sets: Vec<(String, usize, String)> = Vec::new();
+    let mut sets = Vec::new();
     for (light, numbers) in rows("tables/inputs/sources.csv")? {
         let [set, x, y, z, r, g, b, u, v, w, minor] = numbers;
         // Exactly of length 1 and perpendicular, which six digits are not.
@@ -175,82 +170,65 @@ fn sources() -> Result<(), String> {
             "    Source::stored([{x:?}, {y:?}, {z:?}], [{r:?}, {g:?}, {b:?}], \
              [{u:?}, {v:?}, {w:?}], {minor:?}),\n"
         );
-        match sets.last_mut() {
-            Some(last) if last.0 == light && last.1 == set as usize => last.2 += &text,
-            _ => sets.push((light, set as usize, text)),
-        }
+        add(&mut sets, (light, set as usize), text);
     }
-    let (mut constants, mut all) = (String::new(), String::new());
-    for (light, most, sources) in &sets {
-        let constant = format!("{}_{most}", light.to_uppercase().replace('-', "_"));
+    let (mut constants, mut entries) = (String::new(), Vec::new());
+    for ((light, most), sources) in &sets {
+        let (constant, sources) = (format!("{}_{most}", constant_name(light)), sources.concat());
         let s = if *most == 1 { "" } else { "s" };
         constants += &format!(
             "/// At most {most} source{s} of `{light}`.\npub const {constant}: &[Source<f32>] = \
              &[\n{sources}];\n"
         );
-        all += &format!("    (\"{light}\", {most}, {constant}),\n");
+        entries.push(format!("    (\"{light}\", {most}, {constant}),\n"));
     }
     constants += &source_sets(&sets)?;
-    let count = sets.len();
-    let names: Vec<_> = sets.iter().map(|(light, most, _)| format!("{light}-{most}")).collect();
+    let names: Vec<_> = sets.iter().map(|((light, most), _)| format!("{light}-{most}")).collect();
     constants += &each("sources", names.iter().map(String::as_str));
-    let text = format!(
-        "{constants}/// All of them, by the name of the light and the most sources.\n\
-         pub const ALL: [(&str, usize, &[Source<f32>]); {count}] = [\n{all}];\n"
-    );
-    write_output("preset_sources.rs", &text)
+    let what = "All of them, by the name of the light and the most sources";
+    constants += &list(what, "ALL", "&str, usize, &[Source<f32>]", &entries);
+    write_output("preset_sources.rs", &constants)
 }
 
 /// Constants such as `STUDIO`: no sources, and the sets of a light, with their errors at the degree
 /// and order of the presets.
-fn source_sets(sets: &[(String, usize, String)]) -> Result<String, String> {
-    let mut constants: Vec<(String, String, usize)> = Vec::new();
+fn source_sets(sets: &[((String, usize), Vec<String>)]) -> Result<String, String> {
+    let mut constants = Vec::new();
     for (light, numbers) in rows("tables/inputs/sources.errors.csv")? {
         let [most, degree, order, rms @ .., _, _, _, _, _, _]: [f64; 15] = numbers;
         if [degree, order] != [DEGREE as f64, ORDER as f64] {
             continue;
         }
-        let name = light.to_uppercase().replace('-', "_");
         let sources = match most as usize {
             0 => "&[]".to_owned(),
-            most if sets.iter().any(|set| set.0 == light && set.1 == most) => {
-                format!("{name}_{most}")
+            most if sets.iter().any(|(set, _)| set.0 == light && set.1 == most) => {
+                format!("{}_{most}", constant_name(&light))
             }
             most => return Err(format!("`{light}` has no set of {most} sources")),
         };
         let errors: [f64; 6] = rms;
         let text = format!("    SourceSet::new({sources}, {errors:?}),\n");
-        match constants.last_mut() {
-            Some(last) if last.0 == light => {
-                last.1 += &text;
-                last.2 += 1;
-            }
-            _ => constants.push((light, text, 1)),
-        }
+        add(&mut constants, light, text);
     }
-    let name = |light: &str| light.to_uppercase().replace('-', "_");
-    let (mut text, mut all) = (String::new(), String::new());
-    for (light, sets, count) in &constants {
-        let name = name(light);
+    let (mut text, mut entries) = (String::new(), Vec::new());
+    for (light, sets) in &constants {
+        let (name, count, sets) = (constant_name(light), sets.len(), sets.concat());
         text += &format!(
             "/// No sources of `{light}`, and its sets.\n\
              pub const {name}: [SourceSet<'static, f32>; {count}] = [\n{sets}];\n"
         );
-        all += &format!("    (\"{light}\", &{name}),\n");
+        entries.push(format!("    (\"{light}\", &{name}),\n"));
     }
-    let count = constants.len();
-    Ok(format!(
-        "{text}/// The sets of all lights, by name.\n\
-         pub const SETS: [(&str, &[SourceSet<'static, f32>]); {count}] = [\n{all}];\n"
-    ))
+    let entry = "&str, &[SourceSet<'static, f32>]";
+    Ok(text + &list("The sets of all lights, by name", "SETS", entry, &entries))
 }
 
 /// Writes the gloss of the materials in color as constants.
 fn glosses() -> Result<(), String> {
-    let (mut constants, mut all) = (String::new(), String::new());
+    let (mut constants, mut entries) = (String::new(), Vec::new());
     let rows = rows("tables/inputs/gloss.csv")?;
     for (name, numbers) in &rows {
-        let constant = name.to_uppercase().replace('-', "_");
+        let constant = constant_name(name);
         let [roughness, f0_r, f0_g, f0_b, f90_r, f90_g, f90_b, r, g, b, error] = numbers;
         constants += &format!(
             "/// `{name}`. The lobe leaves {:.0} % of pictures under a small source (rms).\n\
@@ -259,13 +237,9 @@ fn glosses() -> Result<(), String> {
              [{r:?}, {g:?}, {b:?}]);\n",
             100.0 * error
         );
-        all += &format!("    (\"{name}\", {constant}),\n");
+        entries.push(format!("    (\"{name}\", {constant}),\n"));
     }
-    let count = rows.len();
     constants += &each("gloss", rows.iter().map(|(name, _)| name.as_str()));
-    let text = format!(
-        "{constants}/// All of them, by name.\n\
-         pub const ALL: [(&str, Gloss<f32>); {count}] = [\n{all}];\n"
-    );
-    write_output("preset_gloss.rs", &text)
+    constants += &list("All of them, by name", "ALL", "&str, Gloss<f32>", &entries);
+    write_output("preset_gloss.rs", &constants)
 }

@@ -52,11 +52,7 @@ impl<S: Scalar, const N: usize> AnalyticLight<S, N> {
     }
 
     /// Adds the radiance of a sky in the half of directions around `up`, and of a ground in the
-    /// other.
-    ///
-    /// # Errors
-    ///
-    /// Those of [`disc`](Self::disc).
+    /// other; errors as [`disc`](Self::disc).
     pub fn hemisphere<M: Mathematics<S>>(
         self,
         up: [S; 3],
@@ -193,11 +189,7 @@ impl<S: Scalar, const N: usize> AnalyticLight<S, N> {
 /// # Ok::<(), eigenshade::Error>(())
 /// ```
 impl<S: Scalar, const N: usize> Rgb<AnalyticLight<S, N>> {
-    /// [`AnalyticLight::dark`].
-    ///
-    /// # Errors
-    ///
-    /// The same.
+    /// [`AnalyticLight::dark`]; the same errors.
     pub fn dark() -> Result<Self, Error> {
         AnalyticLight::dark().map(Self::gray)
     }
@@ -208,11 +200,7 @@ impl<S: Scalar, const N: usize> Rgb<AnalyticLight<S, N>> {
         self.zip(radiance.into()).map(|(light, radiance)| light.ambient(radiance))
     }
 
-    /// [`AnalyticLight::hemisphere`].
-    ///
-    /// # Errors
-    ///
-    /// The same.
+    /// [`AnalyticLight::hemisphere`]; the same errors.
     pub fn hemisphere<M: Mathematics<S>>(
         self,
         up: [S; 3],
@@ -223,11 +211,7 @@ impl<S: Scalar, const N: usize> Rgb<AnalyticLight<S, N>> {
         self.zip(radiances).try_map(|(light, (sky, ground))| light.hemisphere::<M>(up, sky, ground))
     }
 
-    /// [`AnalyticLight::disc`].
-    ///
-    /// # Errors
-    ///
-    /// The same.
+    /// [`AnalyticLight::disc`]; the same errors.
     pub fn disc<M: Mathematics<S>>(
         self,
         direction: [S; 3],
@@ -238,11 +222,7 @@ impl<S: Scalar, const N: usize> Rgb<AnalyticLight<S, N>> {
         channels.try_map(|(light, radiance)| light.disc::<M>(direction, radius, radiance))
     }
 
-    /// [`AnalyticLight::directional`].
-    ///
-    /// # Errors
-    ///
-    /// The same.
+    /// [`AnalyticLight::directional`]; the same errors.
     pub fn directional<M: Mathematics<S>>(
         self,
         direction: [S; 3],
@@ -258,11 +238,7 @@ impl<S: Scalar, const N: usize> Rgb<AnalyticLight<S, N>> {
         self.map(|light| light.scaled(factor))
     }
 
-    /// [`AnalyticLight::plus`].
-    ///
-    /// # Errors
-    ///
-    /// The same.
+    /// [`AnalyticLight::plus`]; the same errors.
     pub fn plus<'l>(self, other: impl Into<Rgb<Light<'l, S>>>) -> Result<Self, Error> {
         self.zip(other.into()).try_map(|(light, other)| light.plus(&other))
     }
@@ -273,11 +249,7 @@ impl<S: Scalar, const N: usize> Rgb<AnalyticLight<S, N>> {
         self.map(|light| light.windowed::<M>(window))
     }
 
-    /// [`AnalyticLight::light`] in each channel.
-    ///
-    /// # Errors
-    ///
-    /// The same.
+    /// [`AnalyticLight::light`] in each channel; the same errors.
     pub fn lights(&self) -> Result<Rgb<Light<'_, S>>, Error> {
         self.each_ref().try_map(AnalyticLight::light)
     }

@@ -59,10 +59,6 @@ impl<T> Rgb<T> {
     }
 
     /// Applies a function to each channel, up to the first error.
-    ///
-    /// # Errors
-    ///
-    /// Those of the function.
     #[inline(always)]
     pub fn try_map<U, E>(self, mut function: impl FnMut(T) -> Result<U, E>) -> Result<Rgb<U>, E> {
         Ok(Rgb::new(function(self.r)?, function(self.g)?, function(self.b)?))
@@ -148,11 +144,7 @@ impl<S: Scalar> Rgb<Light<'_, S>> {
         self.map(|light| light.truncated(degree))
     }
 
-    /// [`Light::windowed`] in each channel.
-    ///
-    /// # Errors
-    ///
-    /// The same.
+    /// [`Light::windowed`] in each channel; the same errors.
     pub fn windowed<M: Mathematics<S>, const N: usize>(
         &self,
         window: Window<S>,
@@ -162,31 +154,19 @@ impl<S: Scalar> Rgb<Light<'_, S>> {
 }
 
 impl<S, const N: usize> Rgb<Buffer<S, N>> {
-    /// The lights in these buffers.
-    ///
-    /// # Errors
-    ///
-    /// Those of [`Light::new`].
+    /// The lights in these buffers; errors as [`Light::new`].
     pub fn lights(&self) -> Result<Rgb<Light<'_, S>>, Error> {
         self.each_ref().try_map(|channel| Light::new(channel))
     }
 
-    /// The materials in these buffers.
-    ///
-    /// # Errors
-    ///
-    /// Those of [`Material::new`].
+    /// The materials in these buffers; errors as [`Material::new`].
     pub fn materials(&self) -> Result<Rgb<Material<'_, S>>, Error> {
         self.each_ref().try_map(|channel| Material::new(channel))
     }
 }
 
 impl<Q, const N: usize, const O: usize> Rgb<quantized::MaterialBuffer<Q, N, O>> {
-    /// The materials in these buffers.
-    ///
-    /// # Errors
-    ///
-    /// Those of [`quantized::Material::new`].
+    /// The materials in these buffers; errors as [`quantized::Material::new`].
     pub fn materials(&self) -> Result<Rgb<quantized::Material<'_, Q>>, Error> {
         self.each_ref().try_map(quantized::MaterialBuffer::material)
     }
@@ -231,11 +211,7 @@ impl<B> Rgb<Scene<'_, B>> {
 }
 
 impl<C> Rgb<Scene<'_, C>> {
-    /// [`Scene::bake`] in each channel.
-    ///
-    /// # Errors
-    ///
-    /// The same.
+    /// [`Scene::bake`] in each channel; the same errors.
     pub fn bake<S: Scalar, const T: usize>(
         &self,
         size: usize,
@@ -246,7 +222,7 @@ impl<C> Rgb<Scene<'_, C>> {
         self.each_ref().try_map(|scene| scene.bake(size))
     }
 
-    /// [`Scene::bake_integers_into`] in each channel.
+    /// [`Scene::bake_integers_into`] in each channel; the same errors.
     ///
     /// ```
     /// # #[cfg(feature = "presets")] {
@@ -261,10 +237,6 @@ impl<C> Rgb<Scene<'_, C>> {
     /// # }
     /// # Ok::<(), eigenshade::Error>(())
     /// ```
-    ///
-    /// # Errors
-    ///
-    /// The same.
     pub fn bake_integers_into<S: Scalar, B: AsMut<[i16]>>(
         &self,
         size: usize,
@@ -309,11 +281,8 @@ impl<B: AsRef<[i16]>> Rgb<IntegerMap<B>> {
         self.each_ref().map(|map| map.nearest(point))
     }
 
-    /// The exposure of what is looked up, channel by channel.
-    ///
-    /// # Errors
-    ///
-    /// Those of [`quantized::Exposure::new`].
+    /// The exposure of what is looked up, channel by channel; errors as
+    /// [`quantized::Exposure::new`].
     pub fn exposure(&self, exposure: f32) -> Result<Rgb<quantized::Exposure>, Error> {
         self.each_ref().try_map(|map| quantized::Exposure::new(exposure, map.exponent()))
     }

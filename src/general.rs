@@ -78,14 +78,10 @@ impl<'a, S> GeneralBasis<'a, S> {
 
 impl<'a, S: Scalar> GeneralBasis<'a, S> {
     /// The coefficients d of a light on a material, as [`Basis::project`], with one more
-    /// multiplication for each pair of an eigenimage and a function of the span.
+    /// multiplication for each pair of an eigenimage and a function of the span; the same errors.
     ///
     /// `N` must be at least [`workspace_len`](Self::workspace_len), `K` at least
     /// [`components`](Self::components).
-    ///
-    /// # Errors
-    ///
-    /// The same as for [`Basis::project`].
     pub fn project<const N: usize, const K: usize>(
         &self,
         light: &Light<'_, S>,
@@ -96,11 +92,7 @@ impl<'a, S: Scalar> GeneralBasis<'a, S> {
         })
     }
 
-    /// [`project`](Self::project) with slices.
-    ///
-    /// # Errors
-    ///
-    /// The same as for [`Basis::project_into`].
+    /// [`project`](Self::project) with slices; errors as [`Basis::project_into`].
     pub fn project_into(
         &self,
         light: &Light<'_, S>,
@@ -112,11 +104,7 @@ impl<'a, S: Scalar> GeneralBasis<'a, S> {
     }
 
     /// [`project_into`](Self::project_into) for some effects only: see
-    /// [`Basis::project_effects_into`].
-    ///
-    /// # Errors
-    ///
-    /// The same as for [`Basis::project_into`].
+    /// [`Basis::project_effects_into`]; the same errors.
     pub fn project_effects_into(
         &self,
         light: &Light<'_, S>,
@@ -183,14 +171,10 @@ impl<'a, S: Scalar> GeneralBasis<'a, S> {
         Ok(())
     }
 
-    /// Sums the eigenimages azimuth by azimuth, as [`Basis::collapse`] does.
+    /// Sums the eigenimages azimuth by azimuth, as [`Basis::collapse`] does, with the same errors.
     ///
     /// `N` must be at least [`workspace_len`](Self::workspace_len), `C` at least the span's
     /// [`scene_len`](Basis::scene_len).
-    ///
-    /// # Errors
-    ///
-    /// The same as for [`Basis::collapse`].
     pub fn collapse<const N: usize, const C: usize>(
         &self,
         coefficients: &[S],
@@ -216,11 +200,8 @@ impl<'a, S: Scalar> GeneralBasis<'a, S> {
         self.span.collapse_into(coordinates, buffer)
     }
 
-    /// The irradiance of one normal without collapsing, as [`Basis::reconstruct`].
-    ///
-    /// # Errors
-    ///
-    /// The same as for [`collapse_into`](Self::collapse_into).
+    /// The irradiance of one normal without collapsing, as [`Basis::reconstruct`]; errors as
+    /// [`collapse_into`](Self::collapse_into).
     pub fn reconstruct(
         &self,
         coefficients: &[S],

@@ -46,11 +46,8 @@ pub enum Convention {
 }
 
 impl Convention {
-    /// Converts coefficients of this convention in place to the radiance of a [`Light`].
-    ///
-    /// # Errors
-    ///
-    /// Those of [`Light::from_graphics`], except for the capacity.
+    /// Converts coefficients of this convention in place to the radiance of a [`Light`]; errors as
+    /// [`Light::from_graphics`], except for the capacity.
     pub fn decode<S: Scalar>(self, coefficients: &mut [S]) -> Result<(), Error> {
         let degree = self.accept(coefficients.len())?;
         Error::check_finite(Argument::Light, coefficients)?;
@@ -60,11 +57,8 @@ impl Convention {
         Ok(())
     }
 
-    /// Converts the radiance of a [`Light`] in place to coefficients of this convention.
-    ///
-    /// # Errors
-    ///
-    /// The same.
+    /// Converts the radiance of a [`Light`] in place to coefficients of this convention; errors as
+    /// [`decode`](Self::decode).
     pub fn encode<S: Scalar>(self, coefficients: &mut [S]) -> Result<(), Error> {
         let degree = self.accept(coefficients.len())?;
         Error::check_finite(Argument::Light, coefficients)?;

@@ -113,11 +113,7 @@ impl Material<'_, f32> {
     }
 
     /// [`metallic_roughness_parts`](Self::metallic_roughness_parts) for tables of order 12: 3,920
-    /// multiplications.
-    ///
-    /// # Errors
-    ///
-    /// The same.
+    /// multiplications; the same errors.
     pub fn metallic_roughness_parts_of_order_12(
         roughness: f32,
     ) -> Result<[Buffer<f32, 140>; 3], Error> {
@@ -138,11 +134,7 @@ impl Material<'_, f32> {
     }
 
     /// [`metallic_roughness`](Self::metallic_roughness) for tables of order 12: some 4,000
-    /// multiplications, and 16 KB of tables.
-    ///
-    /// # Errors
-    ///
-    /// The same.
+    /// multiplications, and 16 KB of tables; the same errors.
     pub fn metallic_roughness_of_order_12(
         base_color: [f32; 3],
         metallic: f32,
@@ -170,10 +162,6 @@ impl quantized::Material<'_, Q15> {
 
     /// [`metallic_roughness`](Self::metallic_roughness) for tables of order 12, with the same
     /// error.
-    ///
-    /// # Errors
-    ///
-    /// The same.
     pub fn metallic_roughness_of_order_12(
         base_color: [Q15; 3],
         metallic: Q15,

@@ -44,11 +44,7 @@ impl<S: Scalar> Normal<S> {
         Self::with_mathematics::<Libm>(x, y, z)
     }
 
-    /// [`new`](Self::new) with a root of your choice.
-    ///
-    /// # Errors
-    ///
-    /// The same as for `new`.
+    /// [`new`](Self::new) with a root of your choice; the same errors.
     pub fn with_mathematics<M: Mathematics<S>>(x: S, y: S, z: S) -> Result<Self, Error> {
         let unit = Self { x, y, z }.scaled::<M>()?;
         if unit.z >= S::ZERO {

@@ -79,16 +79,12 @@ impl<'a, S: Scalar> Basis<'a, S> {
         self.image((light, material, Effects::ALL), workspace, coefficients)
     }
 
-    /// [`project_into`](Self::project_into) for some effects only: d of the image that these
-    /// effects produce. The images of [all effects](Effect::ALL) sum to the whole image.
+    /// [`project_into`](Self::project_into) for some effects only, with the same errors: d of the
+    /// image that these effects produce. The images of [all effects](Effect::ALL) sum to the whole.
     ///
     /// The mean image is ambient, and its coefficients are subtracted whatever the effects. To get
     /// d for other effects from a basis with a mean image, subtract the result for no effects from
     /// the result for these effects.
-    ///
-    /// # Errors
-    ///
-    /// The same as [`project_into`](Self::project_into).
     pub fn project_effects_into(
         &self,
         light: &Light<'_, S>,

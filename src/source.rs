@@ -86,7 +86,7 @@ impl<S: Scalar> Source<S> {
     }
 
     /// A round source with this standard deviation in radians along every direction. A disc of
-    /// angular radius r has r / 2. For a spread of 0, it is a point.
+    /// angular radius r has r / 2. For a spread of 0, it is a point; errors as [`new`](Self::new).
     ///
     /// ```
     /// use eigenshade::Source;
@@ -98,10 +98,6 @@ impl<S: Scalar> Source<S> {
     /// assert_eq!(lamp.energy().g, 40.0 * 0.0314);
     /// # Ok::<(), eigenshade::Error>(())
     /// ```
-    ///
-    /// # Errors
-    ///
-    /// Those of [`new`](Self::new).
     pub fn round<M: Mathematics<S>>(
         direction: [S; 3],
         energy: impl Into<Rgb<S>>,

@@ -50,11 +50,7 @@ macro_rules! table_in_color {
             }
 
             /// The image of a material under a light: transfer, relight and collapse in each
-            /// channel. A gray material is transferred once.
-            ///
-            /// # Errors
-            ///
-            /// Those of [`transfer`](super::transfer) and [`relight`](super::relight).
+            /// channel; errors as theirs. A gray material is transferred once.
             pub fn scene<'l, 'm>(
                 light: impl Into<Rgb<Light<'l>>>,
                 material: impl Into<Rgb<Material<'m>>>,
@@ -100,11 +96,8 @@ macro_rules! table_in_color {
                 relit(Rgb::gray(&super::transfer(material)?), light, scene)
             }
 
-            /// The transfer of a material in each channel: see [`transfer`](super::transfer).
-            ///
-            /// # Errors
-            ///
-            /// The same.
+            /// The transfer of a material in each channel: see [`transfer`](super::transfer); the
+            /// same errors.
             pub fn transfer<'m>(
                 material: impl Into<Rgb<Material<'m>>>,
             ) -> Result<Transfer, $crate::Error> {
@@ -117,11 +110,8 @@ macro_rules! table_in_color {
             }
 
             /// The image of a transferred material under a new light: relight and collapse in each
-            /// channel. `transfer` is a [`Transfer`] or, for a gray material, that of one channel.
-            ///
-            /// # Errors
-            ///
-            /// Those of [`relight`](super::relight).
+            /// channel; errors as [`relight`](super::relight). `transfer` is a [`Transfer`] or, for
+            /// a gray material, that of one channel.
             pub fn relight<'l, 't>(
                 transfer: impl Into<Rgb<&'t super::Transfer>>,
                 light: impl Into<Rgb<Light<'l>>>,

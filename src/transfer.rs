@@ -128,12 +128,8 @@ impl<S: Scalar> Basis<'_, S> {
         self.transferred(material, Effects::ALL, workspace, transfer)
     }
 
-    /// [`transfer_into`](Self::transfer_into) for some effects only: see
+    /// [`transfer_into`](Self::transfer_into) for some effects only, with the same errors: see
     /// [`project_effects_into`](Self::project_effects_into).
-    ///
-    /// # Errors
-    ///
-    /// The same as [`transfer_into`](Self::transfer_into).
     pub fn transfer_effects_into(
         &self,
         material: &Material<'_, S>,

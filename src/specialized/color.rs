@@ -6,21 +6,14 @@
 macro_rules! float_table_in_color {
     () => {
         impl color::Scene {
-            /// What exposes the irradiances of [`shade`](Self::shade); the same for every scene.
-            ///
-            /// # Errors
-            ///
-            /// Those of [`eigenshade::Exposure::new`].
+            /// What exposes the irradiances of [`shade`](Self::shade), the same for every scene;
+            /// errors as [`eigenshade::Exposure::new`].
             pub fn exposure(&self, exposure: f32) -> Result<$crate::Exposure, $crate::Error> {
                 $crate::Exposure::new(exposure)
             }
 
             /// Bakes the scene into `size` x `size` texels, at most `T`: see
-            /// [`eigenshade::Scene::bake`].
-            ///
-            /// # Errors
-            ///
-            /// The same.
+            /// [`eigenshade::Scene::bake`]; the same errors.
             pub fn bake<const T: usize>(
                 &self,
                 size: usize,
@@ -30,11 +23,7 @@ macro_rules! float_table_in_color {
             }
 
             /// Bakes the scene into `size` x `size` integers: see
-            /// [`eigenshade::Scene::bake_integers_into`].
-            ///
-            /// # Errors
-            ///
-            /// The same.
+            /// [`eigenshade::Scene::bake_integers_into`]; the same errors.
             pub fn bake_integers_into<B: AsMut<[i16]>>(
                 &self,
                 size: usize,
@@ -44,11 +33,8 @@ macro_rules! float_table_in_color {
                 channels.try_map(|(scene, texels)| scene.bake_integers_into(size, texels))
             }
 
-            /// The irradiance of each normal in each channel: see [`eigenshade::Rgb::shade_slice`].
-            ///
-            /// # Errors
-            ///
-            /// The same.
+            /// The irradiance of each normal in each channel: see [`eigenshade::Rgb::shade_slice`];
+            /// the same errors.
             // Inlined: the crate that calls it chooses between speed and size.
             #[inline]
             pub fn shade_slice(

@@ -47,11 +47,7 @@ pub fn shade_each<N: Copy, I>(
 /// has no vectors.
 pub const ONE_BY_ONE: bool = crate::shade::ONE_BY_ONE;
 
-/// [`shade_each`] of normals in three slices.
-///
-/// # Errors
-///
-/// The same.
+/// [`shade_each`] of normals in three slices; the same errors.
 #[inline(always)]
 pub fn shade_normals<S: Scalar, I>(
     normals: Normals<'_, S>,

@@ -117,14 +117,16 @@ impl Blocks {
         [turn.sin() * across, height, -turn.cos() * across]
     }
 
-    fn density(&self, [x, y, z]: [f64; 3]) -> f64 {
-        let (columns, rows) = (self.columns as f64, self.rows as f64);
-        let column = (x.atan2(-z) / TAU + 0.5) * columns;
-        let row = y.clamp(-1.0, 1.0).acos() / PI * rows;
-        let (column, row) =
-            ((column as usize).min(self.columns - 1), (row as usize).min(self.rows - 1));
-        self.densities[row * self.columns + column]
+    fn density(&self, direction: [f64; 3]) -> f64 {
+        self.densities[texel_of(direction, self.columns, self.rows)]
     }
+}
+
+/// The texel in which a direction is, in a map of this size.
+pub(crate) fn texel_of([x, y, z]: [f64; 3], width: usize, height: usize) -> usize {
+    let column = (x.atan2(-z) / TAU + 0.5) * width as f64;
+    let row = y.clamp(-1.0, 1.0).acos() / PI * height as f64;
+    (row as usize).min(height - 1) * width + (column as usize).min(width - 1)
 }
 
 #[cfg(test)]

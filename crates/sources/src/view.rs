@@ -1,7 +1,7 @@
 //! A captured light seen from one side.
 
 use crate::light_tree::LightTree;
-use crate::mirrored;
+use crate::mirrored::{self, texel_of};
 use crate::response::{Glossy, Image, Place, Response};
 use crate::sphere::{Picture, Sphere};
 use eigenshade_generator::light::environment::EnvironmentMap;
@@ -110,10 +110,7 @@ fn turned(map: &EnvironmentMap, matrix: [[f64; 3]; 3]) -> EnvironmentMap {
             let (sine, cosine) = (PI * v).sin_cos();
             let direction = [sin_t * sine, cosine, -cos_t * sine];
             let back = |i: usize| (0..3).map(|j| matrix[j][i] * direction[j]).sum::<f64>();
-            let column = (back(0).atan2(-back(2)) / TAU + 0.5) * width as f64;
-            let row = back(1).clamp(-1.0, 1.0).acos() / PI * height as f64;
-            let (column, row) = ((column as usize).min(width - 1), (row as usize).min(height - 1));
-            let from = map.texels[row * width + column];
+            let from = map.texels[texel_of([0, 1, 2].map(back), width, height)];
             sum.iter_mut().zip(from).for_each(|(sum, value)| *sum += 0.25 * value);
         }
         sum

@@ -75,15 +75,9 @@ impl Block {
             let rows = concat(triangle.as_ref(), part);
             triangle = rows.qr().thin_R().to_owned();
         }
-        let svd = triangle.transpose().thin_svd().map_err(|_| not_converged(azimuth))?;
-        Ok(Self {
-            azimuth,
-            space,
-            left: svd.U().to_owned(),
-            singular_values: diagonal(svd.S().column_vector()),
-            right: None,
-            factor,
-        })
+        let Principal { coordinates: left, singular_values } =
+            decompose(triangle.transpose(), azimuth)?;
+        Ok(Self { azimuth, space, left, singular_values, right: None, factor })
     }
 
     /// The first `rank` left singular vectors of `factor`.

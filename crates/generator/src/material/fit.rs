@@ -29,7 +29,8 @@ use crate::material::fit_constraints::DirectionGrid;
 pub use crate::material::fit_constraints::{HIGHEST, LOWEST};
 use crate::material::measurements::Measured;
 use eigenshade_model::database::{Materials, Named};
-use eigenshade_model::error::{Error, Result};
+use eigenshade_model::error::Result;
+use eigenshade_model::inputs::sheet::write_entries;
 use std::io::Write;
 
 /// A fitted material and the quality of the fit.
@@ -119,9 +120,7 @@ fn fit_one(measured: &Measured, order: usize, grid: &DirectionGrid) -> Result<Fi
 ///
 /// If writing fails.
 pub fn write_figures(fits: &[Fit], out: &mut (impl Write + ?Sized)) -> Result<()> {
-    let mut writer = csv::Writer::from_writer(out);
-    let mut rows = vec![FIGURES.map(str::to_owned)];
-    rows.extend(fits.iter().map(|fit| {
+    let rows = fits.iter().map(|fit| {
         let maximum = fit.maximum.iter().copied().fold(f64::MIN, f64::max);
         [
             fit.material.name.clone(),
@@ -132,16 +131,9 @@ pub fn write_figures(fits: &[Fit], out: &mut (impl Write + ?Sized)) -> Result<()
             format!("{:.6}", fit.highest),
             format!("{:.6}", fit.condition),
         ]
-    }));
-    for row in rows {
-        writer.write_record(row).map_err(|error| unwritten(&error))?;
-    }
-    writer.flush().map_err(|error| unwritten(&error))
+    });
+    write_entries(FIGURES, rows, out)
 }
 
 const FIGURES: [&str; 7] =
     ["name", "samples", "maximum", "residual", "lowest", "highest", "condition"];
-
-fn unwritten(error: &dyn std::fmt::Display) -> Error {
-    Error::new(error.to_string(), "check where the output goes")
-}

@@ -9,19 +9,10 @@ use crate::error::Result;
 use crate::source::{Gloss, NamedGloss};
 use std::io::Write;
 
+#[rustfmt::skip]
 const COLUMNS: [&str; 12] = [
-    "material",
-    "roughness",
-    "f0_r",
-    "f0_g",
-    "f0_b",
-    "f90_r",
-    "f90_g",
-    "f90_b",
-    "albedo_r",
-    "albedo_g",
-    "albedo_b",
-    "error",
+    "material", "roughness", "f0_r", "f0_g", "f0_b", "f90_r", "f90_g", "f90_b",
+    "albedo_r", "albedo_g", "albedo_b", "error",
 ];
 
 /// Reads the gloss of all materials of a file.

@@ -10,23 +10,11 @@ use crate::error::Result;
 use crate::source::{SetError, SetErrors};
 use std::io::Write;
 
+#[rustfmt::skip]
 const COLUMNS: [&str; 16] = [
-    "light",
-    "set",
-    "degree",
-    "order",
-    "rms_0.1",
-    "rms_0.2",
-    "rms_0.3",
-    "rms_0.4",
-    "rms_0.5",
-    "rms_0.6",
-    "worst_0.1",
-    "worst_0.2",
-    "worst_0.3",
-    "worst_0.4",
-    "worst_0.5",
-    "worst_0.6",
+    "light", "set", "degree", "order",
+    "rms_0.1", "rms_0.2", "rms_0.3", "rms_0.4", "rms_0.5", "rms_0.6",
+    "worst_0.1", "worst_0.2", "worst_0.3", "worst_0.4", "worst_0.5", "worst_0.6",
 ];
 
 /// Reads the errors of a file.

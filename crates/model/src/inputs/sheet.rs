@@ -245,7 +245,7 @@ pub(super) fn read_entries<T, const N: usize>(
 /// # Errors
 ///
 /// If the output fails.
-pub(super) fn write_entries<const N: usize>(
+pub fn write_entries<const N: usize>(
     columns: [&str; N],
     rows: impl IntoIterator<Item = impl IntoIterator<Item = String>>,
     out: &mut (impl Write + ?Sized),
