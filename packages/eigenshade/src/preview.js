@@ -16,6 +16,9 @@ import { Scene } from "./scene.js";
 /** @typedef {import("./input.js").MetallicRoughness} MetallicRoughness */
 /** @typedef {import("./input.js").Turn} Turn */
 
+/** Most pixels of a side. */
+const LARGEST = 4096;
+
 /** The canvases of previews. */
 const taken = new WeakSet();
 
@@ -43,6 +46,14 @@ export class Preview {
   #set = { light: 0, material: 0 };
   #resized;
   #restored = () => this.#changed();
+  /** @type {MediaQueryList | undefined} */
+  #density;
+  /** Draws for this density of the screen, and again once a zoom or another screen changes it. */
+  #denser = () => {
+    this.#density = matchMedia(`(resolution: ${devicePixelRatio}dppx)`);
+    this.#density.addEventListener("change", this.#denser, { once: true });
+    this.#changed();
+  };
 
   /**
    * A preview, after its light and material are loaded.
@@ -79,6 +90,7 @@ export class Preview {
     this.#resized = new ResizeObserver(() => this.#changed());
     this.#setLook("Preview", look).draw();
     taken.add(canvas);
+    this.#denser();
     this.#resized.observe(canvas);
     renderer()?.restored.addEventListener("restored", this.#restored);
   }
@@ -180,26 +192,32 @@ export class Preview {
     this.#freed = true;
     cancelAnimationFrame(this.#frame);
     this.#resized.disconnect();
+    this.#density?.removeEventListener("change", this.#denser);
     renderer()?.restored.removeEventListener("restored", this.#restored);
   }
 
   /**
-   * Gives the canvas the pixels of the screen that it covers.
+   * Gives the canvas the pixels of the screen that it covers inside its padding, at most 4096 a side.
    *
    * @returns {number[]} width and height; 0 and 0 if the canvas is not shown
    */
   #resize() {
     const canvas = this.#canvas;
     const { clientWidth, clientHeight } = canvas;
-    if (!(clientWidth && clientHeight)) return [0, 0];
-    const pixels = (/** @type {number} */ length) =>
-      Math.min(4096, Math.max(1, Math.round((globalThis.devicePixelRatio || 1) * length)));
-    const [width, height] = [pixels(clientWidth), pixels(clientHeight)];
+    const style = getComputedStyle(canvas);
+    const { width: across, height: down } = style;
+    const inside = [
+      clientWidth - parseFloat(style.paddingLeft) - parseFloat(style.paddingRight),
+      clientHeight - parseFloat(style.paddingTop) - parseFloat(style.paddingBottom),
+    ];
+    if (!inside.every((length) => length > 0)) return [0, 0];
+    const ratio = Math.min(devicePixelRatio, LARGEST / Math.max(...inside));
+    const [width, height] = inside.map((length) => Math.max(1, Math.round(ratio * length)));
     if (canvas.width !== width || canvas.height !== height) {
       [canvas.width, canvas.height] = [width, height];
       // Without a size in CSS it would grow with its pixels.
-      if (canvas.clientWidth !== clientWidth) canvas.style.width = `${clientWidth}px`;
-      if (canvas.clientHeight !== clientHeight) canvas.style.height = `${clientHeight}px`;
+      if (canvas.clientWidth !== clientWidth) canvas.style.width = across;
+      if (canvas.clientHeight !== clientHeight) canvas.style.height = down;
     }
     return [width, height];
   }

@@ -171,6 +171,49 @@ test("a canvas of any shape, with or without a size in CSS, on a dense screen", 
   await dense.close();
 });
 
+test("a canvas with padding or more pixels than are drawn keeps its shape", async () => {
+  const found = await page.evaluate(async () => {
+    const sizes = [];
+    const look = { light: "lobby", material: "red-fabric2" };
+    for (const style of [
+      "width: 120px; height: 80px; padding: 10px 20px", "width: 5000px; height: 2500px",
+      "width: 120px; height: 80px; padding: 10px 20px; border: 1px solid; box-sizing: border-box",
+      "width: auto; height: auto; padding: 10px", "width: 20px; height: 20px; padding: 10px; box-sizing: border-box",
+    ]) {
+      const canvas = document.createElement("canvas");
+      canvas.style.cssText = style;
+      document.body.append(canvas);
+      const preview = await eigenshade.Preview.create(canvas, look);
+      for (let k = 0; k < 3; k++) await frame();
+      sizes.push([canvas.width, canvas.height]);
+      preview.free();
+      canvas.remove();
+    }
+    return sizes;
+  });
+  // The last one has no place for a picture: it is as it was.
+  assert.deepEqual(found, [[120, 80], [4096, 2048], [78, 58], [300, 150], [300, 150]]);
+});
+
+test("a canvas is drawn anew when the screen's density changes, until the preview is freed", async () => {
+  const session = await page.context().newCDPSession(page);
+  // The emulation tells media queries of a new density only with a new width of the page.
+  const dense = (deviceScaleFactor) =>
+    session.send("Emulation.setDeviceMetricsOverride", { width: 700 + 100 * deviceScaleFactor, height: 600, deviceScaleFactor, mobile: false });
+  const width = () => page.evaluate(() => frame().then(() => canvases[0].width));
+  await page.evaluate(async () => {
+    window.preview = await eigenshade.Preview.create(canvases[0], { light: "lobby", material: "red-fabric2" });
+  });
+  const found = [await width()];
+  for (const density of [2, 1.5, 1]) {
+    await dense(density);
+    found.push(await width());
+  }
+  await page.evaluate(() => preview.free());
+  await dense(3);
+  assert.deepEqual([...found, await width()], [120, 240, 180, 120, 120]);
+});
+
 test("what a look leaves out stays", async () => {
   const found = await page.evaluate(async () => {
     const preview = await eigenshade.Preview.create(canvases[0], { light: "lobby", material: "red-fabric2", exposure: 3, tone: "linear" });
