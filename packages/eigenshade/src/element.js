@@ -7,20 +7,23 @@ import { Scene } from "./scene.js";
 
 /** @typedef {import("./input.js").MetallicRoughness} MetallicRoughness */
 
+const Base = /** @type {typeof HTMLElement} */ (globalThis.HTMLElement ?? Object);
+
 /**
  * A sphere of a material under a light, as an element. Attributes:
  *
  * - `light`, `material`: presets' names;
  * - `base-color`, `metallic`, `roughness`: a glTF material instead of `material`;
- * - `sources`: the largest set of at most this many small sources of the light, for sharp highlights;
+ * - `sources`: the largest set of at most this many small sources of the light, for sharp
+ *   highlights;
  * - `yaw`, `pitch`, `roll`: the turn of the light, in degrees;
- * - `exposure`, `tone`: from irradiance to display; without `exposure`, or with `auto`, it is chosen.
+ * - `exposure`, `tone`: from irradiance to display; `exposure` is `auto` by default, and chosen.
  *
  * Attributes that change together are drawn together, before an event `load`. If one is wrong, the
- * picture stays: the element says why, and so does the `message` of an event `error`. Where there are
- * no elements, as in Node, this module defines none.
+ * picture stays: the element says why, and so does the `message` of an event `error`. Where there
+ * are no elements, as in Node, this module defines none.
  */
-export class EigenShade extends /** @type {typeof HTMLElement} */ (globalThis.HTMLElement ?? Object) {
+export class EigenShade extends Base {
   static observedAttributes = [
     "light", "material", "base-color", "metallic", "roughness", "sources", "yaw", "pitch", "roll", "exposure", "tone",
   ];
@@ -80,9 +83,10 @@ export class EigenShade extends /** @type {typeof HTMLElement} */ (globalThis.HT
         // The same inputs again would choose another exposure.
         if (set !== this.#set) {
           // All that can fail comes before what is set.
-          const [given, covered] = await Promise.all([lightOf(light, sources), materialOf(material)]);
+          const given = await Promise.all([lightOf(light, sources), materialOf(material)]);
           if (update !== this.#update) return;
-          await Promise.all([this.#preview.light(given, { sources }), this.#preview.material(covered)]);
+          const preview = this.#preview;
+          await Promise.all([preview.light(given[0], { sources }), preview.material(given[1])]);
         }
       } else {
         const scene = await Scene.create({ light, material, sources });

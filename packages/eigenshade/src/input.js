@@ -20,8 +20,8 @@
  * What a scene is made of: a preset's name or coefficients of the light, and of the material, or the
  * parameters of a glTF material. An engine of `load` has a table of your own.
  *
- * With `sources`, the largest set of at most this many small bright sources of a light by name, which
- * may be none, is shaded on its own, for sharp highlights. Such a scene has a larger module.
+ * With `sources`, the largest set of at most this many small bright sources of a light by name,
+ * which may be none, is shaded on its own, for sharp highlights. Such a scene has a larger module.
  * `Scene.sources` is the number of those drawn. A scene that is created without, and with a light
  * that has none, takes no light with sources; one with an engine of `load` does if the engine can.
  *
@@ -107,8 +107,10 @@ const isRecord = (value) => typeof value === "object" && kindOf(value) === "[obj
 export const isChannels = (value) => value !== null && typeof value === "object" && "r" in value;
 
 /** A value as messages have it. */
-export const shown = (/** @type {unknown} */ value) =>
-  typeof value === "string" ? `"${value}"` : Object(value) === value ? kindOf(value) : String(value);
+export function shown(/** @type {unknown} */ value) {
+  if (typeof value === "string") return `"${value}"`;
+  return Object(value) === value ? kindOf(value) : String(value);
+}
 
 /**
  * Throws for input of another kind.
@@ -155,7 +157,8 @@ function checked(what, name, numbers, counts) {
     );
   }
   const floats = Float32Array.from(numbers);
-  const bad = floats.findIndex((_, k) => !(isNumber(numbers[k]) && Math.abs(numbers[k]) <= LARGEST));
+  const isRight = (/** @type {unknown} */ x) => isNumber(x) && Math.abs(x) <= LARGEST;
+  const bad = floats.findIndex((_, k) => !isRight(numbers[k]));
   if (bad < 0) return floats;
   throw new RangeError(
     `${what}: ${name}[${bad}] is ${shown(numbers[bad])}, expected a number from -1e15 to 1e15`,
@@ -223,7 +226,9 @@ export function parameters(material) {
   const names = ["red", "green", "blue", "metallic", "roughness"];
   all.forEach((number, k) => {
     if (!isShare(number)) {
-      throw new RangeError(`material: ${names[k]} is ${shown(number)}, expected a number from 0 to 1`);
+      throw new RangeError(
+        `material: ${names[k]} is ${shown(number)}, expected a number from 0 to 1`,
+      );
     }
   });
   return all;

@@ -102,7 +102,9 @@ async function preset(kind, name) {
   const count = kind === "light" ? 100 : 40;
   const numbers = await once(path, () => read(kind, name, path, count));
   // Copies, which the caller may change.
-  const [r, g, b] = [0, 1, 2].map((channel) => numbers.slice(channel * count, (channel + 1) * count));
+  const [r, g, b] = [0, 1, 2].map((channel) =>
+    numbers.slice(channel * count, (channel + 1) * count),
+  );
   const gloss = numbers.slice(3 * count);
   return gloss.length ? { r, g, b, gloss } : { r, g, b };
 }

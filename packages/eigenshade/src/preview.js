@@ -8,8 +8,8 @@ import { Scene } from "./scene.js";
 /** @typedef {import("./input.js").Channels} Channels */
 /**
  * How the picture is shown. The exposure is the factor from irradiance to display; `"auto"`, the
- * default, chooses it anew for each light and material of the preview, but not when the light turns,
- * or its {@link Preview#scene | scene} is changed. The tone curve is `"filmic"` by default.
+ * default, chooses it anew for each light and material of the preview, but not when the light
+ * turns, or its {@link Preview#scene | scene} is changed. The tone curve is `"filmic"` by default.
  *
  * @typedef {{ exposure?: number | "auto", tone?: import("./input.js").Tone }} Look
  */
@@ -154,8 +154,8 @@ export class Preview {
    *
    * @param {Look} look what is left out stays
    * @returns {this}
-   * @throws {TypeError | RangeError} for an exposure that is no normal f32 above 0, an unknown curve
-   *   or name
+   * @throws {TypeError | RangeError} for an exposure that is no normal f32 above 0, an unknown
+   *   curve or name
    */
   look(look) {
     this.#alive();
@@ -197,7 +197,8 @@ export class Preview {
   }
 
   /**
-   * Gives the canvas the pixels of the screen that it covers inside its padding, at most 4096 a side.
+   * Gives the canvas the pixels of the screen that it covers inside its padding, at most 4096 a
+   * side.
    *
    * @returns {number[]} width and height; 0 and 0 if the canvas is not shown
    */

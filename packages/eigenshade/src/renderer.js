@@ -146,7 +146,9 @@ export function renderer() {
  */
 export function sphere(scene, size, look = {}) {
   if (!(Number.isInteger(size) && size >= 1 && size <= 4096)) {
-    throw new RangeError(`sphere: the size is ${shown(size)}, expected a whole number from 1 to 4096`);
+    throw new RangeError(
+      `sphere: the size is ${shown(size)}, expected a whole number from 1 to 4096`,
+    );
   }
   const picture = new Uint8ClampedArray(4 * size * size);
   const [x, y, z] = [0, 1, 2].map(() => new Float32Array(size));

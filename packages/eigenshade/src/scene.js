@@ -2,8 +2,9 @@
 
 import { Engine, engine as shared, lightCount, materialCount } from "./engine.js";
 import {
-  EFFECTS, STORAGES, checkExposure, checkNames, checkNormals, checkSources, checkTolerance, checkWhole,
-  effectBits, glossOf, isChannels, nameOf, parameters, put, quaternion, refuse, sourcesOf, toneNumber,
+  EFFECTS, STORAGES, checkExposure, checkNames, checkNormals, checkSources, checkTolerance,
+  checkWhole, effectBits, glossOf, isChannels, nameOf, parameters, put, quaternion, refuse,
+  sourcesOf, toneNumber,
 } from "./input.js";
 import { exposureOf } from "./exposure.js";
 import { lightOf, materialOf } from "./presets.js";
@@ -309,7 +310,7 @@ export class Scene {
     const { length } = x;
     const [r, g, b] = [0, 1, 2].map(() => new Float32Array(irradiance ? 0 : length));
     const to = irradiance ?? { r, g, b };
-    const fits = (/** @type {unknown} */ one) => one instanceof Float32Array && one.length === length;
+    const fits = (/** @type {unknown} */ to) => to instanceof Float32Array && to.length === length;
     if (![to.r, to.g, to.b].every(fits)) {
       throw new RangeError(
         `shade: expected { r, g, b }, each a Float32Array of length ${length}, as x has`,
