@@ -62,8 +62,7 @@ export class EigenShade extends Base {
 
   disconnectedCallback() {
     this.#update++;
-    this.#preview?.free();
-    this.#preview = undefined;
+    this.#free();
   }
 
   attributeChangedCallback() {
@@ -91,7 +90,7 @@ export class EigenShade extends Base {
       } else {
         const scene = await Scene.create({ light, material, sources });
         if (update !== this.#update) return;
-        this.#preview?.free();
+        this.#free();
         this.#preview = new Preview(this.#canvas, scene, look, sources);
         this.#hasSources = sources > 0;
       }
@@ -107,6 +106,11 @@ export class EigenShade extends Base {
       this.#message.textContent = message;
       this.dispatchEvent(new ErrorEvent("error", { message, error: fault }));
     }
+  }
+
+  #free() {
+    this.#preview?.free();
+    this.#preview = undefined;
   }
 
   /** What the attributes say. */

@@ -68,8 +68,9 @@ export class Preview {
     checkCanvas(canvas);
     checkNames("Preview", options, "light, material, sources, engine, exposure, tone");
     const { exposure, tone, ...inputs } = options;
-    checkLook("Preview", { exposure, tone });
-    return new Preview(canvas, await Scene.create(inputs), { exposure, tone }, inputs.sources);
+    const look = { exposure, tone };
+    checkLook("Preview", look);
+    return new Preview(canvas, await Scene.create(inputs), look, inputs.sources);
   }
 
   /**
