@@ -68,12 +68,12 @@ export function controls(state, { drawing, ownMesh, turnsLight, tab: shown }) {
     /** @type {HTMLElement} */ (tab).tabIndex = selected ? 0 : -1;
     find(panel).hidden = !selected && !(wide.matches && panel === "scene");
   }
-  const turns = turnsLight ? "the light" : "the object";
+  const [turns, other] = turnsLight ? ["light", "object"] : ["object", "light"];
   find("hint").textContent = !drawing
-    ? "This browser has no WebGL 2: the CPU draws a sphere. Drag to turn the light."
+    ? "This browser has no WebGL 2: the CPU draws a sphere. Drag or use arrow keys to turn the light."
     : state.object === "sphere"
-      ? "Drag to turn the light: a sphere looks the same from every side."
-      : `Drag or use arrow keys to turn ${turns}; with Alt or two fingers, the ${turns === "the light" ? "object" : "light"}.`;
+      ? "Drag or use arrow keys to turn the light: a sphere looks the same from every side."
+      : `Drag or use arrow keys to turn the ${turns}; Alt-drag, two fingers or Shift+arrow keys turn the ${other}.`;
   const light = state.light === "own" ? state.ownLight?.name : state.light;
   const material = typeof state.material === "string" ? readable(state.material) : "a glTF material";
   find("picture").setAttribute("aria-label", `${OBJECT_TEXT[drawing ? state.object : "sphere"]} of ${material} under the light ${light}`);

@@ -15,7 +15,7 @@ import { coin, coinNormals, parseObj, relief } from "./objects.js";
 import { mark, percent, plot } from "./plot.js";
 import { turnable } from "./pointers.js";
 import { counted, loadErrors, showSources } from "./sources.js";
-import { COMPONENTS, fromHash, initial, inputsOf, toHash } from "./state.js";
+import { COMPONENTS, fromHash, initial, inputsOf, loadable, toHash } from "./state.js";
 import { thumbnails } from "./thumbnails.js";
 import { IDENTITY, dragged, multiply } from "./turn.js";
 
@@ -50,13 +50,16 @@ let loads = 0;
 /** @type {Partial<typeof state>} */
 let pending = {};
 
-/** Gives both scenes these inputs, or leaves both as they were. */
-function accept(/** @type {typeof loaded} */ { light, material }) {
-  const give = (/** @type {typeof loaded} */ inputs) => {
-    for (const scene of [whole, ours]) scene.light(inputs.light).material(inputs.material);
+/** Gives both scenes these inputs, and what is computed once for them, or leaves all as it was. */
+function accept(/** @type {typeof loaded} */ inputs) {
+  const give = (/** @type {typeof loaded} */ { light, material }) => {
+    for (const scene of [whole, ours]) scene.light(light).material(material);
+    const albedo = measure.meanOf(measure.pictureOf(scratch.light(ambient()).material(material)));
+    const [exposure, terms] = [whole.turn(IDENTITY).exposure(), nineTerms(light, albedo)];
+    [auto, look.nine.terms] = [exposure, terms];
   };
   try {
-    give({ light, material });
+    give(inputs);
   } catch (fault) {
     if (loaded.light) give(loaded);
     throw fault;
@@ -77,10 +80,6 @@ async function take(/** @type {Partial<typeof state>} */ parts) {
     if (turn !== loads) return "";
     accept(inputs);
     [state, loaded, pending] = [{ ...state, ...pending }, inputs, {}];
-    const albedo = measure.meanOf(measure.pictureOf(scratch.light(ambient()).material(loaded.material)));
-    look.nine.terms = nineTerms(loaded.light, albedo);
-    whole.turn(IDENTITY);
-    auto = whole.exposure();
     fail("");
     changed();
     return "";
@@ -218,10 +217,20 @@ function saveLink() {
   if (hash !== location.hash.slice(1)) history.replaceState(null, "", hash ? `#${hash}` : location.pathname + location.search);
 }
 
-/** Takes the state of a link. */
+/** Links that were opened: the last one is shown. */
+let links = 0;
+
+/** Takes the state of a link, without what is wrong in it. */
 async function openLink(/** @type {string} */ hash) {
+  const link = ++links;
+  busy(true);
   const { state: wanted, faults } = fromHash(hash);
-  if (wanted.case && !Object.hasOwn(CASES, wanted.case)) wanted.case = initial().case;
+  if (!Object.hasOwn(CASES, wanted.case)) {
+    faults.push(`case: "${wanted.case}" is not one of ${Object.keys(CASES).join(", ")}`);
+    wanted.case = initial().case;
+  }
+  faults.push(...(await loadable(wanted)));
+  if (link !== links) return;
   const fault = await take(wanted);
   if (fault) faults.push(fault);
   if (!loaded.light) await take(initial());

@@ -85,7 +85,9 @@ async function read(file, name) {
   if (a === 0x76 && b === 0x2f && c === 0x31 && d === 0x01) return exr(buffer);
   if (a === 0x23 && b === 0x3f) return parseHdr(buffer);
   if ((a === 0xff && b === 0xd8) || (a === 0x89 && b === 0x50)) return picture(file);
-  throw new Error(`${name.split(".").pop()} files are not read; expected .hdr, .exr, .jpg or .png`);
+  const ending = name.split(".").pop() ?? "";
+  if (/^(hdr|exr|jpe?g|png)$/i.test(ending)) throw new Error(`it is no valid .${ending} file`);
+  throw new Error(`${ending} files are not read; expected .hdr, .exr, .jpg or .png`);
 }
 
 addEventListener("message", async ({ data: { file, name } }) => {

@@ -40,6 +40,9 @@ export const initial = () => ({
 
 /** @typedef {ReturnType<typeof initial>} State */
 
+/** The largest number of a light that scenes take. */
+const LARGEST = 1e15;
+
 /** Base64 for links. */
 function encodeLight({ r, g, b }) {
   const bytes = new Uint8Array(Float32Array.from([...r, ...g, ...b]).buffer);
@@ -51,7 +54,7 @@ function decodeLight(text) {
   const bytes = Uint8Array.from(atob(text.replaceAll("-", "+").replaceAll("_", "/")), (c) => c.charCodeAt(0));
   if (bytes.length !== 12 * COUNT) throw new RangeError("its light is incomplete");
   const numbers = new Float32Array(bytes.buffer);
-  if (!numbers.every(Number.isFinite)) throw new RangeError("its light is not finite");
+  if (!numbers.every((value) => Math.abs(value) <= LARGEST)) throw new RangeError("its light is too bright");
   const [r, g, b] = [0, 1, 2].map((k) => numbers.slice(COUNT * k, COUNT * (k + 1)));
   return { r, g, b };
 }
@@ -69,7 +72,7 @@ const number = (/** @type {number} */ least, /** @type {number} */ most, whole =
   read(/** @type {string} */ text) {
     const value = text === "" ? NaN : Number(text);
     if (!(value >= least && value <= most) || (whole && !Number.isInteger(value))) {
-      throw new RangeError(`"${text}" is not a number from ${least} to ${most}`);
+      throw new RangeError(`"${text}" is not a ${whole ? "whole " : ""}number from ${least} to ${most}`);
     }
     return value;
   },
@@ -177,14 +180,35 @@ export function fromHash(hash) {
   return { state, faults };
 }
 
+/** How the scenes' inputs are loaded that the state names. Throws for a name that does not exist. */
+const INPUTS = {
+  async light(/** @type {State} */ { light, ownLight, sources }) {
+    if (light === "own") return /** @type {any} */ (ownLight).light;
+    return Object.hasOwn(ANALYTIC, light) ? ANALYTIC[light]() : lightPreset(light, { sources });
+  },
+  material: async (/** @type {State} */ { material }) =>
+    typeof material === "string" ? materialPreset(material) : material,
+};
+
 /** The scenes' inputs that the state names. Throws for a name that does not exist. */
 export async function inputsOf(/** @type {State} */ wanted) {
-  const light =
-    wanted.light === "own"
-      ? /** @type {any} */ (wanted.ownLight).light
-      : Object.hasOwn(ANALYTIC, wanted.light)
-        ? ANALYTIC[wanted.light]()
-        : await lightPreset(wanted.light, { sources: wanted.sources });
-  const material = typeof wanted.material === "string" ? await materialPreset(wanted.material) : wanted.material;
-  return { light, material };
+  return { light: await INPUTS.light(wanted), material: await INPUTS.material(wanted) };
+}
+
+/**
+ * Makes inputs initial that cannot be loaded, and says why.
+ *
+ * @param {State} wanted
+ */
+export async function loadable(wanted) {
+  const faults = /** @type {string[]} */ ([]);
+  for (const key of /** @type {const} */ (["light", "material"])) {
+    try {
+      await INPUTS[key](wanted);
+    } catch (fault) {
+      faults.push(/** @type {Error} */ (fault).message);
+      Object.assign(wanted, { [key]: initial()[key] });
+    }
+  }
+  return faults;
 }

@@ -59,6 +59,33 @@ describe("the page", { concurrency: 4 }, () => {
     }
   });
 
+  for (const [width, height] of [[740, 360], [640, 320], [560, 300]]) {
+    test(`on a phone on its side, ${width} x ${height}, picture and panels have room`, async () => {
+      const { page } = await open(browser, server.address, { width, height, script: NO_WEBGL });
+      for (const tab of ["scene", "accuracy", "effects", "images", "cases"]) {
+        await page.locator(`#tab-${tab}`).click();
+        const box = async (id) => (await page.locator(`#${id}`).boundingBox());
+        const [panel, picture] = [await box(tab), await box("picture")];
+        assert.ok(panel.height > 0.6 * height && panel.width > 250 && panel.y + panel.height <= height + 1, `${tab}: ${JSON.stringify(panel)}`);
+        assert.ok(picture.height > 100 && picture.x + picture.width <= panel.x, JSON.stringify(picture));
+        const step = await box("step");
+        assert.ok(step.y + step.height <= height, JSON.stringify(step));
+      }
+      const beyond = await page.evaluate(() => [document.documentElement, ...document.querySelectorAll(".panel, .stage, header, .tabs")].map((part) => part.scrollWidth - part.clientWidth));
+      assert.ok(beyond.every((pixels) => pixels <= 0), `${beyond}`);
+      await page.close();
+    });
+  }
+
+  test("a page that has no room for a panel scrolls to all of it", async () => {
+    const { page } = await open(browser, server.address, { width: 360, height: 300, script: NO_WEBGL });
+    const [shown, all] = await page.evaluate(() => [document.documentElement, document.querySelector("#accuracy")].map((part) => [part.scrollHeight, part.clientHeight]));
+    assert.ok(shown[0] > all[0] && all[0] <= all[1], `${shown}, ${all}`);
+    await page.locator("#model").scrollIntoViewIfNeeded();
+    assert.ok((await page.locator("#model").boundingBox()).y < 300);
+    await page.close();
+  });
+
   for (const [width, height] of SIZES) {
     test(`${width} pixels wide, nothing is cut off, and the committed picture is of this page`, async () => {
       const { page } = await open(browser, server.address, { width, height });

@@ -215,6 +215,12 @@ test("the state survives its link, with a light of one's own", async () => {
   const wrong = fromHash("#step=99&light=own&object=own&turn=0,0,0,0&material=../x&effects=ambient,x&foo=1&exposure=");
   assert.equal(wrong.faults.length, 8);
   assert.deepEqual(wrong.state, initial());
+  assert.deepEqual(fromHash("#step=1.5&exposure=5").faults, [
+    'step: "1.5" is not a whole number from 0 to 40', 'exposure: "5" is not a number from -4 to 4',
+  ]);
+  const bright = { ...light, g: light.g.map(() => 2e15) };
+  const { faults: said } = fromHash(`#${toHash({ ...state, ownLight: { name: "sun", light: bright } })}`);
+  assert.deepEqual(said, ["ownLight: its light is too bright", "its own light is missing"]);
 });
 
 test("meshes by formula have unit normals that look outward, and so do their triangles", () => {

@@ -111,7 +111,7 @@ on("the split view has ours, all terms, the nine-term formula and the difference
     const { meanOf, pictureOf } = await import("/src/measure.js");
     const { ambient } = await import("/src/harmonics.js");
     const { encoded } = await import("/src/cpu.js");
-    const scene = await Scene.create({ light: ambient(), material: "gold-metallic-paint" });
+    const scene = await Scene.create({ light: ambient(), material: "gold-metallic-paint", sources: 4 });
     const light = await lightPreset("park", { sources: 4 });
     const terms = nineTerms(light, meanOf(pictureOf(scene)));
     const exposure = scene.light(light).exposure();
@@ -309,6 +309,8 @@ on("drags, Alt-drags, two fingers and arrow keys turn object and light", "object
     await settled(page);
     assert.ok((await apart(page)) > 0.5);
   };
+  const hint = "Drag or use arrow keys to turn the object; Alt-drag, two fingers or Shift+arrow keys turn the light.";
+  assert.equal(await text(page, "hint"), hint);
   await drag();
   const first = await state();
   // To the right about y, by 3 radians a width.
@@ -336,7 +338,7 @@ on("drags, Alt-drags, two fingers and arrow keys turn object and light", "object
   const fourth = await state();
   assert.equal(fourth.turn, third.turn);
   assert.notEqual(fourth.pose, third.pose);
-  await page.keyboard.press("Alt+ArrowUp");
+  await page.keyboard.press("Shift+ArrowUp");
   await settled(page);
   const fifth = await state();
   assert.equal(fifth.pose, fourth.pose);
@@ -399,7 +401,7 @@ on("a link holds the whole state, and restores it", "object=coin&light=sunset&ma
   await settled(page);
   await page.evaluate(() => (location.hash = "step=77"));
   await page.waitForFunction(() => document.getElementById("fault").textContent !== "");
-  assert.match(await text(page, "fault"), /^This link is not whole: step: "77" is not a number from 0 to 40\.$/);
+  assert.match(await text(page, "fault"), /^This link is not whole: step: "77" is not a whole number from 0 to 40\.$/);
 });
 
 /** Drops a file on the page. */
@@ -479,6 +481,9 @@ on("files that cannot be used are said in place, and nothing is lost", "object=s
     ["empty.hdr", [], /^empty.hdr cannot be used: it is empty\. The picture is as it was\.$/],
     ["cut.hdr", good.subarray(0, good.length - 5), /cut.hdr cannot be used: it ends within its pixels/],
     ["text.exr", Buffer.from("v/1\x01 is not the whole header"), /text.exr cannot be used/],
+    ["a.hdr", Buffer.from("not a panorama"), /a.hdr cannot be used: it is no valid .hdr file\./],
+    ["b.JPG", Buffer.from("nor this"), /b.JPG cannot be used: it is no valid .JPG file\./],
+    ["bright.hdr", hdrFile(32, 16, new Float32Array(3 * 32 * 16).fill(1e37)), /bright.hdr cannot be used: light: r\[0\] is [\d.]+e\+37, expected a number from -1e15 to 1e15/],
     ["film.gif", Buffer.from("GIF89a"), /film.gif cannot be used: gif files are not read; expected .hdr, .exr, .jpg or .png/],
     ["bad.png", Buffer.from("\x89PNG nothing", "latin1"), /bad.png cannot be used/],
     ["no.obj", Buffer.from("v 0 0 0\nf 1 2 3"), /no.obj cannot be used: line 2 refers to vertex 2/],
@@ -506,7 +511,13 @@ on("files that cannot be used are said in place, and nothing is lost", "object=s
   await said(page, "fault", /no light is called "elsewhere"/);
   // A name that every object of JavaScript has.
   await page.evaluate(() => (location.hash = "light=constructor&case=constructor"));
-  await said(page, "fault", /This link is not whole: .*no light is called "constructor"/);
+  await said(page, "fault", /This link is not whole: case: "constructor" is not one of sun, direction, rim, behind, bytes; no light is called "constructor"/);
+  // What is right in a link counts.
+  await page.evaluate(() => (location.hash = "light=nosuch&material=nylon&step=3&object=sphere"));
+  await said(page, "fault", /This link is not whole: no light is called "nosuch"/);
+  await settled(page);
+  assert.equal(await page.locator("#step").inputValue(), "3");
+  assert.equal(await page.locator("#picture").getAttribute("aria-label"), "A sphere of nylon under the light lobby");
   await page.goto("about:blank");
   await page.goto(`${server.address}#material=nothing`);
   await settled(page);
@@ -516,7 +527,7 @@ on("files that cannot be used are said in place, and nothing is lost", "object=s
 });
 
 on("without WebGL 2 the CPU draws, alone and split", "object=sphere&step=5", async (page) => {
-  assert.match(await text(page, "hint"), /no WebGL 2/);
+  assert.match(await text(page, "hint"), /no WebGL 2.* Drag or use arrow keys to turn the light\./);
   const lit = () => page.evaluate(async () => (await pixels()).filter((code, k) => k % 4 === 0 && code > 100).length);
   assert.ok((await lit()) > 5000);
   await keep(page);

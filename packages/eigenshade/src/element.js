@@ -1,21 +1,29 @@
 // <eigen-shade light="park" material="red-fabric2"></eigen-shade>
 
-import { Preview } from "./preview.js";
+import { parameters } from "./input.js";
+import { lightOf, materialOf } from "./presets.js";
+import { Preview, checkLook } from "./preview.js";
+import { Scene } from "./scene.js";
 
 /** @typedef {import("./input.js").MetallicRoughness} MetallicRoughness */
+
+const Base = /** @type {typeof HTMLElement} */ (globalThis.HTMLElement ?? Object);
 
 /**
  * A sphere of a material under a light, as an element. Attributes:
  *
  * - `light`, `material`: presets' names;
  * - `base-color`, `metallic`, `roughness`: a glTF material instead of `material`;
- * - `sources`: most small sources of the light, for sharp highlights;
+ * - `sources`: the largest set of at most this many small sources of the light, for sharp
+ *   highlights;
  * - `yaw`, `pitch`, `roll`: the turn of the light, in degrees;
- * - `exposure`, `tone`: from irradiance to display; without `exposure`, it is chosen.
+ * - `exposure`, `tone`: from irradiance to display; `exposure` is `auto` by default, and chosen.
  *
- * An attribute that is wrong is said in the element, and in an event `error` whose `message` says it.
+ * Attributes that change together are drawn together, before an event `load`. If one is wrong, the
+ * picture stays: the element says why, and so does the `message` of an event `error`. Where there
+ * are no elements, as in Node, this module defines none.
  */
-export class EigenShade extends HTMLElement {
+export class EigenShade extends Base {
   static observedAttributes = [
     "light", "material", "base-color", "metallic", "roughness", "sources", "yaw", "pitch", "roll", "exposure", "tone",
   ];
@@ -54,8 +62,7 @@ export class EigenShade extends HTMLElement {
 
   disconnectedCallback() {
     this.#update++;
-    this.#preview?.free();
-    this.#preview = undefined;
+    this.#free();
   }
 
   attributeChangedCallback() {
@@ -74,17 +81,22 @@ export class EigenShade extends HTMLElement {
       if (this.#preview && this.#hasSources === sources > 0) {
         // The same inputs again would choose another exposure.
         if (set !== this.#set) {
-          await Promise.all([this.#preview.light(light, { sources }), this.#preview.material(material)]);
+          // All that can fail comes before what is set.
+          const given = await Promise.all([lightOf(light, sources), materialOf(material)]);
+          if (update !== this.#update) return;
+          const preview = this.#preview;
+          await Promise.all([preview.light(given[0], { sources }), preview.material(given[1])]);
         }
       } else {
-        const preview = await Preview.create(this.#canvas, { light, material, sources });
-        if (update !== this.#update) return preview.free();
-        this.#preview?.free();
-        [this.#preview, this.#hasSources] = [preview, sources > 0];
+        const scene = await Scene.create({ light, material, sources });
+        if (update !== this.#update) return;
+        this.#free();
+        this.#preview = new Preview(this.#canvas, scene, look, sources);
+        this.#hasSources = sources > 0;
       }
       this.#set = set;
       if (update !== this.#update) return;
-      this.#preview.look(look).turn(turn);
+      this.#preview.look(look).turn(turn).draw();
       this.#canvas.setAttribute("aria-label", label);
       this.#message.textContent = "";
       this.dispatchEvent(new Event("load"));
@@ -94,6 +106,11 @@ export class EigenShade extends HTMLElement {
       this.#message.textContent = message;
       this.dispatchEvent(new ErrorEvent("error", { message, error: fault }));
     }
+  }
+
+  #free() {
+    this.#preview?.free();
+    this.#preview = undefined;
   }
 
   /** What the attributes say. */
@@ -113,6 +130,14 @@ export class EigenShade extends HTMLElement {
       metallic: number("metallic", 0),
       roughness: number("roughness", 0.5),
     };
+    if (typeof material !== "string") parameters(material);
+    const exposure = this.getAttribute("exposure")?.trim() ?? "auto";
+    /** @type {import("./preview.js").Look} */
+    const look = {
+      exposure: exposure === "auto" ? exposure : number("exposure", 1),
+      tone: /** @type {import("./input.js").Tone} */ (this.getAttribute("tone") ?? "filmic"),
+    };
+    checkLook("look", look);
     const [yaw, pitch, roll] = ["yaw", "pitch", "roll"].map(
       (angle) => (number(angle, 0) * Math.PI) / 180,
     );
@@ -120,14 +145,11 @@ export class EigenShade extends HTMLElement {
       light,
       material,
       sources: number("sources", 0),
-      look: {
-        exposure: this.hasAttribute("exposure") ? number("exposure", 1) : /** @type {const} */ ("auto"),
-        tone: /** @type {import("./input.js").Tone} */ (this.getAttribute("tone") ?? "filmic"),
-      },
+      look,
       turn: { yaw, pitch, roll },
       label: `A sphere of ${name ?? "a glTF material"} under the light ${light}`,
     };
   }
 }
 
-customElements.define("eigen-shade", EigenShade);
+globalThis.customElements?.define("eigen-shade", EigenShade);

@@ -234,7 +234,7 @@ export class Engine {
     const count = sources.length / 10;
     if (count === 0) return light;
     if (!this.sources || !this.residual) {
-      throw new RangeError("light: this scene has no sources; create it with the option `sources`");
+      throw new RangeError("light: the engine has no sources; build the module `color-sources`");
     }
     const most = this.sources.length / 10;
     if (!Number.isInteger(count) || count > most) {

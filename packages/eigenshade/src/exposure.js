@@ -1,6 +1,6 @@
 // The exposure of a sphere's picture.
 
-import { isNumber } from "./input.js";
+import { isExposure, isNumber, shown } from "./input.js";
 
 /** What bright pixels have after {@link exposureOf}. */
 const BRIGHT = 0.8;
@@ -25,11 +25,12 @@ const DISC = (() => {
  */
 export function exposureOf(scene, share) {
   if (!(isNumber(share) && share >= 0 && share <= 1)) {
-    throw new RangeError(`exposure: the share is ${share}, expected a number from 0 to 1`);
+    throw new RangeError(`exposure: the share is ${shown(share)}, expected a number from 0 to 1`);
   }
   const [x, y, z] = DISC;
   const { r, g, b } = scene.shade(x, y, z);
   const largest = r.map((red, k) => Math.max(red, g[k], b[k])).sort();
   const white = largest[Math.round(share * (largest.length - 1))];
-  return white > 0 && 1 / white < Infinity ? BRIGHT / white : 1;
+  const exposure = BRIGHT / white;
+  return isExposure(exposure) ? exposure : 1;
 }

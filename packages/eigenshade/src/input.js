@@ -6,23 +6,24 @@
  *
  * Small bright sources of a light are ten numbers each: direction, energy, major axis, and spread
  * across it. The gloss of a material is ten numbers from 0 to 1: roughness, reflectance in three
- * channels at normal and at grazing incidence, and albedo.
+ * channels at normal and at grazing incidence, and albedo. No number may exceed 1e15.
  *
  * @typedef {object} Channels
  * @property {ArrayLike<number>} r
  * @property {ArrayLike<number>} g
  * @property {ArrayLike<number>} b
- * @property {ArrayLike<number>} [sources]
- * @property {ArrayLike<number>} [gloss]
+ * @property {ArrayLike<number> | null} [sources]
+ * @property {ArrayLike<number> | null} [gloss]
  */
 
 /**
  * What a scene is made of: a preset's name or coefficients of the light, and of the material, or the
  * parameters of a glTF material. An engine of `load` has a table of your own.
  *
- * With `sources`, at most this many small bright sources of a light by name are shaded on their own,
- * for sharp highlights. Such a scene has a larger module. `Scene.sources` is the number of those
- * drawn.
+ * With `sources`, the largest set of at most this many small bright sources of a light by name,
+ * which may be none, is shaded on its own, for sharp highlights. Such a scene has a larger module.
+ * `Scene.sources` is the number of those drawn. A scene that is created without, and with a light
+ * that has none, takes no light with sources; one with an engine of `load` does if the engine can.
  *
  * @typedef {object} Inputs
  * @property {string | Channels} light
@@ -32,7 +33,8 @@
  */
 
 /**
- * A glTF material: a GGX lobe over a matte base. A roughness below 0.2 is drawn as 0.2.
+ * A glTF material: a GGX lobe over a matte base. A roughness below 0.2 is drawn as 0.2, and
+ * highlights of small sources as sharp as 0.065.
  *
  * @typedef {object} MetallicRoughness
  * @property {string | ArrayLike<number>} [baseColor] `"#rrggbb"` in sRGB, or three linear numbers
@@ -70,6 +72,9 @@ export const TONES = Object.freeze(/** @type {const} */ (["linear", "reinhard", 
 
 /** @typedef {typeof TONES[number]} Tone */
 
+/** The largest number of a light or a material: products of larger ones may exceed f32. */
+const LARGEST = 1e15;
+
 /**
  * @param {unknown} value
  * @returns {value is number}
@@ -84,11 +89,81 @@ export const isNumber = (value) => typeof value === "number" && !Number.isNaN(va
  */
 const isArray = (value) => Array.isArray(value) || (ArrayBuffer.isView(value) && "length" in value);
 
+/** What kind of object this is, such as `"[object Date]"`. */
+const kindOf = (/** @type {unknown} */ value) => Object.prototype.toString.call(value);
+
+/**
+ * Whether this is an object with names, and no array, date, map or promise.
+ *
+ * @param {unknown} value
+ * @returns {value is object}
+ */
+const isRecord = (value) => typeof value === "object" && kindOf(value) === "[object Object]";
+
 /**
  * @param {unknown} value
  * @returns {value is Channels}
  */
 export const isChannels = (value) => value !== null && typeof value === "object" && "r" in value;
+
+/** A value as messages have it. */
+export function shown(/** @type {unknown} */ value) {
+  if (typeof value === "string") return `"${value}"`;
+  return Object(value) === value ? kindOf(value) : String(value);
+}
+
+/**
+ * Throws for input of another kind.
+ *
+ * @param {string} what
+ * @param {unknown} given
+ * @param {string} expected
+ * @returns {never}
+ */
+export function refuse(what, given, expected) {
+  const hint = given instanceof Promise ? "; await it" : "";
+  throw new TypeError(`${what}: it is ${shown(given)}, expected ${expected}${hint}`);
+}
+
+/**
+ * Throws unless this is an object without other names than these.
+ *
+ * @param {string} what
+ * @param {unknown} given
+ * @param {string} known
+ * @param {string} [expected]
+ */
+export function checkNames(what, given, known, expected = `{ ${known} }`) {
+  if (!isRecord(given)) refuse(what, given, expected);
+  const unknown = Object.keys(given).find((name) => !known.split(", ").includes(name));
+  if (unknown !== undefined) throw new TypeError(`${what}: "${unknown}" is not one of ${known}`);
+}
+
+/**
+ * The numbers of a light or a material.
+ *
+ * @param {string} what
+ * @param {string} name
+ * @param {unknown} numbers
+ * @param {number[]} [counts] how many there may be, from the least
+ */
+function checked(what, name, numbers, counts) {
+  if (!isArray(numbers)) throw new TypeError(`${what}: ${name} is not an array of numbers`);
+  const { length } = numbers;
+  if (counts && !counts.includes(length)) {
+    const beyond = length > counts[counts.length - 1] ? "; leave out the rest" : "";
+    throw new RangeError(
+      `${what}: ${name} has ${length} coefficients, expected ${counts.join(", ")}${beyond}`,
+    );
+  }
+  const floats = Float32Array.from(numbers);
+  const isRight = (/** @type {unknown} */ x) => isNumber(x) && Math.abs(x) <= LARGEST;
+  const bad = floats.findIndex((_, k) => !isRight(numbers[k]));
+  if (bad < 0) return floats;
+  throw new RangeError(
+    `${what}: ${name}[${bad}] is ${shown(numbers[bad])}, expected a number from -1e15 to 1e15`,
+  );
+}
 
 /**
  * Copies checked coefficients to `to`, with zeros above their degree or order.
@@ -101,45 +176,48 @@ export const isChannels = (value) => value !== null && typeof value === "object"
  */
 export function put(what, given, to, count, most) {
   if (!isChannels(given)) {
-    throw new TypeError(
-      `${what}: expected { r, g, b } with arrays of coefficients, which ${what}Preset(name) loads`,
-    );
+    refuse(what, given, `{ r, g, b } with arrays of coefficients, which ${what}Preset(name) loads`);
   }
   const counts = Array.from({ length: most + 1 }, (_, largest) => count(largest));
-  const checked = /** @type {const} */ (["r", "g", "b"]).map((name) => {
-    const numbers = given[name];
-    if (!isArray(numbers)) {
-      throw new TypeError(`${what}: ${name} is not an array of numbers`);
-    }
-    if (!counts.includes(numbers.length)) {
-      const beyond = numbers.length > counts[most] ? "; leave out the rest" : "";
-      throw new RangeError(
-        `${what}: ${name} has ${numbers.length} coefficients, expected ${counts.join(", ")}${beyond}`,
-      );
-    }
-    const floats = Float32Array.from(numbers);
-    const bad = floats.findIndex((float, k) => !isNumber(numbers[k]) || !Number.isFinite(float));
-    if (bad >= 0) {
-      throw new RangeError(`${what}: coefficient ${bad} of ${name} is ${numbers[bad]}, not a finite f32`);
-    }
-    return floats;
-  });
+  const channels = /** @type {const} */ (["r", "g", "b"]).map((name) =>
+    checked(what, name, given[name], counts),
+  );
   to.fill(0);
-  checked.forEach((floats, channel) => to.set(floats, (channel * to.length) / 3));
+  channels.forEach((floats, channel) => to.set(floats, (channel * to.length) / 3));
 }
+
+/**
+ * The sources of a light; JSON has `null` for none.
+ *
+ * @param {Channels} light
+ */
+export const sourcesOf = ({ sources }) => checked("light", "sources", sources ?? []);
+
+/**
+ * The gloss of a material; JSON has `null` for none.
+ *
+ * @param {Channels} material
+ */
+export function glossOf({ gloss }) {
+  if (gloss === undefined || gloss === null) return undefined;
+  if (gloss.length !== 10 || !Array.from(gloss).every(isShare)) {
+    throw new RangeError("material: gloss is not ten numbers from 0 to 1");
+  }
+  return Float32Array.from(gloss);
+}
+
+const isShare = (/** @type {unknown} */ value) => isNumber(value) && value >= 0 && value <= 1;
 
 /**
  * @param {MetallicRoughness} material
  * @returns {number[]}
  */
 export function parameters(material) {
-  if (material === null || typeof material !== "object") {
-    throw new TypeError(
-      "material: expected { r, g, b }, which materialPreset(name) loads, or { baseColor, metallic, roughness }",
-    );
-  }
-  const { baseColor = [1, 1, 1], metallic = 0, roughness = 0.5, ...other } = material;
-  checkKnown("material", other, "baseColor, metallic, roughness");
+  checkNames(
+    "material", material, "baseColor, metallic, roughness",
+    "{ r, g, b }, which materialPreset(name) loads, or { baseColor, metallic, roughness }",
+  );
+  const { baseColor = [1, 1, 1], metallic = 0, roughness = 0.5 } = material;
   if (typeof baseColor !== "string" && !(isArray(baseColor) && baseColor.length === 3)) {
     throw new TypeError('material: baseColor is neither "#rrggbb" nor three numbers');
   }
@@ -147,23 +225,13 @@ export function parameters(material) {
   const all = [...color, metallic, roughness];
   const names = ["red", "green", "blue", "metallic", "roughness"];
   all.forEach((number, k) => {
-    if (!(isNumber(number) && number >= 0 && number <= 1)) {
-      throw new RangeError(`material: ${names[k]} is ${number}, expected a number from 0 to 1`);
+    if (!isShare(number)) {
+      throw new RangeError(
+        `material: ${names[k]} is ${shown(number)}, expected a number from 0 to 1`,
+      );
     }
   });
   return all;
-}
-
-/**
- * Throws if there are other parameters than these.
- *
- * @param {string} what
- * @param {object} other
- * @param {string} known
- */
-export function checkKnown(what, other, known) {
-  const [unknown] = Object.keys(other);
-  if (unknown !== undefined) throw new TypeError(`${what}: "${unknown}" is not one of ${known}`);
 }
 
 /**
@@ -186,20 +254,21 @@ function linear(text) {
  * @returns {ArrayLike<number>} x, y, z, w
  */
 export function quaternion(turn) {
-  if (turn === null || typeof turn !== "object") {
-    throw new TypeError("turn: expected a quaternion [x, y, z, w] or { yaw, pitch, roll }");
-  }
-  if ("length" in turn) {
-    const square = Array.from(turn).reduce((sum, number) => sum + number * number, 0);
-    if (turn.length !== 4 || !(square > 1e-12 && square < 1e12)) {
-      throw new RangeError(`turn: [${Array.from(turn)}] is not a quaternion`);
+  if (turn !== null && typeof turn === "object" && "length" in turn) {
+    const numbers = Array.from(turn);
+    const square = numbers.reduce((sum, x) => sum + (isNumber(x) ? x * x : NaN), 0);
+    if (numbers.length !== 4 || !(square > 1e-12 && square < 1e12)) {
+      throw new RangeError(`turn: [${numbers.map(shown)}] is not a quaternion`);
     }
     return turn;
   }
-  const { yaw = 0, pitch = 0, roll = 0, ...other } = turn;
-  checkKnown("turn", other, "yaw, pitch, roll");
+  const names = "yaw, pitch, roll";
+  checkNames("turn", turn, names, `a quaternion [x, y, z, w] or { ${names} }`);
+  const { yaw = 0, pitch = 0, roll = 0 } = turn;
   for (const [name, angle] of Object.entries({ yaw, pitch, roll })) {
-    if (!Number.isFinite(angle)) throw new RangeError(`turn: ${name} is ${angle}, expected a number`);
+    if (!Number.isFinite(angle)) {
+      throw new RangeError(`turn: ${name} is ${shown(angle)}, expected a number`);
+    }
   }
   const [sy, sp, sr] = [yaw, pitch, roll].map((angle) => Math.sin(angle / 2));
   const [cy, cp, cr] = [yaw, pitch, roll].map((angle) => Math.cos(angle / 2));
@@ -242,7 +311,9 @@ export function checkNormals(what, normals) {
  * @param {Iterable<Effect>} effects
  */
 export function effectBits(effects) {
-  if (typeof effects === "string") throw new TypeError("effects: expected a list of names");
+  if (!effects?.[Symbol.iterator] || typeof effects === "string") {
+    refuse("effects", effects, "a list of names");
+  }
   let bits = 0;
   for (const effect of effects) bits |= 1 << nameOf("effects", effect, EFFECTS);
   return bits;
@@ -255,29 +326,35 @@ export function effectBits(effects) {
  */
 export function checkWhole(what, number, most) {
   if (!(Number.isInteger(number) && number >= 0 && number <= most)) {
-    throw new RangeError(`${what}: ${number} is not a whole number from 0 to ${most}`);
+    throw new RangeError(`${what}: ${shown(number)} is not a whole number from 0 to ${most}`);
   }
 }
 
 /** @param {number} tolerance */
 export function checkTolerance(tolerance) {
   if (!(isNumber(tolerance) && tolerance >= 1e-30 && tolerance < 1)) {
-    throw new RangeError(`within: the tolerance is ${tolerance}, expected a number from 1e-30 to less than 1`);
-  }
-}
-
-/** @param {ArrayLike<number> | undefined} gloss */
-export function checkGloss(gloss) {
-  if (gloss && !(gloss.length === 10 && Array.from(gloss).every((n) => isNumber(n) && n >= 0 && n <= 1))) {
-    throw new RangeError("material: gloss is not ten numbers from 0 to 1");
+    throw new RangeError(
+      `within: the tolerance is ${shown(tolerance)}, expected a number from 1e-30 to less than 1`,
+    );
   }
 }
 
 /** @param {number} sources */
 export function checkSources(sources) {
   if (!(Number.isInteger(sources) && sources >= 0)) {
-    throw new RangeError(`sources: ${sources} is not a whole number, 0 or more`);
+    throw new RangeError(`sources: ${shown(sources)} is not a whole number, 0 or more`);
   }
+}
+
+/**
+ * Whether f32 has this exposure as a normal number above 0.
+ *
+ * @param {unknown} exposure
+ * @returns {exposure is number}
+ */
+export function isExposure(exposure) {
+  const float = isNumber(exposure) ? Math.fround(exposure) : 0;
+  return float >= 2 ** -126 && float < Infinity;
 }
 
 /**
@@ -285,8 +362,10 @@ export function checkSources(sources) {
  * @param {number} exposure
  */
 export function checkExposure(what, exposure) {
-  if (!(isNumber(exposure) && exposure > 0 && exposure < Infinity)) {
-    throw new RangeError(`${what}: the exposure is ${exposure}, expected a number above 0`);
+  if (!isExposure(exposure)) {
+    throw new RangeError(
+      `${what}: the exposure is ${shown(exposure)}, expected a number from 1.2e-38 to 3.4e38`,
+    );
   }
 }
 
@@ -305,6 +384,6 @@ export const toneNumber = (what, tone) => nameOf(what, tone, TONES);
  */
 export function nameOf(what, name, names) {
   const place = names.indexOf(name);
-  if (place < 0) throw new RangeError(`${what}: "${name}" is not one of ${names.join(", ")}`);
+  if (place < 0) throw new RangeError(`${what}: ${shown(name)} is not one of ${names.join(", ")}`);
   return place;
 }

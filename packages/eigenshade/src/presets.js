@@ -1,7 +1,7 @@
 // The shipped lights and materials, each a file of its own that is fetched by name.
 
 import { asset } from "./assets.js";
-import { checkSources } from "./input.js";
+import { checkNames, checkSources } from "./input.js";
 
 /** @typedef {import("./input.js").Channels} Channels */
 /** @typedef {import("./input.js").MetallicRoughness} MetallicRoughness */
@@ -29,15 +29,18 @@ function once(path, read) {
 }
 
 /**
- * The coefficients of a shipped light, to degree 9, and at most this many small sources of it. Lights
- * without a map have none.
+ * The coefficients of a shipped light, to degree 9, and its largest set of at most this many small
+ * sources, which may be none. Lights without a map have none. Each call makes a copy.
  *
  * @param {string} name such as `"park"`; {@link presetNames} lists all
  * @param {{ sources?: number }} [options] 0 sources by default
  * @returns {Promise<Channels>}
- * @throws {RangeError} if there is no light of this name, or for another number of sources
+ * @throws {TypeError | RangeError} if there is no light of this name, for options that are none, or
+ *   another number of sources
  */
-export async function lightPreset(name, { sources = 0 } = {}) {
+export async function lightPreset(name, options = {}) {
+  checkNames("lightPreset", options, "sources");
+  const { sources = 0 } = options;
   checkSources(sources);
   const light = await preset("light", name);
   if (sources === 0) return light;
@@ -53,7 +56,7 @@ export async function lightPreset(name, { sources = 0 } = {}) {
 }
 
 /**
- * The coefficients of a shipped material, to order 7.
+ * The coefficients of a shipped material, to order 7, a copy at each call.
  *
  * @param {string} name such as `"gold-metallic-paint"`; {@link presetNames} lists all
  * @returns {Promise<Channels>}
@@ -67,10 +70,8 @@ export const materialPreset = (name) => preset("material", name);
  * @param {string | Channels} light
  * @param {number} sources of a light by name
  */
-export function lightOf(light, sources) {
-  if (typeof light !== "string") return light;
-  return sources > 0 ? lightPreset(light, { sources }) : preset("light", light);
-}
+export const lightOf = (light, sources) =>
+  typeof light === "string" ? lightPreset(light, { sources }) : light;
 
 /**
  * A material, by name or as it is.
@@ -94,30 +95,35 @@ export async function presetNames() {
 /**
  * @param {"light" | "material"} kind
  * @param {string} name
+ * @returns {Promise<Channels>}
  */
-function preset(kind, name) {
+async function preset(kind, name) {
   const path = `presets/${kind}/${name}.bin`;
-  return once(path, () => read(kind, name, path));
+  const count = kind === "light" ? 100 : 40;
+  const numbers = await once(path, () => read(kind, name, path, count));
+  // Copies, which the caller may change.
+  const [r, g, b] = [0, 1, 2].map((channel) =>
+    numbers.slice(channel * count, (channel + 1) * count),
+  );
+  const gloss = numbers.slice(3 * count);
+  return gloss.length ? { r, g, b, gloss } : { r, g, b };
 }
 
 /**
  * @param {"light" | "material"} kind
  * @param {string} name
  * @param {string} path
- * @returns {Promise<Channels>}
+ * @param {number} count
  */
-async function read(kind, name, path) {
+async function read(kind, name, path, count) {
   const bytes = /^[a-z0-9-]+$/.test(name) ? await asset(path) : undefined;
   if (!bytes) throw await unknown(kind, name);
-  const count = kind === "light" ? 100 : 40;
   const gloss = bytes.byteLength - 12 * count;
   if (gloss !== 0 && (gloss !== 40 || kind === "light")) {
     throw new Error(`${path} is no preset: it has ${bytes.byteLength} bytes`);
   }
   // Little-endian, as every machine that runs WebAssembly in a browser is.
-  const numbers = new Float32Array(bytes);
-  const [r, g, b] = [0, 1, 2].map((channel) => numbers.subarray(channel * count, (channel + 1) * count));
-  return gloss ? { r, g, b, gloss: numbers.subarray(3 * count) } : { r, g, b };
+  return new Float32Array(bytes);
 }
 
 /**

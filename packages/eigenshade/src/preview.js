@@ -1,6 +1,6 @@
 // A canvas that shows a sphere of a material under a light.
 
-import { checkExposure, checkKnown, checkSources, toneNumber } from "./input.js";
+import { checkExposure, checkNames, checkSources, refuse, toneNumber } from "./input.js";
 import { lightOf, materialOf } from "./presets.js";
 import { renderer, sphere } from "./renderer.js";
 import { Scene } from "./scene.js";
@@ -8,13 +8,19 @@ import { Scene } from "./scene.js";
 /** @typedef {import("./input.js").Channels} Channels */
 /**
  * How the picture is shown. The exposure is the factor from irradiance to display; `"auto"`, the
- * default, chooses it anew for each light and material, but not when the light turns. The tone curve
- * is `"filmic"` by default.
+ * default, chooses it anew for each light and material of the preview, but not when the light
+ * turns, or its {@link Preview#scene | scene} is changed. The tone curve is `"filmic"` by default.
  *
  * @typedef {{ exposure?: number | "auto", tone?: import("./input.js").Tone }} Look
  */
 /** @typedef {import("./input.js").MetallicRoughness} MetallicRoughness */
 /** @typedef {import("./input.js").Turn} Turn */
+
+/** Most pixels of a side. */
+const LARGEST = 4096;
+
+/** The canvases of previews. */
+const taken = new WeakSet();
 
 /**
  * A sphere on a canvas. It is drawn anew in the next frame after a change, as large as the canvas is
@@ -27,7 +33,8 @@ export class Preview {
   #canvas;
   #context;
   #scene;
-  #look;
+  /** @type {Required<Look>} */
+  #look = { exposure: "auto", tone: "filmic" };
   /** Small sources of lights by name. */
   #sources;
   /** The exposure of the picture, if it is chosen; it lasts until the light or the material changes. */
@@ -39,6 +46,14 @@ export class Preview {
   #set = { light: 0, material: 0 };
   #resized;
   #restored = () => this.#changed();
+  /** @type {MediaQueryList | undefined} */
+  #density;
+  /** Draws for this density of the screen, and again once a zoom or another screen changes it. */
+  #denser = () => {
+    this.#density = matchMedia(`(resolution: ${devicePixelRatio}dppx)`);
+    this.#density.addEventListener("change", this.#denser, { once: true });
+    this.#changed();
+  };
 
   /**
    * A preview, after its light and material are loaded.
@@ -47,11 +62,15 @@ export class Preview {
    * @param {import("./input.js").Inputs & Look} options
    * @returns {Promise<Preview>}
    * @throws {TypeError | RangeError} for a canvas, a light, a material or a look that is none
+   * @throws {Error} if the canvas has a preview that is not freed
    */
-  static async create(canvas, { light, material, sources = 0, engine, ...look }) {
-    if (!(canvas instanceof HTMLCanvasElement)) throw new TypeError("Preview: expected a canvas");
-    check("Preview", look, "light, material, sources, engine, ");
-    return new Preview(canvas, await Scene.create({ light, material, sources, engine }), look, sources);
+  static async create(canvas, options) {
+    checkCanvas(canvas);
+    checkNames("Preview", options, "light, material, sources, engine, exposure, tone");
+    const { exposure, tone, ...inputs } = options;
+    const look = { exposure, tone };
+    checkLook("Preview", look);
+    return new Preview(canvas, await Scene.create(inputs), look, inputs.sources);
   }
 
   /**
@@ -61,16 +80,18 @@ export class Preview {
    * @param {number} [sources] most small sources of later lights by name, 0 by default
    */
   constructor(canvas, scene, look = {}, sources = 0) {
-    check("Preview", look);
+    checkCanvas(canvas);
+    if (taken.has(canvas)) throw new Error("Preview: the canvas has a preview; free it first");
     const context = canvas.getContext("2d");
     if (!context) throw new TypeError("Preview: the canvas already has a context of another kind");
     this.#canvas = canvas;
     this.#context = context;
     this.#scene = scene;
-    this.#look = { ...look };
     this.#sources = sources;
     this.#resized = new ResizeObserver(() => this.#changed());
-    this.draw();
+    this.#setLook("Preview", look).draw();
+    taken.add(canvas);
+    this.#denser();
     this.#resized.observe(canvas);
     renderer()?.restored.addEventListener("restored", this.#restored);
   }
@@ -89,8 +110,10 @@ export class Preview {
    * @returns {Promise<this>} once it is set; the last of several lights wins
    * @throws {TypeError | RangeError} as {@link Scene#light}; the picture then stays
    */
-  async light(light, { sources = this.#sources } = {}) {
+  async light(light, options = {}) {
     this.#alive();
+    checkNames("light", options, "sources");
+    const { sources = this.#sources } = options;
     checkSources(sources);
     const before = this.#sources;
     this.#sources = sources;
@@ -132,13 +155,12 @@ export class Preview {
    *
    * @param {Look} look what is left out stays
    * @returns {this}
-   * @throws {TypeError | RangeError} for an exposure that is not above 0, an unknown curve or name
+   * @throws {TypeError | RangeError} for an exposure that is no normal f32 above 0, an unknown
+   *   curve or name
    */
   look(look) {
     this.#alive();
-    check("look", look);
-    this.#look = { ...this.#look, ...look };
-    return this.#changed();
+    return this.#setLook("look", look).#changed();
   }
 
   /** Draws now instead of in the next frame. A canvas that is not shown is drawn once it is. */
@@ -146,11 +168,11 @@ export class Preview {
     this.#alive();
     cancelAnimationFrame(this.#frame);
     this.#frame = 0;
-    if (!(this.#canvas.clientWidth && this.#canvas.clientHeight)) return this;
     const [width, height] = this.#resize();
+    if (!width) return this;
     const size = Math.min(width, height);
     const place = [Math.floor((width - size) / 2), Math.floor((height - size) / 2)];
-    const { exposure: given = "auto", tone = "filmic" } = this.#look;
+    const { exposure: given, tone } = this.#look;
     const exposure = given === "auto" ? (this.#chosen ||= this.#scene.exposure()) : given;
     const drawn = renderer()?.draw(this.#scene, size, { exposure, tone });
     this.#context.clearRect(0, 0, width, height);
@@ -166,30 +188,51 @@ export class Preview {
 
   /** Ends the preview; the canvas keeps its picture. Later calls throw an `Error`. */
   free() {
+    // A canvas that was freed may have another preview by now.
+    if (!this.#freed) taken.delete(this.#canvas);
     this.#freed = true;
     cancelAnimationFrame(this.#frame);
     this.#resized.disconnect();
+    this.#density?.removeEventListener("change", this.#denser);
     renderer()?.restored.removeEventListener("restored", this.#restored);
   }
 
   /**
-   * Gives the canvas the pixels of the screen that it covers.
+   * Gives the canvas the pixels of the screen that it covers inside its padding, at most 4096 a
+   * side.
    *
-   * @returns {[number, number]} width and height
+   * @returns {number[]} width and height; 0 and 0 if the canvas is not shown
    */
   #resize() {
     const canvas = this.#canvas;
     const { clientWidth, clientHeight } = canvas;
-    const pixels = (/** @type {number} */ length) =>
-      Math.min(4096, Math.max(1, Math.round((globalThis.devicePixelRatio || 1) * length)));
-    const [width, height] = [pixels(clientWidth), pixels(clientHeight)];
+    const style = getComputedStyle(canvas);
+    const { width: across, height: down } = style;
+    const inside = [
+      clientWidth - parseFloat(style.paddingLeft) - parseFloat(style.paddingRight),
+      clientHeight - parseFloat(style.paddingTop) - parseFloat(style.paddingBottom),
+    ];
+    if (!inside.every((length) => length > 0)) return [0, 0];
+    const ratio = Math.min(devicePixelRatio, LARGEST / Math.max(...inside));
+    const [width, height] = inside.map((length) => Math.max(1, Math.round(ratio * length)));
     if (canvas.width !== width || canvas.height !== height) {
       [canvas.width, canvas.height] = [width, height];
       // Without a size in CSS it would grow with its pixels.
-      if (canvas.clientWidth !== clientWidth) canvas.style.width = `${clientWidth}px`;
-      if (canvas.clientHeight !== clientHeight) canvas.style.height = `${clientHeight}px`;
+      if (canvas.clientWidth !== clientWidth) canvas.style.width = across;
+      if (canvas.clientHeight !== clientHeight) canvas.style.height = down;
     }
     return [width, height];
+  }
+
+  /**
+   * @param {string} what
+   * @param {Look} look
+   */
+  #setLook(what, look) {
+    checkLook(what, look);
+    const { exposure = this.#look.exposure, tone = this.#look.tone } = look;
+    this.#look = { exposure, tone };
+    return this;
   }
 
   /**
@@ -222,13 +265,20 @@ export class Preview {
   }
 }
 
+/** @param {HTMLCanvasElement} canvas */
+function checkCanvas(canvas) {
+  if (!(globalThis.HTMLCanvasElement && canvas instanceof HTMLCanvasElement)) {
+    refuse("Preview", canvas, "a canvas of a page");
+  }
+}
+
 /**
  * @param {string} what
  * @param {Look} look
- * @param {string} [more] names that `look` lacks
  */
-function check(what, { exposure = "auto", tone = "filmic", ...other }, more = "") {
-  checkKnown(what, other, `${more}exposure, tone`);
+export function checkLook(what, look) {
+  checkNames(what, look, "exposure, tone");
+  const { exposure = "auto", tone = "filmic" } = look;
   if (exposure !== "auto") checkExposure(what, exposure);
   toneNumber(what, tone);
 }

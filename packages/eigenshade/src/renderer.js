@@ -1,7 +1,7 @@
 // Draws spheres: by a shader in one WebGL 2 context that all previews of a page share, or on the CPU
 // where there is none.
 
-import { TONES } from "./input.js";
+import { TONES, shown } from "./input.js";
 import { Programs } from "./programs.js";
 
 /** @typedef {import("./scene.js").Scene} Scene */
@@ -141,11 +141,14 @@ export function renderer() {
  * @param {number} size pixels across
  * @param {{ exposure?: number, tone?: Tone }} [look] as `Scene.pixels`
  * @returns {Uint8ClampedArray} red, green, blue and opacity, row by row from the top
- * @throws {RangeError} unless the size is a whole number from 1 to 4096, or as `Scene.pixels`
+ * @throws {TypeError | RangeError} unless the size is a whole number from 1 to 4096, or as
+ *   `Scene.pixels`
  */
 export function sphere(scene, size, look = {}) {
   if (!(Number.isInteger(size) && size >= 1 && size <= 4096)) {
-    throw new RangeError(`sphere: the size is ${size}, expected a whole number from 1 to 4096`);
+    throw new RangeError(
+      `sphere: the size is ${shown(size)}, expected a whole number from 1 to 4096`,
+    );
   }
   const picture = new Uint8ClampedArray(4 * size * size);
   const [x, y, z] = [0, 1, 2].map(() => new Float32Array(size));

@@ -1,14 +1,14 @@
 // A light on a material: what is drawn, by a shader or on the CPU.
 
-import { engine as shared, lightCount, materialCount } from "./engine.js";
+import { Engine, engine as shared, lightCount, materialCount } from "./engine.js";
 import {
-  EFFECTS, STORAGES, checkExposure, checkGloss, checkNormals, checkSources, checkTolerance, checkWhole,
-  effectBits, isChannels, nameOf, parameters, put, quaternion, toneNumber,
+  EFFECTS, STORAGES, checkExposure, checkNames, checkNormals, checkSources, checkTolerance,
+  checkWhole, effectBits, glossOf, isChannels, nameOf, parameters, put, quaternion, refuse,
+  sourcesOf, toneNumber,
 } from "./input.js";
 import { exposureOf } from "./exposure.js";
 import { lightOf, materialOf } from "./presets.js";
 
-/** @typedef {import("./engine.js").Engine} Engine */
 /** @typedef {import("./engine.js").Truncation} Truncation */
 /** @typedef {import("./input.js").Effect} Effect */
 /** @typedef {import("./input.js").MetallicRoughness} MetallicRoughness */
@@ -40,6 +40,7 @@ export class Scene {
    */
   #rest;
   #sources = new Float32Array();
+  #hasSources;
   #turn = Float32Array.of(0, 0, 0, 1);
   #material;
   /** @type {Float32Array | undefined} */
@@ -61,30 +62,34 @@ export class Scene {
    *
    * @param {import("./input.js").Inputs} inputs
    * @returns {Promise<Scene>}
-   * @throws {RangeError} for an unknown name, or as {@link Scene#light} and {@link Scene#material}
+   * @throws {TypeError | RangeError} for an unknown name, or as {@link Scene#light} and
+   *   {@link Scene#material}
    */
   static async create(inputs) {
-    if (inputs === null || typeof inputs !== "object") {
-      throw new TypeError("Scene: expected { light, material }");
-    }
+    checkNames("Scene", inputs, "light, material, sources, engine");
     const { light, material, sources = 0, engine } = inputs;
     checkSources(sources);
     const own = typeof light === "object" && light?.sources?.length;
+    const hasSources = sources > 0 || Boolean(own);
     const [loaded, givenLight, givenMaterial] = await Promise.all([
-      engine ?? shared(sources > 0 || Boolean(own)),
+      engine ?? shared(hasSources),
       lightOf(light, sources),
       materialOf(material),
     ]);
-    return new Scene(loaded, givenLight, givenMaterial);
+    // The package's engine may be one that another scene needed.
+    return new Scene(loaded, givenLight, givenMaterial, engine ? undefined : hasSources);
   }
 
   /**
    * @param {Engine} engine
    * @param {Channels} light
    * @param {Channels | MetallicRoughness} material
+   * @param {boolean} [hasSources] whether lights may have sources; if the engine can, by default
    */
-  constructor(engine, light, material) {
+  constructor(engine, light, material, hasSources = true) {
+    if (!(engine instanceof Engine)) refuse("engine", engine, "what load(module) returns");
     this.#engine = engine;
+    this.#hasSources = hasSources;
     this.#rest = this.#light = new Float32Array(engine.light.length);
     this.#material = new Float32Array(engine.material.length);
     this.light(light);
@@ -103,7 +108,7 @@ export class Scene {
 
   /**
    * Sets the light: in each channel (degree + 1)² coefficients in radiance, up to {@link degree}, and
-   * maybe sources, which are part of it.
+   * maybe sources, which are part of it, if the scene has sources. No number may exceed 1e15.
    *
    * @param {Channels} light
    * @returns {this}
@@ -112,7 +117,10 @@ export class Scene {
   light(light) {
     const numbers = new Float32Array(this.#light.length);
     put("light", light, numbers, lightCount, this.#engine.degree);
-    const sources = Float32Array.from(light.sources ?? []);
+    const sources = sourcesOf(light);
+    if (sources.length && !this.#hasSources) {
+      throw new RangeError("light: this scene has no sources; create it with the option `sources`");
+    }
     this.#rest = this.#engine.without(numbers, sources);
     this.#light = numbers;
     this.#sources = sources;
@@ -122,7 +130,7 @@ export class Scene {
 
   /**
    * Sets the material: in each channel coefficients in 1/sr up to {@link order} and maybe a gloss, or
-   * the parameters of a glTF material.
+   * the parameters of a glTF material. No number may exceed 1e15.
    *
    * @param {Channels | MetallicRoughness} material
    * @returns {this}
@@ -130,10 +138,9 @@ export class Scene {
    */
   material(material) {
     if (isChannels(material)) {
-      const { gloss } = material;
-      checkGloss(gloss);
+      const gloss = glossOf(material);
       put("material", material, this.#material, materialCount, this.#engine.order);
-      this.#gloss = gloss && Float32Array.from(gloss);
+      this.#gloss = gloss;
     } else {
       const given = parameters(material);
       this.#engine.parameters.set(given);
@@ -151,7 +158,7 @@ export class Scene {
    *
    * @param {Turn} turn
    * @returns {this}
-   * @throws {RangeError} unless this is a rotation; the scene is then unchanged
+   * @throws {TypeError | RangeError} unless this is a rotation; the scene is then unchanged
    */
   turn(turn) {
     const rotation = quaternion(turn);
@@ -170,7 +177,7 @@ export class Scene {
    *
    * @param {Iterable<Effect>} [effects] all by default
    * @returns {this}
-   * @throws {RangeError} for a name that is no effect
+   * @throws {TypeError | RangeError} unless this is a list of effects
    */
   effects(effects = EFFECTS) {
     this.#effects = effectBits(effects);
@@ -208,10 +215,10 @@ export class Scene {
     return this;
   }
 
-  /** Whether sources change pictures of the material; false without a module for sources. */
+  /** Whether sources change pictures of the material; false in a scene without sources. */
   get isGlossy() {
-    const { matte } = this.#engine;
-    return matte !== undefined && this.#gloss !== undefined && this.#gloss[0] < matte;
+    const { matte = 0 } = this.#engine;
+    return this.#hasSources && this.#gloss !== undefined && this.#gloss[0] < matte;
   }
 
   /**
@@ -295,14 +302,19 @@ export class Scene {
    * @param {{ r: Float32Array, g: Float32Array, b: Float32Array }} [irradiance] where to write it; new
    *   arrays by default
    * @returns {{ r: Float32Array, g: Float32Array, b: Float32Array }}
-   * @throws {RangeError} if the lengths differ, or a normal is not a unit vector or points away
+   * @throws {TypeError | RangeError} unless these are arrays of one length, of unit vectors that do
+   *   not point away
    */
   shade(x, y, z, irradiance) {
     checkNormals("shade", [x, y, z]);
-    const [r, g, b] = [0, 1, 2].map(() => new Float32Array(irradiance ? 0 : x.length));
+    const { length } = x;
+    const [r, g, b] = [0, 1, 2].map(() => new Float32Array(irradiance ? 0 : length));
     const to = irradiance ?? { r, g, b };
-    if (![to.r, to.g, to.b].every((channel) => channel?.length === (irradiance ? x.length : r.length))) {
-      throw new RangeError(`shade: expected { r, g, b } with ${x.length} numbers each, as x has`);
+    const fits = (/** @type {unknown} */ to) => to instanceof Float32Array && to.length === length;
+    if (![to.r, to.g, to.b].every(fits)) {
+      throw new RangeError(
+        `shade: expected { r, g, b }, each a Float32Array of length ${length}, as x has`,
+      );
     }
     const { irradiance: from, normals } = this.#engine;
     this.#ready();
@@ -323,7 +335,7 @@ export class Scene {
    * @param {ArrayLike<number>} y
    * @param {ArrayLike<number>} z
    * @returns {Float32Array}
-   * @throws {RangeError} as {@link shade}, or if there is no such eigenimage
+   * @throws {TypeError | RangeError} as {@link shade}, or if there is no such eigenimage
    */
   eigenimage(index, x, y, z) {
     checkWhole("eigenimage", index, this.#engine.components - 1);
@@ -345,16 +357,21 @@ export class Scene {
    * @param {{ exposure?: number, tone?: Tone }} [options] the factor from irradiance to display, 1 by
    *   default, and the tone curve, `"filmic"` by default
    * @returns {Uint8ClampedArray}
-   * @throws {RangeError} as {@link shade}, or for an exposure that is not above 0
+   * @throws {TypeError | RangeError} as {@link shade}, or for an exposure that is no normal f32
+   *   above 0
    */
-  pixels(x, y, z, { exposure = 1, tone = "filmic" } = {}) {
+  pixels(x, y, z, options = {}) {
+    checkNames("pixels", options, "exposure, tone");
+    const { exposure = 1, tone = "filmic" } = options;
     checkExposure("pixels", exposure);
     const curve = toneNumber("pixels", tone);
     checkNormals("pixels", [x, y, z]);
     const pixels = new Uint8ClampedArray(4 * x.length);
     this.#ready();
     this.#engine.shadeAll("pixels", [x, y, z], (start, count) => {
-      this.#engine.encode(count, exposure, curve);
+      if (this.#engine.encode(count, exposure, curve) !== count) {
+        throw new Error("pixels: the module rejected the exposure");
+      }
       pixels.set(this.#engine.pixels.subarray(0, 4 * count), 4 * start);
     });
     return pixels;
@@ -364,7 +381,7 @@ export class Scene {
    * The exposure of a picture: this share of a sphere's pixels is at most 0.8 before the tone curve, in
    * all channels, where 1 is white.
    *
-   * @param {number} [share] from 0 to 1
+   * @param {number} [share] from 0 to 1, 0.95 by default
    * @returns {number} 1 for a black picture
    * @throws {RangeError} unless the share is from 0 to 1
    */

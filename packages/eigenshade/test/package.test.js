@@ -34,7 +34,7 @@ test("nothing is missing from the archive, nothing is too much", () => {
   const listed = execFileSync("tar", ["tzf", join(folder, "eigenshade-0.1.0.tgz")], { encoding: "utf8" });
   const names = listed.trim().split("\n").map((name) => name.replace(/^package\//, ""));
   for (const name of [
-    "LICENSE-APACHE", "LICENSE-MIT", "README.md", "dist/index.js", "dist/element.js", "types/index.d.ts",
+    "LICENSE-APACHE", "LICENSE-MIT", "README.md", "dist/index.js", "dist/element.js", "element.d.ts", "types/index.d.ts",
     "wasm/eigenshade.wasm", "wasm/eigenshade.simd.wasm", "wasm/eigenshade.relaxed.wasm",
     "wasm/eigenshade.sources.wasm", "wasm/eigenshade.sources.simd.wasm",
     "wasm/eigenshade.sources.relaxed.wasm", "presets/names.json", "presets/light/park.bin", "presets/sources/park.bin",
@@ -98,6 +98,9 @@ test("the pages of README.md draw", async () => {
 
 test("the declarations are those of a strict program", () => {
   writeFileSync(join(folder, "use.mts"), `import { Preview, Scene, presetNames, type Truncation } from "eigenshade";
+    import { EigenShade } from "eigenshade/element";
+    const element: EigenShade = document.createElement("eigen-shade");
+    const shown: Preview | undefined = document.querySelector("eigen-shade")?.preview;
     const scene: Scene = await Scene.create({ light: "park", material: { roughness: 0.3, metallic: 1 }, sources: 4 });
     const drawn: number = scene.sources;
     const { r }: { r: Float32Array } = scene.turn({ yaw: 1 }).within(1e-2).shade([0], [0], [1]);
@@ -105,7 +108,7 @@ test("the declarations are those of a strict program", () => {
     const preview: Promise<Preview> = Preview.create(document.createElement("canvas"), { light: "park", material: "chrome", tone: "filmic" });
     // @ts-expect-error: there is no such curve
     await preview.then((one) => one.look({ tone: "aces" }));
-    export { drawn, r, truncation, presetNames };`);
+    export { element, shown, drawn, r, truncation, presetNames };`);
   const tsc = join(PACKAGE, "node_modules/.bin/tsc");
   const options = ["--noEmit", "--strict", "--target", "es2022", "--module", "nodenext", "--lib", "es2022,dom", "use.mts"];
   execFileSync(tsc, options, { cwd: folder, stdio: "pipe" });

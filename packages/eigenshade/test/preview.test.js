@@ -171,6 +171,59 @@ test("a canvas of any shape, with or without a size in CSS, on a dense screen", 
   await dense.close();
 });
 
+test("a canvas with padding or more pixels than are drawn keeps its shape", async () => {
+  const found = await page.evaluate(async () => {
+    const sizes = [];
+    const look = { light: "lobby", material: "red-fabric2" };
+    for (const style of [
+      "width: 120px; height: 80px; padding: 10px 20px", "width: 5000px; height: 2500px",
+      "width: 120px; height: 80px; padding: 10px 20px; border: 1px solid; box-sizing: border-box",
+      "width: auto; height: auto; padding: 10px", "width: 20px; height: 20px; padding: 10px; box-sizing: border-box",
+    ]) {
+      const canvas = document.createElement("canvas");
+      canvas.style.cssText = style;
+      document.body.append(canvas);
+      const preview = await eigenshade.Preview.create(canvas, look);
+      for (let k = 0; k < 3; k++) await frame();
+      sizes.push([canvas.width, canvas.height]);
+      preview.free();
+      canvas.remove();
+    }
+    return sizes;
+  });
+  // The last one has no place for a picture: it is as it was.
+  assert.deepEqual(found, [[120, 80], [4096, 2048], [78, 58], [300, 150], [300, 150]]);
+});
+
+test("a canvas is drawn anew when the screen's density changes, until the preview is freed", async () => {
+  const session = await page.context().newCDPSession(page);
+  // The emulation tells media queries of a new density only with a new width of the page.
+  const dense = (deviceScaleFactor) =>
+    session.send("Emulation.setDeviceMetricsOverride", { width: 700 + 100 * deviceScaleFactor, height: 600, deviceScaleFactor, mobile: false });
+  const width = () => page.evaluate(() => frame().then(() => canvases[0].width));
+  await page.evaluate(async () => {
+    window.preview = await eigenshade.Preview.create(canvases[0], { light: "lobby", material: "red-fabric2" });
+  });
+  const found = [await width()];
+  for (const density of [2, 1.5, 1]) {
+    await dense(density);
+    found.push(await width());
+  }
+  await page.evaluate(() => preview.free());
+  await dense(3);
+  assert.deepEqual([...found, await width()], [120, 240, 180, 120, 120]);
+});
+
+test("what a look leaves out stays", async () => {
+  const found = await page.evaluate(async () => {
+    const preview = await eigenshade.Preview.create(canvases[0], { light: "lobby", material: "red-fabric2", exposure: 3, tone: "linear" });
+    const before = pixels(canvases[0]);
+    preview.look({ exposure: undefined, tone: undefined }).look({}).draw();
+    return difference(before, pixels(canvases[0]));
+  });
+  assert.equal(found, 0);
+});
+
 test("the last of several lights wins, whichever comes first", async () => {
   const found = await page.evaluate(async () => {
     const preview = await eigenshade.Preview.create(canvases[0], { light: "studio", material: "red-fabric2" });
@@ -264,6 +317,9 @@ test("wrong input rejects with one clear error, and the picture stays", async ()
     };
     const good = { light: "park", material: "red-fabric2" };
     await fails(() => Preview.create(document.body, good));
+    await fails(() => Preview.create(canvases[1]));
+    await fails(() => Preview.create(canvases[1], { ...good, sorces: 4 }));
+    await fails(() => Preview.create(canvases[1], { material: "red-fabric2" }));
     await fails(() => Preview.create(canvases[1], { ...good, exposure: -1 }));
     await fails(() => Preview.create(canvases[1], { ...good, material: "red" }));
     const other = document.createElement("canvas");
@@ -277,6 +333,14 @@ test("wrong input rejects with one clear error, and the picture stays", async ()
     await fails(() => preview.look({ tone: "aces" }));
     await fails(() => preview.look({ exposure: NaN }));
     await fails(() => preview.look({ exposur: 1 }));
+    await fails(() => preview.look({ exposure: 1e-50 }));
+    await fails(() => preview.look());
+    await fails(() => preview.light("lobby", null));
+    await fails(() => preview.light("lobby", { sorces: 4 }));
+    await fails(() => preview.material(new Date()));
+    const light = await eigenshade.lightPreset("park");
+    await fails(() => preview.light({ ...light, r: [3e38] }));
+    await fails(() => Preview.create(canvases[0], good));
     await frame();
     messages.push(difference(before, pixels(canvases[0])));
     preview.free();
@@ -289,17 +353,27 @@ test("wrong input rejects with one clear error, and the picture stays", async ()
     next.free();
     return messages;
   });
-  assert.deepEqual(messages.map((message) => String(message).slice(0, 90)), [
-    "TypeError: Preview: expected a canvas",
-    "RangeError: Preview: the exposure is -1, expected a number above 0",
-    'RangeError: no material is called "red"; did you mean dark-red-paint, light-red-paint, red',
+  assert.deepEqual(messages.map((message) => String(message).slice(0, 98)), [
+    "TypeError: Preview: it is [object HTMLBodyElement], expected a canvas of a page",
+    "TypeError: Preview: it is undefined, expected { light, material, sources, engine, exposure, tone }",
+    'TypeError: Preview: "sorces" is not one of light, material, sources, engine, exposure, tone',
+    "TypeError: light: it is undefined, expected { r, g, b } with arrays of coefficients, which lightPr",
+    "RangeError: Preview: the exposure is -1, expected a number from 1.2e-38 to 3.4e38",
+    'RangeError: no material is called "red"; did you mean dark-red-paint, light-red-paint, red-fabric2',
     "TypeError: Preview: the canvas already has a context of another kind",
-    'RangeError: no light is called "parc"; there are apartment, bridge, city, dawn, esplanade,',
+    'RangeError: no light is called "parc"; there are apartment, bridge, city, dawn, esplanade, forest,',
     "RangeError: material: roughness is 2, expected a number from 0 to 1",
-    "RangeError: turn: yaw is left, expected a number",
+    'RangeError: turn: yaw is "left", expected a number',
     'RangeError: look: "aces" is not one of linear, reinhard, filmic',
-    "RangeError: look: the exposure is NaN, expected a number above 0",
+    "RangeError: look: the exposure is NaN, expected a number from 1.2e-38 to 3.4e38",
     'TypeError: look: "exposur" is not one of exposure, tone',
+    "RangeError: look: the exposure is 1e-50, expected a number from 1.2e-38 to 3.4e38",
+    "TypeError: look: it is undefined, expected { exposure, tone }",
+    "TypeError: light: it is null, expected { sources }",
+    'TypeError: light: "sorces" is not one of sources',
+    "TypeError: material: it is [object Date], expected { r, g, b }, which materialPreset(name) loads, ",
+    "RangeError: light: r[0] is 3e+38, expected a number from -1e15 to 1e15",
+    "Error: Preview: the canvas has a preview; free it first",
     "0",
     "Error: Preview: it was freed",
     "Error: Preview: it was freed",
@@ -312,12 +386,14 @@ test("wrong input rejects with one clear error, and the picture stays", async ()
 test("an element draws what its attributes say, and says what is wrong", async () => {
   const found = await page.evaluate(async () => {
     await import("/src/element.js");
-    const next = (element, event) => new Promise((resolve) => element.addEventListener(event, resolve, { once: true }));
+    const next = (element, event) => new Promise((resolve, reject) => {
+      element.addEventListener(event, resolve, { once: true });
+      element.addEventListener(event === "load" ? "error" : "load", ({ type }) => reject(new Error(`${type}, not ${event}`)), { once: true });
+    });
     document.body.insertAdjacentHTML("beforeend",
       `<eigen-shade light="studio" material="red-fabric2" exposure="2" yaw="30"></eigen-shade>`);
     const element = document.querySelector("eigen-shade");
     await next(element, "load");
-    element.preview.draw();
     const canvas = element.shadowRoot.querySelector("canvas");
     const size = canvas.width;
     const scene = await eigenshade.Scene.create({ light: "studio", material: "red-fabric2" });
@@ -336,13 +412,29 @@ test("an element draws what its attributes say, and says what is wrong", async (
       await next(element, "load");
       wrong.push(message.textContent);
     }
+    // One wrong attribute, and the picture stays.
+    const before = pixels(canvas);
+    for (const changes of [
+      { light: "parc", material: "chrome" }, { light: "lobby", material: "crome" }, { light: "lobby", material: null, roughness: "2" },
+      { light: "lobby", exposure: "1e39" }, { material: "chrome", sources: "-1" }, { light: "lobby", yaw: "left" },
+    ]) {
+      const kept = Object.keys(changes).map((name) => [name, element.getAttribute(name)]);
+      const give = (name, value) => (value === null ? element.removeAttribute(name) : element.setAttribute(name, value));
+      for (const [name, value] of Object.entries(changes)) give(name, value);
+      await next(element, "error");
+      element.preview.draw();
+      wrong.push(difference(before, pixels(canvas)));
+      for (const [name, value] of kept) give(name, value);
+      await next(element, "load");
+    }
+    element.setAttribute("exposure", "auto");
+    await next(element, "load");
+    const automatic = difference(pixels(canvas), eigenshade.sphere(scene, size, { exposure: scene.exposure() }));
     // A turn keeps the exposure that was chosen.
     element.removeAttribute("exposure");
     await next(element, "load");
-    element.preview.draw();
     element.setAttribute("yaw", "150");
     await next(element, "load");
-    element.preview.draw();
     const exposure = scene.turn({ yaw: Math.PI / 6 }).exposure();
     scene.turn({ yaw: (5 * Math.PI) / 6 });
     const kept = difference(pixels(canvas), eigenshade.sphere(scene, size, { exposure }));
@@ -353,24 +445,24 @@ test("an element draws what its attributes say, and says what is wrong", async (
     element.setAttribute("base-color", "#b87333");
     element.setAttribute("metallic", "1");
     await next(element, "load");
-    element.preview.draw();
     const copper = difference(pixels(canvas), eigenshade.sphere(scene.material({ baseColor: "#b87333", metallic: 1 }), size, { exposure: 2 }));
     element.setAttribute("sources", "4");
     await next(element, "load");
-    element.preview.draw();
     const bright = await eigenshade.Scene.create({ light: "studio", material: { baseColor: "#b87333", metallic: 1 }, sources: 4 });
     bright.turn({ yaw: Math.PI / 6 });
     const sharp = [difference(pixels(canvas), eigenshade.sphere(bright, size, { exposure: 2 })), element.preview.scene.sources];
     element.remove();
-    return { sharp, size, same, label, wrong, copper, kept, gone: element.preview === undefined };
+    return { sharp, size, same, label, wrong, automatic, copper, kept, gone: element.preview === undefined };
   });
-  assert.ok(found.size > 100 && found.same <= 1 && found.copper <= 1 && found.kept <= 1, `${found.same}, ${found.copper}, ${found.kept}`);
+  for (const name of ["same", "automatic", "copper", "kept"]) assert.ok(found[name] <= 1, `${name}: ${found[name]}`);
+  assert.ok(found.size > 100);
   assert.ok(found.sharp[0] <= 1 && found.sharp[1] === 4, `${found.sharp}`);
   assert.equal(found.label, "A sphere of red-fabric2 under the light studio");
   assert.deepEqual(found.wrong, [
     'no light is called "parc"; there are apa', true, "",
     'yaw="left" is not a number', true, "",
     'look: "aces" is not one of linear, reinh', true, "",
+    0, 0, 0, 0, 0, 0,
   ]);
   assert.ok(found.gone);
   faults.splice(0, faults.length, ...faults.filter((fault) => !fault.includes("404")));
@@ -384,7 +476,7 @@ test("a thousand lights leak nothing", async () => {
   };
   await page.evaluate(async () => {
     const { light } = await eigenshade.presetNames();
-    const lights = await Promise.all(light.map(eigenshade.lightPreset));
+    const lights = await Promise.all(light.map((name) => eigenshade.lightPreset(name)));
     canvases[0].style.width = canvases[0].style.height = "8px";
     window.preview = await eigenshade.Preview.create(canvases[0], { light: "park", material: "red-fabric2" });
     window.change = async (count) => {

@@ -6,7 +6,7 @@ import { execFileSync } from "node:child_process";
 import { mkdtempSync, readFileSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
-import { EFFECTS, Scene, load, lightPreset, materialPreset, presetNames, sphere } from "../src/index.js";
+import { EFFECTS, Preview, Scene, load, lightPreset, materialPreset, presetNames, sphere } from "../src/index.js";
 
 import { EIGENSHADE } from "./support/own.js";
 import { takeRelaxedSimd } from "./support/relaxed.js";
@@ -204,7 +204,7 @@ test("the modules with relaxed SIMD and without SIMD draw the same", async () =>
 test("half of the pairs of shipped inputs keep at most 31 terms within 1 %", async () => {
   const names = await presetNames();
   const [lights, materials] = await Promise.all([
-    Promise.all(names.light.map(lightPreset)), Promise.all(names.material.map(materialPreset)),
+    Promise.all(names.light.map((name) => lightPreset(name))), Promise.all(names.material.map(materialPreset)),
   ]);
   const scene = (await gold()).within(1e-2);
   const terms = [];
@@ -275,9 +275,25 @@ test("every preset is there", async () => {
   assert.equal(names.light.length, 26);
   assert.ok(names.material.length > 100);
   for (const [all, load] of [[names.light, lightPreset], [names.material, materialPreset]]) {
-    for (const { r, g, b } of await Promise.all(all.map(load))) {
+    for (const { r, g, b } of await Promise.all(all.map((name) => load(name)))) {
       assert.ok([r, g, b].every((channel) => channel.length === r.length && channel.every(Number.isFinite)));
     }
+  }
+});
+
+test("presets are copies", async () => {
+  for (const [load, name] of [[lightPreset, "park"], [materialPreset, "gold-metallic-paint"]]) {
+    const one = await load(name);
+    const before = structuredClone(one);
+    for (const numbers of Object.values(one)) numbers.fill(7);
+    assert.deepEqual(await load(name), before);
+  }
+});
+
+test("the element's module can be imported, and a preview says that it needs a page", async () => {
+  assert.ok((await import("../src/element.js")).EigenShade);
+  for (const make of [() => Preview.create({}, { light: "park", material: "nylon" }), async () => new Preview({}, await gold())]) {
+    await assert.rejects(make, { name: "TypeError", message: "Preview: it is [object Object], expected a canvas of a page" });
   }
 });
 
@@ -286,7 +302,34 @@ test("wrong input throws one clear error and changes nothing", async () => {
   const before = scene.uniforms();
   const light = await lightPreset("park");
   const fails = (what, name, message) => assert.throws(what, { name, message });
-  fails(() => scene.light(null), "TypeError", "light: expected { r, g, b } with arrays of coefficients, which lightPreset(name) loads");
+  for (const [given, said, hint = ""] of [
+    [null, "null"], ["red", '"red"'], [[], "[object Array]"], [new Date(), "[object Date]"], [new Map(), "[object Map]"],
+    [Promise.resolve(light), "[object Promise]", "; await it"],
+  ]) {
+    fails(() => scene.light(given), "TypeError",
+      `light: it is ${said}, expected { r, g, b } with arrays of coefficients, which lightPreset(name) loads${hint}`);
+    fails(() => scene.material(given), "TypeError",
+      `material: it is ${said}, expected { r, g, b }, which materialPreset(name) loads, or { baseColor, metallic, roughness }${hint}`);
+    if (!Array.isArray(given)) {
+      fails(() => scene.turn(given), "TypeError",
+        `turn: it is ${said}, expected a quaternion [x, y, z, w] or { yaw, pitch, roll }${hint}`);
+    }
+    fails(() => scene.pixels([0], [0], [1], given), "TypeError", `pixels: it is ${said}, expected { exposure, tone }${hint}`);
+    const options = { name: "TypeError", message: `lightPreset: it is ${said}, expected { sources }${hint}` };
+    await assert.rejects(lightPreset("park", given), options);
+    const inputs = { name: "TypeError", message: `Scene: it is ${said}, expected { light, material, sources, engine }${hint}` };
+    await assert.rejects(Scene.create(given), inputs);
+    if (given) {
+      const engine = { name: "TypeError", message: `engine: it is ${given instanceof Promise ? "[object Object]" : said}, expected what load(module) returns` };
+      await assert.rejects(Scene.create({ light: "park", material: "nylon", engine: given }), engine);
+    }
+  }
+  await assert.rejects(Scene.create({ light: "park" }), { name: "TypeError", message: /^material: it is undefined, expected/ });
+  await assert.rejects(lightPreset("park", { sorces: 4 }), { name: "TypeError", message: 'lightPreset: "sorces" is not one of sources' });
+  await assert.rejects(Scene.create({ light: "park", material: "nylon", sorces: 4 }), {
+    name: "TypeError", message: 'Scene: "sorces" is not one of light, material, sources, engine',
+  });
+  fails(() => scene.pixels([0], [0], [1], { exposur: 1 }), "TypeError", 'pixels: "exposur" is not one of exposure, tone');
   fails(() => scene.light({ ...light, g: "red" }), "TypeError", "light: g is not an array of numbers");
   fails(() => scene.light({ ...light, b: light.b.slice(1) }), "RangeError",
     "light: b has 99 coefficients, expected 1, 4, 9, 16, 25, 36, 49, 64, 81, 100");
@@ -296,14 +339,15 @@ test("wrong input throws one clear error and changes nothing", async () => {
   structuredClone(detached, { transfer: [detached.buffer] });
   fails(() => scene.light({ ...light, r: detached }), "RangeError",
     "light: r has 0 coefficients, expected 1, 4, 9, 16, 25, 36, 49, 64, 81, 100");
-  for (const bad of [NaN, Infinity, 1e300, undefined, null, "1"]) {
+  for (const bad of [NaN, Infinity, 1e300, 3e38, -1.1e15, undefined, null, "1"]) {
+    const said = typeof bad === "string" ? `"${bad}"` : bad;
     fails(() => scene.light({ ...light, g: Array.from(light.g).with(7, bad) }), "RangeError",
-      `light: coefficient 7 of g is ${bad}, not a finite f32`);
+      `light: g[7] is ${said}, expected a number from -1e15 to 1e15`);
+    fails(() => scene.material({ ...three([1, bad]) }), "RangeError",
+      `material: r[1] is ${said}, expected a number from -1e15 to 1e15`);
   }
   fails(() => scene.material(three([])), "RangeError",
     "material: r has 0 coefficients, expected 1, 2, 5, 8, 14, 20, 30, 40");
-  fails(() => scene.material("red"), "TypeError",
-    "material: expected { r, g, b }, which materialPreset(name) loads, or { baseColor, metallic, roughness }");
   fails(() => scene.turn({ yow: 1 }), "TypeError", 'turn: "yow" is not one of yaw, pitch, roll');
   fails(() => scene.turn({ x: 0, y: 0, z: 0, w: 1 }), "TypeError", 'turn: "x" is not one of yaw, pitch, roll');
   fails(() => scene.material({ color: "#ffffff" }), "TypeError",
@@ -321,9 +365,13 @@ test("wrong input throws one clear error and changes nothing", async () => {
   fails(() => scene.turn([0, 0, 0, 0]), "RangeError", "turn: [0,0,0,0] is not a quaternion");
   fails(() => scene.turn([0, 0, 0]), "RangeError", "turn: [0,0,0] is not a quaternion");
   fails(() => scene.turn({ yaw: NaN }), "RangeError", "turn: yaw is NaN, expected a number");
+  fails(() => scene.turn({ yaw: "1" }), "RangeError", 'turn: yaw is "1", expected a number');
+  fails(() => scene.turn(["0", 0, 0, 1]), "RangeError", 'turn: ["0",0,0,1] is not a quaternion');
   fails(() => scene.within(0), "RangeError", "within: the tolerance is 0, expected a number from 1e-30 to less than 1");
   for (const bad of [1e-50, 1, 2, NaN, "0.1", null]) fails(() => scene.within(bad), "RangeError", /^within: /);
-  fails(() => scene.effects("gloss"), "TypeError", "effects: expected a list of names");
+  for (const [given, said] of [["gloss", '"gloss"'], [null, "null"], [4, "4"], [{}, "[object Object]"]]) {
+    fails(() => scene.effects(given), "TypeError", `effects: it is ${said}, expected a list of names`);
+  }
   fails(() => scene.effects(["glos"]), "RangeError",
     'effects: "glos" is not one of ambient, diffuse, broad, gloss');
   fails(() => scene.components(161), "RangeError", "components: 161 is not a whole number from 0 to 160");
@@ -334,18 +382,21 @@ test("wrong input throws one clear error and changes nothing", async () => {
   fails(() => scene.shade([0], [0, 0], [1]), "RangeError", "shade: x has 1 numbers, y has 2");
   fails(() => scene.shade([0, 0], [0, 0], [1, -1]), "RangeError",
     "shade: normal 1 is (0, 0, -1), expected a unit vector with z >= 0");
-  const short = { r: new Float32Array(1), g: new Float32Array(1), b: new Float32Array(2) };
-  fails(() => scene.shade([0], [0], [1], short), "RangeError",
-    "shade: expected { r, g, b } with 1 numbers each, as x has");
+  const [one, two] = [new Float32Array(1), new Float32Array(2)];
+  for (const out of [{ r: one, g: one, b: two }, { r: one, g: one, b: [0] }, { r: one, g: one }, 4]) {
+    fails(() => scene.shade([0], [0], [1], out), "RangeError",
+      "shade: expected { r, g, b }, each a Float32Array of length 1, as x has");
+  }
   fails(() => scene.shade(), "TypeError", "shade: x is not an array of numbers");
-  await assert.rejects(Scene.create(), { message: "Scene: expected { light, material }" });
   fails(() => scene.shade(1, 2, 3), "TypeError", "shade: x is not an array of numbers");
-  fails(() => scene.pixels([0], [0], [1], { exposure: 0 }), "RangeError",
-    "pixels: the exposure is 0, expected a number above 0");
+  for (const exposure of [0, -1, NaN, Infinity, 1e39, 3.5e38, 1e-38, 1e-50, "2", null]) {
+    fails(() => scene.pixels([0], [0], [1], { exposure }), "RangeError",
+      `pixels: the exposure is ${typeof exposure === "string" ? `"${exposure}"` : exposure}, expected a number from 1.2e-38 to 3.4e38`);
+  }
   fails(() => scene.pixels([0], [0], [1], { tone: "aces" }), "RangeError",
     'pixels: "aces" is not one of linear, reinhard, filmic');
   fails(() => sphere(scene, 0), "RangeError", "sphere: the size is 0, expected a whole number from 1 to 4096");
-  await assert.rejects(Scene.create({ light: "parc", material: "red-fabric" }), {
+  await assert.rejects(Scene.create({ light: "parc", material: "red-fabric2" }), {
     name: "RangeError",
     message: /^no light is called "parc"; there are apartment, bridge, /,
   });
@@ -358,14 +409,20 @@ test("wrong input throws one clear error and changes nothing", async () => {
   assert.deepEqual(scene.uniforms(), before);
 });
 
-test("numbers that are too large are an error, and no later picture suffers", async () => {
+test("the largest numbers that are taken are drawn, however small the exposure", async () => {
   const scene = await gold();
-  const before = scene.uniforms();
-  const [light, material] = [await lightPreset("park"), await materialPreset("gold-metallic-paint")];
-  scene.light(three([3e38])).material(three([1e5]));
-  assert.throws(() => scene.shade([0], [0], [1]), { message: "relight: its numbers are too large for f32" });
-  assert.throws(() => scene.exposure(), { message: /too large/ });
-  assert.deepEqual(scene.light(light).material(material).uniforms(), before);
+  for (const sign of [1, -1]) {
+    const all = (count) => three(Array.from({ length: count }, (_, k) => (k ? sign : 1) * 1e15));
+    scene.light(all(100)).material(all(40)).turn({ yaw: 1 });
+    for (const tolerance of [undefined, 1e-3, 1e-30]) {
+      const { r } = scene.within(tolerance).shade(...NORMALS);
+      assert.ok(r.every(Number.isFinite) && scene.uniforms().every(Number.isFinite));
+      assert.equal(scene.pixels(...NORMALS, { exposure: scene.exposure() }).length, 4 * 60);
+    }
+  }
+  // An exposure that f32 does not hold would show a picture that is all but black.
+  scene.light(three([1e-30])).material(three([1e-9])).within();
+  assert.equal(scene.exposure(), 1);
 });
 
 test("irradiances are written where they are wanted", async () => {

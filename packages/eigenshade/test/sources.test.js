@@ -181,7 +181,7 @@ test("wrong sources throw one clear error and change nothing", async () => {
   const inputs = { light: "studio", material: "gold-metallic-paint" };
   for (const sources of [-1, 1.5, NaN, Infinity, "4", null]) {
     await assert.rejects(Scene.create({ ...inputs, sources }), {
-      name: "RangeError", message: `sources: ${sources} is not a whole number, 0 or more`,
+      name: "RangeError", message: `sources: ${sources === "4" ? '"4"' : sources} is not a whole number, 0 or more`,
     });
   }
   const plain = await load(readFileSync(new URL("../wasm/eigenshade.wasm", import.meta.url)));
@@ -190,15 +190,31 @@ test("wrong sources throw one clear error and change nothing", async () => {
   const [before, beforeWhole] = [scene.uniforms(), whole.uniforms()];
   const fails = (what, message) => assert.throws(what, { name: "RangeError", message });
   const light = await lightPreset("studio", { sources: 4 });
-  fails(() => whole.light(light), "light: this scene has no sources; create it with the option `sources`");
+  fails(() => whole.light(light), "light: the engine has no sources; build the module `color-sources`");
+  // Whatever else the page has loaded.
+  const plainScene = await Scene.create(inputs);
+  fails(() => plainScene.light(light), "light: this scene has no sources; create it with the option `sources`");
+  assert.equal(plainScene.isGlossy, false);
+  assert.equal(plainScene.light(await lightPreset("studio", { sources: 0 })).sources, 0);
   fails(() => scene.light({ ...light, sources: light.sources.slice(1) }), "light: it has 3.9 sources, expected up to 32 of ten numbers each");
   fails(() => scene.light({ ...light, sources: new Float32Array(330) }), "light: it has 33 sources, expected up to 32 of ten numbers each");
-  for (const [at, bad] of [[0, 2], [3, -1], [4, NaN], [6, Infinity], [9, 1]]) {
+  for (const [at, bad] of [[0, 2], [3, -1], [9, 1]]) {
     fails(() => scene.light({ ...light, sources: light.sources.with(at, bad) }), /^light: its sources are not/);
   }
-  for (const gloss of [[], new Float32Array(10).fill(2), Array(10).fill("0")]) {
+  for (const [at, bad] of [[4, NaN], [6, Infinity], [3, 2e15]]) {
+    fails(() => scene.light({ ...light, sources: light.sources.with(at, bad) }),
+      `light: sources[${at}] is ${bad}, expected a number from -1e15 to 1e15`);
+  }
+  assert.throws(() => scene.light({ ...light, sources: 4 }), { message: "light: sources is not an array of numbers" });
+  for (const gloss of [[], new Float32Array(10).fill(2), Array(10).fill("0"), "0123456789", 4, 0, false]) {
     fails(() => scene.material({ ...three([1]), gloss }), "material: gloss is not ten numbers from 0 to 1");
   }
   assert.deepEqual(scene.uniforms(), before);
   assert.deepEqual(whole.uniforms(), beforeWhole);
+  // JSON has null for what is left out.
+  assert.equal(scene.isGlossy, true);
+  assert.equal(scene.light({ ...light, sources: null }).sources, 0);
+  assert.equal(scene.light(light).material({ ...three([1]), gloss: null }).sources, 0);
+  assert.equal(scene.isGlossy, false);
+  assert.ok(scene.shade(...NORMALS).r.every(Number.isFinite));
 });
