@@ -1,7 +1,6 @@
-//! Scenes within a tolerance: the bound holds and is near the error, and what an image does
-//! not need costs nothing.
+//! Scenes within a tolerance: what an image does not need costs nothing, and the bound holds of
+//! long series too. `truncation_sets` compares bounds with errors.
 
-use crate::tolerances;
 use eigenshade::{
     Error, Light, Material, NineTerms, Normal, Normals, Scene, Tolerance, Truncation, sphere,
 };
@@ -10,23 +9,17 @@ use eigenshade_model::inputs::coefficient_csv::{read_lights, read_materials};
 use eigenshade_model::reference::DirectSum;
 use eigenshade_shading::owned_basis::{AnyBasis, OwnedBasis};
 use eigenshade_table::decode;
-use eigenshade_testing::{assert_stated, fixtures, images};
+use eigenshade_testing::{fixtures, images};
 use images::{Image, coefficients, products, rule, single, vectors};
-use proptest::prelude::*;
 
-/// The same of series whose recurrences are rounded to f32, 6e-8: polynomials are as orthogonal.
+/// A scene's error beyond its bound, of the bound, in series whose recurrences are rounded to f32,
+/// 6e-8: polynomials are as orthogonal.
 const RECURRENCE_ROUNDING: f64 = 1e-7;
 
 /// A scene of a matte under light of degree 2 within 1e-3 of the peak against the nine-term
 /// formula, of the peak: what is left out has no part in nine terms, so what remains is the
 /// table's own error, 1.4e-6 found.
 const NINE_TERMS: f64 = 3e-6;
-
-/// What the bound of such a scene is at most, in the median, in errors: it is exact but for
-/// components that are left out, of which terms that are left out take a part along.
-const MEDIAN_BOUND_TO_ERROR: f64 = 1.1;
-
-const METHOD: &str = include_str!("../docs/method.md");
 
 type Numbers = [f32; sphere::SCENE];
 
@@ -36,52 +29,6 @@ fn truncated<'l>(
     lengths: &'l mut [u16],
 ) -> (Scene<'l, Numbers>, Truncation<f32>) {
     sphere::BASIS.collapse_within(d, tolerance, lengths, [0.0; sphere::SCENE]).expect("it fits")
-}
-
-/// Checks one image; gives the bound over the error, and the terms.
-fn checked(d: &[f32], share: f32, image: &Image, rule: &[(Normal<f32>, f64)]) -> (f64, usize) {
-    let mut lengths = [0; 16];
-    let (scene, report) = truncated(d, Tolerance::OfPeak(share), &mut lengths);
-    let error = image.apart(&scene, rule);
-    let bound = f64::from(report.bound);
-    let rounding = tolerances::TRUNCATION_ROUNDING * image.peak;
-    assert!(error <= bound + rounding, "{error:e} of {bound:e} at {share}");
-    assert!(report.bound <= share * report.peak * 1.000_01, "{report:?}");
-    assert!(
-        f64::from(report.peak) <= image.peak * tolerances::TRUNCATION_PEAK,
-        "{report:?}, {}",
-        image.peak
-    );
-    (bound / error, report.terms)
-}
-
-#[test]
-fn bounds_hold_and_are_near_over_the_shipped_set() {
-    let lights = read_lights("tables/inputs/lights.csv", Some(9)).expect("the shipped lights");
-    let materials = read_materials("tables/inputs/materials.csv", Some(7)).expect("materials");
-    let rule = rule();
-    let shares = [0.1, 1e-2, 1e-3, 1e-4];
-    let mut found = shares.map(|_| (Vec::new(), Vec::new()));
-    for light in &lights.entries {
-        for material in &materials.entries {
-            let d = coefficients(&single(light.luminance()), &single(material.luminance()));
-            let image = Image::new(&d, &rule);
-            for (share, (ratios, terms)) in shares.into_iter().zip(&mut found) {
-                let (ratio, count) = checked(&d, share, &image, &rule);
-                ratios.push(ratio);
-                terms.push(count);
-            }
-        }
-    }
-    for (share, (mut ratios, mut terms)) in shares.into_iter().zip(found) {
-        ratios.sort_by(f64::total_cmp);
-        terms.sort_unstable();
-        let middle = ratios.len() / 2;
-        let last = ratios.len() - 1;
-        let found = [terms[middle] as f64, terms[last] as f64, ratios[middle], ratios[last]];
-        assert_stated(METHOD, "tolerances", &format!("| {share} |"), &found, tolerances::STATED);
-        assert!(ratios[middle] <= MEDIAN_BOUND_TO_ERROR, "{share}: {}", ratios[middle]);
-    }
 }
 
 /// Σ |b| = 2 f, f = 1/π.
@@ -274,21 +221,6 @@ fn bounds_hold_of_long_series() {
     }
     // A tenth of the peak is met by powers.
     assert!(fewer <= 16, "{fewer}");
-}
-
-proptest! {
-    #![proptest_config(ProptestConfig { failure_persistence: None, ..ProptestConfig::default() })]
-
-    #[test]
-    fn bounds_hold_of_anything(
-        light in prop::collection::vec(-1.0f32..1.0, 100),
-        material in prop::collection::vec(-1.0f32..1.0, 40),
-        exponent in 0.3f32..5.0,
-    ) {
-        let rule = rule();
-        let d = coefficients(&light, &material);
-        checked(&d, 10f32.powf(-exponent), &Image::new(&d, &rule), &rule);
-    }
 }
 
 /// The error of the table is estimated by the last fifth of the coefficients.

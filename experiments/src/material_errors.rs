@@ -2,11 +2,11 @@
 //! at a degree and an order against direct integration under environment maps.
 
 use crate::accuracy_cost::scope::published;
-use crate::accuracy_cost::total::references::World;
+use crate::accuracy_cost::total::references::{ReferencePicture, World};
 use crate::numbers::median;
-use crate::reference::Reference;
+use crate::reference::sums;
 use eigenshade_generator::material::brdf::{Brdf, Geometry, Surface};
-use eigenshade_model::database::{Lights, Named};
+use eigenshade_model::database::Named;
 use eigenshade_model::error::{Error, Result};
 use eigenshade_model::inputs::coefficient_csv::read_lights;
 use eigenshade_model::scattering;
@@ -59,28 +59,30 @@ pub fn errors(
     let chosen: Vec<_> = materials.iter().filter(is_chosen).collect();
     progress.set_length(chosen.len() as u64);
     let of_material = |(surface, shipped): &(Surface, [Named; 2])| {
-        let pictures = world.pictures(surface, &world.sphere.normals);
-        let reference = Reference::of_pictures(surface, &world.sphere, pictures);
+        let pictures = world.pictures(surface, &world.sphere.normals).into_iter();
+        let references: Vec<_> =
+            pictures.map(|one| ReferencePicture::new(one, &world.sphere)).collect();
         progress.inc(1);
-        let of_size = |(size, material)| errors_of(&reference, &world.lights, size, material);
+        let of_size = |(size, material)| errors_of(&references, &world, size, material);
         (surface.name.clone(), ERROR_SIZES.into_iter().zip(shipped).map(of_size).collect())
     };
     Ok(chosen.into_iter().map(of_material).collect())
 }
 
 fn errors_of(
-    reference: &Reference<'_>,
-    lights: &Lights,
+    references: &[ReferencePicture],
+    world: &World,
     size: (usize, usize),
     material: &Named,
 ) -> Errors {
-    let [errors, pixels] = reference.of_sum_and_pixel(lights, size, material);
-    let worst = (0..errors.len()).max_by(|&a, &b| errors[a].total_cmp(&errors[b]));
-    let worst = worst.unwrap_or_default();
+    let found = sums(&world.sphere, &world.lights, size, material);
+    let errors = references.iter().zip(&found).map(|(one, found)| one.error(found, &world.sphere));
+    let (rms, pixels): (Vec<f64>, Vec<f64>) = errors.map(|one| (one.rms, one.pixel)).unzip();
+    let worst = (0..rms.len()).max_by(|&a, &b| rms[a].total_cmp(&rms[b])).unwrap_or_default();
     Errors {
-        median: median(&errors),
-        worst: errors[worst],
-        map: lights.entries[worst].name.clone(),
+        median: median(&rms),
+        worst: rms[worst],
+        map: world.lights.entries[worst].name.clone(),
         pixel: pixels.into_iter().fold(0.0, f64::max),
     }
 }

@@ -43,6 +43,22 @@ pub fn named<'a>(all: &Lights, names: impl Iterator<Item = &'a str>) -> Result<L
     Ok(Lights { degree: all.degree, entries: names.map(find).collect::<Result<_>>()? })
 }
 
+/// The picture of the direct sum (15) under each light up to a degree and an order.
+pub fn sums(
+    sphere: &Sphere,
+    lights: &Lights,
+    (degree, order): (usize, usize),
+    material: &Named,
+) -> Vec<Picture> {
+    let (count, maps) = (light::count(degree), lights.entries.len());
+    let channel = |c: usize| {
+        let lights = lights.entries.iter().map(|light| &light.rgb[c][..count]);
+        (lights.collect(), &material.rgb[c][..])
+    };
+    let images = sphere.direct((degree, order), &[0, 1, 2].map(channel));
+    (0..maps).map(|map| [0, 1, 2].map(|c| images[c * maps + map].clone())).collect()
+}
+
 impl<'a> Reference<'a> {
     /// Integrates the surface.
     pub fn new(surface: &'a Surface, maps: &LightTree, progress: &ProgressBar) -> Self {
@@ -63,13 +79,6 @@ impl<'a> Reference<'a> {
         Self { surface, sphere, pictures, peaks }
     }
 
-    /// The reference made of the surface's pictures, one for each map. Normals without weight count
-    /// for peaks and worst pixels only.
-    pub fn of_pictures(surface: &'a Surface, sphere: &Sphere, pictures: Vec<Picture>) -> Self {
-        let peaks = pictures.iter().map(sphere::peak).collect();
-        Self { surface, sphere: sphere.clone(), pictures, peaks }
-    }
-
     /// The number of normals.
     pub fn normals(&self) -> usize {
         self.sphere.normals.len()
@@ -79,41 +88,7 @@ impl<'a> Reference<'a> {
     /// projections of the maps and must reach the degree; `material` is that of the surface, of
     /// this order.
     pub fn of_sum(&self, lights: &Lights, size: (usize, usize), material: &Named) -> Vec<f64> {
-        self.errors(self.sums(lights, size, material).into_iter())
-    }
-
-    /// [`of_sum`](Self::of_sum) and, for each map, the largest difference of a pixel in any
-    /// channel, relative to the peak.
-    pub fn of_sum_and_pixel(
-        &self,
-        lights: &Lights,
-        size: (usize, usize),
-        material: &Named,
-    ) -> [Vec<f64>; 2] {
-        let found = self.sums(lights, size, material);
-        let pixel = |((found, expected), peak): ((&Picture, &Picture), &f64)| {
-            let values = found.iter().flatten().zip(expected.iter().flatten());
-            values.fold(0.0, |most: f64, (a, b)| most.max((a - b).abs())) / peak
-        };
-        let pixels = found.iter().zip(&self.pictures).zip(&self.peaks).map(pixel).collect();
-        [self.errors(found.into_iter()), pixels]
-    }
-
-    /// The picture of the direct sum under each map.
-    fn sums(
-        &self,
-        lights: &Lights,
-        (degree, order): (usize, usize),
-        material: &Named,
-    ) -> Vec<Picture> {
-        let count = light::count(degree);
-        let channel = |c: usize| {
-            let lights = lights.entries.iter().map(|light| &light.rgb[c][..count]);
-            (lights.collect(), &material.rgb[c][..])
-        };
-        let images = self.sphere.direct((degree, order), &[0, 1, 2].map(channel));
-        let maps = self.peaks.len();
-        (0..maps).map(|map| [0, 1, 2].map(|c| images[c * maps + map].clone())).collect()
+        self.errors(sums(&self.sphere, lights, size, material).into_iter())
     }
 
     /// The error for each map of a table with all of its components, in f64.

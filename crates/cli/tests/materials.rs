@@ -117,7 +117,10 @@ fn bad_formulas() {
     let good = "[[material]]\nname = \"a\"\nmodel = \"ggx\"\nroughness = 0.5\nf0 = 0.04\n";
     for (text, fragment) in [
         (good.replace("0.5", "0.0"), "`a`: roughness = 0 "),
+        (good.replace("0.5", "inf"), "roughness = inf"),
         (good.replace("0.04", "nan"), "f0 = NaN"),
+        (good.replace("0.04", "1e999"), "m.toml:5:"),
+        (good[..28].to_owned(), "m.toml:3:"),
         (good.replace("roughness", "rough"), "m.toml:4:"),
         (good.replace("\"ggx\"", "\"phong\""), "m.toml:3:"),
         (good.replace("f0 = 0.04\n", ""), "`f0`"),
@@ -130,40 +133,8 @@ fn bad_formulas() {
         folder.write("m.toml", text);
         assert_fails(&folder, "material m.toml --order 2 --out new.csv", &["m.toml", fragment]);
     }
+    folder.write("m.toml", b"\x89PNG\r\n\x1a\n\0\xff\xfe");
+    assert_fails(&folder, "material m.toml --order 2 --out new.csv", &["m.toml", "UTF-8"]);
     std::fs::create_dir(folder.path("nothing")).unwrap();
     assert_fails(&folder, "material nothing --order 2", &["nothing", "no materials"]);
-}
-
-/// One bad file in a folder: cut short, of another type, of an absurd size, with a number that is
-/// not finite.
-#[test]
-fn folders_with_a_bad_file() {
-    const FOREIGN: &[u8] = b"\x89PNG\r\n\x1a\n\0\xff\xfe";
-    let whole = table();
-    let mut absurd = whole.clone();
-    absurd[8..12].copy_from_slice(&i32::MAX.to_le_bytes());
-    let mut infinite = whole.clone();
-    infinite[12..20].copy_from_slice(&f64::INFINITY.to_le_bytes());
-    let ggx = "[[material]]\nname = \"a\"\nmodel = \"ggx\"\nf0 = 0.04\nroughness = ";
-    let csv = "theta_i,phi_i,theta_r,phi_r,value\n0,0,0,0,";
-    let formula = |value: &str| format!("{ggx}{value}\n").into_bytes();
-    let measured_row = |value: &str| format!("{csv}{value}\n").into_bytes();
-    for (name, bytes, fragments) in [
-        ("x.binary", whole[..5].to_vec(), "5 bytes"),
-        ("x.binary", FOREIGN.iter().copied().cycle().take(whole.len()).collect(), "bins"),
-        ("x.binary", absurd, "2147483647"),
-        ("x.binary", infinite, "not finite"),
-        ("x.toml", ggx[..28].into(), "x.toml:3:"),
-        ("x.toml", FOREIGN.to_vec(), "UTF-8"),
-        ("x.toml", formula("inf"), "roughness = inf"),
-        ("x.toml", formula("1e999"), "x.toml:5:"),
-        ("x.csv", FOREIGN.to_vec(), "x.csv:1: it is not UTF-8"),
-        ("x.csv", measured_row("1e999"), "x.csv:2: `1e999`"),
-    ] {
-        let folder = Folder::new();
-        std::fs::create_dir(folder.path("all")).unwrap();
-        folder.write("all/good.toml", "[[material]]\nname=\"d\"\nmodel=\"lambertian\"\nalbedo=1\n");
-        folder.write(&format!("all/{name}"), bytes);
-        assert_fails(&folder, "material all --order 2 --out new.csv", &[name, fragments]);
-    }
 }

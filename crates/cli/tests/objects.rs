@@ -291,15 +291,11 @@ fn normal_maps_have_one_rule() {
     let size = 8usize;
     let mut mask = vec![1.0; size * size];
     mask[0] = 0.0;
-    folder.write(
-        "mask.png",
-        square_png(size as u32, png::ColorType::Grayscale, png::BitDepth::Eight, &mask),
-    );
-    let image = vec![0.5; size * size];
-    folder.write(
-        "image.png",
-        square_png(size as u32, png::ColorType::Grayscale, png::BitDepth::Eight, &image),
-    );
+    let gray = |samples: &[f64]| {
+        square_png(size, png::ColorType::Grayscale, png::BitDepth::Eight, samples)
+    };
+    folder.write("mask.png", gray(&mask));
+    folder.write("image.png", gray(&vec![0.5; size * size]));
     let read = "read image.png --normals n.png --table b.bin --components 2 --out new.csv";
     // Pixel 0, 0 is of this kind, all others normals over the disc.
     let map = |first: [f64; 4]| {
@@ -309,7 +305,7 @@ fn normal_maps_have_one_rule() {
             let z = (1.0 - x * x - y * y).sqrt();
             samples.extend([0.5 + 0.5 * x, 0.5 - 0.5 * y, 0.5 + 0.5 * z, 1.0]);
         }
-        square_png(size as u32, png::ColorType::Rgba, png::BitDepth::Eight, &samples)
+        square_png(size, png::ColorType::Rgba, png::BitDepth::Eight, &samples)
     };
     // The number of pixels without a normal, according to the table and to `read`.
     let without = || {

@@ -4,8 +4,8 @@ use super::{docs, rows};
 use crate::support::{Folder, assert_fails};
 use experiments::accuracy_cost::scope::modelled;
 use experiments::accuracy_cost::sheet::{FIGURES, GROWTH, MODEL, SETTINGS, TOTAL, compare};
+use experiments::accuracy_cost::times::curves;
 use experiments::accuracy_cost::{Measured, report, settings};
-use experiments::sheet::Record;
 use std::fs;
 
 /// Lower powers still contribute at the largest sizes, (24 / 2 + 1)² of the order.
@@ -26,33 +26,15 @@ fn the_file_has_all_settings() {
     assert_eq!(found, all);
 }
 
-/// Bytes grow with the powers of theory, by the slope from the middle size to the last.
+/// Bytes grow with the powers of theory.
 #[test]
 fn bytes_grow_as_they_should() {
-    let rows = rows(&GROWTH);
-    for (quantity, measure, power) in [
-        ("degree", "rows of the components", 1.0),
-        ("order", "rows of the components", 2.0),
-        ("components", "rows of the components", 1.0),
-        ("degree", "polar integrals", 1.0),
-        ("order", "polar integrals", 2.0),
-        ("components", "polar integrals", 0.0),
-        ("degree", "a transferred material", 1.0),
-        ("order", "a transferred material", 0.0),
-        ("components", "a transferred material", 1.0),
-        ("materials", "transfers", 1.0),
-        ("pixels", "a picture's f32", 1.0),
-        ("maps", "coefficients", 1.0),
-    ] {
-        let names = [quantity, measure, "bytes"];
-        let of = |row: &&Record| ["quantity", "measure", "unit"].map(|one| row.text(one)) == names;
-        let point =
-            |row: &Record| ["size", "counted"].map(|one| row.number(one).expect("a number").ln());
-        let points: Vec<[f64; 2]> = rows.iter().filter(of).map(point).collect();
-        assert!(points.len() >= 4, "{quantity}, {measure}");
-        let (first, last) = (points[points.len() / 2], points[points.len() - 1]);
-        let slope = (last[1] - first[1]) / (last[0] - first[0]);
-        assert!((slope - power).abs() <= POWER, "{quantity}, {measure}: {slope}");
+    let mut curves = curves(&rows(&GROWTH));
+    curves.retain(|curve| curve.unit == "bytes");
+    assert_eq!(curves.len(), 12);
+    for curve in curves {
+        let apart = curve.exponent().expect("a power") - curve.theory.expect("its theory");
+        assert!(curve.points.len() >= 4 && apart.abs() <= POWER, "{curve:?}");
     }
 }
 

@@ -126,11 +126,11 @@ pub fn facets() -> String {
 
 /// A disc of a sphere's normals, a pixel each.
 pub fn normal_map(bits: png::BitDepth) -> Vec<u8> {
-    let size = 64u32;
+    let size = 64;
     let mut samples = Vec::new();
     for row in 0..size {
         for column in 0..size {
-            let at = |k: u32| (f64::from(k) + 0.5) / f64::from(size) * 2.0 - 1.0;
+            let at = |k: usize| (k as f64 + 0.5) / size as f64 * 2.0 - 1.0;
             let (x, y) = (at(column), -at(row));
             let square = 1.0 - x * x - y * y;
             let alpha = if square > 0.0 { 1.0 } else { 0.0 };
@@ -141,27 +141,15 @@ pub fn normal_map(bits: png::BitDepth) -> Vec<u8> {
     square_png(size, png::ColorType::Rgba, bits, &samples)
 }
 
-pub fn square_png(
-    size: u32,
-    color: png::ColorType,
-    bits: png::BitDepth,
-    samples: &[f64],
-) -> Vec<u8> {
-    let mut bytes = Vec::new();
-    let mut encoder = png::Encoder::new(&mut bytes, size, size);
-    encoder.set_color(color);
-    encoder.set_depth(bits);
+pub fn square_png(size: usize, color: ColorType, bits: BitDepth, samples: &[f64]) -> Vec<u8> {
     let data: Vec<u8> = match bits {
-        png::BitDepth::Sixteen => {
+        BitDepth::Sixteen => {
             let fragment = |value: &f64| ((value * 65_535.0).round() as u16).to_be_bytes();
             samples.iter().flat_map(fragment).collect()
         }
         _ => samples.iter().map(|value| (value * 255.0).round() as u8).collect(),
     };
-    let mut writer = encoder.write_header().expect("a header");
-    writer.write_image_data(&data).expect("an image");
-    writer.finish().expect("an end");
-    bytes
+    png(size, size, bits, color, &data)
 }
 
 const HEADER: &str = "quantity,name,index,r,g,b";
