@@ -192,17 +192,3 @@ fn lines(name: &str, most: usize) -> Vec<&str> {
         _ => vec![name],
     }
 }
-
-#[cfg(test)]
-mod tests {
-    #[test]
-    fn lines_are_the_name() {
-        for (name, expected) in [
-            ("chrome", vec!["chrome"]),
-            ("gold-metallic-paint", vec!["gold-metallic-", "paint"]),
-            ("specular-black-phenolic", vec!["specular-black-", "phenolic"]),
-        ] {
-            assert_eq!(super::lines(name, 15), expected);
-        }
-    }
-}

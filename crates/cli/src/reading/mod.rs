@@ -49,8 +49,6 @@ pub struct Channel {
     /// The posterior modes factored into a light times a material, in the scale of a material of
     /// the database.
     pub product: RankOne,
-    /// The material that determined the scale.
-    pub scale: Option<usize>,
 }
 
 /// The estimates from an image.
@@ -151,7 +149,7 @@ impl<'a> Reader<'a> {
         let estimate = posterior.estimate(channel, noise);
         let modes = modes::posterior_mean(&self.transfers, &self.prior, &estimate);
         let mut product = RankOne::of(&modes)?;
-        let scale = product.scaled_to(&self.prior.materials.vectors);
+        product.scaled_to(&self.prior.materials.vectors);
         Ok(Channel {
             scalar_product: fitted(scalar_product(observation, channel)),
             least_norm: modes::least_norm(self.table, &least_squares.0),
@@ -163,7 +161,6 @@ impl<'a> Reader<'a> {
             noise,
             modes,
             product,
-            scale,
         })
     }
 }
