@@ -6,7 +6,8 @@
 use board::{Passes, holds, measure};
 use core::hint::black_box;
 use eigenshade::mathematics::SinglePrecision;
-use eigenshade::presets::{light::LOBBY, material::GOLD_METALLIC_PAINT};
+use eigenshade::presets::light::{LOBBY, STUDIO};
+use eigenshade::presets::{gloss, material::GOLD_METALLIC_PAINT, sources};
 use eigenshade::{
     BakedMap, Buffer, DiscPixel, Display, Error, Exposure, Gloss, Highlights, Light, MapPoint,
     Material, Meter, NineTerms, Normal, NormalPixel, Normals, Rgb, Rotation, Source, Tolerance,
@@ -105,6 +106,27 @@ fn collapse_within() {
         let (scene, lengths) = (black_box(&mut scene[..]), black_box(&mut lengths));
         let collapsed = table::BASIS.collapse_within(d, Tolerance::OfPeak(1e-2), lengths, scene);
         collapsed.map(|(_, truncation)| truncation)
+    });
+}
+
+/// The sources and the scenes of gold under the studio's lamps, within 2 % of the peak: the cost of
+/// a new light, from its coefficients and its sets of sources.
+fn collapse_sources_within() {
+    let Ok(transfer) = sphere::color::transfer(GOLD_METALLIC_PAINT) else { board::exit(false) };
+    let (mut lengths, mut scenes) = ([0; sphere::DEGREE + 1], [0.0; 3 * sphere::SCENE]);
+    holds(size_of_val(&transfer) + size_of_val(&lengths) + size_of_val(&scenes));
+    measure(&[STUDIO], Passes(1), |light| {
+        let project = |sources: &[_]| {
+            let rest = light.residual::<SinglePrecision, { sphere::LIGHT }>(sources)?;
+            let channels = rest.lights()?.zip(transfer.each_ref());
+            channels.try_map(|(light, transfer)| sphere::relight(transfer, &light))
+        };
+        let (sets, gold) = (&sources::STUDIO, &gloss::GOLD_METALLIC_PAINT);
+        let (scenes, lengths) = (black_box(&mut scenes[..]), black_box(&mut lengths));
+        let tolerance = Tolerance::OfPeak(0.02);
+        sphere::BASIS
+            .collapse_sources_within(sets, gold, tolerance, project, lengths, scenes)
+            .map(|chosen| (chosen.sources.len(), chosen.shape.terms()))
     });
 }
 
