@@ -49,12 +49,12 @@ impl Pack {
         output::write_all(Some(&self.out), &bytes)?;
         let mut text = format!("{:<12} {}\n", "bytes", grouped(bytes.len()));
         let (rounding, over) = match self.components {
-            None => (table.rounding(format).cloned(), "the table's database"),
+            None => (table.rounding(format).copied(), "the table's database"),
             Some(_) => {
                 let materials = shipped::named_materials(table.gram.order)?;
                 let of_format = [format];
                 let found = rounding::measure(&table, &shipped::lights()?, &materials, &of_format);
-                (found.first().cloned(), "the shipped lights and materials")
+                (found.first().copied(), "the shipped lights and materials")
             }
         };
         if let Some(Rounding { largest, rms, .. }) = rounding {
