@@ -49,8 +49,9 @@ macro_rules! table_in_color {
                 scene.shade(normal)
             }
 
-            /// The image of a material under a light: transfer, relight and collapse in each
-            /// channel; errors as theirs. A gray material is transferred once.
+            /// The image of a material under a light: [`transfer`](super::transfer),
+            /// [`relight`](super::relight) and collapse in each channel, with their errors. A gray
+            /// material is transferred once.
             pub fn scene<'l, 'm>(
                 light: impl Into<Rgb<Light<'l>>>,
                 material: impl Into<Rgb<Material<'m>>>,

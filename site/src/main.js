@@ -223,6 +223,7 @@ let links = 0;
 /** Takes the state of a link, without what is wrong in it. */
 async function openLink(/** @type {string} */ hash) {
   const link = ++links;
+  const before = loads;
   busy(true);
   const { state: wanted, faults } = fromHash(hash);
   if (!Object.hasOwn(CASES, wanted.case)) {
@@ -230,7 +231,8 @@ async function openLink(/** @type {string} */ hash) {
     wanted.case = initial().case;
   }
   faults.push(...(await loadable(wanted)));
-  if (link !== links) return;
+  // What was chosen meanwhile stays.
+  if (link !== links || (loaded.light && before !== loads)) return;
   const fault = await take(wanted);
   if (fault) faults.push(fault);
   if (!loaded.light) await take(initial());

@@ -86,7 +86,7 @@ async function read(file, name) {
   if (a === 0x23 && b === 0x3f) return parseHdr(buffer);
   if ((a === 0xff && b === 0xd8) || (a === 0x89 && b === 0x50)) return picture(file);
   const ending = name.split(".").pop() ?? "";
-  if (/^(hdr|exr|jpe?g|png)$/i.test(ending)) throw new Error(`it is no valid .${ending} file`);
+  if (/^(hdr|exr|jpe?g|png)$/i.test(ending)) throw new Error(`it is not a valid .${ending} file`);
   throw new Error(`${ending} files are not read; expected .hdr, .exr, .jpg or .png`);
 }
 

@@ -54,7 +54,7 @@ function decodeLight(text) {
   const bytes = Uint8Array.from(atob(text.replaceAll("-", "+").replaceAll("_", "/")), (c) => c.charCodeAt(0));
   if (bytes.length !== 12 * COUNT) throw new RangeError("its light is incomplete");
   const numbers = new Float32Array(bytes.buffer);
-  if (!numbers.every((value) => Math.abs(value) <= LARGEST)) throw new RangeError("its light is too bright");
+  if (!numbers.every((value) => Math.abs(value) <= LARGEST)) throw new RangeError("its light has a number beyond 1e15");
   const [r, g, b] = [0, 1, 2].map((k) => numbers.slice(COUNT * k, COUNT * (k + 1)));
   return { r, g, b };
 }

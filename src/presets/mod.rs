@@ -14,8 +14,8 @@
 //! ```
 //!
 //! The build script reads them from the CSV files in `tables/inputs`: all lights, the materials in
-//! color, and sintered PTFE. The program's command `eigenshade list` prints their names in lower case,
-//! and those of 61 gray materials more.
+//! color, and sintered PTFE. The program's command `eigenshade list` prints their names in lower
+//! case, and those of 61 more gray materials.
 
 mod constant;
 

@@ -121,8 +121,8 @@ macro_rules! bounded {
             /// # Errors
             ///
             /// [`Error::Length`], [`Error::Profile`] or [`Error::Coupling`] if the parts are
-            /// inconsistent. [`Error::Bound`] if a row of factors sums to 2^(BITS + 1) or more, if a term is
-            /// larger than the largest step that its profile states, if there are more than 511
+            /// inconsistent. [`Error::Bound`] if a row of factors sums to 2^(BITS + 1) or more, if
+            /// a term is larger than the largest step that its profile states, if there are more than 511
             /// profiles, or if the degree is above 510.
             pub const fn new(parts: Parts<'a, $format>) -> Result<Self, Error> {
                 let basis = Self { parts };

@@ -320,7 +320,11 @@ const SIZES: &[(usize, usize)] =
     &[(1, 1), (2, 1), (2, 2), (3, 1), (3, 3), (4, 2), (5, 1), (6, 1), (6, 2), (6, 3), (6, 6)];
 
 proptest! {
-    #![proptest_config(ProptestConfig { cases: 128, failure_persistence: None, ..ProptestConfig::default() })]
+    #![proptest_config(ProptestConfig {
+        cases: 128,
+        failure_persistence: None,
+        ..ProptestConfig::default()
+    })]
     #[test]
     fn bounds_hold_of_any_set(
         lights in prop::collection::vec(prop::collection::vec(-1.0f32..1.0, 100), 3),

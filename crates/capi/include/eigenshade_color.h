@@ -248,8 +248,8 @@ eigenshade_status eigenshade_color_shade_f32(const struct eigenshade_color_scene
                                              float x, float y, float z, float *irradiance);
 
 /**
- * A light, of degree 12 at most, turned by the rotation of a quaternion (x, y, z, w): L'(R v) = L(v)
- * for every direction v.
+ * A light, of degree 12 at most, turned by the rotation of a quaternion (x, y, z, w):
+ * L'(R v) = L(v) for every direction v.
  *
  * The turned light is in `buffer`, and `to` points there. On an error neither may be used.
  */

@@ -37,15 +37,16 @@ enum Entry {
 impl FromStr for Source {
     type Err = Infallible;
 
-    /// A file that exists is taken as such. Otherwise, an entry's name follows the first colon after
-    /// a file, or else the last one, and one word without an extension, or with digits as in `dielectric-0.2`, is a shipped name.
+    /// A file that exists is taken as such. Otherwise, an entry's name follows the last colon that
+    /// has a file before it, or else the last one. One word without an extension, or with digits as
+    /// in `dielectric-0.2`, is a shipped name.
     fn from_str(text: &str) -> std::result::Result<Self, Infallible> {
         let path = Path::new(text);
         let end = path.extension().unwrap_or_default().as_encoded_bytes();
         let is_word = !text.contains(['/', '\\']) && end.iter().all(u8::is_ascii_digit);
         let of_a_file = |&(place, _): &(usize, &str)| is_file(Path::new(&text[..place]));
         let colon =
-            text.match_indices(':').find(of_a_file).or_else(|| text.rmatch_indices(':').next());
+            text.rmatch_indices(':').find(of_a_file).or_else(|| text.rmatch_indices(':').next());
         let (path, entry) = match colon.map(|(place, _)| (&text[..place], &text[place + 1..])) {
             _ if is_file(path) || text == STANDARD_INPUT => (text, Entry::All),
             Some((path, name)) if !path.is_empty() && !name.is_empty() => {

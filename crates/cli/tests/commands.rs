@@ -81,6 +81,8 @@ fn light_converts_both_ways() {
         numbers(&low, 3)
     });
     assert_fails(&folder, "light lights.csv", &["lights.csv", "--from graphics"]);
+    assert_fails(&folder, "light nothing.csv", &["nothing.csv: No such file"]);
+    assert_fails(&folder, "light nothing", &["`nothing` is neither", "a map, a folder"]);
 }
 
 /// A light that is the same from everywhere has Filament's irradiance over π, which is its

@@ -91,7 +91,7 @@ fn likely_mistakes() {
         ("project -l LOBBY -m chrome", ["`LOBBY`", "use `lobby`"]),
         ("project -l chrome -m lobby", ["`chrome` is a material, not a light", "eigenshade light"]),
         ("project -l lobby -m park", ["`park` is a light, not a material", "eigenshade material"]),
-        ("pack -t color -f q15 -o w.esw", ["color: the profile of component 149", "keep 149"]),
+        ("pack -t color -f q15 -o w.esw", ["color: component 149 ", "keep 149"]),
         ("project -l park -m dielectric-0.2", ["`dielectric-0.2` is neither", "shipped material"]),
         ("project -l park -m chrome -o -", ["`-`", "without --out"]),
         ("render -l park -m chrome -o picture", ["picture: its name has no extension", ".png"]),

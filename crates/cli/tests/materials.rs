@@ -93,6 +93,8 @@ fn a_folder_of_everything() {
     folder.write("all/d.csv", measured());
     folder.write("all/d.toml", "[[material]]\nname=\"d\"\nmodel=\"lambertian\"\nalbedo=1\n");
     assert_fails(&folder, "material all --order 2 --out new.csv", &["`d`"]);
+    folder.write("all/d.csv", "theta_i,phi_i,theta_r,phi_r,value\n0,0,0,0,x\n");
+    assert_fails(&folder, "material all --order 2 --out new.csv", &["d.csv:2:"]);
 }
 
 #[test]

@@ -75,11 +75,13 @@ impl fmt::Display for QuantizeError {
                 "integer formats allow at most {MAX_PROFILES} profiles, and degrees below that; make \
                  the table with fewer components or a lower degree"
             ),
-            Self::Large { component } => write!(
-                f,
-                "the profile of component {component}, from 0, exceeds 4095, the limit of integer \
-                 formats; keep {component} components or fewer, or make the table of a lower degree"
-            ),
+            Self::Large { component } => {
+                write!(f, "component {component} (counted from 0) has a profile above 4095; ")?;
+                if *component > 0 {
+                    write!(f, "keep {component} components or fewer, or ")?;
+                }
+                f.write_str("make the table of a lower degree")
+            }
         }
     }
 }
@@ -143,7 +145,7 @@ pub fn integers(
         let (mantissas, exponent) = row(&powers, bits, i64::MAX);
         let Some([size, step]) = sizes(&mantissas, exponent, azimuth) else {
             let first = table.components.iter().position(|one| one.profile == k);
-            large = large.into_iter().chain(first).min();
+            large = large.into_iter().chain(first.or(Some(table.components.len()))).min();
             continue;
         };
         terms.extend(mantissas);

@@ -98,7 +98,8 @@ const kindOf = (/** @type {unknown} */ value) => Object.prototype.toString.call(
  * @param {unknown} value
  * @returns {value is object}
  */
-const isRecord = (value) => typeof value === "object" && kindOf(value) === "[object Object]";
+const isRecord = (value) =>
+  typeof value === "object" && /^\[object (Object|Module)\]$/.test(kindOf(value));
 
 /**
  * @param {unknown} value
@@ -156,10 +157,9 @@ function checked(what, name, numbers, counts) {
       `${what}: ${name} has ${length} coefficients, expected ${counts.join(", ")}${beyond}`,
     );
   }
-  const floats = Float32Array.from(numbers);
-  const isRight = (/** @type {unknown} */ x) => isNumber(x) && Math.abs(x) <= LARGEST;
-  const bad = floats.findIndex((_, k) => !isRight(numbers[k]));
-  if (bad < 0) return floats;
+  const isWrong = (/** @type {unknown} */ x) => !(isNumber(x) && Math.abs(x) <= LARGEST);
+  const bad = Array.from(numbers).findIndex(isWrong);
+  if (bad < 0) return Float32Array.from(numbers);
   throw new RangeError(
     `${what}: ${name}[${bad}] is ${shown(numbers[bad])}, expected a number from -1e15 to 1e15`,
   );
@@ -297,9 +297,10 @@ export function checkNormals(what, normals) {
   const { length } = x;
   for (let k = 0; k < length; k++) {
     const up = z[k];
-    if (!(Math.abs(x[k] * x[k] + y[k] * y[k] + up * up - 1) <= 1e-3 && up >= -1e-3)) {
+    const isNormal = isNumber(x[k]) && isNumber(y[k]) && isNumber(up);
+    if (!(isNormal && Math.abs(x[k] * x[k] + y[k] * y[k] + up * up - 1) <= 1e-3 && up >= -1e-3)) {
       throw new RangeError(
-        `${what}: normal ${k} is (${x[k]}, ${y[k]}, ${z[k]}), expected a unit vector with z >= 0`,
+        `${what}: normal ${k} is (${shown(x[k])}, ${shown(y[k])}, ${shown(up)}), expected a unit vector with z >= 0`,
       );
     }
   }

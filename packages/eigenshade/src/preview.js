@@ -81,6 +81,8 @@ export class Preview {
    */
   constructor(canvas, scene, look = {}, sources = 0) {
     checkCanvas(canvas);
+    if (!(scene instanceof Scene)) refuse("Preview", scene, "a Scene");
+    checkSources(sources);
     if (taken.has(canvas)) throw new Error("Preview: the canvas has a preview; free it first");
     const context = canvas.getContext("2d");
     if (!context) throw new TypeError("Preview: the canvas already has a context of another kind");
@@ -268,7 +270,7 @@ export class Preview {
 /** @param {HTMLCanvasElement} canvas */
 function checkCanvas(canvas) {
   if (!(globalThis.HTMLCanvasElement && canvas instanceof HTMLCanvasElement)) {
-    refuse("Preview", canvas, "a canvas of a page");
+    refuse("Preview", canvas, "a canvas of this page");
   }
 }
 

@@ -69,6 +69,7 @@ export class Scene {
     checkNames("Scene", inputs, "light, material, sources, engine");
     const { light, material, sources = 0, engine } = inputs;
     checkSources(sources);
+    if (light instanceof Promise) refuse("light", light, "{ r, g, b } or a name");
     const own = typeof light === "object" && light?.sources?.length;
     const hasSources = sources > 0 || Boolean(own);
     const [loaded, givenLight, givenMaterial] = await Promise.all([

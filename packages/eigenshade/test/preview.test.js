@@ -354,7 +354,7 @@ test("wrong input rejects with one clear error, and the picture stays", async ()
     return messages;
   });
   assert.deepEqual(messages.map((message) => String(message).slice(0, 98)), [
-    "TypeError: Preview: it is [object HTMLBodyElement], expected a canvas of a page",
+    "TypeError: Preview: it is [object HTMLBodyElement], expected a canvas of this page",
     "TypeError: Preview: it is undefined, expected { light, material, sources, engine, exposure, tone }",
     'TypeError: Preview: "sorces" is not one of light, material, sources, engine, exposure, tone',
     "TypeError: light: it is undefined, expected { r, g, b } with arrays of coefficients, which lightPr",

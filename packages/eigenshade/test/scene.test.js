@@ -293,7 +293,7 @@ test("presets are copies", async () => {
 test("the element's module can be imported, and a preview says that it needs a page", async () => {
   assert.ok((await import("../src/element.js")).EigenShade);
   for (const make of [() => Preview.create({}, { light: "park", material: "nylon" }), async () => new Preview({}, await gold())]) {
-    await assert.rejects(make, { name: "TypeError", message: "Preview: it is [object Object], expected a canvas of a page" });
+    await assert.rejects(make, { name: "TypeError", message: "Preview: it is [object Object], expected a canvas of this page" });
   }
 });
 

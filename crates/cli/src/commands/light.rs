@@ -14,7 +14,7 @@ use eigenshade_generator::light::map::{Layout, Map};
 use eigenshade_generator::light::map_file::is_picture;
 use eigenshade_generator::light::projection::{coefficients, named_maps};
 use eigenshade_index::highlights::MAX_SOURCES;
-use eigenshade_model::database::{Lights, Named};
+use eigenshade_model::database::{Lights, Named, name_remedy};
 use eigenshade_model::error::{Error, Result};
 use eigenshade_model::inputs::coefficient_csv::{read_lights, write_lights};
 use eigenshade_model::inputs::coefficient_text::{LIGHT_DIGITS, rounded};
@@ -22,6 +22,7 @@ use eigenshade_model::inputs::input_file::InputFile;
 use eigenshade_model::inputs::set_error_csv::write_set_errors;
 use eigenshade_model::inputs::source_csv::write_sources;
 use eigenshade_model::source::{SetError, Source, SourceSets};
+use eigenshade_shading::shipped;
 use eigenshade_sources::pursuit::{self, FITTED};
 use eigenshade_sources::remaining;
 use std::path::{Path, PathBuf};
@@ -40,10 +41,10 @@ const DEGREE: usize = 9;
 /// opacity; the other kinds are linear. Standard error reports the share of negative radiance in
 /// each map.
 ///
-/// A single light CSV in place of maps is converted from the convention --from to --convention. The
-/// name of a shipped light stands for its CSV, in `paper`. --degree then drops higher degrees, and
-/// must not exceed that of the file. `cmgen-irradiance` and `filament` hold irradiance, up to degree
-/// 2.
+/// A single light CSV in place of maps is converted from the convention --from to --convention, one
+/// of which must be given, or --degree: it drops higher degrees, and must not exceed that of the
+/// file. The name of a shipped light stands for its CSV, in `paper`. `cmgen-irradiance` and
+/// `filament` hold irradiance, up to degree 2.
 #[derive(Args, Debug)]
 pub struct Light {
     /// Maps (.exr, .hdr, .pfm, .png, .jpg), folders of maps, or one light CSV or shipped light
@@ -152,7 +153,7 @@ impl Light {
             refuse_stale_sources(self.out.path.as_deref())?;
         }
         let shipped = match self.maps.as_slice() {
-            [name] if !name.exists() => self.shipped(name, memory)?,
+            [name] if !name.exists() => self.shipped(name)?,
             _ => None,
         };
         let lights = match self.maps.as_slice() {
@@ -173,15 +174,15 @@ impl Light {
                         return Err(Error::new(what, "leave it out").in_file(file));
                     }
                     (Some(lights), None, _) => (Convention::Paper, lights),
-                    (None, None, Convention::Paper) if self.degree.is_none() => {
-                        let what = "a light CSV is converted, but to nothing else";
-                        let remedy = "give its convention, as --from graphics, or --convention or \
-                                      --degree";
-                        return Err(Error::new(what, remedy).in_file(file));
-                    }
-                    (None, from, _) => {
-                        let from = from.unwrap_or(Convention::Paper);
-                        (from, read_lights(memory.file(file), self.degree)?)
+                    (None, from, to) => {
+                        let lights = read_lights(memory.file(file), self.degree)?;
+                        if from.is_none() && to == Convention::Paper && self.degree.is_none() {
+                            let what = "nothing to convert: it is taken to be in `paper` already";
+                            let remedy = "give its convention, as --from graphics, another \
+                                          --convention, or --degree";
+                            return Err(Error::new(what, remedy).in_file(file));
+                        }
+                        (from.unwrap_or(Convention::Paper), lights)
                     }
                 };
                 from.convert(lights, self.convention).map_err(|error| error.in_file(file))?
@@ -212,12 +213,20 @@ impl Light {
     }
 
     /// The shipped light of this name, to the degree that is asked for. `None` if it cannot be one.
-    fn shipped(&self, name: &Path, memory: Memory) -> Result<Option<Lights>> {
-        let Ok(named) = name.to_string_lossy().parse::<Preset>();
+    fn shipped(&self, name: &Path) -> Result<Option<Lights>> {
+        let text = name.to_string_lossy();
+        let Ok(named) = text.parse::<Preset>();
         if !named.is_shipped() {
             return Ok(None);
         }
-        let lights = named.lights(memory.of_file())?;
+        let mut lights = shipped::lights()?;
+        let names = lights.entries.iter().map(|light| light.name.as_str());
+        let remedy = name_remedy(&text, names, "the path of a map, a folder or a light CSV");
+        lights.entries.retain(|light| text == light.name);
+        if lights.entries.is_empty() {
+            let what = format!("`{text}` is neither a file nor a shipped light");
+            return Err(Error::new(what, remedy));
+        }
         match self.degree {
             Some(degree) if degree > lights.degree => {
                 let what = format!("the shipped lights end at degree {}", lights.degree);
@@ -315,8 +324,8 @@ impl Light {
         }
         if has_pictures && map.reaches_white() {
             print_message(format_args!(
-                "warning: {path} {kind}, where light is clipped at white: what is brighter, as \
-                 lamps and the sun are, counts as white; an .hdr or .exr map has it"
+                "warning: {path} {kind}, where light is clipped at white: lamps and the sun are \
+                 too dark; use an .hdr or .exr map if there is one"
             ));
         }
     }

@@ -16,7 +16,7 @@ use serde::Serialize;
 /// the material's pictures at degree 9 and order 7 and at 12 and 12 against direct integration of
 /// its BRDF: rms as a share of the peak, the median over 18 maps and the worst map's. They are empty
 /// for lights, and for materials that were measured in few directions. `render` prints a note if the
-/// worst map's is above 0.05, or a pixel is off by half of the peak.
+/// worst map's is above 0.05, or a pixel is off by 0.6 of the peak.
 #[derive(Args, Debug)]
 pub struct List {
     /// Write a JSON array of objects

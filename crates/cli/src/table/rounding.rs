@@ -83,7 +83,8 @@ pub fn warning(table: &Table, format: NumberFormat) -> Option<String> {
     (*largest > UNSEEN).then(|| {
         format!(
             "warning: rounding to {} costs up to {largest:.1e} of an image's peak (rms {rms:.1e}) \
-             over the table's database; use another format",
+             over the table's database; use a format of more digits, or another \
+             table",
             format.name()
         )
     })

@@ -74,7 +74,7 @@ impl RankOne {
     /// with the largest cosine to b. Coefficients beyond either's order are ignored. b is then as
     /// near to that material as a scale factor can bring it, and L is true radiance to the extent
     /// that the object has that material's albedo. Returns the index of the material, or `None` if
-    /// all are at right angles to b or there are none.
+    /// all are at right angles to b or there are none, and the scale stays.
     pub fn scaled_to(&mut self, materials: &[Vec<f64>]) -> Option<usize> {
         let alike = |known: &Vec<f64>| {
             let product: f64 = known.iter().zip(&self.material).map(|(a, b)| a * b).sum();
