@@ -59,6 +59,13 @@ impl Mutation {
         });
         match numbers {
             Some((index, count)) if count == places.len() && index < count => {
+                let before = &text[..places[index]];
+                let function = before.rfind("fn ").map(|place| &before[..place]);
+                if function.is_some_and(|before| before.ends_with("const ")) {
+                    let fault = format!("`{}` is in a constant function", self.original);
+                    let remedy = "take an expression of one of its callers";
+                    return Err(Error::new(fault, remedy).in_file(&self.file));
+                }
                 Ok(places[index]..places[index] + self.original.len())
             }
             _ => {

@@ -183,6 +183,22 @@ mod tests {
         assert_eq!(spared([two, one]), [1, 0, 2]);
     }
 
+    /// The last term of an azimuth stays as long as a higher one has terms.
+    #[test]
+    fn last_terms_below_the_highest_azimuth_stay() {
+        const LEN: usize = 3 + 2 * (2 + 2);
+        let polynomials = Polynomials { lengths: &[3, 2, 2], recurrences: Recurrences::NONE };
+        for (highest, expected) in [(100.0, [1, 1, 1]), (0.0, [0, 0, 0])] {
+            // From the highest term down: the last of m = 2.
+            let numbers: [f64; LEN] = core::array::from_fn(|k| if k == 8 { highest } else { 0.0 });
+            let mut report = [Truncation { bound: 1.0, ..Truncation::default() }];
+            let mut lengths = [3, 2, 2];
+            Accounts { polynomials, numbers: &numbers, len: LEN, reports: &mut report }
+                .truncate(&mut lengths);
+            assert_eq!(lengths, expected, "{highest}");
+        }
+    }
+
     /// Azimuths that are removed as a whole before anything is rewritten would also have been
     /// removed afterward.
     #[test]
