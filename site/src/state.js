@@ -1,6 +1,7 @@
 // The page's whole state, and the link that holds it.
 
 import { EFFECTS, lightPreset, materialPreset } from "../eigenshade/src/index.js";
+import { LARGEST } from "../eigenshade/src/input.js";
 import { ALL_TERMS } from "./measure.js";
 import { ANALYTIC, COUNT } from "./harmonics.js";
 
@@ -40,9 +41,6 @@ export const initial = () => ({
 
 /** @typedef {ReturnType<typeof initial>} State */
 
-/** The largest number of a light that scenes take. */
-const LARGEST = 1e15;
-
 /** Base64 for links. */
 function encodeLight({ r, g, b }) {
   const bytes = new Uint8Array(Float32Array.from([...r, ...g, ...b]).buffer);
@@ -54,7 +52,7 @@ function decodeLight(text) {
   const bytes = Uint8Array.from(atob(text.replaceAll("-", "+").replaceAll("_", "/")), (c) => c.charCodeAt(0));
   if (bytes.length !== 12 * COUNT) throw new RangeError("its light is incomplete");
   const numbers = new Float32Array(bytes.buffer);
-  if (!numbers.every((value) => Math.abs(value) <= LARGEST)) throw new RangeError("its light has a number beyond 1e15");
+  if (!numbers.every((value) => Math.abs(value) <= LARGEST)) throw new RangeError(`its light has a number beyond ${LARGEST}`);
   const [r, g, b] = [0, 1, 2].map((k) => numbers.slice(COUNT * k, COUNT * (k + 1)));
   return { r, g, b };
 }

@@ -220,7 +220,7 @@ test("the state survives its link, with a light of one's own", async () => {
   ]);
   const bright = { ...light, g: light.g.map(() => 2e15) };
   const { faults: said } = fromHash(`#${toHash({ ...state, ownLight: { name: "sun", light: bright } })}`);
-  assert.deepEqual(said, ["ownLight: its light has a number beyond 1e15", "its own light is missing"]);
+  assert.deepEqual(said, ["ownLight: its light has a number beyond 1000000000000000", "its own light is missing"]);
 });
 
 test("meshes by formula have unit normals that look outward, and so do their triangles", () => {

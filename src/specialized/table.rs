@@ -173,42 +173,29 @@ macro_rules! table {
         });
     };
     (@project |$light:ident, $material:ident| $project:block) => {
-        /// d = UᵀMc: see `project` of [`BASIS`].
-        ///
-        /// # Errors
-        ///
-        /// The same, except that no capacity can be too small.
+        /// d = UᵀMc: see `project` of [`BASIS`]. The same errors, but no capacity is too small.
         pub fn project(
             $light: &$crate::Light<'_, f32>,
             $material: &$crate::Material<'_, f32>,
         ) -> Result<Coefficients, $crate::Error> $project
     };
     (@transfer $basis:ident) => {
-        /// The transfer of a material: see [`eigenshade::Basis::transfer`].
-        ///
-        /// # Errors
-        ///
-        /// The same, except that no capacity can be too small.
+        /// The transfer of a material: see [`eigenshade::Basis::transfer`]. The same errors, but no
+        /// capacity is too small.
         pub fn transfer(material: &$crate::Material<'_, f32>) -> Result<Transfer, $crate::Error> {
             $basis.transfer::<WORKSPACE, TRANSFER>(material)
         }
     };
     (@relight |$transfer:ident, $light:ident| $relight:block,
         |$to:ident, $under:ident, $coefficients:ident| $relight_into:block) => {
-        /// A new light on a transferred material: see `relight` of [`BASIS`].
-        ///
-        /// # Errors
-        ///
-        /// The same, except that no capacity can be too small.
+        /// A new light on a transferred material: see `relight` of [`BASIS`]. The same errors, but
+        /// no capacity is too small.
         pub fn relight(
             $transfer: &Transfer,
             $light: &$crate::Light<'_, f32>,
         ) -> Result<Coefficients, $crate::Error> $relight
-        /// [`relight`] into existing coefficients, without moving them.
-        ///
-        /// # Errors
-        ///
-        /// The same; `coefficients` is then left unspecified.
+        /// [`relight`] into existing coefficients, without moving them; after an error they are
+        /// unspecified.
         pub fn relight_into(
             $to: &Transfer,
             $under: &$crate::Light<'_, f32>,
@@ -244,21 +231,15 @@ macro_rules! table {
         });
     };
     (@collapse |$coefficients:ident, $scene:ident| $collapse:block) => {
-        /// Sums the components of each azimuth: see `collapse` of [`BASIS`].
-        ///
-        /// # Errors
-        ///
-        /// The same, except that no capacity can be too small.
+        /// Sums the components of each azimuth: see `collapse` of [`BASIS`]. The same errors, but
+        /// no capacity is too small.
         pub fn collapse(coefficients: &Coefficients) -> Result<Scene, $crate::Error> {
             let mut scene = Scene::blank();
             collapse_into(coefficients, &mut scene)?;
             Ok(scene)
         }
-        /// [`collapse`] into an existing scene, without moving it.
-        ///
-        /// # Errors
-        ///
-        /// The same; `scene` is then left unspecified.
+        /// [`collapse`] into an existing scene, without moving it; after an error it is
+        /// unspecified.
         pub fn collapse_into(
             $coefficients: &Coefficients,
             $scene: &mut Scene,

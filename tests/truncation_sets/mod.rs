@@ -21,9 +21,9 @@ use proptest::prelude::*;
 /// components stay, but for some hundred roundings, 1e-14.
 const PARSEVAL: f64 = 1e-12;
 
-/// What the bound of an image is at most, in the median, in errors: it is exact but for components
-/// that are left out, of which terms that are left out take a part along. In a set most images are
-/// off by less than they may be, but their bounds are of what they lack all the same.
+/// The median, over images, of the bound divided by the error. Only components that are left out
+/// make the bound larger than the error: terms that are left out hold a part of them already. Images
+/// of a set, most of which could lose more, have bounds just as close.
 const MEDIAN_BOUND_TO_ERROR: f64 = 1.1;
 
 /// The tolerances of the table `sets`.

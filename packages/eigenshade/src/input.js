@@ -73,7 +73,7 @@ export const TONES = Object.freeze(/** @type {const} */ (["linear", "reinhard", 
 /** @typedef {typeof TONES[number]} Tone */
 
 /** The largest number of a light or a material: products of larger ones may exceed f32. */
-const LARGEST = 1e15;
+export const LARGEST = 1e15;
 
 /**
  * @param {unknown} value

@@ -150,19 +150,13 @@ pub fn sharpness_note(
     }
     let size = (lights.degree, materials.order);
     let gloss = inputs.material.gloss(material, memory.of_file())?;
-    let note = match inputs.material.total_error(size) {
+    let note = match (inputs.material.total_error(size).filter(|_| sources == 0), &gloss) {
         // A light of a lower degree may be whole.
-        Some((measured, _))
-            if sources == 0 && lights.degree < measured.0.min(table.gram.degree) =>
-        {
-            None
-        }
-        Some((measured, error)) if sources == 0 => shipped_note(material, measured, size, error),
-        _ => match &gloss {
-            Some(gloss) => Sharpness::under(&inputs.light, &light.name, memory.of_file())?
-                .note(material, gloss, size, sources)?,
-            None => None,
-        },
+        (Some((measured, _)), _) if lights.degree < measured.0.min(table.gram.degree) => None,
+        (Some((measured, error)), _) => shipped_note(material, measured, size, error),
+        (None, Some(gloss)) => Sharpness::under(&inputs.light, &light.name, memory.of_file())?
+            .note(material, gloss, size, sources)?,
+        (None, None) => None,
     };
     let Some(mut note) = note else { return Ok(None) };
     if lights.degree < table.gram.degree {
@@ -171,12 +165,9 @@ pub fn sharpness_note(
             lights.degree, table.gram.degree
         );
     }
-    let known = |found: Result<Vec<Source>>| found.is_ok_and(|found| !found.is_empty());
     let is_glossy = gloss.is_some() && table.effects().has(Effect::Gloss);
-    if sources == 0
-        && is_glossy
-        && known(inputs.light.sources(&light.name, MAX_SOURCES, memory.of_file()))
-    {
+    let known = || inputs.light.sources(&light.name, MAX_SOURCES, memory.of_file());
+    if sources == 0 && is_glossy && known().is_ok_and(|known| !known.is_empty()) {
         note += "; `--sources 4` draws small bright sources sharply";
     }
     Ok(Some(note))
