@@ -34,7 +34,7 @@ fn main() {
 fn sphere() -> Result<(), String> {
     bake("f32", |bytes, command| {
         let (parts, general) = read_floats(bytes)?;
-        Ok(source::floats::module(&parts, &general, None, command))
+        Ok(source::floats::module(&parts, &general, command))
     })?;
     bake("q15", integers::<Q15>)?;
     bake("q31", integers::<Q31>)

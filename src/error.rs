@@ -121,11 +121,6 @@ pub enum Error {
     /// to within 1e-3, a number is not finite, a channel of its energy is below 0, or its spreads
     /// do not satisfy 0 <= minor <= major <= 0.5 rad.
     Source,
-    /// The number of knots of a look-up is not 8 to 65,536.
-    Knots {
-        /// The number of knots.
-        found: usize,
-    },
 }
 
 /// The argument or part of a basis that an [`Error`] refers to.
@@ -353,7 +348,7 @@ impl fmt::Display for Error {
                 "coefficients of irradiance of degree {degree}: above degree 2 the cosine leaves too \
                  little of the light; give the first 9"
             ),
-            Self::Knots { found } => write!(f, "a look-up of {found} knots; take 8 to 65536"),
+
             Self::Size { found } => {
                 write!(f, "a picture of {found} pixels a side; take 1 to 4096 for a disc, 2 to 4096 for a \
                  baked map, at least 1 for a matcap")

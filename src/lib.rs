@@ -11,8 +11,7 @@
 //!    the same, [`Basis::transfer`] takes it in once and [`Basis::relight`] applies each new light.
 //! 3. [`Basis::collapse`] sums the components of each azimuth into a [`Scene`].
 //! 4. [`Scene::shade`] gives the irradiance of one [`Normal`], [`Scene::shade_slice`] that of many.
-//! 5. There are cheaper ways to shade a pixel: [`Scene::sampled`] samples the azimuths of the
-//!    image, [`Scene::bake`] the image itself.
+//! 5. [`Scene::bake`] makes a map of the image, whose pixels cost less to look up.
 //! 6. To turn the light, call [`Light::turned`] with a [`Rotation`]; integers have their own
 //!    ([`quantized::Rotation`]). A [`Window`] keeps a light from ringing, and [`NegativePolicy`] sets
 //!    how to handle irradiance below zero.
@@ -122,8 +121,6 @@ mod shade;
 pub mod specialized;
 
 mod truncation;
-
-mod sampled;
 
 mod bake;
 
@@ -240,7 +237,6 @@ pub use projection::Coefficients;
 #[doc(hidden)]
 pub use recurrences::Recurrences;
 pub use rotation::Rotation;
-pub use sampled::{SampledBuffer, SampledScene};
 pub use scalar::Scalar;
 pub use scene::{Scene, SceneBuffer};
 pub use shade::NegativePolicy;

@@ -6,8 +6,7 @@ use crate::wire::{Aligned, Fault, Header, NumberFormat, WireError};
 use crate::{
     Argument, BakedMap, Basis, Effect, Effects, Error, Estimate, GeneralBasis, GeneralParts,
     IntegerMap, Light, MapPoint, Material, NegativePolicy, Normal, Normals, Parts, Q15, Q31,
-    Rotation, SampledScene, Scene, SceneBuffer, Shape, Tolerance, Transfer, Truncation, Window,
-    quantized,
+    Rotation, Scene, SceneBuffer, Shape, Tolerance, Transfer, Truncation, Window, quantized,
 };
 
 const fn can_be_logged<T: defmt::Format>() {}
@@ -19,7 +18,7 @@ const _: () = {
     );
     can_be_logged::<(Coupling, Pass, ProfilePlace, Row, Error, Argument, Effect, Effects)>();
     can_be_logged::<(Transfer<f32, 8>, Estimate<'_, f32, 8>, Scene<'_, Buffer>)>();
-    can_be_logged::<(BakedMap<f32, Buffer>, IntegerMap<&[i16]>, SampledScene<f32, Buffer>)>();
+    can_be_logged::<(BakedMap<f32, Buffer>, IntegerMap<&[i16]>)>();
     can_be_logged::<(
         Tolerance<f32>,
         Truncation<f32>,

@@ -6,6 +6,7 @@ mod invariants;
 mod reading;
 mod wire_files;
 
+mod baked_maps;
 mod coefficients;
 mod color;
 mod corrupted;
@@ -28,7 +29,6 @@ mod quantized;
 mod reading_scenes;
 mod readme;
 mod runtime;
-mod sampled_and_baked;
 mod sources;
 mod truncation;
 mod truncation_sets;

@@ -76,20 +76,6 @@ pub const fn checked<B: Copy>(basis: Result<B, Error>) -> B {
     }
 }
 
-/// Length of a sampled scene with polynomials of these lengths.
-#[must_use]
-pub const fn samples(lengths: &[u16], knots: usize) -> usize {
-    let (mut rest, mut azimuths) = (lengths, 0);
-    let mut azimuth = 0;
-    while let [length, tail @ ..] = rest {
-        if *length > 0 {
-            azimuths = azimuth;
-        }
-        (rest, azimuth) = (tail, azimuth + 1);
-    }
-    (2 * azimuths + 1) * (knots + 2)
-}
-
 /// Subtracts the coefficients of the mean image from those of an image.
 #[inline(always)]
 pub fn subtract<S: Scalar>(coefficients: &mut [S], mean: &[S]) {

@@ -8,7 +8,7 @@
 /// - `table!(general)`: the same for the table of another object.
 /// - `table!(project ...)`, `table!(collapse ...)` and `table!(shade ...)`: functions specialized for
 ///   the azimuths listed and their profiles, or those of the basis or the scene.
-/// - `table!(sampled 64)`: functions that sample an image at this number of knots.
+
 #[doc(hidden)]
 #[macro_export]
 macro_rules! table {
@@ -313,23 +313,6 @@ macro_rules! table {
             normal: $crate::Normal<f32>,
         ) -> f32 {
             scene.shade(normal)
-        }
-    };
-    (sampled $knots:literal) => {
-        /// Knots of a [`SampledScene`].
-        pub const KNOTS: usize = $knots;
-        /// Numbers in a [`SampledScene`].
-        pub const SAMPLES: usize = $crate::specialized::samples(PARTS.lengths, KNOTS);
-        /// One image, sampled.
-        pub type SampledScene =
-            $crate::SampledScene<f32, $crate::SampledBuffer<f32, SAMPLES>>;
-        /// Samples an image: see [`eigenshade::Scene::sampled`].
-        ///
-        /// # Errors
-        ///
-        /// Never: the capacity and the number of knots are those of this table.
-        pub fn sampled(scene: &Scene) -> Result<SampledScene, $crate::Error> {
-            scene.sampled::<f32, SAMPLES>(KNOTS)
         }
     };
     (@sizes $components:expr, $workspace:expr, $basis:expr) => {

@@ -6,7 +6,7 @@ use crate::color::{Colored, WAYS};
 use crate::images::{Image, LONG_NAMES, long_scene, long_terms, scene};
 use crate::inputs::{CALLS, CallInputs, NINE, NINE_TERMS, PIXELS, Placed, irradiances, normals};
 use crate::limit::{CHAINS, INSTRUCTIONS, LANES, multiply_adds};
-use eigenshade::{BakedMap, MapPoint, NineTerms, Normal, Normals, SampledScene, sphere};
+use eigenshade::{BakedMap, MapPoint, NineTerms, Normal, Normals, sphere};
 use std::hint::black_box;
 use std::process::Command;
 use std::time::Instant;
@@ -96,13 +96,11 @@ pub fn timed(images: &[Image]) -> Times {
         .collect();
     let image = &images[0].d;
     let full = sphere::BASIS.collapse_into(image, [0.0; sphere::SCENE]).expect("sizes");
-    let lookup: SampledScene<f32, Vec<f32>> =
-        full.sampled_into(32, vec![0.0; full.sampled_len::<f32>(32)]).expect("sizes");
     let baked: BakedMap<f32, Vec<f32>> = full.bake_into(64, vec![0.0; 64 * 64]).expect("sizes");
     let inputs = CallInputs::new();
 
     let mut rooms = vec![[0; 16]; images.len()];
-    let [mut nine, mut by_knots, mut by_texels] = [(); 3].map(|()| irradiances());
+    let [mut nine, mut by_texels] = [(); 2].map(|()| irradiances());
     let mut ways = vec![
         limit::<{ CHAINS[0] * LANES }>(),
         limit::<{ CHAINS[1] * LANES }>(),
@@ -143,24 +141,13 @@ pub fn timed(images: &[Image]) -> Times {
     .pixels();
     way.time.lengths = lengths;
     ways.push(way);
-    ways.extend([
-        Way::new("look-up, 32 knots, cubic", 91, || {
-            for (out, &normal) in by_knots.all_mut().iter_mut().zip(black_box(&each)) {
-                *out = lookup.cubic(normal);
-            }
-            black_box(by_knots.all());
-        })
-        .pixels()
-        .one_by_one(),
-        Way::new("baked, 64 x 64, bilinear", 9, || {
-            for (out, &normal) in by_texels.all_mut().iter_mut().zip(black_box(&each)) {
-                *out = baked.bilinear(MapPoint::of(normal));
-            }
-            black_box(by_texels.all());
-        })
-        .pixels()
-        .one_by_one(),
-    ]);
+    let look_up = Way::new("baked, 64 x 64, bilinear", 9, || {
+        for (out, &normal) in by_texels.all_mut().iter_mut().zip(black_box(&each)) {
+            *out = baked.bilinear(MapPoint::of(normal));
+        }
+        black_box(by_texels.all());
+    });
+    ways.push(look_up.pixels().one_by_one());
     for (which, (name, necessary)) in CALLS.into_iter().enumerate() {
         let inputs = &inputs;
         ways.push(Way::new(name, necessary, move || inputs.call(which)));

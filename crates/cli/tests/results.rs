@@ -34,8 +34,6 @@ fn images_beyond_a_format_are_refused() {
         "--format f32",
         "--format f32 --clamp",
         "--format f32 --method eigen",
-        "--format f32 --method sampled",
-        "--format f32 --method sampled --interpolation linear",
         "--format f32 --method baked",
         "--format f32 --method baked --interpolation nearest",
         "--format f32 --tolerance 1e-3",

@@ -10,11 +10,8 @@ const SHADE: &str =
 
 /// Methods of `shade`, all components of a scene of degree 4 and order 3 against the direct sum:
 /// the rms error relative to the largest irradiance. It is the interpolation error of such smooth
-/// images; cubics reach the rounding of f32.
-const METHODS: [(&str, f64); 7] = [
-    ("--method sampled --knots 32 --interpolation linear", 1.5e-5),
-    ("--method sampled --knots 128 --interpolation linear", 8e-7),
-    ("--method sampled --knots 128 --interpolation cubic", 1e-7),
+/// images.
+const METHODS: [(&str, f64); 4] = [
     ("--method baked --size 32 --interpolation linear", 1.2e-4),
     ("--method baked --size 64 --interpolation linear", 2.5e-5),
     ("--method baked --size 128 --interpolation linear", 7e-6),
@@ -51,19 +48,8 @@ fn methods_are_as_exact_as_they_can_be() {
             assert!(found >= 0.25 * most, "{options}: {found:e} is too good");
         }
     }
-    // Options that are left out are the scene's, or the defaults.
-    let scene = folder.read("scene.toml").replace("[basis]", "[basis]\nknots = 32");
-    folder.write("knots.toml", scene);
-    folder.ok("basis --scene knots.toml --out knots.bin");
-    let shade = format!("shade {PAIR} --normals normals.csv");
-    let of_scene = folder.ok(&format!("{shade} --table knots.bin --method sampled"));
-    assert_eq!(of_scene, folder.ok(&format!("{shade} --table b.bin --method sampled --knots 32")));
-    for (short, long) in [
-        ("--method sampled", "--method sampled --knots 256 --interpolation cubic"),
-        ("--method baked", "--method baked --size 64 --interpolation linear"),
-    ] {
-        assert_eq!(folder.shaded(short), folder.shaded(long));
-    }
+    let defaults = folder.shaded("--method baked");
+    assert_eq!(defaults, folder.shaded("--method baked --size 64 --interpolation linear"));
 }
 
 /// Over a sphere the error of each channel is within the tolerance of the brightest channel's peak,
@@ -165,7 +151,7 @@ fn integers_agree_with_the_direct_sum() {
         println!("{format}: {found:e}");
         assert!(found <= most, "{format}: {found:e}");
         let shade = format!("{SHADE} --format {format} --out new.csv --method");
-        for method in ["eigen", "sampled", "baked"] {
+        for method in ["eigen", "baked"] {
             assert_fails(&folder, &format!("{shade} {method}"), &["polynomial"]);
         }
         assert_fails(&folder, &format!("{shade} modes"), &["f64"]);
@@ -249,12 +235,8 @@ fn tolerances_are_refused_where_they_cannot_hold() {
 fn options_of_other_methods_are_errors() {
     let folder = Folder::with_table();
     for (options, fragments) in [
-        ("--knots 64", ["--knots", "--method sampled"]),
-        ("--method baked --knots 64", ["--knots", "--method sampled"]),
-        ("--method sampled --size 64", ["--size", "--method baked"]),
-        ("--interpolation linear", ["--interpolation", "--method sampled"]),
-        ("--method sampled --interpolation nearest", ["nearest", "linear or cubic"]),
-        ("--method baked --interpolation cubic", ["cubic", "nearest or linear"]),
+        ("--method eigen --size 64", ["--size", "--method baked"]),
+        ("--interpolation linear", ["--interpolation", "--method baked"]),
     ] {
         assert_fails(&folder, &format!("{SHADE} {options}"), &fragments);
     }

@@ -15,7 +15,7 @@ use eigenshade_model::error::{Error, Result};
 use eigenshade_model::inputs::coefficient_csv::{read_lights, read_materials_and_order};
 use eigenshade_model::inputs::input_file::InputFile;
 use eigenshade_model::inputs::normals::read_weighted_normals;
-use eigenshade_table::scene::{self, KNOTS, LightRotation};
+use eigenshade_table::scene::{self, LightRotation};
 use eigenshade_table::{Scene, Table};
 use rayon::iter::{IntoParallelRefIterator, ParallelIterator};
 use serde::Deserialize;
@@ -322,14 +322,6 @@ fn check(scene: &Scene) -> Result<()> {
             return fail(format!("basis.tolerance = {tolerance}"), "set it between 0 and 1");
         }
         _ => {}
-    }
-    if let Some(knots) = basis.knots
-        && !KNOTS.contains(&knots)
-    {
-        return fail(
-            format!("basis.knots = {knots}"),
-            "set it between 8 and 65536, or leave it out",
-        );
     }
     if let Some(cut) = basis.cut {
         if basis.tolerance.is_some() {

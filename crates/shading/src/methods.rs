@@ -1,5 +1,5 @@
 //! Other ways to an image than all collapsed polynomials: the fewest terms for a tolerance,
-//! samples, and the sum of the components.
+//! a baked map, and the sum of the components.
 
 use crate::overflow;
 use crate::owned_basis::AnyBasis;
@@ -7,20 +7,10 @@ use crate::shader::{Lit, OwnedNormals, Shader, fault};
 use eigenshade::{BakedMap, MapPoint, Normal, Scalar, Scene, Tolerance, Truncation};
 use eigenshade_model::error::{Error, Result};
 
-/// Methods that look up a pixel in samples.
+/// Methods that look up a pixel in a baked map.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum LookUp {
-    /// Linear interpolation between the knots of each azimuth.
-    Linear {
-        /// Number of knots.
-        knots: usize,
-    },
-    /// Cubic interpolation between the knots of each azimuth.
-    Cubic {
-        /// Number of knots.
-        knots: usize,
-    },
-    /// Bilinear interpolation between four texels of a baked map.
+    /// Bilinear interpolation between four texels.
     Bilinear {
         /// Texels per side.
         size: usize,
@@ -30,13 +20,6 @@ pub enum LookUp {
         /// Texels per side.
         size: usize,
     },
-}
-
-fn sampled<S: Scalar>(
-    scene: &Scene<'_, &mut Vec<S>>,
-    knots: usize,
-) -> Result<eigenshade::SampledScene<S, Vec<S>>> {
-    scene.sampled_into(knots, vec![S::ZERO; scene.sampled_len(knots)]).map_err(fault)
 }
 
 fn baked<S: Scalar>(scene: &Scene<'_, &mut Vec<S>>, size: usize) -> Result<BakedMap<S, Vec<S>>> {
@@ -117,8 +100,7 @@ impl<S: Scalar> Shader<'_, S> {
     ///
     /// # Errors
     ///
-    /// As [`project`](Self::project), and if the runtime does not support this number of knots or
-    /// texels.
+    /// As [`project`](Self::project), and if the runtime does not support this number of texels.
     pub fn looked_up(
         &mut self,
         light: (usize, &[f64]),
@@ -130,14 +112,6 @@ impl<S: Scalar> Shader<'_, S> {
         let scene = self.scene()?;
         let each = normals.iter();
         let irradiance: Vec<S> = match way {
-            LookUp::Linear { knots } => {
-                let table = sampled(&scene, knots)?;
-                each.map(|&normal| table.linear(normal)).collect()
-            }
-            LookUp::Cubic { knots } => {
-                let table = sampled(&scene, knots)?;
-                each.map(|&normal| table.cubic(normal)).collect()
-            }
             LookUp::Bilinear { size } => {
                 let map = baked(&scene, size)?;
                 each.map(|&normal| map.bilinear(MapPoint::of(normal))).collect()

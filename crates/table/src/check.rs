@@ -1,6 +1,6 @@
 //! Consistency checks on the parts of a table, so that decoding is total.
 
-use crate::scene::{Criterion, KNOTS};
+use crate::scene::Criterion;
 use crate::table::{General, Table};
 use eigenshade_index::effect::Effects;
 use eigenshade_index::record::NONE;
@@ -32,11 +32,6 @@ impl Table {
         }
         if (degree, order) != (self.scene.degree(), self.scene.order()) {
             return Err(format!("degree {degree} and order {order} differ from the scene's"));
-        }
-        if let Some(knots) = self.scene.basis.knots
-            && !KNOTS.contains(&knots)
-        {
-            return Err(format!("{knots} knots, {} to {} allowed", KNOTS.start(), KNOTS.end()));
         }
         if let Some((what, _)) = self.scene.basis.cut.and_then(|cut| cut.fault()) {
             return Err(what);

@@ -182,17 +182,10 @@ pub struct Basis {
     /// The parts of the basis that the table stores.
     #[serde(default)]
     pub store: Store,
-    /// Number of knots at which the generated code samples an image for lookups; without it, the
-    /// code has no lookups.
-    #[serde(default)]
-    pub knots: Option<usize>,
     /// Reductions of the table beyond leaving out the last components. Exclusive with `tolerance`.
     #[serde(default)]
     pub cut: Option<Cut>,
 }
-
-/// Valid values of `knots`, the same as in the runtime.
-pub const KNOTS: std::ops::RangeInclusive<usize> = 8..=65_536;
 
 fn default_rank_cutoff() -> f64 {
     1e-10

@@ -51,8 +51,7 @@ pub fn module(
 pub fn floats(table: &Table, command: &str) -> String {
     let parts = parts::floats(table).convert(|&number| number as f32);
     let general = parts::general(table).convert(|&number| number as f32);
-    let knots = table.scene.basis.knots;
-    source::floats::module(&parts.borrow(), &general.borrow(), knots, command)
+    source::floats::module(&parts.borrow(), &general.borrow(), command)
 }
 
 /// The statics of a table in integers.

@@ -30,19 +30,10 @@ fn encoded_tables_decode() {
 #[test]
 fn optional_fields_are_read() {
     let mut table = decode(&shipped()).unwrap();
-    assert_eq!((table.scene.basis.knots, table.scene.basis.cut), (None, None));
+    assert_eq!(table.scene.basis.cut, None);
     let cut = Cut { azimuths: Some(3), terms: None, trim: Some(0.5) };
-    for (knots, cut) in [(Some(64), None), (None, Some(cut)), (Some(64), Some(cut))] {
-        (table.scene.basis.knots, table.scene.basis.cut) = (knots, cut);
-        assert_eq!(decode(&encode(&table)), Ok(table.clone()));
-    }
-    table.scene.basis.cut = None;
-    assert!(statics::floats(&table, "a test").ends_with("eigenshade::table!(sampled 64);\n"));
-    for knots in [0, 7, 65_537] {
-        table.scene.basis.knots = Some(knots);
-        assert!(matches!(decode(&encode(&table)), Err(FileError::Payload(_))), "{knots}");
-    }
-    table.scene.basis.knots = None;
+    table.scene.basis.cut = Some(cut);
+    assert_eq!(decode(&encode(&table)), Ok(table.clone()));
     for (terms, trim) in [(Some(0), None), (None, Some(0.0)), (None, Some(f64::NAN))] {
         table.scene.basis.cut = Some(Cut { azimuths: None, terms, trim });
         assert!(matches!(decode(&encode(&table)), Err(FileError::Payload(_))));

@@ -111,20 +111,6 @@ impl<S: Scalar + Into<f64>> Floats<S> {
                 };
                 (pixels, truncation.terms, Box::new(collapse), of_scene)
             }
-            Way::Linear(knots) | Way::Cubic(knots) => {
-                let mut samples = vec![S::ZERO; scene.sampled_len(knots)];
-                let table = scene.sampled_into(knots, samples.clone()).map_err(fault)?;
-                let bytes = held + size_of_val(&samples[..]);
-                let pixels = match way {
-                    Way::Linear(_) => each(&self.each, 0, move |normal| table.linear(normal)),
-                    _ => each(&self.each, 0, move |normal| table.cubic(normal)),
-                };
-                let collapse = move |d: &[S]| {
-                    let scene = basis.collapse_into(d, &mut buffer[..])?;
-                    scene.sampled_into(knots, &mut samples[..]).map(|table| seen(&table))
-                };
-                (pixels, 0, Box::new(collapse), bytes)
-            }
             Way::Bilinear(size) if format == Format::Q15 => {
                 let mut texels = vec![0i16; size * size];
                 let map = scene.bake_integers_into(size, texels.clone()).map_err(fault)?;

@@ -39,15 +39,10 @@ pub struct Shade {
     /// How a pixel is computed
     #[arg(long, value_enum, default_value_t = Method::Polynomial)]
     method: Method,
-    /// Method sampled: knots of each azimuth, 8 to 65536 [default: the scene's, or 64 times the
-    /// degree, rounded up to a power of two]
-    #[arg(long, value_name = "N", value_parser = count(8, 65_536))]
-    knots: Option<usize>,
     /// Method baked: texels on each side, 2 to 4096 [default: 64]
     #[arg(short, long, value_name = "N", value_parser = count(2, 4_096))]
     size: Option<usize>,
-    /// Interpolation: linear or cubic for sampled [default: cubic], nearest or linear for baked
-    /// [default: linear]
+    /// Method baked: how texels are looked up [default: linear]
     #[arg(long, value_enum)]
     interpolation: Option<Interpolation>,
     /// Shade with fewer polynomial terms, as long as the rms difference over a picture of a sphere
@@ -81,8 +76,6 @@ enum Method {
     Eigen,
     /// One polynomial for each azimuth, as on a device
     Polynomial,
-    /// The polynomials sampled at --knots, and looked up
-    Sampled,
     /// The image baked on a paraboloid map of --size, and looked up
     Baked,
 }
@@ -91,7 +84,6 @@ enum Method {
 enum Interpolation {
     Nearest,
     Linear,
-    Cubic,
 }
 
 impl Shade {
@@ -124,7 +116,7 @@ impl Shade {
             let what = "integer formats shade all effects of their table";
             return Err(Error::new(what, "make a table of those effects, or use --format f32"));
         }
-        let way = self.way(table.scene.basis.knots, table.gram.degree)?;
+        let way = self.way()?;
         let components = self.choices.components(&table, self.table.path())?;
         // Integers of some components are scaled without the others, as `pack` scales them.
         let is_part =
@@ -198,52 +190,23 @@ impl Shade {
     }
 
     /// How a pixel is computed. Options of another method are errors.
-    fn way(&self, of_scene: Option<usize>, degree: usize) -> Result<Way> {
-        let (sampled, baked) = (self.method == Method::Sampled, self.method == Method::Baked);
-        let stray = |option: &str, method: &str| {
-            let what = format!("{option} belongs to the method {method}, which is not selected");
-            Err(Error::new(what, format!("leave {option} out, or use --method {method}")))
-        };
-        if self.knots.is_some() && !sampled {
-            return stray("--knots", "sampled");
+    fn way(&self) -> Result<Way> {
+        let options =
+            [("--size", self.size.is_some()), ("--interpolation", self.interpolation.is_some())];
+        if let Some((option, _)) = options.into_iter().find(|&(_, is_given)| is_given)
+            && self.method != Method::Baked
+        {
+            let what = format!("{option} belongs to the method baked, which is not selected");
+            return Err(Error::new(what, format!("leave {option} out, or use --method baked")));
         }
-        if self.size.is_some() && !baked {
-            return stray("--size", "baked");
-        }
-        if self.interpolation.is_some() && !(sampled || baked) {
-            return stray("--interpolation", "sampled");
-        }
-        let knots = self.knots.or(of_scene).unwrap_or_else(|| enough_knots(degree));
         let size = self.size.unwrap_or(64);
         match (self.method, self.interpolation) {
             (Method::Eigen, _) => Ok(Way::Eigen),
-            (Method::Sampled, Some(Interpolation::Linear)) => {
-                Ok(Way::LookUp(LookUp::Linear { knots }))
-            }
-            (Method::Sampled, None | Some(Interpolation::Cubic)) => {
-                Ok(Way::LookUp(LookUp::Cubic { knots }))
-            }
-            (Method::Sampled, Some(Interpolation::Nearest)) => Err(Error::new(
-                "the method sampled has no interpolation nearest",
-                "use linear or cubic",
-            )),
             (Method::Baked, Some(Interpolation::Nearest)) => {
                 Ok(Way::LookUp(LookUp::Nearest { size }))
             }
-            (Method::Baked, None | Some(Interpolation::Linear)) => {
-                Ok(Way::LookUp(LookUp::Bilinear { size }))
-            }
-            (Method::Baked, Some(Interpolation::Cubic)) => Err(Error::new(
-                "the method baked has no interpolation cubic",
-                "use nearest or linear",
-            )),
+            (Method::Baked, _) => Ok(Way::LookUp(LookUp::Bilinear { size })),
             (Method::Modes | Method::Polynomial, _) => Ok(Way::Polynomial),
         }
     }
-}
-
-/// The number of knots at which the error of cubic interpolation is as small as the rounding
-/// errors: images of a degree change as fast as the harmonics of that degree.
-fn enough_knots(degree: usize) -> usize {
-    (64 * degree).next_power_of_two().max(128)
 }

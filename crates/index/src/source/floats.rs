@@ -9,14 +9,9 @@ use alloc::string::String;
 use alloc::vec::Vec;
 
 /// The body of a module with the numbers of a table that projects. `command` is what made it, for
-/// the first line; `knots` is the number of knots of a sampled scene, if there shall be one.
+/// the first line.
 #[must_use]
-pub fn module(
-    parts: &Parts<'_, f32>,
-    general: &GeneralParts<'_, f32>,
-    knots: Option<usize>,
-    command: &str,
-) -> String {
+pub fn module(parts: &Parts<'_, f32>, general: &GeneralParts<'_, f32>, command: &str) -> String {
     let has_images = general.components > 0;
     let mut constants = Constants::default();
     constants.add("PARTS", Parts::<f32>::PATH, "f32", |to| parts.visit(to));
@@ -32,9 +27,6 @@ pub fn module(
         line(&mut text, format_args!("eigenshade::table!(collapse {});", collapse(parts)));
     }
     line(&mut text, format_args!("eigenshade::table!(shade {});", shade(parts)));
-    if let Some(knots) = knots {
-        line(&mut text, format_args!("eigenshade::table!(sampled {knots});"));
-    }
     text
 }
 

@@ -49,10 +49,9 @@ fn chart(
 }
 
 /// The series of a chart of errors against costs, by parts of the method's name.
-const WAYS: [(&str, &[&str]); 6] = [
+const WAYS: [(&str, &[&str]); 5] = [
     ("polynomials", &["polynomial"]),
     ("within a tolerance", &["within"]),
-    ("look-ups", &["linear", "cubic"]),
     ("baked maps", &["bilinear", "nearest"]),
     ("component by component", &["eigen"]),
     ("nine-term formula", &["nine-terms"]),

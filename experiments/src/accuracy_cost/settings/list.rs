@@ -106,12 +106,6 @@ pub fn all(quick: bool) -> Vec<Varied> {
     {
         add("effects", Setting::of(Recipe { effects, ..whole }));
     }
-    for knots in either(quick, &[8, 16, 32, 64, 128], &[16, 64]) {
-        for way in [Way::Linear(knots), Way::Cubic(knots)] {
-            add("look-ups", Setting::of(whole).by(way));
-            add("look-ups", Setting::of(first(50)).by(way));
-        }
-    }
     for size in either(quick, &[8, 16, 32, 64, 128], &[16, 32]) {
         for way in [Way::Bilinear(size), Way::Nearest(size)] {
             add("baked maps", Setting::of(whole).by(way));

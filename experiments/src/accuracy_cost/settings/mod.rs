@@ -58,10 +58,6 @@ pub enum Way {
     Polynomial,
     /// The collapsed polynomials truncated to a tolerance of the scene, relative to its peak.
     Within(f64),
-    /// Linear interpolation between this many knots.
-    Linear(usize),
-    /// Cubic interpolation between this many knots.
-    Cubic(usize),
     /// Bilinear interpolation between four texels of a map of this width.
     Bilinear(usize),
     /// The nearest texel of a map of this width.
@@ -141,8 +137,6 @@ impl fmt::Display for Way {
             Self::Eigen => write!(f, "eigen"),
             Self::Polynomial => write!(f, "polynomial"),
             Self::Within(tolerance) => write!(f, "within{tolerance:e}"),
-            Self::Linear(knots) => write!(f, "linear{knots}"),
-            Self::Cubic(knots) => write!(f, "cubic{knots}"),
             Self::Bilinear(size) => write!(f, "bilinear{size}"),
             Self::Nearest(size) => write!(f, "nearest{size}"),
         }
