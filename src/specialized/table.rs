@@ -8,7 +8,6 @@
 /// - `table!(general)`: the same for the table of another object.
 /// - `table!(project ...)`, `table!(collapse ...)` and `table!(shade ...)`: functions specialized for
 ///   the azimuths listed and their profiles, or those of the basis or the scene.
-
 #[doc(hidden)]
 #[macro_export]
 macro_rules! table {
