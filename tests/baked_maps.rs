@@ -29,22 +29,37 @@ pub fn normals(across: usize) -> Vec<Normal<f32>> {
     fixtures::disc(across).into_iter().map(normal).collect()
 }
 
-/// Rms and largest error, of the peak, of each scene.
-pub fn errors(
-    scenes: &[Shipped],
-    normals: &[Normal<f32>],
-    mut image: impl FnMut(&Shipped) -> Vec<f32>,
-) -> Vec<[f64; 2]> {
-    let one = |scene: &Shipped| {
-        let reference: Vec<f64> = normals.iter().map(|&n| f64::from(scene.shade(n))).collect();
-        let peak = largest(reference.iter().copied());
-        let image = image(scene);
-        let apart: Vec<f64> =
-            image.iter().zip(&reference).map(|(&a, b)| f64::from(a) - b).collect();
-        let rms = (apart.iter().map(|e| e * e).sum::<f64>() / apart.len() as f64).sqrt();
-        [rms / peak, largest(apart) / peak]
-    };
-    scenes.iter().map(one).collect()
+/// Scenes, and what their polynomials give for some normals.
+struct Shaded {
+    scenes: Vec<Shipped>,
+    images: Vec<Vec<f64>>,
+}
+
+impl Shaded {
+    fn new(step: usize, normals: &[Normal<f32>]) -> Self {
+        let scenes = scenes(step);
+        let image = |scene: &Shipped| normals.iter().map(|&n| f64::from(scene.shade(n))).collect();
+        let images = scenes.iter().map(image).collect();
+        Self { scenes, images }
+    }
+
+    /// Rms and largest error, of the peak, of `N` images of each scene.
+    fn errors<const N: usize>(
+        &self,
+        mut images: impl FnMut(&Shipped) -> [Vec<f32>; N],
+    ) -> [Vec<[f64; 2]>; N] {
+        let mut found = [const { Vec::new() }; N];
+        for (scene, reference) in self.scenes.iter().zip(&self.images) {
+            let peak = largest(reference.iter().copied());
+            for (errors, image) in found.iter_mut().zip(images(scene)) {
+                let apart: Vec<f64> =
+                    image.iter().zip(reference).map(|(&a, b)| f64::from(a) - b).collect();
+                let rms = (apart.iter().map(|e| e * e).sum::<f64>() / apart.len() as f64).sqrt();
+                errors.push([rms / peak, largest(apart) / peak]);
+            }
+        }
+        found
+    }
 }
 
 fn middle(errors: &[[f64; 2]], which: usize) -> [f64; 2] {
@@ -118,42 +133,41 @@ fn on_map(components: [Q15; 3]) -> MapPoint<Q15> {
 
 #[test]
 fn maps_are_as_exact_as_documented() {
-    let (scenes, normals) = (scenes(1), normals(64));
+    let normals = normals(64);
+    let shaded = Shaded::new(1, &normals);
     let points: Vec<_> = normals.iter().map(|&normal| MapPoint::of(normal)).collect();
     for (size, bilinear, nearest) in BAKED {
-        let mut looked_up = Vec::new();
-        let found = errors(&scenes, &normals, |scene| {
+        let [of_bilinear, of_nearest] = shaded.errors(|scene| {
             let map = scene.bake_into(size, vec![0.0f32; size * size]).expect("room");
-            looked_up.push(points.iter().map(|&point| map.nearest(point)).collect());
-            points.iter().map(|&point| map.bilinear(point)).collect()
+            [
+                points.iter().map(|&point| map.bilinear(point)).collect(),
+                points.iter().map(|&point| map.nearest(point)).collect(),
+            ]
         });
-        assert_within(&format!("{size}, bilinear"), &found, bilinear);
-        let mut looked_up = looked_up.into_iter();
-        let found = errors(&scenes, &normals, |_| looked_up.next().expect("one for each"));
-        assert_within(&format!("{size}, nearest"), &found, nearest);
+        assert_within(&format!("{size}, bilinear"), &of_bilinear, bilinear);
+        assert_within(&format!("{size}, nearest"), &of_nearest, nearest);
     }
 }
 
 /// Integers add their rounding: of the texels, of two steps of a look-up, of the normals.
 #[test]
 fn integer_maps_are_as_exact_as_documented() {
-    let scenes: Vec<_> = scenes(3);
     let normals = normals(64);
+    let shaded = Shaded::new(3, &normals);
+    let of_normals: Vec<_> = normals.iter().map(|n| on_map(n.components().map(q15))).collect();
+    let given = normals.iter().map(|&n| MapPoint::of(n).coordinates().map(q15));
+    let given: Vec<_> = given.map(|[u, v]| MapPoint::new(u, v)).collect();
     for (size, bilinear, _) in BAKED {
-        let of_normals: Vec<_> = normals.iter().map(|n| on_map(n.components().map(q15))).collect();
-        let given: Vec<_> = normals
-            .iter()
-            .map(|&n| MapPoint::of(n).coordinates().map(q15))
-            .map(|[u, v]| MapPoint::new(u, v))
-            .collect();
-        for points in [of_normals, given] {
-            let found = errors(&scenes, &normals, |scene| {
-                let map = scene.bake_integers_into(size, vec![0; size * size]).expect("room");
-                let unit = f32::powi(2.0, map.exponent());
+        let found = shaded.errors(|scene| {
+            let map = scene.bake_integers_into(size, vec![0; size * size]).expect("room");
+            let unit = f32::powi(2.0, map.exponent());
+            [&of_normals, &given].map(|points| {
                 points.iter().map(|&point| map.bilinear(point) as f32 * unit).collect()
-            });
-            let most = bilinear.map(|rms| rms + BAKED_INTEGERS);
-            assert_within(&format!("{size}, integers"), &found, most);
+            })
+        });
+        let most = bilinear.map(|rms| rms + BAKED_INTEGERS);
+        for errors in found {
+            assert_within(&format!("{size}, integers"), &errors, most);
         }
     }
 }

@@ -1,7 +1,7 @@
 //! Highlights in integers: against the formula in f64, at the limits of their numbers, and their
 //! bits.
 
-use crate::blobs::{ANGLES, BLUR, Blob, Glossy, Vector, at, blobs, dot, normals_for};
+use crate::blobs::{ANGLES, Blob, Glossy, Vector, at, blobs, dot, normals_for};
 use eigenshade::mathematics::SinglePrecision;
 use eigenshade::quantized::{Highlights, Lobe, Normal};
 use eigenshade::{Argument, Error, Q15, Q31, Rgb, Source};
@@ -53,7 +53,7 @@ fn exponent_of(peak: f64) -> i32 {
 fn expected(material: &Glossy, blob: &Blob) -> Vec<(Normal<Q15>, Vector, f64)> {
     let normals = normals_for(blob, material.alpha().hypot(0.5 * blob.major)).into_iter();
     let pairs = normals.map(rounded);
-    pairs.map(|(normal, exact)| (normal, exact, material.lobe(blob, BLUR, exact))).collect()
+    pairs.map(|(normal, exact)| (normal, exact, material.lobe(blob, exact))).collect()
 }
 
 fn peak_of(expected: &[(Normal<Q15>, Vector, f64)]) -> f64 {

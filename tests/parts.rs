@@ -96,8 +96,9 @@ fn refused_length(parts: Parts<'_, f32>) -> Argument {
 #[test]
 fn profiles_serve_the_components() {
     let parts = shipped();
-    assert_eq!(refused(Parts { components: 49, ..parts }), Error::Profile);
-    assert_eq!(refused(Parts { components: 51, ..parts }), Error::Profile);
+    for components in [parts.components - 1, parts.components + 1] {
+        assert_eq!(refused(Parts { components, ..parts }), Error::Profile);
+    }
     let first = parts.profiles[0];
     let last = parts.profiles.len() - 1;
     let unsorted = with(parts.profiles, last, first);

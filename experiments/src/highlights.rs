@@ -8,7 +8,7 @@ use eigenshade_cli::output::Rows;
 use eigenshade_generator::light::environment::EnvironmentMap;
 use eigenshade_generator::light::projection::named_maps;
 use eigenshade_generator::material::brdf::Measure;
-use eigenshade_index::highlights::{LARGEST_SET, SETS};
+use eigenshade_index::highlights::{LARGEST_SET, ROUGHNESS, SETS};
 use eigenshade_model::error::{Error, Result};
 use eigenshade_model::inputs::source_csv::read_sources;
 use eigenshade_model::rotation::Rotation;
@@ -247,7 +247,7 @@ pub fn glosses(names: &[String]) -> Result<Vec<NamedGloss>> {
 ///
 /// If a map or the sources cannot be read.
 pub fn remaining(inputs: &Path, names: &[String], progress: &ProgressBar) -> Result<Vec<SetError>> {
-    let metals = remaining::metals()?;
+    let metals = remaining::metals(&ROUGHNESS)?;
     let mut lights = read_sources(inputs.join("sources.csv"))?;
     lights.retain(|sets| names.is_empty() || names.contains(&sets.name));
     progress.set_length(lights.len() as u64);

@@ -47,8 +47,6 @@ pub fn errors(
     spacing: f64,
     progress: &ProgressBar,
 ) -> Result<Vec<(String, Vec<Errors>)>> {
-    let lights = read_lights(inputs.join("lights.csv"), None)?;
-    let world = World::new(&inputs.join("maps"), &lights, spacing)?;
     let materials = materials()?;
     if let Some(name) = names.iter().find(|name| materials.iter().all(|(s, _)| s.name != **name)) {
         let what = format!("no material is named `{name}`");
@@ -57,6 +55,8 @@ pub fn errors(
     let is_chosen =
         |(surface, _): &&(Surface, [Named; 2])| names.is_empty() || names.contains(&surface.name);
     let chosen: Vec<_> = materials.iter().filter(is_chosen).collect();
+    let lights = read_lights(inputs.join("lights.csv"), None)?;
+    let world = World::new(&inputs.join("maps"), &lights, spacing)?;
     progress.set_length(chosen.len() as u64);
     let of_material = |(surface, shipped): &(Surface, [Named; 2])| {
         let pictures = world.pictures(surface, &world.sphere.normals).into_iter();

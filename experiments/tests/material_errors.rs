@@ -8,6 +8,7 @@ use eigenshade_model::database::{Lights, Materials, Named};
 use eigenshade_model::inputs::coefficient_csv::read_materials;
 use eigenshade_shading::shipped;
 use eigenshade_testing::largest;
+use experiments::accuracy_cost::errors::Spread;
 use experiments::accuracy_cost::images::{Image, Images};
 use experiments::accuracy_cost::scope::{Scope, windowed};
 use experiments::accuracy_cost::total::references::World;
@@ -151,7 +152,7 @@ fn the_page_has_how_far_the_models_are_apart() {
         "differ by {} of the peak (rms; each material's median over the lights) in the median, by {} \
          for one in twenty and by {} at most ({})",
         percent(median(&medians), 2),
-        percent(quantile(&medians, 0.95), 2),
+        percent(Spread::of(&medians).most, 2),
         percent(medians[worst], 2),
         scope.seen.entries[worst].name
     );
@@ -175,20 +176,13 @@ fn the_page_has_the_energies_left_out() {
             "| {}, {order} | {} | {} | {} ({name}) |\n",
             model.to_uppercase(),
             percent(median(&shares), 2),
-            percent(quantile(&shares, 0.95), 2),
+            percent(Spread::of(&shares).most, 2),
             percent(*worst, 2),
         );
     }
     println!("{table}");
     let page = fs::read_to_string(repository().join("tables/README.md")).unwrap();
     assert!(page.contains(&table), "tables/README.md lacks the table above");
-}
-
-/// The share of the sorted values that is at most this.
-fn quantile(values: &[f64], share: f64) -> f64 {
-    let mut sorted = values.to_vec();
-    sorted.sort_by(f64::total_cmp);
-    sorted[((sorted.len() - 1) as f64 * share).round() as usize]
 }
 
 #[test]
@@ -219,7 +213,7 @@ fn the_page_has_the_errors_of_materials() {
             size.0,
             size.1,
             percent(median(&medians), 2),
-            percent(quantile(&medians, 0.95), 2),
+            percent(Spread::of(&medians).most, 2),
             most(&|error| error.median),
             most(&|error| error.worst),
             most(&|error| error.pixel),

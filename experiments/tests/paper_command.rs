@@ -82,7 +82,6 @@ fn damage_is_found(file: &OutputFile) {
 fn bad_folders_fail_before_the_work() {
     let folder = Folder::new();
     folder.write("file", "");
-    let start = std::time::Instant::now();
     for (command, file) in [("paper", "paper.md"), ("accuracy-cost", "accuracy-cost.csv")] {
         assert_fails(&folder, &format!("{command} --out file"), &["file"]);
         assert_fails(&folder, &format!("{command} --check nowhere"), &["nowhere", file]);
@@ -100,5 +99,4 @@ fn bad_folders_fail_before_the_work() {
     fs::create_dir(folder.path("maps")).unwrap();
     folder.write("maps/esplanade.exr", "no map");
     assert_fails(&folder, "accuracy-cost --check docs --maps maps", &["esplanade.exr"]);
-    assert!(start.elapsed().as_secs() < 30);
 }

@@ -44,13 +44,14 @@ impl Blob {
     }
 
     /// Directions and weights that integrate the blob as it is defined: a heat kernel at each node
-    /// along the major axis, by trapezoid sums of this spacing at most.
+    /// along the major axis, by trapezoid sums of this spacing at most. A step of one standard
+    /// deviation leaves 2 exp(-2 π²) = 5e-9, and the tails beyond six 2e-9.
     pub fn nodes(&self, spacing: f64) -> Vec<(Vector, f64)> {
         let length = (self.major.powi(2) - self.minor.powi(2)).max(0.0).sqrt();
         let axis = self.axis();
         let arc: Vec<(Vector, f64)> = if length > 0.0 {
-            let step = spacing.min(0.7 * length);
-            let count = (7.0 * length / step).ceil() as i32;
+            let step = spacing.min(length);
+            let count = (6.0 * length / step).ceil() as i32;
             (-count..=count)
                 .map(|k| {
                     let x = f64::from(k) * step;
@@ -97,8 +98,8 @@ pub fn heat_kernel(spread: f64, spacing: f64) -> Vec<([f64; 2], f64)> {
         }
         sum
     };
-    let reach = (7.0 * spread).min(3.1);
-    let step = spacing.min(0.7 * spread);
+    let reach = (6.0 * spread).min(3.1);
+    let step = spacing.min(spread);
     let count = (reach / step).ceil() as i32;
     let mut points = Vec::new();
     for i in -count..=count {
@@ -161,7 +162,7 @@ impl Glossy {
 
     /// The lobe of a source of energy 1, with D from slopes about the half-way direction, no wider
     /// across the plane of source and view than a uniform one.
-    pub fn lobe(&self, blob: &Blob, blur: Option<f64>, normal: Vector) -> f64 {
+    pub fn lobe(&self, blob: &Blob, normal: Vector) -> f64 {
         let [cosine, view] = [dot(blob.direction, normal), normal[2]];
         if cosine <= 0.0 {
             return 0.0;
@@ -184,7 +185,7 @@ impl Glossy {
             }
         }
         let ratio = 0.5 * (wide[0][0] + wide[1][1]) / self.alpha().powi(2);
-        let blur = blur.unwrap_or(2.0 + 1.0 / (1.0 + ratio));
+        let blur = 2.0 + 1.0 / (1.0 + ratio);
         for (i, row) in wide.iter_mut().enumerate() {
             row.iter_mut().for_each(|element| *element *= blur);
             row[i] += self.alpha().powi(2);
@@ -226,9 +227,6 @@ pub fn around(blob: &Blob, step: f64, count: i32) -> Vec<Vector> {
     normals.retain(|normal| normal[2] >= 0.0);
     normals
 }
-
-/// The κ of the runtime, by which the blob's covariance widens the lobe.
-pub const BLUR: Option<f64> = None;
 
 /// Blobs by angle from the view: round and elongated, from a point to the widest.
 pub fn blobs(degrees: &[f64]) -> Vec<Blob> {

@@ -61,11 +61,11 @@ const STATED_FARTHER_IN: [&str; 2] = ["19.2", "2.5"];
 
 const PAGE: &str = include_str!("../../../docs/accuracy.md");
 
-/// Median and maximum. Of an even number of errors, the median is the larger one in the middle, as
-/// in the page.
+/// Median, the mean of the middle two if their number is even, and maximum.
 fn median_and_worst(mut errors: Vec<f64>) -> [f64; 2] {
     errors.sort_by(f64::total_cmp);
-    [errors[errors.len() / 2], errors[errors.len() - 1]]
+    let middle = [errors[(errors.len() - 1) / 2], errors[errors.len() / 2]];
+    [0.5 * (middle[0] + middle[1]), errors[errors.len() - 1]]
 }
 
 #[test]

@@ -6,7 +6,7 @@ use crate::view::View;
 use eigenshade::mathematics::Libm;
 use eigenshade::{Highlights, Normal};
 use eigenshade_generator::light::environment::EnvironmentMap;
-use eigenshade_index::highlights::{MAX_SOURCES, ROUGHNESS};
+use eigenshade_index::highlights::MAX_SOURCES;
 use eigenshade_index::light;
 use eigenshade_model::error::Result;
 use eigenshade_model::rotation::Rotation;
@@ -23,14 +23,15 @@ const VIEWS: [Option<Rotation>; 2] = [None, Some(Rotation { alpha: 0.6, beta: 1.
 /// Spacing of the normals in radians.
 const SPACING: f64 = 0.09;
 
-/// The metals whose pictures are compared.
+/// Metals of these roughnesses; those whose pictures are compared are of
+/// [`ROUGHNESS`](eigenshade_index::highlights::ROUGHNESS).
 ///
 /// # Errors
 ///
 /// Those of [`Glossy::new`].
-pub fn metals() -> Result<Vec<Glossy>> {
+pub fn metals(roughness: &[f64]) -> Result<Vec<Glossy>> {
     let of = |&roughness: &f64| Glossy::new([roughness, 1.0, 0.0], &SIZES);
-    ROUGHNESS.iter().map(of).collect()
+    roughness.iter().map(of).collect()
 }
 
 /// The errors of the pictures of these metals under a map, without sources and with each set: the

@@ -90,19 +90,25 @@ pub fn zernike(n: usize, m: usize, rho: f64) -> f64 {
         .sum()
 }
 
+/// The BRDF (7)-(8) at two angles, with the terms `(o, p, q, b)`: q and the factor of cos q Δφ.
+fn cosines(
+    terms: &[(usize, usize, usize, f64)],
+    theta_i: f64,
+    theta_r: f64,
+) -> impl Iterator<Item = (usize, f64)> {
+    let (rho_i, rho_r) = (2f64.sqrt() * (0.5 * theta_i).sin(), 2f64.sqrt() * (0.5 * theta_r).sin());
+    terms.iter().map(move |&(o, p, q, b)| {
+        let doubled = if o == p { 2.0 } else { 1.0 } * if q == 0 { 2.0 } else { 1.0 };
+        let root = (((o + 1) * (p + 1)) as f64 / doubled).sqrt() / (2.0 * PI);
+        let radial = zernike(o, q, rho_i) * zernike(p, q, rho_r)
+            + zernike(p, q, rho_i) * zernike(o, q, rho_r);
+        (q, b * root * radial)
+    })
+}
+
 /// The BRDF (7)-(8) with the terms `(o, p, q, b)`.
 pub fn brdf(terms: &[(usize, usize, usize, f64)], theta_i: f64, theta_r: f64, dphi: f64) -> f64 {
-    let (rho_i, rho_r) = (2f64.sqrt() * (0.5 * theta_i).sin(), 2f64.sqrt() * (0.5 * theta_r).sin());
-    terms
-        .iter()
-        .map(|&(o, p, q, b)| {
-            let doubled = if o == p { 2.0 } else { 1.0 } * if q == 0 { 2.0 } else { 1.0 };
-            let root = (((o + 1) * (p + 1)) as f64 / doubled).sqrt() / (2.0 * PI);
-            let radial = zernike(o, q, rho_i) * zernike(p, q, rho_r)
-                + zernike(p, q, rho_i) * zernike(o, q, rho_r);
-            b * root * radial * (q as f64 * dphi).cos()
-        })
-        .sum()
+    cosines(terms, theta_i, theta_r).map(|(q, factor)| factor * (q as f64 * dphi).cos()).sum()
 }
 
 /// `count` + 1 Clenshaw-Curtis nodes and weights on [0, 1], `count` even.
@@ -134,13 +140,16 @@ pub fn irradiance(
     for (fraction, weight) in clenshaw_curtis(48) {
         let theta = 0.5 * PI * fraction;
         let (st, ct) = theta.sin_cos();
+        let mut cosines_of = vec![0.0; 1 + material.iter().map(|term| term.2).max().unwrap_or(0)];
+        cosines(material, theta, alpha).for_each(|(q, factor)| cosines_of[q] += factor);
         let around = (0..40).map(|k| {
             let phi = 2.0 * PI * f64::from(k) / 40.0;
             // The local direction, rotated about y by alpha, then about z.
             let (u, v, w) = (st * phi.cos(), st * phi.sin(), ct);
             let (a, c) = (u * z + w * sine, w * z - u * sine);
             let direction = [a * cb - v * sb, a * sb + v * cb, c];
-            light.radiance(direction) * brdf(material, theta, alpha, phi - PI)
+            let of_q = |(q, factor): (usize, &f64)| factor * (q as f64 * (phi - PI)).cos();
+            light.radiance(direction) * cosines_of.iter().enumerate().map(of_q).sum::<f64>()
         });
         sum += weight * ct * st * around.sum::<f64>();
     }

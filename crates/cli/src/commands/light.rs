@@ -13,7 +13,7 @@ use eigenshade_generator::light::frame::Frame;
 use eigenshade_generator::light::map::{Layout, Map};
 use eigenshade_generator::light::map_file::is_picture;
 use eigenshade_generator::light::projection::{coefficients, named_maps};
-use eigenshade_index::highlights::MAX_SOURCES;
+use eigenshade_index::highlights::{MAX_SOURCES, ROUGHNESS};
 use eigenshade_model::database::{Lights, Named, name_remedy};
 use eigenshade_model::error::{Error, Result};
 use eigenshade_model::inputs::coefficient_csv::{read_lights, write_lights};
@@ -260,7 +260,8 @@ impl Light {
         memory: Memory,
     ) -> Result<(Vec<SourceSets>, Vec<SetError>)> {
         let progress = progress_bar("maps", files.len());
-        let (materials, metals) = (pursuit::metals(&self.roughness)?, remaining::metals()?);
+        let (materials, metals) =
+            (pursuit::metals(&self.roughness)?, remaining::metals(&ROUGHNESS)?);
         let (mut lights, mut errors) = (Vec::new(), Vec::new());
         for (name, path) in files {
             let map = Map::read(memory.file(path), self.layout)?;

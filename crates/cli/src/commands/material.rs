@@ -80,6 +80,11 @@ impl Material {
                 (sources, self.projection)
             }
         };
+        let mut names = HashSet::new();
+        if let Some(source) = sources.iter().find(|source| !names.insert(source.name())) {
+            let what = format!("two materials are called `{}`", source.name());
+            return Err(Error::new(what, "rename one of the two"));
+        }
         let negative = negative_values(&sources);
         let beside = beside(&out);
         let glosses = match &beside {
@@ -124,13 +129,6 @@ fn coefficients(
     order: usize,
     measure: Measure,
 ) -> Result<(Materials, Vec<Fit>)> {
-    let mut names = HashSet::new();
-    if let Some(source) = sources.iter().find(|source| !names.insert(source.name())) {
-        return Err(Error::new(
-            format!("two materials are called `{}`", source.name()),
-            "rename one of the two",
-        ));
-    }
     let (mut measured, mut surfaces, mut places) = (Vec::new(), Vec::new(), Vec::new());
     for source in sources {
         places.push(matches!(source, Source::Measured(_)));
