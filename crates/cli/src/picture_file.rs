@@ -88,16 +88,10 @@ impl PictureFile {
 }
 
 fn png(path: &Path, [width, height]: [usize; 2], how: Development, draw: &mut Draw) -> Result<()> {
-    let mut meter = Meter::default();
-    if how.exposure.is_none() {
-        draw(&mut |pixel, color| {
-            // A matcap repeats its rim in the corners.
-            if pixel.is_inside || !how.is_opaque {
-                meter.add(color);
-            }
-        })?;
-    }
-    let exposure = how.exposure.or_else(|| meter.exposure(UNCLIPPED)).unwrap_or_default();
+    let exposure = match how.exposure {
+        Some(exposure) => exposure,
+        None => metered(how, draw)?.unwrap_or_default(),
+    };
     let display = Display::new(how.tone);
     let channels = if how.is_opaque { 3 } else { 4 };
     let mut bytes = vec![0; channels * width * height];
@@ -108,6 +102,28 @@ fn png(path: &Path, [width, height]: [usize; 2], how: Development, draw: &mut Dr
         bytes[start..start + channels].copy_from_slice(&[r, g, b, opacity][..channels]);
     })?;
     write_png(path, width, height, &bytes)
+}
+
+/// The exposure of a picture; `None` if it is black. A meter reaches from 2^-16 to 2^16, so that a
+/// picture with its peak near an end or beyond is drawn again, with its peak at 1.
+fn metered(how: Development, draw: &mut Draw) -> Result<Option<Exposure>> {
+    let mut exposed = |factor: f32| {
+        let (mut meter, mut peak) = (Meter::default(), 0.0_f32);
+        draw(&mut |pixel, color| {
+            // A matcap repeats its rim in the corners.
+            if pixel.is_inside || !how.is_opaque {
+                peak = peak.max(color.largest());
+                meter.add(color.map(|channel| factor * channel));
+            }
+        })?;
+        let exposure = meter.exposure(UNCLIPPED).map(|one| factor * one.factor());
+        Ok((exposure.and_then(|factor| Exposure::new(factor).ok()), peak))
+    };
+    let (exposure, peak) = exposed(1.0)?;
+    if peak == 0.0 || (2.0_f32.powi(-6)..2.0_f32.powi(15)).contains(&peak) {
+        return Ok(exposure);
+    }
+    Ok(exposed(peak.recip())?.0)
 }
 
 #[cfg(feature = "generate")]

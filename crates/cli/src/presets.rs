@@ -220,7 +220,16 @@ impl Source {
     pub fn materials(&self, order: usize, budget: Budget) -> Result<Materials> {
         let Materials { order, entries } = match self.entry {
             Entry::Shipped => shipped::named_materials(order)?,
-            _ => read_materials(InputFile::new(&self.path, budget), None)?,
+            _ => {
+                let file = InputFile::new(&self.path, budget);
+                if is_file(&self.path) && file.extension() == "toml" {
+                    let remedy = "run `eigenshade material` on it, and use the material CSV that it \
+                                  writes";
+                    let what = "it holds formulas, not coefficients";
+                    return Err(Error::new(what, remedy).in_file(&self.path));
+                }
+                read_materials(file, None)?
+            }
         };
         Ok(Materials { order, entries: self.chosen("material", entries)? })
     }
@@ -263,12 +272,13 @@ impl Source {
     /// # Errors
     ///
     /// If there are several. The message has the first names.
-    pub fn only(&self, mut entries: Vec<Named>) -> Result<Named> {
+    pub fn only(&self, entries: Vec<Named>) -> Result<Named> {
+        let entries = match <[Named; 1]>::try_from(entries) {
+            Ok([entry]) => return Ok(entry),
+            Err(entries) => entries,
+        };
         let count = entries.len();
-        if let (1, Some(entry)) = (count, entries.pop()) {
-            return Ok(entry);
-        }
-        let names = entries.iter().take(3).map(|entry| entry.name.as_str()).collect::<Vec<_>>();
+        let names = entries.iter().take(10).map(|entry| entry.name.as_str()).collect::<Vec<_>>();
         let more = if count > names.len() { ", ..." } else { "" };
         let (path, names) = (self.path.display(), names.join(", "));
         let remedy = format!("name one as {path}:NAME, with one of {names}{more}");

@@ -101,7 +101,7 @@ impl Sharpness {
     }
 
     /// The smallest set of sources that leaves at most `tolerance` at a degree and an order, or, if
-    /// all leave more, the one that leaves least.
+    /// all leave more, the one that leaves least. A material that needs no sources has none.
     ///
     /// # Errors
     ///
@@ -114,7 +114,8 @@ impl Sharpness {
         }
         let gloss = highlights::gloss::<f64>(gloss)?;
         let measured = self.size(size);
-        let of_size = self.errors.iter().filter(|one| one.size == measured);
+        let most = if gloss.needs_sources() { usize::MAX } else { 0 };
+        let of_size = self.errors.iter().filter(|one| one.size == measured && one.most <= most);
         let mut all: Vec<&SetError> = of_size.collect();
         all.sort_by_key(|one| one.most);
         let error = |one| highlights::set_errors(one, &gloss).rms;
@@ -222,12 +223,13 @@ pub fn counted(sources: usize) -> String {
     format!("{sources} source{}", if sources == 1 { "" } else { "s" })
 }
 
-/// A note on a material that sources show as well as harmonics do.
+/// A note on a material that takes no sources.
 #[must_use]
 pub fn matte_note(name: &str, gloss: &Gloss) -> String {
     format!(
-        "note: `{name}` is as matte as a roughness of {:.2}: its pictures are as near without sources",
-        gloss.roughness
+        "note: `{name}` is as matte as a roughness of {:.2}, and sources are for less than {:.1}",
+        gloss.roughness,
+        eigenshade::Gloss::MATTE
     )
 }
 

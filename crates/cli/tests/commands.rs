@@ -272,6 +272,17 @@ fn usage_errors_exit_with_2() {
     assert_eq!(folder.run("light --help").status.code(), Some(0));
 }
 
+/// What a picture is drawn of is named, with what there is instead.
+#[test]
+fn one_light_and_one_material_are_drawn() {
+    let folder = Folder::with_table();
+    let render = |material: &str| format!("render --light lobby --material {material} -o a.png");
+    let names = ["has 4 entries", "material-0, material-1, material-2, material-3"];
+    assert_fails(&folder, &render("materials.csv"), &names);
+    folder.write("m.toml", "[[material]]\nname = \"a\"\nmodel = \"lambertian\"\nalbedo = 1\n");
+    assert_fails(&folder, &render("m.toml"), &["formulas", "eigenshade material"]);
+}
+
 /// It is not an error if the reader closes the pipe early.
 #[cfg(unix)]
 #[test]

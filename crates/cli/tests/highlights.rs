@@ -13,7 +13,8 @@ use std::fmt::Write;
 
 /// A map of one lamp of 0.1 rad, half-way between the camera and the right, on a dim sky, as PFM.
 fn lamp() -> Vec<u8> {
-    let (width, height) = (64_usize, 32_usize);
+    // No multiples of the blocks of texels that sources are found with.
+    let (width, height) = (66_usize, 33_usize);
     let mut bytes = format!("PF\n{width} {height}\n-1.0\n").into_bytes();
     // Rows from the bottom up.
     for row in (0..height).rev() {
@@ -193,6 +194,10 @@ fn pictures_say_what_they_lack() {
     assert!(said("-l studio -m pink-felt --sources 4").contains("as matte as a roughness"));
     assert!(said("-l studio -m two-layer-gold --sources 4").contains("not quite a GGX lobe"));
     assert_eq!(said("-l studio -m gold-metallic-paint --sources 4"), "");
+    // No lobe of its own, whose roughness would mean something.
+    folder.ok("material oren-nayar --sigma 0.5 --albedo 0.2,0.4,0.8 --out rough.csv");
+    assert_eq!(said("-l studio -m rough.csv"), "");
+    assert!(said("-l studio -m rough.csv --sources 4").contains("as matte as a roughness of 1.00"));
     assert!(
         said("-l studio -m chrome --sources 3").contains("2 sources, the largest set of at most 3")
     );
@@ -240,6 +245,13 @@ fn a_tolerance_chooses_table_and_sources() {
     let (said, pixels) = auto("studio", "m.csv", "40dB");
     assert!(said.contains("1 source at degree 9, order 7 leaves 0.58 %"), "{said}");
     assert!(pixels == drawn("studio", "m.csv", "--sources 1").1);
+    // A matte material has no sources, and the tolerance holds all the same.
+    folder.ok("material ggx --roughness 0.65 --f0 0.9 --order 12 --out matte.csv");
+    let (said, pixels) = auto("studio", "matte.csv", "2e-3");
+    assert!(said.contains("no sources at degree 12, order 12 leave"), "{said}");
+    assert!(pixels == drawn("studio", "matte.csv", "-t pbr").1);
+    let (said, _) = auto("studio", "matte.csv", "1e-6");
+    assert!(said.contains("no set leaves 0.0001 %"), "{said}");
     // Shipped materials in color have both orders.
     let (said, pixels) = drawn("city", "brass", "-t pbr --sources auto --tolerance 2e-2");
     assert!(said.contains("at degree 12, order 12 leave"), "{said}");

@@ -98,6 +98,22 @@ fn a_folder_of_everything() {
 }
 
 #[test]
+fn too_few_measurements_are_said() {
+    let folder = Folder::new();
+    let all = measured();
+    let few: String = all.lines().take(11).map(|line| format!("{line}\n")).collect();
+    folder.write("few.csv", few);
+    assert_fails(
+        &folder,
+        "material few.csv --out new.csv",
+        &["few: 10 measurements do not determine 40 coefficients"],
+    );
+    // Ten in one direction of the light are in range by chance.
+    let said = folder.messages("material few.csv --order 2 --out new.csv");
+    assert!(said.contains("10 measurements of `few` do not determine 5 coefficients"), "{said}");
+}
+
+#[test]
 fn bad_formulas() {
     let folder = Folder::new();
     for (arguments, fragments) in [

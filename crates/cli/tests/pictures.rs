@@ -153,6 +153,16 @@ fn pictures_follow_their_options() {
             (visible + 1, white + usize::from(pixel[..3].contains(&255)))
         });
     assert!(white > 0 && white < visible / 10, "{white} of {visible}");
+    // As is light of any scale.
+    for scale in ["1e-25", "1e-5", "1e5", "1e25"] {
+        let light: String =
+            (0..4).map(|k| format!("x,{},{},{scale},0,0\n", k.min(1), [0, -1, 0, 1][k])).collect();
+        folder.write("scaled.csv", format!("name,l,m,r,g,b\n{light}"));
+        folder.ok(&format!("render --light scaled.csv --material nylon --out a.png --size {size}"));
+        let (.., pixels) = decoded(&folder.path("a.png"));
+        let white = pixels.chunks(4).filter(|pixel| pixel[3] > 0 && pixel[0] == 255).count();
+        assert!(white > 0 && white < visible / 10, "{scale}: {white} of {visible}");
+    }
     assert!(picture("--exposure 0.5 --components 3") != linear);
     let (diffuse, gloss) =
         (picture("--exposure 0.1 --effects ambient,diffuse"), picture("--exposure 0.1"));

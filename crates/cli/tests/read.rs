@@ -266,6 +266,24 @@ fn black_may_be_clipped() {
     }
 }
 
+/// An image that no light and material can have, and a sphere in a wide image.
+#[test]
+fn images_of_something_else_are_noted() {
+    let folder = with_image();
+    let said = folder.messages(&format!("{READ} -o d.csv"));
+    assert!(!said.contains("does not look like"), "{said}");
+    let mut noise = noise(7);
+    let rows: String = (0..400).map(|k| format!("l,m,{k},{0},{0},{0}\n", noise().abs())).collect();
+    folder.write("image.csv", format!("{SHADED}\n{rows}"));
+    let said = folder.messages(&format!("{READ} -o d.csv"));
+    assert!(said.contains("does not look like one of this table"), "{said}");
+    let mut wide = b"PF\n32 16\n-1.0\n".to_vec();
+    (0..32 * 16 * 3).for_each(|k| wide.extend((1.0 + 1e-3 * k as f32).to_le_bytes()));
+    folder.write("wide.pfm", wide);
+    let said = folder.messages("read wide.pfm -n sphere --table b.bin --components 4 -o d.csv");
+    assert!(said.contains("the image is 32 x 16"), "{said}");
+}
+
 /// The colors of an EXR are multiplied by its opacity, those of a PNG are not.
 #[test]
 fn an_exr_is_divided_by_its_opacity() {

@@ -212,6 +212,28 @@ fn texels_keep_their_places() {
     }
 }
 
+/// Texels of another size have the same radiance over every direction: exactly where they are
+/// parts of the old ones, and the same integral otherwise.
+#[test]
+fn maps_in_blocks_have_the_same_light() {
+    let texels = |count: usize| (0..count).map(|k| [(k * 7 % 11) as f32, 1.0, 0.5]).collect();
+    let map = EnvironmentMap::new(10, 5, texels(50)).unwrap();
+    let blocks = map.in_blocks(8);
+    assert_eq!((blocks.width, blocks.height), (16, 8));
+    let integral = |map: &EnvironmentMap| direct(map, 0).map(|sum| sum[0]);
+    for (a, b) in integral(&map).into_iter().zip(integral(&blocks)) {
+        assert!((a / b - 1.0).abs() < 1e-6, "{a} {b}");
+    }
+    let halved = EnvironmentMap::new(4, 2, texels(8)).unwrap().in_blocks(4);
+    let of_rows: Vec<f32> = halved.texels.iter().map(|texel| texel[0]).collect();
+    assert_eq!(
+        of_rows,
+        [0.0, 7.0, 3.0, 10.0, 0.0, 7.0, 3.0, 10.0, 6.0, 2.0, 9.0, 5.0, 6.0, 2.0, 9.0, 5.0]
+    );
+    let whole = EnvironmentMap::new(16, 8, texels(128)).unwrap();
+    assert_eq!(whole.in_blocks(8), whole);
+}
+
 #[test]
 fn the_map_is_seen_from_the_camera() {
     let map = map_of(64, |_| [0.0; 3]);

@@ -31,6 +31,10 @@ const AROUND: usize = 8;
 const TRIED: usize = 48;
 const FIRST_STEP: f64 = (1.0 - SMOOTHEST) / (TRIED - 1) as f64;
 const HALVINGS: usize = 6;
+/// A lobe counts as no highlight if a matte surface leaves at most this times as much, or this
+/// much.
+const FLAT: f64 = 1.05;
+const EXACT: f64 = 1e-7;
 /// Steps of the least squares solution.
 const STEPS: usize = 100;
 
@@ -158,6 +162,11 @@ fn nearest(
             best = *one;
         }
     }
+    // The roughness of a lobe that shows nothing means nothing, and must not ask for sources.
+    let matte = matte(points, &terms(places, 1.0)?);
+    if matte.1 <= FLAT * best.1 + EXACT {
+        return Ok(matte);
+    }
     let mut step = FIRST_STEP;
     for _ in 0..HALVINGS {
         step *= 0.5;
@@ -244,6 +253,26 @@ fn terms(places: &[Place], roughness: f64) -> Result<Terms> {
     }))
 }
 
+/// The best albedo without a lobe, and the rms of what it leaves.
+fn matte(points: &[Point], terms: &Terms) -> (Gloss, f64) {
+    let mut gloss =
+        Gloss { roughness: 1.0, reflectance: [0.0; 3], grazing: [0.0; 3], albedo: [0.0; 3] };
+    let (mut left, mut all) = (0.0, 0.0);
+    for c in 0..3 {
+        let sum = |of: fn(f64, f64) -> f64| -> f64 {
+            let pairs = points.iter().zip(terms);
+            pairs.map(|(point, term)| point.weight * of(point.values[c], term[2] + term[3])).sum()
+        };
+        let (square, product) = (sum(|value, _| value * value), sum(|value, term| value * term));
+        let of_term = sum(|_, term| term * term);
+        let albedo = if of_term > 0.0 { (product / of_term).clamp(0.0, 1.0) } else { 0.0 };
+        gloss.albedo[c] = albedo;
+        left += (square - albedo * (2.0 * product - albedo * of_term)).max(0.0);
+        all += square;
+    }
+    (gloss, if all > 0.0 { (left / all).sqrt() } else { 0.0 })
+}
+
 /// The best reflectances and albedo of one roughness, and the rms of what they leave.
 fn at_roughness(points: &[Point], terms: &Terms, roughness: f64) -> (Gloss, f64) {
     let mut gloss = Gloss { roughness, reflectance: [0.0; 3], grazing: [0.0; 3], albedo: [0.0; 3] };
@@ -296,6 +325,7 @@ fn at_roughness(points: &[Point], terms: &Terms, roughness: f64) -> (Gloss, f64)
 #[cfg(test)]
 mod tests {
     use super::*;
+    use eigenshade_generator::material::brdf::OrenNayar;
 
     #[test]
     fn a_lobe_is_found_again() {
@@ -308,6 +338,16 @@ mod tests {
             assert!((gloss.reflectance[c] - f0).abs() < 0.01, "{gloss:?}");
             assert!((gloss.albedo[c] - albedo).abs() < 0.02, "{gloss:?}");
             assert!(gloss.grazing[c] > 0.95, "{gloss:?}");
+        }
+    }
+
+    #[test]
+    fn a_matte_surface_has_no_lobe() {
+        for sigma in [0.0, 0.5, 1.0] {
+            let brdf = OrenNayar::new(0.6, sigma).unwrap();
+            let surface = Surface::gray("x".into(), Box::new(brdf));
+            let (gloss, error) = Fitter::default().fit(&surface).unwrap();
+            assert!(gloss.roughness == 1.0 && error < 0.3, "{gloss:?} {error}");
         }
     }
 

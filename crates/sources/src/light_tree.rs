@@ -18,7 +18,7 @@ use eigenshade_shading::parallel::{self, Progress};
 use std::f64::consts::{PI, TAU};
 
 /// Texels along a side of the smallest block.
-const BLOCK: usize = 8;
+pub const BLOCK: usize = 8;
 /// Largest number of block sizes, each twice the one before.
 const LEVELS: usize = 4;
 /// Nodes along a side of a block.

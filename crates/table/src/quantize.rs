@@ -78,7 +78,10 @@ impl fmt::Display for QuantizeError {
             Self::Large { component } => {
                 write!(f, "component {component} (counted from 0) has a profile above 4095; ")?;
                 if *component > 0 {
-                    write!(f, "keep {component} components or fewer, or ")?;
+                    write!(
+                        f,
+                        "keep {component} components or fewer (`pack --components {component}`), or "
+                    )?;
                 }
                 f.write_str("make the table of a lower degree")
             }

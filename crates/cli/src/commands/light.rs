@@ -23,6 +23,7 @@ use eigenshade_model::inputs::set_error_csv::write_set_errors;
 use eigenshade_model::inputs::source_csv::write_sources;
 use eigenshade_model::source::{SetError, Source, SourceSets};
 use eigenshade_shading::shipped;
+use eigenshade_sources::light_tree::BLOCK;
 use eigenshade_sources::pursuit::{self, FITTED};
 use eigenshade_sources::remaining;
 use std::path::{Path, PathBuf};
@@ -269,6 +270,7 @@ impl Light {
                 let remedy = "leave --sources out, or give an equirectangular map";
                 return Err(Error::new("sources are not found in cubes", remedy).in_file(path));
             };
+            let map = &map.in_blocks(BLOCK);
             let turn = self.frame.turn(false)?.matrix();
             let sets = pursuit::find(map, &materials, most).map_err(|error| error.in_file(path))?;
             let sets = SourceSets { name: name.clone(), sets };

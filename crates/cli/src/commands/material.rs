@@ -146,6 +146,15 @@ fn coefficients(
     progress.finish_and_clear();
     for fit in &fits {
         print_message(fit_line(fit));
+        // Beyond, measurements leave a coefficient undetermined up to rounding.
+        if fit.condition > 1e6 {
+            let (samples, count) = (fit.samples, count_of_orders(order));
+            print_message(format_args!(
+                "warning: {samples} measurements of `{}` do not determine {count} coefficients; \
+                 measure more directions, or give a lower --order",
+                fit.material.name
+            ));
+        }
     }
     for one in &projected {
         let (name, left) = (&one.material.name, one.left_out);

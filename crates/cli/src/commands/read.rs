@@ -268,6 +268,14 @@ impl Read {
         let counts: Vec<bool> =
             image.weights.iter().zip(&mask).map(|(weight, mask)| weight * mask > 0.0).collect();
         let normals = pixels::normals(memory.file(&self.normals), image.size, &counts)?;
+        if let (Some([width, height]), "sphere") = (image.size, &*self.normals.to_string_lossy())
+            && width != height
+        {
+            print_message(format_args!(
+                "note: the image is {width} x {height}, and `sphere` is the largest circle in its \
+                 middle"
+            ));
+        }
         let channels = if image.is_gray() { 1 } else { 3 };
         let values = EigenimageValues::new(table, components);
         let mut observer = Observer::new(values, channels);

@@ -14,6 +14,8 @@ use std::path::Path;
 
 /// The number of materials that the summary names.
 const NAMED: usize = 3;
+/// The share of the image's variance from which on what is left unexplained is worth a note.
+const UNEXPLAINED: f64 = 0.1;
 
 /// A reading with its inputs.
 pub struct Answer<'a> {
@@ -186,6 +188,12 @@ pub fn summarize(answer: &Answer<'_>) {
              squares, {:.2e} by the posterior mean",
             channel.noise, squares.relative_residual, posterior.relative_residual
         ));
+        if squares.relative_residual > UNEXPLAINED {
+            print_message(format_args!(
+                "note: {name}: the image does not look like one of this table with these normals; \
+                 check the normals, their frame and --transfer"
+            ));
+        }
         if !channel.product.has_converged {
             print_message(format_args!(
                 "{name}: the product of light and material in the modes has not converged"

@@ -78,6 +78,31 @@ impl EnvironmentMap {
         Ok(Self { width, height, texels })
     }
 
+    /// The same radiance in the next larger number of columns and rows that are multiples of
+    /// `block`. A texel is the mean over its solid angle.
+    #[must_use]
+    pub fn in_blocks(&self, block: usize) -> Self {
+        let [width, height] = [self.width, self.height].map(|side| side.next_multiple_of(block));
+        let across = overlaps(self.width, width, |x| x);
+        let down = overlaps(self.height, height, |y| -(PI * y).cos());
+        let texel = |row: &[(usize, f64)], column: &[(usize, f64)]| {
+            let mut sum = [0.0; 3];
+            for (y, a) in row {
+                for (x, b) in column {
+                    let from = self.texels[y * self.width + x];
+                    sum.iter_mut()
+                        .zip(from)
+                        .for_each(|(sum, value)| *sum += a * b * f64::from(value));
+                }
+            }
+            sum.map(|value| value as f32)
+        };
+        let texel = &texel;
+        let texels =
+            down.iter().flat_map(|row| across.iter().map(move |column| texel(row, column)));
+        Self { width, height, texels: texels.collect() }
+    }
+
     /// Whether the map is twice as wide as high. If not, its texels still divide the sphere, but
     /// the picture may not be equirectangular at all: it may be a mirror ball or a cube cross.
     #[must_use]
@@ -160,4 +185,22 @@ pub(crate) fn other_type(named: &str) -> Error {
 /// The error for a file that ends too early or is corrupt.
 pub(crate) fn broken(why: impl std::fmt::Display) -> Error {
     Error::new(format!("it is broken or cut short ({why})"), "fetch or export the map again")
+}
+
+/// For each of `to` equal intervals of [0, 1], those of `from` equal intervals that it overlaps, and
+/// their shares of its measure.
+fn overlaps(from: usize, to: usize, measure: fn(f64) -> f64) -> Vec<Vec<(usize, f64)>> {
+    let edge = |k: usize, of: usize| k as f64 / of as f64;
+    let one = |k: usize| {
+        let [low, high] = [edge(k, to), edge(k + 1, to)];
+        let whole = measure(high) - measure(low);
+        // The first and the last interval of the others that begin before its end.
+        (k * from / to..((k + 1) * from).div_ceil(to))
+            .map(|j| {
+                let [a, b] = [low.max(edge(j, from)), high.min(edge(j + 1, from))];
+                (j, (measure(b) - measure(a)) / whole)
+            })
+            .collect()
+    };
+    (0..to).map(one).collect()
 }

@@ -139,6 +139,12 @@ impl Design {
             coefficients = program.solve(&gradient)?;
             program.relax(&coefficients, FAR);
         }
+        let (measurements, coefficients) = (self.matrix.nrows(), self.matrix.ncols());
+        if measurements < coefficients {
+            let what =
+                format!("{measurements} measurements do not determine {coefficients} coefficients");
+            return Err(Error::new(what, "measure more directions, or ask for a lower order"));
+        }
         Err(Error::new(
             format!("the fit is still out of range after {ROUNDS} rounds"),
             "look for gross outliers among the measurements, or ask for a lower order",
