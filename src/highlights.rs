@@ -36,13 +36,16 @@ const BLOCK: usize =
 /// by the formulas of [`Gloss`] with the half-way direction h of source and view. F is the same for
 /// all normals. The source's extent blurs the lobe: instead of α² I, D has the matrix
 /// A = α² I + κ J C Jᵀ in the plane tangent to h, where C is the blob's covariance in the plane
-/// tangent to s, and J = diag(1/2, 1/(2 cos θ_h)) is how far h moves along and across the plane of
-/// source and view. So D = 1 / (π √det A (nᵀ Q n)²), Q = h hᵀ + T A⁻¹ Tᵀ with the tangents T at h.
+/// tangent to s, and J = diag(1/2, 1/(2 cos θ_d)) is how far h moves along and across the plane of
+/// source and view, with the angle θ_d between h and the view. So D = 1 / (π √det A (nᵀ Q n)²
+/// (1 + c²/2)), Q = h hᵀ + T A⁻¹ Tᵀ with the tangents T at h, and c = C_across / cos² θ_d, which
+/// fades a source that spreads around the object's back. There A is also at most 1 across the
+/// plane; its element A_12 is divided by what A_22 was.
 ///
 /// A GGX lobe blurred by a normal distribution is not a GGX lobe. κ = 2 + α² / (α² + tr(J C Jᵀ)/2)
-/// leaves an error of the peak of at most 7.5 %, from points to sources that are much wider than
-/// the lobe. Of a source behind the object, A is at most 1 across the plane, and the lobe is
-/// divided by 1 + c²/2 with c = C_across / cos² θ_h.
+/// leaves an error of the peak's height of at most 7.5 %, from points to sources that are much
+/// wider than the lobe. A pixel on the flank may be off by more: for spreads to 0.2 rad and a
+/// roughness of 0.2, by 20 % of the peak up to 110 degrees from the view, and by 25 % at 140.
 ///
 /// ```
 /// # #[cfg(feature = "presets")] {

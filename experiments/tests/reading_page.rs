@@ -54,11 +54,16 @@ fn only_the_posterior_mean_completes_a_noisy_half() {
                     assert!(3.0 * posterior < *squares, "{name}: {posterior} {squares}");
                 }
             }
-            // 5 to 8 % of the peak, 29 % at worst; least squares 40 % and more.
+            // 5 to 8 % of the peak, 29 % at worst; least squares 50 % and more.
             let [_, [_, squares, [median, worst]]] = tables.errors(&name);
             assert!(median < 0.085 && worst < 0.295, "{name}: {median} {worst}");
-            assert!(squares[0] > 0.4, "{name}: {squares:?}");
+            assert!(squares[0] >= 0.495, "{name}: {squares:?}");
         }
+    }
+    // Without noise, least squares: 38 % with 50 components and 19 % with all.
+    for (name, expected) in [("50 half hidden", 0.375..0.385), ("218 half hidden", 0.185..0.195)] {
+        let [_, [_, squares, _]] = tables.errors(name);
+        assert!(expected.contains(&squares[0]), "{name}: {squares:?}");
     }
     // Without noise, all components: 1.0 %, 9 % at worst.
     let [_, [.., [median, worst]]] = tables.errors("218 half hidden");

@@ -74,8 +74,8 @@ fn responses_are_those_of_the_direct_sum() {
     assert!(most <= INTERPOLATED * largest, "{most:e} {largest:e}");
 }
 
-/// How far a source is from a lamp of 0.05 rad, and by how much energies differ: the peak of a lobe
-/// is wrong by up to 7.5 %, which the energy makes up for.
+/// How far a source is from a lamp of 0.05 rad, and by how much energies differ: the height
+/// of a lobe's peak is wrong by up to 7.5 %, which the energy makes up for.
 const PLACE: f64 = 0.01;
 const ENERGY: f64 = 0.07;
 

@@ -177,7 +177,7 @@ pub struct Estimate {
     pub deviations: Vec<f64>,
     /// The exposure s that was used.
     pub exposure: f64,
-    /// The coordinates a with respect to F, times s: d = s F a + (s - 1) d_m.
+    /// The coordinates a with respect to F: d = s F a + (s - 1) d_m.
     pub coordinates: Vec<f64>,
 }
 
