@@ -330,6 +330,7 @@ impl<'a, S> Basis<'a, S> {
 
     /// Length of the selection.
     const fn selection_length(&self) -> usize {
-        (self.parts.degree + 1) * material::count(self.parts.order) * (self.parts.degree + 1)
+        let degrees = self.parts.degree + 1;
+        degrees.saturating_mul(degrees).saturating_mul(material::count(self.parts.order))
     }
 }

@@ -127,13 +127,30 @@ fn sum<S: Scalar>(a: S, b: S) -> [S; 2] {
     [sum, (a - (sum - of_b)) + (b - of_b)]
 }
 
-/// The rounding error of the product a b, by the method of Dekker for f32.
+/// The rounding error of the product a b, by Dekker's method: halves of 12 or 26 bits.
 fn residual<S: Scalar>(a: S, b: S) -> S {
+    let is_single = S::from_f64(1.0 + f64::EPSILON) == S::ONE;
+    let splitter = S::from_whole(if is_single { (1 << 12) + 1 } else { (1 << 27) + 1 });
     let split = |number: S| {
-        let shifted = S::from_whole(4097) * number;
+        let shifted = splitter * number;
         let high = shifted - (shifted - number);
         [high, number - high]
     };
     let ([a1, a0], [b1, b0]) = (split(a), split(b));
     ((a1 * b1 - a * b) + a1 * b0 + a0 * b1) + a0 * b0
+}
+
+#[cfg(test)]
+mod tests {
+    use super::residual;
+
+    #[test]
+    fn residuals_are_what_a_product_lacks() {
+        for k in 1..200 {
+            let [a, b] = [f64::from(k).recip() - 0.3, 0.7 + 1.0 / f64::from(3 * k)];
+            assert_eq!(residual(a, b), libm::fma(a, b, -a * b));
+            let [a, b] = [a as f32, b as f32];
+            assert_eq!(residual(a, b), libm::fmaf(a, b, -a * b));
+        }
+    }
 }

@@ -71,8 +71,7 @@ pub struct Light {
     /// Find sets of 1, 2, 4, 8, 16 and K small bright sources, K from 1 to 32, for the highlights
     /// of glossy materials: see `render --sources`. They are written beside the output, to
     /// FILE.sources.csv for FILE.csv, and what they leave of pictures to FILE.sources.errors.csv.
-    /// Maps must be equirectangular, with sides that are multiples of 8. Takes some twenty seconds
-    /// a map
+    /// Maps must be equirectangular. Takes some twenty seconds a map
     #[arg(long, value_name = "K", value_parser = count(1, MAX_SOURCES as u64), requires = "out")]
     sources: Option<usize>,
     /// Roughness of the materials that sources are found for, 0.1 to 1
