@@ -3,7 +3,7 @@
 
 use eigenshade_model::error::{Error, Result};
 use eigenshade_model::inputs::input_file::InputFile;
-use std::io::{self, BufRead, Read};
+use std::io::{self, BufRead};
 
 /// Triangles as the file readers return them: 24 bytes for each corner, 12 for each triangle.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -86,18 +86,32 @@ pub(crate) fn broken(what: impl Into<String>) -> Error {
 /// Maximum length of a line in bytes, enough for a polygon of a hundred thousand corners.
 pub(crate) const LONGEST_LINE: usize = 1 << 20;
 
-/// Appends the next line, including its line end, to `line`. Returns false at the end of the text.
+/// Appends the next line to `line`, with `\n` for its end: CR, LF or CRLF. Returns false at the end
+/// of the text.
 ///
 /// # Errors
 ///
-/// The errors of the reader, and a line that makes `line` longer than [`LONGEST_LINE`].
+/// The errors of the reader, and a line that makes `line` longer than about [`LONGEST_LINE`].
 pub(crate) fn append_line(reader: &mut impl BufRead, line: &mut Vec<u8>) -> io::Result<bool> {
-    let room = (LONGEST_LINE + 1).saturating_sub(line.len());
-    let read = reader.by_ref().take(room as u64).read_until(b'\n', line)?;
-    if line.len() > LONGEST_LINE {
-        return Err(io::Error::new(io::ErrorKind::InvalidData, "a line of more than 1 MiB"));
+    let before = line.len();
+    while line.len() <= LONGEST_LINE {
+        let rest = reader.fill_buf()?;
+        let end = rest.iter().position(|byte| matches!(byte, b'\n' | b'\r'));
+        let read = end.map_or(rest.len(), |end| end + 1);
+        line.extend(&rest[..read]);
+        reader.consume(read);
+        if read == 0 {
+            return Ok(line.len() > before);
+        }
+        if end.is_some() {
+            if line.pop() == Some(b'\r') && reader.fill_buf()?.first() == Some(&b'\n') {
+                reader.consume(1);
+            }
+            line.push(b'\n');
+            return Ok(true);
+        }
     }
-    Ok(read > 0)
+    Err(io::Error::new(io::ErrorKind::InvalidData, "a line of more than 1 MiB"))
 }
 
 /// Converts a line to text.

@@ -41,8 +41,8 @@ pub(crate) fn read(file: &InputFile) -> Result<Mesh> {
     Ok(mesh)
 }
 
-/// Passes the words of each line to `with`; a line that ends in a backslash continues in the next
-/// one.
+/// Passes the words of each line to `with`, without its comment; a line that ends in a backslash
+/// continues in the next one.
 fn each_line(file: &InputFile, mut with: impl FnMut(&[&str]) -> Result<()>) -> Result<()> {
     let (mut reader, _) = file.open()?;
     let mut line = Vec::new();
@@ -50,10 +50,15 @@ fn each_line(file: &InputFile, mut with: impl FnMut(&[&str]) -> Result<()>) -> R
     loop {
         let fault =
             |error: std::io::Error| broken(format!("it is not a complete OBJ file ({error})"));
+        let start = line.len();
         let is_there = append_line(&mut reader, &mut line).map_err(fault)?;
         number += 1;
-        if is_there && let Some(part) = line.trim_ascii_end().strip_suffix(b"\\") {
-            line.truncate(part.len());
+        let part = &line[start..];
+        // A comment that ends in a backslash, like the name of a folder, continues nothing.
+        if let Some(comment) = part.iter().position(|byte| *byte == b'#') {
+            line.truncate(start + comment);
+        } else if is_there && let Some(part) = part.trim_ascii_end().strip_suffix(b"\\") {
+            line.truncate(start + part.len());
             line.push(b' ');
             continue;
         }
