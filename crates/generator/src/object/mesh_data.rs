@@ -5,6 +5,10 @@ use eigenshade_model::error::{Error, Result};
 use eigenshade_model::inputs::input_file::InputFile;
 use std::io::{self, BufRead};
 
+/// Twice the area by which a fan of triangles may miss its polygon, of the square of the polygon's
+/// size: corners on a line are so only up to rounding.
+const MISSED: f64 = 1e-4;
+
 /// Triangles as the file readers return them: 24 bytes for each corner, 12 for each triangle.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(crate) struct Mesh {
@@ -37,20 +41,21 @@ impl Mesh {
         Ok(Self { corners: Vec::with_capacity(corners), triangles: Vec::with_capacity(triangles) })
     }
 
-    /// Adds a polygon, cut into a fan of triangles.
+    /// Adds a polygon, cut into a fan of triangles. Its corners must be in the mesh already, unless
+    /// it is a triangle.
     ///
     /// # Errors
     ///
-    /// If it has fewer than three corners or the budget has no room for its triangles.
+    /// If it has fewer than three corners, no fan covers it, or the budget has no room for its
+    /// triangles.
     pub(crate) fn push_polygon(&mut self, file: &InputFile, polygon: &[u32]) -> Result<()> {
-        let [first, rest @ ..] = polygon else {
-            return Err(broken("a face of fewer than three corners: it has none"));
-        };
-        if rest.len() < 2 {
-            let count = polygon.len();
-            return Err(broken(format!("a face of fewer than three corners: it has {count}")));
+        let corners = polygon.len();
+        if corners < 3 {
+            let found = if corners == 0 { "none".to_owned() } else { corners.to_string() };
+            return Err(broken(format!("a face of fewer than three corners: it has {found}")));
         }
-        let count = self.triangles.len() + rest.len() - 1;
+        let first = if corners == 3 { 0 } else { self.fan_corner(polygon)? };
+        let count = self.triangles.len() + corners - 2;
         if count > self.triangles.capacity() {
             // The old and the new list coexist while one is moved into the other.
             let room = count.max(2 * self.triangles.capacity());
@@ -58,8 +63,54 @@ impl Mesh {
             file.admit(self.corners.capacity() as u64 * Self::CORNER + triangles)?;
             self.triangles.reserve_exact(room - self.triangles.len());
         }
-        self.triangles.extend(rest.windows(2).map(|two| [*first, two[0], two[1]]));
+        let fan = (1..corners - 1).map(|k| fan_triangle(polygon, first, k));
+        self.triangles.extend(fan);
         Ok(())
+    }
+
+    /// The number of the polygon's corner from which a fan of triangles covers it: the first one
+    /// from which all triangles have the orientation of the polygon's normal (Newell's), up to
+    /// [`MISSED`].
+    fn fan_corner(&self, polygon: &[u32]) -> Result<usize> {
+        let mut edges = Vec::with_capacity(polygon.len());
+        let start = self.corner(polygon[0])?;
+        for place in polygon {
+            let end = self.corner(*place)?;
+            edges.push([0, 1, 2].map(|axis| end[axis] - start[axis]));
+        }
+        let size = edges.iter().flatten().fold(0.0, |most: f64, edge| most.max(edge.abs()));
+        // Twice the area of each triangle, times its normal.
+        let fan = |first: usize| {
+            let edges = &edges;
+            (1..edges.len() - 1).map(move |k| {
+                let [a, b, c] = fan_triangle(edges, first, k);
+                let [u, v] = [b, c].map(|to| [0, 1, 2].map(|axis| (to[axis] - a[axis]) / size));
+                [1, 2, 0].map(|x| u[x] * v[(x + 1) % 3] - u[(x + 1) % 3] * v[x])
+            })
+        };
+        let dot = |a: [f64; 3], b: [f64; 3]| a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+        let normal = fan(0).fold([0.0; 3], |sum, one| [0, 1, 2].map(|axis| sum[axis] + one[axis]));
+        let misses = |first: &usize| {
+            let mut missed = 0.0;
+            fan(*first).any(|one| {
+                if dot(one, normal) <= 0.0 {
+                    missed += dot(one, one).sqrt();
+                }
+                missed > MISSED
+            })
+        };
+        (0..polygon.len()).find(|first| !misses(first)).ok_or_else(|| {
+            let count = polygon.len();
+            let what = format!("a face of {count} corners, and no fan of triangles covers it");
+            Error::new(what, "triangulate the mesh, and export it again")
+        })
+    }
+
+    fn corner(&self, place: u32) -> Result<[f64; 3]> {
+        self.corners
+            .get(place as usize)
+            .copied()
+            .ok_or_else(|| broken(format!("corner {place} does not exist")))
     }
 
     /// The corners of each triangle.
@@ -68,14 +119,14 @@ impl Mesh {
     ///
     /// If a corner does not exist.
     pub(crate) fn triangles(&self) -> impl Iterator<Item = Result<[[f64; 3]; 3]>> {
-        let corner = |place: u32| {
-            self.corners
-                .get(place as usize)
-                .copied()
-                .ok_or_else(|| broken(format!("corner {place} does not exist")))
-        };
+        let corner = |place| self.corner(place);
         self.triangles.iter().map(move |&[a, b, c]| Ok([corner(a)?, corner(b)?, corner(c)?]))
     }
+}
+
+/// Triangle `k`, from 1, of the fan from corner number `first`.
+fn fan_triangle<T: Copy>(polygon: &[T], first: usize, k: usize) -> [T; 3] {
+    [0, k, k + 1].map(|k| polygon[(first + k) % polygon.len()])
 }
 
 /// The error for a broken file; the remedy is to export it again.

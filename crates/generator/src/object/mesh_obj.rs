@@ -23,14 +23,21 @@ pub(crate) fn read(file: &InputFile) -> Result<Mesh> {
         Ok(())
     })?;
     let mut mesh = Mesh::with_room(file, corners, triangles)?;
-    let mut polygon = Vec::new();
+    each_line(file, |words| {
+        if let ["v", numbers @ ..] = words {
+            mesh.corners.push(corner(numbers)?);
+        }
+        Ok(())
+    })?;
+    // A face may name corners that follow it.
+    let (mut polygon, mut before) = (Vec::new(), 0);
     each_line(file, |words| {
         match words {
-            ["v", numbers @ ..] => mesh.corners.push(corner(numbers)?),
+            ["v", ..] => before += 1,
             ["f", numbers @ ..] => {
                 polygon.clear();
                 for number in numbers {
-                    polygon.push(place(number, mesh.corners.len(), corners)?);
+                    polygon.push(place(number, before, corners)?);
                 }
                 mesh.push_polygon(file, &polygon)?;
             }
@@ -84,13 +91,13 @@ fn corner(numbers: &[&str]) -> Result<[f64; 3]> {
 }
 
 /// The index of a corner, from 0, for `1`, `1/2`, `1//3`, `1/2/3` or `-1`.
-fn place(text: &str, before: usize, all: u64) -> Result<u32> {
+fn place(text: &str, before: i64, all: u64) -> Result<u32> {
     let wrong = || {
         broken(format!("it is not a complete OBJ file (`{text}` is not one of its {all} corners)"))
     };
     let first = text.split('/').next().unwrap_or_default();
     let number: i64 = first.parse().map_err(|_| wrong())?;
-    let place = if number < 0 { number + before as i64 } else { number - 1 };
+    let place = if number < 0 { number + before } else { number - 1 };
     let place = u32::try_from(place).map_err(|_| wrong())?;
     if u64::from(place) < all { Ok(place) } else { Err(wrong()) }
 }
