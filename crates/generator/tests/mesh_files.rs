@@ -91,7 +91,7 @@ fn polygons_are_covered_once() {
     }
     // Polygons without an area have no facets, and are no errors.
     let line = [[0.0, 0.0], [0.1, 0.3], [0.2, 0.6], [0.3, 0.9]];
-    assert_eq!(read("a.obj", &obj(&line, &[0, 2, 1, 3])), Ok(Vec::new()));
+    assert_eq!(read("a.obj", obj(&line, &[0, 2, 1, 3])), Ok(Vec::new()));
 }
 
 /// A fan from the first corner, as long as it covers the polygon.
@@ -100,8 +100,8 @@ fn convex_polygons_begin_at_their_first_corner() {
     // Warped, so that each triangle has a normal of its own.
     let corners = "v 0 0 0\nv 1 0 0\nv 1 1 0.5\nv 0 1 0\n";
     for (quad, triangles) in [("1 2 3 4", "f 1 2 3\nf 1 3 4"), ("2 3 4 1", "f 2 3 4\nf 2 4 1")] {
-        let ours = read("quad.obj", &format!("{corners}f {quad}\n")).expect("a quad");
-        let theirs = read("two.obj", &format!("{corners}{triangles}\n")).expect("triangles");
+        let ours = read("quad.obj", format!("{corners}f {quad}\n")).expect("a quad");
+        let theirs = read("two.obj", format!("{corners}{triangles}\n")).expect("triangles");
         assert_eq!(ours, theirs, "{quad}");
     }
 }
@@ -142,10 +142,10 @@ fn polygon_files_cut_short() {
     let numbers = ARROW.iter().flat_map(|[x, y]| [*x as f32, *y as f32, 0.0]);
     let list = [&[5][..], &[0i32, 1, 2, 3, 4].map(i32::to_le_bytes).concat()].concat();
     let binary = [header.into_bytes(), numbers.flat_map(f32::to_le_bytes).collect(), list].concat();
-    let body_of_binary = binary.len() - 5 * 12 - 21;
+    let start_of_binary = binary.len() - 5 * 12 - 21;
     // The text is whole without its last line end.
     for (bytes, body, end) in
-        [(text.as_bytes(), body, text.len() - 1), (&binary, body_of_binary, binary.len())]
+        [(text.as_bytes(), body, text.len() - 1), (&binary, start_of_binary, binary.len())]
     {
         let facets = read("whole.ply", &bytes[..end]).expect("a mesh");
         assert_eq!(facets.len(), 3);
