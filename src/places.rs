@@ -2,7 +2,7 @@
 //! transfer.
 //!
 //! Each step of the runtime is one function of a place. For a table that is known only at run time,
-//! a loop asks for one place after the other. For a [`Shape`] the places are constants, and the
+//! a loop asks for one place after the other. For a [`KnownTable`] the places are constants, and the
 //! compiler specializes the same function for each of them; so the functions here are `const`.
 
 use crate::basis::Basis;
@@ -12,7 +12,7 @@ use crate::invariant::part;
 use crate::quantized::{self, Profile};
 
 /// A table that is known when the program is compiled, with a basis of type `B`.
-pub trait Shape<B: 'static> {
+pub trait KnownTable<B: 'static> {
     /// The basis.
     const BASIS: &'static B;
 }

@@ -16,7 +16,7 @@ use crate::index::light::position;
 use crate::invariant::part;
 use crate::lanes;
 use crate::light::Light;
-use crate::places::{PassPlace, Run, Shape};
+use crate::places::{KnownTable, PassPlace, Run};
 use crate::projection::Coefficients;
 use crate::scalar::Scalar;
 use crate::transfer::Transfer;
@@ -131,7 +131,7 @@ pub fn inputs<'a, S: Scalar, const T: usize, const N: usize>(
 /// Writes the sums of pass number `I`, which has `P` profiles, to their components.
 #[inline(always)]
 pub fn write<
-    B: Shape<Basis<'static, S>>,
+    B: KnownTable<Basis<'static, S>>,
     S: Scalar,
     const I: usize,
     const P: usize,
@@ -144,7 +144,7 @@ pub fn write<
 }
 
 #[expect(clippy::panic, reason = "while the program is compiled")]
-const fn pass_of<B: Shape<Basis<'static, S>>, S: 'static, const P: usize>(
+const fn pass_of<B: KnownTable<Basis<'static, S>>, S: 'static, const P: usize>(
     index: usize,
 ) -> PassPlace {
     match B::BASIS.pass_at(index) {
@@ -154,7 +154,7 @@ const fn pass_of<B: Shape<Basis<'static, S>>, S: 'static, const P: usize>(
 }
 
 #[expect(clippy::panic, reason = "while the program is compiled")]
-const fn run_of<B: Shape<Basis<'static, S>>, S: 'static, const P: usize>(index: usize) -> Run {
+const fn run_of<B: KnownTable<Basis<'static, S>>, S: 'static, const P: usize>(index: usize) -> Run {
     match B::BASIS.run_at(index) {
         Some(run) if run.profiles == P => run,
         _ => panic!("the table has no such run"),
@@ -166,7 +166,7 @@ const fn run_of<B: Shape<Basis<'static, S>>, S: 'static, const P: usize>(index: 
 /// Not inlined: a compiler that sees single lanes being read splits the groups.
 #[inline(never)]
 pub fn sums<
-    B: Shape<Basis<'static, S>>,
+    B: KnownTable<Basis<'static, S>>,
     S: Scalar,
     const I: usize,
     const P: usize,
@@ -245,7 +245,7 @@ fn write_pass<S: Scalar>(pass: &PassPlace, sums: &[[S; LANES]], coefficients: &m
 /// Not inlined: a compiler that sees several orders at once runs out of registers.
 #[inline(never)]
 pub fn run<
-    B: Shape<Basis<'static, S>>,
+    B: KnownTable<Basis<'static, S>>,
     S: Scalar,
     const I: usize,
     const P: usize,

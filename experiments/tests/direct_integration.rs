@@ -2,12 +2,13 @@
 //! frame, which has other nodes and other formulas.
 
 use crate::support::{self, Folder, assert_fails, repository, rows};
-use crate::{OF_DIGITS, by_texels, measured_surfaces, shipped_map, spread, tolerances};
+use crate::{OF_DIGITS, by_texels, measured_surfaces, shipped_map, tolerances};
 use eigenshade_generator::light::environment::EnvironmentMap;
 use eigenshade_generator::light::projection::project;
 use eigenshade_generator::material::brdf::projection::project as project_brdf;
 use eigenshade_generator::material::brdf::{Brdf, Ggx, Lambertian, Measure};
 use eigenshade_model::reference::DirectSum;
+use eigenshade_testing::fixtures::{self, of_equal_areas};
 use eigenshade_testing::oracle::ggx;
 use experiments::light_tree::LightTree;
 use std::f64::consts::{PI, TAU};
@@ -93,7 +94,7 @@ fn window(width: usize, height: usize, column: usize, row: usize) -> Environment
 fn a_matte_sphere_in_white_light_is_white() {
     let white = EnvironmentMap::new(128, 64, vec![[1.0; 3]; 128 * 64]).unwrap();
     let matte = MATTE.0();
-    for normal in spread(20) {
+    for normal in of_equal_areas(20) {
         let [r, g, b] = by_texels(std::slice::from_ref(&white), &*matte, &[normal], 1.0)[0][0];
         assert!((r / 0.8 - 1.0).abs() <= DIRECT_WHITE, "{r}");
         assert_eq!((r, r), (g, b));
@@ -106,7 +107,7 @@ fn texels_and_the_normals_own_frame_agree() {
     let materials = [MATTE, METAL, DIELECTRIC];
     let functions = materials.map(|(function, _)| function());
     let mut worst: f64 = 0.0;
-    for normal in spread(12) {
+    for normal in of_equal_areas(12) {
         let found: Vec<_> =
             functions.iter().flat_map(|one| by_texels(&maps, &**one, &[normal], 4.0)).collect();
         let expected = integrals(&materials, &maps, normal, 800);
@@ -135,7 +136,7 @@ fn mirror_of_the_brightest(map: &EnvironmentMap) -> [f64; 3] {
 fn narrow_lobes_converge() {
     for (name, roughness) in [("studio", 0.1), ("park", 0.1), ("park", 0.2), ("park", 0.5)] {
         let map = shipped_map(name);
-        let mut normals = spread(60);
+        let mut normals = of_equal_areas(60);
         normals.push(mirror_of_the_brightest(&map));
         let metal = Ggx::new(roughness, 0.9, 0.0).unwrap();
         let images = [1.0, 2.0, 4.0].map(|fine| -> Vec<f64> {
@@ -181,13 +182,8 @@ fn error(
 
 const HEADER: &str = "material,degree,order,components,median,worst,map,normals,scene,energy";
 
-/// A portable float map, rows from the bottom.
 fn pfm(map: &EnvironmentMap) -> Vec<u8> {
-    let mut bytes = format!("PF\n{} {}\n-1.0\n", map.width, map.height).into_bytes();
-    for row in map.texels.chunks(map.width).rev() {
-        bytes.extend(row.iter().flatten().flat_map(|value| value.to_le_bytes()));
-    }
-    bytes
+    fixtures::pfm(map.width, &map.texels)
 }
 
 fn with_maps() -> Folder {
@@ -216,7 +212,7 @@ fn the_command_agrees_with_another_quadrature() {
     let of = |name| [[name, "4", "3"], [name, "4", "3"], [name, "16", "16"]];
     assert_eq!(sizes, [of("metal"), of("matte")].concat());
     let maps = [window(64, 32, 5, 14), window(64, 32, 55, 20)];
-    let (materials, normals) = ([METAL, MATTE], spread(200));
+    let (materials, normals) = ([METAL, MATTE], of_equal_areas(200));
     let integrals: Vec<_> =
         normals.iter().map(|&normal| integrals(&materials, &maps, normal, 300)).collect();
     for (m, (rows, material)) in rows.chunks(3).zip(materials).enumerate() {
@@ -311,7 +307,7 @@ fn the_window_of_materials_in_color_pays() {
     ];
     const MAPS: [&str; 6] = ["park", "lobby", "sunrise", "esplanade", "studio", "workshop"];
     const WIDTH: f64 = 40.0;
-    let normals = spread(80);
+    let normals = of_equal_areas(80);
     let maps = LightTree::new(&MAPS.map(shipped_map)).unwrap();
     let all = measured_surfaces("abc");
     let surfaces = NAMES.map(|name| {

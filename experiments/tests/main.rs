@@ -86,13 +86,3 @@ fn by_texels(
     };
     normals.iter().map(at).collect()
 }
-
-/// Normals of equal shares of the disc, spread evenly from the axis to the rim.
-fn spread(count: usize) -> Vec<[f64; 3]> {
-    let at = |k: usize| {
-        let square = (k as f64 + 0.5) / count as f64;
-        let (y, x) = (2.399_963_229_728_653 * k as f64).sin_cos();
-        [square.sqrt() * x, square.sqrt() * y, (1.0 - square).sqrt()]
-    };
-    (0..count).map(at).collect()
-}

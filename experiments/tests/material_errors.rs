@@ -2,11 +2,12 @@
 //! the table that `docs/accuracy.md` makes of them.
 
 use crate::support::repository;
-use crate::{OF_DIGITS, assert_readme_says, by_texels, measured_surfaces, shipped_map, spread};
+use crate::{OF_DIGITS, assert_readme_says, by_texels, measured_surfaces, shipped_map};
 use eigenshade_generator::material::brdf::Measure;
 use eigenshade_model::database::{Lights, Materials, Named};
 use eigenshade_model::inputs::coefficient_csv::read_materials;
 use eigenshade_shading::shipped;
+use eigenshade_testing::fixtures::of_equal_areas;
 use eigenshade_testing::largest;
 use experiments::accuracy_cost::errors::Spread;
 use experiments::accuracy_cost::images::{Image, Images};
@@ -32,7 +33,7 @@ fn blocks_are_their_texels() {
     let maps = ["park", "studio"].map(shipped_map);
     let lights = Lights { degree: 0, entries: Vec::new() };
     let world = World::of(maps.to_vec(), lights, 0.5).unwrap();
-    let mut normals = spread(16);
+    let mut normals = of_equal_areas(16);
     normals.retain(|[.., z]| *z > 0.0);
     normals.extend([0, 1].map(|map| world.tree.mirror(map)));
     let gltf = [(0.1, 0.9, 0.0), (0.22, 0.8, 0.0), (0.45, 0.04, 0.7), (0.95, 0.8, 0.0)];

@@ -3,7 +3,7 @@
 
 use crate::oracle;
 use crate::support::repository;
-use crate::{spread, tolerances};
+use crate::tolerances;
 use eigenshade::Normal;
 use eigenshade_generator::basis::partial_sum::PartialSum;
 use eigenshade_index::{light, material, mode};
@@ -11,6 +11,7 @@ use eigenshade_model::irradiance;
 use eigenshade_model::selection::variances;
 use eigenshade_shading::owned_basis::OwnedBasis;
 use eigenshade_shading::parallel;
+use eigenshade_testing::fixtures::of_equal_areas;
 use experiments::paper::bound::render;
 use experiments::paper::{DEGREE, Modes, ORDER, Study};
 use experiments::sheet::Sheet;
@@ -187,7 +188,7 @@ fn partial_sums_are_those_of_pixels_and_within_their_bound() {
 fn rendered_spheres_are_sums_of_integrals() {
     let study = study();
     let trial = study.trial("studio", "05-leather").expect("it is there");
-    let normals = spread(300);
+    let normals = of_equal_areas(300);
     let found = render(study, "studio", "05-leather", &normals);
     let found = found.expect("an image");
     let (step, image) = &found.sums[0];

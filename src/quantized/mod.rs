@@ -38,6 +38,7 @@
 //! # fn main() {}
 //! ```
 
+mod about_view;
 mod basis;
 mod estimate;
 mod exposure;
@@ -52,7 +53,6 @@ mod table;
 mod tabulated;
 mod transfer;
 mod turn;
-mod view;
 
 /// Kernels for tables that are known when the program is compiled: `integer_table!` calls them,
 /// once for each azimuth. They compute the same bits as the methods of a [`Basis`] and a [`Scene`],

@@ -3,7 +3,7 @@
 use super::{Basis, Normal};
 use crate::format::{FixedPoint, Wide as _};
 use crate::invariant::part;
-use crate::places::{AzimuthPlace, Shape};
+use crate::places::{AzimuthPlace, KnownTable};
 
 /// A pixel in progress: the sum so far, and (n_x + i n_y)^m for the next m.
 #[derive(Clone, Copy, Debug)]
@@ -45,7 +45,7 @@ impl<Q: FixedPoint> Pixel<Q> {
     /// Starts with m = 0 of a scene of `B`.
     #[inline(always)]
     #[must_use]
-    pub fn start<B: Shape<Basis<'static, Q>>, const N: usize>(
+    pub fn start<B: KnownTable<Basis<'static, Q>>, const N: usize>(
         terms: &[i32; N],
         normal: Normal<Q>,
     ) -> Self {
@@ -56,7 +56,7 @@ impl<Q: FixedPoint> Pixel<Q> {
     /// Adds azimuth `M` of a scene of `B`.
     #[inline(always)]
     #[must_use]
-    pub fn azimuth<B: Shape<Basis<'static, Q>>, const M: usize, const N: usize>(
+    pub fn azimuth<B: KnownTable<Basis<'static, Q>>, const M: usize, const N: usize>(
         self,
         terms: &[i32; N],
     ) -> Self {

@@ -7,7 +7,7 @@ use crate::error::{Argument, Error};
 use crate::format::{FixedPoint, Wide};
 use crate::index::light;
 use crate::invariant::{part, split_row};
-use crate::places::{AzimuthPlace, Shape};
+use crate::places::{AzimuthPlace, KnownTable};
 
 /// The coefficients d of one image, component by component. The mantissas are at most 2^30 in size
 /// and are multiplied by 2^exponent.
@@ -135,7 +135,7 @@ pub fn inputs<'a, Q, const T: usize, const P: usize, const N: usize>(
 /// Not inlined: several copies in one function need too many addresses.
 #[inline(never)]
 pub fn azimuth<
-    B: Shape<Basis<'static, Q>>,
+    B: KnownTable<Basis<'static, Q>>,
     Q: FixedPoint,
     const M: usize,
     const T: usize,
@@ -163,7 +163,7 @@ pub fn azimuth<
 /// Shifts the components of azimuth `M` to the common exponent.
 #[inline(always)]
 pub fn align<
-    B: Shape<Basis<'static, Q>>,
+    B: KnownTable<Basis<'static, Q>>,
     Q: FixedPoint,
     const M: usize,
     const P: usize,

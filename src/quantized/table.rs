@@ -11,9 +11,9 @@
 macro_rules! integer_table {
     ($format:ident) => {
         /// The sizes of this table.
-        struct Shape;
-        impl $crate::specialized::Shape<$crate::quantized::Basis<'static, $crate::$format>>
-            for Shape
+        struct This;
+        impl $crate::specialized::KnownTable<$crate::quantized::Basis<'static, $crate::$format>>
+            for This
         {
             const BASIS: &'static $crate::quantized::Basis<'static, $crate::$format> = &BASIS;
         }
@@ -112,13 +112,13 @@ macro_rules! integer_table {
                 let (mut sums, mut of_sums) = ([[0; PAIRS]; DEGREES], [0; DEGREES]);
                 let b = kernels::coefficients(inputs.0);
                 for (l, (sums, exponent)) in sums.iter_mut().zip(&mut of_sums).enumerate() {
-                    let degree = kernels::Degree::new::<Shape>(l, inputs.1);
+                    let degree = kernels::Degree::new::<This>(l, inputs.1);
                     let Some(degree) = &degree else { continue };
                     scatter(degree, &b, sums);
                     *exponent = degree.normalize(sums);
                 }
                 $(kernels::azimuth::<
-                    Shape, $crate::$format, $azimuth, { DEGREES - $azimuth }, PAIRS, DEGREES,
+                    This, $crate::$format, $azimuth, { DEGREES - $azimuth }, PAIRS, DEGREES,
                     TRANSFER, PROFILES,
                 >(&sums, &of_sums, (&mut *numbers, &mut *exponents));)*
                 return Ok(());
@@ -215,10 +215,10 @@ macro_rules! integer_table {
             if let (Some(inputs), Some((d, exponent))) = (inputs, coefficients_mut) {
                 let top = kernels::NONE;
                 $(let top = kernels::azimuth::<
-                    Shape, $crate::$format, $azimuth, TRANSFER, PROFILES, LIGHT, COMPONENTS,
+                    This, $crate::$format, $azimuth, TRANSFER, PROFILES, LIGHT, COMPONENTS,
                 >(inputs, d, top);)*
                 let common = kernels::common(top);
-                $(kernels::align::<Shape, $crate::$format, $azimuth, PROFILES, COMPONENTS>(
+                $(kernels::align::<This, $crate::$format, $azimuth, PROFILES, COMPONENTS>(
                     inputs.1, common, d,
                 );)*
                 *exponent = kernels::exponent::<$crate::$format>(common, light.exponent());
@@ -244,10 +244,10 @@ macro_rules! integer_table {
             let terms = kernels::terms(&BASIS, &mut scene.0);
             if let (Some(d), Some(terms)) = (kernels::mantissas(coefficients), terms) {
                 let size = kernels::Size::<AZIMUTHS>::empty()
-                    $(.azimuth::<Shape, $crate::$format, $azimuth, COMPONENTS>(d))*;
-                if let Some(shifts) = size.shifts::<Shape, $crate::$format>() {
+                    $(.azimuth::<This, $crate::$format, $azimuth, COMPONENTS>(d))*;
+                if let Some(shifts) = size.shifts::<This, $crate::$format>() {
                     $(kernels::azimuth::<
-                        Shape, $crate::$format, $azimuth, $profiles, AZIMUTHS, COMPONENTS, SCENE,
+                        This, $crate::$format, $azimuth, $profiles, AZIMUTHS, COMPONENTS, SCENE,
                     >(d, &shifts, terms);)*
                     kernels::finish(coefficients, &shifts, &mut scene.0);
                     return Ok(());
@@ -326,8 +326,8 @@ macro_rules! integer_table {
             normal: $crate::quantized::Normal<$crate::$format>,
         ) -> i32 {
             let Some(terms) = scene.terms().first_chunk::<SCENE>() else { return 0 };
-            $crate::quantized::kernels::Pixel::start::<Shape, SCENE>(terms, normal)
-                $(.azimuth::<Shape, $azimuth, SCENE>(terms))*
+            $crate::quantized::kernels::Pixel::start::<This, SCENE>(terms, normal)
+                $(.azimuth::<This, $azimuth, SCENE>(terms))*
                 .irradiance()
         }
     };

@@ -19,7 +19,7 @@ pub mod relight {
     pub use crate::relight::{GROUPS, inputs, run, sums, write};
 }
 
-pub use crate::places::Shape;
+pub use crate::places::KnownTable;
 
 use crate::error::{Argument, Error};
 use crate::normal::{Normal, Normals};

@@ -2,7 +2,7 @@
 //! [`Basis::project`](crate::Basis::project). Four profiles at once read the scattered material
 //! only once.
 
-use super::Shape;
+use super::KnownTable;
 use crate::basis::Basis;
 use crate::index;
 use crate::index::layout::LANES;
@@ -101,7 +101,7 @@ pub fn lights<S: Scalar, const M: usize, const L: usize, const N: usize>(
 /// compiler that sees single lanes being read splits the groups.
 #[inline(never)]
 pub fn rows<
-    B: Shape<Basis<'static, S>>,
+    B: KnownTable<Basis<'static, S>>,
     S: Scalar,
     const M: usize,
     const FIRST: usize,
@@ -143,7 +143,7 @@ pub fn rows<
 /// Writes the components that [`rows`] computed.
 #[inline(always)]
 pub fn write<
-    B: Shape<Basis<'static, S>>,
+    B: KnownTable<Basis<'static, S>>,
     S: Scalar,
     const M: usize,
     const FIRST: usize,

@@ -6,7 +6,7 @@
 use crate::basis::Basis;
 use crate::invariant::split_mut;
 use crate::normal::Normal;
-use crate::places::{AzimuthPlace, Shape};
+use crate::places::{AzimuthPlace, KnownTable};
 use crate::polynomial;
 use crate::recurrences::Recurrences;
 use crate::scalar::Scalar;
@@ -35,7 +35,7 @@ pub fn scene_mut<'s, 'a, S: Scalar, const N: usize>(
 /// Not inlined: a compiler that sees several azimuths at once runs out of registers.
 #[inline(never)]
 pub fn collapse<
-    B: Shape<Basis<'static, S>>,
+    B: KnownTable<Basis<'static, S>>,
     S: Scalar,
     const M: usize,
     const P: usize,
@@ -66,7 +66,7 @@ pub fn collapse<
     }
 }
 
-const fn azimuth_of<B: Shape<Basis<'static, S>>, S: 'static>(azimuth: usize) -> AzimuthPlace {
+const fn azimuth_of<B: KnownTable<Basis<'static, S>>, S: 'static>(azimuth: usize) -> AzimuthPlace {
     B::BASIS.azimuth_at(azimuth)
 }
 
@@ -115,7 +115,7 @@ pub fn scene<'s, S: Scalar, B: AsRef<[S]>, const N: usize>(
 
 /// P_m + i Q_m + w̄ `above` for azimuth `M` > 0. The highest azimuth has nothing above it.
 #[inline(always)]
-pub fn azimuth<B: Shape<Basis<'static, S>>, S: Scalar, const M: usize, const N: usize>(
+pub fn azimuth<B: KnownTable<Basis<'static, S>>, S: Scalar, const M: usize, const N: usize>(
     terms: &[S; N],
     normal: Normal<S>,
     above: Option<[S; 2]>,
@@ -136,7 +136,7 @@ pub fn azimuth<B: Shape<Basis<'static, S>>, S: Scalar, const M: usize, const N: 
 
 /// The irradiance P_0 + Re w̄ `above`.
 #[inline(always)]
-pub fn pole<B: Shape<Basis<'static, S>>, S: Scalar, const N: usize>(
+pub fn pole<B: KnownTable<Basis<'static, S>>, S: Scalar, const N: usize>(
     terms: &[S; N],
     normal: Normal<S>,
     above: Option<[S; 2]>,

@@ -80,11 +80,11 @@ macro_rules! table {
             if relight::GROUPS {
                 // All sums first: between the calls, components would be spilled one by one.
                 let sums = ($(
-                    relight::sums::<Shape, f32, $pass, $profiles, TRANSFER, LIGHT>(transfer, light),
+                    relight::sums::<This, f32, $pass, $profiles, TRANSFER, LIGHT>(transfer, light),
                 )*);
-                $(relight::write::<Shape, f32, $pass, $profiles, COMPONENTS>(&sums.$number, d);)*
+                $(relight::write::<This, f32, $pass, $profiles, COMPONENTS>(&sums.$number, d);)*
             } else {
-                $(relight::run::<Shape, f32, $run, $rows, TRANSFER, LIGHT, COMPONENTS>(
+                $(relight::run::<This, f32, $run, $rows, TRANSFER, LIGHT, COMPONENTS>(
                     transfer, light, d,
                 );)*
             }
@@ -157,10 +157,10 @@ macro_rules! table {
                     project::lights::<f32, $azimuth, { DEGREE + 1 - $azimuth }, LIGHT>(light);
                 $(
                     let rows = project::rows::<
-                        Shape, f32, $azimuth, $first, $twos, { PADDED / LANES },
+                        This, f32, $azimuth, $first, $twos, { PADDED / LANES },
                         { DEGREE + 1 - $azimuth }, { DEGREE + 1 },
                     >(&scattering, &lights);
-                    project::write::<Shape, f32, $azimuth, $first, $twos, COMPONENTS>(&rows, d);
+                    project::write::<This, f32, $azimuth, $first, $twos, COMPONENTS>(&rows, d);
                 )*
             )*
             $crate::specialized::subtract(d, PARTS.mean_coefficients);
@@ -207,7 +207,7 @@ macro_rules! table {
             let terms = $crate::specialized::scene_mut(&mut scene.0, PARTS.lengths);
             if let (Ok(d), Some(terms)) = (d, terms) {
                 $($crate::specialized::collapse::<
-                    Shape, f32, $azimuth, $profiles, COMPONENTS, SCENE,
+                    This, f32, $azimuth, $profiles, COMPONENTS, SCENE,
                 >(d, terms);)*
                 return Ok(());
             }
@@ -256,8 +256,8 @@ macro_rules! table {
         pub fn shade_terms(terms: &[f32; SCENE], normal: $crate::Normal<f32>) -> f32 {
             let above = None;
             $(let above =
-                $crate::specialized::azimuth::<Shape, f32, $azimuth, SCENE>(terms, normal, above);)*
-            $crate::specialized::pole::<Shape, f32, SCENE>(terms, normal, above)
+                $crate::specialized::azimuth::<This, f32, $azimuth, SCENE>(terms, normal, above);)*
+            $crate::specialized::pole::<This, f32, SCENE>(terms, normal, above)
         }
     };
     (shade nine terms) => {
@@ -316,8 +316,8 @@ macro_rules! table {
     };
     (@sizes $components:expr, $workspace:expr, $basis:expr) => {
         /// The sizes of this table.
-        struct Shape;
-        impl $crate::specialized::Shape<$crate::Basis<'static, f32>> for Shape {
+        struct This;
+        impl $crate::specialized::KnownTable<$crate::Basis<'static, f32>> for This {
             const BASIS: &'static $crate::Basis<'static, f32> = &$basis;
         }
         /// Largest degree l of the light.

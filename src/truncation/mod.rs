@@ -6,8 +6,8 @@
 //! the span of the remaining terms and the error of the terms outside it, so their squares add.
 
 mod accounts;
-mod basis;
 mod density;
+mod orthogonal;
 mod report;
 mod set;
 mod sources;

@@ -4,8 +4,8 @@
 //! In this form, the square of a term is the mean square error of leaving it out (Parseval), and
 //! the remaining terms are the nearest image with that many terms.
 
-use super::basis::Rows;
 use super::density::{Density, longest, sizes};
+use super::orthogonal::Rows;
 use crate::index::layout::Recurrence;
 use crate::invariant::{part, part_mut, split, split_mut};
 use crate::recurrences::Recurrences;

@@ -1,10 +1,10 @@
 //! Turns light.
 
+pub(crate) mod about_view;
 mod degree;
 pub(crate) mod exchange;
 mod recursion;
 mod swing_twist;
-pub(crate) mod view;
 
 pub(crate) use degree::{Arithmetic, Degree, Multiples, Turn};
 pub(crate) use exchange::LARGEST;

@@ -261,7 +261,7 @@ fn scenes_of_bad_objects() {
         ("normals = \"none.obj\"", &["none.obj"][..]),
         ("normals = \"short.obj\"", &["short.obj", "line 5", "corners"]),
         ("normals = \"wide.png\"", &["wide.png", "16384 x 16384"]),
-        ("normals = \"back.obj\"", &["back.obj", "no normal is visible"]),
+        ("normals = \"back.obj\"", &["back.obj", "faces away"]),
         ("normals = \"n.png\"\nmask = \"small.png\"", &["small.png", "8 x 8"]),
         ("normals = \"n.png\"\nmask = \"black.png\"", &["n.png", "no normal is visible"]),
         ("normals = \"away.png\"", &["away.png", "pixel 0, 0"]),

@@ -8,6 +8,7 @@ use eigenshade_model::inputs::set_error_csv::read_set_errors;
 use eigenshade_model::inputs::source_csv::read_sources;
 use eigenshade_model::source::{Gloss, SetError};
 use eigenshade_shading::shipped;
+use eigenshade_testing::fixtures;
 use std::f64::consts::{FRAC_PI_2, PI};
 use std::fmt::Write;
 
@@ -15,20 +16,16 @@ use std::fmt::Write;
 fn lamp() -> Vec<u8> {
     // No multiples of the blocks of texels that sources are found with.
     let (width, height) = (66_usize, 33_usize);
-    let mut bytes = format!("PF\n{width} {height}\n-1.0\n").into_bytes();
-    // Rows from the bottom up.
-    for row in (0..height).rev() {
+    let mut texels = Vec::new();
+    for row in 0..height {
         for column in 0..width {
             let polar = std::f64::consts::PI * (row as f64 + 0.5) / height as f64;
             let turn = std::f64::consts::TAU * ((column as f64 + 0.5) / width as f64 - 0.5);
             let [x, z] = [turn.sin() * polar.sin(), -turn.cos() * polar.sin()];
-            let radiance: f32 = if 0.6 * x + 0.8 * z > 0.1_f64.cos() { 20.0 } else { 0.1 };
-            for _ in 0..3 {
-                bytes.extend(radiance.to_le_bytes());
-            }
+            texels.push([if 0.6 * x + 0.8 * z > 0.1_f64.cos() { 20.0 } else { 0.1 }; 3]);
         }
     }
-    bytes
+    fixtures::pfm(width, &texels)
 }
 
 /// Directions of a lamp that is found, radians; and a highlight against the picture without it.

@@ -5,6 +5,7 @@
 use crate::PROGRAM;
 use crate::support::files::with_image;
 use crate::support::{DEGREE, Folder, ORDER, assert_fails, lights, materials};
+use eigenshade_testing::fixtures;
 use std::collections::BTreeMap;
 use std::fs::{self, Permissions};
 use std::os::unix::fs::{MetadataExt, PermissionsExt, symlink};
@@ -187,8 +188,7 @@ fn with_everything() -> Folder {
         "matte.toml",
         "[[material]]\nname = \"matte\"\nmodel = \"lambertian\"\nalbedo = 1\n",
     );
-    let texels = [1.0f32; 3 * 4 * 2].iter().flat_map(|value| value.to_le_bytes());
-    let map: Vec<u8> = b"PF\n4 2\n-1.0\n".iter().copied().chain(texels).collect();
+    let map = fixtures::pfm(4, &[[1.0; 3]; 4 * 2]);
     folder.write("map.pfm", &map);
     fs::create_dir(folder.path("maps")).expect("a folder");
     folder.write("maps/other.pfm", &map);

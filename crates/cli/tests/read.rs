@@ -6,7 +6,7 @@ use crate::support::{
     DEGREE, Folder, ORDER, SHADED, assert_fails, difference, lights, materials, noise, numbers,
     rows, scene,
 };
-use eigenshade_testing::largest;
+use eigenshade_testing::{fixtures, largest};
 use std::fmt::Write;
 
 /// d of an image without noise, and the image of its light, relative to the largest: polynomials
@@ -277,9 +277,8 @@ fn images_of_something_else_are_noted() {
     folder.write("image.csv", format!("{SHADED}\n{rows}"));
     let said = folder.messages(&format!("{READ} -o d.csv"));
     assert!(said.contains("does not look like one of this table"), "{said}");
-    let mut wide = b"PF\n32 16\n-1.0\n".to_vec();
-    (0..32 * 16 * 3).for_each(|k| wide.extend((1.0 + 1e-3 * k as f32).to_le_bytes()));
-    folder.write("wide.pfm", wide);
+    let wide: Vec<[f32; 3]> = (0..32 * 16).map(|k| [1.0 + 1e-3 * k as f32; 3]).collect();
+    folder.write("wide.pfm", fixtures::pfm(32, &wide));
     let said = folder.messages("read wide.pfm -n sphere --table b.bin --components 4 -o d.csv");
     assert!(said.contains("the image is 32 x 16"), "{said}");
 }

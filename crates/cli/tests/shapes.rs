@@ -292,7 +292,7 @@ fn bad_objects_and_outputs() {
         ("none.obj", "", &["none.obj"][..]),
         ("none.png", "", &["none.png"]),
         ("notes.txt", "", &["notes.txt", ".stl"]),
-        ("away.obj", "", &["away.obj", "faces the camera"]),
+        ("away.obj", "", &["away.obj", "faces away"]),
         ("empty.obj", "", &["empty.obj", "no triangle"]),
         ("gray.png", "", &["gray.png", "no pixel"]),
         ("behind.png", "", &["behind.png", "pixel 1, 0", "points away"]),

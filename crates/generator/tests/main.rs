@@ -10,6 +10,7 @@ mod environment_maps;
 mod light_csv;
 mod material_files;
 mod material_fits;
+mod mesh_files;
 mod special_functions;
 mod statistics;
 mod visible_facets;

@@ -3,9 +3,12 @@
 
 use eigenshade_generator::object::facet::Facet;
 use eigenshade_generator::object::mesh;
+use eigenshade_generator::object::picture::Picture;
 use eigenshade_generator::object::visibility::seen_shares;
+use eigenshade_model::error::Error;
 use std::f64::consts::{PI, TAU};
 use std::fmt::Write;
+use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
 
 /// Area of facets that nothing hides, in a picture of a few units: the same products, in another
@@ -362,12 +365,9 @@ fn stacks_of_large_facets() {
     }
 }
 
-/// The reader leaves out what is hidden: the same facets from a file.
-#[test]
-fn a_mesh_file_has_visible_normals() {
-    let triangles = turned(torus([40, 20], 0.4), [1.2, 0.3]);
-    let folder = tempfile::tempdir().expect("a folder");
-    let path = folder.path().join("torus.obj");
+/// A mesh file of these triangles in a folder.
+fn file(folder: &Path, triangles: &[Triangle]) -> PathBuf {
+    let path = folder.join("mesh.obj");
     let mut text = String::new();
     for [x, y, z] in triangles.iter().flatten() {
         writeln!(text, "v {x} {y} {z}\nvn 0 0 1").expect("text");
@@ -377,6 +377,15 @@ fn a_mesh_file_has_visible_normals() {
         writeln!(text, "f {a}//{a} {b}//{b} {c}//{c}").expect("text");
     }
     std::fs::write(&path, text).expect("a file");
+    path
+}
+
+/// The reader leaves out what is hidden: the same facets from a file.
+#[test]
+fn a_mesh_file_has_visible_normals() {
+    let triangles = turned(torus([40, 20], 0.4), [1.2, 0.3]);
+    let folder = tempfile::tempdir().expect("a folder");
+    let path = file(folder.path(), &triangles);
     let pairs = mesh::read(&path).expect("a mesh");
     let ours = seen(&triangles);
     assert_eq!(pairs.len(), ours.iter().filter(|area| **area > 0.0).count());
@@ -388,4 +397,58 @@ fn a_mesh_file_has_visible_normals() {
         let apart = (sum(axis) - expected[axis + 1] / total).abs();
         assert!(apart < WHOLE_FACETS, "{axis}: {apart:e}");
     }
+}
+
+/// The errors of a mesh file of these triangles: of its normals, and of pictures of several sizes.
+fn errors(triangles: &[Triangle]) -> Vec<Option<String>> {
+    let folder = tempfile::tempdir().expect("a folder");
+    let path = file(folder.path(), triangles);
+    let text = |error: Error| error.to_string().split_once(": ").expect("a path").1.to_owned();
+    let pictures = [2, 7, 40, 400, 1000].map(|size| Picture::of_mesh(&path, size).err().map(text));
+    [mesh::read(&path).err().map(text)].into_iter().chain(pictures).collect()
+}
+
+/// Closed meshes with their corners the wrong way round are refused at every size, and open ones
+/// are drawn up to half from behind.
+#[test]
+fn meshes_that_face_away_are_errors() {
+    let back = |triangles: &[Triangle]| -> Vec<Triangle> {
+        triangles.iter().map(|[a, b, c]| [*a, *c, *b]).collect()
+    };
+    let away = "most of what the camera at +z sees of it faces away; reverse the order of the \
+                corners, or turn it";
+    for (name, triangles) in [
+        ("torus", torus([40, 20], 0.4)),
+        ("torus aslant", turned(torus([60, 30], 0.4), [1.2, 0.3])),
+        ("torus from the side", turned(torus([40, 20], 0.4), [0.5 * PI, 0.2])),
+        ("cup", turned(cup(48), [-0.7, 0.4])),
+        ("box", turned(torus([4, 4], 0.4), [0.3, 0.2])),
+        ("needle", turned(cone(50), [0.5 * PI, 0.7])),
+    ] {
+        assert_eq!(errors(&triangles), vec![None; 6], "{name}");
+        assert_eq!(errors(&back(&triangles)), vec![Some(away.to_owned()); 6], "{name} reversed");
+    }
+    let front = rectangle([0.0, 1.0], [0.0, 1.0], 0.0, 0.2);
+    for (wide, error) in [(0.5, None), (1.0, None), (3.0, Some(away.to_owned()))] {
+        let behind = back(&rectangle([1.0, 1.0 + wide], [0.0, 1.0], 0.0, 0.2));
+        assert_eq!(errors(&[&front[..], &behind].concat()), vec![error; 6], "{wide}");
+    }
+    // Two sides of a sheet.
+    let sheet = [&front[..], &back(&front)].concat();
+    assert_eq!(errors(&sheet), vec![None; 6]);
+}
+
+#[test]
+fn slivers_are_thinner_than_a_sample() {
+    let sliver = [[0.0, 0.0, 0.0], [1000.0, 0.0, 0.0], [0.0, 0.001, 0.0]];
+    let found = errors(&[sliver]);
+    assert_eq!(found[0], None);
+    for (error, samples) in found[1..].iter().zip([8, 28, 160, 1600, 4000]) {
+        let expected = format!("it is thinner than a sample, 1/{samples} of the picture; ");
+        assert!(error.as_ref().is_some_and(|error| error.starts_with(&expected)), "{error:?}");
+    }
+    let edge_on = [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 0.0, 1.0]];
+    let found = errors(&[edge_on]);
+    let expected = "no facet of it faces the camera";
+    assert!(found[1..].iter().flatten().all(|error| error.starts_with(expected)), "{found:?}");
 }

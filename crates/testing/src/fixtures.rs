@@ -114,6 +114,15 @@ pub fn spiral(heights: impl IntoIterator<Item = f64>) -> Vec<[f64; 3]> {
     heights.into_iter().enumerate().map(at).collect()
 }
 
+/// A portable float map of these texels, whose rows are given from the top.
+pub fn pfm(width: usize, texels: &[[f32; 3]]) -> Vec<u8> {
+    let mut bytes = format!("PF\n{width} {}\n-1.0\n", texels.len() / width).into_bytes();
+    for row in texels.chunks(width).rev() {
+        bytes.extend(row.iter().flatten().flat_map(|value| value.to_le_bytes()));
+    }
+    bytes
+}
+
 /// Normals that each stand for an equal part of a picture of a sphere.
 pub fn of_equal_areas(count: usize) -> Vec<[f64; 3]> {
     spiral((0..count).map(|k| ((k as f64 + 0.5) / count as f64).sqrt()))

@@ -3,7 +3,7 @@
 //! that the table never saw.
 
 use crate::support::repository;
-use crate::{oracle, spread, tolerances};
+use crate::{oracle, tolerances};
 use eigenshade::{Tolerance, sphere};
 use eigenshade_generator::material::brdf::projection::project;
 use eigenshade_generator::material::brdf::{Ggx, Measure};
@@ -12,7 +12,7 @@ use eigenshade_model::database::Named;
 use eigenshade_shading::owned_basis::OwnedBasis;
 use eigenshade_shading::shader::{OwnedNormals, Shader};
 use eigenshade_shading::shipped;
-use eigenshade_testing::fixtures;
+use eigenshade_testing::fixtures::{self, of_equal_areas};
 use eigenshade_testing::images::{coefficients, single};
 use experiments::accuracy_cost::errors;
 use experiments::accuracy_cost::images::{Image, Images};
@@ -84,7 +84,7 @@ fn errors_are_those_of_direct_quadrature() {
     let table = bases.table(&recipe).expect("a table");
     let found = errors::compare(&Setting::of(recipe), &table, &images).expect("errors");
     // Not those of the command.
-    let normals = spread(300);
+    let normals = of_equal_areas(300);
     let owned = OwnedBasis::<f32>::new(&table);
     let shader = Shader::new(owned.basis().expect("a basis"), usize::MAX);
     let view = OwnedNormals::new(&normals);

@@ -1,13 +1,13 @@
 //! Settings with light sources: their pictures, their errors and their costs.
 
 use super::rows;
-use crate::spread;
 use eigenshade::mathematics::Libm;
 use eigenshade::{Highlights, Normal};
 use eigenshade_index::highlights::MAX_SOURCES;
 use eigenshade_index::light::count;
 use eigenshade_model::source::Gloss;
 use eigenshade_shading::{highlights, shipped};
+use eigenshade_testing::fixtures::of_equal_areas;
 use experiments::accuracy_cost::images::Shaded;
 use experiments::accuracy_cost::machines::MACHINES;
 use experiments::accuracy_cost::settings::{Format, Recipe, Setting};
@@ -40,7 +40,7 @@ fn lamps_are_the_sources_that_lights_lack() {
     let named = |name: &str| lights.entries.iter().find(|light| light.name == name).cloned();
     let lights = ["studio", "lobby"].map(|name| named(name).expect("a light"));
     let sets = shipped::sources().expect("the sources");
-    let mut normals = spread(60);
+    let mut normals = of_equal_areas(60);
     normals.retain(|[.., z]| *z > 0.1);
     let albedo = [0.2, 0.1, 0.3];
     let gloss =

@@ -3,9 +3,9 @@
 #[path = "../../../firmware/programs/src/split_sum.rs"]
 mod baseline;
 
-use crate::spread;
 use baseline::{SIDE, STEPS, SplitSum, WITHIN, place};
 use eigenshade::{NineTerms, Normal};
+use eigenshade_testing::fixtures::of_equal_areas;
 
 /// Between 32 texels along a side, a function of direction that is linear in each component bends
 /// by less than this share of its range; more at the equator, where the octahedron has an edge.
@@ -45,7 +45,7 @@ fn the_counted_baseline_is_the_split_sum() {
     let matte = NineTerms::new([0.4, 0.1, 0.2, -0.1, 0.0, 0.0, 0.0, 0.0, 0.0]);
     let reflected = std::array::from_fn(|k| share(k as f32 / (STEPS - 1) as f32));
     let formula = SplitSum { radiance: texels, reflected, matte };
-    let mut normals = spread(1000);
+    let mut normals = of_equal_areas(1000);
     normals.extend([[0.0, 0.0, 1.0], [1.0, 0.0, 0.0], [0.0, -1.0, 0.0], [0.6, 0.8, 0.0]]);
     let mut largest = 0.0_f32;
     for [x, y, z] in normals.into_iter().map(|normal| normal.map(|one| one as f32)) {

@@ -3,7 +3,7 @@
 
 use crate::format::FixedPoint;
 use crate::invariant::part_mut;
-use crate::places::{AzimuthPlace, Shape};
+use crate::places::{AzimuthPlace, KnownTable};
 use crate::quantized::scene::{
     self, FINEST, Scene, SceneBuffer, bits, half_or_one, size, weight, with_margin,
 };
@@ -67,7 +67,12 @@ impl<const A: usize> Size<A> {
     /// Adds the components of azimuth `M`.
     #[inline(always)]
     #[must_use]
-    pub fn azimuth<B: Shape<Basis<'static, Q>>, Q: FixedPoint, const M: usize, const K: usize>(
+    pub fn azimuth<
+        B: KnownTable<Basis<'static, Q>>,
+        Q: FixedPoint,
+        const M: usize,
+        const K: usize,
+    >(
         mut self,
         d: &[i32; K],
     ) -> Self {
@@ -90,7 +95,7 @@ impl<const A: usize> Size<A> {
     /// than d would have to be shifted left, or right by more bits than they have.
     #[inline(never)]
     #[must_use]
-    pub fn shifts<B: Shape<Basis<'static, Q>>, Q: FixedPoint>(&self) -> Option<Shifts<A>> {
+    pub fn shifts<B: KnownTable<Basis<'static, Q>>, Q: FixedPoint>(&self) -> Option<Shifts<A>> {
         let degree = const { B::BASIS.parts.degree };
         let [least, largest] = const { exponents(B::BASIS.parts.profiles) };
         let most = self.steps.iter().copied().fold(self.image, u32::max);
@@ -146,7 +151,7 @@ impl<const A: usize> Shifts<A> {
 /// Writes the polynomials of azimuth `M`, which has `P` profiles.
 #[inline(always)]
 pub fn azimuth<
-    B: Shape<Basis<'static, Q>>,
+    B: KnownTable<Basis<'static, Q>>,
     Q: FixedPoint,
     const M: usize,
     const P: usize,
@@ -175,7 +180,7 @@ pub fn azimuth<
 
 /// The `P` profiles of an azimuth.
 #[expect(clippy::panic, reason = "while the program is compiled")]
-const fn profiles<B: Shape<Basis<'static, Q>>, Q: 'static, const P: usize>(
+const fn profiles<B: KnownTable<Basis<'static, Q>>, Q: 'static, const P: usize>(
     azimuth: usize,
 ) -> &'static [Profile; P] {
     match B::BASIS.profiles_at(&B::BASIS.azimuth_at(azimuth)).first_chunk() {
@@ -190,7 +195,7 @@ const fn profiles<B: Shape<Basis<'static, Q>>, Q: 'static, const P: usize>(
 /// Not inlined: a compiler that sees several azimuths at once runs out of registers.
 #[inline(never)]
 fn sum<
-    B: Shape<Basis<'static, Q>>,
+    B: KnownTable<Basis<'static, Q>>,
     Q: FixedPoint,
     const M: usize,
     const W: usize,

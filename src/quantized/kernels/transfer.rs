@@ -4,7 +4,7 @@
 use crate::format::{FixedPoint, Wide};
 use crate::index::{material, pair};
 use crate::invariant::{part, part_mut};
-use crate::places::Shape;
+use crate::places::KnownTable;
 use crate::quantized::transfer::{self, GUARD_BITS, ZERO_EXPONENT, guard, room, row_bits};
 use crate::quantized::{Basis, Material, TransferBuffer};
 
@@ -66,7 +66,7 @@ impl<Q: FixedPoint, const P: usize, const O: usize> Degree<Q, P, O> {
     /// Prepares the degree `l`.
     #[inline(never)]
     #[must_use]
-    pub fn new<T: Shape<Basis<'static, Q>>>(l: usize, of_orders: &[i8; O]) -> Option<Self> {
+    pub fn new<T: KnownTable<Basis<'static, Q>>>(l: usize, of_orders: &[i8; O]) -> Option<Self> {
         let polar = T::BASIS.parts.polar.as_chunks::<P>().0.get(l)?;
         let exponents = T::BASIS.parts.polar_exponents.as_chunks::<P>().0.get(l)?;
         let room = room::<Q::Wide>(O - 1);
@@ -131,7 +131,7 @@ impl<Q: FixedPoint, const P: usize, const O: usize> Degree<Q, P, O> {
 /// Computes the rows of the profiles of azimuth `M`, with `L` degrees each.
 #[inline(never)]
 pub fn azimuth<
-    B: Shape<Basis<'static, Q>>,
+    B: KnownTable<Basis<'static, Q>>,
     Q: FixedPoint,
     const M: usize,
     const L: usize,

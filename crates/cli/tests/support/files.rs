@@ -1,6 +1,7 @@
 //! Files that describe objects, images to read, and tables of objects.
 
 use super::{DEGREE, Folder, ORDER, lights, materials, noise, rows, scene};
+use eigenshade_testing::fixtures;
 use png::{BitDepth, ColorType, Encoder};
 use std::collections::HashMap;
 use std::f64::consts::{PI, TAU};
@@ -251,7 +252,5 @@ pub const READ: &str = "read image.csv --normals normals.csv --table b.bin";
 
 /// A map in the portable float format, 8 x 4, of one gray.
 pub fn map(value: f32) -> Vec<u8> {
-    let mut bytes = b"PF\n8 4\n-1.0\n".to_vec();
-    (0..8 * 4 * 3).for_each(|_| bytes.extend(value.to_le_bytes()));
-    bytes
+    fixtures::pfm(8, &[[value; 3]; 8 * 4])
 }

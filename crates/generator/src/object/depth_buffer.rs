@@ -63,6 +63,11 @@ impl DepthBuffer {
         }
     }
 
+    /// The number of samples where a facet is drawn.
+    pub(super) fn covered(&self) -> usize {
+        self.front.iter().filter(|depth| depth.is_finite()).count()
+    }
+
     /// Visits the samples of a facet where nothing lies in front in a drawn picture, with index and
     /// depth.
     pub(super) fn visit_seen(&mut self, facet: &Placed, mut with: impl FnMut(usize, f64)) {

@@ -2,9 +2,9 @@
 
 use crate::object::facet::Facet;
 use crate::object::mesh_data::{Mesh, broken};
-use crate::object::visibility::seen_shares;
+use crate::object::visibility::{faces_away, seen_shares};
 use crate::object::{mesh_obj, mesh_ply, mesh_stl};
-use eigenshade_model::error::Result;
+use eigenshade_model::error::{Error, Result};
 use eigenshade_model::inputs::input_file::InputFile;
 
 /// Bytes for each facet until it is known which are seen: the facet, its share, its index and its
@@ -32,7 +32,8 @@ const SAMPLES: usize = 1024;
 /// # Errors
 ///
 /// If the file is broken or does not match its header, a corner does not exist or is not finite, a
-/// face has fewer than three corners, or the file's budget has no room for the mesh.
+/// face has fewer than three corners or is not covered by a fan of triangles, most of what the
+/// camera sees faces away, or the file's budget has no room for the mesh.
 pub fn read(file: impl Into<InputFile>) -> Result<Vec<([f64; 3], f64)>> {
     let file = file.into();
     seen(&file).map_err(|error| error.in_file(file.path()))
@@ -76,6 +77,12 @@ pub(crate) fn facets(file: &InputFile, bytes_beside: u64) -> Result<Vec<Facet>> 
     let mut facets = Vec::with_capacity(count);
     for corners in mesh.triangles() {
         facets.extend(Facet::new(corners?.map(|corner| corner.map(|x| x / largest))));
+    }
+    if faces_away(&facets) {
+        return Err(Error::new(
+            "most of what the camera at +z sees of it faces away",
+            "reverse the order of the corners, or turn it",
+        ));
     }
     Ok(facets)
 }

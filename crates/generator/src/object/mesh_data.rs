@@ -3,7 +3,14 @@
 
 use eigenshade_model::error::{Error, Result};
 use eigenshade_model::inputs::input_file::InputFile;
-use std::io::{self, BufRead, Read};
+use eigenshade_model::vector::{cross, dot};
+use std::io::{self, BufRead};
+
+/// Twice the area by which a fan of triangles may miss its polygon, of the square of the polygon's
+/// size: corners on a line are so only up to rounding.
+const MISSED: f64 = 1e-4;
+/// The corners from which a fan is tried: a file must not take forever.
+const TRIED: usize = 1000;
 
 /// Triangles as the file readers return them: 24 bytes for each corner, 12 for each triangle.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -37,20 +44,21 @@ impl Mesh {
         Ok(Self { corners: Vec::with_capacity(corners), triangles: Vec::with_capacity(triangles) })
     }
 
-    /// Adds a polygon, cut into a fan of triangles.
+    /// Adds a polygon, cut into a fan of triangles. Its corners must be in the mesh already, unless
+    /// it is a triangle.
     ///
     /// # Errors
     ///
-    /// If it has fewer than three corners or the budget has no room for its triangles.
+    /// If it has fewer than three corners, no fan covers it, or the budget has no room for its
+    /// triangles.
     pub(crate) fn push_polygon(&mut self, file: &InputFile, polygon: &[u32]) -> Result<()> {
-        let [first, rest @ ..] = polygon else {
-            return Err(broken("a face of fewer than three corners: it has none"));
-        };
-        if rest.len() < 2 {
-            let count = polygon.len();
-            return Err(broken(format!("a face of fewer than three corners: it has {count}")));
+        let corners = polygon.len();
+        if corners < 3 {
+            let found = if corners == 0 { "none".to_owned() } else { corners.to_string() };
+            return Err(broken(format!("a face of fewer than three corners: it has {found}")));
         }
-        let count = self.triangles.len() + rest.len() - 1;
+        let first = if corners == 3 { 0 } else { self.fan_corner(polygon)? };
+        let count = self.triangles.len() + corners - 2;
         if count > self.triangles.capacity() {
             // The old and the new list coexist while one is moved into the other.
             let room = count.max(2 * self.triangles.capacity());
@@ -58,8 +66,53 @@ impl Mesh {
             file.admit(self.corners.capacity() as u64 * Self::CORNER + triangles)?;
             self.triangles.reserve_exact(room - self.triangles.len());
         }
-        self.triangles.extend(rest.windows(2).map(|two| [*first, two[0], two[1]]));
+        let fan = (1..corners - 1).map(|k| fan_triangle(polygon, first, k));
+        self.triangles.extend(fan);
         Ok(())
+    }
+
+    /// The number of the polygon's corner from which a fan of triangles covers it: the first one
+    /// from which all triangles have the orientation of the polygon's normal (Newell's), up to
+    /// [`MISSED`] and of the first [`TRIED`].
+    fn fan_corner(&self, polygon: &[u32]) -> Result<usize> {
+        let mut edges = Vec::with_capacity(polygon.len());
+        let start = self.corner(polygon[0])?;
+        for place in polygon {
+            let end = self.corner(*place)?;
+            edges.push([0, 1, 2].map(|axis| end[axis] - start[axis]));
+        }
+        let size = edges.iter().flatten().fold(0.0, |most: f64, edge| most.max(edge.abs()));
+        // Twice the area of each triangle, times its normal.
+        let fan = |first: usize| {
+            let edges = &edges;
+            (1..edges.len() - 1).map(move |k| {
+                let [a, b, c] = fan_triangle(edges, first, k);
+                let [u, v] = [b, c].map(|to| [0, 1, 2].map(|axis| (to[axis] - a[axis]) / size));
+                cross(u, v)
+            })
+        };
+        let normal = fan(0).fold([0.0; 3], |sum, one| [0, 1, 2].map(|axis| sum[axis] + one[axis]));
+        let misses = |first: &usize| {
+            let mut missed = 0.0;
+            fan(*first).any(|one| {
+                if dot(one, normal) <= 0.0 {
+                    missed += dot(one, one).sqrt();
+                }
+                missed > MISSED
+            })
+        };
+        (0..polygon.len().min(TRIED)).find(|first| !misses(first)).ok_or_else(|| {
+            let count = polygon.len();
+            let what = format!("a face of {count} corners, and no fan of triangles covers it");
+            Error::new(what, "triangulate the mesh, and export it again")
+        })
+    }
+
+    fn corner(&self, place: u32) -> Result<[f64; 3]> {
+        self.corners
+            .get(place as usize)
+            .copied()
+            .ok_or_else(|| broken(format!("corner {place} does not exist")))
     }
 
     /// The corners of each triangle.
@@ -68,14 +121,14 @@ impl Mesh {
     ///
     /// If a corner does not exist.
     pub(crate) fn triangles(&self) -> impl Iterator<Item = Result<[[f64; 3]; 3]>> {
-        let corner = |place: u32| {
-            self.corners
-                .get(place as usize)
-                .copied()
-                .ok_or_else(|| broken(format!("corner {place} does not exist")))
-        };
+        let corner = |place| self.corner(place);
         self.triangles.iter().map(move |&[a, b, c]| Ok([corner(a)?, corner(b)?, corner(c)?]))
     }
+}
+
+/// Triangle `k`, from 1, of the fan from corner number `first`.
+fn fan_triangle<T: Copy>(polygon: &[T], first: usize, k: usize) -> [T; 3] {
+    [0, k, k + 1].map(|k| polygon[(first + k) % polygon.len()])
 }
 
 /// The error for a broken file; the remedy is to export it again.
@@ -86,18 +139,32 @@ pub(crate) fn broken(what: impl Into<String>) -> Error {
 /// Maximum length of a line in bytes, enough for a polygon of a hundred thousand corners.
 pub(crate) const LONGEST_LINE: usize = 1 << 20;
 
-/// Appends the next line, including its line end, to `line`. Returns false at the end of the text.
+/// Appends the next line to `line`, with `\n` for its end: CR, LF or CRLF. Returns false at the end
+/// of the text.
 ///
 /// # Errors
 ///
-/// The errors of the reader, and a line that makes `line` longer than [`LONGEST_LINE`].
+/// The errors of the reader, and a line that makes `line` longer than about [`LONGEST_LINE`].
 pub(crate) fn append_line(reader: &mut impl BufRead, line: &mut Vec<u8>) -> io::Result<bool> {
-    let room = (LONGEST_LINE + 1).saturating_sub(line.len());
-    let read = reader.by_ref().take(room as u64).read_until(b'\n', line)?;
-    if line.len() > LONGEST_LINE {
-        return Err(io::Error::new(io::ErrorKind::InvalidData, "a line of more than 1 MiB"));
+    let before = line.len();
+    while line.len() <= LONGEST_LINE {
+        let rest = reader.fill_buf()?;
+        let end = rest.iter().position(|byte| matches!(byte, b'\n' | b'\r'));
+        let read = end.map_or(rest.len(), |end| end + 1);
+        line.extend(&rest[..read]);
+        reader.consume(read);
+        if read == 0 {
+            return Ok(line.len() > before);
+        }
+        if end.is_some() {
+            if line.pop() == Some(b'\r') && reader.fill_buf()?.first() == Some(&b'\n') {
+                reader.consume(1);
+            }
+            line.push(b'\n');
+            return Ok(true);
+        }
     }
-    Ok(read > 0)
+    Err(io::Error::new(io::ErrorKind::InvalidData, "a line of more than 1 MiB"))
 }
 
 /// Converts a line to text.

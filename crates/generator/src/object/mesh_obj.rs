@@ -23,14 +23,21 @@ pub(crate) fn read(file: &InputFile) -> Result<Mesh> {
         Ok(())
     })?;
     let mut mesh = Mesh::with_room(file, corners, triangles)?;
-    let mut polygon = Vec::new();
+    each_line(file, |words| {
+        if let ["v", numbers @ ..] = words {
+            mesh.corners.push(corner(numbers)?);
+        }
+        Ok(())
+    })?;
+    // A face may name corners that follow it.
+    let (mut polygon, mut before) = (Vec::new(), 0);
     each_line(file, |words| {
         match words {
-            ["v", numbers @ ..] => mesh.corners.push(corner(numbers)?),
+            ["v", ..] => before += 1,
             ["f", numbers @ ..] => {
                 polygon.clear();
                 for number in numbers {
-                    polygon.push(place(number, mesh.corners.len(), corners)?);
+                    polygon.push(place(number, before, corners)?);
                 }
                 mesh.push_polygon(file, &polygon)?;
             }
@@ -41,8 +48,8 @@ pub(crate) fn read(file: &InputFile) -> Result<Mesh> {
     Ok(mesh)
 }
 
-/// Passes the words of each line to `with`; a line that ends in a backslash continues in the next
-/// one.
+/// Passes the words of each line to `with`, without its comment; a line that ends in a backslash
+/// continues in the next one.
 fn each_line(file: &InputFile, mut with: impl FnMut(&[&str]) -> Result<()>) -> Result<()> {
     let (mut reader, _) = file.open()?;
     let mut line = Vec::new();
@@ -50,10 +57,15 @@ fn each_line(file: &InputFile, mut with: impl FnMut(&[&str]) -> Result<()>) -> R
     loop {
         let fault =
             |error: std::io::Error| broken(format!("it is not a complete OBJ file ({error})"));
+        let start = line.len();
         let is_there = append_line(&mut reader, &mut line).map_err(fault)?;
         number += 1;
-        if is_there && let Some(part) = line.trim_ascii_end().strip_suffix(b"\\") {
-            line.truncate(part.len());
+        let part = &line[start..];
+        // A comment that ends in a backslash, like the name of a folder, continues nothing.
+        if let Some(comment) = part.iter().position(|byte| *byte == b'#') {
+            line.truncate(start + comment);
+        } else if is_there && let Some(part) = part.trim_ascii_end().strip_suffix(b"\\") {
+            line.truncate(start + part.len());
             line.push(b' ');
             continue;
         }
@@ -79,13 +91,13 @@ fn corner(numbers: &[&str]) -> Result<[f64; 3]> {
 }
 
 /// The index of a corner, from 0, for `1`, `1/2`, `1//3`, `1/2/3` or `-1`.
-fn place(text: &str, before: usize, all: u64) -> Result<u32> {
+fn place(text: &str, before: i64, all: u64) -> Result<u32> {
     let wrong = || {
         broken(format!("it is not a complete OBJ file (`{text}` is not one of its {all} corners)"))
     };
     let first = text.split('/').next().unwrap_or_default();
     let number: i64 = first.parse().map_err(|_| wrong())?;
-    let place = if number < 0 { number + before as i64 } else { number - 1 };
+    let place = if number < 0 { number + before } else { number - 1 };
     let place = u32::try_from(place).map_err(|_| wrong())?;
     if u64::from(place) < all { Ok(place) } else { Err(wrong()) }
 }

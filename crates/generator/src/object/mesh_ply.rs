@@ -7,7 +7,7 @@ use ply_rs_bw::parser::{ParseError, Parser, Reader};
 use ply_rs_bw::ply::{
     BeginList, ElementDef, Encoding, Property, PropertyAccess, PropertyAccessResult,
 };
-use std::io::BufRead;
+use std::io::{self, BufRead, ErrorKind};
 
 /// Largest number of entries in a list of any type.
 const MOST_NUMBERS: usize = LONGEST_LINE;
@@ -47,13 +47,21 @@ fn decode(reader: impl BufRead, length: u64, file: &InputFile) -> Result<Mesh> {
     let mut mesh = Mesh::with_room(file, count("vertex"), count("face"))?;
     let mut rows = Rows { reader, encoding: header.encoding, line: Vec::new() };
     for (name, element) in &header.elements {
-        for _ in 0..element.count {
-            let row = rows.next(element)?;
-            match name.as_str() {
-                "vertex" => mesh.corners.push(row.corner()?),
-                "face" => mesh.push_polygon(file, &row.corners()?)?,
-                _ => {}
-            }
+        if name == "vertex" && !mesh.triangles.is_empty() {
+            return Err(broken("its faces come before its vertices"));
+        }
+        for number in 1..=element.count {
+            let mut push = || {
+                let row = rows.next(element).map_err(fault)?;
+                match name.as_str() {
+                    "vertex" => mesh.corners.push(row.corner()?),
+                    "face" => mesh.push_polygon(file, &row.corners()?)?,
+                    _ => {}
+                }
+                Ok(())
+            };
+            let place = format_args!("row {number} of {} of element `{name}`", element.count);
+            push().map_err(|error: Error| error.of(place))?;
         }
     }
     rows.finish()?;
@@ -61,7 +69,10 @@ fn decode(reader: impl BufRead, length: u64, file: &InputFile) -> Result<Mesh> {
 }
 
 fn fault(error: ParseError) -> Error {
-    let text = error.to_string();
+    let text = match error.kind() {
+        ErrorKind::UnexpectedEof => "it ends too early".to_owned(),
+        _ => error.to_string(),
+    };
     broken(format!("it is not a complete PLY file ({})", text.lines().next().unwrap_or_default()))
 }
 
@@ -73,23 +84,21 @@ struct Rows<R: BufRead> {
 }
 
 impl<R: BufRead> Rows<R> {
-    fn next(&mut self, element: &ElementDef) -> Result<Element> {
+    fn next(&mut self, element: &ElementDef) -> std::result::Result<Element, ParseError> {
         let (parser, reader) = (Parser::<Element>::new(), self.reader.get_mut());
         match self.encoding {
             Encoding::BinaryBigEndian => parser.read_big_endian_element(reader, element),
             Encoding::BinaryLittleEndian => parser.read_little_endian_element(reader, element),
             Encoding::Ascii => {
                 self.line.clear();
-                let fault = |error| broken(format!("it is not a complete PLY file ({error})"));
-                let is_there = append_line(reader, &mut self.line).map_err(fault)?;
-                if !is_there {
-                    let what = format!("too few rows of element `{}`", element.name);
-                    return Err(broken(format!("it is not a complete PLY file ({what})")));
-                }
-                parser.read_ascii_element(line_text(&self.line).map_err(fault)?, element)
+                append_line(reader, &mut self.line)?;
+                let row = parser.read_ascii_element(line_text(&self.line)?, element);
+                // In a truncated file the last line is truncated too.
+                let is_cut = !self.line.ends_with(b"\n");
+                let cut = || io::Error::from(ErrorKind::UnexpectedEof).into();
+                row.map_err(|error| if is_cut { cut() } else { error })
             }
         }
-        .map_err(fault)
     }
 
     /// Checks that nothing follows except empty lines of a text file.

@@ -54,7 +54,8 @@ impl Picture {
     ///
     /// # Errors
     ///
-    /// Those of [`mesh::read`]; if no facet faces the camera, or the size is less than 2.
+    /// Those of [`mesh::read`]; if no facet faces the camera or all are thinner than a sample, or
+    /// the size is less than 2.
     pub fn of_mesh(file: impl Into<InputFile>, size: usize) -> Result<Self> {
         let file = file.into();
         let drawn = || {
@@ -78,6 +79,10 @@ impl Picture {
             }
             let picture = sums.picture((across * across) as f64);
             picture.ok_or_else(|| {
+                if facets.iter().any(|facet| facet.projected_area > 0.0) {
+                    let what = format!("it is thinner than a sample, 1/{samples} of the picture");
+                    return Error::new(what, "draw it larger, or make it thicker");
+                }
                 let remedy =
                     "turn it so that the camera at +z sees it, with corners counterclockwise";
                 Error::new("no facet of it faces the camera", remedy)

@@ -73,6 +73,25 @@ pub fn seen_shares(facets: &[Facet], samples: usize) -> Vec<f64> {
     shares
 }
 
+/// Samples across and down for [`faces_away`].
+const COARSE: usize = 128;
+
+/// Whether most of what the camera at +z meets first faces away from it: more than three fifths, so
+/// that half does not depend on where samples fall.
+pub(crate) fn faces_away(facets: &[Facet]) -> bool {
+    let frame = Frame::new(facets, COARSE);
+    let mut buffer = DepthBuffer::new(COARSE);
+    for facet in facets {
+        buffer.draw(&frame.place(facet));
+    }
+    let mut is_shown = vec![false; COARSE * COARSE];
+    for facet in facets.iter().filter(|facet| facet.projected_area > 0.0) {
+        buffer.visit_seen(&frame.place(facet), |place, _| is_shown[place] = true);
+    }
+    let shown = is_shown.iter().filter(|is_shown| **is_shown).count();
+    5 * shown < 2 * buffer.covered()
+}
+
 /// Number of points that are decided at once: 48 MiB, plus the memory of growing lists.
 const MOST_POINTS: usize = 1 << 20;
 

@@ -9,7 +9,7 @@ use crate::error::{Argument, Error};
 use crate::format::{FixedPoint, Wide as _};
 use crate::index::light;
 use crate::light::degree;
-use crate::turn::view::unrolled;
+use crate::turn::about_view::unrolled;
 use crate::turn::{LARGEST, Multiples};
 
 impl<Q: FixedPoint> Light<'_, Q> {

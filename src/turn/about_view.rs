@@ -12,7 +12,7 @@ use crate::scalar::Scalar;
 /// on. All are literals: the compiler would keep the longest loops, and addresses with them.
 macro_rules! unrolled {
     ($m:ident in 1..=$degree:ident { $first:block $l:ident => $step:expr }) => {
-        $crate::turn::view::unrolled!(@ $m $degree $l $first $step;
+        $crate::turn::about_view::unrolled!(@ $m $degree $l $first $step;
             1 [0 1 2 3 4 5 6 7 8 9 10 11] 2 [0 1 2 3 4 5 6 7 8 9 10] 3 [0 1 2 3 4 5 6 7 8 9]
             4 [0 1 2 3 4 5 6 7 8] 5 [0 1 2 3 4 5 6 7] 6 [0 1 2 3 4 5 6] 7 [0 1 2 3 4 5]
             8 [0 1 2 3 4] 9 [0 1 2 3] 10 [0 1 2] 11 [0 1] 12 [0])
@@ -22,7 +22,7 @@ macro_rules! unrolled {
             let $m: usize = $order;
             if $m <= $degree {
                 $first
-                $crate::turn::view::unrolled!(# $m $degree $l $step; $above);
+                $crate::turn::about_view::unrolled!(# $m $degree $l $step; $above);
             }
         })*
     };

@@ -1,0 +1,159 @@
+//! Mesh files of every spelling: comments, line ends, polygons of any shape, and files cut short.
+
+use eigenshade_generator::object::mesh;
+use eigenshade_model::error::Result;
+
+/// Areas in a square of side 1 of polygons whose corners are rounded to f32.
+const ROUNDED: f64 = 1e-6;
+
+/// Normals and visible areas of the facets in a file of this text.
+fn read(name: &str, text: impl AsRef<[u8]>) -> Result<Vec<([f64; 3], f64)>> {
+    let folder = tempfile::tempdir().expect("a folder");
+    let path = folder.path().join(name);
+    std::fs::write(&path, text).expect("a file");
+    mesh::read(path)
+}
+
+#[test]
+fn comments_end_with_their_line() {
+    let plain = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
+    let expected = read("plain.obj", plain).expect("a mesh");
+    assert_eq!(expected.len(), 1);
+    for text in [
+        &format!("# saved in C:\\models\\\n{plain}"),
+        &plain.replace("1 2 3", "1 2 3 # top"),
+        &plain.replace("1 2 3", "1 2 3# top \\"),
+        &plain.replace("1 2 3", "1 \\\n2 \\\n3 # top"),
+        &plain.replace("v 1 0 0", "v 1 0 0 # right"),
+    ] {
+        assert_eq!(read("with.obj", text).as_ref(), Ok(&expected), "{text}");
+    }
+}
+
+#[test]
+fn lines_end_in_any_way() {
+    let text = "# a corner\nv 0 0 0\nv 1 0 0\n\nv 0 1 \\\n0\nf 1 2 3\n";
+    let expected = read("plain.obj", text).expect("a mesh");
+    assert_eq!(expected.len(), 1);
+    for end in ["\r", "\r\n"] {
+        let text = text.replace('\n', end);
+        assert_eq!(read("with.obj", &text).as_ref(), Ok(&expected), "{end:?}");
+        // Blank lines count, so that messages name the line that an editor shows.
+        let wrong = text.replace("f 1 2 3", "f 1 2 4");
+        let error = read("wrong.obj", &wrong).expect_err("no such corner").to_string();
+        assert!(error.contains("line 7"), "{end:?}: {error}");
+    }
+    // Longer than the buffer of a reader.
+    let long = format!("#{}\r\n{text}", "-".repeat(20_000));
+    assert_eq!(read("long.obj", &long).as_ref(), Ok(&expected));
+}
+
+/// A text PLY of corners in a plane and one face.
+fn ply(corners: &[[f64; 2]], face: &[usize]) -> String {
+    let words = |numbers: &[usize]| numbers.iter().map(|k| format!(" {k}")).collect::<String>();
+    let rows: String = corners.iter().map(|[x, y]| format!("{x} {y} 0\n")).collect();
+    format!(
+        "ply\nformat ascii 1.0\nelement vertex {}\nproperty float x\nproperty float y\n\
+         property float z\nelement face 1\nproperty list uchar int vertex_indices\nend_header\n\
+         {rows}{}{}\n",
+        corners.len(),
+        face.len(),
+        words(face)
+    )
+}
+
+/// The same as an OBJ, with its corners after the face.
+fn obj(corners: &[[f64; 2]], face: &[usize]) -> String {
+    let words: String = face.iter().map(|k| format!(" {}", k + 1)).collect();
+    let rows: String = corners.iter().map(|[x, y]| format!("v {x} {y} 0\n")).collect();
+    format!("f{words}\n{rows}")
+}
+
+const ARROW: [[f64; 2]; 5] = [[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.5, 0.25], [0.0, 1.0]];
+
+/// Facets cover a polygon once, whichever of its corners comes first.
+#[test]
+fn polygons_are_covered_once() {
+    let square = [[0.0, 0.0], [0.5, 0.0], [1.0, 0.0], [1.0, 1.0], [0.1, 1.0], [0.0, 1.0]];
+    // On a line up to the rounding of f32.
+    let rounded = [[0.0, 0.0], [0.3, 1e-7], [0.6, 2e-7], [0.7, -1e-7], [1.0, 0.0], [1.0, 1.0]];
+    for (corners, area) in
+        [(&ARROW[..], 0.625), (&ARROW[..4], 0.375), (&square, 1.0), (&rounded, 0.5)]
+    {
+        for first in 0..corners.len() {
+            let face: Vec<usize> = (first..corners.len()).chain(0..first).collect();
+            for (name, text) in [("a.ply", ply(corners, &face)), ("a.obj", obj(corners, &face))] {
+                let facets = read(name, &text).expect(name);
+                let found: f64 = facets.iter().map(|(_, area)| area).sum();
+                assert!((found - area).abs() < ROUNDED, "{name}, {face:?}: {found}");
+            }
+        }
+    }
+    // Polygons without an area have no facets, and are no errors.
+    let line = [[0.0, 0.0], [0.1, 0.3], [0.2, 0.6], [0.3, 0.9]];
+    assert_eq!(read("a.obj", obj(&line, &[0, 2, 1, 3])), Ok(Vec::new()));
+}
+
+/// A fan from the first corner, as long as it covers the polygon.
+#[test]
+fn convex_polygons_begin_at_their_first_corner() {
+    // Warped, so that each triangle has a normal of its own.
+    let corners = "v 0 0 0\nv 1 0 0\nv 1 1 0.5\nv 0 1 0\n";
+    for (quad, triangles) in [("1 2 3 4", "f 1 2 3\nf 1 3 4"), ("2 3 4 1", "f 2 3 4\nf 2 4 1")] {
+        let ours = read("quad.obj", format!("{corners}f {quad}\n")).expect("a quad");
+        let theirs = read("two.obj", format!("{corners}{triangles}\n")).expect("triangles");
+        assert_eq!(ours, theirs, "{quad}");
+    }
+}
+
+#[test]
+fn polygons_without_a_fan_are_errors() {
+    let star: Vec<[f64; 2]> = (0..12)
+        .map(|k| {
+            let radius = [1.0, 0.2][k % 2];
+            let (y, x) = (f64::from(k as u32) * std::f64::consts::TAU / 12.0).sin_cos();
+            [radius * x, radius * y]
+        })
+        .collect();
+    let crossed = [[0.0, 0.0], [1.0, 1.0], [1.0, 0.0], [0.0, 1.0]];
+    for corners in [&star[..], &crossed] {
+        let face: Vec<usize> = (0..corners.len()).collect();
+        for (name, text, place) in [
+            ("a.ply", ply(corners, &face), "row 1 of 1 of element `face`: "),
+            ("a.obj", obj(corners, &face), "line 1: "),
+        ] {
+            let error = read(name, &text).expect_err("no fan").to_string();
+            let expected = format!(
+                "{place}a face of {} corners, and no fan of triangles covers it; triangulate the \
+                 mesh, and export it again",
+                corners.len()
+            );
+            assert!(error.ends_with(&expected), "{error}");
+        }
+    }
+}
+
+/// Every beginning of a polygon file is refused, in words that name the place.
+#[test]
+fn polygon_files_cut_short() {
+    let text = ply(&ARROW, &[0, 1, 2, 3, 4]);
+    let body = text.find("end_header\n").expect("a header") + "end_header\n".len();
+    let header = text[..body].replace("ascii", "binary_little_endian");
+    let numbers = ARROW.iter().flat_map(|[x, y]| [*x as f32, *y as f32, 0.0]);
+    let list = [&[5][..], &[0i32, 1, 2, 3, 4].map(i32::to_le_bytes).concat()].concat();
+    let binary = [header.into_bytes(), numbers.flat_map(f32::to_le_bytes).collect(), list].concat();
+    let start_of_binary = binary.len() - 5 * 12 - 21;
+    // The text is whole without its last line end.
+    for (bytes, body, end) in
+        [(text.as_bytes(), body, text.len() - 1), (&binary, start_of_binary, binary.len())]
+    {
+        let facets = read("whole.ply", &bytes[..end]).expect("a mesh");
+        assert_eq!(facets.len(), 3);
+        for end in body + 30..end {
+            let error = read("cut.ply", &bytes[..end]).expect_err("cut").to_string();
+            let is_located = error.contains(" of 5 of element `vertex`: it is not a complete PLY")
+                || error.contains("row 1 of 1 of element `face`: it is not a complete PLY");
+            assert!(is_located && error.contains("(it ends too early); export"), "{error}");
+        }
+    }
+}
