@@ -13,10 +13,13 @@ use eigenshade_testing::fixtures::spiral;
 use std::fs;
 
 /// The largest difference of a pixel in f32, relative to the largest irradiance of the channel.
-const OF_A_PICTURE: f64 = 2e-4;
+const OF_A_PICTURE: f64 = 6e-4;
 
 /// The same of coefficients in Q15, drawn in f64.
-const IN_Q15: f64 = 6e-4;
+const IN_Q15: f64 = 8e-4;
+
+/// The difference of coefficients, relative to their norm.
+const OF_COEFFICIENTS: f64 = 2e-4;
 
 /// The same of the formula's own coefficients, rounded to Q15: what no material in Q15 avoids.
 const OF_ROUNDING: f64 = 5e-4;
@@ -46,8 +49,8 @@ fn normals(count: usize) -> Vec<[f64; 3]> {
 
 /// Pixels as sums over a material's coefficients: by light, by normal and by coefficient.
 fn pixels((degree, order): (usize, usize)) -> Vec<Vec<Vec<f64>>> {
-    // The table's, whose worst pixels are other ones at other normals.
-    let normals = normals(160);
+    // The worst pixels lie at the rim: the outermost have z = 0.028.
+    let normals = normals(640);
     let lights = shipped::lights().unwrap().truncated(degree).entries;
     let lights: Vec<&Vec<f64>> = lights.iter().step_by(5).map(|light| &light.rgb[1]).collect();
     let sum = DirectSum::new(degree, order);
@@ -202,7 +205,7 @@ fn the_program_has_the_same_numbers() {
         let length = product(&expected, &expected).sqrt();
         let square: f64 = found.iter().zip(&expected).map(|(a, b)| (a - b) * (a - b)).sum();
         println!("{base} {metallic} {roughness}: {:.1e} of |b|", square.sqrt() / length);
-        assert!(square.sqrt() <= OF_A_PICTURE * length);
+        assert!(square.sqrt() <= OF_COEFFICIENTS * length);
     }
 }
 
