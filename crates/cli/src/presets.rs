@@ -49,7 +49,9 @@ impl FromStr for Source {
             text.rmatch_indices(':').find(of_a_file).or_else(|| text.rmatch_indices(':').next());
         let (path, entry) = match colon.map(|(place, _)| (&text[..place], &text[place + 1..])) {
             _ if is_file(path) || text == STANDARD_INPUT => (text, Entry::All),
-            Some((path, name)) if !path.is_empty() && !name.is_empty() => {
+            Some((path, name))
+                if !path.is_empty() && (!name.is_empty() || is_file(Path::new(path))) =>
+            {
                 (path, Entry::Named(name.to_owned()))
             }
             None if is_word => (text, Entry::Shipped),
@@ -261,8 +263,16 @@ impl Source {
             Some(place) => Ok(vec![entries.swap_remove(place)]),
             None => {
                 let names = entries.iter().map(|entry| entry.name.as_str());
-                let error = Error::new(what, name_remedy(&name, names, otherwise));
-                Err(if self.entry == Entry::Shipped { error } else { error.in_file(&self.path) })
+                if self.entry == Entry::Shipped {
+                    return Err(Error::new(what, name_remedy(&name, names, otherwise)));
+                }
+                let remedy = if entries.len() <= NAMED {
+                    let names = names.map(|name| format!("`{name}`"));
+                    format!("its names are {}", names.collect::<Vec<_>>().join(", "))
+                } else {
+                    name_remedy(&name, names, otherwise)
+                };
+                Err(Error::new(what, remedy).in_file(&self.path))
             }
         }
     }
@@ -278,13 +288,16 @@ impl Source {
             Err(entries) => entries,
         };
         let count = entries.len();
-        let names = entries.iter().take(10).map(|entry| entry.name.as_str()).collect::<Vec<_>>();
+        let names = entries.iter().take(NAMED).map(|entry| entry.name.as_str()).collect::<Vec<_>>();
         let more = if count > names.len() { ", ..." } else { "" };
         let (path, names) = (self.path.display(), names.join(", "));
         let remedy = format!("name one as {path}:NAME, with one of {names}{more}");
         Err(Error::new(format!("it has {count} entries"), remedy).in_file(&self.path))
     }
 }
+
+/// The most entries of a file that messages list.
+const NAMED: usize = 10;
 
 /// What to use for a light and for a material that is not shipped.
 const OTHERWISE: [&str; 2] = [

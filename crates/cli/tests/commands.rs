@@ -279,6 +279,11 @@ fn one_light_and_one_material_are_drawn() {
     let render = |material: &str| format!("render --light lobby --material {material} -o a.png");
     let names = ["has 4 entries", "material-0, material-1, material-2, material-3"];
     assert_fails(&folder, &render("materials.csv"), &names);
+    assert_fails(
+        &folder,
+        &render("materials.csv:"),
+        &["no material ``", "`material-0`, `material-1`"],
+    );
     folder.write("m.toml", "[[material]]\nname = \"a\"\nmodel = \"lambertian\"\nalbedo = 1\n");
     assert_fails(&folder, &render("m.toml"), &["formulas", "eigenshade material"]);
 }
