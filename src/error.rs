@@ -158,8 +158,6 @@ pub enum Argument {
     Images,
     /// Texels of a baked map.
     Texels,
-    /// Samples of a look-up.
-    Samples,
     /// Sources of light.
     Sources,
     /// The reflectance of a material at normal incidence, f0.
@@ -348,7 +346,6 @@ impl fmt::Display for Error {
                 "coefficients of irradiance of degree {degree}: above degree 2 the cosine leaves too \
                  little of the light; give the first 9"
             ),
-
             Self::Size { found } => {
                 write!(f, "a picture of {found} pixels a side; take 1 to 4096 for a disc, 2 to 4096 for a \
                  baked map, at least 1 for a matcap")

@@ -11,7 +11,8 @@
 //!    the same, [`Basis::transfer`] takes it in once and [`Basis::relight`] applies each new light.
 //! 3. [`Basis::collapse`] sums the components of each azimuth into a [`Scene`].
 //! 4. [`Scene::shade`] gives the irradiance of one [`Normal`], [`Scene::shade_slice`] that of many.
-//! 5. [`Scene::bake`] makes a map of the image, whose pixels cost less to look up.
+//! 5. [`Scene::bake`] makes a map of the image. On processors without vectors, a look-up costs less
+//!    than shading.
 //! 6. To turn the light, call [`Light::turned`] with a [`Rotation`]; integers have their own
 //!    ([`quantized::Rotation`]). A [`Window`] keeps a light from ringing, and [`NegativePolicy`] sets
 //!    how to handle irradiance below zero.

@@ -18,11 +18,12 @@ const OF_A_PICTURE: f64 = 6e-4;
 /// The same of coefficients in Q15, drawn in f64.
 const IN_Q15: f64 = 8e-4;
 
-/// The difference of coefficients, relative to their norm.
-const OF_COEFFICIENTS: f64 = 2e-4;
-
 /// The same of the formula's own coefficients, rounded to Q15: what no material in Q15 avoids.
 const OF_ROUNDING: f64 = 5e-4;
+
+/// The difference of coefficients in f32, relative to their norm: of the series, at their worst
+/// near a roughness of 1.
+const OF_COEFFICIENTS: f64 = 2e-4;
 
 /// A sum of three transfers against the transfer of the sum, of the largest pixel.
 const OF_TRANSFERS: f32 = 2e-6;

@@ -10,7 +10,7 @@
 #[macro_export]
 macro_rules! integer_table {
     ($format:ident) => {
-        /// The sizes of this table.
+        /// This table, for the functions that are specialized for it.
         struct This;
         impl $crate::specialized::KnownTable<$crate::quantized::Basis<'static, $crate::$format>>
             for This

@@ -315,7 +315,7 @@ macro_rules! table {
         }
     };
     (@sizes $components:expr, $workspace:expr, $basis:expr) => {
-        /// The sizes of this table.
+        /// This table, for the functions that are specialized for it.
         struct This;
         impl $crate::specialized::KnownTable<$crate::Basis<'static, f32>> for This {
             const BASIS: &'static $crate::Basis<'static, f32> = &$basis;

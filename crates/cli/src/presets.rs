@@ -266,7 +266,9 @@ impl Source {
                 if self.entry == Entry::Shipped {
                     return Err(Error::new(what, name_remedy(&name, names, otherwise)));
                 }
-                let remedy = if entries.len() <= NAMED {
+                let remedy = if let [one] = &entries[..] {
+                    format!("its only name is `{}`", one.name)
+                } else if entries.len() <= NAMED {
                     let names = names.map(|name| format!("`{name}`"));
                     format!("its names are {}", names.collect::<Vec<_>>().join(", "))
                 } else {

@@ -53,6 +53,12 @@ struct Left {
 }
 
 impl Sharpness {
+    /// Whether the errors are those of the light itself.
+    #[must_use]
+    pub fn is_of_the_light(&self) -> bool {
+        self.light.is_some()
+    }
+
     /// The errors under a light, or under all shipped lights with maps if its own are not known.
     ///
     /// # Errors
@@ -107,10 +113,13 @@ impl Sharpness {
     ///
     /// If the errors of the light's sets are not known.
     pub fn fewest(&self, size: Size, gloss: &Gloss, tolerance: f64) -> Result<Choice> {
-        if self.light.is_none() {
+        let unknown = || {
             let remedy = "find its sources again with `eigenshade light MAP --sources 8 --out \
                           FILE.csv`, which measures them, or give their number: --sources 4";
-            return Err(Error::new("the errors of the light's sources are not known", remedy));
+            Error::new("the errors of the light's sources are not known", remedy)
+        };
+        if self.light.is_none() {
+            return Err(unknown());
         }
         let gloss = highlights::gloss::<f64>(gloss)?;
         let measured = self.size(size);
@@ -123,7 +132,7 @@ impl Sharpness {
         let choices: Vec<Choice> = choices.collect();
         let within = choices.iter().find(|choice| choice.error <= tolerance);
         let least = || choices.iter().min_by(|a, b| a.error.total_cmp(&b.error));
-        Ok(within.or_else(least).copied().unwrap_or_default())
+        within.or_else(least).copied().ok_or_else(unknown)
     }
 
     /// A note if pictures of a material are far off, at this degree and order with at most this
@@ -201,7 +210,7 @@ impl Choice {
         let text =
             format!("{sources} at degree {degree}, order {order} {leave} {error:.2} % of the peak");
         if error > asked {
-            format!("note: {text}, and no set leaves {asked} %")
+            format!("note: {text}, more than the {asked} % asked for")
         } else {
             format!("{text}, {asked} % asked for")
         }

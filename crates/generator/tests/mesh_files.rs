@@ -3,7 +3,7 @@
 use eigenshade_generator::object::mesh;
 use eigenshade_model::error::Result;
 
-/// Areas in a square of side 1 of polygons whose corners are rounded to f32.
+/// The error of an area, for polygons in a square of side 1 whose corners are rounded to f32.
 const ROUNDED: f64 = 1e-6;
 
 /// Normals and visible areas of the facets in a file of this text.
@@ -133,7 +133,8 @@ fn polygons_without_a_fan_are_errors() {
     }
 }
 
-/// Every beginning of a polygon file is refused, in words that name the place.
+/// Every beginning of a polygon file is refused; one that is as long as the header promises at
+/// least, in words that name the place.
 #[test]
 fn polygon_files_cut_short() {
     let text = ply(&ARROW, &[0, 1, 2, 3, 4]);
@@ -149,8 +150,11 @@ fn polygon_files_cut_short() {
     {
         let facets = read("whole.ply", &bytes[..end]).expect("a mesh");
         assert_eq!(facets.len(), 3);
-        for end in body + 30..end {
+        for end in 0..end {
             let error = read("cut.ply", &bytes[..end]).expect_err("cut").to_string();
+            if end < body + 30 {
+                continue;
+            }
             let is_located = error.contains(" of 5 of element `vertex`: it is not a complete PLY")
                 || error.contains("row 1 of 1 of element `face`: it is not a complete PLY");
             assert!(is_located && error.contains("(it ends too early); export"), "{error}");

@@ -41,6 +41,9 @@ pub fn within(
     let ((light, degree), (material, order)) = (light, material);
     let Known { gloss, .. } = inputs.material.known_gloss(material, memory.of_file())?;
     let sharpness = Sharpness::under(&inputs.light, light, memory.of_file())?;
+    if !sharpness.is_of_the_light() && !highlights::gloss::<f64>(&gloss)?.needs_sources() {
+        return Ok((table.or(TABLES[0].0), 0));
+    }
     let fits = |size: (usize, usize)| size == TABLES[0].1 || (size.0 <= degree && size.1 <= order);
     let mut best: Option<(usize, Choice, TableChoice, (usize, usize))> = None;
     for (name, size) in TABLES {

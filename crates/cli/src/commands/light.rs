@@ -266,7 +266,7 @@ impl Light {
         let (mut lights, mut errors) = (Vec::new(), Vec::new());
         for (name, path) in files {
             let map = Map::read(memory.file(path), self.layout)?;
-            let Map::Equirectangular(map) = &map else {
+            let Map::Equirectangular(map) = map else {
                 let remedy = "leave --sources out, or give an equirectangular map";
                 return Err(Error::new("sources are not found in cubes", remedy).in_file(path));
             };

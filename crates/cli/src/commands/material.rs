@@ -107,6 +107,10 @@ impl Material {
     }
 }
 
+/// The condition number above which the small term that a fit adds, and not the measurements,
+/// decides a coefficient.
+const UNDETERMINED: f64 = 1e5;
+
 /// The file of the gloss, beside a CSV.
 fn beside(out: &Destination) -> Option<PathBuf> {
     let csv = out.path.as_deref().filter(|path| path.extension().is_some_and(|end| end == "csv"));
@@ -146,8 +150,7 @@ fn coefficients(
     progress.finish_and_clear();
     for fit in &fits {
         print_message(fit_line(fit));
-        // Beyond, measurements leave a coefficient undetermined up to rounding.
-        if fit.condition > 1e6 {
+        if fit.condition > UNDETERMINED {
             let (samples, count) = (fit.samples, count_of_orders(order));
             print_message(format_args!(
                 "warning: {samples} measurements of `{}` do not determine {count} coefficients; \

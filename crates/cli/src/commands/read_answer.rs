@@ -14,7 +14,7 @@ use std::path::Path;
 
 /// The number of materials that the summary names.
 const NAMED: usize = 3;
-/// The share of the image's variance from which on what is left unexplained is worth a note.
+/// The unexplained share of the image's variance above which a note is printed.
 const UNEXPLAINED: f64 = 0.1;
 
 /// A reading with its inputs.

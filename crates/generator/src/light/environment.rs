@@ -81,8 +81,11 @@ impl EnvironmentMap {
     /// The same radiance in the next larger number of columns and rows that are multiples of
     /// `block`. A texel is the mean over its solid angle.
     #[must_use]
-    pub fn in_blocks(&self, block: usize) -> Self {
+    pub fn in_blocks(self, block: usize) -> Self {
         let [width, height] = [self.width, self.height].map(|side| side.next_multiple_of(block));
+        if [width, height] == [self.width, self.height] {
+            return self;
+        }
         let across = overlaps(self.width, width, |x| x);
         let down = overlaps(self.height, height, |y| -(PI * y).cos());
         let texel = |row: &[(usize, f64)], column: &[(usize, f64)]| {

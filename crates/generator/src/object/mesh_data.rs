@@ -6,10 +6,10 @@ use eigenshade_model::inputs::input_file::InputFile;
 use eigenshade_model::vector::{cross, dot};
 use std::io::{self, BufRead};
 
-/// Twice the area by which a fan of triangles may miss its polygon, of the square of the polygon's
-/// size: corners on a line are so only up to rounding.
+/// Twice the area that a fan of triangles may miss, relative to the square of the polygon's size.
+/// Corners on a line are on it only up to rounding.
 const MISSED: f64 = 1e-4;
-/// The corners from which a fan is tried: a file must not take forever.
+/// The most corners that are tried as the start of a fan, to bound the time.
 const TRIED: usize = 1000;
 
 /// Triangles as the file readers return them: 24 bytes for each corner, 12 for each triangle.

@@ -45,11 +45,12 @@ fn decode(reader: impl BufRead, length: u64, file: &InputFile) -> Result<Mesh> {
     }
     let count = |name: &str| header.elements.get(name).map_or(0, |element| element.count as u64);
     let mut mesh = Mesh::with_room(file, count("vertex"), count("face"))?;
+    let place = |name: &str| header.elements.get_index_of(name);
+    if place("face") < place("vertex") && place("face").is_some() {
+        return Err(broken("its faces come before its vertices"));
+    }
     let mut rows = Rows { reader, encoding: header.encoding, line: Vec::new() };
     for (name, element) in &header.elements {
-        if name == "vertex" && !mesh.triangles.is_empty() {
-            return Err(broken("its faces come before its vertices"));
-        }
         for number in 1..=element.count {
             let mut push = || {
                 let row = rows.next(element).map_err(fault)?;
