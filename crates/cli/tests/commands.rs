@@ -272,7 +272,7 @@ fn usage_errors_exit_with_2() {
     assert_eq!(folder.run("light --help").status.code(), Some(0));
 }
 
-/// What a picture is drawn of is named, with what there is instead.
+/// A light or a material that cannot be drawn gives one error, with the names that there are.
 #[test]
 fn one_light_and_one_material_are_drawn() {
     let folder = Folder::with_table();

@@ -11,6 +11,7 @@ mod light_csv;
 mod material_files;
 mod material_fits;
 mod mesh_files;
+mod shapes;
 mod special_functions;
 mod statistics;
 mod visible_facets;

@@ -41,6 +41,7 @@ pub fn within(
     let ((light, degree), (material, order)) = (light, material);
     let Known { gloss, .. } = inputs.material.known_gloss(material, memory.of_file())?;
     let sharpness = Sharpness::under(&inputs.light, light, memory.of_file())?;
+    // It takes no sources, whatever their errors are.
     if !sharpness.is_of_the_light() && !highlights::gloss::<f64>(&gloss)?.needs_sources() {
         return Ok((table.or(TABLES[0].0), 0));
     }

@@ -268,7 +268,8 @@ impl Read {
         let counts: Vec<bool> =
             image.weights.iter().zip(&mask).map(|(weight, mask)| weight * mask > 0.0).collect();
         let normals = pixels::normals(memory.file(&self.normals), image.size, &counts)?;
-        if let (Some([width, height]), "sphere") = (image.size, &*self.normals.to_string_lossy())
+        if let Some([width, height]) = image.size
+            && self.normals == Path::new("sphere")
             && width != height
         {
             print_message(format_args!(

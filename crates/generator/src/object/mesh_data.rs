@@ -72,21 +72,22 @@ impl Mesh {
     }
 
     /// The number of the polygon's corner from which a fan of triangles covers it: the first one
-    /// from which all triangles have the orientation of the polygon's normal (Newell's), up to
-    /// [`MISSED`] and of the first [`TRIED`].
+    /// among [`TRIED`] from which all triangles have the orientation of the polygon's normal
+    /// (Newell's), up to [`MISSED`].
     fn fan_corner(&self, polygon: &[u32]) -> Result<usize> {
-        let mut edges = Vec::with_capacity(polygon.len());
+        // From the first one.
+        let mut corners = Vec::with_capacity(polygon.len());
         let start = self.corner(polygon[0])?;
         for place in polygon {
             let end = self.corner(*place)?;
-            edges.push([0, 1, 2].map(|axis| end[axis] - start[axis]));
+            corners.push([0, 1, 2].map(|axis| end[axis] - start[axis]));
         }
-        let size = edges.iter().flatten().fold(0.0, |most: f64, edge| most.max(edge.abs()));
+        let size = corners.iter().flatten().fold(0.0, |most: f64, x| most.max(x.abs()));
         // Twice the area of each triangle, times its normal.
         let fan = |first: usize| {
-            let edges = &edges;
-            (1..edges.len() - 1).map(move |k| {
-                let [a, b, c] = fan_triangle(edges, first, k);
+            let corners = &corners;
+            (1..corners.len() - 1).map(move |k| {
+                let [a, b, c] = fan_triangle(corners, first, k);
                 let [u, v] = [b, c].map(|to| [0, 1, 2].map(|axis| (to[axis] - a[axis]) / size));
                 cross(u, v)
             })
