@@ -2,11 +2,8 @@
 
 use crate::color::Rgb;
 use crate::error::{Argument, Error};
-use crate::index::highlights::SMOOTHEST;
+use crate::index::highlights::{DIELECTRIC, SMOOTHEST};
 use crate::scalar::Scalar;
-
-/// The reflectance of dielectrics at normal incidence.
-const DIELECTRIC: f64 = 0.04;
 
 /// The roughness from which on harmonics of degree 9 show highlights as well as sources do.
 const MATTE: f64 = 0.6;

@@ -97,6 +97,28 @@ fn a_folder_of_everything() {
     assert_fails(&folder, "material all --order 2 --out new.csv", &["d.csv:2:"]);
 }
 
+/// glTF's parameters are those of a GGX lobe over a matte base.
+#[test]
+fn gltf_materials_are_lobes_over_a_base() {
+    let folder = Folder::new();
+    for (gltf, ggx) in [
+        ("--base-color 0.9,0.6,0.3 --metallic 1", "--f0 0.9,0.6,0.3"),
+        ("--base-color 0.5 --metallic 0", "--f0 0.04 --albedo 0.5"),
+        ("--base-color 0.2,0.5,0.8 --metallic 0.5", "--f0 0.12,0.27,0.42 --albedo 0.1,0.25,0.4"),
+    ] {
+        let of = |model: &str, parameters: &str| {
+            let material = format!("material {model} {parameters} --roughness 0.6 --order 3");
+            folder.ok(&format!("{material} --name x --out {model}.csv"));
+            ["", ".gloss"].map(|end| folder.read(&format!("{model}{end}.csv")))
+        };
+        assert_eq!(of("gltf", gltf), of("ggx", ggx), "{gltf}");
+    }
+    for wrong in ["--base-color 1.5 --metallic 0", "--base-color 0.5 --metallic -0.1"] {
+        let usage = format!("material gltf {wrong} --roughness 0.5");
+        assert_eq!(folder.run(&usage).status.code(), Some(2), "{wrong}");
+    }
+}
+
 #[test]
 fn too_few_measurements_are_said() {
     let folder = Folder::new();

@@ -10,6 +10,9 @@ pub const SETS: [usize; 5] = [1, 2, 4, 8, LARGEST_SET];
 /// The most sources of the largest set that is shipped.
 pub const LARGEST_SET: usize = 16;
 
+/// The reflectance of dielectrics at normal incidence, as in glTF.
+pub const DIELECTRIC: f64 = 0.04;
+
 /// The least roughness of a lobe. Lobes lose more digits the narrower they are, and Q15 has room for
 /// 1/α² up to 2^16.
 pub const SMOOTHEST: f64 = 0.065;

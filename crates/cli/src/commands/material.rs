@@ -14,6 +14,7 @@ use eigenshade_generator::material::analytic::{Analytic, Model, Shares};
 use eigenshade_generator::material::brdf::{Measure, Projected, Surface};
 use eigenshade_generator::material::files::Source;
 use eigenshade_generator::material::fit::{Fit, LOWEST, fit, write_figures};
+use eigenshade_index::highlights::DIELECTRIC;
 use eigenshade_index::material::count as count_of_orders;
 use eigenshade_model::database::{Materials, Named};
 use eigenshade_model::error::{Error, Result};
@@ -37,7 +38,8 @@ const ORDER: usize = 7;
 /// energy, f^2 cos theta_i cos theta_r over both hemispheres, that the order leaves out.
 ///
 /// With --out FILE.csv, the gloss of each material is written to FILE.gloss.csv, for `render
-/// --sources`: one GGX lobe over a matte base, exact for `lambertian` and `ggx` and fitted to others.
+/// --sources`: one GGX lobe over a matte base, exact for `lambertian`, `gltf` and `ggx`, and fitted to
+/// others.
 ///
 /// The options of a formula follow its name: `material ggx --roughness 0.3 --f0 0.9 --order 12`.
 #[derive(Args, Debug)]
@@ -233,10 +235,26 @@ pub enum Formula {
         #[command(flatten)]
         options: Options,
     },
-    /// A glTF metallic-roughness material: a GGX lobe over a diffuse base
+    /// A glTF metallic-roughness material by its own parameters
     ///
-    /// A dielectric has f0 0.04 and its base color as albedo; a metal has its base color as f0 and
-    /// no albedo.
+    /// It is `ggx` with f0 = 0.04 + (base color - 0.04) metallic and the albedo base color (1 -
+    /// metallic).
+    Gltf {
+        /// Linear base color, 0 to 1: a number, or r,g,b
+        #[arg(long, value_name = "C", value_parser = color)]
+        base_color: Shares,
+        /// 0 for a dielectric to 1 for a metal
+        #[arg(long, value_name = "M", value_parser = share)]
+        metallic: f64,
+        /// Perceptual roughness, 0.03 to 1; alpha is its square
+        #[arg(long, value_name = "R")]
+        roughness: f64,
+        #[command(flatten)]
+        options: Options,
+    },
+    /// A GGX lobe over a diffuse base
+    ///
+    /// A dielectric has f0 0.04 and its color as albedo; a metal has its color as f0 and no albedo.
     Ggx {
         /// Perceptual roughness, 0.03 to 1; alpha is its square
         #[arg(long, value_name = "R")]
@@ -312,6 +330,13 @@ impl Formula {
                 let base = of(Model::OrenNayar, "oren-nayar");
                 (Analytic { albedo: Some(albedo), sigma: Some(sigma), ..base }, options)
             }
+            Self::Gltf { base_color, metallic, roughness, options } => {
+                let f0 = base_color.map(|base| DIELECTRIC + (base - DIELECTRIC) * metallic);
+                let albedo = base_color.map(|base| base * (1.0 - metallic));
+                let base = of(Model::Ggx, "gltf");
+                let roughness = Some(roughness);
+                (Analytic { albedo: Some(albedo), roughness, f0: Some(f0), ..base }, options)
+            }
             Self::Ggx { roughness, f0, albedo, options } => {
                 let base = of(Model::Ggx, "ggx");
                 let roughness = Some(roughness);
@@ -321,6 +346,18 @@ impl Formula {
         let name = options.name.unwrap_or_else(|| analytic.name.clone());
         Ok((Analytic { name, ..analytic }.surface()?, options.projection))
     }
+}
+
+/// Parses a number from 0 to 1.
+fn share(text: &str) -> std::result::Result<f64, String> {
+    let number = text.trim().parse::<f64>().ok().filter(|number| (0.0..=1.0).contains(number));
+    number.ok_or_else(|| "expected a number from 0 to 1".to_owned())
+}
+
+/// Parses a color: [`shares`] from 0 to 1.
+fn color(text: &str) -> std::result::Result<Shares, String> {
+    text.split(',').try_for_each(|field| share(field).map(drop))?;
+    shares(text)
 }
 
 /// Parses a number, or three with commas between them.

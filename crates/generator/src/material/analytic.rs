@@ -65,6 +65,15 @@ pub enum Shares {
 }
 
 impl Shares {
+    /// The same with each value changed.
+    #[must_use]
+    pub fn map(self, of: impl Fn(f64) -> f64) -> Self {
+        match self {
+            Self::Gray(value) => Self::Gray(of(value)),
+            Self::Rgb(rgb) => Self::Rgb(rgb.map(of)),
+        }
+    }
+
     fn channel(self, channel: usize) -> f64 {
         match self {
             Self::Gray(value) => value,
