@@ -30,11 +30,11 @@ pub(crate) const SIZES: core::ops::RangeInclusive<usize> = 2..=4096;
 /// The table gives rms errors against the baked scene, as fractions of the peak. The first number
 /// is the median over the shipped lights on the gray materials, the second the worst case.
 ///
-/// | N | bilinear | nearest |
-/// |---|---|---|
-/// | 32 | 4e-4, 2.1e-3 | 1.2e-2, 3e-2 |
-/// | 64 | 1e-4, 5e-4 | 6e-3, 1.5e-2 |
-/// | 128 | 2.5e-5, 1.4e-4 | 3e-3, 7e-3 |
+/// | N | rms |
+/// |---|---|
+/// | 32 | 4e-4, 2.1e-3 |
+/// | 64 | 1e-4, 5e-4 |
+/// | 128 | 2.5e-5, 1.4e-4 |
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct BakedMap<S, B> {
@@ -278,19 +278,6 @@ impl<S: Scalar, B: AsRef<[S]>> BakedMap<S, B> {
         };
         let (below, above) = (a.add_product(b - a, across), c.add_product(d - c, across));
         below.add_product(above - below, up)
-    }
-
-    /// The irradiance of the texel nearest to a point.
-    #[inline]
-    #[must_use]
-    pub fn nearest(&self, point: MapPoint<S>) -> S {
-        let place = |x: S| (S::from_f64(0.5) + self.half.add_product(x, self.half)).to_whole();
-        let (column, row) = (place(point.u), place(point.v));
-        self.texels
-            .as_ref()
-            .get(row.wrapping_mul(self.size).wrapping_add(column))
-            .copied()
-            .unwrap_or(S::ZERO)
     }
 
     /// The index of the texel before a coordinate, and the fraction of the way from it to the next.

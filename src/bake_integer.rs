@@ -156,16 +156,6 @@ impl<B: AsRef<[i16]>> IntegerMap<B> {
         between(below, above, up)
     }
 
-    /// The irradiance of the texel nearest to a point, times 2^-exponent.
-    #[inline]
-    #[must_use]
-    pub fn nearest(&self, point: MapPoint<Q15>) -> i32 {
-        let place = |x: Q15| ((self.place(x) + (1 << 15)) >> 16) as usize;
-        let (column, row) = (place(point.u), place(point.v));
-        let texel = row.wrapping_mul(self.size()).wrapping_add(column);
-        self.texels.as_ref().get(texel).copied().unwrap_or(0).into()
-    }
-
     /// The index of the texel before a coordinate, and the fraction of the way from it to the next,
     /// in Q15.
     #[inline]

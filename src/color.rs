@@ -257,13 +257,6 @@ impl<S: Scalar, B: AsRef<[S]>> Rgb<BakedMap<S, B>> {
     pub fn bilinear(&self, point: MapPoint<S>) -> Rgb<S> {
         self.each_ref().map(|map| map.bilinear(point))
     }
-
-    /// [`BakedMap::nearest`] in each channel.
-    #[inline]
-    #[must_use]
-    pub fn nearest(&self, point: MapPoint<S>) -> Rgb<S> {
-        self.each_ref().map(|map| map.nearest(point))
-    }
 }
 
 impl<B: AsRef<[i16]>> Rgb<IntegerMap<B>> {
@@ -272,13 +265,6 @@ impl<B: AsRef<[i16]>> Rgb<IntegerMap<B>> {
     #[must_use]
     pub fn bilinear(&self, point: MapPoint<Q15>) -> Rgb<i32> {
         self.each_ref().map(|map| map.bilinear(point))
-    }
-
-    /// [`IntegerMap::nearest`] in each channel.
-    #[inline]
-    #[must_use]
-    pub fn nearest(&self, point: MapPoint<Q15>) -> Rgb<i32> {
-        self.each_ref().map(|map| map.nearest(point))
     }
 
     /// The exposure of what is looked up, channel by channel; errors as

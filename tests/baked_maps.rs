@@ -88,19 +88,16 @@ fn normals_that_are_none_are_no_panic() {
             let normal = normals.iter().next().expect("one normal");
             let _ = scene.shade(normal);
             for point in [MapPoint::of(normal), MapPoint::new(x[0], z[0])] {
-                let _ = (map.bilinear(point), map.nearest(point));
+                let _ = map.bilinear(point);
             }
         }
     }
 }
 
-/// Baked maps of N texels a side: N, rms of bilinear and of nearest look-ups, of the peak, each of
-/// the median image and of the worst: bilinear falls by four where nearest falls by two.
-const BAKED: [(usize, [f64; 2], [f64; 2]); 3] = [
-    (32, [4e-4, 2.1e-3], [1.2e-2, 3e-2]),
-    (64, [1e-4, 5e-4], [6e-3, 1.5e-2]),
-    (128, [2.5e-5, 1.4e-4], [3e-3, 7e-3]),
-];
+/// Baked maps of N texels a side: N, and the rms error of the peak, of the median image and of the
+/// worst.
+const BAKED: [(usize, [f64; 2]); 3] =
+    [(32, [4e-4, 2.1e-3]), (64, [1e-4, 5e-4]), (128, [2.5e-5, 1.4e-4])];
 
 /// What integers may add to that: three roundings to 2^-15, and normals of 2^-16.
 const BAKED_INTEGERS: f64 = 4e-5;
@@ -136,16 +133,12 @@ fn maps_are_as_exact_as_documented() {
     let normals = normals(64);
     let shaded = Shaded::new(1, &normals);
     let points: Vec<_> = normals.iter().map(|&normal| MapPoint::of(normal)).collect();
-    for (size, bilinear, nearest) in BAKED {
-        let [of_bilinear, of_nearest] = shaded.errors(|scene| {
+    for (size, most) in BAKED {
+        let [found] = shaded.errors(|scene| {
             let map = scene.bake_into(size, vec![0.0f32; size * size]).expect("room");
-            [
-                points.iter().map(|&point| map.bilinear(point)).collect(),
-                points.iter().map(|&point| map.nearest(point)).collect(),
-            ]
+            [points.iter().map(|&point| map.bilinear(point)).collect()]
         });
-        assert_within(&format!("{size}, bilinear"), &of_bilinear, bilinear);
-        assert_within(&format!("{size}, nearest"), &of_nearest, nearest);
+        assert_within(&format!("{size}"), &found, most);
     }
 }
 
@@ -157,7 +150,7 @@ fn integer_maps_are_as_exact_as_documented() {
     let of_normals: Vec<_> = normals.iter().map(|n| on_map(n.components().map(q15))).collect();
     let given = normals.iter().map(|&n| MapPoint::of(n).coordinates().map(q15));
     let given: Vec<_> = given.map(|[u, v]| MapPoint::new(u, v)).collect();
-    for (size, bilinear, _) in BAKED {
+    for (size, bilinear) in BAKED {
         let found = shaded.errors(|scene| {
             let map = scene.bake_integers_into(size, vec![0; size * size]).expect("room");
             let unit = f32::powi(2.0, map.exponent());
@@ -191,9 +184,6 @@ fn integers_round_and_no_more() {
         let apart = map.bilinear(exact) / unit - integers.bilinear(MapPoint::new(u, v)) as f32;
         // Half a unit of each of: texels, the step along u, the step along v.
         assert!(apart.abs() <= 1.51, "{apart}");
-        // Here a texel is nearest in both or on an edge.
-        let apart = map.nearest(exact) / unit - integers.nearest(MapPoint::new(u, v)) as f32;
-        assert!(apart.abs() <= 0.51, "{apart}");
     }
 }
 
@@ -241,19 +231,18 @@ fn texels_stand_where_documented() {
     let texels: Vec<f32> =
         (0..25).map(|texel| (texel % 5) as f32 + 10.0 * (texel / 5) as f32).collect();
     let map = BakedMap::new(5, texels.as_slice()).expect("25 texels");
-    for (u, v, bilinear, nearest) in [
-        (-1.0, -1.0, 0.0, 0.0),
-        (1.0, -1.0, 4.0, 4.0),
-        (-1.0, 1.0, 40.0, 40.0),
-        (1.0, 1.0, 44.0, 44.0),
-        (0.0, 0.0, 22.0, 22.0),
-        (0.1, -0.2, 18.2, 22.0),
-        (0.3, 0.4, 30.6, 33.0),
+    for (u, v, bilinear) in [
+        (-1.0, -1.0, 0.0),
+        (1.0, -1.0, 4.0),
+        (-1.0, 1.0, 40.0),
+        (1.0, 1.0, 44.0),
+        (0.0, 0.0, 22.0),
+        (0.1, -0.2, 18.2),
+        (0.3, 0.4, 30.6),
     ] {
         let point = MapPoint::new(u, v);
         // The rim is taken 1e-6 inward.
         assert!((map.bilinear(point) - bilinear).abs() < RIM_INWARD, "{point:?}");
-        assert_eq!(map.nearest(point), nearest, "{point:?}");
     }
     let texels: Vec<i16> = texels.iter().map(|&texel| 100 * texel as i16).collect();
     let map = IntegerMap::new(5, 0, texels).expect("25 texels");
@@ -261,7 +250,7 @@ fn texels_stand_where_documented() {
     assert_eq!(map.bilinear(MapPoint::new(Q15(0), Q15(0))), 2_200);
     assert_eq!(map.bilinear(MapPoint::new(Q15(3_277), Q15(-6_554))), 1_820);
     assert_eq!(map.bilinear(MapPoint::new(Q15(32_767), Q15(32_767))), 4_400);
-    assert_eq!(map.nearest(MapPoint::new(Q15(32_767), Q15(-32_768))), 400);
+    assert_eq!(map.bilinear(MapPoint::new(Q15(32_767), Q15(-32_768))), 400);
     // The far corners of i16 neither wrap nor panic.
     let map = IntegerMap::new(2, 0, [i16::MIN, i16::MAX, i16::MAX, i16::MIN]).expect("4 texels");
     for u in [i16::MIN, -1, 0, i16::MAX] {

@@ -261,14 +261,13 @@ fn look_up(d: &[f32; sphere::COMPONENTS], input: &mut Reader<'_>, is_moderate: b
         let [x, y, z] = vector.map(|c| [c]);
         let raw = Normals::new(&x, &y, &z).expect("one length").iter().next().expect("one");
         let point = MapPoint::new(x[0], y[0]);
-        let _ = (map.bilinear(point), map.nearest(point));
-        let _ = (map.bilinear(MapPoint::of(raw)), within.shade(raw), MapPoint::of(raw).direction());
+        let _ = (map.bilinear(point), map.bilinear(MapPoint::of(raw)));
+        let _ = (within.shade(raw), MapPoint::of(raw).direction());
         let [u, v] = vector.map(|c| Q15((c.to_bits() >> 16) as u16 as i16))[..2] else {
             unreachable!("two of three")
         };
         if let Ok(integers) = &integers {
-            let point = MapPoint::new(u, v);
-            let _ = (integers.bilinear(point), integers.nearest(point));
+            let _ = integers.bilinear(MapPoint::new(u, v));
         }
         let [a, b, c] = vector.map(|c| c.to_bits().cast_signed());
         if let Ok(normal) = quantized::Normal::<Q15>::along(a, b, c) {

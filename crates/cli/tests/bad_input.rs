@@ -191,9 +191,8 @@ fn bad_scenes() {
         (good.replace("components = 10000\n", ""), "tolerance"),
         (good.replace("profile_tolerance = 1e-12", "tolerance = 1e-3"), "not both"),
         (good.replace("1e-12", "0.0"), "profile_tolerance"),
-        (good.replace("profile_tolerance = 1e-12", "cut = { terms = 0 }"), "basis.cut.terms"),
-        (good.replace("profile_tolerance = 1e-12", "cut = { trim = 1.0 }"), "basis.cut.trim"),
-        (good.replace("profile_tolerance = 1e-12", "cut = { rows = 1 }"), "rows"),
+        (good.replace("profile_tolerance = 1e-12", "trim = 1.0"), "basis.trim"),
+        (good.replace("profile_tolerance = 1e-12", "rows = 1"), "rows"),
         (good.replace("\"any\"", "\"sideways\""), "sideways"),
         (good.replace("[]", "[\"material-0\", \"material-0\"]"), "material-0"),
     ] {

@@ -35,7 +35,6 @@ fn images_beyond_a_format_are_refused() {
         "--format f32 --clamp",
         "--format f32 --method eigen",
         "--format f32 --method baked",
-        "--format f32 --method baked --interpolation nearest",
         "--format f32 --tolerance 1e-3",
         "--format q15",
         "--format q31",

@@ -1,8 +1,7 @@
-//! Tables whose scene has a tolerance or a cut: what `basis` reports, what it keeps, and what it
+//! Tables whose scene has a tolerance or is trimmed: what `basis` reports, what it keeps, and what it
 //! refuses.
 
 use crate::support::{Folder, PAIR, assert_fails, lights, materials, repository, scene};
-use crate::tolerances;
 use eigenshade_index::material;
 use eigenshade_table::Table;
 use std::collections::HashMap;
@@ -143,11 +142,9 @@ fn tolerances_work_with_stores_and_effects() {
 }
 
 /// Settings of degree 9 and order 7 in `docs/accuracy-cost`, and their lines in a scene file.
-const SETTINGS: [(&str, &str); 5] = [
-    ("9/7 K25 trim3e-2 polynomial f32", "components = 25\ncut = { trim = 3e-2 }"),
-    ("9/7 K130 trim1e-3 polynomial f32", "components = 130\ncut = { trim = 1e-3 }"),
-    ("9/7 all terms12 polynomial f32", "components = 1000\ncut = { terms = 12 }"),
-    ("9/7 all m3 polynomial f32", "components = 1000\ncut = { azimuths = 3 }"),
+const SETTINGS: [(&str, &str); 3] = [
+    ("9/7 K25 trim3e-2 polynomial f32", "components = 25\ntrim = 3e-2"),
+    ("9/7 K130 trim1e-3 polynomial f32", "components = 130\ntrim = 1e-3"),
     ("9/7 K50 polynomial f32", "components = 50"),
 ];
 
@@ -174,48 +171,31 @@ fn settings_are_scene_files() {
     }
 }
 
-/// Each cut leaves out more, and the energy that is kept is stated.
+/// A coarser trim leaves fewer terms of the same components, and `info` states it.
 #[test]
-fn cuts_go_together() {
+fn trimmed_tables_have_fewer_terms() {
     let folder = Folder::new();
     let whole = folder.read("scene.toml");
-    let table = |cut: &str| {
-        folder.write("scene.toml", format!("{whole}{cut}\n"));
+    let table = |trim: &str| {
+        folder.write("scene.toml", format!("{whole}{trim}\n"));
         folder.ok(BASIS);
         folder.table("b.bin")
     };
-    let (all, same) = (table(""), table("cut = {}"));
-    assert_eq!((&all.profiles, &all.components), (&same.profiles, &same.components));
-    let longest =
-        |table: &Table| table.profiles.iter().map(|profile| profile.chebyshev.len()).max();
-    let (short, both) = (table("cut = { terms = 5 }"), table("cut = { terms = 5, azimuths = 2 }"));
-    assert!(longest(&all) > Some(5) && longest(&short) == Some(5));
-    assert_eq!(all.components.len(), short.components.len());
-    assert!(both.components.len() < all.components.len());
-    assert!(both.components.iter().all(|one| one.order.abs() <= 2));
-    let eigenvalues = both.components.iter().filter_map(|one| one.eigenvalue);
-    let kept = eigenvalues.sum::<f64>() / both.summary.energy;
-    assert!(kept < short.summary.energy_kept, "{kept}");
-    assert!((both.summary.energy_kept - kept).abs() < tolerances::RESIDUAL_ENERGY);
-    let trimmed = table("cut = { terms = 5, azimuths = 2, trim = 0.1 }");
-    let terms = |table: &Table| -> usize {
-        table.profiles.iter().map(|profile| profile.chebyshev.len()).sum()
-    };
-    assert!(terms(&trimmed) < terms(&both) && terms(&both) < terms(&short));
-    let line = "requested                10000 components, azimuths to 2, polynomials of 5 terms, \
-                trimmed to 1e-1";
+    let [all, fine, coarse] = ["", "trim = 1e-3", "trim = 0.1"].map(table);
+    assert_eq!([&all.components, &fine.components], [&coarse.components; 2]);
+    assert!(coarse.terms() < fine.terms() && fine.terms() < all.terms());
+    let line = "requested                10000 components, trimmed to 1e-1";
     assert!(folder.ok("info --table b.bin").lines().any(|found| found == line));
 }
 
 #[test]
-fn what_cannot_be_cut_is_refused() {
+fn what_cannot_be_trimmed_is_refused() {
     let folder = Folder::new();
     let good = folder.read("scene.toml");
-    folder.write("scene.toml", good.replace("\"any\"", "\"vertical\"") + "cut = { terms = 5 }\n");
-    assert_fails(&folder, BASIS, &["basis.cut", "leave it out"]);
-    let tolerance = good.replace("components = 10000", "tolerance = 1e-2\ncut = { terms = 5 }");
-    folder.write("scene.toml", tolerance);
-    assert_fails(&folder, BASIS, &["tolerance and cut"]);
+    folder.write("scene.toml", good.replace("\"any\"", "\"vertical\"") + "trim = 1e-2\n");
+    assert_fails(&folder, BASIS, &["basis.trim", "leave it out"]);
+    folder.write("scene.toml", good.replace("components = 10000", "tolerance = 1e-2\ntrim = 0.1"));
+    assert_fails(&folder, BASIS, &["tolerance and trim"]);
 }
 
 /// Several databases are one database with all of their materials, to the lowest order.

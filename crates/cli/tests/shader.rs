@@ -117,7 +117,7 @@ fn the_cut_of_the_table_in_color_shows_in_no_picture() {
     let folder = Folder::new();
     let scene = fs::read_to_string(repository().join("tables/color.toml")).expect("a scene");
     let inputs = format!("\"{}/inputs/", repository().join("tables").display());
-    let whole: Vec<_> = scene.lines().filter(|line| !line.starts_with("cut = ")).collect();
+    let whole: Vec<_> = scene.lines().filter(|line| !line.starts_with("trim = ")).collect();
     assert_eq!(whole.len() + 1, scene.lines().count());
     folder.write("whole.toml", whole.join("\n").replace("\"inputs/", &inputs));
     folder.ok("basis --scene whole.toml --out whole.bin");

@@ -323,21 +323,16 @@ fn check(scene: &Scene) -> Result<()> {
         }
         _ => {}
     }
-    if let Some(cut) = basis.cut {
-        if basis.tolerance.is_some() {
-            return fail(
-                "basis has tolerance and cut".into(),
-                "leave one out: a tolerance already cuts",
-            );
-        }
-        if let Some((what, remedy)) = cut.fault() {
-            return fail(what, remedy);
-        }
+    if basis.trim.is_some() && basis.tolerance.is_some() {
+        let what = "basis has tolerance and trim";
+        return fail(what.into(), "leave one out: a tolerance already trims");
     }
-    for (name, value) in
-        [("rank_cutoff", basis.rank_cutoff), ("profile_tolerance", basis.profile_tolerance)]
-    {
-        if !(value > 0.0 && value < 1.0) {
+    for (name, value) in [
+        ("trim", basis.trim),
+        ("rank_cutoff", Some(basis.rank_cutoff)),
+        ("profile_tolerance", Some(basis.profile_tolerance)),
+    ] {
+        if let Some(value) = value.filter(|value| !(*value > 0.0 && *value < 1.0)) {
             return fail(format!("basis.{name} = {value}"), "set it between 0 and 1");
         }
     }

@@ -4,27 +4,8 @@
 use crate::overflow;
 use crate::owned_basis::AnyBasis;
 use crate::shader::{Lit, OwnedNormals, Shader, fault};
-use eigenshade::{BakedMap, MapPoint, Normal, Scalar, Scene, Tolerance, Truncation};
+use eigenshade::{MapPoint, Normal, Scalar, Scene, Tolerance, Truncation};
 use eigenshade_model::error::{Error, Result};
-
-/// Methods that look up a pixel in a baked map.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum LookUp {
-    /// Bilinear interpolation between four texels.
-    Bilinear {
-        /// Texels per side.
-        size: usize,
-    },
-    /// The nearest texel of a baked map.
-    Nearest {
-        /// Texels per side.
-        size: usize,
-    },
-}
-
-fn baked<S: Scalar>(scene: &Scene<'_, &mut Vec<S>>, size: usize) -> Result<BakedMap<S, Vec<S>>> {
-    scene.bake_into(size, vec![S::ZERO; size * size]).map_err(fault)
-}
 
 impl<S: Scalar> Shader<'_, S> {
     /// The channels of one color image, with a common shape that has the fewest polynomial terms
@@ -96,31 +77,23 @@ impl<S: Scalar> Shader<'_, S> {
         function(&scenes, truncations)
     }
 
-    /// One channel of the image, looked up.
+    /// One channel of the image, baked on a map of `size` x `size` texels and looked up.
     ///
     /// # Errors
     ///
     /// As [`project`](Self::project), and if the runtime does not support this number of texels.
-    pub fn looked_up(
+    pub fn baked(
         &mut self,
         light: (usize, &[f64]),
         material: (usize, &[f64]),
         normals: &[Normal<S>],
-        way: LookUp,
+        size: usize,
     ) -> Result<Vec<S>> {
         self.project(light, material)?;
         let scene = self.scene()?;
-        let each = normals.iter();
-        let irradiance: Vec<S> = match way {
-            LookUp::Bilinear { size } => {
-                let map = baked(&scene, size)?;
-                each.map(|&normal| map.bilinear(MapPoint::of(normal))).collect()
-            }
-            LookUp::Nearest { size } => {
-                let map = baked(&scene, size)?;
-                each.map(|&normal| map.nearest(MapPoint::of(normal))).collect()
-            }
-        };
+        let map = scene.bake_into(size, vec![S::ZERO; size * size]).map_err(fault)?;
+        let irradiance: Vec<S> =
+            normals.iter().map(|&normal| map.bilinear(MapPoint::of(normal))).collect();
         overflow::check(&irradiance, light.1, material.1)?;
         Ok(irradiance)
     }

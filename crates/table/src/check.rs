@@ -33,8 +33,8 @@ impl Table {
         if (degree, order) != (self.scene.degree(), self.scene.order()) {
             return Err(format!("degree {degree} and order {order} differ from the scene's"));
         }
-        if let Some((what, _)) = self.scene.basis.cut.and_then(|cut| cut.fault()) {
-            return Err(what);
+        if let Some(share) = self.scene.basis.trim.filter(|share| !(*share > 0.0 && *share < 1.0)) {
+            return Err(format!("basis.trim = {share}"));
         }
         let nodes = gram.nodes.len();
         let pairs = pair::count(order);

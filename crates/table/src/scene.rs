@@ -4,7 +4,6 @@ use eigenshade_index::effect;
 pub use eigenshade_index::effect::Effect;
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
-use std::fmt;
 
 /// A complete scene file.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -182,9 +181,10 @@ pub struct Basis {
     /// The parts of the basis that the table stores.
     #[serde(default)]
     pub store: Store,
-    /// Reductions of the table beyond leaving out the last components. Exclusive with `tolerance`.
+    /// Total error allowed for [trimming](crate::trim::trim) the polynomials, relative to the
+    /// images' root mean square deviation from their means. Exclusive with `tolerance`.
     #[serde(default)]
-    pub cut: Option<Cut>,
+    pub trim: Option<f64>,
 }
 
 fn default_rank_cutoff() -> f64 {
@@ -193,45 +193,6 @@ fn default_rank_cutoff() -> f64 {
 
 fn default_profile_tolerance() -> f64 {
     1e-7
-}
-
-/// Reductions of a table beyond leaving out the last components; none by default.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields, default)]
-pub struct Cut {
-    /// Largest |m| of a component.
-    pub azimuths: Option<usize>,
-    /// Maximum number of terms of a polynomial; its Chebyshev series is truncated there.
-    pub terms: Option<usize>,
-    /// Total error allowed for trimming the polynomials, relative to the images' root mean square
-    /// deviation from their means: see `trim::trim`.
-    pub trim: Option<f64>,
-}
-
-impl Cut {
-    /// The problem and the remedy, if a value is out of range.
-    #[must_use]
-    pub fn fault(&self) -> Option<(String, &'static str)> {
-        match (self.terms, self.trim) {
-            (Some(0), _) => Some(("basis.cut.terms = 0".into(), "ask for at least one")),
-            (_, Some(share)) if !(share > 0.0 && share < 1.0) => {
-                Some((format!("basis.cut.trim = {share}"), "set it between 0 and 1"))
-            }
-            _ => None,
-        }
-    }
-}
-
-impl fmt::Display for Cut {
-    /// Writes text like `azimuths to 4, polynomials of 12 terms, trimmed to 3e-2`.
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let parts = [
-            self.azimuths.map(|azimuths| format!("azimuths to {azimuths}")),
-            self.terms.map(|terms| format!("polynomials of {terms} terms")),
-            self.trim.map(|share| format!("trimmed to {share:e}")),
-        ];
-        f.write_str(&parts.into_iter().flatten().collect::<Vec<_>>().join(", "))
-    }
 }
 
 /// The parts of a basis that a table stores. The other parts can be computed again from the scene.

@@ -247,24 +247,11 @@ impl Table {
         self.general.as_ref().map_or(self.components.len(), |general| general.eigenvalues.len())
     }
 
-    /// Energy that the first `count` components leave, from the eigenvalues. It always includes the
-    /// energy of azimuths that the scene cuts.
+    /// Energy that the first `count` components leave, from the eigenvalues.
     #[must_use]
     pub fn energy_left(&self, count: usize) -> f64 {
-        let largest = self.scene.basis.cut.and_then(|cut| cut.azimuths).unwrap_or(usize::MAX);
-        let mut passed = 0;
-        let left: Vec<f64> = self
-            .spectrum
-            .iter()
-            .filter(|(order, _)| {
-                let within = order.is_none_or(|order| order.unsigned_abs() as usize <= largest);
-                passed += usize::from(within);
-                !within || passed > count
-            })
-            .filter_map(|(_, value)| *value)
-            .collect();
         // Summed from the small end to preserve small values.
-        left.iter().rev().sum()
+        self.spectrum.iter().skip(count).rev().filter_map(|(_, value)| *value).sum()
     }
 
     /// Length of one transfer.

@@ -1,6 +1,5 @@
 //! Decoding is total: any bytes give a consistent table or an error.
 
-use eigenshade_table::scene::Cut;
 use eigenshade_table::{
     FileError, MeanImage, Profile, Table, decode, encode, file, parts, statics,
 };
@@ -30,12 +29,11 @@ fn encoded_tables_decode() {
 #[test]
 fn optional_fields_are_read() {
     let mut table = decode(&shipped()).unwrap();
-    assert_eq!(table.scene.basis.cut, None);
-    let cut = Cut { azimuths: Some(3), terms: None, trim: Some(0.5) };
-    table.scene.basis.cut = Some(cut);
+    assert_eq!(table.scene.basis.trim, None);
+    table.scene.basis.trim = Some(0.5);
     assert_eq!(decode(&encode(&table)), Ok(table.clone()));
-    for (terms, trim) in [(Some(0), None), (None, Some(0.0)), (None, Some(f64::NAN))] {
-        table.scene.basis.cut = Some(Cut { azimuths: None, terms, trim });
+    for trim in [0.0, 1.0, f64::NAN] {
+        table.scene.basis.trim = Some(trim);
         assert!(matches!(decode(&encode(&table)), Err(FileError::Payload(_))));
     }
 }

@@ -121,15 +121,11 @@ impl<S: Scalar + Into<f64>> Floats<S> {
                 };
                 (of_integers(map, &self.quantized), 0, Box::new(collapse), bytes)
             }
-            Way::Bilinear(size) | Way::Nearest(size) => {
+            Way::Bilinear(size) => {
                 let mut texels = vec![S::ZERO; size * size];
                 let map = scene.bake_into(size, texels.clone()).map_err(fault)?;
-                let at = MapPoint::of;
                 let bytes = held + size_of_val(&texels[..]);
-                let pixels = match way {
-                    Way::Bilinear(_) => each(&self.each, 0, move |normal| map.bilinear(at(normal))),
-                    _ => each(&self.each, 0, move |normal| map.nearest(at(normal))),
-                };
+                let pixels = each(&self.each, 0, move |n| map.bilinear(MapPoint::of(n)));
                 let collapse = move |d: &[S]| {
                     let scene = basis.collapse_into(d, &mut buffer[..])?;
                     scene.bake_into(size, &mut texels[..]).map(|map| seen(&map))

@@ -6,7 +6,6 @@
 use super::settings::{DEGREE, Format, ORDER, Recipe, Scaling, Setting, Way};
 use crate::sheet::{Counts, Record, Sheet};
 use eigenshade_model::error::{Error, Result};
-use eigenshade_table::scene::Cut;
 
 /// A machine.
 pub struct Machine {
@@ -139,7 +138,6 @@ pub fn tables() -> Vec<Recipe> {
     let first = |count| Recipe::first(DEGREE, ORDER, count);
     let trimmed = |count, tolerance| first(count).trimmed(tolerance);
     let whole = Recipe::all(DEGREE, ORDER);
-    let cut = Cut { terms: Some(12), ..whole.cut };
     vec![
         Recipe::all(2, 0),
         trimmed(9, 1e-1),
@@ -149,7 +147,6 @@ pub fn tables() -> Vec<Recipe> {
         trimmed(100, 1e-2),
         trimmed(130, 1e-3),
         trimmed(130, 2e-4),
-        Recipe { cut, ..whole },
         whole,
     ]
 }

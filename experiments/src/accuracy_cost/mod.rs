@@ -204,8 +204,8 @@ fn describe(row: &mut Record, Varied { parameter, setting }: &Varied) {
     row.put("degree", recipe.degree);
     row.put("order", recipe.order);
     row.put("effects", table::effect_names(recipe.effects));
-    let counts = [recipe.components, recipe.modes, recipe.cut.azimuths];
-    for (column, count) in ["components", "modes", "azimuths"].into_iter().zip(counts) {
+    let counts = [recipe.components, recipe.modes];
+    for (column, count) in ["components", "modes"].into_iter().zip(counts) {
         count.into_iter().for_each(|count| row.put(column, count));
     }
     row.put("way", setting.way);

@@ -14,8 +14,9 @@ use eigenshade_model::error::{Error, Result};
 use eigenshade_model::inputs::input_file::InputFile;
 use eigenshade_model::inputs::sheet::Sheet;
 use eigenshade_shading::{parallel, shipped};
-use eigenshade_table::reduce::{cut, with_components};
+use eigenshade_table::reduce::with_components;
 use eigenshade_table::scene::Store;
+use eigenshade_table::trim::trim;
 use eigenshade_table::{Scene, Table, decode};
 use std::collections::HashMap;
 
@@ -224,7 +225,10 @@ impl Bases {
         let whole = whole.ok_or_else(|| Error::new("a basis is missing", "report it"))?;
         let count = recipe.components.unwrap_or(usize::MAX);
         let mut table = with_components(whole, |number, _| number < count);
-        cut(&mut table, recipe.cut);
+        if let Some(share) = recipe.trim {
+            trim(&mut table, share);
+        }
+        table.scene.basis.trim = recipe.trim;
         Ok(table)
     }
 }

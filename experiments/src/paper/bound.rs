@@ -2,6 +2,7 @@
 //! left out, and the error bound that follows from their variances: statistics over all images, and
 //! rendered spheres.
 
+use super::partial_sum::{PartialSum, Step};
 use super::plate::{Plate, UNCLIPPED, gray};
 use super::spheres::SHOWN;
 use super::{FIGURES, row};
@@ -9,7 +10,6 @@ use super::{Modes, Study, Trial, title};
 use crate::chart::{Axes, Chart, Points, Style, colored};
 use crate::figures::OutputFile;
 use crate::numbers::exposure;
-use eigenshade_generator::basis::partial_sum::{PartialSum, Step};
 use eigenshade_model::error::Result;
 use eigenshade_model::reference::DirectSum;
 use eigenshade_shading::parallel;

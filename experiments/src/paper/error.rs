@@ -6,13 +6,13 @@
 //! Standard PCA subtracts the mean image first and does not count it in K, whereas image-centered
 //! PCA counts the constant in K.
 
+use super::node_image::{MaterialImages, fit};
 use super::{DEGREE, Modes, Study, Trial, place, title};
 use super::{FIGURES, digits, row};
 use crate::chart::{
     Axes, BLUE, Chart, GREEN, ORANGE, PALE, PURPLE, Points, Series, Style, colored,
 };
 use crate::figures::OutputFile;
-use eigenshade_generator::basis::node_image::{MaterialImages, fit};
 use eigenshade_index::{light, mode};
 use eigenshade_model::database::Named;
 use eigenshade_model::error::Result;

@@ -3,6 +3,10 @@
 //! and as a picture; `tables` makes the tables of `docs/paper.md` from the CSV. All share the
 //! lights, the materials, the four bases, and how well each basis represents every image.
 
+pub mod node_image;
+
+pub mod partial_sum;
+
 mod plate;
 
 pub mod variance;
@@ -19,10 +23,10 @@ pub mod bound;
 
 pub mod tables;
 
+use self::node_image::{Fit, MaterialImages, fit};
 use crate::figures::{Figures, OutputFile};
 use crate::{numbers, pages};
 use eigenshade_generator::basis::moments::exposure;
-use eigenshade_generator::basis::node_image::{Fit, MaterialImages, fit};
 use eigenshade_generator::basis::{self, gram};
 use eigenshade_index::{effect, mode};
 use eigenshade_model::database::{Lights, Materials, Named};

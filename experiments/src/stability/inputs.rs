@@ -12,7 +12,6 @@ use eigenshade_generator::light::projection;
 use eigenshade_index::light;
 use eigenshade_model::database::Named;
 use eigenshade_shading::integer_shader::IntegerShader;
-use eigenshade_shading::methods::LookUp;
 use eigenshade_shading::owned_basis::OwnedBasis;
 use eigenshade_shading::shader::{OwnedNormals, Shader};
 use eigenshade_shading::shipped;
@@ -229,8 +228,7 @@ fn every_method(
         let mut f32 = Shader::new(owned.basis().expect("a basis"), usize::MAX);
         let (light, material) = ((9, light), (7, material.as_slice()));
         let all = f32.polynomial(light, material, &rounded).expect("it fits");
-        let way = LookUp::Bilinear { size: 64 };
-        let baked = f32.looked_up(light, material, &each, way).expect("a map");
+        let baked = f32.baked(light, material, &each, 64).expect("a map");
         let map = f32.scene().expect("room").bake_integers_into(64, vec![0; 64 * 64]);
         let map = map.expect("numbers that fit");
         let pixel = |&normal| f64::from(map.bilinear(MapPoint::of_quantized(normal)));

@@ -8,7 +8,7 @@ use eigenshade_cli::table;
 use eigenshade_model::error::Result;
 use eigenshade_table::Table;
 use eigenshade_table::file::manifest;
-use eigenshade_table::scene::{Cut, Store};
+use eigenshade_table::scene::Store;
 use serde::Serialize;
 
 /// Describe a table: scene, orders, components, rank, energy, sections and bytes
@@ -84,8 +84,8 @@ fn description(table: &Table) -> Description {
         (None, Some(tolerance)) => format!("tolerance {tolerance:e}"),
         (None, None) => "all components".to_owned(),
     };
-    if let Some(cut) = scene.basis.cut.filter(|&cut| cut != Cut::default()) {
-        requested.push_str(&format!(", {cut}"));
+    if let Some(share) = scene.basis.trim {
+        requested.push_str(&format!(", trimmed to {share:e}"));
     }
     let modes = eigenshade_index::mode::total(table.gram.degree, table.gram.order);
     let mut found = Description::default();

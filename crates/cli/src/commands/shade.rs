@@ -12,7 +12,6 @@ use eigenshade_cli::table::{self, rounding};
 use eigenshade_model::error::{Error, Result};
 use eigenshade_model::inputs::normals::read_normals;
 use eigenshade_shading::integer_shader::{Integer, IntegerShader};
-use eigenshade_shading::methods::LookUp;
 use eigenshade_shading::shader::{fitted, of_higher_order};
 use eigenshade_table::reduce::with_components;
 use eigenshade_table::wire;
@@ -42,9 +41,6 @@ pub struct Shade {
     /// Method baked: texels on each side, 2 to 4096 [default: 64]
     #[arg(short, long, value_name = "N", value_parser = count(2, 4_096))]
     size: Option<usize>,
-    /// Method baked: how texels are looked up [default: linear]
-    #[arg(long, value_enum)]
-    interpolation: Option<Interpolation>,
     /// Shade with fewer polynomial terms, as long as the rms difference over a picture of a sphere
     /// stays within this share of the brightest channel's peak (1e-3) or this many decibels below
     /// it (60dB). Needs the method polynomial in f32 or f64. The error of the components in use
@@ -78,12 +74,6 @@ enum Method {
     Polynomial,
     /// The image baked on a paraboloid map of --size, and looked up
     Baked,
-}
-
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-enum Interpolation {
-    Nearest,
-    Linear,
 }
 
 impl Shade {
@@ -189,24 +179,16 @@ impl Shade {
         }
     }
 
-    /// How a pixel is computed. Options of another method are errors.
+    /// How a pixel is computed. An option of another method is an error.
     fn way(&self) -> Result<Way> {
-        let options =
-            [("--size", self.size.is_some()), ("--interpolation", self.interpolation.is_some())];
-        if let Some((option, _)) = options.into_iter().find(|&(_, is_given)| is_given)
-            && self.method != Method::Baked
-        {
-            let what = format!("{option} belongs to the method baked, which is not selected");
-            return Err(Error::new(what, format!("leave {option} out, or use --method baked")));
-        }
-        let size = self.size.unwrap_or(64);
-        match (self.method, self.interpolation) {
-            (Method::Eigen, _) => Ok(Way::Eigen),
-            (Method::Baked, Some(Interpolation::Nearest)) => {
-                Ok(Way::LookUp(LookUp::Nearest { size }))
+        match (self.method, self.size) {
+            (Method::Baked, size) => Ok(Way::Baked { size: size.unwrap_or(64) }),
+            (_, Some(_)) => {
+                let what = "--size belongs to the method baked, which is not selected";
+                Err(Error::new(what, "leave --size out, or use --method baked"))
             }
-            (Method::Baked, _) => Ok(Way::LookUp(LookUp::Bilinear { size })),
-            (Method::Modes | Method::Polynomial, _) => Ok(Way::Polynomial),
+            (Method::Eigen, None) => Ok(Way::Eigen),
+            (Method::Modes | Method::Polynomial, None) => Ok(Way::Polynomial),
         }
     }
 }

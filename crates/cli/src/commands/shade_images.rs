@@ -7,7 +7,6 @@ use eigenshade_cli::output::{Rows, exact};
 use eigenshade_model::database::{Lights, Materials, Named};
 use eigenshade_model::error::Result;
 use eigenshade_shading::integer_shader::{self, Integer, IntegerShader};
-use eigenshade_shading::methods::LookUp;
 use eigenshade_shading::owned_basis::OwnedBasis;
 use eigenshade_shading::parallel::Progress;
 use eigenshade_shading::shader::{Lit, OwnedNormals, Shader, fault};
@@ -32,7 +31,11 @@ pub struct Images {
 pub enum Way {
     Eigen,
     Polynomial,
-    LookUp(LookUp),
+    /// Looked up in a baked map.
+    Baked {
+        /// Texels on each side.
+        size: usize,
+    },
 }
 
 /// Where the irradiance goes.
@@ -96,7 +99,7 @@ impl Images {
         self.channels(out, |light, material| match way {
             Way::Eigen => shader.eigen(light, material, &each),
             Way::Polynomial => shader.polynomial(light, material, &normals),
-            Way::LookUp(way) => shader.looked_up(light, material, &each, way),
+            Way::Baked { size } => shader.baked(light, material, &each, size),
         })
     }
 

@@ -66,9 +66,9 @@ pub fn chosen(
             "leave it out, or set store = \"projection\"",
         ));
     }
-    if scene.basis.cut.is_some() {
+    if scene.basis.trim.is_some() {
         return Err(Error::new(
-            "basis.cut is not supported for this object or light",
+            "basis.trim is not supported for this object or light",
             "leave it out",
         ));
     }

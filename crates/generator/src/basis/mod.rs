@@ -9,9 +9,7 @@ pub mod estimate;
 pub mod general;
 pub mod gram;
 pub mod moments;
-pub mod node_image;
 pub(crate) mod observed;
-pub mod partial_sum;
 pub mod pca;
 pub mod profile;
 pub mod span;
@@ -23,7 +21,7 @@ use crate::basis::choice::Choice;
 use crate::basis::database::fitted;
 use eigenshade_model::database::{Lights, Materials, Named};
 use eigenshade_model::error::Result;
-use eigenshade_table::reduce::cut;
+use eigenshade_table::trim::trim;
 use eigenshade_table::{Scene, Table};
 
 /// Makes the table of a scene from lights and materials that reach at least the scene's degree and
@@ -60,8 +58,8 @@ pub fn chosen(
             let analysis = Analysis::new(scene, &lights, &materials)?;
             let count = components.unwrap_or(usize::MAX);
             let mut table = analysis.table(count, basis.profile_tolerance);
-            if let Some(wanted) = basis.cut {
-                cut(&mut table, wanted);
+            if let Some(share) = basis.trim {
+                trim(&mut table, share);
             }
             (table, None)
         }

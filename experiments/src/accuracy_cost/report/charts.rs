@@ -48,13 +48,13 @@ fn chart(
     Chart { titles, axes: Axes::Logarithmic, legend, series: colored(series), labels: vec![] }
 }
 
-/// The series of a chart of errors against costs, by parts of the method's name.
-const WAYS: [(&str, &[&str]); 5] = [
-    ("polynomials", &["polynomial"]),
-    ("within a tolerance", &["within"]),
-    ("baked maps", &["bilinear", "nearest"]),
-    ("component by component", &["eigen"]),
-    ("nine-term formula", &["nine-terms"]),
+/// The series of a chart of errors against costs, by the start of the method's name.
+const WAYS: [(&str, &str); 5] = [
+    ("polynomials", "polynomial"),
+    ("within a tolerance", "within"),
+    ("baked maps", "bilinear"),
+    ("component by component", "eigen"),
+    ("nine-term formula", "nine-terms"),
 ];
 
 fn chart_of_machine(rows: &[Record], machine: &Machine) -> Chart {
@@ -65,8 +65,8 @@ fn chart_of_machine(rows: &[Record], machine: &Machine) -> Chart {
     let choices = || rows.iter().filter(|row| is_choice(row));
     let all: Vec<(f64, f64)> = choices().filter_map(point).collect();
     let mut series = Vec::new();
-    for (name, ways) in WAYS {
-        let of = |row: &&Record| ways.iter().any(|way| row.text("way").starts_with(way));
+    for (name, way) in WAYS {
+        let of = |row: &&Record| row.text("way").starts_with(way);
         let points: Points = choices().filter(of).filter_map(point).collect();
         if !points.is_empty() {
             series.push((name.into(), Style::Dots, points));
@@ -128,9 +128,9 @@ const LAMPS: [(&str, RangeInclusive<usize>); 4] = [
 ];
 
 /// The ways to a pixel that the chart of total errors joins.
-const POLYNOMIALS: [&str; 2] = ["polynomial", "within"];
+const POLYNOMIALS: &[&str] = &["polynomial", "within"];
 /// See [`POLYNOMIALS`].
-const MAPS: [&str; 2] = ["bilinear", "nearest"];
+const MAPS: &[&str] = &["bilinear"];
 
 /// Total errors of glTF materials against the instructions of a pixel on a Cortex-M4F.
 fn total_chart(measured: &Measured) -> Chart {
@@ -147,7 +147,7 @@ fn total_chart(measured: &Measured) -> Chart {
     let all: Vec<((f64, f64), &Record)> =
         choices().filter_map(|row| Some((point(row)?, row))).collect();
     // The best of each number of sources, by polynomials and by maps.
-    let best = |counts: &RangeInclusive<usize>, ways: [&str; 2]| {
+    let best = |counts: &RangeInclusive<usize>, ways: &[&str]| {
         let has = |row: &Record| {
             ways.iter().any(|way| row.text("way").starts_with(way))
                 && row.text("sources").parse().is_ok_and(|count| counts.contains(&count))

@@ -3,7 +3,6 @@
 use super::{Format, Recipe, Scaling, Setting, Way};
 use eigenshade_index::effect::{Effect, Effects};
 use eigenshade_shading::shipped;
-use eigenshade_table::scene::Cut;
 use std::collections::BTreeSet;
 
 /// Degree and order of the shipped set, at which all other parameters are varied.
@@ -87,14 +86,6 @@ pub fn all(quick: bool) -> Vec<Varied> {
             add("tolerance", setting.by(Way::Within(share)));
         }
     }
-    for count in either(quick, &[2, 3, 4, 6, 8, 10, 12, 16], &[4, 8]) {
-        let cut = Cut { terms: Some(count), ..whole.cut };
-        add("degree of polynomials", Setting::of(Recipe { cut, ..whole }));
-    }
-    for azimuths in either(quick, &[0, 1, 2, 3, 4, 5, 6, 7, 8], &[1, 4]) {
-        let cut = Cut { azimuths: Some(azimuths), ..whole.cut };
-        add("azimuths", Setting::of(Recipe { cut, ..whole }));
-    }
     for modes in either(quick, &[250, 500, 1000, 2000], &[1000]) {
         add("modes", Setting::of(Recipe { modes: Some(modes), ..whole }));
     }
@@ -107,9 +98,7 @@ pub fn all(quick: bool) -> Vec<Varied> {
         add("effects", Setting::of(Recipe { effects, ..whole }));
     }
     for size in either(quick, &[8, 16, 32, 64, 128], &[16, 32]) {
-        for way in [Way::Bilinear(size), Way::Nearest(size)] {
-            add("baked maps", Setting::of(whole).by(way));
-        }
+        add("baked maps", Setting::of(whole).by(Way::Bilinear(size)));
         let few = Setting::of(first(50)).by(Way::Bilinear(size));
         add("baked maps", few);
         add("baked maps", few.in_format(Format::Q15));
@@ -201,9 +190,8 @@ mod tests {
     /// The kind of a setting, ignoring sizes.
     fn kind(Varied { parameter, setting }: &Varied) -> impl PartialEq + std::fmt::Debug {
         let recipe = setting.recipe;
-        let Cut { azimuths, terms, trim } = recipe.cut;
-        let parts = [recipe.components, recipe.modes, azimuths, terms].map(|part| part.is_some());
-        let forms = (discriminant(&setting.way), trim.is_some());
+        let parts = [recipe.components, recipe.modes].map(|part| part.is_some());
+        let forms = (discriminant(&setting.way), recipe.trim.is_some());
         let format = (setting.format, setting.scaling, setting.sources > 0);
         (*parameter, parts, recipe.effects == Effects::ALL, forms, format)
     }

@@ -7,7 +7,6 @@ pub use list::{DEGREE, ORDER, Varied, all, sizes};
 
 use eigenshade_cli::table;
 use eigenshade_index::effect::Effects;
-use eigenshade_table::scene::Cut;
 use std::fmt;
 
 /// The part of a basis that is kept; `None` keeps all.
@@ -19,16 +18,15 @@ pub struct Recipe {
     /// The number of modes, by highest variance.
     pub modes: Option<usize>,
     pub effects: Effects,
-    /// The largest azimuth |m|, and where its polynomials are truncated: by default at 1e-7 of each
-    /// profile.
-    pub cut: Cut,
+    /// Where the polynomials are trimmed; `None` keeps each profile to 1e-7.
+    pub trim: Option<f64>,
 }
 
 impl Recipe {
     /// All components of a degree and an order.
     pub fn all(degree: usize, order: usize) -> Self {
-        let (components, modes, cut) = (None, None, Cut::default());
-        Self { degree, order, components, modes, effects: Effects::ALL, cut }
+        let (components, modes, trim) = (None, None, None);
+        Self { degree, order, components, modes, effects: Effects::ALL, trim }
     }
 
     /// The first components of a degree and an order.
@@ -38,7 +36,7 @@ impl Recipe {
 
     /// The same with polynomials trimmed where the total loss is this share of the database's rms.
     pub fn trimmed(self, share: f64) -> Self {
-        Self { cut: Cut { trim: Some(share), ..self.cut }, ..self }
+        Self { trim: Some(share), ..self }
     }
 
     /// Degree and order.
@@ -60,8 +58,6 @@ pub enum Way {
     Within(f64),
     /// Bilinear interpolation between four texels of a map of this width.
     Bilinear(usize),
-    /// The nearest texel of a map of this width.
-    Nearest(usize),
 }
 
 /// The number format in which a pixel is computed.
@@ -115,15 +111,12 @@ impl Setting {
 
 impl fmt::Display for Recipe {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let Cut { azimuths, terms, trim } = self.cut;
         let effects = table::effect_names(self.effects).replace(' ', "+");
         let parts = [
             Some(self.components.map_or("all".into(), |count| format!("K{count}"))),
             self.modes.map(|count| format!("modes{count}")),
-            azimuths.map(|largest| format!("m{largest}")),
             (!self.effects.is_all()).then_some(effects),
-            terms.map(|count| format!("terms{count}")),
-            trim.map(|share| format!("trim{share:e}")),
+            self.trim.map(|share| format!("trim{share:e}")),
         ];
         write!(f, "{}/{}", self.degree, self.order)?;
         parts.into_iter().flatten().try_for_each(|part| write!(f, " {part}"))
@@ -138,7 +131,6 @@ impl fmt::Display for Way {
             Self::Polynomial => write!(f, "polynomial"),
             Self::Within(tolerance) => write!(f, "within{tolerance:e}"),
             Self::Bilinear(size) => write!(f, "bilinear{size}"),
-            Self::Nearest(size) => write!(f, "nearest{size}"),
         }
     }
 }

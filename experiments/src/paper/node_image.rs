@@ -3,7 +3,7 @@
 //!
 //! [`fit`] finds how well each number of components represents an image (4.4).
 
-use crate::basis::profile;
+use eigenshade_generator::basis::profile;
 use eigenshade_index::{light, material, mode};
 use eigenshade_table::{GramFactor, Table};
 
