@@ -3,8 +3,8 @@
 use crate::error::{Argument, Error};
 use core::ops::{Deref, DerefMut};
 
-/// At most `N` numbers, stored in place: the coefficients, scenes, transfers and maps that
-/// functions return by value.
+/// At most `N` numbers, or sources, stored in place: the coefficients, scenes, transfers and maps
+/// that functions return by value.
 ///
 /// It dereferences to a slice. Each table states the capacities that it needs, such as
 /// `sphere::SCENE`.

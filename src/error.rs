@@ -98,7 +98,7 @@ pub enum Error {
         /// Which parameter.
         argument: Argument,
     },
-    /// Angles, a quaternion or a matrix do not describe a rotation.
+    /// Angles, cosine and sine, a quaternion or a matrix do not describe a rotation.
     Rotation,
     /// Integers turn lights of degrees to 12.
     Degree {
@@ -326,8 +326,8 @@ impl fmt::Display for Error {
             ),
             Self::Tolerance => f.write_str("a tolerance must be finite and above zero; give one such as 0.01"),
             Self::Rotation => f.write_str(
-                "a rotation needs finite angles, a quaternion that is not zero, or an orthonormal \
-                 right-handed matrix",
+                "a rotation needs finite angles, the cosine and sine of one, a quaternion that is not \
+                 zero, or an orthonormal right-handed matrix",
             ),
             Self::Degree { found } => write!(
                 f,

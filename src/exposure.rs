@@ -142,7 +142,8 @@ impl Meter {
     /// pixel was counted or all of them are black.
     #[must_use]
     pub fn exposure(&self, share: f32) -> Option<Exposure> {
-        let enough = (share * self.total as f32) as u32;
+        // The product rounds up for more than 2^24 pixels.
+        let enough = ((share * self.total as f32) as u32).min(self.total);
         let mut counted = 0_u32;
         let step = self.counts.iter().enumerate().position(|(step, &count)| {
             counted = counted.saturating_add(count);
@@ -164,6 +165,15 @@ mod tests {
         for (from, to) in cases {
             assert_eq!(Linear::from(from), Linear(to));
         }
+    }
+
+    #[test]
+    fn many_pixels_are_metered() {
+        let mut meter = Meter::default();
+        meter.add_linear(Rgb::gray(Linear(1 << 16)));
+        meter.counts.iter_mut().for_each(|count| *count *= 16_777_219);
+        meter.total = 16_777_219;
+        assert!(meter.exposure(1.0).is_some());
     }
 
     #[test]

@@ -114,8 +114,7 @@ impl<S: Scalar, const N: usize> Highlights<S, N> {
     ///
     /// In f32 it is within 3e-5 of the peak of the formula in exact arithmetic for the least
     /// roughness, within 1e-5 for 0.1, and within 3e-6 from 0.3 on. Cost: a root, and for each
-    /// source that the normal faces a division and 31 products, those of a second root among them:
-    /// 60 instructions on a Cortex-M4F.
+    /// source that the normal faces a division and 31 products, those of a second root among them.
     #[inline]
     #[must_use]
     pub fn shade(&self, normal: Normal<S>) -> Rgb<S> {

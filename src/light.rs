@@ -127,7 +127,7 @@ pub enum Window<S> {
     /// window of P.-P. Sloan, "Stupid Spherical Harmonics (SH) Tricks", 2008.
     ///
     /// A wider window attenuates less: with the width 2 (degree + 1) the last degree of a light of
-    /// degree 9 keeps 20 %, with degree + 1 nearly nothing.
+    /// degree 9 keeps 24 %, with degree + 1 nearly nothing.
     SincFourth {
         /// The degree from which on the factor is 0; above 0, not necessarily an integer.
         width: S,

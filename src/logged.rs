@@ -1,7 +1,7 @@
 //! Checks at compile time that `defmt` can log every public type.
 
 use crate::index::record::{Coupling, Pass, ProfilePlace, Row};
-use crate::mathematics::{Libm, SinglePrecision, Tabled};
+use crate::mathematics::{Libm, SinglePrecision};
 use crate::wire::{Aligned, Fault, Header, NumberFormat, WireError};
 use crate::{
     Argument, BakedMap, Basis, Effect, Effects, Error, Estimate, GeneralBasis, GeneralParts,
@@ -35,7 +35,7 @@ const _: () = {
     can_be_logged::<(quantized::Transfer<'_, Q15>, quantized::Estimate<'_, Q31, 8>)>();
     can_be_logged::<(MapPoint<i16>, Rotation<f32>, Window<f32>, NegativePolicy)>();
     can_be_logged::<(quantized::Scene<'_, Q15, [i32; 8]>, quantized::TransferBuffer<Q15, 8, 8>)>();
-    can_be_logged::<(Libm, SinglePrecision, Tabled)>();
+    can_be_logged::<(Libm, SinglePrecision)>();
     #[cfg(feature = "micromath")]
     can_be_logged::<crate::mathematics::Micromath>();
 };

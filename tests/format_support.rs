@@ -82,7 +82,8 @@ fn tables_that_integers_do_not_serve_are_refused_as_documented() {
     let color = color.expect("the shipped table");
     let refused = quantize::integers(&color, quantize::IntegerFormat::Q15, 0.0).err();
     assert_eq!(refused, Some(quantize::QuantizeError::Large { component: 149 }));
-    let [_, floats, integers, error] = row("transfers alone, packed or quantized on the host");
+    let [_, floats, integers, error] =
+        row("transfers alone (`store = \"materials\"`), as statics, packed or quantized");
     assert_eq!((floats, integers), ("no", "no"));
     let mut table = shipped().table.clone();
     table.scene.basis.store = Store::Materials;
@@ -137,7 +138,7 @@ fn numbers_beyond_a_format_are_refused_as_documented() {
     assert_eq!(Light::checked(&light), Err(refused));
     assert!(Light::checked(&[1e300f64; 4]).is_ok());
     says(refused, "a light of 1e300");
-    says(Error::Degree { found: 13 }, "`Light::turned` above degree 12");
+    says(Error::Degree { found: 13 }, "`Light::turn_into` above degree 12");
 
     let saturated = Error::Saturated { argument: Argument::Texels };
     let mut d = [0.0f32; sphere::COMPONENTS];

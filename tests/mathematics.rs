@@ -1,6 +1,6 @@
 //! Roots and angles against the standard library's in f64, over their whole domains.
 
-use eigenshade::mathematics::{Libm, Mathematics, SinglePrecision, Tabled};
+use eigenshade::mathematics::{Libm, Mathematics, SinglePrecision};
 use eigenshade::{Error, Normal};
 
 /// One rounding to f32, relative.
@@ -11,13 +11,6 @@ const SINGLE_ROOT: f64 = 2e-7;
 
 /// Sines and cosines in f32 to 1,000 rad: roundings of a polynomial and of the angle's rest.
 const SINGLE_ANGLE: f64 = 1e-7;
-
-/// Roots in f32 from a table of 64, relative: two steps of Newton's method leave two roundings.
-const TABLED_ROOT: f64 = 1.1e-7;
-
-/// Sines and cosines in f32 to 1,000 rad from a table of 33: roundings of its numbers, of the sum
-/// and of the angle's rest.
-const TABLED_ANGLE: f64 = 8e-8;
 
 /// `micromath`'s roots, relative: the exponent halved, its bits as a straight line.
 #[cfg(feature = "micromath")]
@@ -74,17 +67,11 @@ fn libm_is_right_to_the_last_bit() {
 fn single_precision_is_nearly_so() {
     assert!(roots::<SinglePrecision>().iter().all(|&worst| worst <= SINGLE_ROOT));
     assert!(angles::<SinglePrecision>(1_000.0) <= SINGLE_ANGLE);
+    assert!(angles::<SinglePrecision>(0.1) <= SINGLE_ANGLE);
     assert_eq!(SinglePrecision::square_root(0.0), 0.0);
-}
-
-#[test]
-fn tables_are_as_good() {
-    assert!(roots::<Tabled>().iter().all(|&worst| worst <= TABLED_ROOT));
-    assert!(angles::<Tabled>(1_000.0) <= TABLED_ANGLE);
-    assert!(angles::<Tabled>(0.1) <= TABLED_ANGLE);
-    assert_eq!((Tabled::square_root(0.0), Tabled::sine_and_cosine(0.0)), (0.0, (0.0, 1.0)));
+    assert_eq!(SinglePrecision::sine_and_cosine(0.0), (0.0, 1.0));
     for none in [f32::NAN, f32::INFINITY, -f32::INFINITY] {
-        let (sine, cosine) = Tabled::sine_and_cosine(none);
+        let (sine, cosine) = SinglePrecision::sine_and_cosine(none);
         assert!(!sine.is_finite() && !cosine.is_finite(), "{none}: {sine}, {cosine}");
     }
 }

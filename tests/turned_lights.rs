@@ -12,6 +12,10 @@ use std::f64::consts::PI;
 /// sums of 19 products.
 const TURNED_F32: f64 = 2e-6;
 
+/// A light turned by an angle whose cosine and sine are off length 1 by 1 %: nine times 5/16 of the
+/// cube of 2 %.
+const SCALED_ANGLE: f64 = 4e-5;
+
 /// The same turned and turned back.
 const TURNED_BACK_F32: f64 = 1e-6;
 
@@ -180,6 +184,29 @@ fn color_turns_as_each_channel() {
     let mut few = [0.0; 81];
     let error = light.turn_about_view_into(angle, &mut few);
     assert_eq!(error, Err(Error::Length { argument: Argument::Light, expected: 100, found: 81 }));
+}
+
+/// Cosines and sines of few digits neither brighten nor dim a light, and others are refused.
+#[test]
+fn cosines_and_sines_are_scaled() {
+    let mut numbers = Numbers(21);
+    let coefficients = noise(9, &mut numbers);
+    let light = Light::new(&coefficients).expect("a light");
+    let (sine, cosine) = 2.2_f64.sin_cos();
+    let exact = light.turned_about_view::<100>([cosine, sine]).expect("an angle");
+    for length in [0.9901, 0.996, 1.004, 1.0099] {
+        let found = light.turned_about_view::<100>([length * cosine, length * sine]);
+        let found = found.expect("nearly an angle");
+        let apart = found.iter().zip(exact.iter()).map(|(a, b)| (a - b).abs());
+        let worst = largest(apart) / largest(coefficients.iter().map(|c| c.abs()));
+        assert!(worst <= SCALED_ANGLE, "{length}: {worst:e}");
+    }
+    for length in [0.0, 0.98, 1.02, -7.0, f64::NAN, f64::INFINITY] {
+        let refused = light.turned_about_view::<100>([length * cosine, length * sine]);
+        assert_eq!(refused.err(), Some(Error::Rotation), "{length}");
+        let in_loops = light.turned_about_view::<120>([length * cosine, length * sine]);
+        assert_eq!(in_loops.err(), Some(Error::Rotation), "{length}");
+    }
 }
 
 /// Half turns are their own inverses, and turns by nothing change nothing.

@@ -1,7 +1,7 @@
 //! Windows of a light, and clamping of what is below zero.
 
 use crate::tolerances;
-use eigenshade::mathematics::{Libm, SinglePrecision, Tabled};
+use eigenshade::mathematics::{Libm, SinglePrecision};
 use eigenshade::{Error, Light, NegativePolicy, Window};
 
 /// A factor of a window in f32: a sine, a division, two squares.
@@ -32,11 +32,7 @@ fn factors_are_fourth_powers_of_sinc() {
             let found = window.factor::<Libm>(degree);
             assert!((found - expected).abs() <= tolerances::SPECIAL_LOW, "{degree}, {width}");
             let single = Window::SincFourth { width: width as f32 };
-            let factors = [
-                single.factor::<Libm>(degree),
-                single.factor::<SinglePrecision>(degree),
-                single.factor::<Tabled>(degree),
-            ];
+            let factors = [single.factor::<Libm>(degree), single.factor::<SinglePrecision>(degree)];
             for found in factors {
                 let apart = (f64::from(found) - expected).abs();
                 assert!(apart <= WINDOW_F32, "{degree}, {width}: {apart:e}");

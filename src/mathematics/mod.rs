@@ -6,14 +6,13 @@
 //! |---|---|---|---|---|
 //! | [`Libm`] | f32, f64 | last bit | last bit | f64 for f32 angles |
 //! | [`SinglePrecision`] | f32 | 2e-7 | 1e-7 to 1,000 rad | nothing |
-//! | [`Tabled`] | f32 | 1.1e-7 | 8e-8 to 1,000 rad | 388 bytes of tables |
 //! | `Micromath` | f32 | 6.1 %, its reciprocal 3.5 % | 1.1e-3 to 10 rad | nothing |
 //!
 //! Most microcontrollers compute f64 in software. `Micromath` needs the feature `micromath`.
 
 mod single_precision;
 
-pub use single_precision::{SinglePrecision, Tabled};
+pub use single_precision::SinglePrecision;
 
 use crate::scalar::Scalar;
 #[cfg(feature = "micromath")]

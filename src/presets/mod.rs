@@ -85,7 +85,7 @@ pub mod material {
 /// # #[cfg(feature = "baked")] {
 /// use eigenshade::mathematics::SinglePrecision;
 /// use eigenshade::presets::{gloss, light::STUDIO, material::GOLD_METALLIC_PAINT, sources};
-/// use eigenshade::{Highlights, Normal, sphere};
+/// use eigenshade::{Buffer, Highlights, Normal, Rotation, sphere};
 ///
 /// let rest = STUDIO.residual::<SinglePrecision, 100>(sources::STUDIO_4)?;
 /// let scene = sphere::color::scene(rest.lights()?, GOLD_METALLIC_PAINT)?;
@@ -95,6 +95,15 @@ pub mod material {
 /// let normal = Normal::new(-0.5, 0.4, 0.768)?;
 /// let color = scene.shade(normal) + highlights.shade(normal);
 /// assert!(color.r > color.b);
+///
+/// // A light that turns: its rest and its sources turn.
+/// let turn = Rotation::from_quaternion([0.0, 0.3, 0.0, 1.0])?;
+/// let rest = rest.lights()?.turned::<100>(&turn)?;
+/// let scene = sphere::color::scene(rest.lights()?, GOLD_METALLIC_PAINT)?;
+/// let mut lamps = Buffer::<_, 4>::from_slice(sources::STUDIO_4).unwrap_or_default();
+/// lamps.iter_mut().for_each(|lamp| *lamp = lamp.turned(turn));
+/// let highlights = Highlights::<f32, 4>::new::<SinglePrecision>(&gold, &lamps)?;
+/// assert_ne!(scene.shade(normal) + highlights.shade(normal), color);
 /// # }
 /// # Ok::<(), eigenshade::Error>(())
 /// ```

@@ -129,7 +129,9 @@ impl<T: Irradiance, const N: usize> Highlights<T, N> {
                 let parts = factor.map(mantissa);
                 [T::of(parts.map(|[mantissa, _]| mantissa)), T::of(parts.map(|[_, of]| of))]
             });
-            let shift = |of: T, by: i32| exponent.with(of, |exponent, of| exponent - of + by);
+            let shift = |of: T, by: i32| {
+                exponent.with(of, |exponent, of| exponent.wrapping_sub(of).wrapping_add(by))
+            };
             *to = Lobe {
                 form: from.form.map(|number| fixed(number, 16 - bits)),
                 direction: from.direction.map(|number| fixed(number, 15)),

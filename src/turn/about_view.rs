@@ -39,7 +39,8 @@ pub(crate) use unrolled;
 
 impl<S: Scalar> Light<'_, S> {
     /// The coefficients of this light after a rotation about the view axis z, from x toward y, by
-    /// the angle with this cosine and sine: [`turned`](Self::turned) at a fraction of its cost.
+    /// the angle with this cosine and sine: [`turned`](Self::turned) at a fraction of its cost. They
+    /// are scaled to length 1, from which they may be off by 1 %.
     ///
     /// ```
     /// use eigenshade::Light;
@@ -55,7 +56,8 @@ impl<S: Scalar> Light<'_, S> {
     ///
     /// # Errors
     ///
-    /// [`Error::Capacity`] if `N` is below (degree + 1)².
+    /// [`Error::Capacity`] if `N` is below (degree + 1)², [`Error::Rotation`] if the length of
+    /// (cosine, sine) differs from 1 by more than 1 %.
     pub fn turned_about_view<const N: usize>(
         &self,
         angle: [S; 2],
@@ -63,7 +65,7 @@ impl<S: Scalar> Light<'_, S> {
         let mut turned = zeros::<S, N>(Argument::Light, light::count(self.degree()))?;
         match turned.as_mut_slice().try_into() {
             Ok(all) => self.turn_about_view_into::<N>(angle, all)?,
-            Err(_) => self.turn_in_loops(angle, &mut turned),
+            Err(_) => self.turn_in_loops(unit(angle)?, &mut turned),
         }
         Ok(turned)
     }
@@ -73,7 +75,7 @@ impl<S: Scalar> Light<'_, S> {
     ///
     /// # Errors
     ///
-    /// [`Error::Length`] unless `N` is (degree + 1)².
+    /// [`Error::Length`] unless `N` is (degree + 1)², [`Error::Rotation`] as above.
     pub fn turn_about_view_into<const N: usize>(
         &self,
         angle: [S; 2],
@@ -90,6 +92,7 @@ impl<S: Scalar> Light<'_, S> {
                 Err(_) => 0,
             }
         };
+        let angle = unit(angle)?;
         if degree > LARGEST {
             self.turn_in_loops(angle, turned);
             return Ok(());
@@ -128,6 +131,18 @@ impl<S: Scalar> Rgb<Light<'_, S>> {
     ) -> Result<Rgb<LightBuffer<S, N>>, Error> {
         self.each_ref().try_map(|light| light.turned_about_view::<N>(angle))
     }
+}
+
+/// A vector scaled to length 1, from which its square may be off by 2 %: 1/√(1 + e) by its first
+/// terms, to within 3e-6.
+fn unit<S: Scalar>([c, s]: [S; 2]) -> Result<[S; 2], Error> {
+    let [most, half, next] = [0.02, -0.5, 0.375].map(S::from_f64);
+    let off = c * c + s * s - S::ONE;
+    if !(-most..=most).contains(&off) {
+        return Err(Error::Rotation);
+    }
+    let scale = S::ONE.add_product(off, half.add_product(off, next));
+    Ok([scale * c, scale * s])
 }
 
 /// Copies the coefficients of order 0.

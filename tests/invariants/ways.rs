@@ -4,7 +4,7 @@
 use super::Reader;
 use super::integer::{Integer, Relit, normals, shipped};
 use super::shading::{near, parts};
-use eigenshade::mathematics::{Libm, SinglePrecision, Tabled};
+use eigenshade::mathematics::{Libm, SinglePrecision};
 use eigenshade::{
     Effect, Effects, Light, MapPoint, NegativePolicy, Normal, Normals, Q15, Q31, Rotation,
     Tolerance, Truncation, Window, quantized, sphere,
@@ -227,7 +227,7 @@ fn turn(light: &Light<'_, f32>, rotation: &Rotation<f32>, is_moderate: bool) {
     let turned = light.turned::<LIGHT>(rotation).expect("room");
     for width in [0.5, 10.0, f32::NAN] {
         let window = Window::SincFourth { width };
-        let windowed = light.windowed::<Tabled, LIGHT>(window).expect("room");
+        let windowed = light.windowed::<SinglePrecision, LIGHT>(window).expect("room");
         assert!(!is_moderate || windowed.iter().all(|value| value.is_finite()));
     }
     if !is_moderate {

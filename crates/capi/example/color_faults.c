@@ -55,6 +55,8 @@ static const float zeros[4] = {0, 0, 0, 0};
                                                                                               \
     light = *lobby;                                                                           \
     EXPECTED(ROTATION, eigenshade_color_turn_##format(lobby, none, &light_buffer, &light));   \
+    EXPECTED(ROTATION, eigenshade_color_turn_about_view_##format(lobby, none, &light_buffer,  \
+                                                                 &light));                    \
     light = *lobby;                                                                           \
     EXPECTED(OVERLAP, eigenshade_color_turn_##format(&light, none, &light_buffer, &light));   \
     EXPECTED(OUTSIDE,                                                                         \

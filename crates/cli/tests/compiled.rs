@@ -255,6 +255,7 @@ fn compiled_tables_agree_with_tables_that_are_read() {
 #[test]
 fn info_describes_wire_files() {
     let folder = Folder::with_table();
+    let table = folder.table("b.bin");
     for format in ["f32", "q15", "q31"] {
         let summary = folder.ok(&format!("pack --table b.bin --format {format} --out w.esw"));
         let bytes = fs::read(folder.path("w.esw")).unwrap();
@@ -273,6 +274,24 @@ fn info_describes_wire_files() {
         ] {
             assert!(description.lines().any(|found| found == line), "no `{line}` in {description}");
         }
+        let lengths = match format {
+            "f32" => {
+                let owned = OwnedBasis::<f32>::new(&table);
+                let basis = owned.basis().expect("a basis");
+                let transfer = format!("TRANSFER {}", grouped(basis.transfer_len()));
+                [transfer, format!("SCENE {}", grouped(basis.scene_len()))]
+            }
+            _ => {
+                let format = IntegerFormat::Q15;
+                let parts = integers(&table, format, format.tolerance()).expect("integers");
+                let profiles = format!("PROFILES {}", parts.profiles.len());
+                [profiles, format!("COMPONENTS {}", parts.components)]
+            }
+        };
+        let buffers = description.lines().find(|line| line.starts_with("buffers"));
+        let buffers: Vec<_> = buffers.expect("their lengths")[25..].split(", ").collect();
+        let all = lengths.iter().all(|length| buffers.contains(&length.as_str()));
+        assert!(all && buffers.len() == if format == "f32" { 4 } else { 5 }, "{buffers:?}");
     }
 }
 

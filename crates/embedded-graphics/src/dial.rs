@@ -19,8 +19,8 @@ const COSINE: i32 = 14_189;
 
 /// A dial: twelve raised marks on a domed face, in a bezel with the profile of a half circle.
 ///
-/// Normals are computed in integers, with two roots and a division for a pixel of the bezel or of a
-/// mark.
+/// Normals are computed in integers: two divisions for a pixel of the face, a root and a division
+/// for one of a mark, two roots and three divisions for one of the bezel.
 #[derive(Debug)]
 pub struct Dial<'p, P, C> {
     top_left: Point,
@@ -43,7 +43,7 @@ struct Shape {
 impl<'p, P: Shader, C: DisplayColor> Dial<'p, P, C> {
     /// A dial that fills a square of `diameter` pixels, with a bezel and marks of these widths in
     /// pixels; 0 for none. A bezel takes at most half the radius, and a mark at most a quarter of
-    /// it.
+    /// what is left.
     ///
     /// # Errors
     ///
@@ -57,11 +57,10 @@ impl<'p, P: Shader, C: DisplayColor> Dial<'p, P, C> {
     ) -> Result<Self, Error> {
         let disc = Disc::new(diameter as usize)?;
         let within = |width: u32, most: u32| width.min(most).cast_signed();
-        let shape = Shape {
-            diameter: diameter.cast_signed(),
-            bezel: within(bezel, diameter / 4),
-            mark: within(mark, diameter / 8),
-        };
+        let bezel = within(bezel, diameter / 4);
+        let inner = diameter.cast_signed() - 2 * bezel;
+        let mark = within(mark, inner.cast_unsigned() / 8);
+        let shape = Shape { diameter: diameter.cast_signed(), bezel, mark };
         Ok(Self { top_left, disc, shape, paint, color: PhantomData })
     }
 }

@@ -231,6 +231,19 @@ fn a_dial_has_a_bezel_and_twelve_marks_on_a_dome() {
     }
 }
 
+/// A bezel and marks beyond the most are the widest that there are.
+#[test]
+fn a_dial_has_room_for_its_marks() {
+    let picture = |bezel, mark| {
+        let mut screen = Screen::<Rgb888>::new(128, 128);
+        let paint = Paint::new(|normal| normal.components().into(), Exposure::default(), &DISPLAY);
+        Dial::new(Point::zero(), 128, bezel, mark, &paint).unwrap().draw(&mut screen).unwrap();
+        screen.pixels
+    };
+    assert!(picture(999, 999) == picture(32, 8));
+    assert!(picture(32, 8) != picture(32, 0));
+}
+
 #[test]
 fn what_cannot_be_drawn_is_an_error() {
     let paint = Paint::new(|_| Rgb::gray(1.0), Exposure::default(), &DISPLAY);

@@ -15,6 +15,8 @@ mod floats;
 
 pub mod numbers;
 
+mod source_times;
+
 pub mod times;
 
 pub mod errors;
@@ -37,6 +39,7 @@ use scope::Bases;
 use scope::Scope;
 use settings::{Setting, Varied};
 use sheet::{GROWTH, MODEL, SETTINGS, TOTAL};
+use source_times::Lit;
 use std::collections::BTreeSet;
 use std::path::Path;
 use times::Case;
@@ -94,10 +97,9 @@ impl Measured {
         ]
     }
 
-    /// Takes over the times of an earlier run, which must have all settings. Those with sources are
-    /// not timed.
+    /// Takes over the times of an earlier run, which must have all settings.
     pub fn keep_times(&mut self, earlier: &Self) -> Result<()> {
-        for row in self.settings.iter_mut().filter(|row| row.text("sources") == "0") {
+        for row in &mut self.settings {
             let is_it = |other: &&Record| other.key(&SETTINGS) == row.key(&SETTINGS);
             let found = earlier.settings.iter().find(is_it);
             let Some(found) = found.filter(|row| TIMES.iter().all(|one| row.number(one).is_some()))
@@ -174,16 +176,49 @@ fn measure(
             progress.inc(1);
         }
     }
-    cases.sort_by_key(|(k, _)| *k);
-    let mut cases: Vec<Case> = cases.into_iter().map(|(_, case)| case).collect();
-    let costs = times::costs(&mut cases, ROUNDS)?;
-    // The nine-term formula is the first setting.
-    let nine = costs.first().map_or(f64::NAN, |costs| costs[0]);
-    for (row, [pixel, light]) in rows.iter_mut().zip(costs) {
+    if timed {
+        cases.sort_by_key(|(k, _)| *k);
+        fill_times(varied, &mut rows, &mut cases)?;
+    }
+    Ok((rows, totals.concat()))
+}
+
+/// Fills in the times of the settings: those of `cases`, which have the numbers of their settings,
+/// and for settings with sources those of the highlights alone, added to the times without sources.
+/// The first setting is the nine-term formula.
+fn fill_times(varied: &[Varied], rows: &mut [Record], cases: &mut [(usize, Case)]) -> Result<()> {
+    let of_sources = |&Setting { format, sources, .. }: &Setting| (format, sources);
+    let mut lit: Vec<_> = varied.iter().map(|one| of_sources(&one.setting)).collect();
+    lit.retain(|(_, sources)| *sources > 0);
+    lit.sort_unstable();
+    lit.dedup();
+    let lamps = Lit::new()?;
+    let numbers: Vec<usize> = cases.iter().map(|(k, _)| *k).collect();
+    let mut works = Vec::new();
+    for (_, case) in cases {
+        works.push(case.works()?);
+    }
+    for &(format, sources) in &lit {
+        works.push(lamps.works(format, sources)?);
+    }
+    let costs = times::costs(works, ROUNDS);
+    let (of_cases, of_lit) = costs.split_at(numbers.len());
+    let without = |setting: &Setting| {
+        let base = Setting { sources: 0, ..*setting };
+        let place = numbers.iter().position(|&k| varied[k].setting == base)?;
+        Some(of_cases[place])
+    };
+    let nine = of_cases.first().map_or(f64::NAN, |costs| costs[0]);
+    for (row, Varied { setting, .. }) in rows.iter_mut().zip(varied) {
+        let highlights = lit.iter().position(|one| *one == of_sources(setting));
+        let highlights = highlights.map_or([0.0; 2], |place| of_lit[place]);
+        // A quick run lacks some settings without their sources.
+        let Some([pixel, light]) = without(setting) else { continue };
+        let [pixel, light] = [pixel + highlights[0], light + highlights[1]];
         let times = [pixel, light, pixel / nine, light / nine];
         TIMES.into_iter().zip(times).for_each(|(column, time)| row.measure(column, time));
     }
-    Ok((rows, totals.concat()))
+    Ok(())
 }
 
 /// Fills in the total error over all pictures.

@@ -4,7 +4,7 @@ use super::floats::{Floats, scale};
 use super::images::Pair;
 use super::images::{Numbers, Shaded, Work, each};
 use super::settings::{Format, Scaling, Setting, Way};
-use eigenshade::mathematics::{Libm, Micromath, SinglePrecision, Tabled};
+use eigenshade::mathematics::{Libm, Micromath, SinglePrecision};
 use eigenshade::{Q15, Q31, quantized};
 use eigenshade_model::error::{Error, Result};
 use eigenshade_shading::integer_shader::{self, Integer, IntegerShader, OwnedQuantized};
@@ -20,7 +20,6 @@ pub fn numbers(setting: &Setting, table: &Table, normals: &[[f64; 3]]) -> Result
         Scaling::None => None,
         Scaling::Libm => Some(scale::<f32, Libm> as _),
         Scaling::Single => Some(scale::<f32, SinglePrecision> as _),
-        Scaling::Tabled => Some(scale::<f32, Tabled> as _),
         Scaling::Micromath => Some(scale::<f32, Micromath> as _),
     };
     Ok(match (setting.format, setting.way) {

@@ -22,7 +22,7 @@ use std::hint::black_box;
 use std::time::Instant;
 
 /// Pixels per run.
-const PIXELS: usize = 4096;
+pub const PIXELS: usize = 4096;
 /// The least duration of a timing in seconds; shorter operations are repeated.
 const SHORTEST: f64 = 3e-5;
 
@@ -40,17 +40,19 @@ impl Case {
         let lengths = vec![0; setting.recipe.degree + 1];
         Ok(Self { numbers, pair: pair.clone(), lengths })
     }
+
+    /// All pixels, and a new light.
+    pub fn works(&mut self) -> Result<[Work<'_>; 2]> {
+        self.numbers.works(&self.pair, &mut self.lengths)
+    }
 }
 
-/// The median nanoseconds of a pixel and of a new light over interleaved rounds, for each case.
-pub fn costs(cases: &mut [Case], rounds: usize) -> Result<Vec<[f64; 2]>> {
-    let mut works = Vec::new();
-    for Case { numbers, pair, lengths } in cases {
-        works.extend(numbers.works(pair, lengths)?);
-    }
-    let times = interleaved(works, rounds);
+/// The median nanoseconds of a pixel and of a new light over interleaved rounds, from all pixels
+/// and new lights.
+pub fn costs(works: Vec<[Work<'_>; 2]>, rounds: usize) -> Vec<[f64; 2]> {
+    let times = interleaved(works.into_iter().flatten().collect(), rounds);
     let medians: Vec<f64> = times.iter().map(|times| median(times)).collect();
-    Ok(medians.chunks_exact(2).map(|pair| [pair[0] / PIXELS as f64, pair[1]]).collect())
+    medians.chunks_exact(2).map(|pair| [pair[0] / PIXELS as f64, pair[1]]).collect()
 }
 
 /// The least time of each work in nanoseconds: other activity of the machine only adds time.
@@ -299,7 +301,8 @@ fn of_tables(quantity: &str, tables: &[Made], timed: bool) -> Result<Vec<Record>
         let transfers =
             owned.iter().zip(tables).map(|(owned, made)| new_materials(owned, &made.pair, 1));
         let transfers = least(transfers.collect::<Result<_>>()?, ROUNDS);
-        let costs = costs(&mut cases, ROUNDS)?.into_iter().zip(transfers);
+        let works = cases.iter_mut().map(Case::works).collect::<Result<_>>()?;
+        let costs = costs(works, ROUNDS).into_iter().zip(transfers);
         let times: Vec<_> =
             costs.map(|([pixel, light], material)| [pixel, light, material]).collect();
         add("ns", OPERATIONS, &times);

@@ -7,8 +7,9 @@ pub mod recorded_errors;
 pub mod rounding;
 
 use crate::description::Description;
+use crate::messages::grouped;
 use eigenshade::wire::{Header, NumberFormat, WireError, aligned};
-use eigenshade::{Basis, GeneralBasis, GeneralParts, Parts, Q15, Q31, quantized};
+use eigenshade::{Basis, FixedPoint, GeneralBasis, GeneralParts, Parts, Q15, Q31, quantized};
 use eigenshade_index::effect::{Effect, Effects};
 use eigenshade_index::wire::{ENTRY, HEADER, LABEL};
 use eigenshade_model::error::{Error, Result};
@@ -107,7 +108,7 @@ pub fn is_wire(bytes: &[u8]) -> bool {
 ///
 /// If the runtime refuses the bytes.
 pub fn wire_description(bytes: &[u8]) -> Result<Description> {
-    let header = checked(bytes).map_err(|error| described(&error))?;
+    let (header, lengths) = checked(bytes).map_err(|error| described(&error))?;
     let (format, names) = match NumberFormat::of(header.format) {
         Some(NumberFormat::F32) | None => {
             (NumberFormat::F32, [Parts::<f32>::ARRAYS, GeneralParts::<f32>::ARRAYS].concat())
@@ -122,6 +123,8 @@ pub fn wire_description(bytes: &[u8]) -> Result<Description> {
     description.field("effects", effect_names(header.effects));
     description.field("components", header.images.max(header.components));
     description.field("span", if header.images == 0 { 0 } else { header.components });
+    let lengths = lengths.iter().map(|(name, length)| format!("{name} {}", grouped(*length)));
+    description.field("buffers", lengths.collect::<Vec<_>>().join(", "));
     for (number, name) in names.into_iter().take(header.sections).enumerate() {
         let at = HEADER + ENTRY * number + ENTRY / 2;
         let length = u32::from_ne_bytes(std::array::from_fn(|k| bytes[at + k]));
@@ -138,18 +141,44 @@ pub fn effect_names(effects: Effects) -> String {
     names.collect::<Vec<_>>().join(" ")
 }
 
-/// The header of a file that the runtime accepts.
-fn checked(bytes: &[u8]) -> std::result::Result<Header, WireError> {
+/// The lengths of the buffers that the functions of a basis take, by the names of the constants of
+/// a table that is compiled in.
+type Lengths = Vec<(&'static str, usize)>;
+
+/// The header of a file that the runtime accepts, and the lengths of its buffers.
+fn checked(bytes: &[u8]) -> std::result::Result<(Header, Lengths), WireError> {
     let header = Header::read(bytes)?;
     let mut room = vec![0; bytes.len().div_ceil(4)];
     let bytes = aligned(bytes, &mut room)?;
-    match NumberFormat::of(header.format) {
-        Some(NumberFormat::Q15) => quantized::Basis::<Q15>::from_bytes(bytes).map(drop)?,
-        Some(NumberFormat::Q31) => quantized::Basis::<Q31>::from_bytes(bytes).map(drop)?,
-        _ if header.images > 0 => GeneralBasis::<f32>::from_bytes(bytes).map(drop)?,
-        _ => Basis::<f32>::from_bytes(bytes).map(drop)?,
-    }
-    Ok(header)
+    let lengths = match NumberFormat::of(header.format) {
+        Some(NumberFormat::Q15) => of_integers(&quantized::Basis::<Q15>::from_bytes(bytes)?),
+        Some(NumberFormat::Q31) => of_integers(&quantized::Basis::<Q31>::from_bytes(bytes)?),
+        _ if header.images > 0 => {
+            let basis = GeneralBasis::<f32>::from_bytes(bytes)?;
+            of_floats(basis.workspace_len(), basis.components(), basis.span())
+        }
+        _ => {
+            let basis = Basis::<f32>::from_bytes(bytes)?;
+            of_floats(basis.workspace_len(), basis.components(), &basis)
+        }
+    };
+    Ok((header, lengths))
+}
+
+fn of_floats(workspace: usize, components: usize, basis: &Basis<'_, f32>) -> Lengths {
+    let (transfer, scene) = (basis.transfer_len(), basis.scene_len());
+    let [first, last] = [("TRANSFER", transfer), ("SCENE", scene)];
+    vec![("WORKSPACE", workspace), first, ("COMPONENTS", components), last]
+}
+
+fn of_integers<Q: FixedPoint>(basis: &quantized::Basis<'_, Q>) -> Lengths {
+    vec![
+        ("WORKSPACE", basis.workspace_len()),
+        ("TRANSFER", basis.transfer_len()),
+        ("PROFILES", basis.profiles()),
+        ("COMPONENTS", basis.components()),
+        ("SCENE", basis.scene_len()),
+    ]
 }
 
 /// Splits the one line of [`WireError`] into the problem and the remedy.

@@ -108,7 +108,7 @@ pub fn all(quick: bool) -> Vec<Varied> {
         add("baked maps", higher.by(Way::Bilinear(32)).in_format(format));
     }
     add("component by component", Setting::of(first(50)).by(Way::Eigen));
-    for scaling in [Scaling::Libm, Scaling::Single, Scaling::Tabled, Scaling::Micromath] {
+    for scaling in [Scaling::Libm, Scaling::Single, Scaling::Micromath] {
         add("mathematics", Setting { scaling, ..Setting::of(first(50)) });
     }
     for (degree, order) in LOWER {
@@ -217,7 +217,7 @@ mod tests {
         let set: BTreeSet<&String> = all.iter().collect();
         assert_eq!(set.len(), all.len());
         assert!(quick.iter().all(|name| set.contains(name)), "{quick:?}");
-        for mathematics in ["libm", "single", "tabled", "micromath"] {
+        for mathematics in ["libm", "single", "micromath"] {
             let name = format!("9/7 K50 polynomial f32 {mathematics}");
             assert!(quick.contains(&name), "{name}");
         }

@@ -61,7 +61,7 @@ pub enum Way {
 }
 
 /// The number format in which a pixel is computed.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Format {
     F64,
     F32,
@@ -76,7 +76,6 @@ pub enum Scaling {
     None,
     Libm,
     Single,
-    Tabled,
     Micromath,
 }
 
