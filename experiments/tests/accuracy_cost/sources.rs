@@ -128,7 +128,9 @@ fn costs_of_sources_are_added() {
                 let Some(board) = machine.board.filter(|_| table.is_some()) else {
                     // On this machine they were timed, in WebAssembly they were not.
                     assert_eq!(all.is_some(), machine.key == "host", "{with:?}");
-                    assert!(all.zip(table).is_none_or(|(all, table)| all > table), "{with:?}");
+                    // To four digits, a new light of a baked map costs the same.
+                    let is_more = |(all, table)| all > table || (all == table && kind == "light");
+                    assert!(all.zip(table).is_none_or(is_more), "{with:?}");
                     continue;
                 };
                 let operation = format!("sources/{kind}_{}", with.text("sources"));
