@@ -207,13 +207,11 @@ impl Choice {
         let leave = if self.most == 1 { "leaves" } else { "leave" };
         // Without the digits of rounding to binary.
         let asked = (1e9 * asked).round() / 1e9;
-        let text =
-            format!("{sources} at degree {degree}, order {order} {leave} {error:.2} % of the peak");
-        if error > asked {
-            format!("note: {text}, more than the {asked} % asked for")
-        } else {
-            format!("{text}, {asked} % asked for")
-        }
+        let (note, more) = if error > asked { ("note: ", "more than the ") } else { ("", "") };
+        format!(
+            "{note}{sources} at degree {degree}, order {order} {leave} {error:.2} % of the peak of \
+             a metal of this roughness, {more}{asked} % asked for"
+        )
     }
 }
 

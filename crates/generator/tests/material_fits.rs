@@ -188,6 +188,8 @@ fn faults_name_the_material_and_a_remedy() {
     none.name = "made".into();
     none.samples.clear();
     assert!(fault(none).contains("no measurements"));
+    let high = fit(&[ptfe()], 17, &mut |_, _| ()).unwrap_err().to_string();
+    assert!(high.contains("order 16 at most, not to 17; "), "{high}");
 }
 
 #[test]

@@ -29,7 +29,7 @@ use crate::material::fit_constraints::DirectionGrid;
 pub use crate::material::fit_constraints::{HIGHEST, LOWEST};
 use crate::material::measurements::Measured;
 use eigenshade_model::database::{Materials, Named};
-use eigenshade_model::error::Result;
+use eigenshade_model::error::{Error, Result};
 use eigenshade_model::inputs::sheet::write_entries;
 use std::io::Write;
 
@@ -54,6 +54,10 @@ pub struct Fit {
     pub condition: f64,
 }
 
+/// The largest order to which measurements are fitted. With 4,000 measurements, order 12 takes a
+/// second and order 16 thirteen.
+const MOST: usize = 16;
+
 /// Fits every material at `order`. Before the first material and after each one, calls `progress`
 /// with the number done and the total.
 ///
@@ -63,13 +67,17 @@ pub struct Fit {
 ///
 /// # Errors
 ///
-/// If a channel is nowhere positive, a value is not finite, or a quadratic program cannot be
-/// solved. The message names the material.
+/// If the order is above 16, a channel is nowhere positive, a value is not finite, or a quadratic
+/// program cannot be solved. The message names the material.
 pub fn fit(
     measured: &[Measured],
     order: usize,
     progress: &mut dyn FnMut(usize, usize),
 ) -> Result<(Materials, Vec<Fit>)> {
+    if order > MOST {
+        let what = format!("measurements are fitted to order {MOST} at most, not to {order}");
+        return Err(Error::new(what, "ask for a lower order, or project a formula"));
+    }
     let grid = DirectionGrid::for_order(order);
     progress(0, measured.len());
     let mut fits = Vec::with_capacity(measured.len());
