@@ -11,7 +11,7 @@ const END: &str = "<!-- end of counts -->\n";
 const PAGES: [(&str, &[&str]); 3] = [
     ("../README.md", &[]),
     ("../docs/costs.md", &["f32", "q15"]),
-    ("README.md", &["f32", "q15", "q31"]),
+    ("README.md", &["q31"]),
 ];
 
 /// The rows of the short table: an operation and its description.
