@@ -56,7 +56,9 @@ fn tables_that_integers_do_not_serve_are_refused_as_documented() {
             Some(MeanImage { chebyshev: vec![1.0], coefficients: vec![0.0; table.count()] });
     });
     assert_refused("a selection of modes (`modes`)", |table| table.selection = vec![true]);
-    assert_refused("other objects than the sphere (`GeneralBasis`)", |table| {
+    let general =
+        "other objects than the sphere, or light that does not turn freely (`GeneralBasis`)";
+    assert_refused(general, |table| {
         table.general = Some(General {
             normals: 1,
             rank: 1,

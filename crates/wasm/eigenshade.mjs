@@ -53,7 +53,10 @@ function materialCount(order) {
   return count;
 }
 
-/** The coefficients as a Float32Array, if their number is valid and all are finite. */
+/** The largest coefficient: products of larger ones may exceed f32. */
+const LARGEST = 1e15;
+
+/** The coefficients as a Float32Array, if their number is valid and none is too large. */
 function checked(what, coefficients, count, most) {
   if (!(Array.isArray(coefficients) || ArrayBuffer.isView(coefficients))) {
     throw new TypeError(`${what}: an array of numbers expected, ${typeof coefficients} found`);
@@ -66,9 +69,11 @@ function checked(what, coefficients, count, most) {
     );
   }
   const numbers = Float32Array.from(coefficients);
-  const bad = numbers.findIndex((number) => !Number.isFinite(number));
+  const bad = numbers.findIndex((number) => !(Math.abs(number) <= LARGEST));
   if (bad >= 0) {
-    throw new RangeError(`${what}: coefficient ${bad} is ${coefficients[bad]}, which is not a finite f32`);
+    throw new RangeError(
+      `${what}: coefficient ${bad} is ${coefficients[bad]}, expected a number from -1e15 to 1e15`,
+    );
   }
   return numbers;
 }

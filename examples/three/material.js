@@ -13,7 +13,7 @@ const TOWARD_CAMERA = new Vector3(0, 0, 1);
  * The light is fixed to the world: before each frame the material turns the scene's light by the
  * inverse rotation of the camera, and `material.lightRotation`, a quaternion, turns it in the
  * world. A new turn is an upload of uniforms. After `scene.light(..)` or `scene.material(..)` call
- * `material.update()`.
+ * `material.update()`. A clone has the same scene.
  *
  * eigenshade's view is orthographic. For a perspective camera, `view: "object"` turns the light and
  * the normals into a frame whose z axis points from the center of the mesh to the camera: a small
@@ -28,12 +28,17 @@ export function eigenMaterial(scene, { view = "object", ...parameters } = {}) {
   const uniforms = { eigenshade: { value: stored(scene) }, eigenFrame: { value: new Matrix3() }, eigenPerspective: { value: false } };
   let text = textOf(scene, uniforms.eigenshade.value);
   const [turn, turned] = [new Quaternion(), new Quaternion()];
-  let [changed, mesh, picture] = [true, undefined, undefined];
+  let [changed, mesh, picture, drawer] = [true];
 
   material.lightRotation = new Quaternion();
   material.update = () => {
     changed = true;
     return material;
+  };
+  material.clone = () => {
+    const clone = eigenMaterial(scene, { view }).copy(material);
+    clone.lightRotation.copy(material.lightRotation);
+    return clone;
   };
   material.customProgramCacheKey = () => text;
   material.onBeforeCompile = (shader) => {
@@ -50,8 +55,10 @@ export function eigenMaterial(scene, { view = "object", ...parameters } = {}) {
     if (view === "object" && camera.isPerspectiveCamera) {
       // three.js uploads the uniforms of a material once for all meshes that follow each other.
       const { frame: now } = renderer.info.render;
-      if (object !== mesh && picture === now) throw new Error("eigenMaterial: each mesh needs a material of its own");
-      [mesh, picture] = [object, now];
+      if (object !== mesh && picture === now && drawer === renderer) {
+        throw new Error("eigenMaterial: each mesh needs a material of its own");
+      }
+      [mesh, picture, drawer] = [object, now, renderer];
       const frame = frameOf(object, camera);
       uniforms.eigenFrame.value.setFromMatrix4(matrix.makeRotationFromQuaternion(frame));
       turn.premultiply(frame);

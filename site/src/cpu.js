@@ -79,7 +79,7 @@ export function drawCpu(canvas, scene, all, { exposure, nine, times = 10 }) {
   const context = canvas.getContext("2d");
   if (!context) return;
   if (!all) {
-    show(canvas, new ImageData(/** @type {any} */ (sphere(scene, SIDE, { exposure })), SIDE, SIDE));
+    show(canvas, new ImageData(sphere(scene, SIDE, { exposure }), SIDE, SIDE));
     return;
   }
   const pixels = disc(SIDE / 2);

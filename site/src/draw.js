@@ -66,7 +66,8 @@ vec3 encoded(vec3 x) {
   return mix(1.055 * pow(x, vec3(1.0 / 2.4)) - 0.055, 12.92 * x, vec3(lessThanEqual(x, vec3(0.0031308))));
 }
 vec3 filmic(vec3 x) {
-  x = max(x, 0.0);
+  // f32 has to hold its square.
+  x = clamp(x, 0.0, 1e15);
   return x * (2.51 * x + 0.03) / (x * (2.43 * x + 0.59) + 0.14);
 }
 /** A normal that faces away moves to the rim. */
@@ -263,9 +264,9 @@ export class Drawing {
     const gl = this.#gl;
     const uniforms = scene.uniforms();
     const fits = this.#fits(scene);
-    const found = this.#programs.of(scene.glsl(fits ? "uniforms" : "texture"));
-    if (!found) return;
-    const { program, place } = found;
+    const program = this.#programs.of(scene.glsl(fits ? "uniforms" : "texture"));
+    if (!program) return;
+    const place = (/** @type {string} */ name) => gl.getUniformLocation(program, name);
     gl.useProgram(program);
     if (fits) {
       gl.uniform4fv(place("eigenshade"), uniforms);

@@ -37,8 +37,12 @@ let drawnObject = "";
 const canvas = /** @type {HTMLCanvasElement} */ (find("picture"));
 const drawing = Drawing.of(canvas, () => {
   drawnObject = "";
+  say("");
   changed();
 });
+canvas.addEventListener("webglcontextlost", () =>
+  say("The browser has lost the picture and draws it again as soon as it can."),
+);
 
 const say = (/** @type {string} */ text) => (find("status").textContent = text);
 const fail = (/** @type {string} */ text) => (find("fault").textContent = text);
@@ -55,7 +59,7 @@ function accept(/** @type {typeof loaded} */ inputs) {
   const give = (/** @type {typeof loaded} */ { light, material }) => {
     for (const scene of [whole, ours]) scene.light(light).material(material);
     const albedo = measure.meanOf(measure.pictureOf(scratch.light(ambient()).material(material)));
-    const [exposure, terms] = [whole.turn(IDENTITY).exposure(), nineTerms(light, albedo)];
+    const [exposure, terms] = [whole.exposure(), nineTerms(light, albedo)];
     [auto, look.nine.terms] = [exposure, terms];
   };
   try {
@@ -197,8 +201,8 @@ function later() {
   }
   scratch.components().turn(IDENTITY);
   if (shownTab() === "images") showGallery(find("gallery"), whole, state.components);
-  // What is being loaded is not shown yet.
-  busy(Object.keys(pending).length > 0);
+  // A change that waits for its frame and what is being loaded are not shown yet.
+  busy(frame > 0 || Object.keys(pending).length > 0);
 }
 
 /** Whether the picture and its numbers are not yet those of the state; tests wait for it. */

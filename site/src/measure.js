@@ -119,7 +119,7 @@ export function effectsOf(scene, tolerance = 1e-6) {
     const terms = relative < 1 ? scene.within(Math.max(1e-30, relative)).terms : 0;
     return [effect, { share, saved: all - terms }];
   });
-  scene.effects().within(tolerance);
+  scene.effects().within();
   return Object.fromEntries(entries);
 }
 

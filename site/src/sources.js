@@ -32,8 +32,9 @@ export function showSources(state, { light, material }, { sources: drawn, isGlos
     : state.effects.length < EFFECTS.length
       ? "effects are left out"
       : roughness === undefined ? "this material has no gloss" : "this material is matte";
-  find("sources-drawn").textContent =
-    drawn ? `${counted(drawn, "source")} drawn.` : state.sources ? `None drawn: ${why}.` : "";
+  const text = drawn ? `${counted(drawn, "source")} drawn.` : state.sources ? `None drawn: ${why}.` : "";
+  // Screen readers read it again whenever it is written.
+  if (find("sources-drawn").textContent !== text) find("sources-drawn").textContent = text;
   const away = (/** @type {string} */ rough) => Math.abs(Number(rough) - roughness);
   const [nearest] = errors.map(([, rough]) => rough).sort((a, b) => away(a) - away(b));
   const found = isGlossy

@@ -13,6 +13,8 @@ export const VIEWS = ["picture", "split"];
 export const TABS = ["scene", "accuracy", "effects", "images", "cases"];
 export const COMPONENTS = 160;
 export const SOURCES = ["0", "1", "2", "4", "8"];
+/** The tolerances of "automatic", in percent. */
+export const AUTOMATIC = ["10", "5", "2", "1", "0.5", "0.1"];
 
 export const initial = () => ({
   object: "relief",
@@ -35,7 +37,6 @@ export const initial = () => ({
   drag: "object",
   tab: "accuracy",
   case: "sun",
-  /** The tolerance of "automatic", in percent. */
   automatic: 1,
 });
 
@@ -64,6 +65,10 @@ const one = (/** @type {string[]} */ names) => ({
     if (!names.includes(text)) throw new RangeError(`"${text}" is not one of ${names.join(", ")}`);
     return text;
   },
+});
+const oneNumber = (/** @type {string[]} */ numbers) => ({
+  write: String,
+  read: (/** @type {string} */ text) => Number(one(numbers).read(text)),
 });
 const number = (/** @type {number} */ least, /** @type {number} */ most, whole = false) => ({
   write: (/** @type {number} */ value) => String(Number(value.toFixed(3))),
@@ -117,7 +122,7 @@ const PARTS = {
   turn: rotation,
   pose: rotation,
   step: number(0, ALL_TERMS, true),
-  sources: { write: String, read: (text) => Number(one(SOURCES).read(text)) },
+  sources: oneNumber(SOURCES),
   effects: {
     write: (value) => EFFECTS.filter((effect) => value.includes(effect)).join() || "none",
     read: (text) => (text === "none" ? [] : text.split(",").map(one([...EFFECTS]).read)),
@@ -128,7 +133,7 @@ const PARTS = {
   drag: one(["object", "light"]),
   tab: one(TABS),
   case: name,
-  automatic: number(0.01, 30),
+  automatic: oneNumber(AUTOMATIC),
 };
 
 /**

@@ -14,7 +14,7 @@ const MATERIALS = [
 ];
 
 /** A material's name for people. */
-export const readable = (/** @type {string} */ name) => name.replace(/^\d+-/, "").replaceAll("-", " ").replace(/\s?\d+$/, "");
+export const readable = (/** @type {string} */ name) => name.replace(/^\d+-/, "").replaceAll("-", " ");
 
 /**
  * Shows the materials, each a sphere in the studio, and calls back for the one that is chosen.

@@ -47,6 +47,36 @@ describe("the page", { concurrency: 4 }, () => {
     });
   }
 
+  test("in forced colors what is chosen looks different", async () => {
+    const { page } = await open(browser, server.address, { width: 1200, forcedColors: "active", hash: "step=4&tab=effects&effects=ambient", script: NO_WEBGL });
+    for (const [chosen, other, part, ...properties] of [
+      ["[name=object]:checked + span", "[name=object]:not(:checked) + span", undefined, "backgroundColor", "color"],
+      ["#thumbs label:has(:checked)", "#thumbs label:not(:has(:checked))", undefined, "borderTopColor"],
+      ["[role=tab][aria-selected=true]", "[role=tab][aria-selected=false]", undefined, "borderBottomColor"],
+      ["#effect-ambient", "#effect-gloss", undefined, "backgroundColor"],
+      ["#effect-ambient", "#effect-gloss", "::after", "backgroundColor", "translate"],
+    ]) {
+      const styles = await page.evaluate(([selectors, part, properties]) => selectors.map((selector) => {
+        const style = getComputedStyle(document.querySelector(selector), part);
+        return properties.map((name) => style[name]);
+      }), [[chosen, other], part, properties]);
+      properties.forEach((name, k) => assert.notEqual(styles[0][k], styles[1][k], `${chosen}${part ?? ""} ${name}`));
+    }
+    // A switch is not of the color of its own background.
+    for (const id of ["#effect-ambient", "#effect-gloss"]) {
+      const [track, knob] = await page.evaluate((id) => [undefined, "::after"].map((part) => getComputedStyle(document.querySelector(id), part).backgroundColor), id);
+      assert.notEqual(knob, track);
+    }
+    await page.close();
+  });
+
+  test("the picture that arrow keys turn is an application with a name", async () => {
+    const { page } = await open(browser, server.address, { hash: "object=sphere&step=4", script: NO_WEBGL });
+    const picture = page.getByRole("application", { name: "A sphere of gold metallic paint under the light lobby" });
+    assert.equal(await picture.getAttribute("id"), "picture");
+    await page.close();
+  });
+
   test("without motion, switches jump and growing takes a second a step", async () => {
     for (const [reducedMotion, duration] of [["reduce", "0s"], ["no-preference", "0.12s"]]) {
       const { page } = await open(browser, server.address, { width: 360, height: 480, reducedMotion, hash: "step=4&tab=images", script: NO_WEBGL });

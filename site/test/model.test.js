@@ -17,7 +17,7 @@ import { coin, coinNormals, parseObj, relief } from "../src/objects.js";
 import { percent } from "../src/plot.js";
 import { project } from "../src/project.js";
 import { parseHdr } from "../src/rgbe.js";
-import { fromHash, initial, toHash } from "../src/state.js";
+import { AUTOMATIC, fromHash, initial, toHash } from "../src/state.js";
 import { dragged, multiply, rotate } from "../src/turn.js";
 import parseExr from "../vendor/parse-exr.js";
 import { hdrFile } from "./files.js";
@@ -188,6 +188,8 @@ test("effects have shares, and what they save is counted at one absolute error",
   const scene = await Scene.create({ light: "studio", material: "gold-metallic-paint" });
   const parts = measure.effectsOf(scene, 0.01);
   assert.deepEqual(Object.keys(parts), [...EFFECTS]);
+  // The page takes a material's albedo from the same scene.
+  assert.equal(scene.truncation, undefined);
   const picture = measure.pictureOf(scene.within().effects(["gloss"]));
   near(parts.gloss.share, measure.rmsOf(picture) / measure.rmsOf(measure.pictureOf(scene.effects())), 1e-6);
   assert.ok(parts.gloss.saved > 10 && Number.isInteger(parts.ambient.saved));
@@ -218,6 +220,11 @@ test("the state survives its link, with a light of one's own", async () => {
   assert.deepEqual(fromHash("#step=1.5&exposure=5").faults, [
     'step: "1.5" is not a whole number from 0 to 40', 'exposure: "5" is not a number from -4 to 4',
   ]);
+  // Tolerances of the automatic choice are those of its list.
+  const options = readFileSync(join(SITE, "index.html"), "utf8").matchAll(/<option value="(.*?)"/g);
+  assert.deepEqual([...options].map(([, value]) => value), AUTOMATIC);
+  assert.deepEqual(fromHash("#automatic=3").faults, ['automatic: "3" is not one of 10, 5, 2, 1, 0.5, 0.1']);
+  assert.equal(fromHash("#automatic=0.5").state.automatic, 0.5);
   const bright = { ...light, g: light.g.map(() => 2e15) };
   const { faults: said } = fromHash(`#${toHash({ ...state, ownLight: { name: "sun", light: bright } })}`);
   assert.deepEqual(said, ["ownLight: its light has a number beyond 1000000000000000", "its own light is missing"]);

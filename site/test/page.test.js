@@ -175,6 +175,25 @@ on("sources: highlights, their number, and the error that degree 9 leaves", "obj
   await none(() => page.locator("#light").selectOption("hemisphere"), "this light has no set of at most 8");
 });
 
+on("what screen readers announce is not written again by a turn", "object=sphere&step=5", async (page) => {
+  const written = await page.evaluate(async () => {
+    let written = 0;
+    const observer = new MutationObserver(() => written++);
+    for (const region of document.querySelectorAll("output, [role=status], [role=alert], [aria-live]")) {
+      if (region.ariaLive !== "off") observer.observe(region, { childList: true, characterData: true, subtree: true });
+    }
+    const picture = document.getElementById("picture");
+    const before = document.getElementById("summary").textContent;
+    for (let k = 0; k < 10; k++) {
+      picture.dispatchEvent(new KeyboardEvent("keydown", { key: "ArrowLeft" }));
+      await new Promise((resolve) => requestAnimationFrame(() => setTimeout(resolve)));
+    }
+    if (document.getElementById("summary").textContent === before) throw new Error("the picture is as it was");
+    return written;
+  });
+  assert.equal(written, 0);
+}, { script: `(${helpers})(); ${NO_WEBGL}` });
+
 on("effects: switches change picture, shares and terms, and automatic chooses", "object=sphere&step=5&tab=effects&light=studio&sources=0", async (page) => {
   for (const effect of ["ambient", "diffuse", "broad", "gloss"]) {
     assert.match(await text(page, `share-${effect}`), /^[\d.]+ %$/);
@@ -254,7 +273,8 @@ on("hard cases: each shows two pictures that differ, and says why", "object=sphe
 
 on("scene: lights, materials and exposure change the picture", "object=sphere&step=3&tab=scene", async (page) => {
   assert.equal(await page.locator("#light option").count(), 26 + 3 + 1);
-  assert.ok((await page.locator("#thumbs label").count()) >= 30);
+  const materials = await page.locator("#thumbs label").allTextContents();
+  assert.ok(materials.length >= 30 && new Set(materials).size === materials.length);
   const change = async (what, act) => {
     await keep(page);
     await act();
@@ -545,17 +565,21 @@ on("without WebGL 2 the CPU draws, alone and split", "object=sphere&step=5", asy
   script: `(${helpers})(); ${NO_WEBGL}`,
 });
 
-on("a lost context comes back", "object=coin&step=5", async (page) => {
+on("a lost context is said, and comes back", "object=coin&step=5", async (page) => {
   await keep(page);
-  await page.evaluate(async () => {
+  const lost = await page.evaluate(async () => {
     const canvas = document.getElementById("picture");
     const extension = canvas.getContext("webgl2").getExtension("WEBGL_lose_context");
     const restored = new Promise((resolve) => canvas.addEventListener("webglcontextrestored", resolve));
     extension.loseContext();
     await new Promise((resolve) => setTimeout(resolve, 50));
+    const { textContent: lost } = document.getElementById("status");
     extension.restoreContext();
     await restored;
+    return lost;
   });
+  assert.match(lost, /^The browser has lost the picture/);
+  assert.equal(await text(page, "status"), "");
   await settled(page);
   assert.equal(await apart(page), 0);
 });

@@ -86,8 +86,8 @@ impl Source {
         self.with_existing([gloss_file(&self.path)])
     }
 
-    fn with_existing<const N: usize>(&self, beside: [PathBuf; N]) -> Vec<PathBuf> {
-        let beside = beside.into_iter().filter(|path| is_file(path));
+    fn with_existing<const N: usize>(&self, beside: [Option<PathBuf>; N]) -> Vec<PathBuf> {
+        let beside = beside.into_iter().flatten().filter(|path| is_file(path));
         [self.path.clone()].into_iter().chain(beside).collect()
     }
 
@@ -131,7 +131,10 @@ impl Source {
             })?;
             return Ok(sets.of_most(most).to_vec());
         }
-        let file = source_file(&self.path);
+        let Some(file) = source_file(&self.path) else {
+            let what = "only a light CSV that ends in .csv has sources beside it";
+            return Err(Error::new(what, FIND_SOURCES).in_file(&self.path));
+        };
         if !is_file(&file) {
             let what = "there are no sources beside the light CSV";
             return Err(Error::new(what, FIND_SOURCES).in_file(file));
@@ -160,11 +163,9 @@ impl Source {
         let errors = match self.entry {
             Entry::Shipped => shipped::set_errors()?,
             _ => {
-                let file = set_error_file(&self.path);
-                if !is_file(&file) {
-                    return Ok(Vec::new());
-                }
-                read_set_errors(InputFile::new(&file, budget))?
+                let file = set_error_file(&self.path).filter(|file| is_file(file));
+                let Some(file) = file else { return Ok(Vec::new()) };
+                read_set_errors(InputFile::new(file, budget))?
             }
         };
         Ok(errors.into_iter().filter(|one| one.light == light).collect())
@@ -179,11 +180,9 @@ impl Source {
         let glosses = match self.entry {
             Entry::Shipped => shipped::glosses()?,
             _ => {
-                let file = gloss_file(&self.path);
-                if !is_file(&file) {
-                    return Ok(None);
-                }
-                read_glosses(InputFile::new(&file, budget))?
+                let file = gloss_file(&self.path).filter(|file| is_file(file));
+                let Some(file) = file else { return Ok(None) };
+                read_glosses(InputFile::new(file, budget))?
             }
         };
         let found = glosses.into_iter().find(|one| one.name == material);
@@ -201,7 +200,8 @@ impl Source {
                           `eigenshade material .. --out FILE.csv`, which writes FILE.gloss.csv";
             let error = Error::new(format!("the gloss of `{material}` is not known"), remedy);
             let is_shipped = self.entry == Entry::Shipped;
-            if is_shipped { error } else { error.in_file(gloss_file(&self.path)) }
+            let file = || gloss_file(&self.path).unwrap_or_else(|| self.path.clone());
+            if is_shipped { error } else { error.in_file(file()) }
         })
     }
 
@@ -322,14 +322,21 @@ const FIND_SOURCES: &str =
 
 /// The file with the sources of the lights of a light CSV.
 #[must_use]
-pub fn source_file(lights: &Path) -> PathBuf {
-    lights.with_extension("sources.csv")
+pub fn source_file(lights: &Path) -> Option<PathBuf> {
+    beside(lights, "sources.csv")
 }
 
 /// The file with the errors that these sources leave.
 #[must_use]
-pub fn set_error_file(lights: &Path) -> PathBuf {
-    lights.with_extension("sources.errors.csv")
+pub fn set_error_file(lights: &Path) -> Option<PathBuf> {
+    beside(lights, "sources.errors.csv")
+}
+
+/// The file beside one that ends in .csv. Others have none: it would belong to both `a.csv` and
+/// `a.txt`.
+fn beside(file: &Path, ending: &str) -> Option<PathBuf> {
+    let is_csv = file.extension().is_some_and(|end| end.eq_ignore_ascii_case("csv"));
+    is_csv.then(|| file.with_extension(ending))
 }
 
 /// Refuses to write a light CSV beside the sources of other lights, with which the new ones would
@@ -340,7 +347,7 @@ pub fn set_error_file(lights: &Path) -> PathBuf {
 /// If there are such files.
 pub fn refuse_stale_sources(lights: Option<&Path>) -> Result<()> {
     let beside = lights.map(|lights| [source_file(lights), set_error_file(lights)]);
-    let beside = beside.into_iter().flatten().filter(|file| is_file(file));
+    let beside = beside.into_iter().flatten().flatten().filter(|file| is_file(file));
     let beside: Vec<String> = beside.map(|file| file.display().to_string()).collect();
     if beside.is_empty() {
         return Ok(());
@@ -351,8 +358,8 @@ pub fn refuse_stale_sources(lights: Option<&Path>) -> Result<()> {
 
 /// The file with the gloss of the materials of a material CSV.
 #[must_use]
-pub fn gloss_file(materials: &Path) -> PathBuf {
-    materials.with_extension("gloss.csv")
+pub fn gloss_file(materials: &Path) -> Option<PathBuf> {
+    beside(materials, "gloss.csv")
 }
 
 /// The extensions of environment maps.

@@ -1,7 +1,8 @@
 //! Bad input: exit status 1, one line that names the file, and nothing written.
 
-use crate::support::files::with_geometry;
+use crate::support::files::{map, with_geometry};
 use crate::support::{self, Folder, PAIR, assert_fails, lights, materials, scene};
+use eigenshade_testing::fixtures;
 use std::fs;
 
 #[test]
@@ -295,4 +296,53 @@ fn messages_stay_one_line() {
     assert_fails(&folder, &arguments, &["lights.csv"]);
     folder.write("materials.csv", materials(3, 1).replace("material-0,1,", "material-0,one,"));
     assert_fails(&folder, "basis --scene scene.toml --out new.bin", &["csv"]);
+}
+
+#[test]
+fn a_shipped_light_is_converted_by_itself() {
+    let folder = Folder::new();
+    let fragments = ["lobby: it is a shipped light", "one light at a time"];
+    assert_fails(&folder, "light lobby park", &fragments);
+    folder.write("map.pfm", map(1.0));
+    assert_fails(&folder, "light map.pfm lobby", &fragments);
+}
+
+/// The maps and the output are checked before the search, which takes long, and sources are not
+/// left without their light.
+#[test]
+fn sources_are_not_sought_in_vain() {
+    let folder = Folder::new();
+    folder.write("map.pfm", map(1.0));
+    folder.write("cross.pfm", fixtures::pfm(4, &[[1.0; 3]; 12]));
+    fs::create_dir(folder.path("taken.csv")).unwrap();
+    let names = folder.names();
+    for (arguments, error) in [
+        ("--out nowhere/new.csv", "nowhere/new.csv: "),
+        ("--out taken.csv", "taken.csv: "),
+        ("cross.pfm --out new.csv", "cross.pfm: sources are not found in cubes"),
+    ] {
+        let output = folder.run(&format!("light map.pfm {arguments} --sources 1"));
+        let said = String::from_utf8_lossy(&output.stderr);
+        assert_eq!(output.status.code(), Some(1), "{said}");
+        let read_first = format!("map: 8 x 4, no negative radiance\nerror: {error}");
+        assert!(said.starts_with(&read_first), "{said}");
+        assert_eq!(folder.names(), names, "{arguments}");
+    }
+}
+
+/// Lights with sources are read in `paper`, and only from files that end in .csv.
+#[test]
+fn sources_that_would_be_misread() {
+    let folder = Folder::new();
+    folder.write("map.pfm", map(1.0));
+    let light = "light map.pfm --sources 1 --out";
+    for convention in ["graphics", "cmgen", "filament"] {
+        let arguments = format!("{light} new.csv --convention {convention} --degree 2");
+        assert_fails(&folder, &arguments, &["`paper`", "leave --convention out"]);
+    }
+    assert_fails(&folder, &format!("{light} new.txt"), &["ends in .csv"]);
+    folder.write("lights.txt", folder.read("lights.csv"));
+    folder.write("lights.sources.csv", "");
+    let drawn = "render -l lights.txt:light-0 -m nylon --sources 4 -o a.png";
+    assert_fails(&folder, drawn, &["lights.txt: only a light CSV that ends in .csv has sources"]);
 }

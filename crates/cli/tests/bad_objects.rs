@@ -75,7 +75,7 @@ fn wavefront_meshes() {
         &[
             ("cut.obj", &good.as_bytes()[..last], &["fewer than three corners"]),
             ("cut-corner.obj", b"v 0 0 0\nv 1 0 0\nv 0 1\nf 1 2 3\n", &["OBJ"]),
-            ("foreign.obj", FOREIGN, &["OBJ"]),
+            ("foreign.obj", FOREIGN, &["no triangle"]),
             ("text.obj", b"hello\nworld\n", &["no triangle"]),
             ("far.obj", &with("f 1 2 4000000000"), &["OBJ"]),
             ("farther.obj", &with("f 1 2 99999999999999999999999"), &["OBJ"]),
@@ -204,6 +204,17 @@ fn normal_maps() {
             ],
         );
     }
+}
+
+/// A picture that holds no vector of a normal's length.
+#[test]
+fn pictures_that_are_no_normal_maps() {
+    let folder = Folder::new();
+    let black = square_png(8, png::ColorType::Grayscale, BitDepth::Eight, &[0.0; 64]);
+    folder.write("black.png", black);
+    let arguments = "render --light lobby --material chrome --normals black.png --out new.png";
+    let expected = "is opaque and holds a normal (a vector of length 1/2 to 3/2); check";
+    assert_fails(&folder, arguments, &["black.png: ", expected]);
 }
 
 #[test]

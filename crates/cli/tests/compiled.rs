@@ -1,6 +1,6 @@
 //! Tables as Rust source and as wire files.
 
-use crate::support::{self, Folder, assert_fails, lights, materials, repository, scene};
+use crate::support::{self, Folder, PAIR, assert_fails, lights, materials, repository, scene};
 use crate::tolerances;
 use eigenshade_cli::messages::grouped;
 use eigenshade_model::database::{Lights, Materials};
@@ -331,6 +331,14 @@ fn tables_without_a_wire_file_are_refused() {
         let arguments = format!("pack --table mean.bin --format {format} --out v.esw");
         assert_fails(&folder, &arguments, &["mean.bin: ", "mean image", "image-centered"]);
     }
+    let fixed = scene("image-centered", 10, "[]").replace("\"any\"", "\"none\"");
+    folder.write("scene.toml", fixed);
+    folder.ok("basis --scene scene.toml --out fixed.bin");
+    let what = "fixed.bin: integer formats support only tables of a sphere under light that turns \
+                freely; use ";
+    assert_fails(&folder, "pack --table fixed.bin --format q15 --out v.esw", &[what, "use f32\n"]);
+    let shade = format!("shade -t fixed.bin {PAIR} --normals normals.csv --format q15");
+    assert_fails(&folder, &shade, &[what, "use --format f32\n"]);
     let stored = scene("image-centered", 10, "[]") + "store = \"materials\"\n";
     folder.write("scene.toml", stored);
     folder.ok("basis --scene scene.toml --out materials.bin");
@@ -354,6 +362,23 @@ fn damaged_wire_files_are_refused() {
     damaged[300] ^= 1;
     folder.write("damaged.esw", &damaged);
     assert_fails(&folder, "info --table damaged.esw", &["damaged.esw: ", "checksum"]);
+}
+
+/// Except for what depends on this machine.
+#[test]
+fn info_describes_files_of_either_byte_order() {
+    let folder = Folder::with_table();
+    folder.ok("pack --table b.bin --out little.esw");
     folder.ok("pack --table b.bin --big-endian --out big.esw");
-    assert_fails(&folder, "info --table big.esw", &["big.esw: ", "byte order", "--big-endian"]);
+    let [little, big] = ["little", "big"].map(|order| {
+        let text = folder.ok(&format!("info --table {order}.esw"));
+        let is_own = |line: &&str| line.starts_with("byte order") || line.starts_with("buffers");
+        let (own, others): (Vec<&str>, Vec<&str>) = text.lines().partition(is_own);
+        assert!(own[0].ends_with(&format!(" {order}-endian")), "{own:?}");
+        others.join("\n")
+    });
+    assert_eq!(little, big);
+    let bytes = fs::read(folder.path("big.esw")).unwrap();
+    folder.write("short.esw", &bytes[..200]);
+    assert_fails(&folder, "info --table short.esw", &["short.esw: ", "200 found", "take all"]);
 }

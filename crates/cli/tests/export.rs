@@ -291,6 +291,10 @@ fn bad_requests_have_one_error() {
     ] {
         assert_fails(&folder, &format!("export {arguments}"), &fragments);
     }
+    // JavaScript quotes names.
+    for file in ["same.csv", "none.csv"] {
+        folder.ok(&format!("export --lang js --light {file}"));
+    }
     for arguments in ["export", "export --table b.bin", "export --lang npz --light lobby --size 9"]
     {
         assert_eq!(folder.run(arguments).status.code(), Some(2), "{arguments}");

@@ -119,6 +119,32 @@ fn gltf_materials_are_lobes_over_a_base() {
     }
 }
 
+/// The options of the coefficients are on either side of a formula's name.
+#[test]
+fn options_before_a_formula() {
+    let folder = Folder::new();
+    let formula = "gltf --base-color 0.5 --metallic 0 --roughness 0.6";
+    let before = folder.ok(&format!("material --order 3 --window 9 {formula}"));
+    assert_eq!(before, folder.ok(&format!("material {formula} --order 3 --window 9")));
+    assert_ne!(before, folder.ok(&format!("material {formula}")));
+    let report = format!("material --report r.csv {formula}");
+    assert_fails(&folder, &report, &["neither paths nor --report"]);
+}
+
+/// The gloss beside `q.csv` is not that of `q.txt`.
+#[test]
+fn gloss_is_beside_a_csv_only() {
+    let folder = Folder::new();
+    for (roughness, file) in [("0.9", "q.csv"), ("0.3", "q.txt")] {
+        let formula = format!("ggx --roughness {roughness} --f0 0.9 --name a");
+        folder.ok(&format!("material {formula} --out {file}"));
+    }
+    let drawn = |file: &str| format!("render -l lobby -m {file} --sources 4 -s 16 -o a.png");
+    folder.ok(&drawn("q.csv"));
+    let fragments = ["q.txt: the gloss of `a` is not known", "--out FILE.csv"];
+    assert_fails(&folder, &drawn("q.txt"), &fragments);
+}
+
 #[test]
 fn too_few_measurements_are_said() {
     let folder = Folder::new();

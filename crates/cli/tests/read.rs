@@ -277,10 +277,28 @@ fn images_of_something_else_are_noted() {
     folder.write("image.csv", format!("{SHADED}\n{rows}"));
     let said = folder.messages(&format!("{READ} -o d.csv"));
     assert!(said.contains("does not look like one of this table"), "{said}");
+    assert!(said.contains("normals and their frame") && !said.contains("--transfer"), "{said}");
     let wide: Vec<[f32; 3]> = (0..32 * 16).map(|k| [1.0 + 1e-3 * k as f32; 3]).collect();
     folder.write("wide.pfm", fixtures::pfm(32, &wide));
     let said = folder.messages("read wide.pfm -n sphere --table b.bin --components 4 -o d.csv");
     assert!(said.contains("the image is 32 x 16"), "{said}");
+}
+
+/// With fewer components than the table has, the image is not blamed.
+#[test]
+fn few_components_leave_much() {
+    let folder = with_image();
+    let said = folder.messages(&format!("{READ} --components 1 -o d.csv"));
+    let note = format!("1 of {} components leave ", folder.table("b.bin").count());
+    assert!(said.contains(&note) && !said.contains("does not look like"), "{said}");
+}
+
+#[test]
+fn a_mesh_has_no_normals_of_pixels() {
+    let folder = with_image();
+    folder.write("mesh.obj", "mtllib s.mtl\n");
+    let read = READ.replace("normals.csv", "mesh.obj");
+    assert_fails(&folder, &read, &["mesh.obj: it is a mesh", "with `render`"]);
 }
 
 /// The colors of an EXR are multiplied by its opacity, those of a PNG are not.

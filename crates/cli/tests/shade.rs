@@ -237,3 +237,21 @@ fn options_of_other_methods_are_errors() {
         assert_fails(&folder, &format!("{SHADE} {options}"), &["--size", "--method baked"]);
     }
 }
+
+/// What `render` draws, unless there is a file of normals of that name.
+#[test]
+fn objects_are_no_normals() {
+    let folder = Folder::with_table();
+    for (name, kind) in [
+        ("sphere", "a sphere"),
+        ("map.png", "a normal map"),
+        ("mesh.obj", "a mesh"),
+        ("mesh.STL", "a mesh"),
+    ] {
+        let what = format!("{name}: it is {kind}");
+        let fragments = [what.as_str(), "a normals CSV, `x,y,z`", "`render`"];
+        assert_fails(&folder, &SHADE.replace("normals.csv", name), &fragments);
+    }
+    folder.write("sphere", folder.read("normals.csv"));
+    assert_eq!(folder.ok(&SHADE.replace("normals.csv", "sphere")), folder.ok(SHADE));
+}

@@ -48,6 +48,19 @@ fn lines_end_in_any_way() {
     assert_eq!(read("long.obj", &long).as_ref(), Ok(&expected));
 }
 
+/// Names and comments may be in any encoding.
+#[test]
+fn texts_that_are_not_utf_8() {
+    let plain = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
+    let named = [&b"# caf\xe9\no \xe9\n"[..], plain.as_bytes()].concat();
+    assert_eq!(read("named.obj", named), Ok(read("plain.obj", plain).expect("a mesh")));
+    let plain = ply(&ARROW, &[0, 1, 2, 3, 4]);
+    let (start, rest) = plain.split_once("element").expect("a header");
+    let comment = &b"comment end_header caf\xe9\nelement"[..];
+    let named = [start.as_bytes(), comment, rest.as_bytes()].concat();
+    assert_eq!(read("named.ply", named), Ok(read("plain.ply", &plain).expect("a mesh")));
+}
+
 /// A text PLY of corners in a plane and one face.
 fn ply(corners: &[[f64; 2]], face: &[usize]) -> String {
     let words = |numbers: &[usize]| numbers.iter().map(|k| format!(" {k}")).collect::<String>();

@@ -114,9 +114,18 @@ impl<Q: Integer> IntegerShader<Q> {
     ///
     /// If the table has no integer form.
     pub fn new(table: &Table, components: usize) -> Result<Self> {
-        let remedy = "use --format f32, fewer --components, or another table, as --table sphere";
-        let basis = OwnedQuantized::new(table, Q::FORMAT.tolerance())
-            .map_err(|error| Error::new(error.to_string(), remedy))?;
+        let basis = OwnedQuantized::new(table, Q::FORMAT.tolerance()).map_err(|error| {
+            let line = error.to_string();
+            let (what, remedy) = line.rsplit_once("; ").unwrap_or((&line, "another table"));
+            let others = match error {
+                QuantizeError::Large { .. } => {
+                    ", fewer --components, or another table, as --table sphere".to_owned()
+                }
+                QuantizeError::General => String::new(),
+                _ => format!(", or {remedy}"),
+            };
+            Error::new(what, format!("use --format f32{others}"))
+        })?;
         let view = basis.view().map_err(fault)?;
         Ok(Self {
             components: components.min(view.components()),

@@ -7,6 +7,7 @@ use eigenshade::{Light, Material, Normal, Normals, Scalar, Scene};
 use eigenshade_index::effect::{Effect, Effects};
 use eigenshade_model::database::{Lights, Materials, Named};
 use eigenshade_model::error::{Error, Result};
+use eigenshade_model::inputs::input_file::is_file;
 use eigenshade_table::Table;
 use eigenshade_table::reduce::fingerprint;
 use std::path::Path;
@@ -23,16 +24,24 @@ pub fn fitted(table: &Table, lights: &Lights, materials: &Materials) -> (Lights,
     (lights, materials)
 }
 
-/// The warning for a material file of a higher order than the table; `None` if the order is not
-/// higher.
+/// The warning for a material file, or the name of a shipped material, of a higher order than the
+/// table; `None` if the order is not higher.
 #[must_use]
 pub fn of_higher_order(path: &Path, found: usize, order: usize) -> Option<String> {
     (found > order).then(|| {
+        // Names have no extension, or digits as in `metal-0.2`.
+        let end = path.extension().unwrap_or_default().as_encoded_bytes();
+        let (unless, again) = if end.iter().all(u8::is_ascii_digit) && !is_file(path) {
+            ("", String::new())
+        } else {
+            let again =
+                format!("create them again with `eigenshade material --order {order}`, or ");
+            (" unless made with --measure solid-angle", again)
+        };
         format!(
             "warning: {}: its materials have order {found}, the table order {order}: higher \
-             coefficients are ignored, and the rest are not the projection to order {order}; \
-             create them again with `eigenshade material --order {order}`, or use a table of \
-             order {found}",
+             coefficients are ignored, and the rest are not the projection to order \
+             {order}{unless}; {again}use a table of order {found}",
             path.display()
         )
     })

@@ -24,7 +24,7 @@ pub enum QuantizeError {
     Mean,
     /// It has a selection of modes.
     Selection,
-    /// Its object is not a sphere.
+    /// Its object is not a sphere, or its light does not turn freely.
     General,
     /// It stores only transfers.
     TransfersOnly,
@@ -55,7 +55,10 @@ impl fmt::Display for QuantizeError {
             Self::Selection => {
                 f.write_str("integer formats do not support a selection of modes; make the table with modes = 0")
             }
-            Self::General => f.write_str("integer formats support only tables of a sphere; use f32"),
+            Self::General => f.write_str(
+                "integer formats support only tables of a sphere under light that turns freely; \
+                 use f32",
+            ),
             Self::TransfersOnly => {
                 f.write_str("the table stores only transfers; make it with store = \"projection\"")
             }

@@ -22,11 +22,18 @@ test("coefficients", () => {
       "material: 0 coefficients, this table takes 1, 2, 5, 8, 14, 20, 30, 40");
     fails(() => format.material("red"), "TypeError",
       "material: an array of numbers expected, string found");
-    for (const bad of [NaN, Infinity, 1e300, undefined, "red"]) {
+    for (const bad of [NaN, Infinity, 1e300, 3e38, -1.1e15, undefined, "red"]) {
       fails(() => format.light(LIGHT.with(7, bad)), "RangeError",
-        `light: coefficient 7 is ${bad}, which is not a finite f32`);
+        `light: coefficient 7 is ${bad}, expected a number from -1e15 to 1e15`);
     }
   }
+});
+
+test("the largest coefficients that are taken are shaded", () => {
+  const all = (count) => Array.from({ length: count }, (_, k) => (k % 3 ? -1e15 : 1e15));
+  f32.light(all(100)).material(all(40));
+  assert.ok(f32.project().every(Number.isFinite));
+  assert.ok(f32.collapse().shade([0, 1, 0.6], [0, 0, 0], [1, 0, 0.8]).every(Number.isFinite));
 });
 
 test("an order of steps", async () => {

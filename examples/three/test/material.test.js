@@ -217,3 +217,46 @@ test("two meshes with the same material in a perspective picture are an error", 
   assert.equal(turns, 3);
   assert.match(message, /each mesh needs a material of its own/);
 });
+
+test("two renderers may draw two meshes with the same material", async () => {
+  const lit = await page.evaluate(async () => {
+    const material = eigenMaterial(await Scene.create(inputs));
+    const camera = perspective([0, 0, 5]);
+    // Their first pictures, of one number.
+    return [0, 1].map((x) => {
+      const mesh = new THREE.Mesh(sphere(), material);
+      mesh.position.x = x;
+      const renderer = new THREE.WebGLRenderer();
+      renderer.render(new THREE.Scene().add(mesh), camera);
+      const { gl, data } = { gl: renderer.getContext(), data: new Uint8Array(4) };
+      gl.readPixels(150, 75, 1, 1, gl.RGBA, gl.UNSIGNED_BYTE, data);
+      renderer.dispose();
+      return data[0];
+    });
+  });
+  assert.ok(lit.every((code) => code > 0), `${lit}`);
+});
+
+test("a clone is drawn as the material is", async () => {
+  same(await page.evaluate(async () => {
+    const scene = await Scene.create(inputs);
+    const material = eigenMaterial(scene, { view: "camera", normalMap: meshes.normalMap() });
+    material.color.setScalar(scene.exposure());
+    material.lightRotation.setFromEuler(new THREE.Euler(0.3, -0.8, 0.2));
+    const camera = orthographic([1, 2, 5]);
+    return difference(new THREE.Mesh(sphere(), material.clone()), camera, (await expected(camera, undefined, material.lightRotation)).scene);
+  }));
+});
+
+test("the exposure is the same whatever was drawn last", async () => {
+  const found = await page.evaluate(async () => {
+    const scene = await Scene.create({ light: "sunset", material: "gold-metallic-paint" });
+    const [mesh, found] = [new THREE.Mesh(sphere(), eigenMaterial(scene)), [scene.exposure()]];
+    for (const position of [[0, 0, 5], [5, 0, 0], [0, 0, -5]]) {
+      picture(mesh, orthographic(position));
+      found.push(scene.exposure());
+    }
+    return found;
+  });
+  assert.deepEqual(found, Array(4).fill(found[0]));
+});

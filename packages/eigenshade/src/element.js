@@ -19,7 +19,8 @@ const Base = /** @type {typeof HTMLElement} */ (globalThis.HTMLElement ?? Object
  * - `yaw`, `pitch`, `roll`: the turn of the light, in degrees;
  * - `exposure`, `tone`: from irradiance to display; `exposure` is `auto` by default, and chosen.
  *
- * Attributes that change together are drawn together, before an event `load`. If one is wrong, the
+ * Attributes that change together are drawn together, before an event `load` or, if the element is
+ * not shown, once it is. There is no canvas before the first picture. If an attribute is wrong, the
  * picture stays: the element says why, and so does the `message` of an event `error`. Where there
  * are no elements, as in Node, this module defines none.
  */
@@ -41,12 +42,13 @@ export class EigenShade extends Base {
   constructor() {
     super();
     const root = this.attachShadow({ mode: "open" });
-    root.innerHTML = `<style>
-      :host { display: inline-block; width: 12em; aspect-ratio: 1; }
-      :host([hidden]) { display: none; }
-      canvas { width: 100%; height: 100%; display: block; }
-      p:empty { display: none; }
-    </style><canvas role="img"></canvas><p role="alert"></p>`;
+    root.innerHTML = `<canvas role="img" hidden></canvas><p role="alert"></p>`;
+    // Unlike an element `style`, allowed by a page's Content-Security-Policy.
+    const style = new CSSStyleSheet();
+    style.replaceSync(`:host { display: inline-block; width: 12em; aspect-ratio: 1; }
+:host([hidden]), [hidden], p:empty { display: none; }
+canvas:not([hidden]) { width: 100%; height: 100%; display: block; }`);
+    root.adoptedStyleSheets = [style];
     this.#canvas = /** @type {HTMLCanvasElement} */ (root.querySelector("canvas"));
     this.#message = /** @type {HTMLElement} */ (root.querySelector("p"));
   }
@@ -91,6 +93,8 @@ export class EigenShade extends Base {
         const scene = await Scene.create({ light, material, sources });
         if (update !== this.#update) return;
         this.#free();
+        // A canvas that is not shown is not drawn, and one without a picture has no name.
+        this.#canvas.hidden = false;
         this.#preview = new Preview(this.#canvas, scene, look, sources);
         this.#hasSources = sources > 0;
       }

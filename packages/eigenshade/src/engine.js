@@ -1,6 +1,6 @@
 // The WebAssembly module: one instance serves all scenes of a page.
 
-import { asset } from "./assets.js";
+import { required } from "./assets.js";
 
 const HEAD = [0, 97, 115, 109, 1, 0, 0, 0, 1, 5, 1, 96, 0, 1, 123, 3, 2, 1, 0, 10];
 const ZERO = [65, 0, 253, 15];
@@ -26,10 +26,7 @@ export function engine(sources) {
   const name = sources || shared.has(larger) ? larger : `wasm/eigenshade${variant}.wasm`;
   let found = shared.get(name);
   if (!found) {
-    found = asset(name).then((bytes) => {
-      if (!bytes) throw new Error(`${name} is missing from the package`);
-      return load(bytes);
-    });
+    found = required(name).then(load);
     shared.set(name, found);
     // A failed download may be tried again.
     found.catch(() => shared.delete(name));
@@ -127,8 +124,12 @@ export class Engine {
       const { value } = /** @type {WebAssembly.Global} */ (exports[name]);
       return new kind(/** @type {ArrayBuffer} */ (memory.buffer), value, length);
     };
-    /** @type {(name: string) => (...numbers: number[]) => number} */
-    const step = (name) => /** @type {any} */ (exports[`color_${name}`]);
+    /**
+     * The functions of the module.
+     *
+     * @type {Record<string, (...numbers: number[]) => number>}
+     */
+    this.wasm = /** @type {any} */ (exports);
     const [degree, order, components, normals] = view("shape", Uint32Array, 4);
     this.degree = degree;
     this.order = order;
@@ -152,22 +153,12 @@ export class Engine {
       this.matte = matte;
       this.sources = view("color_sources", Float32Array, 10 * most);
       this.gloss = view("color_gloss", Float32Array, 10);
-      this.residual = step("residual");
-      this.highlights = step("highlights");
     }
-    this.metallicRoughness = step("metallic_roughness");
-    this.transfer = step("transfer");
-    this.relight = step("relight");
-    this.collapse = step("collapse");
-    this.truncate = step("truncate");
-    this.shade = step("shade");
-    this.encode = step("encode");
-    this.terms = step("terms");
     /** The vectors of the scene's shader: a copy. */
-    this.vectors = () => view("color_array", Float32Array, 4 * step("vectors")()).slice();
+    this.vectors = () => view("color_array", Float32Array, 4 * this.wasm.color_vectors()).slice();
     /** The text of the scene's shader. */
     this.shader = (/** @type {number} */ language) =>
-      new TextDecoder().decode(view("color_text", Uint8Array, step("shader")(language)));
+      new TextDecoder().decode(view("color_text", Uint8Array, this.wasm.color_shader(language)));
     /** What the module holds now: a scene's inputs, so that nothing is computed twice. */
     this.held = {
       material: /** @type {unknown} */ (undefined),
@@ -187,25 +178,31 @@ export class Engine {
     if (this.held.material !== transfer) {
       this.held.material = undefined;
       this.material.set(material);
-      if (!this.transfer(effects)) throw new Error("transfer: the module rejected its input");
+      if (!this.wasm.color_transfer(effects)) {
+        throw new Error("transfer: the module rejected its input");
+      }
       this.held.material = transfer;
     }
     this.light.set(light);
     this.turn.set(turn);
     this.sources?.set(sources);
     if (gloss) this.gloss?.set(gloss);
-    if (this.highlights?.(sources.length / 10) === 0) {
+    if (this.wasm.color_highlights?.(sources.length / 10) === 0) {
       throw new Error("sources: the module rejected them");
     }
-    if (!this.relight()) throw new RangeError("relight: its numbers are too large for f32");
+    if (!this.wasm.color_relight()) {
+      throw new RangeError("relight: its numbers are too large for f32");
+    }
     for (let from = components; from < this.d.length; from += this.components) {
       this.d.fill(0, from, from + this.components - components);
     }
     if (tolerance === undefined) {
-      if (!this.collapse()) throw new RangeError("collapse: its numbers are too large for f32");
+      if (!this.wasm.color_collapse()) {
+        throw new RangeError("collapse: its numbers are too large for f32");
+      }
       return undefined;
     }
-    if (!this.truncate(tolerance)) throw new Error("within: the module rejected it");
+    if (!this.wasm.color_truncate(tolerance)) throw new Error("within: the module rejected it");
     const [terms, azimuths, bound, floor, peak] = this.report;
     return { terms, azimuths, bound, floor, peak };
   }
@@ -233,7 +230,7 @@ export class Engine {
   without(light, sources) {
     const count = sources.length / 10;
     if (count === 0) return light;
-    if (!this.sources || !this.residual) {
+    if (!this.sources) {
       throw new RangeError("light: the engine has no sources; build the module `color-sources`");
     }
     const most = this.sources.length / 10;
@@ -243,7 +240,7 @@ export class Engine {
     }
     this.light.set(light);
     this.sources.set(sources);
-    if (!this.residual(count)) {
+    if (!this.wasm.color_residual(count)) {
       throw new RangeError("light: its sources are not as Channels describes them");
     }
     return this.light.slice();
@@ -252,17 +249,17 @@ export class Engine {
   /** Makes the scene one eigenimage. */
   eigenimage(/** @type {number} */ index) {
     this.held.scene = undefined;
-    this.highlights?.(0);
+    this.wasm.color_highlights?.(0);
     this.d.fill(0);
     this.d[index] = 1;
-    this.collapse();
+    this.wasm.color_collapse();
   }
 
   /**
    * Shades checked normals in parts of the size of the buffers.
    *
    * @param {string} what
-   * @param {ArrayLike<number>[]} normals
+   * @param {import("./input.js").Numbers[]} normals
    * @param {(start: number, count: number) => void} done
    */
   shadeAll(what, normals, done) {
@@ -278,7 +275,9 @@ export class Engine {
           for (let k = 0; k < count; k++) axes[which * most + k] = axis[start + k];
         }
       });
-      if (this.shade(count) !== count) throw new Error(`${what}: the module rejected the normals`);
+      if (this.wasm.color_shade(count) !== count) {
+        throw new Error(`${what}: the module rejected the normals`);
+      }
       done(start, count);
     }
   }

@@ -16,6 +16,7 @@ export { Scene } from "./scene.js";
  * @typedef {import("./input.js").Effect} Effect
  * @typedef {import("./input.js").Inputs} Inputs
  * @typedef {import("./input.js").MetallicRoughness} MetallicRoughness
+ * @typedef {import("./input.js").Numbers} Numbers
  * @typedef {import("./input.js").Storage} Storage
  * @typedef {import("./input.js").Tone} Tone
  * @typedef {import("./engine.js").Truncation} Truncation

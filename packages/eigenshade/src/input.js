@@ -1,6 +1,12 @@
 // What a user gives: names of choices, and checks that throw one clear error.
 
 /**
+ * An array, maybe a typed one.
+ *
+ * @typedef {readonly number[] | (ArrayBufferView & ArrayLike<number>)} Numbers
+ */
+
+/**
  * Coefficients in three channels: (degree + 1)² of a light in radiance, or those of a material in
  * 1/sr.
  *
@@ -9,11 +15,11 @@
  * channels at normal and at grazing incidence, and albedo. No number may exceed 1e15.
  *
  * @typedef {object} Channels
- * @property {ArrayLike<number>} r
- * @property {ArrayLike<number>} g
- * @property {ArrayLike<number>} b
- * @property {ArrayLike<number> | null} [sources]
- * @property {ArrayLike<number> | null} [gloss]
+ * @property {Numbers} r
+ * @property {Numbers} g
+ * @property {Numbers} b
+ * @property {Numbers | null} [sources]
+ * @property {Numbers | null} [gloss]
  */
 
 /**
@@ -37,17 +43,19 @@
  * highlights of small sources as sharp as 0.065.
  *
  * @typedef {object} MetallicRoughness
- * @property {string | ArrayLike<number>} [baseColor] `"#rrggbb"` in sRGB, or three linear numbers
+ * @property {string | Numbers} [baseColor] `"#rrggbb"` in sRGB, or three linear numbers
  *   from 0 to 1; white by default
  * @property {number} [metallic] from 0 to 1; 0 by default
  * @property {number} [roughness] from 0 to 1; 0.5 by default
  */
 
 /**
- * A rotation of the light: a quaternion `[x, y, z, w]`, or angles in radians, applied in the order
- * roll (about z, toward the camera), pitch (about x, to the right), yaw (about y, up).
+ * A rotation of the light: a quaternion `[x, y, z, w]`, which three.js's `Quaternion` is too, or
+ * angles in radians, applied in the order roll (about z, toward the camera), pitch (about x, to the
+ * right), yaw (about y, up).
  *
- * @typedef {ArrayLike<number> | { yaw?: number, pitch?: number, roll?: number }} Turn
+ * @typedef {{ yaw?: number, pitch?: number, roll?: number }} Angles
+ * @typedef {(Iterable<number> & { length: unknown }) | Angles} Turn
  */
 
 /**
@@ -85,7 +93,7 @@ export const isNumber = (value) => typeof value === "number" && !Number.isNaN(va
  * Whether this is an array, or a typed one, of whatever.
  *
  * @param {unknown} value
- * @returns {value is ArrayLike<number>}
+ * @returns {value is Numbers}
  */
 const isArray = (value) => Array.isArray(value) || (ArrayBuffer.isView(value) && "length" in value);
 
@@ -251,7 +259,7 @@ function linear(text) {
 
 /**
  * @param {Turn} turn
- * @returns {ArrayLike<number>} x, y, z, w
+ * @returns {number[]} x, y, z, w
  */
 export function quaternion(turn) {
   if (turn !== null && typeof turn === "object" && "length" in turn) {
@@ -260,7 +268,7 @@ export function quaternion(turn) {
     if (numbers.length !== 4 || !(square > 1e-12 && square < 1e12)) {
       throw new RangeError(`turn: [${numbers.map(shown)}] is not a quaternion`);
     }
-    return turn;
+    return numbers;
   }
   const names = "yaw, pitch, roll";
   checkNames("turn", turn, names, `a quaternion [x, y, z, w] or { ${names} }`);
@@ -282,7 +290,7 @@ export function quaternion(turn) {
 
 /**
  * @param {string} what
- * @param {ArrayLike<number>[]} normals
+ * @param {Numbers[]} normals
  */
 export function checkNormals(what, normals) {
   const [x, y, z] = normals;

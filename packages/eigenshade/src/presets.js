@@ -1,6 +1,6 @@
 // The shipped lights and materials, each a file of its own that is fetched by name.
 
-import { asset } from "./assets.js";
+import { asset, required } from "./assets.js";
 import { checkNames, checkSources } from "./input.js";
 
 /** @typedef {import("./input.js").Channels} Channels */
@@ -46,8 +46,7 @@ export async function lightPreset(name, options = {}) {
   if (sources === 0) return light;
   const path = `presets/sources/${name}.bin`;
   const rows = await once(path, async () => {
-    const bytes = await asset(path);
-    if (!bytes) throw new Error(`${path} is missing from the package`);
+    const bytes = await required(path);
     // Eleven numbers for each source: the size of its set, and those of `Channels`.
     return Array.from({ length: bytes.byteLength / 44 }, (_, k) => new Float32Array(bytes, 44 * k, 11));
   });
@@ -87,9 +86,7 @@ export const materialOf = (material) =>
  * @returns {Promise<{ light: string[], material: string[] }>}
  */
 export async function presetNames() {
-  const bytes = await asset("presets/names.json");
-  if (!bytes) throw new Error("presets/names.json is missing from the package");
-  return JSON.parse(new TextDecoder().decode(bytes));
+  return JSON.parse(new TextDecoder().decode(await required("presets/names.json")));
 }
 
 /**

@@ -35,8 +35,14 @@ export class Preview {
   #scene;
   /** @type {Required<Look>} */
   #look = { exposure: "auto", tone: "filmic" };
-  /** Small sources of lights by name. */
+  /** Most small sources of lights by name: as the light that is set has them. */
   #sources;
+  /**
+   * As the last light has them that was asked for, until it is set.
+   *
+   * @type {{ sources: number } | undefined}
+   */
+  #asking;
   /** The exposure of the picture, if it is chosen; it lasts until the light or the material changes. */
   #chosen = 0;
   #frame = 0;
@@ -115,15 +121,16 @@ export class Preview {
   async light(light, options = {}) {
     this.#alive();
     checkNames("light", options, "sources");
-    const { sources = this.#sources } = options;
+    const { sources = this.#asking?.sources ?? this.#sources } = options;
     checkSources(sources);
-    const before = this.#sources;
-    this.#sources = sources;
+    const asking = (this.#asking = { sources });
     try {
-      return await this.#load("light", lightOf(light, sources), (loaded) => this.#scene.light(loaded));
-    } catch (fault) {
-      if (this.#sources === sources) this.#sources = before;
-      throw fault;
+      return await this.#load("light", lightOf(light, sources), (loaded) => {
+        this.#scene.light(loaded);
+        this.#sources = sources;
+      });
+    } finally {
+      if (this.#asking === asking) this.#asking = undefined;
     }
   }
 
@@ -136,6 +143,7 @@ export class Preview {
    * @throws {TypeError | RangeError} as {@link Scene#material}; the picture then stays
    */
   async material(material) {
+    this.#alive();
     return this.#load("material", materialOf(material), (loaded) => this.#scene.material(loaded));
   }
 
@@ -181,9 +189,8 @@ export class Preview {
     if (drawn) {
       this.#context.drawImage(drawn, place[0], place[1]);
     } else {
-      const picture = new ImageData(size, size);
-      picture.data.set(sphere(this.#scene, size, { exposure, tone }));
-      this.#context.putImageData(picture, place[0], place[1]);
+      const pixels = sphere(this.#scene, size, { exposure, tone });
+      this.#context.putImageData(new ImageData(pixels, size, size), place[0], place[1]);
     }
     return this;
   }
@@ -244,7 +251,6 @@ export class Preview {
    * @param {(loaded: T) => void} set
    */
   async #load(what, input, set) {
-    this.#alive();
     const asked = ++this.#asked[what];
     const loaded = await input;
     // Input that fails does not keep an earlier one from being set.

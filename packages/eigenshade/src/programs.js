@@ -1,18 +1,12 @@
 // Programs of WebGL 2 for scenes, each compiled once.
 
-/**
- * @typedef {object} Program
- * @property {WebGLProgram} program
- * @property {(name: string) => WebGLUniformLocation | null} place where a uniform lies
- */
-
 /** The programs around the functions of scenes. Those used last are kept. */
 export class Programs {
   #gl;
   #vertex;
   #fragment;
   #most;
-  /** @type {Map<string, Program>} */
+  /** @type {Map<string, WebGLProgram>} */
   #kept = new Map();
 
   /**
@@ -42,7 +36,7 @@ export class Programs {
    * The program around a scene's function.
    *
    * @param {string} irradiance
-   * @returns {Program | undefined} `undefined` if the context is lost
+   * @returns {WebGLProgram | undefined} `undefined` if the context is lost
    */
   of(irradiance) {
     const found = this.#kept.get(irradiance) ?? this.#compiled(irradiance);
@@ -50,7 +44,7 @@ export class Programs {
     this.#kept.delete(irradiance);
     this.#kept.set(irradiance, found);
     if (this.#kept.size > this.#most) {
-      const [[oldest, { program }]] = this.#kept;
+      const [[oldest, program]] = this.#kept;
       this.#kept.delete(oldest);
       this.#gl.deleteProgram(program);
     }
@@ -59,7 +53,7 @@ export class Programs {
 
   /**
    * @param {string} irradiance
-   * @returns {Program | undefined}
+   * @returns {WebGLProgram | undefined}
    */
   #compiled(irradiance) {
     const gl = this.#gl;
@@ -85,13 +79,6 @@ export class Programs {
       if (gl.isContextLost()) return undefined;
       throw new Error(`the shader of the scene does not compile: ${log}`);
     }
-    /** @type {Map<string, WebGLUniformLocation | null>} */
-    const places = new Map();
-    const place = (/** @type {string} */ name) => {
-      const found = places.get(name) ?? gl.getUniformLocation(program, name);
-      places.set(name, found);
-      return found;
-    };
-    return { program, place };
+    return program;
   }
 }

@@ -9,46 +9,27 @@ import { Programs } from "./programs.js";
 
 /** A quad that covers the picture, as one triangle. */
 const VERTEX = `#version 300 es
-void main() {
-  vec2 corner = vec2((gl_VertexID << 1) & 2, gl_VertexID & 2);
-  gl_Position = vec4(2.0 * corner - 1.0, 0.0, 1.0);
-}`;
+void main(){gl_Position=vec4(2.*vec2(gl_VertexID<<1&2,gl_VertexID&2)-1.,0,1);}`;
 
 /**
- * The fragment shader of a sphere around a scene's function.
+ * The fragment shader of a sphere around a scene's function. Its outline is half a pixel from the
+ * border, and pixels that the outline crosses show the rim. `code` applies the tone curve and sRGB;
+ * it bounds its input, whose square f32 has to hold. Minifiers leave the text as it is, so it is
+ * short.
  *
  * @param {string} irradiance
  */
 const fragment = (irradiance) => `#version 300 es
-precision highp float;
-precision highp int;
+precision highp float;precision highp int;
 ${irradiance}
-uniform float size;
-uniform float exposure;
-uniform int tone;
-out vec4 color;
-
-float srgb(float x) {
-  return x <= 0.0031308 ? 12.92 * x : 1.055 * pow(x, 1.0 / 2.4) - 0.055;
-}
-
-float shown(float x) {
-  if (tone == 1) x = x * (1.0 + x / 256.0) / (1.0 + x);
-  if (tone == 2) x = x * (2.51 * x + 0.03) / (x * (2.43 * x + 0.59) + 0.14);
-  return srgb(clamp(x, 0.0, 1.0));
-}
-
-void main() {
-  // The outline is half a pixel from the border.
-  float radius = 0.5 * max(size - 1.0, 1.0);
-  vec2 at = (gl_FragCoord.xy - 0.5 * size) / radius;
-  float square = dot(at, at);
-  float coverage = clamp(radius * (1.0 - sqrt(square)) + 0.5, 0.0, 1.0);
-  // Pixels that the outline crosses show the rim.
-  vec3 normal = square < 1.0 ? vec3(at, sqrt(1.0 - square)) : vec3(at * inversesqrt(square), 0.0);
-  vec3 exposed = max(exposure * irradiance(normal), 0.0);
-  color = coverage * vec4(shown(exposed.r), shown(exposed.g), shown(exposed.b), 1.0);
-}`;
+uniform float size,exposure;uniform int tone;out vec4 color;
+float code(float x){x=clamp(x,0.,1e15);
+if(tone==1)x*=(1.+x/256.)/(1.+x);
+if(tone==2)x*=(2.51*x+.03)/(x*(2.43*x+.59)+.14);
+x=min(x,1.);return x<=.0031308?12.92*x:1.055*pow(x,1./2.4)-.055;}
+void main(){float r=.5*max(size-1.,1.);vec2 a=(gl_FragCoord.xy-.5*size)/r;float q=dot(a,a);
+vec3 e=exposure*irradiance(vec3(a/max(1.,sqrt(q)),sqrt(max(0.,1.-q))));
+color=clamp(r*(1.-sqrt(q))+.5,0.,1.)*vec4(code(e.r),code(e.g),code(e.b),1);}`;
 
 /** Programs that are kept; scenes of other shapes are compiled anew. */
 const KEPT = 16;
@@ -105,11 +86,11 @@ class Shared {
     const gl = this.#gl;
     const array = scene.uniforms();
     if (array.byteLength > gl.getParameter(gl.MAX_UNIFORM_BLOCK_SIZE)) return undefined;
-    const found = this.#programs.of(scene.glsl("block"));
-    if (!found || this.lost) return undefined;
+    const program = this.#programs.of(scene.glsl("block"));
+    if (!program || this.lost) return undefined;
     if (this.#canvas.width !== size) this.#canvas.width = this.#canvas.height = size;
     gl.viewport(0, 0, size, size);
-    const { program, place } = found;
+    const place = (/** @type {string} */ name) => gl.getUniformLocation(program, name);
     gl.useProgram(program);
     gl.bindBufferBase(gl.UNIFORM_BUFFER, 0, this.#array);
     gl.bufferData(gl.UNIFORM_BUFFER, array, gl.DYNAMIC_DRAW);
@@ -140,7 +121,7 @@ export function renderer() {
  * @param {Scene} scene
  * @param {number} size pixels across
  * @param {{ exposure?: number, tone?: Tone }} [look] as `Scene.pixels`
- * @returns {Uint8ClampedArray} red, green, blue and opacity, row by row from the top
+ * @returns {Uint8ClampedArray<ArrayBuffer>} red, green, blue and opacity, row by row from the top
  * @throws {TypeError | RangeError} unless the size is a whole number from 1 to 4096, or as
  *   `Scene.pixels`
  */

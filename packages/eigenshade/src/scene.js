@@ -12,6 +12,7 @@ import { lightOf, materialOf } from "./presets.js";
 /** @typedef {import("./engine.js").Truncation} Truncation */
 /** @typedef {import("./input.js").Effect} Effect */
 /** @typedef {import("./input.js").MetallicRoughness} MetallicRoughness */
+/** @typedef {import("./input.js").Numbers} Numbers */
 /** @typedef {import("./input.js").Tone} Tone */
 /** @typedef {import("./input.js").Turn} Turn */
 /** @typedef {import("./input.js").Channels} Channels */
@@ -145,7 +146,9 @@ export class Scene {
     } else {
       const given = parameters(material);
       this.#engine.parameters.set(given);
-      if (!this.#engine.metallicRoughness()) throw new Error("material: the module rejected it");
+      if (!this.#engine.wasm.color_metallic_roughness()) {
+        throw new Error("material: the module rejected it");
+      }
       this.#material.set(this.#engine.material);
       this.#gloss = this.#engine.glossOf(given);
     }
@@ -243,13 +246,13 @@ export class Scene {
   /** Number of terms of the polynomials: multiplications and additions a pixel and channel, about. */
   get terms() {
     this.#ready();
-    return this.#engine.terms();
+    return this.#engine.wasm.color_terms();
   }
 
   /**
    * The coefficients d of the eigenimages, in each channel.
    *
-   * @returns {{ r: Float32Array, g: Float32Array, b: Float32Array }}
+   * @returns {Record<"r" | "g" | "b", Float32Array<ArrayBuffer>>}
    */
   coefficients() {
     this.#ready();
@@ -261,7 +264,7 @@ export class Scene {
   /**
    * The array of the shader: four numbers for each vector.
    *
-   * @returns {Float32Array}
+   * @returns {Float32Array<ArrayBuffer>}
    */
   uniforms() {
     this.#ready();
@@ -297,12 +300,12 @@ export class Scene {
    * The irradiance of normals, given component by component: visible unit vectors in the camera's
    * frame, x to the right, y up, z toward the camera.
    *
-   * @param {ArrayLike<number>} x
-   * @param {ArrayLike<number>} y
-   * @param {ArrayLike<number>} z
-   * @param {{ r: Float32Array, g: Float32Array, b: Float32Array }} [irradiance] where to write it; new
-   *   arrays by default
-   * @returns {{ r: Float32Array, g: Float32Array, b: Float32Array }}
+   * @param {Numbers} x
+   * @param {Numbers} y
+   * @param {Numbers} z
+   * @template {Float32Array} [T=Float32Array<ArrayBuffer>]
+   * @param {{ r: T, g: T, b: T }} [irradiance] where to write it; new arrays by default
+   * @returns {{ r: T, g: T, b: T }}
    * @throws {TypeError | RangeError} unless these are arrays of one length, of unit vectors that do
    *   not point away
    */
@@ -310,7 +313,7 @@ export class Scene {
     checkNormals("shade", [x, y, z]);
     const { length } = x;
     const [r, g, b] = [0, 1, 2].map(() => new Float32Array(irradiance ? 0 : length));
-    const to = irradiance ?? { r, g, b };
+    const to = irradiance ?? /** @type {any} */ ({ r, g, b });
     const fits = (/** @type {unknown} */ to) => to instanceof Float32Array && to.length === length;
     if (![to.r, to.g, to.b].every(fits)) {
       throw new RangeError(
@@ -332,10 +335,10 @@ export class Scene {
    * sphere's picture. A table that has a mean image adds it.
    *
    * @param {number} index from 0
-   * @param {ArrayLike<number>} x
-   * @param {ArrayLike<number>} y
-   * @param {ArrayLike<number>} z
-   * @returns {Float32Array}
+   * @param {Numbers} x
+   * @param {Numbers} y
+   * @param {Numbers} z
+   * @returns {Float32Array<ArrayBuffer>}
    * @throws {TypeError | RangeError} as {@link shade}, or if there is no such eigenimage
    */
   eigenimage(index, x, y, z) {
@@ -352,12 +355,12 @@ export class Scene {
   /**
    * The pixels of normals, as {@link shade}: red, green, blue and 255, for `ImageData`.
    *
-   * @param {ArrayLike<number>} x
-   * @param {ArrayLike<number>} y
-   * @param {ArrayLike<number>} z
+   * @param {Numbers} x
+   * @param {Numbers} y
+   * @param {Numbers} z
    * @param {{ exposure?: number, tone?: Tone }} [options] the factor from irradiance to display, 1 by
    *   default, and the tone curve, `"filmic"` by default
-   * @returns {Uint8ClampedArray}
+   * @returns {Uint8ClampedArray<ArrayBuffer>}
    * @throws {TypeError | RangeError} as {@link shade}, or for an exposure that is no normal f32
    *   above 0
    */
@@ -370,7 +373,7 @@ export class Scene {
     const pixels = new Uint8ClampedArray(4 * x.length);
     this.#ready();
     this.#engine.shadeAll("pixels", [x, y, z], (start, count) => {
-      if (this.#engine.encode(count, exposure, curve) !== count) {
+      if (this.#engine.wasm.color_encode(count, exposure, curve) !== count) {
         throw new Error("pixels: the module rejected the exposure");
       }
       pixels.set(this.#engine.pixels.subarray(0, 4 * count), 4 * start);
@@ -380,14 +383,23 @@ export class Scene {
 
   /**
    * The exposure of a picture: this share of a sphere's pixels is at most 0.8 before the tone curve, in
-   * all channels, where 1 is white.
+   * all channels, where 1 is white. The light is as it was set, without its {@link turn}, so that a
+   * light that turns keeps its exposure.
    *
    * @param {number} [share] from 0 to 1, 0.95 by default
    * @returns {number} 1 for a black picture
    * @throws {RangeError} unless the share is from 0 to 1
    */
   exposure(share = 0.95) {
-    return exposureOf(this, share);
+    const turn = this.#turn;
+    this.#turn = Float32Array.of(0, 0, 0, 1);
+    this.#changed();
+    try {
+      return exposureOf(this, share);
+    } finally {
+      this.#turn = turn;
+      this.#changed();
+    }
   }
 
   #changed() {

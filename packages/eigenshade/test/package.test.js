@@ -2,7 +2,7 @@
 
 import assert from "node:assert/strict";
 import { execFileSync } from "node:child_process";
-import { mkdtempSync, readFileSync, writeFileSync } from "node:fs";
+import { cpSync, mkdtempSync, readFileSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { after, before, test } from "node:test";
@@ -43,6 +43,29 @@ test("nothing is missing from the archive, nothing is too much", () => {
   }
   assert.ok(!names.some((name) => /test|node_modules|\.mjs$|^build/.test(name)), listed);
   assert.deepEqual(JSON.parse(readFileSync(join(folder, "node_modules/eigenshade/package.json"))).dependencies, undefined);
+});
+
+test("bundlers find nothing to rewrite in the scripts", () => {
+  for (const name of ["index", "element", "shared"]) {
+    const script = readFileSync(join(folder, `node_modules/eigenshade/dist/${name}.js`), "utf8");
+    // Vite and webpack replace this by an address of their own.
+    assert.doesNotMatch(script, /new URL\([^()]*import\.meta\.url/);
+    assert.equal(script.includes("import.meta.url"), name === "shared");
+  }
+});
+
+test("an error says where a part of the package is missing", () => {
+  cpSync(join(folder, "node_modules/eigenshade/dist"), join(folder, "moved/dist"), { recursive: true });
+  const program = `import { Scene, presetNames } from "./dist/index.js";
+    for (const promise of [presetNames(), Scene.create({ light: { r: [1], g: [1], b: [1] }, material: { roughness: 1 } })]) {
+      await promise.catch(({ message }) => console.log(message));
+    }`;
+  writeFileSync(join(folder, "moved/program.mjs"), program);
+  const said = execFileSync("node", ["moved/program.mjs"], { cwd: folder, encoding: "utf8" }).trim().split("\n");
+  for (const [k, name] of ["presets/names.json", "wasm/eigenshade"].entries()) {
+    assert.ok(said[k].startsWith(pathToFileURL(join(folder, "moved", name)).href), said[k]);
+    assert.match(said[k], /is missing from the package$/);
+  }
 });
 
 test("the program of README.md draws a sphere in Node", () => {
@@ -97,18 +120,31 @@ test("the pages of README.md draw", async () => {
 });
 
 test("the declarations are those of a strict program", () => {
-  writeFileSync(join(folder, "use.mts"), `import { Preview, Scene, presetNames, type Truncation } from "eigenshade";
+  writeFileSync(join(folder, "use.mts"), `import { Preview, Scene, presetNames, sphere, type Truncation } from "eigenshade";
     import { EigenShade } from "eigenshade/element";
     const element: EigenShade = document.createElement("eigen-shade");
     const shown: Preview | undefined = document.querySelector("eigen-shade")?.preview;
     const scene: Scene = await Scene.create({ light: "park", material: { roughness: 0.3, metallic: 1 }, sources: 4 });
     const drawn: number = scene.sources;
-    const { r }: { r: Float32Array } = scene.turn({ yaw: 1 }).within(1e-2).shade([0], [0], [1]);
+    const { r }: { r: Float32Array<ArrayBuffer> } = scene.turn({ yaw: 1 }).within(1e-2).shade([0], [0], [1]);
     const truncation: Truncation | undefined = scene.truncation;
     const preview: Promise<Preview> = Preview.create(document.createElement("canvas"), { light: "park", material: "chrome", tone: "filmic" });
+    const pictures: ImageData[] = [scene.pixels([0], [0], [1]), sphere(scene, 1)].map((codes) => new ImageData(codes, 1, 1));
+    const vectors: Float32Array<ArrayBuffer>[] = [scene.uniforms(), scene.eigenimage(0, [0], [0], [1]), scene.coefficients().r, r];
+    const [x, y]: [readonly number[], Float64Array] = [[0], new Float64Array(1)];
+    const shared: { r: Float32Array<SharedArrayBuffer> } = scene.shade(x, y, [1], one(new SharedArrayBuffer(4)));
+    function one(buffer: SharedArrayBuffer) { const r = new Float32Array(buffer); return { r, g: r, b: r }; }
+    const quaternion = { length: () => 1, *[Symbol.iterator]() { yield* [0, 0, 0, 1]; } };
+    scene.turn(quaternion).turn([0, 0, 0, 1]).turn(new Float32Array(4).fill(1)).light({ r: [1], g: new Float32Array(1), b: [1], sources: null });
+    // @ts-expect-error: no array
+    scene.shade({ length: 1, 0: 0 }, [0], [1]);
+    // @ts-expect-error: no array
+    scene.light({ r: { length: 1, 0: 1 }, g: [1], b: [1] });
+    // @ts-expect-error: neither a quaternion nor angles
+    scene.turn({ length: 4, 0: 0, 1: 0, 2: 0, 3: 1 });
     // @ts-expect-error: there is no such curve
     await preview.then((one) => one.look({ tone: "aces" }));
-    export { element, shown, drawn, r, truncation, presetNames };`);
+    export { element, shown, drawn, pictures, vectors, shared, truncation, presetNames };`);
   const tsc = join(PACKAGE, "node_modules/.bin/tsc");
   const options = ["--noEmit", "--strict", "--target", "es2022", "--module", "nodenext", "--lib", "es2022,dom", "use.mts"];
   execFileSync(tsc, options, { cwd: folder, stdio: "pipe" });

@@ -1,11 +1,14 @@
 // Previews and elements in a browser.
 
 import assert from "node:assert/strict";
+import { readFileSync } from "node:fs";
 import { after, before, beforeEach, test } from "node:test";
 import { launch, serve } from "./support/browser.js";
 
 const PAGE = `<!doctype html><link rel=icon href=data:,><title>Previews</title>
 <style>canvas { width: 120px; height: 120px }</style><canvas></canvas><canvas></canvas>`;
+
+const README = readFileSync(new URL("../README.md", import.meta.url), "utf8");
 
 let browser, server, page;
 const faults = [];
@@ -285,6 +288,36 @@ test("a lost context comes back, and the CPU draws until then", async () => {
   assert.equal(back, 0);
 });
 
+test("the largest exposure shows what the CPU shows, by any curve", async () => {
+  const found = await page.evaluate(async () => {
+    const preview = await eigenshade.Preview.create(canvases[0], { light: "park", material: "red-fabric2" });
+    return eigenshade.TONES.map((tone) => {
+      const look = { exposure: 3e38, tone };
+      preview.look(look).draw();
+      return difference(pixels(canvases[0]), eigenshade.sphere(preview.scene, 120, look));
+    });
+  });
+  assert.ok(Math.max(...found) <= 1, `${found}`);
+});
+
+test("a light that fails leaves the number of sources of the last one that is set", async () => {
+  const found = await page.evaluate(async () => {
+    const preview = await eigenshade.Preview.create(canvases[0], { light: "studio", material: "blue-metallic-paint", sources: 2 });
+    const found = [];
+    for (const names of [["nope", "sunset"], ["sunset", "nope"], ["nope", "none"], ["sunset"]]) {
+      await preview.light("studio", { sources: 2 });
+      await Promise.allSettled(names.map((name) => preview.light(name, { sources: 8 })));
+      await preview.light("lobby");
+      found.push(preview.scene.sources);
+    }
+    // A light that is asked for before another is set takes the number of that one.
+    await Promise.all([preview.light("studio", { sources: 2 }), preview.light("lobby")]);
+    return [...found, preview.scene.sources];
+  });
+  assert.deepEqual(found, [8, 8, 2, 8, 2]);
+  faults.splice(0, faults.length, ...faults.filter((fault) => !fault.includes("404")));
+});
+
 test("without WebGL 2 the CPU draws", async () => {
   const bare = await open(() => {
     const { getContext } = OffscreenCanvas.prototype;
@@ -347,6 +380,9 @@ test("wrong input rejects with one clear error, and the picture stays", async ()
     preview.free();
     await fails(() => preview.turn({ yaw: 1 }));
     await fails(() => preview.light("lobby"));
+    // Nothing is loaded, whose failure nobody would handle.
+    await fails(() => preview.material("no such material"));
+    await new Promise((resolve) => setTimeout(resolve, 300));
     await fails(() => preview.draw());
     const next = await Preview.create(canvases[0], good);
     messages.push(difference(before, pixels(canvases[0])));
@@ -375,6 +411,7 @@ test("wrong input rejects with one clear error, and the picture stays", async ()
     "RangeError: light: r[0] is 3e+38, expected a number from -1e15 to 1e15",
     "Error: Preview: the canvas has a preview; free it first",
     "0",
+    "Error: Preview: it was freed",
     "Error: Preview: it was freed",
     "Error: Preview: it was freed",
     "Error: Preview: it was freed",
@@ -466,6 +503,91 @@ test("an element draws what its attributes say, and says what is wrong", async (
   ]);
   assert.ok(found.gone);
   faults.splice(0, faults.length, ...faults.filter((fault) => !fault.includes("404")));
+});
+
+test("elements of equal attributes have equal pixels, whatever they showed before", async () => {
+  const [most, apart] = await page.evaluate(async () => {
+    await import("/src/element.js");
+    const element = document.createElement("eigen-shade");
+    document.body.append(element);
+    const shown = async (attributes) => {
+      const loaded = new Promise((resolve) => element.addEventListener("load", resolve, { once: true }));
+      for (const [name, value] of Object.entries(attributes)) element.setAttribute(name, value);
+      await loaded;
+      return pixels(element.shadowRoot.querySelector("canvas"));
+    };
+    const [yaw, material] = ["120", "red-fabric2"];
+    const first = await shown({ light: "sunset", material, yaw });
+    const other = await shown({ light: "park", yaw: "0" });
+    await shown({ yaw });
+    const switched = await shown({ light: "sunset" });
+    element.remove();
+    document.body.append(element);
+    return [Math.max(difference(first, switched), difference(first, await shown({}))), difference(first, other)];
+  });
+  assert.equal(most, 0);
+  assert.ok(apart > 20);
+});
+
+test("an element has no canvas before its first picture, and a name with it", async () => {
+  const found = await page.evaluate(async () => {
+    await import("/src/element.js");
+    const element = document.createElement("eigen-shade");
+    element.setAttribute("light", "nowhere");
+    const event = (type) => new Promise((resolve) => element.addEventListener(type, resolve, { once: true }));
+    const canvas = element.shadowRoot.querySelector("canvas");
+    const state = () => [canvas.checkVisibility(), canvas.getAttribute("aria-label")];
+    document.body.append(element);
+    const found = [state()];
+    await event("error");
+    found.push(state());
+    element.setAttribute("light", "park");
+    await event("load");
+    found.push(state());
+    // It keeps the name of the picture that stays.
+    element.setAttribute("light", "nowhere");
+    await event("error");
+    return [...found, state()];
+  });
+  const label = "A sphere of a glTF material under the light park";
+  assert.deepEqual(found, [[false, null], [false, null], [true, label], [true, label]]);
+  faults.splice(0, faults.length, ...faults.filter((fault) => !fault.includes("404")));
+});
+
+test("an element that is not shown fires `load`, and is drawn once it is", async () => {
+  const found = await page.evaluate(async () => {
+    await import("/src/element.js");
+    const element = document.createElement("eigen-shade");
+    element.style.display = "none";
+    const loaded = new Promise((resolve) => element.addEventListener("load", resolve));
+    document.body.append(element);
+    await loaded;
+    const middle = () => {
+      const canvas = element.shadowRoot.querySelector("canvas");
+      return canvas.getContext("2d").getImageData(canvas.width >> 1, canvas.height >> 1, 1, 1).data[3];
+    };
+    const found = [middle()];
+    element.style.display = "";
+    for (let k = 0; k < 3; k++) await frame();
+    return [...found, middle()];
+  });
+  assert.deepEqual(found, [0, 255]);
+});
+
+test("an element keeps its shape under the Content-Security-Policy of README.md", async () => {
+  const policy = /`(script-src .*wasm-unsafe-eval')`/.exec(README)[1];
+  const strict = await serve({ "/": `<!doctype html><link rel=icon href=data:,>
+    <meta http-equiv="Content-Security-Policy" content="default-src 'self'; img-src data:; ${policy}">
+    <script type="module" src="/src/element.js"></script><eigen-shade material="nylon"></eigen-shade>` });
+  const page = await browser.newPage();
+  page.on("console", (message) => faults.push(message.text()));
+  await page.goto(`${strict.address}/`);
+  const canvas = page.locator("eigen-shade canvas");
+  await canvas.waitFor();
+  const sizes = await canvas.evaluate((canvas) => [canvas.width, canvas.height, canvas.clientWidth, getComputedStyle(canvas.getRootNode().host).display]);
+  assert.deepEqual(sizes, [192, 192, 192, "inline-block"]);
+  await page.close();
+  strict.close();
 });
 
 test("a thousand lights leak nothing", async () => {

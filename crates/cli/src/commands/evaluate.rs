@@ -116,18 +116,18 @@ impl Function {
         match (self, indices, arguments) {
             (Self::SphericalHarmonic, &[l, m], &[theta, phi]) => {
                 let l = degree("l", l)?;
-                let theta = within("theta", theta, 0.0, PI)?;
+                let theta = within("theta", theta, (PI, "pi"))?;
                 Ok(spherical_harmonic::value(l, order("m", m, l)?, theta, phi))
             }
             (Self::WignerD, &[l, m, n], &[alpha]) => {
                 let l = degree("l", l)?;
-                let alpha = within("alpha", alpha, 0.0, PI)?;
+                let alpha = within("alpha", alpha, (PI, "pi"))?;
                 Ok(wigner::value(l, order("m", m, l)?, order("n", n, l)?, alpha))
             }
             (Self::ZernikeRadial, &[o, q], &[rho]) => {
                 let o = degree("o", o)?;
                 let q = frequency(("o", o), ("q", q))?;
-                Ok(zernike::value(o, q, within("rho", rho, 0.0, 1.0)?))
+                Ok(zernike::value(o, q, within("rho", rho, (1.0, "1"))?))
             }
             (Self::PolarIntegral, &[l, o, q], []) => {
                 let (l, o) = (degree("l", l)?, degree("o", o)?);
@@ -138,7 +138,7 @@ impl Function {
                 let (l, o) = (degree("l", l)?, degree("o", o)?);
                 let p = frequency(("o", o), ("p", p))?;
                 let q = below(l, frequency(("p", p), ("q", q))?)?;
-                let alpha = within("alpha", alpha, 0.0, FRAC_PI_2)?;
+                let alpha = within("alpha", alpha, (FRAC_PI_2, "pi/2"))?;
                 Ok(irradiance::value(l, order("m", m, l)?, o, p, q, alpha, beta))
             }
             _ => Err(("a wrong number of fields".into(), "give every column".into())),
@@ -180,10 +180,11 @@ fn below(l: usize, q: usize) -> Checked<usize> {
     Ok(q)
 }
 
-fn within(name: &str, value: f64, low: f64, high: f64) -> Checked<f64> {
-    if (low - SLACK..=high + SLACK).contains(&value) {
-        return Ok(value.clamp(low, high));
+/// An argument from 0 to a limit, which messages call `limit`.
+fn within(name: &str, value: f64, (high, limit): (f64, &str)) -> Checked<f64> {
+    if (-SLACK..=high + SLACK).contains(&value) {
+        return Ok(value.clamp(0.0, high));
     }
-    let what = format!("{name} = {value} is out of range");
-    Err((what, format!("use {low:.4} <= {name} <= {high:.4}")))
+    let what = format!("{name} = {} is out of range", exact(value));
+    Err((what, format!("use 0 <= {name} <= {limit}")))
 }

@@ -3,7 +3,7 @@
 use super::options::{Destination, Memory, TableChoice, count};
 use clap::{Args, ValueEnum};
 use eigenshade_cli::export::array::{Array, json};
-use eigenshade_cli::export::entry::{Format, entries, identifier};
+use eigenshade_cli::export::entry::{Format, entries, identifier, quoted_entries};
 use eigenshade_cli::export::highlights::SourcesAndGloss;
 use eigenshade_cli::export::shown::Shown;
 use eigenshade_cli::export::{c, coefficients, js, rust, scene, table as of_table};
@@ -234,11 +234,13 @@ impl Export {
         let format = self.format.unwrap_or_default();
         // Sources are taken out of lights in floats.
         let of_lights = if highlights.is_some() { Format::F32 } else { format };
-        let entries = || entries(lights, materials, [of_lights, format]);
+        let formats = [of_lights, format];
+        let entries = || entries(lights, materials, formats);
+        let quoted = || quoted_entries(lights, materials, formats);
         let source = match self.lang {
             Lang::Rust => rust::module(&entries()?, highlights, COMMAND),
             Lang::C => c::header(&entries()?, highlights, COMMAND, &self.guard()),
-            Lang::Js => js::module(&entries()?, highlights, COMMAND),
+            Lang::Js => js::module(&quoted()?, highlights, COMMAND),
             Lang::Json | Lang::Npz => {
                 let mut arrays = Vec::new();
                 if !lights.entries.is_empty() {

@@ -13,7 +13,8 @@ use serde::Serialize;
 
 /// Describe a table: scene, orders, components, rank, energy, sections and bytes
 ///
-/// For a wire file, which `pack` writes: version, format, orders, components, sections and bytes.
+/// For a wire file, which `pack` writes: version, byte order, format, orders, components, sections
+/// and bytes, and the lengths of buffers if the byte order is that of this machine.
 #[derive(Args, Debug)]
 pub struct Info {
     #[command(flatten)]

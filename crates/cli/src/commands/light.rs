@@ -71,7 +71,7 @@ pub struct Light {
     /// Find sets of 1, 2, 4, 8, 16 and K small bright sources, K from 1 to 32, for the highlights
     /// of glossy materials: see `render --sources`. They are written beside the output, to
     /// FILE.sources.csv for FILE.csv, and what they leave of pictures to FILE.sources.errors.csv.
-    /// Maps must be equirectangular. Takes some twenty seconds a map
+    /// Maps must be equirectangular, and the convention `paper`. Takes some twenty seconds a map
     #[arg(long, value_name = "K", value_parser = count(1, MAX_SOURCES as u64), requires = "out")]
     sources: Option<usize>,
     /// Roughness of the materials that sources are found for, 0.1 to 1
@@ -150,8 +150,16 @@ fn frames() -> impl TypedValueParser<Value = Frame> {
 
 impl Light {
     pub fn run(self, memory: Memory) -> Result<()> {
+        let out = self.out.path.as_deref();
+        let beside = out.and_then(|out| source_file(out).zip(set_error_file(out)));
         if self.sources.is_none() {
-            refuse_stale_sources(self.out.path.as_deref())?;
+            refuse_stale_sources(out)?;
+        } else if self.convention != Convention::Paper {
+            let what = "--sources needs the convention `paper`, in which its lights are read";
+            return Err(Error::new(what, "leave --convention out, or --sources"));
+        } else if beside.is_none() {
+            let what = "--sources writes FILE.sources.csv beside FILE.csv only";
+            return Err(Error::new(what, "give --out a name that ends in .csv"));
         }
         let shipped = match self.maps.as_slice() {
             [name] if !name.exists() => self.shipped(name)?,
@@ -194,23 +202,28 @@ impl Light {
                     return Err(Error::new(what, "leave it out, or give one light CSV"));
                 }
                 let files = files(maps)?;
-                let out = self.out.path.as_deref();
-                let beside = out.map(|out| (source_file(out), set_error_file(out)));
                 let mut inputs = Vec::new();
                 for (_, path) in &files {
                     inputs.extend(pictures(path)?);
                 }
                 let all_beside = beside.iter().flat_map(|(sources, errors)| [sources, errors]);
                 output::refuse_collisions(self.out.path.iter().chain(all_beside), inputs)?;
+                let lights = self.projected(&files, memory)?;
                 if let (Some(most), Some((of_sources, of_errors))) = (self.sources, beside) {
-                    let (sets, errors) = self.found(&files, most, memory)?;
-                    output::write(Some(&of_sources), |out| write_sources(&sets, out))?;
-                    output::write(Some(&of_errors), |out| write_set_errors(&errors, out))?;
+                    // The search takes long, and runs once the maps are read and the files open.
+                    let search = || {
+                        output::write(Some(&of_sources), |out| {
+                            let (sets, errors) = self.found(&files, most, memory)?;
+                            write_sources(&sets, out)?;
+                            output::write(Some(&of_errors), |out| write_set_errors(&errors, out))
+                        })
+                    };
+                    return output::write_before(out, |out| write_lights(&lights, out), search);
                 }
-                Convention::Paper.convert(self.projected(files, memory)?, self.convention)?
+                Convention::Paper.convert(lights, self.convention)?
             }
         };
-        output::write(self.out.path.as_deref(), |out| write_lights(&lights, out))
+        output::write(out, |out| write_lights(&lights, out))
     }
 
     /// The shipped light of this name, to the degree that is asked for. `None` if it cannot be one.
@@ -238,16 +251,19 @@ impl Light {
     }
 
     /// The lights of the maps, with the digits of the shipped files.
-    fn projected(&self, files: Vec<(String, PathBuf)>, memory: Memory) -> Result<Lights> {
+    fn projected(&self, files: &[(String, PathBuf)], memory: Memory) -> Result<Lights> {
         let degree = self.degree.unwrap_or(DEGREE);
         let progress = progress_bar("maps", files.len());
         let mut entries = Vec::new();
         for (name, path) in files {
-            let map = Map::read(memory.file(&path), self.layout)?;
+            let map = Map::read(memory.file(path), self.layout)?;
+            if self.sources.is_some() && map.is_cube() {
+                return Err(in_cube(path));
+            }
             let rgb =
-                coefficients(&map, self.frame, degree).map_err(|error| error.in_file(&path))?;
-            progress.suspend(|| self.report(&name, &path, &map));
-            entries.push(Named { name, rgb });
+                coefficients(&map, self.frame, degree).map_err(|error| error.in_file(path))?;
+            progress.suspend(|| self.report(name, path, &map));
+            entries.push(Named { name: name.clone(), rgb });
             progress.inc(1);
         }
         Ok(rounded(&Lights { degree, entries }, LIGHT_DIGITS))
@@ -266,10 +282,7 @@ impl Light {
         let (mut lights, mut errors) = (Vec::new(), Vec::new());
         for (name, path) in files {
             let map = Map::read(memory.file(path), self.layout)?;
-            let Map::Equirectangular(map) = map else {
-                let remedy = "leave --sources out, or give an equirectangular map";
-                return Err(Error::new("sources are not found in cubes", remedy).in_file(path));
-            };
+            let Map::Equirectangular(map) = map else { return Err(in_cube(path)) };
             let map = &map.in_blocks(BLOCK);
             let turn = self.frame.turn(false)?.matrix();
             let sets = pursuit::find(map, &materials, most).map_err(|error| error.in_file(path))?;
@@ -334,6 +347,12 @@ impl Light {
     }
 }
 
+/// The error of a map in which no sources are found.
+fn in_cube(path: &Path) -> Error {
+    let remedy = "leave --sources out, or give an equirectangular map";
+    Error::new("sources are not found in cubes", remedy).in_file(path)
+}
+
 /// Parses a roughness.
 fn roughness(text: &str) -> std::result::Result<f64, String> {
     match text.parse() {
@@ -351,6 +370,13 @@ fn files(maps: &[PathBuf]) -> Result<Vec<(String, PathBuf)>> {
     if let Some(file) = maps.iter().find(|file| is_csv(file)) {
         let what = "a light CSV among other inputs";
         return Err(Error::new(what, "convert one CSV at a time, without maps").in_file(file));
+    }
+    if let Some(missing) = maps.iter().find(|map| !map.exists())
+        && shipped::lights()?.entries.iter().any(|light| missing.as_os_str() == light.name.as_str())
+    {
+        let what = "it is a shipped light, which is converted by itself";
+        let remedy = "convert one light at a time, without maps";
+        return Err(Error::new(what, remedy).in_file(missing));
     }
     if maps.len() == FACES.len() && are_faces(maps) {
         return Err(Error::new("six faces of a cube as six maps", "give the folder that has them"));

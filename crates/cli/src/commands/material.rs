@@ -41,9 +41,9 @@ const ORDER: usize = 7;
 /// --sources`: one GGX lobe over a matte base, exact for `lambertian`, `gltf` and `ggx`, and fitted to
 /// others.
 ///
-/// The options of a formula follow its name: `material ggx --roughness 0.3 --f0 0.9 --order 12`.
+/// The parameters of a formula follow its name: `material ggx --roughness 0.3 --f0 0.9 --order 12`.
 #[derive(Args, Debug)]
-#[command(args_conflicts_with_subcommands = true, subcommand_negates_reqs = true)]
+#[command(subcommand_negates_reqs = true)]
 pub struct Material {
     #[command(subcommand)]
     formula: Option<Formula>,
@@ -62,24 +62,23 @@ pub struct Material {
 
 impl Material {
     pub fn run(self, memory: Memory) -> Result<()> {
-        let (sources, Projection { order, measure, window, out }) = match self.formula {
-            Some(formula) => {
-                let (surface, projection) = formula.surface()?;
-                (vec![Source::Surface(surface)], projection)
+        let Self { formula, paths, projection, report } = self;
+        let Projection { order, measure, window, out } = projection;
+        let beside = out.path.as_deref().and_then(gloss_file);
+        let inputs = paths.iter().flat_map(|path| material::files::files(path));
+        output::refuse_collisions([&out.path, &report, &beside].into_iter().flatten(), inputs)?;
+        let sources = match formula {
+            Some(_) if !paths.is_empty() || report.is_some() => {
+                let what = "a formula takes neither paths nor --report";
+                return Err(Error::new(what, "leave them out, or the formula"));
             }
+            Some(formula) => vec![Source::Surface(formula.surface()?)],
             None => {
-                let inputs = self.paths.iter().flat_map(|path| material::files::files(path));
-                let out = &self.projection.out;
-                let beside = beside(out);
-                output::refuse_collisions(
-                    [&out.path, &self.report, &beside].into_iter().flatten(),
-                    inputs,
-                )?;
                 let mut sources = Vec::new();
-                for path in &self.paths {
+                for path in &paths {
                     sources.extend(material::files::read(memory.file(path))?);
                 }
-                (sources, self.projection)
+                sources
             }
         };
         let mut names = HashSet::new();
@@ -88,7 +87,6 @@ impl Material {
             return Err(Error::new(what, "rename one of the two"));
         }
         let negative = negative_values(&sources);
-        let beside = beside(&out);
         let glosses = match &beside {
             Some(_) => glosses(&sources)?,
             None => Vec::new(),
@@ -97,11 +95,16 @@ impl Material {
         if let Some(width) = window {
             attenuate(&mut materials, Window::SincFourth { width });
         }
-        output::write(out.path.as_deref(), |to| write_materials(&materials, to))?;
-        if beside.is_some() {
-            output::write(beside.as_deref(), |out| write_glosses(&glosses, out))?;
+        let out = out.path.as_deref();
+        match &beside {
+            Some(beside) => output::write_before(
+                out,
+                |to| write_materials(&materials, to),
+                || output::write(Some(beside), |to| write_glosses(&glosses, to)),
+            )?,
+            None => output::write(out, |to| write_materials(&materials, to))?,
         }
-        if let Some(path) = &self.report {
+        if let Some(path) = &report {
             output::write(Some(path), |out| write_figures(&fits, out))?;
         }
         albedo_warning(&materials).into_iter().chain(negative).for_each(print_message);
@@ -112,12 +115,6 @@ impl Material {
 /// The condition number above which the small term that a fit adds, and not the measurements,
 /// decides a coefficient.
 const UNDETERMINED: f64 = 1e5;
-
-/// The file of the gloss, beside a CSV.
-fn beside(out: &Destination) -> Option<PathBuf> {
-    let csv = out.path.as_deref().filter(|path| path.extension().is_some_and(|end| end == "csv"));
-    csv.map(gloss_file)
-}
 
 /// The gloss of each material: exact for the formulas `lambertian` and `ggx`, fitted to others.
 fn glosses(sources: &[Source]) -> Result<Vec<NamedGloss>> {
@@ -276,22 +273,22 @@ pub struct Options {
     /// Name of the material [default: the model]
     #[arg(long, value_name = "NAME", value_parser = clap::builder::NonEmptyStringValueParser::new())]
     name: Option<String>,
-    #[command(flatten)]
-    projection: Projection,
 }
 
-/// Options of the coefficients.
+/// Options of the coefficients, before or after the name of a formula.
 #[derive(Args, Debug)]
+#[command(mut_arg("out", |out| out.global(true)))]
 pub struct Projection {
     /// Largest order o of the coefficients, 0 to 64
-    #[arg(long, value_name = "O", value_parser = count(0, 64), default_value_t = ORDER)]
+    #[arg(long, global = true, value_name = "O", value_parser = count(0, 64),
+        default_value_t = ORDER)]
     order: usize,
     /// Measure under which projected coefficients approximate the function best
-    #[arg(long, value_parser = measures(), default_value = "projected")]
+    #[arg(long, global = true, value_parser = measures(), default_value = "projected")]
     measure: Measure,
     /// Multiply the coefficients of order o by sinc^4, (sin x / x)^4 with x = pi o / W, zero from
     /// order W on: less ringing of gloss that the order cannot represent. 40 suits order 7
-    #[arg(long, value_name = "W", value_parser = width)]
+    #[arg(long, global = true, value_name = "W", value_parser = width)]
     window: Option<f64>,
     #[command(flatten)]
     out: Destination,
@@ -307,12 +304,12 @@ fn measures() -> impl TypedValueParser<Value = Measure> {
 }
 
 impl Formula {
-    /// The BRDF, and the options.
+    /// The BRDF.
     ///
     /// # Errors
     ///
     /// If a parameter is out of range.
-    fn surface(self) -> Result<(Surface, Projection)> {
+    fn surface(self) -> Result<Surface> {
         let of = |model, name: &str| Analytic {
             name: name.to_owned(),
             model,
@@ -344,7 +341,7 @@ impl Formula {
             }
         };
         let name = options.name.unwrap_or_else(|| analytic.name.clone());
-        Ok((Analytic { name, ..analytic }.surface()?, options.projection))
+        Analytic { name, ..analytic }.surface()
     }
 }
 

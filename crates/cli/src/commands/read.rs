@@ -118,7 +118,13 @@ impl Read {
         let (observation, summary) = self.observe(&table, components, &image, memory)?;
         let reading = reader.read(&observation, self.noise)?;
 
-        let answer = Answer { reading: &reading, observation: &observation, materials: &materials };
+        let answer = Answer {
+            reading: &reading,
+            observation: &observation,
+            materials: &materials,
+            all_components: table.count(),
+            is_png: memory.file(&self.image).extension() == "png",
+        };
         self.write(&answer)?;
         warning.iter().chain(&rounding::warning(&table, NumberFormat::F32)).for_each(print_message);
         print_message(summary);

@@ -22,6 +22,10 @@ pub struct Answer<'a> {
     pub reading: &'a Reading,
     pub observation: &'a Observation,
     pub materials: &'a Materials,
+    /// Components of the table, of which fewer may be in use.
+    pub all_components: usize,
+    /// Whether the image is a PNG, which has a transfer function.
+    pub is_png: bool,
 }
 
 impl Answer<'_> {
@@ -188,10 +192,19 @@ pub fn summarize(answer: &Answer<'_>) {
              squares, {:.2e} by the posterior mean",
             channel.noise, squares.relative_residual, posterior.relative_residual
         ));
-        if squares.relative_residual > UNEXPLAINED {
+        let (left, all) = (squares.relative_residual, answer.all_components);
+        if left > UNEXPLAINED && left.is_finite() && components < all {
+            print_message(format_args!(
+                "note: {name}: {components} of {all} components leave {:.0} % of the image's \
+                 variance; use more with --components",
+                100.0 * left
+            ));
+        } else if left > UNEXPLAINED {
+            let also =
+                if answer.is_png { ", their frame and --transfer" } else { " and their frame" };
             print_message(format_args!(
                 "note: {name}: the image does not look like one of this table with these normals; \
-                 check the normals, their frame and --transfer"
+                 check the normals{also}"
             ));
         }
         if !channel.product.has_converged {

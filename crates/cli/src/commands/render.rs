@@ -27,8 +27,9 @@ use std::path::{Path, PathBuf};
 /// Draw a sphere, a mesh or a normal map with a transparent background, or make a matcap
 ///
 /// A PNG is in sRGB. Without --exposure, one pixel in a hundred is brighter than white in some
-/// channel. An .exr holds linear irradiance times the exposure, multiplied by opacity. The picture
-/// shows a sphere whatever the table's object is; a note says so if it is another.
+/// channel. An .exr holds linear irradiance times the exposure, multiplied by opacity. Without
+/// --normals, the picture shows a sphere whatever the table's object is; a note says so if it is
+/// another.
 #[derive(Args, Debug)]
 pub struct Render {
     #[command(flatten)]
@@ -281,7 +282,8 @@ fn note(path: &Path, geometry: &Geometry) -> Option<String> {
     let density = geometry.density.as_ref().map(|density| format!(" {density}"));
     Some(format!(
         "note: the picture shows a sphere; {} was made for the object `{}{}`, and its components \
-         are the best for that object, not for a sphere; use `shade` for the normals of the object",
+         are the best for that object, not for a sphere; draw the object with `render --normals \
+         OBJECT`, or `shade` its normals",
         path.display(),
         geometry.normals,
         density.unwrap_or_default(),

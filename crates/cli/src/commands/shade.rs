@@ -10,12 +10,13 @@ use eigenshade_cli::messages::{Ringing, albedo_warning, dark_light_warning};
 use eigenshade_cli::output::{self, Rows, exact};
 use eigenshade_cli::table::{self, rounding};
 use eigenshade_model::error::{Error, Result};
+use eigenshade_model::inputs::input_file::InputFile;
 use eigenshade_model::inputs::normals::read_normals;
 use eigenshade_shading::integer_shader::{Integer, IntegerShader};
 use eigenshade_shading::shader::{fitted, of_higher_order};
 use eigenshade_table::reduce::with_components;
 use eigenshade_table::wire;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 /// Shade given normals for every light on every material
 ///
@@ -95,6 +96,7 @@ impl Shade {
             let what = "--tolerance needs the method polynomial in f32 or f64";
             return Err(Error::new(what, "leave it out, or use those"));
         }
+        refuse_object(&self.normals)?;
         let inputs = self.inputs.files();
         let inputs = inputs.iter().chain([&self.normals]).map(PathBuf::as_path);
         let inputs = inputs.chain([self.table.path()]);
@@ -191,4 +193,17 @@ impl Shade {
             (Method::Modes | Method::Polynomial, None) => Ok(Way::Polynomial),
         }
     }
+}
+
+/// Refuses what `render` draws.
+fn refuse_object(normals: &Path) -> Result<()> {
+    let kind = match InputFile::from(normals).extension().as_str() {
+        "png" => "a normal map",
+        "obj" | "stl" | "ply" => "a mesh",
+        _ if normals.as_os_str() == "sphere" && !normals.exists() => "a sphere",
+        _ => return Ok(()),
+    };
+    let what = format!("it is {kind}, and `shade` takes a normals CSV, `x,y,z`");
+    let remedy = format!("give a CSV, or draw {kind} with `render`");
+    Err(Error::new(what, remedy).in_file(normals))
 }

@@ -98,12 +98,37 @@ impl Entry {
     }
 }
 
-/// The entries of these lights and materials, in a number format for each.
+/// The entries of these lights and materials, in a number format for each, for languages that need
+/// identifiers.
 ///
 /// # Errors
 ///
-/// If two names have the same identifier, a name has none, or a coefficient exceeds `f32`.
-pub fn entries(
+/// As [`quoted_entries`], and if two names have the same identifier or a name has none.
+pub fn entries(lights: &Lights, materials: &Materials, formats: [Format; 2]) -> Result<Vec<Entry>> {
+    let all = quoted_entries(lights, materials, formats)?;
+    for (place, entry) in all.iter().enumerate() {
+        if entry.identifier.is_empty() {
+            let remedy = "give it a name with a letter from a to z or a digit";
+            let error = Error::new("its name gives no identifier", remedy);
+            return Err(error.of(format_args!("{} `{}`", entry.kind.name(), entry.name)));
+        }
+        let same =
+            |other: &&Entry| other.kind == entry.kind && other.identifier == entry.identifier;
+        if let Some(other) = all.iter().take(place).find(same) {
+            let what = format!("`{}` and `{}` give one identifier", other.name, entry.name);
+            return Err(Error::new(what, "rename one of them, or export one with FILE:NAME"));
+        }
+    }
+    Ok(all)
+}
+
+/// The entries of these lights and materials, in a number format for each, for languages that quote
+/// names.
+///
+/// # Errors
+///
+/// If a coefficient exceeds `f32`.
+pub fn quoted_entries(
     lights: &Lights,
     materials: &Materials,
     [of_lights, of_materials]: [Format; 2],
@@ -112,17 +137,8 @@ pub fn entries(
     let order = materials.order;
     let materials = materials.entries.iter();
     let materials = materials.map(|named| (Kind::Material, order, named, of_materials));
-    let mut all: Vec<Entry> = Vec::new();
-    for (kind, size, named, format) in lights.chain(materials) {
-        let entry = entry(kind, size, named, format)?;
-        let same = |other: &&Entry| other.kind == kind && other.identifier == entry.identifier;
-        if let Some(other) = all.iter().find(same) {
-            let what = format!("`{}` and `{}` give one identifier", other.name, entry.name);
-            return Err(Error::new(what, "rename one of them, or export one with FILE:NAME"));
-        }
-        all.push(entry);
-    }
-    Ok(all)
+    let all = lights.chain(materials);
+    all.map(|(kind, size, named, format)| entry(kind, size, named, format)).collect()
 }
 
 /// The letters from a to z and digits of a name in lower case, with `_` between those that others
@@ -135,17 +151,12 @@ pub fn identifier(name: &str) -> String {
 
 fn entry(kind: Kind, size: usize, named: &Named, format: Format) -> Result<Entry> {
     let of = |error: Error| error.of(format_args!("{} `{}`", kind.name(), named.name));
-    let identifier = identifier(&named.name);
-    if identifier.is_empty() {
-        let remedy = "give it a name with a letter from a to z or a digit";
-        return Err(of(Error::new("its name gives no identifier", remedy)));
-    }
     let count = if named.is_gray() { 1 } else { 3 };
     let channels = named.rgb.iter().take(count).map(|numbers| channel(kind, size, numbers, format));
     Ok(Entry {
         kind,
         name: named.name.clone(),
-        identifier,
+        identifier: identifier(&named.name),
         size,
         format,
         channels: channels.collect::<Result<_>>().map_err(of)?,
@@ -175,4 +186,20 @@ fn channel(kind: Kind, size: usize, numbers: &[f64], format: Format) -> Result<C
         }
     };
     Ok(Channel::Integers { mantissas: mantissas.iter().map(|one| one.0).collect(), exponents })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn quoted_names_need_no_identifiers() {
+        let named = |name: &str| Named { name: name.to_owned(), rgb: [0, 1, 2].map(|_| vec![1.0]) };
+        let lights = Lights { degree: 0, entries: ["a-b", "a b", "面"].map(named).into() };
+        let materials = Materials { order: 0, entries: Vec::new() };
+        let all = quoted_entries(&lights, &materials, [Format::F32; 2]).expect("three entries");
+        let text = crate::export::js::module(&all, None, "");
+        assert!(["a-b", "a b", "面"].iter().all(|name| text.contains(&format!("  {name:?}: {{"))));
+        assert!(entries(&lights, &materials, [Format::F32; 2]).is_err());
+    }
 }

@@ -195,8 +195,8 @@ const BYTES_PER_WEIGHT: u64 = size_of::<f64>() as u64;
 ///
 /// # Errors
 ///
-/// If `sphere` is given for an image without a size, the file has another size than the image, or
-/// the file cannot be read.
+/// If `sphere` is given for an image without a size, the file has another size than the image or
+/// is a mesh, or the file cannot be read.
 pub fn normals(
     source: impl Into<InputFile>,
     size: Option<[usize; 2]>,
@@ -212,11 +212,15 @@ pub fn normals(
             )
         });
     }
-    let is_png = source.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("png"));
-    let found = if is_png {
-        normals_of_png(&file, size, counts)?
-    } else {
-        read_normals(file.clone())?.into_iter().map(Some).collect()
+    let found: Vec<_> = match file.extension().as_str() {
+        "png" => normals_of_png(&file, size, counts)?,
+        "obj" | "stl" | "ply" => {
+            let what =
+                "it is a mesh, and `read` takes `sphere`, a normal map (.png) or a CSV `x,y,z`";
+            let remedy = "give the normals of the image's pixels, or draw the mesh with `render`";
+            return Err(Error::new(what, remedy).in_file(source));
+        }
+        _ => read_normals(file.clone())?.into_iter().map(Some).collect(),
     };
     if found.len() != counts.len() {
         return Err(Error::new(

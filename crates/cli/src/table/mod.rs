@@ -8,7 +8,7 @@ pub mod rounding;
 
 use crate::description::Description;
 use crate::messages::grouped;
-use eigenshade::wire::{Header, NumberFormat, WireError, aligned};
+use eigenshade::wire::{Fault, Header, NumberFormat, WireError, aligned};
 use eigenshade::{Basis, FixedPoint, GeneralBasis, GeneralParts, Parts, Q15, Q31, quantized};
 use eigenshade_index::effect::{Effect, Effects};
 use eigenshade_index::wire::{ENTRY, HEADER, LABEL};
@@ -102,13 +102,21 @@ pub fn is_wire(bytes: &[u8]) -> bool {
     bytes.starts_with(&LABEL)
 }
 
-/// Describes the contents of a wire file.
+/// Describes the contents of a wire file. Of a file in the other byte order only the header and the
+/// table of sections are read: there are no lengths of buffers.
 ///
 /// # Errors
 ///
 /// If the runtime refuses the bytes.
 pub fn wire_description(bytes: &[u8]) -> Result<Description> {
-    let (header, lengths) = checked(bytes).map_err(|error| described(&error))?;
+    let is_other = Header::read(bytes) == Err(Fault::Endianness);
+    let bytes = if is_other { Cow::Owned(swapped(bytes)) } else { Cow::Borrowed(bytes) };
+    let found = if is_other {
+        complete(&bytes).map(|header| (header, Lengths::new()))
+    } else {
+        checked(&bytes)
+    };
+    let (header, lengths) = found.map_err(|error| described(&error))?;
     let (format, names) = match NumberFormat::of(header.format) {
         Some(NumberFormat::F32) | None => {
             (NumberFormat::F32, [Parts::<f32>::ARRAYS, GeneralParts::<f32>::ARRAYS].concat())
@@ -117,14 +125,18 @@ pub fn wire_description(bytes: &[u8]) -> Result<Description> {
     };
     let mut description = Description::default();
     description.field("wire version", header.version);
+    let is_little = cfg!(target_endian = "little") != is_other;
+    description.field("byte order", if is_little { "little-endian" } else { "big-endian" });
     description.field("format", format.name());
     description.field("degree", header.degree);
     description.field("order", header.order);
     description.field("effects", effect_names(header.effects));
     description.field("components", header.images.max(header.components));
     description.field("span", if header.images == 0 { 0 } else { header.components });
-    let lengths = lengths.iter().map(|(name, length)| format!("{name} {}", grouped(*length)));
-    description.field("buffers", lengths.collect::<Vec<_>>().join(", "));
+    if !lengths.is_empty() {
+        let lengths = lengths.iter().map(|(name, length)| format!("{name} {}", grouped(*length)));
+        description.field("buffers", lengths.collect::<Vec<_>>().join(", "));
+    }
     for (number, name) in names.into_iter().take(header.sections).enumerate() {
         let at = HEADER + ENTRY * number + ENTRY / 2;
         let length = u32::from_ne_bytes(std::array::from_fn(|k| bytes[at + k]));
@@ -132,6 +144,30 @@ pub fn wire_description(bytes: &[u8]) -> Result<Description> {
     }
     description.part("file", header.length);
     Ok(description)
+}
+
+/// The file with the numbers of its header and its table of sections in the other byte order.
+fn swapped(bytes: &[u8]) -> Vec<u8> {
+    let mut bytes = bytes.to_vec();
+    let mut at = LABEL.len();
+    // The bytes of each number of the header. The numbers of the sections have four.
+    let sizes = [4, 2, 2, 4, 2, 2, 2, 2, 2, 2].into_iter().chain(std::iter::repeat(4));
+    for size in sizes {
+        let Some(number) = bytes.get_mut(at..at + size) else { break };
+        number.reverse();
+        at += size;
+    }
+    bytes
+}
+
+/// The header of a file that has as many bytes as it claims.
+fn complete(bytes: &[u8]) -> std::result::Result<Header, WireError> {
+    let header = Header::read(bytes)?;
+    let (expected, found) = (header.length.max(HEADER + ENTRY * header.sections), bytes.len());
+    if found < expected {
+        return Err(Fault::Length { expected, found }.into());
+    }
+    Ok(header)
 }
 
 /// The names of effects.

@@ -14,6 +14,7 @@ use exr::compression::Compression;
 use exr::error::{Error as ExrError, Result as ExrResult};
 use exr::image::read::specific_channels::ReadSpecificChannel;
 use exr::meta::BlockDescription;
+use exr::meta::attribute::IntegerBounds;
 use exr::meta::header::Header;
 use exr::prelude::{ReadChannels, ReadLayers, Text, Vec2, read};
 use std::cell::Cell;
@@ -44,13 +45,14 @@ pub(crate) fn decode(
         .find_map(|header| Some((header, color(header)?)))
         .ok_or_else(|| without_color(&headers))?;
     let Vec2(width, height) = header.layer_size;
-    let Vec2(whole_width, whole_height) = header.shared_attributes.display_window.size;
-    if (width, height) != (whole_width, whole_height) {
+    let (data, display) = (header.data_window(), header.shared_attributes.display_window);
+    if data != display {
+        let named = |IntegerBounds { position: Vec2(x, y), size: Vec2(width, height) }| {
+            format!("{width} x {height} pixels from {x}, {y}")
+        };
         return Err(Error::new(
-            format!(
-                "it stores only {width} x {height} of its {whole_width} x {whole_height} pixels"
-            ),
-            "save the map whole, not cropped to its data window",
+            format!("it stores {}, but shows {}", named(data), named(display)),
+            "save the map whole, with equal data and display windows",
         ));
     }
     let count = width * height;
@@ -149,8 +151,10 @@ fn color(header: &Header) -> Option<Color> {
         name.strip_suffix('R').filter(|prefix| prefix.ends_with('.')).map(str::to_owned)
     });
     let rgb = std::iter::once(String::new()).chain(layers).find_map(|prefix| triple(&prefix));
-    // With RY and BY present, Y is the luminance of a color image, not a gray map.
-    let colored = header.channels.list.iter().any(|channel| channel.name == *"RY");
+    // With RY and BY, or X and Z, Y is the luminance of a color image, not a gray map. Z alone is a
+    // depth.
+    let has = |name: &str| header.channels.list.iter().any(|channel| channel.name == *name);
+    let colored = has("RY") || has("X");
     rgb.map(Color::Rgb).or_else(|| Some(Color::Gray(find("", "Y").filter(|_| !colored)?.clone())))
 }
 
@@ -163,7 +167,7 @@ fn without_color(headers: &[Header]) -> Error {
         .collect();
     Error::new(
         format!("its channels are {}, without R, G, B", names.join(", ")),
-        "export it with the channels R, G, B, or a gray Y, one sample a pixel",
+        "export it with the channels R, G, B, or Y alone if it is gray, one sample a pixel",
     )
 }
 

@@ -74,7 +74,7 @@ pub fn fit(
     order: usize,
     progress: &mut dyn FnMut(usize, usize),
 ) -> Result<(Materials, Vec<Fit>)> {
-    if order > MOST {
+    if order > MOST && !measured.is_empty() {
         let what = format!("measurements are fitted to order {MOST} at most, not to {order}");
         return Err(Error::new(what, "ask for a lower order, or project a formula"));
     }

@@ -167,13 +167,3 @@ pub(crate) fn append_line(reader: &mut impl BufRead, line: &mut Vec<u8>) -> io::
     }
     Err(io::Error::new(io::ErrorKind::InvalidData, "a line of more than 1 MiB"))
 }
-
-/// Converts a line to text.
-///
-/// # Errors
-///
-/// If it is not UTF-8.
-pub(crate) fn line_text(line: &[u8]) -> io::Result<&str> {
-    str::from_utf8(line)
-        .map_err(|_| io::Error::new(io::ErrorKind::InvalidData, "it is not UTF-8 text"))
-}

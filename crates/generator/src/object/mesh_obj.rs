@@ -3,7 +3,7 @@
 //! This module reads them itself because `tobj` 4.0.5 uses about 400 bytes for each corner and
 //! drops faces of fewer than three corners.
 
-use crate::object::mesh_data::{Mesh, append_line, broken, line_text};
+use crate::object::mesh_data::{Mesh, append_line, broken};
 use eigenshade_model::error::Result;
 use eigenshade_model::inputs::input_file::InputFile;
 
@@ -69,7 +69,9 @@ fn each_line(file: &InputFile, mut with: impl FnMut(&[&str]) -> Result<()>) -> R
             line.push(b' ');
             continue;
         }
-        let words: Vec<&str> = line_text(&line).map_err(fault)?.split_whitespace().collect();
+        // Names may be in any encoding.
+        let text = String::from_utf8_lossy(&line);
+        let words: Vec<&str> = text.split_whitespace().collect();
         with(&words).map_err(|error| error.of(format_args!("line {first}")))?;
         if !is_there {
             return Ok(());

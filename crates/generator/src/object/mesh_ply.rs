@@ -1,11 +1,11 @@
 //! Polygon files (.ply), text or binary.
 
-use crate::object::mesh_data::{LONGEST_LINE, Mesh, append_line, broken, line_text};
+use crate::object::mesh_data::{LONGEST_LINE, Mesh, append_line, broken};
 use eigenshade_model::error::{Error, Result};
 use eigenshade_model::inputs::input_file::InputFile;
 use ply_rs_bw::parser::{ParseError, Parser, Reader};
 use ply_rs_bw::ply::{
-    BeginList, ElementDef, Encoding, Property, PropertyAccess, PropertyAccessResult,
+    BeginList, ElementDef, Encoding, Header, Property, PropertyAccess, PropertyAccessResult,
 };
 use std::io::{self, BufRead, ErrorKind};
 
@@ -27,9 +27,8 @@ pub(crate) fn read(file: &InputFile) -> Result<Mesh> {
     decode(reader, length, file)
 }
 
-fn decode(reader: impl BufRead, length: u64, file: &InputFile) -> Result<Mesh> {
-    let mut reader = Reader::new(reader);
-    let header = Parser::<Element>::new().read_header(&mut reader).map_err(fault)?;
+fn decode(mut reader: impl BufRead, length: u64, file: &InputFile) -> Result<Mesh> {
+    let header = header(&mut reader).map_err(fault)?;
     let mut least = 0u64;
     for (name, element) in &header.elements {
         // A number takes at least one byte, a face at least four: the number of corners and three
@@ -49,7 +48,8 @@ fn decode(reader: impl BufRead, length: u64, file: &InputFile) -> Result<Mesh> {
     if place("face") < place("vertex") && place("face").is_some() {
         return Err(broken("its faces come before its vertices"));
     }
-    let mut rows = Rows { reader, encoding: header.encoding, line: Vec::new() };
+    let mut rows =
+        Rows { reader: Reader::new(reader), encoding: header.encoding, line: Vec::new() };
     for (name, element) in &header.elements {
         for number in 1..=element.count {
             let mut push = || {
@@ -67,6 +67,19 @@ fn decode(reader: impl BufRead, length: u64, file: &InputFile) -> Result<Mesh> {
     }
     rows.finish()?;
     Ok(mesh)
+}
+
+/// Reads the header, whose comments may be in any encoding.
+fn header(reader: &mut impl BufRead) -> std::result::Result<Header, ParseError> {
+    let mut lines = Vec::new();
+    let (mut start, mut goes_on) = (0, true);
+    while goes_on {
+        goes_on = append_line(reader, &mut lines)?;
+        goes_on &= lines.starts_with(b"ply") && !lines[start..].starts_with(b"end_header");
+        start = lines.len();
+    }
+    let text = String::from_utf8_lossy(&lines);
+    Parser::<Element>::new().read_header(&mut Reader::new(text.as_bytes()))
 }
 
 fn fault(error: ParseError) -> Error {
@@ -93,7 +106,7 @@ impl<R: BufRead> Rows<R> {
             Encoding::Ascii => {
                 self.line.clear();
                 append_line(reader, &mut self.line)?;
-                let row = parser.read_ascii_element(line_text(&self.line)?, element);
+                let row = parser.read_ascii_element(&String::from_utf8_lossy(&self.line), element);
                 // In a truncated file the last line is truncated too.
                 let is_cut = !self.line.ends_with(b"\n");
                 let cut = || io::Error::from(ErrorKind::UnexpectedEof).into();

@@ -123,7 +123,9 @@ impl Picture {
                 }
             }
             sums.picture(1.0).ok_or_else(|| {
-                Error::new("no pixel of it shows an object", "use a map with opaque pixels")
+                let what =
+                    "no pixel of it is opaque and holds a normal (a vector of length 1/2 to 3/2)";
+                Error::new(what, "check that it is a normal map")
             })
         };
         drawn().map_err(|error| error.in_file(file.path()))

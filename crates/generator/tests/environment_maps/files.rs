@@ -295,8 +295,30 @@ fn other_kinds_of_the_types_are_refused() {
     exr_channels(&path, (4, 2), vec![("depth", samples()), ("R", samples())]);
     let text = EnvironmentMap::from_path(&path).unwrap_err().to_string();
     assert!(text.contains("map.exr: its channels are R, depth, without R, G, B; "), "{text}");
-    exr_channels(&path, (4, 2), vec![("depth", samples()), ("Y", samples())]);
-    assert_eq!(EnvironmentMap::from_path(&path).unwrap().texels, [[1.0; 3]; 8]);
+    for depth in ["depth", "Z"] {
+        exr_channels(&path, (4, 2), vec![(depth, samples()), ("Y", samples())]);
+        assert_eq!(EnvironmentMap::from_path(&path).unwrap().texels, [[1.0; 3]; 8]);
+    }
+    exr_channels(&path, (4, 2), ["X", "Y", "Z"].map(|name| (name, samples())).into());
+    let text = EnvironmentMap::from_path(&path).unwrap_err().to_string();
+    assert!(text.contains("map.exr: its channels are X, Y, Z, without R, G, B; "), "{text}");
+}
+
+#[test]
+fn cropped_and_shifted_maps_are_refused() {
+    let (name, exr) = bytes_of(Type::ExrFloat);
+    let attribute = b"displayWindow\0box2i\0";
+    let start = exr.windows(attribute.len()).position(|bytes| bytes == attribute).unwrap();
+    // Its size, then the first and the last column and row.
+    let window = start + attribute.len() + 4;
+    for (first, last, shown) in
+        [(0, 16, "17 x 8 pixels from 0, 0"), (1, 16, "16 x 8 pixels from 1, 0")]
+    {
+        let mut other = exr.clone();
+        (other[window], other[window + 8]) = (first, last);
+        let start = format!("map.exr: it stores 16 x 8 pixels from 0, 0, but shows {shown}; save ");
+        assert_starts(&message(&name, &other), &start);
+    }
 }
 
 #[test]
