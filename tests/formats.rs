@@ -68,14 +68,12 @@ struct Score {
     component: f64,
 }
 
-/// Degree or order, and coefficients.
-type Channel<'a> = (usize, &'a [f64]);
 /// d, and the irradiance of some normals.
 type Image = (Vec<f64>, Vec<f64>);
 
 /// One channel's d and image in the format that is measured.
 trait Measured {
-    fn image(&mut self, light: Channel<'_>, material: Channel<'_>, normals: &[[f64; 3]]) -> Image;
+    fn image(&mut self, light: &[f64], material: &[f64], normals: &[[f64; 3]]) -> Image;
 }
 
 struct Reference {
@@ -116,8 +114,6 @@ impl Reference {
                 let mut pair = Ratio::default();
                 for (light, material) in light.rgb.iter().zip(&material.rgb) {
                     let d = self.shipped.project(light, material);
-                    let (light, material) =
-                        ((self.lights.degree, &light[..]), (self.materials.order, &material[..]));
                     let (found, image) = measured.image(light, material, &self.normals);
                     for ((ratio, reference), found) in components.iter_mut().zip(&d).zip(found) {
                         ratio.add(*reference, found);
@@ -137,7 +133,7 @@ impl Reference {
 }
 
 impl Measured for Shader<'_, f32> {
-    fn image(&mut self, light: Channel<'_>, material: Channel<'_>, normals: &[[f64; 3]]) -> Image {
+    fn image(&mut self, light: &[f64], material: &[f64], normals: &[[f64; 3]]) -> Image {
         let normals = OwnedNormals::new(normals);
         let image = self.polynomial(light, material, &normals).expect("it fits");
         let d = self.project(light, material).expect("it fits");
@@ -147,7 +143,7 @@ impl Measured for Shader<'_, f32> {
 }
 
 impl<Q: Integer> Measured for IntegerShader<Q> {
-    fn image(&mut self, light: Channel<'_>, material: Channel<'_>, normals: &[[f64; 3]]) -> Image {
+    fn image(&mut self, light: &[f64], material: &[f64], normals: &[[f64; 3]]) -> Image {
         let normals = integer_shader::normals(normals).expect("unit normals");
         let image = self.polynomial(light, material, &normals).expect("it fits");
         (self.project(light, material).expect("it fits"), image)

@@ -103,7 +103,7 @@ fn all_components_in_f32_are_the_direct_sum() {
     let rounded = OwnedNormals::new(&normals);
     let images = direct_images(&loaded.lights, &loaded.materials, &normals);
     let worst = largest(images.iter().map(|(light, material, expected)| {
-        let found = shader.polynomial((9, light), (7, material), &rounded).expect("it fits");
+        let found = shader.polynomial(light, material, &rounded).expect("it fits");
         relative_error(&found.into_iter().map(f64::from).collect::<Vec<_>>(), expected)
     }));
     println!("{} components in f32: {worst:.2e} of the peak", table.count());

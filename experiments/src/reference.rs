@@ -102,11 +102,8 @@ impl<'a> Reference<'a> {
         let basis = OwnedBasis::<f64>::new(table);
         let mut shader = Shader::new(basis.any().map_err(fault)?, table.count());
         let normals = OwnedNormals::new(&self.sphere.normals);
-        let pictures: Result<Vec<Picture>> = lights
-            .entries
-            .iter()
-            .map(|light| shader.color((degree, light), (order, &material), &normals))
-            .collect();
+        let pictures: Result<Vec<Picture>> =
+            lights.entries.iter().map(|light| shader.color(light, &material, &normals)).collect();
         Ok(self.errors(pictures?.into_iter()))
     }
 

@@ -103,7 +103,7 @@ fn a_lambertian_material_under_light_of_degree_two_is_the_nine_term_formula() {
     let normals = OwnedNormals::new(&sphere.normals);
     let each = OwnedNormals::<f64>::new(&sphere.normals).each().expect("visible normals");
     for light in &scene.lights(2).entries {
-        let found = shader.polynomial((2, &light.rgb[0]), (0, &[2.0]), &normals).expect("it fits");
+        let found = shader.polynomial(&light.rgb[0], &[2.0], &normals).expect("it fits");
         let found: Vec<f64> = found.into_iter().map(f64::from).collect();
         let formula = NineTerms::lambertian(&Light::new(&light.rgb[0]).expect("9 numbers"), 1.0);
         let expected: Vec<f64> = each.iter().map(|&normal| formula.shade(normal)).collect();

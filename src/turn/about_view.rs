@@ -39,8 +39,8 @@ pub(crate) use unrolled;
 
 impl<S: Scalar> Light<'_, S> {
     /// The coefficients of this light after a rotation about the view axis z, from x toward y, by
-    /// the angle with this cosine and sine: [`turned`](Self::turned) at a fraction of its cost. They
-    /// are scaled to length 1, from which they may be off by 1 %.
+    /// the angle with this cosine and sine: [`turned`](Self::turned) at a fraction of its cost. Cosine
+    /// and sine are scaled to length 1.
     ///
     /// ```
     /// use eigenshade::Light;
@@ -56,8 +56,8 @@ impl<S: Scalar> Light<'_, S> {
     ///
     /// # Errors
     ///
-    /// [`Error::Capacity`] if `N` is below (degree + 1)², [`Error::Rotation`] if the length of
-    /// (cosine, sine) differs from 1 by more than 1 %.
+    /// [`Error::Capacity`] if `N` is below (degree + 1)², [`Error::Rotation`] if cosine² + sine²
+    /// differs from 1 by more than 2 %.
     pub fn turned_about_view<const N: usize>(
         &self,
         angle: [S; 2],

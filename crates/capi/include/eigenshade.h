@@ -75,8 +75,8 @@ enum eigenshade_status
   /** A color, metallic or roughness is not from 0 to 1. */
   EIGENSHADE_STATUS_OUTSIDE = 16,
   /**
-   * A quaternion, or cosine and sine, are zero or not finite; or, in f32, cosine and sine are off
-   * length 1 by more than 1 %.
+   * A quaternion, or cosine and sine, are zero or not finite; or, in f32, cosine² + sine² differs
+   * from 1 by more than 2 %.
    */
   EIGENSHADE_STATUS_ROTATION = 17,
   /** The object has no such row, or the buffer is shorter than a row. */

@@ -74,6 +74,12 @@ impl Source {
         self.entry == Entry::Shipped
     }
 
+    /// The path or the name, and whether it is the name of something shipped.
+    #[must_use]
+    pub fn named(&self) -> (&Path, bool) {
+        (self.path(), self.is_shipped())
+    }
+
     /// The files with the light: its own, and those beside it with its sources and their errors.
     #[must_use]
     pub fn light_files(&self) -> Vec<PathBuf> {

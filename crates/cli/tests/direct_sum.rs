@@ -97,8 +97,7 @@ fn errors_of_few_components_are_as_stated() {
         let (mut rms, mut largest, mut inner) = (Vec::new(), Vec::new(), Vec::new());
         for light in &lights.entries {
             for material in &materials.entries {
-                let pair = ((lights.degree, light), (materials.order, material));
-                let ours = shader.color(pair.0, pair.1, &normals).unwrap();
+                let ours = shader.color(light, material, &normals).unwrap();
                 let (mut squares, mut most, mut peak) = (0.0, 0.0f64, 0.0f64);
                 let mut farther_in: f64 = 0.0;
                 for (k, of_pairs) in reference.iter().enumerate() {

@@ -163,13 +163,12 @@ fn assert_projects_kept_modes(table: &Table, effects: Effects) {
     let owned = OwnedBasis::<f64>::new(table);
     let mut shader = Shader::new(owned.any().unwrap(), usize::MAX);
     let light: Vec<f64> = (0..light::count(degree)).map(|k| 1.0 / (1.0 + k as f64)).collect();
-    let dark = shader
-        .project((degree, &vec![0.0; light.len()]), (order, &vec![0.0; material::count(order)]));
+    let dark = shader.project(&vec![0.0; light.len()], &vec![0.0; material::count(order)]);
     let dark = dark.unwrap().to_vec();
     for (j, coefficient) in material::indices(order).enumerate() {
         let mut one = vec![0.0; material::count(order)];
         one[j] = 1.0;
-        let found = shader.project((degree, &light), (order, &one)).unwrap().to_vec();
+        let found = shader.project(&light, &one).unwrap().to_vec();
         for (k, component) in table.components.iter().enumerate() {
             let profile = &table.profiles[component.profile];
             let m = component.order as isize;

@@ -1,5 +1,5 @@
-//! Tables whose scene has a tolerance or is trimmed: what `basis` reports, what it keeps, and what it
-//! refuses.
+//! Tables whose scene has a tolerance or is trimmed: what `basis` reports, what it keeps, and what
+//! it refuses.
 
 use crate::support::{Folder, PAIR, assert_fails, lights, materials, repository, scene};
 use eigenshade_index::material;

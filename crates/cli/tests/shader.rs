@@ -113,7 +113,7 @@ const CUT: f64 = 2e-5;
 
 /// Every shipped light on every material in color, at normals spread over a sphere's picture.
 #[test]
-fn the_cut_of_the_table_in_color_shows_in_no_picture() {
+fn trimming_the_table_in_color_shows_in_no_picture() {
     let folder = Folder::new();
     let scene = fs::read_to_string(repository().join("tables/color.toml")).expect("a scene");
     let inputs = format!("\"{}/inputs/", repository().join("tables").display());

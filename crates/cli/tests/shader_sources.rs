@@ -90,7 +90,7 @@ fn with_shader(test: impl Fn(Shader<'_>)) {
     let owned = OwnedBasis::<f32>::new(&table);
     let mut projector = Projector::new(owned.any().expect("a basis"), table.count());
     let (light, material) = (vec![1.0; light::count(DEGREE)], vec![1.0; material::count(ORDER)]);
-    projector.project((DEGREE, &light), (ORDER, &material)).expect("a scene");
+    projector.project(&light, &material).expect("a scene");
     test(Shader::new(&projector.scene().expect("a scene")));
 }
 

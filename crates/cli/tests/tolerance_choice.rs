@@ -149,7 +149,7 @@ fn shaded(
         let material = &entry.luminance()[..material::count(order)];
         for light in lights {
             let light = &light[..light::count(degree)];
-            let image = shader.polynomial((degree, light), (order, material), &owned);
+            let image = shader.polynomial(light, material, &owned);
             images.push(image.expect("it fits"));
         }
     }

@@ -4,7 +4,7 @@
 //! an [`IntegerShader`] adds work buffers.
 
 use crate::overflow;
-use crate::shader::{fault, of_degree, of_order};
+use crate::shader::fault;
 use eigenshade::quantized::{Basis, Light, Material, Normal, Parts, Transfer};
 use eigenshade::{FixedPoint, Q15, Q31};
 use eigenshade_index::record::integers::OwnedParts;
@@ -158,21 +158,16 @@ impl<Q: Integer> IntegerShader<Q> {
     ///
     /// # Errors
     ///
-    /// If the coefficients do not match their stated degree or order, exceed the table's degree or
+    /// If the coefficients are not those of a degree and of an order, exceed the table's degree or
     /// order, or are so large that they would saturate or so small that they would be lost.
-    pub fn project(
-        &mut self,
-        (degree, light): (usize, &[f64]),
-        (order, material): (usize, &[f64]),
-    ) -> Result<Vec<f64>> {
+    pub fn project(&mut self, light: &[f64], material: &[f64]) -> Result<Vec<f64>> {
         // Only these numbers can saturate: all later ones are scaled by their bounds.
         if ![light, material].iter().all(|numbers| quantize::holds(numbers, Q::FORMAT)) {
             return Err(overflow::fault(Q::FORMAT.name(), light, material));
         }
         overflow::lost(Q::FORMAT.name(), light, material)?;
         let basis = self.basis.view().map_err(fault)?;
-        of_degree(degree, light)?;
-        of_order(order, material)?;
+        let order = eigenshade::Material::new(material).map_err(fault)?.order();
         let (mantissas, exponents) = quantize::material(order, material, Q::FORMAT);
         let mantissas = owned(&mantissas);
         let material = Material::new(&exponents, &mantissas).map_err(fault)?;
@@ -195,8 +190,8 @@ impl<Q: Integer> IntegerShader<Q> {
     /// See [`project`](Self::project).
     pub fn polynomial(
         &mut self,
-        light: (usize, &[f64]),
-        material: (usize, &[f64]),
+        light: &[f64],
+        material: &[f64],
         normals: &[Normal<Q>],
     ) -> Result<Vec<f64>> {
         self.project(light, material)?;

@@ -14,7 +14,7 @@
 //! let mut shader = Shader::new(owned.any()?, 46);
 //! let normals = OwnedNormals::new(&[[0.0, 0.0, 1.0], [0.6, 0.0, 0.8]]);
 //! let (light, material) = (&lights.entries[0], &materials.entries[0]);
-//! let rgb = shader.color((lights.degree, light), (materials.order, material), &normals)?;
+//! let rgb = shader.color(light, material, &normals)?;
 //! assert!(rgb.iter().all(|channel| channel.len() == 2 && channel[0] > 0.0));
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```

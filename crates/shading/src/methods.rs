@@ -30,7 +30,7 @@ impl<S: Scalar> Shader<'_, S> {
             {
                 let mut irradiance = vec![S::ZERO; normals.len()];
                 scene.shade_slice(normals, &mut irradiance).map_err(fault)?;
-                overflow::check(&irradiance, light.1, material.1)?;
+                overflow::check(&irradiance, light, material)?;
                 shaded.push((irradiance, truncation));
             }
             Ok(shaded)
@@ -84,8 +84,8 @@ impl<S: Scalar> Shader<'_, S> {
     /// As [`project`](Self::project), and if the runtime does not support this number of texels.
     pub fn baked(
         &mut self,
-        light: (usize, &[f64]),
-        material: (usize, &[f64]),
+        light: &[f64],
+        material: &[f64],
         normals: &[Normal<S>],
         size: usize,
     ) -> Result<Vec<S>> {
@@ -94,7 +94,7 @@ impl<S: Scalar> Shader<'_, S> {
         let map = scene.bake_into(size, vec![S::ZERO; size * size]).map_err(fault)?;
         let irradiance: Vec<S> =
             normals.iter().map(|&normal| map.bilinear(MapPoint::of(normal))).collect();
-        overflow::check(&irradiance, light.1, material.1)?;
+        overflow::check(&irradiance, light, material)?;
         Ok(irradiance)
     }
 
@@ -105,8 +105,8 @@ impl<S: Scalar> Shader<'_, S> {
     /// See [`project`](Self::project).
     pub fn eigen(
         &mut self,
-        light: (usize, &[f64]),
-        material: (usize, &[f64]),
+        light: &[f64],
+        material: &[f64],
         normals: &[Normal<S>],
     ) -> Result<Vec<S>> {
         let basis = self.basis;
@@ -127,7 +127,7 @@ impl<S: Scalar> Shader<'_, S> {
             Ok(whole - dark)
         };
         let irradiance: Vec<S> = normals.iter().map(one).collect::<Result<_>>()?;
-        overflow::check(&irradiance, light.1, material.1)?;
+        overflow::check(&irradiance, light, material)?;
         Ok(irradiance)
     }
 }

@@ -7,7 +7,6 @@ use eigenshade::{Light, Material, Normal, Normals, Scalar, Scene};
 use eigenshade_index::effect::{Effect, Effects};
 use eigenshade_model::database::{Lights, Materials, Named};
 use eigenshade_model::error::{Error, Result};
-use eigenshade_model::inputs::input_file::is_file;
 use eigenshade_table::Table;
 use eigenshade_table::reduce::fingerprint;
 use std::path::Path;
@@ -27,11 +26,13 @@ pub fn fitted(table: &Table, lights: &Lights, materials: &Materials) -> (Lights,
 /// The warning for a material file, or the name of a shipped material, of a higher order than the
 /// table; `None` if the order is not higher.
 #[must_use]
-pub fn of_higher_order(path: &Path, found: usize, order: usize) -> Option<String> {
+pub fn of_higher_order(
+    (path, is_shipped): (&Path, bool),
+    found: usize,
+    order: usize,
+) -> Option<String> {
     (found > order).then(|| {
-        // Names have no extension, or digits as in `metal-0.2`.
-        let end = path.extension().unwrap_or_default().as_encoded_bytes();
-        let (unless, again) = if end.iter().all(u8::is_ascii_digit) && !is_file(path) {
+        let (unless, again) = if is_shipped {
             ("", String::new())
         } else {
             let again =
@@ -47,8 +48,8 @@ pub fn of_higher_order(path: &Path, found: usize, order: usize) -> Option<String
     })
 }
 
-/// One channel of a light and one channel of a material, each with its degree or order.
-pub type Lit<'a> = ((usize, &'a [f64]), (usize, &'a [f64]));
+/// One channel of a light and one channel of a material.
+pub type Lit<'a> = (&'a [f64], &'a [f64]);
 
 /// A basis with its work buffers.
 #[derive(Clone, Debug)]
@@ -165,21 +166,15 @@ impl<'a, S: Scalar> Shader<'a, S> {
     ///
     /// # Errors
     ///
-    /// If the coefficients do not match their stated degree or order, or exceed the basis's; if a
+    /// If the coefficients are not those of a degree and of an order, or exceed the basis's; if a
     /// basis of transfers does not have the material; or if d is not finite.
-    pub fn project(&mut self, light: (usize, &[f64]), material: (usize, &[f64])) -> Result<&[S]> {
+    pub fn project(&mut self, light: &[f64], material: &[f64]) -> Result<&[S]> {
         self.projected(light, material)?;
-        overflow::check(&self.coefficients, light.1, material.1)?;
+        overflow::check(&self.coefficients, light, material)?;
         Ok(&self.coefficients[..self.components])
     }
 
-    fn projected(
-        &mut self,
-        (degree, light): (usize, &[f64]),
-        (order, material): (usize, &[f64]),
-    ) -> Result<()> {
-        of_degree(degree, light)?;
-        of_order(order, material)?;
+    fn projected(&mut self, light: &[f64], material: &[f64]) -> Result<()> {
         let light = rounded::<S>(light);
         let light = Light::new(&light).map_err(fault)?;
         if let AnyBasis::Sphere(basis) = &self.basis
@@ -241,15 +236,15 @@ impl<'a, S: Scalar> Shader<'a, S> {
     /// As [`project`](Self::project), and if an irradiance is not finite.
     pub fn polynomial(
         &mut self,
-        light: (usize, &[f64]),
-        material: (usize, &[f64]),
+        light: &[f64],
+        material: &[f64],
         normals: &OwnedNormals<S>,
     ) -> Result<Vec<S>> {
         self.project(light, material)?;
         let normals = normals.view()?;
         let mut irradiance = vec![S::ZERO; normals.len()];
         self.scene()?.shade_slice(normals, &mut irradiance).map_err(fault)?;
-        overflow::check(&irradiance, light.1, material.1)?;
+        overflow::check(&irradiance, light, material)?;
         Ok(irradiance)
     }
 
@@ -260,12 +255,12 @@ impl<'a, S: Scalar> Shader<'a, S> {
     /// See [`project`](Self::project).
     pub fn color(
         &mut self,
-        (degree, light): (usize, &Named),
-        (order, material): (usize, &Named),
+        light: &Named,
+        material: &Named,
         normals: &OwnedNormals<S>,
     ) -> Result<[Vec<S>; 3]> {
         let mut channel = |c: usize| {
-            self.polynomial((degree, &light.rgb[c]), (order, &material.rgb[c]), normals)
+            self.polynomial(&light.rgb[c], &material.rgb[c], normals)
                 .map_err(|error| error.of(overflow::pair(light, material)))
         };
         Ok([channel(0)?, channel(1)?, channel(2)?])
@@ -287,20 +282,4 @@ fn rounded<S: Scalar>(values: &[f64]) -> Vec<S> {
 #[must_use]
 pub fn fault(error: eigenshade::Error) -> Error {
     Error::new(error.to_string(), "check the inputs against `eigenshade info` of the table")
-}
-
-/// `Ok` if a light has the number of coefficients of its stated degree.
-pub(crate) fn of_degree(degree: usize, light: &[f64]) -> Result<()> {
-    stated(eigenshade::Argument::Light, eigenshade_index::light::count(degree), light)
-}
-
-/// `Ok` if a material has the number of coefficients of its stated order.
-pub(crate) fn of_order(order: usize, material: &[f64]) -> Result<()> {
-    stated(eigenshade::Argument::Material, eigenshade_index::material::count(order), material)
-}
-
-fn stated(argument: eigenshade::Argument, expected: usize, numbers: &[f64]) -> Result<()> {
-    let found = numbers.len();
-    let error = eigenshade::Error::Length { argument, expected, found };
-    if found == expected { Ok(()) } else { Err(fault(error)) }
 }

@@ -10,6 +10,7 @@ use eigenshade_model::inputs::coefficient_csv::read_lights;
 use eigenshade_model::reference::DirectSum;
 use eigenshade_model::special::quadrature::gauss_legendre;
 use eigenshade_shading::owned_basis::{AnyBasis, OwnedBasis};
+use eigenshade_shading::shader::Shader;
 use eigenshade_table::Table;
 use eigenshade_table::scene::Criterion;
 use std::f64::consts::{FRAC_PI_2, PI};
@@ -192,22 +193,8 @@ impl Projector {
     /// d for a light and a material of the table's degree and order.
     pub fn project(&self, light: &[f64], material: &[f64]) -> Vec<f64> {
         let basis = self.owned.any().expect("a basis");
-        let light = eigenshade::Light::new(light).expect("coefficients");
-        let material = eigenshade::Material::new(material).expect("coefficients");
-        match basis {
-            AnyBasis::Sphere(basis) => {
-                let (mut d, mut workspace) =
-                    (vec![0.0; basis.components()], vec![0.0; basis.workspace_len()]);
-                basis.project_into(&light, &material, &mut workspace, &mut d).expect("sizes");
-                d
-            }
-            AnyBasis::General(basis) => {
-                let (mut d, mut workspace) =
-                    (vec![0.0; basis.components()], vec![0.0; basis.workspace_len()]);
-                basis.project_into(&light, &material, &mut workspace, &mut d).expect("sizes");
-                d
-            }
-        }
+        let d = Shader::new(basis, usize::MAX).project(light, material).map(<[f64]>::to_vec);
+        d.expect("coefficients that fit")
     }
 
     /// The mean image plus Σ d_i U_i at unit normals, from the collapsed scene.

@@ -94,7 +94,7 @@ pub fn errors(scene: &Scene) -> [f64; 3] {
     let mut shader = Shader::new(basis.basis().expect("a basis"), table.count());
     let normals = OwnedNormals::new(&sphere.normals);
     let mut in_f32 = |light: &Named| -> Picture {
-        let picture = shader.color((degree, light), (order, material), &normals).expect("it fits");
+        let picture = shader.color(light, material, &normals).expect("it fits");
         picture.map(|channel| channel.into_iter().map(f64::from).collect())
     };
     let pairs = lights.entries.iter().zip(&expected);
@@ -104,9 +104,10 @@ pub fn errors(scene: &Scene) -> [f64; 3] {
     let own = own.expect("a shipped light");
     let mut shader = IntegerShader::<Q15>::new(&table, table.count()).expect("Q15 serves it");
     let normals = integer_shader::normals(&sphere.normals).expect("normals");
-    let q15 = lights.entries[own].rgb.each_ref().map(|light| {
-        shader.polynomial((degree, light), (order, &material.rgb[0]), &normals).expect("it fits")
-    });
+    let q15 = lights.entries[own]
+        .rgb
+        .each_ref()
+        .map(|light| shader.polynomial(light, &material.rgb[0], &normals).expect("it fits"));
     [errors[own], largest(errors), sphere.error(&q15, &expected[own])]
 }
 
@@ -121,7 +122,7 @@ pub fn terms_within(scene: &Scene, tolerance: f32) -> Vec<usize> {
     let normals = OwnedNormals::new(&[[0.0, 0.0, 1.0]]);
     let terms = |light: &Named| {
         let light = light.luminance();
-        let channel = ((degree, light.as_slice()), (order, material.as_slice()));
+        let channel = (light.as_slice(), material.as_slice());
         let within = shader.within(&[channel], &normals, Tolerance::OfPeak(tolerance));
         within.expect("a tolerance above zero")[0].1.terms
     };

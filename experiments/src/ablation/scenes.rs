@@ -206,8 +206,7 @@ fn of_scene(scene: &Scene) -> f64 {
         .iter()
         .take(scene.channels)
         .map(|light| {
-            let material = (order, material.entries[0].rgb[0].as_slice());
-            let d = shader.project((degree, light), material).expect("it fits");
+            let d = shader.project(light, &material.entries[0].rgb[0]).expect("it fits");
             basis.collapse_into(d, vec![0.0; basis.scene_len()]).expect("room")
         })
         .collect();

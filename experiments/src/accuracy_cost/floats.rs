@@ -172,7 +172,7 @@ impl<S: Scalar + Into<f64> + Sync> Numbers for Floats<S> {
     fn works<'a>(&'a self, pair: &Pair, lengths: &'a mut [u16]) -> Result<[Work<'a>; 2]> {
         let Operations { mut pixels, mut collapse, .. } = self.operations(pair, lengths)?;
         let (basis, mut d) = (self.basis()?, self.project(pair)?);
-        let ((_, light), (_, material)) = pair.within(basis.degree(), basis.order());
+        let (light, material) = pair.within(basis.degree(), basis.order());
         let rounded = |values: &[f64]| values.iter().map(|&v| S::from_f64(v)).collect::<Vec<S>>();
         let (light, material) = (rounded(light), rounded(material));
         let material = Material::new(&material).map_err(fault)?;

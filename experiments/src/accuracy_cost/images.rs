@@ -37,20 +37,16 @@ pub struct Image {
     pub peak: f64,
 }
 
-/// Degree or order, and coefficients.
-pub type Channel<'a> = (usize, &'a [f64]);
-
 impl Pair {
     /// The light and the material up to a degree and an order, at most its own.
-    pub fn within(&self, degree: usize, order: usize) -> (Channel<'_>, Channel<'_>) {
-        let light = &self.light[..light::count(degree)];
-        ((degree, light), (order, &self.material[..material::count(order)]))
+    pub fn within(&self, degree: usize, order: usize) -> (&[f64], &[f64]) {
+        (&self.light[..light::count(degree)], &self.material[..material::count(order)])
     }
 
     /// The nine-term formula, with the material treated as Lambertian.
     pub fn nine_terms<S: Scalar>(&self) -> Result<NineTerms<S>> {
         let degree = (self.light.len().isqrt() - 1).min(2);
-        let ((_, light), _) = self.within(degree, 0);
+        let (light, _) = self.within(degree, 0);
         let light = Light::new(light).map_err(fault)?;
         // b_00^0 is twice the albedo.
         let formula = NineTerms::lambertian(&light, 0.5 * self.material[0]);

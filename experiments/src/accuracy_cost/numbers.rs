@@ -100,8 +100,8 @@ impl<Q: Integer<Wide: Sync> + Sync> Numbers for Integers<Q> {
     fn works<'a>(&'a self, pair: &Pair, _: &'a mut [u16]) -> Result<[Work<'a>; 2]> {
         let own = |numbers: &[i32]| numbers.iter().map(|&n| Q::of(n)).collect::<Vec<Q>>();
         let basis = self.basis.view().map_err(fault)?;
-        let ((_, light), (order, material)) = pair.within(basis.degree(), basis.order());
-        let (mantissas, exponents) = quantize::material(order, material, Q::FORMAT);
+        let (light, material) = pair.within(basis.degree(), basis.order());
+        let (mantissas, exponents) = quantize::material(basis.order(), material, Q::FORMAT);
         let mantissas = own(&mantissas);
         let material = quantized::Material::new(&exponents, &mantissas).map_err(fault)?;
         let (mantissas, exponent) = quantize::row(light, Q::FORMAT.bits(), i64::MAX);

@@ -217,7 +217,7 @@ pub fn rows(quick: bool, timed: bool) -> Result<Vec<Record>> {
     rows.extend(proportional(names, bytes, [1, 4, 16, 64, 256], timed, new_materials)?);
 
     let mut shader = Shader::new(basis, usize::MAX);
-    shader.project((DEGREE, &pair.light), (ORDER, &pair.material))?;
+    shader.project(&pair.light, &pair.material)?;
     let scene = &shader.scene()?;
     let pixels = |count| -> Result<Work<'_>> {
         let normals = OwnedNormals::<f32>::new(&hemisphere(count));

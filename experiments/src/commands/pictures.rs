@@ -72,7 +72,7 @@ impl Picture {
             let light = light.ok_or_else(|| Error::new("no such light", "take a shipped one"))?;
             let mut images = Vec::new();
             for material in &materials {
-                images.push(shader.color((degree, light), (order, material), &normals)?);
+                images.push(shader.color(light, material, &normals)?);
             }
             let all = images.iter().flatten().flatten().map(|&value| f64::from(value)).collect();
             let exposure = exposure(all, UNCLIPPED);

@@ -42,7 +42,6 @@ pub fn files(study: &Study) -> Result<Vec<OutputFile>> {
         let materials = Materials { entries: vec![material.clone()], ..study.materials };
         let whole = reference_image::images(&lights, &materials, &normals, &());
         let whole: Vec<[f64; 3]> = whole.iter().map(|of_pairs| of_pairs[0]).collect();
-        let (light, material) = ((study.lights.degree, light), (study.materials.order, material));
         let selected = shader.color(light, material, &owned_normals)?;
         let selected: Vec<[f64; 3]> =
             (0..normals.len()).map(|k| selected.each_ref().map(|channel| channel[k])).collect();

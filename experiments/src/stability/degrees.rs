@@ -46,8 +46,7 @@ pub fn shaded<S: Scalar + Into<f64>>(
 ) -> Vec<f64> {
     let owned = OwnedBasis::<S>::new(table);
     let mut shader = Shader::new(owned.basis().expect("a basis"), usize::MAX);
-    let (degree, order) = (table.gram.degree, table.gram.order);
-    let image = shader.polynomial((degree, light), (order, material), &OwnedNormals::new(normals));
+    let image = shader.polynomial(light, material, &OwnedNormals::new(normals));
     image.expect("coefficients that fit").into_iter().map(Into::into).collect()
 }
 
@@ -160,10 +159,9 @@ fn pixel_error<S: Scalar + Into<f64>>(loaded: &Loaded, table: &Table) -> f64 {
     let (double, owned) = (OwnedBasis::<f64>::new(table), OwnedBasis::<S>::new(table));
     let mut exact = Shader::new(double.basis().expect("a basis"), usize::MAX);
     let basis = owned.basis().expect("a basis");
-    let (degree, order) = (table.gram.degree, table.gram.order);
     largest(loaded.lights.entries.iter().zip(&loaded.materials.entries).map(|(light, on)| {
         let (light, on) = (light.luminance(), on.luminance());
-        let exact = exact.project((degree, &light), (order, &on)).expect("coefficients");
+        let exact = exact.project(&light, &on).expect("coefficients");
         let [_, d] = coefficients(&basis, &light, &on);
         let scene = basis.collapse_into(&d, vec![S::ZERO; basis.scene_len()]).expect("sizes");
         let (mut found, mut expected) = (Vec::new(), Vec::new());

@@ -111,7 +111,7 @@ fn reference(light: &[f64], material: &[f64], normals: &[[f64; 3]]) -> Vec<f64> 
     let owned = OwnedBasis::<f64>::new(&table());
     let mut shader = Shader::new(owned.basis().expect("a basis"), usize::MAX);
     let normals = OwnedNormals::new(normals).each().expect("visible normals");
-    shader.eigen((9, light), (7, material), &normals).expect("coefficients")
+    shader.eigen(light, material, &normals).expect("coefficients")
 }
 
 fn floats(values: Vec<f32>) -> Vec<f64> {
@@ -147,7 +147,7 @@ pub(super) fn eight_bits() -> Vec<Figure> {
         for material in materials(5) {
             let expected = reference(&light, &material, &normals);
             let peak = largest(expected.iter().copied());
-            let (light, material) = ((9, light.as_slice()), (7, material.as_slice()));
+            let (light, material) = (light.as_slice(), material.as_slice());
             let [naive, ours] = [&as_they_are, &scaled]
                 .map(|normals| floats(f32.polynomial(light, material, normals).expect("it fits")));
             let of_q15 = q15.polynomial(light, material, &in_q15).expect("it fits");
@@ -180,7 +180,7 @@ pub(super) fn behind() -> Vec<Figure> {
     let light = captured(9).entries[5].luminance();
     let (mut naive, mut ours, mut of_integers) = ([0.0f64; 2], 0.0, 0);
     for material in materials(7) {
-        shader.project((9, &light), (7, &material)).expect("coefficients");
+        shader.project(&light, &material).expect("coefficients");
         let scene = shader.scene().expect("room");
         let seen = |normal: [f64; 3]| {
             let [x, y, z] = normal.map(|c| [c as f32]);
@@ -226,7 +226,7 @@ fn every_method(
     materials(3).into_iter().map(move |material| {
         let expected = reference(light, &material, normals);
         let mut f32 = Shader::new(owned.basis().expect("a basis"), usize::MAX);
-        let (light, material) = ((9, light), (7, material.as_slice()));
+        let material = material.as_slice();
         let all = f32.polynomial(light, material, &rounded).expect("it fits");
         let baked = f32.baked(light, material, &each, 64).expect("a map");
         let map = f32.scene().expect("room").bake_integers_into(64, vec![0; 64 * 64]);

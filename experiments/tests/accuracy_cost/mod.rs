@@ -92,7 +92,7 @@ fn errors_are_those_of_direct_quadrature() {
         let of = |image: &Image| {
             let shaded = shader
                 .clone()
-                .polynomial((degree, &image.pair.light), (order, &image.pair.material), &view)
+                .polynomial(&image.pair.light, &image.pair.material, &view)
                 .expect("an image");
             let direct = normals.iter().map(|&normal| direct(image, normal));
             let square: f64 =
@@ -250,7 +250,7 @@ fn floors_are_what_components_lack_of_unseen_materials() {
         for material in &scope.unseen.entries {
             let group = usize::from(in_color(&material.name));
             let material = material.luminance();
-            let d = shader.project((9, &light), (7, &material)).expect("sizes");
+            let d = shader.project(&light, &material).expect("sizes");
             // Components are orthonormal.
             let lacking = d[sphere::COMPONENTS..].iter().map(|d| d * d).sum::<f64>().sqrt();
             let image = coefficients(&single(light.clone()), &single(material));

@@ -9,6 +9,18 @@ import { Scene } from "./scene.js";
 
 const Base = /** @type {typeof HTMLElement} */ (globalThis.HTMLElement ?? Object);
 
+/** Unlike an element `style`, allowed by a page's Content-Security-Policy. */
+function sheet() {
+  const sheet = new CSSStyleSheet();
+  sheet.replaceSync(`:host { display: inline-block; width: 12em; aspect-ratio: 1; }
+:host([hidden]), [hidden], p:empty { display: none; }
+canvas:not([hidden]) { width: 100%; height: 100%; display: block; }`);
+  return sheet;
+}
+
+/** @type {CSSStyleSheet | undefined} Of all elements. */
+let style;
+
 /**
  * A sphere of a material under a light, as an element. Attributes:
  *
@@ -43,12 +55,7 @@ export class EigenShade extends Base {
     super();
     const root = this.attachShadow({ mode: "open" });
     root.innerHTML = `<canvas role="img" hidden></canvas><p role="alert"></p>`;
-    // Unlike an element `style`, allowed by a page's Content-Security-Policy.
-    const style = new CSSStyleSheet();
-    style.replaceSync(`:host { display: inline-block; width: 12em; aspect-ratio: 1; }
-:host([hidden]), [hidden], p:empty { display: none; }
-canvas:not([hidden]) { width: 100%; height: 100%; display: block; }`);
-    root.adoptedStyleSheets = [style];
+    root.adoptedStyleSheets = [(style ??= sheet())];
     this.#canvas = /** @type {HTMLCanvasElement} */ (root.querySelector("canvas"));
     this.#message = /** @type {HTMLElement} */ (root.querySelector("p"));
   }

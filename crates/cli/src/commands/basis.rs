@@ -100,7 +100,7 @@ impl Basis {
         let database = folder.join(loaded.scene.material.database.join(", "));
         let order = loaded.scene.material.order;
         let warnings = [
-            of_higher_order(&database, loaded.order_of_file, order),
+            of_higher_order((&database, false), loaded.order_of_file, order),
             albedo_warning(&loaded.materials),
             rounding::warning(&table, NumberFormat::F32),
         ];

@@ -77,9 +77,8 @@ impl Demo {
         for light in &lights.entries {
             let mut images = Vec::new();
             for (material, view) in &shown {
-                let of_material = (materials.order, *material);
                 let normals = OwnedNormals::new(&view.normals);
-                images.push(shader.color((lights.degree, light), of_material, &normals)?);
+                images.push(shader.color(light, material, &normals)?);
             }
             rows.push(Row { title: title(&light.name), images });
         }

@@ -116,7 +116,7 @@ impl Export {
         let contents = self.coefficients(&table, entries, shown.as_ref())?;
         output::write_all(self.out.path.as_deref(), contents)?;
         let order = table.gram.order;
-        let higher = material.and_then(|one| of_higher_order(one.path(), of_file.order, order));
+        let higher = material.and_then(|one| of_higher_order(one.named(), of_file.order, order));
         higher.iter().for_each(print_message);
         Ok(())
     }

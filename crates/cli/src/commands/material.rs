@@ -38,7 +38,7 @@ const ORDER: usize = 7;
 /// energy, f^2 cos theta_i cos theta_r over both hemispheres, that the order leaves out.
 ///
 /// With --out FILE.csv, the gloss of each material is written to FILE.gloss.csv, for `render
-/// --sources`: one GGX lobe over a matte base, exact for `lambertian`, `gltf` and `ggx`, and fitted to
+/// --sources`: one GGX lobe over a matte base, exact for `lambertian`, `gltf` and `ggx`, fitted to
 /// others.
 ///
 /// The parameters of a formula follow its name: `material ggx --roughness 0.3 --f0 0.9 --order 12`.
@@ -116,7 +116,7 @@ impl Material {
 /// decides a coefficient.
 const UNDETERMINED: f64 = 1e5;
 
-/// The gloss of each material: exact for the formulas `lambertian` and `ggx`, fitted to others.
+/// The gloss of each material: exact for `lambertian`, `gltf` and `ggx`, fitted to others.
 fn glosses(sources: &[Source]) -> Result<Vec<NamedGloss>> {
     let mut fitter = Fitter::default();
     let of = |source: &Source| match source {
@@ -279,7 +279,7 @@ pub struct Options {
 #[derive(Args, Debug)]
 #[command(mut_arg("out", |out| out.global(true)))]
 pub struct Projection {
-    /// Largest order o of the coefficients, 0 to 64
+    /// Largest order o of the coefficients, 0 to 64; 16 at most for measurements
     #[arg(long, global = true, value_name = "O", value_parser = count(0, 64),
         default_value_t = ORDER)]
     order: usize,

@@ -39,7 +39,7 @@ impl Project {
         let lights = self.inputs.light.lights(memory.of_file())?;
         let materials = self.inputs.material.materials(table.gram.order, memory.of_file())?;
         let higher =
-            of_higher_order(self.inputs.material.path(), materials.order, table.gram.order);
+            of_higher_order(self.inputs.material.named(), materials.order, table.gram.order);
         let warnings = higher.into_iter().chain(albedo_warning(&materials));
         let (lights, materials) = fitted(&table, &lights, &materials);
         let basis = OwnedBasis::<f64>::new(&table);
@@ -51,10 +51,9 @@ impl Project {
             for light in &lights.entries {
                 for material in &materials.entries {
                     let mut channel = |c: usize| -> Result<Vec<f64>> {
-                        let of_light = (lights.degree, light.rgb[c].as_slice());
-                        let of_material = (materials.order, material.rgb[c].as_slice());
-                        let d = shader.project(of_light, of_material).map(<[f64]>::to_vec);
-                        d.map_err(|error| error.of(overflow::pair(light, material)))
+                        let d = shader.project(&light.rgb[c], &material.rgb[c]);
+                        d.map(<[f64]>::to_vec)
+                            .map_err(|error| error.of(overflow::pair(light, material)))
                     };
                     let (red, green, blue) = (channel(0)?, channel(1)?, channel(2)?);
                     for (index, ((r, g), b)) in red.iter().zip(&green).zip(&blue).enumerate() {

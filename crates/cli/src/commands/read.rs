@@ -95,8 +95,9 @@ impl Read {
             Some(source) => Some(source.path().to_owned()),
             None => self.beside_all(&table).ok().and_then(|paths| paths.into_iter().next()),
         };
-        let warning =
-            path.and_then(|path| of_higher_order(&path, materials.order, table.gram.order));
+        let warning = path.and_then(|path| {
+            of_higher_order((&path, materials_are_shipped), materials.order, table.gram.order)
+        });
         let (lights, materials) = fitted(&table, &lights, &materials);
         let reader = Reader::new(&table, components, &lights, &materials)?;
         // Databases from the options may be others than those of the table.

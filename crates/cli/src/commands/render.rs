@@ -121,7 +121,7 @@ impl Render {
         self.choices.check_rotation(&table)?;
         let components = self.choices.components(&table, choice.path())?;
         let effects = self.choices.effects(&table)?;
-        let higher = of_higher_order(material.path(), materials.order, table.gram.order);
+        let higher = of_higher_order(material.named(), materials.order, table.gram.order);
         let rounded = match self.format {
             Format::F32 => rounding::warning(&table, wire::NumberFormat::F32),
             Format::F64 => None,
@@ -251,8 +251,7 @@ impl Pair<'_> {
         let mut shader = Shader::new(basis.any().map_err(fault)?, components)
             .with_transfers(basis.transfers())
             .with_effects(effects)?;
-        let light = (self.lights.degree, &self.lights.entries[0]);
-        let material = (self.materials.order, &self.materials.entries[0]);
+        let (light, material) = (&self.lights.entries[0], &self.materials.entries[0]);
         let highlights = self.highlights.as_ref().map(HighlightInputs::shaded::<S>).transpose()?;
         let mut all = object.pixels();
         loop {

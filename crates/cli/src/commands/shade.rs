@@ -120,7 +120,7 @@ impl Shade {
         let lights = self.inputs.light.lights(memory.of_file())?;
         let materials = self.inputs.material.materials(table.gram.order, memory.of_file())?;
         let higher =
-            of_higher_order(self.inputs.material.path(), materials.order, table.gram.order);
+            of_higher_order(self.inputs.material.named(), materials.order, table.gram.order);
         let dark = dark_light_warning(&lights);
         let is_dark = dark.is_some();
         let warnings = higher.into_iter().chain(albedo_warning(&materials)).chain(dark);

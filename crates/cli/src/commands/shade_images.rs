@@ -134,7 +134,7 @@ impl Images {
     fn channels<S: Copy + Into<f64>>(
         &self,
         out: &mut Output<'_>,
-        mut irradiance: impl FnMut((usize, &[f64]), (usize, &[f64])) -> Result<Vec<S>>,
+        mut irradiance: impl FnMut(&[f64], &[f64]) -> Result<Vec<S>>,
     ) -> Result<()> {
         self.colors(out, |[red, green, blue]| {
             let mut channel = |(light, material): Lit<'_>| irradiance(light, material);
@@ -150,10 +150,8 @@ impl Images {
     ) -> Result<()> {
         let progress =
             progress_bar("images", self.lights.entries.len() * self.materials.entries.len());
-        let (degree, order) = (self.lights.degree, self.materials.order);
         for (light, material) in self.pairs() {
-            let channel =
-                |c: usize| ((degree, light.rgb[c].as_slice()), (order, material.rgb[c].as_slice()));
+            let channel = |c: usize| (light.rgb[c].as_slice(), material.rgb[c].as_slice());
             let [red, green, blue] = irradiance([0, 1, 2].map(channel))
                 .map_err(|error| error.of(overflow::pair(light, material)))?;
             let all = red.iter().chain(&green).chain(&blue);

@@ -94,8 +94,7 @@ impl Shader {
         let basis = OwnedBasis::<f32>::new(&table);
         let any = basis.any().map_err(fault)?;
         let projector = Projector::new(any, table.count()).with_transfers(basis.transfers());
-        let channels = [0, 1, 2]
-            .map(|c| ((lights.degree, &light.rgb[c][..]), (materials.order, &material.rgb[c][..])));
+        let channels = [0, 1, 2].map(|c| (&light.rgb[c][..], &material.rgb[c][..]));
         let written = self.written(projector, channels, highlights.as_ref());
         let written = written.map_err(|error| error.of(overflow::pair(light, material)))?;
         let (found, most) = (written.vectors.len(), self.lang.1);
@@ -112,7 +111,7 @@ impl Shader {
             written.text
         };
         output::write_all(self.out.path.as_deref(), contents.into_bytes())?;
-        let higher = of_higher_order(self.inputs.material.path(), of_file.order, materials.order);
+        let higher = of_higher_order(self.inputs.material.named(), of_file.order, materials.order);
         higher.iter().chain(&many).chain(&sharp).for_each(print_message);
         Ok(())
     }

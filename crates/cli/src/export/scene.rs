@@ -3,7 +3,7 @@
 use super::array::Array;
 use super::shown::Shown;
 use super::table::BYTES;
-use eigenshade_model::database::{Lights, Materials, Named};
+use eigenshade_model::database::{Lights, Materials};
 use eigenshade_model::error::Result;
 use eigenshade_shading::overflow;
 use eigenshade_shading::owned_basis::OwnedBasis;
@@ -37,10 +37,7 @@ pub fn arrays(
             let named =
                 |error: eigenshade_model::error::Error| error.of(overflow::pair(light, material));
             for channel in 0..3 {
-                let of = |entry: &Named| entry.rgb[channel].clone();
-                let (of_light, of_material) = (of(light), of(material));
-                let of_light = (lights.degree, of_light.as_slice());
-                let of_material = (materials.order, of_material.as_slice());
+                let (of_light, of_material) = (&light.rgb[channel], &material.rgb[channel]);
                 coefficients.extend(shader.project(of_light, of_material).map_err(named)?);
                 if let Some(normals) = &normals {
                     let image = shader.polynomial(of_light, of_material, normals);

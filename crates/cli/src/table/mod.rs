@@ -148,15 +148,18 @@ pub fn wire_description(bytes: &[u8]) -> Result<Description> {
 
 /// The file with the numbers of its header and its table of sections in the other byte order.
 fn swapped(bytes: &[u8]) -> Vec<u8> {
+    use eigenshade_index::wire::place::{
+        COMPONENTS, DEGREE, EFFECTS, FORMAT, IMAGES, LENGTH, MARK, ORDER, SECTIONS, VERSION,
+    };
+    let starts =
+        [MARK, VERSION, FORMAT, LENGTH, DEGREE, ORDER, COMPONENTS, IMAGES, SECTIONS, EFFECTS];
     let mut bytes = bytes.to_vec();
-    let mut at = LABEL.len();
-    // The bytes of each number of the header. The numbers of the sections have four.
-    let sizes = [4, 2, 2, 4, 2, 2, 2, 2, 2, 2].into_iter().chain(std::iter::repeat(4));
-    for size in sizes {
-        let Some(number) = bytes.get_mut(at..at + size) else { break };
-        number.reverse();
-        at += size;
+    let ends = starts[1..].iter().copied().chain([HEADER]);
+    for (start, end) in starts.into_iter().zip(ends) {
+        bytes[start..end].reverse();
     }
+    // All numbers of the sections' table have four bytes.
+    bytes[HEADER..].chunks_exact_mut(4).for_each(<[u8]>::reverse);
     bytes
 }
 
@@ -202,9 +205,12 @@ fn checked(bytes: &[u8]) -> std::result::Result<(Header, Lengths), WireError> {
 }
 
 fn of_floats(workspace: usize, components: usize, basis: &Basis<'_, f32>) -> Lengths {
-    let (transfer, scene) = (basis.transfer_len(), basis.scene_len());
-    let [first, last] = [("TRANSFER", transfer), ("SCENE", scene)];
-    vec![("WORKSPACE", workspace), first, ("COMPONENTS", components), last]
+    vec![
+        ("WORKSPACE", workspace),
+        ("TRANSFER", basis.transfer_len()),
+        ("COMPONENTS", components),
+        ("SCENE", basis.scene_len()),
+    ]
 }
 
 fn of_integers<Q: FixedPoint>(basis: &quantized::Basis<'_, Q>) -> Lengths {

@@ -46,17 +46,16 @@ pub fn measure(
             [lights.entries[light].rgb[1].clone(), materials.entries[material].rgb[1].clone()]
         })
         .collect();
-    let degrees = [lights.degree, materials.order];
     // Images outside the range of a format are skipped.
-    let Ok(exact) = floats::<f64>(table, degrees, &chosen, &normals) else {
+    let Ok(exact) = floats::<f64>(table, &chosen, &normals) else {
         return Vec::new();
     };
     let mut roundings = Vec::new();
     for &format in formats {
         let images = match format {
-            NumberFormat::F32 => floats::<f32>(table, degrees, &chosen, &normals).ok(),
-            NumberFormat::Q15 => integers::<Q15>(table, degrees, &chosen, &normals),
-            NumberFormat::Q31 => integers::<Q31>(table, degrees, &chosen, &normals),
+            NumberFormat::F32 => floats::<f32>(table, &chosen, &normals).ok(),
+            NumberFormat::Q15 => integers::<Q15>(table, &chosen, &normals),
+            NumberFormat::Q31 => integers::<Q31>(table, &chosen, &normals),
         };
         let Some(images) = images else { continue };
         let mut rounding = Rounding { format, largest: 0.0, rms: 0.0 };
@@ -94,7 +93,6 @@ type Images = Vec<Vec<f64>>;
 
 fn floats<S: Scalar + Into<f64>>(
     table: &Table,
-    [degree, order]: [usize; 2],
     pairs: &[[Vec<f64>; 2]],
     normals: &[[f64; 3]],
 ) -> Result<Images> {
@@ -103,7 +101,7 @@ fn floats<S: Scalar + Into<f64>>(
     let mut shader = Shader::new(any, usize::MAX).with_transfers(basis.transfers());
     let normals = OwnedNormals::<S>::new(normals);
     let image = |[light, material]: &[Vec<f64>; 2]| {
-        let image = shader.polynomial((degree, light), (order, material), &normals)?;
+        let image = shader.polynomial(light, material, &normals)?;
         Ok(image.into_iter().map(Into::into).collect())
     };
     pairs.iter().map(image).collect()
@@ -112,14 +110,12 @@ fn floats<S: Scalar + Into<f64>>(
 /// `None` if integers do not suit the table.
 fn integers<Q: Integer>(
     table: &Table,
-    [degree, order]: [usize; 2],
     pairs: &[[Vec<f64>; 2]],
     normals: &[[f64; 3]],
 ) -> Option<Images> {
     let mut shader = IntegerShader::<Q>::new(table, usize::MAX).ok()?;
     let normals = integer_shader::normals(normals).ok()?;
-    let image = |[light, material]: &[Vec<f64>; 2]| {
-        shader.polynomial((degree, light), (order, material), &normals).ok()
-    };
+    let image =
+        |[light, material]: &[Vec<f64>; 2]| shader.polynomial(light, material, &normals).ok();
     pairs.iter().map(image).collect()
 }

@@ -36,7 +36,7 @@ const CONSTANT: f64 = 1e-8;
 /// # Errors
 ///
 /// The errors of [`crate::basis::build`]; also a scene whose `store` is "materials" or that has a
-/// `cut`.
+/// `trim`.
 pub fn build(
     scene: &Scene,
     geometry: &Geometry,

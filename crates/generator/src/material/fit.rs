@@ -56,7 +56,7 @@ pub struct Fit {
 
 /// The largest order to which measurements are fitted. With 4,000 measurements, order 12 takes a
 /// second and order 16 thirteen.
-const MOST: usize = 16;
+const MOST_ORDER: usize = 16;
 
 /// Fits every material at `order`. Before the first material and after each one, calls `progress`
 /// with the number done and the total.
@@ -67,15 +67,15 @@ const MOST: usize = 16;
 ///
 /// # Errors
 ///
-/// If the order is above 16, a channel is nowhere positive, a value is not finite, or a quadratic
-/// program cannot be solved. The message names the material.
+/// If the order is above 16; or, with the name of the material, if a channel is nowhere positive, a
+/// value is not finite, or a quadratic program cannot be solved.
 pub fn fit(
     measured: &[Measured],
     order: usize,
     progress: &mut dyn FnMut(usize, usize),
 ) -> Result<(Materials, Vec<Fit>)> {
-    if order > MOST && !measured.is_empty() {
-        let what = format!("measurements are fitted to order {MOST} at most, not to {order}");
+    if order > MOST_ORDER && !measured.is_empty() {
+        let what = format!("measurements are fitted to order {MOST_ORDER} at most, not to {order}");
         return Err(Error::new(what, "ask for a lower order, or project a formula"));
     }
     let grid = DirectionGrid::for_order(order);

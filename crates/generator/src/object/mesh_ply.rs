@@ -71,12 +71,14 @@ fn decode(mut reader: impl BufRead, length: u64, file: &InputFile) -> Result<Mes
 
 /// Reads the header, whose comments may be in any encoding.
 fn header(reader: &mut impl BufRead) -> std::result::Result<Header, ParseError> {
-    let mut lines = Vec::new();
-    let (mut start, mut goes_on) = (0, true);
-    while goes_on {
-        goes_on = append_line(reader, &mut lines)?;
-        goes_on &= lines.starts_with(b"ply") && !lines[start..].starts_with(b"end_header");
-        start = lines.len();
+    let (mut lines, mut line) = (Vec::new(), Vec::new());
+    loop {
+        line.clear();
+        let goes_on = append_line(reader, &mut line)?;
+        lines.extend_from_slice(&line);
+        if !goes_on || !lines.starts_with(b"ply") || line.starts_with(b"end_header") {
+            break;
+        }
     }
     let text = String::from_utf8_lossy(&lines);
     Parser::<Element>::new().read_header(&mut Reader::new(text.as_bytes()))

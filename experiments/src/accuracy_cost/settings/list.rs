@@ -150,34 +150,28 @@ fn source_counts() -> BTreeSet<usize> {
 /// The settings that sources are added to: the nine-term formula, tables whose pixels are counted
 /// on boards, and all that a degree and an order have.
 fn with_sources() -> impl Iterator<Item = Setting> {
-    let trimmed = |count, share| Setting::of(Recipe::first(DEGREE, ORDER, count).trimmed(share));
+    let of = |count, share| Setting::of(Recipe::first(DEGREE, ORDER, count).trimmed(share));
     let whole = Setting::of(Recipe::all(DEGREE, ORDER));
     let few = Setting::of(Recipe::first(DEGREE, ORDER, 50));
     let higher = Setting::of(Recipe::first(HIGHER[0].0, HIGHER[0].1, HIGH_COMPONENTS));
-    let cut = Setting { recipe: higher.recipe.trimmed(1e-2), ..higher };
+    let trimmed = Setting { recipe: higher.recipe.trimmed(1e-2), ..higher };
     let baked = Way::Bilinear(32);
     let in_floats = [
         Setting::of(Recipe::all(2, 0)).by(Way::NineTerms),
-        trimmed(9, 1e-1),
-        trimmed(25, 3e-2),
-        trimmed(50, 1e-2),
+        of(9, 1e-1),
+        of(25, 3e-2),
+        of(50, 1e-2),
         few,
-        trimmed(130, 2e-4),
+        of(130, 2e-4),
         whole,
         whole.by(baked),
         higher,
-        cut,
-        cut.by(Way::Within(1e-2)),
+        trimmed,
+        trimmed.by(Way::Within(1e-2)),
         higher.by(baked),
     ];
-    let in_integers = [
-        trimmed(9, 1e-1),
-        trimmed(25, 3e-2),
-        trimmed(50, 1e-2),
-        trimmed(130, 2e-4),
-        few.by(baked),
-        higher.by(baked),
-    ];
+    let in_integers =
+        [of(9, 1e-1), of(25, 3e-2), of(50, 1e-2), of(130, 2e-4), few.by(baked), higher.by(baked)];
     let in_integers = in_integers.map(|setting| setting.in_format(Format::Q15));
     in_floats.into_iter().chain(in_integers)
 }
