@@ -46,7 +46,7 @@ statuses! {
     Transfer = 14: c"a transfer could overflow the sums; use one that this library computed"
     NotFinite = 15: c"a coefficient is infinite or NaN; leave it out, or scale the numbers down"
     Outside = 16: c"a color, reflectance, metallic or roughness is not from 0 to 1; clamp it"
-    Rotation = 17: c"a rotation is zero or not finite; use a quaternion, or an angle's cosine and sine"
+    Rotation = 17: c"a rotation is zero or not finite; use a quaternion, or cosine and sine"
     Row = 18: c"the object has no such row, or the buffer is shorter than one; check both"
     Diameter = 19: c"a disc has a diameter of 1 to 4096 pixels; check it"
     NormalMap = 20: c"a normal map has at least one pixel, and two bytes for each; check its size"

@@ -74,7 +74,7 @@ impl ObjectView {
         }
         match file.extension().as_str() {
             "png" => of_map(file, size),
-            "obj" | "stl" | "ply" => of_mesh(file, size.unwrap_or(SIZE)),
+            _ if file.is_mesh() => of_mesh(file, size.unwrap_or(SIZE)),
             _ => {
                 let remedy = "use `sphere`, a normal map (.png) or a mesh (.obj, .stl, .ply)";
                 Err(Error::new("unknown kind of object", remedy).in_file(file.path()))

@@ -138,7 +138,7 @@ impl Source {
             return Ok(sets.of_most(most).to_vec());
         }
         let Some(file) = source_file(&self.path) else {
-            let what = "only a light CSV that ends in .csv has sources beside it";
+            let what = "only a file whose name ends in .csv has sources beside it";
             return Err(Error::new(what, FIND_SOURCES).in_file(&self.path));
         };
         if !is_file(&file) {
@@ -205,9 +205,8 @@ impl Source {
             let remedy = "leave --sources out, name a shipped material in color, or make the CSV with \
                           `eigenshade material .. --out FILE.csv`, which writes FILE.gloss.csv";
             let error = Error::new(format!("the gloss of `{material}` is not known"), remedy);
-            let is_shipped = self.entry == Entry::Shipped;
             let file = || gloss_file(&self.path).unwrap_or_else(|| self.path.clone());
-            if is_shipped { error } else { error.in_file(file()) }
+            if self.is_shipped() { error } else { error.in_file(file()) }
         })
     }
 

@@ -234,7 +234,8 @@ pub fn counted(sources: usize) -> String {
 #[must_use]
 pub fn matte_note(name: &str, gloss: &Gloss) -> String {
     format!(
-        "note: `{name}` is as matte as a roughness of {:.2}, and sources serve a roughness below {:.1}",
+        "note: `{name}` is as matte as a roughness of {:.2}, and sources serve a roughness below \
+         {:.1}",
         gloss.roughness,
         eigenshade::Gloss::MATTE
     )

@@ -374,35 +374,3 @@ fn bounds_of_arguments_are_exact() {
         assert_fails(&folder, &format!("evaluate {function} p.csv"), &[message]);
     }
 }
-
-/// Nobody but us can make the shipped materials again.
-#[test]
-fn shipped_materials_of_a_higher_order_need_another_table() {
-    let folder = Folder::with_table();
-    let message = folder.messages("project --table b.bin --light lobby --material chrome");
-    let line = "warning: chrome: its materials have order 7, the table order 3: higher \
-                coefficients are ignored, and the rest are not the projection to order 3; use a \
-                table of order 7\n";
-    assert!(message.contains(line), "{message}");
-    folder.write("high.csv", materials(ORDER + 2, 1));
-    let message = folder.messages("project --table b.bin --light lobby --material high.csv");
-    assert!(
-        message.contains("order 3 unless made with --measure solid-angle; create"),
-        "{message}"
-    );
-}
-
-#[test]
-fn render_draws_other_objects_by_normals() {
-    let folder = Folder::new();
-    let help = folder.ok("render --help").split_whitespace().collect::<Vec<_>>().join(" ");
-    assert!(help.contains("Without --normals, the picture shows a sphere"), "{help}");
-    let scene = folder.read("scene.toml");
-    folder.write("scene.toml", scene.replace("\"sphere\"", "\"normals.csv\""));
-    folder.ok("basis --scene scene.toml --out b.bin");
-    let message = folder.messages(
-        "render -t b.bin --light lights.csv:light-0 --material materials.csv:material-0 --size 8 \
-         --out p.png",
-    );
-    assert!(message.contains("; draw the object with `render --normals OBJECT`"), "{message}");
-}

@@ -1,7 +1,7 @@
 //! Files and options that do not belong together, and would give a wrong picture without a word.
 
 use crate::support::files::map;
-use crate::support::{Folder, assert_fails};
+use crate::support::{Folder, ORDER, assert_fails, materials};
 
 #[test]
 fn sources_of_other_lights_are_not_left_beside_new_ones() {
@@ -118,4 +118,21 @@ fn all_of_a_negative_map_is_negative() {
     folder.write("below.pfm", map(-1.0));
     let said = folder.messages("light below.pfm -o below.csv");
     assert!(said.contains("100.00 % of the radiance is negative"), "{said}");
+}
+
+/// Shipped materials cannot be made again, since their measurements are not shipped.
+#[test]
+fn shipped_materials_of_a_higher_order_need_another_table() {
+    let folder = Folder::with_table();
+    let message = folder.messages("project --table b.bin --light lobby --material chrome");
+    let line = "warning: chrome: its materials have order 7, the table order 3: higher \
+                coefficients are ignored, and the rest are not the projection to order 3; use a \
+                table of order 7\n";
+    assert!(message.contains(line), "{message}");
+    folder.write("high.csv", materials(ORDER + 2, 1));
+    let message = folder.messages("project --table b.bin --light lobby --material high.csv");
+    assert!(
+        message.contains("order 3 unless made with --measure solid-angle; create"),
+        "{message}"
+    );
 }

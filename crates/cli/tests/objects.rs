@@ -340,3 +340,16 @@ fn normal_maps_have_one_rule() {
     folder.ok("basis --scene masked.toml --out new.bin");
     folder.ok(&format!("{read} --mask mask.png"));
 }
+
+#[test]
+fn render_draws_other_objects_by_normals() {
+    let folder = Folder::new();
+    let scene = folder.read("scene.toml");
+    folder.write("scene.toml", scene.replace("\"sphere\"", "\"normals.csv\""));
+    folder.ok("basis --scene scene.toml --out b.bin");
+    let message = folder.messages(
+        "render -t b.bin --light lights.csv:light-0 --material materials.csv:material-0 --size 8 \
+         --out p.png",
+    );
+    assert!(message.contains("; draw the object with `render --normals OBJECT`"), "{message}");
+}

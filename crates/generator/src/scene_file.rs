@@ -15,7 +15,7 @@ use eigenshade_model::error::{Error, Result};
 use eigenshade_model::inputs::coefficient_csv::{read_lights, read_materials_and_order};
 use eigenshade_model::inputs::input_file::InputFile;
 use eigenshade_model::inputs::normals::read_weighted_normals;
-use eigenshade_table::scene::{self, LightRotation};
+use eigenshade_table::scene::{self, LightRotation, is_share};
 use eigenshade_table::{Scene, Table};
 use rayon::iter::{IntoParallelRefIterator, ParallelIterator};
 use serde::Deserialize;
@@ -252,7 +252,7 @@ fn read_geometry(geometry: &scene::Geometry, degree: usize, scene: &InputFile) -
             density::read(density, folder, degree)?
         }
         (_, "csv") => read_weighted_normals(file)?,
-        (_, "obj" | "stl" | "ply") => mesh::read(file)?,
+        _ if file.is_mesh() => mesh::read(file)?,
         (_, "png") => {
             let mask = geometry.mask.as_ref().map(|mask| folder.join(mask));
             normal_map::read(file, mask.as_deref())?
@@ -318,7 +318,7 @@ fn check(scene: &Scene) -> Result<()> {
                 "set one of them, not both",
             );
         }
-        (None, Some(tolerance)) if !(tolerance > 0.0 && tolerance < 1.0) => {
+        (None, Some(tolerance)) if !is_share(tolerance) => {
             return fail(format!("basis.tolerance = {tolerance}"), "set it between 0 and 1");
         }
         _ => {}
@@ -332,7 +332,7 @@ fn check(scene: &Scene) -> Result<()> {
         ("rank_cutoff", Some(basis.rank_cutoff)),
         ("profile_tolerance", Some(basis.profile_tolerance)),
     ] {
-        if let Some(value) = value.filter(|value| !(*value > 0.0 && *value < 1.0)) {
+        if let Some(value) = value.filter(|value| !is_share(*value)) {
             return fail(format!("basis.{name} = {value}"), "set it between 0 and 1");
         }
     }

@@ -1,6 +1,6 @@
 //! Consistency checks on the parts of a table, so that decoding is total.
 
-use crate::scene::Criterion;
+use crate::scene::{Criterion, is_share};
 use crate::table::{General, Table};
 use eigenshade_index::effect::Effects;
 use eigenshade_index::record::NONE;
@@ -33,7 +33,7 @@ impl Table {
         if (degree, order) != (self.scene.degree(), self.scene.order()) {
             return Err(format!("degree {degree} and order {order} differ from the scene's"));
         }
-        if let Some(share) = self.scene.basis.trim.filter(|share| !(*share > 0.0 && *share < 1.0)) {
+        if let Some(share) = self.scene.basis.trim.filter(|share| !is_share(*share)) {
             return Err(format!("basis.trim = {share}"));
         }
         let nodes = gram.nodes.len();

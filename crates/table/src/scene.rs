@@ -187,6 +187,12 @@ pub struct Basis {
     pub trim: Option<f64>,
 }
 
+/// Whether a tolerance or a cut-off is a share: above 0 and below 1.
+#[must_use]
+pub fn is_share(value: f64) -> bool {
+    value > 0.0 && value < 1.0
+}
+
 fn default_rank_cutoff() -> f64 {
     1e-10
 }

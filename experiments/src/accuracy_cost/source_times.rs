@@ -26,9 +26,8 @@ impl Lit {
         Ok(Self { normals: OwnedNormals::new(&normals), quantized })
     }
 
-    /// The highlights of so many sources at all normals, and those of a new light: in f32 from
-    /// turned sources, in Q15 of one channel, from stored constants. In f32 all channels share the
-    /// lobes.
+    /// Adds the highlights of `count` sources to all pixels, and makes those of a new light: in f32
+    /// in color, from sources that are turned; in Q15 in one channel, from stored constants.
     pub fn works(&self, format: Format, count: usize) -> Result<[Work<'_>; 2]> {
         let sources = (0..count).map(lamp).collect::<std::result::Result<Vec<_>, _>>();
         let sources = sources.map_err(fault)?;

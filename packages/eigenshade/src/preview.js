@@ -35,13 +35,9 @@ export class Preview {
   #scene;
   /** @type {Required<Look>} */
   #look = { exposure: "auto", tone: "filmic" };
-  /** Most small sources of lights by name: as the light that is set has them. */
+  /** The most small sources of lights by name, as the present light has them. */
   #sources;
-  /**
-   * As the last light has them that was asked for, until it is set.
-   *
-   * @type {{ sources: number } | undefined}
-   */
+  /** @type {{ sources: number } | undefined} The same of the light that is loading. */
   #asking;
   /** The exposure of the picture, if it is chosen; it lasts until the light or the material changes. */
   #chosen = 0;

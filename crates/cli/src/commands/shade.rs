@@ -197,9 +197,10 @@ impl Shade {
 
 /// Refuses what `render` draws.
 fn refuse_object(normals: &Path) -> Result<()> {
-    let kind = match InputFile::from(normals).extension().as_str() {
+    let file = InputFile::from(normals);
+    let kind = match file.extension().as_str() {
         "png" => "a normal map",
-        "obj" | "stl" | "ply" => "a mesh",
+        _ if file.is_mesh() => "a mesh",
         _ if normals.as_os_str() == "sphere" && !normals.exists() => "a sphere",
         _ => return Ok(()),
     };

@@ -187,19 +187,3 @@ fn channel(kind: Kind, size: usize, numbers: &[f64], format: Format) -> Result<C
     };
     Ok(Channel::Integers { mantissas: mantissas.iter().map(|one| one.0).collect(), exponents })
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn quoted_names_need_no_identifiers() {
-        let named = |name: &str| Named { name: name.to_owned(), rgb: [0, 1, 2].map(|_| vec![1.0]) };
-        let lights = Lights { degree: 0, entries: ["a-b", "a b", "面"].map(named).into() };
-        let materials = Materials { order: 0, entries: Vec::new() };
-        let all = quoted_entries(&lights, &materials, [Format::F32; 2]).expect("three entries");
-        let text = crate::export::js::module(&all, None, "");
-        assert!(["a-b", "a b", "面"].iter().all(|name| text.contains(&format!("  {name:?}: {{"))));
-        assert!(entries(&lights, &materials, [Format::F32; 2]).is_err());
-    }
-}

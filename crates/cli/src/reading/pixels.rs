@@ -214,7 +214,7 @@ pub fn normals(
     }
     let found: Vec<_> = match file.extension().as_str() {
         "png" => normals_of_png(&file, size, counts)?,
-        "obj" | "stl" | "ply" => {
+        _ if file.is_mesh() => {
             let what =
                 "it is a mesh, and `read` takes `sphere`, a normal map (.png) or a CSV `x,y,z`";
             let remedy = "give the normals of the image's pixels, or draw the mesh with `render`";

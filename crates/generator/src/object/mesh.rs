@@ -40,8 +40,7 @@ pub fn read(file: impl Into<InputFile>) -> Result<Vec<([f64; 3], f64)>> {
 }
 
 fn mesh(file: &InputFile) -> Result<Mesh> {
-    let extension = file.path().extension().and_then(|one| one.to_str()).unwrap_or_default();
-    match extension.to_ascii_lowercase().as_str() {
+    match file.extension().as_str() {
         "obj" => mesh_obj::read(file),
         "stl" => mesh_stl::read(file),
         _ => mesh_ply::read(file),

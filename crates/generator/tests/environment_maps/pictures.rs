@@ -1,10 +1,11 @@
 //! Pictures as maps: PNG and JPEG.
 
-use super::files::{map_of, message};
+use super::files::{exr_channels, map_of, message};
 use eigenshade_generator::light::environment::EnvironmentMap;
 use eigenshade_generator::light::map_file::is_picture;
 use eigenshade_generator::light::projection::project;
 use eigenshade_model::srgb::linear;
+use exr::prelude::FlatSamples;
 use jpeg_encoder::{ColorType as JpegColor, Encoder as JpegEncoder, SamplingFactor};
 use png::{BitDepth, ColorType, Encoder, ScaledFloat};
 use std::fs;
@@ -183,4 +184,26 @@ fn a_picture_that_claims_too_much_takes_no_memory() {
     png[16..24].copy_from_slice(&[0, 1, 0, 0, 0, 1, 0, 0]);
     // The checksum of the header is wrong then: either is an error.
     assert!(message("map.png", &png).contains("; "));
+}
+
+/// The opacity belongs to the layer of the colors, and lights ignore it.
+#[test]
+fn opacities_of_pictures() {
+    let folder = TempDir::new().unwrap();
+    let path = folder.path().join("a.exr");
+    let samples = |value: f32| FlatSamples::F32(vec![value, 2.0 * value]);
+    for (names, opacity) in [
+        (&["R", "G", "B"][..], None),
+        (&["A", "B", "G", "R"], Some("A")),
+        (&["A", "L.A", "L.B", "L.G", "L.R"], Some("L.A")),
+        (&["A", "Y"], Some("A")),
+    ] {
+        let value = |name: &str| if Some(name) == opacity { 0.25 } else { 0.125 };
+        let channels = names.iter().map(|&name| (name, samples(value(name)))).collect();
+        exr_channels(&path, (2, 1), channels);
+        let (map, opacities) = EnvironmentMap::with_opacities(&path).unwrap();
+        assert_eq!(opacities, if opacity.is_some() { vec![0.25, 0.5] } else { vec![] });
+        assert_eq!(map.texels, [[0.125; 3], [0.25; 3]]);
+        assert_eq!(map, EnvironmentMap::from_path(&path).unwrap());
+    }
 }

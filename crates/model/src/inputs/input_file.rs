@@ -67,6 +67,12 @@ impl InputFile {
         self.path.extension().unwrap_or_default().to_string_lossy().to_ascii_lowercase()
     }
 
+    /// Whether the file's name is that of a mesh.
+    #[must_use]
+    pub fn is_mesh(&self) -> bool {
+        ["obj", "stl", "ply"].contains(&self.extension().as_str())
+    }
+
     /// The folder that contains the file.
     #[must_use]
     pub fn folder(&self) -> &Path {
