@@ -344,5 +344,5 @@ fn sources_that_would_be_misread() {
     folder.write("lights.txt", folder.read("lights.csv"));
     folder.write("lights.sources.csv", "");
     let drawn = "render -l lights.txt:light-0 -m nylon --sources 4 -o a.png";
-    assert_fails(&folder, drawn, &["lights.txt: only a light CSV that ends in .csv has sources"]);
+    assert_fails(&folder, drawn, &["lights.txt: only a file whose name ends in .csv has sources"]);
 }
