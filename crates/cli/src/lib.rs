@@ -1,24 +1,14 @@
 //! Code that the commands of the program `eigenshade` share.
 
 pub mod description;
-
-pub mod table;
-
-pub mod picture;
-
+pub mod export;
+pub mod messages;
 pub mod object;
-
+pub mod output;
+pub mod picture;
 pub mod picture_file;
-
+pub mod presets;
 #[cfg(feature = "generate")]
 pub mod reading;
-
-pub mod output;
-
-pub mod export;
-
-pub mod messages;
-
-pub mod presets;
-
 pub mod sharpness;
+pub mod table;

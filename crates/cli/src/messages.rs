@@ -7,7 +7,6 @@ use std::fmt::Display;
 use std::io::Write;
 use std::sync::atomic::{AtomicBool, Ordering};
 
-/// Whether only errors are shown.
 static IS_QUIET: AtomicBool = AtomicBool::new(false);
 
 /// Hides messages, reports and progress from now on; errors stay.
@@ -49,29 +48,20 @@ pub fn printable(text: &str) -> String {
             || matches!(letter, '\u{200e}' | '\u{200f}' | '\u{2028}'..='\u{202e}')
             || matches!(letter, '\u{2066}'..='\u{2069}')
     };
-    let mut shown = String::with_capacity(text.len());
-    for letter in text.chars() {
-        if is_control(letter) {
-            shown.extend(letter.escape_default());
-        } else {
-            shown.push(letter);
-        }
-    }
-    shown
+    let shown = |letter: char| match is_control(letter) {
+        true => letter.escape_default().to_string(),
+        false => letter.to_string(),
+    };
+    text.chars().map(shown).collect()
 }
 
 /// A number of bytes with its digits in groups of three.
 #[must_use]
 pub fn grouped(count: usize) -> String {
-    let digits = count.to_string();
-    let mut text = String::new();
-    for (place, digit) in digits.chars().enumerate() {
-        if place > 0 && (digits.len() - place).is_multiple_of(3) {
-            text.push(',');
-        }
-        text.push(digit);
+    match count {
+        0..1000 => count.to_string(),
+        _ => format!("{},{:03}", grouped(count / 1000), count % 1000),
     }
-    text
 }
 
 /// A progress bar that counts to `count`, shown only on a terminal until it is dropped.
@@ -297,16 +287,11 @@ mod tests {
         images.record(|| "a".into(), -0.4, 1.0);
         images.record(|| "b".into(), -1.0, -0.5);
         let note = images.note().unwrap();
-        assert!(
-            note.starts_with("note: 2 of 5 images") && note.contains("of b, from -1.00 to -0.500:")
-        );
+        assert!(note.starts_with("note: 2 of 5 images"), "{note}");
+        assert!(note.contains("of b, from -1.00 to -0.500:"), "{note}");
         let mut image = Ringing::default();
         image.record(|| "a".into(), -4e-5, 0.0);
-        assert!(
-            image
-                .note()
-                .unwrap()
-                .contains("the image of a falls far below zero, from -4.00e-5 to 0:")
-        );
+        let note = image.note().unwrap();
+        assert!(note.contains("the image of a falls far below zero, from -4.00e-5 to 0:"));
     }
 }

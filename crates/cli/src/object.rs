@@ -63,23 +63,17 @@ pub struct ObjectView {
 impl ObjectView {
     /// The object of a file in `size` pixels across: a normal map (.png) or a mesh (.obj, .stl,
     /// .ply) from +z; or a sphere, if its name is `sphere`. The default size is [`SIZE`], and that
-    /// of the file for a normal map, which can only shrink.
-    ///
-    /// # Errors
-    ///
-    /// If the file has another extension, cannot be read, shows nothing or is smaller than `size`.
+    /// of the file for a normal map, which can only shrink. Fails if the file has another
+    /// extension, cannot be read, shows nothing or is smaller than `size`.
     pub fn read(file: InputFile, size: Option<usize>) -> Result<Self> {
         if file.path().as_os_str() == "sphere" {
             return Ok(Self::sphere(size.unwrap_or(SIZE)));
         }
-        match file.extension().as_str() {
-            "png" => of_map(file, size),
-            _ if file.is_mesh() => of_mesh(file, size.unwrap_or(SIZE)),
-            _ => {
-                let remedy = "use `sphere`, a normal map (.png) or a mesh (.obj, .stl, .ply)";
-                Err(Error::new("unknown kind of object", remedy).in_file(file.path()))
-            }
+        if file.extension() != "png" && !file.is_mesh() {
+            let remedy = "use `sphere`, a normal map (.png) or a mesh (.obj, .stl, .ply)";
+            return Err(Error::new("unknown kind of object", remedy).in_file(file.path()));
         }
+        of_file(file, size)
     }
 
     /// A sphere, as in [`SphereView`].
@@ -91,11 +85,8 @@ impl ObjectView {
 
     /// The codes of a [`NormalMap`] of this picture, row by row. A pixel that the object covers in
     /// part refers to the neighbor with the nearest normal. If it has no neighbor that the object
-    /// covers completely, it is drawn whole from a coverage of one half on.
-    ///
-    /// # Errors
-    ///
-    /// If a normal is not visible.
+    /// covers completely, it is drawn whole from a coverage of one half on. Fails if a normal is
+    /// not visible.
     pub fn codes(&self) -> Result<Vec<[u8; 2]>> {
         let mut whole = vec![None; self.width * self.height];
         let place = |pixel: &Pixel| pixel.row * self.width + pixel.column;
@@ -144,47 +135,27 @@ fn code([x, y, z]: [f64; 3]) -> Result<[u8; 2]> {
     Ok(NormalMap::code(normal.map_err(fault)?))
 }
 
+/// The object of a mesh or a normal map.
 #[cfg(feature = "generate")]
-mod files {
-    use super::{InputFile, ObjectView, Pixel, Result};
+fn of_file(file: InputFile, size: Option<usize>) -> Result<ObjectView> {
     use eigenshade_generator::object::picture::{Picture, Shown};
-
-    pub(super) fn of_map(file: InputFile, size: Option<usize>) -> Result<ObjectView> {
-        Picture::of_map(file, size).map(view)
+    let picture = match file.is_mesh() {
+        true => Picture::of_mesh(file, size.unwrap_or(SIZE)),
+        false => Picture::of_map(file, size),
+    };
+    let Picture { width, height, pixels: all } = picture?;
+    let (mut pixels, mut normals) = (Vec::new(), Vec::new());
+    for (place, shown) in all.into_iter().enumerate() {
+        let Some(Shown { normal, coverage }) = shown else { continue };
+        let (row, column) = (place / width, place % width);
+        pixels.push(Pixel { column, row, coverage, is_inside: coverage >= 0.5 });
+        normals.push(normal);
     }
-
-    pub(super) fn of_mesh(file: InputFile, size: usize) -> Result<ObjectView> {
-        Picture::of_mesh(file, size).map(view)
-    }
-
-    fn view(Picture { width, height, pixels: all }: Picture) -> ObjectView {
-        let (mut pixels, mut normals) = (Vec::new(), Vec::new());
-        for (place, shown) in all.into_iter().enumerate() {
-            let Some(Shown { normal, coverage }) = shown else { continue };
-            let (row, column) = (place / width, place % width);
-            pixels.push(Pixel { column, row, coverage, is_inside: coverage >= 0.5 });
-            normals.push(normal);
-        }
-        ObjectView { width, height, pixels, normals }
-    }
+    Ok(ObjectView { width, height, pixels, normals })
 }
 
 #[cfg(not(feature = "generate"))]
-mod files {
-    use super::{Error, InputFile, ObjectView, Result};
-
-    fn missing(file: &InputFile) -> Error {
-        let remedy = "build with the feature `generate`, or leave the object out";
-        Error::new("this build reads no meshes and no normal maps", remedy).in_file(file.path())
-    }
-
-    pub(super) fn of_map(file: InputFile, _size: Option<usize>) -> Result<ObjectView> {
-        Err(missing(&file))
-    }
-
-    pub(super) fn of_mesh(file: InputFile, _size: usize) -> Result<ObjectView> {
-        Err(missing(&file))
-    }
+fn of_file(file: InputFile, _size: Option<usize>) -> Result<ObjectView> {
+    let remedy = "build with the feature `generate`, or leave the object out";
+    Err(Error::new("this build reads no meshes and no normal maps", remedy).in_file(file.path()))
 }
-
-use files::{of_map, of_mesh};

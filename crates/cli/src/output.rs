@@ -8,11 +8,9 @@ use eigenshade_model::inputs::input_file::is_file;
 use eigenshade_model::output::{Watched, end_of_links, write_atomically};
 use serde::Serialize;
 use std::ffi::OsStr;
+use std::fmt::Display;
 use std::io::{self, BufWriter, ErrorKind, Write};
 use std::path::{Path, PathBuf};
-
-/// The remedy for an output that cannot be written.
-const REMEDY: &str = "check where the output goes";
 
 /// Setting the comment character makes the writer quote names that begin with it.
 fn csv_writer(out: &mut dyn Write) -> csv::Writer<&mut dyn Write> {
@@ -23,11 +21,7 @@ fn csv_writer(out: &mut dyn Write) -> csv::Writer<&mut dyn Write> {
 pub struct Rows<'a>(csv::Writer<&'a mut dyn Write>);
 
 impl<'a> Rows<'a> {
-    /// Starts the CSV with its header.
-    ///
-    /// # Errors
-    ///
-    /// If the output fails.
+    /// Starts the CSV with its header. Fails if the output fails.
     pub fn new<T: AsRef<[u8]>>(
         out: &'a mut dyn Write,
         header: impl IntoIterator<Item = T>,
@@ -37,49 +31,31 @@ impl<'a> Rows<'a> {
         Ok(rows)
     }
 
-    /// Writes one row, which has as many fields as the header.
-    ///
-    /// # Errors
-    ///
-    /// If the output fails.
+    /// Writes one row, which has as many fields as the header. Fails if the output fails.
     pub fn row<T: AsRef<[u8]>>(&mut self, fields: impl IntoIterator<Item = T>) -> Result<()> {
-        let written = self.0.write_record(fields);
-        written.map_err(|error| Error::new(error.to_string(), REMEDY))
+        self.0.write_record(fields).map_err(write_error)
     }
 
-    /// Flushes the output.
-    ///
-    /// # Errors
-    ///
-    /// If the output fails.
+    /// Flushes the output. Fails if the output fails.
     pub fn finish(mut self) -> Result<()> {
-        self.0.flush().map_err(|error| write_error(&error))
+        self.0.flush().map_err(write_error)
     }
 }
 
 /// Writes records as CSV with a header, or as a JSON array. A missing number is empty in CSV and
-/// null in JSON.
-///
-/// # Errors
-///
-/// If the output fails.
+/// null in JSON. Fails if the output fails.
 pub fn write_records<T: Serialize>(out: Option<&Path>, is_json: bool, records: &[T]) -> Result<()> {
     if is_json {
         return write_json(out, &records);
     }
     write(out, |out| {
         let mut rows = csv_writer(out);
-        let fault = |error: csv::Error| Error::new(error.to_string(), REMEDY);
-        records.iter().try_for_each(|record| rows.serialize(record)).map_err(fault)?;
-        rows.flush().map_err(|error| write_error(&error))
+        records.iter().try_for_each(|record| rows.serialize(record)).map_err(write_error)?;
+        rows.flush().map_err(write_error)
     })
 }
 
-/// Writes a value as JSON.
-///
-/// # Errors
-///
-/// If the output fails.
+/// Writes a value as JSON. Fails if the output fails.
 pub fn write_json(out: Option<&Path>, value: &impl Serialize) -> Result<()> {
     let text = serde_json::to_string_pretty(value);
     let text = text.map_err(|error| Error::new(error.to_string(), "leave --json out"))?;
@@ -90,9 +66,7 @@ pub fn write_json(out: Option<&Path>, value: &impl Serialize) -> Result<()> {
 ///
 /// It is not an error if the reader closes the pipe early.
 ///
-/// # Errors
-///
-/// Whatever `write` returns, and any failure of the file, its folder or the disk.
+/// Fails as `write` does, or if the file, its folder or the disk fails.
 pub fn write(out: Option<&Path>, write: impl FnOnce(&mut dyn Write) -> Result<()>) -> Result<()> {
     match out {
         Some(path) => write_atomically(path, write),
@@ -101,11 +75,8 @@ pub fn write(out: Option<&Path>, write: impl FnOnce(&mut dyn Write) -> Result<()
 }
 
 /// Writes to a temporary file and runs `then` before the file gets its final name. Unless both
-/// succeed, the file is left as it was. Without a file, only runs `then`.
-///
-/// # Errors
-///
-/// Whatever `write` and `then` return, and any failure of the file, its folder or the disk.
+/// succeed, the file is left as it was. Without a file, only runs `then`. Fails as `write` and
+/// `then` do, or if the file, its folder or the disk fails.
 pub fn write_before(
     file: Option<&Path>,
     write: impl FnOnce(&mut dyn Write) -> Result<()>,
@@ -114,41 +85,35 @@ pub fn write_before(
     match file {
         Some(path) => write_atomically(path, |out| {
             write(out)?;
-            out.flush().map_err(|error| write_error(&error))?;
+            out.flush().map_err(write_error)?;
             then()
         }),
         None => then(),
     }
 }
 
-/// Like [`write`](fn@write), for complete contents.
-///
-/// # Errors
-///
-/// If the file, its folder or the disk fails.
+/// Like [`write`](fn@write), for complete contents. Fails if the file, its folder or the disk
+/// fails.
 pub fn write_all(out: Option<&Path>, contents: impl AsRef<[u8]>) -> Result<()> {
-    write(out, |to| to.write_all(contents.as_ref()).map_err(|error| write_error(&error)))
+    write(out, |to| to.write_all(contents.as_ref()).map_err(write_error))
 }
 
 /// Writes what a command reports about its files to standard output, unless messages are hidden.
-///
-/// # Errors
-///
-/// If the output fails.
+/// Fails if the output fails.
 pub fn report(text: impl AsRef<[u8]>) -> Result<()> {
     if is_quiet() { Ok(()) } else { write_all(None, text) }
 }
 
 /// The error for an output that cannot be written.
 #[must_use]
-pub fn write_error(error: &io::Error) -> Error {
-    Error::new(error.to_string(), REMEDY)
+pub fn write_error(error: impl Display) -> Error {
+    Error::new(error.to_string(), "check where the output goes")
 }
 
 fn to_standard_output(write: impl FnOnce(&mut dyn Write) -> Result<()>) -> Result<()> {
     let mut pipe = Watched::new(io::stdout().lock());
     let mut buffer = BufWriter::with_capacity(1 << 16, &mut pipe);
-    let written = write(&mut buffer).and_then(|()| buffer.flush().map_err(|e| write_error(&e)));
+    let written = write(&mut buffer).and_then(|()| buffer.flush().map_err(write_error));
     // Dropped without flushing: the reader has gone, or has received everything.
     drop(buffer.into_parts());
     match pipe.failed {
@@ -165,9 +130,8 @@ fn to_standard_output(write: impl FnOnce(&mut dyn Write) -> Result<()>) -> Resul
 /// input counts as a different file, because writing creates a new file under that name and leaves
 /// the input intact. Devices and pipes hold no data that could be lost, so they are allowed.
 ///
-/// # Errors
-///
-/// For the first output that goes to the same place as an earlier output or an input, and for `-`.
+/// Fails for the first output that goes to the same place as an earlier output or an input, and for
+/// `-`.
 pub fn refuse_collisions<P: AsRef<Path>, Q: AsRef<Path>>(
     outputs: impl IntoIterator<Item = P>,
     inputs: impl IntoIterator<Item = Q>,

@@ -1,5 +1,6 @@
 //! Pictures of spheres: their pixels and normals, tone, and PNG files.
 
+use crate::output::write_error;
 use eigenshade_model::error::{Error, Result};
 use eigenshade_model::output::write_atomically;
 use noto_sans_mono_bitmap::{FontWeight, get_raster, get_raster_width};
@@ -131,11 +132,8 @@ pub fn text_width(height: TextHeight, text: &str) -> usize {
     get_raster_width(FontWeight::Regular, height) * text.chars().count()
 }
 
-/// Writes an sRGB picture with 8 bits per channel and three channels, or four with opacity.
-///
-/// # Errors
-///
-/// If the file, its folder or the disk fails.
+/// Writes an sRGB picture with 8 bits per channel and three channels, or four with opacity. Fails
+/// if the file, its folder or the disk fails.
 pub fn write_png(path: &Path, width: usize, height: usize, bytes: &[u8]) -> Result<()> {
     let side = |pixels: usize| {
         u32::try_from(pixels).map_err(|_| Error::new("the picture is too large", "ask for less"))
@@ -147,12 +145,9 @@ pub fn write_png(path: &Path, width: usize, height: usize, bytes: &[u8]) -> Resu
         encoder.set_color(if has_opacity { ColorType::Rgba } else { ColorType::Rgb });
         encoder.set_depth(BitDepth::Eight);
         encoder.set_source_srgb(SrgbRenderingIntent::Perceptual);
-        let fault = |error: png::EncodingError| {
-            Error::new(error.to_string(), "check where the output goes")
-        };
-        let mut writer = encoder.write_header().map_err(fault)?;
-        writer.write_image_data(bytes).map_err(fault)?;
-        writer.finish().map_err(fault)
+        let mut writer = encoder.write_header().map_err(write_error)?;
+        writer.write_image_data(bytes).map_err(write_error)?;
+        writer.finish().map_err(write_error)
     })
 }
 
@@ -169,10 +164,8 @@ mod tests {
                 canvas
             };
             let Canvas { width, bytes, .. } = drawn("Wg");
-            assert!(
-                bytes.iter().any(|&byte| byte > 200)
-                    && bytes.iter().any(|byte| (50..200).contains(byte))
-            );
+            assert!(bytes.iter().any(|&byte| byte > 200), "{height:?}");
+            assert!(bytes.iter().any(|byte| (50..200).contains(byte)), "{height:?}");
             let inked = bytes.chunks(3).enumerate().filter(|(_, rgb)| rgb[0] > 0);
             let last = inked.map(|(place, _)| place % width).max();
             let expected = text_width(height, "Wg");

@@ -33,11 +33,8 @@ pub struct Development {
 }
 
 impl PictureFile {
-    /// The kind of a file, by its extension.
-    ///
-    /// # Errors
-    ///
-    /// If the extension is neither `.png` nor `.exr`, or this build cannot write the file.
+    /// The kind of a file, by its extension. Fails if the extension is neither `.png` nor `.exr`,
+    /// or this build cannot write the file.
     pub fn of(path: &Path) -> Result<Self> {
         let extension = path.extension().unwrap_or_default().to_ascii_lowercase();
         match extension.to_str() {
@@ -68,11 +65,8 @@ impl PictureFile {
         }
     }
 
-    /// Writes a picture of `size` pixels across and down. Metering draws it once more.
-    ///
-    /// # Errors
-    ///
-    /// Those of `draw`; and if the file, its folder or the disk fails, or the picture is too large.
+    /// Writes a picture of `size` pixels across and down. Metering draws it once more. Fails as
+    /// `draw` does, or if the file, its folder or the disk fails, or if the picture is too large.
     pub fn write(
         self,
         path: &Path,
@@ -141,10 +135,8 @@ fn exr(path: &Path, [width, height]: [usize; 2], how: Development, draw: &mut Dr
     let mut bytes = std::io::Cursor::new(Vec::new());
     let written = if how.is_opaque {
         let channels = SpecificChannels::rgb(|place| {
-            <(f32, f32, f32)>::from({
-                let [r, g, b, _] = at(place);
-                [r, g, b]
-            })
+            let [r, g, b, _] = at(place);
+            (r, g, b)
         });
         Image::from_channels((width, height), channels).write().to_buffered(&mut bytes)
     } else {

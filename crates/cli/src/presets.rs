@@ -1,6 +1,5 @@
 //! Lights and materials as options name them: shipped ones, all of a file, or one of a file.
 
-use crate::sharpness::Known;
 use eigenshade_model::budget::Budget;
 use eigenshade_model::database::{Lights, Materials, Named, name_remedy};
 use eigenshade_model::error::{Error, Result, STANDARD_INPUT};
@@ -83,50 +82,42 @@ impl Source {
     /// The files with the light: its own, and those beside it with its sources and their errors.
     #[must_use]
     pub fn light_files(&self) -> Vec<PathBuf> {
-        self.with_existing([source_file(&self.path), set_error_file(&self.path)])
+        self.with_existing([SOURCES, SET_ERRORS])
     }
 
     /// The files with the material: its own, and the one beside it with its gloss.
     #[must_use]
     pub fn material_files(&self) -> Vec<PathBuf> {
-        self.with_existing([gloss_file(&self.path)])
+        self.with_existing([GLOSS])
     }
 
-    fn with_existing<const N: usize>(&self, beside: [Option<PathBuf>; N]) -> Vec<PathBuf> {
-        let beside = beside.into_iter().flatten().filter(|path| is_file(path));
+    fn with_existing<const N: usize>(&self, endings: [&str; N]) -> Vec<PathBuf> {
+        let beside = endings.into_iter().filter_map(|ending| existing(&self.path, ending));
         [self.path.clone()].into_iter().chain(beside).collect()
     }
 
-    /// The lights.
-    ///
-    /// # Errors
-    ///
-    /// Those of [`read_lights`], and if no light has the name. The message offers similar names.
+    /// The lights. Fails as [`read_lights`] does, and if no light has the name; the message offers
+    /// similar names.
     pub fn lights(&self, budget: Budget) -> Result<Lights> {
+        let file = InputFile::new(&self.path, budget);
+        let extension = file.extension();
+        if is_file(&self.path) && MAPS.contains(&extension.as_str()) {
+            let is_picture = ["png", "jpg", "jpeg"].contains(&extension.as_str());
+            let kind = if is_picture { "a picture" } else { "an environment map" };
+            let what = format!("it is {kind}, not a light CSV");
+            let remedy = "run `eigenshade light` on the map, and use the light CSV that it writes";
+            return Err(Error::new(what, remedy).in_file(&self.path));
+        }
         let Lights { degree, entries } = match self.entry {
             Entry::Shipped => shipped::lights()?,
-            _ => {
-                let file = InputFile::new(&self.path, budget);
-                if is_file(&self.path) && MAPS.contains(&file.extension().as_str()) {
-                    let remedy = "run `eigenshade light` on the map, and use the light CSV that it \
-                                  writes";
-                    let is_picture = matches!(file.extension().as_str(), "png" | "jpg" | "jpeg");
-                    let kind = if is_picture { "a picture" } else { "an environment map" };
-                    let what = format!("it is {kind}, not a light CSV");
-                    return Err(Error::new(what, remedy).in_file(&self.path));
-                }
-                read_lights(file, None)?
-            }
+            _ => read_lights(file, None)?,
         };
         Ok(Lights { degree, entries: self.chosen("light", entries)? })
     }
 
-    /// The largest set of at most this many small sources of one light.
-    ///
-    /// # Errors
-    ///
-    /// If the sources of a light CSV, which are in a file beside it, cannot be read; or if there
-    /// are none for the light, or one that the runtime refuses in f32.
+    /// The largest set of at most this many small sources of one light. Fails if the sources of a
+    /// light CSV, which are in a file beside it, cannot be read; or if there are none for the
+    /// light, or one that the runtime refuses in f32.
     pub fn sources(&self, light: &str, most: usize, budget: Budget) -> Result<Vec<SmallSource>> {
         if self.entry == Entry::Shipped {
             let sets = shipped::sources()?.into_iter().find(|sets| sets.name == light);
@@ -137,7 +128,7 @@ impl Source {
             })?;
             return Ok(sets.of_most(most).to_vec());
         }
-        let Some(file) = source_file(&self.path) else {
+        let Some(file) = beside(&self.path, SOURCES) else {
             let what = "only a file whose name ends in .csv has sources beside it";
             return Err(Error::new(what, FIND_SOURCES).in_file(&self.path));
         };
@@ -160,52 +151,39 @@ impl Source {
         Ok(sources.to_vec())
     }
 
-    /// The errors that the sets of small sources of one light leave, if they are known.
-    ///
-    /// # Errors
-    ///
-    /// If the errors of a light CSV, which are in a file beside it, cannot be read.
+    /// The errors that the sets of small sources of one light leave, if they are known. Fails if
+    /// the errors of a light CSV, which are in a file beside it, cannot be read.
     pub fn set_errors(&self, light: &str, budget: Budget) -> Result<Vec<SetError>> {
         let errors = match self.entry {
             Entry::Shipped => shipped::set_errors()?,
             _ => {
-                let file = set_error_file(&self.path).filter(|file| is_file(file));
-                let Some(file) = file else { return Ok(Vec::new()) };
+                let Some(file) = existing(&self.path, SET_ERRORS) else { return Ok(Vec::new()) };
                 read_set_errors(InputFile::new(file, budget))?
             }
         };
         Ok(errors.into_iter().filter(|one| one.light == light).collect())
     }
 
-    /// The gloss of one material, if it is known.
-    ///
-    /// # Errors
-    ///
-    /// If the gloss of a material CSV, which is in a file beside it, cannot be read.
-    pub fn gloss(&self, material: &str, budget: Budget) -> Result<Option<Known>> {
+    /// The gloss of one material, if it is known. Fails if the gloss of a material CSV, which is in
+    /// a file beside it, cannot be read.
+    pub fn gloss(&self, material: &str, budget: Budget) -> Result<Option<NamedGloss>> {
         let glosses = match self.entry {
             Entry::Shipped => shipped::glosses()?,
             _ => {
-                let file = gloss_file(&self.path).filter(|file| is_file(file));
-                let Some(file) = file else { return Ok(None) };
+                let Some(file) = existing(&self.path, GLOSS) else { return Ok(None) };
                 read_glosses(InputFile::new(file, budget))?
             }
         };
-        let found = glosses.into_iter().find(|one| one.name == material);
-        Ok(found.map(|NamedGloss { gloss, error, .. }| Known { gloss, error }))
+        Ok(glosses.into_iter().find(|one| one.name == material))
     }
 
-    /// The gloss of one material.
-    ///
-    /// # Errors
-    ///
-    /// As [`gloss`](Self::gloss), and if it is not known.
-    pub fn known_gloss(&self, material: &str, budget: Budget) -> Result<Known> {
+    /// The gloss of one material. Fails as [`gloss`](Self::gloss) does, and if it is not known.
+    pub fn known_gloss(&self, material: &str, budget: Budget) -> Result<NamedGloss> {
         self.gloss(material, budget)?.ok_or_else(|| {
             let remedy = "leave --sources out, name a shipped material in color, or make the CSV with \
                           `eigenshade material .. --out FILE.csv`, which writes FILE.gloss.csv";
             let error = Error::new(format!("the gloss of `{material}` is not known"), remedy);
-            let file = || gloss_file(&self.path).unwrap_or_else(|| self.path.clone());
+            let file = || beside(&self.path, GLOSS).unwrap_or_else(|| self.path.clone());
             if self.is_shipped() { error } else { error.in_file(file()) }
         })
     }
@@ -219,24 +197,18 @@ impl Source {
         Some((measured, shipped::total_error(name, measured)?))
     }
 
-    /// The materials, shipped ones for a table of this order.
-    ///
-    /// # Errors
-    ///
-    /// As [`lights`](Self::lights).
+    /// The materials, shipped ones for a table of this order. Fails as [`lights`](Self::lights)
+    /// does.
     pub fn materials(&self, order: usize, budget: Budget) -> Result<Materials> {
+        let file = InputFile::new(&self.path, budget);
+        if is_file(&self.path) && file.extension() == "toml" {
+            let what = "it holds formulas, not coefficients";
+            let remedy = "run `eigenshade material` on it, and use the material CSV that it writes";
+            return Err(Error::new(what, remedy).in_file(&self.path));
+        }
         let Materials { order, entries } = match self.entry {
             Entry::Shipped => shipped::named_materials(order)?,
-            _ => {
-                let file = InputFile::new(&self.path, budget);
-                if is_file(&self.path) && file.extension() == "toml" {
-                    let remedy = "run `eigenshade material` on it, and use the material CSV that it \
-                                  writes";
-                    let what = "it holds formulas, not coefficients";
-                    return Err(Error::new(what, remedy).in_file(&self.path));
-                }
-                read_materials(file, None)?
-            }
+            _ => read_materials(file, None)?,
         };
         Ok(Materials { order, entries: self.chosen("material", entries)? })
     }
@@ -264,36 +236,29 @@ impl Source {
                 (name.clone(), format!("it has no {kind} `{name}`"), "another name from it")
             }
         };
-        match entries.iter().position(|entry| entry.name == name) {
-            Some(place) => Ok(vec![entries.swap_remove(place)]),
-            None => {
-                let names = entries.iter().map(|entry| entry.name.as_str());
-                if self.entry == Entry::Shipped {
-                    return Err(Error::new(what, name_remedy(&name, names, otherwise)));
-                }
-                let remedy = if let [one] = &entries[..] {
-                    format!("its only name is `{}`", one.name)
-                } else if entries.len() <= NAMED {
-                    let names = names.map(|name| format!("`{name}`"));
-                    format!("its names are {}", names.collect::<Vec<_>>().join(", "))
-                } else {
-                    name_remedy(&name, names, otherwise)
-                };
-                Err(Error::new(what, remedy).in_file(&self.path))
-            }
+        if let Some(place) = entries.iter().position(|entry| entry.name == name) {
+            return Ok(vec![entries.swap_remove(place)]);
         }
+        let names = entries.iter().map(|entry| entry.name.as_str());
+        if self.entry == Entry::Shipped {
+            return Err(Error::new(what, name_remedy(&name, names, otherwise)));
+        }
+        let remedy = if let [one] = &entries[..] {
+            format!("its only name is `{}`", one.name)
+        } else if entries.len() <= NAMED {
+            let names = names.map(|name| format!("`{name}`"));
+            format!("its names are {}", names.collect::<Vec<_>>().join(", "))
+        } else {
+            name_remedy(&name, names, otherwise)
+        };
+        Err(Error::new(what, remedy).in_file(&self.path))
     }
 
-    /// The only one of these entries.
-    ///
-    /// # Errors
-    ///
-    /// If there are several. The message has the first names.
-    pub fn only(&self, entries: Vec<Named>) -> Result<Named> {
-        let entries = match <[Named; 1]>::try_from(entries) {
-            Ok([entry]) => return Ok(entry),
-            Err(entries) => entries,
-        };
+    /// The only one of these entries. Fails if there are several; the message has the first names.
+    pub fn only(&self, mut entries: Vec<Named>) -> Result<Named> {
+        if entries.len() == 1 {
+            return Ok(entries.remove(0));
+        }
         let count = entries.len();
         let names = entries.iter().take(NAMED).map(|entry| entry.name.as_str()).collect::<Vec<_>>();
         let more = if count > names.len() { ", ..." } else { "" };
@@ -325,46 +290,36 @@ pub(crate) fn largest_within(
 const FIND_SOURCES: &str =
     "find them with `eigenshade light MAP --sources 8 --out FILE.csv`, or leave --sources out";
 
-/// The file with the sources of the lights of a light CSV.
-#[must_use]
-pub fn source_file(lights: &Path) -> Option<PathBuf> {
-    beside(lights, "sources.csv")
-}
+/// The ending of the file beside a light CSV that has the sources of its lights.
+pub const SOURCES: &str = "sources.csv";
+/// The ending of the file beside them that has the errors that these sources leave.
+pub const SET_ERRORS: &str = "sources.errors.csv";
+/// The ending of the file beside a material CSV that has the gloss of its materials.
+pub const GLOSS: &str = "gloss.csv";
 
-/// The file with the errors that these sources leave.
+/// The file with an ending beside one that ends in .csv. Others have none: it would belong to both
+/// `a.csv` and `a.txt`.
 #[must_use]
-pub fn set_error_file(lights: &Path) -> Option<PathBuf> {
-    beside(lights, "sources.errors.csv")
-}
-
-/// The file beside one that ends in .csv. Others have none: it would belong to both `a.csv` and
-/// `a.txt`.
-fn beside(file: &Path, ending: &str) -> Option<PathBuf> {
+pub fn beside(file: &Path, ending: &str) -> Option<PathBuf> {
     let is_csv = file.extension().is_some_and(|end| end.eq_ignore_ascii_case("csv"));
     is_csv.then(|| file.with_extension(ending))
 }
 
+fn existing(file: &Path, ending: &str) -> Option<PathBuf> {
+    beside(file, ending).filter(|file| is_file(file))
+}
+
 /// Refuses to write a light CSV beside the sources of other lights, with which the new ones would
 /// be drawn.
-///
-/// # Errors
-///
-/// If there are such files.
 pub fn refuse_stale_sources(lights: Option<&Path>) -> Result<()> {
-    let beside = lights.map(|lights| [source_file(lights), set_error_file(lights)]);
-    let beside = beside.into_iter().flatten().flatten().filter(|file| is_file(file));
-    let beside: Vec<String> = beside.map(|file| file.display().to_string()).collect();
+    let all = [SOURCES, SET_ERRORS].map(|ending| existing(lights?, ending));
+    let beside = all.iter().flatten().map(|file| file.display().to_string());
+    let beside: Vec<String> = beside.collect();
     if beside.is_empty() {
         return Ok(());
     }
     let what = format!("{} would be used with the new lights", beside.join(" and "));
     Err(Error::new(what, "delete what belongs to other lights, or write the new ones elsewhere"))
-}
-
-/// The file with the gloss of the materials of a material CSV.
-#[must_use]
-pub fn gloss_file(materials: &Path) -> Option<PathBuf> {
-    beside(materials, "gloss.csv")
 }
 
 /// The extensions of environment maps.

@@ -6,7 +6,7 @@
 use crate::presets::{Source, largest_within};
 use eigenshade_model::budget::Budget;
 use eigenshade_model::error::{Error, Result};
-use eigenshade_model::source::{Gloss, SetError};
+use eigenshade_model::source::{Gloss, NamedGloss, SetError};
 use eigenshade_shading::shipped::TotalError;
 use eigenshade_shading::{highlights, shipped};
 use std::cmp::Ordering;
@@ -42,16 +42,6 @@ pub struct Sharpness {
     errors: Vec<SetError>,
 }
 
-/// Errors of pictures of a metal.
-struct Left {
-    /// The root mean square, in the median over the lights and under the worst one.
-    rms: [f64; 2],
-    /// The largest error of a pixel.
-    pixel: f64,
-    /// Degree and order at which it was measured.
-    size: Size,
-}
-
 impl Sharpness {
     /// Whether the errors are those of the light itself.
     #[must_use]
@@ -60,10 +50,7 @@ impl Sharpness {
     }
 
     /// The errors under a light, or under all shipped lights with maps if its own are not known.
-    ///
-    /// # Errors
-    ///
-    /// If the errors beside a light CSV cannot be read.
+    /// Fails if the errors beside a light CSV cannot be read.
     pub fn under(light: &Source, name: &str, budget: Budget) -> Result<Self> {
         let errors = light.set_errors(name, budget)?;
         if errors.is_empty() {
@@ -92,26 +79,22 @@ impl Sharpness {
         largest_within(self.errors.iter().map(|one| one.size), size).unwrap_or_default()
     }
 
-    fn left(&self, size: Size, most: usize, gloss: &Gloss) -> Result<Left> {
+    /// The errors of pictures of a metal: the root mean square, in the median over the lights and
+    /// under the worst one, and the largest error of a pixel.
+    fn left(&self, size: Size, most: usize, gloss: &Gloss) -> Result<[f64; 3]> {
         let gloss = highlights::gloss(gloss)?;
         let sets = self.sets(size, most);
         let errors: Vec<_> = sets.iter().map(|set| highlights::set_errors(set, &gloss)).collect();
         let mut rms: Vec<f64> = errors.iter().map(|error| error.rms).collect();
         rms.sort_by(f64::total_cmp);
         let median = rms.get(rms.len() / 2).copied().unwrap_or(0.0);
-        Ok(Left {
-            rms: [median, rms.last().copied().unwrap_or(0.0)],
-            pixel: errors.iter().map(|error| error.worst).fold(0.0, f64::max),
-            size: self.size(size),
-        })
+        let pixel = errors.iter().map(|error| error.worst).fold(0.0, f64::max);
+        Ok([median, rms.last().copied().unwrap_or(0.0), pixel])
     }
 
     /// The smallest set of sources that leaves at most `tolerance` at a degree and an order, or, if
-    /// all leave more, the one that leaves least. A material that needs no sources has none.
-    ///
-    /// # Errors
-    ///
-    /// If the errors of the light's sets are not known.
+    /// all leave more, the one that leaves least. A material that needs no sources has none. Fails
+    /// if the errors of the light's sets are not known.
     pub fn fewest(&self, size: Size, gloss: &Gloss, tolerance: f64) -> Result<Choice> {
         let unknown = || {
             let remedy = "find its sources again with `eigenshade light MAP --sources 8 --out \
@@ -136,51 +119,42 @@ impl Sharpness {
     }
 
     /// A note if pictures of a material are far off, at this degree and order with at most this
-    /// many sources. `name` is what the user called it, and `error` what the fit of its gloss
-    /// leaves.
-    ///
-    /// # Errors
-    ///
-    /// If a parameter of the gloss is not from 0 to 1.
+    /// many sources. Fails if a parameter of the gloss is not from 0 to 1.
     pub fn note(
         &self,
-        name: &str,
-        gloss: &Known,
+        NamedGloss { name, gloss, error }: &NamedGloss,
         size: Size,
         sources: usize,
     ) -> Result<Option<String>> {
         let (degree, order) = size;
         let with = if sources > 0 { format!(" and {}", counted(sources)) } else { String::new() };
         let mut text = format!("note: `{name}` is sharper than order {order}{with} can show");
-        let roughness = gloss.gloss.roughness;
-        let left = self.left(size, sources, &gloss.gloss)?;
+        let [median, worst, pixel] = self.left(size, sources, gloss)?;
         let dim = if sources > 0 { DIM_WITH_SOURCES } else { DIM };
-        let is_blurred = left.rms[1] > LARGE || left.pixel > dim;
-        let is_other = sources > 0 && gloss.error > FAR;
+        let is_blurred = worst > LARGE || pixel > dim;
+        let is_other = sources > 0 && *error > FAR;
         if is_blurred {
-            let [median, worst] = left.rms;
-            let bound = bound(left.size, size);
             let _ = write!(
                 text,
-                ": at degree {degree}, pictures of a metal of its roughness, {roughness:.2}, are off \
-                 by {bound}{:.1} % of their peak",
+                ": at degree {degree}, pictures of a metal of its roughness, {:.2}, are off by \
+                 {}{:.1} % of their peak",
+                gloss.roughness,
+                bound(self.size(size), size),
                 100.0 * median
             );
             let _ = match &self.light {
                 Some(light) => write!(text, " under `{light}`"),
-                None => {
-                    write!(text, " in the median, under some lights by {:.0} %", 100.0 * worst)
-                }
+                None => write!(text, " in the median, under some lights by {:.0} %", 100.0 * worst),
             };
             let _ = write!(
                 text,
                 ", and blurred highlights by up to {:.0} %, in the worse of two views",
-                100.0 * left.pixel
+                100.0 * pixel
             );
         }
         if is_other {
             let joint = if is_blurred { "; moreover" } else { ":" };
-            let _ = write!(text, "{joint} its gloss {}", off_lobe(gloss.error));
+            let _ = write!(text, "{joint} its gloss {}", off_lobe(*error));
         }
         Ok((is_blurred || is_other).then_some(text))
     }
@@ -215,15 +189,6 @@ impl Choice {
     }
 }
 
-/// A gloss, and what it leaves of pictures of its material under a small source.
-#[derive(Clone, Copy, Debug)]
-pub struct Known {
-    /// The lobe.
-    pub gloss: Gloss,
-    /// The rms, relative to the pictures.
-    pub error: f64,
-}
-
 /// A number of sources in words.
 #[must_use]
 pub fn counted(sources: usize) -> String {
@@ -241,12 +206,9 @@ pub fn matte_note(name: &str, gloss: &Gloss) -> String {
     )
 }
 
-/// A note if a material needs no sources, or its highlights are far off with them.
-///
-/// # Errors
-///
-/// If a parameter of the gloss is not from 0 to 1.
-pub fn gloss_note(name: &str, Known { gloss, error }: &Known) -> Result<Option<String>> {
+/// A note if a material needs no sources, or its highlights are far off with them. Fails if a
+/// parameter of the gloss is not from 0 to 1.
+pub fn gloss_note(NamedGloss { name, gloss, error }: &NamedGloss) -> Result<Option<String>> {
     if !highlights::gloss::<f64>(gloss)?.needs_sources() {
         return Ok(Some(matte_note(name, gloss)));
     }

@@ -45,10 +45,9 @@ impl Budget {
         if given {
             return Ok(());
         }
-        Err(Error::new(
-            format!("it needs {} of memory, which the system cannot provide", Size(need)),
-            "raise the limit of the process (`ulimit -v`), or give a smaller input",
-        ))
+        let what = format!("it needs {} of memory, which the system cannot provide", Size(need));
+        let remedy = "raise the limit of the process (`ulimit -v`), or give a smaller input";
+        Err(Error::new(what, remedy))
     }
 
     /// Checks that `need` bytes are within the budget.
@@ -62,10 +61,9 @@ impl Budget {
         }
         // Rounded up to whole MiB, like the figures in the message, so that this limit is enough.
         let enough = need.div_ceil(MEBI);
-        Err(Error::new(
-            format!("it needs {} of memory, and the budget is {self}", Size(need)),
-            format!("give a smaller input, or raise the budget with --memory {enough}MiB"),
-        ))
+        let what = format!("it needs {} of memory, and the budget is {self}", Size(need));
+        let remedy = format!("give a smaller input, or raise the budget with --memory {enough}MiB");
+        Err(Error::new(what, remedy))
     }
 }
 
@@ -92,10 +90,8 @@ impl FromStr for Budget {
             _ => 0,
         };
         let bytes = number.parse::<u64>().ok().and_then(|number| number.checked_mul(unit));
-        bytes
-            .filter(|bytes| *bytes > 0)
-            .map(Self)
-            .ok_or_else(|| "give a size such as 512MiB or 4GiB".to_owned())
+        let bytes = bytes.filter(|bytes| *bytes > 0).map(Self);
+        bytes.ok_or_else(|| "give a size such as 512MiB or 4GiB".to_owned())
     }
 }
 

@@ -59,6 +59,14 @@ impl Error {
         Self::new(error.what(), error.remedy())
     }
 
+    /// The error of a line: problem, `; ` and remedy, or the remedy `other` if the line has none.
+    #[must_use]
+    pub fn of_line(line: impl fmt::Display, other: &str) -> Self {
+        let line = line.to_string();
+        let (what, remedy) = line.rsplit_once("; ").unwrap_or((&line, other));
+        Self::new(what, remedy)
+    }
+
     /// The error for an operating system failure on reading or writing a file.
     #[must_use]
     pub fn io(path: impl AsRef<Path>, error: &std::io::Error) -> Self {

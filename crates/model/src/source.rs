@@ -1,5 +1,7 @@
 //! Small bright sources of a light, and the gloss of the materials that reflect them.
 
+use crate::inputs::coefficient_text::significant;
+
 /// An elliptical blob of light on the sphere of directions: see the runtime's `Source`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Source {
@@ -24,9 +26,7 @@ impl Source {
     /// This source with its numbers rounded to significant digits, for smaller files.
     #[must_use]
     pub fn rounded(&self, digits: usize) -> Self {
-        let round = |number: f64| {
-            format!("{number:.*e}", digits.saturating_sub(1)).parse().unwrap_or(number)
-        };
+        let round = |number: f64| significant(number, digits);
         Self {
             direction: self.direction.map(round),
             energy: self.energy.map(round),

@@ -55,14 +55,13 @@ impl<S: Scalar> Shader<'_, S> {
         }
         let refused = |what: &str| Error::new(what, "leave --tolerance out");
         let AnyBasis::Sphere(basis) = &self.basis else {
-            return Err(refused(
-                "a tolerance needs the table of a sphere, and this one is for another object",
-            ));
+            let what =
+                "a tolerance needs the table of a sphere, and this one is for another object";
+            return Err(refused(what));
         };
         if !self.dark.is_empty() {
-            return Err(refused(
-                "a tolerance needs the effect ambient, to which the mean image belongs",
-            ));
+            let what = "a tolerance needs the effect ambient, to which the mean image belongs";
+            return Err(refused(what));
         }
         let (count, len) = (images.len(), basis.scene_len());
         let mut lengths = vec![0; basis.azimuths()];

@@ -142,10 +142,9 @@ impl<'a, S: Scalar> Shader<'a, S> {
         };
         self.effects = effects;
         if effects.and(all) != all && !projects {
-            return Err(Error::new(
-                "the table has transfers, which contain all its effects",
-                "leave --effects out, or make a table with store = \"projection\"",
-            ));
+            let what = "the table has transfers, which contain all its effects";
+            let remedy = "leave --effects out, or make a table with store = \"projection\"";
+            return Err(Error::new(what, remedy));
         }
         // The mean image is ambient.
         if !effects.has(Effect::Ambient) {
@@ -182,7 +181,13 @@ impl<'a, S: Scalar> Shader<'a, S> {
         {
             let fingerprint = fingerprint(material);
             let of = self.transfers.iter().find(|one| one.fingerprint == fingerprint);
-            let of = of.ok_or_else(no_transfer)?;
+            let of = of.ok_or_else(|| {
+                let what = "the table has transfers only for its scene's materials, and a material \
+                            is not one of them";
+                let remedy =
+                    "use the scene's material file, or make a table with store = \"projection\"";
+                Error::new(what, remedy)
+            })?;
             let coefficients = &mut self.coefficients;
             return basis.relight_into(&of.transfer, &light, coefficients).map_err(fault);
         }
@@ -265,13 +270,6 @@ impl<'a, S: Scalar> Shader<'a, S> {
         };
         Ok([channel(0)?, channel(1)?, channel(2)?])
     }
-}
-
-fn no_transfer() -> Error {
-    Error::new(
-        "the table has transfers only for its scene's materials, and a material is not one of them",
-        "use the scene's material file, or make a table with store = \"projection\"",
-    )
 }
 
 fn rounded<S: Scalar>(values: &[f64]) -> Vec<S> {

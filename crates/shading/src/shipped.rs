@@ -91,7 +91,7 @@ pub fn glosses() -> Result<Vec<NamedGloss>> {
 ///
 /// As [`read_materials`], for the compiled-in file.
 pub fn materials() -> Result<Materials> {
-    read_materials(InputFile::of_text(MATERIALS, "tables/inputs/materials.csv"), None)
+    materials_in(Path::new("tables/inputs/materials.csv"))
 }
 
 /// All materials that have names, for a table of this order: those in color of
@@ -102,11 +102,8 @@ pub fn materials() -> Result<Materials> {
 ///
 /// As [`read_materials`], for the compiled-in files.
 pub fn named_materials(order: usize) -> Result<Materials> {
-    let mut named = if order < 12 {
-        read_materials(InputFile::of_text(COLORED, "tables/inputs/merl.csv"), None)?
-    } else {
-        read_materials(InputFile::of_text(COLORED_12, "tables/inputs/merl-12.csv"), None)?
-    };
+    let file = if order < 12 { "tables/inputs/merl.csv" } else { "tables/inputs/merl-12.csv" };
+    let mut named = materials_in(Path::new(file))?;
     let count = material::count(named.order);
     named.entries.extend(materials()?.entries.into_iter().map(|mut gray| {
         gray.rgb.iter_mut().for_each(|channel| channel.resize(count, 0.0));
@@ -141,7 +138,7 @@ pub fn materials_in(file: &Path) -> Result<Materials> {
 ///
 /// As [`read_materials`] and [`decode`], for the compiled-in files.
 pub fn unseen_materials() -> Result<Materials> {
-    let mut color = read_materials(InputFile::of_text(COLORED, "tables/inputs/merl.csv"), None)?;
+    let mut color = materials_in(Path::new("tables/inputs/merl.csv"))?;
     let table = decode(COLOR)
         .map_err(|error| Error::new(error.to_string(), "report it").in_file("tables/color.bin"))?;
     color.entries.retain(|entry| !table.scene.material.names.contains(&entry.name));

@@ -176,18 +176,15 @@ impl LightTree {
             None => {
                 for row in BLOCK * row..BLOCK * (row + 1) {
                     for column in BLOCK * column..BLOCK * (column + 1) {
-                        self.add_texel(row * self.columns + column, query, sums);
+                        let texel = row * self.columns + column;
+                        let Query { brdf, normal } = *query;
+                        let weight = self.texels.weight(brdf, FINENESS, texel, normal);
+                        if weight != 0.0 {
+                            self.add_part(&self.radiance, texel, weight, sums);
+                        }
                     }
                 }
             }
-        }
-    }
-
-    fn add_texel(&self, texel: usize, query: &Query<'_>, sums: &mut Sums) {
-        let Query { brdf, normal } = *query;
-        let weight = self.texels.weight(brdf, FINENESS, texel, normal);
-        if weight != 0.0 {
-            self.add_part(&self.radiance, texel, weight, sums);
         }
     }
 

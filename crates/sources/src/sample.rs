@@ -7,9 +7,8 @@ use eigenshade::mathematics::Libm;
 use eigenshade::{Highlights, Normals, Rgb};
 use eigenshade_model::error::Result;
 use eigenshade_model::source::Source;
-use eigenshade_shading::highlights;
-use eigenshade_shading::parallel;
 use eigenshade_shading::shader::fault;
+use eigenshade_shading::{highlights, parallel};
 use faer::linalg::matmul::matmul;
 use faer::{Accum, Mat, Par};
 

@@ -36,10 +36,8 @@ impl Texels {
         };
         let (width, height) = (first.width, first.height);
         if let Some(other) = maps.iter().find(|map| (map.width, map.height) != (width, height)) {
-            return Err(Error::new(
-                format!("maps of {width} x {height} and {} x {}", other.width, other.height),
-                "give maps of one size",
-            ));
+            let what = format!("maps of {width} x {height} and {} x {}", other.width, other.height);
+            return Err(Error::new(what, "give maps of one size"));
         }
         let direction = |k: usize| first.direction(k % width, k / width);
         let directions = (0..width * height).map(direction).collect();
@@ -63,7 +61,6 @@ impl Texels {
     /// If `texel` is out of range.
     #[must_use]
     pub fn weight(&self, brdf: &dyn Brdf, fineness: f64, texel: usize, normal: [f64; 3]) -> f64 {
-        let lobe = Lobe { brdf, width: brdf.width(), fineness };
         let direction = self.directions[texel];
         let cosine = dot(direction, normal);
         let size = PI / self.height as f64;
@@ -72,13 +69,13 @@ impl Texels {
         }
         let at =
             Geometry { incident: cosine.max(0.0), reflected: normal[2], between: direction[2] };
-        let parts = lobe.parts(at, size);
+        let parts = parts(at, brdf.width(), fineness * size);
         let row = texel / self.width;
         if parts == 1 {
             if cosine <= 0.0 {
                 return 0.0;
             }
-            return lobe.brdf.value(at) * cosine * self.solid_angles[row];
+            return brdf.value(at) * cosine * self.solid_angles[row];
         }
         let column = texel % self.width;
         let step = 1.0 / parts as f64;
@@ -97,7 +94,7 @@ impl Texels {
                 let cosine = dot(direction, normal);
                 if cosine > 0.0 {
                     let at = Geometry { incident: cosine, between: direction[2], ..at };
-                    sum += lobe.brdf.value(at) * cosine * solid_angle;
+                    sum += brdf.value(at) * cosine * solid_angle;
                 }
             }
         }
@@ -112,26 +109,17 @@ impl Texels {
     }
 }
 
-/// A BRDF and how finely texels are divided for it.
-struct Lobe<'a> {
-    brdf: &'a dyn Brdf,
-    width: f64,
-    fineness: f64,
-}
-
-impl Lobe<'_> {
-    /// Parts along each side of a texel with this size in radians.
-    fn parts(&self, at: Geometry, size: f64) -> usize {
-        let wanted = self.fineness * size;
-        // Both distances are at least the width times the cosine of θ_d.
-        let difference = at.difference_cosine().max(1e-3);
-        if wanted <= self.width * difference {
-            return 1;
-        }
-        // The half-way direction moves by 1 / 2 cos θ_d times the motion of the light's direction.
-        let (_, sine) = at.half_squared();
-        let half = 2.0 * difference * sine.sqrt().max(self.width);
-        let narrowest = half.min(at.incident.max(self.width));
-        (wanted / narrowest).ceil().clamp(1.0, MOST_PARTS as f64) as usize
+/// Parts along each side of a texel, for a BRDF of this width and the texel's size in radians times
+/// the fineness.
+fn parts(at: Geometry, width: f64, wanted: f64) -> usize {
+    // Both distances are at least the width times the cosine of θ_d.
+    let difference = at.difference_cosine().max(1e-3);
+    if wanted <= width * difference {
+        return 1;
     }
+    // The half-way direction moves by 1 / 2 cos θ_d times the motion of the light's direction.
+    let (_, sine) = at.half_squared();
+    let half = 2.0 * difference * sine.sqrt().max(width);
+    let narrowest = half.min(at.incident.max(width));
+    (wanted / narrowest).ceil().clamp(1.0, MOST_PARTS as f64) as usize
 }

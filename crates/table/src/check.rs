@@ -39,10 +39,7 @@ impl Table {
         let nodes = gram.nodes.len();
         let pairs = pair::count(order);
         let frequencies: usize = (0..=degree).map(|l| (l + 1) * (l.min(order) + 1)).sum();
-        let selection = match self.selection.len() {
-            0 => 0,
-            _ => gram.places(),
-        };
+        let selection = if self.selection.is_empty() { 0 } else { gram.places() };
         numbers("nodes", &gram.nodes, nodes)?;
         numbers("root weights", &gram.root_weights, nodes)?;
         let projects = usize::from(self.has_projection());
@@ -166,18 +163,16 @@ impl Table {
 
 fn numbers(what: &str, values: &[f64], expected: usize) -> Result<(), String> {
     length(what, values.len(), expected)?;
-    if values.iter().all(|value| value.is_finite()) {
-        Ok(())
-    } else {
-        Err(format!("{what} with a number that is not finite"))
+    match values.iter().all(|value| value.is_finite()) {
+        true => Ok(()),
+        false => Err(format!("{what} with a number that is not finite")),
     }
 }
 
 fn length(what: &str, found: usize, expected: usize) -> Result<(), String> {
-    if found == expected {
-        Ok(())
-    } else {
-        Err(format!("{what}: {expected} numbers expected, {found} found"))
+    match found == expected {
+        true => Ok(()),
+        false => Err(format!("{what}: {expected} numbers expected, {found} found")),
     }
 }
 

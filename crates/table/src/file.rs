@@ -47,9 +47,7 @@ impl FileError {
     pub fn what(&self) -> String {
         match self {
             Self::BadMagic => "not an eigenshade table".to_owned(),
-            Self::Version(found) => {
-                format!("table version {VERSION} expected, {found} found")
-            }
+            Self::Version(found) => format!("table version {VERSION} expected, {found} found"),
             Self::Length { expected, found } => {
                 format!("corrupt table: {expected} bytes expected, {found} found")
             }

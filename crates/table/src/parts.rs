@@ -2,7 +2,7 @@
 //! runtime's loops. They are in f64; rounding to the device's format comes last.
 
 use crate::polynomials::Polynomials;
-use crate::table::{General, Table};
+use crate::table::{General, Profile, Table};
 use eigenshade_index::effect::{Effect, Effects};
 use eigenshade_index::layout::{LANES, PASS, first_order, lowest_degree};
 use eigenshade_index::record::floats::{OwnedGeneralParts, OwnedParts};
@@ -18,11 +18,7 @@ pub fn floats(table: &Table) -> OwnedParts<f64> {
     let (degree, order) = (gram.degree, gram.order);
     let factored = effects.factored_order(order);
     let pairs = pair::count(factored);
-    let root = |pair: usize| {
-        let (o, _) = pair::indices(factored).nth(pair).expect("a pair of this order");
-        ((o + 1) as f64).sqrt()
-    };
-    let roots: Vec<f64> = (0..pairs).map(root).collect();
+    let roots: Vec<f64> = pair::indices(factored).map(|(o, _)| ((o + 1) as f64).sqrt()).collect();
     let polynomials = Polynomials::new(table);
     let (polar, factors) = if table.has_projection() {
         let polar = grouped(degree, pairs, |l, pair| match (l, effects.has(Effect::Ambient)) {
@@ -33,12 +29,11 @@ pub fn floats(table: &Table) -> OwnedParts<f64> {
     } else {
         (Vec::new(), Vec::new())
     };
-    let scaled = table.profiles.iter().zip(&polynomials.profiles).flat_map(|(profile, terms)| {
+    let terms = table.profiles.iter().zip(&polynomials.profiles).flat_map(|(profile, terms)| {
         let scale = if profile.azimuth == 0 { 1.0 } else { std::f64::consts::SQRT_2 };
         terms.iter().map(move |term| scale * term)
     });
-    let terms = scaled.collect();
-    let mean = table.mean.as_ref();
+    let mean = table.mean.as_ref().map(|mean| mean.coefficients.clone());
     let mut profiles = places(table);
     let (passes, slots) = arrange(degree, &mut profiles);
     for place in profiles.iter_mut().filter(|place| place.azimuth == 0) {
@@ -56,10 +51,10 @@ pub fn floats(table: &Table) -> OwnedParts<f64> {
         ambient: ambient(table, degree, pairs),
         polar,
         factors,
-        terms,
+        terms: terms.collect(),
         recurrences: polynomials.recurrences,
         mean: polynomials.mean,
-        mean_coefficients: mean.map(|mean| mean.coefficients.clone()).unwrap_or_default(),
+        mean_coefficients: mean.unwrap_or_default(),
         selection: table.selection.clone(),
         lengths: polynomials.lengths,
     }
@@ -153,16 +148,14 @@ fn ambient(table: &Table, degree: usize, pairs: usize) -> Vec<f64> {
 }
 
 fn places(table: &Table) -> Vec<ProfilePlace> {
-    let azimuth = |k: usize| u16::try_from(table.profiles[k].azimuth).expect("checked degree");
-    let mut places: Vec<_> = (0..table.profiles.len())
-        .map(|k| ProfilePlace {
-            azimuth: azimuth(k),
-            plus: NONE,
-            minus: NONE,
-            plus_row: Row::default(),
-            minus_row: Row::default(),
-        })
-        .collect();
+    let place = |profile: &Profile| ProfilePlace {
+        azimuth: u16::try_from(profile.azimuth).expect("checked degree"),
+        plus: NONE,
+        minus: NONE,
+        plus_row: Row::default(),
+        minus_row: Row::default(),
+    };
+    let mut places: Vec<_> = table.profiles.iter().map(place).collect();
     for (index, component) in table.components.iter().enumerate() {
         let index = u16::try_from(index).expect("fewer components than 65,535");
         let place = &mut places[component.profile];

@@ -157,9 +157,7 @@ impl Slants {
         }
         largest(&squares)
     }
-}
 
-impl Slants {
     /// Values of a Chebyshev series at the nodes, times the root weights.
     fn values(&self, chebyshev: &[f64]) -> Vec<f64> {
         let value = |slant: &Slant| slant.root_weight * clenshaw(chebyshev, slant.t);

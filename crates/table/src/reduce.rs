@@ -21,18 +21,7 @@ pub fn with_components(whole: &Table, keep: impl Fn(usize, &Component) -> bool) 
         component.profile = used.partition_point(|&profile| profile < component.profile);
     }
     let profiles = used.iter().map(|&profile| whole.profiles[profile].clone()).collect();
-    Table {
-        components,
-        profiles,
-        summary: whole.summary.clone(),
-        scene: whole.scene.clone(),
-        gram: whole.gram.clone(),
-        selection: whole.selection.clone(),
-        mean: whole.mean.clone(),
-        spectrum: whole.spectrum.clone(),
-        general: None,
-        transfers: Vec::new(),
-    }
+    Table { components, profiles, general: None, transfers: Vec::new(), ..whole.clone() }
 }
 
 impl Table {

@@ -129,11 +129,9 @@ struct Sections {
 
 impl Visitor for Sections {
     fn array<T: Item>(&mut self, _name: &'static str, items: &[T]) {
-        let mut bytes = Some(Bytes { endian: self.endian, bytes: Vec::new() });
-        for item in items {
-            item.words(&mut |word| bytes = bytes.take().map(|bytes| bytes.word(word)));
-        }
-        self.sections.extend(bytes);
+        let mut bytes = Bytes { endian: self.endian, bytes: Vec::new() };
+        items.iter().for_each(|item| item.words(&mut |word| bytes.word(word)));
+        self.sections.push(bytes);
     }
 }
 
@@ -152,25 +150,26 @@ impl Sections {
         let short = |number: usize| u16::try_from(number).expect("small shapes");
         let start = HEADER + ENTRY * sections.len();
         let padded: usize = sections.iter().map(Bytes::padded).sum();
-        let mut file = Bytes { endian, bytes: LABEL.to_vec() }
-            .long(MARK)
-            .short(VERSION)
-            .short(format.number())
-            .long(long(start + padded + CHECKSUM)?)
-            .shorts(&shape.map(short))
-            .short(short(sections.len()))
-            .short(effects.bits());
+        let mut file = Bytes { endian, bytes: LABEL.to_vec() };
+        file.long(MARK);
+        file.short(VERSION);
+        file.short(format.number());
+        file.long(long(start + padded + CHECKSUM)?);
+        shape.into_iter().chain([sections.len()]).for_each(|number| file.short(short(number)));
+        file.short(effects.bits());
         let mut next = start;
         for section in &sections {
-            file = file.long(long(next)?).long(long(section.bytes.len())?);
+            file.long(long(next)?);
+            file.long(long(section.bytes.len())?);
             next += section.padded();
         }
         for section in sections {
             file.bytes.extend(&section.bytes);
-            file.bytes.resize(file.bytes.len().next_multiple_of(ALIGNMENT), 0);
+            file.bytes.resize(file.padded(), 0);
         }
         let checksum = crc32fast::hash(&file.bytes);
-        Ok(file.long(checksum).bytes)
+        file.long(checksum);
+        Ok(file.bytes)
     }
 }
 
@@ -186,37 +185,28 @@ impl Bytes {
         self.bytes.len().next_multiple_of(ALIGNMENT)
     }
 
-    fn word(mut self, word: Word) -> Self {
+    fn word(&mut self, word: Word) {
         match word {
-            Word::Byte(byte) => {
-                self.bytes.push(byte);
-                self
-            }
+            Word::Byte(byte) => self.bytes.push(byte),
             Word::Short(number) => self.short(number),
             Word::Long(number) => {
                 self.bytes.resize(self.padded(), 0);
-                self.long(number)
+                self.long(number);
             }
         }
     }
 
-    fn short(mut self, number: u16) -> Self {
+    fn short(&mut self, number: u16) {
         self.bytes.extend(match self.endian {
             Endian::Little => number.to_le_bytes(),
             Endian::Big => number.to_be_bytes(),
         });
-        self
     }
 
-    fn long(mut self, number: u32) -> Self {
+    fn long(&mut self, number: u32) {
         self.bytes.extend(match self.endian {
             Endian::Little => number.to_le_bytes(),
             Endian::Big => number.to_be_bytes(),
         });
-        self
-    }
-
-    fn shorts(self, numbers: &[u16]) -> Self {
-        numbers.iter().fold(self, |bytes, &number| bytes.short(number))
     }
 }

@@ -2,8 +2,7 @@
 
 use super::options::Memory;
 use clap::Args;
-use eigenshade_cli::messages::albedo_warning;
-use eigenshade_cli::messages::{grouped, print_message, spinner};
+use eigenshade_cli::messages::{albedo_warning, grouped, print_message, spinner};
 use eigenshade_cli::output;
 use eigenshade_cli::table::compare::{Difference, differences};
 use eigenshade_cli::table::recorded_errors::manifest_rows;
@@ -109,7 +108,6 @@ impl Basis {
     }
 }
 
-/// A summary of the table.
 fn report(table: &Table, bytes: usize, time: Duration) -> String {
     let summary = &table.summary;
     let both_signs = |(azimuth, rank): (usize, &usize)| if azimuth == 0 { *rank } else { 2 * rank };

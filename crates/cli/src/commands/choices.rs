@@ -17,7 +17,7 @@ use std::path::Path;
 pub struct Choices {
     /// Only the first K components; not for the method modes
     #[arg(long, value_name = "K", value_parser = count(1, u64::from(u16::MAX)))]
-    components: Option<usize>,
+    pub components: Option<usize>,
     /// Rotate the light by Rz(A) Ry(B) Rz(C), radians
     #[arg(long, value_name = "A,B,C", value_parser = angles, allow_hyphen_values = true)]
     rotate: Option<Rotation>,
@@ -42,25 +42,12 @@ impl Choices {
         self.components.is_some() || self.window.is_some()
     }
 
-    /// Whether the number of components is given.
-    pub fn has_components(&self) -> bool {
-        self.components.is_some()
-    }
-
-    /// The number of components to use.
-    ///
-    /// # Errors
-    ///
-    /// If the table at `path` has fewer.
+    /// The number of components to use. Fails if the table at `path` has fewer.
     pub fn components(&self, table: &Table, path: &Path) -> Result<usize> {
         table::components(table, self.components, path)
     }
 
-    /// The requested effects.
-    ///
-    /// # Errors
-    ///
-    /// If the table lacks one of them.
+    /// The requested effects. Fails if the table lacks one of them.
     pub fn effects(&self, table: &Table) -> Result<Effects> {
         let all = table.effects();
         if let Some(effect) = self.effects.iter().find(|&&effect| !all.has(effect)) {
@@ -71,18 +58,13 @@ impl Choices {
         Ok(if self.effects.is_empty() { all } else { requested })
     }
 
-    /// Checks that the table allows a rotation, if one is requested.
-    ///
-    /// # Errors
-    ///
-    /// If the table is for fixed light.
+    /// Checks that the table allows a rotation, if one is requested. Fails if the table is for
+    /// fixed light.
     pub fn check_rotation(&self, table: &Table) -> Result<()> {
         if self.rotate.is_some() && !table.scene.effects.rotation {
             let what = "the table is for fixed light: its scene has effects.rotation = false";
-            return Err(Error::new(
-                what,
-                "leave --rotate out, or make a table with effects.rotation = true",
-            ));
+            let remedy = "leave --rotate out, or make a table with effects.rotation = true";
+            return Err(Error::new(what, remedy));
         }
         Ok(())
     }

@@ -44,7 +44,6 @@ pub fn view(size: usize) -> ObjectView {
     view
 }
 
-/// The normal at a point of the medal.
 fn normal(x: f64, y: f64) -> Option<[f64; 3]> {
     if x.hypot(y) > 1.0 {
         return None;
@@ -58,7 +57,6 @@ fn normal(x: f64, y: f64) -> Option<[f64; 3]> {
     Some([-scale * along_x / length, -scale * along_y / length, 1.0 / length])
 }
 
-/// The height of the medal.
 fn height(x: f64, y: f64) -> f64 {
     let (radius, angle) = (x.hypot(y), y.atan2(x));
     if radius < FIELD {

@@ -107,11 +107,7 @@ impl Function {
         }
     }
 
-    /// The value of the function.
-    ///
-    /// # Errors
-    ///
-    /// If indices or arguments are outside its domain.
+    /// The value of the function. Fails if indices or arguments are outside its domain.
     fn value(self, indices: &[i64], arguments: &[f64]) -> Checked<f64> {
         match (self, indices, arguments) {
             (Self::SphericalHarmonic, &[l, m], &[theta, phi]) => {

@@ -10,13 +10,12 @@ use eigenshade_cli::export::{c, coefficients, js, rust, scene, table as of_table
 use eigenshade_cli::messages::print_message;
 use eigenshade_cli::output;
 use eigenshade_cli::presets::Source;
-use eigenshade_cli::sharpness::{Known, gloss_note};
+use eigenshade_cli::sharpness::gloss_note;
 use eigenshade_index::highlights::{LARGEST_SET, MAX_SOURCES};
 use eigenshade_model::database::{Lights, Materials, Named};
 use eigenshade_model::error::{Error, Result};
-use eigenshade_model::source::NamedGloss;
 use eigenshade_shading::shader::{fitted, of_higher_order};
-use eigenshade_table::quantize::{IntegerFormat, integers};
+use eigenshade_table::quantize::{IntegerFormat, QuantizeError, integers};
 use eigenshade_table::{Table, statics};
 use std::path::{Path, PathBuf};
 
@@ -180,11 +179,7 @@ impl Export {
     }
 
     fn table_source(&self, table: &Table) -> Result<String> {
-        let fault = |error: eigenshade_table::quantize::QuantizeError| {
-            let line = error.to_string();
-            let (what, remedy) = line.rsplit_once("; ").unwrap_or((&line, "export it in f32"));
-            Error::new(what, remedy)
-        };
+        let fault = |error: QuantizeError| Error::of_line(error, "export it in f32");
         match self.format.unwrap_or_default() {
             Format::F32 => Ok(statics::module(table, COMMAND, &[]).map_err(fault)?.text),
             Format::Q15 => {
@@ -217,9 +212,8 @@ impl Export {
         }
         for (material, Named { name, .. }) in of_each(self.material.as_ref(), &materials.entries) {
             let known = material.known_gloss(name, memory.of_file())?;
-            gloss_note(name, &known)?.iter().for_each(print_message);
-            let Known { gloss, error } = known;
-            found.glosses.push(NamedGloss { name: name.clone(), gloss, error });
+            gloss_note(&known)?.iter().for_each(print_message);
+            found.glosses.push(known);
         }
         Ok(found)
     }

@@ -5,11 +5,11 @@ use super::options::{Inputs, Memory, TableChoice};
 use eigenshade::mathematics::Libm;
 use eigenshade::{Effect, Highlights, Scalar};
 use eigenshade_cli::messages::print_message;
-use eigenshade_cli::sharpness::{Choice, Known, Sharpness, counted, matte_note, shipped_note};
+use eigenshade_cli::sharpness::{Choice, Sharpness, counted, matte_note, shipped_note};
 use eigenshade_index::highlights::{MAX_SOURCES, PRODUCTS};
 use eigenshade_model::database::{Lights, Materials};
 use eigenshade_model::error::{Error, Result};
-use eigenshade_model::source::{Gloss, Source};
+use eigenshade_model::source::{Gloss, NamedGloss, Source};
 use eigenshade_shading::highlights;
 use eigenshade_shading::shader::fault;
 use eigenshade_table::Table;
@@ -25,12 +25,8 @@ const TABLES: [(&str, (usize, usize)); 2] = [("color", (9, 7)), ("pbr", (12, 12)
 
 /// The table and the most sources that take the fewest multiply-adds of those that leave at most
 /// `tolerance`, or, if all leave more, those that leave least. A report says which. Only the given
-/// table is used, if one is given.
-///
-/// # Errors
-///
-/// If the gloss of the material or the errors of the light's sources are not known, or a file
-/// cannot be read.
+/// table is used, if one is given. Fails if the gloss of the material or the errors of the light's
+/// sources are not known, or a file cannot be read.
 pub fn within(
     tolerance: f64,
     inputs: &Inputs,
@@ -39,7 +35,7 @@ pub fn within(
     memory: Memory,
 ) -> Result<(TableChoice, usize)> {
     let ((light, degree), (material, order)) = (light, material);
-    let Known { gloss, .. } = inputs.material.known_gloss(material, memory.of_file())?;
+    let NamedGloss { gloss, .. } = inputs.material.known_gloss(material, memory.of_file())?;
     let sharpness = Sharpness::under(&inputs.light, light, memory.of_file())?;
     // It takes no sources, whatever their errors are.
     if !sharpness.is_of_the_light() && !highlights::gloss::<f64>(&gloss)?.needs_sources() {
@@ -74,12 +70,8 @@ pub fn within(
 
 impl HighlightInputs {
     /// Up to `most` sources of the first light, which they are taken out of, for the first
-    /// material. A matte material has none, with a note.
-    ///
-    /// # Errors
-    ///
-    /// If the table has no gloss, the light has no sources, or the gloss of the material is not
-    /// known.
+    /// material. A matte material has none, with a note. Fails if the table has no gloss, the light
+    /// has no sources, or the gloss of the material is not known.
     pub fn taken_out(
         inputs: &Inputs,
         table: &Table,
@@ -92,13 +84,11 @@ impl HighlightInputs {
             return Err(Error::new(what, "leave --sources out, or use --table color"));
         }
         let (light, material) = (&lights.entries[0].name, &materials.entries[0].name);
-        let Known { gloss, .. } = inputs.material.known_gloss(material, memory.of_file())?;
+        let NamedGloss { gloss, .. } = inputs.material.known_gloss(material, memory.of_file())?;
         if !highlights::gloss::<f64>(&gloss)?.needs_sources() {
             inputs.light.sources(light, MAX_SOURCES, memory.of_file())?;
-            print_message(format_args!(
-                "{}, and it is drawn without",
-                matte_note(material, &gloss)
-            ));
+            let note = matte_note(material, &gloss);
+            print_message(format_args!("{note}, and it is drawn without"));
             return Ok(None);
         }
         let sources = inputs.light.sources(light, most, memory.of_file())?;
@@ -121,11 +111,7 @@ impl HighlightInputs {
         Self { sources, ..self }
     }
 
-    /// The highlights in a number format.
-    ///
-    /// # Errors
-    ///
-    /// If the runtime refuses a source or the gloss.
+    /// The highlights in a number format. Fails if the runtime refuses a source or the gloss.
     pub fn shaded<S: Scalar>(&self) -> Result<Highlights<S, MAX_SOURCES>> {
         let sources = self.sources.iter().map(highlights::source).collect::<Result<Vec<_>>>()?;
         Highlights::new::<Libm>(&highlights::gloss(&self.gloss)?, &sources).map_err(fault)
@@ -133,10 +119,7 @@ impl HighlightInputs {
 }
 
 /// A note if the picture of the first light on the first material, as they are drawn, is far off.
-///
-/// # Errors
-///
-/// If a file with errors or gloss cannot be read.
+/// Fails if a file with errors or gloss cannot be read.
 pub fn sharpness_note(
     inputs: &Inputs,
     table: &Table,
@@ -156,7 +139,7 @@ pub fn sharpness_note(
         (Some((measured, _)), _) if lights.degree < measured.0.min(table.gram.degree) => None,
         (Some((measured, error)), _) => shipped_note(material, measured, size, error),
         (None, Some(gloss)) => Sharpness::under(&inputs.light, &light.name, memory.of_file())?
-            .note(material, gloss, size, sources)?,
+            .note(gloss, size, sources)?,
         (None, None) => None,
     };
     let Some(mut note) = note else { return Ok(None) };

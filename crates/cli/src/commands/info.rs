@@ -3,8 +3,7 @@
 use super::options::{Destination, Memory, TableChoice};
 use clap::Args;
 use eigenshade_cli::description::Description;
-use eigenshade_cli::output;
-use eigenshade_cli::table;
+use eigenshade_cli::{output, table};
 use eigenshade_model::error::Result;
 use eigenshade_table::Table;
 use eigenshade_table::file::manifest;

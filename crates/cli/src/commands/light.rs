@@ -1,12 +1,12 @@
 //! `eigenshade light`: projects environment maps onto spherical harmonics.
 
-use super::options::{Destination, Memory, choice, count};
+use super::options::{Destination, Memory, choice, count, number};
 use clap::builder::TypedValueParser;
 use clap::{Args, ValueEnum};
 use eigenshade_cli::messages::{print_message, progress_bar};
 use eigenshade_cli::output;
 use eigenshade_cli::presets::{
-    Source as Preset, refuse_stale_sources, set_error_file, source_file,
+    SET_ERRORS, SOURCES, Source as Preset, beside, refuse_stale_sources,
 };
 use eigenshade_generator::light::cube::{FACES, are_faces, face_files};
 use eigenshade_generator::light::frame::Frame;
@@ -75,8 +75,8 @@ pub struct Light {
     #[arg(long, value_name = "K", value_parser = count(1, MAX_SOURCES as u64), requires = "out")]
     sources: Option<usize>,
     /// Roughness of the materials that sources are found for, 0.1 to 1
-    #[arg(long = "for", value_name = "R,R", value_delimiter = ',', value_parser = roughness,
-        requires = "sources", default_values_t = FITTED)]
+    #[arg(long = "for", value_name = "R,R", value_delimiter = ',', requires = "sources",
+        value_parser = number(0.1..=1.0, "a roughness from 0.1 to 1"), default_values_t = FITTED)]
     roughness: Vec<f64>,
     #[command(flatten)]
     out: Destination,
@@ -133,14 +133,11 @@ fn layouts() -> impl TypedValueParser<Value = Layout> {
 
 fn frames() -> impl TypedValueParser<Value = Frame> {
     let blender = "The middle of the map is Blender's +x, right of the camera of the front view";
+    let threejs = "The middle of the map is +x; of a cube, pz is +z and px is -x";
     let filament = "That of cmgen: the middle of the map is +z; of a cube, pz is +z and px is -x";
     choice([
         ("eigenshade", "The middle of the map is -z", Frame::Eigenshade),
-        (
-            "threejs",
-            "The middle of the map is +x; of a cube, pz is +z and px is -x",
-            Frame::ThreeJs,
-        ),
+        ("threejs", threejs, Frame::ThreeJs),
         ("blender", blender, Frame::Blender),
         ("mitsuba", "The middle of the map is +z", Frame::Mitsuba),
         ("openexr", "The middle of the map is +z", Frame::OpenExr),
@@ -151,7 +148,7 @@ fn frames() -> impl TypedValueParser<Value = Frame> {
 impl Light {
     pub fn run(self, memory: Memory) -> Result<()> {
         let out = self.out.path.as_deref();
-        let beside = out.and_then(|out| source_file(out).zip(set_error_file(out)));
+        let beside = out.and_then(|out| beside(out, SOURCES).zip(beside(out, SET_ERRORS)));
         if self.sources.is_none() {
             refuse_stale_sources(out)?;
         } else if self.convention != Convention::Paper {
@@ -202,12 +199,10 @@ impl Light {
                     return Err(Error::new(what, "leave it out, or give one light CSV"));
                 }
                 let files = files(maps)?;
-                let mut inputs = Vec::new();
-                for (_, path) in &files {
-                    inputs.extend(pictures(path)?);
-                }
+                let inputs: Result<Vec<_>> = files.iter().map(|(_, path)| pictures(path)).collect();
                 let all_beside = beside.iter().flat_map(|(sources, errors)| [sources, errors]);
-                output::refuse_collisions(self.out.path.iter().chain(all_beside), inputs)?;
+                let outputs = self.out.path.iter().chain(all_beside);
+                output::refuse_collisions(outputs, inputs?.concat())?;
                 let lights = self.projected(&files, memory)?;
                 if let (Some(most), Some((of_sources, of_errors))) = (self.sources, beside) {
                     // The search takes long, and runs once the maps are read and the files open.
@@ -307,10 +302,8 @@ impl Light {
                 format!("a cube of faces of {0} x {0}", cube.size())
             }
             Map::Cube(cube) => {
-                let hint = match self.layout {
-                    None => " (else give --layout equirectangular)",
-                    Some(_) => "",
-                };
+                let is_given = self.layout.is_some();
+                let hint = if is_given { "" } else { " (else give --layout equirectangular)" };
                 format!("read as a cross of faces of {0} x {0}{hint}", cube.size())
             }
         };
@@ -351,14 +344,6 @@ impl Light {
 fn in_cube(path: &Path) -> Error {
     let remedy = "leave --sources out, or give an equirectangular map";
     Error::new("sources are not found in cubes", remedy).in_file(path)
-}
-
-/// Parses a roughness.
-fn roughness(text: &str) -> std::result::Result<f64, String> {
-    match text.parse() {
-        Ok(number) if (0.1..=1.0).contains(&number) => Ok(number),
-        _ => Err("expected a roughness from 0.1 to 1".to_owned()),
-    }
 }
 
 fn is_csv(path: &Path) -> bool {

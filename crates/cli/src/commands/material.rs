@@ -5,10 +5,9 @@ use clap::builder::TypedValueParser;
 use clap::{Args, Subcommand};
 use eigenshade::Window;
 use eigenshade::mathematics::Libm;
-use eigenshade_cli::messages::albedo_warning;
-use eigenshade_cli::messages::{print_message, progress_bar};
+use eigenshade_cli::messages::{albedo_warning, print_message, progress_bar};
 use eigenshade_cli::output;
-use eigenshade_cli::presets::gloss_file;
+use eigenshade_cli::presets::{self, GLOSS};
 use eigenshade_generator::material;
 use eigenshade_generator::material::analytic::{Analytic, Model, Shares};
 use eigenshade_generator::material::brdf::{Measure, Projected, Surface};
@@ -64,7 +63,7 @@ impl Material {
     pub fn run(self, memory: Memory) -> Result<()> {
         let Self { formula, paths, projection, report } = self;
         let Projection { order, measure, window, out } = projection;
-        let beside = out.path.as_deref().and_then(gloss_file);
+        let beside = out.path.as_deref().and_then(|out| presets::beside(out, GLOSS));
         let inputs = paths.iter().flat_map(|path| material::files::files(path));
         output::refuse_collisions([&out.path, &report, &beside].into_iter().flatten(), inputs)?;
         let sources = match formula {
@@ -87,10 +86,7 @@ impl Material {
             return Err(Error::new(what, "rename one of the two"));
         }
         let negative = negative_values(&sources);
-        let glosses = match &beside {
-            Some(_) => glosses(&sources)?,
-            None => Vec::new(),
-        };
+        let glosses = if beside.is_some() { glosses(&sources)? } else { Vec::new() };
         let (mut materials, fits) = coefficients(sources, order, measure)?;
         if let Some(width) = window {
             attenuate(&mut materials, Window::SincFourth { width });
@@ -148,9 +144,14 @@ fn coefficients(
         parallel::map(surfaces.len(), &progress, |k| surfaces[k].project(order, measure));
     progress.finish_and_clear();
     for fit in &fits {
-        print_message(fit_line(fit));
-        if fit.condition > UNDETERMINED {
-            let (samples, count) = (fit.samples, count_of_orders(order));
+        let Fit { samples, residual, lowest, highest, condition, .. } = fit;
+        print_message(format_args!(
+            "{}: {samples} samples, residual {residual:.4}, range {lowest:.3} to {highest:.3}, \
+             condition {condition:.1}",
+            fit.material.name
+        ));
+        if *condition > UNDETERMINED {
+            let count = count_of_orders(order);
             print_message(format_args!(
                 "warning: {samples} measurements of `{}` do not determine {count} coefficients; \
                  measure more directions, or give a lower --order",
@@ -175,8 +176,7 @@ fn coefficients(
 
 /// Multiplies the coefficients of each order by the window's factor.
 fn attenuate(materials: &mut Materials, window: Window<f64>) {
-    let channels = materials.entries.iter_mut().flat_map(|entry| &mut entry.rgb);
-    for channel in channels {
+    for channel in materials.entries.iter_mut().flat_map(|entry| &mut entry.rgb) {
         for o in 0..=materials.order {
             let start = if o == 0 { 0 } else { count_of_orders(o - 1) };
             let factor = window.factor::<Libm>(o);
@@ -201,13 +201,6 @@ fn negative_values(sources: &[Source]) -> Option<String> {
         "warning: material `{name}` has measurements down to {lowest:.4}, where the largest is \
          {highest:.4} (so in {count} of {all} materials): only noise makes a measured BRDF negative"
     ))
-}
-
-fn fit_line(fit: &Fit) -> String {
-    format!(
-        "{}: {} samples, residual {:.4}, range {:.3} to {:.3}, condition {:.1}",
-        fit.material.name, fit.samples, fit.residual, fit.lowest, fit.highest, fit.condition
-    )
 }
 
 /// One formula and its parameters.
@@ -304,11 +297,7 @@ fn measures() -> impl TypedValueParser<Value = Measure> {
 }
 
 impl Formula {
-    /// The BRDF.
-    ///
-    /// # Errors
-    ///
-    /// If a parameter is out of range.
+    /// The BRDF. Fails if a parameter is out of range.
     fn surface(self) -> Result<Surface> {
         let of = |model, name: &str| Analytic {
             name: name.to_owned(),
@@ -317,6 +306,12 @@ impl Formula {
             sigma: None,
             roughness: None,
             f0: None,
+        };
+        let ggx = |name, roughness, f0, albedo| Analytic {
+            roughness: Some(roughness),
+            f0: Some(f0),
+            albedo: Some(albedo),
+            ..of(Model::Ggx, name)
         };
         let (analytic, options) = match self {
             Self::Lambertian { albedo, options } => {
@@ -330,14 +325,10 @@ impl Formula {
             Self::Gltf { base_color, metallic, roughness, options } => {
                 let f0 = base_color.map(|base| DIELECTRIC + (base - DIELECTRIC) * metallic);
                 let albedo = base_color.map(|base| base * (1.0 - metallic));
-                let base = of(Model::Ggx, "gltf");
-                let roughness = Some(roughness);
-                (Analytic { albedo: Some(albedo), roughness, f0: Some(f0), ..base }, options)
+                (ggx("gltf", roughness, f0, albedo), options)
             }
             Self::Ggx { roughness, f0, albedo, options } => {
-                let base = of(Model::Ggx, "ggx");
-                let roughness = Some(roughness);
-                (Analytic { albedo: Some(albedo), roughness, f0: Some(f0), ..base }, options)
+                (ggx("ggx", roughness, f0, albedo), options)
             }
         };
         let name = options.name.unwrap_or_else(|| analytic.name.clone());

@@ -5,7 +5,6 @@ mod basis;
 mod choices;
 mod demo;
 mod demo_relief;
-mod demo_sheet;
 mod evaluate;
 mod export;
 mod highlights;

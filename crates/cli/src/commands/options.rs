@@ -11,6 +11,7 @@ use eigenshade_model::error::Result;
 use eigenshade_model::inputs::input_file::InputFile;
 use eigenshade_model::rotation::Rotation;
 use eigenshade_table::Table;
+use std::ops::RangeInclusive;
 use std::path::{Path, PathBuf};
 
 /// What clap's parsers return.
@@ -69,11 +70,7 @@ impl TableChoice {
         Self { path: Some(self.path.clone().unwrap_or_else(|| name.into())) }
     }
 
-    /// Reads the table.
-    ///
-    /// # Errors
-    ///
-    /// Those of [`table::read`].
+    /// Reads the table. Fails as [`table::read`] does.
     pub fn read(&self, memory: Memory) -> Result<Table> {
         table::read(memory.file(self.path()))
     }
@@ -91,9 +88,10 @@ pub struct Inputs {
 }
 
 impl Inputs {
-    /// The files, as far as these are files, with those beside them.
-    pub fn files(&self) -> Vec<PathBuf> {
-        [self.light.light_files(), self.material.material_files()].concat()
+    /// The files, as far as these are files, with those beside them, and others of the command.
+    pub fn files(&self, others: &[&Path]) -> Vec<PathBuf> {
+        let others = others.iter().map(|path| path.to_path_buf()).collect();
+        [self.light.light_files(), self.material.material_files(), others].concat()
     }
 }
 
@@ -123,6 +121,17 @@ pub fn count(low: u64, high: u64) -> impl Fn(&str) -> Parsed<usize> + Clone {
     move |text| match text.parse::<u64>() {
         Ok(number) if (low..=high).contains(&number) => Ok(number as usize),
         _ => Err(format!("expected a whole number from {low} to {high}")),
+    }
+}
+
+/// Parses a number within a range, or says what is expected.
+pub fn number(
+    range: RangeInclusive<f64>,
+    expected: &'static str,
+) -> impl Fn(&str) -> Parsed<f64> + Clone {
+    move |text| match text.parse() {
+        Ok(number) if range.contains(&number) => Ok(number),
+        _ => Err(format!("expected {expected}")),
     }
 }
 

@@ -41,11 +41,8 @@ impl Pack {
         let table = self.first_components(self.table.read(memory)?)?;
         let format = self.format;
         let endian = if self.big_endian { Endian::Big } else { Endian::Little };
-        let bytes = wire::encode(&table, format, endian).map_err(|error| {
-            let line = error.to_string();
-            let (what, remedy) = line.rsplit_once("; ").unwrap_or((&line, "pack it as f32"));
-            Error::new(what, remedy).in_file(self.table.path())
-        })?;
+        let bytes = wire::encode(&table, format, endian)
+            .map_err(|error| Error::of_line(error, "pack it as f32").in_file(self.table.path()))?;
         output::write_all(Some(&self.out), &bytes)?;
         let mut text = format!("{:<12} {}\n", "bytes", grouped(bytes.len()));
         let (rounding, over) = match self.components {
@@ -58,10 +55,8 @@ impl Pack {
             }
         };
         if let Some(Rounding { largest, rms, .. }) = rounding {
-            text += &format!(
-                "{:<12} {largest:.1e} of the peak at most, rms {rms:.1e}, over {over}\n",
-                "error"
-            );
+            let error = format!("{largest:.1e} of the peak at most, rms {rms:.1e}, over {over}");
+            text += &format!("{:<12} {error}\n", "error");
         }
         output::report(text)
     }

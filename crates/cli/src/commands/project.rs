@@ -2,15 +2,13 @@
 
 use super::options::{Destination, Inputs, Memory, TableChoice, count};
 use clap::Args;
-use eigenshade_cli::messages::albedo_warning;
-use eigenshade_cli::messages::print_message;
+use eigenshade_cli::messages::{albedo_warning, print_message};
 use eigenshade_cli::output::{self, Rows, exact};
 use eigenshade_cli::table;
 use eigenshade_model::error::Result;
 use eigenshade_shading::overflow;
 use eigenshade_shading::owned_basis::OwnedBasis;
 use eigenshade_shading::shader::{Shader, fault, fitted, of_higher_order};
-use std::path::PathBuf;
 
 /// Project every light on every material onto a table's components
 ///
@@ -31,9 +29,7 @@ pub struct Project {
 
 impl Project {
     pub fn run(self, memory: Memory) -> Result<()> {
-        let inputs = self.inputs.files();
-        let inputs = inputs.iter().map(PathBuf::as_path).chain([self.table.path()]);
-        output::refuse_collisions(&self.out.path, inputs)?;
+        output::refuse_collisions(&self.out.path, self.inputs.files(&[self.table.path()]))?;
         let table = self.table.read(memory)?;
         let components = table::components(&table, self.components, self.table.path())?;
         let lights = self.inputs.light.lights(memory.of_file())?;

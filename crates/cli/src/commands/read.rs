@@ -1,6 +1,6 @@
 //! `eigenshade read`: estimates components, light and material from an image.
 
-use super::options::{Destination, Memory, TableChoice, count};
+use super::options::{Destination, Memory, TableChoice, count, number};
 use super::read_answer::{self, Answer};
 use clap::Args;
 use eigenshade_cli::messages::print_message;
@@ -48,7 +48,8 @@ pub struct Read {
     components: Option<usize>,
     /// Standard deviation of a pixel's noise, in units of the image [default: that of the
     /// residual]
-    #[arg(long, value_name = "S", value_parser = positive)]
+    #[arg(long, value_name = "S",
+        value_parser = number(LARGEST.recip()..=LARGEST, "a number from 1e-100 to 1e100"))]
     noise: Option<f64>,
     /// Leave out pixels with a channel at 0, where the picture may be clipped: `render` draws what
     /// is below zero as black. In a photograph they are dark, and count
@@ -74,13 +75,6 @@ pub struct Read {
     /// Write the modes c to this CSV, `estimate,l,m,o,p,q,r,g,b`
     #[arg(long, value_name = "FILE")]
     modes_out: Option<PathBuf>,
-}
-
-fn positive(text: &str) -> std::result::Result<f64, String> {
-    match text.parse::<f64>() {
-        Ok(number) if (LARGEST.recip()..=LARGEST).contains(&number) => Ok(number),
-        _ => Err("expected a number from 1e-100 to 1e100".to_owned()),
-    }
 }
 
 impl Read {
@@ -136,8 +130,10 @@ impl Read {
     /// Writes all outputs, or none if one cannot be written. Standard output comes last: its reader
     /// may stop early, and the files are complete all the same.
     fn write(&self, answer: &Answer<'_>) -> Result<()> {
+        // The name of the light is that of the image.
+        let name = self.image.file_stem().unwrap_or_default().to_string_lossy();
         let light = || match &self.light_out {
-            Some(path) => answer.write_light(path, &self.name()),
+            Some(path) => answer.write_light(path, &name),
             None => Ok(()),
         };
         let modes = || {
@@ -185,11 +181,6 @@ impl Read {
         Err(Error::new(what, remedy).in_file(self.table.path()))
     }
 
-    /// The name of the light: that of the image.
-    fn name(&self) -> String {
-        self.image.file_stem().unwrap_or_default().to_string_lossy().into_owned()
-    }
-
     /// The lights of the option, or those of the table's scene; and whether the shipped ones
     /// replace the latter.
     fn lights(&self, table: &Table, memory: Memory) -> Result<(Lights, bool)> {
@@ -219,10 +210,8 @@ impl Read {
         let Materials { order, mut entries } = match &beside {
             Ok(paths) => scene_file::together(paths.iter().cloned(), read)?.0,
             Err(missing) => {
-                let shipped =
-                    |path: &Path| shipped::materials_in(path).map(|all| (all, usize::MAX));
-                let databases = scene.database.iter().map(PathBuf::from);
-                let all = scene_file::together(databases, shipped);
+                let read = |path: &Path| shipped::materials_in(path).map(|all| (all, usize::MAX));
+                let all = scene_file::together(scene.database.iter().map(PathBuf::from), read);
                 all.map_err(|_| without(missing.clone(), "--material"))?.0
             }
         };
@@ -238,11 +227,7 @@ impl Read {
     }
 
     /// The file that the table's scene names, relative to the table's folder. There is none beside
-    /// a shipped table.
-    ///
-    /// # Errors
-    ///
-    /// If there is no such file: its path.
+    /// a shipped table. If there is no such file, the error is its path.
     fn beside(&self, of_scene: &str) -> std::result::Result<PathBuf, PathBuf> {
         let table = self.table.path();
         let path = table.parent().unwrap_or(Path::new("")).join(of_scene);
@@ -250,11 +235,8 @@ impl Read {
         if is_beside { Ok(path) } else { Err(path) }
     }
 
-    /// The material files that the table's scene names, relative to the table's folder.
-    ///
-    /// # Errors
-    ///
-    /// If one of them is missing: its path.
+    /// The material files that the table's scene names, relative to the table's folder. If one of
+    /// them is missing, the error is its path.
     fn beside_all(&self, table: &Table) -> std::result::Result<Vec<PathBuf>, PathBuf> {
         table.scene.material.database.iter().map(|path| self.beside(path)).collect()
     }
@@ -269,12 +251,12 @@ impl Read {
     ) -> Result<(Observation, String)> {
         let count = image.pixels.len();
         let mask = match &self.mask {
-            Some(path) => pixels::weights(memory.file(path), image.size, count)?,
+            Some(path) => pixels::weights(&memory.file(path), image.size, count)?,
             None => vec![1.0; count],
         };
         let counts: Vec<bool> =
             image.weights.iter().zip(&mask).map(|(weight, mask)| weight * mask > 0.0).collect();
-        let normals = pixels::normals(memory.file(&self.normals), image.size, &counts)?;
+        let normals = pixels::normals(&memory.file(&self.normals), image.size, &counts)?;
         if let Some([width, height]) = image.size
             && self.normals == Path::new("sphere")
             && width != height
@@ -322,15 +304,13 @@ impl Read {
             return Err(Error::new(what, remedy).in_file(&self.image));
         }
         if observation.pixels < components {
-            let what = format!(
-                "{} of its pixels are used, for {components} components",
-                observation.pixels
-            );
-            let remedy = if self.without_black {
-                "leave --without-black out, or request fewer with --components"
-            } else {
-                "show more of the object, or request fewer with --components"
+            let used = observation.pixels;
+            let what = format!("{used} of its pixels are used, for {components} components");
+            let first = match self.without_black {
+                true => "leave --without-black out",
+                false => "show more of the object",
             };
+            let remedy = format!("{first}, or request fewer with --components");
             return Err(Error::new(what, remedy).in_file(&self.image));
         }
         let (clipped, transparent) = (image.clipped, image.transparent);

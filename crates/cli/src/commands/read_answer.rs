@@ -3,6 +3,7 @@
 use eigenshade_cli::messages::print_message;
 use eigenshade_cli::output::{self, Rows, exact};
 use eigenshade_cli::reading::{Channel, Reading};
+use eigenshade_generator::reading::coefficients::Fit;
 use eigenshade_generator::reading::modes::ModeCoefficients;
 use eigenshade_generator::reading::observation::Observation;
 use eigenshade_index::{light, material};
@@ -46,19 +47,19 @@ impl Answer<'_> {
         }
         table.row("fit", "noise", 0, &every(&|channel| channel.noise))?;
         table.row("fit", "exposure", 0, &every(&|channel| channel.posterior.0.exposure))?;
-        let estimates = [
-            ("scalar-product", every_d(channels, |c| (&c.scalar_product.0, c.scalar_product.1))),
-            ("least-squares", every_d(channels, |c| (&c.least_squares.0, c.least_squares.1))),
-            ("posterior", every_d(channels, |c| (&c.posterior.0.d, c.posterior.1))),
+        let estimates: [(&str, Estimated); 3] = [
+            ("scalar-product", |c| (&c.scalar_product.0, &c.scalar_product.1)),
+            ("least-squares", |c| (&c.least_squares.0, &c.least_squares.1)),
+            ("posterior", |c| (&c.posterior.0.d, &c.posterior.1)),
         ];
-        for (name, (_, fits)) in &estimates {
-            let rms: Vec<f64> = fits.iter().map(|fit| fit.residual_rms).collect();
-            let relative: Vec<f64> = fits.iter().map(|fit| fit.relative_residual).collect();
-            table.row("residual-rms", name, 0, &rms)?;
+        for (name, of) in estimates {
+            table.row("residual-rms", name, 0, &every(&|channel| of(channel).1.residual_rms))?;
+            let relative = every(&|channel| of(channel).1.relative_residual);
             table.row("relative-residual", name, 0, &relative)?;
         }
-        for (name, (d, _)) in &estimates {
-            table.all("d", name, d)?;
+        for (name, of) in estimates {
+            let d: Vec<&Vec<f64>> = channels.iter().map(|channel| of(channel).0).collect();
+            table.all("d", name, &d)?;
         }
         let deviations: Vec<&[f64]> =
             channels.iter().map(|channel| channel.posterior.0.deviations.as_slice()).collect();
@@ -70,24 +71,19 @@ impl Answer<'_> {
         }
         for (place, candidate) in reading.candidates.iter().enumerate() {
             let name = &self.materials.entries[candidate.index].name;
-            let each = |value: &dyn Fn(usize) -> f64| -> Vec<f64> {
-                (0..candidate.channels.len()).map(value).collect()
-            };
             // Relative to the likeliest, because the constant has no meaning.
-            let best = &reading.candidates[0].channels;
-            let evidence =
-                each(&|channel| candidate.channels[channel].evidence - best[channel].evidence);
+            let both = candidate.channels.iter().zip(&reading.candidates[0].channels);
+            let evidence: Vec<f64> = both.map(|(one, best)| one.evidence - best.evidence).collect();
             table.row("material-evidence", name, place, &evidence)?;
-            let residual = each(&|channel| candidate.channels[channel].residual_rms);
-            table.row("material-residual-rms", name, place, &residual)?;
+            let residual = candidate.channels.iter().map(|one| one.residual_rms);
+            table.row("material-residual-rms", name, place, &residual.collect::<Vec<_>>())?;
         }
         table.row("fit", "product-left", 0, &every(&|channel| channel.product.left))?;
         let converged = |channel: &Channel| f64::from(u8::from(channel.product.has_converged));
         table.row("fit", "product-converged", 0, &every(&converged))?;
-        let of = |part: &dyn Fn(&Channel) -> Vec<f64>| channels.iter().map(part).collect();
-        let lights: Vec<Vec<f64>> = of(&|channel| channel.product.light.clone());
+        let lights: Vec<_> = channels.iter().map(|channel| &channel.product.light).collect();
         table.all("product-light", "", &lights)?;
-        let materials: Vec<Vec<f64>> = of(&|channel| channel.product.material.clone());
+        let materials: Vec<_> = channels.iter().map(|channel| &channel.product.material).collect();
         table.all("product-material", "", &materials)?;
         table.0.finish()
     }
@@ -95,8 +91,8 @@ impl Answer<'_> {
     /// The light CSV of the best light, under this name.
     pub fn write_light(&self, path: &Path, name: &str) -> Result<()> {
         let Some(best) = self.reading.candidates.first() else { return Ok(()) };
-        let channel = |c: usize| best.channels[c.min(best.channels.len() - 1)].light.clone();
-        let rgb = [channel(0), channel(1), channel(2)];
+        let last = best.channels.len() - 1;
+        let rgb = [0, 1, 2].map(|c: usize| best.channels[c.min(last)].light.clone());
         let degree = rgb[0].len().isqrt().saturating_sub(1);
         let lights = Lights { degree, entries: vec![Named { name: name.to_owned(), rgb }] };
         output::write(Some(path), |out| write_lights(&lights, out))
@@ -132,14 +128,8 @@ impl Answer<'_> {
     }
 }
 
-type Fits = Vec<eigenshade_generator::reading::coefficients::Fit>;
-
-fn every_d<'a>(
-    channels: &'a [Channel],
-    part: impl Fn(&'a Channel) -> (&'a Vec<f64>, eigenshade_generator::reading::coefficients::Fit),
-) -> (Vec<&'a Vec<f64>>, Fits) {
-    channels.iter().map(part).unzip()
-}
+/// The d of an estimate, and its fit.
+type Estimated = fn(&Channel) -> (&Vec<f64>, &Fit);
 
 /// Rows of one number or three.
 struct Tidy<'a>(Rows<'a>);

@@ -8,8 +8,7 @@ use super::options::{
 use clap::builder::TypedValueParser;
 use clap::{Args, ValueEnum};
 use eigenshade::{Effects, Exposure, Matcap, Rgb, Scalar, Tolerance, Tone};
-use eigenshade_cli::messages::print_message;
-use eigenshade_cli::messages::{Ringing, albedo_warning, dark_light_warning};
+use eigenshade_cli::messages::{Ringing, albedo_warning, dark_light_warning, print_message};
 use eigenshade_cli::object::{Object, ObjectView, SIZE};
 use eigenshade_cli::output;
 use eigenshade_cli::picture::Pixel;
@@ -97,9 +96,8 @@ fn tones() -> impl TypedValueParser<Value = Tone> {
 
 impl Render {
     pub fn run(self, memory: Memory) -> Result<()> {
-        let inputs = self.inputs.files();
-        let inputs = inputs.iter().chain([&self.normals]).map(PathBuf::as_path);
-        output::refuse_collisions([&self.out], inputs.chain([self.table.path()]))?;
+        let inputs = self.inputs.files(&[&self.normals, self.table.path()]);
+        output::refuse_collisions([&self.out], inputs)?;
         let Inputs { light, material } = &self.inputs;
         let file = PictureFile::of(&self.out)?;
         if file == PictureFile::Exr && self.tone.is_some() {
@@ -122,10 +120,8 @@ impl Render {
         let components = self.choices.components(&table, choice.path())?;
         let effects = self.choices.effects(&table)?;
         let higher = of_higher_order(material.named(), materials.order, table.gram.order);
-        let rounded = match self.format {
-            Format::F32 => rounding::warning(&table, wire::NumberFormat::F32),
-            Format::F64 => None,
-        };
+        let rounded = rounding::warning(&table, wire::NumberFormat::F32);
+        let rounded = rounded.filter(|_| matches!(self.format, Format::F32));
         let dark = dark_light_warning(&lights);
         let is_dark = dark.is_some();
         let warnings = [higher, albedo_warning(&materials), dark, rounded].into_iter().flatten();
@@ -176,18 +172,15 @@ impl Render {
         let ringing = ringing.note().filter(|_| self.choices.has_all_effects() && !is_dark);
         let pair = (&lights, &materials);
         let sharp = sharpness_note(&self.inputs, &table, pair, sources, memory)?;
-        let sharp = sharp.filter(|_| effects == Effects::ALL).map(|note| match note {
-            note if self.choices.is_partial() => {
-                format!("{note}; this is for a picture of all components, without a window")
-            }
-            note => note,
-        });
+        let whole = match self.choices.is_partial() {
+            true => "; this is for a picture of all components, without a window",
+            false => "",
+        };
+        let sharp = sharp.filter(|_| effects == Effects::ALL).map(|note| note + whole);
         note.into_iter().chain(warnings).chain(ringing).chain(sharp).for_each(print_message);
         Ok(())
     }
-}
 
-impl Render {
     /// The table, and the most sources if there may be any.
     fn chosen(
         &self,

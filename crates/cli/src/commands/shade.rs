@@ -5,8 +5,7 @@ use super::options::{Destination, Inputs, Memory, TableChoice, count, tolerance}
 use super::shade_images::{Images, Output, Way};
 use clap::{Args, ValueEnum};
 use eigenshade::{NegativePolicy, Q15, Q31, Tolerance};
-use eigenshade_cli::messages::print_message;
-use eigenshade_cli::messages::{Ringing, albedo_warning, dark_light_warning};
+use eigenshade_cli::messages::{Ringing, albedo_warning, dark_light_warning, print_message};
 use eigenshade_cli::output::{self, Rows, exact};
 use eigenshade_cli::table::{self, rounding};
 use eigenshade_model::error::{Error, Result};
@@ -84,7 +83,7 @@ impl Shade {
             let what = "the method modes supports only f64";
             return Err(Error::new(what, "leave --format out, or choose another method"));
         }
-        if self.method == Method::Modes && self.choices.has_components() {
+        if self.method == Method::Modes && self.choices.components.is_some() {
             let what = "the method modes sums modes, not components";
             return Err(Error::new(what, "leave --components out, or choose another method"));
         }
@@ -97,9 +96,7 @@ impl Shade {
             return Err(Error::new(what, "leave it out, or use those"));
         }
         refuse_object(&self.normals)?;
-        let inputs = self.inputs.files();
-        let inputs = inputs.iter().chain([&self.normals]).map(PathBuf::as_path);
-        let inputs = inputs.chain([self.table.path()]);
+        let inputs = self.inputs.files(&[&self.normals, self.table.path()]);
         output::refuse_collisions(&self.out.path, inputs)?;
         let table = self.table.read(memory)?;
         let effects = self.choices.effects(&table)?;

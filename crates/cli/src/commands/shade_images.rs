@@ -1,8 +1,7 @@
 //! The images of `eigenshade shade`: every light on every material, by any method.
 
 use eigenshade::{Effects, NegativePolicy, Scalar, Tolerance, Truncation};
-use eigenshade_cli::messages::{Ringing, truncation_lines};
-use eigenshade_cli::messages::{print_message, progress_bar};
+use eigenshade_cli::messages::{Ringing, print_message, progress_bar, truncation_lines};
 use eigenshade_cli::output::{Rows, exact};
 use eigenshade_model::database::{Lights, Materials, Named};
 use eigenshade_model::error::Result;

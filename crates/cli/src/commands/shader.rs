@@ -15,7 +15,6 @@ use eigenshade_shading::owned_basis::OwnedBasis;
 use eigenshade_shading::shader::{Lit, Shader as Projector, fault, fitted, of_higher_order};
 use eigenshade_table::Table;
 use serde::Serialize;
-use std::path::PathBuf;
 
 /// Write a light on a material as a function of a shader
 ///
@@ -52,14 +51,11 @@ pub struct Shader {
 /// Languages, with the vectors that WebGL 2 and WebGPU promise.
 fn languages() -> impl TypedValueParser<Value = (ShaderLanguage, usize)> {
     use ShaderLanguage::{Glsl, GlslBlock, GlslTexture, Wgsl};
+    let block = "GLSL ES 3.00 with a uniform block, for up to 1,024 vectors";
     let texture = "GLSL ES 3.00 with a float texture of one row, for any number of vectors";
     choice([
         ("glsl", "GLSL ES 3.00 with a uniform array; WebGL 2 promises 224 vectors", (Glsl, 224)),
-        (
-            "glsl-block",
-            "GLSL ES 3.00 with a uniform block, for up to 1,024 vectors",
-            (GlslBlock, 1024),
-        ),
+        ("glsl-block", block, (GlslBlock, 1024)),
         ("glsl-texture", texture, (GlslTexture, usize::MAX)),
         ("wgsl", "WGSL with a uniform buffer at group 0, binding 0", (Wgsl, 4096)),
     ])
@@ -78,9 +74,7 @@ struct Written {
 
 impl Shader {
     pub fn run(self, memory: Memory) -> Result<()> {
-        let inputs = self.inputs.files();
-        let inputs = inputs.iter().map(PathBuf::as_path).chain([self.table.path()]);
-        output::refuse_collisions(&self.out.path, inputs)?;
+        output::refuse_collisions(&self.out.path, self.inputs.files(&[self.table.path()]))?;
         let table = self.table.read(memory)?;
         let lights = self.inputs.light.lights(memory.of_file())?;
         let of_file = self.inputs.material.materials(table.gram.order, memory.of_file())?;
@@ -170,9 +164,8 @@ impl Shader {
         let shader = eigenshade::Shader::new(scene.r);
         let shader = shader.with_sources(self.sources.unwrap_or(0)).map_err(fault)?;
         let (mut text, mut vectors) = (String::new(), vec![[0.0; 4]; shader.vectors()]);
-        shader
-            .write(self.lang.0, &mut text)
-            .map_err(|error| Error::new(error.to_string(), "report it"))?;
+        let report = |error: std::fmt::Error| Error::new(error.to_string(), "report it");
+        shader.write(self.lang.0, &mut text).map_err(report)?;
         shader.uniforms(scene, &mut vectors).map_err(fault)?;
         if let Some(highlights) = highlights {
             shader.highlight_uniforms(highlights, &mut vectors).map_err(fault)?;

@@ -13,7 +13,7 @@ pub struct Array {
     /// A description of the values.
     pub meaning: &'static str,
     /// What each axis counts, as many as the shape has numbers.
-    pub axes: &'static [&'static str],
+    pub axes: Vec<&'static str>,
     /// Length of each axis; empty for a single value.
     pub shape: Vec<usize>,
     /// Unit of the values; `1` if they have none.
@@ -35,20 +35,12 @@ pub enum Values {
 }
 
 impl Values {
-    /// Number of values.
-    #[must_use]
-    pub fn len(&self) -> usize {
+    fn len(&self) -> usize {
         match self {
             Self::Floats(values) => values.len(),
             Self::Integers(values) => values.len(),
             Self::Texts(values) => values.len(),
         }
-    }
-
-    /// Whether there are no values.
-    #[must_use]
-    pub fn is_empty(&self) -> bool {
-        self.len() == 0
     }
 }
 
@@ -79,22 +71,19 @@ impl Array {
     #[must_use]
     pub fn new<const N: usize>(
         (name, meaning, unit): (&'static str, &'static str, &'static str),
-        axes: &'static [&'static str; N],
-        shape: [usize; N],
+        axes: [(&'static str, usize); N],
         values: impl Into<Values>,
     ) -> Self {
         let values = values.into();
+        let (axes, shape): (Vec<_>, Vec<usize>) = axes.into_iter().unzip();
         assert_eq!(values.len(), shape.iter().product::<usize>(), "the shape of {name}");
-        Self { name, meaning, axes, shape: shape.to_vec(), unit, values }
+        Self { name, meaning, axes, shape, unit, values }
     }
 }
 
 /// The text of a JSON file. Values are in one list, the last axis fastest; NaN is `null`. Numbers
-/// read back as the same bits.
-///
-/// # Errors
-///
-/// Cannot fail in practice: names, numbers and texts always have a form in JSON.
+/// read back as the same bits. Cannot fail in practice: names, numbers and texts always have a form
+/// in JSON.
 pub fn json(arrays: &[Array]) -> Result<String> {
     let text = serde_json::to_string(&ByName(arrays));
     Ok(text.map_err(|error| Error::new(error.to_string(), "report it"))? + "\n")

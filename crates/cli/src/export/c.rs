@@ -3,7 +3,7 @@
 
 use super::entry::{Channel, Entry, Format, Kind, identifier};
 use super::highlights::{SourcesAndGloss, numbers_of, numbers_of_gloss};
-use super::source::{comment, float, lines};
+use super::{comment, float, lines};
 use crate::messages::printable;
 use eigenshade_model::source::{NamedGloss, Source};
 use std::fmt::Write;
@@ -39,7 +39,6 @@ pub fn normal_map(name: &str, size: [usize; 2], codes: &[u8], command: &str) -> 
     guarded(&text, command, &format!("EIGENSHADE_{}_H", name.to_uppercase()))
 }
 
-/// A header of these constants.
 fn guarded(constants: &str, command: &str, guard: &str) -> String {
     let command = comment(command);
     format!(

@@ -10,17 +10,15 @@ pub fn of_lights(lights: &Lights) -> Vec<Array> {
     let (count, length) = (lights.entries.len(), light::count(lights.degree));
     let indices = light::indices(lights.degree).flat_map(|(l, m)| [l as i64, m as i64]);
     vec![
-        Array::new(("light_names", "names", "1"), &["light"], [count], names(&lights.entries)),
+        Array::new(("light_names", "names", "1"), [("light", count)], names(&lights.entries)),
         Array::new(
             ("lights", "spherical harmonic coefficients L_l^m", "radiance"),
-            &["light", "r g b", "coefficient"],
-            [count, 3, length],
+            [("light", count), ("r g b", 3), ("coefficient", length)],
             channels(&lights.entries),
         ),
         Array::new(
             ("light_indices", "l and m of each coefficient of a light", "1"),
-            &["coefficient", "l m"],
-            [length, 2],
+            [("coefficient", length), ("l m", 2)],
             indices.collect::<Vec<_>>(),
         ),
     ]
@@ -35,20 +33,17 @@ pub fn of_materials(materials: &Materials) -> Vec<Array> {
     vec![
         Array::new(
             ("material_names", "names", "1"),
-            &["material"],
-            [count],
+            [("material", count)],
             names(&materials.entries),
         ),
         Array::new(
             ("materials", "Koenderink-van Doorn coefficients b_op^q of the BRDF", "1/sr"),
-            &["material", "r g b", "coefficient"],
-            [count, 3, length],
+            [("material", count), ("r g b", 3), ("coefficient", length)],
             channels(&materials.entries),
         ),
         Array::new(
             ("material_indices", "o, p and q of each coefficient of a material", "1"),
-            &["coefficient", "o p q"],
-            [length, 3],
+            [("coefficient", length), ("o p q", 3)],
             indices.collect::<Vec<_>>(),
         ),
     ]

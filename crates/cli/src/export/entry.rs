@@ -99,11 +99,8 @@ impl Entry {
 }
 
 /// The entries of these lights and materials, in a number format for each, for languages that need
-/// identifiers.
-///
-/// # Errors
-///
-/// As [`quoted_entries`], and if two names have the same identifier or a name has none.
+/// identifiers. Fails as [`quoted_entries`] does, and if two names have the same identifier or a
+/// name has none.
 pub fn entries(lights: &Lights, materials: &Materials, formats: [Format; 2]) -> Result<Vec<Entry>> {
     let all = quoted_entries(lights, materials, formats)?;
     for (place, entry) in all.iter().enumerate() {
@@ -123,11 +120,7 @@ pub fn entries(lights: &Lights, materials: &Materials, formats: [Format; 2]) -> 
 }
 
 /// The entries of these lights and materials, in a number format for each, for languages that quote
-/// names.
-///
-/// # Errors
-///
-/// If a coefficient exceeds `f32`.
+/// names. Fails if a coefficient exceeds `f32`.
 pub fn quoted_entries(
     lights: &Lights,
     materials: &Materials,

@@ -2,7 +2,7 @@
 
 use super::entry::{Channel, Entry, Kind};
 use super::highlights::SourcesAndGloss;
-use super::source::{float, lines};
+use super::{float, lines};
 use std::fmt::Write;
 
 /// The text of the module: objects `lights` and `materials` by name, with the channels r, g and b,
@@ -23,12 +23,8 @@ pub fn module(entries: &[Entry], highlights: Option<&SourcesAndGloss>, command: 
 }
 
 fn object(text: &mut String, entry: &Entry, highlights: Option<&SourcesAndGloss>) {
-    let _ = writeln!(
-        text,
-        "  // {}\n  {}: {{",
-        entry.comment(),
-        serde_json::Value::from(entry.name.as_str())
-    );
+    let name = serde_json::Value::from(entry.name.as_str());
+    let _ = writeln!(text, "  // {}\n  {name}: {{", entry.comment());
     for (place, channel) in ["r", "g", "b"].into_iter().enumerate() {
         if let Some(Channel::Floats(numbers)) = entry.channels.get(place % entry.channels.len()) {
             let list = lines(numbers.iter().copied().map(float), 6);
@@ -36,17 +32,11 @@ fn object(text: &mut String, entry: &Entry, highlights: Option<&SourcesAndGloss>
         }
     }
     if let Some(highlights) = highlights {
+        let of_sources = "Small sources: direction, energy, major axis and minor spread of each.";
+        let of_gloss = "Roughness, then reflectance, the same at grazing incidence, and albedo.";
         let (name, meaning, numbers) = match entry.kind {
-            Kind::Light => (
-                "sources",
-                "Small sources: direction, energy, major axis and minor spread of each.",
-                highlights.sources_of(&entry.name),
-            ),
-            Kind::Material => (
-                "gloss",
-                "Roughness, then reflectance, the same at grazing incidence, and albedo.",
-                highlights.gloss_of(&entry.name),
-            ),
+            Kind::Light => ("sources", of_sources, highlights.sources_of(&entry.name)),
+            Kind::Material => ("gloss", of_gloss, highlights.gloss_of(&entry.name)),
         };
         let list = lines(numbers.into_iter().map(float), 6);
         let _ = writeln!(text, "    // {meaning}\n    {name}: new Float32Array([\n{list}\n    ]),");

@@ -2,26 +2,50 @@
 //! and as arrays in JSON and numpy's npz.
 
 pub mod array;
-
+pub mod c;
 pub mod coefficients;
-
-pub mod shown;
-
-pub mod table;
-
-pub mod scene;
-
+pub mod entry;
+pub mod highlights;
+pub mod js;
 #[cfg(feature = "generate")]
 pub mod npz;
-
-pub mod entry;
-
-pub mod highlights;
-
-mod source;
-
 pub mod rust;
+pub mod scene;
+pub mod shown;
+pub mod table;
 
-pub mod c;
+use std::fmt::Display;
 
-pub mod js;
+/// Columns of a line of source.
+const COLUMNS: usize = 100;
+
+/// The numbers with commas, in lines that begin with `indent` blanks.
+fn lines<T: Display>(numbers: impl IntoIterator<Item = T>, indent: usize) -> String {
+    let (mut text, mut column) = (String::new(), usize::MAX);
+    for number in numbers {
+        let number = format!("{number},");
+        if column.saturating_add(1 + number.len()) > COLUMNS {
+            if !text.is_empty() {
+                text.push('\n');
+            }
+            text.push_str(&" ".repeat(indent));
+            column = indent;
+        } else {
+            text.push(' ');
+            column += 1;
+        }
+        column += number.len();
+        text.push_str(&number);
+    }
+    text
+}
+
+/// A number in `f32` that reads back as the same bits, with a point or an exponent.
+fn float(number: f32) -> String {
+    format!("{number:?}")
+}
+
+/// The text for a comment between `/*` and `*/`.
+fn comment(text: &str) -> String {
+    text.replace("*/", "* /").replace("/*", "/ *")
+}

@@ -11,11 +11,7 @@ use zip::{CompressionMethod, DateTime, ZipWriter};
 const ALIGNMENT: usize = 64;
 
 /// The bytes of the file, the same in every run: real numbers are `<f8`, whole numbers `<i8`, and
-/// texts `<U`.
-///
-/// # Errors
-///
-/// If the archive would exceed the limits of its format.
+/// texts `<U`. Fails if the archive would exceed the limits of its format.
 pub fn bytes(arrays: &[Array]) -> Result<Vec<u8>> {
     let fault = |error: &dyn std::fmt::Display| {
         Error::new(format!("the arrays do not fit an npz file: {error}"), "export fewer at once")

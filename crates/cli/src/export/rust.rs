@@ -3,7 +3,7 @@
 
 use super::entry::{Channel, Entry, Format, Kind};
 use super::highlights::SourcesAndGloss;
-use super::source::{float, lines};
+use super::{float, lines};
 use eigenshade_model::highlight_constants::modules;
 use std::fmt::Write;
 

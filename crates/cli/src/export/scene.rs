@@ -17,11 +17,8 @@ pub fn size(table: &Table, pairs: usize, normals: usize) -> u64 {
     BYTES * (3 * pairs * (table.count() + normals)) as u64
 }
 
-/// d of each light on each material, channel by channel; and, for normals, the irradiances.
-///
-/// # Errors
-///
-/// If the table cannot project a material, or a result is not finite.
+/// d of each light on each material, channel by channel; and, for normals, the irradiances. Fails
+/// if the table cannot project a material, or a result is not finite.
 pub fn arrays(
     table: &Table,
     (lights, materials): (&Lights, &Materials),
@@ -46,22 +43,19 @@ pub fn arrays(
             }
         }
     }
-    let (of_lights, of_materials) = (lights.entries.len(), materials.entries.len());
+    let (light, material) =
+        (("light", lights.entries.len()), ("material", materials.entries.len()));
+    let meaning =
+        "d, the image in the table's eigenimages, less the mean image of a standard table";
     let mut arrays = vec![Array::new(
-        (
-            "coefficients",
-            "d, the image in the table's eigenimages, less the mean image of a standard table",
-            "irradiance",
-        ),
-        &["light", "material", "r g b", "component"],
-        [of_lights, of_materials, 3, table.count()],
+        ("coefficients", meaning, "irradiance"),
+        [light, material, ("r g b", 3), ("component", table.count())],
         coefficients,
     )];
     if let Some(shown) = shown {
         arrays.push(Array::new(
             ("images", "irradiance of each normal", "irradiance"),
-            &["light", "material", "r g b", "normal"],
-            [of_lights, of_materials, 3, shown.normals.len()],
+            [light, material, ("r g b", 3), ("normal", shown.normals.len())],
             images,
         ));
         arrays.extend(shown.arrays());

@@ -22,11 +22,8 @@ pub struct Shown {
 impl Shown {
     /// The normals of a CSV `x,y,z`, or of the object that [`ObjectView::read`] reads, in `size`
     /// pixels across; by default 64, and all of a normal map. `admit` checks the number of normals:
-    /// of a sphere before they are computed, of a file when it has been read.
-    ///
-    /// # Errors
-    ///
-    /// Those of reading the file and of `admit`; and for a CSV with a size.
+    /// of a sphere before they are computed, of a file when it has been read. Fails as reading the
+    /// file and `admit` do, and for a CSV with a size.
     pub fn read(
         file: InputFile,
         size: Option<usize>,
@@ -57,22 +54,19 @@ impl Shown {
         let count = self.normals.len();
         let mut arrays = vec![Array::new(
             ("normals", "unit normals: x right, y up, z toward the camera", "1"),
-            &["normal", "x y z"],
-            [count, 3],
+            [("normal", count), ("x y z", 3)],
             self.normals.as_flattened().to_vec(),
         )];
         if !self.pixels.is_empty() {
             let places = self.pixels.iter().flat_map(|one| [one.row as i64, one.column as i64]);
             arrays.push(Array::new(
                 ("pixels", "row from the top and column from the left of each normal", "pixel"),
-                &["normal", "row column"],
-                [count, 2],
+                [("normal", count), ("row column", 2)],
                 places.collect::<Vec<_>>(),
             ));
             arrays.push(Array::new(
                 ("coverage", "share of each pixel that the object covers", "1"),
-                &["normal"],
-                [count],
+                [("normal", count)],
                 self.pixels.iter().map(|one| one.coverage).collect::<Vec<_>>(),
             ));
         }

@@ -22,11 +22,8 @@ pub fn size(table: &Table, normals: usize) -> u64 {
 
 /// The arrays of a table. Modes are sorted by m from -degree to degree, and within one m in the
 /// order of [`mode`]. For an object other than the sphere, the arrays over components describe the
-/// span, and those of [`General`] the eigenimages over it.
-///
-/// # Errors
-///
-/// If the table stores only transfers.
+/// span, and those of [`General`] the eigenimages over it. Fails if the table stores only
+/// transfers.
 pub fn arrays(table: &Table, shown: Option<&Shown>) -> Result<Vec<Array>> {
     if !table.has_projection() {
         let remedy = "make it with store = \"modes\"";
@@ -64,57 +61,48 @@ pub fn arrays(table: &Table, shown: Option<&Shown>) -> Result<Vec<Array>> {
         ),
         Array::new(
             ("modes", "l, m, o, p and q of each irradiance mode E_lop^mq", "1"),
-            &["mode", "l m o p q"],
-            [total, 5],
+            [("mode", total), ("l m o p q", 5)],
             modes.collect::<Vec<_>>(),
         ),
         Array::new(
             ("kept", "1 if the table includes the mode", "1"),
-            &["mode"],
-            [total],
+            [("mode", total)],
             kept.collect::<Vec<_>>(),
         ),
         Array::new(
             ("nodes", "z = cos alpha of each node", "1"),
-            &["node"],
-            [nodes],
+            [("node", nodes)],
             gram.nodes.clone(),
         ),
         Array::new(
             ("root_weights", "square root of each node's weight; the weights sum to 1", "1"),
-            &["node"],
-            [nodes],
+            [("node", nodes)],
             gram.root_weights.clone(),
         ),
         Array::new(
             ("gram_factor", "A with M = A^T A between modes of one m; 0 between others", "sr^1/2"),
-            &["node", "mode"],
-            [nodes, total],
+            [("node", nodes), ("mode", total)],
             factor(table),
         ),
         Array::new(
             ("mode_means", "e, the mean of each mode over the normals", "sr"),
-            &["mode"],
-            [total],
+            [("mode", total)],
             means.collect::<Vec<_>>(),
         ),
         Array::new(
             ("component_m", "m of each component", "1"),
-            &["component"],
-            [components],
+            [("component", components)],
             table.components.iter().map(|one| i64::from(one.order)).collect::<Vec<_>>(),
         ),
         Array::new(
             ("profiles", "square root of weight times the component's profile u", "1"),
-            &["node", "component"],
-            [nodes, components],
+            [("node", nodes), ("component", components)],
             by_component(table, nodes, |profile, k| profile.node_values[k]),
         ),
         series(table),
         Array::new(
             ("projection", "U^T M", "sr"),
-            &["component", "mode"],
-            [components, total],
+            [("component", components), ("mode", total)],
             rows(table, |profile| table.gram_row(profile)),
         ),
     ];
@@ -123,8 +111,7 @@ pub fn arrays(table: &Table, shown: Option<&Shown>) -> Result<Vec<Array>> {
         let columns = (0..total).flat_map(|s| (0..components).map(move |i| (i, s)));
         arrays.push(Array::new(
             ("mode_coefficients", "U over modes, a column for each component", "1/sr"),
-            &["mode", "component"],
-            [total, components],
+            [("mode", total), ("component", components)],
             columns.map(|(i, s)| rows[i * total + s]).collect::<Vec<_>>(),
         ));
     }
@@ -138,10 +125,10 @@ pub fn arrays(table: &Table, shown: Option<&Shown>) -> Result<Vec<Array>> {
 }
 
 fn scalar(
-    (name, meaning, unit): (&'static str, &'static str, &'static str),
+    text: (&'static str, &'static str, &'static str),
     value: impl Into<super::array::Values>,
 ) -> Array {
-    Array::new((name, meaning, unit), &[], [], value)
+    Array::new(text, [], value)
 }
 
 /// The sign of what +m and -m share: (-1)^m for -m.
@@ -187,18 +174,15 @@ fn by_component(table: &Table, length: usize, of: impl Fn(&Profile, usize) -> f6
     (0..length).flat_map(row).map(|(profile, k)| of(profile, k)).collect()
 }
 
-/// The Chebyshev series of the profiles.
 fn series(table: &Table) -> Array {
     let longest = table.profiles.iter().map(|profile| profile.chebyshev.len()).max().unwrap_or(0);
     Array::new(
         ("series", "Chebyshev coefficients in 2z - 1 of h with u = sin^|m|(alpha) h(z)", "1"),
-        &["term", "component"],
-        [longest, table.components.len()],
+        [("term", longest), ("component", table.components.len())],
         by_component(table, longest, |profile, k| profile.chebyshev.get(k).copied().unwrap_or(0.0)),
     )
 }
 
-/// Eigenvalues, the spectrum and the mean image.
 fn statistics(table: &Table) -> Vec<Array> {
     let of_components = || table.components.iter().map(|one| one.eigenvalue).collect();
     let values: Vec<Option<f64>> =
@@ -208,51 +192,40 @@ fn statistics(table: &Table) -> Vec<Array> {
     let mut arrays = vec![
         Array::new(
             ("eigenvalues", "variance of each eigenimage; none for the constant", "irradiance^2"),
-            &["eigenimage"],
-            [values.len()],
+            [("eigenimage", values.len())],
             values.into_iter().map(number).collect::<Vec<_>>(),
         ),
         Array::new(
             ("spectrum", "eigenvalues of all components, kept or not", "irradiance^2"),
-            &["index"],
-            [spectrum.len()],
+            [("index", spectrum.len())],
             spectrum.iter().map(|(_, value)| number(*value)).collect::<Vec<_>>(),
         ),
     ];
     if let Some(mean) = &table.mean {
         arrays.push(Array::new(
             ("mean_series", "Chebyshev coefficients in 2z - 1 of the mean image", "irradiance"),
-            &["term"],
-            [mean.chebyshev.len()],
+            [("term", mean.chebyshev.len())],
             mean.chebyshev.clone(),
         ));
         arrays.push(Array::new(
             ("mean_coefficients", "the mean image in the components", "irradiance"),
-            &["component"],
-            [mean.coefficients.len()],
+            [("component", mean.coefficients.len())],
             mean.coefficients.clone(),
         ));
     }
     arrays
 }
 
-/// The eigenimages of an object over the span.
 fn of_object(general: &General, components: usize) -> Vec<Array> {
     let count = general.eigenvalues.len();
     let matrices = [
-        (
-            ("object_projection", "maps an image's coordinates in the span to d", "1"),
-            &general.projection,
-        ),
-        (
-            ("object_synthesis", "coordinates of each eigenimage in the span", "1"),
-            &general.synthesis,
-        ),
-        (("object_modes", "U of each eigenimage in terms of U of the span", "1"), &general.modes),
+        ("object_projection", "maps an image's coordinates in the span to d", &general.projection),
+        ("object_synthesis", "coordinates of each eigenimage in the span", &general.synthesis),
+        ("object_modes", "U of each eigenimage in terms of U of the span", &general.modes),
     ];
-    let kept = matrices.into_iter().filter(|(_, values)| !values.is_empty());
-    let shape = [count, components];
-    kept.map(|(text, values)| Array::new(text, &["eigenimage", "component"], shape, values.clone()))
+    let kept = matrices.into_iter().filter(|(_, _, values)| !values.is_empty());
+    let axes = [("eigenimage", count), ("component", components)];
+    kept.map(|(name, meaning, values)| Array::new((name, meaning, "1"), axes, values.clone()))
         .collect()
 }
 
@@ -273,15 +246,13 @@ fn images(table: &Table, shown: &Shown) -> Result<Vec<Array>> {
     }
     let mut arrays = vec![Array::new(
         ("eigenimages", "U_i at each normal", "1"),
-        &["eigenimage", "normal"],
-        [count, length],
+        [("eigenimage", count), ("normal", length)],
         values,
     )];
     if has_mean {
         arrays.push(Array::new(
             ("mean_image", "the image of d = 0 at each normal", "irradiance"),
-            &["normal"],
-            [length],
+            [("normal", length)],
             mean,
         ));
     }

@@ -3,14 +3,12 @@
 pub mod pixels;
 
 use eigenshade_generator::basis::database::comparable_weights;
-use eigenshade_generator::basis::moments::LightStatistics;
-use eigenshade_generator::basis::moments::{MaterialMoments, equal};
+use eigenshade_generator::basis::moments::{LightStatistics, MaterialMoments, equal};
 use eigenshade_generator::reading::coefficients::{CUTOFF, Fit, LeastSquares, fit, scalar_product};
 use eigenshade_generator::reading::light_estimate::{self, Candidate};
 use eigenshade_generator::reading::modes::{self, ModeCoefficients};
 use eigenshade_generator::reading::observation::Observation;
-use eigenshade_generator::reading::posterior::Prior;
-use eigenshade_generator::reading::posterior::{Estimate, Posterior};
+use eigenshade_generator::reading::posterior::{Estimate, Posterior, Prior};
 use eigenshade_generator::reading::rank_one::RankOne;
 use eigenshade_generator::reading::transfer::Transfers;
 use eigenshade_model::database::{self, Lights, Materials, Named};
@@ -65,11 +63,8 @@ pub struct Reading {
 }
 
 impl<'a> Reader<'a> {
-    /// Uses the first `components` of the table, and these databases.
-    ///
-    /// # Errors
-    ///
-    /// If a database is empty, a light cannot be normalized, or a number is not finite.
+    /// Uses the first `components` of the table, and these databases. Fails if a database is empty,
+    /// a light cannot be normalized, or a number is not finite.
     pub fn new(
         table: &'a Table,
         components: usize,
@@ -108,11 +103,7 @@ impl<'a> Reader<'a> {
     }
 
     /// Reads an image of one gray channel or three colors. `noise` is the standard deviation of a
-    /// pixel of weight 1, if it is known.
-    ///
-    /// # Errors
-    ///
-    /// If the singular values do not converge.
+    /// pixel of weight 1, if it is known. Fails if the singular values do not converge.
     pub fn read(&self, observation: &Observation, noise: Option<f64>) -> Result<Reading> {
         let squares = LeastSquares::new(observation, CUTOFF)?;
         let posterior = Posterior::new(observation, &self.prior)?;
@@ -120,13 +111,9 @@ impl<'a> Reader<'a> {
             .map(|channel| self.channel(observation, &squares, &posterior, channel, noise))
             .collect::<Result<Vec<_>>>()?;
         let noises: Vec<f64> = channels.iter().map(|channel| channel.noise).collect();
-        let candidates = light_estimate::rank(
-            observation,
-            &self.prior,
-            &self.transfers,
-            self.materials,
-            &noises,
-        )?;
+        let (prior, transfers) = (&self.prior, &self.transfers);
+        let candidates =
+            light_estimate::rank(observation, prior, transfers, self.materials, &noises)?;
         let (rank, condition) = (squares.rank(), squares.condition());
         Ok(Reading { channels, rank, condition, candidates })
     }
@@ -147,6 +134,7 @@ impl<'a> Reader<'a> {
         let least_squares = fitted(squares.solve(observation.centered(channel).as_ref()));
         let noise = posterior.noise(channel, stated, least_squares.1.noise);
         let estimate = posterior.estimate(channel, noise);
+        let of_mean = fit(observation, channel, &estimate.d, rank);
         let modes = modes::posterior_mean(&self.transfers, &self.prior, &estimate);
         let mut product = RankOne::of(&modes)?;
         product.scaled_to(&self.prior.materials.vectors);
@@ -154,10 +142,7 @@ impl<'a> Reader<'a> {
             scalar_product: fitted(scalar_product(observation, channel)),
             least_norm: modes::least_norm(self.table, &least_squares.0),
             least_squares,
-            posterior: {
-                let fit = fit(observation, channel, &estimate.d, rank);
-                (estimate, fit)
-            },
+            posterior: (estimate, of_mean),
             noise,
             modes,
             product,

@@ -4,8 +4,7 @@
 use crate::picture::SphereView;
 use eigenshade_generator::light::environment::EnvironmentMap;
 use eigenshade_generator::object::normal_map;
-use eigenshade_generator::png_samples;
-use eigenshade_generator::png_samples::Curve;
+use eigenshade_generator::png_samples::{self, Curve};
 use eigenshade_model::database::luminance;
 use eigenshade_model::error::{Error, Result};
 use eigenshade_model::inputs::input_file::InputFile;
@@ -56,11 +55,9 @@ impl LinearImage {
     /// files, and as linear if it has 16. The other types are linear, and the colors of an `.exr`
     /// are divided by its opacity. The true value of a clipped pixel is unknown, so its weight is 0.
     ///
-    /// # Errors
-    ///
-    /// If the file has another type, cannot be read or is broken; if a transfer is given for a type
-    /// that has none, or none is given for a PNG that declares another curve; if numbers are not
-    /// finite.
+    /// Fails if the file has another type, cannot be read or is broken; if a transfer is given for
+    /// a type that has none, or none is given for a PNG that declares another curve; if numbers are
+    /// not finite.
     pub fn read(file: impl Into<InputFile>, transfer: Option<Transfer>) -> Result<Self> {
         let file = file.into().with_bytes_beside(BYTES_PER_PIXEL);
         let path = file.path();
@@ -81,11 +78,10 @@ impl LinearImage {
                 Ok(image)
             }
             "hdr" | "pfm" => Ok(Self::of_map(&EnvironmentMap::from_path(file)?)),
-            _ => Err(Error::new(
-                "it is not an image of a supported type",
-                "give a file that ends in .png, .exr, .hdr, .pfm or .csv",
-            )
-            .in_file(path)),
+            _ => {
+                let remedy = "give a file that ends in .png, .exr, .hdr, .pfm or .csv";
+                Err(Error::new("it is not an image of a supported type", remedy).in_file(path))
+            }
         }
     }
 
@@ -158,14 +154,7 @@ impl LinearImage {
     fn of_csv(file: InputFile) -> Result<Self> {
         let sheet = Sheet::read(file, "r,g,b")?;
         let columns = sheet.colors()?.ok_or_else(|| sheet.wrong_header("`r,g,b` or `value`"))?;
-        let mut pixels = Vec::new();
-        for row in sheet.rows() {
-            let mut pixel = [0.0; 3];
-            for (channel, column) in pixel.iter_mut().zip(columns) {
-                *channel = row.number(column)?;
-            }
-            pixels.push(pixel);
-        }
+        let pixels = sheet.rows().map(|row| row.numbers(columns)).collect::<Result<_>>()?;
         Ok(Self::whole(None, pixels))
     }
 
@@ -176,58 +165,44 @@ impl LinearImage {
     }
 }
 
-/// Bytes per optional normal.
-const BYTES_PER_NORMAL: u64 = size_of::<Option<[f64; 3]>>() as u64;
-
 /// The largest weight: its square times any number of pixels is finite.
 const LARGEST: f64 = 1e100;
-
-/// Bytes per weight.
-const BYTES_PER_WEIGHT: u64 = size_of::<f64>() as u64;
 
 /// Reads the unit normal, z >= 0, of each pixel of an image of this size; `None` where there is no
 /// object.
 ///
-/// `source` is one of three: the name `sphere`, for a centered sphere that fills the image as in
+/// `file` is one of three: the name `sphere`, for a centered sphere that fills the image as in
 /// [`SphereView`]; a PNG of the image's size, read as a [`normal_map`]; or a CSV `x,y,z` with a row
 /// for each pixel, row by row. `counts` states for each pixel whether it is used; in a normal map,
 /// unused pixels may face away.
 ///
-/// # Errors
-///
-/// If `sphere` is given for an image without a size, the file has another size than the image or
-/// is a mesh, or the file cannot be read.
+/// Fails if `sphere` is given for an image without a size, the file has another size than the image
+/// or is a mesh, or the file cannot be read.
 pub fn normals(
-    source: impl Into<InputFile>,
+    file: &InputFile,
     size: Option<[usize; 2]>,
     counts: &[bool],
 ) -> Result<Vec<Option<[f64; 3]>>> {
-    let file = source.into();
-    let source = file.path();
-    if source == Path::new("sphere") {
+    if file.path() == Path::new("sphere") {
         return size.map(normals_of_sphere).ok_or_else(|| {
-            Error::new(
-                "a list of pixels shows no sphere",
-                "give --normals a CSV with a row for each of them",
-            )
+            let remedy = "give --normals a CSV with a row for each of them";
+            Error::new("a list of pixels shows no sphere", remedy)
         });
     }
     let found: Vec<_> = match file.extension().as_str() {
-        "png" => normals_of_png(&file, size, counts)?,
+        "png" => normals_of_png(file, size, counts)?,
         _ if file.is_mesh() => {
             let what =
                 "it is a mesh, and `read` takes `sphere`, a normal map (.png) or a CSV `x,y,z`";
             let remedy = "give the normals of the image's pixels, or draw the mesh with `render`";
-            return Err(Error::new(what, remedy).in_file(source));
+            return Err(Error::new(what, remedy).in_file(file.path()));
         }
         _ => read_normals(file.clone())?.into_iter().map(Some).collect(),
     };
     if found.len() != counts.len() {
-        return Err(Error::new(
-            format!("it holds {} normals, the image {} pixels", found.len(), counts.len()),
-            "give one normal for each pixel, row by row from the top",
-        )
-        .in_file(source));
+        let what = format!("it holds {} normals, the image {} pixels", found.len(), counts.len());
+        let remedy = "give one normal for each pixel, row by row from the top";
+        return Err(Error::new(what, remedy).in_file(file.path()));
     }
     Ok(found)
 }
@@ -235,12 +210,9 @@ pub fn normals(
 fn normals_of_sphere([width, height]: [usize; 2]) -> Vec<Option<[f64; 3]>> {
     let side = width.min(height);
     let (left, top) = ((width - side) / 2, (height - side) / 2);
-    let view = SphereView::new(side);
     let mut normals = vec![None; width * height];
-    for (pixel, normal) in view.pixels.iter().zip(&view.normals) {
-        if pixel.is_inside {
-            normals[(top + pixel.row) * width + left + pixel.column] = Some(*normal);
-        }
+    for (pixel, normal) in SphereView::pixels(side).filter(|(pixel, _)| pixel.is_inside) {
+        normals[(top + pixel.row) * width + left + pixel.column] = Some(normal);
     }
     normals
 }
@@ -251,7 +223,8 @@ fn normals_of_png(
     counts: &[bool],
 ) -> Result<Vec<Option<[f64; 3]>>> {
     let path = file.path();
-    let png = png_samples::read(file.clone().with_bytes_beside(BYTES_PER_NORMAL))?;
+    let png =
+        png_samples::read(file.clone().with_bytes_beside(size_of::<Option<[f64; 3]>>() as u64))?;
     let (width, height) = (png.width, png.height);
     let what = match size {
         Some([w, h]) if [w, h] != [width, height] => format!("the image {w} x {h}"),
@@ -263,40 +236,27 @@ fn normals_of_png(
 }
 
 /// Reads a weight for each pixel, either from a PNG of the image's size (luminance times opacity, 0
-/// to 1) or from a CSV with the column `weight` (0 or more).
-///
-/// # Errors
-///
-/// If the file has another size than the image, a weight is negative, or the file cannot be read.
-pub fn weights(
-    file: impl Into<InputFile>,
-    size: Option<[usize; 2]>,
-    count: usize,
-) -> Result<Vec<f64>> {
-    let file = file.into();
-    let path = file.path();
-    let is_png = path.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("png"));
-    let found = if is_png { weights_of_png(&file, size)? } else { weights_of_csv(&file)? };
+/// to 1) or from a CSV with the column `weight` (0 or more). Fails if the file has another size
+/// than the image, a weight is negative, or the file cannot be read.
+pub fn weights(file: &InputFile, size: Option<[usize; 2]>, count: usize) -> Result<Vec<f64>> {
+    let is_png = file.extension() == "png";
+    let found = if is_png { weights_of_png(file, size)? } else { weights_of_csv(file)? };
     if found.len() != count {
-        return Err(Error::new(
-            format!("it holds {} weights, the image {count} pixels", found.len()),
-            "give one weight for each pixel, row by row from the top",
-        )
-        .in_file(path));
+        let what = format!("it holds {} weights, the image {count} pixels", found.len());
+        let remedy = "give one weight for each pixel, row by row from the top";
+        return Err(Error::new(what, remedy).in_file(file.path()));
     }
     Ok(found)
 }
 
 fn weights_of_png(file: &InputFile, size: Option<[usize; 2]>) -> Result<Vec<f64>> {
-    let png = png_samples::read(file.clone().with_bytes_beside(BYTES_PER_WEIGHT))?;
+    let png = png_samples::read(file.clone().with_bytes_beside(size_of::<f64>() as u64))?;
     if let Some([width, height]) = size
         && (width, height) != (png.width, png.height)
     {
-        return Err(Error::new(
-            format!("it is {} x {} pixels, the image {width} x {height}", png.width, png.height),
-            "give a mask of the image's size",
-        )
-        .in_file(file.path()));
+        let (w, h) = (png.width, png.height);
+        let what = format!("it is {w} x {h} pixels, the image {width} x {height}");
+        return Err(Error::new(what, "give a mask of the image's size").in_file(file.path()));
     }
     let full = f64::from(png.full);
     let weight = |(color, opacity): (&[u16; 3], &u16)| {

@@ -41,22 +41,37 @@ impl Difference {
     }
 }
 
-/// The differences between a table and the expected one.
-///
-/// # Errors
-///
-/// If the tables do not match in scene, degree, rank or number of components.
+/// The differences between a table and the expected one. Fails if the tables do not match in scene,
+/// degree, rank or number of components.
 pub fn differences(table: &Table, fresh: &Table) -> Result<Vec<Difference>, String> {
     same_shape(table, fresh)?;
-    let both = [table, fresh];
-    let [old_values, new_values] = both.map(component_eigenvalues);
-    let [old_spectrum, new_spectrum] = both.map(|table| spectrum(table, longest_spectrum(both)));
-    let of_profiles = |table: &Table, f: &dyn Fn(&Profile) -> Vec<f64>| -> Vec<f64> {
-        table.profiles.iter().flat_map(f).collect()
+    let compared = |what, of: &dyn Fn(&Table) -> Vec<f64>| difference(what, &of(table), &of(fresh));
+    let of_profiles = |what, of: &dyn Fn(&Table, &Profile) -> Vec<f64>| {
+        compared(what, &|one| one.profiles.iter().flat_map(|profile| of(one, profile)).collect())
     };
-    let compared = |what, f: &dyn Fn(&Profile) -> Vec<f64>| {
-        difference(what, &of_profiles(table, f), &of_profiles(fresh, f))
-    };
+    let mode_means = || compared("mode means e", &|one| one.gram.mode_means());
+    let longest = table.spectrum.len().max(fresh.spectrum.len());
+    let eigenvalues = compared("components' eigenvalues", &component_eigenvalues);
+    let spectrum = compared("spectrum", &|one| spectrum(one, longest));
+    let mean = compared("coefficients of the mean", &mean_coefficients);
+    if fresh.general.is_some() {
+        let of_images =
+            |what, of: fn(&General) -> &Vec<f64>| compared(what, &|one| projected(one, of));
+        let allowed = DRAWN * fresh.scene.basis.profile_tolerance;
+        let mut differences = vec![
+            Difference { allowed, ..compared("eigenimages drawn", &drawn) },
+            of_images("d of the eigenimages", |general| &general.synthesis),
+            eigenvalues,
+            spectrum,
+            mode_means(),
+            compared("rows of U^T M", &general_rows),
+            mean,
+        ];
+        if fresh.has_modes() {
+            differences.push(of_images("d of their modes", |general| &general.modes));
+        }
+        return Ok(differences);
+    }
     let [old_series, new_series, alone] = polynomials(table, fresh);
     // Each is within the tolerance of the whole series.
     let alone = Difference {
@@ -64,52 +79,25 @@ pub fn differences(table: &Table, fresh: &Table) -> Result<Vec<Difference>, Stri
         found: alone.iter().fold(0.0, |most: f64, value| most.max(value.abs())),
         allowed: 2.0 * fresh.scene.basis.profile_tolerance,
     };
-    let [old_mean, new_mean] = both.map(mean_coefficients);
-    if fresh.general.is_some() {
-        let [old_rows, new_rows] = both.map(general_rows);
-        let [old_images, new_images] = both.map(|table| projected(table, |one| &one.synthesis));
-        let [old_drawn, new_drawn] = both.map(drawn);
-        let mut differences = vec![
-            Difference {
-                allowed: DRAWN * fresh.scene.basis.profile_tolerance,
-                ..difference("eigenimages drawn", &old_drawn, &new_drawn)
-            },
-            difference("d of the eigenimages", &old_images, &new_images),
-            difference("components' eigenvalues", &old_values, &new_values),
-            difference("spectrum", &old_spectrum, &new_spectrum),
-            difference("mode means e", &table.gram.mode_means(), &fresh.gram.mode_means()),
-            difference("rows of U^T M", &old_rows, &new_rows),
-            difference("coefficients of the mean", &old_mean, &new_mean),
-        ];
-        if fresh.has_modes() {
-            let [old_modes, new_modes] = both.map(|table| projected(table, |one| &one.modes));
-            differences.push(difference("d of their modes", &old_modes, &new_modes));
-        }
-        return Ok(differences);
-    }
     let mut differences = vec![
-        difference("components' eigenvalues", &old_values, &new_values),
-        difference("spectrum", &old_spectrum, &new_spectrum),
-        compared("profiles at the nodes", &|profile| profile.node_values.clone()),
+        eigenvalues,
+        spectrum,
+        of_profiles("profiles at the nodes", &|_, profile| profile.node_values.clone()),
         difference("polynomials", &old_series, &new_series),
         alone,
-        difference("coefficients of the mean", &old_mean, &new_mean),
+        mean,
     ];
     if fresh.has_projection() {
-        let [old_means, new_means] = both.map(|table| table.gram.mode_means());
-        differences.push(difference("mode means e", &old_means, &new_means));
-        let [old, new] = both.map(|table| of_profiles(table, &|one| table.gram_row(one)));
-        differences.push(difference("rows of U^T M", &old, &new));
+        differences.push(mode_means());
+        differences.push(of_profiles("rows of U^T M", &|one, profile| one.gram_row(profile)));
     } else {
-        let [old, new] = both.map(transfers);
-        differences.push(difference("transfers", &old, &new));
+        differences.push(compared("transfers", &transfers));
     }
     if fresh.has_modes() {
         let columns: Vec<_> =
             (0..=fresh.gram.degree).map(|azimuth| fresh.gram.columns(azimuth)).collect();
-        let image = |profile: &Profile| image(&columns[profile.azimuth], profile);
-        let [old, new] = both.map(|table| of_profiles(table, &image));
-        differences.push(difference("images A U", &old, &new));
+        let image = |_: &Table, profile: &Profile| image(&columns[profile.azimuth], profile);
+        differences.push(of_profiles("images A U", &image));
     }
     Ok(differences)
 }
@@ -222,10 +210,6 @@ fn component_eigenvalues(table: &Table) -> Vec<f64> {
     table.components.iter().map(|one| one.eigenvalue.unwrap_or(0.0)).collect()
 }
 
-fn longest_spectrum(tables: [&Table; 2]) -> usize {
-    tables.map(|table| table.spectrum.len()).into_iter().max().unwrap_or(0)
-}
-
 /// The spectrum, padded with zeros because rounding decides where it ends.
 fn spectrum(table: &Table, length: usize) -> Vec<f64> {
     let mut values: Vec<f64> =
@@ -261,14 +245,12 @@ fn polynomials(table: &Table, fresh: &Table) -> [Vec<f64>; 3] {
 
 /// Values u(α) on slants from the pole to the rim.
 fn polynomial(azimuth: usize, chebyshev: &[f64]) -> Vec<f64> {
-    let slants =
-        (0..=ARGUMENTS).map(|k| std::f64::consts::FRAC_PI_2 * f64::from(k) / f64::from(ARGUMENTS));
-    slants
-        .map(|alpha| {
-            let (sine, z) = alpha.sin_cos();
-            sine.powi(azimuth as i32) * evaluate(chebyshev, z)
-        })
-        .collect()
+    let value = |k: u32| {
+        let alpha = std::f64::consts::FRAC_PI_2 * f64::from(k) / f64::from(ARGUMENTS);
+        let (sine, z) = alpha.sin_cos();
+        sine.powi(azimuth as i32) * evaluate(chebyshev, z)
+    };
+    (0..=ARGUMENTS).map(value).collect()
 }
 
 fn mean_coefficients(table: &Table) -> Vec<f64> {

@@ -30,11 +30,8 @@ pub fn shipped(path: &Path) -> Option<&'static [u8]> {
     place.filter(|_| !is_file(path)).map(|place| tables[place])
 }
 
-/// The bytes of a table's file, or of the shipped table of this name.
-///
-/// # Errors
-///
-/// If the file cannot be read.
+/// The bytes of a table's file, or of the shipped table of this name. Fails if the file cannot be
+/// read.
 pub fn bytes(file: &InputFile) -> Result<Cow<'static, [u8]>> {
     let path = file.path();
     if let Some(bytes) = shipped(path) {
@@ -50,21 +47,15 @@ pub fn bytes(file: &InputFile) -> Result<Cow<'static, [u8]>> {
     file.bytes().map(Cow::Owned)
 }
 
-/// Reads a table's file, or the shipped table of this name.
-///
-/// # Errors
-///
-/// If the file cannot be read, is not a table, has another version, or is damaged.
+/// Reads a table's file, or the shipped table of this name. Fails if the file cannot be read, is
+/// not a table, has another version, or is damaged.
 pub fn read(file: impl Into<InputFile>) -> Result<Table> {
     let file = file.into();
     decode(&bytes(&file)?).map_err(|error| error.in_file(file.path()))
 }
 
-/// Decodes a table from the bytes of a file.
-///
-/// # Errors
-///
-/// If the bytes are not a table, have another version, or are damaged.
+/// Decodes a table from the bytes of a file. Fails if the bytes are not a table, have another
+/// version, or are damaged.
 pub fn decode(bytes: &[u8]) -> Result<Table> {
     if is_wire(bytes) {
         let what = "it is a wire file, which only the runtime and `eigenshade info` read";
@@ -73,19 +64,16 @@ pub fn decode(bytes: &[u8]) -> Result<Table> {
     eigenshade_table::decode(bytes).map_err(|error| Error::table(&error))
 }
 
-/// The number of components to use: the requested number, or all.
-///
-/// # Errors
-///
-/// If the request exceeds the number of components of the table at `path`.
+/// The number of components to use: the requested number, or all. Fails if the request exceeds the
+/// number of components of the table at `path`.
 pub fn components(table: &Table, requested: Option<usize>, path: &Path) -> Result<usize> {
     let all = table.count();
     match requested {
-        Some(count) if count > all => Err(Error::new(
-            format!("it has {all} components, but {count} are requested"),
-            format!("request {all} at most, or make a larger table with `eigenshade basis`"),
-        )
-        .in_file(path)),
+        Some(count) if count > all => {
+            let what = format!("it has {all} components, but {count} are requested");
+            let remedy = "at most, or make a larger table with `eigenshade basis`";
+            Err(Error::new(what, format!("request {all} {remedy}")).in_file(path))
+        }
         _ => Ok(requested.unwrap_or(all)),
     }
 }
@@ -103,11 +91,8 @@ pub fn is_wire(bytes: &[u8]) -> bool {
 }
 
 /// Describes the contents of a wire file. Of a file in the other byte order only the header and the
-/// table of sections are read: there are no lengths of buffers.
-///
-/// # Errors
-///
-/// If the runtime refuses the bytes.
+/// table of sections are read: there are no lengths of buffers. Fails if the runtime refuses the
+/// bytes.
 pub fn wire_description(bytes: &[u8]) -> Result<Description> {
     let is_other = Header::read(bytes) == Err(Fault::Endianness);
     let bytes = if is_other { Cow::Owned(swapped(bytes)) } else { Cow::Borrowed(bytes) };
@@ -116,7 +101,7 @@ pub fn wire_description(bytes: &[u8]) -> Result<Description> {
     } else {
         checked(&bytes)
     };
-    let (header, lengths) = found.map_err(|error| described(&error))?;
+    let (header, lengths) = found.map_err(|error| Error::of_line(error, "pack the table again"))?;
     let (format, names) = match NumberFormat::of(header.format) {
         Some(NumberFormat::F32) | None => {
             (NumberFormat::F32, [Parts::<f32>::ARRAYS, GeneralParts::<f32>::ARRAYS].concat())
@@ -205,12 +190,8 @@ fn checked(bytes: &[u8]) -> std::result::Result<(Header, Lengths), WireError> {
 }
 
 fn of_floats(workspace: usize, components: usize, basis: &Basis<'_, f32>) -> Lengths {
-    vec![
-        ("WORKSPACE", workspace),
-        ("TRANSFER", basis.transfer_len()),
-        ("COMPONENTS", components),
-        ("SCENE", basis.scene_len()),
-    ]
+    let lengths = [workspace, basis.transfer_len(), components, basis.scene_len()];
+    ["WORKSPACE", "TRANSFER", "COMPONENTS", "SCENE"].into_iter().zip(lengths).collect()
 }
 
 fn of_integers<Q: FixedPoint>(basis: &quantized::Basis<'_, Q>) -> Lengths {
@@ -221,11 +202,4 @@ fn of_integers<Q: FixedPoint>(basis: &quantized::Basis<'_, Q>) -> Lengths {
         ("COMPONENTS", basis.components()),
         ("SCENE", basis.scene_len()),
     ]
-}
-
-/// Splits the one line of [`WireError`] into the problem and the remedy.
-fn described(error: &WireError) -> Error {
-    let line = error.to_string();
-    let (what, remedy) = line.rsplit_once("; ").unwrap_or((&line, "pack the table again"));
-    Error::new(what, remedy)
 }

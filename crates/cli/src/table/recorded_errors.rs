@@ -10,17 +10,10 @@ use std::fmt::Write as _;
 use std::path::Path;
 
 /// The columns of the file.
+#[rustfmt::skip]
 pub const COLUMNS: [&str; 10] = [
-    "material",
-    "degree",
-    "order",
-    "components",
-    "median",
-    "worst",
-    "map",
-    "normals",
-    "scene",
-    "energy",
+    "material", "degree", "order", "components", "median",
+    "worst", "map", "normals", "scene", "energy",
 ];
 /// The allowed relative difference between the recorded energy and the table's: it has nine digits,
 /// and hosts agree to 1e-9.
@@ -48,11 +41,9 @@ impl Stamp {
 }
 
 /// Manifest rows for the errors of this table recorded at `path`; empty if there is no such file.
-///
-/// # Errors
-///
-/// If the errors belong to another table: one of another degree, order, number of components or
-/// scene, or one of other databases; or if they name materials or lights that these databases lack.
+/// Fails if the errors belong to another table: one of another degree, order, number of components
+/// or scene, or one of other databases; or if they name materials or lights that these databases
+/// lack.
 pub fn manifest_rows(path: &Path, table: &Table, loaded: &Loaded) -> Result<String> {
     let mut text = String::new();
     if !path.exists() {

@@ -111,17 +111,3 @@ pub struct Q15(pub i16);
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[repr(transparent)]
 pub struct Q31(pub i32);
-
-/// The items of mantissas.
-macro_rules! mantissa {
-    ($format:ident) => {
-        impl Item for $format {
-            const TYPE: &'static str = concat!("eigenshade::index::record::", stringify!($format));
-            fn words<F: FnMut(Word)>(self, to: &mut F) {
-                self.0.words(to);
-            }
-        }
-    };
-}
-mantissa!(Q15);
-mantissa!(Q31);

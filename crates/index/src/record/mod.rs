@@ -86,7 +86,7 @@ impl Size for Effects {
     }
 }
 
-/// The words of primitive types.
+/// The words of numbers.
 macro_rules! primitive {
     ($($type:ident $name:literal |$number:ident| $word:expr;)*) => {$(
         impl Item for $type {
@@ -107,6 +107,8 @@ primitive! {
     u32 "u32" |number| Word::Long(number);
     i32 "i32" |number| Word::Long(number.cast_unsigned());
     f32 "f32" |number| Word::Long(number.to_bits());
+    Q15 "eigenshade::index::record::Q15" |number| Word::Short(number.0.cast_unsigned());
+    Q31 "eigenshade::index::record::Q31" |number| Word::Long(number.0.cast_unsigned());
 }
 
 impl Item for [f32; 2] {

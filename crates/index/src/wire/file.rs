@@ -151,9 +151,7 @@ impl Header {
     const fn shape(&self) -> (usize, usize, Effects, usize) {
         (self.degree, self.order, self.effects, self.components)
     }
-}
 
-impl Header {
     /// Reads the header of a file. The bytes need not be aligned or complete, and the checksum is
     /// not checked.
     ///

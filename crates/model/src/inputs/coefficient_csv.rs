@@ -90,18 +90,15 @@ fn entries<const N: usize>(
 ) -> Result<(usize, usize, Vec<Named>)> {
     let (largest, found) = gather(kind, sheet)?;
     if found.is_empty() {
-        return Err(sheet.fault(
-            format!("it contains no {}", kind.thing),
-            format!("add rows below the header `{}`", kind.header("r,g,b")),
-        ));
+        let remedy = format!("add rows below the header `{}`", kind.header("r,g,b"));
+        return Err(sheet.fault(format!("it contains no {}", kind.thing), remedy));
     }
     let size = wanted.unwrap_or(largest);
     if size > largest {
         let word = kind.size;
-        return Err(sheet.fault(
-            format!("it has {word} {largest}, but {word} {size} is needed"),
-            format!("ask for at most {word} {largest}, or create the file again"),
-        ));
+        let what = format!("it has {word} {largest}, but {word} {size} is needed");
+        let remedy = format!("ask for at most {word} {largest}, or create the file again");
+        return Err(sheet.fault(what, remedy));
     }
     let entries =
         found.into_iter().map(|found| complete(kind, size, found)).collect::<Result<_>>()?;
@@ -134,15 +131,10 @@ fn gather<'a, const N: usize>(kind: &Kind<N>, sheet: &'a Sheet) -> Result<(usize
             *index = row.integer(column)?;
         }
         let (size, position) = (kind.place)(index).ok_or_else(|| {
-            row.fault(
-                format!("no {} has {}", kind.thing, kind.spell(index)),
-                format!("a valid index has {}", kind.rule),
-            )
+            let what = format!("no {} has {}", kind.thing, kind.spell(index));
+            row.fault(what, format!("a valid index has {}", kind.rule))
         })?;
-        let mut rgb = [0.0; 3];
-        for (channel, column) in rgb.iter_mut().zip(value_columns) {
-            *channel = row.number(column)?;
-        }
+        let rgb = row.numbers(value_columns)?;
         largest = largest.max(size);
         let entry = *entry_of.entry(name).or_insert(found.len());
         if entry == found.len() {
@@ -160,31 +152,21 @@ fn complete<const N: usize>(kind: &Kind<N>, size: usize, found: Found<'_>) -> Re
     let first = rows.first().map(|&(.., row)| row);
     // The sort is stable: of two rows with the same index, the later one comes second.
     rows.sort_by_key(|&(position, ..)| position);
-    for pair in rows.windows(2) {
-        if let [(before, ..), (position, _, row)] = pair
-            && before == position
-        {
-            return Err(row.fault(
-                format!("the {thing} `{name}` has this index twice"),
-                "keep one of the two rows",
-            ));
-        }
+    if let Some([_, (.., row)]) = rows.windows(2).find(|pair| pair[0].0 == pair[1].0) {
+        let what = format!("the {thing} `{name}` has this index twice");
+        return Err(row.fault(what, "keep one of the two rows"));
     }
     let count = (kind.count)(size);
-    let missing = rows
-        .iter()
-        .take(count)
-        .enumerate()
-        .position(|(k, &(position, ..))| position != k)
-        .unwrap_or(rows.len());
+    let mut positions = rows.iter().take(count).map(|&(position, ..)| position).zip(0..);
+    let missing = positions.position(|(position, k)| position != k).unwrap_or(rows.len());
     if let Some(row) = first
         && missing < count
         && let Some(index) = (kind.indices)(size).nth(missing)
     {
-        return Err(row.fault(
-            format!("the {thing} `{name}`, which begins here, has no row {}", kind.spell(index)),
-            format!("add the row; {} {size} has {count} rows", kind.size),
-        ));
+        let index = kind.spell(index);
+        let what = format!("the {thing} `{name}`, which begins here, has no row {index}");
+        let remedy = format!("add the row; {} {size} has {count} rows", kind.size);
+        return Err(row.fault(what, remedy));
     }
     rows.truncate(count);
     Ok(Named {
@@ -206,10 +188,9 @@ fn write<const N: usize>(
     writer.write_record(header.split(',')).map_err(output_fault)?;
     for entry in entries {
         if entry.rgb.iter().any(|channel| channel.len() != indices.len()) {
-            return Err(Error::new(
-                format!("the {} `{}` is not of {} {size}", kind.thing, entry.name, kind.size),
-                format!("bring every {} to one {} first", kind.thing, kind.size),
-            ));
+            let (thing, name, word) = (kind.thing, &entry.name, kind.size);
+            let what = format!("the {thing} `{name}` is not of {word} {size}");
+            return Err(Error::new(what, format!("bring every {thing} to one {word} first")));
         }
         let channels = if gray { &entry.rgb[..1] } else { &entry.rgb[..] };
         for (k, &index) in indices.iter().enumerate() {
@@ -218,10 +199,8 @@ fn write<const N: usize>(
             for channel in channels {
                 if !channel[k].is_finite() {
                     let (thing, name, place) = (kind.thing, &entry.name, kind.spell(index));
-                    return Err(Error::new(
-                        format!("the {thing} `{name}` is not finite at {place}"),
-                        "scale its inputs toward 1",
-                    ));
+                    let what = format!("the {thing} `{name}` is not finite at {place}");
+                    return Err(Error::new(what, "scale its inputs toward 1"));
                 }
                 fields.push(exact(channel[k]));
             }

@@ -64,8 +64,7 @@ impl<const N: usize> Kind<N> {
 
     /// Formats an index, such as `l = 2, m = -1`.
     pub(crate) fn spell(&self, index: [i64; N]) -> String {
-        let parts: Vec<_> = self.names.iter().zip(index).collect();
-        let parts = parts.iter().map(|(name, i)| format!("{name} = {i}"));
+        let parts = self.names.iter().zip(index).map(|(name, i)| format!("{name} = {i}"));
         parts.collect::<Vec<_>>().join(", ")
     }
 }
@@ -81,15 +80,13 @@ pub const LIGHT_DIGITS: usize = 9;
 pub fn rounded(lights: &Lights, digits: usize) -> Lights {
     let mut lights = lights.clone();
     let channels = lights.entries.iter_mut().flat_map(|entry| &mut entry.rgb);
-    for value in channels.flatten() {
-        *value = significant(*value, digits);
-    }
+    channels.flatten().for_each(|value| *value = significant(*value, digits));
     lights
 }
 
 /// Rounds to this many significant decimal digits. The result comes from parsing decimal text, so
 /// writing and reading it back does not change it.
-fn significant(value: f64, digits: usize) -> f64 {
+pub(crate) fn significant(value: f64, digits: usize) -> f64 {
     format!("{value:.*e}", digits.saturating_sub(1)).parse().unwrap_or(value)
 }
 

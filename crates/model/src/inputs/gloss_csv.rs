@@ -78,9 +78,8 @@ mod tests {
         let text = String::from_utf8(text).unwrap();
         assert_eq!(read_glosses(InputFile::of_text(&text, "f")).unwrap(), [one]);
         for (from, to) in [("0.1250", "1.1"), ("0.1250", "-0.1"), ("1.5000", "nan")] {
-            let error = read_glosses(InputFile::of_text(text.replace(from, to), "f"))
-                .unwrap_err()
-                .to_string();
+            let read = read_glosses(InputFile::of_text(text.replace(from, to), "f"));
+            let error = read.unwrap_err().to_string();
             assert!(error.contains("f:2"), "{error}");
         }
     }

@@ -32,11 +32,8 @@ pub fn read_weighted_normals(file: impl Into<InputFile>) -> Result<Vec<([f64; 3]
     let weight = sheet.column("weight");
     let mut normals = Vec::with_capacity(sheet.rows().len());
     for row in sheet.rows() {
-        let mut vector = [0.0; 3];
-        for (component, column) in vector.iter_mut().zip(columns) {
-            *component = row.number(column)?;
-        }
-        let normal = visible(vector).map_err(|(what, remedy)| row.fault(what, remedy))?;
+        let normal =
+            visible(row.numbers(columns)?).map_err(|(what, remedy)| row.fault(what, remedy))?;
         let weight = weight.map_or(Ok(1.0), |column| row.number(column))?;
         if weight < 0.0 {
             return Err(row.fault(format!("weight {weight} is negative"), "give it zero or more"));

@@ -84,9 +84,8 @@ mod tests {
             }
         }
         for (from, to) in [("0.0201", "-1"), ("a,4,9", "a,-4,9"), ("0.0201", "inf")] {
-            let error = read_set_errors(InputFile::of_text(text.replace(from, to), "f"))
-                .unwrap_err()
-                .to_string();
+            let read = read_set_errors(InputFile::of_text(text.replace(from, to), "f"));
+            let error = read.unwrap_err().to_string();
             assert!(error.contains("f:2"), "{error}");
         }
     }

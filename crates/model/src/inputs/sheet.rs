@@ -56,11 +56,10 @@ impl Sheet {
                 .in_file(path));
         }
         if let Some((place, name)) = doubled(&header) {
-            return Err(Error::new(
-                format!("column {} has the same name as an earlier one, `{name}`", place + 1),
-                "give each column its own name",
-            )
-            .at_line(path, 1 + skipped(&text)));
+            let what =
+                format!("column {} has the same name as an earlier one, `{name}`", place + 1);
+            let error = Error::new(what, "give each column its own name");
+            return Err(error.at_line(path, 1 + skipped(&text)));
         }
         let mut sheet = Self {
             header,
@@ -121,11 +120,9 @@ impl Sheet {
         if let (Some(_), Some(color)) =
             (self.column("value"), rgb.into_iter().find(|name| self.column(name).is_some()))
         {
-            return Err(Error::new(
-                format!("it has the columns `value` and `{color}`"),
-                "keep r,g,b for colored values, or value for gray ones",
-            )
-            .at_line(self.file.path(), 1 + skipped(&self.text)));
+            let what = format!("it has the columns `value` and `{color}`");
+            let error = Error::new(what, "keep r,g,b for colored values, or value for gray ones");
+            return Err(error.at_line(self.file.path(), 1 + skipped(&self.text)));
         }
         Ok(self.columns(rgb).or_else(|| self.columns(["value"; 3])))
     }
@@ -134,11 +131,9 @@ impl Sheet {
     #[must_use]
     pub fn wrong_header(&self, columns: &str) -> Error {
         let found: Vec<_> = self.header.iter().collect();
-        Error::new(
-            format!("its header is `{}`", found.join(",")),
-            format!("give it the columns {columns}"),
-        )
-        .at_line(self.file.path(), 1 + skipped(&self.text))
+        let what = format!("its header is `{}`", found.join(","));
+        let error = Error::new(what, format!("give it the columns {columns}"));
+        error.at_line(self.file.path(), 1 + skipped(&self.text))
     }
 
     /// An error that concerns the file as a whole.
@@ -182,17 +177,25 @@ impl<'a> Row<'a> {
     /// If the text is not a finite number.
     pub fn number(self, column: usize) -> Result<f64> {
         let text = self.text(column);
-        let number: f64 = text.parse().map_err(|_| {
-            self.fault(format!("`{text}` is not a number"), "write it like 0.25 or 2.5e-1")
-        })?;
-        if number.is_finite() {
-            Ok(number)
-        } else {
-            Err(self.fault(
-                format!("`{text}` is not a finite number"),
-                "correct the row, or remove all rows of its entry",
-            ))
+        let (what, remedy) = match text.parse::<f64>() {
+            Ok(number) if number.is_finite() => return Ok(number),
+            Ok(_) => ("finite number", "correct the row, or remove all rows of its entry"),
+            Err(_) => ("number", "write it like 0.25 or 2.5e-1"),
+        };
+        Err(self.fault(format!("`{text}` is not a {what}"), remedy))
+    }
+
+    /// The finite numbers in these columns.
+    ///
+    /// # Errors
+    ///
+    /// As [`number`](Self::number), for the first column that has none.
+    pub fn numbers<const N: usize>(self, columns: [usize; N]) -> Result<[f64; N]> {
+        let mut numbers = [0.0; N];
+        for (number, column) in numbers.iter_mut().zip(columns) {
+            *number = self.number(column)?;
         }
+        Ok(numbers)
     }
 
     /// The whole number in a column.
@@ -203,10 +206,8 @@ impl<'a> Row<'a> {
     pub fn integer(self, column: usize) -> Result<i64> {
         let text = self.text(column);
         text.parse().map_err(|_| {
-            self.fault(
-                format!("`{text}` is not a whole number"),
-                "write a small whole number, like 0 or -1",
-            )
+            let remedy = "write a small whole number, like 0 or -1";
+            self.fault(format!("`{text}` is not a whole number"), remedy)
         })
     }
 
@@ -273,22 +274,21 @@ fn doubled(header: &StringRecord) -> Option<(usize, &str)> {
 
 fn csv_fault(path: &Path, text: &[u8], columns: &str, error: &csv::Error) -> Error {
     let line = line_of(text, error.position().map_or(0, |position| position.byte() as usize));
-    match error.kind() {
-        ErrorKind::UnequalLengths { expected_len, len, .. } => Error::new(
+    let (what, remedy) = match error.kind() {
+        ErrorKind::UnequalLengths { expected_len, len, .. } => (
             format!("the header has {expected_len} fields, but this row has {len}"),
-            "give every row one field for each column",
-        )
-        .at_line(path, line),
-        ErrorKind::Utf8 { .. } => Error::new(
-            "it is not UTF-8 text",
+            "give every row one field for each column".to_owned(),
+        ),
+        ErrorKind::Utf8 { .. } => (
+            "it is not UTF-8 text".to_owned(),
             format!("save it as a UTF-8 text file with the header `{columns}`"),
-        )
-        .at_line(path, line),
+        ),
         _ => {
-            Error::new(error.to_string(), format!("make it a CSV file with the header `{columns}`"))
-                .in_file(path)
+            let remedy = format!("make it a CSV file with the header `{columns}`");
+            return Error::new(error.to_string(), remedy).in_file(path);
         }
-    }
+    };
+    Error::new(what, remedy).at_line(path, line)
 }
 
 /// The line, counted from 1, of the record at byte `start`. The CSV reader reports the position

@@ -46,24 +46,15 @@ pub fn read_sources(file: impl Into<InputFile>) -> Result<Vec<SourceSets>> {
 }
 
 fn entry<'a>(row: Row<'a>, columns: [usize; 12]) -> Result<(&'a str, usize, Source)> {
-    let [name, set, ..] = columns;
+    let [name, set, numbers @ ..] = columns;
     let most =
         usize::try_from(row.integer(set)?).ok().filter(|set| (1..=MAX_SOURCES).contains(set));
     let most = most.ok_or_else(|| {
         let remedy = format!("give the most sources of the set, 1 to {MAX_SOURCES}");
         row.fault("its set is out of range", remedy)
     })?;
-    let mut numbers = [0.0; 10];
-    for (number, &column) in numbers.iter_mut().zip(&columns[2..]) {
-        *number = row.number(column)?;
-    }
-    let [x, y, z, r, g, b, major_x, major_y, major_z, minor] = numbers;
-    let source = Source {
-        direction: [x, y, z],
-        energy: [r, g, b],
-        major: [major_x, major_y, major_z],
-        minor,
-    };
+    let [x, y, z, r, g, b, u, v, w, minor] = row.numbers(numbers)?;
+    let source = Source { direction: [x, y, z], energy: [r, g, b], major: [u, v, w], minor };
     Ok((row.text(name), most, source))
 }
 
@@ -121,9 +112,8 @@ mod tests {
             ("a,33,0,0,1,1,1,1,0,0,0,0", "out of range"),
             ("a,1,0,0,nan,1,1,1,0,0,0,0", "nan"),
         ] {
-            let error = read_sources(InputFile::of_text(format!("{header}\n{rows}"), "f"))
-                .unwrap_err()
-                .to_string();
+            let read = read_sources(InputFile::of_text(format!("{header}\n{rows}"), "f"));
+            let error = read.unwrap_err().to_string();
             assert!(error.contains(expected) && error.contains("f:"), "{error}");
         }
     }
