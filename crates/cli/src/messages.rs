@@ -48,9 +48,8 @@ pub fn printable(text: &str) -> String {
             || matches!(letter, '\u{200e}' | '\u{200f}' | '\u{2028}'..='\u{202e}')
             || matches!(letter, '\u{2066}'..='\u{2069}')
     };
-    let shown = |letter: char| match is_control(letter) {
-        true => letter.escape_default().to_string(),
-        false => letter.to_string(),
+    let shown = |letter: char| {
+        if is_control(letter) { letter.escape_default().to_string() } else { letter.to_string() }
     };
     text.chars().map(shown).collect()
 }

@@ -139,9 +139,10 @@ fn code([x, y, z]: [f64; 3]) -> Result<[u8; 2]> {
 #[cfg(feature = "generate")]
 fn of_file(file: InputFile, size: Option<usize>) -> Result<ObjectView> {
     use eigenshade_generator::object::picture::{Picture, Shown};
-    let picture = match file.is_mesh() {
-        true => Picture::of_mesh(file, size.unwrap_or(SIZE)),
-        false => Picture::of_map(file, size),
+    let picture = if file.is_mesh() {
+        Picture::of_mesh(file, size.unwrap_or(SIZE))
+    } else {
+        Picture::of_map(file, size)
     };
     let Picture { width, height, pixels: all } = picture?;
     let (mut pixels, mut normals) = (Vec::new(), Vec::new());

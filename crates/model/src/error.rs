@@ -88,9 +88,10 @@ impl Error {
 impl fmt::Display for Error {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         if let Some((path, line)) = &self.place {
-            match path.as_os_str() == STANDARD_INPUT {
-                true => f.write_str("standard input")?,
-                false => write!(f, "{}", path.display())?,
+            if path.as_os_str() == STANDARD_INPUT {
+                f.write_str("standard input")?
+            } else {
+                write!(f, "{}", path.display())?
             }
             line.map_or(Ok(()), |line| write!(f, ":{line}"))?;
             f.write_str(": ")?;

@@ -51,10 +51,9 @@ pub fn highest(gram: &GramFactor, effects: Effects, count: usize) -> Vec<bool> {
     let mut ranked: Vec<(f64, usize)> = Vec::new();
     let of_effects = |azimuth: usize| {
         let modes = mode::indices(degree, order, azimuth).zip(variances(gram, azimuth));
-        let kept = modes.map(|((l, o, ..), variance)| match effects.keeps(l, o) {
-            true => variance,
-            false => f64::NEG_INFINITY,
-        });
+        let kept = modes.map(
+            |((l, o, ..), variance)| if effects.keeps(l, o) { variance } else { f64::NEG_INFINITY },
+        );
         kept.collect()
     };
     let by_azimuth: Vec<Vec<f64>> = (0..=degree).map(of_effects).collect();

@@ -163,16 +163,18 @@ impl Table {
 
 fn numbers(what: &str, values: &[f64], expected: usize) -> Result<(), String> {
     length(what, values.len(), expected)?;
-    match values.iter().all(|value| value.is_finite()) {
-        true => Ok(()),
-        false => Err(format!("{what} with a number that is not finite")),
+    if values.iter().all(|value| value.is_finite()) {
+        Ok(())
+    } else {
+        Err(format!("{what} with a number that is not finite"))
     }
 }
 
 fn length(what: &str, found: usize, expected: usize) -> Result<(), String> {
-    match found == expected {
-        true => Ok(()),
-        false => Err(format!("{what}: {expected} numbers expected, {found} found")),
+    if found == expected {
+        Ok(())
+    } else {
+        Err(format!("{what}: {expected} numbers expected, {found} found"))
     }
 }
 

@@ -98,9 +98,12 @@ pub fn transfer(parts: &OwnedParts<f64>, numbers: &[f64]) -> Vec<f64> {
 fn couplings(effects: Effects, order: usize) -> Vec<Coupling> {
     let short = |place: usize| u16::try_from(place).expect("orders are small");
     material::indices(order)
-        .map(|(o, p, q)| match effects.factored(o) {
-            true => Coupling { o: short(pair::position(o, q)), p: short(pair::position(p, q)) },
-            false => Coupling::NONE,
+        .map(|(o, p, q)| {
+            if effects.factored(o) {
+                Coupling { o: short(pair::position(o, q)), p: short(pair::position(p, q)) }
+            } else {
+                Coupling::NONE
+            }
         })
         .collect()
 }

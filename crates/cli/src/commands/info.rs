@@ -32,9 +32,10 @@ impl Info {
             table::decode(&bytes).map(|table| description(&table))
         };
         let found = found.map_err(|error| error.in_file(self.table.path()))?;
-        match self.json {
-            true => output::write_json(None, &found),
-            false => output::write_all(None, found.to_string()),
+        if self.json {
+            output::write_json(None, &found)
+        } else {
+            output::write_all(None, found.to_string())
         }
     }
 }

@@ -306,9 +306,10 @@ impl Read {
         if observation.pixels < components {
             let used = observation.pixels;
             let what = format!("{used} of its pixels are used, for {components} components");
-            let first = match self.without_black {
-                true => "leave --without-black out",
-                false => "show more of the object",
+            let first = if self.without_black {
+                "leave --without-black out"
+            } else {
+                "show more of the object"
             };
             let remedy = format!("{first}, or request fewer with --components");
             return Err(Error::new(what, remedy).in_file(&self.image));

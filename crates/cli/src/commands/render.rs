@@ -172,9 +172,10 @@ impl Render {
         let ringing = ringing.note().filter(|_| self.choices.has_all_effects() && !is_dark);
         let pair = (&lights, &materials);
         let sharp = sharpness_note(&self.inputs, &table, pair, sources, memory)?;
-        let whole = match self.choices.is_partial() {
-            true => "; this is for a picture of all components, without a window",
-            false => "",
+        let whole = if self.choices.is_partial() {
+            "; this is for a picture of all components, without a window"
+        } else {
+            ""
         };
         let sharp = sharp.filter(|_| effects == Effects::ALL).map(|note| note + whole);
         note.into_iter().chain(warnings).chain(ringing).chain(sharp).for_each(print_message);
