@@ -81,10 +81,9 @@ fn by_roughness(part: &Part) -> Part {
 }
 
 /// The parts times roughness², which are about as large at any roughness. Rounding would otherwise
-/// show in pictures of rough materials, which are darker.
-///
-/// Each part of each o has an exponent, below which the sum of its terms' sizes stays. The numbers
-/// of higher polynomials are smaller; they are stored finer by as many bits as they leave free.
+/// show in pictures of rough materials, which are darker. Each part of each o has an exponent,
+/// below which the sum of its terms' sizes stays. The numbers of higher polynomials are smaller;
+/// they are stored finer by as many bits as they leave free.
 fn integers(source: &mut String, order: usize, [matte, rim, metal]: &[Part; 3]) {
     let scaled = |part: &Part| -> Part {
         let mut product = by_roughness(&by_roughness(part));

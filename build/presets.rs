@@ -22,7 +22,7 @@ pub fn write() -> Result<(), String> {
     let mut materials = read("tables/inputs/merl.csv", material::count(ORDER))?;
     let gray = read("tables/inputs/materials.csv", material::count(ORDER))?;
     materials.extend(gray.into_iter().filter(|one| one.name == GRAY));
-    let errors = errors()?;
+    let errors = read_lines(ERRORS)?;
     constants("Material", &materials, |name| error_text(&errors, name))?;
     sources()?;
     glosses()
@@ -31,16 +31,11 @@ pub fn write() -> Result<(), String> {
 /// Total errors: name, degree, order, median, worst, map and worst pixel.
 const ERRORS: &str = "tables/inputs/merl.errors.csv";
 
-fn errors() -> Result<Vec<Vec<String>>, String> {
-    let lines = read_lines(ERRORS)?;
-    Ok(lines.iter().map(|line| line.split(',').map(str::to_owned).collect()).collect())
-}
-
 /// The total error, as a constant's documentation states it.
-fn error_text(errors: &[Vec<String>], name: &str) -> String {
+fn error_text(errors: &[String], name: &str) -> String {
+    let rows: Vec<Vec<&str>> = errors.iter().map(|line| line.split(',').collect()).collect();
     let percent = |column: usize, size: [&str; 2]| {
-        let row =
-            errors.iter().find(|row| row.len() == 7 && row[0] == name && row[1..3] == size)?;
+        let row = rows.iter().find(|row| row.len() == 7 && row[0] == name && row[1..3] == size)?;
         row[column].parse::<f64>().ok().map(|share| format!("{:.1} %", 100.0 * share))
     };
     let of_size = |size| Some([percent(3, size)?, percent(4, size)?, percent(6, size)?]);
@@ -59,8 +54,7 @@ struct Preset {
     channels: Vec<Vec<String>>,
 }
 
-/// The first `count` coefficients of each name in a file of `name,index...,index,value` or
-/// `...,r,g,b`.
+/// The first `count` coefficients of each name in a file of `name,index...,value` or `...,r,g,b`.
 fn read(path: &str, count: usize) -> Result<Vec<Preset>, String> {
     let lines = read_lines(path)?;
     let (header, lines) = lines.split_first().ok_or_else(|| format!("{path}: empty"))?;

@@ -256,7 +256,6 @@ impl<S: Scalar, const N: usize> Rgb<AnalyticLight<S, N>> {
 }
 
 /// Adds weight Y_l^m(direction) to each coefficient of a light. The direction is a unit vector.
-///
 /// N_l^m P_l^m(z) / (-sin θ)^m is a polynomial in z, by the three-term recurrence of the normalized
 /// functions. Cost: two roots for each degree and order.
 pub(crate) fn add_harmonics<S: Scalar, M: Mathematics<S>>(

@@ -204,7 +204,6 @@ fn fit<S: Scalar>(
     }
 }
 
-/// The places of N x N texels.
 struct Grid<S> {
     size: usize,
     step: S,
@@ -215,8 +214,7 @@ impl<S: Scalar> Grid<S> {
         Self { size, step: half::<S>(size).reciprocal() }
     }
 
-    /// u or v of texel k - 1 along a side: place 0 lies before the first texel, place N + 1 after
-    /// the last.
+    /// u or v of texel k - 1: place 0 lies before the first texel, place N + 1 after the last.
     fn place(&self, k: usize) -> S {
         (S::from_whole(k) - S::ONE) * self.step - S::ONE
     }
@@ -264,8 +262,7 @@ impl<S: Scalar, B: AsRef<[S]>> BakedMap<S, B> {
         self.texels.as_ref()
     }
 
-    /// The irradiance at a point, interpolated between the four texels around it; 0 well outside
-    /// the map.
+    /// The irradiance at a point, interpolated between the four texels around it; 0 well outside.
     ///
     /// Cost: nine additions and products. The only division is the one in [`MapPoint::of`].
     #[inline]
@@ -289,8 +286,7 @@ impl<S: Scalar, B: AsRef<[S]>> BakedMap<S, B> {
     }
 }
 
-/// The texels from one to its diagonal neighbor: the first two and the last two are the corners of
-/// the cell.
+/// The texels from one to its diagonal neighbor: the first and last two are the cell's corners.
 #[inline]
 pub(crate) fn four<T>(texels: &[T], size: usize, row: usize, column: usize) -> Option<&[T]> {
     texels.get(row.wrapping_mul(size).wrapping_add(column)..)?.get(..size + 2)

@@ -1,5 +1,4 @@
-//! Baked maps of `i16` texels, for machines without floating-point hardware. Look-ups use integers
-//! only.
+//! Baked maps of `i16` texels, for machines without floating-point hardware. Look-ups use integers.
 
 use crate::bake::MapPoint;
 use crate::bake::{check_size, four};
@@ -100,7 +99,6 @@ fn scale<S: Scalar>(largest: S) -> (i32, S) {
     (exponent, scale)
 }
 
-/// The nearest `i16`.
 fn rounded<S: Scalar>(value: S) -> i16 {
     let half = S::from_f64(0.5);
     let size = |value: S| i16::try_from((value + half).to_whole()).unwrap_or(i16::MAX);
@@ -156,8 +154,7 @@ impl<B: AsRef<[i16]>> IntegerMap<B> {
         between(below, above, up)
     }
 
-    /// The index of the texel before a coordinate, and the fraction of the way from it to the next,
-    /// in Q15.
+    /// The index of the texel before a coordinate, and the way from it to the next in Q15.
     #[inline]
     fn cell(&self, x: Q15) -> (usize, i32) {
         let place = self.place(x);

@@ -8,8 +8,7 @@ use crate::index::{layout, material, pair};
 use crate::invariant::split_row;
 use crate::recurrences::Recurrences;
 
-/// An eigenbasis. Its degree, order and number of components are values; its number format is a
-/// type.
+/// An eigenbasis. Degree, order and number of components are values; the number format is a type.
 #[derive(Clone, Copy, Debug)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Basis<'a, S> {
@@ -95,7 +94,7 @@ impl<'a, S> Basis<'a, S> {
                 return Err(error);
             }
             let found = basis.length(azimuth);
-            if found > layout::EVEN_ODD_TERMS && azimuth < recurrences.first() {
+            if found > layout::EVEN_ODD_TERMS && azimuth < recurrences.first {
                 let (argument, expected) = (Argument::Lengths, layout::EVEN_ODD_TERMS);
                 return Err(Error::Length { argument, expected, found });
             }
@@ -163,8 +162,7 @@ impl<'a, S> Basis<'a, S> {
         self.parts.components
     }
 
-    /// Whether this basis can project new materials. If not, it can only relight the transfers that
-    /// came with it.
+    /// Whether this basis can project new materials. If not, it can only relight its own transfers.
     #[must_use]
     pub const fn projects(&self) -> bool {
         !self.parts.polar.is_empty()
@@ -204,9 +202,7 @@ impl<'a, S> Basis<'a, S> {
     pub const fn scene_len(&self) -> usize {
         self.scene
     }
-}
 
-impl<'a, S> Basis<'a, S> {
     /// Each profile, with the terms of its polynomial.
     #[inline]
     pub(crate) fn profiles(&self) -> impl Iterator<Item = (&'a ProfilePlace, &'a [S])> {
@@ -218,20 +214,11 @@ impl<'a, S> Basis<'a, S> {
         })
     }
 
-    /// Number of terms of an azimuth's polynomials; 0 if it has none.
-    pub(crate) const fn length(&self, azimuth: usize) -> usize {
-        match self.parts.lengths.split_at_checked(azimuth) {
-            Some((_, [length, ..])) => *length as usize,
-            _ => 0,
-        }
-    }
-
     /// The largest order o of the factors: the order of the basis unless effects are left out.
     pub(crate) const fn factored_order(&self) -> usize {
         self.parts.effects.factored_order(self.parts.order)
     }
 
-    /// Number of unfactored coefficients.
     pub(crate) const fn unfactored_count(&self) -> usize {
         self.parts.effects.unfactored_count(self.parts.order)
     }
@@ -271,8 +258,7 @@ impl<'a, S> Basis<'a, S> {
         true
     }
 
-    /// Whether the slots contain each component exactly where its profile has its row, and no other
-    /// components.
+    /// Whether the slots contain exactly the components, each where its profile has its row.
     const fn places(&self) -> bool {
         let (mut rest, mut given) = (self.parts.slots, 0);
         while let [slot, tail @ ..] = rest {
@@ -328,7 +314,6 @@ impl<'a, S> Basis<'a, S> {
         false
     }
 
-    /// Length of the selection.
     const fn selection_length(&self) -> usize {
         let degrees = self.parts.degree + 1;
         degrees.saturating_mul(degrees).saturating_mul(material::count(self.parts.order))

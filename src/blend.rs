@@ -2,8 +2,7 @@
 
 use crate::color::Rgb;
 
-/// A pixel of 5, 6 and 5 bits that `above` covers by `coverage` / 255, with `below` in the rest of
-/// it.
+/// A pixel of 5, 6 and 5 bits that `above` covers by `coverage` / 255, with `below` in the rest.
 ///
 /// Coverage is rounded to 1/32. Channels are within 0.6 of a step of the mean of the encoded
 /// values. Costs two products for all three channels.

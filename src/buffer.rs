@@ -55,7 +55,6 @@ impl<S, const N: usize> Buffer<S, N> {
     }
 }
 
-/// A buffer of `needed` zeros.
 #[inline]
 pub(crate) fn zeros<S: Copy + Default, const N: usize>(
     argument: Argument,
@@ -67,6 +66,16 @@ pub(crate) fn zeros<S: Copy + Default, const N: usize>(
     let mut buffer = heapless::Vec::from_array([S::default(); N]);
     buffer.truncate(needed);
     Ok(Buffer(buffer))
+}
+
+#[inline]
+pub(crate) fn copied<S: Copy + Default, const N: usize>(
+    argument: Argument,
+    numbers: impl ExactSizeIterator<Item = S>,
+) -> Result<Buffer<S, N>, Error> {
+    let mut copy = zeros::<S, N>(argument, numbers.len())?;
+    copy.iter_mut().zip(numbers).for_each(|(to, number)| *to = number);
+    Ok(copy)
 }
 
 impl<S, const N: usize> From<[S; N]> for Buffer<S, N> {

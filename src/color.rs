@@ -2,16 +2,16 @@
 
 use crate::bake::{BakedMap, MapBuffer, MapPoint};
 use crate::bake_integer::IntegerMap;
-use crate::buffer::{Buffer, zeros};
+use crate::buffer::{Buffer, copied};
 use crate::error::{Argument, Error};
 use crate::format::Q15;
-use crate::light::{Light, LightBuffer};
+use crate::light::{Light, LightBuffer, Window};
 use crate::material::Material;
 use crate::mathematics::Mathematics;
 use crate::normal::Normal;
+use crate::quantized;
 use crate::scalar::Scalar;
 use crate::scene::Scene;
-use crate::{Window, quantized};
 use core::ops::Add;
 
 /// Red, green and blue: three lights, three materials, three irradiances.
@@ -121,7 +121,6 @@ macro_rules! gray {
     ($($type:ty, $number:ident;)*) => {
         $(
             impl<'a, $number: Copy> From<$type> for Rgb<$type> {
-                /// The same in all three channels.
                 #[inline]
                 fn from(gray: $type) -> Self {
                     Self::gray(gray)
@@ -190,27 +189,22 @@ impl<S: Scalar> Material<'_, S> {
     pub fn tint<const N: usize>(&self, color: [S; 3]) -> Result<Rgb<Buffer<S, N>>, Error> {
         Error::check_finite(Argument::Color, &color)?;
         Rgb::from(color).try_map(|factor| {
-            let from = self.coefficients();
-            let mut tinted = zeros::<S, N>(Argument::Material, from.len())?;
-            tinted.iter_mut().zip(from).for_each(|(to, &from)| *to = factor * from);
-            Ok(tinted)
+            copied(Argument::Material, self.coefficients().iter().map(|&from| factor * from))
         })
     }
 }
 
-impl<B> Rgb<Scene<'_, B>> {
+impl<C> Rgb<Scene<'_, C>> {
     /// [`Scene::shade`] in each channel.
     #[inline]
     #[must_use]
     pub fn shade<S: Scalar>(&self, normal: Normal<S>) -> Rgb<S>
     where
-        B: AsRef<[S]>,
+        C: AsRef<[S]>,
     {
         self.each_ref().map(|scene| scene.shade(normal))
     }
-}
 
-impl<C> Rgb<Scene<'_, C>> {
     /// [`Scene::bake`] in each channel; the same errors.
     pub fn bake<S: Scalar, const T: usize>(
         &self,

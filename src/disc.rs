@@ -1,9 +1,10 @@
 //! The pixels and normals of a sphere, without a root for each pixel.
 
 use crate::error::Error;
+use crate::format::Q15;
 use crate::normal::Normal;
 use crate::piece::{INTERVALS, Piece, interpolated};
-use crate::{Q15, quantized};
+use crate::quantized;
 
 /// The bits of an interval's width in each piece of [`ROOTS`], in units of 2^-24.
 const WIDTHS: [u32; 4] = [5, 9, 13, 17];

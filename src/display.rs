@@ -148,8 +148,7 @@ impl Display {
     }
 }
 
-/// One of the levels 0 to `MOST`: rounds down after adding a threshold, in units of 2^-16 of a
-/// level.
+/// One of the levels 0 to `MOST`: rounds down after adding a threshold in 2^-16 of a level.
 #[inline(always)]
 fn levels<const MOST: u32>(encoded: u16, threshold: u32) -> u16 {
     // At most 65,535 / 65,536 of a level above `MOST`.

@@ -75,8 +75,7 @@ pub enum Error {
     Hidden,
     /// A basis that holds only transfers was asked to project a material.
     TransfersOnly,
-    /// An exponent of an integer format is beyond ±128, or an exponent of coefficients is beyond
-    /// ±2^16.
+    /// An exponent of an integer format is beyond ±128, or one of coefficients beyond ±2^16.
     Exponent,
     /// A row of an integer table or transfer has a sum that could overflow its accumulator.
     Bound,
@@ -105,8 +104,8 @@ pub enum Error {
         /// The degree of the light.
         found: usize,
     },
-    /// The direction of a light has no length or is not finite, or its angular radius is not above
-    /// 0 and at most π.
+    /// A light's direction has no length or is not finite, or its radius is not above 0 and at most
+    /// π.
     Direction,
     /// Coefficients of irradiance go beyond degree 2.
     Irradiance {
@@ -189,7 +188,6 @@ pub enum Argument {
 }
 
 impl Error {
-    /// `Ok` if the length is as expected.
     pub(crate) const fn check(
         argument: Argument,
         expected: usize,
@@ -204,6 +202,11 @@ impl Error {
         if found > components { Err(Self::Length { argument, expected, found }) } else { Ok(()) }
     }
 
+    /// `Ok` if the basis goes to a degree or order.
+    pub(crate) fn check_beyond(argument: Argument, basis: usize, found: usize) -> Result<(), Self> {
+        if found > basis { Err(Self::Beyond { argument, basis, found }) } else { Ok(()) }
+    }
+
     /// The first error of several checks.
     pub(crate) const fn first(mut checks: &[Result<(), Self>]) -> Result<(), Self> {
         while let [check, rest @ ..] = checks {
@@ -215,18 +218,16 @@ impl Error {
         Ok(())
     }
 
-    /// `Ok` if all parameters are from the first number to the last.
+    /// `Ok` if all numbers are from the first of the range to the last.
     pub(crate) fn check_range<T: PartialOrd, const P: usize>(
-        parameters: [(Argument, T); P],
+        argument: Argument,
+        numbers: [T; P],
         [least, most]: [T; 2],
     ) -> Result<(), Self> {
-        match parameters.into_iter().find(|(_, number)| !(*number >= least && *number <= most)) {
-            Some((argument, _)) => Err(Self::Outside { argument }),
-            None => Ok(()),
-        }
+        let fits = numbers.iter().all(|number| *number >= least && *number <= most);
+        if fits { Ok(()) } else { Err(Self::Outside { argument }) }
     }
 
-    /// `Ok` if all numbers are finite.
     pub(crate) fn check_finite<S: Scalar>(argument: Argument, numbers: &[S]) -> Result<(), Self> {
         match numbers.iter().position(|number| !number.is_finite()) {
             None => Ok(()),

@@ -2,8 +2,7 @@
 //!
 //! Each addition to a plain sum loses the bits below the last bit of the sum: in f32, adding 0.1 a
 //! million times gives an error of almost 1 %. The sums here also carry what each addition lost
-//! (Kahan's compensated summation), so their error is one or two roundings for any number of
-//! pixels.
+//! (Kahan's compensated summation), so their error is one or two roundings, however many pixels.
 
 use crate::basis::Basis;
 use crate::buffer::{Buffer, zeros};

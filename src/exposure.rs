@@ -87,8 +87,8 @@ const DARKEST: u32 = 127 - 16;
 
 /// Meters a picture for its exposure: how bright all but a share of its pixels are.
 ///
-/// Pixels in integers are exposed first, say by `e`; the picture's exposure is `e` times the one that
-/// is found.
+/// Pixels in integers are exposed first, say by `e`; the picture's exposure is `e` times the one
+/// found.
 ///
 /// ```
 /// use eigenshade::{Meter, Rgb};

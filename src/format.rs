@@ -38,7 +38,7 @@ impl Format for Q31 {
     const NAME: &'static str = "q31";
 }
 
-mod sealed {
+pub(crate) mod sealed {
     pub trait Sealed {}
     impl Sealed for f32 {}
     impl Sealed for f64 {}
@@ -198,8 +198,7 @@ impl FixedPoint for Q15 {
     const SUM_SHIFT: u32 = 14;
     const TERM_BITS: u32 = 17;
     const SEEN_SHIFT: u32 = 0;
-    /// Of halves of 15 bits, without the product of the low ones: small processors have no longer
-    /// products.
+    /// From halves of 15 bits, without the low product: small processors have no longer products.
     #[inline(always)]
     fn rotated([c, s]: [i32; 2], [cosine, sine]: [i32; 2]) -> [i32; 2] {
         let halves = |number: i32| [number >> 15, number & 0x7fff];

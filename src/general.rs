@@ -155,8 +155,7 @@ impl<'a, S: Scalar> GeneralBasis<'a, S> {
         })
     }
 
-    /// The coefficients d from the coordinates of an image in the span, less those of the mean
-    /// image.
+    /// The coefficients d from coordinates in the span, less those of the mean image.
     fn coefficients(&self, coordinates: &[S], coefficients: &mut [S]) -> Result<(), Error> {
         Error::check(Argument::Coefficients, self.components(), coefficients.len())?;
         let functions = self.span.components().max(1);

@@ -43,11 +43,9 @@ impl Gloss<f32> {
     pub const DIELECTRIC: f32 = DIELECTRIC as f32;
     /// The roughness from which on a material [needs no sources](Self::needs_sources).
     pub const MATTE: f32 = MATTE as f32;
-}
 
-#[cfg(feature = "presets")]
-impl Gloss<f32> {
     /// A gloss that [`new`](Self::new) accepts, of a roughness from 0.065 to 1.
+    #[cfg(feature = "presets")]
     pub(crate) const fn stored(
         roughness: f32,
         [f0_r, f0_g, f0_b]: [f32; 3],
@@ -75,9 +73,9 @@ impl<S: Scalar> Gloss<S> {
     /// [`Error::Outside`] if a number is not from 0 to 1.
     pub fn new(roughness: S, reflectance: [S; 3], albedo: [S; 3]) -> Result<Self, Error> {
         let range = [S::ZERO, S::ONE];
-        Error::check_range([(Argument::Roughness, roughness)], range)?;
-        Error::check_range(reflectance.map(|f0| (Argument::Reflectance, f0)), range)?;
-        Error::check_range(albedo.map(|albedo| (Argument::Color, albedo)), range)?;
+        Error::check_range(Argument::Roughness, [roughness], range)?;
+        Error::check_range(Argument::Reflectance, reflectance, range)?;
+        Error::check_range(Argument::Color, albedo, range)?;
         let least = S::from_f64(SMOOTHEST);
         let roughness = if roughness > least { roughness } else { least };
         let [reflectance, albedo] = [reflectance.into(), albedo.into()];
@@ -92,8 +90,7 @@ impl<S: Scalar> Gloss<S> {
     ///
     /// [`Error::Outside`] if a number is not from 0 to 1.
     pub fn with_grazing(self, grazing: [S; 3]) -> Result<Self, Error> {
-        let range = [S::ZERO, S::ONE];
-        Error::check_range(grazing.map(|f90| (Argument::Reflectance, f90)), range)?;
+        Error::check_range(Argument::Reflectance, grazing, [S::ZERO, S::ONE])?;
         Ok(Self { grazing: grazing.into(), ..self })
     }
 
@@ -109,8 +106,8 @@ impl<S: Scalar> Gloss<S> {
         roughness: S,
     ) -> Result<Self, Error> {
         let range = [S::ZERO, S::ONE];
-        Error::check_range(base_color.map(|base| (Argument::Color, base)), range)?;
-        Error::check_range([(Argument::Metallic, metallic)], range)?;
+        Error::check_range(Argument::Color, base_color, range)?;
+        Error::check_range(Argument::Metallic, [metallic], range)?;
         let dielectric = S::from_f64(DIELECTRIC);
         // Rounding may exceed 1.
         let rest = S::ONE - metallic;

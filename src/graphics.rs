@@ -1,6 +1,6 @@
 //! Light from and for other programs: coefficients of three.js, Filament and its tool cmgen.
 
-use crate::buffer::{Buffer, zeros};
+use crate::buffer::{Buffer, copied};
 use crate::color::Rgb;
 use crate::error::{Argument, Error};
 use crate::index::light::{graphics_sign, indices};
@@ -132,7 +132,7 @@ impl<S: Scalar> Light<'_, S> {
         convention: Convention,
         numbers: &[S],
     ) -> Result<LightBuffer<S, N>, Error> {
-        let mut light = copied(numbers.iter().copied())?;
+        let mut light = copied(Argument::Light, numbers.iter().copied())?;
         convention.decode(&mut light)?;
         Ok(light)
     }
@@ -146,7 +146,7 @@ impl<S: Scalar> Light<'_, S> {
         &self,
         convention: Convention,
     ) -> Result<Buffer<S, N>, Error> {
-        let mut numbers = copied(self.coefficients().iter().copied())?;
+        let mut numbers = copied(Argument::Light, self.coefficients().iter().copied())?;
         convention.encode(&mut numbers)?;
         Ok(numbers)
     }
@@ -154,7 +154,7 @@ impl<S: Scalar> Light<'_, S> {
 
 impl<S: Scalar> Rgb<Light<'_, S>> {
     /// [`Light::from_graphics`] of the red, green and blue of each coefficient, as these programs
-    /// list them.
+    /// list them; the same errors, but `NotFinite` counts coefficients.
     ///
     /// ```
     /// # #[cfg(feature = "baked")] {
@@ -178,21 +178,13 @@ impl<S: Scalar> Rgb<Light<'_, S>> {
         numbers: &[[S; 3]],
     ) -> Result<Rgb<LightBuffer<S, N>>, Error> {
         let mut light = Rgb::new(
-            copied(numbers.iter().map(|[r, ..]| *r))?,
-            copied(numbers.iter().map(|[_, g, _]| *g))?,
-            copied(numbers.iter().map(|[.., b]| *b))?,
+            copied(Argument::Light, numbers.iter().map(|[r, ..]| *r))?,
+            copied(Argument::Light, numbers.iter().map(|[_, g, _]| *g))?,
+            copied(Argument::Light, numbers.iter().map(|[.., b]| *b))?,
         );
         convention.decode(&mut light.r)?;
         convention.decode(&mut light.g)?;
         convention.decode(&mut light.b)?;
         Ok(light)
     }
-}
-
-fn copied<S: Scalar, const N: usize>(
-    numbers: impl ExactSizeIterator<Item = S>,
-) -> Result<Buffer<S, N>, Error> {
-    let mut copy = zeros::<S, N>(Argument::Light, numbers.len())?;
-    copy.iter_mut().zip(numbers).for_each(|(to, number)| *to = number);
-    Ok(copy)
 }

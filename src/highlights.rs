@@ -123,8 +123,8 @@ impl<S: Scalar, const N: usize> Highlights<S, N> {
     }
 
     /// Adds the irradiance of each normal to `irradiance`, after `shade_slice` of a scene has
-    /// written that of the rest of the light. The sums are those of [`shade`](Self::shade) to the
-    /// last bit.
+    /// written that of the rest of the light. The sums are bit for bit those of
+    /// [`shade`](Self::shade).
     ///
     /// ```
     /// use eigenshade::mathematics::SinglePrecision;
@@ -327,8 +327,7 @@ fn positive<S: Scalar>(number: S) -> S {
     if number > S::ZERO { number } else { S::ZERO }
 }
 
-/// The upper triangle R with Rᵀ R = Bᵀ B, row by row, from the rows of B, by Gram and Schmidt's
-/// method.
+/// The upper triangle R with Rᵀ R = Bᵀ B, row by row, from the rows of B, by Gram and Schmidt.
 fn triangle<S: Scalar, M: Mathematics<S>>(rows: [[S; 3]; 3]) -> [S; 6] {
     let [[x0, y0, z0], [x1, y1, z1], [x2, y2, z2]] = rows;
     let unit = |column: [S; 3]| {
@@ -348,7 +347,6 @@ fn triangle<S: Scalar, M: Mathematics<S>>(rows: [[S; 3]; 3]) -> [S; 6] {
     [xx, xy, xz, yy, dot(second, z), dot(cross(first, second), z)]
 }
 
-/// Adds planes to pixels.
 #[inline(always)]
 fn add<S: Scalar>(planes: &Rgb<[S; BLOCK]>, colors: &mut [Rgb<S>]) {
     let pixels = planes.r.iter().zip(&planes.g).zip(&planes.b);

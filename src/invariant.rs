@@ -5,7 +5,6 @@
 
 use core::slice::SliceIndex;
 
-/// The items in `range`.
 #[inline(always)]
 #[track_caller]
 pub(crate) fn part<T, R: SliceIndex<[T], Output = [T]>>(items: &[T], range: R) -> &[T] {
@@ -14,7 +13,6 @@ pub(crate) fn part<T, R: SliceIndex<[T], Output = [T]>>(items: &[T], range: R) -
     found.unwrap_or_default()
 }
 
-/// The items in `range`.
 #[inline(always)]
 #[track_caller]
 pub(crate) fn part_mut<T, R: SliceIndex<[T], Output = [T]>>(items: &mut [T], range: R) -> &mut [T] {
@@ -23,7 +21,6 @@ pub(crate) fn part_mut<T, R: SliceIndex<[T], Output = [T]>>(items: &mut [T], ran
     found.unwrap_or_default()
 }
 
-/// The first items and the others.
 #[inline(always)]
 #[track_caller]
 pub(crate) fn split<T>(items: &[T], first: usize) -> (&[T], &[T]) {
@@ -32,7 +29,6 @@ pub(crate) fn split<T>(items: &[T], first: usize) -> (&[T], &[T]) {
     found.unwrap_or_default()
 }
 
-/// The first items and the others.
 #[inline(always)]
 #[track_caller]
 pub(crate) fn split_mut<T>(items: &mut [T], first: usize) -> (&mut [T], &mut [T]) {

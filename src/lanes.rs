@@ -7,10 +7,8 @@
 use crate::index::layout::LANES;
 use crate::scalar::Scalar;
 
-/// sum + a b, lane by lane.
-///
-/// The lanes are named and passed by value: compilers leave the same sum scalar if it is a loop
-/// over mutable elements.
+/// sum + a b, lane by lane. The lanes are named and passed by value: compilers leave the same sum
+/// scalar if it is a loop over mutable elements.
 #[inline(always)]
 pub(crate) fn multiply_add<S: Scalar>(
     sum: [S; LANES],
@@ -98,8 +96,7 @@ pub(crate) fn sums<S: Scalar>([a0, a1, a2, a3, b0, b1, b2, b3]: Two<S>) -> [S; 2
     [(a0 + a1) + (a2 + a3), (b0 + b1) + (b2 + b3)]
 }
 
-/// Consecutive rows of `width` numbers. Numbers left over at the end are skipped; there are no rows
-/// if `width` is 0.
+/// Rows of `width` numbers, without what is left over at the end; none if `width` is 0.
 pub(crate) fn rows<T>(numbers: &[T], width: usize) -> impl Iterator<Item = &[T]> {
     let mut rest = if width > 0 { numbers } else { &[] };
     core::iter::from_fn(move || {
@@ -109,7 +106,6 @@ pub(crate) fn rows<T>(numbers: &[T], width: usize) -> impl Iterator<Item = &[T]>
     })
 }
 
-/// Mutable [`rows`].
 pub(crate) fn rows_mut<T>(numbers: &mut [T], width: usize) -> impl Iterator<Item = &mut [T]> {
     let mut rest = if width > 0 { numbers } else { &mut [] };
     core::iter::from_fn(move || {

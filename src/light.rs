@@ -1,7 +1,7 @@
 //! Light as spherical harmonic coefficients L_l^m of (4), and windows over its degrees, which
 //! reduce the ringing of a truncated light.
 
-use crate::buffer::{Buffer, zeros};
+use crate::buffer::{Buffer, copied};
 use crate::error::{Argument, Error};
 use crate::index::light;
 use crate::invariant::split_mut;
@@ -67,8 +67,8 @@ impl<'a, S> Light<'a, S> {
         Ok(light)
     }
 
-    /// This light without the degrees above `degree`. A light of that degree or less is returned
-    /// unchanged.
+    /// This light without the degrees above `degree`. A light of that degree or less stays as it
+    /// is.
     #[must_use]
     pub fn truncated(self, degree: usize) -> Self {
         match self.coefficients.get(..light::count(degree)) {
@@ -90,10 +90,9 @@ impl<'a, S> Light<'a, S> {
     }
 }
 
-/// The degree of a light with this number of coefficients.
-///
-/// Inlined, so that the loop is evaluated at compile time where the length is a constant. Elsewhere
-/// the lights of the shipped tables need no loop, which would add a tenth to a new light.
+/// The degree of a light with this number of coefficients. Inlined, so that the loop is evaluated
+/// at compile time where the length is a constant. Elsewhere the lights of the shipped tables need
+/// no loop, which would add a tenth to a new light.
 #[inline]
 pub(crate) const fn degree(found: usize) -> Result<usize, Error> {
     match found {
@@ -194,10 +193,7 @@ impl<S: Scalar> Light<'_, S> {
         &self,
         window: Window<S>,
     ) -> Result<LightBuffer<S, N>, Error> {
-        let mut windowed = zeros::<S, N>(Argument::Light, light::count(self.degree()))?;
-        for (to, &from) in windowed.iter_mut().zip(self.coefficients()) {
-            *to = from;
-        }
+        let mut windowed = copied(Argument::Light, self.coefficients().iter().copied())?;
         window.apply::<M>(&mut windowed);
         Ok(windowed)
     }

@@ -1,34 +1,39 @@
 //! Checks at compile time that `defmt` can log every public type.
 
+use crate::bake::{BakedMap, MapPoint};
+use crate::bake_integer::IntegerMap;
+use crate::basis::Basis;
+use crate::error::{Argument, Error};
+use crate::estimate::Estimate;
+use crate::format::{Q15, Q31};
+use crate::general::GeneralBasis;
+use crate::index::effect::{Effect, Effects};
+use crate::index::record::floats::{GeneralParts, Parts};
 use crate::index::record::{Coupling, Pass, ProfilePlace, Row};
+use crate::light::{Light, Window};
+use crate::material::Material;
 use crate::mathematics::{Libm, SinglePrecision};
+use crate::normal::{Normal, Normals};
+use crate::quantized;
+use crate::rotation::Rotation;
+use crate::scene::{Scene, SceneBuffer};
+use crate::shade::NegativePolicy;
+use crate::transfer::Transfer;
+use crate::truncation::{Shape, Tolerance, Truncation};
 use crate::wire::{Aligned, Fault, Header, NumberFormat, WireError};
-use crate::{
-    Argument, BakedMap, Basis, Effect, Effects, Error, Estimate, GeneralBasis, GeneralParts,
-    IntegerMap, Light, MapPoint, Material, NegativePolicy, Normal, Normals, Parts, Q15, Q31,
-    Rotation, Scene, SceneBuffer, Shape, Tolerance, Transfer, Truncation, Window, quantized,
-};
 
 const fn can_be_logged<T: defmt::Format>() {}
 
 const _: () = {
     type Buffer = SceneBuffer<f32, 8>;
     can_be_logged::<(Light<'_, f32>, Material<'_, f32>, Normal<f32>, Normals<'_, f32>)>();
-    can_be_logged::<(Basis<'_, f32>, GeneralBasis<'_, f32>, Parts<'_, f32>, GeneralParts<'_, f32>)>(
-    );
+    can_be_logged::<(Basis<'_, f32>, GeneralBasis<'_, f32>)>();
+    can_be_logged::<(Parts<'_, f32>, GeneralParts<'_, f32>)>();
     can_be_logged::<(Coupling, Pass, ProfilePlace, Row, Error, Argument, Effect, Effects)>();
     can_be_logged::<(Transfer<f32, 8>, Estimate<'_, f32, 8>, Scene<'_, Buffer>)>();
     can_be_logged::<(BakedMap<f32, Buffer>, IntegerMap<&[i16]>)>();
-    can_be_logged::<(
-        Tolerance<f32>,
-        Truncation<f32>,
-        Shape<'_>,
-        Fault,
-        WireError,
-        NumberFormat,
-        Header,
-        Aligned<u8>,
-    )>();
+    can_be_logged::<(Tolerance<f32>, Truncation<f32>, Shape<'_>, Fault, WireError)>();
+    can_be_logged::<(NumberFormat, Header, Aligned<u8>)>();
     can_be_logged::<(quantized::Basis<'_, Q15>, quantized::Parts<'_, Q15>, quantized::Profile)>();
     can_be_logged::<(quantized::Light<'_, Q31>, quantized::Material<'_, Q31>)>();
     can_be_logged::<(quantized::Normal<Q15>, quantized::Coefficients<8>)>();

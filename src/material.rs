@@ -59,8 +59,8 @@ impl<'a, S> Material<'a, S> {
         Ok(material)
     }
 
-    /// This material without the orders above `order`. A material of that order or less is returned
-    /// unchanged.
+    /// This material without the orders above `order`. A material of that order or less stays as it
+    /// is.
     #[must_use]
     pub fn truncated(self, order: usize) -> Self {
         match self.coefficients.get(..material::count(order)) {

@@ -16,7 +16,8 @@ use crate::gloss::Gloss;
 use crate::index::material::count;
 use crate::invariant::{part, part_mut};
 use crate::material::Material;
-use crate::quantized::{self, MaterialBuffer, mantissas};
+use crate::quantized;
+use crate::quantized::{MaterialBuffer, mantissas};
 
 include!(concat!(env!("OUT_DIR"), "/metallic_roughness.rs"));
 
@@ -74,8 +75,7 @@ impl Material<'_, f32> {
         ORDER_7.material(base_color, metallic, roughness)
     }
 
-    /// The parts matte, rim and metal, to order 7. Every glTF material of a roughness is a weighted
-    /// sum of them.
+    /// The parts matte, rim and metal, to order 7. Every glTF material is a weighted sum of them.
     ///
     /// Transfers are linear in the material. With those of the three parts, a material of another
     /// color or share of metal needs no new transfer, but a sum of three, and one of another
@@ -160,8 +160,7 @@ impl quantized::Material<'_, Q15> {
         ORDER_7_Q15.material(base_color, metallic, roughness)
     }
 
-    /// [`metallic_roughness`](Self::metallic_roughness) for tables of order 12, with the same
-    /// error.
+    /// [`metallic_roughness`](Self::metallic_roughness) for tables of order 12; the same error.
     pub fn metallic_roughness_of_order_12(
         base_color: [Q15; 3],
         metallic: Q15,
@@ -169,12 +168,6 @@ impl quantized::Material<'_, Q15> {
     ) -> Result<Rgb<MaterialBuffer<Q15, 140, 13>>, Error> {
         ORDER_12_Q15.material(base_color, metallic, roughness)
     }
-}
-
-/// The parameters that a color and a share of metal are.
-fn of_color<T>([r, g, b]: [T; 3], metallic: T) -> [(Argument, T); 4] {
-    let color = Argument::Color;
-    [(color, r), (color, g), (color, b), (Argument::Metallic, metallic)]
 }
 
 impl<const N: usize, const K: usize> Series<N, K> {
@@ -198,7 +191,7 @@ impl<const N: usize, const K: usize> Series<N, K> {
     /// The parts rim and metal at a roughness. Inlined: the arrays would be copied.
     #[inline(always)]
     fn at(&self, roughness: f32) -> Result<[[f32; N]; 2], Error> {
-        Error::check_range([(Argument::Roughness, roughness)], [0.0, 1.0])?;
+        Error::check_range(Argument::Roughness, [roughness], [0.0, 1.0])?;
         let x = 2.5 * roughness.max(LEAST) - 1.5;
         let [mut before, mut now] = [x, 1.0];
         let (mut rim, mut metal) = ([0.0; N], [0.0; N]);
@@ -223,7 +216,8 @@ impl<const N: usize, const K: usize> Series<N, K> {
 
 /// How much of matte, rim and metal each channel of a material has.
 fn shares(color: [f32; 3], metallic: f32) -> Result<Rgb<[f32; 3]>, Error> {
-    Error::check_range(of_color(color, metallic), [0.0, 1.0])?;
+    Error::check_range(Argument::Color, color, [0.0, 1.0])?;
+    Error::check_range(Argument::Metallic, [metallic], [0.0, 1.0])?;
     Ok(Rgb::from(color).map(|base| {
         let f0 = Gloss::DIELECTRIC + (base - Gloss::DIELECTRIC) * metallic;
         [base * (1.0 - metallic) * (1.0 - f0), 1.0, f0]
@@ -241,8 +235,9 @@ impl<const N: usize, const O: usize, const K: usize> IntegerSeries<N, O, K> {
         const OF_DIELECTRIC: i32 = (Gloss::DIELECTRIC * ONE as f32 + 0.5) as i32;
         const OF_LEAST: i32 = (LEAST * ONE as f32 + 0.5) as i32;
         let range = [Q15(0), Q15(i16::MAX)];
-        Error::check_range(of_color(color, metallic), range)?;
-        Error::check_range([(Argument::Roughness, roughness)], range)?;
+        Error::check_range(Argument::Color, color, range)?;
+        Error::check_range(Argument::Metallic, [metallic], range)?;
+        Error::check_range(Argument::Roughness, [roughness], range)?;
         let roughness = i32::from(roughness.0).max(OF_LEAST);
         // 1 / roughness² is this fraction of 2^16, between a half and one, times 2^raised.
         let square = (roughness * roughness).cast_unsigned();

@@ -6,8 +6,7 @@ use crate::index::light::{graphics_sign, position};
 use crate::light::Light;
 use crate::normal::{Normal, Normals};
 use crate::scalar::Scalar;
-use crate::scene::Descent;
-use crate::scene::Scene;
+use crate::scene::{Descent, Scene};
 
 // The clamped cosine over π has the weights 1, 2/3 and 1/4. They are multiplied by the norms of the
 // harmonics, √(1/4π), √(3/4π), √(15/4π) and √(5/16π).
@@ -172,10 +171,7 @@ mod tests {
     /// scenes with more terms.
     #[test]
     fn scenes_of_nine_terms_are_their_polynomials() {
-        let mut numbers = [0.0f64; 9];
-        for (k, number) in numbers.iter_mut().enumerate() {
-            *number = ((7 * k % 11) as f64 - 5.0) / 3.0;
-        }
+        let numbers: [f64; 9] = core::array::from_fn(|k| ((7 * k % 11) as f64 - 5.0) / 3.0);
         for lengths in [&[3u16, 2, 1][..], &[3, 2], &[1, 1], &[2, 1, 1], &[0, 2, 1], &[3, 0, 1]] {
             let scene = Scene::of(lengths, Recurrences::NONE, numbers);
             let formula = scene.nine_terms::<f64>().unwrap();

@@ -6,8 +6,9 @@
 //! 0.51°. Octahedral codes are off by up to 0.55° and paraboloid codes by up to 0.64°. Both sin θ / θ
 //! and cos θ are series in θ², which is u² + v², so a short polynomial decodes each.
 
+use crate::format::Q15;
 use crate::normal::Normal;
-use crate::{Q15, quantized};
+use crate::quantized;
 use core::f32::consts::FRAC_PI_2;
 
 /// The distance of the rim from the center.
@@ -16,8 +17,7 @@ const RIM: f32 = 127.0;
 /// The square of the largest distance that counts as the rim, in which all rounded codes lie.
 const LARGEST: i32 = 1 << 14;
 
-/// sin θ / s, with s = θ / (π/2), as a polynomial in (u² + v²) / 2^14, from the constant on: within
-/// 1.3e-6.
+/// sin θ / s with s = θ / (π/2), in (u² + v²) / 2^14, from the constant on: within 1.3e-6.
 const SINE: [f64; 4] = [1.570_795_05, -0.656_135_98, 0.082_027_47, -0.004_576_182];
 
 /// (1 - cos θ) / t, with t = (u² + v²) / 2^14, in t: within 2.1e-7, times t.
@@ -33,11 +33,7 @@ impl NormalCode {
     pub(crate) fn of(normal: Normal<f32>) -> Self {
         let Normal { x, y, z } = normal;
         let sine = libm::sqrtf(x * x + y * y);
-        let scale = if sine > 0.0 {
-            RIM / FRAC_PI_2 * libm::atan2f(sine, z) / sine
-        } else {
-            return Self([0; 2]);
-        };
+        let scale = if sine > 0.0 { RIM / FRAC_PI_2 * libm::atan2f(sine, z) / sine } else { 0.0 };
         Self([x, y].map(|along| libm::roundf(along * scale).clamp(-RIM, RIM) as i8))
     }
 
@@ -48,14 +44,11 @@ impl NormalCode {
         (square(point) <= LARGEST).then_some(Self(point))
     }
 
-    /// Its bytes.
     pub(crate) fn bytes(self) -> [u8; 2] {
         self.0.map(i8::cast_unsigned)
     }
 
-    /// The normal. Components are within 2e-6 of those of its code.
     #[inline]
-    #[must_use]
     pub(crate) fn normal(self) -> Normal<f32> {
         const SINE_32: [f32; 4] = rounded(SINE, 1.0 / 127.0);
         const COSINE_32: [f32; 4] = rounded(COSINE, 1.0);
@@ -66,9 +59,7 @@ impl NormalCode {
         Normal { x, y, z: (1.0 - t * value(COSINE_32)).max(0.0) }
     }
 
-    /// The normal in integers. Components are within 2.5 units of 2^-15 of those of its code.
     #[inline]
-    #[must_use]
     pub(crate) fn quantized_normal(self) -> quantized::Normal<Q15> {
         const SINE_15: [i32; 4] = whole(SINE, 32_767.0 * 128.0 / 127.0);
         const COSINE_15: [i32; 4] = whole(COSINE, 32_767.0);

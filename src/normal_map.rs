@@ -8,9 +8,10 @@
 //! beyond the rim, and one that refers to a pixel without a normal of its own.
 
 use crate::error::{Argument, Error};
+use crate::format::Q15;
 use crate::normal::Normal;
 use crate::normal_code::NormalCode;
-use crate::{Q15, quantized};
+use crate::quantized;
 
 /// The first byte of codes that have no normal of their own.
 const WITHOUT: u8 = 0x80;

@@ -1,5 +1,4 @@
-//! Where the numbers of one step stand: the azimuths of a basis, and the passes and the runs of a
-//! transfer.
+//! Where the numbers of one step are: the azimuths of a basis, the passes and runs of a transfer.
 //!
 //! Each step of the runtime is one function of a place. For a table that is known only at run time,
 //! a loop asks for one place after the other. For a [`KnownTable`] the places are constants, and the
@@ -9,7 +8,9 @@ use crate::basis::Basis;
 use crate::index::layout::{LANES, PASS, factors, lowest_degree};
 use crate::index::record::{ProfilePlace, Row};
 use crate::invariant::part;
-use crate::quantized::{self, Profile};
+use crate::quantized;
+use crate::quantized::Profile;
+use crate::scene::signs;
 
 /// A table that is known when the program is compiled, with a basis of type `B`.
 pub trait KnownTable<B: 'static> {
@@ -20,7 +21,6 @@ pub trait KnownTable<B: 'static> {
 /// The place of one pass in a transfer.
 #[derive(Clone, Copy)]
 pub(crate) struct PassPlace {
-    /// The number of the pass.
     pub(crate) index: usize,
     /// Its first order m.
     pub(crate) first: isize,
@@ -59,7 +59,6 @@ pub(crate) struct AzimuthPlace {
     pub(crate) degrees: usize,
     /// The number of its first profile.
     pub(crate) first: usize,
-    /// Number of its profiles.
     pub(crate) profiles: usize,
     /// Position of the first row of its first profile. A profile has one row for each degree.
     pub(crate) rows: usize,
@@ -71,12 +70,10 @@ pub(crate) struct AzimuthPlace {
     pub(crate) length: usize,
 }
 
-/// The walk over azimuths, for a basis in floats and for one in integers. A
-/// macro, because a `const` function cannot call those of a trait.
+/// The walk over azimuths of both kinds of basis: a `const` function cannot call a trait's.
 macro_rules! azimuths {
     ($($basis:ident)::+, $profile:ident) => {
         impl<'a, S> $($basis)::+<'a, S> {
-            /// The place of azimuth 0.
             pub(crate) const fn first_azimuth(&self) -> AzimuthPlace {
                 AzimuthPlace {
                     azimuth: 0,
@@ -90,11 +87,9 @@ macro_rules! azimuths {
                 }
             }
 
-            /// The place of the azimuth that follows another.
             pub(crate) const fn azimuth_after(&self, before: &AzimuthPlace) -> AzimuthPlace {
                 let azimuth = before.azimuth + 1;
                 let first = before.first + before.profiles;
-                let polynomials = if before.azimuth == 0 { 1 } else { 2 };
                 AzimuthPlace {
                     azimuth,
                     degrees: before.degrees.saturating_sub(1),
@@ -102,12 +97,11 @@ macro_rules! azimuths {
                     profiles: self.count_of(first, azimuth),
                     rows: before.rows + before.profiles * before.degrees,
                     terms: before.terms + before.profiles * before.length,
-                    start: before.start + polynomials * before.length,
+                    start: before.start + signs(before.azimuth) * before.length,
                     length: self.length(azimuth),
                 }
             }
 
-            /// The place of an azimuth.
             pub(crate) const fn azimuth_at(&self, azimuth: usize) -> AzimuthPlace {
                 let mut place = self.first_azimuth();
                 while place.azimuth < azimuth {
@@ -127,6 +121,14 @@ macro_rules! azimuths {
                 count
             }
 
+            /// Number of terms of an azimuth's polynomials; 0 if it has none.
+            pub(crate) const fn length(&self, azimuth: usize) -> usize {
+                match self.parts.lengths.split_at_checked(azimuth) {
+                    Some((_, [length, ..])) => *length as usize,
+                    _ => 0,
+                }
+            }
+
             const fn profile(&self, index: usize) -> Option<&'a $profile> {
                 match self.parts.profiles.split_at_checked(index) {
                     Some((_, [profile, ..])) => Some(profile),
@@ -140,7 +142,6 @@ azimuths!(Basis, ProfilePlace);
 azimuths!(quantized::Basis, Profile);
 
 impl<'a, Q> quantized::Basis<'a, Q> {
-    /// The profiles of an azimuth.
     pub(crate) const fn profiles_at(&self, place: &AzimuthPlace) -> &'a [Profile] {
         let Some((_, rest)) = self.parts.profiles.split_at_checked(place.first) else { return &[] };
         match rest.split_at_checked(place.profiles) {
@@ -206,22 +207,18 @@ impl<S> Basis<'_, S> {
         components
     }
 
-    /// The first pass, if there is one.
     pub(crate) const fn first_pass(&self) -> Option<PassPlace> {
         self.pass(0, 0, 0)
     }
 
-    /// The pass that follows another.
     pub(crate) const fn pass_after(&self, pass: &PassPlace) -> Option<PassPlace> {
         let slots = LANES * pass.profiles;
         let degrees = (self.parts.degree + 1).saturating_sub(pass.lowest);
         self.pass(pass.index + 1, pass.start + degrees * slots, pass.first_slot + slots)
     }
 
-    /// Pass number `index`.
     pub(crate) const fn pass_at(&self, index: usize) -> Option<PassPlace> {
-        let mut pass = self.first_pass();
-        let mut left = index;
+        let (mut pass, mut left) = (self.first_pass(), index);
         while let Some(before) = pass
             && left > 0
         {
@@ -247,13 +244,11 @@ impl<S> Basis<'_, S> {
         Some(PassPlace { index, first, lowest, profiles, start, first_slot, slots })
     }
 
-    /// The first run, if there is one.
     pub(crate) const fn first_run(&self) -> Option<Run> {
         self.run(0, 0, 1)
     }
 
-    /// The run that follows another: of the same order, else of the opposite one, else of the next
-    /// azimuth.
+    /// The run that follows another: of the same order, the opposite one, or the next azimuth.
     pub(crate) const fn run_after(&self, run: &Run) -> Option<Run> {
         let next = run.first + run.profiles;
         match self.profile(next) {
@@ -265,10 +260,8 @@ impl<S> Basis<'_, S> {
         }
     }
 
-    /// Run number `index`.
     pub(crate) const fn run_at(&self, index: usize) -> Option<Run> {
-        let mut run = self.first_run();
-        let mut left = index;
+        let (mut run, mut left) = (self.first_run(), index);
         while let Some(before) = run
             && left > 0
         {
@@ -297,10 +290,8 @@ impl<S> Basis<'_, S> {
         Some(Run { order, start, step, profiles, first, of_azimuth })
     }
 
-    /// The components of a run.
     pub(crate) fn components_of_run(&self, run: &Run) -> impl Iterator<Item = u16> {
-        let profiles = part(self.parts.profiles, run.first..);
-        let order = run.order;
+        let (profiles, order) = (part(self.parts.profiles, run.first..), run.order);
         profiles.iter().map(move |place| place.component(order))
     }
 

@@ -38,11 +38,10 @@ pub(crate) fn short<S: Scalar>(terms: &[S], t: S) -> S {
     value
 }
 
-/// The values of a polynomial at a block of arguments t, in the form of its length. The argument
-/// u = 2t² - 1 is read only if `LONGEST` is [`EVEN_ODD_TERMS`].
-///
-/// No polynomial has more than `LONGEST` terms. Beyond [`EVEN_ODD_TERMS`], which is for small code,
-/// the loop over azimuths contains a call, around which all registers are saved.
+/// The values of a polynomial at a block of arguments t, in the form of its length. The argument u
+/// = 2t² - 1 is read only if `LONGEST` is [`EVEN_ODD_TERMS`]. No polynomial has more than `LONGEST`
+/// terms. Beyond [`EVEN_ODD_TERMS`], which is for small code, the loop over azimuths contains a
+/// call, around which all registers are saved.
 #[inline(always)]
 pub(crate) fn values<S: Scalar, const LONGEST: usize, const N: usize>(
     terms: &[S],
@@ -64,8 +63,7 @@ pub(crate) fn values<S: Scalar, const LONGEST: usize, const N: usize>(
     sums
 }
 
-/// The values of two polynomials of the same length at a block of arguments. `LONGEST` is as for
-/// [`values`].
+/// [`values`] of two polynomials of the same length.
 #[inline(always)]
 pub(crate) fn pairs<S: Scalar, const LONGEST: usize, const N: usize>(
     [one, other]: [&[S]; 2],
@@ -100,8 +98,7 @@ pub(crate) fn doubled<S: Scalar>(t: S) -> S {
     (-S::ONE).add_product(t + t, t)
 }
 
-/// The values at a block of arguments of a polynomial with an even and an odd half, by Horner's
-/// rule in u.
+/// The values of a polynomial with an even and an odd half, by Horner's rule in u.
 #[inline(always)]
 fn halves<S: Scalar, const N: usize>(terms: &[S], [t, u]: [&[S; N]; 2]) -> [S; N] {
     // With an odd number of terms, the highest is an even power without an odd partner.

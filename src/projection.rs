@@ -10,9 +10,7 @@ use crate::error::{Argument, Error};
 #[cfg(doc)]
 use crate::index::effect::Effect;
 use crate::index::effect::Effects;
-use crate::index::layout::LANES;
-use crate::index::record::ProfilePlace;
-use crate::index::{layout, light};
+use crate::index::{layout, layout::LANES, light, record::ProfilePlace};
 use crate::invariant::{part, split_mut, split_row};
 use crate::lanes;
 use crate::light::Light;
@@ -164,7 +162,6 @@ impl<'a, S: Scalar> Basis<'a, S> {
         }
     }
 
-    /// Splits a workspace into its parts.
     #[inline]
     pub(crate) fn divide<'w>(&self, workspace: &'w mut [S]) -> Workspace<'w, S> {
         let rows = (self.degree() + 1) * self.row();
@@ -197,16 +194,10 @@ impl<'a, S: Scalar> Basis<'a, S> {
         })
     }
 
-    /// Checks that this basis covers a light.
     pub(crate) fn accept_light(&self, light: &Light<'_, S>) -> Result<(), Error> {
-        let (basis, found) = (self.degree(), light.degree());
-        if found > basis {
-            return Err(Error::Beyond { argument: Argument::Light, basis, found });
-        }
-        Ok(())
+        Error::check_beyond(Argument::Light, self.degree(), light.degree())
     }
 
-    /// Subtracts the coefficients of the mean image from those of an image.
     #[inline]
     pub(crate) fn subtract_mean(&self, coefficients: &mut [S]) {
         for (coefficient, &mean) in coefficients.iter_mut().zip(self.parts.mean_coefficients) {
@@ -234,7 +225,6 @@ pub(crate) fn gather<S: Scalar>(
     }
 }
 
-/// The parts of a projection's workspace.
 pub(crate) struct Workspace<'w, S> {
     /// S, with a row for each l.
     pub(crate) scattering: &'w mut [S],
@@ -254,9 +244,8 @@ struct Row<'a, S> {
 }
 
 /// The components of two profiles, for +m and for -m, from rows of `V` groups, not yet summed
-/// across the lanes.
-///
-/// Not inlined: if the compiler sees the sum across the lanes, it splits the vectors throughout.
+/// across the lanes. Not inlined: if the compiler sees the sum across the lanes, it splits the
+/// vectors throughout.
 #[inline(never)]
 fn row<S: Scalar, const V: usize>(row: Row<'_, S>) -> [lanes::Two<S>; 2] {
     let (factors, _) = row.factors.as_chunks().0.as_chunks::<V>();
@@ -295,8 +284,7 @@ pub(crate) fn add_lit<S: Scalar>(
     [plus, lanes::multiply_add_two(minus, row, &[of_minus; LANES])]
 }
 
-/// Provides a workspace and coefficients for `project` to fill, both of capacities known at compile
-/// time.
+/// Provides a workspace and coefficients for `project` to fill, both of constant capacities.
 #[inline]
 pub(crate) fn buffered<S: Scalar, const N: usize, const K: usize>(
     workspace: usize,

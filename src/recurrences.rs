@@ -8,8 +8,8 @@ use crate::invariant::part;
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Recurrences<'a> {
-    /// The first azimuth that has a recurrence.
-    first: usize,
+    /// The first azimuth that has a recurrence, or a number above all azimuths.
+    pub(crate) first: usize,
     /// Entries of each recurrence.
     stride: usize,
     numbers: &'a [layout::Recurrence],
@@ -36,11 +36,6 @@ impl<'a> Recurrences<'a> {
                 found: numbers.len(),
             }),
         }
-    }
-
-    /// The first azimuth that has a recurrence, or a number above all azimuths.
-    pub(crate) const fn first(&self) -> usize {
-        self.first
     }
 
     /// Whether no azimuth has one.

@@ -2,8 +2,7 @@
 //!
 //! A machine that computes with groups of numbers takes a transfer pass by pass. The lanes run
 //! along m, as do the light's coefficients of one degree, so nothing is gathered and nothing is
-//! summed across lanes. Lanes with |m| > l read coefficients of other degrees and multiply them by
-//! zero.
+//! summed across lanes. Lanes with |m| > l multiply coefficients of other degrees by zero.
 //!
 //! Other machines take it run by run, that is, order by order: this skips products with zero, and
 //! reads each coefficient of the light once.
@@ -11,8 +10,7 @@
 use crate::basis::Basis;
 use crate::buffer::zeros;
 use crate::error::{Argument, Error};
-use crate::index::layout::LANES;
-use crate::index::light::position;
+use crate::index::{layout::LANES, light::position};
 use crate::invariant::part;
 use crate::lanes;
 use crate::light::Light;
@@ -31,8 +29,7 @@ pub const GROUPS: bool = cfg!(any(
     target_feature = "v"
 ));
 
-/// Evaluates `$body` with `$profiles` as a constant from 1 to 8, the largest number of profiles in
-/// a pass.
+/// Evaluates `$body` with `$profiles` as a constant from 1 to 8, the most profiles in a pass.
 macro_rules! by_profiles {
     ($count:expr, $profiles:ident => $body:expr) => {
         by_profiles!(@each $count, $profiles => $body, 1 2 3 4 5 6 7 8)
@@ -92,7 +89,6 @@ impl<S: Scalar> Basis<'_, S> {
         Ok(())
     }
 
-    /// The components of all passes.
     fn relight_passes(&self, transfer: &[S], light: &Light<'_, S>, coefficients: &mut [S]) {
         let mut next = self.first_pass();
         while let Some(pass) = next {
@@ -105,7 +101,6 @@ impl<S: Scalar> Basis<'_, S> {
         }
     }
 
-    /// The components of all runs.
     fn relight_runs(&self, transfer: &[S], light: &Light<'_, S>, coefficients: &mut [S]) {
         let mut next = self.first_run();
         while let Some(run) = next {
@@ -130,16 +125,12 @@ pub fn inputs<'a, S: Scalar, const T: usize, const N: usize>(
 
 /// Writes the sums of pass number `I`, which has `P` profiles, to their components.
 #[inline(always)]
-pub fn write<
-    B: KnownTable<Basis<'static, S>>,
-    S: Scalar,
-    const I: usize,
-    const P: usize,
-    const K: usize,
->(
+pub fn write<B, S: Scalar, const I: usize, const P: usize, const K: usize>(
     sums: &[[S; LANES]; P],
     coefficients: &mut [S; K],
-) {
+) where
+    B: KnownTable<Basis<'static, S>>,
+{
     write_pass(const { &pass_of::<B, S, P>(I) }, sums, coefficients);
 }
 
@@ -161,28 +152,19 @@ const fn run_of<B: KnownTable<Basis<'static, S>>, S: 'static, const P: usize>(in
     }
 }
 
-/// The sums of pass number `I`, which has `P` profiles.
-///
-/// Not inlined: a compiler that sees single lanes being read splits the groups.
+/// The sums of pass number `I`, which has `P` profiles. Not inlined: a compiler that sees single
+/// lanes being read splits the groups.
 #[inline(never)]
-pub fn sums<
-    B: KnownTable<Basis<'static, S>>,
-    S: Scalar,
-    const I: usize,
-    const P: usize,
-    const T: usize,
-    const N: usize,
->(
+pub fn sums<B, S: Scalar, const I: usize, const P: usize, const T: usize, const N: usize>(
     transfer: &[S; T],
     light: &[S; N],
-) -> [[S; LANES]; P] {
+) -> [[S; LANES]; P]
+where
+    B: KnownTable<Basis<'static, S>>,
+{
     let place = const { &pass_of::<B, S, P>(I) };
-    sums_of_pass(
-        place,
-        const { B::BASIS.parts.degree + 1 - pass_of::<B, S, P>(I).lowest },
-        transfer,
-        light,
-    )
+    let degrees = const { B::BASIS.parts.degree + 1 - pass_of::<B, S, P>(I).lowest };
+    sums_of_pass(place, degrees, transfer, light)
 }
 
 /// [`sums_of_pass`] of any pass of `P` profiles.
@@ -228,7 +210,6 @@ fn window<S: Scalar>(light: &[S], l: usize, first: isize) -> [S; LANES] {
     [at(0), at(1), at(2), at(3)]
 }
 
-/// Writes the sums of a pass to their components.
 #[inline(always)]
 fn write_pass<S: Scalar>(pass: &PassPlace, sums: &[[S; LANES]], coefficients: &mut [S]) {
     for (slots, sums) in pass.slots.iter().zip(sums) {
@@ -240,23 +221,17 @@ fn write_pass<S: Scalar>(pass: &PassPlace, sums: &[[S; LANES]], coefficients: &m
     }
 }
 
-/// Writes the components of run number `I`, which has `P` profiles.
-///
-/// Not inlined: a compiler that sees several orders at once runs out of registers.
+/// Writes the components of run number `I`, which has `P` profiles. Not inlined: a compiler that
+/// sees several orders at once runs out of registers.
 #[inline(never)]
-pub fn run<
-    B: KnownTable<Basis<'static, S>>,
-    S: Scalar,
-    const I: usize,
-    const P: usize,
-    const T: usize,
-    const N: usize,
-    const K: usize,
->(
+pub fn run<B, S, const I: usize, const P: usize, const T: usize, const N: usize, const K: usize>(
     transfer: &[S; T],
     light: &[S; N],
     coefficients: &mut [S; K],
-) {
+) where
+    B: KnownTable<Basis<'static, S>>,
+    S: Scalar,
+{
     let run = const { &run_of::<B, S, P>(I) };
     let degrees = const { B::BASIS.parts.degree + 1 - run_of::<B, S, P>(I).order.unsigned_abs() };
     let components = const { B::BASIS.run_components::<P>(&run_of::<B, S, P>(I)) };
@@ -289,7 +264,6 @@ fn run_sums<S: Scalar, const P: usize>(
     sums
 }
 
-/// Writes the sums of a run to their components.
 #[inline(always)]
 fn write_run<S: Scalar, const P: usize>(
     components: impl IntoIterator<Item = u16>,
@@ -305,15 +279,14 @@ fn write_run<S: Scalar, const P: usize>(
 
 #[cfg(all(test, feature = "baked"))]
 mod tests {
-    use crate::{Light, Material, sphere};
+    use crate::light::Light;
+    use crate::material::Material;
+    use crate::sphere;
 
     /// Each machine takes one of the two ways.
     #[test]
     fn passes_and_runs_agree_bit_for_bit() {
-        let mut light = [0.0f32; sphere::LIGHT];
-        for (k, number) in light.iter_mut().enumerate() {
-            *number = (7 * k % 19) as f32 - 9.0;
-        }
+        let light: [f32; sphere::LIGHT] = core::array::from_fn(|k| (7 * k % 19) as f32 - 9.0);
         let material = [0.3f32; 40];
         let transfer = Material::new(&material).and_then(|material| sphere::transfer(&material));
         let transfer = transfer.as_ref().map_or(&[][..], |transfer| transfer.as_slice());

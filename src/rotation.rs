@@ -98,10 +98,8 @@ impl<S: Scalar> Rotation<S> {
     }
 
     /// The orthonormal matrix nearest to an almost orthonormal one, by Newton's method: R + (1 -
-    /// RRᵀ) R / 2.
-    ///
-    /// An error of 1e-3, the largest that [`from_matrix`](Self::from_matrix) accepts, becomes 1e-6
-    /// after one step, 1e-12 after two and nothing after three.
+    /// RRᵀ) R / 2. An error of 1e-3, the largest that [`from_matrix`](Self::from_matrix) accepts,
+    /// becomes 1e-6 after one step, 1e-12 after two and nothing after three.
     fn orthonormal(mut self) -> Self {
         for _ in 0..3 {
             let rows = self.matrix;

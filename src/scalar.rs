@@ -1,5 +1,6 @@
 //! The number formats of the floating-point code.
 
+use crate::format::Format;
 #[cfg(target_feature = "relaxed-simd")]
 use crate::lanes;
 use crate::turn::exchange;
@@ -9,18 +10,13 @@ use core::ops::{Add, AddAssign, Mul, Neg, Sub, SubAssign};
 ///
 /// Sealed: fixed-point formats have code of their own.
 pub trait Scalar:
-    sealed::Sealed
-    + Copy
-    + PartialOrd
-    + core::fmt::Debug
-    + Default
+    Format
     + Add<Output = Self>
     + AddAssign
     + Sub<Output = Self>
     + SubAssign
     + Mul<Output = Self>
     + Neg<Output = Self>
-    + 'static
 {
     /// 0.
     const ZERO: Self;
@@ -32,8 +28,7 @@ pub trait Scalar:
     /// self + a b. With the feature `std` on a target with the target feature `fma`, it
     /// rounds once, otherwise twice.
     fn add_product(self, a: Self, b: Self) -> Self;
-    /// A step of Horner's rule for a polynomial at a block of arguments: each sum becomes
-    /// term + sum t.
+    /// A step of Horner's rule at a block of arguments: each sum becomes term + sum t.
     #[doc(hidden)]
     #[inline(always)]
     fn horner<const N: usize>(term: Self, sums: &mut [Self; N], t: &[Self; N]) {
@@ -97,12 +92,6 @@ pub trait Scalar:
     fn root_by_libm(self) -> Self;
     /// Sine and cosine of an angle in radians, from `libm`.
     fn sine_and_cosine_by_libm(self) -> (Self, Self);
-}
-
-mod sealed {
-    pub trait Sealed {}
-    impl Sealed for f32 {}
-    impl Sealed for f64 {}
 }
 
 macro_rules! scalar {

@@ -8,28 +8,21 @@
 use crate::basis::Basis;
 use crate::error::{Argument, Error};
 use crate::index::effect::{Effect, Effects};
-use crate::index::layout::LANES;
-use crate::index::{layout, material};
+use crate::index::{layout, layout::LANES, material};
 use crate::invariant::{part_mut, split};
 use crate::lanes;
 use crate::material::Material;
 use crate::scalar::Scalar;
 
 impl<S: Scalar> Basis<'_, S> {
-    /// Checks that this basis covers a material.
     pub(crate) fn accept_material(&self, material: &Material<'_, S>) -> Result<(), Error> {
-        let (basis, found) = (self.order(), material.order());
-        if found > basis {
-            return Err(Error::Beyond { argument: Argument::Material, basis, found });
-        }
+        Error::check_beyond(Argument::Material, self.order(), material.order())?;
         if self.projects() { Ok(()) } else { Err(Error::TransfersOnly) }
     }
 
     /// Writes S: for each l a zero-padded row over the pairs (p, q). `sums` holds S along l
-    /// meanwhile.
-    ///
-    /// Only modes of `effects` are summed; if the basis has a selection of modes, only those of
-    /// `azimuth`. Inlined so that the compiler can see when all effects are meant.
+    /// meanwhile. Only modes of `effects` are summed; if the basis has a selection of modes, only
+    /// those of `azimuth`. Inlined so that the compiler can see when all effects are meant.
     #[inline(always)]
     pub(crate) fn scatter(
         &self,

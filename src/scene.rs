@@ -9,7 +9,8 @@ use crate::index::record::ProfilePlace;
 use crate::invariant::{part, part_mut, split, split_mut, split_row};
 use crate::lanes::multiply_add;
 use crate::normal::Normal;
-use crate::polynomial::{self, argument, turned};
+use crate::polynomial;
+use crate::polynomial::{argument, turned};
 use crate::recurrences::Recurrences;
 use crate::scalar::Scalar;
 
@@ -22,9 +23,20 @@ pub type SceneBuffer<S, const N: usize> = Buffer<S, N>;
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Scene<'a, B> {
-    lengths: &'a [u16],
-    recurrences: Recurrences<'a>,
-    buffer: B,
+    pub(crate) lengths: &'a [u16],
+    pub(crate) recurrences: Recurrences<'a>,
+    pub(crate) buffer: B,
+}
+
+/// Number of polynomials of an azimuth.
+pub(crate) const fn signs(azimuth: usize) -> usize {
+    if azimuth == 0 { 1 } else { 2 }
+}
+
+/// Number of terms of polynomials of these lengths, of +m and of -m.
+pub(crate) fn count(lengths: &[u16]) -> usize {
+    let lengths = lengths.iter().enumerate();
+    lengths.map(|(azimuth, &length)| signs(azimuth) * usize::from(length)).sum()
 }
 
 impl<'a, S: Scalar> Basis<'a, S> {
@@ -69,8 +81,7 @@ impl<'a, S: Scalar> Basis<'a, S> {
         let (mut sums, mut azimuth) = (sums, 0);
         for (place, terms) in self.profiles() {
             while azimuth < place.azimuth() {
-                let signs = if azimuth == 0 { 1 } else { 2 };
-                sums = part_mut(sums, signs * self.length(azimuth)..);
+                sums = part_mut(sums, signs(azimuth) * self.length(azimuth)..);
                 azimuth += 1;
             }
             if let Some(weight) = weight(place.plus()) {
@@ -114,7 +125,6 @@ impl<'a, S: Scalar> Basis<'a, S> {
         Ok(sum)
     }
 
-    /// The mean image at a normal.
     #[inline]
     pub(crate) fn mean_at(&self, normal: Normal<S>) -> S {
         polynomial::value(self.parts.mean, argument(normal.z), self.recurrences.of(0))
@@ -141,7 +151,6 @@ impl<'a, S: Scalar> Basis<'a, S> {
     }
 }
 
-/// Adds the terms times the weight to the sums.
 #[inline]
 fn add<S: Scalar>(weight: S, terms: &[S], sums: &mut [S]) {
     // Small code for targets without lanes to fill.
@@ -159,22 +168,9 @@ fn add<S: Scalar>(weight: S, terms: &[S], sums: &mut [S]) {
 }
 
 impl<'a, B> Scene<'a, B> {
-    /// The scene of polynomials of these lengths.
     #[inline]
     pub(crate) fn of(lengths: &'a [u16], recurrences: Recurrences<'a>, buffer: B) -> Self {
         Self { lengths, recurrences, buffer }
-    }
-
-    /// The recurrences of all azimuths.
-    #[inline]
-    pub(crate) fn recurrences(&self) -> Recurrences<'a> {
-        self.recurrences
-    }
-
-    /// Number of terms for each |m|.
-    #[inline]
-    pub(crate) fn lengths(&self) -> &'a [u16] {
-        self.lengths
     }
 
     /// The terms of all polynomials, for writing polynomials of these lengths without recurrences.
@@ -185,15 +181,6 @@ impl<'a, B> Scene<'a, B> {
     {
         (self.lengths, self.recurrences) = (lengths, Recurrences::NONE);
         self.buffer.as_mut()
-    }
-
-    /// The terms of all polynomials.
-    #[inline]
-    pub(crate) fn numbers<S: Scalar>(&self) -> &[S]
-    where
-        B: AsRef<[S]>,
-    {
-        self.buffer.as_ref()
     }
 
     /// The polynomials of each azimuth: those of +m, and those of -m (empty for m = 0).
@@ -250,13 +237,11 @@ impl<'s, S> Descent<'s, S> {
         !self.recurrences.is_empty()
     }
 
-    /// The recurrence of the next azimuth, or after the last one that of the pole; empty if there
-    /// is none.
+    /// The recurrence of the next azimuth, then that of the pole; empty if there is none.
     pub(crate) fn recurrence(&self) -> &'s [Recurrence] {
         self.recurrences.of(self.lengths.len())
     }
 
-    /// Whether any polynomial has more terms than this.
     pub(crate) fn any_longer_than(&self, terms: usize) -> bool {
         self.pole.len() > terms || self.lengths.iter().any(|&length| usize::from(length) > terms)
     }
@@ -281,14 +266,11 @@ mod tests {
     use super::*;
     use crate::normal::Normals;
 
-    /// Covers every way in which a slice is shaded, including scenes with polynomials of azimuth 0
-    /// only.
+    /// Covers every way in which a slice is shaded, also for polynomials of azimuth 0 only.
     #[test]
     fn slices_of_any_shape_are_shaded_as_their_normals() {
-        let mut numbers = [0.0f32; 200];
-        for (k, number) in numbers.iter_mut().enumerate() {
-            *number = ((7 * k % 19) as f32 - 9.0) / (1 + k % 5) as f32;
-        }
+        let numbers: [f32; 200] =
+            core::array::from_fn(|k| ((7 * k % 19) as f32 - 9.0) / (1 + k % 5) as f32);
         let [mut x, mut y, mut z] = [[0.0f32; 300]; 3];
         for (k, ((x, y), z)) in x.iter_mut().zip(&mut y).zip(&mut z).enumerate() {
             *z = (k as f32 + 0.5) / 300.0;

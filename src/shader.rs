@@ -8,7 +8,9 @@ use crate::index::layout::{Form, Recurrence};
 use crate::recurrences::Recurrences;
 use crate::scalar::Scalar;
 use crate::scene::Scene;
-use crate::shader_text::{Azimuth, ShaderLanguage, highlight_vectors, highlights, put};
+use crate::scene::{count, signs};
+use crate::shader_text::ShaderLanguage;
+use crate::shader_text::{Azimuth, highlight_vectors, highlights, put};
 use core::fmt::{self, Write};
 
 /// A shader that computes the irradiance of scenes of one shape.
@@ -44,7 +46,7 @@ impl<'a> Shader<'a> {
     /// The shader for scenes of the shape of this one.
     #[must_use]
     pub fn new<B>(scene: &Scene<'a, B>) -> Self {
-        Self { lengths: scene.lengths(), recurrences: scene.recurrences(), sources: 0 }
+        Self { lengths: scene.lengths, recurrences: scene.recurrences, sources: 0 }
     }
 
     /// The shader that adds the [`Highlights`] of up to `sources` small sources, 0 to
@@ -93,8 +95,7 @@ impl<'a> Shader<'a> {
     /// Number of coefficients: terms of all polynomials.
     #[must_use]
     pub fn terms(&self) -> usize {
-        let lengths = self.lengths.iter().enumerate();
-        lengths.map(|(azimuth, &length)| signs(azimuth) * usize::from(length)).sum()
+        count(self.lengths)
     }
 
     /// Number of vectors of four numbers in the shader's array: one for each coefficient, and one
@@ -105,7 +106,6 @@ impl<'a> Shader<'a> {
         (self.scene_vectors() + highlight_vectors(self.sources)).max(1)
     }
 
-    /// Number of vectors of the scene.
     fn scene_vectors(&self) -> usize {
         self.terms() + self.entries().count()
     }
@@ -125,7 +125,7 @@ impl<'a> Shader<'a> {
         let needed = self.vectors();
         Error::check(Argument::Scene, needed, needed.min(vectors.len()))?;
         let Rgb { r, g, b } =
-            scene.map(|scene| scene.numbers().iter().map(|&number| number.into()));
+            scene.map(|scene| scene.buffer.as_ref().iter().map(|&number| number.into()));
         let colors = r.zip(g).zip(b).take(self.terms()).map(|((r, g), b)| [r, g, b, 0.0]);
         let entries = self.entries().map(|&[at, below]| [at, below, 0.0, 0.0]);
         let mut all = colors.chain(entries);
@@ -141,6 +141,7 @@ impl<'a> Shader<'a> {
     ///
     /// # Errors
     ///
+    /// In f32, a shader is as near to the formula as [`Highlights::shade`]. Errors:
     /// [`Error::Length`] if there are fewer `vectors` than [`vectors`](Self::vectors), and
     /// [`Error::Capacity`] if there are more highlights than the shader has sources.
     pub fn highlight_uniforms<S: Scalar + Into<f32>, const N: usize>(
@@ -260,9 +261,4 @@ impl<'a> Shader<'a> {
         }
         out.write_str("  return p;\n}\n")
     }
-}
-
-/// How many polynomials an azimuth has.
-fn signs(azimuth: usize) -> usize {
-    if azimuth == 0 { 1 } else { 2 }
 }

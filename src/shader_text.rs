@@ -10,13 +10,13 @@ use core::fmt::{self, Write};
 pub enum ShaderLanguage {
     /// GLSL ES 3.00 (WebGL 2) with `uniform vec4 eigenshade[N]`. WebGL 2 promises 224 vectors to a
     /// fragment shader. The shipped tables `sphere` and `color` take 167 and 194, `pbr` 454; eight
-    /// sources take 33.
+    /// sources 33.
     Glsl,
     /// The same with a uniform block `Eigenshade` of layout `std140`, for up to 1,024 vectors.
     GlslBlock,
     /// The same with a float texture `eigenshade` of one row, for any number of vectors.
     GlslTexture,
-    /// WGSL with a uniform buffer, `@group(0) @binding(0) var<uniform> eigenshade`, of up to 4,096
+    /// WGSL with a uniform buffer, `@group(0) @binding(0) var<uniform> eigenshade`, to 4,096
     /// vectors.
     Wgsl,
 }
@@ -43,13 +43,11 @@ pub(crate) struct Azimuth {
 }
 
 impl Azimuth {
-    /// Writes the color of a coefficient.
     fn color(&self, place: usize, out: &mut impl Write) -> fmt::Result {
         self.vector(place, out)?;
         out.write_str(".rgb")
     }
 
-    /// Writes a vector of the array.
     fn vector(&self, place: usize, out: &mut impl Write) -> fmt::Result {
         let [before, after] = self.language.brackets();
         put(out, before, place, after)
@@ -170,12 +168,10 @@ pub(crate) fn highlight_vectors(sources: usize) -> usize {
     if sources == 0 { 0 } else { 1 + 4 * sources }
 }
 
-/// The beginning of a statement.
 fn statement(out: &mut impl Write, name: &str, operator: &str) -> fmt::Result {
     join(&["  ", name, operator], out)
 }
 
-/// Writes texts.
 fn join(texts: &[&str], out: &mut impl Write) -> fmt::Result {
     texts.iter().try_for_each(|text| out.write_str(text))
 }

@@ -1,7 +1,7 @@
 //! Small bright sources, which are taken out of the harmonics of a light.
 
 use crate::analytic::add_harmonics;
-use crate::buffer::zeros;
+use crate::buffer::{copied, zeros};
 use crate::color::Rgb;
 use crate::error::{Argument, Error};
 use crate::index::light::count;
@@ -38,8 +38,7 @@ pub struct Source<S> {
 }
 
 impl<S: Scalar> Source<S> {
-    /// A source in the unit vector `direction`, which points from the object to the light in the
-    /// camera's frame.
+    /// A source in the unit vector `direction`, from the object to the light in the camera's frame.
     ///
     /// * `energy`: the integral of its radiance over solid angle, in each channel, at least 0.
     /// * `major`: a vector whose length is the standard deviation in radians along its direction. Its
@@ -137,8 +136,8 @@ impl<S: Scalar> Source<S> {
         self.energy
     }
 
-    /// The major axis: perpendicular to the direction, with a standard deviation in radians as its
-    /// length.
+    /// The major axis, perpendicular to the direction: its length is a standard deviation in
+    /// radians.
     #[must_use]
     pub const fn major(&self) -> [S; 3] {
         self.major
@@ -172,11 +171,10 @@ impl<S: Scalar> Source<S> {
         Ok(blob)
     }
 
-    /// Adds the coefficients of the blob with energy 1 to those of a light.
-    ///
-    /// The integral along the major axis is a trapezoid sum over nodes s_j = cos(x_j) s + sin(x_j)
-    /// major / |major|, x_j = j h t and |j h| <= 5, with weights exp(-(j h)² / 2) over their sum.
-    /// With h <= 2π / (5 + t l), its ends and its aliases each leave at most 4e-6 of degree l.
+    /// Adds the coefficients of the blob with energy 1 to those of a light. The integral along the
+    /// major axis is a trapezoid sum over nodes s_j = cos(x_j) s + sin(x_j) major / |major|, x_j =
+    /// j h t and |j h| <= 5, with weights exp(-(j h)² / 2) over their sum. With h <= 2π / (5 + t
+    /// l), its ends and its aliases each leave at most 4e-6 of degree l.
     fn add_blob<M: Mathematics<S>>(
         &self,
         coefficients: &mut [S],
@@ -264,9 +262,7 @@ impl<S: Scalar> Rgb<Light<'_, S>> {
         sources: &[Source<S>],
     ) -> Result<Rgb<LightBuffer<S, N>>, Error> {
         let mut residual = self.each_ref().try_map(|light| {
-            let mut copy = zeros::<S, N>(Argument::Light, light.coefficients().len())?;
-            copy.iter_mut().zip(light.coefficients()).for_each(|(to, &from)| *to = from);
-            Ok(copy)
+            copied::<S, N>(Argument::Light, light.coefficients().iter().copied())
         })?;
         let degree = self.r.degree().max(self.g.degree()).max(self.b.degree());
         for source in sources {

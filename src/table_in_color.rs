@@ -1,4 +1,42 @@
-//! The steps from light to pixel in three channels, for each table that is compiled in.
+//! What the modules of tables have in every format.
+
+/// Sizes, and the type of a scene.
+#[doc(hidden)]
+#[macro_export]
+macro_rules! table_items {
+    (basis $type:ty = $basis:expr, components $components:expr, workspace $workspace:expr,
+        scene $scene:ty, derive $($derive:ident),*) => {
+        /// This table, for the functions that are specialized for it.
+        struct This;
+        impl $crate::specialized::KnownTable<$type> for This {
+            const BASIS: &'static $type = &$basis;
+        }
+        /// Largest degree l of the light.
+        pub const DEGREE: usize = PARTS.degree;
+        /// Largest order o of the BRDF.
+        pub const ORDER: usize = PARTS.order;
+        /// Number of components K.
+        pub const COMPONENTS: usize = $components;
+        /// Numbers in the workspace of a projection or of a transfer.
+        pub const WORKSPACE: usize = $workspace;
+        /// Numbers in a [`Transfer`].
+        pub const TRANSFER: usize = $basis.transfer_len();
+        /// Numbers in a [`Scene`].
+        pub const SCENE: usize = $basis.scene_len();
+        /// A scene of this table's size.
+        type Collapsed = $scene;
+        /// One image, ready to be shaded. It dereferences to a scene of eigenshade.
+        #[derive(Debug, PartialEq, $($derive),*)]
+        pub struct Scene(Collapsed);
+        impl core::ops::Deref for Scene {
+            type Target = Collapsed;
+            #[inline]
+            fn deref(&self) -> &Collapsed {
+                &self.0
+            }
+        }
+    };
+}
 
 /// The module `color` of a table: its steps for three channels.
 #[doc(hidden)]
@@ -21,8 +59,7 @@ macro_rules! table_in_color {
             /// [`Transfer`](super::Transfer) serves all channels.
             pub type Transfer = Rgb<super::Transfer>;
 
-            /// One image in three channels, ready to be shaded. It dereferences to the images of
-            /// the channels.
+            /// One image in three channels, ready to be shaded. It dereferences to the channels.
             #[derive(Clone, Debug, PartialEq)]
             pub struct Scene(Rgb<super::Scene>);
 
@@ -97,8 +134,7 @@ macro_rules! table_in_color {
                 relit(Rgb::gray(&super::transfer(material)?), light, scene)
             }
 
-            /// The transfer of a material in each channel: see [`transfer`](super::transfer); the
-            /// same errors.
+            /// The transfer of a material in each channel; errors as [`transfer`](super::transfer).
             pub fn transfer<'m>(
                 material: impl Into<Rgb<Material<'m>>>,
             ) -> Result<Transfer, $crate::Error> {

@@ -2,51 +2,50 @@
 //! materials.
 
 use eigenshade::{BakedMap, Error, IntegerMap, MapPoint, Normal, Normals, Q15, quantized, sphere};
-use eigenshade_model::inputs::coefficient_csv::read_materials;
-use eigenshade_testing::images::{coefficients, single};
-use eigenshade_testing::{fixtures, largest};
-
-/// One image.
-pub type Shipped = sphere::Scene;
+use eigenshade_testing::images::{coefficients, on};
+use eigenshade_testing::{fixtures, largest, median_and_largest};
 
 /// Every `step`-th light on every `step`-th material.
-pub fn scenes(step: usize) -> Vec<Shipped> {
-    let materials = read_materials("tables/inputs/materials.csv", Some(7)).expect("materials");
+fn scenes(step: usize) -> Vec<sphere::Scene> {
+    let (lights, materials) = (fixtures::captured(9).entries, fixtures::measured(7).entries);
     let mut scenes = Vec::new();
-    for light in fixtures::captured(9).entries.iter().step_by(step) {
-        let light = single(light.luminance());
-        for material in materials.entries.iter().step_by(step) {
-            let d = coefficients(&light, &single(material.luminance()));
-            scenes.push(sphere::collapse(&d).expect("it fits"));
+    for light in lights.iter().step_by(step) {
+        for material in materials.iter().step_by(step) {
+            scenes.push(sphere::collapse(&on(light, material)).expect("it fits"));
         }
     }
     scenes
 }
 
 /// Normals as a picture of a sphere has them, `across` pixels across.
-pub fn normals(across: usize) -> Vec<Normal<f32>> {
-    let normal = |[x, y, z]: [f64; 3]| Normal::new(x as f32, y as f32, z as f32).expect("visible");
-    fixtures::disc(across).into_iter().map(normal).collect()
+fn normals(across: usize) -> Vec<Normal<f32>> {
+    fixtures::disc(across).into_iter().map(fixtures::normal).collect()
+}
+
+/// A normal of any numbers, which are not scaled.
+fn unscaled([x, y, z]: [f32; 3]) -> Normal<f32> {
+    Normals::new(&[x], &[y], &[z]).expect("one length").iter().next().expect("one normal")
 }
 
 /// Scenes, and what their polynomials give for some normals.
 struct Shaded {
-    scenes: Vec<Shipped>,
+    scenes: Vec<sphere::Scene>,
     images: Vec<Vec<f64>>,
 }
 
 impl Shaded {
     fn new(step: usize, normals: &[Normal<f32>]) -> Self {
         let scenes = scenes(step);
-        let image = |scene: &Shipped| normals.iter().map(|&n| f64::from(scene.shade(n))).collect();
-        let images = scenes.iter().map(image).collect();
-        Self { scenes, images }
+        let image = |scene: &sphere::Scene| {
+            normals.iter().map(|&normal| f64::from(scene.shade(normal))).collect()
+        };
+        Self { images: scenes.iter().map(image).collect(), scenes }
     }
 
     /// Rms and largest error, of the peak, of `N` images of each scene.
     fn errors<const N: usize>(
         &self,
-        mut images: impl FnMut(&Shipped) -> [Vec<f32>; N],
+        mut images: impl FnMut(&sphere::Scene) -> [Vec<f32>; N],
     ) -> [Vec<[f64; 2]>; N] {
         let mut found = [const { Vec::new() }; N];
         for (scene, reference) in self.scenes.iter().zip(&self.images) {
@@ -62,15 +61,10 @@ impl Shaded {
     }
 }
 
-fn middle(errors: &[[f64; 2]], which: usize) -> [f64; 2] {
-    let mut values: Vec<f64> = errors.iter().map(|error| error[which]).collect();
-    values.sort_by(f64::total_cmp);
-    [values[values.len() / 2], values[values.len() - 1]]
-}
-
-pub fn assert_within(what: &str, errors: &[[f64; 2]], [rms, worst]: [f64; 2]) {
-    let found = middle(errors, 0);
-    println!("{what}: rms {found:?}, largest {:?}", middle(errors, 1));
+fn assert_within(what: &str, errors: &[[f64; 2]], [rms, worst]: [f64; 2]) {
+    let [found, largest] =
+        [0, 1].map(|k| median_and_largest(errors.iter().map(|error| error[k]).collect()));
+    println!("{what}: rms {found:?}, largest {largest:?}");
     assert!(found[0] <= rms && found[1] <= worst, "{what}: {found:?} of {rms}, {worst}");
 }
 
@@ -82,12 +76,9 @@ fn normals_that_are_none_are_no_panic() {
     let numbers = [1e30, -1e30, f32::MAX, f32::INFINITY, f32::NEG_INFINITY, f32::NAN, 0.5, -0.0];
     for x in numbers {
         for z in numbers {
-            let normals = [[x], [z], [z]];
-            let [x, y, z] = normals.each_ref();
-            let normals = Normals::new(x, y, z).expect("one length");
-            let normal = normals.iter().next().expect("one normal");
+            let normal = unscaled([x, z, z]);
             let _ = scene.shade(normal);
-            for point in [MapPoint::of(normal), MapPoint::new(x[0], z[0])] {
+            for point in [MapPoint::of(normal), MapPoint::new(x, z)] {
                 let _ = map.bilinear(point);
             }
         }
@@ -123,8 +114,7 @@ fn q15(x: f32) -> Q15 {
 }
 
 /// A normal in Q15, on the map.
-fn on_map(components: [Q15; 3]) -> MapPoint<Q15> {
-    let [x, y, z] = components;
+fn on_map([x, y, z]: [Q15; 3]) -> MapPoint<Q15> {
     MapPoint::of_quantized(quantized::Normal::<Q15>::new(x, y, z).expect("a unit normal"))
 }
 
@@ -192,9 +182,8 @@ fn integers_round_and_no_more() {
 fn texels_are_as_documented() {
     let scene = &scenes(9)[5];
     let shade = |u: f64, v: f64| {
-        let [x, y, z] = MapPoint::new(u as f32, v as f32).direction().map(|c| [c]);
-        let normal = Normals::new(&x, &y, &z).expect("one length").iter().next();
-        f64::from(scene.shade(normal.expect("one normal")))
+        let direction = MapPoint::new(u as f32, v as f32).direction();
+        f64::from(scene.shade(unscaled(direction)))
     };
     let fitted = |[a, b, c]: [f64; 3]| b - (a - 2.0 * b + c) / 12.0;
     for size in [2, 3, 4, 5, 8, 33] {
@@ -271,12 +260,10 @@ fn texels_stand_where_documented() {
 fn normals_go_to_the_map_and_back() {
     let mut worst = 0.0f64;
     for normal in normals(200) {
-        let [x, y, z] = normal.components();
-        let point = MapPoint::of(normal);
-        let back = point.direction();
-        let apart = [back[0] - x, back[1] - y, back[2] - z];
-        assert!(apart.iter().all(|apart| apart.abs() <= 3e-7), "{apart:?}");
-        let components = [x, y, z].map(q15);
+        let back = MapPoint::of(normal).direction();
+        let mut pairs = back.into_iter().zip(normal.components());
+        assert!(pairs.all(|(back, there)| (back - there).abs() <= 3e-7), "{back:?}");
+        let components = normal.components().map(q15);
         let found = on_map(components).coordinates();
         let [x, y, z] = components.map(|q| f64::from(q.0) / 32_768.0);
         for (found, exact) in found.into_iter().zip([x / (1.0 + z), y / (1.0 + z)]) {
@@ -301,26 +288,17 @@ fn normals_go_to_the_map_and_back() {
 fn sizes_that_do_not_fit_are_errors() {
     let scene = &scenes(9)[0];
     for size in [0, 1, 4097, usize::MAX] {
-        assert_eq!(scene.bake_into(size, [0.0f32; 4]).err(), Some(Error::Size { found: size }));
-        assert_eq!(
-            BakedMap::<f32, _>::new(size, [0.0f32; 4]).err(),
-            Some(Error::Size { found: size })
-        );
-        assert_eq!(IntegerMap::new(size, 0, [0; 4]).err(), Some(Error::Size { found: size }));
+        let refused = Some(Error::Size { found: size });
+        assert_eq!(scene.bake_into(size, [0.0f32; 4]).err(), refused);
+        assert_eq!(BakedMap::<f32, _>::new(size, [0.0f32; 4]).err(), refused);
+        assert_eq!(IntegerMap::new(size, 0, [0; 4]).err(), refused);
     }
     assert!(matches!(scene.bake::<f32, 15>(4), Err(Error::Capacity { needed: 16, .. })));
     assert!(matches!(scene.bake_into(4, [0.0f32; 15]), Err(Error::Length { expected: 16, .. })));
     assert!(matches!(scene.bake_integers_into::<f32, _>(4, [0; 15]), Err(Error::Length { .. })));
     assert!(scene.bake::<f32, 16>(4).is_ok());
     // A black image has no scale.
-    let black = sphere::collapse(
-        &sphere::project(
-            &eigenshade::Light::new(&[0.0]).expect("a light"),
-            &eigenshade::Material::new(&[0.0]).expect("a material"),
-        )
-        .expect("it fits"),
-    )
-    .expect("it fits");
+    let black = sphere::collapse(&coefficients(&[0.0], &[0.0])).expect("it fits");
     let map = black.bake_integers_into::<f32, _>(4, [1; 16]).expect("16 texels");
     assert!(map.texels().iter().all(|&texel| texel == 0));
 }

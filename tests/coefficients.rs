@@ -3,10 +3,11 @@
 
 use crate::tolerances;
 use eigenshade::index::material;
-use eigenshade::{Effect, Effects, Error, Light, Material, Normal, sphere};
+use eigenshade::{Effect, Effects, Error, Light, Material, sphere};
 use eigenshade_shading::owned_basis::OwnedBasis;
+use eigenshade_testing::fixtures::{self, normal, projected};
 use eigenshade_testing::oracle::Numbers;
-use eigenshade_testing::{fixtures, largest};
+use eigenshade_testing::{largest, largest_difference, relative_error};
 use std::ops::RangeInclusive;
 
 /// The degrees l and the orders o of each effect.
@@ -49,7 +50,7 @@ fn effects_are_the_modes_of_their_degrees_and_orders() {
             }
             let found = project(&light, &material, Effects::NONE.with(effect));
             let expected = project(&of_light, &of_material, Effects::ALL);
-            let apart = largest(found.iter().zip(&expected).map(|(a, b)| a - b));
+            let apart = largest_difference(&found, &expected);
             assert!(apart <= tolerances::DENSE_PROJECTION * whole, "{effect:?}: {apart}");
         }
     }
@@ -62,26 +63,18 @@ fn weighted_pixels_give_back_the_coefficients() {
     for mut loaded in [shipped.clone(), fixtures::standard(shipped)] {
         loaded.scene.basis.components = Some(60);
         loaded.scene.basis.profile_tolerance = 1e-13;
-        let table = fixtures::table(&loaded);
-        let owned = OwnedBasis::<f64>::new(&table);
+        let owned = OwnedBasis::<f64>::new(&fixtures::table(&loaded));
         let basis = owned.basis().expect("a basis");
-        let (light, material) =
-            (loaded.lights.entries[3].luminance(), loaded.materials.entries[8].luminance());
-        let light = eigenshade::Light::new(&light).expect("coefficients");
-        let material = eigenshade::Material::new(&material).expect("coefficients");
-        let mut d = vec![0.0; basis.components()];
-        let mut workspace = vec![0.0; basis.workspace_len()];
-        basis.project_into(&light, &material, &mut workspace, &mut d).expect("sizes");
+        let [light, material] = [&loaded.lights.entries[3], &loaded.materials.entries[8]];
+        let d = projected(&basis, &light.luminance(), &material.luminance());
         let scene = basis.collapse_into(&d, vec![0.0; basis.scene_len()]).expect("sizes");
         let mut estimate = basis.estimate::<60>().expect("room");
-        for ([x, y, z], weight) in fixtures::rule(48, 19) {
-            let normal = Normal::new(x, y, z).expect("visible");
+        for (at, weight) in fixtures::rule(48, 19) {
             // Any factor of all weights drops out.
-            estimate.add(normal, scene.shade(normal), 7.0 * weight);
+            estimate.add(normal(at), scene.shade(normal(at)), 7.0 * weight);
         }
-        let found = estimate.coefficients().expect("pixels");
-        let apart = largest(found.iter().zip(&d).map(|(a, b)| a - b));
-        assert!(apart <= tolerances::DENSE_PROJECTION * largest(d.iter().copied()), "{apart}");
+        let apart = relative_error(&estimate.coefficients().expect("pixels"), &d);
+        assert!(apart <= tolerances::DENSE_PROJECTION, "{apart}");
     }
 }
 
@@ -91,15 +84,15 @@ fn estimates_without_pixels_or_room_are_errors() {
         sphere::BASIS.estimate::<{ sphere::COMPONENTS - 1 }>(),
         Err(Error::Capacity { .. })
     ));
-    let mut estimate = sphere::BASIS.estimate::<{ sphere::COMPONENTS }>().expect("room");
+    let mut estimate = sphere::estimate().expect("room");
     assert_eq!(estimate.coefficients(), Err(Error::Weight));
-    let normal = Normal::new(0.0, 0.0, 1.0).expect("visible");
-    estimate.add(normal, 1.0, 0.0);
-    assert_eq!(estimate.coefficients(), Err(Error::Weight));
-    estimate.add(normal, 1.0, f32::INFINITY);
-    assert_eq!(estimate.coefficients(), Err(Error::Weight));
-    let mut estimate = sphere::BASIS.estimate::<{ sphere::COMPONENTS }>().expect("room");
-    estimate.add(normal, 1.0, 2.0);
+    let front = normal([0.0, 0.0, 1.0]);
+    for weight in [0.0, f32::INFINITY] {
+        estimate.add(front, 1.0, weight);
+        assert_eq!(estimate.coefficients(), Err(Error::Weight), "{weight}");
+    }
+    let mut estimate = sphere::estimate().expect("room");
+    estimate.add(front, 1.0, 2.0);
     let d = estimate.coefficients().expect("a pixel");
     // Component 0 is the constant image.
     assert!((d[0] - 1.0).abs() <= tolerances::SAME_SUM_F32, "{}", d[0]);
@@ -107,11 +100,10 @@ fn estimates_without_pixels_or_room_are_errors() {
 
 #[test]
 fn a_million_tenths_are_a_tenth_on_average() {
-    let normal = Normal::new(0.0, 0.0, 1.0).expect("visible");
-    let mut estimate = sphere::BASIS.estimate::<{ sphere::COMPONENTS }>().expect("room");
+    let (mut estimate, front) = (sphere::estimate().expect("room"), normal([0.0, 0.0, 1.0]));
     let mut plain = 0.0f32;
     for _ in 0..1_000_000 {
-        estimate.add(normal, 0.1, 1.0);
+        estimate.add(front, 0.1, 1.0);
         plain += 0.1;
     }
     let off = (plain / 1e5 - 1.0).abs();
@@ -124,12 +116,11 @@ fn a_million_tenths_are_a_tenth_on_average() {
 #[test]
 fn an_irradiance_that_is_not_finite_spoils_every_coefficient() {
     for (seen, weight) in [(f32::NAN, 1.0), (f32::INFINITY, 1.0), (f32::NEG_INFINITY, 0.0)] {
-        for normal in [[0.0, 0.0, 1.0], [0.3, -0.2, 0.5]] {
-            let mut estimate = sphere::BASIS.estimate::<{ sphere::COMPONENTS }>().expect("room");
-            let good = Normal::new(0.1, 0.2, 0.9).expect("visible");
+        for at in [[0.0, 0.0, 1.0], [0.3, -0.2, 0.5]] {
+            let mut estimate = sphere::estimate().expect("room");
+            let good = normal([0.1, 0.2, 0.9]);
             estimate.add(good, 1.0, 1.0);
-            let [x, y, z] = normal;
-            estimate.add(Normal::new(x, y, z).expect("visible"), seen, weight);
+            estimate.add(normal(at), seen, weight);
             estimate.add(good, 1.0, 1.0);
             let d = estimate.coefficients().expect("weights");
             assert!(d.iter().all(|value| !value.is_finite()), "{seen} {weight}: {d:?}");

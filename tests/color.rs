@@ -1,18 +1,18 @@
 //! Three channels at once, the presets, and pixels of a display.
 
-use eigenshade::mathematics::Libm;
+use eigenshade::mathematics::{Libm, SinglePrecision};
 use eigenshade::presets::{gloss, light, material, sources};
-use eigenshade::quantized;
 use eigenshade::specialized::shade_normals;
 use eigenshade::sphere::{self, q15};
 use eigenshade::{
-    Argument, Disc, Display, Error, Gloss, Light, MapPoint, Material, Normal, Normals, Q15, Rgb,
-    Source, SourceSet, Tolerance, Tone, index,
+    Argument, Disc, Display, Error, Gloss, Light, MapPoint, Material, Normals, Q15, Rgb,
+    Rotation, Source, SourceSet, Tolerance, Tone, Window, index, quantized,
 };
 use eigenshade_model::source::SetError;
 use eigenshade_shading::{highlights, shipped};
+use eigenshade_testing::fixtures::{axes, normal};
 
-const NORMALS: [[f32; 3]; 4] =
+const NORMALS: [[f64; 3]; 4] =
     [[0.0, 0.0, 1.0], [0.6, 0.0, 0.8], [0.0, -0.6, 0.8], [-0.28, 0.96, 0.0]];
 
 /// Three channels give the bits of three calls; a gray material those of one transfer.
@@ -24,8 +24,7 @@ fn color_is_three_channels() {
         let scene = sphere::color::scene(light, material).unwrap();
         let transfer = sphere::color::transfer(material).unwrap();
         assert_eq!(sphere::color::relight(&transfer, light).unwrap(), scene);
-        for [x, y, z] in NORMALS {
-            let normal = Normal::new(x, y, z).unwrap();
+        for normal in NORMALS.map(normal) {
             let expected = light.zip(material).map(|(light, material)| {
                 let transfer = sphere::transfer(&material).unwrap();
                 let d = sphere::relight(&transfer, &light).unwrap();
@@ -71,8 +70,7 @@ fn maps_are_baked_in_color() {
     let maps = scene.bake::<256>(16).unwrap();
     let expected = scene.each_ref().map(|channel| channel.bake::<f32, 256>(16).unwrap());
     assert_eq!(maps, expected);
-    let normal = Normal::new(0.0, 0.6, 0.8).unwrap();
-    let point = MapPoint::of(normal);
+    let point = MapPoint::of(normal([0.0, 0.6, 0.8]));
     assert_eq!(maps.bilinear(point), expected.each_ref().map(|map| map.bilinear(point)));
     assert_eq!(scene.bake::<256>(1).err(), Some(Error::Size { found: 1 }));
     assert!(scene.bake::<255>(16).is_err());
@@ -141,27 +139,22 @@ fn sets_have_the_errors_of_the_shipped_file() {
     let size = (sphere::DEGREE, sphere::ORDER);
     let mut count = 0;
     for (light, sets) in sources::SETS {
-        let of_light = files.iter().filter(|one| one.light == light && one.size == size);
-        let of_light: Vec<_> = of_light.collect();
+        let is_of_light = |one: &&SetError| one.light == light && one.size == size;
+        let of_light: Vec<_> = files.iter().filter(is_of_light).collect();
         assert_eq!(sets.len(), of_light.len(), "{light}");
         for tenths in 1..=10_u8 {
             let roughness = f64::from(tenths) / 10.0;
             let gloss = Gloss::new(roughness as f32, [0.9; 3], [0.0; 3]).unwrap();
             for (set, file) in sets.iter().zip(&of_light) {
-                let (found, expected) =
-                    (f64::from(set.error(&gloss)), rms(file, usize::from(tenths)));
-                assert!(
-                    (found - expected).abs() < 1e-6,
-                    "{light}, {roughness}: {found} {expected}"
-                );
+                let apart = f64::from(set.error(&gloss)) - rms(file, usize::from(tenths));
+                assert!(apart.abs() < 1e-6, "{light}, {roughness}: {apart}");
                 count += 1;
             }
             for tolerance in [1.03e-3, 5.03e-3, 1.003e-2, 2.003e-2, 5.003e-2] {
                 let chosen = SourceSet::within(sets, &gloss, tolerance as f32);
-                let fits = |k: &usize| {
-                    roughness >= 0.6 || rms(of_light[*k], usize::from(tenths)) <= tolerance
-                };
-                let expected = (0..sets.len()).find(fits);
+                let expected = of_light.iter().position(|file| {
+                    roughness >= 0.6 || rms(file, usize::from(tenths)) <= tolerance
+                });
                 assert_eq!(chosen, expected.map(|k| sets[k]), "{light}, {roughness}, {tolerance}");
             }
         }
@@ -212,11 +205,10 @@ fn a_tint_scales_each_channel() {
     let gray = Material::new(&[2.0, -0.5]).unwrap();
     let tinted = gray.tint::<2>([1.0, 0.5, 0.0]).unwrap();
     let scene = sphere::color::scene(light::PARK, tinted.materials().unwrap()).unwrap();
-    let normal = Normal::new(0.0, 0.0, 1.0).unwrap();
-    let white = sphere::color::scene(light::PARK, gray).unwrap().shade(normal);
-    let found = scene.shade(normal);
-    let expected = [white.r, 0.5 * white.g, 0.0];
-    for (found, expected) in <[f32; 3]>::from(found).into_iter().zip(expected) {
+    let front = normal([0.0, 0.0, 1.0]);
+    let white = sphere::color::scene(light::PARK, gray).unwrap().shade(front);
+    let found: [f32; 3] = scene.shade(front).into();
+    for (found, expected) in found.into_iter().zip([white.r, 0.5 * white.g, 0.0]) {
         assert!((found - expected).abs() < 1e-5);
     }
     assert_eq!(
@@ -235,10 +227,7 @@ fn slices_are_shaded_in_color_as_their_normals() {
     let pixels: Vec<_> = Disc::new(60).unwrap().collect();
     for count in [0, 1, 7, 64, 320, 321, 640, 1300, pixels.len()] {
         let pixels = &pixels[..count];
-        let axis = |axis: usize| -> Vec<f32> {
-            pixels.iter().map(|pixel| pixel.normal().components()[axis]).collect()
-        };
-        let [x, y, z] = [0, 1, 2].map(axis);
+        let [x, y, z] = axes(&pixels.iter().map(|pixel| pixel.normal()).collect::<Vec<_>>());
         let normals = Normals::new(&x, &y, &z).unwrap();
         let mut colors = vec![Rgb::gray(f32::NAN); count];
         scene.shade_slice(normals, &mut colors).unwrap();
@@ -254,15 +243,14 @@ fn slices_are_shaded_in_color_as_their_normals() {
         let mut one_by_one = vec![Rgb::gray(f32::NAN); count];
         shade_normals(normals, &mut one_by_one, |normal| scene.shade(normal)).unwrap();
         assert_eq!(one_by_one, colors);
-        let normals: Vec<_> = pixels.iter().map(|pixel| pixel.quantized_normal()).collect();
+        let quantized: Vec<_> = pixels.iter().map(|pixel| pixel.quantized_normal()).collect();
         let mut colors = vec![Rgb::gray(i32::MIN); count];
-        integers.shade_slice(&normals, &mut colors).unwrap();
-        assert!(colors.iter().zip(&normals).all(|(color, &of)| *color == integers.shade(of)));
+        integers.shade_slice(&quantized, &mut colors).unwrap();
+        assert!(colors.iter().zip(&quantized).all(|(color, &of)| *color == integers.shade(of)));
         let short =
             Err(Error::Length { argument: Argument::Normals, expected: count, found: count + 1 });
         colors.push(Rgb::gray(0));
-        assert_eq!(integers.shade_slice(&normals, &mut colors), short);
-        let normals = Normals::new(&x, &y, &z).unwrap();
+        assert_eq!(integers.shade_slice(&quantized, &mut colors), short);
         assert_eq!(scene.shade_slice(normals, &mut vec![Rgb::gray(0.0); count + 1]), short);
     }
 }
@@ -270,10 +258,8 @@ fn slices_are_shaded_in_color_as_their_normals() {
 /// Channels of one irradiance, of nine terms, of more, and of each.
 #[test]
 fn few_terms_are_shaded_in_color_as_each_channel() {
-    let pixels: Vec<_> = Disc::new(60).unwrap().collect();
-    let [x, y, z] = [0, 1, 2].map(|axis| -> Vec<f32> {
-        pixels.iter().map(|pixel| pixel.normal().components()[axis]).collect()
-    });
+    let pixels: Vec<_> = Disc::new(60).unwrap().map(|pixel| pixel.normal()).collect();
+    let [x, y, z] = axes(&pixels);
     let normals = Normals::new(&x, &y, &z).unwrap();
     let matte = sphere::transfer(&Material::new(&[2.0]).unwrap()).unwrap();
     for degrees in [[0; 3], [2; 3], [5; 3], [0, 2, 5], [9, 0, 2]] {
@@ -293,8 +279,6 @@ fn few_terms_are_shaded_in_color_as_each_channel() {
 
 #[test]
 fn a_light_turns_and_a_map_is_baked_in_three_channels() {
-    use eigenshade::mathematics::SinglePrecision;
-    use eigenshade::{Rotation, Window};
     let rotation = Rotation::from_euler::<SinglePrecision>(0.3, 0.2, 0.1).unwrap();
     let turned = light::PARK.turned::<100>(&rotation).unwrap();
     let expected = light::PARK.g.turned::<100>(&rotation).unwrap();
@@ -308,8 +292,7 @@ fn a_light_turns_and_a_map_is_baked_in_three_channels() {
 
     let scene = sphere::color::scene(light::PARK, material::GREEN_LATEX).unwrap();
     let maps = scene.each_ref().try_map(|scene| scene.bake::<f32, 1024>(32)).unwrap();
-    for [x, y, z] in NORMALS {
-        let normal = Normal::new(x, y, z).unwrap();
+    for normal in NORMALS.map(normal) {
         let pairs = maps.bilinear(MapPoint::of(normal)).zip(scene.shade(normal));
         for (baked, exact) in <[_; 3]>::from(pairs) {
             assert!((baked - exact).abs() < 1e-2 * scene.shade(normal).largest());
@@ -343,8 +326,6 @@ fn a_gold_sphere_on_a_display() {
 /// About the view axis, the short way agrees with the matrices of any rotation.
 #[test]
 fn turning_about_the_view_axis() {
-    use eigenshade::mathematics::SinglePrecision;
-    use eigenshade::{Error, Rotation};
     /// Of the largest coefficient: sixteen roundings.
     const TOLERANCE: f32 = 2e-6;
     for angle in [0.0, 0.3, -1.7, 3.1] {

@@ -16,25 +16,16 @@ pub const BLUE: RGBColor = RGBColor(0, 95, 170);
 pub const ORANGE: RGBColor = RGBColor(213, 94, 0);
 pub const GREEN: RGBColor = RGBColor(0, 135, 100);
 pub const PURPLE: RGBColor = RGBColor(160, 70, 130);
+const YELLOW: RGBColor = RGBColor(204, 160, 0);
+const SKY: RGBColor = RGBColor(86, 170, 220);
+const GRAY: RGBColor = RGBColor(120, 120, 120);
 /// Color of background elements.
 pub const PALE: RGBColor = RGBColor(196, 199, 204);
-/// Color of the text.
 pub const INK: RGBColor = RGBColor(40, 42, 46);
 /// Color of grid lines and borders.
 const GRID: RGBColor = RGBColor(226, 228, 232);
-/// The colors of series in order.
-pub const COLORS: [RGBColor; 8] = [
-    BLUE,
-    ORANGE,
-    GREEN,
-    PURPLE,
-    RGBColor(204, 160, 0),
-    RGBColor(86, 170, 220),
-    RGBColor(120, 120, 120),
-    INK,
-];
+pub const COLORS: [RGBColor; 8] = [BLUE, ORANGE, GREEN, PURPLE, YELLOW, SKY, GRAY, INK];
 
-/// Axes and series.
 pub struct Chart {
     /// Titles of the horizontal and of the vertical axis.
     pub titles: [String; 2],
@@ -46,7 +37,6 @@ pub struct Chart {
     pub labels: Vec<((f64, f64), String)>,
 }
 
-/// The scales and ranges of the axes.
 pub enum Axes {
     /// The horizontal axis is linear and has `labels` numbers; the vertical one is logarithmic and
     /// in percent: 1 is 100 %.
@@ -55,10 +45,8 @@ pub enum Axes {
     Logarithmic,
 }
 
-/// The points of a series.
 pub type Points = Vec<(f64, f64)>;
 
-/// Points and how they are drawn.
 pub struct Series {
     /// The name in the legend; without one it has no entry.
     pub name: String,
@@ -68,14 +56,10 @@ pub struct Series {
     pub points: Points,
 }
 
-/// How a series is drawn.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Style {
-    /// As dots.
     Dots,
-    /// Joined by a line.
     Line,
-    /// Joined by a dashed line.
     Dashed,
 }
 
@@ -95,7 +79,6 @@ impl Series {
 }
 
 impl Chart {
-    /// Draws the chart.
     pub fn svg(&self) -> Result<String> {
         let mut svg = String::new();
         let drawn = match &self.axes {
@@ -215,7 +198,6 @@ fn percent(value: &f64) -> String {
     format!("{value:.*} %", places as usize)
 }
 
-/// Formats a number at an axis.
 fn number(value: &f64) -> String {
     if *value == 0.0 || (0.001..1e5).contains(value) {
         format!("{}", (1e6 * value).round() / 1e6)

@@ -13,7 +13,6 @@ use std::fs;
 use std::io::ErrorKind;
 use std::path::Path;
 
-/// The command that makes the files.
 pub struct Figures {
     /// The command's name, which the first line of each text states.
     pub command: &'static str,
@@ -24,16 +23,13 @@ pub struct Figures {
     pub is_exact: bool,
 }
 
-/// One output file.
 #[derive(Clone, Debug, PartialEq)]
 pub struct OutputFile {
     /// Its path relative to the requested folder, with `/` as the separator.
     pub name: String,
-    /// The content of the file.
     pub content: Content,
 }
 
-/// The content of a file.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Content {
     /// CSV, Markdown or SVG.
@@ -43,7 +39,6 @@ pub enum Content {
 }
 
 impl OutputFile {
-    /// A text.
     pub fn text(name: impl Into<String>, text: String) -> Self {
         Self { name: name.into(), content: Content::Text(text) }
     }
@@ -75,13 +70,11 @@ impl Figures {
         Ok(OutputFile::text(format!("{}{name}", self.folder), text))
     }
 
-    /// An SVG chart.
     pub fn chart(&self, name: &str, svg: &str) -> OutputFile {
         let text = format!("<!-- experiments {} -->\n{svg}", self.command);
         OutputFile::text(format!("{}{name}", self.folder), text)
     }
 
-    /// A PNG.
     pub fn picture(&self, name: &str, canvas: Canvas) -> OutputFile {
         let name = format!("{}{name}", self.folder);
         OutputFile { name, content: Content::Picture(canvas) }

@@ -3,8 +3,8 @@
 
 use crate::accuracy_cost::scope::published;
 use crate::numbers::{median, percent};
-use crate::pages::{Page, Part, table};
-use eigenshade_cli::output::Rows;
+use crate::pages::{Part, table};
+use crate::sheet::fields;
 use eigenshade_generator::light::environment::EnvironmentMap;
 use eigenshade_generator::light::projection::named_maps;
 use eigenshade_generator::material::brdf::Measure;
@@ -21,11 +21,7 @@ use eigenshade_sources::response::{Glossy, Response};
 use eigenshade_sources::sphere::{Picture, Sphere};
 use eigenshade_sources::view::View;
 use indicatif::ProgressBar;
-use std::io::Write;
 use std::path::Path;
-
-/// The page with the errors.
-pub const PAGE: Page = Page { name: "highlights", same: |_, old, new| old == new };
 
 /// Degrees and orders, and whether sources are used.
 const SIZES: [((usize, usize), bool); 4] =
@@ -37,14 +33,12 @@ const SPACING: f64 = 0.071;
 /// Size of the synthetic maps.
 const SIZE: [usize; 2] = [512, 256];
 
-/// The error of one picture.
+/// The error of one picture of a metal.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Row {
-    /// The light.
     pub light: String,
     /// Whether the light is turned.
     pub is_turned: bool,
-    /// The roughness of the metal.
     pub roughness: f64,
     /// Degree and order.
     pub size: (usize, usize),
@@ -55,8 +49,17 @@ pub struct Row {
 }
 
 /// The columns of the errors.
-pub const COLUMNS: [&str; 8] =
-    ["light", "turned", "roughness", "degree", "order", "sources", "rms", "worst"];
+pub const COLUMNS: &str = "light,turned,roughness,degree,order,sources,rms,worst";
+
+impl Row {
+    /// The fields of [`COLUMNS`].
+    pub fn fields(&self) -> Vec<String> {
+        let Self { light, is_turned, roughness, size: (degree, order), sources, errors } = self;
+        let (rms, worst) = (format!("{:.5}", errors[0]), format!("{:.4}", errors[1]));
+        let turned = u8::from(*is_turned);
+        fields(&[light, &turned, roughness, degree, order, sources, &rms, &worst])
+    }
+}
 
 /// Lights that no camera took: their names and maps.
 fn synthetic() -> Vec<(&'static str, EnvironmentMap)> {
@@ -64,8 +67,7 @@ fn synthetic() -> Vec<(&'static str, EnvironmentMap)> {
     let map = |radiance: &dyn Fn([f64; 3]) -> f32| {
         let mut map = EnvironmentMap { width, height, texels: vec![[0.0; 3]; width * height] };
         for texel in 0..width * height {
-            let value = radiance(map.direction(texel % width, texel / width));
-            map.texels[texel] = [value; 3];
+            map.texels[texel] = [radiance(map.direction(texel % width, texel / width)); 3];
         }
         map
     };
@@ -85,10 +87,6 @@ fn synthetic() -> Vec<(&'static str, EnvironmentMap)> {
 }
 
 /// The errors under all captured lights and three synthetic ones, or under those with these names.
-///
-/// # Errors
-///
-/// If a map or the sources of a light cannot be read.
 pub fn errors(inputs: &Path, names: &[String], progress: &ProgressBar) -> Result<Vec<Row>> {
     let sources = read_sources(inputs.join("sources.csv"))?;
     let sizes = SIZES.map(|(size, _)| size);
@@ -120,17 +118,14 @@ pub fn errors(inputs: &Path, names: &[String], progress: &ProgressBar) -> Result
                 for (response, (size, has_sources)) in material.responses.iter().zip(SIZES) {
                     let counts = std::iter::once(0).chain(SETS.into_iter().filter(|_| has_sources));
                     for sources in counts {
-                        let responses = [response, response, response];
                         let gloss = &material.gloss;
-                        let found = picture(&view, responses, gloss, sets, sources, &sphere)?;
-                        rows.push(Row {
-                            light: name.clone(),
-                            is_turned: turn.is_some(),
-                            roughness: material.gloss.roughness,
-                            size,
-                            sources,
-                            errors: rounded(off(&sphere, &found, &reference)),
-                        });
+                        let found = picture(&view, [response; 3], gloss, sets, sources, &sphere)?;
+                        let [rms, worst] = off(&sphere, &found, &reference);
+                        // The digits that are recorded.
+                        let errors = [(rms * 1e5).round() / 1e5, (worst * 1e4).round() / 1e4];
+                        let (light, is_turned) = (name.clone(), turn.is_some());
+                        let roughness = gloss.roughness;
+                        rows.push(Row { light, is_turned, roughness, size, sources, errors });
                     }
                 }
             }
@@ -140,61 +135,18 @@ pub fn errors(inputs: &Path, names: &[String], progress: &ProgressBar) -> Result
     Ok(rows)
 }
 
-/// The digits that are recorded.
-fn rounded([rms, worst]: [f64; 2]) -> [f64; 2] {
-    [(rms * 1e5).round() / 1e5, (worst * 1e4).round() / 1e4]
-}
-
-/// The root mean square and the largest difference of two pictures at normals of equal weight, of
-/// the peak of the second.
-pub fn errors_of(normals: &[[f64; 3]], found: &Picture, reference: &Picture) -> [f64; 2] {
-    off(&Sphere::of_normals(normals), found, reference)
-}
-
-/// Writes errors as CSV.
-///
-/// # Errors
-///
-/// If the output fails.
-pub fn write(rows: &[Row], out: &mut dyn Write) -> Result<()> {
-    let mut csv = Rows::new(out, COLUMNS)?;
-    for Row { light, is_turned, roughness, size, sources, errors } in rows {
-        csv.row([
-            light.clone(),
-            u8::from(*is_turned).to_string(),
-            roughness.to_string(),
-            size.0.to_string(),
-            size.1.to_string(),
-            sources.to_string(),
-            format!("{:.5}", errors[0]),
-            format!("{:.4}", errors[1]),
-        ])?;
-    }
-    csv.finish()
-}
-
 /// The tables of the page.
 pub fn parts(rows: &[Row]) -> Vec<Part> {
-    let find = |light: &str, is_turned: bool, roughness: f64, size, sources| {
+    let find = |light: &str, is_turned: bool, roughness: f64, setting: ((usize, usize), usize)| {
         rows.iter().find(|row| {
-            row.light == light
-                && row.is_turned == is_turned
-                && row.roughness == roughness
-                && row.size == size
-                && row.sources == sources
+            (&*row.light, row.is_turned, row.roughness) == (light, is_turned, roughness)
+                && (row.size, row.sources) == setting
         })
     };
     let mut lights: Vec<&str> = rows.iter().map(|row| row.light.as_str()).collect();
     lights.dedup();
-    let settings: [((usize, usize), usize); 7] = [
-        ((9, 7), 0),
-        ((9, 7), 4),
-        ((12, 12), 0),
-        ((12, 12), 4),
-        ((12, 12), 8),
-        ((12, 12), 16),
-        ((32, 32), 0),
-    ];
+    let [low, high, most] = [(9, 7), (12, 12), (32, 32)];
+    let settings = [(low, 0), (low, 4), (high, 0), (high, 4), (high, 8), (high, 16), (most, 0)];
     let title = |((degree, order), sources): ((usize, usize), usize)| match sources {
         0 => format!("{degree}/{order}:"),
         _ => format!("{degree}/{order} + {sources}:"),
@@ -206,21 +158,19 @@ pub fn parts(rows: &[Row]) -> Vec<Part> {
         })
     };
     let lines = lights.iter().map(|light| {
-        let cells = settings.map(|(size, sources)| cell(find(light, false, 0.3, size, sources)));
+        let cells = settings.map(|setting| cell(find(light, false, 0.3, setting)));
         std::iter::once((*light).to_owned()).chain(cells).collect()
     });
     let by_light = table(&format!("light | {titles}"), lines);
     let mut lines = Vec::new();
     for roughness in FITTED {
         for (is_turned, name) in [(false, "as fitted"), (true, "turned")] {
-            let cells = settings.map(|(size, sources)| {
-                let of = |k: usize| -> Vec<f64> {
-                    let found = lights.iter().filter_map(|light| {
-                        find(light, is_turned, roughness, size, sources).map(|row| row.errors[k])
-                    });
-                    found.collect()
-                };
-                format!("{} / {}", percent(median(&of(0)), 2), percent(median(&of(1)), 2))
+            let cells = settings.map(|setting| {
+                let found = lights.iter();
+                let found = found.filter_map(|light| find(light, is_turned, roughness, setting));
+                let errors: Vec<[f64; 2]> = found.map(|row| row.errors).collect();
+                let of = |k: usize| errors.iter().map(|errors| errors[k]).collect::<Vec<f64>>();
+                [0, 1].map(|k| percent(median(&of(k)), 2)).join(" / ")
             });
             lines.push([roughness.to_string(), name.to_owned()].into_iter().chain(cells).collect());
         }
@@ -230,10 +180,6 @@ pub fn parts(rows: &[Row]) -> Vec<Part> {
 }
 
 /// The gloss of each shipped material in color, or of those with these names, and what it leaves.
-///
-/// # Errors
-///
-/// If a lobe cannot be fitted.
 pub fn glosses(names: &[String]) -> Result<Vec<NamedGloss>> {
     let mut all = published()?;
     all.retain(|surface| names.is_empty() || names.contains(&surface.name));
@@ -242,10 +188,6 @@ pub fn glosses(names: &[String]) -> Result<Vec<NamedGloss>> {
 }
 
 /// The errors that the shipped sources of each captured light leave, or of those with these names.
-///
-/// # Errors
-///
-/// If a map or the sources cannot be read.
 pub fn remaining(inputs: &Path, names: &[String], progress: &ProgressBar) -> Result<Vec<SetError>> {
     let metals = remaining::metals(&ROUGHNESS)?;
     let mut lights = read_sources(inputs.join("sources.csv"))?;
@@ -265,10 +207,6 @@ pub const DRAWN: [Option<((usize, usize), usize)>; 4] =
     [Some(((9, 7), 0)), Some(((9, 7), 4)), Some(((12, 12), 8)), None];
 
 /// Pictures of a shipped material under a captured light, one for each of [`DRAWN`].
-///
-/// # Errors
-///
-/// If an input cannot be read.
 pub fn spheres(
     inputs: &Path,
     map: &str,
@@ -279,8 +217,7 @@ pub fn spheres(
     let view = View::new(&EnvironmentMap::from_path(path)?, None, 12)?;
     let surface = published()?.into_iter().find(|surface| surface.name == material);
     let surface = surface.ok_or_else(|| Error::new("no such material", "take a shipped one"))?;
-    let sources = shipped::sources()?.into_iter().find(|sets| sets.name == map);
-    let sources = sources.unwrap_or_default();
+    let sources = shipped::sources()?.into_iter().find(|sets| sets.name == map).unwrap_or_default();
     let gloss = shipped::glosses()?.into_iter().find(|one| one.name == material);
     let gloss = gloss.ok_or_else(|| Error::new("no gloss", "take a shipped material"))?.gloss;
     let sphere = Sphere::of_normals(normals);

@@ -5,6 +5,7 @@ use crate::accuracy_cost::scope::published;
 use crate::accuracy_cost::total::references::{ReferencePicture, World};
 use crate::numbers::median;
 use crate::reference::sums;
+use crate::sheet::fields;
 use eigenshade_generator::material::brdf::{Brdf, Geometry, Surface};
 use eigenshade_model::database::Named;
 use eigenshade_model::error::{Error, Result};
@@ -20,9 +21,6 @@ const MEASURED: &str = "ptfe-633nm";
 /// lamps of the maps.
 pub const SPACING: f64 = 0.08;
 
-/// The columns of `merl.errors.csv`.
-pub const COLUMNS: [&str; 7] = ["material", "degree", "order", "median", "worst", "map", "pixel"];
-
 /// The errors of one material at one size, relative to the peak.
 #[derive(Clone, Debug)]
 pub struct Errors {
@@ -37,10 +35,6 @@ pub struct Errors {
 }
 
 /// The errors of the shipped materials, or of those with these names, at each of [`ERROR_SIZES`].
-///
-/// # Errors
-///
-/// If a file of `inputs` cannot be read, or no shipped material has one of the names.
 pub fn errors(
     inputs: &Path,
     names: &[String],
@@ -67,6 +61,20 @@ pub fn errors(
         (surface.name.clone(), ERROR_SIZES.into_iter().zip(shipped).map(of_size).collect())
     };
     Ok(chosen.into_iter().map(of_material).collect())
+}
+
+/// The columns of `merl.errors.csv`.
+pub const COLUMNS: &str = "material,degree,order,median,worst,map,pixel";
+
+/// Its rows.
+pub fn rows(found: &[(String, Vec<Errors>)]) -> impl Iterator<Item = Vec<String>> {
+    found.iter().flat_map(|(name, errors)| {
+        ERROR_SIZES.into_iter().zip(errors).map(move |((degree, order), errors)| {
+            let [median, worst] = [errors.median, errors.worst].map(|rms| format!("{rms:.5}"));
+            let pixel = format!("{:.4}", errors.pixel);
+            fields(&[name, &degree, &order, &median, &worst, &errors.map, &pixel])
+        })
+    })
 }
 
 fn errors_of(

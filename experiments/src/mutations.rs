@@ -51,34 +51,27 @@ struct Mutation {
 impl Mutation {
     /// The range of the expression in the text of its file.
     fn range(&self, text: &str) -> Result<Range<usize>> {
-        let places = text.match_indices(&self.original).map(|(start, _)| start);
-        let places: Vec<usize> = places.collect();
+        let places: Vec<usize> = text.match_indices(&self.original).map(|(at, _)| at).collect();
         let place = if self.place.is_empty() { "1 of 1" } else { &self.place };
         let numbers = place.split_once(" of ").and_then(|(number, count)| {
             Some((number.parse::<usize>().ok()?.checked_sub(1)?, count.parse::<usize>().ok()?))
         });
-        match numbers {
-            Some((index, count)) if count == places.len() && index < count => {
-                let before = &text[..places[index]];
-                let function = before.rfind("fn ").map(|place| &before[..place]);
-                if function.is_some_and(|before| before.ends_with("const ")) {
-                    let fault = format!("`{}` is in a constant function", self.original);
-                    let remedy = "take an expression of one of its callers";
-                    return Err(Error::new(fault, remedy).in_file(&self.file));
-                }
-                Ok(places[index]..places[index] + self.original.len())
-            }
-            _ => {
-                let fault =
-                    format!("`{}` occurs {} times, not {place}", self.original, places.len());
-                Err(Error::new(fault, "adapt the list of mutations to the source")
-                    .in_file(&self.file))
-            }
+        let fault = |what: String, remedy| Error::new(what, remedy).in_file(&self.file);
+        let index = numbers.filter(|&(index, count)| count == places.len() && index < count);
+        let Some((index, _)) = index else {
+            let what = format!("`{}` occurs {} times, not {place}", self.original, places.len());
+            return Err(fault(what, "adapt the list of mutations to the source"));
+        };
+        let (start, before) = (places[index], &text[..places[index]]);
+        let function = before.rfind("fn ").map(|place| &before[..place]);
+        if function.is_some_and(|before| before.ends_with("const ")) {
+            let what = format!("`{}` is in a constant function", self.original);
+            return Err(fault(what, "take an expression of one of its callers"));
         }
+        Ok(start..start + self.original.len())
     }
 }
 
-/// Reads a list of mutations.
 fn read(list: &Path) -> Result<Vec<Mutation>> {
     let fault = |error: csv::Error| {
         Error::new(error.to_string(), "the columns are file,place,original,mutated").in_file(list)
@@ -99,9 +92,8 @@ fn switched(
     }
     let files = files.into_iter().map(|(file, mutations)| {
         let mut text = read(file)?;
-        let ranges = mutations.iter().map(|(_, mutation)| mutation.range(&text));
-        let mut ranges: Vec<_> =
-            ranges.zip(&mutations).map(|(r, m)| Ok((r?, m))).collect::<Result<_>>()?;
+        let ranges = mutations.iter().map(|one| Ok((one.1.range(&text)?, one)));
+        let mut ranges = ranges.collect::<Result<Vec<_>>>()?;
         // From the end of the file on, so that the ranges before stay valid.
         ranges.sort_by_key(|(range, _)| range.start);
         if ranges.windows(2).any(|two| two[0].0.end > two[1].0.start) {
@@ -145,7 +137,6 @@ const LIBRARY: &str = "src/lib.rs";
 /// A test that takes this much longer than without a mutation has failed.
 const SLOWER: u32 = 4;
 
-/// One test of the copy.
 struct Test {
     program: PathBuf,
     name: String,
@@ -168,9 +159,8 @@ impl Mutations {
             Ok(())
         })?;
         tests.sort_by_key(|test| test.time);
-        let chosen = |number| self.numbers.is_empty() || self.numbers.contains(&number);
-        let chosen = (1..).zip(&mutations).filter(|&(number, _)| chosen(number));
-        let chosen: Vec<(usize, &Mutation)> = chosen.collect();
+        let mut chosen: Vec<(usize, &Mutation)> = (1..).zip(&mutations).collect();
+        chosen.retain(|(number, _)| self.numbers.is_empty() || self.numbers.contains(number));
         let progress = progress_bar("mutations", chosen.len());
         let find = |&(number, _): &(usize, &Mutation)| {
             let mut found = None;
@@ -224,10 +214,7 @@ impl Mutations {
                 }
                 made.and_then(|()| symlink(fs::read_link(from)?, &path))
             } else {
-                let bytes = match files.remove(name) {
-                    Some(text) => text.into_bytes(),
-                    None => read(name)?,
-                };
+                let bytes = files.remove(name).map_or_else(|| read(name), |one| Ok(one.into()))?;
                 if fs::read(&path).is_ok_and(|there| there == bytes) {
                     continue;
                 }
@@ -238,14 +225,12 @@ impl Mutations {
         Ok(())
     }
 
-    /// Builds the tests and returns their programs.
     fn build(&self, copy: &Path) -> Result<Vec<PathBuf>> {
-        let folder = std::path::absolute(self.work.join("build"))
-            .map_err(|error| Error::io(&self.work, &error))?;
+        let folder = std::path::absolute(self.work.join("build"));
+        let folder = folder.map_err(|error| Error::io(&self.work, &error))?;
         let mut cargo = Command::new("cargo");
         cargo.args(["test", "--package", "eigenshade", "--tests", "--no-run", "--color", "never"]);
-        cargo.current_dir(copy);
-        let output = cargo.env("CARGO_TARGET_DIR", folder).output();
+        let output = cargo.current_dir(copy).env("CARGO_TARGET_DIR", folder).output();
         let output = output.map_err(|error| Error::io("cargo", &error))?;
         let messages = String::from_utf8_lossy(&output.stderr);
         if !output.status.success() {
@@ -261,7 +246,6 @@ impl Mutations {
     }
 }
 
-/// The tests of these programs.
 fn tests(programs: &[PathBuf], copy: &Path) -> Result<Vec<Test>> {
     let mut tests = Vec::new();
     for program in programs {

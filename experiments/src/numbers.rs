@@ -4,7 +4,6 @@ use eigenshade_cli::output::exact;
 
 /// The median of the values: the mean of the middle two if their number is even, and NaN if there
 /// are none.
-#[must_use]
 pub fn median(values: &[f64]) -> f64 {
     let mut sorted = values.to_vec();
     sorted.sort_by(f64::total_cmp);
@@ -37,7 +36,6 @@ pub fn limit(share: f64) -> String {
 
 /// The exposure factor: it scales the value below which a `share` of the values lie to 1. Returns 1
 /// if that value is not positive.
-#[must_use]
 pub fn exposure(mut values: Vec<f64>, share: f64) -> f64 {
     values.retain(|value| value.is_finite());
     values.sort_by(f64::total_cmp);

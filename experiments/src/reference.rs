@@ -25,9 +25,7 @@ const SPACING: f64 = 1.25;
 pub struct Reference<'a> {
     surface: &'a Surface,
     sphere: Sphere,
-    /// The picture under each map.
     pictures: Vec<Picture>,
-    /// The peak of each map.
     peaks: Vec<f64>,
 }
 
@@ -60,7 +58,6 @@ pub fn sums(
 }
 
 impl<'a> Reference<'a> {
-    /// Integrates the surface.
     pub fn new(surface: &'a Surface, maps: &LightTree, progress: &ProgressBar) -> Self {
         let parts = surface.parts();
         // The narrowest lobe is resolved.

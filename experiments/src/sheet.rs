@@ -12,12 +12,9 @@ use std::path::Path;
 /// Significant digits of measured numbers.
 const DIGITS: usize = 4;
 
-/// The rows of a CSV file.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Sheet {
-    /// The names of the columns.
     pub columns: Vec<String>,
-    /// The rows.
     pub rows: Vec<Record>,
 }
 
@@ -29,11 +26,8 @@ pub struct Record {
     pub line: u64,
 }
 
-/// The form of a CSV file.
 pub struct Form {
-    /// The file's name.
     pub name: &'static str,
-    /// Its columns.
     pub columns: &'static str,
     /// The columns that identify a row.
     pub keys: &'static [&'static str],
@@ -83,7 +77,6 @@ impl Sheet {
 }
 
 impl Record {
-    /// The text in a column.
     pub fn text(&self, column: &str) -> &str {
         self.texts.get(column).map_or("", String::as_str)
     }
@@ -109,6 +102,11 @@ impl Record {
             self.put(column, digits(value, DIGITS));
         }
     }
+}
+
+/// The texts of a row's fields.
+pub fn fields(values: &[&dyn Display]) -> Vec<String> {
+    values.iter().map(ToString::to_string).collect()
 }
 
 /// The text of a CSV below a first line of comment; `columns` are separated by commas.
@@ -150,12 +148,10 @@ pub const M3: [&str; 2] = ["mps2-an385", "q15"];
 /// 32-bit RISC-V, in integers.
 pub const RV32: [&str; 2] = ["riscv32", "q15"];
 
-/// The file's rows.
 #[derive(Clone, Debug)]
 pub struct Counts(pub Vec<Record>);
 
 impl Counts {
-    /// The recorded counts.
     pub fn recorded() -> Self {
         let path = eigenshade_testing::repository().join("firmware/counts.csv");
         let text = std::fs::read_to_string(&path).expect("the recorded counts");
@@ -173,14 +169,10 @@ impl Counts {
     }
 
     /// The instructions of an operation, relative to those of a pixel by the nine-term formula.
-    ///
-    /// # Panics
-    ///
-    /// If either was not counted.
+    /// Both must have been counted.
     pub fn of_nine_terms(&self, on: [&str; 2], operation: &str) -> f64 {
-        let count = |operation: &str| {
-            self.get(on, operation, "instructions").expect("an operation that was counted")
-        };
-        count(operation) as f64 / count("nine_terms") as f64
+        let counts = [operation, "nine_terms"].map(|one| self.get(on, one, "instructions"));
+        let [all, nine] = counts.map(|count| count.expect("an operation that was counted"));
+        all as f64 / nine as f64
     }
 }

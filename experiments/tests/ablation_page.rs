@@ -12,11 +12,9 @@ use eigenshade_model::reference::DirectSum;
 use eigenshade_shading::owned_basis::OwnedBasis;
 use eigenshade_shading::shader::{OwnedNormals, Shader};
 use eigenshade_shading::sphere_rings::rings;
-use eigenshade_testing::{largest, largest_difference, relative_error};
-use experiments::ablation;
-use experiments::ablation::pictures;
-use experiments::ablation::scenes::Times;
-use experiments::ablation::scenes::{self, SCENES, Scene};
+use eigenshade_testing::{largest, largest_difference, part, relative_error};
+use experiments::ablation::scenes::{self, SCENES, Scene, Times};
+use experiments::ablation::{self, pictures};
 use experiments::pages::Purpose;
 use experiments::sheet::{Counts, M0, M4F};
 use experiments::sphere::Sphere;
@@ -84,8 +82,8 @@ fn pictures_of_effects_are_sums_over_their_modes() {
             (Effect::Gloss, |l, o| l > 0 && o > 3),
         ];
         for (effect, belongs) in effects {
-            let found =
-                &pictures::direct(&sphere, &light, &material, Effects::NONE.with(effect))[0];
+            let wanted = Effects::NONE.with(effect);
+            let found = &pictures::direct(&sphere, &light, &material, wanted)[0];
             let off = largest_difference(&found[0], &by_hand(belongs));
             assert!(off <= EFFECT_BY_HAND * peak, "{name} {effect:?}: {off}");
         }
@@ -162,15 +160,7 @@ fn the_page_has_the_current_figures() {
 #[test]
 fn pages_agree_on_multiplications() {
     let found = ablation::multiplications();
-    let table = |page: &'static str, start: &str, end: &str| {
-        let (_, table) = page.split_once(start).expect("the table's start");
-        table.split_once(end).expect("its end").0
-    };
-    let costs = table(
-        include_str!("../../docs/costs.md"),
-        "<!-- multiplications: ",
-        "<!-- end of multiplications -->",
-    );
+    let costs = part(include_str!("../../docs/costs.md"), "multiplications");
     for (start, count) in [
         ("`transfer`: ", found.transfer),
         ("`relight`: ", found.relight),
@@ -185,10 +175,9 @@ fn pages_agree_on_multiplications() {
         assert!(off <= 0.01, "docs/costs.md: {start}{stated} where {count} belongs");
     }
     let row = format!("full scene: 13 13 13 13 13 12 13 | {} |", found.pixel);
-    let counts = table(
-        include_str!("../../docs/performance.md"),
-        "<!-- counts, default -->",
-        "<!-- end of counts, default -->",
-    );
+    let (_, counts) = include_str!("../../docs/performance.md")
+        .split_once("<!-- counts, default -->")
+        .expect("the table's start");
+    let (counts, _) = counts.split_once("<!-- end of counts, default -->").expect("its end");
     assert!(counts.contains(&row), "{row}");
 }

@@ -7,12 +7,9 @@ use eigenshade_cli::table::compare::differences;
 use eigenshade_table::Table;
 use eigenshade_table::reduce::with_components;
 use eigenshade_table::trim::trim;
-use experiments::accuracy_cost::scope::Bases;
-use experiments::accuracy_cost::scope::Scope;
-use experiments::accuracy_cost::settings;
-use experiments::accuracy_cost::settings::Setting;
-use experiments::sheet::Counts;
-use experiments::sheet::{Record, Sheet};
+use experiments::accuracy_cost::scope::{Bases, Scope};
+use experiments::accuracy_cost::settings::{self, Setting};
+use experiments::sheet::{Counts, M0, M3, M4F, RV32, Record, Sheet};
 use std::fs;
 
 /// Counts in the settings' file, of four digits, against those of the firmware, relative: half of
@@ -24,13 +21,8 @@ const COUNTED: f64 = 5e-4;
 const HELD_WORDS: f64 = 16.0;
 
 /// Boards of the counts with their formats, and their columns in the settings' file.
-const BOARDS: [([&str; 2], &str); 5] = [
-    (["microbit", "q15"], "m0"),
-    (["mps2-an385", "q15"], "m3"),
-    (["mps2-an386", "q15"], "m4f"),
-    (["mps2-an386", "f32"], "m4f"),
-    (["riscv32", "q15"], "rv32"),
-];
+const BOARDS: [([&str; 2], &str); 5] =
+    [(M0, "m0"), (M3, "m3"), (["mps2-an386", "q15"], "m4f"), (M4F, "m4f"), (RV32, "rv32")];
 
 fn sheet(path: &str) -> Vec<Record> {
     let text = fs::read_to_string(repository().join(path)).expect(path);

@@ -112,9 +112,7 @@ fn texels_and_the_normals_own_frame_agree() {
             functions.iter().flat_map(|one| by_texels(&maps, &**one, &[normal], 4.0)).collect();
         let expected = integrals(&materials, &maps, normal, 800);
         let pairs = found.iter().flatten().flatten().zip(expected.iter().flatten().flatten());
-        for (found, expected) in pairs {
-            worst = worst.max((found / expected - 1.0).abs());
-        }
+        worst = pairs.fold(worst, |worst, (found, all)| worst.max((found / all - 1.0).abs()));
     }
     println!("two quadratures: {worst:.1e}");
     assert!(worst <= DIRECT_FRAMES, "{worst}");
@@ -122,11 +120,9 @@ fn texels_and_the_normals_own_frame_agree() {
 
 /// The normal that mirrors the brightest texel to the camera.
 fn mirror_of_the_brightest(map: &EnvironmentMap) -> [f64; 3] {
-    let direction = |k: usize| map.direction(k % map.width, k / map.width);
-    let brightest = (0..map.texels.len())
-        .max_by(|&a, &b| map.texels[a][1].total_cmp(&map.texels[b][1]))
-        .unwrap();
-    let [x, y, z] = direction(brightest);
+    let texels = 0..map.texels.len();
+    let brightest = texels.max_by(|&a, &b| map.texels[a][1].total_cmp(&map.texels[b][1])).unwrap();
+    let [x, y, z] = map.direction(brightest % map.width, brightest / map.width);
     let length = (2.0 + 2.0 * z).sqrt();
     [x / length, y / length, (z + 1.0) / length]
 }
@@ -264,30 +260,30 @@ fn recorded_errors_of_formulas_are_found_again() {
 #[test]
 fn inputs_that_cannot_be_compared_are_errors() {
     let folder = with_maps();
-    let errors = |lights: &str, maps: &str, materials: &str| {
-        format!("errors b.bin --lights {lights} --maps {maps} --materials {materials} --out e.csv")
+    let fails = |lights: &str, maps: &str, materials: &str, out: &str, fragments: &[&str]| {
+        let inputs = format!("--lights {lights} --maps {maps} --materials {materials}");
+        assert_fails(&folder, &format!("errors b.bin {inputs} --out {out}"), fragments);
     };
     folder.write("low.csv", support::lights(2, 1));
     folder.write("other.pfm", pfm(&window(32, 16, 5, 5)));
     folder.write("c.csv", "theta_i,phi_i,theta_r,phi_r,value\n1,1,1,1,1\n");
     folder.write("cut.pfm", &pfm(&window(32, 16, 5, 5))[..100]);
-    assert_fails(&folder, &errors("low.csv", "maps", "m.toml"), &["low.csv", "east"]);
-    assert_fails(&folder, &errors("lights.csv", "other.pfm", "m.toml"), &["lights.csv", "other"]);
     folder.write("odd.pfm", pfm(&window(36, 18, 5, 5)));
     folder.ok("light odd.pfm --degree 16 --out odd.csv");
-    assert_fails(&folder, &errors("odd.csv", "odd.pfm", "m.toml"), &["36 x 18", "multiples of 8"]);
-    assert_fails(&folder, &errors("lights.csv", "maps", "c.csv"), &["c.csv", "measured"]);
-    assert_fails(&folder, &errors("lights.csv", "maps", "none.toml"), &["none.toml"]);
-    assert_fails(&folder, &errors("lights.csv", "cut.pfm", "m.toml"), &["cut"]);
+    fails("low.csv", "maps", "m.toml", "e.csv", &["low.csv", "east"]);
+    fails("lights.csv", "other.pfm", "m.toml", "e.csv", &["lights.csv", "other"]);
+    fails("odd.csv", "odd.pfm", "m.toml", "e.csv", &["36 x 18", "multiples of 8"]);
+    fails("lights.csv", "maps", "c.csv", "e.csv", &["c.csv", "measured"]);
+    fails("lights.csv", "maps", "none.toml", "e.csv", &["none.toml"]);
+    fails("lights.csv", "cut.pfm", "m.toml", "e.csv", &["cut"]);
     for input in ["b.bin", "lights.csv", "maps/east.pfm", "m.toml"] {
-        let errors = "errors b.bin --lights lights.csv --maps maps --materials m.toml";
-        assert_fails(&folder, &format!("{errors} --out ./{input}"), &[input]);
+        fails("lights.csv", "maps", "m.toml", &format!("./{input}"), &[input]);
     }
     folder.ok("light maps other.pfm --degree 16 --out lights.csv");
     let two = "maps --maps other.pfm";
-    assert_fails(&folder, &errors("lights.csv", two, "m.toml"), &["64 x 32 and 32 x 16"]);
+    fails("lights.csv", two, "m.toml", "e.csv", &["64 x 32 and 32 x 16"]);
     folder.ok("light maps --degree 3 --out low.csv");
-    assert_fails(&folder, &errors("low.csv", "maps", "m.toml"), &["low.csv", "degree 3"]);
+    fails("low.csv", "maps", "m.toml", "e.csv", &["low.csv", "degree 3"]);
 }
 
 /// The window of the shipped materials in color takes a quarter of the ringing and costs no
@@ -329,12 +325,11 @@ fn the_window_of_materials_in_color_pays() {
             channel[start..end].iter_mut().for_each(|b| *b /= (x.sin() / x).powi(4));
         }
     }
+    let images = MAPS.len() * NAMES.len();
     let means = |materials: &Materials| -> [f64; 2] {
         let found = reference_image::images(&lights, materials, &normals, &());
         let (mut errors, mut ringing) = (0.0, 0.0);
-        for (map, one) in
-            (0..MAPS.len()).flat_map(|map| (0..NAMES.len()).map(move |one| (map, one)))
-        {
+        for (map, one) in (0..images).map(|k| (k / NAMES.len(), k % NAMES.len())) {
             let exact = || exact.iter().map(|image| image[one][map][1]);
             let found = || found.iter().map(|image| image[map * NAMES.len() + one][1]);
             let squares: f64 = exact().zip(found()).map(|(a, b)| (a - b).powi(2)).sum();
@@ -342,8 +337,7 @@ fn the_window_of_materials_in_color_pays() {
             errors += (squares / normals.len() as f64).sqrt() / peak;
             ringing -= found().fold(0.0, f64::min) / peak;
         }
-        let images = (MAPS.len() * NAMES.len()) as f64;
-        [errors / images, ringing / images]
+        [errors / images as f64, ringing / images as f64]
     };
     let [[plain, rings], [windowed, fewer]] = [&plain, &windowed].map(means);
     println!("errors {plain:.4}, {windowed:.4}; ringing {rings:.4}, {fewer:.4}");

@@ -5,12 +5,13 @@
 use eigenshade::wire::aligned;
 use eigenshade::{Argument, Basis, Error, Parts};
 use eigenshade_generator::basis;
-use eigenshade_model::database::{Lights, Materials, Named};
+use eigenshade_model::database::{Lights, Materials};
 use eigenshade_shading::owned_basis::OwnedBasis;
 use eigenshade_shading::shipped;
 use eigenshade_table::Table;
 use eigenshade_table::wire::{Endian, NumberFormat, encode};
-use eigenshade_testing::glossy;
+use eigenshade_testing::fixtures::named;
+use eigenshade_testing::{glossy, part};
 use experiments::accuracy_cost::errors::compare;
 use experiments::accuracy_cost::images::Images;
 use experiments::accuracy_cost::scope::{Scope, scene};
@@ -21,8 +22,6 @@ const SHAPES: [[usize; 2]; 5] = [[9, 7], [12, 12], [16, 16], [24, 24], [32, 32]]
 
 /// Three captured maps in their order: a soft sky, small lamps, a low sun.
 const LIGHTS: [&str; 3] = ["park", "studio", "sunset"];
-/// The place of the studio.
-const STUDIO: usize = 1;
 
 /// Errors of all components in f32 and f64 at each shape, relative to the peak: in f32 a few
 /// roundings of each of three steps, in f64 the rank's cut-off of 1e-10, which the sharpest lobes
@@ -53,8 +52,8 @@ fn errors([degree, order]: [usize; 2]) -> Vec<Errors> {
     for (way, method) in [(Way::Polynomial, "polynomial"), (Way::Eigen, "eigen")] {
         if way == Way::Eigen {
             // They take ten times as long: the lamps of the studio are enough.
-            let mut light = (0..LIGHTS.len()).cycle();
-            images.images.retain(|_| light.next() == Some(STUDIO));
+            let mut light = LIGHTS.into_iter().cycle();
+            images.images.retain(|_| light.next() == Some("studio"));
         }
         for format in [Format::F32, Format::F64] {
             let setting = Setting::of(Recipe::all(degree, order)).by(way).in_format(format);
@@ -73,8 +72,7 @@ fn table([degree, order]: [usize; 2]) -> (Table, Lights, Materials) {
     let mut materials = glossy::materials(order);
     let mut matte = vec![0.0; eigenshade_index::material::count(order)];
     matte[0] = 2.0;
-    let rgb = [matte.clone(), matte.clone(), matte];
-    materials.entries.push(Named { name: "lambertian".into(), rgb });
+    materials.entries.push(named("lambertian", matte));
     let lights = shipped::lights().expect("the shipped lights").truncated(degree);
     let table = basis::build(&scene, &lights, &materials).expect("a table");
     (table, lights, materials)
@@ -84,9 +82,7 @@ fn table([degree, order]: [usize; 2]) -> (Table, Lights, Materials) {
 /// `docs/method.md` has the errors in f32.
 #[test]
 fn floats_are_right_at_every_degree() {
-    let page = include_str!("../../docs/method.md");
-    let (_, table) = page.split_once("<!-- float errors: ").expect("the table's start");
-    let (table, _) = table.split_once("<!-- end of float errors -->").expect("its end");
+    let table = part(include_str!("../../docs/method.md"), "float errors");
     for (shape, [in_f32, in_f64]) in SHAPES.into_iter().zip(ALL_COMPONENTS_AT) {
         let errors = errors(shape);
         let row = format!("\n| {}, {} | {} |", shape[0], shape[1], errors[0].components);

@@ -23,20 +23,15 @@ use std::fs;
 
 fn recorded() -> Vec<Row> {
     let text = fs::read_to_string(repository().join("docs/highlights.csv")).unwrap();
-    let rows = text.lines().skip(2).map(|line| {
+    let row = |line: &str| {
         let fields: Vec<&str> = line.split(',').collect();
         let number = |k: usize| fields[k].parse::<f64>().unwrap();
-        let whole = |k: usize| fields[k].parse::<usize>().unwrap();
-        Row {
-            light: fields[0].to_owned(),
-            is_turned: fields[1] == "1",
-            roughness: number(2),
-            size: (whole(3), whole(4)),
-            sources: whole(5),
-            errors: [number(6), number(7)],
-        }
-    });
-    rows.collect()
+        let [degree, order, sources] = [3, 4, 5].map(|k: usize| fields[k].parse().unwrap());
+        let (light, is_turned, roughness) = (fields[0].into(), fields[1] == "1", number(2));
+        let errors = [number(6), number(7)];
+        Row { light, is_turned, roughness, size: (degree, order), sources, errors }
+    };
+    text.lines().skip(2).map(row).collect()
 }
 
 #[test]
@@ -98,11 +93,8 @@ fn errors_of_sets_hold_under_another_view() {
     shares.sort_by(f64::total_cmp);
     let (count, over) = (shares.len(), shares.iter().filter(|share| **share > 1.25).count());
     assert!(count > 300 && shares[count / 2] <= 1.0, "{count} {}", shares[count / 2]);
-    assert!(
-        5 * over <= count && shares[count - 1] <= 3.0,
-        "{over} of {count}, {:?}",
-        shares.last()
-    );
+    let most = shares[count - 1];
+    assert!(5 * over <= count && most <= 3.0, "{over} of {count}, {most}");
 }
 
 /// The error of a scene with chosen sources, of what is stated.
@@ -224,21 +216,14 @@ fn sources_show_highlights() {
     }
     // Two at 9/7 are nearer than 32/32 under the studio.
     let studio = |size, sources| {
-        let rms: Vec<f64> = of(size, sources)
-            .filter(|row| row.light == "studio")
-            .map(|row| row.errors[0])
-            .collect();
-        rms[0]
+        of(size, sources).find(|row| row.light == "studio").expect("the studio").errors[0]
     };
     assert!(studio((9, 7), 2) < studio((32, 32), 0));
     // Four sources at 9/7 are nearer than 12/12 without, under most lights.
-    let nearer = of((9, 7), 4).zip(of((12, 12), 0)).filter(|(a, b)| a.errors[0] < b.errors[0]);
-    let farther: Vec<&str> = of((9, 7), 4)
-        .zip(of((12, 12), 0))
-        .filter(|(a, b)| a.errors[0] > b.errors[0])
-        .map(|(row, _)| row.light.as_str())
-        .collect();
-    assert!(nearer.count() >= 15, "{farther:?}");
+    let pairs = of((9, 7), 4).zip(of((12, 12), 0));
+    let (nearer, others): (Vec<_>, Vec<_>) =
+        pairs.partition(|(four, none)| four.errors[0] < none.errors[0]);
+    assert!(nearer.len() >= 15, "{others:?}");
 }
 
 #[test]
@@ -247,10 +232,8 @@ fn glosses_leave_what_the_page_says() {
     let mut errors: Vec<f64> = shipped::glosses().unwrap().iter().map(|one| one.error).collect();
     errors.sort_by(f64::total_cmp);
     assert!(errors.len() == 94 && (0.045..0.055).contains(&errors[46]), "{errors:?}");
-    assert!(
-        errors[88] <= 0.15 && errors[89] >= 0.175 && (0.265..0.275).contains(&errors[93]),
-        "{errors:?}"
-    );
+    assert!(errors[88] <= 0.15 && errors[89] >= 0.175, "{errors:?}");
+    assert!((0.265..0.275).contains(&errors[93]), "{errors:?}");
 }
 
 /// One of twenty, and the sharpest.

@@ -15,7 +15,6 @@ mod paper_command;
 mod paper_oracle;
 mod paper_statements;
 mod reading_page;
-mod unseen_materials;
 use eigenshade_generator::light::environment::EnvironmentMap;
 use eigenshade_generator::material::brdf::{Brdf, Surface};
 use eigenshade_generator::material::files::{Source, read};
@@ -41,11 +40,19 @@ fn program(command: &str) -> PathBuf {
 /// the integrals and the sources differently.
 const OF_DIGITS: f64 = 2.5;
 
-/// README.md contains these words, wherever its lines break.
-fn assert_readme_says(words: &str) {
-    let text = fs::read_to_string(support::repository().join("README.md")).expect("README.md");
+/// A page contains this text.
+fn assert_contains(page: &str, text: &str) {
+    println!("{text}");
+    let found = fs::read_to_string(support::repository().join(page)).expect(page);
+    assert!(found.contains(text), "{page} lacks the text above");
+}
+
+/// A page contains these words, wherever its lines break.
+fn assert_says(page: &str, words: &str) {
+    println!("{words}");
+    let text = fs::read_to_string(support::repository().join(page)).expect(page);
     let text = text.split_whitespace().collect::<Vec<_>>().join(" ");
-    assert!(text.contains(words), "README.md lacks: {words}");
+    assert!(text.contains(words), "{page} lacks: {words}");
 }
 
 /// A shipped map.

@@ -1,7 +1,8 @@
 //! Materials of metallic and roughness, from the runtime's series, against projections of the
 //! formula itself.
 
-use crate::support::{Folder, repository, rows};
+use crate::assert_contains;
+use crate::support::{Folder, numbers, rows};
 use eigenshade::index::material::{count, indices};
 use eigenshade::presets::light::PARK;
 use eigenshade::{Argument, Error, Material, Normal, Q15, Transfer, quantized, sphere};
@@ -10,7 +11,6 @@ use eigenshade_generator::material::brdf::{Ggx, Measure};
 use eigenshade_model::reference::DirectSum;
 use eigenshade_shading::shipped;
 use eigenshade_testing::fixtures::spiral;
-use std::fs;
 
 /// The largest difference of a pixel in f32, relative to the largest irradiance of the channel.
 const OF_A_PICTURE: f64 = 6e-4;
@@ -152,7 +152,7 @@ fn pictures_are_those_of_the_formula_over_all_parameters() {
         let mut worst = [[0.0f64; 3]; 2];
         for &roughness in range {
             let [rim, whole] = [0.0, 1.0].map(|f0| formula(roughness, f0, 0.0));
-            for (base, metallic) in BASE.iter().flat_map(|base| METALLIC.map(|m| (*base, m))) {
+            for (base, metallic) in BASE.into_iter().flat_map(|base| METALLIC.map(|m| (base, m))) {
                 let [a, m] = [base, metallic].map(f64::from);
                 let f0 = 0.04 * (1.0 - m) + a * m;
                 for size in 0..2 {
@@ -182,10 +182,8 @@ fn pictures_are_those_of_the_formula_over_all_parameters() {
         let numbers = worst.as_flattened().iter().map(|error| format!(" {error:.1e} |"));
         table += &format!("| {first} to {last} |{}\n", numbers.collect::<String>());
     }
-    println!("{table}");
     assert!(failures.is_empty(), "{}: {:#?}", failures.len(), &failures[..failures.len().min(20)]);
-    let page = fs::read_to_string(repository().join("docs/accuracy.md")).unwrap();
-    assert!(page.contains(&table), "docs/accuracy.md lacks the table above");
+    assert_contains("docs/accuracy.md", &table);
 }
 
 /// The program's `material ggx` projects whole materials.
@@ -198,10 +196,7 @@ fn the_program_has_the_same_numbers() {
         let text = folder.ok(&format!(
             "material ggx --roughness {roughness} --f0 {f0} --albedo {albedo} --order 7"
         ));
-        let expected: Vec<f64> = rows(&text, "name,o,p,q,value")
-            .iter()
-            .map(|row| row[4].parse().expect("a number"))
-            .collect();
+        let expected = numbers(&rows(&text, "name,o,p,q,value"), 1);
         let [found, _] = of_runtime(0, base as f32, metallic as f32, roughness as f32);
         let length = product(&expected, &expected).sqrt();
         let square: f64 = found.iter().zip(&expected).map(|(a, b)| (a - b) * (a - b)).sum();

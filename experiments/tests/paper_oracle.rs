@@ -1,9 +1,8 @@
 //! The figures of `docs/paper.md` against pixels whose light is summed by direct quadrature of (3),
 //! which shares no code with them.
 
-use crate::oracle;
 use crate::support::repository;
-use crate::tolerances;
+use crate::{oracle, tolerances};
 use eigenshade::Normal;
 use eigenshade_index::{light, material, mode};
 use eigenshade_model::irradiance;
@@ -189,8 +188,7 @@ fn rendered_spheres_are_sums_of_integrals() {
     let study = study();
     let trial = study.trial("studio", "05-leather").expect("it is there");
     let normals = of_equal_areas(300);
-    let found = render(study, "studio", "05-leather", &normals);
-    let found = found.expect("an image");
+    let found = render(study, "studio", "05-leather", &normals).expect("an image");
     let (step, image) = &found.sums[0];
     let (light, material) = (&study.luminances[trial.light], &study.grays[trial.material]);
     let terms = strongest(light, material);

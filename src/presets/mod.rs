@@ -19,7 +19,7 @@
 
 mod constant;
 
-use crate::Rgb;
+use crate::color::Rgb;
 use crate::specialized::checked;
 
 /// A light of degree 9 in three channels: 1,200 bytes.
@@ -34,14 +34,15 @@ pub type Material = Rgb<crate::Material<'static, f32>>;
 #[expect(clippy::approx_constant, reason = "numbers of a file")]
 pub mod light {
     use super::{Light, channels, checked};
-    use crate::Rgb;
+    use crate::color::Rgb;
     include!(concat!(env!("OUT_DIR"), "/preset_lights.rs"));
 
     /// The same lights in integers: 600 bytes each.
     pub mod q15 {
         use super::super::quantized_light;
+        use crate::color::Rgb;
+        use crate::format::Q15;
         use crate::quantized;
-        use crate::{Q15, Rgb};
 
         /// A light of degree 9 in three channels.
         pub type Light = Rgb<quantized::Light<'static, Q15>>;
@@ -60,14 +61,15 @@ pub mod light {
 /// against direct integration; `docs/accuracy.md` says how it is measured.
 pub mod material {
     use super::{Material, channels, checked};
-    use crate::Rgb;
+    use crate::color::Rgb;
     include!(concat!(env!("OUT_DIR"), "/preset_materials.rs"));
 
     /// The same materials in integers: 264 bytes, or 88 if it is gray.
     pub mod q15 {
         use super::super::quantized_material;
+        use crate::color::Rgb;
+        use crate::format::Q15;
         use crate::quantized;
-        use crate::{Q15, Rgb};
 
         /// A material of order 7 in three channels.
         pub type Material = Rgb<quantized::Material<'static, Q15>>;
@@ -108,7 +110,8 @@ pub mod material {
 /// # Ok::<(), eigenshade::Error>(())
 /// ```
 pub mod sources {
-    use crate::{Source, SourceSet};
+    use crate::source::Source;
+    use crate::source_set::SourceSet;
     include!(concat!(env!("OUT_DIR"), "/preset_sources.rs"));
 }
 
@@ -118,7 +121,7 @@ pub mod sources {
 /// states how far its lobe is off.
 #[expect(clippy::approx_constant, reason = "numbers of a file")]
 pub mod gloss {
-    use crate::Gloss;
+    use crate::gloss::Gloss;
     include!(concat!(env!("OUT_DIR"), "/preset_gloss.rs"));
 }
 

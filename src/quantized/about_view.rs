@@ -89,7 +89,6 @@ impl<Q: FixedPoint> Rgb<Light<'_, Q>> {
     }
 }
 
-/// Turns lights.
 fn turn<Q: FixedPoint, const C: usize, const N: usize>(
     lights: [(&Light<'_, Q>, &mut LightBuffer<Q, N>); C],
     angle: [i32; 2],
@@ -147,8 +146,7 @@ fn turn_one<Q: FixedPoint, const N: usize>(
     Ok(false)
 }
 
-/// Turns a light whose degree is known when the program is compiled. Returns whether all numbers
-/// fit.
+/// Turns a light whose degree is a constant. Returns whether all numbers fit.
 #[inline(never)]
 fn turn_all<Q: FixedPoint, const N: usize>(
     from: &[Q; N],

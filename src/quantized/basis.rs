@@ -87,14 +87,6 @@ impl<Q> Basis<'_, Q> {
             Error::check(Argument::Terms, terms, self.parts.terms.len()),
         ])
     }
-
-    /// Number of terms of an azimuth's polynomials; 0 if it has none.
-    pub(crate) const fn length(&self, azimuth: usize) -> usize {
-        match self.parts.lengths.split_at_checked(azimuth) {
-            Some((_, [length, ..])) => *length as usize,
-            _ => 0,
-        }
-    }
 }
 
 /// Whether one of these profiles belongs to this component.
@@ -184,7 +176,6 @@ macro_rules! bounded {
                 Ok(Transfer { numbers, exponents, bounded: true })
             }
 
-            /// The largest absolute value in a row.
             const fn largest(row: &[$format]) -> u64 {
                 let (mut largest, mut numbers) = (0, row);
                 while let [$format(number), others @ ..] = numbers {
@@ -241,8 +232,7 @@ impl<'a, Q> Basis<'a, Q> {
         self.parts.components
     }
 
-    /// Workspace length of `transfer`, in wide numbers: S, its exponents, and one row with
-    /// exponents.
+    /// Workspace length of `transfer`, in wide numbers: S and one row, both with exponents.
     #[must_use]
     pub const fn workspace_len(&self) -> usize {
         pair::count(self.parts.order).saturating_add(3).saturating_mul(self.parts.degree + 1)

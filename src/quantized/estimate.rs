@@ -138,7 +138,6 @@ fn shifted<Q: FixedPoint>(profile: &Profile) -> i32 {
     i32::from(profile.exponent) + excess::<Q>(profile)
 }
 
-/// The value of a profile's polynomial.
 #[inline]
 fn value<Q: FixedPoint>(profile: &Profile, terms: &[Q], t: i32) -> i32 {
     let by = -excess::<Q>(profile);

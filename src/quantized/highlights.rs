@@ -4,9 +4,10 @@
 use super::Normal;
 use super::inputs::decoded;
 use super::tabulated::{leading, reciprocal, root};
-use crate::buffer::{Buffer, zeros};
+use crate::buffer::{Buffer, copied, zeros};
 use crate::color::Rgb;
 use crate::error::{Argument, Error};
+use crate::format::sealed::Sealed;
 use crate::format::{FixedPoint, Wide as _};
 use core::fmt::Debug;
 
@@ -52,15 +53,13 @@ pub struct Highlights<T, const N: usize> {
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Lobe<T> {
-    /// The upper triangle R of Q = Rᵀ R, row by row, in units of 2^(k - 16) for some k: at most
-    /// 2^16.
+    /// The upper triangle R of Q = Rᵀ R, row by row, in units of 2^(k - 16), to 2^16.
     pub form: [i32; 6],
     /// The direction in units of 2^-15.
     pub direction: [i32; 3],
     /// E F / (4 π √det A): a mantissa from 0 to 2^14, exclusive.
     pub specular: T,
-    /// The part of the shift from the specular mantissa to the irradiance that is the same for all
-    /// normals.
+    /// The part of the shift from specular mantissa to irradiance that all normals share.
     pub specular_shift: T,
     /// E (1 - F) albedo / π: a mantissa from 0 to 2^14, exclusive.
     pub matte: T,
@@ -71,7 +70,7 @@ pub struct Lobe<T> {
 /// The irradiance of one channel, `i32`, or of three, `Rgb<i32>`.
 ///
 /// This trait is sealed.
-pub trait Irradiance: sealed::Sealed + Copy + Debug + Default + PartialEq {
+pub trait Irradiance: Sealed + Copy + Debug + Default + PartialEq {
     /// These channels; in one channel, green.
     #[doc(hidden)]
     fn of(color: Rgb<i32>) -> Self;
@@ -80,11 +79,7 @@ pub trait Irradiance: sealed::Sealed + Copy + Debug + Default + PartialEq {
     fn with(self, other: Self, function: impl FnMut(i32, i32) -> i32) -> Self;
 }
 
-mod sealed {
-    pub trait Sealed {}
-    impl Sealed for i32 {}
-    impl Sealed for crate::color::Rgb<i32> {}
-}
+impl Sealed for Rgb<i32> {}
 
 impl Irradiance for i32 {
     #[inline(always)]
@@ -155,9 +150,8 @@ impl<T: Irradiance, const N: usize> Highlights<T, N> {
     ///
     /// [`Error::Capacity`] if there are more than `N` sources.
     pub fn stored(exponent: T, alpha_square: u32, lobes: &[Lobe<T>]) -> Result<Self, Error> {
-        let mut buffer = zeros::<Lobe<T>, N>(Argument::Sources, lobes.len())?;
-        buffer.iter_mut().zip(lobes).for_each(|(to, from)| *to = *from);
-        Ok(Self { exponent, alpha_square, lobes: buffer })
+        let lobes = copied(Argument::Sources, lobes.iter().copied())?;
+        Ok(Self { exponent, alpha_square, lobes })
     }
 
     /// The same highlights, for a scene of another exponent.
@@ -253,8 +247,7 @@ impl<T: Irradiance, const N: usize> Highlights<T, N> {
 }
 
 impl<T> Lobe<T> {
-    /// nᵀ Q n in units of 2^(2k - 32). It is less than 2^32, as [`size`] chooses k, and at least
-    /// 2^16.
+    /// nᵀ Q n in units of 2^(2k - 32): at least 2^16, and below 2^32, as [`size`] chooses k.
     #[inline(always)]
     fn form(&self, [x, y, z]: [i32; 3]) -> u32 {
         let [xx, xy, xz, yy, yz, zz] = self.form;
@@ -333,9 +326,8 @@ fn weight(form: u32, masked: u32) -> (u32, i32) {
 }
 
 /// The least k such that nᵀ Q n is less than 4^k, with a margin of a hundredth for rounding and
-/// normals that are a little too long.
-///
-/// Q has the eigenvalues 1 and those of A⁻¹, which are the roots of x² - tr x + det.
+/// normals that are a little too long. Q has the eigenvalues 1 and those of A⁻¹, which are the
+/// roots of x² - tr x + det.
 fn size(form: &[f32; 6]) -> i32 {
     let [xx, _, _, yy, _, zz] = *form;
     let trace = form.iter().fold(-1.0, |sum, number| sum + number * number);

@@ -3,8 +3,7 @@
 use crate::bake::MapPoint;
 use crate::color::Rgb;
 use crate::error::{Argument, Error};
-use crate::format::Wide as _;
-use crate::format::{FixedPoint, Q15, Q31};
+use crate::format::{FixedPoint, Q15, Q31, Wide as _};
 use crate::index::material::count;
 use crate::invariant::{part, part_mut, split_mut, split_row};
 use crate::light::degree;
@@ -50,17 +49,13 @@ impl<'a, Q> Light<'a, Q> {
             Err(error) => Err(error),
         }
     }
-}
 
-impl<Q> Light<'_, Q> {
     /// The common exponent of the mantissas.
     #[must_use]
     pub const fn exponent(&self) -> i32 {
         self.exponent
     }
-}
 
-impl<'a, Q> Light<'a, Q> {
     /// All mantissas.
     #[must_use]
     pub const fn mantissas(&self) -> &'a [Q] {
@@ -86,6 +81,18 @@ impl<'a, Q> Material<'a, Q> {
             Err(error) => Err(error),
         }
     }
+
+    /// The exponent of each order o.
+    #[must_use]
+    pub const fn exponents(&self) -> &'a [i8] {
+        self.exponents
+    }
+
+    /// All mantissas.
+    #[must_use]
+    pub const fn mantissas(&self) -> &'a [Q] {
+        self.mantissas
+    }
 }
 
 /// A material of fixed order: `N` mantissas and `O` exponents, one for each o.
@@ -104,20 +111,6 @@ impl<Q, const N: usize, const O: usize> MaterialBuffer<Q, N, O> {
     /// Those of [`Material::new`].
     pub const fn material(&self) -> Result<Material<'_, Q>, Error> {
         Material::new(&self.exponents, &self.mantissas)
-    }
-}
-
-impl<'a, Q> Material<'a, Q> {
-    /// The exponent of each order o.
-    #[must_use]
-    pub const fn exponents(&self) -> &'a [i8] {
-        self.exponents
-    }
-
-    /// All mantissas.
-    #[must_use]
-    pub const fn mantissas(&self) -> &'a [Q] {
-        self.mantissas
     }
 }
 
@@ -163,9 +156,7 @@ impl<'a, Q: FixedPoint> Material<'a, Q> {
         }
         Ok(Self { order, exponents, mantissas: to })
     }
-}
 
-impl<Q: FixedPoint> Material<'_, Q> {
     /// This material in a color: its coefficients times each channel, in integers. A channel is a
     /// fraction of 2^BITS, of either sign. `N` is the number of coefficients, `O` that of exponents.
     ///
@@ -241,8 +232,7 @@ pub(crate) const fn decoded(number: f32) -> (i32, i32) {
 /// The least exponent of numbers as fractions.
 pub(crate) const LEAST_TOP: i32 = -96;
 
-/// Writes the mantissas of these numbers, each an integer times a power of two, and returns their
-/// exponent.
+/// Writes the mantissas of integers times powers of two, and returns their exponent.
 pub(crate) fn mantissas<Q: FixedPoint>(
     from: impl Iterator<Item = (i32, i32)> + Clone,
     to: &mut [Q],
@@ -309,8 +299,7 @@ impl<Q: FixedPoint> Normal<Q> {
     /// A vector that points away from the camera by no more than 1/8 is moved to the rim. For an
     /// 8-bit normal map, pass 2c - 255 for each channel c.
     ///
-    /// Cost: a root and three divisions in 64 bits, suitable for reading maps but not for each
-    /// pixel.
+    /// Cost: a root and three divisions in 64 bits: for reading maps, not for each pixel.
     ///
     /// ```
     /// use eigenshade::quantized::Normal;
@@ -358,8 +347,8 @@ impl<Q: FixedPoint> Normal<Q> {
 }
 
 impl MapPoint<Q15> {
-    /// The map point of a normal. Uses no division; the result is within 1.25 units of 2^-15 of the
-    /// exact quotient.
+    /// The map point of a normal, without division: within 1.25 units of 2^-15 of the exact
+    /// quotient.
     ///
     /// 1 / (1 + z) comes from one step of Newton's method. The initial guess is the cubic that is 1
     /// at z = 0 and has the smallest maximum relative error on \[0, 1\], 1/462.

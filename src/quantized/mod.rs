@@ -1,18 +1,16 @@
 //! The whole path from light to pixel in fixed point, for machines without a float unit.
 //!
 //! The mathematics is the same as in floating point: a [`Basis`] computes the transfer of a
-//! [`Material`] ([`Basis::transfer`]), relights it with each new
-//! [`Light`] ([`Basis::relight`]) and sums the components of each azimuth ([`Basis::collapse`]).
-//! The resulting [`Scene`] gives the irradiance of a [`Normal`]. A number is a mantissa times
-//! 2^exponent; the numbers of an array share exponents, and every result has an exponent of its
-//! own.
+//! [`Material`] ([`Basis::transfer`]), relights it with each new [`Light`] ([`Basis::relight`]) and
+//! sums the components of each azimuth ([`Basis::collapse`]). The resulting [`Scene`] gives the
+//! irradiance of a [`Normal`]. A number is a mantissa times 2^exponent; the numbers of an array
+//! share exponents, and every result has its own.
 //!
 //! Nothing wraps. The tables are scaled so that no sum over them can leave its accumulator, and
 //! [`Basis::new`] checks this when it is compiled. Numbers that depend on light and material are
 //! scaled to their size, and values that cannot be represented saturate. Transfers made by hand are
 //! checked; coefficients may have any value. The sizes that a profile states are trusted: if they
-//! are too small, a pixel is wrong, but nothing panics. The results are the same bits on every
-//! machine.
+//! are too small, a pixel is wrong, but nothing panics. Results are the same bits everywhere.
 //!
 //! Maps are baked, and lights windowed, in floating point, on the host or on a machine with a float
 //! unit. [`IntegerMap`](crate::IntegerMap) is looked up, and a light is turned, in integers.
@@ -56,8 +54,7 @@ mod turn;
 
 /// Kernels for tables that are known when the program is compiled: `integer_table!` calls them,
 /// once for each azimuth. They compute the same bits as the methods of a [`Basis`] and a [`Scene`],
-/// with constants for all sizes and positions. If an argument has another shape, the methods are
-/// called.
+/// with constants for all sizes and positions. For other shapes, the methods are called.
 #[doc(hidden)]
 pub mod kernels {
     pub mod collapse;

@@ -116,7 +116,6 @@ impl<Q: FixedPoint, B: AsRef<[i32]>> Scene<'_, Q, B> {
     }
 }
 
-/// Number of bits of a number.
 fn bits(number: u64) -> u32 {
     u64::BITS - number.leading_zeros()
 }

@@ -7,7 +7,6 @@ use crate::places::{AzimuthPlace, KnownTable};
 
 /// A pixel in progress: the sum so far, and (n_x + i n_y)^m for the next m.
 #[derive(Clone, Copy, Debug)]
-#[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Pixel<Q: FixedPoint> {
     normal: Normal<Q>,
     t: i32,
@@ -29,7 +28,6 @@ impl<Q: FixedPoint> Pixel<Q> {
 
     /// Adds the polynomials of +m and -m, and moves to m + 1.
     #[inline(always)]
-    #[must_use]
     pub(crate) fn add(self, plus: &[i32], minus: &[i32]) -> Self {
         let Self { normal: Normal { x, y, .. }, t, cosine, sine, sum } = self;
         let plus = Q::product(value::<Q>(plus, t), cosine);
@@ -44,7 +42,6 @@ impl<Q: FixedPoint> Pixel<Q> {
 
     /// Starts with m = 0 of a scene of `B`.
     #[inline(always)]
-    #[must_use]
     pub fn start<B: KnownTable<Basis<'static, Q>>, const N: usize>(
         terms: &[i32; N],
         normal: Normal<Q>,
@@ -55,7 +52,6 @@ impl<Q: FixedPoint> Pixel<Q> {
 
     /// Adds azimuth `M` of a scene of `B`.
     #[inline(always)]
-    #[must_use]
     pub fn azimuth<B: KnownTable<Basis<'static, Q>>, const M: usize, const N: usize>(
         self,
         terms: &[i32; N],
@@ -67,7 +63,6 @@ impl<Q: FixedPoint> Pixel<Q> {
 
     /// The irradiance.
     #[inline(always)]
-    #[must_use]
     pub fn irradiance(self) -> i32 {
         Q::sum(self.sum)
     }

@@ -68,10 +68,7 @@ impl<Q: FixedPoint> Basis<'_, Q> {
         light: &Light<'_, Q>,
         mantissas: &mut [i32],
     ) -> Result<i32, Error> {
-        let (basis, found) = (self.degree(), light.degree);
-        if found > basis {
-            return Err(Error::Beyond { argument: Argument::Light, basis, found });
-        }
+        Error::check_beyond(Argument::Light, self.degree(), light.degree)?;
         Error::check(Argument::Transfer, self.transfer_len(), transfer.numbers.len())?;
         Error::check(Argument::Transfer, self.profiles(), transfer.exponents.len())?;
         Error::check(Argument::Coefficients, self.components(), mantissas.len())?;
@@ -80,7 +77,7 @@ impl<Q: FixedPoint> Basis<'_, Q> {
         }
         let (mut numbers, mut top) = (transfer.numbers, NONE);
         for (profile, &exponent) in self.parts.profiles.iter().zip(transfer.exponents) {
-            let degrees = basis + 1 - profile.azimuth();
+            let degrees = self.degree() + 1 - profile.azimuth();
             let (row, after) = split_row(numbers, degrees);
             numbers = after;
             let sums = sums::<Q, true>(row, light.mantissas, profile.azimuth());
@@ -93,9 +90,7 @@ impl<Q: FixedPoint> Basis<'_, Q> {
         }
         Ok(exponent::<Q>(common, light.exponent))
     }
-}
 
-impl<Q: FixedPoint> Basis<'_, Q> {
     /// Whether the absolute values of each row sum to less than 2^(BITS + 1).
     fn has_bounded(&self, mut numbers: &[Q]) -> bool {
         self.parts.profiles.iter().all(|profile| {
@@ -115,7 +110,6 @@ impl<Q: FixedPoint> Basis<'_, Q> {
 /// The numbers of a transfer and of a light, of exactly these lengths. `None` unless the rows of
 /// the transfer are known to fit their accumulators.
 #[inline(always)]
-#[must_use]
 pub fn inputs<'a, Q, const T: usize, const P: usize, const N: usize>(
     transfer: &Transfer<'a, Q>,
     light: &Light<'a, Q>,
@@ -130,9 +124,8 @@ pub fn inputs<'a, Q, const T: usize, const P: usize, const N: usize>(
     ))
 }
 
-/// Computes the sums of azimuth `M`: for each of its profiles.
-///
-/// Not inlined: several copies in one function need too many addresses.
+/// Computes the sums of azimuth `M`: for each of its profiles. Not inlined: several copies in one
+/// function need too many addresses.
 #[inline(never)]
 pub fn azimuth<
     B: KnownTable<Basis<'static, Q>>,
@@ -162,17 +155,13 @@ pub fn azimuth<
 
 /// Shifts the components of azimuth `M` to the common exponent.
 #[inline(always)]
-pub fn align<
-    B: KnownTable<Basis<'static, Q>>,
-    Q: FixedPoint,
-    const M: usize,
-    const P: usize,
-    const K: usize,
->(
+pub fn align<B, Q: FixedPoint, const M: usize, const P: usize, const K: usize>(
     exponents: &[i16; P],
     common: i32,
     mantissas: &mut [i32; K],
-) {
+) where
+    B: KnownTable<Basis<'static, Q>>,
+{
     let first = const { B::BASIS.azimuth_at(M).first };
     let profiles = const { B::BASIS.profiles_at(&B::BASIS.azimuth_at(M)) };
     let exponents = part(exponents, first..);
@@ -243,7 +232,6 @@ fn larger(top: i32, either: u32, exponent: i16) -> i32 {
     }
 }
 
-/// The size of the sums of a profile.
 #[inline(never)]
 fn size(either: u32, exponent: i16) -> i32 {
     if either == 0 {
@@ -255,12 +243,10 @@ fn size(either: u32, exponent: i16) -> i32 {
 
 /// The common exponent of all components.
 #[inline(always)]
-#[must_use]
 pub const fn common(top: i32) -> i32 {
     if top == NONE { 0 } else { top - BITS }
 }
 
-/// Replaces the mantissas of the components of a profile.
 #[inline(always)]
 fn replace(profile: &Profile, mantissas: &mut [i32], by: impl Fn(i32) -> i32) {
     for component in [profile.plus, profile.minus] {
@@ -272,7 +258,6 @@ fn replace(profile: &Profile, mantissas: &mut [i32], by: impl Fn(i32) -> i32) {
 
 /// The exponent of the coefficients of an image.
 #[inline(always)]
-#[must_use]
 pub const fn exponent<Q: FixedPoint>(common: i32, of_light: i32) -> i32 {
     common + of_light + Q::Wide::SIZE.cast_signed() - 31
 }

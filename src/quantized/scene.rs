@@ -125,10 +125,9 @@ impl<'a, Q: FixedPoint> Basis<'a, Q> {
 
     /// The least n such that no step of a pixel's polynomials, none of their terms and no
     /// irradiance exceeds 2^n in units of these coefficients, with a margin of one sixty-fourth for
-    /// rounding and for normals that are not quite of unit length.
-    ///
-    /// Each of these is a sum over components, and each component contributes at most |d| times the
-    /// value that the table states for its profile.
+    /// rounding and for normals that are not quite of unit length. Each of these is a sum over
+    /// components, and each component contributes at most |d| times the value that the table states
+    /// for its profile.
     fn size(&self, mantissas: &[i32]) -> i32 {
         let mut profiles = self.parts.profiles;
         let [plus, minus] = SIGNS.map(|sign| sum(mantissas, profiles, sign, |one| one.size));
@@ -177,8 +176,7 @@ fn sum(
     products.sum()
 }
 
-/// By how many bits the weights of an azimuth can be finer than those of the scene, because its
-/// terms have fewer bits.
+/// By how many bits an azimuth's weights can be finer, because its terms have fewer bits.
 #[inline(always)]
 pub(crate) fn finer(bits: i32, of_azimuth: i32) -> u32 {
     (bits - of_azimuth).cast_unsigned().min(FINEST)
@@ -193,8 +191,7 @@ pub(crate) fn size(d: i32) -> u32 {
     (d.unsigned_abs() + ((1 << UNIT) - 1)) >> UNIT
 }
 
-/// Number of bits of the largest step, term or irradiance. `largest` is in sixteenths of
-/// 2^[`UNIT`].
+/// Number of bits of the largest step, term or irradiance, in sixteenths of 2^[`UNIT`].
 #[inline]
 pub(crate) fn bits(largest: u64, degree: usize) -> i32 {
     let bits = u64::BITS - with_margin(largest, degree).leading_zeros();
@@ -227,11 +224,9 @@ pub(crate) fn weight(d: i32, by: i32) -> i32 {
     if by >= 0 { d << by.min(31) } else { d.shifted(by) }
 }
 
-/// Scales the sums of weighted terms.
-///
-/// A step of Horner's rule rounds down, by half a unit on average, so every term that is added to
-/// such a step is rounded up by as much. The first term is not added to any step, and the last term
-/// of m = 0 is added to a step that is not rounded.
+/// Scales the sums of weighted terms. A step of Horner's rule rounds down, by half a unit on
+/// average, so every term that is added to such a step is rounded up by as much. The first term is
+/// not added to any step, and the last term of m = 0 is added to a step that is not rounded.
 #[inline]
 fn round(polynomial: &mut [i32], by: u32, is_constant: bool) {
     let last = polynomial.len().saturating_sub(1);
@@ -241,8 +236,7 @@ fn round(polynomial: &mut [i32], by: u32, is_constant: bool) {
     }
 }
 
-/// The number added before a sum is shifted: half a unit to round it to the nearest, otherwise one
-/// unit.
+/// The number added before a shift: half a unit to round to the nearest, otherwise one unit.
 #[inline(always)]
 pub(crate) fn half_or_one(nearest: bool, by: u32) -> i32 {
     (1 << by) >> u32::from(nearest)

@@ -10,27 +10,16 @@
 #[macro_export]
 macro_rules! integer_table {
     ($format:ident) => {
-        /// This table, for the functions that are specialized for it.
-        struct This;
-        impl $crate::specialized::KnownTable<$crate::quantized::Basis<'static, $crate::$format>>
-            for This
-        {
-            const BASIS: &'static $crate::quantized::Basis<'static, $crate::$format> = &BASIS;
+        $crate::table_items! {
+            basis $crate::quantized::Basis<'static, $crate::$format> = BASIS,
+            components PARTS.components, workspace BASIS.workspace_len(),
+            scene $crate::quantized::Scene<
+                'static, $crate::$format, $crate::quantized::SceneBuffer<SCENE>,
+            >,
+            derive Clone, Default
         }
-        /// Largest degree l of the light.
-        pub const DEGREE: usize = PARTS.degree;
-        /// Largest order o of the BRDF.
-        pub const ORDER: usize = PARTS.order;
-        /// Number of components K.
-        pub const COMPONENTS: usize = PARTS.components;
-        /// Wide numbers in the workspace of a transfer.
-        pub const WORKSPACE: usize = BASIS.workspace_len();
-        /// Numbers in a transfer.
-        pub const TRANSFER: usize = BASIS.transfer_len();
         /// Number of slant profiles.
         pub const PROFILES: usize = BASIS.profiles();
-        /// Numbers in a scene.
-        pub const SCENE: usize = BASIS.scene_len();
         /// The basis; its shape and its bounds were checked when it was compiled.
         pub static BASIS: $crate::quantized::Basis<'static, $crate::$format> =
             $crate::specialized::checked($crate::quantized::Basis::<$crate::$format>::new(PARTS));
@@ -39,20 +28,6 @@ macro_rules! integer_table {
         /// The transfer of one material.
         pub type Transfer =
             $crate::quantized::TransferBuffer<$crate::$format, TRANSFER, PROFILES>;
-        /// A scene of this table's size.
-        type Collapsed = $crate::quantized::Scene<
-            'static, $crate::$format, $crate::quantized::SceneBuffer<SCENE>,
-        >;
-        /// One image, ready to be shaded. It dereferences to an [`eigenshade::quantized::Scene`].
-        #[derive(Clone, Debug, Default, PartialEq)]
-        pub struct Scene(Collapsed);
-        impl core::ops::Deref for Scene {
-            type Target = Collapsed;
-            #[inline]
-            fn deref(&self) -> &Collapsed {
-                &self.0
-            }
-        }
         /// An estimate of the coefficients d from pixels.
         pub type Estimate = $crate::quantized::Estimate<'static, $crate::$format, COMPONENTS>;
         /// Starts an estimate from pixels: see [`eigenshade::quantized::Basis::estimate`].

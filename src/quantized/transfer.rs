@@ -9,8 +9,7 @@ use crate::index::{material, pair};
 use crate::invariant::{part, split_mut, split_row};
 use crate::lanes::{rows, rows_mut};
 
-/// The transfer of a material: for each profile a row over l from |m| on, times 2 to the exponent
-/// of the profile.
+/// The transfer of a material: for each profile a row over l from |m| on, times 2 to its exponent.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Transfer<'a, Q> {
@@ -85,10 +84,7 @@ impl<Q: FixedPoint> Basis<'_, Q> {
         numbers: &mut [Q],
         exponents: &mut [i16],
     ) -> Result<(), Error> {
-        let (basis, found) = (self.order(), material.order);
-        if found > basis {
-            return Err(Error::Beyond { argument: Argument::Material, basis, found });
-        }
+        Error::check_beyond(Argument::Material, self.order(), material.order)?;
         if self.parts.polar.is_empty() {
             return Err(Error::TransfersOnly);
         }
@@ -124,8 +120,7 @@ impl<Q: FixedPoint> Basis<'_, Q> {
         Ok(())
     }
 
-    /// Writes S: for each l a row over the pairs (p, q), with numbers of at most 2^BITS, and the
-    /// exponent of the row.
+    /// Writes S: for each l a row over the pairs (p, q), of numbers to 2^BITS, and its exponent.
     fn scatter(&self, material: &Material<'_, Q>, sums: &mut [Q::Wide], exponents: &mut [Q::Wide]) {
         let pairs = pair::count(self.order());
         let room = room::<Q::Wide>(self.order());
@@ -187,8 +182,7 @@ pub(crate) fn room<W: Wide>(order: usize) -> i32 {
     (W::of((order / 2 + 1) as i32).bits().cast_signed() - 1).max(1)
 }
 
-/// Rounds numbers, each with an exponent of its own, to mantissas with a common exponent, which is
-/// returned.
+/// Rounds numbers with exponents of their own to mantissas, and returns the common exponent.
 #[inline(always)]
 pub(crate) fn settle<Q: FixedPoint>(
     row: impl Iterator<Item = (Q::Wide, i32)> + Clone,
@@ -253,8 +247,7 @@ fn common_exponent<W: Wide>(numbers: impl Iterator<Item = (W, i32)> + Clone, bit
     reference + found.cast_signed() - bits.cast_signed()
 }
 
-/// The number of bits by which sizes are shifted right so that the sum of `count` sizes, plus a
-/// 256th of it, fits.
+/// By how many bits sizes are shifted right so that `count` of them, plus a 256th, fit in a sum.
 #[inline(always)]
 pub(crate) fn guard<W: Wide>(count: i32) -> u32 {
     W::of(count + (count >> 8)).bits()

@@ -54,8 +54,7 @@ impl<Q: FixedPoint> Light<'_, Q> {
     /// [`Error::Capacity`] if `N` is below (degree + 1)², [`Error::Degree`] if the degree is above
     /// 12, [`Error::Exponent`] if the exponent of the result is above 128.
     pub fn turned<const N: usize>(&self, rotation: &Rotation) -> Result<LightBuffer<Q, N>, Error> {
-        let [turned] = turned([*self], rotation)?;
-        Ok(turned)
+        turned([*self], rotation).map(|[turned]| turned)
     }
 }
 
@@ -108,7 +107,6 @@ const fn number_bits<Q: FixedPoint>() -> i32 {
 /// The exponents of the degrees of a light.
 type Exponents = [i32; LARGEST + 1];
 
-/// Lights after rotation.
 fn turned<Q: FixedPoint, const C: usize, const N: usize>(
     lights: [Light<'_, Q>; C],
     rotation: &Rotation,
@@ -154,7 +152,6 @@ fn turned<Q: FixedPoint, const C: usize, const N: usize>(
     Ok(turned)
 }
 
-/// A mantissa as an integer.
 #[inline(always)]
 pub(super) fn whole<Q: FixedPoint>(mantissa: Q) -> i32 {
     mantissa.widen().saturated()

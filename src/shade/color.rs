@@ -100,7 +100,6 @@ fn by_chunks<S: Scalar>(
     Ok(())
 }
 
-/// Writes planes as pixels.
 #[inline(always)]
 fn write<S: Scalar, const N: usize>(planes: &Rgb<[S; N]>, colors: &mut [Rgb<S>]) {
     let pixels = planes.r.iter().zip(&planes.g).zip(&planes.b);
@@ -111,8 +110,8 @@ fn write<S: Scalar, const N: usize>(planes: &Rgb<[S; N]>, colors: &mut [Rgb<S>])
 
 impl<B> Rgb<Scene<'_, B>> {
     /// Writes the irradiance of each normal in each channel, for engines that interpolate between
-    /// the vertices of a mesh. The numbers are those of [`Scene::shade_slice`] in each channel, to
-    /// the last bit.
+    /// the vertices of a mesh. The numbers are bit for bit those of [`Scene::shade_slice`] in each
+    /// channel.
     ///
     /// ```
     /// # #[cfg(feature = "presets")] {

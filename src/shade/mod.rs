@@ -8,10 +8,10 @@ use crate::index::layout::{EVEN_ODD_TERMS, MONOMIAL_TERMS, Recurrence};
 use crate::lanes::padded;
 use crate::nine_terms::{NineTerms, nine_terms};
 use crate::normal::{Normal, Normals};
-use crate::polynomial::{self, argument};
+use crate::polynomial;
+use crate::polynomial::argument;
 use crate::scalar::Scalar;
-use crate::scene::Descent;
-use crate::scene::Scene;
+use crate::scene::{Descent, Scene};
 use tile::Room;
 
 /// Normals in one block: enough to keep the vector registers of the target busy.
@@ -36,8 +36,7 @@ pub(crate) const ONE_BY_ONE: bool = BLOCK == SCALAR;
 /// For polynomials of any length.
 pub(crate) const ANY: usize = usize::MAX;
 
-/// Whether to include special loops for few terms and for polynomials without halves: only on
-/// targets where code may be large.
+/// Whether to include special loops for short polynomials: on targets where code may be large.
 const SPECIAL: bool = cfg!(any(target_arch = "x86_64", target_arch = "aarch64"));
 
 impl<B> Scene<'_, B> {
@@ -65,8 +64,7 @@ impl<B> Scene<'_, B> {
     /// Writes the irradiance of each normal into `irradiance`.
     ///
     /// The sums are those of [`shade`](Self::shade) in the same order, so the results agree to the
-    /// last bit. With WebAssembly's `relaxed-simd`, `shade` of a generated table may differ in the
-    /// last bits.
+    /// last bit. With WebAssembly's `relaxed-simd`, `shade` of a generated table may differ there.
     ///
     /// ```
     /// # #[cfg(feature = "baked")] {
@@ -172,7 +170,6 @@ fn stable<S: Scalar>(polynomials: Descent<'_, S>, axes: [&[S]; 3], irradiance: &
     in_blocks(axes, irradiance, |x, y, z| orthogonal(polynomials, x, y, z));
 }
 
-/// Shades normals, given by their components, block by block.
 #[inline(never)]
 fn blocks<S: Scalar, const LONGEST: usize>(
     polynomials: Descent<'_, S>,
@@ -183,7 +180,6 @@ fn blocks<S: Scalar, const LONGEST: usize>(
     in_blocks(axes, irradiance, |x, y, z| block(polynomials, x, y, z));
 }
 
-/// Fills `irradiance` block by block.
 #[inline(always)]
 fn in_blocks<S: Scalar>(
     axes: [&[S]; 3],
@@ -248,8 +244,7 @@ pub(crate) fn block<S: Scalar, const LONGEST: usize, const N: usize>(
 }
 
 /// [`block`] for a scene in which some azimuths have recurrences. Partial sums from the highest
-/// azimuth down are large where the profiles are, and each factor w̄ makes them smaller
-/// accordingly.
+/// azimuth down are large where the profiles are; each factor w̄ makes them smaller accordingly.
 #[inline(never)]
 pub(crate) fn orthogonal<S: Scalar, const N: usize>(
     mut polynomials: Descent<'_, S>,

@@ -4,22 +4,19 @@
 //! A block keeps its sums in registers and reads each term once for all its normals. With 16
 //! registers a block is small, and for polynomials of a few terms the processor waits for the last
 //! product of one sum. A tile instead runs one loop over its normals for each azimuth, with the
-//! number of terms known at compile time, and keeps the sums of the higher azimuths in the L1
-//! cache.
+//! number of terms known at compile time, and keeps the sums of higher azimuths in the L1 cache.
 
 use crate::polynomial::argument;
 use crate::scalar::Scalar;
 use crate::scene::Descent;
 
-/// Normals in one tile: sixteen vectors, so that the overhead of starting and ending a loop is
-/// small.
+/// Normals in one tile: sixteen vectors, so that starting and ending a loop costs little.
 pub(super) const TILE: usize = if cfg!(target_feature = "avx") { 128 } else { 64 };
 
 /// The largest number of terms of a polynomial. Blocks are faster for longer ones.
 const MOST: usize = 8;
 
-/// Whether tiles are faster than blocks for these polynomials on this target. Never true if azimuth
-/// 0 is the only one.
+/// Whether tiles are faster than blocks on this target. Never true if azimuth 0 is the only one.
 pub(super) fn fits<S>(polynomials: &Descent<'_, S>) -> bool {
     cfg!(all(target_arch = "x86_64", not(target_feature = "avx512f")))
         && !polynomials.lengths.is_empty()

@@ -8,7 +8,6 @@
 
 pub mod project;
 
-mod color;
 mod scene;
 mod table;
 

@@ -1,16 +1,14 @@
 //! Projects a light on a material with all sizes constant: the steps of
-//! [`Basis::project`](crate::Basis::project). Four profiles at once read the scattered material
-//! only once.
+//! [`Basis::project`](crate::Basis::project). Four profiles read the scattered material once.
 
 use super::KnownTable;
 use crate::basis::Basis;
-use crate::index;
 use crate::index::layout::LANES;
-use crate::lanes;
 use crate::light::Light;
 use crate::material::Material;
 use crate::projection::{add_lit, gather};
 use crate::scalar::Scalar;
+use crate::{index, lanes};
 
 /// The coefficients of a light and of a material, if there are exactly `N` and `M`.
 #[inline(always)]
@@ -22,22 +20,16 @@ pub fn inputs<'a, S: Scalar, const N: usize, const M: usize>(
 }
 
 /// The sums S_l,pq of one q, for its `P` pairs p = q, q + 2, ...: P x P products of a symmetric
-/// matrix B and rows of Ĉ. Rows run along l and have `G` groups.
-///
-/// Not inlined, so that the sums stay in registers.
+/// matrix B and rows of Ĉ. Rows run along l and have `G` groups. Not inlined, so that the sums stay
+/// in registers.
 #[inline(never)]
-pub fn scatter<
-    S: Scalar,
-    const Q: usize,
-    const P: usize,
-    const G: usize,
-    const M: usize,
-    const R: usize,
->(
+pub fn scatter<S, const Q: usize, const P: usize, const G: usize, const M: usize, const R: usize>(
     material: &[S; M],
     polar: &[[[S; LANES]; G]; R],
     sums: &mut [[[S; LANES]; G]],
-) {
+) where
+    S: Scalar,
+{
     let half = S::from_f64(core::f64::consts::FRAC_1_SQRT_2);
     for p in 0..P {
         let mut sum = [[S::ZERO; LANES]; G];
@@ -95,10 +87,9 @@ pub fn lights<S: Scalar, const M: usize, const L: usize, const N: usize>(
 }
 
 /// The components of up to `2 C` profiles of azimuth `M`, from number `FIRST` of this azimuth on:
-/// `C` times two profiles, for +m and for -m, before the sum across the lanes.
-///
-/// The rows have `V` groups, for `L` degrees; the scattered material has `D` rows. Not inlined: a
-/// compiler that sees single lanes being read splits the groups.
+/// `C` times two profiles, for +m and for -m, before the sum across the lanes. The rows have `V`
+/// groups, for `L` degrees; the scattered material has `D` rows. Not inlined: a compiler that sees
+/// single lanes being read splits the groups.
 #[inline(never)]
 pub fn rows<
     B: KnownTable<Basis<'static, S>>,
@@ -142,17 +133,12 @@ pub fn rows<
 
 /// Writes the components that [`rows`] computed.
 #[inline(always)]
-pub fn write<
-    B: KnownTable<Basis<'static, S>>,
-    S: Scalar,
-    const M: usize,
-    const FIRST: usize,
-    const C: usize,
-    const K: usize,
->(
+pub fn write<B, S: Scalar, const M: usize, const FIRST: usize, const C: usize, const K: usize>(
     sums: &[[lanes::Two<S>; 2]; C],
     coefficients: &mut [S; K],
-) {
+) where
+    B: KnownTable<Basis<'static, S>>,
+{
     let places = const { &B::BASIS.twos_of::<C>(M, FIRST) };
     for (two, [plus, minus]) in places.iter().zip(sums) {
         for (components, sums) in two.iter().zip([lanes::sums(*plus), lanes::sums(*minus)]) {

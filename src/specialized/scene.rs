@@ -18,45 +18,33 @@ pub fn blank_scene<S: Scalar, const N: usize>(lengths: &[u16]) -> Scene<'_, Scen
     Scene::of(lengths, Recurrences::NONE, SceneBuffer::from([S::ZERO; N]))
 }
 
-/// The numbers of a scene, to be overwritten with polynomials of these lengths; `None` unless there
-/// are `N` in all.
+/// The numbers of a scene, if `N`, to be overwritten with polynomials of these lengths.
 #[inline(always)]
 pub fn scene_mut<'s, 'a, S: Scalar, const N: usize>(
     scene: &'s mut Scene<'a, SceneBuffer<S, N>>,
     lengths: &'a [u16],
 ) -> Option<&'s mut [S; N]> {
-    let numbers: &mut [S; N] = scene.rewritten(lengths).try_into().ok()?;
-    Some(numbers)
+    scene.rewritten(lengths).try_into().ok()
 }
 
 /// Sums the polynomials of azimuth `M`, of `P` profiles, weighted by the coefficients of their
-/// components. A component that the basis does not have counts as zero.
-///
-/// Not inlined: a compiler that sees several azimuths at once runs out of registers.
+/// components. A component that the basis does not have counts as zero. Not inlined: a compiler
+/// that sees several azimuths at once runs out of registers.
 #[inline(never)]
-pub fn collapse<
-    B: KnownTable<Basis<'static, S>>,
-    S: Scalar,
-    const M: usize,
-    const P: usize,
-    const K: usize,
-    const N: usize,
->(
+pub fn collapse<B, S: Scalar, const M: usize, const P: usize, const K: usize, const N: usize>(
     coefficients: &[S; K],
     scene: &mut [S; N],
-) {
+) where
+    B: KnownTable<Basis<'static, S>>,
+{
     const { assert!(azimuth_of::<B, S>(M).profiles == P, "the azimuth has other profiles") };
     let place = const { &azimuth_of::<B, S>(M) };
     let components = const { &B::BASIS.components_of::<P>(M) };
     let terms = const { B::BASIS.parts.terms.split_at(azimuth_of::<B, S>(M).terms).1 };
     let (_, scene) = split_mut(scene, place.start);
     if M == 0 {
-        sum_profiles(
-            place.length,
-            terms,
-            &components.map(|[plus, _]| [weight(coefficients, plus)]),
-            scene,
-        );
+        let weights = components.map(|[plus, _]| [weight(coefficients, plus)]);
+        sum_profiles(place.length, terms, &weights, scene);
     } else {
         let weights = components.map(|[plus, minus]| {
             // Φ_-m = √2 sin(-mβ) = -√2 Im (n_x + i n_y)^m / sin^m.
@@ -99,18 +87,17 @@ fn sum_profiles<S: Scalar, const W: usize, const P: usize>(
     }
 }
 
-/// The numbers of a scene whose azimuths have these lengths, `N` in all.
-///
-/// Returns `None` for a scene of another basis. A scene is recognized by the address of its
-/// lengths, because comparing the values takes too long for a pixel. If it also has `N` terms in
-/// all, none are left for azimuths beyond these lengths.
+/// The numbers of a scene whose azimuths have these lengths, `N` in all. Returns `None` for a scene
+/// of another basis. A scene is recognized by the address of its lengths, because comparing the
+/// values takes too long for a pixel. If it also has `N` terms in all, none are left for azimuths
+/// beyond these lengths.
 #[inline(always)]
 pub fn scene<'s, S: Scalar, B: AsRef<[S]>, const N: usize>(
     scene: &'s Scene<'_, B>,
     lengths: &[u16],
 ) -> Option<&'s [S; N]> {
-    let same = core::ptr::eq(scene.lengths().as_ptr(), lengths.as_ptr());
-    scene.numbers().try_into().ok().filter(|_| same)
+    let same = core::ptr::eq(scene.lengths.as_ptr(), lengths.as_ptr());
+    scene.buffer.as_ref().try_into().ok().filter(|_| same)
 }
 
 /// P_m + i Q_m + w̄ `above` for azimuth `M` > 0. The highest azimuth has nothing above it.

@@ -128,9 +128,8 @@ macro_rules! table {
             Ok(d)
         });
         const MODES: usize = $crate::index::material::count(ORDER);
-        /// Projects a light and a material of this table's degree and order.
-        ///
-        /// Not inlined: the components would be copied one by one.
+        /// Projects a light and a material of this table's degree and order. Not inlined: the
+        /// components would be copied one by one.
         #[inline(never)]
         fn project_whole(
             light: &[f32; LIGHT],
@@ -193,8 +192,7 @@ macro_rules! table {
             $transfer: &Transfer,
             $light: &$crate::Light<'_, f32>,
         ) -> Result<Coefficients, $crate::Error> $relight
-        /// [`relight`] into existing coefficients, without moving them; after an error they are
-        /// unspecified.
+        /// [`relight`] into existing coefficients, unmoved; after an error they are unspecified.
         pub fn relight_into(
             $to: &Transfer,
             $under: &$crate::Light<'_, f32>,
@@ -237,8 +235,7 @@ macro_rules! table {
             collapse_into(coefficients, &mut scene)?;
             Ok(scene)
         }
-        /// [`collapse`] into an existing scene, without moving it; after an error it is
-        /// unspecified.
+        /// [`collapse`] into an existing scene, unmoved; after an error it is unspecified.
         pub fn collapse_into(
             $coefficients: &Coefficients,
             $scene: &mut Scene,
@@ -248,11 +245,9 @@ macro_rules! table {
         $crate::table!(@shade &'s [f32; SCENE], |scene| {
             $crate::specialized::scene::<f32, _, SCENE>(scene, PARTS.lengths)
         });
-        /// The irradiance of one normal from the [`terms`] of a scene: bit for bit that of
-        /// [`shade`].
+        /// The irradiance of one normal from a scene's [`terms`]: bit for bit that of [`shade`].
         #[doc(hidden)]
         #[inline]
-        #[must_use]
         pub fn shade_terms(terms: &[f32; SCENE], normal: $crate::Normal<f32>) -> f32 {
             let above = None;
             $(let above =
@@ -262,11 +257,9 @@ macro_rules! table {
     };
     (shade nine terms) => {
         $crate::table!(@shade $crate::NineTerms<f32>, |scene| scene.nine_terms());
-        /// The irradiance of one normal from the [`terms`] of a scene: bit for bit that of
-        /// [`shade`].
+        /// The irradiance of one normal from a scene's [`terms`]: bit for bit that of [`shade`].
         #[doc(hidden)]
         #[inline]
-        #[must_use]
         pub fn shade_terms(terms: $crate::NineTerms<f32>, normal: $crate::Normal<f32>) -> f32 {
             terms.shade(normal)
         }
@@ -284,7 +277,6 @@ macro_rules! table {
         /// [`Scene::shade`] for a scene in a buffer of any type, of any basis.
         #[doc(hidden)]
         #[inline]
-        #[must_use]
         pub fn shade<B: AsRef<[f32]>>(
             scene: &$crate::Scene<'_, B>,
             normal: $crate::Normal<f32>,
@@ -298,7 +290,6 @@ macro_rules! table {
         /// loop over pixels asks once instead of at each pixel.
         #[doc(hidden)]
         #[inline]
-        #[must_use]
         pub fn terms<'s, B: AsRef<[f32]>>($scene: &'s $crate::Scene<'_, B>) -> Option<$terms> {
             $found
         }
@@ -315,46 +306,22 @@ macro_rules! table {
         }
     };
     (@sizes $components:expr, $workspace:expr, $basis:expr) => {
-        /// This table, for the functions that are specialized for it.
-        struct This;
-        impl $crate::specialized::KnownTable<$crate::Basis<'static, f32>> for This {
-            const BASIS: &'static $crate::Basis<'static, f32> = &$basis;
+        $crate::table_items! {
+            basis $crate::Basis<'static, f32> = $basis,
+            components $components, workspace $workspace,
+            scene $crate::Scene<'static, $crate::SceneBuffer<f32, SCENE>>, derive Clone
         }
-        /// Largest degree l of the light.
-        pub const DEGREE: usize = PARTS.degree;
-        /// Largest order o of the BRDF.
-        pub const ORDER: usize = PARTS.order;
-        /// Number of components K.
-        pub const COMPONENTS: usize = $components;
-        /// Numbers in the workspace of a projection.
-        pub const WORKSPACE: usize = $workspace;
-        /// Numbers in a [`Transfer`].
-        pub const TRANSFER: usize = $basis.transfer_len();
-        /// Numbers in a [`Scene`].
-        pub const SCENE: usize = $basis.scene_len();
         /// Number of coefficients of a light.
         pub const LIGHT: usize = (DEGREE + 1) * (DEGREE + 1);
         /// The coefficients d of one image.
         pub type Coefficients = $crate::Coefficients<f32, COMPONENTS>;
         /// The transfer of one material.
         pub type Transfer = $crate::Transfer<f32, TRANSFER>;
-        /// A scene of this table's size.
-        type Collapsed = $crate::Scene<'static, $crate::SceneBuffer<f32, SCENE>>;
-        /// One image, ready to be shaded. It dereferences to an [`eigenshade::Scene`].
-        #[derive(Clone, Debug, PartialEq)]
-        pub struct Scene(Collapsed);
         impl Scene {
             /// A scene to be overwritten.
             #[inline(always)]
             fn blank() -> Self {
                 Self($crate::specialized::blank_scene(PARTS.lengths))
-            }
-        }
-        impl core::ops::Deref for Scene {
-            type Target = Collapsed;
-            #[inline]
-            fn deref(&self) -> &Collapsed {
-                &self.0
             }
         }
         $crate::table_in_color! {
@@ -363,6 +330,49 @@ macro_rules! table {
             blank Coefficients::from([0.0; super::COMPONENTS]), Scene::blank(),
             view |transfer| transfer
         }
-        $crate::float_table_in_color!();
+        impl color::Scene {
+            /// What exposes the irradiances of [`shade`](Self::shade), the same for every scene;
+            /// errors as [`eigenshade::Exposure::new`].
+            pub fn exposure(&self, exposure: f32) -> Result<$crate::Exposure, $crate::Error> {
+                $crate::Exposure::new(exposure)
+            }
+
+            /// Bakes the scene into `size` x `size` texels, at most `T`: see
+            /// [`eigenshade::Scene::bake`]; the same errors.
+            pub fn bake<const T: usize>(
+                &self,
+                size: usize,
+            ) -> Result<$crate::Rgb<$crate::BakedMap<f32, $crate::MapBuffer<f32, T>>>, $crate::Error>
+            {
+                self.each_ref().try_map(|scene| scene.bake(size))
+            }
+
+            /// Bakes the scene into `size` x `size` integers: see
+            /// [`eigenshade::Scene::bake_integers_into`]; the same errors.
+            pub fn bake_integers_into<B: AsMut<[i16]>>(
+                &self,
+                size: usize,
+                texels: $crate::Rgb<B>,
+            ) -> Result<$crate::Rgb<$crate::IntegerMap<B>>, $crate::Error> {
+                let channels = self.each_ref().zip(texels);
+                channels.try_map(|(scene, texels)| scene.bake_integers_into(size, texels))
+            }
+
+            /// The irradiance of each normal in each channel; errors as
+            /// [`eigenshade::Rgb::shade_slice`].
+            // Inlined: the crate that calls it chooses between speed and size.
+            #[inline]
+            pub fn shade_slice(
+                &self,
+                normals: $crate::Normals<'_, f32>,
+                irradiance: &mut [$crate::Rgb<f32>],
+            ) -> Result<(), $crate::Error> {
+                use $crate::specialized::{ONE_BY_ONE, shade_normals};
+                if ONE_BY_ONE {
+                    return shade_normals(normals, irradiance, |normal| self.shade(normal));
+                }
+                self.each_ref().map(|scene| &**scene).shade_slice(normals, irradiance)
+            }
+        }
     };
 }

@@ -9,9 +9,10 @@
 
 use super::density::{NODES, mean_square};
 use super::report::Truncation;
-use super::terms::{Polynomials, signs, trimmed};
+use super::terms::{Polynomials, trimmed};
 use crate::lanes::rows;
 use crate::scalar::Scalar;
+use crate::scene::signs;
 
 /// The factor by which the price rises from one sweep to the next.
 const RISE: usize = 16;
@@ -66,8 +67,7 @@ impl<'s, S: Scalar> Accounts<'s, S> {
         }
     }
 
-    /// The price of the first sweep, low enough that removals at this price use little of the
-    /// allowed error.
+    /// The price of the first sweep, so low that its removals use little of the allowed error.
     fn first_price(&self) -> S {
         S::from_whole(self.len.max(1)).reciprocal()
     }
@@ -104,8 +104,7 @@ impl<'s, S: Scalar> Accounts<'s, S> {
 
     /// Lets all images pay for the first `terms` of these squares, or for as many as all can, and
     /// returns how many these are. Each saves a pixel `each` products, and the last of all saves
-    /// `last`, or stays if that is `None`. A product is worth the price, a share of the allowed
-    /// error.
+    /// `last`, or stays if that is `None`. A product is worth the price.
     fn pay<I: Iterator<Item = S>>(
         &mut self,
         terms: usize,
@@ -199,8 +198,7 @@ mod tests {
         }
     }
 
-    /// Azimuths that are removed as a whole before anything is rewritten would also have been
-    /// removed afterward.
+    /// Azimuths removed as a whole before anything is rewritten would also be removed afterward.
     #[test]
     fn whole_azimuths_go_as_in_the_sweeps() {
         const LENGTHS: [u16; 5] = [6, 4, 5, 3, 4];

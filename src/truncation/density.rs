@@ -32,8 +32,8 @@ pub(super) const fn longest(azimuth: usize) -> usize {
 pub(super) struct Density<S> {
     azimuth: usize,
     terms: usize,
-    /// The coefficients at_k and below_k.
-    recurrence: [[S; 2]; TERMS],
+    /// The coefficients at_k and below_k of the current azimuth.
+    pub(super) recurrence: [[S; 2]; TERMS],
 }
 
 impl<S: Scalar> Density<S> {
@@ -50,11 +50,6 @@ impl<S: Scalar> Density<S> {
             left = right;
         }
         Self { azimuth: 0, terms, recurrence }
-    }
-
-    /// The coefficients at_k and below_k of the current azimuth.
-    pub(super) const fn recurrence(&self) -> &[[S; 2]; TERMS] {
-        &self.recurrence
     }
 
     /// The coefficients below_k of the current azimuth.

@@ -13,7 +13,6 @@ const ROOM: usize = MOST + 4;
 /// Pairs of numbers, one of +m and one of -m.
 type Row<S> = [[S; 2]; ROOM];
 
-/// The rows of a conversion.
 pub(super) struct Rows<S> {
     now: Row<S>,
     next: Row<S>,
@@ -29,8 +28,7 @@ impl<S: Scalar> Rows<S> {
         Self { now: row, next: row, at: row, below: row, none: [S::ZERO; MOST] }
     }
 
-    /// Converts polynomials of +m and -m, highest term first, into orthogonal ones, each multiplied
-    /// by its number.
+    /// Converts polynomials of +m and -m, highest term first, into orthogonal ones times `numbers`.
     pub(super) fn orthogonalize(
         &mut self,
         [plus, minus]: [&mut [S]; 2],
@@ -119,7 +117,7 @@ impl<S: Scalar> Rows<S> {
     fn start(&mut self, length: usize, density: &Density<S>) {
         let of = self.now.iter_mut().zip(&mut self.next).zip(&mut self.at).zip(&mut self.below);
         for ((((now, next), at), below), &[of_at, of_below]) in
-            of.zip(density.recurrence()).take(length + 4)
+            of.zip(&density.recurrence).take(length + 4)
         {
             (*now, *next, *at, *below) = ([S::ZERO; 2], [S::ZERO; 2], [of_at; 2], [of_below; 2]);
         }
@@ -139,7 +137,6 @@ fn groups<S>(row: &[[S; 2]]) -> &[[S; LANES]] {
     row.as_flattened().as_chunks().0
 }
 
-/// Mutable [`groups`].
 #[inline(always)]
 fn groups_mut<S>(row: &mut [[S; 2]]) -> &mut [[S; LANES]] {
     row.as_flattened_mut().as_chunks_mut().0

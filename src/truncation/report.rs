@@ -36,7 +36,7 @@ pub struct Truncation<S> {
     /// the first of each polynomial, and 4m - 2 for azimuths up to m.
     pub terms: usize,
     /// Upper bound on the difference from the image of all components, root mean square over a
-    /// sphere's normals, apart from rounding. Its square is the sum of the squares of the next two
+    /// sphere's normals, apart from rounding. Its square is the sum of those of the next two
     /// fields.
     pub bound: S,
     /// Upper bound on the part of the difference that comes from leaving out the components beyond
@@ -83,7 +83,6 @@ impl<S: Scalar> Truncation<S> {
         }
     }
 
-    /// 1 / unit.
     pub(super) fn scale(&self) -> S {
         self.unit().reciprocal()
     }
@@ -103,7 +102,6 @@ impl<S: Scalar> Truncation<S> {
 }
 
 impl<S: Scalar> Tolerance<S> {
-    /// The tolerance as an irradiance.
     pub(super) fn irradiance(self, peak: S) -> Result<S, Error> {
         let (share, of) = match self {
             Self::OfPeak(share) => (share, peak),
@@ -121,9 +119,8 @@ impl<S: Scalar> Tolerance<S> {
     }
 }
 
-/// The largest |I| at 41 normals: the one toward the camera, and eight azimuths for each slant.
-///
-/// The azimuths m and m + 8 agree at these normals, so each slant evaluates its polynomials once.
+/// The largest |I| at 41 normals: the one toward the camera, and eight azimuths for each slant. The
+/// azimuths m and m + 8 agree at these normals, so each slant evaluates its polynomials once.
 pub(super) fn peak<S: Scalar, B: AsRef<[S]>>(scene: &Scene<'_, B>) -> S {
     let [lanes @ .., _] = SLANTS;
     let t = lanes.map(|(z, _)| S::from_f64(z + z - 1.0));
@@ -137,7 +134,7 @@ pub(super) fn peak<S: Scalar, B: AsRef<[S]>>(scene: &Scene<'_, B>) -> S {
             power.iter_mut().zip(&sines).for_each(|(power, &of_slant)| *power = *power * of_slant);
             continue;
         }
-        let recurrence = scene.recurrences().of(azimuth);
+        let recurrence = scene.recurrences.of(azimuth);
         // m = 0 has no sin mβ.
         let minus = if azimuth == 0 { plus } else { minus };
         let lanes = match recurrence {

@@ -1,23 +1,21 @@
-//! Several images for one loop over pixels: the same number of components, and polynomials of the
-//! same lengths.
+//! Several images for one loop over pixels: as many components, and polynomials as long.
 
 use super::accounts::Accounts;
 use super::report::{Tolerance, Truncation, larger, peak};
-use super::terms::{Polynomials, count, trimmed};
+use super::terms::{Polynomials, trimmed};
 use crate::basis::Basis;
 use crate::error::{Argument, Error};
 use crate::lanes::rows_mut;
 use crate::mathematics::{Libm, Mathematics};
 use crate::recurrences::Recurrences;
 use crate::scalar::Scalar;
-use crate::scene::Scene;
+use crate::scene::{Scene, count};
 
 /// The fraction of the squared tolerance reserved for components, a sixteenth. The rest is for
 /// terms, because these are what a pixel costs.
 const COMPONENTS: f64 = 0.0625;
 
-/// The last fifth of the components (one in `FLOOR`) estimates the error of the table: see
-/// [`Truncation::floor`].
+/// One in `FLOOR` components, the last, estimates the table's error: see [`Truncation::floor`].
 const FLOOR: usize = 5;
 
 /// The common shape of several scenes. A loop over pixels written for one of them serves all.
@@ -36,7 +34,7 @@ impl<'l> Shape<'l> {
     /// Number of terms of all polynomials, of +m and of -m.
     #[must_use]
     pub fn terms(&self) -> usize {
-        count(self.lengths.iter())
+        count(self.lengths)
     }
 
     /// Number of azimuths |m|, from 0 to the highest that has terms.
@@ -222,7 +220,6 @@ impl<'a, S: Scalar> Basis<'a, S> {
     }
 }
 
-/// Each image with its scene and its report.
 fn each<'s, S, C: AsRef<[S]>>(
     images: &'s [C],
     buffer: &'s mut [S],

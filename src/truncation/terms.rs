@@ -1,5 +1,4 @@
-//! The polynomials of a scene, converted into polynomials that are orthonormal over a sphere's
-//! normals.
+//! The polynomials of a scene, made orthonormal over a sphere's normals.
 //!
 //! In this form, the square of a term is the mean square error of leaving it out (Parseval), and
 //! the remaining terms are the nearest image with that many terms.
@@ -10,17 +9,8 @@ use crate::index::layout::Recurrence;
 use crate::invariant::{part, part_mut, split, split_mut};
 use crate::recurrences::Recurrences;
 use crate::scalar::Scalar;
+use crate::scene::signs;
 use core::cell::Cell;
-
-/// Number of polynomials of an azimuth.
-pub(super) const fn signs(azimuth: usize) -> usize {
-    if azimuth == 0 { 1 } else { 2 }
-}
-
-/// Number of terms of polynomials of these lengths, of +m and of -m.
-pub(super) fn count<'l>(lengths: impl Iterator<Item = &'l u16>) -> usize {
-    lengths.enumerate().map(|(azimuth, &length)| signs(azimuth) * usize::from(length)).sum()
-}
 
 /// The lengths without the azimuths above the highest that has terms.
 pub(super) fn trimmed(mut lengths: &[u16]) -> &[u16] {
@@ -56,7 +46,6 @@ impl Place {
         [plus, part(rest, ..self.of_minus())]
     }
 
-    /// [`both`](Self::both), to be changed.
     fn both_mut<S>(self, numbers: &mut [S]) -> [&mut [S]; 2] {
         let (plus, rest) = split_mut(part_mut(numbers, self.start..), self.original);
         [plus, part_mut(rest, ..self.of_minus())]
@@ -91,11 +80,10 @@ impl<'p> Polynomials<'p> {
     #[inline]
     fn place(&self, azimuth: usize, start: usize) -> Place {
         let original = self.lengths.get(azimuth).map_or(0, |&length| length.into());
-        let known = azimuth >= self.recurrences.first() || original <= longest(azimuth);
+        let known = azimuth >= self.recurrences.first || original <= longest(azimuth);
         Place { azimuth, start, original, known }
     }
 
-    /// The position of each azimuth's polynomials.
     fn places(self) -> impl Iterator<Item = Place> {
         let mut start = 0;
         (0..self.lengths.len()).map(move |azimuth| {
@@ -117,7 +105,7 @@ impl<'p> Polynomials<'p> {
 
     /// The density for the azimuths without a recurrence.
     fn density<S: Scalar>(self, lengths: &[u16]) -> Density<S> {
-        let left = lengths.iter().enumerate().take(self.recurrences.first());
+        let left = lengths.iter().enumerate().take(self.recurrences.first);
         let terms =
             left.filter(|&(azimuth, &length)| (1..=longest(azimuth)).contains(&length.into()));
         let terms = terms.map(|(azimuth, &length)| azimuth + usize::from(length));
@@ -142,8 +130,7 @@ impl<'p> Polynomials<'p> {
         }
     }
 
-    /// Moves the remaining terms to the beginning and converts them into the form of these lengths,
-    /// times `scale`.
+    /// Moves the remaining terms to the beginning, in the form of these lengths, times `scale`.
     pub(super) fn restore<S: Scalar>(self, lengths: &[u16], numbers: &mut [S], scale: S) {
         let (mut density, mut rows) = (self.density(lengths), Rows::new());
         let (cells, mut end) = (Cell::from_mut(&mut *numbers).as_slice_of_cells(), 0);
@@ -210,10 +197,9 @@ fn below<S: Scalar>(recurrence: &[Recurrence]) -> impl Iterator<Item = S> {
 mod tests {
     use super::*;
     use crate::normal::Normal;
-    use crate::scene::Scene;
+    use crate::scene::{Scene, count};
 
-    /// Covers each form. The last case is long enough that azimuth 40 uses the last known entries
-    /// of the recurrence.
+    /// Covers each form. In the last case azimuth 40 uses the last known entries of the recurrence.
     const CASES: [&[u16]; 5] = [
         &[1],
         &[16, 3, 15, 16],
@@ -226,7 +212,7 @@ mod tests {
     ];
 
     fn numbers(lengths: &[u16]) -> [f64; 500] {
-        let used = count(lengths.iter());
+        let used = count(lengths);
         core::array::from_fn(|k| {
             let number = ((7 * k % 19) as f64 - 9.0) / (1 + k % 5) as f64;
             if k < used { number } else { 0.0 }

@@ -85,13 +85,8 @@ impl<S: Scalar> Light<'_, S> {
             let expected = light::count(self.degree());
             return Err(Error::Length { argument: Argument::Light, expected, found: N });
         };
-        let degree = const {
-            match degree(N) {
-                Ok(degree) => degree,
-                // No light has this length.
-                Err(_) => 0,
-            }
-        };
+        // No light has another length.
+        let degree = const { if let Ok(degree) = degree(N) { degree } else { 0 } };
         let angle = unit(angle)?;
         if degree > LARGEST {
             self.turn_in_loops(angle, turned);

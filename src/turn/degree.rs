@@ -24,7 +24,6 @@ pub(crate) trait Arithmetic {
     fn product(factor: [Self::Factor; 2], pair: [Self::Number; 2]) -> [Self::Number; 2];
     /// sum + element number.
     fn add_product(sum: Self::Sum, element: Self::Element, number: Self::Number) -> Self::Sum;
-    /// A sum as a number.
     fn number(sum: Self::Sum) -> Self::Number;
 }
 
@@ -202,7 +201,6 @@ impl<A: Arithmetic, const C: usize> Degree<A, C> {
         }
     }
 
-    /// The sum of both.
     #[inline(never)]
     fn add(&mut self, l: usize, other: &Self) {
         for (to, from) in [(&mut self.cosines, &other.cosines), (&mut self.sines, &other.sines)] {
@@ -211,7 +209,6 @@ impl<A: Arithmetic, const C: usize> Degree<A, C> {
         }
     }
 
-    /// The exchange of y and z.
     #[inline(never)]
     fn exchange(&self, l: usize, mut matrix: &[A::Element], to: &mut Self) {
         let (even, odd) = (l / 2, l.div_ceil(2));

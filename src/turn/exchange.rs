@@ -15,7 +15,6 @@ use crate::format::{Q15, Q31};
 /// The largest degree of the tables.
 pub(crate) const LARGEST: usize = 12;
 
-/// Number of elements of the tables.
 const ELEMENTS: usize = {
     let (mut elements, mut l) = (0, 1);
     while l <= LARGEST {
@@ -115,7 +114,6 @@ const fn root(x: f64) -> f64 {
 macro_rules! exchange {
     ($($name:ident: $format:ty = |$element:ident| $converted:expr;)*) => {
         $(
-            /// The matrices in this format.
             #[expect(clippy::indexing_slicing, reason = "a constant function has no iterators")]
             pub(crate) static $name: [$format; ELEMENTS] = {
                 let (mut elements, mut k) = ([{ let $element = 0.0; $converted }; ELEMENTS], 0);

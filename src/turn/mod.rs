@@ -27,8 +27,7 @@ impl<S: Scalar> Light<'_, S> {
     ///
     /// The energy of each degree is preserved. A light of degree 9 in f32 that is rotated and
     /// rotated back matches the original within 1e-6 of its largest coefficient. Cost: for degree 9
-    /// some 1,500 products, and one root; see `docs/costs.md`. This is set-up work, not work for
-    /// each pixel.
+    /// some 1,500 products, and one root; see `docs/costs.md`. This is set-up work.
     ///
     /// ```
     /// use eigenshade::mathematics::SinglePrecision;
@@ -49,8 +48,7 @@ impl<S: Scalar> Light<'_, S> {
         &self,
         rotation: &Rotation<S>,
     ) -> Result<LightBuffer<S, N>, Error> {
-        let [turned] = turned([*self], rotation)?;
-        Ok(turned)
+        turned([*self], rotation).map(|[turned]| turned)
     }
 
     /// Workspace length for [`turn_into`](Self::turn_into): 0 to degree 12, above the matrices of
@@ -68,6 +66,8 @@ impl<S: Scalar> Light<'_, S> {
     ///
     /// # Errors
     ///
+    /// Above degree 12 the rotation's matrices are computed, which takes for each degree l (2l +
+    /// 1)² elements of some twenty operations each, and three roots for each order. Errors:
     /// [`Error::Length`] unless `workspace` has [`turn_len`](Self::turn_len) numbers and `turned`
     /// has (degree + 1)².
     pub fn turn_into<M: Mathematics<S>>(
@@ -102,7 +102,6 @@ impl<S: Scalar> Rgb<Light<'_, S>> {
     }
 }
 
-/// Lights after rotation.
 fn turned<S: Scalar, const C: usize, const N: usize>(
     lights: [Light<'_, S>; C],
     rotation: &Rotation<S>,

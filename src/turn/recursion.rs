@@ -103,8 +103,7 @@ impl<S: Scalar> Matrix<'_, S> {
     }
 }
 
-/// Converts between our harmonics and those without the phase, which the recursion uses. The
-/// conversion is its own inverse.
+/// Converts to harmonics without the phase, which the recursion uses, and back.
 fn signed<S: Scalar>(order: isize, value: S) -> S {
     if index::graphics_sign(order) < 0 { -value } else { value }
 }
@@ -154,7 +153,6 @@ fn next<S: Scalar, M: Mathematics<S>>(
     }
 }
 
-/// The inputs of the recursion.
 struct Previous<'a, S> {
     rotation: &'a Rotation<S>,
     l: isize,
@@ -163,9 +161,8 @@ struct Previous<'a, S> {
 }
 
 impl<S: Scalar> Previous<'_, S> {
-    /// _i P^l of (order, n): products of an element of degree 1 and one of degree l - 1.
-    ///
-    /// Not inlined: the caller uses it fourteen times, which would add 2 KB of code.
+    /// _i P^l of (order, n): products of an element of degree 1 and one of degree l - 1. Not
+    /// inlined: the caller uses it fourteen times, which would add 2 KB of code.
     #[inline(never)]
     fn p(&self, i: isize, order: isize, n: isize) -> S {
         let [x, y, z] = self.rotation.matrix;
@@ -184,8 +181,7 @@ impl<S: Scalar> Previous<'_, S> {
         }
     }
 
-    /// An element of degree l - 1; 0 for orders that this degree does not have, whose factors are
-    /// zero.
+    /// An element of degree l - 1; 0 for orders beyond it, whose factors are zero.
     fn element(&self, m: isize, n: isize) -> S {
         let last = self.l - 1;
         if m.abs() > last {

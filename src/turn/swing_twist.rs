@@ -7,7 +7,6 @@ use crate::rotation::Rotation;
 use crate::scalar::Scalar;
 use core::marker::PhantomData;
 
-/// The arithmetic of a floating-point format.
 pub(super) struct Floats<S>(PhantomData<S>);
 
 impl<S: Scalar> Arithmetic for Floats<S> {
@@ -67,8 +66,7 @@ impl<S: Scalar> Rotation<S> {
         }
     }
 
-    /// Either this rotation or its inverse, chosen the same way for both, and whether it is the
-    /// inverse.
+    /// This rotation or its inverse, chosen the same way for both, and whether it is the inverse.
     pub(super) fn upright(&self) -> (Self, bool) {
         let [[_, xy, xz], [yx, _, yz], [zx, zy, _]] = self.matrix;
         let apart = [xy - yx, xz - zx, yz - zy].into_iter().find(|&apart| apart != S::ZERO);

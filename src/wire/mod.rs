@@ -1,5 +1,4 @@
-//! Tables that are loaded at run time, from a flash page, a file or a fetch. They are read in
-//! place.
+//! Tables that are loaded at run time, from a flash page, a file or a fetch, and read in place.
 //!
 //! `eigenshade pack` writes such a file from a table; `tables/README.md` documents its format byte
 //! by byte. [`Basis::from_bytes`], [`GeneralBasis::from_bytes`] and
@@ -25,14 +24,105 @@
 //! # assert_eq!(bytes, PAGE);
 //! # Ok::<(), wire::Fault>(())
 //! ```
-//!
-//! [`Basis::from_bytes`]: crate::Basis::from_bytes
-//! [`GeneralBasis::from_bytes`]: crate::GeneralBasis::from_bytes
-//! [`quantized::Basis::from_bytes`]: crate::quantized::Basis::from_bytes
-
-mod bases;
-mod error;
 
 pub use crate::index::format::{IntegerFormat, NumberFormat};
 pub use crate::index::wire::{Aligned, Fault, Header, aligned};
-pub use error::WireError;
+
+use crate::basis::Basis;
+use crate::error::Error;
+use crate::format::{Q15, Q31};
+use crate::general::GeneralBasis;
+use crate::index::wire::{read_floats, read_integers};
+use crate::quantized;
+use core::fmt;
+
+/// The first problem found in some bytes.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+#[non_exhaustive]
+pub enum WireError {
+    /// They are not the expected wire file.
+    File(Fault),
+    /// The parts of the basis are inconsistent.
+    Parts(Error),
+}
+
+impl From<Fault> for WireError {
+    fn from(fault: Fault) -> Self {
+        Self::File(fault)
+    }
+}
+
+impl From<Error> for WireError {
+    fn from(error: Error) -> Self {
+        Self::Parts(error)
+    }
+}
+
+impl fmt::Display for WireError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::File(fault) => fault.fmt(f),
+            Self::Parts(error) => write!(f, "wire file: {error}; pack the table again"),
+        }
+    }
+}
+
+impl core::error::Error for WireError {}
+
+impl<'a> Basis<'a, f32> {
+    /// Reads a basis from a [wire](crate::wire) file that starts at a multiple of four.
+    ///
+    /// Cost: the checksum, with two look-ups per byte, and the checks of [`new`](Self::new). Any bytes
+    /// that are not such a file give a [`WireError`].
+    pub fn from_bytes(bytes: &'a [u8]) -> Result<Self, WireError> {
+        let (parts, general) = read_floats(bytes)?;
+        match general.components {
+            0 => Ok(Self::new(parts)?),
+            found => Err(Fault::Images { found }.into()),
+        }
+    }
+}
+
+impl<'a> GeneralBasis<'a, f32> {
+    /// Reads the basis of an object other than the sphere from a [wire](crate::wire) file.
+    /// Otherwise the same as [`Basis::from_bytes`], with the same errors.
+    ///
+    /// ```
+    /// use eigenshade::wire::WireError;
+    /// use eigenshade::{Coefficients, GeneralBasis, Light, Material};
+    ///
+    /// fn project(file: &[u8], light: &Light<f32>) -> Result<Coefficients<f32, 20>, WireError> {
+    ///     let basis = GeneralBasis::from_bytes(file)?;
+    ///     Ok(basis.project::<500, 20>(light, &Material::new(&[2.0])?)?)
+    /// }
+    ///
+    /// assert!(project(&[], &Light::new(&[3.5])?).is_err());
+    /// # Ok::<(), eigenshade::Error>(())
+    /// ```
+    pub fn from_bytes(bytes: &'a [u8]) -> Result<Self, WireError> {
+        let (span, parts) = read_floats(bytes)?;
+        if parts.components == 0 {
+            return Err(Fault::Images { found: 0 }.into());
+        }
+        Ok(Self::new(Basis::new(span)?, parts)?)
+    }
+}
+
+macro_rules! from_bytes {
+    ($format:ident) => {
+        impl<'a> quantized::Basis<'a, $format> {
+            /// Reads a basis from a [wire](crate::wire) file that starts at a multiple of four.
+            ///
+            /// Cost: the checksum, with two look-ups per byte, and the checks of
+            /// [`new`](Self::new). The largest values that a profile states are not checked: in a
+            /// forged file, as opposed to a damaged one, they may make a pixel wrap. Any bytes that
+            /// are not such a file give a [`WireError`].
+            pub fn from_bytes(bytes: &'a [u8]) -> Result<Self, WireError> {
+                Ok(Self::new(read_integers(bytes)?)?)
+            }
+        }
+    };
+}
+from_bytes!(Q15);
+from_bytes!(Q31);

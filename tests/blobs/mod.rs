@@ -101,18 +101,19 @@ pub fn heat_kernel(spread: f64, spacing: f64) -> Vec<([f64; 2], f64)> {
     let reach = (6.0 * spread).min(3.1);
     let step = spacing.min(spread);
     let count = (reach / step).ceil() as i32;
-    let mut points = Vec::new();
-    for i in -count..=count {
-        for j in -count..=count {
-            let [u, v] = [i, j].map(|k| f64::from(k) * step);
-            let angle = u.hypot(v);
-            if angle < reach {
-                let ratio = if angle > 0.0 { angle.sin() / angle } else { 1.0 };
-                points.push(([u, v], value(angle.cos()) * ratio));
-            }
-        }
-    }
-    points
+    let point = |[u, v]: [f64; 2]| {
+        let angle = u.hypot(v);
+        let ratio = if angle > 0.0 { angle.sin() / angle } else { 1.0 };
+        (angle < reach).then(|| ([u, v], value(angle.cos()) * ratio))
+    };
+    grid(count, step).filter_map(point).collect()
+}
+
+/// The points of a square grid around 0.
+fn grid(count: i32, step: f64) -> impl Iterator<Item = [f64; 2]> {
+    let range = -count..=count;
+    let pairs = range.clone().flat_map(move |i| range.clone().map(move |j| [i, j]));
+    pairs.map(move |pair| pair.map(|k| f64::from(k) * step))
 }
 
 /// A material in f64, one channel.
@@ -169,21 +170,14 @@ impl Glossy {
         }
         let half = unit(sum(blob.direction, 1.0, VIEW));
         let along_view = dot(half, VIEW);
-        let covariance = {
-            let [c, s] = [blob.angle.cos(), blob.angle.sin()];
-            let [long, short] = [blob.major.powi(2), blob.minor.powi(2)];
-            [
-                [long * c * c + short * s * s, (long - short) * c * s],
-                [(long - short) * c * s, long * s * s + short * c * c],
-            ]
-        };
+        let [c, s] = [blob.angle.cos(), blob.angle.sin()];
+        let [long, short] = [blob.major.powi(2), blob.minor.powi(2)];
+        let covariance = [
+            [long * c * c + short * s * s, (long - short) * c * s],
+            [(long - short) * c * s, long * s * s + short * c * c],
+        ];
         let jacobian = [0.5, 0.5 / along_view];
-        let mut wide = [[0.0; 2]; 2];
-        for i in 0..2 {
-            for j in 0..2 {
-                wide[i][j] = jacobian[i] * covariance[i][j] * jacobian[j];
-            }
-        }
+        let mut wide = [0, 1].map(|i| [0, 1].map(|j| jacobian[i] * covariance[i][j] * jacobian[j]));
         let ratio = 0.5 * (wide[0][0] + wide[1][1]) / self.alpha().powi(2);
         let blur = 2.0 + 1.0 / (1.0 + ratio);
         for (i, row) in wide.iter_mut().enumerate() {
@@ -217,15 +211,8 @@ impl Glossy {
 pub fn around(blob: &Blob, step: f64, count: i32) -> Vec<Vector> {
     let half = unit(sum(blob.direction, 1.0, VIEW));
     let [a, b] = tangents(half);
-    let mut normals = Vec::new();
-    for i in -count..=count {
-        for j in -count..=count {
-            let [u, v] = [i, j].map(|k| f64::from(k) * step);
-            normals.push(unit(sum(sum(half, u, a), v, b)));
-        }
-    }
-    normals.retain(|normal| normal[2] >= 0.0);
-    normals
+    let normals = grid(count, step).map(|[u, v]| unit(sum(sum(half, u, a), v, b)));
+    normals.filter(|normal| normal[2] >= 0.0).collect()
 }
 
 /// Blobs by angle from the view: round and elongated, from a point to the widest.

@@ -1,12 +1,10 @@
 //! Pixels in Node: our WebAssembly module against three.js. `node/three.mjs` measures; its
 //! scenes and their reference images come from here.
 
-use crate::report::median_and_worst;
-use crate::report::{Row, Table, standing};
+use crate::report::{Table, median_and_worst, standing};
 use crate::shipped::{Shipped, View, root, white_matte};
-use eigenshade::sphere;
 use eigenshade_model::database::Named;
-use eigenshade_model::reference::{DirectSum, Modes};
+use eigenshade_model::reference::Modes;
 use serde::{Deserialize, Serialize};
 use std::error::Error;
 use std::io::Write;
@@ -67,45 +65,31 @@ impl Case {
 /// The comparison; times only if `measured`.
 pub fn table(shipped: &Shipped, measured: bool) -> Result<Table, Box<dyn Error>> {
     let view = View::new();
-    let reference = DirectSum::new(sphere::DEGREE, sphere::ORDER);
-    let at = view.modes(&reference);
-    let (lights, materials) = (&shipped.lights, &shipped.materials);
-    let mattes = lights
-        .iter()
-        .map(|light| Case::new(light, [0, 1, 2].map(|_| white_matte()), &at))
-        .collect();
-    let pair = |k: usize| {
-        let place = (2 * k + 1) * lights.len() * materials.len() / (2 * PAIRS);
-        let material = &materials[place / lights.len()];
-        Case::new(&lights[place % lights.len()], material.rgb.clone(), &at)
-    };
-    let measured_materials = (0..PAIRS).map(pair).collect();
-    let View { normals, weights } = view;
+    let at = view.modes();
+    let matte = |light: &Named| Case::new(light, [0, 1, 2].map(|_| white_matte()), &at);
+    let mattes = shipped.lights.iter().map(matte).collect();
+    let sample = shipped.sample(PAIRS);
+    let measured_materials =
+        sample.map(|(light, material)| Case::new(light, material.rgb.clone(), &at)).collect();
+    let (normals, weights) = (view.normals.clone(), view.weights.clone());
     let answer = asked(&Task { measured, normals, weights, mattes, measured_materials })?;
 
-    let mut table = Table {
-        title: "A pixel in Node",
-        heads: [
+    let mut table = Table::new(
+        "A pixel in Node",
+        &[
             "time relative to three.js",
             "who is ahead",
             "matte: rms error",
             "worst",
             "measured: rms error",
             "worst",
-        ]
-        .map(String::from)
-        .to_vec(),
-        rows: Vec::new(),
-    };
+        ],
+    );
     for way in answer.ways {
-        let ahead = |ratio: f64| standing(&way.name, "three.js", 1.0 / ratio);
-        let mattes = median_and_worst(&way.mattes);
-        table.rows.push(Row {
-            standing: way.ratio.filter(|_| way.is_ours).map_or(String::new(), ahead),
-            ratio: way.ratio,
-            errors: [mattes, median_and_worst(&way.measured_materials)].concat(),
-            way: way.name,
-        });
+        let factor = way.ratio.filter(|_| way.is_ours).map(|ratio| 1.0 / ratio);
+        let standing = standing(&way.name, "three.js", factor);
+        let errors = [way.mattes, way.measured_materials].map(|of| median_and_worst(&of));
+        table.row(way.name, way.ratio, standing, errors.concat());
     }
     Ok(table)
 }

@@ -1,7 +1,6 @@
 //! All real spherical harmonics of a direction, against the crate `sphrs`.
 
-use crate::report::{Row, Table, standing};
-use crate::report::{Way, ratios};
+use crate::report::{Table, Way, ratios, standing};
 use crate::shipped::root;
 use eigenshade_index::light::{graphics_sign, position};
 use eigenshade_model::special::spherical_harmonic;
@@ -33,11 +32,7 @@ pub fn table(measured: bool) -> Result<Table, Box<dyn Error>> {
     let path = root().join("crates/generator/tests/vectors/spherical_harmonic.csv");
     let values: Vec<Value> =
         csv::Reader::from_path(path)?.deserialize().collect::<Result<_, _>>()?;
-    let mut table = Table {
-        title: "Spherical harmonics",
-        heads: ["relative time", "who is ahead", "error"].map(String::from).to_vec(),
-        rows: Vec::new(),
-    };
+    let mut table = Table::new("Spherical harmonics", &["relative time", "who is ahead", "error"]);
     let directions: Vec<[f64; 3]> =
         (0..ROUNDS).map(|k| direction(0.07 * k as f64, 2.4 * k as f64)).collect();
     for degree in DEGREES {
@@ -63,18 +58,10 @@ pub fn table(measured: bool) -> Result<Table, Box<dyn Error>> {
             of_theirs = larger(of_theirs, sign * theirs(xyz)[place] - value.value);
         }
         let ratio = |k: usize| ratios.as_ref().map(|ratios| ratios[k]);
-        table.rows.push(Row {
-            way: format!("degree {degree}, ours"),
-            ratio: ratio(0),
-            standing: String::new(),
-            errors: vec![Some(of_ours)],
-        });
-        table.rows.push(Row {
-            way: format!("degree {degree}, sphrs"),
-            ratio: ratio(1),
-            standing: ratio(1).map_or(String::new(), |ratio| standing("ours", "sphrs", ratio)),
-            errors: vec![Some(of_theirs)],
-        });
+        let way = |whose: &str| format!("degree {degree}, {whose}");
+        table.row(way("ours"), ratio(0), String::new(), [Some(of_ours)]);
+        let standing = standing("ours", "sphrs", ratio(1));
+        table.row(way("sphrs"), ratio(1), standing, [Some(of_theirs)]);
     }
     Ok(table)
 }

@@ -2,12 +2,11 @@
 //! 1,000 modes, and of a white matte against the formula, which is exact there to degree 2.
 
 use crate::dense::{Dense, Vector, WAYS};
-use crate::report::{Row, Table, standing};
-use crate::report::{Way, ratios};
+use crate::report::{Table, Way, ratios, standing};
 use crate::shipped::{Mode, Shipped, View, all_modes, coefficients, only, selected_modes};
 use crate::subject::{Lengths, Picture, WITHIN, errors, nine_terms_image, subjects};
 use eigenshade::sphere;
-use eigenshade_model::reference::DirectSum;
+use eigenshade_model::reference::Modes;
 use std::hint::black_box;
 
 /// Normals of a picture.
@@ -19,19 +18,20 @@ const EVALUATED: usize = 32;
 /// Pairs, one a round.
 const PAIRS: usize = 45;
 
+const HEADS: [&str; 4] = ["time relative to nine terms", "who is ahead", "rms error", "worst"];
+
 /// The comparison on measured materials; times only if `measured`.
 pub fn measured(shipped: &Shipped, measured: bool) -> Table {
     let pairs = shipped.pairs(PAIRS);
     let view = View::new();
-    let reference = DirectSum::new(sphere::DEGREE, sphere::ORDER);
-    let at = view.modes(&reference);
+    let at = view.modes();
     let mut lengths = vec![Default::default(); PAIRS];
     let subjects = subjects(&pairs, &at, &mut lengths);
 
     let kept = selected_modes(shipped);
     let names: Vec<Mode> = only(&all_modes(), &kept);
     let c: Vec<Vec<f64>> = pairs.iter().map(|pair| only(&coefficients(pair), &kept)).collect();
-    let values = |at: &eigenshade_model::reference::Modes<'_>| -> Vec<f64> {
+    let values = |at: &Modes<'_>| -> Vec<f64> {
         names.iter().map(|&(l, m, o, p, q)| at.value(l, m, o, p, q)).collect()
     };
     let dot = |row: &[f64], c: &[f64]| row.iter().zip(c).map(|(a, b)| a * b).sum::<f64>();
@@ -46,7 +46,7 @@ pub fn measured(shipped: &Shipped, measured: bool) -> Table {
         let [x, y, z] = held.axes();
         let normals: Vec<[f64; 3]> = (0..HELD).map(|k| [x[k], y[k], z[k]].map(f64::from)).collect();
         let rows: Vec<Vec<f32>> =
-            normals.iter().map(|&normal| single(values(&reference.at(normal)))).collect();
+            normals.iter().map(|&normal| single(values(&view.reference.at(normal)))).collect();
         let dense = Dense::new(&rows);
         let by: Vec<Vector> = c.iter().map(|c| Vector::new(&single(c.clone()))).collect();
         let mut outs: Vec<Vector> = WAYS.iter().map(|_| Vector::zeros(HELD)).collect();
@@ -57,7 +57,7 @@ pub fn measured(shipped: &Shipped, measured: bool) -> Table {
             picture.shade(&subjects, |subject| &subject.within[1]),
             Way::new(|round| {
                 for &normal in normals.iter().step_by(HELD / EVALUATED) {
-                    let at = reference.at(black_box(normal));
+                    let at = view.reference.at(black_box(normal));
                     let mode = names.iter().zip(&c[round % PAIRS]);
                     let sum: f64 =
                         mode.map(|(&(l, m, o, p, q), c)| c * at.value(l, m, o, p, q)).sum();
@@ -80,37 +80,27 @@ pub fn measured(shipped: &Shipped, measured: bool) -> Table {
     let best = |ratios: &Vec<f64>| ratios[5..].iter().copied().fold(f64::INFINITY, f64::min);
     let ratio = |k: usize| ratios.as_ref().map(|ratios| ratios[k]);
 
-    let mut table = Table {
-        title: "A pixel of a measured material",
-        heads: ["time relative to nine terms", "who is ahead", "rms error", "worst"]
-            .map(String::from)
-            .to_vec(),
-        rows: Vec::new(),
-    };
-    let mut row = |way: String, ratio: Option<f64>, standing: String, errors: Vec<Option<f64>>| {
-        table.rows.push(Row { way, ratio, standing, errors });
-    };
+    let mut table = Table::new("A pixel of a measured material", &HEADS);
     let ahead = |ratio: Option<f64>, ours: &str| {
-        ratio.map_or(String::new(), |ratio| standing(ours, "the formula", 1.0 / ratio))
+        standing(ours, "the formula", ratio.map(|ratio| 1.0 / ratio))
     };
     let of_nine = errors(&view, &subjects, |_, subject| {
         with_best_albedo(&nine_terms_image(&view, subject), &subject.reference, &view.weights)
     });
-    row("nine terms".into(), ratio(0), String::new(), of_nine);
+    table.row("nine terms", ratio(0), String::new(), of_nine);
     let of_full = errors(&view, &subjects, |_, subject| view.shade(&subject.full));
-    row("full scene".into(), ratio(1), ahead(ratio(1), "the full scene"), of_full);
+    table.row("full scene", ratio(1), ahead(ratio(1), "the full scene"), of_full);
     for (k, share) in WITHIN.into_iter().enumerate() {
         let of_scene = errors(&view, &subjects, |_, subject| view.shade(&subject.within[k]));
         let standing = ahead(ratio(2 + k), "the scene");
-        row(format!("scene within {share:e}"), ratio(2 + k), standing, of_scene);
+        table.row(format!("scene within {share:e}"), ratio(2 + k), standing, of_scene);
     }
     let of_modes =
         errors(&view, &subjects, |k, _| seen.iter().map(|row| dot(row, &c[k])).collect());
     let full = ratio(1).unwrap_or(1.0);
     for (way, ratio) in [("held ready", ratios.as_ref().map(best)), ("evaluated", ratio(4))] {
-        let standing = ratio
-            .map_or(String::new(), |ratio| standing("the full scene", "the sum", ratio / full));
-        row(format!("1,000 modes, {way}"), ratio, standing, of_modes.clone());
+        let standing = standing("the full scene", "the sum", ratio.map(|ratio| ratio / full));
+        table.row(format!("1,000 modes, {way}"), ratio, standing, of_modes.clone());
     }
     table
 }
@@ -133,8 +123,7 @@ const MATTE_ROUNDS: usize = 104;
 /// The comparison on a white matte; times only if `measured`.
 pub fn matte(shipped: &Shipped, measured: bool) -> Table {
     let view = View::new();
-    let reference = DirectSum::new(sphere::DEGREE, sphere::ORDER);
-    let at = view.modes(&reference);
+    let at = view.modes();
     let mut lengths: Vec<Vec<Lengths>> =
         DEGREES.map(|_| vec![Lengths::default(); shipped.lights.len()]).into();
     let sets: Vec<_> = DEGREES
@@ -154,29 +143,22 @@ pub fn matte(shipped: &Shipped, measured: bool) -> Table {
         ratios(MATTE_ROUNDS, &mut ways)
     });
 
-    let mut table = Table {
-        title: "A pixel of a white matte",
-        heads: ["time relative to nine terms", "who is ahead", "rms error", "worst"]
-            .map(String::from)
-            .to_vec(),
-        rows: Vec::new(),
-    };
+    let mut table = Table::new("A pixel of a white matte", &HEADS);
     for ((degree, set), first) in DEGREES.into_iter().zip(&sets).zip([0, 4]) {
         let ratio = |k: usize| ratios.as_ref().map(|ratios| ratios[first + k]);
-        let mut row = |way: String, ratio: Option<f64>, is_ours: bool, errors: Vec<Option<f64>>| {
+        let mut row = |way: &str, ratio: Option<f64>, is_ours: bool, errors: Vec<Option<f64>>| {
             let way = format!("{way}, light to degree {degree}");
-            let ahead = |ratio: f64| standing("the scene", "the formula", 1.0 / ratio);
-            let standing = ratio.filter(|_| is_ours).map_or(String::new(), ahead);
-            table.rows.push(Row { way, ratio, standing, errors });
+            let factor = ratio.filter(|_| is_ours).map(|ratio| 1.0 / ratio);
+            table.row(way, ratio, standing("the scene", "the formula", factor), errors);
         };
         let of_nine = errors(&view, set, |_, subject| nine_terms_image(&view, subject));
-        row("nine terms".into(), ratio(0), false, of_nine);
+        row("nine terms", ratio(0), false, of_nine);
         for (k, share) in WITHIN.into_iter().enumerate().rev() {
             let of_scene = errors(&view, set, |_, subject| view.shade(&subject.within[k]));
-            row(format!("scene within {share:e}"), ratio(1 + k), true, of_scene);
+            row(&format!("scene within {share:e}"), ratio(1 + k), true, of_scene);
         }
         let of_full = errors(&view, set, |_, subject| view.shade(&subject.full));
-        row("full scene".into(), ratio(3), true, of_full);
+        row("full scene", ratio(3), true, of_full);
     }
     table
 }

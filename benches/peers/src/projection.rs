@@ -1,14 +1,12 @@
 //! A light on a material to 50 coefficients, against dense products.
 
 use crate::dense::{ByHand, Dense, Vector, WAYS, padded};
-use crate::report::{Row, Table, standing};
-use crate::report::{Way, median_and_worst, ratios};
+use crate::report::{Table, Way, median_and_worst, ratios, standing};
 use crate::shipped::{
     Pair, Shipped, View, all_modes, coefficients, gram_rows, only, selected_modes,
 };
 use eigenshade::{Tolerance, sphere};
 use eigenshade_index::{light, material};
-use eigenshade_model::reference::DirectSum;
 use std::hint::black_box;
 
 /// A dense product takes up to a quarter longer with where its matrix lies: rounds take these
@@ -98,8 +96,7 @@ pub fn table(shipped: &Shipped, measured: bool) -> Table {
     let thousand = Product::new(&rows, &c, &kept);
 
     let view = View::new();
-    let reference = DirectSum::new(sphere::DEGREE, sphere::ORDER);
-    let at = view.modes(&reference);
+    let at = view.modes();
     let images: Vec<Vec<f64>> = pairs.iter().map(|pair| View::image(&at, pair)).collect();
     // Of d, of its largest, the worst; of the image, of the peak, median and worst.
     let errors = |d: &mut dyn FnMut(usize) -> Vec<f32>| {
@@ -155,58 +152,45 @@ pub fn table(shipped: &Shipped, measured: bool) -> Table {
         ratios(ROUNDS, &mut ways)
     });
     let ratio = |k: usize| ratios.as_ref().map(|ratios| ratios[k]);
-    let none = vec![None; 3];
 
-    let mut table = Table {
-        title: "A light on a material: d = UᵀMc",
-        heads: [
+    let mut table = Table::new(
+        "A light on a material: d = UᵀMc",
+        &[
             "time relative to `project`",
             "who is ahead",
             "error of d",
             "error of the image",
             "worst",
-        ]
-        .map(String::from)
-        .to_vec(),
-        rows: Vec::new(),
-    };
-    let mut row = |way: String, ratio: Option<f64>, standing: String, errors: Vec<Option<f64>>| {
-        table.rows.push(Row { way, ratio, standing, errors });
-    };
-    let project = errors(&mut |k| ds[k].iter().copied().collect());
-    row("`project`".into(), ratio(0), String::new(), project);
-    let relight = errors(&mut |k| relit(k).expect("it fits").iter().copied().collect());
-    row("`relight`".into(), ratio(1), String::new(), relight);
+        ],
+    );
+    let project = errors(&mut |k| ds[k].to_vec());
+    table.row("`project`", ratio(0), String::new(), project);
+    let relight = errors(&mut |k| relit(k).expect("it fits").to_vec());
+    table.row("`relight`", ratio(1), String::new(), relight);
     let first = 4 + 2 * WAYS.len();
     let best = (0..TRANSFER_WAYS).filter_map(|way| Some((ratio(first + way)?, way)));
     let best = best.min_by(|a, b| a.0.total_cmp(&b.0));
     let (ratio_of_dense, way) = best.map_or((None, 0), |(ratio, way)| (Some(ratio), way));
     let of_dense = errors(&mut |k| dense[k].product(way));
-    let ahead_of_dense = ratio_of_dense.zip(ratio(1)).map_or(String::new(), |(theirs, ours)| {
-        standing("`relight`", "the dense transfer", theirs / ours)
-    });
-    row("dense transfer, the best of eight".into(), ratio_of_dense, ahead_of_dense, of_dense);
-    let ahead = |ratio: Option<f64>, theirs: &str| {
-        ratio.map_or(String::new(), |ratio| standing("`project`", theirs, ratio))
-    };
+    let factor = ratio_of_dense.zip(ratio(1)).map(|(theirs, ours)| theirs / ours);
+    let ahead_of_dense = standing("`relight`", "the dense transfer", factor);
+    table.row("dense transfer, the best of eight", ratio_of_dense, ahead_of_dense, of_dense);
     for (way, name) in WAYS.iter().enumerate() {
         let ratio = ratio(4 + way);
         let library = name.split(',').next().unwrap_or(name);
         let errors = errors(&mut |k| product(&all, way, k));
-        row(format!("dense, {name}"), ratio, ahead(ratio, library), errors);
+        let standing = standing("`project`", library, ratio);
+        table.row(format!("dense, {name}"), ratio, standing, errors);
     }
     let best = (0..WAYS.len()).filter_map(|way| Some((ratio(4 + WAYS.len() + way)?, way)));
     let best = best.min_by(|a, b| a.0.total_cmp(&b.0));
     let (ratio_of_best, way) = best.map_or((None, 1), |(ratio, way)| (Some(ratio), way));
     let errors_of_best = errors(&mut |k| product(&thousand, way, k));
-    row(
-        "dense, 1,000 modes, the best of the six".into(),
-        ratio_of_best,
-        ahead(ratio_of_best, "the dense product"),
-        errors_of_best,
-    );
-    row("`collapse`, which both need".into(), ratio(2), String::new(), none.clone());
-    row("`collapse_within` 1e-2 in its place".into(), ratio(3), String::new(), none);
+    let standing = standing("`project`", "the dense product", ratio_of_best);
+    let way = "dense, 1,000 modes, the best of the six";
+    table.row(way, ratio_of_best, standing, errors_of_best);
+    table.row("`collapse`, which both need", ratio(2), String::new(), [None; 3]);
+    table.row("`collapse_within` 1e-2 in its place", ratio(3), String::new(), [None; 3]);
     table
 }
 

@@ -66,22 +66,18 @@ pub fn median_and_worst(errors: &[f64]) -> [Option<f64>; 2] {
 
 /// One comparison.
 pub struct Table {
-    pub title: &'static str,
+    title: &'static str,
     /// Headers of the columns after the method: times first, then errors.
-    pub heads: Vec<String>,
-    pub rows: Vec<Row>,
+    heads: &'static [&'static str],
+    rows: Vec<Row>,
 }
 
 /// One way.
-pub struct Row {
-    pub way: String,
-    /// In the comparison's unit, if times were measured.
-    pub ratio: Option<f64>,
-    /// Who is ahead; empty where there is nothing to say.
-    pub standing: String,
-    /// One for each head of errors, None where there is nothing to compare; NaN where it
-    /// gives no number.
-    pub errors: Vec<Option<f64>>,
+struct Row {
+    way: String,
+    ratio: Option<f64>,
+    standing: String,
+    errors: Vec<Option<f64>>,
 }
 
 /// Below this an error is rounding, which differs from host to host.
@@ -109,8 +105,9 @@ pub fn two_digits(value: f64) -> String {
     }
 }
 
-/// Who is ahead, `factor` being their time in ours.
-pub fn standing(ours: &str, theirs: &str, factor: f64) -> String {
+/// Who is ahead, `factor` being their time in ours; empty where there is nothing to say.
+pub fn standing(ours: &str, theirs: &str, factor: Option<f64>) -> String {
+    let Some(factor) = factor else { return String::new() };
     if factor > 1.05 {
         format!("{ours} is {} times as fast", two_digits(factor))
     } else if factor < 1.0 / 1.05 {
@@ -121,12 +118,26 @@ pub fn standing(ours: &str, theirs: &str, factor: f64) -> String {
 }
 
 impl Table {
+    pub fn new(title: &'static str, heads: &'static [&'static str]) -> Self {
+        Self { title, heads, rows: Vec::new() }
+    }
+
+    /// Adds a way: its time in the comparison's unit, if times were measured, and an error for each
+    /// head of errors, None where there is nothing to compare, NaN where it gives no number.
+    pub fn row(
+        &mut self,
+        way: impl Into<String>,
+        ratio: Option<f64>,
+        standing: String,
+        errors: impl Into<Vec<Option<f64>>>,
+    ) {
+        self.rows.push(Row { way: way.into(), ratio, standing, errors: errors.into() });
+    }
+
     pub fn markdown(&self) -> String {
-        let mut text = format!("### {}\n\n| method | ", self.title);
-        text += &self.heads.join(" | ");
-        text += " |\n|---|---:|---";
-        text += &"|---:".repeat(self.heads.len() - 2);
-        text += "|\n";
+        let (heads, rule) = (self.heads.join(" | "), "|---:".repeat(self.heads.len() - 2));
+        let mut text =
+            format!("### {}\n\n| method | {heads} |\n|---|---:|---{rule}|\n", self.title);
         for row in &self.rows {
             let ratio = row.ratio.map_or(String::new(), two_digits);
             write!(text, "| {} | {ratio} | {} |", row.way, row.standing).expect("a string grows");
@@ -157,8 +168,7 @@ impl Table {
                 let Some(error) = *error else { continue };
                 let cell = cells.get(2 + k).copied().unwrap_or_default();
                 if !agrees(cell, error, relative, rounding) {
-                    let head = &self.heads[2 + k];
-                    let (title, way) = (self.title, &row.way);
+                    let (title, way, head) = (self.title, &row.way, self.heads[2 + k]);
                     faults.push(format!(
                         "{title}, {way}, {head}: {error:.3e}, the page has `{cell}`"
                     ));

@@ -34,16 +34,19 @@ impl Shipped {
         Ok(Self { table, lights: lights.entries, materials: materials.entries })
     }
 
-    /// `count` pairs spread over all of them.
+    /// `count` lights and materials spread over all pairs.
+    pub fn sample(&self, count: usize) -> impl Iterator<Item = (&Named, &Named)> {
+        let (lights, materials) = (&self.lights, &self.materials);
+        (0..count).map(move |k| {
+            let place = (2 * k + 1) * lights.len() * materials.len() / (2 * count);
+            (&lights[place % lights.len()], &materials[place / lights.len()])
+        })
+    }
+
+    /// The luminance of a sample.
     pub fn pairs(&self, count: usize) -> Vec<Pair> {
-        let all = self.lights.len() * self.materials.len();
-        let pair = |k: usize| {
-            let place = (2 * k + 1) * all / (2 * count);
-            let light = &self.lights[place % self.lights.len()];
-            let material = &self.materials[place / self.lights.len()];
-            Pair::new(light.luminance(), material.luminance())
-        };
-        (0..count).map(pair).collect()
+        let sample = self.sample(count);
+        sample.map(|(one, other)| Pair::new(one.luminance(), other.luminance())).collect()
     }
 
     /// Every light, as far as a degree, on a white matte.
@@ -106,6 +109,8 @@ pub struct View {
     /// That integrate squares over a sphere's disc; 0 of the pole and the rim, where only a
     /// peak may be.
     pub weights: Vec<f64>,
+    /// The direct sum.
+    pub reference: DirectSum,
 }
 
 /// Normals of the rim.
@@ -129,11 +134,11 @@ impl View {
             [x, y, 0.0]
         }));
         weights.resize(normals.len(), 0.0);
-        Self { normals, weights }
+        Self { normals, weights, reference: DirectSum::new(sphere::DEGREE, sphere::ORDER) }
     }
 
-    pub fn modes<'a>(&self, reference: &'a DirectSum) -> Vec<Modes<'a>> {
-        self.normals.iter().map(|&normal| reference.at(normal)).collect()
+    pub fn modes(&self) -> Vec<Modes<'_>> {
+        self.normals.iter().map(|&normal| self.reference.at(normal)).collect()
     }
 
     /// The true image of a pair.

@@ -2,7 +2,7 @@
 //! three planes as pixels.
 
 use crate::images::{Image, Shown, scene};
-use crate::inputs::{PIXELS, Placed, irradiances};
+use crate::inputs::{PIXELS, irradiances};
 use eigenshade::{Normals, Rgb};
 use std::hint::black_box;
 
@@ -12,15 +12,15 @@ pub const WAYS: [&str; 2] = ["in color, one call", "in color, three calls and a 
 /// Pixels of an image, the same in all channels, in one of these ways.
 pub struct Colored {
     way: &'static str,
-    scene: Rgb<Shown<'static>>,
-    planes: [Placed; 3],
+    scene: Rgb<Shown>,
+    planes: [&'static mut [f32]; 3],
     pixels: Vec<Rgb<f32>>,
 }
 
 impl Colored {
     /// An image, to be drawn in this way.
     pub fn new(image: &Image, way: &'static str) -> Self {
-        let (scene, _) = scene(&image.d, image.share, Box::leak(Box::new([0; 16])));
+        let (scene, _) = scene(&image.d, image.share);
         let planes = [(); 3].map(|()| irradiances());
         Self { way, scene: Rgb::gray(scene), planes, pixels: vec![Rgb::gray(0.0); PIXELS] }
     }
@@ -32,10 +32,10 @@ impl Colored {
             return scene.shade_slice(black_box(normals), pixels).expect("one length");
         }
         for (scene, plane) in [&scene.r, &scene.g, &scene.b].into_iter().zip(&mut self.planes) {
-            scene.shade_slice(black_box(normals), plane.all_mut()).expect("one length");
+            scene.shade_slice(black_box(normals), plane).expect("one length");
         }
-        let [r, g, b] = black_box(&self.planes).each_ref().map(Placed::all);
-        for (pixel, ((&r, &g), &b)) in pixels.iter_mut().zip(r.iter().zip(g).zip(b)) {
+        let [r, g, b] = black_box(&self.planes).each_ref().map(|plane| plane.iter());
+        for (pixel, ((&r, &g), &b)) in pixels.iter_mut().zip(r.zip(g).zip(b)) {
             *pixel = Rgb::new(r, g, b);
         }
     }

@@ -5,7 +5,7 @@
 use crate::inputs::{coefficients, database, lights};
 use crate::limit::necessary;
 use eigenshade::wire::aligned;
-use eigenshade::{Basis, Parts, Scene, Tolerance, sphere};
+use eigenshade::{Basis, Parts, Scene, Tolerance, Truncation, sphere};
 use eigenshade_table::wire::{Endian, NumberFormat, encode};
 use std::path::Path;
 
@@ -15,8 +15,8 @@ const WHITE: [f32; 1] = [2.0];
 /// Name in docs/performance.md of the image for which the nine-term formula is exact.
 pub const MATTE: &str = "matte, light of degree 2, within 1e-3";
 
-/// A scene of the shipped table, of which lengths.
-pub type Shown<'l> = Scene<'l, [f32; sphere::SCENE]>;
+/// A scene of the shipped table.
+pub type Shown = Scene<'static, [f32; sphere::SCENE]>;
 
 /// What an image is of, and how near it is to be.
 pub struct Image {
@@ -34,18 +34,12 @@ pub struct Image {
 
 impl Image {
     fn new(name: impl Into<String>, d: &[f32], share: Option<f32>) -> Self {
-        let mut room = [0; 16];
-        let (_, lengths) = scene(d, share, &mut room);
+        let (_, lengths) = scene(d, share);
         Self { name: name.into(), d: d.to_vec(), share, lengths, in_color: false }
     }
 
     fn in_color(self) -> Self {
         Self { in_color: true, ..self }
-    }
-
-    /// Name in docs/performance.md of the same in color.
-    pub fn colored(&self, how: &str) -> String {
-        format!("{}, {how}", self.name)
     }
 
     /// For [`parsed`](Self::parsed).
@@ -66,21 +60,25 @@ impl Image {
     }
 }
 
-/// The scene of coefficients within a share of the peak, and its polynomials' lengths.
-pub fn scene<'l>(d: &[f32], share: Option<f32>, lengths: &'l mut [u16]) -> (Shown<'l>, Vec<u16>) {
-    let room = [0.0; sphere::SCENE];
+/// The scene of coefficients within a share of the peak, which is kept to the end, and the lengths
+/// of its polynomials.
+pub fn scene(d: &[f32], share: Option<f32>) -> (Shown, Vec<u16>) {
+    let mut room = [0.0; sphere::SCENE];
     let Some(share) = share else {
         let scene = sphere::BASIS.collapse_into(d, room).expect("sizes");
-        let lengths = sphere::BASIS.parts().lengths.iter().copied();
-        return (scene, lengths.take_while(|&length| length > 0).collect());
+        return (scene, used(sphere::BASIS.parts().lengths));
     };
-    let found = sphere::BASIS.collapse_within(d, Tolerance::OfPeak(share), lengths, room);
-    let (scene, report) = found.expect("sizes");
-    // The scene borrows them.
-    let mut copy = [0; 16];
-    let room = [0.0; sphere::SCENE];
-    sphere::BASIS.collapse_within(d, Tolerance::OfPeak(share), &mut copy, room).expect("sizes");
-    (scene, copy[..report.azimuths].to_vec())
+    let (tolerance, lengths) = (Tolerance::OfPeak(share), Vec::leak(vec![0; 16]));
+    let mut reports = [Truncation::default()];
+    let shape =
+        sphere::BASIS.collapse_set_within(&[d], 1, tolerance, lengths, &mut room, &mut reports);
+    let shape = shape.expect("sizes");
+    (shape.scene(room).expect("sizes"), shape.lengths[..shape.azimuths()].to_vec())
+}
+
+/// The lengths of the azimuths that have terms.
+fn used(lengths: &[u16]) -> Vec<u16> {
+    lengths.iter().copied().take_while(|&length| length > 0).collect()
 }
 
 /// The images of the page.
@@ -133,8 +131,7 @@ pub fn long_scene(name: &str) -> Scene<'static, Vec<f32>> {
 /// Terms of its polynomials, by azimuth, and the multiply-adds that a pixel cannot do without in
 /// halves.
 pub fn long_terms() -> (Vec<u16>, usize) {
-    let lengths = basis().parts().lengths.iter().copied();
-    let lengths: Vec<u16> = lengths.take_while(|&length| length > 0).collect();
+    let lengths = used(basis().parts().lengths);
     let necessary = necessary(&lengths);
     (lengths, necessary)
 }

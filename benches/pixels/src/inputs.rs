@@ -1,7 +1,7 @@
 //! The inputs: the shipped lights on the shipped materials, normals, and the calls that are made
 //! once for a light or a material.
 
-use eigenshade::{Light, Material, NineTerms, Tolerance, sphere};
+use eigenshade::{Light, Material, NineTerms, Normals, Tolerance, sphere};
 use eigenshade_index::{light, material};
 use std::hint::black_box;
 use std::path::Path;
@@ -14,8 +14,8 @@ pub const NINE_TERMS: NineTerms<f32> =
     NineTerms::new([0.9, 0.2, -0.1, 0.5, 0.05, 0.02, -0.03, 0.01, 0.07]);
 
 /// Room for irradiances, apart from the normals.
-pub fn irradiances() -> Placed {
-    Placed::zeros(PIXELS, 3)
+pub fn irradiances() -> &'static mut [f32] {
+    zeros(3)
 }
 
 /// Few enough that normals and irradiances stay in the second cache.
@@ -24,19 +24,18 @@ const DEGREE: usize = 9;
 const ORDER: usize = 7;
 
 /// Many normals over the visible hemisphere.
-pub fn normals() -> [Placed; 3] {
+pub fn normals() -> Normals<'static, f32> {
     let normal = |k: usize| {
         let z = (k as f64 + 0.5) / PIXELS as f64;
         let (sine, tilt) = ((1.0 - z * z).sqrt(), 2.399_963 * k as f64);
         [sine * tilt.cos(), sine * tilt.sin(), z].map(|value| value as f32)
     };
-    std::array::from_fn(|axis| {
-        let mut placed = Placed::zeros(PIXELS, axis);
-        for (k, number) in placed.all_mut().iter_mut().enumerate() {
-            *number = normal(k)[axis];
-        }
-        placed
-    })
+    let [x, y, z] = [0, 1, 2].map(|axis| {
+        let numbers = zeros(axis);
+        numbers.iter_mut().enumerate().for_each(|(k, number)| *number = normal(k)[axis]);
+        &*numbers
+    });
+    Normals::new(x, y, z).expect("one length")
 }
 
 /// Luminances of the shipped lights.
@@ -50,7 +49,7 @@ pub fn lights() -> Vec<Vec<f32>> {
 }
 
 /// The shipped materials, which are gray.
-pub fn materials() -> Vec<Vec<f32>> {
+fn materials() -> Vec<Vec<f32>> {
     entries("materials.csv", material::count(ORDER), |row| {
         let [o, p, q] = [1, 2, 3].map(|column| number(row, column) as usize);
         Some((material::position(o, p, q), number(row, 4)))
@@ -84,14 +83,14 @@ fn number(row: &[&str], column: usize) -> f64 {
 }
 
 /// d of a light on a material.
-pub fn coefficients(light: &[f32], material: &[f32]) -> Vec<f32> {
+pub fn coefficients(light: &[f32], material: &[f32]) -> sphere::Coefficients {
     let light = Light::new(light).expect("a light");
     let material = Material::new(material).expect("a material");
-    sphere::project(&light, &material).expect("it fits").to_vec()
+    sphere::project(&light, &material).expect("it fits")
 }
 
 /// d of each light on each material.
-pub fn database() -> Vec<Vec<f32>> {
+pub fn database() -> Vec<sphere::Coefficients> {
     let (lights, materials) = (lights(), materials());
     let pairs = lights.iter().flat_map(|light| materials.iter().map(move |of| (light, of)));
     pairs.map(|(light, material)| coefficients(light, material)).collect()
@@ -120,18 +119,12 @@ impl CallInputs {
     /// Their numbers change no count, but those of [`darker`](Self::darker) do.
     pub fn new() -> Self {
         let (light, material) = (vec![0.1; 100], vec![0.1; 40]);
-        let of_light = Light::new(&light).expect("a light");
-        let of_material = Material::new(&material).expect("a material");
-        let transfer = sphere::transfer(&of_material).expect("it fits");
-        let d = sphere::project(&of_light, &of_material).expect("it fits");
+        let transfer = sphere::transfer(&Material::new(&material).expect("a material"));
+        let d = coefficients(&light, &material);
         let falling =
             |count: u8| (0..count).map(|k| 1.0 / f32::from(1 + 2 * k)).collect::<Vec<f32>>();
-        let darker = (falling(100), falling(40));
-        let darker = sphere::project(
-            &Light::new(&darker.0).expect("a light"),
-            &Material::new(&darker.1).expect("a material"),
-        );
-        Self { light, material, transfer, d, darker: darker.expect("it fits") }
+        let darker = coefficients(&falling(100), &falling(40));
+        Self { light, material, transfer: transfer.expect("it fits"), d, darker }
     }
 
     /// One call of the [`CALLS`] of this number.
@@ -159,30 +152,12 @@ const LINE: usize = 64;
 /// Bytes after which the low twelve bits of an address repeat.
 const PAGE: usize = 4096;
 
-/// Numbers whose first starts a cache line, at a chosen place of a page, so that what is written
-/// does not look like what is read: processors compare the low twelve bits of an address first.
-pub struct Placed {
-    numbers: Vec<f32>,
-    first: usize,
-    count: usize,
-}
-
-impl Placed {
-    /// Zeros that begin in the given quarter of a page, 0 to 3.
-    pub fn zeros(count: usize, quarter: usize) -> Self {
-        let numbers = vec![0.0; count + PAGE / size_of::<f32>()];
-        let wanted = quarter * PAGE / 4 + quarter * LINE;
-        let to_go = (wanted + PAGE - numbers.as_ptr().addr() % PAGE) % PAGE;
-        Self { first: to_go / size_of::<f32>(), numbers, count }
-    }
-
-    /// All of them.
-    pub fn all(&self) -> &[f32] {
-        &self.numbers[self.first..][..self.count]
-    }
-
-    /// All of them, mutable.
-    pub fn all_mut(&mut self) -> &mut [f32] {
-        &mut self.numbers[self.first..][..self.count]
-    }
+/// Zeros, kept to the end, of which the first starts a cache line in the given quarter of a page, 0
+/// to 3, so that what is written does not look like what is read: processors compare the low twelve
+/// bits of an address first.
+fn zeros(quarter: usize) -> &'static mut [f32] {
+    let numbers = Vec::leak(vec![0.0_f32; PIXELS + PAGE / size_of::<f32>()]);
+    let wanted = quarter * PAGE / 4 + quarter * LINE;
+    let to_go = (wanted + PAGE - numbers.as_ptr().addr() % PAGE) % PAGE;
+    &mut numbers[to_go / size_of::<f32>()..][..PIXELS]
 }

@@ -32,18 +32,18 @@ fn main() -> ExitCode {
 }
 
 fn report(kind: Option<&str>, how: Option<&str>) -> Result<(), String> {
-    let counts = |how: Option<&str>| -> Result<String, String> {
-        let counts = measured::counted(&images::all());
-        if how == Some("--check") {
-            page::check(&counts)?;
-        }
-        Ok(page::of_counts(&counts))
-    };
     let table = match (kind, how) {
         (Some(page::TIMES), None | Some("--write")) => {
-            page::of_times(&measured::timed(&images::all()))
+            let (paths, multiply_add) = measured::timed(&images::all());
+            page::of_times(&paths, multiply_add)
         }
-        (Some(page::COUNTS), None | Some("--write" | "--check")) => counts(how)?,
+        (Some(page::COUNTS), None | Some("--write" | "--check")) => {
+            let paths = measured::counted(&images::all());
+            if how == Some("--check") {
+                page::check(&paths)?;
+            }
+            page::of_counts(&paths)
+        }
         _ => return Err(USAGE.to_owned()),
     };
     println!("{table}");

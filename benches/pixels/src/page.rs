@@ -4,19 +4,17 @@ use crate::color::WAYS;
 use crate::images::MATTE;
 use crate::inputs::{NINE, PROJECT, WITHIN};
 use crate::limit::{LANES, TARGET};
-use crate::measured::Count;
-use crate::measured::Times;
+use crate::measured::Path;
 use std::fmt::Write as _;
-use std::path::PathBuf;
 
 /// What the page's marks call the tables.
 pub const TIMES: &str = "times";
 /// See [`TIMES`].
 pub const COUNTS: &str = "counts";
 
-fn named(name: &str, lengths: &[u16]) -> String {
+fn named(Path { name, lengths, .. }: &Path) -> String {
     if lengths.is_empty() {
-        return name.to_owned();
+        return name.clone();
     }
     let lengths: Vec<_> = lengths.iter().map(ToString::to_string).collect();
     format!("{name}: {}", lengths.join(" "))
@@ -37,14 +35,15 @@ fn processor() -> String {
 }
 
 /// The table of instructions.
-pub fn of_counts(counts: &[Count]) -> String {
+pub fn of_counts(paths: &[Path]) -> String {
     let mut page = String::from(
         "| path: terms of azimuths 0, 1, ... | multiply-adds | limit, instructions | found | of the limit |\n\
          |---|---:|---:|---:|---:|\n",
     );
-    for count in counts {
-        let Count { name, lengths, necessary, found } = count;
-        let (name, limit, share) = (named(name, lengths), count.limit(), 100.0 * count.share());
+    for path in paths {
+        let Path { necessary, found, .. } = path;
+        let (name, limit) = (named(path), path.instructions());
+        let share = 100.0 * (limit / found);
         let _ = writeln!(page, "| {name} | {necessary} | {limit:.2} | {found:.2} | {share:.0} % |");
     }
     page
@@ -52,10 +51,10 @@ pub fn of_counts(counts: &[Count]) -> String {
 
 /// The table of times: beside limits where what was measured as the limit is one, at least as
 /// fast as every path.
-pub fn of_times(times: &Times) -> String {
-    let Times { ways, multiply_add } = times;
-    let limits = || ways.iter().map(|way| way.limit(*multiply_add));
-    let is_limit = limits().zip(ways).all(|(limit, way)| limit.is_none_or(|one| one <= way.found));
+pub fn of_times(paths: &[Path], multiply_add: f64) -> String {
+    let limits = || paths.iter().map(|path| path.nanoseconds(multiply_add));
+    let is_limit =
+        limits().zip(paths).all(|(limit, path)| limit.is_none_or(|one| one <= path.found));
     let mut page = format!("{}: ", processor());
     let (heads, rule) = if is_limit {
         let _ = writeln!(
@@ -75,15 +74,15 @@ pub fn of_times(times: &Times) -> String {
         "| path: terms of azimuths 0, 1, ... | multiply-adds | found, ns |{heads} nine-term pixels |\n\
          |---|---:|---:|{rule}---:|"
     );
-    let nine = ways.first().map_or(f64::NAN, |way| way.found);
-    for (way, limit) in ways.iter().zip(limits()) {
-        let (name, necessary, found) = (named(&way.name, &way.lengths), way.necessary, way.found);
+    let nine = paths.first().map_or(f64::NAN, |path| path.found);
+    for (path, limit) in paths.iter().zip(limits()) {
+        let (name, necessary, found) = (named(path), path.necessary, path.found);
         let limit = match limit {
             _ if !is_limit => String::new(),
             Some(limit) => format!(" {limit:.3} | {:.0} % |", 100.0 * limit / found),
             None => "  |  |".to_owned(),
         };
-        let of_nine = if way.pixels { format!("{:.2}", found / nine) } else { String::new() };
+        let of_nine = if path.pixels { format!("{:.2}", found / nine) } else { String::new() };
         let _ = writeln!(page, "| {name} | {necessary} | {found:.3} |{limit} {of_nine} |");
     }
     page
@@ -105,15 +104,15 @@ const PROJECTIONS: f64 = 3.0;
 
 /// Fails, by telling them, if paths take more instructions than the page says, or a matte under
 /// light of degree 2 or pixels in color more than is promised.
-pub fn check(counts: &[Count]) -> Result<(), String> {
-    let page = std::fs::read_to_string(path()).map_err(|fault| fault.to_string())?;
+pub fn check(paths: &[Path]) -> Result<(), String> {
+    let page = read()?;
     let [from, to] = between(&page, COUNTS)?;
     let stated = |name: &str| {
         let row =
             page[from..to].lines().find(|row| row.split('|').nth(1).map(str::trim) == Some(name));
         row.and_then(|row| row.split('|').nth(4)?.trim().parse::<f64>().ok())
     };
-    let found = |name: &str| counts.iter().find(|count| count.name == name).map(|one| one.found);
+    let found = |name: &str| paths.iter().find(|path| path.name == name).map(|one| one.found);
     let (Some(nine), Some(matte)) = (found(NINE), found(MATTE)) else {
         return Err(format!("{TARGET}: {NINE} and {MATTE} were not counted"));
     };
@@ -130,42 +129,42 @@ pub fn check(counts: &[Count]) -> Result<(), String> {
             "{TARGET}: {WITHIN} takes {within:.0} instructions, more than {PROJECTIONS} times the {project:.0} of {PROJECT}"
         ));
     }
-    for colored in counts.iter().filter(|count| count.name.ends_with(WAYS[0])) {
+    for colored in paths.iter().filter(|path| path.name.ends_with(WAYS[0])) {
         let image = colored.name.trim_end_matches(WAYS[0]);
         let three = found(&format!("{image}{}", WAYS[1]));
         if three.is_none_or(|three| colored.found > OF_THREE_CALLS * three) {
-            let Count { name, found, .. } = colored;
+            let Path { name, found, .. } = colored;
             return Err(format!(
                 "{TARGET}: {name} takes {found:.2} instructions, more than {OF_THREE_CALLS} times {three:?}"
             ));
         }
     }
-    let worse: Vec<_> = counts
-        .iter()
-        .filter_map(|count| {
-            let (name, found) = (named(&count.name, &count.lengths), count.found);
-            match stated(&name) {
-                None => Some(format!("{TARGET}: {name} is not on the page")),
-                Some(stated) if found > MORE * stated + 0.05 => {
-                    Some(format!("{TARGET}: {name} takes {found:.2} instructions, not {stated}"))
-                }
-                Some(_) => None,
+    let worse = paths.iter().filter_map(|path| {
+        let (name, found) = (named(path), path.found);
+        match stated(&name) {
+            None => Some(format!("{TARGET}: {name} is not on the page")),
+            Some(stated) if found > MORE * stated + 0.05 => {
+                Some(format!("{TARGET}: {name} takes {found:.2} instructions, not {stated}"))
             }
-        })
-        .collect();
+            Some(_) => None,
+        }
+    });
+    let worse: Vec<_> = worse.collect();
     if worse.is_empty() { Ok(()) } else { Err(worse.join("\n")) }
 }
 
 /// Puts a table between its marks.
 pub fn write(kind: &str, table: &str) -> Result<(), String> {
-    let page = std::fs::read_to_string(path()).map_err(|fault| fault.to_string())?;
+    let page = read()?;
     let [from, to] = between(&page, kind)?;
     let page = format!("{}{table}{}", &page[..from], &page[to..]);
-    std::fs::write(path(), page).map_err(|fault| fault.to_string())
+    std::fs::write(PAGE, page).map_err(|fault| fault.to_string())
 }
 
-fn path() -> PathBuf {
-    PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("../../docs/performance.md")
+const PAGE: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../../docs/performance.md");
+
+fn read() -> Result<String, String> {
+    std::fs::read_to_string(PAGE).map_err(|fault| fault.to_string())
 }
 
 /// Where the target's table of a kind begins and ends.

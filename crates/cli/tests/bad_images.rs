@@ -1,8 +1,9 @@
 //! `eigenshade read`: images, masks, normals and tables that are refused.
 
-use crate::support::files::{READ, answer, claims, get, nearest, png, with_image};
-use crate::support::{self, assert_fails, lights, repository};
-use png::{BitDepth, ColorType};
+use crate::support::files::{READ, answer, claims, get, gray_png, nearest, with_image};
+use crate::support::{
+    BASIS, DEGREE, assert_fails, assert_usage_errors, lights, scene, shipped_path,
+};
 use std::fs;
 
 /// Inputs that would give a meaningless answer.
@@ -15,8 +16,7 @@ fn meaningless_inputs_are_refused() {
     let twice = format!("read image.csv {read} --modes-out new.csv");
     assert_fails(&folder, &twice, &["new.csv", "two outputs"]);
     for noise in ["1e300", "1e-300", "0", "nan"] {
-        let output = folder.run(&format!("read image.csv {read} --noise {noise}"));
-        assert_eq!(output.status.code(), Some(2), "{noise}");
+        assert_usage_errors(&folder, &[&format!("read image.csv {read} --noise {noise}")]);
     }
     folder.write("heavy.csv", format!("weight\n{}", "1e300\n".repeat(400)));
     assert_fails(&folder, &format!("read image.csv {read} --mask heavy.csv"), &["heavy.csv:2:"]);
@@ -34,12 +34,12 @@ fn black_materials() {
     folder.write("soot.csv", &soot);
     let read = "read image.csv --normals normals.csv --out new.csv";
     for criterion in ["image-centered", "standard"] {
-        folder.write("scene.toml", support::scene(criterion, 10_000, "[]"));
+        folder.write("scene.toml", scene(criterion, 10_000, "[]"));
         folder.write("materials.csv", &soot);
         folder.ok("basis --scene scene.toml --out night.bin");
         assert_fails(&folder, &format!("{read} --table night.bin"), &["night.bin", "black"]);
         folder.write("materials.csv", &all);
-        folder.ok("basis --scene scene.toml --out b.bin");
+        folder.ok(BASIS);
         let with_soot = format!("{read} --table b.bin --material soot.csv");
         assert_fails(&folder, &with_soot, &["b.bin", "black", "--material"]);
     }
@@ -53,14 +53,13 @@ fn black_materials() {
 #[test]
 fn shipped_databases_replace_only_themselves() {
     let folder = with_image();
-    let shipped = repository().join("tables/inputs");
-    fs::copy(shipped.join("materials.csv"), folder.path("materials.csv")).unwrap();
-    folder.write("lights.csv", lights(support::DEGREE, 26));
+    fs::copy(shipped_path("inputs/materials.csv"), folder.path("materials.csv")).unwrap();
+    folder.write("lights.csv", lights(DEGREE, 26));
     folder.ok("basis --scene scene.toml --out other.bin");
     fs::remove_file(folder.path("lights.csv")).unwrap();
     let read = "read image.csv --normals normals.csv --table other.bin --components 9";
     assert_fails(&folder, &format!("{read} --out new.csv"), &["other.bin", "--light"]);
-    folder.write("lights.csv", lights(support::DEGREE, 26));
+    folder.write("lights.csv", lights(DEGREE, 26));
     folder.ok(read);
 }
 
@@ -92,8 +91,6 @@ fn all_outputs_or_none() {
 fn bad_images() {
     let folder = with_image();
     let good = folder.read("image.csv");
-    let tables = repository().join("tables/curet.bin");
-    let table = tables.display();
     let read = "--normals normals.csv --table b.bin --out new.csv";
     for (name, text, fragments) in [
         ("nan.csv", good.replacen(",material-2,7,", ",material-2,7,nan,", 1), "nan.csv:9:"),
@@ -110,9 +107,8 @@ fn bad_images() {
         assert_fails(&folder, &format!("read {name} {read}"), &[fragments]);
     }
     let gray: Vec<u8> = (0..64u32 * 64).map(|k| (k % 199) as u8).collect();
-    let whole = png(64, 64, BitDepth::Eight, ColorType::Grayscale, &gray);
-    folder.write("whole.png", &whole);
-    let sphere = format!("--normals sphere --table {table} --out new.csv");
+    let whole = gray_png(64, 64, &gray);
+    let sphere = "--normals sphere --table curet --out new.csv";
     for cut in [8, 20, 33, whole.len() / 2, whole.len() - 20, whole.len() - 1] {
         folder.write("cut.png", &whole[..cut]);
         assert_fails(&folder, &format!("read cut.png {sphere}"), &["cut.png"]);
@@ -122,7 +118,7 @@ fn bad_images() {
     folder.write("flipped.png", flipped);
     assert_fails(&folder, &format!("read flipped.png {sphere}"), &["flipped.png"]);
     // 2^31 - 1 pixels across and down, in 67 bytes.
-    let tiny = png(1, 1, BitDepth::Eight, ColorType::Grayscale, &[0]);
+    let tiny = gray_png(1, 1, &[0]);
     folder.write("absurd.png", claims(tiny.clone(), u32::MAX >> 1, u32::MAX >> 1));
     assert_fails(&folder, &format!("read absurd.png {sphere}"), &["absurd.png", "2147483647"]);
     folder.write("tiny.png", tiny);
@@ -132,41 +128,35 @@ fn bad_images() {
 #[test]
 fn inputs_that_do_not_match() {
     let folder = with_image();
-    let gray = |side: usize, value: u8| {
-        png(side, side, BitDepth::Eight, ColorType::Grayscale, &vec![value; side * side])
-    };
-    folder.write("image.png", gray(20, 100));
-    folder.write("white.png", gray(20, 255));
-    folder.write("small.png", gray(10, 200));
+    folder.write("image.png", gray_png(20, 20, &[100; 400]));
+    folder.write("white.png", gray_png(20, 20, &[255; 400]));
+    folder.write("small.png", gray_png(10, 10, &[200; 100]));
     folder.write("few.csv", format!("weight\n{}{}", "1\n".repeat(10), "0\n".repeat(390)));
     folder.write("none.csv", format!("weight\n{}", "0\n".repeat(400)));
     folder.write("negative.csv", format!("weight\n1\n-1\n{}", "1\n".repeat(398)));
     folder.write("wide.csv", "weight\n1\n");
-    let png_read = "read image.png --normals normals.csv --table b.bin";
+    let read = |image: &str, rest: &str| format!("read {image} --table b.bin --normals {rest}");
     for (arguments, fragments) in [
-        (format!("{READ} --mask few.csv"), vec!["image.csv", "10 of its pixels"]),
-        (format!("{READ} --mask none.csv"), vec!["image.csv", "0 of its pixels"]),
-        (format!("{READ} --mask negative.csv"), vec!["negative.csv:3:"]),
-        (format!("{READ} --mask wide.csv"), vec!["wide.csv", "400 pixels"]),
-        (format!("{READ} --components 60000"), vec!["b.bin", "60000"]),
-        (format!("{READ} --transfer srgb"), vec!["image.csv", "--transfer"]),
-        (format!("{READ} --light none.csv"), vec!["none.csv"]),
-        (format!("{READ} --light-out nowhere/l.csv"), vec!["nowhere/l.csv"]),
-        ("read image.csv --normals sphere --table b.bin".into(), vec!["--normals"]),
-        (format!("{png_read} --mask small.png"), vec!["small.png", "10 x 10"]),
-        ("read image.png --normals small.png --table b.bin".into(), vec!["small.png", "10 x 10"]),
-        ("read small.png --normals normals.csv --table b.bin".into(), vec!["normals.csv", "100"]),
-        (
-            "read white.png --normals normals.csv --table b.bin".into(),
-            vec!["white.png", "0 of its"],
-        ),
-        ("read image.csv --normals none2.csv --table b.bin".into(), vec!["none2.csv"]),
+        (format!("{READ} --mask few.csv"), &["image.csv", "10 of its pixels"][..]),
+        (format!("{READ} --mask none.csv"), &["image.csv", "0 of its pixels"]),
+        (format!("{READ} --mask negative.csv"), &["negative.csv:3:"]),
+        (format!("{READ} --mask wide.csv"), &["wide.csv", "400 pixels"]),
+        (format!("{READ} --components 60000"), &["b.bin", "60000"]),
+        (format!("{READ} --transfer srgb"), &["image.csv", "--transfer"]),
+        (format!("{READ} --light none.csv"), &["none.csv"]),
+        (format!("{READ} --light-out nowhere/l.csv"), &["nowhere/l.csv"]),
+        (read("image.csv", "sphere"), &["--normals"]),
+        (read("image.png", "normals.csv --mask small.png"), &["small.png", "10 x 10"]),
+        (read("image.png", "small.png"), &["small.png", "10 x 10"]),
+        (read("small.png", "normals.csv"), &["normals.csv", "100"]),
+        (read("white.png", "normals.csv"), &["white.png", "0 of its"]),
+        (read("image.csv", "none2.csv"), &["none2.csv"]),
     ] {
-        assert_fails(&folder, &format!("{arguments} --out new.csv"), &fragments);
+        assert_fails(&folder, &format!("{arguments} --out new.csv"), fragments);
     }
     for (store, arguments) in [("materials", ""), ("projection", "--modes-out m.csv")] {
-        let scene = folder.read("scene.toml") + &format!("store = \"{store}\"\n");
-        folder.write("kept.toml", scene);
+        let store = format!("store = \"{store}\"\n");
+        folder.write("kept.toml", folder.read("scene.toml") + &store);
         folder.ok("basis --scene kept.toml --out kept.bin");
         let read = "read image.csv --normals normals.csv --table kept.bin --out new.csv";
         assert_fails(&folder, &format!("{read} {arguments}"), &["kept.bin", "basis.store"]);

@@ -4,8 +4,8 @@
 use crate::PROGRAM;
 use crate::support::files::built;
 use crate::support::{
-    Folder, PAIR, SHADED, assert_fails, colored, difference, materials, numbers, repository, rows,
-    scene,
+    BASIS, Folder, PAIR, assert_fails, colored, difference, materials, repository_text, scene,
+    shipped_path, shipped_scene, stderr,
 };
 use crate::tolerances;
 use eigenshade_model::inputs::coefficient_csv::read_materials;
@@ -13,7 +13,6 @@ use eigenshade_model::inputs::normals::read_normals;
 use eigenshade_model::reference::DirectSum;
 use eigenshade_shading::shipped;
 use eigenshade_table::{General, MeanImage, Table, decode, encode};
-use std::fs;
 use std::process::Command;
 
 const RENDER: &str = "render --table materials.bin --light lights.csv:light-0 \
@@ -43,21 +42,19 @@ const HIGH_DEGREE: f64 = 1e-6;
 #[test]
 fn a_table_of_degree_32_is_the_direct_sum() {
     let folder = Folder::new();
-    let inputs = repository().join("tables/inputs");
-    let formulas = fs::read_to_string(inputs.join("pbr-materials.toml")).unwrap();
+    let formulas = repository_text("tables/inputs/pbr-materials.toml");
     let few = ["lambertian", "metal-0.2", "metal-0.3", "metal-0.5"];
     let of = |formula: &&str| few.iter().any(|name| formula.contains(&format!("\"{name}\"\n")));
     let formulas: Vec<&str> = formulas.split("[[material]]").filter(of).collect();
     assert_eq!(formulas.len(), few.len());
     folder.write("four.toml", format!("[[material]]{}", formulas.join("[[material]]")));
-    let scene = fs::read_to_string(repository().join("tables/pbr-32.toml")).unwrap();
-    let lights = inputs.join("lights.csv").display().to_string();
-    let scene = scene.replace("inputs/lights.csv", &lights);
-    folder.write("32.toml", scene.replace("inputs/pbr-materials.toml", "four.toml"));
+    let scene = shipped_scene("pbr-32");
+    let all = shipped_path("inputs/pbr-materials.toml");
+    folder.write("32.toml", scene.replace(&all, "four.toml"));
     folder.ok("basis --scene 32.toml --out 32.bin");
     folder.ok("material ggx --roughness 0.3 --f0 0.9 --order 32 --out m.csv");
-    let command = "shade --table 32.bin --light studio --material m.csv --format f64";
-    let found = numbers(&rows(&folder.ok(&format!("{command} --normals normals.csv")), SHADED), 3);
+    let scene = "--table 32.bin --light studio --material m.csv";
+    let found = folder.irradiance(&format!("{scene} --format f64 --normals normals.csv"));
     let studio = shipped::lights().unwrap().entries;
     let studio = studio.into_iter().find(|light| light.name == "studio").unwrap();
     let material = read_materials(folder.path("m.csv"), None).unwrap();
@@ -71,12 +68,10 @@ fn a_table_of_degree_32_is_the_direct_sum() {
             studio.rgb.each_ref().map(|light| modes.irradiance(light, &scattered))
         })
         .collect();
-    let peak = expected.iter().fold(0.0_f64, |peak, value| peak.max(value.abs()));
-    assert_eq!(found.len(), expected.len());
-    let off = found.iter().zip(&expected).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
-    assert!(off <= HIGH_DEGREE * peak, "{}", off / peak);
+    let off = difference(&found, &expected);
+    assert!(off <= HIGH_DEGREE, "{off}");
     // And it is drawn.
-    folder.ok("render --table 32.bin --light studio --material m.csv -s 16 -o a.png");
+    folder.ok(&format!("render {scene} -s 16 -o a.png"));
 }
 
 #[test]
@@ -97,9 +92,8 @@ fn every_store_gives_the_same_images() {
                 assert!(worst <= tolerance, "{criterion}, {store}, {format}: {worst}");
             }
         }
-        let d = STORES.map(|store| folder.ok(&format!("project --table {store}.bin {PAIR}")));
         let [expected, _, of_materials] =
-            d.map(|text| numbers(&rows(&text, "light,material,component,r,g,b"), 3));
+            STORES.map(|store| folder.projected(&format!("--table {store}.bin {PAIR}")));
         assert!(difference(&of_materials, &expected) <= tolerances::DENSE_PROJECTION);
         folder.ok(RENDER);
     }
@@ -108,8 +102,7 @@ fn every_store_gives_the_same_images() {
 #[test]
 fn tables_store_what_their_scene_requests() {
     let folder = with_stores("image-centered");
-    let sizes =
-        STORES.map(|store| fs::metadata(folder.path(&format!("{store}.bin"))).unwrap().len());
+    let sizes = STORES.map(|store| folder.bytes(&format!("{store}.bin")).len());
     assert!(sizes.is_sorted_by(|a, b| a > b), "{sizes:?}");
     let of_materials = folder.table("materials.bin");
     // Each of the four materials has two different channels.
@@ -130,15 +123,11 @@ fn other_materials_are_refused() {
     let folder = with_stores("image-centered");
     folder
         .write("materials.csv", materials(3, 1).replace("material-0,0,0,0,", "material-0,0,0,0,1"));
-    let fragments = ["its scene's materials", "store = \"projection\""];
-    let shade = format!("shade --table materials.bin {PAIR} --normals normals.csv --out new.csv");
-    assert_fails(&folder, &shade, &fragments);
-    assert_fails(
-        &folder,
-        &format!("project --table materials.bin {PAIR} --out new.csv"),
-        &fragments,
-    );
-    folder.ok(&format!("shade --table projection.bin {PAIR} --normals normals.csv"));
+    for command in ["shade --normals normals.csv", "project"] {
+        let refused = format!("{command} --table materials.bin {PAIR} --out new.csv");
+        assert_fails(&folder, &refused, &["its scene's materials", "store = \"projection\""]);
+    }
+    folder.shaded_by("projection.bin", "");
 }
 
 /// A table that does not store what its scene requests is damaged.
@@ -165,9 +154,7 @@ fn contradictions_are_damage() {
     off.transfers[3].numbers[2] += 1e-6;
     folder.write("materials.bin", encode(&off));
     let check = "basis --scene materials.toml --check materials.bin";
-    let output = folder.run(check);
-    assert_eq!(output.status.code(), Some(1));
-    assert!(String::from_utf8_lossy(&output.stderr).contains("transfers differ"));
+    assert_fails(&folder, check, &["transfers differ"]);
 }
 
 /// Tables of objects may leave U out as well; their pictures are the same.
@@ -199,43 +186,33 @@ fn tables_of_objects_leave_modes_out() {
         let broken = Table { scene: projection.scene.clone(), ..modes };
         assert!(decode(&encode(&broken)).is_err());
 
-        let shade = |store: &str| {
-            folder
-                .ok(&format!("shade --table {store}.bin {PAIR} --normals normals.csv --format f64"))
-        };
-        assert_eq!(shade("projection"), shade("modes"));
+        let shade = |table: &str| folder.shaded_by(table, "--format f64");
+        assert_eq!(shade("projection.bin"), shade("modes.bin"));
         let basis = "basis --scene materials.toml --out new.bin";
         assert_fails(&folder, basis, &["store = \"materials\"", "store = \"projection\""]);
     }
 }
 
-/// A folder with a changed table.
-fn altered(change: impl FnOnce(&mut Table)) -> Folder {
-    let folder = Folder::with_table();
+/// The folder with a changed table.
+fn altered(folder: Folder, change: impl FnOnce(&mut Table)) -> Folder {
     let mut table = folder.table("b.bin");
     change(&mut table);
     folder.write("b.bin", encode(&table));
     folder
 }
 
+const CHECK: &str = "basis --scene scene.toml --check b.bin";
+
 fn assert_differs(folder: &Folder, what: &str) {
-    let arguments = "basis --scene scene.toml --check b.bin";
-    assert_fails(
-        folder,
-        arguments,
-        &["b.bin", what, "eigenshade basis --scene scene.toml --out b.bin"],
-    );
-    let text = String::from_utf8(folder.run(arguments).stdout).unwrap();
+    assert_fails(folder, CHECK, &["b.bin", what, &format!("eigenshade {BASIS}")]);
+    let text = String::from_utf8(folder.run(CHECK).stdout).unwrap();
     assert!(text.lines().any(|line| line.starts_with(what) && line.ends_with("OVER")), "{text}");
 }
 
 #[test]
 fn new_tables_pass() {
     for criterion in ["image-centered", "standard"] {
-        let folder = Folder::new();
-        folder.write("scene.toml", scene(criterion, 30, "[]"));
-        folder.ok("basis --scene scene.toml --out b.bin");
-        let text = folder.ok("basis --scene scene.toml --check b.bin");
+        let text = built(&scene(criterion, 30, "[]"), &[]).ok(CHECK);
         assert_eq!(text.lines().count(), 9, "{text}");
         assert!(!text.contains("OVER"), "{text}");
     }
@@ -256,23 +233,23 @@ fn altered_numbers_are_found() {
         (|table| table.gram.root_weights[2] += 1e-6, "mode means e"),
     ] as [(fn(&mut Table), &str); 7]
     {
-        assert_differs(&altered(change), what);
+        assert_differs(&altered(Folder::with_table(), change), what);
     }
 }
 
 /// Polynomials of different lengths are compared as closely as others.
 #[test]
 fn polynomials_of_other_lengths_are_compared_term_by_term() {
-    let folder = altered(|table| table.profiles[1].chebyshev.push(1e-14));
-    folder.ok("basis --scene scene.toml --check b.bin");
-    let folder = altered(|table| table.profiles[1].chebyshev.push(1e-6));
+    let folder = altered(Folder::with_table(), |table| table.profiles[1].chebyshev.push(1e-14));
+    folder.ok(CHECK);
+    let folder = altered(Folder::with_table(), |table| table.profiles[1].chebyshev.push(1e-6));
     assert_differs(&folder, "terms of one table only");
-    let folder = altered(|table| {
+    let folder = altered(Folder::with_table(), |table| {
         table.profiles[1].chebyshev.push(0.0);
         table.profiles[1].chebyshev[0] += 1e-7;
     });
     assert_differs(&folder, "polynomials");
-    let folder = altered(|table| table.profiles[1].chebyshev.truncate(2));
+    let folder = altered(Folder::with_table(), |table| table.profiles[1].chebyshev.truncate(2));
     assert_differs(&folder, "terms of one table only");
 }
 
@@ -280,8 +257,7 @@ fn polynomials_of_other_lengths_are_compared_term_by_term() {
 fn another_scene_is_reported() {
     let folder = Folder::with_table();
     folder.write("scene.toml", scene("image-centered", 9, "[]"));
-    let arguments = "basis --scene scene.toml --check b.bin";
-    assert_fails(&folder, arguments, &["b.bin", "another scene"]);
+    assert_fails(&folder, CHECK, &["b.bin", "another scene"]);
 }
 
 /// The mean image; and of objects eigenimages, their modes, and the projection.
@@ -304,16 +280,10 @@ fn altered_means_and_objects_are_found() {
         (&object, |table| general(table).projection[3] += 0.1, "rows of U^T M"),
     ] {
         let folder = built(scene, &[]);
-        folder.ok("basis --scene scene.toml --check b.bin");
-        let mut table = folder.table("b.bin");
-        change(&mut table);
-        folder.write("b.bin", encode(&table));
-        assert_differs(&folder, what);
+        folder.ok(CHECK);
+        assert_differs(&altered(folder, change), what);
     }
 }
-
-/// The environment variable with the number of threads.
-const VARIABLE: &str = "RAYON_NUM_THREADS";
 
 /// Every component of the shipped scene has the same order, sign and bits in every run and with any
 /// number of threads. Each azimuth and each profile is computed by one thread. With faer's feature
@@ -321,26 +291,21 @@ const VARIABLE: &str = "RAYON_NUM_THREADS";
 #[test]
 fn tables_are_the_same_to_the_byte() {
     let folder = Folder::new();
-    let inputs = repository().join("tables");
-    let text = fs::read_to_string(inputs.join("sphere.toml")).expect("the shipped scene");
-    let inputs = inputs.join("inputs").canonicalize().expect("the shipped inputs");
     let line = |line: &str| match line.split_once(" = ") {
         Some(("components", _)) => "components = 10000\n".to_owned(),
         Some(("rank_cutoff", _)) => "rank_cutoff = 1e-13\n".to_owned(),
         _ => format!("{line}\n"),
     };
-    let text: String = text.lines().map(line).collect();
-    let text = text.replace("\"inputs/", &format!("\"{}/", inputs.display()));
-    folder.write("scene.toml", text);
+    folder.write("scene.toml", shipped_scene("sphere").lines().map(line).collect::<String>());
     let table = |threads: &str, name: &str| {
         let output = Command::new(PROGRAM)
             .current_dir(folder.path("."))
-            .env(VARIABLE, threads)
+            .env("RAYON_NUM_THREADS", threads)
             .args(["basis", "--scene", "scene.toml", "--out", name])
             .output()
             .expect("the program runs");
-        assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
-        fs::read(folder.path(name)).expect("a table")
+        assert!(output.status.success(), "{}", stderr(&output));
+        folder.bytes(name)
     };
     let first = table("1", "first.bin");
     assert!(first.len() > 1 << 18, "{} bytes", first.len());

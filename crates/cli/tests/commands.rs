@@ -1,32 +1,36 @@
 //! Each command once: the form of its output.
 
 use crate::PROGRAM;
-use crate::support::files::{decoded, map, png};
-use crate::support::{DEGREE, Folder, ORDER, PAIR, SHADED, assert_fails, materials, numbers};
-use crate::support::{repository, rows};
+use crate::support::files::{decoded, eigenvalues, gray_png, map};
+use crate::support::{
+    BASIS, DEGREE, Folder, ORDER, PAIR, PROJECTED, SHADE, SHADED, assert_contains, assert_fails,
+    assert_usage_errors, materials, numbers, repository_text, rows,
+};
 use crate::tolerances;
 use eigenshade_model::polar_integral;
-use png::{BitDepth, ColorType};
-use std::fs;
+use png::ColorType;
+use std::f64::consts::PI;
 
 /// b_00^0 of a matte surface measured without error, relative: the square of the fit's
 /// regularization.
 const MATTE_FIT: f64 = 1e-8;
 
+/// Asserts L_0^0 of a light of this radiance from everywhere.
+fn assert_mean(light: &str, radiance: f64) {
+    let found = numbers(&rows(light, "name,l,m,value"), 1)[0];
+    let expected = radiance * (4.0 * PI).sqrt();
+    assert!((found - expected).abs() <= tolerances::WRITTEN_DIGITS * expected);
+}
+
 #[test]
 fn light_projects_maps() {
     let folder = Folder::new();
     folder.write("gray.pfm", map(2.0));
-    let output = folder.run("light gray.pfm --degree 2");
-    assert!(output.status.success());
-    let report = String::from_utf8_lossy(&output.stderr);
+    let (text, report) = folder.both("light gray.pfm --degree 2");
     assert!(report.starts_with("gray: 8 x 4, no negative radiance"), "{report}");
-    let text = String::from_utf8(output.stdout).unwrap();
     let found = rows(&text, "name,l,m,value");
     assert_eq!(found.len(), 9);
-    let values = numbers(&found, 1);
-    let expected = 2.0 * (4.0 * std::f64::consts::PI).sqrt();
-    assert!((values[0] - expected).abs() <= tolerances::WRITTEN_DIGITS * expected);
+    assert_mean(&text, 2.0);
     assert!(found.iter().all(|row| row[0] == "gray"));
 }
 
@@ -34,19 +38,12 @@ fn light_projects_maps() {
 #[test]
 fn light_projects_pictures() {
     let folder = Folder::new();
-    let white = png(8, 4, BitDepth::Eight, ColorType::Grayscale, &[255; 32]);
-    folder.write("white.png", white);
-    let output = folder.run("light white.png --degree 1");
-    assert!(output.status.success());
-    let report = String::from_utf8_lossy(&output.stderr);
+    folder.write("white.png", gray_png(8, 4, &[255; 32]));
+    let (text, report) = folder.both("light white.png --degree 1");
     assert!(report.contains("warning: white.png is a PNG"), "{report}");
-    let dim = png(8, 4, BitDepth::Eight, ColorType::Grayscale, &[254; 32]);
-    folder.write("dim.png", dim);
+    assert_mean(&text, 1.0);
+    folder.write("dim.png", gray_png(8, 4, &[254; 32]));
     assert!(!folder.messages("light dim.png --degree 1").contains("warning"));
-    let text = String::from_utf8(output.stdout).unwrap();
-    let values = numbers(&rows(&text, "name,l,m,value"), 1);
-    let expected = (4.0 * std::f64::consts::PI).sqrt();
-    assert!((values[0] - expected).abs() <= tolerances::WRITTEN_DIGITS * expected);
 }
 
 /// A file has the same bytes as standard output.
@@ -73,13 +70,10 @@ fn light_converts_both_ways() {
         assert_eq!(after_r, factor(before) * before_r);
     }
     folder.write("there.csv", there);
-    let back = folder.ok("light there.csv --from graphics --degree 4");
-    assert_eq!(numbers(&rows(&back, "name,l,m,r,g,b"), 3), numbers(&before, 3));
-    let lower = folder.ok("light lights.csv --degree 1");
-    assert_eq!(numbers(&rows(&lower, "name,l,m,r,g,b"), 3), {
-        let low = before.iter().filter(|row| row[1].as_str() <= "1").cloned().collect::<Vec<_>>();
-        numbers(&low, 3)
-    });
+    let values = |light: &str| numbers(&rows(&folder.ok(light), "name,l,m,r,g,b"), 3);
+    assert_eq!(values("light there.csv --from graphics --degree 4"), numbers(&before, 3));
+    let low: Vec<_> = before.iter().filter(|row| row[1].as_str() <= "1").cloned().collect();
+    assert_eq!(values("light lights.csv --degree 1"), numbers(&low, 3));
     assert_fails(&folder, "light lights.csv", &["lights.csv", "--from graphics"]);
     assert_fails(&folder, "light nothing.csv", &["nothing.csv: No such file"]);
     assert_fails(&folder, "light nothing", &["`nothing` is neither", "a map, a folder"]);
@@ -91,81 +85,65 @@ fn light_converts_both_ways() {
 fn light_converts_for_other_programs() {
     let folder = Folder::new();
     folder.write("gray.pfm", map(1.0));
-    let paper = folder.ok("light gray.pfm --degree 2");
-    folder.write("l.csv", paper);
+    folder.ok("light gray.pfm --degree 2 --out l.csv");
+    let values = |text: &str| numbers(&rows(text, "name,l,m,value"), 1);
+    let before = values(&folder.read("l.csv"));
     for (convention, mean) in [("filament", 1.0), ("cmgen-irradiance", 11.1367), ("cmgen", 3.5449)]
     {
         let other = folder.ok(&format!("light gray.pfm --degree 2 --convention {convention}"));
-        let converted = folder.ok(&format!("light l.csv --convention {convention}"));
-        let [other, converted] = [other, converted].map(|text| rows(&text, "name,l,m,value"));
-        assert!((numbers(&converted, 1)[0] / mean - 1.0).abs() < 1e-3, "{convention}");
-        for (a, b) in numbers(&other, 1).iter().zip(numbers(&converted, 1)) {
+        let text = folder.ok(&format!("light l.csv --convention {convention}"));
+        let converted = values(&text);
+        assert!((converted[0] / mean - 1.0).abs() < 1e-3, "{convention}");
+        for (a, b) in values(&other).iter().zip(converted) {
             assert!((a - b).abs() < 1e-7, "{a} {b}");
         }
-        let text = folder.ok(&format!("light l.csv --convention {convention}"));
         folder.write("other.csv", text);
         let back = folder.ok(&format!("light other.csv --from {convention} --convention paper"));
-        let [back, before] =
-            [back, folder.read("l.csv")].map(|text| numbers(&rows(&text, "name,l,m,value"), 1));
-        assert!(back.iter().zip(&before).all(|(a, b)| (a - b).abs() < 1e-12));
+        assert!(values(&back).iter().zip(&before).all(|(a, b)| (a - b).abs() < 1e-12));
     }
     // A shipped light by its name is its CSV.
     let named = folder.ok("light park --degree 2 --convention filament");
     folder.write("park.csv", folder.ok("light park --degree 2"));
     assert_eq!(named, folder.ok("light park.csv --convention filament"));
-    assert_fails(&folder, "light park --degree 33", &["park", "degree 32"]);
-    assert_fails(&folder, "light park --from cmgen", &["park", "--from"]);
-    assert_fails(&folder, "light parkk", &["`parkk` is neither", "use `park`"]);
-    let faces = "light px.png nx.png py.png ny.png pz.png nz.png";
-    assert_fails(&folder, faces, &["six faces", "the folder"]);
-    let refused = "light lights.csv --degree 4 --convention filament";
-    assert_fails(&folder, refused, &["lights.csv", "degree 4", "--degree 2"]);
-    assert_fails(&folder, "light gray.pfm --from cmgen", &["--from", "light CSV"]);
+    for (arguments, fragments) in [
+        ("park --degree 33", &["park", "degree 32"][..]),
+        ("park --from cmgen", &["park", "--from"]),
+        ("parkk", &["`parkk` is neither", "use `park`"]),
+        ("px.png nx.png py.png ny.png pz.png nz.png", &["six faces", "the folder"]),
+        ("lights.csv --degree 4 --convention filament", &["lights.csv", "degree 4", "--degree 2"]),
+        ("gray.pfm --from cmgen", &["--from", "light CSV"]),
+    ] {
+        assert_fails(&folder, &format!("light {arguments}"), fragments);
+    }
 }
 
 #[test]
 fn material_fits_and_reports() {
     let folder = Folder::new();
-    let mut text = "theta_i,phi_i,theta_r,phi_r,value\n".to_owned();
-    for i in 0..8 {
-        for r in 0..8 {
-            let (i, r) = (0.19 * f64::from(i), 0.19 * f64::from(r));
-            text.push_str(&format!("{i},0,{r},{},0.25\n", 3.0 * i - r));
-        }
-    }
-    folder.write("chalk.csv", text);
-    let output = folder.run("material chalk.csv --order 2 --report r.csv");
-    assert!(output.status.success());
-    assert!(String::from_utf8_lossy(&output.stderr).starts_with("chalk: 64 samples, residual"));
-    let found = rows(&String::from_utf8(output.stdout).unwrap(), "name,o,p,q,value");
+    let angles = (0..64).map(|k| [k / 8, k % 8].map(|k| 0.19 * f64::from(k)));
+    let row = |[i, r]: [f64; 2]| format!("{i},0,{r},{},0.25\n", 3.0 * i - r);
+    let measured: String = angles.map(row).collect();
+    folder.write("chalk.csv", format!("theta_i,phi_i,theta_r,phi_r,value\n{measured}"));
+    let (text, message) = folder.both("material chalk.csv --order 2 --report r.csv");
+    assert!(message.starts_with("chalk: 64 samples, residual"));
+    let found = rows(&text, "name,o,p,q,value");
     assert_eq!(found.len(), 5);
     // 1/4 = b_00^0 / 2 pi.
-    let expected = 0.5 * std::f64::consts::PI;
+    let expected = 0.5 * PI;
     assert!((numbers(&found, 1)[0] - expected).abs() < MATTE_FIT * expected);
-    let report = rows(&folder.read("r.csv"), FIGURES);
-    assert_eq!(report[0][..3], ["chalk", "64", "0.25"]);
+    let figures = "name,samples,maximum,residual,lowest,highest,condition";
+    assert_eq!(rows(&folder.read("r.csv"), figures)[0][..3], ["chalk", "64", "0.25"]);
 }
 
-const FIGURES: &str = "name,samples,maximum,residual,lowest,highest,condition";
-
 #[test]
-fn basis_writes_table_and_manifest() {
+fn basis_and_info_describe_a_table() {
     let folder = Folder::new();
-    let text = folder.ok("basis --scene scene.toml --out b.bin");
-    for fragment in ["rank", "components", "there are no more", "energy kept", "bytes", "time"] {
-        assert!(text.contains(fragment), "{text}");
-    }
+    let report = ["rank", "components", "there are no more", "energy kept", "bytes", "time"];
+    assert_contains(&folder.ok(BASIS), &report);
     assert!(folder.read("b.manifest.csv").starts_with("entry,value,bytes,crc32\n"));
-}
-
-#[test]
-fn info_describes_a_table() {
-    let text = Folder::with_table().ok("info --table b.bin");
-    let fragments =
+    let description =
         ["criterion", "image-centered", "degree", "order", "rank", "energy kept", "bytes"];
-    for fragment in fragments {
-        assert!(text.contains(fragment), "{text}");
-    }
+    assert_contains(&folder.ok("info --table b.bin"), &description);
 }
 
 #[test]
@@ -173,7 +151,7 @@ fn eigenvalues_fall() {
     let folder = Folder::with_table();
     let found = rows(&folder.ok("eigenvalues --table b.bin"), "criterion,index,m,eigenvalue");
     assert_eq!(found[0], ["image-centered", "0", "0", ""]);
-    let values = numbers(&found[1..], 1);
+    let values = eigenvalues(&folder);
     assert!(values.len() > 20 && values.is_sorted_by(|a, b| a >= b));
     folder.ok("eigenvalues --table b.bin --out e.csv");
     assert_eq!(rows(&folder.read("e.csv"), "criterion,index,m,eigenvalue"), found);
@@ -182,30 +160,27 @@ fn eigenvalues_fall() {
 #[test]
 fn project_takes_every_pair_and_any_degree() {
     let folder = Folder::with_table();
-    let header = "light,material,component,r,g,b";
-    let found = rows(&folder.ok(&format!("project --table b.bin {PAIR} --components 7")), header);
+    let rows = |arguments: &str| rows(&folder.ok(&format!("project {arguments}")), PROJECTED);
+    let found = rows(&format!("--table b.bin {PAIR} --components 7"));
     assert_eq!(found.len(), 3 * 4 * 7);
     assert_eq!(found[7][..3], ["light-0", "material-1", "0"]);
     // Higher orders and degrees are dropped, lower ones are used.
     folder.write("high.csv", materials(ORDER + 2, 4));
     folder.write("low.csv", folder.ok(&format!("light lights.csv --degree {}", DEGREE - 2)));
-    let count = |arguments: &str| rows(&folder.ok(arguments), header).len();
-    let all = count(&format!("project --table b.bin {PAIR}"));
-    assert_eq!(count("project --table b.bin --light low.csv --material high.csv"), all);
+    let all = rows(&format!("--table b.bin {PAIR}")).len();
+    assert_eq!(rows("--table b.bin --light low.csv --material high.csv").len(), all);
 }
 
 #[test]
 fn shade_takes_every_pair_and_normal() {
     let folder = Folder::with_table();
-    let command = format!("shade --table b.bin {PAIR} --normals normals.csv");
     for options in [
         "--components 20",
         "--method eigen --components 20",
         "--method eigen --format f64",
         "--method modes",
     ] {
-        let text = folder.ok(&format!("{command} {options}"));
-        let found = rows(&text, SHADED);
+        let found = rows(&folder.ok(&format!("{SHADE} {options}")), SHADED);
         assert_eq!(found.len(), 3 * 4 * 43);
         assert_eq!(found[43][..3], ["light-0", "material-1", "0"]);
     }
@@ -225,12 +200,13 @@ fn render_makes_a_transparent_picture() {
 #[test]
 fn a_window_attenuates_the_orders_of_a_material() {
     let folder = Folder::new();
-    let formula = "material ggx --roughness 0.4 --f0 0.9 --order 5";
-    let header = "name,o,p,q,value";
-    let (plain, windowed) = (folder.ok(formula), folder.ok(&format!("{formula} --window 8")));
-    for (plain, windowed) in rows(&plain, header).iter().zip(&rows(&windowed, header)) {
+    let [plain, windowed] = ["", "--window 8"].map(|window| {
+        let formula = format!("material ggx --roughness 0.4 --f0 0.9 --order 5 {window}");
+        rows(&folder.ok(&formula), "name,o,p,q,value")
+    });
+    for (plain, windowed) in plain.iter().zip(&windowed) {
         assert_eq!(plain[..4], windowed[..4]);
-        let x = std::f64::consts::PI * plain[1].parse::<f64>().unwrap() / 8.0;
+        let x = PI * plain[1].parse::<f64>().unwrap() / 8.0;
         let factor = if x == 0.0 { 1.0 } else { (x.sin() / x).powi(4) };
         let [plain, windowed] = [plain, windowed].map(|row| row[4].parse::<f64>().unwrap());
         assert!((windowed - factor * plain).abs() <= 1e-14 * plain.abs());
@@ -248,7 +224,7 @@ fn demo_shows_shipped_data() {
 #[test]
 fn usage_errors_exit_with_2() {
     let folder = Folder::new();
-    for arguments in [
+    let errors = [
         "",
         "no-such-command",
         "basis --scene scene.toml",
@@ -265,11 +241,10 @@ fn usage_errors_exit_with_2() {
         "render --table b.bin --light a --material b --out c.png --tone agfa",
         "render --table b.bin --light a --material b --out c.png --rotate 1,2",
         "material lambertian --albedo 0.5 --window 0",
-    ] {
-        assert_eq!(folder.run(arguments).status.code(), Some(2), "{arguments}");
-    }
-    assert_eq!(folder.run("--help").status.code(), Some(0));
-    assert_eq!(folder.run("light --help").status.code(), Some(0));
+    ];
+    assert_usage_errors(&folder, &errors);
+    folder.ok("--help");
+    folder.ok("light --help");
 }
 
 /// A light or a material that cannot be drawn gives one error, with the names that there are.
@@ -296,16 +271,14 @@ fn a_closed_pipe_is_not_an_error() {
     let folder = Folder::with_table();
     let mut child = Command::new(PROGRAM)
         .current_dir(folder.path("."))
-        .args("shade --table b.bin --light lights.csv --material materials.csv".split(' '))
-        .args(["--normals", "normals.csv"])
+        .args(SHADE.split(' '))
         .stdout(Stdio::piped())
         .stderr(Stdio::piped())
         .spawn()
         .unwrap();
     drop(child.stdout.take());
     let output = child.wait_with_output().unwrap();
-    assert_eq!(output.status.code(), Some(0));
-    assert_eq!(String::from_utf8_lossy(&output.stderr), "");
+    assert_eq!((output.status.code(), output.stderr), (Some(0), vec![]));
 }
 
 /// `evaluate` against 25-digit values of degrees up to 9 and up to 64, from explicit sums and
@@ -316,11 +289,11 @@ fn functions_agree_with_the_vectors() {
     for function in
         ["spherical-harmonic", "wigner-d", "zernike-radial", "polar-integral", "irradiance-mode"]
     {
-        let name = format!("{}.csv", function.replace('-', "_"));
-        let vectors = repository().join("crates/generator/tests/vectors").join(name);
-        let given = fs::read_to_string(&vectors).unwrap();
+        let name = function.replace('-', "_");
+        let given = repository_text(&format!("crates/generator/tests/vectors/{name}.csv"));
+        folder.write("p.csv", &given);
         let header = given.lines().next().unwrap();
-        let text = folder.ok(&format!("evaluate {function} {}", vectors.display()));
+        let text = folder.ok(&format!("evaluate {function} p.csv"));
         let (ours, given) = (rows(&text, header), rows(&given, header));
         assert_eq!(ours.len(), given.len());
         let mut rows_of = [0; 2];

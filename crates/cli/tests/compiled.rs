@@ -1,6 +1,9 @@
 //! Tables as Rust source and as wire files.
 
-use crate::support::{self, Folder, PAIR, assert_fails, lights, materials, repository, scene};
+use crate::support::{
+    DEGREE, Folder, ORDER, PAIR, assert_fails, assert_usage_errors, lights, materials, repository,
+    scene, stderr,
+};
 use crate::tolerances;
 use eigenshade::{Basis, Q15, Q31};
 use eigenshade_cli::messages::grouped;
@@ -11,7 +14,6 @@ use eigenshade_shading::owned_basis::OwnedBasis;
 use eigenshade_shading::shader::{OwnedNormals, Shader};
 use eigenshade_table::quantize::{IntegerFormat, integers};
 use eigenshade_table::{Table, statics};
-use std::fmt::Write;
 use std::fs;
 use std::path::Path;
 use std::process::Command;
@@ -54,14 +56,11 @@ fn table(folder: &Folder, kind: &Kind) -> (Table, Lights, Materials) {
     (table, lights, materials)
 }
 
-/// Code that prints, for each table, d by `project`, d by `transfer` and `relight`, and the
-/// irradiance of the normals.
-fn print_floats(names: &[&str], numbers: &[(Vec<f64>, Vec<f64>)]) -> String {
-    let mut text = String::new();
-    for (name, (light, material)) in names.iter().zip(numbers) {
-        writeln!(
-            text,
-            "{{
+/// Code that prints, for the table of this name, d by `project`, d by `transfer` and `relight`, and
+/// the irradiance of the normals.
+fn print_floats(name: &str, light: &[f64], material: &[f64]) -> String {
+    format!(
+        "{{
     let light: &[f32] = &{light:?};
     let material: &[f32] = &{material:?};
     let light = eigenshade::Light::new(light).unwrap();
@@ -71,19 +70,15 @@ fn print_floats(names: &[&str], numbers: &[(Vec<f64>, Vec<f64>)]) -> String {
     let relit = {name}::relight(&transfer, &light).unwrap();
     let scene = {name}::collapse(&d).unwrap();
     assert_eq!(d.len(), {name}::COMPONENTS);
-    let normals: [[f32; 3]; {}] = {NORMALS:?};
+    let normals: [[f32; 3]; 4] = {NORMALS:?};
     for value in d.iter().chain(&relit) {{ print!(\"{{value:?}} \"); }}
     for [x, y, z] in normals {{
         let normal = eigenshade::Normal::new(x, y, z).unwrap();
         print!(\"{{:?}} \", scene.shade(normal));
     }}
     println!();
-}}",
-            NORMALS.len(),
-        )
-        .expect("text");
-    }
-    text
+}}\n"
+    )
 }
 
 /// Luminance, rounded to f32.
@@ -144,18 +139,11 @@ const COMPARE_INTEGERS: &str = r#"
 }
 "#;
 
-/// The compiled program: what it printed, and what it should print for each table in floats.
-struct Compiled {
-    lines: Vec<String>,
-    /// d and the image of each of [`KINDS`].
-    expected: Vec<(Vec<f32>, Vec<f32>)>,
-}
-
-/// Compiles the source of all tables in one program and runs it.
-fn compiled() -> Compiled {
+/// Compiles the source of all tables in one program and runs it: what it printed, and d and the
+/// image of each of [`KINDS`], which it should print.
+fn compiled() -> (String, Vec<(Vec<f32>, Vec<f32>)>) {
     let folder = Folder::new();
-    let mut files = Vec::new();
-    let (mut expected, mut numbers) = (Vec::new(), Vec::new());
+    let (mut files, mut expected, mut body) = (Vec::new(), Vec::new(), String::new());
     for kind in &KINDS {
         let (table, lights, materials) = table(&folder, kind);
         files.push((kind.0.to_owned(), statics::floats(&table, "a test")));
@@ -167,10 +155,8 @@ fn compiled() -> Compiled {
         let normals = OwnedNormals::new(&NORMALS);
         let image = shader.polynomial(&light, &material, &normals).expect("an image");
         expected.push((d, image));
-        numbers.push((light, material));
+        body += &print_floats(kind.0, &light, &material);
     }
-    let names: Vec<&str> = KINDS.iter().map(|kind| kind.0).collect();
-    let mut body = print_floats(&names, &numbers);
     for (degree, order) in SIZES {
         let small = ("small", "sphere", "any", degree, order, "image-centered", 30, 0);
         let (table, ..) = self::table(&folder, &small);
@@ -179,15 +165,14 @@ fn compiled() -> Compiled {
         {
             let name = format!("of_{degree}_{order}_{bits}");
             let parts = integers(&table, format, format.tolerance()).expect("parts");
-            files.push((name.clone(), statics::integers(&parts, format, "a test")));
             let count = eigenshade_index::material::count(order).to_string();
             let program = COMPARE_INTEGERS.replace("NAME", &name).replace("KIND", kind);
             let program = program.replace("BITS", bits).replace("INT", int);
             body += &program.replace("MATERIAL", &count);
+            files.push((name, statics::integers(&parts, format, "a test")));
         }
     }
-    let text = output_of("compiled-tables", &files, &body);
-    Compiled { lines: text.lines().map(str::to_owned).collect(), expected }
+    (output_of("compiled-tables", &files, &body), expected)
 }
 
 /// Compiles a program of these modules and this body of `main`, in a folder that keeps the compiled
@@ -197,12 +182,12 @@ pub fn output_of(program: &str, modules: &[(String, String)], body: &str) -> Str
     let folder = programs.join(program);
     fs::create_dir_all(folder.join("src")).expect("a folder");
     let write = |name: &str, text: &str| fs::write(folder.join(name), text).expect("a file");
-    let mut main = String::new();
+    let mut main = format!("fn main() {{{body}}}\n");
     for (name, source) in modules {
         write(&format!("src/{name}.rs"), source);
-        writeln!(main, "mod {name} {{ include!(\"{name}.rs\"); }}").expect("text");
+        main += &format!("mod {name} {{ include!(\"{name}.rs\"); }}\n");
     }
-    write("src/main.rs", &format!("{main}fn main() {{{body}}}\n"));
+    write("src/main.rs", &main);
     // The workspace's versions of the dependencies, which are on this machine.
     let lock = fs::read_to_string(repository().join("Cargo.lock")).expect("a lock file");
     write("Cargo.lock", &lock);
@@ -222,8 +207,7 @@ pub fn output_of(program: &str, modules: &[(String, String)], body: &str) -> Str
         .env("CARGO_TARGET_DIR", programs.join("target"))
         .output()
         .expect("cargo runs");
-    let errors = String::from_utf8_lossy(&output.stderr);
-    assert!(output.status.success(), "{errors}");
+    assert!(output.status.success(), "{}", stderr(&output));
     String::from_utf8(output.stdout).expect("text")
 }
 
@@ -231,7 +215,8 @@ pub fn output_of(program: &str, modules: &[(String, String)], body: &str) -> Str
 /// at run time; small ones in integers give the same bits as the general functions.
 #[test]
 fn compiled_tables_agree_with_tables_that_are_read() {
-    let Compiled { lines, expected } = compiled();
+    let (printed, expected) = compiled();
+    let lines: Vec<&str> = printed.lines().collect();
     assert_eq!(lines.len(), KINDS.len() + 2 * SIZES.len());
     for ((line, (d, image)), (name, ..)) in lines.iter().zip(&expected).zip(KINDS) {
         let found: Vec<f32> =
@@ -278,52 +263,47 @@ fn info_describes_wire_files() {
     let table = folder.table("b.bin");
     for format in ["f32", "q15", "q31"] {
         let summary = folder.ok(&format!("pack --table b.bin --format {format} --out w.esw"));
-        let bytes = fs::read(folder.path("w.esw")).unwrap();
+        let bytes = folder.bytes("w.esw");
         assert!(bytes.starts_with(b"EIGSWIRE"));
         let length = grouped(bytes.len());
         let (bytes, error) = summary.split_once('\n').expect("two lines");
         assert_eq!(bytes, format!("bytes        {length}"));
         assert!(error.starts_with("error        ") && error.contains("of the peak"), "{error}");
-        let description = folder.ok("info --table w.esw");
-        for line in [
-            "wire version             1".to_owned(),
-            format!("format                   {format}"),
-            format!("degree                   {}", support::DEGREE),
-            format!("order                    {}", support::ORDER),
-            format!("file                     {length:>9} bytes"),
-        ] {
-            assert!(description.lines().any(|found| found == line), "no `{line}` in {description}");
-        }
-        let lengths = match format {
+        let buffers = match format {
             "f32" => of_floats(&OwnedBasis::new(&table).basis().expect("a basis")),
             "q15" => of_integers::<Q15>(&table),
             _ => of_integers::<Q31>(&table),
         };
-        let buffers = format!("buffers                  {lengths}");
-        assert!(description.lines().any(|found| found == buffers), "{buffers} in {description}");
+        let description = folder.ok("info --table w.esw");
+        for line in [
+            "wire version             1".to_owned(),
+            format!("format                   {format}"),
+            format!("degree                   {DEGREE}"),
+            format!("order                    {ORDER}"),
+            format!("file                     {length:>9} bytes"),
+            format!("buffers                  {buffers}"),
+        ] {
+            assert!(description.lines().any(|found| found == line), "no `{line}` in {description}");
+        }
     }
 }
 
 #[test]
 fn the_first_components_are_a_table_of_fewer() {
     let folder = Folder::with_table();
-    let whole = folder.table("b.bin");
+    let count = folder.table("b.bin").count();
     folder.write("few.toml", scene("image-centered", 5, "[]"));
     folder.ok("basis --scene few.toml --out few.bin");
     for format in ["f32", "q15"] {
         folder.ok(&format!("pack --table few.bin --format {format} --out few.esw"));
         let summary = folder
             .ok(&format!("pack --table b.bin --components 5 --format {format} --out first.esw"));
-        let [few, first] =
-            ["few.esw", "first.esw"].map(|name| fs::read(folder.path(name)).unwrap());
-        assert_eq!(few, first, "{format}");
+        assert_eq!(folder.bytes("few.esw"), folder.bytes("first.esw"), "{format}");
         assert!(summary.contains("over the shipped lights and materials"), "{summary}");
     }
-    let more = format!("pack --table b.bin --components {} --out new.esw", whole.count() + 1);
-    let of = format!("it has {} components", whole.count());
-    assert_fails(&folder, &more, &["b.bin", &of, "at most"]);
-    let none = folder.run("pack --table b.bin --components 0 --out new.esw");
-    assert_eq!(none.status.code(), Some(2));
+    let more = format!("pack --table b.bin --components {} --out new.esw", count + 1);
+    assert_fails(&folder, &more, &["b.bin", &format!("it has {count} components"), "at most"]);
+    assert_usage_errors(&folder, &["pack --table b.bin --components 0 --out new.esw"]);
     folder.write("stored.toml", scene("image-centered", 5, "[]") + "store = \"materials\"\n");
     folder.ok("basis --scene stored.toml --out stored.bin");
     let stored = "pack --table stored.bin --components 2 --out new.esw";
@@ -333,41 +313,42 @@ fn the_first_components_are_a_table_of_fewer() {
 #[test]
 fn tables_without_a_wire_file_are_refused() {
     let folder = Folder::with_table();
-    folder.write("scene.toml", scene("standard", 10, "[]"));
-    folder.ok("basis --scene scene.toml --out mean.bin");
+    let make = |name: &str, scene: String| {
+        folder.write("scene.toml", scene);
+        folder.ok(&format!("basis --scene scene.toml --out {name}.bin"));
+    };
+    make("mean", scene("standard", 10, "[]"));
     folder.ok("pack --table mean.bin --out w.esw");
     for format in ["q15", "q31"] {
         let arguments = format!("pack --table mean.bin --format {format} --out v.esw");
         assert_fails(&folder, &arguments, &["mean.bin: ", "mean image", "image-centered"]);
     }
-    let fixed = scene("image-centered", 10, "[]").replace("\"any\"", "\"none\"");
-    folder.write("scene.toml", fixed);
-    folder.ok("basis --scene scene.toml --out fixed.bin");
+    make("fixed", scene("image-centered", 10, "[]").replace("\"any\"", "\"none\""));
     let what = "fixed.bin: integer formats support only tables of a sphere under light that turns \
                 freely; use ";
     assert_fails(&folder, "pack --table fixed.bin --format q15 --out v.esw", &[what, "use f32\n"]);
     let shade = format!("shade -t fixed.bin {PAIR} --normals normals.csv --format q15");
     assert_fails(&folder, &shade, &[what, "use --format f32\n"]);
-    let stored = scene("image-centered", 10, "[]") + "store = \"materials\"\n";
-    folder.write("scene.toml", stored);
-    folder.ok("basis --scene scene.toml --out materials.bin");
-    assert_fails(
-        &folder,
-        "pack --table materials.bin --out v.esw",
-        &["materials.bin: ", "store = \"projection\""],
-    );
-    assert_fails(&folder, "pack --table scene.toml --out v.esw", &["not an eigenshade table"]);
-    assert_fails(&folder, "pack --table b.bin --out none/v.esw", &["none/v.esw", "folder exists"]);
+    make("materials", scene("image-centered", 10, "[]") + "store = \"materials\"\n");
+    for (arguments, fragments) in [
+        ("materials.bin --out v.esw", &["materials.bin: ", "store = \"projection\""][..]),
+        ("scene.toml --out v.esw", &["not an eigenshade table"]),
+        ("b.bin --out none/v.esw", &["none/v.esw", "folder exists"]),
+    ] {
+        assert_fails(&folder, &format!("pack --table {arguments}"), fragments);
+    }
 }
 
 #[test]
 fn damaged_wire_files_are_refused() {
     let folder = Folder::with_table();
+    for order in ["", "--big-endian"] {
+        folder.ok(&format!("pack --table b.bin --out w.esw {order}"));
+        folder.write("short.esw", &folder.bytes("w.esw")[..200]);
+        assert_fails(&folder, "info --table short.esw", &["short.esw: ", "200 found", "take all"]);
+    }
     folder.ok("pack --table b.bin --out w.esw");
-    let bytes = fs::read(folder.path("w.esw")).unwrap();
-    folder.write("short.esw", &bytes[..200]);
-    assert_fails(&folder, "info --table short.esw", &["short.esw: ", "200 found", "take all"]);
-    let mut damaged = bytes;
+    let mut damaged = folder.bytes("w.esw");
     damaged[300] ^= 1;
     folder.write("damaged.esw", &damaged);
     assert_fails(&folder, "info --table damaged.esw", &["damaged.esw: ", "checksum"]);
@@ -387,7 +368,4 @@ fn info_describes_files_of_either_byte_order() {
         others.join("\n")
     });
     assert_eq!(little, big);
-    let bytes = fs::read(folder.path("big.esw")).unwrap();
-    folder.write("short.esw", &bytes[..200]);
-    assert_fails(&folder, "info --table short.esw", &["short.esw: ", "200 found", "take all"]);
 }

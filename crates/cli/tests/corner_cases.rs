@@ -2,22 +2,22 @@
 //! materials, and coefficients out of range. `experiments stability` measures more of them, and the
 //! runtime's properties cover any degree and order.
 
+use crate::support::files::built;
 use crate::support::{
-    Folder, PAIR, SHADED, assert_fails, difference, lights, materials, numbers, rows, scene,
+    BASIS, Folder, SHADE, SHADED, assert_fails, difference, lights, materials, numbers, rows, scene,
 };
 use crate::tolerances;
+use eigenshade_index::{light, material};
 
 /// If images do not vary, image-centered tables have the constant alone, and standard tables no
 /// component.
 #[test]
 fn no_variance_gives_no_components() {
-    let folder = Folder::new();
-    folder.write("lights.csv", lights(0, 3));
     for (criterion, count, components) in [("image-centered", 4, 1), ("standard", 1, 0)] {
-        folder.write("materials.csv", materials(0, count));
         let text = scene(criterion, 10_000, "[]").replace("degree = 4", "degree = 0");
-        folder.write("scene.toml", text.replace("order = 3", "order = 0"));
-        folder.ok("basis --scene scene.toml --out b.bin");
+        let files = [("lights.csv", lights(0, 3)), ("materials.csv", materials(0, count))];
+        let files = files.map(|(name, text)| (name, text.into_bytes()));
+        let folder = built(&text.replace("order = 3", "order = 0"), &files);
         let table = folder.table("b.bin");
         assert_eq!((table.components.len(), table.spectrum.len()), (components, components));
         folder.shaded("");
@@ -39,11 +39,9 @@ fn objects_of_few_normals() {
         ("a patch of a hundredth of a degree", (0..400).map(patch).collect(), 10),
     ] {
         for criterion in ["image-centered", "standard"] {
-            let folder = Folder::new();
-            folder.write("normals.csv", format!("x,y,z,weight\n{normals}"));
             let text = scene(criterion, 10_000, "[]").replace("\"sphere\"", "\"normals.csv\"");
-            folder.write("scene.toml", text);
-            folder.ok("basis --scene scene.toml --out b.bin");
+            let normals = format!("x,y,z,weight\n{normals}");
+            let folder = built(&text, &[("normals.csv", normals.into())]);
             let reference = folder.shaded("--method modes");
             let error = difference(&folder.shaded("--format f64"), &reference);
             let count = folder.ok("eigenvalues --table b.bin").lines().count() - 1;
@@ -54,35 +52,22 @@ fn objects_of_few_normals() {
     }
 }
 
-/// CSV rows of one name whose coefficients are all 0.
-fn zeros(name: &str, like: &str) -> String {
-    let first = like.lines().nth(1).and_then(|line| line.split(',').next()).unwrap();
-    let of_first = like.lines().filter(|line| line.starts_with(&format!("{first},")));
-    let values = if like.starts_with("name,l,m") { 3 } else { 1 };
-    of_first
-        .map(|line| {
-            let fields: Vec<&str> = line.split(',').skip(1).collect();
-            let places = fields[..fields.len() - values].join(",");
-            format!("{name},{places}{}\n", ",0".repeat(values))
-        })
-        .collect()
+/// CSV rows of a light of degree 4 whose coefficients are all 0.
+fn night() -> String {
+    light::indices(4).map(|(l, m)| format!("night,{l},{m},0,0,0\n")).collect()
 }
 
 #[test]
 fn a_light_of_zeros() {
     let folder = Folder::new();
-    folder.write("lights.csv", lights(4, 2) + &zeros("night", &lights(4, 1)));
-    let fragments = ["scene.toml", "`night`", "normalize = \"none\""];
-    assert_fails(&folder, "basis --scene scene.toml --out b.bin", &fragments);
-    let as_they_are = folder
-        .read("scene.toml")
-        .replace("rotation = \"any\"", "rotation = \"any\"\nnormalize = \"none\"");
-    folder.write("scene.toml", as_they_are);
-    folder.ok("basis --scene scene.toml --out b.bin");
+    folder.write("lights.csv", lights(4, 2) + &night());
+    assert_fails(&folder, BASIS, &["scene.toml", "`night`", "normalize = \"none\""]);
+    folder.replace("scene.toml", "rotation = \"any\"", "rotation = \"any\"\nnormalize = \"none\"");
+    folder.ok(BASIS);
     assert_black(&folder, "night,");
     // No other light.
-    folder.write("lights.csv", "name,l,m,r,g,b\n".to_owned() + &zeros("night", &lights(4, 1)));
-    assert!(folder.ok("basis --scene scene.toml --out b.bin").contains("components   1 of 10000"));
+    folder.write("lights.csv", "name,l,m,r,g,b\n".to_owned() + &night());
+    assert!(folder.ok(BASIS).contains("components   1 of 10000"));
     assert_black(&folder, "night,");
 }
 
@@ -90,11 +75,9 @@ fn a_light_of_zeros() {
 fn a_material_of_zeros() {
     for count in [3, 0] {
         let folder = Folder::new();
-        let some = materials(3, 1);
-        let header = "name,o,p,q,value\n".to_owned();
-        let others = if count == 0 { header } else { materials(3, count) };
-        folder.write("materials.csv", others + &zeros("soot", &some));
-        folder.ok("basis --scene scene.toml --out b.bin");
+        let soot = material::indices(3).map(|(o, p, q)| format!("soot,{o},{p},{q},0\n"));
+        folder.write("materials.csv", materials(3, count) + &soot.collect::<String>());
+        folder.ok(BASIS);
         assert_black(&folder, ",soot,");
     }
 }
@@ -102,8 +85,7 @@ fn a_material_of_zeros() {
 /// Asserts that the images of this light or material are exactly black, in every format.
 fn assert_black(folder: &Folder, name: &str) {
     for options in ["", "--format f64", "--method eigen", "--method modes"] {
-        let text =
-            folder.ok(&format!("shade --table b.bin {PAIR} --normals normals.csv {options}"));
+        let text = folder.ok(&format!("{SHADE} {options}"));
         let of_name: Vec<_> =
             rows(&text, SHADED).into_iter().filter(|row| row.join(",").contains(name)).collect();
         assert!(!of_name.is_empty());
@@ -116,16 +98,9 @@ fn assert_black(folder: &Folder, name: &str) {
 fn squares_out_of_range() {
     for size in ["e155", "e-180", "e300"] {
         let folder = Folder::new();
-        let line = |line: &str| match line.strip_suffix("value") {
-            Some(_) => format!("{line}\n"),
-            None => format!("{line}{size}\n"),
-        };
-        let materials: String = materials(3, 2).lines().map(line).collect();
-        folder.write("materials.csv", materials);
-        assert_fails(
-            &folder,
-            "basis --scene scene.toml --out b.bin",
-            &["scene.toml", "out of range"],
-        );
+        let rows: String =
+            materials(3, 2).lines().skip(1).map(|line| format!("{line}{size}\n")).collect();
+        folder.write("materials.csv", format!("name,o,p,q,value\n{rows}"));
+        assert_fails(&folder, BASIS, &["scene.toml", "out of range"]);
     }
 }

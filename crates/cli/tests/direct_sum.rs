@@ -1,6 +1,6 @@
 //! Images against the direct sum over modes, and the errors that docs/accuracy.md states.
 
-use crate::support::{Folder, PAIR, SHADED, difference, numbers, rows};
+use crate::support::{Folder, PAIR, difference};
 use crate::tolerances;
 use eigenshade_cli::picture::SphereView;
 use eigenshade_model::database::Named;
@@ -24,22 +24,18 @@ fn f32_reads_back() {
 #[test]
 fn the_light_rotates() {
     let folder = Folder::with_table();
-    folder.write("turned.csv", {
-        let text = folder.read("normals.csv");
-        let angle = 0.7f64;
-        let turn = |line: &str| {
-            let n: Vec<f64> = line.split(',').map(|field| field.parse().unwrap()).collect();
-            let (sine, cosine) = angle.sin_cos();
-            format!("{},{},{}\n", cosine * n[0] - sine * n[1], sine * n[0] + cosine * n[1], n[2])
-        };
-        format!("x,y,z\n{}", text.lines().skip(1).map(turn).collect::<String>())
-    });
+    let (sine, cosine) = 0.7_f64.sin_cos();
+    let turn = |line: &str| {
+        let n: Vec<f64> = line.split(',').map(|field| field.parse().unwrap()).collect();
+        format!("{},{},{}\n", cosine * n[0] - sine * n[1], sine * n[0] + cosine * n[1], n[2])
+    };
+    let turned: String = folder.read("normals.csv").lines().skip(1).map(turn).collect();
+    folder.write("turned.csv", format!("x,y,z\n{turned}"));
     let straight = folder.shaded("--method modes");
     for rotation in ["0.7,0,0", "0,0,0.7", "1.0,0,-0.3", "0.7,-0,0"] {
-        let command = format!(
-            "shade --table b.bin {PAIR} --normals turned.csv --method modes --rotate {rotation}"
-        );
-        let turned = numbers(&rows(&folder.ok(&command), SHADED), 3);
+        let turned = folder.irradiance(&format!(
+            "--table b.bin {PAIR} --normals turned.csv --method modes --rotate {rotation}"
+        ));
         assert!(difference(&turned, &straight) < ROTATED_LIGHT, "{rotation}");
     }
     // A light of degree 1, L_1^1 alone, is -x; Ry(pi/2) brings x to -z, so it is z: L_1^0 = -1.
@@ -98,8 +94,7 @@ fn errors_of_few_components_are_as_stated() {
         for light in &lights.entries {
             for material in &materials.entries {
                 let ours = shader.color(light, material, &normals).unwrap();
-                let (mut squares, mut most, mut peak) = (0.0, 0.0f64, 0.0f64);
-                let mut farther_in: f64 = 0.0;
+                let (mut squares, mut most, mut peak, mut farther_in) = (0.0, 0f64, 0f64, 0f64);
                 for (k, of_pairs) in reference.iter().enumerate() {
                     for (ours, reference) in ours.iter().zip(of_pairs[rms.len()]) {
                         let error = f64::from(ours[k]) - reference;
@@ -121,13 +116,8 @@ fn errors_of_few_components_are_as_stated() {
                 let of_material = rms.iter().zip(&largest).skip(k).step_by(materials.entries.len());
                 let found: Vec<f64> =
                     of_material.flat_map(|(rms, most)| [100.0 * rms, 100.0 * most]).collect();
-                assert_stated(
-                    PAGE,
-                    "pairs",
-                    &format!("| {} |", material.name),
-                    &found,
-                    tolerances::STATED,
-                );
+                let start = format!("| {} |", material.name);
+                assert_stated(PAGE, "pairs", &start, &found, tolerances::STATED);
             }
             let [median, worst] = median_and_worst(inner).map(|error| 100.0 * error);
             assert_eq!([format!("{worst:.1}"), format!("{median:.1}")], STATED_FARTHER_IN);

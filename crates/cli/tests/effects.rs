@@ -1,9 +1,7 @@
 //! Effects: their pictures sum to the whole, tables of some effects give just those, and effects
 //! that are left out are in no table.
 
-use crate::support::{
-    self, Folder, PAIR, SHADED, assert_fails, colored, difference, materials, numbers, rows, scene,
-};
+use crate::support::{Folder, PAIR, assert_fails, colored, difference, lights, materials, scene};
 use crate::tolerances;
 use eigenshade_index::effect::{Effect, Effects};
 use eigenshade_index::{light, material, mode};
@@ -31,7 +29,7 @@ const EFFECTS_Q15: f64 = 2e-3;
 /// `materials.csv`.
 fn folder(criterion: &str) -> Folder {
     let folder = Folder::new();
-    folder.write("lights.csv", support::lights(4, 2));
+    folder.write("lights.csv", lights(4, 2));
     folder.write("database.csv", materials(6, 40));
     folder.write("materials.csv", materials(6, 8));
     let scene = scene(criterion, 10_000, "[]").replace("order = 3", "order = 6");
@@ -49,9 +47,8 @@ fn every() -> impl Iterator<Item = Effects> {
 
 /// Makes the table `out` of these effects.
 fn make(folder: &Folder, effects: Effects, out: &str) -> Table {
-    let text = folder.read("scene.toml");
-    let of = format!("{text}\n[effects]\nuse = {:?}\n", names(effects));
-    folder.write("effects.toml", of);
+    let of = format!("\n[effects]\nuse = {:?}\n", names(effects));
+    folder.write("effects.toml", folder.read("scene.toml") + &of);
     folder.ok(&format!("basis --scene effects.toml --out {out}"));
     folder.table(out)
 }
@@ -135,25 +132,19 @@ fn selections_and_objects_have_effects() {
         check(&folder, "object.bin");
         folder.write("scene.toml", &sphere);
         make(&folder, effects, "sphere.bin");
-        let normals = "--light lights.csv --material materials.csv --normals object.csv";
         let of = |table: &str, options: &str| {
-            let text = folder.ok(&format!("shade --table {table} {normals} {options}"));
-            numbers(&rows(&text, SHADED), 3)
+            folder.irradiance(&format!("--table {table} {PAIR} --normals object.csv {options}"))
         };
         let reference = of("sphere.bin", &format!("--method modes {options}"));
         let found = difference(&of("object.bin", "--format f64"), &reference);
         assert!(found <= OBJECT_OF_EFFECTS, "{:?}: {found}", names(effects));
         // Few modes: d of a coefficient is the sum over those that are kept, of these effects.
-        folder.write(
-            "scene.toml",
-            sphere.replace("profile_tolerance", "modes = 60\nprofile_tolerance"),
-        );
+        folder.replace("scene.toml", "profile_tolerance", "modes = 60\nprofile_tolerance");
         let table = make(&folder, effects, "few.bin");
         check(&folder, "few.bin");
         assert_projects_kept_modes(&table, effects);
         assert!(table.count() > 0);
     }
-    folder.write("scene.toml", sphere);
 }
 
 /// Asserts for each single coefficient of the material under one light: `project` gives the sum,
@@ -196,7 +187,6 @@ fn assert_projects_kept_modes(table: &Table, effects: Effects) {
 fn what_is_left_out_costs_nothing() {
     let folder = folder("image-centered");
     let whole = make(&folder, Effects::ALL, "b.bin");
-    let is_without_gloss = |effects: &Effects| !effects.has(Effect::Gloss);
     let size = |table: &Table| {
         let parts = parts::floats(table);
         let transfer: usize = parts.passes.iter().map(|pass| usize::from(pass.profiles)).sum();
@@ -212,7 +202,7 @@ fn what_is_left_out_costs_nothing() {
         ]
     };
     let all = size(&whole);
-    for effects in every().filter(is_without_gloss) {
+    for effects in every().filter(|effects| !effects.has(Effect::Gloss)) {
         let table = make(&folder, effects, "some.bin");
         let some = size(&table);
         println!("{:?}: {some:?} of {all:?}", names(effects));
@@ -239,9 +229,8 @@ fn wire_files_have_effects() {
         let text = folder.ok("info --table some.esw");
         let line = format!("{:<24} {}", "effects", names(effects).join(" "));
         assert!(text.contains(&line), "{text}");
-        let is_unfactored = effects.unfactored_count(table.gram.order) > 0;
         let pack = "pack --table some.bin --out some15.esw --format q15";
-        if is_unfactored {
+        if effects.unfactored_count(table.gram.order) > 0 {
             assert_fails(&folder, pack, &["ambient", "gloss"]);
             continue;
         }
@@ -279,8 +268,7 @@ fn what_a_scene_leaves_out_is_refused() {
 fn without_color_there_is_luminance() {
     let folder = folder("image-centered");
     folder.write("colored.csv", colored(&materials(6, 40), [0.5, 0.25]));
-    let scene = folder.read("scene.toml");
-    let scene = scene.replace("database.csv", "colored.csv");
+    let scene = folder.read("scene.toml").replace("database.csv", "colored.csv");
     let luminance = 0.2126 + 0.7152 * 0.5 + 0.0722 * 0.25;
     for store in ["projection", "materials"] {
         let text = format!("{scene}store = \"{store}\"\n[effects]\ncolor = false\n");
@@ -289,9 +277,8 @@ fn without_color_there_is_luminance() {
         assert!(folder.ok("info --table gray.bin").contains("no color"));
         let of = |table: &str, materials: &str| {
             let pair = PAIR.replace("materials.csv", materials);
-            let text = folder
-                .ok(&format!("shade --table {table} {pair} --normals normals.csv --format f64"));
-            numbers(&rows(&text, SHADED), 3)
+            let rest = "--normals normals.csv --format f64";
+            folder.irradiance(&format!("--table {table} {pair} {rest}"))
         };
         let found = of("gray.bin", "colored.csv");
         make(&folder, Effects::ALL, "whole.bin");

@@ -1,17 +1,15 @@
 //! `export --lang json` and `--lang npz` hold the numbers of a table and of other commands, bit for
 //! bit; and what `export` refuses.
 
-use crate::support::{Folder, assert_fails, numbers, repository, rows, scene};
+use crate::support::files::built;
+use crate::support::{Folder, PAIR, assert_fails, assert_usage_errors, repository_text, scene};
 use eigenshade_index::mode;
 use eigenshade_model::database::Named;
 use eigenshade_model::inputs::coefficient_csv::{read_lights, read_materials};
 use eigenshade_shading::owned_basis::OwnedBasis;
 use serde_json::Value;
 use std::collections::HashMap;
-use std::fs;
 use std::io::{Cursor, Read};
-
-const BOTH: &str = "--light lights.csv --material materials.csv";
 
 /// An array of a file: shape, and values as bits; those of a text are its letters.
 type Numbers = (Vec<usize>, Vec<u64>);
@@ -23,10 +21,8 @@ fn json(folder: &Folder, name: &str) -> HashMap<String, Numbers> {
     };
     let of = |array: &Value| {
         let list = |key: &str| array[key].as_array().expect("a list").clone();
-        let shape: Vec<usize> = list("shape")
-            .iter()
-            .map(|length| length.as_u64().expect("a length") as usize)
-            .collect();
+        let length = |length: &Value| length.as_u64().expect("a length") as usize;
+        let shape: Vec<usize> = list("shape").iter().map(length).collect();
         assert_eq!(list("axes").len(), shape.len(), "{array}");
         assert!(array["unit"].is_string() && array["meaning"].is_string());
         let values = list("values").into_iter().flat_map(|value| match value {
@@ -45,8 +41,7 @@ fn json(folder: &Folder, name: &str) -> HashMap<String, Numbers> {
 
 /// The arrays of an npz file, by a reader of its own.
 fn arrays(folder: &Folder, name: &str) -> HashMap<String, Numbers> {
-    let bytes = fs::read(folder.path(name)).expect("a file");
-    let mut archive = zip::ZipArchive::new(Cursor::new(bytes)).expect("an archive");
+    let mut archive = zip::ZipArchive::new(Cursor::new(folder.bytes(name))).expect("an archive");
     let mut found = HashMap::new();
     for index in 0..archive.len() {
         let mut file = archive.by_index(index).expect("a file");
@@ -101,9 +96,7 @@ fn both(folder: &Folder, options: &str) -> HashMap<String, Numbers> {
 #[test]
 fn arrays_are_those_of_the_table() {
     for criterion in ["image-centered", "standard"] {
-        let folder = Folder::new();
-        folder.write("scene.toml", scene(criterion, 20, "[]"));
-        folder.ok("basis --scene scene.toml --out b.bin");
+        let folder = built(&scene(criterion, 20, "[]"), &[]);
         let found = both(&folder, "--table b.bin --normals normals.csv");
         let table = folder.table("b.bin");
         let gram = &table.gram;
@@ -145,11 +138,10 @@ fn arrays_are_those_of_the_table() {
         for (i, component) in table.components.iter().enumerate() {
             let profile = &table.profiles[component.profile];
             assert_eq!(found["component_m"].1[i] as i64, i64::from(component.order));
-            for (k, value) in profile.node_values.iter().enumerate() {
-                assert_eq!(at("profiles", k * count + i), *value);
-            }
-            for (k, value) in profile.chebyshev.iter().enumerate() {
-                assert_eq!(at("series", k * count + i), *value);
+            for (name, of) in [("profiles", &profile.node_values), ("series", &profile.chebyshev)] {
+                for (k, value) in of.iter().enumerate() {
+                    assert_eq!(at(name, k * count + i), *value);
+                }
             }
         }
         assert_eq!(found.contains_key("mean_series"), criterion == "standard");
@@ -178,7 +170,7 @@ fn arrays_are_those_of_the_table() {
 #[test]
 fn arrays_of_a_scene_are_those_of_other_commands() {
     let folder = Folder::with_table();
-    let found = both(&folder, &format!("{BOTH} --table b.bin --normals normals.csv"));
+    let found = both(&folder, &format!("{PAIR} --table b.bin --normals normals.csv"));
     let numbers_of = |entries: &[Named]| -> Vec<u64> {
         entries.iter().flat_map(|entry| bits(entry.rgb.iter().flatten())).collect()
     };
@@ -190,9 +182,7 @@ fn arrays_of_a_scene_are_those_of_other_commands() {
     let letters: Vec<u64> = names.chars().map(u64::from).collect();
     assert_eq!(found["material_names"].1, letters);
 
-    let pair = "--light lights.csv --material materials.csv";
-    let projected = folder.ok(&format!("project --table b.bin {pair}"));
-    let projected = numbers(&rows(&projected, "light,material,component,r,g,b"), 3);
+    let projected = folder.projected(&format!("--table b.bin {PAIR}"));
     let of_rows = |name: &str| {
         let (shape, values) = &found[name];
         assert_eq!(shape[..3], [3, 4, 3]);
@@ -228,8 +218,7 @@ fn normals_of_a_picture_have_pixels() {
 fn npz_files_have_no_date() {
     let folder = Folder::new();
     folder.ok("export --lang npz --light lobby --out a.npz");
-    let archive = fs::read(folder.path("a.npz")).unwrap();
-    let mut archive = zip::ZipArchive::new(Cursor::new(archive)).unwrap();
+    let mut archive = zip::ZipArchive::new(Cursor::new(folder.bytes("a.npz"))).unwrap();
     let file = archive.by_index(0).unwrap();
     assert_eq!(file.last_modified(), Some(zip::DateTime::default()));
 }
@@ -237,24 +226,25 @@ fn npz_files_have_no_date() {
 /// The eigenimages of an object are sums over the components.
 #[test]
 fn objects_have_their_own_arrays() {
-    let folder = Folder::new();
-    folder.write("object.csv", "x,y,z\n0,0,1\n0.1,0.2,1\n1,0,1\n1,1,1\n0.5,-0.7,1\n-0.2,0.4,1\n");
-    let geometry = scene("image-centered", 5, "[]").replace("\"sphere\"", "\"object.csv\"");
-    folder.write("scene.toml", geometry);
-    folder.ok("basis --scene scene.toml --out b.bin");
+    let normals = "x,y,z\n0,0,1\n0.1,0.2,1\n1,0,1\n1,1,1\n0.5,-0.7,1\n-0.2,0.4,1\n";
+    let text = scene("image-centered", 5, "[]").replace("\"sphere\"", "\"object.csv\"");
+    let folder = built(&text, &[("object.csv", normals.into())]);
     let found = both(&folder, "--table b.bin --normals object.csv");
     let table = folder.table("b.bin");
     let general = table.general.as_ref().expect("an object");
     let span = table.components.len();
-    assert_eq!(found["object_synthesis"], (vec![5, span], bits(&general.synthesis)));
-    assert_eq!(found["object_projection"], (vec![5, span], bits(&general.projection)));
-    assert_eq!(found["object_modes"], (vec![5, span], bits(&general.modes)));
+    for (name, numbers) in [
+        ("object_synthesis", &general.synthesis),
+        ("object_projection", &general.projection),
+        ("object_modes", &general.modes),
+    ] {
+        assert_eq!(found[name], (vec![5, span], bits(numbers)));
+    }
     // The eigenimages are orthonormal over the object's normals.
     let images = floats(&found["eigenimages"]);
     let normals = images.len() / 5;
-    for i in 0..5 {
-        for j in 0..5 {
-            let [a, b] = [i, j].map(|k| &images[k * normals..(k + 1) * normals]);
+    for (i, a) in images.chunks(normals).enumerate() {
+        for (j, b) in images.chunks(normals).enumerate() {
             let product: f64 = a.iter().zip(b).map(|(a, b)| a * b).sum::<f64>() / normals as f64;
             let expected = f64::from(u8::from(i == j));
             assert!((product - expected).abs() < 1e-6, "{i}, {j}: {product}");
@@ -295,18 +285,13 @@ fn bad_requests_have_one_error() {
     for file in ["same.csv", "none.csv"] {
         folder.ok(&format!("export --lang js --light {file}"));
     }
-    for arguments in ["export", "export --table b.bin", "export --lang npz --light lobby --size 9"]
-    {
-        assert_eq!(folder.run(arguments).status.code(), Some(2), "{arguments}");
-    }
+    let incomplete = ["export", "export --table b.bin", "export --lang npz --light lobby --size 9"];
+    assert_usage_errors(&folder, &incomplete);
 }
 
 #[test]
 fn tables_of_transfers_are_refused() {
-    let folder = Folder::new();
-    let text = scene("image-centered", 10, "[]") + "store = \"materials\"\n";
-    folder.write("scene.toml", text);
-    folder.ok("basis --scene scene.toml --out b.bin");
+    let folder = built(&(scene("image-centered", 10, "[]") + "store = \"materials\"\n"), &[]);
     for lang in ["rust", "json", "npz"] {
         let arguments = format!("export --lang {lang} --table b.bin");
         assert_fails(&folder, &arguments, &["b.bin", "transfers"]);
@@ -316,14 +301,11 @@ fn tables_of_transfers_are_refused() {
 /// The page lists the arrays of a table and of a scene, each with its shape.
 #[test]
 fn the_page_lists_all_arrays() {
-    let page = fs::read_to_string(repository().join("docs/commands.md")).expect("a page");
-    let folder = Folder::new();
-    folder.write("scene.toml", scene("standard", 5, "[]"));
-    folder.ok("basis --scene scene.toml --out b.bin");
-    folder.ok("export --lang json --table b.bin --normals sphere --out table.json");
-    folder.ok(&format!("export --lang json {BOTH} --normals sphere --out scene.json"));
-    for name in ["table.json", "scene.json"] {
-        let arrays: Value = serde_json::from_str(&folder.read(name)).expect("JSON");
+    let page = repository_text("docs/commands.md");
+    let folder = built(&scene("standard", 5, "[]"), &[]);
+    for inputs in ["--table b.bin", PAIR] {
+        let text = folder.ok(&format!("export --lang json {inputs} --normals sphere"));
+        let arrays: Value = serde_json::from_str(&text).expect("JSON");
         for (name, array) in arrays.as_object().expect("an object") {
             let axes = array["axes"].as_array().expect("a list").iter().filter_map(Value::as_str);
             let axes = axes.collect::<Vec<_>>().join(", ");
@@ -332,11 +314,8 @@ fn the_page_lists_all_arrays() {
                 |line: &&str| line.split('|').nth(1).is_some_and(|cell| cell.contains(&name));
             let row = page.lines().skip_while(|line| *line != "## Export").find(of_name);
             let row = row.unwrap_or_else(|| panic!("no row for {name}"));
-            assert_eq!(
-                row.split('|').nth(2).map(str::trim),
-                Some(axes.as_str()),
-                "{name} has {axes}: {row}"
-            );
+            let shown = row.split('|').nth(2).map(str::trim);
+            assert_eq!(shown, Some(axes.as_str()), "{name}: {row}");
         }
     }
 }

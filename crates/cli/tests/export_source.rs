@@ -1,22 +1,19 @@
 //! `export --lang rust` and `--lang c`: source that compiles and holds the numbers of the files.
 
 use crate::compiled::output_of;
-use crate::support::{Folder, assert_fails, repository};
+use crate::support::{
+    BASIS, Folder, PAIR, SOURCES, assert_contains, assert_fails, repository, repository_text,
+    stderr,
+};
 use eigenshade_model::inputs::coefficient_csv::{read_lights, read_materials};
 use eigenshade_shading::shipped;
-use std::fs;
 use std::process::Command;
-
-const BOTH: &str = "--light lights.csv --material materials.csv";
 
 /// Two lights in color and materials in gray, whose names are no identifiers.
 fn named() -> Folder {
     let folder = Folder::new();
-    let text = folder.read("materials.csv");
-    folder.write(
-        "materials.csv",
-        text.replace("material-0", "01-felt /*").replace("material-1", "Ω 2"),
-    );
+    folder.replace("materials.csv", "material-0", "01-felt /*");
+    folder.replace("materials.csv", "material-1", "Ω 2");
     folder
 }
 
@@ -29,11 +26,12 @@ fn expected(folder: &Folder) -> Vec<Vec<f32>> {
     channels.map(|channel| channel.iter().map(|&number| number as f32).collect()).collect()
 }
 
-/// Whether a program printed these: lines of bits of f32, or of mantissas and exponents.
-fn assert_printed(text: &str, format: &str, expected: &[Vec<f32>]) {
-    let lines: Vec<&str> = text.lines().collect();
-    assert_eq!(lines.len(), expected.len(), "{text}");
-    for (line, expected) in lines.iter().zip(expected) {
+/// Asserts that a program printed these in each format: lines of bits of f32, or of mantissas and
+/// exponents.
+fn assert_printed(text: &str, formats: &[&str], expected: &[Vec<f32>]) {
+    assert_eq!(text.lines().count(), formats.len() * expected.len(), "{text}");
+    let all = formats.iter().flat_map(|format| expected.iter().map(move |one| (*format, one)));
+    for (line, (format, expected)) in text.lines().zip(all) {
         let found: Vec<i64> =
             line.split_whitespace().map(|word| word.parse().expect("a number")).collect();
         if format == "f32" {
@@ -54,15 +52,16 @@ fn assert_printed(text: &str, format: &str, expected: &[Vec<f32>]) {
     }
 }
 
-/// The constants of the exported lights and materials, in the order of [`expected`].
-const CONSTANTS: [&str; 7] = [
-    "light::LIGHT_0",
-    "light::LIGHT_1",
-    "light::LIGHT_2",
-    "material::_01_FELT",
-    "material::_2",
-    "material::MATERIAL_2",
-    "material::MATERIAL_3",
+/// The constants of the exported lights and materials in Rust and in C, in the order of
+/// [`expected`].
+const CONSTANTS: [(&str, &str); 7] = [
+    ("light::LIGHT_0", "light_light_0"),
+    ("light::LIGHT_1", "light_light_1"),
+    ("light::LIGHT_2", "light_light_2"),
+    ("material::_01_FELT", "material_01_felt"),
+    ("material::_2", "material_2"),
+    ("material::MATERIAL_2", "material_material_2"),
+    ("material::MATERIAL_3", "material_material_3"),
 ];
 
 #[test]
@@ -70,7 +69,7 @@ fn rust_source_compiles_and_holds_the_numbers() {
     let folder = named();
     let mut modules = Vec::new();
     for format in ["f32", "q15"] {
-        folder.ok(&format!("export --lang rust --format {format} {BOTH} --out {format}.rs"));
+        folder.ok(&format!("export --lang rust --format {format} {PAIR} --out {format}.rs"));
         modules.push((format!("of_{format}"), folder.read(&format!("{format}.rs"))));
         let formatted = Command::new("rustfmt")
             .args(["--check", "--edition", "2024"])
@@ -83,11 +82,11 @@ fn rust_source_compiles_and_holds_the_numbers() {
         }
     }
     // A table too.
-    folder.ok("basis --scene scene.toml --out b.bin");
+    folder.ok(BASIS);
     folder.ok("export --lang rust --table b.bin --out table.rs");
     modules.push(("table".to_owned(), folder.read("table.rs")));
     let mut body = String::new();
-    for constant in CONSTANTS {
+    for (constant, _) in CONSTANTS {
         body += &format!(
             "for channel in [of_f32::{constant}.r, of_f32::{constant}.g, of_f32::{constant}.b] {{
                 for number in channel.coefficients() {{ print!(\"{{}} \", number.to_bits()); }}
@@ -95,7 +94,7 @@ fn rust_source_compiles_and_holds_the_numbers() {
             }}\n"
         );
     }
-    for constant in CONSTANTS {
+    for (constant, _) in CONSTANTS {
         let exponent = if constant.starts_with("light") {
             "channel.exponent()"
         } else {
@@ -112,11 +111,7 @@ fn rust_source_compiles_and_holds_the_numbers() {
     }
     body += "let _ = table::COMPONENTS;";
     let text = output_of("exported", &modules, &body);
-    let expected = expected(&folder);
-    let lines: Vec<&str> = text.lines().collect();
-    let (floats, integers) = lines.split_at(expected.len());
-    assert_printed(&floats.join("\n"), "f32", &expected);
-    assert_printed(&integers.join("\n"), "q15", &expected);
+    assert_printed(&text, &["f32", "q15"], &expected(&folder));
 }
 
 /// A program in C that prints lights and materials.
@@ -166,7 +161,7 @@ fn printed_in_c(folder: &Folder, program: &str) -> Vec<String> {
             .current_dir(folder.path("."))
             .output()
             .expect("a compiler");
-        assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
+        assert!(output.status.success(), "{}", stderr(&output));
         let output = Command::new(folder.path("program")).output().expect("the program runs");
         assert!(output.status.success(), "{:?}", output.status);
         String::from_utf8(output.stdout).expect("text")
@@ -177,16 +172,10 @@ fn printed_in_c(folder: &Folder, program: &str) -> Vec<String> {
 #[test]
 fn c_headers_compile_and_hold_the_numbers() {
     let folder = named();
-    let names = ["light_light_0", "light_light_1", "light_light_2"].into_iter().chain([
-        "material_01_felt",
-        "material_2",
-        "material_material_2",
-        "material_material_3",
-    ]);
     let mut body = String::new();
     for format in ["f32", "q15"] {
-        folder.ok(&format!("export --lang c --format {format} {BOTH} --out {format}.h"));
-        for name in names.clone() {
+        folder.ok(&format!("export --lang c --format {format} {PAIR} --out {format}.h"));
+        for (_, name) in CONSTANTS {
             let kind = name.split('_').next().expect("a kind");
             for channel in ["r", "g", "b"] {
                 body += &format!("  {kind}_{format}({name}_{format}.{channel});\n");
@@ -196,7 +185,7 @@ fn c_headers_compile_and_hold_the_numbers() {
     folder.ok("pack-normals sphere --size 16 --out ball.bin");
     folder.ok("pack-normals sphere --size 16 --out ball.h");
     assert!(folder.read("ball.h").lines().all(|line| line.len() <= 100));
-    let codes = fs::read(folder.path("ball.bin")).expect("bytes");
+    let codes = folder.bytes("ball.bin");
     let sum: usize = codes.iter().enumerate().map(|(k, &code)| k * usize::from(code)).sum();
     body += &format!(
         "  size_t sum = 0;
@@ -209,11 +198,7 @@ fn c_headers_compile_and_hold_the_numbers() {
     let twice = "#include \"f32.h\"\n#include \"q15.h\"\n#include \"ball.h\"\n".repeat(2);
     let program = format!("{twice}{PRINT}int main(void) {{\n{body}  return 0;\n}}\n");
     for text in printed_in_c(&folder, &program) {
-        let expected = expected(&folder);
-        let lines: Vec<&str> = text.lines().collect();
-        let (floats, integers) = lines.split_at(expected.len());
-        assert_printed(&floats.join("\n"), "f32", &expected);
-        assert_printed(&integers.join("\n"), "q15", &expected);
+        assert_printed(&text, &["f32", "q15"], &expected(&folder));
     }
 }
 
@@ -274,10 +259,10 @@ fn sources_and_gloss_compile_and_hold_the_numbers() {
   return 0;\n}}\n"
     );
     for text in printed_in_c(&folder, &program) {
-        assert_printed(&text, "f32", &expected);
+        assert_printed(&text, &["f32"], &expected);
     }
     // The page's example makes the runtime's types.
-    let page = fs::read_to_string(repository().join("docs/commands.md")).expect("the page");
+    let page = repository_text("docs/commands.md");
     let (_, example) = page.split_once("```rust\n").expect("an example");
     let (example, _) = example.split_once("```").expect("its end");
     let body = "for &(name, of_light) in scene::sources::ALL {
@@ -312,7 +297,7 @@ fn sources_and_gloss_compile_and_hold_the_numbers() {
         assert!(made().is_ok());
         {body}"
     );
-    assert_printed(&output_of("highlights", &modules, &made), "f32", &expected);
+    assert_printed(&output_of("highlights", &modules, &made), &["f32"], &expected);
 
     // JavaScript has them with the channels.
     let js = folder.ok(&format!("export --lang js {inputs}"));
@@ -329,7 +314,7 @@ fn sources_and_gloss_compile_and_hold_the_numbers() {
 #[test]
 fn sources_fit_a_material_in_integers() {
     let folder = Folder::new();
-    folder.write("lights.sources.csv", format!("{COLUMNS}light-0,4,{LAMP}\nx\u{202e}y,1,{LAMP}\n"));
+    folder.write("lights.sources.csv", format!("{SOURCES}light-0,4,{LAMP}\nx\u{202e}y,1,{LAMP}\n"));
     // A name that turns the direction of text around, in comments of a header.
     folder.write("named.csv", folder.read("lights.csv").replace("light-0", "x\u{202e}y"));
     folder.write("named.sources.csv", folder.read("lights.sources.csv"));
@@ -341,9 +326,8 @@ fn sources_fit_a_material_in_integers() {
     // No set has so few.
     let few =
         format!("export --lang c --light lights.csv:light-0 {material} --sources 2 --out c.h");
-    assert!(
-        folder.messages(&few).contains("of `light-0`, the largest set of at most 2 sources has 0")
-    );
+    let none = "of `light-0`, the largest set of at most 2 sources has 0";
+    assert_contains(&folder.messages(&few), &[none]);
     let call =
         "  (void)sizeof(eigenshade_color_residual_q15(&light_light_0_f32, sources_light_0_f32,
                                              sources_light_0_count, 0, 0));
@@ -359,7 +343,6 @@ fn sources_fit_a_material_in_integers() {
     }
 }
 
-const COLUMNS: &str = "light,set,x,y,z,r,g,b,major_x,major_y,major_z,minor\n";
 const LAMP: &str = "0,0,1,1,1,1,0.1,0,0,0.1";
 
 #[test]
@@ -379,11 +362,11 @@ fn wrong_sources_are_refused() {
         ["0,0,2,1,1,1,0.1,0,0,0.1", "0,0,1,1e39,1,1,0.1,0,0,0.1", "0,0,1,1,-3,1,0.1,0,0,0.1"]
     {
         folder
-            .write("lights.sources.csv", format!("{COLUMNS}light-0,4,{LAMP}\nlight-0,4,{wrong}\n"));
+            .write("lights.sources.csv", format!("{SOURCES}light-0,4,{LAMP}\nlight-0,4,{wrong}\n"));
         fails(own, &["lights.sources.csv", "source 2 of `light-0` is not one"]);
     }
     // What was found is not overwritten.
-    folder.write("lights.sources.csv", format!("{COLUMNS}light-0,4,{LAMP}\n"));
+    folder.write("lights.sources.csv", format!("{SOURCES}light-0,4,{LAMP}\n"));
     fails(&format!("{own} --out lights.sources.csv"), &["lights.sources.csv"]);
     let project = "project -l lights.csv:light-0 -m nylon --out lights.sources.csv";
     assert_fails(&folder, project, &["lights.sources.csv"]);

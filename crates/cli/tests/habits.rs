@@ -1,7 +1,9 @@
 //! What all commands have in common: names and files, standard input, JSON, messages, help.
 
 use crate::PROGRAM;
-use crate::support::{Folder, PAIR, assert_fails, repository};
+use crate::support::{
+    Folder, PAIR, SHADE, assert_contains, assert_fails, error_line, shipped_path, stderr,
+};
 use eigenshade_shading::shipped;
 use serde_json::Value;
 use std::fs;
@@ -28,10 +30,8 @@ fn fed(folder: &Folder, arguments: &str, input: &[u8]) -> Output {
 fn tables_have_names() {
     let folder = Folder::with_table();
     for name in ["color", "sphere", "curet"] {
-        let file = repository().join(format!("tables/{name}.bin"));
-        let [by_name, by_path] = [name.to_owned(), file.display().to_string()]
-            .map(|table| folder.ok(&format!("eigenvalues -t {table}")));
-        assert_eq!(by_name, by_path);
+        let of = |table: &str| folder.ok(&format!("eigenvalues -t {table}"));
+        assert_eq!(of(name), of(&shipped_path(&format!("{name}.bin"))));
     }
     assert_eq!(folder.ok("info"), folder.ok("info --table color"));
     let project = "project --light park --material chrome --components 2";
@@ -42,8 +42,8 @@ fn tables_have_names() {
     // Reading with a shipped table uses the shipped databases, wherever the program runs.
     folder.ok("render -l park -m 07-velvet -s 48 -t curet -o v.png");
     let by_name = folder.ok("read v.png -n sphere -t curet");
-    let curet = repository().join("tables/curet.bin");
-    assert_eq!(by_name, folder.ok(&format!("read v.png -n sphere -t {}", curet.display())));
+    let curet = shipped_path("curet.bin");
+    assert_eq!(by_name, folder.ok(&format!("read v.png -n sphere -t {curet}")));
 }
 
 /// Each database of `read` has its own default.
@@ -51,14 +51,10 @@ fn tables_have_names() {
 fn one_database_of_two() {
     let folder = Folder::new();
     folder.ok("render -l workshop -m pearl-paint -s 48 -o ball.png");
-    let light = repository().join("tables/inputs/lights.csv");
-    for (options, count) in [
-        ("-m pearl-paint".to_owned(), "of 1 "),
-        (format!("-l {}", light.display()), "of 72 "),
-        (String::new(), "of 72 "),
-    ] {
+    let light = format!("-l {}", shipped_path("inputs/lights.csv"));
+    for (options, count) in [("-m pearl-paint", "of 1 "), (&light, "of 72 "), ("", "of 72 ")] {
         let summary = folder.messages(&format!("read ball.png -n sphere -o b.csv {options}"));
-        assert!(summary.contains("nearest materials") && summary.contains(count), "{summary}");
+        assert_contains(&summary, &["nearest materials", count]);
     }
 }
 
@@ -96,11 +92,7 @@ fn likely_mistakes() {
         ("project -l park -m chrome -o -", ["`-`", "without --out"]),
         ("render -l park -m chrome -o picture", ["picture: its name has no extension", ".png"]),
         ("info -t b.bin --memory 1B", ["the budget is 1 byte;", "--memory"]),
-        (
-            "shade -t b.bin -l lights.csv -m materials.csv -n normals.csv --method modes \
-             --components 3",
-            ["modes", "--components"],
-        ),
+        (&format!("{SHADE} --method modes --components 3"), ["modes", "--components"]),
     ] {
         assert_fails(&folder, arguments, &fragments);
     }
@@ -133,44 +125,41 @@ fn one_entry_of_a_file() {
 #[test]
 fn standard_input_in_place_of_a_file() {
     let folder = Folder::with_table();
-    let shade = format!("shade -t b.bin {PAIR} -n normals.csv");
-    let expected = folder.ok(&shade);
+    // The file of this name is fed.
+    let outputs_agree = |fed_by: &str, by_name: &str, input: &str| {
+        let output = fed(&folder, fed_by, &folder.bytes(input));
+        assert_eq!(output.status.code(), Some(0), "{fed_by}: {}", stderr(&output));
+        assert_eq!(String::from_utf8_lossy(&output.stdout), folder.ok(by_name), "{fed_by}");
+    };
     for name in ["b.bin", "lights.csv", "materials.csv", "normals.csv"] {
-        let input = fs::read(folder.path(name)).unwrap();
-        let output = fed(&folder, &shade.replace(name, "-"), &input);
-        assert_eq!(String::from_utf8_lossy(&output.stdout), expected, "{name}");
+        outputs_agree(&SHADE.replace(name, "-"), SHADE, name);
     }
-    let lights = folder.read("lights.csv");
-    let one =
-        fed(&folder, "project -t b.bin --light=-:light-1 -m materials.csv", lights.as_bytes());
-    assert_eq!(
-        String::from_utf8_lossy(&one.stdout),
-        folder.ok("project -t b.bin -l lights.csv:light-1 -m materials.csv")
+    let project = "project -t b.bin -m materials.csv";
+    outputs_agree(
+        &format!("{project} --light=-:light-1"),
+        &format!("{project} --light lights.csv:light-1"),
+        "lights.csv",
     );
     let export = "export --lang json -t b.bin --normals";
-    let images = fed(&folder, &format!("{export} -"), folder.read("normals.csv").as_bytes());
-    assert_eq!(
-        String::from_utf8_lossy(&images.stdout),
-        folder.ok(&format!("{export} normals.csv"))
-    );
-    let render = "render -t b.bin -l lights.csv:light-1 -s 8 -o a.png --material";
-    let material = folder.read("materials.csv");
-    let drawn = fed(&folder, &format!("{render}=-:material-1"), material.as_bytes());
-    assert_eq!(drawn.status.code(), Some(0));
-    let by_input = fs::read(folder.path("a.png")).unwrap();
-    folder.ok(&format!("{render} materials.csv:material-1"));
-    assert_eq!(by_input, fs::read(folder.path("a.png")).unwrap());
-    let light = fed(&folder, "light - --degree 2", lights.as_bytes());
-    assert_eq!(String::from_utf8_lossy(&light.stdout), folder.ok("light lights.csv --degree 2"));
-    let scene = folder.read("scene.toml");
-    let basis = fed(&folder, "basis --scene - --check b.bin", scene.as_bytes());
+    outputs_agree(&format!("{export} -"), &format!("{export} normals.csv"), "normals.csv");
+    outputs_agree("light - --degree 2", "light lights.csv --degree 2", "lights.csv");
+    let basis = fed(&folder, "basis --scene - --check b.bin", &folder.bytes("scene.toml"));
     assert_eq!(basis.status.code(), Some(0));
+    let render = "render -t b.bin -l lights.csv:light-1 -s 8 -o a.png --material";
+    let material = folder.bytes("materials.csv");
+    let drawn = fed(&folder, &format!("{render}=-:material-1"), &material);
+    assert_eq!(drawn.status.code(), Some(0));
+    let by_input = folder.bytes("a.png");
+    folder.ok(&format!("{render} materials.csv:material-1"));
+    assert_eq!(by_input, folder.bytes("a.png"));
+    let shade = SHADE.replace("lights.csv", "-");
+    let lights = folder.read("lights.csv");
     for (arguments, input, fragment) in [
-        (&shade.replace("lights.csv", "-"), "name,l,m\n", "error: standard input:1: its header"),
-        (&shade.replace("lights.csv", "-").replace("normals.csv", "-"), &lights, "read twice"),
+        (&shade, "name,l,m\n", "error: standard input:1: its header"),
+        (&shade.replace("normals.csv", "-"), &lights, "read twice"),
     ] {
         let output = fed(&folder, arguments, input.as_bytes());
-        let line = String::from_utf8_lossy(&output.stderr);
+        let line = stderr(&output);
         assert!(output.status.code() == Some(1) && line.contains(fragment), "{line}");
     }
 }
@@ -185,8 +174,7 @@ fn answers_as_json() {
     let info = parsed("info -t b.bin");
     assert_eq!((&info["degree"], &info["normals"]), (&4.into(), &"sphere".into()));
     assert_eq!(info["components"], table.count());
-    let bytes = fs::metadata(folder.path("b.bin")).unwrap().len();
-    assert_eq!(info["bytes"]["file"], bytes);
+    assert_eq!(info["bytes"]["file"], folder.bytes("b.bin").len());
     // The same names as in the text.
     for name in info.as_object().unwrap().keys().filter(|name| *name != "bytes") {
         let text = folder.ok("info -t b.bin");
@@ -226,20 +214,19 @@ fn pages_and_completions() {
     let folder = Folder::new();
     folder.ok("man share/man1");
     let page = folder.read("share/man1/eigenshade-render.1");
-    assert!(page.contains(".TH") && page.contains("\\-\\-exposure"), "{page}");
+    assert_contains(&page, &[".TH", "\\-\\-exposure"]);
     for name in ["eigenshade.1", "eigenshade-demo.1", "eigenshade-material-ggx.1"] {
         assert!(folder.path("share/man1").join(name).is_file(), "{name}");
     }
-    for shell in ["bash", "zsh", "fish", "elvish", "powershell"] {
-        let script = folder.ok(&format!("completions {shell}"));
-        assert!(script.contains("render") && script.contains("exposure"), "{shell}");
+    let script = |shell: &str| folder.ok(&format!("completions {shell}"));
+    for shell in ["elvish", "powershell"] {
+        assert_contains(&script(shell), &["render", "exposure"]);
     }
     // The shipped names, and files beside them: bash has these where no name fits.
     for (shell, files) in [("bash", "-o default"), ("zsh", "; _files}"), ("fish", "-F -a \"")] {
-        let script = folder.ok(&format!("completions {shell}"));
-        for expected in ["esplanade", "gold-metallic-paint", files] {
-            assert!(script.contains(expected), "{shell}: {expected}");
-        }
+        let script = script(shell);
+        let words = ["render", "exposure", "esplanade", "gold-metallic-paint", files];
+        assert_contains(&script, &words);
         // In zsh, a colon ends the name of a value.
         assert!(!script.contains("FILE[:NAME]"), "{shell}");
     }
@@ -248,14 +235,7 @@ fn pages_and_completions() {
                  _eigenshade eigenshade par -l; echo \"${COMPREPLY[@]}\"";
     let offered = Command::new("bash").args(["-c", typed]).current_dir(folder.path(".")).output();
     assert_eq!(String::from_utf8_lossy(&offered.unwrap().stdout), "park\n");
-    assert!(
-        Command::new("bash")
-            .args(["-n", "e.bash"])
-            .current_dir(folder.path("."))
-            .status()
-            .unwrap()
-            .success()
-    );
+    assert!(folder.shell("bash -n e.bash").status.success());
 }
 
 /// The same option has the same letter and the same form in every command.
@@ -277,14 +257,11 @@ fn options_are_spelled_alike() {
             found.push((long, short, command));
         }
     }
-    for (long, short, command) in &found {
-        for (other_long, other_short, other) in &found {
-            let same = (long == other_long, short == other_short && !short.is_empty());
-            assert!(
-                same.0 || !same.1,
-                "{command} {long} and {other} {other_long} are both {short}"
-            );
-            assert!(!same.0 || short == other_short, "{long} of {command} and of {other}");
+    for one in &found {
+        for other in &found {
+            let is_same_letter = one.1 == other.1 && !one.1.is_empty();
+            assert!(one.0 == other.0 || !is_same_letter, "{one:?} and {other:?}");
+            assert!(one.0 != other.0 || one.1 == other.1, "{one:?} and {other:?}");
         }
     }
     assert!(found.iter().filter(|(long, ..)| long == "--table").count() >= 8);
@@ -310,32 +287,29 @@ fn a_full_device() {
     let render = "render -l park -m chrome -s 64 -o full.png";
     assert_fails(&folder, render, &["full.png", "No space left"]);
     for arguments in ["list", "info -t b.bin", "eigenvalues --json -t b.bin"] {
-        let script = format!("exec {PROGRAM} {arguments} > /dev/full");
-        let output = shell(&folder, &script);
-        let line = String::from_utf8_lossy(&output.stderr);
+        let output = folder.shell(&format!("exec {PROGRAM} {arguments} > /dev/full"));
+        let line = stderr(&output);
         assert_eq!(output.status.code(), Some(1), "{arguments}: {line}");
         assert!(line.starts_with("error: standard output: No space left"), "{line}");
     }
 }
 
-/// Runs a line of the shell in a folder.
-#[cfg(unix)]
-fn shell(folder: &Folder, script: &str) -> Output {
-    Command::new("sh").args(["-c", script]).current_dir(folder.path(".")).output().unwrap()
-}
-
-/// A picture that does not fit is not there in part.
+/// An output that does not fit is not there in part, and the error names it, not the temporary
+/// file.
 #[cfg(unix)]
 #[test]
-fn pictures_on_a_full_disk() {
-    let folder = Folder::new();
-    for arguments in ["render -l park -m chrome -s 128 -o a.png", "demo -s 32 -o ."] {
-        let before = folder.names();
+fn outputs_on_a_full_disk() {
+    let folder = Folder::with_table();
+    let before = folder.names();
+    for (arguments, error) in [
+        ("render -l park -m chrome -s 128 -o a.png", ".png: File too large"),
+        ("demo -s 32 -o .", ".png: File too large"),
+        (&format!("{SHADE} --out new.csv"), "error: new.csv: File too large"),
+    ] {
         // A limit of the shell takes the place of a full disk.
         let script = format!("trap '' XFSZ; ulimit -f 1; exec {PROGRAM} {arguments}");
-        let output = shell(&folder, &script);
-        let line = String::from_utf8_lossy(&output.stderr);
-        assert!(output.status.code() == Some(1) && line.contains(".png: File too large"), "{line}");
+        let line = error_line(&folder.shell(&script));
+        assert!(line.contains(error) && !line.contains(".eigenshade-"), "{line}");
         assert_eq!(folder.names(), before, "{arguments}");
     }
 }

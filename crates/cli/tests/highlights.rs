@@ -1,6 +1,6 @@
 //! Small sources: finding them in a map, reading them from files, and pictures with them.
 
-use crate::support::{Folder, assert_fails, repository};
+use crate::support::{Folder, assert_contains, assert_fails, shipped_path};
 use eigenshade_cli::reading::pixels::LinearImage;
 use eigenshade_generator::material::brdf::{Brdf, Geometry, Ggx};
 use eigenshade_model::inputs::gloss_csv::read_glosses;
@@ -9,23 +9,19 @@ use eigenshade_model::inputs::source_csv::read_sources;
 use eigenshade_model::source::{Gloss, SetError};
 use eigenshade_shading::shipped;
 use eigenshade_testing::fixtures;
-use std::f64::consts::{FRAC_PI_2, PI};
-use std::fmt::Write;
+use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
 /// A map of one lamp of 0.1 rad, half-way between the camera and the right, on a dim sky, as PFM.
 fn lamp() -> Vec<u8> {
     // No multiples of the blocks of texels that sources are found with.
     let (width, height) = (66_usize, 33_usize);
-    let mut texels = Vec::new();
-    for row in 0..height {
-        for column in 0..width {
-            let polar = std::f64::consts::PI * (row as f64 + 0.5) / height as f64;
-            let turn = std::f64::consts::TAU * ((column as f64 + 0.5) / width as f64 - 0.5);
-            let [x, z] = [turn.sin() * polar.sin(), -turn.cos() * polar.sin()];
-            texels.push([if 0.6 * x + 0.8 * z > 0.1_f64.cos() { 20.0 } else { 0.1 }; 3]);
-        }
-    }
-    fixtures::pfm(width, &texels)
+    let texel = |k: usize| -> [f32; 3] {
+        let polar = PI * ((k / width) as f64 + 0.5) / height as f64;
+        let turn = TAU * (((k % width) as f64 + 0.5) / width as f64 - 0.5);
+        let [x, z] = [turn.sin() * polar.sin(), -turn.cos() * polar.sin()];
+        [if 0.6 * x + 0.8 * z > 0.1_f64.cos() { 20.0 } else { 0.1 }; 3]
+    };
+    fixtures::pfm(width, &(0..width * height).map(texel).collect::<Vec<_>>())
 }
 
 /// Directions of a lamp that is found, radians; and a highlight against the picture without it.
@@ -63,18 +59,17 @@ fn a_lamp_is_found_and_mirrored() {
     let [(_, blurred), (column, sharp)] = ["", "--sources 1"].map(copper);
     assert!(column.abs_diff(42) <= 2 && sharp > 1.3 * blurred, "{column} {sharp} {blurred}");
     // As few as the tolerance allows: one at 0.3, none for a large tolerance.
-    let said = |tolerance: &str| {
+    let said = |tolerance: f64| {
         let choice = format!("--sources auto --tolerance {tolerance} -s 16 -o a.png");
         folder.messages(&format!("render -l lamp.csv -m copper.csv {choice}"))
     };
-    let tolerance = 0.5 * (rms(0) + rms(1));
-    assert!(
-        said(&tolerance.to_string()).contains("1 source at degree 9, order 7 leaves"),
-        "{}",
-        said("0.01")
-    );
-    assert!(said(&(1.01 * rms(0)).to_string()).contains("no sources at degree 9, order 7 leave"));
-    assert!(said("1e-9").contains("more than the 0.0000001 % asked for"));
+    for (tolerance, report) in [
+        (0.5 * (rms(0) + rms(1)), "1 source at degree 9, order 7 leaves"),
+        (1.01 * rms(0), "no sources at degree 9, order 7 leave"),
+        (1e-9, "more than the 0.0000001 % asked for"),
+    ] {
+        assert_contains(&said(tolerance), &[report]);
+    }
     assert_eq!(copper("--sources auto --tolerance 0.9"), copper(""));
 }
 
@@ -85,13 +80,9 @@ const PAINT: &str = "color-changing-paint2";
 fn peak_of(folder: &Folder, options: &str) -> (usize, f64) {
     folder.ok(&format!("render --size 64 --out a.exr {options}"));
     let image = LinearImage::read(folder.path("a.exr"), None).unwrap();
-    let mut best = (0, 0.0);
-    for (k, pixel) in image.pixels.iter().enumerate() {
-        if pixel[1] > best.1 {
-            best = (k, pixel[1]);
-        }
-    }
-    (best.0 % 64, best.1)
+    let green = image.pixels.iter().map(|pixel| pixel[1]).enumerate();
+    let (place, peak) = green.max_by(|a, b| a.1.total_cmp(&b.1)).unwrap();
+    (place % 64, peak)
 }
 
 /// The gloss beside a material CSV: exact for formulas, fitted to measurements.
@@ -109,19 +100,16 @@ fn materials_have_their_gloss_beside_them() {
     let [one] = &glosses[..] else { panic!("{glosses:?}") };
     assert_eq!((one.name.as_str(), one.gloss, one.error), ("ggx", exact, 0.0));
     // Measurements of the same BRDF, every 7.5 degrees and every 15 around.
-    let mut text = "theta_i,phi_i,theta_r,phi_r,r,g,b\n".to_owned();
     let colors = exact.reflectance.map(|f0| Ggx::new(0.25, f0, 0.1).unwrap());
-    for (i, r, around) in (0..12)
-        .flat_map(|i| (0..12).map(move |r| (i, r)))
-        .flat_map(|(i, r)| (0..13).map(move |around| (i, r, around)))
-    {
-        let [i, r] = [i, r].map(|k| FRAC_PI_2 * f64::from(k) / 12.0);
-        let phi = PI * f64::from(around) / 12.0;
+    let row = |place: i32| {
+        let [i, r] = [place / 156, place / 13 % 12].map(|k| FRAC_PI_2 * f64::from(k) / 12.0);
+        let phi = PI * f64::from(place % 13) / 12.0;
         let at = Geometry::from_angles(i, r, phi);
-        let [red, green, blue] = [0, 1, 2].map(|c: usize| colors[c].value(at));
-        writeln!(text, "{i},{phi},{r},0,{red},{green},{blue}").unwrap();
-    }
-    folder.write("copper.csv", text);
+        let [red, green, blue] = colors.each_ref().map(|color| color.value(at));
+        format!("{i},{phi},{r},0,{red},{green},{blue}\n")
+    };
+    let measured: String = (0..12 * 12 * 13).map(row).collect();
+    folder.write("copper.csv", format!("theta_i,phi_i,theta_r,phi_r,r,g,b\n{measured}"));
     folder.ok("material copper.csv --out n.csv");
     let glosses = read_glosses(folder.path("n.gloss.csv")).unwrap();
     let [one] = &glosses[..] else { panic!("{glosses:?}") };
@@ -151,16 +139,15 @@ fn smooth_materials_are_beyond_the_method() {
     let said = |light: &str, material: &str, options: &str| {
         let drawn = format!("render -l {light} -m {material}.csv -s 16 -o a.png {options}");
         let text = folder.messages(&drawn);
-        let notes = text.lines().filter(|line| line.contains("sharper")).map(str::to_owned);
-        let notes: Vec<String> = notes.collect();
+        let notes: Vec<&str> = text.lines().filter(|line| line.contains("sharper")).collect();
         assert!(notes.len() <= 1, "{text}");
-        notes.into_iter().next().unwrap_or_default()
+        notes.concat()
     };
     let errors = shipped::set_errors().unwrap();
-    let of = |most: usize, place: usize| {
+    let of = |most: usize| {
         let is =
             |one: &&SetError| (one.light.as_str(), one.most, one.size) == ("studio", most, (9, 7));
-        let error = errors.iter().find(is).unwrap().errors[place];
+        let error = errors.iter().find(is).unwrap().errors[0];
         [
             format!("by {:.1} % of their peak", 100.0 * error.rms),
             format!("by up to {:.0} %, in the worse of two views", 100.0 * error.worst),
@@ -169,12 +156,12 @@ fn smooth_materials_are_beyond_the_method() {
     let note = said("studio", "smooth", "");
     let start = "note: `smooth` is sharper than order 7 can show: at degree 9,";
     assert!(note.starts_with(start), "{note}");
-    let [rms, worst] = of(0, 0);
-    assert!(note.contains(&rms) && note.contains(&worst) && note.contains("`studio`"), "{note}");
+    let [rms, worst] = of(0);
+    assert_contains(&note, &[&rms, &worst, "`studio`"]);
     assert!(note.ends_with("`--sources 4` draws small bright sources sharply"), "{note}");
     let note = said("studio", "smooth", "--sources 4");
     assert!(note.contains("than order 7 and 4 sources can show"), "{note}");
-    let [rms, worst] = of(4, 0);
+    let [rms, worst] = of(4);
     assert!(note.contains(&rms) && note.ends_with(&worst), "{note}");
     // Under a light without a map, what is known of other lights.
     let note = said("blender-city", "smooth", "");
@@ -188,29 +175,31 @@ fn smooth_materials_are_beyond_the_method() {
 fn pictures_say_what_they_lack() {
     let folder = Folder::new();
     let said = |arguments: &str| folder.messages(&format!("render {arguments} -s 16 -o a.png"));
-    assert!(said("-l studio -m pink-felt --sources 4").contains("as matte as a roughness"));
-    assert!(said("-l studio -m two-layer-gold --sources 4").contains("not quite a GGX lobe"));
     assert_eq!(said("-l studio -m gold-metallic-paint --sources 4"), "");
     // No lobe of its own, whose roughness would mean something.
     folder.ok("material oren-nayar --sigma 0.5 --albedo 0.2,0.4,0.8 --out rough.csv");
     assert_eq!(said("-l studio -m rough.csv"), "");
-    assert!(said("-l studio -m rough.csv --sources 4").contains("as matte as a roughness of 1.00"));
-    assert!(
-        said("-l studio -m chrome --sources 3").contains("2 sources, the largest set of at most 3")
-    );
-    assert!(
-        said("-l city -m chrome --sources 1").contains("0 sources, the largest set of at most 1")
-    );
-    let no_map = "render -l blender-city -m nylon --sources 4 -o a.png";
-    assert_fails(&folder, no_map, &["blender-city", "has no map"]);
-    let no_gloss = "render -l studio -m 07-velvet --sources 4 -o a.png";
-    assert_fails(&folder, no_gloss, &["07-velvet", "gloss"]);
-    let no_gloss = "render -l studio -m materials.csv:material-0 --sources 4 -o a.png";
-    assert_fails(&folder, no_gloss, &["material-0", "eigenshade material .. --out FILE.csv"]);
-    let no_file = "render -l lights.csv:light-0 -m nylon --sources 4 -o a.png";
-    assert_fails(&folder, no_file, &["lights.sources.csv", "light MAP --sources"]);
-    let sources = repository().join("tables/inputs/lights.csv");
-    let csv = format!("light {} --sources 4 --out b.csv", sources.display());
+    for (drawn, note) in [
+        ("-l studio -m pink-felt --sources 4", "as matte as a roughness"),
+        ("-l studio -m two-layer-gold --sources 4", "not quite a GGX lobe"),
+        ("-l studio -m rough.csv --sources 4", "as matte as a roughness of 1.00"),
+        ("-l studio -m chrome --sources 3", "2 sources, the largest set of at most 3"),
+        ("-l city -m chrome --sources 1", "0 sources, the largest set of at most 1"),
+    ] {
+        assert_contains(&said(drawn), &[note]);
+    }
+    for (refused, fragments) in [
+        ("-l blender-city -m nylon", ["blender-city", "has no map"]),
+        ("-l studio -m 07-velvet", ["07-velvet", "gloss"]),
+        (
+            "-l studio -m materials.csv:material-0",
+            ["material-0", "eigenshade material .. --out FILE.csv"],
+        ),
+        ("-l lights.csv:light-0 -m nylon", ["lights.sources.csv", "light MAP --sources"]),
+    ] {
+        assert_fails(&folder, &format!("render {refused} --sources 4 -o a.png"), &fragments);
+    }
+    let csv = format!("light {} --sources 4 --out b.csv", shipped_path("inputs/lights.csv"));
     assert_fails(&folder, &csv, &["--sources needs a map"]);
 }
 
@@ -229,26 +218,23 @@ fn a_tolerance_chooses_table_and_sources() {
     let auto = |light: &str, material: &str, tolerance: &str| {
         drawn(light, material, &format!("--sources auto --tolerance {tolerance}"))
     };
-    let (said, pixels) = auto("city", "m.csv", "8e-3");
-    assert!(said.contains("no sources at degree 12, order 12 leave 0.33 %"), "{said}");
-    assert!(pixels == drawn("city", "m.csv", "-t pbr").1);
-    let (said, pixels) = auto("city", "m.csv", "2e-2");
-    assert!(said.contains("no sources at degree 9, order 7 leave 1.36 %"), "{said}");
-    assert!(pixels == drawn("city", "m.csv", "").1);
-    // Without coefficients to order 12, there is no choice.
-    let (said, _) = auto("city", "low.csv", "8e-3");
-    assert!(said.contains("16 sources at degree 9, order 7 leave 0.89 %"), "{said}");
-    assert!(said.contains("more than the 0.8 % asked for"), "{said}");
-    let (said, pixels) = auto("studio", "m.csv", "40dB");
-    assert!(said.contains("1 source at degree 9, order 7 leaves 0.58 %"), "{said}");
-    assert!(pixels == drawn("studio", "m.csv", "--sources 1").1);
-    // A matte material has no sources, and the tolerance holds all the same.
     folder.ok("material ggx --roughness 0.65 --f0 0.9 --order 12 --out matte.csv");
-    let (said, pixels) = auto("studio", "matte.csv", "2e-3");
-    assert!(said.contains("no sources at degree 12, order 12 leave"), "{said}");
-    assert!(pixels == drawn("studio", "matte.csv", "-t pbr").1);
+    for (light, material, tolerance, report, same) in [
+        ("city", "m.csv", "8e-3", "no sources at degree 12, order 12 leave 0.33 %", "-t pbr"),
+        ("city", "m.csv", "2e-2", "no sources at degree 9, order 7 leave 1.36 %", ""),
+        ("studio", "m.csv", "40dB", "1 source at degree 9, order 7 leaves 0.58 %", "--sources 1"),
+        // A matte material has no sources, and the tolerance holds all the same.
+        ("studio", "matte.csv", "2e-3", "no sources at degree 12, order 12 leave", "-t pbr"),
+    ] {
+        let (said, pixels) = auto(light, material, tolerance);
+        assert_contains(&said, &[report]);
+        assert!(pixels == drawn(light, material, same).1, "{light}, {material}, {tolerance}");
+    }
+    // Without coefficients to order 12, there is no choice.
+    let report = ["16 sources at degree 9, order 7 leave 0.89 %", "more than the 0.8 % asked for"];
+    assert_contains(&auto("city", "low.csv", "8e-3").0, &report);
     let (said, _) = auto("studio", "matte.csv", "1e-6");
-    assert!(said.contains("more than the 0.0001 % asked for"), "{said}");
+    assert_contains(&said, &["more than the 0.0001 % asked for"]);
     // Shipped materials in color have both orders.
     let (said, pixels) = drawn("city", "brass", "-t pbr --sources auto --tolerance 2e-2");
     assert!(said.contains("at degree 12, order 12 leave"), "{said}");

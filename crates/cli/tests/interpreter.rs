@@ -12,8 +12,13 @@ impl Function {
         Self(tokens(function.split_once('{').expect("a body").1))
     }
 
-    /// The irradiance of a normal, where the array `eigenshade` holds these vectors.
-    pub fn irradiance(&self, vectors: &[[f64; 4]], normal: [f64; 3]) -> [f64; 3] {
+    /// The irradiance of these normals, channel after channel, where the array `eigenshade` holds
+    /// these vectors.
+    pub fn values(&self, vectors: &[[f64; 4]], normals: &[[f64; 3]]) -> Vec<f64> {
+        normals.iter().flat_map(|&normal| self.irradiance(vectors, normal)).collect()
+    }
+
+    fn irradiance(&self, vectors: &[[f64; 4]], normal: [f64; 3]) -> [f64; 3] {
         let variables = HashMap::from([("normal", normal.to_vec())]);
         let mut run = Run { tokens: &self.0, at: 0, vectors, variables };
         let result = run.block().expect("an irradiance that is returned");
@@ -44,9 +49,12 @@ impl<'a> Run<'a> {
         is
     }
 
-    fn expect(&mut self, token: &str) {
-        let found = self.next();
-        assert_eq!(found, token, "before {:?}", &self.tokens[self.at..][..4]);
+    /// Skips these tokens, which blanks separate.
+    fn expect(&mut self, tokens: &str) {
+        for token in tokens.split(' ') {
+            let found = self.next();
+            assert_eq!(found, token, "before {:?}", &self.tokens[self.at..][..4]);
+        }
     }
 
     /// Statements up to a closing brace, or to one that returns.
@@ -65,8 +73,7 @@ impl<'a> Run<'a> {
                     let left = self.number();
                     self.expect(">");
                     let is_true = left > self.number();
-                    self.expect(")");
-                    self.expect("{");
+                    self.expect(") {");
                     if !is_true {
                         self.skip_block();
                     } else if let Some(result) = self.block() {
@@ -118,16 +125,11 @@ impl<'a> Run<'a> {
         let name = self.next();
         self.expect("=");
         let mut k = self.number();
-        self.expect(";");
-        self.expect(name);
-        self.expect("<");
+        self.expect(&format!("; {name} <"));
         let end = self.number();
-        self.expect(";");
-        self.expect(name);
-        self.expect("+=");
+        self.expect(&format!("; {name} +="));
         let step = self.number();
-        self.expect(")");
-        self.expect("{");
+        self.expect(") {");
         let body = self.at;
         while k < end {
             self.at = body;
@@ -216,9 +218,9 @@ impl<'a> Run<'a> {
                 self.vectors[place as usize].to_vec()
             }
             "texelFetch" => {
-                ["(", "eigenshade", ",", "ivec2", "("].iter().for_each(|token| self.expect(token));
+                self.expect("( eigenshade , ivec2 (");
                 let place = self.number();
-                [",", "0", ")", ",", "0", ")"].iter().for_each(|token| self.expect(token));
+                self.expect(", 0 ) , 0 )");
                 self.vectors[place as usize].to_vec()
             }
             "vec3" | "vec3f" | "dot" | "sqrt" | "max" => {

@@ -1,6 +1,6 @@
 //! `material` on formulas, tables and folders of files; and bad ones of each.
 
-use crate::support::{Folder, assert_fails, numbers, repository, rows};
+use crate::support::{Folder, assert_fails, assert_usage_errors, numbers, rows, shipped_path};
 use crate::tolerances;
 use std::f64::consts::{FRAC_PI_2, PI};
 
@@ -38,13 +38,15 @@ fn formulas_on_the_command_line() {
 #[test]
 fn degree_and_order_have_defaults() {
     let folder = Folder::new();
-    let materials = rows(&folder.ok("material lambertian --albedo 0.8"), GRAY);
-    assert_eq!(materials.last().map(|row| row[1..4].join(",")).as_deref(), Some("7,7,7"));
-    let map = repository().join("tables/inputs/maps/sky.exr");
-    let lights = rows(&folder.ok(&format!("light {}", map.display())), "name,l,m,r,g,b");
-    assert_eq!(lights.last().map(|row| row[1..3].join(",")).as_deref(), Some("9,9"));
-    let lights = rows(&folder.ok("light lights.csv --from graphics"), "name,l,m,r,g,b");
-    assert_eq!(lights.last().map(|row| row[1..3].join(",")).as_deref(), Some("4,4"));
+    let map = format!("light {}", shipped_path("inputs/maps/sky.exr"));
+    for (command, header, last) in [
+        ("material lambertian --albedo 0.8", GRAY, &["7", "7", "7"][..]),
+        (&map, "name,l,m,r,g,b", &["9", "9"]),
+        ("light lights.csv --from graphics", "name,l,m,r,g,b", &["4", "4"]),
+    ] {
+        let rows = rows(&folder.ok(command), header);
+        assert_eq!(rows[rows.len() - 1][1..=last.len()], *last, "{command}");
+    }
 }
 
 /// A constant table of 1/π.
@@ -58,16 +60,12 @@ fn table() -> Vec<u8> {
 }
 
 fn measured() -> String {
-    let mut text = String::from("theta_i,phi_i,theta_r,phi_r,value\n");
-    for i in 0..6 {
-        for r in 0..6 {
-            for k in 0..4 {
-                let angle = |step: i32| FRAC_PI_2 * f64::from(step) / 5.5;
-                text += &format!("{},{},{},0,0.2\n", angle(i), 0.8 * f64::from(k), angle(r));
-            }
-        }
-    }
-    text
+    let angle = |step: i32| FRAC_PI_2 * f64::from(step) / 5.5;
+    let row = |place: i32| {
+        let (i, r, k) = (place / 24, place / 4 % 6, place % 4);
+        format!("{},{},{},0,0.2\n", angle(i), 0.8 * f64::from(k), angle(r))
+    };
+    "theta_i,phi_i,theta_r,phi_r,value\n".to_owned() + &(0..144).map(row).collect::<String>()
 }
 
 #[test]
@@ -113,10 +111,11 @@ fn gltf_materials_are_lobes_over_a_base() {
         };
         assert_eq!(of("gltf", gltf), of("ggx", ggx), "{gltf}");
     }
-    for wrong in ["--base-color 1.5 --metallic 0", "--base-color 0.5 --metallic -0.1"] {
-        let usage = format!("material gltf {wrong} --roughness 0.5");
-        assert_eq!(folder.run(&usage).status.code(), Some(2), "{wrong}");
-    }
+    let wrong = [
+        "material gltf --base-color 1.5 --metallic 0 --roughness 0.5",
+        "material gltf --base-color 0.5 --metallic -0.1 --roughness 0.5",
+    ];
+    assert_usage_errors(&folder, &wrong);
 }
 
 /// The options of the coefficients are on either side of a formula's name.
@@ -148,14 +147,10 @@ fn gloss_is_beside_a_csv_only() {
 #[test]
 fn too_few_measurements_are_said() {
     let folder = Folder::new();
-    let all = measured();
-    let few: String = all.lines().take(11).map(|line| format!("{line}\n")).collect();
+    let few: String = measured().lines().take(11).map(|line| format!("{line}\n")).collect();
     folder.write("few.csv", few);
-    assert_fails(
-        &folder,
-        "material few.csv --out new.csv",
-        &["few: 10 measurements do not determine 40 coefficients"],
-    );
+    let error = "few: 10 measurements do not determine 40 coefficients";
+    assert_fails(&folder, "material few.csv --out new.csv", &[error]);
     // Ten in one direction of the light are in range by chance.
     let said = folder.messages("material few.csv --order 2 --out new.csv");
     assert!(said.contains("10 measurements of `few` do not determine 5 coefficients"), "{said}");
@@ -175,11 +170,12 @@ fn bad_formulas() {
     ] {
         assert_fails(&folder, &format!("material {arguments} --order 2 --out new.csv"), &fragments);
     }
-    for usage in
-        ["ggx --f0 0.04 --order 2", "lambertian --order 1", "lambertian --albedo 1,2 --order 2"]
-    {
-        assert_eq!(folder.run(&format!("material {usage}")).status.code(), Some(2), "{usage}");
-    }
+    let incomplete = [
+        "material ggx --f0 0.04 --order 2",
+        "material lambertian --order 1",
+        "material lambertian --albedo 1,2 --order 2",
+    ];
+    assert_usage_errors(&folder, &incomplete);
     let good = "[[material]]\nname = \"a\"\nmodel = \"ggx\"\nroughness = 0.5\nf0 = 0.04\n";
     for (text, fragment) in [
         (good.replace("0.5", "0.0"), "`a`: roughness = 0 "),

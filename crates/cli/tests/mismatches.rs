@@ -1,15 +1,15 @@
 //! Files and options that do not belong together, and would give a wrong picture without a word.
 
 use crate::support::files::map;
-use crate::support::{Folder, ORDER, assert_fails, materials};
+use crate::support::{Folder, ORDER, assert_contains, assert_fails, materials, stderr};
 
 #[test]
 fn sources_of_other_lights_are_not_left_beside_new_ones() {
     let folder = Folder::new();
     folder.write("map.pfm", map(1.0));
-    folder.write("beside.csv", "");
-    folder.write("beside.sources.csv", "");
-    folder.write("beside.sources.errors.csv", "");
+    for name in ["beside.csv", "beside.sources.csv", "beside.sources.errors.csv"] {
+        folder.write(name, "");
+    }
     let what = "beside.sources.csv and beside.sources.errors.csv would be used with the new lights";
     for command in ["map.pfm", "lights.csv"] {
         assert_fails(&folder, &format!("light {command} -o beside.csv"), &[what]);
@@ -24,12 +24,13 @@ fn sources_of_other_lights_are_not_left_beside_new_ones() {
 #[test]
 fn a_table_without_gloss_takes_no_sources() {
     let folder = Folder::new();
-    let scene = folder.read("scene.toml");
-    folder.write("matte.toml", format!("{scene}\n[effects]\nuse = [\"ambient\", \"diffuse\"]\n"));
+    let matte = "\n[effects]\nuse = [\"ambient\", \"diffuse\"]\n";
+    folder.write("matte.toml", folder.read("scene.toml") + matte);
     folder.ok("basis --scene matte.toml --out matte.bin");
-    let options = "-t matte.bin -l lobby -m brass --sources 4";
-    assert_fails(&folder, &format!("render {options} -o a.png"), &["has no gloss"]);
-    assert_fails(&folder, &format!("shader --lang glsl --json {options}"), &["has no gloss"]);
+    for command in ["render -o a.png", "shader --lang glsl --json"] {
+        let command = format!("{command} -t matte.bin -l lobby -m brass --sources 4");
+        assert_fails(&folder, &command, &["has no gloss"]);
+    }
 }
 
 /// As docs/commands.md says of a matte.
@@ -73,10 +74,9 @@ fn notes_say_of_which_pictures_the_errors_are() {
     for other in ["-l low.csv", "-l lobby --effects diffuse"] {
         assert!(!said(other).contains(start), "{other}");
     }
-    let said = said("-l lobby -t pbr");
     let of_12 =
         "note: `brass` is sharper than order 12 can show: at degree 12, pictures are off by 1.7 %";
-    assert!(said.contains(of_12), "{said}");
+    assert_contains(&said("-l lobby -t pbr"), &[of_12]);
 }
 
 /// Integers that a table does not have are refused before anything is written.
@@ -106,7 +106,7 @@ fn negative_numbers_are_values() {
     let folder = Folder::new();
     for command in ["light lights.csv --degree -1", "material ggx --f0 -1 --roughness 0.5"] {
         let output = folder.run(command);
-        let text = String::from_utf8_lossy(&output.stderr);
+        let text = stderr(&output);
         assert!(text.contains("-1") && !text.contains("unexpected argument"), "{text}");
         assert!(!output.status.success());
     }
@@ -117,22 +117,21 @@ fn all_of_a_negative_map_is_negative() {
     let folder = Folder::new();
     folder.write("below.pfm", map(-1.0));
     let said = folder.messages("light below.pfm -o below.csv");
-    assert!(said.contains("100.00 % of the radiance is negative"), "{said}");
+    assert_contains(&said, &["100.00 % of the radiance is negative"]);
 }
 
 /// Shipped materials cannot be made again, since their measurements are not shipped.
 #[test]
 fn shipped_materials_of_a_higher_order_need_another_table() {
     let folder = Folder::with_table();
-    let message = folder.messages("project --table b.bin --light lobby --material chrome");
+    let said = |material: &str| {
+        folder.messages(&format!("project --table b.bin --light lobby --material {material}"))
+    };
     let line = "warning: chrome: its materials have order 7, the table order 3: higher \
                 coefficients are ignored, and the rest are not the projection to order 3; use a \
                 table of order 7\n";
-    assert!(message.contains(line), "{message}");
+    assert_contains(&said("chrome"), &[line]);
     folder.write("high.csv", materials(ORDER + 2, 1));
-    let message = folder.messages("project --table b.bin --light lobby --material high.csv");
-    assert!(
-        message.contains("order 3 unless made with --measure solid-angle; create"),
-        "{message}"
-    );
+    let made = "order 3 unless made with --measure solid-angle; create";
+    assert_contains(&said("high.csv"), &[made]);
 }

@@ -1,14 +1,15 @@
 //! Objects other than the sphere: their files, their pictures, and notes about them.
 
 use crate::support::files::{
-    built, eigenvalues, ellipsoid, facets, normal_map, obj, ply, square_png, stl, table,
+    built, eigenvalues, ellipsoid, facets, gray_png, normal_map, obj, ply, square_png, stl, table,
     with_geometry,
 };
-use crate::support::{Folder, assert_fails, difference, scene};
+use crate::support::{Folder, NEW_BASIS, assert_contains, assert_fails, difference, scene};
 use crate::tolerances;
 use eigenshade_shading::owned_basis::OwnedBasis;
+use eigenshade_testing::fixtures;
+use png::{BitDepth, ColorType};
 use std::f64::consts::PI;
-use std::fmt::Write;
 
 /// Eigenvalues of a density that is linear between 401 slants, relative to the largest. Chords of a
 /// cosine are too low by the same share everywhere, which normalization removes; the rest decreases
@@ -30,31 +31,27 @@ fn every_object_shades_as_the_direct_sum() {
     });
     let table_of_slants = format!("slant,density\n{}", steps.collect::<String>());
     let sphere = eigenvalues(&table("normals = \"sphere\"\n", &[]));
-    for (geometry, files) in [
-        ("normals = \"slant-density\"\ndensity = \"cos(a)\"\n", vec![]),
-        (
-            "normals = \"slant-density\"\ndensity = \"d.csv\"\n",
-            vec![("d.csv", table_of_slants.into_bytes())],
-        ),
-        ("normals = \"facets.csv\"\n", vec![("facets.csv", facets().into_bytes())]),
+    let files = [("d.csv", table_of_slants.into_bytes()), ("facets.csv", facets().into_bytes())];
+    for (geometry, allowed) in [
+        ("normals = \"slant-density\"\ndensity = \"cos(a)\"\n", tolerances::GENERAL_SPHERE),
+        ("normals = \"slant-density\"\ndensity = \"d.csv\"\n", TABULATED_DENSITY),
+        // Another shape has other eigenvalues.
+        ("normals = \"facets.csv\"\n", f64::INFINITY),
     ] {
         let folder = table(geometry, &files);
         let found = difference(&eigenvalues(&folder), &sphere);
         println!("{geometry:?}: eigenvalues {found:e}");
-        if geometry.contains("cos(a)") {
-            assert!(found < tolerances::GENERAL_SPHERE, "{found:e}");
-        } else if geometry.contains("d.csv") {
-            assert!(found < TABULATED_DENSITY, "{found:e}");
-        }
+        assert!(found < allowed, "{geometry:?}: {found:e}");
         let reference = folder.shaded("--method modes");
         for method in ["polynomial", "eigen"] {
-            let found =
-                difference(&folder.shaded(&format!("--method {method} --format f64")), &reference);
-            println!("{geometry:?}, {method}: {found:e}");
-            assert!(found < tolerances::GENERAL_PICTURES, "{method}: {found:e}");
-            let found = difference(&folder.shaded(&format!("--method {method}")), &reference);
-            println!("{geometry:?}, {method}, f32: {found:e}");
-            assert!(found < tolerances::ALL_COMPONENTS_F32, "{method}: {found:e}");
+            for (format, allowed) in
+                [("f64", tolerances::GENERAL_PICTURES), ("f32", tolerances::ALL_COMPONENTS_F32)]
+            {
+                let shaded = folder.shaded(&format!("--method {method} --format {format}"));
+                let found = difference(&shaded, &reference);
+                println!("{geometry:?}, {method}, {format}: {found:e}");
+                assert!(found < allowed, "{method}, {format}: {found:e}");
+            }
         }
         folder.ok("basis --scene scene.toml --check b.bin");
     }
@@ -127,8 +124,7 @@ fn a_mesh_is_the_list_of_its_facets() {
         ("m.stl", stl(), SAME_MESH_F32),
     ] {
         let mesh = table(&format!("normals = \"{name}\"\n"), &[(name, bytes)]);
-        let found = eigenvalues(&mesh);
-        let found = difference(&found, &expected);
+        let found = difference(&eigenvalues(&mesh), &expected);
         println!("{name}: {found:e}");
         assert!(found < allowed, "{name}: {found:e}");
     }
@@ -138,7 +134,7 @@ fn a_mesh_is_the_list_of_its_facets() {
 fn a_normal_map_of_a_sphere_is_nearly_the_sphere() {
     let sphere = table("normals = \"sphere\"\n", &[]);
     let expected = eigenvalues(&sphere);
-    for bits in [png::BitDepth::Eight, png::BitDepth::Sixteen] {
+    for bits in [BitDepth::Eight, BitDepth::Sixteen] {
         let folder = table("normals = \"n.png\"\n", &[("n.png", normal_map(bits))]);
         let found = difference(&eigenvalues(&folder), &expected);
         println!("{bits:?}: {found:e}");
@@ -150,31 +146,22 @@ fn a_normal_map_of_a_sphere_is_nearly_the_sphere() {
 /// light, the same as a list of those normals.
 #[test]
 fn a_mask_hides_normals() {
-    let counts = |row: i32, column: i32| column >= 32 && row < 24;
-    let map = normal_map(png::BitDepth::Sixteen);
-    let mask: Vec<f64> =
-        (0..64 * 64).map(|k| f64::from(u8::from(counts(k / 64, k % 64)))).collect();
-    let mask = square_png(64, png::ColorType::Grayscale, png::BitDepth::Eight, &mask);
+    let mask: Vec<u8> =
+        (0..64 * 64).map(|k| if k % 64 >= 32 && k / 64 < 24 { 255 } else { 0 }).collect();
     let captured = |geometry: &str, files: &[(&str, Vec<u8>)]| {
         eigenvalues(&built(&with_geometry(geometry).replace("\"any\"", "\"none\""), files))
     };
+    // The mask has the columns with x > 0 and the rows with y > 1/4.
+    let mut piece = fixtures::disc(64);
+    piece.retain(|[x, y, _]| *x > 0.0 && *y > 0.25);
     let list = |[sx, sy]: [f64; 2]| {
-        let mut text = "x,y,z\n".to_owned();
-        for row in 0..64 {
-            for column in 0..64 {
-                let at = |k: i32| (f64::from(k) + 0.5) / 32.0 - 1.0;
-                let (x, y) = (at(column), -at(row));
-                let square = 1.0 - x * x - y * y;
-                if square > 0.0 && counts(row, column) {
-                    writeln!(text, "{},{},{}", sx * x, sy * y, square.sqrt()).expect("text");
-                }
-            }
-        }
+        let rows = piece.iter().map(|[x, y, z]| format!("{},{},{z}\n", sx * x, sy * y));
+        let text = format!("x,y,z\n{}", rows.collect::<String>());
         captured("normals = \"piece.csv\"\n", &[("piece.csv", text.into())])
     };
     let masked = captured(
         "normals = \"n.png\"\nmask = \"mask.png\"\n",
-        &[("n.png", map), ("mask.png", mask)],
+        &[("n.png", normal_map(BitDepth::Sixteen)), ("mask.png", gray_png(64, 64, &mask))],
     );
     let found = difference(&masked, &list([1.0, 1.0]));
     println!("{found:e}");
@@ -204,6 +191,7 @@ fn formulas_are_read_as_written() {
 fn a_picture_of_another_object_has_a_note() {
     let render = "render -t b.bin --light lights.csv:light-0 --material materials.csv:material-0 \
                   --size 16 --out p.png";
+    let shown = "; draw the object with `render --normals OBJECT`";
     for (geometry, name) in [
         ("normals = \"facets.csv\"\n", Some("`facets.csv`")),
         ("normals = \"slant-density\"\ndensity = \"cos(a)\"\n", Some("`slant-density cos(a)`")),
@@ -214,9 +202,7 @@ fn a_picture_of_another_object_has_a_note() {
         match name {
             Some(name) => {
                 assert!(message.starts_with("note: ") && message.lines().count() == 1, "{message}");
-                for fragment in [name, "sphere", "b.bin"] {
-                    assert!(message.contains(fragment), "no {fragment} in {message}");
-                }
+                assert_contains(&message, &[name, "sphere", "b.bin", shown]);
             }
             None => assert_eq!(message, ""),
         }
@@ -277,7 +263,7 @@ fn kinds_of_stl() {
         (longer, "115296"),
     ] {
         folder.write("m.stl", bytes);
-        assert_fails(&folder, "basis --scene scene.toml --out new.bin", &["m.stl", fragments]);
+        assert_fails(&folder, NEW_BASIS, &["m.stl", fragments]);
     }
 }
 
@@ -286,16 +272,12 @@ fn kinds_of_stl() {
 fn normal_maps_have_one_rule() {
     let folder = table("normals = \"sphere\"\n", &[]);
     folder.write("scene.toml", with_geometry("normals = \"n.png\"\n"));
-    let masked = with_geometry("normals = \"n.png\"\nmask = \"mask.png\"\n");
-    folder.write("masked.toml", masked);
+    folder.write("masked.toml", with_geometry("normals = \"n.png\"\nmask = \"mask.png\"\n"));
     let size = 8usize;
-    let mut mask = vec![1.0; size * size];
-    mask[0] = 0.0;
-    let gray = |samples: &[f64]| {
-        square_png(size, png::ColorType::Grayscale, png::BitDepth::Eight, samples)
-    };
-    folder.write("mask.png", gray(&mask));
-    folder.write("image.png", gray(&vec![0.5; size * size]));
+    let mut mask = [255; 64];
+    mask[0] = 0;
+    folder.write("mask.png", gray_png(size, size, &mask));
+    folder.write("image.png", gray_png(size, size, &[128; 64]));
     let read = "read image.png --normals n.png --table b.bin --components 2 --out new.csv";
     // Pixel 0, 0 is of this kind, all others normals over the disc.
     let map = |first: [f64; 4]| {
@@ -305,7 +287,7 @@ fn normal_maps_have_one_rule() {
             let z = (1.0 - x * x - y * y).sqrt();
             samples.extend([0.5 + 0.5 * x, 0.5 - 0.5 * y, 0.5 + 0.5 * z, 1.0]);
         }
-        square_png(size, png::ColorType::Rgba, png::BitDepth::Eight, &samples)
+        square_png(size, ColorType::Rgba, BitDepth::Eight, &samples)
     };
     // The number of pixels without a normal, according to the table and to `read`.
     let without = || {
@@ -334,22 +316,10 @@ fn normal_maps_have_one_rule() {
         assert_eq!(without(), [expected; 2], "{name}");
     }
     folder.write("n.png", map([0.7, 0.5, 0.1, 1.0]));
-    let basis = "basis --scene scene.toml --out new.bin";
-    assert_fails(&folder, basis, &["n.png", "pixel 0, 0", "away"]);
-    assert_fails(&folder, read, &["n.png", "pixel 0, 0", "away"]);
+
+    for command in [NEW_BASIS, read] {
+        assert_fails(&folder, command, &["n.png", "pixel 0, 0", "away"]);
+    }
     folder.ok("basis --scene masked.toml --out new.bin");
     folder.ok(&format!("{read} --mask mask.png"));
-}
-
-#[test]
-fn render_draws_other_objects_by_normals() {
-    let folder = Folder::new();
-    let scene = folder.read("scene.toml");
-    folder.write("scene.toml", scene.replace("\"sphere\"", "\"normals.csv\""));
-    folder.ok("basis --scene scene.toml --out b.bin");
-    let message = folder.messages(
-        "render -t b.bin --light lights.csv:light-0 --material materials.csv:material-0 --size 8 \
-         --out p.png",
-    );
-    assert!(message.contains("; draw the object with `render --normals OBJECT`"), "{message}");
 }

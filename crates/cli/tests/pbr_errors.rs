@@ -1,9 +1,10 @@
 //! The recorded errors of the table of formulas in the manifest, in tables/README.md, and refused
 //! beside another table. The tests of the experiments find those of three materials again.
 
-use crate::support::{Folder, assert_fails, repository, rows};
-use std::fs;
-use std::path::PathBuf;
+use crate::support::{
+    BASIS, Folder, assert_contains, assert_fails, error_line, repository_text, rows,
+};
+use eigenshade_testing::part;
 
 /// The error of the shipped components against that of all, relative: what 250 components leave out
 /// is small beside what the degree leaves out.
@@ -15,30 +16,24 @@ const ERROR_WHERE_ROUGH: f64 = 0.01;
 
 const HEADER: &str = "material,degree,order,components,median,worst,map,normals,scene,energy";
 
-fn tables(name: &str) -> PathBuf {
-    repository().join("tables").join(name)
-}
-
 fn shipped() -> Vec<Vec<String>> {
-    rows(&fs::read_to_string(tables("pbr.errors.csv")).unwrap(), HEADER)
+    rows(&repository_text("tables/pbr.errors.csv"), HEADER)
 }
 
 /// The manifest repeats the recorded errors.
 #[test]
 fn the_manifest_holds_the_errors() {
-    let manifest = fs::read_to_string(tables("pbr.manifest.csv")).unwrap();
-    let mut found = 0;
-    for row in shipped() {
+    let manifest = repository_text("tables/pbr.manifest.csv");
+    let rows = shipped();
+    for row in &rows {
         let of = if row[3].is_empty() { "direct sum" } else { "table" };
         let entry = format!("error of {} {}/{} {of}", row[0], row[1], row[2]);
-        assert!(manifest.contains(&format!("\n{entry} median,{},,\n", row[4])), "{entry}");
-        assert!(
-            manifest.contains(&format!("\n{entry} worst,{} {},,\n", row[5], row[6])),
-            "{entry}"
-        );
-        found += 2;
+        let median = format!("\n{entry} median,{},,\n", row[4]);
+        let worst = format!("\n{entry} worst,{} {},,\n", row[5], row[6]);
+        assert_contains(&manifest, &[&median, &worst]);
     }
-    assert_eq!(manifest.lines().filter(|line| line.starts_with("error of ")).count(), found);
+    let errors = manifest.lines().filter(|line| line.starts_with("error of "));
+    assert_eq!(errors.count(), 2 * rows.len());
 }
 
 /// Figures that the documentation states.
@@ -65,9 +60,8 @@ fn shipped_errors_are_small_from_roughness_one_half() {
 /// The table of tables/README.md has the file's figures in percent.
 #[test]
 fn the_readme_shows_the_errors() {
-    let readme = fs::read_to_string(tables("README.md")).unwrap();
-    let (_, shown) = readme.split_once("<!-- errors: ").unwrap();
-    let (shown, _) = shown.split_once("<!-- end of errors -->").unwrap();
+    let readme = repository_text("tables/README.md");
+    let shown = part(&readme, "errors");
     let percent = |text: &str| {
         let value = 100.0 * text.parse::<f64>().unwrap();
         if value < 0.1 { "< 0.1".into() } else { format!("{value:.2}") }
@@ -86,9 +80,7 @@ fn the_readme_shows_the_errors() {
 /// Errors of another table are not repeated in a manifest.
 #[test]
 fn errors_of_another_table_are_refused() {
-    let folder = Folder::new();
-    let basis = "basis --scene scene.toml --out b.bin";
-    folder.ok(basis);
+    let folder = Folder::with_table();
     let manifest = folder.read("b.manifest.csv");
     let scene = manifest.lines().find(|line| line.starts_with("scene,")).unwrap();
     let stamp = scene.rsplit(',').next().unwrap().to_owned();
@@ -106,29 +98,27 @@ fn errors_of_another_table_are_refused() {
     };
     let refused = |text: String, fragments: &[&str]| {
         folder.write("b.errors.csv", text);
-        let fragments: Vec<&str> = ["b.errors.csv:2", "remove the file"]
-            .into_iter()
-            .chain(fragments.iter().copied())
-            .collect();
-        assert_fails(&folder, basis, &fragments);
+        assert_fails(
+            &folder,
+            BASIS,
+            &[&["b.errors.csv:2", "remove the file"][..], fragments].concat(),
+        );
         assert_eq!(folder.read("b.manifest.csv"), manifest);
     };
     let (material, map) = ("material-0", "light-0");
     refused(row(material, map, "00000000", "1"), &["scene `00000000`", &stamp]);
     refused(row(material, map, &stamp, "1"), &["energy 1,", "lights or materials differ"]);
     // The error message contains the energy.
-    let report = folder.run(basis);
-    let report = String::from_utf8_lossy(&report.stderr).into_owned();
-    let energy =
-        report.split("this one has ").nth(1).unwrap().split(':').next().unwrap().to_owned();
-    refused(row("other", map, &stamp, &energy), &["no material `other`"]);
-    refused(row(material, "other", &stamp, &energy), &["no light `other`"]);
-    let other = row(material, map, &stamp, &energy).replace(",0.1,0.2,", "0,0.1,0.2,");
-    refused(other, &["0 components"]);
+    let report = error_line(&folder.run(BASIS));
+    let energy = report.split("this one has ").nth(1).unwrap().split(':').next().unwrap();
+    refused(row("other", map, &stamp, energy), &["no material `other`"]);
+    refused(row(material, "other", &stamp, energy), &["no light `other`"]);
+    let good = row(material, map, &stamp, energy);
+    refused(good.replace(",0.1,0.2,", "0,0.1,0.2,"), &["0 components"]);
     folder.write("b.errors.csv", "material,degree,order,components,median,worst,map,normals\n");
-    assert_fails(&folder, basis, &["b.errors.csv:1", "scene,energy"]);
-    folder.write("b.errors.csv", row(material, map, &stamp, &energy));
-    folder.ok(basis);
+    assert_fails(&folder, BASIS, &["b.errors.csv:1", "scene,energy"]);
+    folder.write("b.errors.csv", good);
+    folder.ok(BASIS);
     let line = format!("error of {material} {degree}/{order} table worst,0.2 {map},,");
     assert_eq!(folder.read("b.manifest.csv").lines().next_back(), Some(line.as_str()));
 }

@@ -1,16 +1,18 @@
 //! Pictures: reading them, the transfer functions of PNG files, and the normals of a sphere.
 
-use crate::support::files::{answer, decoded, get, nearest, png};
-use crate::support::{Folder, materials, repository};
+use crate::support::files::{answer, decoded, get, gray_png, nearest, png};
+use crate::support::{BASIS, Folder, assert_contains, materials, rows, shipped_path};
 use crate::tolerances;
 use eigenshade::mathematics::Libm;
 use eigenshade::{Display, Exposure, Light, Normal, Rgb, Rotation, Tone, Window, presets, sphere};
+use eigenshade_cli::object::ObjectView;
 use eigenshade_cli::picture::SphereView;
 use eigenshade_cli::reading::pixels::{LinearImage, Transfer};
-use eigenshade_model::database::Named;
+
 use eigenshade_model::srgb::linear;
 use eigenshade_shading::shipped;
 use eigenshade_shading::sphere_rings::rings;
+use eigenshade_testing::largest_difference;
 use png::chunk::ChunkType;
 use png::{BitDepth, ColorType, Encoder, ScaledFloat, SrgbRenderingIntent};
 use std::fs;
@@ -22,33 +24,21 @@ const READ_SIXTEEN_BITS: f64 = 5e-4;
 /// Share of the energy that 50 components leave of a picture in 8 bits: 3 % in amplitude.
 const READ_PICTURE: f64 = 1e-3;
 
-fn shipped_names(entries: Vec<Named>) -> Vec<String> {
-    entries.into_iter().map(|entry| entry.name).collect()
-}
-
 /// A name is the same light or material as the shipped file's entry, and no table is `color.bin`.
 #[test]
 fn names_are_entries_of_the_shipped_files() {
     let folder = Folder::new();
-    let tables = repository().join("tables");
-    let (table, lights) = (tables.join("color.bin"), tables.join("inputs/lights.csv"));
-    let materials = tables.join("inputs/materials.csv");
-    let (table, lights, materials) = (table.display(), lights.display(), materials.display());
+    let [table, lights, materials] =
+        ["color.bin", "inputs/lights.csv", "inputs/materials.csv"].map(shipped_path);
     folder.ok(&format!(
         "render -t {table} -l {lights}:park -m {materials}:07-velvet --size 32 --out a.png"
     ));
     folder.ok("render --light park --material 07-velvet --size 32 --out b.png");
-    assert_eq!(fs::read(folder.path("a.png")).unwrap(), fs::read(folder.path("b.png")).unwrap());
-    let listed = folder.ok("list");
-    let names = |kind: &str| -> Vec<String> {
-        let rows = listed.lines().map(|row| row.split(',').collect::<Vec<_>>());
-        rows.filter(|row| row[0] == kind).map(|row| row[1].to_owned()).collect()
-    };
-    assert!(
-        listed.starts_with("kind,name,size,color,error_9_7,worst_9_7,error_12_12,worst_12_12\n")
-    );
+    assert_eq!(folder.bytes("a.png"), folder.bytes("b.png"));
+    let header = "kind,name,size,color,error_9_7,worst_9_7,error_12_12,worst_12_12";
+    let listed = rows(&folder.ok("list"), header);
     // Shipped materials in color have errors; the gray ones of CUReT have none.
-    for row in listed.lines().skip(1).map(|row| row.split(',').collect::<Vec<_>>()) {
+    for row in &listed {
         let errors = [4, 5, 6, 7].map(|column: usize| row[column].parse::<f64>().ok());
         if row[0] == "material" && (row[3] == "rgb" || row[1] == "ptfe-633nm") {
             let errors = errors.map(|error| error.expect("a number"));
@@ -58,9 +48,13 @@ fn names_are_entries_of_the_shipped_files() {
             assert_eq!(errors, [None; 4], "{row:?}");
         }
     }
-    let (of_lights, of_materials) = (names("light"), names("material"));
-    assert_eq!(of_lights, shipped_names(shipped::lights().unwrap().entries));
-    assert_eq!(of_materials, shipped_names(shipped::named_materials(7).unwrap().entries));
+    for (kind, entries) in [
+        ("light", shipped::lights().unwrap().entries),
+        ("material", shipped::named_materials(7).unwrap().entries),
+    ] {
+        let of_kind = listed.iter().filter(|row| row[0] == kind).map(|row| &row[1]);
+        assert!(of_kind.eq(entries.iter().map(|entry| &entry.name)), "{kind}");
+    }
     // The other commands take names as well.
     let shaded =
         |rest: &str| folder.ok(&format!("shade --table {table} {rest} --normals normals.csv"));
@@ -69,9 +63,8 @@ fn names_are_entries_of_the_shipped_files() {
     let of_both: Vec<_> =
         of_file.lines().filter(|row| row.starts_with("park,07-velvet,")).collect();
     assert_eq!(by_name.lines().skip(1).collect::<Vec<_>>(), of_both);
-    let projected = folder
-        .ok(&format!("project --table {table} --light park --material 07-velvet --components 3"));
-    assert_eq!(projected.lines().count(), 4);
+    let projected = format!("--table {table} --light park --material 07-velvet --components 3");
+    assert_eq!(folder.projected(&projected).len(), 3 * 3);
 }
 
 /// A material sharper than its picture says so, of whatever degree and order; a matte one, and a
@@ -82,27 +75,23 @@ fn sharp_materials_are_named() {
     let drawn = |material: &str| {
         folder.messages(&format!("render --light park --material {material} --size 32 --out a.png"))
     };
-    let note = drawn("chrome");
-    assert!(note.contains("`chrome` is sharper than order 7 can show: at degree 9,"), "{note}");
-    for partial in ["--window 12", "--components 9"] {
-        let note = drawn(&format!("chrome {partial}"));
-        assert!(
-            note.contains("; this is for a picture of all components, without a window"),
-            "{note}"
-        );
+    let of_all = "; this is for a picture of all components, without a window";
+    for (material, note) in [
+        ("chrome", "`chrome` is sharper than order 7 can show: at degree 9,"),
+        ("chrome --window 12", of_all),
+        ("chrome --components 9", of_all),
+    ] {
+        assert_contains(&drawn(material), &[note]);
     }
-    folder.ok("basis --scene scene.toml --out b.bin");
-    let note = drawn("chrome --table b.bin");
-    assert!(note.contains("order 3 can show") && note.contains("by at least"), "{note}");
+    folder.ok(BASIS);
+    assert_contains(&drawn("chrome --table b.bin"), &["order 3 can show", "by at least"]);
     // A table of order 12, of a lower degree than any that was measured.
-    let scene = folder.read("scene.toml").replace("order = 3", "order = 12");
-    folder.write("scene.toml", scene);
+    folder.replace("scene.toml", "order = 3", "order = 12");
     folder.write("materials.csv", materials(12, 2));
-    folder.ok("basis --scene scene.toml --out b.bin");
-    let note = drawn("chrome --table b.bin");
+    folder.ok(BASIS);
     let start =
         "`chrome` is sharper than order 12 can show: at degree 4, pictures are off by about";
-    assert!(note.contains(start), "{note}");
+    assert_contains(&drawn("chrome --table b.bin"), &[start]);
     assert!(!drawn("ptfe-633nm").contains("sharper"));
     // Where the light ends below the table's degree, and where it is the same from everywhere.
     folder.write("even.csv", "name,l,m,value\neven,0,0,1\neven,1,-1,0\neven,1,0,0\neven,1,1,0\n");
@@ -112,8 +101,8 @@ fn sharp_materials_are_named() {
     folder.ok("light park --degree 9 -o low.csv");
     assert!(under("low.csv").contains("the light ends at degree 9, and the table shows 12"));
     assert!(!under("even.csv").contains("sharper"));
-    let file = repository().join("tables/inputs/merl.csv");
-    assert!(!drawn(&format!("{}:chrome", file.display())).contains("sharper"));
+    let file = shipped_path("inputs/merl.csv");
+    assert!(!drawn(&format!("{file}:chrome")).contains("sharper"));
 }
 
 /// Exposure, tone curve, rotation, window, effects and components change a picture as the runtime
@@ -122,17 +111,10 @@ fn sharp_materials_are_named() {
 fn pictures_follow_their_options() {
     let folder = Folder::new();
     let size = 24;
-    let picture = |options: &str| -> Vec<u8> {
-        let choice = "--light lobby --material gold-metallic-paint --out a.png";
-        let table = repository().join("tables/sphere.bin");
-        folder.ok(&format!("render --table {} {choice} --size {size} {options}", table.display()));
-        decoded(&folder.path("a.png")).2
-    };
-    // Rounding may move a code by one.
+    let picture = |options: &str| picture_of_gold(&folder, size, options);
     let near = |options: &str, expected: Vec<u8>| {
         let found = picture(options);
-        let most = found.iter().zip(&expected).map(|(a, b)| a.abs_diff(*b)).max();
-        assert!(found.len() == expected.len() && most <= Some(1), "{options}: {most:?}");
+        assert_same_codes(&found, &expected, options);
         found
     };
     let lobby = presets::light::LOBBY;
@@ -148,10 +130,9 @@ fn pictures_follow_their_options() {
     near("--exposure 0.5 --window 12", gold(size, Tone::Linear, 0.5, windowed.lights().unwrap()));
     // Metered: a pixel in a hundred is white in some channel, give or take the meter's step.
     let metered = picture("");
-    let (visible, white) =
-        metered.chunks(4).filter(|pixel| pixel[3] > 0).fold((0, 0), |(visible, white), pixel| {
-            (visible + 1, white + usize::from(pixel[..3].contains(&255)))
-        });
+    let visible = metered.chunks(4).filter(|pixel| pixel[3] > 0);
+    let white = visible.clone().filter(|pixel| pixel[..3].contains(&255)).count();
+    let visible = visible.count();
     assert!(white > 0 && white < visible / 10, "{white} of {visible}");
     // As is light of any scale.
     for scale in ["1e-25", "1e-5", "1e5", "1e25"] {
@@ -164,40 +145,46 @@ fn pictures_follow_their_options() {
         assert!(white > 0 && white < visible / 10, "{scale}: {white} of {visible}");
     }
     assert!(picture("--exposure 0.5 --components 3") != linear);
-    let (diffuse, gloss) =
-        (picture("--exposure 0.1 --effects ambient,diffuse"), picture("--exposure 0.1"));
-    assert!(diffuse != gloss);
+    let effects = picture("--exposure 0.1 --effects ambient,diffuse");
+    assert!(effects != picture("--exposure 0.1"));
+    // More pixels than are shaded together have no seams.
+    let found = picture_of_gold(&folder, 600, "--exposure 0.5");
+    assert_same_codes(&found, &gold(600, Tone::Linear, 0.5, lobby), "in bands");
 }
 
-/// A picture of more pixels than are shaded together is the runtime's.
-#[test]
-fn bands_have_no_seams() {
-    let folder = Folder::new();
-    let table = repository().join("tables/sphere.bin");
-    let size = 600;
-    folder.ok(&format!(
-        "render --table {} --light lobby --material gold-metallic-paint --exposure 0.5 \
-         --size {size} --out a.png",
-        table.display()
-    ));
-    let (.., found) = decoded(&folder.path("a.png"));
-    let expected = gold(size, Tone::Linear, 0.5, presets::light::LOBBY);
-    assert_eq!(found.len(), expected.len());
-    // Rounding may move a code by one.
-    assert!(found.iter().zip(&expected).all(|(a, b)| a.abs_diff(*b) <= 1));
+/// The bytes of the picture of gold paint under the lobby's light.
+fn picture_of_gold(folder: &Folder, size: usize, options: &str) -> Vec<u8> {
+    let scene = "--table sphere --light lobby --material gold-metallic-paint";
+    folder.ok(&format!("render {scene} --size {size} --out a.png {options}"));
+    decoded(&folder.path("a.png")).2
 }
 
-/// The bytes of the picture of gold paint under a light, as the runtime computes it.
+/// Rounding may move a code by one.
+pub fn assert_same_codes(found: &[u8], expected: &[u8], name: &str) {
+    let most = found.iter().zip(expected).map(|(a, b)| a.abs_diff(*b)).max();
+    assert!(found.len() == expected.len() && most <= Some(1), "{name}: {most:?}");
+}
+
+/// The bytes of the picture of a sphere of gold paint under a light.
 fn gold(size: usize, tone: Tone, exposure: f32, light: Rgb<Light<'_, f32>>) -> Vec<u8> {
-    let (display, exposure) = (Display::new(tone), Exposure::new(exposure).unwrap());
     let scene = sphere::color::scene(light, presets::material::GOLD_METALLIC_PAINT).unwrap();
-    let view = SphereView::new(size);
-    let mut bytes = vec![0; 4 * size * size];
+    drawn(&ObjectView::sphere(size), &scene, tone, exposure)
+}
+
+/// The bytes of the picture of an object, as the runtime computes it.
+pub fn drawn(
+    view: &ObjectView,
+    scene: &sphere::color::Scene,
+    tone: Tone,
+    exposure: f32,
+) -> Vec<u8> {
+    let (display, exposure) = (Display::new(tone), Exposure::new(exposure).unwrap());
+    let mut bytes = vec![0; 4 * view.width * view.height];
     for (normal, pixel) in view.normals.iter().zip(&view.pixels) {
         let [x, y, z] = normal.map(|component| component as f32);
         let color = exposure.of(scene.shade(Normal::new(x, y, z).unwrap()));
         let [r, g, b] = <[u8; 3]>::from(display.rgb888(color));
-        let start = 4 * (pixel.row * size + pixel.column);
+        let start = 4 * (pixel.row * view.width + pixel.column);
         let opacity = (255.0 * pixel.coverage).round() as u8;
         bytes[start..start + 4].copy_from_slice(&[r, g, b, opacity]);
     }
@@ -207,29 +194,25 @@ fn gold(size: usize, tone: Tone, exposure: f32, light: Rgb<Light<'_, f32>>) -> V
 #[test]
 fn pictures_of_velvet() {
     let folder = Folder::new();
-    let table = repository().join("tables/curet.bin");
-    let table = table.display();
+    let table = shipped_path("curet.bin");
     folder.ok(&format!(
         "render --table {table} --light park --material 07-velvet --size 96 --out v.png"
     ));
     let read = |arguments: &str| {
-        let output = folder.run(&format!("read {arguments} --table {table}"));
-        let message = String::from_utf8_lossy(&output.stderr).into_owned();
-        assert!(output.status.success(), "{arguments}: {message}");
-        (answer(&String::from_utf8(output.stdout).unwrap()), message)
+        let (text, message) = folder.both(&format!("read {arguments} --table {table}"));
+        (answer(&text), message)
     };
     // 8 bits of sRGB, transparent around, a hundredth of it clipped.
     let (sphere, message) = read("v.png --normals sphere");
     assert_eq!(nearest(&sphere), "07-velvet", "{message}");
-    assert!(message.contains("v.png: 9216 pixels, ") && message.contains(" clipped"), "{message}");
+    assert_contains(&message, &["v.png: 9216 pixels, ", " clipped"]);
     assert!(get(&sphere, "relative-residual", "posterior")[0][0] < READ_PICTURE);
 
     // The same in 16 linear bits, with the normals as a map and a mask of half.
     let (.., bytes) = decoded(&folder.path("v.png"));
     let (mut samples, mut map, mut mask) = (Vec::new(), Vec::new(), Vec::new());
     for (place, pixel) in bytes.chunks_exact(4).enumerate() {
-        let (x, y) = ((place % 96) as f64 - 47.5, 47.5 - (place / 96) as f64);
-        let (x, y) = (x / 47.5, y / 47.5);
+        let [x, y] = [(place % 96) as f64 - 47.5, 47.5 - (place / 96) as f64].map(|at| at / 47.5);
         let square = 1.0 - x * x - y * y;
         let normal = if square > 0.0 { [x, y, square.sqrt()] } else { [0.0; 3] };
         for (channel, n) in pixel.iter().zip(normal) {
@@ -241,19 +224,19 @@ fn pictures_of_velvet() {
     }
     folder.write("linear.png", png(96, 96, BitDepth::Sixteen, ColorType::Rgb, &samples));
     folder.write("map.png", png(96, 96, BitDepth::Sixteen, ColorType::Rgb, &map));
-    folder.write("mask.png", png(96, 96, BitDepth::Eight, ColorType::Grayscale, &mask));
+    folder.write("mask.png", gray_png(96, 96, &mask));
     let (mapped, _) = read("linear.png --normals map.png");
-    let pairs = [&sphere, &mapped].map(|found| get(found, "d", "posterior"));
-    let largest = pairs[0][0][0].abs();
-    let both = pairs[0].iter().flatten().zip(pairs[1].iter().flatten());
-    let far = both.fold(0.0f64, |most, (a, b)| most.max((a - b).abs())) / largest;
+    let [of_sphere, of_map] =
+        [&sphere, &mapped].map(|found| get(found, "d", "posterior").as_flattened());
+    let largest = of_sphere[0].abs();
+    let far = largest_difference(of_sphere, of_map) / largest;
     println!("16 bits: {far:.1e}");
     assert!(far <= READ_SIXTEEN_BITS, "{far:e}");
     let (masked, message) = read("linear.png --normals map.png --mask mask.png");
     let counts = [&mapped, &masked].map(|found| get(found, "fit", "pixels")[0][0]);
     assert!(counts[1] < 0.85 * counts[0] && counts[1] > 0.7 * counts[0], "{counts:?} {message}");
     // A table without its databases uses the shipped ones.
-    fs::copy(repository().join("tables/curet.bin"), folder.path("alone.bin")).unwrap();
+    fs::copy(&table, folder.path("alone.bin")).unwrap();
     let alone = answer(&folder.ok("read v.png --normals sphere --table alone.bin"));
     assert_eq!(alone, sphere);
     // Read as linear, the 8 bits of sRGB are another image.
@@ -333,7 +316,7 @@ fn curves_are_those_that_files_declare() {
         (sixteen, points(13), srgb),
         (eight, points(16), Err("cICP chunk has the transfer 16")),
     ] {
-        std::fs::write(&path, picture(depth, declared)).unwrap();
+        fs::write(&path, picture(depth, declared)).unwrap();
         let stored = match depth {
             BitDepth::Sixteen => f64::from(u16::from_be_bytes(SAMPLE)) / 65535.0,
             _ => f64::from(SAMPLE[0]) / 255.0,
@@ -350,10 +333,8 @@ fn curves_are_those_that_files_declare() {
             }
             (Err(error), Err(fragment)) => {
                 let line = error.to_string();
-                for fragment in [fragment, "one.png", "; ", "--transfer"] {
-                    assert!(line.contains(fragment), "{declared:?}: {line}");
-                }
-                assert_eq!(line.lines().count(), 1);
+                assert_contains(&line, &[fragment, "one.png", "; ", "--transfer"]);
+                assert_eq!(line.lines().count(), 1, "{declared:?}: {line}");
             }
             (found, expected) => panic!("{declared:?}: {found:?}, not {expected:?}"),
         }

@@ -1,13 +1,12 @@
 //! `eigenshade read` on images whose light and material are known: of a sphere, of other objects,
 //! and with tables of light that does not rotate freely.
 
-use crate::support::files::{Answer, READ, answer, get, nearest, with_image};
+use crate::support::files::{Answer, READ, answer, get, nearest, third_material, with_image};
 use crate::support::{
-    DEGREE, Folder, ORDER, SHADED, assert_fails, difference, lights, materials, noise, numbers,
-    rows, scene,
+    BASIS, DEGREE, Folder, ORDER, SHADED, assert_contains, assert_fails, difference, lights, noise,
+    numbers, rows, scene,
 };
 use eigenshade_testing::{fixtures, largest};
-use std::fmt::Write;
 
 /// d of an image without noise, and the image of its light, relative to the largest: polynomials
 /// accurate to 1e-12, times a condition number of a few hundreds.
@@ -26,23 +25,9 @@ const FLAT: f64 = 2e-15;
 #[test]
 fn components_and_material_come_back() {
     let folder = with_image();
-    let found = answer(&folder.ok(&format!("{READ} --light-out l.csv --modes-out m.csv")));
-    let header = "light,material,component,r,g,b";
-    let project = folder.ok("project --table b.bin --light light.csv --material material.csv");
-    let expected = numbers(&rows(&project, header), 3);
-    for estimate in ["least-squares", "posterior"] {
-        assert_near(estimate, get(&found, "d", estimate).as_flattened(), &expected);
-    }
+    let found = assert_comes_back(&folder, "normals.csv", "--modes-out m.csv");
     assert_eq!(get(&found, "fit", "pixels")[0][0], 400.0);
-    assert!(get(&found, "relative-residual", "least-squares")[0][0] < RESIDUAL);
-    assert_eq!(nearest(&found), "material-2");
     assert_eq!(get(&found, "fit", "product-converged"), [[1.0; 3]]);
-
-    // The estimated light gives the image again.
-    let shade = "shade --table b.bin --material material.csv --normals normals.csv --format f64";
-    let again = folder.ok(&format!("{shade} --light l.csv"));
-    let images = [folder.read("image.csv"), again].map(|text| numbers(&rows(&text, SHADED), 3));
-    assert_near("the light's image", &images[1], &images[0]);
     assert!(folder.read("l.csv").contains("\nimage,0,0,"));
     let modes = rows(&folder.read("m.csv"), "estimate,l,m,o,p,q,r,g,b");
     let count = eigenshade_index::mode::total(DEGREE, ORDER);
@@ -69,13 +54,12 @@ fn weighted_images() {
 #[test]
 fn units_do_not_matter() {
     let folder = with_image();
-    let values = numbers(&rows(&folder.read("image.csv"), SHADED), 3);
+    let values = image(&folder);
     let scaled = |scale: f64| {
-        let mut text = "r,g,b\n".to_owned();
-        for [r, g, b] in values.as_chunks::<3>().0 {
-            writeln!(text, "{:e},{:e},{:e}", scale * r, scale * g, scale * b).unwrap();
-        }
-        folder.write("scaled.csv", text);
+        let row =
+            |[r, g, b]: &[f64; 3]| format!("{:e},{:e},{:e}\n", scale * r, scale * g, scale * b);
+        let text: String = values.as_chunks().0.iter().map(row).collect();
+        folder.write("scaled.csv", format!("r,g,b\n{text}"));
         "read scaled.csv --normals normals.csv --table b.bin".to_owned()
     };
     let expected = answer(&folder.ok(READ));
@@ -123,11 +107,9 @@ fn assert_near(what: &str, found: &[f64], expected: &[f64]) {
 
 /// 400 normals of an object whose right side faces the camera more.
 fn object() -> String {
-    let (mut text, mut noise) = ("x,y,z\n".to_owned(), noise(5));
-    for _ in 0..400 {
-        writeln!(text, "{},{},{}", noise() + 0.2, 0.8 * noise(), noise().abs()).unwrap();
-    }
-    text
+    let mut noise = noise(5);
+    let mut row = || format!("{},{},{}\n", noise() + 0.2, 0.8 * noise(), noise().abs());
+    "x,y,z\n".to_owned() + &(0..400).map(|_| row()).collect::<String>()
 }
 
 /// A folder with an object's normals, this light, the third material, and the scene of this
@@ -139,62 +121,62 @@ fn with_object(criterion: &str, geometry: &str, rotation: &str, light: &str) -> 
         .replace("normals = \"sphere\"", &format!("normals = \"{geometry}\""))
         .replace("rotation = \"any\"", &format!("rotation = \"{rotation}\""));
     folder.write("scene.toml", text);
-    let only = |text: &str, begin: &str, name: &str| -> String {
-        let keep = |line: &&str| !line.starts_with(begin) || line.starts_with(name);
-        text.lines().filter(keep).map(|line| format!("{line}\n")).collect()
-    };
     folder.write("light.csv", light);
-    folder.write("material.csv", only(&materials(ORDER, 4), "material-", "material-2,"));
+    folder.write("material.csv", third_material());
     folder
 }
 
 /// A gray light: the luminance of light-1 of the database, at another exposure.
 fn gray_light() -> String {
-    let mut text = "name,l,m,value\n".to_owned();
-    for row in rows(&lights(DEGREE, 3), "name,l,m,r,g,b") {
-        if row[0] == "light-1" {
-            let [r, g, b] = [3, 4, 5].map(|field| row[field].parse::<f64>().expect("a number"));
-            let value = 3.0 * (0.2126 * r + 0.7152 * g + 0.0722 * b);
-            writeln!(text, "gray,{},{},{value:e}", row[1], row[2]).unwrap();
-        }
-    }
-    text
+    let gray = |row: &Vec<String>| {
+        let [r, g, b] = [3, 4, 5].map(|field| row[field].parse::<f64>().expect("a number"));
+        let value = 3.0 * (0.2126 * r + 0.7152 * g + 0.0722 * b);
+        format!("gray,{},{},{value:e}\n", row[1], row[2])
+    };
+    let rows = rows(&lights(DEGREE, 3), "name,l,m,r,g,b");
+    let rows: String = rows.iter().filter(|row| row[0] == "light-1").map(gray).collect();
+    format!("name,l,m,value\n{rows}")
 }
 
-/// Makes the table, shades its object or the sphere's normals, and reads it back.
-fn comes_back(folder: &Folder, normals: &str) -> Answer {
-    folder.ok("basis --scene scene.toml --out b.bin");
-    let pair = "--light light.csv --material material.csv";
-    folder.ok(&format!(
-        "shade --table b.bin {pair} --normals {normals} --format f64 --out image.csv"
-    ));
-    let read = format!("read image.csv --normals {normals} --table b.bin --light-out l.csv");
-    let answer = answer(&folder.ok(&read));
-    let header = "light,material,component,r,g,b";
-    let expected = numbers(&rows(&folder.ok(&format!("project --table b.bin {pair}")), header), 3);
+/// Makes the table, shades the object, and reads it back.
+fn comes_back(folder: &Folder) -> Answer {
+    folder.ok(BASIS);
+    let scene = "--light light.csv --material material.csv --normals object.csv";
+    folder.ok(&format!("shade --table b.bin {scene} --format f64 --out image.csv"));
+    assert_comes_back(folder, "object.csv", "")
+}
+
+/// Asserts that d, the material and an estimated light of `image.csv`, which has these normals, are
+/// those of `light.csv` and `material.csv`.
+fn assert_comes_back(folder: &Folder, normals: &str, options: &str) -> Answer {
+    let read = READ.replace("normals.csv", normals);
+    let answer = answer(&folder.ok(&format!("{read} --light-out l.csv {options}")));
+    let expected = folder.projected("--table b.bin --light light.csv --material material.csv");
     for estimate in ["least-squares", "posterior"] {
         assert_near(estimate, get(&answer, "d", estimate).as_flattened(), &expected);
     }
     assert!(get(&answer, "relative-residual", "least-squares")[0][0] < RESIDUAL);
     assert_eq!(nearest(&answer), "material-2");
     // The estimated light gives the image again.
-    let again = folder.ok(&format!(
-        "shade --table b.bin --light l.csv --material material.csv --normals {normals} --format f64"
+    let again = folder.irradiance(&format!(
+        "--table b.bin --light l.csv --material material.csv --normals {normals} --format f64"
     ));
-    let [found, image] =
-        [again, folder.read("image.csv")].map(|text| numbers(&rows(&text, SHADED), 3));
-    assert_near("the light's image", &found, &image);
+    assert_near("the light's image", &again, &image(folder));
     answer
+}
+
+fn image(folder: &Folder) -> Vec<f64> {
+    numbers(&rows(&folder.read("image.csv"), SHADED), 3)
 }
 
 #[test]
 fn an_object_comes_back() {
     let colored = lights(DEGREE, 1);
     // A sphere's table, with the pixels of another object.
-    comes_back(&with_object("standard", "sphere", "any", &colored), "object.csv");
+    comes_back(&with_object("standard", "sphere", "any", &colored));
     for criterion in ["image-centered", "standard"] {
         let folder = with_object(criterion, "object.csv", "any", &colored);
-        let answer = comes_back(&folder, "object.csv");
+        let answer = comes_back(&folder);
         // Its pixels are its normals, so that the paper's scalar product is exact.
         let [product, squares] =
             ["scalar-product", "least-squares"].map(|name| get(&answer, "d", name).as_flattened());
@@ -209,7 +191,7 @@ fn captured_light_comes_back() {
         [("image-centered", "object.csv"), ("standard", "object.csv"), ("image-centered", "sphere")]
     {
         let folder = with_object(criterion, geometry, "none", &gray_light());
-        comes_back(&folder, "object.csv");
+        comes_back(&folder);
         let [found, reference] = ["l.csv", "light.csv"].map(|name| {
             let text = folder.read(name);
             let header = text.lines().next().expect("a header").to_owned();
@@ -224,7 +206,7 @@ fn captured_light_comes_back() {
 fn light_about_the_vertical_comes_back() {
     for criterion in ["image-centered", "standard"] {
         let folder = with_object(criterion, "object.csv", "vertical", &gray_light());
-        comes_back(&folder, "object.csv");
+        comes_back(&folder);
     }
 }
 
@@ -233,15 +215,13 @@ fn light_about_the_vertical_comes_back() {
 fn weights_of_the_scene_count() {
     for geometry in ["object.csv", "sphere"] {
         let folder = with_object("image-centered", geometry, "none", &gray_light());
-        let text = folder
-            .read("scene.toml")
-            .replace("[material]", "weights = { light-0 = 0, light-2 = 0 }\n[material]")
-            .replace(
-                "[basis]",
-                "weights = { material-0 = 0, material-1 = 0, material-3 = 0 }\n[basis]",
-            );
-        folder.write("scene.toml", text);
-        let answer = comes_back(&folder, "object.csv");
+        for (after, weights) in [
+            ("[material]", "light-0 = 0, light-2 = 0"),
+            ("[basis]", "material-0 = 0, material-1 = 0, material-3 = 0"),
+        ] {
+            folder.replace("scene.toml", after, &format!("weights = {{ {weights} }}\n{after}"));
+        }
+        let answer = comes_back(&folder);
         let light = numbers(&rows(&folder.read("light.csv"), "name,l,m,value"), 1);
         assert_near("exposure", &get(&answer, "fit", "exposure")[0][..1], &light[..1]);
     }
@@ -270,14 +250,13 @@ fn black_may_be_clipped() {
 #[test]
 fn images_of_something_else_are_noted() {
     let folder = with_image();
-    let said = folder.messages(&format!("{READ} -o d.csv"));
-    assert!(!said.contains("does not look like"), "{said}");
+    assert!(!folder.messages(&format!("{READ} -o d.csv")).contains("does not look like"));
     let mut noise = noise(7);
     let rows: String = (0..400).map(|k| format!("l,m,{k},{0},{0},{0}\n", noise().abs())).collect();
     folder.write("image.csv", format!("{SHADED}\n{rows}"));
     let said = folder.messages(&format!("{READ} -o d.csv"));
-    assert!(said.contains("does not look like one of this table"), "{said}");
-    assert!(said.contains("normals and their frame") && !said.contains("--transfer"), "{said}");
+    assert_contains(&said, &["does not look like one of this table", "normals and their frame"]);
+    assert!(!said.contains("--transfer"), "{said}");
     let wide: Vec<[f32; 3]> = (0..32 * 16).map(|k| [1.0 + 1e-3 * k as f32; 3]).collect();
     folder.write("wide.pfm", fixtures::pfm(32, &wide));
     let said = folder.messages("read wide.pfm -n sphere --table b.bin --components 4 -o d.csv");

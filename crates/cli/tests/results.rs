@@ -3,15 +3,14 @@
 
 use crate::support::files::{READ, with_image};
 use crate::support::{
-    DEGREE, Folder, ORDER, SHADED, assert_fails, lights, materials, numbers, rows,
+    BASIS, DEGREE, Folder, NEW_BASIS, ORDER, PAIR, SHADE, SHADED, assert_contains, assert_fails,
+    lights, materials, numbers, rows,
 };
 use crate::tolerances;
 use eigenshade_index::light;
 use eigenshade_table::encode;
+use eigenshade_testing::largest;
 use std::f64::consts::PI;
-
-const SHADE: &str =
-    "shade --table b.bin --light lights.csv --material materials.csv --normals normals.csv";
 
 /// The last channel of every row times 10 to a power.
 fn times(text: &str, power: &str) -> String {
@@ -30,24 +29,22 @@ fn with_light(power: &str) -> Folder {
 fn images_beyond_a_format_are_refused() {
     let folder = with_light("300");
     let fragments = ["light `light-0` on material `material-0`", "the range of", "toward", "e300"];
-    for options in [
-        "--format f32",
-        "--format f32 --clamp",
-        "--format f32 --method eigen",
-        "--format f32 --method baked",
-        "--format f32 --tolerance 1e-3",
-        "--format q15",
-        "--format q31",
+    for (format, options) in [
+        ("f32", ""),
+        ("f32", "--clamp"),
+        ("f32", "--method eigen"),
+        ("f32", "--method baked"),
+        ("f32", "--tolerance 1e-3"),
+        ("q15", ""),
+        ("q31", ""),
     ] {
-        let format = options.split(' ').nth(1).unwrap();
-        let fragments = [&fragments[..], &[format]].concat();
-        assert_fails(&folder, &format!("{SHADE} {options} --out new.csv"), &fragments);
+        let shade = format!("{SHADE} --format {format} {options} --out new.csv");
+        assert_fails(&folder, &shade, &[&fragments[..], &[format]].concat());
     }
     let render = "render --table b.bin --light lights.csv --material materials.csv:material-0";
     assert_fails(&folder, &format!("{render} --out new.png"), &fragments);
     // f64 has the range.
-    let found = folder.ok(&format!("{SHADE} --format f64"));
-    let values = numbers(&rows(&found, SHADED), 1);
+    let values = folder.shaded("--format f64");
     assert!(values.iter().all(|value| value.is_finite()) && values.iter().any(|&v| v > 1e299));
 }
 
@@ -59,8 +56,7 @@ fn products_beyond_f64_are_refused() {
     for options in ["--format f64", "--method modes", "--method modes --clamp"] {
         assert_fails(&folder, &format!("{SHADE} {options} --out new.csv"), &fragments);
     }
-    let project = "project --table b.bin --light lights.csv --material materials.csv";
-    assert_fails(&folder, &format!("{project} --out new.csv"), &fragments);
+    assert_fails(&folder, &format!("project --table b.bin {PAIR} --out new.csv"), &fragments);
 }
 
 /// The range of coefficients of lights and materials ends at 2^127 times the largest mantissa.
@@ -70,12 +66,11 @@ fn integers_are_right_up_to_the_size_at_which_they_saturate() {
         [("q15", "41", "43", tolerances::SHADED_Q15), ("q31", "46", "48", tolerances::SHADED_Q31)]
     {
         let folder = with_light(right);
-        let shaded = |format: &str| {
-            let text = folder.ok(&format!("{SHADE} --format {format}"));
-            numbers(&rows(&text, SHADED), 1)
-        };
-        let (found, expected) = (shaded(format), shaded("f64"));
-        let peak = expected.iter().fold(0.0f64, |most, value| most.max(value.abs()));
+        // The channel that is large.
+        let [found, expected] = [format, "f64"].map(|format| {
+            numbers(&rows(&folder.ok(&format!("{SHADE} --format {format}")), SHADED), 1)
+        });
+        let peak = largest(expected.iter().copied());
         let squares = found.iter().zip(&expected).map(|(a, b)| ((a - b) / peak).powi(2));
         let rms = (squares.sum::<f64>() / found.len() as f64).sqrt();
         assert!(rms <= tolerance, "{format}: {rms:e}");
@@ -92,13 +87,10 @@ fn integers_are_right_up_to_the_size_at_which_they_saturate() {
 #[test]
 fn a_wire_file_beyond_f32_is_refused() {
     let folder = Folder::new();
-    let standard = folder
-        .read("scene.toml")
-        .replace("image-centered", "standard")
-        .replace("rotation = \"any\"", "rotation = \"any\"\nnormalize = \"none\"");
-    folder.write("scene.toml", standard);
+    folder.replace("scene.toml", "image-centered", "standard");
+    folder.replace("scene.toml", "rotation = \"any\"", "rotation = \"any\"\nnormalize = \"none\"");
     folder.write("lights.csv", times(&lights(DEGREE, 3), "50"));
-    folder.ok("basis --scene scene.toml --out b.bin");
+    folder.ok(BASIS);
     assert_fails(&folder, "pack --table b.bin --out new.esw", &["b.bin", "f32", "toward"]);
 }
 
@@ -108,13 +100,12 @@ const RENDER: &str = "render -t b.bin -l lights.csv:light-0 -m materials.csv:mat
 #[test]
 fn materials_with_impossible_albedo() {
     let folder = Folder::with_table();
-    let project = "project --table b.bin --light lights.csv --material materials.csv";
-    for command in [SHADE, RENDER, project] {
+    let project = format!("project --table b.bin {PAIR}");
+    for command in [SHADE, RENDER, &project] {
         assert_eq!(folder.messages(command), "", "{command}");
     }
     // b_00^0 / 2 is the albedo where b_20^0 and b_22^0 are zero.
-    let scene = folder.read("scene.toml").replace("order = 3", "order = 0");
-    folder.write("scene.toml", scene);
+    folder.replace("scene.toml", "order = 3", "order = 0");
     for (b, fragments) in [
         ("3.7", ["`material-0` has albedo 1.8500", "more light than it receives"]),
         ("-0.2", ["`material-0` has albedo -0.1000", "a negative amount"]),
@@ -122,15 +113,13 @@ fn materials_with_impossible_albedo() {
         let header = "name,o,p,q,value";
         let rows = format!("{header}\nmaterial-0,0,0,0,{b}\nmaterial-1,0,0,0,1\n");
         folder.write("materials.csv", rows);
-        let basis = "basis --scene scene.toml --out new.bin";
-        for command in [SHADE, RENDER, project, basis] {
+
+        for command in [SHADE, RENDER, &project, NEW_BASIS] {
             let message = folder.messages(command);
             let warned: Vec<&str> =
                 message.lines().filter(|line| line.starts_with("warning: ")).collect();
             assert_eq!(warned.len(), 1, "{command}: {message}");
-            for fragment in fragments {
-                assert!(warned[0].contains(fragment), "{command}: no `{fragment}` in {message}");
-            }
+            assert_contains(warned[0], &fragments);
         }
     }
 }
@@ -138,17 +127,13 @@ fn materials_with_impossible_albedo() {
 #[test]
 fn measurements_below_zero() {
     let folder = Folder::new();
-    let measured = |lowest: f64| {
-        format!("theta_i,phi_i,theta_r,phi_r,value\n0.1,0,0.2,0,0.1\n0.3,1,0.2,0,{lowest}\n")
+    let said = |lowest: f64| {
+        let rows = format!("0.1,0,0.2,0,0.1\n0.3,1,0.2,0,{lowest}\n");
+        folder.write("m.csv", format!("theta_i,phi_i,theta_r,phi_r,value\n{rows}"));
+        folder.messages("material m.csv --order 0 --out new.csv")
     };
-    folder.write("m.csv", measured(-0.004));
-    assert!(!folder.messages("material m.csv --order 0 --out new.csv").contains("warning: "));
-    folder.write("m.csv", measured(-0.03));
-    let message = folder.messages("material m.csv --order 0 --out new.csv");
-    assert!(
-        message.contains("warning: material `m` has measurements down to -0.0300"),
-        "{message}"
-    );
+    assert!(!said(-0.004).contains("warning: "));
+    assert_contains(&said(-0.03), &["warning: material `m` has measurements down to -0.0300"]);
 }
 
 /// A point light on the axis, truncated at a degree: from the camera for z = 1, from behind for -1.
@@ -184,7 +169,7 @@ fn light_behind_the_object_gives_a_note() {
     for message in ringing(-1.0) {
         let fragments =
             ["light `light-0` on material `material-0`", "behind the object", "--window"];
-        assert!(fragments.iter().all(|fragment| message.contains(fragment)), "{message}");
+        assert_contains(&message, &fragments);
     }
     assert_eq!(ringing(1.0).map(|message| message.contains("ringing")), [false; 4]);
     // A light below zero does not ring.

@@ -1,13 +1,13 @@
 //! Tables whose scene has a tolerance or is trimmed: what `basis` reports, what it keeps, and what
 //! it refuses.
 
-use crate::support::{Folder, PAIR, assert_fails, lights, materials, repository, scene};
+use crate::support::{
+    BASIS, Folder, NEW_BASIS, PAIR, assert_fails, lights, materials, repository_text, scene,
+    shipped_scene,
+};
 use eigenshade_index::material;
 use eigenshade_table::Table;
 use std::collections::HashMap;
-use std::fs;
-
-const BASIS: &str = "basis --scene scene.toml --out b.bin";
 
 /// The small scene with a tolerance, and these lines of `[basis]`.
 fn with_tolerance(tolerance: &str, basis: &str) -> Folder {
@@ -69,13 +69,10 @@ fn basis_reports_its_choice() {
 #[test]
 fn the_page_quotes_the_report() {
     let folder = Folder::new();
-    let read = |name: &str| std::fs::read_to_string(repository().join(name)).expect("a text");
-    let inputs = repository().join("tables/inputs");
-    let text = read("tables/curet.toml").replace("components = 50", "tolerance = 1e-2");
-    let text = text.replace("inputs/", &format!("{}/", inputs.to_str().expect("UTF-8")));
+    let text = shipped_scene("curet").replace("components = 50", "tolerance = 1e-2");
     folder.write("scene.toml", text);
     let lines = report(&folder).join("\n");
-    let page = read("docs/method.md");
+    let page = repository_text("docs/method.md");
     let (_, quoted) = page.split_once("<!-- report: eigenshade basis -->\n").expect("its start");
     let (quoted, _) = quoted.split_once("<!-- end of report -->").expect("its end");
     assert_eq!(quoted, format!("```text\n{lines}\n```\n"));
@@ -86,13 +83,12 @@ fn the_page_quotes_the_report() {
 fn degree_and_order_stay_where_they_are_not_chosen() {
     let selection = with_tolerance("0.05", "modes = 60\n");
     let object = with_tolerance("0.05", "");
-    let text = object.read("scene.toml").replace("\"sphere\"", "\"normals.csv\"");
-    object.write("scene.toml", text);
+    object.replace("scene.toml", "\"sphere\"", "\"normals.csv\"");
     let as_captured = with_tolerance("0.05", "");
-    let text = as_captured.read("scene.toml").replace("\"any\"", "\"none\"");
-    as_captured.write("scene.toml", text);
+    as_captured.replace("scene.toml", "\"any\"", "\"none\"");
     let black = with_tolerance("0.05", "");
-    black.write("materials.csv", "name,o,p,q,value\n".to_owned() + &zeros());
+    let zeros = material::indices(5).map(|(o, p, q)| format!("black,{o},{p},{q},0\n"));
+    black.write("materials.csv", format!("name,o,p,q,value\n{}", zeros.collect::<String>()));
     for (folder, why) in
         [(&selection, "modes"), (&object, "spheres"), (&as_captured, "freely"), (&black, "black")]
     {
@@ -106,19 +102,13 @@ fn degree_and_order_stay_where_they_are_not_chosen() {
     }
 }
 
-fn zeros() -> String {
-    let row = |(o, p, q)| format!("black,{o},{p},{q},0\n");
-    material::indices(5).map(row).collect()
-}
-
 /// A cutoff that leaves out more than the tolerance.
 #[test]
 fn a_tolerance_that_is_not_met_is_refused() {
     let cut = with_tolerance("1e-3", "rank_cutoff = 0.3\n");
     assert_fails(&cut, BASIS, &["basis.tolerance", "rank_cutoff"]);
     for wrong in ["0.0", "1.0", "-1e-3", "nan"] {
-        let bad = with_tolerance(wrong, "");
-        assert_fails(&bad, BASIS, &["basis.tolerance"]);
+        assert_fails(&with_tolerance(wrong, ""), BASIS, &["basis.tolerance"]);
     }
 }
 
@@ -133,8 +123,7 @@ fn tolerances_work_with_stores_and_effects() {
         "[effects]\nuse = [\"ambient\", \"diffuse\"]\n",
     ] {
         let folder = with_tolerance("0.02", "");
-        let text = folder.read("scene.toml") + basis;
-        folder.write("scene.toml", text);
+        folder.write("scene.toml", folder.read("scene.toml") + basis);
         println!("{basis}{:#?}", report(&folder));
         folder.ok("basis --scene scene.toml --check b.bin");
         folder.ok("info --table b.bin");
@@ -151,12 +140,9 @@ const SETTINGS: [(&str, &str); 3] = [
 #[test]
 fn settings_are_scene_files() {
     let folder = Folder::new();
-    let inputs = repository().join("tables/inputs");
-    let shipped = fs::read_to_string(repository().join("tables/curet.toml")).unwrap();
-    let shipped = shipped.replace("inputs/", &format!("{}/", inputs.display()));
-    let path = repository().join("docs/accuracy-cost/accuracy-cost.csv");
-    let sheet = fs::read(path).unwrap();
-    let mut reader = csv::ReaderBuilder::new().comment(Some(b'#')).from_reader(&sheet[..]);
+    let shipped = shipped_scene("curet");
+    let sheet = repository_text("docs/accuracy-cost/accuracy-cost.csv");
+    let mut reader = csv::ReaderBuilder::new().comment(Some(b'#')).from_reader(sheet.as_bytes());
     let rows: Vec<HashMap<String, String>> =
         reader.deserialize().map(|row| row.expect("a row")).collect();
     for (setting, lines) in SETTINGS {
@@ -165,8 +151,7 @@ fn settings_are_scene_files() {
         folder.write("scene.toml", shipped.replace("components = 50", lines));
         folder.ok(BASIS);
         folder.ok("pack --table b.bin --format f32 --out w.esw");
-        let bytes = fs::metadata(folder.path("w.esw")).unwrap().len();
-        assert_eq!(bytes.to_string(), row["table_bytes"], "{setting}");
+        assert_eq!(folder.bytes("w.esw").len().to_string(), row["table_bytes"], "{setting}");
         folder.ok("basis --scene scene.toml --check b.bin");
     }
 }
@@ -203,16 +188,12 @@ fn what_cannot_be_trimmed_is_refused() {
 fn several_databases() {
     let folder = Folder::new();
     let all = folder.read("materials.csv");
-    let (header, rows) = all.split_once('\n').unwrap();
-    let is_first = |row: &&str| row.starts_with("material-0") || row.starts_with("material-1");
-    let (first, rest): (Vec<&str>, Vec<&str>) = rows.lines().partition(is_first);
-    let file = |rows: &[&str]| format!("{header}\n{}\n", rows.join("\n"));
-    folder.write("first.csv", file(&first));
-    folder.write("rest.csv", file(&rest));
+    let (first, rest) = all.split_at(all.find("material-2").unwrap());
+    folder.write("first.csv", first);
+    folder.write("rest.csv", format!("name,o,p,q,value\n{rest}"));
     let with = |database: &str| {
         let text = scene("image-centered", 10_000, "[]");
-        let text = text.replace("\"materials.csv\"", database);
-        folder.write("scene.toml", text);
+        folder.write("scene.toml", text.replace("\"materials.csv\"", database));
     };
     let made = |database: &str, to: &str| {
         with(database);
@@ -227,12 +208,12 @@ fn several_databases() {
     let scene = one.scene.clone();
     assert_eq!(Table { scene, ..several }, one);
     assert!(folder.ok("info --table several.bin").contains("first.csv rest.csv"));
-    let of_several = folder.ok(&format!("project --table several.bin {PAIR}"));
-    assert_eq!(of_several, folder.ok(&format!("project --table one.bin {PAIR}")));
+    let d = |table: &str| folder.ok(&format!("project --table {table} {PAIR}"));
+    assert_eq!(d("several.bin"), d("one.bin"));
 
     let refused = |database: &str, fragments: &[&str]| {
         with(database);
-        assert_fails(&folder, "basis --scene scene.toml --out new.bin", fragments);
+        assert_fails(&folder, NEW_BASIS, fragments);
     };
     refused("[]", &["material.database = []", "name at least one file"]);
     refused("[\"first.csv\", \"materials.csv\"]", &["materials.csv", "`material-0`", "rename"]);

@@ -2,9 +2,11 @@
 //! is no single scene. Their compilers are tried by packages/eigenshade in a browser.
 
 use crate::interpreter::Function;
-use crate::support::{Folder, assert_fails, difference, of_equal_areas, repository};
+use crate::support::{
+    Folder, assert_fails, difference, numbers, of_equal_areas, rows, shipped_path, shipped_scene,
+};
+use eigenshade_testing::vectors::unit;
 use serde_json::Value;
-use std::fs;
 
 const ONE: &str = "--table b.bin --light lights.csv:light-1 --material materials.csv:material-2";
 
@@ -34,26 +36,19 @@ pub fn parts(folder: &Folder, options: &str) -> (String, Vec<[f64; 4]>, usize) {
 
 /// The values of the function at the folder's normals, channel after channel.
 fn evaluated(folder: &Folder, text: &str, vectors: &[[f64; 4]]) -> Vec<f64> {
-    let function = Function::new(text);
-    normals(folder).into_iter().flat_map(|normal| function.irradiance(vectors, normal)).collect()
+    Function::new(text).values(vectors, &normals(folder))
 }
 
 /// The folder's normals.
 pub fn normals(folder: &Folder) -> Vec<[f64; 3]> {
-    let text = folder.read("normals.csv");
-    let normal = |line: &str| {
-        let along: Vec<f64> = line.split(',').map(|n| n.parse().expect("a number")).collect();
-        let length = along.iter().map(|n| n * n).sum::<f64>().sqrt();
-        [0, 1, 2].map(|axis| along[axis] / length)
-    };
-    text.lines().skip(1).map(normal).collect()
+    let rows = rows(&folder.read("normals.csv"), "x,y,z");
+    numbers(&rows, 3).as_chunks::<3>().0.iter().copied().map(unit).collect()
 }
 
 #[test]
 fn functions_are_the_direct_sum() {
     let folder = Folder::with_table();
-    let reference = folder.ok(&format!("shade {ONE} --normals normals.csv --method modes"));
-    let reference: Vec<f64> = reference.lines().skip(1).flat_map(numbers).collect();
+    let reference = folder.irradiance(&format!("{ONE} --normals normals.csv --method modes"));
     for lang in ["glsl", "glsl-block", "wgsl"] {
         let (text, vectors) = written(&folder, &format!("--lang {lang}"));
         assert!(text.contains(&vectors.len().to_string()), "the length of the array: {text}");
@@ -65,15 +60,7 @@ fn functions_are_the_direct_sum() {
     let (plain, _) = written(&folder, "--lang glsl");
     let fetched =
         text.replace("texelFetch(eigenshade, ivec2(", "eigenshade[").replace(", 0), 0)", "]");
-    assert_eq!(
-        fetched.lines().skip(1).collect::<Vec<_>>(),
-        plain.lines().skip(1).collect::<Vec<_>>()
-    );
-}
-
-/// The numbers of a line of `shade`.
-pub fn numbers(line: &str) -> Vec<f64> {
-    line.split(',').skip(3).map(|number| number.parse().expect("a number")).collect()
+    assert!(fetched.lines().skip(1).eq(plain.lines().skip(1)), "{fetched}");
 }
 
 #[test]
@@ -96,10 +83,9 @@ fn fewer_terms_are_near_the_whole() {
 #[test]
 fn more_vectors_than_promised_give_a_note() {
     let folder = Folder::new();
-    let table = repository().join("tables/pbr.bin");
     let of = |lang: &str| {
-        let inputs = "--light lobby --material gold-metallic-paint --out scene.txt";
-        folder.messages(&format!("shader --lang {lang} --table {} {inputs}", table.display()))
+        let inputs = "--table pbr --light lobby --material gold-metallic-paint --out scene.txt";
+        folder.messages(&format!("shader --lang {lang} {inputs}"))
     };
     assert!(of("glsl").contains("note: 454 vectors are more than the 224 "), "{}", of("glsl"));
     for lang in ["glsl-block", "glsl-texture", "wgsl"] {
@@ -115,21 +101,18 @@ const CUT: f64 = 2e-5;
 #[test]
 fn trimming_the_table_in_color_shows_in_no_picture() {
     let folder = Folder::new();
-    let scene = fs::read_to_string(repository().join("tables/color.toml")).expect("a scene");
-    let inputs = format!("\"{}/inputs/", repository().join("tables").display());
+    let scene = shipped_scene("color");
     let whole: Vec<_> = scene.lines().filter(|line| !line.starts_with("trim = ")).collect();
     assert_eq!(whole.len() + 1, scene.lines().count());
-    folder.write("whole.toml", whole.join("\n").replace("\"inputs/", &inputs));
+    folder.write("whole.toml", whole.join("\n"));
     folder.ok("basis --scene whole.toml --out whole.bin");
     folder.write("disc.csv", of_equal_areas(100));
-    let databases = repository().join("tables/inputs");
-    let databases = databases.display();
-    let shaded = |table: &str| -> Vec<f64> {
-        let text = folder.ok(&format!(
-            "shade --quiet --table {table} --normals disc.csv --format f64 --light \
-             {databases}/lights.csv --material {databases}/merl.csv"
-        ));
-        text.lines().skip(1).flat_map(numbers).collect()
+    let inputs = shipped_path("inputs");
+    let shaded = |table: &str| {
+        folder.irradiance(&format!(
+            "--quiet --table {table} --normals disc.csv --format f64 --light {inputs}/lights.csv \
+             --material {inputs}/merl.csv"
+        ))
     };
     let (found, expected) = (shaded("color"), shaded("whole.bin"));
     let pairs = found.chunks(300).zip(expected.chunks(300));

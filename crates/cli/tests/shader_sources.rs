@@ -4,8 +4,8 @@
 
 use crate::interpreter::Function;
 use crate::oracle::ggx;
-use crate::shader::{normals, numbers, parts};
-use crate::support::{DEGREE, Folder, ORDER, assert_fails, difference};
+use crate::shader::{normals, parts};
+use crate::support::{DEGREE, Folder, ORDER, SOURCES, assert_fails, difference};
 use eigenshade::mathematics::Libm;
 use eigenshade::{
     Argument, Error, Gloss, Highlights, Normals, Rgb, Shader, ShaderLanguage, Source,
@@ -18,6 +18,7 @@ use eigenshade_shading::highlights;
 use eigenshade_shading::owned_basis::OwnedBasis;
 use eigenshade_shading::shader::Shader as Projector;
 use eigenshade_shading::shipped;
+use eigenshade_testing::fixtures;
 use eigenshade_testing::vectors::{Vector, at, cross, dot, unit};
 use std::f64::consts::{FRAC_PI_2, PI};
 use std::fmt::Write;
@@ -26,13 +27,6 @@ use std::fmt::Write;
 /// turns by α, so rounding a direction to 24 bits leaves some ε/α: measured 7.5e-6 for α = 0.01,
 /// 1.5e-6 for 0.09. The second bound is for the least roughness, α = 0.0042: measured 2.7e-5.
 const TEXT: [f64; 2] = [1e-5, 3e-5];
-
-const LANGUAGES: [ShaderLanguage; 4] = [
-    ShaderLanguage::Glsl,
-    ShaderLanguage::GlslBlock,
-    ShaderLanguage::GlslTexture,
-    ShaderLanguage::Wgsl,
-];
 
 /// Sources from the front over the side and the rim to behind: points, round and elongated ones.
 fn sources() -> Vec<Blob> {
@@ -50,9 +44,7 @@ fn sources() -> Vec<Blob> {
 /// Normals of the disc, of the rim and just beyond it, and near the half-way directions of these
 /// sources, in steps of a part of α.
 fn normals_for(sources: &[Blob], alpha: f64) -> Vec<Vector> {
-    let place = |k: i32| f64::from(2 * k + 1) / 16.0 - 1.0;
-    let disc = (0..256).map(|k| [place(k % 16), place(k / 16)]).filter(|[x, y]| x.hypot(*y) < 1.0);
-    let mut normals: Vec<_> = disc.map(|[x, y]| [x, y, (1.0 - x * x - y * y).sqrt()]).collect();
+    let mut normals = fixtures::disc(16);
     normals.extend(
         (0..24).map(|k| at(FRAC_PI_2, f64::from(k) * PI / 12.0)).map(|[x, y, _]| [x, y, 0.0]),
     );
@@ -77,10 +69,6 @@ fn shaded<const N: usize>(highlights: &Highlights<f64, N>, normals: &[Vector]) -
     let list = Normals::new(&x, &y, &z).expect("one length");
     highlights.add_slice(list, &mut irradiance).expect("one length");
     irradiance.into_iter().flat_map(<[f64; 3]>::from).collect()
-}
-
-fn in_f64(vectors: &[[f32; 4]]) -> Vec<[f64; 4]> {
-    vectors.iter().map(|vector| vector.map(f64::from)).collect()
 }
 
 /// Runs a test with the shader of scenes of the small table.
@@ -118,18 +106,17 @@ fn compare<const N: usize>(shader: Shader<'_>, roughness: f64, count: usize) {
     for first in 0..step {
         let set: Vec<_> = all.iter().skip(first).step_by(step).take(count).copied().collect();
         assert_eq!(set.len(), count);
-        let of = set.iter().map(highlights::source).collect::<Result<Vec<Source<f64>>, _>>();
-        let exact = Highlights::<f64, N>::new::<Libm>(&double, &of.expect("sources"));
-        let of = set.iter().map(highlights::source).collect::<Result<Vec<Source<f32>>, _>>();
-        let found = Highlights::<f32, N>::new::<Libm>(&single, &of.expect("sources"));
         let normals = normals_for(&set, roughness * roughness);
-        let expected = shaded(&exact.expect("room"), &normals);
+        let of: Vec<Source<f64>> = set.iter().map(|one| highlights::source(one).unwrap()).collect();
+        let exact = Highlights::<f64, N>::new::<Libm>(&double, &of).expect("room");
+        let expected = shaded(&exact, &normals);
+        let of: Vec<Source<f32>> = set.iter().map(|one| highlights::source(one).unwrap()).collect();
+        let found = Highlights::<f32, N>::new::<Libm>(&single, &of).expect("room");
         let mut vectors = vec![[0.0; 4]; shader.vectors()];
-        shader.highlight_uniforms(&found.expect("room"), &mut vectors).expect("room");
-        let vectors = in_f64(&vectors);
+        shader.highlight_uniforms(&found, &mut vectors).expect("room");
+        let vectors: Vec<_> = vectors.iter().map(|vector| vector.map(f64::from)).collect();
         for (function, language) in functions.iter().zip(languages) {
-            let values = normals.iter().flat_map(|&normal| function.irradiance(&vectors, normal));
-            let found = difference(&values.collect::<Vec<_>>(), &expected);
+            let found = difference(&function.values(&vectors, &normals), &expected);
             assert!(
                 found <= TEXT[usize::from(roughness < 0.1)],
                 "{language:?}, {roughness}, {count}, {first}: {found:e}"
@@ -175,8 +162,6 @@ fn of_points(gloss: [f64; 4], points: &[(Vector, f64)], normal: Vector) -> f64 {
     points.iter().map(one).sum()
 }
 
-const HEADER: &str = "light,set,x,y,z,r,g,b,major_x,major_y,major_z,minor\n";
-
 /// A material with a gloss, narrow.
 const MATERIAL: &str = "gold-metallic-paint2";
 
@@ -190,7 +175,7 @@ fn source_sets() -> [Vec<Blob>; 2] {
 /// A folder with a table, lights, and sources beside them.
 fn folder_with_sources() -> Folder {
     let folder = Folder::with_table();
-    let mut text = HEADER.to_owned();
+    let mut text = SOURCES.to_owned();
     for set in source_sets() {
         for source in &set {
             let numbers = [source.direction, source.energy, source.major].concat();
@@ -262,13 +247,12 @@ fn scenes_with_sources_are_the_direct_sum_and_the_highlights() {
         [(2, &round, &of_round), (4, &round, &of_round), (8, &points, &of_points)]
     {
         write_rest(&folder, set);
-        let direct = folder.ok(&format!(
-            "shade --quiet --table b.bin --light rest.csv --material {MATERIAL} --normals normals.csv \
+        let direct = folder.irradiance(&format!(
+            "--quiet --table b.bin --light rest.csv --material {MATERIAL} --normals normals.csv \
              --method modes"
         ));
-        let direct: Vec<f64> = direct.lines().skip(1).flat_map(numbers).collect();
-        let sums = direct.iter().zip(of_set).map(|(rest, lobes)| rest + lobes);
-        let expected: Vec<f64> = sums.collect();
+        let expected: Vec<f64> =
+            direct.iter().zip(of_set).map(|(rest, lobes)| rest + lobes).collect();
         assert!(difference(&direct, &expected) > 0.1, "highlights that nobody would miss");
         for lang in ["glsl", "glsl-block", "glsl-texture", "wgsl"] {
             let (text, vectors, terms) = parts(
@@ -280,9 +264,7 @@ fn scenes_with_sources_are_the_direct_sum_and_the_highlights() {
             );
             assert_eq!(vectors.len(), terms + 1 + 4 * most);
             let function = Function::new(&text);
-            let values = normals.iter().flat_map(|&normal| function.irradiance(&vectors, normal));
-            let values: Vec<_> = values.collect();
-            let found = difference(&values, &expected);
+            let found = difference(&function.values(&vectors, &normals), &expected);
             println!("{lang}, {most} sources: {found:.1e}");
             assert!(found <= TEXT[0], "{lang}, {most}: {found:e}");
         }
@@ -293,7 +275,12 @@ fn scenes_with_sources_are_the_direct_sum_and_the_highlights() {
 #[test]
 fn texts_without_sources_are_unchanged() {
     with_shader(|shader| {
-        for language in LANGUAGES {
+        for language in [
+            ShaderLanguage::Glsl,
+            ShaderLanguage::GlslBlock,
+            ShaderLanguage::GlslTexture,
+            ShaderLanguage::Wgsl,
+        ] {
             let plain = text_of(&shader, language);
             assert_eq!(text_of(&shader.with_sources(0).expect("none"), language), plain);
             assert!(!plain.contains("for ("));

@@ -1,12 +1,17 @@
 //! Objects other than a sphere: packed normals, pictures of them, and matcaps.
 
-use crate::support::files::{decoded, normal_map, obj, ply, png, stl};
-use crate::support::{Folder, assert_fails};
-use eigenshade::{Display, Exposure, Matcap, Normal, NormalMap, Rgb, Tone, presets, sphere};
+use crate::pictures::{assert_same_codes, drawn};
+use crate::support::files::{decoded, gray_png, normal_map, obj, ply, png, stl};
+use crate::support::{Folder, assert_fails, assert_usage_errors};
+use eigenshade::{
+    Display, Exposure, Matcap, Normal, NormalMap, NormalPixel, Rgb, Tone, presets, sphere,
+};
 use eigenshade_cli::object::ObjectView;
 use eigenshade_generator::light::environment::EnvironmentMap;
+use eigenshade_testing::vectors::{Vector, unit};
+use eigenshade_testing::{fixtures, largest};
 use png::{BitDepth, ColorType};
-use std::fs;
+use std::f64::consts::PI;
 
 /// A normal after packing, in degrees.
 const PACKED: f64 = 0.51;
@@ -15,9 +20,17 @@ const PACKED: f64 = 0.51;
 /// pixel averages over a facet at least in part.
 const FACETED: f64 = 5.0;
 
-fn degrees(a: [f64; 3], b: [f64; 3]) -> f64 {
-    let square: f64 = a.iter().zip(b).map(|(a, b)| (a - b) * (a - b)).sum();
+/// The angle between the normal of a pixel and another one.
+fn degrees(pixel: NormalPixel, exact: Vector) -> f64 {
+    let normal = pixel.normal().components().map(f64::from);
+    let square: f64 = normal.iter().zip(exact).map(|(a, b)| (a - b) * (a - b)).sum();
     (2.0 * (0.5 * square.sqrt()).asin()).to_degrees()
+}
+
+/// x and y of a pixel's middle in a picture of this width, for an object of this radius in pixels.
+fn place(pixel: NormalPixel, width: f64, radius: f64) -> [f64; 2] {
+    let at = |k: usize| (k as f64 + 0.5 - 0.5 * width) / radius;
+    [at(pixel.column()), -at(pixel.row())]
 }
 
 /// The packed bytes of an object, and its printed size.
@@ -26,7 +39,7 @@ fn packed(folder: &Folder, input: &str, options: &str) -> (Vec<u8>, [usize; 2]) 
     let line = printed.lines().next().unwrap();
     let mut words = line.split([' ', ',']).filter_map(|word| word.parse::<usize>().ok());
     let size = [words.next().unwrap(), words.next().unwrap()];
-    (fs::read(folder.path("packed.bin")).unwrap(), size)
+    (folder.bytes("packed.bin"), size)
 }
 
 fn map(bytes: &[u8], [width, height]: [usize; 2]) -> NormalMap<'_> {
@@ -50,7 +63,7 @@ fn packed_normals_are_those_of_the_object() {
         let Some(shown) = found.next() else { panic!("a pixel is missing") };
         // A tip may have no neighbor that is covered completely.
         assert_eq!([shown.column(), shown.row()], [pixel.column, pixel.row]);
-        let off = degrees(shown.normal().components().map(f64::from), *normal);
+        let off = degrees(shown, *normal);
         if shown.coverage() == 255 {
             assert!(pixel.coverage >= 0.5 && off < PACKED, "{off}");
         } else {
@@ -65,32 +78,22 @@ fn packed_normals_are_those_of_the_object() {
     folder.write("sphere.png", normal_map(BitDepth::Sixteen));
     let (bytes, size) = packed(&folder, "sphere.png", "");
     assert_eq!(size, [64, 64]);
-    let mut count = 0;
-    for pixel in map(&bytes, size).pixels() {
-        let at = |k: usize| (k as f64 + 0.5) / 32.0 - 1.0;
-        let (x, y) = (at(pixel.column()), -at(pixel.row()));
-        let exact = [x, y, (1.0 - x * x - y * y).sqrt()];
-        let off = degrees(pixel.normal().components().map(f64::from), exact);
+    let disc = fixtures::disc(64);
+    assert_eq!(map(&bytes, size).pixels().count(), disc.len());
+    for (pixel, exact) in map(&bytes, size).pixels().zip(disc) {
+        let off = degrees(pixel, exact);
         assert!(pixel.coverage() == 255 && off < PACKED, "{off}");
-        count += 1;
     }
-    assert_eq!(
-        count,
-        (0..4096)
-            .filter(|k| (2 * (k % 64) - 63i32).pow(2) + (2 * (k / 64) - 63i32).pow(2) < 4096)
-            .count()
-    );
     // Half the size: each pixel is a mean of four, and has a coverage.
     let (bytes, size) = packed(&folder, "sphere.png", "--size 32");
     assert_eq!(size, [32, 32]);
     let edges = map(&bytes, size).pixels().filter(|pixel| pixel.coverage() < 255).count();
     assert!(edges > 20, "{edges}");
     for pixel in map(&bytes, size).pixels().filter(|pixel| pixel.coverage() == 255) {
-        let at = |k: usize| (k as f64 + 0.5) / 16.0 - 1.0;
-        let (x, y) = (at(pixel.column()), -at(pixel.row()));
+        let [x, y] = place(pixel, 32.0, 16.0);
         let z = (1.0 - x * x - y * y).max(0.0).sqrt();
         if z > 0.3 {
-            let off = degrees(pixel.normal().components().map(f64::from), [x, y, z]);
+            let off = degrees(pixel, [x, y, z]);
             assert!(off < PACKED + 0.5, "{off}");
         }
     }
@@ -114,17 +117,13 @@ fn meshes_are_drawn_from_the_camera() {
     for pixel in map(&bytes, size).pixels() {
         area += f64::from(pixel.coverage()) / 255.0;
         // A margin of half a pixel.
-        let at = |k: usize| (k as f64 + 0.5 - 40.0) / 39.5;
-        let (x, y) = (at(pixel.column()), -at(pixel.row()));
+        let [x, y] = place(pixel, 80.0, 39.5);
         let square = 1.0 - x * x - y * y / 0.49;
         if square > 0.05 {
-            let normal = [x, y / 0.49, square.sqrt() / 1.3];
-            let length = normal.iter().map(|n| n * n).sum::<f64>().sqrt();
-            let normal = normal.map(|n| n / length);
-            most = most.max(degrees(pixel.normal().components().map(f64::from), normal));
+            most = most.max(degrees(pixel, unit([x, y / 0.49, square.sqrt() / 1.3])));
         }
     }
-    let exact = std::f64::consts::PI * 39.5 * 39.5 * 0.7;
+    let exact = PI * 39.5 * 39.5 * 0.7;
     println!("{most} degrees, area {area} of {exact}");
     assert!(most < FACETED && (area / exact - 1.0).abs() < 0.02, "{most} {area} {exact}");
 }
@@ -187,7 +186,6 @@ fn any_object_is_rendered() {
     let folder = Folder::new();
     folder.write("e.obj", obj());
     folder.write("map.png", normal_map(BitDepth::Eight));
-    let display = Display::new(Tone::Filmic);
     let scene = lobby();
     for (input, size, options) in
         [("e.obj", 48, "--size 48"), ("map.png", 64, ""), ("map.png", 20, "--size 20")]
@@ -200,17 +198,7 @@ fn any_object_is_rendered() {
         assert_eq!((width, bytes.len()), (size, 4 * (size * size) as usize));
         let asked = (!options.is_empty()).then_some(size as usize);
         let view = ObjectView::read(folder.path(input).into(), asked).unwrap();
-        let mut expected = vec![0; bytes.len()];
-        let exposure = Exposure::new(1.5).unwrap();
-        for (pixel, normal) in view.pixels.iter().zip(&view.normals) {
-            let color = display.rgb888(exposure.of(shaded(&scene, *normal)));
-            let [r, g, b] = <[u8; 3]>::from(color);
-            let start = 4 * (pixel.row * view.width + pixel.column);
-            let opacity = (255.0 * pixel.coverage).round() as u8;
-            expected[start..start + 4].copy_from_slice(&[r, g, b, opacity]);
-        }
-        let most = bytes.iter().zip(&expected).map(|(a, b)| a.abs_diff(*b)).max();
-        assert!(most <= Some(1), "{input}: {most:?}");
+        assert_same_codes(&bytes, &drawn(&view, &scene, Tone::Filmic, 1.5), input);
         if input == "e.obj" {
             let between = bytes.chunks(4).filter(|pixel| ![0, 255].contains(&pixel[3])).count();
             assert!(between > 50, "{between}");
@@ -219,7 +207,7 @@ fn any_object_is_rendered() {
     // The same by default as by name.
     folder.ok(&format!("render {CHOICE} --size 32 --out a.png"));
     folder.ok(&format!("render {CHOICE} --size 32 --normals sphere --out b.png"));
-    assert_eq!(fs::read(folder.path("a.png")).unwrap(), fs::read(folder.path("b.png")).unwrap());
+    assert_eq!(folder.bytes("a.png"), folder.bytes("b.png"));
 }
 
 /// Matcaps hold the irradiance of their texels' normals, in linear numbers or in sRGB, with the top
@@ -228,22 +216,16 @@ fn any_object_is_rendered() {
 fn matcaps_hold_the_scene() {
     let folder = Folder::new();
     let scene = lobby();
-    let peak = f64::from(
-        Matcap::new(64)
-            .unwrap()
-            .fold(0.0, |most: f32, texel| most.max(scene.shade(texel.normal()).largest())),
-    );
+    let texels = Matcap::new(64).unwrap();
+    let peak = largest(texels.map(|texel| scene.shade(texel.normal()).largest().into()));
     for (option, radius) in [
         ("--matcap", 1.0),
         ("--matcap=three", Matcap::THREE_JS),
         ("--matcap=blender", Matcap::BLENDER),
     ] {
-        folder.ok(&format!(
-            "render --table sphere {CHOICE} {option} --size 40 --exposure 2 --out m.exr"
-        ));
-        folder.ok(&format!(
-            "render --table sphere {CHOICE} {option} --size 40 --exposure 0.5 --out m.png"
-        ));
+        let render = format!("render --table sphere {CHOICE} {option} --size 40 --exposure");
+        folder.ok(&format!("{render} 2 --out m.exr"));
+        folder.ok(&format!("{render} 0.5 --out m.png"));
         let map = EnvironmentMap::from_path(folder.path("m.exr")).unwrap();
         let (width, _, bytes) = decoded(&folder.path("m.png"));
         assert_eq!((width, bytes.len(), map.width, map.height), (40, 3 * 1600, 40, 40));
@@ -284,8 +266,8 @@ fn bad_objects_and_outputs() {
     folder.write("map.png", normal_map(BitDepth::Eight));
     folder.write("away.obj", "v 0 0 0\nv 0 1 0\nv 1 0 0\nf 1 2 3\n");
     folder.write("empty.obj", "v 0 0 0\n");
-    folder.write("gray.png", png(2, 2, BitDepth::Eight, ColorType::Grayscale, &[128; 4]));
-    let behind = [[128, 128, 255], [128, 128, 0]].concat();
+    folder.write("gray.png", gray_png(2, 2, &[128; 4]));
+    let behind = [128, 128, 255, 128, 128, 0];
     folder.write("behind.png", png(2, 1, BitDepth::Eight, ColorType::Rgb, &behind));
     folder.write("notes.txt", "none");
     for (input, options, fragments) in [
@@ -302,39 +284,34 @@ fn bad_objects_and_outputs() {
         let render = format!("render {CHOICE} --normals {input} {options} --out new.png");
         assert_fails(&folder, &render, fragments);
     }
-    let pack = "pack-normals map.png --out";
-    assert_fails(&folder, &format!("{pack} new.txt"), &["new.txt", ".bin"]);
-    assert_fails(&folder, &format!("{pack} new"), &["new", ".rs"]);
-    assert_fails(&folder, &format!("{pack} none/new.rs"), &["none"]);
-    let render = format!("render {CHOICE} --size 8");
-    assert_fails(&folder, &format!("{render} --out new.jpg"), &["new.jpg", ".png", ".exr"]);
-    assert_fails(&folder, &format!("{render} --tone filmic --out new.exr"), &["new.exr", "--tone"]);
-    folder.write("in.png", normal_map(BitDepth::Eight));
-    assert_fails(
-        &folder,
-        &format!("render {CHOICE} --normals in.png --out in.png"),
-        &["in.png", "replace the input"],
-    );
-    for wrong in [
-        "pack-normals sphere --out new.bin --size 0",
-        "pack-normals sphere --out new.bin --size 1",
-        "pack-normals sphere",
-        &format!("{render} --size 0 --out new.png"),
-        &format!("render {CHOICE} --size 0 --matcap --out new.png"),
-        &format!("{render} --exposure 0 --matcap --out new.exr"),
-        &format!("{render} --matcap=unity --out new.png"),
-        &format!("{render} --matcap --normals map.png --out new.png"),
-    ] {
-        let before = folder.names();
-        let output = folder.run(wrong);
-        assert_eq!(output.status.code(), Some(2), "{wrong}");
-        assert_eq!(folder.names(), before, "{wrong}");
-    }
-    // A mesh that takes more memory than allowed.
     folder.write("e.obj", obj());
-    assert_fails(
+    let render = format!("render {CHOICE} --size 8");
+    for (arguments, fragments) in [
+        ("pack-normals map.png --out new.txt", &["new.txt", ".bin"][..]),
+        ("pack-normals map.png --out new", &["new", ".rs"]),
+        ("pack-normals map.png --out none/new.rs", &["none"]),
+        (&format!("{render} --out new.jpg"), &["new.jpg", ".png", ".exr"]),
+        (&format!("{render} --tone filmic --out new.exr"), &["new.exr", "--tone"]),
+        (
+            &format!("render {CHOICE} --normals map.png --out map.png"),
+            &["map.png", "replace the input"],
+        ),
+        // A mesh that takes more memory than allowed.
+        ("pack-normals e.obj --size 4096 --memory 100MiB --out new.bin", &["e.obj", "memory"]),
+    ] {
+        assert_fails(&folder, arguments, fragments);
+    }
+    assert_usage_errors(
         &folder,
-        "pack-normals e.obj --size 4096 --memory 100MiB --out new.bin",
-        &["e.obj", "memory"],
+        &[
+            "pack-normals sphere --out new.bin --size 0",
+            "pack-normals sphere --out new.bin --size 1",
+            "pack-normals sphere",
+            &format!("{render} --size 0 --out new.png"),
+            &format!("render {CHOICE} --size 0 --matcap --out new.png"),
+            &format!("{render} --exposure 0 --matcap --out new.exr"),
+            &format!("{render} --matcap=unity --out new.png"),
+            &format!("{render} --matcap --normals map.png --out new.png"),
+        ],
     );
 }

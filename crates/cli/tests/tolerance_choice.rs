@@ -37,9 +37,8 @@ const ORDER: usize = 7;
 
 /// Lights and materials, captured ones, of these degree and order.
 fn databases() -> (Lights, Materials) {
-    let (lights, materials) = (shipped::lights(), shipped::materials());
-    let mut lights = lights.expect("lights").truncated(DEGREE);
-    let mut materials = materials.expect("materials").truncated(ORDER);
+    let mut lights = shipped::lights().expect("lights").truncated(DEGREE);
+    let mut materials = shipped::materials().expect("materials").truncated(ORDER);
     lights.entries = lights.entries.into_iter().step_by(4).collect();
     materials.entries = materials.entries.into_iter().step_by(6).collect();
     (lights, materials)
@@ -95,11 +94,11 @@ fn direct(
         let scattered: Vec<_> =
             at.iter().map(|at| [at.scatter(&ambient), at.scatter(&rest)]).collect();
         for light in lights {
-            let of = |taken: &dyn Fn(usize) -> bool| {
+            let [ambient, rest] = [0..=0, 1..=degree].map(|degrees| {
                 let each = light::indices(DEGREE).zip(light);
-                each.map(|((l, _), value)| if taken(l) { *value } else { 0.0 }).collect::<Vec<_>>()
-            };
-            let (ambient, rest) = (of(&|l| l == 0), of(&|l| l > 0 && l <= degree));
+                each.map(|((l, _), value)| if degrees.contains(&l) { *value } else { 0.0 })
+                    .collect::<Vec<_>>()
+            });
             let pixel = |(at, [of_ambient, of_rest]): (_, &[_; 2])| {
                 let at: &eigenshade_model::reference::Modes<'_> = at;
                 at.irradiance(&ambient, of_ambient) + at.irradiance(&rest, of_rest)

@@ -2,11 +2,12 @@
 
 use crate::oracle::Numbers;
 use crate::{largest, largest_difference};
+use eigenshade::{Basis, Light, Material, Normal, Scalar};
 use eigenshade_generator::basis;
 use eigenshade_generator::scene_file::{self, Loaded};
 use eigenshade_index::{light, material};
 use eigenshade_model::database::{Lights, Materials, Named};
-use eigenshade_model::inputs::coefficient_csv::read_lights;
+use eigenshade_model::inputs::coefficient_csv::{read_lights, read_materials};
 use eigenshade_model::reference::DirectSum;
 use eigenshade_model::special::quadrature::gauss_legendre;
 use eigenshade_shading::owned_basis::{AnyBasis, OwnedBasis};
@@ -54,6 +55,12 @@ pub fn captured(degree: usize) -> Lights {
     read_lights(path, Some(degree)).expect("the shipped lights")
 }
 
+/// The measured materials up to this order.
+pub fn measured(order: usize) -> Materials {
+    let path = Path::new(ROOT).join("tables/inputs/materials.csv");
+    read_materials(path, Some(order)).expect("the shipped materials")
+}
+
 /// Gray coefficients with a name.
 pub fn named(name: impl Into<String>, coefficients: Vec<f64>) -> Named {
     Named { name: name.into(), rgb: [coefficients.clone(), coefficients.clone(), coefficients] }
@@ -82,6 +89,27 @@ pub fn materials(order: usize, count: usize, numbers: &mut Numbers) -> Materials
 
 /// Slants that cover the edge cases.
 pub const SLANTS: [f64; 7] = [0.0, 1e-9, 1e-5, 0.7, 1.3, FRAC_PI_2 - 1e-9, FRAC_PI_2];
+
+/// The normal along a vector of the visible hemisphere.
+pub fn normal<S: Scalar>(vector: [f64; 3]) -> Normal<S> {
+    let [x, y, z] = vector.map(S::from_f64);
+    Normal::new(x, y, z).expect("visible")
+}
+
+/// The components of normals, a list for each axis.
+pub fn axes<S: Scalar>(normals: &[Normal<S>]) -> [Vec<S>; 3] {
+    [0, 1, 2].map(|axis| normals.iter().map(|normal| normal.components()[axis]).collect())
+}
+
+/// d for a light and a material, which fit the basis.
+pub fn projected<S: Scalar>(basis: &Basis<'_, S>, light: &[S], material: &[S]) -> Vec<S> {
+    let light = Light::new(light).expect("coefficients of a light");
+    let material = Material::new(material).expect("coefficients of a material");
+    let mut workspace = vec![S::ZERO; basis.workspace_len()];
+    let mut d = vec![S::ZERO; basis.components()];
+    basis.project_into(&light, &material, &mut workspace, &mut d).expect("it fits");
+    d
+}
 
 /// Normals of each slant at `tilts` tilts.
 pub fn normals(slants: &[f64], tilts: usize) -> Vec<[f64; 3]> {
@@ -181,26 +209,24 @@ pub fn standard(mut loaded: Loaded) -> Loaded {
 }
 
 /// A basis of either kind in f64, with methods that allocate their buffers.
-pub struct Projector {
-    owned: OwnedBasis<f64>,
-}
+pub struct Projector(OwnedBasis<f64>);
 
 impl Projector {
     pub fn new(table: &Table) -> Self {
-        Self { owned: OwnedBasis::new(table) }
+        Self(OwnedBasis::new(table))
     }
 
     /// d for a light and a material of the table's degree and order.
     pub fn project(&self, light: &[f64], material: &[f64]) -> Vec<f64> {
-        let basis = self.owned.any().expect("a basis");
+        let basis = self.0.any().expect("a basis");
         let d = Shader::new(basis, usize::MAX).project(light, material).map(<[f64]>::to_vec);
         d.expect("coefficients that fit")
     }
 
     /// The mean image plus Σ d_i U_i at unit normals, from the collapsed scene.
     pub fn shade(&self, d: &[f64], normals: &[[f64; 3]]) -> Vec<f64> {
-        let length = self.owned.basis().expect("a span").scene_len();
-        let scene = match self.owned.any().expect("a basis") {
+        let length = self.0.basis().expect("a span").scene_len();
+        let scene = match self.0.any().expect("a basis") {
             AnyBasis::Sphere(basis) => basis.collapse_into(d, vec![0.0; length]),
             AnyBasis::General(basis) => {
                 let mut workspace = vec![0.0; basis.workspace_len()];
@@ -208,9 +234,7 @@ impl Projector {
             }
         };
         let scene = scene.expect("components");
-        let at =
-            |&[x, y, z]: &[f64; 3]| scene.shade(eigenshade::Normal::new(x, y, z).expect("visible"));
-        normals.iter().map(at).collect()
+        normals.iter().map(|&at| scene.shade(normal(at))).collect()
     }
 
     /// U_i at unit normals, without the mean image.

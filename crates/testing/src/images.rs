@@ -1,7 +1,9 @@
 //! Images of the shipped basis, component by component, and their differences from scenes.
 
-use crate::fixtures;
-use eigenshade::{Light, Material, Normal, Scene, sphere};
+use crate::fixtures::{self, normal};
+use crate::largest;
+use eigenshade::{Light, Material, Normal, Recurrences, Scene, Shape, sphere};
+use eigenshade_model::database::Named;
 use std::f64::consts::TAU;
 
 /// d for a light and a material.
@@ -15,6 +17,16 @@ pub fn single(values: Vec<f64>) -> Vec<f32> {
     values.iter().map(|&value| value as f32).collect()
 }
 
+/// d for the luminance of a light and of a material.
+pub fn on(light: &Named, material: &Named) -> sphere::Coefficients {
+    coefficients(&single(light.luminance()), &single(material.luminance()))
+}
+
+/// A shape of all components, with these lengths of the polynomials.
+pub fn shape(lengths: &[u16]) -> Shape<'_> {
+    Shape { components: sphere::COMPONENTS, lengths, recurrences: Recurrences::NONE }
+}
+
 /// Unit vectors and weights of a quadrature rule for squares of images over a sphere.
 pub fn vectors() -> Vec<([f64; 3], f64)> {
     fixtures::rule(24, 2 * sphere::DEGREE + 2)
@@ -22,8 +34,7 @@ pub fn vectors() -> Vec<([f64; 3], f64)> {
 
 /// The same rule with normals instead of vectors.
 pub fn rule() -> Vec<(Normal<f32>, f64)> {
-    let normal = |[x, y, z]: [f64; 3]| Normal::new(x as f32, y as f32, z as f32);
-    vectors().into_iter().map(|(at, weight)| (normal(at).expect("visible"), weight)).collect()
+    vectors().into_iter().map(|(at, weight)| (normal(at), weight)).collect()
 }
 
 /// The image of all components, summed component by component, and its peak.
@@ -41,10 +52,9 @@ impl Image {
         let slants = (0..=48).map(|k| (TAU / 4.0 / 48.0 * f64::from(k)).sin_cos());
         let finer = slants.flat_map(|(sine, z)| {
             let around = (0..64).map(|k| (TAU / 64.0 * f64::from(k)).sin_cos());
-            around.map(move |(y, x)| [sine * x, sine * y, z.max(0.0)].map(|one| one as f32))
+            around.map(move |(y, x)| [sine * x, sine * y, z.max(0.0)])
         });
-        let finer = finer.map(|[x, y, z]| scene.shade(Normal::new(x, y, z).expect("visible")));
-        let peak = finer.fold(0.0, |most: f64, value| most.max(f64::from(value).abs()));
+        let peak = largest(finer.map(|at| scene.shade(normal(at)).into()));
         Self { values, peak }
     }
 

@@ -4,20 +4,16 @@
 use std::path::{Path, PathBuf};
 
 pub mod tolerances;
-
 pub mod vectors;
 
 pub mod oracle;
-
 pub mod rotations;
 
 pub mod fixtures;
-
 pub mod glossy;
 
-pub mod pictures;
-
 pub mod images;
+pub mod pictures;
 
 pub mod golden;
 
@@ -61,6 +57,13 @@ pub fn largest(values: impl IntoIterator<Item = f64>) -> f64 {
 pub fn largest_difference(a: &[f64], b: &[f64]) -> f64 {
     assert_eq!(a.len(), b.len(), "lists of one length");
     largest(a.iter().zip(b).map(|(a, b)| a - b))
+}
+
+/// The median and the largest of some numbers.
+#[must_use]
+pub fn median_and_largest<T: PartialOrd + Copy>(mut values: Vec<T>) -> [T; 2] {
+    values.sort_by(|a, b| a.partial_cmp(b).expect("numbers"));
+    [values[values.len() / 2], values[values.len() - 1]]
 }
 
 /// The largest error relative to the largest expected value.

@@ -5,10 +5,11 @@
 
 pub mod pictures;
 pub mod scenes;
+
 use crate::multiplications::Multiplications;
 use crate::numbers::median;
 use crate::pages::{Page, Part, same_word, table};
-pub use crate::sheet::{Counts, M0, M3, M4F, RV32};
+use crate::sheet::{Counts, M0, M3, M4F, RV32};
 use crate::tolerances;
 use eigenshade_cli::messages::grouped;
 use eigenshade_index::effect::Effect;
@@ -25,7 +26,6 @@ const DIFFERENCE: f64 = 0.1;
 /// Errors on the page below this are f32 rounding and differ between hosts.
 const ROUNDING: f64 = 1e-6;
 
-/// `docs/ablation.md`.
 pub const PAGE: Page = Page {
     name: "ablation",
     same: |_, old, new| {
@@ -113,21 +113,17 @@ fn effects(scene: &Scene) -> Vec<String> {
 
 /// What leaving an effect out saves, for the scenes with several effects.
 fn savings() -> String {
+    let shown = |Size { components, terms, numbers }| {
+        format!("{components}, {terms}, {}", grouped(numbers))
+    };
     let row = |name| {
         let scene = Scene::named(name);
-        let of = |without| match scene.size(without) {
-            Some(Size { components, terms, numbers }) => {
-                format!("{components}, {terms}, {}", grouped(numbers))
-            }
-            None => String::new(),
-        };
-        let sizes = std::iter::once(None).chain(Effect::ALL.map(Some)).map(of);
-        std::iter::once(scene.title.into()).chain(sizes).collect()
+        let sizes = [None].into_iter().chain(Effect::ALL.map(Some));
+        let sizes = sizes.map(|without| scene.size(without).map_or(String::new(), shown));
+        [scene.title.into()].into_iter().chain(sizes).collect()
     };
-    table(
-        "scene | all: | no ambient: | no diffuse: | no broad: | no gloss:",
-        ["sky_lambertian", "studio_plaster", "studio_velvet", "sun_leather"].map(row),
-    )
+    let columns = "scene | all: | no ambient: | no diffuse: | no broad: | no gloss:";
+    table(columns, ["sky_lambertian", "studio_plaster", "studio_velvet", "sun_leather"].map(row))
 }
 
 /// What each effect contributes.
@@ -204,7 +200,6 @@ fn beside(counts: &Counts) -> String {
     table(columns, rows.map(|(what, found)| vec![what.into(), found]))
 }
 
-/// Multiplications with the shipped table.
 pub fn multiplications() -> Multiplications {
     Multiplications::of(&decode(shipped::TABLE).expect("the shipped table")).expect("a basis")
 }
@@ -214,18 +209,14 @@ pub fn multiplications() -> Multiplications {
 fn changes(counts: &Counts, host: [f64; 4]) -> String {
     let found = multiplications();
     let boards = [M4F, M0, M3, RV32];
+    let get = |on: [&str; 2], operation: &str| counts.get(on, operation, "instructions");
     let counted = |operations: &[&str]| {
-        let count = |on| {
-            let of = |operation: &&str| counts.get(on, operation, "instructions");
-            number(operations.iter().map(of).sum())
-        };
-        boards.map(count).join(" | ")
+        boards.map(|on| number(operations.iter().map(|one| get(on, one)).sum())).join(" | ")
     };
     let turned = boards.map(|on| {
-        let [turn, light] =
-            ["turn", "relight_collapse"].map(|operation| counts.get(on, operation, "instructions"));
         // The former is of three channels.
-        number(turn.zip(light).map(|(turn, light)| turn / 3 + light))
+        let turned = get(on, "turn").zip(get(on, "relight_collapse"));
+        number(turned.map(|(turn, light)| turn / 3 + light))
     });
     let relight = found.relight + found.collapse;
     let [of_light, of_turn, of_material] =
@@ -235,41 +226,27 @@ fn changes(counts: &Counts, host: [f64; 4]) -> String {
     trim(&mut full, BOARDS.1);
     let full = Multiplications::of(&full).expect("a basis").pixel;
     // What is new, redone and kept; multiplications; counts on the boards.
-    let rows = [
-        (
-            "light | `relight`, `collapse` | the material's transfer",
-            of_light,
-            counted(&["relight_collapse"]),
-        ),
-        (
-            "light, turned | `Light::turned`, `relight`, `collapse` | the material's transfer",
-            of_turn,
-            turned.join(" | "),
-        ),
-        (
-            "material | `transfer`, `relight`, `collapse` | the light's coefficients",
-            of_material,
-            counted(&["transfer", "relight_collapse"]),
-        ),
-        (
-            "view of the same light: normals | each pixel: `shade` | the scene, all of it",
-            format!("{} a pixel", found.pixel),
-            "- | - | - | -".into(),
-        ),
-        (
-            "the same, table `full.toml` | each pixel: `shade` | the scene",
-            format!("{full} a pixel"),
-            counted(&["shade"]),
-        ),
+    let changes = [
+        "light | `relight`, `collapse` | the material's transfer",
+        "light, turned | `Light::turned`, `relight`, `collapse` | the material's transfer",
+        "material | `transfer`, `relight`, `collapse` | the light's coefficients",
+        "view of the same light: normals | each pixel: `shade` | the scene, all of it",
+        "the same, table `full.toml` | each pixel: `shade` | the scene",
+    ];
+    let of_pixel = [found.pixel, full].map(|products| format!("{products} a pixel"));
+    let products = [of_light, of_turn, of_material].into_iter().chain(of_pixel);
+    let counts = [
+        counted(&["relight_collapse"]),
+        turned.join(" | "),
+        counted(&["transfer", "relight_collapse"]),
+        "- | - | - | -".into(),
+        counted(&["shade"]),
     ];
     let times = host.map(|time| format!("×{}", grouped(time.round() as usize)));
     let times = times.into_iter().chain(["-".into()]);
     let columns = "\
         what is new | redone | kept | multiplications: | M4F `f32`: | M0 `q15`: | M3 `q15`: | \
         RV32 `q15`: | host:";
-    let rows = rows.into_iter().zip(times);
-    table(
-        columns,
-        rows.map(|((what, products, counts), time)| vec![what.into(), products, counts, time]),
-    )
+    let rows = changes.into_iter().zip(products).zip(counts).zip(times);
+    table(columns, rows.map(|(((what, all), counts), time)| vec![what.into(), all, counts, time]))
 }

@@ -17,12 +17,9 @@ use nalgebra::{DMatrix, DVector};
 use std::collections::BTreeMap;
 use std::f64::consts::PI;
 
-/// Spacing of the 900 normals in radians.
-pub const SPACING: f64 = 0.06;
-
-/// The normals at which pictures are compared.
-pub fn sphere() -> Sphere {
-    Sphere::new(rings(SPACING))
+/// The 900 normals at which pictures are compared.
+fn sphere() -> Sphere {
+    Sphere::new(rings(0.06))
 }
 
 /// The picture of each light on one material, by the direct sum over some effects.
@@ -38,9 +35,6 @@ pub fn direct(
     };
     (0..lights.entries.len()).map(of_light).collect()
 }
-
-/// Degree and order of the complete picture.
-pub const FULL: (usize, usize) = (9, 7);
 
 /// Errors of a scene's picture under its light, relative to the peak: of leaving out each effect
 /// that has modes in the scene; of showing luminance instead of `color`; of keeping the picture
@@ -74,8 +68,8 @@ pub fn shares(scene: &Scene) -> BTreeMap<&'static str, f64> {
         }
         shares.insert("turning", sphere.error(&picture(&turned, wanted), &whole));
     }
-    let material = scenes::material(&table, FULL.1);
-    let all = direct(&sphere, &scene.light(FULL.0), &material, Effects::ALL).remove(0);
+    let material = scenes::material(&table, 7);
+    let all = direct(&sphere, &scene.light(9), &material, Effects::ALL).remove(0);
     shares.insert("left out", sphere.error(&whole, &all));
     shares
 }
@@ -104,10 +98,9 @@ pub fn errors(scene: &Scene) -> [f64; 3] {
     let own = own.expect("a shipped light");
     let mut shader = IntegerShader::<Q15>::new(&table, table.count()).expect("Q15 serves it");
     let normals = integer_shader::normals(&sphere.normals).expect("normals");
-    let q15 = lights.entries[own]
-        .rgb
-        .each_ref()
-        .map(|light| shader.polynomial(light, &material.rgb[0], &normals).expect("it fits"));
+    let q15 = lights.entries[own].rgb.each_ref();
+    let q15 =
+        q15.map(|light| shader.polynomial(light, &material.rgb[0], &normals).expect("it fits"));
     [errors[own], largest(errors), sphere.error(&q15, &expected[own])]
 }
 

@@ -23,13 +23,11 @@ pub struct Scene {
     pub name: &'static str,
     /// The scene whose table it uses.
     pub table: &'static str,
-    /// Its title on the page.
     pub title: &'static str,
     /// The shipped light under which it is measured.
     pub light: &'static str,
     /// The number of channels: 1 for luminance, or 3.
     pub channels: usize,
-    /// Whether its light turns.
     pub turns: bool,
     /// The allowed error of table, terms and format under its light, relative to the peak. The
     /// tolerance in the scene file is relative to the mean peak of all lights, and is lower where
@@ -64,7 +62,6 @@ pub const SCENES: [Scene; 10] = [
 ];
 
 impl Scene {
-    /// The scene with this name.
     pub fn named(name: &str) -> Self {
         *SCENES.iter().find(|scene| scene.name == name).expect("a scene of the page")
     }
@@ -76,7 +73,6 @@ impl Scene {
         decode(&bytes).expect("a table")
     }
 
-    /// The scene file.
     pub fn path(&self) -> PathBuf {
         eigenshade_testing::repository().join(format!("firmware/scenes/{}.toml", self.name))
     }
@@ -107,7 +103,6 @@ impl Scene {
         lights
     }
 
-    /// The scene's light alone.
     pub fn light(&self, degree: usize) -> Lights {
         let mut lights = self.lights(degree);
         lights.entries.retain(|light| light.name == self.light);
@@ -115,10 +110,8 @@ impl Scene {
     }
 }
 
-/// The size of a table.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Size {
-    /// The number of components K.
     pub components: usize,
     /// Terms of the polynomials of all azimuths; each costs a pixel one multiplication.
     pub terms: usize,
@@ -169,13 +162,11 @@ pub struct Times {
 }
 
 impl Times {
-    /// Measures all.
     pub fn measured() -> Self {
         Self { scenes: SCENES.iter().map(of_scene).collect(), changes: of_changes() }
     }
 }
 
-/// The normals of a picture of 96 x 96 pixels.
 fn normals() -> OwnedNormals<f32> {
     OwnedNormals::new(&disc(96))
 }
@@ -201,15 +192,12 @@ fn of_scene(scene: &Scene) -> f64 {
     let basis = OwnedBasis::<f32>::new(&table);
     let basis = basis.basis().expect("a basis");
     let mut shader = Shader::new(basis, table.count());
-    let scenes: Vec<_> = light.entries[0]
-        .rgb
-        .iter()
-        .take(scene.channels)
-        .map(|light| {
-            let d = shader.project(light, &material.entries[0].rgb[0]).expect("it fits");
-            basis.collapse_into(d, vec![0.0; basis.scene_len()]).expect("room")
-        })
-        .collect();
+    let lights = light.entries[0].rgb.iter().take(scene.channels);
+    let scenes = lights.map(|light| {
+        let d = shader.project(light, &material.entries[0].rgb[0]).expect("it fits");
+        basis.collapse_into(d, vec![0.0; basis.scene_len()]).expect("room")
+    });
+    let scenes: Vec<_> = scenes.collect();
     let normals = normals();
     let normals = normals.view().expect("as many of each");
     let mut irradiance = vec![0.0; normals.len()];

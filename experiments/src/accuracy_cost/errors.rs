@@ -14,6 +14,7 @@ use eigenshade_generator::material::brdf::{Measure, Projected};
 use eigenshade_model::error::{Error, Result};
 use eigenshade_shading::{parallel, shipped};
 use eigenshade_table::Table;
+use eigenshade_testing::largest;
 use indicatif::ProgressBar;
 use std::path::Path;
 
@@ -46,7 +47,6 @@ impl Spread {
 pub struct Errors {
     /// Root mean squares over the normals.
     pub rms: Spread,
-    /// Largest errors.
     pub largest: Spread,
 }
 
@@ -65,23 +65,21 @@ pub struct Found {
     pub bytes: usize,
 }
 
-/// Compares every image.
 pub fn compare(setting: &Setting, table: &Table, images: &Images) -> Result<Found> {
     let numbers = numbers(setting, table, &images.sphere.normals)?;
     let all = parallel::map(images.images.len(), &(), |k| {
         let image = &images.images[k];
         let Shaded { irradiances, terms, bytes, .. } = numbers.image(&image.pair)?;
-        Ok((errors(&irradiances, image, &images.sphere.weights), [terms, k, bytes]))
+        let errors = errors(&irradiances, image, &images.sphere.weights);
+        Ok((image.seen, errors, [terms, k, bytes]))
     });
-    let all = all.into_iter().collect::<Result<Vec<([f64; 2], [usize; 3])>>>()?;
-    let chosen = |seen| all.iter().zip(&images.images).filter(move |(_, one)| one.seen == seen);
+    let all = all.into_iter().collect::<Result<Vec<(bool, [f64; 2], [usize; 3])>>>()?;
+    let chosen = |seen| all.iter().filter(move |one| one.0 == seen);
     let of = |seen| {
-        let [rms, largest] = [0, 1].map(|kind| {
-            Spread::of(&chosen(seen).map(|((errors, _), _)| errors[kind]).collect::<Vec<_>>())
-        });
-        Errors { rms, largest }
+        let of = |kind: usize| chosen(seen).map(|(_, errors, _)| errors[kind]).collect::<Vec<_>>();
+        Errors { rms: Spread::of(&of(0)), largest: Spread::of(&of(1)) }
     };
-    let mut by_terms: Vec<[usize; 3]> = chosen(true).map(|((_, costs), _)| *costs).collect();
+    let mut by_terms: Vec<[usize; 3]> = chosen(true).map(|(.., costs)| *costs).collect();
     by_terms.sort_unstable();
     let [terms, typical, bytes] = by_terms[by_terms.len() / 2];
     Ok(Found { seen: of(true), unseen: of(false), terms, typical, bytes })
@@ -89,20 +87,13 @@ pub fn compare(setting: &Setting, table: &Table, images: &Images) -> Result<Foun
 
 /// The rms over the normals and the largest error, relative to the peak.
 fn errors(values: &[f64], image: &Image, weights: &[f64]) -> [f64; 2] {
-    let (mut square, mut largest) = (0.0, 0.0f64);
-    for ((value, reference), weight) in values.iter().zip(&image.reference).zip(weights) {
-        let difference = (value - reference).abs();
-        square += weight * difference * difference;
-        if difference.is_nan() || difference > largest {
-            largest = difference;
-        }
-    }
-    [square.sqrt() / image.peak, largest / image.peak]
+    let off = values.iter().zip(&image.reference).map(|(value, reference)| value - reference);
+    let square: f64 = off.clone().zip(weights).map(|(off, weight)| weight * off * off).sum();
+    [square.sqrt() / image.peak, largest(off) / image.peak]
 }
 
 /// The maps: some are soft, others have a small strong light.
 pub const MAPS: [&str; 6] = ["esplanade", "hall", "park", "sky", "studio", "venice"];
-/// The surfaces of a quick run.
 const QUICK: [&str; 2] = ["ggx-0.9-0.7", "teflon"];
 
 /// The errors of each surface at each degree and order, under the maps in this folder; with
@@ -151,7 +142,6 @@ pub fn spread(rows: &[Record], size: (usize, usize)) -> Spread {
     Spread::of(&errors.collect::<Vec<f64>>())
 }
 
-/// The rows of a degree and an order.
 pub fn of_size(rows: &[Record], (degree, order): (usize, usize)) -> impl Iterator<Item = &Record> {
     let size = [degree, order].map(|one| one.to_string());
     rows.iter().filter(move |row| ["degree", "order"].map(|column| row.text(column)) == size)

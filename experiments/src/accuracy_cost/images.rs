@@ -14,7 +14,6 @@ use std::hint::black_box;
 
 /// The widest spacing of the normals: in radians, and in radians over the highest degree.
 const WIDEST: f64 = 0.08;
-/// See [`WIDEST`].
 const IN_DEGREES: f64 = 1.5;
 /// The number of normals on the rim: they count for the largest error but not for the rms.
 const RIM: usize = 64;
@@ -26,7 +25,6 @@ pub struct Pair {
     pub material: Vec<f64>,
 }
 
-/// One image.
 pub struct Image {
     pub pair: Pair,
     /// Whether the basis was made from this material.
@@ -72,9 +70,8 @@ impl Images {
         let lights: Vec<Vec<f64>> = scope.lights.entries.iter().map(Named::luminance).collect();
         let entries = scope.seen.entries.iter().chain(&scope.unseen.entries);
         let materials: Vec<Vec<f64>> = entries.map(Named::luminance).collect();
-        let all_lights = || lights.iter().map(Vec::as_slice).collect();
-        let channels: Vec<_> =
-            materials.iter().map(|material| (all_lights(), material.as_slice())).collect();
+        let all: Vec<&[f64]> = lights.iter().map(Vec::as_slice).collect();
+        let channels: Vec<_> = materials.iter().map(|one| (all.clone(), one.as_slice())).collect();
         let image = |(k, reference): (usize, Vec<f64>)| {
             let (material, light) = (k / lights.len(), k % lights.len());
             let peak = reference.iter().fold(0.0, |most: f64, value| most.max(value.abs()));
@@ -90,11 +87,8 @@ impl Images {
 /// An operation to be timed.
 pub type Work<'a> = Box<dyn FnMut() + 'a>;
 
-/// An image.
 pub struct Shaded {
-    /// The irradiance of every normal.
     pub irradiances: Vec<f64>,
-    /// The number of terms of the polynomials.
     pub terms: usize,
     /// Bytes in RAM for one channel of an image whose light may change: the transferred material,
     /// d, and the data that a pixel reads.
@@ -105,7 +99,6 @@ pub struct Shaded {
 
 /// A basis and normals in a setting's number format.
 pub trait Numbers: Sync {
-    /// Shades every normal.
     fn image(&self, pair: &Pair) -> Result<Shaded>;
 
     /// All pixels, and a new light. `lengths` has a number for each azimuth.
@@ -114,7 +107,6 @@ pub trait Numbers: Sync {
 
 /// The pixels of an image.
 pub trait Pixels {
-    /// Computes them.
     fn shade(&mut self);
 
     /// Their irradiances, as last computed.
@@ -132,7 +124,6 @@ pub struct Shading<T, F> {
 }
 
 impl<'a, T: Copy + Default + Into<f64> + 'a, F: FnMut(&mut [T]) + 'a> Shading<T, F> {
-    /// A number of pixels.
     pub fn boxed(count: usize, exponent: i32, shade: F) -> Box<dyn Pixels + 'a> {
         Box::new(Self { out: vec![T::default(); count], exponent, shade })
     }

@@ -7,7 +7,6 @@ use super::settings::{DEGREE, Format, ORDER, Recipe, Scaling, Setting, Way};
 use crate::sheet::{Counts, Record, Sheet};
 use eigenshade_model::error::{Error, Result};
 
-/// A machine.
 pub struct Machine {
     /// The name in files and columns.
     pub key: &'static str,
@@ -28,12 +27,10 @@ pub const MACHINES: [Machine; 6] = [
 ];
 
 impl Machine {
-    /// The unit of a pixel's cost.
     pub fn unit(&self) -> &'static str {
         if self.board.is_some() { "instructions" } else { "nine-term pixels" }
     }
 
-    /// The number in this machine's column of a row.
     pub fn number(&self, row: &Record, column: &str) -> Option<f64> {
         row.number(&format!("{}_{column}", self.key))
     }
@@ -64,18 +61,15 @@ pub struct Boards {
 }
 
 impl Boards {
-    /// Reads the recorded counts.
     pub fn new() -> Result<Self> {
         let listed = include_str!("../../../firmware/tables/sizes.csv");
         let listed = Sheet::parse(listed, "firmware/tables/sizes.csv")?;
-        let components = listed.numbers("components").into_iter().map(|count| count as usize);
+        let components = listed.numbers("components").into_iter();
         let tables = listed.rows.iter().zip(components).map(|(row, components)| {
-            let first = Recipe::first(DEGREE, ORDER, components);
-            let recipe = row.number("trim").map_or(first, |share| first.trimmed(share));
-            (row.text("name").to_owned(), recipe)
+            let first = Recipe::first(DEGREE, ORDER, components as usize);
+            (row.text("name").to_owned(), Recipe { trim: row.number("trim"), ..first })
         });
-        let tables = tables.collect();
-        Ok(Self { counts: Counts::recorded(), tables })
+        Ok(Self { tables: tables.collect(), counts: Counts::recorded() })
     }
 
     /// Fills in the costs of a setting on the boards, as far as they were counted: by the program
@@ -87,20 +81,17 @@ impl Boards {
             return;
         }
         let format = setting.format.to_string();
-        let is_it = |(_, recipe): &&(String, Recipe)| {
-            (*recipe, Way::Polynomial) == (setting.recipe, setting.way)
-        };
-        let table = self.tables.iter().find(is_it);
+        let mut tables = self.tables.iter().filter(|_| setting.way == Way::Polynomial);
+        let table = tables.find(|(_, recipe)| *recipe == setting.recipe);
         let whole = table.map(|(name, _)| {
             ["pixel", "light", "scene"].map(|operation| Some(format!("{name}/{operation}")))
         });
         let [pixel, light] = operations(setting).map(|one| one.map(str::to_owned));
         let single = [pixel.clone(), light, pixel];
-        let sources = match setting.sources {
-            0 => None,
-            count => Some([format!("pixel_{count}"), format!("light_{count}"), "scene".into()]),
-        };
-        let sources = sources.map(|operations| operations.map(|one| format!("sources/{one}")));
+        let sources = (setting.sources > 0).then(|| {
+            let [pixel, light] = ["pixel", "light"].map(|of| format!("{of}_{}", setting.sources));
+            [pixel, light, "scene".into()].map(|operation| format!("sources/{operation}"))
+        });
         for Machine { key, board, .. } in MACHINES {
             let Some(board) = board else { continue };
             let count = |operation: &str, column: &str| {
@@ -111,11 +102,12 @@ impl Boards {
             };
             let program = whole.as_ref().filter(is_counted).unwrap_or(&single);
             // Of the pixel, the new light, or the program; with the sources.
-            let both = |of: usize, column: &str| match &sources {
-                None => Some([count(program[of].as_ref()?, column)?, 0.0]),
-                Some(sources) => {
-                    Some([count(program[of].as_ref()?, column)?, count(&sources[of], column)?])
-                }
+            let both = |of: usize, column: &str| {
+                let highlights = match &sources {
+                    None => 0.0,
+                    Some(sources) => count(&sources[of], column)?,
+                };
+                Some([count(program[of].as_ref()?, column)?, highlights])
             };
             let sum = |of: usize, column: &str| both(of, column).map(|[a, b]| a + b);
             row.measure(format!("{key}_pixel"), sum(0, "instructions"));
@@ -153,15 +145,12 @@ pub fn tables() -> Vec<Recipe> {
 
 /// The measured settings that are timed with a table.
 pub fn timed<'a>(table: &Recipe, all: &'a [Setting]) -> impl Iterator<Item = &'a Setting> {
-    let table = *table;
-    all.iter().filter(move |setting| {
-        let is_timed = match setting.way {
-            Way::Polynomial => setting.format != Format::F64,
-            Way::Bilinear(size) => size == MAP && setting.format == Format::F32,
-            _ => false,
-        };
-        let is_plain = setting.scaling == Scaling::None && setting.sources == 0;
-        is_timed && setting.recipe == table && is_plain
+    let base = Setting::of(*table);
+    all.iter().filter(move |&&setting| match setting.way {
+        Way::Polynomial => {
+            setting.format != Format::F64 && setting == base.in_format(setting.format)
+        }
+        way => way == Way::Bilinear(MAP) && setting == base.by(way),
     })
 }
 
@@ -173,18 +162,15 @@ pub struct Times {
 }
 
 impl Times {
-    /// Reads the compiled-in times.
     pub fn new() -> Result<Self> {
         let text = include_str!("../../../crates/wasm/times.csv");
         let times = Sheet::parse(text, "crates/wasm/times.csv")?.rows;
         let nine_terms = Setting::of(Recipe::all(2, 0)).by(Way::NineTerms).to_string();
         let found = times.iter().find(|row| row.text("setting") == nine_terms);
-        let nine_terms = found.and_then(|row| row.number("pixel_ns")).ok_or_else(|| {
-            let remedy =
-                "run `crates/wasm/benchmark-tables && node crates/wasm/measure.mjs --times`";
-            Error::new("crates/wasm/times.csv has no nine-term pixel", remedy)
-        })?;
-        Ok(Self { times, nine_terms })
+        let nine_terms = found.and_then(|row| row.number("pixel_ns"));
+        let remedy = "run `crates/wasm/benchmark-tables && node crates/wasm/measure.mjs --times`";
+        let fault = || Error::new("crates/wasm/times.csv has no nine-term pixel", remedy);
+        Ok(Self { nine_terms: nine_terms.ok_or_else(fault)?, times })
     }
 
     /// Fills in the cost of a setting, in nine-term pixels.
@@ -249,14 +235,13 @@ pub fn cheapest<'a>(
         able.filter_map(|row| picture(row, machine, lighting).map(|cost| (row, cost))).collect();
     let least = priced.iter().map(|(_, cost)| *cost).fold(f64::INFINITY, f64::min);
     let most = if machine.board.is_some() { least } else { least * TIE };
-    let errors = |row: &Record| {
-        ["total_rms_most", "unseen_rms_most"]
-            .map(|column| row.number(column).unwrap_or(f64::INFINITY))
-    };
     let tied = priced.into_iter().filter(|(_, cost)| *cost <= most).map(|(row, _)| row);
     tied.min_by(|a, b| {
-        let [[total_a, a], [total_b, b]] = [errors(a), errors(b)];
-        total_a.total_cmp(&total_b).then(a.total_cmp(&b))
+        let by = |column: &str| {
+            let [a, b] = [a, b].map(|row| row.number(column).unwrap_or(f64::INFINITY));
+            a.total_cmp(&b)
+        };
+        by("total_rms_most").then_with(|| by("unseen_rms_most"))
     })
 }
 
@@ -264,7 +249,7 @@ pub fn cheapest<'a>(
 /// point that is as cheap or cheaper has a larger error.
 pub fn pareto(points: &[(f64, f64)]) -> Vec<(f64, f64)> {
     let mut points = points.to_vec();
-    points.retain(|point| point.0.is_finite() && point.1.is_finite());
+    points.retain(|(cost, error)| cost.is_finite() && error.is_finite());
     points.sort_by(|a, b| a.0.total_cmp(&b.0).then(a.1.total_cmp(&b.1)));
     let mut least = f64::INFINITY;
     points.retain(|point| {

@@ -3,29 +3,17 @@
 //! Measurements become [`Record`]s. The CSV files, the checks, the charts and the tables of
 //! the page are made from these.
 
-pub mod settings;
-
-pub mod scope;
-
-pub mod sheet;
-
-pub mod images;
-
-mod floats;
-
-pub mod numbers;
-
-mod source_times;
-
-pub mod times;
-
 pub mod errors;
-
-pub mod total;
-
+pub mod images;
 pub mod machines;
-
+pub mod numbers;
 pub mod report;
+pub mod scope;
+pub mod settings;
+pub mod sheet;
+mod source_times;
+pub mod times;
+pub mod total;
 
 use crate::sheet::{Form, Record, read};
 use eigenshade_cli::table;
@@ -35,8 +23,7 @@ use images::Images;
 use indicatif::ProgressBar;
 use machines::{Boards, Times};
 use numbers::table_bytes;
-use scope::Bases;
-use scope::Scope;
+use scope::{Bases, Scope};
 use settings::{Setting, Varied};
 use sheet::{GROWTH, MODEL, SETTINGS, TOTAL};
 use source_times::Lit;
@@ -46,12 +33,10 @@ use times::Case;
 use total::references::SPACING;
 use total::{ERROR_COLUMNS, Study, subjects};
 
-/// Rounds of the timed runs.
 const ROUNDS: usize = 25;
 /// The columns of a setting's times on this machine.
 const TIMES: [&str; 4] = ["host_pixel_ns", "host_light_ns", "host_pixel", "host_light"];
 
-/// The rows of all files.
 #[derive(Clone, Debug, Default)]
 pub struct Measured {
     pub settings: Vec<Record>,
@@ -80,14 +65,12 @@ impl Measured {
         Ok(Self { settings, model, total, growth })
     }
 
-    /// Reads the files of a folder.
     pub fn read(folder: &Path) -> Result<Self> {
         let [settings, model, total, growth] =
             [&SETTINGS, &MODEL, &TOTAL, &GROWTH].map(|form| read(form, folder));
         Ok(Self { settings: settings?, model: model?, total: total?, growth: growth? })
     }
 
-    /// The rows with the form of their file.
     pub fn sheets(&self) -> [(&'static Form, &[Record]); 4] {
         [
             (&SETTINGS, &self.settings),
@@ -188,10 +171,8 @@ fn measure(
 /// The first setting is the nine-term formula.
 fn fill_times(varied: &[Varied], rows: &mut [Record], cases: &mut [(usize, Case)]) -> Result<()> {
     let of_sources = |&Setting { format, sources, .. }: &Setting| (format, sources);
-    let mut lit: Vec<_> = varied.iter().map(|one| of_sources(&one.setting)).collect();
-    lit.retain(|(_, sources)| *sources > 0);
-    lit.sort_unstable();
-    lit.dedup();
+    let lit = varied.iter().map(|one| of_sources(&one.setting));
+    let lit: BTreeSet<_> = lit.filter(|(_, sources)| *sources > 0).collect();
     let lamps = Lit::new()?;
     let numbers: Vec<usize> = cases.iter().map(|(k, _)| *k).collect();
     let mut works = Vec::new();
@@ -221,7 +202,6 @@ fn fill_times(varied: &[Varied], rows: &mut [Record], cases: &mut [(usize, Case)
     Ok(())
 }
 
-/// Fills in the total error over all pictures.
 fn copy_total(row: &mut Record, total: &Record) {
     for (column, _) in ERROR_COLUMNS {
         for kind in ["median", "most"] {
@@ -231,7 +211,6 @@ fn copy_total(row: &mut Record, total: &Record) {
     }
 }
 
-/// Fills in what a setting is.
 fn describe(row: &mut Record, Varied { parameter, setting }: &Varied) {
     let recipe = &setting.recipe;
     row.put("parameter", *parameter);
@@ -239,8 +218,7 @@ fn describe(row: &mut Record, Varied { parameter, setting }: &Varied) {
     row.put("degree", recipe.degree);
     row.put("order", recipe.order);
     row.put("effects", table::effect_names(recipe.effects));
-    let counts = [recipe.components, recipe.modes];
-    for (column, count) in ["components", "modes"].into_iter().zip(counts) {
+    for (column, count) in [("components", recipe.components), ("modes", recipe.modes)] {
         count.into_iter().for_each(|count| row.put(column, count));
     }
     row.put("way", setting.way);
@@ -248,7 +226,6 @@ fn describe(row: &mut Record, Varied { parameter, setting }: &Varied) {
     row.put("sources", setting.sources);
 }
 
-/// Fills in the errors of the method.
 fn fill(row: &mut Record, Found { seen, unseen, terms, .. }: &Found) {
     row.put("terms", *terms);
     let decibels = |error: f64| format!("{:.1}", -20.0 * error.log10());

@@ -1,14 +1,16 @@
-//! The number formats of settings: floats, and integers.
+//! The ways to a pixel in every number format, for images and for timing.
 
-use super::floats::{Floats, scale};
-use super::images::Pair;
-use super::images::{Numbers, Shaded, Work, each};
+use super::images::{Numbers, Pair, Pixels, Shaded, Shading, Work, each};
 use super::settings::{Format, Scaling, Setting, Way};
-use eigenshade::mathematics::{Libm, Micromath, SinglePrecision};
-use eigenshade::{Q15, Q31, quantized};
+use eigenshade::mathematics::{Libm, Mathematics, Micromath, SinglePrecision};
+use eigenshade::{
+    Basis, Highlights, IntegerMap, Light, MapPoint, Material, Normal, Normals, Q15, Q31, Scalar,
+    Source, Tolerance, quantized,
+};
 use eigenshade_model::error::{Error, Result};
 use eigenshade_shading::integer_shader::{self, Integer, IntegerShader, OwnedQuantized};
-use eigenshade_shading::shader::fault;
+use eigenshade_shading::owned_basis::OwnedBasis;
+use eigenshade_shading::shader::{OwnedNormals, Shader, fault};
 use eigenshade_table::{Table, parts, quantize, wire};
 use std::fmt::Display;
 use std::hint::black_box;
@@ -58,15 +60,206 @@ pub fn table_bytes(setting: &Setting, table: &Table) -> Result<usize> {
 /// Bytes in RAM for each source: itself, to be turned, and its lobe; in integers, which turn none,
 /// its lobe.
 pub fn source_bytes(setting: &Setting) -> usize {
-    use eigenshade::{Highlights as Lobes, Source};
     type Integers<const N: usize> = quantized::Highlights<i32, N>;
+    type Floats<const N: usize> = Highlights<f32, N>;
     match setting.format {
         Format::Q15 | Format::Q31 => size_of::<Integers<2>>() - size_of::<Integers<1>>(),
-        _ => {
-            let lobe = size_of::<Lobes<f32, 2>>() - size_of::<Lobes<f32, 1>>();
-            size_of::<Source<f32>>() + lobe
+        _ => size_of::<Source<f32>>() + size_of::<Floats<2>>() - size_of::<Floats<1>>(),
+    }
+}
+
+/// Lengths of the normals that are to be scaled, used in turn. They span more than an octave, as
+/// the lengths of cross products do.
+const LENGTHS: [f64; 5] = [0.37, 0.61, 1.0, 1.43, 2.3];
+
+/// Scales vectors to unit length, into an array for each component.
+type Scale<S> = fn(&[[S; 3]], &mut [Vec<S>; 3]);
+
+struct Floats<S> {
+    setting: Setting,
+    basis: OwnedBasis<S>,
+    normals: OwnedNormals<S>,
+    each: Vec<Normal<S>>,
+    /// The normals for maps of 16 bits.
+    quantized: Vec<quantized::Normal<Q15>>,
+    scale: Option<Scale<S>>,
+}
+
+/// From the coefficients d to the data that a pixel reads.
+type Collapse<'a, S> = Box<dyn FnMut(&[S]) -> std::result::Result<(), eigenshade::Error> + 'a>;
+
+/// The pixels of an image, the number of terms of their polynomials, how the data that they read
+/// are made, and the bytes of these.
+struct Operations<'a, S> {
+    pixels: Box<dyn Pixels + 'a>,
+    terms: usize,
+    collapse: Collapse<'a, S>,
+    bytes: usize,
+}
+
+impl<S: Scalar + Into<f64>> Floats<S> {
+    /// With `scale`, the normals are first given lengths other than 1.
+    fn new(
+        setting: &Setting,
+        table: &Table,
+        normals: &[[f64; 3]],
+        scale: Option<Scale<S>>,
+    ) -> Result<Self> {
+        let quantized = integer_shader::normals(normals)?;
+        let (basis, normals) = (OwnedBasis::new(table), OwnedNormals::new(normals));
+        Ok(Self { setting: *setting, basis, each: normals.each()?, normals, quantized, scale })
+    }
+
+    fn basis(&self) -> Result<Basis<'_, S>> {
+        self.basis.basis().map_err(fault)
+    }
+
+    fn project(&self, pair: &Pair) -> Result<Vec<S>> {
+        let basis = self.basis()?;
+        let (light, material) = pair.within(basis.degree(), basis.order());
+        Shader::new(basis, usize::MAX).project(light, material).map(<[S]>::to_vec)
+    }
+
+    /// `lengths` has a number for each azimuth.
+    fn operations<'a>(&'a self, pair: &Pair, lengths: &'a mut [u16]) -> Result<Operations<'a, S>> {
+        let Setting { way, format, .. } = self.setting;
+        let (basis, d) = (self.basis()?, self.project(pair)?);
+        let mut buffer = vec![S::ZERO; basis.scene_len()];
+        let scene = basis.collapse_into(&d, buffer.clone()).map_err(fault)?;
+        let held = size_of::<S>() * (basis.transfer_len() + basis.components());
+        let of_scene = held + size_of_val(&buffer[..]);
+        let (pixels, terms, collapse, bytes): (_, _, Collapse<'a, S>, _) = match way {
+            Way::NineTerms => {
+                let formula = pair.nine_terms()?;
+                let pixels =
+                    self.all(move |normals, out| black_box(&formula).shade_slice(normals, out))?;
+                // A new light is its own coefficients, scaled.
+                let coefficients = formula.coefficients();
+                (pixels, coefficients.len(), Box::new(|_| Ok(())), size_of_val(coefficients))
+            }
+            Way::Eigen => {
+                let pixel = move |normal| basis.reconstruct(&d, normal).unwrap_or(S::ZERO);
+                let terms = basis.parts().terms.len();
+                (each(&self.each, 0, pixel), terms, Box::new(|_| Ok(())), held)
+            }
+            Way::Polynomial => {
+                let pixels = self.all(move |normals, out| scene.shade_slice(normals, out))?;
+                let collapse = move |d: &[S]| {
+                    basis.collapse_into(d, &mut buffer[..]).map(|scene| seen(&scene))
+                };
+                (pixels, basis.scene_len(), Box::new(collapse), of_scene)
+            }
+            Way::Within(share) => {
+                let tolerance = Tolerance::OfPeak(S::from_f64(share));
+                let lengths = &mut lengths[..basis.azimuths()];
+                let mut again = lengths.to_vec();
+                let within = basis.collapse_within(&d, tolerance, lengths, buffer.clone());
+                let (scene, truncation) = within.map_err(fault)?;
+                let pixels = self.all(move |normals, out| scene.shade_slice(normals, out))?;
+                let collapse = move |d: &[S]| {
+                    let within = basis.collapse_within(d, tolerance, &mut again, &mut buffer[..]);
+                    within.map(|found| seen(&found))
+                };
+                (pixels, truncation.terms, Box::new(collapse), of_scene)
+            }
+            Way::Bilinear(size) if format == Format::Q15 => {
+                let mut texels = vec![0i16; size * size];
+                let map = scene.bake_integers_into(size, texels.clone()).map_err(fault)?;
+                let bytes = held + size_of_val(&texels[..]);
+                let collapse = move |d: &[S]| {
+                    let scene = basis.collapse_into(d, &mut buffer[..])?;
+                    scene.bake_integers_into(size, &mut texels[..]).map(|map| seen(&map))
+                };
+                (of_integers(map, &self.quantized), 0, Box::new(collapse), bytes)
+            }
+            Way::Bilinear(size) => {
+                let mut texels = vec![S::ZERO; size * size];
+                let map = scene.bake_into(size, texels.clone()).map_err(fault)?;
+                let bytes = held + size_of_val(&texels[..]);
+                let pixels = each(&self.each, 0, move |n| map.bilinear(MapPoint::of(n)));
+                let collapse = move |d: &[S]| {
+                    let scene = basis.collapse_into(d, &mut buffer[..])?;
+                    scene.bake_into(size, &mut texels[..]).map(|map| seen(&map))
+                };
+                (pixels, 0, Box::new(collapse), bytes)
+            }
+        };
+        Ok(Operations { pixels, terms, collapse, bytes })
+    }
+
+    /// All pixels at once. As in a renderer, normals that need it are all scaled before.
+    fn all<'a>(
+        &'a self,
+        shade: impl Fn(Normals<'_, S>, &mut [S]) -> std::result::Result<(), eigenshade::Error> + 'a,
+    ) -> Result<Box<dyn Pixels + 'a>> {
+        let Some(scale) = self.scale else {
+            let normals = self.normals.view()?;
+            return Ok(Shading::boxed(self.each.len(), 0, move |out| {
+                black_box(shade(black_box(normals), out).is_ok());
+            }));
+        };
+        let raw = self.each.iter().zip(LENGTHS.into_iter().map(S::from_f64).cycle());
+        let raw: Vec<[S; 3]> =
+            raw.map(|(one, length)| one.components().map(|x| length * x)).collect();
+        let mut axes = [0, 1, 2].map(|_| vec![S::ZERO; raw.len()]);
+        Ok(Shading::boxed(raw.len(), 0, move |out| {
+            scale(black_box(&raw), &mut axes);
+            let [x, y, z] = &axes;
+            let done = Normals::new(x, y, z).and_then(|normals| shade(normals, out));
+            black_box(done.is_ok());
+        }))
+    }
+}
+
+impl<S: Scalar + Into<f64> + Sync> Numbers for Floats<S> {
+    fn image(&self, pair: &Pair) -> Result<Shaded> {
+        let mut lengths = vec![0; self.setting.recipe.degree + 1];
+        let Operations { mut pixels, terms, bytes, .. } = self.operations(pair, &mut lengths)?;
+        pixels.shade();
+        let (irradiances, exponent) = (pixels.irradiances(), pixels.exponent());
+        Ok(Shaded { irradiances, terms, bytes, exponent })
+    }
+
+    fn works<'a>(&'a self, pair: &Pair, lengths: &'a mut [u16]) -> Result<[Work<'a>; 2]> {
+        let Operations { mut pixels, mut collapse, .. } = self.operations(pair, lengths)?;
+        let (basis, mut d) = (self.basis()?, self.project(pair)?);
+        let (light, material) = pair.within(basis.degree(), basis.order());
+        let rounded = |values: &[f64]| values.iter().map(|&v| S::from_f64(v)).collect::<Vec<S>>();
+        let (light, material) = (rounded(light), rounded(material));
+        let material = Material::new(&material).map_err(fault)?;
+        let mut transfer = vec![S::ZERO; basis.transfer_len()];
+        let mut workspace = vec![S::ZERO; basis.workspace_len()];
+        basis.transfer_into(&material, &mut workspace, &mut transfer).map_err(fault)?;
+        let new_light = move || {
+            let light = Light::new(black_box(&light));
+            let relit = light.and_then(|light| basis.relight_into(&transfer, &light, &mut d));
+            black_box(relit.and_then(|()| collapse(&d)).is_ok());
+        };
+        Ok([Box::new(move || pixels.shade()), Box::new(new_light)])
+    }
+}
+
+/// The pixels of a map of 16 bits. A copy for each format of the scene would keep the compiler from
+/// inlining the look-up, which would distort its time.
+fn of_integers(
+    map: IntegerMap<Vec<i16>>,
+    normals: &[quantized::Normal<Q15>],
+) -> Box<dyn Pixels + '_> {
+    each(normals, map.exponent(), move |normal| map.bilinear(MapPoint::of_quantized(normal)))
+}
+
+/// Scales vectors with one implementation of mathematics.
+fn scale<S: Scalar, M: Mathematics<S>>(raw: &[[S; 3]], [xs, ys, zs]: &mut [Vec<S>; 3]) {
+    for (((to_x, to_y), to_z), &[x, y, z]) in xs.iter_mut().zip(ys).zip(zs).zip(raw) {
+        if let Ok(normal) = Normal::with_mathematics::<M>(x, y, z) {
+            [*to_x, *to_y, *to_z] = normal.components();
         }
     }
+}
+
+/// Keeps a value from being optimized away.
+fn seen<T>(found: &T) {
+    black_box(found);
 }
 
 /// The shader of images, and what the timed operations read.
@@ -109,9 +302,8 @@ impl<Q: Integer<Wide: Sync> + Sync> Numbers for Integers<Q> {
         let mut workspace = vec![Q::Wide::default(); basis.workspace_len()];
         let mut numbers = vec![Q::default(); basis.transfer_len()];
         let mut exponents = vec![0; basis.profiles()];
-        basis
-            .transfer_into(&material, &mut workspace, &mut numbers, &mut exponents)
-            .map_err(fault)?;
+        let done = basis.transfer_into(&material, &mut workspace, &mut numbers, &mut exponents);
+        done.map_err(fault)?;
         let relight = move |d: &mut [i32]| {
             let transfer = quantized::Transfer::new(&numbers, &exponents);
             let light = quantized::Light::new(light_exponent, black_box(&light))?;

@@ -18,6 +18,7 @@ use eigenshade_table::reduce::with_components;
 use eigenshade_table::scene::Store;
 use eigenshade_table::trim::trim;
 use eigenshade_table::{Scene, Table, decode};
+use std::borrow::Borrow;
 use std::collections::HashMap;
 
 /// Roughnesses of GGX.
@@ -25,7 +26,6 @@ const ROUGH: [f64; 10] = [0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9, 1.0];
 /// Roughnesses of the formulas from which bases beyond the measured order are made, and values
 /// between them.
 const EVEN: [f64; 5] = [0.2, 0.4, 0.6, 0.8, 1.0];
-/// See [`EVEN`].
 const BETWEEN: [f64; 3] = [0.25, 0.45, 0.85];
 /// Every `LIGHT_STEP`-th light shines on them.
 const LIGHT_STEP: usize = 3;
@@ -35,11 +35,8 @@ const LIGHT_STEP: usize = 3;
 pub struct Scope {
     pub degree: usize,
     pub order: usize,
-    /// The shipped lights, to that degree.
     pub lights: Lights,
-    /// The materials from which the basis is made.
     pub seen: Materials,
-    /// Materials that the basis never saw.
     pub unseen: Materials,
 }
 
@@ -51,7 +48,7 @@ impl Scope {
         let seen = if order <= measured.order {
             measured.truncated(order)
         } else {
-            projected(&ggx(&EVEN, &[0.04, 0.9])?, order)
+            projected_orders(&ggx(&EVEN, &[0.04, 0.9])?, &[order]).remove(0)
         };
         Self::of(degree, seen)
     }
@@ -121,7 +118,6 @@ fn ggx(roughness: &[f64], f0: &[f64]) -> Result<Vec<Surface>> {
     Ok(surfaces)
 }
 
-/// Matte surfaces.
 fn matte() -> Result<Vec<Surface>> {
     Ok(vec![
         Surface::gray("lambertian".into(), Box::new(Lambertian::new(0.8)?)),
@@ -174,21 +170,19 @@ pub fn published() -> Result<Vec<Surface>> {
 /// The measured materials, in color.
 fn measured() -> Result<Vec<Surface>> {
     let mut surfaces = published()?;
-    let kind = |surface: &Surface| MEASURED.iter().position(|name| *name == surface.name);
-    surfaces.retain(|surface| kind(surface).is_some());
-    surfaces.sort_by_key(kind);
+    surfaces.retain(|surface| MEASURED.contains(&&*surface.name));
+    surfaces.sort_by_key(|surface| MEASURED.iter().position(|name| *name == surface.name));
     Ok(surfaces)
 }
 
-fn projected(surfaces: &[Surface], order: usize) -> Materials {
-    let project = |k: usize| surfaces[k].project(order, Measure::Projected).material;
-    Materials { order, entries: parallel::map(surfaces.len(), &(), project) }
-}
-
-/// The materials of each order.
-fn projected_orders(surfaces: &[Surface], orders: &[usize]) -> Vec<Materials> {
-    let project = |k: usize| surfaces[k].project_orders(orders, Measure::Projected);
-    let projected = parallel::map(surfaces.len(), &(), project);
+pub fn projected_orders<S: Borrow<Surface> + Sync>(
+    surfaces: &[S],
+    orders: &[usize],
+) -> Vec<Materials> {
+    let projected = parallel::map(surfaces.len(), &(), |k| {
+        let surface: &Surface = surfaces[k].borrow();
+        surface.project_orders(orders, Measure::Projected)
+    });
     let of_order = |(k, &order): (usize, &usize)| {
         let entries = projected.iter().map(|of_surface| of_surface[k].material.clone());
         Materials { order, entries: entries.collect() }

@@ -7,7 +7,6 @@ use crate::sheet::{Form, Record, read};
 use eigenshade_model::error::{Error, Result};
 use std::path::Path;
 
-/// The files of the command.
 pub const FIGURES: Figures = Figures { command: "accuracy-cost", folder: "", is_exact: true };
 
 /// The settings: errors of the method (`unseen_` over materials that the basis never saw), the
@@ -49,7 +48,6 @@ pub const GROWTH: Form = Form {
     keys: &["quantity", "measure", "unit", "size"],
 };
 
-/// The file of these records.
 pub fn csv(form: &Form, records: &[Record]) -> Result<OutputFile> {
     let rows = records.iter().map(|record| form.columns.split(',').map(|one| record.text(one)));
     FIGURES.csv(form.name, form.columns, rows)
@@ -122,7 +120,6 @@ pub fn compare(form: &Form, fresh: &[Record], folder: &Path, whole: bool) -> Res
     Ok([rows, numbers])
 }
 
-/// The number in a field, if it holds one.
 fn number(text: &str) -> Option<f64> {
     text.parse().ok().filter(|value: &f64| value.is_finite())
 }

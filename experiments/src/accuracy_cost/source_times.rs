@@ -13,6 +13,8 @@ use eigenshade_shading::shader::{OwnedNormals, fault};
 use std::f32::consts::TAU;
 use std::hint::black_box;
 
+type Integers = quantized::Highlights<i32, LARGEST_SET>;
+
 /// The normals that the sources shine on.
 pub struct Lit {
     normals: OwnedNormals<f32>,
@@ -29,8 +31,8 @@ impl Lit {
     /// Adds the highlights of `count` sources to all pixels, and makes those of a new light: in f32
     /// in color, from sources that are turned; in Q15 in one channel, from stored constants.
     pub fn works(&self, format: Format, count: usize) -> Result<[Work<'_>; 2]> {
-        let sources = (0..count).map(lamp).collect::<std::result::Result<Vec<_>, _>>();
-        let sources = sources.map_err(fault)?;
+        let sources = (0..count).map(|number| lamp(number).map_err(fault));
+        let sources = sources.collect::<Result<Vec<_>>>()?;
         let highlights = reflected(&sources).map_err(fault)?;
         match format {
             Format::F32 => {
@@ -51,8 +53,7 @@ impl Lit {
                 Ok([Box::new(pixels), Box::new(light)])
             }
             Format::Q15 => {
-                let stored = quantized::Highlights::<i32, LARGEST_SET>::quantize(&highlights, -15);
-                let stored = stored.map_err(fault)?;
+                let stored = Integers::quantize(&highlights, -15).map_err(fault)?;
                 let (of_pixels, mut out) = (stored.clone(), vec![0; self.quantized.len()]);
                 let pixels = move || {
                     let normals = black_box(&self.quantized);
@@ -61,11 +62,7 @@ impl Lit {
                 };
                 let light = move || {
                     let (exponent, square) = (stored.exponent(), stored.alpha_square());
-                    let again = quantized::Highlights::<i32, LARGEST_SET>::stored(
-                        exponent,
-                        square,
-                        black_box(stored.lobes()),
-                    );
+                    let again = Integers::stored(exponent, square, black_box(stored.lobes()));
                     black_box(&again.map(|one| one.aligned(black_box(-14))));
                 };
                 Ok([Box::new(pixels), Box::new(light)])

@@ -95,7 +95,6 @@ pub fn hemisphere(count: usize) -> Vec<[f64; 3]> {
 
 /// The number of components where it is fixed.
 const COMPONENTS: usize = 50;
-/// Rounds of the timed runs.
 const ROUNDS: usize = 15;
 /// Width and height in texels of the maps whose number grows.
 const MAP: (usize, usize) = (64, 32);
@@ -108,7 +107,6 @@ const BYTES: [(&str, [f64; 3]); 3] = [
     ("polar integrals", [1.0, 2.0, 0.0]),
     ("a transferred material", [1.0, 0.0, 1.0]),
 ];
-/// Operations with a table.
 const OPERATIONS: [&str; 3] = ["a pixel", "a new light", "a new material"];
 
 /// A measure, in "ns", "bytes" or "multiplications", as a function of a growing quantity.
@@ -145,17 +143,16 @@ pub fn power_law(points: &[(f64, f64)]) -> Option<(f64, f64)> {
     (square > 0.0).then(|| ((y - product / square * x).exp(), product / square))
 }
 
-/// The curves of these rows.
 pub fn curves(rows: &[Record]) -> Vec<Curve> {
     let name = |row: &Record| ["quantity", "measure", "unit"].map(|one| row.text(one).to_owned());
     let point =
         |row: &Record| row.number("size").zip(row.number("counted").or(row.number("host_ns")));
-    let mut curves: Vec<Curve> = Vec::new();
-    for of_curve in rows.chunk_by(|a, b| name(a) == name(b)) {
+    let curve = |of_curve: &[Record]| {
         let [quantity, measure, unit] = name(&of_curve[0]);
         let points = of_curve.iter().filter_map(point).collect();
-        curves.push(Curve { quantity, measure, unit, points, theory: None });
-    }
+        Curve { quantity, measure, unit, points, theory: None }
+    };
+    let mut curves: Vec<_> = rows.chunk_by(|a, b| name(a) == name(b)).map(curve).collect();
     let theories: Vec<_> = curves.iter().map(|curve| theory(curve, &curves)).collect();
     curves.iter_mut().zip(theories).for_each(|(curve, theory)| curve.theory = theory);
     curves
@@ -167,20 +164,17 @@ fn theory(curve: &Curve, curves: &[Curve]) -> Option<f64> {
         return Some(1.0);
     };
     if unit == "ns" {
-        let is_count = |other: &&Curve| {
-            (&other.quantity, &other.measure) == (quantity, measure)
-                && other.unit == "multiplications"
-        };
+        let count = (&**quantity, &**measure, "multiplications");
+        let is_count = |other: &&Curve| (&*other.quantity, &*other.measure, &*other.unit) == count;
         return curves.iter().find(is_count)?.exponent();
     }
     BYTES.iter().find(|(one, _)| one == measure).map(|(_, exponents)| exponents[place])
 }
 
-/// The rows of a curve.
-fn records<P>([quantity, measure, unit]: [&str; 3], points: P) -> impl Iterator<Item = Record>
-where
-    P: IntoIterator<Item = (usize, f64)>,
-{
+fn records(
+    [quantity, measure, unit]: [&str; 3],
+    points: impl IntoIterator<Item = (usize, f64)>,
+) -> impl Iterator<Item = Record> {
     points.into_iter().map(move |(size, value)| {
         let mut row = Record::default();
         row.put("quantity", quantity);
@@ -195,7 +189,6 @@ where
     })
 }
 
-/// All growth curves.
 pub fn rows(quick: bool, timed: bool) -> Result<Vec<Record>> {
     let first = Recipe::first;
     let degrees = [4, 6, 9, 12, 16, 24, 32].map(|l| (l, first(l, ORDER, COMPONENTS)));
@@ -265,9 +258,9 @@ fn made(recipes: &[(usize, Recipe)]) -> Result<Vec<Made>> {
         let bases = Bases::new(&scope, of_scope.iter().map(|(_, recipe)| *recipe))?;
         let [light, material] =
             [&scope.lights.entries[0], &scope.seen.entries[0]].map(Named::luminance);
+        let pair = Pair { light, material };
         for &(size, recipe) in of_scope {
-            let pair = Pair { light: light.clone(), material: material.clone() };
-            all.push(Made { size, recipe, table: bases.table(&recipe)?, pair });
+            all.push(Made { size, recipe, table: bases.table(&recipe)?, pair: pair.clone() });
         }
     }
     Ok(all)
@@ -327,7 +320,6 @@ fn proportional<'a>(
     Ok(rows)
 }
 
-/// Transfers `count` materials.
 fn new_materials<'a>(owned: &'a OwnedBasis<f32>, pair: &Pair, count: usize) -> Result<Work<'a>> {
     let basis = owned.basis().map_err(fault)?;
     let material: Vec<f32> = pair.material.iter().map(|&value| value as f32).collect();

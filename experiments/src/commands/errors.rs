@@ -1,10 +1,9 @@
 //! `experiments errors`: a table against direct integration.
 
-use super::write_command_line;
+use super::command_line;
 use clap::Args;
 use eigenshade_cli::messages::{print_message, progress_bar};
-use eigenshade_cli::output;
-use eigenshade_cli::output::Rows;
+use eigenshade_cli::output::{self, Rows, write_error};
 use eigenshade_cli::table;
 use eigenshade_cli::table::recorded_errors::{COLUMNS, Stamp};
 use eigenshade_generator::light::environment::EnvironmentMap;
@@ -20,6 +19,7 @@ use eigenshade_table::Table;
 use experiments::light_tree::LightTree;
 use experiments::numbers::median;
 use experiments::reference::{self, Reference};
+use experiments::sheet::fields;
 use std::path::{Path, PathBuf};
 
 /// Degrees at which the direct sum is shown beside the table; the order is the same.
@@ -57,10 +57,10 @@ pub struct Errors {
 impl Errors {
     pub fn run(self) -> Result<()> {
         let named = named_maps(&self.maps)?;
-        let of_materials = self.materials.iter().flat_map(|path| material::files::files(path));
-        let files = named.iter().map(|(_, map)| map.clone()).chain(of_materials);
-        let inputs = [self.table.clone(), self.lights.clone()].into_iter().chain(files);
-        output::refuse_collisions(&self.out, inputs)?;
+        let materials = self.materials.iter().flat_map(|path| material::files::files(path));
+        let maps = named.iter().map(|(_, map)| map.clone());
+        let inputs = [self.table.clone(), self.lights.clone()].into_iter().chain(maps);
+        output::refuse_collisions(&self.out, inputs.chain(materials))?;
         let table = self.table()?;
         let (degree, order) = (table.gram.degree, table.gram.order);
         let lights = read_lights(file(&self.lights), None)?;
@@ -72,15 +72,15 @@ impl Errors {
             return Err(Error::new(what, "give lights of the table's degree").in_file(&self.lights));
         }
         let surfaces = self.surfaces()?;
-        let map = |(_, path): &(String, PathBuf)| EnvironmentMap::from_path(file(path));
-        let maps = LightTree::new(&named.iter().map(map).collect::<Result<Vec<_>>>()?)?;
-        let mut sums = vec![(degree, order)];
-        sums.extend(OTHERS.iter().filter(|&&size| size <= lights.degree).map(|&s| (s, s)));
+        let maps = named.iter().map(|(_, path)| EnvironmentMap::from_path(file(path)));
+        let maps = LightTree::new(&maps.collect::<Result<Vec<_>>>()?)?;
+        let others = OTHERS.into_iter().filter(|&size| size <= lights.degree);
+        let sums: Vec<_> = [(degree, order)].into_iter().chain(others.map(|s| (s, s))).collect();
         let orders: Vec<usize> = sums.iter().map(|&(_, order)| order).collect();
         let stamp = Stamp::of(&table);
         output::write(self.out.as_deref(), |out| {
             if self.out.is_some() {
-                write_command_line(out)?;
+                writeln!(out, "# {}", command_line()).map_err(write_error)?;
             }
             let mut rows = Rows::new(out, COLUMNS)?;
             for surface in &surfaces {
@@ -97,18 +97,10 @@ impl Errors {
                     print_message(format_args!(
                         "{name} {degree}, {order} {components}: median {middle:.2e}, worst {most:.2e} ({map})"
                     ));
-                    rows.row([
-                        name.clone(),
-                        degree.to_string(),
-                        order.to_string(),
-                        components,
-                        format!("{middle:.6}"),
-                        format!("{most:.6}"),
-                        map.clone(),
-                        reference.normals().to_string(),
-                        stamp.scene.clone(),
-                        stamp.energy.clone(),
-                    ])
+                    let [middle, most] = [middle, most].map(|error| format!("{error:.6}"));
+                    let found = fields(&[name, &degree, &order, &components, &middle, &most, map]);
+                    let of_run = fields(&[&reference.normals(), &stamp.scene, &stamp.energy]);
+                    rows.row([found, of_run].concat())
                 };
                 let components = table.count().to_string();
                 row(degree, order, components, &reference.of_table(&lights, &table)?)?;
@@ -124,20 +116,16 @@ impl Errors {
 
     fn table(&self) -> Result<Table> {
         let table = table::read(file(&self.table))?;
-        let fault = |what, remedy| Err(Error::new(what, remedy).in_file(&self.table));
-        if table.general.is_some() || !table.has_projection() {
-            return fault(
-                "it is not a complete table of a sphere under light that turns freely",
-                "make one: only such tables are compared with direct integration",
-            );
-        }
-        if !table.effects().is_all() || !table.scene.effects.color {
-            return fault(
-                "it lacks effects or color, which direct integration has",
-                "use a table of all effects, in color",
-            );
-        }
-        Ok(table)
+        let (what, remedy) = if table.general.is_some() || !table.has_projection() {
+            let what = "it is not a complete table of a sphere under light that turns freely";
+            (what, "make one: only such tables are compared with direct integration")
+        } else if !table.effects().is_all() || !table.scene.effects.color {
+            let what = "it lacks effects or color, which direct integration has";
+            (what, "use a table of all effects, in color")
+        } else {
+            return Ok(table);
+        };
+        Err(Error::new(what, remedy).in_file(&self.table))
     }
 
     fn surfaces(&self) -> Result<Vec<Surface>> {

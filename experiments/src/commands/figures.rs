@@ -11,41 +11,23 @@ use experiments::paper;
 use std::fs;
 use std::path::PathBuf;
 
-/// The figures of Nillius and Eklundh (2003) and their numbers, on the shipped data
-///
-/// --out replaces the tables of DIR/paper.md and writes the files that it shows to DIR/paper: CSV,
-/// SVG charts and PNG pictures. --check recomputes everything and compares every file: counts and
-/// words must be equal, other numbers within two units of six digits, or one of the last digit
-/// where there are fewer; coordinates of charts within a pixel; pictures within one of 255 levels,
-/// and in no more than a thousandth of their pixels. A missing figure and a file that is not a
-/// figure are errors too. Both take a minute.
-#[derive(Args, Debug)]
-pub struct Paper {
-    #[command(flatten)]
-    purpose: Purpose,
-}
-
-impl Paper {
-    pub fn run(self) -> Result<()> {
-        let Purpose { out, check } = &self.purpose;
-        let Some(folder) = out.as_ref().or(check.as_ref()) else { return Ok(()) };
-        let progress = spinner("figures");
-        let made = paper::make(folder);
-        progress.finish_and_clear();
-        let files = made?;
-        if let Some(folder) = out {
-            paper::FIGURES.write(&files, folder)?;
-            print_message(format_args!("{} files in {}", files.len(), folder.display()));
-        }
-        if let Some(folder) = check {
-            let [numbers, pixels] = paper::FIGURES.compare(&files, folder)?;
-            let count = files.len();
-            print_message(format_args!(
-                "{count} files are up to date: {numbers} numbers, {pixels} pixels"
-            ));
-        }
-        Ok(())
+pub fn paper(Purpose { out, check }: &Purpose) -> Result<()> {
+    let Some(folder) = out.as_ref().or(check.as_ref()) else { return Ok(()) };
+    let progress = spinner("figures");
+    let made = paper::make(folder);
+    progress.finish_and_clear();
+    let files = made?;
+    let count = files.len();
+    if check.is_none() {
+        paper::FIGURES.write(&files, folder)?;
+        print_message(format_args!("{count} files in {}", folder.display()));
+    } else {
+        let [numbers, pixels] = paper::FIGURES.compare(&files, folder)?;
+        print_message(format_args!(
+            "{count} files are up to date: {numbers} numbers, {pixels} pixels"
+        ));
     }
+    Ok(())
 }
 
 /// The cost of accuracy: error, bytes and time as every parameter varies
@@ -86,21 +68,20 @@ impl AccuracyCost {
         // Paths that cannot be read or written fail before the long computation.
         if let Some(out) = &self.purpose.out {
             fs::create_dir_all(out).map_err(|error| Error::io(out, &error))?;
-            let earlier = (self.keep_times || self.from_csv).then(|| Measured::read(out));
-            let measured = match earlier.transpose()? {
-                Some(earlier) if self.from_csv => earlier,
-                Some(earlier) => {
-                    let mut measured = measure(false)?;
-                    measured.keep_times(&earlier)?;
-                    measured
-                }
-                None => measure(true)?,
+            let measured = if self.from_csv {
+                Measured::read(out)?
+            } else if self.keep_times {
+                let earlier = Measured::read(out)?;
+                let mut measured = measure(false)?;
+                measured.keep_times(&earlier)?;
+                measured
+            } else {
+                measure(true)?
             };
             let files = report::files(&measured, out)?;
             sheet::FIGURES.write(&files, out)?;
             if let Some(page) = &self.page {
-                let text = filled(page, &[report::choice(&measured)])?;
-                output::write_all(Some(page), &text)?;
+                output::write_all(Some(page), filled(page, &[report::choice(&measured)])?)?;
             }
             let (settings, files) = (measured.settings.len(), files.len());
             print_message(format_args!("{settings} settings, {files} files in {}", out.display()));
@@ -111,13 +92,11 @@ impl AccuracyCost {
             let measured = measure(false)?;
             let [mut rows, mut numbers] = [0, 0];
             for (form, records) in measured.sheets() {
-                let compared = compare(form, records, folder, !self.quick)?;
-                rows += compared[0];
-                numbers += compared[1];
+                let [more_rows, more_numbers] = compare(form, records, folder, !self.quick)?;
+                (rows, numbers) = (rows + more_rows, numbers + more_numbers);
             }
             let recorded = Measured::read(folder)?;
-            let shown = report::files(&recorded, folder)?;
-            sheet::FIGURES.compare(&shown, folder)?;
+            sheet::FIGURES.compare(&report::files(&recorded, folder)?, folder)?;
             if let Some(page) = &self.page {
                 let text = fs::read_to_string(page).map_err(|error| Error::io(page, &error))?;
                 if text != filled(page, &[report::choice(&recorded)])? {

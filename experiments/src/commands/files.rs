@@ -2,10 +2,8 @@
 //! comparison of two tables' components, tables for WebAssembly modules, and the table from which
 //! the runtime computes materials of metallic and roughness.
 
-use super::write_command_line;
-use clap::Args;
+use super::write_csv;
 use eigenshade_cli::messages::{print_message, progress_bar};
-use eigenshade_cli::output::{self, Rows};
 use eigenshade_cli::table;
 use eigenshade_generator::material::brdf::projection::project_orders;
 use eigenshade_generator::material::brdf::{Ggx, Measure};
@@ -17,14 +15,14 @@ use eigenshade_testing::golden::record::{Golden, Row};
 use eigenshade_testing::{glossy, golden};
 use experiments::accuracy_cost::machines::{tables, timed};
 use experiments::accuracy_cost::scope::{Bases, Scope};
-use experiments::accuracy_cost::settings::{Format, Setting, Way, all};
+use experiments::accuracy_cost::settings::{Format, Recipe, Setting, Way, all};
 use experiments::numbers::digits;
 use experiments::pages::Purpose;
 use experiments::stability::spectrum::{Agreement, agreement};
 use std::collections::BTreeSet;
 use std::f64::consts::PI;
 use std::fs;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
 /// Writes or compares the results that every machine must reproduce in every number format.
 pub fn golden(purpose: &Purpose) -> Result<()> {
@@ -58,97 +56,54 @@ fn near(old: &Row, new: &Row) -> std::result::Result<bool, String> {
     Ok(old.len() == new.len() && old.iter().zip(&new).all(within))
 }
 
-/// GGX lobes at order 32, as a material CSV
-#[derive(Args, Debug)]
-pub struct GlossyMaterials {
-    /// The file to write
-    #[arg(value_name = "FILE")]
-    out: PathBuf,
+pub fn glossy_materials(out: &Path) -> Result<()> {
+    let file = fs::File::create(out).map_err(|error| Error::io(out, &error))?;
+    write_materials(&glossy::materials(32), &mut std::io::BufWriter::new(file))
 }
 
-impl GlossyMaterials {
-    pub fn run(self) -> Result<()> {
-        let file =
-            std::fs::File::create(&self.out).map_err(|error| Error::io(&self.out, &error))?;
-        write_materials(&glossy::materials(32), &mut std::io::BufWriter::new(file))
+pub fn same_order(one: &Path, other: &Path) -> Result<()> {
+    let (a, b) = (table::read(one)?, table::read(other)?);
+    let Agreement { compared, different, least } = agreement(&a, &b);
+    let remedy = "order and sign must not depend on the instruction set";
+    let fault = |what: String| Err(Error::new(what, remedy).in_file(other));
+    if let Some(&k) = different.first() {
+        let orders = [&a, &b].map(|table| table.components[k].order);
+        return fault(format!("component {k}: orders {orders:?}, least product {least}"));
     }
-}
-
-/// Compares the order and the sign of two tables' components
-///
-/// Tables of one scene that two instruction sets make differ in their weakest components by far
-/// more than rounding, but order and sign must agree. Compares components whose eigenvalues exceed
-/// 1e-24 of the largest.
-#[derive(Args, Debug)]
-pub struct SameOrder {
-    #[arg(value_name = "A.bin")]
-    one: PathBuf,
-    #[arg(value_name = "B.bin")]
-    other: PathBuf,
-}
-
-impl SameOrder {
-    pub fn run(self) -> Result<()> {
-        let (a, b) = (table::read(&self.one)?, table::read(&self.other)?);
-        let Agreement { compared, different, least } = agreement(&a, &b);
-        let remedy = "order and sign must not depend on the instruction set";
-        let fault = |what: String| Err(Error::new(what, remedy).in_file(&self.other));
-        if let Some(&k) = different.first() {
-            let orders = [&a, &b].map(|table| table.components[k].order);
-            return fault(format!("component {k}: orders {orders:?}, least product {least}"));
-        }
-        if compared < a.count().min(b.count()) * 9 / 10 {
-            return fault(format!("only {compared} components can be compared"));
-        }
-        print_message(format_args!(
-            "{compared} components have the same order and sign, products from {least:.6} on"
-        ));
-        Ok(())
+    if compared < a.count().min(b.count()) * 9 / 10 {
+        return fault(format!("only {compared} components can be compared"));
     }
+    print_message(format_args!(
+        "{compared} components have the same order and sign, products from {least:.6} on"
+    ));
+    Ok(())
 }
 
-/// The tables that crates/wasm/benchmark-tables puts into modules
-///
-/// benchmark_tables.csv assigns a setting of accuracy-cost to each module and table.
-#[derive(Args, Debug)]
-pub struct WasmTables {
-    /// The folder to write to
-    #[arg(value_name = "DIR")]
-    folder: PathBuf,
-}
-
-impl WasmTables {
-    pub fn run(self) -> Result<()> {
-        let folder = self.folder;
-        fs::create_dir_all(&folder).map_err(|error| Error::io(&folder, &error))?;
-        let all: Vec<Setting> = all(false).iter().map(|one| one.setting).collect();
-        let mut lines =
-            String::from("# crates/wasm/benchmark-tables\ntable,module,setting,way,format\n");
-        let tables = tables();
-        let sizes = tables.iter().map(|recipe| (recipe.degree, recipe.order));
-        for (degree, order) in sizes.collect::<BTreeSet<(usize, usize)>>() {
-            let scope = Scope::new(degree, order)?;
-            let of_size =
-                tables.iter().filter(|recipe| (recipe.degree, recipe.order) == (degree, order));
-            let bases = Bases::new(&scope, of_size.clone().copied())?;
-            for recipe in of_size {
-                let name = recipe.to_string().replace('/', "-").replace(' ', "_");
-                let table = bases.table(recipe)?;
-                write(&folder.join(format!("{name}.bin")), &eigenshade_table::encode(&table))?;
-                for setting in timed(recipe, &all) {
-                    let is_float = setting.format == Format::F32;
-                    let module = if is_float { "floats.simd" } else { "all.simd" };
-                    let way = if setting.way == Way::Polynomial { "shade" } else { "look_up" };
-                    lines += &format!("{name},{module},{setting},{way},{}\n", setting.format);
-                }
+pub fn wasm_tables(folder: &Path) -> Result<()> {
+    fs::create_dir_all(folder).map_err(|error| Error::io(folder, &error))?;
+    let write = |name: &str, bytes: &[u8]| {
+        let path = folder.join(name);
+        fs::write(&path, bytes).map_err(|error| Error::io(&path, &error))
+    };
+    let all: Vec<Setting> = all(false).iter().map(|one| one.setting).collect();
+    let mut lines =
+        String::from("# crates/wasm/benchmark-tables\ntable,module,setting,way,format\n");
+    let tables = tables();
+    for (degree, order) in tables.iter().map(Recipe::size).collect::<BTreeSet<_>>() {
+        let of_size = tables.iter().filter(|recipe| recipe.size() == (degree, order));
+        let bases = Bases::new(&Scope::new(degree, order)?, of_size.clone().copied())?;
+        for recipe in of_size {
+            let name = recipe.to_string().replace('/', "-").replace(' ', "_");
+            write(&format!("{name}.bin"), &eigenshade_table::encode(&bases.table(recipe)?))?;
+            for setting in timed(recipe, &all) {
+                let is_float = setting.format == Format::F32;
+                let module = if is_float { "floats.simd" } else { "all.simd" };
+                let way = if setting.way == Way::Polynomial { "shade" } else { "look_up" };
+                lines += &format!("{name},{module},{setting},{way},{}\n", setting.format);
             }
         }
-        write(&folder.join("benchmark_tables.csv"), lines.as_bytes())
     }
-}
-
-fn write(path: &Path, bytes: &[u8]) -> Result<()> {
-    fs::write(path, bytes).map_err(|error| Error::io(path, &error))
+    write("benchmark_tables.csv", lines.as_bytes())
 }
 
 /// Orders, with the number of Chebyshev polynomials in roughness that each takes: what these leave
@@ -178,30 +133,26 @@ pub fn metallic_roughness(out: &Path) -> Result<()> {
     progress.finish_and_clear();
     let nodes = nodes.into_iter().collect::<Result<Vec<_>>>()?;
     // The matte part is the same at any roughness.
-    let [over_matte, bare] = [project(MOST, 0.0, 1.0)?, project(MOST, 0.0, 0.0)?];
-    output::write(Some(out), |out| {
-        write_command_line(out)?;
-        let mut rows = Rows::new(out, ["order", "k", "o", "p", "q", "matte", "rim", "metal"])?;
-        for (of_order, (order, terms)) in ORDERS.into_iter().enumerate() {
-            for k in 0..terms {
-                // The coefficient of T_k in a function of roughness, from its values at the nodes.
-                let coefficient = |value: &dyn Fn(usize) -> f64| -> f64 {
-                    let cosines = angles.iter().enumerate();
-                    let sum: f64 = cosines.map(|(j, t)| value(j) * (k as f64 * t).cos()).sum();
-                    sum * if k == 0 { 1.0 } else { 2.0 } / NODES as f64
-                };
-                for (i, (o, p, q)) in indices(order).enumerate() {
-                    let rim = |j: usize| nodes[j][0][of_order][i];
-                    let metal = |j: usize| nodes[j][1][of_order][i] - rim(j);
-                    let matte = over_matte[of_order][i] - bare[of_order][i];
-                    let matte = if k == 0 { matte } else { 0.0 };
-                    let numbers = [matte, coefficient(&rim), coefficient(&metal)];
-                    let places = [order, k, o, p, q].map(|place| place.to_string());
-                    let numbers = numbers.map(|number| digits(number, DIGITS));
-                    rows.row(places.into_iter().chain(numbers))?;
-                }
+    let (over_matte, bare) = (project(MOST, 0.0, 1.0)?, project(MOST, 0.0, 0.0)?);
+    let mut rows = Vec::new();
+    for (of_order, (order, terms)) in ORDERS.into_iter().enumerate() {
+        for k in 0..terms {
+            // The coefficient of T_k in a function of roughness, from its values at the nodes.
+            let coefficient = |value: &dyn Fn(usize) -> f64| -> f64 {
+                let cosines = angles.iter().enumerate();
+                let sum: f64 = cosines.map(|(j, t)| value(j) * (k as f64 * t).cos()).sum();
+                sum * if k == 0 { 1.0 } else { 2.0 } / NODES as f64
+            };
+            for (i, (o, p, q)) in indices(order).enumerate() {
+                let rim = |j: usize| nodes[j][0][of_order][i];
+                let metal = |j: usize| nodes[j][1][of_order][i] - rim(j);
+                let matte = over_matte[of_order][i] - bare[of_order][i];
+                let matte = if k == 0 { matte } else { 0.0 };
+                let numbers = [matte, coefficient(&rim), coefficient(&metal)];
+                let places = [order, k, o, p, q].map(|place| place.to_string());
+                rows.push([&places[..], &numbers.map(|one| digits(one, DIGITS))].concat());
             }
         }
-        rows.finish()
-    })
+    }
+    write_csv(Some(out), "order,k,o,p,q,matte,rim,metal", rows)
 }

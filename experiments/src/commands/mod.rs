@@ -1,18 +1,17 @@
-//! The commands. Short ones are methods of [`Command`], the others have files of their own.
+//! The commands. Those with many options are structs in files of their own.
 
 mod errors;
 mod figures;
 mod files;
 mod highlights;
-mod material_errors;
 mod pictures;
 
-use clap::{Args, Subcommand};
-use eigenshade_cli::messages::printable;
-use eigenshade_cli::messages::spinner;
-use eigenshade_cli::output::write_error;
+use clap::{Args, Parser};
+use eigenshade_cli::messages::{printable, spinner};
+use eigenshade_cli::output::{self, write_error};
 use eigenshade_model::error::{Error, Result};
 use experiments::pages::Purpose;
+use experiments::sheet;
 use experiments::{ablation, mutations, reading, stability};
 use std::io::Write;
 use std::path::{Path, PathBuf};
@@ -33,11 +32,29 @@ pub struct OutputFile {
     out: PathBuf,
 }
 
-/// The commands of the program.
-#[derive(Debug, Subcommand)]
+/// Measures what the documentation of eigenshade states.
+///
+/// Run it from the repository's root. Messages go to standard error. Exit status: 0, 1 if a check
+/// fails or an input is bad, 2 for wrong usage.
+#[derive(Debug, Parser)]
 pub enum Command {
-    Paper(figures::Paper),
-    Picture(pictures::Picture),
+    /// The figures of Nillius and Eklundh (2003) and their numbers, on the shipped data
+    ///
+    /// --out replaces the tables of DIR/paper.md and writes the files that it shows to DIR/paper:
+    /// CSV, SVG charts and PNG pictures. --check recomputes everything and compares every file:
+    /// counts and words must be equal, other numbers within two units of six digits, or one of the
+    /// last digit where there are fewer; coordinates of charts within a pixel; pictures within one
+    /// of 255 levels, and in no more than a thousandth of their pixels. A missing figure and a file
+    /// that is not a figure are errors too. Both take a minute.
+    Paper(Purpose),
+    /// Spheres of GGX materials under captured lights by the runtime in f32, docs/spheres.png
+    Picture {
+        #[command(flatten)]
+        file: OutputFile,
+        /// The table of formulas
+        #[arg(long, value_name = "B.bin", default_value = "tables/pbr.bin")]
+        table: PathBuf,
+    },
     /// All presets, docs/presets.png: the materials in the lobby with one exposure, then the lights
     /// on gold paint, each with a window and its own exposure
     ContactSheet(OutputFile),
@@ -64,8 +81,25 @@ pub enum Command {
     /// One GGX lobe over a matte base is fitted to each. `error` is the rms of what it leaves of
     /// pictures under points of light, relative to that of the pictures.
     Gloss(Csv),
-    GlossyMaterials(files::GlossyMaterials),
-    Highlights(highlights::Highlights),
+    /// GGX lobes at order 32, as a material CSV
+    GlossyMaterials {
+        /// The file to write
+        #[arg(value_name = "FILE")]
+        out: PathBuf,
+    },
+    /// Errors of pictures with small sources, docs/highlights.csv and the tables of
+    /// docs/highlights.md
+    ///
+    /// The pictures are of GGX metals under the captured lights as they are and turned, and under
+    /// three synthetic ones. The reference is direct integration of the whole map. Takes some five
+    /// minutes on two cores.
+    Highlights {
+        #[command(flatten)]
+        csv: Csv,
+        /// Write the tables into this page
+        #[arg(long, value_name = "FILE")]
+        page: Option<PathBuf>,
+    },
     /// Spheres with sources beside those without, and direct integration, docs/highlights.png
     HighlightPicture(OutputFile),
     /// The errors that the shipped sources leave, tables/inputs/sources.errors.csv
@@ -88,17 +122,33 @@ pub enum Command {
     /// depend on roughness; `rim` and `metal` are sums of Chebyshev polynomials T_k in
     /// (roughness - 0.6) / 0.4. Writes the CSV `order,k,o,p,q,matte,rim,metal`.
     MetallicRoughness(OutputFile),
-    SameOrder(files::SameOrder),
-    WasmTables(files::WasmTables),
+    /// Compares the order and the sign of two tables' components
+    ///
+    /// Tables of one scene that two instruction sets make differ in their weakest components by far
+    /// more than rounding, but order and sign must agree. Compares components whose eigenvalues
+    /// exceed 1e-24 of the largest.
+    SameOrder {
+        #[arg(value_name = "A.bin")]
+        one: PathBuf,
+        #[arg(value_name = "B.bin")]
+        other: PathBuf,
+    },
+    /// The tables that crates/wasm/benchmark-tables puts into modules
+    ///
+    /// benchmark_tables.csv assigns a setting of accuracy-cost to each module and table.
+    WasmTables {
+        /// The folder to write to
+        #[arg(value_name = "DIR")]
+        folder: PathBuf,
+    },
     Mutations(mutations::Mutations),
 }
 
 impl Command {
-    /// Runs the command.
     pub fn run(self) -> Result<()> {
         match self {
-            Self::Paper(command) => command.run(),
-            Self::Picture(command) => command.run(),
+            Self::Paper(purpose) => figures::paper(&purpose),
+            Self::Picture { file, table } => pictures::spheres(&file.out, &table),
             Self::ContactSheet(file) => pictures::contact_sheet(&file.out),
             Self::AccuracyCost(command) => command.run(),
             Self::Ablation(purpose) => {
@@ -122,14 +172,14 @@ impl Command {
             Self::Errors(command) => command.run(),
             Self::Golden(purpose) => files::golden(&purpose),
             Self::Gloss(csv) => highlights::gloss(csv.out.as_deref()),
-            Self::GlossyMaterials(command) => command.run(),
-            Self::Highlights(command) => command.run(),
+            Self::GlossyMaterials { out } => files::glossy_materials(&out),
+            Self::Highlights { csv, page } => highlights::errors(csv.out.as_deref(), page),
             Self::HighlightPicture(file) => highlights::picture(&file.out),
             Self::SourceErrors(csv) => highlights::source_errors(csv.out.as_deref()),
-            Self::MaterialErrors(csv) => material_errors::run(csv.out.as_deref()),
+            Self::MaterialErrors(csv) => highlights::material_errors(csv.out.as_deref()),
             Self::MetallicRoughness(file) => files::metallic_roughness(&file.out),
-            Self::SameOrder(command) => command.run(),
-            Self::WasmTables(command) => command.run(),
+            Self::SameOrder { one, other } => files::same_order(&one, &other),
+            Self::WasmTables { folder } => files::wasm_tables(&folder),
             Self::Mutations(command) => command.run(),
         }
     }
@@ -140,9 +190,25 @@ fn inputs() -> &'static Path {
     Path::new("tables/inputs")
 }
 
-/// Writes the comment line `# experiments ...` with the command that makes this file.
-fn write_command_line(out: &mut dyn Write) -> Result<()> {
+/// The command that makes a file, `experiments ...`, which its first line states.
+fn command_line() -> String {
     let arguments: Vec<String> = std::env::args().skip(1).collect();
-    let line = printable(&arguments.join(" "));
-    writeln!(out, "# experiments {line}").map_err(|error| write_error(&error))
+    format!("experiments {}", printable(&arguments.join(" ")))
+}
+
+/// Writes a CSV below a comment with the command.
+fn write(out: Option<&Path>, csv: impl FnOnce(&mut dyn Write) -> Result<()>) -> Result<()> {
+    output::write(out, |out| {
+        writeln!(out, "# {}", command_line()).map_err(write_error)?;
+        csv(out)
+    })
+}
+
+/// The same for these rows; `columns` are separated by commas.
+fn write_csv<R: IntoIterator<Item: AsRef<[u8]>>>(
+    out: Option<&Path>,
+    columns: &str,
+    rows: impl IntoIterator<Item = R>,
+) -> Result<()> {
+    output::write_all(out, sheet::csv(&command_line(), columns, rows)?)
 }

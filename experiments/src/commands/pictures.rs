@@ -1,6 +1,5 @@
 //! The pictures of the README: spheres of materials under captured lights, and all presets.
 
-use clap::Args;
 use eigenshade::mathematics::Libm;
 use eigenshade::presets::{self, light, material};
 use eigenshade::{Display, Exposure, Light, Meter, Normal, Rgb, Tone, Window, sphere};
@@ -15,7 +14,7 @@ use eigenshade_shading::owned_basis::OwnedBasis;
 use eigenshade_shading::shader::{OwnedNormals, Shader, fault};
 use eigenshade_shading::shipped;
 use experiments::numbers::exposure;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
 /// Width of a sphere and of the gap beside it, in pixels.
 const SIZE: usize = 168;
@@ -36,59 +35,44 @@ const MATERIALS: [(f64, [f64; 3], [f64; 3]); 5] = [
     (1.0, [0.04; 3], [0.75, 0.72, 0.66]),
 ];
 
-/// Spheres of GGX materials under captured lights by the runtime in f32, docs/spheres.png
-#[derive(Args, Debug)]
-pub struct Picture {
-    /// The file to write
-    #[arg(long, value_name = "FILE")]
-    out: PathBuf,
-    /// The table of formulas
-    #[arg(long, value_name = "B.bin", default_value = "tables/pbr.bin")]
-    table: PathBuf,
-}
-
-impl Picture {
-    pub fn run(self) -> Result<()> {
-        let table = table::read(&self.table)?;
-        let (degree, order) = (table.gram.degree, table.gram.order);
-        let lights = shipped::lights()?.truncated(degree);
-        let mut materials = Vec::new();
-        for (roughness, reflectance, albedo) in MATERIALS {
-            let mut rgb = [const { Vec::new() }; 3];
-            for ((f0, albedo), channel) in reflectance.into_iter().zip(albedo).zip(&mut rgb) {
-                let brdf = Ggx::new(roughness, f0, albedo)?;
-                *channel = project(&brdf, order, Measure::Projected).coefficients;
-            }
-            materials.push(Named { name: format!("{roughness}"), rgb });
+pub fn spheres(out: &Path, table: &Path) -> Result<()> {
+    let table = table::read(table)?;
+    let (degree, order) = (table.gram.degree, table.gram.order);
+    let lights = shipped::lights()?.truncated(degree);
+    let mut materials = Vec::new();
+    for (roughness, reflectance, albedo) in MATERIALS {
+        let mut rgb = [const { Vec::new() }; 3];
+        for ((f0, albedo), channel) in reflectance.into_iter().zip(albedo).zip(&mut rgb) {
+            let brdf = Ggx::new(roughness, f0, albedo)?;
+            *channel = project(&brdf, order, Measure::Projected).coefficients;
         }
-        let basis = OwnedBasis::<f32>::new(&table);
-        let mut shader = Shader::new(basis.any().map_err(fault)?, table.count());
-        let view = SphereView::new(SIZE);
-        let normals = OwnedNormals::new(&view.normals);
-        let (width, height) = (across(MATERIALS.len()), across(LIGHTS.len()));
-        let mut bytes = vec![0; 4 * width * height];
-        for (row, name) in LIGHTS.into_iter().enumerate() {
-            let light = lights.entries.iter().find(|light| light.name == name);
-            let light = light.ok_or_else(|| Error::new("no such light", "take a shipped one"))?;
-            let mut images = Vec::new();
-            for material in &materials {
-                images.push(shader.color(light, material, &normals)?);
-            }
-            let all = images.iter().flatten().flatten().map(|&value| f64::from(value)).collect();
-            let exposure = exposure(all, UNCLIPPED);
-            for (column, image) in images.iter().enumerate() {
-                for (k, pixel) in view.pixels.iter().enumerate() {
-                    let (x, y) = (across(column) + pixel.column, across(row) + pixel.row);
-                    let start = 4 * (y * width + x);
-                    for (channel, byte) in image.iter().zip(&mut bytes[start..]) {
-                        *byte = srgb(exposure * f64::from(channel[k]));
-                    }
-                    bytes[start + 3] = (255.0 * pixel.coverage).round() as u8;
-                }
-            }
-        }
-        write_png(&self.out, width, height, &bytes)
+        materials.push(Named { name: format!("{roughness}"), rgb });
     }
+    let basis = OwnedBasis::<f32>::new(&table);
+    let mut shader = Shader::new(basis.any().map_err(fault)?, table.count());
+    let view = SphereView::new(SIZE);
+    let normals = OwnedNormals::new(&view.normals);
+    let (width, height) = (across(MATERIALS.len()), across(LIGHTS.len()));
+    let mut bytes = vec![0; 4 * width * height];
+    for (row, name) in LIGHTS.into_iter().enumerate() {
+        let light = lights.entries.iter().find(|light| light.name == name);
+        let light = light.ok_or_else(|| Error::new("no such light", "take a shipped one"))?;
+        let images = materials.iter().map(|material| shader.color(light, material, &normals));
+        let images = images.collect::<Result<Vec<_>>>()?;
+        let all = images.iter().flatten().flatten().map(|&value| f64::from(value)).collect();
+        let exposure = exposure(all, UNCLIPPED);
+        for (column, image) in images.iter().enumerate() {
+            for (k, pixel) in view.pixels.iter().enumerate() {
+                let (x, y) = (across(column) + pixel.column, across(row) + pixel.row);
+                let start = 4 * (y * width + x);
+                for (channel, byte) in image.iter().zip(&mut bytes[start..]) {
+                    *byte = srgb(exposure * f64::from(channel[k]));
+                }
+                bytes[start + 3] = (255.0 * pixel.coverage).round() as u8;
+            }
+        }
+    }
+    write_png(out, width, height, &bytes)
 }
 
 /// The width in pixels of this many spheres side by side, with gaps on all sides.
@@ -121,12 +105,11 @@ fn all_presets() -> std::result::Result<Canvas, eigenshade::Error> {
     let view = SphereView::new(BALL);
     let mut spheres = Vec::new();
     for (name, material) in material::ALL {
-        spheres.push((name, colors(&view, light::LOBBY, material)?));
+        spheres.push((name, colors(&view, light::LOBBY, material)?, Exposure::default()));
     }
     // The materials have one light, and the exposure of all of them.
-    let of_all = metered(spheres.iter().flat_map(|(_, colors)| colors));
-    let mut spheres: Vec<_> =
-        spheres.into_iter().map(|(name, colors)| (name, colors, of_all)).collect();
+    let of_all = metered(spheres.iter().flat_map(|(_, colors, _)| colors));
+    spheres.iter_mut().for_each(|(.., exposure)| *exposure = of_all);
     for (name, light) in light::ALL {
         let windowed = light.windowed::<Libm, 100>(Window::SincFourth { width: WINDOW })?;
         let colors = colors(&view, windowed.lights()?, material::GOLD_METALLIC_PAINT)?;
@@ -183,12 +166,8 @@ fn draw(
 
 /// A name in one line, or in two that part after a hyphen.
 fn lines(name: &str, most: usize) -> Vec<&str> {
-    let place = name.get(..most).and_then(|start| start.rfind('-'));
-    match place {
-        Some(place) if name.len() > most => {
-            let (first, second) = name.split_at(place + 1);
-            vec![first, second]
-        }
+    match name.get(..most).and_then(|start| start.rfind('-')) {
+        Some(place) if name.len() > most => vec![&name[..=place], &name[place + 1..]],
         _ => vec![name],
     }
 }

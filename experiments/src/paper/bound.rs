@@ -5,8 +5,7 @@
 use super::partial_sum::{PartialSum, Step};
 use super::plate::{Plate, UNCLIPPED, gray};
 use super::spheres::SHOWN;
-use super::{FIGURES, row};
-use super::{Modes, Study, Trial, title};
+use super::{FIGURES, Modes, Study, Trial, row, title};
 use crate::chart::{Axes, Chart, Points, Style, colored};
 use crate::figures::OutputFile;
 use crate::numbers::exposure;
@@ -35,11 +34,9 @@ struct Reached {
     step: Step,
     /// The number of terms that would suffice if the errors were known.
     sufficient: usize,
-    /// The mean of the image.
     mean: f64,
 }
 
-/// The CSV files, the chart and the plate.
 pub fn files(study: &Study) -> Result<Vec<OutputFile>> {
     let mut rows = Vec::new();
     for modes in Modes::BOTH {
@@ -131,7 +128,6 @@ fn chart(study: &Study) -> Result<String> {
     .svg()
 }
 
-/// One image, rendered to each of the accuracies.
 pub struct Rendered {
     /// The mean of the complete image.
     pub mean: f64,
@@ -195,9 +191,8 @@ fn rendered_files(study: &Study) -> Result<Vec<OutputFile>> {
             let left = whole.iter().zip(image).map(|(whole, sum)| whole - sum);
             let largest = left.clone().fold(0.0, |most: f64, left| most.max(left.abs()));
             let weights = plate.view.pixels.iter().map(|pixel| pixel.coverage);
-            let square: f64 =
-                left.clone().zip(weights.clone()).map(|(left, w)| w * left * left).sum();
-            let pixel_error = (square / weights.sum::<f64>()).sqrt() / mean;
+            let squares = left.clone().zip(weights.clone()).map(|(left, w)| w * left * left);
+            let pixel_error = (squares.sum::<f64>() / weights.sum::<f64>()).sqrt() / mean;
             let (bound, error) = (step.bound / mean, step.error / mean);
             let numbers = [accuracy, bound, error, pixel_error, largest / mean];
             rows.push(row(&[&light, &material, &step.terms], numbers));

@@ -3,8 +3,7 @@
 
 use super::plate::Plate;
 use super::reconstruction::shade;
-use super::{FIGURES, digits, row};
-use super::{Modes, Study, place};
+use super::{FIGURES, Modes, Study, digits, place, row};
 use crate::figures::OutputFile;
 use eigenshade_model::error::Result;
 use eigenshade_shading::owned_basis::OwnedBasis;
@@ -12,7 +11,6 @@ use eigenshade_shading::shader::{OwnedNormals, fault};
 use eigenshade_table::Table;
 use eigenshade_table::scene::Criterion;
 
-/// The number of eigenimages shown.
 pub const SHOWN: usize = 12;
 const COLUMNS: usize = 4;
 /// Width of each eigenimage in pixels.
@@ -22,7 +20,6 @@ pub const SCALE: f64 = 3.0;
 /// The number of components whose eigenvalues are listed.
 const LISTED: usize = 100;
 
-/// A plate and a CSV for each choice of modes.
 pub fn files(study: &Study) -> Result<Vec<OutputFile>> {
     let mut files = Vec::new();
     for modes in Modes::BOTH {

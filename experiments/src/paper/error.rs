@@ -7,8 +7,7 @@
 //! PCA counts the constant in K.
 
 use super::node_image::{MaterialImages, fit};
-use super::{DEGREE, Modes, Study, Trial, place, title};
-use super::{FIGURES, digits, row};
+use super::{DEGREE, FIGURES, Modes, Study, Trial, digits, place, row, title};
 use crate::chart::{
     Axes, BLUE, Chart, GREEN, ORANGE, PALE, PURPLE, Points, Series, Style, colored,
 };
@@ -35,18 +34,14 @@ const NAMED: [(&str, RGBColor, Style); 4] = [
     ("11-plaster-b", GREEN, Style::Line),
 ];
 
-/// The CSV files and the charts.
 pub fn files(study: &Study) -> Result<Vec<OutputFile>> {
     let (materials, lights) = (&study.materials.entries, &study.lights.entries);
     let mean = [0, 1, 2, 3].map(|basis| average(study, basis, |_| true));
-    let by_material = [0, 1, 2, 3].map(|basis| -> Vec<Vec<f64>> {
-        let of = |k| average(study, basis, |trial| trial.material == k);
-        (0..materials.len()).map(of).collect()
-    });
-    let by_light = [0, 2].map(|basis| -> Vec<Vec<f64>> {
-        let of = |k| average(study, basis, |trial| trial.light == k);
-        (0..lights.len()).map(of).collect()
-    });
+    let by = |basis: usize, of: fn(&Trial) -> usize, count: usize| -> Vec<Vec<f64>> {
+        (0..count).map(|k| average(study, basis, |trial| of(trial) == k)).collect()
+    };
+    let by_material = [0, 1, 2, 3].map(|basis| by(basis, |trial| trial.material, materials.len()));
+    let by_light = [0, 2].map(|basis| by(basis, |trial| trial.light, lights.len()));
     let rotated = rotated(study, &study.luminances);
     let names = |entries: &[Named]| {
         entries.iter().map(|entry| entry.name.as_str()).collect::<Vec<_>>().join(",")
@@ -55,13 +50,12 @@ pub fn files(study: &Study) -> Result<Vec<OutputFile>> {
     let [of_materials, of_lights] =
         [materials, lights].map(|entries| format!("modes,criterion,components,{}", names(entries)));
     let of_rotated = format!("components,all,{}", names(materials));
-    let (by_material_rows, by_light_rows) =
-        (by_basis(&by_material, &CRITERIA), by_basis(&by_light, &CRITERIA[..1]));
+    let light_rows = by_basis(&by_light, &CRITERIA[..1]);
     let mut files = vec![
         FIGURES.csv("error.csv", header, by_count(&[], &mean))?,
         FIGURES.chart("error.svg", &mean_chart(&mean)?),
-        FIGURES.csv("error_by_material.csv", &of_materials, &by_material_rows)?,
-        FIGURES.csv("error_by_light.csv", &of_lights, &by_light_rows)?,
+        FIGURES.csv("error_by_material.csv", &of_materials, by_basis(&by_material, &CRITERIA))?,
+        FIGURES.csv("error_by_light.csv", &of_lights, light_rows)?,
         FIGURES.csv("error_rotated.csv", &of_rotated, by_count(&[], &rotated))?,
         selected(study)?,
     ];
@@ -76,11 +70,9 @@ pub fn files(study: &Study) -> Result<Vec<OutputFile>> {
 /// The mean error of the chosen images with one basis, for 0 to [`SHOWN`] components.
 fn average(study: &Study, basis: usize, is_chosen: impl Fn(&Trial) -> bool) -> Vec<f64> {
     let chosen: Vec<&Trial> = study.trials.iter().filter(|trial| is_chosen(trial)).collect();
-    let error = |count: usize| {
-        let errors = chosen.iter().map(|trial| trial.fits[basis].variances[count] / trial.variance);
-        errors.sum::<f64>() / chosen.len() as f64
-    };
-    (0..=SHOWN).map(error).collect()
+    let error = |trial: &&Trial, count: usize| trial.fits[basis].variances[count] / trial.variance;
+    let sum = |count: usize| chosen.iter().map(|trial| error(trial, count)).sum::<f64>();
+    (0..=SHOWN).map(|count| sum(count) / chosen.len() as f64).collect()
 }
 
 /// The errors if each light is rotated in every way, as the statistics of the basis assume: the
@@ -146,11 +138,8 @@ fn mean_chart(mean: &[Vec<f64>; 4]) -> Result<String> {
 }
 
 fn material_chart(materials: &[Named], errors: &[Vec<f64>]) -> Result<String> {
-    let pale = |errors: &Vec<f64>| Series {
-        width: 1,
-        ..Series::new("", Style::Line, PALE, points(errors))
-    };
-    let mut lines: Vec<Series> = errors.iter().map(pale).collect();
+    let new = |errors: &Vec<f64>| Series::new("", Style::Line, PALE, points(errors));
+    let mut lines: Vec<_> = errors.iter().map(|one| Series { width: 1, ..new(one) }).collect();
     for (name, color, style) in NAMED {
         let found = materials.iter().zip(errors).find(|(material, _)| material.name == name);
         let points = found.map(|(_, errors)| points(errors)).unwrap_or_default();
@@ -204,7 +193,7 @@ fn selected(study: &Study) -> Result<OutputFile> {
     let bases = Modes::BOTH.map(|modes| place(Criterion::ImageCentered, modes));
     let components = bases.map(|basis| study.tables[basis].components.len());
     let floor = |trial: &Trial| trial.fits[bases[1]].variances[components[1]] / trial.variance;
-    let mut rows: Vec<[String; 2]> = [
+    let rows = [
         ("modes_kept", by_degree.iter().sum::<usize>().to_string()),
         ("mode_variance_left_out", digits(left / all)),
         ("largest_order_kept", largest_order.to_string()),
@@ -216,11 +205,10 @@ fn selected(study: &Study) -> Result<OutputFile> {
         ("components_of_all_modes", components[0].to_string()),
         ("components_of_selected_modes", components[1].to_string()),
         ("error_of_all_components", digits(mean(&floor))),
-    ]
-    .map(|(quantity, value)| [quantity.into(), value])
-    .into();
+    ];
+    let rows = rows.map(|(quantity, value)| [quantity.into(), value]);
     let of_degree =
         |(l, count): (usize, &usize)| [format!("modes_kept_of_degree_{l}"), count.to_string()];
-    rows.extend(by_degree.iter().enumerate().map(of_degree));
+    let rows = rows.into_iter().chain(by_degree.iter().enumerate().map(of_degree));
     FIGURES.csv("selected_modes.csv", "quantity,value", rows)
 }

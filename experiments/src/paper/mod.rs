@@ -1,27 +1,18 @@
 //! The figures of Nillius and Eklundh, "Phenomenological Eigenfunctions for Image Irradiance", ICCV
-//! 2003, on the shipped databases. Each file from `variance` to `bound` makes one figure, as CSV
-//! and as a picture; `tables` makes the tables of `docs/paper.md` from the CSV. All share the
-//! lights, the materials, the four bases, and how well each basis represents every image.
-
-pub mod node_image;
-
-pub mod partial_sum;
-
-mod plate;
-
-pub mod variance;
-
-pub mod reconstruction;
-
-mod eigenimages;
-
-mod spheres;
-
-pub mod error;
+//! 2003, on the shipped databases. Each file that [`make`] calls makes one figure, as CSV and as a
+//! picture; `tables` makes the tables of `docs/paper.md` from the CSV. All share the lights, the
+//! materials, the four bases, and how well each basis represents every image.
 
 pub mod bound;
-
+mod eigenimages;
+pub mod error;
+pub mod node_image;
+pub mod partial_sum;
+mod plate;
+pub mod reconstruction;
+mod spheres;
 pub mod tables;
+pub mod variance;
 
 use self::node_image::{Fit, MaterialImages, fit};
 use crate::figures::{Figures, OutputFile};
@@ -38,9 +29,7 @@ use eigenshade_table::{GramFactor, Scene, Table, decode};
 use std::fmt::Display;
 use std::path::Path;
 
-/// The file name of the page.
 const PAGE: &str = "paper.md";
-/// The files of the command.
 pub const FIGURES: Figures = Figures { command: "paper", folder: "paper/", is_exact: false };
 /// Significant digits of the figures' numbers.
 const DIGITS: usize = 6;
@@ -94,7 +83,6 @@ pub enum Modes {
 }
 
 impl Modes {
-    /// Both choices.
     pub const BOTH: [Self; 2] = [Self::All, Self::Selected];
 
     /// The ending of the names of files that show these modes.
@@ -116,11 +104,8 @@ impl Modes {
 
 /// How well the four bases represent one image.
 pub struct Trial {
-    /// The index of the light.
     pub light: usize,
-    /// The index of the material.
     pub material: usize,
-    /// Variance within the image.
     pub variance: f64,
     /// I • 1.
     pub mean: f64,
@@ -140,7 +125,6 @@ pub struct Study {
     pub luminances: Vec<Vec<f64>>,
     /// The materials' luminance; they are gray.
     pub grays: Vec<Vec<f64>>,
-    /// The factor of M.
     pub gram: GramFactor,
     /// The paper's selection, in the layout of `Table::selection`.
     pub selection: Vec<bool>,

@@ -16,13 +16,11 @@ pub struct NodeImage {
 
 impl NodeImage {
     /// I • I.
-    #[must_use]
     pub fn energy(&self) -> f64 {
         self.by_order.iter().flatten().map(|value| value * value).sum()
     }
 
     /// I • 1, (30).
-    #[must_use]
     pub fn mean(&self, gram: &GramFactor) -> f64 {
         let middle = &self.by_order[self.by_order.len() / 2];
         middle.iter().zip(&gram.root_weights).map(|(value, root)| value * root).sum()
@@ -30,7 +28,6 @@ impl NodeImage {
 
     /// The variance within the image, I • I - (I • 1)², computed from the deviations so that nearly
     /// constant images lose no accuracy.
-    #[must_use]
     pub fn variance(&self, gram: &GramFactor) -> f64 {
         let mean = self.mean(gram);
         let middle = self.by_order.len() / 2;
@@ -43,8 +40,6 @@ impl NodeImage {
         sum
     }
 
-    /// The difference of this image and `other`.
-    #[must_use]
     pub fn minus(&self, other: &Self) -> Self {
         let by_order = self.by_order.iter().zip(&other.by_order).map(|(ours, theirs)| {
             ours.iter().zip(theirs).map(|(ours, theirs)| ours - theirs).collect()
@@ -65,7 +60,6 @@ pub struct MaterialImages {
 impl MaterialImages {
     /// Prepares materials b_op^q of the order of `gram`. `kept` selects modes in the layout of
     /// `Table::selection`; empty selects all.
-    #[must_use]
     pub fn new(gram: &GramFactor, kept: &[bool], materials: &[Vec<f64>]) -> Self {
         let nodes = gram.nodes.len();
         let empty = |azimuth: usize| vec![vec![0.0; nodes]; gram.degree + 1 - azimuth];
@@ -88,7 +82,6 @@ impl MaterialImages {
     }
 
     /// The image of the light L_l^m, which has the degree of the `gram`, on one of the materials.
-    #[must_use]
     pub fn image(&self, light: &[f64], material: usize) -> NodeImage {
         let top = self.degree.cast_signed();
         let of_order = |m: isize| {
@@ -121,7 +114,6 @@ pub struct Fit {
 ///
 /// The residual is stored and reduced step by step, so its energy is accurate far below 1e-16 of
 /// the image's.
-#[must_use]
 pub fn fit(table: &Table, image: &NodeImage) -> Fit {
     let gram = &table.gram;
     let middle = image.by_order.len() / 2;

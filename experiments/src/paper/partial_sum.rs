@@ -57,7 +57,6 @@ pub struct Term {
 impl<'a> PartialSum<'a> {
     /// Prepares the modes of `gram`. `kept` selects modes in the layout of `Table::selection`, and
     /// empty selects all. Modes that are not selected are left out of every sum.
-    #[must_use]
     pub fn new(gram: &'a GramFactor, kept: &[bool]) -> Self {
         let azimuths = 0..=gram.degree;
         let columns: Vec<Vec<Vec<f64>>> =
@@ -81,7 +80,6 @@ impl<'a> PartialSum<'a> {
     ///
     /// Terms of equal size are left out in the order of m, then of the modes. Cost: each mode's
     /// node values twice.
-    #[must_use]
     pub fn steps(&self, light: &[f64], material: &[f64]) -> Vec<Step> {
         let terms = self.terms(light, material);
         let orders = 2 * self.gram.degree + 1;
@@ -120,7 +118,6 @@ impl<'a> PartialSum<'a> {
 
     /// The terms that the selection keeps, strongest first. The first n of them form the sum of
     /// [`steps`](Self::steps) with n terms.
-    #[must_use]
     pub fn strongest(&self, light: &[f64], material: &[f64]) -> Vec<Term> {
         let terms = self.terms(light, material);
         terms.into_iter().rev().take_while(|term| term.is_kept).collect()

@@ -3,13 +3,10 @@
 use eigenshade_cli::picture::{Canvas, SphereView, TextHeight, text_width};
 use eigenshade_model::srgb::srgb;
 
-/// Color of the background.
 const PAPER: [u8; 3] = [212, 214, 217];
-/// Color of the text.
 const INK: [u8; 3] = [40, 42, 46];
 /// Color of the edge of a signed image, which may be as pale as the background.
 const EDGE: [u8; 3] = [120, 122, 126];
-/// Size of the text.
 const TEXT: TextHeight = TextHeight::Size24;
 /// Pixels from one line of text to the next.
 const LINE: usize = TEXT.val();
@@ -24,7 +21,6 @@ pub const UNCLIPPED: f64 = 0.98;
 /// zero of a signed image.
 pub struct Plate {
     canvas: Canvas,
-    /// The pixels of each sphere.
     pub view: SphereView,
     left: usize,
     top: usize,
@@ -129,13 +125,11 @@ impl Plate {
         self.canvas
     }
 
-    /// Returns the picture.
     pub fn finish(self) -> Canvas {
         self.canvas
     }
 }
 
-/// Three equal channels.
 pub fn gray(image: &[f64]) -> impl Iterator<Item = [f64; 3]> {
     image.iter().map(|&value| [value; 3])
 }

@@ -2,8 +2,7 @@
 //! leather under every light.
 
 use super::plate::{Plate, UNCLIPPED, gray};
-use super::{FIGURES, row};
-use super::{Modes, Study, Trial, place, title};
+use super::{FIGURES, Modes, Study, Trial, place, row, title};
 use crate::figures::OutputFile;
 use crate::numbers::exposure;
 use eigenshade::{Basis, Normal};
@@ -16,7 +15,6 @@ use eigenshade_table::scene::Criterion;
 
 /// Material and light of each image.
 const SHOWN: [(&str, &str); 2] = [("07-velvet", "forest"), ("05-leather", "studio")];
-/// Numbers of components.
 const COUNTS: [usize; 6] = [3, 5, 10, 20, 30, 50];
 /// Width of each sphere in pixels.
 const SIZE: usize = 148;
@@ -31,16 +29,12 @@ const LISTED: usize = 100;
 /// The widest spacing of the normals in radians, where a highlight is sought.
 const SPACING: f64 = 0.02;
 
-/// The plates and the CSV files.
 pub fn files(study: &Study) -> Result<Vec<OutputFile>> {
-    let (mut rows, mut files) = (Vec::new(), Vec::new());
-    for modes in Modes::BOTH {
-        files.push(plate(study, modes, &mut rows)?);
-    }
+    let mut rows = Vec::new();
+    let [all, selected] = Modes::BOTH.map(|modes| plate(study, modes, &mut rows));
     let header = "modes,light,material,components,error,brightest";
-    files.push(FIGURES.csv("reconstruction.csv", header, &rows)?);
-    files.push(highlights(study)?);
-    Ok(files)
+    let sheet = FIGURES.csv("reconstruction.csv", header, &rows)?;
+    Ok(vec![all?, selected?, sheet, highlights(study)?])
 }
 
 /// Draws a plate and appends its rows to those of the CSV.
@@ -108,18 +102,13 @@ pub fn right_from(shares: &[f64]) -> Option<usize> {
     (first < shares.len()).then_some(first)
 }
 
-/// The direct sum at these normals.
 fn direct_sum(study: &Study, trial: &Trial, normals: &[[f64; 3]]) -> Vec<f64> {
     let reference = DirectSum::new(study.lights.degree, study.materials.order);
     let (light, gray) = (&study.luminances[trial.light], &study.grays[trial.material]);
-    let of = |&normal: &[f64; 3]| {
-        let modes = reference.at(normal);
-        modes.irradiance(light, &modes.scatter(gray))
-    };
-    normals.iter().map(of).collect()
+    let modes = normals.iter().map(|&normal| reference.at(normal));
+    modes.map(|modes| modes.irradiance(light, &modes.scatter(gray))).collect()
 }
 
-/// The reconstruction at these normals.
 pub fn shade(
     basis: &Basis<'_, f64>,
     coefficients: &[f64],

@@ -2,8 +2,7 @@
 //! properties of each sphere, and its irradiance on a grid of normals.
 
 use super::plate::{Plate, UNCLIPPED};
-use super::{FIGURES, row};
-use super::{Modes, Study, place, title};
+use super::{FIGURES, Modes, Study, place, row, title};
 use crate::figures::OutputFile;
 use crate::numbers::exposure;
 use eigenshade_cli::picture::SphereView;
@@ -52,11 +51,11 @@ pub fn files(study: &Study) -> Result<Vec<OutputFile>> {
             let image = [&whole, &selected][line];
             let measured = measures(&plate.view, image, &whole);
             let numbers = [scale].into_iter().chain(measured).chain([errors[line]]);
-            rows.push(row(&[&light_name, &material_name, &modes.count()], numbers));
+            let count = modes.count();
+            let fields = |numbers| row(&[&light_name, &material_name, &count], numbers);
+            rows.push(fields(numbers.collect::<Vec<f64>>()));
             for (normal, rgb) in grid().into_iter().zip(&image[pixels..]) {
-                let texts: [&dyn std::fmt::Display; 3] =
-                    [&light_name, &material_name, &modes.count()];
-                values.push(row(&texts, normal.into_iter().chain(*rgb)));
+                values.push(fields([normal, *rgb].concat()));
             }
             plate.light((column, line), scale, image.iter().copied());
             plate.below((column, line), &[&title(material_name), light_name]);
@@ -97,9 +96,8 @@ fn grid() -> Vec<[f64; 3]> {
 fn measures(view: &SphereView, image: &[[f64; 3]], whole: &[[f64; 3]]) -> [f64; 8] {
     let area: f64 = view.pixels.iter().map(|pixel| pixel.coverage).sum();
     let mut mean = [0.0; 3];
-    let (mut square, mut negative) = (0.0, 0.0);
+    let (mut square, mut negative, mut largest) = (0.0, 0.0, 0.0f64);
     let (mut least, mut peak, mut slant) = (f64::INFINITY, 0.0, 0.0);
-    let mut largest = 0.0f64;
     let pixels = view.pixels.iter().zip(&view.normals).zip(image.iter().zip(whole));
     for ((pixel, [x, y, z]), (rgb, whole)) in pixels {
         for (channel, (value, whole)) in rgb.iter().zip(whole).enumerate() {

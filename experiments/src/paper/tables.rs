@@ -1,8 +1,7 @@
 //! The tables of the page, made from the figures' CSV files.
 
-use super::FIGURES;
 use super::variance::SURFACES;
-use super::{Modes, title};
+use super::{FIGURES, Modes, title};
 use crate::figures::{Content, OutputFile};
 use crate::numbers::{self, limit};
 use crate::pages::{self, Part};
@@ -21,7 +20,6 @@ const LIMITS: [f64; 4] = [0.1, 0.05, 0.01, 0.001];
 const REPRESENTED: f64 = 0.1;
 
 impl Sheet {
-    /// The rows of a choice of modes.
     pub fn of(self, modes: Modes) -> Self {
         self.only("modes", &modes.count().to_string())
     }

@@ -1,8 +1,7 @@
 //! Fig. 2: the variance of each irradiance mode, over degrees of the light and modes of the
 //! surface.
 
-use super::{DEGREE, ORDER, Study};
-use super::{FIGURES, row};
+use super::{DEGREE, FIGURES, ORDER, Study, row};
 use crate::chart::{Axes, COLORS, Chart, DrawResult, INK, Points, Series, Style, fault, letters};
 use crate::figures::OutputFile;
 use eigenshade_index::{material, mode};
@@ -29,7 +28,6 @@ pub struct Variance {
 }
 
 impl Variance {
-    /// Sums the variances over m.
     pub fn new(study: &Study) -> Self {
         let count = material::count(ORDER);
         let mut by_mode = vec![[0.0; DEGREE + 1]; count];
@@ -61,7 +59,6 @@ impl Variance {
         (0..=DEGREE).map(|l| (l + 1..=DEGREE).map(of_degree).sum::<f64>() / all).collect()
     }
 
-    /// The CSV files and the charts.
     pub fn files(&self) -> Result<Vec<OutputFile>> {
         let mut rows = Vec::new();
         for (place, (o, p, q)) in material::indices(ORDER).enumerate() {

@@ -20,7 +20,7 @@ use eigenshade_table::Table;
 use rand_chacha::ChaCha8Rng;
 use rand_chacha::rand_core::SeedableRng;
 use rand_distr::{Distribution, StandardNormal};
-use score::{Score, TestSet, scores};
+use score::{Score, TestImage, TestSet, scores};
 use std::path::Path;
 
 mod score;
@@ -66,10 +66,6 @@ const SIZE: usize = 64;
 
 /// The tables of the page: errors of the estimates, then ranks of the material and errors of the
 /// light. `tables` is the folder of the shipped tables.
-///
-/// # Errors
-///
-/// If a table or database cannot be read.
 pub fn parts(tables: &Path) -> Result<Vec<Part>> {
     let few = table::read(tables.join("curet.bin"))?;
     let (degree, order) = (few.gram.degree, few.gram.order);
@@ -89,10 +85,9 @@ pub fn parts(tables: &Path) -> Result<Vec<Part>> {
     let set = TestSet::new(&of_lights(shown_lights), &of_materials(shown_materials), normals);
     let all = (lights, materials);
     let other = (of_lights(other_lights), of_materials(other_materials));
-    let cases: Vec<(&Table, Degradation)> = [&few, &whole]
-        .into_iter()
-        .flat_map(|table| ALL.map(|degradation| (table, degradation)))
-        .collect();
+    let tables = [&few, &whole].into_iter();
+    let cases: Vec<(&Table, Degradation)> =
+        tables.flat_map(|table| ALL.map(|degradation| (table, degradation))).collect();
     let progress = progress_bar("cases", cases.len());
     let scored = parallel::map(cases.len(), &progress, |case| {
         let (table, degradation) = &cases[case];
@@ -129,10 +124,9 @@ fn score(
     set: &TestSet,
 ) -> Result<Score> {
     let reader = Reader::new(table, table.count(), lights, materials)?;
-    let degraded: Vec<(Vec<f64>, Vec<f64>)> = (0u64..)
-        .zip(&set.images)
-        .map(|(seed, image)| degradation.apply(&image.pixels, &set.normals, seed))
-        .collect();
+    let degrade =
+        |(seed, image): (u64, &TestImage)| degradation.apply(&image.pixels, &set.normals, seed);
+    let degraded: Vec<(Vec<f64>, Vec<f64>)> = (0..).zip(&set.images).map(degrade).collect();
     let together = if degradation.storage == Storage::Clipped { 1 } else { degraded.len() };
     let noise = (degradation.noise > 0.0).then_some(degradation.noise);
     let read = |group| reader.read(&observe(table, group, &set.normals), noise);
@@ -149,14 +143,11 @@ fn observe(table: &Table, images: &[(Vec<f64>, Vec<f64>)], normals: &[[f64; 3]])
     observer.finish()
 }
 
-/// One kind of degradation.
 #[derive(Clone, Copy, Debug)]
 pub struct Degradation {
-    /// The name of the degradation.
     pub name: &'static str,
     /// Standard deviation of normal noise on each pixel.
     pub noise: f64,
-    /// How pixels are stored.
     pub storage: Storage,
     /// Whether the left half, n_x < 0, is hidden.
     pub is_half_hidden: bool,
@@ -164,7 +155,6 @@ pub struct Degradation {
     pub is_unknown: bool,
 }
 
-/// How pixels are stored.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Storage {
     /// As exact numbers.
@@ -188,7 +178,6 @@ const NONE: Degradation = Degradation {
 };
 const HALF: Degradation = Degradation { name: "half hidden", is_half_hidden: true, ..NONE };
 
-/// Every degradation that is reported.
 pub const ALL: [Degradation; 12] = [
     NONE,
     Degradation { name: "noise 1 %", noise: 0.01, ..NONE },
@@ -207,7 +196,6 @@ pub const ALL: [Degradation; 12] = [
 impl Degradation {
     /// The degraded image and the weight of each pixel. `seed` selects the noise, which is the same
     /// on every host and run.
-    #[must_use]
     pub fn apply(&self, image: &[f64], normals: &[[f64; 3]], seed: u64) -> (Vec<f64>, Vec<f64>) {
         let mut random = ChaCha8Rng::seed_from_u64(seed);
         let mean = image.iter().sum::<f64>() / image.len() as f64;

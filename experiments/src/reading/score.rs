@@ -103,9 +103,9 @@ pub fn scores(
     rows.iter_mut().zip(&set.normals).for_each(|(row, normal)| values.at(*normal, row));
     let channels =
         readings.iter().flat_map(|reading| (0..reading.channels.len()).map(move |c| (reading, c)));
+    let images = set.images.iter().zip(degraded);
     let mut score = Score::default();
-    for ((reading, channel), (image, (_, weights))) in channels.zip(set.images.iter().zip(degraded))
-    {
+    for ((reading, channel), (image, (_, weights))) in channels.zip(images) {
         let light = &image.light;
         let reference: Vec<f64> = transfers
             .of(&image.material)

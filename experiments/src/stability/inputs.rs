@@ -16,7 +16,7 @@ use eigenshade_shading::owned_basis::OwnedBasis;
 use eigenshade_shading::shader::{OwnedNormals, Shader};
 use eigenshade_shading::shipped;
 use eigenshade_table::{Table, decode};
-use eigenshade_testing::fixtures::{self, ROOT, captured, disc, named};
+use eigenshade_testing::fixtures::{self, captured, disc, named};
 use eigenshade_testing::images::vectors;
 use eigenshade_testing::oracle::{ExplicitLight, Numbers};
 use eigenshade_testing::{largest, largest_difference, relative_error};
@@ -83,16 +83,13 @@ pub(super) fn map_sizes() -> Vec<Figure> {
     let mut expected = vec![0.0; light::count(8)];
     expected[light::position(0, 0)] = ambient;
     expected[light::position(1, -1)] = -(4.0 * PI / 3.0).sqrt();
+    let off = relative_error(&found, &expected);
     let naive = 2.0 * PI * PI / (4.0 * PI) - 1.0;
     vec![
         // A row from pole to pole, weighted with sin θ at its center, counts π/2 instead of 1.
         least("2 x 1, rows weighted with sin θ", naive, 0.5),
         most("2 x 1: the mean", of_small, tolerances::LIGHT_PROJECTION),
-        most(
-            "8192 x 4096, of the largest",
-            relative_error(&found, &expected),
-            tolerances::LARGE_MAP,
-        ),
+        most("8192 x 4096, of the largest", off, tolerances::LARGE_MAP),
     ]
 }
 
@@ -174,8 +171,7 @@ pub(super) fn eight_bits() -> Vec<Figure> {
 /// Normals with z = -0.01 and -0.1, by a table of degree 12, whose polynomials are longer than
 /// those of the shipped table.
 pub(super) fn behind() -> Vec<Figure> {
-    let bytes = std::fs::read(format!("{ROOT}/tables/pbr.bin")).expect("the table");
-    let owned = OwnedBasis::<f32>::new(&decode(&bytes).expect("a table"));
+    let owned = OwnedBasis::<f32>::new(&decode(shipped::PBR).expect("the table"));
     let mut shader = Shader::new(owned.basis().expect("a basis"), usize::MAX);
     let light = captured(9).entries[5].luminance();
     let (mut naive, mut ours, mut of_integers) = ([0.0f64; 2], 0.0, 0);

@@ -99,7 +99,6 @@ const PAGE_FACTOR: f64 = 8.0;
 /// Errors on the page below this may be zero on another host.
 const PAGE_ROUNDING: f64 = 1e-13;
 
-/// `docs/stability.md`.
 pub const PAGE: Page = Page {
     name: "stability",
     same: |_, old, new| {
@@ -110,11 +109,8 @@ pub const PAGE: Page = Page {
     },
 };
 
-/// Measures every case.
-///
-/// # Errors
-///
-/// The figures that exceed their bounds, and those whose bounds must be tight and are not.
+/// Measures every case. The error lists the figures that exceed their bounds, and those whose
+/// bounds must be tight and are not.
 pub fn parts(progress: impl Fn(&str)) -> Result<Vec<Part>, String> {
     let (mut rows, mut broken) = (Vec::new(), Vec::new());
     for (case, measure) in CASES {

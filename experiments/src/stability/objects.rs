@@ -1,7 +1,6 @@
 //! Objects that show few normals, normals with very small weights, and degenerate facets.
 
-use super::{Figure, exactly, least, most, tight};
-use super::{GramRoot, left_vectors};
+use super::{Figure, GramRoot, exactly, least, left_vectors, most, tight};
 use crate::accuracy_cost::times::hemisphere;
 use crate::tolerances;
 use eigenshade_generator::object::geometry::WeightedNormals;
@@ -31,6 +30,7 @@ fn scene() -> Loaded {
 
 /// Tables of an object by both criteria, or by one, compared with the principal components of its
 /// pictures.
+#[derive(Default)]
 struct Compared {
     /// Tables with another number of eigenvalues.
     other: usize,
@@ -47,21 +47,20 @@ struct Compared {
 impl Compared {
     fn new(scenes: &[Loaded], shape: &WeightedNormals, pictures: &Pictures) -> Self {
         let heaviest = largest(pictures.weights.iter().copied());
-        let (mut other, mut components) = (0, 0);
-        let [mut values, mut errors, mut weighted] = [0.0; 3];
+        let mut all = Self::default();
         for loaded in scenes {
             let (basis, table) = (&loaded.scene.basis, table(loaded, shape));
             let of_pictures = pictures.eigenvalues(basis.criterion, basis.rank_cutoff);
             let found = eigenvalues(&table);
-            other += usize::from(found.len() != of_pictures.len());
-            values = largest([values, apart(&found, &of_pictures)]);
+            all.other += usize::from(found.len() != of_pictures.len());
+            all.values = largest([all.values, apart(&found, &of_pictures)]);
             for (error, weight) in pictures.errors(&table).iter().zip(&pictures.weights) {
-                errors = largest([errors, *error]);
-                weighted = largest([weighted, error * (weight / heaviest).sqrt()]);
+                all.errors = largest([all.errors, *error]);
+                all.weighted = largest([all.weighted, error * (weight / heaviest).sqrt()]);
             }
-            components = table.count();
+            all.components = table.count();
         }
-        Self { other, values, errors, weighted, components }
+        all
     }
 }
 
@@ -104,17 +103,16 @@ pub(super) fn flat() -> Vec<Figure> {
         errors = largest([errors, found.errors]);
         counts.push(exactly(what, found.components, expected));
     }
-    let mut figures = vec![
+    let first = [
         least("share of M's eigenvalues that are negative", negative, tolerances::NAIVE_NEGATIVE),
         least("|UᵀMU - I| with the eigenvalues' sizes", naive, tolerances::NAIVE_ROOT),
     ];
-    figures.extend(counts);
-    figures.extend([
+    let last = [
         exactly("bases with another number of components than their pictures", other, 0),
         most("eigenvalues, of the largest", values, tolerances::FLAT_EIGENVALUES),
         tight("pictures, of the peak", errors, tolerances::FLAT_PICTURES),
-    ]);
-    figures
+    ];
+    first.into_iter().chain(counts).chain(last).collect()
 }
 
 /// A spiral of 400 normals from the rim to the pole with weights that span twelve decades.

@@ -59,11 +59,11 @@ impl Found {
         };
         let plain = answers::<S>(&table, &light, &material);
         let mut all = Self::default();
-        for (of_light, of_material) in
-            [(FAR, 0), (-FAR, 0), (0, FAR), (0, -FAR), (FAR, -FAR), (-FAR, FAR), (-FAR, -FAR)]
-        {
-            let inputs = (scaled(&light, of_light), scaled(&material, of_material));
-            let found = answers::<S>(&table, &inputs.0, &inputs.1);
+        let both = [(FAR, -FAR), (-FAR, FAR), (-FAR, -FAR)];
+        let one = [(FAR, 0), (-FAR, 0), (0, FAR), (0, -FAR)];
+        for (of_light, of_material) in one.into_iter().chain(both) {
+            let (light, material) = (scaled(&light, of_light), scaled(&material, of_material));
+            let found = answers::<S>(&table, &light, &material);
             let count = |is: fn(&f64) -> bool| {
                 found.iter().flatten().flatten().filter(|value| is(value)).count()
             };
@@ -115,7 +115,6 @@ fn answers<S: Scalar + Into<f64>>(
 /// 2^-100 = 8e-31.
 const TINY: f32 = 7.888_609e-31;
 
-/// Number of subnormal values.
 fn count_subnormal(values: &[f32]) -> usize {
     values.iter().filter(|value| value.is_subnormal()).count()
 }
@@ -128,13 +127,12 @@ fn share(products: &[f32]) -> f64 {
 
 /// The products of a linear map, which is given by its answers to unit vectors.
 fn products_of_map(values: &[f32], map: impl Fn(&[f32]) -> Vec<f32>) -> Vec<f32> {
-    let mut products = Vec::new();
-    for (k, value) in values.iter().enumerate() {
+    let products = |(k, value): (usize, &f32)| {
         let mut unit = vec![0.0; values.len()];
         unit[k] = 1.0;
-        products.extend(map(&unit).iter().map(|factor| factor * value));
-    }
-    products
+        map(&unit).iter().map(|factor| factor * value).collect::<Vec<f32>>()
+    };
+    values.iter().enumerate().flat_map(products).collect()
 }
 
 /// A pixel and its products: first with its azimuths by Horner's rule, as the shipped table uses

@@ -1,8 +1,7 @@
 //! Rotations of light and normals: to degree 64, a thousand in a row, and matrices that are almost
 //! rotations.
 
-use super::off_orthonormal;
-use super::{Figure, least, most};
+use super::{Figure, least, most, off_orthonormal};
 use crate::tolerances;
 use eigenshade::mathematics::SinglePrecision;
 use eigenshade::{Light, Rotation};
@@ -84,7 +83,6 @@ fn off(matrix: [[f32; 3]; 3]) -> f64 {
     off_orthonormal(&DMatrix::from_fn(3, 3, |i, j| matrix[j][i].into()))
 }
 
-/// A light in f32, rotated.
 fn turned(light: &[f32], rotation: &Rotation<f32>) -> Vec<f32> {
     let light = Light::new(light).expect("100 coefficients");
     light.turned::<100>(rotation).expect("room").to_vec()

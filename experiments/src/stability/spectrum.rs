@@ -1,13 +1,11 @@
 //! M is singular; order and sign of components whose eigenvalues are equal, nearly equal or zero.
 
-use super::{Figure, exactly, least, most, tight};
-use super::{GramRoot, left_vectors, off_orthonormal};
+use super::{Figure, GramRoot, exactly, least, left_vectors, most, off_orthonormal, tight};
 use crate::tolerances;
-use eigenshade_generator::basis;
-use eigenshade_generator::basis::gram;
 use eigenshade_generator::basis::moments::Deviation;
 use eigenshade_generator::basis::pca::{Block, principal};
 use eigenshade_generator::basis::profile::evaluate;
+use eigenshade_generator::basis::{self, gram};
 use eigenshade_index::material;
 use eigenshade_model::database::Named;
 use eigenshade_model::polar_integral::PolarIntegrals;
@@ -135,9 +133,8 @@ impl Field {
     fn rows(self, degree: isize, order: isize, m: isize, parity: isize) -> Vec<Vec<i128>> {
         let mut rows = Vec::new();
         for q in (parity..=order.min(degree)).step_by(2) {
-            for (l, p) in
-                (m.max(q)..=degree).flat_map(|l| (q..=order).step_by(2).map(move |p| (l, p)))
-            {
+            let terms = |l: isize| (q..=order).step_by(2).map(move |p| (l, p));
+            for (l, p) in (m.max(q)..=degree).flat_map(terms) {
                 let at = |x: i128| {
                     let sign = if q % 2 == 0 { 1 } else { self.0 - 1 };
                     let minus = if q == 0 { 0 } else { sign * self.wigner(l, m, -q, x) };
@@ -194,27 +191,26 @@ pub(super) fn ranks() -> Vec<Figure> {
     let total: usize = exact[0] + 2 * exact[1..].iter().sum::<usize>();
     let beyond = values.iter().zip(&exact).flat_map(|(block, &rank)| block.iter().skip(rank));
     let beyond = largest(beyond.copied());
-    let mut figures = vec![
-        exactly("|m| with the exact rank above", count(&exact, &EXACT, |a, b| a == b), 10),
-        exactly("exact rank", total, 395),
-    ];
-    for (cutoff, recorded) in RESOLVED {
+    let resolved = RESOLVED.map(|(cutoff, recorded)| {
         let found = above(cutoff);
         let ranks: Vec<String> = found.iter().map(usize::to_string).collect();
         let what = format!("rank above {cutoff:e}: {}; other |m|", ranks.join(" "));
-        figures.push(exactly(what, count(&found, &recorded, |a, b| a != b), 0));
-    }
-    figures.extend([
+        exactly(what, count(&found, &recorded, |a, b| a != b), 0)
+    });
+    let of_exact = [
+        exactly("|m| with the exact rank above", count(&exact, &EXACT, |a, b| a == b), 10),
+        exactly("exact rank", total, 395),
+    ];
+    let rounded = [
         exactly("|m| with the whole rank above 1e-15", whole, 0),
         most("|m| with more than the exact rank above 1e-15", over(1e-15), 0.0),
         // At least one block counts rounding.
         least("|m| with more than the exact rank above 1e-17", over(1e-17), 1.0),
         tight("largest singular value beyond the exact rank", beyond, tolerances::BEYOND_RANK),
-    ]);
-    figures
+    ];
+    of_exact.into_iter().chain(resolved).chain(rounded).collect()
 }
 
-/// All components that the shipped scene has.
 pub(super) fn more_than_rank() -> Vec<Figure> {
     let loaded = fixtures::shipped("curet");
     let table = fixtures::table(&loaded);
@@ -240,7 +236,6 @@ pub struct Agreement {
 }
 
 /// Compares the order and the sign of two tables' components.
-#[must_use]
 pub fn agreement(a: &Table, b: &Table) -> Agreement {
     /// The least eigenvalue that is compared, relative to the largest.
     const FLOOR: f64 = 1e-24;
@@ -295,7 +290,6 @@ pub(super) fn order_and_sign() -> Vec<Figure> {
     ]
 }
 
-/// A matrix of the generator's linear algebra.
 fn dense(matrix: &Mat<f64>) -> DMatrix<f64> {
     DMatrix::from_fn(matrix.nrows(), matrix.ncols(), |i, j| matrix[(i, j)])
 }
@@ -314,8 +308,7 @@ pub(super) fn nearly_equal() -> Vec<Figure> {
     });
     let of_plain = plain.each_ref().map(|one| deviation(one.as_slice().to_vec()));
     let triangle = dense(&block.images(&gram, &of_plain)).qr().r().lu();
-    let (mut orthogonality, mut values): (f64, f64) = (0.0, 0.0);
-    let (mut squared, mut found) = (0.0f64, 0);
+    let (mut orthogonality, mut values, mut squared, mut found) = (0.0f64, 0.0f64, 0.0f64, 0);
     for gap in [0.0, 1e-15, 1e-12, 1e-8, 1e-3] {
         let sizes = [1.0, 1.0 - gap, 1e-4, 1e-4 * (1.0 - gap), 1e-9];
         let wanted = DMatrix::from_diagonal(&DVector::from_row_slice(&sizes));

@@ -58,9 +58,8 @@ fn kept_times_are_those_of_the_files() {
     let mut measured = earlier.clone();
     measured.growth.retain(|row| row.text("unit") != "ns");
     for row in &mut measured.settings {
-        for column in ["host_pixel_ns", "host_light_ns", "host_pixel", "host_light"] {
-            row.put(column, "");
-        }
+        let columns = ["host_pixel_ns", "host_light_ns", "host_pixel", "host_light"];
+        columns.into_iter().for_each(|column| row.put(column, ""));
     }
     let mut other = earlier.clone();
     other.settings.iter_mut().for_each(|row| row.put("rms_median", 7));

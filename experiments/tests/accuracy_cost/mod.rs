@@ -16,8 +16,7 @@ use eigenshade_testing::fixtures::{self, of_equal_areas};
 use eigenshade_testing::images::{coefficients, single};
 use experiments::accuracy_cost::errors;
 use experiments::accuracy_cost::images::{Image, Images};
-use experiments::accuracy_cost::machines::MACHINES;
-use experiments::accuracy_cost::machines::{LIMITS, Lighting, TIE, cheapest, pareto};
+use experiments::accuracy_cost::machines::{LIMITS, Lighting, MACHINES, TIE, cheapest, pareto};
 use experiments::accuracy_cost::scope::{Bases, Scope};
 use experiments::accuracy_cost::settings::{Recipe, Setting, Way};
 use experiments::accuracy_cost::sheet::SETTINGS;
@@ -48,8 +47,7 @@ fn rows(form: &Form) -> Vec<Record> {
 /// A glossy dielectric, of which no basis here is made.
 fn unseen(order: usize) -> Named {
     let ggx = Ggx::new(0.3, 0.04, 0.5).expect("a material");
-    let coefficients = project(&ggx, order, Measure::Projected).coefficients;
-    Named { name: "ggx".into(), rgb: [0; 3].map(|_| coefficients.clone()) }
+    fixtures::named("ggx", project(&ggx, order, Measure::Projected).coefficients)
 }
 
 /// The reference is the integral (3), and a setting's error is the difference of its image.
@@ -65,10 +63,8 @@ fn errors_are_those_of_direct_quadrature() {
     assert_eq!(images.images.len(), 6);
     let direct = |image: &Image, normal: [f64; 3]| {
         let light = oracle::ExplicitLight::new(&image.pair.light);
-        let terms: Vec<_> = material::indices(order)
-            .zip(&image.pair.material)
-            .map(|((o, p, q), b)| (o, p, q, *b))
-            .collect();
+        let terms = material::indices(order).zip(&image.pair.material);
+        let terms: Vec<_> = terms.map(|((o, p, q), b)| (o, p, q, *b)).collect();
         oracle::irradiance(&light, &terms, normal)
     };
     for image in &images.images {
@@ -90,10 +86,8 @@ fn errors_are_those_of_direct_quadrature() {
     let view = OwnedNormals::new(&normals);
     let errors = |seen: bool| {
         let of = |image: &Image| {
-            let shaded = shader
-                .clone()
-                .polynomial(&image.pair.light, &image.pair.material, &view)
-                .expect("an image");
+            let (mut shader, pair) = (shader.clone(), &image.pair);
+            let shaded = shader.polynomial(&pair.light, &pair.material, &view).expect("an image");
             let direct = normals.iter().map(|&normal| direct(image, normal));
             let square: f64 =
                 shaded.iter().zip(direct).map(|(&a, b)| (f64::from(a) - b).powi(2)).sum();
@@ -128,10 +122,8 @@ fn beats(a: (f64, f64), b: (f64, f64)) -> bool {
 fn nothing_beats_a_point_of_the_pareto_set_and_something_every_other() {
     let rows = rows(&SETTINGS);
     let mut numbers = oracle::Numbers(3);
-    let random: Vec<(f64, f64)> = (0..200)
-        .map(|_| ((4.0 * numbers.next()).floor(), (9.0 * numbers.next()).floor()))
-        .collect();
-    let mut sets = vec![random];
+    let random = (0..200).map(|_| [4.0, 9.0].map(|most| (most * numbers.next()).floor()).into());
+    let mut sets: Vec<Vec<(f64, f64)>> = vec![random.collect()];
     for machine in &MACHINES {
         let place = |row: &Record| {
             Some((row.number(&format!("{}_pixel", machine.key))?, row.number("rms_median")?))
@@ -158,10 +150,8 @@ fn the_cheapest_setting_that_suffices_is_chosen() {
     let mut checked = 0;
     for machine in &MACHINES {
         let key = machine.key;
-        for (lighting, limit) in [Lighting::Still, Lighting::Moving]
-            .into_iter()
-            .flat_map(|lighting| LIMITS.map(|limit| (lighting, limit)))
-        {
+        let still = LIMITS.map(|limit| (Lighting::Still, limit)).into_iter();
+        for (lighting, limit) in still.chain(LIMITS.map(|limit| (Lighting::Moving, limit))) {
             let cost = |row: &Record| {
                 let pixels = 9216.0 * row.number(&format!("{key}_pixel"))?;
                 match lighting {
@@ -169,15 +159,12 @@ fn the_cheapest_setting_that_suffices_is_chosen() {
                     Lighting::Moving => Some(pixels + row.number(&format!("{key}_light"))?),
                 }
             };
-            let able: Vec<_> = rows
-                .iter()
-                .filter(|row| {
-                    let total = row.number("total_rms_most");
-                    row.text("parameter") != "mathematics"
-                        && total.is_some_and(|error| error <= limit)
-                })
-                .filter_map(|row| Some((row, cost(row)?)))
-                .collect();
+            let suffices = |row: &&Record| {
+                let total = row.number("total_rms_most");
+                row.text("parameter") != "mathematics" && total.is_some_and(|error| error <= limit)
+            };
+            let able = rows.iter().filter(suffices);
+            let able: Vec<_> = able.filter_map(|row| Some((row, cost(row)?))).collect();
             let chosen = cheapest(&rows, machine, lighting, limit);
             assert_eq!(chosen.is_some(), !able.is_empty(), "{key} {limit}");
             let Some(chosen) = chosen else { continue };
@@ -255,14 +242,9 @@ fn floors_are_what_components_lack_of_unseen_materials() {
             let lacking = d[sphere::COMPONENTS..].iter().map(|d| d * d).sum::<f64>().sqrt();
             let image = coefficients(&single(light.clone()), &single(material));
             let mut lengths = [0; 16];
-            let (_, truncation) = sphere::BASIS
-                .collapse_within(
-                    &image,
-                    Tolerance::OfPeak(1e-3),
-                    &mut lengths,
-                    [0.0f32; sphere::SCENE],
-                )
-                .expect("sizes");
+            let (tolerance, room) = (Tolerance::OfPeak(1e-3), [0.0f32; sphere::SCENE]);
+            let within = sphere::BASIS.collapse_within(&image, tolerance, &mut lengths, room);
+            let (_, truncation) = within.expect("sizes");
             ratios[group].push(f64::from(truncation.floor) / lacking);
             errors.push(lacking.hypot(truncation.bound.into()) / f64::from(truncation.peak));
         }

@@ -13,7 +13,7 @@ use experiments::accuracy_cost::machines::MACHINES;
 use experiments::accuracy_cost::settings::{Format, Recipe, Setting};
 use experiments::accuracy_cost::sheet::{SETTINGS, TOTAL};
 use experiments::accuracy_cost::total::lamps::Lamps;
-use experiments::sheet::{Counts, Record};
+use experiments::sheet::{Counts, M0, M3, M4F, RV32, Record};
 
 /// Highlights in f32 against f64, of the peak, from a roughness of 0.3 on: as `Highlights::shade`
 /// states.
@@ -29,8 +29,9 @@ const OF_COSTS: f64 = 1e-3;
 /// A program with a pixel and two sources in one loop against the sum of both, relative.
 const OF_SUM: f64 = 0.04;
 
-fn shaded(irradiance: f64, count: usize, exponent: i32) -> Shaded {
-    Shaded { irradiances: vec![irradiance; count], terms: 0, bytes: 0, exponent }
+/// An irradiance of 0.25 in each channel.
+fn shaded(count: usize, exponent: i32) -> [Shaded; 3] {
+    [0; 3].map(|_| Shaded { irradiances: vec![0.25; count], terms: 0, bytes: 0, exponent })
 }
 
 /// A picture is that of the rest of the light and the highlights of the sources taken out of it.
@@ -69,13 +70,11 @@ fn lamps_are_the_sources_that_lights_lack() {
             sources.iter().map(|one| highlights::source::<f64>(one).expect("a source")).collect();
         let in_f64 = highlights::gloss::<f64>(&gloss).expect("a gloss");
         let in_f64 = Highlights::<f64, MAX_SOURCES>::new::<Libm>(&in_f64, &lobes).expect("sources");
-        let expected: Vec<[f64; 3]> = normals
-            .iter()
-            .map(|&[x, y, z]| {
-                let lit: [f64; 3] = in_f64.shade(Normal::new(x, y, z).expect("a normal")).into();
-                lit.map(|one| one + 0.25)
-            })
-            .collect();
+        let of = |&[x, y, z]: &[f64; 3]| {
+            let lit: [f64; 3] = in_f64.shade(Normal::new(x, y, z).expect("a normal")).into();
+            lit.map(|one| one + 0.25)
+        };
+        let expected: Vec<[f64; 3]> = normals.iter().map(of).collect();
         let peak = expected.iter().flatten().fold(0.0, |most: f64, one| one.max(most));
         assert!(peak > 0.3, "{peak}");
         // 17 bits of the peak.
@@ -84,7 +83,7 @@ fn lamps_are_the_sources_that_lights_lack() {
         {
             let setting = setting.in_format(format);
             let lamps = Lamps::new(&setting, &lights, &sets, &normals).expect("sources");
-            let rest = [0; 3].map(|_| shaded(0.25, normals.len(), exponent));
+            let rest = shaded(normals.len(), exponent);
             let picture = lamps.add(k, &gloss, &rest).expect("a picture");
             for (j, expected) in expected.iter().enumerate() {
                 for (channel, expected) in picture.iter().zip(expected) {
@@ -95,8 +94,7 @@ fn lamps_are_the_sources_that_lights_lack() {
         }
         let setting = setting.in_format(Format::F64);
         let lamps = Lamps::new(&setting, &lights, &sets, &normals).expect("sources");
-        let rest = [0; 3].map(|_| shaded(0.25, normals.len(), 0));
-        assert!(lamps.add(k, &gloss, &rest).is_err());
+        assert!(lamps.add(k, &gloss, &shaded(normals.len(), 0)).is_err());
     }
 }
 
@@ -149,18 +147,10 @@ fn costs_of_sources_are_added() {
         let half = of(&rows, &format!("{name} sources{}", count / 2));
         assert!(of_host(with) > of_host(half), "{with:?}");
     }
-    for (board, format) in [
-        ("microbit", "q15"),
-        ("mps2-an385", "q15"),
-        ("mps2-an386", "q15"),
-        ("mps2-an386", "f32"),
-        ("riscv32", "q15"),
-    ] {
-        let count = |operation| {
-            counts.get([board, format], operation, "instructions").expect("a count") as f64
-        };
+    for on in [M0, M3, ["mps2-an386", "q15"], M4F, RV32] {
+        let count = |operation| counts.get(on, operation, "instructions").expect("a count") as f64;
         let ratio = count("shade_highlights") / (count("shade") + count("sources/pixel_2"));
-        println!("{board} {format}: {ratio:.3}");
+        println!("{on:?}: {ratio:.3}");
         assert!((ratio - 1.0).abs() <= OF_SUM, "{ratio}");
     }
 }
@@ -177,15 +167,15 @@ fn sources_bring_pictures_nearer() {
     for table in
         ["9/7 all polynomial f32", "12/12 K400 polynomial f32", "9/7 K130 trim2e-4 polynomial q15"]
     {
-        let none = table.to_owned();
-        let four = format!("{table} sources4");
-        let eight = format!("{table} sources8");
+        let of =
+            |kind| ["", " sources4", " sources8"].map(|one| most(&format!("{table}{one}"), kind));
         for kind in ["gltf", "measured", "all"] {
-            let [none, four, eight] = [&none, &four, &eight].map(|one| most(one, kind));
+            let [none, four, eight] = of(kind);
             for k in 0..2 {
                 assert!(four[k] < 0.9 * none[k] && eight[k] < four[k], "{table}, {kind}");
             }
         }
-        assert_eq!(most(&none, "matte"), most(&four, "matte"), "{table}");
+        let [none, four, _] = of("matte");
+        assert_eq!(none, four, "{table}");
     }
 }

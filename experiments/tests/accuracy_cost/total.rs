@@ -7,16 +7,14 @@ use eigenshade_generator::light::environment::EnvironmentMap;
 use eigenshade_generator::light::projection::project;
 use eigenshade_model::database::{Lights, Named};
 use eigenshade_shading::shipped;
+use eigenshade_testing::largest;
 use experiments::accuracy_cost::settings;
 use experiments::accuracy_cost::sheet::{TOTAL, compare};
 use experiments::accuracy_cost::total::references::{ReferencePicture, SPACING, World};
 use experiments::accuracy_cost::total::rivals::{Prefiltered, matcap};
-use experiments::accuracy_cost::total::subjects::{
-    self, GROUPS, Gltf, Kind, Subject, coefficients,
-};
+use experiments::accuracy_cost::total::subjects::{self, GROUPS, Gltf, Kind, Subject};
 use experiments::accuracy_cost::total::{HIGHEST, MATCAP, PREFILTERED, Study};
 use experiments::sheet::Record;
-use experiments::sphere::Picture;
 use indicatif::ProgressBar;
 
 /// Medians and 95th percentiles of an rms at normals 1.4 times as far apart, as a factor: half as
@@ -113,14 +111,11 @@ fn the_materials_are_unseen() {
     let measured = of_kind(Kind::Measured);
     assert!(measured.iter().map(|one| &one.surface.name).eq(unseen.iter().map(|one| &one.name)));
     let some: Vec<Subject> = measured.into_iter().step_by(9).collect();
-    let materials = &coefficients(&some, &[7])[0];
+    let materials = &subjects::coefficients(&some, &[7])[0];
     for (found, shipped) in materials.entries.iter().zip(unseen.iter().step_by(9)) {
         for (found, shipped) in found.rgb.iter().flatten().zip(shipped.rgb.iter().flatten()) {
-            assert!(
-                (found - shipped).abs() <= 1e-5 * shipped.abs().max(1e-2),
-                "{}",
-                found - shipped
-            );
+            let off = (found - shipped).abs();
+            assert!(off <= 1e-5 * shipped.abs().max(1e-2), "{off}");
         }
     }
 }
@@ -128,14 +123,9 @@ fn the_materials_are_unseen() {
 /// White light from everywhere, 128 x 64.
 fn white() -> World {
     let map = EnvironmentMap::new(128, 64, vec![[1.0; 3]; 128 * 64]).expect("a map");
-    let rgb = project(&map, 2);
-    let lights = Lights { degree: 2, entries: vec![Named { name: "white".into(), rgb }] };
+    let light = Named { name: "white".into(), rgb: project(&map, 2) };
+    let lights = Lights { degree: 2, entries: vec![light] };
     World::of(vec![map], lights, 0.15).expect("a map")
-}
-
-fn largest_apart([found, expected]: [&Picture; 2]) -> f64 {
-    let pairs = found.iter().flatten().zip(expected.iter().flatten());
-    pairs.fold(0.0, |most, (a, b)| (a - b).abs().max(most))
 }
 
 /// Under white light, the split sum of a metal is exact.
@@ -149,7 +139,8 @@ fn the_split_sum_is_exact_under_white_light() {
         let prefiltered = Prefiltered::new(roughness, &world).expect("a map");
         let picture = |albedo| prefiltered.pictures(gltf(albedo), &world).expect("a picture");
         let (whole, lobe) = (&picture(0.7)[0], &picture(0.0)[0]);
-        let apart = largest_apart([lobe, expected]);
+        let pairs = lobe.iter().flatten().zip(expected.iter().flatten());
+        let apart = largest(pairs.map(|(a, b)| a - b));
         assert!(apart <= OF_WHITE, "{roughness}: {apart:e}");
         // The matte part is what the lobe leaves of the albedo.
         for (whole, lobe) in whole[0].iter().zip(&lobe[0]) {

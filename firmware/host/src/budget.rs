@@ -8,10 +8,6 @@ const BUDGETS: &str = "budgets.csv";
 const NAMES: [&str; 4] = ["instructions", "bytes of flash", "bytes of RAM", "bytes of stack"];
 
 /// Checks rows against the budgets of their boards.
-///
-/// # Errors
-///
-/// If a count exceeds its budget, or an operation with a budget was not measured.
 pub fn within(rows: &[Row]) -> Result<()> {
     let (_, budgets) = row::read(BUDGETS)?;
     let mut faults = over(rows, &budgets);
@@ -20,10 +16,6 @@ pub fn within(rows: &[Row]) -> Result<()> {
 }
 
 /// Checks rows of some programs, without the budgets of other operations.
-///
-/// # Errors
-///
-/// If a count exceeds its budget.
 pub fn within_measured(rows: &[Row]) -> Result<()> {
     let (_, mut budgets) = row::read(BUDGETS)?;
     budgets.retain(|budget| rows.iter().any(|row| row.key == budget.key));

@@ -19,19 +19,14 @@ pub struct Sizes {
 }
 
 /// A linked program.
-#[derive(Clone, Debug)]
 pub struct Linked {
-    sizes: Sizes,
+    pub sizes: Sizes,
     /// Names of all functions and statics, demangled.
     pub names: Vec<String>,
 }
 
 impl Linked {
     /// Reads a program.
-    ///
-    /// # Errors
-    ///
-    /// If the file cannot be read or is not an ELF file.
     pub fn read(path: &Path) -> Result<Self> {
         let fault = |error: &dyn std::fmt::Display| format!("{}: {error}", path.display());
         let bytes = std::fs::read(path).map_err(|error| fault(&error))?;
@@ -67,11 +62,6 @@ impl Linked {
             .collect();
         Ok(Self { sizes, names })
     }
-
-    /// Its sizes.
-    pub const fn sizes(&self) -> Sizes {
-        self.sizes
-    }
 }
 
 /// A forbidden kind of symbol, and whether a name belongs to it.
@@ -85,10 +75,6 @@ const GATES: [Gate; 4] = [
 ];
 
 /// Checks a program.
-///
-/// # Errors
-///
-/// The name of the first forbidden symbol.
 pub fn check(board: Board, program: &str, linked: &Linked) -> Result<()> {
     let fault = |what: &str, found: &str| {
         Err(format!("{program} on {}: {what} is linked: {found}", board.name))
@@ -102,7 +88,7 @@ pub fn check(board: Board, program: &str, linked: &Linked) -> Result<()> {
     if let (Floats::None, Some(found)) = (board.floats, of_f32) {
         return fault("arithmetic in f32", found);
     }
-    match linked.sizes().initialized {
+    match linked.sizes.initialized {
         0 => Ok(()),
         bytes => fault(".data", &format!("{bytes} bytes; make the statics constant or zero")),
     }
@@ -181,10 +167,6 @@ const REJECTED: [(&str, Board, Step, &str); 6] = [
 
 /// Builds and checks each program of `gates/`, which has one forbidden thing, and prints the
 /// errors.
-///
-/// # Errors
-///
-/// If a program is accepted, or rejected for another reason.
 pub fn test() -> Result<()> {
     for (program, board, step, reason) in REJECTED {
         let built = toolchain::build(&[board.target], "gates", &[program], "fast", &[]);

@@ -144,7 +144,7 @@ fn outputs(board: Board, programs: &[Listed]) -> Result<Vec<(gate::Sizes, String
         let path = toolchain::binary(board.target, program.profile(), program.name);
         let linked = gate::Linked::read(&path)?;
         gate::check(board, program.name, &linked)?;
-        Ok((linked.sizes(), toolchain::run(board, &path)?))
+        Ok((linked.sizes, toolchain::run(board, &path)?))
     });
     outputs.collect()
 }

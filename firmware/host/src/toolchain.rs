@@ -12,10 +12,6 @@ use std::process::Command;
 const DEBIAN: [&str; 2] = ["/usr/bin/rustc", "ld.lld-22"];
 
 /// Builds programs of a package with these features, for some targets side by side.
-///
-/// # Errors
-///
-/// The output of the compiler or the linker.
 pub fn build(
     targets: &[&str],
     package: &str,
@@ -60,10 +56,6 @@ pub fn binary(target: &str, profile: &str, name: &str) -> PathBuf {
 }
 
 /// The compiler's name and version, on which the counts depend.
-///
-/// # Errors
-///
-/// If it cannot be run.
 pub fn version() -> Result<String> {
     let compiler = if is_debian() { DEBIAN[0] } else { "rustc" };
     Ok(output_of(Command::new(compiler).arg("--version"))?.trim().into())
@@ -78,10 +70,6 @@ fn output_of(command: &mut Command) -> Result<String> {
 const TIMEOUT: &str = "120";
 
 /// Runs a program to its end and returns its output.
-///
-/// # Errors
-///
-/// If it ends with a status other than 0, or not in time.
 pub fn run(board: Board, program: &Path) -> Result<String> {
     let mut command = Command::new("timeout");
     command

@@ -5,9 +5,9 @@ use crate::format::FixedPoint;
 use crate::invariant::part_mut;
 use crate::places::{AzimuthPlace, KnownTable};
 use crate::quantized::scene::{
-    self, FINEST, Scene, SceneBuffer, bits, half_or_one, size, weight, with_margin,
+    FINEST, Scene, SceneBuffer, bits, half_or_one, size, weight, with_margin,
 };
-use crate::quantized::{Basis, Coefficients, Profile};
+use crate::quantized::{Basis, Coefficients, Profile, scene};
 
 /// The terms of a scene, to be filled for this basis.
 #[inline(always)]
@@ -22,7 +22,6 @@ pub fn terms<'s, 'a, Q: FixedPoint, const N: usize>(
 /// The mantissas of exactly `K` coefficients, if
 /// [`Basis::collapse_into`](crate::quantized::Basis::collapse_into) accepts their exponent.
 #[inline(always)]
-#[must_use]
 pub fn mantissas<const K: usize>(coefficients: &Coefficients<K>) -> Option<&[i32; K]> {
     if coefficients.exponent.unsigned_abs() > 1 << 16 {
         return None;
@@ -48,7 +47,6 @@ pub struct Shifts<const A: usize> {
 }
 
 /// Number of azimuths up to the last one with profiles.
-#[must_use]
 pub const fn azimuths<Q>(basis: &Basis<'_, Q>) -> usize {
     match basis.parts.profiles {
         [.., last] => last.azimuth() + 1,
@@ -59,23 +57,16 @@ pub const fn azimuths<Q>(basis: &Basis<'_, Q>) -> usize {
 impl<const A: usize> Size<A> {
     /// The size of a black image.
     #[inline(always)]
-    #[must_use]
     pub const fn empty() -> Self {
         Self { image: 0, steps: [0; A] }
     }
 
     /// Adds the components of azimuth `M`.
     #[inline(always)]
-    #[must_use]
-    pub fn azimuth<
+    pub fn azimuth<B, Q: FixedPoint, const M: usize, const K: usize>(mut self, d: &[i32; K]) -> Self
+    where
         B: KnownTable<Basis<'static, Q>>,
-        Q: FixedPoint,
-        const M: usize,
-        const K: usize,
-    >(
-        mut self,
-        d: &[i32; K],
-    ) -> Self {
+    {
         let of = |index: u16| d.get(usize::from(index)).copied().map_or(0, size);
         let (mut of_plus, mut of_minus) = (0_u32, 0_u32);
         for profile in const { B::BASIS.profiles_at(&B::BASIS.azimuth_at(M)) } {
@@ -94,7 +85,6 @@ impl<const A: usize> Size<A> {
     /// The shifts of this table. `None` if there is hardly an image, or if weights that are coarser
     /// than d would have to be shifted left, or right by more bits than they have.
     #[inline(never)]
-    #[must_use]
     pub fn shifts<B: KnownTable<Basis<'static, Q>>, Q: FixedPoint>(&self) -> Option<Shifts<A>> {
         let degree = const { B::BASIS.parts.degree };
         let [least, largest] = const { exponents(B::BASIS.parts.profiles) };
@@ -116,7 +106,6 @@ impl<const A: usize> Size<A> {
     }
 }
 
-/// The least and the largest exponent of these profiles.
 const fn exponents(mut profiles: &[Profile]) -> [i32; 2] {
     let (mut least, mut largest) = (i32::MAX, i32::MIN);
     while let [profile, others @ ..] = profiles {
@@ -178,7 +167,6 @@ pub fn azimuth<
     }
 }
 
-/// The `P` profiles of an azimuth.
 #[expect(clippy::panic, reason = "while the program is compiled")]
 const fn profiles<B: KnownTable<Basis<'static, Q>>, Q: 'static, const P: usize>(
     azimuth: usize,
@@ -190,22 +178,16 @@ const fn profiles<B: KnownTable<Basis<'static, Q>>, Q: 'static, const P: usize>(
 }
 
 /// Sums the `P` profiles of azimuth `M`, with weights for `W` polynomials each. The weights are
-/// `finer` by that many bits.
-///
-/// Not inlined: a compiler that sees several azimuths at once runs out of registers.
+/// `finer` by that many bits. Not inlined: a compiler that sees several azimuths at once runs out
+/// of registers.
 #[inline(never)]
-fn sum<
-    B: KnownTable<Basis<'static, Q>>,
-    Q: FixedPoint,
-    const M: usize,
-    const W: usize,
-    const P: usize,
-    const N: usize,
->(
+fn sum<B, Q: FixedPoint, const M: usize, const W: usize, const P: usize, const N: usize>(
     weights: &[[i32; W]; P],
     finer: u32,
     scene: &mut [i32; N],
-) {
+) where
+    B: KnownTable<Basis<'static, Q>>,
+{
     let AzimuthPlace { start, length, .. } = const { B::BASIS.azimuth_at(M) };
     let terms = const { B::BASIS.parts.terms.split_at(B::BASIS.azimuth_at(M).terms).1 };
     let scene = part_mut(scene, start..);

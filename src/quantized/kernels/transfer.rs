@@ -5,14 +5,13 @@ use crate::format::{FixedPoint, Wide};
 use crate::index::{material, pair};
 use crate::invariant::{part, part_mut};
 use crate::places::KnownTable;
-use crate::quantized::transfer::{self, GUARD_BITS, ZERO_EXPONENT, guard, room, row_bits};
-use crate::quantized::{Basis, Material, TransferBuffer};
+use crate::quantized::transfer::{GUARD_BITS, ZERO_EXPONENT, guard, room, row_bits};
+use crate::quantized::{Basis, Material, TransferBuffer, transfer};
 
 /// The mantissas and exponents of a material, of exactly these lengths. `None` unless each exponent
 /// is at most that of any lower o of the same parity. Then no addend exceeds the scale that
 /// [`Degree::new`] derives from each o alone.
 #[inline(always)]
-#[must_use]
 pub fn inputs<'a, Q, const B: usize, const O: usize>(
     material: &Material<'a, Q>,
 ) -> Option<(&'a [Q; B], &'a [i8; O])> {
@@ -65,7 +64,6 @@ pub struct Degree<Q: 'static, const P: usize, const O: usize> {
 impl<Q: FixedPoint, const P: usize, const O: usize> Degree<Q, P, O> {
     /// Prepares the degree `l`.
     #[inline(never)]
-    #[must_use]
     pub fn new<T: KnownTable<Basis<'static, Q>>>(l: usize, of_orders: &[i8; O]) -> Option<Self> {
         let polar = T::BASIS.parts.polar.as_chunks::<P>().0.get(l)?;
         let exponents = T::BASIS.parts.polar_exponents.as_chunks::<P>().0.get(l)?;
@@ -85,7 +83,6 @@ impl<Q: FixedPoint, const P: usize, const O: usize> Degree<Q, P, O> {
 
     /// sum + b Ĉ of the order `L` for the pair (`R`, `S`).
     #[inline(always)]
-    #[must_use]
     pub fn add<const R: usize, const S: usize, const L: usize, const B: usize>(
         &self,
         sum: Q::Wide,
@@ -116,13 +113,9 @@ impl<Q: FixedPoint, const P: usize, const O: usize> Degree<Q, P, O> {
             return ZERO_EXPONENT;
         }
         if by < 0 {
-            for sum in sums.iter_mut() {
-                *sum = sum.round_shr(-by - 1);
-            }
+            sums.iter_mut().for_each(|sum| *sum = sum.round_shr(-by - 1));
         } else {
-            for sum in sums.iter_mut() {
-                *sum = sum.floor_shr(by);
-            }
+            sums.iter_mut().for_each(|sum| *sum = sum.floor_shr(by));
         }
         self.common - by
     }

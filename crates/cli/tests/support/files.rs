@@ -1,11 +1,11 @@
 //! Files that describe objects, images to read, and tables of objects.
 
-use super::{DEGREE, Folder, ORDER, lights, materials, noise, rows, scene};
+use super::{BASIS, DEGREE, Folder, ORDER, lights, materials, normals, numbers, rows, scene};
 use eigenshade_testing::fixtures;
+use eigenshade_testing::vectors::{cross, sum};
 use png::{BitDepth, ColorType, Encoder};
 use std::collections::HashMap;
 use std::f64::consts::{PI, TAU};
-use std::fmt::Write;
 use std::path::Path;
 use std::sync::OnceLock;
 
@@ -22,7 +22,7 @@ pub fn built(scene: &str, files: &[(&str, Vec<u8>)]) -> Folder {
         folder.write(name, bytes);
     }
     folder.write("scene.toml", scene);
-    folder.ok("basis --scene scene.toml --out b.bin");
+    folder.ok(BASIS);
     folder
 }
 
@@ -34,61 +34,46 @@ pub fn table(geometry: &str, files: &[(&str, Vec<u8>)]) -> Folder {
 /// The eigenvalues, without the empty one of the constant.
 pub fn eigenvalues(folder: &Folder) -> Vec<f64> {
     let text = folder.ok("eigenvalues --table b.bin");
-    let rows = rows(&text, "criterion,index,m,eigenvalue");
-    rows[1..].iter().map(|row| row[3].parse().expect("a number")).collect()
+    numbers(&rows(&text, "criterion,index,m,eigenvalue")[1..], 1)
 }
 
 /// An ellipsoid: corners, and triangles counterclockwise seen from outside.
 pub fn ellipsoid() -> (Vec<[f64; 3]>, Vec<[usize; 3]>) {
     let (rings, around) = (24, 48);
-    let mut corners = Vec::new();
-    for ring in 0..=rings {
+    let places = |rings: i32| (0..rings).flat_map(move |ring| (0..around).map(move |k| (ring, k)));
+    let corner = |(ring, k): (i32, i32)| {
         let (sine, cosine) = (PI * f64::from(ring) / f64::from(rings)).sin_cos();
-        for k in 0..around {
-            let (y, x) = (TAU * f64::from(k) / f64::from(around)).sin_cos();
-            corners.push([sine * x, 0.7 * sine * y, 1.3 * cosine]);
-        }
-    }
-    let mut triangles = Vec::new();
-    let at = |ring: i32, k: i32| (ring * around + k % around) as usize;
-    for ring in 0..rings {
-        for k in 0..around {
-            let (a, b) = (at(ring, k), at(ring, k + 1));
-            let (c, d) = (at(ring + 1, k), at(ring + 1, k + 1));
-            // Those at the poles have no area.
-            triangles.extend([[a, c, b], [b, c, d]]);
-        }
-    }
-    (corners, triangles)
+        let (y, x) = (TAU * f64::from(k) / f64::from(around)).sin_cos();
+        [sine * x, 0.7 * sine * y, 1.3 * cosine]
+    };
+    let facets = |(ring, k): (i32, i32)| {
+        let at = |ring: i32, k: i32| (ring * around + k % around) as usize;
+        let (a, b) = (at(ring, k), at(ring, k + 1));
+        let (c, d) = (at(ring + 1, k), at(ring + 1, k + 1));
+        // Those at the poles have no area.
+        [[a, c, b], [b, c, d]]
+    };
+    (places(rings + 1).map(corner).collect(), places(rings).flat_map(facets).collect())
 }
 
 pub fn obj() -> String {
     let (corners, triangles) = ellipsoid();
-    let mut text = String::new();
-    for [x, y, z] in corners {
-        writeln!(text, "v {x} {y} {z}").expect("text");
-    }
-    for [a, b, c] in triangles {
-        writeln!(text, "f {} {} {}", a + 1, b + 1, c + 1).expect("text");
-    }
-    text
+    let corners = corners.iter().map(|[x, y, z]| format!("v {x} {y} {z}\n"));
+    let faces = triangles.iter().map(|[a, b, c]| format!("f {} {} {}\n", a + 1, b + 1, c + 1));
+    corners.chain(faces).collect()
 }
 
 pub fn ply() -> String {
     let (corners, triangles) = ellipsoid();
-    let mut text = format!(
+    let header = format!(
         "ply\nformat ascii 1.0\nelement vertex {}\nproperty double x\nproperty double y\n\
          property double z\nelement face {}\nproperty list uchar int vertex_indices\nend_header\n",
         corners.len(),
         triangles.len()
     );
-    for [x, y, z] in corners {
-        writeln!(text, "{x} {y} {z}").expect("text");
-    }
-    for [a, b, c] in triangles {
-        writeln!(text, "3 {a} {b} {c}").expect("text");
-    }
-    text
+    let corners = corners.iter().map(|[x, y, z]| format!("{x} {y} {z}\n"));
+    let faces = triangles.iter().map(|[a, b, c]| format!("3 {a} {b} {c}\n"));
+    std::iter::once(header).chain(corners).chain(faces).collect()
 }
 
 pub fn stl() -> Vec<u8> {
@@ -112,34 +97,28 @@ const EDGE_ON: f64 = 1e-12;
 /// The facets of the ellipsoid, as a list of normals with weights.
 pub fn facets() -> String {
     let (corners, triangles) = ellipsoid();
-    let mut text = "x,y,z,weight\n".to_owned();
-    for [a, b, c] in triangles {
-        let [a, b, c] = [corners[a], corners[b], corners[c]];
-        let (u, v) = ([0, 1, 2].map(|k| b[k] - a[k]), [0, 1, 2].map(|k| c[k] - a[k]));
-        let cross = |i: usize, j: usize| u[i] * v[j] - u[j] * v[i];
-        let (x, y, z) = (cross(1, 2), cross(2, 0), cross(0, 1));
-        if z > EDGE_ON {
-            writeln!(text, "{x},{y},{z},{z}").expect("text");
-        }
-    }
-    text
+    let facet = |corners: [[f64; 3]; 3]| {
+        let [a, b, c] = corners;
+        let [x, y, z] = cross(sum(b, -1.0, a), sum(c, -1.0, a));
+        (z > EDGE_ON).then(|| format!("{x},{y},{z},{z}\n"))
+    };
+    let facets = triangles.iter().filter_map(|triangle| facet(triangle.map(|k| corners[k])));
+    format!("x,y,z,weight\n{}", facets.collect::<String>())
 }
 
 /// A disc of a sphere's normals, a pixel each.
-pub fn normal_map(bits: png::BitDepth) -> Vec<u8> {
+pub fn normal_map(bits: BitDepth) -> Vec<u8> {
     let size = 64;
-    let mut samples = Vec::new();
-    for row in 0..size {
-        for column in 0..size {
-            let at = |k: usize| (k as f64 + 0.5) / size as f64 * 2.0 - 1.0;
-            let (x, y) = (at(column), -at(row));
-            let square = 1.0 - x * x - y * y;
-            let alpha = if square > 0.0 { 1.0 } else { 0.0 };
-            let z = square.max(0.0).sqrt();
-            samples.extend([(x + 1.0) / 2.0, (y + 1.0) / 2.0, (z + 1.0) / 2.0, alpha]);
-        }
-    }
-    square_png(size, png::ColorType::Rgba, bits, &samples)
+    let at = |k: usize| (k as f64 + 0.5) / size as f64 * 2.0 - 1.0;
+    let pixel = |k: usize| {
+        let (x, y) = (at(k % size), -at(k / size));
+        let square = 1.0 - x * x - y * y;
+        let alpha = if square > 0.0 { 1.0 } else { 0.0 };
+        let z = square.max(0.0).sqrt();
+        [(x + 1.0) / 2.0, (y + 1.0) / 2.0, (z + 1.0) / 2.0, alpha]
+    };
+    let samples: Vec<f64> = (0..size * size).flat_map(pixel).collect();
+    square_png(size, ColorType::Rgba, bits, &samples)
 }
 
 pub fn square_png(size: usize, color: ColorType, bits: BitDepth, samples: &[f64]) -> Vec<u8> {
@@ -153,15 +132,13 @@ pub fn square_png(size: usize, color: ColorType, bits: BitDepth, samples: &[f64]
     png(size, size, bits, color, &data)
 }
 
-const HEADER: &str = "quantity,name,index,r,g,b";
-
 /// The numbers of an answer of `read`, by quantity and name.
 pub type Answer = HashMap<(String, String), Vec<[f64; 3]>>;
 
 /// The numbers of an answer of `read` by quantity and name, in the order of the index.
 pub fn answer(text: &str) -> Answer {
     let mut found = Answer::new();
-    for row in rows(text, HEADER) {
+    for row in rows(text, "quantity,name,index,r,g,b") {
         let rgb = [3, 4, 5].map(|field| row[field].parse::<f64>().expect("a number"));
         assert!(rgb.iter().all(|value| value.is_finite()), "{row:?}");
         let list = found.entry((row[0].clone(), row[1].clone())).or_default();
@@ -186,6 +163,11 @@ pub fn nearest(answer: &Answer) -> &str {
         quantity == "material-evidence" && list[0][0] == 0.0
     };
     &answer.iter().find(first).expect("a first material").0.1
+}
+
+/// A gray PNG of 8 bits.
+pub fn gray_png(width: usize, height: usize, bytes: &[u8]) -> Vec<u8> {
+    png(width, height, BitDepth::Eight, ColorType::Grayscale, bytes)
 }
 
 pub fn png(
@@ -223,24 +205,21 @@ pub fn claims(mut bytes: Vec<u8>, width: u32, height: u32) -> Vec<u8> {
     bytes
 }
 
+/// The third material of the small scene.
+pub fn third_material() -> String {
+    let all = materials(ORDER, 4);
+    let keep = |line: &&str| line.starts_with("name,") || line.starts_with("material-2,");
+    all.lines().filter(keep).map(|line| format!("{line}\n")).collect()
+}
+
 /// A folder with the small table of all components, 400 normals, and `image.csv`, the image of one
 /// colored light on the third material.
 pub fn with_image() -> Folder {
     static IMAGE: OnceLock<String> = OnceLock::new();
     let folder = Folder::with_table();
     folder.write("light.csv", lights(DEGREE, 1));
-    let all = materials(ORDER, 4);
-    let one: String = all
-        .lines()
-        .filter(|line| !line.starts_with("material-") || line.starts_with("material-2,"))
-        .map(|line| format!("{line}\n"))
-        .collect();
-    folder.write("material.csv", one);
-    let (mut text, mut noise) = ("x,y,z\n".to_owned(), noise(5));
-    for _ in 0..400 {
-        writeln!(text, "{},{},{}", noise(), noise(), noise().abs()).unwrap();
-    }
-    folder.write("normals.csv", text);
+    folder.write("material.csv", third_material());
+    folder.write("normals.csv", normals("", 5, 400));
     let pair = "--light light.csv --material material.csv --normals normals.csv";
     let image = || folder.ok(&format!("shade --table b.bin {pair} --format f64"));
     folder.write("image.csv", IMAGE.get_or_init(image));

@@ -19,9 +19,27 @@ use tempfile::TempDir;
 pub const DEGREE: usize = 4;
 pub const ORDER: usize = 3;
 
-/// The options and the header of `shade`.
+/// All lights and all materials.
 pub const PAIR: &str = "--light lights.csv --material materials.csv";
+
+/// Shades the small scene.
+pub const SHADE: &str =
+    "shade --table b.bin --light lights.csv --material materials.csv --normals normals.csv";
+
+/// The header of `shade`.
 pub const SHADED: &str = "light,material,normal,r,g,b";
+
+/// The header of `project`.
+pub const PROJECTED: &str = "light,material,component,r,g,b";
+
+/// Makes the table of the small scene.
+pub const BASIS: &str = "basis --scene scene.toml --out b.bin";
+
+/// The same under the name of another table.
+pub const NEW_BASIS: &str = "basis --scene scene.toml --out new.bin";
+
+/// The header of a file of sources, with its line end.
+pub const SOURCES: &str = "light,set,x,y,z,r,g,b,major_x,major_y,major_z,minor\n";
 
 /// A folder with `lights.csv`, `materials.csv`, `normals.csv` and `scene.toml`.
 pub struct Folder(TempDir);
@@ -31,7 +49,8 @@ impl Folder {
         let folder = Self(TempDir::new().expect("a folder"));
         folder.write("lights.csv", lights(DEGREE, 3));
         folder.write("materials.csv", materials(ORDER, 4));
-        folder.write("normals.csv", normals());
+        // With the pole and the rim.
+        folder.write("normals.csv", normals("0,0,1\n1,0,0\n0,-1,0\n", 13, 40));
         folder.write("scene.toml", scene("image-centered", 10_000, "[]"));
         folder
     }
@@ -49,8 +68,19 @@ impl Folder {
         fs::read_to_string(self.path(name)).expect("a text")
     }
 
-    /// Runs the program in this folder; arguments are split at blanks.
+    pub fn bytes(&self, name: &str) -> Vec<u8> {
+        fs::read(self.path(name)).expect("a file")
+    }
+
+    /// Replaces every occurrence of a text in a file.
+    pub fn replace(&self, name: &str, from: &str, to: &str) {
+        self.write(name, self.read(name).replace(from, to));
+    }
+
+    /// Runs the program in this folder; arguments are split at blanks. A test that fails shows the
+    /// last command.
     pub fn run(&self, arguments: &str) -> Output {
+        println!("{arguments}");
         let command = arguments.split_whitespace().next().unwrap_or_default();
         Command::new(crate::program(command))
             .current_dir(self.0.path())
@@ -59,20 +89,29 @@ impl Folder {
             .expect("the program runs")
     }
 
+    /// Runs a line of the shell in this folder.
+    pub fn shell(&self, script: &str) -> Output {
+        println!("{script}");
+        let shell = Command::new("sh").args(["-c", script]).current_dir(self.0.path()).output();
+        shell.expect("a shell")
+    }
+
+    /// The standard output and the standard error of a command that has to succeed.
+    pub fn both(&self, arguments: &str) -> (String, String) {
+        let output = self.run(arguments);
+        let errors = stderr(&output);
+        assert_eq!(output.status.code(), Some(0), "{arguments}: {errors}");
+        (String::from_utf8(output.stdout).expect("text"), errors)
+    }
+
     /// The standard output of a command that has to succeed.
     pub fn ok(&self, arguments: &str) -> String {
-        let output = self.run(arguments);
-        let errors = String::from_utf8_lossy(&output.stderr);
-        assert_eq!(output.status.code(), Some(0), "{arguments}: {errors}");
-        String::from_utf8(output.stdout).expect("text")
+        self.both(arguments).0
     }
 
     /// The standard error of a command that has to succeed.
     pub fn messages(&self, arguments: &str) -> String {
-        let output = self.run(arguments);
-        let messages = String::from_utf8_lossy(&output.stderr).into_owned();
-        assert_eq!(output.status.code(), Some(0), "{arguments}: {messages}");
-        messages
+        self.both(arguments).1
     }
 
     /// The same folder with the table of its scene as `b.bin`.
@@ -81,8 +120,8 @@ impl Folder {
         const NAMES: [&str; 2] = ["b.bin", "b.manifest.csv"];
         let made = || {
             let folder = Self::new();
-            folder.ok("basis --scene scene.toml --out b.bin");
-            NAMES.map(|name| fs::read(folder.path(name)).expect("a file"))
+            folder.ok(BASIS);
+            NAMES.map(|name| folder.bytes(name))
         };
         let folder = Self::new();
         for (name, bytes) in NAMES.iter().zip(FILES.get_or_init(made)) {
@@ -93,7 +132,7 @@ impl Folder {
 
     /// The table in this file.
     pub fn table(&self, name: &str) -> Table {
-        decode(&fs::read(self.path(name)).expect("a file")).expect("a table")
+        decode(&self.bytes(name)).expect("a table")
     }
 
     /// The irradiance that `shade` gives with the table `b.bin`.
@@ -103,9 +142,17 @@ impl Folder {
 
     /// The irradiance that `shade` gives with this table.
     pub fn shaded_by(&self, table: &str, options: &str) -> Vec<f64> {
-        let text =
-            self.ok(&format!("shade --table {table} {PAIR} --normals normals.csv {options}"));
-        numbers(&rows(&text, SHADED), 3)
+        self.irradiance(&format!("--table {table} {PAIR} --normals normals.csv {options}"))
+    }
+
+    /// The irradiance that `shade` gives with these options.
+    pub fn irradiance(&self, options: &str) -> Vec<f64> {
+        numbers(&rows(&self.ok(&format!("shade {options}")), SHADED), 3)
+    }
+
+    /// The coefficients that `project` gives with these options.
+    pub fn projected(&self, options: &str) -> Vec<f64> {
+        numbers(&rows(&self.ok(&format!("project {options}")), PROJECTED), 3)
     }
 
     /// Names of all files, sorted.
@@ -122,16 +169,55 @@ impl Folder {
 /// new file.
 pub fn assert_fails(folder: &Folder, arguments: &str, fragments: &[&str]) {
     let before = folder.names();
-    let output = folder.run(arguments);
-    let line = String::from_utf8_lossy(&output.stderr);
-    assert_eq!(output.status.code(), Some(1), "{arguments}: {line}");
-    assert!(line.starts_with("error: ") && line.lines().count() == 1, "{arguments}: {line}");
+    let line = error_line(&folder.run(arguments));
     assert!(line.contains("; "), "no remedy: {line}");
     assert!(!line.contains(".eigenshade-"), "a temporary name: {line}");
-    for fragment in fragments {
-        assert!(line.contains(fragment), "{arguments}: no `{fragment}` in {line}");
-    }
+    assert_contains(&line, fragments);
     assert_eq!(folder.names(), before, "{arguments}");
+}
+
+/// Asserts exit status 1, and that the standard error, which is returned, is one line that begins
+/// with `error: `.
+pub fn error_line(output: &Output) -> String {
+    let line = stderr(output);
+    assert_eq!(output.status.code(), Some(1), "{line}");
+    assert!(line.starts_with("error: ") && line.lines().count() == 1, "{line}");
+    line
+}
+
+pub fn assert_contains(text: &str, fragments: &[&str]) {
+    for fragment in fragments {
+        assert!(text.contains(fragment), "no `{fragment}` in {text}");
+    }
+}
+
+/// Asserts that each command is a usage error, and makes no new file.
+pub fn assert_usage_errors(folder: &Folder, commands: &[&str]) {
+    let before = folder.names();
+    for command in commands {
+        assert_eq!(folder.run(command).status.code(), Some(2), "{command}");
+        assert_eq!(folder.names(), before, "{command}");
+    }
+}
+
+pub fn stderr(output: &Output) -> String {
+    String::from_utf8_lossy(&output.stderr).into_owned()
+}
+
+/// The text of a file of the repository.
+pub fn repository_text(name: &str) -> String {
+    fs::read_to_string(repository().join(name)).expect("a text")
+}
+
+/// The path of a file of the folder `tables`.
+pub fn shipped_path(name: &str) -> String {
+    repository().join("tables").join(name).display().to_string()
+}
+
+/// The scene file `tables/NAME.toml` with paths that hold in any folder.
+pub fn shipped_scene(name: &str) -> String {
+    let text = repository_text(&format!("tables/{name}.toml"));
+    text.replace("\"inputs/", &format!("\"{}/", shipped_path("inputs")))
 }
 
 /// The fields of a CSV below its header; all rows are as long as it.
@@ -201,14 +287,11 @@ pub fn of_equal_areas(count: usize) -> String {
     "x,y,z\n".to_owned() + &normals.map(|[x, y, z]| format!("{x},{y},{z}\n")).collect::<String>()
 }
 
-/// Normals, with the pole and the rim.
-fn normals() -> String {
-    let mut text = "x,y,z\n0,0,1\n1,0,0\n0,-1,0\n".to_owned();
-    let mut noise = noise(13);
-    for _ in 0..40 {
-        writeln!(text, "{},{},{}", noise(), noise(), noise().abs()).expect("text");
-    }
-    text
+/// The CSV of normals: these rows, and random ones.
+pub fn normals(rows: &str, seed: u64, count: usize) -> String {
+    let mut noise = noise(seed);
+    let random = (0..count).map(|_| format!("{},{},{}\n", noise(), noise(), noise().abs()));
+    format!("x,y,z\n{rows}{}", random.collect::<String>())
 }
 
 pub fn scene(criterion: &str, components: usize, names: &str) -> String {

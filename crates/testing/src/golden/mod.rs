@@ -6,7 +6,8 @@
 pub mod record;
 
 use self::record::{Golden, Row};
-use crate::fixtures::Projector;
+use crate::fixtures::{Projector, captured, measured};
+use crate::images::single;
 use eigenshade::quantized::{Basis, Light, Material, Normal, Transfer};
 use eigenshade::{Error, FixedPoint, Q15, Q31, sphere};
 use eigenshade_shading::integer_shader::Integer;
@@ -56,21 +57,12 @@ fn mantissas_of_normals<Q: FixedPoint>() -> Vec<i32> {
 }
 
 /// The coefficients of a pair's light and material.
-struct Input {
-    light: Vec<f32>,
-    material: Vec<f32>,
-}
-
-fn input([light, material, _]: [&str; 3], channel: usize) -> Input {
-    let single = |values: &[f64]| values.iter().map(|&value| value as f32).collect();
-    let lights = shipped::lights().expect("the shipped lights").truncated(DEGREE);
-    let materials = shipped::materials().expect("the shipped materials").truncated(ORDER);
-    let of_light = lights.entries.iter().find(|entry| entry.name == light);
-    let of_material = materials.entries.iter().find(|entry| entry.name == material);
-    Input {
-        light: single(&of_light.expect("a shipped light").rgb[channel]),
-        material: single(&of_material.expect("a shipped material").rgb[channel]),
-    }
+fn input([light, material, _]: [&str; 3], channel: usize) -> [Vec<f32>; 2] {
+    let lights = captured(DEGREE).entries;
+    [(lights, light), (measured(ORDER).entries, material)].map(|(entries, name)| {
+        let entry = entries.into_iter().find(|entry| entry.name == name).expect("a shipped name");
+        single(entry.rgb[channel].clone())
+    })
 }
 
 /// d with its exponent, and the irradiances with their exponent.
@@ -127,12 +119,12 @@ fn integer_rows<Q: Integer<Wide: Into<i64>>>(
         .collect();
     let mut answers = Vec::new();
     for (pair, channel) in PAIRS {
-        let input = input(pair, channel);
-        let mut of_light = vec![Q::default(); input.light.len()];
-        let light = Light::quantize(&input.light, &mut of_light).expect("a light");
-        let mut of_material = vec![Q::default(); input.material.len()];
+        let [light, material] = input(pair, channel);
+        let mut of_light = vec![Q::default(); light.len()];
+        let light = Light::quantize(&light, &mut of_light).expect("a light");
+        let mut of_material = vec![Q::default(); material.len()];
         let mut exponents = [0; ORDER + 1];
-        let material = Material::quantize(&input.material, &mut of_material, &mut exponents);
+        let material = Material::quantize(&material, &mut of_material, &mut exponents);
         let material = material.expect("a material");
         let answer = answer(basis, &light, &material, &normals).expect("they fit the basis");
         let exponent_of_light = light.exponent();
@@ -154,26 +146,27 @@ fn integer_rows<Q: Integer<Wide: Into<i64>>>(
 }
 
 fn float_rows(rows: &mut Vec<Row>) {
-    let rounded = |numbers: &[f64]| numbers.iter().map(|&value| value as f32).collect::<Vec<_>>();
     let wide = |numbers: &[f32]| numbers.iter().map(|&value| value.into()).collect::<Vec<f64>>();
     let table = eigenshade_table::decode(shipped::TABLE).expect("the shipped table");
     let projector = Projector::new(&table);
-    let normals = rounded(normals().as_flattened());
+    let normals = single(normals().into_flattened());
     rows.push(Row::new("f32", [""; 3], "normals", &[], &normals));
     let components = wide(&normals);
     let (normals, _) = components.as_chunks::<3>();
     for (pair, channel) in PAIRS {
-        let input = input(pair, channel);
-        let d = projector.project(&wide(&input.light), &wide(&input.material));
-        let irradiances = projector.shade(&d, normals);
-        let row = |array: &str, numbers: &[f32]| Row::new("f32", pair, array, &[], numbers);
-        rows.push(row("light", &input.light));
-        rows.push(row("material", &input.material));
-        rows.push(row("d", &rounded(&d)));
-        rows.push(row("irradiance", &rounded(&irradiances)));
+        let [light, material] = input(pair, channel);
+        let d = projector.project(&wide(&light), &wide(&material));
+        let irradiances = single(projector.shade(&d, normals));
+        for (array, numbers) in [
+            ("light", light),
+            ("material", material),
+            ("d", single(d)),
+            ("irradiance", irradiances),
+        ] {
+            rows.push(Row::new("f32", pair, array, &[], &numbers));
+        }
     }
-    let tolerance = [GOLDEN_F32];
-    rows.push(Row::new("f32", [""; 3], "tolerance", &[], &tolerance));
+    rows.push(Row::new("f32", [""; 3], "tolerance", &[], &[GOLDEN_F32]));
 }
 
 /// All rows of the golden file.

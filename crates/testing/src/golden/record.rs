@@ -6,7 +6,7 @@
 //!
 //! Depends only on the standard library, because build scripts of other workspaces include it.
 
-use std::fmt::{Display, Write};
+use std::fmt::Display;
 
 const HEADER: &str = "format,light,material,channel,array,exponents,numbers";
 
@@ -104,17 +104,13 @@ impl Golden {
 
     /// The text of the file, which starts with the lines `head` as comments.
     pub fn text(&self, head: &[&str]) -> String {
-        let mut text = String::new();
-        for line in head {
-            writeln!(text, "# {line}").expect("a string takes everything");
-        }
-        writeln!(text, "{HEADER}").expect("a string takes everything");
-        for row in &self.rows {
-            let exponents: Vec<String> = row.exponents.iter().map(ToString::to_string).collect();
-            let pair = row.pair.join(",");
-            let (exponents, numbers) = (exponents.join(" "), row.numbers.join(" "));
-            writeln!(text, "{},{pair},{},{exponents},{numbers}", row.format, row.array)
-                .expect("a string takes everything");
+        let mut text: String = head.iter().map(|line| format!("# {line}\n")).collect();
+        text += &format!("{HEADER}\n");
+        for Row { format, pair, array, exponents, numbers } in &self.rows {
+            let exponents: Vec<String> = exponents.iter().map(ToString::to_string).collect();
+            let (pair, exponents, numbers) =
+                (pair.join(","), exponents.join(" "), numbers.join(" "));
+            text += &format!("{format},{pair},{array},{exponents},{numbers}\n");
         }
         text
     }

@@ -1,7 +1,7 @@
 //! The charts.
 
 use super::percent;
-use super::total::{matcap_pixel, of_kind, prefiltered_pixel};
+use super::tables::{of_kind, rival_pixel};
 use crate::accuracy_cost::errors;
 use crate::accuracy_cost::machines::{
     Lighting, MACHINES, Machine, PIXELS, is_choice, pareto, picture,
@@ -17,7 +17,6 @@ use eigenshade_model::error::Result;
 use plotters::prelude::SeriesLabelPosition;
 use std::ops::RangeInclusive;
 
-/// All charts.
 pub fn all(measured: &Measured) -> Result<Vec<OutputFile>> {
     let mut charts: Vec<(String, Chart)> = MACHINES
         .iter()
@@ -34,12 +33,10 @@ pub fn all(measured: &Measured) -> Result<Vec<OutputFile>> {
             charts.push((name, growth_chart(of_kind)));
         }
     }
-    let drawn =
-        |(name, chart): (String, Chart)| Ok(FIGURES.chart(&format!("{name}.svg"), &chart.svg()?));
-    charts.into_iter().map(drawn).collect()
+    let drawn = charts.into_iter();
+    drawn.map(|(name, chart)| Ok(FIGURES.chart(&format!("{name}.svg"), &chart.svg()?))).collect()
 }
 
-/// A chart with logarithmic axes.
 fn chart(
     titles: [String; 2],
     legend: SeriesLabelPosition,
@@ -66,14 +63,13 @@ fn chart_of_machine(rows: &[Record], machine: &Machine) -> Chart {
     let all: Vec<(f64, f64)> = choices().filter_map(point).collect();
     let mut series = Vec::new();
     for (name, way) in WAYS {
-        let of = |row: &&Record| row.text("way").starts_with(way);
-        let points: Points = choices().filter(of).filter_map(point).collect();
-        if !points.is_empty() {
-            series.push((name.into(), Style::Dots, points));
-        }
+        let of_way = choices().filter(|row| row.text("way").starts_with(way));
+        series.push((name.into(), Style::Dots, of_way.filter_map(point).collect::<Points>()));
     }
+    series.retain(|(_, _, points)| !points.is_empty());
     let front = pareto(&all);
-    let labels = front.first().into_iter().chain(front.last()).map(labelled).collect();
+    let ends = front.first().into_iter().chain(front.last());
+    let labels = ends.map(|&point| (point, percent(point.1))).collect();
     series.push(("Pareto front".into(), Style::Line, staircase(&front)));
     let horizontal = format!("{}: a pixel, in {}", machine.title, machine.unit());
     let titles = [horizontal, "total rms error of the peak, 95 of 100".into()];
@@ -86,8 +82,8 @@ fn degrees(measured: &Measured) -> Chart {
     let cheapest_of = |size| {
         let error = errors::spread(&measured.model, size).median;
         let able = errors::of_size(&measured.settings, size).filter(|row| {
-            row.text("parameter") != "mathematics"
-                && row.number("rms_median").is_some_and(|method| method <= error / 3.0)
+            let method = row.number("rms_median");
+            is_choice(row) && method.is_some_and(|method| method <= error / 3.0)
         });
         let costs = able.filter_map(|row| picture(row, &MACHINES[0], Lighting::Still));
         costs.min_by(f64::total_cmp).map(|cost| (cost / PIXELS, error))
@@ -127,9 +123,8 @@ const LAMPS: [(&str, RangeInclusive<usize>); 4] = [
     ("8 or 16 sources", 8..=16),
 ];
 
-/// The ways to a pixel that the chart of total errors joins.
+/// The ways to a pixel that the chart of total errors joins: polynomials, and maps.
 const POLYNOMIALS: &[&str] = &["polynomial", "within"];
-/// See [`POLYNOMIALS`].
 const MAPS: &[&str] = &["bilinear"];
 
 /// Total errors of glTF materials against the instructions of a pixel on a Cortex-M4F.
@@ -139,11 +134,10 @@ fn total_chart(measured: &Measured) -> Chart {
     };
     let point = |row: &Record| Some((row.number("m4f_pixel")?, error(row.text("setting"))?));
     let choices = || measured.settings.iter().filter(|row| is_choice(row));
-    let rival = |pixel: Option<f64>, name| pixel.zip(error(name)).into_iter().collect::<Points>();
+    let rival = |name| rival_pixel(name).zip(error(name)).into_iter().collect::<Points>();
     let is_nine = |row: &&Record| row.text("way") == "nine-terms" && row.text("sources") == "0";
     let nine: Points = choices().filter(is_nine).filter_map(point).collect();
-    let matcap = rival(matcap_pixel(), MATCAP);
-    let prefiltered = rival(prefiltered_pixel(), PREFILTERED);
+    let [matcap, prefiltered] = [MATCAP, PREFILTERED].map(rival);
     let all: Vec<((f64, f64), &Record)> =
         choices().filter_map(|row| Some((point(row)?, row))).collect();
     // The best of each number of sources, by polynomials and by maps.
@@ -168,14 +162,10 @@ fn total_chart(measured: &Measured) -> Chart {
         let sources = if sources == "0" { String::new() } else { format!(" + {sources}") };
         Some((*point, format!("{degree}/{order}{sources}: {}", percent(point.1))))
     };
-    let rivals = [
-        ("nine terms", nine.first()),
-        ("split sum", prefiltered.first()),
-        ("32 x 32 matcap", matcap.first()),
-    ];
-    let rivals = rivals
-        .into_iter()
-        .filter_map(|(name, point)| point.map(|p| (*p, format!("{name}: {}", percent(p.1)))));
+    let rivals = [("nine terms", &nine), ("split sum", &prefiltered), ("32 x 32 matcap", &matcap)];
+    let rivals = rivals.into_iter().filter_map(|(name, points)| {
+        points.first().map(|point| (*point, format!("{name}: {}", percent(point.1))))
+    });
     let labels = maps.iter().chain(polynomials.first()).filter_map(named).chain(rivals).collect();
     series.extend([
         ("polynomials".into(), Style::Dashed, staircase(&polynomials)),
@@ -186,11 +176,6 @@ fn total_chart(measured: &Measured) -> Chart {
     let titles =
         ["Cortex-M4F: a pixel, in instructions".into(), "total rms error, 95 of 100 glTF".into()];
     Chart { labels, ..chart(titles, SeriesLabelPosition::UpperRight, series) }
-}
-
-/// A point with its error.
-fn labelled(&(cost, error): &(f64, f64)) -> ((f64, f64), String) {
-    ((cost, error), percent(error))
 }
 
 /// A front is a staircase: a higher cost need not bring any gain.

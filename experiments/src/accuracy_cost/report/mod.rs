@@ -1,10 +1,7 @@
 //! The charts, and the tables of the page.
 
 mod charts;
-
 mod tables;
-
-mod total;
 
 use super::Measured;
 use super::machines::MACHINES;
@@ -17,7 +14,6 @@ use eigenshade_model::error::{Error, Result};
 use std::fs;
 use std::path::Path;
 
-/// The file name of the page.
 pub const PAGE: &str = "accuracy-cost.md";
 /// The page into which tables are inserted where a folder has none.
 const TEMPLATE: &str = include_str!("../../../../docs/accuracy-cost/accuracy-cost.md");
@@ -41,15 +37,14 @@ pub fn files(measured: &Measured, folder: &Path) -> Result<Vec<OutputFile>> {
     Ok(files)
 }
 
-/// The tables of the page, by the names of their markers.
 fn tables(measured: &Measured) -> Vec<Part> {
     let mut parts: Vec<Part> = MACHINES
         .iter()
         .map(|machine| (machine.key, tables::of_machine(&measured.settings, machine)))
         .collect();
     parts.push(choice(measured));
-    parts.push(("total", total::table(measured)));
-    parts.push(("rivals", total::rivals(measured)));
+    parts.push(("total", tables::total(measured)));
+    parts.push(("rivals", tables::rivals(measured)));
     parts.push(("model", tables::model(&measured.model)));
     parts.push(("mathematics", tables::mathematics(&measured.settings)));
     parts.push(("growth", tables::growth(&measured.growth)));
@@ -88,7 +83,6 @@ fn instructions(value: f64) -> String {
     if value < 1000.0 { grouped(value as usize) } else { cost(value) }
 }
 
-/// A difference of colors.
 fn difference(value: f64) -> String {
     format!("{value:.1}")
 }

@@ -3,11 +3,13 @@
 use super::{MISSING, cost, difference, instructions, percent};
 use crate::accuracy_cost::errors::{self, Spread};
 use crate::accuracy_cost::machines::{LIMITS, Lighting, MACHINES, Machine, cheapest, picture};
-use crate::accuracy_cost::settings;
 use crate::accuracy_cost::times::{Curve, curves};
+use crate::accuracy_cost::total::subjects::ALL;
+use crate::accuracy_cost::total::{MATCAP, PREFILTERED};
+use crate::accuracy_cost::{Measured, settings};
 use crate::numbers::limit;
 use crate::pages::table;
-use crate::sheet::Record;
+use crate::sheet::{Counts, M4F, Record};
 use eigenshade_cli::messages::grouped;
 
 /// The boards of the short table.
@@ -49,7 +51,6 @@ fn described(row: &Record) -> String {
     format!("{degree}/{order}, {read}{sources}, {format}")
 }
 
-/// The cheapest settings of a machine.
 pub fn of_machine(rows: &[Record], machine: &Machine) -> String {
     let mut columns = format!(
         "light | total error below | setting | terms: | median: | 95 of 100: | worst pixel: | \
@@ -95,7 +96,6 @@ pub fn of_machine(rows: &[Record], machine: &Machine) -> String {
     table(&columns, lines)
 }
 
-/// The errors of the model.
 pub fn model(rows: &[Record]) -> String {
     let surfaces = rows.len() / settings::sizes().count();
     let names = errors::of_size(rows, (1, 0)).map(|row| format!(" | {}:", row.text("surface")));
@@ -112,7 +112,6 @@ pub fn model(rows: &[Record]) -> String {
     table(&columns, settings::sizes().map(row))
 }
 
-/// Ways to scale normals.
 pub fn mathematics(rows: &[Record]) -> String {
     let reference = "9/7 K50 polynomial f32";
     let row = |row: &Record| {
@@ -129,7 +128,6 @@ pub fn mathematics(rows: &[Record]) -> String {
     table(columns, rows.iter().filter(is_shown).map(row))
 }
 
-/// How everything grows.
 pub fn growth(rows: &[Record]) -> String {
     let row = |curve: Curve| {
         let size = |place: Option<&(f64, f64)>| place.map_or(0, |point| point.0.round() as usize);
@@ -146,4 +144,100 @@ pub fn growth(rows: &[Record]) -> String {
     };
     let columns = "what | against | sizes | fitted: | theory:";
     table(columns, curves(rows).into_iter().map(row))
+}
+
+/// The ways to a picture whose total errors the page shows for all kinds of materials.
+const SHOWN: [&str; 17] = [
+    "2/0 all nine-terms f32",
+    "2/2 all polynomial f32",
+    "4/3 all polynomial f32",
+    "6/5 all polynomial f32",
+    "9/7 all polynomial f32",
+    "9/7 all polynomial f32 sources1",
+    "9/7 all polynomial f32 sources2",
+    "9/7 all polynomial f32 sources4",
+    "9/7 all polynomial f32 sources8",
+    "12/12 K400 polynomial f32",
+    "12/12 K400 polynomial f32 sources4",
+    "12/12 K400 polynomial f32 sources8",
+    "16/16 K400 polynomial f32",
+    "sphere.bin f32",
+    "sphere.bin q15",
+    "color.bin f32",
+    "pbr.bin f32",
+];
+
+/// The row of total errors of a way to a picture, for a kind of materials.
+pub fn of_kind<'a>(rows: &'a [Record], setting: &str, kind: &str) -> Option<&'a Record> {
+    rows.iter().find(|row| (row.text("setting"), row.text("kind")) == (setting, kind))
+}
+
+pub fn total(measured: &Measured) -> String {
+    let columns = "setting | glTF, median: | 95 of 100: | matte: | 95 of 100: | measured: | \
+                   95 of 100: | all: | 95 of 100: | worst pixel: | 95 of 100: | color: | \
+                   95 of 100:";
+    let row = |setting: &str| {
+        let rms = ["gltf", "matte", "measured", ALL].map(|kind| (kind, "rms"));
+        let all = rms.into_iter().chain([(ALL, "pixel"), (ALL, "difference")]);
+        fields(measured, setting, all)
+    };
+    table(columns, SHOWN.map(row))
+}
+
+/// The setting, then the median and the 95th percentile of each error of a kind of materials.
+fn fields<'a>(
+    measured: &Measured,
+    setting: &str,
+    errors: impl IntoIterator<Item = (&'a str, &'a str)>,
+) -> Vec<String> {
+    let mut fields = vec![format!("`{setting}`")];
+    for (kind, error) in errors {
+        let row = of_kind(&measured.total, setting, kind);
+        let format = if error == "difference" { difference } else { percent };
+        for column in ["median", "most"] {
+            let number = row.and_then(|row| row.number(&format!("{error}_{column}")));
+            fields.push(number.map_or(MISSING.into(), format));
+        }
+    }
+    fields
+}
+
+/// The instructions of a pixel of a rival on a Cortex-M4F. A baked map that is looked up by points
+/// is the same look-up as a matcap: its points are the matcap's normals.
+pub fn rival_pixel(rival: &str) -> Option<f64> {
+    let operation = if rival == MATCAP { "baked_point" } else { "prefiltered" };
+    Counts::recorded().get(M4F, operation, "instructions").map(|count| count as f64)
+}
+
+/// The settings that the page compares with their rivals.
+const COMPARED: [&str; 11] = [
+    "2/0 all nine-terms f32",
+    MATCAP,
+    PREFILTERED,
+    "9/7 K9 trim1e-1 polynomial f32",
+    "9/7 K25 trim3e-2 polynomial f32",
+    "9/7 K130 trim2e-4 polynomial f32",
+    "9/7 K130 trim2e-4 polynomial f32 sources4",
+    "9/7 all bilinear32 f32",
+    "9/7 all bilinear32 f32 sources4",
+    "12/12 K400 bilinear32 f32",
+    "12/12 K400 bilinear32 f32 sources8",
+];
+
+/// The ways to draw glTF materials, with their costs.
+pub fn rivals(measured: &Measured) -> String {
+    let columns = "way | rms, median: | 95 of 100: | worst pixel: | 95 of 100: | color: | \
+                   95 of 100: | a pixel, instructions:";
+    let row = |setting: &str| {
+        let errors = ["rms", "pixel", "difference"].map(|error| ("gltf", error));
+        let mut fields = fields(measured, setting, errors);
+        let is_it = |row: &&Record| row.text("setting") == setting;
+        let pixel = match setting {
+            MATCAP | PREFILTERED => rival_pixel(setting),
+            _ => measured.settings.iter().find(is_it).and_then(|row| row.number("m4f_pixel")),
+        };
+        fields.push(pixel.map_or(MISSING.into(), instructions));
+        fields
+    };
+    table(columns, COMPARED.map(row))
 }

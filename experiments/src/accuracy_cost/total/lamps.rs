@@ -50,7 +50,6 @@ impl Rest {
 }
 
 impl Lamps {
-    /// The sources of a setting.
     pub fn new(
         setting: &Setting,
         lights: &[Named],

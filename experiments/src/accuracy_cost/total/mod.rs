@@ -2,11 +2,8 @@
 //! contains the errors of the table, of its degree and order, and of the number format.
 
 pub mod lamps;
-
 pub mod references;
-
 pub mod rivals;
-
 pub mod subjects;
 
 use super::errors::Spread;
@@ -24,6 +21,7 @@ use indicatif::ProgressBar;
 use lamps::Lamps;
 use references::{PictureError, ReferencePicture, World};
 use rivals::Prefiltered;
+use std::collections::BTreeSet;
 use std::path::Path;
 use subjects::{GROUPS, Group, Kind, Subject, coefficients};
 
@@ -33,9 +31,6 @@ pub const HIGHEST: usize = 16;
 pub const MATCAP: &str = "matcap32 f32";
 /// The rival that engines draw with.
 pub const PREFILTERED: &str = "prefiltered f32";
-
-/// `tables/pbr.bin`.
-const PBR: &[u8] = include_bytes!("../../../../tables/pbr.bin");
 
 /// The errors of one way to a picture, by material and then by map.
 pub type Errors = Vec<Vec<PictureError>>;
@@ -48,7 +43,6 @@ pub struct Study {
     references: Vec<Vec<ReferencePicture>>,
     /// By order.
     materials: Vec<Materials>,
-    /// The sources of the maps.
     sources: Vec<SourceSets>,
 }
 
@@ -65,18 +59,13 @@ impl Study {
         let world = World::new(folder, &shipped::lights()?, spacing)?;
         progress.set_length(subjects.len() as u64);
         let reference = |subject: &Subject| {
-            let pictures = world.pictures(&subject.surface, &world.sphere.normals);
+            let pictures = world.pictures(&subject.surface, &world.sphere.normals).into_iter();
             progress.inc(1);
-            pictures
-                .into_iter()
-                .map(|picture| ReferencePicture::new(picture, &world.sphere))
-                .collect()
+            pictures.map(|picture| ReferencePicture::new(picture, &world.sphere)).collect()
         };
         let references = subjects.iter().map(reference).collect();
-        let mut orders = orders.to_vec();
-        orders.retain(|&order| order <= HIGHEST);
-        orders.sort_unstable();
-        orders.dedup();
+        let orders = orders.iter().copied().filter(|&order| order <= HIGHEST);
+        let orders = Vec::from_iter(BTreeSet::from_iter(orders));
         let materials = coefficients(&subjects, &orders);
         Ok(Self { world, subjects, references, materials, sources: shipped::sources()? })
     }
@@ -96,8 +85,8 @@ impl Study {
             let gloss = self.subjects[material].gloss.filter(|_| setting.sources > 0);
             let light = gloss.map_or(&lights[map].rgb, |_| lamps.rest(map));
             let channel = |c: usize| {
-                let material = &materials.entries[material].rgb[c];
-                numbers.image(&Pair { light: light[c].clone(), material: material.clone() })
+                let material = materials.entries[material].rgb[c].clone();
+                numbers.image(&Pair { light: light[c].clone(), material })
             };
             let rest = [channel(0)?, channel(1)?, channel(2)?];
             let picture = match gloss {
@@ -117,7 +106,7 @@ impl Study {
             ("sphere.bin", shipped::TABLE, (DEGREE, ORDER), Format::F32),
             ("sphere.bin", shipped::TABLE, (DEGREE, ORDER), Format::Q15),
             ("color.bin", shipped::COLOR, (DEGREE, ORDER), Format::F32),
-            ("pbr.bin", PBR, (12, 12), Format::F32),
+            ("pbr.bin", shipped::PBR, (12, 12), Format::F32),
         ] {
             let table = decode(bytes).map_err(|error| {
                 Error::new(error.to_string(), "report it").in_file(format!("tables/{name}"))
@@ -142,12 +131,12 @@ impl Study {
             |kind| [Kind::Metal, Kind::Dielectric].contains(&kind),
             |subject| {
                 let Some(gltf) = subject.gltf else { return Ok(Vec::new()) };
-                let is_it = |one: &Prefiltered| one.roughness() == gltf.roughness;
-                if !filtered.iter().any(is_it) {
+                let place = filtered.iter().position(|one| one.roughness == gltf.roughness);
+                let place = place.unwrap_or(filtered.len());
+                if place == filtered.len() {
                     filtered.push(Prefiltered::new(gltf.roughness, &self.world)?);
                 }
-                let filtered = filtered.iter().find(|one| is_it(one));
-                filtered.map_or(Ok(Vec::new()), |one| one.pictures(gltf, &self.world))
+                filtered[place].pictures(gltf, &self.world)
             },
         )?;
         rows.extend(self.rows(PREFILTERED, 0, &prefiltered));

@@ -12,6 +12,7 @@ use eigenshade_generator::light::projection::named_maps;
 use eigenshade_generator::material::brdf::Surface;
 use eigenshade_model::database::Lights;
 use eigenshade_model::error::Result;
+use eigenshade_testing::largest;
 use palette::color_difference::Ciede2000;
 use palette::{IntoColor, Lab, Srgb};
 use std::path::Path;
@@ -58,17 +59,13 @@ impl World {
     }
 }
 
-/// A picture by direct integration.
 pub struct ReferencePicture {
     picture: Picture,
     peak: f64,
-    /// As metered.
     exposure: Exposure,
-    /// As shown.
     shown: Vec<Lab>,
 }
 
-/// The error of a picture.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PictureError {
     /// The root mean square over the sphere's picture and the channels, relative to the peak.
@@ -80,7 +77,6 @@ pub struct PictureError {
 }
 
 impl ReferencePicture {
-    /// Of a picture at the normals of a sphere.
     pub fn new(picture: Picture, sphere: &Sphere) -> Self {
         let mut meter = Meter::default();
         for (k, weight) in sphere.weights.iter().enumerate() {
@@ -93,13 +89,8 @@ impl ReferencePicture {
 
     /// The error of a picture at the same normals. It is shown with the exposure of this one.
     pub fn error(&self, found: &Picture, sphere: &Sphere) -> PictureError {
-        let mut pixel = 0.0f64;
-        for (found, expected) in found.iter().flatten().zip(self.picture.iter().flatten()) {
-            let apart = (found - expected).abs();
-            if apart.is_nan() || apart > pixel {
-                pixel = apart;
-            }
-        }
+        let pixels = found.iter().flatten().zip(self.picture.iter().flatten());
+        let pixel = largest(pixels.map(|(found, expected)| found - expected));
         let shown = shown(found, self.exposure);
         let pairs = shown.into_iter().zip(&self.shown).zip(&sphere.weights);
         let differences = pairs.map(|((a, b), weight)| weight * f64::from(a.difference(*b)));

@@ -48,7 +48,7 @@ pub fn matcap(surface: &Surface, world: &World) -> Vec<Picture> {
 /// Maps that are prefiltered for one roughness: B. Karis, "Real Shading in Unreal Engine 4",
 /// SIGGRAPH 2013 courses. The normal and the view are taken to be the mirror direction.
 pub struct Prefiltered {
-    roughness: f64,
+    pub roughness: f64,
     /// The prefiltered radiance in the mirror direction of each normal, by map.
     radiance: Vec<Picture>,
     /// White light from everywhere.
@@ -56,18 +56,12 @@ pub struct Prefiltered {
 }
 
 impl Prefiltered {
-    /// Prefilters the maps for a roughness.
     pub fn new(roughness: f64, world: &World) -> Result<Self> {
         let directions: Vec<[f64; 3]> = world.sphere.normals.iter().map(mirror).collect();
         let EnvironmentMap { width, height, .. } = world.maps[0];
         let white = EnvironmentMap::new(width, height, vec![[1.0; 3]; width * height])?;
         let white = LightTree::new(&[white])?;
         Ok(Self { roughness, radiance: prefilter(&world.maps, &directions, roughness), white })
-    }
-
-    /// The roughness.
-    pub fn roughness(&self) -> f64 {
-        self.roughness
     }
 
     /// The pictures of a material with this roughness, by map.

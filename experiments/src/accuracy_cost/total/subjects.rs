@@ -1,25 +1,21 @@
 //! The materials of the total error: no table is made of any of them.
 
-use crate::accuracy_cost::scope::{published, windowed};
-use eigenshade_generator::material::brdf::{Ggx, Measure, OrenNayar, Surface};
-use eigenshade_model::database::{Materials, Named};
+use crate::accuracy_cost::scope::{projected_orders, published, windowed};
+use eigenshade_generator::material::brdf::{Ggx, OrenNayar, Surface};
+use eigenshade_model::database::Materials;
 use eigenshade_model::error::Result;
 use eigenshade_model::source::Gloss;
-use eigenshade_shading::highlights;
-use eigenshade_shading::{parallel, shipped};
+use eigenshade_shading::{highlights, shipped};
 
 /// Roughnesses of GGX, between those of `tables/inputs/pbr-materials.toml`.
 const ROUGHNESSES: [f64; 9] = [0.22, 0.28, 0.35, 0.45, 0.55, 0.65, 0.75, 0.85, 0.95];
 /// σ of Oren and Nayar, between those of the same file.
 const DEVIATIONS: [f64; 3] = [0.1, 0.27, 0.43];
-/// The reflectance of metals.
 const METAL: f64 = 0.8;
-/// The reflectance of dielectrics.
 const DIELECTRIC: f64 = 0.04;
 /// The albedo of the matte base of dielectrics, and of the surfaces of Oren and Nayar.
 const ALBEDO: f64 = 0.7;
 
-/// A kind of material.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Kind {
     /// GGX without a matte base, of roughness 0.22 to 0.95.
@@ -34,11 +30,8 @@ pub enum Kind {
 
 /// Materials that have a row together.
 pub struct Group {
-    /// The name in the file.
     pub name: &'static str,
-    /// The number of materials.
     pub count: usize,
-    /// Whether a material is one of them.
     pub has: fn(&Subject) -> bool,
 }
 
@@ -59,7 +52,6 @@ pub const ALL: &str = "all";
 const FEW: [&str; 5] =
     ["metal-0.28", "dielectric-0.45", "dielectric-0.75", "oren-nayar-0.27", "purple-paint"];
 
-/// The parameters of a glTF material.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Gltf {
     pub roughness: f64,
@@ -67,24 +59,20 @@ pub struct Gltf {
     pub albedo: f64,
 }
 
-/// A material.
 pub struct Subject {
     pub kind: Kind,
     pub surface: Surface,
-    /// Its parameters, if it is a glTF material.
     pub gltf: Option<Gltf>,
     /// Its lobe, if sources pay.
     pub gloss: Option<Gloss>,
 }
 
 impl Gltf {
-    /// The gray surface with these parameters.
     pub fn surface(self, name: String) -> Result<Surface> {
         let Self { roughness, f0, albedo } = self;
         Ok(Surface::gray(name, Box::new(Ggx::new(roughness, f0, albedo)?)))
     }
 
-    /// The lobe of that surface.
     pub fn gloss(self) -> Gloss {
         let Self { roughness, f0, albedo } = self;
         Gloss { roughness, reflectance: [f0; 3], grazing: [1.0; 3], albedo: [albedo; 3] }
@@ -98,12 +86,11 @@ pub fn few() -> Result<Vec<Subject>> {
     Ok(few)
 }
 
-/// All materials.
 pub fn all() -> Result<Vec<Subject>> {
     let mut subjects = Vec::new();
-    for (kind, name, f0, albedo) in
-        [(Kind::Metal, "metal", METAL, 0.0), (Kind::Dielectric, "dielectric", DIELECTRIC, ALBEDO)]
-    {
+    let metal = (Kind::Metal, "metal", METAL, 0.0);
+    let dielectric = (Kind::Dielectric, "dielectric", DIELECTRIC, ALBEDO);
+    for (kind, name, f0, albedo) in [metal, dielectric] {
         for roughness in ROUGHNESSES {
             let gltf = Gltf { roughness, f0, albedo };
             let surface = gltf.surface(format!("{name}-{roughness}"))?;
@@ -117,10 +104,11 @@ pub fn all() -> Result<Vec<Subject>> {
         subjects.push(Subject { kind: Kind::Matte, surface, gltf: None, gloss: None });
     }
     let unseen = shipped::unseen_materials()?.entries;
-    let mut measured = published()?;
-    measured.retain(|surface| unseen.iter().any(|one| one.name == surface.name));
     let glosses = shipped::glosses()?;
-    for surface in measured {
+    for surface in published()? {
+        if unseen.iter().all(|one| one.name != surface.name) {
+            continue;
+        }
         let fitted = glosses.iter().find(|one| one.name == surface.name);
         let gloss = fitted.map_or(Ok(None), |one| shiny(one.gloss))?;
         subjects.push(Subject { kind: Kind::Measured, surface, gltf: None, gloss });
@@ -136,16 +124,12 @@ fn shiny(gloss: Gloss) -> Result<Option<Gloss>> {
 /// The coefficients at each of these orders, made as the shipped ones are: those of measured
 /// materials have a window.
 pub fn coefficients(subjects: &[Subject], orders: &[usize]) -> Vec<Materials> {
-    let project = |k: usize| -> Vec<Named> {
-        let Subject { kind, surface, .. } = &subjects[k];
-        let projected = surface.project_orders(orders, Measure::Projected).into_iter();
-        let finish = |named| if *kind == Kind::Measured { windowed(named) } else { named };
-        projected.map(|one| finish(one.material)).collect()
-    };
-    let projected = parallel::map(subjects.len(), &(), project);
-    let of_order = |(k, &order): (usize, &usize)| {
-        let entries = projected.iter().map(|of_subject| of_subject[k].clone()).collect();
-        Materials { order, entries }
-    };
-    orders.iter().enumerate().map(of_order).collect()
+    let surfaces: Vec<&Surface> = subjects.iter().map(|subject| &subject.surface).collect();
+    let mut all = projected_orders(&surfaces, orders);
+    for (named, subject) in all.iter_mut().flat_map(|one| one.entries.iter_mut().zip(subjects)) {
+        if subject.kind == Kind::Measured {
+            *named = windowed(named.clone());
+        }
+    }
+    all
 }

@@ -1,13 +1,154 @@
-//! The list of the settings.
+//! The settings that are measured: each a basis, the method of computing a pixel, and the number
+//! format. Each parameter varies by itself, and combinations of parameters.
 
-use super::{Format, Recipe, Scaling, Setting, Way};
+use eigenshade_cli::table;
 use eigenshade_index::effect::{Effect, Effects};
 use eigenshade_shading::shipped;
 use std::collections::BTreeSet;
+use std::fmt;
+
+/// The part of a basis that is kept; `None` keeps all.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Recipe {
+    pub degree: usize,
+    pub order: usize,
+    pub components: Option<usize>,
+    /// The number of modes, by highest variance.
+    pub modes: Option<usize>,
+    pub effects: Effects,
+    /// Where the polynomials are trimmed; `None` keeps each profile to 1e-7.
+    pub trim: Option<f64>,
+}
+
+impl Recipe {
+    /// All components of a degree and an order.
+    pub fn all(degree: usize, order: usize) -> Self {
+        let (components, modes, trim) = (None, None, None);
+        Self { degree, order, components, modes, effects: Effects::ALL, trim }
+    }
+
+    /// The first components of a degree and an order.
+    pub fn first(degree: usize, order: usize, components: usize) -> Self {
+        Self { components: Some(components), ..Self::all(degree, order) }
+    }
+
+    /// The same with polynomials trimmed where the total loss is this share of the database's rms.
+    pub fn trimmed(self, share: f64) -> Self {
+        Self { trim: Some(share), ..self }
+    }
+
+    pub fn size(&self) -> (usize, usize) {
+        (self.degree, self.order)
+    }
+}
+
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Way {
+    /// The nine-term formula: a Lambertian material under light of degree 2.
+    NineTerms,
+    /// Component by component.
+    Eigen,
+    /// The collapsed polynomials.
+    Polynomial,
+    /// The collapsed polynomials truncated to a tolerance of the scene, relative to its peak.
+    Within(f64),
+    /// Bilinear interpolation between four texels of a map of this width.
+    Bilinear(usize),
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Format {
+    F64,
+    F32,
+    Q31,
+    Q15,
+}
+
+/// The method that scales normals to unit length.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Scaling {
+    /// None: normals arrive scaled.
+    None,
+    Libm,
+    Single,
+    Micromath,
+}
+
+/// One value for every parameter.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Setting {
+    pub recipe: Recipe,
+    pub way: Way,
+    pub format: Format,
+    pub scaling: Scaling,
+    /// The most small sources of the light whose highlights a pixel adds.
+    pub sources: usize,
+}
+
+impl Setting {
+    /// The collapsed polynomials of a basis in f32.
+    pub fn of(recipe: Recipe) -> Self {
+        let (way, format, scaling) = (Way::Polynomial, Format::F32, Scaling::None);
+        Self { recipe, way, format, scaling, sources: 0 }
+    }
+
+    pub fn by(self, way: Way) -> Self {
+        Self { way, ..self }
+    }
+
+    pub fn in_format(self, format: Format) -> Self {
+        Self { format, ..self }
+    }
+}
+
+impl fmt::Display for Recipe {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let effects = table::effect_names(self.effects).replace(' ', "+");
+        let parts = [
+            Some(self.components.map_or("all".into(), |count| format!("K{count}"))),
+            self.modes.map(|count| format!("modes{count}")),
+            (!self.effects.is_all()).then_some(effects),
+            self.trim.map(|share| format!("trim{share:e}")),
+        ];
+        write!(f, "{}/{}", self.degree, self.order)?;
+        parts.into_iter().flatten().try_for_each(|part| write!(f, " {part}"))
+    }
+}
+
+impl fmt::Display for Way {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::NineTerms => write!(f, "nine-terms"),
+            Self::Eigen => write!(f, "eigen"),
+            Self::Polynomial => write!(f, "polynomial"),
+            Self::Within(tolerance) => write!(f, "within{tolerance:e}"),
+            Self::Bilinear(size) => write!(f, "bilinear{size}"),
+        }
+    }
+}
+
+impl fmt::Display for Format {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(&format!("{self:?}").to_lowercase())
+    }
+}
+
+/// The setting's name, which identifies it in files and tests.
+impl fmt::Display for Setting {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{} {} {}", self.recipe, self.way, self.format)?;
+        if self.scaling != Scaling::None {
+            write!(f, " {}", format!("{:?}", self.scaling).to_lowercase())?;
+        }
+        if self.sources > 0 {
+            write!(f, " sources{}", self.sources)?;
+        }
+        Ok(())
+    }
+}
 
 /// Degree and order of the shipped set, at which all other parameters are varied.
 pub const DEGREE: usize = 9;
-/// See [`DEGREE`].
 pub const ORDER: usize = 7;
 /// Degrees and orders of the measured materials, below the shipped ones.
 const LOWER: [(usize, usize); 8] = [(1, 0), (2, 0), (2, 2), (3, 2), (4, 3), (5, 4), (6, 5), (7, 6)];
@@ -16,7 +157,6 @@ const HIGHER: [(usize, usize); 4] = [(12, 12), (16, 16), (24, 24), (32, 32)];
 /// The largest number of components that a basis beyond the shipped order keeps.
 const HIGH_COMPONENTS: usize = 400;
 
-/// The number of sources of a quick run.
 const QUICK_SOURCES: usize = 4;
 
 /// A setting and the parameter that it varies, by its name in the file.
@@ -44,10 +184,7 @@ pub fn all(quick: bool) -> Vec<Varied> {
     let first = |count: usize| Recipe::first(DEGREE, ORDER, count);
     let trimmed = |recipe: Recipe, share: f64| Setting::of(recipe.trimmed(share));
     // All values of a parameter, or the second list in a quick run.
-    fn either<'a, T>(quick: bool, all: &'a [T], few: &'a [T]) -> impl Iterator<Item = T>
-    where
-        T: Copy,
-    {
+    fn either<'a, T: Copy>(quick: bool, all: &'a [T], few: &'a [T]) -> impl Iterator<Item = T> {
         if quick { few } else { all }.iter().copied()
     }
     add("nine terms", Setting::of(Recipe::all(2, 0)).by(Way::NineTerms));
@@ -90,22 +227,20 @@ pub fn all(quick: bool) -> Vec<Varied> {
         add("modes", Setting::of(Recipe { modes: Some(modes), ..whole }));
     }
     // Without highlights; then also without rim and roughness; then only uniform light.
-    let matte = Effects::NONE.with(Effect::Ambient).with(Effect::Diffuse);
     let ambient = Effects::NONE.with(Effect::Ambient);
-    for effects in
-        [matte.with(Effect::Broad), matte, ambient, Effects::ALL.without(Effect::Ambient)]
-    {
+    let matte = ambient.with(Effect::Diffuse);
+    let rest = Effects::ALL.without(Effect::Ambient);
+    for effects in [matte.with(Effect::Broad), matte, ambient, rest] {
         add("effects", Setting::of(Recipe { effects, ..whole }));
     }
     for size in either(quick, &[8, 16, 32, 64, 128], &[16, 32]) {
-        add("baked maps", Setting::of(whole).by(Way::Bilinear(size)));
-        let few = Setting::of(first(50)).by(Way::Bilinear(size));
-        add("baked maps", few);
-        add("baked maps", few.in_format(Format::Q15));
+        let few = Setting::of(first(50));
+        for setting in [Setting::of(whole), few, few.in_format(Format::Q15)] {
+            add("baked maps", setting.by(Way::Bilinear(size)));
+        }
     }
-    let higher = Setting::of(Recipe::first(HIGHER[0].0, HIGHER[0].1, HIGH_COMPONENTS));
     for format in [Format::F32, Format::Q15] {
-        add("baked maps", higher.by(Way::Bilinear(32)).in_format(format));
+        add("baked maps", higher().by(Way::Bilinear(32)).in_format(format));
     }
     add("component by component", Setting::of(first(50)).by(Way::Eigen));
     for scaling in [Scaling::Libm, Scaling::Single, Scaling::Micromath] {
@@ -141,6 +276,11 @@ pub fn all(quick: bool) -> Vec<Varied> {
     found
 }
 
+/// The first size above the shipped ones.
+fn higher() -> Setting {
+    Setting::of(Recipe::first(HIGHER[0].0, HIGHER[0].1, HIGH_COMPONENTS))
+}
+
 /// Numbers of sources: the sizes of the sets in `tables/inputs/sources.csv`.
 fn source_counts() -> BTreeSet<usize> {
     let lights = shipped::sources().unwrap_or_default();
@@ -153,7 +293,7 @@ fn with_sources() -> impl Iterator<Item = Setting> {
     let of = |count, share| Setting::of(Recipe::first(DEGREE, ORDER, count).trimmed(share));
     let whole = Setting::of(Recipe::all(DEGREE, ORDER));
     let few = Setting::of(Recipe::first(DEGREE, ORDER, 50));
-    let higher = Setting::of(Recipe::first(HIGHER[0].0, HIGHER[0].1, HIGH_COMPONENTS));
+    let higher = higher();
     let trimmed = Setting { recipe: higher.recipe.trimmed(1e-2), ..higher };
     let baked = Way::Bilinear(32);
     let in_floats = [
@@ -180,6 +320,14 @@ fn with_sources() -> impl Iterator<Item = Setting> {
 mod tests {
     use super::*;
     use std::mem::discriminant;
+
+    #[test]
+    fn names_tell_settings_apart() {
+        let recipe = Recipe::first(9, 7, 50).trimmed(1e-3);
+        let setting = Setting::of(recipe).by(Way::Within(0.01)).in_format(Format::F64);
+        assert_eq!(setting.to_string(), "9/7 K50 trim1e-3 within1e-2 f64");
+        assert_eq!(Setting::of(Recipe::all(2, 0)).to_string(), "2/0 all polynomial f32");
+    }
 
     /// The kind of a setting, ignoring sizes.
     fn kind(Varied { parameter, setting }: &Varied) -> impl PartialEq + std::fmt::Debug {
