@@ -5,7 +5,7 @@ use eigenshade::presets::{gloss, light, material, sources};
 use eigenshade::specialized::shade_normals;
 use eigenshade::sphere::{self, q15};
 use eigenshade::{
-    Argument, Disc, Display, Error, Gloss, Light, MapPoint, Material, Normals, Q15, Rgb,
+    Argument, Disc, DiscPixel, Display, Error, Gloss, Light, MapPoint, Material, Normals, Q15, Rgb,
     Rotation, Source, SourceSet, Tolerance, Tone, Window, index, quantized,
 };
 use eigenshade_model::source::SetError;
@@ -258,7 +258,7 @@ fn slices_are_shaded_in_color_as_their_normals() {
 /// Channels of one irradiance, of nine terms, of more, and of each.
 #[test]
 fn few_terms_are_shaded_in_color_as_each_channel() {
-    let pixels: Vec<_> = Disc::new(60).unwrap().map(|pixel| pixel.normal()).collect();
+    let pixels: Vec<_> = Disc::new(60).unwrap().map(DiscPixel::normal).collect();
     let [x, y, z] = axes(&pixels);
     let normals = Normals::new(&x, &y, &z).unwrap();
     let matte = sphere::transfer(&Material::new(&[2.0]).unwrap()).unwrap();

@@ -2,12 +2,13 @@
 //! error, and holds its invariants for any input.
 
 use crate::invariants::integer::shipped;
-use crate::invariants::{self, Reader};
+use crate::invariants::{Reader, SHADING, project_reconstruct, public_interface};
 use eigenshade::{Argument, Error, Format, Light, Q15, Q31, Scalar, quantized, sphere};
 use eigenshade_table::quantize;
 use eigenshade_table::scene::{Effect, Store};
 use eigenshade_table::wire::{self, Endian};
 use eigenshade_table::{General, MeanImage, Table};
+use eigenshade_testing::fixtures::shipped_table;
 use eigenshade_testing::part;
 use proptest::collection::vec;
 use proptest::prelude::*;
@@ -52,8 +53,8 @@ fn tables_that_integers_do_not_serve_are_refused_as_documented() {
         table.scene.effects.wanted = vec![Effect::Ambient, Effect::Diffuse];
     });
     assert_refused("a mean image (`criterion = \"standard\"`)", |table| {
-        table.mean =
-            Some(MeanImage { chebyshev: vec![1.0], coefficients: vec![0.0; table.count()] });
+        let coefficients = vec![0.0; table.count()];
+        table.mean = Some(MeanImage { chebyshev: vec![1.0], coefficients });
     });
     assert_refused("a selection of modes (`modes`)", |table| table.selection = vec![true]);
     let general =
@@ -80,8 +81,7 @@ fn tables_that_integers_do_not_serve_are_refused_as_documented() {
     assert_refused("a profile above 4,095, as of `color` from component 149 on", |table| {
         table.profiles[0].chebyshev = vec![5000.0];
     });
-    let color = eigenshade_table::file::decode(include_bytes!("../tables/color.bin"));
-    let color = color.expect("the shipped table");
+    let color = shipped_table("color");
     let refused = quantize::integers(&color, quantize::IntegerFormat::Q15, 0.0).err();
     assert_eq!(refused, Some(quantize::QuantizeError::Large { component: 149 }));
     let [_, floats, integers, error] =
@@ -127,36 +127,32 @@ fn what_only_floats_have_does_not_compile_in_integers() {
 #[test]
 fn numbers_beyond_a_format_are_refused_as_documented() {
     let says = |error: Error, what: &str| {
-        let [_, _, integers, expected] = row(what);
+        let [.., integers, expected] = row(what);
         assert_eq!(integers, "no");
         assert!(error.to_string().contains(expected), "{what}: `{expected}` in `{error}`");
     };
-    let mut light = [1.0f32; 4];
-    light[2] = 1e300f64 as f32;
+    let light = [1.0, 1.0, 1e300f64 as f32, 1.0];
     let refused = Error::NotFinite { argument: Argument::Light, index: 2 };
-    let mut mantissas = [Q15(0); 4];
-    let found = quantized::Light::quantize(&light, &mut mantissas);
-    assert_eq!(found, Err(refused));
+    assert_eq!(quantized::Light::quantize(&light, &mut [Q15(0); 4]), Err(refused));
     assert_eq!(Light::checked(&light), Err(refused));
     assert!(Light::checked(&[1e300f64; 4]).is_ok());
     says(refused, "a light of 1e300");
     says(Error::Degree { found: 13 }, "`Light::turn_into` above degree 12");
 
+    let baked = |size: usize, constant: f32| {
+        let mut d = [0.0f32; sphere::COMPONENTS];
+        d[0] = constant;
+        let scene = sphere::BASIS.collapse::<{ sphere::SCENE }>(&d).expect("sizes");
+        scene.bake_integers_into(size, vec![0; size * size]).err()
+    };
     let saturated = Error::Saturated { argument: Argument::Texels };
-    let mut d = [0.0f32; sphere::COMPONENTS];
-    d[0] = 2e18;
-    let scene = sphere::BASIS.collapse::<{ sphere::SCENE }>(&d).expect("sizes");
-    assert_eq!(scene.bake_integers_into(4, [0; 16]).err(), Some(saturated));
+    assert_eq!(baked(4, 2e18), Some(saturated));
     says(saturated, "a map of irradiances of 2^60 or more, in integers");
-    d[0] = 1e17;
-    let scene = sphere::BASIS.collapse::<{ sphere::SCENE }>(&d).expect("sizes");
-    assert!(scene.bake_integers_into(4, [0; 16]).is_ok());
-    d[0] = f32::NAN;
-    let scene = sphere::BASIS.collapse::<{ sphere::SCENE }>(&d).expect("sizes");
+    assert_eq!(baked(4, 1e17), None);
     // No look-up reads the corner of a map of 8 x 8.
     for (size, index) in [(4, 0), (8, 1)] {
-        let spoiled = scene.bake_integers_into(size, &mut [0; 64][..size * size]).err();
-        assert_eq!(spoiled, Some(Error::NotFinite { argument: Argument::Texels, index }));
+        let spoiled = Error::NotFinite { argument: Argument::Texels, index };
+        assert_eq!(baked(size, f32::NAN), Some(spoiled));
     }
 
     // What saturates it is among the hard cases.
@@ -205,41 +201,21 @@ fn bytes() -> impl Strategy<Value = Vec<u8>> {
 proptest! {
     #![proptest_config(ProptestConfig { cases: 200, failure_persistence: None, ..ProptestConfig::default() })]
 
+    /// Floats are finite, integers do not wrap, and images keep their bounds.
     #[test]
-    fn floats_are_finite(bytes in bytes()) {
-        invariants::shade_floats(&mut Reader::new(&bytes));
-    }
-
-    #[test]
-    fn images_of_any_light_and_material_do_not_wrap(bytes in bytes()) {
-        invariants::shade_integers::<Q15>(&mut Reader::new(&bytes));
-        invariants::shade_integers::<Q31>(&mut Reader::new(&bytes));
-    }
-
-    #[test]
-    fn any_transfer_is_refused_or_does_not_wrap(bytes in bytes()) {
-        invariants::shade_transfer::<Q15>(&mut Reader::new(&bytes));
-        invariants::shade_transfer::<Q31>(&mut Reader::new(&bytes));
-    }
-
-    #[test]
-    fn any_coefficients_do_not_wrap(bytes in bytes()) {
-        invariants::shade_coefficients::<Q15>(&mut Reader::new(&bytes));
-        invariants::shade_coefficients::<Q31>(&mut Reader::new(&bytes));
-    }
-
-    #[test]
-    fn any_images_keep_their_bounds(bytes in bytes()) {
-        invariants::collapse_sets(&mut Reader::new(&bytes));
+    fn shading_takes_any_numbers(bytes in bytes()) {
+        for holds in SHADING {
+            holds(&mut Reader::new(&bytes));
+        }
     }
 
     #[test]
     fn every_way_takes_any_numbers(bytes in bytes()) {
-        invariants::public_interface(&bytes);
+        public_interface(&bytes);
     }
 
     #[test]
     fn reconstructions_are_those_of_f64(bytes in bytes()) {
-        invariants::project_reconstruct(&bytes);
+        project_reconstruct(&bytes);
     }
 }

@@ -11,8 +11,7 @@ use eigenshade_model::database::{Lights, Materials};
 use eigenshade_shading::integer_shader::{self, Integer, IntegerShader};
 use eigenshade_shading::owned_basis::OwnedBasis;
 use eigenshade_shading::shader::{OwnedNormals, Shader};
-use eigenshade_shading::shipped;
-use eigenshade_testing::fixtures::of_equal_areas;
+use eigenshade_testing::fixtures::{captured, measured, of_equal_areas};
 use eigenshade_testing::{largest, part};
 
 /// Signal to error of f32 over the database, in decibels, and of its worst pair: 24 bits
@@ -68,14 +67,6 @@ struct Score {
     component: f64,
 }
 
-/// d, and the irradiance of some normals.
-type Image = (Vec<f64>, Vec<f64>);
-
-/// One channel's d and image in the format that is measured.
-trait Measured {
-    fn image(&mut self, light: &[f64], material: &[f64], normals: &[[f64; 3]]) -> Image;
-}
-
 struct Reference {
     shipped: &'static integer::Shipped,
     lights: Lights,
@@ -93,8 +84,8 @@ impl Reference {
             |component| normals.iter().map(|&at| eigenimage(table, component, at)).collect();
         Self {
             images: table.components.iter().map(image).collect(),
-            lights: shipped::lights().expect("lights").truncated(table.gram.degree),
-            materials: shipped::materials().expect("materials").truncated(table.gram.order),
+            lights: captured(table.gram.degree),
+            materials: measured(table.gram.order),
             normals,
             shipped,
         }
@@ -105,7 +96,8 @@ impl Reference {
         (0..NORMALS).map(at).collect()
     }
 
-    fn score(&self, measured: &mut impl Measured) -> Score {
+    /// The score of a format, in which `image` gives a channel's d and its image.
+    fn score(&self, mut image: impl FnMut(&[f64], &[f64]) -> [Vec<f64>; 2]) -> Score {
         let mut all = Ratio::default();
         let mut components = vec![Ratio::default(); self.images.len()];
         let mut worst = f64::INFINITY;
@@ -114,11 +106,11 @@ impl Reference {
                 let mut pair = Ratio::default();
                 for (light, material) in light.rgb.iter().zip(&material.rgb) {
                     let d = self.shipped.project(light, material);
-                    let (found, image) = measured.image(light, material, &self.normals);
-                    for ((ratio, reference), found) in components.iter_mut().zip(&d).zip(found) {
+                    let [of_d, seen] = image(light, material);
+                    for ((ratio, reference), found) in components.iter_mut().zip(&d).zip(of_d) {
                         ratio.add(*reference, found);
                     }
-                    for (reference, found) in self.image(&d).into_iter().zip(image) {
+                    for (reference, found) in self.image(&d).into_iter().zip(seen) {
                         pair.add(reference, found);
                     }
                 }
@@ -129,24 +121,6 @@ impl Reference {
         }
         let component = components.into_iter().map(Ratio::decibels).fold(f64::INFINITY, f64::min);
         Score { all: all.decibels(), worst, component }
-    }
-}
-
-impl Measured for Shader<'_, f32> {
-    fn image(&mut self, light: &[f64], material: &[f64], normals: &[[f64; 3]]) -> Image {
-        let normals = OwnedNormals::new(normals);
-        let image = self.polynomial(light, material, &normals).expect("it fits");
-        let d = self.project(light, material).expect("it fits");
-        let wide = |values: &[f32]| values.iter().copied().map(f64::from).collect();
-        (wide(d), wide(&image))
-    }
-}
-
-impl<Q: Integer> Measured for IntegerShader<Q> {
-    fn image(&mut self, light: &[f64], material: &[f64], normals: &[[f64; 3]]) -> Image {
-        let normals = integer_shader::normals(normals).expect("unit normals");
-        let image = self.polynomial(light, material, &normals).expect("it fits");
-        (self.project(light, material).expect("it fits"), image)
     }
 }
 
@@ -175,7 +149,13 @@ fn stated(name: &str, score: &Score) {
 fn floats_are_as_good_as_stated() {
     let reference = Reference::new();
     let basis = OwnedBasis::<f32>::new(&reference.shipped.table);
-    let score = reference.score(&mut Shader::new(basis.any().expect("a basis"), usize::MAX));
+    let mut shader = Shader::new(basis.any().expect("a basis"), usize::MAX);
+    let normals = OwnedNormals::new(&reference.normals);
+    let score = reference.score(|light, material| {
+        let image = shader.polynomial(light, material, &normals).expect("it fits");
+        let d = shader.project(light, material).expect("it fits");
+        [d, &image[..]].map(|values| values.iter().copied().map(f64::from).collect())
+    });
     assert!(score.all >= F32_ALL && score.worst >= F32_WORST);
     stated("`f32`", &score);
 }
@@ -183,7 +163,12 @@ fn floats_are_as_good_as_stated() {
 fn integers<Q: Integer>() -> Score {
     let reference = Reference::new();
     let shader = IntegerShader::<Q>::new(&reference.shipped.table, usize::MAX);
-    reference.score(&mut shader.expect("a sphere's table"))
+    let mut shader = shader.expect("a sphere's table");
+    let normals = integer_shader::normals(&reference.normals).expect("unit normals");
+    reference.score(|light, material| {
+        let image = shader.polynomial(light, material, &normals).expect("it fits");
+        [shader.project(light, material).expect("it fits"), image]
+    })
 }
 
 #[test]

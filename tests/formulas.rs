@@ -6,13 +6,13 @@ use crate::oracle::{ExplicitLight, irradiance};
 use eigenshade::index::light;
 use eigenshade::mathematics::{Libm, SinglePrecision};
 use eigenshade::{
-    AnalyticLight, Argument, Error, Light, NineTerms, Normal, Normals, Q15, Q31, Rgb, Window,
-    quantized,
+    AnalyticLight, Argument, Error, Light, NineTerms, Normals, Q15, Q31, Rgb, Window, quantized,
 };
 use eigenshade_model::special::quadrature::gauss_legendre;
 use eigenshade_model::special::spherical_harmonic;
-use eigenshade_testing::fixtures::spiral;
-use eigenshade_testing::vectors::unit;
+use eigenshade_testing::fixtures::{axes, normal, spiral};
+use eigenshade_testing::relative_error;
+use eigenshade_testing::vectors::{cross, unit};
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
 /// Both sums, relative to the largest coefficient.
@@ -26,11 +26,10 @@ const DIRECTIONS: [[f64; 3]; 5] =
 
 /// The integral of every harmonic over a disc.
 fn disc(direction: [f64; 3], radius: f64) -> Vec<f64> {
-    let [x, y, z] = unit(direction);
+    let center @ [x, y, z] = unit(direction);
     // Two directions across.
     let across = if x.abs() < 0.5 { unit([0.0, -z, y]) } else { unit([-y, x, 0.0]) };
-    let [a, b, c] = across;
-    let other = [y * c - z * b, z * a - x * c, x * b - y * a];
+    let other = cross(center, across);
     let turns = 24;
     let mut sums = vec![0.0; 100];
     for (angle, weight) in gauss_legendre(40, 0.0, radius) {
@@ -38,7 +37,7 @@ fn disc(direction: [f64; 3], radius: f64) -> Vec<f64> {
         for turn in 0..turns {
             let (sine, cosine) = (TAU * f64::from(turn) / f64::from(turns)).sin_cos();
             let along = [0, 1, 2]
-                .map(|i| [x, y, z][i] * height + width * (cosine * across[i] + sine * other[i]));
+                .map(|i| center[i] * height + width * (cosine * across[i] + sine * other[i]));
             let harmonics = spherical_harmonic::all(9, along);
             sums.iter_mut().zip(harmonics).for_each(|(sum, value)| *sum += weight * width * value);
         }
@@ -47,10 +46,8 @@ fn disc(direction: [f64; 3], radius: f64) -> Vec<f64> {
 }
 
 fn assert_near(found: &[f64], expected: &[f64], tolerance: f64) {
-    let largest = expected.iter().fold(0.0_f64, |most, value| most.max(value.abs()));
-    for (found, expected) in found.iter().zip(expected) {
-        assert!((found - expected).abs() <= tolerance * largest, "{found} {expected}");
-    }
+    let error = relative_error(found, expected);
+    assert!(error <= tolerance, "{error:e}");
 }
 
 #[test]
@@ -106,14 +103,11 @@ fn lights_are_summed_scaled_and_windowed() {
         .disc::<Libm>([0.0, 1.0, 0.0], FRAC_PI_2, sky)
         .and_then(|light| light.disc::<Libm>([0.0, -1.0, 0.0], FRAC_PI_2, ground))
         .unwrap();
-    let halves = halves.light().unwrap();
-    assert_near(light.light().unwrap().coefficients(), halves.coefficients(), 1e-14);
     let twice = light.plus(&light.light().unwrap()).unwrap();
-    assert_near(
-        twice.light().unwrap().coefficients(),
-        light.scaled(2.0).light().unwrap().coefficients(),
-        1e-15,
-    );
+    for (a, b, tolerance) in [(light, halves, 1e-14), (twice, light.scaled(2.0), 1e-15)] {
+        let [a, b] = [&a, &b].map(|one| one.light().unwrap());
+        assert_near(a.coefficients(), b.coefficients(), tolerance);
+    }
     let window = Window::SincFourth { width: 5.0 };
     let windowed = light.windowed::<Libm>(window);
     let expected = light.light().unwrap().windowed::<Libm, 16>(window).unwrap();
@@ -195,10 +189,10 @@ fn nine_terms_are_the_harmonics_of_degree_two_on_a_lambertian_material() {
         let light = unit_light(mode);
         let formula = NineTerms::lambertian(&Light::new(&light).unwrap(), 0.7);
         let light = ExplicitLight::new(&light);
-        for normal @ [x, y, z] in normals() {
-            let found = formula.shade(Normal::new(x, y, z).unwrap());
-            let off = (found - irradiance(&light, &[(0, 0, 0, 1.4)], normal)).abs();
-            assert!(off <= NINE_TERMS_F64, "{l} {m} at {normal:?}: {off:e}");
+        for at in normals() {
+            let found = formula.shade(normal(at));
+            let off = (found - irradiance(&light, &[(0, 0, 0, 1.4)], at)).abs();
+            assert!(off <= NINE_TERMS_F64, "{l} {m} at {at:?}: {off:e}");
         }
     }
 }
@@ -217,20 +211,20 @@ fn each_coefficient_is_of_its_function() {
         |[_, y, z]| y * z,
         |[_, _, z]| z * z,
     ];
-    let close = |found: f64, expected: f64, most: f64| (found - expected).abs() <= most;
     for (term, function) in functions.into_iter().enumerate() {
         let formula = NineTerms::new(unit_light(term));
         let one = unit_light(term).map(|one| one as i32);
         let in_q15 = quantized::NineTerms::<Q15>::new(one.map(|one| one << 14), -14);
         let in_q31 = quantized::NineTerms::<Q31>::new(one.map(|one| one << 28), -28);
-        for normal in normals() {
-            let [x, y, z] = normal;
-            let found = formula.shade(Normal::new(x, y, z).unwrap());
-            assert!(close(found, function(normal), 1e-15), "{term} at {normal:?}: {found}");
-            let (found, rounded) = shaded(&in_q15, normal);
-            assert!(close(found, function(rounded), 1e-4), "{term} at {normal:?}: {found}");
-            let (found, rounded) = shaded(&in_q31, normal);
-            assert!(close(found, function(rounded), 1e-8), "{term} at {normal:?}: {found}");
+        for at in normals() {
+            let ways = [
+                ((formula.shade(normal(at)), at), 1e-15),
+                (shaded(&in_q15, at), 1e-4),
+                (shaded(&in_q31, at), 1e-8),
+            ];
+            for ((found, at), most) in ways {
+                assert!((found - function(at)).abs() <= most, "{term} at {at:?}: {found}");
+            }
         }
     }
 }
@@ -270,8 +264,7 @@ fn integers_do_not_wrap() {
 
 #[test]
 fn a_slice_is_shaded_as_its_normals() {
-    let all = normals();
-    let [x, y, z] = [0, 1, 2].map(|axis| all.iter().map(|n| n[axis] as f32).collect::<Vec<_>>());
+    let [x, y, z] = axes(&normals().into_iter().map(normal::<f32>).collect::<Vec<_>>());
     let formula = NineTerms::new([0.9f32, 0.2, -0.1, 0.5, 0.05, 0.02, -0.03, 0.01, 0.07]);
     let normals = Normals::new(&x, &y, &z).unwrap();
     let mut irradiance = vec![0.0; x.len()];

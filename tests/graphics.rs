@@ -4,8 +4,12 @@
 
 use crate::oracle::ExplicitLight;
 use eigenshade::Convention::{self, Cmgen, CmgenIrradiance, Filament, ThreeJs};
-use eigenshade::{Error, Light, Material, Normal, Rgb, sphere};
+use eigenshade::index::light;
+use eigenshade::{Error, Light, Rgb, sphere};
 use eigenshade_model::reference::DirectSum;
+use eigenshade_testing::fixtures::{normal, spiral};
+use eigenshade_testing::images::{self, single};
+use eigenshade_testing::vectors::{self, cross, dot, scaled, unit};
 use std::f64::consts::{PI, TAU};
 
 /// Sums over 64 x 128 directions, and constants of six digits in the programs.
@@ -136,15 +140,11 @@ fn shaded(convention: Convention, c: &[f64; 9], normal: [f64; 3]) -> f64 {
 }
 
 /// The irradiance over π by quadrature.
-fn irradiance(light: impl Fn([f64; 3]) -> f64, [a, b, c]: [f64; 3]) -> f64 {
+fn irradiance(light: impl Fn([f64; 3]) -> f64, normal: [f64; 3]) -> f64 {
     // The cosine has a kink, so the quadrature is taken in a frame along the normal.
-    let side = if a.abs() < 0.5 { [1.0, 0.0, 0.0] } else { [0.0, 1.0, 0.0] };
-    let cross =
-        |[x, y, z]: [f64; 3], [u, v, w]: [f64; 3]| [y * w - z * v, z * u - x * w, x * v - y * u];
-    let first = cross([a, b, c], side);
-    let length = first.iter().map(|c| c * c).sum::<f64>().sqrt();
-    let first = first.map(|c| c / length);
-    let second = cross([a, b, c], first);
+    let side = if normal[0].abs() < 0.5 { [1.0, 0.0, 0.0] } else { [0.0, 1.0, 0.0] };
+    let first = unit(cross(normal, side));
+    let second = cross(normal, first);
     let (rings, turns) = (200, 32);
     let mut sum = 0.0;
     for ring in 0..rings {
@@ -153,20 +153,16 @@ fn irradiance(light: impl Fn([f64; 3]) -> f64, [a, b, c]: [f64; 3]) -> f64 {
         let cosine = (1.0 - sine * sine).sqrt();
         for turn in 0..turns {
             let (v, u) = (TAU * f64::from(turn) / f64::from(turns)).sin_cos();
-            sum += light(
-                [0, 1, 2].map(|i| [a, b, c][i] * cosine + sine * (u * first[i] + v * second[i])),
-            );
+            let across = [0, 1, 2].map(|i| u * first[i] + v * second[i]);
+            sum += light(vectors::sum(scaled(normal, cosine), sine, across));
         }
     }
     sum / f64::from(rings * turns)
 }
 
+/// Of equal areas on the disc, from its center.
 fn normals() -> Vec<[f64; 3]> {
-    let on_disc = |k: u32| {
-        let (radius, turn) = (((f64::from(k) + 0.5) / 40.0).sqrt(), 2.399_963 * f64::from(k));
-        [radius * turn.cos(), radius * turn.sin(), (1.0 - radius * radius).sqrt()]
-    };
-    (0..40).map(on_disc).collect()
+    spiral((0..40).map(|k| (1.0 - (f64::from(k) + 0.5) / 40.0).sqrt()))
 }
 
 #[test]
@@ -175,23 +171,18 @@ fn a_matte_sphere_is_as_bright_as_there() {
         let numbers = coefficients(convention, radiance);
         let light = Light::from_graphics::<9>(convention, &numbers).unwrap();
         let sum = DirectSum::new(2, 0);
-        let single = light.iter().map(|&number| number as f32).collect::<Vec<f32>>();
-        let scene =
-            sphere::color::scene(Light::new(&single).unwrap(), Material::new(&[2.0]).unwrap())
-                .unwrap();
-        for normal in normals() {
-            let expected = irradiance(radiance, normal);
-            // The formula is the program's.
-            let there = shaded(convention, &numbers, normal);
-            assert!((there - expected).abs() <= SUMS * expected, "{there} {expected}");
-            let modes = sum.at(normal);
+        let scene = sphere::collapse(&images::coefficients(&single(light.to_vec()), &[2.0]));
+        let scene = scene.unwrap();
+        for at in normals() {
+            let expected = irradiance(radiance, at);
+            let modes = sum.at(at);
             let here = modes.irradiance(&light, &modes.scatter(&[2.0]));
-            assert!(
-                (here - expected).abs() <= SUMS * expected,
-                "{convention:?}: {here} {expected}"
-            );
-            let [x, y, z] = normal.map(|c| c as f32);
-            let pixel = f64::from(scene.shade(Normal::new(x, y, z).unwrap()).g);
+            // The formula is the program's.
+            for found in [shaded(convention, &numbers, at), here] {
+                let off = (found - expected).abs();
+                assert!(off <= SUMS * expected, "{convention:?}: {found} {expected}");
+            }
+            let pixel = f64::from(scene.shade(normal::<f32>(at)));
             assert!((pixel - expected).abs() <= OF_TABLE * 3.0, "{convention:?}: {pixel}");
         }
     }
@@ -202,22 +193,15 @@ fn a_matte_sphere_is_as_bright_as_there() {
 fn a_patch_of_light_stays_where_it_is() {
     for lamp in [[0.6, 0.64, 0.48], [-0.8, 0.36, -0.48], [0.0, -1.0, 0.0], [0.36, -0.48, 0.8]] {
         // A lobe of about 20 degrees, wide enough for the sums.
-        let patch = |direction: [f64; 3]| {
-            let cosine: f64 = direction.iter().zip(lamp).map(|(a, b)| a * b).sum();
-            (20.0 * (cosine - 1.0)).exp()
-        };
+        let patch = |direction| (20.0 * (dot(direction, lamp) - 1.0)).exp();
         for convention in CONVENTIONS {
             let numbers = coefficients(convention, patch);
             let light = Light::from_graphics::<9>(convention, &numbers).unwrap();
             let light = ExplicitLight::new(&light);
-            let brightest = directions()
-                .map(|(direction, _)| (light.radiance(direction), direction))
-                .max_by(|(a, _), (b, _)| a.total_cmp(b))
-                .unwrap()
-                .1;
-            let cosine: f64 = brightest.iter().zip(lamp).map(|(a, b)| a * b).sum();
+            let lit = directions().map(|(direction, _)| (light.radiance(direction), direction));
+            let (_, brightest) = lit.max_by(|(a, _), (b, _)| a.total_cmp(b)).unwrap();
             // The grid has 2.8 degrees.
-            assert!(cosine > 0.998, "{convention:?}: {brightest:?} {lamp:?}");
+            assert!(dot(brightest, lamp) > 0.998, "{convention:?}: {brightest:?} {lamp:?}");
         }
     }
 }
@@ -243,16 +227,14 @@ fn conversions_are_inverse() {
 /// sin |m|φ, against the harmonics of this crate.
 #[test]
 fn higher_degrees_of_cmgen_have_its_harmonics() {
-    let direction = [0.48, -0.6, 0.64];
-    let (x, y, z): (f64, f64, f64) = direction.into();
-    for (l, m) in eigenshade::index::light::indices(5) {
+    let direction @ [x, y, z] = [0.48, -0.6, 0.64_f64];
+    for (l, m) in light::indices(5) {
         let order = m.unsigned_abs();
         // `CubemapSH::computeShBasis` and `Kml`.
         let (mut before, mut now) = (0.0, (1..=order).fold(1.0, |p, k| p * (1.0 - 2.0 * k as f64)));
         for k in order + 1..=l {
-            let next = ((2 * k - 1) as f64 * now * z - (k + order - 1) as f64 * before)
-                / (k - order) as f64;
-            (before, now) = (now, next);
+            let next = (2 * k - 1) as f64 * now * z - (k + order - 1) as f64 * before;
+            (before, now) = (now, next / (k - order) as f64);
         }
         let (mut cosine, mut sine) = (1.0, 0.0);
         for _ in 0..order {
@@ -266,7 +248,7 @@ fn higher_degrees_of_cmgen_have_its_harmonics() {
             _ => 2f64.sqrt() * norm * now * sine,
         };
         let mut numbers = [0.0; 36];
-        numbers[eigenshade::index::light::position(l, m)] = 1.0;
+        numbers[light::position(l, m)] = 1.0;
         let light = Light::from_graphics::<36>(Cmgen, &numbers).unwrap();
         let here = ExplicitLight::new(&light).radiance(direction);
         assert!((here - value).abs() < 1e-12, "{l} {m}: {here} {value}");
@@ -307,12 +289,11 @@ fn published_nine_terms_are_read() {
 
 #[test]
 fn coefficients_that_mean_nothing_are_refused() {
-    let sixteen = [1.0; 16];
+    let (sixteen, error) = ([1.0; 16], Error::Irradiance { degree: 3 });
     for convention in [CmgenIrradiance, Filament] {
-        let found = Light::from_graphics::<16>(convention, &sixteen);
-        assert_eq!(found, Err(Error::Irradiance { degree: 3 }));
+        assert_eq!(Light::from_graphics::<16>(convention, &sixteen), Err(error));
         let light = Light::new(&sixteen).unwrap();
-        assert_eq!(light.to_graphics::<16>(convention), Err(Error::Irradiance { degree: 3 }));
+        assert_eq!(light.to_graphics::<16>(convention), Err(error));
         assert!(light.truncated(2).to_graphics::<9>(convention).is_ok());
     }
     assert!(Light::from_graphics::<16>(Cmgen, &sixteen).is_ok());
@@ -322,6 +303,6 @@ fn coefficients_that_mean_nothing_are_refused() {
     assert!(matches!(capacity, Err(Error::Capacity { needed: 9, .. })), "{capacity:?}");
     let infinite = Light::from_graphics::<4>(Filament, &[1.0, 0.0, f64::INFINITY, 0.0]);
     assert!(matches!(infinite, Err(Error::NotFinite { index: 2, .. })), "{infinite:?}");
-    let text = Error::Irradiance { degree: 3 }.to_string();
+    let text = error.to_string();
     assert!(text.contains("degree 3") && text.contains("first 9"), "{text}");
 }

@@ -1,17 +1,15 @@
 //! Wire files: what is written is read, and any bytes give a basis or an error.
 
-use crate::invariants::{floats, general, integers};
-use crate::wire_files as files;
+use crate::invariants::read;
+use crate::wire_files::{ALL, GENERAL, INTEGERS_15, INTEGERS_31, SPHERE, placed};
 use eigenshade::wire::{Fault, Header, WireError, aligned};
-use eigenshade::{Basis, GeneralBasis, Q15, Q31, quantized, sphere};
+use eigenshade::{Argument, Basis, Error, GeneralBasis, Q15, Q31, quantized, sphere};
 use eigenshade_table::wire::{Endian, NumberFormat, encode};
-use files::{ALL, GENERAL, INTEGERS_15, INTEGERS_31, SPHERE, room};
+use eigenshade_testing::fixtures::shipped_table;
 use proptest::prelude::*;
 
 fn shipped(format: NumberFormat) -> Vec<u8> {
-    let bytes = std::fs::read("tables/sphere.bin").expect("the shipped table");
-    let table = eigenshade_table::decode(&bytes).expect("a table");
-    encode(&table, format, Endian::Little).expect("it has every format")
+    encode(&shipped_table("sphere"), format, Endian::Little).expect("it has every format")
 }
 
 /// The files that are compiled in are those of the shipped table.
@@ -27,19 +25,18 @@ fn what_is_compiled_in_is_the_shipped_table() {
 /// Whatever is compiled in as statics comes back from bytes, array by array.
 #[test]
 fn the_shipped_table_comes_back() {
-    let bytes = shipped(NumberFormat::F32);
-    let (mut a, mut b, mut c) = (room(&bytes), room(&bytes), room(&bytes));
-    let floats = Basis::<f32>::from_bytes(aligned(&bytes, &mut a).expect("room"));
-    let floats = floats.expect("a wire file");
-    assert_eq!(format!("{:?}", floats.parts()), format!("{:?}", sphere::BASIS.parts()));
-    let bytes = shipped(NumberFormat::Q15);
-    let integers = quantized::Basis::<Q15>::from_bytes(aligned(&bytes, &mut b).expect("room"));
-    let integers = integers.expect("a wire file");
-    assert_eq!(format!("{:?}", integers.parts()), format!("{:?}", sphere::q15::BASIS.parts()));
-    let bytes = shipped(NumberFormat::Q31);
-    let integers = quantized::Basis::<Q31>::from_bytes(aligned(&bytes, &mut c).expect("room"));
-    let integers = integers.expect("a wire file");
-    assert_eq!(format!("{:?}", integers.parts()), format!("{:?}", sphere::q31::BASIS.parts()));
+    let found = placed(&shipped(NumberFormat::F32), |bytes| {
+        format!("{:?}", Basis::<f32>::from_bytes(bytes).expect("a wire file").parts())
+    });
+    assert_eq!(found, format!("{:?}", sphere::BASIS.parts()));
+    let found = placed(&shipped(NumberFormat::Q15), |bytes| {
+        format!("{:?}", quantized::Basis::<Q15>::from_bytes(bytes).expect("a wire file").parts())
+    });
+    assert_eq!(found, format!("{:?}", sphere::q15::BASIS.parts()));
+    let found = placed(&shipped(NumberFormat::Q31), |bytes| {
+        format!("{:?}", quantized::Basis::<Q31>::from_bytes(bytes).expect("a wire file").parts())
+    });
+    assert_eq!(found, format!("{:?}", sphere::q31::BASIS.parts()));
 }
 
 /// The first bytes, as `tables/README.md` has them.
@@ -60,16 +57,6 @@ fn a_header_is_as_written_down() {
     assert_eq!(crc32fast::hash(bytes).to_le_bytes(), sum);
 }
 
-/// What any reading of these bytes says, of all there are; each basis is used.
-fn read(bytes: &[u8]) -> [Option<WireError>; 4] {
-    [
-        Basis::<f32>::from_bytes(bytes).map(|basis| floats(&basis)).err(),
-        GeneralBasis::<f32>::from_bytes(bytes).map(|basis| general(&basis)).err(),
-        quantized::Basis::<Q15>::from_bytes(bytes).map(|basis| integers(&basis)).err(),
-        quantized::Basis::<Q31>::from_bytes(bytes).map(|basis| integers(&basis)).err(),
-    ]
-}
-
 fn is_refused(bytes: &[u8]) -> bool {
     read(bytes).iter().all(Option::is_some)
 }
@@ -77,12 +64,11 @@ fn is_refused(bytes: &[u8]) -> bool {
 #[test]
 fn no_flipped_bit_goes_unseen() {
     for file in ALL {
-        let mut room = room(file);
         for place in 0..file.len() {
             for bit in 0..8 {
                 let mut bytes = file.to_vec();
                 bytes[place] ^= 1 << bit;
-                assert!(is_refused(aligned(&bytes, &mut room).expect("room")), "{place}, {bit}");
+                assert!(placed(&bytes, is_refused), "{place}, {bit}");
             }
         }
     }
@@ -95,14 +81,12 @@ fn no_part_is_the_whole() {
             assert!(is_refused(&file[..length]), "{length}");
         }
         // The rest of its page does not count.
-        let page = [file, &[0xff; 100]].concat();
-        let mut room = room(&page);
-        assert!(!is_refused(aligned(&page, &mut room).expect("room")));
+        assert!(!placed(&[file, &[0xff; 100]].concat(), is_refused));
     }
 }
 
 /// Its checksum made right.
-fn sealed(mut bytes: Vec<u8>) -> Vec<u8> {
+pub fn sealed(mut bytes: Vec<u8>) -> Vec<u8> {
     let end = bytes.len() - 4;
     let (file, sum) = bytes.split_at_mut(end);
     sum.copy_from_slice(&crc32fast::hash(file).to_le_bytes());
@@ -112,15 +96,13 @@ fn sealed(mut bytes: Vec<u8>) -> Vec<u8> {
 #[test]
 fn errors_say_which_they_are() {
     let of = |bytes: &[u8]| Basis::<f32>::from_bytes(bytes).expect_err("a fault");
-    let mut room = room(&GENERAL.0);
-    let mut with = |file: &[u8], at: usize, byte: u8| {
+    let with = |file: &[u8], at: usize, byte: u8| {
         let mut bytes = file.to_vec();
         bytes[at] = byte;
-        of(aligned(&sealed(bytes), &mut room).expect("room"))
+        placed(&sealed(bytes), of)
     };
     let length = SPHERE.0.len();
-    let argument = eigenshade::Argument::Terms;
-    let without_terms = eigenshade::Error::Length { argument, expected: 27, found: 0 };
+    let without_terms = Error::Length { argument: Argument::Terms, expected: 27, found: 0 };
     let mut found = vec![
         (of(b""), Fault::BadMagic.into()),
         (of(b"EIGSHADE, another file altogether"), Fault::BadMagic.into()),
@@ -141,27 +123,22 @@ fn errors_say_which_they_are() {
     ];
     let of_sphere = GeneralBasis::<f32>::from_bytes(&SPHERE.0).expect_err("no eigenimages");
     found.push((of_sphere, Fault::Images { found: 0 }.into()));
-    let shorter = &mut [0; 3];
-    let refused = aligned(&SPHERE.0, shorter).expect_err("too little");
+    let refused = aligned(&SPHERE.0, &mut [0; 3]).expect_err("too little");
     found.push((refused.into(), Fault::Room { needed: length / 4, found: 3 }.into()));
     for (found, expected) in &found {
         assert_eq!(found, expected);
     }
     // More components than profiles serve.
-    let contradiction = WireError::Parts(eigenshade::Error::Profile);
+    let contradiction = WireError::Parts(Error::Profile);
     let kinds: [&[u8]; 4] = [&SPHERE.0, &GENERAL.0, &INTEGERS_15.0, &INTEGERS_31.0];
     for (kind, file) in kinds.into_iter().enumerate() {
         let mut bytes = file.to_vec();
         bytes[24] += 1;
-        let found = read(aligned(&sealed(bytes), &mut room).expect("room"));
-        assert_eq!(found[kind], Some(contradiction));
+        assert_eq!(placed(&sealed(bytes), read)[kind], Some(contradiction));
     }
-    let damaged = {
-        let mut bytes = SPHERE.0.to_vec();
-        bytes[200] ^= 1;
-        bytes
-    };
-    let damaged = of(aligned(&damaged, &mut room).expect("room"));
+    let mut damaged = SPHERE.0.to_vec();
+    damaged[200] ^= 1;
+    let damaged = placed(&damaged, of);
     assert!(matches!(damaged, WireError::File(Fault::Checksum { .. })));
     let more = [contradiction, damaged];
     for error in found.iter().map(|(found, _)| found).chain(&more) {
@@ -173,13 +150,11 @@ fn errors_say_which_they_are() {
 /// A file for the other kind of machine is the same numbers, each turned round.
 #[test]
 fn the_other_byte_order_is_told() {
-    let table = std::fs::read("tables/sphere.bin").expect("the shipped table");
-    let table = eigenshade_table::decode(&table).expect("a table");
+    let table = shipped_table("sphere");
     let [little, big] = [Endian::Little, Endian::Big]
         .map(|endian| encode(&table, NumberFormat::F32, endian).expect("a sphere's table"));
-    let mut room = room(&big);
-    let refused = Basis::<f32>::from_bytes(aligned(&big, &mut room).expect("room"));
-    assert_eq!(refused.expect_err("another order"), Fault::Endianness.into());
+    let refused = placed(&big, |bytes| Basis::<f32>::from_bytes(bytes).expect_err("another order"));
+    assert_eq!(refused, Fault::Endianness.into());
     let long = |at: usize| u32::from_le_bytes(std::array::from_fn(|k| little[at + k])) as usize;
     let turned = |at: usize, width: usize| {
         let mut number = little[at..at + width].to_vec();
@@ -199,8 +174,7 @@ proptest! {
 
     #[test]
     fn random_bytes_are_refused(bytes in prop::collection::vec(any::<u8>(), 0..600)) {
-        let mut places = room(&bytes);
-        prop_assert!(is_refused(aligned(&bytes, &mut places).expect("room")));
+        prop_assert!(placed(&bytes, is_refused));
         prop_assert!(is_refused(&bytes));
     }
 
@@ -225,9 +199,7 @@ proptest! {
         bytes.resize(bytes.len().next_multiple_of(4) + 4, 0);
         let length = bytes.len() as u32;
         bytes[16..20].copy_from_slice(&length.to_le_bytes());
-        let bytes = sealed(bytes);
-        let mut places = room(&bytes);
-        let found = read(aligned(&bytes, &mut places).expect("room"));
+        let found = placed(&sealed(bytes), read);
         prop_assert!(!found.contains(&Some(Fault::BadMagic.into())));
     }
 
@@ -242,8 +214,6 @@ proptest! {
             let place = place.index(bytes.len());
             bytes[place] = byte;
         }
-        let bytes = sealed(bytes);
-        let mut places = room(&bytes);
-        read(aligned(&bytes, &mut places).expect("room"));
+        placed(&sealed(bytes), read);
     }
 }

@@ -38,8 +38,7 @@ pub struct Chart {
 }
 
 pub enum Axes {
-    /// The horizontal axis is linear and has `labels` numbers; the vertical one is logarithmic and
-    /// in percent: 1 is 100 %.
+    /// Linear with this many numbers; vertically logarithmic and in percent: 1 is 100 %.
     Percent { columns: Range<f64>, rows: Range<f64>, labels: usize },
     /// Both are logarithmic and reach as far as the points.
     Logarithmic,
@@ -182,8 +181,8 @@ pub fn fault(error: impl Display) -> Error {
 
 /// The range of some values, with a margin on either side.
 fn range(values: impl Iterator<Item = f64>) -> Range<f64> {
-    let (low, high) = values
-        .fold((f64::INFINITY, 0.0f64), |(low, high), value| (low.min(value), high.max(value)));
+    let of_none = (f64::INFINITY, 0.0f64);
+    let (low, high) = values.fold(of_none, |(low, high), one| (low.min(one), high.max(one)));
     if low > high {
         return 1.0..10.0;
     }

@@ -140,8 +140,7 @@ impl Figures {
     }
 }
 
-/// The allowed difference of two numbers of a CSV, relative to the larger one: two units of the six
-/// digits.
+/// The allowed relative difference of two numbers of a CSV: two units of the six digits.
 const ALLOWED: f64 = 2e-5;
 /// The difference that is always allowed, relative to the largest number of the file: rounding.
 const FLOOR: f64 = 1e-13;

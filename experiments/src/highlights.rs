@@ -207,29 +207,20 @@ pub const DRAWN: [Option<((usize, usize), usize)>; 4] =
     [Some(((9, 7), 0)), Some(((9, 7), 4)), Some(((12, 12), 8)), None];
 
 /// Pictures of a shipped material under a captured light, one for each of [`DRAWN`].
-pub fn spheres(
-    inputs: &Path,
-    map: &str,
-    material: &str,
-    normals: &[[f64; 3]],
-) -> Result<Vec<Picture>> {
+pub fn spheres(inputs: &Path, map: &str, on: &str, normals: &[[f64; 3]]) -> Result<Vec<Picture>> {
     let path = inputs.join(format!("maps/{map}.exr"));
     let view = View::new(&EnvironmentMap::from_path(path)?, None, 12)?;
-    let surface = published()?.into_iter().find(|surface| surface.name == material);
+    let surface = published()?.into_iter().find(|surface| surface.name == on);
     let surface = surface.ok_or_else(|| Error::new("no such material", "take a shipped one"))?;
     let sources = shipped::sources()?.into_iter().find(|sets| sets.name == map).unwrap_or_default();
-    let gloss = shipped::glosses()?.into_iter().find(|one| one.name == material);
+    let gloss = shipped::glosses()?.into_iter().find(|one| one.name == on);
     let gloss = gloss.ok_or_else(|| Error::new("no gloss", "take a shipped material"))?.gloss;
     let sphere = Sphere::of_normals(normals);
-    DRAWN
-        .iter()
-        .map(|drawn| match *drawn {
-            Some((size, most)) => {
-                let projected = surface.project(size.1, Measure::default()).material;
-                let [r, g, b] = projected.rgb.each_ref().map(|b| Response::new(size, b));
-                picture(&view, [&r, &g, &b], &gloss, &sources, most, &sphere)
-            }
-            None => Ok(view.reference(&surface, normals)),
-        })
-        .collect()
+    let drawn = |drawn: Option<((usize, usize), usize)>| {
+        let Some((size, most)) = drawn else { return Ok(view.reference(&surface, normals)) };
+        let projected = surface.project(size.1, Measure::default()).material;
+        let [r, g, b] = projected.rgb.each_ref().map(|b| Response::new(size, b));
+        picture(&view, [&r, &g, &b], &gloss, &sources, most, &sphere)
+    };
+    DRAWN.into_iter().map(drawn).collect()
 }

@@ -1,5 +1,4 @@
-//! Measurements for the documentation of eigenshade: CSV files, plots, and the generated parts of
-//! its pages.
+//! Measurements for the documentation of eigenshade: CSV files, plots, and parts of pages.
 #![expect(missing_docs, reason = "no package depends on it")]
 
 pub use eigenshade_sources::{light_tree, mirrored, sphere, texels};

@@ -17,8 +17,7 @@ use std::path::Path;
 
 /// The material that was measured and is not in color.
 const MEASURED: &str = "ptfe-633nm";
-/// Distance of the evenly spaced normals of the sphere in radians: 1,000, and 800 that mirror the
-/// lamps of the maps.
+/// Distance of evenly spaced normals in radians: 1,000, and 800 that mirror lamps of the maps.
 pub const SPACING: f64 = 0.08;
 
 /// The errors of one material at one size, relative to the peak.
@@ -34,13 +33,11 @@ pub struct Errors {
     pub pixel: f64,
 }
 
+/// The errors of materials, by name and then by size.
+pub type Found = Vec<(String, Vec<Errors>)>;
+
 /// The errors of the shipped materials, or of those with these names, at each of [`ERROR_SIZES`].
-pub fn errors(
-    inputs: &Path,
-    names: &[String],
-    spacing: f64,
-    progress: &ProgressBar,
-) -> Result<Vec<(String, Vec<Errors>)>> {
+pub fn errors(inputs: &Path, names: &[String], spacing: f64, bar: &ProgressBar) -> Result<Found> {
     let materials = materials()?;
     if let Some(name) = names.iter().find(|name| materials.iter().all(|(s, _)| s.name != **name)) {
         let what = format!("no material is named `{name}`");
@@ -51,12 +48,12 @@ pub fn errors(
     let chosen: Vec<_> = materials.iter().filter(is_chosen).collect();
     let lights = read_lights(inputs.join("lights.csv"), None)?;
     let world = World::new(&inputs.join("maps"), &lights, spacing)?;
-    progress.set_length(chosen.len() as u64);
+    bar.set_length(chosen.len() as u64);
     let of_material = |(surface, shipped): &(Surface, [Named; 2])| {
         let pictures = world.pictures(surface, &world.sphere.normals).into_iter();
         let references: Vec<_> =
             pictures.map(|one| ReferencePicture::new(one, &world.sphere)).collect();
-        progress.inc(1);
+        bar.inc(1);
         let of_size = |(size, material)| errors_of(&references, &world, size, material);
         (surface.name.clone(), ERROR_SIZES.into_iter().zip(shipped).map(of_size).collect())
     };
@@ -67,7 +64,7 @@ pub fn errors(
 pub const COLUMNS: &str = "material,degree,order,median,worst,map,pixel";
 
 /// Its rows.
-pub fn rows(found: &[(String, Vec<Errors>)]) -> impl Iterator<Item = Vec<String>> {
+pub fn rows(found: &Found) -> impl Iterator<Item = Vec<String>> {
     found.iter().flat_map(|(name, errors)| {
         ERROR_SIZES.into_iter().zip(errors).map(move |((degree, order), errors)| {
             let [median, worst] = [errors.median, errors.worst].map(|rms| format!("{rms:.5}"));
@@ -77,14 +74,9 @@ pub fn rows(found: &[(String, Vec<Errors>)]) -> impl Iterator<Item = Vec<String>
     })
 }
 
-fn errors_of(
-    references: &[ReferencePicture],
-    world: &World,
-    size: (usize, usize),
-    material: &Named,
-) -> Errors {
-    let found = sums(&world.sphere, &world.lights, size, material);
-    let errors = references.iter().zip(&found).map(|(one, found)| one.error(found, &world.sphere));
+fn errors_of(all: &[ReferencePicture], world: &World, size: (usize, usize), on: &Named) -> Errors {
+    let found = sums(&world.sphere, &world.lights, size, on);
+    let errors = all.iter().zip(&found).map(|(one, found)| one.error(found, &world.sphere));
     let (rms, pixels): (Vec<f64>, Vec<f64>) = errors.map(|one| (one.rms, one.pixel)).unzip();
     let worst = (0..rms.len()).max_by(|&a, &b| rms[a].total_cmp(&rms[b])).unwrap_or_default();
     Errors {

@@ -8,8 +8,7 @@ use eigenshade_shading::shader::fault;
 use eigenshade_table::{Table, parts};
 use eigenshade_testing::images::products;
 
-/// Multiplications of each step for one channel, with all components of a table. Multiplications by
-/// padding zeros are included.
+/// Multiplications of each step for one channel, including those by padding zeros.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Multiplications {
     /// A light on a transferred material: one for each number of a transfer.
@@ -21,8 +20,7 @@ pub struct Multiplications {
     /// Turning a light: one for each element of the matrices that exchange y and z, twice, and four
     /// for each pair of orders in each of four rotations about z.
     pub turn: usize,
-    /// A pixel: the multiply-adds of `docs/performance.md`, by Horner's rule in t and in
-    /// n_x - i n_y.
+    /// A pixel: the multiply-adds of `docs/performance.md`, by Horner's rule.
     pub pixel: usize,
 }
 

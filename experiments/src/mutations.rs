@@ -80,8 +80,7 @@ fn read(list: &Path) -> Result<Vec<Mutation>> {
     reader.deserialize().collect::<std::result::Result<_, _>>().map_err(fault)
 }
 
-/// The files that have mutations, each with all of them behind switches. `read` gives the text of a
-/// file.
+/// The files that have mutations, each with all of them behind switches.
 fn switched(
     mutations: &[Mutation],
     read: impl Fn(&str) -> Result<String>,

@@ -2,8 +2,7 @@
 
 use eigenshade_cli::output::exact;
 
-/// The median of the values: the mean of the middle two if their number is even, and NaN if there
-/// are none.
+/// The median: the mean of the middle two if their number is even, NaN if there are none.
 pub fn median(values: &[f64]) -> f64 {
     let mut sorted = values.to_vec();
     sorted.sort_by(f64::total_cmp);
@@ -34,8 +33,7 @@ pub fn limit(share: f64) -> String {
     format!("{} %", value.trim_end_matches('0').trim_end_matches('.'))
 }
 
-/// The exposure factor: it scales the value below which a `share` of the values lie to 1. Returns 1
-/// if that value is not positive.
+/// The factor that scales the value below which a `share` lies to 1; 1 if it is not positive.
 pub fn exposure(mut values: Vec<f64>, share: f64) -> f64 {
     values.retain(|value| value.is_finite());
     values.sort_by(f64::total_cmp);

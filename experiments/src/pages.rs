@@ -29,8 +29,7 @@ impl Page {
     }
 }
 
-/// Whether a command writes its output or compares it with an existing file. Exactly one of the two
-/// is required.
+/// Whether a command writes its output or compares it with an existing file: one of the two.
 #[derive(Args, Debug)]
 #[group(required = true, multiple = false)]
 pub struct Purpose {
@@ -64,8 +63,7 @@ impl Purpose {
     }
 }
 
-/// A table with these columns, which ` | ` separates. Those that end with a colon are
-/// right-aligned.
+/// A table with these columns, which ` | ` separates. A colon at the end aligns one right.
 pub fn table(columns: &str, rows: impl IntoIterator<Item = Vec<String>>) -> String {
     let mut text = format!("| {} |\n|", columns.replace(": |", " |").trim_end_matches(':'));
     for name in columns.split(" | ") {
@@ -96,8 +94,7 @@ pub fn with_parts(page: &str, parts: &[Part]) -> Result<String, String> {
     Ok(page)
 }
 
-/// Compares a text with its current version, word by word: `same(recorded line, old, new)`. The
-/// error is the first difference.
+/// Compares texts word by word: `same(recorded line, old, new)`. Fails at the first difference.
 pub fn compare_words(
     recorded: &str,
     now: &str,

@@ -42,18 +42,13 @@ pub fn named<'a>(all: &Lights, names: impl Iterator<Item = &'a str>) -> Result<L
 }
 
 /// The picture of the direct sum (15) under each light up to a degree and an order.
-pub fn sums(
-    sphere: &Sphere,
-    lights: &Lights,
-    (degree, order): (usize, usize),
-    material: &Named,
-) -> Vec<Picture> {
-    let (count, maps) = (light::count(degree), lights.entries.len());
+pub fn sums(sphere: &Sphere, lights: &Lights, size: (usize, usize), on: &Named) -> Vec<Picture> {
+    let (count, maps) = (light::count(size.0), lights.entries.len());
     let channel = |c: usize| {
         let lights = lights.entries.iter().map(|light| &light.rgb[c][..count]);
-        (lights.collect(), &material.rgb[c][..])
+        (lights.collect(), &on.rgb[c][..])
     };
-    let images = sphere.direct((degree, order), &[0, 1, 2].map(channel));
+    let images = sphere.direct(size, &[0, 1, 2].map(channel));
     (0..maps).map(|map| [0, 1, 2].map(|c| images[c * maps + map].clone())).collect()
 }
 

@@ -1,5 +1,4 @@
-//! Recorded CSV files: their rows, and the counts measured on the emulated boards,
-//! `firmware/counts.csv`.
+//! Recorded CSV files: their rows, and the counts of the boards, `firmware/counts.csv`.
 
 use crate::numbers::digits;
 use eigenshade_cli::output::Rows;
@@ -168,8 +167,7 @@ impl Counts {
         (!text.is_empty()).then(|| text.parse().expect("a whole number"))
     }
 
-    /// The instructions of an operation, relative to those of a pixel by the nine-term formula.
-    /// Both must have been counted.
+    /// The counted instructions of an operation, of those of a pixel by the nine-term formula.
     pub fn of_nine_terms(&self, on: [&str; 2], operation: &str) -> f64 {
         let counts = [operation, "nine_terms"].map(|one| self.get(on, one, "instructions"));
         let [all, nine] = counts.map(|count| count.expect("an operation that was counted"));

@@ -19,15 +19,13 @@ use experiments::pages::Purpose;
 use experiments::sheet::{Counts, M0, M4F};
 use experiments::sphere::Sphere;
 
-/// A scene of degree 2 in f32 against the nine-term formula in f64, of the peak: rounding of ten
-/// sums.
+/// Degree 2 in f32 against the nine-term formula in f64, of the peak: rounding of ten sums.
 const SAME_AS_NINE_TERMS: f64 = 1e-6;
 
 /// Pictures of effects against sums over modes by hand, of the peak: rounding of 3,704 products.
 const EFFECT_BY_HAND: f64 = 2e-14;
 
-/// The committed tables are those of their scene files; scenes that share one differ in color and
-/// rotation alone.
+/// The committed tables are of their scene files; those that share one differ in color and turns.
 #[test]
 fn tables_are_of_their_scenes() {
     for scene in &SCENES {
@@ -155,8 +153,7 @@ fn the_page_has_the_current_figures() {
     assert_eq!(ablation::PAGE.write_or_compare(&page, &parts), Ok(()));
 }
 
-/// The tables of `docs/costs.md` and `docs/performance.md` have the multiplications of the shipped
-/// table, the former to two digits.
+/// `docs/costs.md`, to two digits, and `docs/performance.md` have the shipped table's products.
 #[test]
 fn pages_agree_on_multiplications() {
     let found = ablation::multiplications();

@@ -12,8 +12,7 @@ use experiments::accuracy_cost::settings::{self, Setting};
 use experiments::sheet::{Counts, M0, M3, M4F, RV32, Record, Sheet};
 use std::fs;
 
-/// Counts in the settings' file, of four digits, against those of the firmware, relative: half of
-/// the last digit of 1,000.
+/// Counts of four digits against those of the firmware, relative: half a last digit of 1,000.
 const COUNTED: f64 = 5e-4;
 
 /// Words that a program holds besides a setting's transferred material, d and scene: lengths and
@@ -83,8 +82,7 @@ fn each_counted_table_is_a_setting_with_its_counts() {
     }
 }
 
-/// The firmware's tables are the settings' bases: the same components, the same polynomials
-/// trimmed to the same lengths.
+/// The firmware's tables are the settings' bases: the same components and trimmed polynomials.
 #[test]
 fn tables_of_the_firmware_are_those_of_the_settings() {
     let all = settings::all(false);

@@ -35,8 +35,7 @@ const DIELECTRIC: Explicit =
     (|| Box::new(Ggx::new(0.3, 0.04, 0.5).unwrap()), |i, r| ggx(0.3, 0.04, 0.5, i, r));
 const MATTE: Explicit = (|| Box::new(Lambertian::new(0.8).unwrap()), |_, _| 0.8 / PI);
 
-/// Irradiances by material, then by map of one size: midpoints in sin² θ_i and φ_i, each in the
-/// texel that it meets.
+/// Irradiances by material and map of one size: midpoints in sin² θ_i and φ_i, in their texels.
 fn integrals(
     materials: &[Explicit],
     maps: &[EnvironmentMap],

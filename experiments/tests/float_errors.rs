@@ -94,8 +94,7 @@ fn floats_are_right_at_every_degree() {
         let stated: Vec<f64> = stated.collect();
         assert_eq!(stated.len(), 4);
         for (column, (found, stated)) in found.zip(stated).enumerate() {
-            // Another compiler sums in another order; in f64, other linear algebra ends at
-            // components beside the cut-off.
+            // Compilers sum in other orders; in f64, other linear algebra ends elsewhere.
             let most = if column == 3 { 4.0 } else { 2.0 };
             let ratio = found / stated;
             assert!((1.0 / most..=most).contains(&ratio), "{shape:?}, {column}: {found:e}");

@@ -1,5 +1,4 @@
-//! The recorded errors of pictures with small sources, what the page says of them, and the gloss of
-//! the shipped materials.
+//! The recorded errors of pictures with small sources, their page, and gloss.
 
 use crate::support::repository;
 use crate::{OF_DIGITS, shipped_map};

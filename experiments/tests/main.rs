@@ -23,8 +23,7 @@ use experiments::texels::Texels;
 use std::fs;
 use std::path::{Path, PathBuf};
 
-/// The program that has this command. `eigenshade` lies beside this package's program, if the
-/// workspace was built.
+/// The program that has this command. `eigenshade` lies beside this one if it was built.
 fn program(command: &str) -> PathBuf {
     let experiments = Path::new(env!("CARGO_BIN_EXE_experiments"));
     if ["errors", "paper", "accuracy-cost"].contains(&command) {

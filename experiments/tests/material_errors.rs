@@ -30,8 +30,7 @@ use std::fs;
 /// it is used for are 50 times as large in the median.
 const OF_TREE: f64 = 3e-4;
 
-/// Medians and worst maps at normals 1.4 times as far apart, as a factor, of the widest lobe and of
-/// the narrowest.
+/// Medians and worst maps at normals 1.4 times as far apart, as a factor: widest, narrowest lobe.
 const OF_SPACING: f64 = 1.1;
 
 /// Measured materials and formulas.

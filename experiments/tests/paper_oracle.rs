@@ -1,5 +1,4 @@
-//! The figures of `docs/paper.md` against pixels whose light is summed by direct quadrature of (3),
-//! which shares no code with them.
+//! The figures of `docs/paper.md` against direct quadrature of (3), which shares no code with them.
 
 use crate::support::repository;
 use crate::{oracle, tolerances};
@@ -24,8 +23,7 @@ const FIGURE_ERROR: f64 = 2e-13;
 /// Irradiances of six digits, relative to the peak: half a unit of the last digit.
 const LISTED: f64 = 6e-6;
 
-/// The least ratio of the error of a partial sum to its bound: below it, the sum would not test the
-/// bound.
+/// The least ratio of a partial sum's error to its bound: below it, the bound would not be tested.
 const BOUND_AT_WORK: f64 = 0.01;
 
 /// The part that a partial sum leaves out at a pixel, relative to the peak: far above the tolerance
@@ -48,8 +46,7 @@ pub fn sheet(name: &str) -> Sheet {
     Sheet::parse(&std::fs::read_to_string(path).expect("a text"), name).expect("a CSV")
 }
 
-/// Normals with the weights of the density cos(α)/π: 2z dz by Clenshaw and Curtis, equal
-/// steps in β.
+/// Normals with the weights of cos(α)/π: 2z dz by Clenshaw and Curtis, equal steps in β.
 fn pixels() -> Vec<([f64; 3], f64)> {
     let mut pixels = Vec::new();
     for (z, weight) in oracle::clenshaw_curtis(INTERVALS) {

@@ -1,5 +1,4 @@
-//! The conclusions of `docs/reading.md` hold for its figures, which `experiments reading --check`
-//! reproduces.
+//! The conclusions of `docs/reading.md` hold for its figures, which `reading --check` reproduces.
 
 use crate::tolerances::REPORT;
 use std::collections::HashMap;

@@ -109,9 +109,8 @@ impl<Q: Integer> Relit<Q> {
         let mut workspace = vec![Q::Wide::default(); basis.workspace_len()];
         let mut numbers = vec![Q::default(); basis.transfer_len()];
         let mut exponents = vec![0; basis.profiles()];
-        basis
-            .transfer_into(material, &mut workspace, &mut numbers, &mut exponents)
-            .expect("it fits");
+        let made = basis.transfer_into(material, &mut workspace, &mut numbers, &mut exponents);
+        made.expect("it fits");
         let mut d = vec![0; basis.components()];
         let transfer = Transfer::new(&numbers, &exponents);
         let exponent = basis.relight_into(&transfer, light, &mut d).expect("it fits");
@@ -124,9 +123,7 @@ impl<Q: Integer> Relit<Q> {
 pub fn normals<Q: Integer>(input: &mut Reader<'_>) -> Vec<Normal<Q>> {
     let one = 2f64.powi(Q::FORMAT.bits());
     let mut found = Vec::new();
-    let mut take = |components: [f64; 3]| {
-        found.extend(Q::normal(components.map(|component| Q::nearest(one * component))));
-    };
+    let mut take = |components: [f64; 3]| found.extend(Q::normal(components.map(Q::rounded)));
     // 1.0005² is just too long, 0.9995² too short.
     for size in [0.999_51, 1.0, 1.000_49] {
         for z in [0.0, 1.0 / one, 0.001, 0.5, 0.999, 0.999_96, 1.0] {
@@ -167,11 +164,8 @@ pub fn exact<Q: Integer>(lengths: &[u8], terms: &[i32], normal: Normal<Q>) -> i1
     };
     let mut terms = terms.iter().map(|&term| i128::from(term));
     let mut value = |length: usize| {
-        let mut step = 0;
-        for term in terms.by_ref().take(length) {
-            step = bounded(((step * t) >> (bits - 1)) + term);
-        }
-        step
+        let step = |step: i128, term| bounded(((step * t) >> (bits - 1)) + term);
+        terms.by_ref().take(length).fold(0, step)
     };
     let mut lengths = lengths.iter().map(|&length| usize::from(length));
     let first = lengths.next().unwrap_or(0);
@@ -220,15 +214,10 @@ pub fn shipped() -> &'static Shipped {
     SHIPPED.get_or_init(|| {
         let bytes = include_bytes!("../../tables/sphere.bin");
         let table = eigenshade_table::decode(bytes).expect("a table");
-        let parts = |format: IntegerFormat| {
-            integers(&table, format, format.tolerance()).expect("a sphere's table")
-        };
-        Shipped {
-            rows: table.profiles.iter().map(|profile| table.gram_row(profile)).collect(),
-            q15: parts(IntegerFormat::Q15),
-            q31: parts(IntegerFormat::Q31),
-            table,
-        }
+        let [q15, q31] = [IntegerFormat::Q15, IntegerFormat::Q31]
+            .map(|format| integers(&table, format, format.tolerance()).expect("a sphere's table"));
+        let rows = table.profiles.iter().map(|profile| table.gram_row(profile)).collect();
+        Shipped { rows, q15, q31, table }
     })
 }
 

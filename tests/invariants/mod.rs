@@ -11,17 +11,16 @@ pub mod integer;
 mod shading;
 mod ways;
 
-pub use shading::{
-    collapse_sets, shade_coefficients, shade_floats, shade_integers, shade_transfer,
-};
-pub use ways::{every_way, reconstruct};
+pub use ways::{project_reconstruct, public_interface};
 
 use eigenshade::index::{light, material, wire};
 use eigenshade::quantized::{self, Transfer};
+use eigenshade::wire::{WireError, aligned};
 use eigenshade::{
-    Basis, Effect, Effects, Format, GeneralBasis, Light, Material, Normal, Q15, Q31, Tolerance,
+    Basis, Effect, Effects, GeneralBasis, Light, Material, Normal, Q15, Q31, Tolerance,
 };
 use integer::Integer;
+use shading::{collapse_sets, shade_coefficients, shade_floats, shade_integers, shade_transfer};
 
 /// d in 15 bits, relative to what its addends could be: light, material, Ĉ, S, factors and T are
 /// each rounded to 15 bits of the largest number of their row.
@@ -40,58 +39,44 @@ pub const TRUNCATED_PARTS: f64 = 2e-6;
 /// RRᵀ of any rotation in f32: sixteen roundings, and those of the sum itself.
 pub const ORTHONORMAL_F32: f64 = 1.2e-6;
 
-/// Any light on any material under any normals, or any transfer, or any coefficients,
-/// in any format; or any images within a tolerance.
+/// Any light on any material under any normals, any transfer, and any coefficients, in any format;
+/// and any images within a tolerance.
+pub const SHADING: [fn(&mut Reader<'_>); 8] = [
+    shade_floats,
+    shade_integers::<Q15>,
+    shade_integers::<Q31>,
+    shade_transfer::<Q15>,
+    shade_transfer::<Q31>,
+    shade_coefficients::<Q15>,
+    shade_coefficients::<Q31>,
+    collapse_sets,
+];
+
+/// The first byte chooses one of [`SHADING`].
 pub fn shade_any(bytes: &[u8]) {
     let mut input = Reader::new(bytes);
-    match input.byte() % 8 {
-        0 => shade_floats(&mut input),
-        1 => shade_integers::<Q15>(&mut input),
-        2 => shade_integers::<Q31>(&mut input),
-        3 => shade_transfer::<Q15>(&mut input),
-        4 => shade_transfer::<Q31>(&mut input),
-        5 => shade_coefficients::<Q15>(&mut input),
-        6 => shade_coefficients::<Q31>(&mut input),
-        _ => collapse_sets(&mut input),
-    }
-}
-
-/// Any numbers into look-ups, baking, rotation, windows, truncation and estimates.
-pub fn public_interface(bytes: &[u8]) {
-    every_way(&mut Reader::new(bytes));
-}
-
-/// Any light and material of moderate size: every format's d and image against f64.
-pub fn project_reconstruct(bytes: &[u8]) {
-    reconstruct(&mut Reader::new(bytes));
+    SHADING[input.up_to(SHADING.len() - 1)](&mut input);
 }
 
 /// Bytes that are read one after the other.
-pub struct Reader<'a> {
-    rest: &'a [u8],
-}
+pub struct Reader<'a>(&'a [u8]);
 
 impl<'a> Reader<'a> {
     pub fn new(bytes: &'a [u8]) -> Self {
-        Self { rest: bytes }
+        Self(bytes)
     }
 
-    /// Whether anything is left.
     pub fn is_empty(&self) -> bool {
-        self.rest.is_empty()
+        self.0.is_empty()
     }
 
     pub fn bytes<const N: usize>(&mut self) -> [u8; N] {
-        let (now, rest) = self.rest.split_at(N.min(self.rest.len()));
-        self.rest = rest;
-        let mut bytes = [0; N];
-        bytes[..now.len()].copy_from_slice(now);
-        bytes
+        [(); N].map(|()| self.byte())
     }
 
+    /// The next byte, or 0 at the end.
     pub fn byte(&mut self) -> u8 {
-        let [byte] = self.bytes();
-        byte
+        self.0.split_off_first().copied().unwrap_or(0)
     }
 
     pub fn i32(&mut self) -> i32 {
@@ -101,6 +86,11 @@ impl<'a> Reader<'a> {
     /// A number of at most this, or this.
     pub fn up_to(&mut self, most: usize) -> usize {
         usize::from(self.byte()) % (most + 1)
+    }
+
+    /// A whole number from -128 to 127.
+    pub fn small(&mut self) -> f32 {
+        self.byte().cast_signed().into()
     }
 
     /// A number of moderate size: 15 bits, times a power of two from 2^-40 to 2^7.
@@ -123,35 +113,28 @@ impl<'a> Reader<'a> {
 
 /// These bytes as they are, and with length and checksum made right.
 pub fn from_bytes(bytes: &[u8]) {
-    read(bytes);
-    let mut sealed = bytes.to_vec();
-    if sealed.len() < wire::HEADER + wire::CHECKSUM || sealed.len() > 1 << 20 {
+    let mut room = vec![0; bytes.len().div_ceil(wire::ALIGNMENT)];
+    read(aligned(bytes, &mut room).expect("room for all"));
+    if bytes.len() < wire::HEADER + wire::CHECKSUM || bytes.len() > 1 << 20 {
         return;
     }
+    let mut sealed = bytes.to_vec();
     sealed[..wire::LABEL.len()].copy_from_slice(&wire::LABEL);
     let length = sealed.len() as u32;
     sealed[wire::place::LENGTH..][..4].copy_from_slice(&length.to_ne_bytes());
-    let end = sealed.len() - wire::CHECKSUM;
-    let sum = checksum(&sealed[..end]);
-    sealed[end..].copy_from_slice(&sum.to_ne_bytes());
-    read(&sealed);
+    let (file, sum) = sealed.split_at_mut(bytes.len() - wire::CHECKSUM);
+    sum.copy_from_slice(&checksum(file).to_ne_bytes());
+    read(aligned(&sealed, &mut room).expect("room for all"));
 }
 
-fn read(bytes: &[u8]) {
-    let mut room = vec![0; bytes.len().div_ceil(wire::ALIGNMENT)];
-    let bytes = eigenshade::wire::aligned(bytes, &mut room).expect("room for all");
-    if let Ok(basis) = Basis::<f32>::from_bytes(bytes) {
-        floats(&basis);
-    }
-    if let Ok(basis) = GeneralBasis::<f32>::from_bytes(bytes) {
-        general(&basis);
-    }
-    if let Ok(basis) = quantized::Basis::<Q15>::from_bytes(bytes) {
-        integers(&basis);
-    }
-    if let Ok(basis) = quantized::Basis::<Q31>::from_bytes(bytes) {
-        integers(&basis);
-    }
+/// The error of each kind of basis that cannot be read from these bytes. Every other one is used.
+pub fn read(bytes: &[u8]) -> [Option<WireError>; 4] {
+    [
+        Basis::<f32>::from_bytes(bytes).map(|basis| floats(&basis)).err(),
+        GeneralBasis::<f32>::from_bytes(bytes).map(|basis| general(&basis)).err(),
+        quantized::Basis::<Q15>::from_bytes(bytes).map(|basis| integers(&basis)).err(),
+        quantized::Basis::<Q31>::from_bytes(bytes).map(|basis| integers(&basis)).err(),
+    ]
 }
 
 /// More components than any table in `tests/wire_files` has. A basis with more is not estimated.
@@ -233,7 +216,7 @@ pub fn integers<Q: Integer>(basis: &quantized::Basis<'_, Q>) {
     if !basis.parts().polar.is_empty() {
         let (mantissas, of_orders) = (numbers(material::count(order)), vec![0; order + 1]);
         let material = quantized::Material::new(&of_orders, &mantissas).expect("a material");
-        let mut workspace = vec![<Q as Format>::Wide::default(); basis.workspace_len()];
+        let mut workspace = vec![Q::Wide::default(); basis.workspace_len()];
         basis
             .transfer_into(&material, &mut workspace, &mut transfer, &mut exponents)
             .expect("sizes");

@@ -6,8 +6,8 @@ use super::integer::{Integer, Relit, normals, shipped};
 use super::shading::{near, parts};
 use eigenshade::mathematics::{Libm, SinglePrecision};
 use eigenshade::{
-    Effect, Effects, Light, MapPoint, NegativePolicy, Normal, Normals, Q15, Q31, Rotation,
-    Tolerance, Truncation, Window, quantized, sphere,
+    Effect, Effects, Light, MapPoint, Material, NegativePolicy, Normal, Normals, Q15, Q31,
+    Rotation, Tolerance, Truncation, Window, quantized, sphere,
 };
 use eigenshade_index::record::ProfilePlace;
 use eigenshade_index::{light, material};
@@ -17,20 +17,16 @@ use eigenshade_index::{light, material};
 const ANY_D_F32: f64 = 2e-8;
 
 /// Any light and material of moderate size, rounded to each format by the runtime.
-pub fn reconstruct(input: &mut Reader<'_>) {
+pub fn project_reconstruct(bytes: &[u8]) {
+    let input = &mut Reader::new(bytes);
     let degree = input.up_to(sphere::BASIS.degree());
     let light = input.floats(light::count(degree), true);
     let order = input.up_to(sphere::BASIS.order());
     let material = input.floats(material::count(order), true);
     let wide = |numbers: &[f32]| numbers.iter().map(|&one| one.into()).collect::<Vec<f64>>();
-    let case = Case {
-        reference: shipped().project(&wide(&light), &wide(&material)),
-        scales: shipped().scales(largest(&light), &of_orders(order, &material)),
-        degree,
-        light,
-        order,
-        material,
-    };
+    let reference = shipped().project(&wide(&light), &wide(&material));
+    let scales = shipped().scales(largest(&light), &of_orders(order, &material));
+    let case = Case { light, order, material, reference, scales };
     let seen = normals::<Q31>(input);
     case.in_floats(&seen);
     case.in_integers::<Q15>(&normals(&mut Reader::new(&[])));
@@ -67,7 +63,6 @@ fn of_orders(order: usize, material: &[f32]) -> Vec<f64> {
 }
 
 struct Case {
-    degree: usize,
     light: Vec<f32>,
     order: usize,
     material: Vec<f32>,
@@ -90,12 +85,12 @@ impl Case {
     }
 
     fn in_floats(&self, normals: &[quantized::Normal<Q31>]) {
-        let light = eigenshade::Light::new(&self.light).expect("a light");
-        let material = eigenshade::Material::new(&self.material).expect("a material");
+        let light = Light::new(&self.light).expect("a light");
+        let material = Material::new(&self.material).expect("a material");
         let d = sphere::project(&light, &material).expect("it fits");
         let wide: Vec<f64> = d.iter().map(|&d| d.into()).collect();
         self.projected(&wide, ANY_D_F32, 0.0);
-        self.projected(&self.of_effects(&light, &material), ANY_D_F32, 0.0);
+        self.projected(&Self::of_effects(&light, &material), ANY_D_F32, 0.0);
         let scene = sphere::collapse(&d).expect("it fits");
         let allowed = rounded(&wide);
         for normal in normals {
@@ -107,20 +102,15 @@ impl Case {
     }
 
     /// d, the sum of that of each effect.
-    fn of_effects(
-        &self,
-        light: &eigenshade::Light<'_, f32>,
-        material: &eigenshade::Material<'_, f32>,
-    ) -> Vec<f64> {
-        let (basis, mut sum) = (&sphere::BASIS, vec![0.0; sphere::COMPONENTS]);
-        let mut workspace = vec![0.0; basis.workspace_len()];
-        let mut d = vec![0.0; basis.components()];
+    fn of_effects(light: &Light<'_, f32>, material: &Material<'_, f32>) -> Vec<f64> {
+        let mut workspace = [0.0; sphere::WORKSPACE];
+        let (mut d, mut sum) = ([0.0; sphere::COMPONENTS], vec![0.0; sphere::COMPONENTS]);
         for effect in Effect::ALL {
             let effects = Effects::NONE.with(effect);
-            basis
+            sphere::BASIS
                 .project_effects_into(light, material, effects, &mut workspace, &mut d)
                 .expect("it fits");
-            sum.iter_mut().zip(&d).for_each(|(sum, &d)| *sum += f64::from(d));
+            sum.iter_mut().zip(d).for_each(|(sum, d)| *sum += f64::from(d));
         }
         sum
     }
@@ -160,7 +150,8 @@ const BETWEEN_TEXELS: f64 = 1e-6;
 const LIGHT: usize = light::count(sphere::DEGREE);
 
 /// Look-ups, baking, rotation, windows, truncation, estimates and sizes, of any numbers.
-pub fn every_way(input: &mut Reader<'_>) {
+pub fn public_interface(bytes: &[u8]) {
+    let input = &mut Reader::new(bytes);
     indices(input);
     let is_moderate = input.byte().is_multiple_of(2);
     let rotation = any_rotation(input);
@@ -178,7 +169,7 @@ fn indices(input: &mut Reader<'_>) {
     let _ = (eigenshade_index::pair::position(a, b), eigenshade_index::pair::count(a));
     let _ = (eigenshade_index::layout::factors(a, b, c, a), material::count(a));
     let _ = (Light::<f32>::turn_len(a), Light::<f32>::new(&[0.0; 30][..b % 31]));
-    let _ = eigenshade::Material::<f32>::checked(&[0.0; 30][..c % 31]);
+    let _ = Material::<f32>::checked(&[0.0; 30][..c % 31]);
 }
 
 /// Of any numbers an error, or a matrix that is a rotation.
@@ -187,22 +178,18 @@ fn any_rotation(input: &mut Reader<'_>) -> Rotation<f32> {
     for _ in 0..input.up_to(4) {
         let found = match input.byte() % 5 {
             0 => Rotation::from_quaternion([(); 4].map(|()| input.float(false))),
-            1 => {
-                let quaternion = [(); 4].map(|()| f32::from(input.byte().cast_signed()));
-                Rotation::from_quaternion(quaternion)
+            1 => Rotation::from_quaternion([(); 4].map(|()| input.small())),
+            2 => {
+                let [a, b, c] = [(); 3].map(|()| input.float(false));
+                Rotation::from_euler::<Libm>(a, b, c)
             }
-            2 => Rotation::from_euler::<Libm>(
-                input.float(false),
-                input.float(false),
-                input.float(false),
-            ),
             3 => {
-                let [a, b, c] = [(); 3].map(|()| f32::from(input.byte().cast_signed()) / 40.0);
+                let [a, b, c] = [(); 3].map(|()| input.small() / 40.0);
                 Rotation::from_euler::<SinglePrecision>(a, b, c)
             }
             _ => {
                 // Next to a rotation, or anything.
-                let change = f32::from(input.byte().cast_signed()) * 1e-5;
+                let change = input.small() * 1e-5;
                 let mut matrix = rotation.matrix();
                 matrix[usize::from(input.byte() % 3)][usize::from(input.byte() % 3)] += change;
                 Rotation::from_matrix(matrix)
@@ -212,9 +199,8 @@ fn any_rotation(input: &mut Reader<'_>) -> Rotation<f32> {
         rotation = found.after(rotation);
         for (i, a) in rotation.matrix().iter().enumerate() {
             for (j, b) in rotation.matrix().iter().enumerate() {
-                let product: f64 =
-                    a.iter().zip(b).map(|(&a, &b)| f64::from(a) * f64::from(b)).sum();
-                let off = (product - f64::from(u8::from(i == j))).abs();
+                let products = a.iter().zip(b).map(|(&a, &b)| f64::from(a) * f64::from(b));
+                let off = (products.sum::<f64>() - f64::from(u8::from(i == j))).abs();
                 assert!(off <= super::ORTHONORMAL_F32, "{off:e}: {rotation:?}");
             }
         }
@@ -263,21 +249,17 @@ fn look_up(d: &[f32; sphere::COMPONENTS], input: &mut Reader<'_>, is_moderate: b
         let point = MapPoint::new(x[0], y[0]);
         let _ = (map.bilinear(point), map.bilinear(MapPoint::of(raw)));
         let _ = (within.shade(raw), MapPoint::of(raw).direction());
-        let [u, v] = vector.map(|c| Q15((c.to_bits() >> 16) as u16 as i16))[..2] else {
-            unreachable!("two of three")
-        };
+        let [u, v, _] = vector.map(|c| Q15((c.to_bits() >> 16) as u16 as i16));
         if let Ok(integers) = &integers {
             let _ = integers.bilinear(MapPoint::new(u, v));
         }
         let [a, b, c] = vector.map(|c| c.to_bits().cast_signed());
         if let Ok(normal) = quantized::Normal::<Q15>::along(a, b, c) {
-            let [x, y, z] = normal.components();
-            assert!(quantized::Normal::<Q15>::new(x, y, z).is_ok(), "{normal:?} is no unit vector");
+            assert!(Q15::normal(normal.components()).is_ok(), "{normal:?} is no unit vector");
             of_integers.add(normal, u, b as u16);
         }
         if let Ok(normal) = quantized::Normal::<Q31>::along(a, b, c) {
-            let [x, y, z] = normal.components();
-            assert!(quantized::Normal::<Q31>::new(x, y, z).is_ok(), "{normal:?} is no unit vector");
+            assert!(Q31::normal(normal.components()).is_ok(), "{normal:?} is no unit vector");
         }
         estimate.add(raw, y[0], z[0]);
         let [mut x, mut y, mut z] = [x, y, z];
@@ -296,9 +278,8 @@ fn look_up(d: &[f32; sphere::COMPONENTS], input: &mut Reader<'_>, is_moderate: b
         assert!(range.contains(&found), "{found}, not within {range:?}");
         assert!(NegativePolicy::Clamped.of(exact) >= 0.0);
     }
-    let (_, _): (Result<_, _>, Result<_, _>) =
-        (estimate.coefficients(), of_integers.coefficients(i32::from(u16::MAX)));
-    let _ = of_integers.coefficients(-15);
+    let _ = estimate.coefficients();
+    let _ = [i32::from(u16::MAX), -15].map(|exponent| of_integers.coefficients(exponent));
     let normal = Normal::new(0.0, 0.6, 0.8).expect("visible");
     assert!(!is_moderate || within.shade(normal).is_finite());
 }

@@ -3,7 +3,7 @@
 #![allow(dead_code, reason = "each test takes what it needs")]
 
 use eigenshade::wire::{Aligned, Fault, aligned};
-use eigenshade::{Basis, FixedPoint, GeneralBasis, Normal, Q15, Q31, quantized};
+use eigenshade::{Basis, FixedPoint, GeneralBasis, Light, Material, Normal, Q15, Q31, quantized};
 
 pub const SPHERE: &Aligned<[u8]> = &Aligned(*include_bytes!("v1.sphere.f32.esw"));
 pub const MEAN: &Aligned<[u8]> = &Aligned(*include_bytes!("v1.mean.f32.esw"));
@@ -29,26 +29,24 @@ pub const ALL: [&[u8]; 9] = [
     &LONG.0,
 ];
 
-pub fn room(bytes: &[u8]) -> Vec<u32> {
-    vec![0; bytes.len().div_ceil(4)]
+/// What `read` gives for these bytes at a multiple of four.
+pub fn placed<T>(bytes: &[u8], read: impl FnOnce(&[u8]) -> T) -> T {
+    read(aligned(bytes, &mut vec![0; bytes.len().div_ceil(4)]).expect("room"))
 }
 
 /// The last column of a CSV, of the rows that begin with `name`.
-pub fn column(text: &str, name: &str) -> Vec<f32> {
+fn column(text: &str, name: &str) -> Vec<f32> {
     let rows = text.lines().filter(|line| line.starts_with(name));
     rows.map(|row| row.rsplit(',').next().expect("a field").parse().expect("a number")).collect()
 }
 
-pub fn light() -> Vec<f32> {
-    column(include_str!("light.csv"), "one,")
-}
-
-pub fn material() -> Vec<f32> {
-    column(include_str!("material.csv"), "one,")
+/// The test's light, with nine coefficients, and its material, with five.
+fn inputs() -> [Vec<f32>; 2] {
+    [include_str!("light.csv"), include_str!("material.csv")].map(|text| column(text, "one,"))
 }
 
 /// Against d as it was when the files were made, of the largest.
-pub fn assert_same(table: &str, found: &[f32], tolerance: f32) {
+fn assert_same(table: &str, found: &[f32], tolerance: f32) {
     let expected = column(include_str!("v1.csv"), &format!("{table},"));
     assert_eq!(found.len(), expected.len());
     let largest = expected.iter().fold(0.0f32, |most, d| most.max(d.abs()));
@@ -57,37 +55,26 @@ pub fn assert_same(table: &str, found: &[f32], tolerance: f32) {
     }
 }
 
-/// d of the test's light on its material, by projection.
-fn projected(basis: &Basis<'_, f32>) -> Vec<f32> {
-    let (light, material) = (light(), material());
-    let light = eigenshade::Light::new(&light).expect("nine coefficients");
-    let material = eigenshade::Material::new(&material).expect("five coefficients");
-    let (light, material) = (light.truncated(basis.degree()), material.truncated(basis.order()));
+/// d of the test's light on its material, by projection and by a transfer, and some pixel.
+fn floats(basis: &Basis<'_, f32>) -> ([Vec<f32>; 2], f32) {
+    let [light, material] = inputs();
+    let light = Light::new(&light).expect("a light").truncated(basis.degree());
+    let material = Material::new(&material).expect("a material").truncated(basis.order());
     let mut workspace = vec![0.0; basis.workspace_len()];
-    let mut d = vec![0.0; basis.components()];
-    basis.project_into(&light, &material, &mut workspace, &mut d).expect("sizes");
-    d
-}
-
-/// d of the test's light on its material, by a transfer, and some pixel.
-fn floats(basis: &Basis<'_, f32>) -> (Vec<f32>, f32) {
-    let (light, material) = (light(), material());
-    let light = eigenshade::Light::new(&light).expect("nine coefficients");
-    let material = eigenshade::Material::new(&material).expect("five coefficients");
-    let (light, material) = (light.truncated(basis.degree()), material.truncated(basis.order()));
-    let mut workspace = vec![0.0; basis.workspace_len()];
-    let mut d = vec![0.0; basis.components()];
     let mut transfer = vec![0.0; basis.transfer_len()];
+    let [mut projected, mut relit] = [(); 2].map(|()| vec![0.0; basis.components()]);
+    basis.project_into(&light, &material, &mut workspace, &mut projected).expect("sizes");
     basis.transfer_into(&material, &mut workspace, &mut transfer).expect("sizes");
-    basis.relight_into(&transfer, &light, &mut d).expect("sizes");
-    let scene = basis.collapse_into(&d, vec![0.0; basis.scene_len()]).expect("sizes");
-    (d, scene.shade(Normal::new(0.6, 0.0, 0.8).expect("a normal")))
+    basis.relight_into(&transfer, &light, &mut relit).expect("sizes");
+    let scene = basis.collapse_into(&relit, vec![0.0; basis.scene_len()]).expect("sizes");
+    let irradiance = scene.shade(Normal::new(0.6, 0.0, 0.8).expect("a normal"));
+    ([projected, relit], irradiance)
 }
 
 fn general(basis: &GeneralBasis<'_, f32>) -> Vec<f32> {
-    let (light, material) = (light(), material());
-    let light = eigenshade::Light::new(&light).expect("nine coefficients");
-    let material = eigenshade::Material::new(&material).expect("five coefficients");
+    let [light, material] = inputs();
+    let light = Light::new(&light).expect("a light");
+    let material = Material::new(&material).expect("a material");
     let mut workspace = vec![0.0; basis.workspace_len()];
     let mut d = vec![0.0; basis.components()];
     basis.project_into(&light, &material, &mut workspace, &mut d).expect("sizes");
@@ -96,13 +83,13 @@ fn general(basis: &GeneralBasis<'_, f32>) -> Vec<f32> {
 
 /// The same in integers.
 fn integers<Q: FixedPoint>(basis: &quantized::Basis<'_, Q>) -> Vec<f32> {
-    let (light, material) = (light(), material());
+    let [light, material] = inputs();
     let mut mantissas = vec![Q::default(); light.len()];
     let light = quantized::Light::quantize(&light, &mut mantissas).expect("sizes");
     let (mut mantissas, mut exponents) = (vec![Q::default(); material.len()], [0; 3]);
     let material = quantized::Material::quantize(&material, &mut mantissas, &mut exponents);
     let material = material.expect("sizes");
-    let mut workspace = vec![<Q as eigenshade::Format>::Wide::default(); basis.workspace_len()];
+    let mut workspace = vec![Default::default(); basis.workspace_len()];
     let mut numbers = vec![Q::default(); basis.transfer_len()];
     let mut exponents = vec![0; basis.profiles()];
     let mut d = vec![0; basis.components()];
@@ -127,8 +114,7 @@ const WIRE_Q31: f32 = 2e-7;
 fn tables_of_all_effects_are_read() {
     for (table, bytes) in [("sphere", &SPHERE.0), ("mean", &MEAN.0)] {
         let basis = Basis::<f32>::from_bytes(bytes).expect("a wire file");
-        assert_same(table, &projected(&basis), WIRE_F32);
-        assert_same(table, &floats(&basis).0, WIRE_F32);
+        floats(&basis).0.iter().for_each(|d| assert_same(table, d, WIRE_F32));
     }
     let basis = GeneralBasis::<f32>::from_bytes(&GENERAL.0).expect("a wire file");
     assert_same("general", &general(&basis), WIRE_F32);
@@ -143,8 +129,7 @@ fn tables_of_some_effects_are_read() {
     for (table, bytes) in [("effects", &EFFECTS.0), ("turned", &TURNED.0)] {
         let basis = Basis::<f32>::from_bytes(bytes).expect("a wire file");
         assert!(!basis.effects().is_all());
-        assert_same(table, &projected(&basis), WIRE_F32);
-        assert_same(table, &floats(&basis).0, WIRE_F32);
+        floats(&basis).0.iter().for_each(|d| assert_same(table, d, WIRE_F32));
     }
     let basis = quantized::Basis::<Q15>::from_bytes(&TURNED_15.0).expect("a wire file");
     assert!(!basis.effects().is_all());
@@ -156,7 +141,7 @@ fn tables_of_some_effects_are_read() {
 fn polynomials_in_two_halves_are_read() {
     let basis = Basis::<f32>::from_bytes(&LONG.0).expect("a wire file");
     assert!(basis.parts().lengths.iter().any(|length| (17..=32).contains(length)));
-    let (mut found, irradiance) = floats(&basis);
+    let ([_, mut found], irradiance) = floats(&basis);
     found.push(irradiance);
     assert_same("long", &found, WIRE_F32);
 }
@@ -171,8 +156,7 @@ fn alignment_is_asked_for() {
         let refused = Basis::<f32>::from_bytes(&bytes[beyond..]).expect_err("not aligned");
         assert_eq!(refused, Fault::Alignment { beyond }.into());
         assert!(refused.to_string().contains("wire::aligned"));
-        let mut room = room(&SPHERE.0);
-        let copied = aligned(&bytes[beyond..][..SPHERE.0.len()], &mut room).expect("room");
-        assert!(Basis::<f32>::from_bytes(copied).is_ok());
+        let file = &bytes[beyond..][..SPHERE.0.len()];
+        assert!(placed(file, |bytes| Basis::<f32>::from_bytes(bytes).is_ok()));
     }
 }

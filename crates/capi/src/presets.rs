@@ -89,13 +89,7 @@ const fn sources_f32<const N: usize>(from: &[eigenshade::Source<f32>]) -> [Sourc
         Source { direction: [0.0; 3], energy: [0.0; 3], major: [0.0; 3], minor: 0.0 };
     let (mut to, mut k) = ([NONE; N], 0);
     while k < N {
-        let Rgb { r, g, b } = from[k].energy();
-        to[k] = Source {
-            direction: from[k].direction(),
-            energy: [r, g, b],
-            major: from[k].major(),
-            minor: from[k].minor(),
-        };
+        to[k] = Source::of(&from[k]);
         k += 1;
     }
     to

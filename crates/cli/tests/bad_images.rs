@@ -135,6 +135,7 @@ fn inputs_that_do_not_match() {
     folder.write("none.csv", format!("weight\n{}", "0\n".repeat(400)));
     folder.write("negative.csv", format!("weight\n1\n-1\n{}", "1\n".repeat(398)));
     folder.write("wide.csv", "weight\n1\n");
+    folder.write("mesh.obj", "mtllib s.mtl\n");
     let read = |image: &str, rest: &str| format!("read {image} --table b.bin --normals {rest}");
     for (arguments, fragments) in [
         (format!("{READ} --mask few.csv"), &["image.csv", "10 of its pixels"][..]),
@@ -151,6 +152,7 @@ fn inputs_that_do_not_match() {
         (read("small.png", "normals.csv"), &["normals.csv", "100"]),
         (read("white.png", "normals.csv"), &["white.png", "0 of its"]),
         (read("image.csv", "none2.csv"), &["none2.csv"]),
+        (read("image.csv", "mesh.obj"), &["mesh.obj: it is a mesh", "with `render`"]),
     ] {
         assert_fails(&folder, &format!("{arguments} --out new.csv"), fragments);
     }

@@ -146,21 +146,30 @@ fn no_materials() {
     }
 }
 
+/// Names that there are not, and files of several entries where one is drawn.
 #[test]
 fn unknown_names() {
     let folder = Folder::with_table();
-    folder.write("scene.toml", scene("standard", 5, "[\"velvet\"]"));
-    assert_fails(&folder, NEW_BASIS, &["materials.csv", "velvet"]);
-    let material = "--material materials.csv:velvet --out new.png";
-    let render = format!("render --table b.bin --light lights.csv:light-0 {material}");
-    assert_fails(&folder, &render, &["materials.csv", "velvet", "its names are "]);
-    let near = render.replace("velvet", "matrial-1");
-    assert_fails(&folder, &near, &["materials.csv", "no material `matrial-1`", "`material-1`"]);
-    folder.write("scene.toml", scene("standard", 5, "[\"matrial-1\"]"));
-    assert_fails(&folder, NEW_BASIS, &["`material-1`"]);
+    for (name, fragments) in
+        [("velvet", &["materials.csv", "velvet"][..]), ("matrial-1", &["`material-1`"])]
+    {
+        folder.write("scene.toml", scene("standard", 5, &format!("[\"{name}\"]")));
+        assert_fails(&folder, NEW_BASIS, fragments);
+    }
+    folder.write("m.toml", "[[material]]\nname = \"a\"\nmodel = \"lambertian\"\nalbedo = 1\n");
+    let names = "material-0, material-1, material-2, material-3";
+    let near = "materials.csv: it has no material `matrial-1`";
+    for (pair, fragments) in [
+        ("-l lobby -m materials.csv:velvet", &["materials.csv", "velvet", "its names are "][..]),
+        ("-l lobby -m materials.csv:matrial-1", &[near, "`material-1`"]),
+        ("-l lobby -m materials.csv:", &["no material ``", "`material-0`, `material-1`"]),
+        ("-l lobby -m materials.csv", &["materials.csv", "has 4 entries", names]),
+        ("-l lobby -m m.toml", &["formulas", "eigenshade material"]),
+        ("-l lights.csv -m materials.csv", &["lights.csv", "light-0"]),
+    ] {
+        assert_fails(&folder, &format!("render -t b.bin {pair} -o new.png"), fragments);
+    }
     assert_fails(&folder, "info --table spere", &["`spere`", "shipped table", "`sphere`"]);
-    let several = "render --table b.bin --light lights.csv --material materials.csv --out new.png";
-    assert_fails(&folder, several, &["lights.csv", "light-0"]);
 }
 
 #[test]
@@ -280,15 +289,6 @@ fn messages_stay_one_line() {
     assert_fails(&folder, NEW_BASIS, &["csv"]);
 }
 
-#[test]
-fn a_shipped_light_is_converted_by_itself() {
-    let folder = Folder::new();
-    let fragments = ["lobby: it is a shipped light", "one light at a time"];
-    assert_fails(&folder, "light lobby park", &fragments);
-    folder.write("map.pfm", map(1.0));
-    assert_fails(&folder, "light map.pfm lobby", &fragments);
-}
-
 /// The maps and the output are checked before the search, which takes long, and sources are not
 /// left without their light.
 #[test]
@@ -312,11 +312,15 @@ fn sources_are_not_sought_in_vain() {
     }
 }
 
-/// Lights with sources are read in `paper`, and only from files that end in .csv.
+/// Shipped lights are converted one by one. Lights with sources are read in `paper`, and only from
+/// files that end in .csv.
 #[test]
-fn sources_that_would_be_misread() {
+fn lights_that_would_be_misread() {
     let folder = Folder::new();
     folder.write("map.pfm", map(1.0));
+    for command in ["light lobby park", "light map.pfm lobby"] {
+        assert_fails(&folder, command, &["lobby: it is a shipped light", "one light at a time"]);
+    }
     let light = "light map.pfm --sources 1 --out";
     for convention in ["graphics", "cmgen", "filament"] {
         let arguments = format!("{light} new.csv --convention {convention} --degree 2");

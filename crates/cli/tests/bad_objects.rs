@@ -3,7 +3,7 @@
 //! line that names the file, and nothing is written.
 
 use crate::support::files::{
-    claims, gray_png, normal_map, obj, ply, square_png, stl, with_geometry,
+    claims, gray_png, normal_map, obj, ply, ply_header, square_png, stl, with_geometry,
 };
 use crate::support::{Folder, NEW_BASIS, assert_fails, scene};
 use png::{BitDepth, ColorType};
@@ -19,11 +19,8 @@ const TEXT_STL: &str = "solid one\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\
 /// A binary polygon file of one triangle, from the type of its lists' counts, the number of
 /// corners, a coordinate, and the bytes of the list.
 fn binary_ply(list: &str, vertices: &str, coordinate: f32, face: &[u8]) -> Vec<u8> {
-    let mut bytes = format!(
-        "ply\nformat binary_little_endian 1.0\nelement vertex {vertices}\nproperty float x\nproperty float y\n\
-         property float z\nelement face 1\nproperty list {list} int vertex_indices\nend_header\n"
-    )
-    .into_bytes();
+    let list = format!("{list} int");
+    let mut bytes = ply_header("binary_little_endian", vertices, "float", 1, &list).into_bytes();
     let corners = [0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, coordinate, 0.0];
     bytes.extend(corners.iter().flat_map(|value: &f32| value.to_le_bytes()));
     bytes.extend(face);
@@ -179,16 +176,12 @@ fn normal_maps() {
             ("none.png", &claims(good.clone(), 0, 64), &["none.png"]),
         ]);
     }
-}
-
-/// A picture that holds no vector of a normal's length.
-#[test]
-fn pictures_that_are_no_normal_maps() {
+    // A picture that holds no vector of a normal's length.
     let folder = Folder::new();
     folder.write("black.png", gray_png(8, 8, &[0; 64]));
-    let arguments = "render --light lobby --material chrome --normals black.png --out new.png";
+    let render = "render --light lobby --material chrome --normals black.png --out new.png";
     let expected = "is opaque and holds a normal (a vector of length 1/2 to 3/2); check";
-    assert_fails(&folder, arguments, &["black.png: ", expected]);
+    assert_fails(&folder, render, &["black.png: ", expected]);
 }
 
 #[test]

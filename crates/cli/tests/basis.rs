@@ -4,7 +4,7 @@
 use crate::PROGRAM;
 use crate::support::files::built;
 use crate::support::{
-    BASIS, Folder, PAIR, assert_fails, colored, difference, materials, repository_text, scene,
+    BASIS, Folder, PAIR, assert_fails, assert_near, colored, materials, repository_text, scene,
     shipped_path, shipped_scene, stderr,
 };
 use crate::tolerances;
@@ -68,8 +68,7 @@ fn a_table_of_degree_32_is_the_direct_sum() {
             studio.rgb.each_ref().map(|light| modes.irradiance(light, &scattered))
         })
         .collect();
-    let off = difference(&found, &expected);
-    assert!(off <= HIGH_DEGREE, "{off}");
+    assert_near("degree 32", &found, &expected, HIGH_DEGREE);
     // And it is drawn.
     folder.ok(&format!("render {scene} -s 16 -o a.png"));
 }
@@ -88,13 +87,13 @@ fn every_store_gives_the_same_images() {
                 _ => tolerances::POLYNOMIAL_F32,
             };
             for store in STORES {
-                let worst = difference(&shaded(store), &expected);
-                assert!(worst <= tolerance, "{criterion}, {store}, {format}: {worst}");
+                let what = format!("{criterion}, {store}, {format}");
+                assert_near(&what, &shaded(store), &expected, tolerance);
             }
         }
         let [expected, _, of_materials] =
             STORES.map(|store| folder.projected(&format!("--table {store}.bin {PAIR}")));
-        assert!(difference(&of_materials, &expected) <= tolerances::DENSE_PROJECTION);
+        assert_near(criterion, &of_materials, &expected, tolerances::DENSE_PROJECTION);
         folder.ok(RENDER);
     }
 }
@@ -235,6 +234,9 @@ fn altered_numbers_are_found() {
     {
         assert_differs(&altered(Folder::with_table(), change), what);
     }
+    let folder = Folder::with_table();
+    folder.write("scene.toml", scene("image-centered", 9, "[]"));
+    assert_fails(&folder, CHECK, &["b.bin", "another scene"]);
 }
 
 /// Polynomials of different lengths are compared as closely as others.
@@ -251,13 +253,6 @@ fn polynomials_of_other_lengths_are_compared_term_by_term() {
     assert_differs(&folder, "polynomials");
     let folder = altered(Folder::with_table(), |table| table.profiles[1].chebyshev.truncate(2));
     assert_differs(&folder, "terms of one table only");
-}
-
-#[test]
-fn another_scene_is_reported() {
-    let folder = Folder::with_table();
-    folder.write("scene.toml", scene("image-centered", 9, "[]"));
-    assert_fails(&folder, CHECK, &["b.bin", "another scene"]);
 }
 
 /// The mean image; and of objects eigenimages, their modes, and the projection.

@@ -32,6 +32,12 @@ fn light_projects_maps() {
     assert_eq!(found.len(), 9);
     assert_mean(&text, 2.0);
     assert!(found.iter().all(|row| row[0] == "gray"));
+    // A file has the same bytes as standard output.
+    assert_eq!(folder.ok("light gray.pfm --degree 2 --out l.csv"), "");
+    assert_eq!(folder.read("l.csv"), text);
+    folder.write("below.pfm", map(-1.0));
+    let below = folder.messages("light below.pfm --out l.csv");
+    assert_contains(&below, &["100.00 % of the radiance is negative"]);
 }
 
 /// A white picture is a radiance of 1, and a warning says what a picture lacks.
@@ -44,15 +50,6 @@ fn light_projects_pictures() {
     assert_mean(&text, 1.0);
     folder.write("dim.png", gray_png(8, 4, &[254; 32]));
     assert!(!folder.messages("light dim.png --degree 1").contains("warning"));
-}
-
-/// A file has the same bytes as standard output.
-#[test]
-fn light_writes_to_a_file() {
-    let folder = Folder::new();
-    folder.write("gray.pfm", map(1.0));
-    assert_eq!(folder.ok("light gray.pfm --degree 1 --out l.csv"), "");
-    assert_eq!(folder.read("l.csv"), folder.ok("light gray.pfm --degree 1"));
 }
 
 #[test]
@@ -184,6 +181,8 @@ fn shade_takes_every_pair_and_normal() {
         assert_eq!(found.len(), 3 * 4 * 43);
         assert_eq!(found[43][..3], ["light-0", "material-1", "0"]);
     }
+    // f32 results are written with all their digits.
+    assert!(folder.shaded("").iter().all(|&value| f64::from(value as f32) == value));
 }
 
 #[test]
@@ -247,22 +246,6 @@ fn usage_errors_exit_with_2() {
     folder.ok("light --help");
 }
 
-/// A light or a material that cannot be drawn gives one error, with the names that there are.
-#[test]
-fn one_light_and_one_material_are_drawn() {
-    let folder = Folder::with_table();
-    let render = |material: &str| format!("render --light lobby --material {material} -o a.png");
-    let names = ["has 4 entries", "material-0, material-1, material-2, material-3"];
-    assert_fails(&folder, &render("materials.csv"), &names);
-    assert_fails(
-        &folder,
-        &render("materials.csv:"),
-        &["no material ``", "`material-0`, `material-1`"],
-    );
-    folder.write("m.toml", "[[material]]\nname = \"a\"\nmodel = \"lambertian\"\nalbedo = 1\n");
-    assert_fails(&folder, &render("m.toml"), &["formulas", "eigenshade material"]);
-}
-
 /// It is not an error if the reader closes the pipe early.
 #[cfg(unix)]
 #[test]
@@ -320,17 +303,12 @@ fn functions_agree_with_the_vectors() {
 }
 
 #[test]
-fn evaluate_keeps_other_columns() {
+fn evaluate_keeps_other_columns_and_states_exact_bounds() {
     let folder = Folder::new();
     folder.write("p.csv", "# points\nnote,rho,value,q,o\na,0.5,9,0,2\n\"b,c\",1,9,2,2\n");
     let text = folder.ok("evaluate zernike-radial p.csv");
     assert_eq!(text, "note,rho,q,o,value\na,0.5,0,2,-0.5\n\"b,c\",1,2,2,1\n");
-}
-
-/// A bound that a message gives is one that the function takes.
-#[test]
-fn bounds_of_arguments_are_exact() {
-    let folder = Folder::new();
+    // A bound that a message gives is one that the function takes.
     for (function, points, message) in [
         (
             "irradiance-mode",

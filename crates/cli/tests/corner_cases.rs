@@ -4,7 +4,8 @@
 
 use crate::support::files::built;
 use crate::support::{
-    BASIS, Folder, SHADE, SHADED, assert_fails, difference, lights, materials, numbers, rows, scene,
+    BASIS, Folder, SHADE, SHADED, assert_fails, assert_near, lights, materials, numbers, rows,
+    scene,
 };
 use crate::tolerances;
 use eigenshade_index::{light, material};
@@ -14,10 +15,9 @@ use eigenshade_index::{light, material};
 #[test]
 fn no_variance_gives_no_components() {
     for (criterion, count, components) in [("image-centered", 4, 1), ("standard", 1, 0)] {
-        let text = scene(criterion, 10_000, "[]").replace("degree = 4", "degree = 0");
-        let files = [("lights.csv", lights(0, 3)), ("materials.csv", materials(0, count))];
-        let files = files.map(|(name, text)| (name, text.into_bytes()));
-        let folder = built(&text.replace("order = 3", "order = 0"), &files);
+        let folder = Folder::of_size(0, 0, [3, count]);
+        folder.replace("scene.toml", "image-centered", criterion);
+        folder.ok(BASIS);
         let table = folder.table("b.bin");
         assert_eq!((table.components.len(), table.spectrum.len()), (components, components));
         folder.shaded("");
@@ -43,10 +43,10 @@ fn objects_of_few_normals() {
             let normals = format!("x,y,z,weight\n{normals}");
             let folder = built(&text, &[("normals.csv", normals.into())]);
             let reference = folder.shaded("--method modes");
-            let error = difference(&folder.shaded("--format f64"), &reference);
+            let what = format!("{name}, {criterion}");
+            let found = folder.shaded("--format f64");
+            assert_near(&what, &found, &reference, tolerances::GENERAL_PICTURES);
             let count = folder.ok("eigenvalues --table b.bin").lines().count() - 1;
-            println!("{name}: {count} components, pictures {error:.1e}");
-            assert!(error <= tolerances::GENERAL_PICTURES, "{name}, {criterion}: {error:e}");
             assert!(count <= most, "{name}, {criterion}: {count} components of at most {most}");
         }
     }

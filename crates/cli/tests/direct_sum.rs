@@ -13,13 +13,6 @@ use eigenshade_testing::{assert_stated, fixtures};
 /// 25 terms, and angles of 16 digits.
 const ROTATED_LIGHT: f64 = 2e-15;
 
-/// f32 results are written with all their digits.
-#[test]
-fn f32_reads_back() {
-    let folder = Folder::with_table();
-    assert!(folder.shaded("").iter().all(|&value| f64::from(value as f32) == value));
-}
-
 /// R = Rz(A) Ry(B) Rz(C) rotates the light: under Rz alone, and under a quarter turn about y.
 #[test]
 fn the_light_rotates() {
@@ -123,8 +116,7 @@ fn errors_of_few_components_are_as_stated() {
             assert_eq!([format!("{worst:.1}"), format!("{median:.1}")], STATED_FARTHER_IN);
         }
         let found = [median_and_worst(rms), median_and_worst(largest)].concat();
-        let is_rounding = components == all;
-        let tolerance = if is_rounding { STATED_ROUNDING } else { tolerances::STATED };
+        let tolerance = if components == all { STATED_ROUNDING } else { tolerances::STATED };
         assert_stated(PAGE, "components", &format!("| {name} |"), &found, tolerance);
     }
 }

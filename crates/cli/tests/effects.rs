@@ -1,7 +1,7 @@
 //! Effects: their pictures sum to the whole, tables of some effects give just those, and effects
 //! that are left out are in no table.
 
-use crate::support::{Folder, PAIR, assert_fails, colored, difference, lights, materials, scene};
+use crate::support::{Folder, PAIR, assert_fails, assert_near, colored, lights, materials, scene};
 use crate::tolerances;
 use eigenshade_index::effect::{Effect, Effects};
 use eigenshade_index::{light, material, mode};
@@ -53,11 +53,6 @@ fn make(folder: &Folder, effects: Effects, out: &str) -> Table {
     folder.table(out)
 }
 
-/// Makes the table again, and compares it.
-fn check(folder: &Folder, out: &str) {
-    folder.ok(&format!("basis --scene effects.toml --check {out}"));
-}
-
 /// The table of all effects, by every method and with any number of components.
 #[test]
 fn the_pictures_of_effects_sum_to_the_whole() {
@@ -79,9 +74,7 @@ fn the_pictures_of_effects_sum_to_the_whole() {
                 assert!(picture.iter().any(|value| *value != 0.0), "{of}");
                 sum.iter_mut().zip(picture).for_each(|(sum, value)| *sum += value);
             }
-            let found = difference(&sum, &whole);
-            println!("{criterion} {options}: {found:.1e}");
-            assert!(found <= SUM_OF_EFFECTS, "{criterion} {options}: {found}");
+            assert_near(&format!("{criterion} {options}"), &sum, &whole, SUM_OF_EFFECTS);
         }
     }
 }
@@ -95,7 +88,7 @@ fn some_effects_are_the_direct_sum_over_their_modes() {
         make(&folder, Effects::ALL, "all.bin");
         for effects in every() {
             make(&folder, effects, "some.bin");
-            check(&folder, "some.bin");
+            folder.ok("basis --scene effects.toml --check some.bin");
             let options = format!("--effects {}", names(effects).join(","));
             let reference = folder.shaded_by("all.bin", &format!("--method modes {options}"));
             for (table, options, tolerance) in [
@@ -107,9 +100,8 @@ fn some_effects_are_the_direct_sum_over_their_modes() {
                 ("all.bin", format!("--format f64 {options}"), tolerances::ALL_COMPONENTS),
                 ("all.bin", format!("--format f32 {options}"), tolerances::ALL_COMPONENTS_F32),
             ] {
-                let found = difference(&folder.shaded_by(table, &options), &reference);
-                println!("{criterion} {:?} {table} {options}: {found:.1e}", names(effects));
-                assert!(found <= tolerance, "{:?} {table} {options}: {found}", names(effects));
+                let what = format!("{criterion} {:?} {table} {options}", names(effects));
+                assert_near(&what, &folder.shaded_by(table, &options), &reference, tolerance);
             }
         }
     }
@@ -129,19 +121,18 @@ fn selections_and_objects_have_effects() {
         let options = format!("--effects {}", names(effects).join(","));
         folder.write("scene.toml", sphere.replace("sphere", "object.csv"));
         make(&folder, effects, "object.bin");
-        check(&folder, "object.bin");
+        folder.ok("basis --scene effects.toml --check object.bin");
         folder.write("scene.toml", &sphere);
         make(&folder, effects, "sphere.bin");
         let of = |table: &str, options: &str| {
             folder.irradiance(&format!("--table {table} {PAIR} --normals object.csv {options}"))
         };
         let reference = of("sphere.bin", &format!("--method modes {options}"));
-        let found = difference(&of("object.bin", "--format f64"), &reference);
-        assert!(found <= OBJECT_OF_EFFECTS, "{:?}: {found}", names(effects));
+        assert_near(&options, &of("object.bin", "--format f64"), &reference, OBJECT_OF_EFFECTS);
         // Few modes: d of a coefficient is the sum over those that are kept, of these effects.
         folder.replace("scene.toml", "profile_tolerance", "modes = 60\nprofile_tolerance");
         let table = make(&folder, effects, "few.bin");
-        check(&folder, "few.bin");
+        folder.ok("basis --scene effects.toml --check few.bin");
         assert_projects_kept_modes(&table, effects);
         assert!(table.count() > 0);
     }
@@ -238,9 +229,7 @@ fn wire_files_have_effects() {
         let double = folder.shaded_by("some.bin", "--format f64");
         for (format, tolerance) in [("q31", EFFECTS_Q31), ("q15", EFFECTS_Q15)] {
             let integers = folder.shaded_by("some.bin", &format!("--format {format}"));
-            let found = difference(&integers, &double);
-            println!("{:?} {format}: {found:.1e}", names(effects));
-            assert!(found <= tolerance, "{:?} {format}: {found}", names(effects));
+            assert_near(&format!("{:?} {format}", names(effects)), &integers, &double, tolerance);
         }
     }
 }
@@ -287,7 +276,6 @@ fn without_color_there_is_luminance() {
         let of_light = |rgb: &[f64]| 0.2126 * rgb[0] + 0.7152 * rgb[1] + 0.0722 * rgb[2];
         let expected: Vec<f64> =
             pictures.chunks(3).flat_map(|rgb| [luminance * of_light(rgb); 3]).collect();
-        let off = difference(&found, &expected);
-        assert!(off <= tolerances::ALL_COMPONENTS, "{store}: {off}");
+        assert_near(store, &found, &expected, tolerances::ALL_COMPONENTS);
     }
 }

@@ -281,21 +281,17 @@ fn bad_requests_have_one_error() {
     ] {
         assert_fails(&folder, &format!("export {arguments}"), &fragments);
     }
+    let stored = built(&(scene("image-centered", 10, "[]") + "store = \"materials\"\n"), &[]);
+    for lang in ["rust", "json", "npz"] {
+        let arguments = format!("export --lang {lang} --table b.bin");
+        assert_fails(&stored, &arguments, &["b.bin", "transfers"]);
+    }
     // JavaScript quotes names.
     for file in ["same.csv", "none.csv"] {
         folder.ok(&format!("export --lang js --light {file}"));
     }
     let incomplete = ["export", "export --table b.bin", "export --lang npz --light lobby --size 9"];
     assert_usage_errors(&folder, &incomplete);
-}
-
-#[test]
-fn tables_of_transfers_are_refused() {
-    let folder = built(&(scene("image-centered", 10, "[]") + "store = \"materials\"\n"), &[]);
-    for lang in ["rust", "json", "npz"] {
-        let arguments = format!("export --lang {lang} --table b.bin");
-        assert_fails(&folder, &arguments, &["b.bin", "transfers"]);
-    }
 }
 
 /// The page lists the arrays of a table and of a scene, each with its shape.

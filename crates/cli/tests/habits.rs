@@ -113,10 +113,8 @@ fn one_entry_of_a_file() {
         assert_eq!(found, rows(all, "light-1,material-2,"));
     }
     folder.write("colon.csv", folder.read("lights.csv").replace("light-1", "light:1"));
-    assert_eq!(
-        folder.ok("project -t b.bin -l colon.csv:light:1 -m materials.csv").replace(':', "-"),
-        folder.ok("project -t b.bin -l lights.csv:light-1 -m materials.csv")
-    );
+    let of = |light: &str| folder.ok(&format!("project -t b.bin -l {light} -m materials.csv"));
+    assert_eq!(of("colon.csv:light:1").replace(':', "-"), of("lights.csv:light-1"));
     let misnamed = "project -t b.bin -l lights.csv:lihgt-1 -m materials.csv";
     assert_fails(&folder, misnamed, &["lights.csv: it has no light `lihgt-1`", "`light-1`"]);
 }

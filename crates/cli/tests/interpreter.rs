@@ -59,25 +59,22 @@ impl<'a> Run<'a> {
 
     /// Statements up to a closing brace, or to one that returns.
     fn block(&mut self) -> Option<Value> {
-        while !self.is_next("}") {
+        let mut result = None;
+        while result.is_none() && !self.is_next("}") {
             let first = self.next();
             match first {
-                "return" => return Some(self.sum()),
-                "for" => {
-                    if let Some(result) = self.repeat() {
-                        return Some(result);
-                    }
-                }
+                "return" => result = Some(self.sum()),
+                "for" => result = self.repeat(),
                 "if" => {
                     self.expect("(");
                     let left = self.number();
                     self.expect(">");
                     let is_true = left > self.number();
                     self.expect(") {");
-                    if !is_true {
+                    if is_true {
+                        result = self.block();
+                    } else {
                         self.skip_block();
-                    } else if let Some(result) = self.block() {
-                        return Some(result);
                     }
                 }
                 "float" | "vec3" | "vec4" | "let" | "var" => loop {
@@ -102,20 +99,19 @@ impl<'a> Run<'a> {
                     self.expect(",");
                 },
                 _ => {
-                    let adds = self.is_next("+=");
-                    if !adds {
+                    let value = if self.is_next("+=") {
+                        let more = self.sum();
+                        by_component(&self.variables[first], &more, |a, b| a + b)
+                    } else {
                         self.expect("=");
-                    }
-                    let mut value = self.sum();
-                    if adds {
-                        value = by_component(&self.variables[first], &value, |a, b| a + b);
-                    }
+                        self.sum()
+                    };
                     self.variables.insert(first, value);
                     self.expect(";");
                 }
             }
         }
-        None
+        result
     }
 
     /// `for (int k = 1; k < 9; k += 4) { .. }`

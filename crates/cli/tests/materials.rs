@@ -21,10 +21,8 @@ fn formulas_on_the_command_line() {
     assert!(channels[0] > channels[1] && channels[1] > channels[2] && channels[2] > 0.0);
     let message =
         folder.messages("material oren-nayar --sigma 0.3 --order 4 --name chalk --out c.csv");
-    assert!(
-        message.starts_with("chalk: order 4 leaves out ") && message.lines().count() == 1,
-        "{message}"
-    );
+    let start = "chalk: order 4 leaves out ";
+    assert!(message.starts_with(start) && message.lines().count() == 1, "{message}");
     assert_eq!(rows(&folder.read("c.csv"), GRAY)[0][0], "chalk");
     // Without roughness it is the matte material.
     let smooth = folder.ok("material oren-nayar --sigma 0 --albedo 0.8 --order 4");

@@ -3,10 +3,8 @@
 #![cfg(unix)]
 
 use crate::PROGRAM;
-use crate::support::files::{square_png, with_geometry};
-use crate::support::{
-    BASIS, Folder, NEW_BASIS, PAIR, SHADE, assert_contains, error_line, lights, materials, stderr,
-};
+use crate::support::files::{ply_header, square_png, with_geometry};
+use crate::support::{BASIS, Folder, NEW_BASIS, PAIR, SHADE, assert_contains, error_line, stderr};
 use png::{BitDepth, ColorType, Compression, Encoder};
 use std::io::Write;
 use std::process::Output;
@@ -148,14 +146,9 @@ fn pfm_of_many_texels() {
 #[test]
 fn ply_of_small_corners() {
     let folder = Folder::new();
-    let count = 4_000_000;
-    let mut bytes = format!(
-        "ply\nformat binary_little_endian 1.0\nelement vertex {count}\nproperty uchar x\n\
-         property uchar y\nproperty uchar z\nelement face 1\n\
-         property list uchar int vertex_indices\nend_header\n"
-    )
-    .into_bytes();
-    bytes.extend((0..3 * count).map(|k: u32| (k % 251) as u8));
+    let header = ply_header("binary_little_endian", "4000000", "uchar", 1, "uchar int");
+    let mut bytes = header.into_bytes();
+    bytes.extend((0..3 * 4_000_000).map(|k: u32| (k % 251) as u8));
     bytes.extend([3, 0, 0, 0, 0, 1, 0, 0, 0, 2, 0, 0, 0]);
     folder.write("large.ply", bytes);
     folder.write("scene.toml", with_geometry("normals = \"large.ply\"\n"));
@@ -171,12 +164,8 @@ fn ply_of_small_corners() {
 fn meshes_of_many_facets() {
     let folder = Folder::new();
     let (polygons, corners) = (20_000, 255);
-    let mut ply = format!(
-        "ply\nformat binary_little_endian 1.0\nelement vertex 3\nproperty uchar x\n\
-         property uchar y\nproperty uchar z\nelement face {polygons}\n\
-         property list uchar uchar vertex_indices\nend_header\n"
-    )
-    .into_bytes();
+    let header = ply_header("binary_little_endian", "3", "uchar", polygons, "uchar uchar");
+    let mut ply = header.into_bytes();
     ply.extend([0, 0, 0, 1, 0, 0, 0, 1, 0]);
     let fan: Vec<u8> = std::iter::once(corners).chain([0, 1, 2].repeat(85)).collect();
     ply.extend(fan.repeat(polygons));
@@ -209,11 +198,7 @@ fn csv_of_short_rows() {
 
 #[test]
 fn a_scene_beyond_the_budget() {
-    let folder = Folder::new();
-    folder.write("lights.csv", lights(64, 1));
-    folder.write("materials.csv", materials(64, 1));
-    folder.replace("scene.toml", "degree = 4", "degree = 64");
-    folder.replace("scene.toml", "order = 3", "order = 64");
+    let folder = Folder::of_size(64, 64, [1, 1]);
     for rotation in ["any", "none"] {
         folder.replace("scene.toml", "rotation = \"any\"", &format!("rotation = \"{rotation}\""));
         assert_refused(&folder, NEW_BASIS, &["degree 64, order 64", "minutes", "2 GiB"]);
@@ -245,11 +230,7 @@ fn an_export_of_many_normals() {
 /// The estimated memory is enough.
 #[test]
 fn a_table_takes_what_was_estimated() {
-    let folder = Folder::new();
-    folder.write("lights.csv", lights(20, 2));
-    folder.write("materials.csv", materials(20, 2));
-    folder.replace("scene.toml", "degree = 4", "degree = 20");
-    folder.replace("scene.toml", "order = 3", "order = 20");
+    let folder = Folder::of_size(20, 20, [2, 2]);
     folder.write("scene.toml", folder.read("scene.toml") + "rank_cutoff = 1e-10\n");
     let line = error_line(&folder.run(&format!("{BASIS} --memory 4MiB")));
     let needed = line.split_once("--memory ").and_then(|(_, rest)| rest.split_once("MiB"));

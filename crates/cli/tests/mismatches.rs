@@ -112,14 +112,6 @@ fn negative_numbers_are_values() {
     }
 }
 
-#[test]
-fn all_of_a_negative_map_is_negative() {
-    let folder = Folder::new();
-    folder.write("below.pfm", map(-1.0));
-    let said = folder.messages("light below.pfm -o below.csv");
-    assert_contains(&said, &["100.00 % of the radiance is negative"]);
-}
-
 /// Shipped materials cannot be made again, since their measurements are not shipped.
 #[test]
 fn shipped_materials_of_a_higher_order_need_another_table() {

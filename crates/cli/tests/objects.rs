@@ -4,7 +4,9 @@ use crate::support::files::{
     built, eigenvalues, ellipsoid, facets, gray_png, normal_map, obj, ply, square_png, stl, table,
     with_geometry,
 };
-use crate::support::{Folder, NEW_BASIS, assert_contains, assert_fails, difference, scene};
+use crate::support::{
+    Folder, NEW_BASIS, assert_contains, assert_fails, assert_near, difference, scene,
+};
 use crate::tolerances;
 use eigenshade_shading::owned_basis::OwnedBasis;
 use eigenshade_testing::fixtures;
@@ -30,7 +32,7 @@ fn every_object_shades_as_the_direct_sum() {
         format!("{a},{}\n", a.cos().max(0.0))
     });
     let table_of_slants = format!("slant,density\n{}", steps.collect::<String>());
-    let sphere = eigenvalues(&table("normals = \"sphere\"\n", &[]));
+    let sphere = eigenvalues(&Folder::with_table());
     let files = [("d.csv", table_of_slants.into_bytes()), ("facets.csv", facets().into_bytes())];
     for (geometry, allowed) in [
         ("normals = \"slant-density\"\ndensity = \"cos(a)\"\n", tolerances::GENERAL_SPHERE),
@@ -39,18 +41,19 @@ fn every_object_shades_as_the_direct_sum() {
         ("normals = \"facets.csv\"\n", f64::INFINITY),
     ] {
         let folder = table(geometry, &files);
-        let found = difference(&eigenvalues(&folder), &sphere);
-        println!("{geometry:?}: eigenvalues {found:e}");
-        assert!(found < allowed, "{geometry:?}: {found:e}");
+        assert_near(geometry, &eigenvalues(&folder), &sphere, allowed);
         let reference = folder.shaded("--method modes");
         for method in ["polynomial", "eigen"] {
             for (format, allowed) in
                 [("f64", tolerances::GENERAL_PICTURES), ("f32", tolerances::ALL_COMPONENTS_F32)]
             {
                 let shaded = folder.shaded(&format!("--method {method} --format {format}"));
-                let found = difference(&shaded, &reference);
-                println!("{geometry:?}, {method}, {format}: {found:e}");
-                assert!(found < allowed, "{method}, {format}: {found:e}");
+                assert_near(
+                    &format!("{geometry}, {method}, {format}"),
+                    &shaded,
+                    &reference,
+                    allowed,
+                );
             }
         }
         folder.ok("basis --scene scene.toml --check b.bin");
@@ -88,12 +91,12 @@ fn fixed_light() {
             // The statistics are of the luminance. A few fixed lights span no more than it; rotated
             // lights span every channel.
             let ours = folder.shaded("--method polynomial --format f64");
-            let found = match rotation {
-                "none" => difference(&luminance(&ours), &luminance(&reference)),
-                _ => difference(&ours, &reference),
+            let [found, expected] = match rotation {
+                "none" => [luminance(&ours), luminance(&reference)],
+                _ => [ours, reference],
             };
-            println!("{criterion}, {rotation}: {found:e}");
-            assert!(found < tolerances::ALL_COMPONENTS, "{criterion}, {rotation}: {found:e}");
+            let what = format!("{criterion}, {rotation}");
+            assert_near(&what, &found, &expected, tolerances::ALL_COMPONENTS);
             let values = folder.ok("eigenvalues --table b.bin");
             assert!(!seen.contains(&values), "{rotation}: the same statistics as before");
             seen.push(values);
@@ -124,21 +127,16 @@ fn a_mesh_is_the_list_of_its_facets() {
         ("m.stl", stl(), SAME_MESH_F32),
     ] {
         let mesh = table(&format!("normals = \"{name}\"\n"), &[(name, bytes)]);
-        let found = difference(&eigenvalues(&mesh), &expected);
-        println!("{name}: {found:e}");
-        assert!(found < allowed, "{name}: {found:e}");
+        assert_near(name, &eigenvalues(&mesh), &expected, allowed);
     }
 }
 
 #[test]
 fn a_normal_map_of_a_sphere_is_nearly_the_sphere() {
-    let sphere = table("normals = \"sphere\"\n", &[]);
-    let expected = eigenvalues(&sphere);
+    let expected = eigenvalues(&Folder::with_table());
     for bits in [BitDepth::Eight, BitDepth::Sixteen] {
         let folder = table("normals = \"n.png\"\n", &[("n.png", normal_map(bits))]);
-        let found = difference(&eigenvalues(&folder), &expected);
-        println!("{bits:?}: {found:e}");
-        assert!(found < NORMAL_MAP, "{bits:?}: {found:e}");
+        assert_near(&format!("{bits:?}"), &eigenvalues(&folder), &expected, NORMAL_MAP);
     }
 }
 
@@ -163,9 +161,7 @@ fn a_mask_hides_normals() {
         "normals = \"n.png\"\nmask = \"mask.png\"\n",
         &[("n.png", normal_map(BitDepth::Sixteen)), ("mask.png", gray_png(64, 64, &mask))],
     );
-    let found = difference(&masked, &list([1.0, 1.0]));
-    println!("{found:e}");
-    assert!(found < SIXTEEN_BITS, "{found:e}");
+    assert_near("the list", &masked, &list([1.0, 1.0]), SIXTEEN_BITS);
     for mirrored in [[-1.0, 1.0], [1.0, -1.0], [-1.0, -1.0]] {
         let found = difference(&masked, &list(mirrored));
         assert!(found > 100.0 * SIXTEEN_BITS, "{mirrored:?}: {found:e}");
@@ -179,8 +175,7 @@ fn formulas_are_read_as_written() {
         eigenvalues(&table(&format!("normals = \"slant-density\"\ndensity = \"{density}\"\n"), &[]))
     };
     for (short, explicit) in [("exp(-a^2)", "exp(0-a*a)"), ("2 - -a^2", "2+a*a")] {
-        let found = difference(&of(short), &of(explicit));
-        assert!(found < SAME_MESH, "{short}: {found:e}");
+        assert_near(short, &of(short), &of(explicit), SAME_MESH);
     }
     let found = difference(&of("exp(-a^2)"), &of("exp(a^2)"));
     assert!(found > NORMAL_MAP, "{found:e}");
@@ -247,9 +242,8 @@ fn kinds_of_stl() {
         ("binary solid", binary.clone()),
         ("binary SOLID", upper),
     ] {
-        let found = table("normals = \"m.stl\"\n", &[("m.stl", bytes)]);
-        let found = difference(&eigenvalues(&found), &expected);
-        assert!(found < SAME_MESH_F32, "{name}: {found:e}");
+        let found = eigenvalues(&table("normals = \"m.stl\"\n", &[("m.stl", bytes)]));
+        assert_near(name, &found, &expected, SAME_MESH_F32);
     }
     let folder = Folder::new();
     folder.write("scene.toml", with_geometry("normals = \"m.stl\"\n"));
@@ -276,8 +270,8 @@ fn normal_maps_have_one_rule() {
     let size = 8usize;
     let mut mask = [255; 64];
     mask[0] = 0;
-    folder.write("mask.png", gray_png(size, size, &mask));
-    folder.write("image.png", gray_png(size, size, &[128; 64]));
+    folder.write("mask.png", gray_png(8, 8, &mask));
+    folder.write("image.png", gray_png(8, 8, &[128; 64]));
     let read = "read image.png --normals n.png --table b.bin --components 2 --out new.csv";
     // Pixel 0, 0 is of this kind, all others normals over the disc.
     let map = |first: [f64; 4]| {

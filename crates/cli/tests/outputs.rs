@@ -59,12 +59,7 @@ fn a_read_only_output_is_refused() {
         assert_eq!(folder.read("old.csv"), "old");
         assert_eq!(mode(&folder, "old.csv"), 0o444);
     }
-}
-
-/// Neither of two outputs is replaced if one is read-only.
-#[test]
-fn a_table_stays_with_its_manifest() {
-    let folder = Folder::with_table();
+    // A table stays with its manifest.
     folder.write("b.bin", "old");
     set_mode(&folder, "b.manifest.csv", 0o444);
     assert_fails(&folder, BASIS, &["b.manifest.csv", "read-only"]);

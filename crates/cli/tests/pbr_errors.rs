@@ -98,11 +98,8 @@ fn errors_of_another_table_are_refused() {
     };
     let refused = |text: String, fragments: &[&str]| {
         folder.write("b.errors.csv", text);
-        assert_fails(
-            &folder,
-            BASIS,
-            &[&["b.errors.csv:2", "remove the file"][..], fragments].concat(),
-        );
+        let all = [&["b.errors.csv:2", "remove the file"][..], fragments].concat();
+        assert_fails(&folder, BASIS, &all);
         assert_eq!(folder.read("b.manifest.csv"), manifest);
     };
     let (material, map) = ("material-0", "light-0");

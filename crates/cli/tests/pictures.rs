@@ -4,6 +4,7 @@ use crate::support::files::{answer, decoded, get, gray_png, nearest, png};
 use crate::support::{BASIS, Folder, assert_contains, materials, rows, shipped_path};
 use crate::tolerances;
 use eigenshade::mathematics::Libm;
+use eigenshade::sphere::color::Scene;
 use eigenshade::{Display, Exposure, Light, Normal, Rgb, Rotation, Tone, Window, presets, sphere};
 use eigenshade_cli::object::ObjectView;
 use eigenshade_cli::picture::SphereView;
@@ -172,12 +173,7 @@ fn gold(size: usize, tone: Tone, exposure: f32, light: Rgb<Light<'_, f32>>) -> V
 }
 
 /// The bytes of the picture of an object, as the runtime computes it.
-pub fn drawn(
-    view: &ObjectView,
-    scene: &sphere::color::Scene,
-    tone: Tone,
-    exposure: f32,
-) -> Vec<u8> {
+pub fn drawn(view: &ObjectView, scene: &Scene, tone: Tone, exposure: f32) -> Vec<u8> {
     let (display, exposure) = (Display::new(tone), Exposure::new(exposure).unwrap());
     let mut bytes = vec![0; 4 * view.width * view.height];
     for (normal, pixel) in view.normals.iter().zip(&view.pixels) {
@@ -194,12 +190,9 @@ pub fn drawn(
 #[test]
 fn pictures_of_velvet() {
     let folder = Folder::new();
-    let table = shipped_path("curet.bin");
-    folder.ok(&format!(
-        "render --table {table} --light park --material 07-velvet --size 96 --out v.png"
-    ));
+    folder.ok("render --table curet --light park --material 07-velvet --size 96 --out v.png");
     let read = |arguments: &str| {
-        let (text, message) = folder.both(&format!("read {arguments} --table {table}"));
+        let (text, message) = folder.both(&format!("read {arguments} --table curet"));
         (answer(&text), message)
     };
     // 8 bits of sRGB, transparent around, a hundredth of it clipped.
@@ -222,8 +215,8 @@ fn pictures_of_velvet() {
         }
         mask.push(if x < 0.5 { 255 } else { 0 });
     }
-    folder.write("linear.png", png(96, 96, BitDepth::Sixteen, ColorType::Rgb, &samples));
-    folder.write("map.png", png(96, 96, BitDepth::Sixteen, ColorType::Rgb, &map));
+    folder.write("linear.png", png([96; 2], BitDepth::Sixteen, ColorType::Rgb, &samples));
+    folder.write("map.png", png([96; 2], BitDepth::Sixteen, ColorType::Rgb, &map));
     folder.write("mask.png", gray_png(96, 96, &mask));
     let (mapped, _) = read("linear.png --normals map.png");
     let [of_sphere, of_map] =
@@ -236,7 +229,7 @@ fn pictures_of_velvet() {
     let counts = [&mapped, &masked].map(|found| get(found, "fit", "pixels")[0][0]);
     assert!(counts[1] < 0.85 * counts[0] && counts[1] > 0.7 * counts[0], "{counts:?} {message}");
     // A table without its databases uses the shipped ones.
-    fs::copy(&table, folder.path("alone.bin")).unwrap();
+    fs::copy(shipped_path("curet.bin"), folder.path("alone.bin")).unwrap();
     let alone = answer(&folder.ok("read v.png --normals sphere --table alone.bin"));
     assert_eq!(alone, sphere);
     // Read as linear, the 8 bits of sRGB are another image.

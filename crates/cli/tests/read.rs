@@ -3,8 +3,8 @@
 
 use crate::support::files::{Answer, READ, answer, get, nearest, third_material, with_image};
 use crate::support::{
-    BASIS, DEGREE, Folder, ORDER, SHADED, assert_contains, assert_fails, difference, lights, noise,
-    numbers, rows, scene,
+    BASIS, DEGREE, Folder, ORDER, SHADED, assert_contains, assert_fails, assert_near, lights,
+    noise, numbers, rows, scene,
 };
 use eigenshade_testing::{fixtures, largest};
 
@@ -97,14 +97,6 @@ fn a_flat_object() {
     assert!(!text.contains("NaN"));
 }
 
-/// Asserts that the numbers of an image without noise are as expected.
-#[track_caller]
-fn assert_near(what: &str, found: &[f64], expected: &[f64]) {
-    let error = difference(found, expected);
-    println!("{what}: {error:.1e}");
-    assert!(error <= NOISELESS, "{what}: {error:e}");
-}
-
 /// 400 normals of an object whose right side faces the camera more.
 fn object() -> String {
     let mut noise = noise(5);
@@ -153,7 +145,7 @@ fn assert_comes_back(folder: &Folder, normals: &str, options: &str) -> Answer {
     let answer = answer(&folder.ok(&format!("{read} --light-out l.csv {options}")));
     let expected = folder.projected("--table b.bin --light light.csv --material material.csv");
     for estimate in ["least-squares", "posterior"] {
-        assert_near(estimate, get(&answer, "d", estimate).as_flattened(), &expected);
+        assert_near(estimate, get(&answer, "d", estimate).as_flattened(), &expected, NOISELESS);
     }
     assert!(get(&answer, "relative-residual", "least-squares")[0][0] < RESIDUAL);
     assert_eq!(nearest(&answer), "material-2");
@@ -161,7 +153,7 @@ fn assert_comes_back(folder: &Folder, normals: &str, options: &str) -> Answer {
     let again = folder.irradiance(&format!(
         "--table b.bin --light l.csv --material material.csv --normals {normals} --format f64"
     ));
-    assert_near("the light's image", &again, &image(folder));
+    assert_near("the light's image", &again, &image(folder), NOISELESS);
     answer
 }
 
@@ -180,7 +172,7 @@ fn an_object_comes_back() {
         // Its pixels are its normals, so that the paper's scalar product is exact.
         let [product, squares] =
             ["scalar-product", "least-squares"].map(|name| get(&answer, "d", name).as_flattened());
-        assert_near("scalar product", product, squares);
+        assert_near("scalar product", product, squares, NOISELESS);
     }
 }
 
@@ -198,7 +190,7 @@ fn captured_light_comes_back() {
             let rows = rows(&text, &header);
             rows.iter().map(|row| row[3].parse().expect("a number")).collect::<Vec<f64>>()
         });
-        assert_near("the light", &found, &reference);
+        assert_near("the light", &found, &reference, NOISELESS);
     }
 }
 
@@ -223,7 +215,7 @@ fn weights_of_the_scene_count() {
         }
         let answer = comes_back(&folder);
         let light = numbers(&rows(&folder.read("light.csv"), "name,l,m,value"), 1);
-        assert_near("exposure", &get(&answer, "fit", "exposure")[0][..1], &light[..1]);
+        assert_near("exposure", &get(&answer, "fit", "exposure")[0][..1], &light[..1], NOISELESS);
     }
 }
 
@@ -251,6 +243,10 @@ fn black_may_be_clipped() {
 fn images_of_something_else_are_noted() {
     let folder = with_image();
     assert!(!folder.messages(&format!("{READ} -o d.csv")).contains("does not look like"));
+    // With fewer components than the table has, the image is not blamed.
+    let said = folder.messages(&format!("{READ} --components 1 -o d.csv"));
+    let note = format!("1 of {} components leave ", folder.table("b.bin").count());
+    assert!(said.contains(&note) && !said.contains("does not look like"), "{said}");
     let mut noise = noise(7);
     let rows: String = (0..400).map(|k| format!("l,m,{k},{0},{0},{0}\n", noise().abs())).collect();
     folder.write("image.csv", format!("{SHADED}\n{rows}"));
@@ -261,23 +257,6 @@ fn images_of_something_else_are_noted() {
     folder.write("wide.pfm", fixtures::pfm(32, &wide));
     let said = folder.messages("read wide.pfm -n sphere --table b.bin --components 4 -o d.csv");
     assert!(said.contains("the image is 32 x 16"), "{said}");
-}
-
-/// With fewer components than the table has, the image is not blamed.
-#[test]
-fn few_components_leave_much() {
-    let folder = with_image();
-    let said = folder.messages(&format!("{READ} --components 1 -o d.csv"));
-    let note = format!("1 of {} components leave ", folder.table("b.bin").count());
-    assert!(said.contains(&note) && !said.contains("does not look like"), "{said}");
-}
-
-#[test]
-fn a_mesh_has_no_normals_of_pixels() {
-    let folder = with_image();
-    folder.write("mesh.obj", "mtllib s.mtl\n");
-    let read = READ.replace("normals.csv", "mesh.obj");
-    assert_fails(&folder, &read, &["mesh.obj: it is a mesh", "with `render`"]);
 }
 
 /// The colors of an EXR are multiplied by its opacity, those of a PNG are not.

@@ -2,8 +2,7 @@
 //! it refuses.
 
 use crate::support::{
-    BASIS, Folder, NEW_BASIS, PAIR, assert_fails, lights, materials, repository_text, scene,
-    shipped_scene,
+    BASIS, Folder, NEW_BASIS, PAIR, assert_fails, materials, repository_text, scene, shipped_scene,
 };
 use eigenshade_index::material;
 use eigenshade_table::Table;
@@ -11,13 +10,9 @@ use std::collections::HashMap;
 
 /// The small scene with a tolerance, and these lines of `[basis]`.
 fn with_tolerance(tolerance: &str, basis: &str) -> Folder {
-    let folder = Folder::new();
-    folder.write("lights.csv", lights(6, 3));
-    folder.write("materials.csv", materials(5, 4));
-    let text = scene("image-centered", 1, "[]").replace("degree = 4", "degree = 6");
-    let text = text.replace("order = 3", "order = 5");
-    let text = text.replace("components = 1\n", &format!("tolerance = {tolerance}\n{basis}"));
-    folder.write("scene.toml", text);
+    let folder = Folder::of_size(6, 5, [3, 4]);
+    let lines = format!("tolerance = {tolerance}\n{basis}");
+    folder.replace("scene.toml", "components = 10000\n", &lines);
     folder
 }
 
@@ -81,18 +76,18 @@ fn the_page_quotes_the_report() {
 /// Where degree and order are not chosen, the report says so; components are chosen all the same.
 #[test]
 fn degree_and_order_stay_where_they_are_not_chosen() {
-    let selection = with_tolerance("0.05", "modes = 60\n");
-    let object = with_tolerance("0.05", "");
-    object.replace("scene.toml", "\"sphere\"", "\"normals.csv\"");
-    let as_captured = with_tolerance("0.05", "");
-    as_captured.replace("scene.toml", "\"any\"", "\"none\"");
-    let black = with_tolerance("0.05", "");
     let zeros = material::indices(5).map(|(o, p, q)| format!("black,{o},{p},{q},0\n"));
-    black.write("materials.csv", format!("name,o,p,q,value\n{}", zeros.collect::<String>()));
-    for (folder, why) in
-        [(&selection, "modes"), (&object, "spheres"), (&as_captured, "freely"), (&black, "black")]
-    {
-        let lines = report(folder);
+    let black = format!("name,o,p,q,value\n{}", zeros.collect::<String>());
+    for (from, to, why) in [
+        ("[basis]", "[basis]\nmodes = 60", "modes"),
+        ("\"sphere\"", "\"normals.csv\"", "spheres"),
+        ("\"any\"", "\"none\"", "freely"),
+        ("\"materials.csv\"", "\"black.csv\"", "black"),
+    ] {
+        let folder = with_tolerance("0.05", "");
+        folder.write("black.csv", &black);
+        folder.replace("scene.toml", from, to);
+        let lines = report(&folder);
         println!("{lines:#?}");
         assert!(lines[0].starts_with("degree and order as asked: ") && lines[0].contains(why));
         assert!(lines[1].starts_with("components "), "{}", lines[1]);
@@ -102,14 +97,20 @@ fn degree_and_order_stay_where_they_are_not_chosen() {
     }
 }
 
-/// A cutoff that leaves out more than the tolerance.
+/// A cutoff that leaves out more than the tolerance, and what cannot be trimmed.
 #[test]
-fn a_tolerance_that_is_not_met_is_refused() {
+fn tolerances_that_are_not_met_and_trims_are_refused() {
     let cut = with_tolerance("1e-3", "rank_cutoff = 0.3\n");
     assert_fails(&cut, BASIS, &["basis.tolerance", "rank_cutoff"]);
     for wrong in ["0.0", "1.0", "-1e-3", "nan"] {
         assert_fails(&with_tolerance(wrong, ""), BASIS, &["basis.tolerance"]);
     }
+    let trimmed = with_tolerance("1e-2", "trim = 0.1\n");
+    assert_fails(&trimmed, BASIS, &["tolerance and trim"]);
+    let vertical = Folder::new();
+    vertical.replace("scene.toml", "\"any\"", "\"vertical\"");
+    vertical.write("scene.toml", vertical.read("scene.toml") + "trim = 1e-2\n");
+    assert_fails(&vertical, BASIS, &["basis.trim", "leave it out"]);
 }
 
 /// Tables of transfers, and of sets of effects, some with unfactored ambient light.
@@ -171,16 +172,6 @@ fn trimmed_tables_have_fewer_terms() {
     assert!(coarse.terms() < fine.terms() && fine.terms() < all.terms());
     let line = "requested                10000 components, trimmed to 1e-1";
     assert!(folder.ok("info --table b.bin").lines().any(|found| found == line));
-}
-
-#[test]
-fn what_cannot_be_trimmed_is_refused() {
-    let folder = Folder::new();
-    let good = folder.read("scene.toml");
-    folder.write("scene.toml", good.replace("\"any\"", "\"vertical\"") + "trim = 1e-2\n");
-    assert_fails(&folder, BASIS, &["basis.trim", "leave it out"]);
-    folder.write("scene.toml", good.replace("components = 10000", "tolerance = 1e-2\ntrim = 0.1"));
-    assert_fails(&folder, BASIS, &["tolerance and trim"]);
 }
 
 /// Several databases are one database with all of their materials, to the lowest order.

@@ -189,7 +189,7 @@ fn irradiance_below_zero_is_clamped_on_request() {
 }
 
 #[test]
-fn tolerances_are_refused_where_they_cannot_hold() {
+fn tolerances_and_sizes_are_refused_where_they_cannot_hold() {
     let folder = Folder::with_table();
     for (name, from, to) in
         [("object", "\"sphere\"", "\"normals.csv\""), ("mean", "image-centered", "standard")]
@@ -198,21 +198,23 @@ fn tolerances_are_refused_where_they_cannot_hold() {
         folder.ok(&format!("basis --scene {name}.toml --out {name}.bin"));
     }
     for (options, fragments) in [
-        ("--table mean.bin --effects diffuse", ["ambient", "leave --tolerance out"]),
-        ("--table object.bin", ["sphere", "leave --tolerance out"]),
-        ("--table b.bin --format q15", ["--tolerance", "polynomial in f32 or f64"]),
-        ("--table b.bin --method eigen", ["--tolerance", "polynomial in f32 or f64"]),
+        (
+            "--table mean.bin --tolerance 1e-2 --effects diffuse",
+            ["ambient", "leave --tolerance out"],
+        ),
+        ("--table object.bin --tolerance 1e-2", ["sphere", "leave --tolerance out"]),
+        (
+            "--table b.bin --tolerance 1e-2 --format q15",
+            ["--tolerance", "polynomial in f32 or f64"],
+        ),
+        (
+            "--table b.bin --tolerance 1e-2 --method eigen",
+            ["--tolerance", "polynomial in f32 or f64"],
+        ),
+        ("--table b.bin --method eigen --size 64", ["--size", "--method baked"]),
+        ("--table b.bin --size 32", ["--size", "--method baked"]),
     ] {
-        let shade = format!("shade {PAIR} --normals normals.csv --tolerance 1e-2 {options}");
-        assert_fails(&folder, &shade, &fragments);
-    }
-}
-
-#[test]
-fn options_of_other_methods_are_errors() {
-    let folder = Folder::with_table();
-    for options in ["--method eigen --size 64", "--size 32"] {
-        assert_fails(&folder, &format!("{SHADE} {options}"), &["--size", "--method baked"]);
+        assert_fails(&folder, &format!("shade {PAIR} --normals normals.csv {options}"), &fragments);
     }
 }
 

@@ -3,7 +3,8 @@
 
 use crate::interpreter::Function;
 use crate::support::{
-    Folder, assert_fails, difference, numbers, of_equal_areas, rows, shipped_path, shipped_scene,
+    Folder, assert_fails, assert_near, difference, numbers, of_equal_areas, rows, shipped_path,
+    shipped_scene,
 };
 use eigenshade_testing::vectors::unit;
 use serde_json::Value;
@@ -52,9 +53,7 @@ fn functions_are_the_direct_sum() {
     for lang in ["glsl", "glsl-block", "wgsl"] {
         let (text, vectors) = written(&folder, &format!("--lang {lang}"));
         assert!(text.contains(&vectors.len().to_string()), "the length of the array: {text}");
-        let found = difference(&evaluated(&folder, &text, &vectors), &reference);
-        println!("{lang}: {found:.1e}");
-        assert!(found <= F32, "{lang}: {found}");
+        assert_near(lang, &evaluated(&folder, &text, &vectors), &reference, F32);
     }
     let (text, _) = written(&folder, "--lang glsl-texture");
     let (plain, _) = written(&folder, "--lang glsl");

@@ -4,7 +4,7 @@ use crate::pictures::{assert_same_codes, drawn};
 use crate::support::files::{decoded, gray_png, normal_map, obj, ply, png, stl};
 use crate::support::{Folder, assert_fails, assert_usage_errors};
 use eigenshade::{
-    Display, Exposure, Matcap, Normal, NormalMap, NormalPixel, Rgb, Tone, presets, sphere,
+    Display, Exposure, Matcap, Normal, NormalMap, NormalPixel, Tone, presets, sphere,
 };
 use eigenshade_cli::object::ObjectView;
 use eigenshade_generator::light::environment::EnvironmentMap;
@@ -168,11 +168,6 @@ fn packed_normals_as_source() {
     assert!(text.lines().all(|line| line.len() <= 100));
 }
 
-fn shaded(scene: &sphere::color::Scene, normal: [f64; 3]) -> Rgb<f32> {
-    let [x, y, z] = normal.map(|component| component as f32);
-    scene.shade(Normal::new(x, y, z).unwrap())
-}
-
 fn lobby() -> sphere::color::Scene {
     sphere::color::scene(presets::light::LOBBY, presets::material::GOLD_METALLIC_PAINT).unwrap()
 }
@@ -247,7 +242,8 @@ fn matcaps_hold_the_scene() {
     let view = ObjectView::sphere(16);
     let mut expected = vec![[0.0; 3]; 256];
     for (pixel, normal) in view.pixels.iter().zip(&view.normals) {
-        let color = <[f32; 3]>::from(shaded(&scene, *normal));
+        let [x, y, z] = normal.map(|component| component as f32);
+        let color = <[f32; 3]>::from(scene.shade(Normal::new(x, y, z).unwrap()));
         expected[pixel.row * 16 + pixel.column] = color.map(|one| f64::from(one) * pixel.coverage);
     }
     for (found, expected) in map.texels.iter().flatten().zip(expected.iter().flatten()) {
@@ -268,7 +264,7 @@ fn bad_objects_and_outputs() {
     folder.write("empty.obj", "v 0 0 0\n");
     folder.write("gray.png", gray_png(2, 2, &[128; 4]));
     let behind = [128, 128, 255, 128, 128, 0];
-    folder.write("behind.png", png(2, 1, BitDepth::Eight, ColorType::Rgb, &behind));
+    folder.write("behind.png", png([2, 1], BitDepth::Eight, ColorType::Rgb, &behind));
     folder.write("notes.txt", "none");
     for (input, options, fragments) in [
         ("none.obj", "", &["none.obj"][..]),

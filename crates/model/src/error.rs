@@ -89,9 +89,9 @@ impl fmt::Display for Error {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         if let Some((path, line)) = &self.place {
             if path.as_os_str() == STANDARD_INPUT {
-                f.write_str("standard input")?
+                f.write_str("standard input")?;
             } else {
-                write!(f, "{}", path.display())?
+                write!(f, "{}", path.display())?;
             }
             line.map_or(Ok(()), |line| write!(f, ":{line}"))?;
             f.write_str(": ")?;

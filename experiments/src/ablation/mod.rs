@@ -19,8 +19,7 @@ use eigenshade_table::trim::trim;
 use pictures::{errors, of_nine_terms, shares, terms_within};
 use scenes::{SCENES, Scene, Size, Times};
 
-/// Allowed relative difference of the figures on the page: they have two digits, and the last may
-/// be rounded either way.
+/// Allowed relative difference of the page's figures, which have two digits.
 const DIFFERENCE: f64 = 0.1;
 
 /// Errors on the page below this are f32 rounding and differ between hosts.
@@ -36,8 +35,7 @@ pub const PAGE: Page = Page {
     },
 };
 
-/// The table that the boards' `shade` uses, and the share of the rms to which their build script
-/// trims its polynomials.
+/// The table of the boards' `shade`, and the share of the rms to which they trim its polynomials.
 const BOARDS: (&[u8], f64) = (include_bytes!("../../../firmware/tables/full.bin"), 2e-4);
 
 /// The parts of the page, or the scenes beyond their tolerances.

@@ -23,13 +23,8 @@ fn sphere() -> Sphere {
 }
 
 /// The picture of each light on one material, by the direct sum over some effects.
-pub fn direct(
-    sphere: &Sphere,
-    lights: &Lights,
-    material: &Materials,
-    wanted: Effects,
-) -> Vec<Picture> {
-    let images = images_of_effects(lights, material, wanted, &sphere.normals, &());
+pub fn direct(sphere: &Sphere, lights: &Lights, on: &Materials, wanted: Effects) -> Vec<Picture> {
+    let images = images_of_effects(lights, on, wanted, &sphere.normals, &());
     let of_light = |light: usize| {
         [0, 1, 2].map(|c| images.iter().map(|of_normal| of_normal[light][c]).collect())
     };
@@ -104,8 +99,7 @@ pub fn errors(scene: &Scene) -> [f64; 3] {
     [errors[own], largest(errors), sphere.error(&q15, &expected[own])]
 }
 
-/// The number of terms that the runtime keeps of a scene within a tolerance relative to the peak,
-/// under each shipped light.
+/// The terms that the runtime keeps within a tolerance of the peak, under each shipped light.
 pub fn terms_within(scene: &Scene, tolerance: f32) -> Vec<usize> {
     let table = scene.whole_table();
     let (degree, order) = (table.gram.degree, table.gram.order);

@@ -133,8 +133,7 @@ impl Size {
     }
 }
 
-/// The gray material of a table up to an order: the one named by its scene, or the white
-/// Lambertian.
+/// The gray material of a table up to an order: that of its scene, or the white Lambertian.
 pub fn material(table: &Table, order: usize) -> Materials {
     let mut material = match table.scene.material.names.as_slice() {
         [name] => {
@@ -156,8 +155,7 @@ const ROUNDS: usize = 41;
 pub struct Times {
     /// Of a pixel of each scene, in all channels.
     pub scenes: Vec<f64>,
-    /// With the shipped table: of a new light, a turned light and a new material, each up to the
-    /// new scene, and of a pixel.
+    /// With the shipped table: a new light, a turned light, a new material, and a pixel.
     pub changes: [f64; 4],
 }
 

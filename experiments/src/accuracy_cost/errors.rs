@@ -96,8 +96,7 @@ fn errors(values: &[f64], image: &Image, weights: &[f64]) -> [f64; 2] {
 pub const MAPS: [&str; 6] = ["esplanade", "hall", "park", "sky", "studio", "venice"];
 const QUICK: [&str; 2] = ["ggx-0.9-0.7", "teflon"];
 
-/// The errors of each surface at each degree and order, under the maps in this folder; with
-/// `quick`, only of two surfaces.
+/// The errors of each surface, or with `quick` of two, at each degree and order, under [`MAPS`].
 pub fn rows(folder: &Path, quick: bool, progress: &ProgressBar) -> Result<Vec<Record>> {
     let map = |name: &&str| {
         let path = folder.join(format!("{name}.exr"));

@@ -129,18 +129,10 @@ const MAP: usize = 32;
 pub fn tables() -> Vec<Recipe> {
     let first = |count| Recipe::first(DEGREE, ORDER, count);
     let trimmed = |count, tolerance| first(count).trimmed(tolerance);
-    let whole = Recipe::all(DEGREE, ORDER);
-    vec![
-        Recipe::all(2, 0),
-        trimmed(9, 1e-1),
-        trimmed(25, 3e-2),
-        first(50),
-        trimmed(50, 1e-2),
-        trimmed(100, 1e-2),
-        trimmed(130, 1e-3),
-        trimmed(130, 2e-4),
-        whole,
-    ]
+    let few = [Recipe::all(2, 0), trimmed(9, 1e-1), trimmed(25, 3e-2), first(50)];
+    let many = [(50, 1e-2), (100, 1e-2), (130, 1e-3), (130, 2e-4)];
+    let many = many.map(|(count, tolerance)| trimmed(count, tolerance));
+    [&few[..], &many, &[Recipe::all(DEGREE, ORDER)]].concat()
 }
 
 /// The measured settings that are timed with a table.

@@ -1,7 +1,6 @@
 //! The cost of accuracy: the error and the price of varying every parameter.
 //!
-//! Measurements become [`Record`]s. The CSV files, the checks, the charts and the tables of
-//! the page are made from these.
+//! Measurements become [`Record`]s, of which the CSV files, checks, charts and tables are made.
 
 pub mod errors;
 pub mod images;
@@ -72,12 +71,8 @@ impl Measured {
     }
 
     pub fn sheets(&self) -> [(&'static Form, &[Record]); 4] {
-        [
-            (&SETTINGS, &self.settings),
-            (&MODEL, &self.model),
-            (&TOTAL, &self.total),
-            (&GROWTH, &self.growth),
-        ]
+        let Self { settings, model, total, growth } = self;
+        [(&SETTINGS, settings), (&MODEL, model), (&TOTAL, total), (&GROWTH, growth)]
     }
 
     /// Takes over the times of an earlier run, which must have all settings.

@@ -15,8 +15,7 @@ use eigenshade_table::{Table, parts, quantize, wire};
 use std::fmt::Display;
 use std::hint::black_box;
 
-/// The numbers of a setting without its sources, unless its format has no such way or cannot
-/// represent the table.
+/// The numbers of a setting without its sources. Fails if its format cannot represent the table.
 pub fn numbers(setting: &Setting, table: &Table, normals: &[[f64; 3]]) -> Result<Box<dyn Numbers>> {
     let scale = match setting.scaling {
         Scaling::None => None,
@@ -25,10 +24,10 @@ pub fn numbers(setting: &Setting, table: &Table, normals: &[[f64; 3]]) -> Result
         Scaling::Micromath => Some(scale::<f32, Micromath> as _),
     };
     Ok(match (setting.format, setting.way) {
-        (Format::F64, _) => Box::new(Floats::<f64>::new(setting, table, normals, None)?),
+        (Format::F64, _) => Box::new(Floats::<f64>::new(*setting, table, normals, None)?),
         // Maps of 16 bits are made from scenes in f32.
         (Format::F32, _) | (Format::Q15, Way::Bilinear(_)) => {
-            Box::new(Floats::new(setting, table, normals, scale)?)
+            Box::new(Floats::new(*setting, table, normals, scale)?)
         }
         (Format::Q31, Way::Polynomial) => Box::new(Integers::<Q31>::new(table, normals)?),
         (Format::Q15, Way::Polynomial) => Box::new(Integers::<Q15>::new(table, normals)?),
@@ -57,8 +56,7 @@ pub fn table_bytes(setting: &Setting, table: &Table) -> Result<usize> {
     Ok(bytes + 4 * (parts.polar.len() + parts.factors.len() + parts.terms.len()))
 }
 
-/// Bytes in RAM for each source: itself, to be turned, and its lobe; in integers, which turn none,
-/// its lobe.
+/// Bytes in RAM for each source: its lobe and, in floats, which turn it, itself.
 pub fn source_bytes(setting: &Setting) -> usize {
     type Integers<const N: usize> = quantized::Highlights<i32, N>;
     type Floats<const N: usize> = Highlights<f32, N>;
@@ -68,12 +66,11 @@ pub fn source_bytes(setting: &Setting) -> usize {
     }
 }
 
-/// Lengths of the normals that are to be scaled, used in turn. They span more than an octave, as
-/// the lengths of cross products do.
+/// Lengths of the normals that are to be scaled, in turn: like cross products, over an octave.
 const LENGTHS: [f64; 5] = [0.37, 0.61, 1.0, 1.43, 2.3];
 
-/// Scales vectors to unit length, into an array for each component.
-type Scale<S> = fn(&[[S; 3]], &mut [Vec<S>; 3]);
+/// What scales vectors to unit length, if needed, into an array for each component.
+type Scale<S> = Option<fn(&[[S; 3]], &mut [Vec<S>; 3])>;
 
 struct Floats<S> {
     setting: Setting,
@@ -82,14 +79,13 @@ struct Floats<S> {
     each: Vec<Normal<S>>,
     /// The normals for maps of 16 bits.
     quantized: Vec<quantized::Normal<Q15>>,
-    scale: Option<Scale<S>>,
+    scale: Scale<S>,
 }
 
 /// From the coefficients d to the data that a pixel reads.
 type Collapse<'a, S> = Box<dyn FnMut(&[S]) -> std::result::Result<(), eigenshade::Error> + 'a>;
 
-/// The pixels of an image, the number of terms of their polynomials, how the data that they read
-/// are made, and the bytes of these.
+/// The pixels of an image, their number of terms, and how their data are made, in how many bytes.
 struct Operations<'a, S> {
     pixels: Box<dyn Pixels + 'a>,
     terms: usize,
@@ -99,15 +95,10 @@ struct Operations<'a, S> {
 
 impl<S: Scalar + Into<f64>> Floats<S> {
     /// With `scale`, the normals are first given lengths other than 1.
-    fn new(
-        setting: &Setting,
-        table: &Table,
-        normals: &[[f64; 3]],
-        scale: Option<Scale<S>>,
-    ) -> Result<Self> {
+    fn new(setting: Setting, table: &Table, normals: &[[f64; 3]], scale: Scale<S>) -> Result<Self> {
         let quantized = integer_shader::normals(normals)?;
         let (basis, normals) = (OwnedBasis::new(table), OwnedNormals::new(normals));
-        Ok(Self { setting: *setting, basis, each: normals.each()?, normals, quantized, scale })
+        Ok(Self { setting, basis, each: normals.each()?, normals, quantized, scale })
     }
 
     fn basis(&self) -> Result<Basis<'_, S>> {

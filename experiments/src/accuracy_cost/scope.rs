@@ -23,15 +23,13 @@ use std::collections::HashMap;
 
 /// Roughnesses of GGX.
 const ROUGH: [f64; 10] = [0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9, 1.0];
-/// Roughnesses of the formulas from which bases beyond the measured order are made, and values
-/// between them.
+/// Roughnesses from which bases beyond the measured order are made, and values between them.
 const EVEN: [f64; 5] = [0.2, 0.4, 0.6, 0.8, 1.0];
 const BETWEEN: [f64; 3] = [0.25, 0.45, 0.85];
 /// Every `LIGHT_STEP`-th light shines on them.
 const LIGHT_STEP: usize = 3;
 
-/// The lights and materials from which a basis of a degree and an order is made, and those with
-/// which it is measured.
+/// The lights and materials from which a basis is made, and those with which it is measured.
 pub struct Scope {
     pub degree: usize,
     pub order: usize,
@@ -41,8 +39,7 @@ pub struct Scope {
 }
 
 impl Scope {
-    /// A scope without unseen materials. It uses the measured materials up to their order, and a
-    /// few formulas above it.
+    /// A scope without unseen materials: the measured ones up to their order, formulas above it.
     pub fn seen(degree: usize, order: usize) -> Result<Self> {
         let measured = shipped::materials()?;
         let seen = if order <= measured.order {
@@ -125,8 +122,7 @@ fn matte() -> Result<Vec<Surface>> {
     ])
 }
 
-/// The surfaces for which the model's error is measured: formulas from matte to glossy, and
-/// measured materials.
+/// The surfaces of the model's error: formulas from matte to glossy, and measured materials.
 pub fn modelled() -> Result<Vec<Surface>> {
     let mut surfaces = matte()?;
     surfaces.extend(ggx(&[0.5, 0.3], &[0.04])?);

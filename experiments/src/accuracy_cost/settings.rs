@@ -171,8 +171,7 @@ pub fn sizes() -> impl Iterator<Item = (usize, usize)> {
     LOWER.into_iter().chain([(DEGREE, ORDER)]).chain(HIGHER)
 }
 
-/// The settings, or a part of them with `quick`. To add a parameter, add a field to [`Setting`] or
-/// its recipe, and a row here.
+/// The settings, or a part of them. A new parameter is a field of [`Setting`] or [`Recipe`].
 pub fn all(quick: bool) -> Vec<Varied> {
     let mut found: Vec<Varied> = Vec::new();
     let mut add = |parameter: &'static str, setting: Setting| {
@@ -211,8 +210,7 @@ pub fn all(quick: bool) -> Vec<Varied> {
             add("polynomials", trimmed(first(count), share));
         }
     }
-    // The tables whose pixel and new light are counted on boards without a float unit, in addition
-    // to those above.
+    // More tables whose pixel and new light are counted on boards without a float unit.
     let counted = [(9, 0.1), (25, 0.03), (50, 1e-2), (100, 1e-2), (130, 1e-3)];
     for (count, share) in either(quick, &counted, &counted[1..2]) {
         add("polynomials", trimmed(first(count), share).in_format(Format::Q15));

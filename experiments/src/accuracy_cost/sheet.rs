@@ -56,14 +56,12 @@ pub fn csv(form: &Form, records: &[Record]) -> Result<OutputFile> {
 /// The allowed relative difference of an error: hosts round differently, and rounding may end a
 /// polynomial a term earlier or later.
 const ERROR: f64 = 0.02;
-/// The difference of an error that is always allowed: errors below it are f32 rounding, which a
-/// fused multiplication halves.
+/// The always allowed difference of an error: f32 rounding, which a fused multiplication halves.
 const ROUNDING: f64 = 1e-6;
 /// The allowed relative difference of bytes: one such term in all profiles of an azimuth.
 const BYTES: f64 = 0.02;
 
-/// The allowed relative and absolute difference of a column's numbers. Texts must be equal, and so
-/// must numbers without a tolerance.
+/// The allowed relative and absolute difference of a column's numbers.
 fn tolerance(column: &str) -> [f64; 2] {
     let ends = |ends: &[&str]| ends.iter().any(|end| column.ends_with(end));
     if ends(&["median", "most", "worst"]) {

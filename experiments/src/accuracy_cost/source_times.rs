@@ -1,5 +1,4 @@
-//! The highlights of small sources to be timed, alone as on the boards: all pixels of a picture,
-//! and a new light.
+//! The highlights of small sources to be timed, alone as on the boards: pixels and a new light.
 
 use super::images::Work;
 use super::settings::Format;

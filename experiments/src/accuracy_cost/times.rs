@@ -47,8 +47,7 @@ impl Case {
     }
 }
 
-/// The median nanoseconds of a pixel and of a new light over interleaved rounds, from all pixels
-/// and new lights.
+/// The median nanoseconds of a pixel and of a new light over interleaved rounds.
 pub fn costs(works: Vec<[Work<'_>; 2]>, rounds: usize) -> Vec<[f64; 2]> {
     let times = interleaved(works.into_iter().flatten().collect(), rounds);
     let medians: Vec<f64> = times.iter().map(|times| median(times)).collect();

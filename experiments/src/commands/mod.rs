@@ -11,8 +11,7 @@ use eigenshade_cli::messages::{printable, spinner};
 use eigenshade_cli::output::{self, write_error};
 use eigenshade_model::error::{Error, Result};
 use experiments::pages::Purpose;
-use experiments::sheet;
-use experiments::{ablation, mutations, reading, stability};
+use experiments::{ablation, mutations, reading, sheet, stability};
 use std::io::Write;
 use std::path::{Path, PathBuf};
 

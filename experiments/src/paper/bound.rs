@@ -23,8 +23,7 @@ const DRAWN: (&str, &str) = ("studio", "05-leather");
 const RENDERED: [f64; 4] = [0.1, 0.03, 0.01, 0.003];
 /// Width of each sphere in pixels.
 const SIZE: usize = 176;
-/// The colors of the residual end at this share of the stated accuracy: half, as stated on the
-/// plate and the page.
+/// The colors of the residual end at half of the stated accuracy, as the plate and the page say.
 const RESIDUAL: f64 = 0.5;
 
 /// The result of one image for one accuracy.
@@ -138,13 +137,8 @@ pub struct Rendered {
 }
 
 /// Renders a light on a material at these normals.
-pub fn render(
-    study: &Study,
-    light: &str,
-    material: &str,
-    normals: &[[f64; 3]],
-) -> Result<Rendered> {
-    let trial = study.trial(light, material)?;
+pub fn render(study: &Study, light: &str, on: &str, normals: &[[f64; 3]]) -> Result<Rendered> {
+    let trial = study.trial(light, on)?;
     let (luminance, grays) = (&study.luminances[trial.light], &study.grays[trial.material]);
     let sums = PartialSum::new(&study.gram, &[]);
     let terms = sums.strongest(luminance, grays);
@@ -180,7 +174,7 @@ pub fn render(
 /// image at each accuracy, with the omitted part below.
 fn rendered_files(study: &Study) -> Result<Vec<OutputFile>> {
     let mut rows = Vec::new();
-    let mut plate = Plate::new(SIZE, (RENDERED.len() + 1, 2 * SHOWN.len()), (2, 0, 2));
+    let mut plate = Plate::new(SIZE, (RENDERED.len() + 1, 2 * SHOWN.len()), [2, 0, 2]);
     for (pair, (material, light)) in SHOWN.into_iter().enumerate() {
         let normals = &plate.view.normals;
         let Rendered { mean, whole, sums } = render(study, light, material, normals)?;

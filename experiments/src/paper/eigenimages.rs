@@ -1,5 +1,4 @@
-//! Fig. 3: the first twelve eigenimages of the image-centered bases, starting with the constant
-//! one.
+//! Fig. 3: the first twelve eigenimages of the image-centered bases, from the constant one on.
 
 use super::plate::Plate;
 use super::reconstruction::shade;
@@ -46,7 +45,7 @@ fn sheet(name: &str, table: &Table) -> Result<OutputFile> {
 fn plate(name: &str, table: &Table) -> Result<OutputFile> {
     let owned = OwnedBasis::<f64>::new(table);
     let basis = owned.basis().map_err(fault)?;
-    let mut plate = Plate::new(SIZE, (COLUMNS, SHOWN.div_ceil(COLUMNS)), (0, 0, 2));
+    let mut plate = Plate::new(SIZE, (COLUMNS, SHOWN.div_ceil(COLUMNS)), [0, 0, 2]);
     let normals = OwnedNormals::<f64>::new(&plate.view.normals);
     for (index, component) in table.components.iter().enumerate().take(SHOWN) {
         let mut coefficients = vec![0.0; index + 1];

@@ -119,11 +119,10 @@ fn by_count(first: &[&dyn Display], errors: &[Vec<f64>]) -> Vec<Vec<String>> {
 
 /// The same for each choice of modes and each criterion.
 fn by_basis(errors: &[Vec<Vec<f64>>], criteria: &[Criterion]) -> Vec<Vec<String>> {
-    let bases = Modes::BOTH
-        .into_iter()
-        .flat_map(|modes| criteria.iter().map(move |criterion| (modes.count(), criterion.name())));
-    let rows = bases.zip(errors).map(|((modes, name), errors)| by_count(&[&modes, &name], errors));
-    rows.collect::<Vec<_>>().concat()
+    let of_modes =
+        |modes: Modes| criteria.iter().map(move |criterion| (modes.count(), criterion.name()));
+    let bases = Modes::BOTH.into_iter().flat_map(of_modes).zip(errors);
+    bases.flat_map(|((modes, name), errors)| by_count(&[&modes, &name], errors)).collect()
 }
 
 fn mean_chart(mean: &[Vec<f64>; 4]) -> Result<String> {

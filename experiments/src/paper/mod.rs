@@ -128,8 +128,7 @@ pub struct Study {
     pub gram: GramFactor,
     /// The paper's selection, in the layout of `Table::selection`.
     pub selection: Vec<bool>,
-    /// Four tables with all components: image-centered and standard, of all modes, then of the
-    /// selected modes.
+    /// Of all components: image-centered and standard, of all modes, then of the selected ones.
     pub tables: [Table; 4],
     /// Every light on every material, light by light.
     pub trials: Vec<Trial>,
@@ -142,8 +141,8 @@ pub fn place(criterion: Criterion, modes: Modes) -> usize {
 
 /// A material's name for readers, without number and hyphens.
 pub fn title(name: &str) -> String {
-    name.trim_start_matches(|letter: char| letter.is_ascii_digit() || letter == '-')
-        .replace('-', " ")
+    let is_number = |letter: char| letter.is_ascii_digit() || letter == '-';
+    name.trim_start_matches(is_number).replace('-', " ")
 }
 
 impl Study {
@@ -159,49 +158,31 @@ impl Study {
         });
         let tables = made.into_iter().collect::<Result<Vec<Table>>>()?;
         let Ok(tables) = <[Table; 4]>::try_from(tables) else { unreachable!("four were made") };
-        let mut luminances = Vec::new();
-        for entry in &lights.entries {
-            let mut light = entry.luminance();
+        let luminance = |entry: &Named| {
+            let light = entry.luminance();
             let scale = exposure(&entry.name, light[0], Normalize::UnitAmbient)?;
-            light.iter_mut().for_each(|value| *value *= scale);
-            luminances.push(light);
-        }
-        let gram = gram::of_sphere(DEGREE, ORDER);
-        let mut study = Self {
-            selection: selection::highest(&gram, effect::Effects::ALL, SELECTED),
-            grays: materials.entries.iter().map(Named::luminance).collect(),
-            gram,
-            luminances,
-            lights,
-            materials,
-            tables,
-            trials: Vec::new(),
+            Ok(light.into_iter().map(|value| value * scale).collect::<Vec<f64>>())
         };
-        study.trials = study.all_trials();
-        Ok(study)
-    }
-
-    fn all_trials(&self) -> Vec<Trial> {
-        let whole = MaterialImages::new(&self.gram, &[], &self.grays);
-        let selected = MaterialImages::new(&self.gram, &self.selection, &self.grays);
-        let count = self.grays.len();
-        parallel::map(self.luminances.len() * count, &(), |k| {
+        let luminances = lights.entries.iter().map(luminance).collect::<Result<Vec<_>>>()?;
+        let gram = gram::of_sphere(DEGREE, ORDER);
+        let selection = selection::highest(&gram, effect::Effects::ALL, SELECTED);
+        let grays: Vec<Vec<f64>> = materials.entries.iter().map(Named::luminance).collect();
+        let whole = MaterialImages::new(&gram, &[], &grays);
+        let selected = MaterialImages::new(&gram, &selection, &grays);
+        let count = grays.len();
+        let trials = parallel::map(luminances.len() * count, &(), |k| {
             let (light, material) = (k / count, k % count);
-            let of = |images: &MaterialImages| images.image(&self.luminances[light], material);
+            let of = |images: &MaterialImages| images.image(&luminances[light], material);
             let image = of(&whole);
-            Trial {
-                light,
-                material,
-                variance: image.variance(&self.gram),
-                mean: image.mean(&self.gram),
-                unselected: image.minus(&of(&selected)).variance(&self.gram),
-                fits: self.tables.each_ref().map(|table| fit(table, &image)),
-            }
-        })
+            let (variance, mean) = (image.variance(&gram), image.mean(&gram));
+            let unselected = image.minus(&of(&selected)).variance(&gram);
+            let fits = tables.each_ref().map(|table| fit(table, &image));
+            Trial { light, material, variance, mean, unselected, fits }
+        });
+        Ok(Self { lights, materials, luminances, grays, gram, selection, tables, trials })
     }
 
-    /// The trial of a light on a material. There is none if the program was built from other
-    /// databases.
+    /// The trial of a light on a material, unless the program was built from other databases.
     pub fn trial(&self, light: &str, material: &str) -> Result<&Trial> {
         let is_it = |trial: &&Trial| {
             self.lights.entries[trial.light].name == light
@@ -217,12 +198,7 @@ impl Study {
 /// The scene of the table of CUReT with another basis, without that table's effects.
 fn scene(criterion: Criterion, modes: usize) -> Scene {
     let scene = decode(shipped::CURET).expect("a shipped table").scene;
-    let basis = scene::Basis {
-        criterion,
-        components: Some(usize::MAX),
-        modes,
-        profile_tolerance: 1e-13,
-        ..scene.basis
-    };
+    let (components, profile_tolerance) = (Some(usize::MAX), 1e-13);
+    let basis = scene::Basis { criterion, components, modes, profile_tolerance, ..scene.basis };
     Scene { basis, effects: Effects::default(), ..scene }
 }

@@ -26,8 +26,7 @@ impl NodeImage {
         middle.iter().zip(&gram.root_weights).map(|(value, root)| value * root).sum()
     }
 
-    /// The variance within the image, I • I - (I • 1)², computed from the deviations so that nearly
-    /// constant images lose no accuracy.
+    /// I • I - (I • 1)², from the deviations, so that nearly constant images lose no accuracy.
     pub fn variance(&self, gram: &GramFactor) -> f64 {
         let mean = self.mean(gram);
         let middle = self.by_order.len() / 2;
@@ -106,14 +105,11 @@ pub struct Fit {
     pub coefficients: Vec<f64>,
     /// Variance within the residual after K components, K = 0..=all.
     pub variances: Vec<f64>,
-    /// Energy of the residual, including its mean, after K components.
-    pub energies: Vec<f64>,
 }
 
 /// Fits an image of the table's degree by scalar products.
 ///
-/// The residual is stored and reduced step by step, so its energy is accurate far below 1e-16 of
-/// the image's.
+/// The residual is reduced step by step, so its energy is accurate far below 1e-16 of the image's.
 pub fn fit(table: &Table, image: &NodeImage) -> Fit {
     let gram = &table.gram;
     let middle = image.by_order.len() / 2;
@@ -126,13 +122,10 @@ pub fn fit(table: &Table, image: &NodeImage) -> Fit {
     }
     let square = |values: &[f64]| values.iter().map(|value| value * value).sum::<f64>();
     let mut squares: Vec<f64> = residual.by_order.iter().map(|values| square(values)).collect();
-    let mut fit = Fit { coefficients: vec![], variances: vec![], energies: vec![] };
-    let mut note = |residual: &NodeImage, squares: &[f64]| {
-        let energy: f64 = squares.iter().sum();
-        fit.energies.push(energy);
-        fit.variances.push((energy - residual.mean(gram).powi(2)).max(0.0));
+    let variance = |residual: &NodeImage, squares: &[f64]| {
+        (squares.iter().sum::<f64>() - residual.mean(gram).powi(2)).max(0.0)
     };
-    note(&residual, &squares);
+    let mut fit = Fit { coefficients: vec![], variances: vec![variance(&residual, &squares)] };
     for component in &table.components {
         let place = middle.saturating_add_signed(component.order as isize);
         let values = &mut residual.by_order[place];
@@ -141,7 +134,7 @@ pub fn fit(table: &Table, image: &NodeImage) -> Fit {
         values.iter_mut().zip(profile).for_each(|(value, u)| *value -= coefficient * u);
         squares[place] = square(values);
         fit.coefficients.push(coefficient);
-        note(&residual, &squares);
+        fit.variances.push(variance(&residual, &squares));
     }
     fit
 }

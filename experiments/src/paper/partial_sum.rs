@@ -24,8 +24,7 @@ pub struct PartialSum<'a> {
     kept: Vec<Vec<bool>>,
 }
 
-/// The error and the bounds of one partial sum; norms are the root of the mean square over the
-/// normals.
+/// The error and the bounds of one partial sum; norms are root mean squares over the normals.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Step {
     /// Number of terms in the sum, with both signs of m included.
@@ -78,8 +77,7 @@ impl<'a> PartialSum<'a> {
     /// Every partial sum of a light on a material of the degree and order of the Gram factor, from
     /// all terms that the selection keeps down to none. The weakest terms are left out first.
     ///
-    /// Terms of equal size are left out in the order of m, then of the modes. Cost: each mode's
-    /// node values twice.
+    /// Terms of equal size are left out in the order of m, then of the modes.
     pub fn steps(&self, light: &[f64], material: &[f64]) -> Vec<Step> {
         let terms = self.terms(light, material);
         let orders = 2 * self.gram.degree + 1;

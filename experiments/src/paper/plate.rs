@@ -17,8 +17,10 @@ const PADDING: usize = 6;
 /// The share of an image's values that its exposure leaves unclipped.
 pub const UNCLIPPED: f64 = 0.98;
 
-/// A plate on a gray background, which differs from the brightest value of an image and from the
-/// zero of a signed image.
+/// A column and a row, or their numbers.
+type Place = (usize, usize);
+
+/// A plate whose gray differs from the brightest value of an image and the zero of a signed one.
 pub struct Plate {
     canvas: Canvas,
     pub view: SphereView,
@@ -30,11 +32,7 @@ pub struct Plate {
 impl Plate {
     /// A plate for this many columns and rows of spheres of `size` pixels, with `lines` lines of
     /// text below each row, `above` lines before the first row and `beside` letters at the left.
-    pub fn new(
-        size: usize,
-        (columns, rows): (usize, usize),
-        (above, beside, lines): (usize, usize, usize),
-    ) -> Self {
+    pub fn new(size: usize, (columns, rows): Place, [above, beside, lines]: [usize; 3]) -> Self {
         let gap = size / 10;
         let left = gap + beside * text_width(TEXT, " ");
         let top = gap + above * LINE;
@@ -43,18 +41,13 @@ impl Plate {
         Self { canvas, view: SphereView::new(size), left, top, step }
     }
 
-    fn place(&self, column: usize, row: usize) -> (usize, usize) {
+    fn place(&self, (column, row): Place) -> Place {
         (self.left + column * self.step.0, self.top + row * self.step.1)
     }
 
     /// Draws an image of light; `exposure` times a value of 1 / `exposure` is white.
-    pub fn light(
-        &mut self,
-        (column, row): (usize, usize),
-        exposure: f64,
-        image: impl IntoIterator<Item = [f64; 3]>,
-    ) {
-        let (left, top) = self.place(column, row);
+    pub fn light(&mut self, at: Place, exposure: f64, image: impl Iterator<Item = [f64; 3]>) {
+        let (left, top) = self.place(at);
         for (pixel, rgb) in self.view.pixels.iter().zip(image) {
             let color = rgb.map(|value| srgb(exposure * value));
             self.canvas.blend(left + pixel.column, top + pixel.row, color, pixel.coverage);
@@ -62,8 +55,8 @@ impl Plate {
     }
 
     /// Draws a signed image: -1 is blue, 0 white, 1 red.
-    pub fn signed(&mut self, (column, row): (usize, usize), image: impl IntoIterator<Item = f64>) {
-        let (left, top) = self.place(column, row);
+    pub fn signed(&mut self, at: Place, image: impl IntoIterator<Item = f64>) {
+        let (left, top) = self.place(at);
         let radius = 0.5 * self.view.size as f64 - 0.5;
         for (pixel, value) in self.view.pixels.iter().zip(image) {
             let (x, y) = (left + pixel.column, top + pixel.row);
@@ -75,8 +68,8 @@ impl Plate {
     }
 
     /// Writes lines of text below a sphere.
-    pub fn below(&mut self, (column, row): (usize, usize), lines: &[&str]) {
-        let (left, top) = self.place(column, row);
+    pub fn below(&mut self, at: Place, lines: &[&str]) {
+        let (left, top) = self.place(at);
         for (line, text) in lines.iter().enumerate() {
             let top = top + self.view.size + PADDING + line * LINE;
             self.centered(left + self.view.size / 2, top, text);
@@ -85,13 +78,13 @@ impl Plate {
 
     /// Writes text above the first sphere of a column.
     pub fn above(&mut self, column: usize, text: &str) {
-        let (left, top) = self.place(column, 0);
+        let (left, top) = self.place((column, 0));
         self.centered(left + self.view.size / 2, top - LINE - PADDING, text);
     }
 
     /// Writes lines of text at the left of a row, centered vertically.
     pub fn beside(&mut self, row: usize, lines: &[&str]) {
-        let (_, top) = self.place(0, row);
+        let (_, top) = self.place((0, row));
         let first = top + self.view.size / 2 - lines.len() * LINE / 2;
         let left = self.step.0 - self.view.size;
         for (line, text) in lines.iter().enumerate() {
@@ -103,8 +96,7 @@ impl Plate {
         self.canvas.centered_text((middle, top), TEXT, INK, text);
     }
 
-    /// Draws the color scale of signed images at the foot, from -`largest` to `largest`, and
-    /// returns the picture.
+    /// The picture with the color scale of signed images, up to `largest`, at its foot.
     pub fn scale(mut self, largest: &str) -> Canvas {
         let (width, height) = (self.canvas.width / 3, BAR);
         let extra = 4 * BAR;

@@ -1,5 +1,4 @@
-//! Fig. 7: velvet and leather, their reconstructions and the residuals; and the brightest point of
-//! leather under every light.
+//! Fig. 7: reconstructions of velvet and leather, and leather's brightest point under every light.
 
 use super::plate::{Plate, UNCLIPPED, gray};
 use super::{FIGURES, Modes, Study, Trial, place, row, title};
@@ -42,7 +41,7 @@ fn plate(study: &Study, modes: Modes, rows: &mut Vec<Vec<String>>) -> Result<Out
     let which = place(Criterion::ImageCentered, modes);
     let owned = OwnedBasis::<f64>::new(&study.tables[which]);
     let basis = owned.basis().map_err(fault)?;
-    let mut plate = Plate::new(SIZE, (COUNTS.len() + 1, 2 * SHOWN.len()), (2, 0, 1));
+    let mut plate = Plate::new(SIZE, (COUNTS.len() + 1, 2 * SHOWN.len()), [2, 0, 1]);
     let normals = plate.view.normals.clone();
     let owned_normals = OwnedNormals::<f64>::new(&normals);
     for (pair, (material, light)) in SHOWN.into_iter().enumerate() {
@@ -109,21 +108,16 @@ fn direct_sum(study: &Study, trial: &Trial, normals: &[[f64; 3]]) -> Vec<f64> {
     modes.map(|modes| modes.irradiance(light, &modes.scatter(gray))).collect()
 }
 
-pub fn shade(
-    basis: &Basis<'_, f64>,
-    coefficients: &[f64],
-    normals: &OwnedNormals<f64>,
-) -> Result<Vec<f64>> {
+pub fn shade(basis: &Basis<'_, f64>, d: &[f64], normals: &OwnedNormals<f64>) -> Result<Vec<f64>> {
     let mut scene = vec![0.0; basis.scene_len()];
-    let scene = basis.collapse_into(coefficients, &mut scene).map_err(fault)?;
+    let scene = basis.collapse_into(d, &mut scene).map_err(fault)?;
     let normals = normals.view()?;
     let mut image = vec![0.0; normals.len()];
     scene.shade_slice(normals, &mut image).map_err(fault)?;
     Ok(image)
 }
 
-/// The reconstructions with the first 0, 1, .. components at the brightest normal of the image,
-/// relative to the reference there.
+/// With 0, 1, .. components, the value at the image's brightest normal, of the reference there.
 fn brightest(
     basis: &Basis<'_, f64>,
     coefficients: &[f64],

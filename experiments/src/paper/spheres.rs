@@ -22,14 +22,13 @@ const SIZE: usize = 288;
 /// The grid of the listed irradiances: x and y of the normals are multiples of 1 / `STEPS`.
 const STEPS: i32 = 4;
 
-/// Renders the spheres: one row of the plate by the direct sum of all modes, one with the selected
-/// modes.
+/// One row of the plate is by the direct sum of all modes, one has the selected modes.
 pub fn files(study: &Study) -> Result<Vec<OutputFile>> {
     let table = &study.tables[place(Criterion::ImageCentered, Modes::Selected)];
     let owned = OwnedBasis::<f64>::new(table);
     // All of its components span every image that the selected modes can give.
     let mut shader = Shader::new(owned.basis().map_err(fault)?, usize::MAX);
-    let mut plate = Plate::new(SIZE, (SHOWN.len(), 2), (0, 6, 2));
+    let mut plate = Plate::new(SIZE, (SHOWN.len(), 2), [0, 6, 2]);
     let normals = [plate.view.normals.clone(), grid()].concat();
     let owned_normals = OwnedNormals::<f64>::new(&normals);
     let (mut rows, mut values) = (Vec::new(), Vec::new());

@@ -1,5 +1,4 @@
-//! Fig. 2: the variance of each irradiance mode, over degrees of the light and modes of the
-//! surface.
+//! Fig. 2: the variance of the irradiance modes, over degrees of the light and surface modes.
 
 use super::{DEGREE, FIGURES, ORDER, Study, row};
 use crate::chart::{Axes, COLORS, Chart, DrawResult, INK, Points, Series, Style, fault, letters};
@@ -10,8 +9,7 @@ use eigenshade_model::selection::variances;
 use plotters::prelude::*;
 use plotters::style::text_anchor::{HPos, Pos, VPos};
 
-/// The surfaces of the paper: the largest order, the degree up to which the paper uses the light,
-/// and the name.
+/// The surfaces of the paper: the largest order, the degree of the light, and the name.
 pub const SURFACES: [(usize, usize, &str); 3] =
     [(0, 2, "Lambertian"), (4, 5, "o <= 4"), (7, 7, "o <= 7")];
 /// Variances below this share of the largest are rounding; most of them are exactly zero.
@@ -44,9 +42,8 @@ impl Variance {
             }
         }
         let largest = largest(&by_mode);
-        for value in by_mode.iter_mut().flatten() {
-            *value = if *value < ROUNDING * largest { 0.0 } else { *value };
-        }
+        let rounding = by_mode.iter_mut().flatten().filter(|value| **value < ROUNDING * largest);
+        rounding.for_each(|value| *value = 0.0);
         Self { by_mode, selected }
     }
 

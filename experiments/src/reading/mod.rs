@@ -29,8 +29,7 @@ mod score;
 /// rounding, which differs between hosts.
 const ROUNDING: f64 = 1.5;
 
-/// Rows of figures that are only rounding: all components, and no error in the pixels that are
-/// used.
+/// Rows that are only rounding: all components, and no error in the pixels that are used.
 const EXACT: [&str; 3] =
     ["| 218 | as it is |", "| 218 | clipped, left out |", "| 218 | half hidden |"];
 
@@ -194,8 +193,7 @@ pub const ALL: [Degradation; 12] = [
 ];
 
 impl Degradation {
-    /// The degraded image and the weight of each pixel. `seed` selects the noise, which is the same
-    /// on every host and run.
+    /// The degraded image and its weights. `seed` selects the noise, the same on every host.
     pub fn apply(&self, image: &[f64], normals: &[[f64; 3]], seed: u64) -> (Vec<f64>, Vec<f64>) {
         let mut random = ChaCha8Rng::seed_from_u64(seed);
         let mean = image.iter().sum::<f64>() / image.len() as f64;

@@ -11,8 +11,7 @@ use eigenshade_table::Table;
 use eigenshade_testing::fixtures::{Image, direct_images};
 use eigenshade_testing::largest;
 
-/// Iterations for a product in least-norm modes: these are far from any product, and many do not
-/// converge within 10,000.
+/// Iterations for a product in least-norm modes, of which many do not converge within 10,000.
 const LEAST_NORM_TURNS: usize = 200;
 
 /// Images of known lights on known materials, in luminance.
@@ -87,8 +86,7 @@ impl Score {
     }
 }
 
-/// The scores of these readings, whose channels are the images. `degraded` has the weights of each
-/// image's pixels.
+/// The scores of readings whose channels are the images. `degraded` has the pixels' weights.
 pub fn scores(
     readings: &[Reading],
     table: &Table,
@@ -159,8 +157,7 @@ fn distance(a: &[f64], b: &[f64]) -> f64 {
     a.iter().zip(b).map(|(a, b)| (a - b).powi(2)).sum::<f64>().sqrt()
 }
 
-/// |s found - reference| / |reference| at the best factor s, because an image of unknown albedo does
-/// not determine the exposure.
+/// |s found - reference| / |reference| at the best s: unknown albedo leaves the exposure open.
 fn misdirection(found: &[f64], reference: &[f64]) -> f64 {
     let product: f64 = found.iter().zip(reference).map(|(a, b)| a * b).sum();
     let square = found.iter().map(|a| a * a).sum::<f64>();

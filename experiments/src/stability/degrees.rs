@@ -19,13 +19,9 @@ use eigenshade_testing::{glossy, largest, relative_error};
 use nalgebra::DVector;
 
 /// d by projection, and by a transfer of the material and a new light.
-pub fn coefficients<S: Scalar>(
-    basis: &Basis<'_, S>,
-    light: &[f64],
-    material: &[f64],
-) -> [Vec<S>; 2] {
+pub fn coefficients<S: Scalar>(basis: &Basis<'_, S>, light: &[f64], on: &[f64]) -> [Vec<S>; 2] {
     let rounded = |values: &[f64]| values.iter().map(|&value| S::from_f64(value)).collect();
-    let (light, material): (Vec<S>, Vec<S>) = (rounded(light), rounded(material));
+    let (light, material): (Vec<S>, Vec<S>) = (rounded(light), rounded(on));
     let light = Light::new(&light).expect("coefficients");
     let material = Material::new(&material).expect("coefficients");
     let mut workspace = vec![S::ZERO; basis.workspace_len()];
@@ -38,15 +34,10 @@ pub fn coefficients<S: Scalar>(
 }
 
 /// The image of a table with all components, from the collapsed polynomials.
-pub fn shaded<S: Scalar + Into<f64>>(
-    table: &Table,
-    light: &[f64],
-    material: &[f64],
-    normals: &[[f64; 3]],
-) -> Vec<f64> {
+fn shaded<S: Scalar + Into<f64>>(table: &Table, pair: [&[f64]; 2], at: &[[f64; 3]]) -> Vec<f64> {
     let owned = OwnedBasis::<S>::new(table);
     let mut shader = Shader::new(owned.basis().expect("a basis"), usize::MAX);
-    let image = shader.polynomial(light, material, &OwnedNormals::new(normals));
+    let image = shader.polynomial(pair[0], pair[1], &OwnedNormals::new(at));
     image.expect("coefficients that fit").into_iter().map(Into::into).collect()
 }
 
@@ -108,8 +99,8 @@ pub(super) fn pole_and_rim() -> Vec<Figure> {
         let explicit = ExplicitLight::new(&light);
         let expected: Vec<f64> =
             normals.iter().map(|&normal| irradiance(&explicit, &terms, normal)).collect();
-        let double = shaded::<f64>(&table, &light, &material, &normals);
-        let single = shaded::<f32>(&table, &light, &material, &normals);
+        let double = shaded::<f64>(&table, [&light, &material], &normals);
+        let single = shaded::<f32>(&table, [&light, &material], &normals);
         in_f64 = largest([in_f64, relative_error(&double, &expected)]);
         in_f32 = largest([in_f32, relative_error(&single, &expected)]);
     }

@@ -26,8 +26,7 @@ fn project(map: &EnvironmentMap, degree: usize) -> Vec<f64> {
     projection::project(map, degree)[0].clone()
 }
 
-/// The harmonics at a direction by the oracle's explicit sums. They are the coefficients of light
-/// from that direction alone.
+/// The coefficients of light from one direction: its harmonics by the oracle's explicit sums.
 fn harmonics(degree: usize, direction: [f64; 3]) -> Vec<f64> {
     let harmonic = |k: usize| {
         let mut unit = vec![0.0; light::count(degree)];
@@ -67,8 +66,7 @@ pub(super) fn sun_in_a_map() -> Vec<Figure> {
     ]
 }
 
-/// The mean of a map of two texels, and a sky that brightens with height, 1 + y, whose harmonics
-/// are known.
+/// The mean of a map of two texels, and the sky 1 + y, whose harmonics are known.
 pub(super) fn map_sizes() -> Vec<Figure> {
     let ambient = (4.0 * PI).sqrt();
     let small = EnvironmentMap::new(2, 1, vec![[1.0; 3], [3.0; 3]]).expect("a map");
@@ -168,8 +166,7 @@ pub(super) fn eight_bits() -> Vec<Figure> {
     ]
 }
 
-/// Normals with z = -0.01 and -0.1, by a table of degree 12, whose polynomials are longer than
-/// those of the shipped table.
+/// Normals with z = -0.01 and -0.1, by the longer polynomials of a table of degree 12.
 pub(super) fn behind() -> Vec<Figure> {
     let owned = OwnedBasis::<f32>::new(&decode(shipped::PBR).expect("the table"));
     let mut shader = Shader::new(owned.basis().expect("a basis"), usize::MAX);

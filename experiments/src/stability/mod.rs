@@ -109,8 +109,7 @@ pub const PAGE: Page = Page {
     },
 };
 
-/// Measures every case. The error lists the figures that exceed their bounds, and those whose
-/// bounds must be tight and are not.
+/// Measures every case. The error lists the figures beyond their bounds, or whose bounds are loose.
 pub fn parts(progress: impl Fn(&str)) -> Result<Vec<Part>, String> {
     let (mut rows, mut broken) = (Vec::new(), Vec::new());
     for (case, measure) in CASES {

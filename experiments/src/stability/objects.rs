@@ -28,8 +28,7 @@ fn scene() -> Loaded {
     loaded
 }
 
-/// Tables of an object by both criteria, or by one, compared with the principal components of its
-/// pictures.
+/// Tables of an object, compared with the principal components of its pictures.
 #[derive(Default)]
 struct Compared {
     /// Tables with another number of eigenvalues.
@@ -124,8 +123,7 @@ pub(super) fn weights() -> Vec<Figure> {
     let squares = by_squares(&pictures, loaded.scene.basis.rank_cutoff);
     let found = Compared::new(&both(&loaded), &spiral, &pictures);
     vec![
-        // Noise below 1e-8 of the largest singular value, over weights whose roots are down to
-        // 1e-6.
+        // Noise of 1e-8 of the largest singular value, over weights with roots down to 1e-6.
         least("pictures by squares, of the peak", squares, 1e-3),
         exactly("bases with another number of components than their pictures", found.other, 0),
         most("eigenvalues, of the largest", found.values, tolerances::FLAT_EIGENVALUES),

@@ -92,14 +92,10 @@ fn different(a: &[f64], b: &[f64]) -> usize {
 
 /// Coefficients by projection, then by transfer and new light, each with its pixels by collapsed
 /// polynomials and component by component.
-fn answers<S: Scalar + Into<f64>>(
-    table: &Table,
-    light: &[f64],
-    material: &[f64],
-) -> [[Vec<f64>; 2]; 2] {
+fn answers<S: Scalar + Into<f64>>(table: &Table, light: &[f64], on: &[f64]) -> [[Vec<f64>; 2]; 2] {
     let owned = OwnedBasis::<S>::new(table);
     let basis = owned.basis().expect("a basis");
-    coefficients(&basis, light, material).map(|d| {
+    coefficients(&basis, light, on).map(|d| {
         let scene = basis.collapse_into(&d, vec![S::ZERO; basis.scene_len()]).expect("sizes");
         let pixels = fixtures::normals(&fixtures::SLANTS, 5).into_iter().flat_map(|normal| {
             let [x, y, z] = normal.map(S::from_f64);

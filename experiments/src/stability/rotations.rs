@@ -1,5 +1,4 @@
-//! Rotations of light and normals: to degree 64, a thousand in a row, and matrices that are almost
-//! rotations.
+//! Rotations to degree 64, a thousand in a row, and matrices that are almost rotations.
 
 use super::{Figure, least, most, off_orthonormal};
 use crate::tolerances;

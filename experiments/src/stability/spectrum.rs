@@ -128,8 +128,7 @@ impl Field {
         self.sum((0..=half).map(term))
     }
 
-    /// All products of one parity of q at enough points, each divided by (s/c)^m c^(m + parity) and
-    /// a common power of c.
+    /// All products of one parity of q at enough points, over (s/c)^m c^(m + parity), a power of c.
     fn rows(self, degree: isize, order: isize, m: isize, parity: isize) -> Vec<Vec<i128>> {
         let mut rows = Vec::new();
         for q in (parity..=order.min(degree)).step_by(2) {
@@ -265,8 +264,7 @@ pub(super) fn order_and_sign() -> Vec<Figure> {
     loaded.scene.basis.rank_cutoff = 1e-13;
     let table = fixtures::table(&loaded);
     let again = encode(&fixtures::table(&loaded)) == encode(&table);
-    // Perturbs every input number by up to an ulp, which is more than the effect of any other order
-    // of summation or instruction set.
+    // Up to an ulp is more than the effect of any other order of summation or instruction set.
     let mut numbers = Numbers(5);
     let mut shaken = loaded.clone();
     let entries = shaken.lights.entries.iter_mut().chain(&mut shaken.materials.entries);
@@ -294,8 +292,7 @@ fn dense(matrix: &Mat<f64>) -> DMatrix<f64> {
     DMatrix::from_fn(matrix.nrows(), matrix.ncols(), |i, j| matrix[(i, j)])
 }
 
-/// Images that are orthonormal up to known lengths as materials, which prescribes the eigenvalues:
-/// 1e-15 to 1e-3 apart, and zero.
+/// Orthonormal images of known lengths: eigenvalues that are 1e-15 to 1e-3 apart, and zero.
 pub(super) fn nearly_equal() -> Vec<Figure> {
     let gram = gram::of_sphere(6, 5);
     let block = Block::new(&gram, 0, &|_, _, _, _| true).expect("finite");

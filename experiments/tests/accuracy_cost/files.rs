@@ -74,8 +74,7 @@ fn kept_times_are_those_of_the_files() {
     assert_eq!(folder.run("accuracy-cost --check docs --keep-times").status.code(), Some(2));
 }
 
-/// `--from-csv` makes the committed files again and no others, with a page where there is none. The
-/// page shows each of them.
+/// `--from-csv` makes the committed files and no others, also without a page. It shows them all.
 #[test]
 fn charts_and_tables_are_made_from_the_files() {
     let measured = Measured::read(&docs()).expect("the files");

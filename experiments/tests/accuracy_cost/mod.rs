@@ -142,8 +142,7 @@ fn nothing_beats_a_point_of_the_pareto_set_and_something_every_other() {
     assert!(pareto(&[(1.0, f64::NAN), (f64::NAN, 0.0)]).is_empty());
 }
 
-/// The chosen setting's error is below the limit, nothing in the file does it for less, and nothing
-/// better for as much.
+/// The chosen setting's error is below the limit; nothing is cheaper, and nothing as cheap better.
 #[test]
 fn the_cheapest_setting_that_suffices_is_chosen() {
     let rows = rows(&SETTINGS);
@@ -200,8 +199,7 @@ fn a_reader_finds_a_setting_for_a_board() {
     assert!(9216.0 * pixel + light < 64e6 / 50.0);
 }
 
-/// Every board has an answer down to 5 % for light that changes with every picture, and the
-/// memory of its program.
+/// Every board has an answer for moving light down to 5 %, and the memory of its program.
 #[test]
 fn boards_have_rows_for_moving_light() {
     let rows = rows(&SETTINGS);

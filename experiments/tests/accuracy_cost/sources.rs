@@ -15,16 +15,13 @@ use experiments::accuracy_cost::sheet::{SETTINGS, TOTAL};
 use experiments::accuracy_cost::total::lamps::Lamps;
 use experiments::sheet::{Counts, M0, M3, M4F, RV32, Record};
 
-/// Highlights in f32 against f64, of the peak, from a roughness of 0.3 on: as `Highlights::shade`
-/// states.
+/// In f32 against f64, of the peak, from a roughness of 0.3 on: as `Highlights::shade` states.
 const OF_F32: f64 = 3e-6;
-/// In integers of 17 bits, of the peak, away from the rim: as `quantized::Highlights::shade`
-/// states.
+/// In integers of 17 bits, of the peak, off the rim: as `quantized::Highlights::shade` states.
 const OF_Q15: f64 = 4e-3;
 /// A light without its sources in f32, of their energy: as `Rgb::residual` states.
 const OF_REST: f64 = 1e-5;
-/// Costs of four digits in the file against a sum with such a number, relative: half of the last
-/// digit of 1,000, twice.
+/// Costs of four digits against a sum with one, relative: twice half of the last digit of 1,000.
 const OF_COSTS: f64 = 1e-3;
 /// A program with a pixel and two sources in one loop against the sum of both, relative.
 const OF_SUM: f64 = 0.04;
@@ -113,8 +110,7 @@ fn pairs(rows: &[Record]) -> Vec<(&Record, &Record)> {
     with.map(pair).collect()
 }
 
-/// The cost of sources is that of the programs with sources alone, and nearly that of a program
-/// with both.
+/// The cost of sources is that of programs with them alone, and nearly of a program with both.
 #[test]
 fn costs_of_sources_are_added() {
     let (rows, counts) = (rows(&SETTINGS), Counts::recorded());

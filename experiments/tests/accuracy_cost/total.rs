@@ -1,5 +1,4 @@
-//! The total error: that the recorded rows are found again, and that references, errors and rivals
-//! are what they are said to be.
+//! The total error: recorded rows are found again; references, errors and rivals are as stated.
 
 use super::{docs, rows};
 use crate::support::repository;
@@ -21,8 +20,7 @@ use indicatif::ProgressBar;
 /// many normals meet other parts of the highlights.
 const OF_SPACING: f64 = 1.1;
 
-/// The split sum under white light against direct integration, of the peak. Both integrate the same
-/// lobe over the same texels.
+/// The split sum under white light, of the peak: both integrate one lobe over the same texels.
 const OF_WHITE: f64 = 1e-6;
 
 /// A matcap of a matte sphere against direct integration, of the peak, where no texel is outside
@@ -41,8 +39,7 @@ fn find<'a>(rows: &'a [Record], setting: &str, kind: &str) -> &'a Record {
     rows.iter().find(is_it).unwrap_or_else(|| panic!("no row of {setting}, {kind}"))
 }
 
-/// The shipped tables and the rivals, for a few materials. A check of the command finds those of
-/// the settings again.
+/// The shipped tables and rivals, for a few materials. The command checks those of the settings.
 #[test]
 fn recorded_total_errors_are_found_again() {
     let maps = repository().join("tables/inputs/maps");

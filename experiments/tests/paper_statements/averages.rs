@@ -32,8 +32,7 @@ const BOUND_ROUNDING: f64 = 1e-13;
 /// The number of rings of equal area at which a profile is sampled.
 const RINGS: u32 = 2000;
 
-/// The rotations of a light with their weights, whose sum is 1: exact for products of two D of
-/// degree 9.
+/// Rotations with weights, whose sum is 1: exact for products of two D of degree 9.
 fn rotations() -> impl Iterator<Item = (Rotation, f64)> {
     let angle = |k: i32| 2.0 * PI * f64::from(k) / 19.0;
     gauss_legendre(10, -1.0, 1.0).into_iter().flat_map(move |(z, weight)| {

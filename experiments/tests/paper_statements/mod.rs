@@ -14,8 +14,7 @@ use std::f64::consts::PI;
 /// Shares of the Lambertian modes' variance against the closed form: sums of ten numbers.
 const LAMBERTIAN_SHARES: f64 = 2e-15;
 
-/// Mean errors by the number of components, of all modes and image-centered: one column for each
-/// material or light.
+/// Mean image-centered errors of all modes: a row for each number of components.
 fn errors(of: &str) -> Sheet {
     sheet(&format!("error_by_{of}")).of(Modes::All).only("criterion", "image-centered")
 }
@@ -176,8 +175,7 @@ fn leathers_highlight_is_a_matter_of_the_light() {
     assert!(errors[0] < 0.04 && errors[1] < 0.02, "{errors:?}");
 }
 
-/// With five components the light matters more than the material, and light from behind is what is
-/// missed.
+/// With five components the light matters more than the material; light from behind is missed.
 #[test]
 fn the_error_of_five_components_is_that_of_the_light() {
     let [lights, materials] = ["light", "material"].map(errors);

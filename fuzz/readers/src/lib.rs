@@ -5,8 +5,7 @@ use eigenshade_generator::light::environment::EnvironmentMap;
 use eigenshade_generator::material::{analytic, measurements, merl as merl_file};
 use eigenshade_generator::object::geometry::WeightedNormals;
 use eigenshade_generator::object::{density, mesh, normal_map};
-use eigenshade_generator::png_samples;
-use eigenshade_generator::scene_file;
+use eigenshade_generator::{png_samples, scene_file};
 use eigenshade_model::error::{Error, Result};
 use eigenshade_model::inputs::{coefficient_csv, normals};
 use eigenshade_table::wire::{Endian, NumberFormat};
@@ -19,13 +18,13 @@ pub type Reader = fn(&[u8]);
 
 /// The readers by name.
 pub const READERS: [(&str, Reader); 12] = [
-    ("exr", exr),
-    ("hdr", hdr),
-    ("pfm", pfm),
+    ("exr", |bytes| map("exr", bytes)),
+    ("hdr", |bytes| map("hdr", bytes)),
+    ("pfm", |bytes| map("pfm", bytes)),
     ("png", png),
-    ("obj", obj),
-    ("stl", stl),
-    ("ply", ply),
+    ("obj", |bytes| weighted(mesh::read(file("obj", bytes)))),
+    ("stl", |bytes| weighted(mesh::read(file("stl", bytes)))),
+    ("ply", |bytes| weighted(mesh::read(file("ply", bytes)))),
     ("csv", csv),
     ("toml", toml),
     ("merl", merl),
@@ -40,25 +39,13 @@ pub const READERS: [(&str, Reader); 12] = [
 /// If there is none of this name.
 #[must_use]
 pub fn chosen() -> Reader {
-    let name = std::env::var("READER").unwrap_or_default();
-    let found = READERS.into_iter().find(|(one, _)| *one == name);
-    let names = || READERS.map(|(name, _)| name).join(", ");
-    found.unwrap_or_else(|| panic!("READER is `{name}`, expected one of {}", names())).1
-}
-
-/// OpenEXR maps.
-fn exr(bytes: &[u8]) {
-    map("exr", bytes);
-}
-
-/// Radiance maps.
-fn hdr(bytes: &[u8]) {
-    map("hdr", bytes);
-}
-
-/// Portable float maps.
-fn pfm(bytes: &[u8]) {
-    map("pfm", bytes);
+    static READER: OnceLock<Reader> = OnceLock::new();
+    *READER.get_or_init(|| {
+        let name = std::env::var("READER").unwrap_or_default();
+        let found = READERS.into_iter().find(|(one, _)| *one == name);
+        let names = || READERS.map(|(name, _)| name).join(", ");
+        found.unwrap_or_else(|| panic!("READER is `{name}`, expected one of {}", names())).1
+    })
 }
 
 /// PNG files, as samples and as normal maps.
@@ -70,21 +57,6 @@ fn png(bytes: &[u8]) {
     }
     weighted(normal_map::read(&path, None));
     weighted(normal_map::read(&path, Some(&path)));
-}
-
-/// Wavefront meshes.
-fn obj(bytes: &[u8]) {
-    weighted(mesh::read(file("obj", bytes)));
-}
-
-/// Stereolithography meshes, text and binary.
-fn stl(bytes: &[u8]) {
-    weighted(mesh::read(file("stl", bytes)));
-}
-
-/// Polygon files.
-fn ply(bytes: &[u8]) {
-    weighted(mesh::read(file("ply", bytes)));
 }
 
 /// Every kind of CSV; the first byte chooses the kind.

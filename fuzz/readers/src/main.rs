@@ -2,23 +2,16 @@
 //! `exr`, `hdr`, `pfm`, `png`, `obj`, `stl`, `ply`, `csv`, `toml`, `merl`, `formula` or `bin`.
 #![cfg_attr(fuzzing, no_main)]
 
-use eigenshade_fuzz_readers::{Reader, chosen};
-use std::sync::OnceLock;
-
-/// The chosen reader.
-fn reader() -> Reader {
-    static READER: OnceLock<Reader> = OnceLock::new();
-    *READER.get_or_init(chosen)
-}
+use eigenshade_fuzz_readers::chosen;
 
 #[cfg(fuzzing)]
-libfuzzer_sys::fuzz_target!(|bytes: &[u8]| reader()(bytes));
+libfuzzer_sys::fuzz_target!(|bytes: &[u8]| chosen()(bytes));
 
 /// Without libFuzzer: reads the files that the arguments name.
 #[cfg(not(fuzzing))]
 fn main() -> std::io::Result<()> {
     for path in std::env::args_os().skip(1) {
-        reader()(&std::fs::read(path)?);
+        chosen()(&std::fs::read(path)?);
     }
     Ok(())
 }

@@ -27,14 +27,8 @@ fn change(bytes: &mut Vec<u8>, numbers: &mut Numbers) {
         let place = numbers.below(bytes.len());
         let end = (place + 1 + numbers.below(8)).min(bytes.len());
         match numbers.below(4) {
-            0 => {
-                bytes.iter_mut().skip(place).take(1).for_each(|byte| *byte ^= 1 << numbers.below(8))
-            }
-            1 => bytes
-                .iter_mut()
-                .skip(place)
-                .take(1)
-                .for_each(|byte| *byte = numbers.below(256) as u8),
+            0 => bytes.get_mut(place).into_iter().for_each(|byte| *byte ^= 1 << numbers.below(8)),
+            1 => bytes.get_mut(place).into_iter().for_each(|byte| *byte = numbers.below(256) as u8),
             2 => _ = bytes.drain(place..end),
             _ => {
                 let repeated = bytes[place..end].to_vec();

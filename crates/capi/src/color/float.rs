@@ -1,9 +1,8 @@
 //! Color in `f32`.
 #![expect(unsafe_code, reason = "memory of C")]
 
-use super::format::{Format, MATERIAL, ORDER, baked_texels};
+use super::format::{Format, MATERIAL, ORDER, Opened, Picture, Shade, baked_texels, thirds_mut};
 use super::glossy::SOURCES;
-use super::picture::{Opened, Picture, Shade};
 use crate::boundary::{Input, Place, Plain};
 use crate::export::records;
 use crate::float::{self, Light, Material, Scene, Transfer};
@@ -72,12 +71,14 @@ impl Format for f32 {
     const NO_TRANSFER: Transfer = Transfer { numbers: [0.0; table::TRANSFER] };
 
     fn transfer(material: &Material, to: &mut Transfer) -> Result<(), Status> {
-        float::transferred(&material.view()?.0, &mut [0.0; table::WORKSPACE], to)
+        let (material, _) = material.view()?;
+        let mut workspace = [0.0; table::WORKSPACE];
+        Ok(table::BASIS.transfer_into(&material, &mut workspace, &mut to.numbers)?)
     }
 
     fn relight(transfer: &Transfer, light: &Light, to: &mut Scene) -> Result<(), Status> {
         let mut d = [0.0; table::COMPONENTS];
-        float::relit(transfer, &light.view()?.0, &mut d)?;
+        float::RELIGHT_ONLY.relight_into(&transfer.numbers, &light.view()?.0, &mut d)?;
         float::collapsed(&d, to)
     }
 
@@ -161,15 +162,11 @@ impl Format for f32 {
         Ok(float::irradiance(scene, normal))
     }
 
-    fn bake(scene: &[Scene; 3], size: usize, texels: [&mut [f32]; 3]) -> Result<[i32; 3], Status> {
-        for (scene, texels) in scene.iter().zip(texels) {
+    fn bake(scene: &[Scene; 3], size: usize, texels: &mut [f32]) -> Result<Baked, Status> {
+        for (scene, texels) in scene.iter().zip(thirds_mut(texels)?) {
             float::view(scene)?.bake_into(size, texels)?;
         }
-        Ok([0; 3])
-    }
-
-    fn baked(size: usize, texels: Input<f32>, length: usize, _: [i32; 3]) -> Baked {
-        Baked { size, length, texels }
+        Ok(Baked { size, length: texels.len(), texels: Input::to(texels) })
     }
 
     fn exponent(_: &Scene) -> i32 {

@@ -1,7 +1,6 @@
-//! The operations in color that each number format has.
+//! The operations in color that each number format has, and what pixels are shaded from.
 
 use super::glossy::SOURCES;
-use super::picture::Picture;
 use crate::boundary::{Input, Place, Plain};
 use crate::float;
 use crate::status::Status;
@@ -28,7 +27,7 @@ pub(crate) trait Format: Plain + Copy {
     type Scene: Plain;
     /// Three baked maps of the same size.
     type Baked: Plain + Picture<Self>;
-    type Texel: Plain + Copy;
+    type Texel: Plain;
     /// One channel of a pixel.
     type Irradiance: Plain + Copy;
     type Normal: Copy;
@@ -111,24 +110,51 @@ pub(crate) trait Format: Plain + Copy {
     fn of_normal_map(pixel: NormalPixel) -> Self::Normal;
     fn shade(scene: &Self::Scene, normal: Self::Normal) -> Result<Self::Irradiance, Status>;
 
-    /// Bakes three scenes in `f32`. Returns the exponents of the channels, 0 in `f32`.
+    /// Bakes three scenes in `f32`. The result points to `texels`.
     fn bake(
         scene: &[float::Scene; 3],
         size: usize,
-        texels: [&mut [Self::Texel]; 3],
-    ) -> Result<[i32; 3], Status>;
-    fn baked(
-        size: usize,
-        texels: Input<Self::Texel>,
-        length: usize,
-        exponents: [i32; 3],
-    ) -> Self::Baked;
+        texels: &mut [Self::Texel],
+    ) -> Result<Self::Baked, Status>;
 
     /// The exponent of a scene, 0 in `f32`.
     fn exponent(scene: &Self::Scene) -> i32;
     /// What exposes an irradiance times 2^-`exponent`.
     fn exposure(exposure: f32, exponent: i32) -> Result<Self::Exposure, Error>;
     fn exposed(irradiance: Self::Irradiance, exposure: Self::Exposure) -> Linear;
+}
+
+/// The irradiance of a normal in each channel.
+pub(crate) trait Shade<F: Format>:
+    Fn(F::Normal) -> Result<[F::Irradiance; 3], Status>
+{
+}
+impl<F: Format, S: Fn(F::Normal) -> Result<[F::Irradiance; 3], Status>> Shade<F> for S {}
+
+/// A picture that was checked.
+pub(crate) struct Opened<S> {
+    pub(crate) shade: S,
+    /// The exponents of the channels, 0 in `f32`.
+    pub(crate) exponents: [i32; 3],
+    pub(crate) places: [Place; 4],
+}
+
+/// A scene, one with highlights, or a baked picture.
+pub(crate) trait Picture<F: Format> {
+    /// Checks it.
+    fn open(&self) -> Result<Opened<impl Shade<F>>, Status>;
+}
+
+impl<F: Format> Picture<F> for Channels<F::Scene> {
+    fn open(&self) -> Result<Opened<impl Shade<F>>, Status> {
+        let scenes = &self.0;
+        let shade = |normal| {
+            let [r, g, b] = scenes;
+            Ok([F::shade(r, normal)?, F::shade(g, normal)?, F::shade(b, normal)?])
+        };
+        let exponents = scenes.each_ref().map(F::exponent);
+        Ok(Opened { shade, exponents, places: [Place::of(self); 4] })
+    }
 }
 
 /// Where three lights or materials lie, once all of them are checked.

@@ -2,8 +2,6 @@
 
 mod format;
 
-mod picture;
-
 mod float;
 
 mod q15;

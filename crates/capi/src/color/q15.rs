@@ -1,9 +1,8 @@
 //! Color in Q15.
 #![expect(unsafe_code, reason = "memory of C")]
 
-use super::format::{Format, MATERIAL, ORDER, baked_texels};
+use super::format::{Format, MATERIAL, ORDER, Opened, Picture, Shade, baked_texels, thirds_mut};
 use super::glossy::SOURCES;
-use super::picture::{Opened, Picture, Shade};
 use crate::boundary::{Input, Place, Plain};
 use crate::export::records;
 use crate::float;
@@ -189,20 +188,13 @@ impl Format for Q15 {
         integers::irradiance(scene, normal)
     }
 
-    fn bake(
-        scene: &[float::Scene; 3],
-        size: usize,
-        texels: [&mut [i16]; 3],
-    ) -> Result<[i32; 3], Status> {
+    fn bake(scene: &[float::Scene; 3], size: usize, texels: &mut [i16]) -> Result<Baked, Status> {
         let mut exponents = [0; 3];
-        for ((scene, texels), exponent) in scene.iter().zip(texels).zip(&mut exponents) {
+        let channels = scene.iter().zip(thirds_mut(texels)?).zip(&mut exponents);
+        for ((scene, texels), exponent) in channels {
             *exponent = float::view(scene)?.bake_integers_into(size, texels)?.exponent();
         }
-        Ok(exponents)
-    }
-
-    fn baked(size: usize, texels: Input<i16>, length: usize, exponents: [i32; 3]) -> Baked {
-        Baked { size, length, texels, exponents }
+        Ok(Baked { size, length: texels.len(), texels: Input::to(texels), exponents })
     }
 
     fn exponent(scene: &Scene<Self>) -> i32 {

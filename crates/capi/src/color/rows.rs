@@ -1,8 +1,7 @@
 //! Rows of RGB565 pixels: a program needs memory for one of them.
 #![expect(unsafe_code, reason = "memory of C")]
 
-use super::format::Format;
-use super::picture::{Opened, Picture, Shade};
+use super::format::{Format, Opened, Picture, Shade};
 use crate::boundary::{Input, Output, Place, Plain, disjoint};
 use crate::export::records;
 use crate::status::Status;

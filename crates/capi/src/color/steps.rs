@@ -1,8 +1,7 @@
 //! From light and material to a scene and a pixel, in three channels.
 #![expect(unsafe_code, reason = "memory of C")]
 
-use super::format::{Channels, Format, check_size, places, thirds_mut};
-use super::picture::{Opened, Picture};
+use super::format::{Channels, Format, Opened, Picture, check_size, places};
 use crate::boundary::{Input, Output, Place, disjoint};
 use crate::float;
 use crate::status::Status;
@@ -153,8 +152,7 @@ pub(crate) fn color_bake<F: Format>(
     check_size(size, length)?;
     disjoint(&[texels.place_of_array(length)?, map.place()], &[Place::of(scene)])?;
     // SAFETY: C promises memory for `length` texels; nothing overlaps.
-    let (numbers, map) = unsafe { (texels.zeroed_array(length)?, map.zeroed()?) };
-    let exponents = F::bake(&scene.0, size, thirds_mut(numbers)?)?;
-    *map = F::baked(size, texels.to_input(), length, exponents);
+    let (texels, map) = unsafe { (texels.zeroed_array(length)?, map.zeroed()?) };
+    *map = F::bake(&scene.0, size, texels)?;
     Ok(())
 }

@@ -63,14 +63,20 @@ pub fn obj() -> String {
     corners.chain(faces).collect()
 }
 
+/// The header of a polygon file: its format, the number of corners and the type of their
+/// coordinates, the number of faces and the types of their lists.
+pub fn ply_header(format: &str, corners: &str, number: &str, faces: usize, list: &str) -> String {
+    format!(
+        "ply\nformat {format} 1.0\nelement vertex {corners}\nproperty {number} x\n\
+         property {number} y\nproperty {number} z\nelement face {faces}\n\
+         property list {list} vertex_indices\nend_header\n"
+    )
+}
+
 pub fn ply() -> String {
     let (corners, triangles) = ellipsoid();
-    let header = format!(
-        "ply\nformat ascii 1.0\nelement vertex {}\nproperty double x\nproperty double y\n\
-         property double z\nelement face {}\nproperty list uchar int vertex_indices\nend_header\n",
-        corners.len(),
-        triangles.len()
-    );
+    let count = corners.len().to_string();
+    let header = ply_header("ascii", &count, "double", triangles.len(), "uchar int");
     let corners = corners.iter().map(|[x, y, z]| format!("{x} {y} {z}\n"));
     let faces = triangles.iter().map(|[a, b, c]| format!("3 {a} {b} {c}\n"));
     std::iter::once(header).chain(corners).chain(faces).collect()
@@ -129,7 +135,7 @@ pub fn square_png(size: usize, color: ColorType, bits: BitDepth, samples: &[f64]
         }
         _ => samples.iter().map(|value| (value * 255.0).round() as u8).collect(),
     };
-    png(size, size, bits, color, &data)
+    png([size as u32; 2], bits, color, &data)
 }
 
 /// The numbers of an answer of `read`, by quantity and name.
@@ -166,20 +172,14 @@ pub fn nearest(answer: &Answer) -> &str {
 }
 
 /// A gray PNG of 8 bits.
-pub fn gray_png(width: usize, height: usize, bytes: &[u8]) -> Vec<u8> {
-    png(width, height, BitDepth::Eight, ColorType::Grayscale, bytes)
+pub fn gray_png(width: u32, height: u32, bytes: &[u8]) -> Vec<u8> {
+    png([width, height], BitDepth::Eight, ColorType::Grayscale, bytes)
 }
 
-pub fn png(
-    width: usize,
-    height: usize,
-    depth: BitDepth,
-    color: ColorType,
-    bytes: &[u8],
-) -> Vec<u8> {
+pub fn png([width, height]: [u32; 2], bits: BitDepth, color: ColorType, bytes: &[u8]) -> Vec<u8> {
     let mut file = Vec::new();
-    let mut encoder = Encoder::new(&mut file, width as u32, height as u32);
-    encoder.set_depth(depth);
+    let mut encoder = Encoder::new(&mut file, width, height);
+    encoder.set_depth(bits);
     encoder.set_color(color);
     encoder.write_header().unwrap().write_image_data(bytes).unwrap();
     file

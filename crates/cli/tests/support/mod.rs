@@ -46,12 +46,19 @@ pub struct Folder(TempDir);
 
 impl Folder {
     pub fn new() -> Self {
+        Self::of_size(DEGREE, ORDER, [3, 4])
+    }
+
+    /// The same of another degree and order, with these numbers of lights and materials.
+    pub fn of_size(degree: usize, order: usize, counts: [usize; 2]) -> Self {
         let folder = Self(TempDir::new().expect("a folder"));
-        folder.write("lights.csv", lights(DEGREE, 3));
-        folder.write("materials.csv", materials(ORDER, 4));
+        folder.write("lights.csv", lights(degree, counts[0]));
+        folder.write("materials.csv", materials(order, counts[1]));
         // With the pole and the rim.
         folder.write("normals.csv", normals("0,0,1\n1,0,0\n0,-1,0\n", 13, 40));
         folder.write("scene.toml", scene("image-centered", 10_000, "[]"));
+        folder.replace("scene.toml", "degree = 4", &format!("degree = {degree}"));
+        folder.replace("scene.toml", "order = 3", &format!("order = {order}"));
         folder
     }
 
@@ -302,6 +309,15 @@ pub fn scene(criterion: &str, components: usize, names: &str) -> String {
          [basis]\ncriterion = \"{criterion}\"\ncomponents = {components}\n\
          profile_tolerance = 1e-12\n"
     )
+}
+
+/// Prints how far numbers are from the expected ones, relative to the largest of these, and asserts
+/// that it is within a tolerance.
+#[track_caller]
+pub fn assert_near(what: &str, found: &[f64], expected: &[f64], tolerance: f64) {
+    let error = difference(found, expected);
+    println!("{what}: {error:.1e}");
+    assert!(error <= tolerance, "{what}: {error:e}");
 }
 
 /// The largest |a - b|, relative to the largest |b|.

@@ -17,10 +17,7 @@ struct State<Q: Format, const T: usize, const P: usize, const N: usize> {
 }
 
 macro_rules! exports {
-    (
-        $module:ident, $format:ident, $mantissa:ty, $transfer:ident, $relight:ident, $collapse:ident,
-        $shade:ident, $d:literal, $exponents:literal, $normals:literal, $irradiance:literal
-    ) => {
+    ($module:ident, $format:ident, $mantissa:ty) => {
         /// One format.
         pub mod $module {
             use super::*;
@@ -28,10 +25,10 @@ macro_rules! exports {
             use eigenshade::$format;
 
             /// The coefficients d.
-            #[unsafe(export_name = $d)]
+            #[unsafe(export_name = concat!(stringify!($module), "_d"))]
             static D: Shared<[i32; COMPONENTS]> = Shared::new([0; COMPONENTS]);
             /// The exponents of d and of irradiances.
-            #[unsafe(export_name = $exponents)]
+            #[unsafe(export_name = concat!(stringify!($module), "_exponents"))]
             static EXPONENTS: Shared<[i32; 2]> = Shared::new([0; 2]);
             static COLLAPSED: Shared<Option<Scene<'static, $format, [i32; SCENE]>>> =
                 Shared::new(None);
@@ -47,8 +44,8 @@ macro_rules! exports {
                 });
 
             /// Computes the transfer of the material.
-            #[unsafe(no_mangle)]
-            extern "C" fn $transfer() -> u32 {
+            #[unsafe(export_name = concat!(stringify!($module), "_transfer"))]
+            extern "C" fn transfer() -> u32 {
                 let (from, state) =
                     // SAFETY: each buffer is borrowed once, and no other function runs.
                     unsafe { (MATERIAL.borrow(), STATE.borrow()) };
@@ -60,8 +57,8 @@ macro_rules! exports {
             }
 
             /// Computes d of the light on the material of the last transfer.
-            #[unsafe(no_mangle)]
-            extern "C" fn $relight() -> u32 {
+            #[unsafe(export_name = concat!(stringify!($module), "_relight"))]
+            extern "C" fn relight() -> u32 {
                 let (from, state, d, exponents) =
                     // SAFETY: each buffer is borrowed once, and no other function runs.
                     unsafe { (LIGHT.borrow(), STATE.borrow(), D.borrow(), EXPONENTS.borrow()) };
@@ -74,8 +71,8 @@ macro_rules! exports {
             }
 
             /// Collapses d to a scene.
-            #[unsafe(no_mangle)]
-            extern "C" fn $collapse() -> u32 {
+            #[unsafe(export_name = concat!(stringify!($module), "_collapse"))]
+            extern "C" fn collapse() -> u32 {
                 let (collapsed, d, exponents) =
                     // SAFETY: each buffer is borrowed once, and no other function runs.
                     unsafe { (COLLAPSED.borrow(), D.borrow(), EXPONENTS.borrow()) };
@@ -87,16 +84,16 @@ macro_rules! exports {
             }
 
             /// Normals to shade: all x, all y, all z.
-            #[unsafe(export_name = $normals)]
+            #[unsafe(export_name = concat!(stringify!($module), "_normals"))]
             static AXES: Shared<[[$mantissa; NORMALS]; 3]> = Shared::new([[0; NORMALS]; 3]);
             /// Their irradiances.
-            #[unsafe(export_name = $irradiance)]
+            #[unsafe(export_name = concat!(stringify!($module), "_irradiance"))]
             static IRRADIANCE: Shared<[i32; NORMALS]> = Shared::new([0; NORMALS]);
 
             /// Computes the irradiances of the first `count` normals, up to the first that is not a
             /// visible unit vector. Returns their number, 0 if there is no scene.
-            #[unsafe(no_mangle)]
-            extern "C" fn $shade(count: usize) -> usize {
+            #[unsafe(export_name = concat!(stringify!($module), "_shade"))]
+            extern "C" fn shade(count: usize) -> usize {
                 let (scene, [x, y, z], irradiance) =
                     // SAFETY: each buffer is borrowed once, and no other function runs.
                     unsafe { (COLLAPSED.borrow(), AXES.borrow(), IRRADIANCE.borrow()) };
@@ -116,30 +113,6 @@ macro_rules! exports {
 }
 
 #[cfg(feature = "q15")]
-exports!(
-    q15,
-    Q15,
-    i16,
-    q15_transfer,
-    q15_relight,
-    q15_collapse,
-    q15_shade,
-    "q15_d",
-    "q15_exponents",
-    "q15_normals",
-    "q15_irradiance"
-);
+exports!(q15, Q15, i16);
 #[cfg(feature = "q31")]
-exports!(
-    q31,
-    Q31,
-    i32,
-    q31_transfer,
-    q31_relight,
-    q31_collapse,
-    q31_shade,
-    "q31_d",
-    "q31_exponents",
-    "q31_normals",
-    "q31_irradiance"
-);
+exports!(q31, Q31, i32);

@@ -2,14 +2,13 @@
 
 use super::percent;
 use super::tables::{of_kind, rival_pixel};
-use crate::accuracy_cost::errors;
 use crate::accuracy_cost::machines::{
     Lighting, MACHINES, Machine, PIXELS, is_choice, pareto, picture,
 };
 use crate::accuracy_cost::sheet::FIGURES;
 use crate::accuracy_cost::times::{Curve, curves, power_law};
 use crate::accuracy_cost::total::{MATCAP, PREFILTERED};
-use crate::accuracy_cost::{Measured, settings};
+use crate::accuracy_cost::{Measured, errors, settings};
 use crate::chart::{Axes, Chart, Points, Style, colored};
 use crate::figures::OutputFile;
 use crate::sheet::Record;
@@ -18,10 +17,9 @@ use plotters::prelude::SeriesLabelPosition;
 use std::ops::RangeInclusive;
 
 pub fn all(measured: &Measured) -> Result<Vec<OutputFile>> {
-    let mut charts: Vec<(String, Chart)> = MACHINES
-        .iter()
-        .map(|machine| (machine.key.to_owned(), chart_of_machine(&measured.settings, machine)))
-        .collect();
+    let of_machine =
+        |one: &Machine| (one.key.to_owned(), chart_of_machine(&measured.settings, one));
+    let mut charts: Vec<(String, Chart)> = MACHINES.iter().map(of_machine).collect();
     charts.push(("total".into(), total_chart(measured)));
     charts.push(("degrees".into(), degrees(measured)));
     let curves = curves(&measured.growth);
@@ -76,8 +74,7 @@ fn chart_of_machine(rows: &[Record], machine: &Machine) -> Chart {
     Chart { labels, ..chart(titles, SeriesLabelPosition::UpperRight, series) }
 }
 
-/// The model's error against the cost of a pixel, by the cheapest setting whose error of the method
-/// is at most a third of the model's.
+/// The model's error against the cheapest pixel whose method has at most a third of that error.
 fn degrees(measured: &Measured) -> Chart {
     let cheapest_of = |size| {
         let error = errors::spread(&measured.model, size).median;

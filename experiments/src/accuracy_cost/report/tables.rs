@@ -90,10 +90,8 @@ pub fn of_machine(rows: &[Record], machine: &Machine) -> String {
         fields.resize(columns.split(" | ").count(), MISSING.into());
         fields
     };
-    let lines = [Lighting::Still, Lighting::Moving]
-        .into_iter()
-        .flat_map(|lighting| LIMITS.map(|below| row(lighting, below)));
-    table(&columns, lines)
+    let lines = [Lighting::Still, Lighting::Moving].map(|one| LIMITS.map(|below| row(one, below)));
+    table(&columns, lines.concat())
 }
 
 pub fn model(rows: &[Record]) -> String {

@@ -11,12 +11,13 @@ use eigenshade_index::light::count;
 use eigenshade_model::database::Named;
 use eigenshade_model::error::{Error, Result};
 use eigenshade_model::source::{Gloss, SourceSets};
-use eigenshade_shading::highlights;
-use eigenshade_shading::integer_shader;
 use eigenshade_shading::shader::{OwnedNormals, fault};
+use eigenshade_shading::{highlights, integer_shader};
 
 /// The highest degree of a light that sources are taken out of.
 const DEGREE: usize = 16;
+
+type Lobes = Highlights<f32, MAX_SOURCES>;
 
 /// Lights without some of their sources, and the normals that the sources shine on.
 pub struct Lamps {
@@ -76,45 +77,33 @@ impl Lamps {
     /// The picture of the rest of a light with the highlights of its sources.
     pub fn add(&self, light: usize, gloss: &Gloss, rest: &[Shaded; 3]) -> Result<Picture> {
         let gloss = highlights::gloss(gloss)?;
-        let highlights =
-            Highlights::<f32, MAX_SOURCES>::new::<Libm>(&gloss, &self.rests[light].sources);
-        let highlights = highlights.map_err(fault)?;
+        let lobes = Lobes::new::<Libm>(&gloss, &self.rests[light].sources).map_err(fault)?;
         match self.format {
-            Format::F32 => self.in_floats(&highlights, rest),
-            Format::Q15 => self.in_integers(&highlights, rest),
+            Format::F32 => self.in_floats(&lobes, rest),
+            Format::Q15 => self.in_integers(&lobes, rest),
             _ => Err(Error::new("no pixel in this format adds sources", "take f32 or q15")),
         }
     }
 
-    fn in_floats(
-        &self,
-        highlights: &Highlights<f32, MAX_SOURCES>,
-        rest: &[Shaded; 3],
-    ) -> Result<Picture> {
+    fn in_floats(&self, lobes: &Lobes, rest: &[Shaded; 3]) -> Result<Picture> {
         let color = |k: usize| rest.each_ref().map(|channel| channel.irradiances[k] as f32).into();
         let mut colors: Vec<Rgb<f32>> = (0..self.quantized.len()).map(color).collect();
-        highlights.add_slice(self.normals.view()?, &mut colors).map_err(fault)?;
+        lobes.add_slice(self.normals.view()?, &mut colors).map_err(fault)?;
         let channel = |of: fn(&Rgb<f32>) -> f32| {
             colors.iter().map(|color| f64::from(of(color))).collect::<Vec<f64>>()
         };
         Ok([channel(|color| color.r), channel(|color| color.g), channel(|color| color.b)])
     }
 
-    fn in_integers(
-        &self,
-        highlights: &Highlights<f32, MAX_SOURCES>,
-        rest: &[Shaded; 3],
-    ) -> Result<Picture> {
+    fn in_integers(&self, lobes: &Lobes, rest: &[Shaded; 3]) -> Result<Picture> {
         let exponents = rest.each_ref().map(|channel| channel.exponent);
         let units = exponents.map(|exponent| 2f64.powi(exponent));
-        let exponents = Rgb::from(exponents);
-        let highlights =
-            quantized::Highlights::<Rgb<i32>, MAX_SOURCES>::quantize(highlights, exponents);
-        let highlights = highlights.map_err(fault)?;
+        type Quantized = quantized::Highlights<Rgb<i32>, MAX_SOURCES>;
+        let lobes = Quantized::quantize(lobes, Rgb::from(exponents)).map_err(fault)?;
         let mut picture = [const { Vec::new() }; 3];
         for (k, normal) in self.quantized.iter().enumerate() {
             let mantissa = |c: usize| (rest[c].irradiances[k] / units[c]) as i32;
-            let Rgb { r, g, b } = highlights.add([0, 1, 2].map(mantissa).into(), *normal);
+            let Rgb { r, g, b } = lobes.add([0, 1, 2].map(mantissa).into(), *normal);
             for ((channel, sum), unit) in picture.iter_mut().zip([r, g, b]).zip(units) {
                 channel.push(unit * f64::from(sum));
             }

@@ -47,8 +47,7 @@ pub struct Study {
 }
 
 impl Study {
-    /// Integrates the pictures of these materials under the maps of a folder, at normals of this
-    /// spacing in radians.
+    /// Integrates pictures under the maps of a folder, at normals of this spacing in radians.
     pub fn new(
         folder: &Path,
         subjects: Vec<Subject>,
@@ -186,11 +185,11 @@ impl Study {
     }
 }
 
-/// The name of an error's columns, and its value.
-type ErrorColumns = (&'static str, fn(&PictureError) -> f64);
+/// A part of an error.
+type Part = fn(&PictureError) -> f64;
 
 /// The columns of [`PictureError`], each with its median and its 95th percentile.
-pub const ERROR_COLUMNS: [ErrorColumns; 3] = [
+pub const ERROR_COLUMNS: [(&str, Part); 3] = [
     ("rms", |error| error.rms),
     ("pixel", |error| error.pixel),
     ("difference", |error| error.difference),

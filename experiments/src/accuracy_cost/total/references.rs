@@ -17,8 +17,7 @@ use palette::color_difference::Ciede2000;
 use palette::{IntoColor, Lab, Srgb};
 use std::path::Path;
 
-/// Distance of the evenly spaced normals in radians: 500, and 450 that mirror the lamps of the
-/// maps.
+/// Distance of the evenly spaced normals in radians: 500, and 450 that mirror lamps of the maps.
 pub const SPACING: f64 = 0.113;
 /// The number of pixels that are metered: each normal counts as many as its weight is of them.
 const METERED: f64 = 10_000.0;
@@ -35,8 +34,7 @@ pub struct World {
 }
 
 impl World {
-    /// Reads the maps of a folder, which have lights of their names. The spacing of the evenly
-    /// spaced normals is in radians.
+    /// Reads the maps of a folder, which have lights of their names. The spacing is in radians.
     pub fn new(folder: &Path, lights: &Lights, spacing: f64) -> Result<Self> {
         let files = named_maps(&[folder])?;
         let maps = files.iter().map(|(_, path)| EnvironmentMap::from_path(path));

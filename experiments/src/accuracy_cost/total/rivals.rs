@@ -1,5 +1,4 @@
-//! Other ways to a picture of an environment, as engines have them: a matcap, and prefiltered maps
-//! with the split sum.
+//! Other ways to a picture, as engines have them: a matcap, and the split sum.
 
 use super::references::World;
 use super::subjects::Gltf;
@@ -102,9 +101,9 @@ fn mirror(&[x, y, z]: &[f64; 3]) -> [f64; 3] {
 /// angle between these. Sums over the texels' centers.
 fn prefilter(maps: &[EnvironmentMap], directions: &[[f64; 3]], roughness: f64) -> Vec<Picture> {
     let EnvironmentMap { width, height, .. } = maps[0];
-    let texels: Vec<([f64; 3], f64)> = (0..width * height)
-        .map(|k| (maps[0].direction(k % width, k / width), maps[0].solid_angle(k / width)))
-        .collect();
+    let texel =
+        |k: usize| (maps[0].direction(k % width, k / width), maps[0].solid_angle(k / width));
+    let texels: Vec<([f64; 3], f64)> = (0..width * height).map(texel).collect();
     let radiance: Vec<f32> =
         (0..width * height).flat_map(|k| maps.iter().flat_map(move |map| map.texels[k])).collect();
     let count = 3 * maps.len();

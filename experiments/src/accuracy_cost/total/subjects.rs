@@ -121,8 +121,7 @@ fn shiny(gloss: Gloss) -> Result<Option<Gloss>> {
     Ok(highlights::gloss::<f64>(&gloss)?.needs_sources().then_some(gloss))
 }
 
-/// The coefficients at each of these orders, made as the shipped ones are: those of measured
-/// materials have a window.
+/// The coefficients at these orders. As shipped, those of measured materials have a window.
 pub fn coefficients(subjects: &[Subject], orders: &[usize]) -> Vec<Materials> {
     let surfaces: Vec<&Surface> = subjects.iter().map(|subject| &subject.surface).collect();
     let mut all = projected_orders(&surfaces, orders);
