@@ -62,8 +62,8 @@ impl Shaded {
 }
 
 fn assert_within(what: &str, errors: &[[f64; 2]], [rms, worst]: [f64; 2]) {
-    let [found, largest] =
-        [0, 1].map(|k| median_and_largest(errors.iter().map(|error| error[k]).collect()));
+    let [found, largest] = [0, 1]
+        .map(|k| median_and_largest(errors.iter().map(|error| error[k]).collect::<Vec<f64>>()));
     println!("{what}: rms {found:?}, largest {largest:?}");
     assert!(found[0] <= rms && found[1] <= worst, "{what}: {found:?} of {rms}, {worst}");
 }

@@ -3,9 +3,9 @@
 
 use crate::blobs::{ANGLES, Blob, Glossy, Vector, around, at, blobs, disc, dot, normals_for};
 use eigenshade::mathematics::{Libm, SinglePrecision};
-use eigenshade::{
-    Argument, Error, Gloss, Highlights, Normal, Normals, Rgb, Rotation, Scalar, Source,
-};
+use eigenshade::{Argument, Error, Gloss, Highlights, Normals, Rgb, Rotation, Source};
+use eigenshade_testing::fixtures::{axes, normal};
+use eigenshade_testing::{largest, relative_error};
 use std::f64::consts::PI;
 
 /// In f64 against the formula in slopes, of the lobe's peak: roots by Newton's method, and slopes
@@ -18,13 +18,12 @@ const LOBE_F64: f64 = 2e-12;
 const LOBE_F32: [(f64, f64); 6] =
     [(0.065, 3e-5), (0.1, 1e-5), (0.2, 5e-6), (0.3, 3e-6), (0.5, 2e-6), (1.0, 1.5e-6)];
 
-fn shaded<S: Scalar, const N: usize>(highlights: &Highlights<S, N>, normal: Vector) -> Rgb<S> {
-    let [x, y, z] = normal.map(S::from_f64);
-    highlights.shade(Normal::new(x, y, z).expect("a visible normal"))
+fn of_one(material: &Glossy, source: Source<f64>) -> Highlights<f64, 1> {
+    Highlights::new::<Libm>(&material.gloss(), &[source]).expect("room for one")
 }
 
-fn of_one<S: Scalar>(material: &Glossy, source: Source<S>) -> Highlights<S, 1> {
-    Highlights::new::<Libm>(&material.gloss(), &[source]).expect("room for one")
+fn of_single(material: &Glossy, source: Source<f32>) -> Highlights<f32, 1> {
+    Highlights::new::<SinglePrecision>(&material.gloss(), &[source]).expect("room for one")
 }
 
 #[test]
@@ -37,9 +36,9 @@ fn lobes_are_those_of_the_formula_in_slopes() {
             let normals = normals_for(&blob, material.alpha().hypot(0.5 * blob.major));
             let expected: Vec<_> =
                 normals.iter().map(|&normal| material.lobe(&blob, normal)).collect();
-            let peak = expected.iter().copied().fold(0.0, f64::max);
-            for (&normal, expected) in normals.iter().zip(expected) {
-                let Rgb { r, g, b } = shaded(&highlights, normal);
+            let peak = largest(expected.iter().copied());
+            for (&at, expected) in normals.iter().zip(expected) {
+                let Rgb { r, g, b } = highlights.shade(normal(at));
                 most = most.max((r - expected).abs() / peak);
                 assert!((g - 0.5 * r).abs() <= 1e-15 * r && b == 0.0, "{blob:?}");
             }
@@ -56,18 +55,11 @@ fn single_precision() {
         let mut most = 0.0_f64;
         for blob in blobs(&ANGLES) {
             let double = of_one(&material, blob.source([1.0; 3]));
-            let single: Highlights<f32, 1> =
-                Highlights::new::<SinglePrecision>(&material.gloss(), &[blob.single([1.0; 3])])
-                    .expect("room for one");
+            let single = of_single(&material, blob.single([1.0; 3]));
             let normals = normals_for(&blob, material.alpha().hypot(0.5 * blob.major));
-            let pairs: Vec<_> = normals
-                .iter()
-                .map(|&normal| (shaded(&double, normal).r, f64::from(shaded(&single, normal).r)))
-                .collect();
-            let peak = pairs.iter().map(|(exact, _)| *exact).fold(0.0, f64::max);
-            for (exact, found) in pairs {
-                most = most.max((found - exact).abs() / peak);
-            }
+            let exact: Vec<_> = normals.iter().map(|&at| double.shade(normal(at)).r).collect();
+            let found = normals.iter().map(|&at| f64::from(single.shade(normal(at)).r));
+            most = most.max(relative_error(&found.collect::<Vec<_>>(), &exact));
         }
         println!("roughness {roughness}, of the peak: {most:e}");
         assert!(most <= tolerance, "{roughness}: {most:e}");
@@ -99,12 +91,11 @@ fn lobe_errors(material: &Glossy, blob: &Blob) -> [f64; 3] {
     let normals = || all.iter().chain(&near).copied();
     let expected: Vec<f64> = normals().map(exact).collect();
     let found: Vec<f64> = normals().map(|normal| material.lobe(blob, normal)).collect();
-    let largest = |values: &Vec<f64>| values.iter().copied().fold(0.0, f64::max);
-    let [peak, of_lobe] = [&expected, &found].map(largest);
-    let off: Vec<f64> = found.iter().zip(&expected).map(|(f, e)| (f - e).abs()).collect();
+    let [peak, of_lobe] = [&expected, &found].map(|values| largest(values.iter().copied()));
+    let off = || found.iter().zip(&expected).map(|(f, e)| f - e);
     // Only the disc's normals are evenly spaced.
-    let squares: f64 = off.iter().take(all.len()).map(|error| error * error).sum();
-    [of_lobe / peak - 1.0, (squares / all.len() as f64).sqrt() / peak, largest(&off) / peak]
+    let squares: f64 = off().take(all.len()).map(|error| error * error).sum();
+    [of_lobe / peak - 1.0, (squares / all.len() as f64).sqrt() / peak, largest(off()) / peak]
 }
 
 #[test]
@@ -156,14 +147,13 @@ fn slices_are_the_sums_of_single_normals() {
     let gloss: Gloss<f32> = material.gloss();
     let sources: Vec<_> =
         blobs(&[10.0, 120.0]).iter().map(|blob| blob.single([1.0, 2.0, 0.5])).collect();
+    let normals: Vec<_> = disc(24).into_iter().map(normal::<f32>).collect();
     for count in [0, 1, 4, 10] {
         let highlights = Highlights::<f32, 10>::new::<SinglePrecision>(&gloss, &sources[..count]);
         let highlights = highlights.expect("room for ten");
         assert_eq!((highlights.len(), highlights.is_empty()), (count, count == 0));
         for length in [0, 1, 63, 64, 65, 300] {
-            let normals: Vec<_> = disc(24).into_iter().take(length).collect();
-            let [x, y, z] =
-                [0, 1, 2].map(|k| normals.iter().map(|n| n[k] as f32).collect::<Vec<_>>());
+            let [x, y, z] = axes(&normals[..normals.len().min(length)]);
             let list = Normals::new(&x, &y, &z).expect("one length");
             let before = Rgb::new(0.25, 0.5, 1.0);
             let mut irradiance = vec![before; length];
@@ -173,9 +163,8 @@ fn slices_are_the_sums_of_single_normals() {
                 assert_eq!(*found, Rgb::new(before.r + r, before.g + g, before.b + b));
             }
         }
-        let mut short = [Rgb::gray(0.0)];
         let none = Normals::new(&[], &[], &[]).expect("one length");
-        let refused = highlights.add_slice(none, &mut short);
+        let refused = highlights.add_slice(none, &mut [Rgb::gray(0.0)]);
         let expected = Error::Length { argument: Argument::Normals, expected: 0, found: 1 };
         assert_eq!(refused, Err(expected));
     }
@@ -194,36 +183,32 @@ fn hard_cases() {
         let gloss: Gloss<f32> = material.gloss();
         // D <= 1.35 / π α², as a lobe is at most √1.16 wide, V n·s <= 1 / 2 α, F <= 1.
         let alpha = material.alpha();
-        let largest = 0.5 * 1.35 / (PI * alpha.powi(3)) + 1.0 / PI;
+        let most = 0.5 * 1.35 / (PI * alpha.powi(3)) + 1.0 / PI;
         let new = |sources: &[Source<f32>]| {
             Highlights::<f32, 2>::new::<SinglePrecision>(&gloss, sources).expect("room for two")
         };
         for blob in blobs(&degrees) {
             let source = blob.single([1.0; 3]);
-            let [one, two, dark, bright] = [
-                new(&[source]),
-                new(&[source; 2]),
-                new(&[blob.single([0.0; 3])]),
-                new(&[blob.single([1e6; 3])]),
-            ];
+            let [dark, bright] = [0.0, 1e6].map(|energy| new(&[blob.single([energy; 3])]));
+            let (one, two) = (new(&[source]), new(&[source; 2]));
             let normals = normals_for(&blob, alpha);
             let expected: Vec<_> =
                 normals.iter().map(|&normal| material.lobe(&blob, normal)).collect();
-            let peak = expected.iter().copied().fold(0.0, f64::max);
+            let peak = largest(expected.iter().copied());
             let has_half_way = blob.direction[2] > -0.997;
-            for (&normal, expected) in normals.iter().zip(expected) {
+            for (&at, expected) in normals.iter().zip(expected) {
                 let [single, double, none, million] =
-                    [&one, &two, &dark, &bright].map(|highlights| shaded(highlights, normal).g);
-                assert!(single.is_finite() && single >= 0.0, "{blob:?} {normal:?}: {single}");
+                    [&one, &two, &dark, &bright].map(|highlights| highlights.shade(normal(at)).g);
+                assert!(single.is_finite() && single >= 0.0, "{blob:?} {at:?}: {single}");
                 assert!((double - 2.0 * single).abs() <= 1e-6 * double, "{double}");
                 assert!((million - 1e6 * single).abs() <= 2e-6 * million, "{million}");
                 assert_eq!(none, 0.0);
+                let found = f64::from(single);
                 if has_half_way {
-                    let off = (f64::from(single) - expected).abs();
-                    assert!(off <= tolerance * peak, "{blob:?} {normal:?}: {single} {expected}");
+                    let off = (found - expected).abs();
+                    assert!(off <= tolerance * peak, "{blob:?} {at:?}: {found} {expected}");
                 } else {
-                    let found = f64::from(single);
-                    assert!(found <= largest, "{blob:?} {normal:?}: {single}");
+                    assert!(found <= most, "{blob:?} {at:?}: {found}");
                 }
             }
         }
@@ -237,20 +222,18 @@ fn sources_set_and_rise() {
     let material = Glossy { roughness: 0.3, f0: 0.5, albedo: 0.5 };
     let source =
         Source::round::<SinglePrecision>([0.0, 0.0, 1.0], [1.0; 3], 0.02).expect("a source");
-    let front: Normal<f32> = Normal::new(0.0, 0.0, 1.0).expect("a normal");
     for step in 0..=72 {
         let angle = step as f32 * 5.0_f32.to_radians();
         let rotation = Rotation::from_euler::<SinglePrecision>(0.3, angle, 0.0).expect("angles");
         let turned = source.turned(rotation);
-        let highlights: Highlights<f32, 1> =
-            Highlights::new::<SinglePrecision>(&material.gloss(), &[turned]).expect("room for one");
-        let lit = highlights.shade(front).g;
+        let highlights = of_single(&material, turned);
+        let lit = highlights.shade(normal([0.0, 0.0, 1.0])).g;
         assert_eq!(lit > 0.0, turned.direction()[2] > 0.0, "{step}");
-        for normal in disc(32) {
-            let irradiance = shaded(&highlights, normal).g;
-            let cosine = dot(turned.direction().map(f64::from), normal);
+        for at in disc(32) {
+            let irradiance = highlights.shade(normal(at)).g;
+            let cosine = dot(turned.direction().map(f64::from), at);
             assert!(irradiance.is_finite() && irradiance >= 0.0);
-            assert!(cosine > -1e-6 || irradiance == 0.0, "{step} {normal:?}");
+            assert!(cosine > -1e-6 || irradiance == 0.0, "{step} {at:?}");
         }
     }
 }

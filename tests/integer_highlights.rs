@@ -5,6 +5,7 @@ use crate::blobs::{ANGLES, Blob, Glossy, Vector, at, blobs, dot, normals_for};
 use eigenshade::mathematics::SinglePrecision;
 use eigenshade::quantized::{Highlights, Lobe, Normal};
 use eigenshade::{Argument, Error, Q15, Q31, Rgb, Source};
+use eigenshade_testing::largest;
 
 /// In Q15, of the lobe's peak, by roughness. A normal, a direction and a form of 16 bits turn a
 /// lobe by some 2^-16, of its width α; the squares of a narrow lobe's form have as few as 9 bits.
@@ -23,10 +24,10 @@ const TAIL: [(f64, f64); 3] = [(0.065, 2.5e-2), (0.1, 1e-2), (0.3, 3e-3)];
 
 /// The normal in 15 bits, and the same in f64.
 fn rounded(normal: Vector) -> (Normal<Q15>, Vector) {
-    let [x, y, z] = normal.map(|number| (number * 32_768.0).round().clamp(-32_767.0, 32_767.0));
-    let of = |number: f64| Q15(number as i16);
-    let exact = [x, y, z].map(|number| number / 32_768.0);
-    (Normal::<Q15>::new(of(x), of(y), of(z)).expect("a visible normal"), exact)
+    let whole = normal.map(|number| (number * 32_768.0).round().clamp(-32_767.0, 32_767.0));
+    let [x, y, z] = whole.map(|number| Q15(number as i16));
+    let normal = Normal::<Q15>::new(x, y, z).expect("a visible normal");
+    (normal, whole.map(|number| number / 32_768.0))
 }
 
 fn in_floats<const N: usize>(
@@ -36,12 +37,8 @@ fn in_floats<const N: usize>(
     eigenshade::Highlights::new::<SinglePrecision>(&material.gloss(), sources).expect("room")
 }
 
-fn gray<const N: usize>(
-    material: &Glossy,
-    sources: &[Source<f32>; N],
-    exponent: i32,
-) -> Highlights<i32, N> {
-    Highlights::quantize(&in_floats(material, sources), exponent).expect("room")
+fn gray(material: &Glossy, source: Source<f32>, exponent: i32) -> Highlights<i32, 1> {
+    Highlights::quantize(&in_floats(material, &[source]), exponent).expect("room")
 }
 
 /// An exponent for which the irradiance `peak` has 17 bits, as the largest one of a scene.
@@ -57,7 +54,7 @@ fn expected(material: &Glossy, blob: &Blob) -> Vec<(Normal<Q15>, Vector, f64)> {
 }
 
 fn peak_of(expected: &[(Normal<Q15>, Vector, f64)]) -> f64 {
-    expected.iter().map(|(_, _, irradiance)| *irradiance).fold(0.0, f64::max)
+    largest(expected.iter().map(|(_, _, irradiance)| *irradiance))
 }
 
 const METAL: [f64; 2] = [0.9, 0.0];
@@ -73,7 +70,7 @@ fn highlights_are_those_of_the_formula() {
                 let expected = expected(&material, &blob);
                 let peak = peak_of(&expected);
                 let exponent = exponent_of(peak);
-                let highlights = gray(&material, &[blob.single([1.0; 3])], exponent);
+                let highlights = gray(&material, blob.single([1.0; 3]), exponent);
                 for (normal, exact, irradiance) in expected {
                     let found = f64::from(highlights.shade(normal)) * f64::from(exponent).exp2();
                     let cosine = dot(blob.direction, exact);
@@ -101,7 +98,7 @@ fn tails_of_bright_sources() {
         for blob in blobs(&[5.0, 40.0, 110.0]) {
             let expected = expected(&material, &blob);
             let exponent = exponent_of(1e-3 * peak_of(&expected)) - 6;
-            let highlights = gray(&material, &[blob.single([1e6; 3])], exponent + 20);
+            let highlights = gray(&material, blob.single([1e6; 3]), exponent + 20);
             for (normal, exact, irradiance) in expected {
                 let found = highlights.shade(normal);
                 let units = 1e6 * irradiance * f64::from(-exponent - 20).exp2();
@@ -129,7 +126,7 @@ fn energies_and_exponents_of_any_size() {
     for blob in blobs(&[0.0, 40.0]) {
         let of_energy = |power: i32, exponent: i32| {
             let energy = f64::from(power).exp2();
-            gray(&material, &[blob.single([energy; 3])], exponent).shade(normal)
+            gray(&material, blob.single([energy; 3]), exponent).shade(normal)
         };
         let usual = of_energy(0, -16);
         assert!(usual > 1000, "{usual}");
@@ -144,12 +141,12 @@ fn energies_and_exponents_of_any_size() {
         assert_eq!(of_energy(-60, -16), 0);
         let dark = blob.single([0.0; 3]);
         for exponent in [-65_536, -200, -16, 0, 65_536] {
-            assert_eq!(gray(&material, &[dark], exponent).shade(normal), 0);
-            let aligned = gray(&material, &[blob.single([1.0; 3])], -16).aligned(exponent);
-            assert_eq!(aligned, gray(&material, &[blob.single([1.0; 3])], exponent));
+            assert_eq!(gray(&material, dark, exponent).shade(normal), 0);
+            let aligned = gray(&material, blob.single([1.0; 3]), -16).aligned(exponent);
+            assert_eq!(aligned, gray(&material, blob.single([1.0; 3]), exponent));
         }
         // A sum saturates at either end, and a scene may be negative.
-        let bright = gray(&material, &[blob.single([1.0; 3])], -31 + 4);
+        let bright = gray(&material, blob.single([1.0; 3]), -31 + 4);
         let found = bright.shade(normal);
         assert_eq!(bright.add(i32::MAX - 5, normal), i32::MAX);
         assert_eq!(bright.add(i32::MIN, normal), i32::MIN + found);
@@ -176,13 +173,9 @@ fn sources_and_channels_add_up() {
     assert_eq!(stored.as_ref(), Ok(&color));
     let one = |source: &Source<f32>, channel: Channel, exponent| {
         let energy = [channel(source.energy()); 3];
-        let gray_source = Source::new::<SinglePrecision>(
-            source.direction(),
-            energy,
-            source.major(),
-            source.minor(),
-        );
-        gray(&material, &[gray_source.expect("it was one before")], exponent)
+        let (direction, major, minor) = (source.direction(), source.major(), source.minor());
+        let gray_source = Source::new::<SinglePrecision>(direction, energy, major, minor);
+        gray(&material, gray_source.expect("it was one before"), exponent)
     };
     let channels: [(Channel, i32); 3] = [(|rgb| rgb.r, -16), (|rgb| rgb.g, -14), (|rgb| rgb.b, -9)];
     let alone = channels.map(|(channel, exponent)| [a, b].map(|of| one(of, channel, exponent)));
@@ -212,13 +205,9 @@ fn sources_set() {
     for roughness in [0.065, 0.1, 1.0] {
         let material = Glossy { roughness, f0: 0.9, albedo: 0.3 };
         for degrees in [90.0, 150.0, 175.0, 179.0, 179.99, 180.0] {
-            let blob = Blob {
-                direction: at(f64::to_radians(degrees), 0.7),
-                angle: 1.0,
-                major: 0.05,
-                minor: 0.02,
-            };
-            let highlights = gray(&material, &[blob.single([1e6; 3])], -10);
+            let direction = at(f64::to_radians(degrees), 0.7);
+            let blob = Blob { direction, angle: 1.0, major: 0.05, minor: 0.02 };
+            let highlights = gray(&material, blob.single([1e6; 3]), -10);
             for (normal, exact, _) in expected(&material, &blob) {
                 let (found, cosine) = (highlights.shade(normal), dot(blob.direction, exact));
                 assert!(found >= 0);
@@ -227,7 +216,7 @@ fn sources_set() {
             }
         }
         let behind = Source::round::<SinglePrecision>([0.0, 0.0, -1.0], [1e6; 3], 0.1);
-        let highlights = gray(&material, &[behind.expect("a source")], -10);
+        let highlights = gray(&material, behind.expect("a source"), -10);
         for (normal, ..) in expected(&material, &blobs(&[0.0])[0]) {
             assert_eq!(highlights.shade(normal), 0);
         }
@@ -239,10 +228,9 @@ fn sources_set() {
 fn normals_in_q31() {
     let material = Glossy { roughness: 0.3, f0: 0.9, albedo: 0.0 };
     let blob = blobs(&[40.0])[1];
-    let highlights = gray(&material, &[blob.single([1.0; 3])], -16);
+    let highlights = gray(&material, blob.single([1.0; 3]), -16);
     for (normal, ..) in expected(&material, &blob) {
-        let components = normal.components().map(|Q15(number)| Q31((i32::from(number) << 16) + 77));
-        let [x, y, z] = components;
+        let [x, y, z] = normal.components().map(|Q15(number)| Q31((i32::from(number) << 16) + 77));
         let finer = Normal::<Q31>::new(x, y, z).expect("a visible normal");
         assert_eq!(highlights.shade(finer), highlights.shade(normal));
     }

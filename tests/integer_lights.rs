@@ -7,6 +7,7 @@ use eigenshade::mathematics::Libm;
 use eigenshade::quantized::{Light, LightBuffer, Rotation};
 use eigenshade::{Argument, Error, Q15, Q31, Rgb};
 use eigenshade_model::rotation;
+use eigenshade_testing::largest;
 use std::f64::consts::PI;
 
 /// Errors of a coefficient, of the root of the energy of its degree: as documented. A dozen
@@ -30,13 +31,16 @@ fn worst<Q: Integer>(light: Light<'_, Q>, exact: &[f64], found: Light<'_, Q>, un
     let unit = f64::from(found.exponent()).exp2();
     let found = values(found);
     let degree = (exact.len() as f64).sqrt() as usize - 1;
-    (0..=degree).fold(0.0, |most: f64, l| {
-        let range = l * l..(l + 1) * (l + 1);
-        let energy: f64 = values(light)[range.clone()].iter().map(|x| x * x).sum();
-        let apart = range.map(|k| (found[k] - exact[k]).abs()).fold(0.0, f64::max);
+    largest((0..=degree).map(|l| {
+        let apart = largest((l * l..(l + 1) * (l + 1)).map(|k| found[k] - exact[k]));
         let over = (apart - 1.0001 * units * unit).max(0.0);
-        most.max(if over > 0.0 { over / energy.sqrt() } else { 0.0 })
-    })
+        if over > 0.0 { over / energy(&values(light), l).sqrt() } else { 0.0 }
+    }))
+}
+
+/// The energy of a degree.
+fn energy(light: &[f64], l: usize) -> f64 {
+    light[l * l..(l + 1) * (l + 1)].iter().map(|x| x * x).sum()
 }
 
 /// Angles in general, at the poles, next to them, and half turns.
@@ -82,10 +86,9 @@ fn agrees<Q: Integer>(most: f64) {
             for mantissas in lights::<Q>(degree, &mut numbers).iter().skip(round % 2).step_by(2) {
                 let light = Light::new(-3, mantissas).expect("a light");
                 let exact = reference.turn(degree, &values(light));
-                let turned = light.turned::<169>(&of_quaternion).expect("room");
-                found = found.max(worst(light, &exact, turned.light().expect("a light"), 0.5));
-                if Q::BITS == 15 {
-                    let turned = light.turned::<169>(&Rotation::quantize(&floats)).expect("room");
+                let rotations = [of_quaternion, Rotation::quantize(&floats)];
+                for rotation in rotations.iter().take(if Q::BITS == 15 { 2 } else { 1 }) {
+                    let turned = light.turned::<169>(rotation).expect("room");
                     found = found.max(worst(light, &exact, turned.light().expect("a light"), 0.5));
                 }
             }
@@ -105,9 +108,8 @@ fn light_turned_in_integers_is_the_generators() {
 #[test]
 fn no_turn_changes_nothing() {
     let mut numbers = Numbers(23);
-    let mantissas: Vec<Q15> =
+    let mut full: Vec<Q15> =
         (0..100).map(|k| fraction(numbers.next() / f64::from(1 + k))).collect();
-    let mut full = mantissas.clone();
     full[0] = Q15(-32_767);
     let light = Light::new(-15, &full).expect("a light");
     for rotation in [
@@ -239,17 +241,13 @@ fn any_bits_turn() {
             std::array::from_fn(|_| Q15((any() >> 16 >> (shift / 3)) as i16));
         let light = Light::new(0, &mantissas).expect("a light");
         let turned = light.turned::<169>(&rotation).expect("room");
-        let (before, after) = (values(light), values(turned.light().expect("a light")));
+        let turned = turned.light().expect("a light");
+        let unit = f64::from(turned.exponent()).exp2();
+        let (before, after) = (values(light), values(turned));
         for l in 0..=12 {
-            let energy = |values: &[f64]| {
-                values[l * l..(l + 1) * (l + 1)].iter().map(|x| x * x).sum::<f64>()
-            };
-            let (before, after) = (energy(&before).sqrt(), energy(&after).sqrt());
-            let unit = f64::from(turned.light().expect("a light").exponent()).exp2();
-            assert!(
-                (before - after).abs() <= 5.0 * OF_ENERGY[0] * before + 5.0 * unit,
-                "{before} {after}"
-            );
+            let [before, after] = [&before, &after].map(|values| energy(values, l).sqrt());
+            let allowed = 5.0 * OF_ENERGY[0] * before + 5.0 * unit;
+            assert!((before - after).abs() <= allowed, "{before} {after}");
         }
     }
 }

@@ -1,7 +1,8 @@
 //! The error of a bilinear look-up in a matcap against the scene that it was made of.
 
 use eigenshade::presets::{light, material};
-use eigenshade::{Argument, Disc, Error, Matcap, Normal, Rgb, sphere};
+use eigenshade::{Argument, Disc, Error, Matcap, Rgb, sphere};
+use eigenshade_testing::{fixtures, median_and_largest};
 use std::f64::consts::TAU;
 
 /// The rms errors in the documentation of [`Matcap`], in the median and at worst.
@@ -74,8 +75,7 @@ impl Lit {
     }
 
     fn shade(&self, normal: [f64; 3]) -> [f64; 3] {
-        let [x, y, z] = normal.map(|component| component as f32);
-        let color: Rgb<f32> = self.scene.shade(Normal::new(x, y, z).unwrap());
+        let color: Rgb<f32> = self.scene.shade(fixtures::normal(normal));
         <[f32; 3]>::from(color).map(f64::from)
     }
 
@@ -111,9 +111,7 @@ impl Lit {
 fn look_ups_are_as_exact_as_stated() {
     let all = Lit::all();
     let check = |name: &str, stated: (f64, f64), error: &dyn Fn(&Lit) -> f64| {
-        let mut errors: Vec<f64> = all.iter().map(error).collect();
-        errors.sort_by(f64::total_cmp);
-        let (median, worst) = (errors[errors.len() / 2], errors[errors.len() - 1]);
+        let [median, worst] = median_and_largest(all.iter().map(error).collect::<Vec<f64>>());
         println!("{name}: median {median:.2e}, worst {worst:.2e}");
         // Not more than stated, nor much less.
         for (found, stated) in [(median, stated.0), (worst, stated.1)] {

@@ -1,45 +1,28 @@
 //! The paper's direct sum and principal components, checked on the shipped databases.
 
-use crate::oracle;
-use crate::tolerances;
+use crate::{oracle, tolerances};
 use eigenshade::Effects;
 use eigenshade::index::{light, material, mode};
-use eigenshade_generator::basis;
 use eigenshade_generator::basis::gram;
-use eigenshade_generator::basis::moments;
-use eigenshade_generator::basis::moments::{LightMoments, MaterialMoments};
+use eigenshade_generator::basis::moments::{self, LightMoments, MaterialMoments};
 use eigenshade_generator::basis::pca::{Block, principal};
-use eigenshade_generator::scene_file::{self, Loaded};
 use eigenshade_model::database::Named;
 use eigenshade_model::irradiance::slant_rotation;
 use eigenshade_model::reference::DirectSum;
 use eigenshade_shading::owned_basis::OwnedBasis;
 use eigenshade_shading::shader::{OwnedNormals, Shader};
+use eigenshade_table::GramFactor;
 use eigenshade_table::scene::Normalize;
-use eigenshade_table::{GramFactor, Table};
-use eigenshade_testing::fixtures::direct_images;
+use eigenshade_testing::fixtures::{self, direct_images, shipped};
 use eigenshade_testing::{largest, relative_error};
 use std::f64::consts::{FRAC_PI_2, PI};
-use std::path::Path;
 
 /// Eigenvalues of +m and -m, of the largest: the same numbers by another way.
 const EQUAL_EIGENVALUES: f64 = 2e-15;
 
-fn shipped() -> Loaded {
-    scene_file::load(Path::new("tables/curet.toml")).expect("the shipped scene")
-}
-
-/// The shipped scene with every component that it has.
-fn whole() -> (Loaded, Table) {
-    let mut loaded = shipped();
-    loaded.scene.basis.components = Some(usize::MAX);
-    let table = basis::build(&loaded.scene, &loaded.lights, &loaded.materials).expect("a table");
-    (loaded, table)
-}
-
 #[test]
 fn the_direct_sum_is_the_integral() {
-    let loaded = shipped();
+    let loaded = shipped("curet");
     let reference = DirectSum::new(9, 7);
     let picture: Vec<_> = grid(20, 40).into_iter().map(|normal| reference.at(normal)).collect();
     let mut numbers = oracle::Numbers(1);
@@ -93,13 +76,13 @@ fn grid(slants: usize, tilts: usize) -> Vec<[f64; 3]> {
 
 #[test]
 fn all_components_in_f32_are_the_direct_sum() {
-    let (loaded, table) = whole();
+    let loaded = shipped("curet");
+    let table = fixtures::table(&loaded);
     let owned = OwnedBasis::<f32>::new(&table);
     let mut shader = Shader::new(owned.basis().expect("a basis"), usize::MAX);
     // The device is given the reference's input, rounded.
-    let normals = grid(14, 24);
-    let normals: Vec<_> =
-        normals.iter().map(|normal| normal.map(|x| f64::from(x as f32))).collect();
+    let rounded = |normal: [f64; 3]| normal.map(|x| f64::from(x as f32));
+    let normals: Vec<_> = grid(14, 24).into_iter().map(rounded).collect();
     let rounded = OwnedNormals::new(&normals);
     let images = direct_images(&loaded.lights, &loaded.materials, &normals);
     let worst = largest(images.iter().map(|(light, material, expected)| {
@@ -113,22 +96,16 @@ fn all_components_in_f32_are_the_direct_sum() {
 /// The blocks of -m, built from D_l^-m,q itself, have the eigenvalues of +m.
 #[test]
 fn signs_of_m_have_equal_eigenvalues() {
-    let loaded = shipped();
-    let (lights, materials) = (&loaded.lights, &loaded.materials);
-    let moments = LightMoments::new(lights, Normalize::UnitAmbient).expect("positive lights");
+    let loaded = shipped("curet");
+    let light = LightMoments::new(&loaded.lights, Normalize::UnitAmbient).expect("positive lights");
+    let material = MaterialMoments::new(&loaded.materials);
     let plus = gram::of_sphere(9, 7);
     let minus = GramFactor { rotations: negative_rotations(&plus), ..plus.clone() };
     assert_ne!(plus.rotations, minus.rotations);
     let (mut worst, mut largest) = (0.0f64, 0.0f64);
     for azimuth in 1..=9 {
         let criterion = loaded.scene.basis.criterion;
-        let deviations = moments::deviations(
-            &moments,
-            &MaterialMoments::new(materials),
-            Effects::ALL,
-            criterion,
-            azimuth,
-        );
+        let deviations = moments::deviations(&light, &material, Effects::ALL, criterion, azimuth);
         let values = |gram: &GramFactor| {
             let block = Block::new(gram, azimuth, &|_, _, _, _| true).expect("finite");
             let images = block.images(gram, &deviations);
@@ -162,7 +139,7 @@ fn negative_rotations(gram: &GramFactor) -> Vec<f64> {
 /// W is orthonormal, and UᵀM in factors is UᵀM by multiplication: U through A, then M = AᵀA.
 #[test]
 fn factored_rows_are_the_products() {
-    let (_, table) = whole();
+    let table = fixtures::table(&shipped("curet"));
     assert!(table.components.len() >= 100);
     let mut apart: f64 = 0.0;
     for (i, a) in table.profiles.iter().enumerate() {

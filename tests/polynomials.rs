@@ -3,15 +3,16 @@
 //! pixel, beside the least that any lengths could cost: found by trying all, azimuth by azimuth.
 
 use crate::invariants::integer::eigenimage;
-use eigenshade::{Normal, Recurrences, Scalar, Shape, Tolerance, sphere};
-use eigenshade_model::inputs::coefficient_csv::{read_lights, read_materials};
+use eigenshade::{Normal, Scalar, Tolerance, sphere};
 use eigenshade_model::reference::DirectSum;
 use eigenshade_shading::owned_basis::OwnedBasis;
 use eigenshade_shading::shader::{OwnedNormals, Shader};
-use eigenshade_shading::shipped;
 use eigenshade_table::trim::trim;
-use eigenshade_testing::fixtures::{of_equal_areas, shipped_table, spiral};
-use eigenshade_testing::images::{Image, coefficients, products, rule, single};
+use eigenshade_testing::fixtures::{
+    captured, measured, normal, of_equal_areas, shipped_table, spiral,
+};
+use eigenshade_testing::images::{Image, on, products, rule, shape};
+use eigenshade_testing::largest;
 
 /// An eigenimage whose polynomial has an even and an odd half of ten terms, of its largest value:
 /// its powers of u cancel, up to (1 + √2)^10 = 6,700 to one, and are rounded to 2^-24.
@@ -35,10 +36,8 @@ fn farthest<S: Scalar + Into<f64>>() -> f64 {
         let (mut off, mut largest) = (0.0f64, 0.0f64);
         for at in spiral((0..200).map(|k| (f64::from(k) + 0.5) / 200.0)) {
             let reference = eigenimage(&table, component, at);
-            let [x, y, z] = at.map(S::from_f64);
-            let normal = Normal::new(x, y, z).expect("visible");
-            let alone = basis.reconstruct(&d, normal).expect("sizes");
-            for found in [scene.shade(normal), alone] {
+            let alone = basis.reconstruct(&d, normal(at)).expect("sizes");
+            for found in [scene.shade(normal(at)), alone] {
                 off = off.max((found.into() - reference).abs());
             }
             largest = largest.max(reference.abs());
@@ -78,19 +77,15 @@ fn the_full_scene_keeps_its_tolerance() {
     let basis = basis.basis().expect("a basis");
     let mut shader = Shader::new(basis, table.count());
     let (degree, order) = (table.gram.degree, table.gram.order);
-    let lights = shipped::lights().expect("lights").truncated(degree);
-    let materials = shipped::materials().expect("materials").truncated(order);
+    let (lights, materials) = (captured(degree), measured(order));
     let normals = of_equal_areas(200);
     let owned = OwnedNormals::new(&normals);
     let reference = DirectSum::new(degree, order);
     let (mut error, mut peaks) = (0.0, 0.0);
     for material in &materials.entries {
         let material = material.luminance();
-        let scattered: Vec<_> = normals
-            .iter()
-            .map(|&n| reference.at(n))
-            .map(|at| (at.scatter(&material), at))
-            .collect();
+        let modes = normals.iter().map(|&normal| reference.at(normal));
+        let scattered: Vec<_> = modes.map(|at| (at.scatter(&material), at)).collect();
         for light in &lights.entries {
             let light = light.luminance();
             let light: Vec<f64> = light.iter().map(|value| value / light[0]).collect();
@@ -125,12 +120,8 @@ fn losses(d: &[f32], image: &Image, rule: &[(Normal<f32>, f64)]) -> Vec<Vec<f64>
     let of = |azimuth: usize, length: u16| {
         let mut lengths = full.to_vec();
         lengths[azimuth] = length;
-        let shape = Shape {
-            components: sphere::COMPONENTS,
-            lengths: &lengths,
-            recurrences: Recurrences::NONE,
-        };
-        let made = sphere::BASIS.collapse_as(d, shape, [0.0; sphere::SCENE]).expect("sizes");
+        let room = [0.0; sphere::SCENE];
+        let made = sphere::BASIS.collapse_as(d, shape(&lengths), room).expect("sizes");
         image.apart(&made.0, rule).powi(2)
     };
     let all = full.iter().enumerate();
@@ -166,14 +157,13 @@ fn fewest(losses: &[Vec<f64>], allowed: f64) -> usize {
 
 #[test]
 fn a_pixel_costs_little_more_than_the_least_possible() {
-    let lights = read_lights("tables/inputs/lights.csv", Some(9)).expect("the shipped lights");
-    let materials = read_materials("tables/inputs/materials.csv", Some(7)).expect("materials");
+    let (lights, materials) = (captured(9), measured(7));
     let rule = rule();
     let shares = [0.1, 1e-2, 1e-3];
     let mut found = shares.map(|_| Vec::new());
     for light in &lights.entries {
         for material in materials.entries.iter().step_by(15) {
-            let d = coefficients(&single(light.luminance()), &single(material.luminance()));
+            let d = on(light, material);
             let image = Image::new(&d, &rule);
             let losses = losses(&d, &image, &rule);
             for (share, found) in shares.into_iter().zip(&mut found) {
@@ -192,7 +182,7 @@ fn a_pixel_costs_little_more_than_the_least_possible() {
     let (mut fewest, mut most) = (f64::INFINITY, 0.0f64);
     for (share, found) in shares.into_iter().zip(found) {
         let count = found.len() as f64;
-        let worst = found.iter().copied().fold(0.0, f64::max);
+        let worst = largest(found.iter().copied());
         let least = 100.0 * found.iter().filter(|&&ratio| ratio <= 1.0).count() as f64 / count;
         let mean = found.iter().sum::<f64>() / count;
         println!("{share}: {least:.0} % the least, mean {mean:.4}, worst {worst:.3}");

@@ -59,12 +59,8 @@ fn agrees_with_itself<Q: Integer>() {
 }
 
 #[test]
-fn q15_agrees_with_itself() {
+fn every_format_agrees_with_itself() {
     agrees_with_itself::<Q15>();
-}
-
-#[test]
-fn q31_agrees_with_itself() {
     agrees_with_itself::<Q31>();
 }
 
@@ -94,12 +90,8 @@ fn agrees_of_few_coefficients<Q: Integer>() {
 }
 
 #[test]
-fn q15_agrees_of_few_coefficients() {
+fn every_format_agrees_of_few_coefficients() {
     agrees_of_few_coefficients::<Q15>();
-}
-
-#[test]
-fn q31_agrees_of_few_coefficients() {
     agrees_of_few_coefficients::<Q31>();
 }
 
@@ -165,6 +157,13 @@ fn generated_ways_saturate_like_the_general_ones() {
     assert_eq!(Ok(d), q15::BASIS.relight(&transfer, &light));
 }
 
+fn general_transfer(
+    basis: &Basis<'_, Q15>,
+    material: &Material<'_, Q15>,
+) -> Result<q15::Transfer, Error> {
+    basis.transfer::<{ q15::WORKSPACE }, { q15::TRANSFER }, { q15::PROFILES }>(material)
+}
+
 /// A material whose exponents rise with the order, and a transfer by hand: the generated
 /// functions give what the general ones give, bit for bit.
 #[test]
@@ -182,17 +181,15 @@ fn generated_ways_are_the_general_ones() {
     ] {
         let material = Material::new(&exponents, mantissas).expect("a material");
         let generated = q15::transfer(&material).expect("it fits");
-        let general = q15::BASIS
-            .transfer::<{ q15::WORKSPACE }, { q15::TRANSFER }, { q15::PROFILES }>(&material)
-            .expect("it fits");
-        assert_eq!(generated, general, "{exponents:?}");
+        let general = general_transfer(&q15::BASIS, &material);
+        assert_eq!(Ok(generated), general, "{exponents:?}");
     }
     let numbers = [Q15(i16::MIN); q15::TRANSFER];
     let transfer = Transfer::new(&numbers, &[0; q15::PROFILES]);
     let light = [Q15(i16::MIN); 100];
     let light = Light::new(0, &light).expect("a light");
     assert_eq!(q15::relight(&transfer, &light), Err(Error::Bound));
-    let estimate = q15::BASIS.estimate::<{ q15::COMPONENTS }>().expect("its components");
+    let estimate = q15::estimate().expect("its components");
     assert_eq!(estimate.coefficients(i32::MAX), Err(Error::Exponent));
 }
 
@@ -215,14 +212,10 @@ fn what_does_not_fit_is_refused() {
     assert_eq!(q15::relight(&transfer, &light), Err(beyond));
     assert!(q15::BASIS.collapse_into(&[0; q15::COMPONENTS + 1], 0, [0; q15::SCENE]).is_err());
     assert!(q15::BASIS.collapse_into(&[0; q15::COMPONENTS], 0, [0; 3]).is_err());
-    for (x, y, z, error) in [
-        (32_767, 32_767, 0, Error::Normal),
-        (0, 0, 0, Error::Normal),
-        (0, 32_767, -1, Error::Hidden),
-        (i16::MIN, i16::MIN, i16::MIN, Error::Normal),
-    ] {
-        assert_eq!(Normal::<Q15>::new(Q15(x), Q15(y), Q15(z)), Err(error));
+    for vector in [[32_767, 32_767, 0], [0; 3], [i16::MIN; 3]] {
+        assert_eq!(Q15::normal(vector.map(Q15)), Err(Error::Normal));
     }
+    assert_eq!(Normal::<Q15>::new(Q15(0), Q15(32_767), Q15(-1)), Err(Error::Hidden));
     assert!(Normal::<Q15>::new(Q15(i16::MIN), Q15(0), Q15(0)).is_ok());
     // A row of factors whose sum can leave its accumulator.
     let parts = *q15::BASIS.parts();
@@ -237,9 +230,7 @@ fn what_does_not_fit_is_refused() {
         Parts { polar: &[], polar_exponents: &[], factors: &[], factor_exponents: &[], ..parts };
     let of_transfers = Basis::<Q15>::new(of_transfers).expect("a basis of transfers");
     let material = Material::new(&[0], &numbers[..1]).expect("a material");
-    let error = of_transfers
-        .transfer::<{ q15::WORKSPACE }, { q15::TRANSFER }, { q15::PROFILES }>(&material);
-    assert_eq!(error, Err(Error::TransfersOnly));
+    assert_eq!(general_transfer(&of_transfers, &material), Err(Error::TransfersOnly));
 }
 
 /// How far d from pixels one by one, of an irradiance in this unit, is from the mean in f64 of the
@@ -270,9 +261,8 @@ fn estimates_are_means() {
     let (short, long) = (estimated::<Q15>(16_384.0), estimated::<Q31>(1e9));
     println!("d from pixels: {short:.1e} in Q15, {long:.1e} in Q31");
     assert!(short <= ESTIMATE_Q15 && long <= ESTIMATE_Q31);
-    let empty =
-        q15::BASIS.estimate::<{ q15::COMPONENTS }>().expect("its components").coefficients(0);
-    assert_eq!(empty, Err(Error::Weight));
+    let empty = q15::estimate().expect("its components");
+    assert_eq!(empty.coefficients(0), Err(Error::Weight));
     assert!(q15::BASIS.estimate::<{ q15::COMPONENTS - 1 }>().is_err());
 }
 
@@ -297,12 +287,9 @@ fn along_integers<Q: Integer>(most: f64) {
         let [x, y, z] = vector.map(f64::from);
         let length = x.hypot(y).hypot(z);
         let found = Normal::<Q>::along(vector[0], vector[1], vector[2]);
-        if vector == [0; 3] {
-            assert_eq!(found.err(), Some(Error::Normal));
-            continue;
-        }
-        if z < -0.125 * length {
-            assert_eq!(found.err(), Some(Error::Hidden), "{vector:?}");
+        if vector == [0; 3] || z < -0.125 * length {
+            let error = if vector == [0; 3] { Error::Normal } else { Error::Hidden };
+            assert_eq!(found.err(), Some(error), "{vector:?}");
             continue;
         }
         let (z, length) = if z < 0.0 { (0.0, x.hypot(y)) } else { (z, length) };
@@ -318,12 +305,10 @@ fn along_integers<Q: Integer>(most: f64) {
 fn normals_along_integers_are_unit_vectors() {
     along_integers::<Q15>(1.0);
     along_integers::<Q31>(3.0);
-    for extreme in
-        [[i32::MIN; 3], [i32::MAX; 3], [i32::MIN, 0, 0], [0, i32::MIN, 1], [0, 0, i32::MAX]]
-    {
-        let [x, y, z] = extreme;
+    let [least, most] = [i32::MIN, i32::MAX];
+    for [x, y, z] in [[least; 3], [most; 3], [least, 0, 0], [0, least, 1], [0, 0, most]] {
         let found = Normal::<Q31>::along(x, y, z);
-        assert_eq!(found.is_err(), x == z && z < 0, "{extreme:?}");
+        assert_eq!(found.is_err(), x == z && z < 0, "{x} {y} {z}");
     }
     assert_eq!(Normal::<Q15>::along(0, 0, -1), Err(Error::Hidden));
     assert_eq!(Normal::<Q15>::along(0, 0, 0), Err(Error::Normal));
@@ -343,8 +328,8 @@ fn subnormal_numbers_keep_their_size() {
 #[test]
 fn normals_are_rounded_to_the_nearest() {
     // 2^15 by √3 is 18,918.6, and by √5 it is 14,654.3, twice of which is 29,308.6.
-    for (along, expected) in [([1, 1, 1], [18_919; 3]), ([-2, 0, 1], [-29_309, 0, 14_654])] {
-        let normal = Normal::<Q15>::along(along[0], along[1], along[2]).expect("a normal");
+    for ([x, y, z], expected) in [([1; 3], [18_919; 3]), ([-2, 0, 1], [-29_309, 0, 14_654])] {
+        let normal = Normal::<Q15>::along(x, y, z).expect("a normal");
         assert_eq!(normal.components(), expected.map(Q15));
     }
 }

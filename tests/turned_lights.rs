@@ -4,7 +4,8 @@
 use crate::{oracle, tolerances};
 use eigenshade::mathematics::{Libm, SinglePrecision};
 use eigenshade::{Argument, Error, Light, Rgb, Rotation, Scalar};
-use eigenshade_testing::largest;
+use eigenshade_testing::images::single;
+use eigenshade_testing::{largest, largest_difference, relative_error};
 use oracle::{ExplicitLight, Numbers};
 use std::f64::consts::PI;
 
@@ -27,10 +28,6 @@ fn noise(degree: usize, numbers: &mut Numbers) -> Vec<f64> {
     (0..(degree + 1) * (degree + 1)).map(|_| numbers.next()).collect()
 }
 
-fn single(values: &[f64]) -> Vec<f32> {
-    values.iter().map(|&value| value as f32).collect()
-}
-
 /// A light turned with roots by libm.
 fn turned<S: Scalar>(degree: usize, light: &[S], rotation: &Rotation<S>) -> Vec<S> {
     let mut workspace = vec![S::ONE; Light::<S>::turn_len(degree)];
@@ -38,6 +35,15 @@ fn turned<S: Scalar>(degree: usize, light: &[S], rotation: &Rotation<S>) -> Vec<
     let light = Light::new(light).expect("coefficients");
     light.turn_into::<Libm>(rotation, &mut workspace, &mut turned).expect("room");
     turned
+}
+
+fn wide(values: &[f32]) -> Vec<f64> {
+    values.iter().map(|&value| value.into()).collect()
+}
+
+/// By angles, with roots in single precision.
+fn of_angles([a, b, c]: [f32; 3]) -> Rotation<f32> {
+    Rotation::from_euler::<SinglePrecision>(a, b, c).expect("a rotation")
 }
 
 /// Angles in general, and those at which Euler angles are not unique.
@@ -93,13 +99,11 @@ fn turned_light_is_the_generators() {
             let scale = largest(light.iter().copied());
             let rotation = Rotation::from_euler::<Libm>(a, b, c).expect("a rotation");
             let found = turned(degree, &light, &rotation);
-            worst = worst.max(largest(found.iter().zip(&expected).map(|(a, b)| a - b)) / scale);
+            worst = worst.max(largest_difference(&found, &expected) / scale);
             // f32 from beginning to end.
-            let [a, b, c] = [a, b, c].map(|angle| angle as f32);
-            let rotation = Rotation::from_euler::<SinglePrecision>(a, b, c).expect("a rotation");
-            let found = turned(degree, &single(&light), &rotation);
-            let apart = found.iter().zip(&expected).map(|(&a, b)| f64::from(a) - b);
-            worst_single = worst_single.max(largest(apart) / scale);
+            let rotation = of_angles([a, b, c].map(|angle| angle as f32));
+            let found = wide(&turned(degree, &single(light.clone()), &rotation));
+            worst_single = worst_single.max(largest_difference(&found, &expected) / scale);
         }
         println!("degree {degree}: {worst:e}, f32 {worst_single:e}");
         assert!(worst <= most, "degree {degree}: {worst:e}");
@@ -114,25 +118,22 @@ fn turning_back_is_exact() {
     let mut worst = [0.0f64; 4];
     for round in 0..2_000 {
         let degree = 1 + round % 9;
-        let light = single(&noise(degree, &mut numbers));
+        let light = single(noise(degree, &mut numbers));
         let quaternion = [0; 4].map(|_| numbers.next() as f32);
         let [x, y, z, w] = quaternion;
         let [a, b, c] = [x, y, z].map(|x| 3.2 * x);
         let of_quaternion = |quaternion| Rotation::from_quaternion(quaternion).expect("a rotation");
-        let of_angles =
-            |a, b, c| Rotation::from_euler::<SinglePrecision>(a, b, c).expect("a rotation");
+        let (first, second) = (of_quaternion(quaternion), of_angles([a, b, c]));
         let pairs = [
-            (of_quaternion(quaternion), of_quaternion(quaternion).inverse()),
-            (of_quaternion(quaternion), of_quaternion([x, y, z, -w])),
-            (of_angles(a, b, c), of_angles(a, b, c).inverse()),
-            (of_angles(a, b, c), of_angles(-c, -b, -a)),
+            (first, first.inverse()),
+            (first, of_quaternion([x, y, z, -w])),
+            (second, second.inverse()),
+            (second, of_angles([-c, -b, -a])),
         ];
         for ((rotation, inverse), worst) in pairs.into_iter().zip(&mut worst) {
             let there = turned(degree, &light, &rotation);
             let back = turned(degree, &there, &inverse);
-            let apart = back.iter().zip(&light).map(|(&a, &b)| f64::from(a) - f64::from(b));
-            let scale = largest(light.iter().map(|&x| f64::from(x)));
-            *worst = worst.max(largest(apart) / scale);
+            *worst = worst.max(relative_error(&wide(&back), &wide(&light)));
         }
     }
     println!("back: {worst:?}");
@@ -151,12 +152,10 @@ fn degrees_keep_their_energy() {
         light[l * l..(l + 1) * (l + 1)].iter().map(|&x| f64::from(x).powi(2)).sum()
     };
     for (degree, step) in [(12, 1), (40, 20)] {
-        let light = single(&noise(degree, &mut numbers));
+        let light = single(noise(degree, &mut numbers));
         let mut worst = 0.0f64;
-        for [a, b, c] in angles().into_iter().step_by(step) {
-            let [a, b, c] = [a, b, c].map(|angle| angle as f32);
-            let rotation = Rotation::from_euler::<SinglePrecision>(a, b, c).expect("a rotation");
-            let turned = turned(degree, &light, &rotation);
+        for angles in angles().into_iter().step_by(step) {
+            let turned = turned(degree, &light, &of_angles(angles.map(|angle| angle as f32)));
             let changes = (0..=degree).map(|l| energy(&turned, l) / energy(&light, l) - 1.0);
             worst = worst.max(largest(changes));
         }
@@ -169,7 +168,7 @@ fn degrees_keep_their_energy() {
 #[test]
 fn color_turns_as_each_channel() {
     let mut numbers = Numbers(13);
-    let channels = [9, 3, 12].map(|degree| single(&noise(degree, &mut numbers)));
+    let channels = [9, 3, 12].map(|degree| single(noise(degree, &mut numbers)));
     let lights = channels.each_ref().map(|channel| Light::new(channel).expect("a light"));
     let rotation = Rotation::from_quaternion([0.3, -0.5, 0.2, 0.1]).expect("a rotation");
     let turned = Rgb::from(lights).turned::<169>(&rotation).expect("room");
@@ -196,9 +195,8 @@ fn cosines_and_sines_are_scaled() {
     let exact = light.turned_about_view::<100>([cosine, sine]).expect("an angle");
     for length in [0.9901, 0.996, 1.004, 1.0099] {
         let found = light.turned_about_view::<100>([length * cosine, length * sine]);
-        let found = found.expect("nearly an angle");
-        let apart = found.iter().zip(exact.iter()).map(|(a, b)| (a - b).abs());
-        let worst = largest(apart) / largest(coefficients.iter().map(|c| c.abs()));
+        let apart = largest_difference(&found.expect("nearly an angle"), &exact);
+        let worst = apart / largest(coefficients.iter().copied());
         assert!(worst <= SCALED_ANGLE, "{length}: {worst:e}");
     }
     for length in [0.0, 0.98, 1.02, -7.0, f64::NAN, f64::INFINITY] {
@@ -214,13 +212,12 @@ fn cosines_and_sines_are_scaled() {
 fn half_turns_and_none() {
     let mut numbers = Numbers(8);
     for degree in 0..=9 {
-        let light = single(&noise(degree, &mut numbers));
+        let light = single(noise(degree, &mut numbers));
         let [x, y, z] = numbers.normal().map(|x| x as f32);
         let half = Rotation::from_quaternion([x, y, z, 0.0]).expect("a rotation");
         for rotation in [half, Rotation::NONE] {
             let back = turned(degree, &turned(degree, &light, &rotation), &rotation);
-            let apart = back.iter().zip(&light).map(|(&a, &b)| f64::from(a) - f64::from(b));
-            assert!(largest(apart) <= TURNED_BACK_F32);
+            assert!(largest_difference(&wide(&back), &wide(&light)) <= TURNED_BACK_F32);
         }
         assert_eq!(turned(degree, &light, &Rotation::NONE), light);
     }
@@ -233,8 +230,9 @@ fn rotations_are_one_however_given() {
         let (a, b) = (a.matrix(), b.matrix());
         largest(a.as_flattened().iter().zip(b.as_flattened()).map(|(a, b)| a - b))
     };
+    let of_angles = |a, b, c| Rotation::from_euler::<Libm>(a, b, c).expect("a rotation");
     for [a, b, c] in angles() {
-        let rotation = Rotation::from_euler::<Libm>(a, b, c).expect("a rotation");
+        let rotation = of_angles(a, b, c);
         // Products of quaternions about z, y and z.
         let (sb, cb) = (0.5 * b).sin_cos();
         let (sum, difference) = (0.5 * (a + c), 0.5 * (c - a));
@@ -245,12 +243,10 @@ fn rotations_are_one_however_given() {
         assert!(apart(rotation, of_quaternion) <= tolerances::SPECIAL_LOW);
         let of_matrix = Rotation::from_matrix(rotation.matrix()).expect("a rotation");
         assert_eq!(rotation, of_matrix);
-        assert!(
-            apart(rotation.after(rotation.inverse()), Rotation::NONE) <= tolerances::SPECIAL_LOW
-        );
-        let about_z = |angle| Rotation::from_euler::<Libm>(angle, 0.0, 0.0).expect("a rotation");
-        let about_y = Rotation::from_euler::<Libm>(0.0, b, 0.0).expect("a rotation");
-        let product = about_z(a).after(about_y).after(about_z(c));
+        let none = rotation.after(rotation.inverse());
+        assert!(apart(none, Rotation::NONE) <= tolerances::SPECIAL_LOW);
+        let product = of_angles(a, 0.0, 0.0).after(of_angles(0.0, b, 0.0));
+        let product = product.after(of_angles(c, 0.0, 0.0));
         assert!(apart(rotation, product) <= tolerances::SPECIAL_LOW);
         // The generator's angles are these.
         let of_generator = eigenshade_model::rotation::Rotation { alpha: b, beta: a, gamma: c };
@@ -258,9 +254,9 @@ fn rotations_are_one_however_given() {
         assert!(apart(rotation, of_generator) <= tolerances::SPECIAL_LOW);
     }
     // Rz(π/2) brings x to y, Ry(π/2) brings z to x.
-    let quarter = Rotation::from_euler::<Libm>(0.5 * PI, 0.0, 0.0).expect("a rotation");
+    let quarter = of_angles(0.5 * PI, 0.0, 0.0);
     assert!(quarter.turn_direction([1.0, 0.0, 0.0])[1] > QUARTER_TURN);
-    let quarter = Rotation::from_euler::<Libm>(0.0, 0.5 * PI, 0.0).expect("a rotation");
+    let quarter = of_angles(0.0, 0.5 * PI, 0.0);
     assert!(quarter.turn_direction([0.0, 0.0, 1.0])[0] > QUARTER_TURN);
 }
 

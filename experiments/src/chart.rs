@@ -63,10 +63,8 @@ pub enum Style {
 }
 
 /// Series in the colors of [`COLORS`].
-pub fn colored(
-    series: impl IntoIterator<Item = (impl Into<String>, Style, Points)>,
-) -> Vec<Series> {
-    let colored = series.into_iter().zip(COLORS.into_iter().cycle());
+pub fn colored(all: impl IntoIterator<Item = (impl Into<String>, Style, Points)>) -> Vec<Series> {
+    let colored = all.into_iter().zip(COLORS.into_iter().cycle());
     let new = |((name, style, points), color)| Series::new(name, style, color, points);
     colored.map(new).collect()
 }
@@ -78,6 +76,10 @@ impl Series {
 }
 
 impl Chart {
+    pub fn new(titles: [&str; 2], axes: Axes, at: SeriesLabelPosition, all: Vec<Series>) -> Self {
+        Self { titles: titles.map(Into::into), axes, legend: at, series: all, labels: vec![] }
+    }
+
     pub fn svg(&self) -> Result<String> {
         let mut svg = String::new();
         let drawn = match &self.axes {

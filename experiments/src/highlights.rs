@@ -30,8 +30,6 @@ const SIZES: [((usize, usize), bool); 4] =
 const OTHER: Rotation = Rotation { alpha: 0.8, beta: -2.1, gamma: 0.9 };
 /// Spacing of the normals in radians, other than that of the fit.
 const SPACING: f64 = 0.071;
-/// Size of the synthetic maps.
-const SIZE: [usize; 2] = [512, 256];
 
 /// The error of one picture of a metal.
 #[derive(Clone, Debug, PartialEq)]
@@ -63,7 +61,7 @@ impl Row {
 
 /// Lights that no camera took: their names and maps.
 fn synthetic() -> Vec<(&'static str, EnvironmentMap)> {
-    let [width, height] = SIZE;
+    let (width, height) = (512, 256);
     let map = |radiance: &dyn Fn([f64; 3]) -> f32| {
         let mut map = EnvironmentMap { width, height, texels: vec![[0.0; 3]; width * height] };
         for texel in 0..width * height {

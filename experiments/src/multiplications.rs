@@ -35,18 +35,17 @@ impl Multiplications {
         };
         let along = layout::LANES * layout::groups(degree);
         let polar: usize = (0..=order).map(|q| ((order - q) / 2 + 1).pow(2) * along).sum();
+        let turn = |l: usize| {
+            let (even, odd) = (l / 2, l.div_ceil(2));
+            let elements = (even + 1).pow(2) + even.pow(2) + 2 * odd.pow(2);
+            2 * elements + 16 * l
+        };
         let owned = OwnedBasis::<f32>::new(table);
         Ok(Self {
             relight: owned.basis().map_err(fault)?.transfer_len(),
             collapse: parts.profiles.iter().map(of_profile).sum(),
             transfer: polar + parts.factors.len(),
-            turn: (1..=degree)
-                .map(|l| {
-                    let (even, odd) = (l / 2, l.div_ceil(2));
-                    let elements = (even + 1).pow(2) + even.pow(2) + 2 * odd.pow(2);
-                    2 * elements + 16 * l
-                })
-                .sum(),
+            turn: (1..=degree).map(turn).sum(),
             pixel: pixel(&parts.lengths),
         })
     }

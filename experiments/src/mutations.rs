@@ -1,6 +1,5 @@
-//! Small defects of the runtime's mathematics that its tests must notice: their list, a copy of the
-//! sources that contains all of them at once, each behind a switch, and the command that runs the
-//! tests for each.
+//! Small defects of the runtime's mathematics that its tests must notice: a copy of the sources
+//! that contains all of them, each behind a switch, and the command that runs the tests for each.
 
 use clap::Args;
 use eigenshade_cli::messages::{print_message, progress_bar};
@@ -21,7 +20,6 @@ use std::time::{Duration, Instant};
 /// The environment variable that selects a mutation by its number, from 1 on. Without it, or with
 /// 0, the copy computes what the sources compute.
 const VARIABLE: &str = "EIGENSHADE_MUTATION";
-
 /// What the sources of the copy have in addition. The variable is read once.
 const SWITCH: &str = r#"
 extern crate std;
@@ -132,7 +130,6 @@ pub struct Mutations {
 
 /// The file that gets the switch.
 const LIBRARY: &str = "src/lib.rs";
-
 /// A test that takes this much longer than without a mutation has failed.
 const SLOWER: u32 = 4;
 

@@ -24,7 +24,7 @@ const SPACING: f64 = 1.25;
 /// A surface under environment maps, integrated directly.
 pub struct Reference<'a> {
     surface: &'a Surface,
-    sphere: Sphere,
+    pub sphere: Sphere,
     pictures: Vec<Picture>,
     peaks: Vec<f64>,
 }
@@ -69,11 +69,6 @@ impl<'a> Reference<'a> {
         };
         let peaks = pictures.iter().enumerate().map(largest).collect();
         Self { surface, sphere, pictures, peaks }
-    }
-
-    /// The number of normals.
-    pub fn normals(&self) -> usize {
-        self.sphere.normals.len()
     }
 
     /// The error for each map of the direct sum (15) up to a degree and an order. `lights` are the

@@ -21,7 +21,6 @@ use experiments::sphere::Sphere;
 
 /// Degree 2 in f32 against the nine-term formula in f64, of the peak: rounding of ten sums.
 const SAME_AS_NINE_TERMS: f64 = 1e-6;
-
 /// Pictures of effects against sums over modes by hand, of the peak: rounding of 3,704 products.
 const EFFECT_BY_HAND: f64 = 2e-14;
 

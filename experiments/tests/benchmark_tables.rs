@@ -14,11 +14,9 @@ use std::fs;
 
 /// Counts of four digits against those of the firmware, relative: half a last digit of 1,000.
 const COUNTED: f64 = 5e-4;
-
 /// Words that a program holds besides a setting's transferred material, d and scene: lengths and
 /// exponents of each, and in 15 bits the room of a row that is padded.
 const HELD_WORDS: f64 = 16.0;
-
 /// Boards of the counts with their formats, and their columns in the settings' file.
 const BOARDS: [([&str; 2], &str); 5] =
     [(M0, "m0"), (M3, "m3"), (["mps2-an386", "q15"], "m4f"), (M4F, "m4f"), (RV32, "rv32")];

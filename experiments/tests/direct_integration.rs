@@ -17,18 +17,15 @@ use std::fs;
 /// A matte sphere under radiance 1 on 128 x 64 texels, relative: the horizon cuts texels of three
 /// degrees, where the cosine is that of their center.
 const DIRECT_WHITE: f64 = 1e-3;
-
 /// Irradiance by texels against midpoints in the normal's frame, relative: 800 midpoints meet the
 /// edges of a window thrice as bright as the sky to 1/800 of each angle.
 const DIRECT_FRAMES: f64 = 5e-3;
-
 /// Texels in parts against parts four times as fine, rms of the peak, for lobes of 0.01 rad and
 /// more on texels of 0.0123: a tenth of what degree 24 leaves at such a lobe.
 const DIRECT_PARTS: f64 = 1e-3;
 
 /// A material for the program, and its BRDF by vectors.
 type Explicit = (fn() -> Box<dyn Brdf>, fn([f64; 3], [f64; 3]) -> f64);
-
 const METAL: Explicit =
     (|| Box::new(Ggx::new(0.5, 0.9, 0.0).unwrap()), |i, r| ggx(0.5, 0.9, 0.0, i, r));
 const DIELECTRIC: Explicit =

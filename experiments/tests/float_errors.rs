@@ -1,6 +1,5 @@
-//! The runtime in floats, from light and material to pixels, with all components, against the
-//! direct sum over modes: GGX dielectrics and metals of roughness 0.2 to 1 and a Lambertian under
-//! three captured maps.
+//! The runtime in floats with all components, against the direct sum over modes: GGX dielectrics
+//! and metals of roughness 0.2 to 1 and a Lambertian under three captured maps.
 
 use eigenshade::wire::aligned;
 use eigenshade::{Argument, Basis, Error, Parts};
@@ -19,10 +18,8 @@ use experiments::accuracy_cost::settings::{Format, Recipe, Setting, Way};
 
 /// Degrees and orders.
 const SHAPES: [[usize; 2]; 5] = [[9, 7], [12, 12], [16, 16], [24, 24], [32, 32]];
-
 /// Three captured maps in their order: a soft sky, small lamps, a low sun.
 const LIGHTS: [&str; 3] = ["park", "studio", "sunset"];
-
 /// Errors of all components in f32 and f64 at each shape, relative to the peak: in f32 a few
 /// roundings of each of three steps, in f64 the rank's cut-off of 1e-10, which the sharpest lobes
 /// amplify. Up to twice what is measured, in f64 four times, as other linear algebra ends at other

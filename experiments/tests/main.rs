@@ -64,10 +64,7 @@ fn shipped_map(name: &str) -> EnvironmentMap {
 fn measured_surfaces(model: &str) -> Vec<Surface> {
     let path = support::repository().join(format!("tables/inputs/merl-{model}.csv"));
     let sources = read(path).expect("the fits").into_iter();
-    let surface = |source| match source {
-        Source::Surface(surface) => Some(surface),
-        Source::Measured(_) => None,
-    };
+    let surface = |one| if let Source::Surface(surface) = one { Some(surface) } else { None };
     sources.filter_map(surface).collect()
 }
 

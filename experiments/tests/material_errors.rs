@@ -29,7 +29,6 @@ use std::fs;
 /// Integration in blocks against every texel: the largest difference of the peak. The errors that
 /// it is used for are 50 times as large in the median.
 const OF_TREE: f64 = 3e-4;
-
 /// Medians and worst maps at normals 1.4 times as far apart, as a factor: widest, narrowest lobe.
 const OF_SPACING: f64 = 1.1;
 

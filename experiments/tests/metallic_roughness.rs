@@ -13,22 +13,16 @@ use eigenshade_testing::fixtures::spiral;
 
 /// The largest difference of a pixel in f32, relative to the largest irradiance of the channel.
 const OF_A_PICTURE: f64 = 6e-4;
-
 /// The same of coefficients in Q15, drawn in f64.
 const IN_Q15: f64 = 8e-4;
-
 /// The same of the formula's own coefficients, rounded to Q15: what no material in Q15 avoids.
 const OF_ROUNDING: f64 = 5e-4;
-
 /// The difference of coefficients in f32, of their norm: of the series, worst at roughness 1.
 const OF_COEFFICIENTS: f64 = 2e-4;
-
 /// A sum of three transfers against the transfer of the sum, of the largest pixel.
 const OF_TRANSFERS: f32 = 2e-6;
-
 /// The orders of the series, with the degree of the light.
 const SIZES: [(usize, usize); 2] = [(9, 7), (12, 12)];
-
 /// From black to white, and the reflectance of dielectrics.
 const BASE: [f32; 6] = [0.0, 0.02, 0.04, 0.2, 0.5, 1.0];
 const METALLIC: [f32; 4] = [0.0, 0.3, 0.7, 1.0];

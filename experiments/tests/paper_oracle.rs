@@ -19,17 +19,13 @@ use std::sync::OnceLock;
 /// Errors of representation and of partial sums, over nodes against pixels, relative to the image's
 /// energy: 28 intervals in cos α are exact, so only the rounding of some thousand terms remains.
 const FIGURE_ERROR: f64 = 2e-13;
-
 /// Irradiances of six digits, relative to the peak: half a unit of the last digit.
 const LISTED: f64 = 6e-6;
-
 /// The least ratio of a partial sum's error to its bound: below it, the bound would not be tested.
 const BOUND_AT_WORK: f64 = 0.01;
-
 /// The part that a partial sum leaves out at a pixel, relative to the peak: far above the tolerance
 /// of the sum, so that a sum of all terms fails.
 const LEFT_OUT: f64 = 1e-5;
-
 /// Intervals in cos α, and steps in β: images of degree 9 have |m| up to 9.
 const INTERVALS: usize = 28;
 const TILTS: usize = 20;

@@ -1,13 +1,11 @@
 //! What the search found: each made a property fail as it was stated first.
 
-use crate::objects::{Energy, energies, prefix, scene};
-use crate::samples::Sample;
-use crate::samples::Shape;
+use crate::objects::{Energy, energies, of_object, prefix};
+use crate::samples::{Sample, Shape};
 use eigenshade_generator::object::geometry::Geometry;
 use eigenshade_generator::scene_file::Loaded;
 use eigenshade_table::scene::LightRotation;
 use eigenshade_testing::largest;
-use eigenshade_testing::oracle::Numbers;
 
 /// Projection and synthesis of the first components of an object, made alone or with all, of the
 /// largest number: the same sums in another order, which is the same order and so the same bits on
@@ -55,8 +53,7 @@ fn a_prefix_at_a_cutoff_of_8e_11() {
     let apart = prefix(&sample, &shape, LightRotation::None, 0.061_569_027_091_713_41);
     println!("projection, synthesis, U: {apart:?}");
     let [projection, synthesis, modes] = apart;
-    assert!(largest([projection, synthesis]) <= PREFIX);
-    assert!(modes <= PREFIX_MODES);
+    assert!(projection <= PREFIX && synthesis <= PREFIX && modes <= PREFIX_MODES);
 }
 
 /// The energies of an image and of the mean image that was subtracted cancel: of what is left,
@@ -74,8 +71,7 @@ fn energy_of_an_image_that_is_the_mean() {
         copies: Some(6.279_485_471_267_36e-15),
         ..PLAIN
     };
-    let shape = Shape::Line(7, 2.701_346_374_281_847_8);
-    assert_dark(&sample, &shape);
+    assert_dark(&sample, &Shape::Line(7, 2.701_346_374_281_847_8));
 }
 
 /// A rim is where modes show that are nothing over the sphere, and where images are dark.
@@ -107,9 +103,8 @@ fn assert_dark(sample: &Sample, shape: &Shape) {
 fn a_cutoff_that_takes_the_constant() {
     let sample =
         Sample { degree: 3, order: 1, seed: 381_324_519_401_728_109, cutoff: 0.019, ..PLAIN };
-    let (small, loaded) = scene(&sample, LightRotation::Any);
-    let listed =
-        Shape::Any(3, 5.524_482_675_697_389_5).normals(small.degree, &mut Numbers(small.seed ^ 7));
+    let shape = Shape::Any(3, 5.524_482_675_697_389_5);
+    let (_, loaded, listed) = of_object(&sample, &shape, LightRotation::Any);
     let refused = Loaded { geometry: Geometry::Listed(listed), ..loaded }.build();
     let message = refused.expect_err("a part of the constant").to_string();
     assert!(message.contains("rank_cutoff"), "{message}");

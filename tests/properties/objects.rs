@@ -1,19 +1,16 @@
 //! What holds for every object under every statistics of the light.
 
-use crate::config;
-use crate::samples::{Sample, samples, strangers};
-use crate::samples::{Shape, shapes};
-use crate::sphere::off_affine;
-use crate::tolerances;
+use crate::samples::{Sample, Shape, samples, shapes, strangers};
+use crate::sphere::{off_affine, squares};
+use crate::{config, tolerances};
 use eigenshade_generator::basis::moments::LightStatistics;
 use eigenshade_generator::basis::span::Span;
 use eigenshade_generator::basis::{gram, moments};
 use eigenshade_generator::object::geometry::WeightedNormals;
 use eigenshade_generator::scene_file::Loaded;
 use eigenshade_index::effect::Effects;
-use eigenshade_index::{light, material, mode};
+use eigenshade_index::mode;
 use eigenshade_model::database::Named;
-use eigenshade_model::reference::DirectSum;
 use eigenshade_model::rotation::Rotation;
 use eigenshade_model::selection::Kept;
 use eigenshade_table::Table;
@@ -21,7 +18,7 @@ use eigenshade_table::scene::LightRotation;
 use eigenshade_testing::fixtures::Projector;
 use eigenshade_testing::largest;
 use eigenshade_testing::oracle::Numbers;
-use eigenshade_testing::pictures::{Pictures, eigenvalues, table};
+use eigenshade_testing::pictures::{self, Pictures, eigenvalues, modes, table};
 use nalgebra::DMatrix;
 use proptest::prelude::*;
 use std::f64::consts::PI;
@@ -32,20 +29,21 @@ use std::f64::consts::PI;
 /// The part that the rank's cut-off removes comes on top.
 const OBJECT_PARSEVAL: f64 = 1e-12;
 
-/// A small scene of the sample, with its selection of modes, whose light turns like this.
-pub fn scene(sample: &Sample, rotation: LightRotation) -> (Sample, Loaded) {
+/// A small scene of the sample, with its selection of modes, whose light turns like this, and the
+/// normals of an object.
+pub fn of_object(
+    sample: &Sample,
+    shape: &Shape,
+    rotation: LightRotation,
+) -> (Sample, Loaded, WeightedNormals) {
     let (degree, order) = (sample.degree % 5, sample.order % 5);
     // Fewer than there are, of most degrees and orders.
     let modes = sample.modes % 300;
     let small = Sample { degree, order, modes, spread: sample.spread.min(8.0), ..sample.clone() };
     let mut loaded = small.scene();
     loaded.scene.light.rotation = rotation;
-    (small, loaded)
-}
-
-/// The same, of all modes.
-fn whole(sample: &Sample, rotation: LightRotation) -> (Sample, Loaded) {
-    scene(&Sample { modes: 0, ..sample.clone() }, rotation)
+    let listed = shape.normals(degree, &mut Numbers(sample.seed ^ 7));
+    (small, loaded, listed)
 }
 
 fn rotations() -> impl Strategy<Value = LightRotation> {
@@ -56,12 +54,9 @@ fn rotations() -> impl Strategy<Value = LightRotation> {
 /// An upper bound of what the cut-offs take of the pictures: modes below `rank_cutoff` of
 /// the largest singular value, over the object and over the span.
 fn cut(loaded: &Loaded, listed: &WeightedNormals, modes: &DMatrix<f64>) -> f64 {
-    let (degree, order) = (loaded.lights.degree, loaded.materials.order);
-    let span = Span::new(
-        &gram::of_sphere(degree, order),
-        &Kept { effects: Effects::ALL, selection: vec![] },
-    )
-    .expect("finite");
+    let gram = gram::of_sphere(loaded.lights.degree, loaded.materials.order);
+    let span = Span::new(&gram, &Kept { effects: Effects::ALL, selection: vec![] });
+    let span = span.expect("finite");
     let shown = span.factor(listed).norm_l2();
     let cutoff = loaded.scene.basis.rank_cutoff;
     (cutoff + tolerances::ORTHONORMAL_ROUNDING) * (modes.norm() + shown * span.largest())
@@ -86,10 +81,7 @@ fn norm(values: &[f64]) -> f64 {
 /// U over modes: a row a mode in the order of [`Pictures::modes`], a column an eigenimage.
 fn over_modes(table: &Table) -> DMatrix<f64> {
     let (degree, order) = (table.gram.degree, table.gram.order);
-    let places: Vec<_> = light::indices(degree)
-        .flat_map(|(l, m)| material::indices(order).map(move |(o, p, q)| (l, m, o, p, q)))
-        .filter(|&(l, _, _, _, q)| q <= l)
-        .collect();
+    let places = modes(degree, order);
     let general = table.general.as_ref().expect("a general table");
     let mut u = DMatrix::zeros(places.len(), general.eigenvalues.len());
     for (f, function) in table.components.iter().enumerate() {
@@ -134,26 +126,14 @@ impl Energy {
 
 /// Those of a pair that is not of the database, and of one that is.
 pub fn energies(sample: &Sample, shape: &Shape, rotation: LightRotation) -> [Energy; 2] {
-    let (small, loaded) = whole(sample, rotation);
-    let listed = shape.normals(small.degree, &mut Numbers(sample.seed ^ 7));
+    let (small, loaded, listed) = of_object(&sample.whole(), shape, rotation);
     let table = table(&loaded, &listed);
-    let projector = Projector::new(&table);
-    let reference = DirectSum::new(small.degree, small.order);
     let ([stranger, _], [other, _]) = strangers(&small);
     let of_database =
         (loaded.lights.entries[0].luminance(), loaded.materials.entries[0].luminance());
     [(stranger, other), of_database].map(|(light, on)| {
-        let d = projector.project(&light, &on);
-        let (image, mean) =
-            (projector.shade(&d, listed.normals()), projector.shade(&[], listed.normals()));
-        let (mut residual, mut about_mean) = (0.0, 0.0);
-        for (k, weight) in listed.weights().iter().enumerate() {
-            let modes = reference.at(listed.normals()[k]);
-            let seen = modes.irradiance(&light, &modes.scatter(&on));
-            residual += weight * (seen - image[k]).powi(2);
-            about_mean += weight * (seen - mean[k]).powi(2);
-        }
-        let kept: f64 = d.iter().map(|d| d * d).sum();
+        let [kept, residual, about_mean] =
+            squares(&table, [&light, &on], listed.normals(), listed.weights());
         let of_mean = if small.standard { size(&loaded) } else { 0.0 };
         Energy {
             apart: (kept + residual - about_mean).abs(),
@@ -167,14 +147,13 @@ pub fn energies(sample: &Sample, shape: &Shape, rotation: LightRotation) -> [Ene
 /// How far a table of a share of the components is from the beginning of the whole one, of the
 /// largest number: its projection, its synthesis, and U over modes. Eigenvalues are the same.
 pub fn prefix(sample: &Sample, shape: &Shape, rotation: LightRotation, share: f64) -> [f64; 3] {
-    let (small, mut loaded) = scene(sample, rotation);
-    let listed = shape.normals(small.degree, &mut Numbers(sample.seed ^ 7));
+    let (_, mut loaded, listed) = of_object(sample, shape, rotation);
     let all = table(&loaded, &listed);
     let count = 1 + (share * all.count() as f64) as usize;
     loaded.scene.basis.components = Some(count);
     let few = table(&loaded, &listed);
     assert_eq!(few.count(), count.min(all.count()));
-    let (a, b) = (few.general.as_ref().expect("general"), all.general.as_ref().expect("general"));
+    let [a, b] = [&few, &all].map(|table| table.general.as_ref().expect("general"));
     assert_eq!(&a.eigenvalues[..], &b.eigenvalues[..few.count()]);
     assert!(eigenvalues(&all).is_sorted_by(|a, b| a >= b));
     // The same sums, in the order that a matrix of another size asks for.
@@ -194,8 +173,7 @@ proptest! {
     fn eigenimages_are_orthonormal(
         sample in samples(), shape in shapes(), rotation in rotations()
     ) {
-        let (small, loaded) = scene(&sample, rotation);
-        let listed = shape.normals(small.degree, &mut Numbers(sample.seed ^ 7));
+        let (small, loaded, listed) = of_object(&sample, &shape, rotation);
         // A density is hundreds of normals, and every mode is summed at each.
         prop_assume!(!matches!(shape, Shape::Slants(_)));
         let table = table(&loaded, &listed);
@@ -253,8 +231,7 @@ proptest! {
     fn projection_over_an_object_is_linear(
         sample in samples(), shape in shapes(), rotation in rotations(), weight in -3.0f64..3.0
     ) {
-        let (small, loaded) = scene(&sample, rotation);
-        let listed = shape.normals(small.degree, &mut Numbers(sample.seed ^ 7));
+        let (small, loaded, listed) = of_object(&sample, &shape, rotation);
         let projector = Projector::new(&table(&loaded, &listed));
         let strangers = strangers(&small);
         let ([light, _], [_, on]) = &strangers;
@@ -280,9 +257,8 @@ proptest! {
     fn a_coarser_cutoff_of_an_object_takes_what_it_says(
         sample in samples(), shape in shapes(), rotation in rotations(), coarser in 0.0f64..4.0
     ) {
-        let (small, loaded) = scene(&sample, rotation);
         prop_assume!(!matches!(shape, Shape::Slants(_)));
-        let listed = shape.normals(small.degree, &mut Numbers(sample.seed ^ 7));
+        let (small, loaded, listed) = of_object(&sample, &shape, rotation);
         let fine = table(&loaded, &listed);
         let mut coarse = loaded.clone();
         // Beyond, the constant image may be lost, which is refused.
@@ -302,9 +278,8 @@ proptest! {
     fn an_object_and_its_light_turn_together(
         sample in samples(), shape in shapes(), angle in -PI..PI
     ) {
-        let (small, loaded) = scene(&sample, LightRotation::None);
         prop_assume!(!matches!(shape, Shape::Slants(_)));
-        let listed = shape.normals(small.degree, &mut Numbers(sample.seed ^ 7));
+        let (small, loaded, listed) = of_object(&sample, &shape, LightRotation::None);
         let turn = Rotation { alpha: 0.0, beta: angle, gamma: 0.0 };
         let mut turned = loaded.clone();
         for light in &mut turned.lights.entries {
@@ -313,12 +288,9 @@ proptest! {
         let (sine, cosine) = angle.sin_cos();
         let with = |&[x, y, z]: &[f64; 3]| [cosine * x - sine * y, sine * x + cosine * y, z];
         let normals = listed.normals().iter().map(with).zip(listed.weights().iter().copied());
-        let (before, after) = (
-            table(&loaded, &listed),
-            table(&turned, &eigenshade_testing::pictures::listed(normals)),
-        );
-        let (before, after) = (eigenvalues(&before), eigenvalues(&after));
-        let apart = eigenshade_testing::pictures::apart(&after, &before);
+        let before = eigenvalues(&table(&loaded, &listed));
+        let after = eigenvalues(&table(&turned, &pictures::listed(normals)));
+        let apart = pictures::apart(&after, &before);
         // Of what is constant but for rounding, nothing is left to compare.
         let size = size(&loaded).powi(2);
         let scale = largest(before.iter().copied());

@@ -69,12 +69,11 @@ impl Sample {
             };
             named(name, (0..count).map(value).collect())
         };
-        let lights = (0..self.lights)
-            .map(|k| entry(format!("light-{k}"), light::count(self.degree)))
-            .collect();
-        let mut materials: Vec<Named> = (0..self.materials)
-            .map(|k| entry(format!("material-{k}"), material::count(self.order)))
-            .collect();
+        let mut entries = |name: &str, number: usize, count: usize| -> Vec<Named> {
+            (0..number).map(|k| entry(format!("{name}-{k}"), count)).collect()
+        };
+        let lights = entries("light", self.lights, light::count(self.degree));
+        let mut materials = entries("material", self.materials, material::count(self.order));
         if let Some(off) = self.copies {
             for k in 0..materials.len() {
                 let values = materials[k].rgb[0].iter();
@@ -99,8 +98,8 @@ impl Sample {
     }
 
     /// With all modes.
-    pub fn whole(&self) -> Loaded {
-        Self { modes: 0, ..self.clone() }.scene()
+    pub fn whole(&self) -> Self {
+        Self { modes: 0, ..self.clone() }
     }
 }
 
@@ -141,9 +140,6 @@ pub fn shapes() -> impl Strategy<Value = Shape> {
 impl Shape {
     /// Its normals, for light of this degree.
     pub fn normals(&self, degree: usize, numbers: &mut Numbers) -> WeightedNormals {
-        let around = |count: usize, numbers: &mut Numbers| -> Vec<f64> {
-            (0..count).map(|_| PI * numbers.next()).collect()
-        };
         match *self {
             Self::Any(count, decades) => listed((0..count).map(|_| {
                 let normal = numbers.normal();
@@ -153,9 +149,10 @@ impl Shape {
                 let (sine, cosine) = (FRAC_PI_2 * numbers.next()).sin_cos();
                 ([sine * tilt.cos(), sine * tilt.sin(), cosine.max(0.0)], 1.0)
             })),
-            Self::Rim(count) => listed(
-                around(count, numbers).iter().map(|tilt| ([tilt.cos(), tilt.sin(), 0.0], 1.0)),
-            ),
+            Self::Rim(count) => listed((0..count).map(|_| {
+                let tilt = PI * numbers.next();
+                ([tilt.cos(), tilt.sin(), 0.0], 1.0)
+            })),
             Self::Patch(count, size) => listed(
                 (0..count)
                     .map(|_| ([0.3 + size * numbers.next(), size * numbers.next(), 0.9], 1.0)),

@@ -16,7 +16,7 @@ use eigenshade_table::{Table, decode, encode};
 use eigenshade_testing::fixtures::Projector;
 use eigenshade_testing::oracle::Numbers;
 use eigenshade_testing::rotations::{euler, irradiance, product, rotation};
-use eigenshade_testing::{fixtures, largest};
+use eigenshade_testing::{fixtures, largest, largest_difference};
 use proptest::prelude::*;
 use std::f64::consts::{FRAC_PI_2, PI};
 
@@ -24,24 +24,34 @@ use std::f64::consts::{FRAC_PI_2, PI};
 /// that end at 1e-13.
 const PARSEVAL: f64 = 2e-14;
 
-/// |d|² + |residual|² = cᵀMc, the residual by quadrature of the direct sum.
-fn assert_parseval(loaded: &Loaded, table: &Table, light: &[f64], material: &[f64]) {
-    let (degree, order) = (table.gram.degree, table.gram.order);
+/// |d|², Σ w (I - Σ d_i U_i)² and Σ w (I - mean)² over some normals, I by the direct sum.
+pub fn squares(
+    table: &Table,
+    [light, material]: [&[f64]; 2],
+    normals: &[[f64; 3]],
+    weights: &[f64],
+) -> [f64; 3] {
     let projector = Projector::new(table);
     let d = projector.project(light, material);
-    let reference = DirectSum::new(degree, order);
+    let reference = DirectSum::new(table.gram.degree, table.gram.order);
+    let (image, mean) = (projector.shade(&d, normals), projector.shade(&[], normals));
     let (mut residual, mut about_mean) = (0.0, 0.0);
-    // Exact for products of two images to rounding.
-    let (normals, weights): (Vec<_>, Vec<_>) =
-        fixtures::rule(2 * degree + order + 20, 2 * degree + 1).into_iter().unzip();
-    let (image, mean) = (projector.shade(&d, &normals), projector.shade(&[], &normals));
     for (k, weight) in weights.iter().enumerate() {
         let modes = reference.at(normals[k]);
         let seen = modes.irradiance(light, &modes.scatter(material));
         residual += weight * (seen - image[k]).powi(2);
         about_mean += weight * (seen - mean[k]).powi(2);
     }
-    let kept: f64 = d.iter().map(|d| d * d).sum();
+    [d.iter().map(|d| d * d).sum(), residual, about_mean]
+}
+
+/// |d|² + |residual|² = cᵀMc, the residual by quadrature of the direct sum.
+fn assert_parseval(loaded: &Loaded, table: &Table, light: &[f64], material: &[f64]) {
+    let (degree, order) = (table.gram.degree, table.gram.order);
+    // Exact for products of two images to rounding.
+    let (normals, weights): (Vec<_>, Vec<_>) =
+        fixtures::rule(2 * degree + order + 20, 2 * degree + 1).into_iter().unzip();
+    let [kept, residual, about_mean] = squares(table, [light, material], &normals, &weights);
     let apart = (kept + residual - about_mean).abs() / about_mean;
     assert!(apart <= PARSEVAL, "{apart} of {about_mean}");
     if loaded.scene.basis.criterion == Criterion::ImageCentered {
@@ -62,7 +72,7 @@ proptest! {
 
     #[test]
     fn energy_is_kept_or_left(sample in samples()) {
-        let loaded = sample.whole();
+        let loaded = sample.whole().scene();
         let table = fixtures::table(&loaded);
         let ([light, _], [material, _]) = strangers(&sample);
         assert_parseval(&loaded, &table, &light, &material);
@@ -91,17 +101,13 @@ proptest! {
         let (before, after) =
             (projector.project(&light, &material), projector.project(&turned, &material));
         let (sine, cosine) = angle.sin_cos();
-        let (mut worst, mut peak) = (0.0f64, 0.0f64);
         let normals = fixtures::normals(&fixtures::SLANTS, 7);
         let with = |&[x, y, z]: &[f64; 3]| [cosine * x - sine * y, sine * x + cosine * y, z];
         let with: Vec<[f64; 3]> = normals.iter().map(with).collect();
         let (expected, found) = (projector.shade(&before, &normals), projector.shade(&after, &with));
-        for (found, expected) in found.iter().zip(&expected) {
-            worst = worst.max((found - expected).abs());
-            peak = peak.max(expected.abs());
-        }
+        let worst = largest_difference(&found, &expected);
         // What the sum over components may cancel.
-        let scale = peak.max(largest(before.iter().copied()));
+        let scale = largest(expected.into_iter().chain(before));
         prop_assert!(worst <= tolerances::TURNED * scale, "{worst} of {scale}");
     }
 
@@ -130,7 +136,7 @@ proptest! {
                 prop_assert_eq!((&a.node_values, &a.chebyshev), (&b.node_values, &b.chebyshev));
             }
             let of_fewer = Projector::new(fewer).project(&light, &material);
-            let apart = largest(of_fewer.iter().zip(&d).map(|(a, b)| a - b));
+            let apart = largest_difference(&of_fewer, &d[..of_fewer.len()]);
             prop_assert!(apart <= tolerances::ORTHONORMAL_NODES * scale, "{apart} of {scale}");
         }
     }
@@ -151,10 +157,6 @@ proptest! {
         prop_assert!(at_pole.min_by(f64::total_cmp).is_none_or(|least| least > 0.0));
         prop_assert_eq!(decode(&encode(&table)), Ok(table));
     }
-}
-
-proptest! {
-    #![proptest_config(config())]
 
     /// Light, view and normal turned by any rotation Q, and the normal's frame by any third
     /// angle γ: the irradiance is what it was. All of D, for the frame QR is of any angles.
@@ -218,10 +220,12 @@ proptest! {
 }
 
 /// Each of `table`'s components against the others, in node space and over modes.
-pub fn assert_orthonormal(loaded: &Loaded, table: &Table) {
+fn assert_orthonormal(loaded: &Loaded, table: &Table) {
     let gram = &table.gram;
-    let moments = moments::LightMoments::new(&loaded.lights, table.scene.light.normalize)
-        .expect("positive lights");
+    let moments = moments::LightMoments::new(&loaded.lights, table.scene.light.normalize);
+    let moments = moments.expect("positive lights");
+    let of_materials = moments::MaterialMoments::new(&loaded.materials);
+    let (criterion, cut) = (table.scene.basis.criterion, table.scene.basis.rank_cutoff);
     for azimuth in 0..=gram.degree {
         let profiles: Vec<_> =
             table.profiles.iter().enumerate().filter(|(_, one)| one.azimuth == azimuth).collect();
@@ -240,13 +244,10 @@ pub fn assert_orthonormal(loaded: &Loaded, table: &Table) {
         let images: Vec<_> = profiles.iter().map(|(_, one)| image(&one.modes)).collect();
         // What of a component lies where the cut-off counts A as zero: A F v / σ_k, so
         // at most cut-off |A| |F| / σ_k.
-        let criterion = table.scene.basis.criterion;
-        let of_materials = moments::MaterialMoments::new(&loaded.materials);
         let deviations =
             moments::deviations(&moments, &of_materials, Effects::ALL, criterion, azimuth);
         let squares = deviations.iter().flat_map(|one| &one.material).map(|b| b * b);
         let factor = squares.sum::<f64>().sqrt();
-        let cut = table.scene.basis.rank_cutoff;
         let lost = |k: usize| {
             let component = table.components.iter().find(|one| one.profile == k);
             let value = component.and_then(|one| one.eigenvalue).map_or(1.0, f64::sqrt);
@@ -268,7 +269,7 @@ pub fn assert_orthonormal(loaded: &Loaded, table: &Table) {
 }
 
 /// cᵀMc = Σ_m |A c|².
-pub fn energy(table: &Table, light: &[f64], material: &[f64]) -> f64 {
+fn energy(table: &Table, light: &[f64], material: &[f64]) -> f64 {
     let (degree, order) = (table.gram.degree, table.gram.order);
     let mut energy = 0.0;
     for azimuth in 0..=degree {

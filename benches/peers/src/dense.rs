@@ -22,7 +22,6 @@ pub struct Vector {
     ndarray: Array1<f32>,
 }
 
-/// The ways, by name.
 pub const WAYS: [&str; 6] = [
     "faer, by columns",
     "faer, by rows",

@@ -9,7 +9,6 @@ use eigenshade::sphere;
 use eigenshade_model::reference::Modes;
 use std::hint::black_box;
 
-/// Normals of a picture.
 const PIXELS: usize = 65_536;
 /// Normals whose 1,000 modes are held.
 const HELD: usize = 4096;

@@ -72,7 +72,6 @@ pub struct Table {
     rows: Vec<Row>,
 }
 
-/// One way.
 struct Row {
     way: String,
     ratio: Option<f64>,
@@ -259,7 +258,6 @@ fn version(name: &str) -> Option<&'static str> {
     after.split('"').next()
 }
 
-/// The version of three.js that is installed.
 fn three() -> Option<&'static str> {
     let package = include_str!("../node/package.json");
     package.split_once("\"three\": \"")?.1.split('"').next()

@@ -13,7 +13,6 @@ use std::error::Error;
 use std::f64::consts::TAU;
 use std::path::{Path, PathBuf};
 
-/// The project's folder.
 pub fn root() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("../..")
 }
@@ -109,11 +108,9 @@ pub struct View {
     /// That integrate squares over a sphere's disc; 0 of the pole and the rim, where only a
     /// peak may be.
     pub weights: Vec<f64>,
-    /// The direct sum.
     pub reference: DirectSum,
 }
 
-/// Normals of the rim.
 const RIM: usize = 64;
 
 impl View {

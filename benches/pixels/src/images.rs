@@ -38,10 +38,6 @@ impl Image {
         Self { name: name.into(), d: d.to_vec(), share, lengths, in_color: false }
     }
 
-    fn in_color(self) -> Self {
-        Self { in_color: true, ..self }
-    }
-
     /// For [`parsed`](Self::parsed).
     pub fn arguments(&self) -> Vec<String> {
         let share = self.share.map_or_else(|| "all".to_owned(), |share| share.to_string());
@@ -85,7 +81,7 @@ fn used(lengths: &[u16]) -> Vec<u16> {
 pub fn all() -> Vec<Image> {
     let database = database();
     let full = Image::new("full scene", &database[database.len() / 2], None);
-    let mut images = vec![full.in_color()];
+    let mut images = vec![Image { in_color: true, ..full }];
     for share in [1e-4, 1e-3, 1e-2] {
         let name = format!("median image within {share:e}");
         let median = of_cost(database.iter().map(|d| Image::new(&name, d, Some(share))), 0.5);
@@ -99,7 +95,7 @@ pub fn all() -> Vec<Image> {
     }
     let light: Vec<f32> = (0..9).map(|k| 3.5 / (1.0 + k as f32)).collect();
     let matte = coefficients(&light, &WHITE);
-    images.push(Image::new(MATTE, &matte, Some(1e-3)).in_color());
+    images.push(Image { in_color: true, ..Image::new(MATTE, &matte, Some(1e-3)) });
     let ambient = coefficients(&[3.5], &WHITE);
     images.push(Image::new("matte, ambient light, within 1e-3", &ambient, Some(1e-3)));
     images

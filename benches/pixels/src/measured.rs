@@ -24,7 +24,6 @@ pub struct Path {
     pub necessary: usize,
     /// Of what takes one number an instruction there is no limit here.
     pub vectors: bool,
-    /// Whether it makes pixels.
     pub pixels: bool,
     /// Nanoseconds of a pixel or a call, or the instructions in which it does all.
     pub found: f64,
@@ -80,7 +79,6 @@ impl Way {
         Self { path, run: Box::new(run) }
     }
 
-    /// One round.
     fn round(&mut self) {
         let (repeats, each) = if self.path.pixels { (4, PIXELS) } else { (500, 1) };
         let start = Instant::now();

@@ -9,7 +9,6 @@ use std::fmt::Write as _;
 
 /// What the page's marks call the tables.
 pub const TIMES: &str = "times";
-/// See [`TIMES`].
 pub const COUNTS: &str = "counts";
 
 fn named(Path { name, lengths, .. }: &Path) -> String {
@@ -34,7 +33,6 @@ fn processor() -> String {
     }
 }
 
-/// The table of instructions.
 pub fn of_counts(paths: &[Path]) -> String {
     let mut page = String::from(
         "| path: terms of azimuths 0, 1, ... | multiply-adds | limit, instructions | found | of the limit |\n\

@@ -95,12 +95,10 @@ pub(crate) fn structure<T: Declared>(fields: &[String]) -> String {
     format!("typedef {structure}{{ {fields}}} {};", structure.replace("struct ", "").trim())
 }
 
-/// Declares a function.
 pub(crate) fn function(name: &str, arguments: &[String]) -> String {
     format!("eigenshade_status eigenshade_{name}({});", arguments.join(", "))
 }
 
-/// Defines the type of statuses.
 fn statuses() -> Vec<String> {
     let mut names = String::new();
     for status in STATUSES {
@@ -118,7 +116,6 @@ fn statuses() -> Vec<String> {
     ]
 }
 
-/// The tone curves.
 fn displays() -> Vec<String> {
     let display = "struct eigenshade_display_t";
     let declare = |name: &&str| format!("extern const {display} eigenshade_display_{name};");

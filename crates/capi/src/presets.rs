@@ -138,7 +138,6 @@ macro_rules! displays {
             #[unsafe(export_name = concat!("eigenshade_display_", $name))]
             static $constant: Display = Display::new(Tone::$tone);
         )*
-        /// The names of the tone curves.
         #[cfg(test)]
         pub(crate) const DISPLAYS: &[&str] = &[$($name),*];
     };

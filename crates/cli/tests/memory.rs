@@ -46,7 +46,7 @@ fn white_png(size: u32) -> Vec<u8> {
     encoder.set_compression(Compression::Balanced);
     let mut writer = encoder.write_header().expect("a header");
     let mut stream = writer.stream_writer().expect("a stream");
-    let row = vec![255; 3 * size as usize];
+    let row = vec![255u8; 3 * size as usize];
     for _ in 0..size {
         stream.write_all(&row).expect("a row");
     }

@@ -9,7 +9,6 @@ use eigenshade::{Display, Exposure, Light, Normal, Rgb, Rotation, Tone, Window, 
 use eigenshade_cli::object::ObjectView;
 use eigenshade_cli::picture::SphereView;
 use eigenshade_cli::reading::pixels::{LinearImage, Transfer};
-
 use eigenshade_model::srgb::linear;
 use eigenshade_shading::shipped;
 use eigenshade_shading::sphere_rings::rings;

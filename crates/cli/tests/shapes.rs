@@ -212,7 +212,7 @@ fn matcaps_hold_the_scene() {
     let folder = Folder::new();
     let scene = lobby();
     let texels = Matcap::new(64).unwrap();
-    let peak = largest(texels.map(|texel| scene.shade(texel.normal()).largest().into()));
+    let peak = largest(texels.map(|texel| f64::from(scene.shade(texel.normal()).largest())));
     for (option, radius) in [
         ("--matcap", 1.0),
         ("--matcap=three", Matcap::THREE_JS),

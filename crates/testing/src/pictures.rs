@@ -81,16 +81,21 @@ impl Pictures {
 
     /// √w times the value of each mode: one row per normal, one column per mode.
     pub fn modes(&self, degree: usize, order: usize) -> DMatrix<f64> {
-        let modes: Vec<_> = light::indices(degree)
-            .flat_map(|(l, m)| material::indices(order).map(move |(o, p, q)| (l, m, o, p, q)))
-            .filter(|&(l, _, _, _, q)| q <= l)
-            .collect();
+        let modes = modes(degree, order);
         DMatrix::from_fn(self.normals.len(), modes.len(), |k, s| {
             let ([x, y, z], (l, m, o, p, q)) = (self.normals[k], modes[s]);
             let (alpha, beta) = (x.hypot(y).atan2(z), y.atan2(x));
             self.weights[k].sqrt() * irradiance::value(l, m, o, p, q, alpha, beta)
         })
     }
+}
+
+/// The modes (l, m, o, p, q), by light, then material.
+pub fn modes(degree: usize, order: usize) -> Vec<(usize, isize, usize, usize, usize)> {
+    light::indices(degree)
+        .flat_map(|(l, m)| material::indices(order).map(move |(o, p, q)| (l, m, o, p, q)))
+        .filter(|&(l, _, _, _, q)| q <= l)
+        .collect()
 }
 
 /// Normals of any length with weights of any scale.

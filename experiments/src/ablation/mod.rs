@@ -1,7 +1,5 @@
 //! The ablation: the cost of the ten scenes of `firmware/scenes`, each of which adds an effect or a
-//! requirement to the previous one, and the contribution of each effect.
-//!
-//! `experiments ablation` writes the generated parts of `docs/ablation.md`.
+//! requirement to the previous one, and the contribution of each effect, for `docs/ablation.md`.
 
 pub mod pictures;
 pub mod scenes;
@@ -21,10 +19,8 @@ use scenes::{SCENES, Scene, Size, Times};
 
 /// Allowed relative difference of the page's figures, which have two digits.
 const DIFFERENCE: f64 = 0.1;
-
 /// Errors on the page below this are f32 rounding and differ between hosts.
 const ROUNDING: f64 = 1e-6;
-
 pub const PAGE: Page = Page {
     name: "ablation",
     same: |_, old, new| {

@@ -40,7 +40,7 @@ const fn still(name: &'static str, title: &'static str, light: &'static str) -> 
 }
 
 const LEATHER: Scene = still("sun_leather", "sun on leather", "esplanade");
-
+const TURNING: Scene = Scene { channels: 3, turns: true, ..LEATHER };
 /// The scenes, in the order of the page.
 pub const SCENES: [Scene; 10] = [
     still("ambient_lambertian", "ambient on Lambertian", "sky"),
@@ -52,13 +52,7 @@ pub const SCENES: [Scene; 10] = [
     still("studio_velvet", "studio on velvet", "studio"),
     LEATHER,
     Scene { name: "sun_leather_color", title: "sun on leather in color", channels: 3, ..LEATHER },
-    Scene {
-        name: "sun_leather_turning",
-        title: "sun on leather in color, turning",
-        channels: 3,
-        turns: true,
-        ..LEATHER
-    },
+    Scene { name: "sun_leather_turning", title: "sun on leather in color, turning", ..TURNING },
 ];
 
 impl Scene {

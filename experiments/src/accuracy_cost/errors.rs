@@ -18,9 +18,6 @@ use eigenshade_testing::largest;
 use indicatif::ProgressBar;
 use std::path::Path;
 
-/// The share of the errors that [`Spread::most`] covers.
-const COVERED: f64 = 0.95;
-
 /// Of many errors relative to the peak.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Spread {
@@ -34,7 +31,7 @@ impl Spread {
     pub fn of(values: &[f64]) -> Self {
         let mut sorted = values.to_vec();
         sorted.sort_by(f64::total_cmp);
-        let rank = (COVERED * sorted.len() as f64).ceil() as usize;
+        let rank = (0.95 * sorted.len() as f64).ceil() as usize;
         let most = sorted.get(rank.saturating_sub(1)).copied().unwrap_or(0.0);
         // NaN comes last.
         let worst = sorted.last().copied().unwrap_or(0.0);

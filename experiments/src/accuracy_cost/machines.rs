@@ -122,9 +122,6 @@ impl Boards {
     }
 }
 
-/// Texels along a side of the module's map.
-const MAP: usize = 32;
-
 /// The tables that are put into modules.
 pub fn tables() -> Vec<Recipe> {
     let first = |count| Recipe::first(DEGREE, ORDER, count);
@@ -142,7 +139,7 @@ pub fn timed<'a>(table: &Recipe, all: &'a [Setting]) -> impl Iterator<Item = &'a
         Way::Polynomial => {
             setting.format != Format::F64 && setting == base.in_format(setting.format)
         }
-        way => way == Way::Bilinear(MAP) && setting == base.by(way),
+        way => way == Way::Bilinear(32) && setting == base.by(way),
     })
 }
 
@@ -208,11 +205,6 @@ pub fn is_choice(row: &Record) -> bool {
     row.text("parameter") != "mathematics"
 }
 
-/// Whether the total error of a setting is below a limit in 95 of 100 pictures.
-pub fn suffices(row: &Record, limit: f64) -> bool {
-    is_choice(row) && row.number("total_rms_most").is_some_and(|error| error <= limit)
-}
-
 /// The cheapest setting whose total error is below a limit. Times that differ by no more than
 /// [`TIE`] count as equal; among those, the setting with the least total error is chosen, then that
 /// with the least error of the method.
@@ -222,7 +214,9 @@ pub fn cheapest<'a>(
     lighting: Lighting,
     limit: f64,
 ) -> Option<&'a Record> {
-    let able = rows.iter().filter(|row| suffices(row, limit));
+    let able = rows.iter().filter(|row| {
+        is_choice(row) && row.number("total_rms_most").is_some_and(|error| error <= limit)
+    });
     let priced: Vec<(&Record, f64)> =
         able.filter_map(|row| picture(row, machine, lighting).map(|cost| (row, cost))).collect();
     let least = priced.iter().map(|(_, cost)| *cost).fold(f64::INFINITY, f64::min);

@@ -232,11 +232,8 @@ impl<S: Scalar + Into<f64> + Sync> Numbers for Floats<S> {
 
 /// The pixels of a map of 16 bits. A copy for each format of the scene would keep the compiler from
 /// inlining the look-up, which would distort its time.
-fn of_integers(
-    map: IntegerMap<Vec<i16>>,
-    normals: &[quantized::Normal<Q15>],
-) -> Box<dyn Pixels + '_> {
-    each(normals, map.exponent(), move |normal| map.bilinear(MapPoint::of_quantized(normal)))
+fn of_integers(map: IntegerMap<Vec<i16>>, at: &[quantized::Normal<Q15>]) -> Box<dyn Pixels + '_> {
+    each(at, map.exponent(), move |normal| map.bilinear(MapPoint::of_quantized(normal)))
 }
 
 /// Scales vectors with one implementation of mathematics.

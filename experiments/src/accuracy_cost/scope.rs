@@ -45,7 +45,7 @@ impl Scope {
         let seen = if order <= measured.order {
             measured.truncated(order)
         } else {
-            projected_orders(&ggx(&EVEN, &[0.04, 0.9])?, &[order]).remove(0)
+            projected(&ggx(&EVEN, &[0.04, 0.9])?, &[order]).remove(0)
         };
         Self::of(degree, seen)
     }
@@ -71,19 +71,19 @@ impl Scope {
         let highest = shipped::materials()?.order;
         let orders = sizes.iter().map(|&(_, order)| order).filter(|&order| order <= unseen);
         let (low, high): (Vec<usize>, Vec<usize>) = orders.partition(|&order| order <= highest);
-        let mut unseen = projected_orders(&ggx(&ROUGH, &[0.04, 0.9])?, &low);
+        let mut unseen = projected(&ggx(&ROUGH, &[0.04, 0.9])?, &low);
         let color = shipped::unseen_materials()?;
         for materials in &mut unseen {
             materials.entries.extend(color.truncated(materials.order).entries);
         }
         let mut between = ggx(&BETWEEN, &[0.04, 0.5])?;
         between.extend(measured()?);
-        unseen.extend(projected_orders(&between, &high));
+        unseen.extend(projected(&between, &high));
         let mut formulas = ggx(&EVEN, &[0.04, 0.9])?;
         formulas.extend(matte()?);
         let orders = sizes.iter().map(|&(_, order)| order);
         let beyond: Vec<usize> = orders.filter(|&order| order > highest).collect();
-        let formulas = projected_orders(&formulas, &beyond);
+        let formulas = projected(&formulas, &beyond);
         let of_order =
             |all: &[Materials], order| all.iter().find(|one| one.order == order).cloned();
         let of_size = |&(degree, order): &(usize, usize)| {
@@ -142,7 +142,6 @@ const MEASURED: [&str; 7] = [
     "fruitwood-241",
     "purple-paint",
 ];
-
 /// The window of the shipped coefficients in color, `material --window`.
 const WINDOW: Window<f64> = Window::SincFourth { width: 40.0 };
 
@@ -171,10 +170,7 @@ fn measured() -> Result<Vec<Surface>> {
     Ok(surfaces)
 }
 
-pub fn projected_orders<S: Borrow<Surface> + Sync>(
-    surfaces: &[S],
-    orders: &[usize],
-) -> Vec<Materials> {
+pub fn projected<S: Borrow<Surface> + Sync>(surfaces: &[S], orders: &[usize]) -> Vec<Materials> {
     let projected = parallel::map(surfaces.len(), &(), |k| {
         let surface: &Surface = surfaces[k].borrow();
         surface.project_orders(orders, Measure::Projected)

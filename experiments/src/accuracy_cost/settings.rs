@@ -156,7 +156,6 @@ const LOWER: [(usize, usize); 8] = [(1, 0), (2, 0), (2, 2), (3, 2), (4, 3), (5, 
 const HIGHER: [(usize, usize); 4] = [(12, 12), (16, 16), (24, 24), (32, 32)];
 /// The largest number of components that a basis beyond the shipped order keeps.
 const HIGH_COMPONENTS: usize = 400;
-
 const QUICK_SOURCES: usize = 4;
 
 /// A setting and the parameter that it varies, by its name in the file.

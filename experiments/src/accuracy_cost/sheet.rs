@@ -1,6 +1,5 @@
 //! The CSV files, in which a row is a [`Record`] from its measurement to the charts, and their
-//! comparison with fresh errors, bytes and counted instructions. Times, and anything that depends
-//! on them, are not compared.
+//! comparison with fresh errors, bytes and counts, but not times or what depends on them.
 
 use crate::figures::{Figures, OutputFile};
 use crate::sheet::{Form, Record, read};
@@ -8,7 +7,6 @@ use eigenshade_model::error::{Error, Result};
 use std::path::Path;
 
 pub const FIGURES: Figures = Figures { command: "accuracy-cost", folder: "", is_exact: true };
-
 /// The settings: errors of the method (`unseen_` over materials that the basis never saw), the
 /// error of the model, the total error over all its pictures, bytes, times, and costs on each
 /// machine.

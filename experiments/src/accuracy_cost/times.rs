@@ -95,9 +95,6 @@ pub fn hemisphere(count: usize) -> Vec<[f64; 3]> {
 /// The number of components where it is fixed.
 const COMPONENTS: usize = 50;
 const ROUNDS: usize = 15;
-/// Width and height in texels of the maps whose number grows.
-const MAP: (usize, usize) = (64, 32);
-
 /// The quantities that grow: three of a table, then three to which all measures are proportional.
 pub const QUANTITIES: [&str; 6] = ["degree", "order", "components", "materials", "pixels", "maps"];
 /// Bytes of a table, with their exponents in theory against its degree, order and components.
@@ -224,7 +221,7 @@ pub fn rows(quick: bool, timed: bool) -> Result<Vec<Record>> {
     let names = ["pixels", "a picture's f32", "shading"];
     rows.extend(proportional(names, size_of::<f32>(), sizes, timed, pixels)?);
 
-    let (width, height) = MAP;
+    let (width, height) = (64, 32);
     let texels = (0..width * height).map(|k| [1.0 + (k % 7) as f32, 1.0, (k % 3) as f32]);
     let map = &EnvironmentMap::new(width, height, texels.collect())?;
     let maps = |count| -> Result<Work<'_>> {

@@ -99,7 +99,8 @@ impl Errors {
                     ));
                     let [middle, most] = [middle, most].map(|error| format!("{error:.6}"));
                     let found = fields(&[name, &degree, &order, &components, &middle, &most, map]);
-                    let of_run = fields(&[&reference.normals(), &stamp.scene, &stamp.energy]);
+                    let normals = reference.sphere.normals.len();
+                    let of_run = fields(&[&normals, &stamp.scene, &stamp.energy]);
                     rows.row([found, of_run].concat())
                 };
                 let components = table.count().to_string();

@@ -44,7 +44,6 @@ const GAP: usize = 8;
 const BACKGROUND: [u8; 3] = [32; 3];
 /// The share of the reference's values that its exposure leaves unclipped.
 const UNCLIPPED: f64 = 0.995;
-
 const LIGHTS: [&str; 3] = ["studio", "sunset", "night"];
 const MATERIALS: [&str; 3] = ["gold-metallic-paint", "blue-metallic-paint", "yellow-phenolic"];
 

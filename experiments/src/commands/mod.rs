@@ -1,7 +1,6 @@
 //! The commands. Those with many options are structs in files of their own.
 
 mod errors;
-mod figures;
 mod files;
 mod highlights;
 mod pictures;
@@ -57,7 +56,7 @@ pub enum Command {
     /// All presets, docs/presets.png: the materials in the lobby with one exposure, then the lights
     /// on gold paint, each with a window and its own exposure
     ContactSheet(OutputFile),
-    AccuracyCost(figures::AccuracyCost),
+    AccuracyCost(files::AccuracyCost),
     /// Cost and contribution of each effect, docs/ablation.md; times are not compared
     Ablation(Purpose),
     /// The numerically hard cases, measured, docs/stability.md
@@ -146,7 +145,7 @@ pub enum Command {
 impl Command {
     pub fn run(self) -> Result<()> {
         match self {
-            Self::Paper(purpose) => figures::paper(&purpose),
+            Self::Paper(purpose) => files::paper(&purpose),
             Self::Picture { file, table } => pictures::spheres(&file.out, &table),
             Self::ContactSheet(file) => pictures::contact_sheet(&file.out),
             Self::AccuracyCost(command) => command.run(),

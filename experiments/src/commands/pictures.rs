@@ -19,13 +19,10 @@ use std::path::Path;
 /// Width of a sphere and of the gap beside it, in pixels.
 const SIZE: usize = 168;
 const GAP: usize = 12;
-
 /// The share of a row's values that its exposure leaves unclipped.
 const UNCLIPPED: f64 = 0.985;
-
 /// The light of each row.
 const LIGHTS: [&str; 2] = ["esplanade", "workshop"];
-
 /// The roughness, and for each channel the reflectance at normal incidence and the diffuse albedo.
 const MATERIALS: [(f64, [f64; 3], [f64; 3]); 5] = [
     (0.5, [1.0, 0.77, 0.34], [0.0; 3]),

@@ -1,6 +1,5 @@
-//! Section 4.4: the direct sum rendered to a stated accuracy, with the terms of the least variance
-//! left out, and the error bound that follows from their variances: statistics over all images, and
-//! rendered spheres.
+//! Section 4.4: the direct sum to a stated accuracy, without the terms of the least variance, and
+//! the error bound that follows from their variances: over all images, and for rendered spheres.
 
 use super::partial_sum::{PartialSum, Step};
 use super::plate::{Plate, UNCLIPPED, gray};
@@ -18,7 +17,6 @@ use plotters::prelude::SeriesLabelPosition;
 const ACCURACIES: [f64; 6] = [0.3, 0.1, 1e-2, 1e-3, 1e-4, 1e-6];
 /// Light and material of the image whose errors are drawn.
 const DRAWN: (&str, &str) = ("studio", "05-leather");
-
 /// The stated accuracies of the rendered spheres.
 const RENDERED: [f64; 4] = [0.1, 0.03, 0.01, 0.003];
 /// Width of each sphere in pixels.
@@ -116,15 +114,10 @@ fn chart(study: &Study) -> Result<String> {
         ("root of the summed variances", Style::Dashed, course(|step| step.uncorrelated)),
         ("error", Style::Line, course(|step| step.error)),
     ];
-    Chart {
-        titles: ["terms summed, the strongest first", "rms left out, of the mean"].map(Into::into),
-        // Slightly lower, so that the last power of ten gets its label.
-        axes: Axes::Percent { columns: 0.0..3704.0, rows: 0.99e-6..10.0, labels: 8 },
-        legend: SeriesLabelPosition::LowerLeft,
-        series: colored(series),
-        labels: vec![],
-    }
-    .svg()
+    let titles = ["terms summed, the strongest first", "rms left out, of the mean"];
+    // Slightly lower, so that the last power of ten gets its label.
+    let axes = Axes::Percent { columns: 0.0..3704.0, rows: 0.99e-6..10.0, labels: 8 };
+    Chart::new(titles, axes, SeriesLabelPosition::LowerLeft, colored(series)).svg()
 }
 
 pub struct Rendered {

@@ -20,13 +20,12 @@ pub const SCALE: f64 = 3.0;
 const LISTED: usize = 100;
 
 pub fn files(study: &Study) -> Result<Vec<OutputFile>> {
-    let mut files = Vec::new();
-    for modes in Modes::BOTH {
+    let of = |modes: Modes| {
         let table = &study.tables[place(Criterion::ImageCentered, modes)];
-        files.push(plate(&format!("eigenimages{}.png", modes.suffix()), table)?);
-        files.push(sheet(&format!("eigenimages{}.csv", modes.suffix()), table)?);
-    }
-    Ok(files)
+        let name = format!("eigenimages{}", modes.suffix());
+        [plate(&format!("{name}.png"), table), sheet(&format!("{name}.csv"), table)]
+    };
+    Modes::BOTH.into_iter().flat_map(of).collect()
 }
 
 fn sheet(name: &str, table: &Table) -> Result<OutputFile> {

@@ -152,14 +152,9 @@ fn points(errors: &[f64]) -> Points {
 }
 
 fn chart(series: Vec<Series>) -> Result<String> {
-    Chart {
-        titles: ["components", "mean error: variance left"].map(Into::into),
-        axes: Axes::Percent { columns: 0.0..SHOWN as f64, rows: 1e-5..3.0, labels: 11 },
-        legend: SeriesLabelPosition::UpperRight,
-        series,
-        labels: vec![],
-    }
-    .svg()
+    let titles = ["components", "mean error: variance left"];
+    let axes = Axes::Percent { columns: 0.0..SHOWN as f64, rows: 1e-5..3.0, labels: 11 };
+    Chart::new(titles, axes, SeriesLabelPosition::UpperRight, series).svg()
 }
 
 /// The cost of the paper's truncation to the 1,000 modes of the highest variance: how many modes

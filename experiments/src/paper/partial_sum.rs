@@ -58,8 +58,7 @@ impl<'a> PartialSum<'a> {
     /// empty selects all. Modes that are not selected are left out of every sum.
     pub fn new(gram: &'a GramFactor, kept: &[bool]) -> Self {
         let azimuths = 0..=gram.degree;
-        let columns: Vec<Vec<Vec<f64>>> =
-            azimuths.clone().map(|azimuth| gram.columns(azimuth)).collect();
+        let columns: Vec<_> = azimuths.clone().map(|azimuth| gram.columns(azimuth)).collect();
         let norm = |column: &Vec<f64>| column.iter().map(|a| a * a).sum::<f64>().sqrt();
         let keeps = |azimuth| {
             mode::indices(gram.degree, gram.order, azimuth)

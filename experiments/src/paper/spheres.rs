@@ -74,18 +74,14 @@ pub fn files(study: &Study) -> Result<Vec<OutputFile>> {
 
 /// The normals whose irradiances are listed, by y from the top, then by x.
 fn grid() -> Vec<[f64; 3]> {
-    let mut normals = Vec::new();
-    for row in (-STEPS..=STEPS).rev() {
-        for column in -STEPS..=STEPS {
-            let hidden = STEPS * STEPS - row * row - column * column;
-            if hidden >= 0 {
-                let scale = f64::from(STEPS).recip();
-                let z = scale * f64::from(hidden).sqrt();
-                normals.push([scale * f64::from(column), scale * f64::from(row), z]);
-            }
-        }
-    }
-    normals
+    let rows = (-STEPS..=STEPS).rev();
+    let places = rows.flat_map(|y| (-STEPS..=STEPS).map(move |x| (x, y)));
+    let normal = |(x, y): (i32, i32)| {
+        let hidden = STEPS * STEPS - x * x - y * y;
+        let normal = [f64::from(x), f64::from(y), f64::from(hidden).sqrt()];
+        (hidden >= 0).then(|| normal.map(|one| f64::from(STEPS).recip() * one))
+    };
+    places.filter_map(normal).collect()
 }
 
 /// The mean irradiance in r, g and b; the peak in any channel and its slant in degrees; the least

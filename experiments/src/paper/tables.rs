@@ -26,158 +26,149 @@ impl Sheet {
 }
 
 /// The CSV files from which the tables get their numbers.
-struct Sheets(BTreeMap<String, Sheet>);
+type Sheets = BTreeMap<String, Sheet>;
 
-impl Sheets {
-    fn read(&self, name: &str) -> Sheet {
-        self.0[name].clone()
-    }
-
-    fn variance(&self) -> Table {
-        let of = |&(_, degree, name): &(usize, usize, &str)| {
-            let sheet = self.read("variance_beyond").only("surface", name);
-            let (modes, beyond) = (sheet.numbers("modes"), sheet.numbers("beyond"));
-            [degree as f64, modes[degree], beyond[degree], beyond[degree - 1]]
-        };
-        let numbers: Vec<[f64; 4]> = SURFACES.iter().map(of).collect();
-        let column = |k: usize| numbers.iter().map(|row| row[k]).collect();
-        Table::new("surface", SURFACES.map(|(_, _, name)| name.to_owned()))
-            .column("l up to", column(0), count)
-            .column("modes", column(1), count)
-            .column("variance beyond", column(2), percent)
-            .column("beyond one degree less", column(3), percent)
-    }
-
-    fn spheres(&self) -> Table {
-        let [whole, selected] = Modes::BOTH.map(|modes| self.read("spheres").of(modes));
-        Table::new("sphere", pairs(&whole))
-            .column("slant of the brightest point", whole.numbers("slant_of_peak"), degrees)
-            .column("negative", whole.numbers("share_below_zero"), percent)
-            .column("negative, 1,000 modes", selected.numbers("share_below_zero"), percent)
-            .column("rms difference, 1,000 modes", selected.numbers("rms_off_of_peak"), percent)
-            .column("error, 1,000 modes", selected.numbers("error"), percent)
-    }
-
-    fn errors(&self) -> Table {
-        let sheet = self.read("error");
-        let column = |name: &str| at(&sheet.numbers(name), &COUNTS);
-        Table::new("components", COUNTS.map(|count| count.to_string()))
-            .column("image-centered", column("image_centered"), percent)
-            .column("standard", column("standard"), percent)
-            .column("image-centered, 1,000 modes", column("image_centered_1000"), percent)
-            .column("standard, 1,000 modes", column("standard_1000"), percent)
-    }
-
-    /// The errors of each material under the lights as captured, and under rotated lights.
-    fn poses(&self) -> [Sheet; 2] {
-        let captured = self.read("error_by_material").of(Modes::All);
-        [captured.only("criterion", "image-centered"), self.read("error_rotated")]
-    }
-
-    fn components(&self) -> Table {
-        let [sheet, _] = self.poses();
-        let counts = |limit: f64| -> Vec<f64> {
-            let names = sheet.columns[3..].iter();
-            let mut counts: Vec<f64> =
-                names.map(|name| needed(&sheet.numbers(name), limit) as f64).collect();
-            counts.sort_by(f64::total_cmp);
-            counts
-        };
-        let sorted = LIMITS.map(counts);
-        let (middle, last) = (sorted[0].len() / 2, sorted[0].len() - 1);
-        let at = |place: usize| sorted.iter().map(|counts| counts[place]).collect();
-        let of = |name| LIMITS.map(|limit| needed(&sheet.numbers(name), limit) as f64).into();
-        Table::new("mean error within", LIMITS.map(limit))
-            .column("fewest", at(0), count)
-            .column("median", at(middle), count)
-            .column("most", at(last), count)
-            .column("velvet", of("07-velvet"), count)
-            .column("leather", of("05-leather"), count)
-    }
-
-    fn rotations(&self) -> Table {
-        let poses = self.poses();
-        let mean = [self.read("error").numbers("image_centered"), poses[1].numbers("all")];
-        let of = |pose: usize| {
-            let (sheet, mean) = (&poses[pose], &mean[pose]);
-            let error = |name| percent(sheet.numbers(name)[5]);
-            let within = |count: usize| {
-                let names = sheet.columns.iter().filter(|name| name.contains('-'));
-                names.filter(|name| sheet.numbers(name)[count] <= REPRESENTED).count().to_string()
-            };
-            let named = ["07-velvet", "05-leather", "11-plaster-b"].map(error);
-            let all = [percent(mean[5])].into_iter().chain(named);
-            all.chain([5, 6, 8, 10].map(within)).collect::<Vec<_>>()
-        };
-        let names = ["all materials", "velvet", "leather", "plaster b"];
-        let names = names.map(|name| format!("error with 5 components, {name}"));
-        let counts = [5, 6, 8, 10].map(|k| format!("materials within 10 % with {k} components"));
-        Table::new("", names.into_iter().chain(counts))
-            .texts("lights as captured", of(0))
-            .texts("lights rotated every way", of(1))
-    }
-
-    fn reconstruction(&self) -> Table {
-        let column = |material: &str, column: &str| {
-            let sheet = self.read("reconstruction").of(Modes::All).only("material", material);
-            at(&sheet.numbers(column), &RECONSTRUCTED)
-        };
-        Table::new("components", RECONSTRUCTED.map(|count| count.to_string()))
-            .column("velvet, forest: error", column("07-velvet", "error"), percent)
-            .column("its brightest point", column("07-velvet", "brightest"), percent)
-            .column("leather, studio: error", column("05-leather", "error"), percent)
-            .column("its brightest point", column("05-leather", "brightest"), percent)
-    }
-
-    fn bound(&self) -> Table {
-        let [all, selected] = Modes::BOTH.map(|modes| self.read("bound").of(modes));
-        Table::new("accuracy", all.numbers("accuracy").into_iter().map(limit))
-            .column("terms: fewest", all.numbers("least_terms"), count)
-            .column("median", all.numbers("median_terms"), count)
-            .column("most", all.numbers("most_terms"), count)
-            .column("sufficient, median", all.numbers("sufficient_terms"), count)
-            .column("largest error", all.numbers("largest_error"), percent)
-            .column("error / bound, largest", all.numbers("largest_error_over_bound"), ratio)
-            .column("above the uncorrelated sum", all.numbers("exceeding_uncorrelated"), percent)
-            .column("images that 1,000 modes reach", selected.numbers("images"), count)
-    }
-
-    fn bound_spheres(&self) -> Table {
-        let sheet = self.read("bound_spheres");
-        Table::new("sphere", pairs(&sheet))
-            .column("stated", sheet.numbers("accuracy"), limit)
-            .column("terms", sheet.numbers("terms"), count)
-            .column("bound", sheet.numbers("bound"), percent)
-            .column("error", sheet.numbers("error"), percent)
-            .column("error over pixels", sheet.numbers("pixel_error"), percent)
-            .column("largest pixel", sheet.numbers("largest_pixel_error"), percent)
-    }
+fn variance(sheets: &Sheets) -> Table {
+    let of = |&(_, degree, name): &(usize, usize, &str)| {
+        let sheet = sheets["variance_beyond"].clone().only("surface", name);
+        let (modes, beyond) = (sheet.numbers("modes"), sheet.numbers("beyond"));
+        [degree as f64, modes[degree], beyond[degree], beyond[degree - 1]]
+    };
+    let numbers: Vec<[f64; 4]> = SURFACES.iter().map(of).collect();
+    let column = |k: usize| numbers.iter().map(|row| row[k]).collect();
+    Table::new("surface", SURFACES.map(|(_, _, name)| name.to_owned()))
+        .column("l up to", column(0), count)
+        .column("modes", column(1), count)
+        .column("variance beyond", column(2), percent)
+        .column("beyond one degree less", column(3), percent)
 }
 
-type Made = fn(&Sheets) -> Table;
+fn spheres(sheets: &Sheets) -> Table {
+    let [whole, selected] = Modes::BOTH.map(|modes| sheets["spheres"].clone().of(modes));
+    Table::new("sphere", pairs(&whole))
+        .column("slant of the brightest point", whole.numbers("slant_of_peak"), degrees)
+        .column("negative", whole.numbers("share_below_zero"), percent)
+        .column("negative, 1,000 modes", selected.numbers("share_below_zero"), percent)
+        .column("rms difference, 1,000 modes", selected.numbers("rms_off_of_peak"), percent)
+        .column("error, 1,000 modes", selected.numbers("error"), percent)
+}
+
+fn errors(sheets: &Sheets) -> Table {
+    let sheet = &sheets["error"];
+    let column = |name: &str| at(&sheet.numbers(name), &COUNTS);
+    Table::new("components", COUNTS.map(|count| count.to_string()))
+        .column("image-centered", column("image_centered"), percent)
+        .column("standard", column("standard"), percent)
+        .column("image-centered, 1,000 modes", column("image_centered_1000"), percent)
+        .column("standard, 1,000 modes", column("standard_1000"), percent)
+}
+
+/// The errors of each material under the lights as captured, and under rotated lights.
+fn poses(sheets: &Sheets) -> [Sheet; 2] {
+    let captured = sheets["error_by_material"].clone().of(Modes::All);
+    [captured.only("criterion", "image-centered"), sheets["error_rotated"].clone()]
+}
+
+fn components(sheets: &Sheets) -> Table {
+    let [sheet, _] = poses(sheets);
+    let counts = |limit: f64| -> Vec<f64> {
+        let names = sheet.columns[3..].iter();
+        let mut counts: Vec<f64> =
+            names.map(|name| needed(&sheet.numbers(name), limit) as f64).collect();
+        counts.sort_by(f64::total_cmp);
+        counts
+    };
+    let sorted = LIMITS.map(counts);
+    let (middle, last) = (sorted[0].len() / 2, sorted[0].len() - 1);
+    let at = |place: usize| sorted.iter().map(|counts| counts[place]).collect();
+    let of = |name| LIMITS.map(|limit| needed(&sheet.numbers(name), limit) as f64).into();
+    Table::new("mean error within", LIMITS.map(limit))
+        .column("fewest", at(0), count)
+        .column("median", at(middle), count)
+        .column("most", at(last), count)
+        .column("velvet", of("07-velvet"), count)
+        .column("leather", of("05-leather"), count)
+}
+
+fn rotations(sheets: &Sheets) -> Table {
+    let poses = poses(sheets);
+    let mean = [sheets["error"].numbers("image_centered"), poses[1].numbers("all")];
+    let of = |pose: usize| {
+        let (sheet, mean) = (&poses[pose], &mean[pose]);
+        let error = |name| percent(sheet.numbers(name)[5]);
+        let within = |count: usize| {
+            let names = sheet.columns.iter().filter(|name| name.contains('-'));
+            names.filter(|name| sheet.numbers(name)[count] <= REPRESENTED).count().to_string()
+        };
+        let named = ["07-velvet", "05-leather", "11-plaster-b"].map(error);
+        let all = [percent(mean[5])].into_iter().chain(named);
+        all.chain([5, 6, 8, 10].map(within)).collect::<Vec<_>>()
+    };
+    let names = ["all materials", "velvet", "leather", "plaster b"];
+    let names = names.map(|name| format!("error with 5 components, {name}"));
+    let counts = [5, 6, 8, 10].map(|k| format!("materials within 10 % with {k} components"));
+    Table::new("", names.into_iter().chain(counts))
+        .texts("lights as captured", of(0))
+        .texts("lights rotated every way", of(1))
+}
+
+fn reconstruction(sheets: &Sheets) -> Table {
+    let column = |material: &str, column: &str| {
+        let sheet = sheets["reconstruction"].clone().of(Modes::All).only("material", material);
+        at(&sheet.numbers(column), &RECONSTRUCTED)
+    };
+    Table::new("components", RECONSTRUCTED.map(|count| count.to_string()))
+        .column("velvet, forest: error", column("07-velvet", "error"), percent)
+        .column("its brightest point", column("07-velvet", "brightest"), percent)
+        .column("leather, studio: error", column("05-leather", "error"), percent)
+        .column("its brightest point", column("05-leather", "brightest"), percent)
+}
+
+fn bound(sheets: &Sheets) -> Table {
+    let [all, selected] = Modes::BOTH.map(|modes| sheets["bound"].clone().of(modes));
+    Table::new("accuracy", all.numbers("accuracy").into_iter().map(limit))
+        .column("terms: fewest", all.numbers("least_terms"), count)
+        .column("median", all.numbers("median_terms"), count)
+        .column("most", all.numbers("most_terms"), count)
+        .column("sufficient, median", all.numbers("sufficient_terms"), count)
+        .column("largest error", all.numbers("largest_error"), percent)
+        .column("error / bound, largest", all.numbers("largest_error_over_bound"), ratio)
+        .column("above the uncorrelated sum", all.numbers("exceeding_uncorrelated"), percent)
+        .column("images that 1,000 modes reach", selected.numbers("images"), count)
+}
+
+fn bound_spheres(sheets: &Sheets) -> Table {
+    let sheet = &sheets["bound_spheres"];
+    Table::new("sphere", pairs(sheet))
+        .column("stated", sheet.numbers("accuracy"), limit)
+        .column("terms", sheet.numbers("terms"), count)
+        .column("bound", sheet.numbers("bound"), percent)
+        .column("error", sheet.numbers("error"), percent)
+        .column("error over pixels", sheet.numbers("pixel_error"), percent)
+        .column("largest pixel", sheet.numbers("largest_pixel_error"), percent)
+}
 
 /// The tables, by the names of their markers in the page.
-const TABLES: [(&str, Made); 8] = [
-    ("variance", Sheets::variance),
-    ("spheres", Sheets::spheres),
-    ("errors", Sheets::errors),
-    ("components", Sheets::components),
-    ("rotations", Sheets::rotations),
-    ("reconstruction", Sheets::reconstruction),
-    ("bound", Sheets::bound),
-    ("bound spheres", Sheets::bound_spheres),
+const TABLES: [(&str, fn(&Sheets) -> Table); 8] = [
+    ("variance", variance),
+    ("spheres", spheres),
+    ("errors", errors),
+    ("components", components),
+    ("rotations", rotations),
+    ("reconstruction", reconstruction),
+    ("bound", bound),
+    ("bound spheres", bound_spheres),
 ];
 
 /// The generated parts of the page, from the figures' files.
 pub fn parts(files: &[OutputFile]) -> Result<Vec<Part>> {
-    let mut sheets = BTreeMap::new();
+    let mut sheets = Sheets::new();
     for file in files {
         let name = file.name.trim_start_matches(FIGURES.folder).strip_suffix(".csv");
         if let (Some(name), Content::Text(text)) = (name, &file.content) {
             sheets.insert(name.to_owned(), Sheet::parse(text, &file.name)?);
         }
     }
-    let sheets = Sheets(sheets);
     Ok(TABLES.iter().map(|(name, made)| (*name, made(&sheets).text())).collect())
 }
 

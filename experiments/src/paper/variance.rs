@@ -91,15 +91,10 @@ impl Variance {
             series.push(Series::new(name, Style::Line, color, points));
             series.push(Series::new("", Style::Dots, color, dot));
         }
-        Chart {
-            titles: ["light up to degree l", "share of the variance beyond"].map(Into::into),
-            // Slightly lower, so that the last power of ten gets its label.
-            axes: Axes::Percent { columns: 0.0..8.0, rows: 0.99e-4..1.0, labels: 9 },
-            legend: SeriesLabelPosition::LowerLeft,
-            series,
-            labels: vec![],
-        }
-        .svg()
+        let titles = ["light up to degree l", "share of the variance beyond"];
+        // Slightly lower, so that the last power of ten gets its label.
+        let axes = Axes::Percent { columns: 0.0..8.0, rows: 0.99e-4..1.0, labels: 9 };
+        Chart::new(titles, axes, SeriesLabelPosition::LowerLeft, series).svg()
     }
 
     /// The map of all modes, with the three surfaces outlined and a logarithmic color scale.

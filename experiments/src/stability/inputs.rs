@@ -1,6 +1,5 @@
-//! Difficult inputs of users: maps with a sun and of odd sizes, normals of 8 bits and behind the
-//! rim, a sun, and a light that rings. Images of the shipped table are compared with its sums in
-//! f64, component by component.
+//! Difficult inputs: maps with a sun and of odd sizes, normals of 8 bits and behind the rim, a sun,
+//! and a light that rings. Images of the shipped table are compared with its sums in f64.
 
 use super::{Figure, exactly, least, most, tight};
 use crate::numbers::median;

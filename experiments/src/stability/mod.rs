@@ -1,8 +1,5 @@
-//! The numerically hard cases: the error measured against an oracle, and what a naive method would
-//! give.
-//!
-//! `experiments stability` checks every bound and writes the figures to `docs/stability.md`, which
-//! also describes each case.
+//! The numerically hard cases, which `docs/stability.md` describes: the error measured against an
+//! oracle, and what a naive method would give. `experiments stability` checks every bound.
 
 use crate::pages::{Page, Part, same_word, table};
 use eigenshade_testing::largest;
@@ -56,7 +53,6 @@ fn exactly(what: impl Into<String>, found: usize, bound: usize) -> Figure {
 
 /// A case's name on the page, and what measures its figures.
 type Case = (&'static str, fn() -> Vec<Figure>);
-
 /// All cases, in the order of the page.
 const CASES: &[Case] = &[
     ("special functions to degree 64", degrees::functions),
@@ -91,14 +87,11 @@ const CASES: &[Case] = &[
     ("a sun, by every method", inputs::sun),
     ("light from one direction, by every method", inputs::delta),
 ];
-
 /// Factor by which a figure on the page may differ from one measured now: errors are a few last
 /// bits, which depend on a host's library and vector width.
 const PAGE_FACTOR: f64 = 8.0;
-
 /// Errors on the page below this may be zero on another host.
 const PAGE_ROUNDING: f64 = 1e-13;
-
 pub const PAGE: Page = Page {
     name: "stability",
     same: |_, old, new| {

@@ -41,7 +41,6 @@ pub(super) fn root() -> Vec<Figure> {
 
 /// The ranks of the paper's modes in exact arithmetic for |m| = 0..9.
 const EXACT: [usize; 10] = [25, 25, 24, 23, 22, 21, 20, 19, 17, 14];
-
 /// The ranks that f64 resolves above a share of the largest singular value.
 const RESOLVED: [(f64, [usize; 10]); 3] = [
     (1e-7, [13, 13, 12, 12, 11, 10, 10, 9, 8, 7]),

@@ -1,6 +1,5 @@
-//! `experiments accuracy-cost`: its errors, its choices, and the floor of a truncation, which
-//! estimates the error of a table's components from an image's own coefficients, here for materials
-//! that the table never saw.
+//! `experiments accuracy-cost`: its errors, its choices, and the floor of a truncation, an estimate
+//! from an image's own coefficients, for materials that the table never saw.
 
 use crate::support::repository;
 use crate::{oracle, tolerances};
@@ -30,7 +29,6 @@ mod total;
 
 /// The error of the nine-term formula for what it is exact for: roundings of f32.
 const COST_ROUNDING: f64 = 1e-6;
-
 /// The rms of a setting's error on other normals, relative: a thousand rings' normals against two
 /// thousand spread evenly, with an error that stands at the rim.
 const COST_NORMALS: f64 = 0.05;
@@ -219,7 +217,6 @@ fn boards_have_rows_for_moving_light() {
 const FLOOR: [f64; 3] = [1.1, 3.1, 8.0];
 /// The same for materials in color.
 const FLOOR_IN_COLOR: [f64; 3] = [1.1, 1.6, 2.8];
-
 /// The median and the worst of the errors in per cent that `docs/accuracy.md` states.
 const STATED: [&str; 2] = ["1.20", "11.1"];
 

@@ -19,10 +19,8 @@ use indicatif::ProgressBar;
 /// Medians and 95th percentiles of an rms at normals 1.4 times as far apart, as a factor: half as
 /// many normals meet other parts of the highlights.
 const OF_SPACING: f64 = 1.1;
-
 /// The split sum under white light, of the peak: both integrate one lobe over the same texels.
 const OF_WHITE: f64 = 1e-6;
-
 /// A matcap of a matte sphere against direct integration, of the peak, where no texel is outside
 /// the disc: bilinear look-ups err by an eighth of a texel's square times the curvature.
 const OF_MATCAP: f64 = 2e-3;

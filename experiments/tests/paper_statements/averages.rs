@@ -25,10 +25,8 @@ use std::f64::consts::PI;
 
 /// A mean over the rotations of a light against (38), relative: roundings of some thousand terms.
 const MEAN_OVER_ROTATIONS: f64 = 1e-13;
-
 /// The allowed violation of the bound by rounding, relative to the image's mean.
 const BOUND_ROUNDING: f64 = 1e-13;
-
 /// The number of rings of equal area at which a profile is sampled.
 const RINGS: u32 = 2000;
 

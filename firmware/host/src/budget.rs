@@ -49,15 +49,11 @@ fn over(rows: &[Row], budgets: &[Row]) -> Vec<String> {
 const MAX_PROJECTIONS: u64 = 3;
 
 fn expensive(rows: &[Row]) -> Vec<String> {
-    let counted = |board: &str, operation: &str| {
-        let is_it = |row: &&Row| row.key == [board, operation, "f32"];
-        rows.iter().find(is_it).and_then(|row| row.numbers[0])
-    };
     let boards = rows.iter().filter(|row| row.key[1] == "collapse_within").map(|row| &row.key[0]);
     let mut faults = Vec::new();
     for board in boards {
-        let [Some(within), Some(project)] =
-            ["collapse_within", "project"].map(|operation| counted(board, operation))
+        let [Some(within), Some(project)] = ["collapse_within", "project"]
+            .map(|name| row::instructions(rows, [board, name, "f32"]))
         else {
             faults.push(format!("{board}: project or collapse_within was not measured"));
             continue;

@@ -18,7 +18,6 @@ pub struct Sizes {
     pub initialized: u64,
 }
 
-/// A linked program.
 pub struct Linked {
     pub sizes: Sizes,
     /// Names of all functions and statics, demangled.
@@ -26,7 +25,6 @@ pub struct Linked {
 }
 
 impl Linked {
-    /// Reads a program.
     pub fn read(path: &Path) -> Result<Self> {
         let fault = |error: &dyn std::fmt::Display| format!("{}: {error}", path.display());
         let bytes = std::fs::read(path).map_err(|error| fault(&error))?;
@@ -64,17 +62,22 @@ impl Linked {
     }
 }
 
-/// A forbidden kind of symbol, and whether a name belongs to it.
-type Gate = (&'static str, fn(&str) -> bool);
-
-const GATES: [Gate; 4] = [
-    ("panic machinery", is_panic),
-    ("core::fmt", is_formatting),
-    ("a heap", is_heap),
+/// The forbidden kinds of symbols, and whether a name belongs to them.
+const GATES: [(&str, fn(&str) -> bool); 4] = [
+    ("panic machinery", |name| has(name, &PANIC)),
+    ("core::fmt", |name| name.contains("core::fmt")),
+    ("a heap", |name| has(name, &HEAP)),
     ("arithmetic in f64", is_f64),
 ];
+const PANIC: [&str; 4] =
+    ["core::panicking", "rust_begin_unwind", "panic_handler", "a_panic_can_be_reached"];
+const HEAP: [&str; 5] =
+    ["__rust_alloc", "__rust_no_alloc_shim", "GlobalAlloc", "malloc", "alloc::alloc"];
 
-/// Checks a program.
+fn has(name: &str, parts: &[&str]) -> bool {
+    parts.iter().any(|part| name.contains(part))
+}
+
 pub fn check(board: Board, program: &str, linked: &Linked) -> Result<()> {
     let fault = |what: &str, found: &str| {
         Err(format!("{program} on {}: {what} is linked: {found}", board.name))
@@ -92,22 +95,6 @@ pub fn check(board: Board, program: &str, linked: &Linked) -> Result<()> {
         0 => Ok(()),
         bytes => fault(".data", &format!("{bytes} bytes; make the statics constant or zero")),
     }
-}
-
-fn is_panic(name: &str) -> bool {
-    ["core::panicking", "rust_begin_unwind", "panic_handler", "a_panic_can_be_reached"]
-        .iter()
-        .any(|part| name.contains(part))
-}
-
-fn is_formatting(name: &str) -> bool {
-    name.contains("core::fmt")
-}
-
-fn is_heap(name: &str) -> bool {
-    ["__rust_alloc", "__rust_no_alloc_shim", "GlobalAlloc", "malloc", "alloc::alloc"]
-        .iter()
-        .any(|part| name.contains(part))
 }
 
 /// The last segment of a path.

@@ -53,9 +53,8 @@ pub fn write() -> Result<()> {
     Ok(())
 }
 
-/// The pages with the recorded counts.
 fn pages() -> Result<Vec<(&'static str, String)>> {
-    let (_, rows) = row::recorded()?;
+    let (_, rows) = row::read(row::RECORD)?;
     let mut pages = Vec::new();
     for (path, formats) in PAGES {
         let table = if formats.is_empty() { short(&rows) } else { table(&rows, formats) };
@@ -103,8 +102,7 @@ fn frames(rows: &[Row]) -> String {
             "| {chip}, {megahertz} MHz, {} |",
             if format == "f32" { "f32" } else { "Q15" }
         );
-        let row = rows.iter().find(|row| row.key == [board.name, "watch", format]);
-        let instructions = row.and_then(|row| row.numbers[0]);
+        let instructions = row::instructions(rows, [board.name, "watch", format]);
         for (_, size) in PANELS {
             let rate = instructions.map(|instructions| {
                 let frame = instructions * size * size / (WATCH_SIZE * WATCH_SIZE);
@@ -126,9 +124,7 @@ fn short(rows: &[Row]) -> String {
     for (operation, what) in SHORT {
         text += &format!("| {what} |");
         for (board, format) in MEMORY.into_iter().zip(["q15", "f32"]) {
-            let key = [board.name, operation, format];
-            let row = rows.iter().find(|row| row.key == key);
-            text += &cell(row.and_then(|row| row.numbers[0]));
+            text += &cell(row::instructions(rows, [board.name, operation, format]));
         }
         text += "\n";
     }

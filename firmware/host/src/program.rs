@@ -2,16 +2,13 @@
 
 use crate::list::{self, Listed};
 
-/// An emulated board.
 #[derive(Clone, Copy, Debug)]
 pub struct Board {
     /// Its name on the command line and in the CSV.
     pub name: &'static str,
     /// The processor, as in the documentation.
     pub processor: &'static str,
-    /// The compiler's target.
     pub target: &'static str,
-    /// The emulator.
     pub emulator: &'static str,
     /// The emulator's arguments that select the machine.
     pub machine: &'static [&'static str],
@@ -22,7 +19,6 @@ pub struct Board {
     pub floats: Floats,
 }
 
-/// How a board computes in floats.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Floats {
     /// Not at all.
@@ -100,7 +96,6 @@ pub enum Kind {
 const COMPONENTS: u64 = 46;
 
 impl Listed {
-    /// Its purpose.
     pub fn kind(&self) -> Kind {
         match self.source {
             "empty" => Kind::Empty,
@@ -111,7 +106,6 @@ impl Listed {
         }
     }
 
-    /// The profile it is built with.
     pub fn profile(&self) -> &'static str {
         if self.kind() == Kind::Complete { "small" } else { "fast" }
     }
@@ -121,7 +115,6 @@ impl Listed {
         if self.name == "dense_row_q15" { COMPONENTS } else { 1 }
     }
 
-    /// Whether it runs on a board.
     fn runs_on(&self, board: Board) -> bool {
         match (self.source, list::parts(self.name).1) {
             // Without a float unit, integers cost a twentieth of the instructions of floats.

@@ -14,8 +14,8 @@ pub const HEADER: &str = "board,operation,format,instructions,flash_bytes,ram_by
 /// Separates the name of a scene from that of an operation.
 const SCENE: char = '/';
 
-/// The recorded counts.
-const RECORD: &str = "counts.csv";
+/// The recorded counts. The comments name the compiler of each board.
+pub const RECORD: &str = "counts.csv";
 
 /// Bytes of flash by which two checkouts may differ. Names contain a hash of the path of the
 /// sources, and functions are compiled and linked in the order of names: this changes padding and,
@@ -78,7 +78,6 @@ impl Row {
         }
     }
 
-    /// Whether the row belongs to a scene.
     pub fn is_of_scene(&self) -> bool {
         self.key[1].contains(SCENE)
     }
@@ -128,10 +127,7 @@ impl fmt::Display for Row {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(&self.key.join(","))?;
         for number in self.numbers {
-            match number {
-                Some(number) => write!(f, ",{number}")?,
-                None => f.write_str(",")?,
-            }
+            write!(f, ",{}", number.map_or(String::new(), |number| number.to_string()))?;
         }
         Ok(())
     }
@@ -141,16 +137,16 @@ impl FromStr for Row {
     type Err = String;
 
     fn from_str(line: &str) -> Result<Self> {
-        let fault = || format!("`{line}` is not a row of {HEADER}");
-        let fields: Vec<&str> = line.split(',').collect();
-        let [board, operation, format, numbers @ ..] = &fields[..] else { return Err(fault()) };
-        let numbers: Vec<Option<u64>> = numbers
-            .iter()
-            .map(|one| if one.is_empty() { Ok(None) } else { one.parse().map(Some) })
-            .collect::<std::result::Result<_, _>>()
-            .map_err(|_| fault())?;
-        let numbers = numbers.try_into().map_err(|_| fault())?;
-        Ok(Self { key: [board, operation, format].map(|field| (*field).into()), numbers })
+        let parsed = || {
+            let mut fields = line.split(',');
+            let key = [fields.next()?, fields.next()?, fields.next()?].map(Into::into);
+            let number = |one: &str| {
+                if one.is_empty() { Some(None) } else { one.parse::<u64>().ok().map(Some) }
+            };
+            let numbers: Vec<Option<u64>> = fields.map(number).collect::<Option<_>>()?;
+            Some(Self { key, numbers: numbers.try_into().ok()? })
+        };
+        parsed().ok_or_else(|| format!("`{line}` is not a row of {HEADER}"))
     }
 }
 
@@ -164,9 +160,8 @@ pub fn read(path: &str) -> Result<(Vec<String>, Vec<Row>)> {
     Ok((comments.into_iter().map(Into::into).collect(), rows.collect::<Result<_>>()?))
 }
 
-/// The recorded counts. The comments name the compiler of each board.
-pub fn recorded() -> Result<(Vec<String>, Vec<Row>)> {
-    read(RECORD)
+pub fn instructions(rows: &[Row], key: [&str; 3]) -> Option<u64> {
+    rows.iter().find(|row| row.key == key)?.numbers[0]
 }
 
 fn comment(board: &str, compiler: &str) -> String {
@@ -175,7 +170,7 @@ fn comment(board: &str, compiler: &str) -> String {
 
 /// Records counts, replacing those of the same boards.
 pub fn record(rows: &[Row], compilers: &BTreeMap<&str, String>) -> Result<()> {
-    let (mut comments, mut all) = recorded().unwrap_or_default();
+    let (mut comments, mut all) = read(RECORD).unwrap_or_default();
     comments.retain(|one| !compilers.keys().any(|board| one.starts_with(&comment(board, ""))));
     comments.extend(compilers.iter().map(|(board, compiler)| comment(board, compiler)));
     comments.sort();
@@ -189,7 +184,7 @@ pub fn record(rows: &[Row], compilers: &BTreeMap<&str, String>) -> Result<()> {
 
 /// Compares counts with the recorded ones if the compiler is the same.
 pub fn same_as_recorded(rows: &[Row], compilers: &BTreeMap<&str, String>) -> Result<()> {
-    let (comments, recorded) = recorded()?;
+    let (comments, recorded) = read(RECORD)?;
     let mut faults = Vec::new();
     for (board, compiler) in compilers {
         if !comments.contains(&comment(board, compiler)) {

@@ -6,7 +6,7 @@
 use crate::Result;
 use crate::program::Board;
 use std::path::{Path, PathBuf};
-use std::process::Command;
+use std::process::{Command, Output};
 
 /// Debian's compiler and linker.
 const DEBIAN: [&str; 2] = ["/usr/bin/rustc", "ld.lld-22"];
@@ -58,12 +58,12 @@ pub fn binary(target: &str, profile: &str, name: &str) -> PathBuf {
 /// The compiler's name and version, on which the counts depend.
 pub fn version() -> Result<String> {
     let compiler = if is_debian() { DEBIAN[0] } else { "rustc" };
-    Ok(output_of(Command::new(compiler).arg("--version"))?.trim().into())
+    let output = output(Command::new(compiler).arg("--version"))?;
+    Ok(String::from_utf8_lossy(&output.stdout).trim().into())
 }
 
-fn output_of(command: &mut Command) -> Result<String> {
-    let output = command.output().map_err(|error| format!("{command:?}: {error}"))?;
-    Ok(String::from_utf8_lossy(&output.stdout).into_owned())
+fn output(command: &mut Command) -> Result<Output> {
+    command.output().map_err(|error| format!("{command:?}: {error}"))
 }
 
 /// Seconds after which a program is stopped.
@@ -72,13 +72,13 @@ const TIMEOUT: &str = "120";
 /// Runs a program to its end and returns its output.
 pub fn run(board: Board, program: &Path) -> Result<String> {
     let mut command = Command::new("timeout");
-    command
+    let command = command
         .args([TIMEOUT, board.emulator])
         .args(board.machine)
         .args(["-display", "none", "-monitor", "none", "-serial", "none", "-icount", "shift=0"])
         .args(["-semihosting-config", "enable=on,target=native", "-kernel"])
         .arg(program);
-    let output = command.output().map_err(|error| format!("{command:?}: {error}"))?;
+    let output = output(command)?;
     // The emulator writes the program's output to its standard error.
     let text = String::from_utf8_lossy(&[output.stdout, output.stderr].concat()).into_owned();
     if output.status.success() {

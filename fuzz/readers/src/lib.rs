@@ -116,7 +116,6 @@ fn merl(bytes: &[u8]) {
     accepted(merl_file::read(file("binary", &bytes)));
 }
 
-/// A formula of a density.
 fn formula(bytes: &[u8]) {
     let Ok(text) = std::str::from_utf8(bytes) else { return };
     // A file name is not a formula.

@@ -5,7 +5,6 @@ use eigenshade_fuzz_readers::READERS;
 use std::fs;
 use std::path::Path;
 
-/// Copies of each seed.
 const COPIES: usize = 25;
 
 /// Arbitrary numbers: those of xorshift64*.

@@ -20,7 +20,6 @@ records! {
     Baked = "color_baked" f32: size: usize, length: usize, texels: Input<f32>;
 }
 
-/// The lights, for the runtime.
 pub(crate) fn lights(from: &[Light; 3]) -> Result<Rgb<eigenshade::Light<'_, f32>>, Status> {
     Rgb::from(from.each_ref()).try_map(|light| Ok(light.view()?.0))
 }
@@ -31,13 +30,13 @@ fn stored<B: AsRef<[f32]>>(
     modified: Rgb<B>,
     numbers: &mut LightBuffer,
 ) -> [Light; 3] {
-    let [r, g, b] = &mut numbers.numbers;
-    let store = |(light, modified, to): (&Light, &B, &mut [f32; LIGHT])| {
+    let mut lights = from.clone();
+    let modified = <[B; 3]>::from(modified);
+    for ((light, modified), to) in lights.iter_mut().zip(modified).zip(&mut numbers.numbers) {
         to.iter_mut().zip(modified.as_ref()).for_each(|(to, &from)| *to = from);
-        Light { degree: light.degree, length: light.length, coefficients: Input::to(&*to) }
-    };
-    let [of_r, of_g, of_b] = from;
-    [store((of_r, &modified.r, r)), store((of_g, &modified.g, g)), store((of_b, &modified.b, b))]
+        light.coefficients = Input::to(&*to);
+    }
+    lights
 }
 
 impl Format for f32 {

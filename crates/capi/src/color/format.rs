@@ -39,7 +39,6 @@ pub(crate) trait Format: Plain + Copy {
     type MaterialBuffer: Plain;
     /// A component of a quaternion, a cosine or a sine.
     type Angle: Plain;
-    /// The highlights of small sources.
     type Highlights;
 
     /// Checks a light, and says where it lies.
@@ -141,7 +140,6 @@ pub(crate) struct Opened<S> {
 
 /// A scene, one with highlights, or a baked picture.
 pub(crate) trait Picture<F: Format> {
-    /// Checks it.
     fn open(&self) -> Result<Opened<impl Shade<F>>, Status>;
 }
 
@@ -177,8 +175,10 @@ pub(crate) fn baked_texels<T: Plain>(
     check_size(size, length)?;
     // SAFETY: C promises `length` texels.
     let texels = unsafe { texels.array(length) }?;
-    let of_texels = Place::of(texels);
-    Ok((thirds(texels)?, [record, of_texels, of_texels, of_texels]))
+    let (of_texels, third) = (Place::of(texels), length / 3);
+    let (r, rest) = texels.split_at_checked(third).ok_or(Status::Internal)?;
+    let (g, b) = rest.split_at_checked(third).ok_or(Status::Internal)?;
+    Ok((Rgb::new(r, g, b), [record, of_texels, of_texels, of_texels]))
 }
 
 /// Checks the size of three baked maps, and the number of their texels.
@@ -189,14 +189,6 @@ pub(crate) fn check_size(size: usize, length: usize) -> Result<(), Status> {
     } else {
         Err(Status::Baked)
     }
-}
-
-/// The texels of each channel.
-fn thirds<T>(texels: &[T]) -> Result<Rgb<&[T]>, Status> {
-    let third = texels.len() / 3;
-    let (r, rest) = texels.split_at_checked(third).ok_or(Status::Internal)?;
-    let (g, b) = rest.split_at_checked(third).ok_or(Status::Internal)?;
-    Ok(Rgb::new(r, g, b))
 }
 
 /// The texels of each channel, to be written.

@@ -24,14 +24,12 @@ records! {
 }
 
 impl Source {
-    /// The source, from the runtime.
     pub(crate) const fn of(source: &eigenshade::Source<f32>) -> Self {
         let Rgb { r, g, b } = source.energy();
         let (direction, major, minor) = (source.direction(), source.major(), source.minor());
         Self { direction, energy: [r, g, b], major, minor }
     }
 
-    /// The source, for the runtime.
     fn view(&self) -> Result<eigenshade::Source<f32>, Status> {
         let Self { direction, energy, major, minor } = *self;
         Ok(eigenshade::Source::new::<SinglePrecision>(direction, energy, major, minor)?)
@@ -39,7 +37,6 @@ impl Source {
 }
 
 impl Gloss {
-    /// The gloss, for the runtime.
     fn view(&self) -> Result<eigenshade::Gloss<f32>, Status> {
         let gloss = eigenshade::Gloss::new(self.roughness, self.reflectance, self.albedo)?;
         Ok(gloss.with_grazing(self.grazing)?)

@@ -14,7 +14,6 @@ use eigenshade::mathematics::SinglePrecision;
 use eigenshade::quantized::{self, Exposure, Highlights, LightBuffer as Turned, Normal, Rotation};
 use eigenshade::{DiscPixel, Error, IntegerMap, Linear, MapPoint, NormalPixel, Q15, Rgb, Source};
 
-/// The exponents of glTF materials.
 const EXPONENTS: usize = ORDER + 1;
 
 records! {
@@ -25,7 +24,6 @@ records! {
         size: usize, length: usize, texels: Input<i16>, exponents: [i32; 3];
 }
 
-/// The lights, for the runtime.
 fn lights(from: &[Light<Q15>; 3]) -> Result<Rgb<quantized::Light<'_, Q15>>, Status> {
     Rgb::from(from.each_ref()).try_map(|light| Ok(light.view()?.0))
 }
@@ -36,15 +34,13 @@ fn stored(
     turned: &Rgb<Turned<Q15, LIGHT>>,
     numbers: &mut LightBuffer,
 ) -> Result<[Light<Q15>; 3], Status> {
-    let turned = turned.lights()?;
-    let [r, g, b] = &mut numbers.mantissas;
-    let store = |of: &Light<Q15>, turned: quantized::Light<'_, Q15>, to: &mut [Q15; LIGHT]| {
+    let mut lights = from.clone();
+    let turned = <[_; 3]>::from(turned.lights()?);
+    for ((light, turned), to) in lights.iter_mut().zip(turned).zip(&mut numbers.mantissas) {
         to.iter_mut().zip(turned.mantissas()).for_each(|(to, &from)| *to = from);
-        let (degree, length, exponent) = (of.degree, of.length, turned.exponent());
-        Light { degree, length, mantissas: Input::to(&*to), exponent }
-    };
-    let [of_r, of_g, of_b] = from;
-    Ok([store(of_r, turned.r, r), store(of_g, turned.g, g), store(of_b, turned.b, b)])
+        (light.mantissas, light.exponent) = (Input::to(&*to), turned.exponent());
+    }
+    Ok(lights)
 }
 
 impl Format for Q15 {

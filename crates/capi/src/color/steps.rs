@@ -6,21 +6,6 @@ use crate::boundary::{Input, Output, Place, disjoint};
 use crate::float;
 use crate::status::Status;
 
-/// Writes the transfers of three channels. Those of a gray material are computed once.
-fn transfers<F: Format>(
-    Channels([r, g, b]): &Channels<F::Material>,
-    Channels([to_r, to_g, to_b]): &mut Channels<F::Transfer>,
-) -> Result<(), Status> {
-    F::transfer(r, to_r)?;
-    if F::same(r, g) && F::same(r, b) {
-        to_g.clone_from(to_r);
-        to_b.clone_from(to_r);
-        return Ok(());
-    }
-    F::transfer(g, to_g)?;
-    F::transfer(b, to_b)
-}
-
 pub(crate) fn color_transfer<F: Format>(
     material: Input<Channels<F::Material>>,
     transfer: Output<Channels<F::Transfer>>,
@@ -28,8 +13,18 @@ pub(crate) fn color_transfer<F: Format>(
     let material = material.value()?;
     let read = places(material, F::material)?;
     disjoint(&[transfer.place()], read.as_flattened())?;
+    let Channels([r, g, b]) = material;
     // SAFETY: it overlaps no other.
-    transfers::<F>(material, unsafe { transfer.zeroed() }?)
+    let Channels([to_r, to_g, to_b]) = unsafe { transfer.zeroed() }?;
+    F::transfer(r, to_r)?;
+    // A gray material is transferred once.
+    if F::same(r, g) && F::same(r, b) {
+        to_g.clone_from(to_r);
+        to_b.clone_from(to_r);
+        return Ok(());
+    }
+    F::transfer(g, to_g)?;
+    F::transfer(b, to_b)
 }
 
 pub(crate) fn color_relight<F: Format>(

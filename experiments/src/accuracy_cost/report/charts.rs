@@ -119,7 +119,6 @@ const LAMPS: [(&str, RangeInclusive<usize>); 4] = [
     ("4 sources", 4..=4),
     ("8 or 16 sources", 8..=16),
 ];
-
 /// The ways to a pixel that the chart of total errors joins: polynomials, and maps.
 const POLYNOMIALS: &[&str] = &["polynomial", "within"];
 const MAPS: &[&str] = &["bilinear"];

@@ -35,9 +35,8 @@ pub fn choice(rows: &[Record]) -> String {
 
 /// A setting in words: degree, order, components, terms, sources and format.
 fn described(row: &Record) -> String {
-    let [degree, order, components, way, terms, sources, format] =
-        ["degree", "order", "components", "way", "terms", "sources", "format"]
-            .map(|column| row.text(column));
+    let columns = ["degree", "order", "components", "way", "terms", "sources", "format"];
+    let [degree, order, components, way, terms, sources, format] = columns.map(|one| row.text(one));
     let read = match (way, components) {
         ("nine-terms", _) => "nine terms".into(),
         (_, "") => format!("{terms} terms"),

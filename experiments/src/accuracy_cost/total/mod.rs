@@ -120,42 +120,32 @@ impl Study {
 
     /// The rows of the rivals, for formulas.
     pub fn rivals(&self) -> Result<Vec<Record>> {
-        let mut rows = Vec::new();
-        let formulas = |kind: Kind| kind != Kind::Measured;
-        let matcap =
-            self.by(formulas, |subject| Ok(rivals::matcap(&subject.surface, &self.world)))?;
-        rows.extend(self.rows(MATCAP, 0, &matcap));
+        let matcap = self.by(|subject| match subject.kind {
+            Kind::Measured => Ok(Vec::new()),
+            _ => Ok(rivals::matcap(&subject.surface, &self.world)),
+        })?;
         let mut filtered: Vec<Prefiltered> = Vec::new();
-        let prefiltered = self.by(
-            |kind| [Kind::Metal, Kind::Dielectric].contains(&kind),
-            |subject| {
-                let Some(gltf) = subject.gltf else { return Ok(Vec::new()) };
-                let place = filtered.iter().position(|one| one.roughness == gltf.roughness);
-                let place = place.unwrap_or(filtered.len());
-                if place == filtered.len() {
-                    filtered.push(Prefiltered::new(gltf.roughness, &self.world)?);
-                }
-                filtered[place].pictures(gltf, &self.world)
-            },
-        )?;
-        rows.extend(self.rows(PREFILTERED, 0, &prefiltered));
-        Ok(rows)
+        let prefiltered = self.by(|subject| {
+            let Some(gltf) = subject.gltf else { return Ok(Vec::new()) };
+            let place = filtered.iter().position(|one| one.roughness == gltf.roughness);
+            let place = place.unwrap_or(filtered.len());
+            if place == filtered.len() {
+                filtered.push(Prefiltered::new(gltf.roughness, &self.world)?);
+            }
+            filtered[place].pictures(gltf, &self.world)
+        })?;
+        Ok([self.rows(MATCAP, 0, &matcap), self.rows(PREFILTERED, 0, &prefiltered)].concat())
     }
 
-    /// The errors of pictures by map, for the materials of some kinds; no errors for others.
-    fn by(
-        &self,
-        is_shown: impl Fn(Kind) -> bool,
-        mut pictures: impl FnMut(&Subject) -> Result<Vec<Picture>>,
-    ) -> Result<Errors> {
-        let mut errors = Vec::new();
-        for (subject, references) in self.subjects.iter().zip(&self.references) {
-            let pictures = if is_shown(subject.kind) { pictures(subject)? } else { Vec::new() };
+    /// The errors by map of these pictures; none for a material without any.
+    fn by(&self, mut pictures: impl FnMut(&Subject) -> Result<Vec<Picture>>) -> Result<Errors> {
+        let sphere = &self.world.sphere;
+        let errors = self.subjects.iter().zip(&self.references).map(|(subject, references)| {
+            let pictures = pictures(subject)?;
             let pairs = pictures.iter().zip(references);
-            let sphere = &self.world.sphere;
-            errors.push(pairs.map(|(found, one)| one.error(found, sphere)).collect());
-        }
-        Ok(errors)
+            Ok(pairs.map(|(found, one)| one.error(found, sphere)).collect())
+        });
+        errors.collect()
     }
 
     /// A row for each group whose materials all have errors.

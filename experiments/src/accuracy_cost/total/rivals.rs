@@ -56,6 +56,8 @@ pub struct Prefiltered {
 
 impl Prefiltered {
     pub fn new(roughness: f64, world: &World) -> Result<Self> {
+        // The mirror direction of the view from z.
+        let mirror = |&[x, y, z]: &[f64; 3]| [2.0 * x * z, 2.0 * y * z, 2.0 * z * z - 1.0];
         let directions: Vec<[f64; 3]> = world.sphere.normals.iter().map(mirror).collect();
         let EnvironmentMap { width, height, .. } = world.maps[0];
         let white = EnvironmentMap::new(width, height, vec![[1.0; 3]; width * height])?;
@@ -90,11 +92,6 @@ impl Prefiltered {
         };
         (0..world.maps.len()).map(picture).collect()
     }
-}
-
-/// The mirror direction of the view from z.
-fn mirror(&[x, y, z]: &[f64; 3]) -> [f64; 3] {
-    [2.0 * x * z, 2.0 * y * z, 2.0 * z * z - 1.0]
 }
 
 /// The mean radiance by D(h) cos θ, with h half-way between a direction and the light's, and θ the

@@ -1,6 +1,6 @@
 //! The materials of the total error: no table is made of any of them.
 
-use crate::accuracy_cost::scope::{projected_orders, published, windowed};
+use crate::accuracy_cost::scope::{projected, published, windowed};
 use eigenshade_generator::material::brdf::{Ggx, OrenNayar, Surface};
 use eigenshade_model::database::Materials;
 use eigenshade_model::error::Result;
@@ -72,11 +72,6 @@ impl Gltf {
         let Self { roughness, f0, albedo } = self;
         Ok(Surface::gray(name, Box::new(Ggx::new(roughness, f0, albedo)?)))
     }
-
-    pub fn gloss(self) -> Gloss {
-        let Self { roughness, f0, albedo } = self;
-        Gloss { roughness, reflectance: [f0; 3], grazing: [1.0; 3], albedo: [albedo; 3] }
-    }
 }
 
 /// The materials of a check.
@@ -94,7 +89,8 @@ pub fn all() -> Result<Vec<Subject>> {
         for roughness in ROUGHNESSES {
             let gltf = Gltf { roughness, f0, albedo };
             let surface = gltf.surface(format!("{name}-{roughness}"))?;
-            let gloss = shiny(gltf.gloss())?;
+            let (reflectance, albedo) = ([f0; 3], [albedo; 3]);
+            let gloss = shiny(Gloss { roughness, reflectance, grazing: [1.0; 3], albedo })?;
             subjects.push(Subject { kind, surface, gltf: Some(gltf), gloss });
         }
     }
@@ -124,7 +120,7 @@ fn shiny(gloss: Gloss) -> Result<Option<Gloss>> {
 /// The coefficients at these orders. As shipped, those of measured materials have a window.
 pub fn coefficients(subjects: &[Subject], orders: &[usize]) -> Vec<Materials> {
     let surfaces: Vec<&Surface> = subjects.iter().map(|subject| &subject.surface).collect();
-    let mut all = projected_orders(&surfaces, orders);
+    let mut all = projected(&surfaces, orders);
     for (named, subject) in all.iter_mut().flat_map(|one| one.entries.iter_mut().zip(subjects)) {
         if subject.kind == Kind::Measured {
             *named = windowed(named.clone());
