@@ -4,7 +4,7 @@
 use super::Normal;
 use super::inputs::decoded;
 use super::tabulated::{leading, reciprocal, root};
-use crate::buffer::{Buffer, copied, zeros};
+use crate::buffer::{Buffer, zeros};
 use crate::color::Rgb;
 use crate::error::{Argument, Error};
 use crate::format::sealed::Sealed;
@@ -150,8 +150,9 @@ impl<T: Irradiance, const N: usize> Highlights<T, N> {
     ///
     /// [`Error::Capacity`] if there are more than `N` sources.
     pub fn stored(exponent: T, alpha_square: u32, lobes: &[Lobe<T>]) -> Result<Self, Error> {
-        let lobes = copied(Argument::Sources, lobes.iter().copied())?;
-        Ok(Self { exponent, alpha_square, lobes })
+        let mut buffer = zeros::<Lobe<T>, N>(Argument::Sources, lobes.len())?;
+        buffer.iter_mut().zip(lobes).for_each(|(to, from)| *to = *from);
+        Ok(Self { exponent, alpha_square, lobes: buffer })
     }
 
     /// The same highlights, for a scene of another exponent.

@@ -148,8 +148,11 @@ fn bound_spheres(sheets: &Sheets) -> Table {
         .column("largest pixel", sheet.numbers("largest_pixel_error"), percent)
 }
 
+/// Makes a table from the figures' numbers.
+type TableOf = fn(&Sheets) -> Table;
+
 /// The tables, by the names of their markers in the page.
-const TABLES: [(&str, fn(&Sheets) -> Table); 8] = [
+const TABLES: [(&str, TableOf); 8] = [
     ("variance", variance),
     ("spheres", spheres),
     ("errors", errors),
