@@ -62,8 +62,11 @@ impl Linked {
     }
 }
 
+/// Whether a symbol is one that a gate refuses.
+type Refused = fn(&str) -> bool;
+
 /// The forbidden kinds of symbols, and whether a name belongs to them.
-const GATES: [(&str, fn(&str) -> bool); 4] = [
+const GATES: [(&str, Refused); 4] = [
     ("panic machinery", |name| has(name, &PANIC)),
     ("core::fmt", |name| name.contains("core::fmt")),
     ("a heap", |name| has(name, &HEAP)),

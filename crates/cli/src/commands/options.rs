@@ -11,6 +11,7 @@ use eigenshade_model::error::Result;
 use eigenshade_model::inputs::input_file::InputFile;
 use eigenshade_model::rotation::Rotation;
 use eigenshade_table::Table;
+#[cfg(feature = "generate")]
 use std::ops::RangeInclusive;
 use std::path::{Path, PathBuf};
 
@@ -125,6 +126,7 @@ pub fn count(low: u64, high: u64) -> impl Fn(&str) -> Parsed<usize> + Clone {
 }
 
 /// Parses a number within a range, or says what is expected.
+#[cfg(feature = "generate")]
 pub fn number(
     range: RangeInclusive<f64>,
     expected: &'static str,
