@@ -72,6 +72,7 @@ impl<T> Input<T> {
         core::ptr::eq(self.0, other.0)
     }
 
+    /// The value.
     pub(crate) fn value(&self) -> Result<&T, Status> {
         usable(self.0, 1)?;
         // SAFETY: neither NULL nor unaligned, the rest is C's promise.

@@ -10,7 +10,7 @@ use eigenshade::{Basis, Normal, Normals, Parts};
 
 /// The basis without the factors of transfers: a program whose transfers are computed beforehand
 /// links no factors.
-pub(crate) static RELIGHT_ONLY: Basis<'static, f32> =
+static RELIGHT_ONLY: Basis<'static, f32> =
     checked(Basis::new(Parts { polar: &[], factors: &[], ..*table::BASIS.parts() }));
 
 records! {
@@ -44,6 +44,24 @@ impl Material {
     }
 }
 
+/// Writes the transfer of a material.
+pub(crate) fn transferred(
+    material: &eigenshade::Material<'_, f32>,
+    workspace: &mut [f32; WORKSPACE],
+    transfer: &mut Transfer,
+) -> Result<(), Status> {
+    Ok(table::BASIS.transfer_into(material, workspace, &mut transfer.numbers)?)
+}
+
+/// Computes d from a transfer.
+pub(crate) fn relit(
+    transfer: &Transfer,
+    light: &eigenshade::Light<'_, f32>,
+    d: &mut [f32; COMPONENTS],
+) -> Result<(), Status> {
+    Ok(RELIGHT_ONLY.relight_into(&transfer.numbers, light, d)?)
+}
+
 /// Sums the first components to a scene.
 pub(crate) fn collapsed(d: &[f32], scene: &mut Scene) -> Result<(), Status> {
     RELIGHT_ONLY.collapse_into(d, &mut scene.terms[..])?;
@@ -71,7 +89,7 @@ pub(crate) fn transfer(
     disjoint(&[workspace.place(), transfer.place()], &read)?;
     // SAFETY: nothing overlaps.
     let (workspace, transfer) = unsafe { (workspace.zeroed()?, transfer.zeroed()?) };
-    Ok(table::BASIS.transfer_into(&material, &mut workspace.numbers, &mut transfer.numbers)?)
+    transferred(&material, &mut workspace.numbers, transfer)
 }
 
 pub(crate) fn relight(
@@ -84,7 +102,7 @@ pub(crate) fn relight(
     disjoint(&[coefficients.place()], &[Place::of(transfer), of_light, of_numbers])?;
     // SAFETY: it overlaps no other.
     let coefficients = unsafe { coefficients.zeroed() }?;
-    Ok(RELIGHT_ONLY.relight_into(&transfer.numbers, &light, &mut coefficients.numbers)?)
+    relit(transfer, &light, &mut coefficients.numbers)
 }
 
 pub(crate) fn project(

@@ -89,7 +89,13 @@ const fn sources_f32<const N: usize>(from: &[eigenshade::Source<f32>]) -> [Sourc
         Source { direction: [0.0; 3], energy: [0.0; 3], major: [0.0; 3], minor: 0.0 };
     let (mut to, mut k) = ([NONE; N], 0);
     while k < N {
-        to[k] = Source::of(&from[k]);
+        let Rgb { r, g, b } = from[k].energy();
+        to[k] = Source {
+            direction: from[k].direction(),
+            energy: [r, g, b],
+            major: from[k].major(),
+            minor: from[k].minor(),
+        };
         k += 1;
     }
     to
@@ -138,6 +144,7 @@ macro_rules! displays {
             #[unsafe(export_name = concat!("eigenshade_display_", $name))]
             static $constant: Display = Display::new(Tone::$tone);
         )*
+        /// The names of the tone curves.
         #[cfg(test)]
         pub(crate) const DISPLAYS: &[&str] = &[$($name),*];
     };

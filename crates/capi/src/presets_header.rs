@@ -42,6 +42,7 @@ macro_rules! counted {
     };
 }
 
+/// The header.
 pub(crate) fn header() -> String {
     let (last, others) = SETS.split_last().expect("some sets");
     let others: Vec<String> = others.iter().map(ToString::to_string).collect();

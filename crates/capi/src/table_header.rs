@@ -5,6 +5,7 @@ use std::format;
 use std::string::String;
 use std::vec::Vec;
 
+/// The header.
 pub(crate) fn header() -> String {
     let defines: Vec<_> = CONSTANTS
         .iter()

@@ -5,6 +5,7 @@
 #[path = "../../testing/src/oracle.rs"]
 #[expect(dead_code, reason = "other tests use the rest")]
 mod oracle;
+
 #[path = "../../testing/src/tolerances.rs"]
 #[expect(dead_code, reason = "other tests use the rest")]
 mod tolerances;

@@ -4,8 +4,10 @@
 
 #[path = "support/golden_header.rs"]
 mod golden_header;
+
 #[path = "support/pictures.rs"]
 mod pictures;
+
 #[path = "support/program.rs"]
 mod program;
 

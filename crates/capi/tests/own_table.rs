@@ -1,14 +1,17 @@
 //! A program in C with a table of its own: that of the scene that `EIGENSHADE_SCENE` names.
 #![cfg(all(unix, feature = "own-table"))]
 
-#[path = "../src/constants.rs"]
-mod constants;
-#[path = "support/program.rs"]
-mod program;
 #[path = "../src/table.rs"]
 mod table;
+
+#[path = "../src/constants.rs"]
+mod constants;
+
 #[path = "../src/table_header.rs"]
 mod table_header;
+
+#[path = "support/program.rs"]
+mod program;
 
 use eigenshade::presets::{light::q15::LOBBY, material::q15::GOLD_METALLIC_PAINT};
 use eigenshade::{Q15, quantized};

@@ -1,8 +1,9 @@
 //! Color in `f32`.
 #![expect(unsafe_code, reason = "memory of C")]
 
-use super::format::{Format, MATERIAL, ORDER, Opened, Picture, Shade, baked_texels, thirds_mut};
+use super::format::{Format, MATERIAL, ORDER, baked_texels};
 use super::glossy::SOURCES;
+use super::picture::{Opened, Picture, Shade};
 use crate::boundary::{Input, Place, Plain};
 use crate::export::records;
 use crate::float::{self, Light, Material, Scene, Transfer};
@@ -20,6 +21,7 @@ records! {
     Baked = "color_baked" f32: size: usize, length: usize, texels: Input<f32>;
 }
 
+/// The lights, for the runtime.
 pub(crate) fn lights(from: &[Light; 3]) -> Result<Rgb<eigenshade::Light<'_, f32>>, Status> {
     Rgb::from(from.each_ref()).try_map(|light| Ok(light.view()?.0))
 }
@@ -30,13 +32,13 @@ fn stored<B: AsRef<[f32]>>(
     modified: Rgb<B>,
     numbers: &mut LightBuffer,
 ) -> [Light; 3] {
-    let mut lights = from.clone();
-    let modified = <[B; 3]>::from(modified);
-    for ((light, modified), to) in lights.iter_mut().zip(modified).zip(&mut numbers.numbers) {
+    let [r, g, b] = &mut numbers.numbers;
+    let store = |(light, modified, to): (&Light, &B, &mut [f32; LIGHT])| {
         to.iter_mut().zip(modified.as_ref()).for_each(|(to, &from)| *to = from);
-        light.coefficients = Input::to(&*to);
-    }
-    lights
+        Light { degree: light.degree, length: light.length, coefficients: Input::to(&*to) }
+    };
+    let [of_r, of_g, of_b] = from;
+    [store((of_r, &modified.r, r)), store((of_g, &modified.g, g)), store((of_b, &modified.b, b))]
 }
 
 impl Format for f32 {
@@ -70,14 +72,12 @@ impl Format for f32 {
     const NO_TRANSFER: Transfer = Transfer { numbers: [0.0; table::TRANSFER] };
 
     fn transfer(material: &Material, to: &mut Transfer) -> Result<(), Status> {
-        let (material, _) = material.view()?;
-        let mut workspace = [0.0; table::WORKSPACE];
-        Ok(table::BASIS.transfer_into(&material, &mut workspace, &mut to.numbers)?)
+        float::transferred(&material.view()?.0, &mut [0.0; table::WORKSPACE], to)
     }
 
     fn relight(transfer: &Transfer, light: &Light, to: &mut Scene) -> Result<(), Status> {
         let mut d = [0.0; table::COMPONENTS];
-        float::RELIGHT_ONLY.relight_into(&transfer.numbers, &light.view()?.0, &mut d)?;
+        float::relit(transfer, &light.view()?.0, &mut d)?;
         float::collapsed(&d, to)
     }
 
@@ -161,11 +161,15 @@ impl Format for f32 {
         Ok(float::irradiance(scene, normal))
     }
 
-    fn bake(scene: &[Scene; 3], size: usize, texels: &mut [f32]) -> Result<Baked, Status> {
-        for (scene, texels) in scene.iter().zip(thirds_mut(texels)?) {
+    fn bake(scene: &[Scene; 3], size: usize, texels: [&mut [f32]; 3]) -> Result<[i32; 3], Status> {
+        for (scene, texels) in scene.iter().zip(texels) {
             float::view(scene)?.bake_into(size, texels)?;
         }
-        Ok(Baked { size, length: texels.len(), texels: Input::to(texels) })
+        Ok([0; 3])
+    }
+
+    fn baked(size: usize, texels: Input<f32>, length: usize, _: [i32; 3]) -> Baked {
+        Baked { size, length, texels }
     }
 
     fn exponent(_: &Scene) -> i32 {

@@ -1,6 +1,7 @@
-//! The operations in color that each number format has, and what pixels are shaded from.
+//! The operations in color that each number format has.
 
 use super::glossy::SOURCES;
+use super::picture::Picture;
 use crate::boundary::{Input, Place, Plain};
 use crate::float;
 use crate::status::Status;
@@ -27,7 +28,7 @@ pub(crate) trait Format: Plain + Copy {
     type Scene: Plain;
     /// Three baked maps of the same size.
     type Baked: Plain + Picture<Self>;
-    type Texel: Plain;
+    type Texel: Plain + Copy;
     /// One channel of a pixel.
     type Irradiance: Plain + Copy;
     type Normal: Copy;
@@ -39,6 +40,7 @@ pub(crate) trait Format: Plain + Copy {
     type MaterialBuffer: Plain;
     /// A component of a quaternion, a cosine or a sine.
     type Angle: Plain;
+    /// The highlights of small sources.
     type Highlights;
 
     /// Checks a light, and says where it lies.
@@ -109,50 +111,24 @@ pub(crate) trait Format: Plain + Copy {
     fn of_normal_map(pixel: NormalPixel) -> Self::Normal;
     fn shade(scene: &Self::Scene, normal: Self::Normal) -> Result<Self::Irradiance, Status>;
 
-    /// Bakes three scenes in `f32`. The result points to `texels`.
+    /// Bakes three scenes in `f32`. Returns the exponents of the channels, 0 in `f32`.
     fn bake(
         scene: &[float::Scene; 3],
         size: usize,
-        texels: &mut [Self::Texel],
-    ) -> Result<Self::Baked, Status>;
+        texels: [&mut [Self::Texel]; 3],
+    ) -> Result<[i32; 3], Status>;
+    fn baked(
+        size: usize,
+        texels: Input<Self::Texel>,
+        length: usize,
+        exponents: [i32; 3],
+    ) -> Self::Baked;
 
     /// The exponent of a scene, 0 in `f32`.
     fn exponent(scene: &Self::Scene) -> i32;
     /// What exposes an irradiance times 2^-`exponent`.
     fn exposure(exposure: f32, exponent: i32) -> Result<Self::Exposure, Error>;
     fn exposed(irradiance: Self::Irradiance, exposure: Self::Exposure) -> Linear;
-}
-
-/// The irradiance of a normal in each channel.
-pub(crate) trait Shade<F: Format>:
-    Fn(F::Normal) -> Result<[F::Irradiance; 3], Status>
-{
-}
-impl<F: Format, S: Fn(F::Normal) -> Result<[F::Irradiance; 3], Status>> Shade<F> for S {}
-
-/// A picture that was checked.
-pub(crate) struct Opened<S> {
-    pub(crate) shade: S,
-    /// The exponents of the channels, 0 in `f32`.
-    pub(crate) exponents: [i32; 3],
-    pub(crate) places: [Place; 4],
-}
-
-/// A scene, one with highlights, or a baked picture.
-pub(crate) trait Picture<F: Format> {
-    fn open(&self) -> Result<Opened<impl Shade<F>>, Status>;
-}
-
-impl<F: Format> Picture<F> for Channels<F::Scene> {
-    fn open(&self) -> Result<Opened<impl Shade<F>>, Status> {
-        let scenes = &self.0;
-        let shade = |normal| {
-            let [r, g, b] = scenes;
-            Ok([F::shade(r, normal)?, F::shade(g, normal)?, F::shade(b, normal)?])
-        };
-        let exponents = scenes.each_ref().map(F::exponent);
-        Ok(Opened { shade, exponents, places: [Place::of(self); 4] })
-    }
 }
 
 /// Where three lights or materials lie, once all of them are checked.
@@ -175,10 +151,8 @@ pub(crate) fn baked_texels<T: Plain>(
     check_size(size, length)?;
     // SAFETY: C promises `length` texels.
     let texels = unsafe { texels.array(length) }?;
-    let (of_texels, third) = (Place::of(texels), length / 3);
-    let (r, rest) = texels.split_at_checked(third).ok_or(Status::Internal)?;
-    let (g, b) = rest.split_at_checked(third).ok_or(Status::Internal)?;
-    Ok((Rgb::new(r, g, b), [record, of_texels, of_texels, of_texels]))
+    let of_texels = Place::of(texels);
+    Ok((thirds(texels)?, [record, of_texels, of_texels, of_texels]))
 }
 
 /// Checks the size of three baked maps, and the number of their texels.
@@ -189,6 +163,14 @@ pub(crate) fn check_size(size: usize, length: usize) -> Result<(), Status> {
     } else {
         Err(Status::Baked)
     }
+}
+
+/// The texels of each channel.
+fn thirds<T>(texels: &[T]) -> Result<Rgb<&[T]>, Status> {
+    let third = texels.len() / 3;
+    let (r, rest) = texels.split_at_checked(third).ok_or(Status::Internal)?;
+    let (g, b) = rest.split_at_checked(third).ok_or(Status::Internal)?;
+    Ok(Rgb::new(r, g, b))
 }
 
 /// The texels of each channel, to be written.

@@ -1,14 +1,15 @@
 //! Small sources of light and their sharp highlights.
 #![expect(unsafe_code, reason = "memory of C")]
 
-use super::format::{Channels, Format, Opened, Picture, Shade, places};
+use super::format::{Channels, Format, places};
+use super::picture::{Opened, Picture, Shade};
 use crate::boundary::{Input, Output, Place, Plain, disjoint};
 use crate::export::{export, records};
 use crate::status::Status;
 use crate::{float, integers};
 pub(crate) use eigenshade::index::highlights::LARGEST_SET as SOURCES;
 use eigenshade::mathematics::SinglePrecision;
-use eigenshade::{Highlights, Q15, Rgb, Rotation};
+use eigenshade::{Highlights, Q15, Rotation};
 
 records! {
     Source = "source" f32:
@@ -24,12 +25,7 @@ records! {
 }
 
 impl Source {
-    pub(crate) const fn of(source: &eigenshade::Source<f32>) -> Self {
-        let Rgb { r, g, b } = source.energy();
-        let (direction, major, minor) = (source.direction(), source.major(), source.minor());
-        Self { direction, energy: [r, g, b], major, minor }
-    }
-
+    /// The source, for the runtime.
     fn view(&self) -> Result<eigenshade::Source<f32>, Status> {
         let Self { direction, energy, major, minor } = *self;
         Ok(eigenshade::Source::new::<SinglePrecision>(direction, energy, major, minor)?)
@@ -37,6 +33,7 @@ impl Source {
 }
 
 impl Gloss {
+    /// The gloss, for the runtime.
     fn view(&self) -> Result<eigenshade::Gloss<f32>, Status> {
         let gloss = eigenshade::Gloss::new(self.roughness, self.reflectance, self.albedo)?;
         Ok(gloss.with_grazing(self.grazing)?)
@@ -85,7 +82,12 @@ fn source_turn(
     disjoint(&[to.place()], &[Place::of(from), Place::of(quaternion)])?;
     let turned = from.view()?.turned(Rotation::from_quaternion(*quaternion)?);
     // SAFETY: nothing overlaps.
-    *unsafe { to.zeroed() }? = Source::of(&turned);
+    *unsafe { to.zeroed() }? = Source {
+        direction: turned.direction(),
+        energy: turned.energy().into(),
+        major: turned.major(),
+        minor: turned.minor(),
+    };
     Ok(())
 }
 

@@ -2,6 +2,8 @@
 
 mod format;
 
+mod picture;
+
 mod float;
 
 mod q15;

@@ -1,8 +1,9 @@
 //! Color in Q15.
 #![expect(unsafe_code, reason = "memory of C")]
 
-use super::format::{Format, MATERIAL, ORDER, Opened, Picture, Shade, baked_texels, thirds_mut};
+use super::format::{Format, MATERIAL, ORDER, baked_texels};
 use super::glossy::SOURCES;
+use super::picture::{Opened, Picture, Shade};
 use crate::boundary::{Input, Place, Plain};
 use crate::export::records;
 use crate::float;
@@ -14,6 +15,7 @@ use eigenshade::mathematics::SinglePrecision;
 use eigenshade::quantized::{self, Exposure, Highlights, LightBuffer as Turned, Normal, Rotation};
 use eigenshade::{DiscPixel, Error, IntegerMap, Linear, MapPoint, NormalPixel, Q15, Rgb, Source};
 
+/// The exponents of glTF materials.
 const EXPONENTS: usize = ORDER + 1;
 
 records! {
@@ -24,6 +26,7 @@ records! {
         size: usize, length: usize, texels: Input<i16>, exponents: [i32; 3];
 }
 
+/// The lights, for the runtime.
 fn lights(from: &[Light<Q15>; 3]) -> Result<Rgb<quantized::Light<'_, Q15>>, Status> {
     Rgb::from(from.each_ref()).try_map(|light| Ok(light.view()?.0))
 }
@@ -34,13 +37,15 @@ fn stored(
     turned: &Rgb<Turned<Q15, LIGHT>>,
     numbers: &mut LightBuffer,
 ) -> Result<[Light<Q15>; 3], Status> {
-    let mut lights = from.clone();
-    let turned = <[_; 3]>::from(turned.lights()?);
-    for ((light, turned), to) in lights.iter_mut().zip(turned).zip(&mut numbers.mantissas) {
+    let turned = turned.lights()?;
+    let [r, g, b] = &mut numbers.mantissas;
+    let store = |of: &Light<Q15>, turned: quantized::Light<'_, Q15>, to: &mut [Q15; LIGHT]| {
         to.iter_mut().zip(turned.mantissas()).for_each(|(to, &from)| *to = from);
-        (light.mantissas, light.exponent) = (Input::to(&*to), turned.exponent());
-    }
-    Ok(lights)
+        let (degree, length, exponent) = (of.degree, of.length, turned.exponent());
+        Light { degree, length, mantissas: Input::to(&*to), exponent }
+    };
+    let [of_r, of_g, of_b] = from;
+    Ok([store(of_r, turned.r, r), store(of_g, turned.g, g), store(of_b, turned.b, b)])
 }
 
 impl Format for Q15 {
@@ -184,13 +189,20 @@ impl Format for Q15 {
         integers::irradiance(scene, normal)
     }
 
-    fn bake(scene: &[float::Scene; 3], size: usize, texels: &mut [i16]) -> Result<Baked, Status> {
+    fn bake(
+        scene: &[float::Scene; 3],
+        size: usize,
+        texels: [&mut [i16]; 3],
+    ) -> Result<[i32; 3], Status> {
         let mut exponents = [0; 3];
-        let channels = scene.iter().zip(thirds_mut(texels)?).zip(&mut exponents);
-        for ((scene, texels), exponent) in channels {
+        for ((scene, texels), exponent) in scene.iter().zip(texels).zip(&mut exponents) {
             *exponent = float::view(scene)?.bake_integers_into(size, texels)?.exponent();
         }
-        Ok(Baked { size, length: texels.len(), texels: Input::to(texels), exponents })
+        Ok(exponents)
+    }
+
+    fn baked(size: usize, texels: Input<i16>, length: usize, exponents: [i32; 3]) -> Baked {
+        Baked { size, length, texels, exponents }
     }
 
     fn exponent(scene: &Scene<Self>) -> i32 {

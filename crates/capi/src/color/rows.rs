@@ -1,7 +1,8 @@
 //! Rows of RGB565 pixels: a program needs memory for one of them.
 #![expect(unsafe_code, reason = "memory of C")]
 
-use super::format::{Format, Opened, Picture, Shade};
+use super::format::Format;
+use super::picture::{Opened, Picture, Shade};
 use crate::boundary::{Input, Output, Place, Plain, disjoint};
 use crate::export::records;
 use crate::status::Status;
@@ -20,15 +21,44 @@ struct Target {
     length: usize,
 }
 
-/// Draws a row of an object, once everything is checked. Each pixel has a column, a coverage and a
-/// normal.
+/// The pixels of a row: column, coverage and normal.
+trait Row<F: Format>: Iterator<Item = (usize, u8, F::Normal)> {}
+impl<F: Format, I: Iterator<Item = (usize, u8, F::Normal)>> Row<F> for I {}
+
+/// An object: its width and height, and the pixels of one row.
+struct Shape<I> {
+    size: [usize; 2],
+    row: I,
+}
+
+/// The row of a disc.
+fn disc<F: Format>(diameter: usize, row: usize) -> Result<Shape<impl Row<F>>, Status> {
+    let row = Disc::new(diameter).map_err(|_| Status::Diameter)?.row(row);
+    let row = row.map(|pixel| (pixel.column(), u8::MAX, F::of_disc(pixel)));
+    Ok(Shape { size: [diameter; 2], row })
+}
+
+/// The row of a normal map, and where its codes lie.
+fn normal_map<F: Format>(
+    map: &NormalMap,
+    row: usize,
+) -> Result<(Shape<impl Row<F>>, Place), Status> {
+    // SAFETY: C promises `length` bytes.
+    let codes = unsafe { map.codes.array(map.length) }?;
+    let found = eigenshade::NormalMap::new(map.width, map.height, codes);
+    let row = found.map_err(|_| Status::NormalMap)?.row(row);
+    let row = row.map(|pixel| (pixel.column(), pixel.coverage(), F::of_normal_map(pixel)));
+    Ok((Shape { size: [map.width, map.height], row }, Place::of(codes)))
+}
+
+/// Draws a row of an object, once everything is checked.
 fn draw<F: Format>(
-    row: impl Iterator<Item = (usize, u8, F::Normal)>,
-    [width, height]: [usize; 2],
+    shape: Shape<impl Row<F>>,
     picture: Opened<impl Shade<F>>,
     target: &Target,
     read: &[Place],
 ) -> Result<(), Status> {
+    let [width, height] = shape.size;
     if target.row >= height || target.length < width {
         return Err(Status::Row);
     }
@@ -42,7 +72,7 @@ fn draw<F: Format>(
     disjoint(&written, &[Place::of(display)])?;
     // SAFETY: C promises `length` pixels, which overlap no other.
     let pixels = unsafe { target.pixels.array(target.length) }?;
-    for (column, coverage, normal) in row {
+    for (column, coverage, normal) in shape.row {
         let [r, g, b] = (picture.shade)(normal)?;
         let color = Rgb::new(F::exposed(r, of_r), F::exposed(g, of_g), F::exposed(b, of_b));
         if let Some(pixel) = pixels.get_mut(column) {
@@ -63,9 +93,7 @@ pub(crate) fn color_disc_row<F: Format>(
 ) -> Result<(), Status> {
     let target = Target { row, exposure, display, pixels, length };
     let picture = picture.value()?.open()?;
-    let row = Disc::new(diameter).map_err(|_| Status::Diameter)?.row(row);
-    let row = row.map(|pixel| (pixel.column(), u8::MAX, F::of_disc(pixel)));
-    draw::<F>(row, [diameter; 2], picture, &target, &[])
+    draw(disc::<F>(diameter, row)?, picture, &target, &[])
 }
 
 pub(crate) fn color_normal_map_row<F: Format>(
@@ -79,11 +107,6 @@ pub(crate) fn color_normal_map_row<F: Format>(
 ) -> Result<(), Status> {
     let target = Target { row, exposure, display, pixels, length };
     let (picture, map) = (picture.value()?.open()?, map.value()?);
-    // SAFETY: C promises `length` bytes.
-    let codes = unsafe { map.codes.array(map.length) }?;
-    let found = eigenshade::NormalMap::new(map.width, map.height, codes);
-    let row = found.map_err(|_| Status::NormalMap)?.row(row);
-    let row = row.map(|pixel| (pixel.column(), pixel.coverage(), F::of_normal_map(pixel)));
-    let read = [Place::of(map), Place::of(codes)];
-    draw::<F>(row, [map.width, map.height], picture, &target, &read)
+    let (shape, of_codes) = normal_map::<F>(map, row)?;
+    draw(shape, picture, &target, &[Place::of(map), of_codes])
 }

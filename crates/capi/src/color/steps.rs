@@ -1,10 +1,26 @@
 //! From light and material to a scene and a pixel, in three channels.
 #![expect(unsafe_code, reason = "memory of C")]
 
-use super::format::{Channels, Format, Opened, Picture, check_size, places};
+use super::format::{Channels, Format, check_size, places, thirds_mut};
+use super::picture::{Opened, Picture};
 use crate::boundary::{Input, Output, Place, disjoint};
 use crate::float;
 use crate::status::Status;
+
+/// Writes the transfers of three channels. Those of a gray material are computed once.
+fn transfers<F: Format>(
+    Channels([r, g, b]): &Channels<F::Material>,
+    Channels([to_r, to_g, to_b]): &mut Channels<F::Transfer>,
+) -> Result<(), Status> {
+    F::transfer(r, to_r)?;
+    if F::same(r, g) && F::same(r, b) {
+        to_g.clone_from(to_r);
+        to_b.clone_from(to_r);
+        return Ok(());
+    }
+    F::transfer(g, to_g)?;
+    F::transfer(b, to_b)
+}
 
 pub(crate) fn color_transfer<F: Format>(
     material: Input<Channels<F::Material>>,
@@ -13,18 +29,8 @@ pub(crate) fn color_transfer<F: Format>(
     let material = material.value()?;
     let read = places(material, F::material)?;
     disjoint(&[transfer.place()], read.as_flattened())?;
-    let Channels([r, g, b]) = material;
     // SAFETY: it overlaps no other.
-    let Channels([to_r, to_g, to_b]) = unsafe { transfer.zeroed() }?;
-    F::transfer(r, to_r)?;
-    // A gray material is transferred once.
-    if F::same(r, g) && F::same(r, b) {
-        to_g.clone_from(to_r);
-        to_b.clone_from(to_r);
-        return Ok(());
-    }
-    F::transfer(g, to_g)?;
-    F::transfer(b, to_b)
+    transfers::<F>(material, unsafe { transfer.zeroed() }?)
 }
 
 pub(crate) fn color_relight<F: Format>(
@@ -147,7 +153,8 @@ pub(crate) fn color_bake<F: Format>(
     check_size(size, length)?;
     disjoint(&[texels.place_of_array(length)?, map.place()], &[Place::of(scene)])?;
     // SAFETY: C promises memory for `length` texels; nothing overlaps.
-    let (texels, map) = unsafe { (texels.zeroed_array(length)?, map.zeroed()?) };
-    *map = F::bake(&scene.0, size, texels)?;
+    let (numbers, map) = unsafe { (texels.zeroed_array(length)?, map.zeroed()?) };
+    let exponents = F::bake(&scene.0, size, thirds_mut(numbers)?)?;
+    *map = F::baked(size, texels.to_input(), length, exponents);
     Ok(())
 }

@@ -8,6 +8,7 @@ use record::{Golden, Row};
 
 const FILE: &str = include_str!("../../../../tests/golden/sphere.csv");
 
+/// Its text.
 pub fn text() -> Result<String, String> {
     let golden = Golden::parse(FILE)?;
     let mut text = String::from(

@@ -42,6 +42,7 @@ fn checksum(picture: &[u16]) -> u32 {
     bytes.fold(2_166_136_261, |sum, byte| (sum ^ u32::from(byte)).wrapping_mul(16_777_619))
 }
 
+/// The lines.
 pub fn lines() -> Result<String, Error> {
     let filmic = Display::new(Tone::Filmic);
     let linear = Display::new(Tone::Linear);
