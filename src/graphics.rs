@@ -154,7 +154,7 @@ impl<S: Scalar> Light<'_, S> {
 
 impl<S: Scalar> Rgb<Light<'_, S>> {
     /// [`Light::from_graphics`] of the red, green and blue of each coefficient, as these programs
-    /// list them; the same errors, but `NotFinite` counts coefficients.
+    /// list them.
     ///
     /// ```
     /// # #[cfg(feature = "baked")] {

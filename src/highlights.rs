@@ -123,8 +123,8 @@ impl<S: Scalar, const N: usize> Highlights<S, N> {
     }
 
     /// Adds the irradiance of each normal to `irradiance`, after `shade_slice` of a scene has
-    /// written that of the rest of the light. The sums are bit for bit those of
-    /// [`shade`](Self::shade).
+    /// written that of the rest of the light. The sums are those of [`shade`](Self::shade) to the
+    /// last bit.
     ///
     /// ```
     /// use eigenshade::mathematics::SinglePrecision;

@@ -75,7 +75,8 @@ impl Material<'_, f32> {
         ORDER_7.material(base_color, metallic, roughness)
     }
 
-    /// The parts matte, rim and metal, to order 7. Every glTF material is a weighted sum of them.
+    /// The parts matte, rim and metal, to order 7. Every glTF material of a roughness is a weighted
+    /// sum of them.
     ///
     /// Transfers are linear in the material. With those of the three parts, a material of another
     /// color or share of metal needs no new transfer, but a sum of three, and one of another

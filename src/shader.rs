@@ -141,7 +141,6 @@ impl<'a> Shader<'a> {
     ///
     /// # Errors
     ///
-    /// In f32, a shader is as near to the formula as [`Highlights::shade`]. Errors:
     /// [`Error::Length`] if there are fewer `vectors` than [`vectors`](Self::vectors), and
     /// [`Error::Capacity`] if there are more highlights than the shader has sources.
     pub fn highlight_uniforms<S: Scalar + Into<f32>, const N: usize>(

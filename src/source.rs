@@ -38,7 +38,8 @@ pub struct Source<S> {
 }
 
 impl<S: Scalar> Source<S> {
-    /// A source in the unit vector `direction`, from the object to the light in the camera's frame.
+    /// A source in the unit vector `direction`, which points from the object to the light in the
+    /// camera's frame.
     ///
     /// * `energy`: the integral of its radiance over solid angle, in each channel, at least 0.
     /// * `major`: a vector whose length is the standard deviation in radians along its direction. Its
@@ -171,10 +172,11 @@ impl<S: Scalar> Source<S> {
         Ok(blob)
     }
 
-    /// Adds the coefficients of the blob with energy 1 to those of a light. The integral along the
-    /// major axis is a trapezoid sum over nodes s_j = cos(x_j) s + sin(x_j) major / |major|, x_j =
-    /// j h t and |j h| <= 5, with weights exp(-(j h)² / 2) over their sum. With h <= 2π / (5 + t
-    /// l), its ends and its aliases each leave at most 4e-6 of degree l.
+    /// Adds the coefficients of the blob with energy 1 to those of a light.
+    ///
+    /// The integral along the major axis is a trapezoid sum over nodes s_j = cos(x_j) s + sin(x_j)
+    /// major / |major|, x_j = j h t and |j h| <= 5, with weights exp(-(j h)² / 2) over their sum.
+    /// With h <= 2π / (5 + t l), its ends and its aliases each leave at most 4e-6 of degree l.
     fn add_blob<M: Mathematics<S>>(
         &self,
         coefficients: &mut [S],

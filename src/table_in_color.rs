@@ -1,4 +1,4 @@
-//! What the modules of tables have in every format.
+//! The items that every module of a table has, in floats and in integers.
 
 /// Sizes, and the type of a scene.
 #[doc(hidden)]

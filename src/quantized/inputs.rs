@@ -299,7 +299,8 @@ impl<Q: FixedPoint> Normal<Q> {
     /// A vector that points away from the camera by no more than 1/8 is moved to the rim. For an
     /// 8-bit normal map, pass 2c - 255 for each channel c.
     ///
-    /// Cost: a root and three divisions in 64 bits: for reading maps, not for each pixel.
+    /// Cost: a root and three divisions in 64 bits, suitable for reading maps but not for each
+    /// pixel.
     ///
     /// ```
     /// use eigenshade::quantized::Normal;

@@ -110,8 +110,8 @@ fn write<S: Scalar, const N: usize>(planes: &Rgb<[S; N]>, colors: &mut [Rgb<S>])
 
 impl<B> Rgb<Scene<'_, B>> {
     /// Writes the irradiance of each normal in each channel, for engines that interpolate between
-    /// the vertices of a mesh. The numbers are bit for bit those of [`Scene::shade_slice`] in each
-    /// channel.
+    /// the vertices of a mesh. The numbers are those of [`Scene::shade_slice`] in each channel, to
+    /// the last bit.
     ///
     /// ```
     /// # #[cfg(feature = "presets")] {

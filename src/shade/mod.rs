@@ -64,7 +64,8 @@ impl<B> Scene<'_, B> {
     /// Writes the irradiance of each normal into `irradiance`.
     ///
     /// The sums are those of [`shade`](Self::shade) in the same order, so the results agree to the
-    /// last bit. With WebAssembly's `relaxed-simd`, `shade` of a generated table may differ there.
+    /// last bit. With WebAssembly's `relaxed-simd`, `shade` of a generated table may differ in the
+    /// last bits.
     ///
     /// ```
     /// # #[cfg(feature = "baked")] {

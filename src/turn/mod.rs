@@ -27,7 +27,8 @@ impl<S: Scalar> Light<'_, S> {
     ///
     /// The energy of each degree is preserved. A light of degree 9 in f32 that is rotated and
     /// rotated back matches the original within 1e-6 of its largest coefficient. Cost: for degree 9
-    /// some 1,500 products, and one root; see `docs/costs.md`. This is set-up work.
+    /// some 1,500 products, and one root; see `docs/costs.md`. This is set-up work, not work for
+    /// each pixel.
     ///
     /// ```
     /// use eigenshade::mathematics::SinglePrecision;
@@ -66,8 +67,6 @@ impl<S: Scalar> Light<'_, S> {
     ///
     /// # Errors
     ///
-    /// Above degree 12 the rotation's matrices are computed, which takes for each degree l (2l +
-    /// 1)² elements of some twenty operations each, and three roots for each order. Errors:
     /// [`Error::Length`] unless `workspace` has [`turn_len`](Self::turn_len) numbers and `turned`
     /// has (degree + 1)².
     pub fn turn_into<M: Mathematics<S>>(

@@ -73,8 +73,11 @@ impl core::error::Error for WireError {}
 impl<'a> Basis<'a, f32> {
     /// Reads a basis from a [wire](crate::wire) file that starts at a multiple of four.
     ///
-    /// Cost: the checksum, with two look-ups per byte, and the checks of [`new`](Self::new). Any bytes
-    /// that are not such a file give a [`WireError`].
+    /// Cost: the checksum, with two look-ups per byte, and the checks of [`new`](Self::new).
+    ///
+    /// # Errors
+    ///
+    /// A [`WireError`] for any bytes that are not such a file.
     pub fn from_bytes(bytes: &'a [u8]) -> Result<Self, WireError> {
         let (parts, general) = read_floats(bytes)?;
         match general.components {
@@ -86,7 +89,7 @@ impl<'a> Basis<'a, f32> {
 
 impl<'a> GeneralBasis<'a, f32> {
     /// Reads the basis of an object other than the sphere from a [wire](crate::wire) file.
-    /// Otherwise the same as [`Basis::from_bytes`], with the same errors.
+    /// Otherwise the same as [`Basis::from_bytes`].
     ///
     /// ```
     /// use eigenshade::wire::WireError;
@@ -100,6 +103,10 @@ impl<'a> GeneralBasis<'a, f32> {
     /// assert!(project(&[], &Light::new(&[3.5])?).is_err());
     /// # Ok::<(), eigenshade::Error>(())
     /// ```
+    ///
+    /// # Errors
+    ///
+    /// A [`WireError`] for any bytes that are not such a file.
     pub fn from_bytes(bytes: &'a [u8]) -> Result<Self, WireError> {
         let (span, parts) = read_floats(bytes)?;
         if parts.components == 0 {
@@ -116,8 +123,11 @@ macro_rules! from_bytes {
             ///
             /// Cost: the checksum, with two look-ups per byte, and the checks of
             /// [`new`](Self::new). The largest values that a profile states are not checked: in a
-            /// forged file, as opposed to a damaged one, they may make a pixel wrap. Any bytes that
-            /// are not such a file give a [`WireError`].
+            /// forged file, as opposed to a damaged one, they may make a pixel wrap.
+            ///
+            /// # Errors
+            ///
+            /// A [`WireError`] for any bytes that are not such a file.
             pub fn from_bytes(bytes: &'a [u8]) -> Result<Self, WireError> {
                 Ok(Self::new(read_integers(bytes)?)?)
             }
