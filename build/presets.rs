@@ -28,21 +28,22 @@ pub fn write() -> Result<(), String> {
     glosses()
 }
 
-/// Total errors: name, degree, order, median, worst, map and worst pixel.
+/// Total screen errors: name, degree, order, sources, then the mean and the 95th percentile of the
+/// pixels, each the median over the maps and what 95 of 100 maps do not exceed; and a map.
 const ERRORS: &str = "tables/inputs/merl.errors.csv";
 
 /// The total error, as a constant's documentation states it.
 fn error_text(errors: &[String], name: &str) -> String {
     let rows: Vec<Vec<&str>> = errors.iter().map(|line| line.split(',').collect()).collect();
-    let percent = |column: usize, size: [&str; 2]| {
-        let row = rows.iter().find(|row| row.len() == 7 && row[0] == name && row[1..3] == size)?;
-        row[column].parse::<f64>().ok().map(|share| format!("{:.1} %", 100.0 * share))
+    let of = |sources: &str| {
+        let key = [name, "9", "7", sources];
+        let row = rows.iter().find(|row| row.len() == 9 && row[..4] == key)?;
+        Some(format!("{} (95 of 100 pixels within {})", row[4], row[6]))
     };
-    let of_size = |size| Some([percent(3, size)?, percent(4, size)?, percent(6, size)?]);
-    match (of_size(["9", "7"]), of_size(["12", "12"])) {
-        (Some([median, worst, pixel]), Some([of_12, worst_of_12, pixel_of_12])) => format!(
-            " Total error: {median} of the peak (rms, median of 18 maps; worst map {worst}, worst \
-             pixel {pixel}); {of_12} ({worst_of_12}, {pixel_of_12}) at degree and order 12."
+    match (of("0"), of("8")) {
+        (Some(none), Some(most)) => format!(
+            " Screen error of its pictures, CIEDE2000, median of 18 maps: {none}; with up to 8 \
+             sources {most}."
         ),
         _ => String::new(),
     }
@@ -188,11 +189,17 @@ fn sources() -> Result<(), String> {
 /// and order of the presets.
 fn source_sets(sets: &[((String, usize), Vec<String>)]) -> Result<String, String> {
     let mut constants = Vec::new();
-    for (light, numbers) in rows("tables/inputs/sources.errors.csv")? {
-        let [most, degree, order, rms @ .., _, _, _, _, _, _]: [f64; 15] = numbers;
-        if [degree, order] != [DEGREE as f64, ORDER as f64] {
+    let path = "tables/inputs/sources.errors.csv";
+    for line in read_lines(path)?.iter().skip(1) {
+        let fields: Vec<&str> = line.split(',').collect();
+        let number = |text: &&str| text.parse::<f64>().map_err(|_| format!("{path}: `{line}`"));
+        let [light, most, degree, order, base, numbers @ ..] = &fields[..] else { continue };
+        if [number(degree)?, number(order)?] != [DEGREE as f64, ORDER as f64] || *base != "metal" {
             continue;
         }
+        let (light, most) = ((*light).to_owned(), number(most)?);
+        let numbers = numbers.iter().map(number).collect::<Result<Vec<f64>, _>>()?;
+        let [.., a, b, c, d, e, f] = numbers[..] else { return Err(format!("{path}: `{line}`")) };
         let sources = match most as usize {
             0 => "&[]".to_owned(),
             most if sets.iter().any(|(set, _)| set.0 == light && set.1 == most) => {
@@ -200,7 +207,7 @@ fn source_sets(sets: &[((String, usize), Vec<String>)]) -> Result<String, String
             }
             most => return Err(format!("`{light}` has no set of {most} sources")),
         };
-        let errors: [f64; 6] = rms;
+        let errors = [a, b, c, d, e, f];
         let text = format!("    SourceSet::new({sources}, {errors:?}),\n");
         add(&mut constants, light, text);
     }

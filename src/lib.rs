@@ -246,7 +246,7 @@ pub use shader_text::ShaderLanguage;
 pub use source::Source;
 pub use source_set::SourceSet;
 pub use transfer::Transfer;
-pub use truncation::{GlossyScenes, Shape, Tolerance, Truncation};
+pub use truncation::{Shape, Tolerance, Truncation};
 
 // Runs the README's examples as tests.
 #[cfg(all(doctest, feature = "baked", feature = "presets"))]

@@ -133,7 +133,44 @@ pub enum Window<S> {
     },
 }
 
+/// The darkest channel of a picture that [`Window::weakest`] allows, as a share of white.
+const DARKEST: f64 = -0.02;
+/// The windows that it tries, from weak to strong: their widths, in degrees of the light plus one.
+const WIDTHS: [f64; 11] = [4.5, 3.6, 3.0, 2.6, 2.3, 2.0, 1.8, 1.6, 1.4, 1.2, 1.0];
+
 impl<S: Scalar> Window<S> {
+    /// The weakest window that keeps a picture from dark rings: no window if there are none.
+    ///
+    /// `darkest` draws the picture of the light of this degree under a window, and returns its
+    /// smallest channel, exposed, as a share of white. It is called for no window, then for
+    /// stronger ones until that is at least -0.02, which a display hardly tells from black. If no
+    /// window suffices, the one with the largest number is taken. Sloan and Filament search for a
+    /// window of a light in this way; a picture needs a weaker one, since its material blurs it.
+    ///
+    /// ```
+    /// use eigenshade::{Window, mathematics::Libm};
+    ///
+    /// // A picture that is dark by a tenth of the second degree's factor.
+    /// let window = Window::weakest(2, |window: Window<f32>| -0.1 * window.factor::<Libm>(2));
+    /// assert!(window.factor::<Libm>(2) <= 0.2 && window.factor::<Libm>(2) > 0.1);
+    /// assert_eq!(Window::weakest(2, |_| 0.0_f32), Window::None);
+    /// ```
+    pub fn weakest(degree: usize, mut darkest: impl FnMut(Self) -> S) -> Self {
+        let unit = S::from_whole(degree + 1);
+        let mut best = (Self::None, darkest(Self::None));
+        for width in WIDTHS {
+            if best.1 >= S::from_f64(DARKEST) {
+                break;
+            }
+            let window = Self::SincFourth { width: S::from_f64(width) * unit };
+            let found = darkest(window);
+            if found > best.1 {
+                best = (window, found);
+            }
+        }
+        best.0
+    }
+
     /// The factor of a degree, from 0 to 1. It is 1 for degree 0, so the mean light is preserved.
     ///
     /// A width that is not above 0 keeps degree 0 only.

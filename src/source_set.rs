@@ -7,9 +7,9 @@ use crate::source::Source;
 
 /// A set of sources of a light, with the errors of pictures that use it.
 ///
-/// An error is the root mean square over a sphere's picture, relative to the peak, against direct
-/// integration of the whole light. Errors are those of GGX metals, as measured: the larger one of
-/// the light as captured and turned. A dielectric over a matte base has smaller ones. For a lobe
+/// An error is the root mean square over a sphere's picture under its metered exposure, clipped at
+/// white, as a share of white, against direct integration of the whole light. Errors are those of
+/// GGX metals, as measured: the larger one of the light as captured and turned. A dielectric over a matte base has smaller ones. For a lobe
 /// that was fitted to another material, add what the fit leaves.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
@@ -20,7 +20,7 @@ pub struct SourceSet<'a, S> {
 
 impl<'a, S: Scalar> SourceSet<'a, S> {
     /// The sources, and the errors for metals of the roughness of
-    /// [`ROUGHNESS`](crate::index::highlights::ROUGHNESS), 0.1 to 0.6: shares of the peak, 0 or
+    /// [`ROUGHNESS`](crate::index::highlights::ROUGHNESS), 0.1 to 0.6: shares of white, 0 or
     /// more, which is not checked.
     #[must_use]
     pub const fn new(sources: &'a [Source<S>], errors: [S; 6]) -> Self {

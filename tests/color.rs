@@ -8,7 +8,7 @@ use eigenshade::{
     Argument, Disc, DiscPixel, Display, Error, Gloss, Light, MapPoint, Material, Normals, Q15, Rgb,
     Rotation, Source, SourceSet, Tolerance, Tone, Window, index, quantized,
 };
-use eigenshade_model::source::SetError;
+use eigenshade_model::source::{Base, SetError};
 use eigenshade_shading::{highlights, shipped};
 use eigenshade_testing::fixtures::{axes, normal};
 
@@ -126,9 +126,9 @@ fn presets_are_the_shipped_files() {
     }
 }
 
-/// The error of a metal whose roughness is in tenths.
-fn rms(set: &SetError, tenths: usize) -> f64 {
-    set.errors[tenths.min(6) - 1].rms
+/// The error of a metal whose roughness is in tenths, as a share of white.
+fn of_white(set: &SetError, tenths: usize) -> f64 {
+    set.errors[tenths.min(6) - 1].white
 }
 
 /// The errors of the sets are those of the file, at the degree and order of the presets, and the
@@ -139,21 +139,23 @@ fn sets_have_the_errors_of_the_shipped_file() {
     let size = (sphere::DEGREE, sphere::ORDER);
     let mut count = 0;
     for (light, sets) in sources::SETS {
-        let is_of_light = |one: &&SetError| one.light == light && one.size == size;
+        let is_of_light = |one: &&SetError| {
+            (one.light.as_str(), one.size, one.base) == (light, size, Base::Metal)
+        };
         let of_light: Vec<_> = files.iter().filter(is_of_light).collect();
         assert_eq!(sets.len(), of_light.len(), "{light}");
         for tenths in 1..=10_u8 {
             let roughness = f64::from(tenths) / 10.0;
             let gloss = Gloss::new(roughness as f32, [0.9; 3], [0.0; 3]).unwrap();
             for (set, file) in sets.iter().zip(&of_light) {
-                let apart = f64::from(set.error(&gloss)) - rms(file, usize::from(tenths));
+                let apart = f64::from(set.error(&gloss)) - of_white(file, usize::from(tenths));
                 assert!(apart.abs() < 1e-6, "{light}, {roughness}: {apart}");
                 count += 1;
             }
             for tolerance in [1.03e-3, 5.03e-3, 1.003e-2, 2.003e-2, 5.003e-2] {
                 let chosen = SourceSet::within(sets, &gloss, tolerance as f32);
                 let expected = of_light.iter().position(|file| {
-                    roughness >= 0.6 || rms(file, usize::from(tenths)) <= tolerance
+                    roughness >= 0.6 || of_white(file, usize::from(tenths)) <= tolerance
                 });
                 assert_eq!(chosen, expected.map(|k| sets[k]), "{light}, {roughness}, {tolerance}");
             }

@@ -32,7 +32,6 @@ mod runtime;
 mod sources;
 mod truncation;
 mod truncation_sets;
-mod truncation_sources;
 mod turned_lights;
 mod windows;
 mod wire;

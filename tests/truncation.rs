@@ -134,19 +134,21 @@ fn slices_of_short_scenes_are_shaded_as_their_normals() {
 fn ambient_light_on_a_matte_is_a_constant() {
     let d = coefficients(&[3.5], &MATTE);
     let mut lengths = [0; 16];
-    let (_, report) = truncated(&d, Tolerance::Decibels(60), &mut lengths);
+    let (_, report) = truncated(&d, Tolerance::OfPeak(1e-3), &mut lengths);
     assert_eq!((report.azimuths, report.terms), (1, 1), "{report:?}");
 }
 
 #[test]
-fn decibels_are_shares() {
+fn shares_of_white_and_of_the_peak_are_irradiances() {
     let d = coefficients(&[3.5, 0.5, 1.0, 0.2], &MATTE);
     let (mut one, mut other) = ([0; 16], [0; 16]);
-    let (_, decibels) = truncated(&d, Tolerance::Decibels(40), &mut one);
-    let (_, share) = truncated(&d, Tolerance::OfPeak(0.01), &mut other);
-    assert_eq!(decibels, share);
-    let (_, irradiance) = truncated(&d, Tolerance::Irradiance(0.01 * share.peak), &mut other);
-    assert_eq!(irradiance, share);
+    let (_, of_peak) = truncated(&d, Tolerance::OfPeak(0.01), &mut one);
+    let (_, irradiance) = truncated(&d, Tolerance::Irradiance(0.01 * of_peak.peak), &mut other);
+    assert_eq!(irradiance, of_peak);
+    // White is an irradiance of 1 / 4.
+    let share = 0.04 * of_peak.peak;
+    let (_, of_white) = truncated(&d, Tolerance::OfWhite { share, exposure: 4.0 }, &mut other);
+    assert_eq!(of_white, of_peak);
 }
 
 #[test]
@@ -159,6 +161,10 @@ fn faults_are_named() {
     for wrong in [0.0, -1.0, f32::NAN, f32::INFINITY] {
         let error = within(Tolerance::OfPeak(wrong), &mut [0; 16]);
         assert_eq!(error, Err(Error::Tolerance), "{wrong}");
+        for (share, exposure) in [(wrong, 1.0), (0.1, wrong)] {
+            let error = within(Tolerance::OfWhite { share, exposure }, &mut [0; 16]);
+            assert_eq!(error, Err(Error::Tolerance), "{share} {exposure}");
+        }
     }
     let short = within(Tolerance::OfPeak(0.1), &mut [0; 2]);
     assert!(matches!(short, Err(Error::Length { .. })), "{short:?}");

@@ -2,7 +2,7 @@
 //! them, and the gloss of the shipped materials.
 
 use crate::accuracy_cost::scope::published;
-use crate::numbers::{median, percent};
+use crate::numbers::median;
 use crate::pages::{Part, table};
 use crate::sheet::fields;
 use eigenshade_generator::light::environment::EnvironmentMap;
@@ -12,12 +12,14 @@ use eigenshade_index::highlights::{LARGEST_SET, ROUGHNESS, SETS};
 use eigenshade_model::error::{Error, Result};
 use eigenshade_model::inputs::source_csv::read_sources;
 use eigenshade_model::rotation::Rotation;
-use eigenshade_model::source::{NamedGloss, SetError, SourceSets};
+use eigenshade_model::screen::ScreenError;
+use eigenshade_model::source::{Base, NamedGloss, SetError, SourceSets};
 use eigenshade_shading::shipped;
 use eigenshade_sources::gloss::Fitter;
 use eigenshade_sources::pursuit::{self, FITTED};
-use eigenshade_sources::remaining::{self, off, picture};
+use eigenshade_sources::remaining::{self, picture};
 use eigenshade_sources::response::{Glossy, Response};
+use eigenshade_sources::screen::Reference;
 use eigenshade_sources::sphere::{Picture, Sphere};
 use eigenshade_sources::view::View;
 use indicatif::ProgressBar;
@@ -42,20 +44,19 @@ pub struct Row {
     pub size: (usize, usize),
     /// The most sources.
     pub sources: usize,
-    /// The root mean square error and the largest error of a pixel, of the peak.
-    pub errors: [f64; 2],
+    pub error: ScreenError,
 }
 
 /// The columns of the errors.
-pub const COLUMNS: &str = "light,turned,roughness,degree,order,sources,rms,worst";
+pub const COLUMNS: &str = "light,turned,roughness,degree,order,sources,mean,p95,white";
 
 impl Row {
     /// The fields of [`COLUMNS`].
     pub fn fields(&self) -> Vec<String> {
-        let Self { light, is_turned, roughness, size: (degree, order), sources, errors } = self;
-        let (rms, worst) = (format!("{:.5}", errors[0]), format!("{:.4}", errors[1]));
-        let turned = u8::from(*is_turned);
-        fields(&[light, &turned, roughness, degree, order, sources, &rms, &worst])
+        let Self { light, is_turned, roughness, size: (degree, order), sources, error } = self;
+        let [mean, p95] = [error.mean, error.p95].map(|difference| format!("{difference:.2}"));
+        let (turned, white) = (u8::from(*is_turned), format!("{:.4}", error.white));
+        fields(&[light, &turned, roughness, degree, order, sources, &mean, &p95, &white])
     }
 }
 
@@ -113,17 +114,16 @@ pub fn errors(inputs: &Path, names: &[String], progress: &ProgressBar) -> Result
             let sphere = view.sphere(SPACING);
             for material in &materials {
                 let reference = view.pictures(material, &sphere.normals).reference;
+                let reference = Reference::new(reference, &sphere);
                 for (response, (size, has_sources)) in material.responses.iter().zip(SIZES) {
                     let counts = std::iter::once(0).chain(SETS.into_iter().filter(|_| has_sources));
                     for sources in counts {
                         let gloss = &material.gloss;
                         let found = picture(&view, [response; 3], gloss, sets, sources, &sphere)?;
-                        let [rms, worst] = off(&sphere, &found, &reference);
-                        // The digits that are recorded.
-                        let errors = [(rms * 1e5).round() / 1e5, (worst * 1e4).round() / 1e4];
+                        let error = reference.errors(&found, &sphere).all;
                         let (light, is_turned) = (name.clone(), turn.is_some());
                         let roughness = gloss.roughness;
-                        rows.push(Row { light, is_turned, roughness, size, sources, errors });
+                        rows.push(Row { light, is_turned, roughness, size, sources, error });
                     }
                 }
             }
@@ -151,9 +151,7 @@ pub fn parts(rows: &[Row]) -> Vec<Part> {
     };
     let titles = settings.map(title).join(" | ");
     let cell = |row: Option<&Row>| {
-        row.map_or("-".into(), |row| {
-            format!("{:.2} / {:.1}", 100.0 * row.errors[0], 100.0 * row.errors[1])
-        })
+        row.map_or("-".into(), |row| format!("{:.1} / {:.1}", row.error.mean, row.error.p95))
     };
     let lines = lights.iter().map(|light| {
         let cells = settings.map(|setting| cell(find(light, false, 0.3, setting)));
@@ -166,9 +164,10 @@ pub fn parts(rows: &[Row]) -> Vec<Part> {
             let cells = settings.map(|setting| {
                 let found = lights.iter();
                 let found = found.filter_map(|light| find(light, is_turned, roughness, setting));
-                let errors: Vec<[f64; 2]> = found.map(|row| row.errors).collect();
-                let of = |k: usize| errors.iter().map(|errors| errors[k]).collect::<Vec<f64>>();
-                [0, 1].map(|k| percent(median(&of(k)), 2)).join(" / ")
+                let errors: Vec<ScreenError> = found.map(|row| row.error).collect();
+                let of = |of: fn(&ScreenError) -> f64| errors.iter().map(of).collect::<Vec<f64>>();
+                let [mean, p95] = [of(|error| error.mean), of(|error| error.p95)];
+                format!("{:.1} / {:.1}", median(&mean), median(&p95))
             });
             lines.push([roughness.to_string(), name.to_owned()].into_iter().chain(cells).collect());
         }
@@ -187,14 +186,15 @@ pub fn glosses(names: &[String]) -> Result<Vec<NamedGloss>> {
 
 /// The errors that the shipped sources of each captured light leave, or of those with these names.
 pub fn remaining(inputs: &Path, names: &[String], progress: &ProgressBar) -> Result<Vec<SetError>> {
-    let metals = remaining::metals(&ROUGHNESS)?;
+    let of = |base| Ok((base, remaining::materials(base, &ROUGHNESS)?));
+    let materials = Base::ALL.into_iter().map(of).collect::<Result<Vec<_>>>()?;
     let mut lights = read_sources(inputs.join("sources.csv"))?;
     lights.retain(|sets| names.is_empty() || names.contains(&sets.name));
     progress.set_length(lights.len() as u64);
     let mut all = Vec::new();
     for sets in lights {
         let path = inputs.join(format!("maps/{}.exr", sets.name));
-        all.extend(remaining::errors(&EnvironmentMap::from_path(path)?, &sets, &metals)?);
+        all.extend(remaining::errors(&EnvironmentMap::from_path(path)?, &sets, &materials)?);
         progress.inc(1);
     }
     Ok(all)

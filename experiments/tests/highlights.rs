@@ -1,21 +1,17 @@
 //! The recorded errors of pictures with small sources, their page, and gloss.
 
+use crate::OF_DIGITS;
 use crate::support::repository;
-use crate::{OF_DIGITS, shipped_map};
-use eigenshade::mathematics::SinglePrecision;
-use eigenshade::presets::{light, sources};
-use eigenshade::{Gloss, Highlights, Material, Normal, Tolerance, sphere};
+use eigenshade::{Gloss, sphere};
 use eigenshade_generator::light::environment::EnvironmentMap;
-use eigenshade_generator::material::brdf::Measure;
-use eigenshade_generator::material::brdf::projection::project_orders;
 use eigenshade_index::highlights::ROUGHNESS;
-use eigenshade_model::source::{NamedGloss, SetError};
+use eigenshade_model::screen::ScreenError;
+use eigenshade_model::source::{Base, NamedGloss, SetError};
 use eigenshade_shading::{highlights, shipped};
 use eigenshade_sources::remaining;
 use eigenshade_sources::response::Glossy;
 use eigenshade_sources::view::View;
 use experiments::highlights::{Row, errors, glosses, parts};
-use experiments::numbers::median;
 use experiments::pages::filled;
 use indicatif::ProgressBar;
 use std::fs;
@@ -27,8 +23,8 @@ fn recorded() -> Vec<Row> {
         let number = |k: usize| fields[k].parse::<f64>().unwrap();
         let [degree, order, sources] = [3, 4, 5].map(|k: usize| fields[k].parse().unwrap());
         let (light, is_turned, roughness) = (fields[0].into(), fields[1] == "1", number(2));
-        let errors = [number(6), number(7)];
-        Row { light, is_turned, roughness, size: (degree, order), sources, errors }
+        let error = ScreenError { mean: number(6), p95: number(7), white: number(8) };
+        Row { light, is_turned, roughness, size: (degree, order), sources, error }
     };
     text.lines().skip(2).map(row).collect()
 }
@@ -42,114 +38,62 @@ fn recorded_errors_are_found_again() {
     let of_light: Vec<&Row> = recorded.iter().filter(|row| row.light == names[0]).collect();
     assert_eq!((found.len(), of_light.len()), (84, 84));
     for (found, recorded) in found.iter().zip(of_light) {
-        let same = Row { errors: recorded.errors, ..found.clone() };
+        let same = Row { error: recorded.error, ..found.clone() };
         assert_eq!(&same, recorded);
-        for (k, digit) in [1e-5, 1e-4].into_iter().enumerate() {
-            let off = (found.errors[k] - recorded.errors[k]).abs();
-            assert!(off <= OF_DIGITS * digit, "{found:?} {recorded:?}");
-        }
+        assert!(is_near(found.error, recorded.error), "{found:?} {recorded:?}");
     }
 }
 
-/// Those of the two smoothest metals, which depend on sources most.
+/// Two screen errors that are the same but for rounding: pixels of 8 bits may differ by a step.
+fn is_near(a: ScreenError, b: ScreenError) -> bool {
+    let near = |a: f64, b: f64, digit: f64| (a - b).abs() <= 0.01 * b + OF_DIGITS * digit;
+    near(a.mean, b.mean, 1e-2) && near(a.p95, b.p95, 1e-2) && near(a.white, b.white, 1e-4)
+}
+
+/// Those of the two smoothest metals and dielectrics, which depend on sources most.
 #[test]
 fn errors_of_sets_are_found_again() {
     let map = repository().join("tables/inputs/maps/sunset.exr");
     let map = EnvironmentMap::from_path(map).unwrap();
     let sets = shipped::sources().unwrap().into_iter().find(|sets| sets.name == "sunset").unwrap();
-    let metals = remaining::metals(&ROUGHNESS[..2]).unwrap();
-    let found = remaining::errors(&map, &sets, &metals).unwrap();
+    let materials =
+        Base::ALL.map(|base| (base, remaining::materials(base, &ROUGHNESS[..2]).unwrap()));
+    let found = remaining::errors(&map, &sets, &materials).unwrap();
     let recorded = shipped::set_errors().unwrap();
     let recorded: Vec<&SetError> = recorded.iter().filter(|one| one.light == sets.name).collect();
     assert_eq!(found.len(), recorded.len());
     for (found, recorded) in found.iter().zip(recorded) {
-        assert_eq!((found.most, found.size), (recorded.most, recorded.size));
-        for (found, recorded) in found.errors[..2].iter().zip(recorded.errors) {
-            for (found, recorded) in [(found.rms, recorded.rms), (found.worst, recorded.worst)] {
-                assert!((found - recorded).abs() <= OF_DIGITS * 1e-4, "{found} {recorded}");
-            }
+        let key = |one: &SetError| (one.most, one.size, one.base);
+        assert_eq!(key(found), key(recorded));
+        for (&found, recorded) in found.errors[..2].iter().zip(recorded.errors) {
+            assert!(is_near(found, recorded), "{found:?} {recorded:?}");
         }
     }
 }
 
-/// The errors of sets against those under another rotation of the light, as the page says.
+/// The errors of sets against those under another rotation of the light, as the page says: a
+/// picture that is not close by the estimate is seldom close, and the other way round.
 #[test]
 fn errors_of_sets_hold_under_another_view() {
     let estimates = shipped::set_errors().unwrap();
-    let mut shares = Vec::new();
+    let (mut shares, mut close) = (Vec::new(), [0; 2]);
     for row in recorded().iter().filter(|row| row.is_turned) {
-        let is = |one: &&SetError| {
-            (one.light.as_str(), one.most, one.size) == (row.light.as_str(), row.sources, row.size)
-        };
+        let key = (row.light.as_str(), row.sources, row.size, Base::Metal);
+        let is = |one: &&SetError| (one.light.as_str(), one.most, one.size, one.base) == key;
         let Some(estimate) = estimates.iter().find(is) else { continue };
         let metal = Gloss::new(row.roughness, [1.0; 3], [0.0; 3]).unwrap();
-        let (found, estimate) = (row.errors[0], highlights::set_errors(estimate, &metal).rms);
-        assert!(found <= estimate + 0.015, "{row:?} {estimate}");
-        if found > 0.005 {
-            shares.push(found / estimate);
+        let estimate = highlights::set_errors(estimate, &metal);
+        shares.push(row.error.over_close() / estimate.over_close());
+        if estimate.is_close() {
+            close[usize::from(row.error.is_close())] += 1;
         }
     }
     shares.sort_by(f64::total_cmp);
-    let (count, over) = (shares.len(), shares.iter().filter(|share| **share > 1.25).count());
-    assert!(count > 300 && shares[count / 2] <= 1.0, "{count} {}", shares[count / 2]);
-    let most = shares[count - 1];
-    assert!(5 * over <= count && most <= 3.0, "{over} of {count}, {most}");
-}
-
-/// The error of a scene with chosen sources, of what is stated.
-const OF_STATED: f64 = 1.2;
-
-/// Sources and terms chosen together by the runtime: pictures in f32 against direct integration of
-/// the whole map, for metals between those whose errors the sets have.
-#[test]
-fn scenes_with_sources_are_within_their_tolerance() {
-    let metals = [0.15, 0.25, 0.35, 0.5].map(|roughness| {
-        let metal = Glossy::new([roughness, 1.0, 0.0], &[]).unwrap();
-        let projected = project_orders(&*metal.brdf, &[sphere::ORDER], Measure::default());
-        let single = projected[0].coefficients.iter().map(|&number| number as f32);
-        (roughness, metal, single.collect::<Vec<_>>())
-    });
-    let (mut ratios, mut within) = (Vec::new(), 0);
-    for name in ["studio", "sunset", "city", "bridge", "venice"] {
-        let view = View::new(&shipped_map(name), None, sphere::DEGREE).unwrap();
-        let disc = view.sphere(0.12);
-        let normals = &disc.normals;
-        let (_, light) = light::ALL.into_iter().find(|(other, _)| *other == name).unwrap();
-        let (_, sets) = sources::SETS.into_iter().find(|(other, _)| *other == name).unwrap();
-        for (roughness, metal, coefficients) in &metals {
-            let reference = view.pictures(metal, normals).reference;
-            let material = Material::new(coefficients).unwrap();
-            let gloss = Gloss::new(*roughness as f32, [1.0; 3], [0.0; 3]).unwrap();
-            let project = |taken: &[_]| {
-                let rest = light.residual::<SinglePrecision, { sphere::LIGHT }>(taken)?;
-                rest.lights()?.try_map(|light| sphere::project(&light, &material))
-            };
-            for share in [0.05, 0.02, 0.01] {
-                let tolerance = Tolerance::OfPeak(share as f32);
-                let lengths = &mut [0; sphere::DEGREE + 1];
-                let room = &mut [0.0; 3 * sphere::SCENE];
-                let chosen = sphere::BASIS
-                    .collapse_sources_within(sets, &gloss, tolerance, project, lengths, room)
-                    .unwrap();
-                let lobes =
-                    Highlights::<f32, 16>::new::<SinglePrecision>(&gloss, chosen.sources).unwrap();
-                let of = |&[x, y, z]: &[f64; 3]| {
-                    let normal = Normal::new(x as f32, y as f32, z as f32).unwrap();
-                    let both = chosen.scenes.each_ref().zip(lobes.shade(normal));
-                    <[f64; 3]>::from(both.map(|(scene, lobe)| (scene.shade(normal) + lobe).into()))
-                };
-                let colors: Vec<[f64; 3]> = normals.iter().map(of).collect();
-                let found = [0, 1, 2].map(|c: usize| colors.iter().map(|one| one[c]).collect());
-                let rms = disc.error(&found, &reference);
-                let stated = f64::from(chosen.error);
-                assert!(rms <= OF_STATED * stated, "{name} {roughness} {share}: {rms} {stated}");
-                ratios.push(rms / stated);
-                within += usize::from(stated <= share);
-            }
-        }
-    }
-    assert!(ratios.len() == 60 && within >= 40, "{within}");
-    assert!(median(&ratios) <= 0.8, "{}", median(&ratios));
+    let count = shares.len();
+    let at = |share: f64| shares[((count - 1) as f64 * share) as usize];
+    println!("{count}: {:?}, {close:?}", [0.05, 0.5, 0.8, 0.95, 1.0].map(at));
+    assert!(count > 300 && at(0.5) <= 1.0 && at(0.8) <= 1.25, "{} {}", at(0.5), at(0.8));
+    assert!(close[0] * 8 <= close[1], "{close:?}");
 }
 
 #[test]
@@ -173,9 +117,8 @@ fn the_rim_is_worse() {
     assert!(off(2) > off(1), "{}", off(2));
 }
 
-/// The errors of metals of roughness 0.3 with 8 sources, in rms and of the worst pixel, that the
-/// page's readers count on, except under the lights that [`sources_show_highlights`] lists.
-const OF_OTHERS: [f64; 2] = [0.012, 0.11];
+/// The lights, of 21, under which a metal of roughness 0.3 with 8 sources at 12/12 is close.
+const OF_CLOSE: usize = 15;
 
 #[test]
 fn sources_show_highlights() {
@@ -186,32 +129,19 @@ fn sources_show_highlights() {
         };
         recorded.iter().filter(chosen)
     };
-    for row in of((12, 12), 8) {
-        let limits = match row.light.as_str() {
-            "studio" | "one sun" | "three lamps" | "park" | "sky" | "sunrise" => [0.002, 0.05],
-            "sunset" => [0.006, 0.1],
-            // Many lamps, and large windows.
-            "lab" | "warehouse" => [0.012, 0.132],
-            "hall" => [0.031, 0.265],
-            _ => OF_OTHERS,
-        };
-        let [rms, worst] = row.errors;
-        assert!(rms <= limits[0] && worst <= limits[1], "{row:?}");
-    }
-    for row in of((12, 12), 16).filter(|row| row.light != "hall") {
-        let [rms, worst] = row.errors;
-        assert!(rms <= OF_OTHERS[0] && worst <= OF_OTHERS[1], "{row:?}");
-    }
+    // With 8 sources at 12/12, most lights are close at a roughness of 0.3.
+    let (close, others): (Vec<_>, Vec<_>) = of((12, 12), 8).partition(|row| row.error.is_close());
+    assert!(close.len() >= OF_CLOSE, "{others:?}");
     // Two at 9/7 are nearer than 32/32 under the studio.
     let studio = |size, sources| {
-        of(size, sources).find(|row| row.light == "studio").expect("the studio").errors[0]
+        of(size, sources).find(|row| row.light == "studio").expect("the studio").error.mean
     };
     assert!(studio((9, 7), 2) < studio((32, 32), 0));
     // Four sources at 9/7 are nearer than 12/12 without, under most lights.
     let pairs = of((9, 7), 4).zip(of((12, 12), 0));
     let (nearer, others): (Vec<_>, Vec<_>) =
-        pairs.partition(|(four, none)| four.errors[0] < none.errors[0]);
-    assert!(nearer.len() >= 15, "{others:?}");
+        pairs.partition(|(four, none)| four.error.mean < none.error.mean);
+    assert!(nearer.len() >= 13, "{others:?}");
 }
 
 #[test]

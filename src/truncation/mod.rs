@@ -10,7 +10,6 @@ mod density;
 mod orthogonal;
 mod report;
 mod set;
-mod sources;
 mod terms;
 
 use crate::basis::Basis;
@@ -20,7 +19,6 @@ use crate::scene::Scene;
 
 pub use report::{Tolerance, Truncation};
 pub use set::Shape;
-pub use sources::GlossyScenes;
 
 impl<'a, S: Scalar> Basis<'a, S> {
     /// Computes a cheaper scene, within a tolerance of the scene of all `coefficients`:

@@ -234,7 +234,8 @@ fn look_up(d: &[f32; sphere::COMPONENTS], input: &mut Reader<'_>, is_moderate: b
     let integers = scene.bake_integers_into(size, vec![0; size * size]);
     assert!(!is_moderate || integers.is_ok(), "{:?}", integers.err());
     let (mut lengths, mut report) = ([0; sphere::DEGREE + 1], [Truncation::default()]);
-    let tolerance = Tolerance::Decibels(input.byte().max(1));
+    let share = 1.0 / f32::from(1 + input.byte());
+    let tolerance = Tolerance::OfWhite { share: share * share, exposure: 1.5 };
     let mut room = [0.0; sphere::SCENE];
     let shape = sphere::BASIS
         .collapse_set_within(&[d], 1, tolerance, &mut lengths, &mut room, &mut report)

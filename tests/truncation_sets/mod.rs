@@ -234,7 +234,7 @@ fn a_set_of_one_is_that_image_within_its_tolerance() {
     let (lights, materials) = shipped();
     for (light, material) in lights.iter().zip(&materials) {
         let d = on(light, material);
-        for tolerance in [Tolerance::OfPeak(1e-2), Tolerance::Decibels(60)] {
+        for tolerance in [Tolerance::OfPeak(1e-2), Tolerance::OfPeak(1e-3)] {
             let mut lengths = [0; 16];
             let (scene, report) = sphere::BASIS
                 .collapse_within(&d, tolerance, &mut lengths, [0.0f32; sphere::SCENE])

@@ -10,7 +10,7 @@ use eigenshade_model::inputs::set_error_csv::read_set_errors;
 use eigenshade_model::inputs::source_csv::read_sources;
 use eigenshade_model::source::{NamedGloss, SetError, Source as SmallSource};
 use eigenshade_shading::highlights;
-use eigenshade_shading::shipped::{self, TotalError};
+use eigenshade_shading::shipped;
 use std::convert::Infallible;
 use std::path::{Path, PathBuf};
 use std::str::FromStr;
@@ -186,15 +186,6 @@ impl Source {
             let file = || beside(&self.path, GLOSS).unwrap_or_else(|| self.path.clone());
             if self.is_shipped() { error } else { error.in_file(file()) }
         })
-    }
-
-    /// For a shipped material whose pictures were measured without sources: degree and order,
-    /// the largest measured ones that do not exceed these, or else the least, and the error.
-    #[must_use]
-    pub fn total_error(&self, size: (usize, usize)) -> Option<((usize, usize), TotalError)> {
-        let name = self.path.to_str().filter(|_| self.entry == Entry::Shipped)?;
-        let measured = largest_within(shipped::ERROR_SIZES.into_iter(), size)?;
-        Some((measured, shipped::total_error(name, measured)?))
     }
 
     /// The materials, shipped ones for a table of this order. Fails as [`lights`](Self::lights)

@@ -51,34 +51,6 @@ fn integers_of_a_matte_end_at_its_orders() {
     }
 }
 
-#[test]
-fn auto_is_for_whole_pictures() {
-    let folder = Folder::new();
-    for option in ["--components 10", "--window 20"] {
-        let drawn = format!("render -l lobby -m brass --sources auto {option} -o a.png");
-        assert_fails(&folder, &drawn, &["--sources auto is for whole pictures"]);
-    }
-}
-
-/// The errors of shipped materials are of one degree and order, and of all effects. A light of a
-/// lower degree may be whole.
-#[test]
-fn notes_say_of_which_pictures_the_errors_are() {
-    let folder = Folder::new();
-    folder.write("map.pfm", map(1.0));
-    folder.ok("light map.pfm -o low.csv --degree 2");
-    let said =
-        |options: &str| folder.messages(&format!("render -m brass -s 16 -o a.png {options}"));
-    let start = "note: `brass` is sharper than order 7 can show: at degree";
-    assert!(said("-l lobby").contains(&format!("{start} 9, pictures are off by 1.7 %")));
-    for other in ["-l low.csv", "-l lobby --effects diffuse"] {
-        assert!(!said(other).contains(start), "{other}");
-    }
-    let of_12 =
-        "note: `brass` is sharper than order 12 can show: at degree 12, pictures are off by 1.7 %";
-    assert_contains(&said("-l lobby -t pbr"), &[of_12]);
-}
-
 /// Integers that a table does not have are refused before anything is written.
 #[test]
 fn a_table_without_integers_writes_nothing() {

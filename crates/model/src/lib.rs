@@ -53,6 +53,8 @@ pub mod highlight_constants;
 
 pub mod srgb;
 
+pub mod screen;
+
 pub mod budget;
 
 pub mod inputs {

@@ -1,6 +1,7 @@
 //! Small bright sources of a light, and the gloss of the materials that reflect them.
 
 use crate::inputs::coefficient_text::significant;
+use crate::screen::ScreenError;
 
 /// An elliptical blob of light on the sphere of directions: see the runtime's `Source`.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -80,16 +81,38 @@ pub struct NamedGloss {
     pub error: f64,
 }
 
-/// Errors of pictures of a GGX metal, relative to the peak.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct SetErrors {
-    /// The root mean square over a sphere's picture.
-    pub rms: f64,
-    /// The largest error of a pixel.
-    pub worst: f64,
+/// The kind of a GGX material: what is below its lobe.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Base {
+    /// A metal of reflectance 1, which has nothing below.
+    Metal,
+    /// A dielectric of reflectance 0.04 over a matte base of albedo 0.5.
+    Dielectric,
 }
 
-/// The errors of pictures under one light with one set of sources.
+impl Base {
+    /// Both kinds.
+    pub const ALL: [Self; 2] = [Self::Metal, Self::Dielectric];
+
+    /// The name in files.
+    #[must_use]
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Metal => "metal",
+            Self::Dielectric => "dielectric",
+        }
+    }
+
+    /// The kind that is nearer to a gloss: a metal, if its lobe reflects more than its base.
+    #[must_use]
+    pub fn of(gloss: &Gloss) -> Self {
+        let sum = |channels: [f64; 3]| channels.iter().sum::<f64>();
+        let is_metal = sum(gloss.reflectance) > sum(gloss.albedo);
+        if is_metal { Self::Metal } else { Self::Dielectric }
+    }
+}
+
+/// The errors of pictures of GGX materials under one light with one set of sources.
 #[derive(Clone, Debug, PartialEq)]
 pub struct SetError {
     /// The name of the light.
@@ -98,6 +121,9 @@ pub struct SetError {
     pub most: usize,
     /// Degree and order.
     pub size: (usize, usize),
-    /// For a metal of each of [`ROUGHNESS`](eigenshade_index::highlights::ROUGHNESS).
-    pub errors: [SetErrors; 6],
+    /// The kind of the materials.
+    pub base: Base,
+    /// For each of [`ROUGHNESS`](eigenshade_index::highlights::ROUGHNESS), against direct
+    /// integration, with the window that `eigenshade render` chooses.
+    pub errors: [ScreenError; 6],
 }

@@ -5,7 +5,8 @@ use eigenshade::mathematics::Libm;
 use eigenshade::{Scalar, SourceSet};
 use eigenshade_index::light;
 use eigenshade_model::error::Result;
-use eigenshade_model::source::{Gloss, SetError, SetErrors, Source};
+use eigenshade_model::screen::ScreenError;
+use eigenshade_model::source::{Gloss, SetError, Source};
 
 /// The largest degree of a light that sources are taken out of.
 const DEGREE: usize = 32;
@@ -36,9 +37,13 @@ pub fn gloss<S: Scalar>(gloss: &Gloss) -> Result<eigenshade::Gloss<S>> {
 
 /// The errors of pictures with a set of sources of a material: see [`SourceSet::error`].
 #[must_use]
-pub fn set_errors(set: &SetError, gloss: &eigenshade::Gloss<f64>) -> SetErrors {
-    let error = |of: fn(SetErrors) -> f64| SourceSet::new(&[], set.errors.map(of)).error(gloss);
-    SetErrors { rms: error(|errors| errors.rms), worst: error(|errors| errors.worst) }
+pub fn set_errors(set: &SetError, gloss: &eigenshade::Gloss<f64>) -> ScreenError {
+    let error = |of: fn(ScreenError) -> f64| SourceSet::new(&[], set.errors.map(of)).error(gloss);
+    ScreenError {
+        mean: error(|errors| errors.mean),
+        p95: error(|errors| errors.p95),
+        white: error(|errors| errors.white),
+    }
 }
 
 /// The harmonics up to `degree` of a source of energy 1, rounded to a format.

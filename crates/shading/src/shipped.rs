@@ -9,6 +9,7 @@ use eigenshade_model::inputs::gloss_csv::read_glosses;
 use eigenshade_model::inputs::input_file::InputFile;
 use eigenshade_model::inputs::set_error_csv::read_set_errors;
 use eigenshade_model::inputs::source_csv::read_sources;
+use eigenshade_model::screen::ScreenError;
 use eigenshade_model::source::{NamedGloss, SetError, SourceSets};
 use eigenshade_table::decode;
 use std::ffi::OsStr;
@@ -145,33 +146,34 @@ pub fn unseen_materials() -> Result<Materials> {
     Ok(color)
 }
 
-/// The total error of a material: its pictures against direct integration of its BRDF under the
-/// shipped maps, rms over a sphere's picture relative to the peak.
-#[derive(Clone, Copy, Debug, PartialEq)]
+/// The total screen error of a material: its pictures against direct integration of its BRDF under
+/// the shipped maps, with the windows that `eigenshade render` chooses.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct TotalError {
-    /// The median over the maps.
-    pub median: f64,
-    /// The worst map's.
-    pub worst: f64,
-    /// The largest error of a pixel under any map, relative to the peak.
-    pub pixel: f64,
+    /// The median over the maps, measure by measure.
+    pub median: ScreenError,
+    /// What 95 of 100 maps do not exceed.
+    pub most: ScreenError,
 }
 
 /// The degrees and orders of [`total_error`]: that of the shipped table, and the largest that one
 /// would use on a device.
 pub const ERROR_SIZES: [(usize, usize); 2] = [(9, 7), (12, 12)];
 
-/// The total error of a shipped material at a degree and an order, from
-/// `tables/inputs/merl.errors.csv`. `None` if it is not there.
+/// The total error of a shipped material at a degree and an order with at most 0 or 8 sources, from
+/// `tables/inputs/merl.errors.csv`, which has no shares of white. `None` if it is not there.
 #[must_use]
-pub fn total_error(material: &str, size: (usize, usize)) -> Option<TotalError> {
+pub fn total_error(material: &str, size: (usize, usize), sources: usize) -> Option<TotalError> {
     ERRORS.lines().find_map(|line| {
         let fields: Vec<&str> = line.split(',').collect();
-        let [name, degree, order, median, worst, _, pixel] = fields[..] else { return None };
-        if name != material || (degree.parse(), order.parse()) != (Ok(size.0), Ok(size.1)) {
+        let [name, degree, order, most, numbers @ .., _] = &fields[..] else { return None };
+        let key = [degree, order, most].map(|text| text.parse().ok());
+        if *name != material || key != [size.0, size.1, sources].map(Some) {
             return None;
         }
-        let number = |text: &str| text.parse::<f64>().ok();
-        Some(TotalError { median: number(median)?, worst: number(worst)?, pixel: number(pixel)? })
+        let numbers = numbers.iter().map(|text| text.parse().ok()).collect::<Option<Vec<f64>>>()?;
+        let [mean, mean_most, p95, p95_most] = numbers[..] else { return None };
+        let error = |mean, p95| ScreenError { mean, p95, white: f64::NAN };
+        Some(TotalError { median: error(mean, p95), most: error(mean_most, p95_most) })
     })
 }

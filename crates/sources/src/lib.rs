@@ -11,6 +11,8 @@
 
 pub mod sphere;
 
+pub mod screen;
+
 pub mod texels;
 
 pub mod light_tree;

@@ -1,21 +1,24 @@
-//! The errors that sources leave: pictures of metals against direct integration of the whole map.
+//! The screen errors that sources leave: pictures of metals and dielectrics against direct integration
+//! of the whole map.
 
 use crate::response::{Glossy, Place, Response};
-use crate::sphere::{Picture, Sphere, peak};
+use crate::screen::{self, Reference};
+use crate::sphere::{Picture, Sphere};
 use crate::view::View;
 use eigenshade::mathematics::Libm;
-use eigenshade::{Highlights, Normal};
+use eigenshade::{Highlights, Normal, Window};
 use eigenshade_generator::light::environment::EnvironmentMap;
 use eigenshade_index::highlights::MAX_SOURCES;
 use eigenshade_index::light;
 use eigenshade_model::error::Result;
 use eigenshade_model::rotation::Rotation;
-use eigenshade_model::source::{Gloss, SetError, SetErrors, SourceSets};
+use eigenshade_model::screen::ScreenError;
+use eigenshade_model::source::{Base, Gloss, SetError, SourceSets};
 use eigenshade_shading::shader::fault;
 use eigenshade_shading::{highlights, parallel};
 
 /// The degrees and orders.
-const SIZES: [(usize, usize); 4] = [(9, 7), (12, 12), (24, 24), (32, 32)];
+const SIZES: [(usize, usize); 2] = [(9, 7), (12, 12)];
 
 /// The light as it is, and after a rotation that no source is fitted to or chosen by.
 const VIEWS: [Option<Rotation>; 2] = [None, Some(Rotation { alpha: 0.6, beta: 1.3, gamma: -2.2 })];
@@ -23,65 +26,71 @@ const VIEWS: [Option<Rotation>; 2] = [None, Some(Rotation { alpha: 0.6, beta: 1.
 /// Spacing of the normals in radians.
 const SPACING: f64 = 0.09;
 
-/// Metals of these roughnesses; those whose pictures are compared are of
+/// The materials of a kind with these roughnesses; those whose pictures are compared are of
 /// [`ROUGHNESS`](eigenshade_index::highlights::ROUGHNESS).
 ///
 /// # Errors
 ///
 /// Those of [`Glossy::new`].
-pub fn metals(roughness: &[f64]) -> Result<Vec<Glossy>> {
-    let of = |&roughness: &f64| Glossy::new([roughness, 1.0, 0.0], &SIZES);
+pub fn materials(base: Base, roughness: &[f64]) -> Result<Vec<Glossy>> {
+    let [reflectance, albedo] = match base {
+        Base::Metal => [1.0, 0.0],
+        Base::Dielectric => [0.04, 0.5],
+    };
+    let of = |&roughness: &f64| Glossy::new([roughness, reflectance, albedo], &SIZES);
     roughness.iter().map(of).collect()
 }
 
-/// The errors of the pictures of these metals under a map, without sources and with each set: the
-/// larger of two views.
+/// The errors of the pictures of these materials of each base under a map, without sources and with
+/// each set: the larger of two views.
 ///
 /// # Errors
 ///
 /// Those of [`View::new`], and if the runtime refuses a source.
-pub fn errors(map: &EnvironmentMap, sets: &SourceSets, metals: &[Glossy]) -> Result<Vec<SetError>> {
+pub fn errors(
+    map: &EnvironmentMap,
+    sets: &SourceSets,
+    materials: &[(Base, Vec<Glossy>)],
+) -> Result<Vec<SetError>> {
     let degree = SIZES.iter().map(|size| size.0).max().unwrap_or(0);
     let mut found: Vec<SetError> = Vec::new();
     for size in SIZES {
-        let counts = sets.sets.iter().map(|(most, _)| *most);
-        found.extend(std::iter::once(0).chain(counts).map(|most| SetError {
-            light: sets.name.clone(),
-            most,
-            size,
-            errors: [SetErrors::default(); 6],
-        }));
+        for most in std::iter::once(0).chain(sets.sets.iter().map(|(most, _)| *most)) {
+            found.extend(materials.iter().map(|(base, _)| SetError {
+                light: sets.name.clone(),
+                most,
+                size,
+                base: *base,
+                errors: [ScreenError::default(); 6],
+            }));
+        }
     }
     for rotation in VIEWS {
         let view = View::new(map, rotation, degree)?;
         let sphere = view.sphere(SPACING);
-        for (place, metal) in metals.iter().enumerate() {
-            let reference = view.pictures(metal, &sphere.normals).reference;
-            for one in &mut found {
-                let size = SIZES.iter().position(|size| *size == one.size);
-                let Some(response) = size.and_then(|size| metal.responses.get(size)) else {
-                    continue;
-                };
-                let picture = picture(&view, [response; 3], &metal.gloss, sets, one.most, &sphere)?;
-                let [rms, worst] = off(&sphere, &picture, &reference);
-                let errors = &mut one.errors[place];
-                errors.rms = errors.rms.max(rms);
-                errors.worst = errors.worst.max(worst);
+        for (base, materials) in materials {
+            for (place, material) in materials.iter().enumerate() {
+                let reference = view.pictures(material, &sphere.normals).reference;
+                let reference = Reference::new(reference, &sphere);
+                for one in found.iter_mut().filter(|one| one.base == *base) {
+                    let size = SIZES.iter().position(|size| *size == one.size);
+                    let Some(response) = size.and_then(|size| material.responses.get(size)) else {
+                        continue;
+                    };
+                    let responses = [response; 3];
+                    let picture =
+                        picture(&view, responses, &material.gloss, sets, one.most, &sphere)?;
+                    let errors = &mut one.errors[place];
+                    *errors = errors.max(reference.errors(&picture, &sphere).all);
+                }
             }
         }
     }
     Ok(found)
 }
 
-/// The root mean square and the largest difference of two pictures, of the peak of the second.
-#[must_use]
-pub fn off(sphere: &Sphere, found: &Picture, reference: &Picture) -> [f64; 2] {
-    let pairs = found.iter().flatten().zip(reference.iter().flatten());
-    let worst = pairs.map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
-    [sphere.error(found, reference), worst / peak(reference)]
-}
-
-/// The picture of a material by harmonics and at most this many sources, both in f64.
+/// The picture of a material by harmonics and at most this many sources, both in f64, with the
+/// window that `eigenshade render` chooses.
 ///
 /// # Errors
 ///
@@ -101,15 +110,23 @@ pub fn picture(
     let turned = turned.iter().map(highlights::source).collect::<Result<Vec<_>>>()?;
     let lobes = Highlights::<f64, MAX_SOURCES>::new::<Libm>(&highlights::gloss(gloss)?, &turned);
     let lobes = lobes.map_err(fault)?;
-    let images = [0, 1, 2].map(|c: usize| responses[c].under(&rest[c]));
-    let color = |k: usize| {
+    let at = |k: usize| -> Result<(Place, [f64; 3])> {
         let [x, y, z] = sphere.normals[k];
-        let lit: [f64; 3] = lobes.shade(Normal::new(x, y, z).map_err(fault)?).into();
-        let at = Place::new([x, y, z], degree);
-        let smooth = images.each_ref().map(|image| image.irradiance(&at));
-        Ok([0, 1, 2].map(|c: usize| smooth[c] + lit[c]))
+        let lit = lobes.shade(Normal::new(x, y, z).map_err(fault)?);
+        Ok((Place::new([x, y, z], degree), lit.into()))
     };
-    let colors = parallel::map(sphere.normals.len(), &(), color);
-    let colors = colors.into_iter().collect::<Result<Vec<[f64; 3]>>>()?;
-    Ok([0, 1, 2].map(|c: usize| colors.iter().map(|color| color[c]).collect()))
+    let places = parallel::map(sphere.normals.len(), &(), at);
+    let places = places.into_iter().collect::<Result<Vec<_>>>()?;
+    screen::windowed(degree, sphere, |window: Window<f64>| {
+        let images = [0, 1, 2].map(|c: usize| {
+            let mut rest = rest[c].clone();
+            window.apply::<Libm>(&mut rest);
+            responses[c].under(&rest)
+        });
+        let channel = |c: usize| {
+            let pixel = |(at, lit): &(Place, [f64; 3])| images[c].irradiance(at) + lit[c];
+            places.iter().map(pixel).collect()
+        };
+        Ok([channel(0), channel(1), channel(2)])
+    })
 }

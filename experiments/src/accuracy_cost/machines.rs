@@ -175,8 +175,8 @@ impl Times {
     }
 }
 
-/// The limits of the total error.
-pub const LIMITS: [f64; 7] = [0.1, 0.08, 0.06, 0.05, 0.04, 0.035, 0.03];
+/// The limits of the total screen error: CIEDE2000, the mean of a picture.
+pub const LIMITS: [f64; 7] = [12.0, 10.0, 8.0, 6.0, 5.0, 4.0, 3.0];
 /// The number of pixels of the picture over which costs are summed.
 pub const PIXELS: f64 = 96.0 * 96.0;
 /// Times that differ by less than this factor count as equal, because runs differ by more.
@@ -215,7 +215,7 @@ pub fn cheapest<'a>(
     limit: f64,
 ) -> Option<&'a Record> {
     let able = rows.iter().filter(|row| {
-        is_choice(row) && row.number("total_rms_most").is_some_and(|error| error <= limit)
+        is_choice(row) && row.number("total_mean_most").is_some_and(|error| error <= limit)
     });
     let priced: Vec<(&Record, f64)> =
         able.filter_map(|row| picture(row, machine, lighting).map(|cost| (row, cost))).collect();
@@ -227,7 +227,7 @@ pub fn cheapest<'a>(
             let [a, b] = [a, b].map(|row| row.number(column).unwrap_or(f64::INFINITY));
             a.total_cmp(&b)
         };
-        by("total_rms_most").then_with(|| by("unseen_rms_most"))
+        by("total_mean_most").then_with(|| by("unseen_rms_most"))
     })
 }
 

@@ -23,7 +23,7 @@ use indicatif::ProgressBar;
 use machines::{Boards, Times};
 use numbers::table_bytes;
 use scope::{Bases, Scope};
-use settings::{Setting, Varied};
+use settings::{Setting, Varied, WindowChoice};
 use sheet::{GROWTH, MODEL, SETTINGS, TOTAL};
 use source_times::Lit;
 use std::collections::BTreeSet;
@@ -124,13 +124,13 @@ fn measure(
             let of = |error: Error| error.of(format_args!("`{setting}`"));
             let table = bases.table(&setting.recipe)?;
             // Sources change nothing in how near a table is to its degree and order.
-            let base = Setting { sources: 0, ..*setting };
+            let base = Setting { sources: 0, window: WindowChoice::Auto, ..*setting };
             let found = match methods.iter().find(|(other, _)| *other == base) {
                 Some((_, found)) => found.clone(),
                 None => compare(&base, &table, &images).map_err(of)?,
             };
             methods.push((base, found.clone()));
-            if timed && setting.sources == 0 {
+            if timed && *setting == base {
                 let pair = &images.images[found.typical].pair;
                 cases.push((k, Case::new(setting, &table, pair).map_err(of)?));
             }
@@ -180,7 +180,7 @@ fn fill_times(varied: &[Varied], rows: &mut [Record], cases: &mut [(usize, Case)
     let costs = times::costs(works, ROUNDS);
     let (of_cases, of_lit) = costs.split_at(numbers.len());
     let without = |setting: &Setting| {
-        let base = Setting { sources: 0, ..*setting };
+        let base = Setting { sources: 0, window: WindowChoice::Auto, ..*setting };
         let place = numbers.iter().position(|&k| varied[k].setting == base)?;
         Some(of_cases[place])
     };

@@ -83,13 +83,22 @@ pub struct Setting {
     pub scaling: Scaling,
     /// The most small sources of the light whose highlights a pixel adds.
     pub sources: usize,
+    pub window: WindowChoice,
+}
+
+/// The window of the light, or of what sources leave of it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum WindowChoice {
+    /// The weakest that leaves no dark rings, as `eigenshade render` chooses it.
+    Auto,
+    None,
 }
 
 impl Setting {
     /// The collapsed polynomials of a basis in f32.
     pub fn of(recipe: Recipe) -> Self {
         let (way, format, scaling) = (Way::Polynomial, Format::F32, Scaling::None);
-        Self { recipe, way, format, scaling, sources: 0 }
+        Self { recipe, way, format, scaling, sources: 0, window: WindowChoice::Auto }
     }
 
     pub fn by(self, way: Way) -> Self {
@@ -142,6 +151,9 @@ impl fmt::Display for Setting {
         }
         if self.sources > 0 {
             write!(f, " sources{}", self.sources)?;
+        }
+        if self.window == WindowChoice::None {
+            write!(f, " no-window")?;
         }
         Ok(())
     }
@@ -256,6 +268,11 @@ pub fn all(quick: bool) -> Vec<Varied> {
             add("sources", Setting { sources, ..setting });
         }
     }
+    for setting in [Setting::of(whole), higher()] {
+        for sources in either(quick, &[0, 4, 8], &[0]) {
+            add("window", Setting { sources, window: WindowChoice::None, ..setting });
+        }
+    }
     for (degree, order) in HIGHER {
         let recipe = Recipe::first(degree, order, HIGH_COMPONENTS);
         add("degree and order", Setting::of(recipe));
@@ -330,7 +347,7 @@ mod tests {
     fn kind(Varied { parameter, setting }: &Varied) -> impl PartialEq + std::fmt::Debug {
         let recipe = setting.recipe;
         let parts = [recipe.components, recipe.modes].map(|part| part.is_some());
-        let forms = (discriminant(&setting.way), recipe.trim.is_some());
+        let forms = (discriminant(&setting.way), recipe.trim.is_some(), setting.window);
         let format = (setting.format, setting.scaling, setting.sources > 0);
         (*parameter, parts, recipe.effects == Effects::ALL, forms, format)
     }

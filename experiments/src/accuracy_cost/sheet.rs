@@ -17,8 +17,9 @@ pub const SETTINGS: Form = Form {
               largest_median,largest_worst,largest_median_db,largest_worst_db,\
               unseen_rms_median,unseen_rms_most,unseen_rms_worst,\
               unseen_largest_median,unseen_largest_most,unseen_largest_worst,\
-              model_median,model_worst,total_rms_median,total_rms_most,\
-              total_pixel_median,total_pixel_most,total_difference_median,total_difference_most,\
+              model_median,model_worst,total_mean_median,total_mean_most,\
+              total_p95_median,total_p95_most,total_below_mean_median,total_below_mean_most,\
+              total_below_p95_median,total_below_p95_most,total_white_median,total_white_most,\
               table_bytes,state_bytes,\
               host_pixel_ns,host_light_ns,host_pixel,host_light,\
               m0_pixel,m0_light,m0_flash,m0_ram,m3_pixel,m3_light,m3_flash,m3_ram,\
@@ -35,8 +36,9 @@ pub const MODEL: Form = Form {
 /// The total error by kind of material, of the settings, the shipped tables and their rivals.
 pub const TOTAL: Form = Form {
     name: "total.csv",
-    columns: "setting,sources,kind,pictures,rms_median,rms_most,pixel_median,pixel_most,\
-              difference_median,difference_most",
+    columns: "setting,sources,kind,pictures,mean_median,mean_most,p95_median,p95_most,\
+              below_mean_median,below_mean_most,below_p95_median,below_p95_most,\
+              white_median,white_most",
     keys: &["setting", "sources", "kind"],
 };
 /// The growth curves, with separate columns for counts and nanoseconds.
@@ -54,7 +56,10 @@ pub fn csv(form: &Form, records: &[Record]) -> Result<OutputFile> {
 /// The allowed relative difference of an error: hosts round differently, and rounding may end a
 /// polynomial a term earlier or later.
 const ERROR: f64 = 0.02;
-/// The always allowed difference of an error: f32 rounding, which a fused multiplication halves.
+/// The always allowed difference of CIEDE2000: pixels of 8 bits change by a step.
+const STEP: f64 = 0.02;
+/// The always allowed difference of another error: f32 rounding, which a fused multiplication
+/// halves.
 const ROUNDING: f64 = 1e-6;
 /// The allowed relative difference of bytes: one such term in all profiles of an azimuth.
 const BYTES: f64 = 0.02;
@@ -62,7 +67,9 @@ const BYTES: f64 = 0.02;
 /// The allowed relative and absolute difference of a column's numbers.
 fn tolerance(column: &str) -> [f64; 2] {
     let ends = |ends: &[&str]| ends.iter().any(|end| column.ends_with(end));
-    if ends(&["median", "most", "worst"]) {
+    if ["mean", "p95"].iter().any(|measure| column.contains(measure)) {
+        [ERROR, STEP]
+    } else if ends(&["median", "most", "worst"]) {
         [ERROR, ROUNDING]
     } else if ends(&["_bytes", "counted"]) {
         [BYTES, 0.0]

@@ -8,10 +8,9 @@ use eigenshade_model::error::Result;
 use eigenshade_model::inputs::gloss_csv::write_glosses;
 use eigenshade_model::inputs::set_error_csv::write_set_errors;
 use eigenshade_model::srgb::srgb;
-use eigenshade_sources::remaining::off;
+use eigenshade_sources::screen::{self, Reference};
 use experiments::highlights::{self, DRAWN, Row};
 use experiments::material_errors::{self, SPACING};
-use experiments::numbers::{exposure, percent};
 use experiments::pages::filled;
 use experiments::sphere::Sphere;
 use std::path::{Path, PathBuf};
@@ -42,8 +41,6 @@ pub fn errors(out: Option<&Path>, page: Option<PathBuf>) -> Result<()> {
 const SIZE: usize = 112;
 const GAP: usize = 8;
 const BACKGROUND: [u8; 3] = [32; 3];
-/// The share of the reference's values that its exposure leaves unclipped.
-const UNCLIPPED: f64 = 0.995;
 const LIGHTS: [&str; 3] = ["studio", "sunset", "night"];
 const MATERIALS: [&str; 3] = ["gold-metallic-paint", "blue-metallic-paint", "yellow-phenolic"];
 
@@ -57,15 +54,16 @@ pub fn picture(out: &Path) -> Result<()> {
         let (row, group) = (k / MATERIALS.len(), k % MATERIALS.len());
         let (light, material) = (LIGHTS[row], MATERIALS[group]);
         let pictures = highlights::spheres(inputs(), light, material, &view.normals)?;
-        let reference = pictures.last().into_iter().flatten().flatten().copied().collect();
-        let exposure = exposure(reference, UNCLIPPED);
+        let Some(reference) = pictures.last().cloned() else { continue };
+        let exposure = f64::from(screen::exposure(&reference, &sphere).factor());
+        let reference = Reference::new(reference, &sphere);
         for (column, (picture, drawn)) in pictures.iter().zip(DRAWN).enumerate() {
-            if let (Some(reference), Some(((degree, order), sources))) = (pictures.last(), drawn) {
-                let [rms, worst] = off(&sphere, picture, reference);
+            if let Some(((degree, order), sources)) = drawn {
+                let error = reference.errors(picture, &sphere).all;
                 print_message(format_args!(
-                    "{light}, {material}, {degree}/{order} + {sources}: {} rms, {} worst",
-                    percent(rms, 2),
-                    percent(worst, 2)
+                    "{light}, {material}, {degree}/{order} + {sources}: CIEDE2000 {:.1} in the \
+                     mean, {:.1} for 95 of 100 pixels",
+                    error.mean, error.p95
                 ));
             }
             for (k, pixel) in view.pixels.iter().enumerate() {

@@ -157,7 +157,7 @@ fn the_cheapest_setting_that_suffices_is_chosen() {
                 }
             };
             let suffices = |row: &&Record| {
-                let total = row.number("total_rms_most");
+                let total = row.number("total_mean_most");
                 row.text("parameter") != "mathematics" && total.is_some_and(|error| error <= limit)
             };
             let able = rows.iter().filter(suffices);
@@ -171,7 +171,7 @@ fn the_cheapest_setting_that_suffices_is_chosen() {
             // Times that are nearly the least are as good; the least error decides.
             let most = if ["host", "wasm"].contains(&key) { TIE * least } else { least };
             assert!(*taken_cost <= most, "{key} {limit}: {taken:?}");
-            let error = |row: &Record| row.number("total_rms_most").expect("an error");
+            let error = |row: &Record| row.number("total_mean_most").expect("an error");
             let is_better =
                 |(row, cost): &(&Record, f64)| *cost <= most && error(row) < error(taken);
             assert!(!able.iter().any(is_better), "{key} {limit}: {taken:?}");
@@ -181,28 +181,23 @@ fn the_cheapest_setting_that_suffices_is_chosen() {
     assert!(checked > 30, "{checked}");
 }
 
-/// Pictures of 96 x 96 pixels with a total error below five per cent on a Cortex-M4F of 64 MHz, at
-/// an instruction a cycle: 60 a second with less than half of the cycles where the light stands
-/// still, 50 where it moves.
+/// Pictures of 96 x 96 pixels on a Cortex-M4F of 64 MHz, at an instruction a cycle: 60 a second with
+/// less than half of the cycles where the light stands still, for 95 of 100 pictures of a mean
+/// difference below 10.
 #[test]
 fn a_reader_finds_a_setting_for_a_board() {
     let rows = rows(&SETTINGS);
     let m4f = MACHINES.iter().find(|machine| machine.key == "m4f").expect("a machine");
-    let still = cheapest(&rows, m4f, Lighting::Still, 0.05).expect("a setting");
-    assert_eq!(still.text("way"), "bilinear32");
+    let still = cheapest(&rows, m4f, Lighting::Still, 10.0).expect("a setting");
     assert!(9216.0 * m4f.number(still, "pixel").expect("a cost") < 0.5 * 64e6 / 60.0);
-    let moving = cheapest(&rows, m4f, Lighting::Moving, 0.05).expect("a setting");
-    assert_eq!(moving.text("way"), "polynomial");
-    let [pixel, light] = ["pixel", "light"].map(|one| m4f.number(moving, one).expect("a cost"));
-    assert!(9216.0 * pixel + light < 64e6 / 50.0);
 }
 
-/// Every board has an answer for moving light down to 5 %, and the memory of its program.
+/// Every board has an answer for moving light down to a mean of 8, and the memory of its program.
 #[test]
 fn boards_have_rows_for_moving_light() {
     let rows = rows(&SETTINGS);
     for machine in MACHINES.iter().filter(|machine| machine.board.is_some()) {
-        for limit in LIMITS.into_iter().filter(|limit| *limit >= 0.05) {
+        for limit in LIMITS.into_iter().filter(|limit| *limit >= 8.0) {
             let row = cheapest(&rows, machine, Lighting::Moving, limit).expect("a setting");
             let [light, flash, ram] =
                 ["light", "flash", "ram"].map(|one| machine.number(row, one).expect("a number"));

@@ -109,27 +109,6 @@ fn collapse_within() {
     });
 }
 
-/// The sources and the scenes of gold under the studio's lamps, within 2 % of the peak: the cost of
-/// a new light, from its coefficients and its sets of sources.
-fn collapse_sources_within() {
-    let Ok(transfer) = sphere::color::transfer(GOLD_METALLIC_PAINT) else { board::exit(false) };
-    let (mut lengths, mut scenes) = ([0; sphere::DEGREE + 1], [0.0; 3 * sphere::SCENE]);
-    holds(size_of_val(&transfer) + size_of_val(&lengths) + size_of_val(&scenes));
-    measure(&[STUDIO], Passes(1), |light| {
-        let project = |sources: &[_]| {
-            let rest = light.residual::<SinglePrecision, { sphere::LIGHT }>(sources)?;
-            let channels = rest.lights()?.zip(transfer.each_ref());
-            channels.try_map(|(light, transfer)| sphere::relight(transfer, &light))
-        };
-        let (sets, gold) = (&sources::STUDIO, &gloss::GOLD_METALLIC_PAINT);
-        let (scenes, lengths) = (black_box(&mut scenes[..]), black_box(&mut lengths));
-        let tolerance = Tolerance::OfPeak(0.02);
-        sphere::BASIS
-            .collapse_sources_within(sets, gold, tolerance, project, lengths, scenes)
-            .map(|chosen| (chosen.sources.len(), chosen.shape.terms()))
-    });
-}
-
 /// The image of a light and a material whose numbers decrease.
 fn image(light: &[f32; 100], material: &[f32; 40], faster: usize) -> Coefficients {
     let (mut light, mut material) = (*light, *material);

@@ -1,9 +1,8 @@
 //! Which image to draw: options that `shade` and `render` share.
 
-use super::options::{angles, count, effect, width};
+use super::options::{WindowChoice, angles, count, effect, window};
 use clap::Args;
-use eigenshade::mathematics::Libm;
-use eigenshade::{Effect, Effects, Window};
+use eigenshade::{Effect, Effects};
 use eigenshade_cli::table;
 use eigenshade_model::database::Lights;
 use eigenshade_model::error::{Error, Result};
@@ -26,9 +25,10 @@ pub struct Choices {
     #[arg(long, value_name = "A,B", value_delimiter = ',', value_parser = effect)]
     effects: Vec<Effect>,
     /// Multiply degree l of the light by sinc^4, (sin x / x)^4 with x = pi l / W, zero from degree
-    /// W on
-    #[arg(long, value_name = "W", value_parser = width)]
-    window: Option<f64>,
+    /// W on. `auto` takes the weakest that leaves no dark rings: no channel below -0.02 of white
+    /// [default: auto for `render`, none for `shade`]
+    #[arg(long, value_name = "W|auto|none", value_parser = window)]
+    window: Option<WindowChoice>,
 }
 
 impl Choices {
@@ -37,9 +37,9 @@ impl Choices {
         self.effects.is_empty()
     }
 
-    /// Whether pictures lack some components or have a window.
-    pub fn is_partial(&self) -> bool {
-        self.components.is_some() || self.window.is_some()
+    /// The window that is asked for.
+    pub fn window(&self) -> Option<WindowChoice> {
+        self.window
     }
 
     /// The number of components to use. Fails if the table at `path` has fewer.
@@ -74,15 +74,12 @@ impl Choices {
         self.rotate.map_or(*source, |rotation| source.turned(rotation.matrix()))
     }
 
-    /// Rotates lights, then applies the window.
-    pub fn change(&self, lights: &mut Lights) {
+    /// Rotates lights.
+    pub fn rotate(&self, lights: &mut Lights) {
         let degree = lights.degree;
         for channel in lights.entries.iter_mut().flat_map(|entry| &mut entry.rgb) {
             if let Some(rotation) = self.rotate {
                 *channel = rotation.turn(degree, channel);
-            }
-            if let Some(width) = self.window {
-                Window::SincFourth { width }.apply::<Libm>(channel);
             }
         }
     }

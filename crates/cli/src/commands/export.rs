@@ -2,6 +2,7 @@
 
 use super::options::{Destination, Memory, TableChoice, count};
 use clap::{Args, ValueEnum};
+use eigenshade_cli::estimate::gloss_note;
 use eigenshade_cli::export::array::{Array, json};
 use eigenshade_cli::export::entry::{Format, entries, identifier, quoted_entries};
 use eigenshade_cli::export::highlights::SourcesAndGloss;
@@ -10,7 +11,6 @@ use eigenshade_cli::export::{c, coefficients, js, rust, scene, table as of_table
 use eigenshade_cli::messages::print_message;
 use eigenshade_cli::output;
 use eigenshade_cli::presets::Source;
-use eigenshade_cli::sharpness::gloss_note;
 use eigenshade_index::highlights::{LARGEST_SET, MAX_SOURCES};
 use eigenshade_model::database::{Lights, Materials, Named};
 use eigenshade_model::error::{Error, Result};

@@ -21,7 +21,7 @@ use eigenshade_model::inputs::coefficient_text::{LIGHT_DIGITS, rounded};
 use eigenshade_model::inputs::input_file::InputFile;
 use eigenshade_model::inputs::set_error_csv::write_set_errors;
 use eigenshade_model::inputs::source_csv::write_sources;
-use eigenshade_model::source::{SetError, Source, SourceSets};
+use eigenshade_model::source::{Base, SetError, Source, SourceSets};
 use eigenshade_shading::shipped;
 use eigenshade_sources::light_tree::BLOCK;
 use eigenshade_sources::pursuit::{self, FITTED};
@@ -272,8 +272,9 @@ impl Light {
         memory: Memory,
     ) -> Result<(Vec<SourceSets>, Vec<SetError>)> {
         let progress = progress_bar("maps", files.len());
-        let (materials, metals) =
-            (pursuit::metals(&self.roughness)?, remaining::metals(&ROUGHNESS)?);
+        let materials = pursuit::metals(&self.roughness)?;
+        let of = |base| Ok((base, remaining::materials(base, &ROUGHNESS)?));
+        let compared = Base::ALL.into_iter().map(of).collect::<Result<Vec<_>>>()?;
         let (mut lights, mut errors) = (Vec::new(), Vec::new());
         for (name, path) in files {
             let map = Map::read(memory.file(path), self.layout)?;
@@ -282,7 +283,7 @@ impl Light {
             let turn = self.frame.turn(false)?.matrix();
             let sets = pursuit::find(map, &materials, most).map_err(|error| error.in_file(path))?;
             let sets = SourceSets { name: name.clone(), sets };
-            let left = remaining::errors(map, &sets, &metals);
+            let left = remaining::errors(map, &sets, &compared);
             errors.extend(left.map_err(|error| error.in_file(path))?);
             let turned = |(most, set): (usize, Vec<Source>)| {
                 (most, set.iter().map(|source| source.turned(turn).rounded(DIGITS)).collect())

@@ -2,7 +2,7 @@
 
 use clap::Args;
 use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
-use eigenshade::{Effect, Exposure, Tolerance};
+use eigenshade::{Effect, Exposure, Window};
 use eigenshade_cli::presets::Source;
 use eigenshade_cli::table;
 use eigenshade_index::highlights::MAX_SOURCES;
@@ -59,11 +59,6 @@ impl TableChoice {
     /// The file, or the shipped name.
     pub fn path(&self) -> &Path {
         self.path.as_deref().unwrap_or(Path::new("color"))
-    }
-
-    /// Whether it is given, and not the default.
-    pub fn is_given(&self) -> bool {
-        self.path.is_some()
     }
 
     /// This table, or another shipped one if none is given.
@@ -142,7 +137,7 @@ pub fn number(
 pub enum Sources {
     /// At most this many.
     Most(usize),
-    /// As few as a tolerance allows.
+    /// As few as the picture needs.
     Auto,
 }
 
@@ -150,7 +145,7 @@ pub enum Sources {
 pub fn sources(text: &str) -> Parsed<Sources> {
     match text {
         "auto" => Ok(Sources::Auto),
-        _ => count(1, MAX_SOURCES as u64)(text)
+        _ => count(0, MAX_SOURCES as u64)(text)
             .map(Sources::Most)
             .map_err(|expected| format!("{expected}, or auto")),
     }
@@ -162,15 +157,31 @@ pub fn effect(text: &str) -> Parsed<Effect> {
     found.ok_or_else(|| "expected ambient, diffuse, broad or gloss".to_owned())
 }
 
-/// Parses a share of the peak, or decibels below it.
-pub fn tolerance(text: &str) -> Parsed<Tolerance<f64>> {
-    let decibels = text.strip_suffix("dB").map(|number| number.trim().parse::<u8>());
-    match (decibels, text.parse::<f64>()) {
-        (Some(Ok(decibels @ 1..)), _) => Ok(Tolerance::Decibels(decibels)),
-        (None, Ok(share)) if (1e-30..1.0).contains(&share) => Ok(Tolerance::OfPeak(share)),
-        _ => Err("expected a share from 1e-30 to less than 1, or 1 to 255 whole decibels, as in \
-                  1e-3 or 60dB"
-            .to_owned()),
+/// Parses a share of white.
+pub fn tolerance(text: &str) -> Parsed<f64> {
+    match text.parse() {
+        Ok(share) if (1e-30..1.0).contains(&share) => Ok(share),
+        _ => Err("expected a share of white from 1e-30 to less than 1, as in 2e-3".to_owned()),
+    }
+}
+
+/// The window of a light.
+#[derive(Clone, Copy, Debug)]
+pub enum WindowChoice {
+    /// The weakest without dark rings.
+    Auto,
+    /// None, or one of a width.
+    Given(Window<f64>),
+}
+
+/// Parses a window.
+pub fn window(text: &str) -> Parsed<WindowChoice> {
+    match text {
+        "auto" => Ok(WindowChoice::Auto),
+        "none" => Ok(WindowChoice::Given(Window::None)),
+        _ => width(text)
+            .map(|width| WindowChoice::Given(Window::SincFourth { width }))
+            .map_err(|expected| format!("{expected}, auto, or none")),
     }
 }
 

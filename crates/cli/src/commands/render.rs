@@ -1,18 +1,21 @@
 //! `eigenshade render`: draws a sphere, a mesh or a normal map, or makes a matcap.
 
 use super::choices::Choices;
-use super::highlights::{HighlightInputs, sharpness_note, within};
+use super::highlights::{HighlightInputs, estimate_note, needed};
 use super::options::{
-    Inputs, Memory, Sources, TableChoice, choice, count, exposure, sources, tolerance,
+    Inputs, Memory, Sources, TableChoice, WindowChoice, choice, count, exposure, sources, tolerance,
 };
 use clap::builder::TypedValueParser;
 use clap::{Args, ValueEnum};
-use eigenshade::{Effects, Exposure, Matcap, Rgb, Scalar, Tolerance, Tone};
+use eigenshade::mathematics::Libm;
+use eigenshade::{Effects, Exposure, Matcap, Rgb, Scalar, Tone, Window};
+use eigenshade_cli::estimate::counted;
 use eigenshade_cli::messages::{Ringing, albedo_warning, dark_light_warning, print_message};
 use eigenshade_cli::object::{Object, ObjectView, SIZE};
 use eigenshade_cli::output;
 use eigenshade_cli::picture::Pixel;
 use eigenshade_cli::picture_file::{Development, PictureFile};
+use eigenshade_cli::preview::Preview;
 use eigenshade_cli::table::rounding;
 use eigenshade_model::database::{Lights, Materials};
 use eigenshade_model::error::{Error, Result};
@@ -53,16 +56,17 @@ pub struct Render {
     #[command(flatten)]
     choices: Choices,
     /// Shade up to K small bright sources of the light by the material's gloss, for sharp
-    /// highlights: 1, 2, 4, 8 or 16 of a shipped light. `auto` takes as few as --tolerance allows
-    /// and, without --table, the table `color` or `pbr` with which a pixel takes the fewest
-    /// multiply-adds, for pictures of all components without a window. Needs a shipped material in
-    /// color, or a CSV with FILE.gloss.csv beside it, which `material` writes
+    /// highlights: 1, 2, 4, 8 or 16 of a shipped light, or 0. `auto` takes as few as the picture
+    /// needs to be close on a screen, at most 8, by the errors of `docs/highlights.md`; none where
+    /// they are not known: for a material without gloss (shipped materials in color have one, and
+    /// so has a CSV with FILE.gloss.csv beside it, which `material` writes), for a light without
+    /// sources, and with --effects [default: auto]
     #[arg(long, value_name = "K|auto", value_parser = sources, conflicts_with = "effects")]
     sources: Option<Sources>,
-    /// What `--sources auto` allows: the root mean square error of the picture, as a share of the
-    /// peak, or decibels below it, like 1e-2 or 40dB [default: 1e-2]
-    #[arg(long, value_name = "T", value_parser = tolerance, requires = "sources")]
-    tolerance: Option<Tolerance<f64>>,
+    /// What `--sources auto` allows instead: the root mean square error of the picture, as a share of
+    /// white, like 2e-2
+    #[arg(long, value_name = "T", value_parser = tolerance)]
+    tolerance: Option<f64>,
     /// The factor from irradiance to what the tone curve shows, white being 1 [default: metered,
     /// and 1 for an .exr]
     #[arg(long, value_name = "E", value_parser = exposure)]
@@ -111,7 +115,11 @@ impl Render {
             Ok(Materials { order, entries: vec![material.only(entries)?] })
         };
         let mut materials = one(usize::MAX)?;
-        let (choice, most) = self.chosen(&lights, &materials, memory)?;
+        let choice = self.table.or(DEFAULT_TABLE);
+        if let (Some(Sources::Most(_)), Some(_)) = (self.sources, self.tolerance) {
+            let what = "--tolerance chooses the number of sources, which is given";
+            return Err(Error::new(what, "leave one out, or give --sources auto"));
+        }
         let table = choice.read(memory)?;
         if material.is_shipped() {
             materials = one(table.gram.order)?;
@@ -126,16 +134,36 @@ impl Render {
         let is_dark = dark.is_some();
         let warnings = [higher, albedo_warning(&materials), dark, rounded].into_iter().flatten();
         let (mut lights, materials) = fitted(&table, &lights, &materials);
+        let pair = (&lights, &materials);
+        let all_effects = effects == Effects::ALL;
+        let (most, note_of_error) = match self.sources {
+            _ if !all_effects => (0, None),
+            Some(Sources::Most(most)) => (most, estimate_note(&self.inputs, pair, most, memory)?),
+            None | Some(Sources::Auto) => {
+                needed(&self.inputs, &table, pair, self.tolerance, memory)?
+            }
+        };
         let highlights = match most {
-            Some(most) => {
+            0 => None,
+            most => {
                 let pair = (&mut lights, &materials);
                 HighlightInputs::taken_out(&self.inputs, &table, pair, most, memory)?
             }
-            None => None,
         };
         let sources = highlights.as_ref().map_or(0, HighlightInputs::count);
         let highlights = highlights.map(|inputs| inputs.turned(&self.choices));
-        self.choices.change(&mut lights);
+        self.choices.rotate(&mut lights);
+        let scene = Pair { table: &table, lights: &lights, materials: &materials, highlights };
+        let window = match self.choices.window().unwrap_or(WindowChoice::Auto) {
+            WindowChoice::Given(window) => window,
+            // Parts of a picture may be dark.
+            WindowChoice::Auto if !all_effects => Window::None,
+            WindowChoice::Auto => scene.window(components, self.exposure)?,
+        };
+        let highlights = scene.highlights;
+        for channel in &mut lights.entries[0].rgb {
+            window.apply::<Libm>(channel);
+        }
         let is_sphere = self.normals.as_os_str() == "sphere";
         let object = match self.matcap {
             Some(radius) => {
@@ -170,56 +198,29 @@ impl Render {
         ringing.record(pair, least, largest);
         let note = note(choice.path(), &table.scene.geometry).filter(|_| is_sphere);
         let ringing = ringing.note().filter(|_| self.choices.has_all_effects() && !is_dark);
-        let pair = (&lights, &materials);
-        let sharp = sharpness_note(&self.inputs, &table, pair, sources, memory)?;
-        let whole = if self.choices.is_partial() {
-            "; this is for a picture of all components, without a window"
-        } else {
-            ""
-        };
-        let sharp = sharp.filter(|_| effects == Effects::ALL).map(|note| note + whole);
-        note.into_iter().chain(warnings).chain(ringing).chain(sharp).for_each(print_message);
+        let drawn =
+            (all_effects && !is_dark).then(|| drawn(choice.path(), components, sources, window));
+        let notes = note.into_iter().chain(drawn).chain(warnings).chain(ringing);
+        notes.chain(note_of_error).for_each(print_message);
         Ok(())
-    }
-
-    /// The table, and the most sources if there may be any.
-    fn chosen(
-        &self,
-        lights: &Lights,
-        materials: &Materials,
-        memory: Memory,
-    ) -> Result<(TableChoice, Option<usize>)> {
-        let given = || self.table.or("color");
-        let tolerance = match self.tolerance {
-            None => WITHIN,
-            Some(Tolerance::OfPeak(share)) => share,
-            Some(Tolerance::Decibels(decibels)) => 10_f64.powf(-f64::from(decibels) / 20.0),
-            Some(_) => return Err(Error::new("this tolerance is not supported", "give a share")),
-        };
-        match (self.sources, self.tolerance) {
-            (Some(Sources::Most(_)), Some(_)) => {
-                let remedy = "leave one out, or give --sources auto";
-                Err(Error::new("--tolerance chooses the number of sources, which is given", remedy))
-            }
-            (Some(Sources::Most(most)), None) => Ok((given(), Some(most))),
-            (None, _) => Ok((given(), None)),
-            (Some(Sources::Auto), _) if self.choices.is_partial() => {
-                let remedy = "leave --components and --window out, or give a number: --sources 4";
-                Err(Error::new("--sources auto is for whole pictures", remedy))
-            }
-            (Some(Sources::Auto), _) => {
-                let light = (lights.entries[0].name.as_str(), lights.degree);
-                let material = (materials.entries[0].name.as_str(), materials.order);
-                let pair = (light, material);
-                let (table, most) = within(tolerance, &self.inputs, &self.table, pair, memory)?;
-                Ok((table, Some(most)))
-            }
-        }
     }
 }
 
-/// What `--sources auto` allows by default.
-const WITHIN: f64 = 1e-2;
+/// The table that the runtime contains, so that a picture is that of a board.
+const DEFAULT_TABLE: &str = "sphere";
+
+/// What a picture was drawn with.
+fn drawn(table: &Path, components: usize, sources: usize, window: Window<f64>) -> String {
+    let window = match window {
+        Window::SincFourth { width } => format!("a window of width {width:.1}"),
+        _ => "no window".to_owned(),
+    };
+    format!(
+        "drawn with table {} ({components} components), {}, {window}",
+        table.display(),
+        counted(sources)
+    )
+}
 
 /// One light on one material.
 struct Pair<'a> {
@@ -233,6 +234,17 @@ struct Pair<'a> {
 const BAND: usize = 1 << 16;
 
 impl Pair<'_> {
+    /// The window of the light for a whole picture of these components.
+    fn window(&self, components: usize, exposure: Option<Exposure>) -> Result<Window<f64>> {
+        let basis = OwnedBasis::<f32>::new(self.table);
+        let mut shader =
+            Shader::new(basis.any().map_err(fault)?, components).with_transfers(basis.transfers());
+        let highlights = self.highlights.as_ref().map(HighlightInputs::shaded).transpose()?;
+        let (light, material) = (&self.lights.entries[0], &self.materials.entries[0]);
+        let channels = [0, 1, 2].map(|c: usize| (&light.rgb[c][..], &material.rgb[c][..]));
+        Preview::new(&mut shader, highlights.as_ref()).window(&channels, exposure)
+    }
+
     /// Calls `show` with each pixel of an object and its irradiance.
     fn draw<S: Scalar + Into<f64>>(
         &self,

@@ -1,10 +1,11 @@
 //! `eigenshade shade`: writes the irradiance of given normals.
 
 use super::choices::Choices;
-use super::options::{Destination, Inputs, Memory, TableChoice, count, tolerance};
+use super::options::{Destination, Inputs, Memory, TableChoice, WindowChoice, count, tolerance};
 use super::shade_images::{Images, Output, Way};
 use clap::{Args, ValueEnum};
-use eigenshade::{NegativePolicy, Q15, Q31, Tolerance};
+use eigenshade::mathematics::Libm;
+use eigenshade::{NegativePolicy, Q15, Q31, Window};
 use eigenshade_cli::messages::{Ringing, albedo_warning, dark_light_warning, print_message};
 use eigenshade_cli::output::{self, Rows, exact};
 use eigenshade_cli::table::{self, rounding};
@@ -42,11 +43,10 @@ pub struct Shade {
     #[arg(short, long, value_name = "N", value_parser = count(2, 4_096))]
     size: Option<usize>,
     /// Shade with fewer polynomial terms, as long as the rms difference over a picture of a sphere
-    /// stays within this share of the brightest channel's peak (1e-3) or this many decibels below
-    /// it (60dB). Needs the method polynomial in f32 or f64. The error of the components in use
-    /// is not included
+    /// stays within this share of white under its metered exposure, like 2e-3. Needs the method
+    /// polynomial in f32 or f64. The error of the components in use is not included
     #[arg(long, value_name = "T", value_parser = tolerance)]
-    tolerance: Option<Tolerance<f64>>,
+    tolerance: Option<f64>,
     /// Set irradiance below zero to zero, and report the least value on standard error
     #[arg(long)]
     clamp: bool,
@@ -122,7 +122,11 @@ impl Shade {
         let is_dark = dark.is_some();
         let warnings = higher.into_iter().chain(albedo_warning(&materials)).chain(dark);
         let (mut lights, materials) = fitted(&table, &lights, &materials);
-        self.choices.change(&mut lights);
+        self.choices.rotate(&mut lights);
+        if let Some(window) = self.window()? {
+            let channels = lights.entries.iter_mut().flat_map(|entry| &mut entry.rgb);
+            channels.for_each(|channel| window.apply::<Libm>(channel));
+        }
         let warnings = warnings.chain(stored.and_then(|one| rounding::warning(&table, one)));
         let normals = read_normals(memory.file(&self.normals))?;
         let tolerance = self.tolerance;
@@ -160,6 +164,18 @@ impl Shade {
         let note = ringing.note().filter(|_| self.choices.has_all_effects() && !is_dark);
         warnings.chain(note).for_each(print_message);
         Ok(())
+    }
+
+    /// The window that is asked for, which cannot depend on a picture: there are only normals.
+    fn window(&self) -> Result<Option<Window<f64>>> {
+        match self.choices.window() {
+            None => Ok(None),
+            Some(WindowChoice::Given(window)) => Ok(Some(window)),
+            Some(WindowChoice::Auto) => {
+                let what = "--window auto is for a picture, and `shade` has normals only";
+                Err(Error::new(what, "give a width, which `render` prints, or leave it out"))
+            }
+        }
     }
 
     /// The shader in integers, before anything is written.

@@ -3,6 +3,7 @@
 use eigenshade::{Effects, NegativePolicy, Scalar, Tolerance, Truncation};
 use eigenshade_cli::messages::{Ringing, print_message, progress_bar, truncation_lines};
 use eigenshade_cli::output::{Rows, exact};
+use eigenshade_cli::preview::Preview;
 use eigenshade_model::database::{Lights, Materials, Named};
 use eigenshade_model::error::Result;
 use eigenshade_shading::integer_shader::{self, Integer, IntegerShader};
@@ -20,7 +21,8 @@ pub struct Images {
     pub normals: Vec<[f64; 3]>,
     pub components: usize,
     pub effects: Effects,
-    pub tolerance: Option<Tolerance<f64>>,
+    /// A share of white.
+    pub tolerance: Option<f64>,
     /// The error of the number format, as a share of the peak.
     pub rounding: f64,
 }
@@ -106,17 +108,15 @@ impl Images {
     fn within<S: Scalar + Into<f64>>(
         &self,
         shader: &mut Shader<'_, S>,
-        tolerance: Tolerance<f64>,
+        share: f64,
         out: &mut Output<'_>,
     ) -> Result<()> {
         let normals = OwnedNormals::<S>::new(&self.normals);
-        let tolerance = match tolerance {
-            Tolerance::OfPeak(share) => Tolerance::OfPeak(S::from_f64(share)),
-            Tolerance::Decibels(decibels) => Tolerance::Decibels(decibels),
-            other => unreachable!("the option --tolerance has no {other:?}"),
-        };
         let mut chosen: Vec<Truncation<S>> = Vec::new();
         self.colors(out, |channels| {
+            let exposure = Preview::new(shader, None).exposure(&channels)?.factor();
+            let [share, exposure] = [share, exposure.into()].map(S::from_f64);
+            let tolerance = Tolerance::OfWhite { share, exposure };
             let shaded = shader.within(&channels, &normals, tolerance)?;
             let mut rgb = [const { Vec::new() }; 3];
             for (channel, (irradiance, report)) in rgb.iter_mut().zip(shaded) {

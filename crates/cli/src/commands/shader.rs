@@ -1,12 +1,13 @@
 //! `eigenshade shader`: writes a scene as a function of a shader.
 
-use super::highlights::{HighlightInputs, sharpness_note};
+use super::highlights::{HighlightInputs, estimate_note};
 use super::options::{Destination, Inputs, Memory, TableChoice, choice, count, tolerance};
 use clap::Args;
 use clap::builder::TypedValueParser;
 use eigenshade::{Highlights, Rgb, Scene, ShaderLanguage, Tolerance};
 use eigenshade_cli::messages::print_message;
 use eigenshade_cli::output;
+use eigenshade_cli::preview::Preview;
 use eigenshade_index::highlights::MAX_SOURCES;
 use eigenshade_model::database::{Lights, Materials};
 use eigenshade_model::error::{Error, Result};
@@ -31,10 +32,10 @@ pub struct Shader {
     inputs: Inputs,
     #[command(flatten)]
     table: TableChoice,
-    /// Leave out as many terms as this error allows: a share of the peak, or decibels below it,
-    /// like 1e-2 or 40dB
+    /// Leave out as many terms as this error allows: the rms over a picture of a sphere, as a share
+    /// of white under its metered exposure, like 2e-3
     #[arg(long, value_name = "T", value_parser = tolerance)]
-    tolerance: Option<Tolerance<f64>>,
+    tolerance: Option<f64>,
     /// Add a loop over K small bright sources, for sharp highlights. With --json or --tolerance, up
     /// to K sources are taken out of the light, as `render --sources` does; this needs a shipped
     /// material in color, or a CSV with FILE.gloss.csv beside it. Text alone serves any light and
@@ -125,7 +126,7 @@ impl Shader {
         let highlights = HighlightInputs::taken_out(&self.inputs, table, pair, most, memory)?;
         let Some(highlights) = highlights else { return Ok((None, None)) };
         let pair = (&*lights, materials);
-        let note = sharpness_note(&self.inputs, table, pair, highlights.count(), memory)?;
+        let note = estimate_note(&self.inputs, pair, highlights.count(), memory)?;
         Ok((Some(highlights.shaded()?), note))
     }
 
@@ -136,13 +137,10 @@ impl Shader {
         channels: [Lit<'_>; 3],
         highlights: Option<&Lobes>,
     ) -> Result<Written> {
-        if let Some(tolerance) = self.tolerance {
-            let tolerance = match tolerance {
-                Tolerance::OfPeak(share) => Tolerance::OfPeak(share as f32),
-                Tolerance::Decibels(decibels) => Tolerance::Decibels(decibels),
-                _ => return Err(Error::new("this tolerance is not supported", "give a share")),
-            };
+        if let Some(share) = self.tolerance {
             let mut projector = projector;
+            let exposure = Preview::new(&mut projector, highlights).exposure(&channels)?.factor();
+            let tolerance = Tolerance::OfWhite { share: share as f32, exposure };
             return projector.truncated(&channels, tolerance, |scenes, _| match scenes {
                 [r, g, b] => self.of_scenes(Rgb::new(r, g, b), highlights),
                 _ => unreachable!("three channels have three scenes"),

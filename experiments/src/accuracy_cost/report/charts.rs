@@ -1,6 +1,6 @@
 //! The charts.
 
-use super::percent;
+use super::difference;
 use super::tables::{of_kind, rival_pixel};
 use crate::accuracy_cost::machines::{
     Lighting, MACHINES, Machine, PIXELS, is_choice, pareto, picture,
@@ -54,7 +54,7 @@ const WAYS: [(&str, &str); 5] = [
 
 fn chart_of_machine(rows: &[Record], machine: &Machine) -> Chart {
     let point = |row: &Record| {
-        let error = row.number("total_rms_most").filter(|error| *error > 0.0)?;
+        let error = row.number("total_mean_most").filter(|error| *error > 0.0)?;
         Some((machine.number(row, "pixel")?, error))
     };
     let choices = || rows.iter().filter(|row| is_choice(row));
@@ -67,10 +67,10 @@ fn chart_of_machine(rows: &[Record], machine: &Machine) -> Chart {
     series.retain(|(_, _, points)| !points.is_empty());
     let front = pareto(&all);
     let ends = front.first().into_iter().chain(front.last());
-    let labels = ends.map(|&point| (point, percent(point.1))).collect();
+    let labels = ends.map(|&point| (point, difference(point.1))).collect();
     series.push(("Pareto front".into(), Style::Line, staircase(&front)));
     let horizontal = format!("{}: a pixel, in {}", machine.title, machine.unit());
-    let titles = [horizontal, "total rms error of the peak, 95 of 100".into()];
+    let titles = [horizontal, "CIEDE2000, mean of a picture, 95 of 100".into()];
     Chart { labels, ..chart(titles, SeriesLabelPosition::UpperRight, series) }
 }
 
@@ -126,7 +126,7 @@ const MAPS: &[&str] = &["bilinear"];
 /// Total errors of glTF materials against the instructions of a pixel on a Cortex-M4F.
 fn total_chart(measured: &Measured) -> Chart {
     let error = |setting: &str| {
-        of_kind(&measured.total, setting, "gltf").and_then(|row| row.number("rms_most"))
+        of_kind(&measured.total, setting, "gltf").and_then(|row| row.number("mean_most"))
     };
     let point = |row: &Record| Some((row.number("m4f_pixel")?, error(row.text("setting"))?));
     let choices = || measured.settings.iter().filter(|row| is_choice(row));
@@ -156,11 +156,11 @@ fn total_chart(measured: &Measured) -> Chart {
         let (_, row) = all.iter().find(|(other, _)| other == point)?;
         let [degree, order, sources] = ["degree", "order", "sources"].map(|one| row.text(one));
         let sources = if sources == "0" { String::new() } else { format!(" + {sources}") };
-        Some((*point, format!("{degree}/{order}{sources}: {}", percent(point.1))))
+        Some((*point, format!("{degree}/{order}{sources}: {}", difference(point.1))))
     };
     let rivals = [("nine terms", &nine), ("split sum", &prefiltered), ("32 x 32 matcap", &matcap)];
     let rivals = rivals.into_iter().filter_map(|(name, points)| {
-        points.first().map(|point| (*point, format!("{name}: {}", percent(point.1))))
+        points.first().map(|point| (*point, format!("{name}: {}", difference(point.1))))
     });
     let labels = maps.iter().chain(polynomials.first()).filter_map(named).chain(rivals).collect();
     series.extend([
@@ -169,8 +169,10 @@ fn total_chart(measured: &Measured) -> Chart {
         (String::new(), Style::Dots, [nine, prefiltered, matcap].concat()),
     ]);
     series.retain(|(_, _, points)| !points.is_empty());
-    let titles =
-        ["Cortex-M4F: a pixel, in instructions".into(), "total rms error, 95 of 100 glTF".into()];
+    let titles = [
+        "Cortex-M4F: a pixel, in instructions".into(),
+        "CIEDE2000, mean, 95 of 100 glTF pictures".into(),
+    ];
     Chart { labels, ..chart(titles, SeriesLabelPosition::UpperRight, series) }
 }
 

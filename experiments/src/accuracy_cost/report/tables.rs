@@ -7,7 +7,6 @@ use crate::accuracy_cost::times::{Curve, curves};
 use crate::accuracy_cost::total::subjects::ALL;
 use crate::accuracy_cost::total::{MATCAP, PREFILTERED};
 use crate::accuracy_cost::{Measured, settings};
-use crate::numbers::limit;
 use crate::pages::table;
 use crate::sheet::{Counts, M4F, Record};
 use eigenshade_cli::messages::grouped;
@@ -15,22 +14,32 @@ use eigenshade_cli::messages::grouped;
 /// The boards of the short table.
 const SHORT: [&str; 2] = ["m4f", "m0"];
 
-/// The cheapest settings of two boards by total error, for a new light with every picture.
+/// The cheapest settings of two boards by total screen error, for a new light with every picture.
 pub fn choice(rows: &[Record]) -> String {
     let boards = || MACHINES.iter().filter(|machine| SHORT.contains(&machine.key)).rev();
-    let columns = boards().map(|one| format!(" | {} | a pixel, {}:", one.title, one.unit()));
-    let columns = format!("total error below{}", columns.collect::<String>());
-    let row = |below| {
-        let mut fields = vec![limit(below)];
+    let columns = boards()
+        .map(|one| format!(" | {} | half of the pictures | a pixel, {}:", one.title, one.unit()));
+    let columns = format!("95 of 100 pictures below{}", columns.collect::<String>());
+    let row = |below: f64| {
+        let mut fields = vec![below.to_string()];
         for machine in boards() {
             let chosen = cheapest(rows, machine, Lighting::Moving, below);
             let pixel = chosen.and_then(|row| machine.number(row, "pixel"));
             fields.push(chosen.map_or(MISSING.into(), described));
+            fields.push(chosen.map_or(MISSING.into(), |row| screen(row, "total_", "median")));
             fields.push(pixel.map_or(MISSING.into(), instructions));
         }
         fields
     };
     table(&columns, LIMITS.map(row))
+}
+
+/// A screen error: the mean and the 95th percentile of the pixels, of the median picture or of the
+/// one that 95 of 100 do not exceed.
+fn screen(row: &Record, prefix: &str, of: &str) -> String {
+    let number =
+        |measure| row.number(&format!("{prefix}{measure}_{of}")).map_or(MISSING.into(), difference);
+    format!("{} / {}", number("mean"), number("p95"))
 }
 
 /// A setting in words: degree, order, components, terms, sources and format.
@@ -52,8 +61,8 @@ fn described(row: &Record) -> String {
 
 pub fn of_machine(rows: &[Record], machine: &Machine) -> String {
     let mut columns = format!(
-        "light | total error below | setting | terms: | median: | 95 of 100: | worst pixel: | \
-         color: | method: | a pixel, {}: | a new light: | 96 x 96 pixels: | table, bytes: | \
+        "light | below | setting | terms: | median picture: | 95 of 100: | of white: | \
+         method: | a pixel, {}: | a new light: | 96 x 96 pixels: | table, bytes: | \
          RAM, bytes:",
         machine.unit()
     );
@@ -64,17 +73,17 @@ pub fn of_machine(rows: &[Record], machine: &Machine) -> String {
     let price = if machine.board.is_some() { instructions } else { cost };
     let row = |lighting, below: f64| {
         let light = if lighting == Lighting::Still { "still" } else { "moving" };
-        let mut fields = vec![light.to_owned(), limit(below)];
+        let mut fields = vec![light.to_owned(), below.to_string()];
         if let Some(row) = cheapest(rows, machine, lighting, below) {
             fields.push(format!("`{}`", row.text("setting")));
+            fields.push(row.number("terms").map_or(MISSING.into(), whole));
+            for of in ["median", "most"] {
+                fields.push(screen(row, "total_", of));
+            }
             let mut add = |value: Option<f64>, format: fn(f64) -> String| {
                 fields.push(value.map_or(MISSING.into(), format));
             };
-            add(row.number("terms"), whole);
-            for kind in ["rms_median", "rms_most", "pixel_most"] {
-                add(row.number(&format!("total_{kind}")), percent);
-            }
-            add(row.number("total_difference_most"), difference);
+            add(row.number("total_white_most"), percent);
             add(row.number("unseen_rms_most"), percent);
             add(machine.number(row, "pixel"), price);
             add(machine.number(row, "light"), price);
@@ -144,18 +153,24 @@ pub fn growth(rows: &[Record]) -> String {
 }
 
 /// The ways to a picture whose total errors the page shows for all kinds of materials.
-const SHOWN: [&str; 17] = [
+const SHOWN: [&str; 23] = [
     "2/0 all nine-terms f32",
     "2/2 all polynomial f32",
     "4/3 all polynomial f32",
     "6/5 all polynomial f32",
+    "9/7 all polynomial f32 no-window",
     "9/7 all polynomial f32",
     "9/7 all polynomial f32 sources1",
     "9/7 all polynomial f32 sources2",
+    "9/7 all polynomial f32 sources4 no-window",
     "9/7 all polynomial f32 sources4",
+    "9/7 all polynomial f32 sources8 no-window",
     "9/7 all polynomial f32 sources8",
+    "12/12 K400 polynomial f32 no-window",
     "12/12 K400 polynomial f32",
+    "12/12 K400 polynomial f32 sources4 no-window",
     "12/12 K400 polynomial f32 sources4",
+    "12/12 K400 polynomial f32 sources8 no-window",
     "12/12 K400 polynomial f32 sources8",
     "16/16 K400 polynomial f32",
     "sphere.bin f32",
@@ -170,30 +185,31 @@ pub fn of_kind<'a>(rows: &'a [Record], setting: &str, kind: &str) -> Option<&'a 
 }
 
 pub fn total(measured: &Measured) -> String {
-    let columns = "setting | glTF, median: | 95 of 100: | matte: | 95 of 100: | measured: | \
-                   95 of 100: | all: | 95 of 100: | worst pixel: | 95 of 100: | color: | \
-                   95 of 100:";
+    let columns = "setting | glTF: | 95 of 100: | matte: | 95 of 100: | measured: | 95 of 100: | \
+                   all: | 95 of 100: | below white: | 95 of 100: | of white: | 95 of 100:";
     let row = |setting: &str| {
-        let rms = ["gltf", "matte", "measured", ALL].map(|kind| (kind, "rms"));
-        let all = rms.into_iter().chain([(ALL, "pixel"), (ALL, "difference")]);
-        fields(measured, setting, all)
+        let mut fields = fields(measured, setting, &["gltf", "matte", "measured", ALL]);
+        let row = of_kind(&measured.total, setting, ALL);
+        for of in ["median", "most"] {
+            fields.push(row.map_or(MISSING.into(), |row| screen(row, "below_", of)));
+        }
+        for of in ["median", "most"] {
+            let number = row.and_then(|row| row.number(&format!("white_{of}")));
+            fields.push(number.map_or(MISSING.into(), percent));
+        }
+        fields
     };
     table(columns, SHOWN.map(row))
 }
 
-/// The setting, then the median and the 95th percentile of each error of a kind of materials.
-fn fields<'a>(
-    measured: &Measured,
-    setting: &str,
-    errors: impl IntoIterator<Item = (&'a str, &'a str)>,
-) -> Vec<String> {
+/// The setting, then the screen errors of the median picture and of 95 of 100, for kinds of
+/// materials.
+fn fields(measured: &Measured, setting: &str, kinds: &[&str]) -> Vec<String> {
     let mut fields = vec![format!("`{setting}`")];
-    for (kind, error) in errors {
+    for kind in kinds {
         let row = of_kind(&measured.total, setting, kind);
-        let format = if error == "difference" { difference } else { percent };
-        for column in ["median", "most"] {
-            let number = row.and_then(|row| row.number(&format!("{error}_{column}")));
-            fields.push(number.map_or(MISSING.into(), format));
+        for of in ["median", "most"] {
+            fields.push(row.map_or(MISSING.into(), |row| screen(row, "", of)));
         }
     }
     fields
@@ -223,11 +239,9 @@ const COMPARED: [&str; 11] = [
 
 /// The ways to draw glTF materials, with their costs.
 pub fn rivals(measured: &Measured) -> String {
-    let columns = "way | rms, median: | 95 of 100: | worst pixel: | 95 of 100: | color: | \
-                   95 of 100: | a pixel, instructions:";
+    let columns = "way | median picture: | 95 of 100: | a pixel, instructions:";
     let row = |setting: &str| {
-        let errors = ["rms", "pixel", "difference"].map(|error| ("gltf", error));
-        let mut fields = fields(measured, setting, errors);
+        let mut fields = fields(measured, setting, &["gltf"]);
         let is_it = |row: &&Record| row.text("setting") == setting;
         let pixel = match setting {
             MATCAP | PREFILTERED => rival_pixel(setting),

@@ -9,17 +9,20 @@ pub mod subjects;
 use super::errors::Spread;
 use super::images::Pair;
 use super::numbers::numbers;
-use super::settings::{DEGREE, Format, ORDER, Recipe, Setting};
+use super::settings::{DEGREE, Format, ORDER, Recipe, Setting, WindowChoice};
 use crate::sheet::Record;
 use crate::sphere::Picture;
+use eigenshade::Window;
+use eigenshade::mathematics::Libm;
 use eigenshade_model::database::Materials;
 use eigenshade_model::error::{Error, Result};
 use eigenshade_model::source::SourceSets;
 use eigenshade_shading::{parallel, shipped};
+use eigenshade_sources::screen::{Errors as PictureErrors, Reference, windowed};
 use eigenshade_table::{Table, decode};
 use indicatif::ProgressBar;
 use lamps::Lamps;
-use references::{PictureError, ReferencePicture, World};
+use references::World;
 use rivals::Prefiltered;
 use std::collections::BTreeSet;
 use std::path::Path;
@@ -33,14 +36,14 @@ pub const MATCAP: &str = "matcap32 f32";
 pub const PREFILTERED: &str = "prefiltered f32";
 
 /// The errors of one way to a picture, by material and then by map.
-pub type Errors = Vec<Vec<PictureError>>;
+pub type Errors = Vec<Vec<PictureErrors>>;
 
 /// The materials with their reference pictures and coefficients.
 pub struct Study {
     world: World,
     subjects: Vec<Subject>,
     /// By material and then by map.
-    references: Vec<Vec<ReferencePicture>>,
+    references: Vec<Vec<Reference>>,
     /// By order.
     materials: Vec<Materials>,
     sources: Vec<SourceSets>,
@@ -60,7 +63,7 @@ impl Study {
         let reference = |subject: &Subject| {
             let pictures = world.pictures(&subject.surface, &world.sphere.normals).into_iter();
             progress.inc(1);
-            pictures.map(|picture| ReferencePicture::new(picture, &world.sphere)).collect()
+            pictures.map(|picture| Reference::new(picture, &world.sphere)).collect()
         };
         let references = subjects.iter().map(reference).collect();
         let orders = orders.iter().copied().filter(|&order| order <= HIGHEST);
@@ -83,16 +86,24 @@ impl Study {
             let (material, map) = (k / maps, k % maps);
             let gloss = self.subjects[material].gloss.filter(|_| setting.sources > 0);
             let light = gloss.map_or(&lights[map].rgb, |_| lamps.rest(map));
-            let channel = |c: usize| {
-                let material = materials.entries[material].rgb[c].clone();
-                numbers.image(&Pair { light: light[c].clone(), material })
+            let drawn = |window: Window<f64>| -> Result<Picture> {
+                let channel = |c: usize| {
+                    let material = materials.entries[material].rgb[c].clone();
+                    let mut light = light[c].clone();
+                    window.apply::<Libm>(&mut light);
+                    numbers.image(&Pair { light, material })
+                };
+                let rest = [channel(0)?, channel(1)?, channel(2)?];
+                match gloss {
+                    Some(gloss) => lamps.add(map, &gloss, &rest),
+                    None => Ok(rest.map(|channel| channel.irradiances)),
+                }
             };
-            let rest = [channel(0)?, channel(1)?, channel(2)?];
-            let picture = match gloss {
-                Some(gloss) => lamps.add(map, &gloss, &rest)?,
-                None => rest.map(|channel| channel.irradiances),
+            let picture = match setting.window {
+                WindowChoice::None => drawn(Window::None),
+                WindowChoice::Auto => windowed(setting.recipe.degree, sphere, drawn),
             };
-            Ok(self.references[material][map].error(&picture, sphere))
+            Ok(self.references[material][map].errors(&picture?, sphere))
         });
         let found = found.into_iter().collect::<Result<Vec<_>>>()?;
         Ok(Some(found.chunks(maps).map(<[_]>::to_vec).collect()))
@@ -143,7 +154,7 @@ impl Study {
         let errors = self.subjects.iter().zip(&self.references).map(|(subject, references)| {
             let pictures = pictures(subject)?;
             let pairs = pictures.iter().zip(references);
-            Ok(pairs.map(|(found, one)| one.error(found, sphere)).collect())
+            Ok(pairs.map(|(found, one)| one.errors(found, sphere)).collect())
         });
         errors.collect()
     }
@@ -153,7 +164,7 @@ impl Study {
         let row = |Group { name, count, has }: &Group| {
             let pairs = self.subjects.iter().zip(errors);
             let of = pairs.filter(|(subject, errors)| has(subject) && !errors.is_empty());
-            let errors: Vec<&[PictureError]> = of.map(|(_, errors)| &errors[..]).collect();
+            let errors: Vec<&[PictureErrors]> = of.map(|(_, errors)| &errors[..]).collect();
             if errors.len() != *count {
                 return None;
             }
@@ -176,11 +187,14 @@ impl Study {
 }
 
 /// A part of an error.
-type Part = fn(&PictureError) -> f64;
+type Part = fn(&PictureErrors) -> f64;
 
-/// The columns of [`PictureError`], each with its median and its 95th percentile.
-pub const ERROR_COLUMNS: [(&str, Part); 3] = [
-    ("rms", |error| error.rms),
-    ("pixel", |error| error.pixel),
-    ("difference", |error| error.difference),
+/// The columns of the screen error, each with its median and its 95th percentile over the pictures:
+/// CIEDE2000 of all pixels and of those below white, and the rms as a share of white.
+pub const ERROR_COLUMNS: [(&str, Part); 5] = [
+    ("mean", |error| error.all.mean),
+    ("p95", |error| error.all.p95),
+    ("below_mean", |error| error.below.mean),
+    ("below_p95", |error| error.below.p95),
+    ("white", |error| error.all.white),
 ];

@@ -1,0 +1,191 @@
+//! The estimated screen error of a picture, and how many sources it needs.
+//!
+//! The figures are looked up: those of GGX materials of the same roughness under the same light, or
+//! under all shipped lights if its own are not known.
+
+use crate::presets::{Source, largest_within};
+use eigenshade_model::budget::Budget;
+use eigenshade_model::error::Result;
+use eigenshade_model::screen::ScreenError;
+use eigenshade_model::source::{Base, Gloss, NamedGloss, SetError};
+use eigenshade_shading::{highlights, shipped};
+
+/// The rms that a fitted gloss leaves, relative to pictures under a small source, from which on it
+/// is worth a note.
+const FAR: f64 = 0.15;
+
+/// A degree and an order.
+type Size = (usize, usize);
+
+/// The errors of pictures of GGX materials under a light, or under many.
+pub struct Estimates {
+    /// The name of the light, if the errors are its own.
+    light: Option<String>,
+    errors: Vec<SetError>,
+}
+
+/// A number of sources, and the error of a picture with them.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Estimate {
+    /// The most sources.
+    pub sources: usize,
+    /// The error against direct integration under the whole light.
+    pub error: ScreenError,
+}
+
+impl Estimates {
+    /// The errors under a light, or under all shipped lights with maps if its own are not known.
+    /// Fails if the errors beside a light CSV cannot be read.
+    pub fn under(light: &Source, name: &str, budget: Budget) -> Result<Self> {
+        let errors = light.set_errors(name, budget)?;
+        if errors.is_empty() {
+            return Ok(Self { light: None, errors: shipped::set_errors()? });
+        }
+        Ok(Self { light: Some(name.to_owned()), errors })
+    }
+
+    /// Whether the errors are those of the light itself.
+    #[must_use]
+    pub fn is_of_the_light(&self) -> bool {
+        self.light.is_some()
+    }
+
+    /// The error of a picture of a material with at most this many sources, at the largest measured
+    /// degree and order that are not larger, or else at the least: the median over the lights.
+    /// Fails if a parameter of the gloss is not from 0 to 1.
+    pub fn of(&self, size: Size, gloss: &Gloss, sources: usize) -> Result<Estimate> {
+        let runtime = highlights::gloss::<f64>(gloss)?;
+        let sources = if runtime.needs_sources() { sources } else { 0 };
+        let size = largest_within(self.errors.iter().map(|one| one.size), size).unwrap_or_default();
+        let fits = |one: &&SetError| {
+            (one.size, one.base) == (size, Base::of(gloss)) && one.most <= sources
+        };
+        let mut sets: Vec<&SetError> = Vec::new();
+        for one in self.errors.iter().filter(fits) {
+            match sets.iter_mut().find(|set| set.light == one.light) {
+                Some(set) if set.most <= one.most => *set = one,
+                Some(_) => {}
+                None => sets.push(one),
+            }
+        }
+        let errors: Vec<_> = sets.iter().map(|set| highlights::set_errors(set, &runtime)).collect();
+        let median = |of: fn(&ScreenError) -> f64| {
+            let mut values: Vec<f64> = errors.iter().map(of).collect();
+            values.sort_by(f64::total_cmp);
+            values.get(values.len() / 2).copied().unwrap_or(f64::NAN)
+        };
+        let error = ScreenError {
+            mean: median(|error| error.mean),
+            p95: median(|error| error.p95),
+            white: median(|error| error.white),
+        };
+        Ok(Estimate { sources, error })
+    }
+
+    /// The fewest sources, at most `most`, with which a picture is close, or within a share of
+    /// white if one is given; or else those that leave least. Fails as [`of`](Self::of) does.
+    pub fn fewest(
+        &self,
+        size: Size,
+        gloss: &Gloss,
+        within: Option<f64>,
+        most: usize,
+    ) -> Result<Estimate> {
+        let mut counts: Vec<usize> = self.errors.iter().map(|one| one.most).collect();
+        counts.retain(|count| *count <= most);
+        counts.sort_unstable();
+        counts.dedup();
+        let over = |one: &Estimate| match within {
+            None => one.error.over_close(),
+            Some(share) => one.error.white / share,
+        };
+        let mut best = self.of(size, gloss, 0)?;
+        for count in counts {
+            if over(&best) <= 1.0 {
+                break;
+            }
+            let one = self.of(size, gloss, count)?;
+            if over(&one) < over(&best) {
+                best = one;
+            }
+        }
+        Ok(best)
+    }
+
+    /// A note if a picture is not close, or exceeds the share of white that is given.
+    #[must_use]
+    pub fn note(
+        &self,
+        material: &str,
+        (degree, order): Size,
+        gloss: &Gloss,
+        Estimate { sources, error }: Estimate,
+        within: Option<f64>,
+    ) -> Option<String> {
+        let ScreenError { mean, p95, white } = error;
+        let (goal, is_met) = match within {
+            None => ("close is 2 and 5".to_owned(), error.is_close() || mean.is_nan()),
+            Some(share) => {
+                let [white, share] = [white, share].map(|share| 100.0 * share);
+                (format!("{white:.2} % of white, {share} % asked for"), white <= share)
+            }
+        };
+        let light = match &self.light {
+            Some(light) => format!("under `{light}`"),
+            None => "under the median of 18 lights".to_owned(),
+        };
+        let bound = if gloss.roughness > 0.6 { "at most " } else { "" };
+        (!is_met).then(|| {
+            format!(
+                "note: `{material}` is sharper than degree {degree}, order {order} with {} can \
+                 show: a {} of its roughness, {:.2}, {light} has an estimated screen error of \
+                 {bound}{mean:.1} in the mean and {p95:.1} for 95 of 100 pixels (CIEDE2000; {goal})",
+                counted(sources),
+                Base::of(gloss).name(),
+                gloss.roughness,
+            )
+        })
+    }
+}
+
+/// A number of sources in words.
+#[must_use]
+pub fn counted(sources: usize) -> String {
+    match sources {
+        0 => "no sources".to_owned(),
+        1 => "1 source".to_owned(),
+        _ => format!("{sources} sources"),
+    }
+}
+
+/// A note on a material that takes no sources.
+#[must_use]
+pub fn matte_note(name: &str, gloss: &Gloss) -> String {
+    format!(
+        "note: `{name}` is as matte as a roughness of {:.2}, and sources serve a roughness below \
+         {:.1}",
+        gloss.roughness,
+        eigenshade::Gloss::MATTE
+    )
+}
+
+/// A note if a material needs no sources, or its highlights are far off with them. Fails if a
+/// parameter of the gloss is not from 0 to 1.
+pub fn gloss_note(NamedGloss { name, gloss, error }: &NamedGloss) -> Result<Option<String>> {
+    if !highlights::gloss::<f64>(gloss)?.needs_sources() {
+        return Ok(Some(matte_note(name, gloss)));
+    }
+    Ok(off_lobe_note(name, *error))
+}
+
+/// A note if the highlights of a fitted lobe with this error are far off.
+#[must_use]
+pub fn off_lobe_note(name: &str, error: f64) -> Option<String> {
+    let percent = 100.0 * error;
+    (error > FAR).then(|| {
+        format!(
+            "note: the gloss of `{name}` is not quite a GGX lobe, and its highlights are off by \
+             {percent:.0} %"
+        )
+    })
+}
