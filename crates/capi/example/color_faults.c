@@ -37,7 +37,14 @@ static const float zeros[4] = {0, 0, 0, 0};
     uint16_t pixels[SIDE] = {7, 7, 7, 7, 7, 7, 7, 7};                                         \
     const char *const name = #format;                                                         \
                                                                                               \
+    EXPECTED(SCENE,                                                                           \
+             eigenshade_color_disc_row_##format(&scene, 8, 4, 1, display, pixels, SIDE));     \
+    EXPECTED(SCENE, eigenshade_color_bake_##format(&to_bake, BAKED, texels, 48, &baked));     \
     EXPECTED(OK, eigenshade_color_scene_##format(lobby, gold, &scene));                       \
+    scene.b.state ^= 1;                                                                       \
+    EXPECTED(SCENE,                                                                           \
+             eigenshade_color_disc_row_##format(&scene, 8, 4, 1, display, pixels, SIDE));     \
+    scene.b.state ^= 1;                                                                       \
     scene.b.terms[0] = 77;                                                                    \
     light.b.degree = EIGENSHADE_DEGREE + 1;                                                   \
     EXPECTED(LIGHT_BEYOND, eigenshade_color_scene_##format(&light, gold, &scene));            \

@@ -1,7 +1,7 @@
 //! A test that the headers declare the constants, types and functions of this library, and nothing
 //! else.
 
-use crate::boundary::{Input, Output};
+use crate::boundary::{Input, Mark, Output};
 use crate::color::Channels;
 use crate::constants::CONSTANTS;
 use crate::status::{STATUSES, eigenshade_message};
@@ -41,7 +41,7 @@ macro_rules! numbers {
 }
 numbers! {
     usize: "size_t" f32: "float" i8: "int8_t" u8: "uint8_t" i16: "int16_t" u16: "uint16_t"
-    i32: "int32_t" i64: "int64_t" Display: "struct eigenshade_display_t"
+    i32: "int32_t" i64: "int64_t" Mark: "uint32_t" Display: "struct eigenshade_display_t"
     Q15: "int16_t" Q31: "int32_t"
 }
 

@@ -100,7 +100,8 @@ fn gold_sphere(size: usize) -> Result<Vec<u16>, Error> {
     let exposure = scene.exposure(1.5)?;
     let mut screen = vec![0; size * size];
     for pixel in Disc::new(size)? {
-        pixel.put(&mut screen, display.rgb565(exposure.of(scene.shade(pixel.quantized_normal()))));
+        pixel
+            .put(&mut screen, display.rgb565(exposure.of(scene.shade(pixel.quantized_normal()))))?;
     }
     Ok(screen)
 }

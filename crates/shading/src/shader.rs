@@ -84,7 +84,7 @@ impl<S: Scalar> OwnedNormals<S> {
     /// Cannot fail in practice, because the three arrays have the same length.
     pub fn view(&self) -> Result<Normals<'_, S>> {
         let [x, y, z] = &self.0;
-        Normals::new(x, y, z).map_err(fault)
+        Normals::from_unit(x, y, z).map_err(fault)
     }
 
     /// The normals one by one.
