@@ -233,7 +233,7 @@ impl<C> Rgb<Scene<'_, C>> {
     ///
     /// let scene = sphere::color::scene(LOBBY, GOLD_METALLIC_PAINT)?;
     /// let map = scene.bake_integers_into(32, Rgb::gray([0; 32 * 32]))?;
-    /// let exposure = map.exposure(1.5)?;
+    /// let exposure = map.exposure_by_factor(1.5)?;
     /// let color = exposure.of(map.bilinear(MapPoint::new(Q15(0), Q15(0))));
     /// assert!(color.r > color.b);
     /// # }
@@ -269,10 +269,10 @@ impl<B: AsRef<[i16]>> Rgb<IntegerMap<B>> {
         self.each_ref().map(|map| map.bilinear(point))
     }
 
-    /// The exposure of what is looked up, channel by channel; errors as
+    /// What multiplies the irradiances of the mantissas by a factor, channel by channel; errors as
     /// [`quantized::Exposure::new`].
-    pub fn exposure(&self, exposure: f32) -> Result<Rgb<quantized::Exposure>, Error> {
-        self.each_ref().try_map(|map| quantized::Exposure::new(exposure, map.exponent()))
+    pub fn exposure_by_factor(&self, factor: f32) -> Result<Rgb<quantized::Exposure>, Error> {
+        self.each_ref().try_map(|map| quantized::Exposure::new(factor, map.exponent()))
     }
 }
 

@@ -85,7 +85,16 @@ impl Rgb<f32> {
 /// The biased exponent of 2^-16, below which a [`Meter`] takes a pixel for black.
 const DARKEST: u32 = 127 - 16;
 
-/// Meters a picture for its exposure: how bright all but a share of its pixels are.
+/// The share of white that the median pixel has at least, if highlights leave room.
+const MIDDLE: f32 = 0.12;
+/// The shares of the pixels that are not brighter than white: without a dark median, and at least.
+const UNCLIPPED: [f32; 2] = [0.99, 0.9];
+
+/// Meters a picture for its exposure.
+///
+/// One pixel in a hundred is brighter than white. If that leaves the median pixel darker than 0.12
+/// of white, which a display shows as a dark gray, the exposure rises until the median has 0.12 or
+/// one pixel in ten is brighter than white. Brightness is that of the largest channel.
 ///
 /// Pixels in integers are exposed first, say by `e`; the picture's exposure is `e` times the one
 /// found.
@@ -95,8 +104,8 @@ const DARKEST: u32 = 127 - 16;
 ///
 /// let mut meter = Meter::default();
 /// (1..=100).for_each(|i| meter.add(Rgb::new(0.0, 0.02 * i as f32, 0.0)));
-/// let exposure = meter.exposure(0.9).expect("there are pixels"); // near 1 / 1.8
-/// assert!((exposure.factor() * 1.8 - 1.0).abs() < 0.07);
+/// let exposure = meter.exposure().expect("there are pixels"); // near 1 / 1.98
+/// assert!((exposure.factor() * 1.98 - 1.0).abs() < 0.07);
 /// ```
 ///
 /// The largest channels are counted in eight steps for each power of two, from 2^-16 to 2^16.
@@ -137,11 +146,20 @@ impl Meter {
         self.total = self.total.saturating_add(1);
     }
 
-    /// The exposure with which this share of the pixels, from 0 to 1, is not brighter than white,
-    /// to within 7 %. If more of them are black, the darkest other one becomes white. `None` if no
-    /// pixel was counted or all of them are black.
+    /// The exposure of the picture, to within 7 %. `None` if no pixel was counted or all of them are
+    /// black.
     #[must_use]
-    pub fn exposure(&self, share: f32) -> Option<Exposure> {
+    pub fn exposure(&self) -> Option<Exposure> {
+        let [brightest, bright] = UNCLIPPED;
+        // The median of a picture that is mostly black is its darkest other pixel.
+        let middle = MIDDLE / self.brightness(0.5)?;
+        let unclipped = middle.min(1.0 / self.brightness(bright)?);
+        Some(Exposure(unclipped.max(1.0 / self.brightness(brightest)?)))
+    }
+
+    /// The brightness that this share of the pixels, from 0 to 1, does not exceed: the middle of its
+    /// step. If more of them are black, that of the darkest other one.
+    fn brightness(&self, share: f32) -> Option<f32> {
         // The product rounds up for more than 2^24 pixels.
         let enough = ((share * self.total as f32) as u32).min(self.total);
         let mut counted = 0_u32;
@@ -149,9 +167,7 @@ impl Meter {
             counted = counted.saturating_add(count);
             counted >= enough && count > 0 && step > 0
         })?;
-        // The middle of the step.
-        let middle = f32::from_bits(((DARKEST << 3) + step as u32) << 20 | 1 << 19);
-        Some(Exposure(1.0 / middle))
+        Some(f32::from_bits(((DARKEST << 3) + step as u32) << 20 | 1 << 19))
     }
 }
 
@@ -173,7 +189,7 @@ mod tests {
         meter.add_linear(Rgb::gray(Linear(1 << 16)));
         meter.counts.iter_mut().for_each(|count| *count *= 16_777_219);
         meter.total = 16_777_219;
-        assert!(meter.exposure(1.0).is_some());
+        assert!(meter.exposure().is_some());
     }
 
     #[test]
@@ -190,7 +206,7 @@ mod tests {
             let mut meter = Meter::default();
             meter.add(Rgb::new(brightness, 0.0, -1.0));
             let white_of = |meter: &Meter| {
-                meter.exposure(1.0).map_or(0.0, |exposure| exposure.factor() * brightness)
+                meter.exposure().map_or(0.0, |exposure| exposure.factor() * brightness)
             };
             let white = white_of(&meter);
             assert!((white - 1.0).abs() < 0.07, "{brightness}: {white}");
@@ -205,17 +221,35 @@ mod tests {
         }
     }
 
+    /// The exposure of a picture of these shares of pixels in a hundred, with their brightnesses.
+    fn metered(pixels: &[(usize, f32)]) -> Option<f32> {
+        let mut meter = Meter::default();
+        for &(count, brightness) in pixels {
+            (0..count).for_each(|_| meter.add(Rgb::gray(brightness)));
+        }
+        meter.exposure().map(Exposure::factor)
+    }
+
+    #[test]
+    fn a_dark_median_is_raised_until_a_tenth_is_clipped() {
+        for (pixels, expected) in [
+            // An even picture: the brightest hundredth.
+            (&[(50, 0.5), (49, 1.0), (1, 50.0)][..], 1.0),
+            // A lamp of 5 % and its glow: the median.
+            (&[(70, 0.1), (25, 0.3), (5, 40.0)], 1.2),
+            // A tenth and more is bright: it is not clipped.
+            (&[(70, 0.1), (10, 0.3), (20, 4.0)], 0.25),
+            (&[(95, 0.0), (5, 4.0)], 0.25),
+        ] {
+            let found = metered(pixels);
+            assert!(found.is_some_and(|found| (found / expected - 1.0).abs() < 0.07), "{found:?}");
+        }
+    }
+
     #[test]
     fn nothing_is_metered_in_the_dark() {
-        let mut meter = Meter::default();
-        assert_eq!(meter.exposure(0.5), None);
-        meter.add(Rgb::gray(0.0));
-        meter.add(Rgb::gray(f32::NAN));
-        assert_eq!(meter.exposure(0.5), None);
-        meter.add(Rgb::gray(1e30));
-        let white = |share| meter.exposure(share).map(|exposure| exposure.0);
-        assert!(white(1.0).is_some_and(|factor| factor < 2e-5));
-        // More pixels are black than that share.
-        assert_eq!(white(0.5), white(1.0));
+        assert_eq!(metered(&[]), None);
+        assert_eq!(metered(&[(1, 0.0), (1, f32::NAN)]), None);
+        assert!(metered(&[(1, 0.0), (1, 1e30)]).is_some_and(|factor| factor < 2e-5));
     }
 }

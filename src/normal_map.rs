@@ -42,7 +42,7 @@ const NEIGHBORS: [[i8; 2]; 8] =
 ///
 /// static DISPLAY: Display = Display::new(Tone::Filmic);
 /// let scene = sphere::color::scene(PARK, DARK_RED_PAINT)?;
-/// let exposure = scene.exposure(1.5)?;
+/// let exposure = scene.exposure_by_factor(1.5)?;
 /// for pixel in map.pixels() {
 ///     let color = DISPLAY.rgb565(exposure.of(scene.shade(pixel.normal())));
 ///     if let Some(below) = screen.get_mut(pixel.index()) {

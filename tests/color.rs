@@ -80,7 +80,7 @@ fn maps_are_baked_in_color() {
 fn integers_in_color_are_three_channels() {
     let (light, gold) = (light::q15::PARK, material::q15::GOLD_METALLIC_PAINT);
     let scene = q15::color::scene(light, gold).unwrap();
-    let exposure = scene.exposure(2.0).unwrap();
+    let exposure = scene.exposure_by_factor(2.0).unwrap();
     for pixel in Disc::new(9).unwrap() {
         let normal = pixel.quantized_normal();
         let found = scene.shade(normal);
@@ -93,7 +93,7 @@ fn integers_in_color_are_three_channels() {
         let exact = f64::from(found.g) * f64::from(scene.g.exponent()).exp2() * 2.0 * 65_536.0;
         assert!((f64::from(exposure.of(found).g.0) - exact).abs() < 1.0 + exact / 32_000.0);
     }
-    assert!(scene.exposure(0.0).is_err());
+    assert!(scene.exposure_by_factor(0.0).is_err());
 }
 
 /// The constants hold the numbers of the files, rounded, and in integers those of `quantize`.
@@ -317,7 +317,8 @@ fn a_gold_sphere_on_a_display() {
     let floats = sphere::color::scene(light::LOBBY, material::GOLD_METALLIC_PAINT).unwrap();
     let integers =
         q15::color::scene(light::q15::LOBBY, material::q15::GOLD_METALLIC_PAINT).unwrap();
-    let (exposure, of_floats) = (integers.exposure(1.5).unwrap(), floats.exposure(1.5).unwrap());
+    let (exposure, of_floats) =
+        (integers.exposure_by_factor(1.5).unwrap(), floats.exposure_by_factor(1.5).unwrap());
     let mut bytes = Vec::new();
     for pixel in Disc::new(120).unwrap() {
         let float = DISPLAY.rgb888(of_floats.of(floats.shade(pixel.normal())));

@@ -59,7 +59,7 @@ fn integers_are_baked_in_color() {
     let scene = sphere::color::scene(light::LOBBY, material::DARK_RED_PAINT).unwrap();
     let texels = || Rgb::gray([0; 16 * 16]);
     let map = scene.bake_integers_into(16, texels()).unwrap();
-    let exposure = map.exposure(1.5).unwrap();
+    let exposure = map.exposure_by_factor(1.5).unwrap();
     let point = MapPoint::new(Q15(3_000), Q15(-9_000));
     let of_channel = scene.each_ref().map(|scene| {
         let map = scene.bake_integers_into::<f32, _>(16, [0; 16 * 16]).unwrap();
@@ -70,5 +70,5 @@ fn integers_are_baked_in_color() {
     let found = map.bilinear(point);
     assert_eq!(found.zip(exposure.of(found)), of_channel);
     assert!(scene.bake_integers_into(16, Rgb::gray([0; 15])).is_err());
-    assert!(map.exposure(0.0).is_err());
+    assert!(map.exposure_by_factor(0.0).is_err());
 }

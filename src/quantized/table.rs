@@ -46,17 +46,18 @@ macro_rules! integer_table {
             view |transfer| &transfer.view()
         }
         impl color::Scene {
-            /// What exposes the mantissas of [`shade`](Self::shade), channel by channel.
+            /// What multiplies the irradiances of the mantissas of [`shade`](Self::shade) by a
+            /// factor, channel by channel. A [`Meter`](eigenshade::Meter) finds the factor.
             ///
             /// # Errors
             ///
             /// Those of [`eigenshade::quantized::Exposure::new`].
-            pub fn exposure(
+            pub fn exposure_by_factor(
                 &self,
-                exposure: f32,
+                factor: f32,
             ) -> Result<$crate::Rgb<$crate::quantized::Exposure>, $crate::Error> {
                 self.each_ref().try_map(|scene| {
-                    $crate::quantized::Exposure::new(exposure, scene.exponent())
+                    $crate::quantized::Exposure::new(factor, scene.exponent())
                 })
             }
 

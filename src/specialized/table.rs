@@ -331,10 +331,14 @@ macro_rules! table {
             view |transfer| transfer
         }
         impl color::Scene {
-            /// What exposes the irradiances of [`shade`](Self::shade), the same for every scene;
-            /// errors as [`eigenshade::Exposure::new`].
-            pub fn exposure(&self, exposure: f32) -> Result<$crate::Exposure, $crate::Error> {
-                $crate::Exposure::new(exposure)
+            /// What multiplies the irradiances of [`shade`](Self::shade) by a factor, the same for
+            /// every scene; errors as [`eigenshade::Exposure::new`]. A
+            /// [`Meter`](eigenshade::Meter) finds the factor.
+            pub fn exposure_by_factor(
+                &self,
+                factor: f32,
+            ) -> Result<$crate::Exposure, $crate::Error> {
+                $crate::Exposure::new(factor)
             }
 
             /// Bakes the scene into `size` x `size` texels, at most `T`: see

@@ -5,7 +5,7 @@ static DISPLAY: Display = Display::new(Tone::Filmic);
 
 fn draw(screen: &mut [u16; 240 * 240]) -> Result<(), eigenshade::Error> {
     let scene = sphere::color::scene(LOBBY, GOLD_METALLIC_PAINT)?;
-    let exposure = scene.exposure(1.5)?;
+    let exposure = scene.exposure_by_factor(1.5)?;
     for pixel in Disc::new(240)? {
         pixel.put(screen, DISPLAY.rgb565(exposure.of(scene.shade(pixel.normal()))))?;
     }

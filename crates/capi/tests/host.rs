@@ -97,7 +97,7 @@ fn the_readme_draws_highlights() {
 fn gold_sphere(size: usize) -> Result<Vec<u16>, Error> {
     let display = Display::new(Tone::Filmic);
     let scene = q15::color::scene(light::q15::LOBBY, material::q15::GOLD_METALLIC_PAINT)?;
-    let exposure = scene.exposure(1.5)?;
+    let exposure = scene.exposure_by_factor(1.5)?;
     let mut screen = vec![0; size * size];
     for pixel in Disc::new(size)? {
         pixel

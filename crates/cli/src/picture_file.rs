@@ -5,9 +5,6 @@ use eigenshade::{Display, Exposure, Meter, Rgb, Tone};
 use eigenshade_model::error::{Error, Result};
 use std::path::Path;
 
-/// The share of the picture's pixels that the exposure leaves unclipped.
-pub const UNCLIPPED: f32 = 0.99;
-
 /// The kinds of picture files.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum PictureFile {
@@ -110,7 +107,7 @@ fn metered(how: Development, draw: &mut Draw) -> Result<Option<Exposure>> {
                 meter.add(color.map(|channel| factor * channel));
             }
         })?;
-        let exposure = meter.exposure(UNCLIPPED).map(|one| factor * one.factor());
+        let exposure = meter.exposure().map(|one| factor * one.factor());
         Ok((exposure.and_then(|factor| Exposure::new(factor).ok()), peak))
     };
     let (exposure, peak) = exposed(1.0)?;

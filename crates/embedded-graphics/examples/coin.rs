@@ -23,13 +23,13 @@ where
     let light = HALL.turned::<100>(&rotation)?;
 
     let scene = sphere::color::scene(light.lights()?, BLUE_METALLIC_PAINT2)?;
-    let blue = Paint::new(|normal| scene.shade(normal), scene.exposure(2.0)?, &DISPLAY);
+    let blue = Paint::new(|normal| scene.shade(normal), scene.exposure_by_factor(2.0)?, &DISPLAY);
     if let Err(error) = Dial::new(Point::zero(), 128, 8, 4, &blue)?.draw(target) {
         return Ok(Err(error));
     }
 
     let scene = sphere::color::scene(light.lights()?, GOLD_METALLIC_PAINT)?;
-    let gold = Paint::new(|normal| scene.shade(normal), scene.exposure(2.0)?, &DISPLAY);
+    let gold = Paint::new(|normal| scene.shade(normal), scene.exposure_by_factor(2.0)?, &DISPLAY);
     let map = NormalMap::new(90, 90, COIN)?;
     Ok(Relief::new(Point::new(19, 19), map, &gold).draw(target))
 }

@@ -19,7 +19,7 @@
 //! # const BYTES: usize = buffer_size::<Rgb565>(240, 240);
 //! # let mut display = Framebuffer::<Rgb565, RawU16, LittleEndian, 240, 240, BYTES>::new();
 //! let scene = sphere::color::scene(LOBBY, GOLD_METALLIC_PAINT)?;
-//! let gold = Paint::new(|normal| scene.shade(normal), scene.exposure(1.5)?, &DISPLAY);
+//! let gold = Paint::new(|normal| scene.shade(normal), scene.exposure_by_factor(1.5)?, &DISPLAY);
 //! Sphere::new(Point::new(70, 70), 100, &gold)?.draw(&mut display).unwrap();
 //! # assert_ne!(display.pixel(Point::new(120, 120)), Some(Rgb565::BLACK));
 //! # Ok::<(), eigenshade::Error>(())
@@ -34,7 +34,7 @@
 //! # static DISPLAY: Display = Display::new(Tone::Filmic);
 //!
 //! let scene = q15::color::scene(LOBBY, GOLD_METALLIC_PAINT)?;
-//! let gold = Paint::quantized(|normal| scene.shade(normal), scene.exposure(1.5)?, &DISPLAY);
+//! let gold = Paint::quantized(|normal| scene.shade(normal), scene.exposure_by_factor(1.5)?, &DISPLAY);
 //! # Ok::<(), eigenshade::Error>(())
 //! ```
 //!

@@ -68,7 +68,7 @@ impl<C: PixelColor> DrawTarget for Screen<C> {
 #[test]
 fn a_sphere_has_the_pixels_of_the_runtime() {
     let scene = sphere::color::scene(light::LOBBY, material::GOLD_METALLIC_PAINT).unwrap();
-    let exposure = scene.exposure(1.5).unwrap();
+    let exposure = scene.exposure_by_factor(1.5).unwrap();
     let gold = Paint::new(|normal| scene.shade(normal), exposure, &DISPLAY);
     let (mut screen, mut fine) = (Screen::<Rgb565>::new(60, 50), Screen::<Rgb888>::new(60, 50));
     let mut dithered = Screen::<Rgb565>::new(60, 50);
@@ -97,7 +97,7 @@ fn a_sphere_has_the_pixels_of_the_runtime() {
 fn a_sphere_in_integers_has_the_pixels_of_the_runtime() {
     let lobby = light::q15::LOBBY;
     let scene = sphere::q15::color::scene(lobby, material::q15::GOLD_METALLIC_PAINT).unwrap();
-    let exposure = scene.exposure(1.5).unwrap();
+    let exposure = scene.exposure_by_factor(1.5).unwrap();
     let gold = Paint::quantized(|normal| scene.shade(normal), exposure, &DISPLAY);
     let mut screen = Screen::<Rgb565>::new(40, 40);
     Sphere::new(Point::zero(), 40, &gold).unwrap().draw(&mut screen).unwrap();

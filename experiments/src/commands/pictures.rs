@@ -87,8 +87,6 @@ const NAME: TextHeight = TextHeight::Size16;
 const LINE: usize = 14;
 const BACKGROUND: [u8; 3] = [32; 3];
 const TEXT: [u8; 3] = [200; 3];
-/// The share of a picture's pixels that its exposure leaves below white.
-const UNCLIPPED_PRESET: f32 = 0.95;
 /// The width of the lights' window, which removes the ringing of small lamps.
 const WINDOW: f32 = 12.0;
 
@@ -137,7 +135,7 @@ fn colors(
 fn metered<'a>(colors: impl IntoIterator<Item = &'a Rgb<f32>>) -> Exposure {
     let mut meter = Meter::default();
     colors.into_iter().for_each(|&color| meter.add(color));
-    meter.exposure(UNCLIPPED_PRESET).unwrap_or_default()
+    meter.exposure().unwrap_or_default()
 }
 
 /// Draws one sphere and its name into the field whose top left corner is given.

@@ -285,7 +285,7 @@ fn vertices_16() {
 /// A pixel of the gold sphere: normal, irradiance in color, 16 bits.
 fn gold() {
     let scene = sphere::q15::color::scene(LOBBY, GOLD_METALLIC_PAINT);
-    let scene = scene.and_then(|scene| Ok((scene.exposure(1.5)?, scene)));
+    let scene = scene.and_then(|scene| Ok((scene.exposure_by_factor(1.5)?, scene)));
     let Ok((exposure, scene)) = scene else { board::exit(false) };
     let scene = black_box(scene);
     holds(size_of_val(&scene) + size_of_val(&exposure));

@@ -58,7 +58,7 @@ pub fn lines() -> Result<String, Error> {
     let gold = q15::color::transfer(material::q15::GOLD_METALLIC_PAINT)?;
     let relit = |light: Rgb<quantized::Light<'_, Q15>>| q15::color::relight(&gold, light);
     let exposed = |scene: &q15::color::Scene, exposure: f32| {
-        let exposure = scene.exposure(exposure)?;
+        let exposure = scene.exposure_by_factor(exposure)?;
         let scene = scene.clone();
         Ok::<_, Error>(move |normal| exposure.of(scene.shade(normal)))
     };
@@ -102,7 +102,7 @@ pub fn lines() -> Result<String, Error> {
         let highlights = Highlights::<f32, 4>::new::<SinglePrecision>(&of_gold, sources)?;
         let exponents = scene.each_ref().map(|channel| channel.exponent());
         let highlights = quantized::Highlights::<_, 4>::quantize(&highlights, exponents)?;
-        let (scene, exposure) = (scene.clone(), scene.exposure(1.0)?);
+        let (scene, exposure) = (scene.clone(), scene.exposure_by_factor(1.0)?);
         Ok::<_, Error>(move |normal| exposure.of(highlights.add(scene.shade(normal), normal)))
     };
     pictures.push(("highlights", disc(&linear, &glossy(&relit(rest)?, &sources)?)));
@@ -127,7 +127,7 @@ pub fn lines() -> Result<String, Error> {
     let red = sphere::color::scene(light::LOBBY, material::DARK_RED_PAINT)?;
     let texels = [0; BAKED * BAKED];
     let baked = red.bake_integers_into(BAKED, Rgb::gray(texels))?;
-    let exposure = baked.exposure(1.5)?;
+    let exposure = baked.exposure_by_factor(1.5)?;
     let look_up = |normal| exposure.of(baked.bilinear(MapPoint::of_quantized(normal)));
     pictures.push(("baked", disc(&linear, &look_up)));
     pictures.push(("baked normal map", of_map(&codes, &filmic, &look_up)?));

@@ -97,9 +97,6 @@ fn chosen(entries: Vec<Named>, names: &[&str]) -> Result<Vec<Named>> {
     names.iter().map(|name| find(name).ok_or_else(|| missing(name))).collect()
 }
 
-/// The share of a row's pixels that its exposure leaves unclipped.
-const UNCLIPPED: f32 = 0.98;
-
 const BACKGROUND: [u8; 3] = [24, 25, 28];
 const BRIGHT: [u8; 3] = [226, 226, 222];
 const DIM: [u8; 3] = [138, 140, 146];
@@ -127,7 +124,7 @@ fn draw(path: &Path, columns: &[(&Named, &ObjectView)], rows: &[Row<'_>]) -> Res
         canvas.text((3 * line / 2, top + (size - line) / 2), text, DIM, &title(light));
         let mut meter = Meter::default();
         images.iter().flatten().for_each(|&color| meter.add(color));
-        let exposure = meter.exposure(UNCLIPPED).unwrap_or_default();
+        let exposure = meter.exposure().unwrap_or_default();
         for (place, ((_, view), image)) in columns.iter().zip(images).enumerate() {
             let left = left + place * step;
             for (pixel, &color) in view.pixels.iter().zip(image) {

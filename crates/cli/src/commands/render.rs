@@ -26,7 +26,7 @@ use std::path::{Path, PathBuf};
 /// Draw a sphere, a mesh or a normal map with a transparent background, or make a matcap
 ///
 /// A PNG is in sRGB. Without --exposure, one pixel in a hundred is brighter than white in some
-/// channel. An .exr holds linear irradiance times the exposure, multiplied by opacity. Without
+/// channel; where the median pixel would be darker than 0.12 of white, up to one in ten is. An .exr holds linear irradiance times the exposure, multiplied by opacity. Without
 /// --normals, the picture shows a sphere whatever the table's object is; a note says so if it is
 /// another.
 #[derive(Args, Debug)]

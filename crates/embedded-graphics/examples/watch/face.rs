@@ -166,7 +166,7 @@ pub mod floats {
     frames!(f32, |frame| wrist(frame).map(|part| part as f32));
 
     fn paint(scene: &Scene) -> Result<impl Shader, Error> {
-        Ok(Paint::new(|normal| scene.shade(normal), scene.exposure(EXPOSURE)?, &DISPLAY))
+        Ok(Paint::new(|normal| scene.shade(normal), scene.exposure_by_factor(EXPOSURE)?, &DISPLAY))
     }
 }
 
@@ -183,7 +183,7 @@ pub mod integers {
     frames!(Q15, wrist);
 
     fn paint(scene: &Scene) -> Result<impl Shader, Error> {
-        let exposure = scene.exposure(EXPOSURE)?;
+        let exposure = scene.exposure_by_factor(EXPOSURE)?;
         Ok(Paint::quantized(|normal| scene.shade(normal), exposure, &DISPLAY))
     }
 }

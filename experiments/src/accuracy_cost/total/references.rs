@@ -6,7 +6,6 @@ use crate::mirrored;
 use crate::reference::named;
 use crate::sphere::{Picture, Sphere, peak};
 use eigenshade::{Display, Exposure, Meter, Rgb, Tone};
-use eigenshade_cli::picture_file::UNCLIPPED;
 use eigenshade_generator::light::environment::EnvironmentMap;
 use eigenshade_generator::light::projection::named_maps;
 use eigenshade_generator::material::brdf::Surface;
@@ -81,7 +80,7 @@ impl ReferencePicture {
             let pixel = pixel(&picture, k);
             (0..(METERED * weight).round() as usize).for_each(|_| meter.add(pixel));
         }
-        let exposure = meter.exposure(UNCLIPPED).unwrap_or_default();
+        let exposure = meter.exposure().unwrap_or_default();
         Self { peak: peak(&picture), exposure, shown: shown(&picture, exposure), picture }
     }
 
