@@ -95,6 +95,8 @@ enum eigenshade_status
   EIGENSHADE_STATUS_TURN = 24,
   /** A scene that no function of this library computed, such as one of zeros. */
   EIGENSHADE_STATUS_SCENE = 25,
+  /** A meter has counted no pixel, or only black ones. */
+  EIGENSHADE_STATUS_DARK = 26,
 };
 #ifndef __cplusplus
 #if __STDC_VERSION__ >= 202311L

@@ -55,6 +55,7 @@ statuses! {
     Source = 23: c"a source has wrong numbers, or there are over EIGENSHADE_SOURCES; check both"
     Turn = 24: c"lights are turned to degree 12; leave out the coefficients above it"
     Scene = 25: c"a scene was never computed; call color_scene, color_relight or collapse first"
+    Dark = 26: c"no pixel was metered, or all of them are black; meter the rows of a lit picture"
 }
 
 #[expect(unsafe_code, reason = "an exported symbol")]
