@@ -92,7 +92,7 @@ fn constants(kind: &str, presets: &[Preset], error: impl Fn(&str) -> String) -> 
         let gray = if channels.len() == 1 { "gray " } else { "" };
         let numbers = numbers.join(", ");
         let head = format!("/// `{name}`.{}\npub const {constant}: {kind} =", error(name));
-        floats += &format!("{head} channels!(crate::{kind}::new, {numbers});\n");
+        floats += &format!("{head} channels!(crate::{kind}::from_finite, {numbers});\n");
         integers += &format!("{head} quantized_{lower}!({gray}super::{constant});\n");
         entries.push(format!("    (\"{name}\", {constant}),\n"));
     }

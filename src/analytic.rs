@@ -172,7 +172,7 @@ impl<S: Scalar, const N: usize> AnalyticLight<S, N> {
     ///
     /// [`Error::NotFinite`] if a coefficient is infinite or NaN.
     pub fn light(&self) -> Result<Light<'_, S>, Error> {
-        Light::checked(&self.coefficients)
+        Light::new(&self.coefficients)
     }
 }
 

@@ -153,14 +153,14 @@ impl<S: Scalar> Rgb<Light<'_, S>> {
 }
 
 impl<S, const N: usize> Rgb<Buffer<S, N>> {
-    /// The lights in these buffers; errors as [`Light::new`].
+    /// The lights in these buffers; errors as [`Light::from_finite`].
     pub fn lights(&self) -> Result<Rgb<Light<'_, S>>, Error> {
-        self.each_ref().try_map(|channel| Light::new(channel))
+        self.each_ref().try_map(|channel| Light::from_finite(channel))
     }
 
-    /// The materials in these buffers; errors as [`Material::new`].
+    /// The materials in these buffers; errors as [`Material::from_finite`].
     pub fn materials(&self) -> Result<Rgb<Material<'_, S>>, Error> {
-        self.each_ref().try_map(|channel| Material::new(channel))
+        self.each_ref().try_map(|channel| Material::from_finite(channel))
     }
 }
 
@@ -187,9 +187,17 @@ impl<S: Scalar> Material<'_, S> {
     /// [`Error::Capacity`] if `N` is too small; [`Error::NotFinite`] with the index of the first
     /// channel of the color that is infinite or NaN.
     pub fn tint<const N: usize>(&self, color: [S; 3]) -> Result<Rgb<Buffer<S, N>>, Error> {
+        Rgb::gray(*self).tint(color)
+    }
+}
+
+impl<S: Scalar> Rgb<Material<'_, S>> {
+    /// [`Material::tint`] in each channel, such as of a preset: a gray material in a color, or one
+    /// in color with another balance. The same errors.
+    pub fn tint<const N: usize>(&self, color: [S; 3]) -> Result<Rgb<Buffer<S, N>>, Error> {
         Error::check_finite(Argument::Color, &color)?;
-        Rgb::from(color).try_map(|factor| {
-            copied(Argument::Material, self.coefficients().iter().map(|&from| factor * from))
+        self.zip(Rgb::from(color)).try_map(|(material, factor)| {
+            copied(Argument::Material, material.coefficients().iter().map(|&from| factor * from))
         })
     }
 }

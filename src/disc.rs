@@ -1,6 +1,6 @@
 //! The pixels and normals of a sphere, without a root for each pixel.
 
-use crate::error::Error;
+use crate::error::{Argument, Error};
 use crate::format::Q15;
 use crate::normal::Normal;
 use crate::piece::{INTERVALS, Piece, interpolated};
@@ -51,7 +51,7 @@ fn root(square: u32) -> u16 {
 ///
 /// let mut picture = [' '; 4 * 4];
 /// for pixel in Disc::new(4)? {
-///     pixel.put(&mut picture, if pixel.normal().components()[1] > 0.0 { '^' } else { 'v' });
+///     pixel.put(&mut picture, if pixel.normal().components()[1] > 0.0 { '^' } else { 'v' })?;
 /// }
 /// assert_eq!(picture.iter().collect::<String>(), " ^^ ^^^^vvvv vv ");
 /// # Ok::<(), eigenshade::Error>(())
@@ -151,19 +151,29 @@ impl DiscPixel {
         self.row as usize
     }
 
-    /// The index in a picture stored row by row.
+    /// The index in a picture of the disc's size, stored row by row.
     #[inline]
     #[must_use]
     pub const fn index(self) -> usize {
         (self.row * self.size + self.column) as usize
     }
 
-    /// Sets this pixel of a picture stored row by row. A picture that ends before the pixel is left
-    /// unchanged, so there is no panic.
+    /// Sets this pixel of a picture of the disc's size, stored row by row. For a screen of another
+    /// size, use [`row`](Self::row) and [`column`](Self::column).
+    ///
+    /// # Errors
+    ///
+    /// [`Error::Length`] unless the picture has as many pixels as the square around the disc.
     #[inline]
-    pub fn put<T>(self, picture: &mut [T], value: T) {
-        if let Some(pixel) = picture.get_mut(self.index()) {
-            *pixel = value;
+    pub fn put<T>(self, picture: &mut [T], value: T) -> Result<(), Error> {
+        let pixels = (self.size * self.size) as usize;
+        let (argument, found) = (Argument::Picture, picture.len());
+        match picture.get_mut(self.index()) {
+            Some(pixel) if found == pixels => {
+                *pixel = value;
+                Ok(())
+            }
+            _ => Err(Error::Length { argument, expected: pixels, found }),
         }
     }
 
@@ -188,13 +198,18 @@ impl DiscPixel {
 mod tests {
     use super::*;
 
+    /// On a screen of another size the rows would be smeared.
     #[test]
-    fn pixels_beyond_a_picture_are_left_out() {
-        let mut rows = [0; 4 * 3];
-        for pixel in Disc::new(4).into_iter().flatten() {
-            pixel.put(&mut rows, 1);
+    fn a_picture_of_another_size_is_refused() {
+        for found in [0, 4 * 3, 4 * 4, 4 * 5, 320 * 240] {
+            let mut screen = [0; 320 * 240];
+            let screen = &mut screen[..found];
+            let mut pixels = Disc::new(4).into_iter().flatten();
+            let drawn = pixels.try_for_each(|pixel| pixel.put(screen, 1));
+            let refused = Error::Length { argument: Argument::Picture, expected: 16, found };
+            assert_eq!(drawn, if found == 16 { Ok(()) } else { Err(refused) });
+            assert_eq!(screen.iter().sum::<i32>(), if found == 16 { 12 } else { 0 });
         }
-        assert_eq!(rows, [0, 1, 1, 0, 1, 1, 1, 1, 1, 1, 1, 1]);
     }
 
     #[test]

@@ -66,7 +66,10 @@ pub enum Error {
     },
     /// A normal has a component that is not finite, or has length zero.
     Normal,
-    /// One of many normals has no direction, or points away from the camera.
+    /// A normal that is used as it is does not have length 1.
+    NotUnit,
+    /// One of many normals has no direction, points away from the camera or, where normals are not
+    /// scaled, does not have length 1.
     Normals {
         /// The index of the normal.
         index: usize,
@@ -153,6 +156,8 @@ pub enum Argument {
     Normals,
     /// The bytes of a normal map, two for each pixel.
     NormalMap,
+    /// The pixels of a picture that a disc is drawn into.
+    Picture,
     /// Images of a set, and the values reported for each.
     Images,
     /// Texels of a baked map.
@@ -239,6 +244,11 @@ impl Error {
 impl fmt::Display for Error {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
+            Self::Length { argument: Argument::Picture, expected, found } => write!(
+                f,
+                "Picture: {expected} pixels expected, {found} found; give a square as wide as the \
+                 disc"
+            ),
             Self::Length { argument, expected, found } => {
                 write!(f, "{argument:?}: {expected} numbers expected, {found} found")
             }
@@ -302,10 +312,11 @@ impl fmt::Display for Error {
                 "{argument:?}: a number exceeds its integer format; scale the light or the weights down"
             ),
             Self::Normal => f.write_str("a normal has length zero or a component that is not finite; leave it out"),
+            Self::NotUnit => f.write_str("a normal's length is not 1; scale it by `Normal::new`"),
             Self::Normals { index } => write!(
                 f,
-                "normal {index} (from 0) has no direction or points away from the camera; leave it \
-                 out"
+                "normal {index} (from 0) is no unit vector with z from 0 to 1; scale it by \
+                 `Normals::normalized`, or leave it out if it points away from the camera"
             ),
             Self::Hidden => f.write_str("a normal points away from the camera (z < -1/8); leave it out"),
             Self::TransfersOnly => f.write_str(

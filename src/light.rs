@@ -26,10 +26,11 @@ pub struct Light<'a, S> {
 }
 
 impl<'a, S> Light<'a, S> {
-    /// Creates a light from its coefficients. Their number determines the degree.
+    /// Creates a light from its coefficients, which must be finite. Their number determines the
+    /// degree.
     ///
-    /// The values are not checked. A coefficient that is not finite spoils more of an image than
-    /// its own mode; [`checked`](Self::checked) rejects it.
+    /// Constants, and lights that a small machine makes for each frame, can be created by
+    /// [`from_finite`](Self::from_finite).
     ///
     /// ```
     /// use eigenshade::{Argument, Error, Light};
@@ -43,28 +44,29 @@ impl<'a, S> Light<'a, S> {
     ///
     /// # Errors
     ///
-    /// [`Error::Count`] unless there are (degree + 1)² coefficients for some degree.
+    /// [`Error::Count`] unless there are (degree + 1)² coefficients for some degree;
+    /// [`Error::NotFinite`] with the index of the first coefficient that is infinite or NaN.
+    pub fn new(coefficients: &'a [S]) -> Result<Self, Error>
+    where
+        S: Scalar,
+    {
+        let light = Self::from_finite(coefficients)?;
+        Error::check_finite(Argument::Light, coefficients)?;
+        Ok(light)
+    }
+
+    /// [`new`](Self::new) in a constant, or without a pass over the coefficients: the caller
+    /// promises that they are finite. One that is not spoils more of an image than its own mode.
+    ///
+    /// # Errors
+    ///
+    /// [`Error::Count`] as for `new`.
     #[inline]
-    pub const fn new(coefficients: &'a [S]) -> Result<Self, Error> {
+    pub const fn from_finite(coefficients: &'a [S]) -> Result<Self, Error> {
         match degree(coefficients.len()) {
             Ok(degree) => Ok(Self { degree, coefficients }),
             Err(error) => Err(error),
         }
-    }
-
-    /// [`new`](Self::new) for coefficients that arrive at run time: all of them must be finite.
-    ///
-    /// # Errors
-    ///
-    /// The same as for `new`; [`Error::NotFinite`] with the index of the first coefficient that is
-    /// infinite or NaN.
-    pub fn checked(coefficients: &'a [S]) -> Result<Self, Error>
-    where
-        S: Scalar,
-    {
-        let light = Self::new(coefficients)?;
-        Error::check_finite(Argument::Light, coefficients)?;
-        Ok(light)
     }
 
     /// This light without the degrees above `degree`. A light of that degree or less stays as it

@@ -16,11 +16,10 @@ pub struct Material<'a, S> {
 }
 
 impl<'a, S> Material<'a, S> {
-    /// Creates a material from its coefficients. Their number determines the order: there are 1,
-    /// 2, 5, 8, 14, 20, 30 and 40 of orders 0 to 7.
+    /// Creates a material from its coefficients, which must be finite. Their number determines the
+    /// order: there are 1, 2, 5, 8, 14, 20, 30 and 40 of orders 0 to 7.
     ///
-    /// The values are not checked. A coefficient that is not finite spoils more of an image than
-    /// its own mode; [`checked`](Self::checked) rejects it.
+    /// Constants can be created by [`from_finite`](Self::from_finite).
     ///
     /// ```
     /// use eigenshade::{Argument, Error, Material};
@@ -35,28 +34,29 @@ impl<'a, S> Material<'a, S> {
     /// # Errors
     ///
     /// [`Error::Count`] unless there are [`index::material::count`](crate::index::material::count)
-    /// coefficients for some order.
+    /// coefficients for some order; [`Error::NotFinite`] with the index of the first coefficient
+    /// that is infinite or NaN.
+    pub fn new(coefficients: &'a [S]) -> Result<Self, Error>
+    where
+        S: Scalar,
+    {
+        let material = Self::from_finite(coefficients)?;
+        Error::check_finite(Argument::Material, coefficients)?;
+        Ok(material)
+    }
+
+    /// [`new`](Self::new) in a constant, or without a pass over the coefficients: the caller
+    /// promises that they are finite. One that is not spoils more of an image than its own mode.
+    ///
+    /// # Errors
+    ///
+    /// [`Error::Count`] as for `new`.
     #[inline]
-    pub const fn new(coefficients: &'a [S]) -> Result<Self, Error> {
+    pub const fn from_finite(coefficients: &'a [S]) -> Result<Self, Error> {
         match order(coefficients.len()) {
             Ok(order) => Ok(Self { order, coefficients }),
             Err(error) => Err(error),
         }
-    }
-
-    /// [`new`](Self::new) for coefficients that arrive at run time: all of them must be finite.
-    ///
-    /// # Errors
-    ///
-    /// The same as for `new`; [`Error::NotFinite`] with the index of the first coefficient that is
-    /// infinite or NaN.
-    pub fn checked(coefficients: &'a [S]) -> Result<Self, Error>
-    where
-        S: Scalar,
-    {
-        let material = Self::new(coefficients)?;
-        Error::check_finite(Argument::Material, coefficients)?;
-        Ok(material)
     }
 
     /// This material without the orders above `order`. A material of that order or less stays as it

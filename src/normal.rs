@@ -75,9 +75,9 @@ impl<S: Scalar> Normal<S> {
 
 /// Many normals, stored component by component.
 ///
-/// They are used as they are: each must be a unit vector with z in \[0, 1\]. A normal that is not
-/// gives a meaningless irradiance, but does not affect the others. Normals of a mesh or a map must
-/// pass through [`normalized`](Self::normalized) first.
+/// They are used as they are: each must be a unit vector with z in \[0, 1\], as
+/// [`new`](Self::new) checks. Normals of a mesh or a map must pass through
+/// [`normalized`](Self::normalized) first.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Normals<'a, S> {
@@ -87,12 +87,48 @@ pub struct Normals<'a, S> {
 }
 
 impl<'a, S> Normals<'a, S> {
-    /// Creates normals from their components.
+    /// The normals with these components, as they are. Each must have unit length to within one
+    /// part in 2,000.
+    ///
+    /// ```
+    /// use eigenshade::{Error, Normals};
+    ///
+    /// assert_eq!(Normals::new(&[0.0, 0.6], &[0.0, 0.0], &[1.0, 0.8])?.len(), 2);
+    /// let longer = Normals::new(&[0.0, 0.6], &[0.0, 0.0], &[1.0, 0.9]);
+    /// assert_eq!(longer, Err(Error::Normals { index: 1 }));
+    /// # Ok::<(), Error>(())
+    /// ```
+    ///
+    /// Cost: three products for each normal.
+    ///
+    /// # Errors
+    ///
+    /// [`Error::Length`] unless all three slices have the same length; [`Error::Normals`] with the
+    /// index of the first normal whose length is not 1 or whose z is below 0.
+    pub fn new(x: &'a [S], y: &'a [S], z: &'a [S]) -> Result<Self, Error>
+    where
+        S: Scalar,
+    {
+        let normals = Self::from_unit(x, y, z)?;
+        let most = S::from_f64(1e-3);
+        let is_unit = |Normal { x, y, z }: Normal<S>| {
+            let off = x * x + y * y + z * z - S::ONE;
+            z >= S::ZERO && off <= most && off >= -most
+        };
+        match normals.iter().position(|normal| !is_unit(normal)) {
+            None => Ok(normals),
+            Some(index) => Err(Error::Normals { index }),
+        }
+    }
+
+    /// [`new`](Self::new) in a constant, or without a pass over the normals: the caller promises
+    /// unit vectors with z in \[0, 1\]. One that is not has a meaningless irradiance, but does not
+    /// affect the others.
     ///
     /// # Errors
     ///
     /// [`Error::Length`] unless all three slices have the same length.
-    pub const fn new(x: &'a [S], y: &'a [S], z: &'a [S]) -> Result<Self, Error> {
+    pub const fn from_unit(x: &'a [S], y: &'a [S], z: &'a [S]) -> Result<Self, Error> {
         match (
             Error::check(Argument::Normals, x.len(), y.len()),
             Error::check(Argument::Normals, x.len(), z.len()),
@@ -125,7 +161,7 @@ impl<'a, S> Normals<'a, S> {
     where
         S: Scalar,
     {
-        Normals::new(&*x, &*y, &*z)?;
+        Normals::from_unit(&*x, &*y, &*z)?;
         let vectors = x.iter_mut().zip(y.iter_mut()).zip(z.iter_mut());
         for (index, ((x, y), z)) in vectors.enumerate() {
             let unit = Normal::with_mathematics::<M>(*x, *y, *z);

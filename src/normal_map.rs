@@ -31,7 +31,7 @@ const NEIGHBORS: [[i8; 2]; 8] =
 /// // A sphere of 32 x 32 pixels, and a display of the same size with a blue background.
 /// let mut codes = [NormalMap::BACKGROUND; 32 * 32];
 /// for pixel in Disc::new(32)? {
-///     pixel.put(&mut codes, NormalMap::code(pixel.normal()));
+///     pixel.put(&mut codes, NormalMap::code(pixel.normal()))?;
 /// }
 /// let map = NormalMap::new(32, 32, codes.as_flattened())?;
 /// let mut screen = [0x001f_u16; 32 * 32];

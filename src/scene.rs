@@ -294,7 +294,7 @@ mod tests {
         ] {
             let scene = Scene::of(lengths, Recurrences::NONE, &numbers);
             for count in [0, 1, 63, 64, 127, 128, 300] {
-                let normals = Normals::new(&x[..count], &y[..count], &z[..count]);
+                let normals = Normals::from_unit(&x[..count], &y[..count], &z[..count]);
                 let mut irradiance = [f32::NAN; 300];
                 let shaded = scene.shade_slice(normals.unwrap(), &mut irradiance[..count]);
                 assert_eq!(shaded, Ok(()));

@@ -24,7 +24,7 @@ fn normals(across: usize) -> Vec<Normal<f32>> {
 
 /// A normal of any numbers, which are not scaled.
 fn unscaled([x, y, z]: [f32; 3]) -> Normal<f32> {
-    Normals::new(&[x], &[y], &[z]).expect("one length").iter().next().expect("one normal")
+    Normals::from_unit(&[x], &[y], &[z]).expect("one length").iter().next().expect("one normal")
 }
 
 /// Scenes, and what their polynomials give for some normals.
@@ -115,7 +115,7 @@ fn q15(x: f32) -> Q15 {
 
 /// A normal in Q15, on the map.
 fn on_map([x, y, z]: [Q15; 3]) -> MapPoint<Q15> {
-    MapPoint::of_quantized(quantized::Normal::<Q15>::new(x, y, z).expect("a unit normal"))
+    MapPoint::of_quantized(quantized::Normal::<Q15>::from_unit(x, y, z).expect("a unit normal"))
 }
 
 #[test]

@@ -218,6 +218,15 @@ fn a_tint_scales_each_channel() {
         Error::NotFinite { argument: Argument::Color, index: 1 }
     );
     assert!(matches!(gray.tint::<1>([1.0; 3]), Err(Error::Capacity { .. })));
+    // A preset has three channels, each of which has its factor.
+    let of_gold = material::GOLD_METALLIC_PAINT.tint::<40>([1.0, 0.5, 0.0]).unwrap();
+    for (factor, channel, found) in [
+        (1.0, material::GOLD_METALLIC_PAINT.r, &of_gold.r),
+        (0.5, material::GOLD_METALLIC_PAINT.g, &of_gold.g),
+        (0.0, material::GOLD_METALLIC_PAINT.b, &of_gold.b),
+    ] {
+        assert!(channel.coefficients().iter().zip(&**found).all(|(&of, &to)| factor * of == to));
+    }
 }
 
 /// Vertices of a mesh, in one call: the bits of one call for each.

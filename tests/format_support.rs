@@ -134,8 +134,8 @@ fn numbers_beyond_a_format_are_refused_as_documented() {
     let light = [1.0, 1.0, 1e300f64 as f32, 1.0];
     let refused = Error::NotFinite { argument: Argument::Light, index: 2 };
     assert_eq!(quantized::Light::quantize(&light, &mut [Q15(0); 4]), Err(refused));
-    assert_eq!(Light::checked(&light), Err(refused));
-    assert!(Light::checked(&[1e300f64; 4]).is_ok());
+    assert_eq!(Light::new(&light), Err(refused));
+    assert!(Light::new(&[1e300f64; 4]).is_ok());
     says(refused, "a light of 1e300");
     says(Error::Degree { found: 13 }, "`Light::turn_into` above degree 12");
 

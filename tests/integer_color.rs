@@ -31,6 +31,9 @@ fn a_tint_in_integers_scales_each_channel() {
             }
         }
     }
+    let of_gold = material::q15::GOLD_METALLIC_PAINT.tint::<40, 8>(colors[0].map(Q15)).unwrap();
+    let channel = material::q15::GOLD_METALLIC_PAINT.g.tint::<40, 8>([Q15(16_384); 3]).unwrap();
+    assert_eq!(of_gold.g, channel.g);
     assert!(matches!(gray.tint::<39, 8>([Q15(1); 3]), Err(Error::Length { .. })));
     assert!(matches!(gray.tint::<40, 9>([Q15(1); 3]), Err(Error::Length { .. })));
     // Q31 keeps 30 bits of the products.

@@ -26,7 +26,7 @@ const TAIL: [(f64, f64); 3] = [(0.065, 2.5e-2), (0.1, 1e-2), (0.3, 3e-3)];
 fn rounded(normal: Vector) -> (Normal<Q15>, Vector) {
     let whole = normal.map(|number| (number * 32_768.0).round().clamp(-32_767.0, 32_767.0));
     let [x, y, z] = whole.map(|number| Q15(number as i16));
-    let normal = Normal::<Q15>::new(x, y, z).expect("a visible normal");
+    let normal = Normal::<Q15>::from_unit(x, y, z).expect("a visible normal");
     (normal, whole.map(|number| number / 32_768.0))
 }
 
@@ -231,7 +231,7 @@ fn normals_in_q31() {
     let highlights = gray(&material, blob.single([1.0; 3]), -16);
     for (normal, ..) in expected(&material, &blob) {
         let [x, y, z] = normal.components().map(|Q15(number)| Q31((i32::from(number) << 16) + 77));
-        let finer = Normal::<Q31>::new(x, y, z).expect("a visible normal");
+        let finer = Normal::<Q31>::from_unit(x, y, z).expect("a visible normal");
         assert_eq!(highlights.shade(finer), highlights.shade(normal));
     }
 }
@@ -264,7 +264,7 @@ fn bits_are_the_same_everywhere() {
             let square = (1 << 30) - x * x - y * y;
             let Ok(z) = u32::try_from(square) else { continue };
             let [x, y, z] = [x, y, z.isqrt().cast_signed()].map(|number| Q15(number as i16));
-            let normal = Normal::<Q15>::new(x, y, z).expect("a visible normal");
+            let normal = Normal::<Q15>::from_unit(x, y, z).expect("a visible normal");
             let found = highlights.shade(normal);
             lit += i32::from(found > 100);
             for byte in found.to_le_bytes() {

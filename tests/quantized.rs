@@ -212,11 +212,15 @@ fn what_does_not_fit_is_refused() {
     assert_eq!(q15::relight(&transfer, &light), Err(beyond));
     assert!(q15::BASIS.collapse_into(&[0; q15::COMPONENTS + 1], 0, [0; q15::SCENE]).is_err());
     assert!(q15::BASIS.collapse_into(&[0; q15::COMPONENTS], 0, [0; 3]).is_err());
-    for vector in [[32_767, 32_767, 0], [0; 3], [i16::MIN; 3]] {
-        assert_eq!(Q15::normal(vector.map(Q15)), Err(Error::Normal));
+    // The last has length 0.977.
+    for vector in [[32_767, 32_767, 0], [0; 3], [i16::MIN; 3], [0, 19_207, 25_609]] {
+        assert_eq!(Q15::normal(vector.map(Q15)), Err(Error::NotUnit));
+        let [x, y, z] = vector.map(i32::from);
+        assert_eq!(Normal::<Q15>::new(x, y, z).is_ok(), z >= 0 && y != 0, "scaled");
     }
-    assert_eq!(Normal::<Q15>::new(Q15(0), Q15(32_767), Q15(-1)), Err(Error::Hidden));
-    assert!(Normal::<Q15>::new(Q15(i16::MIN), Q15(0), Q15(0)).is_ok());
+    assert!(Error::NotUnit.to_string().contains("length is not 1; scale it"));
+    assert_eq!(Normal::<Q15>::from_unit(Q15(0), Q15(32_767), Q15(-1)), Err(Error::Hidden));
+    assert!(Normal::<Q15>::from_unit(Q15(i16::MIN), Q15(0), Q15(0)).is_ok());
     // A row of factors whose sum can leave its accumulator.
     let parts = *q15::BASIS.parts();
     let mut factors = parts.factors.to_vec();
@@ -286,7 +290,7 @@ fn along_integers<Q: Integer>(most: f64) {
         let vector = [random() >> shift, random() >> (shift / 2), random() >> shift];
         let [x, y, z] = vector.map(f64::from);
         let length = x.hypot(y).hypot(z);
-        let found = Normal::<Q>::along(vector[0], vector[1], vector[2]);
+        let found = Normal::<Q>::new(vector[0], vector[1], vector[2]);
         if vector == [0; 3] || z < -0.125 * length {
             let error = if vector == [0; 3] { Error::Normal } else { Error::Hidden };
             assert_eq!(found.err(), Some(error), "{vector:?}");
@@ -307,11 +311,11 @@ fn normals_along_integers_are_unit_vectors() {
     along_integers::<Q31>(3.0);
     let [least, most] = [i32::MIN, i32::MAX];
     for [x, y, z] in [[least; 3], [most; 3], [least, 0, 0], [0, least, 1], [0, 0, most]] {
-        let found = Normal::<Q31>::along(x, y, z);
+        let found = Normal::<Q31>::new(x, y, z);
         assert_eq!(found.is_err(), x == z && z < 0, "{x} {y} {z}");
     }
-    assert_eq!(Normal::<Q15>::along(0, 0, -1), Err(Error::Hidden));
-    assert_eq!(Normal::<Q15>::along(0, 0, 0), Err(Error::Normal));
+    assert_eq!(Normal::<Q15>::new(0, 0, -1), Err(Error::Hidden));
+    assert_eq!(Normal::<Q15>::new(0, 0, 0), Err(Error::Normal));
 }
 
 /// The mantissa of a number in 31 bits with the least exponent, 2^-127.
@@ -329,7 +333,7 @@ fn subnormal_numbers_keep_their_size() {
 fn normals_are_rounded_to_the_nearest() {
     // 2^15 by √3 is 18,918.6, and by √5 it is 14,654.3, twice of which is 29,308.6.
     for ([x, y, z], expected) in [([1; 3], [18_919; 3]), ([-2, 0, 1], [-29_309, 0, 14_654])] {
-        let normal = Normal::<Q15>::along(x, y, z).expect("a normal");
+        let normal = Normal::<Q15>::new(x, y, z).expect("a normal");
         assert_eq!(normal.components(), expected.map(Q15));
     }
 }

@@ -103,6 +103,19 @@ fn arguments_beyond_the_table_are_errors() {
         Err(Error::Length { .. })
     ));
     assert!(Normals::new(&many, &few, &many).is_err());
+    // Neither longer or shorter than 1 by more than one part in 2,000, nor behind the rim.
+    for (z, is_unit) in [
+        (1.0004f32, true),
+        (0.9996, true),
+        (1.0006, false),
+        (0.9994, false),
+        (-1.0, false),
+        (f32::NAN, false),
+        (f32::INFINITY, false),
+    ] {
+        let found = Normals::new(&[0.6, 0.0], &[0.8, 0.0], &[0.0, z]).map(|list| list.len());
+        assert_eq!(found, if is_unit { Ok(2) } else { Err(Error::Normals { index: 1 }) }, "{z}");
+    }
     assert_eq!(Normal::new(0.0f32, 0.0, 0.0), Err(Error::Normal));
     assert_eq!(Normal::new(f32::NAN, 0.0, 1.0), Err(Error::Normal));
     assert_eq!(Normal::new(0.0f32, 1.0, -0.5), Err(Error::Hidden));
@@ -110,21 +123,21 @@ fn arguments_beyond_the_table_are_errors() {
     assert_eq!(rim, [1.0, 0.0, 0.0]);
 }
 
-/// What arrives at run time: a coefficient that is not finite is refused with its place.
+/// A coefficient that is not finite is refused with its place.
 #[test]
-fn checked_lights_and_materials_are_finite() {
+fn lights_and_materials_are_finite() {
     use eigenshade::{Argument, Error, Light, Material};
     for bad in [f32::NAN, f32::INFINITY, f32::NEG_INFINITY] {
         let numbers = [1.0, 0.0, bad, -2.0, bad];
         let light = Error::NotFinite { argument: Argument::Light, index: 2 };
-        assert_eq!(Light::checked(&numbers[..4]), Err(light));
+        assert_eq!(Light::new(&numbers[..4]), Err(light));
         let material = Error::NotFinite { argument: Argument::Material, index: 2 };
-        assert_eq!(Material::checked(&numbers), Err(material));
+        assert_eq!(Material::new(&numbers), Err(material));
     }
     let numbers = [f32::MAX, f32::MIN, 1e-45, -0.0, 0.0];
-    assert_eq!(Light::checked(&numbers[..4]), Light::new(&numbers[..4]));
-    assert_eq!(Material::checked(&numbers), Material::new(&numbers));
-    assert!(matches!(Light::checked(&numbers), Err(Error::Count { .. })));
+    assert_eq!(Light::new(&numbers[..4]), Light::from_finite(&numbers[..4]));
+    assert_eq!(Material::new(&numbers), Material::from_finite(&numbers));
+    assert!(matches!(Light::new(&numbers), Err(Error::Count { .. })));
 }
 
 /// Those of a map of 8 bits or of a mesh are scaled and laid on the rim; the first that cannot be

@@ -34,7 +34,7 @@ use core::fmt::Debug;
 /// let highlights = quantized::Highlights::<Rgb<i32>, 1>::quantize(&in_floats, exponents)?;
 ///
 /// // Half-way between lamp and camera.
-/// let normal = Normal::<Q15>::along(0, 316, 949)?;
+/// let normal = Normal::<Q15>::new(0, 316, 949)?;
 /// let rest = scene.shade(normal);
 /// let color = highlights.add(rest, normal);
 /// assert!(color.r > 2 * rest.r);

@@ -182,30 +182,43 @@ impl<'a, Q: FixedPoint> Material<'a, Q> {
         &self,
         color: [Q; 3],
     ) -> Result<Rgb<MaterialBuffer<Q, N, O>>, Error> {
+        Rgb::gray(*self).tint(color)
+    }
+
+    /// This material times a factor.
+    fn times<const N: usize, const O: usize>(
+        self,
+        factor: Q,
+    ) -> Result<MaterialBuffer<Q, N, O>, Error> {
         Error::check(Argument::Material, N, self.mantissas.len())?;
         Error::check(Argument::Material, O, self.exponents.len())?;
         let bits = Q::BITS.cast_signed();
-        let tinted = |factor: Q| {
-            let product = |mantissa: &Q| {
-                (mantissa.widen() * factor.widen()).shifted(30 - 2 * bits).saturated()
-            };
-            let mut tinted = MaterialBuffer { exponents: [0; O], mantissas: [Q::default(); N] };
-            let exponents = tinted.exponents.iter_mut().zip(self.exponents);
-            let mut start = 0;
-            for (o, (exponent, &of_gray)) in exponents.enumerate() {
-                let places = start..count(o);
-                start = places.end;
-                let top = i32::from(of_gray) + bits - 30;
-                let products = part(self.mantissas, places.clone()).iter().map(product);
-                let products = products.map(|product| (product, top));
-                let to = part_mut(&mut tinted.mantissas, places);
-                let found = mantissas(products, to).max(-127);
-                *exponent = i8::try_from(found).map_err(|_| Error::Exponent)?;
-            }
-            Ok(tinted)
-        };
-        let [r, g, b] = color;
-        Ok(Rgb { r: tinted(r)?, g: tinted(g)?, b: tinted(b)? })
+        let product =
+            |mantissa: &Q| (mantissa.widen() * factor.widen()).shifted(30 - 2 * bits).saturated();
+        let mut tinted = MaterialBuffer { exponents: [0; O], mantissas: [Q::default(); N] };
+        let exponents = tinted.exponents.iter_mut().zip(self.exponents);
+        let mut start = 0;
+        for (o, (exponent, &of_gray)) in exponents.enumerate() {
+            let places = start..count(o);
+            start = places.end;
+            let top = i32::from(of_gray) + bits - 30;
+            let products = part(self.mantissas, places.clone()).iter().map(product);
+            let products = products.map(|product| (product, top));
+            let to = part_mut(&mut tinted.mantissas, places);
+            let found = mantissas(products, to).max(-127);
+            *exponent = i8::try_from(found).map_err(|_| Error::Exponent)?;
+        }
+        Ok(tinted)
+    }
+}
+
+impl<Q: FixedPoint> Rgb<Material<'_, Q>> {
+    /// [`Material::tint`] in each channel; the same errors.
+    pub fn tint<const N: usize, const O: usize>(
+        &self,
+        color: [Q; 3],
+    ) -> Result<Rgb<MaterialBuffer<Q, N, O>>, Error> {
+        self.zip(Rgb::from(color)).try_map(|(material, factor)| material.times(factor))
     }
 }
 
@@ -267,19 +280,20 @@ pub struct Normal<Q> {
 macro_rules! checked {
     ($format:ident, $wide:ident, $bits:literal) => {
         impl Normal<$format> {
-            /// The normal with these components. It must have unit length to within one part in
-            /// 2,000. Unlike [`along`](Self::along), this function does not scale it.
+            /// The normal with these components, as they are. They must have unit length to within
+            /// one part in 2,000, because sums of integers could overflow. [`new`](Self::new)
+            /// scales a vector of any length.
             ///
             /// # Errors
             ///
-            /// [`Error::Normal`] if the length is not 1, [`Error::Hidden`] if z < 0.
-            pub const fn new(x: $format, y: $format, z: $format) -> Result<Self, Error> {
+            /// [`Error::NotUnit`] if the length is not 1, [`Error::Hidden`] if z < 0.
+            pub const fn from_unit(x: $format, y: $format, z: $format) -> Result<Self, Error> {
                 const ONE: $wide = 1 << (2 * $bits);
                 let (a, b, c) = (x.0.unsigned_abs(), y.0.unsigned_abs(), z.0.unsigned_abs());
                 let (a, b, c) = (a as $wide, b as $wide, c as $wide);
                 let square = a * a + b * b + c * c;
                 if square < ONE - ONE / 1_000 || square > ONE + ONE / 1_000 {
-                    Err(Error::Normal)
+                    Err(Error::NotUnit)
                 } else if z.0 < 0 {
                     Err(Error::Hidden)
                 } else {
@@ -293,8 +307,8 @@ checked!(Q15, u32, 15);
 checked!(Q31, u64, 31);
 
 impl<Q: FixedPoint> Normal<Q> {
-    /// The normal along (x, y, z), integers of any scale. It is scaled to length 1, with an error
-    /// of at most one unit in each component in [`Q15`] and three units in [`Q31`].
+    /// The normal in the direction (x, y, z), integers of any scale. It is scaled to length 1, with
+    /// an error of at most one unit in each component in [`Q15`] and three units in [`Q31`].
     ///
     /// A vector that points away from the camera by no more than 1/8 is moved to the rim. For an
     /// 8-bit normal map, pass 2c - 255 for each channel c.
@@ -307,9 +321,9 @@ impl<Q: FixedPoint> Normal<Q> {
     /// use eigenshade::{Error, Q15};
     ///
     /// let [x, y, z] = [218, 127, 218].map(|c| 2 * c - 255);
-    /// assert_eq!(Normal::<Q15>::along(x, y, z)?.components(), [23_170, -128, 23_170].map(Q15));
-    /// assert_eq!(Normal::<Q15>::along(4, 3, 0)?, Normal::<Q15>::along(400, 300, -50)?);
-    /// assert_eq!(Normal::<Q15>::along(4, 3, -1), Err(Error::Hidden));
+    /// assert_eq!(Normal::<Q15>::new(x, y, z)?.components(), [23_170, -128, 23_170].map(Q15));
+    /// assert_eq!(Normal::<Q15>::new(4, 3, 0)?, Normal::<Q15>::new(400, 300, -50)?);
+    /// assert_eq!(Normal::<Q15>::new(4, 3, -1), Err(Error::Hidden));
     /// # Ok::<(), Error>(())
     /// ```
     ///
@@ -317,7 +331,7 @@ impl<Q: FixedPoint> Normal<Q> {
     ///
     /// [`Error::Normal`] if all three components are 0, [`Error::Hidden`] if z < -1/8 after
     /// scaling.
-    pub fn along(x: i32, y: i32, z: i32) -> Result<Self, Error> {
+    pub fn new(x: i32, y: i32, z: i32) -> Result<Self, Error> {
         let sizes = [x, y, z].map(|c| u64::from(c.max(-i32::MAX).unsigned_abs()));
         let [a, b, c] = sizes;
         // The largest component gets 31 bits, so the squares sum to less than 2^64.

@@ -158,11 +158,11 @@ mod tests {
         const FIFTH: i32 = i32::MAX / 5;
         let q15 = fifths.map(|axes| {
             let [x, y, z] = axes.map(|count| Q15(((count * FIFTH) >> 16) as i16));
-            Normal::<Q15>::new(x, y, z).unwrap()
+            Normal::<Q15>::from_unit(x, y, z).unwrap()
         });
         let q31 = fifths.map(|axes| {
             let [x, y, z] = axes.map(|count| Q31(count * FIFTH));
-            Normal::<Q31>::new(x, y, z).unwrap()
+            Normal::<Q31>::from_unit(x, y, z).unwrap()
         });
         compare(&q15, 8.0);
         compare(&q31, 8.0);

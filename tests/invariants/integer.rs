@@ -65,7 +65,7 @@ macro_rules! integer {
                 Self(mantissa.try_into().expect("a mantissa of the format"))
             }
             fn normal([x, y, z]: [Self; 3]) -> Result<Normal<Self>, Error> {
-                Normal::<Self>::new(x, y, z)
+                Normal::<Self>::from_unit(x, y, z)
             }
             fn basis() -> &'static Basis<'static, Self> {
                 &$module::BASIS

@@ -18,10 +18,10 @@ const MODERATE: f32 = 1e12;
 pub fn shade_floats(input: &mut Reader<'_>) {
     let degree = input.up_to(sphere::BASIS.degree());
     let coefficients = input.floats(light::count(degree), false);
-    let light = Light::new(&coefficients).expect("a light");
+    let light = Light::from_finite(&coefficients).expect("a light");
     let order = input.up_to(sphere::BASIS.order());
     let of_material = input.floats(material::count(order), false);
-    let material = Material::new(&of_material).expect("a material");
+    let material = Material::from_finite(&of_material).expect("a material");
     let moderate = coefficients.iter().chain(&of_material).all(|value| value.abs() <= MODERATE);
 
     let projected = sphere::project(&light, &material).expect("it fits");

@@ -85,8 +85,8 @@ impl Case {
     }
 
     fn in_floats(&self, normals: &[quantized::Normal<Q31>]) {
-        let light = Light::new(&self.light).expect("a light");
-        let material = Material::new(&self.material).expect("a material");
+        let light = Light::from_finite(&self.light).expect("a light");
+        let material = Material::from_finite(&self.material).expect("a material");
         let d = sphere::project(&light, &material).expect("it fits");
         let wide: Vec<f64> = d.iter().map(|&d| d.into()).collect();
         self.projected(&wide, ANY_D_F32, 0.0);
@@ -156,7 +156,7 @@ pub fn public_interface(bytes: &[u8]) {
     let is_moderate = input.byte().is_multiple_of(2);
     let rotation = any_rotation(input);
     let coefficients = input.floats(LIGHT, is_moderate);
-    let light = Light::new(&coefficients).expect("a light");
+    let light = Light::from_finite(&coefficients).expect("a light");
     turn(&light, &rotation, is_moderate);
     let d = std::array::from_fn(|_| input.float(is_moderate));
     look_up(&d, input, is_moderate);
@@ -169,7 +169,7 @@ fn indices(input: &mut Reader<'_>) {
     let _ = (eigenshade_index::pair::position(a, b), eigenshade_index::pair::count(a));
     let _ = (eigenshade_index::layout::factors(a, b, c, a), material::count(a));
     let _ = (Light::<f32>::turn_len(a), Light::<f32>::new(&[0.0; 30][..b % 31]));
-    let _ = Material::<f32>::checked(&[0.0; 30][..c % 31]);
+    let _ = Material::<f32>::new(&[0.0; 30][..c % 31]);
 }
 
 /// Of any numbers an error, or a matrix that is a rotation.
@@ -246,7 +246,7 @@ fn look_up(d: &[f32; sphere::COMPONENTS], input: &mut Reader<'_>, is_moderate: b
     while !input.is_empty() {
         let vector = [(); 3].map(|()| input.float(false));
         let [x, y, z] = vector.map(|c| [c]);
-        let raw = Normals::new(&x, &y, &z).expect("one length").iter().next().expect("one");
+        let raw = Normals::from_unit(&x, &y, &z).expect("one length").iter().next().expect("one");
         let point = MapPoint::new(x[0], y[0]);
         let _ = (map.bilinear(point), map.bilinear(MapPoint::of(raw)));
         let _ = (within.shade(raw), MapPoint::of(raw).direction());
@@ -255,11 +255,11 @@ fn look_up(d: &[f32; sphere::COMPONENTS], input: &mut Reader<'_>, is_moderate: b
             let _ = integers.bilinear(MapPoint::new(u, v));
         }
         let [a, b, c] = vector.map(|c| c.to_bits().cast_signed());
-        if let Ok(normal) = quantized::Normal::<Q15>::along(a, b, c) {
+        if let Ok(normal) = quantized::Normal::<Q15>::new(a, b, c) {
             assert!(Q15::normal(normal.components()).is_ok(), "{normal:?} is no unit vector");
             of_integers.add(normal, u, b as u16);
         }
-        if let Ok(normal) = quantized::Normal::<Q31>::along(a, b, c) {
+        if let Ok(normal) = quantized::Normal::<Q31>::new(a, b, c) {
             assert!(Q31::normal(normal.components()).is_ok(), "{normal:?} is no unit vector");
         }
         estimate.add(raw, y[0], z[0]);

@@ -1,11 +1,13 @@
 use eigenshade::presets::{light::q15::LOBBY, material::q15::GOLD_METALLIC_PAINT};
-use eigenshade::{Disc, Display, sphere::q15};
+use eigenshade::{Disc, Display, Tone, sphere};
 
-fn draw(screen: &mut [u16; 240 * 240], display: &Display) -> Result<(), eigenshade::Error> {
-    let scene = q15::color::scene(LOBBY, GOLD_METALLIC_PAINT)?;
+static DISPLAY: Display = Display::new(Tone::Filmic);
+
+fn draw(screen: &mut [u16; 240 * 240]) -> Result<(), eigenshade::Error> {
+    let scene = sphere::q15::color::scene(LOBBY, GOLD_METALLIC_PAINT)?;
     let exposure = scene.exposure_by_factor(1.5)?;
     for pixel in Disc::new(240)? {
-        pixel.put(screen, display.rgb565(exposure.of(scene.shade(pixel.quantized_normal()))));
+        pixel.put(screen, DISPLAY.rgb565(exposure.of(scene.shade(pixel.quantized_normal()))))?;
     }
     Ok(())
 }

@@ -20,6 +20,7 @@ static const float zeros[4] = {0, 0, 0, 0};
     static eigenshade_color_transfer_##format##_t transfer;                                   \
     static eigenshade_color_scene_f32_t to_bake;                                              \
     static eigenshade_color_scene_##format##_t scene;                                         \
+    static eigenshade_meter_t meter;                                                          \
     static eigenshade_color_light_buffer_##format##_t light_buffer;                           \
     static eigenshade_color_material_buffer_##format##_t material_buffer;                     \
     static texel texels[3 * BAKED * BAKED];                                                   \
@@ -37,7 +38,27 @@ static const float zeros[4] = {0, 0, 0, 0};
     uint16_t pixels[SIDE] = {7, 7, 7, 7, 7, 7, 7, 7};                                         \
     const char *const name = #format;                                                         \
                                                                                               \
+    EXPECTED(SCENE,                                                                           \
+             eigenshade_color_disc_row_##format(&scene, 8, 4, 1, display, pixels, SIDE));     \
+    EXPECTED(SCENE, eigenshade_color_bake_##format(&to_bake, BAKED, texels, 48, &baked));     \
     EXPECTED(OK, eigenshade_color_scene_##format(lobby, gold, &scene));                       \
+    scene.b.state ^= 1;                                                                       \
+    EXPECTED(SCENE,                                                                           \
+             eigenshade_color_disc_row_##format(&scene, 8, 4, 1, display, pixels, SIDE));     \
+    EXPECTED(SCENE, eigenshade_color_meter_disc_row_##format(&scene, 8, 4, &meter));          \
+    scene.b.state ^= 1;                                                                       \
+    float exposure = 7;                                                                       \
+    EXPECTED(ROW, eigenshade_color_meter_disc_row_##format(&scene, 8, 8, &meter));            \
+    EXPECTED(DIAMETER, eigenshade_color_meter_disc_row_##format(&scene, 0, 0, &meter));       \
+    EXPECTED(NULL_POINTER, eigenshade_color_meter_disc_row_##format(&scene, 8, 4, NULL));     \
+    EXPECTED(OVERLAP, eigenshade_color_meter_disc_row_##format(                               \
+                          &scene, 8, 4, (eigenshade_meter_t *)(void *)&scene));               \
+    EXPECTED(ROW, eigenshade_color_meter_normal_map_row_##format(&scene, &map, 1, &meter));   \
+    EXPECTED(DARK, eigenshade_meter_exposure_f32(&meter, &exposure));                         \
+    check(exposure == 7, name, "the exposure is as it was", 0);                               \
+    EXPECTED(OK, eigenshade_color_meter_normal_map_row_##format(&scene, &map, 0, &meter));    \
+    EXPECTED(OK, eigenshade_meter_exposure_f32(&meter, &exposure));                           \
+    check(exposure > 0 && exposure != 7, name, "a metered exposure", 0);                      \
     scene.b.terms[0] = 77;                                                                    \
     light.b.degree = EIGENSHADE_DEGREE + 1;                                                   \
     EXPECTED(LIGHT_BEYOND, eigenshade_color_scene_##format(&light, gold, &scene));            \
@@ -108,6 +129,11 @@ static const float zeros[4] = {0, 0, 0, 0};
       sources[k] = lamp;                                                                      \
     }                                                                                         \
     EXPECTED(OK, GLOSSY(format));                                                             \
+    EXPECTED(OK, eigenshade_color_glossy_meter_disc_row_##format(&glossy, 1, 0, &meter));     \
+    EXPECTED(OVERLAP, eigenshade_color_glossy_meter_disc_row_##format(                        \
+                          &glossy, 1, 0, (eigenshade_meter_t *)(void *)sources));             \
+    EXPECTED(NORMAL_MAP,                                                                      \
+             eigenshade_color_glossy_meter_normal_map_row_##format(&glossy, &map, 0, &meter)); \
     check(pixels[4] != 7, name, "a glossy row", 0);                                           \
     pixels[4] = 7;                                                                            \
     glossy.count = EIGENSHADE_SOURCES + 1;                                                    \

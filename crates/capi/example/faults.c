@@ -19,6 +19,16 @@ static void faults_f32(void) {
   eigenshade_material_f32_t material = matte;
   float irradiance = 0.0f;
 
+  /* A scene of zeros, or of whatever was in memory. */
+  for (int byte = 0; byte < 256; byte += 85) {
+    for (size_t k = 0; k < sizeof scene; k++) {
+      ((unsigned char *)&scene)[k] = (unsigned char)byte;
+    }
+    EXPECTED(SCENE, eigenshade_shade_f32(&scene, 0.0f, 0.0f, 1.0f, &irradiance));
+    EXPECTED(SCENE, eigenshade_shade_many_f32(&scene, 1, bright, bright, bright, &irradiance));
+  }
+  check(irradiance == 0.0f, name, "irradiance without a scene", 0);
+
   /* A matte sphere in light from everywhere: pi times its radiance Y_0^0 over pi. */
   EXPECTED(OK, eigenshade_project_f32(&light, &material, &workspace, &d));
   EXPECTED(OK, eigenshade_collapse_f32(&d, EIGENSHADE_COMPONENTS, &scene));
@@ -93,6 +103,8 @@ static void overlaps_f32(void) {
   EXPECTED(OVERLAP, eigenshade_project_f32(&light, &in_workspace, &workspace, &d));
   EXPECTED(OVERLAP, eigenshade_collapse_f32(&one.d, 1, &one.scene));
   EXPECTED(OVERLAP, eigenshade_shade_f32(&scene, 0.0f, 0.0f, 1.0f, scene.terms + 3));
+  EXPECTED(OK, eigenshade_project_f32(&light, &material, &workspace, &d));
+  EXPECTED(OK, eigenshade_collapse_f32(&d, 1, &scene));
   EXPECTED(OVERLAP, eigenshade_shade_many_f32(&scene, 1, white, white, white, scene.terms));
   size_t normalized = 7;
   EXPECTED(OVERLAP,
@@ -138,6 +150,8 @@ static void runtime_inputs_f32(void) {
     eigenshade_light_##format##_t light = ambient;                                            \
     eigenshade_material_##format##_t material = matte;                                        \
     int32_t irradiance = 7;                                                                   \
+    EXPECTED(SCENE, eigenshade_shade_##format(&scene, 0, 0, one, &irradiance));               \
+    EXPECTED(SCENE, eigenshade_shade_many_##format(&scene, 1, zeros, zeros, z, &irradiance)); \
     EXPECTED(OK, eigenshade_project_##format(&light, &material, &workspace, &transfer, &d));  \
     EXPECTED(OK, eigenshade_collapse_##format(&d, EIGENSHADE_COMPONENTS, &scene));            \
     const eigenshade_light_f32_t of_floats = {.degree = 0, .length = 1, .coefficients = bright}; \

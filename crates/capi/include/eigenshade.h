@@ -93,6 +93,10 @@ enum eigenshade_status
   EIGENSHADE_STATUS_SOURCE = 23,
   /** A light above degree 12, beyond which none is turned. */
   EIGENSHADE_STATUS_TURN = 24,
+  /** A scene that no function of this library computed, such as one of zeros. */
+  EIGENSHADE_STATUS_SCENE = 25,
+  /** A meter has counted no pixel, or only black ones. */
+  EIGENSHADE_STATUS_DARK = 26,
 };
 #ifndef __cplusplus
 #if __STDC_VERSION__ >= 202311L
@@ -158,6 +162,8 @@ typedef struct eigenshade_coefficients_f32_t {
 typedef struct eigenshade_scene_f32_t {
   /** Its polynomials. */
   float terms[EIGENSHADE_SCENE_F32];
+  /** What marks a computed scene: the library's. */
+  uint32_t state;
 } eigenshade_scene_f32_t;
 
 /** One channel of distant light: as `eigenshade_light_f32_t`, in mantissas times 2^exponent. */
@@ -217,6 +223,8 @@ typedef struct eigenshade_scene_q15_t {
   int32_t terms[EIGENSHADE_SCENE_Q15];
   /** The exponent of every irradiance. */
   int32_t exponent;
+  /** What marks a computed scene: the library's. */
+  uint32_t state;
 } eigenshade_scene_q15_t;
 
 /** `eigenshade_light_q15_t` in Q31. */
@@ -257,6 +265,7 @@ typedef struct eigenshade_coefficients_q31_t {
 typedef struct eigenshade_scene_q31_t {
   int32_t terms[EIGENSHADE_SCENE_Q31];
   int32_t exponent;
+  uint32_t state;
 } eigenshade_scene_q31_t;
 
 #ifdef __cplusplus
@@ -496,8 +505,7 @@ eigenshade_status eigenshade_normalize_q15(const int32_t *vector, int16_t *norma
  * `irradiance` times 2 to the scene's exponent, in the light's radiance times sr times the
  * material's 1/sr.
  *
- * A scene that `eigenshade_collapse_q15` did not write gives meaningless numbers. On an
- * error `irradiance` is unchanged.
+ * On an error `irradiance` is unchanged.
  *
  * Every pointer that is neither NULL nor unaligned points to a value of its type, and
  * `irradiance` to nothing else's memory.

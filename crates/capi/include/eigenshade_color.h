@@ -138,6 +138,12 @@ typedef struct eigenshade_color_glossy_f32_t {
   size_t count;
 } eigenshade_color_glossy_f32_t;
 
+/** The brightness of a picture's pixels, to meter its exposure. Zeros have counted nothing. */
+typedef struct eigenshade_meter_t {
+  /** The library's. */
+  uint32_t counts[257];
+} eigenshade_meter_t;
+
 /** `eigenshade_color_light_f32_t` in Q15. */
 typedef struct eigenshade_color_light_q15_t {
   struct eigenshade_light_q15_t r;
@@ -305,6 +311,31 @@ eigenshade_status eigenshade_color_normal_map_row_f32(
     size_t length);
 
 /**
+ * Counts the pixels of one row of a sphere, to meter the exposure of its picture. The arguments are
+ * those of `eigenshade_color_disc_row_f32`. Every fourth row of a small sphere will do.
+ *
+ * On an error `meter` is unchanged.
+ */
+eigenshade_status eigenshade_color_meter_disc_row_f32(
+    const struct eigenshade_color_scene_f32_t *scene, size_t diameter, size_t row,
+    struct eigenshade_meter_t *meter);
+
+/** `eigenshade_color_meter_disc_row_f32` of the object of a normal map. */
+eigenshade_status eigenshade_color_meter_normal_map_row_f32(
+    const struct eigenshade_color_scene_f32_t *scene, const struct eigenshade_normal_map_t *map,
+    size_t row, struct eigenshade_meter_t *meter);
+
+/**
+ * The exposure of the pixels that a meter has counted, in either format, to within 7 %.
+ *
+ * One pixel in a hundred is brighter than white. If that leaves the median pixel darker than 0.12 of
+ * white, the exposure rises until the median has 0.12 or one pixel in ten is brighter than white. On
+ * an error `exposure` is unchanged.
+ */
+eigenshade_status eigenshade_meter_exposure_f32(const struct eigenshade_meter_t *meter,
+                                                float *exposure);
+
+/**
  * Bakes a picture into maps of `size` x `size` texels, 2 to 4096. `length` is
  * 3 * size * size.
  *
@@ -382,6 +413,16 @@ eigenshade_status eigenshade_color_glossy_normal_map_row_f32(
     size_t row, float exposure, const struct eigenshade_display_t *display, uint16_t *pixels,
     size_t length);
 
+/** `eigenshade_color_meter_disc_row_f32` with highlights. A call prepares all sources. */
+eigenshade_status eigenshade_color_glossy_meter_disc_row_f32(
+    const struct eigenshade_color_glossy_f32_t *glossy, size_t diameter, size_t row,
+    struct eigenshade_meter_t *meter);
+
+/** `eigenshade_color_meter_normal_map_row_f32` with highlights. A call prepares all sources. */
+eigenshade_status eigenshade_color_glossy_meter_normal_map_row_f32(
+    const struct eigenshade_color_glossy_f32_t *glossy, const struct eigenshade_normal_map_t *map,
+    size_t row, struct eigenshade_meter_t *meter);
+
 /** `eigenshade_color_scene_f32` in Q15. Uses 2 KB of stack. */
 eigenshade_status eigenshade_color_scene_q15(const struct eigenshade_color_light_q15_t *light,
                                              const struct eigenshade_color_material_q15_t *material,
@@ -433,6 +474,16 @@ eigenshade_status eigenshade_color_normal_map_row_q15(
     size_t row, float exposure, const struct eigenshade_display_t *display, uint16_t *pixels,
     size_t length);
 
+/** `eigenshade_color_meter_disc_row_f32` in Q15. */
+eigenshade_status eigenshade_color_meter_disc_row_q15(
+    const struct eigenshade_color_scene_q15_t *scene, size_t diameter, size_t row,
+    struct eigenshade_meter_t *meter);
+
+/** `eigenshade_color_meter_normal_map_row_f32` in Q15. */
+eigenshade_status eigenshade_color_meter_normal_map_row_q15(
+    const struct eigenshade_color_scene_q15_t *scene, const struct eigenshade_normal_map_t *map,
+    size_t row, struct eigenshade_meter_t *meter);
+
 /** `eigenshade_color_bake_f32` in Q15, from a picture in float. */
 eigenshade_status eigenshade_color_bake_q15(const struct eigenshade_color_scene_f32_t *scene,
                                             size_t size, int16_t *texels, size_t length,
@@ -479,6 +530,16 @@ eigenshade_status eigenshade_color_glossy_normal_map_row_q15(
     const struct eigenshade_color_glossy_q15_t *glossy, const struct eigenshade_normal_map_t *map,
     size_t row, float exposure, const struct eigenshade_display_t *display, uint16_t *pixels,
     size_t length);
+
+/** `eigenshade_color_glossy_meter_disc_row_f32` in Q15. */
+eigenshade_status eigenshade_color_glossy_meter_disc_row_q15(
+    const struct eigenshade_color_glossy_q15_t *glossy, size_t diameter, size_t row,
+    struct eigenshade_meter_t *meter);
+
+/** `eigenshade_color_glossy_meter_normal_map_row_f32` in Q15. */
+eigenshade_status eigenshade_color_glossy_meter_normal_map_row_q15(
+    const struct eigenshade_color_glossy_q15_t *glossy, const struct eigenshade_normal_map_t *map,
+    size_t row, struct eigenshade_meter_t *meter);
 
 #ifdef __cplusplus
 }

@@ -27,6 +27,19 @@ unsafe impl<T> Plain for PhantomData<T> {}
 // SAFETY: an address, which is checked before anything is read.
 unsafe impl<T> Plain for Input<T> {}
 
+/// Marks a record that this library wrote. Zeros do not have the mark, nor does memory that nobody
+/// wrote, except by a chance of 2^-32.
+#[derive(Clone, Copy, PartialEq, Eq)]
+#[repr(transparent)]
+pub(crate) struct Mark(u32);
+
+// SAFETY: a number.
+unsafe impl Plain for Mark {}
+
+impl Mark {
+    pub(crate) const COMPUTED: Self = Self(0x6e67_6965);
+}
+
 /// A pointer to what a function reads. Only C makes one, and promises that if it is neither NULL
 /// nor unaligned, it points to a value that nobody else writes to during the call.
 #[repr(transparent)]

@@ -1,7 +1,7 @@
 //! In float: `f32`, for machines with a float unit.
 #![expect(unsafe_code, reason = "memory of C")]
 
-use crate::boundary::{Input, Output, Place, Plain, disjoint, normals};
+use crate::boundary::{Input, Mark, Output, Place, Plain, disjoint, normals};
 use crate::export::{export, records};
 use crate::status::{Status, light_shape, material_shape};
 use crate::table::{self, COMPONENTS, SCENE, TRANSFER, WORKSPACE};
@@ -19,7 +19,7 @@ records! {
     Workspace = "workspace" f32: numbers: [f32; WORKSPACE];
     Transfer = "transfer" f32: numbers: [f32; TRANSFER];
     Coefficients = "coefficients" f32: numbers: [f32; COMPONENTS];
-    Scene = "scene" f32: terms: [f32; SCENE];
+    Scene = "scene" f32: terms: [f32; SCENE], state: Mark;
 }
 
 impl Light {
@@ -29,7 +29,14 @@ impl Light {
         // SAFETY: C promises `length` coefficients.
         let coefficients = unsafe { self.coefficients.array(self.length) }?;
         let places = [Place::of(self), Place::of(coefficients)];
-        Ok((eigenshade::Light::new(coefficients)?, places))
+        Ok((eigenshade::Light::from_finite(coefficients)?, places))
+    }
+}
+
+impl Scene {
+    /// Refuses a scene that was never computed.
+    pub(crate) fn check(&self) -> Result<(), Status> {
+        if self.state == Mark::COMPUTED { Ok(()) } else { Err(Status::Scene) }
     }
 }
 
@@ -40,7 +47,7 @@ impl Material {
         // SAFETY: C promises `length` coefficients.
         let coefficients = unsafe { self.coefficients.array(self.length) }?;
         let places = [Place::of(self), Place::of(coefficients)];
-        Ok((eigenshade::Material::new(coefficients)?, places))
+        Ok((eigenshade::Material::from_finite(coefficients)?, places))
     }
 }
 
@@ -65,11 +72,13 @@ pub(crate) fn relit(
 /// Sums the first components to a scene.
 pub(crate) fn collapsed(d: &[f32], scene: &mut Scene) -> Result<(), Status> {
     RELIGHT_ONLY.collapse_into(d, &mut scene.terms[..])?;
+    scene.state = Mark::COMPUTED;
     Ok(())
 }
 
 /// The image, for steps that the runtime alone has.
 pub(crate) fn view(scene: &Scene) -> Result<eigenshade::Scene<'_, &[f32]>, Status> {
+    scene.check()?;
     Ok(RELIGHT_ONLY.scene(&scene.terms[..])?)
 }
 
@@ -142,6 +151,7 @@ pub(crate) fn shade(
 ) -> Result<(), Status> {
     let scene = scene.value()?;
     disjoint(&[irradiance.place()], &[Place::of(scene)])?;
+    scene.check()?;
     let found = self::irradiance(scene, Normal::new(x, y, z)?);
     // SAFETY: it overlaps no other.
     *unsafe { irradiance.zeroed() }? = found;
@@ -150,13 +160,13 @@ pub(crate) fn shade(
 
 pub(crate) fn check_light(light: Input<Light>) -> Result<(), Status> {
     let (light, _) = light.value()?.view()?;
-    eigenshade::Light::checked(light.coefficients())?;
+    eigenshade::Light::new(light.coefficients())?;
     Ok(())
 }
 
 pub(crate) fn check_material(material: Input<Material>) -> Result<(), Status> {
     let (material, _) = material.value()?.view()?;
-    eigenshade::Material::checked(material.coefficients())?;
+    eigenshade::Material::new(material.coefficients())?;
     Ok(())
 }
 
@@ -189,10 +199,11 @@ pub(crate) fn shade_many(
     irradiance: Output<f32>,
 ) -> Result<(), Status> {
     let scene = scene.value()?;
+    scene.check()?;
     // SAFETY: C promises `count` numbers each.
     let ([x, y, z], irradiance) =
         unsafe { normals(Place::of(scene), count, [&x, &y, &z], &irradiance) }?;
-    for (irradiance, normal) in irradiance.iter_mut().zip(Normals::new(x, y, z)?.iter()) {
+    for (irradiance, normal) in irradiance.iter_mut().zip(Normals::from_unit(x, y, z)?.iter()) {
         *irradiance = self::irradiance(scene, normal);
     }
     Ok(())

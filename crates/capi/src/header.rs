@@ -1,7 +1,7 @@
 //! A test that the headers declare the constants, types and functions of this library, and nothing
 //! else.
 
-use crate::boundary::{Input, Output};
+use crate::boundary::{Input, Mark, Output};
 use crate::color::Channels;
 use crate::constants::CONSTANTS;
 use crate::status::{STATUSES, eigenshade_message};
@@ -11,7 +11,7 @@ use crate::{
 };
 use core::ffi::c_char;
 use core::marker::PhantomData;
-use eigenshade::{Display, Q15, Q31};
+use eigenshade::{Display, Meter, Q15, Q31};
 use std::collections::BTreeSet;
 use std::string::String;
 use std::vec::Vec;
@@ -41,7 +41,7 @@ macro_rules! numbers {
 }
 numbers! {
     usize: "size_t" f32: "float" i8: "int8_t" u8: "uint8_t" i16: "int16_t" u16: "uint16_t"
-    i32: "int32_t" i64: "int64_t" Display: "struct eigenshade_display_t"
+    i32: "int32_t" i64: "int64_t" Mark: "uint32_t" Display: "struct eigenshade_display_t"
     Q15: "int16_t" Q31: "int32_t"
 }
 
@@ -77,6 +77,16 @@ impl<T: Declared> Declared for Channels<T> {
     }
     fn define() -> String {
         structure::<Self>(&["r", "g", "b"].map(T::declare))
+    }
+}
+
+/// Counts that C only keeps.
+impl Declared for Meter {
+    fn declare(name: &str) -> String {
+        format!("struct eigenshade_meter_t {name}")
+    }
+    fn define() -> String {
+        structure::<Self>(&["uint32_t counts[257]".into()])
     }
 }
 
@@ -174,7 +184,8 @@ fn the_headers_declare_this_library() {
     let one_channel = [statuses(), others, float::functions(), q15, q31].concat();
     declares(HEADER, one_channel.clone());
     let of_formats = [color::f32_functions(), color::q15_functions()].concat();
-    let color = [of_formats, color::source_functions(), displays()].concat();
+    let others = [color::source_functions(), color::meter_functions()].concat();
+    let color = [of_formats, others, displays()].concat();
     let (directives, _) = parts(COLOR);
     let defines = directives.into_iter().filter(|line| line.starts_with("#define"));
     let of_gltf = format!("#define EIGENSHADE_METALLIC_ROUGHNESS {}", color::MATERIAL);

@@ -1,7 +1,7 @@
 //! In integers: mantissas of 15 or 31 bits, for machines without a float unit.
 #![expect(unsafe_code, reason = "memory of C")]
 
-use crate::boundary::{Input, Output, Place, Plain, disjoint, normals};
+use crate::boundary::{Input, Mark, Output, Place, Plain, disjoint, normals};
 use crate::export::{export, records};
 use crate::float;
 use crate::status::{Status, light_shape, material_shape};
@@ -48,7 +48,7 @@ macro_rules! shipped {
             }
             #[inline]
             fn normal(x: Self, y: Self, z: Self) -> Result<Normal<Self>, Error> {
-                Normal::<Self>::new(x, y, z)
+                Normal::<Self>::from_unit(x, y, z)
             }
             // Shared by `shade` and `shade_many`.
             #[inline(never)]
@@ -71,7 +71,7 @@ records! {
     Transfer<Q> = "transfer" Q: numbers: [Q; TRANSFER], exponents: [i16; PROFILES];
     Coefficients<Q> = "coefficients" Q:
         mantissas: [i32; COMPONENTS], exponent: i32, format: PhantomData<Q>;
-    Scene<Q> = "scene" Q: terms: Q::Terms, exponent: i32;
+    Scene<Q> = "scene" Q: terms: Q::Terms, exponent: i32, state: Mark;
 }
 
 impl<Q: Shipped> Light<Q> {
@@ -82,6 +82,13 @@ impl<Q: Shipped> Light<Q> {
         let mantissas = unsafe { self.mantissas.array(self.length) }?;
         let light = quantized::Light::new(self.exponent, mantissas)?;
         Ok((light, [Place::of(self), Place::of(mantissas)]))
+    }
+}
+
+impl<Q: Shipped> Scene<Q> {
+    /// Refuses a scene that was never computed.
+    pub(crate) fn check(&self) -> Result<(), Status> {
+        if self.state == Mark::COMPUTED { Ok(()) } else { Err(Status::Scene) }
     }
 }
 
@@ -239,8 +246,9 @@ pub(crate) fn collapsed<Q: Shipped>(
     exponent: i32,
     scene: &mut Scene<Q>,
 ) -> Result<(), Status> {
-    let Scene { terms, exponent: of_scene } = scene;
+    let Scene { terms, exponent: of_scene, state } = scene;
     *of_scene = Q::relight_only().collapse_into(mantissas, exponent, terms.as_mut())?.exponent();
+    *state = Mark::COMPUTED;
     Ok(())
 }
 
@@ -255,7 +263,7 @@ pub(crate) fn normalize<Q: Shipped>(vector: Input<i32>, normal: Output<Q>) -> Re
     let vector = unsafe { vector.array(3) }?;
     disjoint(&[normal.place_of_array(3)?], &[Place::of(vector)])?;
     let &[x, y, z] = vector else { return Err(Status::Internal) };
-    let found = Normal::<Q>::along(x, y, z)?;
+    let found = Normal::<Q>::new(x, y, z)?;
     // SAFETY: C promises memory for three numbers, which overlaps no other.
     let normal = unsafe { normal.zeroed_array(3) }?;
     normal.iter_mut().zip(found.components()).for_each(|(to, from)| *to = from);
@@ -271,6 +279,7 @@ pub(crate) fn shade<Q: Shipped>(
 ) -> Result<(), Status> {
     let scene = scene.value()?;
     disjoint(&[irradiance.place()], &[Place::of(scene)])?;
+    scene.check()?;
     let normal = Q::normal(x, y, z)?;
     let found = self::irradiance(scene, normal)?;
     // SAFETY: it overlaps no other.
@@ -287,6 +296,7 @@ pub(crate) fn shade_many<Q: Shipped>(
     irradiance: Output<i32>,
 ) -> Result<(), Status> {
     let scene = scene.value()?;
+    scene.check()?;
     // SAFETY: C promises `count` numbers each.
     let ([x, y, z], irradiance) =
         unsafe { normals(Place::of(scene), count, [&x, &y, &z], &irradiance) }?;

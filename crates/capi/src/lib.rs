@@ -6,8 +6,8 @@
 //! what it calls.
 //!
 //! On bare metal the static library has a panic handler. In release builds it calls an undefined
-//! symbol, so a reachable panic fails to link, provided that the linker drops unused functions
-//! (`-Wl,--gc-sections`). In builds with debug assertions, which check their arithmetic, it halts.
+//! symbol, so a reachable panic fails to link, and so does a program whose linker keeps unused
+//! functions: `-Wl,--gc-sections` is required, as the symbol's name says. In builds with debug assertions, which check their arithmetic, it halts.
 #![no_std]
 
 // On a host, std handles panics.
@@ -66,12 +66,12 @@ fn panic(_: &core::panic::PanicInfo<'_>) -> ! {
     {
         #[expect(unsafe_code, reason = "the symbol is undefined on purpose")]
         unsafe extern "C" {
-            fn eigenshade_a_panic_can_be_reached() -> !;
+            fn eigenshade_link_with_gc_sections_or_a_panic_can_be_reached() -> !;
         }
         #[expect(unsafe_code, reason = "never linked, so never called")]
         // SAFETY: a program with this call is not linked.
         unsafe {
-            eigenshade_a_panic_can_be_reached()
+            eigenshade_link_with_gc_sections_or_a_panic_can_be_reached()
         }
     }
 }

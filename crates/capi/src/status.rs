@@ -54,6 +54,8 @@ statuses! {
     Baked = 22: c"a baked map has 2 to 4096 texels a side and three times its square; check both"
     Source = 23: c"a source has wrong numbers, or there are over EIGENSHADE_SOURCES; check both"
     Turn = 24: c"lights are turned to degree 12; leave out the coefficients above it"
+    Scene = 25: c"a scene was never computed; call color_scene, color_relight or collapse first"
+    Dark = 26: c"no pixel was metered, or all of them are black; meter the rows of a lit picture"
 }
 
 #[expect(unsafe_code, reason = "an exported symbol")]
@@ -72,7 +74,7 @@ impl From<Error> for Status {
     fn from(error: Error) -> Self {
         match error {
             Error::Exponent => Self::Exponent,
-            Error::Normal => Self::Normal,
+            Error::Normal | Error::NotUnit => Self::Normal,
             Error::Hidden => Self::Hidden,
             Error::Bound => Self::Transfer,
             Error::NotFinite { argument: Argument::Exposure, .. } => Self::Exposure,

@@ -12,8 +12,8 @@ mod pictures;
 mod program;
 
 use eigenshade::presets::{light, material};
-use eigenshade::sphere::q15;
-use eigenshade::{Disc, Display, Error, Tone};
+use eigenshade::sphere::{self, q15};
+use eigenshade::{Disc, Display, Error, Meter, Tone};
 use program::{compiled, library, run};
 use std::collections::BTreeSet;
 use std::fs;
@@ -56,13 +56,50 @@ fn the_checks_hold_under_sanitizers() {
     assert_eq!(run(&mut Command::new(program)), format!("{pictures}0 faults\n"));
 }
 
-/// The README's second example draws brighter highlights, in both formats.
+/// The README's second example meters a picture as Rust does, in floats and in integers to a step of
+/// the meter, an eighth of a power of two.
+#[test]
+fn the_readme_meters_an_exposure() {
+    let readme = include_str!("../README.md");
+    let examples: Vec<&str> =
+        readme.split("```c\n").skip(1).filter_map(|text| text.split("```").next()).collect();
+    let [_, meter, _] = examples[..] else { panic!("three examples in C") };
+    let main = "#include <stdio.h>\nint main(void) {\n  float exposure = 7;\n  \
+                static eigenshade_color_scene_f32_t scene;\n  eigenshade_status status = \
+                eigenshade_color_scene_f32(&eigenshade_light_studio_f32, \
+                &eigenshade_material_gold_metallic_paint_f32, &scene);\n  status |= \
+                metered(&scene, &exposure);\n  printf(\"%.9g\\n\", exposure);\n  \
+                return status;\n}\n";
+    let scene =
+        sphere::color::scene(light::STUDIO, material::GOLD_METALLIC_PAINT).expect("a scene");
+    let mut of_rust = Meter::default();
+    Disc::new(64).into_iter().flatten().for_each(|pixel| of_rust.add(scene.shade(pixel.normal())));
+    let expected = of_rust.exposure().expect("it is lit").factor();
+    for format in ["f32", "q15"] {
+        let text = meter.replace("scene_f32", &format!("scene_{format}"));
+        let text = text.replace("row_f32", &format!("row_{format}"));
+        let main =
+            ["scene_", "studio_", "paint_"].into_iter().fold(main.to_owned(), |text, name| {
+                text.replace(&format!("{name}f32"), &format!("{name}{format}"))
+            });
+        let source = Path::new(env!("CARGO_TARGET_TMPDIR")).join(format!("meter_{format}.c"));
+        fs::write(&source, text + &main).expect("the example is written");
+        let name = format!("meter_{format}");
+        let printed = run(&mut Command::new(compiled(&name, &[&source], ("none.h", ""))));
+        let found: f32 = printed.trim().parse().expect("an exposure");
+        println!("{format}: {found} {expected}");
+        // A pixel beside the border of a step may be counted on its other side.
+        assert!((found / expected).log2().abs() < 0.126, "{format}: {found} {expected}");
+    }
+}
+
+/// The README's third example draws brighter highlights, in both formats.
 #[test]
 fn the_readme_draws_highlights() {
     let readme = include_str!("../README.md");
     let examples: Vec<&str> =
         readme.split("```c\n").skip(1).filter_map(|text| text.split("```").next()).collect();
-    let [plain, glossy] = examples[..] else { panic!("two examples in C") };
+    let [plain, _, glossy] = examples[..] else { panic!("three examples in C") };
     let main = "#include <stdio.h>\nint main(void) {\n  static uint16_t other[240 * 240];\n  \
                 const int status = draw() || draw_glossy(other);\n  \
                 for (size_t k = 0; k < 240 * 240; k++) printf(\"%u %u\\n\", (unsigned)screen[k], \
@@ -100,7 +137,8 @@ fn gold_sphere(size: usize) -> Result<Vec<u16>, Error> {
     let exposure = scene.exposure_by_factor(1.5)?;
     let mut screen = vec![0; size * size];
     for pixel in Disc::new(size)? {
-        pixel.put(&mut screen, display.rgb565(exposure.of(scene.shade(pixel.quantized_normal()))));
+        pixel
+            .put(&mut screen, display.rgb565(exposure.of(scene.shade(pixel.quantized_normal()))))?;
     }
     Ok(screen)
 }

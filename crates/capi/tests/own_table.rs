@@ -64,7 +64,8 @@ fn c_draws_with_the_table_of_a_scene() {
         quantized::Material::new(&exponents[..=ORDER], &mantissas[..length]).expect("a material")
     });
     let scene = q15::color::scene(light, material).expect("a scene");
-    let normal = quantized::Normal::<Q15>::new(Q15(0), Q15(19_661), Q15(26_214)).expect("a normal");
+    let normal =
+        quantized::Normal::<Q15>::from_unit(Q15(0), Q15(19_661), Q15(26_214)).expect("a normal");
     let found = scene.shade(normal);
     let expected = format!(
         "its table\nthe degree of the light is above EIGENSHADE_DEGREE; leave out the coefficients above it\n\

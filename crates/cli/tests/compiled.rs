@@ -127,7 +127,7 @@ const COMPARE_INTEGERS: &str = r#"
             let half = KIND((1_i64 << (BITS - 1)) as INT);
             let aslant = KIND(((1_i64 << BITS) as f64 * 0.75_f64.sqrt()) as INT);
             for normal in [[half, KIND(0), aslant], [KIND(0), KIND(-half.0), aslant], [-aslant.0, 0, half.0].map(KIND)] {
-                let normal = Normal::<KIND>::new(normal[0], normal[1], normal[2]).unwrap();
+                let normal = Normal::<KIND>::from_unit(normal[0], normal[1], normal[2]).unwrap();
                 let pixel = NAME::shade(&scene, normal);
                 assert_eq!(pixel, general.shade(normal), "NAME, pixel, {seed}, {rise}");
                 brightest = brightest.max(pixel.unsigned_abs());

@@ -100,6 +100,7 @@ fn gltf_materials_are_lobes_over_a_base() {
     for (gltf, ggx) in [
         ("--base-color 0.9,0.6,0.3 --metallic 1", "--f0 0.9,0.6,0.3"),
         ("--base-color 0.5 --metallic 0", "--f0 0.04 --albedo 0.5"),
+        ("--base-color #ffffff --metallic 0", "--f0 0.04 --albedo 1,1,1"),
         ("--base-color 0.2,0.5,0.8 --metallic 0.5", "--f0 0.12,0.27,0.42 --albedo 0.1,0.25,0.4"),
     ] {
         let of = |model: &str, parameters: &str| {
@@ -112,8 +113,47 @@ fn gltf_materials_are_lobes_over_a_base() {
     let wrong = [
         "material gltf --base-color 1.5 --metallic 0 --roughness 0.5",
         "material gltf --base-color 0.5 --metallic -0.1 --roughness 0.5",
+        "material gltf --base-color #b8733 --metallic 1 --roughness 0.5",
+        "material gltf --base-color b87333 --metallic 1 --roughness 0.5",
     ];
     assert_usage_errors(&folder, &wrong);
+}
+
+/// A hexadecimal code is a color in sRGB, for the program and in a file: of copper, `#b87333`.
+#[test]
+fn hexadecimal_colors_are_in_srgb() {
+    let folder = Folder::new();
+    let entry = "[[material]]\nname = \"x\"\nmodel = \"ggx\"\nroughness = 0.6\n";
+    let of = |f0: &str| {
+        folder.write("m.toml", format!("{entry}f0 = {f0}\nalbedo = 0\n"));
+        folder.ok("material m.toml --order 3")
+    };
+    // By the curve of IEC 61966-2-1, computed elsewhere.
+    let linear = "[0.4793201831008268, 0.1714411007328226, 0.033104766570885055]";
+    let (found, expected) = (of("\"#b87333\""), of(linear));
+    let channels = |text: &str| numbers(&rows(text, "name,o,p,q,r,g,b"), 3);
+    for (found, expected) in channels(&found).into_iter().zip(channels(&expected)) {
+        assert!((found - expected).abs() <= 1e-12, "{found} {expected}");
+    }
+    let given = "material ggx --name x --roughness 0.6 --f0 #b87333 --order 3";
+    assert_eq!(folder.ok(given), found);
+    folder.write("m.toml", format!("{entry}f0 = \"copper\"\n"));
+    assert_fails(&folder, "material m.toml", &["m.toml:5:", "`copper` is no color", "#b87333"]);
+    folder.write("m.toml", format!("{entry}f0 = [0.1, 0.2]\n"));
+    assert_fails(&folder, "material m.toml", &["m.toml:5:", "[r, g, b]"]);
+}
+
+/// A sharp material is told how to get its highlight, a dull one is not bothered.
+#[test]
+fn a_note_says_what_to_take_for_sharp_highlights() {
+    let folder = Folder::new();
+    for (formula, is_sharp) in
+        [("ggx --roughness 0.2 --f0 0.9", true), ("lambertian --albedo 0.5", false)]
+    {
+        let said = folder.messages(&format!("material {formula} --order 7 --out a.csv"));
+        assert!(said.contains("order 7 leaves out"), "{said}");
+        assert_eq!(said.contains("--sources auto"), is_sharp, "{said}");
+    }
 }
 
 /// The options of the coefficients are on either side of a formula's name.

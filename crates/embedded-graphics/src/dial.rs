@@ -114,7 +114,7 @@ impl DialPixel {
     #[must_use]
     pub fn quantized_normal(self) -> quantized::Normal<Q15> {
         let [x, y, z] = self.vector().map(|along| Q15(along.clamp(1 - ONE, ONE - 1) as i16));
-        quantized::Normal::<Q15>::new(x, y, z).unwrap_or(self.place.quantized_normal())
+        quantized::Normal::<Q15>::from_unit(x, y, z).unwrap_or(self.place.quantized_normal())
     }
 
     /// The normal in units of 2^-15.

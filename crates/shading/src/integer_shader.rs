@@ -39,7 +39,7 @@ impl Integer for Q15 {
     }
     fn normal(components: [f64; 3]) -> std::result::Result<Normal<Self>, eigenshade::Error> {
         let [x, y, z] = components.map(nearest);
-        Normal::<Self>::new(x, y, z)
+        Normal::<Self>::from_unit(x, y, z)
     }
     fn basis(parts: Parts<'_, Self>) -> std::result::Result<Basis<'_, Self>, eigenshade::Error> {
         Basis::<Self>::new(parts)
@@ -53,7 +53,7 @@ impl Integer for Q31 {
     }
     fn normal(components: [f64; 3]) -> std::result::Result<Normal<Self>, eigenshade::Error> {
         let [x, y, z] = components.map(nearest);
-        Normal::<Self>::new(x, y, z)
+        Normal::<Self>::from_unit(x, y, z)
     }
     fn basis(parts: Parts<'_, Self>) -> std::result::Result<Basis<'_, Self>, eigenshade::Error> {
         Basis::<Self>::new(parts)

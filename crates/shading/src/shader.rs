@@ -84,7 +84,7 @@ impl<S: Scalar> OwnedNormals<S> {
     /// Cannot fail in practice, because the three arrays have the same length.
     pub fn view(&self) -> Result<Normals<'_, S>> {
         let [x, y, z] = &self.0;
-        Normals::new(x, y, z).map_err(fault)
+        Normals::from_unit(x, y, z).map_err(fault)
     }
 
     /// The normals one by one.
@@ -175,7 +175,7 @@ impl<'a, S: Scalar> Shader<'a, S> {
 
     fn projected(&mut self, light: &[f64], material: &[f64]) -> Result<()> {
         let light = rounded::<S>(light);
-        let light = Light::new(&light).map_err(fault)?;
+        let light = Light::from_finite(&light).map_err(fault)?;
         if let AnyBasis::Sphere(basis) = &self.basis
             && !basis.projects()
         {
@@ -192,7 +192,7 @@ impl<'a, S: Scalar> Shader<'a, S> {
             return basis.relight_into(&of.transfer, &light, coefficients).map_err(fault);
         }
         let material = rounded::<S>(material);
-        let material = Material::new(&material).map_err(fault)?;
+        let material = Material::from_finite(&material).map_err(fault)?;
         let (workspace, coefficients) = (&mut self.workspace, &mut self.coefficients);
         let effects = self.effects;
         match &self.basis {

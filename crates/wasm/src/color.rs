@@ -23,7 +23,7 @@ extern "C" fn color_shade(count: usize) -> usize {
     else {
         return 0;
     };
-    let Ok(normals) = Normals::new(x, y, z) else { return 0 };
+    let Ok(normals) = Normals::from_unit(x, y, z) else { return 0 };
     for (scene, plane) in <[_; 3]>::from(scene).iter().zip(&mut *planes) {
         let Some(irradiance) = plane.get_mut(..count) else { return 0 };
         if scene.shade_slice(normals, irradiance).is_err() {

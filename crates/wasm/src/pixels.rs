@@ -29,7 +29,7 @@ extern "C" fn f32_shade(count: usize) -> usize {
     else {
         return 0;
     };
-    let Ok(normals) = Normals::new(x, y, z) else { return 0 };
+    let Ok(normals) = Normals::from_unit(x, y, z) else { return 0 };
     if scene.shade_slice(normals, irradiance).is_ok() { count } else { 0 }
 }
 
@@ -46,7 +46,8 @@ extern "C" fn f32_look_up(count: usize) -> usize {
     else {
         return 0;
     };
-    let (Ok(map), Ok(normals)) = (BakedMap::new(SIZE, &texels[..]), Normals::new(x, y, z)) else {
+    let (Ok(map), Ok(normals)) = (BakedMap::new(SIZE, &texels[..]), Normals::from_unit(x, y, z))
+    else {
         return 0;
     };
     for (irradiance, normal) in irradiance.iter_mut().zip(normals.iter()) {
@@ -75,6 +76,6 @@ extern "C" fn nine_terms(count: usize) -> usize {
     else {
         return 0;
     };
-    let Ok(normals) = Normals::new(x, y, z) else { return 0 };
+    let Ok(normals) = Normals::from_unit(x, y, z) else { return 0 };
     if NineTerms::new(*nine).shade_slice(normals, irradiance).is_ok() { count } else { 0 }
 }

@@ -71,7 +71,7 @@ fn integers(light: &[f32], material: &[f32]) -> impl Fn([f64; 3]) -> f64 {
     move |normal| {
         let [x, y, z] =
             normal.map(|component| Q15((32_768.0 * component).round().min(32_767.0) as i16));
-        let normal = quantized::Normal::<Q15>::new(x, y, z).expect("a unit vector");
+        let normal = quantized::Normal::<Q15>::from_unit(x, y, z).expect("a unit vector");
         f64::from(scene.shade(normal)) * 2f64.powi(scene.exponent())
     }
 }

@@ -116,7 +116,7 @@ fn floats(values: Vec<f32>) -> Vec<f64> {
 fn in_integers(directions: &[[f64; 3]]) -> Vec<quantized::Normal<Q15>> {
     let along = |direction: &[f64; 3]| {
         let [x, y, z] = direction.map(|c| (c * f64::from(i32::MAX)) as i32);
-        quantized::Normal::along(x, y, z).expect("a direction")
+        quantized::Normal::new(x, y, z).expect("a direction")
     };
     directions.iter().map(along).collect()
 }

@@ -288,7 +288,7 @@ pub(super) fn full_weight() -> Vec<Figure> {
         terms: &[Q15(i16::MAX); 3],
     });
     let largest_table = largest_table.expect("parts that fit");
-    let pole = quantized::Normal::along(0, 0, i32::MAX).expect("a direction");
+    let pole = quantized::Normal::new(0, 0, i32::MAX).expect("a direction");
     let seen = |basis: &quantized::Basis<'_, Q15>, pixels: u32, weight: u16| {
         let mut estimate = basis.estimate::<50>().expect("room");
         (0..pixels).for_each(|_| estimate.add(pole, Q15(i16::MIN), weight));

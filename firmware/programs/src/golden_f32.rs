@@ -14,8 +14,8 @@ fn golden() {
 }
 
 fn compare(pair: &Pair<f32, f32>, tally: &mut Tally) -> Result<(), Error> {
-    let light = Light::new(pair.light.0)?;
-    let material = Material::new(pair.material.0)?;
+    let light = Light::from_finite(pair.light.0)?;
+    let material = Material::from_finite(pair.material.0)?;
     let projected = table::project(&light, &material)?;
     let relit = table::relight(&table::transfer(&material)?, &light)?;
     let ((d, _), (irradiances, _)) = (pair.d, pair.irradiance);
@@ -45,8 +45,8 @@ fn sphere() {
 
 fn draw() -> Result<(), Error> {
     let [pair, ..] = &PAIRS;
-    let light = Light::new(pair.light.0)?;
-    let material = Material::new(pair.material.0)?;
+    let light = Light::from_finite(pair.light.0)?;
+    let material = Material::from_finite(pair.material.0)?;
     let scene = table::collapse(&table::project(&light, &material)?)?;
     programs::drawing::as_text(|x, y, z| {
         let [x, y, z] = [x, y, z].map(|fraction| fraction as f32);

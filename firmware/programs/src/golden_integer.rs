@@ -26,7 +26,7 @@ fn compare(pair: &Pair<Format, i32>, tally: &mut Tally) -> Result<(), Error> {
     let (normals, _) = NORMALS.as_chunks::<3>();
     tally.count(normals.len() == irradiances.len());
     for (&[x, y, z], &expected) in normals.iter().zip(irradiances) {
-        let normal = Normal::<Format>::new(x, y, z)?;
+        let normal = Normal::<Format>::from_unit(x, y, z)?;
         tally.count(scene.shade(normal) == expected && (*scene).shade(normal) == expected);
     }
     Ok(())

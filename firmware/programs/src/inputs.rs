@@ -64,13 +64,13 @@ pub mod floats {
     /// A light of these coefficients.
     #[must_use]
     pub fn light(coefficients: &[f32]) -> Light<'_, f32> {
-        Light::new(coefficients).unwrap_or_else(|_| board::exit(false))
+        Light::from_finite(coefficients).unwrap_or_else(|_| board::exit(false))
     }
 
     /// A material of these coefficients.
     #[must_use]
     pub fn material(coefficients: &[f32]) -> Material<'_, f32> {
-        Material::new(coefficients).unwrap_or_else(|_| board::exit(false))
+        Material::from_finite(coefficients).unwrap_or_else(|_| board::exit(false))
     }
 
     /// Two round and two elongated sources in front of the object.
@@ -111,7 +111,7 @@ pub mod integers {
             Self((fraction >> 16) as i16)
         }
         fn normal(x: Self, y: Self, z: Self) -> Option<Normal<Self>> {
-            Normal::<Self>::new(x, y, z).ok()
+            Normal::<Self>::from_unit(x, y, z).ok()
         }
     }
 
@@ -120,7 +120,7 @@ pub mod integers {
             Self(fraction)
         }
         fn normal(x: Self, y: Self, z: Self) -> Option<Normal<Self>> {
-            Normal::<Self>::new(x, y, z).ok()
+            Normal::<Self>::from_unit(x, y, z).ok()
         }
     }
 

@@ -66,7 +66,7 @@ fn relight_collapse() {
     let Ok(mut scene) = table::collapse(&coefficients) else { board::exit(false) };
     holds(size_of_val(&transfer) + size_of_val(&coefficients) + size_of_val(&scene));
     measure(&[inputs::numbers::<100>()], Passes(256), |light| {
-        let light = Light::new(light)?;
+        let light = Light::from_finite(light)?;
         table::relight_into(&transfer, &light, &mut coefficients)?;
         table::collapse_into(&coefficients, black_box(&mut scene))
     });
@@ -250,7 +250,7 @@ fn vertices_16() {
     let mut colors = [Rgb::gray(0.0); 16];
     holds(size_of_val(&scene) + size_of_val(&axes) + size_of_val(&colors));
     measure(&[axes], Passes(4), |[x, y, z]| {
-        let normals = Normals::new(x, y, z)?;
+        let normals = Normals::from_unit(x, y, z)?;
         scene.shade_slice(normals, black_box(&mut colors))
     });
 }

@@ -2,18 +2,14 @@
 #![no_std]
 #![no_main]
 
-use eigenshade::Tone;
-
 programs::program!();
 
 include!("../../../tests/readme/gold_q15.rs");
 include!("../../../tests/readme/checksum.rs");
 
-static DISPLAY: Display = Display::new(Tone::Filmic);
-
 fn readme() {
     let mut screen = [0; 240 * 240];
-    let is_drawn = draw(&mut screen, &DISPLAY).is_ok();
+    let is_drawn = draw(&mut screen).is_ok();
     if !is_drawn || crc32(screen.iter().flat_map(|pixel| pixel.to_le_bytes())) != CHECKSUM {
         board::exit(false);
     }

@@ -27,7 +27,7 @@ fn main() {
     let lights = [[(); CHANNELS].map(|()| inputs::numbers::<LIGHT>())];
     measure_named("light", &lights, Passes(64), |lights| {
         lights.iter().zip(&mut scenes).try_for_each(|(light, scene)| {
-            let light = Light::new(light)?;
+            let light = Light::from_finite(light)?;
             table::relight_into(&transfer, &light, &mut d)?;
             table::collapse_into(&d, black_box(scene))
         })
@@ -52,7 +52,7 @@ fn main() {
         let Ok(rotation) = rotation else { board::exit(false) };
         measure_named("turn", &lights, Passes(16), |lights| {
             let [first, ..] = lights;
-            let channel = |place: usize| Light::new(lights.get(place).unwrap_or(first));
+            let channel = |place: usize| Light::from_finite(lights.get(place).unwrap_or(first));
             Rgb::new(channel(0)?, channel(1)?, channel(2)?).turned::<LIGHT>(&rotation)
         });
     }

@@ -3,6 +3,10 @@
 
 use super::format::Channels;
 use super::glossy::{GlossyF32, GlossyQ15, Source, color_residual};
+use super::meter::{
+    color_meter_disc_row, color_meter_disc_row as color_glossy_meter_disc_row,
+    color_meter_normal_map_row, color_meter_normal_map_row as color_glossy_meter_normal_map_row,
+};
 use super::rows::{
     NormalMap, color_disc_row, color_disc_row as color_baked_disc_row,
     color_disc_row as color_glossy_disc_row, color_normal_map_row,
@@ -19,7 +23,7 @@ use crate::boundary::{Input, Output};
 use crate::export::export;
 use crate::status::Status;
 use crate::{float, integers};
-use eigenshade::{Display, Q15};
+use eigenshade::{Display, Meter, Q15};
 
 macro_rules! exported {
     (
@@ -63,6 +67,13 @@ macro_rules! exported {
                 scene: Input<Channels<$scene>>, map: Input<NormalMap>, row: usize, exposure: f32,
                 display: Input<Display>, pixels: Output<u16>, length: usize
             )
+            color_meter_disc_row<$number>(
+                scene: Input<Channels<$scene>>, diameter: usize, row: usize, meter: Output<Meter>
+            )
+            color_meter_normal_map_row<$number>(
+                scene: Input<Channels<$scene>>, map: Input<NormalMap>, row: usize,
+                meter: Output<Meter>
+            )
             color_bake<$number>(
                 scene: Input<Channels<float::Scene>>, size: usize,
                 texels: Output<$texel>, length: usize, baked: Output<$buffers::Baked>
@@ -94,6 +105,12 @@ macro_rules! exported {
             color_glossy_normal_map_row<$number>(
                 glossy: Input<$glossy>, map: Input<NormalMap>, row: usize, exposure: f32,
                 display: Input<Display>, pixels: Output<u16>, length: usize
+            )
+            color_glossy_meter_disc_row<$number>(
+                glossy: Input<$glossy>, diameter: usize, row: usize, meter: Output<Meter>
+            )
+            color_glossy_meter_normal_map_row<$number>(
+                glossy: Input<$glossy>, map: Input<NormalMap>, row: usize, meter: Output<Meter>
             )
         }
     };

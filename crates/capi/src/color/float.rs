@@ -156,6 +156,10 @@ impl Format for f32 {
         pixel.normal()
     }
 
+    fn check(scene: &Scene) -> Result<(), Status> {
+        scene.check()
+    }
+
     #[inline]
     fn shade(scene: &Scene, normal: Normal<f32>) -> Result<f32, Status> {
         Ok(float::irradiance(scene, normal))

@@ -109,6 +109,8 @@ pub(crate) trait Format: Plain + Copy {
     fn normal(x: Self, y: Self, z: Self) -> Result<Self::Normal, Status>;
     fn of_disc(pixel: DiscPixel) -> Self::Normal;
     fn of_normal_map(pixel: NormalPixel) -> Self::Normal;
+    /// Refuses a scene that was never computed.
+    fn check(scene: &Self::Scene) -> Result<(), Status>;
     fn shade(scene: &Self::Scene, normal: Self::Normal) -> Result<Self::Irradiance, Status>;
 
     /// Bakes three scenes in `f32`. Returns the exponents of the channels, 0 in `f32`.

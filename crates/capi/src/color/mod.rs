@@ -14,6 +14,8 @@ mod steps;
 
 mod rows;
 
+mod meter;
+
 mod exported;
 
 #[cfg(test)]
@@ -24,3 +26,5 @@ pub(crate) use format::{MATERIAL, ORDER};
 pub(crate) use glossy::{Gloss, Source};
 #[cfg(test)]
 pub(crate) use glossy::{SOURCES, functions as source_functions};
+#[cfg(test)]
+pub(crate) use meter::functions as meter_functions;

@@ -28,6 +28,7 @@ pub(crate) trait Picture<F: Format> {
 impl<F: Format> Picture<F> for Channels<F::Scene> {
     fn open(&self) -> Result<Opened<impl Shade<F>>, Status> {
         let scenes = &self.0;
+        scenes.iter().try_for_each(F::check)?;
         let shade = |normal| {
             let [r, g, b] = scenes;
             Ok([F::shade(r, normal)?, F::shade(g, normal)?, F::shade(b, normal)?])

@@ -184,6 +184,10 @@ impl Format for Q15 {
         pixel.quantized_normal()
     }
 
+    fn check(scene: &Scene<Self>) -> Result<(), Status> {
+        scene.check()
+    }
+
     #[inline]
     fn shade(scene: &Scene<Self>, normal: Normal<Self>) -> Result<i32, Status> {
         integers::irradiance(scene, normal)

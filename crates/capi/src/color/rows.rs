@@ -6,7 +6,7 @@ use super::picture::{Opened, Picture, Shade};
 use crate::boundary::{Input, Output, Place, Plain, disjoint};
 use crate::export::records;
 use crate::status::Status;
-use eigenshade::{Disc, Display, Rgb, blend565};
+use eigenshade::{Disc, Display, Linear, Rgb, blend565};
 
 records! {
     NormalMap = "normal_map": width: usize, height: usize, length: usize, codes: Input<u8>;
@@ -22,24 +22,24 @@ struct Target {
 }
 
 /// The pixels of a row: column, coverage and normal.
-trait Row<F: Format>: Iterator<Item = (usize, u8, F::Normal)> {}
+pub(crate) trait Row<F: Format>: Iterator<Item = (usize, u8, F::Normal)> {}
 impl<F: Format, I: Iterator<Item = (usize, u8, F::Normal)>> Row<F> for I {}
 
 /// An object: its width and height, and the pixels of one row.
-struct Shape<I> {
-    size: [usize; 2],
-    row: I,
+pub(crate) struct Shape<I> {
+    pub(crate) size: [usize; 2],
+    pub(crate) row: I,
 }
 
 /// The row of a disc.
-fn disc<F: Format>(diameter: usize, row: usize) -> Result<Shape<impl Row<F>>, Status> {
+pub(crate) fn disc<F: Format>(diameter: usize, row: usize) -> Result<Shape<impl Row<F>>, Status> {
     let row = Disc::new(diameter).map_err(|_| Status::Diameter)?.row(row);
     let row = row.map(|pixel| (pixel.column(), u8::MAX, F::of_disc(pixel)));
     Ok(Shape { size: [diameter; 2], row })
 }
 
 /// The row of a normal map, and where its codes lie.
-fn normal_map<F: Format>(
+pub(crate) fn normal_map<F: Format>(
     map: &NormalMap,
     row: usize,
 ) -> Result<(Shape<impl Row<F>>, Place), Status> {
@@ -51,10 +51,25 @@ fn normal_map<F: Format>(
     Ok((Shape { size: [map.width, map.height], row }, Place::of(codes)))
 }
 
+/// What shades and exposes a normal.
+#[inline]
+pub(crate) fn exposing<F: Format>(
+    picture: &Opened<impl Shade<F>>,
+    exposure: f32,
+) -> Result<impl Fn(F::Normal) -> Result<Rgb<Linear>, Status>, Status> {
+    let exposure = |exponent| F::exposure(exposure, exponent);
+    let [r, g, b] = picture.exponents;
+    let [of_r, of_g, of_b] = [exposure(r)?, exposure(g)?, exposure(b)?];
+    Ok(move |normal| {
+        let [r, g, b] = (picture.shade)(normal)?;
+        Ok(Rgb::new(F::exposed(r, of_r), F::exposed(g, of_g), F::exposed(b, of_b)))
+    })
+}
+
 /// Draws a row of an object, once everything is checked.
 fn draw<F: Format>(
     shape: Shape<impl Row<F>>,
-    picture: Opened<impl Shade<F>>,
+    picture: &Opened<impl Shade<F>>,
     target: &Target,
     read: &[Place],
 ) -> Result<(), Status> {
@@ -62,9 +77,7 @@ fn draw<F: Format>(
     if target.row >= height || target.length < width {
         return Err(Status::Row);
     }
-    let exposure = |exponent| F::exposure(target.exposure, exponent);
-    let [r, g, b] = picture.exponents;
-    let [of_r, of_g, of_b] = [exposure(r)?, exposure(g)?, exposure(b)?];
+    let exposed = exposing::<F>(picture, target.exposure)?;
     let display = target.display.value()?;
     let written = [target.pixels.place_of_array(target.length)?];
     disjoint(&written, read)?;
@@ -73,8 +86,7 @@ fn draw<F: Format>(
     // SAFETY: C promises `length` pixels, which overlap no other.
     let pixels = unsafe { target.pixels.array(target.length) }?;
     for (column, coverage, normal) in shape.row {
-        let [r, g, b] = (picture.shade)(normal)?;
-        let color = Rgb::new(F::exposed(r, of_r), F::exposed(g, of_g), F::exposed(b, of_b));
+        let color = exposed(normal)?;
         if let Some(pixel) = pixels.get_mut(column) {
             *pixel = blend565(*pixel, display.rgb565(color), coverage);
         }
@@ -93,7 +105,7 @@ pub(crate) fn color_disc_row<F: Format>(
 ) -> Result<(), Status> {
     let target = Target { row, exposure, display, pixels, length };
     let picture = picture.value()?.open()?;
-    draw(disc::<F>(diameter, row)?, picture, &target, &[])
+    draw::<F>(disc::<F>(diameter, row)?, &picture, &target, &[])
 }
 
 pub(crate) fn color_normal_map_row<F: Format>(
@@ -108,5 +120,5 @@ pub(crate) fn color_normal_map_row<F: Format>(
     let target = Target { row, exposure, display, pixels, length };
     let (picture, map) = (picture.value()?.open()?, map.value()?);
     let (shape, of_codes) = normal_map::<F>(map, row)?;
-    draw(shape, picture, &target, &[Place::of(map), of_codes])
+    draw::<F>(shape, &picture, &target, &[Place::of(map), of_codes])
 }

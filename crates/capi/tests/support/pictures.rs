@@ -137,7 +137,7 @@ pub fn lines() -> Result<String, Error> {
         // Writing to a string cannot fail.
         let _ = writeln!(lines, "{name},{}", checksum(&picture));
     }
-    let normal = quantized::Normal::<Q15>::new(Q15(0), Q15(19_661), Q15(26_214))?;
+    let normal = quantized::Normal::<Q15>::from_unit(Q15(0), Q15(19_661), Q15(26_214))?;
     let scene = q15::color::scene(lobby, material::q15::DARK_RED_PAINT)?;
     let lamp = [0.0, 0.6, 0.8];
     let lamp = Source::new::<SinglePrecision>(lamp, [0.5, 0.4, 0.3], [0.03, 0.0, 0.0], 0.03)?;
@@ -145,7 +145,7 @@ pub fn lines() -> Result<String, Error> {
     let highlights = Highlights::<f32, 1>::new::<SinglePrecision>(&copper, &[lamp])?;
     let exponents = scene.each_ref().map(|channel| channel.exponent());
     let highlights = quantized::Highlights::<_, 1>::quantize(&highlights, exponents)?;
-    let half = quantized::Normal::<Q15>::new(Q15(0), Q15(10_362), Q15(31_086))?;
+    let half = quantized::Normal::<Q15>::from_unit(Q15(0), Q15(10_362), Q15(31_086))?;
     let glossy = highlights.add(scene.shade(half), half);
     for found in [scene.shade(normal), baked.bilinear(MapPoint::of_quantized(normal)), glossy] {
         for irradiance in <[i32; 3]>::from(found) {

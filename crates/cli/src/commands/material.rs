@@ -20,6 +20,7 @@ use eigenshade_model::error::{Error, Result};
 use eigenshade_model::inputs::coefficient_csv::write_materials;
 use eigenshade_model::inputs::gloss_csv::write_glosses;
 use eigenshade_model::source::NamedGloss;
+use eigenshade_model::srgb::from_hex;
 use eigenshade_shading::parallel;
 use eigenshade_sources::gloss::{Fitter, of_measured};
 use std::collections::HashSet;
@@ -112,6 +113,9 @@ impl Material {
 /// decides a coefficient.
 const UNDETERMINED: f64 = 1e5;
 
+/// The share of energy that an order leaves out above which a picture lacks a highlight.
+const SHARP: f64 = 0.05;
+
 /// The gloss of each material: exact for `lambertian`, `gltf` and `ggx`, fitted to others.
 fn glosses(sources: &[Source]) -> Result<Vec<NamedGloss>> {
     let mut fitter = Fitter::default();
@@ -163,6 +167,13 @@ fn coefficients(
         let (name, left) = (&one.material.name, one.left_out);
         print_message(format_args!("{name}: order {order} leaves out {left:.2e} of the energy"));
     }
+    if projected.iter().any(|one| one.left_out > SHARP) {
+        print_message(
+            "note: what an order leaves out is mostly highlight, and pictures are nearer than this \
+             share. Add it by `render --sources auto`, which reads the gloss beside --out FILE.csv; \
+             from roughness 0.5 on, --order 12 and `render --table tables/pbr.bin` do without",
+        );
+    }
     let (mut fitted, mut others) = (
         fits.iter().map(|fit| fit.material.clone()),
         projected.into_iter().map(|one| one.material),
@@ -208,7 +219,7 @@ fn negative_values(sources: &[Source]) -> Option<String> {
 pub enum Formula {
     /// Perfectly diffuse: albedo / pi
     Lambertian {
-        /// Reflected share of the light: a number, or r,g,b
+        /// Reflected share of the light: a number or r,g,b, linear; or '#rrggbb', sRGB
         #[arg(long, value_name = "A", value_parser = shares)]
         albedo: Shares,
         #[command(flatten)]
@@ -219,7 +230,7 @@ pub enum Formula {
         /// Standard deviation of the facets' angle, radians, 0 to pi/2
         #[arg(long, value_name = "S")]
         sigma: f64,
-        /// Albedo: a number, or r,g,b
+        /// Albedo: a number or r,g,b, linear; or '#rrggbb', sRGB
         #[arg(long, value_name = "A", default_value = "1", value_parser = shares)]
         albedo: Shares,
         #[command(flatten)]
@@ -230,7 +241,7 @@ pub enum Formula {
     /// It is `ggx` with f0 = 0.04 + (base color - 0.04) metallic and the albedo base color (1 -
     /// metallic).
     Gltf {
-        /// Linear base color, 0 to 1: a number, or r,g,b
+        /// Base color, 0 to 1: a number or r,g,b, linear; or '#rrggbb', sRGB, such as '#b87333'
         #[arg(long, value_name = "C", value_parser = color)]
         base_color: Shares,
         /// 0 for a dielectric to 1 for a metal
@@ -249,10 +260,10 @@ pub enum Formula {
         /// Perceptual roughness, 0.03 to 1; alpha is its square
         #[arg(long, value_name = "R")]
         roughness: f64,
-        /// Reflectance at normal incidence: a number, or r,g,b
+        /// Reflectance at normal incidence: a number or r,g,b, linear; or '#rrggbb', sRGB
         #[arg(long, value_name = "F", value_parser = shares)]
         f0: Shares,
-        /// Albedo of the diffuse base: a number, or r,g,b
+        /// Albedo of the diffuse base: a number or r,g,b, linear; or '#rrggbb', sRGB
         #[arg(long, value_name = "A", default_value = "0", value_parser = shares)]
         albedo: Shares,
         #[command(flatten)]
@@ -344,17 +355,22 @@ fn share(text: &str) -> std::result::Result<f64, String> {
 
 /// Parses a color: [`shares`] from 0 to 1.
 fn color(text: &str) -> std::result::Result<Shares, String> {
-    text.split(',').try_for_each(|field| share(field).map(drop))?;
+    if !text.starts_with('#') {
+        text.split(',').try_for_each(|field| share(field).map(drop))?;
+    }
     shares(text)
 }
 
-/// Parses a number, or three with commas between them.
+/// Parses a number, three with commas between them, or a hexadecimal sRGB code.
 fn shares(text: &str) -> std::result::Result<Shares, String> {
+    if let Some(color) = from_hex(text) {
+        return Ok(Shares::Rgb(color));
+    }
     let numbers: std::result::Result<Vec<f64>, _> =
         text.split(',').map(|field| field.trim().parse::<f64>()).collect();
     match numbers.as_deref() {
         Ok(&[gray]) => Ok(Shares::Gray(gray)),
         Ok(&[r, g, b]) => Ok(Shares::Rgb([r, g, b])),
-        _ => Err("expected a number, or three: r,g,b".to_owned()),
+        _ => Err("expected a number, three: r,g,b, or '#rrggbb'".to_owned()),
     }
 }

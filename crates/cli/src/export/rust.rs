@@ -82,7 +82,8 @@ fn constant(text: &mut String, entry: &Entry) {
                 format!("&{channel}_EXPONENTS, ")
             }
         };
-        made.push(format!("checked({record}::new({exponents}&{channel}))"));
+        let new = if entry.format == Format::F32 { "from_finite" } else { "new" };
+        made.push(format!("checked({record}::{new}({exponents}&{channel}))"));
     }
     let value = match made.as_slice() {
         [gray] => format!("Rgb::gray({gray})"),

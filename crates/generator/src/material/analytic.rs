@@ -5,14 +5,15 @@
 //! name = "red-plastic"
 //! model = "ggx"             # or "lambertian", "oren-nayar"
 //! roughness = 0.4           # ggx
-//! f0 = 0.04                 # ggx: a number, or [r, g, b]
-//! albedo = [0.7, 0.1, 0.1]  # all three: a number, or [r, g, b]; 0 for ggx if left out
+//! f0 = 0.04                 # ggx: a number, or [r, g, b], linear, or "#rrggbb" in sRGB
+//! albedo = [0.7, 0.1, 0.1]  # all three: the same; 0 for ggx if left out
 //! # sigma = 0.3             # oren-nayar, radians
 //! ```
 
 use crate::material::brdf::{Brdf, Ggx, Lambertian, OrenNayar, Surface};
 use eigenshade_model::error::{Error, Result};
 use eigenshade_model::source::Gloss;
+use eigenshade_model::srgb::from_hex;
 use serde::Deserialize;
 use std::collections::HashSet;
 use std::path::Path;
@@ -54,14 +55,39 @@ pub enum Model {
     Ggx,
 }
 
-/// A number for all channels, or one for each channel.
+/// A number for all channels, or one for each channel; linear. A file can also have a hexadecimal
+/// sRGB code.
 #[derive(Clone, Copy, Debug, PartialEq, Deserialize)]
-#[serde(untagged)]
+#[serde(try_from = "Written")]
 pub enum Shares {
     /// The same value in all channels.
     Gray(f64),
     /// Values for r, g and b.
     Rgb([f64; 3]),
+}
+
+/// Shares as a file has them.
+#[derive(Deserialize)]
+#[serde(untagged, expecting = "a share is a number, [r, g, b], or \"#rrggbb\" in sRGB")]
+enum Written {
+    Gray(f64),
+    Rgb([f64; 3]),
+    Hex(String),
+}
+
+impl TryFrom<Written> for Shares {
+    type Error = String;
+
+    fn try_from(written: Written) -> std::result::Result<Self, String> {
+        match written {
+            Written::Gray(value) => Ok(Self::Gray(value)),
+            Written::Rgb(rgb) => Ok(Self::Rgb(rgb)),
+            Written::Hex(text) => {
+                let wrong = || format!("`{text}` is no color; write six digits, as in \"#b87333\"");
+                from_hex(&text).map(Self::Rgb).ok_or_else(wrong)
+            }
+        }
+    }
 }
 
 impl Shares {

@@ -173,7 +173,7 @@ fn float_rows(rows: &mut Vec<Row>) {
 pub fn golden() -> Golden {
     let mut rows = Vec::new();
     float_rows(&mut rows);
-    integer_rows(&mut rows, &sphere::q15::BASIS, Normal::<Q15>::new);
-    integer_rows(&mut rows, &sphere::q31::BASIS, Normal::<Q31>::new);
+    integer_rows(&mut rows, &sphere::q15::BASIS, Normal::<Q15>::from_unit);
+    integer_rows(&mut rows, &sphere::q31::BASIS, Normal::<Q31>::from_unit);
     Golden { rows }
 }

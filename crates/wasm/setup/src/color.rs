@@ -84,7 +84,7 @@ extern "C" fn color_transfer(effects: u32) -> u32 {
     let (materials, room, transfers) =
         unsafe { (MATERIAL.borrow(), ROOM.borrow(), TRANSFERS.borrow()) };
     let done = materials.iter().zip(transfers).all(|(material, transfer)| {
-        Material::new(material)
+        Material::from_finite(material)
             .and_then(|material| BASIS.transfer_effects_into(&material, of, room, transfer))
             .is_ok()
     });
@@ -99,7 +99,7 @@ extern "C" fn color_relight() -> u32 {
     let (light, turn, transfers, d) =
         unsafe { (LIGHT.borrow(), TURN.borrow(), TRANSFERS.borrow(), D.borrow()) };
     let [r, g, b] = light;
-    let Ok(lights) = Rgb::new(r, g, b).try_map(|numbers| Light::new(&numbers[..])) else {
+    let Ok(lights) = Rgb::new(r, g, b).try_map(|numbers| Light::from_finite(&numbers[..])) else {
         return 0;
     };
     let turned;

@@ -20,7 +20,8 @@ extern "C" fn f32_project() -> u32 {
     // SAFETY: each buffer is borrowed once, and no other function runs.
     let (light, material, room, d) =
         unsafe { (LIGHT.borrow(), MATERIAL.borrow(), ROOM.borrow(), D.borrow()) };
-    let (Ok(light), Ok(material)) = (Light::new(light), Material::new(material)) else {
+    let (Ok(light), Ok(material)) = (Light::from_finite(light), Material::from_finite(material))
+    else {
         return 0;
     };
     BASIS.project_into(&light, &material, room, d).is_ok().into()
@@ -46,7 +47,7 @@ extern "C" fn f32_transfer() -> u32 {
     // SAFETY: each buffer is borrowed once, and no other function runs.
     let (material, room, transfer) =
         unsafe { (MATERIAL.borrow(), ROOM.borrow(), TRANSFERRED.borrow()) };
-    let Ok(material) = Material::new(material) else { return 0 };
+    let Ok(material) = Material::from_finite(material) else { return 0 };
     BASIS.transfer_into(&material, room, transfer).is_ok().into()
 }
 
@@ -56,7 +57,7 @@ extern "C" fn f32_transfer() -> u32 {
 extern "C" fn f32_relight() -> u32 {
     // SAFETY: each buffer is borrowed once, and no other function runs.
     let (light, transfer, d) = unsafe { (LIGHT.borrow(), TRANSFERRED.borrow(), D.borrow()) };
-    let Ok(light) = Light::new(light) else { return 0 };
+    let Ok(light) = Light::from_finite(light) else { return 0 };
     BASIS.relight_into(transfer, &light, d).is_ok().into()
 }
 

@@ -28,7 +28,7 @@ extern "C" fn color_residual(count: usize) -> u32 {
     let (light, sources) = unsafe { (LIGHT.borrow(), SOURCES.borrow()) };
     let mut taken_out = |numbers| {
         let [r, g, b] = &*light;
-        let lights = Rgb::new(r, g, b).try_map(|numbers| Light::new(&numbers[..]))?;
+        let lights = Rgb::new(r, g, b).try_map(|numbers| Light::from_finite(&numbers[..]))?;
         let rest = lights.residual::<SinglePrecision, LIGHT_COUNT>(&[source(numbers)?])?;
         for (to, from) in light.iter_mut().zip(<[_; 3]>::from(rest)) {
             to.iter_mut().zip(&*from).for_each(|(to, &from)| *to = from);

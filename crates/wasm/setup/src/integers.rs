@@ -101,7 +101,7 @@ macro_rules! exports {
                 let normals = x.iter().zip(y.iter()).zip(z.iter());
                 let mut done = 0;
                 for (((&x, &y), &z), irradiance) in normals.zip(irradiance).take(count) {
-                    let normal = Normal::<$format>::new($format(x), $format(y), $format(z));
+                    let normal = Normal::<$format>::from_unit($format(x), $format(y), $format(z));
                     let Ok(normal) = normal else { break };
                     *irradiance = scene.shade(normal);
                     done += 1;
