@@ -303,6 +303,8 @@ mod tests {
             curve: Curve::Srgb,
             colors: vec![[10, 20, 30]; 2000],
             opacities: vec![255; 2000],
+            to_srgb: None,
+            orientation: None,
         };
         type Change<'a> = &'a dyn Fn(&mut PngSamples);
         let with = |change: Change<'_>| {

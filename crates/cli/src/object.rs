@@ -63,9 +63,13 @@ pub struct ObjectView {
 impl ObjectView {
     /// The object of a file in `size` pixels across: a normal map (.png) or a mesh (.obj, .stl,
     /// .ply) from +z; or a sphere, if its name is `sphere`. The default size is [`SIZE`], and that
-    /// of the file for a normal map, which can only shrink. Fails if the file has another
-    /// extension, cannot be read, shows nothing or is smaller than `size`.
-    pub fn read(file: InputFile, size: Option<usize>) -> Result<Self> {
+    /// of the file for a normal map, which can only shrink, and whose green may point down. Fails if
+    /// the file has another extension, cannot be read, shows nothing or is smaller than `size`, or
+    /// if green is to be flipped in anything but a normal map.
+    pub fn read(file: InputFile, size: Option<usize>, flip_green: bool) -> Result<Self> {
+        if flip_green && file.extension() != "png" {
+            return Err(flips_no_map(&file));
+        }
         if file.path().as_os_str() == "sphere" {
             return Ok(Self::sphere(size.unwrap_or(SIZE)));
         }
@@ -73,7 +77,7 @@ impl ObjectView {
             let remedy = "use `sphere`, a normal map (.png) or a mesh (.obj, .stl, .ply)";
             return Err(Error::new("unknown kind of object", remedy).in_file(file.path()));
         }
-        of_file(file, size)
+        of_file(file, size, flip_green)
     }
 
     /// A sphere, as in [`SphereView`].
@@ -126,6 +130,11 @@ impl ObjectView {
     }
 }
 
+/// The error of flipping green in anything but a normal map.
+pub(crate) fn flips_no_map(file: &InputFile) -> Error {
+    Error::new("--flip-green is for a normal map (.png)", "leave it out").in_file(file.path())
+}
+
 /// The coverage from which on a pixel is whole in a [`NormalMap`].
 const WHOLE: f64 = 1.0 - 1.0 / 64.0;
 
@@ -137,12 +146,12 @@ fn code([x, y, z]: [f64; 3]) -> Result<[u8; 2]> {
 
 /// The object of a mesh or a normal map.
 #[cfg(feature = "generate")]
-fn of_file(file: InputFile, size: Option<usize>) -> Result<ObjectView> {
+fn of_file(file: InputFile, size: Option<usize>, flip_green: bool) -> Result<ObjectView> {
     use eigenshade_generator::object::picture::{Picture, Shown};
     let picture = if file.is_mesh() {
         Picture::of_mesh(file, size.unwrap_or(SIZE))
     } else {
-        Picture::of_map(file, size)
+        Picture::of_map(file, size, flip_green)
     };
     let Picture { width, height, pixels: all } = picture?;
     let (mut pixels, mut normals) = (Vec::new(), Vec::new());
@@ -156,7 +165,7 @@ fn of_file(file: InputFile, size: Option<usize>) -> Result<ObjectView> {
 }
 
 #[cfg(not(feature = "generate"))]
-fn of_file(file: InputFile, _size: Option<usize>) -> Result<ObjectView> {
+fn of_file(file: InputFile, _: Option<usize>, _: bool) -> Result<ObjectView> {
     let remedy = "build with the feature `generate`, or leave the object out";
     Err(Error::new("this build reads no meshes and no normal maps", remedy).in_file(file.path()))
 }

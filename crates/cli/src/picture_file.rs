@@ -120,7 +120,9 @@ fn metered(how: Development, draw: &mut Draw) -> Result<Option<Exposure>> {
 #[cfg(feature = "generate")]
 fn exr(path: &Path, [width, height]: [usize; 2], how: Development, draw: &mut Draw) -> Result<()> {
     use eigenshade_model::output::write_atomically;
-    use exr::prelude::{Image, SpecificChannels, Vec2, WritableImage};
+    use exr::prelude::{
+        Encoding, Image, Layer, LayerAttributes, SpecificChannels, Vec2, WritableImage,
+    };
     let exposure = how.exposure.unwrap_or_default();
     let mut colors = vec![[0.0_f32; 4]; width * height];
     draw(&mut |pixel, color| {
@@ -130,15 +132,19 @@ fn exr(path: &Path, [width, height]: [usize; 2], how: Development, draw: &mut Dr
     })?;
     let at = |Vec2(column, row)| colors[row * width + column];
     let mut bytes = std::io::Cursor::new(Vec::new());
+    // Scan lines from the top in ZIP, which every reader has.
+    let (encoding, named) = (Encoding::SMALL_LOSSLESS, LayerAttributes::default());
     let written = if how.is_opaque {
         let channels = SpecificChannels::rgb(|place| {
             let [r, g, b, _] = at(place);
             (r, g, b)
         });
-        Image::from_channels((width, height), channels).write().to_buffered(&mut bytes)
+        let layer = Layer::new((width, height), named, encoding, channels);
+        Image::from_layer(layer).write().to_buffered(&mut bytes)
     } else {
         let channels = SpecificChannels::rgba(|place| <(f32, f32, f32, f32)>::from(at(place)));
-        Image::from_channels((width, height), channels).write().to_buffered(&mut bytes)
+        let layer = Layer::new((width, height), named, encoding, channels);
+        Image::from_layer(layer).write().to_buffered(&mut bytes)
     };
     written.map_err(|error| Error::new(error.to_string(), "ask for a smaller picture"))?;
     write_atomically(path, |out| {

@@ -108,7 +108,7 @@ fn light_converts_for_other_programs() {
         ("parkk", &["`parkk` is neither", "use `park`"]),
         ("px.png nx.png py.png ny.png pz.png nz.png", &["six faces", "the folder"]),
         ("lights.csv --degree 4 --convention filament", &["lights.csv", "degree 4", "--degree 2"]),
-        ("gray.pfm --from cmgen", &["--from", "light CSV"]),
+        ("gray.pfm --from cmgen", &["--from", "one light"]),
     ] {
         assert_fails(&folder, &format!("light {arguments}"), fragments);
     }

@@ -14,6 +14,7 @@ mod direct_sum;
 mod effects;
 mod export;
 mod export_source;
+mod foreign_files;
 mod habits;
 mod highlights;
 mod interpreter;

@@ -192,7 +192,7 @@ fn any_object_is_rendered() {
         let (width, _, bytes) = decoded(&folder.path("p.png"));
         assert_eq!((width, bytes.len()), (size, 4 * (size * size) as usize));
         let asked = (!options.is_empty()).then_some(size as usize);
-        let view = ObjectView::read(folder.path(input).into(), asked).unwrap();
+        let view = ObjectView::read(folder.path(input).into(), asked, false).unwrap();
         assert_same_codes(&bytes, &drawn(&view, &scene, Tone::Filmic, 1.5), input);
         if input == "e.obj" {
             let between = bytes.chunks(4).filter(|pixel| ![0, 255].contains(&pixel[3])).count();

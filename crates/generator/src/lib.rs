@@ -22,6 +22,8 @@
 //! # Ok::<(), eigenshade_model::error::Error>(())
 //! ```
 
+pub mod orientation;
+
 pub mod png_samples;
 
 pub mod light {
@@ -29,11 +31,14 @@ pub mod light {
 
     pub mod cube;
     pub mod environment;
+    pub(crate) mod exr_layer;
     pub mod frame;
     pub mod map;
     pub(crate) mod map_exr;
     pub mod map_file;
+    pub(crate) mod map_hdr;
     pub(crate) mod map_picture;
+    pub(crate) mod primaries;
     pub mod projection;
 }
 

@@ -1,5 +1,7 @@
 //! Reads the numbers that a PNG stores, and what the file says about how they represent light.
 
+use crate::light::primaries::Primaries;
+use crate::orientation::Orientation;
 use eigenshade_model::error::{Error, Result};
 use eigenshade_model::inputs::input_file::InputFile;
 use png::{BitDepth, ColorType, Decoder, DecodingError, Info, Limits, Transformations};
@@ -35,6 +37,28 @@ pub struct PngSamples {
     pub colors: Vec<[u16; 3]>,
     /// Opacity of each pixel; `full` everywhere if the file stores no opacity.
     pub opacities: Vec<u16>,
+    /// The matrix from linear values to linear sRGB, if the file declares other primaries.
+    pub to_srgb: Option<[[f64; 3]; 3]>,
+    /// How a viewer shows the file, if its EXIF data state another orientation than the rows have.
+    pub orientation: Option<Orientation>,
+}
+
+impl PngSamples {
+    /// The picture as a viewer shows it.
+    #[must_use]
+    pub fn upright(self) -> Self {
+        let Some(orientation) = self.orientation else { return self };
+        let stored = [self.width, self.height];
+        let [width, height] = orientation.size(stored);
+        Self {
+            width,
+            height,
+            colors: orientation.picture(self.colors, stored),
+            opacities: orientation.picture(self.opacities, stored),
+            orientation: None,
+            ..self
+        }
+    }
 }
 
 /// Reads a PNG of any color type, 1 to 16 bits. For an animation it reads the first frame.
@@ -87,6 +111,7 @@ fn decode(bytes: &[u8], file: &InputFile) -> Result<PngSamples> {
     decoder.set_transformations(Transformations::EXPAND);
     let mut reader = decoder.read_info().map_err(|error| fault(&error))?;
     let curve = Curve::of(reader.info(), bytes);
+    let to_srgb = to_srgb(reader.info());
     let size = reader.output_buffer_size().ok_or_else(|| fault(&DecodingError::LimitsExceeded))?;
     admit(size as u64)?;
     let mut buffer = vec![0; size];
@@ -94,6 +119,8 @@ fn decode(bytes: &[u8], file: &InputFile) -> Result<PngSamples> {
     buffer.truncate(frame.buffer_size());
     // Reading to the end detects a truncated file.
     reader.finish().map_err(|error| fault(&error))?;
+    let orientation =
+        reader.info().exif_metadata.as_ref().and_then(|data| Orientation::of_exif(data));
     let (channels, has_opacity) = match frame.color_type {
         ColorType::Rgba => (4, true),
         ColorType::Rgb | ColorType::Indexed => (3, false),
@@ -121,7 +148,24 @@ fn decode(bytes: &[u8], file: &InputFile) -> Result<PngSamples> {
         curve,
         colors: pixels().map(color).collect(),
         opacities: pixels().map(opacity).collect(),
+        to_srgb,
+        orientation,
     })
+}
+
+/// The conversion of the primaries that the chunk cICP states, or else those of cHRM.
+fn to_srgb(info: &Info<'_>) -> Option<[[f64; 3]; 3]> {
+    let stated = match (info.coding_independent_code_points, info.chromaticities()) {
+        (Some(points), _) => Primaries::of_code(points.color_primaries),
+        (None, Some(chrm)) => {
+            let points = [chrm.red, chrm.green, chrm.blue, chrm.white];
+            let list = points.map(|(x, y)| [x, y].map(|one| f64::from(one.into_value())));
+            let [rgb @ .., white] = list;
+            Some(Primaries { rgb, white })
+        }
+        (None, None) => None,
+    };
+    stated.filter(|primaries| !primaries.is_srgb()).and_then(Primaries::to_srgb)
 }
 
 fn fault(error: &DecodingError) -> Error {
@@ -147,8 +191,8 @@ pub enum Curve {
     Linear,
     /// The curve of IEC 61966-2-1.
     Srgb,
-    /// That of a color profile, which is not unpacked.
-    Profile,
+    /// That of a color profile of this name, which is not unpacked.
+    Profile(String),
     /// Another curve; the text describes it.
     Other(String),
 }
@@ -161,13 +205,18 @@ impl Curve {
     /// are not unpacked.
     fn of(info: &Info<'_>, bytes: &[u8]) -> Self {
         let points = info.coding_independent_code_points.map(|points| points.transfer_function);
+        if points.is_none()
+            && info.srgb.is_none()
+            && let Some(name) = profile(bytes)
+        {
+            return Self::Profile(name);
+        }
         let gamma = info.gama_chunk.map(png::ScaledFloat::into_scaled);
         match (points, gamma) {
             (Some(8), _) => Self::Linear,
             (Some(13), _) => Self::Srgb,
             (Some(other), _) => Self::Other(format!("its cICP chunk has the transfer {other}")),
             _ if info.srgb.is_some() => Self::Srgb,
-            _ if has_profile(bytes) => Self::Profile,
             (None, Some(gamma)) if gamma.abs_diff(LINEAR_GAMMA) <= 1 => Self::Linear,
             (None, Some(gamma)) if gamma.abs_diff(SRGB_GAMMA) <= 1 => Self::Srgb,
             (None, Some(gamma)) => {
@@ -178,18 +227,21 @@ impl Curve {
     }
 }
 
-/// Whether an iCCP chunk precedes the image data.
-fn has_profile(bytes: &[u8]) -> bool {
-    let mut rest = bytes.get(SIGNATURE..).unwrap_or_default();
+/// The name of the color profile in an iCCP chunk before the image data.
+fn profile(bytes: &[u8]) -> Option<String> {
+    let mut rest = bytes.get(SIGNATURE..)?;
     // Each chunk has a length, a kind, contents and a checksum.
     while let Some(([a, b, c, d, kind @ ..], after)) = rest.split_first_chunk::<8>() {
         match kind {
-            b"iCCP" => return true,
-            b"IDAT" => return false,
+            b"iCCP" => {
+                let name = after.iter().take(80).take_while(|byte| **byte != 0);
+                return Some(name.map(|byte| char::from(*byte)).collect());
+            }
+            b"IDAT" => return None,
             _ => {}
         }
         let length = u32::from_be_bytes([*a, *b, *c, *d]) as usize;
-        rest = after.get(length.saturating_add(4)..).unwrap_or_default();
+        rest = after.get(length.saturating_add(4)..)?;
     }
-    false
+    None
 }

@@ -151,7 +151,7 @@ fn projected(path: &Path, order: usize) -> Result<Materials> {
 /// whether or not they exist. If the file is not a scene, only the file itself.
 #[must_use]
 pub fn inputs(path: &Path) -> Vec<PathBuf> {
-    let text = std::fs::read_to_string(path).unwrap_or_default();
+    let text = InputFile::from(path).text().unwrap_or_default();
     let folder = path.parent().unwrap_or(Path::new("."));
     let mut inputs = vec![path.to_owned()];
     if let Ok(file) = toml::from_str::<File>(&text) {

@@ -2,6 +2,8 @@
 
 use eigenshade_generator::object::mesh;
 use eigenshade_model::error::Result;
+use eigenshade_model::inputs::input_file::InputFile;
+use std::cell::RefCell;
 
 /// The error of an area, for polygons in a square of side 1 whose corners are rounded to f32.
 const ROUNDED: f64 = 1e-6;
@@ -46,6 +48,135 @@ fn lines_end_in_any_way() {
     // Longer than the buffer of a reader.
     let long = format!("#{}\r\n{text}", "-".repeat(20_000));
     assert_eq!(read("long.obj", &long).as_ref(), Ok(&expected));
+}
+
+/// Warnings about a file.
+fn warnings(name: &str, bytes: &[u8]) -> String {
+    thread_local! {
+        static WARNINGS: RefCell<Vec<String>> = const { RefCell::new(Vec::new()) };
+    }
+    let folder = tempfile::tempdir().expect("a folder");
+    let path = folder.path().join(name);
+    std::fs::write(&path, bytes).expect("a file");
+    let file = InputFile::from(path)
+        .with_warnings(|_, what| WARNINGS.with_borrow_mut(|all| all.push(what.to_owned())));
+    mesh::read(file).expect("a mesh");
+    WARNINGS.take().join("\n")
+}
+
+/// A byte order mark in front of a text is no part of it.
+#[test]
+fn byte_order_marks_are_skipped() {
+    let corners = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 1\nf 1 2 3\nf 3 2 4\n";
+    for (name, text) in [
+        ("a.obj", corners.to_owned()),
+        ("a.obj", format!("# made by hand\n{corners}")),
+        ("a.ply", ply(&ARROW, &[0, 1, 2, 3, 4])),
+        ("a.stl", TEXT_STL.to_owned()),
+    ] {
+        let expected = read(name, &text).expect("a mesh");
+        assert_eq!(read(name, format!("\u{feff}{text}")), Ok(expected), "{name}");
+        let utf_16: Vec<u8> =
+            format!("\u{feff}{text}").encode_utf16().flat_map(u16::to_le_bytes).collect();
+        let error = read(name, utf_16).expect_err("UTF-16").to_string();
+        assert!(name == "a.stl" || error.contains("UTF-16 text; save it as a UTF-8"), "{error}");
+    }
+}
+
+const TEXT_STL: &str = "solid one\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\n\
+    vertex 0 1 0\nendloop\nendfacet\nendsolid one\n";
+
+/// The normals of facets are not used, whatever they are.
+#[test]
+fn normals_of_facets_are_not_read() {
+    let expected = read("a.stl", TEXT_STL).expect("a mesh");
+    for normal in ["nan nan nan", "-nan(ind) 0 0", "1.#QNAN 0 0", "1e999 0 0"] {
+        let text = TEXT_STL.replace("normal 0 0 1", &format!("normal {normal}"));
+        assert_eq!(read("a.stl", text).as_ref(), Ok(&expected), "{normal}");
+    }
+    let facet = [f32::NAN; 3].into_iter().chain([0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0]);
+    let facet: Vec<u8> = facet.flat_map(f32::to_le_bytes).chain([0; 2]).collect();
+    let binary = [&[0; 80][..], &[1, 0, 0, 0], &facet].concat();
+    assert_eq!(read("a.stl", &binary).as_ref(), Ok(&expected));
+    assert_eq!(warnings("a.stl", &binary), "");
+    // Bytes that follow are no facet.
+    let tail = [&binary[..], b"tail\n"].concat();
+    assert_eq!(read("a.stl", &tail).as_ref(), Ok(&expected));
+    assert_eq!(warnings("a.stl", &tail), "bytes after its last facet are ignored: 5");
+    let error = read("a.stl", [&binary[..], &facet].concat()).expect_err("one more").to_string();
+    assert!(error.contains("134 bytes promised by its header, 184 found"), "{error}");
+}
+
+/// Numbers of text as C prints and scans them, and lines without any.
+#[test]
+fn polygon_files_of_every_spelling() {
+    let plain = ply(&ARROW, &[0, 1, 2, 3, 4]);
+    let expected = read("a.ply", &plain).expect("a mesh");
+    let (head, body) = plain.split_once("end_header\n").expect("a header");
+    let body = body.replace("0.5 0.25", ".5 +.25");
+    let spelled = body.replace("1 0 0\n", "1. 0e0 -0.\n\n  \n");
+    for text in [
+        format!("{head}end_header\n\n{spelled}"),
+        plain.replace('\n', "\r\n"),
+        // Normals are not used, and may be none.
+        format!("{head}end_header\n{body}")
+            .replace("property float z\n", "property float z\nproperty float nx\n")
+            .replace(" 0\n", " 0 nan\n"),
+    ] {
+        assert_eq!(read("a.ply", &text).as_ref(), Ok(&expected), "{text}");
+    }
+    for (from, to, what) in [
+        (
+            "0.5 0.25",
+            "0.5 x",
+            "row 4 of 5 of element `vertex`: it is not a complete PLY file (`x` is",
+        ),
+        ("0.5 0.25 0", "0.5 0.25", "(it has too few numbers)"),
+        ("0.5 0.25 0", "0.5 0.25 0 9", "(`9` follows its last number)"),
+        ("5 0 1 2", "5 0 1.5 2", "a face has no list `vertex_indices`"),
+        ("5 0 1 2", "5 0 1 -2", "corner -2 does not exist"),
+    ] {
+        let error = read("a.ply", plain.replace(from, to)).expect_err(what).to_string();
+        assert!(error.contains(what), "{error}");
+    }
+}
+
+/// Strips of triangles are their triangles, in text and in binary.
+#[test]
+fn strips_of_triangles() {
+    let corners = "0 0 0\n1 0 0\n0 1 0\n1 1 1\n0 2 0\n";
+    let head = |facets: &str| {
+        format!(
+            "ply\nformat ascii 1.0\nelement vertex 5\nproperty float x\nproperty float y\n\
+             property float z\n{facets}\nend_header\n{corners}"
+        )
+    };
+    let faces = "element face 4\nproperty list uchar int vertex_indices";
+    let faces = head(faces) + "3 0 1 2\n3 2 1 3\n3 2 3 4\n3 0 1 2\n";
+    let expected = read("a.ply", faces).expect("a mesh");
+    assert_eq!(expected.len(), 4);
+    let list = "element tristrips 1\nproperty list int int vertex_indices";
+    let strips = head(list) + "10 0 1 2 3 4 -1 0 1 2 -1\n";
+    assert_eq!(read("a.ply", &strips).as_ref(), Ok(&expected));
+    let [header, _] = strips.split_inclusive("end_header\n").collect::<Vec<_>>()[..] else {
+        panic!("no header")
+    };
+    let numbers = corners.split_whitespace().map(|word| word.parse::<f32>().expect("a number"));
+    let numbers: Vec<u8> = numbers.flat_map(f32::to_le_bytes).collect();
+    let list = [10i32, 0, 1, 2, 3, 4, -1, 0, 1, 2, -1].map(i32::to_le_bytes).concat();
+    let header = header.replace("ascii", "binary_little_endian");
+    let binary = [header.as_bytes(), &numbers, &list].concat();
+    assert_eq!(read("a.ply", &binary).as_ref(), Ok(&expected));
+    assert_eq!(warnings("a.ply", &binary), "");
+    let tail = [&binary[..], b"\n"].concat();
+    assert_eq!(warnings("a.ply", &tail), "bytes after its last element are ignored");
+}
+
+#[test]
+fn free_form_surfaces_are_said_to_be_ignored() {
+    let text = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\ncstype bspline\nsurf 0 1 0 1 1 2 3\nend\n";
+    let expected = "free-form surfaces are ignored: 1; export them as triangles";
+    assert_eq!(warnings("a.obj", text.as_bytes()), expected);
 }
 
 /// Names and comments may be in any encoding.

@@ -1,6 +1,6 @@
 //! `eigenshade export`: writes lights, materials, tables and scenes for other programs.
 
-use super::options::{Destination, Memory, TableChoice, count};
+use super::options::{Destination, Green, Memory, TableChoice, count};
 use clap::{Args, ValueEnum};
 use eigenshade_cli::estimate::gloss_note;
 use eigenshade_cli::export::array::{Array, json};
@@ -53,6 +53,8 @@ pub struct Export {
     #[arg(short, long, value_name = "N", value_parser = count(2, 8192), requires = "normals")]
     size: Option<usize>,
     #[command(flatten)]
+    green: Green,
+    #[command(flatten)]
     out: Destination,
 }
 
@@ -100,7 +102,10 @@ impl Export {
             _ => Ok(()),
         };
         let shown = match &self.normals {
-            Some(path) => Some(Shown::read(memory.file(path), self.size, admit)?),
+            Some(path) => {
+                let flip_green = self.green.is_flipped;
+                Some(Shown::read(memory.file(path), self.size, flip_green, admit)?)
+            }
             None => admit(0).map(|()| None)?,
         };
         if light.is_none() && material.is_none() {

@@ -1,8 +1,9 @@
 //! `eigenshade light`: projects environment maps onto spherical harmonics.
 
+use super::light_coefficients::{self, Convention, is_of_coefficients};
 use super::options::{Destination, Memory, choice, count, number};
+use clap::Args;
 use clap::builder::TypedValueParser;
-use clap::{Args, ValueEnum};
 use eigenshade_cli::messages::{print_message, progress_bar};
 use eigenshade_cli::output;
 use eigenshade_cli::presets::{
@@ -16,7 +17,7 @@ use eigenshade_generator::light::projection::{coefficients, named_maps};
 use eigenshade_index::highlights::{MAX_SOURCES, ROUGHNESS};
 use eigenshade_model::database::{Lights, Named, name_remedy};
 use eigenshade_model::error::{Error, Result};
-use eigenshade_model::inputs::coefficient_csv::{read_lights, write_lights};
+use eigenshade_model::inputs::coefficient_csv::write_lights;
 use eigenshade_model::inputs::coefficient_text::{LIGHT_DIGITS, rounded};
 use eigenshade_model::inputs::input_file::InputFile;
 use eigenshade_model::inputs::set_error_csv::write_set_errors;
@@ -38,25 +39,30 @@ const DEGREE: usize = 9;
 ///
 /// Writes the CSV `name,l,m,r,g,b` with nine significant digits. Maps are equirectangular, with row
 /// 0 at the top, or cubes. The middle of a map, or the face pz, is -z, in front of the camera.
-/// Pictures (.png, .jpg) are decoded by the curve of sRGB, white to a radiance of 1, without their
-/// opacity; the other kinds are linear. Standard error reports the share of negative radiance in
-/// each map.
+/// Pictures (.png, .jpg) are decoded by the curve of sRGB, white to a radiance of 1, and turned as
+/// their EXIF data state; the other kinds are linear. Colors of other primaries are converted to
+/// linear sRGB. Standard error reports what a file states and is not applied, like opacity, color
+/// profiles and exposure, and the share of negative radiance in each map.
 ///
 /// A single light CSV in place of maps is converted from the convention --from to --convention, one
 /// of which must be given, or --degree: it drops higher degrees, and must not exceed that of the
-/// file. The name of a shipped light stands for its CSV, in `paper`. `cmgen-irradiance` and
-/// `filament` hold irradiance, up to degree 2.
+/// file. The name of a shipped light stands for its CSV, in `paper`. The text of cmgen (.txt) and
+/// the `LightProbe` of three.js (.json) state their convention, so that --from may be left out.
+/// `cmgen-irradiance` and `filament` hold irradiance, up to degree 2.
 #[derive(Args, Debug)]
 pub struct Light {
-    /// Maps (.exr, .hdr, .pfm, .png, .jpg), folders of maps, or one light CSV or shipped light
+    /// Maps (.exr, .hdr, .pfm, .png, .jpg), folders of maps, or one light: a CSV, cmgen's text
+    /// (.txt), three.js' `LightProbe` (.json), or a shipped one
     #[arg(value_name = "MAP", required = true)]
     maps: Vec<PathBuf>,
-    /// Layout of the maps [default: `cube` for a folder of only px, nx, py, ny, pz and nz, `cross`
-    /// for a picture of 4:3 or 3:4 with square faces, else `equirectangular`]
+    /// Layout of the maps [default: the `envmap` of an .exr, `cube` for a folder of only px, nx, py,
+    /// ny, pz and nz, `cross` for a picture of 4:3 or 3:4 with square faces, else
+    /// `equirectangular`]
     #[arg(long, value_parser = layouts())]
     layout: Option<Layout>,
     /// Program whose placement of maps to follow. The camera looks along -z with y up. Cubes are
-    /// placed by `eigenshade`, `threejs` and `filament` only
+    /// placed by `eigenshade`, `threejs` and `filament` only; the cube of an .exr is placed as the
+    /// equirectangular map that OpenEXR makes of it
     #[arg(long, value_parser = frames(), default_value = "eigenshade")]
     frame: Frame,
     /// Largest degree l of the coefficients, 0 to 256 [default: 9, or that of the light CSV]
@@ -65,7 +71,7 @@ pub struct Light {
     /// Convention of the output
     #[arg(long, value_enum, default_value_t = Convention::Paper)]
     convention: Convention,
-    /// Convention of a light CSV [default: paper]
+    /// Convention of a light's coefficients [default: `paper` for a CSV, else what the file states]
     #[arg(long, value_enum)]
     from: Option<Convention>,
     /// Find sets of 1, 2, 4, 8, 16 and K small bright sources, K from 1 to 32, for the highlights
@@ -80,44 +86,6 @@ pub struct Light {
     roughness: Vec<f64>,
     #[command(flatten)]
     out: Destination,
-}
-
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-enum Convention {
-    /// Nillius and Eklundh's: Condon-Shortley phase, signed m in sin(m phi)
-    Paper,
-    /// Radiance, as three.js and Ramamoorthi have it
-    Graphics,
-    /// Radiance, as `cmgen --sh` prints it
-    Cmgen,
-    /// Irradiance, as `cmgen --sh --sh-irradiance` prints it
-    CmgenIrradiance,
-    /// Irradiance over pi as a polynomial: Filament's `irradiance`, cmgen's sh.txt
-    Filament,
-}
-
-impl Convention {
-    /// The runtime's; `None` for its own.
-    fn other(self) -> Option<eigenshade::Convention> {
-        match self {
-            Self::Paper => None,
-            Self::Graphics => Some(eigenshade::Convention::ThreeJs),
-            Self::Cmgen => Some(eigenshade::Convention::Cmgen),
-            Self::CmgenIrradiance => Some(eigenshade::Convention::CmgenIrradiance),
-            Self::Filament => Some(eigenshade::Convention::Filament),
-        }
-    }
-
-    /// Converts lights to another convention.
-    fn convert(self, mut lights: Lights, to: Self) -> Result<Lights> {
-        for channel in lights.entries.iter_mut().flat_map(|light| &mut light.rgb) {
-            let decoded = self.other().map_or(Ok(()), |from| from.decode(channel));
-            decoded.and_then(|()| to.other().map_or(Ok(()), |to| to.encode(channel))).map_err(
-                |fault| Error::new(fault.to_string(), "give --degree 2, or another convention"),
-            )?;
-        }
-        Ok(lights)
-    }
 }
 
 fn layouts() -> impl TypedValueParser<Value = Layout> {
@@ -163,7 +131,7 @@ impl Light {
             _ => None,
         };
         let lights = match self.maps.as_slice() {
-            [file] if shipped.is_some() || is_csv(file) => {
+            [file] if shipped.is_some() || is_of_coefficients(&memory.file(file)) => {
                 if self.sources.is_some() {
                     let what = "--sources needs a map: coefficients are harmonics only";
                     return Err(Error::new(what, "give the map").in_file(file));
@@ -181,7 +149,8 @@ impl Light {
                     }
                     (Some(lights), None, _) => (Convention::Paper, lights),
                     (None, from, to) => {
-                        let lights = read_lights(memory.file(file), self.degree)?;
+                        let (lights, from) =
+                            light_coefficients::read(memory.file(file), self.degree, from)?;
                         if from.is_none() && to == Convention::Paper && self.degree.is_none() {
                             let what = "nothing to convert: it is taken to be in `paper` already";
                             let remedy = "give its convention, as --from graphics, another \
@@ -195,8 +164,8 @@ impl Light {
             }
             maps => {
                 if self.from.is_some() {
-                    let what = "--from is the convention of a light CSV";
-                    return Err(Error::new(what, "leave it out, or give one light CSV"));
+                    let what = "--from is the convention of a light's coefficients";
+                    return Err(Error::new(what, "leave it out, or give one light"));
                 }
                 let files = files(maps)?;
                 let inputs: Result<Vec<_>> = files.iter().map(|(_, path)| pictures(path)).collect();
@@ -251,7 +220,7 @@ impl Light {
         let progress = progress_bar("maps", files.len());
         let mut entries = Vec::new();
         for (name, path) in files {
-            let map = Map::read(memory.file(path), self.layout)?;
+            let map = progress.suspend(|| Map::read(memory.file(path), self.layout))?;
             if self.sources.is_some() && map.is_cube() {
                 return Err(in_cube(path));
             }
@@ -277,7 +246,8 @@ impl Light {
         let compared = Base::ALL.into_iter().map(of).collect::<Result<Vec<_>>>()?;
         let (mut lights, mut errors) = (Vec::new(), Vec::new());
         for (name, path) in files {
-            let map = Map::read(memory.file(path), self.layout)?;
+            // Its warnings are known already.
+            let map = Map::read(InputFile::new(path, memory.of_file()), self.layout)?;
             let Map::Equirectangular(map) = map else { return Err(in_cube(path)) };
             let map = &map.in_blocks(BLOCK);
             let turn = self.frame.turn(false)?.matrix();
@@ -299,7 +269,7 @@ impl Light {
     fn report(&self, name: &str, path: &Path, map: &Map) {
         let shape = match map {
             Map::Equirectangular(map) => format!("{} x {}", map.width, map.height),
-            Map::Cube(cube) if path.is_dir() => {
+            Map::Cube(cube) if path.is_dir() || cube.is_of_openexr() => {
                 format!("a cube of faces of {0} x {0}", cube.size())
             }
             Map::Cube(cube) => {
@@ -347,15 +317,11 @@ fn in_cube(path: &Path) -> Error {
     Error::new("sources are not found in cubes", remedy).in_file(path)
 }
 
-fn is_csv(path: &Path) -> bool {
-    InputFile::from(path).extension() == "csv"
-}
-
 /// The maps with their names.
 fn files(maps: &[PathBuf]) -> Result<Vec<(String, PathBuf)>> {
-    if let Some(file) = maps.iter().find(|file| is_csv(file)) {
-        let what = "a light CSV among other inputs";
-        return Err(Error::new(what, "convert one CSV at a time, without maps").in_file(file));
+    if let Some(file) = maps.iter().find(|file| is_of_coefficients(&InputFile::from(file))) {
+        let what = "coefficients of a light among other inputs";
+        return Err(Error::new(what, "convert one light at a time, without maps").in_file(file));
     }
     if let Some(missing) = maps.iter().find(|map| !map.exists())
         && shipped::lights()?.entries.iter().any(|light| missing.as_os_str() == light.name.as_str())

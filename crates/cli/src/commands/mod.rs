@@ -11,6 +11,8 @@ mod highlights;
 mod info;
 #[cfg(feature = "generate")]
 mod light;
+#[cfg(feature = "generate")]
+mod light_coefficients;
 mod list;
 mod manual;
 #[cfg(feature = "generate")]

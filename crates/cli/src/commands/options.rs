@@ -3,6 +3,7 @@
 use clap::Args;
 use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
 use eigenshade::{Effect, Exposure, Window};
+use eigenshade_cli::messages::print_message;
 use eigenshade_cli::presets::Source;
 use eigenshade_cli::table;
 use eigenshade_index::highlights::MAX_SOURCES;
@@ -39,10 +40,20 @@ impl Memory {
         self.budget.unwrap_or(Budget::READING)
     }
 
-    /// A file that is read within its limit.
+    /// A file that is read within its limit, and whose warnings are printed.
     pub fn file(self, path: impl AsRef<Path>) -> InputFile {
-        InputFile::new(path, self.of_file())
+        InputFile::new(path, self.of_file()).with_warnings(|path, what| {
+            print_message(format_args!("warning: {}: {what}", path.display()));
+        })
     }
+}
+
+/// The green channel of a normal map.
+#[derive(Args, Clone, Copy, Debug)]
+pub struct Green {
+    /// Turn y of a normal map round, whose green points down, as in DirectX
+    #[arg(long = "flip-green", requires = "normals")]
+    pub is_flipped: bool,
 }
 
 /// The table of a command.

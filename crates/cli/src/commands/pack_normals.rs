@@ -1,6 +1,6 @@
 //! `eigenshade pack-normals`: makes a normal map for the runtime.
 
-use super::options::{Memory, count};
+use super::options::{Green, Memory, count};
 use clap::Args;
 use eigenshade_cli::export::c;
 use eigenshade_cli::export::entry::identifier;
@@ -32,6 +32,8 @@ pub struct PackNormals {
     /// of a normal map]
     #[arg(short, long, value_name = "N", value_parser = count(2, 4096))]
     size: Option<usize>,
+    #[command(flatten)]
+    green: Green,
     /// Write bytes (.bin), Rust source (.rs) or a C header (.h) to this file
     #[arg(short, long, value_name = "FILE")]
     out: PathBuf,
@@ -63,7 +65,7 @@ impl PackNormals {
         };
         let is_map = self.normals.extension().is_some_and(|end| end.eq_ignore_ascii_case("png"));
         let size = self.size.or((!is_map).then_some(SIZE));
-        let view = ObjectView::read(memory.file(&self.normals), size)?;
+        let view = ObjectView::read(memory.file(&self.normals), size, self.green.is_flipped)?;
         let codes = view.codes()?;
         let bytes = codes.as_flattened();
         let map = format!("eigenshade::NormalMap::new({}, {}, ", view.width, view.height);
@@ -103,7 +105,8 @@ impl PackNormals {
         let name =
             |path: &Path| path.file_name().unwrap_or_default().to_string_lossy().into_owned();
         let size = self.size.map(|size| format!(" --size {size}")).unwrap_or_default();
-        let files = format!("{}{size} --out {}", name(&self.normals), name(&self.out));
+        let flip = if self.green.is_flipped { " --flip-green" } else { "" };
+        let files = format!("{}{size}{flip} --out {}", name(&self.normals), name(&self.out));
         format!("eigenshade pack-normals {}", printable(&files))
     }
 

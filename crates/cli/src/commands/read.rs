@@ -1,6 +1,6 @@
 //! `eigenshade read`: estimates components, light and material from an image.
 
-use super::options::{Destination, Memory, TableChoice, count, number};
+use super::options::{Destination, Green, Memory, TableChoice, count, number};
 use super::read_answer::{self, Answer};
 use clap::Args;
 use eigenshade_cli::messages::print_message;
@@ -38,6 +38,8 @@ pub struct Read {
     /// Normals: `sphere`, a normal map (.png), or a CSV `x,y,z` with a row for each pixel
     #[arg(short, long, value_name = "NORMALS")]
     normals: PathBuf,
+    #[command(flatten)]
+    green: Green,
     /// Weight of each pixel: a gray PNG, or a CSV `weight` with a row for each pixel
     #[arg(long, value_name = "FILE")]
     mask: Option<PathBuf>,
@@ -256,7 +258,8 @@ impl Read {
         };
         let counts: Vec<bool> =
             image.weights.iter().zip(&mask).map(|(weight, mask)| weight * mask > 0.0).collect();
-        let normals = pixels::normals(&memory.file(&self.normals), image.size, &counts)?;
+        let file = memory.file(&self.normals);
+        let normals = pixels::normals(&file, image.size, &counts, self.green.is_flipped)?;
         if let Some([width, height]) = image.size
             && self.normals == Path::new("sphere")
             && width != height

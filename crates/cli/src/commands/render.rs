@@ -3,7 +3,8 @@
 use super::choices::Choices;
 use super::highlights::{HighlightInputs, estimate_note, needed};
 use super::options::{
-    Inputs, Memory, Sources, TableChoice, WindowChoice, choice, count, exposure, sources, tolerance,
+    Green, Inputs, Memory, Sources, TableChoice, WindowChoice, choice, count, exposure, sources,
+    tolerance,
 };
 use clap::builder::TypedValueParser;
 use clap::{Args, ValueEnum};
@@ -50,6 +51,8 @@ pub struct Render {
     /// of a normal map]
     #[arg(short, long, value_name = "N", value_parser = count(2, 8192))]
     size: Option<usize>,
+    #[command(flatten)]
+    green: Green,
     /// Number format
     #[arg(short, long, value_enum, default_value_t = Format::F32)]
     format: Format,
@@ -170,8 +173,13 @@ impl Render {
                 let texels = Matcap::new(self.size.unwrap_or(SIZE)).map_err(fault)?;
                 Object::Matcap(texels.with_radius(radius).map_err(fault)?)
             }
-            None if is_sphere => Object::Sphere(self.size.unwrap_or(SIZE)),
-            None => Object::View(ObjectView::read(memory.file(&self.normals), self.size)?),
+            None if is_sphere && !self.green.is_flipped => {
+                Object::Sphere(self.size.unwrap_or(SIZE))
+            }
+            None => {
+                let file = memory.file(&self.normals);
+                Object::View(ObjectView::read(file, self.size, self.green.is_flipped)?)
+            }
         };
         let [width, height] = object.size();
         memory.file(&self.out).admit_pixels((width * height) as u64, file.bytes_per_pixel(), 0)?;

@@ -27,10 +27,11 @@ impl Shown {
     pub fn read(
         file: InputFile,
         size: Option<usize>,
+        flip_green: bool,
         admit: impl Fn(usize) -> Result<()>,
     ) -> Result<Self> {
         let extension = file.extension();
-        if extension == "csv" {
+        if extension == "csv" && !flip_green {
             if size.is_some() {
                 let what = "a list of normals has no pixels to count";
                 return Err(Error::new(what, "leave --size out").in_file(file.path()));
@@ -43,7 +44,7 @@ impl Shown {
         if file.path().as_os_str() == "sphere" {
             admit(SphereView::pixels(size.unwrap_or(SIZE)).count())?;
         }
-        let ObjectView { normals, pixels, .. } = ObjectView::read(file, size)?;
+        let ObjectView { normals, pixels, .. } = ObjectView::read(file, size, flip_green)?;
         admit(normals.len())?;
         Ok(Self { normals, pixels })
     }

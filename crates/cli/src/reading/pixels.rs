@@ -1,6 +1,7 @@
 //! The pixels of an image: a photograph or rendering as irradiance, which is linear values with a
 //! weight for each pixel, and the normal of each pixel.
 
+use crate::object::flips_no_map;
 use crate::picture::SphereView;
 use eigenshade_generator::light::environment::EnvironmentMap;
 use eigenshade_generator::object::normal_map;
@@ -11,6 +12,7 @@ use eigenshade_model::inputs::input_file::InputFile;
 use eigenshade_model::inputs::normals::read_normals;
 use eigenshade_model::inputs::sheet::{Row, Sheet};
 use eigenshade_model::srgb::linear;
+use eigenshade_model::vector::dot;
 use std::path::Path;
 
 /// Bytes per pixel of a [`LinearImage`] while it is read, including its weight and its normal.
@@ -116,7 +118,7 @@ impl LinearImage {
     }
 
     fn of_png(file: &InputFile, transfer: Option<Transfer>) -> Result<Self> {
-        let png = png_samples::read(file.clone())?;
+        let png = png_samples::read(file.clone())?.upright();
         let full = f64::from(png.full);
         let transfer = match (transfer, &png.curve) {
             (Some(transfer), _) => transfer,
@@ -124,7 +126,7 @@ impl LinearImage {
             (None, Curve::Srgb) => Transfer::Srgb,
             (None, Curve::Undeclared) if png.full == u16::from(u8::MAX) => Transfer::Srgb,
             (None, Curve::Undeclared) => Transfer::Linear,
-            (None, curve @ (Curve::Profile | Curve::Other(_))) => {
+            (None, curve @ (Curve::Profile(_) | Curve::Other(_))) => {
                 let what = match curve {
                     Curve::Other(what) => what,
                     _ => "it has a color profile",
@@ -138,7 +140,11 @@ impl LinearImage {
             Transfer::Linear => f64::from(sample) / full,
             Transfer::Srgb => linear(f64::from(sample) / full),
         };
-        let pixels = png.colors.iter().map(|color| color.map(value)).collect();
+        let color = |color: &[u16; 3]| {
+            let color = color.map(value);
+            png.to_srgb.map_or(color, |matrix| matrix.map(|row| dot(row, color)))
+        };
+        let pixels = png.colors.iter().map(color).collect();
         let mut image = Self::whole(Some([png.width, png.height]), pixels);
         for ((weight, color), opacity) in
             image.weights.iter_mut().zip(&png.colors).zip(&png.opacities)
@@ -176,13 +182,18 @@ const LARGEST: f64 = 1e100;
 /// for each pixel, row by row. `counts` states for each pixel whether it is used; in a normal map,
 /// unused pixels may face away.
 ///
-/// Fails if `sphere` is given for an image without a size, the file has another size than the image
+/// Fails if `sphere` is given for an image without a size, green is to be flipped in anything but a
+/// normal map, the file has another size than the image
 /// or is a mesh, or the file cannot be read.
 pub fn normals(
     file: &InputFile,
     size: Option<[usize; 2]>,
     counts: &[bool],
+    flip_green: bool,
 ) -> Result<Vec<Option<[f64; 3]>>> {
+    if flip_green && file.extension() != "png" {
+        return Err(flips_no_map(file));
+    }
     if file.path() == Path::new("sphere") {
         return size.map(normals_of_sphere).ok_or_else(|| {
             let remedy = "give --normals a CSV with a row for each of them";
@@ -190,7 +201,7 @@ pub fn normals(
         });
     }
     let found: Vec<_> = match file.extension().as_str() {
-        "png" => normals_of_png(file, size, counts)?,
+        "png" => normals_of_png(file, size, counts, flip_green)?,
         _ if file.is_mesh() => {
             let what =
                 "it is a mesh, and `read` takes `sphere`, a normal map (.png) or a CSV `x,y,z`";
@@ -221,10 +232,11 @@ fn normals_of_png(
     file: &InputFile,
     size: Option<[usize; 2]>,
     counts: &[bool],
+    flip_green: bool,
 ) -> Result<Vec<Option<[f64; 3]>>> {
     let path = file.path();
-    let png =
-        png_samples::read(file.clone().with_bytes_beside(size_of::<Option<[f64; 3]>>() as u64))?;
+    let png = file.clone().with_bytes_beside(size_of::<Option<[f64; 3]>>() as u64);
+    let png = normal_map::load(&png, flip_green)?;
     let (width, height) = (png.width, png.height);
     let what = match size {
         Some([w, h]) if [w, h] != [width, height] => format!("the image {w} x {h}"),
@@ -250,7 +262,8 @@ pub fn weights(file: &InputFile, size: Option<[usize; 2]>, count: usize) -> Resu
 }
 
 fn weights_of_png(file: &InputFile, size: Option<[usize; 2]>) -> Result<Vec<f64>> {
-    let png = png_samples::read(file.clone().with_bytes_beside(size_of::<f64>() as u64))?;
+    let png = file.clone().with_bytes_beside(size_of::<f64>() as u64);
+    let png = png_samples::read(png)?.upright();
     if let Some([width, height]) = size
         && (width, height) != (png.width, png.height)
     {

@@ -34,6 +34,8 @@ enum Unfolding {
     Vertical,
     /// 1 x 6 faces.
     Stack,
+    /// 1 x 6 faces, as OpenEXR has them.
+    OpenExr,
 }
 
 impl Unfolding {
@@ -53,6 +55,12 @@ impl Unfolding {
     fn place(self, face: usize) -> (usize, usize, bool) {
         match (self, face) {
             (Self::Stack, _) => (0, face, false),
+            // `CubeMap` of ImfEnvmap.cpp, turned about y by pi as its `LatLongMap` is: +x, first in
+            // the file, is nx.
+            (Self::OpenExr, 0) => (0, 1, false),
+            (Self::OpenExr, 1) => (0, 0, false),
+            (Self::OpenExr, 2 | 3) => (0, face, true),
+            (Self::OpenExr, _) => (0, face, false),
             (_, 0) => (2, 1, false),
             (_, 1) => (0, 1, false),
             (_, 2) => (1, 0, false),
@@ -96,6 +104,27 @@ impl CubeMap {
             ));
         };
         Ok(Self { size, picture, unfolding })
+    }
+
+    /// The cube of an OpenEXR file whose attribute `envmap` is `cube`: its six faces from the top
+    /// down. It is placed as the equirectangular map that OpenEXR makes of it.
+    ///
+    /// # Errors
+    ///
+    /// If the picture has another shape.
+    pub fn from_openexr(picture: EnvironmentMap) -> Result<Self> {
+        let (size, height) = (picture.width, picture.height);
+        if 6 * size != height {
+            let what = format!("it is {size} x {height} pixels, and its attribute `envmap` a cube");
+            return Err(Error::new(what, "save six square faces, one below the other"));
+        }
+        Ok(Self { size, picture, unfolding: Unfolding::OpenExr })
+    }
+
+    /// Whether it is the cube of an OpenEXR file.
+    #[must_use]
+    pub fn is_of_openexr(&self) -> bool {
+        self.unfolding == Unfolding::OpenExr
     }
 
     /// Reads a folder with a map for each of [`FACES`], as `px.hdr`.

@@ -2,8 +2,10 @@
 
 use crate::light::cube::{CubeMap, FACES};
 use crate::light::environment::{EnvironmentMap, Integrals};
+use crate::light::map_file;
 use eigenshade_model::error::{Error, Result};
 use eigenshade_model::inputs::input_file::InputFile;
+use exr::meta::attribute::EnvironmentMap as Stated;
 
 /// How the pixels of a map are spread over the sphere.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -28,13 +30,14 @@ pub enum Map {
 impl Map {
     /// Reads a file, or a folder of six faces.
     ///
-    /// Without a `layout`, a picture with the shape of a cross is a cross, any other one is
-    /// equirectangular, and a folder is a cube.
+    /// Without a `layout`, a picture is what the attribute `envmap` of an OpenEXR file states, one
+    /// with the shape of a cross is a cross, any other one is equirectangular, and a folder is a
+    /// cube.
     ///
     /// # Errors
     ///
-    /// Those of [`EnvironmentMap::from_path`], [`CubeMap::from_cross`] and
-    /// [`CubeMap::from_folder`]; also if the layout does not fit.
+    /// Those of [`EnvironmentMap::from_path`], [`CubeMap::from_cross`],
+    /// [`CubeMap::from_openexr`] and [`CubeMap::from_folder`]; also if the layout does not fit.
     pub fn read(file: impl Into<InputFile>, layout: Option<Layout>) -> Result<Self> {
         let file = file.into();
         let is_folder = file.path().is_dir();
@@ -54,12 +57,18 @@ impl Map {
             }
             _ => {}
         }
-        let picture = EnvironmentMap::from_path(file.clone())?;
-        if layout == Some(Layout::Cross) || (layout.is_none() && CubeMap::is_cross(&picture)) {
-            let cube = CubeMap::from_cross(picture).map_err(|error| error.in_file(file.path()))?;
-            return Ok(Self::Cube(cube));
-        }
-        Ok(Self::Equirectangular(picture))
+        let (picture, stated) = map_file::read(&file)?;
+        let cube = match (layout, stated) {
+            (Some(Layout::Equirectangular), _) | (None, Some(Stated::LatitudeLongitude)) => {
+                return Ok(Self::Equirectangular(picture));
+            }
+            (None, Some(Stated::Cube)) => CubeMap::from_openexr(picture),
+            (None, None) if !CubeMap::is_cross(&picture) => {
+                return Ok(Self::Equirectangular(picture));
+            }
+            _ => CubeMap::from_cross(picture),
+        };
+        cube.map(Self::Cube).map_err(|error| error.in_file(file.path()))
     }
 
     /// Whether it is a cube.

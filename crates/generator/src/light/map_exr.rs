@@ -7,32 +7,41 @@
 use crate::light::environment::{
     BYTES_PER_TEXEL, EnvironmentMap, MOST_TEXELS, believable, broken, other_type,
 };
+use crate::light::exr_layer::ExrLayer;
+use crate::light::primaries::{Primaries, product};
 use eigenshade_model::error::{Error, Result};
 use eigenshade_model::inputs::input_file::InputFile;
+use exr::block::UncompressedBlock;
 use exr::block::chunk::{Chunk, CompressedBlock};
+use exr::block::lines::LineIndex;
+use exr::block::reader::ChunksReader;
 use exr::compression::Compression;
 use exr::error::{Error as ExrError, Result as ExrResult};
-use exr::image::read::specific_channels::ReadSpecificChannel;
 use exr::meta::BlockDescription;
-use exr::meta::attribute::IntegerBounds;
+use exr::meta::attribute::{Chromaticities, EnvironmentMap as Stated, IntegerBounds, SampleType};
 use exr::meta::header::Header;
-use exr::prelude::{ReadChannels, ReadLayers, Text, Vec2, read};
-use std::cell::Cell;
+use exr::prelude::{Vec2, f16};
 use std::fs::File;
 use std::io::{BufRead, BufReader, Seek};
 
-/// Decodes the first part of an OpenEXR file that has the channels R, G, B, those of a layer
-/// (`name.R`, ...), or the gray channel Y, in this order of preference. With `needs_opacity`, also
-/// the opacity of each pixel, by which the file has multiplied its color: none if there is no
-/// channel A.
-///
-/// Primaries that differ from the project's are not converted.
+/// A file's picture.
+pub(crate) struct Decoded {
+    pub(crate) map: EnvironmentMap,
+    /// The opacity of each pixel, by which the file has multiplied its color: none if they are not
+    /// needed or there is no channel A.
+    pub(crate) opacities: Vec<f32>,
+    /// The projection that its attribute `envmap` states.
+    pub(crate) projection: Option<Stated>,
+}
+
+/// Decodes one layer of an OpenEXR file, see [`ExrLayer::of`], with `needs_opacity` also its
+/// opacity. Colors of other primaries are converted to linear sRGB, with a warning.
 pub(crate) fn decode(
     reader: &mut BufReader<File>,
     length: u64,
     file: &InputFile,
     needs_opacity: bool,
-) -> Result<(EnvironmentMap, Vec<f32>)> {
+) -> Result<Decoded> {
     let io = |error: std::io::Error| Error::io(file.path(), &error);
     if !reader.fill_buf().map_err(io)?.starts_with(&[0x76, 0x2f, 0x31, 0x01]) {
         return Err(other_type("OpenEXR"));
@@ -40,10 +49,8 @@ pub(crate) fn decode(
     let parts = exr::block::read(&mut *reader, false).map_err(fault)?;
     let headers = parts.meta_data().headers.clone();
     check_sizes(&headers, length)?;
-    let (header, channels) = headers
-        .iter()
-        .find_map(|header| Some((header, color(header)?)))
-        .ok_or_else(|| without_color(&headers))?;
+    let layer = ExrLayer::of(&headers, file)?;
+    let header = &headers[layer.part];
     let Vec2(width, height) = header.layer_size;
     let (data, display) = (header.data_window(), header.shared_attributes.display_window);
     if data != display {
@@ -56,119 +63,56 @@ pub(crate) fn decode(
         ));
     }
     let count = width * height;
-    let opacity = channels.opacity(header).filter(|_| needs_opacity);
-    let has_opacity = opacity.is_some();
-    // Without, a name that no channel has.
-    let opacity = opacity.unwrap_or_default();
-    let bytes = BYTES_PER_TEXEL + if has_opacity { BYTES_PER_OPACITY } else { 0 };
+    let has_opacities = needs_opacity && layer.opacity.is_some();
+    let bytes = BYTES_PER_TEXEL + if has_opacities { BYTES_PER_OPACITY } else { 0 };
     file.admit_pixels(count as u64, bytes, bytes_beside(&headers, length))?;
     check_counters(&headers, parts.all_chunks(false).map_err(fault)?)?;
     reader.rewind().map_err(io)?;
-    let opacities = if has_opacity { vec![1.0; count] } else { Vec::new() };
-    let grid = Cell::new((vec![[0.0; 3]; count], opacities));
-    // A part of another size is not the one to read.
-    let empty = |size: Vec2<usize>| {
-        let (texels, opacities) =
-            if size == Vec2(width, height) { grid.take() } else { Default::default() };
-        Grid { width, texels, opacities }
+    let mut grid = Grid {
+        width,
+        texels: vec![[0.0; 3]; count],
+        opacities: if has_opacities { vec![1.0; count] } else { Vec::new() },
+        is_transparent: false,
     };
-    let Grid { texels, opacities, .. } = match channels {
-        Color::Rgb([r, g, b]) => read()
-            .no_deep_data()
-            .largest_resolution_level()
-            .specific_channels()
-            .required(r)
-            .required(g)
-            .required(b)
-            .optional(opacity, 1.0)
-            .collect_pixels(
-                |size, _: &_| empty(size),
-                |grid: &mut Grid, place, (r, g, b, a)| {
-                    grid.set(place, [r, g, b], a);
-                },
-            )
-            .first_valid_layer()
-            .all_attributes()
-            .non_parallel()
-            .from_buffered(reader)
-            .map(|image| image.layer_data.channel_data.pixels),
-        Color::Gray(y) => read()
-            .no_deep_data()
-            .largest_resolution_level()
-            .specific_channels()
-            .required(y)
-            .optional(opacity, 1.0)
-            .collect_pixels(
-                |size, _: &_| empty(size),
-                |grid: &mut Grid, place, (y, a)| {
-                    grid.set(place, [y; 3], a);
-                },
-            )
-            .first_valid_layer()
-            .all_attributes()
-            .non_parallel()
-            .from_buffered(reader)
-            .map(|image| image.layer_data.channel_data.pixels),
+    let parts = exr::block::read(&mut *reader, false).map_err(fault)?;
+    let chunks = parts
+        .filter_chunks(false, |_, _, block| (block.layer, block.level) == (layer.part, Vec2(0, 0)))
+        .map_err(fault)?;
+    let mut blocks = chunks.sequential_decompressor(false);
+    while let Some(block) = blocks.decompress_next_block() {
+        grid.fill(&layer, header, &block.map_err(fault)?)?;
     }
-    .map_err(fault)?;
-    Ok((EnvironmentMap::new(width, height, texels)?, opacities))
-}
-
-enum Color {
-    Rgb([Text; 3]),
-    Gray(Text),
-}
-
-impl Color {
-    /// The channel A of the same layer, if the part has it.
-    fn opacity(&self, header: &Header) -> Option<Text> {
-        let (Self::Rgb([name, ..]) | Self::Gray(name)) = self;
-        let name = name.to_string();
-        let layer = name.rfind('.').map_or("", |dot| &name[..=dot]);
-        let wanted = format!("{layer}A");
-        whole_channels(header).find(|name| **name == *wanted).cloned()
+    let Grid { mut texels, opacities, is_transparent, .. } = grid;
+    if is_transparent && !needs_opacity {
+        file.warn("its opacity (channel A) is ignored");
     }
+    if let Some(stated) = header.shared_attributes.chromaticities {
+        convert(&mut texels, stated, file);
+    }
+    let projection = header.own_attributes.environment_map;
+    Ok(Decoded { map: EnvironmentMap::new(width, height, texels)?, opacities, projection })
 }
 
-/// The names of the channels with a sample for each pixel.
-fn whole_channels(header: &Header) -> impl Iterator<Item = &Text> {
-    let whole = header.channels.list.iter().filter(|one| one.sampling == Vec2(1, 1));
-    whole.filter(|_| !header.deep).map(|channel| &channel.name)
-}
-
-/// The color channels of one part, if it has them at full resolution.
-fn color(header: &Header) -> Option<Color> {
-    let names: Vec<&Text> = whole_channels(header).collect();
-    let find = |prefix: &str, name: &str| {
-        let wanted = format!("{prefix}{name}");
-        names.iter().copied().find(|&name| *name == *wanted)
+/// Converts colors to linear sRGB.
+fn convert(texels: &mut [[f32; 3]], stated: Chromaticities, file: &InputFile) {
+    let Chromaticities { red, green, blue, white } = stated;
+    let list = [red, green, blue, white].map(|Vec2(x, y)| [x, y].map(f64::from));
+    let [rgb @ .., white] = list;
+    let primaries = Primaries { rgb, white };
+    if primaries.is_srgb() {
+        return;
+    }
+    let text = list.map(|[x, y]| format!("({x:.4}, {y:.4})")).join(" ");
+    let Some(matrix) = primaries.to_srgb() else {
+        file.warn(format!("its chromaticities, {text}, are no primaries: nothing is converted"));
+        return;
     };
-    let triple = |prefix: &str| {
-        Some([find(prefix, "R")?.clone(), find(prefix, "G")?.clone(), find(prefix, "B")?.clone()])
-    };
-    let layers = names.iter().filter_map(|name| {
-        let name = name.to_string();
-        name.strip_suffix('R').filter(|prefix| prefix.ends_with('.')).map(str::to_owned)
-    });
-    let rgb = std::iter::once(String::new()).chain(layers).find_map(|prefix| triple(&prefix));
-    // With RY and BY, or X and Z, Y is the luminance of a color image, not a gray map. Z alone is a
-    // depth.
-    let has = |name: &str| header.channels.list.iter().any(|channel| channel.name == *name);
-    let colored = has("RY") || has("X");
-    rgb.map(Color::Rgb).or_else(|| Some(Color::Gray(find("", "Y").filter(|_| !colored)?.clone())))
-}
-
-fn without_color(headers: &[Header]) -> Error {
-    let names: Vec<_> = headers
-        .iter()
-        .flat_map(|header| header.channels.list.iter())
-        .map(|channel| channel.name.to_string())
-        .take(8)
-        .collect();
-    Error::new(
-        format!("its channels are {}, without R, G, B", names.join(", ")),
-        "export it with the channels R, G, B, or Y alone if it is gray, one sample a pixel",
-    )
+    file.warn(format!(
+        "its chromaticities, {text}, are not those of sRGB: its colors are converted"
+    ));
+    for texel in texels {
+        *texel = product(&matrix, texel.map(f64::from)).map(|value| value as f32);
+    }
 }
 
 /// Bytes of an opacity.
@@ -179,16 +123,54 @@ struct Grid {
     width: usize,
     texels: Vec<[f32; 3]>,
     opacities: Vec<f32>,
+    is_transparent: bool,
 }
 
 impl Grid {
-    fn set(&mut self, Vec2(column, row): Vec2<usize>, value: [f32; 3], opacity: f32) {
-        let place = row * self.width + column;
-        if let Some(texel) = self.texels.get_mut(place) {
-            *texel = value;
+    /// Takes the samples of a block.
+    fn fill(&mut self, layer: &ExrLayer, header: &Header, block: &UncompressedBlock) -> Result<()> {
+        for (bytes, line) in LineIndex::lines_in_block(block.index, &header.channels) {
+            let is_color = layer.color.contains(&line.channel);
+            let is_opacity = layer.opacity == Some(line.channel);
+            if !is_color && !is_opacity {
+                continue;
+            }
+            let kind = header.channels.list[line.channel].sample_type;
+            let bytes = block.data.get(bytes).ok_or_else(|| broken("a block is too short"))?;
+            let start = line.position.y() * self.width + line.position.x();
+            for (place, value) in (start..).zip(samples(kind, bytes)) {
+                if let Some(texel) = self.texels.get_mut(place) {
+                    for (to, channel) in texel.iter_mut().zip(layer.color) {
+                        if channel == line.channel {
+                            *to = value;
+                        }
+                    }
+                }
+                if is_opacity {
+                    self.is_transparent |= value < 1.0;
+                    if let Some(to) = self.opacities.get_mut(place) {
+                        *to = value;
+                    }
+                }
+            }
         }
-        if let Some(to) = self.opacities.get_mut(place) {
-            *to = opacity;
+        Ok(())
+    }
+}
+
+/// The numbers of a line, in the byte order of this machine.
+fn samples(kind: SampleType, bytes: &[u8]) -> Vec<f32> {
+    match kind {
+        SampleType::F16 => {
+            let halves = bytes.as_chunks::<2>().0.iter();
+            halves.map(|half| f16::from_ne_bytes(*half).to_f32()).collect()
+        }
+        SampleType::F32 => {
+            bytes.as_chunks::<4>().0.iter().map(|float| f32::from_ne_bytes(*float)).collect()
+        }
+        SampleType::U32 => {
+            let numbers = bytes.as_chunks::<4>().0.iter();
+            numbers.map(|number| u32::from_ne_bytes(*number) as f32).collect()
         }
     }
 }

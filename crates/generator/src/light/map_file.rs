@@ -1,11 +1,10 @@
 //! Environment maps as files: OpenEXR, Radiance, portable float maps, and pictures.
 
 use crate::light::environment::{BYTES_PER_TEXEL, EnvironmentMap, believable, broken, other_type};
-use crate::light::{map_exr, map_picture};
+use crate::light::{map_exr, map_hdr, map_picture};
 use eigenshade_model::error::{Error, Result};
 use eigenshade_model::inputs::input_file::InputFile;
-use image::codecs::hdr::HdrDecoder;
-use image::{ImageDecoder, ImageError};
+use exr::meta::attribute::EnvironmentMap as Stated;
 use std::fs;
 use std::fs::File;
 use std::io::{BufRead, BufReader, Read};
@@ -14,28 +13,33 @@ use std::path::{Path, PathBuf};
 /// The endings of maps' names, as in the messages.
 const ENDINGS: &str = ".exr, .hdr, .pfm, .png or .jpg";
 
+/// The largest half float. A program that writes halves leaves brighter light at it.
+const LARGEST_HALF: f32 = 65504.0;
+
 impl EnvironmentMap {
     /// Reads an OpenEXR (`.exr`), Radiance (`.hdr`) or portable float map (`.pfm`), or a picture
     /// (`.png`, `.jpg`, `.jpeg`), whose samples are decoded by the curve of sRGB: white is a
-    /// radiance of 1. A PNG that declares linear samples is read as such. Opacity and color
-    /// profiles are ignored.
+    /// radiance of 1. A PNG that declares linear samples is read as such.
+    ///
+    /// The result is in linear sRGB and as a viewer shows it: other primaries are converted, and
+    /// the orientation of a picture's EXIF data is applied. Warnings name what is converted,
+    /// chosen among several layers, and ignored: opacity, color profiles, exposure.
     ///
     /// # Errors
     ///
     /// If the file cannot be read, is of another type, is broken, has no texels or a texel that is
-    /// not finite, or if its budget has no room for [`BYTES_PER_TEXEL`] and a few rows.
+    /// not finite, is a cube as its attribute `envmap` states, or if its budget has no room for
+    /// [`BYTES_PER_TEXEL`] and a few rows.
     pub fn from_path(file: impl Into<InputFile>) -> Result<Self> {
         let file = file.into();
-        let path = file.path();
-        let decode = decoder(path).ok_or_else(|| {
-            Error::new(
-                "it is not an environment map",
-                format!("give a file that ends in {ENDINGS}"),
-            )
-            .in_file(path)
-        })?;
-        let (mut reader, length) = file.open()?;
-        decode(&mut reader, length, &file).map_err(|error| error.in_file(path))
+        match read(&file)? {
+            (_, Some(Stated::Cube)) => {
+                let what = "it is a cube, as its attribute `envmap` states";
+                let remedy = "convert it to an equirectangular map, as by exrenvmap -latlong";
+                Err(Error::new(what, remedy).in_file(file.path()))
+            }
+            (map, _) => Ok(map),
+        }
     }
 
     /// Reads an OpenEXR file as a picture: its colors as they are, which are multiplied by opacity,
@@ -47,21 +51,51 @@ impl EnvironmentMap {
     pub fn with_opacities(file: impl Into<InputFile>) -> Result<(Self, Vec<f32>)> {
         let file = file.into();
         let (mut reader, length) = file.open()?;
-        map_exr::decode(&mut reader, length, &file, true)
-            .map_err(|error| error.in_file(file.path()))
+        let found = map_exr::decode(&mut reader, length, &file, true)
+            .map_err(|error| error.in_file(file.path()))?;
+        warn_of_limit(&found.map, &file);
+        Ok((found.map, found.opacities))
     }
 }
 
-type Decode = fn(&mut BufReader<File>, u64, &InputFile) -> Result<EnvironmentMap>;
+/// Reads a map, and the projection that it states.
+pub(crate) fn read(file: &InputFile) -> Result<(EnvironmentMap, Option<Stated>)> {
+    let path = file.path();
+    let decode = decoder(path).ok_or_else(|| {
+        Error::new("it is not an environment map", format!("give a file that ends in {ENDINGS}"))
+            .in_file(path)
+    })?;
+    let (mut reader, length) = file.open()?;
+    let (map, stated) = decode(&mut reader, length, file).map_err(|error| error.in_file(path))?;
+    warn_of_limit(&map, file);
+    Ok((map, stated))
+}
+
+fn warn_of_limit(map: &EnvironmentMap, file: &InputFile) {
+    let count = map.texels.iter().filter(|texel| texel.contains(&LARGEST_HALF)).count();
+    if count > 0 {
+        file.warn(format!(
+            "texels at {LARGEST_HALF}, the largest half float: {count}; light that is brighter was \
+             clipped when the map was saved, so that lamps or the sun are too dark"
+        ));
+    }
+}
+
+type Decode = fn(&mut BufReader<File>, u64, &InputFile) -> Result<(EnvironmentMap, Option<Stated>)>;
 
 /// The decoder for a file of this name.
 fn decoder(path: &Path) -> Option<Decode> {
     match extension(path)?.as_str() {
-        "exr" => Some(|reader, length, file| Ok(map_exr::decode(reader, length, file, false)?.0)),
-        "hdr" => Some(decode_hdr),
-        "pfm" => Some(decode_pfm),
-        "png" => Some(map_picture::decode_png),
-        "jpg" | "jpeg" => Some(map_picture::decode_jpeg),
+        "exr" => Some(|reader, length, file| {
+            let found = map_exr::decode(reader, length, file, false)?;
+            Ok((found.map, found.projection))
+        }),
+        "hdr" => Some(|reader, length, file| Ok((map_hdr::decode(reader, length, file)?, None))),
+        "pfm" => Some(|reader, length, file| Ok((decode_pfm(reader, length, file)?, None))),
+        "png" => Some(|reader, _, file| Ok((map_picture::decode_png(reader, file)?, None))),
+        "jpg" | "jpeg" => {
+            Some(|reader, _, file| Ok((map_picture::decode_jpeg(reader, file)?, None)))
+        }
         _ => None,
     }
 }
@@ -103,49 +137,13 @@ pub(crate) fn extension(path: &Path) -> Option<String> {
     Some(path.extension()?.to_str()?.to_ascii_lowercase())
 }
 
-/// Decodes a Radiance map (`.hdr`), run-length encoded or not: four bytes per pixel, three
-/// mantissas and a common exponent, so no texel is negative. The exposure in the header, if any, is
-/// not applied, because the exposure of a map is arbitrary.
-fn decode_hdr(
-    reader: &mut BufReader<File>,
-    length: u64,
-    file: &InputFile,
-) -> Result<EnvironmentMap> {
-    let io = |error: std::io::Error| Error::io(file.path(), &error);
-    if !reader.fill_buf().map_err(io)?.starts_with(b"#?") {
-        return Err(other_type("Radiance"));
-    }
-    // In strict mode the decoder accepts only the signature `#?RADIANCE`; `#?RGBE` is equally
-    // common.
-    let decoder = HdrDecoder::new_nonstrict(&mut *reader).map_err(hdr_fault)?;
-    let (width, height) = decoder.dimensions();
-    let (width, height) = (width as usize, height as usize);
-    let count = believable(width, height, length)?;
-    file.admit_pixels(count as u64, BYTES_PER_TEXEL, 4 * width as u64)?;
-    let mut texels = vec![[0.0; 3]; count];
-    decoder.read_image(bytemuck::cast_slice_mut(&mut texels)).map_err(hdr_fault)?;
-    if !reader.fill_buf().map_err(io)?.is_empty() {
-        return Err(broken("bytes follow its last row"));
-    }
-    EnvironmentMap::new(width, height, texels)
-}
-
-fn hdr_fault(error: ImageError) -> Error {
-    match error {
-        ImageError::Unsupported(error) => Error::new(
-            format!("it is of a kind that is not supported ({error})"),
-            "export it as RGBE, rows from the top, -Y +X",
-        ),
-        error => broken(error),
-    }
-}
-
 /// Decodes a portable float map (`.pfm`) of either byte order: `PF` (color) or `Pf` (gray), width,
 /// height, and a number whose sign gives the byte order, followed by the rows from the bottom up.
+/// The lines of the header may end in CR LF.
 ///
 /// This crate reads them itself because `zune-ppm` 0.5.1 mixes up the rows of a map of odd height.
-/// The magnitude of the number that gives the
-/// byte order, sometimes called a scale, is not applied.
+/// The magnitude of the number that gives the byte order, sometimes called a scale, is not applied;
+/// a warning names one other than 1.
 fn decode_pfm(
     reader: &mut BufReader<File>,
     length: u64,
@@ -169,12 +167,24 @@ fn decode_pfm(
         ));
     }
     let count = believable(width, height, length)?;
-    let header = beginning.len() - rest.len();
-    let (expected, found) = (4 * (channels * count) as u64, length - header as u64);
-    if expected != found {
+    let expected = 4 * (channels * count) as u64;
+    let mut header = beginning.len() - rest.len();
+    let is_longer = length - header as u64 > expected;
+    // The last line ends in CR LF, and the LF is no sample.
+    if beginning[..header].ends_with(b"\r") && rest.starts_with(b"\n") && is_longer {
+        header += 1;
+    }
+    let found = length - header as u64;
+    if expected > found {
         return Err(broken(format!(
             "its header promises {expected} bytes of pixels, but it has {found}"
         )));
+    }
+    if expected < found {
+        file.warn(format!("bytes after its last row are ignored: {}", found - expected));
+    }
+    if scale.abs() != 1.0 {
+        file.warn(format!("its scale, {}, is not applied", scale.abs()));
     }
     reader.consume(header);
     let mut row = vec![0; 4 * channels * width];

@@ -1,9 +1,12 @@
 //! Pictures as environment maps: PNG and JPEG, of samples from 0 to white.
 //!
-//! The samples are decoded by the curve of sRGB, so that white is a radiance of 1. Opacity and
-//! color profiles are ignored.
+//! The samples are decoded by the curve of sRGB, so that white is a radiance of 1. The orientation
+//! of EXIF data is applied, and primaries that a PNG states are converted. Opacity and color
+//! profiles are ignored, with a warning.
 
 use crate::light::environment::{BYTES_PER_TEXEL, EnvironmentMap, believable, broken, other_type};
+use crate::light::primaries::product;
+use crate::orientation::Orientation;
 use crate::png_samples::{self, Curve};
 use eigenshade_model::error::{Error, Result};
 use eigenshade_model::inputs::input_file::InputFile;
@@ -17,16 +20,12 @@ use zune_jpeg::zune_core::options::DecoderOptions;
 
 /// Decodes a PNG of any color type and depth. A file that declares its samples to be linear is read
 /// as linear, any other as sRGB.
-pub(crate) fn decode_png(
-    reader: &mut BufReader<File>,
-    _length: u64,
-    file: &InputFile,
-) -> Result<EnvironmentMap> {
+pub(crate) fn decode_png(reader: &mut BufReader<File>, file: &InputFile) -> Result<EnvironmentMap> {
     check_signature(reader, file, b"\x89PNG\r\n\x1a\n", "PNG")?;
     let png = png_samples::read(file.clone().with_bytes_beside(BYTES_PER_TEXEL))?;
     let curve = match &png.curve {
         Curve::Linear => |code| code,
-        Curve::Undeclared | Curve::Srgb | Curve::Profile => linear,
+        Curve::Undeclared | Curve::Srgb | Curve::Profile(_) => linear,
         Curve::Other(what) => {
             return Err(Error::new(
                 format!("{what}, which is not a supported transfer function"),
@@ -34,8 +33,26 @@ pub(crate) fn decode_png(
             ));
         }
     };
+    if let Curve::Profile(name) = &png.curve
+        && !name.contains("sRGB")
+    {
+        file.warn(format!("its color profile `{name}` is ignored: it is read as sRGB"));
+    }
+    if png.opacities.iter().any(|opacity| *opacity < png.full) {
+        file.warn("its opacity is ignored");
+    }
+    if png.to_srgb.is_some() {
+        file.warn("its primaries are not those of sRGB: its colors are converted");
+    }
+    let png = png.upright();
     let radiance = radiances(png.full, curve);
-    let texel = |color: &[u16; 3]| color.map(|sample| radiance[usize::from(sample)]);
+    let texel = |color: &[u16; 3]| {
+        let color = color.map(|sample| radiance[usize::from(sample)]);
+        match &png.to_srgb {
+            Some(matrix) => product(matrix, color.map(f64::from)).map(|value| value as f32),
+            None => color,
+        }
+    };
     EnvironmentMap::new(png.width, png.height, png.colors.iter().map(texel).collect())
 }
 
@@ -55,7 +72,6 @@ const BYTES_PER_COLUMN: u64 = 1 << 10;
 /// Decodes a JPEG, baseline or progressive, gray or in color.
 pub(crate) fn decode_jpeg(
     reader: &mut BufReader<File>,
-    _length: u64,
     file: &InputFile,
 ) -> Result<EnvironmentMap> {
     check_signature(reader, file, &[0xff, 0xd8, 0xff], "JPEG")?;
@@ -82,15 +98,17 @@ pub(crate) fn decode_jpeg(
     file.admit_pixels(pixels, 0, rows + BYTES_PER_BLOCK_PIXEL * blocks)?;
     file.admit_pixels(pixels, BYTES_PER_TEXEL, rows)?;
     let samples = decoder.decode().map_err(jpeg_fault)?;
+    let orientation = decoder.exif().and_then(|data| Orientation::of_exif(data));
+    if decoder.icc_profile().is_some_and(|profile| !is_srgb(&profile)) {
+        file.warn("its color profile is ignored: it is read as sRGB");
+    }
     drop(decoder);
     if !ends(&bytes) {
         return Err(broken("the marker of its end is missing"));
     }
-    let radiance = radiances(u16::from(u8::MAX), linear);
-    let value = |sample: u8| radiance[usize::from(sample)];
-    let texels = match samples.len() / count {
-        1 => samples.iter().map(|gray| [value(*gray); 3]).collect(),
-        3 => samples.as_chunks::<3>().0.iter().map(|color| color.map(value)).collect(),
+    let colors: Vec<[u8; 3]> = match samples.len() / count {
+        1 => samples.iter().map(|gray| [*gray; 3]).collect(),
+        3 => samples.as_chunks().0.to_vec(),
         channels => {
             return Err(Error::new(
                 format!("it has {channels} channels"),
@@ -98,7 +116,19 @@ pub(crate) fn decode_jpeg(
             ));
         }
     };
-    EnvironmentMap::new(width, height, texels)
+    drop(samples);
+    let orientation = orientation.unwrap_or_default();
+    let colors = orientation.picture(colors, [width, height]);
+    let [width, height] = orientation.size([width, height]);
+    let radiance = radiances(u16::from(u8::MAX), linear);
+    let texel = |color: [u8; 3]| color.map(|sample| radiance[usize::from(sample)]);
+    EnvironmentMap::new(width, height, colors.into_iter().map(texel).collect())
+}
+
+/// Whether a color profile names sRGB, in one byte or two for a letter.
+fn is_srgb(profile: &[u8]) -> bool {
+    let names = |name: &[u8]| profile.windows(name.len()).any(|part| part == name);
+    names(b"sRGB") || names(b"s\0R\0G\0B")
 }
 
 fn jpeg_fault(error: DecodeErrors) -> Error {

@@ -85,13 +85,15 @@ pub fn project_cube(cube: &CubeMap, degree: usize) -> [Vec<f64>; 3] {
     })
 }
 
-/// L_l^m of a map of either layout up to `degree`, in the frame of a program.
+/// L_l^m of a map of either layout up to `degree`, in the frame of a program. The cube of an OpenEXR
+/// file is placed as the equirectangular map that OpenEXR makes of it.
 ///
 /// # Errors
 ///
 /// See [`Frame::turn`].
 pub fn coefficients(map: &Map, frame: Frame, degree: usize) -> Result<[Vec<f64>; 3]> {
-    let turn = frame.turn(map.is_cube())?;
+    let is_cube = matches!(map, Map::Cube(cube) if !cube.is_of_openexr());
+    let turn = frame.turn(is_cube)?;
     let rgb = match map {
         Map::Equirectangular(map) => project(map, degree),
         Map::Cube(cube) => project_cube(cube, degree),

@@ -12,11 +12,11 @@
 
 use crate::material::brdf::{Brdf, Ggx, Lambertian, OrenNayar, Surface};
 use eigenshade_model::error::{Error, Result};
+use eigenshade_model::inputs::input_file::InputFile;
 use eigenshade_model::source::Gloss;
 use eigenshade_model::srgb::from_hex;
 use serde::Deserialize;
 use std::collections::HashSet;
-use std::path::Path;
 
 /// Maximum size of a material file, in bytes.
 const LONGEST: u64 = 1 << 22;
@@ -193,10 +193,10 @@ struct File {
 ///
 /// If the file cannot be read or is longer than 4 MiB; a field is unknown, missing, of the wrong
 /// type or out of range; a name is empty or occurs twice; or there is no material.
-pub fn read(path: impl AsRef<Path>) -> Result<Vec<Surface>> {
-    let path = path.as_ref();
-    let io = |error: std::io::Error| Error::io(path, &error);
-    let bytes = std::fs::metadata(path).map_err(io)?.len();
+pub fn read(file: impl Into<InputFile>) -> Result<Vec<Surface>> {
+    let file = file.into();
+    let path = file.path();
+    let bytes = std::fs::metadata(path).map_err(|error| Error::io(path, &error))?.len();
     if bytes > LONGEST {
         return Err(Error::new(
             format!("it has {bytes} bytes, too many for a list of materials"),
@@ -204,7 +204,7 @@ pub fn read(path: impl AsRef<Path>) -> Result<Vec<Surface>> {
         )
         .in_file(path));
     }
-    let text = std::fs::read_to_string(path).map_err(io)?;
+    let text = file.text()?;
     let file: File = toml::from_str(&text).map_err(|error| {
         let what = error.message().lines().next().unwrap_or("no list of materials").to_owned();
         let fault = Error::new(what, "see tables/README.md for the fields of a material");

@@ -86,7 +86,7 @@ fn files_in(folder: &Path) -> Result<Vec<PathBuf>> {
 fn read_file(file: InputFile) -> Result<Vec<Source>> {
     Ok(match extension(file.path()).as_deref() {
         Some("binary") => vec![Source::Surface(merl::read(file)?)],
-        Some("toml") => analytic::read(file.path())?.into_iter().map(Source::Surface).collect(),
+        Some("toml") => analytic::read(file)?.into_iter().map(Source::Surface).collect(),
         _ => {
             let sheet = Sheet::read(file.clone(), measurements::COLUMNS)?;
             match published_fits::of_sheet(&sheet)? {

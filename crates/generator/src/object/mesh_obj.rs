@@ -10,18 +10,23 @@ use eigenshade_model::inputs::input_file::InputFile;
 /// The triangles of a Wavefront file; polygons are cut into fans.
 ///
 /// In `f 1/2/3` the first number is a corner, counted from 1, or backward from the latest corner if
-/// it is negative. Lines other than `v` and `f` are ignored.
+/// it is negative. Lines other than `v` and `f` are ignored; surfaces among them are counted in a
+/// warning.
 pub(crate) fn read(file: &InputFile) -> Result<Mesh> {
     // Count first: a growing list takes three times the memory.
-    let (mut corners, mut triangles) = (0, 0);
+    let (mut corners, mut triangles, mut surfaces) = (0, 0, 0);
     each_line(file, |words| {
         match words {
             ["v", ..] => corners += 1,
             ["f", polygon @ ..] => triangles += (polygon.len() as u64).saturating_sub(2),
+            ["surf" | "bzp" | "bsp" | "cdp", ..] => surfaces += 1,
             _ => {}
         }
         Ok(())
     })?;
+    if surfaces > 0 {
+        file.warn(format!("free-form surfaces are ignored: {surfaces}; export them as triangles"));
+    }
     let mut mesh = Mesh::with_room(file, corners, triangles)?;
     each_line(file, |words| {
         if let ["v", numbers @ ..] = words {
@@ -51,7 +56,7 @@ pub(crate) fn read(file: &InputFile) -> Result<Mesh> {
 /// Passes the words of each line to `with`, without its comment; a line that ends in a backslash
 /// continues in the next one.
 fn each_line(file: &InputFile, mut with: impl FnMut(&[&str]) -> Result<()>) -> Result<()> {
-    let (mut reader, _) = file.open()?;
+    let (mut reader, _) = file.open_text()?;
     let mut line = Vec::new();
     let (mut number, mut first) = (0, 1);
     loop {

@@ -1,4 +1,7 @@
 //! Polygon files (.ply), text or binary.
+//!
+//! `ply-rs-bw` reads the header and binary elements. Elements in text are read here: its grammar
+//! has neither `.5` nor `nan`, which files have for numbers that are not used.
 
 use crate::object::mesh_data::{LONGEST_LINE, Mesh, append_line, broken};
 use eigenshade_model::error::{Error, Result};
@@ -6,6 +9,7 @@ use eigenshade_model::inputs::input_file::InputFile;
 use ply_rs_bw::parser::{ParseError, Parser, Reader};
 use ply_rs_bw::ply::{
     BeginList, ElementDef, Encoding, Header, Property, PropertyAccess, PropertyAccessResult,
+    PropertyType,
 };
 use std::io::{self, BufRead, ErrorKind};
 
@@ -21,9 +25,10 @@ macro_rules! bounded_lists {
     };
 }
 
-/// The triangles of a polygon file; polygons are cut into fans.
+/// The triangles of a polygon file; polygons are cut into fans, and triangle strips (`tristrips`)
+/// into triangles. Bytes after the last element of a binary file cause a warning.
 pub(crate) fn read(file: &InputFile) -> Result<Mesh> {
-    let (reader, length) = file.open()?;
+    let (reader, length) = file.open_text()?;
     decode(reader, length, file)
 }
 
@@ -45,8 +50,10 @@ fn decode(mut reader: impl BufRead, length: u64, file: &InputFile) -> Result<Mes
     let count = |name: &str| header.elements.get(name).map_or(0, |element| element.count as u64);
     let mut mesh = Mesh::with_room(file, count("vertex"), count("face"))?;
     let place = |name: &str| header.elements.get_index_of(name);
-    if place("face") < place("vertex") && place("face").is_some() {
-        return Err(broken("its faces come before its vertices"));
+    for facets in ["face", "tristrips"] {
+        if place(facets).is_some() && place(facets) < place("vertex") {
+            return Err(broken(format!("its element `{facets}` comes before its vertices")));
+        }
     }
     let mut rows =
         Rows { reader: Reader::new(reader), encoding: header.encoding, line: Vec::new() };
@@ -56,7 +63,11 @@ fn decode(mut reader: impl BufRead, length: u64, file: &InputFile) -> Result<Mes
                 let row = rows.next(element).map_err(fault)?;
                 match name.as_str() {
                     "vertex" => mesh.corners.push(row.corner()?),
-                    "face" => mesh.push_polygon(file, &row.corners()?)?,
+                    "face" => {
+                        let corners = row.corners()?.into_iter().map(corner);
+                        mesh.push_polygon(file, &corners.collect::<Result<Vec<_>>>()?)?;
+                    }
+                    "tristrips" => push_strips(&mut mesh, file, &row.corners()?)?,
                     _ => {}
                 }
                 Ok(())
@@ -65,8 +76,27 @@ fn decode(mut reader: impl BufRead, length: u64, file: &InputFile) -> Result<Mes
             push().map_err(|error: Error| error.of(place))?;
         }
     }
-    rows.finish()?;
+    rows.finish(file)?;
     Ok(mesh)
+}
+
+/// Adds the triangles of strips, with -1 between one strip and the next. Each corner makes a
+/// triangle with the two before it, whose order alternates. A strip repeats a corner to turn, which
+/// makes a triangle without an area.
+fn push_strips(mesh: &mut Mesh, file: &InputFile, strips: &[i64]) -> Result<()> {
+    for strip in strips.split(|place| *place == -1) {
+        for (number, window) in strip.windows(3).enumerate() {
+            let [a, b, c] = [0, 1, 2].map(|k| corner(window[k]));
+            let (a, b) = if number % 2 == 0 { (a?, b?) } else { (b?, a?) };
+            mesh.push_polygon(file, &[a, b, c?])?;
+        }
+    }
+    Ok(())
+}
+
+/// The index of a corner.
+fn corner(value: i64) -> Result<u32> {
+    u32::try_from(value).map_err(|_| broken(format!("corner {value} does not exist")))
 }
 
 /// Reads the header, whose comments may be in any encoding.
@@ -107,18 +137,26 @@ impl<R: BufRead> Rows<R> {
             Encoding::BinaryLittleEndian => parser.read_little_endian_element(reader, element),
             Encoding::Ascii => {
                 self.line.clear();
-                append_line(reader, &mut self.line)?;
-                let row = parser.read_ascii_element(&String::from_utf8_lossy(&self.line), element);
+                while self.line.trim_ascii().is_empty() {
+                    self.line.clear();
+                    if !append_line(reader, &mut self.line)? {
+                        return Err(io::Error::from(ErrorKind::UnexpectedEof).into());
+                    }
+                }
+                let row = row_of_text(&String::from_utf8_lossy(&self.line), element);
                 // In a truncated file the last line is truncated too.
-                let is_cut = !self.line.ends_with(b"\n");
-                let cut = || io::Error::from(ErrorKind::UnexpectedEof).into();
-                row.map_err(|error| if is_cut { cut() } else { error })
+                let kind = match self.line.ends_with(b"\n") {
+                    true => ErrorKind::InvalidData,
+                    false => ErrorKind::UnexpectedEof,
+                };
+                row.map_err(|what| io::Error::new(kind, what).into())
             }
         }
     }
 
-    /// Checks that nothing follows except empty lines of a text file.
-    fn finish(mut self) -> Result<()> {
+    /// Checks that nothing follows except empty lines of a text file; bytes after a binary one are
+    /// ignored with a warning.
+    fn finish(mut self, file: &InputFile) -> Result<()> {
         let reader = self.reader.get_mut();
         loop {
             let rest = reader
@@ -127,13 +165,46 @@ impl<R: BufRead> Rows<R> {
             if rest.is_empty() {
                 return Ok(());
             }
-            if self.encoding != Encoding::Ascii || !rest.trim_ascii().is_empty() {
+            if self.encoding != Encoding::Ascii {
+                file.warn("bytes after its last element are ignored");
+                return Ok(());
+            }
+            if !rest.trim_ascii().is_empty() {
                 return Err(broken("more follows than its header promises"));
             }
             let read = rest.len();
             reader.consume(read);
         }
     }
+}
+
+/// One element in text. The error is the fault.
+fn row_of_text(line: &str, element: &ElementDef) -> std::result::Result<Element, String> {
+    let mut words = line.split_ascii_whitespace();
+    let mut row = Element::new();
+    let missing = || "it has too few numbers".to_owned();
+    let number = |word: &str| word.parse::<f64>().map_err(|_| format!("`{word}` is not a number"));
+    for (name, property) in &element.properties {
+        let first = words.next().ok_or_else(missing)?;
+        row.set_property(
+            name,
+            match property.data_type {
+                PropertyType::Scalar(_) => Property::Double(number(first)?),
+                PropertyType::List(..) => {
+                    let count = first
+                        .parse()
+                        .map_err(|_| format!("`{first}` is not a number of corners"))?;
+                    let list = words.by_ref().take(count).map(number);
+                    let list = list.collect::<std::result::Result<Vec<_>, _>>()?;
+                    if list.len() < count {
+                        return Err(missing());
+                    }
+                    Property::ListDouble(list)
+                }
+            },
+        );
+    }
+    words.next().map_or(Ok(row), |word| Err(format!("`{word}` follows its last number")))
 }
 
 /// The properties of a vertex and of a face, where present.
@@ -152,19 +223,24 @@ impl Element {
         Ok([number(0, "x")?, number(1, "y")?, number(2, "z")?])
     }
 
-    fn corners(self) -> Result<Vec<u32>> {
-        let place = |value: i64| {
-            u32::try_from(value).map_err(|_| broken(format!("corner {value} does not exist")))
-        };
-        match self.list {
-            Some(Property::ListInt(list)) => list.iter().map(|&one| place(one.into())).collect(),
-            Some(Property::ListShort(list)) => list.iter().map(|&one| place(one.into())).collect(),
-            Some(Property::ListChar(list)) => list.iter().map(|&one| place(one.into())).collect(),
-            Some(Property::ListUInt(list)) => Ok(list),
-            Some(Property::ListUShort(list)) => Ok(list.into_iter().map(u32::from).collect()),
-            Some(Property::ListUChar(list)) => Ok(list.into_iter().map(u32::from).collect()),
-            _ => Err(broken("a face has no list `vertex_indices`")),
+    /// The indices of corners; -1 separates strips.
+    fn corners(self) -> Result<Vec<i64>> {
+        fn all<T: Into<i64>>(list: Vec<T>) -> Vec<i64> {
+            list.into_iter().map(Into::into).collect()
         }
+        Ok(match self.list {
+            Some(Property::ListInt(list)) => all(list),
+            Some(Property::ListShort(list)) => all(list),
+            Some(Property::ListChar(list)) => all(list),
+            Some(Property::ListUInt(list)) => all(list),
+            Some(Property::ListUShort(list)) => all(list),
+            Some(Property::ListUChar(list)) => all(list),
+            // Any list in text.
+            Some(Property::ListDouble(list)) if list.iter().all(|one| one.fract() == 0.0) => {
+                list.into_iter().map(|one| one as i64).collect()
+            }
+            _ => return Err(broken("a face has no list `vertex_indices`")),
+        })
     }
 }
 

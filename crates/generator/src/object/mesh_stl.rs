@@ -5,8 +5,8 @@
 
 use crate::object::mesh_data::{Mesh, append_line, broken};
 use eigenshade_model::error::{Error, Result};
-use eigenshade_model::inputs::input_file::InputFile;
-use std::io::{BufRead, Read, Seek};
+use eigenshade_model::inputs::input_file::{InputFile, MARK};
+use std::io::{BufRead, Read};
 
 /// Size of the 80-byte header with the number of facets.
 const HEAD: usize = 84;
@@ -15,7 +15,9 @@ const FACET: u64 = 50;
 
 /// The triangles of an STL file; for text, those of all solids.
 ///
-/// STL files share no corners: each facet has three of its own.
+/// STL files share no corners: each facet has three of its own. The normals in the file are not
+/// used and may be any numbers. Bytes after the last facet of a binary file cause a warning, unless
+/// they are whole facets, which its header does not count.
 pub(crate) fn read(file: &InputFile) -> Result<Mesh> {
     let io = |error: std::io::Error| Error::io(file.path(), &error);
     let (mut reader, found) = file.open()?;
@@ -27,15 +29,17 @@ pub(crate) fn read(file: &InputFile) -> Result<Mesh> {
     if is_text(&head) && found != expected {
         // Count first: a growing list takes three times the memory.
         let mut facets = 0;
-        reader.rewind().map_err(io)?;
-        each_facet(&mut reader, |_| facets += 1)?;
-        reader.rewind().map_err(io)?;
+        each_facet(&mut file.open_text()?.0, |_| facets += 1)?;
         let mut mesh = Mesh::with_room(file, 3 * facets, facets)?;
-        each_facet(&mut reader, |corners| push(&mut mesh, corners))?;
+        each_facet(&mut file.open_text()?.0, |corners| push(&mut mesh, corners))?;
         return Ok(mesh);
     }
-    if found != expected || head.len() < HEAD {
+    let after = found.saturating_sub(expected);
+    if found < expected || head.len() < HEAD || (after > 0 && after.is_multiple_of(FACET)) {
         return Err(broken(format!("{expected} bytes promised by its header, {found} found")));
+    }
+    if after > 0 {
+        file.warn(format!("bytes after its last facet are ignored: {after}"));
     }
     let mut mesh = Mesh::with_room(file, 3 * count, count)?;
     let mut facet = [0; FACET as usize];
@@ -60,12 +64,13 @@ fn push(mesh: &mut Mesh, corners: [[f32; 3]; 3]) {
 /// The header of a binary file may also begin with the word `solid`. But its number of facets,
 /// below 2^24, contains a zero byte, which text never does.
 fn is_text(head: &[u8]) -> bool {
-    let text = head.strip_prefix(b"\xef\xbb\xbf").unwrap_or(head).trim_ascii_start();
+    let text = head.strip_prefix(MARK).unwrap_or(head).trim_ascii_start();
     let word = text.get(..5).unwrap_or_default();
     word.eq_ignore_ascii_case(b"solid") && !head.contains(&0)
 }
 
-/// The words of a facet's lines, without the numbers; a vertex line occurs three times.
+/// The words of a facet's lines, without the numbers; a vertex line occurs three times. The numbers
+/// of the normal are not read.
 const LINES: [&[&str]; 7] = [
     &["facet", "normal"],
     &["outer", "loop"],
@@ -83,13 +88,13 @@ fn each_facet(reader: &mut impl BufRead, mut with: impl FnMut([[f32; 3]; 3])) ->
     let (mut line, mut number) = (Vec::new(), 0);
     // The next line expected in the facet, and whether a solid is open.
     let (mut next, mut is_open) = (0, false);
-    let mut corners = [[0.0; 3]; 3];
+    let mut corners = [[0.0f32; 3]; 3];
     while append_line(reader, &mut line).map_err(|error| fault(error.to_string()))? {
         number += 1;
         line.make_ascii_lowercase();
         // Names may be in any encoding.
         let text = String::from_utf8_lossy(&line);
-        let text = text.trim_start_matches('\u{feff}').trim();
+        let text = text.trim();
         let words: Vec<&str> = text.split_whitespace().collect();
         // In a truncated file the last line is truncated too.
         let wrong = || match line.ends_with(b"\n") {
@@ -107,15 +112,13 @@ fn each_facet(reader: &mut impl BufRead, mut with: impl FnMut([[f32; 3]; 3])) ->
                 if numbers.len() != expected {
                     return Err(wrong());
                 }
-                let mut vector = [0.0f32; 3];
-                for (value, number) in vector.iter_mut().zip(numbers) {
-                    *value = number.parse().map_err(|_| wrong())?;
-                    if !value.is_finite() {
-                        return Err(wrong().of("a number that is not finite"));
-                    }
-                }
                 if let 2..=4 = next {
-                    corners[next - 2] = vector;
+                    for (value, number) in corners[next - 2].iter_mut().zip(numbers) {
+                        *value = number.parse().map_err(|_| wrong())?;
+                        if !value.is_finite() {
+                            return Err(wrong().of("a number that is not finite"));
+                        }
+                    }
                 }
                 next = (next + 1) % LINES.len();
                 if next == 0 {

@@ -4,7 +4,6 @@
 use crate::object::depth_buffer::DepthBuffer;
 use crate::object::facet::{Facet, Frame};
 use crate::object::{mesh, normal_map};
-use crate::png_samples;
 use eigenshade_model::error::{Error, Result};
 use eigenshade_model::inputs::input_file::InputFile;
 use eigenshade_model::inputs::normals::visible;
@@ -91,7 +90,8 @@ impl Picture {
         drawn().map_err(|error| error.in_file(file.path()))
     }
 
-    /// The picture of a normal map: see [`normal_map::normals`]. Opacity is coverage. With a
+    /// The picture of a normal map: see [`normal_map::load`] and [`normal_map::normals`]. Opacity is
+    /// coverage. With a
     /// `size`, the map shrinks until its longer side has that many pixels; each pixel is the mean
     /// of those that it replaces.
     ///
@@ -99,9 +99,13 @@ impl Picture {
     ///
     /// Those of [`normal_map::read`]; if the size is larger than the map or 0, or no pixel shows an
     /// object.
-    pub fn of_map(file: impl Into<InputFile>, size: Option<usize>) -> Result<Self> {
+    pub fn of_map(
+        file: impl Into<InputFile>,
+        size: Option<usize>,
+        flip_green: bool,
+    ) -> Result<Self> {
         let file = file.into().with_bytes_beside(BYTES_PER_PIXEL);
-        let map = png_samples::read(file.clone())?;
+        let map = normal_map::load(&file, flip_green)?;
         let drawn = || {
             let longer = map.width.max(map.height);
             let size = size.unwrap_or(longer);

@@ -53,6 +53,19 @@ pub fn through(file_type: Type, map: &EnvironmentMap) -> EnvironmentMap {
     read
 }
 
+/// The map as this file has it, of texels that it can hold: a mantissa of a Radiance file stands for
+/// the middle of what is cut off to it.
+pub fn held(file_type: Type, map: &EnvironmentMap) -> EnvironmentMap {
+    let mut map = map.clone();
+    if file_type == Type::Hdr {
+        for texel in map.texels.iter_mut().filter(|texel| **texel != [0.0; 3]) {
+            let half = 2.0f32.powi(exponent(texel) - 9);
+            *texel = texel.map(|value| value + half);
+        }
+    }
+    map
+}
+
 /// The map as a file of this folder.
 pub fn write(file_type: Type, map: &EnvironmentMap, folder: &Path) -> PathBuf {
     let ending = match file_type {
@@ -118,11 +131,49 @@ fn exr(map: &EnvironmentMap, path: &Path, half: bool, names: [&str; 3], encoding
     Image::from_layer(layer).write().to_file(path).unwrap();
 }
 
+/// The largest of three values as a power of 2 that is above it, as a Radiance file has it.
+fn exponent(texel: &[f32; 3]) -> i32 {
+    let largest = texel.iter().fold(0.0f32, |most, value| most.max(*value));
+    (-126..128).find(|power| 2.0f32.powi(*power) > largest).unwrap()
+}
+
+/// Four bytes, of which the mantissas are cut off.
+pub fn rgbe(texel: &[f32; 3]) -> [u8; 4] {
+    if *texel == [0.0; 3] {
+        return [0; 4];
+    }
+    let power = exponent(texel);
+    let [r, g, b] = texel.map(|value| (value * 2.0f32.powi(8 - power)) as u8);
+    [r, g, b, (power + 128) as u8]
+}
+
+/// A Radiance file with run lengths of each component, or pixel by pixel.
+pub fn hdr_bytes(map: &EnvironmentMap, header: &str, is_coded: bool) -> Vec<u8> {
+    let mut file = header.as_bytes().to_vec();
+    for row in map.texels.chunks(map.width) {
+        let pixels: Vec<_> = row.iter().map(rgbe).collect();
+        if !is_coded {
+            file.extend(pixels.as_flattened());
+            continue;
+        }
+        file.extend([2, 2, (map.width >> 8) as u8, map.width as u8]);
+        for component in 0..4 {
+            let values: Vec<u8> = pixels.iter().map(|pixel| pixel[component]).collect();
+            for run in values.chunk_by(|a, b| a == b).flat_map(|run| run.chunks(127)) {
+                match run {
+                    [one] => file.extend([1, *one]),
+                    _ => file.extend([128 + run.len() as u8, run[0]]),
+                }
+            }
+        }
+    }
+    file
+}
+
 fn hdr(map: &EnvironmentMap, path: &Path) {
-    let pixels: Vec<_> = map.texels.iter().copied().map(image::Rgb).collect();
-    image::codecs::hdr::HdrEncoder::new(fs::File::create(path).unwrap())
-        .encode(&pixels, map.width, map.height)
-        .unwrap();
+    let size = format!("-Y {} +X {}\n", map.height, map.width);
+    let header = format!("#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n{size}");
+    fs::write(path, hdr_bytes(map, &header, (8..0x8000).contains(&map.width))).unwrap();
 }
 
 pub fn pfm(map: &EnvironmentMap, path: &Path, magic: &str, order: &str, bytes: fn(f32) -> [u8; 4]) {
@@ -285,10 +336,10 @@ fn maps_without_texels_are_refused() {
 
 #[test]
 fn other_kinds_of_the_types_are_refused() {
-    let hdr = b"#?RADIANCE\nFORMAT=32-bit_rle_xyze\n\n-Y 1 +X 1\n0123";
+    let hdr = b"#?RADIANCE\nFORMAT=32-bit_rle_luv\n\n-Y 1 +X 1\n0123";
     assert_starts(&message("map.hdr", hdr), "map.hdr: it is of a kind that is not supported ");
-    let hdr = b"#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n+X 2 -Y 1\n01230123";
-    assert_starts(&message("map.hdr", hdr), "map.hdr: it is of a kind that is not supported ");
+    let hdr = b"#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n+X 2 +X 1\n01230123";
+    assert_starts(&message("map.hdr", hdr), "map.hdr: it is broken or cut short (its size is `+X ");
     let folder = TempDir::new().unwrap();
     let path = folder.path().join("map.exr");
     let samples = || FlatSamples::F32(vec![1.0; 8]);

@@ -3,21 +3,28 @@
 use crate::budget::Budget;
 use crate::error::{Error, Result, STANDARD_INPUT};
 use std::fs::File;
-use std::io::{BufReader, Read};
+use std::io::{BufRead, BufReader, Read};
 use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicBool, Ordering};
 
 /// Whether standard input has been read, which is possible once.
 static IS_TAKEN: AtomicBool = AtomicBool::new(false);
 
+/// The byte order mark that editors put before a text in UTF-8.
+pub const MARK: &[u8] = b"\xef\xbb\xbf";
+
+/// Receives a warning about the file at a path: one line, without the path.
+pub type Warn = fn(&Path, &str);
+
 /// A path with a [`Budget`]; the path `-` is standard input, which is read once and as a whole. A
-/// plain path converts to an `InputFile` with [`Budget::READING`].
-#[derive(Clone, Debug, PartialEq, Eq)]
+/// plain path converts to an `InputFile` with [`Budget::READING`], whose warnings are dropped.
+#[derive(Clone, Debug)]
 pub struct InputFile {
     path: PathBuf,
     budget: Budget,
     beside: u64,
     text: Option<String>,
+    warn: Option<Warn>,
 }
 
 /// Whether there is a file at this path, or a device or a pipe, but not a folder.
@@ -29,7 +36,22 @@ pub fn is_file(path: &Path) -> bool {
 impl InputFile {
     /// A file to be read within this budget.
     pub fn new(path: impl AsRef<Path>, budget: Budget) -> Self {
-        Self { path: path.as_ref().to_owned(), budget, beside: 0, text: None }
+        Self { path: path.as_ref().to_owned(), budget, beside: 0, text: None, warn: None }
+    }
+
+    /// The same file for a caller that wants its warnings: what a reader ignores in it, chooses
+    /// from it, or converts.
+    #[must_use]
+    pub fn with_warnings(mut self, warn: Warn) -> Self {
+        self.warn = Some(warn);
+        self
+    }
+
+    /// Passes a warning to the caller that wants it.
+    pub fn warn(&self, what: impl AsRef<str>) {
+        if let Some(warn) = self.warn {
+            warn(&self.path, what.as_ref());
+        }
     }
 
     /// A file that has already been read. Error messages name it `path`.
@@ -79,9 +101,9 @@ impl InputFile {
         self.path.parent().unwrap_or(Path::new("."))
     }
 
-    /// Another file with the same budget.
+    /// Another file with the same budget and the same receiver of warnings.
     pub fn other(&self, path: impl AsRef<Path>) -> Self {
-        Self::new(path, self.budget)
+        Self { warn: self.warn, ..Self::new(path, self.budget) }
     }
 
     /// Checks that this many bytes are within the budget.
@@ -115,6 +137,29 @@ impl InputFile {
         Ok((BufReader::new(file), length))
     }
 
+    /// Opens the file behind its byte order mark, if it begins with one, and returns its length.
+    ///
+    /// # Errors
+    ///
+    /// If the file cannot be opened or read, or is text in UTF-16.
+    pub fn open_text(&self) -> Result<(BufReader<File>, u64)> {
+        let (mut reader, length) = self.open()?;
+        let beginning = reader.fill_buf().map_err(|error| Error::io(&self.path, &error))?;
+        let mark = self.mark(beginning)?;
+        reader.consume(mark);
+        Ok((reader, length))
+    }
+
+    /// The length of the byte order mark at the beginning of a text.
+    fn mark(&self, beginning: &[u8]) -> Result<usize> {
+        if beginning.starts_with(b"\xff\xfe") || beginning.starts_with(b"\xfe\xff") {
+            return Err(
+                Error::new("it is UTF-16 text", "save it as a UTF-8 text file").in_file(&self.path)
+            );
+        }
+        Ok(if beginning.starts_with(MARK) { MARK.len() } else { 0 })
+    }
+
     /// Reads the whole file.
     ///
     /// # Errors
@@ -146,13 +191,24 @@ impl InputFile {
         Ok(bytes)
     }
 
-    /// Reads the whole file as text.
+    /// Reads the bytes of a text behind its byte order mark, if it begins with one.
+    ///
+    /// # Errors
+    ///
+    /// As [`bytes`](Self::bytes), and if it is UTF-16.
+    pub fn bytes_of_text(&self) -> Result<Vec<u8>> {
+        let mut bytes = self.bytes()?;
+        bytes.drain(..self.mark(&bytes)?);
+        Ok(bytes)
+    }
+
+    /// Reads the whole file as text, without its byte order mark.
     ///
     /// # Errors
     ///
     /// As [`bytes`](Self::bytes), and if the file is not UTF-8.
     pub fn text(&self) -> Result<String> {
-        String::from_utf8(self.bytes()?).map_err(|_| {
+        String::from_utf8(self.bytes_of_text()?).map_err(|_| {
             Error::new("it is not UTF-8 text", "save it as a UTF-8 text file").in_file(&self.path)
         })
     }

@@ -37,7 +37,7 @@ impl Sheet {
     /// a row whose length differs from the header.
     pub fn read(file: impl Into<InputFile>, columns: &str) -> Result<Self> {
         let file = file.into();
-        let text = file.bytes()?;
+        let text = file.bytes_of_text()?;
         // Drops a text that was given: the rows hold it.
         let file = file.other(file.path());
         // An upper bound, because a comma may be part of a field.
