@@ -2,15 +2,14 @@
 
 import assert from "node:assert/strict";
 import { execFileSync } from "node:child_process";
-import { cpSync, mkdtempSync, readFileSync, writeFileSync } from "node:fs";
-import { tmpdir } from "node:os";
+import { cpSync, readFileSync, rmSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
 import { after, before, test } from "node:test";
-import { fileURLToPath, pathToFileURL } from "node:url";
+import { pathToFileURL } from "node:url";
 import { parts } from "../sizes.mjs";
 import { launch, serve } from "./support/browser.js";
+import { PACKAGE, installed } from "./support/packed.js";
 
-const PACKAGE = fileURLToPath(new URL("../", import.meta.url));
 const README = readFileSync(join(PACKAGE, "README.md"), "utf8");
 
 /** The examples of README.md in a language. */
@@ -20,21 +19,21 @@ const examples = (language) =>
 let folder, browser;
 
 before(async () => {
-  folder = mkdtempSync(join(tmpdir(), "eigenshade-"));
-  const npm = (...all) => execFileSync("npm", all, { cwd: folder, encoding: "utf8" });
-  const [{ filename }] = JSON.parse(npm("pack", "--ignore-scripts", "--json", PACKAGE));
-  assert.equal(filename, "eigenshade-0.1.0.tgz");
-  npm("install", "--no-audit", "--no-fund", `./${filename}`);
+  folder = installed();
   browser = await launch();
 });
 
-after(() => browser?.close());
+after(async () => {
+  await browser?.close();
+  rmSync(folder, { recursive: true });
+});
 
 test("nothing is missing from the archive, nothing is too much", () => {
   const listed = execFileSync("tar", ["tzf", join(folder, "eigenshade-0.1.0.tgz")], { encoding: "utf8" });
   const names = listed.trim().split("\n").map((name) => name.replace(/^package\//, ""));
   for (const name of [
-    "LICENSE-APACHE", "LICENSE-MIT", "README.md", "dist/index.js", "dist/element.js", "element.d.ts", "types/index.d.ts",
+    "LICENSE-APACHE", "LICENSE-MIT", "README.md", "dist/index.js", "dist/element.js", "dist/bundled.js",
+    "index.d.ts", "dom.d.ts", "bundled.d.ts", "element.d.ts", "react.d.ts", "types/index.d.ts",
     "wasm/eigenshade.wasm", "wasm/eigenshade.simd.wasm", "wasm/eigenshade.relaxed.wasm",
     "wasm/eigenshade.sources.wasm", "wasm/eigenshade.sources.simd.wasm",
     "wasm/eigenshade.sources.relaxed.wasm", "presets/names.json", "presets/light/park.bin", "presets/sources/park.bin",
@@ -64,7 +63,7 @@ test("an error says where a part of the package is missing", () => {
   const said = execFileSync("node", ["moved/program.mjs"], { cwd: folder, encoding: "utf8" }).trim().split("\n");
   for (const [k, name] of ["presets/names.json", "wasm/eigenshade"].entries()) {
     assert.ok(said[k].startsWith(pathToFileURL(join(folder, "moved", name)).href), said[k]);
-    assert.match(said[k], /is missing from the package$/);
+    assert.match(said[k], /is missing; import "eigenshade\/bundled", or serve/);
   }
 });
 
