@@ -6,6 +6,7 @@ interface EventTarget {}
 interface HTMLCanvasElement {}
 interface OffscreenCanvas {}
 interface Response {}
+interface URL {}
 interface WebGL2RenderingContext {}
 declare namespace WebAssembly {
   interface Instance {}

@@ -131,7 +131,8 @@ export function materialCount(order) {
  */
 export class Engine {
   /** @param {WebAssembly.Instance} instance */
-  constructor({ exports }) {
+  constructor(instance) {
+    const { exports } = instance;
     const { memory } = /** @type {{ memory: WebAssembly.Memory }} */ (exports);
     /**
      * @template T

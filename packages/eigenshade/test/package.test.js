@@ -1,7 +1,7 @@
 // The packed archive, installed into an empty folder: the examples of README.md, and sizes.
 
 import assert from "node:assert/strict";
-import { execFileSync } from "node:child_process";
+import { execFileSync, spawnSync } from "node:child_process";
 import { cpSync, readFileSync, rmSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
 import { after, before, test } from "node:test";
@@ -119,10 +119,12 @@ test("the pages of README.md draw", async () => {
 });
 
 test("the declarations are those of a strict program", () => {
-  writeFileSync(join(folder, "use.mts"), `import { Preview, Scene, presetNames, sphere, type Truncation } from "eigenshade";
+  writeFileSync(join(folder, "use.mts"), `import { Preview, Scene, lightPreset, presetNames, sphere, type Truncation } from "eigenshade";
     import { EigenShade } from "eigenshade/element";
     const element: EigenShade = document.createElement("eigen-shade");
     const shown: Preview | undefined = document.querySelector("eigen-shade")?.preview;
+    element.light = await lightPreset("park");
+    element.yaw = element instanceof EigenShade ? 30 : null;
     const scene: Scene = await Scene.create({ light: "park", material: { roughness: 0.3, metallic: 1 }, sources: 4 });
     const drawn: number = scene.sources;
     const { r }: { r: Float32Array<ArrayBuffer> } = scene.turn({ yaw: 1 }).within(1e-2).shade([0], [0], [1]);
@@ -147,6 +149,36 @@ test("the declarations are those of a strict program", () => {
   const tsc = join(PACKAGE, "node_modules/.bin/tsc");
   const options = ["--noEmit", "--strict", "--target", "es2022", "--module", "nodenext", "--lib", "es2022,dom", "use.mts"];
   execFileSync(tsc, options, { cwd: folder, stdio: "pipe" });
+});
+
+test("the declarations are those of a program without a page, and of one with JSX", () => {
+  const tsc = (name, program, ...options) => {
+    writeFileSync(join(folder, name), program);
+    const all = ["--noEmit", "--strict", "--target", "es2022", "--module", "nodenext", ...options, name];
+    const { stdout } = spawnSync(join(PACKAGE, "node_modules/.bin/tsc"), all, { cwd: folder, encoding: "utf8" });
+    assert.equal(stdout, "");
+  };
+  tsc("bare.mts", `import { Scene, lightPreset, load, setAssets, sphere } from "eigenshade";
+    setAssets(new Map<string, never>().get("") ?? "https://example.org/");
+    const engine = await load(new Uint8Array(8));
+    const scene = await Scene.create({ light: await lightPreset("park"), material: { roughness: 1 }, engine });
+    export const pixels: Uint8ClampedArray = sphere(scene, 8);
+    export const text: string = scene.glsl("block", { prefix: "a_" }) + scene.wgsl({ group: 1 });`,
+  "--lib", "es2022");
+  cpSync(join(PACKAGE, "node_modules/@types/react"), join(folder, "node_modules/@types/react"), { recursive: true });
+  cpSync(join(PACKAGE, "node_modules/csstype"), join(folder, "node_modules/csstype"), { recursive: true });
+  tsc("jsx.tsx", `import type {} from "eigenshade/react";
+    import type { EigenShade } from "eigenshade/element";
+    import { createRef } from "react";
+    const ref = createRef<EigenShade>();
+    export const shown = <eigen-shade ref={ref} light={{ r: [1], g: [1], b: [1] }} material="nylon" yaw={30} sources={4} className="large"
+      tone="filmic" onload={() => ref.current?.preview?.turn({ yaw: 1 })} onerror={({ message }) => console.log(message)} />;
+    export const copper = <eigen-shade base-color="#b87333" metallic={1} exposure="auto" />;
+    // @ts-expect-error: React calls this for its own elements alone
+    export const silent = <eigen-shade onLoad={() => {}} />;
+    // @ts-expect-error: there is no such curve
+    export const wrong = <eigen-shade tone="aces" />;`,
+  "--lib", "es2022,dom", "--jsx", "react-jsx", "--types", "react");
 });
 
 test("README.md states the sizes", () => {

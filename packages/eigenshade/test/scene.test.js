@@ -296,7 +296,8 @@ test("presets are copies", async () => {
   for (const [load, name] of [[lightPreset, "park"], [materialPreset, "gold-metallic-paint"]]) {
     const one = await load(name);
     const before = structuredClone(one);
-    for (const numbers of Object.values(one)) numbers.fill(7);
+    assert.equal(one.name, name);
+    for (const numbers of [one.r, one.g, one.b, one.gloss ?? []]) numbers.fill(7);
     assert.deepEqual(await load(name), before);
   }
 });
@@ -304,7 +305,7 @@ test("presets are copies", async () => {
 test("the element's module can be imported, and a preview says that it needs a page", async () => {
   assert.ok((await import("../src/element.js")).EigenShade);
   for (const make of [() => Preview.create({}, { light: "park", material: "nylon" }), async () => new Preview({}, await gold())]) {
-    await assert.rejects(make, { name: "TypeError", message: "Preview: it is [object Object], expected a canvas of this page" });
+    await assert.rejects(make, { name: "TypeError", message: "Preview: it is [object Object], expected a canvas of a page" });
   }
 });
 
@@ -388,6 +389,9 @@ test("wrong input throws one clear error and changes nothing", async () => {
   fails(() => scene.components(161), "RangeError", "components: 161 is not a whole number from 0 to 160");
   fails(() => scene.eigenimage(160, [0], [0], [1]), "RangeError",
     "eigenimage: 160 is not a whole number from 0 to 159");
+  await assert.rejects(load(new TextEncoder().encode("<!doctype html>")), {
+    name: "TypeError", message: "load: this is no WebAssembly module; give one that crates/wasm/build made",
+  });
   fails(() => scene.glsl("buffer"), "RangeError",
     'glsl: "buffer" is not one of uniforms, block, texture');
   for (const prefix of ["1a", "a__b", "gl_a", "a-b", 1, null]) {
@@ -415,8 +419,18 @@ test("wrong input throws one clear error and changes nothing", async () => {
   fails(() => sphere(scene, 0), "RangeError", "sphere: the size is 0, expected a whole number from 1 to 4096");
   await assert.rejects(Scene.create({ light: "parc", material: "red-fabric2" }), {
     name: "RangeError",
-    message: /^no light is called "parc"; there are apartment, bridge, /,
+    message: 'no light is called "parc"; did you mean park?',
   });
+  for (const [kind, given, said] of [
+    ["light", "stduio", "did you mean studio?"],
+    ["light", "Park", "did you mean park?"],
+    ["light", "kitchen", "there are apartment, "],
+    ["material", "gold_metalic-paint", "did you mean gold-metallic-paint, "],
+    ["material", "nylonn", "did you mean nylon?"],
+  ]) {
+    const load = kind === "light" ? lightPreset : materialPreset;
+    await assert.rejects(load(given), ({ message }) => message.startsWith(`no ${kind} is called "${given}"; ${said}`));
+  }
   await assert.rejects(Scene.create({ light: "park", material: "../light/park" }), {
     message: /^no material is called "..\/light\/park"; /,
   });
