@@ -50,14 +50,14 @@ export function webgl(scene, storage, [x, y, z], prefix = "", beside = "") {
   return pixels;
 }
 
-function compiled(gl, text, prefix) {
+function compiled(gl, functions, prefix) {
   const program = gl.createProgram();
   for (const [kind, text] of [
     [gl.VERTEX_SHADER, `#version 300 es
       void main() { gl_Position = vec4(4.0 * float(gl_VertexID & 1) - 1.0, 2.0 * float(gl_VertexID & 2) - 1.0, 0.0, 1.0); }`],
     [gl.FRAGMENT_SHADER, `#version 300 es
       precision highp float;
-      ${text}
+      ${functions}
       uniform highp sampler2D normals;
       out vec4 color;
       void main() {
