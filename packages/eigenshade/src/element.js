@@ -12,6 +12,9 @@ const Base = /** @type {typeof HTMLElement} */ (globalThis.HTMLElement ?? Object
 /** The attributes of which a picture is made anew; the others change how it is shown. */
 const INPUTS = ["light", "material", "base-color", "metallic", "roughness", "sources"];
 
+/** The attributes in whose place an object may be given. */
+const OBJECTS = ["light", "material", "base-color"];
+
 /** The property of an attribute. */
 const property = (/** @type {string} */ attribute) => attribute.replace("-c", "C");
 
@@ -139,7 +142,7 @@ class Sphere extends Base {
    * @param {unknown} value
    */
   #give(attribute, value) {
-    if (value !== null && typeof value === "object") {
+    if (value !== null && typeof value === "object" && OBJECTS.includes(attribute)) {
       this.#objects.set(attribute, { value, number: ++this.#count });
     } else {
       this.#objects.delete(attribute);

@@ -66,7 +66,7 @@ async function inPage(run, path = "/") {
 
 test("the last preview of a canvas wins, and a signal ends one", async () => {
   const found = await inPage(async () => {
-    const { Preview, Scene, sphere } = await import("/src/index.js");
+    const { Preview, Scene } = await import("/src/index.js");
     const [canvas, other] = document.querySelectorAll("canvas");
     const said = (promise) => promise.then(() => "drawn", ({ name, message }) => `${name}: ${message}`);
     const isFreed = (preview) => {
@@ -78,9 +78,9 @@ test("the last preview of a canvas wins, and a signal ends one", async () => {
       }
     };
     const found = [];
+    const scene = await Scene.create({ light: { r: [1], g: [1], b: [1] }, material: { roughness: 1 } });
     // The first one comes later than the second: it fetches.
     const late = said(Preview.create(canvas, look));
-    const scene = await Scene.create({ light: { r: [1], g: [1], b: [1] }, material: { roughness: 1 } });
     const second = new Preview(canvas, scene);
     found.push(await late, isFreed(second));
     const third = await Preview.create(canvas, look);
@@ -270,6 +270,7 @@ test("an element's properties", async () => {
     found.push(early.baseColor, label());
     await set({ baseColor: undefined, exposure: 2 });
     found.push(early.hasAttribute("base-color"), early.exposure);
+    found.push(await set({ yaw: {} }, "error"));
     return found;
   });
   assert.deepEqual(found, [
@@ -281,6 +282,7 @@ test("an element's properties", async () => {
     "base-color is beside material; leave out one of them",
     "#ff0000", "A sphere of a glTF material under the light lobby",
     false, 2,
+    'yaw="[object Object]" is not a number',
   ]);
 });
 
