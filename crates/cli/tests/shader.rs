@@ -3,8 +3,8 @@
 
 use crate::interpreter::Function;
 use crate::support::{
-    Folder, assert_fails, assert_near, difference, numbers, of_equal_areas, rows, shipped_path,
-    shipped_scene,
+    Folder, assert_fails, assert_near, assert_usage_errors, difference, numbers, of_equal_areas,
+    rows, shipped_path, shipped_scene,
 };
 use eigenshade_testing::vectors::unit;
 use serde_json::Value;
@@ -136,4 +136,25 @@ fn several_entries_are_refused() {
     ] {
         assert_fails(&folder, &format!("shader --lang glsl --table b.bin {options}"), &[named]);
     }
+}
+
+/// The text of a scene with a prefix, and that without, differ by the prefix of each name.
+#[test]
+fn names_begin_with_a_prefix() {
+    let folder = Folder::with_table();
+    for lang in ["glsl", "glsl-block", "glsl-texture", "wgsl"] {
+        let (plain, _) = written(&folder, &format!("--lang {lang}"));
+        let (named, vectors) = written(&folder, &format!("--lang {lang} --prefix front_"));
+        assert!(!named.replace("front_irradiance", "").contains("irradiance"), "{named}");
+        assert_eq!(named.matches("front_").count(), plain.matches("igenshade").count() + 1);
+        assert_eq!(named.replace("front_", ""), plain);
+        assert!(!vectors.is_empty());
+    }
+    let (placed, _) = written(&folder, "--lang wgsl --prefix a --binding 2,3");
+    assert!(placed.contains("@group(2) @binding(3) var<uniform> aeigenshade"), "{placed}");
+    let wrong = ["--prefix a__b", "--prefix gl_a", "--prefix 1a", "--prefix a-b", "--binding 1"];
+    let wrong = wrong.map(|options| format!("shader {ONE} --lang wgsl {options}"));
+    assert_usage_errors(&folder, &wrong.each_ref().map(String::as_str));
+    let command = format!("shader {ONE} --lang glsl --binding 1,0");
+    assert_fails(&folder, &command, &["--binding is for --lang wgsl"]);
 }

@@ -1,6 +1,6 @@
 // <eigen-shade light="park" material="red-fabric2"></eigen-shade>
 
-import { parameters } from "./input.js";
+import { isChannels, parameters } from "./input.js";
 import { lightOf, materialOf } from "./presets.js";
 import { Preview, checkLook } from "./preview.js";
 import { Scene } from "./scene.js";
@@ -9,55 +9,94 @@ import { Scene } from "./scene.js";
 
 const Base = /** @type {typeof HTMLElement} */ (globalThis.HTMLElement ?? Object);
 
+/** The attributes of which a picture is made anew; the others change how it is shown. */
+const INPUTS = ["light", "material", "base-color", "metallic", "roughness", "sources"];
+
+/** The attributes in whose place an object may be given. */
+const OBJECTS = ["light", "material", "base-color"];
+
+/** The property of an attribute. */
+const property = (/** @type {string} */ attribute) => attribute.replace("-c", "C");
+
+/** @type {WeakMap<Document, CSSStyleSheet>} Of all elements of a document. */
+const sheets = new WeakMap();
+
 /** Unlike an element `style`, allowed by a page's Content-Security-Policy. */
-function sheet() {
-  const sheet = new CSSStyleSheet();
-  sheet.replaceSync(`:host { display: inline-block; width: 12em; aspect-ratio: 1; }
+function sheet(/** @type {Document} */ document) {
+  let found = sheets.get(document);
+  if (!found) {
+    found = new (document.defaultView ?? globalThis).CSSStyleSheet();
+    found.replaceSync(`:host { display: inline-block; width: 12em; aspect-ratio: 1; }
 :host([hidden]), [hidden], p:empty { display: none; }
 canvas:not([hidden]) { width: 100%; height: 100%; display: block; }`);
-  return sheet;
+    sheets.set(document, found);
+  }
+  return found;
 }
-
-/** @type {CSSStyleSheet | undefined} Of all elements. */
-let style;
 
 /**
  * A sphere of a material under a light, as an element. Attributes:
  *
  * - `light`, `material`: presets' names;
- * - `base-color`, `metallic`, `roughness`: a glTF material instead of `material`;
+ * - `base-color`, `metallic`, `roughness`: a glTF material; with `material`, an error;
  * - `sources`: the largest set of at most this many small sources of the light, for sharp
  *   highlights;
  * - `yaw`, `pitch`, `roll`: the turn of the light, in degrees;
  * - `exposure`, `tone`: from irradiance to display; `exposure` is `auto` by default, and chosen.
+ *
+ * Each is a property, too, whose name is in camel case: `element.yaw = 30` sets the attribute.
+ * `element.light = { r, g, b }` gives coefficients, and `element.material = { roughness: 0.3 }` a glTF
+ * material, until the attribute or the property is set again.
  *
  * Attributes that change together are drawn together, before an event `load` or, if the element is
  * not shown, once it is. There is no canvas before the first picture. If an attribute is wrong, the
  * picture stays: the element says why, and so does the `message` of an event `error`. Where there
  * are no elements, as in Node, this module defines none.
  */
-export class EigenShade extends Base {
-  static observedAttributes = [
-    "light", "material", "base-color", "metallic", "roughness", "sources", "yaw", "pitch", "roll", "exposure", "tone",
-  ];
+class Sphere extends Base {
+  static observedAttributes = [...INPUTS, "yaw", "pitch", "roll", "exposure", "tone"];
 
   /** @type {Preview | undefined} */
   #preview;
   #canvas;
   #message;
+  /** @type {Map<string, { value: any, number: number }>} Objects in place of attributes, numbered. */
+  #objects = new Map();
+  #count = 0;
   /** The light and the material of the preview. */
   #set = "";
   #hasSources = false;
   /** The last update that was asked for. */
   #update = 0;
 
+  static {
+    for (const attribute of this.observedAttributes) {
+      Object.defineProperty(this.prototype, property(attribute), {
+        configurable: true,
+        enumerable: true,
+        /** @this {Sphere} */
+        get() {
+          const text = this.#value(attribute);
+          return typeof text !== "string" || text.trim() === "" || Number.isNaN(Number(text)) ? text : Number(text);
+        },
+        /** @this {Sphere} */
+        set(value) {
+          this.#give(attribute, value);
+        },
+      });
+    }
+  }
+
   constructor() {
     super();
     const root = this.attachShadow({ mode: "open" });
-    root.innerHTML = `<canvas role="img" hidden></canvas><p role="alert"></p>`;
-    root.adoptedStyleSheets = [(style ??= sheet())];
-    this.#canvas = /** @type {HTMLCanvasElement} */ (root.querySelector("canvas"));
-    this.#message = /** @type {HTMLElement} */ (root.querySelector("p"));
+    // Not as a text, which a page may forbid.
+    this.#canvas = this.ownerDocument.createElement("canvas");
+    this.#canvas.setAttribute("role", "img");
+    this.#canvas.hidden = true;
+    this.#message = this.ownerDocument.createElement("p");
+    this.#message.setAttribute("role", "alert");
+    root.append(this.#canvas, this.#message);
   }
 
   /** The preview, once it is drawn. */
@@ -66,6 +105,16 @@ export class EigenShade extends Base {
   }
 
   connectedCallback() {
+    // Another document takes no sheet of the one before.
+    /** @type {ShadowRoot} */ (this.shadowRoot).adoptedStyleSheets = [sheet(this.ownerDocument)];
+    // Properties that were set before the element was defined.
+    for (const name of Sphere.observedAttributes.map(property)) {
+      const element = /** @type {any} */ (this);
+      if (!Object.hasOwn(element, name)) continue;
+      const value = element[name];
+      delete element[name];
+      element[name] = value;
+    }
     this.#changed();
   }
 
@@ -74,7 +123,32 @@ export class EigenShade extends Base {
     this.#free();
   }
 
-  attributeChangedCallback() {
+  /** @param {string} name */
+  attributeChangedCallback(name) {
+    this.#objects.delete(name);
+    if (this.isConnected) this.#changed();
+  }
+
+  /**
+   * @param {string} attribute
+   * @returns {any}
+   */
+  #value(attribute) {
+    return this.#objects.get(attribute)?.value ?? this.getAttribute(attribute);
+  }
+
+  /**
+   * @param {string} attribute
+   * @param {unknown} value
+   */
+  #give(attribute, value) {
+    if (value !== null && typeof value === "object" && OBJECTS.includes(attribute)) {
+      this.#objects.set(attribute, { value, number: ++this.#count });
+    } else {
+      this.#objects.delete(attribute);
+      if (value === null || value === undefined) this.removeAttribute(attribute);
+      else this.setAttribute(attribute, String(value));
+    }
     if (this.isConnected) this.#changed();
   }
 
@@ -84,10 +158,11 @@ export class EigenShade extends Base {
     await undefined;
     if (update !== this.#update) return;
     try {
-      const { light, material, sources, look, turn, label } = this.#read();
-      const set = JSON.stringify([light, material, sources]);
+      const { light, material, sources, look, turn } = this.#read();
+      const set = JSON.stringify(INPUTS.map((name) => this.#objects.get(name)?.number ?? this.#value(name)));
+      const hasSources = sources > 0 || Boolean(light.sources?.length);
       // Sources need another module.
-      if (this.#preview && this.#hasSources === sources > 0) {
+      if (this.#preview && this.#hasSources === hasSources) {
         // The same inputs again would choose another exposure.
         if (set !== this.#set) {
           // All that can fail comes before what is set.
@@ -103,12 +178,11 @@ export class EigenShade extends Base {
         // A canvas that is not shown is not drawn, and one without a picture has no name.
         this.#canvas.hidden = false;
         this.#preview = new Preview(this.#canvas, scene, look, sources);
-        this.#hasSources = sources > 0;
+        this.#hasSources = hasSources;
       }
       this.#set = set;
       if (update !== this.#update) return;
       this.#preview.look(look).turn(turn).draw();
-      this.#canvas.setAttribute("aria-label", label);
       this.#message.textContent = "";
       this.dispatchEvent(new Event("load"));
     } catch (fault) {
@@ -124,7 +198,7 @@ export class EigenShade extends Base {
     this.#preview = undefined;
   }
 
-  /** What the attributes say. */
+  /** What the attributes and properties say. */
   #read() {
     const number = (/** @type {string} */ name, /** @type {number} */ otherwise) => {
       const text = this.getAttribute(name);
@@ -133,15 +207,18 @@ export class EigenShade extends Base {
       if (!Number.isFinite(value)) throw new RangeError(`${name}="${text}" is not a number`);
       return value;
     };
-    const light = this.getAttribute("light") ?? "park";
-    const name = this.getAttribute("material");
-    /** @type {string | MetallicRoughness} */
-    const material = name ?? {
-      baseColor: this.getAttribute("base-color") ?? "#ffffff",
+    const given = this.#value("material");
+    const beside = ["base-color", "metallic", "roughness"].find((name) => this.#value(name) !== null);
+    if (given !== null && beside) {
+      throw new TypeError(`${beside} is beside material; leave out one of them`);
+    }
+    /** @type {string | import("./input.js").Channels | MetallicRoughness} */
+    const material = given ?? {
+      baseColor: this.#value("base-color") ?? "#ffffff",
       metallic: number("metallic", 0),
       roughness: number("roughness", 0.5),
     };
-    if (typeof material !== "string") parameters(material);
+    if (typeof material !== "string" && !isChannels(material)) parameters(material);
     const exposure = this.getAttribute("exposure")?.trim() ?? "auto";
     /** @type {import("./preview.js").Look} */
     const look = {
@@ -153,14 +230,17 @@ export class EigenShade extends Base {
       (angle) => (number(angle, 0) * Math.PI) / 180,
     );
     return {
-      light,
+      light: this.#value("light") ?? "park",
       material,
       sources: number("sources", 0),
       look,
       turn: { yaw, pitch, roll },
-      label: `A sphere of ${name ?? "a glTF material"} under the light ${light}`,
     };
   }
 }
 
-globalThis.customElements?.define("eigen-shade", EigenShade);
+const registered = globalThis.customElements?.get("eigen-shade");
+if (!registered) globalThis.customElements?.define("eigen-shade", Sphere);
+
+/** The class of the page's elements: that of another copy of this package, if it came first. */
+export const EigenShade = /** @type {typeof Sphere} */ (registered ?? Sphere);

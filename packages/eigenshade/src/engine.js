@@ -1,6 +1,6 @@
 // The WebAssembly module: one instance serves all scenes of a page.
 
-import { required } from "./assets.js";
+import { misplaced, required } from "./assets.js";
 
 const HEAD = [0, 97, 115, 109, 1, 0, 0, 0, 1, 5, 1, 96, 0, 1, 123, 3, 2, 1, 0, 10];
 const ZERO = [65, 0, 253, 15];
@@ -26,7 +26,10 @@ export function engine(sources) {
   const name = sources || shared.has(larger) ? larger : `wasm/eigenshade${variant}.wasm`;
   let found = shared.get(name);
   if (!found) {
-    found = required(name).then(load);
+    found = required(name).then((bytes) => {
+      if (!isModule(bytes)) throw misplaced(name, "is no WebAssembly module");
+      return load(bytes);
+    });
     shared.set(name, found);
     // A failed download may be tried again.
     found.catch(() => shared.delete(name));
@@ -35,19 +38,36 @@ export function engine(sources) {
 }
 
 /**
+ * Whether bytes start as a WebAssembly module does. Servers answer an address that they do not know
+ * with a page.
+ *
+ * @param {unknown} bytes
+ */
+function isModule(bytes) {
+  const { buffer, byteOffset, byteLength } = ArrayBuffer.isView(bytes)
+    ? bytes
+    : new Uint8Array(/** @type {ArrayBuffer} */ (bytes));
+  return byteLength > 4 && new DataView(buffer, byteOffset).getUint32(0) === 0x0061736d;
+}
+
+/**
  * An engine with a table of your own: a module `color`, `color-series` or
  * `color-sources` that `crates/wasm/build` made.
  *
- * @param {BufferSource | Response | Promise<Response>} source the module's bytes, such as `fetch(url)`
+ * @param {ArrayBuffer | ArrayBufferView | Response | Promise<Response>} source the module's bytes, such
+ *   as `fetch(url)`
  * @returns {Promise<Engine>} for the option `engine` of `Scene.create` and `Preview.create`
  * @throws {Error} if it cannot be fetched, or is no such module
  */
 export async function load(source) {
   const given = await source;
-  let bytes = given;
+  let [bytes, name] = [given, "this"];
   if (typeof Response !== "undefined" && given instanceof Response) {
     if (!given.ok) throw new Error(`${given.url}: ${given.status} ${given.statusText}`);
-    bytes = await given.arrayBuffer();
+    [bytes, name] = [await given.arrayBuffer(), given.url || name];
+  }
+  if (!isModule(bytes)) {
+    throw new TypeError(`load: ${name} is no WebAssembly module; give one that crates/wasm/build made`);
   }
   const { instance } = await WebAssembly.instantiate(/** @type {BufferSource} */ (bytes));
   if (!("color_shade" in instance.exports)) {
@@ -111,7 +131,8 @@ export function materialCount(order) {
  */
 export class Engine {
   /** @param {WebAssembly.Instance} instance */
-  constructor({ exports }) {
+  constructor(instance) {
+    const { exports } = instance;
     const { memory } = /** @type {{ memory: WebAssembly.Memory }} */ (exports);
     /**
      * @template T
@@ -244,6 +265,11 @@ export class Engine {
       throw new RangeError("light: its sources are not as Channels describes them");
     }
     return this.light.slice();
+  }
+
+  /** As that of `Scene`. */
+  get [Symbol.toStringTag]() {
+    return "Engine";
   }
 
   /** Makes the scene one eigenimage. */

@@ -1,5 +1,6 @@
 // eigenshade: measured materials under captured light in a web page.
 
+export { setAssets } from "./assets.js";
 export { load } from "./engine.js";
 export { Preview } from "./preview.js";
 export { sphere } from "./renderer.js";
@@ -10,6 +11,7 @@ export { Scene } from "./scene.js";
 /**
  * Types of options and results.
  *
+ * @typedef {import("./assets.js").Assets} Assets
  * @typedef {import("./engine.js").Engine} Engine
  * @typedef {import("./input.js").Channels} Channels
  * @typedef {import("./preview.js").Look} Look
@@ -17,7 +19,7 @@ export { Scene } from "./scene.js";
  * @typedef {import("./input.js").Inputs} Inputs
  * @typedef {import("./input.js").MetallicRoughness} MetallicRoughness
  * @typedef {import("./input.js").Numbers} Numbers
- * @typedef {import("./input.js").Storage} Storage
+ * @typedef {import("./shader.js").Storage} Storage
  * @typedef {import("./input.js").Tone} Tone
  * @typedef {import("./engine.js").Truncation} Truncation
  * @typedef {import("./input.js").Turn} Turn

@@ -1,5 +1,7 @@
 // What a user gives: names of choices, and checks that throw one clear error.
 
+import { unlike } from "./suggest.js";
+
 /**
  * An array, maybe a typed one.
  *
@@ -20,6 +22,7 @@
  * @property {Numbers} b
  * @property {Numbers | null} [sources]
  * @property {Numbers | null} [gloss]
+ * @property {string} [name] what a picture's label calls it
  */
 
 /**
@@ -36,6 +39,8 @@
  * @property {string | Channels | MetallicRoughness} material
  * @property {number} [sources] 0 by default
  * @property {import("./engine.js").Engine} [engine]
+ * @property {import("./assets.js").Assets} [assets] where the package's files are, for the whole
+ *   page, as {@link setAssets}
  */
 
 /**
@@ -65,15 +70,6 @@
 export const EFFECTS = Object.freeze(/** @type {const} */ (["ambient", "diffuse", "broad", "gloss"]));
 
 /** @typedef {typeof EFFECTS[number]} Effect */
-
-/**
- * Where a GLSL function finds the coefficients, in the module's order before WGSL: a uniform array, of
- * which WebGL 2 promises 224 vectors (all terms are 194, and sources take one and four each), a uniform
- * block `Eigenshade` for up to 1,024, or a float texture of one row.
- */
-export const STORAGES = Object.freeze(/** @type {const} */ (["uniforms", "block", "texture"]));
-
-/** @typedef {typeof STORAGES[number]} Storage */
 
 /** The tone curves, in the module's order. */
 export const TONES = Object.freeze(/** @type {const} */ (["linear", "reinhard", "filmic"]));
@@ -144,8 +140,9 @@ export function refuse(what, given, expected) {
  */
 export function checkNames(what, given, known, expected = `{ ${known} }`) {
   if (!isRecord(given)) refuse(what, given, expected);
-  const unknown = Object.keys(given).find((name) => !known.split(", ").includes(name));
-  if (unknown !== undefined) throw new TypeError(`${what}: "${unknown}" is not one of ${known}`);
+  const names = known.split(", ");
+  const unknown = Object.keys(given).find((name) => !names.includes(name));
+  if (unknown !== undefined) throw new TypeError(`${what}: "${unknown}" ${unlike(unknown, names)}`);
 }
 
 /**
@@ -393,6 +390,6 @@ export const toneNumber = (what, tone) => nameOf(what, tone, TONES);
  */
 export function nameOf(what, name, names) {
   const place = names.indexOf(name);
-  if (place < 0) throw new RangeError(`${what}: ${shown(name)} is not one of ${names.join(", ")}`);
+  if (place < 0) throw new RangeError(`${what}: ${shown(name)} ${unlike(String(name), names)}`);
   return place;
 }

@@ -1,7 +1,8 @@
 // The shipped lights and materials, each a file of its own that is fetched by name.
 
-import { asset, required } from "./assets.js";
+import { asset, misplaced, required } from "./assets.js";
 import { checkNames, checkSources } from "./input.js";
+import { near } from "./suggest.js";
 
 /** @typedef {import("./input.js").Channels} Channels */
 /** @typedef {import("./input.js").MetallicRoughness} MetallicRoughness */
@@ -47,6 +48,7 @@ export async function lightPreset(name, options = {}) {
   const path = `presets/sources/${name}.bin`;
   const rows = await once(path, async () => {
     const bytes = await required(path);
+    if (bytes.byteLength % 44) throw misplaced(path, `is no preset: it has ${bytes.byteLength} bytes`);
     // Eleven numbers for each source: the size of its set, and those of `Channels`.
     return Array.from({ length: bytes.byteLength / 44 }, (_, k) => new Float32Array(bytes, 44 * k, 11));
   });
@@ -86,7 +88,13 @@ export const materialOf = (material) =>
  * @returns {Promise<{ light: string[], material: string[] }>}
  */
 export async function presetNames() {
-  return JSON.parse(new TextDecoder().decode(await required("presets/names.json")));
+  const path = "presets/names.json";
+  const text = new TextDecoder().decode(await required(path));
+  try {
+    return JSON.parse(text);
+  } catch {
+    throw misplaced(path, "is no list of presets");
+  }
 }
 
 /**
@@ -103,7 +111,7 @@ async function preset(kind, name) {
     numbers.slice(channel * count, (channel + 1) * count),
   );
   const gloss = numbers.slice(3 * count);
-  return gloss.length ? { r, g, b, gloss } : { r, g, b };
+  return gloss.length ? { r, g, b, gloss, name } : { r, g, b, name };
 }
 
 /**
@@ -114,13 +122,15 @@ async function preset(kind, name) {
  */
 async function read(kind, name, path, count) {
   const bytes = /^[a-z0-9-]+$/.test(name) ? await asset(path) : undefined;
-  if (!bytes) throw await unknown(kind, name);
-  const gloss = bytes.byteLength - 12 * count;
-  if (gloss !== 0 && (gloss !== 40 || kind === "light")) {
-    throw new Error(`${path} is no preset: it has ${bytes.byteLength} bytes`);
+  const gloss = bytes ? bytes.byteLength - 12 * count : NaN;
+  if (bytes && (gloss === 0 || (gloss === 40 && kind === "material"))) {
+    // Little-endian, as every machine that runs WebAssembly in a browser is.
+    return new Float32Array(bytes);
   }
-  // Little-endian, as every machine that runs WebAssembly in a browser is.
-  return new Float32Array(bytes);
+  // Servers answer an address that they do not know with a page, too.
+  const names = (await presetNames())[kind];
+  if (!names.includes(name)) throw unknown(kind, String(name), names);
+  throw misplaced(path, bytes ? `is no preset: it has ${bytes.byteLength} bytes` : "is missing");
 }
 
 /**
@@ -128,13 +138,15 @@ async function read(kind, name, path, count) {
  *
  * @param {"light" | "material"} kind
  * @param {string} name
+ * @param {string[]} names
  */
-async function unknown(kind, name) {
-  const names = (await presetNames())[kind];
-  const parts = String(name).toLowerCase().split(/[^a-z0-9]+/).filter(Boolean);
+function unknown(kind, name, names) {
+  const parts = name.toLowerCase().split(/[^a-z0-9]+/).filter(Boolean);
   const score = (/** @type {string} */ other) =>
     parts.filter((part) => other.split("-").some((word) => word.startsWith(part))).length;
-  const near = names.filter((other) => score(other) > 0).sort((a, b) => score(b) - score(a)).slice(0, 3);
-  const offered = near.length ? `did you mean ${near.join(", ")}?` : `there are ${names.join(", ")}`;
-  return new RangeError(`no ${kind} is called "${name}"; ${offered}`);
+  const alike = names.filter((other) => score(other) > 0).sort((a, b) => score(b) - score(a));
+  const slips = near(name, names);
+  const offered = (slips.length ? slips : alike).slice(0, 3).join(", ");
+  const hint = offered ? `did you mean ${offered}?` : `there are ${names.join(", ")}`;
+  return new RangeError(`no ${kind} is called "${name}"; ${hint}`);
 }

@@ -1,6 +1,6 @@
 // A canvas that shows a sphere of a material under a light.
 
-import { checkExposure, checkNames, checkSources, refuse, toneNumber } from "./input.js";
+import { checkExposure, checkNames, checkSources, refuse, shown, toneNumber } from "./input.js";
 import { lightOf, materialOf } from "./presets.js";
 import { renderer, sphere } from "./renderer.js";
 import { Scene } from "./scene.js";
@@ -19,8 +19,14 @@ import { Scene } from "./scene.js";
 /** Most pixels of a side. */
 const LARGEST = 4096;
 
-/** The canvases of previews. */
-const taken = new WeakSet();
+/** Number of previews that were asked for. */
+let asked = 0;
+
+/** @type {WeakMap<HTMLCanvasElement, { number: number, preview?: Preview }>} The last one of a canvas. */
+const owners = new WeakMap();
+
+/** @type {WeakMap<HTMLCanvasElement, string>} The labels of canvases that are not the page's own. */
+const labels = new WeakMap();
 
 /**
  * A sphere on a canvas. It is drawn anew in the next frame after a change, as large as the canvas is
@@ -41,41 +47,54 @@ export class Preview {
   #asking;
   /** The exposure of the picture, if it is chosen; it lasts until the light or the material changes. */
   #chosen = 0;
-  #frame = 0;
-  #freed = false;
+  /** @type {Window | undefined} Whose next frame draws. */
+  #frame;
+  /** Its signal ends what listens. */
+  #end = new AbortController();
   /** Numbers of the inputs that were asked for, and of those that were set: the last one wins. */
   #asked = { light: 0, material: 0 };
   #set = { light: 0, material: 0 };
-  #resized;
-  #restored = () => this.#changed();
-  /** @type {MediaQueryList | undefined} */
-  #density;
   /** Draws for this density of the screen, and again once a zoom or another screen changes it. */
   #denser = () => {
-    this.#density = matchMedia(`(resolution: ${devicePixelRatio}dppx)`);
-    this.#density.addEventListener("change", this.#denser, { once: true });
+    const view = this.#view;
+    const query = view.matchMedia(`(resolution: ${view.devicePixelRatio}dppx)`);
+    query.addEventListener("change", this.#denser, { once: true, signal: this.#end.signal });
     this.#changed();
   };
 
   /**
-   * A preview, after its light and material are loaded.
+   * A preview, after its light and material are loaded. It frees an earlier one of the canvas.
    *
    * @param {HTMLCanvasElement} canvas
-   * @param {import("./input.js").Inputs & Look} options
+   * @param {import("./input.js").Inputs & Look & { signal?: AbortSignal }} options the signal, once it
+   *   is aborted, keeps the preview from being made or frees it
    * @returns {Promise<Preview>}
    * @throws {TypeError | RangeError} for a canvas, a light, a material or a look that is none
-   * @throws {Error} if the canvas has a preview that is not freed
+   * @throws {DOMException} `AbortError` if a later preview has the canvas by then; the reason of the
+   *   signal
    */
   static async create(canvas, options) {
     checkCanvas(canvas);
-    checkNames("Preview", options, "light, material, sources, engine, exposure, tone");
-    const { exposure, tone, ...inputs } = options;
+    checkNames("Preview", options, "light, material, sources, engine, assets, exposure, tone, signal");
+    const { exposure, tone, signal, ...inputs } = options;
     const look = { exposure, tone };
     checkLook("Preview", look);
-    return new Preview(canvas, await Scene.create(inputs), look, inputs.sources);
+    signal?.throwIfAborted();
+    const number = ++asked;
+    const scene = await Scene.create(inputs);
+    signal?.throwIfAborted();
+    if ((owners.get(canvas)?.number ?? 0) > number) {
+      throw new DOMException("Preview: a later preview has the canvas", "AbortError");
+    }
+    const preview = new Preview(canvas, scene, look, inputs.sources);
+    owners.set(canvas, { number, preview });
+    signal?.addEventListener("abort", () => preview.free(), { once: true, signal: preview.#end.signal });
+    return preview;
   }
 
   /**
+   * A preview of a scene. It frees an earlier one of the canvas.
+   *
    * @param {HTMLCanvasElement} canvas
    * @param {Scene} scene
    * @param {Look} [look]
@@ -85,19 +104,27 @@ export class Preview {
     checkCanvas(canvas);
     if (!(scene instanceof Scene)) refuse("Preview", scene, "a Scene");
     checkSources(sources);
-    if (taken.has(canvas)) throw new Error("Preview: the canvas has a preview; free it first");
     const context = canvas.getContext("2d");
     if (!context) throw new TypeError("Preview: the canvas already has a context of another kind");
     this.#canvas = canvas;
     this.#context = context;
     this.#scene = scene;
     this.#sources = sources;
-    this.#resized = new ResizeObserver(() => this.#changed());
     this.#setLook("Preview", look).draw();
-    taken.add(canvas);
+    owners.get(canvas)?.preview?.free();
+    owners.set(canvas, { number: ++asked, preview: this });
+    if (!canvas.hasAttribute("role")) canvas.setAttribute("role", "img");
     this.#denser();
-    this.#resized.observe(canvas);
-    renderer()?.restored.addEventListener("restored", this.#restored);
+    const { signal } = this.#end;
+    const resized = new this.#view.ResizeObserver(() => this.#changed());
+    resized.observe(canvas);
+    signal.addEventListener("abort", () => resized.disconnect());
+    renderer()?.restored.addEventListener("restored", () => this.#changed(), { signal });
+  }
+
+  /** As that of `Scene`. */
+  get [Symbol.toStringTag]() {
+    return "Preview";
   }
 
   /** The scene, which also writes shaders and shades normals. Call {@link draw} after changing it. */
@@ -172,8 +199,8 @@ export class Preview {
   /** Draws now instead of in the next frame. A canvas that is not shown is drawn once it is. */
   draw() {
     this.#alive();
-    cancelAnimationFrame(this.#frame);
-    this.#frame = 0;
+    this.#frame = undefined;
+    this.#describe();
     const [width, height] = this.#resize();
     if (!width) return this;
     const size = Math.min(width, height);
@@ -193,13 +220,29 @@ export class Preview {
 
   /** Ends the preview; the canvas keeps its picture. Later calls throw an `Error`. */
   free() {
-    // A canvas that was freed may have another preview by now.
-    if (!this.#freed) taken.delete(this.#canvas);
-    this.#freed = true;
-    cancelAnimationFrame(this.#frame);
-    this.#resized.disconnect();
-    this.#density?.removeEventListener("change", this.#denser);
-    renderer()?.restored.removeEventListener("restored", this.#restored);
+    if (this.#freed) return;
+    this.#end.abort();
+    const owner = owners.get(this.#canvas);
+    if (owner?.preview === this) owner.preview = undefined;
+  }
+
+  get #freed() {
+    return this.#end.signal.aborted;
+  }
+
+  /** The window of the canvas, which may be another one than that of this script. */
+  get #view() {
+    return /** @type {Window & typeof globalThis} */ (this.#canvas.ownerDocument.defaultView ?? globalThis);
+  }
+
+  /** Labels the canvas, unless the page does. */
+  #describe() {
+    const canvas = this.#canvas;
+    const { label } = this.#scene;
+    const isOurs = (canvas.getAttribute("aria-label") ?? undefined) === labels.get(canvas);
+    if (!isOurs || canvas.hasAttribute("aria-labelledby")) return;
+    labels.set(canvas, label);
+    canvas.setAttribute("aria-label", label);
   }
 
   /**
@@ -211,14 +254,15 @@ export class Preview {
   #resize() {
     const canvas = this.#canvas;
     const { clientWidth, clientHeight } = canvas;
-    const style = getComputedStyle(canvas);
+    const view = this.#view;
+    const style = view.getComputedStyle(canvas);
     const { width: across, height: down } = style;
     const inside = [
       clientWidth - parseFloat(style.paddingLeft) - parseFloat(style.paddingRight),
       clientHeight - parseFloat(style.paddingTop) - parseFloat(style.paddingBottom),
     ];
     if (!inside.every((length) => length > 0)) return [0, 0];
-    const ratio = Math.min(devicePixelRatio, LARGEST / Math.max(...inside));
+    const ratio = Math.min(view.devicePixelRatio, LARGEST / Math.max(...inside));
     const [width, height] = inside.map((length) => Math.max(1, Math.round(ratio * length)));
     if (canvas.width !== width || canvas.height !== height) {
       [canvas.width, canvas.height] = [width, height];
@@ -260,7 +304,12 @@ export class Preview {
   }
 
   #changed() {
-    if (!this.#freed) this.#frame ||= requestAnimationFrame(() => this.draw());
+    const view = this.#view;
+    if (this.#freed || this.#frame === view) return this;
+    this.#frame = view;
+    view.requestAnimationFrame(() => {
+      if (!this.#freed && this.#frame === view) this.draw();
+    });
     return this;
   }
 
@@ -271,9 +320,8 @@ export class Preview {
 
 /** @param {HTMLCanvasElement} canvas */
 function checkCanvas(canvas) {
-  if (!(globalThis.HTMLCanvasElement && canvas instanceof HTMLCanvasElement)) {
-    refuse("Preview", canvas, "a canvas of this page");
-  }
+  // Another document has a class of its own for its canvases.
+  if (shown(canvas) !== "[object HTMLCanvasElement]") refuse("Preview", canvas, "a canvas of a page");
 }
 
 /**

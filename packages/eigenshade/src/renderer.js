@@ -34,10 +34,25 @@ color=clamp(r*(1.-sqrt(q))+.5,0.,1.)*vec4(code(e.r),code(e.g),code(e.b),1);}`;
 /** Programs that are kept; scenes of other shapes are compiled anew. */
 const KEPT = 16;
 
+/** A picture in less than these milliseconds is fast enough. */
+const FAST = 8;
+
+/** Pixels across of the least picture whose time says which way is faster. */
+const TIMED = 100;
+
+/** Milliseconds that something takes. */
+const time = (/** @type {() => void} */ what) => {
+  const start = performance.now();
+  what();
+  return performance.now() - start;
+};
+
 /** The shared context. */
 class Shared {
   #canvas;
   #gl;
+  /** @type {boolean | undefined} Whether the CPU is faster; unknown before a picture was timed. */
+  #isSlow;
   /** The array of a scene: a block, which takes larger tables than uniforms do. */
   #array;
   #programs;
@@ -79,10 +94,46 @@ class Shared {
    * @param {Scene} scene
    * @param {number} size
    * @param {{ exposure: number, tone: Tone }} look
-   * @returns {OffscreenCanvas | undefined} `undefined` if the context is lost, or the scene has more
-   *   terms than a uniform block holds
+   * @returns {OffscreenCanvas | undefined} `undefined` if the context is lost, the scene has more
+   *   terms than a uniform block holds, or the CPU is faster, as it is where WebGL is software
    */
-  draw(scene, size, { exposure, tone }) {
+  draw(scene, size, look) {
+    if (this.#isSlow) return undefined;
+    const drawn = this.#draw(scene, size, look);
+    if (drawn && this.#isSlow === undefined && size >= TIMED) {
+      this.#isSlow = this.#isSlower(scene, size, look);
+      if (this.#isSlow) return undefined;
+    }
+    return drawn;
+  }
+
+  /**
+   * Whether the CPU draws a picture faster, whose program is compiled.
+   *
+   * @param {Scene} scene
+   * @param {number} size
+   * @param {{ exposure: number, tone: Tone }} look
+   */
+  #isSlower(scene, size, look) {
+    const gl = this.#gl;
+    let least = Infinity;
+    for (let k = 0; k < 3 && least > FAST; k++) {
+      const taken = time(() => {
+        this.#draw(scene, size, look);
+        // Waits until it is drawn.
+        gl.readPixels(0, 0, 1, 1, gl.RGBA, gl.UNSIGNED_BYTE, new Uint8Array(4));
+      });
+      least = Math.min(least, taken);
+    }
+    return least > FAST && time(() => sphere(scene, size, look)) < least;
+  }
+
+  /**
+   * @param {Scene} scene
+   * @param {number} size
+   * @param {{ exposure: number, tone: Tone }} look
+   */
+  #draw(scene, size, { exposure, tone }) {
     const gl = this.#gl;
     const array = scene.uniforms();
     if (array.byteLength > gl.getParameter(gl.MAX_UNIFORM_BLOCK_SIZE)) return undefined;

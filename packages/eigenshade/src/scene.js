@@ -2,12 +2,13 @@
 
 import { Engine, engine as shared, lightCount, materialCount } from "./engine.js";
 import {
-  EFFECTS, STORAGES, checkExposure, checkNames, checkNormals, checkSources, checkTolerance,
-  checkWhole, effectBits, glossOf, isChannels, nameOf, parameters, put, quaternion, refuse,
-  sourcesOf, toneNumber,
+  EFFECTS, checkExposure, checkNames, checkNormals, checkSources, checkTolerance, checkWhole,
+  effectBits, glossOf, isChannels, parameters, put, quaternion, refuse, sourcesOf, toneNumber,
 } from "./input.js";
+import { setAssets } from "./assets.js";
 import { exposureOf } from "./exposure.js";
 import { lightOf, materialOf } from "./presets.js";
+import { glsl, wgsl } from "./shader.js";
 
 /** @typedef {import("./engine.js").Truncation} Truncation */
 /** @typedef {import("./input.js").Effect} Effect */
@@ -57,6 +58,12 @@ export class Scene {
   #state = {};
   /** The material as it is now. */
   #transfer = {};
+  #texts = (/** @type {number} */ language) => {
+    this.#ready();
+    return this.#engine.shader(language);
+  };
+  /** What the light and the material are called. */
+  #names = { light: "a light", material: "a material" };
 
   /**
    * A scene, with lights and materials of the package by name.
@@ -67,9 +74,10 @@ export class Scene {
    *   {@link Scene#material}
    */
   static async create(inputs) {
-    checkNames("Scene", inputs, "light, material, sources, engine");
-    const { light, material, sources = 0, engine } = inputs;
+    checkNames("Scene", inputs, "light, material, sources, engine, assets");
+    const { light, material, sources = 0, engine, assets } = inputs;
     checkSources(sources);
+    if (assets !== undefined) setAssets(assets);
     if (light instanceof Promise) refuse("light", light, "{ r, g, b } or a name");
     const own = typeof light === "object" && light?.sources?.length;
     const hasSources = sources > 0 || Boolean(own);
@@ -96,6 +104,16 @@ export class Scene {
     this.#material = new Float32Array(engine.material.length);
     this.light(light);
     this.material(material);
+  }
+
+  /** Not `Object`: libraries that watch objects, such as Vue, would wrap it, which has private fields. */
+  get [Symbol.toStringTag]() {
+    return "Scene";
+  }
+
+  /** What a picture of this scene shows, for those who do not see it. */
+  get label() {
+    return `A sphere of ${this.#names.material} under ${this.#names.light}`;
   }
 
   /** Largest degree of a light. */
@@ -126,6 +144,7 @@ export class Scene {
     this.#rest = this.#engine.without(numbers, sources);
     this.#light = numbers;
     this.#sources = sources;
+    this.#names.light = light.name ? `the light ${light.name}` : "a light";
     this.#changed();
     return this;
   }
@@ -143,6 +162,7 @@ export class Scene {
       const gloss = glossOf(material);
       put("material", material, this.#material, materialCount, this.#engine.order);
       this.#gloss = gloss;
+      this.#names.material = material.name ?? "a material";
     } else {
       const given = parameters(material);
       this.#engine.parameters.set(given);
@@ -151,6 +171,7 @@ export class Scene {
       }
       this.#material.set(this.#engine.material);
       this.#gloss = this.#engine.glossOf(given);
+      this.#names.material = "a glTF material";
     }
     this.#transfer = {};
     this.#changed();
@@ -276,24 +297,28 @@ export class Scene {
    * reads, to be filled with {@link uniforms}. The text stays the same as long as no term comes or
    * goes, so that a new light or material is an upload. Sources are a loop over their number.
    *
-   * @param {import("./input.js").Storage} [storage]
+   * @param {import("./shader.js").Storage} [storage]
+   * @param {{ prefix?: string }} [options] what the names of the function, the array and the block
+   *   begin with, such as `"front_"`; nothing by default
    * @returns {string}
+   * @throws {TypeError | RangeError} for another storage, or a prefix that begins no name of GLSL
    */
-  glsl(storage = "uniforms") {
-    const language = nameOf("glsl", storage, STORAGES);
-    this.#ready();
-    return this.#engine.shader(language);
+  glsl(storage = "uniforms", options = {}) {
+    return glsl(this.#texts, storage, options);
   }
 
   /**
    * The function `fn irradiance(normal: vec3f) -> vec3f` in WGSL. It reads a uniform buffer with
-   * {@link uniforms} at group 0, binding 0.
+   * {@link uniforms}.
    *
+   * @param {{ prefix?: string, group?: number, binding?: number }} [options] what the names of the
+   *   function and the buffer begin with, nothing by default; and the buffer's group and binding, both
+   *   0 by default
    * @returns {string}
+   * @throws {TypeError | RangeError} for a prefix that begins no name of WGSL, or other numbers
    */
-  wgsl() {
-    this.#ready();
-    return this.#engine.shader(STORAGES.length);
+  wgsl(options = {}) {
+    return wgsl(this.#texts, options);
   }
 
   /**

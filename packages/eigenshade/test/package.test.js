@@ -1,16 +1,15 @@
 // The packed archive, installed into an empty folder: the examples of README.md, and sizes.
 
 import assert from "node:assert/strict";
-import { execFileSync } from "node:child_process";
-import { cpSync, mkdtempSync, readFileSync, writeFileSync } from "node:fs";
-import { tmpdir } from "node:os";
+import { execFileSync, spawnSync } from "node:child_process";
+import { cpSync, readFileSync, rmSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
 import { after, before, test } from "node:test";
-import { fileURLToPath, pathToFileURL } from "node:url";
+import { pathToFileURL } from "node:url";
 import { parts } from "../sizes.mjs";
 import { launch, serve } from "./support/browser.js";
+import { PACKAGE, installed } from "./support/packed.js";
 
-const PACKAGE = fileURLToPath(new URL("../", import.meta.url));
 const README = readFileSync(join(PACKAGE, "README.md"), "utf8");
 
 /** The examples of README.md in a language. */
@@ -20,21 +19,21 @@ const examples = (language) =>
 let folder, browser;
 
 before(async () => {
-  folder = mkdtempSync(join(tmpdir(), "eigenshade-"));
-  const npm = (...all) => execFileSync("npm", all, { cwd: folder, encoding: "utf8" });
-  const [{ filename }] = JSON.parse(npm("pack", "--ignore-scripts", "--json", PACKAGE));
-  assert.equal(filename, "eigenshade-0.1.0.tgz");
-  npm("install", "--no-audit", "--no-fund", `./${filename}`);
+  folder = installed();
   browser = await launch();
 });
 
-after(() => browser?.close());
+after(async () => {
+  await browser?.close();
+  rmSync(folder, { recursive: true });
+});
 
 test("nothing is missing from the archive, nothing is too much", () => {
   const listed = execFileSync("tar", ["tzf", join(folder, "eigenshade-0.1.0.tgz")], { encoding: "utf8" });
   const names = listed.trim().split("\n").map((name) => name.replace(/^package\//, ""));
   for (const name of [
-    "LICENSE-APACHE", "LICENSE-MIT", "README.md", "dist/index.js", "dist/element.js", "element.d.ts", "types/index.d.ts",
+    "LICENSE-APACHE", "LICENSE-MIT", "README.md", "dist/index.js", "dist/element.js", "dist/bundled.js",
+    "index.d.ts", "dom.d.ts", "bundled.d.ts", "element.d.ts", "react.d.ts", "types/index.d.ts",
     "wasm/eigenshade.wasm", "wasm/eigenshade.simd.wasm", "wasm/eigenshade.relaxed.wasm",
     "wasm/eigenshade.sources.wasm", "wasm/eigenshade.sources.simd.wasm",
     "wasm/eigenshade.sources.relaxed.wasm", "presets/names.json", "presets/light/park.bin", "presets/sources/park.bin",
@@ -64,12 +63,12 @@ test("an error says where a part of the package is missing", () => {
   const said = execFileSync("node", ["moved/program.mjs"], { cwd: folder, encoding: "utf8" }).trim().split("\n");
   for (const [k, name] of ["presets/names.json", "wasm/eigenshade"].entries()) {
     assert.ok(said[k].startsWith(pathToFileURL(join(folder, "moved", name)).href), said[k]);
-    assert.match(said[k], /is missing from the package$/);
+    assert.match(said[k], /is missing; import "eigenshade\/bundled", or serve/);
   }
 });
 
 test("the program of README.md draws a sphere in Node", () => {
-  const [program] = examples("js");
+  const program = examples("js").find((text) => text.includes("sphere.pam"));
   writeFileSync(join(folder, "sphere.mjs"), program);
   execFileSync("node", ["sphere.mjs"], { cwd: folder });
   const picture = readFileSync(join(folder, "sphere.pam"));
@@ -120,10 +119,12 @@ test("the pages of README.md draw", async () => {
 });
 
 test("the declarations are those of a strict program", () => {
-  writeFileSync(join(folder, "use.mts"), `import { Preview, Scene, presetNames, sphere, type Truncation } from "eigenshade";
+  writeFileSync(join(folder, "use.mts"), `import { Preview, Scene, lightPreset, presetNames, sphere, type Truncation } from "eigenshade";
     import { EigenShade } from "eigenshade/element";
     const element: EigenShade = document.createElement("eigen-shade");
     const shown: Preview | undefined = document.querySelector("eigen-shade")?.preview;
+    element.light = await lightPreset("park");
+    element.yaw = element instanceof EigenShade ? 30 : null;
     const scene: Scene = await Scene.create({ light: "park", material: { roughness: 0.3, metallic: 1 }, sources: 4 });
     const drawn: number = scene.sources;
     const { r }: { r: Float32Array<ArrayBuffer> } = scene.turn({ yaw: 1 }).within(1e-2).shade([0], [0], [1]);
@@ -148,6 +149,36 @@ test("the declarations are those of a strict program", () => {
   const tsc = join(PACKAGE, "node_modules/.bin/tsc");
   const options = ["--noEmit", "--strict", "--target", "es2022", "--module", "nodenext", "--lib", "es2022,dom", "use.mts"];
   execFileSync(tsc, options, { cwd: folder, stdio: "pipe" });
+});
+
+test("the declarations are those of a program without a page, and of one with JSX", () => {
+  const tsc = (name, program, ...options) => {
+    writeFileSync(join(folder, name), program);
+    const all = ["--noEmit", "--strict", "--target", "es2022", "--module", "nodenext", ...options, name];
+    const { stdout } = spawnSync(join(PACKAGE, "node_modules/.bin/tsc"), all, { cwd: folder, encoding: "utf8" });
+    assert.equal(stdout, "");
+  };
+  tsc("bare.mts", `import { Scene, lightPreset, load, setAssets, sphere } from "eigenshade";
+    setAssets(new Map<string, never>().get("") ?? "https://example.org/");
+    const engine = await load(new Uint8Array(8));
+    const scene = await Scene.create({ light: await lightPreset("park"), material: { roughness: 1 }, engine });
+    export const pixels: Uint8ClampedArray = sphere(scene, 8);
+    export const text: string = scene.glsl("block", { prefix: "a_" }) + scene.wgsl({ group: 1 });`,
+  "--lib", "es2022");
+  cpSync(join(PACKAGE, "node_modules/@types/react"), join(folder, "node_modules/@types/react"), { recursive: true });
+  cpSync(join(PACKAGE, "node_modules/csstype"), join(folder, "node_modules/csstype"), { recursive: true });
+  tsc("jsx.tsx", `import type {} from "eigenshade/react";
+    import type { EigenShade } from "eigenshade/element";
+    import { createRef } from "react";
+    const ref = createRef<EigenShade>();
+    export const shown = <eigen-shade ref={ref} light={{ r: [1], g: [1], b: [1] }} material="nylon" yaw={30} sources={4} className="large"
+      tone="filmic" onload={() => ref.current?.preview?.turn({ yaw: 1 })} onerror={({ message }) => console.log(message)} />;
+    export const copper = <eigen-shade base-color="#b87333" metallic={1} exposure="auto" />;
+    // @ts-expect-error: React calls this for its own elements alone
+    export const silent = <eigen-shade onLoad={() => {}} />;
+    // @ts-expect-error: there is no such curve
+    export const wrong = <eigen-shade tone="aces" />;`,
+  "--lib", "es2022,dom", "--jsx", "react-jsx", "--types", "react");
 });
 
 test("README.md states the sizes", () => {

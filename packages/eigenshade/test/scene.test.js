@@ -68,9 +68,11 @@ test("the program writes the same shaders", async () => {
     ["glsl-block", () => scene.glsl("block")],
     ["glsl-texture", () => scene.glsl("texture")],
     ["wgsl", () => scene.wgsl()],
+    ["glsl-block --prefix a_", () => scene.glsl("block", { prefix: "a_" })],
+    ["wgsl --prefix b --binding 2,3", () => scene.wgsl({ prefix: "b", group: 2, binding: 3 })],
   ]) {
     for (const tolerance of [undefined, 0.05]) {
-      const all = ["shader", "--json", "--lang", language, "-l", "park", "-m", "gold-metallic-paint"];
+      const all = ["shader", "--json", "--lang", ...language.split(" "), "-l", "park", "-m", "gold-metallic-paint"];
       if (tolerance) all.push("--tolerance", String(tolerance));
       const written = JSON.parse(execFileSync(EIGENSHADE, all, { encoding: "utf8" }));
       scene.within(tolerance);
@@ -294,7 +296,8 @@ test("presets are copies", async () => {
   for (const [load, name] of [[lightPreset, "park"], [materialPreset, "gold-metallic-paint"]]) {
     const one = await load(name);
     const before = structuredClone(one);
-    for (const numbers of Object.values(one)) numbers.fill(7);
+    assert.equal(one.name, name);
+    for (const numbers of [one.r, one.g, one.b, one.gloss ?? []]) numbers.fill(7);
     assert.deepEqual(await load(name), before);
   }
 });
@@ -302,7 +305,7 @@ test("presets are copies", async () => {
 test("the element's module can be imported, and a preview says that it needs a page", async () => {
   assert.ok((await import("../src/element.js")).EigenShade);
   for (const make of [() => Preview.create({}, { light: "park", material: "nylon" }), async () => new Preview({}, await gold())]) {
-    await assert.rejects(make, { name: "TypeError", message: "Preview: it is [object Object], expected a canvas of this page" });
+    await assert.rejects(make, { name: "TypeError", message: "Preview: it is [object Object], expected a canvas of a page" });
   }
 });
 
@@ -326,7 +329,7 @@ test("wrong input throws one clear error and changes nothing", async () => {
     fails(() => scene.pixels([0], [0], [1], given), "TypeError", `pixels: it is ${said}, expected { exposure, tone }${hint}`);
     const options = { name: "TypeError", message: `lightPreset: it is ${said}, expected { sources }${hint}` };
     await assert.rejects(lightPreset("park", given), options);
-    const inputs = { name: "TypeError", message: `Scene: it is ${said}, expected { light, material, sources, engine }${hint}` };
+    const inputs = { name: "TypeError", message: `Scene: it is ${said}, expected { light, material, sources, engine, assets }${hint}` };
     await assert.rejects(Scene.create(given), inputs);
     if (given) {
       const engine = { name: "TypeError", message: `engine: it is ${given instanceof Promise ? "[object Object]" : said}, expected what load(module) returns` };
@@ -334,11 +337,11 @@ test("wrong input throws one clear error and changes nothing", async () => {
     }
   }
   await assert.rejects(Scene.create({ light: "park" }), { name: "TypeError", message: /^material: it is undefined, expected/ });
-  await assert.rejects(lightPreset("park", { sorces: 4 }), { name: "TypeError", message: 'lightPreset: "sorces" is not one of sources' });
+  await assert.rejects(lightPreset("park", { sorces: 4 }), { name: "TypeError", message: 'lightPreset: "sorces" is unknown; did you mean "sources"?' });
   await assert.rejects(Scene.create({ light: "park", material: "nylon", sorces: 4 }), {
-    name: "TypeError", message: 'Scene: "sorces" is not one of light, material, sources, engine',
+    name: "TypeError", message: 'Scene: "sorces" is unknown; did you mean "sources"?',
   });
-  fails(() => scene.pixels([0], [0], [1], { exposur: 1 }), "TypeError", 'pixels: "exposur" is not one of exposure, tone');
+  fails(() => scene.pixels([0], [0], [1], { exposur: 1 }), "TypeError", 'pixels: "exposur" is unknown; did you mean "exposure"?');
   fails(() => scene.light({ ...light, g: "red" }), "TypeError", "light: g is not an array of numbers");
   fails(() => scene.light({ ...light, b: light.b.slice(1) }), "RangeError",
     "light: b has 99 coefficients, expected 1, 4, 9, 16, 25, 36, 49, 64, 81, 100");
@@ -357,7 +360,7 @@ test("wrong input throws one clear error and changes nothing", async () => {
   }
   fails(() => scene.material(three([])), "RangeError",
     "material: r has 0 coefficients, expected 1, 2, 5, 8, 14, 20, 30, 40");
-  fails(() => scene.turn({ yow: 1 }), "TypeError", 'turn: "yow" is not one of yaw, pitch, roll');
+  fails(() => scene.turn({ yow: 1 }), "TypeError", 'turn: "yow" is unknown; did you mean "yaw"?');
   fails(() => scene.turn({ x: 0, y: 0, z: 0, w: 1 }), "TypeError", 'turn: "x" is not one of yaw, pitch, roll');
   fails(() => scene.material({ color: "#ffffff" }), "TypeError",
     "material: \"color\" is not one of baseColor, metallic, roughness");
@@ -382,12 +385,21 @@ test("wrong input throws one clear error and changes nothing", async () => {
     fails(() => scene.effects(given), "TypeError", `effects: it is ${said}, expected a list of names`);
   }
   fails(() => scene.effects(["glos"]), "RangeError",
-    'effects: "glos" is not one of ambient, diffuse, broad, gloss');
+    'effects: "glos" is unknown; did you mean "gloss"?');
   fails(() => scene.components(161), "RangeError", "components: 161 is not a whole number from 0 to 160");
   fails(() => scene.eigenimage(160, [0], [0], [1]), "RangeError",
     "eigenimage: 160 is not a whole number from 0 to 159");
+  await assert.rejects(load(new TextEncoder().encode("<!doctype html>")), {
+    name: "TypeError", message: "load: this is no WebAssembly module; give one that crates/wasm/build made",
+  });
   fails(() => scene.glsl("buffer"), "RangeError",
     'glsl: "buffer" is not one of uniforms, block, texture');
+  for (const prefix of ["1a", "a__b", "gl_a", "a-b", 1, null]) {
+    fails(() => scene.glsl("block", { prefix }), "RangeError", /^glsl: the prefix is .*, expected a letter, then letters/);
+    fails(() => scene.wgsl({ prefix }), "RangeError", /^wgsl: the prefix is /);
+  }
+  fails(() => scene.glsl("block", { prefx: "a" }), "TypeError", 'glsl: "prefx" is unknown; did you mean "prefix"?');
+  fails(() => scene.wgsl({ binding: -1 }), "RangeError", "wgsl: binding: -1 is not a whole number from 0 to 1000");
   fails(() => scene.shade([0], [0, 0], [1]), "RangeError", "shade: x has 1 numbers, y has 2");
   fails(() => scene.shade([0, 0], [0, 0], [1, -1]), "RangeError",
     "shade: normal 1 is (0, 0, -1), expected a unit vector with z >= 0");
@@ -407,8 +419,18 @@ test("wrong input throws one clear error and changes nothing", async () => {
   fails(() => sphere(scene, 0), "RangeError", "sphere: the size is 0, expected a whole number from 1 to 4096");
   await assert.rejects(Scene.create({ light: "parc", material: "red-fabric2" }), {
     name: "RangeError",
-    message: /^no light is called "parc"; there are apartment, bridge, /,
+    message: 'no light is called "parc"; did you mean park?',
   });
+  for (const [kind, given, said] of [
+    ["light", "stduio", "did you mean studio?"],
+    ["light", "Park", "did you mean park?"],
+    ["light", "kitchen", "there are apartment, "],
+    ["material", "gold_metalic-paint", "did you mean gold-metallic-paint, "],
+    ["material", "nylonn", "did you mean nylon?"],
+  ]) {
+    const load = kind === "light" ? lightPreset : materialPreset;
+    await assert.rejects(load(given), ({ message }) => message.startsWith(`no ${kind} is called "${given}"; ${said}`));
+  }
   await assert.rejects(Scene.create({ light: "park", material: "../light/park" }), {
     message: /^no material is called "..\/light\/park"; /,
   });

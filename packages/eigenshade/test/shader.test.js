@@ -76,6 +76,22 @@ for (const tolerance of [undefined, 1e-2, 0.3]) {
   });
 }
 
+test("two scenes in one program, one with a prefix, beside a variable of the same name", async () => {
+  const found = await page.evaluate(async () => {
+    const scene = await Scene.create({ light: "studio", material: "red-fabric2" });
+    const other = await Scene.create({ light: "park", material: "gold-metallic-paint" });
+    other.within(1e-2);
+    const found = [];
+    for (const storage of ["uniforms", "block", "texture"]) {
+      found.push(difference(scene, webgl(scene, storage, axes, "front_", other.glsl(storage))));
+    }
+    found.push(difference(scene, await webgpu(scene, axes, "front_", other.wgsl())));
+    return found;
+  });
+  for (const difference of found) assert.ok(difference <= TOLERANCE, `${found}`);
+  assert.equal(found.length, 4);
+});
+
 test("small sources, in every language", async () => {
   const found = await page.evaluate(async () => {
     const found = [];

@@ -1,7 +1,7 @@
 //! `eigenshade shader`: writes a scene as a function of a shader.
 
 use super::highlights::{HighlightInputs, estimate_note};
-use super::options::{Destination, Inputs, Memory, TableChoice, choice, count, tolerance};
+use super::options::{Destination, Inputs, Memory, Parsed, TableChoice, choice, count, tolerance};
 use clap::Args;
 use clap::builder::TypedValueParser;
 use eigenshade::{Highlights, Rgb, Scene, ShaderLanguage, Tolerance};
@@ -42,6 +42,13 @@ pub struct Shader {
     /// material
     #[arg(long, value_name = "K", value_parser = count(1, MAX_SOURCES as u64))]
     sources: Option<usize>,
+    /// Begin the names of the function, the array and the block with P, such as `front_`, beside
+    /// other names of a program
+    #[arg(long, value_name = "P", value_parser = prefix)]
+    prefix: Option<String>,
+    /// Group and binding of the buffer in WGSL
+    #[arg(long, value_name = "G,B", value_parser = binding)]
+    binding: Option<(u16, u16)>,
     /// Write JSON instead of the text: text, number of terms, and vectors
     #[arg(long)]
     json: bool,
@@ -62,6 +69,26 @@ fn languages() -> impl TypedValueParser<Value = (ShaderLanguage, usize)> {
     ])
 }
 
+/// Parses what names of GLSL and WGSL may begin with. GLSL reserves `gl_`, and two underscores in a
+/// row.
+fn prefix(text: &str) -> Parsed<String> {
+    let is_word = text.chars().all(|letter| letter.is_ascii_alphanumeric() || letter == '_');
+    let is_prefix = is_word && text.starts_with(|first: char| first.is_ascii_alphabetic());
+    if text.starts_with("gl_") || text.contains("__") || !is_prefix {
+        return Err("expected a letter, then letters, digits and single underscores".to_owned());
+    }
+    Ok(text.to_owned())
+}
+
+/// Parses a group and a binding.
+fn binding(text: &str) -> Parsed<(u16, u16)> {
+    let place = text.split_once(',').map(|(group, binding)| (group.parse(), binding.parse()));
+    match place {
+        Some((Ok(group), Ok(binding))) => Ok((group, binding)),
+        _ => Err("expected two whole numbers, as in 1,0".to_owned()),
+    }
+}
+
 /// The highlights of a scene.
 type Lobes = Highlights<f32, MAX_SOURCES>;
 
@@ -75,6 +102,9 @@ struct Written {
 
 impl Shader {
     pub fn run(self, memory: Memory) -> Result<()> {
+        if self.binding.is_some() && self.lang.0 != ShaderLanguage::Wgsl {
+            return Err(Error::new("--binding is for --lang wgsl", "leave it out"));
+        }
         output::refuse_collisions(&self.out.path, self.inputs.files(&[self.table.path()]))?;
         let table = self.table.read(memory)?;
         let lights = self.inputs.light.lights(memory.of_file())?;
@@ -164,6 +194,15 @@ impl Shader {
         let (mut text, mut vectors) = (String::new(), vec![[0.0; 4]; shader.vectors()]);
         let report = |error: std::fmt::Error| Error::new(error.to_string(), "report it");
         shader.write(self.lang.0, &mut text).map_err(report)?;
+        if let Some(prefix) = &self.prefix {
+            for name in ["irradiance", "eigenshade", "Eigenshade"] {
+                text = text.replace(name, &format!("{prefix}{name}"));
+            }
+        }
+        if let Some((group, binding)) = self.binding {
+            let place = format!("@group({group}) @binding({binding})");
+            text = text.replacen("@group(0) @binding(0)", &place, 1);
+        }
         shader.uniforms(scene, &mut vectors).map_err(fault)?;
         if let Some(highlights) = highlights {
             shader.highlight_uniforms(highlights, &mut vectors).map_err(fault)?;

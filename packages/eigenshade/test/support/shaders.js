@@ -3,13 +3,16 @@
 let canvas;
 const programs = new Map();
 
-/** red, green, blue and 1 of each of 1,024 normals, by WebGL 2. */
-export function webgl(scene, storage, [x, y, z]) {
+/**
+ * red, green, blue and 1 of each of 1,024 normals, by WebGL 2. With a prefix, `beside` is the text of
+ * another scene in the same program.
+ */
+export function webgl(scene, storage, [x, y, z], prefix = "", beside = "") {
   canvas ??= new OffscreenCanvas(1024, 1);
   const gl = canvas.getContext("webgl2");
   if (!gl.getExtension("EXT_color_buffer_float")) throw new Error("no float targets");
-  const text = scene.glsl(storage);
-  if (!programs.has(text)) programs.set(text, compiled(gl, text));
+  const text = beside + (prefix ? scene.glsl(storage, { prefix }) : scene.glsl(storage));
+  if (!programs.has(text)) programs.set(text, compiled(gl, text, prefix));
   const program = programs.get(text);
   gl.useProgram(program);
   const made = [];
@@ -24,14 +27,14 @@ export function webgl(scene, storage, [x, y, z]) {
   const place = (name) => gl.getUniformLocation(program, name);
   const uniforms = scene.uniforms();
   if (storage === "uniforms") {
-    gl.uniform4fv(place("eigenshade"), uniforms);
+    gl.uniform4fv(place(`${prefix}eigenshade`), uniforms);
   } else if (storage === "block") {
-    gl.uniformBlockBinding(program, gl.getUniformBlockIndex(program, "Eigenshade"), 0);
+    gl.uniformBlockBinding(program, gl.getUniformBlockIndex(program, `${prefix}Eigenshade`), 0);
     gl.bindBufferBase(gl.UNIFORM_BUFFER, 0, gl.createBuffer());
     gl.bufferData(gl.UNIFORM_BUFFER, uniforms, gl.STATIC_DRAW);
   } else {
     texture(1, uniforms.length / 4, uniforms);
-    gl.uniform1i(place("eigenshade"), 1);
+    gl.uniform1i(place(`${prefix}eigenshade`), 1);
   }
   texture(0, 1024, Float32Array.from({ length: 4096 }, (_, k) => [x, y, z, x][k % 4][k >> 2]));
   gl.uniform1i(place("normals"), 0);
@@ -47,17 +50,22 @@ export function webgl(scene, storage, [x, y, z]) {
   return pixels;
 }
 
-function compiled(gl, irradiance) {
+function compiled(gl, functions, prefix) {
   const program = gl.createProgram();
   for (const [kind, text] of [
     [gl.VERTEX_SHADER, `#version 300 es
       void main() { gl_Position = vec4(4.0 * float(gl_VertexID & 1) - 1.0, 2.0 * float(gl_VertexID & 2) - 1.0, 0.0, 1.0); }`],
     [gl.FRAGMENT_SHADER, `#version 300 es
       precision highp float;
-      ${irradiance}
+      ${functions}
       uniform highp sampler2D normals;
       out vec4 color;
-      void main() { color = vec4(irradiance(texelFetch(normals, ivec2(gl_FragCoord.x, 0), 0).xyz), 1.0); }`],
+      void main() {
+        vec3 normal = texelFetch(normals, ivec2(gl_FragCoord.x, 0), 0).xyz;
+        // three.js has a variable of this name.
+        vec3 ${prefix ? "irradiance" : "found"} = ${prefix}irradiance(normal);
+        color = vec4(${prefix ? "irradiance" : "found"}, 1.0);
+      }`],
   ]) {
     const shader = gl.createShader(kind);
     gl.shaderSource(shader, text);
@@ -72,14 +80,14 @@ function compiled(gl, irradiance) {
 
 let device;
 
-/** The same by a compute shader of WebGPU. */
-export async function webgpu(scene, [x, y, z]) {
+/** The same by a compute shader of WebGPU. With a prefix, the scene's buffer has binding 3. */
+export async function webgpu(scene, [x, y, z], prefix = "", beside = "") {
   device ??= await (await navigator.gpu.requestAdapter()).requestDevice();
-  const code = `${scene.wgsl()}
+  const code = `${beside}${prefix ? scene.wgsl({ prefix, binding: 3 }) : scene.wgsl()}
     @group(0) @binding(1) var<storage, read> normals: array<vec4f>;
     @group(0) @binding(2) var<storage, read_write> colors: array<vec4f>;
     @compute @workgroup_size(64) fn main(@builtin(global_invocation_id) id: vec3u) {
-      colors[id.x] = vec4f(irradiance(normals[id.x].xyz), 1.0);
+      colors[id.x] = vec4f(${prefix}irradiance(normals[id.x].xyz), 1.0);
     }`;
   device.pushErrorScope("validation");
   const pipeline = device.createComputePipeline({ layout: "auto", compute: { module: device.createShaderModule({ code }) } });
@@ -98,7 +106,7 @@ export async function webgpu(scene, [x, y, z]) {
   pass.setPipeline(pipeline);
   pass.setBindGroup(0, device.createBindGroup({
     layout: pipeline.getBindGroupLayout(0),
-    entries: entries.map((buffer, binding) => ({ binding, resource: { buffer } })),
+    entries: entries.map((buffer, k) => ({ binding: prefix && k === 0 ? 3 : k, resource: { buffer } })),
   }));
   pass.dispatchWorkgroups(16);
   pass.end();

@@ -1,0 +1,17 @@
+// `import type {} from "eigenshade/react"` declares `<eigen-shade>` in JSX for React 19.
+
+import type { DetailedHTMLProps, HTMLAttributes } from "react";
+import type { EigenShade, EigenShadeProperties } from "./element.js";
+
+/** React knows an `onLoad` and an `onError` of its own, and calls them for its own elements alone. */
+type Events = { onload?: (event: Event) => void; onerror?: (event: ErrorEvent) => void; onLoad?: never; onError?: never };
+
+type Html = Omit<DetailedHTMLProps<HTMLAttributes<EigenShade>, EigenShade>, "onLoad" | "onError" | "role">;
+
+declare module "react" {
+  namespace JSX {
+    interface IntrinsicElements {
+      "eigen-shade": Html & Partial<EigenShadeProperties> & { "base-color"?: string } & Events;
+    }
+  }
+}
