@@ -56,7 +56,8 @@ export function parseHdr(buffer) {
     for (let x = 0; x < width; x++) {
       const exponent = scan[4 * x + 3];
       const scale = exponent ? 2 ** (exponent - 136) : 0;
-      for (let c = 0; c < 3; c++) data[3 * (y * width + x) + c] = scan[4 * x + c] * scale;
+      // Writers cut mantissas off, so a value is in the middle of its step, as Radiance reads it.
+      for (let c = 0; c < 3; c++) data[3 * (y * width + x) + c] = (scan[4 * x + c] + 0.5) * scale;
     }
   }
   return { width, height, stride: 3, data };
