@@ -1,8 +1,9 @@
-// A worker: reads a panorama and projects it. Says { stage, share } as it goes, then { light } or {
-// fault }.
+// A worker: reads a panorama, projects it and finds its sources. Says { stage, share } as it goes,
+// then { light } or { fault }.
 
 import parseExr from "../vendor/parse-exr.js";
-import { project } from "./project.js";
+import { project, reduced } from "./project.js";
+import { FINE, pursue } from "./pursuit.js";
 import { parseHdr } from "./rgbe.js";
 
 /** Float samples of parse-exr. */
@@ -94,14 +95,19 @@ addEventListener("message", async ({ data: { file, name } }) => {
   try {
     postMessage({ stage: "decoding", share: 0 });
     const map = await read(file, name);
-    let last = 0;
-    const light = project(map, (share) => {
-      if (share - last < 0.05) return;
-      last = share;
-      postMessage({ stage: "projecting", share });
-    });
+    const progress = (/** @type {string} */ stage, from = 0, to = 1) => {
+      let last = 0;
+      return (/** @type {number} */ share) => {
+        if (share - last < 0.05) return;
+        last = share;
+        postMessage({ stage, share: from + (to - from) * share });
+      };
+    };
+    const light = project(map, progress("projecting"));
+    const fine = project(reduced(map), progress("finding sources", 0, 0.3), FINE);
+    const sources = pursue(fine, progress("finding sources", 0.3));
     const { width, height } = map;
-    postMessage({ light, width, height });
+    postMessage({ light: { ...light, sources }, width, height });
   } catch (fault) {
     postMessage({ fault: fault instanceof Error ? fault.message : String(fault) });
   }
