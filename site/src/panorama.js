@@ -2,7 +2,7 @@
 // then { light } or { fault }.
 
 import parseExr from "../vendor/parse-exr.js";
-import { project, reduced } from "./project.js";
+import { project, resized } from "./project.js";
 import { FINE, pursue } from "./pursuit.js";
 import { parseHdr } from "./rgbe.js";
 
@@ -104,7 +104,7 @@ addEventListener("message", async ({ data: { file, name } }) => {
       };
     };
     const light = project(map, progress("projecting"));
-    const fine = project(reduced(map), progress("finding sources", 0, 0.3), FINE);
+    const fine = project(resized(map), progress("finding sources", 0, 0.3), FINE);
     const sources = pursue(fine, progress("finding sources", 0.3));
     const { width, height } = map;
     postMessage({ light: { ...light, sources }, width, height });

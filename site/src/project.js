@@ -67,23 +67,34 @@ export function project({ width, height, stride, data, table }, progress = () =>
 }
 
 /**
- * The map as means of blocks of texels, at most so many a side.
+ * The map with 256 to 512 texels on its longer side, or `side`: means of blocks of texels, or texels
+ * repeated, so that each is a patch and not a point for {@link project}.
  *
  * @param {Map} map
  * @returns {Map}
  */
-export function reduced({ width, height, stride, data, table }, side = 512) {
-  const size = Math.ceil(Math.max(width, height) / side);
-  const [columns, rows] = [Math.ceil(width / size), Math.ceil(height / size)];
-  const [means, counts] = [new Float32Array(3 * columns * rows), new Float32Array(columns * rows)];
-  for (let y = 0, at = 0; y < height; y++) {
-    for (let x = 0; x < width; x++, at += stride) {
-      // A block may have one texel more or less than the next.
-      const to = Math.floor((y * rows) / height) * columns + Math.floor((x * columns) / width);
-      counts[to]++;
-      for (let c = 0; c < 3; c++) means[3 * to + c] += table ? table[data[at + c]] : data[at + c];
+export function resized({ width, height, stride, data, table }, side = Math.min(512, Math.max(256, width, height))) {
+  const [columns, rows] = [width, height].map((length) => Math.max(1, Math.round((length * side) / Math.max(width, height))));
+  const means = new Float32Array(3 * columns * rows);
+  const span = (/** @type {number} */ k, /** @type {number} */ from, /** @type {number} */ to) => {
+    const start = Math.floor((k * from) / to);
+    return [start, Math.max(start + 1, Math.floor(((k + 1) * from) / to))];
+  };
+  for (let row = 0; row < rows; row++) {
+    const [top, bottom] = span(row, height, rows);
+    for (let column = 0; column < columns; column++) {
+      const [left, right] = span(column, width, columns);
+      for (let c = 0; c < 3; c++) {
+        let sum = 0;
+        for (let y = top; y < bottom; y++) {
+          for (let x = left; x < right; x++) {
+            const value = data[(y * width + x) * stride + c];
+            sum += table ? table[value] : value;
+          }
+        }
+        means[3 * (row * columns + column) + c] = sum / ((bottom - top) * (right - left));
+      }
     }
   }
-  for (let k = 0; k < means.length; k++) means[k] /= counts[Math.floor(k / 3)];
   return { width: columns, height: rows, stride: 3, data: means };
 }

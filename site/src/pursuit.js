@@ -17,6 +17,9 @@ const TRIED = 3000;
 const SPREADS = [0.01, 0.04, 0.08, 0.12, 0.16];
 const [NARROWEST, WIDEST] = [0.004, 0.2];
 
+/** A source is worth it if it reduces more than this share of the square of the mean light. */
+const WORTH = 3e-4;
+
 /** A source is moved by this many radians and widened by this factor at first; then by half, and so on. */
 const [MOVE, WIDEN, HALVINGS] = [0.04, 1.5, 7];
 
@@ -85,6 +88,7 @@ function across([x, y, z]) {
  */
 export function pursue({ r, g, b }, progress = () => {}) {
   const left = [r, g, b].map((channel) => Float64Array.from(channel));
+  const mean = left.reduce((sum, channel) => sum + channel[0] ** 2, 0);
   const golden = Math.PI * (3 - Math.sqrt(5));
   /** @type {number[]} */
   const sources = [];
@@ -102,7 +106,7 @@ export function pursue({ r, g, b }, progress = () => {}) {
       const radius = Math.sqrt(1 - z * z);
       attempt([radius * Math.cos(turn), radius * Math.sin(turn), z], SPREADS);
     }
-    if (best.score === 0) break;
+    if (!(best.score > WORTH * mean)) break;
     for (let step = 1; step > 2 ** -HALVINGS; ) {
       const { direction, spread, score } = best;
       const wider = [WIDEN ** step, WIDEN ** -step].map((factor) => Math.min(WIDEST, Math.max(NARROWEST, spread * factor)));
