@@ -371,11 +371,11 @@ async function open(/** @type {File} */ file) {
       say(`${file.name}: ${ownMesh.indices.length / 3} triangles.`);
       if (!drawing) say(`${file.name} is read, but without WebGL 2 only spheres are drawn.`);
     } else {
-      const { light, width, height } = await panorama(file, say);
+      const { light, width, height, note } = await panorama(file, say);
       const fault = await take({ light: "own", ownLight: { name: file.name.slice(0, 80), light } });
       if (fault) throw new Error(fault);
       const shape = width === 2 * height ? "" : " It is not twice as wide as high; it is read as equirectangular.";
-      say(`${file.name}: ${width} × ${height}, projected to degree 9, with ${counted(light.sources.length / 10, "source")}.${shape}`);
+      say(`${file.name}: ${width} × ${height}, projected to degree 9, with ${counted(light.sources.length / 10, "source")}.${shape}${note}`);
     }
   } catch (fault) {
     say("");

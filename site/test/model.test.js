@@ -110,6 +110,18 @@ test(".hdr files that are wrong say why", () => {
   // A channel of mantissa 0 is half a step, and exponent 0 is black.
   const texels = (...bytes) => [...read(Buffer.from([...Buffer.from(`#?RADIANCE\n\n-Y 1 +X ${bytes.length / 4}\n`), ...bytes])).data];
   assert.deepEqual(texels(255, 1, 0, 136, 9, 9, 9, 0), [255.5, 1.5, 0.5, 0, 0, 0]);
+  // What a header states of color is applied or said.
+  const headed = (lines) => read(Buffer.from([...Buffer.from(`#?RADIANCE\r\n${lines}\r\n\r\n-Y 1 +X 1\r\n`), 127, 127, 127, 136]));
+  for (const [lines, data, note] of [
+    ["EXPOSURE=4", [127.5, 127.5, 127.5], ""],
+    ["COLORCORR= 2 1 0.5", [63.75, 127.5, 255], ""],
+    ["COLORCORR=2 1 1\r\ncolorcorr=1 1 2", [63.75, 127.5, 63.75], ""],
+    ["PRIMARIES= 0.640 0.330 0.300 0.600 0.150 0.060 0.3127 0.3290", [127.5, 127.5, 127.5], ""],
+    ["PRIMARIES=0.708 0.292 0.170 0.797 0.131 0.046 0.3127 0.3290", [127.5, 127.5, 127.5], " Its primaries are not those of sRGB, and are ignored."],
+  ]) {
+    const found = headed(lines);
+    assert.deepEqual([[...found.data], found.note], [data, note], lines);
+  }
   assert.throws(() => read(good.subarray(0, good.length - 9)), /ends within its pixels/);
   assert.throws(() => read(good.subarray(0, 12)), /ends within its header/);
   assert.throws(() => read(Buffer.from("P6\n1 1\n255\n")), /does not start with/);

@@ -505,6 +505,16 @@ on("a link holds the whole state, and restores it", "object=coin&light=sunset&ma
   assert.match(await text(page, "fault"), /^This link is not whole: step: "77" is not a whole number from 0 to 40\.$/);
 });
 
+/** Where the places of an .exr's blocks start, and the first block, which `more` bytes moved. */
+function offsets(bytes, more) {
+  let at = 8;
+  while (bytes[at] !== 0) {
+    for (let part = 0; part < 2; part++) at = bytes.indexOf(0, at) + 1;
+    at += 4 + bytes.readUInt32LE(at);
+  }
+  return [at + 1, Number(bytes.readBigUInt64LE(at + 1)) + more];
+}
+
 /** Drops a file on the page. */
 const drop = (page, name, bytes) =>
   page.evaluate(async ([name, base64]) => {
@@ -552,6 +562,20 @@ on("good files are shown: .exr, .hdr, .png and .obj", "object=sphere&step=5&sour
   await page.goto(own);
   await settled(page);
   assert.equal(await page.locator("#light").inputValue(), "own");
+  await keep(page);
+  // Chromaticities are said: those of Rec. 2020 as an attribute before the others, and all places of
+  // blocks after it moved.
+  const plain = readFileSync(join(ROOT, "tables/inputs/maps/sunset.exr"));
+  const attribute = Buffer.alloc("chromaticities".length * 2 + 2 + 4 + 32);
+  attribute.write("chromaticities\0chromaticities\0");
+  attribute.writeUInt32LE(32, attribute.length - 36);
+  [0.708, 0.292, 0.17, 0.797, 0.131, 0.046, 0.3127, 0.329].forEach((value, k) => attribute.writeFloatLE(value, attribute.length - 32 + 4 * k));
+  const wide = Buffer.concat([plain.subarray(0, 8), attribute, plain.subarray(8)]);
+  const [start, first] = offsets(wide, attribute.length);
+  for (let at = start; at < first; at += 8) wide.writeBigUInt64LE(wide.readBigUInt64LE(at) + BigInt(attribute.length), at);
+  await drop(page, "wide.exr", wide);
+  await said(page, "status", /wide.exr: 512 × 256, .*Its primaries are not those of sRGB, and are ignored\.$/);
+  await settled(page);
   await keep(page);
   const sky = Float32Array.from({ length: 3 * 32 * 16 }, (_, k) => (k < 3 * 32 * 8 ? [0.2, 0.5, 2][k % 3] : 0.1));
   await drop(page, "sky.hdr", hdrFile(32, 16, sky));
