@@ -20,7 +20,7 @@ const [NARROWEST, WIDEST] = [0.004, 0.2];
 /** A source is worth it if it reduces more than this share of the square of the mean light. */
 const WORTH = 3e-4;
 
-/** A source is moved by this many radians and widened by this factor at first; then by half, and so on. */
+/** First move in radians and first factor of a spread, and how often both are halved. */
 const [MOVE, WIDEN, HALVINGS] = [0.04, 1.5, 7];
 
 /** What metals of these roughnesses keep of each degree, squared. */
