@@ -333,8 +333,8 @@ test("effects have shares, and what they save is counted at one absolute error",
 });
 
 test("the state survives its link, with a light of one's own", async () => {
-  const light = await lightPreset("park", { sources: 2 });
-  light.sources = Float32Array.from(light.sources);
+  const { r, g, b, sources: two } = await lightPreset("park", { sources: 2 });
+  const light = { r, g, b, sources: Float32Array.from(two) };
   const state = {
     ...initial(), object: "coin", light: "own", ownLight: { name: "my sky, 1.hdr", light },
     material: { baseColor: "#b87333", metallic: 1, roughness: 0.35 }, turn: dragged(0.3, 0.4), pose: dragged(1, 0),
