@@ -1,6 +1,7 @@
 // A matcap that follows the light: a MeshMatcapMaterial whose texture an eigenshade scene computes.
 
 import { DataTexture, DataUtils, HalfFloatType, LinearFilter, MeshMatcapMaterial, Quaternion, RGBAFormat } from "three";
+import { warnUnsupported } from "./unsupported.js";
 
 /** Radius of the disc in a texture, as in the shader of `MeshMatcapMaterial`. */
 const RADIUS = 0.495;
@@ -8,7 +9,11 @@ const RADIUS = 0.495;
 /**
  * A drop-in for `MeshMatcapMaterial`, which any number of meshes share. Whenever the camera or
  * `material.lightRotation` turned, it shades the texture anew on the CPU and uploads it. After
- * `scene.light(..)` or `scene.material(..)` call `material.update()`.
+ * `scene.light(..)` or `scene.material(..)` call `material.update()`. It warns as `eigenMaterial`
+ * does.
+ *
+ * The texels are linear irradiance, not exposed, and may exceed 1: the texture has no color space,
+ * so that three.js decodes nothing, and tone mapping and sRGB come after `color`.
  *
  * @param {import("eigenshade").Scene} scene which the material turns
  * @param {object} [options] `size`, texels on a side, and parameters of `MeshMatcapMaterial`
@@ -20,6 +25,7 @@ export function eigenMatcap(scene, { size = 128, ...parameters } = {}) {
   matcapTexture.magFilter = matcapTexture.minFilter = LinearFilter;
   const material = new MeshMatcapMaterial({ matcap: matcapTexture, ...parameters });
   const [turn, turned] = [new Quaternion(), new Quaternion()];
+  const check = warnUnsupported(material);
   let changed = true;
 
   material.lightRotation = new Quaternion();
@@ -27,7 +33,8 @@ export function eigenMatcap(scene, { size = 128, ...parameters } = {}) {
     changed = true;
     return material;
   };
-  material.onBeforeRender = (renderer, world, camera) => {
+  material.onBeforeRender = (renderer, world, camera, geometry, object) => {
+    check(object);
     turn.setFromRotationMatrix(camera.matrixWorldInverse).multiply(material.lightRotation);
     if (!changed && turn.equals(turned)) return;
     turned.copy(turn);

@@ -1,6 +1,7 @@
 // A three.js material whose outgoing light is the irradiance of an eigenshade scene.
 
 import { DataTexture, FloatType, Matrix3, Matrix4, MeshMatcapMaterial, Quaternion, RGBAFormat, Sphere, Vector3 } from "three";
+import { warnUnsupported } from "./unsupported.js";
 
 const TOWARD_CAMERA = new Vector3(0, 0, 1);
 
@@ -8,7 +9,8 @@ const TOWARD_CAMERA = new Vector3(0, 0, 1);
  * A material of `WebGLRenderer`, for one mesh if the camera is a perspective one. It is a
  * `MeshMatcapMaterial` with another last line, so normal maps, bump maps, skinning, morph targets,
  * instancing, fog and tone mapping work as in every material of three.js, and lights, shadows and
- * environments of the three.js scene have no effect. `color` is the exposure.
+ * environments of the three.js scene have no effect: the material warns once of each property of
+ * other materials that is set, and of `receiveShadow`. `color` is the exposure.
  *
  * The light is fixed to the world: before each frame the material turns the scene's light by the
  * inverse rotation of the camera, and `material.lightRotation`, a quaternion, turns it in the
@@ -28,6 +30,7 @@ export function eigenMaterial(scene, { view = "object", ...parameters } = {}) {
   const uniforms = { eigenshade: { value: stored(scene) }, eigenFrame: { value: new Matrix3() }, eigenPerspective: { value: false } };
   let text = textOf(scene, uniforms.eigenshade.value);
   const [turn, turned] = [new Quaternion(), new Quaternion()];
+  const check = warnUnsupported(material);
   let [changed, mesh, picture, drawer] = [true];
 
   material.lightRotation = new Quaternion();
@@ -50,6 +53,7 @@ export function eigenMaterial(scene, { view = "object", ...parameters } = {}) {
     shader.fragmentShader = shader.fragmentShader.replace(main, `${text}${DECLARED}${main}`).replace(outgoing, OUTGOING);
   };
   material.onBeforeRender = (renderer, world, camera, geometry, object) => {
+    check(object);
     turn.setFromRotationMatrix(camera.matrixWorldInverse).multiply(material.lightRotation);
     uniforms.eigenPerspective.value = camera.isPerspectiveCamera;
     if (view === "object" && camera.isPerspectiveCamera) {

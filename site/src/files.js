@@ -69,7 +69,7 @@ export function panorama(file, say) {
     worker.addEventListener("message", ({ data }) => {
       if (data.stage) {
         wait();
-        say(data.stage === "decoding" ? `${file.name}: decoding` : `${file.name}: projecting, ${Math.round(100 * data.share)} %`);
+        say(data.stage === "decoding" ? `${file.name}: decoding` : `${file.name}: ${data.stage}, ${Math.round(100 * data.share)} %`);
         return;
       }
       if (data.fault) return refuse(data.fault);

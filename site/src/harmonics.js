@@ -84,7 +84,7 @@ export function windowed(light, width = 20) {
   const factor = (/** @type {number} */ k) => {
     const degree = Math.floor(Math.sqrt(k));
     const x = (Math.PI * degree) / width;
-    return degree === 0 ? 1 : degree < width ? (Math.sin(x) / x) ** 4 : 0;
+    return x === 0 ? 1 : degree < width ? (Math.sin(x) / x) ** 4 : 0;
   };
   const each = (/** @type {Float32Array} */ channel) => channel.map((value, k) => value * factor(k));
   return { r: each(light.r), g: each(light.g), b: each(light.b) };
@@ -96,6 +96,13 @@ export function sum(...lights) {
     lights[0][channel].map((_, k) => lights.reduce((total, light) => total + light[channel][k], 0));
   return { r: of("r"), g: of("g"), b: of("b") };
 }
+
+/** The coefficients of round sources, ten numbers each as `Channels` has them, times a factor. */
+export const ofSources = (/** @type {Float32Array} */ sources, factor = 1) =>
+  sum(ambient([0, 0, 0]), ...Array.from({ length: sources.length / 10 }, (_, k) => {
+    const [x, y, z, r, g, b, , , , spread] = sources.subarray(10 * k, 10 * k + 10);
+    return along([x, y, z], [r, g, b], (l) => factor * Math.exp((-l * (l + 1) * spread * spread) / 2));
+  }));
 
 /**
  * @param {number[]} direction

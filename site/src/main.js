@@ -1,6 +1,6 @@
 // The page: controls and state, state and picture.
 
-import { EFFECTS, Scene, presetNames } from "../eigenshade/src/index.js";
+import { EFFECTS, presetNames } from "../eigenshade/src/index.js";
 import { BOARDS, instructions } from "./boards.js";
 import { CASES, showCase } from "./cases.js";
 import { controls, fill, find, onTab, wide } from "./controls.js";
@@ -8,13 +8,14 @@ import { drawCpu } from "./cpu.js";
 import { Drawing, KINDS, SHOWN } from "./draw.js";
 import { checkSize, onDrop, panorama } from "./files.js";
 import { showGallery } from "./gallery.js";
-import { ambient } from "./harmonics.js";
 import * as measure from "./measure.js";
-import { nineTerms, shadeNine } from "./nine.js";
+import { shadeNine } from "./nine.js";
 import { coin, coinNormals, parseObj, relief } from "./objects.js";
-import { mark, percent, plot } from "./plot.js";
+import { counted, mark, percent, plot } from "./plot.js";
 import { turnable } from "./pointers.js";
-import { counted, loadErrors, showSources } from "./sources.js";
+import { Scenes } from "./scenes.js";
+import { colorsOf, screenError, screenText, verdict } from "./screen.js";
+import { loadErrors, showSources } from "./sources.js";
 import { COMPONENTS, fromHash, initial, inputsOf, loadable, toHash } from "./state.js";
 import { thumbnails } from "./thumbnails.js";
 import { IDENTITY, dragged, multiply } from "./turn.js";
@@ -22,14 +23,8 @@ import { IDENTITY, dragged, multiply } from "./turn.js";
 const still = matchMedia("(prefers-reduced-motion: reduce)");
 
 let state = initial();
-/** Of the inputs as they are: all terms of all effects, and what is shown. */
-let whole = /** @type {Scene} */ (/** @type {unknown} */ (undefined));
-let ours = whole;
-let scratch = whole;
-let loaded = { light: /** @type {any} */ (undefined), material: /** @type {any} */ (undefined) };
+let scenes = /** @type {Scenes} */ (/** @type {unknown} */ (undefined));
 let reference = /** @type {measure.Picture} */ (/** @type {unknown} */ (undefined));
-let look = { exposure: 1, pose: state.pose, nine: { terms: new Float32Array(27), turn: state.turn } };
-let auto = 1;
 /** @type {import("./objects.js").Mesh | undefined} */
 let ownMesh;
 let drawnObject = "";
@@ -54,22 +49,6 @@ let loads = 0;
 /** @type {Partial<typeof state>} */
 let pending = {};
 
-/** Gives both scenes these inputs, and what is computed once for them, or leaves all as it was. */
-function accept(/** @type {typeof loaded} */ inputs) {
-  const give = (/** @type {typeof loaded} */ { light, material }) => {
-    for (const scene of [whole, ours]) scene.light(light).material(material);
-    const albedo = measure.meanOf(measure.pictureOf(scratch.light(ambient()).material(material)));
-    const [exposure, terms] = [whole.exposure(), nineTerms(light, albedo)];
-    [auto, look.nine.terms] = [exposure, terms];
-  };
-  try {
-    give(inputs);
-  } catch (fault) {
-    if (loaded.light) give(loaded);
-    throw fault;
-  }
-}
-
 /**
  * Takes parts of a new state, loads what they name, and shows it. A fault leaves all as it was, and
  * is returned.
@@ -82,8 +61,8 @@ async function take(/** @type {Partial<typeof state>} */ parts) {
   try {
     const inputs = await inputsOf(wanted);
     if (turn !== loads) return "";
-    accept(inputs);
-    [state, loaded, pending] = [{ ...state, ...pending }, inputs, {}];
+    scenes.accept(inputs);
+    [state, pending] = [{ ...state, ...pending }, {}];
     fail("");
     changed();
     return "";
@@ -92,7 +71,7 @@ async function take(/** @type {Partial<typeof state>} */ parts) {
     if (turn !== loads) return "";
     pending = {};
     fail(message);
-    if (loaded.light) changed();
+    if (scenes.loaded) changed();
     return message;
   }
 }
@@ -105,6 +84,8 @@ let idle = 0;
 /** Draws and measures in the next frame, and what takes longer a little later. */
 function changed() {
   busy(true);
+  // What is measured later is of what was drawn.
+  clearTimeout(idle);
   frame ||= requestAnimationFrame(() => {
     frame = 0;
     draw();
@@ -112,9 +93,10 @@ function changed() {
 }
 
 function draw() {
-  whole.turn(state.turn);
+  const { ours, whole, best } = scenes;
+  for (const scene of [whole, best]) scene.turn(state.turn);
   ours.turn(state.turn).effects(state.effects).components(state.components).within(measure.toleranceOf(state.step));
-  look = { exposure: auto * 2 ** state.exposure, pose: state.pose, nine: { terms: look.nine.terms, turn: state.turn } };
+  const look = { exposure: scenes.exposure * 2 ** state.exposure, pose: state.pose, nine: { terms: scenes.nine, turn: state.turn } };
   const split = state.view === "split";
   if (drawing) {
     if (drawnObject !== state.object) {
@@ -128,7 +110,7 @@ function draw() {
       }
     }
     const panes = split
-      ? [{ scene: ours }, { scene: whole }, { scene: ours, shown: SHOWN.nine }, { scene: ours, shown: SHOWN.difference }]
+      ? [{ scene: ours }, { scene: best }, { scene: ours, shown: SHOWN.nine }, { scene: ours, shown: SHOWN.difference }]
       : [{ scene: ours }];
     // While something turns, terms come and go, and each set of them is a program. Until it rests,
     // the picture has all terms instead of waiting for a long one.
@@ -137,12 +119,11 @@ function draw() {
     drawing.draw(panes, look, side + (side % 2));
     ours.within(measure.toleranceOf(state.step));
   } else {
-    drawCpu(canvas, ours, split ? whole : undefined, look);
+    drawCpu(canvas, ours, split ? best : undefined, look);
   }
   find("captions").hidden = !split;
   numbers();
   showControls();
-  clearTimeout(idle);
   idle = setTimeout(later, 150);
 }
 
@@ -150,13 +131,20 @@ const meshes = /** @type {Record<string, any>} */ ({});
 let now = { terms: 0, rms: 0, worst: 0 };
 let nineError = { rms: 0, worst: 0 };
 
-/** The error of the picture, and costs by counts. */
+/** The error of the picture on a screen, that of the terms that are left out, and costs by counts. */
 function numbers() {
+  const { ours, whole, best, exposure } = scenes;
   reference = measure.pictureOf(whole);
-  now = { terms: ours.terms, ...measure.errorOf(measure.pictureOf(ours), reference) };
+  const shown = measure.pictureOf(ours);
+  const expected = colorsOf(measure.pictureOf(best), exposure);
+  const screen = (/** @type {measure.Picture} */ picture) => screenError(colorsOf(picture, exposure), expected);
+  now = { terms: ours.terms, ...measure.errorOf(shown, reference) };
   const { terms, rms, worst } = now;
-  find("summary").textContent = `${counted(terms, "term")}${ours.sources ? ` + ${counted(ours.sources, "source")}` : ""} · rms ${percent(rms)} · worst ${percent(worst)}`;
-  showSources(state, loaded, ours);
+  const said = verdict(screen(shown), best.sources);
+  find("verdict").textContent = said.error;
+  find("against").textContent = said.against;
+  find("cost").textContent = `${counted(terms, "term")}${ours.sources ? ` + ${counted(ours.sources, "source")}` : ""}`;
+  showSources(state, scenes.loaded, ours);
   find("rms").textContent = percent(rms);
   find("worst").textContent = percent(worst);
   find("terms").textContent = String(terms);
@@ -164,13 +152,13 @@ function numbers() {
     const count = Math.round(instructions(/** @type {any} */ (board), terms, ours.sources) / 10) * 10;
     find(/** @type {string} */ (id)).textContent = `${count.toLocaleString("en")} instr.`;
   }
-  nineError = measure.errorOf(shadeNine(look.nine.terms, state.turn, measure.NORMALS), reference);
-  find("nine-rms").textContent = percent(nineError.rms);
-  find("nine-worst").textContent = percent(nineError.worst);
+  const nine = shadeNine(scenes.nine, state.turn, measure.NORMALS);
+  nineError = measure.errorOf(nine, reference);
+  find("nine-screen").textContent = screenText(screen(nine));
   mark(find("plot"), now, nineError);
 }
 
-/** The inputs of which the curve was measured. */
+/** Of what the curve was measured. */
 let curved = "";
 
 /** What takes tens of milliseconds, once nothing changes. */
@@ -180,18 +168,20 @@ function later() {
     idle = setTimeout(later, 150);
     return;
   }
-  const inputs = JSON.stringify([state.turn, state.effects, state.components, loads]);
-  if (curved !== inputs) {
-    curved = inputs;
+  const { ours, whole, scratch } = scenes;
+  const what = JSON.stringify([scenes.accepted, state.turn, state.effects, state.components]);
+  if (curved !== what) {
+    curved = what;
     plot(find("plot"), measure.curveOf(ours, reference));
     ours.within(measure.toleranceOf(state.step));
     mark(find("plot"), now, nineError);
   }
-  const times = measure.timesOf(ours, loaded.light);
+  const { light, material } = /** @type {import("./scenes.js").Inputs} */ (scenes.loaded);
+  const times = measure.timesOf(ours, light);
   find("light-time").textContent = `${Number((1e6 * times.light).toPrecision(2))} µs`;
   find("pixel-time").textContent = `${Number((1e9 * times.pixel).toPrecision(2))} ns`;
   // Effects are those of light without sources.
-  scratch.light({ ...loaded.light, sources: [] }).material(loaded.material).turn(state.turn).components(state.components);
+  scratch.light({ ...light, sources: [] }).material(material).turn(state.turn).components(state.components);
   const parts = measure.effectsOf(scratch, measure.toleranceOf(state.step));
   for (const effect of EFFECTS) {
     const { share, saved } = parts[effect];
@@ -229,17 +219,17 @@ async function openLink(/** @type {string} */ hash) {
   const link = ++links;
   const before = loads;
   busy(true);
-  const { state: wanted, faults } = fromHash(hash);
+  const { state: wanted, faults } = fromHash(hash, Boolean(ownMesh));
   if (!Object.hasOwn(CASES, wanted.case)) {
     faults.push(`case: "${wanted.case}" is not one of ${Object.keys(CASES).join(", ")}`);
     wanted.case = initial().case;
   }
   faults.push(...(await loadable(wanted)));
   // What was chosen meanwhile stays.
-  if (link !== links || (loaded.light && before !== loads)) return;
+  if (link !== links || (scenes.loaded && before !== loads)) return;
   const fault = await take(wanted);
   if (fault) faults.push(fault);
-  if (!loaded.light) await take(initial());
+  if (!scenes.loaded) await take(initial());
   if (faults.length) fail(`This link is not whole: ${faults.join("; ")}.`);
   refreshCase();
 }
@@ -305,13 +295,15 @@ for (const name of ["object", "view", "drag"]) {
   }
 }
 on("choose", "click", () => {
+  const { scratch, loaded } = scenes;
+  if (!loaded) return;
   scratch.light(loaded.light).material(loaded.material).turn(state.turn);
-  const best = measure.automatic(scratch, state.automatic / 100);
+  const found = measure.automatic(scratch, state.automatic / 100);
   scratch.turn(IDENTITY);
-  if (!best) return;
-  set({ effects: best.effects, step: best.step, components: COMPONENTS });
-  const names = best.effects.length === EFFECTS.length ? "all effects" : best.effects.join(", ") || "no effect";
-  find("chosen").textContent = `Chose ${names} and ${best.terms} terms: error ${percent(best.rms)} rms, worst pixel ${percent(best.worst)}.`;
+  if (!found) return;
+  set({ effects: found.effects, step: found.step, components: COMPONENTS });
+  const names = found.effects.length === EFFECTS.length ? "all effects" : found.effects.join(", ") || "no effect";
+  find("chosen").textContent = `Chose ${names} and ${found.terms} terms: they leave out ${percent(found.rms)} rms, worst pixel ${percent(found.worst)}.`;
 });
 on("copy", "click", async () => {
   saveLink();
@@ -379,11 +371,11 @@ async function open(/** @type {File} */ file) {
       say(`${file.name}: ${ownMesh.indices.length / 3} triangles.`);
       if (!drawing) say(`${file.name} is read, but without WebGL 2 only spheres are drawn.`);
     } else {
-      const { light, width, height } = await panorama(file, say);
+      const { light, width, height, note } = await panorama(file, say);
       const fault = await take({ light: "own", ownLight: { name: file.name.slice(0, 80), light } });
       if (fault) throw new Error(fault);
       const shape = width === 2 * height ? "" : " It is not twice as wide as high; it is read as equirectangular.";
-      say(`${file.name}: ${width} × ${height}, projected to degree 9.${shape}`);
+      say(`${file.name}: ${width} × ${height}, projected to degree 9, with ${counted(light.sources.length / 10, "source")}.${shape}${note}`);
     }
   } catch (fault) {
     say("");
@@ -403,9 +395,7 @@ async function start() {
     );
   }
   plot(find("plot"), []);
-  // With sources, for their module.
-  const inputs = { light: "studio", material: "gold-metallic-paint", sources: 1 };
-  [whole, ours, scratch] = await Promise.all([1, 2, 3].map(() => Scene.create(inputs)));
+  scenes = await Scenes.create();
   thumbnails(find("thumbs"), (material) => take({ material }));
   await openLink(location.hash);
   // By now the page may have replaced its own address.
@@ -414,4 +404,6 @@ async function start() {
   new ResizeObserver(changed).observe(canvas);
 }
 
+find("closed").hidden = true;
+find("page").hidden = false;
 start().catch((fault) => fail(`The page cannot start: ${fault.message}`));

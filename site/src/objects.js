@@ -144,9 +144,12 @@ export function coin() {
 /** Most triangles of a file. */
 const MOST = 2_000_000;
 
+/** Facets that meet at a larger angle, 30 degrees, have an edge between them. */
+const CREASE = Math.cos(Math.PI / 6);
+
 /**
  * The mesh of an .obj file, in the unit sphere. Normals that it lacks are the mean of the facets',
- * weighted with their areas.
+ * weighted with their areas, up to creases.
  *
  * @param {string} text
  * @returns {Mesh}
@@ -154,8 +157,6 @@ const MOST = 2_000_000;
  */
 export function parseObj(text) {
   const places = [], directions = [], positions = [], normals = [], indices = [];
-  /** @type {number[]} Vertices without a normal. */
-  const missing = [];
   const corners = new Map();
   const numbers = (/** @type {string[]} */ words, /** @type {number} */ line) => {
     const values = words.slice(1, 4).map(Number);
@@ -175,13 +176,11 @@ export function parseObj(text) {
         list[Number(index) < 0 ? list.length + Number(index) : Number(index) - 1];
       const found = find(places, place);
       if (!found) throw new RangeError(`line ${k + 1} refers to vertex ${place}, which is not there`);
-      const normal = direction ? find(directions, direction) : undefined;
       corner = positions.length / 3;
-      if (!normal || Math.hypot(...normal) === 0) missing.push(corner);
       // Relative indices mean another vertex each time.
       if (!word.includes("-")) corners.set(word, corner);
       positions.push(...found);
-      normals.push(...unit(normal ?? [0, 0, 0]));
+      normals.push(...unit((direction && find(directions, direction)) || [0, 0, 0]));
       return corner;
     });
     if (face.length < 3) throw new RangeError(`line ${k + 1} is a face of ${face.length} vertices`);
@@ -189,36 +188,86 @@ export function parseObj(text) {
     if (indices.length > 3 * MOST) throw new RangeError(`more than ${MOST} triangles`);
   });
   if (indices.length === 0) throw new RangeError("it has no faces");
-  const mesh = {
+  smooth(positions, normals, indices);
+  fit(positions);
+  return {
     positions: Float32Array.from(positions),
     normals: Float32Array.from(normals),
     uvs: new Float32Array((positions.length / 3) * 2).fill(-1),
     indices: Uint32Array.from(indices),
   };
-  if (missing.length > 0) smooth(mesh, missing);
-  fit(mesh.positions);
-  return mesh;
 }
 
-/** Normals of these vertices from facets; those at one place share theirs. */
-function smooth({ positions, normals, indices }, missing) {
-  const at = (/** @type {number} */ k) => [positions[3 * k], positions[3 * k + 1], positions[3 * k + 2]];
-  const sums = new Map();
-  const key = (/** @type {number} */ k) => at(k).join();
-  for (let k = 0; k < indices.length; k += 3) {
-    const [a, b, c] = [0, 1, 2].map((corner) => at(indices[k + corner]));
-    const normal = cross(b.map((value, axis) => value - a[axis]), c.map((value, axis) => value - a[axis]));
-    for (let corner = 0; corner < 3; corner++) {
-      const place = key(indices[k + corner]);
-      const sum = sums.get(place) ?? [0, 0, 0];
-      sums.set(place, sum.map((value, axis) => value + normal[axis]));
+/**
+ * Gives vertices without a normal those of their facets: the corners of facets that meet at an edge
+ * without a crease share one, and the others get vertices of their own.
+ *
+ * @param {number[]} positions
+ * @param {number[]} normals
+ * @param {number[]} indices
+ */
+function smooth(positions, normals, indices) {
+  const at = (/** @type {number[]} */ list, /** @type {number} */ k) => list.slice(3 * k, 3 * k + 3);
+  const isBare = (/** @type {number} */ vertex) => at(normals, vertex).every((value) => value === 0);
+  /** @type {Map<string, number>} */
+  const known = new Map();
+  const places = Array.from({ length: positions.length / 3 }, (_, k) => {
+    const key = at(positions, k).join();
+    if (!known.has(key)) known.set(key, known.size);
+    return /** @type {number} */ (known.get(key));
+  });
+  /** The first corner of each group of corners that share a normal. */
+  const groups = Array.from(indices, (_, corner) => corner);
+  const first = (/** @type {number} */ corner) => {
+    while (groups[corner] !== corner) corner = groups[corner] = groups[groups[corner]];
+    return corner;
+  };
+  const facets = Array.from({ length: indices.length / 3 }, (_, k) => {
+    const [a, b, c] = [0, 1, 2].map((corner) => at(positions, indices[3 * k + corner]));
+    return cross(b.map((value, axis) => value - a[axis]), c.map((value, axis) => value - a[axis]));
+  });
+  const isSmooth = (/** @type {number[]} */ a, /** @type {number[]} */ b) =>
+    a.reduce((sum, value, axis) => sum + value * b[axis], 0) >= CREASE * Math.hypot(...a) * Math.hypot(...b);
+  /** @type {Map<number, [number, number][]>} The corners at both ends of each edge, for each facet. */
+  const edges = new Map();
+  for (let from = 0; from < indices.length; from++) {
+    const to = from % 3 === 2 ? from - 2 : from + 1;
+    const ends = /** @type {[number, number]} */ (places[indices[from]] < places[indices[to]] ? [from, to] : [to, from]);
+    const key = places[indices[ends[0]]] * known.size + places[indices[ends[1]]];
+    const others = edges.get(key);
+    if (!others) edges.set(key, [ends]);
+    // Where more than two facets meet, each is compared with the one before it.
+    else {
+      const [before] = others.slice(-1);
+      others.push(ends);
+      if (!isSmooth(facets[Math.floor(from / 3)], facets[Math.floor(before[0] / 3)])) continue;
+      ends.forEach((corner, end) => (groups[first(corner)] = first(before[end])));
     }
   }
-  for (const k of missing) normals.set(unit(sums.get(key(k)) ?? [0, 0, 1]), 3 * k);
+  const sums = new Map();
+  indices.forEach((_, corner) => {
+    const sum = sums.get(first(corner)) ?? [0, 0, 0];
+    sums.set(first(corner), sum.map((value, axis) => value + facets[Math.floor(corner / 3)][axis]));
+  });
+  /** @type {Map<number, number>} The vertex of each group. */
+  const vertices = new Map();
+  const bare = indices.map(isBare);
+  indices.forEach((vertex, corner) => {
+    if (!bare[corner]) return;
+    const group = first(corner);
+    if (!vertices.has(group)) {
+      const own = isBare(vertex) ? vertex : positions.length / 3;
+      vertices.set(group, own);
+      const normal = unit(sums.get(group));
+      normals.splice(3 * own, 3, ...(Math.hypot(...normal) ? normal : [0, 0, 1]));
+      if (own !== vertex) positions.push(...at(positions, vertex));
+    }
+    indices[corner] = /** @type {number} */ (vertices.get(group));
+  });
 }
 
 /** Moves and scales positions into the unit sphere. */
-function fit(positions) {
+function fit(/** @type {number[]} */ positions) {
   const [low, high] = [[Infinity, Infinity, Infinity], [-Infinity, -Infinity, -Infinity]];
   positions.forEach((value, k) => {
     low[k % 3] = Math.min(low[k % 3], value);

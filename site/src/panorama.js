@@ -1,9 +1,10 @@
-// A worker: reads a panorama and projects it. Says { stage, share } as it goes, then { light } or {
-// fault }.
+// A worker: reads a panorama, projects it and finds its sources. Says { stage, share } as it goes,
+// then { light } or { fault }.
 
 import parseExr from "../vendor/parse-exr.js";
-import { project } from "./project.js";
-import { parseHdr } from "./rgbe.js";
+import { project, resized } from "./project.js";
+import { FINE, pursue } from "./pursuit.js";
+import { parseHdr, primariesNote } from "./rgbe.js";
 
 /** Float samples of parse-exr. */
 const FLOAT = 1015;
@@ -16,6 +17,7 @@ const ROWS = [1, 1, 1, 16, 32, 16, 32, 32, 32, 256];
  * Throws for a file that ends too early: parse-exr would not end. Tiles it checks by itself.
  *
  * @param {ArrayBuffer} buffer
+ * @returns {string} what is to be said of it
  */
 function checkExr(buffer) {
   const [bytes, view] = [new Uint8Array(buffer), new DataView(buffer)];
@@ -27,7 +29,7 @@ function checkExr(buffer) {
     at = end + 1;
     return found;
   };
-  let [rows, height, tiled] = [1, 0, false];
+  let [rows, height, tiled, note] = [1, 0, false, ""];
   for (let name = text(); name !== ""; name = text()) {
     text();
     const size = view.getUint32(at, true);
@@ -36,20 +38,22 @@ function checkExr(buffer) {
     if (name === "compression") rows = ROWS[bytes[at]] ?? 1;
     if (name === "dataWindow") height = view.getInt32(at + 12, true) - view.getInt32(at + 4, true) + 1;
     if (name === "tiles") tiled = true;
+    if (name === "chromaticities") note = primariesNote(Array.from({ length: 8 }, (_, k) => view.getFloat32(at + 4 * k, true)));
     at += size;
   }
-  if (tiled) return;
+  if (tiled) return note;
   for (let block = 0; block < Math.ceil(height / rows); block++, at += 8) {
     const place = at + 8 <= bytes.length ? Number(view.getBigUint64(at, true)) : bytes.length;
     if (place + 8 > bytes.length || place + 8 + view.getUint32(place + 4, true) > bytes.length) {
       throw new Error("it ends within its pixels");
     }
   }
+  return note;
 }
 
 /** @param {ArrayBuffer} buffer */
 function exr(buffer) {
-  checkExr(buffer);
+  const note = checkExr(buffer);
   const { width, height, data, format } = parseExr(buffer, FLOAT);
   const stride = format === ONE_CHANNEL ? 1 : 4;
   // Its rows run from the bottom, and a map of one channel is gray.
@@ -60,7 +64,7 @@ function exr(buffer) {
       for (let c = 0; c < 3; c++) map[to + c] = data[from + (stride === 1 ? 0 : c)];
     }
   }
-  return { width, height, stride: 3, data: map };
+  return { width, height, stride: 3, data: map, note };
 }
 
 /** A picture: sRGB, white to a radiance of 1. */
@@ -75,7 +79,7 @@ async function picture(/** @type {Blob} */ file) {
     const encoded = code / 255;
     return encoded <= 0.04045 ? encoded / 12.92 : ((encoded + 0.055) / 1.055) ** 2.4;
   });
-  return { width, height, stride: 4, data: bytes, table };
+  return { width, height, stride: 4, data: bytes, table, note: "" };
 }
 
 /** @param {Blob} file @param {string} name */
@@ -94,14 +98,19 @@ addEventListener("message", async ({ data: { file, name } }) => {
   try {
     postMessage({ stage: "decoding", share: 0 });
     const map = await read(file, name);
-    let last = 0;
-    const light = project(map, (share) => {
-      if (share - last < 0.05) return;
-      last = share;
-      postMessage({ stage: "projecting", share });
-    });
-    const { width, height } = map;
-    postMessage({ light, width, height });
+    const progress = (/** @type {string} */ stage, from = 0, to = 1) => {
+      let last = 0;
+      return (/** @type {number} */ share) => {
+        if (share - last < 0.05) return;
+        last = share;
+        postMessage({ stage, share: from + (to - from) * share });
+      };
+    };
+    const light = project(map, progress("projecting"));
+    const fine = project(resized(map), progress("finding sources", 0, 0.3), FINE);
+    const sources = pursue(fine, progress("finding sources", 0.3));
+    const { width, height, note } = map;
+    postMessage({ light: { ...light, sources }, width, height, note });
   } catch (fault) {
     postMessage({ fault: fault instanceof Error ? fault.message : String(fault) });
   }

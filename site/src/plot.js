@@ -1,4 +1,4 @@
-// Error against terms, as SVG: both on logarithmic scales.
+// What is left out by terms, as SVG: both on logarithmic scales.
 
 const [LEFT, RIGHT, TOP, BOTTOM] = [52, 352, 8, 172];
 const [LEAST, MOST] = [1e-6, 2];
@@ -9,6 +9,8 @@ const down = (/** @type {number} */ error) => {
   const share = Math.log(Math.min(MOST, Math.max(LEAST, error)) / LEAST) / Math.log(MOST / LEAST);
   return BOTTOM - (BOTTOM - TOP) * share;
 };
+
+export const counted = (/** @type {number} */ count, /** @type {string} */ noun) => `${count} ${noun}${count === 1 ? "" : "s"}`;
 
 /** @param {number} share */
 export function percent(share) {
@@ -61,5 +63,5 @@ export function mark(svg, { terms, rms, worst }, nine) {
     circle?.setAttribute("cx", across(terms).toFixed(1));
     circle?.setAttribute("cy", down(error).toFixed(1));
   }
-  svg.setAttribute("aria-label", `Error against terms: now ${terms} terms, rms ${percent(rms)}, worst pixel ${percent(worst)}`);
+  svg.setAttribute("aria-label", `What is left out by terms: now ${terms} terms, rms ${percent(rms)}, worst pixel ${percent(worst)}`);
 }

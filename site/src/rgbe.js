@@ -1,8 +1,17 @@
 // Radiance's .hdr: shared exponents, run lengths.
 
+/** The chromaticities of sRGB: red, green, blue and white. */
+const SRGB = [0.64, 0.33, 0.3, 0.6, 0.15, 0.06, 0.3127, 0.329];
+
+/** What is to be said of a file whose colors have these chromaticities, which nothing converts. */
+export const primariesNote = (/** @type {number[]} */ found) =>
+  SRGB.every((value, k) => Math.abs(value - found[k]) < 1e-3) ? "" : " Its primaries are not those of sRGB, and are ignored.";
+
 /**
+ * Divides its COLORCORR out. The exposure that it states is ignored: that of a map is arbitrary.
+ *
  * @param {ArrayBuffer} buffer
- * @returns {{ width: number, height: number, stride: number, data: Float32Array }}
+ * @returns {{ width: number, height: number, stride: number, data: Float32Array, note: string }}
  * @throws {Error} if it is no .hdr, is cut short or holds another orientation
  */
 export function parseHdr(buffer) {
@@ -18,9 +27,15 @@ export function parseHdr(buffer) {
     return text.trim();
   };
   if (!/^#\?/.test(line())) throw new Error("it does not start with #?RADIANCE");
+  let [factors, note] = [[1, 1, 1], ""];
   for (let text = line(); text !== ""; text = line()) {
-    const [, format] = /^FORMAT\s*=\s*(.*)$/i.exec(text) ?? [];
-    if (format && format !== "32-bit_rle_rgbe") throw new Error(`its format is ${format}, expected 32-bit_rle_rgbe`);
+    const [, name, value = ""] = /^(FORMAT|COLORCORR|PRIMARIES)\s*=\s*(.*)$/i.exec(text)?.map((part) => part.trim()) ?? [];
+    const numbers = value.split(/\s+/).map(Number);
+    if (/FORMAT/i.test(name) && value !== "32-bit_rle_rgbe") throw new Error(`its format is ${value}, expected 32-bit_rle_rgbe`);
+    if (/PRIMARIES/i.test(name)) note = primariesNote(numbers);
+    if (/COLORCORR/i.test(name) && numbers.length === 3 && numbers.every((factor) => factor > 0)) {
+      factors = factors.map((factor, c) => factor / numbers[c]);
+    }
   }
   const size = line();
   const [, rows, columns] = /^-Y (\d+) \+X (\d+)$/.exec(size) ?? [];
@@ -56,8 +71,9 @@ export function parseHdr(buffer) {
     for (let x = 0; x < width; x++) {
       const exponent = scan[4 * x + 3];
       const scale = exponent ? 2 ** (exponent - 136) : 0;
-      for (let c = 0; c < 3; c++) data[3 * (y * width + x) + c] = scan[4 * x + c] * scale;
+      // Writers cut mantissas off, so a value is in the middle of its step, as Radiance reads it.
+      for (let c = 0; c < 3; c++) data[3 * (y * width + x) + c] = (scan[4 * x + c] + 0.5) * scale * factors[c];
     }
   }
-  return { width, height, stride: 3, data };
+  return { width, height, stride: 3, data, note };
 }

@@ -2,9 +2,7 @@
 
 import { EFFECTS } from "../eigenshade/src/index.js";
 import { find } from "./controls.js";
-import { percent } from "./plot.js";
-
-export const counted = (/** @type {number} */ count, /** @type {string} */ noun) => `${count} ${noun}${count === 1 ? "" : "s"}`;
+import { counted, percent } from "./plot.js";
 
 /**
  * Lines of `eigenshade/errors.csv`: light, roughness, sources, rms, worst pixel; each light twice,

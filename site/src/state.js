@@ -4,8 +4,9 @@ import { EFFECTS, lightPreset, materialPreset } from "../eigenshade/src/index.js
 import { LARGEST } from "../eigenshade/src/input.js";
 import { ALL_TERMS } from "./measure.js";
 import { ANALYTIC, COUNT } from "./harmonics.js";
+import { MOST } from "./pursuit.js";
 
-/** @typedef {{ r: Float32Array, g: Float32Array, b: Float32Array }} Light */
+/** @typedef {{ r: Float32Array, g: Float32Array, b: Float32Array, sources?: Float32Array }} Light */
 /** @typedef {{ baseColor: string, metallic: number, roughness: number }} Gltf */
 
 export const OBJECTS = ["sphere", "relief", "coin", "own"];
@@ -13,6 +14,8 @@ export const VIEWS = ["picture", "split"];
 export const TABS = ["scene", "accuracy", "effects", "images", "cases"];
 export const COMPONENTS = 160;
 export const SOURCES = ["0", "1", "2", "4", "8"];
+/** The most sources that a light has; pictures are compared with those of as many. */
+export const ALL_SOURCES = 16;
 /** The tolerances of "automatic", in percent. */
 export const AUTOMATIC = ["10", "5", "2", "1", "0.5", "0.1"];
 
@@ -43,19 +46,20 @@ export const initial = () => ({
 /** @typedef {ReturnType<typeof initial>} State */
 
 /** Base64 for links. */
-function encodeLight({ r, g, b }) {
-  const bytes = new Uint8Array(Float32Array.from([...r, ...g, ...b]).buffer);
+function encodeLight({ r, g, b, sources = [] }) {
+  const bytes = new Uint8Array(Float32Array.from([...r, ...g, ...b, ...sources]).buffer);
   return btoa(String.fromCharCode(...bytes)).replaceAll("+", "-").replaceAll("/", "_").replaceAll("=", "");
 }
 
 /** @param {string} text */
 function decodeLight(text) {
   const bytes = Uint8Array.from(atob(text.replaceAll("-", "+").replaceAll("_", "/")), (c) => c.charCodeAt(0));
-  if (bytes.length !== 12 * COUNT) throw new RangeError("its light is incomplete");
+  const count = (bytes.length - 12 * COUNT) / 40;
+  if (!(Number.isInteger(count) && count >= 0 && count <= MOST)) throw new RangeError("its light is incomplete");
   const numbers = new Float32Array(bytes.buffer);
   if (!numbers.every((value) => Math.abs(value) <= LARGEST)) throw new RangeError(`its light has a number beyond ${LARGEST}`);
   const [r, g, b] = [0, 1, 2].map((k) => numbers.slice(COUNT * k, COUNT * (k + 1)));
-  return { r, g, b };
+  return { r, g, b, sources: numbers.slice(3 * COUNT) };
 }
 
 /** How each part of the state becomes text and back. Readers throw for what is no value. */
@@ -157,9 +161,10 @@ export function toHash(state) {
  * wrong.
  *
  * @param {string} hash
+ * @param {boolean} [ownMesh] whether the page has a mesh, which no link holds
  * @returns {{ state: State, faults: string[] }}
  */
-export function fromHash(hash) {
+export function fromHash(hash, ownMesh = false) {
   const [state, faults] = [initial(), /** @type {string[]} */ ([])];
   for (const [key, text] of new URLSearchParams(hash.replace(/^#/, ""))) {
     if (!Object.hasOwn(PARTS, key)) {
@@ -176,7 +181,7 @@ export function fromHash(hash) {
     faults.push("its own light is missing");
     state.light = initial().light;
   }
-  if (state.object === "own") {
+  if (state.object === "own" && !ownMesh) {
     faults.push("a link holds no mesh; drop the file again");
     state.object = initial().object;
   }
@@ -186,16 +191,27 @@ export function fromHash(hash) {
 /** How the scenes' inputs are loaded that the state names. Throws for a name that does not exist. */
 const INPUTS = {
   async light(/** @type {State} */ { light, ownLight, sources }) {
-    if (light === "own") return /** @type {any} */ (ownLight).light;
+    if (light === "own") {
+      const own = /** @type {Light} */ (ownLight?.light);
+      return { ...own, sources: own.sources?.subarray(0, 10 * sources) };
+    }
     return Object.hasOwn(ANALYTIC, light) ? ANALYTIC[light]() : lightPreset(light, { sources });
   },
   material: async (/** @type {State} */ { material }) =>
     typeof material === "string" ? materialPreset(material) : material,
 };
 
-/** The scenes' inputs that the state names. Throws for a name that does not exist. */
+/**
+ * The scenes' inputs that the state names, the same light with all its sources, and whether it is a
+ * light of one's own. Throws for a name that does not exist.
+ */
 export async function inputsOf(/** @type {State} */ wanted) {
-  return { light: await INPUTS.light(wanted), material: await INPUTS.material(wanted) };
+  return {
+    light: await INPUTS.light(wanted),
+    best: await INPUTS.light({ ...wanted, sources: ALL_SOURCES }),
+    material: await INPUTS.material(wanted),
+    isOwn: wanted.light === "own",
+  };
 }
 
 /**

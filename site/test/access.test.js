@@ -107,6 +107,19 @@ describe("the page", { concurrency: 4 }, () => {
     });
   }
 
+  for (const width of [960, 1050, 1150, 1280]) {
+    test(`${width} pixels wide, picture, slider and columns have room`, async () => {
+      const { page } = await open(browser, server.address, { width, height: 700, script: NO_WEBGL });
+      for (const [id, least] of [["picture", 350], ["step", 200], ["scene", 220], ["accuracy", 260], ["light", 90], ["exposure", 90]]) {
+        const box = await page.locator(`#${id}`).boundingBox();
+        assert.ok(box.width >= least && box.x >= 0 && box.x + box.width <= width, `${id}: ${JSON.stringify(box)}`);
+      }
+      const beyond = await page.evaluate(() => [document.documentElement, ...document.querySelectorAll(".panel, .stage, header, .tabs")].map((part) => part.scrollWidth - part.clientWidth));
+      assert.ok(beyond.every((pixels) => pixels <= 0), `${beyond}`);
+      await page.close();
+    });
+  }
+
   test("a page that has no room for a panel scrolls to all of it", async () => {
     const { page } = await open(browser, server.address, { width: 360, height: 300, script: NO_WEBGL });
     const [shown, all] = await page.evaluate(() => [document.documentElement, document.querySelector("#accuracy")].map((part) => [part.scrollHeight, part.clientHeight]));

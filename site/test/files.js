@@ -1,13 +1,13 @@
 // Files that tests drop.
 
-/** A Radiance file: new run lengths, each as literals. */
+/** A Radiance file: new run lengths, each as literals, and mantissas that are cut off. */
 export function hdrFile(width, height, data) {
   const bytes = [...Buffer.from(`#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y ${height} +X ${width}\n`)];
   for (let y = 0; y < height; y++) {
     const texels = Array.from({ length: width }, (_, x) => {
       const rgb = [0, 1, 2].map((c) => data[3 * (y * width + x) + c]);
       const exponent = Math.floor(Math.log2(Math.max(...rgb, 1e-30))) + 1;
-      return [...rgb.map((value) => Math.min(255, Math.round(value * 2 ** (8 - exponent)))), exponent + 128];
+      return [...rgb.map((value) => Math.min(255, Math.floor(value * 2 ** (8 - exponent)))), exponent + 128];
     });
     bytes.push(2, 2, width >> 8, width & 255);
     for (let part = 0; part < 4; part++) {

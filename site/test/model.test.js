@@ -6,6 +6,7 @@ import { execFileSync } from "node:child_process";
 import { readFileSync, readdirSync, statSync } from "node:fs";
 import { join } from "node:path";
 import { test } from "node:test";
+import { integrals, irradiance, texels } from "../../examples/three/reference.js";
 import { EIGENSHADE } from "../../packages/eigenshade/test/support/own.js";
 import { engine } from "../eigenshade/src/engine.js";
 import { EFFECTS, Scene, lightPreset } from "../eigenshade/src/index.js";
@@ -15,10 +16,13 @@ import * as measure from "../src/measure.js";
 import { nineTerms, shadeNine } from "../src/nine.js";
 import { coin, coinNormals, parseObj, relief } from "../src/objects.js";
 import { percent } from "../src/plot.js";
-import { project } from "../src/project.js";
+import { project, resized } from "../src/project.js";
+import { FINE, MOST, pursue } from "../src/pursuit.js";
 import { parseHdr } from "../src/rgbe.js";
+import { colorsOf, screenError, verdict } from "../src/screen.js";
 import { AUTOMATIC, fromHash, initial, toHash } from "../src/state.js";
 import { dragged, multiply, rotate } from "../src/turn.js";
+import { calm } from "../src/window.js";
 import parseExr from "../vendor/parse-exr.js";
 import { hdrFile } from "./files.js";
 import { ROOT, SITE } from "./support.js";
@@ -63,13 +67,18 @@ test("the lines of the boards are fits to the committed counts", () => {
   }
 });
 
+/** A shipped map, row 0 at the top. */
+function mapOf(name) {
+  const bytes = readFileSync(join(ROOT, `tables/inputs/maps/${name}.exr`));
+  const { width, height, data } = parseExr(bytes.buffer.slice(bytes.byteOffset, bytes.byteOffset + bytes.length), 1015);
+  const flipped = Float32Array.from({ length: 4 * width * height }, (_, k) => data[4 * width * (height - 1 - Math.floor(k / 4 / width)) + (k % (4 * width))]);
+  return { width, height, stride: 4, data: flipped };
+}
+
 test("maps give the light of the program", () => {
   for (const name of ["park", "sunset", "hall"]) {
     const path = join(ROOT, `tables/inputs/maps/${name}.exr`);
-    const bytes = readFileSync(path);
-    const { width, height, data } = parseExr(bytes.buffer.slice(bytes.byteOffset, bytes.byteOffset + bytes.length), 1015);
-    const flipped = Float32Array.from({ length: 4 * width * height }, (_, k) => data[4 * width * (height - 1 - Math.floor(k / 4 / width)) + (k % (4 * width))]);
-    const found = project({ width, height, stride: 4, data: flipped });
+    const found = project(mapOf(name));
     const rows = execFileSync(EIGENSHADE, ["light", "-q", path], { encoding: "utf8" }).trim().split("\n").slice(1);
     const expected = rows.map((row) => row.split(",").slice(3).map(Number));
     assert.equal(expected.length, 100);
@@ -97,13 +106,141 @@ test("a map of floats gives the light of the program to 1e-5", () => {
 test(".hdr files that are wrong say why", () => {
   const good = hdrFile(16, 8, new Float32Array(3 * 16 * 8).fill(1));
   const read = (bytes) => parseHdr(bytes.buffer.slice(bytes.byteOffset, bytes.byteOffset + bytes.length));
-  assert.equal(read(good).data[0], 1);
+  assert.equal(read(good).data[0], 128.5 / 128);
+  // A channel of mantissa 0 is half a step, and exponent 0 is black.
+  const texels = (...bytes) => [...read(Buffer.from([...Buffer.from(`#?RADIANCE\n\n-Y 1 +X ${bytes.length / 4}\n`), ...bytes])).data];
+  assert.deepEqual(texels(255, 1, 0, 136, 9, 9, 9, 0), [255.5, 1.5, 0.5, 0, 0, 0]);
+  // What a header states of color is applied or said.
+  const headed = (lines) => read(Buffer.from([...Buffer.from(`#?RADIANCE\r\n${lines}\r\n\r\n-Y 1 +X 1\r\n`), 127, 127, 127, 136]));
+  for (const [lines, data, note] of [
+    ["EXPOSURE=4", [127.5, 127.5, 127.5], ""],
+    ["COLORCORR= 2 1 0.5", [63.75, 127.5, 255], ""],
+    ["COLORCORR=2 1 1\r\ncolorcorr=1 1 2", [63.75, 127.5, 63.75], ""],
+    ["PRIMARIES= 0.640 0.330 0.300 0.600 0.150 0.060 0.3127 0.3290", [127.5, 127.5, 127.5], ""],
+    ["PRIMARIES=0.708 0.292 0.170 0.797 0.131 0.046 0.3127 0.3290", [127.5, 127.5, 127.5], " Its primaries are not those of sRGB, and are ignored."],
+  ]) {
+    const found = headed(lines);
+    assert.deepEqual([[...found.data], found.note], [data, note], lines);
+  }
   assert.throws(() => read(good.subarray(0, good.length - 9)), /ends within its pixels/);
   assert.throws(() => read(good.subarray(0, 12)), /ends within its header/);
   assert.throws(() => read(Buffer.from("P6\n1 1\n255\n")), /does not start with/);
   assert.throws(() => read(Buffer.from("#?RADIANCE\nFORMAT=32-bit_rle_xyze\n\n-Y 1 +X 1\n")), /its format is 32-bit_rle_xyze/);
   assert.throws(() => read(Buffer.from("#?RADIANCE\n\n+Y 1 +X 1\n")), /its size is/);
   assert.throws(() => project({ width: 2, height: 1, stride: 3, data: [1, 1, 1, NaN, 1, 1] }), /NaN/);
+});
+
+test("sources and a window of a map make its picture that of a direct integral, as far as stated", async () => {
+  // Copper. Screen errors: mean and 95th percentile, of degree 9 alone and with 0, 4 and 8 sources
+  // and the window.
+  const copper = { baseColor: [0.955, 0.638, 0.538], metallic: 1, roughness: 0.35 };
+  const count = 250;
+  const axes = [0, 1, 2].map(() => new Float32Array(count));
+  for (let k = 0; k < count; k++) {
+    const [radius, angle] = [Math.sqrt((k + 0.5) / count), k * Math.PI * (3 - Math.sqrt(5))];
+    [radius * Math.cos(angle), radius * Math.sin(angle), Math.sqrt(1 - radius * radius)].forEach((value, axis) => (axes[axis][k] = value));
+  }
+  for (const [name, ...stated] of [
+    ["studio", [12.48, 36.5], [7.41, 22.9], [1.27, 4.49], [1.14, 4.07]],
+    ["night", [4.28, 14.1], [3.31, 9.79], [2.39, 6.68], [2.13, 4.71]],
+  ]) {
+    const map = mapOf(name);
+    const light = project(map);
+    const sources = pursue(project(resized(map), () => {}, FINE));
+    assert.equal(sources.length, 10 * MOST);
+    const scene = await Scene.create({ light, material: copper, sources: MOST });
+    const small = resized(map, 256);
+    const data = new Float32Array(4 * small.width * small.height);
+    // The reference's rows are from the bottom.
+    for (let k = 0; k < data.length; k++) {
+      const [row, column] = [Math.floor(k / 4 / small.width), Math.floor(k / 4) % small.width];
+      if (k % 4 < 3) data[k] = small.data[3 * ((small.height - 1 - row) * small.width + column) + (k % 4)];
+    }
+    const direct = texels({ ...small, data });
+    const pixels = Array.from(axes[0], (x, k) => irradiance(integrals(direct, [x, axes[1][k], axes[2][k]], copper.roughness), copper));
+    const [r, g, b] = [0, 1, 2].map((c) => Float32Array.from(pixels, (pixel) => pixel[c]));
+    const brightest = r.map((red, k) => Math.max(red, g[k], b[k])).sort();
+    const exposure = 0.8 / brightest[Math.round(0.95 * (count - 1))];
+    const expected = colorsOf({ r, g, b }, exposure);
+    const lights = [light, ...[0, 4, 8].map((most) => calm(scene, { ...light, sources: sources.subarray(0, 10 * most) }, copper))];
+    for (const [k, one] of lights.entries()) {
+      scene.light(one);
+      const picture = scene.shade(...axes);
+      const { mean, most } = screenError(colorsOf(picture, exposure), expected);
+      near(mean, stated[k][0], 0.02);
+      near(most, stated[k][1], 0.1);
+      // Rings have negative values. The lamps of the studio need sources, too.
+      const least = exposure * Math.min(...Object.values(picture).flatMap((channel) => [...channel]));
+      assert.equal(least < -0.003, k === 0 || (name === "studio" && k === 1), `${name} ${k}: ${least}`);
+    }
+  }
+});
+
+test("a map has sources where it has lamps", () => {
+  const [width, height] = [64, 32];
+  const even = { width, height, stride: 3, data: new Float32Array(3 * width * height).fill(0.5) };
+  const found = (map) => pursue(project(resized(map), () => {}, FINE));
+  assert.equal(found(even).length, 0);
+  // Bands of sky and ground are broad; 8 rows are patches, not points.
+  for (const [columns, rows] of [[64, 32], [16, 8]]) {
+    const data = Float32Array.from({ length: 3 * columns * rows }, (_, k) => (k < 1.5 * columns * rows ? 1 : 0.3));
+    assert.equal(found({ width: columns, height: rows, stride: 3, data }).length, 0);
+  }
+  // A texel of 30 and one of 10, with a table: their directions and irradiances.
+  const data = new Uint8Array(3 * width * height);
+  const lamps = [[20, 10, 1], [50, 22, 2]];
+  for (const [column, row, code] of lamps) data.fill(code, 3 * (row * width + column), 3 * (row * width + column) + 3);
+  const sources = found({ width, height, stride: 3, data, table: [0.1, 30, 10] });
+  lamps.forEach(([column, row, code], k) => {
+    const [theta, t] = [(Math.PI * (row + 0.5)) / height, 2 * Math.PI * ((column + 0.5) / width - 0.5)];
+    const [x, y, z, , energy] = sources.subarray(10 * k);
+    near(x * Math.sin(t) * Math.sin(theta) + y * Math.cos(theta) - z * Math.cos(t) * Math.sin(theta), 1, 1e-4);
+    const solid = ((2 * Math.PI) / width) * (Math.cos((Math.PI * row) / height) - Math.cos((Math.PI * (row + 1)) / height));
+    near(energy / (([0.1, 30, 10][code] - 0.1) * solid), 1, 0.02);
+  });
+});
+
+test("a light whose pictures have no negative values gets no window, and a window keeps sources and mean", async () => {
+  const soft = { ...ANALYTIC.hemisphere(), sources: new Float32Array() };
+  const sharp = { ...directional([0, 0.6, 0.8], [3, 2, 1]), sources: new Float32Array() };
+  const [material, matte] = [0.35, 0.9].map((roughness) => ({ baseColor: "#b87333", metallic: 1, roughness }));
+  const scene = await Scene.create({ light: soft, material, sources: 1 });
+  assert.deepEqual(calm(scene, soft, { r: [2], g: [2], b: [2] }), soft);
+  const calmed = calm(scene, sharp, material);
+  near(calmed.g[0], sharp.g[0], 1e-6);
+  assert.ok(Math.abs(calmed.g[90]) < 0.2 * Math.abs(sharp.g[90]));
+  // All of it in a source: nothing is left to ring.
+  const source = { ...sharp, sources: Float32Array.of(0, 0.6, 0.8, 3, 2, 1, 0.01, 0, 0, 0.01) };
+  calm(scene, source, material).g.forEach((value, k) => near(value, sharp.g[k], 0.02));
+  // A matte material is drawn without it.
+  assert.equal(calm(scene, source, matte).sources, source.sources);
+  assert.deepEqual(calm(scene, source, matte).g, calm(scene, sharp, matte).g);
+});
+
+test("the error of a screen: exposed, clipped, mean and 95th percentile, in words", () => {
+  const gray = (values) => ({ r: Float32Array.from(values), g: Float32Array.from(values), b: Float32Array.from(values) });
+  const error = (found, expected, exposure = 1) => screenError(colorsOf(gray(found), exposure), colorsOf(gray(expected), exposure));
+  // Beyond white and below black nothing shows, and white is 100 from black.
+  assert.deepEqual(error([2, -1, 0.5], [9, 0, 0.5]), { mean: 0, most: 0 });
+  near(error([1], [0]).mean, 100, 1e-6);
+  // Light of 0.18 and 0.184 is L* 49.5 and 50.0: near 50 the error of grays is that of L*.
+  near(error([0.184, 0.184], [0.18, 0.18]).mean, 0.5, 0.03);
+  near(error([0.092], [0.09], 2).mean, error([0.184], [0.18]).mean, 1e-6);
+  const some = (count) => error(Array.from({ length: 100 }, (_, k) => (k < count ? 1 : 0)), Array(100).fill(0));
+  assert.deepEqual([some(5), some(6)].map(({ mean, most }) => [Math.round(mean), Math.round(most)]), [[5, 0], [6, 100]]);
+  for (const [mean, most, sources, text] of [
+    [0, 0, 0, "At best not visible: mean 0.0, 95\u00a0% within 0.0"],
+    [1, 2, 4, "At best not visible: mean 1.0, 95\u00a0% within 2.0"],
+    [0.01, 2.01, 4, "At best close: mean < 0.1, 95\u00a0% within 2.0"],
+    [2, 5, 1, "At best close: mean 2.0, 95\u00a0% within 5.0"],
+    [2.1, 5, 16, "Visible: mean 2.1, 95\u00a0% within 5.0"],
+    [2, 25.2, 16, "Visible: mean 2.0, 95\u00a0% within 25"],
+  ]) {
+    const { error, against } = verdict({ mean, most }, sources);
+    assert.equal(error, text);
+    const also = { 0: "", 1: " and 1 source" }[sources] ?? ` and ${sources} sources`;
+    assert.equal(against, `CIEDE2000 against all terms of 160 images${also}; what degree 9 lacks adds to it`);
+  }
 });
 
 test("lights by formula are those of maps", () => {
@@ -196,7 +333,8 @@ test("effects have shares, and what they save is counted at one absolute error",
 });
 
 test("the state survives its link, with a light of one's own", async () => {
-  const light = await lightPreset("park");
+  const { r, g, b, sources: two } = await lightPreset("park", { sources: 2 });
+  const light = { r, g, b, sources: Float32Array.from(two) };
   const state = {
     ...initial(), object: "coin", light: "own", ownLight: { name: "my sky, 1.hdr", light },
     material: { baseColor: "#b87333", metallic: 1, roughness: 0.35 }, turn: dragged(0.3, 0.4), pose: dragged(1, 0),
@@ -220,6 +358,12 @@ test("the state survives its link, with a light of one's own", async () => {
   assert.deepEqual(fromHash("#step=1.5&exposure=5").faults, [
     'step: "1.5" is not a whole number from 0 to 40', 'exposure: "5" is not a number from -4 to 4',
   ]);
+  // The page may have the mesh that a link does not hold.
+  assert.deepEqual(fromHash("#object=own", true), { state: { ...initial(), object: "own" }, faults: [] });
+  const { sources, ...plain } = light;
+  assert.equal(fromHash(`#${toHash({ ...state, ownLight: { name: "sky", light: plain } })}`).state.ownLight.light.sources.length, 0);
+  const cut = { ...light, sources: sources.subarray(0, 7) };
+  assert.match(fromHash(`#${toHash({ ...state, ownLight: { name: "sky", light: cut } })}`).faults[0], /its light is incomplete/);
   // Tolerances of the automatic choice are those of its list.
   const options = readFileSync(join(SITE, "index.html"), "utf8").matchAll(/<option value="(.*?)"/g);
   assert.deepEqual([...options].map(([, value]) => value), AUTOMATIC);
@@ -263,6 +407,28 @@ test("an .obj is read with or without normals, and faults name their line", () =
   assert.deepEqual([...mesh.normals.subarray(0, 3)], [0, 0, 1]);
   near(Math.hypot(...mesh.positions.subarray(0, 3)), 1, 1e-6);
   assert.deepEqual([...parseObj(`${cube.replace("f 1 2 3 4", "vn 1 0 0\nf 1//1 2//1 -2//-1")}`).normals.subarray(6, 9)], [1, 0, 0]);
+  // Normals that are not there: a cube has edges, a fold of 25 degrees has none, one of 35 has.
+  const box = parseObj(`${[0, 1, 2, 3, 4, 5, 6, 7].map((k) => `v ${k & 1} ${(k >> 1) & 1} ${k >> 2}`).join("\n")}
+f 1 3 4 2\nf 5 6 8 7\nf 1 2 6 5\nf 3 7 8 4\nf 1 5 7 3\nf 2 4 8 6`);
+  assert.equal(box.positions.length / 3, 24);
+  box.indices.forEach((vertex, corner) => {
+    const normal = [...box.normals.subarray(3 * vertex, 3 * vertex + 3)];
+    const [axis, sign] = [[2, -1], [2, 1], [1, -1], [1, 1], [0, -1], [0, 1]][Math.floor(corner / 6)];
+    assert.deepEqual(normal.map((value) => value + 0), [0, 1, 2].map((k) => (k === axis ? sign : 0)), `corner ${corner}`);
+  });
+  for (const [degrees, isSmooth] of [[25, true], [35, false]]) {
+    const [y, z] = [Math.cos, Math.sin].map((f) => f((degrees * Math.PI) / 180));
+    const fold = parseObj(`v 0 0 0\nv 1 0 0\nv 1 -1 0\nv 0 -1 0\nv 0 ${y} ${z}\nv 1 ${y} ${z}\nf 4 3 2 1\nf 1 2 6 5`);
+    // The first vertex of the first face lies off the edge. Its third is on it: two triangles of the
+    // face and one of the other meet there.
+    near(fold.normals[3 * fold.indices[0] + 2], 1, 1e-6);
+    near(fold.normals[3 * fold.indices[2] + 2], isSmooth ? (2 + y) / Math.hypot(2 + y, z) : 1, 1e-5);
+  }
+  // A closed fan: the corners around its middle share one vertex.
+  const fan = Array.from({ length: 24 }, (_, k) => `v ${Math.cos((k * Math.PI) / 12)} ${Math.sin((k * Math.PI) / 12)} -0.2`);
+  const tent = parseObj(`v 0 0 0\n${fan.join("\n")}\n${fan.map((_, k) => `f 1 ${k + 2} ${((k + 1) % 24) + 2}`).join("\n")}`);
+  assert.equal(tent.positions.length / 3, 25);
+  near(tent.normals[2], 1, 1e-6);
   assert.throws(() => parseObj("v 0 0 0\nf 1 2 3"), /line 2 refers to vertex 2/);
   assert.throws(() => parseObj("v 0 zero 0"), /line 1 is not three numbers/);
   assert.throws(() => parseObj("hello"), /no faces/);

@@ -4,8 +4,9 @@ import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { join } from "node:path";
 import { after, before, describe, test } from "node:test";
+import { pathToFileURL } from "node:url";
 import { hdrFile } from "./files.js";
-import { NO_WEBGL, ROOT, launch, open, serve, settled } from "./support.js";
+import { NO_WEBGL, ROOT, SITE, launch, open, serve, settled } from "./support.js";
 
 /** Small, so that rendering in software is fast. */
 const SMALL = { width: 360, height: 480 };
@@ -70,7 +71,8 @@ for (const sources of [0, 4]) on(`the sphere is what the CPU module draws, to tw
     const { disc } = await import("/src/cpu.js");
     const shown = await pixels();
     const { x, y, z, places, coverage } = disc(document.getElementById("picture").width);
-    const exposure = scene.exposure();
+    // That of the reference, which has all sources.
+    const exposure = (await Scene.create({ light: "lobby", material: "gold-metallic-paint", sources: 16 })).exposure();
     const codes = scene.within(10 ** (-0.5 - (5.5 * 9) / 39)).pixels(x, y, z, { exposure });
     let most = 0;
     places.forEach((place, k) => {
@@ -92,7 +94,8 @@ on("accuracy: the slider moves terms, errors, costs and the point, and the pictu
   await slide(page, "step", 0);
   const few = Number(await text(page, "terms"));
   assert.ok(few < 15 && all > 150);
-  assert.match(await text(page, "summary"), new RegExp(`^${few} terms? \\+ 4 sources · rms \\d+(\\.\\d)? % · worst \\d+ %$`));
+  assert.match(await text(page, "cost"), new RegExp(`^${few} terms? \\+ 4 sources$`));
+  assert.match(await text(page, "verdict"), /^Visible: mean \d/);
   assert.ok(Number(await page.locator(".rms-point").getAttribute("cx")) < Number(x) - 100);
   assert.ok((await apart(page)) > 3);
   const count = Math.round((3 * (49.4 + 5.26 * few) + 4 * 291) / 10) * 10;
@@ -147,6 +150,64 @@ on("the split view has ours, all terms, the nine-term formula and the difference
   await choose(page, "view", "picture");
   assert.ok((await apart(page)) > 5 && !(await page.locator("#captions").isVisible()));
 });
+
+on("the headline is the screen error against all sources, in words", "object=sphere&step=40&light=night&material=chrome-steel&sources=1", async (page) => {
+  const expected = (light, material, shown) => page.evaluate(async ([light, material, shown]) => {
+    const { Scene, lightPreset } = await import("/eigenshade/src/index.js");
+    const { pictureOf } = await import("/src/measure.js");
+    const { colorsOf, screenError, verdict } = await import("/src/screen.js");
+    const scene = await Scene.create({ light, material, sources: 16 });
+    const [{ sources }, exposure] = [scene, scene.exposure()];
+    const best = colorsOf(pictureOf(scene), exposure);
+    scene.light(await lightPreset(light, { sources: shown }));
+    const { error, against } = verdict(screenError(colorsOf(pictureOf(scene), exposure), best), sources);
+    return `${error}${against}`;
+  }, [light, material, shown]);
+  const headline = async () => `${await text(page, "verdict")}${await text(page, "against")}`;
+  assert.equal(await headline(), await expected("night", "chrome-steel", 1));
+  assert.match(await headline(), /^Visible: mean [\d.]+, 95\u00a0% within [\d.]+CIEDE2000 against all terms of 160 images and 16 sources; what degree 9 lacks/);
+  // Of the terms, nothing is left out: that is not the headline.
+  assert.match(await text(page, "worst"), /^(0|< 0.001 %)$/);
+  // The exposure of the picture is not that of the error.
+  const before = await headline();
+  await tab(page, "scene");
+  await slide(page, "exposure", -3);
+  assert.equal(await headline(), before);
+  await tab(page, "accuracy");
+  await choose(page, "sources", 8);
+  assert.equal(await headline(), await expected("night", "chrome-steel", 8));
+  await tab(page, "scene");
+  await choose(page, "material", "red-fabric2");
+  assert.match(await headline(), /^At best not visible: mean 0.0, .*against all terms of 160 images; what degree 9 lacks/);
+}, { script: `(${helpers})(); ${NO_WEBGL}` });
+
+on("the curve is that of the inputs that are drawn, whenever it is measured", "object=sphere&step=9", async (page) => {
+  const points = () => page.locator("polyline.rms").getAttribute("points");
+  const before = await points();
+  await page.evaluate(async () => {
+    const { materialPreset } = await import("/eigenshade/src/index.js");
+    await materialPreset("red-fabric2");
+    const frame = () => new Promise((resolve) => requestAnimationFrame(() => setTimeout(resolve)));
+    // A picture, whose curve is due; then a material whose picture waits for its frame until then.
+    document.getElementById("upright").click();
+    await frame();
+    const { requestAnimationFrame: now } = window;
+    const held = [];
+    window.requestAnimationFrame = (run) => held.push(run);
+    document.querySelector("input[value=red-fabric2]").click();
+    await new Promise((resolve) => setTimeout(resolve, 400));
+    window.requestAnimationFrame = now;
+    if (held.length !== 1) throw new Error(`${held.length} frames`);
+    held.forEach((run) => requestAnimationFrame(run));
+  });
+  await settled(page);
+  const found = await points();
+  await page.reload();
+  await settled(page);
+  assert.match(await page.locator("#picture").getAttribute("aria-label"), /red fabric2/);
+  assert.equal(found, await points());
+  assert.notEqual(found, before);
+}, { script: `(${helpers})(); ${NO_WEBGL}` });
 
 on("sources: highlights, their number, and the error that degree 9 leaves", "object=sphere&step=20&light=lab", async (page) => {
   const found = [];
@@ -207,10 +268,11 @@ on("effects: switches change picture, shares and terms, and automatic chooses", 
   await page.locator("#automatic").selectOption("5");
   await page.locator("#choose").click();
   await settled(page);
-  const [, terms, error] = /and (\d+) terms: error ([\d.]+) % rms/.exec(await text(page, "chosen"));
+  const [, terms, error] = /and (\d+) terms: they leave out ([\d.]+) % rms/.exec(await text(page, "chosen"));
   assert.equal(await text(page, "terms"), terms);
   assert.ok(Number(error) <= 5 && Number(error) > 1);
-  assert.match(await text(page, "summary"), new RegExp(`^${terms} terms · rms ${error} %`));
+  assert.equal(await text(page, "cost"), `${terms} terms`);
+  assert.equal(await text(page, "rms"), `${error} %`);
 });
 
 on("eigenimages: 24 pictures with their coefficients, and their sum", "object=sphere&tab=images&step=8", async (page) => {
@@ -291,8 +353,27 @@ on("scene: lights, materials and exposure change the picture", "object=sphere&st
   await change("roughness", () => page.locator("#roughness").fill("0.9"));
   await change("metallic", () => page.locator("#metallic").fill("0"));
   await change("exposure", () => page.locator("#exposure").fill("-2"));
-  const lit = await page.locator("#thumbs canvas").first().evaluate((canvas) => canvas.getContext("2d").getImageData(0, 0, 64, 64).data.some((code, k) => k % 4 === 0 && code > 100));
-  assert.ok(lit);
+  // A thumbnail has the sources of its light: chrome without them is a zebra.
+  await page.locator("#thumbs input[value=chrome-steel]").scrollIntoViewIfNeeded();
+  await page.evaluate(() => {
+    window.chrome = () => {
+      const copy = new OffscreenCanvas(64, 64).getContext("2d");
+      copy.drawImage(document.querySelector("#thumbs label:has([value=chrome-steel]) canvas"), 0, 0);
+      return copy;
+    };
+  });
+  await page.waitForFunction(() => chrome().getImageData(32, 32, 1, 1).data[3] === 255);
+  const most = await page.evaluate(async () => {
+    const { Scene } = await import("/eigenshade/src/index.js");
+    const { disc, image } = await import("/src/cpu.js");
+    const scene = await Scene.create({ light: "studio", material: "chrome-steel", sources: 8 });
+    if (scene.sources !== 8) throw new Error(`${scene.sources} sources`);
+    const at = disc(64);
+    const expected = image(at, scene.shade(at.x, at.y, at.z), scene.exposure()).data;
+    const shown = chrome().getImageData(0, 0, 64, 64).data;
+    return Math.max(...at.places.map((place, k) => at.coverage[k] < 1 ? 0 : Math.max(...[0, 1, 2].map((c) => Math.abs(expected[4 * place + c] - shown[4 * place + c])))));
+  });
+  assert.ok(most <= 1, `${most}`);
 }, { script: `(${helpers})(); ${NO_WEBGL}` });
 
 on("inputs that overtake each other: all are shown", "object=sphere&step=3&tab=scene", async (page) => {
@@ -424,6 +505,16 @@ on("a link holds the whole state, and restores it", "object=coin&light=sunset&ma
   assert.match(await text(page, "fault"), /^This link is not whole: step: "77" is not a whole number from 0 to 40\.$/);
 });
 
+/** Where the places of an .exr's blocks start, and the first block, which `more` bytes moved. */
+function offsets(bytes, more) {
+  let at = 8;
+  while (bytes[at] !== 0) {
+    for (let part = 0; part < 2; part++) at = bytes.indexOf(0, at) + 1;
+    at += 4 + bytes.readUInt32LE(at);
+  }
+  return [at + 1, Number(bytes.readBigUInt64LE(at + 1)) + more];
+}
+
 /** Drops a file on the page. */
 const drop = (page, name, bytes) =>
   page.evaluate(async ([name, base64]) => {
@@ -444,23 +535,47 @@ on("good files are shown: .exr, .hdr, .png and .obj", "object=sphere&step=5&sour
   });
   await keep(page);
   await drop(page, "sunset.exr", readFileSync(join(ROOT, "tables/inputs/maps/sunset.exr")));
-  await said(page, "status", /sunset.exr: 512 × 256, projected to degree 9/);
+  await said(page, "status", /sunset.exr: 512 × 256, projected to degree 9, with 8 sources/);
   await settled(page);
   assert.ok((await apart(page)) > 1);
-  assert.ok((await page.evaluate(() => stages)).some((stage) => /projecting, \d+ %/.test(stage)));
-  // The shipped light is that of the map.
+  const stages = await page.evaluate(() => stages);
+  for (const stage of [/: projecting, \d+ %/, /: finding sources, [1-9]\d? %/]) assert.ok(stages.some((said) => stage.test(said)), `${stage}`);
   await keep(page);
   assert.equal(await page.locator("#light").inputValue(), "own");
   const own = page.url();
-  await page.evaluate(() => (location.hash = "object=sphere&step=5&light=sunset&sources=0"));
-  await page.waitForFunction(() => document.getElementById("light").value === "sunset");
-  await settled(page);
-  assert.ok((await apart(page)) < 0.6, `${await apart(page)}`);
+  // The shipped light is that of the map.
+  const most = await page.evaluate(async () => {
+    const { fromHash } = await import("/src/state.js");
+    const { lightPreset } = await import("/eigenshade/src/index.js");
+    const { light } = fromHash(location.hash).state.ownLight;
+    const shipped = await lightPreset("sunset");
+    return Math.max(...["r", "g", "b"].flatMap((c) => [...light[c]].map((value, k) => Math.abs(value - shipped[c][k]) / shipped.g[0])));
+  });
+  assert.ok(most < 1e-3, `${most}`);
+  // Its sources are drawn, the first n of them.
+  for (const sources of [8, 2, 0]) {
+    await choose(page, "sources", sources);
+    assert.equal(await text(page, "sources-drawn"), sources ? `${sources} sources drawn.` : "");
+  }
   // A link holds a light of one's own.
   await page.goto("about:blank");
   await page.goto(own);
   await settled(page);
   assert.equal(await page.locator("#light").inputValue(), "own");
+  await keep(page);
+  // Chromaticities are said: those of Rec. 2020 as an attribute before the others, and all places of
+  // blocks after it moved.
+  const plain = readFileSync(join(ROOT, "tables/inputs/maps/sunset.exr"));
+  const attribute = Buffer.alloc("chromaticities".length * 2 + 2 + 4 + 32);
+  attribute.write("chromaticities\0chromaticities\0");
+  attribute.writeUInt32LE(32, attribute.length - 36);
+  [0.708, 0.292, 0.17, 0.797, 0.131, 0.046, 0.3127, 0.329].forEach((value, k) => attribute.writeFloatLE(value, attribute.length - 32 + 4 * k));
+  const wide = Buffer.concat([plain.subarray(0, 8), attribute, plain.subarray(8)]);
+  const [start, first] = offsets(wide, attribute.length);
+  for (let at = start; at < first; at += 8) wide.writeBigUInt64LE(wide.readBigUInt64LE(at) + BigInt(attribute.length), at);
+  await drop(page, "wide.exr", wide);
+  await said(page, "status", /wide.exr: 512 × 256, .*Its primaries are not those of sRGB, and are ignored\.$/);
+  await settled(page);
   await keep(page);
   const sky = Float32Array.from({ length: 3 * 32 * 16 }, (_, k) => (k < 3 * 32 * 8 ? [0.2, 0.5, 2][k % 3] : 0.1));
   await drop(page, "sky.hdr", hdrFile(32, 16, sky));
@@ -492,6 +607,25 @@ on("good files are shown: .exr, .hdr, .png and .obj", "object=sphere&step=5&sour
   await settled(page);
   assert.ok((await apart(page)) > 5);
   assert.equal(await text(page, "fault"), "");
+  // Back to the mesh, which the page still has.
+  await keep(page);
+  await page.evaluate(() => (location.hash = "object=sphere&step=5"));
+  await page.waitForFunction(() => document.querySelector("[name=object][value=sphere]").checked);
+  await settled(page);
+  await page.goBack();
+  await page.waitForFunction(() => document.querySelector("[name=object][value=own]").checked);
+  await settled(page);
+  assert.equal(await apart(page), 0);
+  assert.equal(await text(page, "fault"), "");
+});
+
+test("opened as a file, the page says what to do", async () => {
+  const page = await browser.newPage({ viewport: SMALL });
+  await page.goto(pathToFileURL(join(SITE, "index.html")).href);
+  const said = page.getByRole("alert").filter({ visible: true });
+  assert.match(await said.textContent(), /scripts cannot be loaded.*opened as a file.*python3 -m http.server/s);
+  assert.equal(await page.locator("main").isVisible(), false);
+  await page.close();
 });
 
 on("files that cannot be used are said in place, and nothing is lost", "object=sphere&step=5&sources=0", async (page, faults) => {
@@ -542,7 +676,7 @@ on("files that cannot be used are said in place, and nothing is lost", "object=s
   await page.goto(`${server.address}#material=nothing`);
   await settled(page);
   assert.match(await text(page, "fault"), /no material is called "nothing"/);
-  assert.match(await text(page, "summary"), /^73 terms \+ 4 sources/);
+  assert.equal(await text(page, "cost"), "73 terms + 4 sources");
   faults.splice(0, faults.length, ...faults.filter((fault) => !fault.includes("404")));
 });
 

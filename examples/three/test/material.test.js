@@ -12,7 +12,7 @@ let page, faults, close;
 before(async () => {
   ({ page, faults, close } = await open());
   await page.evaluate(async () => {
-    Object.assign(window, await import("/examples/three/test/page.js"));
+    Object.assign(window, await import("/examples/three/test/page.js"), await import("/examples/three/matcap.js"));
     window.meshes = await import("/examples/three/meshes.js");
     window.inputs = { light: "lobby", material: "gold-metallic-paint" };
     window.sphere = () => new THREE.SphereGeometry(1, 96, 64);
@@ -236,6 +236,37 @@ test("two renderers may draw two meshes with the same material", async () => {
   });
   assert.ok(lit.every((code) => code > 0), `${lit}`);
 });
+
+for (const make of ["eigenMaterial", "eigenMatcap"]) {
+  test(`${make} warns once of what has no effect, and is drawn as before`, async () => {
+    const { warnings, most, kept } = await page.evaluate(async (make) => {
+      const material = window[make](await Scene.create(inputs));
+      const [mesh, camera] = [new THREE.Mesh(sphere(), material), orthographic([0, 0, 5])];
+      const before = picture(mesh, camera);
+      const { warn } = console;
+      const warnings = [];
+      console.warn = (...parts) => warnings.push(parts.join(" "));
+      const texture = new THREE.DataTexture(new Uint8Array([9, 9, 9, 255]), 1, 1);
+      texture.needsUpdate = true;
+      for (const name of ["roughnessMap", "metalnessMap", "aoMap", "lightMap", "envMap", "emissiveMap", "specularMap", "clearcoatMap"]) {
+        for (let k = 0; k < 2; k++) material[name] = texture;
+      }
+      for (const name of ["roughness", "metalness", "clearcoat", "shininess"]) material[name] = 0.5;
+      Object.assign(material, { emissive: new THREE.Color("red"), iridescenceMap: null, wireframeLinejoin: "round" });
+      mesh.receiveShadow = true;
+      material.needsUpdate = true;
+      const after = [0, 1].map(() => picture(mesh, camera)).at(-1);
+      console.warn = warn;
+      return { warnings, kept: material.roughnessMap === undefined, most: Math.max(...after.map((code, k) => Math.abs(code - before[k]))) };
+    }, make);
+    assert.equal(most, 0);
+    assert.ok(kept);
+    assert.deepEqual(warnings.map((text) => /^eigenshade: (\w+) has no effect on this material; .{20,}/.exec(text)?.[1]), [
+      "roughnessMap", "metalnessMap", "aoMap", "lightMap", "envMap", "emissiveMap", "specularMap", "clearcoatMap",
+      "roughness", "metalness", "clearcoat", "shininess", "emissive", "receiveShadow",
+    ]);
+  });
+}
 
 test("a clone is drawn as the material is", async () => {
   same(await page.evaluate(async () => {
