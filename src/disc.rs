@@ -203,7 +203,7 @@ mod tests {
     fn a_picture_of_another_size_is_refused() {
         for found in [0, 4 * 3, 4 * 4, 4 * 5, 320 * 240] {
             let mut screen = [0; 320 * 240];
-            let screen = &mut screen[..found];
+            let screen = screen.get_mut(..found).unwrap_or_default();
             let mut pixels = Disc::new(4).into_iter().flatten();
             let drawn = pixels.try_for_each(|pixel| pixel.put(screen, 1));
             let refused = Error::Length { argument: Argument::Picture, expected: 16, found };
