@@ -3,10 +3,15 @@
 import type { DetailedHTMLProps, HTMLAttributes } from "react";
 import type { EigenShade, EigenShadeProperties } from "./element.js";
 
-/** React knows an `onLoad` and an `onError` of its own, and calls them for its own elements alone. */
-type Events = { onload?: (event: Event) => void; onerror?: (event: ErrorEvent) => void; onLoad?: never; onError?: never };
+/** React has an `onLoad` and an `onError` of its own, which it calls for HTML's elements alone. */
+interface Events {
+  onload?: (event: Event) => void;
+  onerror?: (event: ErrorEvent) => void;
+  onLoad?: never;
+  onError?: never;
+}
 
-type Html = Omit<DetailedHTMLProps<HTMLAttributes<EigenShade>, EigenShade>, "onLoad" | "onError" | "role">;
+type Html = Omit<DetailedHTMLProps<HTMLAttributes<EigenShade>, EigenShade>, keyof Events>;
 
 declare module "react" {
   namespace JSX {

@@ -1,8 +1,8 @@
 // The package's files: WebAssembly and presets.
 
 /**
- * Where the folders `wasm` and `presets` are: an address, relative to the page, or a function from a
- * path such as `"presets/light/park.bin"` to the bytes of the file, `undefined` if there is none.
+ * Where the folders `wasm` and `presets` are: an address, relative to the page, or a function from
+ * a path such as `"presets/light/park.bin"` to the bytes of the file, `undefined` if there is none.
  *
  * @typedef {string | URL | ((path: string) => Promise<Uint8Array | undefined>)} Assets
  */
@@ -26,8 +26,8 @@ function parsed(address, base) {
 let place = parsed("../", here);
 
 /**
- * Sets where the package's files are, for the whole page. Beside the folder of the package's scripts
- * by default, which a bundler may move.
+ * Sets where the package's files are, for the whole page. By default they are beside the folder of
+ * the package's scripts, which a bundler may move.
  *
  * @param {Assets} assets
  * @throws {TypeError} unless this is an address or a function
@@ -51,9 +51,8 @@ export function setAssets(assets) {
  */
 export function misplaced(path, fault) {
   const address = place instanceof URL ? new URL(path, place).href : path;
-  return new Error(
-    `${address} ${fault}; import "eigenshade/bundled", or serve eigenshade's folders wasm and presets and call setAssets(address)`,
-  );
+  const served = "serve eigenshade's folders wasm and presets and call setAssets(address)";
+  return new Error(`${address} ${fault}; import "eigenshade/bundled", or ${served}`);
 }
 
 /**

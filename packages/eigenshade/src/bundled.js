@@ -8,8 +8,9 @@ setAssets(async (path) => {
   const name = names.join("/");
   // Two modules, which serve scenes with and without sources.
   if (folder === "wasm") {
-    const isFast = /simd|relaxed/.test(name);
-    const part = isFast ? import("../wasm/eigenshade.sources.simd.wasm") : import("../wasm/eigenshade.sources.wasm");
+    const part = /simd|relaxed/.test(name)
+      ? import("../wasm/eigenshade.sources.simd.wasm")
+      : import("../wasm/eigenshade.sources.wasm");
     return (await part).default;
   }
   try {

@@ -45,8 +45,8 @@ canvas:not([hidden]) { width: 100%; height: 100%; display: block; }`);
  * - `exposure`, `tone`: from irradiance to display; `exposure` is `auto` by default, and chosen.
  *
  * Each is a property, too, whose name is in camel case: `element.yaw = 30` sets the attribute.
- * `element.light = { r, g, b }` gives coefficients, and `element.material = { roughness: 0.3 }` a glTF
- * material, until the attribute or the property is set again.
+ * `element.light = { r, g, b }` gives coefficients, and `element.material = { roughness: 0.3 }` a
+ * glTF material, until the attribute or the property is set again.
  *
  * Attributes that change together are drawn together, before an event `load` or, if the element is
  * not shown, once it is. There is no canvas before the first picture. If an attribute is wrong, the
@@ -60,7 +60,7 @@ class Sphere extends Base {
   #preview;
   #canvas;
   #message;
-  /** @type {Map<string, { value: any, number: number }>} Objects in place of attributes, numbered. */
+  /** @type {Map<string, { value: any, number: number }>} In place of attributes, numbered. */
   #objects = new Map();
   #count = 0;
   /** The light and the material of the preview. */
@@ -76,8 +76,9 @@ class Sphere extends Base {
         enumerable: true,
         /** @this {Sphere} */
         get() {
-          const text = this.#value(attribute);
-          return typeof text !== "string" || text.trim() === "" || Number.isNaN(Number(text)) ? text : Number(text);
+          const given = this.#value(attribute);
+          const isNumber = typeof given === "string" && given.trim() !== "" && !isNaN(Number(given));
+          return isNumber ? Number(given) : given;
         },
         /** @this {Sphere} */
         set(value) {
@@ -159,7 +160,8 @@ class Sphere extends Base {
     if (update !== this.#update) return;
     try {
       const { light, material, sources, look, turn } = this.#read();
-      const set = JSON.stringify(INPUTS.map((name) => this.#objects.get(name)?.number ?? this.#value(name)));
+      const inputs = INPUTS.map((name) => this.#objects.get(name)?.number ?? this.#value(name));
+      const set = JSON.stringify(inputs);
       const hasSources = sources > 0 || Boolean(light.sources?.length);
       // Sources need another module.
       if (this.#preview && this.#hasSources === hasSources) {
@@ -208,7 +210,8 @@ class Sphere extends Base {
       return value;
     };
     const given = this.#value("material");
-    const beside = ["base-color", "metallic", "roughness"].find((name) => this.#value(name) !== null);
+    const glTF = ["base-color", "metallic", "roughness"];
+    const beside = glTF.find((name) => this.#value(name) !== null);
     if (given !== null && beside) {
       throw new TypeError(`${beside} is beside material; leave out one of them`);
     }

@@ -34,18 +34,22 @@ color=clamp(r*(1.-sqrt(q))+.5,0.,1.)*vec4(code(e.r),code(e.g),code(e.b),1);}`;
 /** Programs that are kept; scenes of other shapes are compiled anew. */
 const KEPT = 16;
 
-/** A picture in less than these milliseconds is fast enough. */
-const FAST = 8;
+/** Pixels across of the picture whose time says which way is faster. */
+const SAMPLE = 128;
 
-/** Pixels across of the least picture whose time says which way is faster. */
-const TIMED = 100;
+/** Milliseconds in which hardware draws it, whatever the CPU takes. */
+const FAST = 4;
 
-/** Milliseconds that something takes. */
-const time = (/** @type {() => void} */ what) => {
-  const start = performance.now();
-  what();
-  return performance.now() - start;
-};
+/** Milliseconds that something takes, the least of up to three times: the first one warms up. */
+function time(/** @type {() => void} */ what) {
+  let least = Infinity;
+  for (let k = 0; k < 3 && least > FAST; k++) {
+    const start = performance.now();
+    what();
+    least = Math.min(least, performance.now() - start);
+  }
+  return least;
+}
 
 /** The shared context. */
 class Shared {
@@ -98,34 +102,26 @@ class Shared {
    *   terms than a uniform block holds, or the CPU is faster, as it is where WebGL is software
    */
   draw(scene, size, look) {
-    if (this.#isSlow) return undefined;
-    const drawn = this.#draw(scene, size, look);
-    if (drawn && this.#isSlow === undefined && size >= TIMED) {
-      this.#isSlow = this.#isSlower(scene, size, look);
-      if (this.#isSlow) return undefined;
-    }
-    return drawn;
+    this.#isSlow ??= this.#isSlower(scene, look);
+    return this.#isSlow ? undefined : this.#draw(scene, size, look);
   }
 
   /**
-   * Whether the CPU draws a picture faster, whose program is compiled.
+   * Whether the CPU draws a picture faster; `undefined` if WebGL does not draw it now.
    *
    * @param {Scene} scene
-   * @param {number} size
    * @param {{ exposure: number, tone: Tone }} look
    */
-  #isSlower(scene, size, look) {
+  #isSlower(scene, look) {
     const gl = this.#gl;
-    let least = Infinity;
-    for (let k = 0; k < 3 && least > FAST; k++) {
-      const taken = time(() => {
-        this.#draw(scene, size, look);
-        // Waits until it is drawn.
-        gl.readPixels(0, 0, 1, 1, gl.RGBA, gl.UNSIGNED_BYTE, new Uint8Array(4));
-      });
-      least = Math.min(least, taken);
-    }
-    return least > FAST && time(() => sphere(scene, size, look)) < least;
+    // Compiles the program, whose time does not count.
+    if (!this.#draw(scene, SAMPLE, look)) return undefined;
+    const shader = time(() => {
+      this.#draw(scene, SAMPLE, look);
+      // Waits until it is drawn.
+      gl.readPixels(0, 0, 1, 1, gl.RGBA, gl.UNSIGNED_BYTE, new Uint8Array(4));
+    });
+    return shader > FAST && time(() => sphere(scene, SAMPLE, look)) < shader;
   }
 
   /**

@@ -49,6 +49,7 @@ async function inPage(run, path = "/") {
     window.next = (element, event) =>
       new Promise((resolve, reject) => {
         element.addEventListener(event, resolve, { once: true });
+        setTimeout(() => reject(new Error(`no ${event}`)), 20000);
         const other = event === "load" ? "error" : "load";
         element.addEventListener(other, (said) => reject(new Error(`${other}: ${said.message}`)), { once: true });
       });
