@@ -9,7 +9,8 @@ export interface EigenShadeProperties {
   baseColor: string | readonly number[] | null;
   metallic: number | null;
   roughness: number | null;
-  sources: number | null;
+  sources: number | "auto" | null;
+  window: number | "auto" | "none" | null;
   yaw: number | null;
   pitch: number | null;
   roll: number | null;

@@ -10,7 +10,7 @@ import { Scene } from "./scene.js";
 const Base = /** @type {typeof HTMLElement} */ (globalThis.HTMLElement ?? Object);
 
 /** The attributes of which a picture is made anew; the others change how it is shown. */
-const INPUTS = ["light", "material", "base-color", "metallic", "roughness", "sources"];
+const INPUTS = ["light", "material", "base-color", "metallic", "roughness", "sources", "window"];
 
 /** The attributes in whose place an object may be given. */
 const OBJECTS = ["light", "material", "base-color"];
@@ -40,7 +40,8 @@ canvas:not([hidden]) { width: 100%; height: 100%; display: block; }`);
  * - `light`, `material`: presets' names;
  * - `base-color`, `metallic`, `roughness`: a glTF material; with `material`, an error;
  * - `sources`: the largest set of at most this many small sources of the light, for sharp
- *   highlights;
+ *   highlights; `auto` by default, as few as the material needs;
+ * - `window`: the width of a window over the light, `none`, or `auto`, the default;
  * - `yaw`, `pitch`, `roll`: the turn of the light, in degrees;
  * - `exposure`, `tone`: from irradiance to display; `exposure` is `auto` by default, and chosen.
  *
@@ -159,10 +160,10 @@ class Sphere extends Base {
     await undefined;
     if (update !== this.#update) return;
     try {
-      const { light, material, sources, look, turn } = this.#read();
+      const { light, material, sources, window, look, turn } = this.#read();
       const inputs = INPUTS.map((name) => this.#objects.get(name)?.number ?? this.#value(name));
       const set = JSON.stringify(inputs);
-      const hasSources = sources > 0 || Boolean(light.sources?.length);
+      const hasSources = sources !== 0 || Boolean(light.sources?.length);
       // Sources need another module.
       if (this.#preview && this.#hasSources === hasSources) {
         // The same inputs again would choose another exposure.
@@ -172,9 +173,10 @@ class Sphere extends Base {
           if (update !== this.#update) return;
           const preview = this.#preview;
           await Promise.all([preview.light(given[0], { sources }), preview.material(given[1])]);
+          preview.scene.window(window);
         }
       } else {
-        const scene = await Scene.create({ light, material, sources });
+        const scene = await Scene.create({ light, material, sources, window });
         if (update !== this.#update) return;
         this.#free();
         // A canvas that is not shown is not drawn, and one without a picture has no name.
@@ -222,10 +224,14 @@ class Sphere extends Base {
       roughness: number("roughness", 0.5),
     };
     if (typeof material !== "string" && !isChannels(material)) parameters(material);
-    const exposure = this.getAttribute("exposure")?.trim() ?? "auto";
+    /** A number, `"auto"`, which is the default, or another word. */
+    const choice = (/** @type {string} */ name, other = "auto") => {
+      const word = this.getAttribute(name)?.trim() ?? "auto";
+      return word === "auto" || word === other ? /** @type {"auto"} */ (word) : number(name, 0);
+    };
     /** @type {import("./preview.js").Look} */
     const look = {
-      exposure: exposure === "auto" ? exposure : number("exposure", 1),
+      exposure: choice("exposure"),
       tone: /** @type {import("./input.js").Tone} */ (this.getAttribute("tone") ?? "filmic"),
     };
     checkLook("look", look);
@@ -235,7 +241,8 @@ class Sphere extends Base {
     return {
       light: this.#value("light") ?? "park",
       material,
-      sources: number("sources", 0),
+      sources: choice("sources"),
+      window: /** @type {import("./window.js").Window} */ (choice("window", "none")),
       look,
       turn: { yaw, pitch, roll },
     };

@@ -121,7 +121,7 @@ export function materialCount(order) {
  * @property {number} effects their bits
  * @property {object} transfer what stands for material and effects
  * @property {number} [components]
- * @property {number} [tolerance]
+ * @property {{ share: number, exposure: number }} [tolerance] a share of white
  */
 
 /**
@@ -223,7 +223,8 @@ export class Engine {
       }
       return undefined;
     }
-    if (!this.wasm.color_truncate(tolerance)) throw new Error("within: the module rejected it");
+    const { share, exposure } = tolerance;
+    if (!this.wasm.color_truncate(share, exposure)) throw new Error("within: the module rejected it");
     const [terms, azimuths, bound, floor, peak] = this.report;
     return { terms, azimuths, bound, floor, peak };
   }
@@ -279,6 +280,25 @@ export class Engine {
     this.d.fill(0);
     this.d[index] = 1;
     this.wasm.color_collapse();
+  }
+
+  /**
+   * The irradiance of checked normals.
+   *
+   * @param {string} what
+   * @param {import("./input.js").Numbers[]} normals
+   * @param {{ r: Float32Array, g: Float32Array, b: Float32Array }} [to] new arrays by default
+   */
+  picture(what, normals, to) {
+    const [r, g, b] = [0, 1, 2].map(() => new Float32Array(to ? 0 : normals[0].length));
+    const found = to ?? { r, g, b };
+    const { irradiance: from, normals: most } = this;
+    this.shadeAll(what, normals, (start, count) => {
+      found.r.set(from.subarray(0, count), start);
+      found.g.set(from.subarray(most, most + count), start);
+      found.b.set(from.subarray(2 * most, 2 * most + count), start);
+    });
+    return found;
   }
 
   /**

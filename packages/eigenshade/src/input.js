@@ -16,11 +16,15 @@ import { unlike } from "./suggest.js";
  * across it. The gloss of a material is ten numbers from 0 to 1: roughness, reflectance in three
  * channels at normal and at grazing incidence, and albedo. No number may exceed 1e15.
  *
+ * A light of `lightPreset` with the sources `"auto"` has sets of sources, and which of them a gloss
+ * needs.
+ *
  * @typedef {object} Channels
  * @property {Numbers} r
  * @property {Numbers} g
  * @property {Numbers} b
  * @property {Numbers | null} [sources]
+ * @property {import("./sets.js").Sets} [sets]
  * @property {Numbers | null} [gloss]
  * @property {string} [name] what a picture's label calls it
  */
@@ -30,14 +34,17 @@ import { unlike } from "./suggest.js";
  * parameters of a glTF material. An engine of `load` has a table of your own.
  *
  * With `sources`, the largest set of at most this many small bright sources of a light by name,
- * which may be none, is shaded on its own, for sharp highlights. Such a scene has a larger module.
+ * which may be none, is shaded on its own, for sharp highlights; `"auto"` takes as few as the
+ * material needs to be close on a screen, at most 8. Such a scene has a larger module.
  * `Scene.sources` is the number of those drawn. A scene that is created without, and with a light
  * that has none, takes no light with sources; one with an engine of `load` does if the engine can.
  *
  * @typedef {object} Inputs
  * @property {string | Channels} light
  * @property {string | Channels | MetallicRoughness} material
- * @property {number} [sources] 0 by default
+ * @property {number | "auto"} [sources] 0 by default, and `"auto"` for `Preview`
+ * @property {import("./window.js").Window} [window] as `Scene.window`: `"none"` by default, and
+ *   `"auto"` for `Preview`
  * @property {import("./engine.js").Engine} [engine]
  * @property {import("./assets.js").Assets} [assets] where the package's files are, for the whole
  *   page, as {@link setAssets}
@@ -192,11 +199,12 @@ export function put(what, given, to, count, most) {
 }
 
 /**
- * The sources of a light; JSON has `null` for none.
+ * The sources of a light, or its sets of them; JSON has `null` for none.
  *
  * @param {Channels} light
  */
-export const sourcesOf = ({ sources }) => checked("light", "sources", sources ?? []);
+export const sourcesOf = ({ sources, sets }) =>
+  (sets?.all ?? [sources ?? []]).map((one) => checked("light", "sources", one));
 
 /**
  * The gloss of a material; JSON has `null` for none.
@@ -345,10 +353,10 @@ export function checkTolerance(tolerance) {
   }
 }
 
-/** @param {number} sources */
+/** @param {number | "auto"} sources */
 export function checkSources(sources) {
-  if (!(Number.isInteger(sources) && sources >= 0)) {
-    throw new RangeError(`sources: ${shown(sources)} is not a whole number, 0 or more`);
+  if (sources !== "auto" && !(Number.isInteger(sources) && sources >= 0)) {
+    throw new RangeError(`sources: ${shown(sources)} is neither "auto" nor a whole number, 0 or more`);
   }
 }
 

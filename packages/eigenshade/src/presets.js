@@ -31,10 +31,11 @@ function once(path, read) {
 
 /**
  * The coefficients of a shipped light, to degree 9, and its largest set of at most this many small
- * sources, which may be none. Lights without a map have none. Each call makes a copy.
+ * sources, which may be none. With `"auto"`, a scene chooses among the sets of up to 8. Lights
+ * without a map have none. Each call makes a copy.
  *
  * @param {string} name such as `"park"`; {@link presetNames} lists all
- * @param {{ sources?: number }} [options] 0 sources by default
+ * @param {{ sources?: number | "auto" }} [options] 0 sources by default
  * @returns {Promise<Channels>}
  * @throws {TypeError | RangeError} if there is no light of this name, for options that are none, or
  *   another number of sources
@@ -45,16 +46,39 @@ export async function lightPreset(name, options = {}) {
   checkSources(sources);
   const light = await preset("light", name);
   if (sources === 0) return light;
-  const path = `presets/sources/${name}.bin`;
-  const rows = await once(path, async () => {
-    const bytes = await required(path);
-    if (bytes.byteLength % 44) throw misplaced(path, `is no preset: it has ${bytes.byteLength} bytes`);
-    // Eleven numbers for each source: the size of its set, and those of `Channels`.
-    return Array.from({ length: bytes.byteLength / 44 }, (_, k) => new Float32Array(bytes, 44 * k, 11));
-  });
-  const set = Math.max(0, ...rows.map(([size]) => size).filter((size) => size <= sources));
-  return { ...light, sources: rows.filter(([size]) => size === set).flatMap((row) => [...row.subarray(1)]) };
+  const { steps, rows } = await sourcesOf(name);
+  const sizes = [...new Set(rows.map(([size]) => size))];
+  const set = (/** @type {number | undefined} */ size) =>
+    rows.filter((row) => row[0] === size).flatMap((row) => [...row.subarray(1)]);
+  if (sources !== "auto") return { ...light, sources: set(sizes.filter((size) => size <= sources).at(-1)) };
+  const chosen = [...new Set(steps.map(([, , size]) => size))];
+  const found = steps.map(([isMetal, roughness, size]) => (
+    { isMetal: isMetal === 1, roughness, place: chosen.indexOf(size) }
+  ));
+  return { ...light, sets: { all: chosen.map(set), steps: found } };
 }
+
+/**
+ * What a file has of sources: steps of three numbers each, whether they are of metals, up to which
+ * roughness, and the size of the set; then eleven numbers for each source, the size of its set and
+ * those of `Channels`, smaller sets first.
+ *
+ * @param {string} name
+ */
+const sourcesOf = (name) => {
+  const path = `presets/sources/${name}.bin`;
+  return once(path, async () => {
+    const bytes = await required(path);
+    const numbers = new Float32Array(bytes.byteLength % 4 ? [-1] : bytes);
+    const start = 1 + 3 * numbers[0];
+    if (!(start <= numbers.length && (numbers.length - start) % 11 === 0)) {
+      throw misplaced(path, `is no preset: it has ${bytes.byteLength} bytes`);
+    }
+    const parts = (/** @type {number} */ from, /** @type {number} */ to, /** @type {number} */ size) =>
+      Array.from({ length: (to - from) / size }, (_, k) => numbers.subarray(from + size * k, from + size * (k + 1)));
+    return { steps: parts(1, start, 3), rows: parts(start, numbers.length, 11) };
+  });
+};
 
 /**
  * The coefficients of a shipped material, to order 7, a copy at each call.
@@ -69,7 +93,7 @@ export const materialPreset = (name) => preset("material", name);
  * A light, by name or as it is.
  *
  * @param {string | Channels} light
- * @param {number} sources of a light by name
+ * @param {number | "auto"} sources of a light by name
  */
 export const lightOf = (light, sources) =>
   typeof light === "string" ? lightPreset(light, { sources }) : light;

@@ -43,7 +43,7 @@ export class Preview {
   #look = { exposure: "auto", tone: "filmic" };
   /** The most small sources of lights by name, as the present light has them. */
   #sources;
-  /** @type {{ sources: number } | undefined} The same of the light that is loading. */
+  /** @type {{ sources: number | "auto" } | undefined} The same of the light that is loading. */
   #asking;
   /** The exposure of the picture, if it is chosen; it lasts until the light or the material changes. */
   #chosen = 0;
@@ -75,8 +75,9 @@ export class Preview {
    */
   static async create(canvas, options) {
     checkCanvas(canvas);
-    checkNames("Preview", options, "light, material, sources, engine, assets, exposure, tone, signal");
-    const { exposure, tone, signal, ...inputs } = options;
+    checkNames("Preview", options, "light, material, sources, window, engine, assets, exposure, tone, signal");
+    const { exposure, tone, signal, ...given } = options;
+    const inputs = { ...given, sources: given.sources ?? "auto", window: given.window ?? "auto" };
     const look = { exposure, tone };
     checkLook("Preview", look);
     signal?.throwIfAborted();
@@ -98,9 +99,10 @@ export class Preview {
    * @param {HTMLCanvasElement} canvas
    * @param {Scene} scene
    * @param {Look} [look]
-   * @param {number} [sources] most small sources of later lights by name, 0 by default
+   * @param {number | "auto"} [sources] most small sources of later lights by name, `"auto"` by
+   *   default; none, if the scene was created without
    */
-  constructor(canvas, scene, look = {}, sources = 0) {
+  constructor(canvas, scene, look = {}, sources = /** @type {number | "auto"} */ ("auto")) {
     checkCanvas(canvas);
     if (!(scene instanceof Scene)) refuse("Preview", scene, "a Scene");
     checkSources(sources);
@@ -136,8 +138,8 @@ export class Preview {
    * Sets the light.
    *
    * @param {string | Channels} light a preset's name, or coefficients
-   * @param {{ sources?: number }} [options] most small sources of this light and later ones, as before
-   *   by default; more than 0 only if the preview was created with some
+   * @param {{ sources?: number | "auto" }} [options] most small sources of this light and later ones,
+   *   as before by default; a number above 0 only if the preview was not created with 0
    * @returns {Promise<this>} once it is set; the last of several lights wins
    * @throws {TypeError | RangeError} as {@link Scene#light}; the picture then stays
    */

@@ -6,9 +6,11 @@ import {
   effectBits, glossOf, isChannels, parameters, put, quaternion, refuse, sourcesOf, toneNumber,
 } from "./input.js";
 import { setAssets } from "./assets.js";
-import { exposureOf } from "./exposure.js";
+import { DISC, metered } from "./exposure.js";
 import { lightOf, materialOf } from "./presets.js";
+import { placeOf } from "./sets.js";
 import { glsl, wgsl } from "./shader.js";
+import { checkWindow, weakest, windowed } from "./window.js";
 
 /** @typedef {import("./engine.js").Truncation} Truncation */
 /** @typedef {import("./input.js").Effect} Effect */
@@ -24,6 +26,9 @@ const TURNED = 12;
 /** The bits of all effects. */
 const ALL = 0b1111;
 
+/** The quaternion of no turn. */
+const UNTURNED = Float32Array.of(0, 0, 0, 1);
+
 /**
  * A light on a material.
  *
@@ -36,22 +41,27 @@ export class Scene {
   /** @type {Float32Array} */
   #light;
   /**
-   * The light without its sources.
+   * Its sets of sources, each with the light without them.
    *
-   * @type {Float32Array}
+   * @type {{ sources: Float32Array, rest: Float32Array }[]}
    */
-  #rest;
-  #sources = new Float32Array();
+  #sets = [];
+  /** @type {import("./sets.js").Sets["steps"]} Which of them a material needs. */
+  #steps = [];
   #hasSources;
-  #turn = Float32Array.of(0, 0, 0, 1);
+  #turn = UNTURNED.slice();
   #material;
   /** @type {Float32Array | undefined} */
   #gloss;
   #effects = ALL;
   /** @type {number | undefined} */
   #components;
-  /** @type {number | undefined} */
+  /** @type {{ share: number, exposure?: number } | undefined} */
   #tolerance;
+  /** @type {import("./window.js").Window} */
+  #window = "none";
+  /** What is chosen for the light as it was set: the width of the window and the exposure. */
+  #chosen = { width: 0, exposure: 0 };
   /** @type {Truncation | undefined} */
   #truncation;
   /** What this scene is now; a new object after each change. */
@@ -74,20 +84,22 @@ export class Scene {
    *   {@link Scene#material}
    */
   static async create(inputs) {
-    checkNames("Scene", inputs, "light, material, sources, engine, assets");
-    const { light, material, sources = 0, engine, assets } = inputs;
+    checkNames("Scene", inputs, "light, material, sources, window, engine, assets");
+    const { light, material, sources = 0, window = "none", engine, assets } = inputs;
     checkSources(sources);
+    checkWindow(window);
     if (assets !== undefined) setAssets(assets);
     if (light instanceof Promise) refuse("light", light, "{ r, g, b } or a name");
-    const own = typeof light === "object" && light?.sources?.length;
-    const hasSources = sources > 0 || Boolean(own);
+    const own = typeof light === "object" && (light?.sources?.length || light?.sets);
+    const hasSources = sources !== 0 || Boolean(own);
     const [loaded, givenLight, givenMaterial] = await Promise.all([
       engine ?? shared(hasSources),
       lightOf(light, sources),
       materialOf(material),
     ]);
     // The package's engine may be one that another scene needed.
-    return new Scene(loaded, givenLight, givenMaterial, engine ? undefined : hasSources);
+    const scene = new Scene(loaded, givenLight, givenMaterial, engine ? undefined : hasSources);
+    return scene.window(window);
   }
 
   /**
@@ -100,7 +112,7 @@ export class Scene {
     if (!(engine instanceof Engine)) refuse("engine", engine, "what load(module) returns");
     this.#engine = engine;
     this.#hasSources = hasSources;
-    this.#rest = this.#light = new Float32Array(engine.light.length);
+    this.#light = new Float32Array(engine.light.length);
     this.#material = new Float32Array(engine.material.length);
     this.light(light);
     this.material(material);
@@ -128,7 +140,8 @@ export class Scene {
 
   /**
    * Sets the light: in each channel (degree + 1)² coefficients in radiance, up to {@link degree}, and
-   * maybe sources, which are part of it, if the scene has sources. No number may exceed 1e15.
+   * maybe sources, which are part of it, if the scene has sources. No number may exceed 1e15. Of
+   * several sets of sources, each material takes the one that it needs.
    *
    * @param {Channels} light
    * @returns {this}
@@ -137,15 +150,17 @@ export class Scene {
   light(light) {
     const numbers = new Float32Array(this.#light.length);
     put("light", light, numbers, lightCount, this.#engine.degree);
-    const sources = sourcesOf(light);
-    if (sources.length && !this.#hasSources) {
+    const isChosen = light.sets !== undefined;
+    const canDraw = this.#hasSources && this.#engine.hasSources;
+    const all = isChosen && !canDraw ? [] : sourcesOf(light);
+    if (all.some(({ length }) => length) && !this.#hasSources) {
       throw new RangeError("light: this scene has no sources; create it with the option `sources`");
     }
-    this.#rest = this.#engine.without(numbers, sources);
+    this.#sets = all.map((sources) => ({ sources, rest: this.#engine.without(numbers, sources) }));
+    this.#steps = light.sets?.steps ?? [];
     this.#light = numbers;
-    this.#sources = sources;
     this.#names.light = light.name ? `the light ${light.name}` : "a light";
-    this.#changed();
+    this.#changed(true);
     return this;
   }
 
@@ -174,7 +189,7 @@ export class Scene {
       this.#names.material = "a glTF material";
     }
     this.#transfer = {};
-    this.#changed();
+    this.#changed(true);
     return this;
   }
 
@@ -207,7 +222,7 @@ export class Scene {
   effects(effects = EFFECTS) {
     this.#effects = effectBits(effects);
     this.#transfer = {};
-    this.#changed();
+    this.#changed(true);
     return this;
   }
 
@@ -221,23 +236,48 @@ export class Scene {
   components(count) {
     if (count !== undefined) checkWhole("components", count, this.#engine.components);
     this.#components = count;
+    this.#chosen.exposure = 0;
     this.#changed();
     return this;
   }
 
   /**
    * Leaves out as many terms as this error allows: root mean square over a sphere's normals, as a
-   * fraction of the peak, the same terms in all channels. Without a number, all terms are kept again.
+   * share of white, the same terms in all channels. Without a number, all terms are kept again.
    *
-   * @param {number} [tolerance] from 1e-30 to less than 1
+   * @param {number} [share] from 1e-30 to less than 1
+   * @param {number} [exposure] the factor from irradiance to white; {@link exposure} by default
    * @returns {this}
-   * @throws {RangeError} for another tolerance
+   * @throws {RangeError} for another share or exposure
    */
-  within(tolerance) {
-    if (tolerance !== undefined) checkTolerance(tolerance);
-    this.#tolerance = tolerance;
+  within(share, exposure) {
+    if (share !== undefined) checkTolerance(share);
+    if (exposure !== undefined) checkExposure("within", exposure);
+    this.#tolerance = share === undefined ? undefined : { share, exposure };
     this.#changed();
     return this;
+  }
+
+  /**
+   * Sets the window over what sources leave of the light, which keeps its picture from dark rings: a
+   * width in degrees, or `"none"`. `"auto"` chooses the weakest that does for each light and
+   * material as they are set; a light that turns keeps it.
+   *
+   * @param {import("./window.js").Window} window
+   * @returns {this}
+   * @throws {RangeError} for another window
+   */
+  window(window) {
+    checkWindow(window);
+    this.#window = window;
+    this.#changed(true);
+    return this;
+  }
+
+  /** The width of the window, which is infinite without one. */
+  get windowWidth() {
+    if (typeof this.#window === "number") return this.#window;
+    return this.#window === "none" ? Infinity : (this.#chosen.width ||= this.#weakest());
   }
 
   /** Whether sources change pictures of the material; false in a scene without sources. */
@@ -251,7 +291,14 @@ export class Scene {
    * {@link isGlossy | glossy}, or effects are left out. The light is then drawn as a whole.
    */
   get sources() {
-    return this.isGlossy && this.#effects === ALL ? this.#sources.length / 10 : 0;
+    return this.#drawn.sources.length / 10;
+  }
+
+  /** The sources that are drawn, and what they leave of the light. */
+  get #drawn() {
+    const none = { sources: new Float32Array(), rest: this.#light };
+    if (!this.isGlossy || this.#effects !== ALL || !this.#gloss) return none;
+    return this.#sets[placeOf(this.#steps, this.#gloss)] ?? none;
   }
 
   /**
@@ -337,22 +384,15 @@ export class Scene {
   shade(x, y, z, irradiance) {
     checkNormals("shade", [x, y, z]);
     const { length } = x;
-    const [r, g, b] = [0, 1, 2].map(() => new Float32Array(irradiance ? 0 : length));
-    const to = irradiance ?? /** @type {any} */ ({ r, g, b });
+    const to = irradiance;
     const fits = (/** @type {unknown} */ to) => to instanceof Float32Array && to.length === length;
-    if (![to.r, to.g, to.b].every(fits)) {
+    if (to && ![to.r, to.g, to.b].every(fits)) {
       throw new RangeError(
         `shade: expected { r, g, b }, each a Float32Array of length ${length}, as x has`,
       );
     }
-    const { irradiance: from, normals } = this.#engine;
     this.#ready();
-    this.#engine.shadeAll("shade", [x, y, z], (start, count) => {
-      to.r.set(from.subarray(0, count), start);
-      to.g.set(from.subarray(normals, normals + count), start);
-      to.b.set(from.subarray(2 * normals, 2 * normals + count), start);
-    });
-    return to;
+    return /** @type {any} */ (this.#engine.picture("shade", [x, y, z], to));
   }
 
   /**
@@ -407,47 +447,72 @@ export class Scene {
   }
 
   /**
-   * The exposure of a picture: this share of a sphere's pixels is at most 0.8 before the tone curve, in
-   * all channels, where 1 is white. The light is as it was set, without its {@link turn}, so that a
-   * light that turns keeps its exposure.
+   * The exposure of a sphere's picture with all terms: one pixel in a hundred is brighter than white
+   * before the tone curve, in its brightest channel. Where that leaves the median darker than 0.12 of
+   * white, up to one in ten is. The light is as it was set, without its {@link turn}, so that a light
+   * that turns keeps its exposure.
    *
-   * @param {number} [share] from 0 to 1, 0.95 by default
    * @returns {number} 1 for a black picture
-   * @throws {RangeError} unless the share is from 0 to 1
    */
-  exposure(share = 0.95) {
-    const turn = this.#turn;
-    this.#turn = Float32Array.of(0, 0, 0, 1);
-    this.#changed();
-    try {
-      return exposureOf(this, share);
-    } finally {
-      this.#turn = turn;
-      this.#changed();
-    }
+  exposure() {
+    return (this.#chosen.exposure ||= metered(this.#untouched({})));
   }
 
-  #changed() {
+  /** @param {boolean} [chooses] whether window and exposure are chosen anew */
+  #changed(chooses = false) {
     this.#state = {};
+    if (chooses) this.#chosen = { width: 0, exposure: 0 };
   }
 
-  /** Makes the module hold this scene. */
-  #ready() {
-    const { held } = this.#engine;
-    if (held.scene === this.#state) return;
-    held.scene = undefined;
-    const { sources } = this;
-    this.#truncation = this.#engine.compute({
-      light: sources ? this.#rest : this.#light,
-      sources: sources ? this.#sources : new Float32Array(),
+  /** The window of a picture of all components and effects, under its exposure without a window. */
+  #weakest() {
+    const all = this.#effects === ALL ? {} : { effects: ALL, transfer: {} };
+    const of = (/** @type {number} */ width) =>
+      this.#untouched({ ...all, components: undefined, light: windowed(this.#drawn.rest, width) });
+    const plain = of(Infinity);
+    const exposure = metered(plain);
+    return weakest(this.degree, (width) => {
+      const { r, g, b } = width === Infinity ? plain : of(width);
+      return exposure * r.reduce((least, red, k) => Math.min(least, red, g[k], b[k]), Infinity);
+    });
+  }
+
+  /**
+   * A sphere's picture with all terms under the light as it was set.
+   *
+   * @param {Partial<import("./engine.js").SceneRequest>} changes
+   */
+  #untouched(changes) {
+    const engine = this.#engine;
+    engine.held.scene = undefined;
+    engine.compute({ ...this.#request(changes.light), turn: UNTURNED, ...changes });
+    return engine.picture("exposure", DISC);
+  }
+
+  /** @returns {import("./engine.js").SceneRequest} */
+  #request(/** @type {Float32Array} */ light = windowed(this.#drawn.rest, this.windowWidth)) {
+    return {
+      light,
+      sources: this.#drawn.sources,
       turn: this.#turn,
       material: this.#material,
       gloss: this.#gloss,
       effects: this.#effects,
       transfer: this.#transfer,
       components: this.#components,
-      tolerance: this.#tolerance,
-    });
+    };
+  }
+
+  /** Makes the module hold this scene. */
+  #ready() {
+    const { held } = this.#engine;
+    if (held.scene === this.#state) return;
+    const { share, exposure = this.exposure() } = this.#tolerance ?? { exposure: 1 };
+    const tolerance = share === undefined ? undefined : { share, exposure };
+    // Before `held`, which the choice of a window and the exposure change.
+    const request = this.#request();
+    held.scene = undefined;
+    this.#truncation = this.#engine.compute({ ...request, tolerance });
     held.scene = this.#state;
   }
 }

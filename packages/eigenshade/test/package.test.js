@@ -125,11 +125,11 @@ test("the declarations are those of a strict program", () => {
     const shown: Preview | undefined = document.querySelector("eigen-shade")?.preview;
     element.light = await lightPreset("park");
     element.yaw = element instanceof EigenShade ? 30 : null;
-    const scene: Scene = await Scene.create({ light: "park", material: { roughness: 0.3, metallic: 1 }, sources: 4 });
-    const drawn: number = scene.sources;
+    const scene: Scene = await Scene.create({ light: "park", material: { roughness: 0.3, metallic: 1 }, sources: 4, window: "none" });
+    const drawn: number = scene.window("auto").window(9.5).sources + scene.windowWidth;
     const { r }: { r: Float32Array<ArrayBuffer> } = scene.turn({ yaw: 1 }).within(1e-2).shade([0], [0], [1]);
     const truncation: Truncation | undefined = scene.truncation;
-    const preview: Promise<Preview> = Preview.create(document.createElement("canvas"), { light: "park", material: "chrome", tone: "filmic" });
+    const preview: Promise<Preview> = Preview.create(document.createElement("canvas"), { light: "park", material: "chrome", tone: "filmic", sources: "auto", window: 12 });
     const pictures: ImageData[] = [scene.pixels([0], [0], [1]), sphere(scene, 1)].map((codes) => new ImageData(codes, 1, 1));
     const vectors: Float32Array<ArrayBuffer>[] = [scene.uniforms(), scene.eigenimage(0, [0], [0], [1]), scene.coefficients().r, r];
     const [x, y]: [readonly number[], Float64Array] = [[0], new Float64Array(1)];
@@ -143,6 +143,8 @@ test("the declarations are those of a strict program", () => {
     scene.light({ r: { length: 1, 0: 1 }, g: [1], b: [1] });
     // @ts-expect-error: neither a quaternion nor angles
     scene.turn({ length: 4, 0: 0, 1: 0, 2: 0, 3: 1 });
+    // @ts-expect-error: there is no such choice
+    await Scene.create({ light: "park", material: "chrome", sources: "all" });
     // @ts-expect-error: there is no such curve
     await preview.then((one) => one.look({ tone: "aces" }));
     export { element, shown, drawn, pictures, vectors, shared, truncation, presetNames };`);
@@ -171,7 +173,7 @@ test("the declarations are those of a program without a page, and of one with JS
     import type { EigenShade } from "eigenshade/element";
     import { createRef } from "react";
     const ref = createRef<EigenShade>();
-    export const shown = <eigen-shade ref={ref} light={{ r: [1], g: [1], b: [1] }} material="nylon" yaw={30} sources={4} className="large"
+    export const shown = <eigen-shade ref={ref} light={{ r: [1], g: [1], b: [1] }} material="nylon" yaw={30} sources="auto" window="none" className="large"
       tone="filmic" onload={() => ref.current?.preview?.turn({ yaw: 1 })} onerror={({ message }) => console.log(message)} />;
     export const copper = <eigen-shade base-color="#b87333" metallic={1} exposure="auto" />;
     // @ts-expect-error: React calls this for its own elements alone

@@ -104,7 +104,7 @@ test("a preview with sources is the sphere that the module draws, to one code", 
     assert.equal(count, sources);
     assert.ok(off <= 1, `${sources} sources: ${off}`);
   }
-  assert.equal(rejected, "sources: -1 is not a whole number, 0 or more");
+  assert.equal(rejected, 'sources: -1 is neither "auto" nor a whole number, 0 or more');
 });
 
 test("two previews share a context and do not disturb each other", async () => {
@@ -434,7 +434,7 @@ test("wrong input rejects with one clear error, and the picture stays", async ()
   });
   assert.deepEqual(messages.map((message) => String(message).slice(0, 98)), [
     "TypeError: Preview: it is [object HTMLBodyElement], expected a canvas of a page",
-    "TypeError: Preview: it is undefined, expected { light, material, sources, engine, assets, exposure",
+    "TypeError: Preview: it is undefined, expected { light, material, sources, window, engine, assets, ",
     'TypeError: Preview: "sorces" is unknown; did you mean "sources"?',
     "TypeError: light: it is undefined, expected { r, g, b } with arrays of coefficients, which lightPr",
     "RangeError: Preview: the exposure is -1, expected a number from 1.2e-38 to 3.4e38",
@@ -475,7 +475,9 @@ test("an element draws what its attributes say, and says what is wrong", async (
     await next(element, "load");
     const canvas = element.shadowRoot.querySelector("canvas");
     const size = canvas.width;
-    const scene = await eigenshade.Scene.create({ light: "studio", material: "red-fabric2" });
+    // What is chosen by itself.
+    const auto = { sources: "auto", window: "auto" };
+    const scene = await eigenshade.Scene.create({ light: "studio", material: "red-fabric2", ...auto });
     scene.turn({ yaw: Math.PI / 6 });
     const same = difference(pixels(canvas), eigenshade.sphere(scene, size, { exposure: 2 }));
     const label = canvas.getAttribute("aria-label");
@@ -496,6 +498,7 @@ test("an element draws what its attributes say, and says what is wrong", async (
     for (const changes of [
       { light: "parc", material: "chrome" }, { light: "lobby", material: "crome" }, { light: "lobby", material: null, roughness: "2" },
       { light: "lobby", exposure: "1e39" }, { material: "chrome", sources: "-1" }, { light: "lobby", yaw: "left" },
+      { light: "lobby", window: "0" }, { light: "lobby", sources: "none" },
     ]) {
       const kept = Object.keys(changes).map((name) => [name, element.getAttribute(name)]);
       const give = (name, value) => (value === null ? element.removeAttribute(name) : element.setAttribute(name, value));
@@ -525,23 +528,30 @@ test("an element draws what its attributes say, and says what is wrong", async (
     element.setAttribute("metallic", "1");
     await next(element, "load");
     const copper = difference(pixels(canvas), eigenshade.sphere(scene.material({ baseColor: "#b87333", metallic: 1 }), size, { exposure: 2 }));
+    const few = element.preview.scene.sources;
     element.setAttribute("sources", "4");
+    element.setAttribute("window", "9.5");
     await next(element, "load");
-    const bright = await eigenshade.Scene.create({ light: "studio", material: { baseColor: "#b87333", metallic: 1 }, sources: 4 });
+    const bright = await eigenshade.Scene.create({ light: "studio", material: { baseColor: "#b87333", metallic: 1 }, sources: 4, window: 9.5 });
     bright.turn({ yaw: Math.PI / 6 });
-    const sharp = [difference(pixels(canvas), eigenshade.sphere(bright, size, { exposure: 2 })), element.preview.scene.sources];
+    const sharp = [difference(pixels(canvas), eigenshade.sphere(bright, size, { exposure: 2 })), element.preview.scene.sources, element.sources, element.window];
+    element.window = "none";
+    element.sources = null;
+    await next(element, "load");
+    sharp.push(few, element.preview.scene.sources, element.preview.scene.windowWidth, element.preview.scene.window("auto").windowWidth < Infinity);
     element.remove();
     return { sharp, size, same, label, wrong, automatic, copper, kept, gone: element.preview === undefined };
   });
   for (const name of ["same", "automatic", "copper", "kept"]) assert.ok(found[name] <= 1, `${name}: ${found[name]}`);
   assert.ok(found.size > 100);
-  assert.ok(found.sharp[0] <= 1 && found.sharp[1] === 4, `${found.sharp}`);
+  assert.ok(found.sharp[0] <= 1, `${found.sharp}`);
+  assert.deepEqual(found.sharp.slice(1), [4, 4, 9.5, 1, 1, Infinity, false]);
   assert.equal(found.label, "A sphere of red-fabric2 under the light studio");
   assert.deepEqual(found.wrong, [
     'no light is called "parc"; did you mean ', true, "",
     'yaw="left" is not a number', true, "",
     'look: "aces" is not one of linear, reinh', true, "",
-    0, 0, 0, 0, 0, 0,
+    0, 0, 0, 0, 0, 0, 0, 0,
   ]);
   assert.ok(found.gone);
   faults.splice(0, faults.length, ...faults.filter((fault) => !fault.includes("404")));

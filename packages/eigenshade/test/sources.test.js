@@ -1,8 +1,10 @@
 // Small sources of light: against the program's shaders, the formula of the literature, and turns.
 
 import assert from "node:assert/strict";
-import { execFileSync } from "node:child_process";
-import { readFileSync } from "node:fs";
+import { execFileSync, spawnSync } from "node:child_process";
+import { mkdtempSync, readFileSync } from "node:fs";
+import { tmpdir } from "node:os";
+import { join } from "node:path";
 import { test } from "node:test";
 import { Scene, lightPreset, load, presetNames } from "../src/index.js";
 import { EIGENSHADE } from "./support/own.js";
@@ -152,6 +154,54 @@ test("scenes say how many sources they draw, and draw the whole light without", 
   assert.equal(scene.material({ metallic: 1, roughness: 0.3 }).sources, 4);
 });
 
+/** Sources and width of the window that `render` chooses. */
+function rendered(light, material) {
+  const folder = mkdtempSync(join(tmpdir(), "eigenshade-"));
+  const all = ["render", "-l", light, "-m", material, "--table", "color", "--size", "8", "--out", join(folder, "out.png")];
+  const { stderr } = spawnSync(EIGENSHADE, all, { encoding: "utf8" });
+  const [, sources, width] = /components\), (no|\d+) sources?, (?:no window|a window of width ([\d.]+))/.exec(stderr);
+  return [Number(sources === "no" ? 0 : sources), Number(width ?? Infinity)];
+}
+
+test("automatic sources and windows are those of `render`", async () => {
+  const counts = new Set();
+  for (const [light, material] of [
+    ["studio", "gold-metallic-paint"], ["lobby", "chrome"], ["night", "chrome-steel"], ["park", "red-fabric2"],
+    ["city", "blue-metallic-paint"], ["hall", "aluminium"], ["esplanade", "chrome"], ["sunset", "gold-paint"], ["blender-studio", "chrome"],
+  ]) {
+    const scene = await Scene.create({ light, material, sources: "auto", window: "auto" });
+    const found = [scene.sources, scene.windowWidth];
+    assert.deepEqual(found, rendered(light, material), `${light}, ${material}`);
+    counts.add(found[0]);
+  }
+  assert.ok(counts.size >= 4, [...counts].join());
+});
+
+test("automatic sources are as few as each material needs", async () => {
+  const scene = await Scene.create({ light: "studio", material: { metallic: 1, roughness: 0.2 }, sources: "auto" });
+  const of = (material) => scene.material(material).sources;
+  const found = [0.2, 0.3, 0.4, 0.5, 0.59, 0.6, 0.8].map((roughness) => of({ metallic: 1, roughness }));
+  assert.deepEqual(found, [4, 4, 4, 2, 1, 0, 0]);
+  assert.ok(of({ roughness: 0.3 }) < 4);
+  assert.equal(of(three([1])), 0);
+  // Another light, as it is set.
+  of({ metallic: 1, roughness: 0.3 });
+  assert.equal(scene.light(await lightPreset("blender-studio", { sources: "auto" })).sources, 0);
+  const auto = await lightPreset("studio", { sources: "auto" });
+  assert.equal(scene.light(auto).sources, 4);
+  const four = await Scene.create({ light: "studio", material: { metallic: 1, roughness: 0.3 }, sources: 4 });
+  assert.deepEqual(scene.uniforms(), four.uniforms());
+  // A light of one's own has all that it comes with, or none.
+  const { sources } = await lightPreset("studio", { sources: 2 });
+  assert.equal(scene.light({ ...three([1]), sources }).sources, 2);
+  assert.equal(scene.light(three([1])).sources, 0);
+  // A scene without sources draws none.
+  const inputs = { light: "studio", material: { metallic: 1, roughness: 0.3 } };
+  const whole = await Scene.create(inputs);
+  assert.equal(whole.light(auto).sources, 0);
+  assert.deepEqual(whole.uniforms(), (await Scene.create(inputs)).uniforms());
+});
+
 test("the modules with relaxed SIMD and without SIMD draw the same highlights", async () => {
   takeRelaxedSimd();
   const [expected, ...others] = await Promise.all(["simd.", "relaxed.", ""].map(async (variant) => {
@@ -181,7 +231,7 @@ test("wrong sources throw one clear error and change nothing", async () => {
   const inputs = { light: "studio", material: "gold-metallic-paint" };
   for (const sources of [-1, 1.5, NaN, Infinity, "4", null]) {
     await assert.rejects(Scene.create({ ...inputs, sources }), {
-      name: "RangeError", message: `sources: ${sources === "4" ? '"4"' : sources} is not a whole number, 0 or more`,
+      name: "RangeError", message: `sources: ${sources === "4" ? '"4"' : sources} is neither "auto" nor a whole number, 0 or more`,
     });
   }
   const plain = await load(readFileSync(new URL("../wasm/eigenshade.wasm", import.meta.url)));

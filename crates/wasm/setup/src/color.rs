@@ -139,16 +139,16 @@ extern "C" fn color_collapse() -> u32 {
     done.into()
 }
 
-/// Collapses d to a scene with as few terms as a tolerance relative to the peak allows, and writes
+/// Collapses d to a scene with as few terms as a share of white under an exposure allows, and writes
 /// the report.
 #[unsafe(no_mangle)]
-extern "C" fn color_truncate(tolerance: f32) -> u32 {
+extern "C" fn color_truncate(share: f32, exposure: f32) -> u32 {
     // SAFETY: each buffer is borrowed once, and no other function runs.
     let (d, Collapsed { numbers, lengths }, report) =
         unsafe { (D.borrow(), COLLAPSED.borrow(), REPORT.borrow()) };
     let mut reports = [Truncation::default(); 3];
     let mut found = [0; DEGREE + 1];
-    let tolerance = Tolerance::OfPeak(tolerance);
+    let tolerance = Tolerance::OfWhite { share, exposure };
     let shape = BASIS.collapse_set_within(&d[..], 3, tolerance, &mut found, numbers, &mut reports);
     let Ok(shape) = shape else { return 0 };
     *lengths = [0; DEGREE + 1];
