@@ -58,11 +58,11 @@ async function sun() {
     return (sky * (1 + y[k]) + ground * (1 - y[k])) / 2 + (meets ? (4 * radiance * facing(k)) / samples : 0);
   });
   const exposure = 0.8 / exact.reduce((most, value) => Math.max(most, value), 0);
-  const { rms } = errorOf(ours, gray(exact));
+  const { rms } = errorOf(ours, gray(exact), exposure);
   return {
     ours: image(pixels, ours, exposure),
     naive: image(pixels, gray(naive), exposure),
-    oursCaption: `Ours: off by ${percent(rms)} of the peak (rms)`,
+    oursCaption: `Ours: off by ${percent(rms)} of white (rms)`,
     naiveCaption: `Naive: ${samples} random directions a pixel`,
     text: `One texel of the map is a million times as bright as the sky: ${met} of ${x.length.toLocaleString("en")} pixels of the naive program meet it, too brightly, and the others miss it; ours sums every texel once, into 100 coefficients.`,
   };

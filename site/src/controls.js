@@ -48,7 +48,7 @@ export function controls(state, { drawing, ownMesh, turnsLight, tab: shown }) {
   set(find("light"), state.light);
   set(find("step"), state.step);
   const tolerance = measure.toleranceOf(state.step);
-  find("step").setAttribute("aria-valuetext", tolerance ? `within ${percent(tolerance)}` : "all terms");
+  find("step").setAttribute("aria-valuetext", tolerance ? `within ${percent(tolerance)} of white` : "all terms");
   set(find("exposure"), state.exposure);
   find("exposure-value").textContent = `${state.exposure > 0 ? "+" : ""}${state.exposure} EV`;
   set(find("components"), state.components);

@@ -1,6 +1,8 @@
 // Spherical harmonics in the convention of docs/conventions.md, and lights that a formula
 // describes.
 
+import { factor } from "../eigenshade/src/window.js";
+
 export const DEGREE = 9;
 export const COUNT = (DEGREE + 1) ** 2;
 
@@ -74,19 +76,14 @@ export const hemisphere = (/** @type {number[]} */ sky, /** @type {number[]} */ 
   sum(ambient(ground), disc([0, 1, 0], Math.PI / 2, sky.map((value, k) => value - ground[k])));
 
 /**
- * The light after the window (sin x / x)⁴, x = π l / width, which blurs it instead of letting it
- * ring.
+ * The light after a window of this width, which blurs it instead of letting it ring.
  *
  * @param {{ r: Float32Array, g: Float32Array, b: Float32Array }} light
  * @param {number} width
  */
 export function windowed(light, width = 20) {
-  const factor = (/** @type {number} */ k) => {
-    const degree = Math.floor(Math.sqrt(k));
-    const x = (Math.PI * degree) / width;
-    return x === 0 ? 1 : degree < width ? (Math.sin(x) / x) ** 4 : 0;
-  };
-  const each = (/** @type {Float32Array} */ channel) => channel.map((value, k) => value * factor(k));
+  const each = (/** @type {Float32Array} */ channel) =>
+    channel.map((value, k) => value * factor(width, Math.floor(Math.sqrt(k))));
   return { r: each(light.r), g: each(light.g), b: each(light.b) };
 }
 
@@ -96,13 +93,6 @@ export function sum(...lights) {
     lights[0][channel].map((_, k) => lights.reduce((total, light) => total + light[channel][k], 0));
   return { r: of("r"), g: of("g"), b: of("b") };
 }
-
-/** The coefficients of round sources, ten numbers each as `Channels` has them, times a factor. */
-export const ofSources = (/** @type {Float32Array} */ sources, factor = 1) =>
-  sum(ambient([0, 0, 0]), ...Array.from({ length: sources.length / 10 }, (_, k) => {
-    const [x, y, z, r, g, b, , , , spread] = sources.subarray(10 * k, 10 * k + 10);
-    return along([x, y, z], [r, g, b], (l) => factor * Math.exp((-l * (l + 1) * spread * spread) / 2));
-  }));
 
 /**
  * @param {number[]} direction

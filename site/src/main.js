@@ -14,8 +14,8 @@ import { coin, coinNormals, parseObj, relief } from "./objects.js";
 import { counted, mark, percent, plot } from "./plot.js";
 import { turnable } from "./pointers.js";
 import { Scenes } from "./scenes.js";
-import { colorsOf, screenError, screenText, verdict } from "./screen.js";
-import { loadErrors, showSources } from "./sources.js";
+import { colorsOf, screenError, screenText, verdict, wholeVerdict } from "./screen.js";
+import { directError, loadErrors, showSources } from "./sources.js";
 import { COMPONENTS, fromHash, initial, inputsOf, loadable, toHash } from "./state.js";
 import { thumbnails } from "./thumbnails.js";
 import { IDENTITY, dragged, multiply } from "./turn.js";
@@ -95,7 +95,7 @@ function changed() {
 function draw() {
   const { ours, whole, best } = scenes;
   for (const scene of [whole, best]) scene.turn(state.turn);
-  ours.turn(state.turn).effects(state.effects).components(state.components).within(measure.toleranceOf(state.step));
+  ours.turn(state.turn).effects(state.effects).components(state.components).within(measure.toleranceOf(state.step), scenes.exposure);
   const look = { exposure: scenes.exposure * 2 ** state.exposure, pose: state.pose, nine: { terms: scenes.nine, turn: state.turn } };
   const split = state.view === "split";
   if (drawing) {
@@ -117,7 +117,7 @@ function draw() {
     if (dragging && ours.terms > 60 && !drawing.has(ours)) ours.within();
     const side = Math.min(1400, Math.max(64, Math.round(canvas.clientWidth * Math.min(2, devicePixelRatio))));
     drawing.draw(panes, look, side + (side % 2));
-    ours.within(measure.toleranceOf(state.step));
+    ours.within(measure.toleranceOf(state.step), scenes.exposure);
   } else {
     drawCpu(canvas, ours, split ? best : undefined, look);
   }
@@ -138,9 +138,12 @@ function numbers() {
   const shown = measure.pictureOf(ours);
   const expected = colorsOf(measure.pictureOf(best), exposure);
   const screen = (/** @type {measure.Picture} */ picture) => screenError(colorsOf(picture, exposure), expected);
-  now = { terms: ours.terms, ...measure.errorOf(shown, reference) };
+  now = { terms: ours.terms, ...measure.errorOf(shown, reference, exposure) };
   const { terms, rms, worst } = now;
-  const said = verdict(screen(shown), best.sources);
+  const direct = directError(state, scenes.loaded, ours);
+  const said = direct
+    ? wholeVerdict(screenError(colorsOf(shown, exposure), colorsOf(reference, exposure)), direct)
+    : verdict(screen(shown), best.sources);
   find("verdict").textContent = said.error;
   find("against").textContent = said.against;
   find("cost").textContent = `${counted(terms, "term")}${ours.sources ? ` + ${counted(ours.sources, "source")}` : ""}`;
@@ -153,7 +156,7 @@ function numbers() {
     find(/** @type {string} */ (id)).textContent = `${count.toLocaleString("en")} instr.`;
   }
   const nine = shadeNine(scenes.nine, state.turn, measure.NORMALS);
-  nineError = measure.errorOf(nine, reference);
+  nineError = measure.errorOf(nine, reference, exposure);
   find("nine-screen").textContent = screenText(screen(nine));
   mark(find("plot"), now, nineError);
 }
@@ -168,12 +171,12 @@ function later() {
     idle = setTimeout(later, 150);
     return;
   }
-  const { ours, whole, scratch } = scenes;
+  const { ours, whole, scratch, exposure } = scenes;
   const what = JSON.stringify([scenes.accepted, state.turn, state.effects, state.components]);
   if (curved !== what) {
     curved = what;
-    plot(find("plot"), measure.curveOf(ours, reference));
-    ours.within(measure.toleranceOf(state.step));
+    plot(find("plot"), measure.curveOf(ours, reference, exposure));
+    ours.within(measure.toleranceOf(state.step), exposure);
     mark(find("plot"), now, nineError);
   }
   const { light, material } = /** @type {import("./scenes.js").Inputs} */ (scenes.loaded);
@@ -182,7 +185,7 @@ function later() {
   find("pixel-time").textContent = `${Number((1e9 * times.pixel).toPrecision(2))} ns`;
   // Effects are those of light without sources.
   scratch.light({ ...light, sources: [] }).material(material).turn(state.turn).components(state.components);
-  const parts = measure.effectsOf(scratch, measure.toleranceOf(state.step));
+  const parts = measure.effectsOf(scratch, exposure, measure.toleranceOf(state.step));
   for (const effect of EFFECTS) {
     const { share, saved } = parts[effect];
     find(`share-${effect}`).textContent = percent(share);
@@ -286,8 +289,8 @@ for (const id of ["base-color", "metallic", "roughness"]) {
     }),
   );
 }
-for (const input of document.querySelectorAll("input[name=sources]")) {
-  input.addEventListener("change", () => take({ sources: Number(/** @type {HTMLInputElement} */ (input).value) }));
+for (const input of /** @type {NodeListOf<HTMLInputElement>} */ (document.querySelectorAll("input[name=sources]"))) {
+  input.addEventListener("change", () => take({ sources: input.value === "auto" ? input.value : Number(input.value) }));
 }
 for (const name of ["object", "view", "drag"]) {
   for (const input of document.querySelectorAll(`input[name=${name}]`)) {
@@ -298,12 +301,12 @@ on("choose", "click", () => {
   const { scratch, loaded } = scenes;
   if (!loaded) return;
   scratch.light(loaded.light).material(loaded.material).turn(state.turn);
-  const found = measure.automatic(scratch, state.automatic / 100);
+  const found = measure.automatic(scratch, scenes.exposure, state.automatic / 100);
   scratch.turn(IDENTITY);
   if (!found) return;
   set({ effects: found.effects, step: found.step, components: COMPONENTS });
   const names = found.effects.length === EFFECTS.length ? "all effects" : found.effects.join(", ") || "no effect";
-  find("chosen").textContent = `Chose ${names} and ${found.terms} terms: they leave out ${percent(found.rms)} rms, worst pixel ${percent(found.worst)}.`;
+  find("chosen").textContent = `Chose ${names} and ${found.terms} terms: they leave out ${percent(found.rms)} of white rms, worst pixel ${percent(found.worst)}.`;
 });
 on("copy", "click", async () => {
   saveLink();

@@ -5,7 +5,7 @@ import { EFFECTS } from "../eigenshade/src/index.js";
 /** @typedef {import("../eigenshade/src/index.js").Scene} Scene */
 /** @typedef {{ r: Float32Array, g: Float32Array, b: Float32Array }} Picture */
 
-/** The slider's steps: tolerances from 10^-0.5 to 10^-6, and all terms. */
+/** The slider's steps: shares of white from 10^-0.5 to 10^-6, and all terms. */
 export const STEPS = 41;
 /** The last step: all terms. */
 export const ALL_TERMS = STEPS - 1;
@@ -45,17 +45,19 @@ export const meanOf = (/** @type {Picture} */ picture) =>
   channels.map((c) => picture[c].reduce((sum, value) => sum + value, 0) / picture[c].length);
 
 /**
- * The error of a picture, relative to the peak of another.
+ * The error of a picture against another as shares of white: both are exposed and clipped at white
+ * and black.
  *
  * @param {Picture} found
  * @param {Picture} expected
+ * @param {number} exposure
  */
-export function errorOf(found, expected) {
+export function errorOf(found, expected, exposure) {
+  const shown = (/** @type {number} */ value) => Math.min(1, Math.max(0, exposure * value));
   const difference = /** @type {Picture} */ (
-    Object.fromEntries(channels.map((c) => [c, found[c].map((value, k) => value - expected[c][k])]))
+    Object.fromEntries(channels.map((c) => [c, found[c].map((value, k) => shown(value) - shown(expected[c][k]))]))
   );
-  const peak = peakOf(expected);
-  return { rms: rmsOf(difference) / peak, worst: peakOf(difference) / peak };
+  return { rms: rmsOf(difference), worst: Math.min(1, peakOf(difference)) };
 }
 
 /** How many times something runs in about this many milliseconds, and the mean time in seconds. */
@@ -79,10 +81,14 @@ function time(/** @type {() => void} */ run, milliseconds = 12) {
  */
 export function timesOf(scene, light) {
   const [x, y, z] = NORMALS;
-  return {
+  // With the window that it has: only the first picture of a light chooses one.
+  scene.window(scene.windowWidth);
+  const times = {
     light: time(() => void scene.light(light).truncation),
     pixel: time(() => void scene.shade(x, y, z)) / x.length,
   };
+  scene.window("auto");
+  return times;
 }
 
 /**
@@ -90,51 +96,48 @@ export function timesOf(scene, light) {
  *
  * @param {Scene} scene
  * @param {Picture} reference
+ * @param {number} exposure
  */
-export function curveOf(scene, reference) {
-  const curve = Array.from({ length: STEPS }, (_, step) => {
-    scene.within(toleranceOf(step));
-    return { terms: scene.terms, ...errorOf(pictureOf(scene), reference) };
+export function curveOf(scene, reference, exposure) {
+  return Array.from({ length: STEPS }, (_, step) => {
+    scene.within(toleranceOf(step), exposure);
+    return { terms: scene.terms, ...errorOf(pictureOf(scene), reference, exposure) };
   });
-  return curve;
 }
 
 /**
- * Terms without an effect, at the absolute error that `tolerance` is of the whole picture.
+ * Terms without an effect, at the same share of white.
  *
  * @param {Scene} scene of all effects
+ * @param {number} exposure
  * @param {number | undefined} tolerance
  * @returns {Record<string, { share: number, saved: number }>}
  */
-export function effectsOf(scene, tolerance = 1e-6) {
-  const whole = pictureOf(scene.effects().within());
-  const [rms, peak] = [rmsOf(whole), peakOf(whole)];
-  const all = scene.within(tolerance).terms;
+export function effectsOf(scene, exposure, tolerance = 1e-6) {
+  const rms = rmsOf(pictureOf(scene.effects().within()));
+  const all = scene.within(tolerance, exposure).terms;
   const entries = EFFECTS.map((effect) => {
     const share = rmsOf(pictureOf(scene.within().effects([effect]))) / (rms || 1);
     scene.effects(EFFECTS.filter((other) => other !== effect));
-    const rest = peakOf(pictureOf(scene));
-    const relative = (tolerance * peak) / rest;
-    // What is left may be darker than the error.
-    const terms = relative < 1 ? scene.within(Math.max(1e-30, relative)).terms : 0;
-    return [effect, { share, saved: all - terms }];
+    return [effect, { share, saved: all - scene.within(tolerance, exposure).terms }];
   });
   scene.effects().within();
   return Object.fromEntries(entries);
 }
 
 /**
- * The effects and the step that take the fewest terms within an error (rms); of equals, those of
- * fewer effects.
+ * The effects and the step that take the fewest terms within a share of white (rms); of equals, those
+ * of fewer effects.
  *
  * @param {Scene} scene
+ * @param {number} exposure
  * @param {number} tolerance
  */
-export function automatic(scene, tolerance) {
+export function automatic(scene, exposure, tolerance) {
   const reference = pictureOf(scene.effects().within());
   const at = (/** @type {number} */ step) => {
-    scene.within(toleranceOf(step));
-    return { step, terms: scene.terms, ...errorOf(pictureOf(scene), reference) };
+    scene.within(toleranceOf(step), exposure);
+    return { step, terms: scene.terms, ...errorOf(pictureOf(scene), reference, exposure) };
   };
   let best;
   for (let bits = 15; bits >= 0; bits--) {

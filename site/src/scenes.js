@@ -4,12 +4,11 @@ import { Scene } from "../eigenshade/src/index.js";
 import { ambient } from "./harmonics.js";
 import * as measure from "./measure.js";
 import { nineTerms } from "./nine.js";
-import { calm } from "./window.js";
 
 /** @typedef {Awaited<ReturnType<typeof import("./state.js").inputsOf>>} Inputs */
 
 export class Scenes {
-  /** The inputs, of which no light of one's own rings, and how many were accepted. */
+  /** The inputs, and how many were accepted. */
   loaded = /** @type {Inputs | undefined} */ (undefined);
   accepted = 0;
   /** The exposure of the reference, and the nine-term formula. */
@@ -19,7 +18,8 @@ export class Scenes {
   static async create() {
     // With sources, for their module.
     const inputs = { light: "studio", material: "gold-metallic-paint", sources: 1 };
-    return new Scenes(await Promise.all([1, 2, 3, 4].map(() => Scene.create(inputs))));
+    const window = /** @type {const} */ ("auto");
+    return new Scenes(await Promise.all([1, 2, 3, 4].map(() => Scene.create({ ...inputs, window }))));
   }
 
   /** @param {Scene[]} scenes */
@@ -38,9 +38,7 @@ export class Scenes {
   accept(/** @type {Inputs} */ inputs) {
     this.accepted++;
     try {
-      // Shipped lights are drawn as they are.
-      const calmed = (/** @type {any} */ light) => (inputs.isOwn ? calm(this.scratch, light, inputs.material) : light);
-      this.#give({ ...inputs, light: calmed(inputs.light), best: calmed(inputs.best) });
+      this.#give(inputs);
     } catch (fault) {
       if (this.loaded) this.#give(this.loaded);
       throw fault;

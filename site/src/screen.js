@@ -46,12 +46,14 @@ const digits = (/** @type {number} */ value) => (value > 0 && value < 0.05 ? "< 
 export const seen = (/** @type {ScreenError} */ { mean, most }) =>
   mean <= 1 && most <= 2 ? "not visible" : mean <= 2 && most <= 5 ? "close" : "visible";
 
+/** @typedef {{ light: string, roughness: number, sources: number, error: ScreenError }} Direct */
+
 /**
- * The error of a picture in words, and what it is compared with. The reference has degree 9, too, so
- * the whole error is larger.
+ * The error of a picture in words, and what it is compared with.
  *
- * @param {import("./screen.js").ScreenError} error
- * @param {number} sources those of the reference
+ * @param {ScreenError} error against the best that the page computes, which has degree 9, too, so
+ *   that the whole error is larger
+ * @param {number} sources those of the best
  */
 export function verdict(error, sources) {
   const word = seen(error);
@@ -59,5 +61,22 @@ export function verdict(error, sources) {
   return {
     error: `${word === "visible" ? "Visible" : `At best ${word}`}: ${screenText(error)}`,
     against: `CIEDE2000 against all terms of ${COMPONENTS} images${also}; what degree 9 lacks adds to it`,
+  };
+}
+
+/**
+ * The same where the error of all terms against direct integration is known of a metal that resembles
+ * the material: the sum of both is as large as the whole error, or larger.
+ *
+ * @param {ScreenError} error against all terms with the same sources
+ * @param {Direct} direct
+ */
+export function wholeVerdict(error, { light, roughness, sources, error: { mean, most } }) {
+  const whole = { mean: error.mean + mean, most: error.most + most };
+  const word = seen(whole);
+  const also = error.most > 0 ? ", and what this picture leaves out" : "";
+  return {
+    error: `${word[0].toUpperCase()}${word.slice(1)}: ${screenText(whole)}`,
+    against: `CIEDE2000 against direct integration: that of a metal of roughness ${roughness} in ${light} with ${sources ? counted(sources, "source") : "no sources"}${also}`,
   };
 }

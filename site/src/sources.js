@@ -2,11 +2,12 @@
 
 import { EFFECTS } from "../eigenshade/src/index.js";
 import { find } from "./controls.js";
-import { counted, percent } from "./plot.js";
+import { counted } from "./plot.js";
+import { screenText } from "./screen.js";
 
 /**
- * Lines of `eigenshade/errors.csv`: light, roughness, sources, rms, worst pixel; each light twice,
- * the second time turned.
+ * Lines of `eigenshade/errors.csv`: light, roughness, sources, and the screen error against direct
+ * integration, mean and 95th percentile; each light twice, the second time turned.
  */
 let errors = /** @type {string[][]} */ ([]);
 
@@ -16,6 +17,29 @@ export async function loadErrors() {
   errors = text.trim().split("\n").map((line) => line.split(","));
 }
 
+const roughnessOf = (/** @type {any} */ material) => material.roughness ?? material.gloss?.[0];
+
+/**
+ * The error of all terms against direct integration, of the metal under this light whose roughness is
+ * next to the material's, with as many sources; `undefined` where it is not known.
+ *
+ * @param {import("./state.js").State} state
+ * @param {any} inputs
+ * @param {import("../eigenshade/src/index.js").Scene} scene
+ * @returns {import("./screen.js").Direct | undefined}
+ */
+export function directError({ light, sources: most, effects }, { material }, { sources: drawn, isGlossy }) {
+  if (!isGlossy || effects.length < EFFECTS.length) return undefined;
+  const away = (/** @type {string} */ rough) => Math.abs(Number(rough) - roughnessOf(material));
+  const [nearest] = errors.map(([, rough]) => rough).sort((a, b) => away(a) - away(b));
+  // A set of at most eight may have four.
+  const count = drawn && most !== "auto" ? most : drawn;
+  const found = errors.filter(([name, rough, sources]) => name === light && rough === nearest && Number(sources) === count);
+  if (!found.length) return undefined;
+  const [mean, p95] = [3, 4].map((column) => Math.max(...found.map((row) => Number(row[column]))));
+  return { light, roughness: Number(nearest), sources: count, error: { mean, most: p95 } };
+}
+
 /**
  * How many sources are drawn, and what degree 9 leaves with them.
  *
@@ -23,23 +47,18 @@ export async function loadErrors() {
  * @param {any} inputs
  * @param {import("../eigenshade/src/index.js").Scene} scene
  */
-export function showSources(state, { light, material }, { sources: drawn, isGlossy }) {
-  const roughness = material.roughness ?? material.gloss?.[0];
-  const why = !light.sources?.length
-    ? `this light has no set of at most ${state.sources}`
+export function showSources(state, inputs, scene) {
+  const { light, material } = inputs;
+  const why = !light.sources?.length && !light.sets?.all.length
+    ? state.sources === "auto" ? "this light has none" : `this light has no set of at most ${state.sources}`
     : state.effects.length < EFFECTS.length
       ? "effects are left out"
-      : roughness === undefined ? "this material has no gloss" : "this material is matte";
-  const text = drawn ? `${counted(drawn, "source")} drawn.` : state.sources ? `None drawn: ${why}.` : "";
+      : roughnessOf(material) === undefined
+        ? "this material has no gloss"
+        : scene.isGlossy ? "this material needs none" : "this material is matte";
+  const text = scene.sources ? `${counted(scene.sources, "source")} drawn.` : state.sources ? `None drawn: ${why}.` : "";
   // Screen readers read it again whenever it is written.
   if (find("sources-drawn").textContent !== text) find("sources-drawn").textContent = text;
-  const away = (/** @type {string} */ rough) => Math.abs(Number(rough) - roughness);
-  const [nearest] = errors.map(([, rough]) => rough).sort((a, b) => away(a) - away(b));
-  const found = isGlossy
-    ? errors.filter(([name, rough, count]) =>
-      name === state.light && rough === nearest && Number(count) === (drawn && state.sources))
-    : [];
-  for (const [id, column] of /** @type {[string, number][]} */ ([["degree-rms", 3], ["degree-worst", 4]])) {
-    find(id).textContent = found.length ? percent(Math.max(...found.map((row) => Number(row[column])))) : "-";
-  }
+  const direct = directError(state, inputs, scene);
+  find("degree").textContent = direct ? screenText(direct.error) : "-";
 }

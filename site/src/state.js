@@ -13,7 +13,7 @@ export const OBJECTS = ["sphere", "relief", "coin", "own"];
 export const VIEWS = ["picture", "split"];
 export const TABS = ["scene", "accuracy", "effects", "images", "cases"];
 export const COMPONENTS = 160;
-export const SOURCES = ["0", "1", "2", "4", "8"];
+export const SOURCES = ["auto", "0", "1", "2", "4", "8"];
 /** The most sources that a light has; pictures are compared with those of as many. */
 export const ALL_SOURCES = 16;
 /** The tolerances of "automatic", in percent. */
@@ -31,8 +31,8 @@ export const initial = () => ({
   turn: [0, 0, 0, 1],
   pose: [0.2, -0.26, 0, 0.945],
   step: 14,
-  /** Most small sources of a captured light. */
-  sources: 4,
+  /** Most small sources of a captured light: a number, or as few as the material needs. */
+  sources: /** @type {number | "auto"} */ ("auto"),
   effects: [...EFFECTS],
   components: COMPONENTS,
   exposure: 0,
@@ -126,7 +126,10 @@ const PARTS = {
   turn: rotation,
   pose: rotation,
   step: number(0, ALL_TERMS, true),
-  sources: oneNumber(SOURCES),
+  sources: {
+    write: String,
+    read: (/** @type {string} */ text) => (text === "auto" ? text : oneNumber(SOURCES).read(text)),
+  },
   effects: {
     write: (value) => EFFECTS.filter((effect) => value.includes(effect)).join() || "none",
     read: (text) => (text === "none" ? [] : text.split(",").map(one([...EFFECTS]).read)),
@@ -193,7 +196,7 @@ const INPUTS = {
   async light(/** @type {State} */ { light, ownLight, sources }) {
     if (light === "own") {
       const own = /** @type {Light} */ (ownLight?.light);
-      return { ...own, sources: own.sources?.subarray(0, 10 * sources) };
+      return { ...own, sources: own.sources?.subarray(0, 10 * (sources === "auto" ? MOST : sources)) };
     }
     return Object.hasOwn(ANALYTIC, light) ? ANALYTIC[light]() : lightPreset(light, { sources });
   },
@@ -202,15 +205,14 @@ const INPUTS = {
 };
 
 /**
- * The scenes' inputs that the state names, the same light with all its sources, and whether it is a
- * light of one's own. Throws for a name that does not exist.
+ * The scenes' inputs that the state names, and the same light with all its sources. Throws for a name
+ * that does not exist.
  */
 export async function inputsOf(/** @type {State} */ wanted) {
   return {
     light: await INPUTS.light(wanted),
     best: await INPUTS.light({ ...wanted, sources: ALL_SOURCES }),
     material: await INPUTS.material(wanted),
-    isOwn: wanted.light === "own",
   };
 }
 

@@ -33,8 +33,8 @@ export function thumbnails(list, choose) {
       if (!isIntersecting) continue;
       observer.unobserve(target);
       const input = /** @type {HTMLInputElement} */ (target.querySelector("input"));
-      // Without sources, the lamps of the studio ring.
-      Scene.create({ light: "studio", material: input.value, sources: 8 }).then((scene) =>
+      // Without, the lamps of the studio ring.
+      Scene.create({ light: "studio", material: input.value, sources: "auto", window: "auto" }).then((scene) =>
         show(/** @type {HTMLCanvasElement} */ (target.querySelector("canvas")), image(pixels, scene.shade(x, y, z), scene.exposure())),
       );
     }

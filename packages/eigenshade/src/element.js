@@ -4,6 +4,7 @@ import { isChannels, parameters } from "./input.js";
 import { lightOf, materialOf } from "./presets.js";
 import { Preview, checkLook } from "./preview.js";
 import { Scene } from "./scene.js";
+import { checkWindow } from "./window.js";
 
 /** @typedef {import("./input.js").MetallicRoughness} MetallicRoughness */
 
@@ -235,6 +236,8 @@ class Sphere extends Base {
       tone: /** @type {import("./input.js").Tone} */ (this.getAttribute("tone") ?? "filmic"),
     };
     checkLook("look", look);
+    const window = /** @type {import("./window.js").Window} */ (choice("window", "none"));
+    checkWindow(window);
     const [yaw, pitch, roll] = ["yaw", "pitch", "roll"].map(
       (angle) => (number(angle, 0) * Math.PI) / 180,
     );
@@ -242,7 +245,7 @@ class Sphere extends Base {
       light: this.#value("light") ?? "park",
       material,
       sources: choice("sources"),
-      window: /** @type {import("./window.js").Window} */ (choice("window", "none")),
+      window,
       look,
       turn: { yaw, pitch, roll },
     };

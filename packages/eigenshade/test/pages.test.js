@@ -150,7 +150,7 @@ test("React in strict mode: previews, properties and events", async () => {
     await until(() => events.length === 2);
     const element = document.querySelector("eigen-shade");
     const canvas = element.shadowRoot.querySelector("canvas");
-    const scene = await Scene.create({ light: "studio", material: { baseColor: "#b87333", metallic: 1 } });
+    const scene = await Scene.create({ light: "studio", material: { baseColor: "#b87333", metallic: 1 }, window: "auto" });
     scene.turn({ yaw: Math.PI / 6 });
     const expected = sphere(scene, 60, { exposure: 2, tone: "linear" });
     const found = canvas.getContext("2d").getImageData(0, 0, 60, 60).data;

@@ -1,9 +1,13 @@
 // Previews and elements in a browser.
 
 import assert from "node:assert/strict";
-import { readFileSync } from "node:fs";
+import { execFileSync } from "node:child_process";
+import { mkdtempSync, readFileSync } from "node:fs";
+import { tmpdir } from "node:os";
+import { join } from "node:path";
 import { after, before, beforeEach, test } from "node:test";
 import { launch, serve } from "./support/browser.js";
+import { EIGENSHADE } from "./support/own.js";
 
 const PAGE = `<!doctype html><link rel=icon href=data:,><title>Previews</title>
 <style>canvas { width: 120px; height: 120px }</style><canvas></canvas><canvas></canvas>`;
@@ -105,6 +109,37 @@ test("a preview with sources is the sphere that the module draws, to one code", 
     assert.ok(off <= 1, `${sources} sources: ${off}`);
   }
   assert.equal(rejected, 'sources: -1 is neither "auto" nor a whole number, 0 or more');
+});
+
+test("a preview of a light and a material is as bright as what the program renders", async () => {
+  const file = join(mkdtempSync(join(tmpdir(), "eigenshade-")), "picture.png");
+  // Metered by the brightest hundredth, by the median, and by the brightest tenth.
+  for (const [light, material] of [["park", "red-fabric2"], ["studio", "gold-metallic-paint"], ["night", "chrome-steel"]]) {
+    const all = ["render", "-l", light, "-m", material, "--table", "color", "--size", "120", "--out", file];
+    execFileSync(EIGENSHADE, all, { stdio: "ignore" });
+    const picture = `data:image/png;base64,${readFileSync(file, "base64")}`;
+    const [found, expected] = await page.evaluate(async ([light, material, picture]) => {
+      const preview = await eigenshade.Preview.create(canvases[0], { light, material, tone: "linear" });
+      const program = document.createElement("canvas");
+      [program.width, program.height] = [120, 120];
+      program.getContext("2d").drawImage(await createImageBitmap(await (await fetch(picture)).blob()), 0, 0);
+      const brightness = [canvases[0], program].map((canvas) => {
+        const codes = pixels(canvas);
+        const largest = [];
+        for (let k = 0; k < codes.length; k += 4) {
+          if (codes[k + 3] === 255) largest.push(Math.max(codes[k], codes[k + 1], codes[k + 2]));
+        }
+        largest.sort((one, other) => one - other);
+        const at = (share) => largest[Math.floor(share * largest.length)] / 255;
+        const linear = (share) => ((at(share) + 0.055) / 1.055) ** 2.4;
+        return [0.25, 0.5, 0.75].map(linear);
+      });
+      preview.free();
+      return brightness;
+    }, [light, material, picture]);
+    // The program meters in steps of 7 %, all pixels; codes have 8 bits.
+    found.forEach((value, k) => assert.ok(Math.abs(value / expected[k] - 1) < 0.1, `${light}, ${material}: ${found}, ${expected}`));
+  }
 });
 
 test("two previews share a context and do not disturb each other", async () => {
@@ -545,7 +580,7 @@ test("an element draws what its attributes say, and says what is wrong", async (
   for (const name of ["same", "automatic", "copper", "kept"]) assert.ok(found[name] <= 1, `${name}: ${found[name]}`);
   assert.ok(found.size > 100);
   assert.ok(found.sharp[0] <= 1, `${found.sharp}`);
-  assert.deepEqual(found.sharp.slice(1), [4, 4, 9.5, 1, 1, Infinity, false]);
+  assert.deepEqual(found.sharp.slice(1), [4, 4, 9.5, 2, 2, Infinity, false]);
   assert.equal(found.label, "A sphere of red-fabric2 under the light studio");
   assert.deepEqual(found.wrong, [
     'no light is called "parc"; did you mean ', true, "",

@@ -167,7 +167,7 @@ test("automatic sources and windows are those of `render`", async () => {
   const counts = new Set();
   for (const [light, material] of [
     ["studio", "gold-metallic-paint"], ["lobby", "chrome"], ["night", "chrome-steel"], ["park", "red-fabric2"],
-    ["city", "blue-metallic-paint"], ["hall", "aluminium"], ["esplanade", "chrome"], ["sunset", "gold-paint"], ["blender-studio", "chrome"],
+    ["city", "blue-metallic-paint"], ["hall", "aluminium"], ["esplanade", "chrome"], ["sunset", "gold-metallic-paint2"], ["blender-studio", "chrome"],
   ]) {
     const scene = await Scene.create({ light, material, sources: "auto", window: "auto" });
     const found = [scene.sources, scene.windowWidth];
