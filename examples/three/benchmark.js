@@ -89,7 +89,11 @@ function times(tasks) {
 }
 
 const GOLD = { light: "lobby", material: "gold-metallic-paint" };
-const made = async (inputs, tolerance) => (await Scene.create(inputs)).within(tolerance);
+/** A scene of all terms, or with an error relative to its peak. */
+async function made(inputs, tolerance) {
+  const scene = (await Scene.create(inputs)).within(tolerance);
+  return tolerance ? scene.within(tolerance, 1 / scene.truncation.peak) : scene;
+}
 const named = (scene) => `${scene.terms} terms, ${scene.truncation ? "1 %" : "all"}`;
 const digits = (number) => (number >= 100 ? number.toFixed(0) : number.toPrecision(number >= 10 ? 3 : 2));
 const strict = await load(readFileSync(new URL("../../packages/eigenshade/wasm/eigenshade.simd.wasm", import.meta.url)));

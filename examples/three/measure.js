@@ -88,7 +88,8 @@ export async function setUp() {
     return best;
   };
   const of = async (make, { tolerance, repeat, sources = 0 } = {}) => {
-    const scene = (await Scene.create({ light: LIGHTS[0], material: MATERIALS[1], sources })).within(tolerance);
+    const scene = await Scene.create({ light: LIGHTS[0], material: MATERIALS[1], sources });
+    if (tolerance) scene.within(tolerance, 1 / scene.within(tolerance).truncation.peak);
     const [one, other] = await Promise.all(LIGHTS.slice(0, 2).map((light) => lightPreset(light, { sources })));
     const material = make(scene);
     const mesh = new THREE.Mesh(geometry, material);

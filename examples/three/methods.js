@@ -51,6 +51,9 @@ function world(geometry, material, ...lights) {
   return made;
 }
 
+/** A scene with an error of 1 % of its peak, which the tables are relative to. */
+const truncated = (scene) => scene.within(0.01, 1 / scene.within(0.01).truncation.peak);
+
 const prefiltered = {};
 
 /** By name, functions of a geometry, the name of a light, a material, and a renderer. */
@@ -60,7 +63,7 @@ export const METHODS = {
   "eigenshade, 4 sources": async (geometry, light, material) =>
     world(geometry, eigenMaterial(await Scene.create({ light, material, sources: 4 }))),
   "eigenshade, 1 %": async (geometry, light, material) =>
-    world(geometry, eigenMaterial((await Scene.create({ light, material })).within(0.01))),
+    world(geometry, eigenMaterial(truncated(await Scene.create({ light, material })))),
   "eigenshade, matcap of 128²": async (geometry, light, material) =>
     world(geometry, eigenMatcap(await Scene.create({ light, material }))),
   "LightProbe, MeshStandardMaterial": async (geometry, light, material) =>

@@ -315,7 +315,7 @@ on("effects: switches change picture, shares and terms, and automatic chooses", 
   await page.locator("#automatic").selectOption("5");
   await page.locator("#choose").click();
   await settled(page);
-  const [, terms, error] = /and (\d+) terms: they leave out ([\d.]+) % rms/.exec(await text(page, "chosen"));
+  const [, terms, error] = /and (\d+) terms: they leave out ([\d.]+) % of white rms/.exec(await text(page, "chosen"));
   assert.equal(await text(page, "terms"), terms);
   assert.ok(Number(error) <= 5 && Number(error) > 1);
   assert.equal(await text(page, "cost"), `${terms} terms`);
