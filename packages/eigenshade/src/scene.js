@@ -41,9 +41,9 @@ export class Scene {
   /** @type {Float32Array} */
   #light;
   /**
-   * Its sets of sources, each with the light without them.
+   * Its sets of sources, each with the light without them, once it was drawn.
    *
-   * @type {{ sources: Float32Array, rest: Float32Array }[]}
+   * @type {{ sources: Float32Array, rest?: Float32Array }[]}
    */
   #sets = [];
   /** @type {import("./sets.js").Sets["steps"]} Which of them a material needs. */
@@ -156,7 +156,9 @@ export class Scene {
     if (all.some(({ length }) => length) && !this.#hasSources) {
       throw new RangeError("light: this scene has no sources; create it with the option `sources`");
     }
-    this.#sets = all.map((sources) => ({ sources, rest: this.#engine.without(numbers, sources) }));
+    this.#sets = all.map((sources) => (
+      isChosen ? { sources } : { sources, rest: this.#engine.without(numbers, sources) }
+    ));
     this.#steps = light.sets?.steps ?? [];
     this.#light = numbers;
     this.#names.light = light.name ? `the light ${light.name}` : "a light";
@@ -298,7 +300,10 @@ export class Scene {
   get #drawn() {
     const none = { sources: new Float32Array(), rest: this.#light };
     if (!this.isGlossy || this.#effects !== ALL || !this.#gloss) return none;
-    return this.#sets[placeOf(this.#steps, this.#gloss)] ?? none;
+    const set = this.#sets[placeOf(this.#steps, this.#gloss)];
+    if (!set) return none;
+    const rest = (set.rest ??= this.#engine.without(this.#light, set.sources));
+    return { sources: set.sources, rest };
   }
 
   /**

@@ -112,7 +112,7 @@ test("the pages of README.md draw", async () => {
     assert.ok(red > 1.2 * blue, `${color}: ${await middle()}`);
     assert.deepEqual(faults, []);
     // Chromium takes the fastest variant.
-    assert.deepEqual(modules, ["eigenshade.relaxed.wasm"]);
+    assert.deepEqual(modules, ["eigenshade.sources.relaxed.wasm"]);
     await page.close();
   }
   server.close();
