@@ -16,7 +16,7 @@ use eigenshade_model::error::{Error, Result};
 use eigenshade_model::inputs::coefficient_csv::read_lights;
 use eigenshade_model::scattering;
 use eigenshade_model::screen::ScreenError;
-use eigenshade_model::source::{Gloss, SourceSets};
+use eigenshade_model::source::{Gloss, Source, SourceSets};
 use eigenshade_shading::shader::{OwnedNormals, fault};
 use eigenshade_shading::shipped::{ERROR_SIZES, TotalError, named_materials};
 use eigenshade_shading::{highlights, shipped};
@@ -62,18 +62,17 @@ pub fn errors(inputs: &Path, names: &[String], spacing: f64, bar: &ProgressBar) 
     let (sets, glosses) = (shipped::sources()?, shipped::glosses()?);
     let mut found = Vec::new();
     for (surface, shipped) in chosen {
-        let pictures = world.pictures(surface, &world.sphere.normals).into_iter();
-        let references: Vec<_> = pictures.map(|one| Reference::new(one, &world.sphere)).collect();
+        let integrated = world.pictures(surface, &world.sphere.normals).into_iter();
+        let references: Vec<_> = integrated.map(|one| Reference::new(one, &world.sphere)).collect();
         let gloss = glosses.iter().find(|one| one.name == surface.name).map(|one| one.gloss);
         let gloss = gloss.filter(|gloss| {
             highlights::gloss::<f64>(gloss).is_ok_and(|gloss| gloss.needs_sources())
         });
         let mut of_material = Vec::new();
         for (size, material) in ERROR_SIZES.into_iter().zip(shipped) {
-            for sources in SOURCES {
-                let gloss = gloss.filter(|_| sources > 0).map(|gloss| (gloss, &sets[..]));
-                let errors = errors_of(&references, &world, size, material, gloss)?;
-                of_material.push(Errors { sources, ..errors });
+            for (sources, pictures) in pictures(&world, size, material, gloss.as_ref(), &sets)? {
+                let error = errors_of(&references, &world, &pictures);
+                of_material.push(Errors { size, sources, ..error });
             }
         }
         bar.inc(1);
@@ -97,78 +96,86 @@ pub fn rows(found: &Found) -> impl Iterator<Item = Vec<String>> {
     })
 }
 
-/// The errors of the direct sums (15) with at most 8 sources if there is a gloss, with the windows
-/// that `eigenshade render` chooses.
-fn errors_of(
-    all: &[Reference],
-    world: &World,
-    size: (usize, usize),
-    on: &Named,
-    gloss: Option<(Gloss, &[SourceSets])>,
-) -> Result<Errors> {
-    let mut errors = Vec::new();
-    for (reference, light) in all.iter().zip(&world.lights.entries) {
-        let picture = picture(&world.sphere, light, size, on, gloss)?;
-        errors.push(reference.errors(&picture, &world.sphere).all);
-    }
+fn errors_of(all: &[Reference], world: &World, pictures: &[Picture]) -> Errors {
+    let pairs = all.iter().zip(pictures);
+    let errors: Vec<ScreenError> =
+        pairs.map(|(one, picture)| one.errors(picture, &world.sphere).all).collect();
     let spread =
         |of: fn(&ScreenError) -> f64| Spread::of(&errors.iter().map(of).collect::<Vec<_>>());
     let [mean, p95, white] =
         [spread(|error| error.mean), spread(|error| error.p95), spread(|error| error.white)];
-    let of =
-        |of: fn(&Spread) -> f64| ScreenError { mean: of(&mean), p95: of(&p95), white: of(&white) };
+    let of = |of: fn(&Spread) -> f64| ScreenError {
+        mean: of(&mean),
+        p95: of(&p95),
+        white: of(&white),
+    };
     let worst = (0..errors.len()).max_by(|&a, &b| errors[a].mean.total_cmp(&errors[b].mean));
-    Ok(Errors {
-        size,
+    Errors {
+        size: Default::default(),
         sources: 0,
         error: TotalError { median: of(|spread| spread.median), most: of(|spread| spread.most) },
         map: world.lights.entries[worst.unwrap_or_default()].name.clone(),
-    })
+    }
 }
 
-/// The picture of a material under a light, of which the degrees are summed apart, so that windows
-/// cost little.
-fn picture(
-    sphere: &Sphere,
-    light: &Named,
+/// For each of [`SOURCES`], the pictures of a material by the direct sum (15), by map, with the
+/// windows that `eigenshade render` chooses. The degrees are summed apart, all lights at once.
+fn pictures(
+    world: &World,
     (degree, order): (usize, usize),
     on: &Named,
-    gloss: Option<(Gloss, &[SourceSets])>,
-) -> Result<Picture> {
-    let mut rest = light.rgb.each_ref().map(|channel| channel[..light::count(degree)].to_vec());
-    let mut lit = vec![Rgb::gray(0.0); sphere.normals.len()];
-    if let Some((gloss, sets)) = gloss {
-        let sources = sets.iter().find(|one| one.name == light.name);
-        let sources = sources.map_or(&[][..], |sets| sets.of_most(SOURCES[1]));
-        highlights::take_out(&mut rest, degree, sources)?;
-        let sources = sources.iter().map(highlights::source).collect::<Result<Vec<_>>>()?;
-        let gloss = highlights::gloss(&gloss)?;
-        let lobes = Highlights::<f64, MAX_SOURCES>::new::<Libm>(&gloss, &sources).map_err(fault)?;
-        lobes.add_slice(OwnedNormals::new(&sphere.normals).view()?, &mut lit).map_err(fault)?;
+    gloss: Option<&Gloss>,
+    sets: &[SourceSets],
+) -> Result<Vec<(usize, Vec<Picture>)>> {
+    let (sphere, lights) = (&world.sphere, &world.lights.entries);
+    let mut lit = Vec::new();
+    let mut apart = [const { Vec::new() }; 3];
+    for most in SOURCES {
+        for light in lights {
+            let mut rest =
+                light.rgb.each_ref().map(|channel| channel[..light::count(degree)].to_vec());
+            let sources = sets.iter().find(|one| one.name == light.name && gloss.is_some());
+            let sources = sources.map_or(&[][..], |sets| sets.of_most(most));
+            highlights::take_out(&mut rest, degree, sources)?;
+            lit.push(gloss.map(|gloss| shone(gloss, sources, sphere)).transpose()?);
+            for (apart, rest) in apart.iter_mut().zip(&rest) {
+                apart.extend((0..=degree).map(|l| {
+                    let mut one = vec![0.0; rest.len()];
+                    one[l * l..light::count(l)].copy_from_slice(&rest[l * l..light::count(l)]);
+                    one
+                }));
+            }
+        }
     }
-    let channel = |c: usize| {
-        let one = |l: usize| {
-            let mut one = vec![0.0; light::count(degree)];
-            one[l * l..light::count(l)].copy_from_slice(&rest[c][l * l..light::count(l)]);
-            one
-        };
-        let lights: Vec<Vec<f64>> = (0..=degree).map(one).collect();
-        let lights = lights.iter().map(Vec::as_slice).collect();
-        sphere.direct((degree, order), &[(lights, &on.rgb[c][..])])
-    };
-    let degrees = [channel(0), channel(1), channel(2)];
-    screen::windowed(degree, sphere, |window| {
-        let factors = screen::factors(window, degree);
-        let channel = |c: usize| {
-            let sum = |k: usize| {
-                let terms = degrees[c].iter().zip(&factors);
-                terms.map(|(image, factor)| factor * image[k]).sum::<f64>()
-                    + <[f64; 3]>::from(lit[k])[c]
+    let channel = |c: usize| (apart[c].iter().map(Vec::as_slice).collect(), &on.rgb[c][..]);
+    let degrees = sphere.direct((degree, order), &[0, 1, 2].map(channel));
+    let (count, terms) = (SOURCES.len() * lights.len(), degree + 1);
+    let picture = |k: usize| {
+        screen::windowed(degree, sphere, |window| {
+            let factors = screen::factors(window, degree);
+            let channel = |c: usize| {
+                let images = &degrees[(c * count + k) * terms..][..terms];
+                let pixel = |n: usize| {
+                    let sum: f64 = images.iter().zip(&factors).map(|(one, f)| f * one[n]).sum();
+                    sum + lit[k].as_ref().map_or(0.0, |lit| <[f64; 3]>::from(lit[n])[c])
+                };
+                (0..sphere.normals.len()).map(pixel).collect()
             };
-            (0..lit.len()).map(sum).collect()
-        };
-        Ok([channel(0), channel(1), channel(2)])
-    })
+            Ok([channel(0), channel(1), channel(2)])
+        })
+    };
+    let all = (0..count).map(picture).collect::<Result<Vec<Picture>>>()?;
+    Ok(SOURCES.into_iter().zip(all.chunks(lights.len()).map(<[_]>::to_vec)).collect())
+}
+
+/// The highlights of sources at the normals of a sphere.
+fn shone(gloss: &Gloss, sources: &[Source], sphere: &Sphere) -> Result<Vec<Rgb<f64>>> {
+    let sources = sources.iter().map(highlights::source).collect::<Result<Vec<_>>>()?;
+    let gloss = highlights::gloss(gloss)?;
+    let lobes = Highlights::<f64, MAX_SOURCES>::new::<Libm>(&gloss, &sources).map_err(fault)?;
+    let mut lit = vec![Rgb::gray(0.0); sphere.normals.len()];
+    lobes.add_slice(OwnedNormals::new(&sphere.normals).view()?, &mut lit).map_err(fault)?;
+    Ok(lit)
 }
 
 /// The BRDFs with the coefficients that are shipped for each of [`ERROR_SIZES`].

@@ -14,6 +14,9 @@ use eigenshade_shading::{highlights, shipped};
 /// is worth a note.
 const FAR: f64 = 0.15;
 
+/// The largest roughness whose errors are known.
+const ROUGHEST: f64 = 0.6;
+
 /// A degree and an order.
 type Size = (usize, usize);
 
@@ -124,22 +127,26 @@ impl Estimates {
     ) -> Option<String> {
         let ScreenError { mean, p95, white } = error;
         let (goal, is_met) = match within {
+            // A rougher material than the table has is nearer by an unknown amount.
+            None if gloss.roughness > ROUGHEST => return None,
             None => ("close is 2 and 5".to_owned(), error.is_close() || mean.is_nan()),
             Some(share) => {
-                let [white, share] = [white, share].map(|share| 100.0 * share);
-                (format!("{white:.2} % of white, {share} % asked for"), white <= share)
+                // Without the digits of rounding to binary.
+                let asked = (1e11 * share).round() / 1e9;
+                (format!("{:.2} % of white, {asked} % asked for", 100.0 * white), white <= share)
             }
         };
         let light = match &self.light {
             Some(light) => format!("under `{light}`"),
             None => "under the median of 18 lights".to_owned(),
         };
-        let bound = if gloss.roughness > 0.6 { "at most " } else { "" };
+        let bound = if gloss.roughness > ROUGHEST { "at most " } else { "" };
         (!is_met).then(|| {
             format!(
                 "note: `{material}` is sharper than degree {degree}, order {order} with {} can \
                  show: a {} of its roughness, {:.2}, {light} has an estimated screen error of \
-                 {bound}{mean:.1} in the mean and {p95:.1} for 95 of 100 pixels (CIEDE2000; {goal})",
+                 {bound}{mean:.1} in the mean and {p95:.1} for 95 of 100 pixels in the worse of two \
+                 views (CIEDE2000; {goal})",
                 counted(sources),
                 Base::of(gloss).name(),
                 gloss.roughness,

@@ -186,31 +186,33 @@ impl Ringing {
 }
 
 /// Describes the truncations that a tolerance chose: what they keep of `components`, and their
-/// error, for one image in one channel or for many images. `rounding` is the error of the number
-/// format as a share of the peak.
+/// error, for one image in one channel or for many images, each with its exposure. `rounding` is the
+/// error of the number format as a share of the peak.
 #[must_use]
 pub fn truncation_lines<S: Scalar + Into<f64>>(
-    chosen: &[Truncation<S>],
+    chosen: &[(Truncation<S>, f64)],
     components: usize,
     rounding: f64,
 ) -> Vec<String> {
     let span = |of: fn(&Truncation<S>) -> usize| {
-        let values = chosen.iter().map(of);
+        let values = chosen.iter().map(|(one, _)| of(one));
         match (values.clone().min(), values.max()) {
             (Some(least), Some(most)) if least == most => least.to_string(),
             (Some(least), Some(most)) => format!("{least} to {most}"),
             _ => "none".to_owned(),
         }
     };
-    let share = |one: &Truncation<S>| {
-        let peak: f64 = one.peak.into();
-        let of = |part: S| if peak > 0.0 { part.into() / peak } else { 0.0 };
-        [one.bound, one.left_out_by_components, one.left_out_by_terms, one.floor].map(of)
+    let share = |(one, exposure): &(Truncation<S>, f64)| {
+        let of = |part: S| exposure * part.into();
+        let parts = [one.bound, one.left_out_by_components, one.left_out_by_terms, one.floor];
+        (parts.map(of), rounding * of(one.peak))
     };
-    let floor = chosen.iter().map(|one| share(one)[3]).fold(0.0, f64::max);
-    let worst = chosen.iter().map(share).max_by(|a, b| a[0].total_cmp(&b[0]));
-    let [worst, by_components, by_terms, _] = worst.unwrap_or_default();
-    let worst = rounded_up(worst + rounding);
+    let floor = chosen.iter().map(|one| share(one).0[3]).fold(0.0, f64::max);
+    let total = |(parts, rounding): &([f64; 4], f64)| parts[0] + rounding;
+    let worst = chosen.iter().map(share).max_by(|a, b| total(a).total_cmp(&total(b)));
+    let worst = worst.unwrap_or_default();
+    let ([_, by_components, by_terms, _], rounding) = worst;
+    let worst = rounded_up(total(&worst));
     vec![
         format!(
             "kept: {} of {components} components, {} azimuths, {} polynomial terms",
@@ -220,12 +222,12 @@ pub fn truncation_lines<S: Scalar + Into<f64>>(
         ),
         format!(
             "left out of the image of {components} components, rms over a picture of a sphere: \
-             at most {worst:.1e} of the brightest channel's peak, {by_components:.1e} by \
-             components, {by_terms:.1e} by terms and {rounding:.1e} by rounding"
+             at most {worst:.1e} of white, {by_components:.1e} by components, {by_terms:.1e} by \
+             terms and {rounding:.1e} by rounding"
         ),
         format!(
             "estimated beyond these components, rms over a picture of a sphere: {floor:.1e} of \
-             that peak"
+             white"
         ),
     ]
 }

@@ -54,7 +54,7 @@ fn names_of_nothing_shipped() {
         (render("xyzzy", "07-velvet"), &["`xyzzy`", "use a name", "list"]),
         (render("park.csv", "07-velvet"), &["park.csv"]),
         (render("park", "gold-paint"), &["`gold-paint`", "`gold-metallic-paint2`"]),
-        (components, &["color: it has 160 components"]),
+        (components, &["sphere: it has 46 components"]),
         (SHADE.replace("lights.csv", "cities"), &["`cities`", "`city`"]),
     ] {
         assert_fails(&folder, &arguments, fragments);
@@ -97,7 +97,7 @@ fn materials_of_a_higher_order_are_a_warning() {
         &format!("{project} high.csv"),
         &SHADE.replace("materials.csv", "high.csv"),
     ] {
-        let message = folder.messages(arguments);
+        let message = folder.notes(arguments);
         assert_eq!(message.lines().count(), 1, "{arguments}: {message}");
         assert_contains(&message, &fragments);
     }

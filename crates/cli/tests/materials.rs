@@ -152,7 +152,7 @@ fn a_note_says_what_to_take_for_sharp_highlights() {
     {
         let said = folder.messages(&format!("material {formula} --order 7 --out a.csv"));
         assert!(said.contains("order 7 leaves out"), "{said}");
-        assert_eq!(said.contains("--sources auto"), is_sharp, "{said}");
+        assert_eq!(said.contains("by sources of the light"), is_sharp, "{said}");
     }
 }
 

@@ -193,7 +193,7 @@ fn a_picture_of_another_object_has_a_note() {
         ("normals = \"sphere\"\n", None),
     ] {
         let folder = table(geometry, &[("facets.csv", facets().into())]);
-        let message = folder.messages(render);
+        let message = folder.notes(render);
         match name {
             Some(name) => {
                 assert!(message.starts_with("note: ") && message.lines().count() == 1, "{message}");

@@ -16,8 +16,8 @@ const METHODS: [(&str, f64); 3] = [
 ];
 
 /// An image's error at 600 normals over the bound that `shade --tolerance` prints: with so few
-/// normals, errors and peaks are accurate to a few hundredths.
-const PRINTED_BOUND: f64 = 1.05;
+/// normals, errors are accurate to a few hundredths, and white is metered to within 7 %.
+const PRINTED_BOUND: f64 = 1.12;
 
 /// The largest error of twelve images by `shade --tolerance`, as a share of the tolerance, with error
 /// and white at 600 normals. The program meters white at others, in steps of 9 %.

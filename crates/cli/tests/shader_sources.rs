@@ -66,7 +66,7 @@ fn normals_for(sources: &[Blob], alpha: f64) -> Vec<Vector> {
 fn shaded<const N: usize>(highlights: &Highlights<f64, N>, normals: &[Vector]) -> Vec<f64> {
     let [x, y, z] = [0, 1, 2].map(|axis| normals.iter().map(|n| n[axis]).collect::<Vec<_>>());
     let mut irradiance = vec![Rgb::gray(0.0); normals.len()];
-    let list = Normals::new(&x, &y, &z).expect("one length");
+    let list = Normals::from_unit(&x, &y, &z).expect("one length");
     highlights.add_slice(list, &mut irradiance).expect("one length");
     irradiance.into_iter().flat_map(<[f64; 3]>::from).collect()
 }

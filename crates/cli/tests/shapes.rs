@@ -173,6 +173,8 @@ fn lobby() -> sphere::color::Scene {
 }
 
 const CHOICE: &str = "--light lobby --material gold-metallic-paint";
+/// The scene without what `render` chooses.
+const PLAIN: &str = "--sources 0 --window none";
 
 /// Pictures of a mesh and of a normal map have the colors of their normals, and their opacity is
 /// the object's coverage.
@@ -186,7 +188,7 @@ fn any_object_is_rendered() {
         [("e.obj", 48, "--size 48"), ("map.png", 64, ""), ("map.png", 20, "--size 20")]
     {
         folder.ok(&format!(
-            "render -t sphere {CHOICE} --normals {input} {options} --exposure 1.5 --tone filmic \
+            "render -t sphere {CHOICE} --normals {input} {options} {PLAIN} --exposure 1.5 --tone filmic \
              --out p.png"
         ));
         let (width, _, bytes) = decoded(&folder.path("p.png"));
@@ -218,7 +220,7 @@ fn matcaps_hold_the_scene() {
         ("--matcap=three", Matcap::THREE_JS),
         ("--matcap=blender", Matcap::BLENDER),
     ] {
-        let render = format!("render --table sphere {CHOICE} {option} --size 40 --exposure");
+        let render = format!("render --table sphere {CHOICE} {PLAIN} {option} --size 40 --exposure");
         folder.ok(&format!("{render} 2 --out m.exr"));
         folder.ok(&format!("{render} 0.5 --out m.png"));
         let map = EnvironmentMap::from_path(folder.path("m.exr")).unwrap();
@@ -237,7 +239,7 @@ fn matcaps_hold_the_scene() {
         }
     }
     // Without an exposure, an .exr has irradiance itself, and a picture its opacity.
-    folder.ok(&format!("render --table sphere {CHOICE} --size 16 --out s.exr"));
+    folder.ok(&format!("render --table sphere {CHOICE} {PLAIN} --size 16 --out s.exr"));
     let map = EnvironmentMap::from_path(folder.path("s.exr")).unwrap();
     let view = ObjectView::sphere(16);
     let mut expected = vec![[0.0; 3]; 256];

@@ -58,6 +58,7 @@ impl Measured {
             measure(&settings::all(quick), models_of_all, &study, timed, progress)?;
         if !quick {
             total.extend(study.shipped()?);
+            total.extend(study.components()?);
             total.extend(study.rivals()?);
         }
         let growth = times::rows(quick, timed)?;
@@ -75,10 +76,11 @@ impl Measured {
         [(&SETTINGS, settings), (&MODEL, model), (&TOTAL, total), (&GROWTH, growth)]
     }
 
-    /// Takes over the times of an earlier run, which must have all settings.
+    /// Takes over the times of an earlier run, which must have all settings; a window takes no time.
     pub fn keep_times(&mut self, earlier: &Self) -> Result<()> {
         for row in &mut self.settings {
-            let is_it = |other: &&Record| other.key(&SETTINGS) == row.key(&SETTINGS);
+            let name = row.text("setting").trim_end_matches(" no-window").to_owned();
+            let is_it = |other: &&Record| other.text("setting") == name;
             let found = earlier.settings.iter().find(is_it);
             let Some(found) = found.filter(|row| TIMES.iter().all(|one| row.number(one).is_some()))
             else {

@@ -63,7 +63,8 @@ pub fn estimate_note(
     let size = (lights.degree, materials.order);
     let estimates = Estimates::under(&inputs.light, light, memory.of_file())?;
     let estimate = estimates.of(size, &gloss.gloss, sources)?;
-    Ok(estimates.note(material, size, &gloss.gloss, estimate, None))
+    let note = estimates.note(material, size, &gloss.gloss, estimate, None);
+    Ok(note.or_else(|| off_lobe_note(material, gloss.error).filter(|_| estimate.sources > 0)))
 }
 
 impl HighlightInputs {

@@ -170,7 +170,7 @@ fn coefficients(
     if projected.iter().any(|one| one.left_out > SHARP) {
         print_message(
             "note: what an order leaves out is mostly highlight, and pictures are nearer than this \
-             share. Add it by `render --sources auto`, which reads the gloss beside --out FILE.csv; \
+             share. `render` adds it by sources of the light, if the gloss is beside --out FILE.csv; \
              from roughness 0.5 on, --order 12 and `render --table tables/pbr.bin` do without",
         );
     }

@@ -138,7 +138,7 @@ impl Render {
         let warnings = [higher, albedo_warning(&materials), dark, rounded].into_iter().flatten();
         let (mut lights, materials) = fitted(&table, &lights, &materials);
         let pair = (&lights, &materials);
-        let all_effects = effects == Effects::ALL;
+        let all_effects = self.choices.has_all_effects();
         let (most, note_of_error) = match self.sources {
             _ if !all_effects => (0, None),
             Some(Sources::Most(most)) => (most, estimate_note(&self.inputs, pair, most, memory)?),
@@ -250,7 +250,8 @@ impl Pair<'_> {
         let highlights = self.highlights.as_ref().map(HighlightInputs::shaded).transpose()?;
         let (light, material) = (&self.lights.entries[0], &self.materials.entries[0]);
         let channels = [0, 1, 2].map(|c: usize| (&light.rgb[c][..], &material.rgb[c][..]));
-        Preview::new(&mut shader, highlights.as_ref()).window(&channels, exposure)
+        let window = Preview::new(&mut shader, highlights.as_ref()).window(&channels, exposure);
+        window.map_err(|error| error.of(overflow::pair(light, material)))
     }
 
     /// Calls `show` with each pixel of an object and its irradiance.

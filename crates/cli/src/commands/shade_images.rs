@@ -112,16 +112,17 @@ impl Images {
         out: &mut Output<'_>,
     ) -> Result<()> {
         let normals = OwnedNormals::<S>::new(&self.normals);
-        let mut chosen: Vec<Truncation<S>> = Vec::new();
+        let mut chosen: Vec<(Truncation<S>, f64)> = Vec::new();
         self.colors(out, |channels| {
             let exposure = Preview::new(shader, None).exposure(&channels)?.factor();
-            let [share, exposure] = [share, exposure.into()].map(S::from_f64);
-            let tolerance = Tolerance::OfWhite { share, exposure };
+            let exposure = f64::from(exposure);
+            let [of_white, by] = [share, exposure].map(S::from_f64);
+            let tolerance = Tolerance::OfWhite { share: of_white, exposure: by };
             let shaded = shader.within(&channels, &normals, tolerance)?;
             let mut rgb = [const { Vec::new() }; 3];
             for (channel, (irradiance, report)) in rgb.iter_mut().zip(shaded) {
                 *channel = irradiance;
-                chosen.push(report);
+                chosen.push((report, exposure));
             }
             Ok(rgb)
         })?;

@@ -121,6 +121,13 @@ impl Folder {
         self.both(arguments).1
     }
 
+    /// The messages of `render` but the line that says what a picture was drawn with.
+    pub fn notes(&self, arguments: &str) -> String {
+        let messages = self.messages(arguments);
+        let notes = messages.lines().filter(|line| !line.starts_with("drawn with "));
+        notes.map(|line| format!("{line}\n")).collect()
+    }
+
     /// The same folder with the table of its scene as `b.bin`.
     pub fn with_table() -> Self {
         static FILES: OnceLock<[Vec<u8>; 2]> = OnceLock::new();

@@ -45,6 +45,7 @@ fn tables(measured: &Measured) -> Vec<Part> {
     parts.push(choice(measured));
     parts.push(("total", tables::total(measured)));
     parts.push(("rivals", tables::rivals(measured)));
+    parts.push(("components", tables::components(measured)));
     parts.push(("model", tables::model(&measured.model)));
     parts.push(("mathematics", tables::mathematics(&measured.settings)));
     parts.push(("growth", tables::growth(&measured.growth)));

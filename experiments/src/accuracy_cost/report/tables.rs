@@ -5,7 +5,7 @@ use crate::accuracy_cost::errors::{self, Spread};
 use crate::accuracy_cost::machines::{LIMITS, Lighting, MACHINES, Machine, cheapest, picture};
 use crate::accuracy_cost::times::{Curve, curves};
 use crate::accuracy_cost::total::subjects::ALL;
-use crate::accuracy_cost::total::{MATCAP, PREFILTERED};
+use crate::accuracy_cost::total::{COMPONENTS, MATCAP, PREFILTERED, components_name};
 use crate::accuracy_cost::{Measured, settings};
 use crate::pages::table;
 use crate::sheet::{Counts, M4F, Record};
@@ -200,6 +200,30 @@ pub fn total(measured: &Measured) -> String {
         fields
     };
     table(columns, SHOWN.map(row))
+}
+
+/// The runtime's table with other numbers of components, over all materials.
+pub fn components(measured: &Measured) -> String {
+    let columns = "components: | f32, bytes: | Q15, bytes: | no sources: | 95 of 100: | close: | \
+                   up to 8 sources: | 95 of 100: | close:";
+    let row = |count: usize| {
+        let [none, eight] = [0, 8]
+            .map(|sources| of_kind(&measured.total, &components_name(count, sources), ALL));
+        let bytes = |column| {
+            let bytes = none.and_then(|row| row.number(column));
+            bytes.map_or(MISSING.into(), |bytes| grouped(bytes as usize))
+        };
+        let mut fields = vec![count.to_string(), bytes("f32_bytes"), bytes("q15_bytes")];
+        for row in [none, eight] {
+            for of in ["median", "most"] {
+                fields.push(row.map_or(MISSING.into(), |row| screen(row, "", of)));
+            }
+            let close = row.and_then(|row| row.number("close"));
+            fields.push(close.map_or(MISSING.into(), percent));
+        }
+        fields
+    };
+    table(columns, COMPONENTS.map(row))
 }
 
 /// The setting, then the screen errors of the median picture and of 95 of 100, for kinds of

@@ -8,7 +8,7 @@ pub mod subjects;
 
 use super::errors::Spread;
 use super::images::Pair;
-use super::numbers::numbers;
+use super::numbers::{numbers, table_bytes};
 use super::settings::{DEGREE, Format, ORDER, Recipe, Setting, WindowChoice};
 use crate::sheet::Record;
 use crate::sphere::Picture;
@@ -19,6 +19,9 @@ use eigenshade_model::error::{Error, Result};
 use eigenshade_model::source::SourceSets;
 use eigenshade_shading::{parallel, shipped};
 use eigenshade_sources::screen::{Errors as PictureErrors, Reference, windowed};
+use eigenshade_generator::basis;
+use eigenshade_generator::scene_file::{self, Loaded};
+use eigenshade_table::reduce::with_components;
 use eigenshade_table::{Table, decode};
 use indicatif::ProgressBar;
 use lamps::Lamps;
@@ -34,6 +37,15 @@ pub const HIGHEST: usize = 16;
 pub const MATCAP: &str = "matcap32 f32";
 /// The rival that engines draw with.
 pub const PREFILTERED: &str = "prefiltered f32";
+
+/// Numbers of components of which the runtime's table could have had one.
+pub const COMPONENTS: [usize; 5] = [20, 30, 46, 70, 100];
+
+/// The name of the scene of the runtime's table with so many components and sources.
+pub fn components_name(count: usize, sources: usize) -> String {
+    let sources = if sources > 0 { format!(" sources{sources}") } else { String::new() };
+    format!("sphere.toml K{count} f32{sources}")
+}
 
 /// The errors of one way to a picture, by material and then by map.
 pub type Errors = Vec<Vec<PictureErrors>>;
@@ -129,6 +141,36 @@ impl Study {
         Ok(rows)
     }
 
+    /// The rows of the scene of the runtime's table with other numbers of components, with and
+    /// without sources.
+    pub fn components(&self) -> Result<Vec<Record>> {
+        let tables = Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/../tables"));
+        let Loaded { mut scene, lights, materials, .. } =
+            scene_file::load(tables.join("sphere.toml"))?;
+        scene.basis.components = COMPONENTS.last().copied();
+        let whole = basis::build(&scene, &lights, &materials)?;
+        let mut rows = Vec::new();
+        for count in COMPONENTS {
+            let table = with_components(&whole, |number, _| number < count);
+            let setting = Setting::of(Recipe::all(DEGREE, ORDER));
+            let bytes = [Format::F32, Format::Q15]
+                .map(|format| table_bytes(&setting.in_format(format), &table));
+            let [floats, integers] = bytes;
+            let (floats, integers) = (floats?, integers?);
+            for sources in [0, 8] {
+                let setting = Setting { sources, ..setting };
+                let Some(errors) = self.of_setting(&setting, &table)? else { continue };
+                let mut found = self.rows(&components_name(count, sources), sources, &errors);
+                for row in &mut found {
+                    row.put("f32_bytes", floats);
+                    row.put("q15_bytes", integers);
+                }
+                rows.extend(found);
+            }
+        }
+        Ok(rows)
+    }
+
     /// The rows of the rivals, for formulas.
     pub fn rivals(&self) -> Result<Vec<Record>> {
         let matcap = self.by(|subject| match subject.kind {
@@ -174,6 +216,8 @@ impl Study {
             row.put("kind", name);
             let errors = errors.concat();
             row.put("pictures", errors.len());
+            let close = errors.iter().filter(|error| error.all.is_close()).count();
+            row.measure("close", close as f64 / errors.len() as f64);
             for (column, of) in ERROR_COLUMNS {
                 let Spread { median, most, .. } =
                     Spread::of(&errors.iter().map(of).collect::<Vec<f64>>());
