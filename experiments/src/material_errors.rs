@@ -104,11 +104,8 @@ fn errors_of(all: &[Reference], world: &World, pictures: &[Picture]) -> Errors {
         |of: fn(&ScreenError) -> f64| Spread::of(&errors.iter().map(of).collect::<Vec<_>>());
     let [mean, p95, white] =
         [spread(|error| error.mean), spread(|error| error.p95), spread(|error| error.white)];
-    let of = |of: fn(&Spread) -> f64| ScreenError {
-        mean: of(&mean),
-        p95: of(&p95),
-        white: of(&white),
-    };
+    let of =
+        |of: fn(&Spread) -> f64| ScreenError { mean: of(&mean), p95: of(&p95), white: of(&white) };
     let worst = (0..errors.len()).max_by(|&a, &b| errors[a].mean.total_cmp(&errors[b].mean));
     Errors {
         size: Default::default(),

@@ -234,7 +234,7 @@ fn look_up(d: &[f32; sphere::COMPONENTS], input: &mut Reader<'_>, is_moderate: b
     let integers = scene.bake_integers_into(size, vec![0; size * size]);
     assert!(!is_moderate || integers.is_ok(), "{:?}", integers.err());
     let (mut lengths, mut report) = ([0; sphere::DEGREE + 1], [Truncation::default()]);
-    let share = 1.0 / f32::from(1 + input.byte());
+    let share = 1.0 / (1.0 + f32::from(input.byte()));
     let tolerance = Tolerance::OfWhite { share: share * share, exposure: 1.5 };
     let mut room = [0.0; sphere::SCENE];
     let shape = sphere::BASIS

@@ -234,7 +234,8 @@ fn black_may_be_clipped() {
         // As the guide says.
         ("lobby", gold, pearl),
     ] {
-        folder.ok(&format!("render -l {light} -m {material} -s 128 --exposure 0.2 {PLAIN} -o a.png"));
+        folder
+            .ok(&format!("render -l {light} -m {material} -s 128 --exposure 0.2 {PLAIN} -o a.png"));
         let said = folder.messages("read a.png -n sphere -o d.csv --without-black");
         assert_eq!(said.contains(" 0 clipped or"), light == "lobby", "{said}");
         assert_eq!(nearest(&answer(&folder.read("d.csv"))), first, "{light}, {material}");
@@ -268,7 +269,8 @@ fn an_exr_is_divided_by_its_opacity() {
     let folder = Folder::new();
     let [mut materials, mut transparent] = [Vec::new(), Vec::new()];
     for file in ["a.png", "a.exr"] {
-        folder.ok(&format!("render -l lobby -m pearl-paint -s 128 --exposure 0.2 {PLAIN} -o {file}"));
+        folder
+            .ok(&format!("render -l lobby -m pearl-paint -s 128 --exposure 0.2 {PLAIN} -o {file}"));
         let said = folder.messages(&format!("read {file} -n sphere -o d.csv"));
         let counts = said.split_once("(of all: ").unwrap().1.lines().next().unwrap().to_owned();
         transparent.push(counts);

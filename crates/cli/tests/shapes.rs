@@ -220,7 +220,8 @@ fn matcaps_hold_the_scene() {
         ("--matcap=three", Matcap::THREE_JS),
         ("--matcap=blender", Matcap::BLENDER),
     ] {
-        let render = format!("render --table sphere {CHOICE} {PLAIN} {option} --size 40 --exposure");
+        let render =
+            format!("render --table sphere {CHOICE} {PLAIN} {option} --size 40 --exposure");
         folder.ok(&format!("{render} 2 --out m.exr"));
         folder.ok(&format!("{render} 0.5 --out m.png"));
         let map = EnvironmentMap::from_path(folder.path("m.exr")).unwrap();

@@ -61,7 +61,7 @@ pub struct Green {
 pub struct TableChoice {
     /// Table: a file, or the name of a shipped one, which is `color` (160 components), `sphere`
     /// (the one that the runtime contains), `curet`, or `pbr` (250 components of degree and order
-    /// 12) [default: color]
+    /// 12) [default: color, and sphere for `render`]
     #[arg(id = "table", short, long, value_name = "NAME|FILE")]
     path: Option<PathBuf>,
 }

@@ -207,8 +207,8 @@ pub fn components(measured: &Measured) -> String {
     let columns = "components: | f32, bytes: | Q15, bytes: | no sources: | 95 of 100: | close: | \
                    up to 8 sources: | 95 of 100: | close:";
     let row = |count: usize| {
-        let [none, eight] = [0, 8]
-            .map(|sources| of_kind(&measured.total, &components_name(count, sources), ALL));
+        let [none, eight] =
+            [0, 8].map(|sources| of_kind(&measured.total, &components_name(count, sources), ALL));
         let bytes = |column| {
             let bytes = none.and_then(|row| row.number(column));
             bytes.map_or(MISSING.into(), |bytes| grouped(bytes as usize))
