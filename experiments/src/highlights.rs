@@ -120,7 +120,11 @@ pub fn errors(inputs: &Path, names: &[String], progress: &ProgressBar) -> Result
                     for sources in counts {
                         let gloss = &material.gloss;
                         let found = picture(&view, [response; 3], gloss, sets, sources, &sphere)?;
-                        let error = reference.errors(&found, &sphere).all;
+                        let ScreenError { mean, p95, white } =
+                            reference.errors(&found, &sphere).all;
+                        // The digits that are recorded.
+                        let [mean, p95] = [mean, p95].map(|one| (one * 1e2).round() / 1e2);
+                        let error = ScreenError { mean, p95, white: (white * 1e4).round() / 1e4 };
                         let (light, is_turned) = (name.clone(), turn.is_some());
                         let roughness = gloss.roughness;
                         rows.push(Row { light, is_turned, roughness, size, sources, error });

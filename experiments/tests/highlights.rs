@@ -117,9 +117,6 @@ fn the_rim_is_worse() {
     assert!(off(2) > off(1), "{}", off(2));
 }
 
-/// The lights, of 21, under which a metal of roughness 0.3 with 8 sources at 12/12 is close.
-const OF_CLOSE: usize = 15;
-
 #[test]
 fn sources_show_highlights() {
     let recorded = recorded();
@@ -129,9 +126,13 @@ fn sources_show_highlights() {
         };
         recorded.iter().filter(chosen)
     };
-    // With 8 sources at 12/12, most lights are close at a roughness of 0.3.
+    // As the page says: at a roughness of 0.3, and of 0.5.
     let (close, others): (Vec<_>, Vec<_>) = of((12, 12), 8).partition(|row| row.error.is_close());
-    assert!(close.len() >= OF_CLOSE, "{others:?}");
+    assert_eq!((close.len(), others.len()), (12, 9), "{others:?}");
+    let rough = recorded.iter().filter(|row| {
+        !row.is_turned && row.roughness == 0.5 && row.size == (9, 7) && row.sources == 8
+    });
+    assert_eq!(rough.filter(|row| row.error.is_close()).count(), 21);
     // Two at 9/7 are nearer than 32/32 under the studio.
     let studio = |size, sources| {
         of(size, sources).find(|row| row.light == "studio").expect("the studio").error.mean

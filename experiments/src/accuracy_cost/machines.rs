@@ -176,7 +176,7 @@ impl Times {
 }
 
 /// The limits of the total screen error: CIEDE2000, the mean of a picture.
-pub const LIMITS: [f64; 7] = [12.0, 10.0, 8.0, 6.0, 5.0, 4.0, 3.0];
+pub const LIMITS: [f64; 7] = [20.0, 16.0, 12.0, 10.0, 9.0, 8.0, 7.0];
 /// The number of pixels of the picture over which costs are summed.
 pub const PIXELS: f64 = 96.0 * 96.0;
 /// Times that differ by less than this factor count as equal, because runs differ by more.

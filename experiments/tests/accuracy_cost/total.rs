@@ -57,7 +57,7 @@ fn recorded_total_errors_are_found_again() {
     // Two groups, but the rivals are for glTF.
     assert_eq!(found.len(), 2 * 4 + 2);
     let [rows, numbers] = compare(&TOTAL, &found, &docs(), false).unwrap_or_else(|e| panic!("{e}"));
-    assert_eq!((rows, numbers), (10, 10 * 12));
+    assert_eq!((rows, numbers), (10, 10 * 13));
     let wider = study(1.4 * SPACING).shipped().expect("the shipped tables");
     assert!(wider.len() >= 6);
     for wider in &wider {
@@ -189,7 +189,8 @@ fn errors_are_those_of_known_pictures() {
     assert_eq!(error(&flat(2.0)), ScreenError::default());
     // A metered picture of one color is white to within the seven per cent of the meter.
     let off = error(&flat(1.0));
-    assert!((0.46..0.54).contains(&off.white) && off.mean > 1.0 && off.p95 == off.mean, "{off:?}");
+    assert!((0.46..0.54).contains(&off.white) && off.mean > 1.0, "{off:?}");
+    assert!((off.p95 - off.mean).abs() < 1e-9, "{off:?}");
     // What is brighter than white shows as white.
     assert!(error(&flat(5.0)).white < 0.08, "{:?}", error(&flat(5.0)));
     // Black instead of white is a difference of 100 by definition.
