@@ -133,16 +133,6 @@ fn sources_show_highlights() {
         !row.is_turned && row.roughness == 0.5 && row.size == (9, 7) && row.sources == 8
     });
     assert_eq!(rough.filter(|row| row.error.is_close()).count(), 21);
-    // Two at 9/7 are nearer than 32/32 under the studio.
-    let studio = |size, sources| {
-        of(size, sources).find(|row| row.light == "studio").expect("the studio").error.mean
-    };
-    assert!(studio((9, 7), 2) < studio((32, 32), 0));
-    // Four sources at 9/7 are nearer than 12/12 without, under most lights.
-    let pairs = of((9, 7), 4).zip(of((12, 12), 0));
-    let (nearer, others): (Vec<_>, Vec<_>) =
-        pairs.partition(|(four, none)| four.error.mean < none.error.mean);
-    assert!(nearer.len() >= 13, "{others:?}");
 }
 
 #[test]
