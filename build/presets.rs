@@ -28,11 +28,11 @@ pub fn write() -> Result<(), String> {
     glosses()
 }
 
-/// Total screen errors: name, degree, order, sources, then the mean and the 95th percentile of the
+/// Screen errors: name, degree, order, sources, then the mean and the 95th percentile of the
 /// pixels, each the median over the maps and what 95 of 100 maps do not exceed; and a map.
 const ERRORS: &str = "tables/inputs/merl.errors.csv";
 
-/// The total error, as a constant's documentation states it.
+/// The screen error, as a constant's documentation states it.
 fn error_text(errors: &[String], name: &str) -> String {
     let rows: Vec<Vec<&str>> = errors.iter().map(|line| line.split(',').collect()).collect();
     let of = |sources: &str| {

@@ -145,7 +145,7 @@ impl<S: Scalar> Window<S> {
     ///
     /// `darkest` draws the picture of the light of this degree under a window, and returns its
     /// smallest channel, exposed, as a share of white. It is called for no window, then for
-    /// stronger ones until that is at least -0.02, which a display hardly tells from black. If no
+    /// stronger ones until that is at least -0.02: a display clips it to black. If no
     /// window suffices, the one with the largest number is taken. Sloan and Filament search for a
     /// window of a light in this way; a picture needs a weaker one, since its material blurs it.
     ///

@@ -9,8 +9,9 @@ use crate::source::Source;
 ///
 /// An error is the root mean square over a sphere's picture under its metered exposure, clipped at
 /// white, as a share of white, against direct integration of the whole light. Errors are those of
-/// GGX metals, as measured: the larger one of the light as captured and turned. A dielectric over a matte base has smaller ones. For a lobe
-/// that was fitted to another material, add what the fit leaves.
+/// GGX metals, as measured: the larger one of the light as captured and turned. A dielectric over a
+/// matte base has smaller ones. For a lobe that was fitted to another material, add what the fit
+/// leaves.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct SourceSet<'a, S> {

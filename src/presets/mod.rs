@@ -57,8 +57,8 @@ pub mod light {
 /// Accurate and Efficient Rendering of Glossy Surfaces", ACM Transactions on Graphics 31, 2012, to
 /// the MERL measurements, and one standard of NIST's, a matte white. Order 7 cannot represent sharp
 /// gloss: chrome looks like a blurred and ringing version of itself. The fits are attenuated by a
-/// window of width 40, which makes their pictures ring less. Each constant states its total error
-/// against direct integration; `docs/accuracy.md` says how it is measured.
+/// window of width 40, which makes their pictures ring less. Each constant states the screen error of
+/// its pictures against direct integration; `docs/accuracy.md` says how it is measured.
 pub mod material {
     use super::{Material, channels, checked};
     use crate::color::Rgb;

@@ -14,8 +14,7 @@ use crate::scene::Scene;
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[non_exhaustive]
 pub enum Tolerance<S> {
-    /// A share of white under an exposure, both above 0. The pictures of `docs/accuracy-cost` stay
-    /// close on a screen up to 2e-3 in dark regions and 5e-3 elsewhere.
+    /// A share of white under an exposure, both above 0.
     OfWhite {
         /// The share of white.
         share: S,

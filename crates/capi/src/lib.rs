@@ -7,7 +7,8 @@
 //!
 //! On bare metal the static library has a panic handler. In release builds it calls an undefined
 //! symbol, so a reachable panic fails to link, and so does a program whose linker keeps unused
-//! functions: `-Wl,--gc-sections` is required, as the symbol's name says. In builds with debug assertions, which check their arithmetic, it halts.
+//! functions: `-Wl,--gc-sections` is required, as the symbol's name says. In builds with debug
+//! assertions, which check their arithmetic, it halts.
 #![no_std]
 
 // On a host, std handles panics.

@@ -54,12 +54,14 @@ impl Estimates {
     }
 
     /// The error of a picture of a material with at most this many sources, at the largest measured
-    /// degree and order that are not larger, or else at the least: the median over the lights.
-    /// Fails if a parameter of the gloss is not from 0 to 1.
+    /// degree and order that are not larger, or else at the least: the median over the lights. It is
+    /// not known, and NaN, beyond the largest. Fails if a parameter of the gloss is not from 0 to 1.
     pub fn of(&self, size: Size, gloss: &Gloss, sources: usize) -> Result<Estimate> {
         let runtime = highlights::gloss::<f64>(gloss)?;
         let sources = if runtime.needs_sources() { sources } else { 0 };
-        let size = largest_within(self.errors.iter().map(|one| one.size), size).unwrap_or_default();
+        let sizes = self.errors.iter().map(|one| one.size);
+        let is_beyond = sizes.clone().all(|(degree, order)| size.0 > degree || size.1 > order);
+        let size = largest_within(sizes, size).filter(|_| !is_beyond).unwrap_or_default();
         let fits = |one: &&SetError| {
             (one.size, one.base) == (size, Base::of(gloss)) && one.most <= sources
         };
@@ -126,10 +128,17 @@ impl Estimates {
         within: Option<f64>,
     ) -> Option<String> {
         let ScreenError { mean, p95, white } = error;
+        let least = self.errors.iter().map(|one| one.size).min().unwrap_or_default();
+        let bound = match () {
+            () if mean.is_nan() => return None,
+            () if gloss.roughness > ROUGHEST => "at most ",
+            () if degree < least.0 || order < least.1 => "at least ",
+            () => "",
+        };
         let (goal, is_met) = match within {
             // A rougher material than the table has is nearer by an unknown amount.
             None if gloss.roughness > ROUGHEST => return None,
-            None => ("close is 2 and 5".to_owned(), error.is_close() || mean.is_nan()),
+            None => ("close is 2 and 5".to_owned(), error.is_close()),
             Some(share) => {
                 // Without the digits of rounding to binary.
                 let asked = (1e11 * share).round() / 1e9;
@@ -140,7 +149,6 @@ impl Estimates {
             Some(light) => format!("under `{light}`"),
             None => "under the median of 18 lights".to_owned(),
         };
-        let bound = if gloss.roughness > ROUGHEST { "at most " } else { "" };
         (!is_met).then(|| {
             format!(
                 "note: `{material}` is sharper than degree {degree}, order {order} with {} can \

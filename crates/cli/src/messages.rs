@@ -180,7 +180,8 @@ impl Ringing {
         Some(format!(
             "note: {subject}, from {least} to {largest}: this is ringing, as a series that ends at \
              a degree swings about zero where little light arrives, for example because the light \
-             is behind the object; `--window 12` damps it"
+             is behind the object; a window damps it, as `render --window auto` chooses it or \
+             --window 12"
         ))
     }
 }

@@ -90,7 +90,9 @@ fn sharp_materials_are_named() {
     assert!(!drawn("ptfe-633nm").contains("sharper"));
     folder.write("even.csv", "name,l,m,value\neven,0,0,1\neven,1,-1,0\neven,1,0,0\neven,1,1,0\n");
     let even = "render -l even.csv -m chrome -t pbr --size 32 --out a.png";
-    assert!(!folder.messages(even).contains("sharper"));
+    for options in ["", "--sources 0"] {
+        assert!(!folder.messages(&format!("{even} {options}")).contains("sharper"));
+    }
     let file = shipped_path("inputs/merl.csv");
     assert!(!drawn(&format!("{file}:chrome")).contains("sharper"));
 }

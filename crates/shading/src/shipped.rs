@@ -160,7 +160,7 @@ pub struct TotalError {
 /// would use on a device.
 pub const ERROR_SIZES: [(usize, usize); 2] = [(9, 7), (12, 12)];
 
-/// The total error of a shipped material at a degree and an order with at most 0 or 8 sources, from
+/// The screen error of a shipped material at a degree and an order with at most 0 or 8 sources, from
 /// `tables/inputs/merl.errors.csv`, which has no shares of white. `None` if it is not there.
 #[must_use]
 pub fn total_error(material: &str, size: (usize, usize), sources: usize) -> Option<TotalError> {

@@ -34,13 +34,8 @@ pub fn needed(
     memory: Memory,
 ) -> Result<(usize, Option<String>)> {
     let (light, material) = (&lights.entries[0], &materials.entries[0].name);
-    // Light that is the same from everywhere has no highlights.
-    let is_even = |channel: &Vec<f64>| channel[1..].iter().all(|&coefficient| coefficient == 0.0);
-    let gloss = inputs.material.gloss(material, memory.of_file())?;
+    let gloss = shining(inputs, table, (lights, materials), memory)?;
     let Some(NamedGloss { gloss, error, .. }) = gloss else { return Ok((0, None)) };
-    if !table.effects().has(Effect::Gloss) || light.rgb.iter().all(is_even) {
-        return Ok((0, None));
-    }
     let size = (lights.degree, materials.order);
     let estimates = Estimates::under(&inputs.light, &light.name, memory.of_file())?;
     let most = if estimates.is_of_the_light() { MOST } else { 0 };
@@ -54,17 +49,34 @@ pub fn needed(
 /// close. Fails if a file with errors or gloss cannot be read.
 pub fn estimate_note(
     inputs: &Inputs,
+    table: &Table,
     (lights, materials): (&Lights, &Materials),
     sources: usize,
     memory: Memory,
 ) -> Result<Option<String>> {
     let (light, material) = (&lights.entries[0].name, &materials.entries[0].name);
-    let Some(gloss) = inputs.material.gloss(material, memory.of_file())? else { return Ok(None) };
+    let gloss = shining(inputs, table, (lights, materials), memory)?;
+    let Some(gloss) = gloss else { return Ok(None) };
     let size = (lights.degree, materials.order);
     let estimates = Estimates::under(&inputs.light, light, memory.of_file())?;
     let estimate = estimates.of(size, &gloss.gloss, sources)?;
     let note = estimates.note(material, size, &gloss.gloss, estimate, None);
     Ok(note.or_else(|| off_lobe_note(material, gloss.error).filter(|_| estimate.sources > 0)))
+}
+
+/// The gloss of the material, if it is known and shines: not with a table without gloss, nor under
+/// light that is the same from everywhere. Fails if its file cannot be read.
+fn shining(
+    inputs: &Inputs,
+    table: &Table,
+    (lights, materials): (&Lights, &Materials),
+    memory: Memory,
+) -> Result<Option<NamedGloss>> {
+    let is_even = |channel: &Vec<f64>| channel[1..].iter().all(|&coefficient| coefficient == 0.0);
+    if !table.effects().has(Effect::Gloss) || lights.entries[0].rgb.iter().all(is_even) {
+        return Ok(None);
+    }
+    inputs.material.gloss(&materials.entries[0].name, memory.of_file())
 }
 
 impl HighlightInputs {

@@ -30,9 +30,9 @@ use std::path::{Path, PathBuf};
 /// Draw a sphere, a mesh or a normal map with a transparent background, or make a matcap
 ///
 /// A PNG is in sRGB. Without --exposure, one pixel in a hundred is brighter than white in some
-/// channel; where the median pixel would be darker than 0.12 of white, up to one in ten is. An .exr holds linear irradiance times the exposure, multiplied by opacity. Without
-/// --normals, the picture shows a sphere whatever the table's object is; a note says so if it is
-/// another.
+/// channel; where the median pixel would be darker than 0.12 of white, up to one in ten is. An .exr
+/// holds linear irradiance times the exposure, multiplied by opacity. Without --normals, the
+/// picture shows a sphere whatever the table's object is; a note says so if it is another.
 #[derive(Args, Debug)]
 pub struct Render {
     #[command(flatten)]
@@ -141,7 +141,9 @@ impl Render {
         let all_effects = self.choices.has_all_effects();
         let (most, note_of_error) = match self.sources {
             _ if !all_effects => (0, None),
-            Some(Sources::Most(most)) => (most, estimate_note(&self.inputs, pair, most, memory)?),
+            Some(Sources::Most(most)) => {
+                (most, estimate_note(&self.inputs, &table, pair, most, memory)?)
+            }
             None | Some(Sources::Auto) => {
                 needed(&self.inputs, &table, pair, self.tolerance, memory)?
             }
@@ -214,7 +216,7 @@ impl Render {
     }
 }
 
-/// The table that the runtime contains, so that a picture is that of a board.
+/// The table that the runtime contains.
 const DEFAULT_TABLE: &str = "sphere";
 
 /// What a picture was drawn with.

@@ -156,7 +156,7 @@ impl Shader {
         let highlights = HighlightInputs::taken_out(&self.inputs, table, pair, most, memory)?;
         let Some(highlights) = highlights else { return Ok((None, None)) };
         let pair = (&*lights, materials);
-        let note = estimate_note(&self.inputs, pair, highlights.count(), memory)?;
+        let note = estimate_note(&self.inputs, table, pair, highlights.count(), memory)?;
         Ok((Some(highlights.shaded()?), note))
     }
 
@@ -195,9 +195,7 @@ impl Shader {
         let report = |error: std::fmt::Error| Error::new(error.to_string(), "report it");
         shader.write(self.lang.0, &mut text).map_err(report)?;
         if let Some(prefix) = &self.prefix {
-            for name in ["irradiance", "eigenshade", "Eigenshade"] {
-                text = text.replace(name, &format!("{prefix}{name}"));
-            }
+            text = prefixed(&text, prefix);
         }
         if let Some((group, binding)) = self.binding {
             let place = format!("@group({group}) @binding({binding})");
@@ -208,5 +206,19 @@ impl Shader {
             shader.highlight_uniforms(highlights, &mut vectors).map_err(fault)?;
         }
         Ok(Written { text, terms: shader.terms(), vectors })
+    }
+}
+
+/// The text with a prefix before each of its names.
+fn prefixed(text: &str, prefix: &str) -> String {
+    const NAMES: [&str; 3] = ["irradiance", "eigenshade", "Eigenshade"];
+    let (mut found, mut rest) = (String::new(), text);
+    loop {
+        let next = NAMES.iter().filter_map(|name| Some((rest.find(name)?, name.len()))).min();
+        let Some((place, length)) = next else { return found + rest };
+        found += &rest[..place];
+        found += prefix;
+        found += &rest[place..place + length];
+        rest = &rest[place + length..];
     }
 }
