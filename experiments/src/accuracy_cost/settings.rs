@@ -269,7 +269,7 @@ pub fn all(quick: bool) -> Vec<Varied> {
         }
     }
     for setting in [Setting::of(whole), higher()] {
-        for sources in either(quick, &[0, 4, 8], &[0]) {
+        for sources in either(quick, &[0, 4, 8], &[0, 4]) {
             add("window", Setting { sources, window: WindowChoice::None, ..setting });
         }
     }
