@@ -196,7 +196,7 @@ impl<S: Scalar + Into<f64>> Floats<S> {
         Ok(Shading::boxed(raw.len(), 0, move |out| {
             scale(black_box(&raw), &mut axes);
             let [x, y, z] = &axes;
-            let done = Normals::new(x, y, z).and_then(|normals| shade(normals, out));
+            let done = Normals::from_unit(x, y, z).and_then(|normals| shade(normals, out));
             black_box(done.is_ok());
         }))
     }

@@ -176,7 +176,7 @@ pub(super) fn behind() -> Vec<Figure> {
         let scene = shader.scene().expect("room");
         let seen = |normal: [f64; 3]| {
             let [x, y, z] = normal.map(|c| [c as f32]);
-            let normals = Normals::new(&x, &y, &z).expect("one length");
+            let normals = Normals::from_unit(&x, &y, &z).expect("one length");
             let as_it_is = normals.iter().next().expect("one normal");
             let moved = Normal::new(x[0], y[0], z[0]).expect("moved to the rim");
             [as_it_is, moved].map(|normal| f64::from(scene.shade(normal)))
