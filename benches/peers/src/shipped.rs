@@ -82,16 +82,16 @@ impl Pair {
     }
 
     pub fn light_single(&self) -> Light<'_, f32> {
-        Light::new(&self.light_single).expect("coefficients of its degree")
+        Light::from_finite(&self.light_single).expect("coefficients of its degree")
     }
 
     pub fn material_single(&self) -> Material<'_, f32> {
-        Material::new(&self.material_single).expect("coefficients of its order")
+        Material::from_finite(&self.material_single).expect("coefficients of its order")
     }
 
     /// The formula of a white matte under the light.
     pub fn nine_terms(&self) -> NineTerms<f32> {
-        let light = Light::new(&self.light[..9]).expect("coefficients of its degree");
+        let light = Light::from_finite(&self.light[..9]).expect("coefficients of its degree");
         let formula = NineTerms::lambertian(&light, 1.0);
         NineTerms::new(formula.coefficients().map(|value| value as f32))
     }

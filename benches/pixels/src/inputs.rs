@@ -84,8 +84,8 @@ fn number(row: &[&str], column: usize) -> f64 {
 
 /// d of a light on a material.
 pub fn coefficients(light: &[f32], material: &[f32]) -> sphere::Coefficients {
-    let light = Light::new(light).expect("a light");
-    let material = Material::new(material).expect("a material");
+    let light = Light::from_finite(light).expect("a light");
+    let material = Material::from_finite(material).expect("a material");
     sphere::project(&light, &material).expect("it fits")
 }
 
@@ -119,7 +119,7 @@ impl CallInputs {
     /// Their numbers change no count, but those of [`darker`](Self::darker) do.
     pub fn new() -> Self {
         let (light, material) = (vec![0.1; 100], vec![0.1; 40]);
-        let transfer = sphere::transfer(&Material::new(&material).expect("a material"));
+        let transfer = sphere::transfer(&Material::from_finite(&material).expect("a material"));
         let d = coefficients(&light, &material);
         let falling =
             |count: u8| (0..count).map(|k| 1.0 / f32::from(1 + 2 * k)).collect::<Vec<f32>>();
@@ -129,8 +129,8 @@ impl CallInputs {
 
     /// One call of the [`CALLS`] of this number.
     pub fn call(&self, which: usize) {
-        let light = || Light::new(black_box(&self.light)).expect("a light");
-        let material = || Material::new(black_box(&self.material)).expect("a material");
+        let light = || Light::from_finite(black_box(&self.light)).expect("a light");
+        let material = || Material::from_finite(black_box(&self.material)).expect("a material");
         match which {
             0 => drop(black_box(sphere::relight(black_box(&self.transfer), &light()))),
             1 => drop(black_box(sphere::collapse(black_box(&self.d)))),
