@@ -61,7 +61,7 @@ impl<'a, S: Scalar> SourceSet<'a, S> {
     /// use eigenshade::{Gloss, SourceSet};
     ///
     /// let set = SourceSet::within(&STUDIO, &GOLD_METALLIC_PAINT, 0.01);
-    /// assert_eq!(set.map(|set| set.sources().len()), Some(1));
+    /// assert_eq!(set.map(|set| set.sources().len()), Some(4));
     /// let matte = Gloss::new(0.6, [0.04; 3], [0.8, 0.2, 0.2])?;
     /// let set = SourceSet::within(&STUDIO, &matte, 0.01);
     /// assert_eq!(set.map(|set| set.sources().len()), Some(0));
