@@ -32,7 +32,7 @@ pub const SPACING: f64 = 0.08;
 /// The numbers of sources: none, and as many as `eigenshade render` takes at most.
 pub const SOURCES: [usize; 2] = [0, 8];
 
-/// The errors of one material at one size with at most so many sources.
+/// The errors of one material at one size and a number of sources.
 #[derive(Clone, Debug)]
 pub struct Errors {
     pub size: (usize, usize),

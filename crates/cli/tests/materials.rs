@@ -143,7 +143,7 @@ fn hexadecimal_colors_are_in_srgb() {
     assert_fails(&folder, "material m.toml", &["m.toml:5:", "[r, g, b]"]);
 }
 
-/// A sharp material is told how to get its highlight, a dull one is not bothered.
+/// A note for a sharp material names the way to its highlight. A dull one gets no note.
 #[test]
 fn a_note_says_what_to_take_for_sharp_highlights() {
     let folder = Folder::new();

@@ -219,7 +219,7 @@ impl Render {
 /// The table that the runtime contains.
 const DEFAULT_TABLE: &str = "sphere";
 
-/// What a picture was drawn with.
+/// The message that names the table, the sources and the window of a picture.
 fn drawn(table: &Path, components: usize, sources: usize, window: Window<f64>) -> String {
     let window = match window {
         Window::SincFourth { width } => format!("a window of width {width:.1}"),

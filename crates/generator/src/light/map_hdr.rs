@@ -64,7 +64,7 @@ fn color([r, g, b, exponent]: [u8; 4]) -> [f64; 3] {
     }
 }
 
-/// What a header states.
+/// The fields of a header.
 struct Header {
     /// Pixels in a row of the file, and its rows.
     size: (Orientation, [usize; 2]),

@@ -1,5 +1,5 @@
-//! What the files of maps state about their pixels: primaries, layers, projections, orientations,
-//! and what is said about what is ignored.
+//! Metadata of map files that changes pixels: primaries, layers, projections, orientations; and the
+//! warnings about metadata that is ignored.
 
 use super::files::{Type, exr_channels, hdr_bytes, held, map_of, pfm, rgbe};
 use super::pictures::{jpeg, png, png_with};

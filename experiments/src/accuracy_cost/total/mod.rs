@@ -41,7 +41,7 @@ pub const PREFILTERED: &str = "prefiltered f32";
 /// Numbers of components of which the runtime's table could have had one.
 pub const COMPONENTS: [usize; 5] = [20, 30, 46, 70, 100];
 
-/// The name of the scene of the runtime's table with so many components and sources.
+/// The row name of the runtime's scene with a number of components and of sources.
 pub fn components_name(count: usize, sources: usize) -> String {
     let sources = if sources > 0 { format!(" sources{sources}") } else { String::new() };
     format!("sphere.toml K{count} f32{sources}")
