@@ -6,8 +6,8 @@
 use board::{Passes, holds, measure};
 use core::hint::black_box;
 use eigenshade::mathematics::SinglePrecision;
-use eigenshade::presets::light::{LOBBY, STUDIO};
-use eigenshade::presets::{gloss, material::GOLD_METALLIC_PAINT, sources};
+use eigenshade::presets::light::LOBBY;
+use eigenshade::presets::material::GOLD_METALLIC_PAINT;
 use eigenshade::{
     BakedMap, Buffer, DiscPixel, Display, Error, Exposure, Gloss, Highlights, Light, MapPoint,
     Material, Meter, NineTerms, Normal, NormalPixel, Normals, Rgb, Rotation, Source, Tolerance,
