@@ -8,9 +8,8 @@ mod metallic_roughness;
 #[path = "build/presets.rs"]
 mod presets;
 
-use eigenshade_index::record::{Q15, Q31};
 use eigenshade_index::source;
-use eigenshade_index::wire::{Fault, Mantissa, aligned, read_floats, read_integers};
+use eigenshade_index::wire::{Fault, aligned, read_floats, read_integers};
 use std::{env, fs, process};
 
 fn main() {
@@ -36,15 +35,14 @@ fn sphere() -> Result<(), String> {
         let (parts, general) = read_floats(bytes)?;
         Ok(source::floats::module(&parts, &general, command))
     })?;
-    bake("q15", integers::<Q15>)?;
-    bake("q31", integers::<Q31>)
+    bake("q15", |bytes, command| Ok(source::integers::module(&read_integers(bytes)?, command)))
 }
 
 /// Writes the statics of the scene that `EIGENSHADE_SCENE` names, or of the shipped scene, to
 /// generated.rs in the output folder.
 #[cfg(feature = "generate")]
 fn generate() {
-    use eigenshade_generator::build::{self, IntegerFormat};
+    use eigenshade_generator::build;
     use std::path::PathBuf;
 
     println!("cargo::rerun-if-env-changed=EIGENSHADE_SCENE");
@@ -58,12 +56,7 @@ fn generate() {
         process::exit(1);
     }
     let scene = scene.unwrap_or_else(|| "tables/sphere.toml".into());
-    build::statics(scene, "generated.rs", &[IntegerFormat::Q15, IntegerFormat::Q31]);
-}
-
-/// The statics of a table in integers.
-fn integers<Q: Mantissa>(bytes: &[u8], command: &str) -> Result<String, Fault> {
-    Ok(source::integers::module(&read_integers::<Q>(bytes)?, command))
+    build::statics(scene, "generated.rs");
 }
 
 /// Writes the statics of the shipped table in this format to `sphere_FORMAT.rs` in the output

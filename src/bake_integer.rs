@@ -31,12 +31,12 @@ impl<C> Scene<'_, C> {
     ///
     /// ```
     /// # #[cfg(feature = "baked")] {
-    /// use eigenshade::{Light, MapPoint, Material, Normal, Q15, quantized, sphere};
+    /// use eigenshade::{Light, MapPoint, Material, Normal, q15, sphere};
     ///
     /// let light = Light::new(&[3.5, 0.0, 1.0, 0.0])?;
     /// let scene = sphere::collapse(&sphere::project(&light, &Material::new(&[2.0])?)?)?;
     /// let map = scene.bake_integers_into::<f32, _>(32, [0; 32 * 32])?;
-    /// let point = MapPoint::of_quantized(quantized::Normal::<Q15>::new(0, 3, 4)?);
+    /// let point = MapPoint::of_q15(q15::Normal::new(0, 3, 4)?);
     /// let irradiance = map.bilinear(point) as f32 * 2_f32.powi(map.exponent());
     /// assert!((irradiance - scene.shade(Normal::new(0.0, 3.0, 4.0)?)).abs() < 1e-2);
     /// # }

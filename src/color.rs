@@ -9,7 +9,7 @@ use crate::light::{Light, LightBuffer, Window};
 use crate::material::Material;
 use crate::mathematics::Mathematics;
 use crate::normal::Normal;
-use crate::quantized;
+use crate::q15;
 use crate::scalar::Scalar;
 use crate::scene::Scene;
 use core::ops::Add;
@@ -132,8 +132,20 @@ macro_rules! gray {
 gray! {
     Light<'a, S>, S;
     Material<'a, S>, S;
-    quantized::Light<'a, Q>, Q;
-    quantized::Material<'a, Q>, Q;
+}
+
+impl<'a> From<q15::Light<'a>> for Rgb<q15::Light<'a>> {
+    #[inline]
+    fn from(gray: q15::Light<'a>) -> Self {
+        Self::gray(gray)
+    }
+}
+
+impl<'a> From<q15::Material<'a>> for Rgb<q15::Material<'a>> {
+    #[inline]
+    fn from(gray: q15::Material<'a>) -> Self {
+        Self::gray(gray)
+    }
 }
 
 impl<S: Scalar> Rgb<Light<'_, S>> {
@@ -164,10 +176,10 @@ impl<S, const N: usize> Rgb<Buffer<S, N>> {
     }
 }
 
-impl<Q, const N: usize, const O: usize> Rgb<quantized::MaterialBuffer<Q, N, O>> {
-    /// The materials in these buffers; errors as [`quantized::Material::new`].
-    pub fn materials(&self) -> Result<Rgb<quantized::Material<'_, Q>>, Error> {
-        self.each_ref().try_map(quantized::MaterialBuffer::material)
+impl<const N: usize, const O: usize> Rgb<q15::MaterialBuffer<N, O>> {
+    /// The materials in these buffers; errors as [`q15::Material::new`].
+    pub fn materials(&self) -> Result<Rgb<q15::Material<'_>>, Error> {
+        self.each_ref().try_map(q15::MaterialBuffer::material)
     }
 }
 
@@ -270,9 +282,9 @@ impl<B: AsRef<[i16]>> Rgb<IntegerMap<B>> {
     }
 
     /// What multiplies the irradiances of the mantissas by a factor, channel by channel; errors as
-    /// [`quantized::Exposure::new`].
-    pub fn exposure_by_factor(&self, factor: f32) -> Result<Rgb<quantized::Exposure>, Error> {
-        self.each_ref().try_map(|map| quantized::Exposure::new(factor, map.exponent()))
+    /// [`q15::Exposure::new`].
+    pub fn exposure_by_factor(&self, factor: f32) -> Result<Rgb<q15::Exposure>, Error> {
+        self.each_ref().try_map(|map| q15::Exposure::new(factor, map.exponent()))
     }
 }
 

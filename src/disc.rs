@@ -4,7 +4,7 @@ use crate::error::{Argument, Error};
 use crate::format::Q15;
 use crate::normal::Normal;
 use crate::piece::{INTERVALS, Piece, interpolated};
-use crate::quantized;
+use crate::q15;
 
 /// The bits of an interval's width in each piece of [`ROOTS`], in units of 2^-24.
 const WIDTHS: [u32; 4] = [5, 9, 13, 17];
@@ -188,9 +188,9 @@ impl DiscPixel {
     /// The normal in integers, as exact as [`normal`](Self::normal).
     #[inline]
     #[must_use]
-    pub fn quantized_normal(self) -> quantized::Normal<Q15> {
+    pub fn normal_q15(self) -> q15::Normal {
         let [x, y] = [self.x, self.y].map(|place| Q15((place >> 16) as i16));
-        quantized::Normal { x, y, z: Q15(self.z.min(32_767) as i16) }
+        q15::Normal { x, y, z: Q15(self.z.min(32_767) as i16) }
     }
 }
 
@@ -231,7 +231,7 @@ mod tests {
                 let off = (found[2] - z).abs();
                 worst = worst.max(if z < 0.02 { 0.0 } else { off });
                 at_the_rim = at_the_rim.max(off);
-                let integers = pixel.quantized_normal().components();
+                let integers = pixel.normal_q15().components();
                 for (integer, exact) in integers.into_iter().zip([x, y, found[2]]) {
                     assert!((f64::from(integer.0) - 32_768.0 * exact).abs() <= 1.01);
                 }

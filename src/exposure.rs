@@ -32,7 +32,7 @@ impl From<f32> for Linear {
 /// # Ok::<(), eigenshade::Error>(())
 /// ```
 ///
-/// Scenes in integers have an [`Exposure`](crate::quantized::Exposure) in each channel.
+/// Scenes in integers have an [`Exposure`](crate::q15::Exposure) in each channel.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Exposure(f32);

@@ -14,7 +14,7 @@
 //! 5. [`Scene::bake`] makes a map of the image. On processors without vectors, a look-up costs less
 //!    than shading.
 //! 6. To turn the light, call [`Light::turned`] with a [`Rotation`]; integers have their own
-//!    ([`quantized::Rotation`]). A [`Window`] keeps a light from ringing, and [`NegativePolicy`] sets
+//!    ([`q15::Rotation`]). A [`Window`] keeps a light from ringing, and [`NegativePolicy`] sets
 //!    how to handle irradiance below zero.
 //! 7. A module `color` of each table has these steps in three channels; [`Display`] makes pixels of
 //!    8, 6 or 5 bits of an [`Rgb`], and the module `presets` has lights and materials by name.
@@ -48,7 +48,7 @@
 //! know all its sizes: `project`, `transfer`, `relight`, `collapse` and so on, with types
 //! `Coefficients`, `Transfer` and `Scene`. The methods of [`Basis`] do the same for a table whose
 //! size is known only at run time; they take sizes as constants or slices. The module
-//! [`quantized`] does all of this in integers.
+//! [`q15`] does all of this in integers.
 //!
 //! The crate needs no allocator and does not panic. Its loops over pixels use no trigonometry, no
 //! roots and no division, except that [`Highlights`] takes one of each for a source and a pixel.
@@ -125,7 +125,7 @@ mod truncation;
 
 mod bake;
 
-pub mod quantized;
+pub mod q15;
 
 mod bake_integer;
 
@@ -185,11 +185,6 @@ pub mod sphere {
     pub mod q15 {
         include!(concat!(env!("OUT_DIR"), "/sphere_q15.rs"));
     }
-
-    /// The same table with 31-bit mantissas.
-    pub mod q31 {
-        include!(concat!(env!("OUT_DIR"), "/sphere_q31.rs"));
-    }
 }
 
 #[cfg(feature = "presets")]
@@ -202,7 +197,7 @@ pub mod presets;
 /// `EIGENSHADE_SCENE` names the scene file at build time; without it, the shipped one is used.
 ///
 /// This module has the same items as the module `sphere`, with the sizes of its own scene. The
-/// modules `q15` and `q31` exist if the scene can be represented in integers.
+/// module `q15` exists if the scene can be represented in integers.
 #[cfg(feature = "generate")]
 pub mod generated {
     include!(concat!(env!("OUT_DIR"), "/generated.rs"));
@@ -220,7 +215,7 @@ pub use display::{Display, Tone};
 pub use error::{Argument, Error};
 pub use estimate::Estimate;
 pub use exposure::{Exposure, Linear, Meter};
-pub use format::{FixedPoint, Format, Q15, Q31, Wide};
+pub use format::{Format, Q15};
 pub use general::GeneralBasis;
 pub use gloss::Gloss;
 pub use graphics::Convention;

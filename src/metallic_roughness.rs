@@ -16,8 +16,8 @@ use crate::gloss::Gloss;
 use crate::index::material::count;
 use crate::invariant::{part, part_mut};
 use crate::material::Material;
-use crate::quantized;
-use crate::quantized::{MaterialBuffer, mantissas};
+use crate::q15;
+use crate::q15::{MaterialBuffer, mantissas};
 
 include!(concat!(env!("OUT_DIR"), "/metallic_roughness.rs"));
 
@@ -145,7 +145,7 @@ impl Material<'_, f32> {
     }
 }
 
-impl quantized::Material<'_, Q15> {
+impl q15::Material<'_> {
     /// [`Material::metallic_roughness`](crate::Material::metallic_roughness) in integers: a picture
     /// of the coefficients differs by at most 6e-4 of its largest irradiance from that of the
     /// formula's.
@@ -157,7 +157,7 @@ impl quantized::Material<'_, Q15> {
         base_color: [Q15; 3],
         metallic: Q15,
         roughness: Q15,
-    ) -> Result<Rgb<MaterialBuffer<Q15, 40, 8>>, Error> {
+    ) -> Result<Rgb<MaterialBuffer<40, 8>>, Error> {
         ORDER_7_Q15.material(base_color, metallic, roughness)
     }
 
@@ -166,7 +166,7 @@ impl quantized::Material<'_, Q15> {
         base_color: [Q15; 3],
         metallic: Q15,
         roughness: Q15,
-    ) -> Result<Rgb<MaterialBuffer<Q15, 140, 13>>, Error> {
+    ) -> Result<Rgb<MaterialBuffer<140, 13>>, Error> {
         ORDER_12_Q15.material(base_color, metallic, roughness)
     }
 }
@@ -231,7 +231,7 @@ impl<const N: usize, const O: usize, const K: usize> IntegerSeries<N, O, K> {
         color: [Q15; 3],
         metallic: Q15,
         roughness: Q15,
-    ) -> Result<Rgb<MaterialBuffer<Q15, N, O>>, Error> {
+    ) -> Result<Rgb<MaterialBuffer<N, O>>, Error> {
         const ONE: i32 = 1 << 15;
         const OF_DIELECTRIC: i32 = (Gloss::DIELECTRIC * ONE as f32 + 0.5) as i32;
         const OF_LEAST: i32 = (LEAST * ONE as f32 + 0.5) as i32;

@@ -8,7 +8,7 @@
 
 use crate::format::Q15;
 use crate::normal::Normal;
-use crate::quantized;
+use crate::q15;
 use core::f32::consts::FRAC_PI_2;
 
 /// The distance of the rim from the center.
@@ -60,7 +60,7 @@ impl NormalCode {
     }
 
     #[inline]
-    pub(crate) fn quantized_normal(self) -> quantized::Normal<Q15> {
+    pub(crate) fn normal_q15(self) -> q15::Normal {
         const SINE_15: [i32; 4] = whole(SINE, 32_767.0 * 128.0 / 127.0);
         const COSINE_15: [i32; 4] = whole(COSINE, 32_767.0);
         let t = square(self.0);
@@ -75,7 +75,7 @@ impl NormalCode {
             Q15(((i32::from(along) * scale + 64) >> 7).min(32_767) as i16)
         });
         let z = 32_767 - ((value(COSINE_15) * t + (1 << 13)) >> 14);
-        quantized::Normal { x, y, z: Q15(z.max(0) as i16) }
+        q15::Normal { x, y, z: Q15(z.max(0) as i16) }
     }
 }
 
@@ -141,7 +141,7 @@ mod tests {
             let exact = exact(point);
             let beyond = square(point) > 127 * 127;
             let found = pixel.normal().components().map(f64::from);
-            let integers = pixel.quantized_normal().components();
+            let integers = pixel.normal_q15().components();
             for ((found, integer), exact) in found.into_iter().zip(integers).zip(exact) {
                 let more = if beyond { AT_THE_RIM } else { 0.0 };
                 assert!((found - exact).abs() < 2e-6 + more, "{point:?}: {found} {exact}");

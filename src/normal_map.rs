@@ -8,10 +8,9 @@
 //! beyond the rim, and one that refers to a pixel without a normal of its own.
 
 use crate::error::{Argument, Error};
-use crate::format::Q15;
 use crate::normal::Normal;
 use crate::normal_code::NormalCode;
-use crate::quantized;
+use crate::q15;
 
 /// The first byte of codes that have no normal of their own.
 const WITHOUT: u8 = 0x80;
@@ -229,8 +228,8 @@ impl NormalPixel {
     /// The normal in integers. Components are within 2.5 units of 2^-15 of those of its code.
     #[inline]
     #[must_use]
-    pub fn quantized_normal(self) -> quantized::Normal<Q15> {
-        self.code.quantized_normal()
+    pub fn normal_q15(self) -> q15::Normal {
+        self.code.normal_q15()
     }
 }
 

@@ -8,8 +8,8 @@ use crate::basis::Basis;
 use crate::index::layout::{LANES, PASS, factors, lowest_degree};
 use crate::index::record::{ProfilePlace, Row};
 use crate::invariant::part;
-use crate::quantized;
-use crate::quantized::Profile;
+use crate::q15;
+use crate::q15::Profile;
 use crate::scene::signs;
 
 /// A table that is known when the program is compiled, with a basis of type `B`.
@@ -72,8 +72,8 @@ pub(crate) struct AzimuthPlace {
 
 /// The walk over azimuths of both kinds of basis: a `const` function cannot call a trait's.
 macro_rules! azimuths {
-    ($($basis:ident)::+, $profile:ident) => {
-        impl<'a, S> $($basis)::+<'a, S> {
+    ([$($of:tt)*] $basis:ty, $profile:ident) => {
+        impl $($of)* $basis {
             pub(crate) const fn first_azimuth(&self) -> AzimuthPlace {
                 AzimuthPlace {
                     azimuth: 0,
@@ -138,10 +138,10 @@ macro_rules! azimuths {
         }
     };
 }
-azimuths!(Basis, ProfilePlace);
-azimuths!(quantized::Basis, Profile);
+azimuths!([<'a, S>] Basis<'a, S>, ProfilePlace);
+azimuths!([<'a>] q15::Basis<'a>, Profile);
 
-impl<'a, Q> quantized::Basis<'a, Q> {
+impl<'a> q15::Basis<'a> {
     pub(crate) const fn profiles_at(&self, place: &AzimuthPlace) -> &'a [Profile] {
         let Some((_, rest)) = self.parts.profiles.split_at_checked(place.first) else { return &[] };
         match rest.split_at_checked(place.profiles) {

@@ -1,7 +1,7 @@
 //! Baked maps against the polynomials that they were made from, on the shipped lights and
 //! materials.
 
-use eigenshade::{BakedMap, Error, IntegerMap, MapPoint, Normal, Normals, Q15, quantized, sphere};
+use eigenshade::{BakedMap, Error, IntegerMap, MapPoint, Normal, Normals, Q15, q15, sphere};
 use eigenshade_testing::images::{coefficients, on};
 use eigenshade_testing::{fixtures, largest, median_and_largest};
 
@@ -109,13 +109,13 @@ const TEXEL_FITTED: f64 = 3e-6;
 const RIM_INWARD: f32 = 1e-4;
 
 /// A component in Q15.
-fn q15(x: f32) -> Q15 {
+fn nearest(x: f32) -> Q15 {
     Q15((f64::from(x) * 32_768.0).round().min(32_767.0) as i16)
 }
 
 /// A normal in Q15, on the map.
 fn on_map([x, y, z]: [Q15; 3]) -> MapPoint<Q15> {
-    MapPoint::of_quantized(quantized::Normal::<Q15>::from_unit(x, y, z).expect("a unit normal"))
+    MapPoint::of_q15(q15::Normal::from_unit(x, y, z).expect("a unit normal"))
 }
 
 #[test]
@@ -137,8 +137,8 @@ fn maps_are_as_exact_as_documented() {
 fn integer_maps_are_as_exact_as_documented() {
     let normals = normals(64);
     let shaded = Shaded::new(3, &normals);
-    let of_normals: Vec<_> = normals.iter().map(|n| on_map(n.components().map(q15))).collect();
-    let given = normals.iter().map(|&n| MapPoint::of(n).coordinates().map(q15));
+    let of_normals: Vec<_> = normals.iter().map(|n| on_map(n.components().map(nearest))).collect();
+    let given = normals.iter().map(|&n| MapPoint::of(n).coordinates().map(nearest));
     let given: Vec<_> = given.map(|[u, v]| MapPoint::new(u, v)).collect();
     for (size, bilinear) in BAKED {
         let found = shaded.errors(|scene| {
@@ -169,7 +169,7 @@ fn integers_round_and_no_more() {
         assert!((texel / unit - f32::from(*integer)).abs() <= TEXEL_ROUNDED);
     }
     for normal in normals {
-        let [u, v] = MapPoint::of(normal).coordinates().map(q15);
+        let [u, v] = MapPoint::of(normal).coordinates().map(nearest);
         let exact = MapPoint::new(f32::from(u.0) / 32_768.0, f32::from(v.0) / 32_768.0);
         let apart = map.bilinear(exact) / unit - integers.bilinear(MapPoint::new(u, v)) as f32;
         // Half a unit of each of: texels, the step along u, the step along v.
@@ -263,7 +263,7 @@ fn normals_go_to_the_map_and_back() {
         let back = MapPoint::of(normal).direction();
         let mut pairs = back.into_iter().zip(normal.components());
         assert!(pairs.all(|(back, there)| (back - there).abs() <= 3e-7), "{back:?}");
-        let components = normal.components().map(q15);
+        let components = normal.components().map(nearest);
         let found = on_map(components).coordinates();
         let [x, y, z] = components.map(|q| f64::from(q.0) / 32_768.0);
         for (found, exact) in found.into_iter().zip([x / (1.0 + z), y / (1.0 + z)]) {

@@ -3,10 +3,10 @@
 use eigenshade::mathematics::{Libm, SinglePrecision};
 use eigenshade::presets::{gloss, light, material, sources};
 use eigenshade::specialized::shade_normals;
-use eigenshade::sphere::{self, q15};
+use eigenshade::sphere;
 use eigenshade::{
     Argument, Disc, DiscPixel, Display, Error, Gloss, Light, MapPoint, Material, Normals, Q15, Rgb,
-    Rotation, Source, SourceSet, Tolerance, Tone, Window, index, quantized,
+    Rotation, Source, SourceSet, Tolerance, Tone, Window, index, q15,
 };
 use eigenshade_model::source::{Base, SetError};
 use eigenshade_shading::{highlights, shipped};
@@ -53,8 +53,8 @@ fn gray_materials_are_found_by_their_numbers() {
     assert!(glossy.materials().unwrap().as_gray().is_some());
     let exponents = [[0_i8; 2]; 3];
     let of = |mantissas: &[[Q15; 2]; 3]| {
-        let [r, g, b] = [0, 1, 2]
-            .map(|c: usize| quantized::Material::new(&exponents[c], &mantissas[c]).unwrap());
+        let [r, g, b] =
+            [0, 1, 2].map(|c: usize| q15::Material::new(&exponents[c], &mantissas[c]).unwrap());
         Rgb::new(r, g, b).as_gray().is_some()
     };
     let gray = [[Q15(9000), Q15(-400)]; 3];
@@ -79,15 +79,15 @@ fn maps_are_baked_in_color() {
 #[test]
 fn integers_in_color_are_three_channels() {
     let (light, gold) = (light::q15::PARK, material::q15::GOLD_METALLIC_PAINT);
-    let scene = q15::color::scene(light, gold).unwrap();
+    let scene = sphere::q15::color::scene(light, gold).unwrap();
     let exposure = scene.exposure_by_factor(2.0).unwrap();
     for pixel in Disc::new(9).unwrap() {
-        let normal = pixel.quantized_normal();
+        let normal = pixel.normal_q15();
         let found = scene.shade(normal);
         let expected = light.zip(gold).map(|(light, material)| {
-            let transfer = q15::transfer(&material).unwrap();
-            let d = q15::relight(&transfer.view(), &light).unwrap();
-            q15::collapse(&d).unwrap().shade(normal)
+            let transfer = sphere::q15::transfer(&material).unwrap();
+            let d = sphere::q15::relight(&transfer.view(), &light).unwrap();
+            sphere::q15::collapse(&d).unwrap().shade(normal)
         });
         assert_eq!(found, expected);
         let exact = f64::from(found.g) * f64::from(scene.g.exponent()).exp2() * 2.0 * 65_536.0;
@@ -109,7 +109,7 @@ fn presets_are_the_shipped_files() {
             let exact = file.rgb[channel].iter().map(|&number| number as f32);
             assert!(exact.eq(preset.coefficients().iter().copied()), "{name}");
             let mut room = [Q15(0); 100];
-            let expected = quantized::Light::quantize(preset.coefficients(), &mut room);
+            let expected = q15::Light::quantize(preset.coefficients(), &mut room);
             assert_eq!(expected.as_ref(), Ok(integers), "{name}");
         }
     }
@@ -120,7 +120,7 @@ fn presets_are_the_shipped_files() {
         for (preset, integers) in <[_; 3]>::from(preset.zip(integers)) {
             let (mut room, mut exponents) = ([Q15(0); 40], [0; 8]);
             let from = preset.coefficients();
-            let expected = quantized::Material::quantize(from, &mut room, &mut exponents);
+            let expected = q15::Material::quantize(from, &mut room, &mut exponents);
             assert_eq!(expected, Ok(integers), "{name}");
         }
     }
@@ -233,7 +233,7 @@ fn a_tint_scales_each_channel() {
 #[test]
 fn slices_are_shaded_in_color_as_their_normals() {
     let scene = sphere::color::scene(light::LOBBY, material::GOLD_METALLIC_PAINT).unwrap();
-    let integers = q15::color::scene(light::q15::LOBBY, material::q15::GOLD_METALLIC_PAINT);
+    let integers = sphere::q15::color::scene(light::q15::LOBBY, material::q15::GOLD_METALLIC_PAINT);
     let integers = integers.unwrap();
     let pixels: Vec<_> = Disc::new(60).unwrap().collect();
     for count in [0, 1, 7, 64, 320, 321, 640, 1300, pixels.len()] {
@@ -254,7 +254,7 @@ fn slices_are_shaded_in_color_as_their_normals() {
         let mut one_by_one = vec![Rgb::gray(f32::NAN); count];
         shade_normals(normals, &mut one_by_one, |normal| scene.shade(normal)).unwrap();
         assert_eq!(one_by_one, colors);
-        let quantized: Vec<_> = pixels.iter().map(|pixel| pixel.quantized_normal()).collect();
+        let quantized: Vec<_> = pixels.iter().map(|pixel| pixel.normal_q15()).collect();
         let mut colors = vec![Rgb::gray(i32::MIN); count];
         integers.shade_slice(&quantized, &mut colors).unwrap();
         assert!(colors.iter().zip(&quantized).all(|(color, &of)| *color == integers.shade(of)));
@@ -318,13 +318,13 @@ fn a_gold_sphere_on_a_display() {
     static DISPLAY: Display = Display::new(Tone::Filmic);
     let floats = sphere::color::scene(light::LOBBY, material::GOLD_METALLIC_PAINT).unwrap();
     let integers =
-        q15::color::scene(light::q15::LOBBY, material::q15::GOLD_METALLIC_PAINT).unwrap();
+        sphere::q15::color::scene(light::q15::LOBBY, material::q15::GOLD_METALLIC_PAINT).unwrap();
     let (exposure, of_floats) =
         (integers.exposure_by_factor(1.5).unwrap(), floats.exposure_by_factor(1.5).unwrap());
     let mut bytes = Vec::new();
     for pixel in Disc::new(120).unwrap() {
         let float = DISPLAY.rgb888(of_floats.of(floats.shade(pixel.normal())));
-        let linear = exposure.of(integers.shade(pixel.quantized_normal()));
+        let linear = exposure.of(integers.shade(pixel.normal_q15()));
         let integer = DISPLAY.rgb888(linear);
         for (float, integer) in <[_; 3]>::from(float.zip(integer)) {
             assert!(float.abs_diff(integer) <= 2, "{float} {integer}");

@@ -4,11 +4,11 @@
 use crate::invariants;
 use crate::wire::sealed;
 use crate::wire_files::{
-    EFFECTS, GENERAL, INTEGERS_15, INTEGERS_31, LONG, MEAN, SPHERE, TURNED, TURNED_15, placed,
+    EFFECTS, GENERAL, INTEGERS_15, LONG, MEAN, SPHERE, TURNED, TURNED_15, placed,
 };
 use eigenshade::index::record::{floats, integers};
 use eigenshade::wire::WireError;
-use eigenshade::{Basis, GeneralBasis, Q15, Q31, quantized};
+use eigenshade::{Basis, GeneralBasis, Q15, q15};
 use std::collections::BTreeMap;
 
 /// What a file holds, and what opens it and uses its basis.
@@ -20,7 +20,7 @@ struct Kind {
     checked: &'static [&'static str],
 }
 
-fn kinds() -> [Kind; 4] {
+fn kinds() -> [Kind; 3] {
     [
         Kind {
             files: vec![&SPHERE.0, &MEAN.0, &EFFECTS.0, &TURNED.0, &LONG.0],
@@ -37,17 +37,7 @@ fn kinds() -> [Kind; 4] {
         Kind {
             files: vec![&INTEGERS_15.0, &TURNED_15.0],
             arrays: integers::Parts::<Q15>::ARRAYS.to_vec(),
-            open: |bytes| {
-                quantized::Basis::<Q15>::from_bytes(bytes).map(|one| invariants::integers(&one))
-            },
-            checked: &["profiles", "lengths", "factors", "terms"],
-        },
-        Kind {
-            files: vec![&INTEGERS_31.0],
-            arrays: integers::Parts::<Q31>::ARRAYS.to_vec(),
-            open: |bytes| {
-                quantized::Basis::<Q31>::from_bytes(bytes).map(|one| invariants::integers(&one))
-            },
+            open: |bytes| q15::Basis::from_bytes(bytes).map(|one| invariants::integers(&one)),
             checked: &["profiles", "lengths", "factors", "terms"],
         },
     ]

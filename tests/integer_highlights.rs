@@ -3,8 +3,8 @@
 
 use crate::blobs::{ANGLES, Blob, Glossy, Vector, at, blobs, dot, normals_for};
 use eigenshade::mathematics::SinglePrecision;
-use eigenshade::quantized::{Highlights, Lobe, Normal};
-use eigenshade::{Argument, Error, Q15, Q31, Rgb, Source};
+use eigenshade::q15::{Highlights, Lobe, Normal};
+use eigenshade::{Argument, Error, Q15, Rgb, Source};
 use eigenshade_testing::largest;
 
 /// In Q15, of the lobe's peak, by roughness. A normal, a direction and a form of 16 bits turn a
@@ -23,10 +23,10 @@ const CORNER: [f64; 2] = [1.0 / 128.0, 1.0 / 1024.0];
 const TAIL: [(f64, f64); 3] = [(0.065, 2.5e-2), (0.1, 1e-2), (0.3, 3e-3)];
 
 /// The normal in 15 bits, and the same in f64.
-fn rounded(normal: Vector) -> (Normal<Q15>, Vector) {
+fn rounded(normal: Vector) -> (Normal, Vector) {
     let whole = normal.map(|number| (number * 32_768.0).round().clamp(-32_767.0, 32_767.0));
     let [x, y, z] = whole.map(|number| Q15(number as i16));
-    let normal = Normal::<Q15>::from_unit(x, y, z).expect("a visible normal");
+    let normal = Normal::from_unit(x, y, z).expect("a visible normal");
     (normal, whole.map(|number| number / 32_768.0))
 }
 
@@ -47,13 +47,13 @@ fn exponent_of(peak: f64) -> i32 {
 }
 
 /// Normals for a blob in 15 bits, and the formula in f64 there, for energy 1.
-fn expected(material: &Glossy, blob: &Blob) -> Vec<(Normal<Q15>, Vector, f64)> {
+fn expected(material: &Glossy, blob: &Blob) -> Vec<(Normal, Vector, f64)> {
     let normals = normals_for(blob, material.alpha().hypot(0.5 * blob.major)).into_iter();
     let pairs = normals.map(rounded);
     pairs.map(|(normal, exact)| (normal, exact, material.lobe(blob, exact))).collect()
 }
 
-fn peak_of(expected: &[(Normal<Q15>, Vector, f64)]) -> f64 {
+fn peak_of(expected: &[(Normal, Vector, f64)]) -> f64 {
     largest(expected.iter().map(|(_, _, irradiance)| *irradiance))
 }
 
@@ -223,19 +223,6 @@ fn sources_set() {
     }
 }
 
-/// Normals of 31 bits count as those of 15, rounded down.
-#[test]
-fn normals_in_q31() {
-    let material = Glossy { roughness: 0.3, f0: 0.9, albedo: 0.0 };
-    let blob = blobs(&[40.0])[1];
-    let highlights = gray(&material, blob.single([1.0; 3]), -16);
-    for (normal, ..) in expected(&material, &blob) {
-        let [x, y, z] = normal.components().map(|Q15(number)| Q31((i32::from(number) << 16) + 77));
-        let finer = Normal::<Q31>::from_unit(x, y, z).expect("a visible normal");
-        assert_eq!(highlights.shade(finer), highlights.shade(normal));
-    }
-}
-
 /// FNV-1a of the irradiances of two stored lobes, one of roughness 0.3 and one of 0.1, for normals
 /// of the whole disc: the same bits on every machine.
 const CHECKSUM: u32 = 3_997_470_640;
@@ -264,7 +251,7 @@ fn bits_are_the_same_everywhere() {
             let square = (1 << 30) - x * x - y * y;
             let Ok(z) = u32::try_from(square) else { continue };
             let [x, y, z] = [x, y, z.isqrt().cast_signed()].map(|number| Q15(number as i16));
-            let normal = Normal::<Q15>::from_unit(x, y, z).expect("a visible normal");
+            let normal = Normal::from_unit(x, y, z).expect("a visible normal");
             let found = highlights.shade(normal);
             lit += i32::from(found > 100);
             for byte in found.to_le_bytes() {

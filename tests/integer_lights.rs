@@ -1,33 +1,33 @@
 //! Lights turned in integers: against the generator's rotations in f64, and the same bits on every
 //! machine.
 
-use crate::invariants::integer::Integer;
+use crate::invariants::integer::Mantissa as _;
 use crate::oracle::Numbers;
 use eigenshade::mathematics::Libm;
-use eigenshade::quantized::{Light, LightBuffer, Rotation};
-use eigenshade::{Argument, Error, Q15, Q31, Rgb};
+use eigenshade::q15::{Light, LightBuffer, Rotation};
+use eigenshade::{Argument, Error, Q15, Rgb};
 use eigenshade_model::rotation;
 use eigenshade_testing::largest;
 use std::f64::consts::PI;
 
-/// Errors of a coefficient, of the root of the energy of its degree: as documented. A dozen
-/// roundings of numbers of 15 or 30 bits, and in the latter those of the angles, times 12.
-const OF_ENERGY: [f64; 2] = [1.0 / 4_096.0, 1.0 / 33_554_432.0];
+/// The error of a coefficient, of the root of the energy of its degree: as documented. A dozen
+/// roundings of numbers of 15 bits.
+const OF_ENERGY: f64 = 1.0 / 4_096.0;
 
-/// A number from -1 to 1, cut off to a mantissa of the format.
-fn fraction<Q: Integer>(number: f64) -> Q {
-    Q::of((number * (f64::from(Q::BITS).exp2() - 1.0)) as i32)
+/// A number from -1 to 1, cut off to a mantissa.
+fn fraction(number: f64) -> Q15 {
+    Q15((number * 32_767.0) as i16)
 }
 
 /// The coefficients of a light.
-fn values<Q: Integer>(light: Light<'_, Q>) -> Vec<f64> {
+fn values(light: Light<'_>) -> Vec<f64> {
     let scale = f64::from(light.exponent()).exp2();
     light.mantissas().iter().map(|mantissa| mantissa.mantissa() as f64 * scale).collect()
 }
 
 /// The largest error of a coefficient, less `units` of the mantissas, relative to the root of the
 /// energy of its degree.
-fn worst<Q: Integer>(light: Light<'_, Q>, exact: &[f64], found: Light<'_, Q>, units: f64) -> f64 {
+fn worst(light: Light<'_>, exact: &[f64], found: Light<'_>, units: f64) -> f64 {
     let unit = f64::from(found.exponent()).exp2();
     let found = values(found);
     let degree = (exact.len() as f64).sqrt() as usize - 1;
@@ -61,7 +61,7 @@ fn quaternion([a, b, c]: [f64; 3]) -> [i32; 4] {
 }
 
 /// Lights of one size, of falling size, of one order, of nothing but one coefficient.
-fn lights<Q: Integer>(degree: usize, numbers: &mut Numbers) -> Vec<Vec<Q>> {
+fn lights(degree: usize, numbers: &mut Numbers) -> Vec<Vec<Q15>> {
     let count = (degree + 1) * (degree + 1);
     let noise = |numbers: &mut Numbers| (0..count).map(|_| numbers.next()).collect::<Vec<_>>();
     let falling = noise(numbers).iter().enumerate().map(|(k, x)| x / (1 + k) as f64).collect();
@@ -74,7 +74,7 @@ fn lights<Q: Integer>(degree: usize, numbers: &mut Numbers) -> Vec<Vec<Q>> {
         .into()
 }
 
-fn agrees<Q: Integer>(most: f64) {
+fn agrees(most: f64) {
     let (mut numbers, mut found) = (Numbers(22), 0.0f64);
     for degree in [1, 2, 9, 12] {
         for (round, angles) in angles().into_iter().enumerate() {
@@ -83,25 +83,24 @@ fn agrees<Q: Integer>(most: f64) {
             let of_quaternion = Rotation::from_quaternion(quaternion(angles)).expect("a rotation");
             let [a, b, c] = angles.map(|angle| angle as f32);
             let floats = eigenshade::Rotation::from_euler::<Libm>(a, b, c).expect("a rotation");
-            for mantissas in lights::<Q>(degree, &mut numbers).iter().skip(round % 2).step_by(2) {
+            for mantissas in lights(degree, &mut numbers).iter().skip(round % 2).step_by(2) {
                 let light = Light::new(-3, mantissas).expect("a light");
                 let exact = reference.turn(degree, &values(light));
                 let rotations = [of_quaternion, Rotation::quantize(&floats)];
-                for rotation in rotations.iter().take(if Q::BITS == 15 { 2 } else { 1 }) {
+                for rotation in rotations.iter().take(2) {
                     let turned = light.turned::<169>(rotation).expect("room");
                     found = found.max(worst(light, &exact, turned.light().expect("a light"), 0.5));
                 }
             }
         }
     }
-    println!("{}: 2^{:.2}", Q::NAME, found.log2());
+    println!("{}: 2^{:.2}", "q15", found.log2());
     assert!(found <= most, "{found:e}");
 }
 
 #[test]
 fn light_turned_in_integers_is_the_generators() {
-    agrees::<Q15>(OF_ENERGY[0]);
-    agrees::<Q31>(OF_ENERGY[1]);
+    agrees(OF_ENERGY);
 }
 
 /// By nothing, nothing changes.
@@ -129,7 +128,7 @@ fn no_turn_changes_nothing() {
 /// one bit more.
 #[test]
 fn turned_about_the_view_is_the_generators() {
-    fn agrees<Q: Integer>(most: f64) {
+    fn agrees(most: f64) {
         let (mut numbers, mut found, mut larger) = (Numbers(27), 0.0f64, 0);
         // Of any scale, and as fractions of 2^30.
         let scales = [1e9, 1_073_741_824.0];
@@ -137,7 +136,7 @@ fn turned_about_the_view_is_the_generators() {
             for [angle, ..] in angles() {
                 let exact = rotation::Rotation { alpha: 0.0, beta: angle, gamma: 0.0 };
                 let along = [angle.cos(), angle.sin()].map(|x| (x * scale).round() as i32);
-                for mantissas in lights::<Q>(degree, &mut numbers) {
+                for mantissas in lights(degree, &mut numbers) {
                     let light = Light::new(-3, &mantissas).expect("a light");
                     let turned = light.turned_about_view::<169>(along).expect("room");
                     if degree == 9 {
@@ -151,11 +150,10 @@ fn turned_about_the_view_is_the_generators() {
                 }
             }
         }
-        println!("{}: 2^{:.2}, larger {larger}", Q::NAME, found.log2());
+        println!("{}: 2^{:.2}, larger {larger}", "q15", found.log2());
         assert!(found <= most && larger > 0, "{found:e}");
     }
-    agrees::<Q15>(OF_ENERGY[0]);
-    agrees::<Q31>(OF_ENERGY[1]);
+    agrees(OF_ENERGY);
 }
 
 /// All channels at once are each channel by itself, of other degrees too.
@@ -182,24 +180,23 @@ fn color_is_each_channel() {
 /// The bits of a sequence of turns, as found once.
 #[test]
 fn turned_bits_are_the_same_everywhere() {
-    fn bytes<Q: Integer, const B: usize>(bytes: fn(Q) -> [u8; B]) -> u32 {
+    fn checksum() -> u32 {
         let mut numbers = Numbers(25);
-        let mantissas: Vec<Q> = (0..100).map(|_| fraction(numbers.next())).collect();
+        let mantissas: Vec<Q15> = (0..100).map(|_| fraction(numbers.next())).collect();
         let light = Light::new(-15, &mantissas).expect("a light");
-        let mut turned: LightBuffer<Q, 100> = light.turned(&Rotation::NONE).expect("room");
+        let mut turned: LightBuffer<100> = light.turned(&Rotation::NONE).expect("room");
         let mut found = Vec::new();
         for k in 0..20 {
             let rotation =
                 Rotation::from_quaternion([k, 3 - k, 2 * k - 9, 11]).expect("a rotation");
             turned = turned.light().and_then(|light| light.turned(&rotation)).expect("room");
             let light = turned.light().expect("a light");
-            found.extend(light.mantissas().iter().flat_map(|&mantissa| bytes(mantissa)));
+            found.extend(light.mantissas().iter().flat_map(|mantissa| mantissa.0.to_le_bytes()));
             found.extend(light.exponent().to_le_bytes());
         }
         crc32fast::hash(&found)
     }
-    let found = [bytes(|Q15(bits)| bits.to_le_bytes()), bytes(|Q31(bits)| bits.to_le_bytes())];
-    assert_eq!(found, [1_175_991_823, 2_251_539_003]);
+    assert_eq!(checksum(), 1_175_991_823);
 }
 
 #[test]
@@ -246,7 +243,7 @@ fn any_bits_turn() {
         let (before, after) = (values(light), values(turned));
         for l in 0..=12 {
             let [before, after] = [&before, &after].map(|values| energy(values, l).sqrt());
-            let allowed = 5.0 * OF_ENERGY[0] * before + 5.0 * unit;
+            let allowed = 5.0 * OF_ENERGY * before + 5.0 * unit;
             assert!((before - after).abs() <= allowed, "{before} {after}");
         }
     }

@@ -1,7 +1,7 @@
 //! A basis whose parts contradict each other is refused.
 
 use eigenshade::index::record::{Coupling, NONE, Pass, ProfilePlace, Row};
-use eigenshade::{Argument, Basis, Error, Light, Material, Parts, Q15, quantized, sphere};
+use eigenshade::{Argument, Basis, Error, Light, Material, Parts, q15, sphere};
 
 /// The shipped table's parts.
 fn shipped() -> Parts<'static, f32> {
@@ -152,6 +152,6 @@ fn an_azimuth_without_a_profile_has_no_terms() {
     let parts = sphere::q15::BASIS.parts();
     let bare = parts.lengths.iter().rposition(|&length| length == 0).expect("of some components");
     let endless = with(parts.lengths, bare, u8::MAX);
-    let refused = quantized::Basis::<Q15>::new(quantized::Parts { lengths: &endless, ..*parts });
+    let refused = q15::Basis::new(q15::Parts { lengths: &endless, ..*parts });
     assert_eq!(refused.err(), Some(error(255)));
 }

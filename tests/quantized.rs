@@ -1,20 +1,17 @@
 //! The integer path: that its ways agree, and what it refuses.
 
-use crate::invariants::integer::{Integer, eigenimage, shipped};
+use crate::invariants::integer::{Mantissa as _, eigenimage, normal, shipped, specialized};
 use crate::oracle::Numbers;
-use eigenshade::quantized::{Basis, Light, Material, Normal, Parts, Transfer};
-use eigenshade::sphere::{q15, q31};
-use eigenshade::{Argument, Error, FixedPoint, Q15, Q31};
-use eigenshade_table::quantize::{self, IntegerFormat};
+use eigenshade::q15::{Basis, Light, Material, Normal, Parts, Transfer};
+use eigenshade::sphere::q15;
+use eigenshade::{Argument, Error, Q15};
+use eigenshade_table::quantize;
 use eigenshade_testing::fixtures::{of_equal_areas, spiral};
 use eigenshade_testing::relative_error;
 
 /// d from pixels in mantissas of 15 bits, of the largest: the images of weak components are trimmed
 /// to 1e-5 over their share of the database's rms, some 1e-3 in the weakest.
 const ESTIMATE_Q15: f64 = 5e-3;
-
-/// The same in 31 bits, trimmed to 1e-8.
-const ESTIMATE_Q31: f64 = 1e-6;
 
 /// An irradiance of coefficients below 2^16, in units of its scene: roundings of some ten terms and
 /// steps.
@@ -28,28 +25,29 @@ fn numbers(count: usize, seed: f32) -> Vec<f32> {
 }
 
 /// Unit normals over the hemisphere, the pole and the rim among them.
-fn normals<Q: Integer>() -> Vec<Normal<Q>> {
+fn normals() -> Vec<Normal> {
     let heights = (0..300).map(|k| f64::from(k) / 299.0);
-    let rounded = |normal: [f64; 3]| Q::normal(normal.map(Q::rounded)).expect("a normal");
+    let rounded = |at: [f64; 3]| normal(at.map(Q15::rounded)).expect("a normal");
     spiral(heights).into_iter().map(rounded).collect()
 }
 
 /// The unrolled pixel, the stored slices and the vectors on the stack give the same bits; fewer
 /// coefficients are as if the others were zero.
-fn agrees_with_itself<Q: Integer>() {
+#[test]
+fn ways_agree() {
     for seed in [0.3, 0.7, 1.1, 1.9] {
-        let mut mantissas = [Q::default(); 100];
+        let mut mantissas = [Q15(0); 100];
         let light = numbers(100, seed);
         let light = Light::quantize(&light, &mut mantissas).expect("a light");
-        let (mut mantissas, mut exponents) = ([Q::default(); 40], [0; 8]);
+        let (mut mantissas, mut exponents) = ([Q15(0); 40], [0; 8]);
         let material = numbers(40, 1.0 + seed);
         let material = Material::quantize(&material, &mut mantissas, &mut exponents);
         let material = material.expect("a material");
-        let [(d, exponent), _] = Q::specialized(&light, &material, &normals()).expect("they fit");
+        let [(d, exponent), _] = specialized(&light, &material, &normals()).expect("they fit");
         let mut padded = d.clone();
         padded[20..].fill(0);
         let [few, zeros] = [&d[..20], &padded].map(|d| {
-            Q::basis().collapse_into(d, exponent, vec![0; Q::basis().scene_len()]).expect("it fits")
+            q15::BASIS.collapse_into(d, exponent, vec![0; q15::BASIS.scene_len()]).expect("it fits")
         });
         assert_eq!(few.exponent(), zeros.exponent());
         for normal in normals() {
@@ -58,21 +56,16 @@ fn agrees_with_itself<Q: Integer>() {
     }
 }
 
-#[test]
-fn every_format_agrees_with_itself() {
-    agrees_with_itself::<Q15>();
-    agrees_with_itself::<Q31>();
-}
-
 /// One coefficient of a light on a material with few of them, large and small: the generated
 /// functions give what the general ones give, bit for bit.
-fn agrees_of_few_coefficients<Q: Integer>() {
-    let most = (1 << (Q::BITS - 1)) - 1 + (1 << (Q::BITS - 1));
+#[test]
+fn ways_agree_of_few_coefficients() {
+    let most = i16::MAX;
     let few = |count: usize, start: usize, step: usize| {
-        let mut mantissas = vec![Q::default(); count];
+        let mut mantissas = vec![Q15(0); count];
         for (k, mantissa) in mantissas.iter_mut().skip(start).step_by(step).enumerate() {
             let size = most >> (3 * k % 14);
-            *mantissa = Q::of(if k % 2 == 1 { -size } else { size });
+            *mantissa = Q15(if k % 2 == 1 { -size } else { size });
         }
         mantissas
     };
@@ -83,16 +76,10 @@ fn agrees_of_few_coefficients<Q: Integer>() {
             for (start, step) in [(0, 1), (0, 100), (2, 3), (3, 100), (50, 9), (98, 100)] {
                 let mantissas = few(100, start, step);
                 let light = Light::new(3, &mantissas).expect("a light");
-                Q::specialized(&light, &material, &[]).expect("they fit");
+                specialized(&light, &material, &[]).expect("they fit");
             }
         }
     }
-}
-
-#[test]
-fn every_format_agrees_of_few_coefficients() {
-    agrees_of_few_coefficients::<Q15>();
-    agrees_of_few_coefficients::<Q31>();
 }
 
 /// Mantissas made on the device from f32 are those made on the host.
@@ -101,16 +88,14 @@ fn inputs_are_quantized_alike() {
     for seed in [0.1, 0.5, 2.0, 1e-20, 1e20] {
         let values: Vec<f32> = numbers(100, 1.7).into_iter().map(|value| value * seed).collect();
         let wide: Vec<f64> = values.iter().copied().map(f64::from).collect();
-        let (host, exponent) = quantize::row(&wide, 15, i64::MAX);
+        let (host, exponent) = quantize::row(&wide, i64::MAX);
         let mut mantissas = [Q15::default(); 100];
         let light = Light::quantize(&values, &mut mantissas).expect("a light");
-        let expected: Vec<Q15> = host.into_iter().map(Q15::of).collect();
-        assert_eq!(Light::new(exponent.into(), &expected), Ok(light));
-        let (host, exponents) = quantize::material(ORDER, &wide[..40], IntegerFormat::Q31);
-        let (mut mantissas, mut found) = ([Q31::default(); 40], [0; 8]);
+        assert_eq!(Light::new(exponent.into(), &host), Ok(light));
+        let (host, exponents) = quantize::material(ORDER, &wide[..40]);
+        let (mut mantissas, mut found) = ([Q15(0); 40], [0; 8]);
         let material = Material::quantize(&values[..40], &mut mantissas, &mut found).expect("one");
-        let expected: Vec<Q31> = host.into_iter().map(Q31::of).collect();
-        assert_eq!(Material::new(&exponents, &expected), Ok(material));
+        assert_eq!(Material::new(&exponents, &host), Ok(material));
     }
 }
 
@@ -126,28 +111,20 @@ fn zero_and_powers_of_two() {
     let dark = Light::new(5, &zeros).expect("a light");
     let black = Material::new(&[0; 8], &zeros[..40]).expect("a material");
     for (light, material) in [(&dark, &material), (&light, &black), (&dark, &black)] {
-        let answer = Q15::specialized(light, material, &normals()).expect("they fit");
+        let answer = specialized(light, material, &normals()).expect("they fit");
         assert!(answer.iter().flat_map(|(numbers, _)| numbers).all(|number| *number == 0));
     }
     let mut scaled = [Q15::default(); 100];
     let values: Vec<f32> = mantissas.iter().map(|value| value * 1024.0).collect();
     let scaled = Light::quantize(&values, &mut scaled).expect("a light");
     let [once, more] = [&light, &scaled]
-        .map(|light| Q15::specialized(light, &material, &[]).expect("they fit")[0].clone());
+        .map(|light| specialized(light, &material, &[]).expect("they fit")[0].clone());
     assert_eq!(more, (once.0, once.1 + 10));
 }
 
 /// Sums of light that need all their bits, and round beyond them.
 #[test]
 fn generated_ways_saturate_like_the_general_ones() {
-    let mut numbers = [Q31(0); q31::TRANSFER];
-    numbers[..2].fill(Q31(-i32::MAX));
-    let light = [Q31(i32::MIN); 100];
-    let light = Light::new(0, &light).expect("a light");
-    let transfer = q31::BASIS.checked_transfer(&numbers, &[0; q31::PROFILES]).expect("it fits");
-    let d = q31::relight(&transfer, &light).expect("it fits");
-    assert_eq!(d.mantissas()[0], 1 << 30);
-    assert_eq!(Ok(d), q31::BASIS.relight(&transfer, &light));
     let mut numbers = [Q15(0); q15::TRANSFER];
     numbers[..2].fill(Q15(-i16::MAX));
     let light = [Q15(i16::MIN); 100];
@@ -157,10 +134,7 @@ fn generated_ways_saturate_like_the_general_ones() {
     assert_eq!(Ok(d), q15::BASIS.relight(&transfer, &light));
 }
 
-fn general_transfer(
-    basis: &Basis<'_, Q15>,
-    material: &Material<'_, Q15>,
-) -> Result<q15::Transfer, Error> {
+fn general_transfer(basis: &Basis<'_>, material: &Material<'_>) -> Result<q15::Transfer, Error> {
     basis.transfer::<{ q15::WORKSPACE }, { q15::TRANSFER }, { q15::PROFILES }>(material)
 }
 
@@ -169,8 +143,7 @@ fn general_transfer(
 #[test]
 fn generated_ways_are_the_general_ones() {
     let values: Vec<f64> = numbers(40, 1.3).into_iter().map(f64::from).collect();
-    let mantissas: Vec<Q15> =
-        quantize::row(&values, 15, i64::MAX).0.into_iter().map(Q15::of).collect();
+    let mantissas = quantize::row(&values, i64::MAX).0;
     let largest = vec![Q15(32_767); 40];
     for (exponents, mantissas) in [
         ([0_i8; 8], &mantissas),
@@ -214,40 +187,41 @@ fn what_does_not_fit_is_refused() {
     assert!(q15::BASIS.collapse_into(&[0; q15::COMPONENTS], 0, [0; 3]).is_err());
     // The last has length 0.977.
     for vector in [[32_767, 32_767, 0], [0; 3], [i16::MIN; 3], [0, 19_207, 25_609]] {
-        assert_eq!(Q15::normal(vector.map(Q15)), Err(Error::NotUnit));
+        assert_eq!(normal(vector.map(Q15)), Err(Error::NotUnit));
         let [x, y, z] = vector.map(i32::from);
-        assert_eq!(Normal::<Q15>::new(x, y, z).is_ok(), z >= 0 && y != 0, "scaled");
+        assert_eq!(Normal::new(x, y, z).is_ok(), z >= 0 && y != 0, "scaled");
     }
     assert!(Error::NotUnit.to_string().contains("length is not 1; scale it"));
-    assert_eq!(Normal::<Q15>::from_unit(Q15(0), Q15(32_767), Q15(-1)), Err(Error::Hidden));
-    assert!(Normal::<Q15>::from_unit(Q15(i16::MIN), Q15(0), Q15(0)).is_ok());
+    assert_eq!(Normal::from_unit(Q15(0), Q15(32_767), Q15(-1)), Err(Error::Hidden));
+    assert!(Normal::from_unit(Q15(i16::MIN), Q15(0), Q15(0)).is_ok());
     // A row of factors whose sum can leave its accumulator.
     let parts = *q15::BASIS.parts();
     let mut factors = parts.factors.to_vec();
     factors[..3].fill(Q15(i16::MAX));
-    assert!(matches!(Basis::<Q15>::new(Parts { factors: &factors, ..parts }), Err(Error::Bound)));
+    assert!(matches!(Basis::new(Parts { factors: &factors, ..parts }), Err(Error::Bound)));
     // A profile whose terms are larger than it states.
     let mut profiles = parts.profiles.to_vec();
     profiles[5].exponent = 0;
-    assert!(matches!(Basis::<Q15>::new(Parts { profiles: &profiles, ..parts }), Err(Error::Bound)));
+    assert!(matches!(Basis::new(Parts { profiles: &profiles, ..parts }), Err(Error::Bound)));
     let of_transfers =
         Parts { polar: &[], polar_exponents: &[], factors: &[], factor_exponents: &[], ..parts };
-    let of_transfers = Basis::<Q15>::new(of_transfers).expect("a basis of transfers");
+    let of_transfers = Basis::new(of_transfers).expect("a basis of transfers");
     let material = Material::new(&[0], &numbers[..1]).expect("a material");
     assert_eq!(general_transfer(&of_transfers, &material), Err(Error::TransfersOnly));
 }
 
-/// How far d from pixels one by one, of an irradiance in this unit, is from the mean in f64 of the
+/// How far d from pixels one by one is from the mean in f64 of the
 /// same pixels and the table's Chebyshev series, of the largest.
-fn estimated<Q: Integer>(unit: f64) -> f64 {
+fn estimated() -> f64 {
+    const UNIT: f64 = 16_384.0;
     let table = &shipped().table;
-    let mut estimate = Q::basis().estimate::<{ q15::COMPONENTS }>().expect("its components");
+    let mut estimate = q15::BASIS.estimate::<{ q15::COMPONENTS }>().expect("its components");
     let (mut sums, mut weights) = (vec![0.0; q15::COMPONENTS], 0.0);
     for (k, normal @ [x, y, z]) in of_equal_areas(5000).into_iter().enumerate() {
-        let seen = (unit * (0.6 * z * z + 0.3 * x * z - 0.2 * y)) as i32;
+        let seen = (UNIT * (0.6 * z * z + 0.3 * x * z - 0.2 * y)) as i32;
         let weight = (k % 3 * 7) as u16;
-        let rounded = Q::normal(normal.map(Q::rounded)).expect("a normal");
-        estimate.add(rounded, Q::of(seen), weight);
+        let rounded = self::normal(normal.map(Q15::rounded)).expect("a normal");
+        estimate.add(rounded, Q15(seen as i16), weight);
         weights += f64::from(weight);
         for (sum, component) in sums.iter_mut().zip(&table.components) {
             *sum += f64::from(seen) * f64::from(weight) * eigenimage(table, component, normal);
@@ -262,9 +236,9 @@ fn estimated<Q: Integer>(unit: f64) -> f64 {
 
 #[test]
 fn estimates_are_means() {
-    let (short, long) = (estimated::<Q15>(16_384.0), estimated::<Q31>(1e9));
-    println!("d from pixels: {short:.1e} in Q15, {long:.1e} in Q31");
-    assert!(short <= ESTIMATE_Q15 && long <= ESTIMATE_Q31);
+    let found = estimated();
+    println!("d from pixels: {found:.1e}");
+    assert!(found <= ESTIMATE_Q15);
     let empty = q15::estimate().expect("its components");
     assert_eq!(empty.coefficients(0), Err(Error::Weight));
     assert!(q15::BASIS.estimate::<{ q15::COMPONENTS - 1 }>().is_err());
@@ -275,14 +249,15 @@ fn estimates_are_means() {
 #[test]
 fn profiles_keep_a_term() {
     let table = &shipped().table;
-    let parts = quantize::integers(table, IntegerFormat::Q15, 1e9).expect("parts");
+    let parts = quantize::integers(table, 1e9).expect("parts");
     let served = table.profiles.iter().map(|profile| profile.azimuth).max().expect("profiles");
     assert_eq!(parts.lengths[..=served], vec![1; served + 1]);
 }
 
 /// Unit vectors along integers of any scale, within these units of a component of f64.
-fn along_integers<Q: Integer>(most: f64) {
-    let one = 2f64.powi(Q::FORMAT.bits());
+#[test]
+fn vectors_of_integers_are_scaled() {
+    let (most, one) = (1.0, 32_768.0);
     let mut numbers = Numbers(1);
     let mut random = || (numbers.next() * 2f64.powi(31)) as i32;
     for round in 0..20_000 {
@@ -290,7 +265,7 @@ fn along_integers<Q: Integer>(most: f64) {
         let vector = [random() >> shift, random() >> (shift / 2), random() >> shift];
         let [x, y, z] = vector.map(f64::from);
         let length = x.hypot(y).hypot(z);
-        let found = Normal::<Q>::new(vector[0], vector[1], vector[2]);
+        let found = Normal::new(vector[0], vector[1], vector[2]);
         if vector == [0; 3] || z < -0.125 * length {
             let error = if vector == [0; 3] { Error::Normal } else { Error::Hidden };
             assert_eq!(found.err(), Some(error), "{vector:?}");
@@ -307,49 +282,29 @@ fn along_integers<Q: Integer>(most: f64) {
 
 #[test]
 fn normals_along_integers_are_unit_vectors() {
-    along_integers::<Q15>(1.0);
-    along_integers::<Q31>(3.0);
     let [least, most] = [i32::MIN, i32::MAX];
     for [x, y, z] in [[least; 3], [most; 3], [least, 0, 0], [0, least, 1], [0, 0, most]] {
-        let found = Normal::<Q31>::new(x, y, z);
+        let found = Normal::new(x, y, z);
         assert_eq!(found.is_err(), x == z && z < 0, "{x} {y} {z}");
     }
-    assert_eq!(Normal::<Q15>::new(0, 0, -1), Err(Error::Hidden));
-    assert_eq!(Normal::<Q15>::new(0, 0, 0), Err(Error::Normal));
-}
-
-/// The mantissa of a number in 31 bits with the least exponent, 2^-127.
-#[test]
-fn subnormal_numbers_keep_their_size() {
-    for (number, expected) in [(0x7f_ffff, 2), (0x40_0000, 1), (0x1f_ffff, 0), (0x80_0000, 2)] {
-        let mut mantissas = [Q31(0)];
-        let light = Light::quantize(&[f32::from_bits(number)], &mut mantissas).expect("a light");
-        assert_eq!(light.exponent(), -127);
-        assert_eq!(mantissas, [Q31(expected)], "{number:x}");
-    }
+    assert_eq!(Normal::new(0, 0, -1), Err(Error::Hidden));
+    assert_eq!(Normal::new(0, 0, 0), Err(Error::Normal));
 }
 
 #[test]
 fn normals_are_rounded_to_the_nearest() {
     // 2^15 by √3 is 18,918.6, and by √5 it is 14,654.3, twice of which is 29,308.6.
     for ([x, y, z], expected) in [([1; 3], [18_919; 3]), ([-2, 0, 1], [-29_309, 0, 14_654])] {
-        let normal = Normal::<Q15>::new(x, y, z).expect("a normal");
+        let normal = Normal::new(x, y, z).expect("a normal");
         assert_eq!(normal.components(), expected.map(Q15));
     }
 }
 
-/// Mantissas are symmetrical, and products are rounded to the nearest.
+/// Mantissas are symmetrical.
 #[test]
-fn numbers_saturate_alike_and_round_to_the_nearest() {
+fn numbers_saturate_alike() {
     for (number, expected) in [(-40_000, -32_767), (-32_768, -32_767), (32_768, 32_767), (5, 5)] {
         assert_eq!(Q15::saturate(number), Q15(expected));
-    }
-    for (number, expected) in [(i64::MIN, -i32::MAX), (i64::MAX, i32::MAX), (-7, -7)] {
-        assert_eq!(Q31::saturate(number), Q31(expected));
-    }
-    let half = 1 << 29;
-    for (number, expected) in [(half, 1), (half - 1, 0), (-half, 0), (-half - 1, -1)] {
-        assert_eq!(Q31::seen(Q31(number), 1), expected);
     }
 }
 
@@ -364,7 +319,7 @@ fn scenes_of_small_coefficients_are_coarse() {
         // The second has the same coefficients, in finer units.
         let (coarse, fine) = (of(d, 0), of(d << 14, -14));
         let units = [&coarse, &fine].map(|scene| f64::from(scene.exponent()).exp2());
-        for normal in normals::<Q15>() {
+        for normal in normals() {
             let coarse = f64::from(coarse.shade(normal)) * units[0];
             let fine = f64::from(fine.shade(normal)) * units[1];
             assert!((coarse - fine).abs() <= SMALL_D * units[0], "{d}: {coarse}, {fine}");

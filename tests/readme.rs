@@ -23,14 +23,14 @@ fn the_readme_draws_a_gold_sphere() {
     let readme = include_str!("../README.md");
     let program = include_str!("readme/gold.rs");
     assert!(readme.contains(&format!("```rust\n{program}```")), "{program}");
-    let in_integers = "`light::q15`, `material::q15`, `sphere::q15`\nand `quantized_normal` for \
+    let in_integers = "`light::q15`, `material::q15`, `sphere::q15`\nand `normal_q15` for \
                        `light`, `material`, `sphere` and `normal`";
     assert!(readme.contains(in_integers));
     let mut words = program.to_owned();
     for word in ["light", "material", "sphere"] {
         words = words.replace(&format!("{word}::"), &format!("{word}::q15::"));
     }
-    assert_eq!(words.replace(".normal(", ".quantized_normal("), include_str!("readme/gold_q15.rs"));
+    assert_eq!(words.replace(".normal(", ".normal_q15("), include_str!("readme/gold_q15.rs"));
     let (mut floats, mut integers) = ([0; 240 * 240], [0; 240 * 240]);
     gold::DRAW(&mut floats).unwrap();
     gold_q15::DRAW(&mut integers).unwrap();

@@ -1,9 +1,9 @@
 //! Wire files: what is written is read, and any bytes give a basis or an error.
 
 use crate::invariants::read;
-use crate::wire_files::{ALL, GENERAL, INTEGERS_15, INTEGERS_31, SPHERE, placed};
+use crate::wire_files::{ALL, GENERAL, INTEGERS_15, SPHERE, placed};
 use eigenshade::wire::{Fault, Header, WireError, aligned};
-use eigenshade::{Argument, Basis, Error, GeneralBasis, Q15, Q31, quantized, sphere};
+use eigenshade::{Argument, Basis, Error, GeneralBasis, q15, sphere};
 use eigenshade_table::wire::{Endian, NumberFormat, encode};
 use eigenshade_testing::fixtures::shipped_table;
 use proptest::prelude::*;
@@ -30,13 +30,9 @@ fn the_shipped_table_comes_back() {
     });
     assert_eq!(found, format!("{:?}", sphere::BASIS.parts()));
     let found = placed(&shipped(NumberFormat::Q15), |bytes| {
-        format!("{:?}", quantized::Basis::<Q15>::from_bytes(bytes).expect("a wire file").parts())
+        format!("{:?}", q15::Basis::from_bytes(bytes).expect("a wire file").parts())
     });
     assert_eq!(found, format!("{:?}", sphere::q15::BASIS.parts()));
-    let found = placed(&shipped(NumberFormat::Q31), |bytes| {
-        format!("{:?}", quantized::Basis::<Q31>::from_bytes(bytes).expect("a wire file").parts())
-    });
-    assert_eq!(found, format!("{:?}", sphere::q31::BASIS.parts()));
 }
 
 /// The first bytes, as `tables/README.md` has them.
@@ -130,7 +126,7 @@ fn errors_say_which_they_are() {
     }
     // More components than profiles serve.
     let contradiction = WireError::Parts(Error::Profile);
-    let kinds: [&[u8]; 4] = [&SPHERE.0, &GENERAL.0, &INTEGERS_15.0, &INTEGERS_31.0];
+    let kinds: [&[u8]; 3] = [&SPHERE.0, &GENERAL.0, &INTEGERS_15.0];
     for (kind, file) in kinds.into_iter().enumerate() {
         let mut bytes = file.to_vec();
         bytes[24] += 1;

@@ -1,7 +1,7 @@
 //! Makes the table.
 
-use eigenshade_generator::build::{self, IntegerFormat};
+use eigenshade_generator::build;
 
 fn main() {
-    build::statics("scene.toml", "table.rs", &[IntegerFormat::Q15]);
+    build::statics("scene.toml", "table.rs");
 }

@@ -4,7 +4,7 @@ use crate::assert_contains;
 use crate::support::{Folder, numbers, rows};
 use eigenshade::index::material::{count, indices};
 use eigenshade::presets::light::PARK;
-use eigenshade::{Argument, Error, Material, Normal, Q15, Transfer, quantized, sphere};
+use eigenshade::{Argument, Error, Material, Normal, Q15, Transfer, q15, sphere};
 use eigenshade_generator::material::brdf::projection::project_orders;
 use eigenshade_generator::material::brdf::{Ggx, Measure};
 use eigenshade_model::reference::DirectSum;
@@ -86,7 +86,7 @@ fn formula(roughness: f32, f0: f64, albedo: f64) -> [Vec<f64>; 2] {
 }
 
 /// The coefficients of a material in integers.
-fn values(material: quantized::Material<'_, Q15>) -> Vec<f64> {
+fn values(material: q15::Material<'_>) -> Vec<f64> {
     let of_order = |(index, mantissa): ((usize, usize, usize), &Q15)| {
         let exponent = material.exponents()[index.0];
         f64::from(mantissa.0) * f64::from(exponent).exp2()
@@ -98,7 +98,7 @@ fn values(material: quantized::Material<'_, Q15>) -> Vec<f64> {
 fn rounded(exact: &[f64], order: usize) -> Vec<f64> {
     let from: Vec<f32> = exact.iter().map(|&b| b as f32).collect();
     let (mut mantissas, mut exponents) = (vec![Q15(0); from.len()], vec![0; order + 1]);
-    values(quantized::Material::quantize(&from, &mut mantissas, &mut exponents).unwrap())
+    values(q15::Material::quantize(&from, &mut mantissas, &mut exponents).unwrap())
 }
 
 fn wide(numbers: &[f32]) -> Vec<f64> {
@@ -111,7 +111,7 @@ fn fixed(number: f32) -> Q15 {
 
 /// The coefficients of a gray material in f32 and in Q15, at the order of each size.
 fn of_runtime(size: usize, base: f32, metallic: f32, roughness: f32) -> [Vec<f64>; 2] {
-    type Fixed = quantized::Material<'static, Q15>;
+    type Fixed = q15::Material<'static>;
     let color = [base; 3];
     let [q_color, q_metallic, q_roughness] = [base, metallic, roughness].map(fixed);
     let q_color = [q_color; 3];
@@ -237,7 +237,7 @@ fn parameters_outside_their_range_are_refused() {
         ];
         assert_eq!(shares.or(parts), Some(Error::Outside { argument }));
     }
-    let found = quantized::Material::metallic_roughness([Q15(1); 3], Q15(1), Q15(-1));
+    let found = q15::Material::metallic_roughness([Q15(1); 3], Q15(1), Q15(-1));
     assert_eq!(found.unwrap_err(), Error::Outside { argument: Argument::Roughness });
     // Smoother than the series: as its smoothest.
     assert_eq!(

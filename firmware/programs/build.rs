@@ -52,11 +52,11 @@ fn program(Listed { name, source, .. }: Listed) -> Result<String> {
     let table = |module: &str| format!("use {} as table;\n", in_format(module));
     let run = |function: &str| format!("board::program!({function});\n");
     Ok(match source {
-        "golden_f32" | "golden_integer" => {
+        "golden_f32" | "golden_q15" => {
             let vectors = format!("use programs::golden::{format} as vectors;\n");
             vectors + &table("eigenshade::sphere") + &run(operation)
         }
-        "operations_f32" | "operations_integer" => {
+        "operations_f32" | "operations_q15" => {
             let module = match operation {
                 "shade" | "shade_highlights" => "tables::full",
                 "shade_lambertian" => "tables::lambertian",

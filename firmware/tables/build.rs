@@ -2,7 +2,7 @@
 
 mod one_material;
 
-use eigenshade_table::quantize::{self, IntegerFormat};
+use eigenshade_table::quantize;
 use eigenshade_table::reduce::with_components;
 use eigenshade_table::trim::trim;
 use eigenshade_table::{Table, statics};
@@ -20,9 +20,6 @@ const LAMBERTIAN: (&str, f64) = ("lambertian.bin", 2e-4);
 
 /// The folder of the scenes' tables. The databases that they name are relative to it.
 const SCENES: &str = "../scenes";
-
-/// The tables with programs in Q31.
-const IN_Q31: [&str; 2] = ["lambertian", "full"];
 
 fn main() {
     if let Err(error) = modules().and_then(|text| write(&text)) {
@@ -78,21 +75,14 @@ fn size(line: &str) -> Result<String> {
 /// The module of a table in the formats of its programs.
 fn any_material(name: &str, table: &Table) -> Result<String> {
     let mut text = statics::floats(table, COMMAND);
-    for (format, suffix) in [(IntegerFormat::Q15, "q15"), (IntegerFormat::Q31, "q31")] {
-        if format == IntegerFormat::Q31 && !IN_Q31.contains(&name) {
-            continue;
-        }
-        let parts = parts(table, format)?;
-        text += &in_module(suffix, &statics::integers(&parts, format, COMMAND));
-    }
+    text += &in_module("q15", &statics::integers(&parts(table)?, COMMAND));
     Ok(in_module(name, &text))
 }
 
 /// The module of a scene: f32 for any material, Q15 for its material.
 fn one_scene(name: &str, table: &Table) -> Result<String> {
     let material = coefficients(table)?;
-    let (mantissas, exponents) =
-        quantize::material(table.gram.order, &material, IntegerFormat::Q15);
+    let (mantissas, exponents) = quantize::material(table.gram.order, &material);
     let in_q15 = one_material(table, &exponents, &mantissas)?;
     let text = statics::floats(table, COMMAND) + &in_module("q15", &in_q15);
     Ok(in_module(name, &text))

@@ -5,8 +5,8 @@ use crate::Result;
 use eigenshade::Q15;
 use eigenshade::index::record::integers::OwnedParts;
 use eigenshade::index::source;
-use eigenshade::quantized::{Basis, Material};
-use eigenshade_table::quantize::{self, IntegerFormat};
+use eigenshade::q15::{Basis, Material};
+use eigenshade_table::quantize::{self, TOLERANCE};
 use eigenshade_table::{Table, statics};
 
 /// The first line of each generated module.
@@ -14,8 +14,8 @@ pub const COMMAND: &str = "build.rs";
 
 /// A table in Q15 with the transfer of one material as `MATERIAL`, and without the statics that
 /// only a transfer uses.
-pub fn one_material(table: &Table, exponents: &[i8], mantissas: &[i32]) -> Result<String> {
-    let mut parts = parts(table, IntegerFormat::Q15)?;
+pub fn one_material(table: &Table, exponents: &[i8], mantissas: &[Q15]) -> Result<String> {
+    let mut parts = parts(table)?;
     let (numbers, of_profiles) =
         transfer(&parts, exponents, mantissas).map_err(|error| error.to_string())?;
     for numbers in [&mut parts.polar, &mut parts.factors] {
@@ -24,20 +24,17 @@ pub fn one_material(table: &Table, exponents: &[i8], mantissas: &[i32]) -> Resul
     for exponents in [&mut parts.polar_exponents, &mut parts.factor_exponents] {
         exponents.clear();
     }
-    Ok(statics::integers(&parts, IntegerFormat::Q15, COMMAND)
-        + &source::integers::transfer(&numbers, &of_profiles))
+    Ok(statics::integers(&parts, COMMAND) + &source::integers::transfer(&numbers, &of_profiles))
 }
 
 /// Numbers and exponents of the transfer of a material.
 fn transfer(
-    parts: &OwnedParts<i32>,
+    parts: &OwnedParts<Q15>,
     exponents: &[i8],
-    mantissas: &[i32],
+    mantissas: &[Q15],
 ) -> std::result::Result<(Vec<Q15>, Vec<i16>), eigenshade::Error> {
-    let parts = quantize::in_q15(parts);
-    let basis = Basis::<Q15>::new(parts.borrow())?;
-    let mantissas: Vec<Q15> = mantissas.iter().map(|&number| Q15(number as i16)).collect();
-    let material = Material::new(exponents, &mantissas)?;
+    let basis = Basis::new(parts.borrow())?;
+    let material = Material::new(exponents, mantissas)?;
     let mut numbers = vec![Q15(0); basis.transfer_len()];
     let mut of_profiles = vec![0; basis.profiles()];
     let mut workspace = vec![0; basis.workspace_len()];
@@ -45,7 +42,7 @@ fn transfer(
     Ok((numbers, of_profiles))
 }
 
-/// The arrays of a table in a format.
-pub fn parts(table: &Table, format: IntegerFormat) -> Result<OwnedParts<i32>> {
-    quantize::integers(table, format, format.tolerance()).map_err(|error| error.to_string())
+/// The arrays of a table in integers.
+pub fn parts(table: &Table) -> Result<OwnedParts<Q15>> {
+    quantize::integers(table, TOLERANCE).map_err(|error| error.to_string())
 }

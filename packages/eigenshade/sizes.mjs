@@ -4,7 +4,7 @@
 import { readFileSync, readdirSync, writeFileSync } from "node:fs";
 import { fileURLToPath } from "node:url";
 import { gzipSync } from "node:zlib";
-import { sizes } from "../../crates/wasm/tests/support/modules.mjs";
+import { sizes } from "./test/support/module-size.js";
 
 const file = (path) => new URL(path, import.meta.url);
 const README = file("README.md");

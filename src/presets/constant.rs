@@ -1,9 +1,9 @@
 //! Lights and materials in [`Q15`] as the compiler computes them: the same bits as the `quantize`
-//! of [`quantized::Light`](crate::quantized::Light) and
-//! [`quantized::Material`](crate::quantized::Material), which are not constant functions.
+//! of [`q15::Light`](crate::q15::Light) and
+//! [`q15::Material`](crate::q15::Material), which are not constant functions.
 
 use crate::format::Q15;
-use crate::quantized::{LEAST_TOP, decoded};
+use crate::q15::{LEAST_TOP, decoded};
 
 const BITS: i32 = 15;
 

@@ -42,10 +42,10 @@ pub mod light {
         use super::super::quantized_light;
         use crate::color::Rgb;
         use crate::format::Q15;
-        use crate::quantized;
+        use crate::q15;
 
         /// A light of degree 9 in three channels.
-        pub type Light = Rgb<quantized::Light<'static, Q15>>;
+        pub type Light = Rgb<q15::Light<'static>>;
 
         include!(concat!(env!("OUT_DIR"), "/preset_lights_q15.rs"));
     }
@@ -69,10 +69,10 @@ pub mod material {
         use super::super::quantized_material;
         use crate::color::Rgb;
         use crate::format::Q15;
-        use crate::quantized;
+        use crate::q15;
 
         /// A material of order 7 in three channels.
-        pub type Material = Rgb<quantized::Material<'static, Q15>>;
+        pub type Material = Rgb<q15::Material<'static>>;
 
         include!(concat!(env!("OUT_DIR"), "/preset_materials_q15.rs"));
     }
@@ -148,9 +148,9 @@ macro_rules! quantized_light {
         static G: (i32, [Q15; 100]) = light($light.g.coefficients());
         static B: (i32, [Q15; 100]) = light($light.b.coefficients());
         Rgb::new(
-            crate::specialized::checked(quantized::Light::new(R.0, &R.1)),
-            crate::specialized::checked(quantized::Light::new(G.0, &G.1)),
-            crate::specialized::checked(quantized::Light::new(B.0, &B.1)),
+            crate::specialized::checked(q15::Light::new(R.0, &R.1)),
+            crate::specialized::checked(q15::Light::new(G.0, &G.1)),
+            crate::specialized::checked(q15::Light::new(B.0, &B.1)),
         )
     }};
 }
@@ -161,7 +161,7 @@ macro_rules! quantized_material {
     (gray $material:expr) => {{
         use crate::presets::constant::material;
         static GRAY: ([i8; 8], [Q15; 40]) = material($material.r.coefficients());
-        Rgb::gray(crate::specialized::checked(quantized::Material::new(&GRAY.0, &GRAY.1)))
+        Rgb::gray(crate::specialized::checked(q15::Material::new(&GRAY.0, &GRAY.1)))
     }};
     ($material:expr) => {{
         use crate::presets::constant::material;
@@ -169,9 +169,9 @@ macro_rules! quantized_material {
         static G: ([i8; 8], [Q15; 40]) = material($material.g.coefficients());
         static B: ([i8; 8], [Q15; 40]) = material($material.b.coefficients());
         Rgb::new(
-            crate::specialized::checked(quantized::Material::new(&R.0, &R.1)),
-            crate::specialized::checked(quantized::Material::new(&G.0, &G.1)),
-            crate::specialized::checked(quantized::Material::new(&B.0, &B.1)),
+            crate::specialized::checked(q15::Material::new(&R.0, &R.1)),
+            crate::specialized::checked(q15::Material::new(&G.0, &G.1)),
+            crate::specialized::checked(q15::Material::new(&B.0, &B.1)),
         )
     }};
 }

@@ -10,7 +10,7 @@
 //! recurrence along each column. It starts with the order l, (x + iz)^l, and proceeds toward
 //! smaller orders, in which direction it is stable.
 
-use crate::format::{Q15, Q31};
+use crate::format::Q15;
 
 /// The largest degree of the tables.
 pub(crate) const LARGEST: usize = 12;
@@ -130,8 +130,7 @@ macro_rules! exchange {
 exchange! {
     F32: f32 = |element| element as f32;
     F64: f64 = |element| element;
-    Q15_ELEMENTS: Q15 = |element| Q15(nearest(element * 32_768.0) as i16);
-    Q31_ELEMENTS: Q31 = |element| Q31(nearest(element * 2_147_483_648.0) as i32);
+    IN_Q15: Q15 = |element| Q15(nearest(element * 32_768.0) as i16);
 }
 
 /// The nearest integer; a conversion truncates toward zero, and saturates.

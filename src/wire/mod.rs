@@ -2,7 +2,7 @@
 //!
 //! `eigenshade pack` writes such a file from a table; `tables/README.md` documents its format byte
 //! by byte. [`Basis::from_bytes`], [`GeneralBasis::from_bytes`] and
-//! [`quantized::Basis::from_bytes`] return a basis that borrows the bytes: nothing is copied and
+//! [`q15::Basis::from_bytes`] return a basis that borrows the bytes: nothing is copied and
 //! nothing is allocated. Any sequence of bytes gives either a basis or a [`WireError`]. Bytes after
 //! the file, such as the rest of a flash page, are ignored.
 //!
@@ -13,10 +13,10 @@
 //!
 //! ```
 //! # const PAGE: &[u8] = &[0; 6];
-//! use eigenshade::{quantized, wire, Q15};
+//! use eigenshade::{q15, wire};
 //!
 //! static TABLE: &wire::Aligned<[u8]> = &wire::Aligned(*b"from include_bytes!");
-//! let refused = quantized::Basis::<Q15>::from_bytes(&TABLE.0);
+//! let refused = q15::Basis::from_bytes(&TABLE.0);
 //! assert_eq!(refused.err(), Some(wire::Fault::BadMagic.into()));
 //!
 //! let mut room = [0; 2];
@@ -25,15 +25,14 @@
 //! # Ok::<(), wire::Fault>(())
 //! ```
 
-pub use crate::index::format::{IntegerFormat, NumberFormat};
+pub use crate::index::format::NumberFormat;
 pub use crate::index::wire::{Aligned, Fault, Header, aligned};
 
 use crate::basis::Basis;
 use crate::error::Error;
-use crate::format::{Q15, Q31};
 use crate::general::GeneralBasis;
 use crate::index::wire::{read_floats, read_integers};
-use crate::quantized;
+use crate::q15;
 use core::fmt;
 
 /// The first problem found in some bytes.
@@ -116,23 +115,17 @@ impl<'a> GeneralBasis<'a, f32> {
     }
 }
 
-macro_rules! from_bytes {
-    ($format:ident) => {
-        impl<'a> quantized::Basis<'a, $format> {
-            /// Reads a basis from a [wire](crate::wire) file that starts at a multiple of four.
-            ///
-            /// Cost: the checksum, with two look-ups per byte, and the checks of
-            /// [`new`](Self::new). The largest values that a profile states are not checked: in a
-            /// forged file, as opposed to a damaged one, they may make a pixel wrap.
-            ///
-            /// # Errors
-            ///
-            /// A [`WireError`] for any bytes that are not such a file.
-            pub fn from_bytes(bytes: &'a [u8]) -> Result<Self, WireError> {
-                Ok(Self::new(read_integers(bytes)?)?)
-            }
-        }
-    };
+impl<'a> q15::Basis<'a> {
+    /// Reads a basis from a [wire](crate::wire) file that starts at a multiple of four.
+    ///
+    /// Cost: the checksum, with two look-ups per byte, and the checks of [`new`](Self::new). The
+    /// largest values that a profile states are not checked: in a forged file, as opposed to a
+    /// damaged one, they may make a pixel wrap.
+    ///
+    /// # Errors
+    ///
+    /// A [`WireError`] for any bytes that are not such a file.
+    pub fn from_bytes(bytes: &'a [u8]) -> Result<Self, WireError> {
+        Ok(Self::new(read_integers(bytes)?)?)
+    }
 }
-from_bytes!(Q15);
-from_bytes!(Q31);

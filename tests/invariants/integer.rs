@@ -1,113 +1,87 @@
-//! The integer formats with their shipped tables, the shipped table in f64 and as integers, decoded
-//! once, and a pixel in integers with room for everything.
+//! The shipped table in f64 and as integers, decoded once, and a pixel in integers with room for everything.
 
 use super::Reader;
 use eigenshade::index::record::integers::OwnedParts;
-use eigenshade::quantized::{Basis, Light, Material, Normal, Scene, Transfer};
-use eigenshade::sphere::{q15, q31};
-use eigenshade::{Error, FixedPoint, Q15, Q31};
+use eigenshade::q15::{Light, Material, Normal, Transfer};
+use eigenshade::sphere::q15;
+use eigenshade::{Error, Q15};
 use eigenshade_index::{light, material, mode, pair};
-use eigenshade_table::quantize::{IntegerFormat, integers};
+use eigenshade_table::quantize::{TOLERANCE, integers};
 use eigenshade_table::{Component, Table};
 use std::f64::consts::SQRT_2;
 use std::sync::OnceLock;
 
-/// An integer format and its shipped table.
-pub trait Integer: FixedPoint<Wide: Into<i128>> {
-    const FORMAT: IntegerFormat;
-    /// The number with this mantissa, which fits the format.
-    fn of(mantissa: i32) -> Self;
-    fn normal(components: [Self; 3]) -> Result<Normal<Self>, Error>;
-    fn basis() -> &'static Basis<'static, Self>;
-    /// A pixel by the function generated for the table.
-    fn kernel<B: AsRef<[i32]>>(scene: &Scene<'_, Self, B>, normal: Normal<Self>) -> i32;
-    /// d and the pixels by the generated functions, each of which must give what the general one
-    /// gives.
-    fn specialized(
-        light: &Light<'_, Self>,
-        material: &Material<'_, Self>,
-        normals: &[Normal<Self>],
-    ) -> Result<[(Vec<i32>, i32); 2], Error>;
-
-    fn mantissa(self) -> i128 {
-        self.widen().into()
-    }
-
+/// What tests read of mantissas, and what they make them of.
+pub trait Mantissa {
+    fn mantissa(self) -> i128;
+    fn to_f64(self) -> f64;
     /// The nearest mantissa of a number in units of the last place.
-    fn nearest(number: f64) -> Self {
-        let one = 2f64.powi(Self::FORMAT.bits());
-        Self::of(number.round().clamp(-one, one - 1.0) as i32)
-    }
-
+    fn nearest(number: f64) -> Self;
     /// The nearest number.
-    fn rounded(number: f64) -> Self {
-        Self::nearest(number * 2f64.powi(Self::FORMAT.bits()))
+    fn rounded(number: f64) -> Self;
+    /// The mantissa of these bits.
+    fn read(input: &mut Reader<'_>) -> Self;
+}
+
+impl Mantissa for Q15 {
+    fn mantissa(self) -> i128 {
+        self.0.into()
     }
 
     fn to_f64(self) -> f64 {
-        self.mantissa() as f64 / 2f64.powi(Self::FORMAT.bits())
+        f64::from(self.0) / 32_768.0
     }
 
-    /// The mantissa of these bits.
+    fn nearest(number: f64) -> Self {
+        Self(number.round().clamp(-32_768.0, 32_767.0) as i16)
+    }
+
+    fn rounded(number: f64) -> Self {
+        Self::nearest(number * 32_768.0)
+    }
+
     fn read(input: &mut Reader<'_>) -> Self {
-        match Self::FORMAT {
-            IntegerFormat::Q15 => Self::of(i16::from_le_bytes(input.bytes()).into()),
-            IntegerFormat::Q31 => Self::of(input.i32()),
-        }
+        Self(i16::from_le_bytes(input.bytes()))
     }
 }
 
-macro_rules! integer {
-    ($format:ident, $module:ident) => {
-        impl Integer for $format {
-            const FORMAT: IntegerFormat = IntegerFormat::$format;
-            fn of(mantissa: i32) -> Self {
-                Self(mantissa.try_into().expect("a mantissa of the format"))
-            }
-            fn normal([x, y, z]: [Self; 3]) -> Result<Normal<Self>, Error> {
-                Normal::<Self>::from_unit(x, y, z)
-            }
-            fn basis() -> &'static Basis<'static, Self> {
-                &$module::BASIS
-            }
-            fn kernel<B: AsRef<[i32]>>(scene: &Scene<'_, Self, B>, normal: Normal<Self>) -> i32 {
-                $module::shade(scene, normal)
-            }
-            fn specialized(
-                light: &Light<'_, Self>,
-                material: &Material<'_, Self>,
-                normals: &[Normal<Self>],
-            ) -> Result<[(Vec<i32>, i32); 2], Error> {
-                use $module::{BASIS, COMPONENTS, PROFILES, SCENE, TRANSFER, WORKSPACE};
-                let transfer = $module::transfer(material)?;
-                assert_eq!(transfer, BASIS.transfer::<WORKSPACE, TRANSFER, PROFILES>(material)?);
-                let d = $module::relight(&transfer.view(), light)?;
-                assert_eq!(d, BASIS.relight::<COMPONENTS>(&transfer.view(), light)?);
-                let scene = $module::collapse(&d)?;
-                assert_eq!(*scene, BASIS.collapse::<SCENE>(d.mantissas(), d.exponent())?);
-                let pixels = normals.iter().map(|&normal| scene.shade(normal)).collect();
-                assert_eq!(pixels, normals.iter().map(|&n| (*scene).shade(n)).collect::<Vec<_>>());
-                Ok([(d.mantissas().to_vec(), d.exponent()), (pixels, scene.exponent())])
-            }
-        }
-    };
+/// The normal of these components.
+pub fn normal([x, y, z]: [Q15; 3]) -> Result<Normal, Error> {
+    Normal::from_unit(x, y, z)
 }
-integer!(Q15, q15);
-integer!(Q31, q31);
+
+/// d and the pixels by the functions generated for the table, each of which must give what the
+/// general one gives.
+pub fn specialized(
+    light: &Light<'_>,
+    material: &Material<'_>,
+    normals: &[Normal],
+) -> Result<[(Vec<i32>, i32); 2], Error> {
+    use q15::{BASIS, COMPONENTS, PROFILES, SCENE, TRANSFER, WORKSPACE};
+    let transfer = q15::transfer(material)?;
+    assert_eq!(transfer, BASIS.transfer::<WORKSPACE, TRANSFER, PROFILES>(material)?);
+    let d = q15::relight(&transfer.view(), light)?;
+    assert_eq!(d, BASIS.relight::<COMPONENTS>(&transfer.view(), light)?);
+    let scene = q15::collapse(&d)?;
+    assert_eq!(*scene, BASIS.collapse::<SCENE>(d.mantissas(), d.exponent())?);
+    let pixels = normals.iter().map(|&normal| scene.shade(normal)).collect();
+    assert_eq!(pixels, normals.iter().map(|&n| (*scene).shade(n)).collect::<Vec<_>>());
+    Ok([(d.mantissas().to_vec(), d.exponent()), (pixels, scene.exponent())])
+}
 
 /// The transfer of a material and d under a light, with their exponents, by the general way.
-pub struct Relit<Q> {
-    pub numbers: Vec<Q>,
+pub struct Relit {
+    pub numbers: Vec<Q15>,
     pub exponents: Vec<i16>,
     pub d: Vec<i32>,
     pub exponent: i32,
 }
 
-impl<Q: Integer> Relit<Q> {
-    pub fn new(light: &Light<'_, Q>, material: &Material<'_, Q>) -> Self {
-        let basis = Q::basis();
-        let mut workspace = vec![Q::Wide::default(); basis.workspace_len()];
-        let mut numbers = vec![Q::default(); basis.transfer_len()];
+impl Relit {
+    pub fn new(light: &Light<'_>, material: &Material<'_>) -> Self {
+        let basis = &q15::BASIS;
+        let mut workspace = vec![0; basis.workspace_len()];
+        let mut numbers = vec![Q15(0); basis.transfer_len()];
         let mut exponents = vec![0; basis.profiles()];
         let made = basis.transfer_into(material, &mut workspace, &mut numbers, &mut exponents);
         made.expect("it fits");
@@ -120,10 +94,10 @@ impl<Q: Integer> Relit<Q> {
 
 /// Any accepted normals: as they come, and unit vectors of any direction, as short or as
 /// long as is accepted; the corners always.
-pub fn normals<Q: Integer>(input: &mut Reader<'_>) -> Vec<Normal<Q>> {
-    let one = 2f64.powi(Q::FORMAT.bits());
+pub fn normals(input: &mut Reader<'_>) -> Vec<Normal> {
+    let one = 2f64.powi(15);
     let mut found = Vec::new();
-    let mut take = |components: [f64; 3]| found.extend(Q::normal(components.map(Q::rounded)));
+    let mut take = |components: [f64; 3]| found.extend(normal(components.map(Q15::rounded)));
     // 1.0005² is just too long, 0.9995² too short.
     for size in [0.999_51, 1.0, 1.000_49] {
         for z in [0.0, 1.0 / one, 0.001, 0.5, 0.999, 0.999_96, 1.0] {
@@ -135,15 +109,15 @@ pub fn normals<Q: Integer>(input: &mut Reader<'_>) -> Vec<Normal<Q>> {
         }
     }
     while !input.is_empty() {
-        let raw = [Q::read(input), Q::read(input), Q::read(input)];
+        let raw = [Q15::read(input), Q15::read(input), Q15::read(input)];
         let [x, y, z] = raw.map(|component| component.mantissa() as f64);
         let length = (x * x + y * y + z * z).sqrt();
         let size = 1.0 + 0.000_499 * f64::from(input.byte().cast_signed()) / 128.0;
         if length > 0.0 {
             let unit = [x, y, z.abs()].map(|component| one * size * component / length);
-            found.extend(Q::normal(unit.map(Q::nearest)));
+            found.extend(normal(unit.map(Q15::nearest)));
         }
-        found.extend(Q::normal(raw));
+        found.extend(normal(raw));
     }
     found
 }
@@ -154,12 +128,12 @@ pub fn normals<Q: Integer>(input: &mut Reader<'_>) -> Vec<Normal<Q>> {
 /// # Panics
 ///
 /// If a step or the irradiance leaves the format's bits.
-pub fn exact<Q: Integer>(lengths: &[u8], terms: &[i32], normal: Normal<Q>) -> i128 {
-    let bits = Q::BITS;
-    let [x, y, z] = normal.components().map(Q::mantissa);
+pub fn exact(lengths: &[u8], terms: &[i32], normal: Normal) -> i128 {
+    let bits = 15;
+    let [x, y, z] = normal.components().map(Q15::mantissa);
     let t = z - (1 << (bits - 1));
     let bounded = |value: i128| {
-        assert!(value.abs() < 1 << Q::TERM_BITS, "a step of {value}");
+        assert!(value.abs() < 1 << 17, "a step of {value}");
         value
     };
     let mut terms = terms.iter().map(|&term| i128::from(term));
@@ -205,8 +179,7 @@ pub fn eigenimage(table: &Table, component: &Component, [x, y, z]: [f64; 3]) -> 
 pub struct Shipped {
     pub table: Table,
     rows: Vec<Vec<f64>>,
-    q15: OwnedParts<i32>,
-    q31: OwnedParts<i32>,
+    pub parts: OwnedParts<Q15>,
 }
 
 pub fn shipped() -> &'static Shipped {
@@ -214,18 +187,13 @@ pub fn shipped() -> &'static Shipped {
     SHIPPED.get_or_init(|| {
         let bytes = include_bytes!("../../tables/sphere.bin");
         let table = eigenshade_table::decode(bytes).expect("a table");
-        let [q15, q31] = [IntegerFormat::Q15, IntegerFormat::Q31]
-            .map(|format| integers(&table, format, format.tolerance()).expect("a sphere's table"));
+        let parts = integers(&table, TOLERANCE).expect("a sphere's table");
         let rows = table.profiles.iter().map(|profile| table.gram_row(profile)).collect();
-        Shipped { rows, q15, q31, table }
+        Shipped { rows, parts, table }
     })
 }
 
 impl Shipped {
-    pub fn parts<Q: Integer>(&self) -> &OwnedParts<i32> {
-        if Q::FORMAT == IntegerFormat::Q15 { &self.q15 } else { &self.q31 }
-    }
-
     /// d = UᵀMc, mode by mode; coefficients beyond the slices are zero.
     pub fn project(&self, light: &[f64], material: &[f64]) -> Vec<f64> {
         let gram = &self.table.gram;
@@ -280,8 +248,8 @@ impl Shipped {
 
     /// Upper bound of the difference between the image of `d` by the integer polynomials and by the
     /// table's: the omitted terms, and half a unit for each mantissa. Normals may be 5e-4 too long.
-    pub fn lost<Q: Integer>(&self, d: &[f64]) -> f64 {
-        let parts = self.parts::<Q>();
+    pub fn lost(&self, d: &[f64]) -> f64 {
+        let parts = &self.parts;
         let lost = d.iter().zip(&self.table.components).map(|(d, component)| {
             let profile = &self.table.profiles[component.profile];
             let length = usize::from(parts.lengths[profile.azimuth]);
@@ -296,15 +264,15 @@ impl Shipped {
 
     /// Σ d_i U_i at the components of a normal as they are, from the mantissas of the
     /// integer form.
-    pub fn reconstruct_quantized<Q: Integer>(&self, d: &[f64], [x, y, z]: [f64; 3]) -> f64 {
-        let parts = self.parts::<Q>();
+    pub fn reconstruct_quantized(&self, d: &[f64], [x, y, z]: [f64; 3]) -> f64 {
+        let parts = &self.parts;
         let t = 2.0 * z - 1.0;
         let (mut terms, mut sum) = (parts.terms.as_slice(), 0.0);
         for place in &parts.profiles {
             let azimuth = usize::from(place.azimuth);
             let (of_profile, rest) = terms.split_at(parts.lengths[azimuth].into());
             terms = rest;
-            let value = of_profile.iter().fold(0.0, |sum, &term| sum * t + f64::from(term));
+            let value = of_profile.iter().fold(0.0, |sum, &term| sum * t + f64::from(term.0));
             let (slant, angle) = (x.hypot(y).powi(azimuth as i32), azimuth as f64 * y.atan2(x));
             let weight = |index: u16| d.get(usize::from(index)).copied().unwrap_or(0.0);
             let around = weight(place.plus) * angle.cos() - weight(place.minus) * angle.sin();

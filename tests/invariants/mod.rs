@@ -14,20 +14,15 @@ mod ways;
 pub use ways::{project_reconstruct, public_interface};
 
 use eigenshade::index::{light, material, wire};
-use eigenshade::quantized::{self, Transfer};
+use eigenshade::q15::{self, Transfer};
 use eigenshade::wire::{WireError, aligned};
-use eigenshade::{
-    Basis, Effect, Effects, GeneralBasis, Light, Material, Normal, Q15, Q31, Tolerance,
-};
-use integer::Integer;
+use eigenshade::{Basis, Effect, Effects, GeneralBasis, Light, Material, Normal, Q15, Tolerance};
+use integer::Mantissa as _;
 use shading::{collapse_sets, shade_coefficients, shade_floats, shade_integers, shade_transfer};
 
 /// d in 15 bits, relative to what its addends could be: light, material, Ĉ, S, factors and T are
 /// each rounded to 15 bits of the largest number of their row.
 pub const ANY_D_Q15: f64 = 2e-5;
-
-/// See [`ANY_D_Q15`], with 16 bits more.
-pub const ANY_D_Q31: f64 = 3e-10;
 
 /// d has 30 bits of its largest component, and rounds twice.
 pub const ANY_D_COMMON: f64 = 2e-9;
@@ -41,16 +36,8 @@ pub const ORTHONORMAL_F32: f64 = 1.2e-6;
 
 /// Any light on any material under any normals, any transfer, and any coefficients, in any format;
 /// and any images within a tolerance.
-pub const SHADING: [fn(&mut Reader<'_>); 8] = [
-    shade_floats,
-    shade_integers::<Q15>,
-    shade_integers::<Q31>,
-    shade_transfer::<Q15>,
-    shade_transfer::<Q31>,
-    shade_coefficients::<Q15>,
-    shade_coefficients::<Q31>,
-    collapse_sets,
-];
+pub const SHADING: [fn(&mut Reader<'_>); 5] =
+    [shade_floats, shade_integers, shade_transfer, shade_coefficients, collapse_sets];
 
 /// The first byte chooses one of [`SHADING`].
 pub fn shade_any(bytes: &[u8]) {
@@ -128,12 +115,11 @@ pub fn from_bytes(bytes: &[u8]) {
 }
 
 /// The error of each kind of basis that cannot be read from these bytes. Every other one is used.
-pub fn read(bytes: &[u8]) -> [Option<WireError>; 4] {
+pub fn read(bytes: &[u8]) -> [Option<WireError>; 3] {
     [
         Basis::<f32>::from_bytes(bytes).map(|basis| floats(&basis)).err(),
         GeneralBasis::<f32>::from_bytes(bytes).map(|basis| general(&basis)).err(),
-        quantized::Basis::<Q15>::from_bytes(bytes).map(|basis| integers(&basis)).err(),
-        quantized::Basis::<Q31>::from_bytes(bytes).map(|basis| integers(&basis)).err(),
+        q15::Basis::from_bytes(bytes).map(|basis| integers(&basis)).err(),
     ]
 }
 
@@ -202,21 +188,19 @@ pub fn general(basis: &GeneralBasis<'_, f32>) {
 }
 
 /// See [`floats`].
-pub fn integers<Q: Integer>(basis: &quantized::Basis<'_, Q>) {
-    // Of any format a number of 16 bits.
-    let own = |mantissa: i16| Q::rounded(f64::from(mantissa) / 32_768.0);
-    let numbers = |count: usize| -> Vec<Q> {
-        (0..count).map(|k| own(if k % 3 == 1 { i16::MIN } else { i16::MAX })).collect()
+pub fn integers(basis: &q15::Basis<'_>) {
+    let numbers = |count: usize| -> Vec<Q15> {
+        (0..count).map(|k| Q15(if k % 3 == 1 { i16::MIN } else { i16::MAX })).collect()
     };
     let (degree, order) = (basis.degree(), basis.order());
     let mantissas = numbers(light::count(degree));
-    let light = quantized::Light::new(0, &mantissas).expect("a light");
-    let mut transfer = vec![own(1); basis.transfer_len()];
+    let light = q15::Light::new(0, &mantissas).expect("a light");
+    let mut transfer = vec![Q15(1); basis.transfer_len()];
     let mut exponents = vec![0; basis.profiles()];
     if !basis.parts().polar.is_empty() {
         let (mantissas, of_orders) = (numbers(material::count(order)), vec![0; order + 1]);
-        let material = quantized::Material::new(&of_orders, &mantissas).expect("a material");
-        let mut workspace = vec![Q::Wide::default(); basis.workspace_len()];
+        let material = q15::Material::new(&of_orders, &mantissas).expect("a material");
+        let mut workspace = vec![0; basis.workspace_len()];
         basis
             .transfer_into(&material, &mut workspace, &mut transfer, &mut exponents)
             .expect("sizes");
@@ -226,11 +210,11 @@ pub fn integers<Q: Integer>(basis: &quantized::Basis<'_, Q>) {
     let exponent = basis.relight_into(&transfer, &light, &mut d).expect("a transfer");
     let scene = basis.collapse_into(&d, exponent, vec![0; basis.scene_len()]).expect("sizes");
     for normal in [[0.6, 0.0, 0.8], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]] {
-        let normal = Q::normal(normal.map(Q::rounded)).expect("a unit vector");
+        let normal = integer::normal(normal.map(Q15::rounded)).expect("a unit vector");
         // Of a forged table it may mean nothing.
         let _ = scene.shade(normal);
         if let Ok(mut estimate) = basis.estimate::<COMPONENTS>() {
-            estimate.add(normal, own(1), 1);
+            estimate.add(normal, Q15(1), 1);
             let _ = estimate.coefficients(0);
         }
     }

@@ -2,14 +2,12 @@
 //! size give finite answers, and bounds that are finite and kept. Integers: in range, never
 //! wrapping, each step as exact arithmetic has it.
 
-use super::integer::{Integer, Relit, normals, shipped};
+use super::integer::{Mantissa as _, Relit, normals, shipped};
 use super::{Reader, integer};
-use eigenshade::Wide as _;
 use eigenshade::{
-    Error, Light, Material, Normal, Normals, Tolerance, Truncation, quantized, sphere,
+    Error, Light, Material, Normal, Normals, Q15, Tolerance, Truncation, q15, sphere,
 };
 use eigenshade_index::{light, material};
-use eigenshade_table::quantize::IntegerFormat;
 
 /// What counts as moderate: sums of products of two stay below f32's largest.
 const MODERATE: f32 = 1e12;
@@ -86,79 +84,76 @@ pub fn collapse_sets(input: &mut Reader<'_>) {
 
 /// A pixel of any coefficients against f64 on the same mantissas, of the range of 17 bits: (n_x + i
 /// n_y)^m has 14, and each step of some fifty rounds by one unit.
-const ANY_PIXEL_Q15: f64 = 3e-4;
-
-/// See [`ANY_PIXEL_Q15`]: 30 bits, of which weights and (n_x + i n_y)^m have as many.
-const ANY_PIXEL_Q31: f64 = 5e-7;
+pub const ANY_PIXEL_Q15: f64 = 3e-4;
 
 /// Any mantissas and exponents of light and material, up to the table's degree and
 /// order: d near the f64 sum, the image as of any coefficients.
-pub fn shade_integers<Q: Integer>(input: &mut Reader<'_>) {
-    let basis = Q::basis();
-    let (exponent, mantissas) = any_light::<Q>(input);
-    let light = quantized::Light::new(exponent, &mantissas).expect("a light");
+pub fn shade_integers(input: &mut Reader<'_>) {
+    let basis = &sphere::q15::BASIS;
+    let (exponent, mantissas) = any_light(input);
+    let light = q15::Light::new(exponent, &mantissas).expect("a light");
     let order = input.up_to(basis.order());
     let exponents: Vec<i8> = (0..=order).map(|_| input.byte().cast_signed()).collect();
-    let of_material: Vec<Q> = (0..material::count(order)).map(|_| Q::read(input)).collect();
-    let material = quantized::Material::new(&exponents, &of_material).expect("a material");
+    let of_material: Vec<Q15> = (0..material::count(order)).map(|_| Q15::read(input)).collect();
+    let material = q15::Material::new(&exponents, &of_material).expect("a material");
 
     let made = Relit::new(&light, &material);
     relit(&made, &mantissas, exponent);
 
-    let scaled = |mantissa: Q, exponent: i32| mantissa.mantissa() as f64 * 2f64.powi(exponent);
-    let of_order = |(&b, (o, _, _)): (&Q, (usize, usize, usize))| scaled(b, exponents[o].into());
+    let scaled = |mantissa: Q15, exponent: i32| mantissa.mantissa() as f64 * 2f64.powi(exponent);
+    let of_order = |(&b, (o, _, _)): (&Q15, (usize, usize, usize))| scaled(b, exponents[o].into());
     let of_material: Vec<f64> =
         of_material.iter().zip(material::indices(order)).map(of_order).collect();
     let of_light: Vec<f64> = mantissas.iter().map(|&one| scaled(one, exponent)).collect();
     // What is lost follows from the exponents, which may be far apart.
-    let most = |exponent: i32| 2f64.powi(exponent + Q::FORMAT.bits());
+    let most = |exponent: i32| 2f64.powi(exponent + 15);
     let of_order: Vec<f64> = exponents.iter().map(|&one| most(one.into())).collect();
     let scales = shipped().scales(most(exponent), &of_order);
     let unit = 2f64.powi(made.exponent);
     let found: Vec<f64> = made.d.iter().map(|&d| unit * f64::from(d)).collect();
-    let allowed = [parts::<Q>().0, super::ANY_D_COMMON, 0.0];
+    let allowed = [super::ANY_D_Q15, super::ANY_D_COMMON, 0.0];
     near(&found, &shipped().project(&of_light, &of_material), &scales, allowed);
-    seen::<Q>(&made.d, made.exponent, &normals(input));
+    seen(&made.d, made.exponent, &normals(input));
 }
 
 /// Any transfer: refused, or relit as exact arithmetic has it.
-pub fn shade_transfer<Q: Integer>(input: &mut Reader<'_>) {
-    let basis = Q::basis();
-    let (exponent, mantissas) = any_light::<Q>(input);
-    let light = quantized::Light::new(exponent, &mantissas).expect("a light");
-    let shift = u32::from(input.byte()) % (Q::BITS + 1);
-    let narrower = |number: Q| Q::nearest(((number.mantissa()) >> shift) as f64);
+pub fn shade_transfer(input: &mut Reader<'_>) {
+    let basis = &sphere::q15::BASIS;
+    let (exponent, mantissas) = any_light(input);
+    let light = q15::Light::new(exponent, &mantissas).expect("a light");
+    let shift = u32::from(input.byte()) % (15 + 1);
+    let narrower = |number: Q15| Q15::nearest(((number.mantissa()) >> shift) as f64);
     let exponents: Vec<i16> =
         (0..basis.profiles()).map(|_| i16::from_le_bytes(input.bytes())).collect();
-    let numbers: Vec<Q> = (0..basis.transfer_len()).map(|_| narrower(Q::read(input))).collect();
+    let numbers: Vec<Q15> = (0..basis.transfer_len()).map(|_| narrower(Q15::read(input))).collect();
     let mut d = vec![0; basis.components()];
-    match basis.relight_into(&quantized::Transfer::new(&numbers, &exponents), &light, &mut d) {
+    match basis.relight_into(&q15::Transfer::new(&numbers, &exponents), &light, &mut d) {
         Ok(of_d) => {
             let made = Relit { numbers, exponents, d, exponent: of_d };
             relit(&made, &mantissas, exponent);
-            seen::<Q>(&made.d, of_d, &normals(input));
+            seen(&made.d, of_d, &normals(input));
         }
         Err(error) => assert!(error == Error::Bound && !within_bounds(&numbers), "{error}"),
     }
 }
 
 /// Any coefficients: as many as there are components, or fewer.
-pub fn shade_coefficients<Q: Integer>(input: &mut Reader<'_>) {
+pub fn shade_coefficients(input: &mut Reader<'_>) {
     let exponent = input.i32();
-    let count = input.up_to(Q::basis().components());
+    let count = input.up_to(sphere::q15::BASIS.components());
     let d: Vec<i32> = (0..count).map(|_| input.i32()).collect();
-    seen::<Q>(&d, exponent, &normals(input));
+    seen(&d, exponent, &normals(input));
 }
 
-fn any_light<Q: Integer>(input: &mut Reader<'_>) -> (i32, Vec<Q>) {
+fn any_light(input: &mut Reader<'_>) -> (i32, Vec<Q15>) {
     let exponent = i32::from(input.byte().cast_signed());
-    let degree = input.up_to(Q::basis().degree());
-    (exponent, (0..light::count(degree)).map(|_| Q::read(input)).collect())
+    let degree = input.up_to(sphere::q15::BASIS.degree());
+    (exponent, (0..light::count(degree)).map(|_| Q15::read(input)).collect())
 }
 
 /// Rows over l, with the azimuth and the components of each.
-fn rows<Q: Integer>(numbers: &[Q]) -> impl Iterator<Item = (usize, [u16; 2], &[Q])> {
-    let parts = shipped().parts::<Q>();
+fn rows(numbers: &[Q15]) -> impl Iterator<Item = (usize, [u16; 2], &[Q15])> {
+    let parts = &shipped().parts;
     let mut rest = numbers;
     parts.profiles.iter().map(move |place| {
         let azimuth = usize::from(place.azimuth);
@@ -168,22 +163,21 @@ fn rows<Q: Integer>(numbers: &[Q]) -> impl Iterator<Item = (usize, [u16; 2], &[Q
     })
 }
 
-fn within_bounds<Q: Integer>(numbers: &[Q]) -> bool {
-    rows(numbers).all(|(_, _, row)| {
-        row.iter().map(|number| number.mantissa().abs()).sum::<i128>() < 2 << Q::BITS
-    })
+fn within_bounds(numbers: &[Q15]) -> bool {
+    rows(numbers)
+        .all(|(_, _, row)| row.iter().map(|number| number.mantissa().abs()).sum::<i128>() < 2 << 15)
 }
 
 /// d is Σ_l T_i,l L_l^m to one unit, and its mantissas have at most 30 bits.
-fn relit<Q: Integer>(made: &Relit<Q>, light: &[Q], of_light: i32) {
+fn relit(made: &Relit, light: &[Q15], of_light: i32) {
     let Relit { numbers, exponents, d, exponent: of_d } = made;
-    assert!(within_bounds::<Q>(numbers), "a row of a transfer");
+    assert!(within_bounds(numbers), "a row of a transfer");
     assert!(d.iter().all(|d| d.unsigned_abs() <= 1 << 30), "more than 30 bits");
     for ((azimuth, components, row), &exponent) in rows(numbers).zip(exponents) {
         let order = azimuth.cast_signed();
         for (component, m) in components.into_iter().zip([order, -order]) {
             let Some(&found) = d.get(usize::from(component)) else { continue };
-            let product = |(l, number): (usize, &Q)| {
+            let product = |(l, number): (usize, &Q15)| {
                 number.mantissa()
                     * light.get(light::position(l, m)).map_or(0, |&one| one.mantissa())
             };
@@ -196,18 +190,10 @@ fn relit<Q: Integer>(made: &Relit<Q>, light: &[Q], of_light: i32) {
             // In units of d; of a sum the upper 31 bits are taken.
             let by = i32::from(exponent) + of_light - of_d;
             let expected = sum as f64 * 2f64.powi(by);
-            let cut = 2f64.powi(by + Q::Wide::SIZE as i32 - 32);
+            let cut = 2f64.powi(by - 1);
             let off = (f64::from(found) - expected).abs();
             assert!(off <= 0.5 + cut, "component {component}: {found}, not {expected}");
         }
-    }
-}
-
-/// What of the size of its addends, and of the range of a pixel, the integers may be off by.
-pub fn parts<Q: Integer>() -> (f64, f64) {
-    match Q::FORMAT {
-        IntegerFormat::Q15 => (super::ANY_D_Q15, ANY_PIXEL_Q15),
-        IntegerFormat::Q31 => (super::ANY_D_Q31, ANY_PIXEL_Q31),
     }
 }
 
@@ -225,25 +211,25 @@ pub fn near(found: &[f64], reference: &[f64], scales: &[f64], allowed: [f64; 3])
 
 /// The image: every step within the format's bits, both ways to a pixel the same bits,
 /// near the f64 sum.
-fn seen<Q: Integer>(d: &[i32], exponent: i32, normals: &[quantized::Normal<Q>]) {
-    let basis = Q::basis();
+fn seen(d: &[i32], exponent: i32, normals: &[q15::Normal]) {
+    let basis = &sphere::q15::BASIS;
     let scene = basis.collapse_into(d, exponent, vec![0; basis.scene_len()]);
     if scene.as_ref().err() == Some(&Error::Exponent) && exponent.unsigned_abs() > 1 << 16 {
         return;
     }
     let scene = scene.expect("an exponent within bounds");
-    let (lengths, (_, part)) = (basis.parts().lengths, parts::<Q>());
+    let lengths = basis.parts().lengths;
     // In units of the scene.
     let scale = 2f64.powi(exponent.saturating_sub(scene.exponent()));
     let floats: Vec<f64> = d.iter().map(|&d| scale * f64::from(d)).collect();
     for &normal in normals {
         let pixel = scene.shade(normal);
-        assert_eq!(pixel, Q::kernel(&scene, normal), "two ways to a pixel");
+        assert_eq!(pixel, sphere::q15::shade(&scene, normal), "two ways to a pixel");
         let exact = integer::exact(lengths, scene.terms(), normal);
         assert_eq!(i128::from(pixel), exact, "a pixel");
-        let at = normal.components().map(Q::to_f64);
-        let expected = shipped().reconstruct_quantized::<Q>(&floats, at);
-        let off = (f64::from(pixel) - expected).abs() / 2f64.powi(Q::TERM_BITS as i32);
-        assert!(off <= part, "a pixel of {pixel}, not {expected}: {off} of the range");
+        let at = normal.components().map(Q15::to_f64);
+        let expected = shipped().reconstruct_quantized(&floats, at);
+        let off = (f64::from(pixel) - expected).abs() / 2f64.powi(17);
+        assert!(off <= ANY_PIXEL_Q15, "a pixel of {pixel}, not {expected}: {off} of the range");
     }
 }

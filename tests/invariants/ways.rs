@@ -2,12 +2,12 @@
 //! interface beside the pixel: any bits never panic, and every way keeps near the polynomials.
 
 use super::Reader;
-use super::integer::{Integer, Relit, normals, shipped};
-use super::shading::{near, parts};
+use super::integer::{Mantissa as _, Relit, normal, normals, shipped};
+use super::shading::{ANY_PIXEL_Q15, near};
 use eigenshade::mathematics::{Libm, SinglePrecision};
 use eigenshade::{
-    Effect, Effects, Light, MapPoint, Material, NegativePolicy, Normal, Normals, Q15, Q31,
-    Rotation, Tolerance, Truncation, Window, quantized, sphere,
+    Effect, Effects, Light, MapPoint, Material, NegativePolicy, Normal, Normals, Q15, Rotation,
+    Tolerance, Truncation, Window, q15, sphere,
 };
 use eigenshade_index::record::ProfilePlace;
 use eigenshade_index::{light, material};
@@ -27,10 +27,10 @@ pub fn project_reconstruct(bytes: &[u8]) {
     let reference = shipped().project(&wide(&light), &wide(&material));
     let scales = shipped().scales(largest(&light), &of_orders(order, &material));
     let case = Case { light, order, material, reference, scales };
-    let seen = normals::<Q31>(input);
+    let seen = normals(input);
     case.in_floats(&seen);
-    case.in_integers::<Q15>(&normals(&mut Reader::new(&[])));
-    case.in_integers::<Q31>(&seen);
+    case.in_integers(&normals(&mut Reader::new(&[])));
+    case.in_integers(&seen);
 }
 
 /// Upper bound of what f32 rounds in a pixel of `d`. The number of roundings of each term, of half a
@@ -84,7 +84,7 @@ impl Case {
         assert!(off <= allowed, "{found}, not {expected}: {off}, of {allowed} allowed");
     }
 
-    fn in_floats(&self, normals: &[quantized::Normal<Q31>]) {
+    fn in_floats(&self, normals: &[q15::Normal]) {
         let light = Light::from_finite(&self.light).expect("a light");
         let material = Material::from_finite(&self.material).expect("a material");
         let d = sphere::project(&light, &material).expect("it fits");
@@ -115,28 +115,26 @@ impl Case {
         sum
     }
 
-    fn in_integers<Q: Integer>(&self, normals: &[quantized::Normal<Q>]) {
-        let mut mantissas = vec![Q::default(); self.light.len()];
-        let light = quantized::Light::quantize(&self.light, &mut mantissas).expect("a light");
-        let mut of_material = vec![Q::default(); self.material.len()];
+    fn in_integers(&self, normals: &[q15::Normal]) {
+        let mut mantissas = vec![Q15(0); self.light.len()];
+        let light = q15::Light::quantize(&self.light, &mut mantissas).expect("a light");
+        let mut of_material = vec![Q15(0); self.material.len()];
         let mut exponents = vec![0; self.order + 1];
-        let material =
-            quantized::Material::quantize(&self.material, &mut of_material, &mut exponents);
+        let material = q15::Material::quantize(&self.material, &mut of_material, &mut exponents);
         let Relit { d, exponent, .. } = Relit::new(&light, &material.expect("a material"));
         let scale = 2f64.powi(exponent);
         let wide: Vec<f64> = d.iter().map(|&d| scale * f64::from(d)).collect();
-        let (of_d, of_pixel) = parts::<Q>();
-        self.projected(&wide, of_d, super::ANY_D_COMMON);
-        let (basis, room) = (Q::basis(), vec![0; Q::basis().scene_len()]);
+        self.projected(&wide, super::ANY_D_Q15, super::ANY_D_COMMON);
+        let (basis, room) = (&sphere::q15::BASIS, vec![0; sphere::q15::SCENE]);
         let scene = basis.collapse_into(&d, exponent, room).expect("a moderate exponent");
         let unit = 2f64.powi(scene.exponent());
         // The rounding of a pixel is relative to the range of the scene's terms.
-        let rounded = of_pixel * 2f64.powi(Q::TERM_BITS as i32) * unit;
-        let allowed = shipped().lost::<Q>(&wide) + rounded;
+        let rounded = ANY_PIXEL_Q15 * 2f64.powi(17) * unit;
+        let allowed = shipped().lost(&wide) + rounded;
         for &normal in normals {
             // As long as it is: U is a polynomial of its components.
             let found = f64::from(scene.shade(normal)) * unit;
-            Self::image(&wide, normal.components().map(Q::to_f64), found, allowed);
+            Self::image(&wide, normal.components().map(Q15::to_f64), found, allowed);
         }
     }
 }
@@ -255,12 +253,9 @@ fn look_up(d: &[f32; sphere::COMPONENTS], input: &mut Reader<'_>, is_moderate: b
             let _ = integers.bilinear(MapPoint::new(u, v));
         }
         let [a, b, c] = vector.map(|c| c.to_bits().cast_signed());
-        if let Ok(normal) = quantized::Normal::<Q15>::new(a, b, c) {
-            assert!(Q15::normal(normal.components()).is_ok(), "{normal:?} is no unit vector");
+        if let Ok(normal) = q15::Normal::new(a, b, c) {
+            assert!(self::normal(normal.components()).is_ok(), "{normal:?} is no unit vector");
             of_integers.add(normal, u, b as u16);
-        }
-        if let Ok(normal) = quantized::Normal::<Q31>::new(a, b, c) {
-            assert!(Q31::normal(normal.components()).is_ok(), "{normal:?} is no unit vector");
         }
         estimate.add(raw, y[0], z[0]);
         let [mut x, mut y, mut z] = [x, y, z];

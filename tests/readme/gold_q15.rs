@@ -7,7 +7,7 @@ fn draw(screen: &mut [u16; 240 * 240]) -> Result<(), eigenshade::Error> {
     let scene = sphere::q15::color::scene(LOBBY, GOLD_METALLIC_PAINT)?;
     let exposure = scene.exposure_by_factor(1.5)?;
     for pixel in Disc::new(240)? {
-        pixel.put(screen, DISPLAY.rgb565(exposure.of(scene.shade(pixel.quantized_normal()))))?;
+        pixel.put(screen, DISPLAY.rgb565(exposure.of(scene.shade(pixel.normal_q15()))))?;
     }
     Ok(())
 }

@@ -3,13 +3,12 @@
 #![allow(dead_code, reason = "each test takes what it needs")]
 
 use eigenshade::wire::{Aligned, Fault, aligned};
-use eigenshade::{Basis, FixedPoint, GeneralBasis, Light, Material, Normal, Q15, Q31, quantized};
+use eigenshade::{Basis, GeneralBasis, Light, Material, Normal, Q15, q15};
 
 pub const SPHERE: &Aligned<[u8]> = &Aligned(*include_bytes!("v1.sphere.f32.esw"));
 pub const MEAN: &Aligned<[u8]> = &Aligned(*include_bytes!("v1.mean.f32.esw"));
 pub const GENERAL: &Aligned<[u8]> = &Aligned(*include_bytes!("v1.general.f32.esw"));
 pub const INTEGERS_15: &Aligned<[u8]> = &Aligned(*include_bytes!("v1.sphere.q15.esw"));
-pub const INTEGERS_31: &Aligned<[u8]> = &Aligned(*include_bytes!("v1.sphere.q31.esw"));
 /// Of the effects ambient and diffuse.
 pub const EFFECTS: &Aligned<[u8]> = &Aligned(*include_bytes!("v1.effects.f32.esw"));
 /// Of the effects diffuse and broad.
@@ -17,17 +16,8 @@ pub const TURNED: &Aligned<[u8]> = &Aligned(*include_bytes!("v1.turned.f32.esw")
 pub const TURNED_15: &Aligned<[u8]> = &Aligned(*include_bytes!("v1.turned.q15.esw"));
 /// Of polynomials with more than 16 terms.
 pub const LONG: &Aligned<[u8]> = &Aligned(*include_bytes!("v1.long.f32.esw"));
-pub const ALL: [&[u8]; 9] = [
-    &SPHERE.0,
-    &MEAN.0,
-    &GENERAL.0,
-    &INTEGERS_15.0,
-    &INTEGERS_31.0,
-    &EFFECTS.0,
-    &TURNED.0,
-    &TURNED_15.0,
-    &LONG.0,
-];
+pub const ALL: [&[u8]; 8] =
+    [&SPHERE.0, &MEAN.0, &GENERAL.0, &INTEGERS_15.0, &EFFECTS.0, &TURNED.0, &TURNED_15.0, &LONG.0];
 
 /// What `read` gives for these bytes at a multiple of four.
 pub fn placed<T>(bytes: &[u8], read: impl FnOnce(&[u8]) -> T) -> T {
@@ -82,19 +72,19 @@ fn general(basis: &GeneralBasis<'_, f32>) -> Vec<f32> {
 }
 
 /// The same in integers.
-fn integers<Q: FixedPoint>(basis: &quantized::Basis<'_, Q>) -> Vec<f32> {
+fn integers(basis: &q15::Basis<'_>) -> Vec<f32> {
     let [light, material] = inputs();
-    let mut mantissas = vec![Q::default(); light.len()];
-    let light = quantized::Light::quantize(&light, &mut mantissas).expect("sizes");
-    let (mut mantissas, mut exponents) = (vec![Q::default(); material.len()], [0; 3]);
-    let material = quantized::Material::quantize(&material, &mut mantissas, &mut exponents);
+    let mut mantissas = vec![Q15(0); light.len()];
+    let light = q15::Light::quantize(&light, &mut mantissas).expect("sizes");
+    let (mut mantissas, mut exponents) = (vec![Q15(0); material.len()], [0; 3]);
+    let material = q15::Material::quantize(&material, &mut mantissas, &mut exponents);
     let material = material.expect("sizes");
-    let mut workspace = vec![Default::default(); basis.workspace_len()];
-    let mut numbers = vec![Q::default(); basis.transfer_len()];
+    let mut workspace = vec![0; basis.workspace_len()];
+    let mut numbers = vec![Q15(0); basis.transfer_len()];
     let mut exponents = vec![0; basis.profiles()];
     let mut d = vec![0; basis.components()];
     basis.transfer_into(&material, &mut workspace, &mut numbers, &mut exponents).expect("sizes");
-    let transfer = quantized::Transfer::new(&numbers, &exponents);
+    let transfer = q15::Transfer::new(&numbers, &exponents);
     let exponent = basis.relight_into(&transfer, &light, &mut d).expect("sizes");
     // Exactly 2^exponent.
     let unit = f32::from_bits(((127 + exponent) << 23).cast_unsigned());
@@ -107,9 +97,6 @@ const WIRE_F32: f32 = 1e-6;
 /// d from a wire file in 15 bits, of the largest: a few roundings of 2^-15.
 const WIRE_Q15: f32 = 2e-4;
 
-/// d from a wire file in 31 bits, of the largest: the comparison itself is in f32.
-const WIRE_Q31: f32 = 2e-7;
-
 #[test]
 fn tables_of_all_effects_are_read() {
     for (table, bytes) in [("sphere", &SPHERE.0), ("mean", &MEAN.0)] {
@@ -118,10 +105,8 @@ fn tables_of_all_effects_are_read() {
     }
     let basis = GeneralBasis::<f32>::from_bytes(&GENERAL.0).expect("a wire file");
     assert_same("general", &general(&basis), WIRE_F32);
-    let basis = quantized::Basis::<Q15>::from_bytes(&INTEGERS_15.0).expect("a wire file");
+    let basis = q15::Basis::from_bytes(&INTEGERS_15.0).expect("a wire file");
     assert_same("sphere", &integers(&basis), WIRE_Q15);
-    let basis = quantized::Basis::<Q31>::from_bytes(&INTEGERS_31.0).expect("a wire file");
-    assert_same("sphere", &integers(&basis), WIRE_Q31);
 }
 
 #[test]
@@ -131,7 +116,7 @@ fn tables_of_some_effects_are_read() {
         assert!(!basis.effects().is_all());
         floats(&basis).0.iter().for_each(|d| assert_same(table, d, WIRE_F32));
     }
-    let basis = quantized::Basis::<Q15>::from_bytes(&TURNED_15.0).expect("a wire file");
+    let basis = q15::Basis::from_bytes(&TURNED_15.0).expect("a wire file");
     assert!(!basis.effects().is_all());
     assert_same("turned", &integers(&basis), WIRE_Q15);
 }

@@ -101,17 +101,14 @@ static volatile uint8_t *below(void) {
   {EIGENSHADE_DEGREE, EIGENSHADE_LIGHT, golden_light_##format[0],                             \
    golden_light_exponents_##format[0][0]}
 #define LIGHT_Q15 LIGHT_OF_INTEGERS(q15)
-#define LIGHT_Q31 LIGHT_OF_INTEGERS(q31)
 #define MATERIAL_F32 {EIGENSHADE_ORDER, EIGENSHADE_MATERIAL, golden_material_f32[0]}
 #define MATERIAL_OF_INTEGERS(format)                                                          \
   {EIGENSHADE_ORDER, EIGENSHADE_MATERIAL, golden_material_##format[0], EIGENSHADE_ORDER + 1,  \
    golden_material_exponents_##format[0]}
 #define MATERIAL_Q15 MATERIAL_OF_INTEGERS(q15)
-#define MATERIAL_Q31 MATERIAL_OF_INTEGERS(q31)
 
 COSTS(F32, f32, "f32", float)
 COSTS(Q15, q15, "q15", int32_t)
-COSTS(Q31, q31, "q31", int32_t)
 
 /* In color. */
 enum { SIDE = 64, PIXELS_OF_ROW = SIDE };
@@ -151,6 +148,6 @@ COSTS_IN_COLOR(q15, "q15", int32_t, 3, 4)
 uint32_t program(void) {
   calibrate();
   print("operation,format,instructions\n");
-  return costs_f32() + costs_q15() + costs_q31() + costs_in_color_f32() +
+  return costs_f32() + costs_q15() + costs_in_color_f32() +
          costs_in_color_q15();
 }

@@ -239,13 +239,11 @@ static void runtime_inputs_f32(void) {
   }
 
 FAULTS_OF_INTEGERS(q15, int16_t, 32767)
-FAULTS_OF_INTEGERS(q31, int32_t, 2147483647)
 
 void check_faults(void) {
   faults_f32();
   overlaps_f32();
   runtime_inputs_f32();
   faults_q15();
-  faults_q31();
   check(eigenshade_message(EIGENSHADE_STATUS_OK) != eigenshade_message(-1), "any", "message", 0);
 }

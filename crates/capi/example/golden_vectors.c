@@ -78,7 +78,7 @@ static void checks_f32(void) {
   }
 }
 
-/* The same in an integer format: Q15 and Q31 differ by their types alone. */
+/* The same in integers. */
 #define CHECKS_OF_INTEGERS(FORMAT, format, name, mantissa)                                    \
   static int same_light_##format(const eigenshade_light_##format##_t *a,                      \
                                  const eigenshade_light_##format##_t *b) {                    \
@@ -178,10 +178,8 @@ static void checks_f32(void) {
   }
 
 CHECKS_OF_INTEGERS(Q15, q15, "q15", int16_t)
-CHECKS_OF_INTEGERS(Q31, q31, "q31", int32_t)
 
 void check_golden_vectors(void) {
   checks_f32();
   checks_q15();
-  checks_q31();
 }

@@ -1,4 +1,4 @@
-/* A program that shades one image in one format, FORMAT (f32, q15, q31), to measure its size.
+/* A program that shades one image in one format, FORMAT (f32, q15), to measure its size.
  * WAY 0 computes the transfer on the board; WAY 1 has it in flash; 2 and 3 do the same in color,
  * to a row of RGB565. Without FORMAT the program is empty, for comparison. */
 #include "eigenshade_presets.h"

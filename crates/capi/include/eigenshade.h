@@ -3,7 +3,7 @@ table is of degree EIGENSHADE_DEGREE and order EIGENSHADE_ORDER: the shipped one
 
 The steps are: compute the transfer of a material, relight it with a light, collapse the
 coefficients to a scene, and shade normals with the scene; in float (f32) and in integers
-(q15, q31). A number in integers is a mantissa times 2 to the power of an exponent. The
+(q15). A number in integers is a mantissa times 2 to the power of an exponent. The
 quantize functions convert lights and materials from float to integers, without a float
 unit. These are the steps of one channel; `eigenshade_color.h` has three, and rows of pixels.
 
@@ -226,47 +226,6 @@ typedef struct eigenshade_scene_q15_t {
   /** What marks a computed scene: the library's. */
   uint32_t state;
 } eigenshade_scene_q15_t;
-
-/** `eigenshade_light_q15_t` in Q31. */
-typedef struct eigenshade_light_q31_t {
-  size_t degree;
-  size_t length;
-  const int32_t *mantissas;
-  int32_t exponent;
-} eigenshade_light_q31_t;
-
-/** `eigenshade_material_q15_t` in Q31. */
-typedef struct eigenshade_material_q31_t {
-  size_t order;
-  size_t length;
-  const int32_t *mantissas;
-  size_t exponents_length;
-  const int8_t *exponents;
-} eigenshade_material_q31_t;
-
-/** `eigenshade_workspace_q15_t` in Q31. */
-typedef struct eigenshade_workspace_q31_t {
-  int64_t numbers[EIGENSHADE_WORKSPACE];
-} eigenshade_workspace_q31_t;
-
-/** `eigenshade_transfer_q15_t` in Q31. */
-typedef struct eigenshade_transfer_q31_t {
-  int32_t numbers[EIGENSHADE_TRANSFER];
-  int16_t exponents[EIGENSHADE_PROFILES];
-} eigenshade_transfer_q31_t;
-
-/** `eigenshade_coefficients_q15_t` in Q31. */
-typedef struct eigenshade_coefficients_q31_t {
-  int32_t mantissas[EIGENSHADE_COMPONENTS];
-  int32_t exponent;
-} eigenshade_coefficients_q31_t;
-
-/** `eigenshade_scene_q15_t` in Q31. */
-typedef struct eigenshade_scene_q31_t {
-  int32_t terms[EIGENSHADE_SCENE_Q31];
-  int32_t exponent;
-  uint32_t state;
-} eigenshade_scene_q31_t;
 
 #ifdef __cplusplus
 extern "C" {
@@ -525,50 +484,6 @@ eigenshade_status eigenshade_shade_q15(const struct eigenshade_scene_q15_t *scen
 eigenshade_status eigenshade_shade_many_q15(const struct eigenshade_scene_q15_t *scene,
                                             size_t count, const int16_t *x, const int16_t *y,
                                             const int16_t *z, int32_t *irradiance);
-
-/** `eigenshade_quantize_light_q15` in Q31. */
-eigenshade_status eigenshade_quantize_light_q31(const struct eigenshade_light_f32_t *from,
-                                                int32_t *mantissas, size_t length,
-                                                struct eigenshade_light_q31_t *to);
-
-/** `eigenshade_quantize_material_q15` in Q31. */
-eigenshade_status eigenshade_quantize_material_q31(const struct eigenshade_material_f32_t *from,
-                                                   int32_t *mantissas, size_t length,
-                                                   int8_t *exponents, size_t exponents_length,
-                                                   struct eigenshade_material_q31_t *to);
-
-/** `eigenshade_transfer_q15` in Q31. */
-eigenshade_status eigenshade_transfer_q31(const struct eigenshade_material_q31_t *material,
-                                          struct eigenshade_workspace_q31_t *workspace,
-                                          struct eigenshade_transfer_q31_t *transfer);
-
-/** `eigenshade_relight_q15` in Q31. */
-eigenshade_status eigenshade_relight_q31(const struct eigenshade_transfer_q31_t *transfer,
-                                         const struct eigenshade_light_q31_t *light,
-                                         struct eigenshade_coefficients_q31_t *coefficients);
-
-/** `eigenshade_project_q15` in Q31. */
-eigenshade_status eigenshade_project_q31(const struct eigenshade_light_q31_t *light,
-                                         const struct eigenshade_material_q31_t *material,
-                                         struct eigenshade_workspace_q31_t *workspace,
-                                         struct eigenshade_transfer_q31_t *transfer,
-                                         struct eigenshade_coefficients_q31_t *coefficients);
-
-/** `eigenshade_collapse_q15` in Q31. */
-eigenshade_status eigenshade_collapse_q31(const struct eigenshade_coefficients_q31_t *coefficients,
-                                          size_t components, struct eigenshade_scene_q31_t *scene);
-
-/** `eigenshade_normalize_q15` in Q31. */
-eigenshade_status eigenshade_normalize_q31(const int32_t *vector, int32_t *normal);
-
-/** `eigenshade_shade_q15` in Q31: (x, y, z) is in fractions of 2^31 (1 as 2^31 - 1). */
-eigenshade_status eigenshade_shade_q31(const struct eigenshade_scene_q31_t *scene, int32_t x,
-                                       int32_t y, int32_t z, int32_t *irradiance);
-
-/** `eigenshade_shade_many_q15` in Q31. */
-eigenshade_status eigenshade_shade_many_q31(const struct eigenshade_scene_q31_t *scene,
-                                            size_t count, const int32_t *x, const int32_t *y,
-                                            const int32_t *z, int32_t *irradiance);
 
 #ifdef __cplusplus
 }

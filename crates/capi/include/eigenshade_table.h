@@ -5,7 +5,7 @@ file. */
 #define EIGENSHADE_TABLE_H
 
 /** A checksum of these sizes: compare it with `eigenshade_table()`. */
-#define EIGENSHADE_TABLE 2404433736u
+#define EIGENSHADE_TABLE 3950693635u
 
 /** Largest degree l of a light. */
 #define EIGENSHADE_DEGREE 9
@@ -36,9 +36,6 @@ file. */
 
 /** Numbers of a scene in Q15. */
 #define EIGENSHADE_SCENE_Q15 130
-
-/** Numbers of a scene in Q31. */
-#define EIGENSHADE_SCENE_Q31 163
 
 /** Numbers in the workspace of transfers and projections in float. */
 #define EIGENSHADE_WORKSPACE_F32 460

@@ -3,7 +3,7 @@
 
 use crate::status::Status;
 use core::marker::PhantomData;
-use eigenshade::{Q15, Q31};
+use eigenshade::Q15;
 
 /// Types for which any bytes are a valid value, including zeros: C may pass uninitialized arrays.
 ///
@@ -14,11 +14,11 @@ pub(crate) unsafe trait Plain {}
 
 macro_rules! plain {
     ($($number:ty)*) => {$(
-        // SAFETY: a number, all of whose bits count; Q15 and Q31 are transparent integers.
+        // SAFETY: a number, all of whose bits count; Q15 is a transparent integer.
         unsafe impl Plain for $number {}
     )*};
 }
-plain!(f32 i8 u8 i16 u16 i32 i64 usize Q15 Q31);
+plain!(f32 i8 u8 i16 u16 i32 i64 usize Q15);
 
 // SAFETY: consists of plain values.
 unsafe impl<T: Plain, const N: usize> Plain for [T; N] {}

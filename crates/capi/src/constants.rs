@@ -1,27 +1,26 @@
 //! The constants of `include/eigenshade_table.h`: the sizes of the table.
 
-use crate::table::{self, q15, q31};
+use crate::table::{self, q15};
 use eigenshade::index::{light, material};
 
 /// Name, description and value.
-pub(crate) const CONSTANTS: [(&str, &str, usize); 13] = [
+pub(crate) const CONSTANTS: [(&str, &str, usize); 12] = [
     ("DEGREE", "Largest degree l of a light.", table::DEGREE),
     ("ORDER", "Largest order o of a material.", table::ORDER),
     ("LIGHT", "Coefficients of a light of that degree.", light::count(table::DEGREE)),
     ("MATERIAL", "Coefficients of a material of that order.", material::count(table::ORDER)),
     ("COMPONENTS", "Components d of an image.", table::COMPONENTS),
-    ("PROFILES", "Profiles of a table in integers.", q31::PROFILES),
+    ("PROFILES", "Profiles of a table in integers.", q15::PROFILES),
     ("TRANSFER_F32", "Numbers in a transfer in float.", table::TRANSFER),
-    ("TRANSFER", "Numbers in a transfer in integers.", q31::TRANSFER),
+    ("TRANSFER", "Numbers in a transfer in integers.", q15::TRANSFER),
     ("SCENE_F32", "Numbers of a scene in float.", table::SCENE),
     ("SCENE_Q15", "Numbers of a scene in Q15.", q15::SCENE),
-    ("SCENE_Q31", "Numbers of a scene in Q31.", q31::SCENE),
     (
         "WORKSPACE_F32",
         "Numbers in the workspace of transfers and projections in float.",
         table::WORKSPACE,
     ),
-    ("WORKSPACE", "Numbers in the workspace of transfers in integers.", q31::WORKSPACE),
+    ("WORKSPACE", "Numbers in the workspace of transfers in integers.", q15::WORKSPACE),
 ];
 
 /// A checksum of the sizes, FNV-1a. Tables of the same sizes have the same one.
@@ -34,11 +33,3 @@ pub(crate) const TABLE: u32 = {
     }
     sum
 };
-
-/// Both integer formats share records.
-const _: () = assert!(
-    q15::PROFILES == q31::PROFILES
-        && q15::TRANSFER == q31::TRANSFER
-        && q15::WORKSPACE == q31::WORKSPACE,
-    "the scene has different tables in Q15 and Q31"
-);

@@ -2,23 +2,23 @@
 
 /// Declares structures of C. Tests list their definitions.
 macro_rules! records {
-    ($($name:ident $(<$q:ident>)? = $in_c:literal $($format:ty)?: $($field:ident: $type:ty),*;)*) => {$(
+    ($($name:ident = $in_c:literal $($format:ty)?: $($field:ident: $type:ty),*;)*) => {$(
         #[derive(Clone)]
         #[repr(C)]
-        pub(crate) struct $name$(<$q: Shipped>)? {
+        pub(crate) struct $name {
             $(pub(crate) $field: $type),*
         }
 
         // SAFETY: all of its fields are plain.
-        unsafe impl$(<$q: Shipped>)? Plain for $name$(<$q>)? where $($type: Plain),* {}
+        unsafe impl Plain for $name where $($type: Plain),* {}
 
         #[cfg(test)]
-        impl$(<$q: Shipped>)? crate::header::Declared for $name$(<$q>)?
+        impl crate::header::Declared for $name
         where
             $($type: crate::header::Declared),*
         {
             fn declare(name: &str) -> std::string::String {
-                let of_format: &[&str] = &[$("_", <$format as eigenshade::Format>::NAME)?];
+                let of_format: &[&str] = &[$("_", <$format as crate::export::Format>::NAME)?];
                 std::format!("struct eigenshade_{}{}_t {name}", $in_c, of_format.concat())
             }
 
@@ -62,3 +62,19 @@ macro_rules! export {
     };
 }
 pub(crate) use export;
+
+/// A number format, with the end of the names of its functions.
+#[cfg(test)]
+pub(crate) trait Format {
+    const NAME: &'static str;
+}
+
+#[cfg(test)]
+impl Format for f32 {
+    const NAME: &'static str = "f32";
+}
+
+#[cfg(test)]
+impl Format for eigenshade::Q15 {
+    const NAME: &'static str = "q15";
+}

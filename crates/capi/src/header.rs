@@ -10,8 +10,7 @@ use crate::{
     table_header,
 };
 use core::ffi::c_char;
-use core::marker::PhantomData;
-use eigenshade::{Display, Meter, Q15, Q31};
+use eigenshade::{Display, Meter, Q15};
 use std::collections::BTreeSet;
 use std::string::String;
 use std::vec::Vec;
@@ -42,7 +41,7 @@ macro_rules! numbers {
 numbers! {
     usize: "size_t" f32: "float" i8: "int8_t" u8: "uint8_t" i16: "int16_t" u16: "uint16_t"
     i32: "int32_t" i64: "int64_t" Mark: "uint32_t" Display: "struct eigenshade_display_t"
-    Q15: "int16_t" Q31: "int32_t"
+    Q15: "int16_t"
 }
 
 impl<T: Declared> Declared for Input<T> {
@@ -87,13 +86,6 @@ impl Declared for Meter {
     }
     fn define() -> String {
         structure::<Self>(&["uint32_t counts[257]".into()])
-    }
-}
-
-/// Not in the header.
-impl<Q> Declared for PhantomData<Q> {
-    fn declare(_: &str) -> String {
-        String::new()
     }
 }
 
@@ -180,8 +172,7 @@ fn the_headers_declare_this_library() {
         "uint32_t eigenshade_table(void);".into(),
         "const char *eigenshade_message(int32_t status);".into(),
     ];
-    let (q15, q31) = (integers::q15_functions(), integers::q31_functions());
-    let one_channel = [statuses(), others, float::functions(), q15, q31].concat();
+    let one_channel = [statuses(), others, float::functions(), integers::functions()].concat();
     declares(HEADER, one_channel.clone());
     let of_formats = [color::f32_functions(), color::q15_functions()].concat();
     let others = [color::source_functions(), color::meter_functions()].concat();

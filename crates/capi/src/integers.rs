@@ -1,100 +1,77 @@
-//! In integers: mantissas of 15 or 31 bits, for machines without a float unit.
+//! In integers: mantissas of 15 bits, for machines without a float unit.
 #![expect(unsafe_code, reason = "memory of C")]
 
 use crate::boundary::{Input, Mark, Output, Place, Plain, disjoint, normals};
 use crate::export::{export, records};
 use crate::float;
 use crate::status::{Status, light_shape, material_shape};
-use crate::table::q31::{PROFILES, TRANSFER, WORKSPACE};
+use crate::table::q15::{PROFILES, SCENE, TRANSFER, WORKSPACE};
 use crate::table::{self, COMPONENTS};
-use core::marker::PhantomData;
-use eigenshade::quantized::{Basis, Normal, Parts};
+use eigenshade::Q15;
+use eigenshade::q15::{self, Basis, Normal, Parts};
 use eigenshade::specialized::checked;
-use eigenshade::{Error, FixedPoint, Q15, Q31, quantized};
 
 /// The largest exponent of d. Lights and materials reach less than half of it.
 const EXPONENT: u32 = 2_048;
 
-/// An integer format and its shipped basis.
-pub(crate) trait Shipped: FixedPoint<Wide: Plain> + Plain {
-    /// The polynomials of a scene.
-    type Terms: AsRef<[i32]> + AsMut<[i32]> + Plain;
-    /// The complete basis, which computes transfers.
-    fn basis() -> &'static Basis<'static, Self>;
-    /// The basis without the factors of transfers: a program whose transfers are computed
-    /// beforehand links no factors.
-    fn relight_only() -> &'static Basis<'static, Self>;
-    fn normal(x: Self, y: Self, z: Self) -> Result<Normal<Self>, Error>;
-    /// The irradiance, with every size a constant.
-    fn irradiance(scene: &quantized::Scene<'_, Self, &[i32]>, normal: Normal<Self>) -> i32;
+/// The complete basis, which computes transfers.
+fn basis() -> &'static Basis<'static> {
+    &table::q15::BASIS
 }
 
-macro_rules! shipped {
-    ($format:ident, $table:ident) => {
-        impl Shipped for $format {
-            type Terms = [i32; table::$table::SCENE];
-            fn basis() -> &'static Basis<'static, Self> {
-                &table::$table::BASIS
-            }
-            fn relight_only() -> &'static Basis<'static, Self> {
-                static BASIS: Basis<'static, $format> = checked(Basis::<$format>::new(Parts {
-                    polar: &[],
-                    polar_exponents: &[],
-                    factors: &[],
-                    factor_exponents: &[],
-                    ..*table::$table::BASIS.parts()
-                }));
-                &BASIS
-            }
-            #[inline]
-            fn normal(x: Self, y: Self, z: Self) -> Result<Normal<Self>, Error> {
-                Normal::<Self>::from_unit(x, y, z)
-            }
-            // Shared by `shade` and `shade_many`.
-            #[inline(never)]
-            fn irradiance(scene: &quantized::Scene<'_, Self, &[i32]>, normal: Normal<Self>) -> i32 {
-                table::$table::shade(scene, normal)
-            }
-        }
-    };
+/// The basis without the factors of transfers: a program whose transfers are computed beforehand
+/// links no factors.
+fn relight_only() -> &'static Basis<'static> {
+    static BASIS: Basis<'static> = checked(Basis::new(Parts {
+        polar: &[],
+        polar_exponents: &[],
+        factors: &[],
+        factor_exponents: &[],
+        ..*table::q15::BASIS.parts()
+    }));
+    &BASIS
 }
-shipped!(Q15, q15);
-shipped!(Q31, q31);
+
+/// The irradiance, with every size a constant; shared by `shade` and `shade_many`.
+#[inline(never)]
+fn constant_irradiance(scene: &q15::Scene<'_, &[i32]>, normal: Normal) -> i32 {
+    table::q15::shade(scene, normal)
+}
 
 records! {
-    Light<Q> = "light" Q:
-        degree: usize, length: usize, mantissas: Input<Q>, exponent: i32;
-    Material<Q> = "material" Q:
-        order: usize, length: usize, mantissas: Input<Q>,
+    Light = "light" Q15:
+        degree: usize, length: usize, mantissas: Input<Q15>, exponent: i32;
+    Material = "material" Q15:
+        order: usize, length: usize, mantissas: Input<Q15>,
         exponents_length: usize, exponents: Input<i8>;
-    Workspace<Q> = "workspace" Q: numbers: [Q::Wide; WORKSPACE];
-    Transfer<Q> = "transfer" Q: numbers: [Q; TRANSFER], exponents: [i16; PROFILES];
-    Coefficients<Q> = "coefficients" Q:
-        mantissas: [i32; COMPONENTS], exponent: i32, format: PhantomData<Q>;
-    Scene<Q> = "scene" Q: terms: Q::Terms, exponent: i32, state: Mark;
+    Workspace = "workspace" Q15: numbers: [i32; WORKSPACE];
+    Transfer = "transfer" Q15: numbers: [Q15; TRANSFER], exponents: [i16; PROFILES];
+    Coefficients = "coefficients" Q15:
+        mantissas: [i32; COMPONENTS], exponent: i32;
+    Scene = "scene" Q15: terms: [i32; SCENE], exponent: i32, state: Mark;
 }
 
-impl<Q: Shipped> Light<Q> {
+impl Light {
     /// The light, and where it lies.
-    pub(crate) fn view(&self) -> Result<(quantized::Light<'_, Q>, [Place; 2]), Status> {
+    pub(crate) fn view(&self) -> Result<(q15::Light<'_>, [Place; 2]), Status> {
         light_shape(self.degree, self.length)?;
         // SAFETY: C promises `length` mantissas.
         let mantissas = unsafe { self.mantissas.array(self.length) }?;
-        let light = quantized::Light::new(self.exponent, mantissas)?;
+        let light = q15::Light::new(self.exponent, mantissas)?;
         Ok((light, [Place::of(self), Place::of(mantissas)]))
     }
 }
 
-impl<Q: Shipped> Scene<Q> {
+impl Scene {
     /// Refuses a scene that was never computed.
     pub(crate) fn check(&self) -> Result<(), Status> {
         if self.state == Mark::COMPUTED { Ok(()) } else { Err(Status::Scene) }
     }
 }
 
-impl<Q: Shipped> Material<Q> {
+impl Material {
     /// The material, and where it lies.
-    pub(crate) fn view(&self) -> Result<(quantized::Material<'_, Q>, [Place; 3]), Status> {
+    pub(crate) fn view(&self) -> Result<(q15::Material<'_>, [Place; 3]), Status> {
         material_shape(self.order, self.length)?;
         if self.exponents_length != self.order + 1 {
             return Err(Status::MaterialLength);
@@ -103,16 +80,16 @@ impl<Q: Shipped> Material<Q> {
         let mantissas = unsafe { self.mantissas.array(self.length) }?;
         // SAFETY: C promises `exponents_length` exponents.
         let exponents = unsafe { self.exponents.array(self.exponents_length) }?;
-        let material = quantized::Material::new(exponents, mantissas)?;
+        let material = q15::Material::new(exponents, mantissas)?;
         Ok((material, [Place::of(self), Place::of(mantissas), Place::of(exponents)]))
     }
 }
 
-pub(crate) fn quantize_light<Q: Shipped>(
+pub(crate) fn quantize_light(
     from: Input<float::Light>,
-    mantissas: Output<Q>,
+    mantissas: Output<Q15>,
     length: usize,
-    to: Output<Light<Q>>,
+    to: Output<Light>,
 ) -> Result<(), Status> {
     let from = from.value()?;
     if length != from.length {
@@ -122,20 +99,20 @@ pub(crate) fn quantize_light<Q: Shipped>(
     disjoint(&[to.place(), mantissas.place_of_array(length)?], &read)?;
     // SAFETY: C promises memory for `length` numbers, which overlaps no other.
     let numbers = unsafe { mantissas.zeroed_array(length) }?;
-    let exponent = quantized::Light::quantize(light.coefficients(), numbers)?.exponent();
+    let exponent = q15::Light::quantize(light.coefficients(), numbers)?.exponent();
     // SAFETY: it overlaps no other.
     let to = unsafe { to.zeroed() }?;
     *to = Light { degree: from.degree, length, mantissas: mantissas.to_input(), exponent };
     Ok(())
 }
 
-pub(crate) fn quantize_material<Q: Shipped>(
+pub(crate) fn quantize_material(
     from: Input<float::Material>,
-    mantissas: Output<Q>,
+    mantissas: Output<Q15>,
     length: usize,
     exponents: Output<i8>,
     exponents_length: usize,
-    to: Output<Material<Q>>,
+    to: Output<Material>,
 ) -> Result<(), Status> {
     let from = from.value()?;
     if length != from.length || exponents_length.wrapping_sub(1) != from.order {
@@ -148,7 +125,7 @@ pub(crate) fn quantize_material<Q: Shipped>(
     let numbers = unsafe { mantissas.zeroed_array(length) }?;
     // SAFETY: C promises memory for `exponents_length` numbers, which overlaps no other.
     let powers = unsafe { exponents.zeroed_array(exponents_length) }?;
-    quantized::Material::quantize(material.coefficients(), numbers, powers)?;
+    q15::Material::quantize(material.coefficients(), numbers, powers)?;
     // SAFETY: it overlaps no other.
     let to = unsafe { to.zeroed() }?;
     let (mantissas, exponents) = (mantissas.to_input(), exponents.to_input());
@@ -158,19 +135,19 @@ pub(crate) fn quantize_material<Q: Shipped>(
 }
 
 /// Writes the transfer of a material.
-pub(crate) fn transferred<Q: Shipped>(
-    material: &quantized::Material<'_, Q>,
-    workspace: &mut [Q::Wide; WORKSPACE],
-    transfer: &mut Transfer<Q>,
+pub(crate) fn transferred(
+    material: &q15::Material<'_>,
+    workspace: &mut [i32; WORKSPACE],
+    transfer: &mut Transfer,
 ) -> Result<(), Status> {
     let Transfer { numbers, exponents } = transfer;
-    Ok(Q::basis().transfer_into(material, workspace, numbers, exponents)?)
+    Ok(basis().transfer_into(material, workspace, numbers, exponents)?)
 }
 
-pub(crate) fn transfer<Q: Shipped>(
-    material: Input<Material<Q>>,
-    workspace: Output<Workspace<Q>>,
-    transfer: Output<Transfer<Q>>,
+pub(crate) fn transfer(
+    material: Input<Material>,
+    workspace: Output<Workspace>,
+    transfer: Output<Transfer>,
 ) -> Result<(), Status> {
     let (material, read) = material.value()?.view()?;
     disjoint(&[workspace.place(), transfer.place()], &read)?;
@@ -181,21 +158,21 @@ pub(crate) fn transfer<Q: Shipped>(
 
 /// Computes d from a transfer.
 #[inline(always)]
-pub(crate) fn relit<Q: Shipped>(
-    transfer: &Transfer<Q>,
-    light: &quantized::Light<'_, Q>,
-    coefficients: &mut Coefficients<Q>,
+pub(crate) fn relit(
+    transfer: &Transfer,
+    light: &q15::Light<'_>,
+    coefficients: &mut Coefficients,
 ) -> Result<(), Status> {
-    let transfer = quantized::Transfer::new(&transfer.numbers, &transfer.exponents);
+    let transfer = q15::Transfer::new(&transfer.numbers, &transfer.exponents);
     let mantissas = &mut coefficients.mantissas;
-    coefficients.exponent = Q::relight_only().relight_into(&transfer, light, mantissas)?;
+    coefficients.exponent = relight_only().relight_into(&transfer, light, mantissas)?;
     Ok(())
 }
 
-pub(crate) fn relight<Q: Shipped>(
-    transfer: Input<Transfer<Q>>,
-    light: Input<Light<Q>>,
-    coefficients: Output<Coefficients<Q>>,
+pub(crate) fn relight(
+    transfer: Input<Transfer>,
+    light: Input<Light>,
+    coefficients: Output<Coefficients>,
 ) -> Result<(), Status> {
     let transfer = transfer.value()?;
     let (light, [of_light, of_mantissas]) = light.value()?.view()?;
@@ -204,12 +181,12 @@ pub(crate) fn relight<Q: Shipped>(
     relit(transfer, &light, unsafe { coefficients.zeroed() }?)
 }
 
-pub(crate) fn project<Q: Shipped>(
-    light: Input<Light<Q>>,
-    material: Input<Material<Q>>,
-    workspace: Output<Workspace<Q>>,
-    transfer: Output<Transfer<Q>>,
-    coefficients: Output<Coefficients<Q>>,
+pub(crate) fn project(
+    light: Input<Light>,
+    material: Input<Material>,
+    workspace: Output<Workspace>,
+    transfer: Output<Transfer>,
+    coefficients: Output<Coefficients>,
 ) -> Result<(), Status> {
     let (light, of_light) = light.value()?.view()?;
     let (material, of_material) = material.value()?.view()?;
@@ -224,10 +201,10 @@ pub(crate) fn project<Q: Shipped>(
     relit(transfer, &light, coefficients)
 }
 
-pub(crate) fn collapse<Q: Shipped>(
-    coefficients: Input<Coefficients<Q>>,
+pub(crate) fn collapse(
+    coefficients: Input<Coefficients>,
     components: usize,
-    scene: Output<Scene<Q>>,
+    scene: Output<Scene>,
 ) -> Result<(), Status> {
     let coefficients = coefficients.value()?;
     disjoint(&[scene.place()], &[Place::of(coefficients)])?;
@@ -241,58 +218,54 @@ pub(crate) fn collapse<Q: Shipped>(
 }
 
 /// Sums the first components to a scene.
-pub(crate) fn collapsed<Q: Shipped>(
-    mantissas: &[i32],
-    exponent: i32,
-    scene: &mut Scene<Q>,
-) -> Result<(), Status> {
+pub(crate) fn collapsed(mantissas: &[i32], exponent: i32, scene: &mut Scene) -> Result<(), Status> {
     let Scene { terms, exponent: of_scene, state } = scene;
-    *of_scene = Q::relight_only().collapse_into(mantissas, exponent, terms.as_mut())?.exponent();
+    *of_scene = relight_only().collapse_into(mantissas, exponent, terms)?.exponent();
     *state = Mark::COMPUTED;
     Ok(())
 }
 
 /// The irradiance of a normal, times 2 to the scene's negative exponent.
 #[inline]
-pub(crate) fn irradiance<Q: Shipped>(scene: &Scene<Q>, normal: Normal<Q>) -> Result<i32, Status> {
-    Ok(Q::irradiance(&Q::relight_only().scene(0, scene.terms.as_ref())?, normal))
+pub(crate) fn irradiance(scene: &Scene, normal: Normal) -> Result<i32, Status> {
+    Ok(constant_irradiance(&relight_only().scene(0, scene.terms.as_slice())?, normal))
 }
 
-pub(crate) fn normalize<Q: Shipped>(vector: Input<i32>, normal: Output<Q>) -> Result<(), Status> {
+pub(crate) fn normalize(vector: Input<i32>, normal: Output<Q15>) -> Result<(), Status> {
     // SAFETY: C promises three numbers.
     let vector = unsafe { vector.array(3) }?;
     disjoint(&[normal.place_of_array(3)?], &[Place::of(vector)])?;
     let &[x, y, z] = vector else { return Err(Status::Internal) };
-    let found = Normal::<Q>::new(x, y, z)?;
+    let found = Normal::new(x, y, z)?;
     // SAFETY: C promises memory for three numbers, which overlaps no other.
     let normal = unsafe { normal.zeroed_array(3) }?;
     normal.iter_mut().zip(found.components()).for_each(|(to, from)| *to = from);
     Ok(())
 }
 
-pub(crate) fn shade<Q: Shipped>(
-    scene: Input<Scene<Q>>,
-    x: Q,
-    y: Q,
-    z: Q,
+pub(crate) fn shade(
+    scene: Input<Scene>,
+    x: Q15,
+    y: Q15,
+    z: Q15,
     irradiance: Output<i32>,
 ) -> Result<(), Status> {
     let scene = scene.value()?;
     disjoint(&[irradiance.place()], &[Place::of(scene)])?;
     scene.check()?;
-    let normal = Q::normal(x, y, z)?;
+    let normal = Normal::from_unit(x, y, z)?;
     let found = self::irradiance(scene, normal)?;
     // SAFETY: it overlaps no other.
     *unsafe { irradiance.zeroed() }? = found;
     Ok(())
 }
 
-pub(crate) fn shade_many<Q: Shipped>(
-    scene: Input<Scene<Q>>,
+pub(crate) fn shade_many(
+    scene: Input<Scene>,
     count: usize,
-    x: Input<Q>,
-    y: Input<Q>,
-    z: Input<Q>,
+    x: Input<Q15>,
+    y: Input<Q15>,
+    z: Input<Q15>,
     irradiance: Output<i32>,
 ) -> Result<(), Status> {
     let scene = scene.value()?;
@@ -300,48 +273,42 @@ pub(crate) fn shade_many<Q: Shipped>(
     // SAFETY: C promises `count` numbers each.
     let ([x, y, z], irradiance) =
         unsafe { normals(Place::of(scene), count, [&x, &y, &z], &irradiance) }?;
-    let scene = Q::relight_only().scene(0, scene.terms.as_ref())?;
+    let scene = relight_only().scene(0, scene.terms.as_slice())?;
     for (((irradiance, &x), &y), &z) in irradiance.iter_mut().zip(x).zip(y).zip(z) {
-        *irradiance = Q::irradiance(&scene, Q::normal(x, y, z)?);
+        *irradiance = constant_irradiance(&scene, Normal::from_unit(x, y, z)?);
     }
     Ok(())
 }
 
-macro_rules! exported {
-    ($module:ident $format:literal $q:ty) => {
-        export! { $module $format
-            quantize_light(
-                from: Input<float::Light>, mantissas: Output<$q>, length: usize,
-                to: Output<Light<$q>>
-            )
-            quantize_material(
-                from: Input<float::Material>, mantissas: Output<$q>, length: usize,
-                exponents: Output<i8>, exponents_length: usize, to: Output<Material<$q>>
-            )
-            transfer(
-                material: Input<Material<$q>>, workspace: Output<Workspace<$q>>,
-                transfer: Output<Transfer<$q>>
-            )
-            relight(
-                transfer: Input<Transfer<$q>>, light: Input<Light<$q>>,
-                coefficients: Output<Coefficients<$q>>
-            )
-            project(
-                light: Input<Light<$q>>, material: Input<Material<$q>>,
-                workspace: Output<Workspace<$q>>, transfer: Output<Transfer<$q>>,
-                coefficients: Output<Coefficients<$q>>
-            )
-            collapse(
-                coefficients: Input<Coefficients<$q>>, components: usize, scene: Output<Scene<$q>>
-            )
-            normalize(vector: Input<i32>, normal: Output<$q>)
-            shade(scene: Input<Scene<$q>>, x: $q, y: $q, z: $q, irradiance: Output<i32>)
-            shade_many(
-                scene: Input<Scene<$q>>, count: usize, x: Input<$q>, y: Input<$q>, z: Input<$q>,
-                irradiance: Output<i32>
-            )
-        }
-    };
+export! { functions "q15"
+    quantize_light(
+        from: Input<float::Light>, mantissas: Output<Q15>, length: usize,
+        to: Output<Light>
+    )
+    quantize_material(
+        from: Input<float::Material>, mantissas: Output<Q15>, length: usize,
+        exponents: Output<i8>, exponents_length: usize, to: Output<Material>
+    )
+    transfer(
+        material: Input<Material>, workspace: Output<Workspace>,
+        transfer: Output<Transfer>
+    )
+    relight(
+        transfer: Input<Transfer>, light: Input<Light>,
+        coefficients: Output<Coefficients>
+    )
+    project(
+        light: Input<Light>, material: Input<Material>,
+        workspace: Output<Workspace>, transfer: Output<Transfer>,
+        coefficients: Output<Coefficients>
+    )
+    collapse(
+        coefficients: Input<Coefficients>, components: usize, scene: Output<Scene>
+    )
+    normalize(vector: Input<i32>, normal: Output<Q15>)
+    shade(scene: Input<Scene>, x: Q15, y: Q15, z: Q15, irradiance: Output<i32>)
+    shade_many(
+        scene: Input<Scene>, count: usize, x: Input<Q15>, y: Input<Q15>, z: Input<Q15>,
+        irradiance: Output<i32>
+    )
 }
-exported!(q15_functions "q15" Q15);
-exported!(q31_functions "q31" Q31);

@@ -2,7 +2,7 @@
 //! static library.
 //!
 //! The headers document every function. The modules `float` and `integers` hold those of one
-//! channel, for `f32` and for Q15 and Q31, the module `color` those of three; a program links only
+//! channel, for `f32` and for Q15, the module `color` those of three; a program links only
 //! what it calls.
 //!
 //! On bare metal the static library has a panic handler. In release builds it calls an undefined

@@ -6,7 +6,7 @@ use crate::boundary::Input;
 use crate::color::{Channels, Gloss, Source};
 use crate::{float, integers};
 use eigenshade::presets::{gloss, light, material, sources};
-use eigenshade::{Display, Q15, Rgb, Tone, quantized, sphere};
+use eigenshade::{Display, Rgb, Tone, q15, sphere};
 
 /// A constant that C reads.
 #[repr(transparent)]
@@ -33,14 +33,14 @@ const fn material_f32(material: &eigenshade::Material<'static, f32>) -> float::M
     float::Material { order, length, coefficients: Input::to(coefficients) }
 }
 
-const fn light_q15(light: &quantized::Light<'static, Q15>) -> integers::Light<Q15> {
+const fn light_q15(light: &q15::Light<'static>) -> integers::Light {
     let (mantissas, exponent) = (light.mantissas(), light.exponent());
     assert!(mantissas.len() == sphere::LIGHT, "presets have the degree of the shipped table");
     let mantissas = Input::to(mantissas);
     integers::Light { degree: sphere::DEGREE, length: sphere::LIGHT, mantissas, exponent }
 }
 
-const fn material_q15(material: &quantized::Material<'static, Q15>) -> integers::Material<Q15> {
+const fn material_q15(material: &q15::Material<'static>) -> integers::Material {
     let (mantissas, exponents) = (material.mantissas(), material.exponents());
     assert!(exponents.len() == sphere::ORDER + 1, "presets have the order of the shipped table");
     integers::Material {
@@ -61,7 +61,7 @@ macro_rules! lights {
         )*};
         const _: () = {$(
             #[unsafe(export_name = concat!("eigenshade_light_", $name, "_q15"))]
-            static $constant: Constant<Channels<integers::Light<Q15>>> =
+            static $constant: Constant<Channels<integers::Light>> =
                 channels!(light::q15::$constant, light_q15);
         )*};
     };
@@ -77,7 +77,7 @@ macro_rules! materials {
         )*};
         const _: () = {$(
             #[unsafe(export_name = concat!("eigenshade_material_", $name, "_q15"))]
-            static $constant: Constant<Channels<integers::Material<Q15>>> =
+            static $constant: Constant<Channels<integers::Material>> =
                 channels!(material::q15::$constant, material_q15);
         )*};
     };

@@ -137,8 +137,7 @@ fn gold_sphere(size: usize) -> Result<Vec<u16>, Error> {
     let exposure = scene.exposure_by_factor(1.5)?;
     let mut screen = vec![0; size * size];
     for pixel in Disc::new(size)? {
-        pixel
-            .put(&mut screen, display.rgb565(exposure.of(scene.shade(pixel.quantized_normal()))))?;
+        pixel.put(&mut screen, display.rgb565(exposure.of(scene.shade(pixel.normal_q15()))))?;
     }
     Ok(screen)
 }

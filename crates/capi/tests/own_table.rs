@@ -14,12 +14,12 @@ mod table_header;
 mod program;
 
 use eigenshade::presets::{light::q15::LOBBY, material::q15::GOLD_METALLIC_PAINT};
-use eigenshade::{Q15, quantized};
+use eigenshade::{Q15, q15};
 use program::{compiled, run};
 use std::fs;
 use std::path::Path;
 use std::process::Command;
-use table::{DEGREE, ORDER, q15};
+use table::{DEGREE, ORDER};
 
 /// The middle row of a sphere under presets, shortened to the table's degree and order.
 const PROGRAM: &str = "\
@@ -56,16 +56,15 @@ fn c_draws_with_the_table_of_a_scene() {
 
     let light = LOBBY.map(|light| {
         let mantissas = &light.mantissas()[..(DEGREE + 1).pow(2)];
-        quantized::Light::new(light.exponent(), mantissas).expect("a light")
+        q15::Light::new(light.exponent(), mantissas).expect("a light")
     });
     let material = GOLD_METALLIC_PAINT.map(|material| {
         let length = eigenshade::index::material::count(ORDER);
         let (exponents, mantissas) = (material.exponents(), material.mantissas());
-        quantized::Material::new(&exponents[..=ORDER], &mantissas[..length]).expect("a material")
+        q15::Material::new(&exponents[..=ORDER], &mantissas[..length]).expect("a material")
     });
-    let scene = q15::color::scene(light, material).expect("a scene");
-    let normal =
-        quantized::Normal::<Q15>::from_unit(Q15(0), Q15(19_661), Q15(26_214)).expect("a normal");
+    let scene = table::q15::color::scene(light, material).expect("a scene");
+    let normal = q15::Normal::from_unit(Q15(0), Q15(19_661), Q15(26_214)).expect("a normal");
     let found = scene.shade(normal);
     let expected = format!(
         "its table\nthe degree of the light is above EIGENSHADE_DEGREE; leave out the coefficients above it\n\

@@ -5,14 +5,14 @@ use crate::support::{
     scene, stderr,
 };
 use crate::tolerances;
-use eigenshade::{Basis, Q15, Q31};
+use eigenshade::Basis;
 use eigenshade_cli::messages::grouped;
 use eigenshade_model::database::{Lights, Materials};
 use eigenshade_model::inputs::coefficient_csv::{read_lights, read_materials};
-use eigenshade_shading::integer_shader::{Integer, OwnedQuantized};
+use eigenshade_shading::integer_shader::OwnedQuantized;
 use eigenshade_shading::owned_basis::OwnedBasis;
 use eigenshade_shading::shader::{OwnedNormals, Shader};
-use eigenshade_table::quantize::{IntegerFormat, integers};
+use eigenshade_table::quantize::{TOLERANCE, integers};
 use eigenshade_table::{Table, statics};
 use std::fs;
 use std::path::Path;
@@ -89,25 +89,24 @@ fn rounded(values: Vec<f64>) -> Vec<f64> {
 /// Degree and order of the tables in integers.
 const SIZES: [(usize, usize); 6] = [(2, 0), (4, 0), (3, 1), (9, 1), (5, 2), (2, 3)];
 
-/// Compares the generated functions of the module `NAME`, in the format `KIND` of `BITS` bits, with
-/// the general ones.
+/// Compares the generated functions of the module `NAME` with the general ones.
 const COMPARE_INTEGERS: &str = r#"
 {
-    use eigenshade::quantized::{Light, Material, Normal};
-    use eigenshade::KIND;
+    use eigenshade::q15::{Light, Material, Normal};
+    use eigenshade::Q15;
     let lights = NAME::DEGREE + 1;
     let (mut brightest, mut images) = (0, 0);
     for seed in 1..40_u32 {
         let mut state = seed;
         let mut number = || {
             state = state.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
-            KIND(((i64::from(state as i32) * 32_767) >> (62 + 1 - 31 - (BITS - 15))) as _)
+            Q15(((i64::from(state as i32) * 32_767) >> 32) as i16)
         };
         // The first coefficient is as large as possible, so that its product is the largest.
-        let mut material: Vec<KIND> = (0..MATERIAL).map(|_| number()).collect();
-        let mut light: Vec<KIND> = (0..lights * lights).map(|_| number()).collect();
+        let mut material: Vec<Q15> = (0..MATERIAL).map(|_| number()).collect();
+        let mut light: Vec<Q15> = (0..lights * lights).map(|_| number()).collect();
         if seed % 2 == 0 {
-            material[0] = KIND(if seed % 4 == 0 { -1 } else { 1 } * (((1_i64 << BITS) - 1) as i32 as INT));
+            material[0] = Q15(if seed % 4 == 0 { -32_767 } else { 32_767 });
             light[0] = material[0];
         }
         for rise in [0_i8, 3, -2] {
@@ -124,10 +123,10 @@ const COMPARE_INTEGERS: &str = r#"
             let scene = NAME::collapse(&d).unwrap();
             let general = NAME::BASIS.collapse::<{ NAME::SCENE }>(d.mantissas(), d.exponent()).unwrap();
             assert_eq!(scene.exponent(), general.exponent(), "NAME, collapse, {seed}, {rise}");
-            let half = KIND((1_i64 << (BITS - 1)) as INT);
-            let aslant = KIND(((1_i64 << BITS) as f64 * 0.75_f64.sqrt()) as INT);
-            for normal in [[half, KIND(0), aslant], [KIND(0), KIND(-half.0), aslant], [-aslant.0, 0, half.0].map(KIND)] {
-                let normal = Normal::<KIND>::from_unit(normal[0], normal[1], normal[2]).unwrap();
+            let half = Q15(1 << 14);
+            let aslant = Q15((32_768.0 * 0.75_f64.sqrt()) as i16);
+            for normal in [[half, Q15(0), aslant], [Q15(0), Q15(-half.0), aslant], [-aslant.0, 0, half.0].map(Q15)] {
+                let normal = Normal::from_unit(normal[0], normal[1], normal[2]).unwrap();
                 let pixel = NAME::shade(&scene, normal);
                 assert_eq!(pixel, general.shade(normal), "NAME, pixel, {seed}, {rise}");
                 brightest = brightest.max(pixel.unsigned_abs());
@@ -160,17 +159,11 @@ fn compiled() -> (String, Vec<[Vec<f32>; 2]>) {
     for (degree, order) in SIZES {
         let small = ("small", "sphere", "any", degree, order, "image-centered", 30, 0);
         let (table, ..) = self::table(&folder, &small);
-        for (format, kind, bits, int) in
-            [(IntegerFormat::Q15, "Q15", "15", "i16"), (IntegerFormat::Q31, "Q31", "31", "i32")]
-        {
-            let name = format!("of_{degree}_{order}_{bits}");
-            let parts = integers(&table, format, format.tolerance()).expect("parts");
-            let count = eigenshade_index::material::count(order).to_string();
-            let program = COMPARE_INTEGERS.replace("NAME", &name).replace("KIND", kind);
-            let program = program.replace("BITS", bits).replace("INT", int);
-            body += &program.replace("MATERIAL", &count);
-            files.push((name, statics::integers(&parts, format, "a test")));
-        }
+        let name = format!("of_{degree}_{order}");
+        let parts = integers(&table, TOLERANCE).expect("parts");
+        let count = eigenshade_index::material::count(order).to_string();
+        body += &COMPARE_INTEGERS.replace("NAME", &name).replace("MATERIAL", &count);
+        files.push((name, statics::integers(&parts, "a test")));
     }
     (output_of("compiled-tables", &files, &body), expected)
 }
@@ -217,7 +210,7 @@ pub fn output_of(program: &str, modules: &[(String, String)], body: &str) -> Str
 fn compiled_tables_agree_with_tables_that_are_read() {
     let (printed, expected) = compiled();
     let lines: Vec<&str> = printed.lines().collect();
-    assert_eq!(lines.len(), KINDS.len() + 2 * SIZES.len());
+    assert_eq!(lines.len(), KINDS.len() + SIZES.len());
     for ((line, [d, image]), (name, ..)) in lines.iter().zip(&expected).zip(KINDS) {
         let found: Vec<f32> =
             line.split_whitespace().map(|number| number.parse().expect("a number")).collect();
@@ -244,8 +237,8 @@ fn of_floats(basis: &Basis<'_, f32>) -> String {
     format!("WORKSPACE {workspace}, TRANSFER {transfer}, COMPONENTS {components}, SCENE {scene}")
 }
 
-fn of_integers<Q: Integer>(table: &Table) -> String {
-    let owned = OwnedQuantized::<Q>::new(table, Q::FORMAT.tolerance()).expect("integers");
+fn of_integers(table: &Table) -> String {
+    let owned = OwnedQuantized::new(table, TOLERANCE).expect("integers");
     let basis = owned.view().expect("a basis");
     let profiles = basis.profiles();
     let [workspace, transfer, components, scene] =
@@ -261,7 +254,7 @@ fn of_integers<Q: Integer>(table: &Table) -> String {
 fn info_describes_wire_files() {
     let folder = Folder::with_table();
     let table = folder.table("b.bin");
-    for format in ["f32", "q15", "q31"] {
+    for format in ["f32", "q15"] {
         let summary = folder.ok(&format!("pack --table b.bin --format {format} --out w.esw"));
         let bytes = folder.bytes("w.esw");
         assert!(bytes.starts_with(b"EIGSWIRE"));
@@ -271,8 +264,7 @@ fn info_describes_wire_files() {
         assert!(error.starts_with("error        ") && error.contains("of the peak"), "{error}");
         let buffers = match format {
             "f32" => of_floats(&OwnedBasis::new(&table).basis().expect("a basis")),
-            "q15" => of_integers::<Q15>(&table),
-            _ => of_integers::<Q31>(&table),
+            _ => of_integers(&table),
         };
         let description = folder.ok("info --table w.esw");
         for line in [
@@ -319,10 +311,8 @@ fn tables_without_a_wire_file_are_refused() {
     };
     make("mean", scene("standard", 10, "[]"));
     folder.ok("pack --table mean.bin --out w.esw");
-    for format in ["q15", "q31"] {
-        let arguments = format!("pack --table mean.bin --format {format} --out v.esw");
-        assert_fails(&folder, &arguments, &["mean.bin: ", "mean image", "image-centered"]);
-    }
+    let arguments = "pack --table mean.bin --format q15 --out v.esw";
+    assert_fails(&folder, arguments, &["mean.bin: ", "mean image", "image-centered"]);
     make("fixed", scene("image-centered", 10, "[]").replace("\"any\"", "\"none\""));
     let what = "fixed.bin: integer formats support only tables of a sphere under light that turns \
                 freely; use ";

@@ -36,7 +36,6 @@ fn images_beyond_a_format_are_refused() {
         ("f32", "--method baked"),
         ("f32", "--tolerance 1e-3"),
         ("q15", ""),
-        ("q31", ""),
     ] {
         let shade = format!("{SHADE} --format {format} {options} --out new.csv");
         assert_fails(&folder, &shade, &[&fragments[..], &[format]].concat());
@@ -62,9 +61,7 @@ fn products_beyond_f64_are_refused() {
 /// The range of coefficients of lights and materials ends at 2^127 times the largest mantissa.
 #[test]
 fn integers_are_right_up_to_the_size_at_which_they_saturate() {
-    for (format, right, too_large, tolerance) in
-        [("q15", "41", "43", tolerances::SHADED_Q15), ("q31", "46", "48", tolerances::SHADED_Q31)]
-    {
+    for (format, right, too_large, tolerance) in [("q15", "41", "43", tolerances::SHADED_Q15)] {
         let folder = with_light(right);
         // The channel that is large.
         let [found, expected] = [format, "f64"].map(|format| {
@@ -188,7 +185,7 @@ fn light_behind_the_object_gives_a_note() {
 fn formats_with_large_rounding_errors() {
     let folder = with_image();
     let shade = |format: &str| format!("{SHADE} --method polynomial --format {format}");
-    let (in_f32, in_q15, in_q31) = (shade("f32"), shade("q15"), shade("q31"));
+    let (in_f32, in_q15) = (shade("f32"), shade("q15"));
     let warned = |command: &str| {
         let message = folder.messages(command);
         let lines = message.lines().filter(|line| line.starts_with("warning: rounding to "));
@@ -196,7 +193,7 @@ fn formats_with_large_rounding_errors() {
         assert!(lines.len() <= 1, "{message}");
         lines.concat()
     };
-    for command in [RENDER, READ, &in_f32, &in_q31] {
+    for command in [RENDER, READ, &in_f32] {
         assert_eq!(warned(command), "", "{command}");
     }
     let mut table = folder.table("b.bin");

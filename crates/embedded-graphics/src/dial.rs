@@ -3,7 +3,7 @@
 use crate::paint::{DisplayColor, Shader};
 use crate::rows;
 use core::marker::PhantomData;
-use eigenshade::{Disc, DiscPixel, Error, Normal, Q15, quantized};
+use eigenshade::{Disc, DiscPixel, Error, Normal, Q15, q15};
 use embedded_graphics_core::Drawable;
 use embedded_graphics_core::draw_target::DrawTarget;
 use embedded_graphics_core::geometry::{Dimensions, Point, Size};
@@ -112,9 +112,9 @@ impl DialPixel {
 
     /// The normal in integers.
     #[must_use]
-    pub fn quantized_normal(self) -> quantized::Normal<Q15> {
+    pub fn normal_q15(self) -> q15::Normal {
         let [x, y, z] = self.vector().map(|along| Q15(along.clamp(1 - ONE, ONE - 1) as i16));
-        quantized::Normal::<Q15>::from_unit(x, y, z).unwrap_or(self.place.quantized_normal())
+        q15::Normal::from_unit(x, y, z).unwrap_or(self.place.normal_q15())
     }
 
     /// The normal in units of 2^-15.

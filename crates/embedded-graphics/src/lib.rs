@@ -34,7 +34,7 @@
 //! # static DISPLAY: Display = Display::new(Tone::Filmic);
 //!
 //! let scene = q15::color::scene(LOBBY, GOLD_METALLIC_PAINT)?;
-//! let gold = Paint::quantized(|normal| scene.shade(normal), scene.exposure_by_factor(1.5)?, &DISPLAY);
+//! let gold = Paint::q15(|normal| scene.shade(normal), scene.exposure_by_factor(1.5)?, &DISPLAY);
 //! # Ok::<(), eigenshade::Error>(())
 //! ```
 //!

@@ -1,9 +1,7 @@
 //! From normals to the colors of a display.
 
 use crate::dial::DialPixel;
-use eigenshade::{
-    DiscPixel, Display, Exposure, Linear, Normal, NormalPixel, Q15, Rgb, blend565, quantized,
-};
+use eigenshade::{DiscPixel, Display, Exposure, Linear, Normal, NormalPixel, Rgb, blend565, q15};
 use embedded_graphics_core::pixelcolor::raw::{RawData as _, RawU16};
 use embedded_graphics_core::pixelcolor::{
     Bgr565, Bgr888, PixelColor, Rgb565, Rgb888, RgbColor as _,
@@ -20,7 +18,7 @@ pub trait Place: Copy {
     /// The normal.
     fn normal(self) -> Normal<f32>;
     /// The normal in integers.
-    fn quantized_normal(self) -> quantized::Normal<Q15>;
+    fn normal_q15(self) -> q15::Normal;
 }
 
 macro_rules! places {
@@ -45,8 +43,8 @@ macro_rules! places {
                     self.normal()
                 }
                 #[inline]
-                fn quantized_normal(self) -> quantized::Normal<Q15> {
-                    self.quantized_normal()
+                fn normal_q15(self) -> q15::Normal {
+                    self.normal_q15()
                 }
             }
         )*
@@ -82,13 +80,9 @@ impl<'d, F: Fn(Normal<f32>) -> Rgb<f32>> Paint<'d, F, Exposure> {
     }
 }
 
-impl<'d, F: Fn(quantized::Normal<Q15>) -> Rgb<i32>> Paint<'d, F, Rgb<quantized::Exposure>> {
+impl<'d, F: Fn(q15::Normal) -> Rgb<i32>> Paint<'d, F, Rgb<q15::Exposure>> {
     /// Paint in integers: `shade` gives mantissas, and `exposure` comes from the same scene.
-    pub const fn quantized(
-        shade: F,
-        exposure: Rgb<quantized::Exposure>,
-        display: &'d Display,
-    ) -> Self {
+    pub const fn q15(shade: F, exposure: Rgb<q15::Exposure>, display: &'d Display) -> Self {
         Self { shade, exposure, display, is_dithered: false }
     }
 }
@@ -115,10 +109,10 @@ impl<F: Fn(Normal<f32>) -> Rgb<f32>> Shader for Paint<'_, F, Exposure> {
     }
 }
 
-impl<F: Fn(quantized::Normal<Q15>) -> Rgb<i32>> Shader for Paint<'_, F, Rgb<quantized::Exposure>> {
+impl<F: Fn(q15::Normal) -> Rgb<i32>> Shader for Paint<'_, F, Rgb<q15::Exposure>> {
     #[inline]
     fn color<C: DisplayColor>(&self, place: impl Place) -> C {
-        self.encoded(self.exposure.of((self.shade)(place.quantized_normal())), place)
+        self.encoded(self.exposure.of((self.shade)(place.normal_q15())), place)
     }
 }
 

@@ -2,9 +2,7 @@
 #![expect(clippy::unwrap_used, clippy::indexing_slicing, reason = "a test may panic")]
 
 use eigenshade::presets::{light, material};
-use eigenshade::{
-    Disc, Display, Error, Exposure, Normal, NormalMap, Q15, Rgb, Tone, blend565, sphere,
-};
+use eigenshade::{Disc, Display, Error, Exposure, Normal, NormalMap, Rgb, Tone, blend565, sphere};
 use eigenshade_embedded_graphics::{Dial, Paint, Relief, Sphere};
 use embedded_graphics::pixelcolor::raw::RawU16;
 use embedded_graphics::pixelcolor::{Bgr565, Bgr888, Rgb565, Rgb888};
@@ -98,11 +96,11 @@ fn a_sphere_in_integers_has_the_pixels_of_the_runtime() {
     let lobby = light::q15::LOBBY;
     let scene = sphere::q15::color::scene(lobby, material::q15::GOLD_METALLIC_PAINT).unwrap();
     let exposure = scene.exposure_by_factor(1.5).unwrap();
-    let gold = Paint::quantized(|normal| scene.shade(normal), exposure, &DISPLAY);
+    let gold = Paint::q15(|normal| scene.shade(normal), exposure, &DISPLAY);
     let mut screen = Screen::<Rgb565>::new(40, 40);
     Sphere::new(Point::zero(), 40, &gold).unwrap().draw(&mut screen).unwrap();
     for pixel in Disc::new(40).unwrap() {
-        let color = exposure.of(scene.shade(pixel.quantized_normal()));
+        let color = exposure.of(scene.shade(pixel.normal_q15()));
         let expected = RawU16::new(DISPLAY.rgb565(color)).into();
         assert_eq!(screen.pixels[pixel.index()], Some(expected));
     }
@@ -197,7 +195,7 @@ fn a_dial_has_a_bezel_and_twelve_marks_on_a_dome() {
             normals.borrow_mut().push(normal.components().map(f64::from));
             Rgb::gray(0.5)
         };
-        let whole = |normal: eigenshade::quantized::Normal<Q15>| {
+        let whole = |normal: eigenshade::q15::Normal| {
             integers.borrow_mut().push(normal.components().map(|one| f64::from(one.0) / 32_768.0));
             Rgb::gray(1000)
         };
@@ -205,8 +203,8 @@ fn a_dial_has_a_bezel_and_twelve_marks_on_a_dome() {
         let paint = Paint::new(floats, Exposure::default(), &DISPLAY);
         Dial::new(Point::zero(), diameter, bezel, mark, &paint).unwrap().draw(&mut screen).unwrap();
         let mut screen = Screen::<Rgb565>::new(diameter, diameter);
-        let exposure = Rgb::gray(eigenshade::quantized::Exposure::new(1.0, -15).unwrap());
-        let paint = Paint::quantized(whole, exposure, &DISPLAY);
+        let exposure = Rgb::gray(eigenshade::q15::Exposure::new(1.0, -15).unwrap());
+        let paint = Paint::q15(whole, exposure, &DISPLAY);
         Dial::new(Point::zero(), diameter, bezel, mark, &paint).unwrap().draw(&mut screen).unwrap();
         let (mut elsewhere, mut marked) = (0, 0);
         let found = normals.borrow();

@@ -3,9 +3,9 @@
 //! Add `eigenshade-generator` to the `[build-dependencies]` and write this `build.rs`:
 //!
 //! ```no_run
-//! use eigenshade_generator::build::{self, IntegerFormat};
+//! use eigenshade_generator::build;
 //!
-//! build::statics("scene.toml", "table.rs", &[IntegerFormat::Q15]);
+//! build::statics("scene.toml", "table.rs");
 //! ```
 //!
 //! In the crate, add a module `table` that contains `include!(concat!(env!("OUT_DIR"),
@@ -30,25 +30,21 @@ use eigenshade_table::statics;
 use std::path::Path;
 use std::{env, process};
 
-pub use eigenshade_table::quantize::IntegerFormat;
-
 /// Writes the statics of the scene at `scene` to the file `name` in the build script's `OUT_DIR`:
-/// in `f32`, and in a module `q15` or `q31` for each format in `integers`. If the scene has a
-/// section `[highlights]`, the modules `sources` and `gloss` hold the small sources of its lights
+/// in `f32`, and in integers in a module `q15`. If the scene has a section `[highlights]`, the modules `sources` and `gloss` hold the small sources of its lights
 /// and the gloss of its materials.
 ///
 /// Prints directives for cargo on standard output: the files that the statics depend on, and a
-/// warning for each integer format that does not serve the scene and is left out, for lights
-/// without sources and for materials without gloss. On an error it prints one line and ends the
+/// warning if integers do not suit the scene and `q15` is left out, for lights without sources and for materials without gloss. On an error it prints one line and ends the
 /// process.
-pub fn statics(scene: impl AsRef<Path>, name: &str, integers: &[IntegerFormat]) {
+pub fn statics(scene: impl AsRef<Path>, name: &str) {
     let scene = scene.as_ref();
     for input in scene_file::inputs(scene) {
         println!("cargo::rerun-if-changed={}", input.display());
     }
     let written = env::var_os("OUT_DIR")
         .ok_or_else(|| Error::new("OUT_DIR is not set", "call this from a build script"))
-        .and_then(|folder| write(scene, &Path::new(&folder).join(name), integers));
+        .and_then(|folder| write(scene, &Path::new(&folder).join(name)));
     match written {
         Ok(warnings) => warnings.iter().for_each(|line| println!("cargo::warning={line}")),
         Err(error) => {
@@ -58,18 +54,18 @@ pub fn statics(scene: impl AsRef<Path>, name: &str, integers: &[IntegerFormat]) 
     }
 }
 
-/// Writes the statics of a scene to the file `out`. Returns one line for each format that does not
-/// serve the scene, and for what its highlights lack.
+/// Writes the statics of a scene to the file `out`. Returns one line if integers do not suit
+/// the scene, and one for each thing that its highlights lack.
 ///
 /// # Errors
 ///
 /// The errors of [`scene_file::load`] and [`Loaded::build`](scene_file::Loaded::build), a scene
 /// that stores only transfers, and errors of writing.
-pub fn write(scene: &Path, out: &Path, integers: &[IntegerFormat]) -> Result<Vec<String>> {
+pub fn write(scene: &Path, out: &Path) -> Result<Vec<String>> {
     let loaded = scene_file::load(scene)?;
     let table = loaded.build().map_err(|error| error.in_file(scene))?;
     let command = format!("eigenshade-generator, from {}", scene.display());
-    let statics = statics::module(&table, &command, integers).map_err(|_| {
+    let statics = statics::module(&table, &command).map_err(|_| {
         let what = "it stores only transfers, which have no static form";
         Error::new(what, "set store = \"projection\"").in_file(scene)
     })?;
@@ -77,10 +73,8 @@ pub fn write(scene: &Path, out: &Path, integers: &[IntegerFormat]) -> Result<Vec
     write_atomically(out, |to| {
         to.write_all(text.as_bytes()).map_err(|error| Error::io(out, &error))
     })?;
-    let line = |(format, error): &(IntegerFormat, _)| {
-        format!("{}: no {}: {error}", scene.display(), format.name())
-    };
+    let line = |error| format!("{}: no q15: {error}", scene.display());
     let missing = loaded.highlights.iter().flat_map(Highlights::warnings);
     let missing = missing.map(|line| format!("{}: {line}", scene.display()));
-    Ok(statics.left_out.iter().map(line).chain(missing).collect())
+    Ok(statics.without_integers.map(line).into_iter().chain(missing).collect())
 }

@@ -1,6 +1,6 @@
 //! Statics of a scene, as a build script asks for them.
 
-use eigenshade_generator::build::{IntegerFormat, write};
+use eigenshade_generator::build::write;
 use eigenshade_generator::scene_file::inputs;
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -27,7 +27,6 @@ fn scene(folder: &Path, geometry: &str, basis: &str) -> PathBuf {
 fn integers_stand_beside_floats_where_they_serve() {
     let folder = tempfile::tempdir().expect("a folder");
     let out = folder.path().join("table.rs");
-    let formats = [IntegerFormat::Q15, IntegerFormat::Q31];
     for (geometry, basis, reason) in [
         ("normals = \"sphere\"", "criterion = \"image-centered\"\ncomponents = 4", None),
         ("normals = \"sphere\"", "criterion = \"standard\"\ncomponents = 4", Some("mean image")),
@@ -43,22 +42,18 @@ fn integers_stand_beside_floats_where_they_serve() {
         ),
     ] {
         let scene = scene(folder.path(), geometry, basis);
-        let warnings = write(&scene, &out, &formats).expect("a table");
+        let warnings = write(&scene, &out).expect("a table");
         let text = fs::read_to_string(&out).expect("a file");
         assert!(text.starts_with("// eigenshade-generator, from "), "{}", &text[..80]);
         let of_sphere = geometry.contains("\"sphere\"");
         let kind = if of_sphere { "table!(sphere passes " } else { "table!(general);" };
         assert!(text.contains(&format!("\neigenshade::{kind}")), "{kind}");
-        for name in ["q15", "q31"] {
-            assert_eq!(text.contains(&format!("pub mod {name} {{")), reason.is_none());
-        }
-        assert_eq!(warnings.len(), if reason.is_some() { 2 } else { 0 });
-        for (line, name) in warnings.iter().zip(["q15", "q31"]) {
-            assert!(line.contains(&format!("scene.toml: no {name}: ")), "{line}");
+        assert_eq!(text.contains("pub mod q15 {"), reason.is_none());
+        assert_eq!(warnings.len(), usize::from(reason.is_some()));
+        for line in &warnings {
+            assert!(line.contains("scene.toml: no q15: "), "{line}");
             assert!(line.contains(reason.unwrap_or_default()), "{line}");
         }
-        // None are asked for, none are missed.
-        assert!(write(&scene, &out, &[]).expect("a table").is_empty());
     }
 }
 
@@ -83,7 +78,7 @@ fn highlights_stand_beside_the_table() {
     assert!(
         named.contains(&inputs.join("sources.csv")) && named.contains(&inputs.join("gloss.csv"))
     );
-    let warnings = write(&path, &out, &[]).expect("a table");
+    let warnings = write(&path, &out).expect("a table");
     let [dark] = &warnings[..] else { panic!("{warnings:?}") };
     assert!(dark.contains("no sources of the lights blender-city, "), "{dark}");
     assert!(dark.contains("they are not in") && !dark.contains(" studio"), "{dark}");
@@ -123,7 +118,7 @@ fn highlights_stand_beside_the_table() {
         (section(2, "gloss.csv").replace("most = 2", "most = 2\nmore = 1"), "more"),
     ] {
         fs::write(&path, text).expect("a file");
-        let error = write(&path, &out, &[]).expect_err("an error").to_string();
+        let error = write(&path, &out).expect_err("an error").to_string();
         assert!(error.contains(expected), "{error}");
     }
 }
@@ -140,7 +135,7 @@ fn faults_leave_nothing_behind() {
         ("criterion = \"of mine\"\ncomponents = 4", ["scene.toml:11: ", "of mine"]),
     ] {
         let scene = scene(folder.path(), sphere, basis);
-        let error = write(&scene, &out, &[]).expect_err("a fault").to_string();
+        let error = write(&scene, &out).expect_err("a fault").to_string();
         assert!(words.iter().all(|word| error.contains(word)), "{error}");
         assert!(!out.exists());
     }

@@ -1,86 +1,46 @@
-//! Computes the irradiance of many normals from a light and a material, in an integer format.
+//! Computes the irradiance of many normals from a light and a material, in integers.
 //!
-//! An [`OwnedQuantized`] is a table read at run time as a runtime basis in an [`Integer`] format;
-//! an [`IntegerShader`] adds work buffers.
+//! An [`OwnedQuantized`] is a table read at run time as a runtime basis; an [`IntegerShader`] adds
+//! work buffers.
 
 use crate::overflow;
 use crate::shader::fault;
-use eigenshade::quantized::{Basis, Light, Material, Normal, Parts, Transfer};
-use eigenshade::{FixedPoint, Q15, Q31};
+use eigenshade::Q15;
+use eigenshade::q15::{Basis, Light, Material, Normal, Transfer};
 use eigenshade_index::record::integers::OwnedParts;
 use eigenshade_model::error::{Error, Result};
 use eigenshade_table::Table;
-use eigenshade_table::quantize::{self, IntegerFormat, QuantizeError};
+use eigenshade_table::quantize::{self, QuantizeError, TOLERANCE};
 
-/// An integer format that the command line offers.
-pub trait Integer: FixedPoint {
-    /// The format's identifier.
-    const FORMAT: IntegerFormat;
-    /// The number with this mantissa, which must fit the format.
-    fn of(mantissa: i32) -> Self;
-    /// The nearest representable normal.
-    ///
-    /// # Errors
-    ///
-    /// If the vector is not a visible unit vector.
-    fn normal(components: [f64; 3]) -> std::result::Result<Normal<Self>, eigenshade::Error>;
-    /// The basis with these parts.
-    ///
-    /// # Errors
-    ///
-    /// As `Basis::new` of the runtime.
-    fn basis(parts: Parts<'_, Self>) -> std::result::Result<Basis<'_, Self>, eigenshade::Error>;
+/// The nearest representable normal.
+///
+/// # Errors
+///
+/// If the vector is not a visible unit vector.
+pub fn normal(components: [f64; 3]) -> std::result::Result<Normal, eigenshade::Error> {
+    let [x, y, z] = components.map(nearest);
+    Normal::from_unit(x, y, z)
 }
 
-impl Integer for Q15 {
-    const FORMAT: IntegerFormat = IntegerFormat::Q15;
-    fn of(mantissa: i32) -> Self {
-        Self(mantissa as i16)
-    }
-    fn normal(components: [f64; 3]) -> std::result::Result<Normal<Self>, eigenshade::Error> {
-        let [x, y, z] = components.map(nearest);
-        Normal::<Self>::from_unit(x, y, z)
-    }
-    fn basis(parts: Parts<'_, Self>) -> std::result::Result<Basis<'_, Self>, eigenshade::Error> {
-        Basis::<Self>::new(parts)
-    }
-}
-
-impl Integer for Q31 {
-    const FORMAT: IntegerFormat = IntegerFormat::Q31;
-    fn of(mantissa: i32) -> Self {
-        Self(mantissa)
-    }
-    fn normal(components: [f64; 3]) -> std::result::Result<Normal<Self>, eigenshade::Error> {
-        let [x, y, z] = components.map(nearest);
-        Normal::<Self>::from_unit(x, y, z)
-    }
-    fn basis(parts: Parts<'_, Self>) -> std::result::Result<Basis<'_, Self>, eigenshade::Error> {
-        Basis::<Self>::new(parts)
-    }
-}
-
-/// The nearest multiple of 2^-BITS; 1 becomes the largest mantissa.
-fn nearest<Q: Integer>(component: f64) -> Q {
-    let one = 2f64.powi(Q::FORMAT.bits());
-    Q::of((one * component).round().clamp(1.0 - one, one - 1.0) as i32)
+/// The nearest multiple of 2^-15; 1 becomes the largest mantissa.
+fn nearest(component: f64) -> Q15 {
+    Q15((32_768.0 * component).round().clamp(-32_767.0, 32_767.0) as i16)
 }
 
 /// The owned arrays of an integer basis.
 #[derive(Clone, Debug)]
-pub struct OwnedQuantized<Q> {
-    parts: OwnedParts<Q>,
+pub struct OwnedQuantized {
+    parts: OwnedParts<Q15>,
 }
 
-impl<Q: Integer> OwnedQuantized<Q> {
-    /// Converts a table to this format and trims its polynomials to `tolerance`.
+impl OwnedQuantized {
+    /// Converts a table to integers and trims its polynomials to `tolerance`.
     ///
     /// # Errors
     ///
     /// If the table has no integer form.
     pub fn new(table: &Table, tolerance: f64) -> std::result::Result<Self, QuantizeError> {
-        let parts = quantize::integers(table, Q::FORMAT, tolerance)?;
-        Ok(Self { parts: parts.convert(|&number| Q::of(number)) })
+        Ok(Self { parts: quantize::integers(table, tolerance)? })
     }
 
     /// The basis.
@@ -88,18 +48,18 @@ impl<Q: Integer> OwnedQuantized<Q> {
     /// # Errors
     ///
     /// Cannot fail in practice, because the parts of a table are consistent.
-    pub fn view(&self) -> std::result::Result<Basis<'_, Q>, eigenshade::Error> {
-        Q::basis(self.parts.borrow())
+    pub fn view(&self) -> std::result::Result<Basis<'_>, eigenshade::Error> {
+        Basis::new(self.parts.borrow())
     }
 }
 
 /// An integer basis with its work buffers.
 #[derive(Clone, Debug)]
-pub struct IntegerShader<Q: Integer> {
-    basis: OwnedQuantized<Q>,
+pub struct IntegerShader {
+    basis: OwnedQuantized,
     components: usize,
-    workspace: Vec<Q::Wide>,
-    numbers: Vec<Q>,
+    workspace: Vec<i32>,
+    numbers: Vec<Q15>,
     exponents: Vec<i16>,
     mantissas: Vec<i32>,
     exponent: i32,
@@ -107,14 +67,14 @@ pub struct IntegerShader<Q: Integer> {
     unit: i32,
 }
 
-impl<Q: Integer> IntegerShader<Q> {
+impl IntegerShader {
     /// A shader that uses the first `components` of a table.
     ///
     /// # Errors
     ///
     /// If the table has no integer form.
     pub fn new(table: &Table, components: usize) -> Result<Self> {
-        let basis = OwnedQuantized::new(table, Q::FORMAT.tolerance()).map_err(|error| {
+        let basis = OwnedQuantized::new(table, TOLERANCE).map_err(|error| {
             let line = error.to_string();
             let (what, remedy) = line.rsplit_once("; ").unwrap_or((&line, "another table"));
             let others = match error {
@@ -129,8 +89,8 @@ impl<Q: Integer> IntegerShader<Q> {
         let view = basis.view().map_err(fault)?;
         Ok(Self {
             components: components.min(view.components()),
-            workspace: vec![Default::default(); view.workspace_len()],
-            numbers: vec![Q::default(); view.transfer_len()],
+            workspace: vec![0; view.workspace_len()],
+            numbers: vec![Q15(0); view.transfer_len()],
             exponents: vec![0; view.profiles()],
             mantissas: vec![0; view.components()],
             exponent: 0,
@@ -162,17 +122,15 @@ impl<Q: Integer> IntegerShader<Q> {
     /// order, or are so large that they would saturate or so small that they would be lost.
     pub fn project(&mut self, light: &[f64], material: &[f64]) -> Result<Vec<f64>> {
         // Only these numbers can saturate: all later ones are scaled by their bounds.
-        if ![light, material].iter().all(|numbers| quantize::holds(numbers, Q::FORMAT)) {
-            return Err(overflow::fault(Q::FORMAT.name(), light, material));
+        if ![light, material].iter().all(|numbers| quantize::holds(numbers)) {
+            return Err(overflow::fault("q15", light, material));
         }
-        overflow::lost(Q::FORMAT.name(), light, material)?;
+        overflow::lost("q15", light, material)?;
         let basis = self.basis.view().map_err(fault)?;
         let order = eigenshade::Material::new(material).map_err(fault)?.order();
-        let (mantissas, exponents) = quantize::material(order, material, Q::FORMAT);
-        let mantissas = owned(&mantissas);
+        let (mantissas, exponents) = quantize::material(order, material);
         let material = Material::new(&exponents, &mantissas).map_err(fault)?;
-        let (mantissas, exponent) = quantize::row(light, Q::FORMAT.bits(), i64::MAX);
-        let mantissas: Vec<Q> = owned(&mantissas);
+        let (mantissas, exponent) = quantize::row(light, i64::MAX);
         let light = Light::new(exponent.into(), &mantissas).map_err(fault)?;
         let (numbers, exponents) = (&mut self.numbers, &mut self.exponents);
         basis.transfer_into(&material, &mut self.workspace, numbers, exponents).map_err(fault)?;
@@ -192,7 +150,7 @@ impl<Q: Integer> IntegerShader<Q> {
         &mut self,
         light: &[f64],
         material: &[f64],
-        normals: &[Normal<Q>],
+        normals: &[Normal],
     ) -> Result<Vec<f64>> {
         self.project(light, material)?;
         let basis = self.basis.view().map_err(fault)?;
@@ -200,26 +158,22 @@ impl<Q: Integer> IntegerShader<Q> {
         let scene = basis.collapse_into(used, self.exponent, &mut self.scene).map_err(fault)?;
         if let Some(formula) = scene.nine_terms() {
             self.unit = formula.exponent();
-            let one = |normal: &Normal<Q>| scaled(formula.shade(*normal), self.unit);
+            let one = |normal: &Normal| scaled(formula.shade(*normal), self.unit);
             return Ok(normals.iter().map(one).collect());
         }
         self.unit = scene.exponent();
-        let one = |normal: &Normal<Q>| scaled(scene.shade(*normal), self.unit);
+        let one = |normal: &Normal| scaled(scene.shade(*normal), self.unit);
         Ok(normals.iter().map(one).collect())
     }
 }
 
-/// Rounds unit normals with z >= 0 to the format.
+/// Rounds unit normals with z >= 0 to integers.
 ///
 /// # Errors
 ///
 /// If one is not a visible unit vector.
-pub fn normals<Q: Integer>(normals: &[[f64; 3]]) -> Result<Vec<Normal<Q>>> {
-    normals.iter().map(|normal| Q::normal(*normal).map_err(fault)).collect()
-}
-
-fn owned<Q: Integer>(mantissas: &[i32]) -> Vec<Q> {
-    mantissas.iter().map(|&mantissa| Q::of(mantissa)).collect()
+pub fn normals(normals: &[[f64; 3]]) -> Result<Vec<Normal>> {
+    normals.iter().map(|normal| self::normal(*normal).map_err(fault)).collect()
 }
 
 fn scaled(mantissa: i32, exponent: i32) -> f64 {

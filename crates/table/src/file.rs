@@ -17,7 +17,7 @@ use std::fmt::{self, Write};
 /// The first bytes of every table file.
 pub const LABEL: [u8; 8] = *b"EIGSHADE";
 /// The version that this crate reads and writes.
-pub const VERSION: u32 = 1;
+pub const VERSION: u32 = 2;
 const HEADER: usize = 24;
 
 /// Why bytes are not a valid table.

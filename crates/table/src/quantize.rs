@@ -1,4 +1,4 @@
-//! A table in integers: mantissas of 15 or 31 bits, with a power of two for each row.
+//! A table in integers: mantissas of 15 bits, with a power of two for each row.
 //!
 //! Rounding is to nearest, ties away from zero. The scale of a row of factors ensures that no sum
 //! over the row, of products with mantissas, overflows an accumulator of twice as many bits plus
@@ -7,13 +7,12 @@
 use crate::chebyshev::polynomial;
 use crate::table::{Profile, Table};
 use eigenshade_index::effect::Effect;
-pub use eigenshade_index::format::IntegerFormat;
 use eigenshade_index::record::integers::{OwnedParts, Profile as Place};
-use eigenshade_index::record::{NONE, Q15, Q31};
+use eigenshade_index::record::{NONE, Q15};
 use eigenshade_index::{layout, material, pair};
 use std::fmt;
 
-/// The maximum number of profiles, and of degrees, in `eigenshade::quantized::Basis`.
+/// The maximum number of profiles, and of degrees, in `eigenshade::q15::Basis`.
 const MAX_PROFILES: usize = layout::MAX_WEIGHTS / 2;
 
 /// Why a table cannot be converted to integers.
@@ -94,18 +93,21 @@ impl fmt::Display for QuantizeError {
 
 impl std::error::Error for QuantizeError {}
 
-/// The arrays of a table in this format, with mantissas as `i32`. Trims its polynomials so that
-/// each component loses at most `tolerance`, relative to the rms of the database's images, which
-/// follows from the eigenvalues.
+/// Number of bits of a mantissa, without the sign.
+const BITS: i32 = Q15::BITS.cast_signed();
+
+/// The truncation error that is allowed for polynomials, relative to the database's rms. It is
+/// smaller than the rounding error.
+pub const TOLERANCE: f64 = 1e-5;
+
+/// The arrays of a table in integers. Trims its polynomials so that each component loses at most
+/// `tolerance`, relative to the rms of the database's images, which follows from the eigenvalues:
+/// [`TOLERANCE`] suits the format.
 ///
 /// # Errors
 ///
 /// If the table cannot be converted to integers.
-pub fn integers(
-    table: &Table,
-    format: IntegerFormat,
-    tolerance: f64,
-) -> Result<OwnedParts<i32>, QuantizeError> {
+pub fn integers(table: &Table, tolerance: f64) -> Result<OwnedParts<Q15>, QuantizeError> {
     for (fault, error) in [
         (table.mean.is_some(), QuantizeError::Mean),
         (!table.selection.is_empty(), QuantizeError::Selection),
@@ -121,7 +123,6 @@ pub fn integers(
     let (gram, effects) = (&table.gram, table.effects());
     let (degree, order) = (gram.degree, gram.order);
     let pairs = pair::count(order);
-    let bits = format.bits();
     let lengths = lengths(table, tolerance)?;
     let (mut polar, mut polar_exponents) = (Vec::new(), Vec::new());
     for l in 0..=degree {
@@ -129,7 +130,7 @@ pub fn integers(
             let kept = l > 0 || effects.has(Effect::Ambient);
             let value = gram.polar_integrals[k * (degree + 1) + l] * ((o + 1) as f64).sqrt();
             let value = if kept { value } else { 0.0 };
-            let (mantissas, exponent) = row(&[value], bits, i64::MAX);
+            let (mantissas, exponent) = row(&[value], i64::MAX);
             polar.extend(mantissas);
             polar_exponents.push(exponent);
         }
@@ -139,7 +140,7 @@ pub fn integers(
     let mut large = None;
     for (k, profile) in table.profiles.iter().enumerate() {
         for numbers in profile.factors.chunks_exact(pairs) {
-            let (mantissas, exponent) = row(numbers, bits, 1 << (bits + 1));
+            let (mantissas, exponent) = row(numbers, 1 << (BITS + 1));
             factors.extend(mantissas);
             factor_exponents.push(exponent);
         }
@@ -148,7 +149,7 @@ pub fn integers(
         let length = usize::from(lengths[azimuth]);
         let kept = &profile.chebyshev[..length.min(profile.chebyshev.len())];
         let powers: Vec<f64> = polynomial(kept, length).iter().map(|term| scale * term).collect();
-        let (mantissas, exponent) = row(&powers, bits, i64::MAX);
+        let (mantissas, exponent) = row(&powers, i64::MAX);
         let Some([size, step]) = sizes(&mantissas, exponent, azimuth) else {
             let first = table.components.iter().position(|one| one.profile == k);
             large = large.into_iter().chain(first.or(Some(table.components.len()))).min();
@@ -187,46 +188,34 @@ pub fn integers(
     })
 }
 
-/// The arrays of a table in [`IntegerFormat::Q15`].
-#[must_use]
-pub fn in_q15(parts: &OwnedParts<i32>) -> OwnedParts<Q15> {
-    parts.convert(|&number| Q15(number as i16))
-}
-
-/// The arrays of a table in [`IntegerFormat::Q31`].
-#[must_use]
-pub fn in_q31(parts: &OwnedParts<i32>) -> OwnedParts<Q31> {
-    parts.convert(|&number| Q31(number))
-}
-
-/// Converts numbers to mantissas with a common exponent. Each mantissa is below 2^`bits`, and the
+/// Converts numbers to mantissas with a common exponent. Each mantissa is below 2^15, and the
 /// sum of their absolute values is below `sum`. Numbers below 2^-128 of the format become 0;
 /// numbers beyond 2^127 saturate.
 #[must_use]
-pub fn row(numbers: &[f64], bits: i32, sum: i64) -> (Vec<i32>, i8) {
-    in_range(numbers, bits, sum).unwrap_or_else(|| {
-        let most = ((1 << bits) - 1).min((sum - 1) / numbers.len() as i64) as f64;
+pub fn row(numbers: &[f64], sum: i64) -> (Vec<Q15>, i8) {
+    in_range(numbers, sum).unwrap_or_else(|| {
+        let most = ((1 << BITS) - 1).min((sum - 1) / numbers.len() as i64) as f64;
         let saturated = numbers.iter().map(|number| (number * 2f64.powi(-127)).clamp(-most, most));
-        (saturated.map(|number| number as i32).collect(), 127)
+        (saturated.map(|number| Q15(number as i16)).collect(), 127)
     })
 }
 
 /// Like [`row`]; `None` if a number is too large for the format.
 #[must_use]
-fn in_range(numbers: &[f64], bits: i32, sum: i64) -> Option<(Vec<i32>, i8)> {
+fn in_range(numbers: &[f64], sum: i64) -> Option<(Vec<Q15>, i8)> {
     let largest = numbers.iter().fold(0.0f64, |most, number| most.max(number.abs()));
     if largest == 0.0 {
-        return Some((vec![0; numbers.len()], i8::MIN));
+        return Some((vec![Q15(0); numbers.len()], i8::MIN));
     }
     // Starts from the smallest exponent that is possible.
-    let least = (largest.log2().floor() as i32 - bits).clamp(-128, 127);
+    let least = (largest.log2().floor() as i32 - BITS).clamp(-128, 127);
     (least..=127).find_map(|exponent| {
         let scale = 2f64.powi(-exponent);
         let rounded = numbers.iter().map(|number| (number * scale).round() as i64);
         let sizes = rounded.clone().map(i64::saturating_abs);
         let fits =
-            sizes.clone().all(|size| size < 1 << bits) && sizes.fold(0, i64::saturating_add) < sum;
-        fits.then(|| (rounded.map(|number| number as i32).collect(), exponent as i8))
+            sizes.clone().all(|size| size < 1 << BITS) && sizes.fold(0, i64::saturating_add) < sum;
+        fits.then(|| (rounded.map(|number| Q15(number as i16)).collect(), exponent as i8))
     })
 }
 
@@ -268,11 +257,11 @@ fn needed(profile: &Profile, tolerance: f64) -> usize {
 
 /// The coefficients of a material as mantissas, with one exponent for each o.
 #[must_use]
-pub fn material(order: usize, coefficients: &[f64], format: IntegerFormat) -> (Vec<i32>, Vec<i8>) {
+pub fn material(order: usize, coefficients: &[f64]) -> (Vec<Q15>, Vec<i8>) {
     let (mut mantissas, mut exponents) = (Vec::new(), Vec::new());
     for o in 0..=order {
         let of_order = &coefficients[material::position(o, o % 2, o % 2)..material::count(o)];
-        let (of_order, exponent) = row(of_order, format.bits(), i64::MAX);
+        let (of_order, exponent) = row(of_order, i64::MAX);
         mantissas.extend(of_order);
         exponents.push(exponent);
     }
@@ -281,8 +270,8 @@ pub fn material(order: usize, coefficients: &[f64], format: IntegerFormat) -> (V
 
 /// Whether the coefficients of a light or a material fit the format without saturation.
 #[must_use]
-pub fn holds(numbers: &[f64], format: IntegerFormat) -> bool {
-    in_range(numbers, format.bits(), i64::MAX).is_some()
+pub fn holds(numbers: &[f64]) -> bool {
+    in_range(numbers, i64::MAX).is_some()
 }
 
 /// Number of grid points per degree in the search for a polynomial's largest value. The largest
@@ -291,7 +280,7 @@ const POINTS: usize = 16;
 
 /// The largest |u| of a profile, and the largest term of its polynomial or intermediate sum in
 /// Horner's rule, in sixteenths, rounded up. `None` if one of them exceeds 16 bits.
-fn sizes(terms: &[i32], exponent: i8, azimuth: usize) -> Option<[u16; 2]> {
+fn sizes(terms: &[Q15], exponent: i8, azimuth: usize) -> Option<[u16; 2]> {
     let scale = 2f64.powi(exponent.into());
     // The grid covers squares of the polynomial times powers of 1 - z².
     let count = POINTS * 2 * (terms.len() + azimuth).max(1);
@@ -299,7 +288,7 @@ fn sizes(terms: &[i32], exponent: i8, azimuth: usize) -> Option<[u16; 2]> {
     for k in 0..=count {
         let t = (std::f64::consts::PI * k as f64 / count as f64).cos();
         let mut step = 0.0;
-        for term in terms.iter().map(|&term| scale * f64::from(term)) {
+        for term in terms.iter().map(|&term| scale * f64::from(term.0)) {
             step = step * t + term;
             largest = largest.max(step.abs()).max(term.abs());
         }
@@ -317,32 +306,28 @@ mod tests {
 
     #[test]
     fn rows_beyond_the_exponents_are_lost_or_saturate() {
-        for bits in [15, 31] {
-            let sum = 1 << (bits + 1);
-            assert_eq!(row(&[1e-60, -1e-70], bits, i64::MAX), (vec![0, 0], -128));
-            let (mantissas, exponent) = row(&[1e60, -1e300, 1.0], bits, sum);
-            assert_eq!((mantissas[2], exponent), (0, 127));
-            assert!(mantissas[0] > 0 && mantissas[1] == -mantissas[0]);
-            assert!(mantissas.iter().map(|one| i64::from(one.abs())).sum::<i64>() < sum);
-            assert_eq!(row(&[1.0], bits, i64::MAX), (vec![1 << (bits - 1)], (1 - bits) as i8));
-        }
+        let sum = 1 << (BITS + 1);
+        assert_eq!(row(&[1e-60, -1e-70], i64::MAX), (vec![Q15(0), Q15(0)], -128));
+        let (mantissas, exponent) = row(&[1e60, -1e300, 1.0], sum);
+        assert_eq!((mantissas[2].0, exponent), (0, 127));
+        assert!(mantissas[0].0 > 0 && mantissas[1].0 == -mantissas[0].0);
+        assert!(mantissas.iter().map(|one| i64::from(one.0.abs())).sum::<i64>() < sum);
+        assert_eq!(row(&[1.0], i64::MAX), (vec![Q15(1 << (BITS - 1))], (1 - BITS) as i8));
     }
 
     #[test]
     fn saturation_is_recognized() {
-        for format in [IntegerFormat::Q15, IntegerFormat::Q31] {
-            // The largest mantissa times 2^127.
-            let most = (2f64.powi(format.bits()) - 1.0) * 2f64.powi(127);
-            assert!(holds(&[most, -most, 1e-300, 0.0], format));
-            assert!(!holds(&[2f64.powi(format.bits() + 127)], format));
-            assert!(!holds(&[1.0, -f64::MAX], format));
-            assert!(holds(&[], format) && holds(&[0.0], format));
-        }
+        // The largest mantissa times 2^127.
+        let most = (2f64.powi(BITS) - 1.0) * 2f64.powi(127);
+        assert!(holds(&[most, -most, 1e-300, 0.0]));
+        assert!(!holds(&[2f64.powi(BITS + 127)]));
+        assert!(!holds(&[1.0, -f64::MAX]));
+        assert!(holds(&[]) && holds(&[0.0]));
     }
 
     #[test]
     fn profiles_beyond_sixteen_bits_have_no_size() {
-        assert_eq!(sizes(&[1, 0, 0], 0, 0), Some([17, 17]));
-        assert_eq!(sizes(&[30_000, 0, 0], 0, 0), None);
+        assert_eq!(sizes(&[1, 0, 0].map(Q15), 0, 0), Some([17, 17]));
+        assert_eq!(sizes(&[30_000, 0, 0].map(Q15), 0, 0), None);
     }
 }

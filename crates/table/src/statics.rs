@@ -1,47 +1,41 @@
-//! A table as Rust source: statics in floats, and modules with the table in integers.
+//! A table as Rust source: statics in floats, and a module with the table in integers.
 
 use crate::parts;
-use crate::quantize::{self, IntegerFormat, QuantizeError, in_q15, in_q31};
+use crate::quantize::{self, QuantizeError};
 use crate::table::Table;
+use eigenshade_index::record::Q15;
 use eigenshade_index::record::integers::OwnedParts;
 use eigenshade_index::source;
 
-/// The text of a module, and the formats that it does not contain.
+/// The text of a module, and why it lacks integers.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Statics {
-    /// The text of [`floats`], then a `mod q15` or `mod q31` for each format.
+    /// The text of [`floats`], then a `mod q15` if the table can be converted to integers.
     pub text: String,
-    /// Formats to which the table cannot be converted, with the reasons.
-    pub left_out: Vec<(IntegerFormat, QuantizeError)>,
+    /// Why it cannot be.
+    pub without_integers: Option<QuantizeError>,
 }
 
-/// The statics of a table in `f32` and in those of the given integer formats to which it can be
-/// converted. `command`, the command that made the table, appears in the first line.
+/// The statics of a table in `f32`, and in integers if it can be converted. `command`, the command
+/// that made the table, appears in the first line.
 ///
 /// # Errors
 ///
 /// [`QuantizeError::TransfersOnly`] for a table that stores only transfers: it has no statics.
-pub fn module(
-    table: &Table,
-    command: &str,
-    formats: &[IntegerFormat],
-) -> Result<Statics, QuantizeError> {
+pub fn module(table: &Table, command: &str) -> Result<Statics, QuantizeError> {
     if !table.has_projection() {
         return Err(QuantizeError::TransfersOnly);
     }
-    let mut statics = Statics { text: floats(table, command), left_out: Vec::new() };
-    for &format in formats {
-        match quantize::integers(table, format, format.tolerance()) {
-            Ok(parts) => {
-                let inner = integers(&parts, format, command);
-                let (name, bits) = (format.name(), format.bits());
-                let what = format!("/// The same table in mantissas of {bits} bits.");
-                statics.text += &format!("{what}\npub mod {name} {{\n{inner}}}\n");
-            }
-            Err(error) => statics.left_out.push((format, error)),
+    let mut text = floats(table, command);
+    let without_integers = match quantize::integers(table, quantize::TOLERANCE) {
+        Ok(parts) => {
+            let inner = integers(&parts, command);
+            text += &format!("/// The same table in integers.\npub mod q15 {{\n{inner}}}\n");
+            None
         }
-    }
-    Ok(statics)
+        Err(error) => Some(error),
+    };
+    Ok(Statics { text, without_integers })
 }
 
 /// The statics of a table in `f32`.
@@ -56,9 +50,6 @@ pub fn floats(table: &Table, command: &str) -> String {
 
 /// The statics of a table in integers.
 #[must_use]
-pub fn integers(parts: &OwnedParts<i32>, format: IntegerFormat, command: &str) -> String {
-    match format {
-        IntegerFormat::Q15 => source::integers::module(&in_q15(parts).borrow(), command),
-        IntegerFormat::Q31 => source::integers::module(&in_q31(parts).borrow(), command),
-    }
+pub fn integers(parts: &OwnedParts<Q15>, command: &str) -> String {
+    source::integers::module(&parts.borrow(), command)
 }

@@ -4,9 +4,7 @@ use crate::parts;
 use crate::quantize::{self, QuantizeError};
 use crate::table::Table;
 use eigenshade_index::effect::Effects;
-use eigenshade_index::format::IntegerFormat;
 pub use eigenshade_index::format::NumberFormat;
-use eigenshade_index::record::integers::OwnedParts;
 use eigenshade_index::record::{Item, Visitor, Word};
 use eigenshade_index::wire::{
     ALIGNMENT, CHECKSUM, ENTRY, HEADER, LABEL, MARK, MAX_DEGREE_AND_ORDER, VERSION,
@@ -86,9 +84,12 @@ pub fn encode(table: &Table, format: NumberFormat, endian: Endian) -> Result<Vec
     match format {
         NumberFormat::F32 if !table.has_projection() => Err(WireError::TransfersOnly),
         NumberFormat::F32 => floats(table, endian),
-        NumberFormat::Integer(format) => {
-            let parts = quantize::integers(table, format, format.tolerance())?;
-            integers(&parts, format, endian)
+        NumberFormat::Q15 => {
+            let parts = quantize::integers(table, quantize::TOLERANCE)?;
+            let mut sections = Sections { endian, sections: Vec::new() };
+            parts.borrow().visit(&mut sections);
+            let shape = [parts.degree, parts.order, parts.components, 0];
+            sections.file(format, shape, parts.effects)
         }
     }
 }
@@ -105,20 +106,6 @@ fn floats(table: &Table, endian: Endian) -> Result<Vec<u8>, WireError> {
     general.convert(|&number| number as f32).borrow().visit(&mut sections);
     let shape = [parts.degree, parts.order, parts.components, general.components];
     sections.file(NumberFormat::F32, shape, parts.effects)
-}
-
-fn integers(
-    parts: &OwnedParts<i32>,
-    format: IntegerFormat,
-    endian: Endian,
-) -> Result<Vec<u8>, WireError> {
-    let mut sections = Sections { endian, sections: Vec::new() };
-    match format {
-        IntegerFormat::Q15 => quantize::in_q15(parts).borrow().visit(&mut sections),
-        IntegerFormat::Q31 => quantize::in_q31(parts).borrow().visit(&mut sections),
-    }
-    let shape = [parts.degree, parts.order, parts.components, 0];
-    sections.file(NumberFormat::Integer(format), shape, parts.effects)
 }
 
 /// The sections of a file.

@@ -10,7 +10,7 @@ fn shipped() -> Vec<u8> {
 
 /// A file with this payload and the right length and checksum.
 fn sealed(payload: &[u8]) -> Vec<u8> {
-    let mut bytes = b"EIGSHADE\x01\0\0\0".to_vec();
+    let mut bytes = b"EIGSHADE\x02\0\0\0".to_vec();
     bytes.extend((payload.len() as u64).to_le_bytes());
     bytes.extend(crc32fast::hash(payload).to_le_bytes());
     bytes.extend(payload);
@@ -47,7 +47,7 @@ fn headers_are_checked() {
         decode(&bytes).unwrap_err()
     };
     assert_eq!(with(0, 1), FileError::BadMagic);
-    assert_eq!(with(8, 1), FileError::Version(0));
+    assert_eq!(with(8, 1), FileError::Version(3));
     assert!(matches!(with(12, 1), FileError::Length { .. }));
     assert_eq!(with(20, 1), FileError::Checksum);
     assert_eq!(with(1000, 1), FileError::Checksum);

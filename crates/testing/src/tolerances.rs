@@ -169,18 +169,12 @@ pub const DRIFT: [f64; 3] = [3e-5, 3e-5, 3e-5];
 
 // Images in integers
 
-/// Signal-to-error ratio of 31-bit mantissas for the worst pair, in dB.
-pub const Q31_WORST: f64 = 115.0;
-
 /// Signal-to-error ratio of 15-bit mantissas for the worst pair, in dB: a narrow peak has little
 /// energy for its height.
 pub const Q15_WORST: f64 = 65.0;
 
-/// `shade` with 31-bit mantissas, all components against the direct sum, rms relative to the
-/// largest irradiance: polynomials trimmed to 1e-8 of the database's rms.
-pub const SHADED_Q31: f64 = 3e-8;
-
-/// As [`SHADED_Q31`], with 15 bits: 68 dB, like the worst pair of the shipped set; the pair here is
+/// `shade` with 15-bit mantissas, all components against the direct sum, rms relative to the
+/// largest irradiance: 68 dB, like the worst pair of the shipped set; the pair here is
 /// not the worst.
 pub const SHADED_Q15: f64 = 2e-4;
 

@@ -1,7 +1,6 @@
 //! Writes the table that `EIGENSHADE_TABLE` names as statics to the output folder. Without it the
 //! module has the shipped table.
 
-use eigenshade_table::quantize::{IntegerFormat, integers};
 use eigenshade_table::{Table, statics};
 use std::path::{Path, PathBuf};
 use std::{env, fs, process};
@@ -18,8 +17,7 @@ fn main() {
     }
 }
 
-/// Writes the statics of a table in the formats of the module: `table.rs`, `table_q15.rs` and
-/// `table_q31.rs`.
+/// Writes the statics of a table: `table.rs`.
 fn bake(path: &Path) -> Result<(), String> {
     if !path.is_absolute() {
         return Err("build scripts run in another folder; give the whole path".into());
@@ -28,16 +26,7 @@ fn bake(path: &Path) -> Result<(), String> {
     let table = eigenshade_table::decode(&bytes).map_err(|error| error.to_string())?;
     fits(&table)?;
     let command = format!("build.rs, from {}", path.display());
-    write("table.rs", &statics::floats(&table, &command))?;
-    for (format, name) in [(IntegerFormat::Q15, "q15"), (IntegerFormat::Q31, "q31")] {
-        if env::var_os(format!("CARGO_FEATURE_{}", name.to_uppercase())).is_none() {
-            continue;
-        }
-        let parts = integers(&table, format, format.tolerance())
-            .map_err(|error| format!("{error}; build the module `f32`"))?;
-        write(&format!("table_{name}.rs"), &statics::integers(&parts, format, &command))?;
-    }
-    Ok(())
+    write("table.rs", &statics::floats(&table, &command))
 }
 
 /// Whether the module can project with a table.

@@ -3,7 +3,7 @@
 
 use eigenshade_testing::oracle;
 
-use eigenshade::{Light, Material, Normal, Q15, index, quantized};
+use eigenshade::{Light, Material, Normal, Q15, index, q15};
 use own_table::table;
 
 /// Images of forty components in f32 against direct quadrature, of the peak: what the other
@@ -60,18 +60,18 @@ fn floats(light: &[f32], material: &[f32]) -> impl Fn([f64; 3]) -> f64 {
 }
 
 fn integers(light: &[f32], material: &[f32]) -> impl Fn([f64; 3]) -> f64 {
-    use table::q15;
+    use table::q15 as table;
     let (mut of_light, mut of_material) = ([Q15(0); 16], [Q15(0); 14]);
     let mut exponents = [0; 5];
-    let light = quantized::Light::quantize(light, &mut of_light).expect("sixteen");
-    let material = quantized::Material::quantize(material, &mut of_material, &mut exponents);
-    let transfer = q15::transfer(&material.expect("fourteen")).expect("it fits");
-    let scene = q15::collapse(&q15::relight(&transfer.view(), &light).expect("it fits"));
+    let light = q15::Light::quantize(light, &mut of_light).expect("sixteen");
+    let material = q15::Material::quantize(material, &mut of_material, &mut exponents);
+    let transfer = table::transfer(&material.expect("fourteen")).expect("it fits");
+    let scene = table::collapse(&table::relight(&transfer.view(), &light).expect("it fits"));
     let scene = scene.expect("it fits");
     move |normal| {
         let [x, y, z] =
             normal.map(|component| Q15((32_768.0 * component).round().min(32_767.0) as i16));
-        let normal = quantized::Normal::<Q15>::from_unit(x, y, z).expect("a unit vector");
+        let normal = q15::Normal::from_unit(x, y, z).expect("a unit vector");
         f64::from(scene.shade(normal)) * 2f64.powi(scene.exponent())
     }
 }

@@ -3,7 +3,7 @@
 
 use super::scenes::{self, Scene};
 use crate::sphere::{Picture, Sphere, peak};
-use eigenshade::{Light, NineTerms, Q15, Tolerance};
+use eigenshade::{Light, NineTerms, Tolerance};
 use eigenshade_index::effect::{Effect, Effects};
 use eigenshade_model::database::{Lights, Materials, Named};
 use eigenshade_model::rotation::Rotation;
@@ -91,7 +91,7 @@ pub fn errors(scene: &Scene) -> [f64; 3] {
         pairs.map(|(light, expected)| sphere.error(&in_f32(light), expected)).collect();
     let own = lights.entries.iter().position(|light| light.name == scene.light);
     let own = own.expect("a shipped light");
-    let mut shader = IntegerShader::<Q15>::new(&table, table.count()).expect("Q15 serves it");
+    let mut shader = IntegerShader::new(&table, table.count()).expect("Q15 serves it");
     let normals = integer_shader::normals(&sphere.normals).expect("normals");
     let q15 = lights.entries[own].rgb.each_ref();
     let q15 =

@@ -4,14 +4,15 @@ use super::images::{Numbers, Pair, Pixels, Shaded, Shading, Work, each};
 use super::settings::{Format, Scaling, Setting, Way};
 use eigenshade::mathematics::{Libm, Mathematics, Micromath, SinglePrecision};
 use eigenshade::{
-    Basis, Highlights, IntegerMap, Light, MapPoint, Material, Normal, Normals, Q15, Q31, Scalar,
-    Source, Tolerance, quantized,
+    Basis, Highlights, IntegerMap, Light, MapPoint, Material, Normal, Normals, Q15, Scalar, Source,
+    Tolerance, q15,
 };
 use eigenshade_model::error::{Error, Result};
-use eigenshade_shading::integer_shader::{self, Integer, IntegerShader, OwnedQuantized};
+use eigenshade_shading::integer_shader::{self, IntegerShader, OwnedQuantized};
 use eigenshade_shading::owned_basis::OwnedBasis;
 use eigenshade_shading::shader::{OwnedNormals, Shader, fault};
-use eigenshade_table::{Table, parts, quantize, wire};
+use eigenshade_table::quantize::{self, TOLERANCE};
+use eigenshade_table::{Table, parts, wire};
 use std::fmt::Display;
 use std::hint::black_box;
 
@@ -29,8 +30,7 @@ pub fn numbers(setting: &Setting, table: &Table, normals: &[[f64; 3]]) -> Result
         (Format::F32, _) | (Format::Q15, Way::Bilinear(_)) => {
             Box::new(Floats::new(*setting, table, normals, scale)?)
         }
-        (Format::Q31, Way::Polynomial) => Box::new(Integers::<Q31>::new(table, normals)?),
-        (Format::Q15, Way::Polynomial) => Box::new(Integers::<Q15>::new(table, normals)?),
+        (Format::Q15, Way::Polynomial) => Box::new(Integers::new(table, normals)?),
         _ => return Err(unrepresentable("the format has no such way to a pixel")),
     })
 }
@@ -43,7 +43,6 @@ fn unrepresentable(error: impl Display) -> Error {
 pub fn table_bytes(setting: &Setting, table: &Table) -> Result<usize> {
     let format = match (setting.format, setting.way) {
         (_, Way::NineTerms) => return Ok(0),
-        (Format::Q31, _) => wire::NumberFormat::Q31,
         (Format::Q15, Way::Polynomial) => wire::NumberFormat::Q15,
         _ => wire::NumberFormat::F32,
     };
@@ -58,10 +57,10 @@ pub fn table_bytes(setting: &Setting, table: &Table) -> Result<usize> {
 
 /// Bytes in RAM for each source: its lobe and, in floats, which turn it, itself.
 pub fn source_bytes(setting: &Setting) -> usize {
-    type Integers<const N: usize> = quantized::Highlights<i32, N>;
+    type Integers<const N: usize> = q15::Highlights<i32, N>;
     type Floats<const N: usize> = Highlights<f32, N>;
     match setting.format {
-        Format::Q15 | Format::Q31 => size_of::<Integers<2>>() - size_of::<Integers<1>>(),
+        Format::Q15 => size_of::<Integers<2>>() - size_of::<Integers<1>>(),
         _ => size_of::<Source<f32>>() + size_of::<Floats<2>>() - size_of::<Floats<1>>(),
     }
 }
@@ -78,7 +77,7 @@ struct Floats<S> {
     normals: OwnedNormals<S>,
     each: Vec<Normal<S>>,
     /// The normals for maps of 16 bits.
-    quantized: Vec<quantized::Normal<Q15>>,
+    quantized: Vec<q15::Normal>,
     scale: Scale<S>,
 }
 
@@ -232,8 +231,8 @@ impl<S: Scalar + Into<f64> + Sync> Numbers for Floats<S> {
 
 /// The pixels of a map of 16 bits. A copy for each format of the scene would keep the compiler from
 /// inlining the look-up, which would distort its time.
-fn of_integers(map: IntegerMap<Vec<i16>>, at: &[quantized::Normal<Q15>]) -> Box<dyn Pixels + '_> {
-    each(at, map.exponent(), move |normal| map.bilinear(MapPoint::of_quantized(normal)))
+fn of_integers(map: IntegerMap<Vec<i16>>, at: &[q15::Normal]) -> Box<dyn Pixels + '_> {
+    each(at, map.exponent(), move |normal| map.bilinear(MapPoint::of_q15(normal)))
 }
 
 /// Scales vectors with one implementation of mathematics.
@@ -251,50 +250,49 @@ fn seen<T>(found: &T) {
 }
 
 /// The shader of images, and what the timed operations read.
-struct Integers<Q: Integer> {
-    shader: IntegerShader<Q>,
-    basis: OwnedQuantized<Q>,
-    normals: Vec<quantized::Normal<Q>>,
+struct Integers {
+    shader: IntegerShader,
+    basis: OwnedQuantized,
+    normals: Vec<q15::Normal>,
 }
 
-impl<Q: Integer> Integers<Q> {
+impl Integers {
     fn new(table: &Table, normals: &[[f64; 3]]) -> Result<Self> {
-        let basis = OwnedQuantized::new(table, Q::FORMAT.tolerance()).map_err(unrepresentable)?;
+        let basis = OwnedQuantized::new(table, TOLERANCE).map_err(unrepresentable)?;
         let shader = IntegerShader::new(table, usize::MAX)?;
         let normals = integer_shader::normals(normals)?;
         Ok(Self { shader, basis, normals })
     }
 }
 
-impl<Q: Integer<Wide: Sync> + Sync> Numbers for Integers<Q> {
+impl Numbers for Integers {
     fn image(&self, pair: &Pair) -> Result<Shaded> {
         let basis = self.basis.view().map_err(fault)?;
         let (light, material) = pair.within(basis.degree(), basis.order());
         let mut shader = self.shader.clone();
         let irradiances = shader.polynomial(light, material, &self.normals)?;
         let terms = shader.terms();
-        let transfer = size_of::<Q>() * basis.transfer_len() + size_of::<i16>() * basis.profiles();
+        let transfer =
+            size_of::<Q15>() * basis.transfer_len() + size_of::<i16>() * basis.profiles();
         let bytes = transfer + size_of::<i32>() * (basis.components() + terms);
         Ok(Shaded { irradiances, terms, bytes, exponent: shader.unit() })
     }
 
     fn works<'a>(&'a self, pair: &Pair, _: &'a mut [u16]) -> Result<[Work<'a>; 2]> {
-        let own = |numbers: &[i32]| numbers.iter().map(|&n| Q::of(n)).collect::<Vec<Q>>();
         let basis = self.basis.view().map_err(fault)?;
         let (light, material) = pair.within(basis.degree(), basis.order());
-        let (mantissas, exponents) = quantize::material(basis.order(), material, Q::FORMAT);
-        let mantissas = own(&mantissas);
-        let material = quantized::Material::new(&exponents, &mantissas).map_err(fault)?;
-        let (mantissas, exponent) = quantize::row(light, Q::FORMAT.bits(), i64::MAX);
-        let (light, light_exponent) = (own(&mantissas), i32::from(exponent));
-        let mut workspace = vec![Q::Wide::default(); basis.workspace_len()];
-        let mut numbers = vec![Q::default(); basis.transfer_len()];
+        let (mantissas, exponents) = quantize::material(basis.order(), material);
+        let material = q15::Material::new(&exponents, &mantissas).map_err(fault)?;
+        let (light, exponent) = quantize::row(light, i64::MAX);
+        let light_exponent = i32::from(exponent);
+        let mut workspace = vec![0; basis.workspace_len()];
+        let mut numbers = vec![Q15(0); basis.transfer_len()];
         let mut exponents = vec![0; basis.profiles()];
         let done = basis.transfer_into(&material, &mut workspace, &mut numbers, &mut exponents);
         done.map_err(fault)?;
         let relight = move |d: &mut [i32]| {
-            let transfer = quantized::Transfer::new(&numbers, &exponents);
-            let light = quantized::Light::new(light_exponent, black_box(&light))?;
+            let transfer = q15::Transfer::new(&numbers, &exponents);
+            let light = q15::Light::new(light_exponent, black_box(&light))?;
             basis.relight_into(&transfer, &light, d)
         };
         let mut d = vec![0; basis.components()];

@@ -60,7 +60,6 @@ pub enum Way {
 pub enum Format {
     F64,
     F32,
-    Q31,
     Q15,
 }
 
@@ -198,7 +197,7 @@ pub fn all(quick: bool) -> Vec<Varied> {
         if quick { few } else { all }.iter().copied()
     }
     add("nine terms", Setting::of(Recipe::all(2, 0)).by(Way::NineTerms));
-    for format in [Format::F32, Format::Q31, Format::Q15] {
+    for format in [Format::F32, Format::Q15] {
         add("degree and order", Setting::of(Recipe::all(2, 0)).in_format(format));
     }
     for count in either(quick, &[1, 4, 9, 16, 25, 36, 50, 75, 100, 130, 160], &[9, 25, 50, 130]) {
@@ -208,12 +207,12 @@ pub fn all(quick: bool) -> Vec<Varied> {
     add("format", Setting::of(whole).in_format(Format::F64));
     // Beyond 130, the weakest profiles are larger than integers can represent.
     for count in either(quick, &[25, 50, 100, 130], &[50]) {
-        for format in [Format::F64, Format::Q31, Format::Q15] {
+        for format in [Format::F64, Format::Q15] {
             add("format", Setting::of(first(count)).in_format(format));
         }
     }
     // The table that firmware/tables/full.toml and its build script make.
-    for format in [Format::F32, Format::Q31, Format::Q15] {
+    for format in [Format::F32, Format::Q15] {
         add("polynomials", trimmed(first(130), 2e-4).in_format(format));
     }
     for count in either(quick, &[4, 9, 16, 25, 50, 100, 130], &[25, 50]) {

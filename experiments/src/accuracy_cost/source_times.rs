@@ -4,7 +4,7 @@ use super::images::Work;
 use super::settings::Format;
 use super::times::{PIXELS, hemisphere};
 use eigenshade::mathematics::SinglePrecision;
-use eigenshade::{Gloss, Highlights, Q15, Rgb, Rotation, Source, quantized};
+use eigenshade::{Gloss, Highlights, Rgb, Rotation, Source, q15};
 use eigenshade_index::highlights::LARGEST_SET;
 use eigenshade_model::error::{Error, Result};
 use eigenshade_shading::integer_shader;
@@ -12,12 +12,12 @@ use eigenshade_shading::shader::{OwnedNormals, fault};
 use std::f32::consts::TAU;
 use std::hint::black_box;
 
-type Integers = quantized::Highlights<i32, LARGEST_SET>;
+type Integers = q15::Highlights<i32, LARGEST_SET>;
 
 /// The normals that the sources shine on.
 pub struct Lit {
     normals: OwnedNormals<f32>,
-    quantized: Vec<quantized::Normal<Q15>>,
+    quantized: Vec<q15::Normal>,
 }
 
 impl Lit {

@@ -5,7 +5,7 @@ use super::{Figure, exactly, least, most, tight};
 use crate::numbers::median;
 use crate::tolerances;
 use eigenshade::mathematics::Libm;
-use eigenshade::{MapPoint, NegativePolicy, Normal, Normals, Q15, Tolerance, quantized};
+use eigenshade::{MapPoint, NegativePolicy, Normal, Normals, Tolerance, q15};
 use eigenshade_generator::light::environment::EnvironmentMap;
 use eigenshade_generator::light::projection;
 use eigenshade_index::light;
@@ -113,10 +113,10 @@ fn floats(values: Vec<f32>) -> Vec<f64> {
 }
 
 /// Directions of any length in Q15.
-fn in_integers(directions: &[[f64; 3]]) -> Vec<quantized::Normal<Q15>> {
+fn in_integers(directions: &[[f64; 3]]) -> Vec<q15::Normal> {
     let along = |direction: &[f64; 3]| {
         let [x, y, z] = direction.map(|c| (c * f64::from(i32::MAX)) as i32);
-        quantized::Normal::new(x, y, z).expect("a direction")
+        q15::Normal::new(x, y, z).expect("a direction")
     };
     directions.iter().map(along).collect()
 }
@@ -134,7 +134,7 @@ pub(super) fn eight_bits() -> Vec<Figure> {
     let (as_they_are, in_q15) = (OwnedNormals::<f32>::new(&decoded), in_integers(&decoded));
     let owned = OwnedBasis::<f32>::new(&table());
     let mut f32 = Shader::new(owned.basis().expect("a basis"), usize::MAX);
-    let mut q15 = IntegerShader::<Q15>::new(&table(), usize::MAX).expect("a table for Q15");
+    let mut q15 = IntegerShader::new(&table(), usize::MAX).expect("a table for Q15");
     let mut errors = [const { Vec::new() }; 3];
     let mut pixel = 0.0;
     for light in captured(9).entries.iter().step_by(3).map(Named::luminance) {
@@ -212,7 +212,7 @@ fn every_method(
     normals: &[[f64; 3]],
 ) -> impl Iterator<Item = ([Vec<f64>; 5], Vec<f64>, f64)> {
     let owned = OwnedBasis::<f32>::new(&table());
-    let mut q15 = IntegerShader::<Q15>::new(&table(), usize::MAX).expect("a table for Q15");
+    let mut q15 = IntegerShader::new(&table(), usize::MAX).expect("a table for Q15");
     let rounded = OwnedNormals::<f32>::new(normals);
     let (each, in_q15) = (rounded.each().expect("visible normals"), in_integers(normals));
     materials(3).into_iter().map(move |material| {
@@ -223,7 +223,7 @@ fn every_method(
         let baked = f32.baked(light, material, &each, 64).expect("a map");
         let map = f32.scene().expect("room").bake_integers_into(64, vec![0; 64 * 64]);
         let map = map.expect("numbers that fit");
-        let pixel = |&normal| f64::from(map.bilinear(MapPoint::of_quantized(normal)));
+        let pixel = |&normal| f64::from(map.bilinear(MapPoint::of_q15(normal)));
         let of_map = in_q15.iter().map(|normal| pixel(normal) * 2f64.powi(map.exponent()));
         let within = f32.within(&[(light, material)], &rounded, Tolerance::OfPeak(1e-2));
         let (within, truncation) = within.expect("a tolerance").remove(0);

@@ -4,7 +4,7 @@
 use super::degrees::coefficients;
 use super::{Figure, exactly, least, most, tight};
 use crate::tolerances;
-use eigenshade::{Argument, Error, Light, Material, Normal, Q15, Scalar, quantized, sphere};
+use eigenshade::{Argument, Error, Light, Material, Normal, Q15, Scalar, q15, sphere};
 use eigenshade_shading::owned_basis::OwnedBasis;
 use eigenshade_shading::shader::{OwnedNormals, Shader};
 use eigenshade_table::Table;
@@ -273,8 +273,8 @@ pub(super) fn million() -> Vec<Figure> {
 
 /// A table whose single image is as large as Q15 allows, and the shipped table.
 pub(super) fn full_weight() -> Vec<Figure> {
-    let places = [quantized::Profile::new(0, -3, [0, quantized::Profile::NONE], [u16::MAX; 2])];
-    let largest_table = quantized::Basis::<Q15>::new(quantized::Parts {
+    let places = [q15::Profile::new(0, -3, [0, q15::Profile::NONE], [u16::MAX; 2])];
+    let largest_table = q15::Basis::new(q15::Parts {
         degree: 0,
         order: 0,
         effects: eigenshade::Effects::ALL,
@@ -288,8 +288,8 @@ pub(super) fn full_weight() -> Vec<Figure> {
         terms: &[Q15(i16::MAX); 3],
     });
     let largest_table = largest_table.expect("parts that fit");
-    let pole = quantized::Normal::new(0, 0, i32::MAX).expect("a direction");
-    let seen = |basis: &quantized::Basis<'_, Q15>, pixels: u32, weight: u16| {
+    let pole = q15::Normal::new(0, 0, i32::MAX).expect("a direction");
+    let seen = |basis: &q15::Basis<'_>, pixels: u32, weight: u16| {
         let mut estimate = basis.estimate::<50>().expect("room");
         (0..pixels).for_each(|_| estimate.add(pole, Q15(i16::MIN), weight));
         estimate.coefficients(-15)

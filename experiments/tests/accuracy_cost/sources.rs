@@ -17,7 +17,7 @@ use experiments::sheet::{Counts, M0, M3, M4F, RV32, Record};
 
 /// In f32 against f64, of the peak, from a roughness of 0.3 on: as `Highlights::shade` states.
 const OF_F32: f64 = 3e-6;
-/// In integers of 17 bits, of the peak, off the rim: as `quantized::Highlights::shade` states.
+/// In integers of 17 bits, of the peak, off the rim: as `q15::Highlights::shade` states.
 const OF_Q15: f64 = 4e-3;
 /// A light without its sources in f32, of their energy: as `Rgb::residual` states.
 const OF_REST: f64 = 1e-5;

@@ -8,8 +8,7 @@ const START: &str = "<!-- counts: firmware/run all --update writes them -->\n";
 const END: &str = "<!-- end of counts -->\n";
 
 /// The pages, and the formats that each shows. An empty list means the [`SHORT`] table.
-const PAGES: [(&str, &[&str]); 3] =
-    [("../README.md", &[]), ("../docs/costs.md", &["f32", "q15"]), ("README.md", &["q31"])];
+const PAGES: [(&str, &[&str]); 2] = [("../README.md", &[]), ("../docs/costs.md", &["f32", "q15"])];
 
 /// The rows of the short table: an operation and its description.
 const SHORT: [(&str, &str); 5] = [

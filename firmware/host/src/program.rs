@@ -99,7 +99,7 @@ impl Listed {
     pub fn kind(&self) -> Kind {
         match self.source {
             "empty" => Kind::Empty,
-            "golden_f32" | "golden_integer" | "readme" => Kind::Demonstration,
+            "golden_f32" | "golden_q15" | "readme" => Kind::Demonstration,
             "scene_f32" | "scene_q15" | "size_q15" | "sources_f32" | "sources_q15" => Kind::Scene,
             "complete_q15" => Kind::Complete,
             _ => Kind::Operation,

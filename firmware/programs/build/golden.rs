@@ -17,7 +17,7 @@ pub fn file() -> Result<Golden> {
 /// A module for each format.
 pub fn modules() -> Result<String> {
     let golden = file()?;
-    let formats = [("f32", "f32"), ("q15", "eigenshade::Q15"), ("q31", "eigenshade::Q31")];
+    let formats = [("f32", "f32"), ("q15", "eigenshade::Q15")];
     formats.iter().map(|(format, number)| module(&golden, format, number)).collect()
 }
 

@@ -3,7 +3,7 @@
 
 use crate::Result;
 use eigenshade::mathematics::SinglePrecision;
-use eigenshade::{Gloss, Highlights, Rgb, Source, quantized};
+use eigenshade::{Gloss, Highlights, Rgb, Source, q15};
 
 /// Where the sources are: (x, y, 1), scaled. All normals of the integer programs face them.
 const PLACES: [[f32; 2]; 4] = [[-0.2, 0.3], [-0.4, 0.1], [-0.1, 0.4], [-0.5, 0.3]];
@@ -20,8 +20,8 @@ pub fn constants() -> Result<String> {
     let [a, b, c, d] = sources;
     let floats = Highlights::<f32, 4>::new::<SinglePrecision>(&gloss, &[a?, b?, c?, d?]);
     let floats = floats.map_err(fault)?;
-    let gray = quantized::Highlights::<i32, 4>::quantize(&floats, 0).map_err(fault)?;
-    let color = quantized::Highlights::<Rgb<i32>, 4>::quantize(&floats, Rgb::gray(0));
+    let gray = q15::Highlights::<i32, 4>::quantize(&floats, 0).map_err(fault)?;
+    let color = q15::Highlights::<Rgb<i32>, 4>::quantize(&floats, Rgb::gray(0));
     let color = color.map_err(fault)?;
     Ok(format!(
         "/// α² in units of 2^-30.\n\

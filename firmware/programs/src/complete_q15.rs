@@ -5,7 +5,7 @@
 #![expect(dead_code, reason = "a program runs one of the functions")]
 
 use board::{exit, print, print_u32, stack};
-use eigenshade::quantized::{Light, Material, Normal, Scene, Transfer};
+use eigenshade::q15::{Light, Material, Normal, Scene, Transfer};
 use eigenshade::sphere::q15 as sphere;
 use eigenshade::{Error, Q15};
 use programs::drawing;

@@ -1,7 +1,7 @@
 //! Pictures of a sphere, computed in integers.
 
 use eigenshade::Q15;
-use eigenshade::quantized::Normal;
+use eigenshade::q15::Normal;
 
 /// Rows of text; a character is twice as high as wide.
 const ROWS: i32 = 18;

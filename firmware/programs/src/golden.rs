@@ -1,4 +1,4 @@
-//! The golden vectors of `tests/golden/sphere.csv`, as statics in modules `f32`, `q15` and `q31`.
+//! The golden vectors of `tests/golden/sphere.csv`, as statics in modules `f32` and `q15`.
 
 /// A light on a material, and the expected results. Only integer formats use the exponents.
 #[derive(Clone, Copy, Debug)]

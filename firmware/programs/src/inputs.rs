@@ -92,69 +92,48 @@ pub mod floats {
     }
 }
 
-/// Inputs in Q15 and Q31.
+/// Inputs in Q15.
 pub mod integers {
     use core::hint::black_box;
-    use eigenshade::quantized::{Light, Material, Normal};
-    use eigenshade::{Q15, Q31};
+    use eigenshade::q15::{Light, Material, Normal, Q15};
 
-    /// A format that these inputs can be given in.
-    pub trait Input: Sized {
-        /// From a fraction of 2^31.
-        fn of(fraction: i32) -> Self;
-        /// The normal of these components.
-        fn normal(x: Self, y: Self, z: Self) -> Option<Normal<Self>>;
-    }
-
-    impl Input for Q15 {
-        fn of(fraction: i32) -> Self {
-            Self((fraction >> 16) as i16)
-        }
-        fn normal(x: Self, y: Self, z: Self) -> Option<Normal<Self>> {
-            Normal::<Self>::from_unit(x, y, z).ok()
-        }
-    }
-
-    impl Input for Q31 {
-        fn of(fraction: i32) -> Self {
-            Self(fraction)
-        }
-        fn normal(x: Self, y: Self, z: Self) -> Option<Normal<Self>> {
-            Normal::<Self>::from_unit(x, y, z).ok()
-        }
+    /// A fraction of 2^31.
+    #[must_use]
+    pub fn of(fraction: i32) -> Q15 {
+        Q15((fraction >> 16) as i16)
     }
 
     /// Four visible normals.
     #[must_use]
-    pub fn normals<Q: Input>() -> [Normal<Q>; 4] {
+    pub fn normals() -> [Normal; 4] {
         // 3, 4 and 5 are the sides of a right triangle.
         const FIFTH: i32 = i32::MAX / 5;
         [[0, 0, 5], [3, 0, 4], [0, -4, 3], [-3, 4, 0]].map(|fifths| {
-            let [x, y, z] = fifths.map(|count| Q::of(count * black_box(FIFTH)));
-            Q::normal(x, y, z).unwrap_or_else(|| board::exit(false))
+            let [x, y, z] = fifths.map(|count| of(count * black_box(FIFTH)));
+            Normal::from_unit(x, y, z).unwrap_or_else(|_| board::exit(false))
         })
     }
 
     /// Mantissas of both signs, always the same.
     #[must_use]
-    pub fn mantissas<Q: Input, const N: usize>() -> [Q; N] {
+    pub fn mantissas<const N: usize>() -> [Q15; N] {
         let mut state = black_box(1_u32);
         core::array::from_fn(|_| {
             state = state.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
             // Half of the largest, so that its bits are those of a light's.
-            Q::of(state.cast_signed() >> 1)
+            of(state.cast_signed() >> 1)
         })
     }
 
     /// A light of these mantissas.
     #[must_use]
-    pub fn light<Q>(mantissas: &[Q]) -> Light<'_, Q> {
+    pub fn light(mantissas: &[Q15]) -> Light<'_> {
         Light::new(-15, mantissas).unwrap_or_else(|_| board::exit(false))
     }
 
     /// A material of these mantissas.
     #[must_use]
-    pub fn material<Q>(mantissas: &[Q], order: usize) -> Material<'_, Q> {
+    pub fn material(mantissas: &[Q15], order: usize) -> Material<'_> {
         let exponents = EXPONENTS.get(..=order).unwrap_or_default();
         Material::new(exponents, mantissas).unwrap_or_else(|_| board::exit(false))
     }

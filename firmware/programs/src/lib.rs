@@ -1,7 +1,7 @@
 //! The parts that all programs share: golden vectors, inputs and drawings.
 //!
 //! Cargo.toml lists the programs and their sources. `relight_q15`, for example, is the function
-//! `relight` of `operations_integer.rs`, with the shipped table in Q15 as the module `table`.
+//! `relight` of `operations_q15.rs`, with the shipped table in Q15 as the module `table`.
 #![no_std]
 
 /// The library's table in Q15, with the transfer of one material.
@@ -14,7 +14,7 @@ pub mod golden;
 /// The highlights of four sources.
 pub mod highlights {
     use eigenshade::Rgb;
-    use eigenshade::quantized::Lobe;
+    use eigenshade::q15::Lobe;
 
     include!(concat!(env!("OUT_DIR"), "/highlights.rs"));
 }

@@ -6,7 +6,7 @@
 use board::{Passes, holds, measure_named};
 use core::hint::black_box;
 use eigenshade::Q15;
-use eigenshade::quantized::{Highlights, Lobe};
+use eigenshade::q15::{Highlights, Lobe};
 use programs::highlights::{ALPHA_SQUARE, GRAY};
 use programs::inputs::integers as inputs;
 

@@ -1,4 +1,4 @@
-//! Tables that are not the library's. Modules `q15` and `q31` have the integer formats.
+//! Tables that are not the library's. Modules `q15` have them in integers.
 //!
 //! A crate of its own, so that programs without these tables do not load its code to link.
 #![no_std]

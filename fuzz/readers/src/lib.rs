@@ -142,7 +142,7 @@ fn bin(bytes: &[u8]) {
     };
     let Some(table) = accepted(found.map_err(|error| Error::table(&error))) else { return };
     assert!(decode(&encode(&table)).as_ref() == Ok(&table));
-    for format in [NumberFormat::F32, NumberFormat::Q15, NumberFormat::Q31] {
+    for format in NumberFormat::ALL {
         let _ = wire::encode(&table, format, Endian::Little);
     }
 }

@@ -122,6 +122,6 @@ exported!(
 );
 exported!(
     q15_functions "q15" Q15, angle i32, irradiance i32, texel i16, buffers of_q15,
-    integers::Light<Q15>, integers::Material<Q15>, integers::Transfer<Q15>, integers::Scene<Q15>,
+    integers::Light, integers::Material, integers::Transfer, integers::Scene,
     GlossyQ15
 );

@@ -20,7 +20,7 @@ records! {
         scene: Input<Channels<float::Scene>>, gloss: Input<Gloss>,
         sources: Input<Source>, count: usize;
     GlossyQ15 = "color_glossy" Q15:
-        scene: Input<Channels<integers::Scene<Q15>>>, gloss: Input<Gloss>,
+        scene: Input<Channels<integers::Scene>>, gloss: Input<Gloss>,
         sources: Input<Source>, count: usize;
 }
 

@@ -7,12 +7,11 @@ use super::picture::{Opened, Picture, Shade};
 use crate::boundary::{Input, Place, Plain};
 use crate::export::records;
 use crate::float;
-use crate::integers::{self, Light, Material, Scene, Shipped, Transfer};
+use crate::integers::{self, Light, Material, Scene, Transfer};
 use crate::status::Status;
-use crate::table::{COMPONENTS, LIGHT, q15};
-use core::marker::PhantomData;
+use crate::table::{self, COMPONENTS, LIGHT};
 use eigenshade::mathematics::SinglePrecision;
-use eigenshade::quantized::{self, Exposure, Highlights, LightBuffer as Turned, Normal, Rotation};
+use eigenshade::q15::{self, Exposure, Highlights, LightBuffer as Turned, Normal, Rotation};
 use eigenshade::{DiscPixel, Error, IntegerMap, Linear, MapPoint, NormalPixel, Q15, Rgb, Source};
 
 /// The exponents of glTF materials.
@@ -27,19 +26,19 @@ records! {
 }
 
 /// The lights, for the runtime.
-fn lights(from: &[Light<Q15>; 3]) -> Result<Rgb<quantized::Light<'_, Q15>>, Status> {
+fn lights(from: &[Light; 3]) -> Result<Rgb<q15::Light<'_>>, Status> {
     Rgb::from(from.each_ref()).try_map(|light| Ok(light.view()?.0))
 }
 
 /// Stores turned lights of the same degrees.
 fn stored(
-    from: &[Light<Q15>; 3],
-    turned: &Rgb<Turned<Q15, LIGHT>>,
+    from: &[Light; 3],
+    turned: &Rgb<Turned<LIGHT>>,
     numbers: &mut LightBuffer,
-) -> Result<[Light<Q15>; 3], Status> {
+) -> Result<[Light; 3], Status> {
     let turned = turned.lights()?;
     let [r, g, b] = &mut numbers.mantissas;
-    let store = |of: &Light<Q15>, turned: quantized::Light<'_, Q15>, to: &mut [Q15; LIGHT]| {
+    let store = |of: &Light, turned: q15::Light<'_>, to: &mut [Q15; LIGHT]| {
         to.iter_mut().zip(turned.mantissas()).for_each(|(to, &from)| *to = from);
         let (degree, length, exponent) = (of.degree, of.length, turned.exponent());
         Light { degree, length, mantissas: Input::to(&*to), exponent }
@@ -49,66 +48,61 @@ fn stored(
 }
 
 impl Format for Q15 {
-    type Light = Light<Self>;
-    type Material = Material<Self>;
-    type Transfer = Transfer<Self>;
-    type Scene = Scene<Self>;
+    type Light = Light;
+    type Material = Material;
+    type Transfer = Transfer;
+    type Scene = Scene;
     type Baked = Baked;
     type Texel = i16;
     type Irradiance = i32;
-    type Normal = Normal<Self>;
+    type Normal = Normal;
     type Exposure = Exposure;
     type LightBuffer = LightBuffer;
     type MaterialBuffer = MaterialBuffer;
     type Angle = i32;
     type Highlights = Highlights<Rgb<i32>, SOURCES>;
 
-    fn light(light: &Light<Self>) -> Result<[Place; 2], Status> {
+    fn light(light: &Light) -> Result<[Place; 2], Status> {
         Ok(light.view()?.1)
     }
 
-    fn material(material: &Material<Self>) -> Result<[Place; 3], Status> {
+    fn material(material: &Material) -> Result<[Place; 3], Status> {
         Ok(material.view()?.1)
     }
 
-    fn same(one: &Material<Self>, other: &Material<Self>) -> bool {
+    fn same(one: &Material, other: &Material) -> bool {
         one.order == other.order
             && one.mantissas.is(&other.mantissas)
             && one.exponents.is(&other.exponents)
     }
 
-    const NO_TRANSFER: Transfer<Self> =
-        Transfer { numbers: [Q15(0); q15::TRANSFER], exponents: [0; q15::PROFILES] };
+    const NO_TRANSFER: Transfer =
+        Transfer { numbers: [Q15(0); table::q15::TRANSFER], exponents: [0; table::q15::PROFILES] };
 
-    fn transfer(material: &Material<Self>, to: &mut Transfer<Self>) -> Result<(), Status> {
-        integers::transferred(&material.view()?.0, &mut [0; q15::WORKSPACE], to)
+    fn transfer(material: &Material, to: &mut Transfer) -> Result<(), Status> {
+        integers::transferred(&material.view()?.0, &mut [0; table::q15::WORKSPACE], to)
     }
 
-    fn relight(
-        transfer: &Transfer<Self>,
-        light: &Light<Self>,
-        to: &mut Scene<Self>,
-    ) -> Result<(), Status> {
-        let mut d =
-            integers::Coefficients { mantissas: [0; COMPONENTS], exponent: 0, format: PhantomData };
+    fn relight(transfer: &Transfer, light: &Light, to: &mut Scene) -> Result<(), Status> {
+        let mut d = integers::Coefficients { mantissas: [0; COMPONENTS], exponent: 0 };
         integers::relit(transfer, &light.view()?.0, &mut d)?;
-        integers::collapsed::<Self>(&d.mantissas, d.exponent, to)
+        integers::collapsed(&d.mantissas, d.exponent, to)
     }
 
     fn turn(
-        from: &[Light<Self>; 3],
+        from: &[Light; 3],
         quaternion: &[i32; 4],
         numbers: &mut LightBuffer,
-    ) -> Result<[Light<Self>; 3], Status> {
+    ) -> Result<[Light; 3], Status> {
         let rotation = Rotation::from_quaternion(*quaternion)?;
         stored(from, &lights(from)?.turned::<LIGHT>(&rotation)?, numbers)
     }
 
     fn turn_about_view(
-        from: &[Light<Self>; 3],
+        from: &[Light; 3],
         angle: &[i32; 2],
         numbers: &mut LightBuffer,
-    ) -> Result<[Light<Self>; 3], Status> {
+    ) -> Result<[Light; 3], Status> {
         stored(from, &lights(from)?.turned_about_view::<LIGHT>(*angle)?, numbers)
     }
 
@@ -116,12 +110,12 @@ impl Format for Q15 {
         from: &[float::Light; 3],
         sources: &[Source<f32>],
         numbers: &mut LightBuffer,
-    ) -> Result<[Light<Self>; 3], Status> {
+    ) -> Result<[Light; 3], Status> {
         let rest = super::float::lights(from)?.residual::<SinglePrecision, LIGHT>(sources)?;
         let store = |of: &float::Light, rest: &[f32], to: &mut [Q15; LIGHT]| {
             let (degree, length) = (of.degree, of.length);
             let to = to.get_mut(..length).ok_or(Status::Internal)?;
-            let exponent = quantized::Light::quantize(rest, to)?.exponent();
+            let exponent = q15::Light::quantize(rest, to)?.exponent();
             Ok::<_, Status>(Light { degree, length, mantissas: Input::to(&*to), exponent })
         };
         let ([of_r, of_g, of_b], [r, g, b]) = (from, &mut numbers.mantissas);
@@ -139,7 +133,7 @@ impl Format for Q15 {
     fn add(
         highlights: &Highlights<Rgb<i32>, SOURCES>,
         irradiance: [i32; 3],
-        normal: Normal<Self>,
+        normal: Normal,
     ) -> [i32; 3] {
         highlights.add(irradiance.into(), normal).into()
     }
@@ -149,9 +143,8 @@ impl Format for Q15 {
         metallic: Self,
         roughness: Self,
         numbers: &mut MaterialBuffer,
-    ) -> Result<[Material<Self>; 3], Status> {
-        let found =
-            quantized::Material::<Self>::metallic_roughness(*base_color, metallic, roughness)?;
+    ) -> Result<[Material; 3], Status> {
+        let found = q15::Material::metallic_roughness(*base_color, metallic, roughness)?;
         let found: [_; 3] = found.into();
         let MaterialBuffer { mantissas, exponents } = numbers;
         for ((mantissas, exponents), found) in mantissas.iter_mut().zip(&mut *exponents).zip(&found)
@@ -170,26 +163,26 @@ impl Format for Q15 {
         }))
     }
 
-    fn normal(x: Self, y: Self, z: Self) -> Result<Normal<Self>, Status> {
-        Ok(<Self as Shipped>::normal(x, y, z)?)
+    fn normal(x: Self, y: Self, z: Self) -> Result<Normal, Status> {
+        Ok(Normal::from_unit(x, y, z)?)
     }
 
     #[inline]
-    fn of_disc(pixel: DiscPixel) -> Normal<Self> {
-        pixel.quantized_normal()
+    fn of_disc(pixel: DiscPixel) -> Normal {
+        pixel.normal_q15()
     }
 
     #[inline]
-    fn of_normal_map(pixel: NormalPixel) -> Normal<Self> {
-        pixel.quantized_normal()
+    fn of_normal_map(pixel: NormalPixel) -> Normal {
+        pixel.normal_q15()
     }
 
-    fn check(scene: &Scene<Self>) -> Result<(), Status> {
+    fn check(scene: &Scene) -> Result<(), Status> {
         scene.check()
     }
 
     #[inline]
-    fn shade(scene: &Scene<Self>, normal: Normal<Self>) -> Result<i32, Status> {
+    fn shade(scene: &Scene, normal: Normal) -> Result<i32, Status> {
         integers::irradiance(scene, normal)
     }
 
@@ -209,7 +202,7 @@ impl Format for Q15 {
         Baked { size, length, texels, exponents }
     }
 
-    fn exponent(scene: &Scene<Self>) -> i32 {
+    fn exponent(scene: &Scene) -> i32 {
         scene.exponent
     }
 
@@ -229,7 +222,7 @@ impl Picture<Q15> for Baked {
         let maps = texels
             .zip(Rgb::from(self.exponents))
             .try_map(|(texels, exponent)| IntegerMap::new(self.size, exponent, texels))?;
-        let shade = move |normal| Ok(maps.bilinear(MapPoint::of_quantized(normal)).into());
+        let shade = move |normal| Ok(maps.bilinear(MapPoint::of_q15(normal)).into());
         Ok(Opened { shade, exponents: self.exponents, places })
     }
 }

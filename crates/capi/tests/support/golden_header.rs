@@ -17,7 +17,7 @@ pub fn text() -> Result<String, String> {
     let pairs = golden.pairs();
     text += &format!("#define GOLDEN_PAIRS {}\n", pairs.len());
     text += &array("float", "golden_tolerance", golden.find("f32", [""; 3], "tolerance")?);
-    for (format, kind) in [("f32", "float"), ("q15", "int16_t"), ("q31", "int32_t")] {
+    for (format, kind) in [("f32", "float"), ("q15", "int16_t")] {
         let normals = golden.find(format, [""; 3], "normals")?;
         for (axis, name) in ["x", "y", "z"].into_iter().enumerate() {
             let of_axis = normals.numbers.iter().skip(axis).step_by(3).cloned().collect();

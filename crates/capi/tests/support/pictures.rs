@@ -3,10 +3,10 @@
 
 use eigenshade::mathematics::SinglePrecision;
 use eigenshade::presets::{gloss, light, material, sources};
-use eigenshade::quantized::{self, Rotation};
+use eigenshade::q15::{self, Rotation};
 use eigenshade::{
     Disc, Display, Error, Gloss, Highlights, MapPoint, NormalMap, Q15, Rgb, Source, Tone, blend565,
-    sphere, sphere::q15,
+    sphere,
 };
 use std::fmt::Write as _;
 
@@ -16,12 +16,12 @@ const BAKED: usize = 32;
 const LIGHT: usize = sphere::LIGHT;
 
 /// The irradiance of a normal, as exposed.
-type Shade<'s> = &'s dyn Fn(quantized::Normal<Q15>) -> Rgb<eigenshade::Linear>;
+type Shade<'s> = &'s dyn Fn(q15::Normal) -> Rgb<eigenshade::Linear>;
 
 fn disc(display: &Display, shade: Shade<'_>) -> Vec<u16> {
     let mut picture = vec![0; SIDE * SIDE];
     for pixel in Disc::new(SIDE).expect("a size above 0") {
-        picture[pixel.index()] = display.rgb565(shade(pixel.quantized_normal()));
+        picture[pixel.index()] = display.rgb565(shade(pixel.normal_q15()));
     }
     picture
 }
@@ -30,7 +30,7 @@ fn of_map(codes: &[u8], display: &Display, shade: Shade<'_>) -> Result<Vec<u16>,
     let mut picture = vec![0; SIDE * SIDE];
     for pixel in NormalMap::new(MAP, MAP, codes)?.pixels() {
         let to = &mut picture[pixel.row() * SIDE + pixel.column()];
-        let above = display.rgb565(shade(pixel.quantized_normal()));
+        let above = display.rgb565(shade(pixel.normal_q15()));
         *to = blend565(*to, above, pixel.coverage());
     }
     Ok(picture)
@@ -55,16 +55,16 @@ pub fn lines() -> Result<String, Error> {
         })
         .collect();
     let lobby = light::q15::LOBBY;
-    let gold = q15::color::transfer(material::q15::GOLD_METALLIC_PAINT)?;
-    let relit = |light: Rgb<quantized::Light<'_, Q15>>| q15::color::relight(&gold, light);
-    let exposed = |scene: &q15::color::Scene, exposure: f32| {
+    let gold = sphere::q15::color::transfer(material::q15::GOLD_METALLIC_PAINT)?;
+    let relit = |light: Rgb<q15::Light<'_>>| sphere::q15::color::relight(&gold, light);
+    let exposed = |scene: &sphere::q15::color::Scene, exposure: f32| {
         let exposure = scene.exposure_by_factor(exposure)?;
         let scene = scene.clone();
         Ok::<_, Error>(move |normal| exposure.of(scene.shade(normal)))
     };
 
     let mut pictures = Vec::new();
-    let mut draw = |name, scene: &q15::color::Scene| {
+    let mut draw = |name, scene: &sphere::q15::color::Scene| {
         pictures.push((name, disc(&filmic, &exposed(scene, 1.5)?)));
         Ok::<_, Error>(())
     };
@@ -94,14 +94,14 @@ pub fn lines() -> Result<String, Error> {
     let mut mantissas = [[Q15(0); LIGHT]; 3];
     let [r, g, b] = &mut mantissas;
     let rest = Rgb::new(
-        quantized::Light::quantize(&rest.r, r)?,
-        quantized::Light::quantize(&rest.g, g)?,
-        quantized::Light::quantize(&rest.b, b)?,
+        q15::Light::quantize(&rest.r, r)?,
+        q15::Light::quantize(&rest.g, g)?,
+        q15::Light::quantize(&rest.b, b)?,
     );
-    let glossy = |scene: &q15::color::Scene, sources: &[Source<f32>]| {
+    let glossy = |scene: &sphere::q15::color::Scene, sources: &[Source<f32>]| {
         let highlights = Highlights::<f32, 4>::new::<SinglePrecision>(&of_gold, sources)?;
         let exponents = scene.each_ref().map(|channel| channel.exponent());
-        let highlights = quantized::Highlights::<_, 4>::quantize(&highlights, exponents)?;
+        let highlights = q15::Highlights::<_, 4>::quantize(&highlights, exponents)?;
         let (scene, exposure) = (scene.clone(), scene.exposure_by_factor(1.0)?);
         Ok::<_, Error>(move |normal| exposure.of(highlights.add(scene.shade(normal), normal)))
     };
@@ -118,17 +118,20 @@ pub fn lines() -> Result<String, Error> {
 
     let number = |x: f32| Q15((x * 32_767.0) as i16);
     let copper = [0.93, 0.5, 0.25].map(number);
-    let copper = quantized::Material::metallic_roughness(copper, number(0.75), number(0.5))?;
+    let copper = q15::Material::metallic_roughness(copper, number(0.75), number(0.5))?;
     let gray = material::q15::PTFE_633NM;
     for (name, material) in [("glTF", copper.materials()?), ("gray", gray)] {
-        pictures.push((name, disc(&filmic, &exposed(&q15::color::scene(lobby, material)?, 1.5)?)));
+        pictures.push((
+            name,
+            disc(&filmic, &exposed(&sphere::q15::color::scene(lobby, material)?, 1.5)?),
+        ));
     }
 
     let red = sphere::color::scene(light::LOBBY, material::DARK_RED_PAINT)?;
     let texels = [0; BAKED * BAKED];
     let baked = red.bake_integers_into(BAKED, Rgb::gray(texels))?;
     let exposure = baked.exposure_by_factor(1.5)?;
-    let look_up = |normal| exposure.of(baked.bilinear(MapPoint::of_quantized(normal)));
+    let look_up = |normal| exposure.of(baked.bilinear(MapPoint::of_q15(normal)));
     pictures.push(("baked", disc(&linear, &look_up)));
     pictures.push(("baked normal map", of_map(&codes, &filmic, &look_up)?));
 
@@ -137,17 +140,17 @@ pub fn lines() -> Result<String, Error> {
         // Writing to a string cannot fail.
         let _ = writeln!(lines, "{name},{}", checksum(&picture));
     }
-    let normal = quantized::Normal::<Q15>::from_unit(Q15(0), Q15(19_661), Q15(26_214))?;
-    let scene = q15::color::scene(lobby, material::q15::DARK_RED_PAINT)?;
+    let normal = q15::Normal::from_unit(Q15(0), Q15(19_661), Q15(26_214))?;
+    let scene = sphere::q15::color::scene(lobby, material::q15::DARK_RED_PAINT)?;
     let lamp = [0.0, 0.6, 0.8];
     let lamp = Source::new::<SinglePrecision>(lamp, [0.5, 0.4, 0.3], [0.03, 0.0, 0.0], 0.03)?;
     let copper = Gloss::metallic_roughness([0.93, 0.5, 0.25], 1.0, 0.3)?;
     let highlights = Highlights::<f32, 1>::new::<SinglePrecision>(&copper, &[lamp])?;
     let exponents = scene.each_ref().map(|channel| channel.exponent());
-    let highlights = quantized::Highlights::<_, 1>::quantize(&highlights, exponents)?;
-    let half = quantized::Normal::<Q15>::from_unit(Q15(0), Q15(10_362), Q15(31_086))?;
+    let highlights = q15::Highlights::<_, 1>::quantize(&highlights, exponents)?;
+    let half = q15::Normal::from_unit(Q15(0), Q15(10_362), Q15(31_086))?;
     let glossy = highlights.add(scene.shade(half), half);
-    for found in [scene.shade(normal), baked.bilinear(MapPoint::of_quantized(normal)), glossy] {
+    for found in [scene.shade(normal), baked.bilinear(MapPoint::of_q15(normal)), glossy] {
         for irradiance in <[i32; 3]>::from(found) {
             let _ = writeln!(lines, "shade,{}", irradiance.cast_unsigned());
         }

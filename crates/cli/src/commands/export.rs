@@ -15,7 +15,7 @@ use eigenshade_index::highlights::{LARGEST_SET, MAX_SOURCES};
 use eigenshade_model::database::{Lights, Materials, Named};
 use eigenshade_model::error::{Error, Result};
 use eigenshade_shading::shader::{fitted, of_higher_order};
-use eigenshade_table::quantize::{IntegerFormat, QuantizeError, integers};
+use eigenshade_table::quantize::{QuantizeError, TOLERANCE, integers};
 use eigenshade_table::{Table, statics};
 use std::path::{Path, PathBuf};
 
@@ -186,11 +186,16 @@ impl Export {
     fn table_source(&self, table: &Table) -> Result<String> {
         let fault = |error: QuantizeError| Error::of_line(error, "export it in f32");
         match self.format.unwrap_or_default() {
-            Format::F32 => Ok(statics::module(table, COMMAND, &[]).map_err(fault)?.text),
+            Format::F32 => {
+                if table.has_projection() {
+                    Ok(statics::floats(table, COMMAND))
+                } else {
+                    Err(fault(QuantizeError::TransfersOnly))
+                }
+            }
             Format::Q15 => {
-                let format = IntegerFormat::Q15;
-                let parts = integers(table, format, format.tolerance()).map_err(fault)?;
-                Ok(statics::integers(&parts, format, COMMAND))
+                let parts = integers(table, TOLERANCE).map_err(fault)?;
+                Ok(statics::integers(&parts, COMMAND))
             }
         }
     }

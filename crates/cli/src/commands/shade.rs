@@ -5,14 +5,14 @@ use super::options::{Destination, Inputs, Memory, TableChoice, WindowChoice, cou
 use super::shade_images::{Images, Output, Way};
 use clap::{Args, ValueEnum};
 use eigenshade::mathematics::Libm;
-use eigenshade::{NegativePolicy, Q15, Q31, Window};
+use eigenshade::{NegativePolicy, Window};
 use eigenshade_cli::messages::{Ringing, albedo_warning, dark_light_warning, print_message};
 use eigenshade_cli::output::{self, Rows, exact};
 use eigenshade_cli::table::{self, rounding};
 use eigenshade_model::error::{Error, Result};
 use eigenshade_model::inputs::input_file::InputFile;
 use eigenshade_model::inputs::normals::read_normals;
-use eigenshade_shading::integer_shader::{Integer, IntegerShader};
+use eigenshade_shading::integer_shader::IntegerShader;
 use eigenshade_shading::shader::{fitted, of_higher_order};
 use eigenshade_table::reduce::with_components;
 use eigenshade_table::wire;
@@ -58,8 +58,6 @@ pub struct Shade {
 enum Format {
     F64,
     F32,
-    /// Integers of 32 bits
-    Q31,
     /// Integers of 16 bits
     Q15,
 }
@@ -78,7 +76,7 @@ enum Method {
 
 impl Shade {
     pub fn run(self, memory: Memory) -> Result<()> {
-        let is_integer = matches!(self.format, Some(Format::Q31 | Format::Q15));
+        let is_integer = self.format == Some(Format::Q15);
         if self.method == Method::Modes && !matches!(self.format, None | Some(Format::F64)) {
             let what = "the method modes supports only f64";
             return Err(Error::new(what, "leave --format out, or choose another method"));
@@ -88,7 +86,7 @@ impl Shade {
             return Err(Error::new(what, "leave --components out, or choose another method"));
         }
         if is_integer && self.method != Method::Polynomial {
-            let what = "integer formats support only the method polynomial";
+            let what = "q15 supports only the method polynomial";
             return Err(Error::new(what, "use --method polynomial, or --format f32"));
         }
         if self.tolerance.is_some() && (is_integer || self.method != Method::Polynomial) {
@@ -102,7 +100,7 @@ impl Shade {
         let effects = self.choices.effects(&table)?;
         self.choices.check_rotation(&table)?;
         if is_integer && effects != table.effects() {
-            let what = "integer formats shade all effects of their table";
+            let what = "q15 shades all effects of their table";
             return Err(Error::new(what, "make a table of those effects, or use --format f32"));
         }
         let way = self.way()?;
@@ -148,12 +146,8 @@ impl Shade {
         match (self.method, self.format) {
             (Method::Modes, _) => write(&mut |out| images.modes(out)),
             (_, Some(Format::F64)) => write(&mut |out| images.floats::<f64>(way, out)),
-            (_, Some(Format::Q31)) => {
-                let mut shader = self.integer_shader::<Q31>(&images)?;
-                write(&mut |out| images.integers(&mut shader, out))
-            }
             (_, Some(Format::Q15)) => {
-                let mut shader = self.integer_shader::<Q15>(&images)?;
+                let mut shader = self.integer_shader(&images)?;
                 write(&mut |out| images.integers(&mut shader, out))
             }
             (_, _) => write(&mut |out| images.floats::<f32>(way, out)),
@@ -179,7 +173,7 @@ impl Shade {
     }
 
     /// The shader in integers, before anything is written.
-    fn integer_shader<Q: Integer>(&self, images: &Images) -> Result<IntegerShader<Q>> {
+    fn integer_shader(&self, images: &Images) -> Result<IntegerShader> {
         IntegerShader::new(&images.table, images.components)
             .map_err(|error| error.in_file(self.table.path()))
     }
@@ -189,7 +183,6 @@ impl Shade {
         match (self.method, self.format) {
             (Method::Modes, _) | (_, Some(Format::F64)) => None,
             (_, None | Some(Format::F32)) => Some(wire::NumberFormat::F32),
-            (_, Some(Format::Q31)) => Some(wire::NumberFormat::Q31),
             (_, Some(Format::Q15)) => Some(wire::NumberFormat::Q15),
         }
     }

@@ -6,7 +6,7 @@ use eigenshade_cli::output::{Rows, exact};
 use eigenshade_cli::preview::Preview;
 use eigenshade_model::database::{Lights, Materials, Named};
 use eigenshade_model::error::Result;
-use eigenshade_shading::integer_shader::{self, Integer, IntegerShader};
+use eigenshade_shading::integer_shader::{self, IntegerShader};
 use eigenshade_shading::owned_basis::OwnedBasis;
 use eigenshade_shading::parallel::Progress;
 use eigenshade_shading::shader::{Lit, OwnedNormals, Shader, fault};
@@ -77,11 +77,7 @@ impl Images {
     }
 
     /// Writes the images in integers.
-    pub fn integers<Q: Integer>(
-        &self,
-        shader: &mut IntegerShader<Q>,
-        out: &mut Output<'_>,
-    ) -> Result<()> {
+    pub fn integers(&self, shader: &mut IntegerShader, out: &mut Output<'_>) -> Result<()> {
         let normals = integer_shader::normals(&self.normals)?;
         self.channels(out, |light, material| shader.polynomial(light, material, &normals))
     }

@@ -1,7 +1,7 @@
 //! Lights and materials in the runtime's numbers, for source in a programming language.
 
 use crate::messages::printable;
-use eigenshade::{Q15, quantized};
+use eigenshade::{Q15, q15};
 use eigenshade_model::database::{Lights, Materials, Named};
 use eigenshade_model::error::{Error, Result};
 
@@ -169,12 +169,11 @@ fn channel(kind: Kind, size: usize, numbers: &[f64], format: Format) -> Result<C
     let mut mantissas = vec![Q15(0); floats.len()];
     let exponents = match kind {
         Kind::Light => {
-            vec![quantized::Light::quantize(&floats, &mut mantissas).map_err(fault)?.exponent()]
+            vec![q15::Light::quantize(&floats, &mut mantissas).map_err(fault)?.exponent()]
         }
         Kind::Material => {
             let mut exponents = vec![0; size + 1];
-            quantized::Material::quantize(&floats, &mut mantissas, &mut exponents)
-                .map_err(fault)?;
+            q15::Material::quantize(&floats, &mut mantissas, &mut exponents).map_err(fault)?;
             exponents.into_iter().map(i32::from).collect()
         }
     };

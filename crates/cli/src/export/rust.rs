@@ -25,7 +25,7 @@ pub fn module(entries: &[Entry], highlights: Option<&SourcesAndGloss>, command: 
                      use eigenshade::{{{record}, Rgb}};\n"
                 ),
                 Format::Q15 => format!(
-                    "    use eigenshade::quantized::{record};\n    \
+                    "    use eigenshade::q15::{record};\n    \
                      use eigenshade::specialized::checked;\n    \
                      use eigenshade::{{Q15, Rgb}};\n"
                 ),

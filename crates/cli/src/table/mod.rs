@@ -9,7 +9,7 @@ pub mod rounding;
 use crate::description::Description;
 use crate::messages::grouped;
 use eigenshade::wire::{Fault, Header, NumberFormat, WireError, aligned};
-use eigenshade::{Basis, FixedPoint, GeneralBasis, GeneralParts, Parts, Q15, Q31, quantized};
+use eigenshade::{Basis, GeneralBasis, GeneralParts, Parts, q15};
 use eigenshade_index::effect::{Effect, Effects};
 use eigenshade_index::wire::{ENTRY, HEADER, LABEL};
 use eigenshade_model::error::{Error, Result};
@@ -106,7 +106,7 @@ pub fn wire_description(bytes: &[u8]) -> Result<Description> {
         Some(NumberFormat::F32) | None => {
             (NumberFormat::F32, [Parts::<f32>::ARRAYS, GeneralParts::<f32>::ARRAYS].concat())
         }
-        Some(format) => (format, quantized::Parts::<Q15>::ARRAYS.to_vec()),
+        Some(format) => (format, q15::Parts::ARRAYS.to_vec()),
     };
     let mut description = Description::default();
     description.field("wire version", header.version);
@@ -175,8 +175,7 @@ fn checked(bytes: &[u8]) -> std::result::Result<(Header, Lengths), WireError> {
     let mut room = vec![0; bytes.len().div_ceil(4)];
     let bytes = aligned(bytes, &mut room)?;
     let lengths = match NumberFormat::of(header.format) {
-        Some(NumberFormat::Q15) => of_integers(&quantized::Basis::<Q15>::from_bytes(bytes)?),
-        Some(NumberFormat::Q31) => of_integers(&quantized::Basis::<Q31>::from_bytes(bytes)?),
+        Some(NumberFormat::Q15) => of_integers(&q15::Basis::from_bytes(bytes)?),
         _ if header.images > 0 => {
             let basis = GeneralBasis::<f32>::from_bytes(bytes)?;
             of_floats(basis.workspace_len(), basis.components(), basis.span())
@@ -194,7 +193,7 @@ fn of_floats(workspace: usize, components: usize, basis: &Basis<'_, f32>) -> Len
     ["WORKSPACE", "TRANSFER", "COMPONENTS", "SCENE"].into_iter().zip(lengths).collect()
 }
 
-fn of_integers<Q: FixedPoint>(basis: &quantized::Basis<'_, Q>) -> Lengths {
+fn of_integers(basis: &q15::Basis<'_>) -> Lengths {
     vec![
         ("WORKSPACE", basis.workspace_len()),
         ("TRANSFER", basis.transfer_len()),

@@ -1,9 +1,9 @@
 //! The error that a number format adds to a table's images, measured when the table is made.
 
-use eigenshade::{Q15, Q31, Scalar};
+use eigenshade::Scalar;
 use eigenshade_model::database::{Lights, Materials};
 use eigenshade_model::error::Result;
-use eigenshade_shading::integer_shader::{self, Integer, IntegerShader};
+use eigenshade_shading::integer_shader::{self, IntegerShader};
 use eigenshade_shading::owned_basis::OwnedBasis;
 use eigenshade_shading::shader::{OwnedNormals, Shader, fault, fitted};
 use eigenshade_shading::sphere_rings::{Ring, rings};
@@ -54,8 +54,7 @@ pub fn measure(
     for &format in formats {
         let images = match format {
             NumberFormat::F32 => floats::<f32>(table, &chosen, &normals).ok(),
-            NumberFormat::Q15 => integers::<Q15>(table, &chosen, &normals),
-            NumberFormat::Q31 => integers::<Q31>(table, &chosen, &normals),
+            NumberFormat::Q15 => integers(table, &chosen, &normals),
         };
         let Some(images) = images else { continue };
         let mut rounding = Rounding { format, largest: 0.0, rms: 0.0 };
@@ -108,12 +107,8 @@ fn floats<S: Scalar + Into<f64>>(
 }
 
 /// `None` if integers do not suit the table.
-fn integers<Q: Integer>(
-    table: &Table,
-    pairs: &[[Vec<f64>; 2]],
-    normals: &[[f64; 3]],
-) -> Option<Images> {
-    let mut shader = IntegerShader::<Q>::new(table, usize::MAX).ok()?;
+fn integers(table: &Table, pairs: &[[Vec<f64>; 2]], normals: &[[f64; 3]]) -> Option<Images> {
+    let mut shader = IntegerShader::new(table, usize::MAX).ok()?;
     let normals = integer_shader::normals(normals).ok()?;
     let image =
         |[light, material]: &[Vec<f64>; 2]| shader.polynomial(light, material, &normals).ok();

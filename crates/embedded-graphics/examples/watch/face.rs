@@ -113,7 +113,7 @@ impl DrawTarget for Panel {
 /// The functions of a module that draws in a number format. The module has the light, the materials
 /// and `paint` in it; `$wrist` gives the quaternion of a frame.
 macro_rules! frames {
-    ($number:ty, $wrist:expr) => {
+    ($wrist:expr) => {
         /// Draws a frame. It takes the materials in anew for each frame, which costs little beside
         /// the pixels and needs no memory between frames.
         pub fn draw<D: DrawTarget<Color: DisplayColor>>(
@@ -130,13 +130,13 @@ macro_rules! frames {
         /// The light after the wrist has turned.
         // Apart, like the objects, so that its stack is free again for them.
         #[inline(never)]
-        fn light(frame: i32) -> Result<Rgb<LightBuffer<$number, 100>>, Error> {
+        fn light(frame: i32) -> Result<Rgb<Buffer>, Error> {
             HALL.turned(&Rotation::from_quaternion(($wrist)(frame))?)
         }
 
         #[inline(never)]
         fn dial<D: DrawTarget<Color: DisplayColor>>(
-            light: Rgb<Light<'_, $number>>,
+            light: Rgb<Light<'_>>,
             target: &mut D,
         ) -> Result<Result<(), D::Error>, Error> {
             let scene = color::scene(light, BLUE_METALLIC_PAINT2)?;
@@ -145,7 +145,7 @@ macro_rules! frames {
 
         #[inline(never)]
         fn relief<D: DrawTarget<Color: DisplayColor>>(
-            light: Rgb<Light<'_, $number>>,
+            light: Rgb<Light<'_>>,
             target: &mut D,
         ) -> Result<Result<(), D::Error>, Error> {
             let scene = color::scene(light, GOLD_METALLIC_PAINT)?;
@@ -160,10 +160,12 @@ pub mod floats {
     use eigenshade::presets::light::HALL;
     use eigenshade::presets::material::{BLUE_METALLIC_PAINT2, GOLD_METALLIC_PAINT};
     use eigenshade::sphere::color::{self, Scene};
-    use eigenshade::{Light, LightBuffer, Rgb, Rotation};
+    use eigenshade::{Rgb, Rotation};
     use eigenshade_embedded_graphics::Paint;
 
-    frames!(f32, |frame| wrist(frame).map(|part| part as f32));
+    type Light<'a> = eigenshade::Light<'a, f32>;
+    type Buffer = eigenshade::LightBuffer<f32, 100>;
+    frames!(|frame| wrist(frame).map(|part| part as f32));
 
     fn paint(scene: &Scene) -> Result<impl Shader, Error> {
         Ok(Paint::new(|normal| scene.shade(normal), scene.exposure_by_factor(EXPOSURE)?, &DISPLAY))
@@ -173,17 +175,18 @@ pub mod floats {
 /// In integers.
 pub mod integers {
     use super::*;
+    use eigenshade::Rgb;
     use eigenshade::presets::light::q15::HALL;
     use eigenshade::presets::material::q15::{BLUE_METALLIC_PAINT2, GOLD_METALLIC_PAINT};
-    use eigenshade::quantized::{Light, LightBuffer, Rotation};
+    use eigenshade::q15::{Light, LightBuffer, Rotation};
     use eigenshade::sphere::q15::color::{self, Scene};
-    use eigenshade::{Q15, Rgb};
     use eigenshade_embedded_graphics::Paint;
 
-    frames!(Q15, wrist);
+    type Buffer = LightBuffer<100>;
+    frames!(wrist);
 
     fn paint(scene: &Scene) -> Result<impl Shader, Error> {
         let exposure = scene.exposure_by_factor(EXPOSURE)?;
-        Ok(Paint::quantized(|normal| scene.shade(normal), exposure, &DISPLAY))
+        Ok(Paint::q15(|normal| scene.shade(normal), exposure, &DISPLAY))
     }
 }

@@ -5,9 +5,9 @@ use crate::effect::Effects;
 use zerocopy::{FromBytes, Immutable, KnownLayout};
 
 record! {
-    /// The arrays of a basis in a fixed-point format. `quantized::Basis::new` of the runtime checks
+    /// The arrays of a basis in a fixed-point format. `q15::Basis::new` of the runtime checks
     /// that they are consistent.
-    "eigenshade::quantized::Parts" Parts OwnedParts
+    "eigenshade::q15::Parts" Parts OwnedParts
     sizes {
         /// Largest degree l of the light.
         degree: usize,
@@ -104,10 +104,21 @@ impl Profile {
 #[repr(transparent)]
 pub struct Q15(pub i16);
 
-/// A mantissa of 31 bits and a sign: see [`Q15`].
-#[derive(
-    Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord, FromBytes, Immutable, KnownLayout,
-)]
-#[cfg_attr(feature = "defmt", derive(defmt::Format))]
-#[repr(transparent)]
-pub struct Q31(pub i32);
+impl Q15 {
+    /// Bits of a mantissa's magnitude.
+    pub const BITS: u32 = 15;
+
+    /// The mantissa as an integer.
+    #[inline(always)]
+    #[must_use]
+    pub const fn get(self) -> i32 {
+        self.0 as i32
+    }
+
+    /// The nearest mantissa, at most 2^15 - 1 in size.
+    #[inline(always)]
+    #[must_use]
+    pub fn saturate(number: i32) -> Self {
+        Self(number.clamp(-32_767, 32_767) as i16)
+    }
+}

@@ -8,7 +8,7 @@ pub mod floats;
 pub mod integers;
 
 pub use floats::{Coupling, Pass, ProfilePlace, Row};
-pub use integers::{Profile, Q15, Q31};
+pub use integers::{Profile, Q15};
 
 use crate::effect::{Effect, Effects};
 use core::fmt::{self, Debug, Write};
@@ -108,7 +108,6 @@ primitive! {
     i32 "i32" |number| Word::Long(number.cast_unsigned());
     f32 "f32" |number| Word::Long(number.to_bits());
     Q15 "eigenshade::index::record::Q15" |number| Word::Short(number.0.cast_unsigned());
-    Q31 "eigenshade::index::record::Q31" |number| Word::Long(number.0.cast_unsigned());
 }
 
 impl Item for [f32; 2] {

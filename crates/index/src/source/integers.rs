@@ -2,21 +2,19 @@
 
 use super::{Constants, array, line, words};
 use crate::pair;
-use crate::record::integers::{Parts, Profile};
-use crate::wire::Mantissa;
+use crate::record::integers::{Parts, Profile, Q15};
 use alloc::format;
 use alloc::string::String;
 
 /// The body of a module with the numbers of a table. `command` is what made it, for the first line.
 #[must_use]
-pub fn module<Q: Mantissa>(parts: &Parts<'_, Q>, command: &str) -> String {
-    let name = Q::NAME;
+pub fn module(parts: &Parts<'_, Q15>, command: &str) -> String {
     let mut constants = Constants::default();
-    constants.add("PARTS", Parts::<Q>::PATH, &format!("eigenshade::{name}"), |to| parts.visit(to));
+    constants.add("PARTS", Parts::<Q15>::PATH, "", |to| parts.visit(to));
     let mut text = constants.headed(command);
-    line(&mut text, format_args!("eigenshade::integer_table!({name});"));
+    line(&mut text, format_args!("eigenshade::integer_table!(basis);"));
     for functions in [transfer_of(parts), relight(parts), collapse(parts), shade(parts)] {
-        line(&mut text, format_args!("eigenshade::integer_table!({name} {functions});"));
+        line(&mut text, format_args!("eigenshade::integer_table!({functions});"));
     }
     text
 }
@@ -24,26 +22,21 @@ pub fn module<Q: Mantissa>(parts: &Parts<'_, Q>, command: &str) -> String {
 /// The statics of the transfer of a material, as `transfer` gives it, for a place where the `BASIS`
 /// of its table is in scope. Its bounds are checked when it is compiled.
 #[must_use]
-pub fn transfer<Q: Mantissa>(mantissas: &[Q], exponents: &[i16]) -> String {
+pub fn transfer(mantissas: &[Q15], exponents: &[i16]) -> String {
     let mut text = array("TRANSFER_NUMBERS", mantissas) + &array("TRANSFER_EXPONENTS", exponents);
-    line(
-        &mut text,
-        format_args!(
-            "/// The transfer of the material.
-pub static MATERIAL: eigenshade::quantized::Transfer<'static, eigenshade::{}> =
-    match BASIS.checked_transfer(&TRANSFER_NUMBERS, &TRANSFER_EXPONENTS) {{
+    text += "/// The transfer of the material.
+pub static MATERIAL: eigenshade::q15::Transfer<'static> =
+    match BASIS.checked_transfer(&TRANSFER_NUMBERS, &TRANSFER_EXPONENTS) {
         Ok(transfer) => transfer,
         Err(_) => panic!(\"the transfer is not of this basis\"),
-    }};",
-            Q::NAME
-        ),
-    );
+    };
+";
     text
 }
 
 /// The pairs (p, q) of a material, each with the orders o that are summed, and the azimuths of its
 /// transfer.
-fn transfer_of<Q>(parts: &Parts<'_, Q>) -> String {
+fn transfer_of(parts: &Parts<'_, Q15>) -> String {
     if parts.polar.is_empty() {
         return "transfer by basis".into();
     }
@@ -56,23 +49,23 @@ fn transfer_of<Q>(parts: &Parts<'_, Q>) -> String {
 }
 
 /// The azimuths of a transfer.
-fn relight<Q>(parts: &Parts<'_, Q>) -> String {
+fn relight(parts: &Parts<'_, Q15>) -> String {
     format!("relight {}", azimuths_of(parts))
 }
 
 /// The azimuths that have profiles.
-fn azimuths_of<Q>(parts: &Parts<'_, Q>) -> String {
+fn azimuths_of(parts: &Parts<'_, Q15>) -> String {
     words(azimuths(parts).map(|profiles| profiles[0].azimuth))
 }
 
 /// The profiles of each azimuth that has some.
-fn azimuths<'a, Q>(parts: &Parts<'a, Q>) -> impl Iterator<Item = &'a [Profile]> + use<'a, Q> {
+fn azimuths<'a>(parts: &Parts<'a, Q15>) -> impl Iterator<Item = &'a [Profile]> + use<'a> {
     parts.profiles.chunk_by(|a, b| a.azimuth == b.azimuth)
 }
 
 /// The azimuths of a scene and their profiles. Where the sums of the sizes may not fit 32 bits, the
 /// basis takes them.
-fn collapse<Q>(parts: &Parts<'_, Q>) -> String {
+fn collapse(parts: &Parts<'_, Q15>) -> String {
     let sum = |stated: fn(&Profile) -> u16, profiles: &[Profile]| {
         profiles.iter().map(|place| u32::from(stated(place))).sum::<u32>()
     };
@@ -88,7 +81,7 @@ fn collapse<Q>(parts: &Parts<'_, Q>) -> String {
 }
 
 /// The azimuths of a pixel.
-fn shade<Q>(parts: &Parts<'_, Q>) -> String {
+fn shade(parts: &Parts<'_, Q15>) -> String {
     let last = parts.lengths.iter().rposition(|&length| length > 0).unwrap_or(0);
     format!("shade {}", words(1..=last))
 }

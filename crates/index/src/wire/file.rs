@@ -6,7 +6,7 @@ use super::{
 };
 use crate::effect::Effects;
 use crate::format::NumberFormat;
-use crate::record::{Item, Q15, Q31, Reader, floats, integers};
+use crate::record::{Item, Q15, Reader, floats, integers};
 use zerocopy::{IntoBytes, TryFromBytes};
 
 /// Reads the records of a table in `f32` from the file at the start of these bytes: its basis, and
@@ -30,32 +30,14 @@ pub fn read_floats(
 /// # Errors
 ///
 /// A [`Fault`] for any bytes that are not such a file. What the arrays hold is not checked.
-pub fn read_integers<Q: Mantissa>(bytes: &[u8]) -> Result<integers::Parts<'_, Q>, Fault> {
-    let mut file = File::open(bytes, Q::WIRE)?;
+pub fn read_integers(bytes: &[u8]) -> Result<integers::Parts<'_, Q15>, Fault> {
+    let mut file = File::open(bytes, NumberFormat::Q15)?;
     if file.header.images != 0 {
         return Err(Fault::Images { found: file.header.images });
     }
     let parts = integers::Parts::read(file.header.shape(), &mut file)?;
     file.end()?;
     Ok(parts)
-}
-
-/// A mantissa that a wire file may hold.
-pub trait Mantissa: Item {
-    /// The format of its files.
-    const WIRE: NumberFormat;
-    /// The name of its type.
-    const NAME: &'static str;
-}
-
-impl Mantissa for Q15 {
-    const WIRE: NumberFormat = NumberFormat::Q15;
-    const NAME: &'static str = "Q15";
-}
-
-impl Mantissa for Q31 {
-    const WIRE: NumberFormat = NumberFormat::Q31;
-    const NAME: &'static str = "Q31";
 }
 
 /// A wire file whose sections are read one after the other.

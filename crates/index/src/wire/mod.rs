@@ -8,7 +8,7 @@ mod fault;
 mod file;
 
 pub use fault::Fault;
-pub use file::{Aligned, Header, Mantissa, aligned, read_floats, read_integers};
+pub use file::{Aligned, Header, aligned, read_floats, read_integers};
 
 /// The first bytes of every wire file.
 pub const LABEL: [u8; 8] = *b"EIGSWIRE";

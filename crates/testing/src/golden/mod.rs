@@ -8,9 +8,8 @@ pub mod record;
 use self::record::{Golden, Row};
 use crate::fixtures::{Projector, captured, measured};
 use crate::images::single;
-use eigenshade::quantized::{Basis, Light, Material, Normal, Transfer};
-use eigenshade::{Error, FixedPoint, Q15, Q31, sphere};
-use eigenshade_shading::integer_shader::Integer;
+use eigenshade::q15::{Basis, Light, Material, Normal, Transfer};
+use eigenshade::{Error, Q15, sphere};
 use eigenshade_shading::shipped;
 
 /// d and irradiances in f32 against those in f64, relative to the largest number of their array:
@@ -48,11 +47,11 @@ fn normals() -> Vec<[f64; 3]> {
 }
 
 /// The mantissas of all normals. The last normal has the format's smallest mantissa.
-fn mantissas_of_normals<Q: FixedPoint>() -> Vec<i32> {
-    let one = 2f64.powi(Q::BITS as i32);
-    let rounded = |component: f64| (one * component).round().clamp(1.0 - one, one - 1.0) as i32;
-    let mut numbers: Vec<i32> = normals().into_iter().flatten().map(rounded).collect();
-    numbers.extend([-one as i32, 0, 0]);
+fn mantissas_of_normals() -> Vec<Q15> {
+    let rounded =
+        |component: f64| Q15((32_768.0 * component).round().clamp(-32_767.0, 32_767.0) as i16);
+    let mut numbers: Vec<Q15> = normals().into_iter().flatten().map(rounded).collect();
+    numbers.extend([i16::MIN, 0, 0].map(Q15));
     numbers
 }
 
@@ -73,14 +72,14 @@ pub type Answer = [(Vec<i32>, i32); 2];
 /// # Errors
 ///
 /// As the runtime's functions.
-pub fn answer<Q: FixedPoint>(
-    basis: &Basis<'_, Q>,
-    light: &Light<'_, Q>,
-    material: &Material<'_, Q>,
-    normals: &[Normal<Q>],
+pub fn answer(
+    basis: &Basis<'_>,
+    light: &Light<'_>,
+    material: &Material<'_>,
+    normals: &[Normal],
 ) -> Result<Answer, Error> {
-    let mut workspace = vec![Default::default(); basis.workspace_len()];
-    let mut numbers = vec![Q::default(); basis.transfer_len()];
+    let mut workspace = vec![0; basis.workspace_len()];
+    let mut numbers = vec![Q15(0); basis.transfer_len()];
     let mut exponents = vec![0; basis.profiles()];
     basis.transfer_into(material, &mut workspace, &mut numbers, &mut exponents)?;
     let mut d = vec![0; basis.components()];
@@ -102,47 +101,42 @@ pub fn checksum<'a>(answers: impl IntoIterator<Item = &'a Answer>) -> u32 {
     hasher.finalize()
 }
 
-/// Adds the rows of a format. `exactly` returns the normal with these mantissas.
-fn integer_rows<Q: Integer<Wide: Into<i64>>>(
-    rows: &mut Vec<Row>,
-    basis: &Basis<'_, Q>,
-    exactly: fn(Q, Q, Q) -> Result<Normal<Q>, Error>,
-) {
-    let numbers = mantissas_of_normals::<Q>();
-    rows.push(Row::new(Q::NAME, [""; 3], "normals", &[-(Q::BITS as i32)], &numbers));
-    let normals: Vec<Normal<Q>> = numbers
+/// Adds the rows of the integers.
+fn integer_rows(rows: &mut Vec<Row>) {
+    let integers = |numbers: &[Q15]| numbers.iter().map(|number| number.get().into()).collect();
+    let numbers = mantissas_of_normals();
+    let mantissas: Vec<i64> = integers(&numbers);
+    rows.push(Row::new("q15", [""; 3], "normals", &[-15], &mantissas));
+    let normals: Vec<Normal> = numbers
         .as_chunks::<3>()
         .0
         .iter()
-        .map(|components| components.map(Q::of))
-        .map(|[x, y, z]| exactly(x, y, z).expect("a visible normal"))
+        .map(|&[x, y, z]| Normal::from_unit(x, y, z).expect("a visible normal"))
         .collect();
     let mut answers = Vec::new();
     for (pair, channel) in PAIRS {
         let [light, material] = input(pair, channel);
-        let mut of_light = vec![Q::default(); light.len()];
+        let mut of_light = vec![Q15(0); light.len()];
         let light = Light::quantize(&light, &mut of_light).expect("a light");
-        let mut of_material = vec![Q::default(); material.len()];
+        let mut of_material = vec![Q15(0); material.len()];
         let mut exponents = [0; ORDER + 1];
         let material = Material::quantize(&material, &mut of_material, &mut exponents);
         let material = material.expect("a material");
-        let answer = answer(basis, &light, &material, &normals).expect("they fit the basis");
+        let answer =
+            answer(&sphere::q15::BASIS, &light, &material, &normals).expect("they fit the basis");
         let exponent_of_light = light.exponent();
-        let mantissas = |numbers: &[Q]| -> Vec<i64> {
-            numbers.iter().map(|number| number.widen().into()).collect()
-        };
         let mut row = |array: &str, exponents: &[i32], numbers: &[i64]| {
-            rows.push(Row::new(Q::NAME, pair, array, exponents, numbers));
+            rows.push(Row::new("q15", pair, array, exponents, numbers));
         };
-        row("light", &[exponent_of_light], &mantissas(&of_light));
-        row("material", &exponents.map(i32::from), &mantissas(&of_material));
+        row("light", &[exponent_of_light], &integers(&of_light));
+        row("material", &exponents.map(i32::from), &integers(&of_material));
         for (array, (numbers, exponent)) in ["d", "irradiance"].into_iter().zip(&answer) {
             let numbers: Vec<i64> = numbers.iter().map(|&number| number.into()).collect();
             row(array, &[*exponent], &numbers);
         }
         answers.push(answer);
     }
-    rows.push(Row::new(Q::NAME, [""; 3], "crc32", &[], &[checksum(&answers)]));
+    rows.push(Row::new("q15", [""; 3], "crc32", &[], &[checksum(&answers)]));
 }
 
 fn float_rows(rows: &mut Vec<Row>) {
@@ -173,7 +167,6 @@ fn float_rows(rows: &mut Vec<Row>) {
 pub fn golden() -> Golden {
     let mut rows = Vec::new();
     float_rows(&mut rows);
-    integer_rows(&mut rows, &sphere::q15::BASIS, Normal::<Q15>::from_unit);
-    integer_rows(&mut rows, &sphere::q31::BASIS, Normal::<Q31>::from_unit);
+    integer_rows(&mut rows);
     Golden { rows }
 }

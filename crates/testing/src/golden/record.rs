@@ -13,7 +13,7 @@ const HEADER: &str = "format,light,material,channel,array,exponents,numbers";
 /// One array.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Row {
-    /// `f32`, `q15` or `q31`.
+    /// `f32` or `q15`.
     pub format: String,
     /// Light, material and channel; empty if the array belongs to all pairs.
     pub pair: [String; 3],

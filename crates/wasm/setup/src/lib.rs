@@ -17,29 +17,12 @@ pub use eigenshade::sphere as table;
 #[cfg(own_table)]
 pub mod table {
     include!(concat!(env!("OUT_DIR"), "/table.rs"));
-
-    /// The same table in mantissas of 15 bits.
-    #[cfg(feature = "q15")]
-    pub mod q15 {
-        include!(concat!(env!("OUT_DIR"), "/table_q15.rs"));
-    }
-
-    /// The same table in mantissas of 31 bits.
-    #[cfg(feature = "q31")]
-    pub mod q31 {
-        include!(concat!(env!("OUT_DIR"), "/table_q31.rs"));
-    }
 }
 
 #[cfg(feature = "color")]
 pub mod color;
-#[cfg(feature = "f32")]
-pub mod floats;
 #[cfg(feature = "sources")]
 pub mod highlights;
-
-#[cfg(any(feature = "q15", feature = "q31"))]
-pub mod integers;
 
 /// A buffer in linear memory that the page reads and writes between calls, aligned to 16 bytes.
 #[repr(C, align(16))]
@@ -73,13 +56,6 @@ pub const LIGHT_COUNT: usize = index::light::count(DEGREE);
 pub const MATERIAL_COUNT: usize = index::material::count(ORDER);
 /// Maximum number of normals in a call.
 pub const NORMALS: usize = 1024;
-
-/// The light of the next call.
-#[unsafe(export_name = "light")]
-pub static LIGHT: Shared<[f32; LIGHT_COUNT]> = Shared::new([0.0; LIGHT_COUNT]);
-/// The material of the next call.
-#[unsafe(export_name = "material")]
-pub static MATERIAL: Shared<[f32; MATERIAL_COUNT]> = Shared::new([0.0; MATERIAL_COUNT]);
 /// Degree, order, number of components, and maximum number of normals in a call.
 #[unsafe(export_name = "shape")]
 pub static SHAPE: [u32; 4] = [DEGREE as u32, ORDER as u32, COMPONENTS as u32, NORMALS as u32];

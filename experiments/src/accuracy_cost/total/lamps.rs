@@ -5,7 +5,7 @@ use crate::accuracy_cost::images::Shaded;
 use crate::accuracy_cost::settings::{Format, Setting};
 use crate::sphere::Picture;
 use eigenshade::mathematics::Libm;
-use eigenshade::{Highlights, Light, Q15, Rgb, Source, quantized};
+use eigenshade::{Highlights, Light, Rgb, Source, q15};
 use eigenshade_index::highlights::MAX_SOURCES;
 use eigenshade_index::light::count;
 use eigenshade_model::database::Named;
@@ -25,7 +25,7 @@ pub struct Lamps {
     /// By light.
     rests: Vec<Rest>,
     normals: OwnedNormals<f32>,
-    quantized: Vec<quantized::Normal<Q15>>,
+    quantized: Vec<q15::Normal>,
 }
 
 /// A light without some of its sources.
@@ -98,7 +98,7 @@ impl Lamps {
     fn in_integers(&self, lobes: &Lobes, rest: &[Shaded; 3]) -> Result<Picture> {
         let exponents = rest.each_ref().map(|channel| channel.exponent);
         let units = exponents.map(|exponent| 2f64.powi(exponent));
-        type Quantized = quantized::Highlights<Rgb<i32>, MAX_SOURCES>;
+        type Quantized = q15::Highlights<Rgb<i32>, MAX_SOURCES>;
         let lobes = Quantized::quantize(lobes, Rgb::from(exponents)).map_err(fault)?;
         let mut picture = [const { Vec::new() }; 3];
         for (k, normal) in self.quantized.iter().enumerate() {

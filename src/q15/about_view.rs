@@ -1,0 +1,221 @@
+//! Turns light in integers about the view axis: a rotation of each pair of orders m and -m.
+
+use super::arithmetic::{BITS, product, truncated};
+use super::rotation::{multiples, unit};
+use super::{Light, LightBuffer, Q15};
+use crate::buffer::{Buffer, zeros};
+use crate::color::Rgb;
+use crate::error::{Argument, Error};
+use crate::index::light;
+use crate::light::degree;
+use crate::turn::about_view::unrolled;
+use crate::turn::{LARGEST, Multiples};
+
+impl Light<'_> {
+    /// This light after a rotation about the view axis z, from x toward y, by the angle along
+    /// (cosine, sine): [`turned`](Self::turned) at a fraction of its cost. Cosine and sine are
+    /// integers of any scale; as fractions of 2^30 they cost neither a root nor a division.
+    ///
+    /// The exponent stays the same, unless a coefficient needs one bit more. A coefficient is off by
+    /// at most one and a half units of the result's mantissas, and the share of its degree's energy that
+    /// [`turned`](Self::turned) states.
+    ///
+    /// ```
+    /// use eigenshade::Q15;
+    /// use eigenshade::q15::Light;
+    ///
+    /// let left = [28_672, 0, 0, 8_192].map(Q15); // the brightest side
+    /// let light = Light::new(-13, &left)?;
+    /// let turned = light.turned_about_view::<4>([0, 7])?; // now from below
+    /// assert_eq!(turned.light()?.mantissas(), [28_672, 8_192, 0, 0].map(Q15));
+    /// # Ok::<(), eigenshade::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    ///
+    /// Those of [`turned`](Self::turned), and [`Error::Rotation`] if cosine and sine are 0.
+    pub fn turned_about_view<const N: usize>(
+        &self,
+        angle: [i32; 2],
+    ) -> Result<LightBuffer<N>, Error> {
+        let mut turned = LightBuffer::default();
+        self.turn_about_view_into(angle, &mut turned)?;
+        Ok(turned)
+    }
+
+    /// [`turned_about_view`](Self::turned_about_view) into an existing buffer, without moving it.
+    ///
+    /// # Errors
+    ///
+    /// The same; `turned` is then left unspecified.
+    pub fn turn_about_view_into<const N: usize>(
+        &self,
+        angle: [i32; 2],
+        turned: &mut LightBuffer<N>,
+    ) -> Result<(), Error> {
+        turn([(self, turned)], angle)
+    }
+}
+
+impl Rgb<Light<'_>> {
+    /// [`Light::turned_about_view`] in each channel.
+    ///
+    /// # Errors
+    ///
+    /// The same.
+    pub fn turned_about_view<const N: usize>(
+        &self,
+        angle: [i32; 2],
+    ) -> Result<Rgb<LightBuffer<N>>, Error> {
+        let mut turned = Rgb::default();
+        self.turn_about_view_into(angle, &mut turned)?;
+        Ok(turned)
+    }
+
+    /// [`turned_about_view`](Self::turned_about_view) into existing buffers, without moving them.
+    ///
+    /// # Errors
+    ///
+    /// The same; `turned` is then left unspecified.
+    pub fn turn_about_view_into<const N: usize>(
+        &self,
+        angle: [i32; 2],
+        turned: &mut Rgb<LightBuffer<N>>,
+    ) -> Result<(), Error> {
+        let Rgb { r, g, b } = turned;
+        turn([(&self.r, r), (&self.g, g), (&self.b, b)], angle)
+    }
+}
+
+fn turn<const C: usize, const N: usize>(
+    lights: [(&Light<'_>, &mut LightBuffer<N>); C],
+    angle: [i32; 2],
+) -> Result<(), Error> {
+    let degree = lights.iter().map(|(light, _)| light.degree).max().unwrap_or_default();
+    if degree > LARGEST {
+        return Err(Error::Degree { found: degree });
+    }
+    let mut multiples = multiples(fraction(angle).ok_or(Error::Rotation)?, degree);
+    for (m, [cosine, sine]) in (1..).zip(&mut multiples) {
+        *cosine += 1 << (BITS - 1);
+        // The harmonics of odd m > 0 have the sign -1.
+        *sine *= i32::from(light::graphics_sign(m));
+    }
+    for (light, to) in lights {
+        to.exponent = light.exponent + i32::from(!turn_one(light, &multiples, &mut to.mantissas)?);
+        if to.exponent > 128 {
+            return Err(Error::Exponent);
+        }
+    }
+    Ok(())
+}
+
+/// An angle's cosine and sine in fractions of 2^30; none if both are 0.
+fn fraction(angle: [i32; 2]) -> Option<[i32; 2]> {
+    let [x, y] = angle.map(|number| u64::from(number.unsigned_abs()));
+    // Such fractions already, rounded: cosine² + sine² is 2^60 to within 2^30.5.
+    if (x * x + y * y).abs_diff(1 << 60) < 1 << 31 {
+        return Some(angle);
+    }
+    let [cosine, sine] = angle;
+    unit(cosine.into(), sine.into())
+}
+
+/// Turns a light. A coefficient may grow by √2. If it then has too many bits, all are halved, and
+/// `false` is returned.
+fn turn_one<const N: usize>(
+    light: &Light<'_>,
+    multiples: &Multiples<i32>,
+    turned: &mut Buffer<Q15, N>,
+) -> Result<bool, Error> {
+    let whole = <&[Q15; N]>::try_from(light.mantissas).ok();
+    if let (Some(from), Some(turned)) = (whole, turned.filled()) {
+        if turn_all(from, multiples, turned) {
+            return Ok(true);
+        }
+    } else {
+        *turned = zeros(Argument::Light, light.mantissas.len())?;
+        if turn_in_loops(light, multiples, turned, false) {
+            return Ok(true);
+        }
+    }
+    turn_in_loops(light, multiples, turned, true);
+    Ok(false)
+}
+
+/// Turns a light whose degree is a constant. Returns whether all numbers fit.
+#[inline(never)]
+fn turn_all<const N: usize>(
+    from: &[Q15; N],
+    multiples: &Multiples<i32>,
+    turned: &mut [Q15; N],
+) -> bool {
+    // In a register: a constant would take an addition of its own.
+    let half = core::hint::black_box(1 << (BITS - 2));
+    // No light has another length.
+    let degree = const { if let Ok(degree) = degree(N) { degree } else { 0 } };
+    means(degree, from, turned, false);
+    unrolled!(m in 1..=degree {
+        {}
+        l => if !pair(m, l, multiples, half, from, turned, false) { return false }
+    });
+    true
+}
+
+/// The same for a degree that is known at run time, and for halved numbers, which fit.
+#[inline(never)]
+fn turn_in_loops(
+    light: &Light<'_>,
+    multiples: &Multiples<i32>,
+    turned: &mut [Q15],
+    halves: bool,
+) -> bool {
+    means(light.degree, light.mantissas, turned, halves);
+    let half = 1 << (BITS - 2);
+    (1..=light.degree).all(|m| {
+        (m..=light.degree).all(|l| pair(m, l, multiples, half, light.mantissas, turned, halves))
+    })
+}
+
+/// Copies the coefficients of order 0.
+#[inline(always)]
+fn means(degree: usize, from: &[Q15], turned: &mut [Q15], halves: bool) {
+    for place in (0..=degree).map(|l| light::position(l, 0)) {
+        if let (Some(&mean), Some(to)) = (from.get(place), turned.get_mut(place)) {
+            *to = truncated(number(mean, halves));
+        }
+    }
+}
+
+/// Turns the orders -m and m of degree l. Returns whether the numbers fit.
+#[inline(always)]
+fn pair(
+    m: usize,
+    l: usize,
+    multiples: &Multiples<i32>,
+    half: i32,
+    from: &[Q15],
+    turned: &mut [Q15],
+    halves: bool,
+) -> bool {
+    let pair = light::position(l, -m.cast_signed())..=light::position(l, m.cast_signed());
+    match (from.get(pair.clone()), turned.get_mut(pair), multiples.get(m - 1)) {
+        (Some(&[minus, .., plus]), Some([to_minus, .., to_plus]), Some(&[c, s])) => {
+            let [x, y] = [minus, plus].map(|mantissa| number(mantissa, halves));
+            let [x, y] =
+                [half + product(x, c) - product(y, s), half + product(y, c) + product(x, s)]
+                    .map(|sum| sum >> (BITS - 1));
+            (*to_minus, *to_plus) = (truncated(x), truncated(y));
+            let [a, b] = [x, y].map(|number| number.wrapping_add(1 << BITS).cast_unsigned());
+            (a | b) >> (BITS + 1) == 0
+        }
+        _ => true,
+    }
+}
+
+/// A mantissa as an integer, or half of it, rounded.
+#[inline(always)]
+fn number(mantissa: Q15, halves: bool) -> i32 {
+    let number = mantissa.get();
+    if halves { (number >> 1) + (number & 1) } else { number }
+}

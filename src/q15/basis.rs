@@ -1,0 +1,265 @@
+//! A fixed-point basis, whose shape and bounds were checked.
+
+use super::Q15;
+use super::transfer::Transfer;
+use crate::error::{Argument, Error};
+use crate::index::effect::Effects;
+use crate::index::record::integers;
+pub use crate::index::record::integers::Profile;
+use crate::index::{layout, pair};
+
+/// The arrays of a basis: [`Basis::new`] checks that they are consistent.
+pub type Parts<'a> = integers::Parts<'a, Q15>;
+
+/// An eigenbasis in fixed point.
+#[derive(Clone, Copy, Debug)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct Basis<'a> {
+    pub(crate) parts: Parts<'a>,
+}
+
+impl Basis<'_> {
+    /// Checks all lengths, and all positions by which one part refers to another.
+    const fn fits(&self) -> Result<(), Error> {
+        let degrees = self.parts.degree.saturating_add(1);
+        if let Err(error) = Error::check(Argument::Lengths, degrees, self.parts.lengths.len()) {
+            return Err(error);
+        }
+        // Each profile needs a weight for +m and one for -m; each degree needs a place in a row of
+        // a transfer.
+        if 2 * self.parts.profiles.len() > layout::MAX_WEIGHTS || degrees > layout::MAX_WEIGHTS / 2
+        {
+            return Err(Error::Bound);
+        }
+        if self.parts.effects.unfactored_count(self.parts.order) > 0
+            || self.parts.effects.factored_order(self.parts.order) != self.parts.order
+        {
+            return Err(Error::Coupling);
+        }
+        let pairs = pair::count(self.parts.order);
+        let (mut rows, mut terms, mut served, mut before) = (0, 0, 0, 0);
+        let mut rest = self.parts.profiles;
+        while let [profile, tail @ ..] = rest {
+            let azimuth = profile.azimuth();
+            let of_minus = profile.minus != Profile::NONE;
+            if azimuth < before || azimuth > self.parts.degree || (azimuth == 0 && of_minus) {
+                return Err(Error::Profile);
+            }
+            let orders = [profile.plus, profile.minus];
+            let mut orders = orders.as_slice();
+            while let [component, others @ ..] = orders {
+                if *component != Profile::NONE {
+                    let of_others = profile.plus == profile.minus || served_by(tail, *component);
+                    if *component as usize >= self.parts.components || of_others {
+                        return Err(Error::Profile);
+                    }
+                    served += 1;
+                }
+                orders = others;
+            }
+            rows = usize::saturating_add(rows, degrees - azimuth);
+            terms = usize::saturating_add(terms, self.length(azimuth));
+            (rest, before) = (tail, azimuth);
+        }
+        if served != self.parts.components {
+            return Err(Error::Profile);
+        }
+        // Azimuths with profiles need no check: the number of terms bounds their length.
+        let (mut azimuth, mut rest) = (0, self.parts.profiles);
+        while azimuth <= self.parts.degree {
+            let mut has_profile = false;
+            while let [profile, tail @ ..] = rest
+                && profile.azimuth() == azimuth
+            {
+                (rest, has_profile) = (tail, true);
+            }
+            if !has_profile
+                && let Err(error) = Error::check(Argument::Lengths, 0, self.length(azimuth))
+            {
+                return Err(error);
+            }
+            azimuth += 1;
+        }
+        let holds_transfers = self.parts.polar.is_empty() && self.parts.factors.is_empty();
+        let (degrees, rows) = if holds_transfers { (0, 0) } else { (degrees, rows) };
+        let polar = pairs.saturating_mul(degrees);
+        Error::first(&[
+            Error::check(Argument::Polar, polar, self.parts.polar.len()),
+            Error::check(Argument::Polar, polar, self.parts.polar_exponents.len()),
+            Error::check(Argument::Factors, pairs.saturating_mul(rows), self.parts.factors.len()),
+            Error::check(Argument::Factors, rows, self.parts.factor_exponents.len()),
+            Error::check(Argument::Terms, terms, self.parts.terms.len()),
+        ])
+    }
+}
+
+/// Whether one of these profiles belongs to this component.
+const fn served_by(mut profiles: &[Profile], component: u16) -> bool {
+    while let [profile, others @ ..] = profiles {
+        if profile.plus == component || profile.minus == component {
+            return true;
+        }
+        profiles = others;
+    }
+    false
+}
+
+impl<'a> Basis<'a> {
+    /// The basis of these parts.
+    ///
+    /// Checks all lengths, all positions by which one part refers to another, that no sum
+    /// over a row of factors can leave its accumulator, and that no term of a profile is
+    /// larger than the step that the profile states. Hence no sum of weighted terms can
+    /// leave its accumulator either.
+    ///
+    /// # Errors
+    ///
+    /// [`Error::Length`], [`Error::Profile`] or [`Error::Coupling`] if the parts are
+    /// inconsistent. [`Error::Bound`] if a row of factors sums to 2^16 or more, if
+    /// a term is larger than the largest step that its profile states, if there are more than 511
+    /// profiles, or if the degree is above 510.
+    pub const fn new(parts: Parts<'a>) -> Result<Self, Error> {
+        let basis = Self { parts };
+        if let Err(error) = basis.fits() {
+            return Err(error);
+        }
+        let pairs = pair::count(parts.order);
+        let mut rest = parts.factors;
+        while let Some((row, tail)) = rest.split_at_checked(pairs) {
+            if !Self::bounds(row) {
+                return Err(Error::Bound);
+            }
+            if tail.is_empty() {
+                break;
+            }
+            rest = tail;
+        }
+        let (mut terms, mut profiles) = (parts.terms, parts.profiles);
+        while let [profile, others @ ..] = profiles {
+            let length = basis.length(profile.azimuth());
+            let Some((row, tail)) = terms.split_at_checked(length) else { break };
+            if !profile.states(Self::largest(row)) {
+                return Err(Error::Bound);
+            }
+            (terms, profiles) = (tail, others);
+        }
+        Ok(basis)
+    }
+
+    /// A transfer of these numbers, checked once for this basis. Being `const`, it can
+    /// initialize a static.
+    ///
+    /// # Errors
+    ///
+    /// [`Error::Length`] unless there are [`transfer_len`](Self::transfer_len) numbers and
+    /// [`profiles`](Self::profiles) exponents, [`Error::Bound`] if a row sums to
+    /// 2^16 or more.
+    pub const fn checked_transfer<'t>(
+        &self,
+        numbers: &'t [Q15],
+        exponents: &'t [i16],
+    ) -> Result<Transfer<'t>, Error> {
+        let lengths = [
+            Error::check(Argument::Transfer, self.transfer_len(), numbers.len()),
+            Error::check(Argument::Transfer, self.profiles(), exponents.len()),
+        ];
+        if let [Err(error), _] | [_, Err(error)] = lengths {
+            return Err(error);
+        }
+        let (mut rest, mut profiles) = (numbers, self.parts.profiles);
+        while let [profile, others @ ..] = profiles {
+            let length = self.parts.degree + 1 - profile.azimuth();
+            let Some((row, tail)) = rest.split_at_checked(length) else { break };
+            if !Self::bounds(row) {
+                return Err(Error::Bound);
+            }
+            (rest, profiles) = (tail, others);
+        }
+        Ok(Transfer { numbers, exponents, bounded: true })
+    }
+
+    const fn largest(row: &[Q15]) -> u64 {
+        let (mut largest, mut numbers) = (0, row);
+        while let [Q15(number), others @ ..] = numbers {
+            let size = number.unsigned_abs() as u64;
+            largest = if size > largest { size } else { largest };
+            numbers = others;
+        }
+        largest
+    }
+
+    /// Whether the absolute values of a row sum to less than 2^16.
+    const fn bounds(row: &[Q15]) -> bool {
+        let (mut sum, mut numbers) = (0_u64, row);
+        while let [Q15(number), others @ ..] = numbers {
+            sum += number.unsigned_abs() as u64;
+            numbers = others;
+        }
+        sum >> (Q15::BITS + 1) == 0
+    }
+
+    /// The parts of this basis.
+    #[must_use]
+    pub const fn parts(&self) -> &Parts<'a> {
+        &self.parts
+    }
+
+    /// Largest degree l of the light.
+    #[must_use]
+    pub const fn degree(&self) -> usize {
+        self.parts.degree
+    }
+
+    /// Largest order o of the BRDF.
+    #[must_use]
+    pub const fn order(&self) -> usize {
+        self.parts.order
+    }
+
+    /// The effects that the basis covers.
+    #[must_use]
+    pub const fn effects(&self) -> Effects {
+        self.parts.effects
+    }
+
+    /// Number of components K.
+    #[must_use]
+    pub const fn components(&self) -> usize {
+        self.parts.components
+    }
+
+    /// Workspace length of `transfer`, in wide numbers: S and one row, both with exponents.
+    #[must_use]
+    pub const fn workspace_len(&self) -> usize {
+        pair::count(self.parts.order).saturating_add(3).saturating_mul(self.parts.degree + 1)
+    }
+
+    /// Length of a transfer: for each profile, one number for each l from |m| on.
+    #[must_use]
+    pub const fn transfer_len(&self) -> usize {
+        let (mut sum, mut rest) = (0, self.parts.profiles);
+        while let [profile, tail @ ..] = rest {
+            let degrees = self.parts.degree + 1 - profile.azimuth();
+            sum = usize::saturating_add(sum, degrees);
+            rest = tail;
+        }
+        sum
+    }
+
+    /// Number of profiles.
+    #[must_use]
+    pub const fn profiles(&self) -> usize {
+        self.parts.profiles.len()
+    }
+
+    /// Length of a collapsed scene.
+    #[must_use]
+    pub const fn scene_len(&self) -> usize {
+        let (mut sum, mut azimuth) = (0, 0);
+        while azimuth <= self.parts.degree {
+            sum += self.length(azimuth) * if azimuth == 0 { 1 } else { 2 };
+            azimuth += 1;
+        }
+        sum
+    }
+}

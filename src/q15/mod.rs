@@ -1,0 +1,87 @@
+//! The whole path from light to pixel in fixed point, for machines without a float unit.
+//!
+//! The mathematics is the same as in floating point: a [`Basis`] computes the transfer of a
+//! [`Material`] ([`Basis::transfer`]), relights it with each new [`Light`] ([`Basis::relight`]) and
+//! sums the components of each azimuth ([`Basis::collapse`]). The resulting [`Scene`] gives the
+//! irradiance of a [`Normal`]. A number is a mantissa times 2^exponent; the numbers of an array
+//! share exponents, and every result has its own.
+//!
+//! Nothing wraps. The tables are scaled so that no sum over them can leave its accumulator, and
+//! [`Basis::new`] checks this when it is compiled. Numbers that depend on light and material are
+//! scaled to their size, and values that cannot be represented saturate. Transfers made by hand are
+//! checked; coefficients may have any value. The sizes that a profile states are trusted: if they
+//! are too small, a pixel is wrong, but nothing panics. Results are the same bits everywhere.
+//!
+//! Maps are baked, and lights windowed, in floating point, on the host or on a machine with a float
+//! unit. [`IntegerMap`](crate::IntegerMap) is looked up, and a light is turned, in integers.
+//!
+//! ```
+//! # #[cfg(feature = "baked")]
+//! # fn main() -> Result<(), eigenshade::Error> {
+//! use eigenshade::q15::{Light, Material, Normal, Q15};
+//! use eigenshade::sphere::q15;
+//!
+//! // Mantissas times 2^exponent: b_00^0 = 2, a white matte; light 3.5, 0, 1, 0.
+//! let matte = Material::new(&[-13], &[Q15(16_384)])?;
+//! let light = Light::new(-12, &[Q15(14_336), Q15(0), Q15(4_096), Q15(0)])?;
+//! let transfer = q15::transfer(&matte)?;
+//! let scene = q15::collapse(&q15::relight(&transfer.view(), &light)?)?;
+//! let normal = Normal::from_unit(Q15(0), Q15(19_661), Q15(26_214))?; // (0, 0.6, 0.8)
+//! let mantissa = scene.shade(normal); // times 2^scene.exponent()
+//! let irradiance = f64::from(mantissa) * f64::from(scene.exponent()).exp2();
+//! assert!((irradiance - 1.249).abs() < 0.01, "{irradiance}");
+//! # Ok(())
+//! # }
+//! # #[cfg(not(feature = "baked"))]
+//! # fn main() {}
+//! ```
+
+mod about_view;
+mod arithmetic;
+mod basis;
+mod estimate;
+mod exposure;
+mod highlights;
+mod inputs;
+mod nine_terms;
+mod pixel;
+mod relight;
+mod rotation;
+mod scene;
+mod table;
+mod tabulated;
+mod transfer;
+mod turn;
+
+/// Kernels for tables that are known when the program is compiled: `integer_table!` calls them,
+/// once for each azimuth. They compute the same bits as the methods of a [`Basis`] and a [`Scene`],
+/// with constants for all sizes and positions. For other shapes, the methods are called.
+#[doc(hidden)]
+pub mod kernels {
+    pub mod collapse;
+    pub mod transfer;
+
+    /// Relighting, part by part.
+    pub mod relight {
+        pub use crate::q15::relight::{
+            NONE, align, azimuth, coefficients, common, exponent, inputs,
+        };
+    }
+
+    pub use crate::q15::pixel::Pixel;
+}
+
+pub use crate::index::record::Q15;
+pub use basis::{Basis, Parts, Profile};
+pub use estimate::Estimate;
+pub use exposure::Exposure;
+pub use highlights::{Highlights, Irradiance, Lobe};
+#[cfg(feature = "presets")]
+pub(crate) use inputs::{LEAST_TOP, decoded, mantissas};
+pub use inputs::{Light, Material, MaterialBuffer, Normal};
+pub use nine_terms::NineTerms;
+pub use relight::Coefficients;
+pub use rotation::Rotation;
+pub use scene::{Scene, SceneBuffer};
+pub use transfer::{Transfer, TransferBuffer};
+pub use turn::LightBuffer;

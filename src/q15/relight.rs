@@ -1,0 +1,260 @@
+//! The coefficients d of an image in fixed point, and a new light on a transferred material:
+//! d_i = Σ_l T_i,l L_l^m.
+
+use super::arithmetic::{BITS as MANTISSA_BITS, Shift as _};
+use super::{Basis, Light, Profile, Q15, Transfer};
+use crate::buffer::{Buffer, zeros};
+use crate::error::{Argument, Error};
+use crate::index::light;
+use crate::invariant::{part, split_row};
+use crate::places::{AzimuthPlace, KnownTable};
+
+/// The coefficients d of one image, component by component. The mantissas are at most 2^30 in size
+/// and are multiplied by 2^exponent.
+#[derive(Clone, Debug, Default, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct Coefficients<const K: usize> {
+    pub(crate) mantissas: Buffer<i32, K>,
+    pub(crate) exponent: i32,
+}
+
+impl<const K: usize> Coefficients<K> {
+    /// The mantissas, component by component.
+    #[must_use]
+    pub fn mantissas(&self) -> &[i32] {
+        &self.mantissas
+    }
+
+    /// The common exponent.
+    #[must_use]
+    pub const fn exponent(&self) -> i32 {
+        self.exponent
+    }
+}
+
+/// Number of bits of a mantissa of d.
+const BITS: i32 = 30;
+
+impl Basis<'_> {
+    /// Computes d for a new light on a material whose transfer is known.
+    ///
+    /// `K` must be at least [`components`](Self::components).
+    ///
+    /// # Errors
+    ///
+    /// The same as [`relight_into`](Self::relight_into), and [`Error::Capacity`] if `K` is too
+    /// small.
+    pub fn relight<const K: usize>(
+        &self,
+        transfer: &Transfer<'_>,
+        light: &Light<'_>,
+    ) -> Result<Coefficients<K>, Error> {
+        let mut mantissas = zeros::<i32, K>(Argument::Coefficients, self.components())?;
+        let exponent = self.relight_into(transfer, light, &mut mantissas)?;
+        Ok(Coefficients { mantissas, exponent })
+    }
+
+    /// [`relight`](Self::relight) into a slice of [`components`](Self::components) mantissas.
+    /// Returns their exponent.
+    ///
+    /// # Errors
+    ///
+    /// [`Error::Beyond`] if the degree of the light exceeds that of the basis, [`Error::Length`] if
+    /// the transfer or the slice does not fit the basis, [`Error::Bound`] if a row of a transfer
+    /// made by [`Transfer::new`] sums to 2^16 or more.
+    pub fn relight_into(
+        &self,
+        transfer: &Transfer<'_>,
+        light: &Light<'_>,
+        mantissas: &mut [i32],
+    ) -> Result<i32, Error> {
+        Error::check_beyond(Argument::Light, self.degree(), light.degree)?;
+        Error::check(Argument::Transfer, self.transfer_len(), transfer.numbers.len())?;
+        Error::check(Argument::Transfer, self.profiles(), transfer.exponents.len())?;
+        Error::check(Argument::Coefficients, self.components(), mantissas.len())?;
+        if !transfer.bounded && !self.has_bounded(transfer.numbers) {
+            return Err(Error::Bound);
+        }
+        let (mut numbers, mut top) = (transfer.numbers, NONE);
+        for (profile, &exponent) in self.parts.profiles.iter().zip(transfer.exponents) {
+            let degrees = self.degree() + 1 - profile.azimuth();
+            let (row, after) = split_row(numbers, degrees);
+            numbers = after;
+            let sums = sums::<true>(row, light.mantissas, profile.azimuth());
+            top = top.max(size(write(sums, profile, mantissas), exponent));
+        }
+        let common = common(top);
+        for (profile, &exponent) in self.parts.profiles.iter().zip(transfer.exponents) {
+            let by = i32::from(exponent) - common;
+            replace(profile, mantissas, |mantissa| mantissa.shifted(by));
+        }
+        Ok(exponent(common, light.exponent))
+    }
+
+    /// Whether the absolute values of each row sum to less than 2^16.
+    fn has_bounded(&self, mut numbers: &[Q15]) -> bool {
+        self.parts.profiles.iter().all(|profile| {
+            let length = self.degree() + 1 - usize::from(profile.azimuth);
+            let (row, after) = split_row(numbers, length);
+            numbers = after;
+            let mut sum = 0;
+            for number in row {
+                let number = number.get();
+                sum += number.max(-number);
+            }
+            sum.bits() <= MANTISSA_BITS + 1
+        })
+    }
+}
+
+/// The numbers of a transfer and of a light, of exactly these lengths. `None` unless the rows of
+/// the transfer are known to fit their accumulators.
+#[inline(always)]
+pub fn inputs<'a, const T: usize, const P: usize, const N: usize>(
+    transfer: &Transfer<'a>,
+    light: &Light<'a>,
+) -> Option<(&'a [Q15; T], &'a [i16; P], &'a [Q15; N])> {
+    if !transfer.bounded {
+        return None;
+    }
+    Some((
+        transfer.numbers.try_into().ok()?,
+        transfer.exponents.try_into().ok()?,
+        light.mantissas.try_into().ok()?,
+    ))
+}
+
+/// Computes the sums of azimuth `M`: for each of its profiles. Not inlined: several copies in one
+/// function need too many addresses.
+#[inline(never)]
+pub fn azimuth<
+    B: KnownTable<Basis<'static>>,
+    const M: usize,
+    const T: usize,
+    const P: usize,
+    const N: usize,
+    const K: usize,
+>(
+    (numbers, exponents, light): (&[Q15; T], &[i16; P], &[Q15; N]),
+    mantissas: &mut [i32; K],
+    top: i32,
+) -> i32 {
+    let AzimuthPlace { degrees, first, rows, .. } = const { B::BASIS.azimuth_at(M) };
+    let profiles = const { B::BASIS.profiles_at(&B::BASIS.azimuth_at(M)) };
+    let rows = part(numbers, rows..).chunks_exact(degrees);
+    let exponents = part(exponents, first..);
+    let mut top = top;
+    for ((row, profile), &exponent) in rows.zip(profiles).zip(exponents) {
+        let sums = if M > 0 { sums::<true>(row, light, M) } else { sums::<false>(row, light, M) };
+        top = larger(top, write(sums, profile, mantissas), exponent);
+    }
+    top
+}
+
+/// Shifts the components of azimuth `M` to the common exponent.
+#[inline(always)]
+pub fn align<B, const M: usize, const P: usize, const K: usize>(
+    exponents: &[i16; P],
+    common: i32,
+    mantissas: &mut [i32; K],
+) where
+    B: KnownTable<Basis<'static>>,
+{
+    let first = const { B::BASIS.azimuth_at(M).first };
+    let profiles = const { B::BASIS.profiles_at(&B::BASIS.azimuth_at(M)) };
+    let exponents = part(exponents, first..);
+    for (profile, &exponent) in profiles.iter().zip(exponents) {
+        let by = i32::from(exponent) - common;
+        // The same as `shifted`, in fewer instructions.
+        let (up, down) = (by.clamp(0, 31), (-1 - by).clamp(0, 31));
+        replace(profile, mantissas, |mantissa| {
+            let (raised, twice) = (mantissa << up, mantissa >> down);
+            if by < 0 { (twice >> 1) + (twice & 1) } else { raised }
+        });
+    }
+}
+
+/// All mantissas of the coefficients of an image, to be written, and their exponent.
+#[inline(always)]
+pub fn coefficients<const K: usize>(
+    coefficients: &mut Coefficients<K>,
+) -> Option<(&mut [i32; K], &mut i32)> {
+    let Coefficients { mantissas, exponent } = coefficients;
+    Some((mantissas.filled()?, exponent))
+}
+
+/// The size of an empty sum. It is less than any other, and no difference from it overflows.
+pub const NONE: i32 = -1 << 20;
+
+/// Σ_l T_l L_l^±m, with the sum of -m times (-1)^m. Each row of a transfer of this basis sums to
+/// less than 2^16, so both fit. The sums may wrap for a transfer of another basis, but must
+/// not panic. Without `MINUS`, which azimuth 0 does not need, the second sum is zero.
+#[inline(always)]
+fn sums<const MINUS: bool>(row: &[Q15], light: &[Q15], azimuth: usize) -> [i32; 2] {
+    let (mut plus, mut minus) = (0_i32, 0_i32);
+    let order = azimuth.cast_signed();
+    let at = |place: usize| light.get(place).copied().unwrap_or_default().get();
+    for (l, number) in (azimuth..).zip(row) {
+        let number = number.get();
+        plus = plus.wrapping_add(number * at(light::position(l, order)));
+        if MINUS {
+            minus = minus.wrapping_add(number * at(light::position(l, -order)));
+        }
+    }
+    [plus, if azimuth % 2 == 1 { minus.wrapping_neg() } else { minus }]
+}
+
+/// Writes the sums of a profile to its components. Returns the bitwise OR of their sizes.
+#[inline(always)]
+fn write([plus, minus]: [i32; 2], profile: &Profile, mantissas: &mut [i32]) -> u32 {
+    let mut either = 0;
+    for (component, sum) in [(profile.plus, plus), (profile.minus, minus)] {
+        if let Some(mantissa) = mantissas.get_mut(usize::from(component)) {
+            *mantissa = sum;
+            either |= mantissa.unsigned_abs();
+        }
+    }
+    either
+}
+
+/// The larger of `top` and the size of the sums of a profile, whose bits are counted only if they
+/// may exceed `top`: some machines count in a loop.
+#[inline(always)]
+fn larger(top: i32, either: u32, exponent: i16) -> i32 {
+    let room = top - i32::from(exponent);
+    if room < 0 || (room < 31 && either >> (room & 31) != 0) {
+        size(either, exponent).max(top)
+    } else {
+        top
+    }
+}
+
+#[inline(never)]
+fn size(either: u32, exponent: i16) -> i32 {
+    if either == 0 {
+        return NONE;
+    }
+    let bits = u32::BITS - either.leading_zeros();
+    bits.cast_signed() + i32::from(exponent)
+}
+
+/// The common exponent of all components.
+#[inline(always)]
+pub const fn common(top: i32) -> i32 {
+    if top == NONE { 0 } else { top - BITS }
+}
+
+#[inline(always)]
+fn replace(profile: &Profile, mantissas: &mut [i32], by: impl Fn(i32) -> i32) {
+    for component in [profile.plus, profile.minus] {
+        if let Some(mantissa) = mantissas.get_mut(usize::from(component)) {
+            *mantissa = by(*mantissa);
+        }
+    }
+}
+
+/// The exponent of the coefficients of an image.
+#[inline(always)]
+pub const fn exponent(common: i32, of_light: i32) -> i32 {
+    common + of_light
+}

@@ -1,0 +1,310 @@
+//! What an integer table's module consists of besides its numbers.
+
+/// The items of a module that holds the numbers of one table in an integer format.
+/// `eigenshade-table` writes the numbers and the lines that call this macro.
+///
+/// - `integer_table!(basis)`: constants, types and the basis.
+/// - `integer_table!(transfer ...)` and so on: functions, specialized for these pairs (p, q),
+///   azimuths and numbers of profiles, or `by basis`.
+#[doc(hidden)]
+#[macro_export]
+macro_rules! integer_table {
+    (basis) => {
+        $crate::table_items! {
+            basis $crate::q15::Basis<'static> = BASIS,
+            components PARTS.components, workspace BASIS.workspace_len(),
+            scene $crate::q15::Scene<
+                'static, $crate::q15::SceneBuffer<SCENE>,
+            >,
+            derive Clone, Default
+        }
+        /// Number of slant profiles.
+        pub const PROFILES: usize = BASIS.profiles();
+        /// The basis; its shape and its bounds were checked when it was compiled.
+        pub static BASIS: $crate::q15::Basis<'static> =
+            $crate::specialized::checked($crate::q15::Basis::new(PARTS));
+        /// The coefficients d of one image.
+        pub type Coefficients = $crate::q15::Coefficients<COMPONENTS>;
+        /// The transfer of one material.
+        pub type Transfer =
+            $crate::q15::TransferBuffer<TRANSFER, PROFILES>;
+        /// An estimate of the coefficients d from pixels.
+        pub type Estimate = $crate::q15::Estimate<'static, COMPONENTS>;
+        /// Starts an estimate from pixels: see [`eigenshade::q15::Basis::estimate`].
+        ///
+        /// # Errors
+        ///
+        /// Never: the capacity is that of this table.
+        pub fn estimate() -> Result<Estimate, $crate::Error> {
+            BASIS.estimate()
+        }
+        $crate::table_in_color! {
+            'a, light $crate::q15::Light<'a>,
+            material $crate::q15::Material<'a>,
+            normal $crate::q15::Normal, irradiance i32,
+            blank Coefficients::default(), Scene::default(),
+            view |transfer| &transfer.view()
+        }
+        impl color::Scene {
+            /// What multiplies the irradiances of the mantissas of [`shade`](Self::shade) by a
+            /// factor, channel by channel. A [`Meter`](eigenshade::Meter) finds the factor.
+            ///
+            /// # Errors
+            ///
+            /// Those of [`eigenshade::q15::Exposure::new`].
+            pub fn exposure_by_factor(
+                &self,
+                factor: f32,
+            ) -> Result<$crate::Rgb<$crate::q15::Exposure>, $crate::Error> {
+                self.each_ref().try_map(|scene| {
+                    $crate::q15::Exposure::new(factor, scene.exponent())
+                })
+            }
+
+            /// The mantissas of each normal in each channel, for engines that interpolate between
+            /// the vertices of a mesh: those of [`shade`](Self::shade).
+            ///
+            /// # Errors
+            ///
+            /// [`Error::Length`](eigenshade::Error::Length) unless `irradiance` and `normals` have
+            /// the same length.
+            #[inline]
+            pub fn shade_slice(
+                &self,
+                normals: &[$crate::q15::Normal],
+                irradiance: &mut [$crate::Rgb<i32>],
+            ) -> Result<(), $crate::Error> {
+                $crate::specialized::shade_each(normals, irradiance, |normal| self.shade(normal))
+            }
+        }
+    };
+    (transfer scatter $([$p:literal $q:literal $($o:literal)*])*
+        azimuths $($azimuth:literal)*) => {
+        $crate::integer_table!(@transfer |material, transfer| {
+            use $crate::q15::kernels::transfer as kernels;
+            let inputs = kernels::inputs::<MODES, ORDERS>(material);
+            let of_transfer = kernels::numbers(transfer);
+            if let (Some(inputs), Some((numbers, exponents))) = (inputs, of_transfer) {
+                let (mut sums, mut of_sums) = ([[0; PAIRS]; DEGREES], [0; DEGREES]);
+                let b = kernels::coefficients(inputs.0);
+                for (l, (sums, exponent)) in sums.iter_mut().zip(&mut of_sums).enumerate() {
+                    let degree = kernels::Degree::new::<This>(l, inputs.1);
+                    let Some(degree) = &degree else { continue };
+                    scatter(degree, &b, sums);
+                    *exponent = degree.normalize(sums);
+                }
+                $(kernels::azimuth::<
+                    This, $azimuth, { DEGREES - $azimuth }, PAIRS, DEGREES,
+                    TRANSFER, PROFILES,
+                >(&sums, &of_sums, (&mut *numbers, &mut *exponents));)*
+                return Ok(());
+            }
+            transfer_generally(material, transfer)
+        });
+        #[cold]
+        #[inline(never)]
+        fn transfer_generally(
+            material: &$crate::q15::Material<'_>,
+            transfer: &mut Transfer,
+        ) -> Result<(), $crate::Error> {
+            *transfer = BASIS.transfer::<WORKSPACE, TRANSFER, PROFILES>(material)?;
+            Ok(())
+        }
+        /// The sums S of one degree.
+        #[inline(never)]
+        fn scatter(
+            degree: &$crate::q15::kernels::transfer::Degree<PAIRS, ORDERS>,
+            b: &[i32; MODES],
+            sums: &mut [i32; PAIRS],
+        ) {
+            $(
+                let sum = 0;
+                $(let sum = degree.add::<$p, $q, $o, MODES>(sum, b);)*
+                if let Some(to) = sums.get_mut($crate::index::pair::position($p, $q)) {
+                    *to = sum;
+                }
+            )*
+        }
+        const DEGREES: usize = DEGREE + 1;
+        const ORDERS: usize = ORDER + 1;
+        const PAIRS: usize = $crate::index::pair::count(ORDER);
+        const MODES: usize = $crate::index::material::count(ORDER);
+    };
+    (transfer by basis) => {
+        $crate::integer_table!(@transfer |material, transfer| {
+            *transfer = BASIS.transfer::<WORKSPACE, TRANSFER, PROFILES>(material)?;
+            Ok(())
+        });
+    };
+    (@transfer |$material:ident, $transfer:ident| $into:block) => {
+        /// The transfer of a material: see [`eigenshade::q15::Basis::transfer`].
+        ///
+        /// # Errors
+        ///
+        /// The same, except that no capacity can be too small.
+        pub fn transfer(
+            material: &$crate::q15::Material<'_>,
+        ) -> Result<Transfer, $crate::Error> {
+            let mut transfer = Transfer::default();
+            transfer_into(material, &mut transfer)?;
+            Ok(transfer)
+        }
+        /// [`transfer`] into an existing transfer, without moving it.
+        ///
+        /// # Errors
+        ///
+        /// The same; `transfer` is then left unspecified.
+        pub fn transfer_into(
+            $material: &$crate::q15::Material<'_>,
+            $transfer: &mut Transfer,
+        ) -> Result<(), $crate::Error> $into
+    };
+    (relight $($azimuth:literal)*) => {
+        /// A new light on a transferred material: see [`eigenshade::q15::Basis::relight`].
+        ///
+        /// # Errors
+        ///
+        /// The same, except that no capacity can be too small.
+        pub fn relight(
+            transfer: &$crate::q15::Transfer<'_>,
+            light: &$crate::q15::Light<'_>,
+        ) -> Result<Coefficients, $crate::Error> {
+            let mut coefficients = Coefficients::default();
+            relight_into(transfer, light, &mut coefficients)?;
+            Ok(coefficients)
+        }
+        /// [`relight`] into existing coefficients, without moving them.
+        ///
+        /// # Errors
+        ///
+        /// The same; `coefficients` is then left unspecified.
+        pub fn relight_into(
+            transfer: &$crate::q15::Transfer<'_>,
+            light: &$crate::q15::Light<'_>,
+            coefficients: &mut Coefficients,
+        ) -> Result<(), $crate::Error> {
+            use $crate::q15::kernels::relight as kernels;
+            const LIGHT: usize = (DEGREE + 1) * (DEGREE + 1);
+            let inputs =
+                kernels::inputs::<TRANSFER, PROFILES, LIGHT>(transfer, light);
+            let coefficients_mut = kernels::coefficients(coefficients);
+            if let (Some(inputs), Some((d, exponent))) = (inputs, coefficients_mut) {
+                let top = kernels::NONE;
+                $(let top = kernels::azimuth::<
+                    This, $azimuth, TRANSFER, PROFILES, LIGHT, COMPONENTS,
+                >(inputs, d, top);)*
+                let common = kernels::common(top);
+                $(kernels::align::<This, $azimuth, PROFILES, COMPONENTS>(
+                    inputs.1, common, d,
+                );)*
+                *exponent = kernels::exponent(common, light.exponent());
+                return Ok(());
+            }
+            relight_generally(transfer, light, coefficients)
+        }
+        #[cold]
+        #[inline(never)]
+        fn relight_generally(
+            transfer: &$crate::q15::Transfer<'_>,
+            light: &$crate::q15::Light<'_>,
+            coefficients: &mut Coefficients,
+        ) -> Result<(), $crate::Error> {
+            *coefficients = BASIS.relight::<COMPONENTS>(transfer, light)?;
+            Ok(())
+        }
+    };
+    (collapse $([$azimuth:literal $profiles:literal])*) => {
+        $crate::integer_table!(@collapse |coefficients, scene| {
+            use $crate::q15::kernels::collapse as kernels;
+            const AZIMUTHS: usize = kernels::azimuths(&BASIS);
+            let terms = kernels::terms(&BASIS, &mut scene.0);
+            if let (Some(d), Some(terms)) = (kernels::mantissas(coefficients), terms) {
+                let size = kernels::Size::<AZIMUTHS>::empty()
+                    $(.azimuth::<This, $azimuth, COMPONENTS>(d))*;
+                if let Some(shifts) = size.shifts::<This>() {
+                    $(kernels::azimuth::<
+                        This, $azimuth, $profiles, AZIMUTHS, COMPONENTS, SCENE,
+                    >(d, &shifts, terms);)*
+                    kernels::finish(coefficients, &shifts, &mut scene.0);
+                    return Ok(());
+                }
+            }
+            collapse_generally(coefficients, scene)
+        });
+        #[cold]
+        #[inline(never)]
+        fn collapse_generally(
+            coefficients: &Coefficients,
+            scene: &mut Scene,
+        ) -> Result<(), $crate::Error> {
+            *scene = Scene(BASIS.collapse(coefficients.mantissas(), coefficients.exponent())?);
+            Ok(())
+        }
+    };
+    (collapse by basis) => {
+        $crate::integer_table!(@collapse |coefficients, scene| {
+            *scene = Scene(BASIS.collapse(coefficients.mantissas(), coefficients.exponent())?);
+            Ok(())
+        });
+    };
+    (@collapse |$coefficients:ident, $scene:ident| $into:block) => {
+        /// Sums the components of each azimuth: see [`eigenshade::q15::Basis::collapse`].
+        ///
+        /// # Errors
+        ///
+        /// The same, except that no capacity can be too small.
+        pub fn collapse(coefficients: &Coefficients) -> Result<Scene, $crate::Error> {
+            let mut scene = Scene::default();
+            collapse_into(coefficients, &mut scene)?;
+            Ok(scene)
+        }
+        /// [`collapse`] into an existing scene, without moving it.
+        ///
+        /// # Errors
+        ///
+        /// The same; `scene` is then left unspecified.
+        pub fn collapse_into(
+            $coefficients: &Coefficients,
+            $scene: &mut Scene,
+        ) -> Result<(), $crate::Error> $into
+    };
+    (shade $($azimuth:literal)*) => {
+        impl Scene {
+            /// The irradiance of one normal, times 2 to the power of the scene's negative
+            /// [`exponent`](eigenshade::q15::Scene::exponent): bit for bit that of
+            /// [`eigenshade::q15::Scene::shade`], with every length a constant.
+            #[inline]
+            #[must_use]
+            pub fn shade(&self, normal: $crate::q15::Normal) -> i32 {
+                shade(&self.0, normal)
+            }
+            /// [`shade`](Self::shade) for many normals.
+            ///
+            /// # Errors
+            ///
+            /// [`Error::Length`](eigenshade::Error::Length) unless `irradiance` and `normals` have
+            /// the same length.
+            #[inline]
+            pub fn shade_slice(
+                &self,
+                normals: &[$crate::q15::Normal],
+                irradiance: &mut [i32],
+            ) -> Result<(), $crate::Error> {
+                $crate::specialized::shade_each(normals, irradiance, |normal| self.shade(normal))
+            }
+        }
+        /// [`Scene::shade`] for a scene in a buffer of any type. The irradiance is 0 if the scene
+        /// has fewer terms than one of this table.
+        #[inline]
+        #[must_use]
+        pub fn shade<B: AsRef<[i32]>>(
+            scene: &$crate::q15::Scene<'_, B>,
+            normal: $crate::q15::Normal,
+        ) -> i32 {
+            let Some(terms) = scene.terms().first_chunk::<SCENE>() else { return 0 };
+            $crate::q15::kernels::Pixel::start::<This, SCENE>(terms, normal)
+                $(.azimuth::<This, $azimuth, SCENE>(terms))*
+                .irradiance()
+        }
+    };
+}

@@ -1,0 +1,211 @@
+//! Turns light in integers.
+
+use super::arithmetic::{BITS, product, sum, times, whole};
+use super::inputs::LEAST_TOP;
+use super::{Light, Q15, Rotation};
+use crate::buffer::{Buffer, zeros};
+use crate::color::Rgb;
+use crate::error::{Argument, Error};
+use crate::index::light;
+use crate::invariant::part_mut;
+use crate::turn::{Arithmetic, Degree, LARGEST, exchange};
+
+/// The coefficients of a modified light, in a buffer of fixed capacity.
+#[derive(Clone, Debug, Default, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct LightBuffer<const N: usize> {
+    pub(super) exponent: i32,
+    pub(super) mantissas: Buffer<Q15, N>,
+}
+
+impl<const N: usize> LightBuffer<N> {
+    /// The light.
+    ///
+    /// # Errors
+    ///
+    /// Those of [`Light::new`].
+    pub fn light(&self) -> Result<Light<'_>, Error> {
+        Light::new(self.exponent, &self.mantissas)
+    }
+}
+
+impl<const N: usize> Rgb<LightBuffer<N>> {
+    /// The lights in these buffers.
+    ///
+    /// # Errors
+    ///
+    /// Those of [`Light::new`].
+    pub fn lights(&self) -> Result<Rgb<Light<'_>>, Error> {
+        self.each_ref().try_map(LightBuffer::light)
+    }
+}
+
+impl Light<'_> {
+    /// This light after rotation, to degree 12: L'(Rω) = L(ω). The result has an exponent of its
+    /// own, so that no mantissa wraps or saturates.
+    ///
+    /// A coefficient of degree l is off by at most half a unit of the result's mantissas and
+    /// 2^-12 of the root of the energy of its degree.
+    ///
+    /// # Errors
+    ///
+    /// [`Error::Capacity`] if `N` is below (degree + 1)², [`Error::Degree`] if the degree is above
+    /// 12, [`Error::Exponent`] if the exponent of the result is above 128.
+    pub fn turned<const N: usize>(&self, rotation: &Rotation) -> Result<LightBuffer<N>, Error> {
+        turned([*self], rotation).map(|[turned]| turned)
+    }
+}
+
+impl Rgb<Light<'_>> {
+    /// [`Light::turned`] in each channel, at less than three times its cost.
+    ///
+    /// # Errors
+    ///
+    /// The same.
+    pub fn turned<const N: usize>(
+        &self,
+        rotation: &Rotation,
+    ) -> Result<Rgb<LightBuffer<N>>, Error> {
+        turned((*self).into(), rotation).map(Rgb::from)
+    }
+}
+
+/// The arithmetic of integers. Numbers are scaled so that the root of the energy of a degree has
+/// [`NUMBER_BITS`] bits; no sum of products then leaves its accumulator.
+pub(super) struct Integers;
+
+impl Arithmetic for Integers {
+    type Number = i32;
+    type Factor = i32;
+    type Element = Q15;
+    type Sum = i32;
+    #[inline(always)]
+    fn product([c, s]: [i32; 2], [x, y]: [i32; 2]) -> [i32; 2] {
+        let minus = product(y, s).wrapping_neg();
+        [sum(product(x, c).wrapping_add(minus)), sum(product(y, c).wrapping_add(product(x, s)))]
+    }
+    #[inline(always)]
+    fn add_product(sum: i32, element: Q15, number: i32) -> i32 {
+        sum.wrapping_add(times(element, number))
+    }
+    #[inline(always)]
+    fn number(sum: i32) -> i32 {
+        whole(sum.wrapping_add(1 << (BITS - 1)))
+    }
+}
+
+/// Bits of the root of a degree's energy. What a small swing changes has up to twice that size.
+const NUMBER_BITS: i32 = BITS.cast_signed();
+
+/// The exponents of the degrees of a light.
+type Exponents = [i32; LARGEST + 1];
+
+fn turned<const C: usize, const N: usize>(
+    lights: [Light<'_>; C],
+    rotation: &Rotation,
+) -> Result<[LightBuffer<N>; C], Error> {
+    let mut turned = [(); C].map(|()| LightBuffer::default());
+    let mut exponents: [Exponents; C] = lights.map(|light| [light.exponent; LARGEST + 1]);
+    for (to, light) in turned.iter_mut().zip(&lights) {
+        if light.degree > LARGEST {
+            return Err(Error::Degree { found: light.degree });
+        }
+        to.mantissas = zeros(Argument::Light, light.mantissas.len())?;
+        if let (Some(to), Some(&mean)) = (to.mantissas.first_mut(), light.mantissas.first()) {
+            *to = mean;
+        }
+    }
+    let degree = lights.iter().map(|light| light.degree).max().unwrap_or_default();
+    let (rotation, mut elements) = (rotation.turn(degree), exchange::IN_Q15.as_slice());
+    let mut numbers = [(); 3].map(|()| Degree::<Integers, C>::new());
+    for l in 1..=degree {
+        let range = light::count(l - 1)..light::count(l);
+        let [of_degree, ..] = &mut numbers;
+        let channels = lights.iter().zip(&mut exponents).enumerate();
+        for (channel, (light, exponents)) in channels {
+            // A light of a lower degree has none.
+            let from = light.mantissas.get(range.clone()).unwrap_or_default();
+            let shift = NUMBER_BITS - size(from);
+            let shifted = Shift::by(shift);
+            of_degree.load(channel, from, |mantissa| shifted.of(mantissa.get()));
+            if let Some(exponent) = exponents.get_mut(l) {
+                *exponent -= shift;
+            }
+        }
+        rotation.apply(l, &mut elements, &mut numbers);
+        let [of_degree, ..] = &mut numbers;
+        for (channel, to) in turned.iter_mut().enumerate() {
+            let to = to.mantissas.get_mut(range.clone()).unwrap_or_default();
+            of_degree.store(channel, to, Q15::saturate);
+        }
+    }
+    for ((to, light), exponents) in turned.iter_mut().zip(&lights).zip(&exponents) {
+        to.exponent = align(&mut to.mantissas, light.degree, exponents)?;
+    }
+    Ok(turned)
+}
+
+/// A product with a power of two, rounded.
+#[derive(Clone, Copy)]
+struct Shift {
+    left: u32,
+    right: u32,
+    half: i32,
+}
+
+impl Shift {
+    fn by(by: i32) -> Self {
+        let left = by.clamp(0, 31).unsigned_abs();
+        let right = by.clamp(-31, 0).unsigned_abs();
+        Self { left, right, half: (1 << right) >> 1 }
+    }
+
+    /// Domain: it fits.
+    #[inline(always)]
+    fn of(self, number: i32) -> i32 {
+        (number << self.left).saturating_add(self.half) >> self.right
+    }
+}
+
+/// Bits of the largest magnitude.
+fn bits(mantissas: &[Q15]) -> i32 {
+    let all = mantissas.iter().fold(0, |all, &mantissa| all | mantissa.get().unsigned_abs());
+    32 - all.leading_zeros().cast_signed()
+}
+
+/// Bits of the root of the energy of these mantissas, from above and with a margin of a 128th.
+#[inline(never)]
+fn size(mantissas: &[Q15]) -> i32 {
+    // 13 bits of the largest, rounded up: the squares of 25 orders sum to less than 2^31.
+    let shift = (bits(mantissas) - 13).max(0);
+    let energy = mantissas.iter().fold(0, |energy: u32, &mantissa| {
+        let size = (mantissa.get().unsigned_abs() >> shift) + 1;
+        energy + size * size
+    });
+    let bits = 32 - (energy + (energy >> 6)).leading_zeros();
+    shift + bits.div_ceil(2).cast_signed()
+}
+
+/// Brings the mantissas of all degrees to a common exponent.
+#[inline(never)]
+fn align(mantissas: &mut [Q15], degree: usize, exponents: &Exponents) -> Result<i32, Error> {
+    let range = |l: usize| l * l..light::count(l);
+    let mut top = LEAST_TOP;
+    for (l, exponent) in exponents.iter().enumerate().take(degree + 1) {
+        let bits = bits(part_mut(mantissas, range(l)));
+        if bits > 0 {
+            top = top.max(bits + exponent);
+        }
+    }
+    let common = top - BITS.cast_signed();
+    if common > 128 {
+        return Err(Error::Exponent);
+    }
+    for (l, exponent) in exponents.iter().enumerate().take(degree + 1) {
+        let shift = Shift::by(exponent - common);
+        for mantissa in part_mut(mantissas, range(l)) {
+            *mantissa = Q15::saturate(shift.of(mantissa.get()));
+        }
+    }
+    Ok(common)
+}
