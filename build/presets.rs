@@ -172,7 +172,7 @@ fn sources() -> Result<(), String> {
         let (constant, sources) = (format!("{}_{most}", constant_name(light)), sources.concat());
         let s = if *most == 1 { "" } else { "s" };
         constants += &format!(
-            "/// At most {most} source{s} of `{light}`.\npub const {constant}: &[Source<f32>] = \
+            "/// At most {most} source{s} of `{light}`.\npub const {constant}: &[Source] = \
              &[\n{sources}];\n"
         );
         entries.push(format!("    (\"{light}\", {most}, {constant}),\n"));
@@ -181,7 +181,7 @@ fn sources() -> Result<(), String> {
     let names: Vec<_> = sets.iter().map(|((light, most), _)| format!("{light}-{most}")).collect();
     constants += &each("sources", names.iter().map(String::as_str));
     let what = "All of them, by the name of the light and the most sources";
-    constants += &list(what, "ALL", "&str, usize, &[Source<f32>]", &entries);
+    constants += &list(what, "ALL", "&str, usize, &[Source]", &entries);
     write_output("preset_sources.rs", &constants)
 }
 
@@ -216,11 +216,11 @@ fn source_sets(sets: &[((String, usize), Vec<String>)]) -> Result<String, String
         let (name, count, sets) = (constant_name(light), sets.len(), sets.concat());
         text += &format!(
             "/// No sources of `{light}`, and its sets.\n\
-             pub const {name}: [SourceSet<'static, f32>; {count}] = [\n{sets}];\n"
+             pub const {name}: [SourceSet<'static>; {count}] = [\n{sets}];\n"
         );
         entries.push(format!("    (\"{light}\", &{name}),\n"));
     }
-    let entry = "&str, &[SourceSet<'static, f32>]";
+    let entry = "&str, &[SourceSet<'static>]";
     Ok(text + &list("The sets of all lights, by name", "SETS", entry, &entries))
 }
 
@@ -233,7 +233,7 @@ fn glosses() -> Result<(), String> {
         let [roughness, f0_r, f0_g, f0_b, f90_r, f90_g, f90_b, r, g, b, error] = numbers;
         constants += &format!(
             "/// `{name}`. The lobe leaves {:.0} % of pictures under a small source (rms).\n\
-             pub const {constant}: Gloss<f32> = Gloss::stored({roughness:?}, \
+             pub const {constant}: Gloss = Gloss::stored({roughness:?}, \
              [{f0_r:?}, {f0_g:?}, {f0_b:?}], [{f90_r:?}, {f90_g:?}, {f90_b:?}], \
              [{r:?}, {g:?}, {b:?}]);\n",
             100.0 * error
@@ -241,6 +241,6 @@ fn glosses() -> Result<(), String> {
         entries.push(format!("    (\"{name}\", {constant}),\n"));
     }
     constants += &each("gloss", rows.iter().map(|(name, _)| name.as_str()));
-    constants += &list("All of them, by name", "ALL", "&str, Gloss<f32>", &entries);
+    constants += &list("All of them, by name", "ALL", "&str, Gloss", &entries);
     write_output("preset_gloss.rs", &constants)
 }

@@ -4,9 +4,8 @@ use crate::color::Rgb;
 use crate::error::{Argument, Error};
 use crate::index::light;
 use crate::light::{Light, Window, degree};
-use crate::mathematics::Mathematics;
-use crate::scalar::Scalar;
-use core::f64::consts::{FRAC_PI_2, PI, SQRT_2};
+use crate::mathematics;
+use core::f32::consts::{FRAC_PI_2, PI, SQRT_2};
 
 /// One channel of a light made of formulas, of the degree with `N` coefficients.
 ///
@@ -14,23 +13,22 @@ use core::f64::consts::{FRAC_PI_2, PI, SQRT_2};
 /// A window keeps small lights from ringing.
 ///
 /// ```
-/// use eigenshade::mathematics::SinglePrecision;
 /// use eigenshade::{AnalyticLight, Window};
 ///
 /// // A sky above a darker ground, and a lamp from the upper left, 20 degrees in radius.
-/// let light = AnalyticLight::<f32, 100>::dark()?
-///     .hemisphere::<SinglePrecision>([0.0, 1.0, 0.0], 1.0, 0.2)?
-///     .disc::<SinglePrecision>([-1.0, 1.0, 1.0], 0.35, 5.0)?
-///     .windowed::<SinglePrecision>(Window::SincFourth { width: 20.0 });
+/// let light = AnalyticLight::<100>::dark()?
+///     .hemisphere([0.0, 1.0, 0.0], 1.0, 0.2)?
+///     .disc([-1.0, 1.0, 1.0], 0.35, 5.0)?
+///     .windowed(Window::SincFourth { width: 20.0 });
 /// assert_eq!(light.light()?.degree(), 9);
 /// # Ok::<(), eigenshade::Error>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct AnalyticLight<S, const N: usize> {
-    coefficients: [S; N],
+pub struct AnalyticLight<const N: usize> {
+    coefficients: [f32; N],
 }
 
-impl<S: Scalar, const N: usize> AnalyticLight<S, N> {
+impl<const N: usize> AnalyticLight<N> {
     /// No light.
     ///
     /// # Errors
@@ -38,28 +36,23 @@ impl<S: Scalar, const N: usize> AnalyticLight<S, N> {
     /// [`Error::Count`] unless `N` is (degree + 1)² for some degree.
     pub fn dark() -> Result<Self, Error> {
         degree(N)?;
-        Ok(Self { coefficients: [S::ZERO; N] })
+        Ok(Self { coefficients: [0.0; N] })
     }
 
     /// Adds the same radiance from everywhere.
     #[must_use]
-    pub fn ambient(mut self, radiance: S) -> Self {
+    pub fn ambient(mut self, radiance: f32) -> Self {
         if let Some(mean) = self.coefficients.first_mut() {
             // 1 / Y_0^0 is 2 √π.
-            *mean += radiance * S::from_f64(PI * core::f64::consts::FRAC_2_SQRT_PI);
+            *mean += radiance * (PI * core::f32::consts::FRAC_2_SQRT_PI);
         }
         self
     }
 
     /// Adds the radiance of a sky in the half of directions around `up`, and of a ground in the
     /// other; errors as [`disc`](Self::disc).
-    pub fn hemisphere<M: Mathematics<S>>(
-        self,
-        up: [S; 3],
-        sky: S,
-        ground: S,
-    ) -> Result<Self, Error> {
-        self.ambient(ground).disc::<M>(up, S::from_f64(FRAC_PI_2), sky - ground)
+    pub fn hemisphere(self, up: [f32; 3], sky: f32, ground: f32) -> Result<Self, Error> {
+        self.ambient(ground).disc(up, FRAC_PI_2, sky - ground)
     }
 
     /// Adds a disc of constant radiance around a direction, with an angular radius in radians: the
@@ -69,31 +62,26 @@ impl<S: Scalar, const N: usize> AnalyticLight<S, N> {
     ///
     /// [`Error::Direction`] if the direction has no length or the radius is not above 0 and at most
     /// π.
-    pub fn disc<M: Mathematics<S>>(
-        self,
-        direction: [S; 3],
-        radius: S,
-        radiance: S,
-    ) -> Result<Self, Error> {
-        if !(radius > S::ZERO && radius <= S::from_f64(PI)) {
+    pub fn disc(self, direction: [f32; 3], radius: f32, radiance: f32) -> Result<Self, Error> {
+        if !(radius > 0.0 && radius <= PI) {
             return Err(Error::Direction);
         }
-        let (sine, cosine) = M::sine_and_cosine(radius);
+        let (sine, cosine) = mathematics::sine_and_cosine(radius);
         // 2π times the integral of P_l from the cosine to 1: (1 - cos²) P_l'(cos) / (l (l + 1)).
-        let scale = S::from_f64(2.0 * PI) * radiance;
+        let scale = (2.0 * PI) * radiance;
         let square = sine * sine;
-        let [mut before, mut now] = [S::ONE, cosine];
-        let [mut slope_before, mut slope] = [S::ZERO, S::ONE];
-        let half = M::sine_and_cosine(S::from_f64(0.5) * radius).0;
-        self.along::<M>(direction, |l| {
+        let [mut before, mut now] = [1.0, cosine];
+        let [mut slope_before, mut slope] = [0.0, 1.0];
+        let half = mathematics::sine_and_cosine(0.5 * radius).0;
+        self.along(direction, |l| {
             if l == 0 {
                 // 1 - cos = 2 sin² of half the radius.
                 return scale * (half * half + half * half);
             }
-            let factor = scale * square * slope * S::from_whole(l * (l + 1)).reciprocal();
-            let [odd, whole] = [S::from_whole(2 * l + 1), S::from_whole(l)];
+            let factor = scale * square * slope * ((l * (l + 1)) as f32).recip();
+            let [odd, whole] = [((2 * l + 1) as f32), (l as f32)];
             let next_slope = slope_before + odd * now;
-            let next = (odd * cosine * now - whole * before) * S::from_whole(l + 1).reciprocal();
+            let next = (odd * cosine * now - whole * before) * ((l + 1) as f32).recip();
             (before, now, slope_before, slope) = (now, next, slope, next_slope);
             factor
         })
@@ -104,28 +92,24 @@ impl<S: Scalar, const N: usize> AnalyticLight<S, N> {
     /// # Errors
     ///
     /// [`Error::Direction`] if the direction has no length.
-    pub fn directional<M: Mathematics<S>>(
-        self,
-        direction: [S; 3],
-        irradiance: S,
-    ) -> Result<Self, Error> {
-        self.along::<M>(direction, |_| irradiance)
+    pub fn directional(self, direction: [f32; 3], irradiance: f32) -> Result<Self, Error> {
+        self.along(direction, |_| irradiance)
     }
 
     /// Adds factor(l) Y_l^m(direction); `factor` is called for l = 0, 1, ... in this order.
-    fn along<M: Mathematics<S>>(
+    fn along(
         mut self,
-        direction: [S; 3],
-        mut factor: impl FnMut(usize) -> S,
+        direction: [f32; 3],
+        mut factor: impl FnMut(usize) -> f32,
     ) -> Result<Self, Error> {
         let [x, y, z] = direction;
         let square = x * x + y * y + z * z;
-        if !(square.is_finite() && square >= S::from_f64(1e-37)) {
+        if !(square.is_finite() && square >= 1e-37) {
             return Err(Error::Direction);
         }
-        let scale = M::inverse_root(square);
-        let mut harmonics = [S::ZERO; N];
-        add_harmonics::<S, M>(&mut harmonics, [x * scale, y * scale, z * scale], S::ONE)?;
+        let scale = mathematics::inverse_root(square);
+        let mut harmonics = [0.0; N];
+        add_harmonics(&mut harmonics, [x * scale, y * scale, z * scale], 1.0)?;
         let mut pairs = self.coefficients.iter_mut().zip(&harmonics);
         for l in 0..=degree(N)? {
             let factor = factor(l);
@@ -138,7 +122,7 @@ impl<S: Scalar, const N: usize> AnalyticLight<S, N> {
 
     /// Multiplies the light.
     #[must_use]
-    pub fn scaled(mut self, factor: S) -> Self {
+    pub fn scaled(mut self, factor: f32) -> Self {
         self.coefficients.iter_mut().for_each(|coefficient| *coefficient = *coefficient * factor);
         self
     }
@@ -148,7 +132,7 @@ impl<S: Scalar, const N: usize> AnalyticLight<S, N> {
     /// # Errors
     ///
     /// [`Error::Capacity`] if the other light has a higher degree.
-    pub fn plus(mut self, other: &Light<'_, S>) -> Result<Self, Error> {
+    pub fn plus(mut self, other: &Light<'_>) -> Result<Self, Error> {
         let needed = other.coefficients().len();
         if needed > N {
             return Err(Error::Capacity { argument: Argument::Light, needed, capacity: N });
@@ -161,8 +145,8 @@ impl<S: Scalar, const N: usize> AnalyticLight<S, N> {
 
     /// Applies a window.
     #[must_use]
-    pub fn windowed<M: Mathematics<S>>(mut self, window: Window<S>) -> Self {
-        window.apply::<M>(&mut self.coefficients);
+    pub fn windowed(mut self, window: Window) -> Self {
+        window.apply(&mut self.coefficients);
         self
     }
 
@@ -171,7 +155,7 @@ impl<S: Scalar, const N: usize> AnalyticLight<S, N> {
     /// # Errors
     ///
     /// [`Error::NotFinite`] if a coefficient is infinite or NaN.
-    pub fn light(&self) -> Result<Light<'_, S>, Error> {
+    pub fn light(&self) -> Result<Light<'_>, Error> {
         Light::new(&self.coefficients)
     }
 }
@@ -179,16 +163,15 @@ impl<S: Scalar, const N: usize> AnalyticLight<S, N> {
 /// The same in color. Radiances and irradiances have three channels.
 ///
 /// ```
-/// use eigenshade::mathematics::SinglePrecision;
 /// use eigenshade::{AnalyticLight, Rgb};
 ///
-/// let light = Rgb::<AnalyticLight<f32, 100>>::dark()?
-///     .hemisphere::<SinglePrecision>([0.0, 1.0, 0.0], [0.3, 0.5, 1.0], [0.2, 0.2, 0.1])?
-///     .disc::<SinglePrecision>([1.0, 1.0, 1.0], 0.2, [9.0, 8.0, 6.0])?;
+/// let light = Rgb::<AnalyticLight<100>>::dark()?
+///     .hemisphere([0.0, 1.0, 0.0], [0.3, 0.5, 1.0], [0.2, 0.2, 0.1])?
+///     .disc([1.0, 1.0, 1.0], 0.2, [9.0, 8.0, 6.0])?;
 /// assert!(light.lights()?.r.coefficients()[0] > 0.0);
 /// # Ok::<(), eigenshade::Error>(())
 /// ```
-impl<S: Scalar, const N: usize> Rgb<AnalyticLight<S, N>> {
+impl<const N: usize> Rgb<AnalyticLight<N>> {
     /// [`AnalyticLight::dark`]; the same errors.
     pub fn dark() -> Result<Self, Error> {
         AnalyticLight::dark().map(Self::gray)
@@ -196,61 +179,47 @@ impl<S: Scalar, const N: usize> Rgb<AnalyticLight<S, N>> {
 
     /// [`AnalyticLight::ambient`].
     #[must_use]
-    pub fn ambient(self, radiance: [S; 3]) -> Self {
+    pub fn ambient(self, radiance: [f32; 3]) -> Self {
         self.zip(radiance.into()).map(|(light, radiance)| light.ambient(radiance))
     }
 
     /// [`AnalyticLight::hemisphere`]; the same errors.
-    pub fn hemisphere<M: Mathematics<S>>(
-        self,
-        up: [S; 3],
-        sky: [S; 3],
-        ground: [S; 3],
-    ) -> Result<Self, Error> {
+    pub fn hemisphere(self, up: [f32; 3], sky: [f32; 3], ground: [f32; 3]) -> Result<Self, Error> {
         let radiances = Rgb::from(sky).zip(ground.into());
-        self.zip(radiances).try_map(|(light, (sky, ground))| light.hemisphere::<M>(up, sky, ground))
+        self.zip(radiances).try_map(|(light, (sky, ground))| light.hemisphere(up, sky, ground))
     }
 
     /// [`AnalyticLight::disc`]; the same errors.
-    pub fn disc<M: Mathematics<S>>(
-        self,
-        direction: [S; 3],
-        radius: S,
-        radiance: [S; 3],
-    ) -> Result<Self, Error> {
+    pub fn disc(self, direction: [f32; 3], radius: f32, radiance: [f32; 3]) -> Result<Self, Error> {
         let channels = self.zip(radiance.into());
-        channels.try_map(|(light, radiance)| light.disc::<M>(direction, radius, radiance))
+        channels.try_map(|(light, radiance)| light.disc(direction, radius, radiance))
     }
 
     /// [`AnalyticLight::directional`]; the same errors.
-    pub fn directional<M: Mathematics<S>>(
-        self,
-        direction: [S; 3],
-        irradiance: [S; 3],
-    ) -> Result<Self, Error> {
+    pub fn directional(self, direction: [f32; 3], irradiance: [f32; 3]) -> Result<Self, Error> {
         let channels = self.zip(irradiance.into());
-        channels.try_map(|(light, irradiance)| light.directional::<M>(direction, irradiance))
+        channels.try_map(|(light, irradiance)| light.directional(direction, irradiance))
     }
 
     /// [`AnalyticLight::scaled`].
     #[must_use]
-    pub fn scaled(self, factor: S) -> Self {
+    pub fn scaled(self, factor: f32) -> Self {
         self.map(|light| light.scaled(factor))
     }
 
     /// [`AnalyticLight::plus`]; the same errors.
-    pub fn plus<'l>(self, other: impl Into<Rgb<Light<'l, S>>>) -> Result<Self, Error> {
+    pub fn plus<'l>(self, other: impl Into<Rgb<Light<'l>>>) -> Result<Self, Error> {
         self.zip(other.into()).try_map(|(light, other)| light.plus(&other))
     }
 
     /// [`AnalyticLight::windowed`].
     #[must_use]
-    pub fn windowed<M: Mathematics<S>>(self, window: Window<S>) -> Self {
-        self.map(|light| light.windowed::<M>(window))
+    pub fn windowed(self, window: Window) -> Self {
+        self.map(|light| light.windowed(window))
     }
 
     /// [`AnalyticLight::light`] in each channel; the same errors.
-    pub fn lights(&self) -> Result<Rgb<Light<'_, S>>, Error> {
+    pub fn lights(&self) -> Result<Rgb<Light<'_>>, Error> {
         self.each_ref().try_map(AnalyticLight::light)
     }
 }
@@ -258,29 +227,29 @@ impl<S: Scalar, const N: usize> Rgb<AnalyticLight<S, N>> {
 /// Adds weight Y_l^m(direction) to each coefficient of a light. The direction is a unit vector.
 /// N_l^m P_l^m(z) / (-sin θ)^m is a polynomial in z, by the three-term recurrence of the normalized
 /// functions. Cost: two roots for each degree and order.
-pub(crate) fn add_harmonics<S: Scalar, M: Mathematics<S>>(
-    coefficients: &mut [S],
-    [x, y, z]: [S; 3],
-    weight: S,
+pub(crate) fn add_harmonics(
+    coefficients: &mut [f32],
+    [x, y, z]: [f32; 3],
+    weight: f32,
 ) -> Result<(), Error> {
     let degree = degree(coefficients.len())?;
     let ratio = |numerator: usize, denominator: usize| {
-        M::square_root(S::from_whole(numerator) * S::from_whole(denominator).reciprocal())
+        mathematics::square_root((numerator as f32) * (denominator as f32).recip())
     };
-    let mut add = |l: usize, order: isize, amount: S| {
+    let mut add = |l: usize, order: isize, amount: f32| {
         if let Some(to) = coefficients.get_mut(light::position(l, order)) {
             *to += amount;
         }
     };
     // N_m^m: the product of √((2k + 1) / 2k), over √(4π).
-    let mut square = S::from_f64(0.25 / PI);
+    let mut square = 0.25 / PI;
     // Re and -Im of (x + iy)^m, with the phase (-1)^m in the cosine.
-    let [mut cosine, mut sine] = [weight, S::ZERO];
+    let [mut cosine, mut sine] = [weight, 0.0];
     for m in 0..=degree {
-        let root = if m == 0 { S::ONE } else { S::from_f64(SQRT_2) };
+        let root = if m == 0 { 1.0 } else { SQRT_2 };
         let plus = root * if m % 2 == 0 { cosine } else { -cosine };
         let minus = -root * sine;
-        let (mut before, mut now) = (S::ZERO, M::square_root(square));
+        let (mut before, mut now) = (0.0, mathematics::square_root(square));
         for l in m..=degree {
             if l > m {
                 let (product, last) = (l * l - m * m, l - 1);
@@ -294,7 +263,7 @@ pub(crate) fn add_harmonics<S: Scalar, M: Mathematics<S>>(
             }
         }
         [cosine, sine] = [cosine * x - sine * y, cosine * y + sine * x];
-        square = square * S::from_whole(2 * m + 3) * S::from_whole(2 * m + 2).reciprocal();
+        square = square * ((2 * m + 3) as f32) * ((2 * m + 2) as f32).recip();
     }
     Ok(())
 }

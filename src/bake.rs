@@ -17,8 +17,8 @@
 
 use crate::buffer::Buffer;
 use crate::error::{Argument, Error};
+use crate::float;
 use crate::normal::Normal;
-use crate::scalar::Scalar;
 use crate::scene::Scene;
 use core::ops::Range;
 
@@ -37,16 +37,16 @@ pub(crate) const SIZES: core::ops::RangeInclusive<usize> = 2..=4096;
 /// | 128 | 2.5e-5, 1.4e-4 |
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct BakedMap<S, B> {
+pub struct BakedMap<B> {
     size: usize,
     /// Half the width of the map, (N - 1) / 2, reduced by a millionth so that the rim, and points
     /// that rounding puts beyond it, stay within the last cell without clamping.
-    half: S,
+    half: f32,
     texels: B,
 }
 
 /// A buffer for a baked map.
-pub type MapBuffer<S, const T: usize> = Buffer<S, T>;
+pub type MapBuffer<const T: usize> = Buffer<f32, T>;
 
 impl<C> Scene<'_, C> {
     /// Bakes the scene into N x N texels; `T` must be at least N².
@@ -69,15 +69,12 @@ impl<C> Scene<'_, C> {
     /// # Errors
     ///
     /// [`Error::Size`] unless N is 2 to 4096, [`Error::Capacity`] if `T` is too small.
-    pub fn bake<S: Scalar, const T: usize>(
-        &self,
-        size: usize,
-    ) -> Result<BakedMap<S, MapBuffer<S, T>>, Error>
+    pub fn bake<const T: usize>(&self, size: usize) -> Result<BakedMap<MapBuffer<T>>, Error>
     where
-        C: AsRef<[S]>,
+        C: AsRef<[f32]>,
     {
         check_size(size)?;
-        self.bake_into(size, crate::buffer::zeros::<S, T>(Argument::Texels, size * size)?)
+        self.bake_into(size, crate::buffer::zeros::<f32, T>(Argument::Texels, size * size)?)
     }
 
     /// [`bake`](Self::bake) into a buffer of your own, of length N².
@@ -86,18 +83,18 @@ impl<C> Scene<'_, C> {
     ///
     /// [`Error::Size`] unless N is 2 to 4096, [`Error::Length`] if the buffer has another
     /// length.
-    pub fn bake_into<S: Scalar, B: AsMut<[S]>>(
+    pub fn bake_into<B: AsMut<[f32]>>(
         &self,
         size: usize,
         mut texels: B,
-    ) -> Result<BakedMap<S, B>, Error>
+    ) -> Result<BakedMap<B>, Error>
     where
-        C: AsRef<[S]>,
+        C: AsRef<[f32]>,
     {
         check_size(size)?;
         let to = texels.as_mut();
         Error::check(Argument::Texels, size * size, to.len())?;
-        to.fill(S::ZERO);
+        to.fill(0.0);
         let grid = Grid::new(size);
         for row in 0..size {
             let run = grid.run(row);
@@ -120,9 +117,9 @@ impl<C> Scene<'_, C> {
     }
 
     /// The irradiance less a twelfth of its second difference along v, at a place in a row.
-    fn fitted_along_v<S: Scalar>(&self, grid: &Grid<S>, place: usize, row: usize) -> S
+    fn fitted_along_v(&self, grid: &Grid, place: usize, row: usize) -> f32
     where
-        C: AsRef<[S]>,
+        C: AsRef<[f32]>,
     {
         fitted([row, row + 1, row + 2].map(|row| self.continued(grid, place, row)))
     }
@@ -130,11 +127,11 @@ impl<C> Scene<'_, C> {
     /// Calls a function with each texel that a look-up reads and its index, in storage order. The
     /// texels are those of [`bake_into`](Self::bake_into), bit by bit. No other texel is kept, so
     /// this shades up to 3 N² + 6 N pixels.
-    pub(crate) fn each_texel<S: Scalar>(&self, size: usize, mut take: impl FnMut(usize, S))
+    pub(crate) fn each_texel(&self, size: usize, mut take: impl FnMut(usize, f32))
     where
-        C: AsRef<[S]>,
+        C: AsRef<[f32]>,
     {
-        let grid = Grid::<S>::new(size);
+        let grid = Grid::new(size);
         for row in 0..size {
             let run = grid.run(row);
             let at = |place| self.fitted_along_v(&grid, place, row);
@@ -150,9 +147,9 @@ impl<C> Scene<'_, C> {
     /// The irradiance at the places of a column and of a row, also outside the disc. Not inlined,
     /// because its callers use it several times.
     #[inline(never)]
-    fn continued<S: Scalar>(&self, grid: &Grid<S>, column: usize, row: usize) -> S
+    fn continued(&self, grid: &Grid, column: usize, row: usize) -> f32
     where
-        C: AsRef<[S]>,
+        C: AsRef<[f32]>,
     {
         let point = MapPoint { u: grid.place(column), v: grid.place(row) };
         let [x, y, z] = point.direction();
@@ -165,31 +162,31 @@ pub(crate) fn check_size(size: usize) -> Result<(), Error> {
 }
 
 /// (N - 1) / 2.
-fn half<S: Scalar>(size: usize) -> S {
-    S::from_whole(size - 1) * S::from_f64(0.5)
+fn half(size: usize) -> f32 {
+    ((size - 1) as f32) * 0.5
 }
 
 /// (N - 1) / 2, less 2^-20 of it.
-fn within<S: Scalar>(size: usize) -> S {
-    half::<S>(size) * S::from_f64(1.0 - 1.0 / f64::from(1 << 20))
+fn within(size: usize) -> f32 {
+    half(size) * (1.0 - 1.0 / (1 << 20) as f32)
 }
 
 /// The value in the middle of three less a twelfth of their second difference, which is what linear
 /// interpolation adds on average over a cell.
-fn fitted<S: Scalar>([before, here, after]: [S; 3]) -> S {
-    here + (here + here - (before + after)) * S::from_f64(1.0 / 12.0)
+fn fitted([before, here, after]: [f32; 3]) -> f32 {
+    here + (here + here - (before + after)) * (1.0 / 12.0)
 }
 
 /// Replaces values in a row or a column by those of [`fitted`], given those at its ends.
 #[inline(never)]
-fn fit<S: Scalar>(
-    texels: &mut [S],
+fn fit(
+    texels: &mut [f32],
     start: usize,
     stride: usize,
     count: usize,
-    [mut before, after]: [S; 2],
+    [mut before, after]: [f32; 2],
 ) {
-    let mut last: Option<&mut S> = None;
+    let mut last: Option<&mut f32> = None;
     // `step_by` panics at 0, which no caller passes and the compiler cannot prove.
     for next in texels.iter_mut().skip(start).step_by(stride.max(1)).take(count) {
         if let Some(to) = last.take() {
@@ -204,19 +201,19 @@ fn fit<S: Scalar>(
     }
 }
 
-struct Grid<S> {
+struct Grid {
     size: usize,
-    step: S,
+    step: f32,
 }
 
-impl<S: Scalar> Grid<S> {
+impl Grid {
     fn new(size: usize) -> Self {
-        Self { size, step: half::<S>(size).reciprocal() }
+        Self { size, step: half(size).recip() }
     }
 
     /// u or v of texel k - 1: place 0 lies before the first texel, place N + 1 after the last.
-    fn place(&self, k: usize) -> S {
-        (S::from_whole(k) - S::ONE) * self.step - S::ONE
+    fn place(&self, k: usize) -> f32 {
+        ((k as f32) - 1.0) * self.step - 1.0
     }
 
     /// The columns of a row, or the rows of a column, that look-ups of visible normals read. Never
@@ -226,19 +223,19 @@ impl<S: Scalar> Grid<S> {
         let near = |k: usize| toward_zero(self.place(k + 1), self.step);
         let square = near(k.min(self.size - 1 - k));
         let square = square * square;
-        let is_read = |k: &usize| near(*k) * near(*k) + square <= S::from_f64(1.001);
+        let is_read = |k: &usize| near(*k) * near(*k) + square <= 1.001;
         let start = (0..self.size / 2).find(is_read).unwrap_or(self.size / 2);
         start..self.size - start
     }
 }
 
 /// |x| less a step, but at least zero.
-fn toward_zero<S: Scalar>(x: S, step: S) -> S {
-    let size = if x < S::ZERO { -x } else { x };
-    if size > step { size - step } else { S::ZERO }
+fn toward_zero(x: f32, step: f32) -> f32 {
+    let size = if x < 0.0 { -x } else { x };
+    if size > step { size - step } else { 0.0 }
 }
 
-impl<S: Scalar, B: AsRef<[S]>> BakedMap<S, B> {
+impl<B: AsRef<[f32]>> BakedMap<B> {
     /// Creates a map from N x N texels that were baked before.
     ///
     /// # Errors
@@ -258,7 +255,7 @@ impl<S: Scalar, B: AsRef<[S]>> BakedMap<S, B> {
 
     /// The texels, row by row from v = -1 upward, each row from u = -1 to the right.
     #[must_use]
-    pub fn texels(&self) -> &[S] {
+    pub fn texels(&self) -> &[f32] {
         self.texels.as_ref()
     }
 
@@ -267,22 +264,23 @@ impl<S: Scalar, B: AsRef<[S]>> BakedMap<S, B> {
     /// Cost: nine additions and products. The only division is the one in [`MapPoint::of`].
     #[inline]
     #[must_use]
-    pub fn bilinear(&self, point: MapPoint<S>) -> S {
+    pub fn bilinear(&self, point: MapPoint) -> f32 {
         let (column, across) = self.cell(point.u);
         let (row, up) = self.cell(point.v);
         let Some(&[a, b, .., c, d]) = four(self.texels.as_ref(), self.size, row, column) else {
-            return S::ZERO;
+            return 0.0;
         };
-        let (below, above) = (a.add_product(b - a, across), c.add_product(d - c, across));
-        below.add_product(above - below, up)
+        let (below, above) =
+            (float::add_product(a, b - a, across), float::add_product(c, d - c, across));
+        float::add_product(below, above - below, up)
     }
 
     /// The index of the texel before a coordinate, and the fraction of the way from it to the next.
     #[inline]
-    fn cell(&self, x: S) -> (usize, S) {
-        let place = self.half.add_product(x, self.half);
-        let cell = place.to_whole();
-        (cell, place - S::from_whole(cell))
+    fn cell(&self, x: f32) -> (usize, f32) {
+        let place = float::add_product(self.half, x, self.half);
+        let cell = place as usize;
+        (cell, place - (cell as f32))
     }
 }
 
@@ -292,50 +290,47 @@ pub(crate) fn four<T>(texels: &[T], size: usize, row: usize, column: usize) -> O
     texels.get(row.wrapping_mul(size).wrapping_add(column)..)?.get(..size + 2)
 }
 
-/// A normal in map coordinates: u to the right, v up. Visible normals lie in the unit disc. In
-/// `f32` and `f64` the coordinates are plain numbers, in [`Q15`](crate::Q15) fractions of 2^15.
+/// A normal in map coordinates: u to the right, v up. Visible normals lie in the unit disc.
 ///
 /// A buffer of normals can store map points instead: they take two numbers instead of three, and a
 /// look-up then needs no division.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct MapPoint<S> {
-    pub(crate) u: S,
-    pub(crate) v: S,
+pub struct MapPoint {
+    pub(crate) u: f32,
+    pub(crate) v: f32,
 }
 
-impl<S> MapPoint<S> {
+impl MapPoint {
     /// The point (u, v). It is not checked: a point outside the disc looks up a meaningless texel.
     #[inline]
     #[must_use]
-    pub const fn new(u: S, v: S) -> Self {
+    pub const fn new(u: f32, v: f32) -> Self {
         Self { u, v }
     }
 
     /// The coordinates u and v.
     #[inline]
     #[must_use]
-    pub fn coordinates(self) -> [S; 2] {
+    pub fn coordinates(self) -> [f32; 2] {
         [self.u, self.v]
     }
-}
 
-impl<S: Scalar> MapPoint<S> {
     /// The map point of a normal. Costs one division.
     #[inline]
     #[must_use]
-    pub fn of(normal: Normal<S>) -> Self {
-        let scale = (S::ONE + normal.z).reciprocal();
+    pub fn of(normal: Normal) -> Self {
+        let scale = (1.0 + normal.z).recip();
         Self { u: normal.x * scale, v: normal.y * scale }
     }
 
     /// The unit vector at this point, (2u, 2v, 1 - r²) / (1 + r²) with r² = u² + v²: a visible
     /// normal inside the unit disc, a hidden one outside. Costs one division.
     #[must_use]
-    pub fn direction(self) -> [S; 3] {
+    pub fn direction(self) -> [f32; 3] {
         let square = self.u * self.u + self.v * self.v;
-        let scale = (S::ONE + square).reciprocal();
+        let scale = (1.0 + square).recip();
         let twice = scale + scale;
-        [twice * self.u, twice * self.v, (S::ONE - square) * scale]
+        [twice * self.u, twice * self.v, (1.0 - square) * scale]
     }
 }

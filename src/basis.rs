@@ -2,23 +2,26 @@
 
 use crate::error::{Argument, Error};
 use crate::index::effect::Effects;
-use crate::index::record::floats::Parts;
+use crate::index::record::floats;
 use crate::index::record::{Coupling, ProfilePlace, Row};
 use crate::index::{layout, material, pair};
 use crate::invariant::split_row;
 use crate::recurrences::Recurrences;
 
+/// The arrays of a basis: [`Basis::new`] checks that they are consistent.
+pub type Parts<'a> = floats::Parts<'a, f32>;
+
 /// An eigenbasis. Degree, order and number of components are values; the number format is a type.
 #[derive(Clone, Copy, Debug)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct Basis<'a, S> {
-    pub(crate) parts: Parts<'a, S>,
+pub struct Basis<'a> {
+    pub(crate) parts: Parts<'a>,
     pub(crate) recurrences: Recurrences<'a>,
     transfer: usize,
     scene: usize,
 }
 
-impl<'a, S> Basis<'a, S> {
+impl<'a> Basis<'a> {
     /// Creates a basis from its parts.
     ///
     /// This checks all lengths, and all indices from one part into another. An azimuth without a
@@ -29,7 +32,7 @@ impl<'a, S> Basis<'a, S> {
     ///
     /// [`Error::Length`], [`Error::Coupling`], [`Error::Profile`] or [`Error::Pass`] if the parts
     /// contradict each other.
-    pub const fn new(parts: Parts<'a, S>) -> Result<Self, Error> {
+    pub const fn new(parts: Parts<'a>) -> Result<Self, Error> {
         // These come first because they bound the counts below.
         let basis = Self { parts, recurrences: Recurrences::NONE, transfer: 0, scene: 0 };
         let parts = &basis.parts;
@@ -134,7 +137,7 @@ impl<'a, S> Basis<'a, S> {
 
     /// The parts of this basis.
     #[must_use]
-    pub const fn parts(&self) -> &Parts<'a, S> {
+    pub const fn parts(&self) -> &Parts<'a> {
         &self.parts
     }
 
@@ -205,7 +208,7 @@ impl<'a, S> Basis<'a, S> {
 
     /// Each profile, with the terms of its polynomial.
     #[inline]
-    pub(crate) fn profiles(&self) -> impl Iterator<Item = (&'a ProfilePlace, &'a [S])> {
+    pub(crate) fn profiles(&self) -> impl Iterator<Item = (&'a ProfilePlace, &'a [f32])> {
         let mut terms = self.parts.terms;
         self.parts.profiles.iter().map(move |place| {
             let (of_profile, rest) = split_row(terms, self.length(place.azimuth()));

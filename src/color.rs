@@ -1,16 +1,12 @@
 //! Three channels of anything: lights, materials, transfers, images and pixels.
 
 use crate::bake::{BakedMap, MapBuffer, MapPoint};
-use crate::bake_integer::IntegerMap;
 use crate::buffer::{Buffer, copied};
 use crate::error::{Argument, Error};
-use crate::format::Q15;
 use crate::light::{Light, LightBuffer, Window};
 use crate::material::Material;
-use crate::mathematics::Mathematics;
 use crate::normal::Normal;
 use crate::q15;
-use crate::scalar::Scalar;
 use crate::scene::Scene;
 use core::ops::Add;
 
@@ -118,9 +114,9 @@ impl<'a, T> From<&'a Rgb<T>> for Rgb<&'a T> {
 }
 
 macro_rules! gray {
-    ($($type:ty, $number:ident;)*) => {
+    ($($type:ty)*) => {
         $(
-            impl<'a, $number: Copy> From<$type> for Rgb<$type> {
+            impl<'a> From<$type> for Rgb<$type> {
                 #[inline]
                 fn from(gray: $type) -> Self {
                     Self::gray(gray)
@@ -129,26 +125,9 @@ macro_rules! gray {
         )*
     };
 }
-gray! {
-    Light<'a, S>, S;
-    Material<'a, S>, S;
-}
+gray! { Light<'a> Material<'a> q15::Light<'a> q15::Material<'a> }
 
-impl<'a> From<q15::Light<'a>> for Rgb<q15::Light<'a>> {
-    #[inline]
-    fn from(gray: q15::Light<'a>) -> Self {
-        Self::gray(gray)
-    }
-}
-
-impl<'a> From<q15::Material<'a>> for Rgb<q15::Material<'a>> {
-    #[inline]
-    fn from(gray: q15::Material<'a>) -> Self {
-        Self::gray(gray)
-    }
-}
-
-impl<S: Scalar> Rgb<Light<'_, S>> {
+impl Rgb<Light<'_>> {
     /// [`Light::truncated`] in each channel.
     #[must_use]
     pub fn truncated(self, degree: usize) -> Self {
@@ -156,22 +135,19 @@ impl<S: Scalar> Rgb<Light<'_, S>> {
     }
 
     /// [`Light::windowed`] in each channel; the same errors.
-    pub fn windowed<M: Mathematics<S>, const N: usize>(
-        &self,
-        window: Window<S>,
-    ) -> Result<Rgb<LightBuffer<S, N>>, Error> {
-        self.each_ref().try_map(|light| light.windowed::<M, N>(window))
+    pub fn windowed<const N: usize>(&self, window: Window) -> Result<Rgb<LightBuffer<N>>, Error> {
+        self.each_ref().try_map(|light| light.windowed::<N>(window))
     }
 }
 
-impl<S, const N: usize> Rgb<Buffer<S, N>> {
+impl<const N: usize> Rgb<Buffer<f32, N>> {
     /// The lights in these buffers; errors as [`Light::from_finite`].
-    pub fn lights(&self) -> Result<Rgb<Light<'_, S>>, Error> {
+    pub fn lights(&self) -> Result<Rgb<Light<'_>>, Error> {
         self.each_ref().try_map(|channel| Light::from_finite(channel))
     }
 
     /// The materials in these buffers; errors as [`Material::from_finite`].
-    pub fn materials(&self) -> Result<Rgb<Material<'_, S>>, Error> {
+    pub fn materials(&self) -> Result<Rgb<Material<'_>>, Error> {
         self.each_ref().try_map(|channel| Material::from_finite(channel))
     }
 }
@@ -183,7 +159,7 @@ impl<const N: usize, const O: usize> Rgb<q15::MaterialBuffer<N, O>> {
     }
 }
 
-impl<S: Scalar> Material<'_, S> {
+impl Material<'_> {
     /// This material in a color: its coefficients times each channel. `N` is at least their number.
     ///
     /// ```
@@ -198,15 +174,15 @@ impl<S: Scalar> Material<'_, S> {
     ///
     /// [`Error::Capacity`] if `N` is too small; [`Error::NotFinite`] with the index of the first
     /// channel of the color that is infinite or NaN.
-    pub fn tint<const N: usize>(&self, color: [S; 3]) -> Result<Rgb<Buffer<S, N>>, Error> {
+    pub fn tint<const N: usize>(&self, color: [f32; 3]) -> Result<Rgb<Buffer<f32, N>>, Error> {
         Rgb::gray(*self).tint(color)
     }
 }
 
-impl<S: Scalar> Rgb<Material<'_, S>> {
+impl Rgb<Material<'_>> {
     /// [`Material::tint`] in each channel, such as of a preset: a gray material in a color, or one
     /// in color with another balance. The same errors.
-    pub fn tint<const N: usize>(&self, color: [S; 3]) -> Result<Rgb<Buffer<S, N>>, Error> {
+    pub fn tint<const N: usize>(&self, color: [f32; 3]) -> Result<Rgb<Buffer<f32, N>>, Error> {
         Error::check_finite(Argument::Color, &color)?;
         self.zip(Rgb::from(color)).try_map(|(material, factor)| {
             copied(Argument::Material, material.coefficients().iter().map(|&from| factor * from))
@@ -218,20 +194,17 @@ impl<C> Rgb<Scene<'_, C>> {
     /// [`Scene::shade`] in each channel.
     #[inline]
     #[must_use]
-    pub fn shade<S: Scalar>(&self, normal: Normal<S>) -> Rgb<S>
+    pub fn shade(&self, normal: Normal) -> Rgb<f32>
     where
-        C: AsRef<[S]>,
+        C: AsRef<[f32]>,
     {
         self.each_ref().map(|scene| scene.shade(normal))
     }
 
     /// [`Scene::bake`] in each channel; the same errors.
-    pub fn bake<S: Scalar, const T: usize>(
-        &self,
-        size: usize,
-    ) -> Result<Rgb<BakedMap<S, MapBuffer<S, T>>>, Error>
+    pub fn bake<const T: usize>(&self, size: usize) -> Result<Rgb<BakedMap<MapBuffer<T>>>, Error>
     where
-        C: AsRef<[S]>,
+        C: AsRef<[f32]>,
     {
         self.each_ref().try_map(|scene| scene.bake(size))
     }
@@ -251,33 +224,33 @@ impl<C> Rgb<Scene<'_, C>> {
     /// # }
     /// # Ok::<(), eigenshade::Error>(())
     /// ```
-    pub fn bake_integers_into<S: Scalar, B: AsMut<[i16]>>(
+    pub fn bake_integers_into<B: AsMut<[i16]>>(
         &self,
         size: usize,
         texels: Rgb<B>,
-    ) -> Result<Rgb<IntegerMap<B>>, Error>
+    ) -> Result<Rgb<q15::BakedMap<B>>, Error>
     where
-        C: AsRef<[S]>,
+        C: AsRef<[f32]>,
     {
         let channels = self.each_ref().zip(texels);
         channels.try_map(|(scene, texels)| scene.bake_integers_into(size, texels))
     }
 }
 
-impl<S: Scalar, B: AsRef<[S]>> Rgb<BakedMap<S, B>> {
+impl<B: AsRef<[f32]>> Rgb<BakedMap<B>> {
     /// [`BakedMap::bilinear`] in each channel.
     #[inline]
     #[must_use]
-    pub fn bilinear(&self, point: MapPoint<S>) -> Rgb<S> {
+    pub fn bilinear(&self, point: MapPoint) -> Rgb<f32> {
         self.each_ref().map(|map| map.bilinear(point))
     }
 }
 
-impl<B: AsRef<[i16]>> Rgb<IntegerMap<B>> {
-    /// [`IntegerMap::bilinear`] in each channel.
+impl<B: AsRef<[i16]>> Rgb<q15::BakedMap<B>> {
+    /// [`q15::BakedMap::bilinear`] in each channel.
     #[inline]
     #[must_use]
-    pub fn bilinear(&self, point: MapPoint<Q15>) -> Rgb<i32> {
+    pub fn bilinear(&self, point: q15::MapPoint) -> Rgb<i32> {
         self.each_ref().map(|map| map.bilinear(point))
     }
 

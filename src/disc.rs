@@ -1,10 +1,10 @@
 //! The pixels and normals of a sphere, without a root for each pixel.
 
 use crate::error::{Argument, Error};
-use crate::format::Q15;
 use crate::normal::Normal;
 use crate::piece::{INTERVALS, Piece, interpolated};
 use crate::q15;
+use crate::q15::Q15;
 
 /// The bits of an interval's width in each piece of [`ROOTS`], in units of 2^-24.
 const WIDTHS: [u32; 4] = [5, 9, 13, 17];
@@ -180,7 +180,7 @@ impl DiscPixel {
     /// The normal. z is within 1.5e-4 of the exact root, at the rim within 4e-4.
     #[inline]
     #[must_use]
-    pub fn normal(self) -> Normal<f32> {
+    pub fn normal(self) -> Normal {
         let [x, y] = [self.x, self.y].map(|place| place as f32 * (1.0 / (1_u32 << 31) as f32));
         Normal { x, y, z: f32::from(self.z) * (1.0 / 32_768.0) }
     }

@@ -1,6 +1,5 @@
 //! Errors in the arguments of the runtime.
 
-use crate::scalar::Scalar;
 use core::fmt;
 
 /// An invalid argument, with the expected and the found value.
@@ -233,7 +232,7 @@ impl Error {
         if fits { Ok(()) } else { Err(Self::Outside { argument }) }
     }
 
-    pub(crate) fn check_finite<S: Scalar>(argument: Argument, numbers: &[S]) -> Result<(), Self> {
+    pub(crate) fn check_finite(argument: Argument, numbers: &[f32]) -> Result<(), Self> {
         match numbers.iter().position(|number| !number.is_finite()) {
             None => Ok(()),
             Some(index) => Err(Self::NotFinite { argument, index }),

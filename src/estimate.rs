@@ -9,18 +9,17 @@ use crate::buffer::{Buffer, zeros};
 use crate::error::{Argument, Error};
 use crate::normal::Normal;
 use crate::projection::Coefficients;
-use crate::scalar::Scalar;
 
 /// An estimate in progress: see [`Basis::estimate`].
 #[derive(Clone, Debug)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct Estimate<'a, S, const K: usize> {
-    basis: Basis<'a, S>,
-    sums: Buffer<Sum<S>, K>,
-    weight: Sum<S>,
+pub struct Estimate<'a, const K: usize> {
+    basis: Basis<'a>,
+    sums: Buffer<Sum, K>,
+    weight: Sum,
 }
 
-impl<'a, S: Scalar> Basis<'a, S> {
+impl<'a> Basis<'a> {
     /// Starts an estimate of d from pixels, with no pixels yet.
     ///
     /// `K` must be at least [`components`](Self::components). The estimate stores 2 K + 2 numbers.
@@ -41,13 +40,13 @@ impl<'a, S: Scalar> Basis<'a, S> {
     /// # Errors
     ///
     /// [`Error::Capacity`] if `K` is too small.
-    pub fn estimate<const K: usize>(&self) -> Result<Estimate<'a, S, K>, Error> {
-        let sums = zeros::<Sum<S>, K>(Argument::Coefficients, self.components())?;
+    pub fn estimate<const K: usize>(&self) -> Result<Estimate<'a, K>, Error> {
+        let sums = zeros::<Sum, K>(Argument::Coefficients, self.components())?;
         Ok(Estimate { basis: *self, sums, weight: Sum::default() })
     }
 }
 
-impl<S: Scalar, const K: usize> Estimate<'_, S, K> {
+impl<const K: usize> Estimate<'_, K> {
     /// Adds a pixel: its normal, the irradiance observed there, and its weight. The weight is the
     /// image area of the pixel (1 if all pixels are alike).
     ///
@@ -57,7 +56,7 @@ impl<S: Scalar, const K: usize> Estimate<'_, S, K> {
     /// Cost: one polynomial for each profile, and five additions and a product for each component;
     /// no root and no division.
     #[inline]
-    pub fn add(&mut self, normal: Normal<S>, irradiance: S, weight: S) {
+    pub fn add(&mut self, normal: Normal, irradiance: f32, weight: f32) {
         let seen = weight * (irradiance - self.basis.mean_at(normal));
         for (place, value, [plus, minus]) in self.basis.eigenimages_at(normal) {
             let profile = seen * value;
@@ -83,13 +82,13 @@ impl<S: Scalar, const K: usize> Estimate<'_, S, K> {
     /// # Errors
     ///
     /// [`Error::Weight`] unless the sum of the weights is finite and above zero.
-    pub fn coefficients(&self) -> Result<Coefficients<S, K>, Error> {
-        let mut coefficients = zeros::<S, K>(Argument::Coefficients, self.sums.len())?;
+    pub fn coefficients(&self) -> Result<Coefficients<K>, Error> {
+        let mut coefficients = zeros::<f32, K>(Argument::Coefficients, self.sums.len())?;
         let weight = self.weight.sum;
-        if !(weight.is_finite() && weight > S::ZERO) {
+        if !(weight.is_finite() && weight > 0.0) {
             return Err(Error::Weight);
         }
-        let scale = weight.reciprocal();
+        let scale = weight.recip();
         for (coefficient, sum) in coefficients.iter_mut().zip(&self.sums) {
             *coefficient = sum.sum * scale;
         }
@@ -100,14 +99,14 @@ impl<S: Scalar, const K: usize> Estimate<'_, S, K> {
 /// A sum and what its last addition rounded away.
 #[derive(Clone, Copy, Debug, Default)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-struct Sum<S> {
-    sum: S,
-    excess: S,
+struct Sum {
+    sum: f32,
+    excess: f32,
 }
 
-impl<S: Scalar> Sum<S> {
+impl Sum {
     #[inline]
-    fn add(&mut self, term: S) {
+    fn add(&mut self, term: f32) {
         let owed = term - self.excess;
         let next = self.sum + owed;
         self.excess = (next - self.sum) - owed;

@@ -8,32 +8,35 @@
 use crate::basis::Basis;
 use crate::buffer::zeros;
 use crate::error::{Argument, Error};
+use crate::float;
 use crate::index::effect::Effects;
-use crate::index::record::floats::GeneralParts;
+use crate::index::record::floats;
 use crate::invariant::split_mut;
 use crate::light::Light;
 use crate::material::Material;
 use crate::normal::Normal;
 use crate::projection::{Coefficients, buffered};
-use crate::scalar::Scalar;
 use crate::scene::{Scene, SceneBuffer};
 use crate::transfer::Transfer;
+
+/// The arrays of a general basis: [`GeneralBasis::new`] checks that they are consistent.
+pub type GeneralParts<'a> = floats::GeneralParts<'a, f32>;
 
 /// An eigenbasis of arbitrary normals.
 #[derive(Clone, Copy, Debug)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct GeneralBasis<'a, S> {
-    span: Basis<'a, S>,
-    parts: GeneralParts<'a, S>,
+pub struct GeneralBasis<'a> {
+    span: Basis<'a>,
+    parts: GeneralParts<'a>,
 }
 
-impl<'a, S> GeneralBasis<'a, S> {
+impl<'a> GeneralBasis<'a> {
     /// Creates a basis from a span and these parts. The components of the span are its functions.
     ///
     /// # Errors
     ///
     /// [`Error::Length`] if a part does not have the length that the others require.
-    pub const fn new(span: Basis<'a, S>, parts: GeneralParts<'a, S>) -> Result<Self, Error> {
+    pub const fn new(span: Basis<'a>, parts: GeneralParts<'a>) -> Result<Self, Error> {
         let functions = span.components();
         let length = functions.saturating_mul(parts.components);
         let has_mean = !parts.span_mean.is_empty();
@@ -52,13 +55,13 @@ impl<'a, S> GeneralBasis<'a, S> {
 
     /// The parts of this basis, without the span.
     #[must_use]
-    pub const fn parts(&self) -> &GeneralParts<'a, S> {
+    pub const fn parts(&self) -> &GeneralParts<'a> {
         &self.parts
     }
 
     /// The span.
     #[must_use]
-    pub const fn span(&self) -> &Basis<'a, S> {
+    pub const fn span(&self) -> &Basis<'a> {
         &self.span
     }
 
@@ -76,7 +79,7 @@ impl<'a, S> GeneralBasis<'a, S> {
     }
 }
 
-impl<'a, S: Scalar> GeneralBasis<'a, S> {
+impl<'a> GeneralBasis<'a> {
     /// The coefficients d of a light on a material, as [`Basis::project`], with one more
     /// multiplication for each pair of an eigenimage and a function of the span; the same errors.
     ///
@@ -84,10 +87,10 @@ impl<'a, S: Scalar> GeneralBasis<'a, S> {
     /// [`components`](Self::components).
     pub fn project<const N: usize, const K: usize>(
         &self,
-        light: &Light<'_, S>,
-        material: &Material<'_, S>,
-    ) -> Result<Coefficients<S, K>, Error> {
-        buffered::<S, N, K>(self.workspace_len(), self.components(), |workspace, d| {
+        light: &Light<'_>,
+        material: &Material<'_>,
+    ) -> Result<Coefficients<K>, Error> {
+        buffered::<N, K>(self.workspace_len(), self.components(), |workspace, d| {
             self.project_into(light, material, workspace, d)
         })
     }
@@ -95,10 +98,10 @@ impl<'a, S: Scalar> GeneralBasis<'a, S> {
     /// [`project`](Self::project) with slices; errors as [`Basis::project_into`].
     pub fn project_into(
         &self,
-        light: &Light<'_, S>,
-        material: &Material<'_, S>,
-        workspace: &mut [S],
-        coefficients: &mut [S],
+        light: &Light<'_>,
+        material: &Material<'_>,
+        workspace: &mut [f32],
+        coefficients: &mut [f32],
     ) -> Result<(), Error> {
         self.project_effects_into(light, material, Effects::ALL, workspace, coefficients)
     }
@@ -107,11 +110,11 @@ impl<'a, S: Scalar> GeneralBasis<'a, S> {
     /// [`Basis::project_effects_into`]; the same errors.
     pub fn project_effects_into(
         &self,
-        light: &Light<'_, S>,
-        material: &Material<'_, S>,
+        light: &Light<'_>,
+        material: &Material<'_>,
         effects: Effects,
-        workspace: &mut [S],
-        coefficients: &mut [S],
+        workspace: &mut [f32],
+        coefficients: &mut [f32],
     ) -> Result<(), Error> {
         Error::check(Argument::Workspace, self.workspace_len(), workspace.len())?;
         let (workspace, coordinates) = split_mut(workspace, self.span.workspace_len());
@@ -129,10 +132,10 @@ impl<'a, S: Scalar> GeneralBasis<'a, S> {
     /// length.
     pub fn relight_into(
         &self,
-        transfer: &[S],
-        light: &Light<'_, S>,
-        workspace: &mut [S],
-        coefficients: &mut [S],
+        transfer: &[f32],
+        light: &Light<'_>,
+        workspace: &mut [f32],
+        coefficients: &mut [f32],
     ) -> Result<(), Error> {
         Error::check(Argument::Workspace, self.workspace_len(), workspace.len())?;
         let (_, coordinates) = split_mut(workspace, self.span.workspace_len());
@@ -147,22 +150,22 @@ impl<'a, S: Scalar> GeneralBasis<'a, S> {
     /// The same as for `relight_into`; [`Error::Capacity`] if `N` or `K` is too small.
     pub fn relight<const T: usize, const N: usize, const K: usize>(
         &self,
-        transfer: &Transfer<S, T>,
-        light: &Light<'_, S>,
-    ) -> Result<Coefficients<S, K>, Error> {
-        buffered::<S, N, K>(self.workspace_len(), self.components(), |workspace, d| {
+        transfer: &Transfer<T>,
+        light: &Light<'_>,
+    ) -> Result<Coefficients<K>, Error> {
+        buffered::<N, K>(self.workspace_len(), self.components(), |workspace, d| {
             self.relight_into(transfer.as_slice(), light, workspace, d)
         })
     }
 
     /// The coefficients d from coordinates in the span, less those of the mean image.
-    fn coefficients(&self, coordinates: &[S], coefficients: &mut [S]) -> Result<(), Error> {
+    fn coefficients(&self, coordinates: &[f32], coefficients: &mut [f32]) -> Result<(), Error> {
         Error::check(Argument::Coefficients, self.components(), coefficients.len())?;
         let functions = self.span.components().max(1);
         let rows = self.parts.projection.chunks(functions);
         for (coefficient, row) in coefficients.iter_mut().zip(rows) {
             let products = row.iter().zip(coordinates);
-            *coefficient = products.fold(S::ZERO, |sum, (&p, &a)| sum.add_product(p, a));
+            *coefficient = products.fold(0.0, |sum, (&p, &a)| float::add_product(sum, p, a));
         }
         for (coefficient, &mean) in coefficients.iter_mut().zip(self.parts.image_mean) {
             *coefficient -= mean;
@@ -176,10 +179,10 @@ impl<'a, S: Scalar> GeneralBasis<'a, S> {
     /// [`scene_len`](Basis::scene_len).
     pub fn collapse<const N: usize, const C: usize>(
         &self,
-        coefficients: &[S],
-    ) -> Result<Scene<'a, SceneBuffer<S, C>>, Error> {
-        let mut workspace = zeros::<S, N>(Argument::Workspace, self.workspace_len())?;
-        let scene = zeros::<S, C>(Argument::Scene, self.span.scene_len())?;
+        coefficients: &[f32],
+    ) -> Result<Scene<'a, SceneBuffer<C>>, Error> {
+        let mut workspace = zeros::<f32, N>(Argument::Workspace, self.workspace_len())?;
+        let scene = zeros::<f32, C>(Argument::Scene, self.span.scene_len())?;
         self.collapse_into(coefficients, &mut workspace, scene)
     }
 
@@ -189,10 +192,10 @@ impl<'a, S: Scalar> GeneralBasis<'a, S> {
     ///
     /// [`Error::Length`] if there are more coefficients than eigenimages, or if a buffer has
     /// another length.
-    pub fn collapse_into<B: AsMut<[S]>>(
+    pub fn collapse_into<B: AsMut<[f32]>>(
         &self,
-        coefficients: &[S],
-        workspace: &mut [S],
+        coefficients: &[f32],
+        workspace: &mut [f32],
         buffer: B,
     ) -> Result<Scene<'a, B>, Error> {
         let coordinates = self.coordinates(coefficients, workspace)?;
@@ -203,10 +206,10 @@ impl<'a, S: Scalar> GeneralBasis<'a, S> {
     /// [`collapse_into`](Self::collapse_into).
     pub fn reconstruct(
         &self,
-        coefficients: &[S],
-        normal: Normal<S>,
-        workspace: &mut [S],
-    ) -> Result<S, Error> {
+        coefficients: &[f32],
+        normal: Normal,
+        workspace: &mut [f32],
+    ) -> Result<f32, Error> {
         let coordinates = self.coordinates(coefficients, workspace)?;
         self.span.reconstruct(coordinates, normal)
     }
@@ -214,20 +217,20 @@ impl<'a, S: Scalar> GeneralBasis<'a, S> {
     /// Writes the coordinates of an image in the span to the workspace and returns them.
     fn coordinates<'w>(
         &self,
-        coefficients: &[S],
-        workspace: &'w mut [S],
-    ) -> Result<&'w [S], Error> {
+        coefficients: &[f32],
+        workspace: &'w mut [f32],
+    ) -> Result<&'w [f32], Error> {
         Error::check(Argument::Workspace, self.workspace_len(), workspace.len())?;
         Error::check_components(self.components(), coefficients.len())?;
         let (_, coordinates) = split_mut(workspace, self.span.workspace_len());
-        coordinates.fill(S::ZERO);
+        coordinates.fill(0.0);
         for (coordinate, &mean) in coordinates.iter_mut().zip(self.parts.span_mean) {
             *coordinate = mean;
         }
         let rows = self.parts.synthesis.chunks(self.span.components().max(1));
         for (&coefficient, row) in coefficients.iter().zip(rows) {
             for (coordinate, &part) in coordinates.iter_mut().zip(row) {
-                *coordinate = coordinate.add_product(coefficient, part);
+                *coordinate = float::add_product(*coordinate, coefficient, part);
             }
         }
         Ok(coordinates)

@@ -3,10 +3,9 @@
 use crate::color::Rgb;
 use crate::error::{Argument, Error};
 use crate::index::highlights::{DIELECTRIC, SMOOTHEST};
-use crate::scalar::Scalar;
 
 /// The roughness from which on harmonics of degree 9 show highlights as well as sources do.
-const MATTE: f64 = 0.6;
+const MATTE: f32 = 0.6;
 
 /// The parameters of a GGX lobe over a matte base, with which [`Highlights`](crate::Highlights)
 /// shade small sources of light.
@@ -31,18 +30,18 @@ const MATTE: f64 = 0.6;
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct Gloss<S> {
-    alpha: S,
-    reflectance: Rgb<S>,
-    grazing: Rgb<S>,
-    albedo: Rgb<S>,
+pub struct Gloss {
+    alpha: f32,
+    reflectance: Rgb<f32>,
+    grazing: Rgb<f32>,
+    albedo: Rgb<f32>,
 }
 
-impl Gloss<f32> {
+impl Gloss {
     /// The reflectance of dielectrics at normal incidence.
     pub const DIELECTRIC: f32 = DIELECTRIC as f32;
     /// The roughness from which on a material [needs no sources](Self::needs_sources).
-    pub const MATTE: f32 = MATTE as f32;
+    pub const MATTE: f32 = MATTE;
 
     /// A gloss that [`new`](Self::new) accepts, of a roughness from 0.065 to 1.
     #[cfg(feature = "presets")]
@@ -61,7 +60,7 @@ impl Gloss<f32> {
     }
 }
 
-impl<S: Scalar> Gloss<S> {
+impl Gloss {
     /// From the roughness, the reflectance at normal incidence (f0) and the albedo of the matte
     /// base, all from 0 to 1.
     ///
@@ -71,15 +70,15 @@ impl<S: Scalar> Gloss<S> {
     /// # Errors
     ///
     /// [`Error::Outside`] if a number is not from 0 to 1.
-    pub fn new(roughness: S, reflectance: [S; 3], albedo: [S; 3]) -> Result<Self, Error> {
-        let range = [S::ZERO, S::ONE];
+    pub fn new(roughness: f32, reflectance: [f32; 3], albedo: [f32; 3]) -> Result<Self, Error> {
+        let range = [0.0, 1.0];
         Error::check_range(Argument::Roughness, [roughness], range)?;
         Error::check_range(Argument::Reflectance, reflectance, range)?;
         Error::check_range(Argument::Color, albedo, range)?;
-        let least = S::from_f64(SMOOTHEST);
+        let least = SMOOTHEST as f32;
         let roughness = if roughness > least { roughness } else { least };
         let [reflectance, albedo] = [reflectance.into(), albedo.into()];
-        let grazing = Rgb::gray(S::ONE);
+        let grazing = Rgb::gray(1.0);
         Ok(Self { alpha: roughness * roughness, reflectance, grazing, albedo })
     }
 
@@ -89,8 +88,8 @@ impl<S: Scalar> Gloss<S> {
     /// # Errors
     ///
     /// [`Error::Outside`] if a number is not from 0 to 1.
-    pub fn with_grazing(self, grazing: [S; 3]) -> Result<Self, Error> {
-        Error::check_range(Argument::Reflectance, grazing, [S::ZERO, S::ONE])?;
+    pub fn with_grazing(self, grazing: [f32; 3]) -> Result<Self, Error> {
+        Error::check_range(Argument::Reflectance, grazing, [0.0, 1.0])?;
         Ok(Self { grazing: grazing.into(), ..self })
     }
 
@@ -101,23 +100,23 @@ impl<S: Scalar> Gloss<S> {
     ///
     /// [`Error::Outside`] if a number is not from 0 to 1.
     pub fn metallic_roughness(
-        base_color: [S; 3],
-        metallic: S,
-        roughness: S,
+        base_color: [f32; 3],
+        metallic: f32,
+        roughness: f32,
     ) -> Result<Self, Error> {
-        let range = [S::ZERO, S::ONE];
+        let range = [0.0, 1.0];
         Error::check_range(Argument::Color, base_color, range)?;
         Error::check_range(Argument::Metallic, [metallic], range)?;
-        let dielectric = S::from_f64(DIELECTRIC);
+        let dielectric = DIELECTRIC as f32;
         // Rounding may exceed 1.
-        let rest = S::ONE - metallic;
+        let rest = 1.0 - metallic;
         let reflectance = base_color.map(|base| dielectric * rest + base * metallic);
         Self::new(roughness, reflectance.map(at_most_one), base_color.map(|base| base * rest))
     }
 
     /// α, the square of the roughness.
     #[must_use]
-    pub const fn alpha(&self) -> S {
+    pub const fn alpha(&self) -> f32 {
         self.alpha
     }
 
@@ -134,29 +133,29 @@ impl<S: Scalar> Gloss<S> {
     /// ```
     #[must_use]
     pub fn needs_sources(&self) -> bool {
-        let matte = S::from_f64(MATTE);
+        let matte = MATTE;
         self.alpha < matte * matte
     }
 
     /// The reflectance at normal incidence, f0.
     #[must_use]
-    pub const fn reflectance(&self) -> Rgb<S> {
+    pub const fn reflectance(&self) -> Rgb<f32> {
         self.reflectance
     }
 
     /// The reflectance at grazing incidence, f90.
     #[must_use]
-    pub const fn grazing(&self) -> Rgb<S> {
+    pub const fn grazing(&self) -> Rgb<f32> {
         self.grazing
     }
 
     /// The albedo of the matte base.
     #[must_use]
-    pub const fn albedo(&self) -> Rgb<S> {
+    pub const fn albedo(&self) -> Rgb<f32> {
         self.albedo
     }
 }
 
-fn at_most_one<S: Scalar>(number: S) -> S {
-    if number < S::ONE { number } else { S::ONE }
+fn at_most_one(number: f32) -> f32 {
+    if number < 1.0 { number } else { 1.0 }
 }

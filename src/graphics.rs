@@ -6,7 +6,6 @@ use crate::error::{Argument, Error};
 use crate::index::light::{graphics_sign, indices};
 use crate::light::{Light, LightBuffer, degree};
 use crate::nine_terms::{CONSTANT, LINEAR, SQUARE, UPRIGHT};
-use crate::scalar::Scalar;
 
 /// The convention of another program's coefficients.
 ///
@@ -48,18 +47,18 @@ pub enum Convention {
 impl Convention {
     /// Converts coefficients of this convention in place to the radiance of a [`Light`]; errors as
     /// [`Light::from_graphics`], except for the capacity.
-    pub fn decode<S: Scalar>(self, coefficients: &mut [S]) -> Result<(), Error> {
+    pub fn decode(self, coefficients: &mut [f32]) -> Result<(), Error> {
         let degree = self.accept(coefficients.len())?;
         Error::check_finite(Argument::Light, coefficients)?;
         for (coefficient, (l, m)) in coefficients.iter_mut().zip(indices(degree)) {
-            *coefficient = *coefficient * self.share::<S>(l, m).reciprocal();
+            *coefficient = *coefficient * self.share(l, m).recip();
         }
         Ok(())
     }
 
     /// Converts the radiance of a [`Light`] in place to coefficients of this convention; errors as
     /// [`decode`](Self::decode).
-    pub fn encode<S: Scalar>(self, coefficients: &mut [S]) -> Result<(), Error> {
+    pub fn encode(self, coefficients: &mut [f32]) -> Result<(), Error> {
         let degree = self.accept(coefficients.len())?;
         Error::check_finite(Argument::Light, coefficients)?;
         for (coefficient, (l, m)) in coefficients.iter_mut().zip(indices(degree)) {
@@ -80,9 +79,9 @@ impl Convention {
     }
 
     /// The coefficient of this convention for a coefficient of 1 of this crate.
-    fn share<S: Scalar>(self, degree: usize, order: isize) -> S {
-        use core::f64::consts::PI;
-        let sign = if graphics_sign(order) < 0 { -S::ONE } else { S::ONE };
+    fn share(self, degree: usize, order: isize) -> f32 {
+        use core::f32::consts::PI;
+        let sign = if graphics_sign(order) < 0 { -1.0 } else { 1.0 };
         let phase = if order % 2 == 0 { sign } else { -sign };
         match self {
             Self::ThreeJs => sign,
@@ -91,25 +90,25 @@ impl Convention {
             Self::CmgenIrradiance => {
                 phase
                     * match degree {
-                        0 => S::from_f64(PI),
-                        1 => S::from_f64(2.0 / 3.0 * PI),
-                        _ => S::from_f64(0.25 * PI),
+                        0 => PI,
+                        1 => 2.0 / 3.0 * PI,
+                        _ => 0.25 * PI,
                     }
             }
             Self::Filament => {
                 sign * match (degree, order) {
-                    (0, _) => S::from_f64(CONSTANT),
-                    (1, _) => S::from_f64(LINEAR),
-                    (_, 0) => S::from_f64(UPRIGHT),
-                    (_, 2) => S::from_f64(0.5 * SQUARE),
-                    _ => S::from_f64(SQUARE),
+                    (0, _) => CONSTANT,
+                    (1, _) => LINEAR,
+                    (_, 0) => UPRIGHT,
+                    (_, 2) => 0.5 * SQUARE,
+                    _ => SQUARE,
                 }
             }
         }
     }
 }
 
-impl<S: Scalar> Light<'_, S> {
+impl Light<'_> {
     /// The light of another program's coefficients, one channel. `N` must be at least their number.
     ///
     /// ```
@@ -130,8 +129,8 @@ impl<S: Scalar> Light<'_, S> {
     /// [`Error::Capacity`] if `N` is too small.
     pub fn from_graphics<const N: usize>(
         convention: Convention,
-        numbers: &[S],
-    ) -> Result<LightBuffer<S, N>, Error> {
+        numbers: &[f32],
+    ) -> Result<LightBuffer<N>, Error> {
         let mut light = copied(Argument::Light, numbers.iter().copied())?;
         convention.decode(&mut light)?;
         Ok(light)
@@ -145,14 +144,14 @@ impl<S: Scalar> Light<'_, S> {
     pub fn to_graphics<const N: usize>(
         &self,
         convention: Convention,
-    ) -> Result<Buffer<S, N>, Error> {
+    ) -> Result<Buffer<f32, N>, Error> {
         let mut numbers = copied(Argument::Light, self.coefficients().iter().copied())?;
         convention.encode(&mut numbers)?;
         Ok(numbers)
     }
 }
 
-impl<S: Scalar> Rgb<Light<'_, S>> {
+impl Rgb<Light<'_>> {
     /// [`Light::from_graphics`] of the red, green and blue of each coefficient, as these programs
     /// list them.
     ///
@@ -162,7 +161,7 @@ impl<S: Scalar> Rgb<Light<'_, S>> {
     ///
     /// // `sh.txt` of `cmgen --deploy`: white, and blue from above.
     /// let sh = [[1.0, 1.0, 1.0], [0.0, 0.0, 0.6], [0.0; 3], [0.0; 3]];
-    /// let light = Rgb::<Light<f32>>::from_graphics::<4>(Convention::Filament, &sh)?;
+    /// let light = Rgb::<Light>::from_graphics::<4>(Convention::Filament, &sh)?;
     /// let scene = sphere::color::scene(light.lights()?, Material::new(&[2.0])?)?;
     /// let up = scene.shade(Normal::new(0.0, 1.0, 0.0)?);
     /// assert!((up.b - 1.6).abs() < 0.01 && (up.r - 1.0).abs() < 0.01);
@@ -175,8 +174,8 @@ impl<S: Scalar> Rgb<Light<'_, S>> {
     /// The same; `NotFinite` counts coefficients.
     pub fn from_graphics<const N: usize>(
         convention: Convention,
-        numbers: &[[S; 3]],
-    ) -> Result<Rgb<LightBuffer<S, N>>, Error> {
+        numbers: &[[f32; 3]],
+    ) -> Result<Rgb<LightBuffer<N>>, Error> {
         let mut light = Rgb::new(
             copied(Argument::Light, numbers.iter().map(|[r, ..]| *r))?,
             copied(Argument::Light, numbers.iter().map(|[_, g, _]| *g))?,

@@ -3,21 +3,21 @@
 use crate::buffer::{Buffer, zeros};
 use crate::color::Rgb;
 use crate::error::{Argument, Error};
+use crate::float;
 use crate::gloss::Gloss;
 use crate::lanes::padded;
-use crate::mathematics::Mathematics;
+use crate::mathematics;
 use crate::normal::{Normal, Normals};
 use crate::rotation::{cross, dot};
-use crate::scalar::Scalar;
 use crate::source::Source;
-use core::f64::consts::FRAC_1_PI;
+use core::f32::consts::FRAC_1_PI;
 
 /// The least cosine of the angle between view and half-way direction: a source nearly behind the
 /// object would have no half-way direction.
-const LEAST_COSINE: f64 = 1.0 / 32.0;
+const LEAST_COSINE: f32 = 1.0 / 32.0;
 
 /// A normal with a smaller cosine to a source is not lit. No lobe then divides by 0.
-const UNLIT: f64 = 1e-12;
+const UNLIT: f32 = 1e-12;
 
 /// Normals that are shaded for one source before the next.
 const BLOCK: usize =
@@ -49,20 +49,19 @@ const BLOCK: usize =
 ///
 /// ```
 /// # #[cfg(feature = "presets")] {
-/// use eigenshade::mathematics::SinglePrecision;
 /// use eigenshade::presets::light::LOBBY;
 /// use eigenshade::{Gloss, Highlights, Material, Normal, Source, sphere};
 ///
 /// let (color, metallic, roughness) = ([0.93, 0.52, 0.38], 1.0, 0.25);
-/// let lamp = Source::round::<SinglePrecision>([0.0, 0.6, 0.8], [0.5; 3], 0.03)?;
+/// let lamp = Source::round([0.0, 0.6, 0.8], [0.5; 3], 0.03)?;
 ///
 /// // All light but the lamp.
-/// let rest = LOBBY.residual::<SinglePrecision, 100>(&[lamp])?;
+/// let rest = LOBBY.residual::<100>(&[lamp])?;
 /// let copper = Material::metallic_roughness(color, metallic, roughness)?;
 /// let scene = sphere::color::scene(rest.lights()?, copper.materials()?)?;
 ///
 /// let gloss = Gloss::metallic_roughness(color, metallic, roughness)?;
-/// let highlights = Highlights::<f32, 4>::new::<SinglePrecision>(&gloss, &[lamp])?;
+/// let highlights = Highlights::<4>::new(&gloss, &[lamp])?;
 /// let color = |normal| scene.shade(normal) + highlights.shade(normal);
 /// // Half-way between lamp and camera, and elsewhere.
 /// let mirrored = color(Normal::new(0.0, 0.316, 0.949)?);
@@ -72,39 +71,38 @@ const BLOCK: usize =
 /// ```
 #[derive(Clone, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct Highlights<S, const N: usize> {
+pub struct Highlights<const N: usize> {
     /// Halves of α² and 1 - α².
-    pub(crate) masking: [S; 2],
-    pub(crate) lobes: Buffer<Lobe<S>, N>,
+    pub(crate) masking: [f32; 2],
+    pub(crate) lobes: Buffer<Lobe, N>,
 }
 
 /// The reflection of one source.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub(crate) struct Lobe<S> {
+pub(crate) struct Lobe {
     /// The upper triangle R of Q = Rᵀ R, row by row. Its elements are of the size of the roots of
     /// Q's, so nᵀ Q n as a sum of squares loses half as many digits as by Q.
-    pub(crate) form: [S; 6],
-    pub(crate) direction: [S; 3],
+    pub(crate) form: [f32; 6],
+    pub(crate) direction: [f32; 3],
     /// E F / (4 π √det A).
-    pub(crate) specular: Rgb<S>,
+    pub(crate) specular: Rgb<f32>,
     /// E (1 - F) albedo / π.
-    pub(crate) matte: Rgb<S>,
+    pub(crate) matte: Rgb<f32>,
 }
 
-impl<S: Scalar, const N: usize> Highlights<S, N> {
-    /// The reflections of these sources. `M` computes some ten roots for each; for f32,
-    /// `SinglePrecision` links no f64 code.
+impl<const N: usize> Highlights<N> {
+    /// The reflections of these sources. Cost: some ten roots for each.
     ///
     /// # Errors
     ///
     /// [`Error::Capacity`] if there are more than `N` sources.
-    pub fn new<M: Mathematics<S>>(gloss: &Gloss<S>, sources: &[Source<S>]) -> Result<Self, Error> {
-        let mut lobes = zeros::<Lobe<S>, N>(Argument::Sources, sources.len())?;
+    pub fn new(gloss: &Gloss, sources: &[Source]) -> Result<Self, Error> {
+        let mut lobes = zeros::<Lobe, N>(Argument::Sources, sources.len())?;
         for (lobe, source) in lobes.iter_mut().zip(sources) {
-            *lobe = Lobe::new::<M>(gloss, source);
+            *lobe = Lobe::new(gloss, source);
         }
-        let half = S::from_f64(0.5);
+        let half = 0.5;
         let square = gloss.alpha() * gloss.alpha();
         Ok(Self { masking: [half * square, half - half * square], lobes })
     }
@@ -117,7 +115,7 @@ impl<S: Scalar, const N: usize> Highlights<S, N> {
     /// source that the normal faces a division and 31 products, those of a second root among them.
     #[inline]
     #[must_use]
-    pub fn shade(&self, normal: Normal<S>) -> Rgb<S> {
+    pub fn shade(&self, normal: Normal) -> Rgb<f32> {
         let Rgb { r: [r], g: [g], b: [b] } = self.block(&[normal.x], &[normal.y], &[normal.z]);
         Rgb::new(r, g, b)
     }
@@ -127,12 +125,11 @@ impl<S: Scalar, const N: usize> Highlights<S, N> {
     /// last bit.
     ///
     /// ```
-    /// use eigenshade::mathematics::SinglePrecision;
     /// use eigenshade::{Gloss, Highlights, Normals, Rgb, Source};
     ///
-    /// let sun = Source::round::<SinglePrecision>([0.6, 0.0, 0.8], [1.0, 0.9, 0.8], 0.005)?;
+    /// let sun = Source::round([0.6, 0.0, 0.8], [1.0, 0.9, 0.8], 0.005)?;
     /// let gloss = Gloss::metallic_roughness([0.1, 0.1, 0.2], 0.0, 0.3)?;
-    /// let highlights = Highlights::<f32, 1>::new::<SinglePrecision>(&gloss, &[sun])?;
+    /// let highlights = Highlights::<1>::new(&gloss, &[sun])?;
     /// let mut colors = [Rgb::gray(0.25); 2]; // of ambient light
     /// let normals = Normals::new(&[0.0, 0.6], &[0.0, 0.0], &[1.0, 0.8])?;
     /// highlights.add_slice(normals, &mut colors)?;
@@ -145,15 +142,15 @@ impl<S: Scalar, const N: usize> Highlights<S, N> {
     /// [`Error::Length`] unless `irradiance` and `normals` have the same length.
     pub fn add_slice(
         &self,
-        normals: Normals<'_, S>,
-        irradiance: &mut [Rgb<S>],
+        normals: Normals<'_>,
+        irradiance: &mut [Rgb<f32>],
     ) -> Result<(), Error> {
         Error::check(Argument::Normals, normals.len(), irradiance.len())?;
         if self.lobes.is_empty() {
             return Ok(());
         }
         let [(x, x_rest), (y, y_rest), (z, z_rest)] =
-            [normals.x, normals.y, normals.z].map(<[S]>::as_chunks::<BLOCK>);
+            [normals.x, normals.y, normals.z].map(<[f32]>::as_chunks::<BLOCK>);
         let (colors, rest) = irradiance.as_chunks_mut::<BLOCK>();
         for (((x, y), z), colors) in x.iter().zip(y).zip(z).zip(colors) {
             add(&self.block(x, y, z), colors);
@@ -180,21 +177,21 @@ impl<S: Scalar, const N: usize> Highlights<S, N> {
     /// The constants as vectors of a shader: α² and 1 - α², then four of each source. These are the
     /// first row of R and R_22; the direction and R_23; twice the specular color and R_33; the
     /// matte color and 0. Doubled colors leave the root and the divisor without halves.
-    pub(crate) fn vectors(&self) -> impl Iterator<Item = [S; 4]> {
+    pub(crate) fn vectors(&self) -> impl Iterator<Item = [f32; 4]> {
         let [square, rest] = self.masking.map(|half| half + half);
         let lobes = self.lobes.iter().flat_map(|lobe| {
             let ([xx, xy, xz, yy, yz, zz], [x, y, z]) = (lobe.form, lobe.direction);
             let Rgb { r, g, b } = lobe.specular.map(|half| half + half);
             let matte = lobe.matte;
-            [[xx, xy, xz, yy], [x, y, z, yz], [r, g, b, zz], [matte.r, matte.g, matte.b, S::ZERO]]
+            [[xx, xy, xz, yy], [x, y, z, yz], [r, g, b, zz], [matte.r, matte.g, matte.b, 0.0]]
         });
-        core::iter::once([square, rest, S::ZERO, S::ZERO]).chain(lobes)
+        core::iter::once([square, rest, 0.0, 0.0]).chain(lobes)
     }
 
     #[inline(always)]
-    fn block<const B: usize>(&self, x: &[S; B], y: &[S; B], z: &[S; B]) -> Rgb<[S; B]> {
-        let mut sums = Rgb::gray([S::ZERO; B]);
-        let mut facing = [S::ZERO; B];
+    fn block<const B: usize>(&self, x: &[f32; B], y: &[f32; B], z: &[f32; B]) -> Rgb<[f32; B]> {
+        let mut sums = Rgb::gray([0.0; B]);
+        let mut facing = [0.0; B];
         for (facing, &z) in facing.iter_mut().zip(z) {
             *facing = masked(self.masking, positive(z));
         }
@@ -204,47 +201,50 @@ impl<S: Scalar, const N: usize> Highlights<S, N> {
             let normals = x.iter().zip(y).zip(z).zip(&facing);
             for (((r, g), b), (((&x, &y), &z), &facing)) in sums.zip(normals) {
                 let cosine = dot(lobe.direction, [x, y, z]);
-                let lit = cosine > S::from_f64(UNLIT);
+                let lit = cosine > UNLIT;
                 // Without vectors, a branch is faster than products with zero.
                 if B == 1 && !lit {
                     continue;
                 }
                 let divisor = lobe.divisor(self.masking, [x, y, z], cosine, facing);
-                let weight = if lit { cosine.over(divisor) } else { S::ZERO };
-                let cosine = if lit { cosine } else { S::ZERO };
+                let weight = if lit { cosine / (divisor) } else { 0.0 };
+                let cosine = if lit { cosine } else { 0.0 };
                 let Lobe { specular, matte, .. } = lobe;
-                *r = r.add_product(specular.r, weight).add_product(matte.r, cosine);
-                *g = g.add_product(specular.g, weight).add_product(matte.g, cosine);
-                *b = b.add_product(specular.b, weight).add_product(matte.b, cosine);
+                *r =
+                    float::add_product(float::add_product(*r, specular.r, weight), matte.r, cosine);
+                *g =
+                    float::add_product(float::add_product(*g, specular.g, weight), matte.g, cosine);
+                *b =
+                    float::add_product(float::add_product(*b, specular.b, weight), matte.b, cosine);
             }
         }
         sums
     }
 }
 
-impl<S: Scalar> Lobe<S> {
-    fn new<M: Mathematics<S>>(gloss: &Gloss<S>, source: &Source<S>) -> Self {
+impl Lobe {
+    fn new(gloss: &Gloss, source: &Source) -> Self {
         let direction = source.direction();
-        let [half, one] = [S::from_f64(0.5), S::ONE];
+        let [half, one] = [0.5, 1.0];
         let [x, y, z] = direction;
 
         // The azimuth of the plane of source and view; any where both are the same line.
         let planar = x * x + y * y;
-        let ([ex, ey], radius) = if planar > S::from_f64(1e-30) {
-            let scale = M::inverse_root(planar);
+        let ([ex, ey], radius) = if planar > 1e-30 {
+            let scale = mathematics::inverse_root(planar);
             ([x * scale, y * scale], planar * scale)
         } else {
-            ([one, S::ZERO], S::ZERO)
+            ([one, 0.0], 0.0)
         };
         // Half the angle between them. The larger of sine and cosine comes from a root, the other
         // one from sin θ, which keeps its digits.
-        let root = M::square_root(half + half * if z < S::ZERO { -z } else { z });
-        let other = half * radius * root.reciprocal();
-        let [cosine, sine] = if z < S::ZERO { [other, root] } else { [root, other] };
-        let least = S::from_f64(LEAST_COSINE);
+        let root = mathematics::square_root(half + half * if z < 0.0 { -z } else { z });
+        let other = half * radius * root.recip();
+        let [cosine, sine] = if z < 0.0 { [other, root] } else { [root, other] };
+        let least = LEAST_COSINE;
         let cosine = if cosine > least { cosine } else { least };
         let halfway = [sine * ex, sine * ey, cosine];
-        let across = [-ey, ex, S::ZERO];
+        let across = [-ey, ex, 0.0];
         let along_half = [cosine * ex, cosine * ey, -sine];
         let along = [z * ex, z * ey, -radius];
 
@@ -252,27 +252,27 @@ impl<S: Scalar> Lobe<S> {
         let [a, b] = [dot(source.major(), along), dot(source.major(), across)];
         let long = a * a + b * b;
         let minor = source.minor();
-        let ratio = if long > S::ZERO { minor * minor * long.reciprocal() } else { one };
-        let wider = cosine.reciprocal();
+        let ratio = if long > 0.0 { minor * minor * long.recip() } else { one };
+        let wider = cosine.recip();
         let square = gloss.alpha() * gloss.alpha();
-        let quarter = S::from_f64(0.25);
+        let quarter = 0.25;
         let [of_along, of_across] = [a * a + ratio * b * b, b * b + ratio * a * a];
         let far = wider * wider * of_across;
         let mean = half * quarter * (of_along + far);
-        let blur = quarter * (one + one + square * (square + mean).reciprocal());
+        let blur = quarter * (one + one + square * (square + mean).recip());
         let a11 = square + blur * of_along;
         let a12 = blur * wider * (a * b * (one - ratio));
         let a22 = square + blur * far;
 
         // A wider lobe than a uniform one would be brightest far from its middle.
-        let [a12, a22] = if a22 > one { [a12 * a22.reciprocal(), one] } else { [a12, a22] };
+        let [a12, a22] = if a22 > one { [a12 * a22.recip(), one] } else { [a12, a22] };
 
         // A = L Lᵀ, and the rows h, L⁻¹ Tᵀ, whose squares add up to Q.
-        let first = M::inverse_root(a11);
+        let first = mathematics::inverse_root(a11);
         let shear = a12 * first;
         // At least α² but for rounding, or nearly 1 where it is limited.
         let [rest, least] = [a22 - shear * shear, half * square];
-        let second = M::inverse_root(if rest > least { rest } else { least });
+        let second = mathematics::inverse_root(if rest > least { rest } else { least });
         let one_row = along_half.map(|t| t * first);
         let [ux, uy, uz] = one_row;
         let [vx, vy, vz] = across;
@@ -285,9 +285,9 @@ impl<S: Scalar> Lobe<S> {
             square * square * rest
         };
         // Less of a source that spreads around the object's back, where h is not linear in s.
-        let fade = (one + half * far * far).reciprocal();
-        let peak = S::from_f64(0.25 * FRAC_1_PI) * first * second * fade;
-        let matte = S::from_f64(FRAC_1_PI);
+        let fade = (one + half * far * far).recip();
+        let peak = (0.25 * FRAC_1_PI) * first * second * fade;
+        let matte = FRAC_1_PI;
         let reflectance = gloss.reflectance().zip(gloss.grazing());
         let parts = source.energy().zip(reflectance).zip(gloss.albedo());
         let parts = parts.map(|((energy, (f0, f90)), albedo)| {
@@ -295,7 +295,7 @@ impl<S: Scalar> Lobe<S> {
             [energy * reflected * peak, energy * (one - reflected) * albedo * matte]
         });
         Self {
-            form: triangle::<S, M>([halfway, one_row, other_row]),
+            form: triangle([halfway, one_row, other_row]),
             direction,
             specular: parts.map(|[specular, _]| specular),
             matte: parts.map(|[_, matte]| matte),
@@ -304,38 +304,39 @@ impl<S: Scalar> Lobe<S> {
 
     /// ½ (nᵀ Q n)² (n·s √(α² + (1 - α²) n_z²) + n_z √(α² + (1 - α²) (n·s)²)).
     #[inline(always)]
-    fn divisor(&self, masking: [S; 2], [x, y, z]: [S; 3], cosine: S, facing: S) -> S {
+    fn divisor(&self, masking: [f32; 2], [x, y, z]: [f32; 3], cosine: f32, facing: f32) -> f32 {
         let [xx, xy, xz, yy, yz, zz] = self.form;
-        let first = (xx * x).add_product(xy, y).add_product(xz, z);
-        let second = (yy * y).add_product(yz, z);
+        let first = float::add_product(float::add_product(xx * x, xy, y), xz, z);
+        let second = float::add_product(yy * y, yz, z);
         let third = zz * z;
-        let form = (third * third).add_product(first, first).add_product(second, second);
-        let masked = (cosine * facing).add_product(positive(z), masked(masking, cosine));
+        let form =
+            float::add_product(float::add_product(third * third, first, first), second, second);
+        let masked = float::add_product(cosine * facing, positive(z), masked(masking, cosine));
         form * form * masked
     }
 }
 
 /// ½ √(α² + (1 - α²) c²).
 #[inline(always)]
-fn masked<S: Scalar>([square, rest]: [S; 2], cosine: S) -> S {
-    square.add_product(rest, cosine * cosine).root_of_half()
+fn masked([square, rest]: [f32; 2], cosine: f32) -> f32 {
+    float::root_of_half(float::add_product(square, rest, cosine * cosine))
 }
 
 /// The number, or 0 if it is negative or NaN.
 #[inline(always)]
-fn positive<S: Scalar>(number: S) -> S {
-    if number > S::ZERO { number } else { S::ZERO }
+fn positive(number: f32) -> f32 {
+    if number > 0.0 { number } else { 0.0 }
 }
 
 /// The upper triangle R with Rᵀ R = Bᵀ B, row by row, from the rows of B, by Gram and Schmidt.
-fn triangle<S: Scalar, M: Mathematics<S>>(rows: [[S; 3]; 3]) -> [S; 6] {
+fn triangle(rows: [[f32; 3]; 3]) -> [f32; 6] {
     let [[x0, y0, z0], [x1, y1, z1], [x2, y2, z2]] = rows;
-    let unit = |column: [S; 3]| {
+    let unit = |column: [f32; 3]| {
         let square = dot(column, column);
-        let scale = M::inverse_root(square);
+        let scale = mathematics::inverse_root(square);
         (square * scale, column.map(|element| element * scale))
     };
-    let less = |[a, b, c]: [S; 3], factor: S, [u, v, w]: [S; 3]| {
+    let less = |[a, b, c]: [f32; 3], factor: f32, [u, v, w]: [f32; 3]| {
         [a - factor * u, b - factor * v, c - factor * w]
     };
     let (xx, first) = unit([x0, x1, x2]);
@@ -348,7 +349,7 @@ fn triangle<S: Scalar, M: Mathematics<S>>(rows: [[S; 3]; 3]) -> [S; 6] {
 }
 
 #[inline(always)]
-fn add<S: Scalar>(planes: &Rgb<[S; BLOCK]>, colors: &mut [Rgb<S>]) {
+fn add(planes: &Rgb<[f32; BLOCK]>, colors: &mut [Rgb<f32>]) {
     let pixels = planes.r.iter().zip(&planes.g).zip(&planes.b);
     for (color, ((&r, &g), &b)) in colors.iter_mut().zip(pixels) {
         *color = Rgb::new(color.r + r, color.g + g, color.b + b);

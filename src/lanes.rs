@@ -4,19 +4,20 @@
 //! The loops over rows compile without a path to a panic. The standard library's chunk iterators
 //! reject a length of 0, and divide by the length when zipped.
 
+use crate::float;
 use crate::index::layout::LANES;
-use crate::scalar::Scalar;
 
 /// sum + a b, lane by lane. The lanes are named and passed by value: compilers leave the same sum
 /// scalar if it is a loop over mutable elements.
 #[inline(always)]
-pub(crate) fn multiply_add<S: Scalar>(
-    sum: [S; LANES],
-    a: &[S; LANES],
-    b: &[S; LANES],
-) -> [S; LANES] {
+pub(crate) fn multiply_add(sum: [f32; LANES], a: &[f32; LANES], b: &[f32; LANES]) -> [f32; LANES] {
     let ([s0, s1, s2, s3], [a0, a1, a2, a3], [b0, b1, b2, b3]) = (sum, *a, *b);
-    [s0.add_product(a0, b0), s1.add_product(a1, b1), s2.add_product(a2, b2), s3.add_product(a3, b3)]
+    [
+        float::add_product(s0, a0, b0),
+        float::add_product(s1, a1, b1),
+        float::add_product(s2, a2, b2),
+        float::add_product(s3, a3, b3),
+    ]
 }
 
 /// sums + a b, four at a time, by an instruction that rounds each sum once where the processor has
@@ -49,32 +50,32 @@ pub(crate) fn fused<const N: usize>(mut sums: [f32; N], a: &[f32; N], b: &[f32; 
 }
 
 /// The groups of two profiles side by side.
-pub(crate) type Two<S> = [S; 2 * LANES];
+pub(crate) type Two = [f32; 2 * LANES];
 
 /// sum + a b, lane by lane, with both groups of `a` times the same b.
 #[inline(always)]
-pub(crate) fn multiply_add_two<S: Scalar>(sum: Two<S>, a: &Two<S>, b: &[S; LANES]) -> Two<S> {
+pub(crate) fn multiply_add_two(sum: Two, a: &Two, b: &[f32; LANES]) -> Two {
     let [s0, s1, s2, s3, s4, s5, s6, s7] = sum;
     let ([a0, a1, a2, a3, a4, a5, a6, a7], [b0, b1, b2, b3]) = (*a, *b);
     [
-        s0.add_product(a0, b0),
-        s1.add_product(a1, b1),
-        s2.add_product(a2, b2),
-        s3.add_product(a3, b3),
-        s4.add_product(a4, b0),
-        s5.add_product(a5, b1),
-        s6.add_product(a6, b2),
-        s7.add_product(a7, b3),
+        float::add_product(s0, a0, b0),
+        float::add_product(s1, a1, b1),
+        float::add_product(s2, a2, b2),
+        float::add_product(s3, a3, b3),
+        float::add_product(s4, a4, b0),
+        float::add_product(s5, a5, b1),
+        float::add_product(s6, a6, b2),
+        float::add_product(s7, a7, b3),
     ]
 }
 
 /// Σ a b over groups, lane by lane, for two profiles.
 #[inline(always)]
-pub(crate) fn product<'a, S: Scalar>(
-    a: impl IntoIterator<Item = &'a Two<S>>,
-    b: impl IntoIterator<Item = &'a [S; LANES]>,
-) -> Two<S> {
-    let mut sum = [S::ZERO; 2 * LANES];
+pub(crate) fn product<'a>(
+    a: impl IntoIterator<Item = &'a Two>,
+    b: impl IntoIterator<Item = &'a [f32; LANES]>,
+) -> Two {
+    let mut sum = [0.0; 2 * LANES];
     for (a, b) in a.into_iter().zip(b) {
         sum = multiply_add_two(sum, a, b);
     }
@@ -82,8 +83,8 @@ pub(crate) fn product<'a, S: Scalar>(
 }
 
 /// The rest of a slice, padded with zeros to a block.
-pub(crate) fn padded<S: Scalar, const N: usize>(rest: &[S]) -> [S; N] {
-    let mut block = [S::ZERO; N];
+pub(crate) fn padded<const N: usize>(rest: &[f32]) -> [f32; N] {
+    let mut block = [0.0; N];
     for (to, &from) in block.iter_mut().zip(rest) {
         *to = from;
     }
@@ -92,7 +93,7 @@ pub(crate) fn padded<S: Scalar, const N: usize>(rest: &[S]) -> [S; N] {
 
 /// The sum across the lanes of each profile.
 #[inline(always)]
-pub(crate) fn sums<S: Scalar>([a0, a1, a2, a3, b0, b1, b2, b3]: Two<S>) -> [S; 2] {
+pub(crate) fn sums([a0, a1, a2, a3, b0, b1, b2, b3]: Two) -> [f32; 2] {
     [(a0 + a1) + (a2 + a3), (b0 + b1) + (b2 + b3)]
 }
 

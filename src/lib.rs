@@ -70,13 +70,11 @@ extern crate self as eigenshade;
 
 pub use eigenshade_index as index;
 
-mod format;
-
-mod scalar;
+mod float;
 
 mod error;
 
-pub mod mathematics;
+mod mathematics;
 
 mod invariant;
 
@@ -126,8 +124,6 @@ mod truncation;
 mod bake;
 
 pub mod q15;
-
-mod bake_integer;
 
 mod general;
 
@@ -205,8 +201,7 @@ pub mod generated {
 
 pub use analytic::AnalyticLight;
 pub use bake::{BakedMap, MapBuffer, MapPoint};
-pub use bake_integer::IntegerMap;
-pub use basis::Basis;
+pub use basis::{Basis, Parts};
 pub use blend::blend565;
 pub use buffer::Buffer;
 pub use color::Rgb;
@@ -215,14 +210,11 @@ pub use display::{Display, Tone};
 pub use error::{Argument, Error};
 pub use estimate::Estimate;
 pub use exposure::{Exposure, Linear, Meter};
-pub use format::{Format, Q15};
-pub use general::GeneralBasis;
+pub use general::{GeneralBasis, GeneralParts};
 pub use gloss::Gloss;
 pub use graphics::Convention;
 pub use highlights::Highlights;
 pub use index::effect::{Effect, Effects};
-#[doc(inline)]
-pub use index::record::floats::{GeneralParts, Parts};
 pub use light::{Light, LightBuffer, Window};
 pub use matcap::{Matcap, MatcapTexel};
 pub use material::Material;
@@ -230,10 +222,10 @@ pub use nine_terms::NineTerms;
 pub use normal::{Normal, Normals};
 pub use normal_map::{NormalMap, NormalPixel, NormalPixels};
 pub use projection::Coefficients;
+pub use q15::Q15;
 #[doc(hidden)]
 pub use recurrences::Recurrences;
 pub use rotation::Rotation;
-pub use scalar::Scalar;
 pub use scene::{Scene, SceneBuffer};
 pub use shade::NegativePolicy;
 pub use shader::Shader;

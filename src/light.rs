@@ -5,8 +5,7 @@ use crate::buffer::{Buffer, copied};
 use crate::error::{Argument, Error};
 use crate::index::light;
 use crate::invariant::split_mut;
-use crate::mathematics::Mathematics;
-use crate::scalar::Scalar;
+use crate::mathematics;
 
 /// One channel of distant light: (degree + 1)² coefficients in units of radiance, in the order of
 /// [`index::light`](crate::index::light).
@@ -20,12 +19,12 @@ use crate::scalar::Scalar;
 /// subnormal, which is slow on many processors. Scaling by a power of two changes no bit.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct Light<'a, S> {
+pub struct Light<'a> {
     degree: usize,
-    coefficients: &'a [S],
+    coefficients: &'a [f32],
 }
 
-impl<'a, S> Light<'a, S> {
+impl<'a> Light<'a> {
     /// Creates a light from its coefficients, which must be finite. Their number determines the
     /// degree.
     ///
@@ -46,10 +45,7 @@ impl<'a, S> Light<'a, S> {
     ///
     /// [`Error::Count`] unless there are (degree + 1)² coefficients for some degree;
     /// [`Error::NotFinite`] with the index of the first coefficient that is infinite or NaN.
-    pub fn new(coefficients: &'a [S]) -> Result<Self, Error>
-    where
-        S: Scalar,
-    {
+    pub fn new(coefficients: &'a [f32]) -> Result<Self, Error> {
         let light = Self::from_finite(coefficients)?;
         Error::check_finite(Argument::Light, coefficients)?;
         Ok(light)
@@ -62,7 +58,7 @@ impl<'a, S> Light<'a, S> {
     ///
     /// [`Error::Count`] as for `new`.
     #[inline]
-    pub const fn from_finite(coefficients: &'a [S]) -> Result<Self, Error> {
+    pub const fn from_finite(coefficients: &'a [f32]) -> Result<Self, Error> {
         match degree(coefficients.len()) {
             Ok(degree) => Ok(Self { degree, coefficients }),
             Err(error) => Err(error),
@@ -87,7 +83,7 @@ impl<'a, S> Light<'a, S> {
 
     /// All coefficients.
     #[must_use]
-    pub const fn coefficients(&self) -> &'a [S] {
+    pub const fn coefficients(&self) -> &'a [f32] {
         self.coefficients
     }
 }
@@ -111,7 +107,7 @@ pub(crate) const fn degree(found: usize) -> Result<usize, Error> {
 }
 
 /// The coefficients of a modified light, in a buffer of fixed capacity.
-pub type LightBuffer<S, const N: usize> = Buffer<S, N>;
+pub type LightBuffer<const N: usize> = Buffer<f32, N>;
 
 /// Factors that attenuate a light's coefficients, degree by degree.
 ///
@@ -120,7 +116,7 @@ pub type LightBuffer<S, const N: usize> = Buffer<S, N>;
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[non_exhaustive]
-pub enum Window<S> {
+pub enum Window {
     /// No window: every degree is kept as it is.
     #[default]
     None,
@@ -131,16 +127,16 @@ pub enum Window<S> {
     /// degree 9 keeps 24 %, with degree + 1 nearly nothing.
     SincFourth {
         /// The degree from which on the factor is 0; above 0, not necessarily an integer.
-        width: S,
+        width: f32,
     },
 }
 
 /// The darkest channel of a picture that [`Window::weakest`] allows, as a share of white.
-const DARKEST: f64 = -0.02;
+const DARKEST: f32 = -0.02;
 /// The windows that it tries, from weak to strong: their widths, in degrees of the light plus one.
-const WIDTHS: [f64; 11] = [4.5, 3.6, 3.0, 2.6, 2.3, 2.0, 1.8, 1.6, 1.4, 1.2, 1.0];
+const WIDTHS: [f32; 11] = [4.5, 3.6, 3.0, 2.6, 2.3, 2.0, 1.8, 1.6, 1.4, 1.2, 1.0];
 
-impl<S: Scalar> Window<S> {
+impl Window {
     /// The weakest window that keeps a picture from dark rings: no window if there are none.
     ///
     /// `darkest` draws the picture of the light of this degree under a window, and returns its
@@ -150,21 +146,21 @@ impl<S: Scalar> Window<S> {
     /// window of a light in this way; a picture needs a weaker one, since its material blurs it.
     ///
     /// ```
-    /// use eigenshade::{Window, mathematics::Libm};
+    /// use eigenshade::Window;
     ///
     /// // A picture that is dark by a tenth of the second degree's factor.
-    /// let window = Window::weakest(2, |window: Window<f32>| -0.1 * window.factor::<Libm>(2));
-    /// assert!(window.factor::<Libm>(2) <= 0.2 && window.factor::<Libm>(2) > 0.1);
-    /// assert_eq!(Window::weakest(2, |_| 0.0_f32), Window::None);
+    /// let window = Window::weakest(2, |window: Window| -0.1 * window.factor(2));
+    /// assert!(window.factor(2) <= 0.2 && window.factor(2) > 0.1);
+    /// assert_eq!(Window::weakest(2, |_| 0.0), Window::None);
     /// ```
-    pub fn weakest(degree: usize, mut darkest: impl FnMut(Self) -> S) -> Self {
-        let unit = S::from_whole(degree + 1);
+    pub fn weakest(degree: usize, mut darkest: impl FnMut(Self) -> f32) -> Self {
+        let unit = (degree + 1) as f32;
         let mut best = (Self::None, darkest(Self::None));
         for width in WIDTHS {
-            if best.1 >= S::from_f64(DARKEST) {
+            if best.1 >= DARKEST {
                 break;
             }
-            let window = Self::SincFourth { width: S::from_f64(width) * unit };
+            let window = Self::SincFourth { width: width * unit };
             let found = darkest(window);
             if found > best.1 {
                 best = (window, found);
@@ -177,19 +173,19 @@ impl<S: Scalar> Window<S> {
     ///
     /// A width that is not above 0 keeps degree 0 only.
     #[must_use]
-    pub fn factor<M: Mathematics<S>>(self, degree: usize) -> S {
-        let Self::SincFourth { width } = self else { return S::ONE };
-        let degree = S::from_whole(degree);
-        if degree == S::ZERO {
-            return S::ONE;
+    pub fn factor(self, degree: usize) -> f32 {
+        let Self::SincFourth { width } = self else { return 1.0 };
+        let degree = degree as f32;
+        if degree == 0.0 {
+            return 1.0;
         }
         let inside = degree < width;
         if !inside {
-            return S::ZERO;
+            return 0.0;
         }
-        let x = S::from_f64(core::f64::consts::PI) * degree * width.reciprocal();
-        let (sine, _) = M::sine_and_cosine(x);
-        let ratio = sine * x.reciprocal();
+        let x = core::f32::consts::PI * degree * width.recip();
+        let (sine, _) = mathematics::sine_and_cosine(x);
+        let ratio = sine * x.recip();
         let square = ratio * ratio;
         square * square
     }
@@ -198,29 +194,28 @@ impl<S: Scalar> Window<S> {
     /// [`index::light`](crate::index::light).
     ///
     /// Cost: a sine for each degree and a product for each coefficient.
-    pub fn apply<M: Mathematics<S>>(self, coefficients: &mut [S]) {
+    pub fn apply(self, coefficients: &mut [f32]) {
         let (mut rest, mut degree) = (coefficients, 0);
         while !rest.is_empty() {
             let orders = (2 * degree + 1).min(rest.len());
             let (of_degree, higher) = split_mut(rest, orders);
-            let factor = self.factor::<M>(degree);
+            let factor = self.factor(degree);
             of_degree.iter_mut().for_each(|coefficient| *coefficient = *coefficient * factor);
             (rest, degree) = (higher, degree + 1);
         }
     }
 }
 
-impl<S: Scalar> Light<'_, S> {
-    /// The coefficients of this light after a window. `N` must be at least (degree + 1)². `M`
-    /// computes a sine for each degree; for f32, `SinglePrecision` links no f64 code.
+impl Light<'_> {
+    /// The coefficients of this light after a window. `N` must be at least (degree + 1)². Cost: a
+    /// sine for each degree.
     ///
     /// ```
-    /// use eigenshade::mathematics::SinglePrecision;
     /// use eigenshade::{Light, Window};
     ///
     /// let light = Light::new(&[3.5, 0.0, 1.0, 0.0])?;
     /// let window = Window::SincFourth { width: 4.0 };
-    /// let windowed = light.windowed::<SinglePrecision, 4>(window)?;
+    /// let windowed = light.windowed::<4>(window)?;
     /// assert!(windowed[0] == 3.5 && windowed[2] < 1.0);
     /// # Ok::<(), eigenshade::Error>(())
     /// ```
@@ -228,12 +223,9 @@ impl<S: Scalar> Light<'_, S> {
     /// # Errors
     ///
     /// [`Error::Capacity`] if `N` is too small.
-    pub fn windowed<M: Mathematics<S>, const N: usize>(
-        &self,
-        window: Window<S>,
-    ) -> Result<LightBuffer<S, N>, Error> {
+    pub fn windowed<const N: usize>(&self, window: Window) -> Result<LightBuffer<N>, Error> {
         let mut windowed = copied(Argument::Light, self.coefficients().iter().copied())?;
-        window.apply::<M>(&mut windowed);
+        window.apply(&mut windowed);
         Ok(windowed)
     }
 }

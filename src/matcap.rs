@@ -1,7 +1,7 @@
 //! Matcaps: squares that show a sphere, in which engines look up the color of a normal.
 
 use crate::error::{Argument, Error};
-use crate::mathematics::{Libm, Mathematics};
+use crate::mathematics;
 use crate::normal::Normal;
 
 /// Iterates over the texels of a matcap of `size` x `size`, row by row from the top.
@@ -132,13 +132,13 @@ impl MatcapTexel {
 
     /// The normal. Costs a root.
     #[must_use]
-    pub fn normal(self) -> Normal<f32> {
+    pub fn normal(self) -> Normal {
         let Self { x, y, .. } = self;
         let square = x * x + y * y;
         if square <= 1.0 {
-            Normal { x, y, z: <Libm as Mathematics<f32>>::square_root(1.0 - square) }
+            Normal { x, y, z: mathematics::square_root(1.0 - square) }
         } else {
-            let scale = <Libm as Mathematics<f32>>::inverse_root(square);
+            let scale = mathematics::inverse_root(square);
             Normal { x: x * scale, y: y * scale, z: 0.0 }
         }
     }

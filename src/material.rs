@@ -2,7 +2,6 @@
 
 use crate::error::{Argument, Error};
 use crate::index::material;
-use crate::scalar::Scalar;
 
 /// One channel of an isotropic BRDF: its coefficients in 1/sr, in the order of
 /// [`index::material`](crate::index::material).
@@ -10,12 +9,12 @@ use crate::scalar::Scalar;
 /// The azimuth in (8) is φ_i - φ_r, so zero is backscatter.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct Material<'a, S> {
+pub struct Material<'a> {
     order: usize,
-    coefficients: &'a [S],
+    coefficients: &'a [f32],
 }
 
-impl<'a, S> Material<'a, S> {
+impl<'a> Material<'a> {
     /// Creates a material from its coefficients, which must be finite. Their number determines the
     /// order: there are 1, 2, 5, 8, 14, 20, 30 and 40 of orders 0 to 7.
     ///
@@ -36,10 +35,7 @@ impl<'a, S> Material<'a, S> {
     /// [`Error::Count`] unless there are [`index::material::count`](crate::index::material::count)
     /// coefficients for some order; [`Error::NotFinite`] with the index of the first coefficient
     /// that is infinite or NaN.
-    pub fn new(coefficients: &'a [S]) -> Result<Self, Error>
-    where
-        S: Scalar,
-    {
+    pub fn new(coefficients: &'a [f32]) -> Result<Self, Error> {
         let material = Self::from_finite(coefficients)?;
         Error::check_finite(Argument::Material, coefficients)?;
         Ok(material)
@@ -52,7 +48,7 @@ impl<'a, S> Material<'a, S> {
     ///
     /// [`Error::Count`] as for `new`.
     #[inline]
-    pub const fn from_finite(coefficients: &'a [S]) -> Result<Self, Error> {
+    pub const fn from_finite(coefficients: &'a [f32]) -> Result<Self, Error> {
         match order(coefficients.len()) {
             Ok(order) => Ok(Self { order, coefficients }),
             Err(error) => Err(error),
@@ -77,7 +73,7 @@ impl<'a, S> Material<'a, S> {
 
     /// All coefficients.
     #[must_use]
-    pub const fn coefficients(&self) -> &'a [S] {
+    pub const fn coefficients(&self) -> &'a [f32] {
         self.coefficients
     }
 }

@@ -11,12 +11,12 @@
 use crate::buffer::Buffer;
 use crate::color::Rgb;
 use crate::error::{Argument, Error};
-use crate::format::Q15;
 use crate::gloss::Gloss;
 use crate::index::material::count;
 use crate::invariant::{part, part_mut};
 use crate::material::Material;
 use crate::q15;
+use crate::q15::Q15;
 use crate::q15::{MaterialBuffer, mantissas};
 
 include!(concat!(env!("OUT_DIR"), "/metallic_roughness.rs"));
@@ -42,7 +42,7 @@ struct IntegerSeries<const N: usize, const O: usize, const K: usize> {
     metal: [[i16; N]; K],
 }
 
-impl Material<'_, f32> {
+impl Material<'_> {
     /// A glTF material of order 7: a GGX lobe over a matte base, from its linear base color,
     /// metallic and roughness, all from 0 to 1.
     ///

@@ -2,18 +2,18 @@
 //! the normal, in nine multiply-adds.
 
 use crate::error::{Argument, Error};
+use crate::float;
 use crate::index::light::{graphics_sign, position};
 use crate::light::Light;
 use crate::normal::{Normal, Normals};
-use crate::scalar::Scalar;
 use crate::scene::{Descent, Scene};
 
 // The clamped cosine over π has the weights 1, 2/3 and 1/4. They are multiplied by the norms of the
 // harmonics, √(1/4π), √(3/4π), √(15/4π) and √(5/16π).
-pub(crate) const CONSTANT: f64 = 0.282_094_791_773_878_14;
-pub(crate) const LINEAR: f64 = 2.0 / 3.0 * 0.488_602_511_902_919_9;
-pub(crate) const SQUARE: f64 = 0.25 * 1.092_548_430_592_079;
-pub(crate) const UPRIGHT: f64 = 0.25 * 0.315_391_565_252_520_05;
+pub(crate) const CONSTANT: f32 = 0.282_094_791_773_878_14;
+pub(crate) const LINEAR: f32 = 2.0 / 3.0 * 0.488_602_511_902_919_9;
+pub(crate) const SQUARE: f32 = 0.25 * 1.092_548_430_592_079;
+pub(crate) const UPRIGHT: f32 = 0.25 * 0.315_391_565_252_520_05;
 
 /// Irradiance as a polynomial of degree 2 in the normal, for a Lambertian material under light of
 /// degree 2. It needs no table.
@@ -30,36 +30,36 @@ pub(crate) const UPRIGHT: f64 = 0.25 * 0.315_391_565_252_520_05;
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct NineTerms<S> {
-    coefficients: [S; 9],
+pub struct NineTerms {
+    coefficients: [f32; 9],
 }
 
-impl<S> NineTerms<S> {
+impl NineTerms {
     /// Multiply-adds per pixel.
     pub const MULTIPLY_ADDS: usize = 9;
 
     /// Creates the polynomial with these coefficients of 1, x, y, z, x² - y², xy, xz, yz and z².
     #[inline]
     #[must_use]
-    pub const fn new(coefficients: [S; 9]) -> Self {
+    pub const fn new(coefficients: [f32; 9]) -> Self {
         Self { coefficients }
     }
 
     /// The coefficients of 1, x, y, z, x² - y², xy, xz, yz and z².
     #[must_use]
-    pub const fn coefficients(&self) -> &[S; 9] {
+    pub const fn coefficients(&self) -> &[f32; 9] {
         &self.coefficients
     }
 }
 
-impl<S: Scalar> NineTerms<S> {
+impl NineTerms {
     /// The irradiance of a Lambertian material, f = `albedo` / π, under a light. Only the light's
     /// coefficients of degrees 0 to 2 are used.
     #[must_use]
-    pub fn lambertian(light: &Light<'_, S>, albedo: S) -> Self {
-        let of = |l: usize, m: isize, weight: f64| {
-            let light = light.coefficients().get(position(l, m)).copied().unwrap_or(S::ZERO);
-            albedo * S::from_f64(weight * f64::from(graphics_sign(m))) * light
+    pub fn lambertian(light: &Light<'_>, albedo: f32) -> Self {
+        let of = |l: usize, m: isize, weight: f32| {
+            let light = light.coefficients().get(position(l, m)).copied().unwrap_or(0.0);
+            albedo * weight * f32::from(graphics_sign(m)) * light
         };
         let upright = of(2, 0, UPRIGHT);
         Self::new([
@@ -78,13 +78,18 @@ impl<S: Scalar> NineTerms<S> {
     /// The irradiance of one normal.
     #[inline(always)]
     #[must_use]
-    pub fn shade(&self, normal: Normal<S>) -> S {
+    pub fn shade(&self, normal: Normal) -> f32 {
         let Normal { x, y, z } = normal;
         let [constant, c1, c2, c3, c4, c5, c6, c7, c8] = self.coefficients;
-        let of_x = c1.add_product(c4, x).add_product(c5, y);
-        let of_y = c2.add_product(-c4, y);
-        let of_z = c3.add_product(c6, x).add_product(c7, y).add_product(c8, z);
-        constant.add_product(of_x, x).add_product(of_y, y).add_product(of_z, z)
+        let of_x = float::add_product(float::add_product(c1, c4, x), c5, y);
+        let of_y = float::add_product(c2, -c4, y);
+        let of_z =
+            float::add_product(float::add_product(float::add_product(c3, c6, x), c7, y), c8, z);
+        float::add_product(
+            float::add_product(float::add_product(constant, of_x, x), of_y, y),
+            of_z,
+            z,
+        )
     }
 
     /// Writes the irradiance of each normal to `irradiance`, bit for bit the same as
@@ -93,7 +98,7 @@ impl<S: Scalar> NineTerms<S> {
     /// # Errors
     ///
     /// [`Error::Length`] unless `irradiance` has the same length as `normals`.
-    pub fn shade_slice(&self, normals: Normals<'_, S>, irradiance: &mut [S]) -> Result<(), Error> {
+    pub fn shade_slice(&self, normals: Normals<'_>, irradiance: &mut [f32]) -> Result<(), Error> {
         Error::check(Argument::Normals, normals.len(), irradiance.len())?;
         let axes = normals.x.iter().zip(normals.y).zip(normals.z);
         for (out, ((&x, &y), &z)) in irradiance.iter_mut().zip(axes) {
@@ -108,9 +113,9 @@ impl<B> Scene<'_, B> {
     /// terms, or if azimuth 0 is the only one.
     #[inline]
     #[must_use]
-    pub fn nine_terms<S: Scalar>(&self) -> Option<NineTerms<S>>
+    pub fn nine_terms(&self) -> Option<NineTerms>
     where
-        B: AsRef<[S]>,
+        B: AsRef<[f32]>,
     {
         nine_terms(self.descent())
     }
@@ -118,21 +123,21 @@ impl<B> Scene<'_, B> {
 
 /// Converts polynomials of azimuths 0, 1 and 2 in t = 2z - 1 into one polynomial of the normal.
 #[inline]
-pub(crate) fn nine_terms<S: Scalar>(mut polynomials: Descent<'_, S>) -> Option<NineTerms<S>> {
+pub(crate) fn nine_terms(mut polynomials: Descent<'_>) -> Option<NineTerms> {
     // A WebAssembly module for a web page has no room for a second loop.
     if cfg!(target_arch = "wasm32") || polynomials.is_orthogonal() {
         return None;
     }
     let [square, linear, constant] = filled(polynomials.pole)?;
     let second = match polynomials.lengths {
-        [_] => Some((&[] as &[S], &[] as &[S])),
+        [_] => Some((&[] as &[f32], &[] as &[f32])),
         [_, _] => polynomials.next(),
         _ => None,
     };
     let ((plus, minus), (first_plus, first_minus)) = (second?, polynomials.next()?);
     let ([plus], [minus]) = (filled(plus)?, filled(minus)?);
     let ([of_xz, of_x], [of_yz, of_y]) = (filled(first_plus)?, filled(first_minus)?);
-    let twice = |term: S| term + term;
+    let twice = |term: f32| term + term;
     let squares = twice(twice(square));
     Some(NineTerms::new([
         constant - linear + square,
@@ -171,14 +176,14 @@ mod tests {
     /// scenes with more terms.
     #[test]
     fn scenes_of_nine_terms_are_their_polynomials() {
-        let numbers: [f64; 9] = core::array::from_fn(|k| ((7 * k % 11) as f64 - 5.0) / 3.0);
+        let numbers: [f32; 9] = core::array::from_fn(|k| ((7 * k % 11) as f32 - 5.0) / 3.0);
         for lengths in [&[3u16, 2, 1][..], &[3, 2], &[1, 1], &[2, 1, 1], &[0, 2, 1], &[3, 0, 1]] {
             let scene = Scene::of(lengths, Recurrences::NONE, numbers);
-            let formula = scene.nine_terms::<f64>().unwrap();
+            let formula = scene.nine_terms().unwrap();
             for k in 0..=40 {
-                let (z, tilt) = (f64::from(k) / 40.0, 2.4 * f64::from(k));
-                let (sine, cosine) = libm::sincos(tilt);
-                let rim = libm::sqrt(1.0 - z * z);
+                let (z, tilt) = (k as f32 / 40.0, 2.4 * k as f32);
+                let (sine, cosine) = libm::sincosf(tilt);
+                let rim = libm::sqrtf(1.0 - z * z);
                 let normal = Normal::new(rim * cosine, rim * sine, z).unwrap();
                 let mut numbers = numbers.iter();
                 let mut value = |length: u16| {
@@ -187,18 +192,18 @@ mod tests {
                 };
                 let mut expected = value(lengths.first().copied().unwrap_or(0));
                 for (azimuth, &length) in (1..).zip(lengths.iter().skip(1)) {
-                    let (sine, cosine) = libm::sincos(f64::from(azimuth) * tilt);
+                    let (sine, cosine) = libm::sincosf(azimuth as f32 * tilt);
                     let around = value(length) * cosine + value(length) * sine;
-                    expected += libm::pow(rim, azimuth.into()) * around;
+                    expected += libm::powf(rim, azimuth as f32) * around;
                 }
                 let found = formula.shade(normal);
-                assert!((found - expected).abs() < 1e-13, "{lengths:?}, {k}: {found}, {expected}");
+                assert!((found - expected).abs() < 1e-5, "{lengths:?}, {k}: {found}, {expected}");
                 assert_eq!(scene.shade(normal), found);
             }
         }
         for lengths in [&[4u16, 2, 1][..], &[3, 3], &[3, 1, 2], &[1, 1, 1, 1], &[3], &[]] {
-            let scene = Scene::of(lengths, Recurrences::NONE, [1.0f64; 11]);
-            assert_eq!(scene.nine_terms::<f64>(), None, "{lengths:?}");
+            let scene = Scene::of(lengths, Recurrences::NONE, [1.0; 11]);
+            assert_eq!(scene.nine_terms(), None, "{lengths:?}");
         }
     }
 }

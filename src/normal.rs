@@ -6,19 +6,18 @@
 //! are moved to the rim. Loops over pixels use normals as they are.
 
 use crate::error::{Argument, Error};
-use crate::mathematics::{Libm, Mathematics};
-use crate::scalar::Scalar;
+use crate::mathematics;
 
 /// One visible unit normal: x to the right, y up, z toward the camera.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct Normal<S> {
-    pub(crate) x: S,
-    pub(crate) y: S,
-    pub(crate) z: S,
+pub struct Normal {
+    pub(crate) x: f32,
+    pub(crate) y: f32,
+    pub(crate) z: f32,
 }
 
-impl<S: Scalar> Normal<S> {
+impl Normal {
     /// The normal in the direction (x, y, z), whose length may be from 1e-18 to 1e18.
     ///
     /// A normal that points away from the camera by at most 1/8 is moved to the rim: z becomes 0,
@@ -40,35 +39,44 @@ impl<S: Scalar> Normal<S> {
     ///
     /// [`Error::Normal`] if a component is not finite, or the square of the length is below 1e-37
     /// or not finite; [`Error::Hidden`] if z < -1/8 after scaling.
-    pub fn new(x: S, y: S, z: S) -> Result<Self, Error> {
-        Self::with_mathematics::<Libm>(x, y, z)
+    pub fn new(x: f32, y: f32, z: f32) -> Result<Self, Error> {
+        Self { x, y, z }.visible(mathematics::inverse_root)
     }
 
-    /// [`new`](Self::new) with a root of your choice; the same errors.
-    pub fn with_mathematics<M: Mathematics<S>>(x: S, y: S, z: S) -> Result<Self, Error> {
-        let unit = Self { x, y, z }.scaled::<M>()?;
-        if unit.z >= S::ZERO {
+    /// [`new`](Self::new) by the reciprocal root of the crate `micromath`, a handful of instructions:
+    /// the length is off by up to 3.5 %. The same errors.
+    #[cfg(feature = "micromath")]
+    pub fn approximate(x: f32, y: f32, z: f32) -> Result<Self, Error> {
+        Self { x, y, z }.visible(micromath::F32Ext::invsqrt)
+    }
+
+    /// This vector scaled to length 1, and moved to the rim if it points away by at most 1/8.
+    #[inline]
+    fn visible(self, inverse_root: impl Fn(f32) -> f32) -> Result<Self, Error> {
+        let unit = self.scaled(&inverse_root)?;
+        if unit.z >= 0.0 {
             Ok(unit)
-        } else if unit.z >= -S::from_f64(0.125) {
-            Self { z: S::ZERO, ..unit }.scaled::<M>()
+        } else if unit.z >= -0.125 {
+            Self { z: 0.0, ..unit }.scaled(&inverse_root)
         } else {
             Err(Error::Hidden)
         }
     }
 
-    fn scaled<M: Mathematics<S>>(self) -> Result<Self, Error> {
+    #[inline]
+    fn scaled(self, inverse_root: impl Fn(f32) -> f32) -> Result<Self, Error> {
         let square = self.x * self.x + self.y * self.y + self.z * self.z;
         // The square of a shorter vector has too few bits left.
-        if !(square.is_finite() && square >= S::from_f64(1e-37)) {
+        if !(square.is_finite() && square >= 1e-37) {
             return Err(Error::Normal);
         }
-        let scale = M::inverse_root(square);
+        let scale = inverse_root(square);
         Ok(Self { x: self.x * scale, y: self.y * scale, z: self.z * scale })
     }
 
     /// The components x, y and z.
     #[must_use]
-    pub fn components(self) -> [S; 3] {
+    pub fn components(self) -> [f32; 3] {
         [self.x, self.y, self.z]
     }
 }
@@ -80,13 +88,13 @@ impl<S: Scalar> Normal<S> {
 /// [`normalized`](Self::normalized) first.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct Normals<'a, S> {
-    pub(crate) x: &'a [S],
-    pub(crate) y: &'a [S],
-    pub(crate) z: &'a [S],
+pub struct Normals<'a> {
+    pub(crate) x: &'a [f32],
+    pub(crate) y: &'a [f32],
+    pub(crate) z: &'a [f32],
 }
 
-impl<'a, S> Normals<'a, S> {
+impl<'a> Normals<'a> {
     /// The normals with these components, as they are. Each must have unit length to within one
     /// part in 2,000.
     ///
@@ -105,15 +113,12 @@ impl<'a, S> Normals<'a, S> {
     ///
     /// [`Error::Length`] unless all three slices have the same length; [`Error::Normals`] with the
     /// index of the first normal whose length is not 1 or whose z is below 0.
-    pub fn new(x: &'a [S], y: &'a [S], z: &'a [S]) -> Result<Self, Error>
-    where
-        S: Scalar,
-    {
+    pub fn new(x: &'a [f32], y: &'a [f32], z: &'a [f32]) -> Result<Self, Error> {
         let normals = Self::from_unit(x, y, z)?;
-        let most = S::from_f64(1e-3);
-        let is_unit = |Normal { x, y, z }: Normal<S>| {
-            let off = x * x + y * y + z * z - S::ONE;
-            z >= S::ZERO && off <= most && off >= -most
+        let most = 1e-3;
+        let is_unit = |Normal { x, y, z }: Normal| {
+            let off = x * x + y * y + z * z - 1.0;
+            z >= 0.0 && off <= most && off >= -most
         };
         match normals.iter().position(|normal| !is_unit(normal)) {
             None => Ok(normals),
@@ -128,7 +133,7 @@ impl<'a, S> Normals<'a, S> {
     /// # Errors
     ///
     /// [`Error::Length`] unless all three slices have the same length.
-    pub const fn from_unit(x: &'a [S], y: &'a [S], z: &'a [S]) -> Result<Self, Error> {
+    pub const fn from_unit(x: &'a [f32], y: &'a [f32], z: &'a [f32]) -> Result<Self, Error> {
         match (
             Error::check(Argument::Normals, x.len(), y.len()),
             Error::check(Argument::Normals, x.len(), z.len()),
@@ -153,28 +158,18 @@ impl<'a, S> Normals<'a, S> {
     /// [`Error::Length`] unless all three slices have the same length; [`Error::Normals`] with the
     /// index of the first vector that [`Normal::new`] rejects. The vectors before it are then
     /// scaled; that vector and those after it are unchanged.
-    pub fn normalized<M: Mathematics<S>>(
-        x: &'a mut [S],
-        y: &'a mut [S],
-        z: &'a mut [S],
-    ) -> Result<Self, Error>
-    where
-        S: Scalar,
-    {
+    pub fn normalized(x: &'a mut [f32], y: &'a mut [f32], z: &'a mut [f32]) -> Result<Self, Error> {
         Normals::from_unit(&*x, &*y, &*z)?;
         let vectors = x.iter_mut().zip(y.iter_mut()).zip(z.iter_mut());
         for (index, ((x, y), z)) in vectors.enumerate() {
-            let unit = Normal::with_mathematics::<M>(*x, *y, *z);
+            let unit = Normal::new(*x, *y, *z);
             (*x, *y, *z) = unit.map_err(|_| Error::Normals { index })?.components().into();
         }
         Ok(Self { x, y, z })
     }
 
     /// Iterates over the normals.
-    pub fn iter(&self) -> impl ExactSizeIterator<Item = Normal<S>> + use<'a, S>
-    where
-        S: Copy,
-    {
+    pub fn iter(&self) -> impl ExactSizeIterator<Item = Normal> + use<'a> {
         let components = self.x.iter().zip(self.y).zip(self.z);
         components.map(|((&x, &y), &z)| Normal { x, y, z })
     }

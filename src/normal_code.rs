@@ -6,9 +6,9 @@
 //! 0.51°. Octahedral codes are off by up to 0.55° and paraboloid codes by up to 0.64°. Both sin θ / θ
 //! and cos θ are series in θ², which is u² + v², so a short polynomial decodes each.
 
-use crate::format::Q15;
 use crate::normal::Normal;
 use crate::q15;
+use crate::q15::Q15;
 use core::f32::consts::FRAC_PI_2;
 
 /// The distance of the rim from the center.
@@ -30,7 +30,7 @@ pub(crate) struct NormalCode([i8; 2]);
 
 impl NormalCode {
     /// The nearest code.
-    pub(crate) fn of(normal: Normal<f32>) -> Self {
+    pub(crate) fn of(normal: Normal) -> Self {
         let Normal { x, y, z } = normal;
         let sine = libm::sqrtf(x * x + y * y);
         let scale = if sine > 0.0 { RIM / FRAC_PI_2 * libm::atan2f(sine, z) / sine } else { 0.0 };
@@ -49,7 +49,7 @@ impl NormalCode {
     }
 
     #[inline]
-    pub(crate) fn normal(self) -> Normal<f32> {
+    pub(crate) fn normal(self) -> Normal {
         const SINE_32: [f32; 4] = rounded(SINE, 1.0 / 127.0);
         const COSINE_32: [f32; 4] = rounded(COSINE, 1.0);
         let t = square(self.0) as f32 * (1.0 / LARGEST as f32);

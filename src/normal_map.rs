@@ -113,7 +113,7 @@ impl<'a> NormalMap<'a> {
 
     /// The code of a pixel that the object covers completely: its normal.
     #[must_use]
-    pub fn code(normal: Normal<f32>) -> [u8; 2] {
+    pub fn code(normal: Normal) -> [u8; 2] {
         NormalCode::of(normal).bytes()
     }
 
@@ -221,7 +221,7 @@ impl NormalPixel {
     /// The normal. Components are within 2e-6 of those of its code.
     #[inline]
     #[must_use]
-    pub fn normal(self) -> Normal<f32> {
+    pub fn normal(self) -> Normal {
         self.code.normal()
     }
 

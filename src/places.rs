@@ -138,7 +138,7 @@ macro_rules! azimuths {
         }
     };
 }
-azimuths!([<'a, S>] Basis<'a, S>, ProfilePlace);
+azimuths!([<'a>] Basis<'a>, ProfilePlace);
 azimuths!([<'a>] q15::Basis<'a>, Profile);
 
 impl<'a> q15::Basis<'a> {
@@ -151,7 +151,7 @@ impl<'a> q15::Basis<'a> {
     }
 }
 
-impl<S> Basis<'_, S> {
+impl Basis<'_> {
     /// The components of +m and of -m of the `P` profiles of an azimuth.
     pub(crate) const fn components_of<const P: usize>(&self, azimuth: usize) -> [[u16; 2]; P] {
         let mut components = [[u16::MAX; 2]; P];

@@ -7,6 +7,7 @@
 use crate::basis::Basis;
 use crate::buffer::{Buffer, zeros};
 use crate::error::{Argument, Error};
+use crate::float;
 #[cfg(doc)]
 use crate::index::effect::Effect;
 use crate::index::effect::Effects;
@@ -15,12 +16,11 @@ use crate::invariant::{part, split_mut, split_row};
 use crate::lanes;
 use crate::light::Light;
 use crate::material::Material;
-use crate::scalar::Scalar;
 
 /// The coefficients d of one image, component by component.
-pub type Coefficients<S, const K: usize> = Buffer<S, K>;
+pub type Coefficients<const K: usize> = Buffer<f32, K>;
 
-impl<'a, S: Scalar> Basis<'a, S> {
+impl<'a> Basis<'a> {
     /// Computes d = UᵀMc for a light on a material: the coefficients of the image in the
     /// eigenimages, minus those of the mean image if the basis has one.
     ///
@@ -51,10 +51,10 @@ impl<'a, S: Scalar> Basis<'a, S> {
     /// the basis, [`Error::Capacity`] if `N` or `K` is too small.
     pub fn project<const N: usize, const K: usize>(
         &self,
-        light: &Light<'_, S>,
-        material: &Material<'_, S>,
-    ) -> Result<Coefficients<S, K>, Error> {
-        buffered::<S, N, K>(self.workspace_len(), self.components(), |workspace, d| {
+        light: &Light<'_>,
+        material: &Material<'_>,
+    ) -> Result<Coefficients<K>, Error> {
+        buffered::<N, K>(self.workspace_len(), self.components(), |workspace, d| {
             self.project_into(light, material, workspace, d)
         })
     }
@@ -69,10 +69,10 @@ impl<'a, S: Scalar> Basis<'a, S> {
     /// the basis, [`Error::Length`] if a slice has another length.
     pub fn project_into(
         &self,
-        light: &Light<'_, S>,
-        material: &Material<'_, S>,
-        workspace: &mut [S],
-        coefficients: &mut [S],
+        light: &Light<'_>,
+        material: &Material<'_>,
+        workspace: &mut [f32],
+        coefficients: &mut [f32],
     ) -> Result<(), Error> {
         self.image((light, material, Effects::ALL), workspace, coefficients)
     }
@@ -85,11 +85,11 @@ impl<'a, S: Scalar> Basis<'a, S> {
     /// the result for these effects.
     pub fn project_effects_into(
         &self,
-        light: &Light<'_, S>,
-        material: &Material<'_, S>,
+        light: &Light<'_>,
+        material: &Material<'_>,
         effects: Effects,
-        workspace: &mut [S],
-        coefficients: &mut [S],
+        workspace: &mut [f32],
+        coefficients: &mut [f32],
     ) -> Result<(), Error> {
         self.image((light, material, effects), workspace, coefficients)
     }
@@ -97,9 +97,9 @@ impl<'a, S: Scalar> Basis<'a, S> {
     #[inline(always)]
     fn image(
         &self,
-        lit: (&Light<'_, S>, &Material<'_, S>, Effects),
-        workspace: &mut [S],
-        coefficients: &mut [S],
+        lit: (&Light<'_>, &Material<'_>, Effects),
+        workspace: &mut [f32],
+        coefficients: &mut [f32],
     ) -> Result<(), Error> {
         let (light, material, effects) = lit;
         self.accept_light(light)?;
@@ -108,20 +108,20 @@ impl<'a, S: Scalar> Basis<'a, S> {
         Error::check(Argument::Coefficients, self.components(), coefficients.len())?;
         // Rows of the usual orders have kernels with their length built in.
         match self.row() / LANES {
-            1 => self.project_rows(lit, workspace, coefficients, row::<S, 1>),
-            2 => self.project_rows(lit, workspace, coefficients, row::<S, 2>),
-            3 => self.project_rows(lit, workspace, coefficients, row::<S, 3>),
-            4 => self.project_rows(lit, workspace, coefficients, row::<S, 4>),
-            5 => self.project_rows(lit, workspace, coefficients, row::<S, 5>),
+            1 => self.project_rows(lit, workspace, coefficients, row::<1>),
+            2 => self.project_rows(lit, workspace, coefficients, row::<2>),
+            3 => self.project_rows(lit, workspace, coefficients, row::<3>),
+            4 => self.project_rows(lit, workspace, coefficients, row::<4>),
+            5 => self.project_rows(lit, workspace, coefficients, row::<5>),
             _ => self.project_rows(lit, workspace, coefficients, long_row),
         }
-        let ambient = light.coefficients().first().copied().unwrap_or(S::ZERO);
+        let ambient = light.coefficients().first().copied().unwrap_or(0.0);
         for (place, unfactored) in
             self.parts.profiles.iter().zip(self.unfactored(material, effects))
         {
             let place = place.plus().and_then(|index| coefficients.get_mut(usize::from(index)));
             if let Some(coefficient) = place {
-                *coefficient = coefficient.add_product(ambient, unfactored);
+                *coefficient = float::add_product(*coefficient, ambient, unfactored);
             }
         }
         self.subtract_mean(coefficients);
@@ -131,10 +131,10 @@ impl<'a, S: Scalar> Basis<'a, S> {
     #[inline(always)]
     fn project_rows(
         &self,
-        (light, material, effects): (&Light<'_, S>, &Material<'_, S>, Effects),
-        workspace: &mut [S],
-        coefficients: &mut [S],
-        row: impl Fn(Row<'_, S>) -> [lanes::Two<S>; 2],
+        (light, material, effects): (&Light<'_>, &Material<'_>, Effects),
+        workspace: &mut [f32],
+        coefficients: &mut [f32],
+        row: impl Fn(Row<'_>) -> [lanes::Two; 2],
     ) {
         let width = self.row() / LANES;
         let Workspace { scattering, sums, lights } = self.divide(workspace);
@@ -163,7 +163,7 @@ impl<'a, S: Scalar> Basis<'a, S> {
     }
 
     #[inline]
-    pub(crate) fn divide<'w>(&self, workspace: &'w mut [S]) -> Workspace<'w, S> {
+    pub(crate) fn divide<'w>(&self, workspace: &'w mut [f32]) -> Workspace<'w> {
         let rows = (self.degree() + 1) * self.row();
         let (scattering, rest) = split_mut(workspace, rows);
         let sums = self.sums_len();
@@ -171,15 +171,15 @@ impl<'a, S: Scalar> Basis<'a, S> {
         Workspace { scattering, sums, lights: lights.as_chunks_mut().0 }
     }
 
-    /// The rows of S from l = `azimuth` on.
+    /// The rows of f32 from l = `azimuth` on.
     #[inline]
-    pub(crate) fn scattered_from<'w>(&self, azimuth: usize, scattering: &'w [S]) -> &'w [S] {
+    pub(crate) fn scattered_from<'w>(&self, azimuth: usize, scattering: &'w [f32]) -> &'w [f32] {
         part(scattering, azimuth * self.row()..)
     }
 
     /// The profiles of each azimuth in twos, with their factors.
     #[inline]
-    pub(crate) fn rows(&self) -> impl Iterator<Item = (&'a [ProfilePlace], &'a [S])> + use<'a, S> {
+    pub(crate) fn rows(&self) -> impl Iterator<Item = (&'a [ProfilePlace], &'a [f32])> + use<'a> {
         let (degree, order) = (self.degree(), self.factored_order());
         let (mut places, mut factors) = (self.parts.profiles, self.parts.factors);
         // Written by hand because the compiler cannot prove that `chunk_by` never panics.
@@ -194,12 +194,12 @@ impl<'a, S: Scalar> Basis<'a, S> {
         })
     }
 
-    pub(crate) fn accept_light(&self, light: &Light<'_, S>) -> Result<(), Error> {
+    pub(crate) fn accept_light(&self, light: &Light<'_>) -> Result<(), Error> {
         Error::check_beyond(Argument::Light, self.degree(), light.degree())
     }
 
     #[inline]
-    pub(crate) fn subtract_mean(&self, coefficients: &mut [S]) {
+    pub(crate) fn subtract_mean(&self, coefficients: &mut [f32]) {
         for (coefficient, &mean) in coefficients.iter_mut().zip(self.parts.mean_coefficients) {
             *coefficient -= mean;
         }
@@ -208,37 +208,32 @@ impl<'a, S: Scalar> Basis<'a, S> {
 
 /// L_l^m and (-1)^m L_l^-m for l = m, m + 1, ...; zero above the degree of the light.
 #[inline(always)]
-pub(crate) fn gather<S: Scalar>(
-    coefficients: &[S],
-    degree: usize,
-    azimuth: usize,
-    lights: &mut [[S; 2]],
-) {
-    let sign = if azimuth % 2 == 1 { -S::ONE } else { S::ONE };
+pub(crate) fn gather(coefficients: &[f32], degree: usize, azimuth: usize, lights: &mut [[f32; 2]]) {
+    let sign = if azimuth % 2 == 1 { -1.0 } else { 1.0 };
     let mut center = light::position(azimuth, 0);
     for (l, place) in (azimuth..).zip(lights) {
-        let plus = coefficients.get(center + azimuth).copied().unwrap_or(S::ZERO);
-        let minus = coefficients.get(center - azimuth).copied().unwrap_or(S::ZERO);
+        let plus = coefficients.get(center + azimuth).copied().unwrap_or(0.0);
+        let minus = coefficients.get(center - azimuth).copied().unwrap_or(0.0);
         // Above the degree of the light, the position of -m may still hold another order.
-        *place = if l <= degree { [plus, sign * minus] } else { [S::ZERO; 2] };
+        *place = if l <= degree { [plus, sign * minus] } else { [0.0; 2] };
         center += 2 * l + 2;
     }
 }
 
-pub(crate) struct Workspace<'w, S> {
-    /// S, with a row for each l.
-    pub(crate) scattering: &'w mut [S],
-    /// Room for S along l.
-    pub(crate) sums: &'w mut [S],
+pub(crate) struct Workspace<'w> {
+    /// f32, with a row for each l.
+    pub(crate) scattering: &'w mut [f32],
+    /// Room for f32 along l.
+    pub(crate) sums: &'w mut [f32],
     /// The light of one azimuth.
-    lights: &'w mut [[S; 2]],
+    lights: &'w mut [[f32; 2]],
 }
 
 /// The inputs for the components of two profiles.
-struct Row<'a, S> {
-    factors: &'a [S],
-    scattering: &'a [S],
-    lights: &'a [[S; 2]],
+struct Row<'a> {
+    factors: &'a [f32],
+    scattering: &'a [f32],
+    lights: &'a [[f32; 2]],
     /// Groups in a row of factors.
     width: usize,
 }
@@ -247,7 +242,7 @@ struct Row<'a, S> {
 /// across the lanes. Not inlined: if the compiler sees the sum across the lanes, it splits the
 /// vectors throughout.
 #[inline(never)]
-fn row<S: Scalar, const V: usize>(row: Row<'_, S>) -> [lanes::Two<S>; 2] {
+fn row<const V: usize>(row: Row<'_>) -> [lanes::Two; 2] {
     let (factors, _) = row.factors.as_chunks().0.as_chunks::<V>();
     let (scattering, _) = row.scattering.as_chunks::<LANES>().0.as_chunks::<V>();
     let rows = factors.iter().zip(scattering);
@@ -256,7 +251,7 @@ fn row<S: Scalar, const V: usize>(row: Row<'_, S>) -> [lanes::Two<S>; 2] {
 
 /// [`row`] for rows of any length.
 #[inline(never)]
-fn long_row<S: Scalar>(row: Row<'_, S>) -> [lanes::Two<S>; 2] {
+fn long_row(row: Row<'_>) -> [lanes::Two; 2] {
     let factors = row.factors.as_chunks().0.chunks_exact(row.width.max(1));
     let scattering = row.scattering.as_chunks::<LANES>().0.chunks_exact(row.width.max(1));
     let rows = factors.zip(scattering);
@@ -265,34 +260,31 @@ fn long_row<S: Scalar>(row: Row<'_, S>) -> [lanes::Two<S>; 2] {
 
 /// The sums of the rows, weighted by the light.
 #[inline(always)]
-fn lit<S: Scalar>(
-    rows: impl Iterator<Item = lanes::Two<S>>,
-    lights: &[[S; 2]],
-) -> [lanes::Two<S>; 2] {
-    let zero = [[S::ZERO; 2 * LANES]; 2];
+fn lit(rows: impl Iterator<Item = lanes::Two>, lights: &[[f32; 2]]) -> [lanes::Two; 2] {
+    let zero = [[0.0; 2 * LANES]; 2];
     rows.zip(lights).fold(zero, |sums, (row, lights)| add_lit(sums, &row, lights))
 }
 
 /// Adds a row, times the light of +m and of -m, to the sums of two profiles.
 #[inline(always)]
-pub(crate) fn add_lit<S: Scalar>(
-    [plus, minus]: [lanes::Two<S>; 2],
-    row: &lanes::Two<S>,
-    &[of_plus, of_minus]: &[S; 2],
-) -> [lanes::Two<S>; 2] {
+pub(crate) fn add_lit(
+    [plus, minus]: [lanes::Two; 2],
+    row: &lanes::Two,
+    &[of_plus, of_minus]: &[f32; 2],
+) -> [lanes::Two; 2] {
     let plus = lanes::multiply_add_two(plus, row, &[of_plus; LANES]);
     [plus, lanes::multiply_add_two(minus, row, &[of_minus; LANES])]
 }
 
 /// Provides a workspace and coefficients for `project` to fill, both of constant capacities.
 #[inline]
-pub(crate) fn buffered<S: Scalar, const N: usize, const K: usize>(
+pub(crate) fn buffered<const N: usize, const K: usize>(
     workspace: usize,
     components: usize,
-    project: impl FnOnce(&mut [S], &mut [S]) -> Result<(), Error>,
-) -> Result<Coefficients<S, K>, Error> {
-    let mut workspace = zeros::<S, N>(Argument::Workspace, workspace)?;
-    let mut coefficients = zeros::<S, K>(Argument::Coefficients, components)?;
+    project: impl FnOnce(&mut [f32], &mut [f32]) -> Result<(), Error>,
+) -> Result<Coefficients<K>, Error> {
+    let mut workspace = zeros::<f32, N>(Argument::Workspace, workspace)?;
+    let mut coefficients = zeros::<f32, K>(Argument::Coefficients, components)?;
     project(&mut workspace, &mut coefficients)?;
     Ok(coefficients)
 }

@@ -10,13 +10,13 @@
 use crate::basis::Basis;
 use crate::buffer::zeros;
 use crate::error::{Argument, Error};
+use crate::float;
 use crate::index::{layout::LANES, light::position};
 use crate::invariant::part;
 use crate::lanes;
 use crate::light::Light;
 use crate::places::{KnownTable, PassPlace, Run};
 use crate::projection::Coefficients;
-use crate::scalar::Scalar;
 use crate::transfer::Transfer;
 
 /// Whether the target computes with groups of numbers.
@@ -45,7 +45,7 @@ macro_rules! by_profiles {
     };
 }
 
-impl<S: Scalar> Basis<'_, S> {
+impl Basis<'_> {
     /// Computes d for a new light on a material whose transfer is known, with one multiplication
     /// for each of the [`transfer_len`](Self::transfer_len) numbers.
     ///
@@ -56,10 +56,10 @@ impl<S: Scalar> Basis<'_, S> {
     /// [`components`](Self::components).
     pub fn relight<const T: usize, const K: usize>(
         &self,
-        transfer: &Transfer<S, T>,
-        light: &Light<'_, S>,
-    ) -> Result<Coefficients<S, K>, Error> {
-        let mut coefficients = zeros::<S, K>(Argument::Coefficients, self.components())?;
+        transfer: &Transfer<T>,
+        light: &Light<'_>,
+    ) -> Result<Coefficients<K>, Error> {
+        let mut coefficients = zeros::<f32, K>(Argument::Coefficients, self.components())?;
         self.relight_into(transfer.as_slice(), light, &mut coefficients)?;
         Ok(coefficients)
     }
@@ -73,9 +73,9 @@ impl<S: Scalar> Basis<'_, S> {
     /// [`components`](Self::components).
     pub fn relight_into(
         &self,
-        transfer: &[S],
-        light: &Light<'_, S>,
-        coefficients: &mut [S],
+        transfer: &[f32],
+        light: &Light<'_>,
+        coefficients: &mut [f32],
     ) -> Result<(), Error> {
         self.accept_light(light)?;
         Error::check(Argument::Transfer, self.transfer_len(), transfer.len())?;
@@ -89,24 +89,24 @@ impl<S: Scalar> Basis<'_, S> {
         Ok(())
     }
 
-    fn relight_passes(&self, transfer: &[S], light: &Light<'_, S>, coefficients: &mut [S]) {
+    fn relight_passes(&self, transfer: &[f32], light: &Light<'_>, coefficients: &mut [f32]) {
         let mut next = self.first_pass();
         while let Some(pass) = next {
             let degrees = (light.degree() + 1).saturating_sub(pass.lowest);
             by_profiles!(pass.profiles, P => {
-                let sums = any_sums::<S, P>(&pass, degrees, transfer, light.coefficients());
+                let sums = any_sums::<P>(&pass, degrees, transfer, light.coefficients());
                 write_pass(&pass, &sums, coefficients);
             });
             next = self.pass_after(&pass);
         }
     }
 
-    fn relight_runs(&self, transfer: &[S], light: &Light<'_, S>, coefficients: &mut [S]) {
+    fn relight_runs(&self, transfer: &[f32], light: &Light<'_>, coefficients: &mut [f32]) {
         let mut next = self.first_run();
         while let Some(run) = next {
             let degrees = (light.degree() + 1).saturating_sub(run.order.unsigned_abs());
             by_profiles!(run.profiles, P => {
-                let sums = run_sums::<S, P>(&run, degrees, transfer, light.coefficients());
+                let sums = run_sums::<P>(&run, degrees, transfer, light.coefficients());
                 write_run(self.components_of_run(&run), sums, coefficients);
             });
             next = self.run_after(&run);
@@ -116,28 +116,26 @@ impl<S: Scalar> Basis<'_, S> {
 
 /// The numbers of a transfer and of a light, if there are exactly `T` and `N`.
 #[inline(always)]
-pub fn inputs<'a, S: Scalar, const T: usize, const N: usize>(
-    transfer: &'a Transfer<S, T>,
-    light: &Light<'a, S>,
-) -> Option<(&'a [S; T], &'a [S; N])> {
+pub fn inputs<'a, const T: usize, const N: usize>(
+    transfer: &'a Transfer<T>,
+    light: &Light<'a>,
+) -> Option<(&'a [f32; T], &'a [f32; N])> {
     Some((transfer.as_slice().try_into().ok()?, light.coefficients().try_into().ok()?))
 }
 
 /// Writes the sums of pass number `I`, which has `P` profiles, to their components.
 #[inline(always)]
-pub fn write<B, S: Scalar, const I: usize, const P: usize, const K: usize>(
-    sums: &[[S; LANES]; P],
-    coefficients: &mut [S; K],
+pub fn write<B, const I: usize, const P: usize, const K: usize>(
+    sums: &[[f32; LANES]; P],
+    coefficients: &mut [f32; K],
 ) where
-    B: KnownTable<Basis<'static, S>>,
+    B: KnownTable<Basis<'static>>,
 {
-    write_pass(const { &pass_of::<B, S, P>(I) }, sums, coefficients);
+    write_pass(const { &pass_of::<B, P>(I) }, sums, coefficients);
 }
 
 #[expect(clippy::panic, reason = "while the program is compiled")]
-const fn pass_of<B: KnownTable<Basis<'static, S>>, S: 'static, const P: usize>(
-    index: usize,
-) -> PassPlace {
+const fn pass_of<B: KnownTable<Basis<'static>>, const P: usize>(index: usize) -> PassPlace {
     match B::BASIS.pass_at(index) {
         Some(pass) if pass.profiles == P => pass,
         _ => panic!("the table has no such pass"),
@@ -145,7 +143,7 @@ const fn pass_of<B: KnownTable<Basis<'static, S>>, S: 'static, const P: usize>(
 }
 
 #[expect(clippy::panic, reason = "while the program is compiled")]
-const fn run_of<B: KnownTable<Basis<'static, S>>, S: 'static, const P: usize>(index: usize) -> Run {
+const fn run_of<B: KnownTable<Basis<'static>>, const P: usize>(index: usize) -> Run {
     match B::BASIS.run_at(index) {
         Some(run) if run.profiles == P => run,
         _ => panic!("the table has no such run"),
@@ -155,38 +153,38 @@ const fn run_of<B: KnownTable<Basis<'static, S>>, S: 'static, const P: usize>(in
 /// The sums of pass number `I`, which has `P` profiles. Not inlined: a compiler that sees single
 /// lanes being read splits the groups.
 #[inline(never)]
-pub fn sums<B, S: Scalar, const I: usize, const P: usize, const T: usize, const N: usize>(
-    transfer: &[S; T],
-    light: &[S; N],
-) -> [[S; LANES]; P]
+pub fn sums<B, const I: usize, const P: usize, const T: usize, const N: usize>(
+    transfer: &[f32; T],
+    light: &[f32; N],
+) -> [[f32; LANES]; P]
 where
-    B: KnownTable<Basis<'static, S>>,
+    B: KnownTable<Basis<'static>>,
 {
-    let place = const { &pass_of::<B, S, P>(I) };
-    let degrees = const { B::BASIS.parts.degree + 1 - pass_of::<B, S, P>(I).lowest };
+    let place = const { &pass_of::<B, P>(I) };
+    let degrees = const { B::BASIS.parts.degree + 1 - pass_of::<B, P>(I).lowest };
     sums_of_pass(place, degrees, transfer, light)
 }
 
 /// [`sums_of_pass`] of any pass of `P` profiles.
 #[inline(never)]
-fn any_sums<S: Scalar, const P: usize>(
+fn any_sums<const P: usize>(
     pass: &PassPlace,
     degrees: usize,
-    transfer: &[S],
-    light: &[S],
-) -> [[S; LANES]; P] {
+    transfer: &[f32],
+    light: &[f32],
+) -> [[f32; LANES]; P] {
     sums_of_pass(pass, degrees, transfer, light)
 }
 
 /// The sums of a pass, over this many degrees.
 #[inline(always)]
-fn sums_of_pass<S: Scalar, const P: usize>(
+fn sums_of_pass<const P: usize>(
     pass: &PassPlace,
     degrees: usize,
-    transfer: &[S],
-    light: &[S],
-) -> [[S; LANES]; P] {
-    let mut sums = [[S::ZERO; LANES]; P];
+    transfer: &[f32],
+    light: &[f32],
+) -> [[f32; LANES]; P] {
+    let mut sums = [[0.0; LANES]; P];
     let (groups, _) = part(transfer, pass.start..).as_chunks::<LANES>();
     let (rows, _) = groups.as_chunks::<P>();
     for (l, row) in (pass.lowest..).zip(part(rows, ..degrees)) {
@@ -201,17 +199,17 @@ fn sums_of_pass<S: Scalar, const P: usize>(
 /// L_l^m for the orders from `first` on. Orders beyond l read other coefficients or zero, which
 /// does no harm because their rows are zero.
 #[inline(always)]
-fn window<S: Scalar>(light: &[S], l: usize, first: isize) -> [S; LANES] {
+fn window(light: &[f32], l: usize, first: isize) -> [f32; LANES] {
     let start = position(l, first);
     if let Some(window) = light.get(start..).and_then(|rest| rest.first_chunk()) {
         return *window;
     }
-    let at = |lane: usize| light.get(start.wrapping_add(lane)).copied().unwrap_or(S::ZERO);
+    let at = |lane: usize| light.get(start.wrapping_add(lane)).copied().unwrap_or(0.0);
     [at(0), at(1), at(2), at(3)]
 }
 
 #[inline(always)]
-fn write_pass<S: Scalar>(pass: &PassPlace, sums: &[[S; LANES]], coefficients: &mut [S]) {
+fn write_pass(pass: &PassPlace, sums: &[[f32; LANES]], coefficients: &mut [f32]) {
     for (slots, sums) in pass.slots.iter().zip(sums) {
         for (&slot, &sum) in slots.iter().zip(sums) {
             if let Some(coefficient) = coefficients.get_mut(usize::from(slot)) {
@@ -224,30 +222,29 @@ fn write_pass<S: Scalar>(pass: &PassPlace, sums: &[[S; LANES]], coefficients: &m
 /// Writes the components of run number `I`, which has `P` profiles. Not inlined: a compiler that
 /// sees several orders at once runs out of registers.
 #[inline(never)]
-pub fn run<B, S, const I: usize, const P: usize, const T: usize, const N: usize, const K: usize>(
-    transfer: &[S; T],
-    light: &[S; N],
-    coefficients: &mut [S; K],
+pub fn run<B, const I: usize, const P: usize, const T: usize, const N: usize, const K: usize>(
+    transfer: &[f32; T],
+    light: &[f32; N],
+    coefficients: &mut [f32; K],
 ) where
-    B: KnownTable<Basis<'static, S>>,
-    S: Scalar,
+    B: KnownTable<Basis<'static>>,
 {
-    let run = const { &run_of::<B, S, P>(I) };
-    let degrees = const { B::BASIS.parts.degree + 1 - run_of::<B, S, P>(I).order.unsigned_abs() };
-    let components = const { B::BASIS.run_components::<P>(&run_of::<B, S, P>(I)) };
-    let sums = run_sums::<S, P>(run, degrees, transfer, light);
+    let run = const { &run_of::<B, P>(I) };
+    let degrees = const { B::BASIS.parts.degree + 1 - run_of::<B, P>(I).order.unsigned_abs() };
+    let components = const { B::BASIS.run_components::<P>(&run_of::<B, P>(I)) };
+    let sums = run_sums::<P>(run, degrees, transfer, light);
     write_run(components, sums, coefficients);
 }
 
 /// The sums of a run of `P` profiles, over this many degrees.
 #[inline(always)]
-fn run_sums<S: Scalar, const P: usize>(
+fn run_sums<const P: usize>(
     run: &Run,
     degrees: usize,
-    transfer: &[S],
-    light: &[S],
-) -> [S; P] {
-    let mut sums = [S::ZERO; P];
+    transfer: &[f32],
+    light: &[f32],
+) -> [f32; P] {
+    let mut sums = [0.0; P];
     let (groups, _) = transfer.as_chunks::<LANES>();
     let (mut at, lane) = (run.start / LANES, run.start % LANES);
     let lowest = run.order.unsigned_abs();
@@ -256,8 +253,9 @@ fn run_sums<S: Scalar, const P: usize>(
         let groups = groups.get(at..).and_then(<[_]>::first_chunk::<P>);
         let (Some(&light), Some(groups)) = (light.get(of_light), groups) else { break };
         for (sum, group) in sums.iter_mut().zip(groups) {
-            let number = group.get(lane).copied().unwrap_or(S::ZERO);
-            *sum = if l == lowest { number * light } else { sum.add_product(number, light) };
+            let number = group.get(lane).copied().unwrap_or(0.0);
+            *sum =
+                if l == lowest { number * light } else { float::add_product(*sum, number, light) };
         }
         (at, of_light) = (at + run.step / LANES, of_light + 2 * l + 2);
     }
@@ -265,10 +263,10 @@ fn run_sums<S: Scalar, const P: usize>(
 }
 
 #[inline(always)]
-fn write_run<S: Scalar, const P: usize>(
+fn write_run<const P: usize>(
     components: impl IntoIterator<Item = u16>,
-    sums: [S; P],
-    coefficients: &mut [S],
+    sums: [f32; P],
+    coefficients: &mut [f32],
 ) {
     for (sum, component) in sums.into_iter().zip(components) {
         if let Some(coefficient) = coefficients.get_mut(usize::from(component)) {

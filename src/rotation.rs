@@ -1,8 +1,7 @@
 //! Rotations in three dimensions, from a quaternion, from Euler angles or from a matrix.
 
 use crate::error::Error;
-use crate::mathematics::Mathematics;
-use crate::scalar::Scalar;
+use crate::mathematics;
 
 /// A rotation R of light: light that came from ω comes from Rω afterward.
 ///
@@ -10,33 +9,25 @@ use crate::scalar::Scalar;
 /// rotations are composed.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct Rotation<S> {
-    pub(crate) matrix: [[S; 3]; 3],
+pub struct Rotation {
+    pub(crate) matrix: [[f32; 3]; 3],
 }
 
-impl<S: Scalar> Rotation<S> {
+impl Rotation {
     /// The identity.
-    pub const NONE: Self = Self {
-        matrix: [
-            [S::ONE, S::ZERO, S::ZERO],
-            [S::ZERO, S::ONE, S::ZERO],
-            [S::ZERO, S::ZERO, S::ONE],
-        ],
-    };
+    pub const NONE: Self = Self { matrix: [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]] };
 
     /// R = Rz(`beta`) Ry(`alpha`) Rz(`gamma`), in radians: first about z by γ, then about y by α,
     /// then about z by β. So (angle, 0, 0) is about the view, z, and (0, angle, 0) about the
     /// vertical, y.
     ///
-    /// For f32, [`SinglePrecision`](crate::mathematics::SinglePrecision) computes without f64.
-    ///
     /// # Errors
     ///
     /// [`Error::Rotation`] if an angle is not finite.
-    pub fn from_euler<M: Mathematics<S>>(beta: S, alpha: S, gamma: S) -> Result<Self, Error> {
-        let (sb, cb) = M::sine_and_cosine(beta);
-        let (sa, ca) = M::sine_and_cosine(alpha);
-        let (sg, cg) = M::sine_and_cosine(gamma);
+    pub fn from_euler(beta: f32, alpha: f32, gamma: f32) -> Result<Self, Error> {
+        let (sb, cb) = mathematics::sine_and_cosine(beta);
+        let (sa, ca) = mathematics::sine_and_cosine(alpha);
+        let (sg, cg) = mathematics::sine_and_cosine(gamma);
         let rotation = Self {
             matrix: [
                 [cb * ca * cg - sb * sg, -cb * ca * sg - sb * cg, cb * sa],
@@ -44,7 +35,7 @@ impl<S: Scalar> Rotation<S> {
                 [-sa * cg, sa * sg, ca],
             ],
         };
-        let finite = [beta, alpha, gamma].into_iter().all(S::is_finite);
+        let finite = [beta, alpha, gamma].into_iter().all(f32::is_finite);
         if finite { Ok(rotation) } else { Err(Error::Rotation) }
     }
 
@@ -54,12 +45,12 @@ impl<S: Scalar> Rotation<S> {
     /// # Errors
     ///
     /// [`Error::Rotation`] if the squared length is not a normal number.
-    pub fn from_quaternion([x, y, z, w]: [S; 4]) -> Result<Self, Error> {
+    pub fn from_quaternion([x, y, z, w]: [f32; 4]) -> Result<Self, Error> {
         let square = x * x + y * y + z * z + w * w;
-        let scale = square.reciprocal();
+        let scale = square.recip();
         let twice = scale + scale;
         // Infinite if the square is below the smallest normal number, 0 if it is infinite.
-        if !(twice > S::ZERO && twice.is_finite()) {
+        if !(twice > 0.0 && twice.is_finite()) {
             return Err(Error::Rotation);
         }
         let (sx, sy, sz) = (twice * x, twice * y, twice * z);
@@ -68,9 +59,9 @@ impl<S: Scalar> Rotation<S> {
         let (xw, yw, zw) = (sx * w, sy * w, sz * w);
         Ok(Self {
             matrix: [
-                [S::ONE - (yy + zz), xy - zw, zx + yw],
-                [xy + zw, S::ONE - (zz + xx), yz - xw],
-                [zx - yw, yz + xw, S::ONE - (xx + yy)],
+                [1.0 - (yy + zz), xy - zw, zx + yw],
+                [xy + zw, 1.0 - (zz + xx), yz - xw],
+                [zx - yw, yz + xw, 1.0 - (xx + yy)],
             ],
         })
     }
@@ -81,18 +72,18 @@ impl<S: Scalar> Rotation<S> {
     /// # Errors
     ///
     /// [`Error::Rotation`] unless the rows are orthonormal and right-handed to within 1e-3.
-    pub fn from_matrix(matrix: [[S; 3]; 3]) -> Result<Self, Error> {
+    pub fn from_matrix(matrix: [[f32; 3]; 3]) -> Result<Self, Error> {
         let [x, y, z] = matrix;
         let [a, b, c] = cross(x, y);
         let pairs = [
-            dot(x, x) - S::ONE,
-            dot(y, y) - S::ONE,
+            dot(x, x) - 1.0,
+            dot(y, y) - 1.0,
             dot(x, y),
-            a - dot(z, [S::ONE, S::ZERO, S::ZERO]),
-            b - dot(z, [S::ZERO, S::ONE, S::ZERO]),
-            c - dot(z, [S::ZERO, S::ZERO, S::ONE]),
+            a - dot(z, [1.0, 0.0, 0.0]),
+            b - dot(z, [0.0, 1.0, 0.0]),
+            c - dot(z, [0.0, 0.0, 1.0]),
         ];
-        let most = S::from_f64(1e-3);
+        let most = 1e-3;
         let fits = pairs.into_iter().all(|apart| apart <= most && -apart <= most);
         if fits { Ok(Self { matrix }.orthonormal()) } else { Err(Error::Rotation) }
     }
@@ -104,12 +95,12 @@ impl<S: Scalar> Rotation<S> {
         for _ in 0..3 {
             let rows = self.matrix;
             let mut off = rows.map(|row| rows.map(|other| -dot(row, other)));
-            off[0][0] += S::ONE;
-            off[1][1] += S::ONE;
-            off[2][2] += S::ONE;
-            let is_rounding = |off: &S| {
-                let sixteenth = *off * S::from_f64(1.0 / 16.0);
-                S::ONE + sixteenth == S::ONE && S::ONE - sixteenth == S::ONE
+            off[0][0] += 1.0;
+            off[1][1] += 1.0;
+            off[2][2] += 1.0;
+            let is_rounding = |off: &f32| {
+                let sixteenth = *off * (1.0 / 16.0);
+                1.0 + sixteenth == 1.0 && 1.0 - sixteenth == 1.0
             };
             if off.as_flattened().iter().all(is_rounding) {
                 break;
@@ -117,7 +108,7 @@ impl<S: Scalar> Rotation<S> {
             let columns = self.inverse().matrix;
             for (row, off) in self.matrix.iter_mut().zip(off) {
                 for (element, column) in row.iter_mut().zip(columns) {
-                    *element += S::from_f64(0.5) * dot(off, column);
+                    *element += 0.5 * dot(off, column);
                 }
             }
         }
@@ -126,7 +117,7 @@ impl<S: Scalar> Rotation<S> {
 
     /// R as a matrix, row by row.
     #[must_use]
-    pub const fn matrix(self) -> [[S; 3]; 3] {
+    pub const fn matrix(self) -> [[f32; 3]; 3] {
         self.matrix
     }
 
@@ -147,15 +138,15 @@ impl<S: Scalar> Rotation<S> {
 
     /// Rotates a direction.
     #[must_use]
-    pub fn turn_direction(self, direction: [S; 3]) -> [S; 3] {
+    pub fn turn_direction(self, direction: [f32; 3]) -> [f32; 3] {
         self.matrix.map(|row| dot(row, direction))
     }
 }
 
-pub(crate) fn dot<S: Scalar>([a, b, c]: [S; 3], [x, y, z]: [S; 3]) -> S {
+pub(crate) fn dot([a, b, c]: [f32; 3], [x, y, z]: [f32; 3]) -> f32 {
     a * x + b * y + c * z
 }
 
-pub(crate) fn cross<S: Scalar>([a, b, c]: [S; 3], [x, y, z]: [S; 3]) -> [S; 3] {
+pub(crate) fn cross([a, b, c]: [f32; 3], [x, y, z]: [f32; 3]) -> [f32; 3] {
     [b * z - c * y, c * x - a * z, a * y - b * x]
 }

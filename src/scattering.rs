@@ -7,32 +7,32 @@
 
 use crate::basis::Basis;
 use crate::error::{Argument, Error};
+use crate::float;
 use crate::index::effect::{Effect, Effects};
 use crate::index::{layout, layout::LANES, material};
 use crate::invariant::{part_mut, split};
 use crate::lanes;
 use crate::material::Material;
-use crate::scalar::Scalar;
 
-impl<S: Scalar> Basis<'_, S> {
-    pub(crate) fn accept_material(&self, material: &Material<'_, S>) -> Result<(), Error> {
+impl Basis<'_> {
+    pub(crate) fn accept_material(&self, material: &Material<'_>) -> Result<(), Error> {
         Error::check_beyond(Argument::Material, self.order(), material.order())?;
         if self.projects() { Ok(()) } else { Err(Error::TransfersOnly) }
     }
 
-    /// Writes S: for each l a zero-padded row over the pairs (p, q). `sums` holds S along l
+    /// Writes S: for each l a zero-padded row over the pairs (p, q). `sums` holds f32 along l
     /// meanwhile. Only modes of `effects` are summed; if the basis has a selection of modes, only
     /// those of `azimuth`. Inlined so that the compiler can see when all effects are meant.
     #[inline(always)]
     pub(crate) fn scatter(
         &self,
-        material: &Material<'_, S>,
+        material: &Material<'_>,
         effects: Effects,
         azimuth: usize,
-        sums: &mut [S],
-        scattering: &mut [S],
+        sums: &mut [f32],
+        scattering: &mut [f32],
     ) {
-        sums.fill(S::ZERO);
+        sums.fill(0.0);
         // Rows of the usual degrees have kernels with their length built in.
         match layout::groups(self.degree()) {
             _ if !self.parts.selection.is_empty() || !effects.is_all() => {
@@ -47,8 +47,8 @@ impl<S: Scalar> Basis<'_, S> {
         self.transpose(sums, scattering);
     }
 
-    /// Computes S along l, in rows of `G` groups.
-    fn scatter_rows<const G: usize>(&self, material: &Material<'_, S>, sums: &mut [S]) {
+    /// Computes f32 along l, in rows of `G` groups.
+    fn scatter_rows<const G: usize>(&self, material: &Material<'_>, sums: &mut [f32]) {
         let (polar, _) = self.parts.polar.as_chunks::<LANES>().0.as_chunks::<G>();
         let (sums, _) = sums.as_chunks_mut::<LANES>().0.as_chunks_mut::<G>();
         self.couple(material, core::iter::repeat(()), |b, from, to, _, ()| {
@@ -60,8 +60,8 @@ impl<S: Scalar> Basis<'_, S> {
         });
     }
 
-    /// Computes S along l, in rows of any number of groups.
-    fn scatter_long(&self, groups: usize, material: &Material<'_, S>, sums: &mut [S]) {
+    /// Computes f32 along l, in rows of any number of groups.
+    fn scatter_long(&self, groups: usize, material: &Material<'_>, sums: &mut [f32]) {
         let (polar, _) = self.parts.polar.as_chunks::<LANES>();
         let (sums, _) = sums.as_chunks_mut::<LANES>();
         self.couple(material, core::iter::repeat(()), |b, from, to, _, ()| {
@@ -75,14 +75,14 @@ impl<S: Scalar> Basis<'_, S> {
         });
     }
 
-    /// Computes S along l, in rows of any length, for some effects. If the basis has a selection of
+    /// Computes f32 along l, in rows of any length, for some effects. If the basis has a selection of
     /// modes, only for the modes of one azimuth.
     fn scatter_some(
         &self,
-        material: &Material<'_, S>,
+        material: &Material<'_>,
         effects: Effects,
         azimuth: usize,
-        sums: &mut [S],
+        sums: &mut [f32],
     ) {
         let degrees = self.degree() + 1;
         let length = LANES * layout::groups(self.degree());
@@ -98,7 +98,7 @@ impl<S: Scalar> Basis<'_, S> {
             let rows = sums.iter_mut().zip(polar).zip(kept).take(degrees);
             for (l, ((sum, &polar), &kept)) in rows.enumerate() {
                 let kept = kept && effects.keeps(l, o);
-                *sum = if kept { sum.add_product(b, polar) } else { *sum };
+                *sum = if kept { float::add_product(*sum, b, polar) } else { *sum };
             }
         });
     }
@@ -109,11 +109,11 @@ impl<S: Scalar> Basis<'_, S> {
     #[inline(always)]
     fn couple<M: Copy>(
         &self,
-        material: &Material<'_, S>,
+        material: &Material<'_>,
         more: impl Iterator<Item = M>,
-        mut add: impl FnMut(S, usize, usize, usize, M),
+        mut add: impl FnMut(f32, usize, usize, usize, M),
     ) {
-        let half = S::from_f64(core::f64::consts::FRAC_1_SQRT_2);
+        let half = core::f32::consts::FRAC_1_SQRT_2;
         let couplings = material.coefficients().iter().zip(self.parts.couplings);
         for (mode, ((&b, coupling), more)) in couplings.zip(more).enumerate() {
             let (o, p) = (usize::from(coupling.o), usize::from(coupling.p));
@@ -130,9 +130,9 @@ impl<S: Scalar> Basis<'_, S> {
     /// factored. Empty if there are none, or without the ambient effect.
     pub(crate) fn unfactored(
         &self,
-        material: &Material<'_, S>,
+        material: &Material<'_>,
         effects: Effects,
-    ) -> impl Iterator<Item = S> {
+    ) -> impl Iterator<Item = f32> {
         let wanted = effects.has(Effect::Ambient);
         let numbers = if wanted { self.parts.ambient } else { &[] };
         let (order, of_basis) = (material.order(), self.effects());
@@ -140,12 +140,12 @@ impl<S: Scalar> Basis<'_, S> {
         rows.map(move |row| {
             let all = material::indices(order).zip(material.coefficients());
             let unfactored = all.filter(move |&((o, _, q), _)| of_basis.is_unfactored(o, q));
-            row.iter().zip(unfactored).fold(S::ZERO, |sum, (&a, (_, &b))| sum.add_product(a, b))
+            row.iter().zip(unfactored).fold(0.0, |sum, (&a, (_, &b))| float::add_product(sum, a, b))
         })
     }
 
-    /// Transposes S from rows over l, one for each pair, to rows over the pairs, one for each l.
-    fn transpose(&self, sums: &[S], scattering: &mut [S]) {
+    /// Transposes f32 from rows over l, one for each pair, to rows over the pairs, one for each l.
+    fn transpose(&self, sums: &[f32], scattering: &mut [f32]) {
         let width = self.row() / LANES;
         let groups = layout::groups(self.degree()).max(1);
         let (sums, _) = sums.as_chunks::<LANES>();

@@ -4,6 +4,7 @@
 use crate::basis::Basis;
 use crate::buffer::{Buffer, zeros};
 use crate::error::{Argument, Error};
+use crate::float;
 use crate::index::layout::{LANES, Recurrence};
 use crate::index::record::ProfilePlace;
 use crate::invariant::{part, part_mut, split, split_mut, split_row};
@@ -12,10 +13,9 @@ use crate::normal::Normal;
 use crate::polynomial;
 use crate::polynomial::{argument, turned};
 use crate::recurrences::Recurrences;
-use crate::scalar::Scalar;
 
 /// Storage for a collapsed scene.
-pub type SceneBuffer<S, const N: usize> = Buffer<S, N>;
+pub type SceneBuffer<const N: usize> = Buffer<f32, N>;
 
 /// One image: `buffer` holds the polynomials of +m and -m for each azimuth |m|.
 ///
@@ -39,7 +39,7 @@ pub(crate) fn count(lengths: &[u16]) -> usize {
     lengths.map(|(azimuth, &length)| signs(azimuth) * usize::from(length)).sum()
 }
 
-impl<'a, S: Scalar> Basis<'a, S> {
+impl<'a> Basis<'a> {
     /// Sums the components of each azimuth.
     ///
     /// `N` must be at least [`scene_len`](Self::scene_len). `coefficients` holds the leading
@@ -51,9 +51,9 @@ impl<'a, S: Scalar> Basis<'a, S> {
     /// is too small.
     pub fn collapse<const N: usize>(
         &self,
-        coefficients: &[S],
-    ) -> Result<Scene<'a, SceneBuffer<S, N>>, Error> {
-        self.collapse_into(coefficients, zeros::<S, N>(Argument::Scene, self.scene_len())?)
+        coefficients: &[f32],
+    ) -> Result<Scene<'a, SceneBuffer<N>>, Error> {
+        self.collapse_into(coefficients, zeros::<f32, N>(Argument::Scene, self.scene_len())?)
     }
 
     /// [`collapse`](Self::collapse) into a buffer that the caller provides, of length
@@ -63,15 +63,15 @@ impl<'a, S: Scalar> Basis<'a, S> {
     ///
     /// [`Error::Length`] if there are more coefficients than components, or if the buffer has
     /// another length.
-    pub fn collapse_into<B: AsMut<[S]>>(
+    pub fn collapse_into<B: AsMut<[f32]>>(
         &self,
-        coefficients: &[S],
+        coefficients: &[f32],
         mut buffer: B,
     ) -> Result<Scene<'a, B>, Error> {
         let sums = buffer.as_mut();
         Error::check(Argument::Scene, self.scene_len(), sums.len())?;
         Error::check_components(self.components(), coefficients.len())?;
-        sums.fill(S::ZERO);
+        sums.fill(0.0);
         for (sum, &mean) in sums.iter_mut().zip(self.parts.mean) {
             *sum = mean;
         }
@@ -101,7 +101,7 @@ impl<'a, S: Scalar> Basis<'a, S> {
     /// # Errors
     ///
     /// [`Error::Length`] unless there are [`scene_len`](Self::scene_len) numbers.
-    pub fn scene<B: AsRef<[S]>>(&self, buffer: B) -> Result<Scene<'a, B>, Error> {
+    pub fn scene<B: AsRef<[f32]>>(&self, buffer: B) -> Result<Scene<'a, B>, Error> {
         Error::check(Argument::Scene, self.scene_len(), buffer.as_ref().len())?;
         Ok(Scene::of(self.parts.lengths, self.recurrences, buffer))
     }
@@ -112,11 +112,11 @@ impl<'a, S: Scalar> Basis<'a, S> {
     /// # Errors
     ///
     /// [`Error::Length`] if there are more coefficients than components.
-    pub fn reconstruct(&self, coefficients: &[S], normal: Normal<S>) -> Result<S, Error> {
+    pub fn reconstruct(&self, coefficients: &[f32], normal: Normal) -> Result<f32, Error> {
         Error::check_components(self.components(), coefficients.len())?;
         let weight = |index: Option<u16>| {
             let found = index.and_then(|index| coefficients.get(usize::from(index)));
-            found.copied().unwrap_or(S::ZERO)
+            found.copied().unwrap_or(0.0)
         };
         let mut sum = self.mean_at(normal);
         for (place, value, [plus, minus]) in self.eigenimages_at(normal) {
@@ -126,7 +126,7 @@ impl<'a, S: Scalar> Basis<'a, S> {
     }
 
     #[inline]
-    pub(crate) fn mean_at(&self, normal: Normal<S>) -> S {
+    pub(crate) fn mean_at(&self, normal: Normal) -> f32 {
         polynomial::value(self.parts.mean, argument(normal.z), self.recurrences.of(0))
     }
 
@@ -135,10 +135,10 @@ impl<'a, S: Scalar> Basis<'a, S> {
     #[inline]
     pub(crate) fn eigenimages_at(
         &self,
-        normal: Normal<S>,
-    ) -> impl Iterator<Item = (&'a ProfilePlace, S, [S; 2])> {
+        normal: Normal,
+    ) -> impl Iterator<Item = (&'a ProfilePlace, f32, [f32; 2])> {
         let t = argument(normal.z);
-        let (mut cosine, mut sine, mut azimuth) = (S::ONE, S::ZERO, 0);
+        let (mut cosine, mut sine, mut azimuth) = (1.0, 0.0, 0);
         self.profiles().map(move |(place, terms)| {
             while azimuth < place.azimuth() {
                 (cosine, sine) = turned(cosine, sine, normal.x, normal.y);
@@ -152,7 +152,7 @@ impl<'a, S: Scalar> Basis<'a, S> {
 }
 
 #[inline]
-fn add<S: Scalar>(weight: S, terms: &[S], sums: &mut [S]) {
+fn add(weight: f32, terms: &[f32], sums: &mut [f32]) {
     // Small code for targets without lanes to fill.
     if cfg!(target_pointer_width = "32") {
         return sums.iter_mut().zip(terms).for_each(|(sum, &term)| *sum += weight * term);
@@ -163,7 +163,7 @@ fn add<S: Scalar>(weight: S, terms: &[S], sums: &mut [S]) {
         *sums = multiply_add(*sums, terms, &[weight; LANES]);
     }
     for (sum, &term) in others.iter_mut().zip(rest) {
-        *sum = sum.add_product(weight, term);
+        *sum = float::add_product(*sum, weight, term);
     }
 }
 
@@ -175,9 +175,9 @@ impl<'a, B> Scene<'a, B> {
 
     /// The terms of all polynomials, for writing polynomials of these lengths without recurrences.
     #[inline]
-    pub(crate) fn rewritten<S: Scalar>(&mut self, lengths: &'a [u16]) -> &mut [S]
+    pub(crate) fn rewritten(&mut self, lengths: &'a [u16]) -> &mut [f32]
     where
-        B: AsMut<[S]>,
+        B: AsMut<[f32]>,
     {
         (self.lengths, self.recurrences) = (lengths, Recurrences::NONE);
         self.buffer.as_mut()
@@ -185,16 +185,16 @@ impl<'a, B> Scene<'a, B> {
 
     /// The polynomials of each azimuth: those of +m, and those of -m (empty for m = 0).
     #[inline]
-    pub(crate) fn azimuths<S: Scalar>(&self) -> impl Iterator<Item = (&[S], &[S])>
+    pub(crate) fn azimuths(&self) -> impl Iterator<Item = (&[f32], &[f32])>
     where
-        B: AsRef<[S]>,
+        B: AsRef<[f32]>,
     {
         let mut rest = self.buffer.as_ref();
         self.lengths.iter().enumerate().map(move |(azimuth, &length)| {
             let length = usize::from(length);
             let (plus, after) = split_row(rest, length);
             let (minus, after) = match azimuth {
-                0 => (&[] as &[S], after),
+                0 => (&[] as &[f32], after),
                 _ => split_row(after, length),
             };
             rest = after;
@@ -204,9 +204,9 @@ impl<'a, B> Scene<'a, B> {
 
     /// The polynomials, from the highest azimuth to the lowest.
     #[inline]
-    pub(crate) fn descent<S: Scalar>(&self) -> Descent<'_, S>
+    pub(crate) fn descent(&self) -> Descent<'_>
     where
-        B: AsRef<[S]>,
+        B: AsRef<[f32]>,
     {
         let last = self.lengths.iter().rposition(|&length| length > 0);
         let lengths = part(self.lengths, ..last.map_or(0, |last| last + 1));
@@ -222,15 +222,15 @@ impl<'a, B> Scene<'a, B> {
 /// Iterates over the polynomials of a scene, downward from the highest azimuth that has any. Each
 /// item holds those of +m and -m.
 #[derive(Clone, Copy)]
-pub(crate) struct Descent<'s, S> {
+pub(crate) struct Descent<'s> {
     /// Lengths of the polynomials of m = 1, 2, ...
     pub(crate) lengths: &'s [u16],
-    pub(crate) pole: &'s [S],
-    pub(crate) around: &'s [S],
+    pub(crate) pole: &'s [f32],
+    pub(crate) around: &'s [f32],
     pub(crate) recurrences: Recurrences<'s>,
 }
 
-impl<'s, S> Descent<'s, S> {
+impl<'s> Descent<'s> {
     /// Whether any azimuth has a recurrence.
     #[inline]
     pub(crate) fn is_orthogonal(&self) -> bool {
@@ -247,8 +247,8 @@ impl<'s, S> Descent<'s, S> {
     }
 }
 
-impl<'s, S> Iterator for Descent<'s, S> {
-    type Item = (&'s [S], &'s [S]);
+impl<'s> Iterator for Descent<'s> {
+    type Item = (&'s [f32], &'s [f32]);
 
     #[inline]
     fn next(&mut self) -> Option<Self::Item> {

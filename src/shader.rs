@@ -6,7 +6,6 @@ use crate::highlights::Highlights;
 use crate::index::highlights::MAX_SOURCES;
 use crate::index::layout::{Form, Recurrence};
 use crate::recurrences::Recurrences;
-use crate::scalar::Scalar;
 use crate::scene::Scene;
 use crate::scene::{count, signs};
 use crate::shader_text::ShaderLanguage;
@@ -59,17 +58,16 @@ impl<'a> Shader<'a> {
     ///
     /// ```
     /// # #[cfg(all(feature = "baked", feature = "presets"))] {
-    /// use eigenshade::mathematics::SinglePrecision;
     /// use eigenshade::presets::light::LOBBY;
     /// use eigenshade::{Gloss, Highlights, Material, Shader, ShaderLanguage, Source, sphere};
     ///
     /// let (color, metallic, roughness) = ([0.93, 0.52, 0.38], 1.0, 0.25);
-    /// let lamp = Source::round::<SinglePrecision>([0.0, 0.6, 0.8], [0.5; 3], 0.03)?;
-    /// let rest = LOBBY.residual::<SinglePrecision, 100>(&[lamp])?;
+    /// let lamp = Source::round([0.0, 0.6, 0.8], [0.5; 3], 0.03)?;
+    /// let rest = LOBBY.residual::<100>(&[lamp])?;
     /// let copper = Material::metallic_roughness(color, metallic, roughness)?;
     /// let scene = sphere::color::scene(rest.lights()?, copper.materials()?)?;
     /// let gloss = Gloss::metallic_roughness(color, metallic, roughness)?;
-    /// let highlights = Highlights::<f32, 4>::new::<SinglePrecision>(&gloss, &[lamp])?;
+    /// let highlights = Highlights::<4>::new(&gloss, &[lamp])?;
     ///
     /// let shader = Shader::new(&scene.r).with_sources(4)?;
     /// let mut text = String::new();
@@ -117,7 +115,7 @@ impl<'a> Shader<'a> {
     /// # Errors
     ///
     /// [`Error::Length`] if there are fewer `vectors`.
-    pub fn uniforms<S: Scalar + Into<f32>, B: AsRef<[S]>>(
+    pub fn uniforms<B: AsRef<[f32]>>(
         &self,
         scene: Rgb<&Scene<'_, B>>,
         vectors: &mut [[f32; 4]],
@@ -143,9 +141,9 @@ impl<'a> Shader<'a> {
     ///
     /// [`Error::Length`] if there are fewer `vectors` than [`vectors`](Self::vectors), and
     /// [`Error::Capacity`] if there are more highlights than the shader has sources.
-    pub fn highlight_uniforms<S: Scalar + Into<f32>, const N: usize>(
+    pub fn highlight_uniforms<const N: usize>(
         &self,
-        highlights: &Highlights<S, N>,
+        highlights: &Highlights<N>,
         vectors: &mut [[f32; 4]],
     ) -> Result<(), Error> {
         let (needed, capacity) = (self.vectors(), self.sources);

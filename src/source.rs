@@ -6,16 +6,15 @@ use crate::color::Rgb;
 use crate::error::{Argument, Error};
 use crate::index::light::count;
 use crate::light::{Light, LightBuffer};
-use crate::mathematics::Mathematics;
+use crate::mathematics;
 use crate::rotation::{Rotation, dot};
-use crate::scalar::Scalar;
-use core::f64::consts::TAU;
+use core::f32::consts::TAU;
 
 /// How far a direction's length may be from 1.
-const LENGTH: f64 = 1e-3;
+const LENGTH: f32 = 1e-3;
 
 /// The largest standard deviation in radians, and what it may exceed by rounding.
-const WIDEST: f64 = 0.5 * (1.0 + 1e-5);
+const WIDEST: f32 = 0.5 * (1.0 + 1e-5);
 
 /// A small bright source of light: an elliptical blob on the sphere of directions.
 ///
@@ -30,14 +29,14 @@ const WIDEST: f64 = 0.5 * (1.0 + 1e-5);
 /// the energy.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct Source<S> {
-    direction: [S; 3],
-    energy: Rgb<S>,
-    major: [S; 3],
-    minor: S,
+pub struct Source {
+    direction: [f32; 3],
+    energy: Rgb<f32>,
+    major: [f32; 3],
+    minor: f32,
 }
 
-impl<S: Scalar> Source<S> {
+impl Source {
     /// A source in the unit vector `direction`, which points from the object to the light in the
     /// camera's frame.
     ///
@@ -46,41 +45,42 @@ impl<S: Scalar> Source<S> {
     ///   part along the direction of the source is removed.
     /// * `minor`: the standard deviation in radians across it.
     ///
-    /// The direction is scaled to length 1. Let `M` be `SinglePrecision` where f64 is slow.
+    /// The direction is scaled to length 1.
     ///
     /// # Errors
     ///
     /// [`Error::Source`] if the length of the direction differs from 1 by more than 1e-3, a number
     /// is not finite, an energy is below 0, or not 0 <= minor <= |major| <= 0.5.
-    pub fn new<M: Mathematics<S>>(
-        direction: [S; 3],
-        energy: impl Into<Rgb<S>>,
-        major: [S; 3],
-        minor: S,
+    pub fn new(
+        direction: [f32; 3],
+        energy: impl Into<Rgb<f32>>,
+        major: [f32; 3],
+        minor: f32,
     ) -> Result<Self, Error> {
         let energy = energy.into();
         let square = dot(direction, direction);
-        let off = square - S::ONE;
-        let most = S::from_f64(2.0 * LENGTH);
+        let off = square - 1.0;
+        let most = 2.0 * LENGTH;
         let is_unit = off <= most && -off <= most;
         let is_bright = [energy.r, energy.g, energy.b]
             .into_iter()
-            .all(|energy| energy >= S::ZERO && energy.is_finite());
+            .all(|energy| energy >= 0.0 && energy.is_finite());
         if !(is_unit && is_bright) {
             return Err(Error::Source);
         }
-        let scale = M::inverse_root(square);
+        let scale = mathematics::inverse_root(square);
         let direction = direction.map(|component| component * scale);
         let along = dot(major, direction);
         let [[x, y, z], [sx, sy, sz]] = [major, direction];
         let major = [x - along * sx, y - along * sy, z - along * sz];
         let [long, short] = [dot(major, major), minor * minor];
-        let fits = minor >= S::ZERO
-            && short <= long * S::from_f64(1.0 + 2.0 * LENGTH)
-            && long <= S::from_f64(WIDEST * WIDEST);
+        let fits =
+            minor >= 0.0 && short <= long * (1.0 + 2.0 * LENGTH) && long <= (WIDEST * WIDEST);
         match (fits, short <= long) {
             (true, true) => Ok(Self { direction, energy, major, minor }),
-            (true, false) => Ok(Self { direction, energy, major, minor: M::square_root(long) }),
+            (true, false) => {
+                Ok(Self { direction, energy, major, minor: mathematics::square_root(long) })
+            }
             (false, _) => Err(Error::Source),
         }
     }
@@ -90,70 +90,69 @@ impl<S: Scalar> Source<S> {
     ///
     /// ```
     /// use eigenshade::Source;
-    /// use eigenshade::mathematics::SinglePrecision;
     ///
     /// // A disc of radiance 40 and 0.1 rad in radius, to the upper left: its solid angle is
     /// // 0.0314 sr.
-    /// let lamp = Source::round::<SinglePrecision>([-0.6, 0.0, 0.8], [40.0 * 0.0314; 3], 0.05)?;
+    /// let lamp = Source::round([-0.6, 0.0, 0.8], [40.0 * 0.0314; 3], 0.05)?;
     /// assert_eq!(lamp.energy().g, 40.0 * 0.0314);
     /// # Ok::<(), eigenshade::Error>(())
     /// ```
-    pub fn round<M: Mathematics<S>>(
-        direction: [S; 3],
-        energy: impl Into<Rgb<S>>,
-        spread: S,
+    pub fn round(
+        direction: [f32; 3],
+        energy: impl Into<Rgb<f32>>,
+        spread: f32,
     ) -> Result<Self, Error> {
         // Perpendicular to the direction and not zero, as not all of x, y and z are small.
         let [x, y, z] = direction;
-        let across = if x * x + y * y > z * z { [-y, x, S::ZERO] } else { [S::ZERO, -z, y] };
+        let across = if x * x + y * y > z * z { [-y, x, 0.0] } else { [0.0, -z, y] };
         let square = dot(across, across);
-        if !(square.is_finite() && square > S::from_f64(0.1)) {
+        if !(square.is_finite() && square > 0.1) {
             return Err(Error::Source);
         }
-        let scale = spread * M::inverse_root(square);
-        Self::new::<M>(direction, energy, across.map(|component| component * scale), spread)
+        let scale = spread * mathematics::inverse_root(square);
+        Self::new(direction, energy, across.map(|component| component * scale), spread)
     }
 
     /// A source that [`new`](Self::new) accepts, without changes.
     #[cfg(feature = "presets")]
     pub(crate) const fn stored(
-        direction: [S; 3],
-        [r, g, b]: [S; 3],
-        major: [S; 3],
-        minor: S,
+        direction: [f32; 3],
+        [r, g, b]: [f32; 3],
+        major: [f32; 3],
+        minor: f32,
     ) -> Self {
         Self { direction, energy: Rgb::new(r, g, b), major, minor }
     }
 
     /// The direction, of length 1.
     #[must_use]
-    pub const fn direction(&self) -> [S; 3] {
+    pub const fn direction(&self) -> [f32; 3] {
         self.direction
     }
 
     /// The integral of radiance over solid angle.
     #[must_use]
-    pub const fn energy(&self) -> Rgb<S> {
+    pub const fn energy(&self) -> Rgb<f32> {
         self.energy
     }
 
     /// The major axis, perpendicular to the direction: its length is a standard deviation in
     /// radians.
     #[must_use]
-    pub const fn major(&self) -> [S; 3] {
+    pub const fn major(&self) -> [f32; 3] {
         self.major
     }
 
     /// The standard deviation across the major axis, in radians.
     #[must_use]
-    pub const fn minor(&self) -> S {
+    pub const fn minor(&self) -> f32 {
         self.minor
     }
 
     /// This source after a rotation, which must also turn the light that it was taken out of. It
     /// may set behind the object and rise again.
     #[must_use]
-    pub fn turned(self, rotation: Rotation<S>) -> Self {
+    pub fn turned(self, rotation: Rotation) -> Self {
         let [direction, major] = [self.direction, self.major].map(|v| rotation.turn_direction(v));
         Self { direction, major, ..self }
     }
@@ -163,12 +162,9 @@ impl<S: Scalar> Source<S> {
     /// # Errors
     ///
     /// [`Error::Capacity`] if `N` is too small.
-    pub fn harmonics<M: Mathematics<S>, const N: usize>(
-        &self,
-        degree: usize,
-    ) -> Result<LightBuffer<S, N>, Error> {
-        let mut blob = zeros::<S, N>(Argument::Light, count(degree))?;
-        self.add_blob::<M>(&mut blob, degree)?;
+    pub fn harmonics<const N: usize>(&self, degree: usize) -> Result<LightBuffer<N>, Error> {
+        let mut blob = zeros::<f32, N>(Argument::Light, count(degree))?;
+        self.add_blob(&mut blob, degree)?;
         Ok(blob)
     }
 
@@ -177,44 +173,40 @@ impl<S: Scalar> Source<S> {
     /// The integral along the major axis is a trapezoid sum over nodes s_j = cos(x_j) s + sin(x_j)
     /// major / |major|, x_j = j h t and |j h| <= 5, with weights exp(-(j h)² / 2) over their sum.
     /// With h <= 2π / (5 + t l), its ends and its aliases each leave at most 4e-6 of degree l.
-    fn add_blob<M: Mathematics<S>>(
-        &self,
-        coefficients: &mut [S],
-        degree: usize,
-    ) -> Result<(), Error> {
-        let half = S::from_f64(0.5);
+    fn add_blob(&self, coefficients: &mut [f32], degree: usize) -> Result<(), Error> {
+        let half = 0.5;
         let long = dot(self.major, self.major);
         let short = self.minor * self.minor;
         let rest = long - short;
-        let mut total = S::ONE;
-        add_harmonics::<S, M>(coefficients, self.direction, S::ONE)?;
+        let mut total = 1.0;
+        add_harmonics(coefficients, self.direction, 1.0)?;
         // Less is rounding, of a round source.
-        if rest > S::from_f64(1e-6) * long {
-            let width = M::square_root(rest);
-            let five = S::from_whole(5);
-            let fewest = five * (five + width * S::from_whole(degree)) * S::from_f64(1.0 / TAU);
-            let nodes = fewest.to_whole() + 1;
-            let step = five * S::from_whole(nodes).reciprocal();
-            let scale = M::inverse_root(long);
+        if rest > 1e-6 * long {
+            let width = mathematics::square_root(rest);
+            let five = 5.0;
+            let fewest = five * (five + width * (degree as f32)) * (1.0 / TAU);
+            let nodes = (fewest as usize) + 1;
+            let step = five * (nodes as f32).recip();
+            let scale = mathematics::inverse_root(long);
             let [[x, y, z], [ux, uy, uz]] = [self.direction, self.major.map(|u| u * scale)];
             // exp(-(j h)² / 2) has the ratios exp(-h² / 2)^(2 j + 1).
-            let (mut weight, mut ratio) = (S::ONE, decay(half * step * step));
+            let (mut weight, mut ratio) = (1.0, decay(half * step * step));
             let square = ratio * ratio;
             for j in 1..=nodes {
                 weight = weight * ratio;
                 ratio = ratio * square;
                 total += weight + weight;
-                let (sine, cosine) = M::sine_and_cosine(S::from_whole(j) * step * width);
+                let (sine, cosine) = mathematics::sine_and_cosine((j as f32) * step * width);
                 for sine in [sine, -sine] {
                     let node =
                         [cosine * x + sine * ux, cosine * y + sine * uy, cosine * z + sine * uz];
-                    add_harmonics::<S, M>(coefficients, node, weight)?;
+                    add_harmonics(coefficients, node, weight)?;
                 }
             }
         }
         // exp(-l (l + 1) minor² / 2) is the product of exp(-minor²)^k for k to l.
         let factor = decay(short);
-        let (mut power, mut damping) = (S::ONE, total.reciprocal());
+        let (mut power, mut damping) = (1.0, total.recip());
         let mut coefficients = coefficients.iter_mut();
         for l in 0..=degree {
             for coefficient in coefficients.by_ref().take(2 * l + 1) {
@@ -228,11 +220,11 @@ impl<S: Scalar> Source<S> {
 }
 
 /// exp(-x) for x from 0 to 1, by its series: 1 - x (1 - x/2 (1 - x/3 (...))).
-fn decay<S: Scalar>(x: S) -> S {
-    (1..=20).rev().fold(S::ONE, |sum, k| S::ONE - x * S::from_whole(k).reciprocal() * sum)
+fn decay(x: f32) -> f32 {
+    (1..=20).rev().fold(1.0, |sum, k| 1.0 - x * (k as f32).recip() * sum)
 }
 
-impl<S: Scalar> Rgb<Light<'_, S>> {
+impl Rgb<Light<'_>> {
     /// This light without some sources: L' = L - Σ E_k Y(blob_k). The harmonics lose exactly what
     /// [`Highlights`](crate::Highlights) add for the same sources.
     ///
@@ -240,13 +232,12 @@ impl<S: Scalar> Rgb<Light<'_, S>> {
     /// the sources are wider or brighter than what the light has there.
     ///
     /// ```
-    /// use eigenshade::mathematics::SinglePrecision;
     /// use eigenshade::{Light, Rgb, Source};
     ///
     /// // Ambient light and a lamp in front.
     /// let light = Rgb::gray(Light::new(&[3.5, 0.0, 0.5, 0.0])?);
-    /// let lamp = Source::round::<SinglePrecision>([0.0, 0.0, 1.0], [1.0; 3], 0.05)?;
-    /// let rest = light.residual::<SinglePrecision, 4>(&[lamp])?;
+    /// let lamp = Source::round([0.0, 0.0, 1.0], [1.0; 3], 0.05)?;
+    /// let rest = light.residual::<4>(&[lamp])?;
     /// assert!((rest.r[0] - (3.5 - 0.2821)).abs() < 1e-4);
     /// assert!(rest.r[2].abs() < 0.02);
     /// # Ok::<(), eigenshade::Error>(())
@@ -259,16 +250,16 @@ impl<S: Scalar> Rgb<Light<'_, S>> {
     /// # Errors
     ///
     /// [`Error::Capacity`] if `N` is too small.
-    pub fn residual<M: Mathematics<S>, const N: usize>(
+    pub fn residual<const N: usize>(
         &self,
-        sources: &[Source<S>],
-    ) -> Result<Rgb<LightBuffer<S, N>>, Error> {
+        sources: &[Source],
+    ) -> Result<Rgb<LightBuffer<N>>, Error> {
         let mut residual = self.each_ref().try_map(|light| {
-            copied::<S, N>(Argument::Light, light.coefficients().iter().copied())
+            copied::<f32, N>(Argument::Light, light.coefficients().iter().copied())
         })?;
         let degree = self.r.degree().max(self.g.degree()).max(self.b.degree());
         for source in sources {
-            let blob = source.harmonics::<M, N>(degree)?;
+            let blob = source.harmonics::<N>(degree)?;
             let Rgb { r, g, b } = &mut residual;
             let Rgb { r: of_r, g: of_g, b: of_b } = source.energy;
             for (channel, energy) in [(r, of_r), (g, of_g), (b, of_b)] {

@@ -5,13 +5,13 @@
 use crate::basis::Basis;
 use crate::buffer::{Buffer, zeros};
 use crate::error::{Argument, Error};
+use crate::float;
 use crate::index::effect::Effects;
 use crate::index::{layout, record::ProfilePlace};
 use crate::lanes;
 use crate::lanes::rows;
 use crate::material::Material;
 use crate::projection::Workspace;
-use crate::scalar::Scalar;
 
 const LANES: usize = layout::LANES;
 
@@ -27,20 +27,20 @@ const BEFORE: usize = if cfg!(target_pointer_width = "64") { 64 - size_of::<usiz
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[repr(C)]
 #[cfg_attr(target_pointer_width = "64", repr(align(64)))]
-pub struct Transfer<S, const N: usize> {
+pub struct Transfer<const N: usize> {
     before: [u8; BEFORE],
-    numbers: Buffer<S, N>,
+    numbers: Buffer<f32, N>,
 }
 
-impl<S, const N: usize> Transfer<S, N> {
+impl<const N: usize> Transfer<N> {
     /// The numbers, in the layout of [`index::layout`](crate::index::layout).
     #[must_use]
-    pub fn as_slice(&self) -> &[S] {
+    pub fn as_slice(&self) -> &[f32] {
         &self.numbers
     }
 }
 
-impl<S: Scalar, const N: usize> Transfer<S, N> {
+impl<const N: usize> Transfer<N> {
     /// The transfer of a sum of materials, each times a factor, from their transfers for one basis.
     ///
     /// ```
@@ -61,20 +61,20 @@ impl<S: Scalar, const N: usize> Transfer<S, N> {
     /// # Errors
     ///
     /// [`Error::Length`] if the transfers have different lengths.
-    pub fn sum<const P: usize>(parts: [&Self; P], factors: [S; P]) -> Result<Self, Error> {
+    pub fn sum<const P: usize>(parts: [&Self; P], factors: [f32; P]) -> Result<Self, Error> {
         let expected = parts.first().map_or(0, |part| part.numbers.len());
-        let mut numbers = zeros::<S, N>(Argument::Transfer, expected)?;
+        let mut numbers = zeros::<f32, N>(Argument::Transfer, expected)?;
         for (part, factor) in parts.into_iter().zip(factors) {
             Error::check(Argument::Transfer, expected, part.numbers.len())?;
             for (sum, &number) in numbers.iter_mut().zip(part.as_slice()) {
-                *sum = sum.add_product(factor, number);
+                *sum = float::add_product(*sum, factor, number);
             }
         }
         Ok(Self { before: [0; BEFORE], numbers })
     }
 }
 
-impl<S: Scalar> Basis<'_, S> {
+impl Basis<'_> {
     /// Computes the transfer of a material.
     ///
     /// `N` must be at least [`workspace_len`](Self::workspace_len), `T` at least
@@ -102,10 +102,10 @@ impl<S: Scalar> Basis<'_, S> {
     /// [`Error::Capacity`] if `N` or `T` is too small.
     pub fn transfer<const N: usize, const T: usize>(
         &self,
-        material: &Material<'_, S>,
-    ) -> Result<Transfer<S, T>, Error> {
-        let mut workspace = zeros::<S, N>(Argument::Workspace, self.workspace_len())?;
-        let numbers = zeros::<S, T>(Argument::Transfer, self.transfer_len())?;
+        material: &Material<'_>,
+    ) -> Result<Transfer<T>, Error> {
+        let mut workspace = zeros::<f32, N>(Argument::Workspace, self.workspace_len())?;
+        let numbers = zeros::<f32, T>(Argument::Transfer, self.transfer_len())?;
         let mut transfer = Transfer { before: [0; BEFORE], numbers };
         self.transfer_into(material, &mut workspace, &mut transfer.numbers)?;
         Ok(transfer)
@@ -120,9 +120,9 @@ impl<S: Scalar> Basis<'_, S> {
     /// [`transfer_len`](Self::transfer_len).
     pub fn transfer_into(
         &self,
-        material: &Material<'_, S>,
-        workspace: &mut [S],
-        transfer: &mut [S],
+        material: &Material<'_>,
+        workspace: &mut [f32],
+        transfer: &mut [f32],
     ) -> Result<(), Error> {
         self.transferred(material, Effects::ALL, workspace, transfer)
     }
@@ -131,10 +131,10 @@ impl<S: Scalar> Basis<'_, S> {
     /// [`project_effects_into`](Self::project_effects_into).
     pub fn transfer_effects_into(
         &self,
-        material: &Material<'_, S>,
+        material: &Material<'_>,
         effects: Effects,
-        workspace: &mut [S],
-        transfer: &mut [S],
+        workspace: &mut [f32],
+        transfer: &mut [f32],
     ) -> Result<(), Error> {
         self.transferred(material, effects, workspace, transfer)
     }
@@ -142,16 +142,16 @@ impl<S: Scalar> Basis<'_, S> {
     #[inline(always)]
     fn transferred(
         &self,
-        material: &Material<'_, S>,
+        material: &Material<'_>,
         effects: Effects,
-        workspace: &mut [S],
-        transfer: &mut [S],
+        workspace: &mut [f32],
+        transfer: &mut [f32],
     ) -> Result<(), Error> {
         self.accept_material(material)?;
         Error::check(Argument::Workspace, self.workspace_len(), workspace.len())?;
         Error::check(Argument::Transfer, self.transfer_len(), transfer.len())?;
         // Lanes with |m| > l stay zero.
-        transfer.fill(S::ZERO);
+        transfer.fill(0.0);
         let width = self.row() / LANES;
         let Workspace { scattering, sums, .. } = self.divide(workspace);
         let mut scattered = None;
@@ -182,7 +182,7 @@ impl<S: Scalar> Basis<'_, S> {
     /// Adds the coefficients that are not factored, which only affect l = 0.
     #[cold]
     #[inline(never)]
-    fn add_unfactored(&self, material: &Material<'_, S>, effects: Effects, transfer: &mut [S]) {
+    fn add_unfactored(&self, material: &Material<'_>, effects: Effects, transfer: &mut [f32]) {
         for (place, unfactored) in
             self.parts.profiles.iter().zip(self.unfactored(material, effects))
         {
@@ -195,13 +195,13 @@ impl<S: Scalar> Basis<'_, S> {
 
 /// Not inlined: if the compiler sees the sum across the lanes, it splits the vectors.
 #[inline(never)]
-fn product<S: Scalar>(factors: &[lanes::Two<S>], scattering: &[[S; LANES]]) -> lanes::Two<S> {
+fn product(factors: &[lanes::Two], scattering: &[[f32; LANES]]) -> lanes::Two {
     lanes::product(factors, scattering)
 }
 
 /// Writes T_l for l = |m| + `row` into the rows of +m and -m.
 #[inline]
-fn write<S: Scalar>(place: &ProfilePlace, row: usize, sum: S, transfer: &mut [S]) {
+fn write(place: &ProfilePlace, row: usize, sum: f32, transfer: &mut [f32]) {
     let of_minus = if place.azimuth % 2 == 1 { -sum } else { sum };
     // For m = 0 both write to the same place, and the sign is +.
     for (of, value) in [(place.minus_row, of_minus), (place.plus_row, sum)] {

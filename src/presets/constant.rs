@@ -2,7 +2,7 @@
 //! of [`q15::Light`](crate::q15::Light) and
 //! [`q15::Material`](crate::q15::Material), which are not constant functions.
 
-use crate::format::Q15;
+use crate::q15::Q15;
 use crate::q15::{LEAST_TOP, decoded};
 
 const BITS: i32 = 15;

@@ -23,10 +23,10 @@ use crate::color::Rgb;
 use crate::specialized::checked;
 
 /// A light of degree 9 in three channels: 1,200 bytes.
-pub type Light = Rgb<crate::Light<'static, f32>>;
+pub type Light = Rgb<crate::Light<'static>>;
 
 /// A material of order 7 in three channels: 480 bytes, or 160 if it is gray.
-pub type Material = Rgb<crate::Material<'static, f32>>;
+pub type Material = Rgb<crate::Material<'static>>;
 
 /// Captured light, by the names of its environment maps.
 ///
@@ -41,8 +41,8 @@ pub mod light {
     pub mod q15 {
         use super::super::quantized_light;
         use crate::color::Rgb;
-        use crate::format::Q15;
         use crate::q15;
+        use crate::q15::Q15;
 
         /// A light of degree 9 in three channels.
         pub type Light = Rgb<q15::Light<'static>>;
@@ -68,8 +68,8 @@ pub mod material {
     pub mod q15 {
         use super::super::quantized_material;
         use crate::color::Rgb;
-        use crate::format::Q15;
         use crate::q15;
+        use crate::q15::Q15;
 
         /// A material of order 7 in three channels.
         pub type Material = Rgb<q15::Material<'static>>;
@@ -85,14 +85,13 @@ pub mod material {
 ///
 /// ```
 /// # #[cfg(feature = "baked")] {
-/// use eigenshade::mathematics::SinglePrecision;
 /// use eigenshade::presets::{gloss, light::STUDIO, material::GOLD_METALLIC_PAINT, sources};
 /// use eigenshade::{Buffer, Highlights, Normal, Rotation, sphere};
 ///
-/// let rest = STUDIO.residual::<SinglePrecision, 100>(sources::STUDIO_4)?;
+/// let rest = STUDIO.residual::<100>(sources::STUDIO_4)?;
 /// let scene = sphere::color::scene(rest.lights()?, GOLD_METALLIC_PAINT)?;
 /// let gold = gloss::GOLD_METALLIC_PAINT;
-/// let highlights = Highlights::<f32, 4>::new::<SinglePrecision>(&gold, sources::STUDIO_4)?;
+/// let highlights = Highlights::<4>::new(&gold, sources::STUDIO_4)?;
 ///
 /// let normal = Normal::new(-0.5, 0.4, 0.768)?;
 /// let color = scene.shade(normal) + highlights.shade(normal);
@@ -104,7 +103,7 @@ pub mod material {
 /// let scene = sphere::color::scene(rest.lights()?, GOLD_METALLIC_PAINT)?;
 /// let mut lamps = Buffer::<_, 4>::from_slice(sources::STUDIO_4).unwrap_or_default();
 /// lamps.iter_mut().for_each(|lamp| *lamp = lamp.turned(turn));
-/// let highlights = Highlights::<f32, 4>::new::<SinglePrecision>(&gold, &lamps)?;
+/// let highlights = Highlights::<4>::new(&gold, &lamps)?;
 /// assert_ne!(scene.shade(normal) + highlights.shade(normal), color);
 /// # }
 /// # Ok::<(), eigenshade::Error>(())

@@ -8,8 +8,8 @@ use super::{Normal, Q15};
 use crate::buffer::{Buffer, zeros};
 use crate::color::Rgb;
 use crate::error::{Argument, Error};
-use crate::format::sealed::Sealed;
 use core::fmt::Debug;
+use sealed::Sealed;
 
 /// The reflections of up to `N` small sources on a glossy material, by the formula of
 /// [`crate::Highlights`]. `T` is `i32` for one channel or `Rgb<i32>` for three.
@@ -20,14 +20,13 @@ use core::fmt::Debug;
 ///
 /// ```
 /// # #[cfg(feature = "presets")] {
-/// use eigenshade::mathematics::SinglePrecision;
 /// use eigenshade::presets::{light::q15::LOBBY, material::q15::GOLD_METALLIC_PAINT};
 /// use eigenshade::q15::{self, Normal};
 /// use eigenshade::{Gloss, Highlights, Q15, Rgb, Source, sphere::q15};
 ///
-/// let lamp = Source::round::<SinglePrecision>([0.0, 0.6, 0.8], [0.5; 3], 0.03)?;
+/// let lamp = Source::round([0.0, 0.6, 0.8], [0.5; 3], 0.03)?;
 /// let gloss = Gloss::metallic_roughness([1.0, 0.78, 0.34], 1.0, 0.3)?;
-/// let in_floats = Highlights::<f32, 1>::new::<SinglePrecision>(&gloss, &[lamp])?;
+/// let in_floats = Highlights::<1>::new(&gloss, &[lamp])?;
 ///
 /// let scene = q15::color::scene(LOBBY, GOLD_METALLIC_PAINT)?;
 /// let exponents = scene.each_ref().map(|channel| channel.exponent());
@@ -79,7 +78,11 @@ pub trait Irradiance: Sealed + Copy + Debug + Default + PartialEq {
     fn with(self, other: Self, function: impl FnMut(i32, i32) -> i32) -> Self;
 }
 
-impl Sealed for Rgb<i32> {}
+mod sealed {
+    pub trait Sealed {}
+    impl Sealed for i32 {}
+    impl Sealed for crate::color::Rgb<i32> {}
+}
 
 impl Irradiance for i32 {
     #[inline(always)]
@@ -114,7 +117,7 @@ impl<T: Irradiance, const N: usize> Highlights<T, N> {
     ///
     /// [`Error::Capacity`] if there are more than `N` sources.
     pub fn quantize<const M: usize>(
-        highlights: &crate::Highlights<f32, M>,
+        highlights: &crate::Highlights<M>,
         exponent: T,
     ) -> Result<Self, Error> {
         let mut lobes = zeros::<Lobe<T>, N>(Argument::Sources, highlights.lobes.len())?;

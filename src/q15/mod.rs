@@ -13,7 +13,7 @@
 //! are too small, a pixel is wrong, but nothing panics. Results are the same bits everywhere.
 //!
 //! Maps are baked, and lights windowed, in floating point, on the host or on a machine with a float
-//! unit. [`IntegerMap`](crate::IntegerMap) is looked up, and a light is turned, in integers.
+//! unit. A [`BakedMap`] is looked up, and a light is turned, in integers.
 //!
 //! ```
 //! # #[cfg(feature = "baked")]
@@ -38,11 +38,13 @@
 
 mod about_view;
 mod arithmetic;
+mod baked_map;
 mod basis;
 mod estimate;
 mod exposure;
 mod highlights;
 mod inputs;
+mod map_point;
 mod nine_terms;
 mod pixel;
 mod relight;
@@ -72,6 +74,7 @@ pub mod kernels {
 }
 
 pub use crate::index::record::Q15;
+pub use baked_map::BakedMap;
 pub use basis::{Basis, Parts, Profile};
 pub use estimate::Estimate;
 pub use exposure::Exposure;
@@ -79,6 +82,7 @@ pub use highlights::{Highlights, Irradiance, Lobe};
 #[cfg(feature = "presets")]
 pub(crate) use inputs::{LEAST_TOP, decoded, mantissas};
 pub use inputs::{Light, Material, MaterialBuffer, Normal};
+pub use map_point::MapPoint;
 pub use nine_terms::NineTerms;
 pub use relight::Coefficients;
 pub use rotation::Rotation;

@@ -67,7 +67,7 @@ impl Rotation {
     /// This rotation from floats, in integer arithmetic throughout. Each cosine and sine is off by
     /// at most the rounding of the matrix.
     #[must_use]
-    pub fn quantize(rotation: &crate::Rotation<f32>) -> Self {
+    pub fn quantize(rotation: &crate::Rotation) -> Self {
         let matrix = rotation.matrix().map(|row| {
             row.map(|element| {
                 let (size, exponent) = decoded(element);

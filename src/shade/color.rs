@@ -6,7 +6,6 @@ use crate::color::Rgb;
 use crate::error::{Argument, Error};
 use crate::invariant::part_mut;
 use crate::normal::{Normal, Normals};
-use crate::scalar::Scalar;
 use crate::scene::{Descent, Scene};
 
 /// Normals that are shaded in one channel before the next: whole tiles and blocks of every target,
@@ -17,13 +16,9 @@ const _: () = assert!(CHUNK.is_multiple_of(BLOCK) && (!SPECIAL || CHUNK.is_multi
 impl<B> Rgb<&Scene<'_, B>> {
     /// [`Rgb::shade_slice`] of the scenes.
     #[doc(hidden)]
-    pub fn shade_slice<S: Scalar>(
-        self,
-        normals: Normals<'_, S>,
-        irradiance: &mut [Rgb<S>],
-    ) -> Result<(), Error>
+    pub fn shade_slice(self, normals: Normals<'_>, irradiance: &mut [Rgb<f32>]) -> Result<(), Error>
     where
-        B: AsRef<[S]>,
+        B: AsRef<[f32]>,
     {
         Error::check(Argument::Normals, normals.len(), irradiance.len())?;
         let ways = self.map(|scene| Way::of(scene.descent()));
@@ -52,14 +47,14 @@ impl<B> Rgb<&Scene<'_, B>> {
 /// Shades each channel of a tile of normals before the next tile. The channels share the first step.
 /// Returns what is less than a tile.
 #[inline(never)]
-fn by_tiles<'n, 'i, S: Scalar>(
-    polynomials: [Descent<'_, S>; 3],
-    normals: Normals<'n, S>,
-    irradiance: &'i mut [Rgb<S>],
-) -> (Normals<'n, S>, &'i mut [Rgb<S>]) {
-    let (mut room, mut planes) = (Room::new(), Rgb::gray([S::ZERO; TILE]));
+fn by_tiles<'n, 'i>(
+    polynomials: [Descent<'_>; 3],
+    normals: Normals<'n>,
+    irradiance: &'i mut [Rgb<f32>],
+) -> (Normals<'n>, &'i mut [Rgb<f32>]) {
+    let (mut room, mut planes) = (Room::new(), Rgb::gray([0.0; TILE]));
     let [(x, x_rest), (y, y_rest), (z, z_rest)] =
-        [normals.x, normals.y, normals.z].map(<[S]>::as_chunks::<TILE>);
+        [normals.x, normals.y, normals.z].map(<[f32]>::as_chunks::<TILE>);
     let (colors, rest) = irradiance.as_chunks_mut::<TILE>();
     for (((x, y), z), colors) in x.iter().zip(y).zip(z).zip(colors) {
         tile::arguments(z, &mut room);
@@ -74,13 +69,13 @@ fn by_tiles<'n, 'i, S: Scalar>(
 
 /// Shades each channel of a chunk of normals before the next chunk.
 #[inline(never)]
-fn by_chunks<S: Scalar>(
-    ways: &Rgb<Way<'_, S>>,
-    normals: Normals<'_, S>,
-    irradiance: &mut [Rgb<S>],
+fn by_chunks(
+    ways: &Rgb<Way<'_>>,
+    normals: Normals<'_>,
+    irradiance: &mut [Rgb<f32>],
 ) -> Result<(), Error> {
-    let (mut room, mut planes) = (Room::new(), Rgb::gray([S::ZERO; CHUNK]));
-    let mut shade = |normals: Normals<'_, S>, planes: &mut Rgb<[S; CHUNK]>| {
+    let (mut room, mut planes) = (Room::new(), Rgb::gray([0.0; CHUNK]));
+    let mut shade = |normals: Normals<'_>, planes: &mut Rgb<[f32; CHUNK]>| {
         let all = ..normals.len();
         let Rgb { r, g, b } = planes;
         for (way, plane) in [(&ways.r, r), (&ways.g, g), (&ways.b, b)] {
@@ -89,7 +84,7 @@ fn by_chunks<S: Scalar>(
         Ok::<_, Error>(())
     };
     let [(x, x_rest), (y, y_rest), (z, z_rest)] =
-        [normals.x, normals.y, normals.z].map(<[S]>::as_chunks::<CHUNK>);
+        [normals.x, normals.y, normals.z].map(<[f32]>::as_chunks::<CHUNK>);
     let (colors, rest) = irradiance.as_chunks_mut::<CHUNK>();
     for (((x, y), z), colors) in x.iter().zip(y).zip(z).zip(colors) {
         shade(Normals { x, y, z }, &mut planes)?;
@@ -101,7 +96,7 @@ fn by_chunks<S: Scalar>(
 }
 
 #[inline(always)]
-fn write<S: Scalar, const N: usize>(planes: &Rgb<[S; N]>, colors: &mut [Rgb<S>]) {
+fn write<const N: usize>(planes: &Rgb<[f32; N]>, colors: &mut [Rgb<f32>]) {
     let pixels = planes.r.iter().zip(&planes.g).zip(&planes.b);
     for (color, ((&r, &g), &b)) in colors.iter_mut().zip(pixels) {
         *color = Rgb::new(r, g, b);
@@ -133,13 +128,13 @@ impl<B> Rgb<Scene<'_, B>> {
     /// # Errors
     ///
     /// [`Error::Length`] unless `irradiance` and `normals` have the same length.
-    pub fn shade_slice<S: Scalar>(
+    pub fn shade_slice(
         &self,
-        normals: Normals<'_, S>,
-        irradiance: &mut [Rgb<S>],
+        normals: Normals<'_>,
+        irradiance: &mut [Rgb<f32>],
     ) -> Result<(), Error>
     where
-        B: AsRef<[S]>,
+        B: AsRef<[f32]>,
     {
         self.each_ref().shade_slice(normals, irradiance)
     }

@@ -4,13 +4,13 @@ mod color;
 mod tile;
 
 use crate::error::{Argument, Error};
+use crate::float;
 use crate::index::layout::{EVEN_ODD_TERMS, MONOMIAL_TERMS, Recurrence};
 use crate::lanes::padded;
 use crate::nine_terms::{NineTerms, nine_terms};
 use crate::normal::{Normal, Normals};
 use crate::polynomial;
 use crate::polynomial::argument;
-use crate::scalar::Scalar;
 use crate::scene::{Descent, Scene};
 use tile::Room;
 
@@ -44,9 +44,9 @@ impl<B> Scene<'_, B> {
     /// the material's 1/sr.
     #[inline]
     #[must_use]
-    pub fn shade<S: Scalar>(&self, normal: Normal<S>) -> S
+    pub fn shade(&self, normal: Normal) -> f32
     where
-        B: AsRef<[S]>,
+        B: AsRef<[f32]>,
     {
         let polynomials = self.descent();
         if let Some(nine_terms) = nine_terms(polynomials) {
@@ -54,9 +54,9 @@ impl<B> Scene<'_, B> {
         }
         let Normal { x, y, z } = normal;
         let [irradiance] = if polynomials.is_orthogonal() {
-            orthogonal::<S, 1>(polynomials, &[x], &[y], &[z])
+            orthogonal::<1>(polynomials, &[x], &[y], &[z])
         } else {
-            block::<S, { ANY }, 1>(polynomials, &[x], &[y], &[z])
+            block::<{ ANY }, 1>(polynomials, &[x], &[y], &[z])
         };
         irradiance
     }
@@ -84,13 +84,9 @@ impl<B> Scene<'_, B> {
     /// # Errors
     ///
     /// [`Error::Length`] unless `irradiance` and `normals` have the same length.
-    pub fn shade_slice<S: Scalar>(
-        &self,
-        normals: Normals<'_, S>,
-        irradiance: &mut [S],
-    ) -> Result<(), Error>
+    pub fn shade_slice(&self, normals: Normals<'_>, irradiance: &mut [f32]) -> Result<(), Error>
     where
-        B: AsRef<[S]>,
+        B: AsRef<[f32]>,
     {
         Error::check(Argument::Normals, normals.len(), irradiance.len())?;
         Way::of(self.descent()).shade(normals, &mut Room::new(), irradiance)
@@ -99,22 +95,22 @@ impl<B> Scene<'_, B> {
 
 /// The fastest way to shade many normals of a scene on this target.
 #[derive(Clone, Copy)]
-enum Way<'s, S> {
+enum Way<'s> {
     /// Some azimuths have recurrences.
-    Stable(Descent<'s, S>),
+    Stable(Descent<'s>),
     /// One formula of degree 2.
-    NineTerms(NineTerms<S>),
+    NineTerms(NineTerms),
     /// The same irradiance for every normal.
-    Constant(S),
+    Constant(f32),
     /// Polynomials of a few terms each.
-    Tiles(Descent<'s, S>),
+    Tiles(Descent<'s>),
     /// Any polynomials.
-    Blocks(Descent<'s, S>),
+    Blocks(Descent<'s>),
 }
 
-impl<'s, S: Scalar> Way<'s, S> {
+impl<'s> Way<'s> {
     #[inline(always)]
-    fn of(polynomials: Descent<'s, S>) -> Self {
+    fn of(polynomials: Descent<'s>) -> Self {
         if polynomials.is_orthogonal() {
             Self::Stable(polynomials)
         } else if let Some(nine_terms) = nine_terms(polynomials) {
@@ -122,7 +118,7 @@ impl<'s, S: Scalar> Way<'s, S> {
         } else if !SPECIAL {
             Self::Blocks(polynomials)
         } else if let ([], [] | [_]) = (polynomials.lengths, polynomials.pole) {
-            Self::Constant(polynomials.pole.first().copied().unwrap_or(S::ZERO))
+            Self::Constant(polynomials.pole.first().copied().unwrap_or(0.0))
         } else if tile::fits(&polynomials) {
             Self::Tiles(polynomials)
         } else {
@@ -133,9 +129,9 @@ impl<'s, S: Scalar> Way<'s, S> {
     #[inline(always)]
     fn shade(
         &self,
-        normals: Normals<'_, S>,
-        room: &mut Room<S>,
-        irradiance: &mut [S],
+        normals: Normals<'_>,
+        room: &mut Room,
+        irradiance: &mut [f32],
     ) -> Result<(), Error> {
         let axes = [normals.x, normals.y, normals.z];
         match *self {
@@ -143,22 +139,22 @@ impl<'s, S: Scalar> Way<'s, S> {
             Self::NineTerms(nine_terms) => return nine_terms.shade_slice(normals, irradiance),
             Self::Constant(value) => irradiance.fill(value),
             Self::Tiles(polynomials) => {
-                let [(x, x_rest), (y, y_rest), (z, z_rest)] = axes.map(<[S]>::as_chunks);
+                let [(x, x_rest), (y, y_rest), (z, z_rest)] = axes.map(<[f32]>::as_chunks);
                 let (out, out_rest) = irradiance.as_chunks_mut();
                 for (((x, y), z), out) in x.iter().zip(y).zip(z).zip(out) {
                     tile::arguments(z, room);
                     tile::tile(polynomials, [x, y], room, out);
                 }
-                blocks::<S, MONOMIAL_TERMS>(polynomials, [x_rest, y_rest, z_rest], out_rest);
+                blocks::<MONOMIAL_TERMS>(polynomials, [x_rest, y_rest, z_rest], out_rest);
             }
             Self::Blocks(polynomials) if !SPECIAL => {
-                blocks::<S, ANY>(polynomials, axes, irradiance);
+                blocks::<ANY>(polynomials, axes, irradiance);
             }
             Self::Blocks(polynomials) if polynomials.any_longer_than(MONOMIAL_TERMS) => {
-                blocks::<S, EVEN_ODD_TERMS>(polynomials, axes, irradiance);
+                blocks::<EVEN_ODD_TERMS>(polynomials, axes, irradiance);
             }
             Self::Blocks(polynomials) => {
-                blocks::<S, MONOMIAL_TERMS>(polynomials, axes, irradiance);
+                blocks::<MONOMIAL_TERMS>(polynomials, axes, irradiance);
             }
         }
         Ok(())
@@ -167,27 +163,27 @@ impl<'s, S: Scalar> Way<'s, S> {
 
 /// Shades normals block by block, for a scene in which some azimuths have recurrences.
 #[inline(never)]
-fn stable<S: Scalar>(polynomials: Descent<'_, S>, axes: [&[S]; 3], irradiance: &mut [S]) {
+fn stable(polynomials: Descent<'_>, axes: [&[f32]; 3], irradiance: &mut [f32]) {
     in_blocks(axes, irradiance, |x, y, z| orthogonal(polynomials, x, y, z));
 }
 
 #[inline(never)]
-fn blocks<S: Scalar, const LONGEST: usize>(
-    polynomials: Descent<'_, S>,
-    axes: [&[S]; 3],
-    irradiance: &mut [S],
+fn blocks<const LONGEST: usize>(
+    polynomials: Descent<'_>,
+    axes: [&[f32]; 3],
+    irradiance: &mut [f32],
 ) {
-    let block = if SPECIAL { block::<S, LONGEST, BLOCK> } else { one_block::<S, LONGEST> };
+    let block = if SPECIAL { block::<LONGEST, BLOCK> } else { one_block::<LONGEST> };
     in_blocks(axes, irradiance, |x, y, z| block(polynomials, x, y, z));
 }
 
 #[inline(always)]
-fn in_blocks<S: Scalar>(
-    axes: [&[S]; 3],
-    irradiance: &mut [S],
-    block: impl Fn(&[S; BLOCK], &[S; BLOCK], &[S; BLOCK]) -> [S; BLOCK],
+fn in_blocks(
+    axes: [&[f32]; 3],
+    irradiance: &mut [f32],
+    block: impl Fn(&[f32; BLOCK], &[f32; BLOCK], &[f32; BLOCK]) -> [f32; BLOCK],
 ) {
-    let [(x, x_rest), (y, y_rest), (z, z_rest)] = axes.map(<[S]>::as_chunks::<BLOCK>);
+    let [(x, x_rest), (y, y_rest), (z, z_rest)] = axes.map(<[f32]>::as_chunks::<BLOCK>);
     let (out, out_rest) = irradiance.as_chunks_mut::<BLOCK>();
     for (((x, y), z), out) in x.iter().zip(y).zip(z).zip(out) {
         *out = block(x, y, z);
@@ -202,24 +198,24 @@ fn in_blocks<S: Scalar>(
 
 /// [`block`], compiled once per program, for targets where code must be small.
 #[inline(never)]
-fn one_block<S: Scalar, const LONGEST: usize>(
-    polynomials: Descent<'_, S>,
-    x: &[S; BLOCK],
-    y: &[S; BLOCK],
-    z: &[S; BLOCK],
-) -> [S; BLOCK] {
-    block::<S, LONGEST, BLOCK>(polynomials, x, y, z)
+fn one_block<const LONGEST: usize>(
+    polynomials: Descent<'_>,
+    x: &[f32; BLOCK],
+    y: &[f32; BLOCK],
+    z: &[f32; BLOCK],
+) -> [f32; BLOCK] {
+    block::<LONGEST, BLOCK>(polynomials, x, y, z)
 }
 
 /// The irradiances of a block of normals: Re Σ_m (P_m + i Q_m) w̄^m with w = n_x + i n_y, by
 /// Horner's rule from the highest azimuth down. `LONGEST` is as for [`polynomial::values`].
 #[inline(always)]
-pub(crate) fn block<S: Scalar, const LONGEST: usize, const N: usize>(
-    mut polynomials: Descent<'_, S>,
-    x: &[S; N],
-    y: &[S; N],
-    z: &[S; N],
-) -> [S; N] {
+pub(crate) fn block<const LONGEST: usize, const N: usize>(
+    mut polynomials: Descent<'_>,
+    x: &[f32; N],
+    y: &[f32; N],
+    z: &[f32; N],
+) -> [f32; N] {
     let t = if SPECIAL { vectorized(z) } else { z.map(argument) };
     let mut u = t;
     if LONGEST > MONOMIAL_TERMS && LONGEST <= EVEN_ODD_TERMS {
@@ -229,17 +225,17 @@ pub(crate) fn block<S: Scalar, const LONGEST: usize, const N: usize>(
     }
     let at = [&t, &u];
     let Some((plus, minus)) = polynomials.next() else {
-        return polynomial::values::<S, LONGEST, N>(polynomials.pole, at);
+        return polynomial::values::<LONGEST, N>(polynomials.pole, at);
     };
-    let [mut real, mut imaginary] = polynomial::pairs::<S, LONGEST, N>([plus, minus], at);
+    let [mut real, mut imaginary] = polynomial::pairs::<LONGEST, N>([plus, minus], at);
     for (plus, minus) in polynomials.by_ref() {
-        let here = polynomial::pairs::<S, LONGEST, N>([plus, minus], at);
-        S::descend([&mut real, &mut imaginary], here, [x, y]);
+        let here = polynomial::pairs::<LONGEST, N>([plus, minus], at);
+        float::descend([&mut real, &mut imaginary], here, [x, y]);
     }
-    let mut sums = polynomial::values::<S, LONGEST, N>(polynomials.pole, at);
+    let mut sums = polynomial::values::<LONGEST, N>(polynomials.pole, at);
     let above = real.iter().zip(&imaginary).zip(x.iter().zip(y));
     for (sum, ((&real, &imaginary), (&x, &y))) in sums.iter_mut().zip(above) {
-        *sum = sum.add_product(real, x).add_product(imaginary, y);
+        *sum = float::add_product(float::add_product(*sum, real, x), imaginary, y);
     }
     sums
 }
@@ -247,35 +243,35 @@ pub(crate) fn block<S: Scalar, const LONGEST: usize, const N: usize>(
 /// [`block`] for a scene in which some azimuths have recurrences. Partial sums from the highest
 /// azimuth down are large where the profiles are; each factor w̄ makes them smaller accordingly.
 #[inline(never)]
-pub(crate) fn orthogonal<S: Scalar, const N: usize>(
-    mut polynomials: Descent<'_, S>,
-    x: &[S; N],
-    y: &[S; N],
-    z: &[S; N],
-) -> [S; N] {
+pub(crate) fn orthogonal<const N: usize>(
+    mut polynomials: Descent<'_>,
+    x: &[f32; N],
+    y: &[f32; N],
+    z: &[f32; N],
+) -> [f32; N] {
     let t = vectorized(z);
-    let both = |terms: [&[S]; 2], recurrence: &[Recurrence]| match recurrence {
-        [] => terms.map(|terms| polynomial::values::<S, ANY, N>(terms, [&t, &t])),
+    let both = |terms: [&[f32]; 2], recurrence: &[Recurrence]| match recurrence {
+        [] => terms.map(|terms| polynomial::values::<ANY, N>(terms, [&t, &t])),
         _ => polynomial::orthogonal(terms, &t, recurrence),
     };
-    let [mut real, mut imaginary] = [[S::ZERO; N]; 2];
+    let [mut real, mut imaginary] = [[0.0; N]; 2];
     loop {
         let recurrence = polynomials.recurrence();
         let Some((plus, minus)) = polynomials.next() else { break };
-        S::descend([&mut real, &mut imaginary], both([plus, minus], recurrence), [x, y]);
+        float::descend([&mut real, &mut imaginary], both([plus, minus], recurrence), [x, y]);
     }
     let [mut sums, _] = both([polynomials.pole; 2], polynomials.recurrence());
     let above = real.iter().zip(&imaginary).zip(x.iter().zip(y));
     for (sum, ((&real, &imaginary), (&x, &y))) in sums.iter_mut().zip(above) {
-        *sum = sum.add_product(real, x).add_product(imaginary, y);
+        *sum = float::add_product(float::add_product(*sum, real, x), imaginary, y);
     }
     sums
 }
 
 /// The argument t of each normal. A loop, because `map` may become a call.
 #[inline(always)]
-fn vectorized<S: Scalar, const N: usize>(z: &[S; N]) -> [S; N] {
-    let mut t = [S::ZERO; N];
+fn vectorized<const N: usize>(z: &[f32; N]) -> [f32; N] {
+    let mut t = [0.0; N];
     for (t, &z) in t.iter_mut().zip(z) {
         *t = argument(z);
     }

@@ -6,8 +6,8 @@
 //! product of one sum. A tile instead runs one loop over its normals for each azimuth, with the
 //! number of terms known at compile time, and keeps the sums of higher azimuths in the L1 cache.
 
+use crate::float;
 use crate::polynomial::argument;
-use crate::scalar::Scalar;
 use crate::scene::Descent;
 
 /// Normals in one tile: sixteen vectors, so that starting and ending a loop costs little.
@@ -17,7 +17,7 @@ pub(super) const TILE: usize = if cfg!(target_feature = "avx") { 128 } else { 64
 const MOST: usize = 8;
 
 /// Whether tiles are faster than blocks on this target. Never true if azimuth 0 is the only one.
-pub(super) fn fits<S>(polynomials: &Descent<'_, S>) -> bool {
+pub(super) fn fits(polynomials: &Descent<'_>) -> bool {
     cfg!(all(target_arch = "x86_64", not(target_feature = "avx512f")))
         && !polynomials.lengths.is_empty()
         && !polynomials.any_longer_than(MOST)
@@ -26,15 +26,15 @@ pub(super) fn fits<S>(polynomials: &Descent<'_, S>) -> bool {
 /// The working memory of a tile: t, and P_m + i Q_m of the higher azimuths, summed by Horner's rule
 /// in w̄. Tiles reuse it without clearing it.
 #[repr(align(64))]
-pub(super) struct Room<S> {
-    t: [S; TILE],
-    real: [S; TILE],
-    imaginary: [S; TILE],
+pub(super) struct Room {
+    t: [f32; TILE],
+    real: [f32; TILE],
+    imaginary: [f32; TILE],
 }
 
-impl<S: Scalar> Room<S> {
+impl Room {
     pub(super) const fn new() -> Self {
-        Self { t: [S::ZERO; TILE], real: [S::ZERO; TILE], imaginary: [S::ZERO; TILE] }
+        Self { t: [0.0; TILE], real: [0.0; TILE], imaginary: [0.0; TILE] }
     }
 }
 
@@ -42,22 +42,22 @@ impl<S: Scalar> Room<S> {
 macro_rules! of_known_length {
     ($length:expr, $run:ident($($argument:expr),*)) => {
         match $length {
-            0 => $run::<S, 0>($($argument),*),
-            1 => $run::<S, 1>($($argument),*),
-            2 => $run::<S, 2>($($argument),*),
-            3 => $run::<S, 3>($($argument),*),
-            4 => $run::<S, 4>($($argument),*),
-            5 => $run::<S, 5>($($argument),*),
-            6 => $run::<S, 6>($($argument),*),
-            7 => $run::<S, 7>($($argument),*),
-            _ => $run::<S, 8>($($argument),*),
+            0 => $run::<0>($($argument),*),
+            1 => $run::<1>($($argument),*),
+            2 => $run::<2>($($argument),*),
+            3 => $run::<3>($($argument),*),
+            4 => $run::<4>($($argument),*),
+            5 => $run::<5>($($argument),*),
+            6 => $run::<6>($($argument),*),
+            7 => $run::<7>($($argument),*),
+            _ => $run::<8>($($argument),*),
         }
     };
 }
 
 /// The first step of a tile, which scenes of the same normals share: the argument t of each normal.
 #[inline(always)]
-pub(super) fn arguments<S: Scalar>(z: &[S; TILE], room: &mut Room<S>) {
+pub(super) fn arguments(z: &[f32; TILE], room: &mut Room) {
     for (t, &z) in room.t.iter_mut().zip(z) {
         *t = argument(z);
     }
@@ -65,11 +65,11 @@ pub(super) fn arguments<S: Scalar>(z: &[S; TILE], room: &mut Room<S>) {
 
 /// The irradiances of a tile of normals, whose arguments are in `room`.
 #[inline(always)]
-pub(super) fn tile<S: Scalar>(
-    mut polynomials: Descent<'_, S>,
-    [x, y]: [&[S; TILE]; 2],
-    room: &mut Room<S>,
-    out: &mut [S; TILE],
+pub(super) fn tile(
+    mut polynomials: Descent<'_>,
+    [x, y]: [&[f32; TILE]; 2],
+    room: &mut Room,
+    out: &mut [f32; TILE],
 ) {
     let Some((plus, minus)) = polynomials.next() else { return };
     of_known_length!(plus.len(), highest(plus, minus, room));
@@ -81,13 +81,13 @@ pub(super) fn tile<S: Scalar>(
 
 /// Horner's rule, as in [`crate::polynomial::values`].
 #[inline(always)]
-fn value<S: Scalar, const L: usize>(terms: &[S; L], t: S) -> S {
-    let Some((&first, rest)) = terms.split_first() else { return S::ZERO };
-    rest.iter().fold(first, |sum, &term| term.add_product(sum, t))
+fn value<const L: usize>(terms: &[f32; L], t: f32) -> f32 {
+    let Some((&first, rest)) = terms.split_first() else { return 0.0 };
+    rest.iter().fold(first, |sum, &term| float::add_product(term, sum, t))
 }
 
 #[inline(never)]
-fn highest<S: Scalar, const L: usize>(plus: &[S], minus: &[S], room: &mut Room<S>) {
+fn highest<const L: usize>(plus: &[f32], minus: &[f32], room: &mut Room) {
     let (Some(plus), Some(minus)) = (plus.first_chunk::<L>(), minus.first_chunk::<L>()) else {
         return;
     };
@@ -98,11 +98,7 @@ fn highest<S: Scalar, const L: usize>(plus: &[S], minus: &[S], room: &mut Room<S
 }
 
 #[inline(never)]
-fn azimuth<S: Scalar, const L: usize>(
-    [plus, minus]: [&[S]; 2],
-    [x, y]: [&[S; TILE]; 2],
-    room: &mut Room<S>,
-) {
+fn azimuth<const L: usize>([plus, minus]: [&[f32]; 2], [x, y]: [&[f32; TILE]; 2], room: &mut Room) {
     let (Some(plus), Some(minus)) = (plus.first_chunk::<L>(), minus.first_chunk::<L>()) else {
         return;
     };
@@ -110,23 +106,23 @@ fn azimuth<S: Scalar, const L: usize>(
     let at = room.t.iter().zip(x.iter().zip(y));
     for ((real, imaginary), (&t, (&x, &y))) in both.zip(at) {
         (*real, *imaginary) = (
-            value(plus, t).add_product(*real, x).add_product(*imaginary, y),
-            value(minus, t).add_product(*imaginary, x).add_product(-*real, y),
+            float::add_product(float::add_product(value(plus, t), *real, x), *imaginary, y),
+            float::add_product(float::add_product(value(minus, t), *imaginary, x), -*real, y),
         );
     }
 }
 
 #[inline(never)]
-fn pole<S: Scalar, const L: usize>(
-    terms: &[S],
-    [x, y]: [&[S; TILE]; 2],
-    room: &Room<S>,
-    out: &mut [S; TILE],
+fn pole<const L: usize>(
+    terms: &[f32],
+    [x, y]: [&[f32; TILE]; 2],
+    room: &Room,
+    out: &mut [f32; TILE],
 ) {
     let Some(terms) = terms.first_chunk::<L>() else { return };
     let both = room.real.iter().zip(&room.imaginary);
     let at = room.t.iter().zip(x.iter().zip(y));
     for ((out, (&real, &imaginary)), (&t, (&x, &y))) in out.iter_mut().zip(both).zip(at) {
-        *out = value(terms, t).add_product(real, x).add_product(imaginary, y);
+        *out = float::add_product(float::add_product(value(terms, t), real, x), imaginary, y);
     }
 }

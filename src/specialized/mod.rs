@@ -22,7 +22,6 @@ pub use crate::places::KnownTable;
 
 use crate::error::{Argument, Error};
 use crate::normal::{Normal, Normals};
-use crate::scalar::Scalar;
 
 /// Shades normals one by one.
 ///
@@ -48,10 +47,10 @@ pub const ONE_BY_ONE: bool = crate::shade::ONE_BY_ONE;
 
 /// [`shade_each`] of normals in three slices; the same errors.
 #[inline(always)]
-pub fn shade_normals<S: Scalar, I>(
-    normals: Normals<'_, S>,
+pub fn shade_normals<I>(
+    normals: Normals<'_>,
     irradiance: &mut [I],
-    shade: impl Fn(Normal<S>) -> I,
+    shade: impl Fn(Normal) -> I,
 ) -> Result<(), Error> {
     Error::check(Argument::Normals, normals.len(), irradiance.len())?;
     let axes = normals.x.iter().zip(normals.y).zip(normals.z);
@@ -77,7 +76,7 @@ pub const fn checked<B: Copy>(basis: Result<B, Error>) -> B {
 
 /// Subtracts the coefficients of the mean image from those of an image.
 #[inline(always)]
-pub fn subtract<S: Scalar>(coefficients: &mut [S], mean: &[S]) {
+pub fn subtract(coefficients: &mut [f32], mean: &[f32]) {
     for (coefficient, &mean) in coefficients.iter_mut().zip(mean) {
         *coefficient -= mean;
     }

@@ -7,15 +7,14 @@ use crate::index::layout::LANES;
 use crate::light::Light;
 use crate::material::Material;
 use crate::projection::{add_lit, gather};
-use crate::scalar::Scalar;
 use crate::{index, lanes};
 
 /// The coefficients of a light and of a material, if there are exactly `N` and `M`.
 #[inline(always)]
-pub fn inputs<'a, S: Scalar, const N: usize, const M: usize>(
-    light: &Light<'a, S>,
-    material: &Material<'a, S>,
-) -> Option<(&'a [S; N], &'a [S; M])> {
+pub fn inputs<'a, const N: usize, const M: usize>(
+    light: &Light<'a>,
+    material: &Material<'a>,
+) -> Option<(&'a [f32; N], &'a [f32; M])> {
     Some((light.coefficients().try_into().ok()?, material.coefficients().try_into().ok()?))
 }
 
@@ -23,16 +22,14 @@ pub fn inputs<'a, S: Scalar, const N: usize, const M: usize>(
 /// matrix B and rows of Ĉ. Rows run along l and have `G` groups. Not inlined, so that the sums stay
 /// in registers.
 #[inline(never)]
-pub fn scatter<S, const Q: usize, const P: usize, const G: usize, const M: usize, const R: usize>(
-    material: &[S; M],
-    polar: &[[[S; LANES]; G]; R],
-    sums: &mut [[[S; LANES]; G]],
-) where
-    S: Scalar,
-{
-    let half = S::from_f64(core::f64::consts::FRAC_1_SQRT_2);
+pub fn scatter<const Q: usize, const P: usize, const G: usize, const M: usize, const R: usize>(
+    material: &[f32; M],
+    polar: &[[[f32; LANES]; G]; R],
+    sums: &mut [[[f32; LANES]; G]],
+) {
+    let half = core::f32::consts::FRAC_1_SQRT_2;
     for p in 0..P {
-        let mut sum = [[S::ZERO; LANES]; G];
+        let mut sum = [[0.0; LANES]; G];
         for o in 0..P {
             let mode = index::material::position(Q + 2 * p.max(o), Q + 2 * p.min(o), Q);
             let row = polar.get(index::pair::position(Q + 2 * o, Q));
@@ -50,19 +47,19 @@ pub fn scatter<S, const Q: usize, const P: usize, const G: usize, const M: usize
 
 /// The numbers of a table as `R` rows of `G` groups, if there are enough.
 #[inline(always)]
-pub fn table_rows<S: Scalar, const G: usize, const R: usize>(
-    numbers: &[S],
-) -> Option<&[[[S; LANES]; G]; R]> {
+pub fn table_rows<const G: usize, const R: usize>(
+    numbers: &[f32],
+) -> Option<&[[[f32; LANES]; G]; R]> {
     let (groups, _) = numbers.as_chunks::<LANES>();
     groups.as_chunks::<G>().0.first_chunk()
 }
 
 /// Transposes rows over l, one for each pair, to `D` rows over the pairs, one for each l.
 #[inline(always)]
-pub fn transposed<S: Scalar, const V: usize, const D: usize, const G: usize, const R: usize>(
-    sums: &[[[S; LANES]; G]; R],
-) -> [[[S; LANES]; V]; D] {
-    let mut scattering = [[[S::ZERO; LANES]; V]; D];
+pub fn transposed<const V: usize, const D: usize, const G: usize, const R: usize>(
+    sums: &[[[f32; LANES]; G]; R],
+) -> [[[f32; LANES]; V]; D] {
+    let mut scattering = [[[0.0; LANES]; V]; D];
     let (columns, _) = sums.as_chunks::<LANES>();
     for (column, [first, second, third, fourth]) in columns.iter().enumerate() {
         let lanes = first.as_flattened().iter().zip(second.as_flattened());
@@ -78,10 +75,8 @@ pub fn transposed<S: Scalar, const V: usize, const D: usize, const G: usize, con
 
 /// L_l^m and (-1)^m L_l^-m for the `L` degrees l from m = `M` on.
 #[inline(always)]
-pub fn lights<S: Scalar, const M: usize, const L: usize, const N: usize>(
-    light: &[S; N],
-) -> [[S; 2]; L] {
-    let mut lights = [[S::ZERO; 2]; L];
+pub fn lights<const M: usize, const L: usize, const N: usize>(light: &[f32; N]) -> [[f32; 2]; L] {
+    let mut lights = [[0.0; 2]; L];
     gather(light, M + L - 1, M, &mut lights);
     lights
 }
@@ -92,8 +87,7 @@ pub fn lights<S: Scalar, const M: usize, const L: usize, const N: usize>(
 /// single lanes being read splits the groups.
 #[inline(never)]
 pub fn rows<
-    B: KnownTable<Basis<'static, S>>,
-    S: Scalar,
+    B: KnownTable<Basis<'static>>,
     const M: usize,
     const FIRST: usize,
     const C: usize,
@@ -101,25 +95,25 @@ pub fn rows<
     const L: usize,
     const D: usize,
 >(
-    scattering: &[[[S; LANES]; V]; D],
-    lights: &[[S; 2]; L],
-) -> [[lanes::Two<S>; 2]; C] {
+    scattering: &[[[f32; LANES]; V]; D],
+    lights: &[[f32; 2]; L],
+) -> [[lanes::Two; 2]; C] {
     let factors = const { B::BASIS.parts.factors.split_at(B::BASIS.factors_at(M, FIRST)).1 };
-    let mut sums = [[[S::ZERO; 2 * LANES]; 2]; C];
+    let mut sums = [[[0.0; 2 * LANES]; 2]; C];
     let (factors, _) = factors.as_chunks().0.as_chunks::<V>().0.as_chunks::<L>();
     let scattering = scattering.get(M..).and_then(|rows| rows.first_chunk::<L>());
     let Some(rows) = scattering.map(|rows| rows.iter().zip(lights)) else { return sums };
     // The sums are named, so that they stay in registers.
     match (factors, sums.as_mut_slice()) {
         ([a, ..], [of_a]) => {
-            let mut sum = [[S::ZERO; 2 * LANES]; 2];
+            let mut sum = [[0.0; 2 * LANES]; 2];
             for (a, (scattering, lights)) in a.iter().zip(rows) {
                 sum = add_lit(sum, &lanes::product(a, scattering), lights);
             }
             *of_a = sum;
         }
         ([a, b, ..], [of_a, of_b]) => {
-            let mut sums = [[[S::ZERO; 2 * LANES]; 2]; 2];
+            let mut sums = [[[0.0; 2 * LANES]; 2]; 2];
             for ((a, b), (scattering, lights)) in a.iter().zip(b).zip(rows) {
                 let (a, b) = (lanes::product(a, scattering), lanes::product(b, scattering));
                 sums = [add_lit(sums[0], &a, lights), add_lit(sums[1], &b, lights)];
@@ -133,11 +127,11 @@ pub fn rows<
 
 /// Writes the components that [`rows`] computed.
 #[inline(always)]
-pub fn write<B, S: Scalar, const M: usize, const FIRST: usize, const C: usize, const K: usize>(
-    sums: &[[lanes::Two<S>; 2]; C],
-    coefficients: &mut [S; K],
+pub fn write<B, const M: usize, const FIRST: usize, const C: usize, const K: usize>(
+    sums: &[[lanes::Two; 2]; C],
+    coefficients: &mut [f32; K],
 ) where
-    B: KnownTable<Basis<'static, S>>,
+    B: KnownTable<Basis<'static>>,
 {
     let places = const { &B::BASIS.twos_of::<C>(M, FIRST) };
     for (two, [plus, minus]) in places.iter().zip(sums) {

@@ -4,26 +4,26 @@
 //! azimuths, from the highest downward, in w = n_x + i n_y. I(n) = Re Σ_m (P_m + i Q_m) w̄^m.
 
 use crate::basis::Basis;
+use crate::float;
 use crate::invariant::split_mut;
 use crate::normal::Normal;
 use crate::places::{AzimuthPlace, KnownTable};
 use crate::polynomial;
 use crate::recurrences::Recurrences;
-use crate::scalar::Scalar;
 use crate::scene::{Scene, SceneBuffer};
 
 /// A scene of polynomials of these lengths, all zero, without recurrences.
 #[inline(always)]
-pub fn blank_scene<S: Scalar, const N: usize>(lengths: &[u16]) -> Scene<'_, SceneBuffer<S, N>> {
-    Scene::of(lengths, Recurrences::NONE, SceneBuffer::from([S::ZERO; N]))
+pub fn blank_scene<const N: usize>(lengths: &[u16]) -> Scene<'_, SceneBuffer<N>> {
+    Scene::of(lengths, Recurrences::NONE, SceneBuffer::from([0.0; N]))
 }
 
 /// The numbers of a scene, if `N`, to be overwritten with polynomials of these lengths.
 #[inline(always)]
-pub fn scene_mut<'s, 'a, S: Scalar, const N: usize>(
-    scene: &'s mut Scene<'a, SceneBuffer<S, N>>,
+pub fn scene_mut<'s, 'a, const N: usize>(
+    scene: &'s mut Scene<'a, SceneBuffer<N>>,
     lengths: &'a [u16],
-) -> Option<&'s mut [S; N]> {
+) -> Option<&'s mut [f32; N]> {
     scene.rewritten(lengths).try_into().ok()
 }
 
@@ -31,16 +31,16 @@ pub fn scene_mut<'s, 'a, S: Scalar, const N: usize>(
 /// components. A component that the basis does not have counts as zero. Not inlined: a compiler
 /// that sees several azimuths at once runs out of registers.
 #[inline(never)]
-pub fn collapse<B, S: Scalar, const M: usize, const P: usize, const K: usize, const N: usize>(
-    coefficients: &[S; K],
-    scene: &mut [S; N],
+pub fn collapse<B, const M: usize, const P: usize, const K: usize, const N: usize>(
+    coefficients: &[f32; K],
+    scene: &mut [f32; N],
 ) where
-    B: KnownTable<Basis<'static, S>>,
+    B: KnownTable<Basis<'static>>,
 {
-    const { assert!(azimuth_of::<B, S>(M).profiles == P, "the azimuth has other profiles") };
-    let place = const { &azimuth_of::<B, S>(M) };
+    const { assert!(azimuth_of::<B>(M).profiles == P, "the azimuth has other profiles") };
+    let place = const { &azimuth_of::<B>(M) };
     let components = const { &B::BASIS.components_of::<P>(M) };
-    let terms = const { B::BASIS.parts.terms.split_at(azimuth_of::<B, S>(M).terms).1 };
+    let terms = const { B::BASIS.parts.terms.split_at(azimuth_of::<B>(M).terms).1 };
     let (_, scene) = split_mut(scene, place.start);
     if M == 0 {
         let weights = components.map(|[plus, _]| [weight(coefficients, plus)]);
@@ -54,29 +54,33 @@ pub fn collapse<B, S: Scalar, const M: usize, const P: usize, const K: usize, co
     }
 }
 
-const fn azimuth_of<B: KnownTable<Basis<'static, S>>, S: 'static>(azimuth: usize) -> AzimuthPlace {
+const fn azimuth_of<B: KnownTable<Basis<'static>>>(azimuth: usize) -> AzimuthPlace {
     B::BASIS.azimuth_at(azimuth)
 }
 
 #[inline(always)]
-fn weight<S: Scalar>(coefficients: &[S], component: u16) -> S {
-    coefficients.get(usize::from(component)).copied().unwrap_or(S::ZERO)
+fn weight(coefficients: &[f32], component: u16) -> f32 {
+    coefficients.get(usize::from(component)).copied().unwrap_or(0.0)
 }
 
 /// Sums `P` profiles of `length` terms, with weights for `W` polynomials each.
 #[inline(always)]
-fn sum_profiles<S: Scalar, const W: usize, const P: usize>(
+fn sum_profiles<const W: usize, const P: usize>(
     length: usize,
-    terms: &[S],
-    weights: &[[S; W]; P],
-    scene: &mut [S],
+    terms: &[f32],
+    weights: &[[f32; W]; P],
+    scene: &mut [f32],
 ) {
     for j in 0..length {
-        let mut sums = [S::ZERO; W];
+        let mut sums = [0.0; W];
         for (profile, weights) in weights.iter().enumerate() {
             let Some(&term) = terms.get(profile * length + j) else { continue };
             for (sum, &weight) in sums.iter_mut().zip(weights) {
-                *sum = if profile == 0 { weight * term } else { sum.add_product(weight, term) };
+                *sum = if profile == 0 {
+                    weight * term
+                } else {
+                    float::add_product(*sum, weight, term)
+                };
             }
         }
         for (sign, sum) in sums.into_iter().enumerate() {
@@ -92,53 +96,53 @@ fn sum_profiles<S: Scalar, const W: usize, const P: usize>(
 /// values takes too long for a pixel. If it also has `N` terms in all, none are left for azimuths
 /// beyond these lengths.
 #[inline(always)]
-pub fn scene<'s, S: Scalar, B: AsRef<[S]>, const N: usize>(
+pub fn scene<'s, B: AsRef<[f32]>, const N: usize>(
     scene: &'s Scene<'_, B>,
     lengths: &[u16],
-) -> Option<&'s [S; N]> {
+) -> Option<&'s [f32; N]> {
     let same = core::ptr::eq(scene.lengths.as_ptr(), lengths.as_ptr());
     scene.buffer.as_ref().try_into().ok().filter(|_| same)
 }
 
 /// P_m + i Q_m + w̄ `above` for azimuth `M` > 0. The highest azimuth has nothing above it.
 #[inline(always)]
-pub fn azimuth<B: KnownTable<Basis<'static, S>>, S: Scalar, const M: usize, const N: usize>(
-    terms: &[S; N],
-    normal: Normal<S>,
-    above: Option<[S; 2]>,
-) -> Option<[S; 2]> {
-    let AzimuthPlace { start, length, .. } = const { azimuth_of::<B, S>(M) };
+pub fn azimuth<B: KnownTable<Basis<'static>>, const M: usize, const N: usize>(
+    terms: &[f32; N],
+    normal: Normal,
+    above: Option<[f32; 2]>,
+) -> Option<[f32; 2]> {
+    let AzimuthPlace { start, length, .. } = const { azimuth_of::<B>(M) };
     let t = polynomial::argument(normal.z);
     let [plus, minus] = [start, start + length].map(|start| {
         let terms = terms.get(start..).and_then(|rest| rest.get(..length));
-        terms.map_or(S::ZERO, |terms| polynomial::short(terms, t))
+        terms.map_or(0.0, |terms| polynomial::short(terms, t))
     });
     let Some([real, imaginary]) = above else { return Some([plus, minus]) };
     let Normal { x, y, .. } = normal;
     Some([
-        plus.add_product(real, x).add_product(imaginary, y),
-        minus.add_product(imaginary, x).add_product(-real, y),
+        float::add_product(float::add_product(plus, real, x), imaginary, y),
+        float::add_product(float::add_product(minus, imaginary, x), -real, y),
     ])
 }
 
 /// The irradiance P_0 + Re w̄ `above`.
 #[inline(always)]
-pub fn pole<B: KnownTable<Basis<'static, S>>, S: Scalar, const N: usize>(
-    terms: &[S; N],
-    normal: Normal<S>,
-    above: Option<[S; 2]>,
-) -> S {
-    let terms = terms.get(..const { azimuth_of::<B, S>(0).length });
+pub fn pole<B: KnownTable<Basis<'static>>, const N: usize>(
+    terms: &[f32; N],
+    normal: Normal,
+    above: Option<[f32; 2]>,
+) -> f32 {
+    let terms = terms.get(..const { azimuth_of::<B>(0).length });
     let t = polynomial::argument(normal.z);
-    let value = terms.map_or(S::ZERO, |terms| polynomial::short(terms, t));
-    let [real, imaginary] = above.unwrap_or([S::ZERO; 2]);
-    value.add_product(real, normal.x).add_product(imaginary, normal.y)
+    let value = terms.map_or(0.0, |terms| polynomial::short(terms, t));
+    let [real, imaginary] = above.unwrap_or([0.0; 2]);
+    float::add_product(float::add_product(value, real, normal.x), imaginary, normal.y)
 }
 
 /// Shades a pixel of any other scene. Not inlined, so that callers that do not use it do not pay
 /// for its stack and registers.
 #[cold]
 #[inline(never)]
-pub fn shade<S: Scalar, B: AsRef<[S]>>(scene: &Scene<'_, B>, normal: Normal<S>) -> S {
+pub fn shade<B: AsRef<[f32]>>(scene: &Scene<'_, B>, normal: Normal) -> f32 {
     scene.shade(normal)
 }

@@ -15,11 +15,11 @@ macro_rules! table {
         runs $([$run:literal $rows:literal])*) => {
         $crate::table!(@sizes PARTS.components, BASIS.workspace_len(), BASIS);
         /// The basis; its shape was checked when it was compiled.
-        pub static BASIS: $crate::Basis<'static, f32> =
+        pub static BASIS: $crate::Basis<'static> =
             $crate::specialized::checked($crate::Basis::new(PARTS));
         $crate::table!(@transfer BASIS);
         /// An estimate of the coefficients d from pixels.
-        pub type Estimate = $crate::Estimate<'static, f32, COMPONENTS>;
+        pub type Estimate = $crate::Estimate<'static, COMPONENTS>;
         /// Starts an estimate from pixels: see [`eigenshade::Basis::estimate`].
         ///
         /// # Errors
@@ -37,14 +37,14 @@ macro_rules! table {
         /// [`Error::Tolerance`](eigenshade::Error::Tolerance) unless the tolerance is above zero.
         pub fn collapse_within<'l>(
             coefficients: &Coefficients,
-            tolerance: $crate::Tolerance<f32>,
+            tolerance: $crate::Tolerance,
             lengths: &'l mut [u16; DEGREE + 1],
-        ) -> Result<(Truncated<'l>, $crate::Truncation<f32>), $crate::Error> {
+        ) -> Result<(Truncated<'l>, $crate::Truncation), $crate::Error> {
             let buffer = $crate::SceneBuffer::from([0.0; SCENE]);
             BASIS.collapse_within(coefficients, tolerance, lengths, buffer)
         }
         /// A scene with fewer terms than a [`Scene`].
-        pub type Truncated<'l> = $crate::Scene<'l, $crate::SceneBuffer<f32, SCENE>>;
+        pub type Truncated<'l> = $crate::Scene<'l, $crate::SceneBuffer<SCENE>>;
         $crate::table!(@relight |transfer, light| {
             let Some(inputs) = $crate::specialized::relight::inputs(transfer, light) else {
                 return BASIS.relight(transfer, light);
@@ -64,7 +64,7 @@ macro_rules! table {
         #[inline(never)]
         fn relight_generally(
             transfer: &Transfer,
-            light: &$crate::Light<'_, f32>,
+            light: &$crate::Light<'_>,
             coefficients: &mut Coefficients,
         ) -> Result<(), $crate::Error> {
             *coefficients = BASIS.relight(transfer, light)?;
@@ -80,11 +80,11 @@ macro_rules! table {
             if relight::GROUPS {
                 // All sums first: between the calls, components would be spilled one by one.
                 let sums = ($(
-                    relight::sums::<This, f32, $pass, $profiles, TRANSFER, LIGHT>(transfer, light),
+                    relight::sums::<This, $pass, $profiles, TRANSFER, LIGHT>(transfer, light),
                 )*);
-                $(relight::write::<This, f32, $pass, $profiles, COMPONENTS>(&sums.$number, d);)*
+                $(relight::write::<This, $pass, $profiles, COMPONENTS>(&sums.$number, d);)*
             } else {
-                $(relight::run::<This, f32, $run, $rows, TRANSFER, LIGHT, COMPONENTS>(
+                $(relight::run::<This, $run, $rows, TRANSFER, LIGHT, COMPONENTS>(
                     transfer, light, d,
                 );)*
             }
@@ -96,10 +96,10 @@ macro_rules! table {
             @sizes GENERAL.components, BASIS.workspace_len(), SPAN
         );
         /// The span of the basis; its shape was checked when it was compiled.
-        pub static SPAN: $crate::Basis<'static, f32> =
+        pub static SPAN: $crate::Basis<'static> =
             $crate::specialized::checked($crate::Basis::new(PARTS));
         /// The basis; its shape was checked when it was compiled.
-        pub static BASIS: $crate::GeneralBasis<'static, f32> =
+        pub static BASIS: $crate::GeneralBasis<'static> =
             $crate::specialized::checked($crate::GeneralBasis::new(SPAN, GENERAL));
         $crate::table!(@transfer SPAN);
         $crate::table!(project by basis);
@@ -142,24 +142,24 @@ macro_rules! table {
             const PAIRS: usize = pair::count(ORDER);
             const PADDED: usize = layout::row(ORDER);
             const GROUPS: usize = layout::groups(DEGREE);
-            let polar = project::table_rows::<f32, GROUPS, PAIRS>(PARTS.polar);
+            let polar = project::table_rows::<GROUPS, PAIRS>(PARTS.polar);
             let Some(polar) = polar else { return };
             let mut sums = [[[0.0; LANES]; GROUPS]; PADDED];
-            $(project::scatter::<f32, $q, $pairs, GROUPS, MODES, PAIRS>(
+            $(project::scatter::<$q, $pairs, GROUPS, MODES, PAIRS>(
                 material, polar, &mut sums,
             );)*
             let scattering = project::transposed::<
-                f32, { PADDED / LANES }, { DEGREE + 1 }, GROUPS, PADDED,
+                { PADDED / LANES }, { DEGREE + 1 }, GROUPS, PADDED,
             >(&sums);
             $(
                 let lights =
-                    project::lights::<f32, $azimuth, { DEGREE + 1 - $azimuth }, LIGHT>(light);
+                    project::lights::<$azimuth, { DEGREE + 1 - $azimuth }, LIGHT>(light);
                 $(
                     let rows = project::rows::<
-                        This, f32, $azimuth, $first, $twos, { PADDED / LANES },
+                        This, $azimuth, $first, $twos, { PADDED / LANES },
                         { DEGREE + 1 - $azimuth }, { DEGREE + 1 },
                     >(&scattering, &lights);
-                    project::write::<This, f32, $azimuth, $first, $twos, COMPONENTS>(&rows, d);
+                    project::write::<This, $azimuth, $first, $twos, COMPONENTS>(&rows, d);
                 )*
             )*
             $crate::specialized::subtract(d, PARTS.mean_coefficients);
@@ -173,14 +173,14 @@ macro_rules! table {
     (@project |$light:ident, $material:ident| $project:block) => {
         /// d = UᵀMc: see `project` of [`BASIS`]. The same errors, but no capacity is too small.
         pub fn project(
-            $light: &$crate::Light<'_, f32>,
-            $material: &$crate::Material<'_, f32>,
+            $light: &$crate::Light<'_>,
+            $material: &$crate::Material<'_>,
         ) -> Result<Coefficients, $crate::Error> $project
     };
     (@transfer $basis:ident) => {
         /// The transfer of a material: see [`eigenshade::Basis::transfer`]. The same errors, but no
         /// capacity is too small.
-        pub fn transfer(material: &$crate::Material<'_, f32>) -> Result<Transfer, $crate::Error> {
+        pub fn transfer(material: &$crate::Material<'_>) -> Result<Transfer, $crate::Error> {
             $basis.transfer::<WORKSPACE, TRANSFER>(material)
         }
     };
@@ -190,12 +190,12 @@ macro_rules! table {
         /// no capacity is too small.
         pub fn relight(
             $transfer: &Transfer,
-            $light: &$crate::Light<'_, f32>,
+            $light: &$crate::Light<'_>,
         ) -> Result<Coefficients, $crate::Error> $relight
         /// [`relight`] into existing coefficients, unmoved; after an error they are unspecified.
         pub fn relight_into(
             $to: &Transfer,
-            $under: &$crate::Light<'_, f32>,
+            $under: &$crate::Light<'_>,
             $coefficients: &mut Coefficients,
         ) -> Result<(), $crate::Error> $relight_into
     };
@@ -205,7 +205,7 @@ macro_rules! table {
             let terms = $crate::specialized::scene_mut(&mut scene.0, PARTS.lengths);
             if let (Ok(d), Some(terms)) = (d, terms) {
                 $($crate::specialized::collapse::<
-                    This, f32, $azimuth, $profiles, COMPONENTS, SCENE,
+                    This, $azimuth, $profiles, COMPONENTS, SCENE,
                 >(d, terms);)*
                 return Ok(());
             }
@@ -243,24 +243,24 @@ macro_rules! table {
     };
     (shade $($azimuth:literal)*) => {
         $crate::table!(@shade &'s [f32; SCENE], |scene| {
-            $crate::specialized::scene::<f32, _, SCENE>(scene, PARTS.lengths)
+            $crate::specialized::scene::<_, SCENE>(scene, PARTS.lengths)
         });
         /// The irradiance of one normal from a scene's [`terms`]: bit for bit that of [`shade`].
         #[doc(hidden)]
         #[inline]
-        pub fn shade_terms(terms: &[f32; SCENE], normal: $crate::Normal<f32>) -> f32 {
+        pub fn shade_terms(terms: &[f32; SCENE], normal: $crate::Normal) -> f32 {
             let above = None;
             $(let above =
-                $crate::specialized::azimuth::<This, f32, $azimuth, SCENE>(terms, normal, above);)*
-            $crate::specialized::pole::<This, f32, SCENE>(terms, normal, above)
+                $crate::specialized::azimuth::<This, $azimuth, SCENE>(terms, normal, above);)*
+            $crate::specialized::pole::<This, SCENE>(terms, normal, above)
         }
     };
     (shade nine terms) => {
-        $crate::table!(@shade $crate::NineTerms<f32>, |scene| scene.nine_terms());
+        $crate::table!(@shade $crate::NineTerms, |scene| scene.nine_terms());
         /// The irradiance of one normal from a scene's [`terms`]: bit for bit that of [`shade`].
         #[doc(hidden)]
         #[inline]
-        pub fn shade_terms(terms: $crate::NineTerms<f32>, normal: $crate::Normal<f32>) -> f32 {
+        pub fn shade_terms(terms: $crate::NineTerms, normal: $crate::Normal) -> f32 {
             terms.shade(normal)
         }
     };
@@ -270,7 +270,7 @@ macro_rules! table {
             /// length a constant.
             #[inline]
             #[must_use]
-            pub fn shade(&self, normal: $crate::Normal<f32>) -> f32 {
+            pub fn shade(&self, normal: $crate::Normal) -> f32 {
                 shade(&self.0, normal)
             }
         }
@@ -279,7 +279,7 @@ macro_rules! table {
         #[inline]
         pub fn shade<B: AsRef<[f32]>>(
             scene: &$crate::Scene<'_, B>,
-            normal: $crate::Normal<f32>,
+            normal: $crate::Normal,
         ) -> f32 {
             match terms(scene) {
                 Some(terms) => shade_terms(terms, normal),
@@ -300,23 +300,23 @@ macro_rules! table {
         #[must_use]
         pub fn shade<B: AsRef<[f32]>>(
             scene: &$crate::Scene<'_, B>,
-            normal: $crate::Normal<f32>,
+            normal: $crate::Normal,
         ) -> f32 {
             scene.shade(normal)
         }
     };
     (@sizes $components:expr, $workspace:expr, $basis:expr) => {
         $crate::table_items! {
-            basis $crate::Basis<'static, f32> = $basis,
+            basis $crate::Basis<'static> = $basis,
             components $components, workspace $workspace,
-            scene $crate::Scene<'static, $crate::SceneBuffer<f32, SCENE>>, derive Clone
+            scene $crate::Scene<'static, $crate::SceneBuffer<SCENE>>, derive Clone
         }
         /// Number of coefficients of a light.
         pub const LIGHT: usize = (DEGREE + 1) * (DEGREE + 1);
         /// The coefficients d of one image.
-        pub type Coefficients = $crate::Coefficients<f32, COMPONENTS>;
+        pub type Coefficients = $crate::Coefficients<COMPONENTS>;
         /// The transfer of one material.
-        pub type Transfer = $crate::Transfer<f32, TRANSFER>;
+        pub type Transfer = $crate::Transfer<TRANSFER>;
         impl Scene {
             /// A scene to be overwritten.
             #[inline(always)]
@@ -325,8 +325,8 @@ macro_rules! table {
             }
         }
         $crate::table_in_color! {
-            'a, light $crate::Light<'a, f32>, material $crate::Material<'a, f32>,
-            normal $crate::Normal<f32>, irradiance f32,
+            'a, light $crate::Light<'a>, material $crate::Material<'a>,
+            normal $crate::Normal, irradiance f32,
             blank Coefficients::from([0.0; super::COMPONENTS]), Scene::blank(),
             view |transfer| transfer
         }
@@ -346,7 +346,7 @@ macro_rules! table {
             pub fn bake<const T: usize>(
                 &self,
                 size: usize,
-            ) -> Result<$crate::Rgb<$crate::BakedMap<f32, $crate::MapBuffer<f32, T>>>, $crate::Error>
+            ) -> Result<$crate::Rgb<$crate::BakedMap<$crate::MapBuffer<T>>>, $crate::Error>
             {
                 self.each_ref().try_map(|scene| scene.bake(size))
             }
@@ -357,7 +357,7 @@ macro_rules! table {
                 &self,
                 size: usize,
                 texels: $crate::Rgb<B>,
-            ) -> Result<$crate::Rgb<$crate::IntegerMap<B>>, $crate::Error> {
+            ) -> Result<$crate::Rgb<$crate::q15::BakedMap<B>>, $crate::Error> {
                 let channels = self.each_ref().zip(texels);
                 channels.try_map(|(scene, texels)| scene.bake_integers_into(size, texels))
             }
@@ -368,7 +368,7 @@ macro_rules! table {
             #[inline]
             pub fn shade_slice(
                 &self,
-                normals: $crate::Normals<'_, f32>,
+                normals: $crate::Normals<'_>,
                 irradiance: &mut [$crate::Rgb<f32>],
             ) -> Result<(), $crate::Error> {
                 use $crate::specialized::{ONE_BY_ONE, shade_normals};

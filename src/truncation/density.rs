@@ -8,9 +8,8 @@
 
 use crate::index::layout::{EVEN_ODD_TERMS, LANES};
 use crate::lanes::multiply_add;
-use crate::mathematics::{Libm, Mathematics};
+use crate::mathematics;
 use crate::polynomial::values;
-use crate::scalar::Scalar;
 use crate::shade::ANY;
 
 /// The largest number of terms of a polynomial that is converted.
@@ -29,49 +28,49 @@ pub(super) const fn longest(azimuth: usize) -> usize {
 
 /// The orthogonal polynomials of one azimuth, p_k+1 = (2t - at_k) p_k - below_k p_k-1, p_0 = 1: the
 /// polynomials of a [recurrence](crate::index::layout::Recurrence).
-pub(super) struct Density<S> {
+pub(super) struct Density {
     azimuth: usize,
     terms: usize,
     /// The coefficients at_k and below_k of the current azimuth.
-    pub(super) recurrence: [[S; 2]; TERMS],
+    pub(super) recurrence: [[f32; 2]; TERMS],
 }
 
-impl<S: Scalar> Density<S> {
+impl Density {
     /// The density of m = 0. It serves polynomials of azimuth m with up to `terms` - m terms.
     pub(super) fn new(terms: usize) -> Self {
-        let mut recurrence = [[S::ZERO; 2]; TERMS];
-        let two = S::ONE + S::ONE;
-        let (mut odd, mut left) = (S::ONE, S::ONE);
+        let mut recurrence = [[0.0; 2]; TERMS];
+        let two = 1.0 + 1.0;
+        let (mut odd, mut left) = (1.0_f32, 1.0_f32);
         // 2 / (2k + 1)(2k + 3) and 4 k (k + 1) / (2k + 1)².
         for [at, below] in recurrence.iter_mut().take(terms) {
             odd += two;
-            let right = odd.reciprocal();
-            (*at, *below) = (two * left * right, S::ONE - left * left);
+            let right = odd.recip();
+            (*at, *below) = (two * left * right, 1.0 - left * left);
             left = right;
         }
         Self { azimuth: 0, terms, recurrence }
     }
 
     /// The coefficients below_k of the current azimuth.
-    pub(super) fn below(&self) -> impl Iterator<Item = S> {
+    pub(super) fn below(&self) -> impl Iterator<Item = f32> {
         self.recurrence.iter().map(|&[_, below]| below)
     }
 
     /// Advances to a higher azimuth: for each step, the density is multiplied by 2 - 2t, then by
     /// 2t + 6. The last known row needs part of an unknown one, so each step loses one row.
     pub(super) fn turn_to(&mut self, azimuth: usize) {
-        let (two, six) = (S::from_whole(2), S::from_whole(6));
+        let (two, six) = (2.0, 6.0);
         while self.azimuth < azimuth {
             let mut rows = self.recurrence.iter_mut().take(self.terms);
             let Some(mut before) = rows.next() else { return };
             // A pivot of the first factor, and the difference of a pivot of the second.
-            let (mut pivot, mut lack) = (two - before[0], S::ZERO);
+            let (mut pivot, mut lack) = (two - before[0], 0.0);
             for row in rows {
-                let share = row[1] * pivot.reciprocal();
+                let share = row[1] * pivot.recip();
                 let second = two - pivot - share + six - lack;
                 let below = lack * second;
                 pivot = two - row[0] - share;
-                lack = share * pivot * second.reciprocal();
+                lack = share * pivot * second.recip();
                 *before = [second + lack - six, below];
                 before = row;
             }
@@ -82,16 +81,13 @@ impl<S: Scalar> Density<S> {
 }
 
 /// The root mean squares of an azimuth's polynomials over a sphere, from their below_k.
-pub(super) fn sizes<S: Scalar>(
-    azimuth: usize,
-    below: impl Iterator<Item = S>,
-) -> impl Iterator<Item = S> {
+pub(super) fn sizes(azimuth: usize, below: impl Iterator<Item = f32>) -> impl Iterator<Item = f32> {
     // The root mean square of sin^m cos mβ.
     let mut size =
-        if azimuth == 0 { S::ONE } else { Libm::inverse_root(S::from_whole(2 * azimuth + 2)) };
+        if azimuth == 0 { 1.0 } else { mathematics::inverse_root((2 * azimuth + 2) as f32) };
     below.enumerate().map(move |(k, below)| {
         if k > 0 {
-            size = size * Libm::square_root(below);
+            size = size * mathematics::square_root(below);
         }
         size
     })
@@ -124,34 +120,34 @@ pub(super) const NODES: [(f64, f64); 20] = [
 
 /// The mean square of `scale` times sin^m (P cos mβ + Q sin mβ), for polynomials of equal length.
 /// It is exact if m and this length are together at most the number of [`NODES`].
-pub(super) fn mean_square<S: Scalar>(azimuth: usize, [plus, minus]: [&[S]; 2], scale: S) -> S {
-    let [mut t, mut weights, mut squares] = [[S::ZERO; NODES.len()]; 3];
+pub(super) fn mean_square(azimuth: usize, [plus, minus]: [&[f32]; 2], scale: f32) -> f32 {
+    let [mut t, mut weights, mut squares] = [[0.0; NODES.len()]; 3];
     let places = t.iter_mut().zip(&mut weights).zip(&mut squares);
     for (((t, weight), square), node) in places.zip(NODES) {
         // sin² = 1 - z².
         let of_sine = 0.25 * (1.0 - node.0) * (3.0 + node.0);
-        (*t, *weight, *square) = (S::from_f64(node.0), S::from_f64(node.1), S::from_f64(of_sine));
+        (*t, *weight, *square) = ((node.0) as f32, (node.1) as f32, (of_sine) as f32);
     }
     for _ in 0..azimuth {
         weights.iter_mut().zip(&squares).for_each(|(weight, &square)| *weight = *weight * square);
     }
-    let plus = values::<S, ANY, _>(plus, [&t, &t]);
-    let minus = values::<S, ANY, _>(minus, [&t, &t]);
-    let mut sums = [S::ZERO; LANES];
+    let plus = values::<ANY, _>(plus, [&t, &t]);
+    let minus = values::<ANY, _>(minus, [&t, &t]);
+    let mut sums = [0.0; LANES];
     let values = groups(&plus).iter().zip(groups(&minus));
     for (weights, (plus, minus)) in groups(&weights).iter().zip(values) {
         let [plus, minus] = [plus, minus].map(|[a, b, c, d]| {
             // Scaled so that no square is too small or too large.
             [*a * scale, *b * scale, *c * scale, *d * scale]
         });
-        let squares = multiply_add(multiply_add([S::ZERO; LANES], &plus, &plus), &minus, &minus);
+        let squares = multiply_add(multiply_add([0.0; LANES], &plus, &plus), &minus, &minus);
         sums = multiply_add(sums, weights, &squares);
     }
-    let sum = sums.into_iter().fold(S::ZERO, |sum, part| sum + part);
-    if azimuth == 0 { sum } else { S::from_f64(0.5) * sum }
+    let sum = sums.into_iter().fold(0.0, |sum, part| sum + part);
+    if azimuth == 0 { sum } else { 0.5 * sum }
 }
 
-fn groups<S>(numbers: &[S; NODES.len()]) -> &[[S; LANES]] {
+fn groups(numbers: &[f32; NODES.len()]) -> &[[f32; LANES]] {
     numbers.as_chunks().0
 }
 

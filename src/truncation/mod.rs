@@ -14,13 +14,12 @@ mod terms;
 
 use crate::basis::Basis;
 use crate::error::Error;
-use crate::scalar::Scalar;
 use crate::scene::Scene;
 
 pub use report::{Tolerance, Truncation};
 pub use set::Shape;
 
-impl<'a, S: Scalar> Basis<'a, S> {
+impl<'a> Basis<'a> {
     /// Computes a cheaper scene, within a tolerance of the scene of all `coefficients`:
     /// [`collapse_into`](Self::collapse_into) with fewer components, azimuths and terms. This is a
     /// set of one image; [`collapse_set_within`](Self::collapse_set_within) takes several.
@@ -38,13 +37,13 @@ impl<'a, S: Scalar> Basis<'a, S> {
     ///
     /// The same as [`collapse_into`](Self::collapse_into); [`Error::Length`] if `lengths` is too
     /// short; [`Error::Tolerance`] unless the tolerance is above zero.
-    pub fn collapse_within<'l, B: AsMut<[S]> + AsRef<[S]>>(
+    pub fn collapse_within<'l, B: AsMut<[f32]> + AsRef<[f32]>>(
         &self,
-        coefficients: &[S],
-        tolerance: Tolerance<S>,
+        coefficients: &[f32],
+        tolerance: Tolerance,
         lengths: &'l mut [u16],
         mut buffer: B,
-    ) -> Result<(Scene<'l, B>, Truncation<S>), Error>
+    ) -> Result<(Scene<'l, B>, Truncation), Error>
     where
         'a: 'l,
     {

@@ -5,47 +5,46 @@
 use super::density::{Density, MOST};
 use crate::index::layout::{LANES, MONOMIAL_TERMS};
 use crate::lanes::multiply_add;
-use crate::scalar::Scalar;
 
 /// Room for numbers, lowest first, after a zero and with zeros behind them.
 const ROOM: usize = MOST + 4;
 
 /// Pairs of numbers, one of +m and one of -m.
-type Row<S> = [[S; 2]; ROOM];
+type Row = [[f32; 2]; ROOM];
 
-pub(super) struct Rows<S> {
-    now: Row<S>,
-    next: Row<S>,
-    at: Row<S>,
-    below: Row<S>,
+pub(super) struct Rows {
+    now: Row,
+    next: Row,
+    at: Row,
+    below: Row,
     /// Stands in for the terms of -m if there are none.
-    none: [S; MOST],
+    none: [f32; MOST],
 }
 
-impl<S: Scalar> Rows<S> {
+impl Rows {
     pub(super) const fn new() -> Self {
-        let row = [[S::ZERO; 2]; ROOM];
-        Self { now: row, next: row, at: row, below: row, none: [S::ZERO; MOST] }
+        let row = [[0.0; 2]; ROOM];
+        Self { now: row, next: row, at: row, below: row, none: [0.0; MOST] }
     }
 
     /// Converts polynomials of +m and -m, highest term first, into orthogonal ones times `numbers`.
     pub(super) fn orthogonalize(
         &mut self,
-        [plus, minus]: [&mut [S]; 2],
-        density: &Density<S>,
-        numbers: impl Iterator<Item = S>,
+        [plus, minus]: [&mut [f32]; 2],
+        density: &Density,
+        numbers: impl Iterator<Item = f32>,
     ) {
         let length = plus.len();
         self.start(length, density);
         let Self { now, next, at, below, none } = self;
         let (mut now, mut next) = (now, next);
         let minus = if minus.is_empty() { none.as_mut_slice() } else { minus };
-        let (half, is_long) = (S::from_f64(0.5), length > MONOMIAL_TERMS);
+        let (half, is_long) = (0.5, length > MONOMIAL_TERMS);
         // The powers are those of 2t.
-        let double = if is_long { S::ONE } else { S::ONE + S::ONE };
-        let mut scale = (1..length).fold(S::ONE, |scale, _| scale * half);
+        let double = if is_long { 1.0 } else { 1.0 + 1.0 };
+        let mut scale = (1..length).fold(1.0, |scale, _| scale * half);
         if is_long {
-            scale = S::ONE;
+            scale = 1.0;
         }
         for (index, (&term, &other)) in plus.iter().zip(&*minus).enumerate() {
             let ([_, here @ ..], [_, below @ ..]) = (&*now, &*below);
@@ -76,7 +75,7 @@ impl<S: Scalar> Rows<S> {
     }
 
     /// Converts orthogonal polynomials of +m and -m into the form that belongs to their length.
-    pub(super) fn rewrite(&mut self, [plus, minus]: [&mut [S]; 2], density: &Density<S>) {
+    pub(super) fn rewrite(&mut self, [plus, minus]: [&mut [f32]; 2], density: &Density) {
         let length = plus.len();
         self.start(length, density);
         let Self { now, next, at, below, none } = self;
@@ -104,8 +103,8 @@ impl<S: Scalar> Rows<S> {
             add(next, [term, other]);
             (now, next) = (next, now);
         }
-        let double = if is_long { S::ONE } else { S::ONE + S::ONE };
-        let mut scale = S::ONE;
+        let double = if is_long { 1.0 } else { 1.0 + 1.0 };
+        let mut scale = 1.0;
         let both = plus.iter_mut().rev().zip(minus.iter_mut().rev());
         for (pair, (plus, minus)) in now.iter().skip(1).zip(both) {
             [*plus, *minus] = pair.map(|sum| sum * scale);
@@ -114,30 +113,30 @@ impl<S: Scalar> Rows<S> {
     }
 
     /// Clears the rows for polynomials of `length` terms, and loads the recurrence.
-    fn start(&mut self, length: usize, density: &Density<S>) {
+    fn start(&mut self, length: usize, density: &Density) {
         let of = self.now.iter_mut().zip(&mut self.next).zip(&mut self.at).zip(&mut self.below);
         for ((((now, next), at), below), &[of_at, of_below]) in
             of.zip(&density.recurrence).take(length + 4)
         {
-            (*now, *next, *at, *below) = ([S::ZERO; 2], [S::ZERO; 2], [of_at; 2], [of_below; 2]);
+            (*now, *next, *at, *below) = ([0.0; 2], [0.0; 2], [of_at; 2], [of_below; 2]);
         }
     }
 }
 
 /// Adds terms to the lowest numbers.
 #[inline(always)]
-fn add<S: Scalar>([_, lowest, ..]: &mut Row<S>, terms: [S; 2]) {
+fn add([_, lowest, ..]: &mut Row, terms: [f32; 2]) {
     let ([a, b], [c, d]) = (*lowest, terms);
     *lowest = [a + c, b + d];
 }
 
 /// The groups of a row's pairs.
 #[inline(always)]
-fn groups<S>(row: &[[S; 2]]) -> &[[S; LANES]] {
+fn groups(row: &[[f32; 2]]) -> &[[f32; LANES]] {
     row.as_flattened().as_chunks().0
 }
 
 #[inline(always)]
-fn groups_mut<S>(row: &mut [[S; 2]]) -> &mut [[S; LANES]] {
+fn groups_mut(row: &mut [[f32; 2]]) -> &mut [[f32; LANES]] {
     row.as_flattened_mut().as_chunks_mut().0
 }

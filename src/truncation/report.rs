@@ -1,10 +1,10 @@
 //! The tolerance requested, the peak to which it is relative, and a report of the result.
 
 use crate::error::Error;
+use crate::float;
 use crate::index::layout::{LANES, MONOMIAL_TERMS, Recurrence};
 use crate::lanes::multiply_add;
 use crate::polynomial::{long, orthogonal, value};
-use crate::scalar::Scalar;
 use crate::scene::Scene;
 
 /// The allowed error of an image, root mean square over a sphere's normals, relative to the image
@@ -13,25 +13,25 @@ use crate::scene::Scene;
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[non_exhaustive]
-pub enum Tolerance<S> {
+pub enum Tolerance {
     /// A share of white under an exposure, both above 0.
     OfWhite {
         /// The share of white.
-        share: S,
+        share: f32,
         /// The factor from irradiance to white: see [`Exposure::factor`](crate::Exposure::factor).
-        exposure: S,
+        exposure: f32,
     },
     /// A fraction of the image's peak, above 0. For a channel of a color, a fraction of the largest
     /// peak of all channels. The peak of light with lamps is many times white.
-    OfPeak(S),
+    OfPeak(f32),
     /// An irradiance, above 0.
-    Irradiance(S),
+    Irradiance(f32),
 }
 
 /// The cost of a scene, and bounds on its error.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct Truncation<S> {
+pub struct Truncation {
     /// Number of leading components that suffice: a scene made from these alone also stays within
     /// the bound. The scene itself uses all components, which costs a pixel nothing.
     pub components: usize,
@@ -43,12 +43,12 @@ pub struct Truncation<S> {
     /// Upper bound on the difference from the image of all components, root mean square over a
     /// sphere's normals, apart from rounding. Its square is the sum of those of the next two
     /// fields.
-    pub bound: S,
+    pub bound: f32,
     /// Upper bound on the part of the difference that comes from leaving out the components beyond
     /// [`components`](Self::components).
-    pub left_out_by_components: S,
+    pub left_out_by_components: f32,
     /// The part of the difference that comes from the azimuths and terms that are left out.
-    pub left_out_by_terms: S,
+    pub left_out_by_terms: f32,
     /// An estimate of the error of the image due to the table's limited number of components, root
     /// mean square over a sphere's normals: the root of the sum of the squares of the last fifth of
     /// the coefficients. A tolerance below it is met only relative to the image of all components.
@@ -56,15 +56,15 @@ pub struct Truncation<S> {
     /// For unseen materials under the shipped lights, with the shipped table, the estimate matches
     /// the error in the median. For nine images in ten it is within a factor of 1.6 for measured
     /// materials and of 3.1 for GGX, and it is within a factor of 8 for all.
-    pub floor: S,
+    pub floor: f32,
     /// The largest of 41 pixels of the image, which is at most its peak. If the image is a channel
     /// of a color, the largest of all channels.
-    pub peak: S,
+    pub peak: f32,
 }
 
 /// Slants at which the peak is sought, apart from the camera's direction, given by their cosines
 /// and sines: one for each lane, and one where t is 0.
-const SLANTS: [(f64, f64); LANES + 1] = [
+const SLANTS: [(f32, f32); LANES + 1] = [
     (0.92, 0.391_918_358_845_308_5),
     (0.75, 0.661_437_827_766_147_6),
     (0.25, 0.968_245_836_551_854_2),
@@ -73,66 +73,66 @@ const SLANTS: [(f64, f64); LANES + 1] = [
 ];
 
 /// The unit of an image that is black at the normals where its peak is sought.
-const DARK: f64 = 1e-19;
+const DARK: f32 = 1e-19;
 
 /// The error of any image is less than this many of its units.
-const MOST: f64 = 1e9;
+const MOST: f32 = 1e9;
 
-impl<S: Scalar> Truncation<S> {
+impl Truncation {
     /// The unit of an image's numbers: its peak, so that no square is too small or too large.
-    pub(super) fn unit(&self) -> S {
-        match (self.peak.is_finite(), self.peak > S::ZERO && self.peak.reciprocal().is_finite()) {
+    pub(super) fn unit(&self) -> f32 {
+        match (self.peak.is_finite(), self.peak > 0.0 && self.peak.recip().is_finite()) {
             (true, true) => self.peak,
-            (true, false) => S::from_f64(DARK),
-            (false, _) => S::ONE,
+            (true, false) => DARK,
+            (false, _) => 1.0,
         }
     }
 
-    pub(super) fn scale(&self) -> S {
-        self.unit().reciprocal()
+    pub(super) fn scale(&self) -> f32 {
+        self.unit().recip()
     }
 
     /// The allowed sum of squared errors of an image; finite, however dim the image is.
-    pub(super) fn allowed(&self, tolerance: Tolerance<S>) -> Result<S, Error> {
-        let (share, most) = (tolerance.irradiance(self.peak)? * self.scale(), S::from_f64(MOST));
+    pub(super) fn allowed(&self, tolerance: Tolerance) -> Result<f32, Error> {
+        let (share, most) = (tolerance.irradiance(self.peak)? * self.scale(), MOST);
         let share = if share > most { most } else { share };
         Ok(share * share)
     }
 
     /// The part of the allowed sum of squared errors that is left.
-    pub(super) fn left(&self) -> S {
+    pub(super) fn left(&self) -> f32 {
         let left = self.bound - self.left_out_by_components - self.left_out_by_terms;
-        if left > S::ZERO { left } else { S::ZERO }
+        if left > 0.0 { left } else { 0.0 }
     }
 }
 
-impl<S: Scalar> Tolerance<S> {
-    pub(super) fn irradiance(self, peak: S) -> Result<S, Error> {
+impl Tolerance {
+    pub(super) fn irradiance(self, peak: f32) -> Result<f32, Error> {
         let (share, of) = match self {
             Self::OfPeak(share) => (share, peak),
-            Self::OfWhite { share, exposure } if exposure > S::ZERO && exposure.is_finite() => {
-                (share, exposure.reciprocal())
+            Self::OfWhite { share, exposure } if exposure > 0.0 && exposure.is_finite() => {
+                (share, exposure.recip())
             }
             Self::OfWhite { .. } => return Err(Error::Tolerance),
-            Self::Irradiance(irradiance) => (irradiance, S::ONE),
+            Self::Irradiance(irradiance) => (irradiance, 1.0),
         };
         // A peak that is not finite has no fraction, and no comparison with it holds, so nothing is
         // left out.
-        let of = if of.is_finite() { of } else { of * S::ZERO };
-        if share > S::ZERO && share.is_finite() { Ok(share * of) } else { Err(Error::Tolerance) }
+        let of = if of.is_finite() { of } else { of * 0.0 };
+        if share > 0.0 && share.is_finite() { Ok(share * of) } else { Err(Error::Tolerance) }
     }
 }
 
 /// The largest |I| at 41 normals: the one toward the camera, and eight azimuths for each slant. The
 /// azimuths m and m + 8 agree at these normals, so each slant evaluates its polynomials once.
-pub(super) fn peak<S: Scalar, B: AsRef<[S]>>(scene: &Scene<'_, B>) -> S {
+pub(super) fn peak<B: AsRef<[f32]>>(scene: &Scene<'_, B>) -> f32 {
     let [lanes @ .., _] = SLANTS;
-    let t = lanes.map(|(z, _)| S::from_f64(z + z - 1.0));
-    let sines = SLANTS.map(|(_, sine)| S::from_f64(sine));
-    let mut power = [S::ONE; SLANTS.len()];
+    let t = lanes.map(|(z, _)| z + z - 1.0);
+    let sines = SLANTS.map(|(_, sine)| sine);
+    let mut power = [1.0; SLANTS.len()];
     // Sums of the factors of cos mβ and sin mβ, for m = 0 to 4.
-    let mut sums = [[[S::ZERO; 2]; SLANTS.len()]; 5];
-    let mut most = S::ZERO;
+    let mut sums = [[[0.0; 2]; SLANTS.len()]; 5];
+    let mut most = 0.0;
     for (azimuth, (plus, minus)) in scene.azimuths().enumerate() {
         if plus.is_empty() {
             power.iter_mut().zip(&sines).for_each(|(power, &of_slant)| *power = *power * of_slant);
@@ -146,32 +146,32 @@ pub(super) fn peak<S: Scalar, B: AsRef<[S]>>(scene: &Scene<'_, B>) -> S {
             _ => orthogonal([plus, minus], &t, recurrence),
         };
         if azimuth == 0 {
-            most = size(value(plus, S::ONE, recurrence));
+            most = size(value(plus, 1.0, recurrence));
         }
         let ([[a, b, c, d], [e, f, g, h]], [plus, minus]) =
             (lanes, [middle(plus, recurrence), middle(minus, recurrence)]);
         let (plus, minus) = ([a, b, c, d, plus], [e, f, g, h, minus]);
         let (turns, sign) = match azimuth % 8 {
-            turns @ 0..=4 => (turns, S::ONE),
-            turns => (8 - turns, -S::ONE),
+            turns @ 0..=4 => (turns, 1.0),
+            turns => (8 - turns, -1.0),
         };
         let Some(sums) = sums.get_mut(turns) else { continue };
         let of_slants = plus.iter().zip(&minus).zip(power.iter_mut().zip(&sines));
         for ([cosine, sine], ((&plus, &minus), (power, &of_slant))) in
             sums.iter_mut().zip(of_slants)
         {
-            *cosine = cosine.add_product(plus, *power);
-            *sine = sine.add_product(sign * minus, *power);
+            *cosine = float::add_product(*cosine, plus, *power);
+            *sine = float::add_product(*sine, sign * minus, *power);
             *power = *power * of_slant;
         }
     }
-    let diagonal = S::from_f64(core::f64::consts::FRAC_1_SQRT_2);
+    let diagonal = core::f32::consts::FRAC_1_SQRT_2;
     let [zero, one, two, three, four] = sums;
     let of_slants = zero.iter().zip(&one).zip(two.iter().zip(&three)).zip(&four);
     of_slants.fold(most, |most, (((zero, one), (two, three)), four)| {
         let ([all, unseen], [half, also]) = (*zero, *four);
         // sin 4β is 0 at all of them, but a number that is not finite counts.
-        let most = larger(most, S::ZERO * (unseen + also));
+        let most = larger(most, 0.0 * (unseen + also));
         // The values at β and at β + π are the sum and the difference of these.
         let same =
             [all + half + two[0], all - half + two[1], all + half - two[0], all - half - two[1]];
@@ -189,28 +189,28 @@ pub(super) fn peak<S: Scalar, B: AsRef<[S]>>(scene: &Scene<'_, B>) -> S {
 /// The values of a polynomial at the slants of the lanes. Not inlined: with t known, the compiler
 /// would treat each lane separately.
 #[inline(never)]
-fn slants<S: Scalar>(terms: &[S], t: &[S; LANES]) -> [S; LANES] {
+fn slants(terms: &[f32], t: &[f32; LANES]) -> [f32; LANES] {
     if terms.len() > MONOMIAL_TERMS {
         return long(terms, t);
     }
-    let Some((&first, rest)) = terms.split_first() else { return [S::ZERO; LANES] };
+    let Some((&first, rest)) = terms.split_first() else { return [0.0; LANES] };
     rest.iter().fold([first; LANES], |sums, &term| multiply_add([term; LANES], &sums, t))
 }
 
 /// The value of a polynomial at t = 0.
-fn middle<S: Scalar>(terms: &[S], recurrence: &[Recurrence]) -> S {
+fn middle(terms: &[f32], recurrence: &[Recurrence]) -> f32 {
     match terms.last() {
         Some(&last) if recurrence.is_empty() && terms.len() <= MONOMIAL_TERMS => last,
-        _ => value(terms, S::ZERO, recurrence),
+        _ => value(terms, 0.0, recurrence),
     }
 }
 
 /// The larger of two numbers; a number that is not finite is kept.
-pub(super) fn larger<S: Scalar>(most: S, one: S) -> S {
+pub(super) fn larger(most: f32, one: f32) -> f32 {
     let more = !one.is_finite() || one > most;
     if most.is_finite() && more { one } else { most }
 }
 
-fn size<S: Scalar>(value: S) -> S {
-    if value < S::ZERO { -value } else { value }
+fn size(value: f32) -> f32 {
+    if value < 0.0 { -value } else { value }
 }

@@ -5,15 +5,15 @@ use super::report::{Tolerance, Truncation, larger, peak};
 use super::terms::{Polynomials, trimmed};
 use crate::basis::Basis;
 use crate::error::{Argument, Error};
+use crate::float;
 use crate::lanes::rows_mut;
-use crate::mathematics::{Libm, Mathematics};
+use crate::mathematics;
 use crate::recurrences::Recurrences;
-use crate::scalar::Scalar;
 use crate::scene::{Scene, count};
 
 /// The fraction of the squared tolerance reserved for components, a sixteenth. The rest is for
 /// terms, because these are what a pixel costs.
-const COMPONENTS: f64 = 0.0625;
+const COMPONENTS: f32 = 0.0625;
 
 /// One in `FLOOR` components, the last, estimates the table's error: see [`Truncation::floor`].
 const FLOOR: usize = 5;
@@ -49,7 +49,7 @@ impl<'l> Shape<'l> {
     /// # Errors
     ///
     /// [`Error::Length`] if there are fewer numbers than [`terms`](Self::terms).
-    pub fn scene<S: Scalar, B: AsRef<[S]>>(self, buffer: B) -> Result<Scene<'l, B>, Error> {
+    pub fn scene<B: AsRef<[f32]>>(self, buffer: B) -> Result<Scene<'l, B>, Error> {
         let (expected, found) = (self.terms(), buffer.as_ref().len());
         let enough = expected.min(found);
         Error::check(Argument::Scene, expected, enough)?;
@@ -57,11 +57,11 @@ impl<'l> Shape<'l> {
     }
 
     /// Completes the report of an image in this shape, converting squared errors into irradiances.
-    fn settle<S: Scalar>(self, image: &[S], report: &mut Truncation<S>) {
+    fn settle(self, image: &[f32], report: &mut Truncation) {
         let (components, terms) = (report.left_out_by_components, report.left_out_by_terms);
         let floor = floor(image, report);
         let unit = report.unit();
-        let irradiance = |square| Libm::square_root(square) * unit;
+        let irradiance = |square| mathematics::square_root(square) * unit;
         *report = Truncation {
             components: image.len().min(self.components),
             azimuths: self.azimuths(),
@@ -75,7 +75,7 @@ impl<'l> Shape<'l> {
     }
 }
 
-impl<'a, S: Scalar> Basis<'a, S> {
+impl<'a> Basis<'a> {
     /// Computes scenes of one shape, each within a tolerance of its image: for several materials
     /// under one light, for one material under several lights, or for the channels of a color.
     ///
@@ -119,14 +119,14 @@ impl<'a, S: Scalar> Basis<'a, S> {
     /// The same as [`collapse_within`](Self::collapse_within), except that `buffer` must have
     /// [`scene_len`](Self::scene_len) numbers for each image; [`Error::Length`] unless the number
     /// of images is a multiple of `channels` and equals that of `reports`.
-    pub fn collapse_set_within<'l, C: AsRef<[S]>>(
+    pub fn collapse_set_within<'l, C: AsRef<[f32]>>(
         &self,
         images: &[C],
         channels: usize,
-        tolerance: Tolerance<S>,
+        tolerance: Tolerance,
         lengths: &'l mut [u16],
-        buffer: &mut [S],
-        reports: &mut [Truncation<S>],
+        buffer: &mut [f32],
+        reports: &mut [Truncation],
     ) -> Result<Shape<'l>, Error>
     where
         'a: 'l,
@@ -138,13 +138,13 @@ impl<'a, S: Scalar> Basis<'a, S> {
         Error::check(Argument::Images, count, reports.len())?;
         Error::check(Argument::Scene, count.saturating_mul(len), buffer.len())?;
         // Check the tolerance even if there are no images.
-        tolerance.irradiance(S::ONE)?;
+        tolerance.irradiance(1.0)?;
         for (image, numbers, report) in each(images, buffer, len, reports) {
             let peak = peak(&self.collapse_into(image, numbers)?);
             *report = Truncation { peak, ..Truncation::default() };
         }
         for channels in rows_mut(reports, channels) {
-            let peak = channels.iter().fold(S::ZERO, |most, report| larger(most, report.peak));
+            let peak = channels.iter().fold(0.0, |most, report| larger(most, report.peak));
             channels.iter_mut().for_each(|report| report.peak = peak);
         }
         let mut components = 0;
@@ -190,12 +190,12 @@ impl<'a, S: Scalar> Basis<'a, S> {
     /// The same as [`collapse_into`](Self::collapse_into); [`Error::Length`] if the shape has more
     /// azimuths or terms than the basis, or fewer terms of a polynomial that
     /// [`collapse_within`](Self::collapse_within) keeps as it is.
-    pub fn collapse_as<'l, B: AsMut<[S]> + AsRef<[S]>>(
+    pub fn collapse_as<'l, B: AsMut<[f32]> + AsRef<[f32]>>(
         &self,
-        coefficients: &[S],
+        coefficients: &[f32],
         shape: Shape<'l>,
         mut buffer: B,
-    ) -> Result<(Scene<'l, B>, Truncation<S>), Error>
+    ) -> Result<(Scene<'l, B>, Truncation), Error>
     where
         'a: 'l,
     {
@@ -220,36 +220,36 @@ impl<'a, S: Scalar> Basis<'a, S> {
     }
 }
 
-fn each<'s, S, C: AsRef<[S]>>(
+fn each<'s, C: AsRef<[f32]>>(
     images: &'s [C],
-    buffer: &'s mut [S],
+    buffer: &'s mut [f32],
     len: usize,
-    reports: &'s mut [Truncation<S>],
-) -> impl Iterator<Item = (&'s [S], &'s mut [S], &'s mut Truncation<S>)> {
+    reports: &'s mut [Truncation],
+) -> impl Iterator<Item = (&'s [f32], &'s mut [f32], &'s mut Truncation)> {
     let scenes = rows_mut(buffer, len).zip(reports);
     let images = images.iter().map(AsRef::as_ref);
     images.zip(scenes).map(|(image, (numbers, report))| (image, numbers, report))
 }
 
 /// The fewest components that keep the error within the share reserved for components.
-fn needed<S: Scalar>(image: &[S], report: &Truncation<S>) -> usize {
-    let (mut sum, scale) = (S::ZERO, report.scale());
+fn needed(image: &[f32], report: &Truncation) -> usize {
+    let (mut sum, scale) = (0.0, report.scale());
     let last = image.iter().rposition(|&d| {
-        sum = sum.add_product(d * scale, d * scale);
-        let within = sum <= S::from_f64(COMPONENTS) * report.bound;
+        sum = float::add_product(sum, d * scale, d * scale);
+        let within = sum <= COMPONENTS * report.bound;
         !within
     });
     last.map_or(0, |last| last + 1)
 }
 
 /// The squared error of the table, as estimated: see [`Truncation::floor`].
-pub(super) fn floor<S: Scalar>(image: &[S], report: &Truncation<S>) -> S {
+pub(super) fn floor(image: &[f32], report: &Truncation) -> f32 {
     left_out(image, image.len() - image.len().div_ceil(FLOOR), report)
 }
 
 /// The squared error if this many components are kept.
-fn left_out<S: Scalar>(image: &[S], components: usize, report: &Truncation<S>) -> S {
+fn left_out(image: &[f32], components: usize, report: &Truncation) -> f32 {
     let scale = report.scale();
     let gone = image.iter().skip(components).map(|&d| d * scale);
-    gone.fold(S::ZERO, |sum, d| sum.add_product(d, d))
+    gone.fold(0.0, |sum, d| float::add_product(sum, d, d))
 }

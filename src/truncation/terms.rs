@@ -5,10 +5,10 @@
 
 use super::density::{Density, longest, sizes};
 use super::orthogonal::Rows;
+use crate::float;
 use crate::index::layout::Recurrence;
 use crate::invariant::{part, part_mut, split, split_mut};
 use crate::recurrences::Recurrences;
-use crate::scalar::Scalar;
 use crate::scene::signs;
 use core::cell::Cell;
 
@@ -41,12 +41,12 @@ pub(super) struct Place {
 
 impl Place {
     /// The polynomials of +m and of -m; the latter is empty for m = 0.
-    pub(super) fn both<S>(self, numbers: &[S]) -> [&[S]; 2] {
+    pub(super) fn both<T>(self, numbers: &[T]) -> [&[T]; 2] {
         let (plus, rest) = split(part(numbers, self.start..), self.original);
         [plus, part(rest, ..self.of_minus())]
     }
 
-    fn both_mut<S>(self, numbers: &mut [S]) -> [&mut [S]; 2] {
+    fn both_mut(self, numbers: &mut [f32]) -> [&mut [f32]; 2] {
         let (plus, rest) = split_mut(part_mut(numbers, self.start..), self.original);
         [plus, part_mut(rest, ..self.of_minus())]
     }
@@ -58,20 +58,16 @@ impl Place {
 
     /// For each term from the highest of `length` down, the sum of the squares of +m and -m.
     #[inline(always)]
-    pub(super) fn squares<S: Scalar>(
-        self,
-        numbers: &[S],
-        length: usize,
-    ) -> impl Iterator<Item = S> {
+    pub(super) fn squares(self, numbers: &[f32], length: usize) -> impl Iterator<Item = f32> {
         let gone = self.original.saturating_sub(length);
         let [plus, minus] = self.both(numbers);
         let plus = part(plus, gone..);
         let (minus, weight) = match self.azimuth {
-            0 => (plus, S::ZERO),
-            _ => (part(minus, gone..), S::ONE),
+            0 => (plus, 0.0),
+            _ => (part(minus, gone..), 1.0),
         };
         let both = plus.iter().zip(minus);
-        both.map(move |(&plus, &minus)| (plus * plus).add_product(weight * minus, minus))
+        both.map(move |(&plus, &minus)| float::add_product(plus * plus, weight * minus, minus))
     }
 }
 
@@ -104,7 +100,7 @@ impl<'p> Polynomials<'p> {
     }
 
     /// The density for the azimuths without a recurrence.
-    fn density<S: Scalar>(self, lengths: &[u16]) -> Density<S> {
+    fn density(self, lengths: &[u16]) -> Density {
         let left = lengths.iter().enumerate().take(self.recurrences.first);
         let terms =
             left.filter(|&(azimuth, &length)| (1..=longest(azimuth)).contains(&length.into()));
@@ -114,7 +110,7 @@ impl<'p> Polynomials<'p> {
 
     /// Converts a scene's polynomials, times `scale`, into orthonormal ones. Polynomials that are
     /// too long, or of which no term is kept, stay as they are.
-    pub(super) fn orthonormalize<S: Scalar>(self, kept: &[u16], numbers: &mut [S], scale: S) {
+    pub(super) fn orthonormalize(self, kept: &[u16], numbers: &mut [f32], scale: f32) {
         let (mut density, mut rows) = (self.density(kept), Rows::new());
         for (place, _) in self.places().zip(kept).filter(|(place, kept)| place.known && **kept > 0)
         {
@@ -125,13 +121,13 @@ impl<'p> Polynomials<'p> {
                 let sizes = sizes(place.azimuth, density.below());
                 rows.orthogonalize(both, &density, sizes.map(|size| size * scale));
             } else {
-                times(both, sizes(place.azimuth, below(recurrence)).map(|size: S| size * scale));
+                times(both, sizes(place.azimuth, below(recurrence)).map(|size: f32| size * scale));
             }
         }
     }
 
     /// Moves the remaining terms to the beginning, in the form of these lengths, times `scale`.
-    pub(super) fn restore<S: Scalar>(self, lengths: &[u16], numbers: &mut [S], scale: S) {
+    pub(super) fn restore(self, lengths: &[u16], numbers: &mut [f32], scale: f32) {
         let (mut density, mut rows) = (self.density(lengths), Rows::new());
         let (cells, mut end) = (Cell::from_mut(&mut *numbers).as_slice_of_cells(), 0);
         for (place, &length) in self.places().zip(lengths) {
@@ -146,7 +142,7 @@ impl<'p> Polynomials<'p> {
         let made = Polynomials { lengths, ..self }.places().zip(self.places());
         for (made, _) in made.filter(|(made, original)| made.original > 0 && original.known) {
             let recurrence = self.recurrences.of(made.azimuth);
-            let over = |size: S| size.reciprocal() * scale;
+            let over = |size: f32| size.recip() * scale;
             if recurrence.is_empty() {
                 density.turn_to(made.azimuth);
                 times(made.both_mut(numbers), sizes(made.azimuth, density.below()).map(over));
@@ -158,8 +154,8 @@ impl<'p> Polynomials<'p> {
     }
 
     /// The sum of the squares of the terms that these lengths leave out.
-    pub(super) fn left_out<S: Scalar>(self, lengths: &[u16], numbers: &[S]) -> S {
-        let mut sum = S::ZERO;
+    pub(super) fn left_out(self, lengths: &[u16], numbers: &[f32]) -> f32 {
+        let mut sum = 0.0;
         let lengths = lengths.iter().copied().chain(core::iter::repeat(0));
         for (place, length) in self.places().zip(lengths) {
             let gone = place.original.saturating_sub(usize::from(length));
@@ -180,7 +176,7 @@ impl<'p> Polynomials<'p> {
 }
 
 /// Multiplies the terms of both polynomials by the numbers, beginning with the lowest term.
-fn times<S: Scalar>([plus, minus]: [&mut [S]; 2], numbers: impl Iterator<Item = S>) {
+fn times([plus, minus]: [&mut [f32]; 2], numbers: impl Iterator<Item = f32>) {
     let mut minus = minus.iter_mut().rev();
     for (term, number) in plus.iter_mut().rev().zip(numbers) {
         *term = *term * number;
@@ -189,8 +185,8 @@ fn times<S: Scalar>([plus, minus]: [&mut [S]; 2], numbers: impl Iterator<Item = 
 }
 
 /// The coefficients below_k of a recurrence.
-fn below<S: Scalar>(recurrence: &[Recurrence]) -> impl Iterator<Item = S> {
-    recurrence.iter().map(|&[_, below]| S::from_f32(below))
+fn below(recurrence: &[Recurrence]) -> impl Iterator<Item = f32> {
+    recurrence.iter().map(|&[_, below]| below)
 }
 
 #[cfg(test)]
@@ -199,29 +195,20 @@ mod tests {
     use crate::normal::Normal;
     use crate::scene::{Scene, count};
 
-    /// Covers each form. In the last case azimuth 40 uses the last known entries of the recurrence.
-    const CASES: [&[u16]; 5] = [
-        &[1],
-        &[16, 3, 15, 16],
-        &[17, 32, 31, 5],
-        &[32, 30, 17, 16, 17],
-        &[
-            2, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0,
-            0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 20,
-        ],
-    ];
+    /// Covers each form, and an azimuth far above the others.
+    const CASES: [&[u16]; 3] = [&[1], &[16, 3, 15, 16], &[2, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0, 12]];
 
-    fn numbers(lengths: &[u16]) -> [f64; 500] {
+    fn numbers(lengths: &[u16]) -> [f32; 500] {
         let used = count(lengths);
         core::array::from_fn(|k| {
-            let number = ((7 * k % 19) as f64 - 9.0) / (1 + k % 5) as f64;
+            let number = ((7 * k % 19) as f32 - 9.0) / (1 + k % 5) as f32;
             if k < used { number } else { 0.0 }
         })
     }
 
     /// The mean square over a sphere's normals, of density 2z dz, by Simpson's rule along z and
     /// equal steps around.
-    fn over_the_sphere(scene: &Scene<'_, &[f64]>) -> f64 {
+    fn over_the_sphere(scene: &Scene<'_, &[f32]>) -> f64 {
         const ALONG: usize = 4000;
         const AROUND: usize = 90;
         let mut sum = 0.0;
@@ -232,7 +219,8 @@ mod tests {
             let sine = libm::sqrt(1.0 - z * z);
             for turn in 0..AROUND {
                 let (y, x) = libm::sincos(core::f64::consts::TAU * turn as f64 / AROUND as f64);
-                let value = scene.shade(Normal { x: sine * x, y: sine * y, z });
+                let [x, y, z] = [sine * x, sine * y, z].map(|along| along as f32);
+                let value = f64::from(scene.shade(Normal { x, y, z }));
                 sum += weight * value * value;
             }
         }
@@ -246,12 +234,12 @@ mod tests {
             let mut terms = numbers;
             let polynomials = Polynomials { lengths, recurrences: Recurrences::NONE };
             polynomials.orthonormalize(lengths, &mut terms, 0.5);
-            let sum: f64 = terms.iter().map(|term| term * term).sum();
+            let sum: f64 = terms.iter().map(|&term| f64::from(term).powi(2)).sum();
             let mean = over_the_sphere(&Scene::of(lengths, Recurrences::NONE, &numbers));
-            assert!((4.0 * sum - mean).abs() < 1e-6 * mean, "{lengths:?}: {sum}, {mean}");
+            assert!((4.0 * sum - mean).abs() < 1e-4 * mean, "{lengths:?}: {sum}, {mean}");
             polynomials.restore(lengths, &mut terms, 2.0);
             for (term, number) in terms.iter().zip(&numbers) {
-                assert!((term - number).abs() < 1e-9, "{lengths:?}: {term}, {number}");
+                assert!((term - number).abs() < 1e-3, "{lengths:?}: {term}, {number}");
             }
         }
     }

@@ -4,9 +4,9 @@ use super::exchange::LARGEST;
 use crate::buffer::zeros;
 use crate::color::Rgb;
 use crate::error::{Argument, Error};
+use crate::float;
 use crate::index::light;
 use crate::light::{Light, LightBuffer, degree};
-use crate::scalar::Scalar;
 
 /// Up to a degree of at most 12, for each order m a first step, then one for each degree l from m
 /// on. All are literals: the compiler would keep the longest loops, and addresses with them.
@@ -37,7 +37,7 @@ macro_rules! unrolled {
 }
 pub(crate) use unrolled;
 
-impl<S: Scalar> Light<'_, S> {
+impl Light<'_> {
     /// The coefficients of this light after a rotation about the view axis z, from x toward y, by
     /// the angle with this cosine and sine: [`turned`](Self::turned) at a fraction of its cost. Cosine
     /// and sine are scaled to length 1.
@@ -60,9 +60,9 @@ impl<S: Scalar> Light<'_, S> {
     /// differs from 1 by more than 2 %.
     pub fn turned_about_view<const N: usize>(
         &self,
-        angle: [S; 2],
-    ) -> Result<LightBuffer<S, N>, Error> {
-        let mut turned = zeros::<S, N>(Argument::Light, light::count(self.degree()))?;
+        angle: [f32; 2],
+    ) -> Result<LightBuffer<N>, Error> {
+        let mut turned = zeros::<f32, N>(Argument::Light, light::count(self.degree()))?;
         match turned.as_mut_slice().try_into() {
             Ok(all) => self.turn_about_view_into::<N>(angle, all)?,
             Err(_) => self.turn_in_loops(unit(angle)?, &mut turned),
@@ -78,10 +78,10 @@ impl<S: Scalar> Light<'_, S> {
     /// [`Error::Length`] unless `N` is (degree + 1)², [`Error::Rotation`] as above.
     pub fn turn_about_view_into<const N: usize>(
         &self,
-        angle: [S; 2],
-        turned: &mut [S; N],
+        angle: [f32; 2],
+        turned: &mut [f32; N],
     ) -> Result<(), Error> {
-        let Ok(from) = <&[S; N]>::try_from(self.coefficients()) else {
+        let Ok(from) = <&[f32; N]>::try_from(self.coefficients()) else {
             let expected = light::count(self.degree());
             return Err(Error::Length { argument: Argument::Light, expected, found: N });
         };
@@ -92,7 +92,7 @@ impl<S: Scalar> Light<'_, S> {
             self.turn_in_loops(angle, turned);
             return Ok(());
         }
-        let mut multiple = [S::ONE, S::ZERO];
+        let mut multiple = [1.0, 0.0];
         means(degree, from, turned);
         unrolled!(m in 1..=degree {
             { multiple = product(multiple, angle) }
@@ -103,7 +103,7 @@ impl<S: Scalar> Light<'_, S> {
 
     /// The same for a degree that is known at run time.
     #[inline(never)]
-    fn turn_in_loops(&self, angle: [S; 2], turned: &mut [S]) {
+    fn turn_in_loops(&self, angle: [f32; 2], turned: &mut [f32]) {
         let (degree, from) = (self.degree(), self.coefficients());
         means(degree, from, turned);
         let mut multiple = angle;
@@ -114,7 +114,7 @@ impl<S: Scalar> Light<'_, S> {
     }
 }
 
-impl<S: Scalar> Rgb<Light<'_, S>> {
+impl Rgb<Light<'_>> {
     /// [`Light::turned_about_view`] in each channel.
     ///
     /// # Errors
@@ -122,27 +122,27 @@ impl<S: Scalar> Rgb<Light<'_, S>> {
     /// The same.
     pub fn turned_about_view<const N: usize>(
         &self,
-        angle: [S; 2],
-    ) -> Result<Rgb<LightBuffer<S, N>>, Error> {
+        angle: [f32; 2],
+    ) -> Result<Rgb<LightBuffer<N>>, Error> {
         self.each_ref().try_map(|light| light.turned_about_view::<N>(angle))
     }
 }
 
 /// A vector scaled to length 1, from which its square may be off by 2 %: 1/√(1 + e) by its first
 /// terms, to within 3e-6.
-fn unit<S: Scalar>([c, s]: [S; 2]) -> Result<[S; 2], Error> {
-    let [most, half, next] = [0.02, -0.5, 0.375].map(S::from_f64);
-    let off = c * c + s * s - S::ONE;
+fn unit([c, s]: [f32; 2]) -> Result<[f32; 2], Error> {
+    let [most, half, next] = [0.02, -0.5, 0.375];
+    let off = c * c + s * s - 1.0;
     if !(-most..=most).contains(&off) {
         return Err(Error::Rotation);
     }
-    let scale = S::ONE.add_product(off, half.add_product(off, next));
+    let scale = float::add_product(1.0, off, float::add_product(half, off, next));
     Ok([scale * c, scale * s])
 }
 
 /// Copies the coefficients of order 0.
 #[inline(always)]
-fn means<S: Scalar>(degree: usize, from: &[S], turned: &mut [S]) {
+fn means(degree: usize, from: &[f32], turned: &mut [f32]) {
     for l in 0..=degree {
         let place = light::position(l, 0);
         if let (Some(to), Some(&mean)) = (turned.get_mut(place), from.get(place)) {
@@ -153,7 +153,7 @@ fn means<S: Scalar>(degree: usize, from: &[S], turned: &mut [S]) {
 
 /// Turns the orders -m and m of degree l by this multiple of the angle.
 #[inline(always)]
-fn pair<S: Scalar>(m: usize, l: usize, [c, s]: [S; 2], from: &[S], turned: &mut [S]) {
+fn pair(m: usize, l: usize, [c, s]: [f32; 2], from: &[f32], turned: &mut [f32]) {
     // The harmonics of odd m > 0 have the sign -1.
     let s = if m.is_multiple_of(2) { s } else { -s };
     let first = light::position(l, -m.cast_signed());
@@ -168,6 +168,6 @@ fn pair<S: Scalar>(m: usize, l: usize, [c, s]: [S; 2], from: &[S], turned: &mut 
 
 /// The product of two complex numbers.
 #[inline(always)]
-fn product<S: Scalar>([a, b]: [S; 2], [c, d]: [S; 2]) -> [S; 2] {
+fn product([a, b]: [f32; 2], [c, d]: [f32; 2]) -> [f32; 2] {
     [a * c - b * d, b * c + a * d]
 }

@@ -10,7 +10,7 @@
 //! recurrence along each column. It starts with the order l, (x + iz)^l, and proceeds toward
 //! smaller orders, in which direction it is stable.
 
-use crate::format::Q15;
+use crate::q15::Q15;
 
 /// The largest degree of the tables.
 pub(crate) const LARGEST: usize = 12;
@@ -111,27 +111,27 @@ const fn root(x: f64) -> f64 {
     }
 }
 
-macro_rules! exchange {
-    ($($name:ident: $format:ty = |$element:ident| $converted:expr;)*) => {
-        $(
-            #[expect(clippy::indexing_slicing, reason = "a constant function has no iterators")]
-            pub(crate) static $name: [$format; ELEMENTS] = {
-                let (mut elements, mut k) = ([{ let $element = 0.0; $converted }; ELEMENTS], 0);
-                while k < ELEMENTS {
-                    let $element = EXCHANGE[k];
-                    elements[k] = $converted;
-                    k += 1;
-                }
-                elements
-            };
-        )*
-    };
-}
-exchange! {
-    F32: f32 = |element| element as f32;
-    F64: f64 = |element| element;
-    IN_Q15: Q15 = |element| Q15(nearest(element * 32_768.0) as i16);
-}
+/// [`EXCHANGE`] in floats.
+#[expect(clippy::indexing_slicing, reason = "a constant function has no iterators")]
+pub(crate) static F32: [f32; ELEMENTS] = {
+    let (mut elements, mut k) = ([0.0; ELEMENTS], 0);
+    while k < ELEMENTS {
+        elements[k] = EXCHANGE[k] as f32;
+        k += 1;
+    }
+    elements
+};
+
+/// [`EXCHANGE`] in fractions of 2^15.
+#[expect(clippy::indexing_slicing, reason = "a constant function has no iterators")]
+pub(crate) static IN_Q15: [Q15; ELEMENTS] = {
+    let (mut elements, mut k) = ([Q15(0); ELEMENTS], 0);
+    while k < ELEMENTS {
+        elements[k] = Q15(nearest(EXCHANGE[k] * 32_768.0) as i16);
+        k += 1;
+    }
+    elements
+};
 
 /// The nearest integer; a conversion truncates toward zero, and saturates.
 const fn nearest(x: f64) -> f64 {

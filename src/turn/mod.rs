@@ -14,12 +14,10 @@ use crate::color::Rgb;
 use crate::error::{Argument, Error};
 use crate::index::light;
 use crate::light::{Light, LightBuffer};
-use crate::mathematics::{Libm, Mathematics};
 use crate::rotation::Rotation;
-use crate::scalar::Scalar;
 use swing_twist::Floats;
 
-impl<S: Scalar> Light<'_, S> {
+impl Light<'_> {
     /// The coefficients of this light after rotation: L'(Rω) = L(ω).
     ///
     /// `N` must be at least (degree + 1)², and the degree at most 12; for higher ones there is
@@ -31,12 +29,11 @@ impl<S: Scalar> Light<'_, S> {
     /// each pixel.
     ///
     /// ```
-    /// use eigenshade::mathematics::SinglePrecision;
     /// use eigenshade::{Light, Rotation};
     ///
     /// let light = Light::new(&[3.5, 0.0, 1.0, 0.0])?; // brightest at the camera
     /// let quarter = core::f32::consts::FRAC_PI_2;
-    /// let rotation = Rotation::from_euler::<SinglePrecision>(0.0, quarter, 0.0)?;
+    /// let rotation = Rotation::from_euler(0.0, quarter, 0.0)?;
     /// let turned = light.turned::<4>(&rotation)?; // now from the right
     /// assert!(turned[2].abs() < 1e-6 && (turned[3].abs() - 1.0).abs() < 1e-6);
     /// # Ok::<(), eigenshade::Error>(())
@@ -45,10 +42,7 @@ impl<S: Scalar> Light<'_, S> {
     /// # Errors
     ///
     /// [`Error::Capacity`] if `N` is too small, or the degree above 12.
-    pub fn turned<const N: usize>(
-        &self,
-        rotation: &Rotation<S>,
-    ) -> Result<LightBuffer<S, N>, Error> {
+    pub fn turned<const N: usize>(&self, rotation: &Rotation) -> Result<LightBuffer<N>, Error> {
         turned([*self], rotation).map(|[turned]| turned)
     }
 
@@ -69,25 +63,25 @@ impl<S: Scalar> Light<'_, S> {
     ///
     /// [`Error::Length`] unless `workspace` has [`turn_len`](Self::turn_len) numbers and `turned`
     /// has (degree + 1)².
-    pub fn turn_into<M: Mathematics<S>>(
+    pub fn turn_into(
         &self,
-        rotation: &Rotation<S>,
-        workspace: &mut [S],
-        turned: &mut [S],
+        rotation: &Rotation,
+        workspace: &mut [f32],
+        turned: &mut [f32],
     ) -> Result<(), Error> {
         let degree = self.degree();
         Error::check(Argument::Light, light::count(degree), turned.len())?;
         Error::check(Argument::Workspace, Self::turn_len(degree), workspace.len())?;
         if degree <= LARGEST {
-            turn([*self], &rotation.turn::<M>(degree), [turned]);
+            turn([*self], &rotation.turn(degree), [turned]);
         } else {
-            recursion::turn::<S, M>(self, rotation, workspace, turned);
+            recursion::turn(self, rotation, workspace, turned);
         }
         Ok(())
     }
 }
 
-impl<S: Scalar> Rgb<Light<'_, S>> {
+impl Rgb<Light<'_>> {
     /// [`Light::turned`] in each channel, at less than three times its cost.
     ///
     /// # Errors
@@ -95,43 +89,39 @@ impl<S: Scalar> Rgb<Light<'_, S>> {
     /// The same.
     pub fn turned<const N: usize>(
         &self,
-        rotation: &Rotation<S>,
-    ) -> Result<Rgb<LightBuffer<S, N>>, Error> {
+        rotation: &Rotation,
+    ) -> Result<Rgb<LightBuffer<N>>, Error> {
         turned((*self).into(), rotation).map(Rgb::from)
     }
 }
 
-fn turned<S: Scalar, const C: usize, const N: usize>(
-    lights: [Light<'_, S>; C],
-    rotation: &Rotation<S>,
-) -> Result<[LightBuffer<S, N>; C], Error> {
+fn turned<const C: usize, const N: usize>(
+    lights: [Light<'_>; C],
+    rotation: &Rotation,
+) -> Result<[LightBuffer<N>; C], Error> {
     let mut turned = [(); C].map(|()| LightBuffer::default());
     for (to, light) in turned.iter_mut().zip(&lights) {
-        let needed = Light::<S>::turn_len(light.degree());
+        let needed = Light::turn_len(light.degree());
         if needed > 0 {
             return Err(Error::Capacity { argument: Argument::Workspace, needed, capacity: 0 });
         }
         *to = zeros(Argument::Light, light.coefficients().len())?;
     }
     let degree = lights.iter().map(Light::degree).max().unwrap_or_default();
-    turn(lights, &rotation.turn::<Libm>(degree), turned.each_mut().map(LightBuffer::as_mut_slice));
+    turn(lights, &rotation.turn(degree), turned.each_mut().map(LightBuffer::as_mut_slice));
     Ok(turned)
 }
 
 /// Turns lights, each into as many numbers. Their degrees are at most [`LARGEST`].
-fn turn<S: Scalar, const C: usize>(
-    lights: [Light<'_, S>; C],
-    rotation: &Turn<S>,
-    mut turned: [&mut [S]; C],
-) {
+fn turn<const C: usize>(lights: [Light<'_>; C], rotation: &Turn<f32>, mut turned: [&mut [f32]; C]) {
     let degree = lights.iter().map(Light::degree).max().unwrap_or_default();
     for (to, from) in turned.iter_mut().zip(&lights) {
         if let (Some(to), Some(&mean)) = (to.first_mut(), from.coefficients().first()) {
             *to = mean;
         }
     }
-    let mut elements = S::EXCHANGE;
-    let mut numbers = [(); 3].map(|()| Degree::<Floats<S>, C>::new());
+    let mut elements = exchange::F32.as_slice();
+    let mut numbers = [(); 3].map(|()| Degree::<Floats, C>::new());
     for l in 1..=degree {
         let range = light::count(l - 1)..light::count(l);
         let [of_degree, ..] = &mut numbers;

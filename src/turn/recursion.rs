@@ -11,12 +11,12 @@
 //! errors. A rotation and its inverse use the same D, one of them transposed. Light that is rotated
 //! and rotated back therefore loses no more than the last bits of some sums.
 
+use crate::float;
 use crate::index::light as index;
 use crate::invariant::{part, part_mut, split_mut};
 use crate::light::Light;
-use crate::mathematics::Mathematics;
+use crate::mathematics;
 use crate::rotation::Rotation;
-use crate::scalar::Scalar;
 
 /// Workspace length for a degree: the matrices of two degrees, and some numbers for each order.
 /// `usize::MAX` if that overflows.
@@ -28,11 +28,11 @@ pub(super) const fn workspace_len(degree: usize) -> usize {
 }
 
 /// Turns a light. `workspace` has [`workspace_len`] numbers, `turned` as many as the light.
-pub(super) fn turn<S: Scalar, M: Mathematics<S>>(
-    light: &Light<'_, S>,
-    rotation: &Rotation<S>,
-    workspace: &mut [S],
-    turned: &mut [S],
+pub(super) fn turn(
+    light: &Light<'_>,
+    rotation: &Rotation,
+    workspace: &mut [f32],
+    turned: &mut [f32],
 ) {
     let degree = light.degree();
     let (columns, rest) = split_mut(workspace, degree + 1);
@@ -47,7 +47,7 @@ pub(super) fn turn<S: Scalar, M: Mathematics<S>>(
         if l == 1 {
             first(&rotation, now);
         } else {
-            next::<S, M>(&rotation, l, before, now, columns);
+            next(&rotation, l, before, now, columns);
         }
         let range = index::count(l - 1)..index::count(l);
         let from = part(light.coefficients(), range.clone());
@@ -64,13 +64,13 @@ pub(super) fn turn<S: Scalar, M: Mathematics<S>>(
 }
 
 /// Replaces x by D (x + (x - DᵀD x) / 2). `images` has room for two vectors like x.
-fn apply<S: Scalar>(matrix: Matrix<'_, S>, x: &mut [S], images: &mut [S]) {
+fn apply(matrix: Matrix<'_>, x: &mut [f32], images: &mut [f32]) {
     let (image, rest) = split_mut(images, x.len());
     let back = part_mut(rest, ..x.len());
     matrix.times(x, image);
     matrix.flipped().times(image, back);
     for (x, &back) in x.iter_mut().zip(back.iter()) {
-        *x += S::from_f64(0.5) * (*x - back);
+        *x += 0.5 * (*x - back);
     }
     matrix.times(x, image);
     x.iter_mut().zip(image.iter()).for_each(|(x, &image)| *x = image);
@@ -78,38 +78,38 @@ fn apply<S: Scalar>(matrix: Matrix<'_, S>, x: &mut [S], images: &mut [S]) {
 
 /// A square matrix, row by row, or its transpose.
 #[derive(Clone, Copy)]
-struct Matrix<'a, S> {
-    elements: &'a [S],
+struct Matrix<'a> {
+    elements: &'a [f32],
     transposed: bool,
 }
 
-impl<S: Scalar> Matrix<'_, S> {
+impl Matrix<'_> {
     fn flipped(self) -> Self {
         Self { transposed: !self.transposed, ..self }
     }
 
-    fn times(self, from: &[S], to: &mut [S]) {
-        to.fill(S::ZERO);
+    fn times(self, from: &[f32], to: &mut [f32]) {
+        to.fill(0.0);
         let rows = self.elements.chunks_exact(from.len().max(1));
         if self.transposed {
             for (row, &from) in rows.zip(from) {
-                to.iter_mut().zip(row).for_each(|(to, &a)| *to = to.add_product(a, from));
+                to.iter_mut().zip(row).for_each(|(to, &a)| *to = float::add_product(*to, a, from));
             }
         } else {
             for (to, row) in to.iter_mut().zip(rows) {
-                *to = row.iter().zip(from).fold(S::ZERO, |sum, (&a, &x)| sum.add_product(a, x));
+                *to = row.iter().zip(from).fold(0.0, |sum, (&a, &x)| float::add_product(sum, a, x));
             }
         }
     }
 }
 
 /// Converts to harmonics without the phase, which the recursion uses, and back.
-fn signed<S: Scalar>(order: isize, value: S) -> S {
+fn signed(order: isize, value: f32) -> f32 {
     if index::graphics_sign(order) < 0 { -value } else { value }
 }
 
 /// The matrix of degree 1, whose orders -1, 0, 1 are y, z, x.
-fn first<S: Scalar>(rotation: &Rotation<S>, to: &mut [S]) {
+fn first(rotation: &Rotation, to: &mut [f32]) {
     let [[xx, xy, xz], [yx, yy, yz], [zx, zy, zz]] = rotation.matrix;
     for (to, from) in to.iter_mut().zip([yy, yz, yx, zy, zz, zx, xy, xz, xx]) {
         *to = from;
@@ -117,20 +117,14 @@ fn first<S: Scalar>(rotation: &Rotation<S>, to: &mut [S]) {
 }
 
 /// The matrix of degree l >= 2, from that of l - 1.
-fn next<S: Scalar, M: Mathematics<S>>(
-    rotation: &Rotation<S>,
-    l: usize,
-    before: &[S],
-    to: &mut [S],
-    columns: &mut [S],
-) {
-    let root = |square: usize| M::square_root(S::from_whole(square));
+fn next(rotation: &Rotation, l: usize, before: &[f32], to: &mut [f32], columns: &mut [f32]) {
+    let root = |square: usize| mathematics::square_root(square as f32);
     for (n, column) in columns.iter_mut().enumerate().take(l + 1) {
         let square = if n < l { (l + n) * (l - n) } else { 2 * l * (2 * l - 1) };
-        *column = M::inverse_root(S::from_whole(square));
+        *column = mathematics::inverse_root(square as f32);
     }
     let previous = Previous { rotation, l: l.cast_signed(), elements: before };
-    let (half, two) = (S::from_f64(0.5), S::from_whole(2));
+    let (half, two) = (0.5, 2.0);
     let top = l.cast_signed();
     for (row, m) in to.chunks_exact_mut(2 * l + 1).zip(-top..=top) {
         let size = m.unsigned_abs();
@@ -141,30 +135,30 @@ fn next<S: Scalar, M: Mathematics<S>>(
             let p = |i: isize, order: isize| previous.p(i, order, n);
             let of_u = p(0, m);
             let (of_v, of_w) = match m {
-                0 => (-M::square_root(two) * (p(1, 1) + p(-1, -1)), S::ZERO),
-                1 => (M::square_root(two) * p(1, 0), p(1, 2) + p(-1, -2)),
-                -1 => (M::square_root(two) * p(-1, 0), p(1, -2) - p(-1, 2)),
+                0 => (-mathematics::square_root(two) * (p(1, 1) + p(-1, -1)), 0.0),
+                1 => (mathematics::square_root(two) * p(1, 0), p(1, 2) + p(-1, -2)),
+                -1 => (mathematics::square_root(two) * p(-1, 0), p(1, -2) - p(-1, 2)),
                 2.. => (p(1, m - 1) - p(-1, 1 - m), p(1, m + 1) + p(-1, -m - 1)),
                 _ => (p(1, m + 1) + p(-1, -m - 1), p(1, m - 1) - p(-1, 1 - m)),
             };
-            let column = columns.get(n.unsigned_abs()).copied().unwrap_or(S::ZERO);
+            let column = columns.get(n.unsigned_abs()).copied().unwrap_or(0.0);
             *element = column * (u * of_u + v * of_v + w * of_w);
         }
     }
 }
 
-struct Previous<'a, S> {
-    rotation: &'a Rotation<S>,
+struct Previous<'a> {
+    rotation: &'a Rotation,
     l: isize,
     /// The matrix of degree l - 1.
-    elements: &'a [S],
+    elements: &'a [f32],
 }
 
-impl<S: Scalar> Previous<'_, S> {
+impl Previous<'_> {
     /// _i P^l of (order, n): products of an element of degree 1 and one of degree l - 1. Not
     /// inlined: the caller uses it fourteen times, which would add 2 KB of code.
     #[inline(never)]
-    fn p(&self, i: isize, order: isize, n: isize) -> S {
+    fn p(&self, i: isize, order: isize, n: isize) -> f32 {
         let [x, y, z] = self.rotation.matrix;
         let [of_x, of_y, of_z] = match i {
             -1 => y,
@@ -182,12 +176,12 @@ impl<S: Scalar> Previous<'_, S> {
     }
 
     /// An element of degree l - 1; 0 for orders beyond it, whose factors are zero.
-    fn element(&self, m: isize, n: isize) -> S {
+    fn element(&self, m: isize, n: isize) -> f32 {
         let last = self.l - 1;
         if m.abs() > last {
-            return S::ZERO;
+            return 0.0;
         }
         let place = (m + last) * (2 * last + 1) + n + last;
-        self.elements.get(place.cast_unsigned()).copied().unwrap_or(S::ZERO)
+        self.elements.get(place.cast_unsigned()).copied().unwrap_or(0.0)
     }
 }

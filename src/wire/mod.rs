@@ -69,7 +69,7 @@ impl fmt::Display for WireError {
 
 impl core::error::Error for WireError {}
 
-impl<'a> Basis<'a, f32> {
+impl<'a> Basis<'a> {
     /// Reads a basis from a [wire](crate::wire) file that starts at a multiple of four.
     ///
     /// Cost: the checksum, with two look-ups per byte, and the checks of [`new`](Self::new).
@@ -86,7 +86,7 @@ impl<'a> Basis<'a, f32> {
     }
 }
 
-impl<'a> GeneralBasis<'a, f32> {
+impl<'a> GeneralBasis<'a> {
     /// Reads the basis of an object other than the sphere from a [wire](crate::wire) file.
     /// Otherwise the same as [`Basis::from_bytes`].
     ///
@@ -94,7 +94,7 @@ impl<'a> GeneralBasis<'a, f32> {
     /// use eigenshade::wire::WireError;
     /// use eigenshade::{Coefficients, GeneralBasis, Light, Material};
     ///
-    /// fn project(file: &[u8], light: &Light<f32>) -> Result<Coefficients<f32, 20>, WireError> {
+    /// fn project(file: &[u8], light: &Light) -> Result<Coefficients<20>, WireError> {
     ///     let basis = GeneralBasis::from_bytes(file)?;
     ///     Ok(basis.project::<500, 20>(light, &Material::new(&[2.0])?)?)
     /// }

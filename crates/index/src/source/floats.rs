@@ -14,9 +14,9 @@ use alloc::vec::Vec;
 pub fn module(parts: &Parts<'_, f32>, general: &GeneralParts<'_, f32>, command: &str) -> String {
     let has_images = general.components > 0;
     let mut constants = Constants::default();
-    constants.add("PARTS", Parts::<f32>::PATH, ", f32", |to| parts.visit(to));
+    constants.add("PARTS", Parts::<f32>::PATH, |to| parts.visit(to));
     if has_images {
-        constants.add("GENERAL", GeneralParts::<f32>::PATH, ", f32", |to| general.visit(to));
+        constants.add("GENERAL", GeneralParts::<f32>::PATH, |to| general.visit(to));
     }
     let mut text = constants.headed(command);
     if has_images {

@@ -10,7 +10,7 @@ use alloc::string::String;
 #[must_use]
 pub fn module(parts: &Parts<'_, Q15>, command: &str) -> String {
     let mut constants = Constants::default();
-    constants.add("PARTS", Parts::<Q15>::PATH, "", |to| parts.visit(to));
+    constants.add("PARTS", Parts::<Q15>::PATH, |to| parts.visit(to));
     let mut text = constants.headed(command);
     line(&mut text, format_args!("eigenshade::integer_table!(basis);"));
     for functions in [transfer_of(parts), relight(parts), collapse(parts), shade(parts)] {

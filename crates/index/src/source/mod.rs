@@ -23,10 +23,9 @@ struct Constants {
 }
 
 impl Constants {
-    /// Adds `const NAME` of the record that `visit` shows, whose type is `path<'static>`, with the
-    /// further argument `number` if there is one.
-    fn add(&mut self, name: &str, path: &str, number: &str, visit: impl FnOnce(&mut Self)) {
-        let _ = writeln!(self.text, "const {name}: {path}<'static{number}> = {{");
+    /// Adds `const NAME` of the record that `visit` shows, whose type is `path<'static>`.
+    fn add(&mut self, name: &str, path: &str, visit: impl FnOnce(&mut Self)) {
+        let _ = writeln!(self.text, "const {name}: {path}<'static> = {{");
         visit(self);
         let _ = writeln!(self.text, "{path} {{\n{}}}\n}};", core::mem::take(&mut self.fields));
     }

@@ -1,10 +1,8 @@
 //! Baked maps of `i16` texels, for machines without floating-point hardware. Look-ups use integers.
 
-use crate::bake::MapPoint;
+use super::{MapPoint, Q15};
 use crate::bake::{check_size, four};
 use crate::error::{Argument, Error};
-use crate::format::Q15;
-use crate::scalar::Scalar;
 use crate::scene::Scene;
 
 /// Range of a map's exponent, for peak irradiances from 2^-60 to 2^60.
@@ -20,7 +18,7 @@ const MOST: usize = 32_767;
 /// to 2^-16 of the largest texel, and a look-up rounds twice more.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct IntegerMap<B> {
+pub struct BakedMap<B> {
     size: u16,
     exponent: i32,
     texels: B,
@@ -31,12 +29,12 @@ impl<C> Scene<'_, C> {
     ///
     /// ```
     /// # #[cfg(feature = "baked")] {
-    /// use eigenshade::{Light, MapPoint, Material, Normal, q15, sphere};
+    /// use eigenshade::{Light, Material, Normal, q15, sphere};
     ///
     /// let light = Light::new(&[3.5, 0.0, 1.0, 0.0])?;
     /// let scene = sphere::collapse(&sphere::project(&light, &Material::new(&[2.0])?)?)?;
-    /// let map = scene.bake_integers_into::<f32, _>(32, [0; 32 * 32])?;
-    /// let point = MapPoint::of_q15(q15::Normal::new(0, 3, 4)?);
+    /// let map = scene.bake_integers_into(32, [0; 32 * 32])?;
+    /// let point = q15::MapPoint::of(q15::Normal::new(0, 3, 4)?);
     /// let irradiance = map.bilinear(point) as f32 * 2_f32.powi(map.exponent());
     /// assert!((irradiance - scene.shade(Normal::new(0.0, 3.0, 4.0)?)).abs() < 1e-2);
     /// # }
@@ -50,46 +48,46 @@ impl<C> Scene<'_, C> {
     /// [`Error::Size`] unless N is 2 to 4096, [`Error::Length`] if the buffer has another length,
     /// [`Error::NotFinite`] with the index of the first texel that is infinite or NaN,
     /// [`Error::Saturated`] if a texel is 2^60 or more.
-    pub fn bake_integers_into<S: Scalar, B: AsMut<[i16]>>(
+    pub fn bake_integers_into<B: AsMut<[i16]>>(
         &self,
         size: usize,
         mut texels: B,
-    ) -> Result<IntegerMap<B>, Error>
+    ) -> Result<BakedMap<B>, Error>
     where
-        C: AsRef<[S]>,
+        C: AsRef<[f32]>,
     {
         check_size(size)?;
         let to = texels.as_mut();
         Error::check(Argument::Texels, size * size, to.len())?;
-        let (mut largest, mut fault) = (S::ZERO, None);
-        self.each_texel(size, |index, value: S| {
+        let (mut largest, mut fault) = (0.0, None);
+        self.each_texel(size, |index, value: f32| {
             if !value.is_finite() {
                 fault = fault.or(Some(index));
             }
-            let value = if value < S::ZERO { -value } else { value };
+            let value = if value < 0.0 { -value } else { value };
             largest = if value > largest { value } else { largest };
         });
         if let Some(index) = fault {
             return Err(Error::NotFinite { argument: Argument::Texels, index });
         }
         let (exponent, scale) = scale(largest);
-        if largest * scale > S::from_whole(MOST) {
+        if largest * scale > (MOST as f32) {
             return Err(Error::Saturated { argument: Argument::Texels });
         }
         to.fill(0);
-        self.each_texel(size, |index, value: S| {
+        self.each_texel(size, |index, value: f32| {
             if let Some(texel) = to.get_mut(index) {
                 *texel = rounded(value * scale);
             }
         });
-        Ok(IntegerMap { size: size as u16, exponent, texels })
+        Ok(BakedMap { size: size as u16, exponent, texels })
     }
 }
 
 /// The smallest exponent with which a number fits into `i16`, and 2^-exponent.
-fn scale<S: Scalar>(largest: S) -> (i32, S) {
-    let (half, most) = (S::from_f64(0.5), S::from_whole(MOST));
-    let (mut exponent, mut scale) = (0, S::ONE);
+fn scale(largest: f32) -> (i32, f32) {
+    let (half, most) = (0.5, (MOST as f32));
+    let (mut exponent, mut scale) = (0, 1.0);
     while largest * scale > most && exponent < *EXPONENTS.end() {
         (exponent, scale) = (exponent + 1, scale * half);
     }
@@ -99,13 +97,13 @@ fn scale<S: Scalar>(largest: S) -> (i32, S) {
     (exponent, scale)
 }
 
-fn rounded<S: Scalar>(value: S) -> i16 {
-    let half = S::from_f64(0.5);
-    let size = |value: S| i16::try_from((value + half).to_whole()).unwrap_or(i16::MAX);
-    if value < S::ZERO { -size(-value) } else { size(value) }
+fn rounded(value: f32) -> i16 {
+    let half = 0.5;
+    let size = |value: f32| i16::try_from((value + half) as usize).unwrap_or(i16::MAX);
+    if value < 0.0 { -size(-value) } else { size(value) }
 }
 
-impl<B: AsRef<[i16]>> IntegerMap<B> {
+impl<B: AsRef<[i16]>> BakedMap<B> {
     /// Creates a map from N x N texels that were baked before.
     ///
     /// # Errors
@@ -142,7 +140,7 @@ impl<B: AsRef<[i16]>> IntegerMap<B> {
     /// starting from a Q15 normal.
     #[inline]
     #[must_use]
-    pub fn bilinear(&self, point: MapPoint<Q15>) -> i32 {
+    pub fn bilinear(&self, point: MapPoint) -> i32 {
         let (column, across) = self.cell(point.u);
         let (row, up) = self.cell(point.v);
         let Some(texels) = four(self.texels.as_ref(), self.size(), row, column) else { return 0 };
