@@ -8,6 +8,7 @@ mod list;
 #[path = "../tables/one_material.rs"]
 mod one_material;
 
+use eigenshade::Q15;
 use list::Listed;
 use std::path::{Path, PathBuf};
 use std::{env, fs, process};
@@ -122,7 +123,9 @@ fn of_one_material() -> Result<String> {
     let pair = *golden.pairs().first().ok_or("no pair")?;
     let material = golden.find("q15", pair, "material")?;
     let exponents: Vec<i8> = material.exponents.iter().map(|&one| one as i8).collect();
-    one_material::one_material(&decoded(SHIPPED)?, &exponents, &material.integers()?)
+    let mantissas: Vec<Q15> =
+        material.integers()?.into_iter().map(|number| Q15(number as i16)).collect();
+    one_material::one_material(&decoded(SHIPPED)?, &exponents, &mantissas)
 }
 
 /// Reads a table.

@@ -81,16 +81,16 @@ impl Pair {
         Self { light, material, light_single, material_single }
     }
 
-    pub fn light_single(&self) -> Light<'_, f32> {
+    pub fn light_single(&self) -> Light<'_> {
         Light::from_finite(&self.light_single).expect("coefficients of its degree")
     }
 
-    pub fn material_single(&self) -> Material<'_, f32> {
+    pub fn material_single(&self) -> Material<'_> {
         Material::from_finite(&self.material_single).expect("coefficients of its order")
     }
 
     /// The formula of a white matte under the light.
-    pub fn nine_terms(&self) -> NineTerms<f32> {
+    pub fn nine_terms(&self) -> NineTerms {
         let light = Light::from_finite(&self.light[..9]).expect("coefficients of its degree");
         let formula = NineTerms::lambertian(&light, 1.0);
         NineTerms::new(formula.coefficients().map(|value| value as f32))

@@ -15,7 +15,7 @@ pub type Lengths = [[u16; 16]; WITHIN.len()];
 
 /// A pair's scenes and true image.
 pub struct Subject<'l> {
-    pub nine_terms: NineTerms<f32>,
+    pub nine_terms: NineTerms,
     pub full: sphere::Scene,
     pub within: Vec<Scene<'l, [f32; sphere::SCENE]>>,
     pub reference: Vec<f64>,
@@ -64,7 +64,7 @@ impl Picture {
         std::array::from_fn(|axis| &self.axes[axis][..])
     }
 
-    fn normals(&self) -> Normals<'_, f32> {
+    fn normals(&self) -> Normals<'_> {
         let [x, y, z] = self.axes();
         Normals::new(x, y, z).expect("one length")
     }

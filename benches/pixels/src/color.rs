@@ -26,7 +26,7 @@ impl Colored {
     }
 
     /// Draws it.
-    pub fn draw(&mut self, normals: Normals<'_, f32>) {
+    pub fn draw(&mut self, normals: Normals<'_>) {
         let (scene, pixels) = (black_box(&self.scene), black_box(&mut self.pixels));
         if self.way == WAYS[0] {
             return scene.shade_slice(black_box(normals), pixels).expect("one length");

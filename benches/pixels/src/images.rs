@@ -133,7 +133,7 @@ pub fn long_terms() -> (Vec<u16>, usize) {
 }
 
 /// The table, packed; its bytes are needed to the end.
-fn basis() -> Basis<'static, f32> {
+fn basis() -> Basis<'static> {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../tables/pbr.bin");
     let table = eigenshade_table::decode(&std::fs::read(path).expect("the shipped table"));
     let bytes =

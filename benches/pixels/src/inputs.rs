@@ -24,7 +24,7 @@ const DEGREE: usize = 9;
 const ORDER: usize = 7;
 
 /// Many normals over the visible hemisphere.
-pub fn normals() -> Normals<'static, f32> {
+pub fn normals() -> Normals<'static> {
     let normal = |k: usize| {
         let z = (k as f64 + 0.5) / PIXELS as f64;
         let (sine, tilt) = ((1.0 - z * z).sqrt(), 2.399_963 * k as f64);

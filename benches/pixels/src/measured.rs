@@ -97,7 +97,7 @@ fn limit<const N: usize>() -> Way {
 }
 
 /// The formula of nine terms for all normals.
-fn nine_terms(normals: Normals<'static, f32>) -> impl FnMut() {
+fn nine_terms(normals: Normals<'static>) -> impl FnMut() {
     let out = irradiances();
     move || {
         let formula = black_box(&NINE_TERMS);
@@ -108,7 +108,7 @@ fn nine_terms(normals: Normals<'static, f32>) -> impl FnMut() {
 /// A scene for all normals.
 fn shading<B: AsRef<[f32]> + 'static>(
     scene: Scene<'static, B>,
-    normals: Normals<'static, f32>,
+    normals: Normals<'static>,
 ) -> impl FnMut() {
     let out = irradiances();
     move || {
@@ -127,7 +127,7 @@ fn colored(images: &[Image]) -> impl Iterator<Item = (&Image, &'static str)> {
 /// once, in nanoseconds.
 pub fn timed(images: &[Image]) -> (Vec<Path>, f64) {
     let normals = normals();
-    let each: Vec<Normal<f32>> = normals.iter().collect();
+    let each: Vec<Normal> = normals.iter().collect();
     let full = sphere::BASIS.collapse_into(&images[0].d, [0.0; sphere::SCENE]).expect("sizes");
     let baked: BakedMap<f32, Vec<f32>> = full.bake_into(64, vec![0.0; 64 * 64]).expect("sizes");
     let inputs: &CallInputs = Box::leak(Box::new(CallInputs::new()));

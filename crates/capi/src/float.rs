@@ -10,7 +10,7 @@ use eigenshade::{Basis, Normal, Normals, Parts};
 
 /// The basis without the factors of transfers: a program whose transfers are computed beforehand
 /// links no factors.
-static RELIGHT_ONLY: Basis<'static, f32> =
+static RELIGHT_ONLY: Basis<'static> =
     checked(Basis::new(Parts { polar: &[], factors: &[], ..*table::BASIS.parts() }));
 
 records! {
@@ -24,7 +24,7 @@ records! {
 
 impl Light {
     /// The light, and where it lies.
-    pub(crate) fn view(&self) -> Result<(eigenshade::Light<'_, f32>, [Place; 2]), Status> {
+    pub(crate) fn view(&self) -> Result<(eigenshade::Light<'_>, [Place; 2]), Status> {
         light_shape(self.degree, self.length)?;
         // SAFETY: C promises `length` coefficients.
         let coefficients = unsafe { self.coefficients.array(self.length) }?;
@@ -42,7 +42,7 @@ impl Scene {
 
 impl Material {
     /// The material, and where it lies.
-    pub(crate) fn view(&self) -> Result<(eigenshade::Material<'_, f32>, [Place; 2]), Status> {
+    pub(crate) fn view(&self) -> Result<(eigenshade::Material<'_>, [Place; 2]), Status> {
         material_shape(self.order, self.length)?;
         // SAFETY: C promises `length` coefficients.
         let coefficients = unsafe { self.coefficients.array(self.length) }?;
@@ -53,7 +53,7 @@ impl Material {
 
 /// Writes the transfer of a material.
 pub(crate) fn transferred(
-    material: &eigenshade::Material<'_, f32>,
+    material: &eigenshade::Material<'_>,
     workspace: &mut [f32; WORKSPACE],
     transfer: &mut Transfer,
 ) -> Result<(), Status> {
@@ -63,7 +63,7 @@ pub(crate) fn transferred(
 /// Computes d from a transfer.
 pub(crate) fn relit(
     transfer: &Transfer,
-    light: &eigenshade::Light<'_, f32>,
+    light: &eigenshade::Light<'_>,
     d: &mut [f32; COMPONENTS],
 ) -> Result<(), Status> {
     Ok(RELIGHT_ONLY.relight_into(&transfer.numbers, light, d)?)
@@ -85,7 +85,7 @@ pub(crate) fn view(scene: &Scene) -> Result<eigenshade::Scene<'_, &[f32]>, Statu
 /// The irradiance, with every size a constant.
 // Shared by all that shades.
 #[inline(never)]
-pub(crate) fn irradiance(scene: &Scene, normal: Normal<f32>) -> f32 {
+pub(crate) fn irradiance(scene: &Scene, normal: Normal) -> f32 {
     table::shade_terms(&scene.terms, normal)
 }
 

@@ -21,13 +21,13 @@ macro_rules! channels {
     };
 }
 
-const fn light_f32(light: &eigenshade::Light<'static, f32>) -> float::Light {
+const fn light_f32(light: &eigenshade::Light<'static>) -> float::Light {
     let coefficients = light.coefficients();
     let (degree, length) = (light.degree(), coefficients.len());
     float::Light { degree, length, coefficients: Input::to(coefficients) }
 }
 
-const fn material_f32(material: &eigenshade::Material<'static, f32>) -> float::Material {
+const fn material_f32(material: &eigenshade::Material<'static>) -> float::Material {
     let coefficients = material.coefficients();
     let (order, length) = (material.order(), coefficients.len());
     float::Material { order, length, coefficients: Input::to(coefficients) }
@@ -84,7 +84,7 @@ macro_rules! materials {
 }
 eigenshade::each_preset_material!(materials);
 
-const fn sources_f32<const N: usize>(from: &[eigenshade::Source<f32>]) -> [Source; N] {
+const fn sources_f32<const N: usize>(from: &[eigenshade::Source]) -> [Source; N] {
     const NONE: Source =
         Source { direction: [0.0; 3], energy: [0.0; 3], major: [0.0; 3], minor: 0.0 };
     let (mut to, mut k) = ([NONE; N], 0);
@@ -101,7 +101,7 @@ const fn sources_f32<const N: usize>(from: &[eigenshade::Source<f32>]) -> [Sourc
     to
 }
 
-const fn gloss_f32(gloss: &eigenshade::Gloss<f32>) -> Gloss {
+const fn gloss_f32(gloss: &eigenshade::Gloss) -> Gloss {
     const fn numbers(Rgb { r, g, b }: Rgb<f32>) -> [f32; 3] {
         [r, g, b]
     }

@@ -1,6 +1,5 @@
 //! A golden coin on a blue dial, as docs/guides/watch.md builds it: `coin FILE.png`.
 
-use eigenshade::mathematics::SinglePrecision;
 use eigenshade::presets::light::HALL;
 use eigenshade::presets::material::{BLUE_METALLIC_PAINT2, GOLD_METALLIC_PAINT};
 use eigenshade::{Display, NormalMap, Rotation, Tone, sphere};
@@ -19,7 +18,7 @@ fn draw<D>(tilt: f32, target: &mut D) -> Result<Result<(), D::Error>, eigenshade
 where
     D: DrawTarget<Color = Rgb565>,
 {
-    let rotation = Rotation::from_euler::<SinglePrecision>(tilt, 0.0, 0.0)?;
+    let rotation = Rotation::from_euler(tilt, 0.0, 0.0)?;
     let light = HALL.turned::<100>(&rotation)?;
 
     let scene = sphere::color::scene(light.lights()?, BLUE_METALLIC_PAINT2)?;

@@ -105,7 +105,7 @@ impl DialPixel {
 
     /// The normal.
     #[must_use]
-    pub fn normal(self) -> Normal<f32> {
+    pub fn normal(self) -> Normal {
         let [x, y, z] = self.vector().map(|along| along as f32);
         Normal::new(x, y, z).unwrap_or(self.place.normal())
     }

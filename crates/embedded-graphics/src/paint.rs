@@ -16,7 +16,7 @@ pub trait Place: Copy {
     /// The share of the pixel that the object covers, of 255.
     fn coverage(self) -> u8;
     /// The normal.
-    fn normal(self) -> Normal<f32>;
+    fn normal(self) -> Normal;
     /// The normal in integers.
     fn normal_q15(self) -> q15::Normal;
 }
@@ -39,7 +39,7 @@ macro_rules! places {
                     coverage(self)
                 }
                 #[inline]
-                fn normal(self) -> Normal<f32> {
+                fn normal(self) -> Normal {
                     self.normal()
                 }
                 #[inline]
@@ -73,7 +73,7 @@ pub struct Paint<'d, F, E> {
     is_dithered: bool,
 }
 
-impl<'d, F: Fn(Normal<f32>) -> Rgb<f32>> Paint<'d, F, Exposure> {
+impl<'d, F: Fn(Normal) -> Rgb<f32>> Paint<'d, F, Exposure> {
     /// Paint of which `shade` gives the irradiance.
     pub const fn new(shade: F, exposure: Exposure, display: &'d Display) -> Self {
         Self { shade, exposure, display, is_dithered: false }
@@ -101,7 +101,7 @@ impl<F, E> Paint<'_, F, E> {
     }
 }
 
-impl<F: Fn(Normal<f32>) -> Rgb<f32>> Shader for Paint<'_, F, Exposure> {
+impl<F: Fn(Normal) -> Rgb<f32>> Shader for Paint<'_, F, Exposure> {
     #[inline]
     fn color<C: DisplayColor>(&self, place: impl Place) -> C {
         let exposed = self.exposure.of((self.shade)(place.normal()));

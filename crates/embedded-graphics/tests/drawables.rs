@@ -109,7 +109,7 @@ fn a_sphere_in_integers_has_the_pixels_of_the_runtime() {
 #[test]
 fn only_what_is_inside_the_target_is_shaded() {
     let shaded = Cell::new(0);
-    let count = |Normal { .. }: Normal<f32>| {
+    let count = |Normal { .. }: Normal| {
         shaded.set(shaded.get() + 1);
         Rgb::gray(0.5)
     };
@@ -191,7 +191,7 @@ fn a_dial_has_a_bezel_and_twelve_marks_on_a_dome() {
     {
         let normals = RefCell::new(Vec::new());
         let integers = RefCell::new(Vec::new());
-        let floats = |normal: Normal<f32>| {
+        let floats = |normal: Normal| {
             normals.borrow_mut().push(normal.components().map(f64::from));
             Rgb::gray(0.5)
         };

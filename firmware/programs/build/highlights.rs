@@ -2,7 +2,6 @@
 //! computes nothing in floats.
 
 use crate::Result;
-use eigenshade::mathematics::SinglePrecision;
 use eigenshade::{Gloss, Highlights, Rgb, Source, q15};
 
 /// Where the sources are: (x, y, 1), scaled. All normals of the integer programs face them.
@@ -15,10 +14,10 @@ pub fn constants() -> Result<String> {
     let sources = PLACES.map(|[x, y]| {
         let length = (x * x + y * y + 1.0).sqrt();
         let direction = [x, y, 1.0].map(|component| component / length);
-        Source::round::<SinglePrecision>(direction, [1.0, 0.9, 0.8], 0.05).map_err(fault)
+        Source::round(direction, [1.0, 0.9, 0.8], 0.05).map_err(fault)
     });
     let [a, b, c, d] = sources;
-    let floats = Highlights::<f32, 4>::new::<SinglePrecision>(&gloss, &[a?, b?, c?, d?]);
+    let floats = Highlights::<4>::new(&gloss, &[a?, b?, c?, d?]);
     let floats = floats.map_err(fault)?;
     let gray = q15::Highlights::<i32, 4>::quantize(&floats, 0).map_err(fault)?;
     let color = q15::Highlights::<Rgb<i32>, 4>::quantize(&floats, Rgb::gray(0));

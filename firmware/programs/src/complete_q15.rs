@@ -58,7 +58,7 @@ fn run(program: impl Fn() -> bool) {
 }
 
 /// The scene of one color.
-type Channel<'a> = Scene<'static, Q15, &'a mut [i32]>;
+type Channel<'a> = Scene<'static, &'a mut [i32]>;
 
 fn draw(red: &Channel<'_>, green: &Channel<'_>, blue: &Channel<'_>) -> bool {
     drawing::in_color(|normal| [pixel(red, normal), pixel(green, normal), pixel(blue, normal)]);
@@ -67,7 +67,7 @@ fn draw(red: &Channel<'_>, green: &Channel<'_>, blue: &Channel<'_>) -> bool {
 
 /// Not inlined, so that it exists once for all channels.
 #[inline(never)]
-fn pixel(channel: &Channel<'_>, normal: Normal<Q15>) -> i32 {
+fn pixel(channel: &Channel<'_>, normal: Normal) -> i32 {
     channel.shade(normal)
 }
 

@@ -45,7 +45,7 @@ const SIDE: i32 = 16;
 
 /// Draws a sphere in color, three letters a pixel: the upper bits of `shade`, from `a` to `p`.
 /// Each pixel is printed as soon as it is computed, so no frame buffer is needed.
-pub fn in_color(shade: impl Fn(Normal<Q15>) -> [i32; 3]) {
+pub fn in_color(shade: impl Fn(Normal) -> [i32; 3]) {
     for row in 0..SIDE {
         for column in 0..SIDE {
             let x = (2 * column + 1 - SIDE) * (32768 / SIDE);
@@ -55,7 +55,7 @@ pub fn in_color(shade: impl Fn(Normal<Q15>) -> [i32; 3]) {
             if square > 0 {
                 let z = root(square.cast_unsigned()).cast_signed();
                 let [x, y, z] = [x, y, z.min(32767)].map(|one| Q15(one as i16));
-                pixel = Normal::<Q15>::from_unit(x, y, z).map_or(pixel, &shade);
+                pixel = Normal::from_unit(x, y, z).map_or(pixel, &shade);
             }
             for value in pixel {
                 board::print_byte(b'a' + (value.max(0) >> 14).min(15) as u8);

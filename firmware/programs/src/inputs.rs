@@ -31,12 +31,11 @@ pub fn pixels(codes: &[[u8; 2]; 1088]) -> NormalPixels<'_> {
 /// Inputs in f32.
 pub mod floats {
     use core::hint::black_box;
-    use eigenshade::mathematics::SinglePrecision;
     use eigenshade::{Light, Material, Normal, Source};
 
     /// 16 visible normals.
     #[must_use]
-    pub fn normals() -> [Normal<f32>; 16] {
+    pub fn normals() -> [Normal; 16] {
         let step = black_box(0.4);
         let along = |k: usize| {
             let (x, y) = ((k % 4) as f32 * step - 0.6, (k / 4) as f32 * step - 0.6);
@@ -63,28 +62,26 @@ pub mod floats {
 
     /// A light of these coefficients.
     #[must_use]
-    pub fn light(coefficients: &[f32]) -> Light<'_, f32> {
+    pub fn light(coefficients: &[f32]) -> Light<'_> {
         Light::from_finite(coefficients).unwrap_or_else(|_| board::exit(false))
     }
 
     /// A material of these coefficients.
     #[must_use]
-    pub fn material(coefficients: &[f32]) -> Material<'_, f32> {
+    pub fn material(coefficients: &[f32]) -> Material<'_> {
         Material::from_finite(coefficients).unwrap_or_else(|_| board::exit(false))
     }
 
     /// Two round and two elongated sources in front of the object.
     #[must_use]
-    pub fn sources(along: f32) -> [Source<f32>; 4] {
+    pub fn sources(along: f32) -> [Source; 4] {
         let new = |[x, y]: [f32; 2], minor: f32| {
-            let Ok(normal) = Normal::with_mathematics::<SinglePrecision>(x, y, 1.0) else {
-                board::exit(false)
-            };
+            let Ok(normal) = Normal::new(x, y, 1.0) else { board::exit(false) };
             let (direction, energy, major) =
                 (normal.components(), [1.0, 0.9, 0.8], [0.0, 0.05, 0.0]);
             match minor {
-                0.05 => Source::round::<SinglePrecision>(direction, energy, minor),
-                _ => Source::new::<SinglePrecision>(direction, energy, major, minor),
+                0.05 => Source::round(direction, energy, minor),
+                _ => Source::new(direction, energy, major, minor),
             }
         };
         [([along, 0.2], 0.05), ([-along, 0.2], 0.05), ([along, -0.2], 0.02), ([-along, -0.2], 0.02)]

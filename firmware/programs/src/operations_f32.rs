@@ -5,7 +5,6 @@
 
 use board::{Passes, holds, measure};
 use core::hint::black_box;
-use eigenshade::mathematics::SinglePrecision;
 use eigenshade::presets::light::LOBBY;
 use eigenshade::presets::material::GOLD_METALLIC_PAINT;
 use eigenshade::{
@@ -271,7 +270,7 @@ fn shade_highlights() {
 
 /// In a function of its own, which leaves the registers to the polynomials.
 #[inline(never)]
-fn reflection(highlights: &Highlights<f32, 2>, normal: Normal<f32>) -> f32 {
+fn reflection(highlights: &Highlights<2>, normal: Normal) -> f32 {
     highlights.shade(normal).g
 }
 
@@ -303,14 +302,14 @@ fn highlights_turn() {
 /// A light in color without four sources, of which two are round.
 fn residual() {
     measure(&[inputs::sources(black_box(0.3))], Passes(4), |sources| {
-        LOBBY.residual::<SinglePrecision, 100>(sources)
+        LOBBY.residual::<100>(sources)
     });
 }
 
 #[inline(never)]
-fn reflected<const N: usize>(sources: &[Source<f32>; N]) -> Result<Highlights<f32, N>, Error> {
+fn reflected<const N: usize>(sources: &[Source; N]) -> Result<Highlights<N>, Error> {
     let gloss = Gloss::metallic_roughness([1.0, 0.78, 0.34], 1.0, 0.3)?;
-    Highlights::new::<SinglePrecision>(&gloss, sources)
+    Highlights::new(&gloss, sources)
 }
 
 /// The coefficients of a glTF material in color, for a new roughness.

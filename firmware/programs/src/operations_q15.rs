@@ -7,12 +7,10 @@ use board::{Passes, holds, measure};
 use core::hint::black_box;
 use eigenshade::presets::{light::q15::LOBBY, material::q15::GOLD_METALLIC_PAINT};
 use eigenshade::q15::{
-    Exposure, Highlights, Irradiance, LightBuffer, Lobe, Material, MaterialBuffer, NineTerms,
-    Rotation,
+    BakedMap, Exposure, Highlights, Irradiance, LightBuffer, Lobe, MapPoint, Material,
+    MaterialBuffer, NineTerms, Rotation,
 };
-use eigenshade::{
-    DiscPixel, Display, Error, IntegerMap, MapPoint, Meter, NormalPixel, Q15, Rgb, Tone, sphere,
-};
+use eigenshade::{DiscPixel, Display, Error, Meter, NormalPixel, Q15, Rgb, Tone, sphere};
 use programs::inputs::integers as inputs;
 use table::{BASIS, COMPONENTS, Coefficients, ORDER, SCENE, Scene, Transfer};
 
@@ -146,20 +144,20 @@ fn baked() {
     let map = baked_map();
     holds(size_of_val(&map));
     let normals = inputs::normals();
-    measure(&normals, Passes(256), |normal| map.bilinear(MapPoint::of_q15(*normal)));
+    measure(&normals, Passes(256), |normal| map.bilinear(MapPoint::of(*normal)));
 }
 
 /// A bilinear look-up in a baked map, by map coordinates.
 fn baked_point() {
     let map = baked_map();
     holds(size_of_val(&map));
-    let points = inputs::normals().map(MapPoint::of_q15);
+    let points = inputs::normals().map(MapPoint::of);
     measure(&points, Passes(256), |point| map.bilinear(*point));
 }
 
-fn baked_map() -> IntegerMap<[i16; 1024]> {
+fn baked_map() -> BakedMap<[i16; 1024]> {
     let texels = inputs::mantissas::<1024>().map(|texel| texel.0);
-    let Ok(map) = IntegerMap::new(32, 0, texels) else { board::exit(false) };
+    let Ok(map) = BakedMap::new(32, 0, texels) else { board::exit(false) };
     black_box(map)
 }
 

@@ -16,7 +16,7 @@ fn main() {
     let mut d = Coefficients::default();
     let mut scenes = [(); CHANNELS].map(|()| Scene::default());
     board::holds(size_of_val(&d) + size_of_val(&scenes));
-    let lights = [[(); CHANNELS].map(|()| inputs::mantissas::<_, LIGHT>())];
+    let lights = [[(); CHANNELS].map(|()| inputs::mantissas::<LIGHT>())];
     measure_named("light", &lights, Passes(64), |lights| {
         lights.iter().zip(&mut scenes).try_for_each(|(light, scene)| {
             let light = inputs::light(light);

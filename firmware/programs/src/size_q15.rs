@@ -13,7 +13,7 @@ const LIGHT: usize = eigenshade::index::light::count(DEGREE);
 const MATERIAL: usize = eigenshade::index::material::count(ORDER);
 
 fn main() {
-    let material = inputs::mantissas::<_, MATERIAL>();
+    let material = inputs::mantissas::<MATERIAL>();
     let Ok(transfer) = table::transfer(&inputs::material(&material, ORDER)) else {
         board::exit(false)
     };
@@ -21,7 +21,7 @@ fn main() {
     let mut d = Coefficients::default();
     let mut scene = Scene::default();
     board::holds(size_of_val(&transfer) + size_of_val(&d) + size_of_val(&scene));
-    let lights = [inputs::mantissas::<_, LIGHT>()];
+    let lights = [inputs::mantissas::<LIGHT>()];
     measure_named("light", &lights, Passes(64), |light| {
         let light = inputs::light(light);
         table::relight_into(&transfer.view(), &light, &mut d)?;

@@ -5,7 +5,6 @@
 
 use board::{Passes, holds, measure_named};
 use core::hint::black_box;
-use eigenshade::mathematics::SinglePrecision;
 use eigenshade::{Error, Gloss, Highlights, Rotation, Source};
 use programs::inputs::floats as inputs;
 
@@ -17,13 +16,13 @@ fn main() {
     of_count::<4>(["pixel_4", "light_4"]);
     of_count::<8>(["pixel_8", "light_8"]);
     of_count::<16>(["pixel_16", "light_16"]);
-    holds(size_of::<Highlights<f32, 16>>() + size_of::<[Source<f32>; 16]>());
+    holds(size_of::<Highlights<16>>() + size_of::<[Source; 16]>());
 }
 
 fn of_count<const N: usize>([pixel, light]: [&str; 2]) {
     let along = black_box(0.3);
     let four = inputs::sources(along);
-    let sources: [Source<f32>; N] =
+    let sources: [Source; N] =
         core::array::from_fn(|k| four.get(k % 4).copied().unwrap_or_else(|| board::exit(false)));
     let Ok(rotation) = Rotation::from_quaternion(black_box([0.1, 0.2, 0.3, 1.0])) else {
         board::exit(false)
@@ -37,7 +36,7 @@ fn of_count<const N: usize>([pixel, light]: [&str; 2]) {
 }
 
 #[inline(never)]
-fn reflected<const N: usize>(sources: &[Source<f32>; N]) -> Result<Highlights<f32, N>, Error> {
+fn reflected<const N: usize>(sources: &[Source; N]) -> Result<Highlights<N>, Error> {
     let gloss = Gloss::metallic_roughness([1.0, 0.78, 0.34], 1.0, 0.3)?;
-    Highlights::new::<SinglePrecision>(&gloss, sources)
+    Highlights::new(&gloss, sources)
 }

@@ -5,7 +5,6 @@
 
 use board::{Passes, holds, measure_named};
 use core::hint::black_box;
-use eigenshade::Q15;
 use eigenshade::q15::{Highlights, Lobe};
 use programs::highlights::{ALPHA_SQUARE, GRAY};
 use programs::inputs::integers as inputs;
@@ -31,5 +30,5 @@ fn of_count<const N: usize>([pixel, light]: [&str; 2]) {
     measure_named(light, &[-15], Passes(64), aligned);
     let Ok(highlights) = aligned(&black_box(-15)) else { board::exit(false) };
     let highlights = black_box(highlights);
-    measure_named(pixel, &inputs::normals::<Q15>(), Passes(64), |normal| highlights.shade(*normal));
+    measure_named(pixel, &inputs::normals(), Passes(64), |normal| highlights.shade(*normal));
 }

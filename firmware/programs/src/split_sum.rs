@@ -28,14 +28,14 @@ pub struct SplitSum {
     /// The share of white light that the lobe reflects.
     pub reflected: [f32; STEPS],
     /// The rest of the light on the matte base.
-    pub matte: NineTerms<f32>,
+    pub matte: NineTerms,
 }
 
 impl SplitSum {
     /// The irradiance of a normal; the camera looks along z.
     #[inline]
     #[must_use]
-    pub fn shade(&self, normal: Normal<f32>) -> f32 {
+    pub fn shade(&self, normal: Normal) -> f32 {
         let [x, y, z] = normal.components();
         // The mirror direction of the view.
         let twice = z + z;

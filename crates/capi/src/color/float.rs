@@ -9,7 +9,6 @@ use crate::export::records;
 use crate::float::{self, Light, Material, Scene, Transfer};
 use crate::status::Status;
 use crate::table::{self, LIGHT};
-use eigenshade::mathematics::SinglePrecision;
 use eigenshade::{
     BakedMap, DiscPixel, Error, Exposure, Highlights, Linear, MapPoint, Normal, NormalPixel, Rgb,
     Rotation, Source,
@@ -22,7 +21,7 @@ records! {
 }
 
 /// The lights, for the runtime.
-pub(crate) fn lights(from: &[Light; 3]) -> Result<Rgb<eigenshade::Light<'_, f32>>, Status> {
+pub(crate) fn lights(from: &[Light; 3]) -> Result<Rgb<eigenshade::Light<'_>>, Status> {
     Rgb::from(from.each_ref()).try_map(|light| Ok(light.view()?.0))
 }
 
@@ -49,12 +48,12 @@ impl Format for f32 {
     type Baked = Baked;
     type Texel = f32;
     type Irradiance = f32;
-    type Normal = Normal<f32>;
+    type Normal = Normal;
     type Exposure = Exposure;
     type LightBuffer = LightBuffer;
     type MaterialBuffer = MaterialBuffer;
     type Angle = f32;
-    type Highlights = Highlights<f32, SOURCES>;
+    type Highlights = Highlights<SOURCES>;
 
     fn light(light: &Light) -> Result<[Place; 2], Status> {
         Ok(light.view()?.1)
@@ -100,26 +99,19 @@ impl Format for f32 {
 
     fn residual(
         from: &[Light; 3],
-        sources: &[Source<f32>],
+        sources: &[Source],
         numbers: &mut LightBuffer,
     ) -> Result<[Light; 3], Status> {
-        let rest = lights(from)?.residual::<SinglePrecision, LIGHT>(sources)?;
+        let rest = lights(from)?.residual::<LIGHT>(sources)?;
         Ok(stored(from, rest, numbers))
     }
 
-    fn highlights(
-        of: Highlights<f32, SOURCES>,
-        _: [i32; 3],
-    ) -> Result<Highlights<f32, SOURCES>, Status> {
+    fn highlights(of: Highlights<SOURCES>, _: [i32; 3]) -> Result<Highlights<SOURCES>, Status> {
         Ok(of)
     }
 
     #[inline]
-    fn add(
-        highlights: &Highlights<f32, SOURCES>,
-        [r, g, b]: [f32; 3],
-        normal: Normal<f32>,
-    ) -> [f32; 3] {
+    fn add(highlights: &Highlights<SOURCES>, [r, g, b]: [f32; 3], normal: Normal) -> [f32; 3] {
         let of = highlights.shade(normal);
         [r + of.r, g + of.g, b + of.b]
     }
@@ -142,17 +134,17 @@ impl Format for f32 {
         }))
     }
 
-    fn normal(x: f32, y: f32, z: f32) -> Result<Normal<f32>, Status> {
+    fn normal(x: f32, y: f32, z: f32) -> Result<Normal, Status> {
         Ok(Normal::new(x, y, z)?)
     }
 
     #[inline]
-    fn of_disc(pixel: DiscPixel) -> Normal<f32> {
+    fn of_disc(pixel: DiscPixel) -> Normal {
         pixel.normal()
     }
 
     #[inline]
-    fn of_normal_map(pixel: NormalPixel) -> Normal<f32> {
+    fn of_normal_map(pixel: NormalPixel) -> Normal {
         pixel.normal()
     }
 
@@ -161,7 +153,7 @@ impl Format for f32 {
     }
 
     #[inline]
-    fn shade(scene: &Scene, normal: Normal<f32>) -> Result<f32, Status> {
+    fn shade(scene: &Scene, normal: Normal) -> Result<f32, Status> {
         Ok(float::irradiance(scene, normal))
     }
 

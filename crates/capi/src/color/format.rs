@@ -81,15 +81,13 @@ pub(crate) trait Format: Plain + Copy {
     /// A light in `f32` without sources. The result points to `numbers`.
     fn residual(
         from: &[float::Light; 3],
-        sources: &[Source<f32>],
+        sources: &[Source],
         numbers: &mut Self::LightBuffer,
     ) -> Result<[Self::Light; 3], Status>;
 
     /// Highlights for a scene with these exponents.
-    fn highlights(
-        of: Highlights<f32, SOURCES>,
-        exponents: [i32; 3],
-    ) -> Result<Self::Highlights, Status>;
+    fn highlights(of: Highlights<SOURCES>, exponents: [i32; 3])
+    -> Result<Self::Highlights, Status>;
 
     /// Adds highlights to the irradiance of a scene.
     fn add(

@@ -8,7 +8,6 @@ use crate::export::{export, records};
 use crate::status::Status;
 use crate::{float, integers};
 pub(crate) use eigenshade::index::highlights::LARGEST_SET as SOURCES;
-use eigenshade::mathematics::SinglePrecision;
 use eigenshade::{Highlights, Q15, Rotation};
 
 records! {
@@ -26,15 +25,15 @@ records! {
 
 impl Source {
     /// The source, for the runtime.
-    fn view(&self) -> Result<eigenshade::Source<f32>, Status> {
+    fn view(&self) -> Result<eigenshade::Source, Status> {
         let Self { direction, energy, major, minor } = *self;
-        Ok(eigenshade::Source::new::<SinglePrecision>(direction, energy, major, minor)?)
+        Ok(eigenshade::Source::new(direction, energy, major, minor)?)
     }
 }
 
 impl Gloss {
     /// The gloss, for the runtime.
-    fn view(&self) -> Result<eigenshade::Gloss<f32>, Status> {
+    fn view(&self) -> Result<eigenshade::Gloss, Status> {
         let gloss = eigenshade::Gloss::new(self.roughness, self.reflectance, self.albedo)?;
         Ok(gloss.with_grazing(self.grazing)?)
     }
@@ -43,7 +42,7 @@ impl Gloss {
 /// Calls a function with the sources, once they are checked.
 fn with_sources<T>(
     sources: &[Source],
-    run: impl FnOnce(&[eigenshade::Source<f32>]) -> Result<T, Status>,
+    run: impl FnOnce(&[eigenshade::Source]) -> Result<T, Status>,
 ) -> Result<T, Status> {
     let Some((first, _)) = sources.split_first() else { return run(&[]) };
     let mut views = [first.view()?; SOURCES];
@@ -125,7 +124,7 @@ impl<S> Opened<S> {
         let Self { shade, exponents, places: [of_scene, ..] } = self;
         let of_gloss = gloss.view()?;
         let highlights = with_sources(sources, |sources| {
-            let found = Highlights::<f32, SOURCES>::new::<SinglePrecision>(&of_gloss, sources)?;
+            let found = Highlights::<SOURCES>::new(&of_gloss, sources)?;
             F::highlights(found, exponents)
         })?;
         let shade = move |normal| Ok(F::add(&highlights, shade(normal)?, normal));

@@ -10,9 +10,8 @@ use crate::float;
 use crate::integers::{self, Light, Material, Scene, Transfer};
 use crate::status::Status;
 use crate::table::{self, COMPONENTS, LIGHT};
-use eigenshade::mathematics::SinglePrecision;
 use eigenshade::q15::{self, Exposure, Highlights, LightBuffer as Turned, Normal, Rotation};
-use eigenshade::{DiscPixel, Error, IntegerMap, Linear, MapPoint, NormalPixel, Q15, Rgb, Source};
+use eigenshade::{DiscPixel, Error, Linear, NormalPixel, Q15, Rgb, Source};
 
 /// The exponents of glTF materials.
 const EXPONENTS: usize = ORDER + 1;
@@ -108,10 +107,10 @@ impl Format for Q15 {
 
     fn residual(
         from: &[float::Light; 3],
-        sources: &[Source<f32>],
+        sources: &[Source],
         numbers: &mut LightBuffer,
     ) -> Result<[Light; 3], Status> {
-        let rest = super::float::lights(from)?.residual::<SinglePrecision, LIGHT>(sources)?;
+        let rest = super::float::lights(from)?.residual::<LIGHT>(sources)?;
         let store = |of: &float::Light, rest: &[f32], to: &mut [Q15; LIGHT]| {
             let (degree, length) = (of.degree, of.length);
             let to = to.get_mut(..length).ok_or(Status::Internal)?;
@@ -123,7 +122,7 @@ impl Format for Q15 {
     }
 
     fn highlights(
-        of: eigenshade::Highlights<f32, SOURCES>,
+        of: eigenshade::Highlights<SOURCES>,
         exponents: [i32; 3],
     ) -> Result<Highlights<Rgb<i32>, SOURCES>, Status> {
         Ok(Highlights::quantize(&of, exponents.into())?)
@@ -221,8 +220,8 @@ impl Picture<Q15> for Baked {
         let (texels, places) = baked_texels(Place::of(self), self.size, &self.texels, self.length)?;
         let maps = texels
             .zip(Rgb::from(self.exponents))
-            .try_map(|(texels, exponent)| IntegerMap::new(self.size, exponent, texels))?;
-        let shade = move |normal| Ok(maps.bilinear(MapPoint::of_q15(normal)).into());
+            .try_map(|(texels, exponent)| q15::BakedMap::new(self.size, exponent, texels))?;
+        let shade = move |normal| Ok(maps.bilinear(q15::MapPoint::of(normal)).into());
         Ok(Opened { shade, exponents: self.exponents, places })
     }
 }

@@ -1,12 +1,10 @@
 //! The pictures of `example/color.c` as the runtime draws them: `name,checksum` in lines, and the
 //! irradiances that it prints.
 
-use eigenshade::mathematics::SinglePrecision;
 use eigenshade::presets::{gloss, light, material, sources};
 use eigenshade::q15::{self, Rotation};
 use eigenshade::{
-    Disc, Display, Error, Gloss, Highlights, MapPoint, NormalMap, Q15, Rgb, Source, Tone, blend565,
-    sphere,
+    Disc, Display, Error, Gloss, Highlights, NormalMap, Q15, Rgb, Source, Tone, blend565, sphere,
 };
 use std::fmt::Write as _;
 
@@ -78,9 +76,9 @@ pub fn lines() -> Result<String, Error> {
     pictures.push(("normal map", of_map(&codes, &reinhard, &exposed(&scene, 0.7)?)?));
 
     // Sources and gloss as C has them, rounded once more.
-    let source = |source: &Source<f32>| {
+    let source = |source: &Source| {
         let (energy, minor) = (source.energy(), source.minor());
-        Source::new::<SinglePrecision>(source.direction(), energy, source.major(), minor)
+        Source::new(source.direction(), energy, source.major(), minor)
     };
     let mut sources = [source(&sources::LOBBY_4[0])?; 4];
     for (to, from) in sources.iter_mut().zip(sources::LOBBY_4) {
@@ -90,7 +88,7 @@ pub fn lines() -> Result<String, Error> {
     let [reflectance, grazing] = [of_gold.reflectance(), of_gold.grazing()].map(Into::into);
     let of_gold = Gloss::new(of_gold.alpha().sqrt(), reflectance, of_gold.albedo().into())?
         .with_grazing(grazing)?;
-    let rest = light::LOBBY.residual::<SinglePrecision, LIGHT>(&sources)?;
+    let rest = light::LOBBY.residual::<LIGHT>(&sources)?;
     let mut mantissas = [[Q15(0); LIGHT]; 3];
     let [r, g, b] = &mut mantissas;
     let rest = Rgb::new(
@@ -98,8 +96,8 @@ pub fn lines() -> Result<String, Error> {
         q15::Light::quantize(&rest.g, g)?,
         q15::Light::quantize(&rest.b, b)?,
     );
-    let glossy = |scene: &sphere::q15::color::Scene, sources: &[Source<f32>]| {
-        let highlights = Highlights::<f32, 4>::new::<SinglePrecision>(&of_gold, sources)?;
+    let glossy = |scene: &sphere::q15::color::Scene, sources: &[Source]| {
+        let highlights = Highlights::<4>::new(&of_gold, sources)?;
         let exponents = scene.each_ref().map(|channel| channel.exponent());
         let highlights = q15::Highlights::<_, 4>::quantize(&highlights, exponents)?;
         let (scene, exposure) = (scene.clone(), scene.exposure_by_factor(1.0)?);
@@ -131,7 +129,7 @@ pub fn lines() -> Result<String, Error> {
     let texels = [0; BAKED * BAKED];
     let baked = red.bake_integers_into(BAKED, Rgb::gray(texels))?;
     let exposure = baked.exposure_by_factor(1.5)?;
-    let look_up = |normal| exposure.of(baked.bilinear(MapPoint::of_q15(normal)));
+    let look_up = |normal| exposure.of(baked.bilinear(q15::MapPoint::of(normal)));
     pictures.push(("baked", disc(&linear, &look_up)));
     pictures.push(("baked normal map", of_map(&codes, &filmic, &look_up)?));
 
@@ -143,14 +141,14 @@ pub fn lines() -> Result<String, Error> {
     let normal = q15::Normal::from_unit(Q15(0), Q15(19_661), Q15(26_214))?;
     let scene = sphere::q15::color::scene(lobby, material::q15::DARK_RED_PAINT)?;
     let lamp = [0.0, 0.6, 0.8];
-    let lamp = Source::new::<SinglePrecision>(lamp, [0.5, 0.4, 0.3], [0.03, 0.0, 0.0], 0.03)?;
+    let lamp = Source::new(lamp, [0.5, 0.4, 0.3], [0.03, 0.0, 0.0], 0.03)?;
     let copper = Gloss::metallic_roughness([0.93, 0.5, 0.25], 1.0, 0.3)?;
-    let highlights = Highlights::<f32, 1>::new::<SinglePrecision>(&copper, &[lamp])?;
+    let highlights = Highlights::<1>::new(&copper, &[lamp])?;
     let exponents = scene.each_ref().map(|channel| channel.exponent());
     let highlights = q15::Highlights::<_, 1>::quantize(&highlights, exponents)?;
     let half = q15::Normal::from_unit(Q15(0), Q15(10_362), Q15(31_086))?;
     let glossy = highlights.add(scene.shade(half), half);
-    for found in [scene.shade(normal), baked.bilinear(MapPoint::of_q15(normal)), glossy] {
+    for found in [scene.shade(normal), baked.bilinear(q15::MapPoint::of(normal)), glossy] {
         for irradiance in <[i32; 3]>::from(found) {
             let _ = writeln!(lines, "shade,{}", irradiance.cast_unsigned());
         }

@@ -163,8 +163,8 @@ pub mod floats {
     use eigenshade::{Rgb, Rotation};
     use eigenshade_embedded_graphics::Paint;
 
-    type Light<'a> = eigenshade::Light<'a, f32>;
-    type Buffer = eigenshade::LightBuffer<f32, 100>;
+    type Light<'a> = eigenshade::Light<'a>;
+    type Buffer = eigenshade::LightBuffer<100>;
     frames!(|frame| wrist(frame).map(|part| part as f32));
 
     fn paint(scene: &Scene) -> Result<impl Shader, Error> {

@@ -155,7 +155,7 @@ extern "C" fn color_truncate(share: f32, exposure: f32) -> u32 {
     for (to, &from) in lengths.iter_mut().zip(shape.lengths) {
         *to = from;
     }
-    let most = |of: fn(&Truncation<f32>) -> f32| reports.iter().map(of).fold(0.0, f32::max);
+    let most = |of: fn(&Truncation) -> f32| reports.iter().map(of).fold(0.0, f32::max);
     *report = [
         shape.terms() as f32,
         shape.azimuths() as f32,

@@ -4,7 +4,6 @@
 use crate::color::{LIGHT, TURN};
 use crate::{LIGHT_COUNT, Shared};
 use eigenshade::index::highlights::MAX_SOURCES;
-use eigenshade::mathematics::SinglePrecision;
 use eigenshade::{Error, Gloss, Highlights, Light, Rgb, Rotation, Source};
 
 /// Constants for a page: the most sources, the reflectance of dielectrics, and the roughness
@@ -19,7 +18,7 @@ static SOURCES: Shared<[[f32; 10]; MAX_SOURCES]> = Shared::new([[0.0; 10]; MAX_S
 static GLOSS: Shared<[f32; 10]> = Shared::new([0.0; 10]);
 
 /// The highlights of the last `color_highlights`; none if it failed.
-pub static HIGHLIGHTS: Shared<Option<Highlights<f32, MAX_SOURCES>>> = Shared::new(None);
+pub static HIGHLIGHTS: Shared<Option<Highlights<MAX_SOURCES>>> = Shared::new(None);
 
 /// Takes the first `count` sources out of the light of the next `color_relight`.
 #[unsafe(no_mangle)]
@@ -29,7 +28,7 @@ extern "C" fn color_residual(count: usize) -> u32 {
     let mut taken_out = |numbers| {
         let [r, g, b] = &*light;
         let lights = Rgb::new(r, g, b).try_map(|numbers| Light::from_finite(&numbers[..]))?;
-        let rest = lights.residual::<SinglePrecision, LIGHT_COUNT>(&[source(numbers)?])?;
+        let rest = lights.residual::<LIGHT_COUNT>(&[source(numbers)?])?;
         for (to, from) in light.iter_mut().zip(<[_; 3]>::from(rest)) {
             to.iter_mut().zip(&*from).for_each(|(to, &from)| *to = from);
         }
@@ -56,7 +55,7 @@ extern "C" fn color_highlights(count: usize) -> u32 {
         for (to, from) in turned.iter_mut().zip(from) {
             *to = source(from)?.turned(rotation);
         }
-        Highlights::new::<SinglePrecision>(&gloss, turned)
+        Highlights::new(&gloss, turned)
     };
     *highlights = shaded().ok();
     highlights.is_some().into()
@@ -65,6 +64,6 @@ extern "C" fn color_highlights(count: usize) -> u32 {
 /// A dark source.
 const NONE: [f32; 10] = [0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0];
 
-fn source(&[x, y, z, r, g, b, u, v, w, minor]: &[f32; 10]) -> Result<Source<f32>, Error> {
-    Source::new::<SinglePrecision>([x, y, z], [r, g, b], [u, v, w], minor)
+fn source(&[x, y, z, r, g, b, u, v, w, minor]: &[f32; 10]) -> Result<Source, Error> {
+    Source::new([x, y, z], [r, g, b], [u, v, w], minor)
 }
