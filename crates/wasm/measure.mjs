@@ -2,12 +2,9 @@
 //
 //     node crates/wasm/measure.mjs            prints the tables, fails if a bound is exceeded
 //     node crates/wasm/measure.mjs --write    writes them to crates/wasm/README.md
-//     node crates/wasm/measure.mjs --times    measures the modules that crates/wasm/benchmark-tables
-//                                             makes, and writes crates/wasm/times.csv
 
 import { readFileSync, writeFileSync } from "node:fs";
 import { load } from "./eigenshade.mjs";
-import { PAIR, benchmarkTables } from "./tests/support/benchmark_tables.mjs";
 import { hemisphere, leasts } from "./tests/support/timing.mjs";
 import { row } from "./tests/support/golden.mjs";
 import { VARIANTS, bytes, sizes } from "./tests/support/modules.mjs";
@@ -15,8 +12,10 @@ import { VARIANTS, bytes, sizes } from "./tests/support/modules.mjs";
 /** Maximum cost of a pixel of the full scene with SIMD, in nine-term pixels: 14 ns against 0.4. */
 const MAX_RATIO = 14 / 0.4;
 
+/** The pair that is shaded. */
+const PAIR = "park 07-velvet g";
+
 const README = new URL("README.md", import.meta.url);
-const TIMES = new URL("times.csv", import.meta.url);
 const MARKS = ["<!-- node crates/wasm/measure.mjs --write -->", "<!-- end -->"];
 
 const thousands = (number) => number.toLocaleString("en-US");
@@ -64,13 +63,6 @@ async function times(variant) {
   return (await leasts(tasks)).map((time, k) => ({ ...tasks[k], time }));
 }
 
-if (process.argv.includes("--times")) {
-  const found = await benchmarkTables();
-  const head = ["# crates/wasm/benchmark-tables && node crates/wasm/measure.mjs --times", "setting,pixel_ns,light_ns"];
-  const rows = found.map(({ setting, times }) => [setting, ...times.map((time) => time?.toPrecision(4) ?? "")]);
-  writeFileSync(TIMES, `${[...head, ...rows].join("\n")}\n`);
-  process.exit();
-}
 const all = [];
 for (const variant of VARIANTS) all.push(await times(variant));
 const ratios = all.map((rows) => rows[1].time / rows[0].time);

@@ -3,7 +3,6 @@
 #[path = "../../crates/cli/tests/support/mod.rs"]
 mod support;
 
-mod ablation_page;
 mod accuracy_cost;
 mod benchmark_tables;
 mod direct_integration;
@@ -44,14 +43,6 @@ fn assert_contains(page: &str, text: &str) {
     println!("{text}");
     let found = fs::read_to_string(support::repository().join(page)).expect(page);
     assert!(found.contains(text), "{page} lacks the text above");
-}
-
-/// A page contains these words, wherever its lines break.
-fn assert_says(page: &str, words: &str) {
-    println!("{words}");
-    let text = fs::read_to_string(support::repository().join(page)).expect(page);
-    let text = text.split_whitespace().collect::<Vec<_>>().join(" ");
-    assert!(text.contains(words), "{page} lacks: {words}");
 }
 
 /// A shipped map.

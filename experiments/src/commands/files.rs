@@ -1,6 +1,6 @@
 //! Files that tests, CI, pages and the runtime use: the golden file, materials of sharp gloss, the
-//! comparison of two tables' components, tables for WebAssembly modules, the table from which the
-//! runtime computes materials of metallic and roughness; and the folders of figures.
+//! comparison of two tables' components, the table from which the runtime computes materials of
+//! metallic and roughness; and the folders of figures.
 
 use super::write_csv;
 use clap::Args;
@@ -15,16 +15,12 @@ use eigenshade_model::inputs::coefficient_csv::write_materials;
 use eigenshade_shading::parallel;
 use eigenshade_testing::golden::record::{Golden, Row};
 use eigenshade_testing::{glossy, golden};
-use experiments::accuracy_cost::machines::{tables, timed};
-use experiments::accuracy_cost::scope::{Bases, Scope};
-use experiments::accuracy_cost::settings::{Format, Recipe, Setting, Way, all};
 use experiments::accuracy_cost::sheet::{self, SETTINGS, compare};
 use experiments::accuracy_cost::{Measured, report};
 use experiments::numbers::digits;
 use experiments::pages::{Purpose, filled};
 use experiments::paper;
 use experiments::stability::spectrum::{Agreement, agreement};
-use std::collections::BTreeSet;
 use std::f64::consts::PI;
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -82,33 +78,6 @@ pub fn same_order(one: &Path, other: &Path) -> Result<()> {
         "{compared} components have the same order and sign, products from {least:.6} on"
     ));
     Ok(())
-}
-
-pub fn wasm_tables(folder: &Path) -> Result<()> {
-    fs::create_dir_all(folder).map_err(|error| Error::io(folder, &error))?;
-    let write = |name: &str, bytes: &[u8]| {
-        let path = folder.join(name);
-        fs::write(&path, bytes).map_err(|error| Error::io(&path, &error))
-    };
-    let all: Vec<Setting> = all(false).iter().map(|one| one.setting).collect();
-    let mut lines =
-        String::from("# crates/wasm/benchmark-tables\ntable,module,setting,way,format\n");
-    let tables = tables();
-    for (degree, order) in tables.iter().map(Recipe::size).collect::<BTreeSet<_>>() {
-        let of_size = tables.iter().filter(|recipe| recipe.size() == (degree, order));
-        let bases = Bases::new(&Scope::new(degree, order)?, of_size.clone().copied())?;
-        for recipe in of_size {
-            let name = recipe.to_string().replace('/', "-").replace(' ', "_");
-            write(&format!("{name}.bin"), &eigenshade_table::encode(&bases.table(recipe)?))?;
-            for setting in timed(recipe, &all) {
-                let is_float = setting.format == Format::F32;
-                let module = if is_float { "floats.simd" } else { "all.simd" };
-                let way = if setting.way == Way::Polynomial { "shade" } else { "look_up" };
-                lines += &format!("{name},{module},{setting},{way},{}\n", setting.format);
-            }
-        }
-    }
-    write("benchmark_tables.csv", lines.as_bytes())
 }
 
 /// Orders, with the number of Chebyshev polynomials in roughness that each takes: what these leave

@@ -10,7 +10,7 @@ use eigenshade_cli::messages::{printable, spinner};
 use eigenshade_cli::output::{self, write_error};
 use eigenshade_model::error::{Error, Result};
 use experiments::pages::Purpose;
-use experiments::{ablation, mutations, reading, sheet, stability};
+use experiments::{reading, sheet, stability};
 use std::io::Write;
 use std::path::{Path, PathBuf};
 
@@ -57,8 +57,6 @@ pub enum Command {
     /// on gold paint, each with a window and its own exposure
     ContactSheet(OutputFile),
     AccuracyCost(files::AccuracyCost),
-    /// Cost and contribution of each effect, docs/ablation.md; times are not compared
-    Ablation(Purpose),
     /// The numerically hard cases, measured, docs/stability.md
     Stability(Purpose),
     /// Errors of estimates from degraded images, docs/reading.md
@@ -131,15 +129,6 @@ pub enum Command {
         #[arg(value_name = "B.bin")]
         other: PathBuf,
     },
-    /// The tables that crates/wasm/benchmark-tables puts into modules
-    ///
-    /// benchmark_tables.csv assigns a setting of accuracy-cost to each module and table.
-    WasmTables {
-        /// The folder to write to
-        #[arg(value_name = "DIR")]
-        folder: PathBuf,
-    },
-    Mutations(mutations::Mutations),
 }
 
 impl Command {
@@ -149,12 +138,6 @@ impl Command {
             Self::Picture { file, table } => pictures::spheres(&file.out, &table),
             Self::ContactSheet(file) => pictures::contact_sheet(&file.out),
             Self::AccuracyCost(command) => command.run(),
-            Self::Ablation(purpose) => {
-                let parts = ablation::parts(&ablation::scenes::Times::measured());
-                let remedy = "every scene must keep its tolerance, in f32 and in Q15";
-                let parts = parts.map_err(|fault| Error::new(fault, remedy))?;
-                ablation::PAGE.write_or_compare(&purpose, &parts)
-            }
             Self::Stability(purpose) => {
                 let progress = spinner("cases");
                 let parts = stability::parts(|name| progress.set_message(name.to_owned()));
@@ -177,8 +160,6 @@ impl Command {
             Self::MaterialErrors(csv) => highlights::material_errors(csv.out.as_deref()),
             Self::MetallicRoughness(file) => files::metallic_roughness(&file.out),
             Self::SameOrder { one, other } => files::same_order(&one, &other),
-            Self::WasmTables { folder } => files::wasm_tables(&folder),
-            Self::Mutations(command) => command.run(),
         }
     }
 }

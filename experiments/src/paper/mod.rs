@@ -85,14 +85,6 @@ pub enum Modes {
 impl Modes {
     pub const BOTH: [Self; 2] = [Self::All, Self::Selected];
 
-    /// The ending of the names of files that show these modes.
-    pub fn suffix(self) -> &'static str {
-        match self {
-            Self::All => "",
-            Self::Selected => "_1000",
-        }
-    }
-
     /// The nominal number of modes.
     pub fn count(self) -> usize {
         match self {

@@ -65,14 +65,13 @@ fn errors(sheets: &Sheets) -> Table {
 
 /// The errors of each material under the lights as captured, and under rotated lights.
 fn poses(sheets: &Sheets) -> [Sheet; 2] {
-    let captured = sheets["error_by_material"].clone().of(Modes::All);
-    [captured.only("criterion", "image-centered"), sheets["error_rotated"].clone()]
+    ["error_by_material", "error_rotated"].map(|name| sheets[name].clone())
 }
 
 fn components(sheets: &Sheets) -> Table {
     let [sheet, _] = poses(sheets);
     let counts = |limit: f64| -> Vec<f64> {
-        let names = sheet.columns[3..].iter();
+        let names = sheet.columns[1..].iter();
         let mut counts: Vec<f64> =
             names.map(|name| needed(&sheet.numbers(name), limit) as f64).collect();
         counts.sort_by(f64::total_cmp);
@@ -114,7 +113,7 @@ fn rotations(sheets: &Sheets) -> Table {
 
 fn reconstruction(sheets: &Sheets) -> Table {
     let column = |material: &str, column: &str| {
-        let sheet = sheets["reconstruction"].clone().of(Modes::All).only("material", material);
+        let sheet = sheets["reconstruction"].clone().only("material", material);
         at(&sheet.numbers(column), &RECONSTRUCTED)
     };
     Table::new("components", RECONSTRUCTED.map(|count| count.to_string()))

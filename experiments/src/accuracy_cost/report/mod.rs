@@ -48,7 +48,7 @@ fn tables(measured: &Measured) -> Vec<Part> {
     parts.push(("components", tables::components(measured)));
     parts.push(("model", tables::model(&measured.model)));
     parts.push(("mathematics", tables::mathematics(&measured.settings)));
-    parts.push(("growth", tables::growth(&measured.growth)));
+    parts.push(("effects", tables::effects(&measured.settings)));
     parts
 }
 

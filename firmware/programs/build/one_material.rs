@@ -1,5 +1,4 @@
-//! A table in Q15 with the transfer of one material. The build scripts of two packages share this
-//! file.
+//! A table in Q15 with the transfer of one material.
 
 use crate::Result;
 use eigenshade::Q15;
@@ -10,12 +9,14 @@ use eigenshade_table::quantize::{self, IntegerFormat};
 use eigenshade_table::{Table, statics};
 
 /// The first line of each generated module.
-pub const COMMAND: &str = "build.rs";
+const COMMAND: &str = "build.rs";
 
 /// A table in Q15 with the transfer of one material as `MATERIAL`, and without the statics that
 /// only a transfer uses.
 pub fn one_material(table: &Table, exponents: &[i8], mantissas: &[i32]) -> Result<String> {
-    let mut parts = parts(table, IntegerFormat::Q15)?;
+    let format = IntegerFormat::Q15;
+    let parts = quantize::integers(table, format, format.tolerance());
+    let mut parts = parts.map_err(|error| error.to_string())?;
     let (numbers, of_profiles) =
         transfer(&parts, exponents, mantissas).map_err(|error| error.to_string())?;
     for numbers in [&mut parts.polar, &mut parts.factors] {
@@ -24,7 +25,7 @@ pub fn one_material(table: &Table, exponents: &[i8], mantissas: &[i32]) -> Resul
     for exponents in [&mut parts.polar_exponents, &mut parts.factor_exponents] {
         exponents.clear();
     }
-    Ok(statics::integers(&parts, IntegerFormat::Q15, COMMAND)
+    Ok(statics::integers(&parts, format, COMMAND)
         + &source::integers::transfer(&numbers, &of_profiles))
 }
 
@@ -43,9 +44,4 @@ fn transfer(
     let mut workspace = vec![0; basis.workspace_len()];
     basis.transfer_into(&material, &mut workspace, &mut numbers, &mut of_profiles)?;
     Ok((numbers, of_profiles))
-}
-
-/// The arrays of a table in a format.
-pub fn parts(table: &Table, format: IntegerFormat) -> Result<OwnedParts<i32>> {
-    quantize::integers(table, format, format.tolerance()).map_err(|error| error.to_string())
 }
