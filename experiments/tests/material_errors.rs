@@ -1,8 +1,8 @@
 //! Errors of materials that no table is made of: total errors against direct integration, what the
-//! components of tables leave, and the tables that the pages make of them.
+//! components of tables leave.
 
 use crate::support::repository;
-use crate::{OF_DIGITS, assert_contains, by_texels, measured_surfaces, shipped_map};
+use crate::{OF_DIGITS, assert_recorded, by_texels, measured_surfaces, shipped_map};
 use eigenshade_generator::basis;
 use eigenshade_generator::material::brdf::Measure;
 use eigenshade_generator::scene_file::{self, Loaded};
@@ -19,7 +19,7 @@ use experiments::accuracy_cost::settings::{Format, Recipe, Setting};
 use experiments::accuracy_cost::total::references::World;
 use experiments::accuracy_cost::total::subjects::Gltf;
 use experiments::material_errors::{SPACING, errors};
-use experiments::numbers::{median, percent};
+use experiments::numbers::percent;
 use indicatif::ProgressBar;
 use std::fs;
 
@@ -130,27 +130,6 @@ fn projections_are_found_again() {
     }
 }
 
-#[test]
-fn the_page_has_the_energies_left_out() {
-    let mut table = String::from(
-        "| model, order | median | 95th percentile | worst material |\n|---|---:|---:|---:|\n",
-    );
-    for (model, order) in [("abc", 7), ("abc", 12), ("sgd", 7), ("sgd", 12)] {
-        let all = left_out(model, order);
-        assert_eq!(all.len(), 94);
-        let shares: Vec<f64> = all.iter().map(|(_, share)| *share).collect();
-        let (name, worst) = all.iter().max_by(|(_, a), (_, b)| a.total_cmp(b)).unwrap();
-        table += &format!(
-            "| {}, {order} | {} | {} | {} ({name}) |\n",
-            model.to_uppercase(),
-            percent(median(&shares), 2),
-            percent(Spread::of(&shares).most, 2),
-            percent(*worst, 2),
-        );
-    }
-    assert_contains("tables/README.md", &table);
-}
-
 /// Scenes of `tables/` and numbers of components: of the gray materials of CUReT; of the table that
 /// the runtime compiles in; of the table with which `render` draws.
 const TABLES: [(&str, &[usize]); 3] =
@@ -159,7 +138,7 @@ const TABLES: [(&str, &[usize]); 3] =
 const OF_ALL: f64 = 1e-5;
 
 #[test]
-fn the_page_has_the_errors_of_unseen_materials() {
+fn errors_of_unseen_materials() {
     let tables = repository().join("tables");
     let load = |name| scene_file::load(tables.join(format!("{name}.toml"))).unwrap();
     let unseen = shipped::unseen_materials().unwrap();
@@ -176,18 +155,18 @@ fn the_page_has_the_errors_of_unseen_materials() {
     let as_they_are = errors_of(as_they_are, &unseen, &TABLES[2].1[..1]);
     let [unequal, equal] = [&as_they_are[0], &measured[2][0]].map(|one| one.unseen.rms.median);
     assert!(unequal > 2.0 * equal, "{unequal:e} {equal:e}");
-    let mut page = String::from(
-        "| scene | components | its own: median | 95 % | worst | unseen: median | 95 % | worst | \
-         95 % of worst pixels |\n|---|---:|---:|---:|---:|---:|---:|---:|---:|\n",
-    );
+    let mut rows = Vec::new();
     for ((name, components), found) in TABLES.into_iter().zip(&measured) {
         for (components, Found { seen, unseen, .. }) in components.iter().zip(found) {
-            let cells = [seen.rms, unseen.rms].map(cells).join(" | ");
-            let pixel = percent(unseen.largest.most, 2);
-            page += &format!("| `{name}` | {components} | {cells} | {pixel} |\n");
+            let mut row = vec![format!("`{name}`"), components.to_string()];
+            row.extend([seen.rms, unseen.rms].map(cells).concat());
+            row.push(percent(unseen.largest.most, 2));
+            rows.push(row);
         }
     }
-    assert_contains("docs/accuracy.md", &page);
+    let columns = "scene,components,its own: median,its own: 95 %,its own: worst,unseen: median,\
+                   unseen: 95 %,unseen: worst,95 % of worst pixels";
+    assert_recorded("unseen.csv", columns, &rows);
 }
 
 /// The errors with each number of components, over all lights as captured.
@@ -206,8 +185,8 @@ fn errors_of(loaded: Loaded, unseen: &Materials, components: &[usize]) -> Vec<Fo
     components.iter().map(errors).collect()
 }
 
-fn cells(Spread { median, most, worst }: Spread) -> String {
-    [median, most, worst].map(error).join(" | ")
+fn cells(Spread { median, most, worst }: Spread) -> [String; 3] {
+    [median, most, worst].map(error)
 }
 
 /// What pictures do not show is not told apart.

@@ -1,12 +1,11 @@
 //! The CSV files, in which a row is a [`Record`] from its measurement to the charts, and their
 //! comparison with fresh errors, bytes and counts, but not times or what depends on them.
 
-use crate::figures::{Figures, OutputFile};
+use crate::figures::{self, OutputFile};
 use crate::sheet::{Form, Record, read};
 use eigenshade_model::error::{Error, Result};
 use std::path::Path;
 
-pub const FIGURES: Figures = Figures { command: "accuracy-cost", folder: "", is_exact: true };
 /// The settings: errors of the method (`unseen_` over materials that the basis never saw), the
 /// error of the model, the total error over all its pictures, bytes, times, and costs on each
 /// machine.
@@ -42,7 +41,7 @@ pub const TOTAL: Form = Form {
 };
 pub fn csv(form: &Form, records: &[Record]) -> Result<OutputFile> {
     let rows = records.iter().map(|record| form.columns.split(',').map(|one| record.text(one)));
-    FIGURES.csv(form.name, form.columns, rows)
+    figures::csv("accuracy-cost --out docs/accuracy-cost", form.name, form.columns, rows)
 }
 
 /// The allowed relative difference of an error: hosts round differently, and rounding may end a
@@ -79,6 +78,10 @@ fn is_time(column: &str) -> bool {
     column.starts_with("host_") || column.ends_with("_db")
 }
 
+/// What to do where a file differs.
+const REMEDY: &str = "make it again with `cargo run --release -p experiments -- accuracy-cost --out \
+                      docs/accuracy-cost --keep-times`";
+
 /// Compares these records with those of the file in `folder`. With
 /// `whole`, the file must not have other rows; otherwise fields that the records lack are skipped.
 /// Returns the numbers of rows and of numbers compared. The error is the first difference, with its
@@ -86,7 +89,7 @@ fn is_time(column: &str) -> bool {
 pub fn compare(form: &Form, fresh: &[Record], folder: &Path, whole: bool) -> Result<[usize; 2]> {
     let path = folder.join(form.name);
     let recorded = read(form, folder)?;
-    let fault = |what: String| Error::new(what, FIGURES.again(folder, " --keep-times"));
+    let fault = |what: String| Error::new(what, REMEDY);
     let (rows, mut numbers) = (fresh.len(), 0);
     for record in fresh {
         let (key, name) = (record.key(form), record.key(form).join(", "));

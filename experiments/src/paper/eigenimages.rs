@@ -2,7 +2,7 @@
 
 use super::plate::Plate;
 use super::reconstruction::shade;
-use super::{FIGURES, Modes, Study, digits, place, row};
+use super::{Modes, Study, csv, digits, place, row};
 use crate::figures::OutputFile;
 use eigenshade_model::error::Result;
 use eigenshade_shading::owned_basis::OwnedBasis;
@@ -34,7 +34,7 @@ fn sheet(table: &Table) -> Result<OutputFile> {
         let texts = row(&[&index, &component.order, &value, &share.unwrap_or_default()], [left]);
         rows.push(texts);
     }
-    FIGURES.csv("eigenimages.csv", "component,m,eigenvalue,share,left", &rows)
+    csv("eigenimages.csv", "component,m,eigenvalue,share,left", &rows)
 }
 
 fn plate(table: &Table) -> Result<OutputFile> {
@@ -52,5 +52,5 @@ fn plate(table: &Table) -> Result<OutputFile> {
         let share = share.map_or("constant".into(), |share| format!("{share:.1} %"));
         plate.below(place, &[&format!("{index}: m = {}", component.order), &share]);
     }
-    Ok(FIGURES.picture("eigenimages.png", plate.scale(&format!("{SCALE}"))))
+    Ok(OutputFile::picture("eigenimages.png", plate.scale(&format!("{SCALE}"))))
 }

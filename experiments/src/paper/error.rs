@@ -7,11 +7,13 @@
 //! PCA counts the constant in K.
 
 use super::node_image::{MaterialImages, fit};
-use super::{DEGREE, FIGURES, Modes, Study, Trial, digits, place, row, title};
+use super::tables::Sheets;
+use super::{DEGREE, Modes, Study, Trial, csv, digits, place, row, title};
 use crate::chart::{
     Axes, BLUE, Chart, GREEN, ORANGE, PALE, PURPLE, Points, Series, Style, colored,
 };
-use crate::figures::OutputFile;
+use crate::figures::{self, OutputFile};
+use crate::sheet::Sheet;
 use eigenshade_index::{light, mode};
 use eigenshade_model::database::Named;
 use eigenshade_model::error::Result;
@@ -50,13 +52,19 @@ pub fn files(study: &Study) -> Result<Vec<OutputFile>> {
         [materials, lights].map(|entries| format!("components,{}", names(entries)));
     let of_rotated = format!("components,all,{}", names(materials));
     Ok(vec![
-        FIGURES.csv("error.csv", header, by_count(&mean))?,
-        FIGURES.chart("error.svg", &mean_chart(&mean)?),
-        FIGURES.csv("error_by_material.csv", &of_materials, by_count(&by_material))?,
-        FIGURES.csv("error_by_light.csv", &of_lights, by_count(&by_light))?,
-        FIGURES.csv("error_rotated.csv", &of_rotated, by_count(&rotated))?,
+        csv("error.csv", header, by_count(&mean))?,
+        csv("error_by_material.csv", &of_materials, by_count(&by_material))?,
+        csv("error_by_light.csv", &of_lights, by_count(&by_light))?,
+        csv("error_rotated.csv", &of_rotated, by_count(&rotated))?,
         selected(study)?,
-        FIGURES.chart("error_by_material.svg", &material_chart(materials, &by_material)?),
+    ])
+}
+
+/// The charts of the CSV files.
+pub fn charts(sheets: &Sheets) -> Result<Vec<OutputFile>> {
+    Ok(vec![
+        figures::chart("error.svg", &mean_chart(&sheets["error"])?),
+        figures::chart("error_by_material.svg", &material_chart(&sheets["error_by_material"])?),
     ])
 }
 
@@ -106,24 +114,25 @@ fn by_count(errors: &[Vec<f64>]) -> Vec<Vec<String>> {
     (0..=SHOWN).map(|count| row(&[&count], errors.iter().map(|errors| errors[count]))).collect()
 }
 
-fn mean_chart(mean: &[Vec<f64>; 4]) -> Result<String> {
+fn mean_chart(sheet: &Sheet) -> Result<String> {
     let names = [
         ("image-centered", Style::Line),
         ("standard", Style::Dashed),
         ("image-centered, 1000 modes", Style::Line),
         ("standard, 1000 modes", Style::Dashed),
     ];
-    let lines = names.into_iter().zip(mean);
-    chart(colored(lines.map(|((name, style), errors)| (name, style, points(errors)))))
+    let lines = names.into_iter().zip(&sheet.columns[1..]);
+    chart(colored(lines.map(|((name, style), of)| (name, style, points(&sheet.numbers(of))))))
 }
 
-fn material_chart(materials: &[Named], errors: &[Vec<f64>]) -> Result<String> {
-    let new = |errors: &Vec<f64>| Series::new("", Style::Line, PALE, points(errors));
-    let mut lines: Vec<_> = errors.iter().map(|one| Series { width: 1, ..new(one) }).collect();
+fn material_chart(sheet: &Sheet) -> Result<String> {
+    let line = |name: &String| {
+        let line = Series::new("", Style::Line, PALE, points(&sheet.numbers(name)));
+        Series { width: 1, ..line }
+    };
+    let mut lines: Vec<_> = sheet.columns[1..].iter().map(line).collect();
     for (name, color, style) in NAMED {
-        let found = materials.iter().zip(errors).find(|(material, _)| material.name == name);
-        let points = found.map(|(_, errors)| points(errors)).unwrap_or_default();
-        lines.push(Series::new(title(name), style, color, points));
+        lines.push(Series::new(title(name), style, color, points(&sheet.numbers(name))));
     }
     chart(lines)
 }
@@ -185,5 +194,5 @@ fn selected(study: &Study) -> Result<OutputFile> {
     let of_degree =
         |(l, count): (usize, &usize)| [format!("modes_kept_of_degree_{l}"), count.to_string()];
     let rows = rows.into_iter().chain(by_degree.iter().enumerate().map(of_degree));
-    FIGURES.csv("selected_modes.csv", "quantity,value", rows)
+    csv("selected_modes.csv", "quantity,value", rows)
 }

@@ -1,7 +1,7 @@
 //! Fig. 7: reconstructions of velvet and leather, and leather's brightest point under every light.
 
 use super::plate::{Plate, UNCLIPPED, gray};
-use super::{FIGURES, Modes, Study, Trial, place, row, title};
+use super::{Modes, Study, Trial, csv, place, row, title};
 use crate::figures::OutputFile;
 use crate::numbers::exposure;
 use eigenshade::{Basis, Normal};
@@ -69,9 +69,9 @@ fn plate(study: &Study) -> Result<[OutputFile; 2]> {
         plate.above(column, &format!("K = {count}"));
     }
     let picture =
-        FIGURES.picture("reconstruction.png", plate.scale(&format!("{RESIDUAL} of the peak")));
+        OutputFile::picture("reconstruction.png", plate.scale(&format!("{RESIDUAL} of the peak")));
     let header = "light,material,components,error,brightest";
-    Ok([picture, FIGURES.csv("reconstruction.csv", header, &rows)?])
+    Ok([picture, csv("reconstruction.csv", header, &rows)?])
 }
 
 /// The number of components of all modes from which leather's brightest point is right, under every
@@ -89,7 +89,7 @@ fn highlights(study: &Study) -> Result<OutputFile> {
         let count = right_from(&shares).map_or(String::new(), |count| count.to_string());
         rows.push(vec![light.name.clone(), count]);
     }
-    FIGURES.csv("highlight.csv", "light,components", &rows)
+    csv("highlight.csv", "light,components", &rows)
 }
 
 /// The first number of components from which the brightest point is right and stays right; `None`

@@ -1,14 +1,15 @@
 //! The tables of the page, made from the figures' CSV files.
 
 use super::variance::SURFACES;
-use super::{FIGURES, Modes, title};
-use crate::figures::{Content, OutputFile};
+use super::{Modes, title};
 use crate::numbers::{self, limit};
 use crate::pages::{self, Part};
 use crate::sheet::Sheet;
 use eigenshade_cli::messages::grouped;
-use eigenshade_model::error::Result;
+use eigenshade_model::error::{Error, Result};
 use std::collections::BTreeMap;
+use std::fs;
+use std::path::Path;
 
 /// Numbers of components for which errors are given.
 const COUNTS: [usize; 8] = [5, 6, 9, 10, 20, 30, 50, 100];
@@ -25,8 +26,8 @@ impl Sheet {
     }
 }
 
-/// The CSV files from which the tables get their numbers.
-type Sheets = BTreeMap<String, Sheet>;
+/// The CSV files of the figures, by name.
+pub type Sheets = BTreeMap<String, Sheet>;
 
 fn variance(sheets: &Sheets) -> Table {
     let of = |&(_, degree, name): &(usize, usize, &str)| {
@@ -162,21 +163,22 @@ const TABLES: [(&str, TableOf); 8] = [
     ("bound spheres", bound_spheres),
 ];
 
-/// The generated parts of the page, from the figures' files.
-pub fn parts(files: &[OutputFile]) -> Result<Vec<Part>> {
+/// Reads the CSV files of `docs/paper`.
+pub fn read(folder: &Path) -> Result<Sheets> {
     let mut sheets = Sheets::new();
-    for file in files {
-        let name = file.name.trim_start_matches(FIGURES.folder).strip_suffix(".csv");
-        if let (Some(name), Content::Text(text)) = (name, &file.content) {
-            sheets.insert(name.to_owned(), Sheet::parse(text, &file.name)?);
+    for entry in fs::read_dir(folder).map_err(|error| Error::io(folder, &error))? {
+        let path = entry.map_err(|error| Error::io(folder, &error))?.path();
+        let name = path.file_name().unwrap_or_default().to_string_lossy();
+        if let Some(name) = name.strip_suffix(".csv") {
+            sheets.insert(name.to_owned(), Sheet::read(&path)?);
         }
     }
-    Ok(TABLES.iter().map(|(name, made)| (*name, made(&sheets).text())).collect())
+    Ok(sheets)
 }
 
-/// The same without any text.
-pub fn empty_parts() -> Vec<Part> {
-    TABLES.iter().map(|(name, _)| (*name, String::new())).collect()
+/// The tables of the page.
+pub fn parts(sheets: &Sheets) -> Vec<Part> {
+    TABLES.iter().map(|(name, made)| (*name, made(sheets).text())).collect()
 }
 
 /// The least number of components with at most this error.

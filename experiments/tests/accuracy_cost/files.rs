@@ -3,8 +3,8 @@
 use super::{docs, rows};
 use crate::support::{Folder, assert_fails};
 use experiments::accuracy_cost::scope::modelled;
-use experiments::accuracy_cost::sheet::{FIGURES, MODEL, SETTINGS, TOTAL, compare};
-use experiments::accuracy_cost::{Measured, report, settings};
+use experiments::accuracy_cost::sheet::{MODEL, SETTINGS, compare};
+use experiments::accuracy_cost::{Measured, settings};
 use std::fs;
 
 fn read(name: &str) -> String {
@@ -54,26 +54,6 @@ fn kept_times_are_those_of_the_files() {
     fs::create_dir(folder.path("docs")).unwrap();
     assert_fails(&folder, "accuracy-cost --out docs --keep-times", &["docs/accuracy-cost.csv"]);
     assert_eq!(folder.run("accuracy-cost --check docs --keep-times").status.code(), Some(2));
-}
-
-/// `--from-csv` makes the committed files and no others, also without a page. It shows them all.
-#[test]
-fn charts_and_tables_are_made_from_the_files() {
-    let measured = Measured::read(&docs()).expect("the files");
-    let files = report::files(&measured, &docs()).expect("all markers");
-    FIGURES.compare(&files, &docs()).unwrap_or_else(|error| panic!("{error}"));
-    let folder = Folder::new();
-    for form in [&SETTINGS, &MODEL, &TOTAL] {
-        folder.write(form.name, read(form.name));
-    }
-    folder.ok("accuracy-cost --out . --from-csv");
-    let page = read(report::PAGE);
-    for file in &files {
-        let (name, text) = (&file.name, read(&file.name));
-        assert!(folder.read(name) == text, "{name}");
-        assert!(name == report::PAGE || page.contains(&format!("]({name})")), "{name}");
-        assert!(text.lines().next().is_some_and(|one| one.contains("accuracy-cost")), "{name}");
-    }
 }
 
 /// A difference is reported with its line; times are not compared.
@@ -151,4 +131,20 @@ fn a_run_without_times_is_compared_whole() {
     let error = compare(&MODEL, short, &docs(), true).expect_err("missing rows");
     assert!(error.to_string().contains("rows where 18 belong"), "{error}");
     compare(&MODEL, short, &docs(), false).expect("a quick run has fewer rows");
+}
+
+#[test]
+fn bad_folders_fail_before_the_work() {
+    let folder = Folder::new();
+    folder.write("file", "");
+    assert_fails(&folder, "accuracy-cost --out file", &["file"]);
+    assert_fails(&folder, "accuracy-cost --check nowhere", &["nowhere", "accuracy-cost.csv"]);
+    for usage in ["", "--out a --check b"] {
+        let status = folder.run(&format!("accuracy-cost {usage}")).status;
+        assert_eq!(status.code(), Some(2), "{usage}");
+    }
+    fs::create_dir(folder.path("docs")).unwrap();
+    folder.write("docs/accuracy-cost.csv", "");
+    let missing = &["esplanade.exr", "no such map", "--maps"];
+    assert_fails(&folder, "accuracy-cost --check docs --maps nowhere", missing);
 }

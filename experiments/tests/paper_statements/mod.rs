@@ -1,5 +1,5 @@
 //! Every number that `docs/paper.md` states outside its generated tables: from the committed CSV
-//! files, which `paper_command.rs` compares with what the program computes.
+//! files, which `experiments paper --check docs/paper` compares with what it computes.
 
 mod averages;
 
@@ -159,8 +159,8 @@ fn leathers_highlight_is_a_matter_of_the_light() {
     assert_eq!(highlights.only("light", "studio").numbers("components"), [36.0]);
     counts.sort_by(f64::total_cmp);
     assert_eq!((counts.len(), counts[0], counts[13], counts[25]), (26, 5.0, 18.0, 37.0));
-    let [leather, velvet] = ["05-leather", "07-velvet"]
-        .map(|name| sheet("reconstruction").only("material", name));
+    let [leather, velvet] =
+        ["05-leather", "07-velvet"].map(|name| sheet("reconstruction").only("material", name));
     let right_from = |course: &Sheet| {
         let shares = course.numbers("brightest");
         shares.iter().rposition(|share| (share - 1.0).abs() > 0.1).expect("a wrong one") + 1

@@ -5,11 +5,10 @@ use super::tables::{of_kind, rival_pixel};
 use crate::accuracy_cost::machines::{
     Lighting, MACHINES, Machine, PIXELS, is_choice, pareto, picture,
 };
-use crate::accuracy_cost::sheet::FIGURES;
 use crate::accuracy_cost::total::{MATCAP, PREFILTERED};
 use crate::accuracy_cost::{Measured, errors, settings};
 use crate::chart::{Axes, Chart, Points, Style, colored};
-use crate::figures::OutputFile;
+use crate::figures::{self, OutputFile};
 use crate::sheet::Record;
 use eigenshade_model::error::Result;
 use plotters::prelude::SeriesLabelPosition;
@@ -22,7 +21,7 @@ pub fn all(measured: &Measured) -> Result<Vec<OutputFile>> {
     charts.push(("total".into(), total_chart(measured)));
     charts.push(("degrees".into(), degrees(measured)));
     let drawn = charts.into_iter();
-    drawn.map(|(name, chart)| Ok(FIGURES.chart(&format!("{name}.svg"), &chart.svg()?))).collect()
+    drawn.map(|(name, chart)| Ok(figures::chart(format!("{name}.svg"), &chart.svg()?))).collect()
 }
 
 fn chart(

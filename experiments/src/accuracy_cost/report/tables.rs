@@ -138,9 +138,8 @@ pub fn effects(rows: &[Record]) -> String {
     let row = |row: &Record| {
         let [error, bytes, pixel, light] =
             ["rms_median", "table_bytes", "host_pixel", "host_light"].map(|one| row.number(one));
-        let shown = |value: Option<f64>, format: fn(f64) -> String| {
-            value.map_or(MISSING.into(), format)
-        };
+        let shown =
+            |value: Option<f64>, format: fn(f64) -> String| value.map_or(MISSING.into(), format);
         vec![
             row.text("effects").replace(' ', ", "),
             row.text("terms").into(),
