@@ -104,7 +104,6 @@ fn numbers(old: &str, new: &str, floor: f64) -> Option<bool> {
 /// A number, and one unit of its last digit if it has a decimal point, because a number with fewer
 /// digits may be rounded either way. Whole numbers are counts and must be equal.
 fn number(word: &str) -> Option<(f64, f64)> {
-    let word = word;
     let value: f64 = word.parse().ok().filter(|value: &f64| value.is_finite())?;
     let (digits, power) = word.split_once('e').unwrap_or((word, "0"));
     let places = digits.split_once('.').map(|(_, places)| places.len());

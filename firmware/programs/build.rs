@@ -85,6 +85,12 @@ fn decoded(path: &str) -> Result<eigenshade_table::Table> {
     eigenshade_table::decode(&bytes).map_err(|error| format!("{path}: {error}"))
 }
 
+/// Reads a file, and builds again when it changes.
+fn read(path: &str) -> Result<String> {
+    println!("cargo::rerun-if-changed={path}");
+    fs::read_to_string(path).map_err(|error| format!("{path}: {error}"))
+}
+
 /// Writes a file of the output folder.
 fn write(name: &str, text: &str) -> Result<()> {
     let folder = PathBuf::from(env::var_os("OUT_DIR").ok_or("OUT_DIR is not set")?);

@@ -82,10 +82,9 @@ fn is_time(column: &str) -> bool {
 const REMEDY: &str = "make it again with `cargo run --release -p experiments -- accuracy-cost --out \
                       docs/accuracy-cost --keep-times`";
 
-/// Compares these records with those of the file in `folder`. With
-/// `whole`, the file must not have other rows; otherwise fields that the records lack are skipped.
-/// Returns the numbers of rows and of numbers compared. The error is the first difference, with its
-/// file and line.
+/// Compares these records with those of the file in `folder`. With `whole`, the file must not have
+/// other rows; otherwise fields that the records lack are skipped. Returns the numbers of rows and of
+/// numbers compared. The error is the first difference, with its file and line.
 pub fn compare(form: &Form, fresh: &[Record], folder: &Path, whole: bool) -> Result<[usize; 2]> {
     let path = folder.join(form.name);
     let recorded = read(form, folder)?;
