@@ -4,7 +4,7 @@
 use crate::accuracy_cost::scope::published;
 use crate::numbers::median;
 use crate::pages::{Part, table};
-use crate::sheet::fields;
+use crate::sheet::{Record, Sheet, fields};
 use eigenshade_generator::light::environment::EnvironmentMap;
 use eigenshade_generator::light::projection::named_maps;
 use eigenshade_generator::material::brdf::Measure;
@@ -51,6 +51,24 @@ pub struct Row {
 pub const COLUMNS: &str = "light,turned,roughness,degree,order,sources,mean,p95,white";
 
 impl Row {
+    /// A row of `docs/highlights.csv`.
+    fn of(record: &Record) -> Option<Self> {
+        let number = |column| record.number(column);
+        let count = |column: &str| record.text(column).parse().ok();
+        Some(Self {
+            light: record.text("light").into(),
+            is_turned: record.text("turned") == "1",
+            roughness: number("roughness")?,
+            size: (count("degree")?, count("order")?),
+            sources: count("sources")?,
+            error: ScreenError {
+                mean: number("mean")?,
+                p95: number("p95")?,
+                white: number("white")?,
+            },
+        })
+    }
+
     /// The fields of [`COLUMNS`].
     pub fn fields(&self) -> Vec<String> {
         let Self { light, is_turned, roughness, size: (degree, order), sources, error } = self;
@@ -58,6 +76,13 @@ impl Row {
         let (turned, white) = (u8::from(*is_turned), format!("{:.4}", error.white));
         fields(&[light, &turned, roughness, degree, order, sources, &mean, &p95, &white])
     }
+}
+
+/// The rows of `docs/highlights.csv`.
+pub fn read(path: &Path) -> Result<Vec<Row>> {
+    let rows = Sheet::read(path)?.rows;
+    let fault = |line| Error::new("it lacks a number", "make the file again").at_line(path, line);
+    rows.iter().map(|record| Row::of(record).ok_or_else(|| fault(record.line))).collect()
 }
 
 /// Lights that no camera took: their names and maps.

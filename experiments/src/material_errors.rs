@@ -4,7 +4,9 @@
 use crate::accuracy_cost::errors::Spread;
 use crate::accuracy_cost::scope::published;
 use crate::accuracy_cost::total::references::World;
-use crate::sheet::fields;
+use crate::numbers::{median, percent};
+use crate::pages::table;
+use crate::sheet::{Record, Sheet, fields};
 use crate::sphere::{Picture, Sphere};
 use eigenshade::mathematics::Libm;
 use eigenshade::{Highlights, Rgb};
@@ -94,6 +96,23 @@ pub fn rows(found: &Found) -> impl Iterator<Item = Vec<String>> {
             fields(&[name, degree, order, sources, &mean, &mean_most, &p95, &p95_most, map])
         })
     })
+}
+
+/// The table of the energies that orders leave out, of `merl.energy.csv`.
+pub fn energies(sheet: &Sheet) -> String {
+    let row = |of_kind: &[Record]| {
+        let shares: Vec<f64> = of_kind.iter().filter_map(|row| row.number("left_out")).collect();
+        let worst = (0..shares.len()).max_by(|&a, &b| shares[a].total_cmp(&shares[b]));
+        let worst = worst.unwrap_or_default();
+        let [model, order] = ["model", "order"].map(|column| of_kind[0].text(column));
+        let numbers = [median(&shares), Spread::of(&shares).most, shares[worst]];
+        let [middle, most, largest] = numbers.map(|share| percent(share, 2));
+        let largest = format!("{largest} ({})", of_kind[worst].text("material"));
+        vec![format!("{}, {order}", model.to_uppercase()), middle, most, largest]
+    };
+    let kind = |row: &Record| ["model", "order"].map(|column| row.text(column).to_owned());
+    let kinds = sheet.rows.chunk_by(|a, b| kind(a) == kind(b));
+    table("model, order | median: | 95th percentile: | worst material:", kinds.map(row))
 }
 
 fn errors_of(all: &[Reference], world: &World, pictures: &[Picture]) -> Errors {

@@ -1,8 +1,8 @@
-//! Fig. 3: the first twelve eigenimages of the image-centered bases, from the constant one on.
+//! Fig. 3: the first twelve eigenimages of the image-centered basis of all modes, from the constant one on.
 
 use super::plate::Plate;
 use super::reconstruction::shade;
-use super::{FIGURES, Modes, Study, digits, place, row};
+use super::{Modes, Study, csv, digits, place, row};
 use crate::figures::OutputFile;
 use eigenshade_model::error::Result;
 use eigenshade_shading::owned_basis::OwnedBasis;
@@ -20,15 +20,11 @@ pub const SCALE: f64 = 3.0;
 const LISTED: usize = 100;
 
 pub fn files(study: &Study) -> Result<Vec<OutputFile>> {
-    let of = |modes: Modes| {
-        let table = &study.tables[place(Criterion::ImageCentered, modes)];
-        let name = format!("eigenimages{}", modes.suffix());
-        [plate(&format!("{name}.png"), table), sheet(&format!("{name}.csv"), table)]
-    };
-    Modes::BOTH.into_iter().flat_map(of).collect()
+    let table = &study.tables[place(Criterion::ImageCentered, Modes::All)];
+    Ok(vec![plate(table)?, sheet(table)?])
 }
 
-fn sheet(name: &str, table: &Table) -> Result<OutputFile> {
+fn sheet(table: &Table) -> Result<OutputFile> {
     let mut rows = Vec::new();
     for (index, component) in table.components.iter().enumerate().take(LISTED) {
         // The constant has no eigenvalue.
@@ -38,10 +34,10 @@ fn sheet(name: &str, table: &Table) -> Result<OutputFile> {
         let texts = row(&[&index, &component.order, &value, &share.unwrap_or_default()], [left]);
         rows.push(texts);
     }
-    FIGURES.csv(name, "component,m,eigenvalue,share,left", &rows)
+    csv("eigenimages.csv", "component,m,eigenvalue,share,left", &rows)
 }
 
-fn plate(name: &str, table: &Table) -> Result<OutputFile> {
+fn plate(table: &Table) -> Result<OutputFile> {
     let owned = OwnedBasis::<f64>::new(table);
     let basis = owned.basis().map_err(fault)?;
     let mut plate = Plate::new(SIZE, (COLUMNS, SHOWN.div_ceil(COLUMNS)), [0, 0, 2]);
@@ -56,5 +52,5 @@ fn plate(name: &str, table: &Table) -> Result<OutputFile> {
         let share = share.map_or("constant".into(), |share| format!("{share:.1} %"));
         plate.below(place, &[&format!("{index}: m = {}", component.order), &share]);
     }
-    Ok(FIGURES.picture(name, plate.scale(&format!("{SCALE}"))))
+    Ok(OutputFile::picture("eigenimages.png", plate.scale(&format!("{SCALE}"))))
 }

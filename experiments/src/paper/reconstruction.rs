@@ -1,7 +1,7 @@
 //! Fig. 7: reconstructions of velvet and leather, and leather's brightest point under every light.
 
 use super::plate::{Plate, UNCLIPPED, gray};
-use super::{FIGURES, Modes, Study, Trial, place, row, title};
+use super::{Modes, Study, Trial, csv, place, row, title};
 use crate::figures::OutputFile;
 use crate::numbers::exposure;
 use eigenshade::{Basis, Normal};
@@ -29,16 +29,14 @@ const LISTED: usize = 100;
 const SPACING: f64 = 0.02;
 
 pub fn files(study: &Study) -> Result<Vec<OutputFile>> {
-    let mut rows = Vec::new();
-    let [all, selected] = Modes::BOTH.map(|modes| plate(study, modes, &mut rows));
-    let header = "modes,light,material,components,error,brightest";
-    let sheet = FIGURES.csv("reconstruction.csv", header, &rows)?;
-    Ok(vec![all?, selected?, sheet, highlights(study)?])
+    let [plate, sheet] = plate(study)?;
+    Ok(vec![plate, sheet, highlights(study)?])
 }
 
-/// Draws a plate and appends its rows to those of the CSV.
-fn plate(study: &Study, modes: Modes, rows: &mut Vec<Vec<String>>) -> Result<OutputFile> {
-    let which = place(Criterion::ImageCentered, modes);
+/// The plate and its CSV.
+fn plate(study: &Study) -> Result<[OutputFile; 2]> {
+    let mut rows = Vec::new();
+    let which = place(Criterion::ImageCentered, Modes::All);
     let owned = OwnedBasis::<f64>::new(&study.tables[which]);
     let basis = owned.basis().map_err(fault)?;
     let mut plate = Plate::new(SIZE, (COUNTS.len() + 1, 2 * SHOWN.len()), [2, 0, 1]);
@@ -55,7 +53,7 @@ fn plate(study: &Study, modes: Modes, rows: &mut Vec<Vec<String>>) -> Result<Out
         let brightest = brightest(&basis, &fit.coefficients, &image, &normals)?;
         let errors = fit.variances.iter().map(|left| left / trial.variance);
         for (count, (error, share)) in errors.zip(brightest).enumerate() {
-            rows.push(row(&[&modes.count(), &light, &material, &count], [error, share]));
+            rows.push(row(&[&light, &material, &count], [error, share]));
         }
         for (column, count) in (1..).zip(COUNTS) {
             let ours = shade(&basis, &fit.coefficients[..count], &owned_normals)?;
@@ -70,8 +68,10 @@ fn plate(study: &Study, modes: Modes, rows: &mut Vec<Vec<String>>) -> Result<Out
     for (column, count) in (1..).zip(COUNTS) {
         plate.above(column, &format!("K = {count}"));
     }
-    let name = format!("reconstruction{}.png", modes.suffix());
-    Ok(FIGURES.picture(&name, plate.scale(&format!("{RESIDUAL} of the peak"))))
+    let picture =
+        OutputFile::picture("reconstruction.png", plate.scale(&format!("{RESIDUAL} of the peak")));
+    let header = "light,material,components,error,brightest";
+    Ok([picture, csv("reconstruction.csv", header, &rows)?])
 }
 
 /// The number of components of all modes from which leather's brightest point is right, under every
@@ -89,7 +89,7 @@ fn highlights(study: &Study) -> Result<OutputFile> {
         let count = right_from(&shares).map_or(String::new(), |count| count.to_string());
         rows.push(vec![light.name.clone(), count]);
     }
-    FIGURES.csv("highlight.csv", "light,components", &rows)
+    csv("highlight.csv", "light,components", &rows)
 }
 
 /// The first number of components from which the brightest point is right and stays right; `None`

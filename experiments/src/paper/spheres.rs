@@ -2,7 +2,7 @@
 //! properties of each sphere, and its irradiance on a grid of normals.
 
 use super::plate::{Plate, UNCLIPPED};
-use super::{FIGURES, Modes, Study, place, row, title};
+use super::{Modes, Study, csv, place, row, title};
 use crate::figures::OutputFile;
 use crate::numbers::exposure;
 use eigenshade_cli::picture::SphereView;
@@ -66,9 +66,9 @@ pub fn files(study: &Study) -> Result<Vec<OutputFile>> {
                   peak,slant_of_peak,least_of_peak,share_below_zero,rms_off_of_peak,error";
     let listed = "light,material,modes,x,y,z,r,g,b";
     Ok(vec![
-        FIGURES.csv("spheres.csv", header, &rows)?,
-        FIGURES.csv("spheres_values.csv", listed, &values)?,
-        FIGURES.picture("spheres.png", plate.finish()),
+        csv("spheres.csv", header, &rows)?,
+        csv("spheres_values.csv", listed, &values)?,
+        OutputFile::picture("spheres.png", plate.finish()),
     ])
 }
 

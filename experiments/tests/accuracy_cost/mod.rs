@@ -169,7 +169,7 @@ fn the_cheapest_setting_that_suffices_is_chosen() {
             let (taken, taken_cost) = able.iter().find(|(row, _)| is_it(row)).expect("it suffices");
             let least = able.iter().map(|(_, cost)| *cost).fold(f64::INFINITY, f64::min);
             // Times that are nearly the least are as good; the least error decides.
-            let most = if ["host", "wasm"].contains(&key) { TIE * least } else { least };
+            let most = if key == "host" { TIE * least } else { least };
             assert!(*taken_cost <= most, "{key} {limit}: {taken:?}");
             let error = |row: &Record| row.number("total_mean_most").expect("an error");
             let is_better =

@@ -1,6 +1,7 @@
 //! Settings with light sources: their pictures, their errors and their costs.
 
 use super::rows;
+use crate::tolerances;
 use eigenshade::mathematics::Libm;
 use eigenshade::{Highlights, Normal};
 use eigenshade_index::highlights::MAX_SOURCES;
@@ -121,7 +122,7 @@ fn costs_of_sources_are_added() {
             for kind in ["pixel", "light"] {
                 let [all, table] = [with, without].map(|row| machine.number(row, kind));
                 let Some(board) = machine.board.filter(|_| table.is_some()) else {
-                    // On this machine they were timed, in WebAssembly they were not.
+                    // On this machine they were timed.
                     assert_eq!(all.is_some(), machine.key == "host", "{with:?}");
                     continue;
                 };
@@ -143,6 +144,10 @@ fn costs_of_sources_are_added() {
         let count: usize = count.parse().expect("a number");
         let half = of(&rows, &format!("{name} sources{}", count / 2));
         assert!(of_host(with) > of_host(half), "{with:?}");
+    }
+    for on in [M0, M4F] {
+        let lambertian = counts.of_nine_terms(on, "shade_lambertian");
+        assert!(lambertian <= tolerances::OF_NINE_TERMS, "{on:?}: {lambertian}");
     }
     for on in [M0, M3, ["mps2-an386", "q15"], M4F, RV32] {
         let count = |operation| counts.get(on, operation, "instructions").expect("a count") as f64;

@@ -152,17 +152,6 @@ fn eigenimages_look_as_they_are_called() {
     states(constant(&profile(standard, 0)), 0.96, 0.01);
 }
 
-#[test]
-fn eigenimages_of_1000_modes_are_nearly_the_same() {
-    let [all, selected] = Modes::BOTH.map(centered);
-    for (a, b) in all.components.iter().zip(&selected.components).take(11) {
-        let nodes = |table: &'static Table, profile: usize| &table.profiles[profile].node_values;
-        let pairs = nodes(all, a.profile).iter().zip(nodes(selected, b.profile));
-        let product: f64 = pairs.map(|(a, b)| a * b).sum();
-        assert!(a.order == b.order && product > 0.99, "{product}");
-    }
-}
-
 /// The colors of Fig. 3 end at 3: little is beyond, near the rim.
 #[test]
 fn colors_show_the_eigenimages() {
