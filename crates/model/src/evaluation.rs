@@ -17,23 +17,31 @@
 //! ```
 
 use crate::error::{Error, Result};
+use crate::orthogonal_series::OrthogonalSeries;
 use eigenshade_index::effect::{Effect, Effects};
 use eigenshade_index::{light, material, mode};
 #[cfg(doc)]
 use eigenshade_table::General;
 use eigenshade_table::reduce::fingerprint;
-use eigenshade_table::{Profile, Table};
+use eigenshade_table::{Component, Profile, Table};
+use std::borrow::Borrow;
 use std::f64::consts::SQRT_2;
 
-/// Projects lights on materials onto a table, and reconstructs images.
+/// Projects lights on materials onto a table, borrowed or owned, and reconstructs images.
 #[derive(Clone, Debug)]
-pub struct Evaluator<'t> {
-    table: &'t Table,
+pub struct Evaluator<T> {
+    table: T,
     components: usize,
     effects: Effects,
     /// UᵀM, a row for each profile.
     rows: Vec<Vec<Entry>>,
+    /// The profiles of a table beyond [`CHEBYSHEV`]; otherwise empty.
+    series: Vec<OrthogonalSeries>,
 }
+
+/// The largest degree at which the Chebyshev series of all profiles are exact to 1e-12 of an image's
+/// peak.
+const CHEBYSHEV: usize = 12;
 
 /// A number of UᵀM that is not 0.
 #[derive(Clone, Copy, Debug)]
@@ -58,18 +66,28 @@ pub struct Eigenimages {
     components: usize,
 }
 
-impl<'t> Evaluator<'t> {
+impl<T: Borrow<Table>> Evaluator<T> {
     /// Evaluates all components and all effects of the table.
     #[must_use]
-    pub fn new(table: &'t Table) -> Self {
-        let effects = Effects::ALL;
-        Self { table, components: table.count(), effects, rows: rows(table, effects) }
+    pub fn new(table: T) -> Self {
+        let (components, effects) = (table.borrow().count(), Effects::ALL);
+        let rows = rows(table.borrow(), effects);
+        let profiles = &table.borrow().profiles;
+        let is_high = table.borrow().gram.degree > CHEBYSHEV;
+        let high = profiles.iter().filter(|_| is_high);
+        let series = high.map(|profile| OrthogonalSeries::new(table.borrow(), profile)).collect();
+        Self { table, components, effects, rows, series }
+    }
+
+    fn table(&self) -> &Table {
+        self.table.borrow()
     }
 
     /// Restricts the images to the first `count` components.
     #[must_use]
     pub fn with_components(self, count: usize) -> Self {
-        Self { components: count.min(self.table.count()), ..self }
+        let components = count.min(self.table().count());
+        Self { components, ..self }
     }
 
     /// Restricts the images to some effects. The mean image is ambient.
@@ -78,13 +96,14 @@ impl<'t> Evaluator<'t> {
     ///
     /// If the table has transfers, which contain all its effects, and some are left out.
     pub fn with_effects(self, effects: Effects) -> Result<Self> {
-        let all = self.table.effects();
-        if effects.and(all) != all && !self.table.has_projection() {
+        let all = self.table().effects();
+        if effects.and(all) != all && !self.table().has_projection() {
             let what = "the table has transfers, which contain all its effects";
             let remedy = "leave --effects out, or make a table with store = \"projection\"";
             return Err(Error::new(what, remedy));
         }
-        Ok(Self { effects, rows: rows(self.table, effects), ..self })
+        let rows = rows(self.table(), effects);
+        Ok(Self { effects, rows, ..self })
     }
 
     /// The transfer of one channel of a material. Missing coefficients count as zero, and those
@@ -94,11 +113,11 @@ impl<'t> Evaluator<'t> {
     ///
     /// If the table has only transfers, and none of this material.
     pub fn transfer(&self, material: &[f64]) -> Result<Transfer> {
-        let degree = self.table.gram.degree;
-        if !self.table.has_projection() {
+        let degree = self.table().gram.degree;
+        if !self.table().has_projection() {
             return self.stored(material);
         }
-        let profiles = self.table.profiles.iter().zip(&self.rows);
+        let profiles = self.table().profiles.iter().zip(&self.rows);
         let of_profile = |(profile, row): (&Profile, &Vec<Entry>)| {
             let mut sums = vec![0.0; degree + 1 - profile.azimuth];
             for &Entry { l, place, value } in row {
@@ -112,7 +131,7 @@ impl<'t> Evaluator<'t> {
 
     fn stored(&self, material: &[f64]) -> Result<Transfer> {
         let fingerprint = fingerprint(material);
-        let found = self.table.transfers.iter().find(|one| one.fingerprint == fingerprint);
+        let found = self.table().transfers.iter().find(|one| one.fingerprint == fingerprint);
         let found = found.ok_or_else(|| {
             let what = "the table has transfers only for its scene's materials, and a material is \
                         not one of them";
@@ -121,8 +140,8 @@ impl<'t> Evaluator<'t> {
             Error::new(what, remedy)
         })?;
         let mut rest = found.numbers.iter().copied();
-        let lengths = self.table.profiles.iter();
-        let lengths = lengths.map(|profile| self.table.gram.degree + 1 - profile.azimuth);
+        let lengths = self.table().profiles.iter();
+        let lengths = lengths.map(|profile| self.table().gram.degree + 1 - profile.azimuth);
         Ok(Transfer(lengths.map(|length| rest.by_ref().take(length).collect()).collect()))
     }
 
@@ -130,7 +149,7 @@ impl<'t> Evaluator<'t> {
     /// of the light count as zero, and those beyond the table's degree are ignored.
     #[must_use]
     pub fn relight(&self, transfer: &Transfer, light: &[f64]) -> Vec<f64> {
-        let coordinate = |component: &eigenshade_table::Component| {
+        let coordinate = |component: &Component| {
             let m = component.order as isize;
             let numbers = &transfer.0[component.profile];
             let products = (m.unsigned_abs()..).zip(numbers).map(|(l, number)| {
@@ -140,8 +159,8 @@ impl<'t> Evaluator<'t> {
             // Modes of -m are (-1)^m times those of m.
             if m < 0 && m % 2 != 0 { -sum } else { sum }
         };
-        let coordinates: Vec<f64> = self.table.components.iter().map(coordinate).collect();
-        let mut d = match &self.table.general {
+        let coordinates: Vec<f64> = self.table().components.iter().map(coordinate).collect();
+        let mut d = match &self.table().general {
             None => coordinates,
             Some(general) => {
                 let rows = general.projection.chunks(coordinates.len().max(1));
@@ -150,9 +169,9 @@ impl<'t> Evaluator<'t> {
         };
         d.truncate(self.components);
         if self.has_mean() {
-            let mean = match &self.table.general {
+            let mean = match &self.table().general {
                 Some(general) => Some(&general.mean_coefficients),
-                None => self.table.mean.as_ref().map(|mean| &mean.coefficients),
+                None => self.table().mean.as_ref().map(|mean| &mean.coefficients),
             };
             d.iter_mut().zip(mean.into_iter().flatten()).for_each(|(d, mean)| *d -= mean);
         }
@@ -179,7 +198,7 @@ impl<'t> Evaluator<'t> {
         };
         for &normal in normals {
             let functions = self.functions(normal);
-            let mean = match &self.table.general {
+            let mean = match &self.table().general {
                 Some(general) => {
                     let rows = general.synthesis.chunks(functions.len().max(1));
                     let rows = rows.take(self.components);
@@ -188,7 +207,7 @@ impl<'t> Evaluator<'t> {
                 }
                 None => {
                     images.values.extend(&functions[..self.components]);
-                    self.table.mean.as_ref().map_or(0.0, |mean| mean.value(normal[2]))
+                    self.table().mean.as_ref().map_or(0.0, |mean| mean.value(normal[2]))
                 }
             };
             images.mean.push(if self.has_mean() { mean } else { 0.0 });
@@ -201,10 +220,12 @@ impl<'t> Evaluator<'t> {
         // sin^m α (cos mβ, sin mβ), the powers of x + iy.
         let power = |&[re, im]: &[f64; 2]| Some([re * x - im * y, re * y + im * x]);
         let waves = std::iter::successors(Some([1.0, 0.0]), power);
-        let waves: Vec<[f64; 2]> = waves.take(self.table.gram.degree + 1).collect();
-        let heights: Vec<f64> =
-            self.table.profiles.iter().map(|profile| profile.height(z)).collect();
-        let function = |component: &eigenshade_table::Component| {
+        let waves: Vec<[f64; 2]> = waves.take(self.table().gram.degree + 1).collect();
+        let heights: Vec<f64> = match &self.series[..] {
+            [] => self.table().profiles.iter().map(|profile| profile.height(z)).collect(),
+            series => series.iter().map(|one| one.height(z)).collect(),
+        };
+        let function = |component: &Component| {
             let [cosine, sine] = waves[component.order.unsigned_abs() as usize];
             let wave = match component.order {
                 0 => 1.0,
@@ -213,7 +234,7 @@ impl<'t> Evaluator<'t> {
             };
             heights[component.profile] * wave
         };
-        self.table.components.iter().map(function).collect()
+        self.table().components.iter().map(function).collect()
     }
 
     fn has_mean(&self) -> bool {

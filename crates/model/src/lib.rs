@@ -43,6 +43,8 @@ pub mod selection;
 
 pub mod reference;
 
+mod orthogonal_series;
+
 pub mod evaluation;
 
 pub mod window;
