@@ -2,19 +2,20 @@
 //! runtime's in f64.
 
 use eigenshade::mathematics::Libm;
-use eigenshade::{Effect, Effects, Normal, Rgb, SourceSet, Window as OfRuntime};
+use eigenshade::{Effect, Effects, Light, Material, Rgb, SourceSet, Window as OfRuntime};
 use eigenshade_index::light;
 use eigenshade_model::database::{Lights, Materials};
 use eigenshade_model::evaluation::Evaluator;
 use eigenshade_model::highlights::{self, Highlights};
 use eigenshade_model::source::{Gloss, Source};
 use eigenshade_model::window::Window;
-use eigenshade_shading::owned_basis::OwnedBasis;
-use eigenshade_shading::shader::{OwnedNormals, Shader, fitted};
-use eigenshade_shading::{highlights as of_shading, shipped};
+use eigenshade_shading::shader::fitted;
+use eigenshade_shading::shipped;
 use eigenshade_table::Table;
+use eigenshade_table::reduce::fingerprint;
 use eigenshade_table::scene::Store;
-use eigenshade_testing::fixtures::{self, SLANTS, shipped_table};
+use eigenshade_testing::any_float::OwnedBasis;
+use eigenshade_testing::fixtures::{self, SLANTS, normal, shipped_table};
 use eigenshade_testing::oracle::Numbers;
 use eigenshade_testing::pictures::{self, listed};
 use eigenshade_testing::{largest, largest_difference};
@@ -22,48 +23,81 @@ use eigenshade_testing::{largest, largest_difference};
 /// Of the peak.
 const EQUAL: f64 = 1e-12;
 
-/// Compares d, images and eigenimages of some lights on some materials.
+/// d and an image by the runtime, from the collapsed polynomials and component by component.
+fn by_runtime(
+    owned: &OwnedBasis<f64>,
+    (components, effects): (usize, Effects),
+    [light, material]: [&[f64]; 2],
+    normals: &[[f64; 3]],
+) -> [Vec<f64>; 3] {
+    let (basis, general) = (owned.basis(), owned.general());
+    let mean = general.map_or(basis.parts().mean_coefficients, |one| one.parts().image_mean);
+    let length = general.map_or(basis.workspace_len(), |general| general.workspace_len());
+    let mut workspace = vec![0.0; length];
+    let mut d = vec![0.0; general.map_or(basis.components(), |general| general.components())];
+    let fingerprint = fingerprint(material);
+    let light = Light::new(light).expect("coefficients");
+    let on = Material::new(material).expect("coefficients");
+    match (general, owned.transfers.iter().find(|one| one.0 == fingerprint)) {
+        (Some(general), _) => {
+            general.project_effects_into(&light, &on, effects, &mut workspace, &mut d)
+        }
+        (None, Some((_, transfer))) => basis.relight_into(transfer, &light, &mut d),
+        (None, None) => basis.project_effects_into(&light, &on, effects, &mut workspace, &mut d),
+    }
+    .expect("it fits");
+    d.truncate(components);
+    let mut images = |d: &[f64]| {
+        let room = vec![0.0; basis.scene_len()];
+        let scene = match general {
+            Some(general) => general.collapse_into(d, &mut workspace, room),
+            None => basis.collapse_into(d, room),
+        };
+        let scene = scene.expect("sizes");
+        let shaded = normals.iter().map(|&at| scene.shade(normal(at))).collect();
+        let mut one = |&at: &[f64; 3]| match general {
+            Some(general) => general.reconstruct(d, normal(at), &mut workspace),
+            None => basis.reconstruct(d, normal(at)),
+        };
+        [shaded, normals.iter().map(|at| one(at).expect("sizes")).collect::<Vec<f64>>()]
+    };
+    let [mut shaded, mut summed] = images(&d);
+    // The mean image is ambient.
+    if !effects.has(Effect::Ambient) {
+        let dark: Vec<f64> = mean.iter().take(components).map(|d| -d).collect();
+        let [of_shaded, of_summed] = images(&dark);
+        shaded.iter_mut().zip(of_shaded).for_each(|(value, dark)| *value -= dark);
+        summed.iter_mut().zip(of_summed).for_each(|(value, dark)| *value -= dark);
+        d.iter_mut().zip(mean).for_each(|(d, mean)| *d += mean);
+    }
+    [d, shaded, summed]
+}
+
+/// Compares d and images of some lights on some materials.
 fn compare(what: &str, table: &Table, lights: &Lights, materials: &Materials, effects: Effects) {
     let (lights, materials) = fitted(table, lights, materials);
     let owned = OwnedBasis::<f64>::new(table);
     let normals = fixtures::normals(&SLANTS, 7);
-    let owned_normals = OwnedNormals::new(&normals);
     let mut most = [0.0_f64; 3];
     for components in [table.count(), table.count().div_ceil(3)] {
-        let mut shader = Shader::new(owned.any().expect("a basis"), components)
-            .with_transfers(owned.transfers())
-            .with_effects(effects)
-            .expect("effects");
         let evaluator = Evaluator::new(table).with_components(components);
         let evaluator = evaluator.with_effects(effects).expect("effects");
-        let images = evaluator.eigenimages(&normals);
+        let eigenimages = evaluator.eigenimages(&normals);
         for k in 0..8 {
             let light = &lights.entries[5 * k % lights.entries.len()].rgb[k % 3];
             let material = &materials.entries[7 * k % materials.entries.len()].rgb[k % 3];
             let d = evaluator.project(light, material).expect("a known material");
-            if effects.has(Effect::Ambient) {
-                let expected = shader.project(light, material).expect("it fits");
-                most[0] = most[0].max(largest_difference(&d, expected) / largest(d.clone()));
+            let image = eigenimages.reconstruct(&d);
+            let expected = by_runtime(&owned, (components, effects), [light, material], &normals);
+            for ((found, expected), most) in
+                [&d, &image, &image].into_iter().zip(expected).zip(&mut most)
+            {
+                let apart = largest_difference(found, &expected);
+                *most = most.max(apart / largest(expected));
             }
-            let expected = shader.polynomial(light, material, &owned_normals).expect("it fits");
-            let peak = largest(expected.iter().copied());
-            let found = images.reconstruct(&d);
-            most[1] = most[1].max(largest_difference(&found, &expected) / peak);
-            if !table.effects().is_all() || components < table.count() {
-                continue;
-            }
-            let each = owned_normals.each().expect("visible");
-            let expected = shader.eigen(light, material, &each).expect("it fits");
-            most[2] = most[2].max(largest_difference(&found, &expected) / peak);
         }
     }
-    println!(
-        "{what}, {} components: d {:e}, pixels {:e}, {:e}",
-        table.count(),
-        most[0],
-        most[1],
-        most[2]
-    );
+    println!("{what}, {} components: {most:?}", table.count());
     assert!(most.iter().all(|error| *error <= EQUAL), "{what}: {most:?}");
 }
 
@@ -181,6 +215,11 @@ fn windows() {
     }
 }
 
+fn gloss_of_runtime(gloss: &Gloss) -> eigenshade::Gloss<f64> {
+    let runtime = eigenshade::Gloss::new(gloss.roughness, gloss.reflectance, gloss.albedo);
+    runtime.and_then(|runtime| runtime.with_grazing(gloss.grazing)).expect("a gloss")
+}
+
 #[test]
 fn sources_and_highlights() {
     let sets = shipped::sources().expect("shipped");
@@ -206,18 +245,20 @@ fn sources_and_highlights() {
     });
     let back = Source { direction: [0.0, 0.0, -1.0], ..far[0] };
     for source in sources.iter().step_by(5).chain(&far).chain([&back]) {
-        let of_runtime = of_shading::source::<f64>(source).expect("a source");
-        let expected = of_shading::harmonics::<f64>(source, 12).expect("room");
+        let &Source { direction, energy, major, minor } = source;
+        let of_runtime = eigenshade::Source::new::<Libm>(direction, energy, major, minor);
+        let of_runtime = of_runtime.expect("a source");
+        let expected = of_runtime.harmonics::<Libm, 169>(12).expect("room");
         let found = highlights::harmonics(source, 12);
         most[0] = most[0].max(largest_difference(&found, &expected));
         for gloss in &glosses {
-            let runtime = of_shading::gloss::<f64>(gloss).expect("a gloss");
+            let runtime = gloss_of_runtime(gloss);
             assert_eq!(gloss.needs_sources(), runtime.needs_sources());
             let expected = eigenshade::Highlights::<f64, 1>::new::<Libm>(&runtime, &[of_runtime]);
             let expected = expected.expect("room");
             let found = Highlights::new(gloss, &[*source]);
-            let pixel = |&[x, y, z]: &[f64; 3]| {
-                let Rgb { r, g, b } = expected.shade(Normal::new(x, y, z).expect("visible"));
+            let pixel = |&at: &[f64; 3]| {
+                let Rgb { r, g, b } = expected.shade(normal(at));
                 [r, g, b]
             };
             let expected: Vec<f64> = normals.iter().flat_map(pixel).collect();
@@ -228,7 +269,7 @@ fn sources_and_highlights() {
     }
     for set in &errors {
         for gloss in &glosses {
-            let runtime = of_shading::gloss::<f64>(gloss).expect("a gloss");
+            let runtime = gloss_of_runtime(gloss);
             let error = SourceSet::new(&[], set.errors.map(|error| error.mean)).error(&runtime);
             most[2] = most[2].max((set.of(gloss).mean - error).abs());
         }
