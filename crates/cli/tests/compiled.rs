@@ -270,7 +270,7 @@ fn info_describes_wire_files() {
         assert_eq!(bytes, format!("bytes        {length}"));
         assert!(error.starts_with("error        ") && error.contains("of the peak"), "{error}");
         let buffers = match format {
-            "f32" => of_floats(&OwnedBasis::new(&table).basis().expect("a basis")),
+            "f32" => of_floats(&OwnedBasis::<f32>::new(&table).basis().expect("a basis")),
             "q15" => of_integers::<Q15>(&table),
             _ => of_integers::<Q31>(&table),
         };
