@@ -3,7 +3,7 @@
 
 use crate::support::repository;
 use crate::tolerances;
-use eigenshade::{Light, NineTerms};
+use eigenshade::{Light, NineTerms, Normal};
 use eigenshade_cli::table::compare::differences;
 use eigenshade_generator::scene_file;
 use eigenshade_index::effect::{Effect, Effects};
@@ -12,6 +12,7 @@ use eigenshade_model::reference::DirectSum;
 use eigenshade_shading::owned_basis::OwnedBasis;
 use eigenshade_shading::shader::{OwnedNormals, Shader};
 use eigenshade_shading::sphere_rings::rings;
+use eigenshade_testing::fixtures;
 use eigenshade_testing::{largest, largest_difference, part, relative_error};
 use experiments::ablation::scenes::{self, SCENES, Scene, Times};
 use experiments::ablation::{self, pictures};
@@ -96,7 +97,7 @@ fn a_lambertian_material_under_light_of_degree_two_is_the_nine_term_formula() {
     let mut shader = Shader::new(basis.basis().expect("a basis"), table.count());
     let sphere = Sphere::new(rings(0.2));
     let normals = OwnedNormals::new(&sphere.normals);
-    let each = OwnedNormals::<f64>::new(&sphere.normals).each().expect("visible normals");
+    let each: Vec<Normal<f64>> = sphere.normals.iter().map(|&at| fixtures::normal(at)).collect();
     for light in &scene.lights(2).entries {
         let found = shader.polynomial(&light.rgb[0], &[2.0], &normals).expect("it fits");
         let found: Vec<f64> = found.into_iter().map(f64::from).collect();

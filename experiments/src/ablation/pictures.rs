@@ -3,7 +3,7 @@
 
 use super::scenes::{self, Scene};
 use crate::sphere::{Picture, Sphere, peak};
-use eigenshade::{Light, NineTerms, Q15, Tolerance};
+use eigenshade::{Light, NineTerms, Normal, Q15, Tolerance};
 use eigenshade_index::effect::{Effect, Effects};
 use eigenshade_model::database::{Lights, Materials, Named};
 use eigenshade_model::rotation::Rotation;
@@ -122,7 +122,8 @@ pub fn terms_within(scene: &Scene, tolerance: f32) -> Vec<usize> {
 pub fn of_nine_terms() -> Vec<[f64; 2]> {
     let scene = Scene::named("park_lambertian");
     let sphere = self::sphere();
-    let normals = OwnedNormals::new(&sphere.normals).each().expect("visible normals");
+    let normals = sphere.normals.iter().map(|&[x, y, z]| Normal::new(x, y, z));
+    let normals: Vec<Normal<f64>> = normals.collect::<Result<_, _>>().expect("visible normals");
     let roots: Vec<f64> = sphere.weights.iter().map(|weight| weight.sqrt()).collect();
     let unit = |term: usize| std::array::from_fn(|k| f64::from(u8::from(k == term)));
     let of_term = |k: usize, term: usize| roots[k] * NineTerms::new(unit(term)).shade(normals[k]);

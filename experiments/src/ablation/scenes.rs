@@ -159,7 +159,7 @@ impl Times {
     }
 }
 
-fn normals() -> OwnedNormals<f32> {
+fn normals() -> OwnedNormals {
     OwnedNormals::new(&disc(96))
 }
 

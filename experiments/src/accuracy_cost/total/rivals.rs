@@ -80,7 +80,7 @@ impl Prefiltered {
                 // b_00^0 of a Lambertian.
                 let pair = Pair { light, material: vec![2.0 * gltf.albedo] };
                 let mut matte = vec![0.0; world.sphere.normals.len()];
-                let formula = pair.nine_terms::<f32>()?;
+                let formula = pair.nine_terms()?;
                 formula.shade_slice(normals.view()?, &mut matte).map_err(fault)?;
                 let radiance = self.radiance[map][c].iter();
                 let sum = |((radiance, share), matte): ((&f64, &f64), f32)| {
