@@ -148,7 +148,7 @@ fn stated(name: &str, score: &Score) {
 #[test]
 fn floats_are_as_good_as_stated() {
     let reference = Reference::new();
-    let basis = OwnedBasis::<f32>::new(&reference.shipped.table);
+    let basis = OwnedBasis::new(&reference.shipped.table);
     let mut shader = Shader::new(basis.any().expect("a basis"), usize::MAX);
     let normals = OwnedNormals::new(&reference.normals);
     let score = reference.score(|light, material| {

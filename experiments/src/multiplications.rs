@@ -40,7 +40,7 @@ impl Multiplications {
             let elements = (even + 1).pow(2) + even.pow(2) + 2 * odd.pow(2);
             2 * elements + 16 * l
         };
-        let owned = OwnedBasis::<f32>::new(table);
+        let owned = OwnedBasis::new(table);
         Ok(Self {
             relight: owned.basis().map_err(fault)?.transfer_len(),
             collapse: parts.profiles.iter().map(of_profile).sum(),

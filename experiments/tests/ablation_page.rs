@@ -93,7 +93,7 @@ fn a_lambertian_material_under_light_of_degree_two_is_the_nine_term_formula() {
     let scene = Scene::named("sky_lambertian");
     assert_eq!(scene.terms(), 9);
     let table = scene.whole_table();
-    let basis = OwnedBasis::<f32>::new(&table);
+    let basis = OwnedBasis::new(&table);
     let mut shader = Shader::new(basis.basis().expect("a basis"), table.count());
     let sphere = Sphere::new(rings(0.2));
     let normals = OwnedNormals::new(&sphere.normals);

@@ -13,15 +13,15 @@ const COUNT: usize = 512;
 
 /// Shades a sphere at normals whose pixels are spread evenly over its picture.
 pub struct Preview<'s, 'a> {
-    shader: &'s mut Shader<'a, f32>,
+    shader: &'s mut Shader<'a>,
     highlights: Option<&'s Highlights<f32, MAX_SOURCES>>,
-    normals: OwnedNormals<f32>,
+    normals: OwnedNormals,
 }
 
 impl<'s, 'a> Preview<'s, 'a> {
     /// A preview by this shader, with highlights if there are any.
     pub fn new(
-        shader: &'s mut Shader<'a, f32>,
+        shader: &'s mut Shader<'a>,
         highlights: Option<&'s Highlights<f32, MAX_SOURCES>>,
     ) -> Self {
         let normal = |k: usize| {

@@ -149,7 +149,7 @@ fn compiled() -> (String, Vec<[Vec<f32>; 2]>) {
         files.push((kind.0.to_owned(), statics::floats(&table, "a test")));
         let light = rounded(lights.entries[1].luminance());
         let material = rounded(materials.entries[2].luminance());
-        let owned = OwnedBasis::<f32>::new(&table);
+        let owned = OwnedBasis::new(&table);
         let mut shader = Shader::new(owned.any().expect("a basis"), usize::MAX);
         let d = shader.project(&light, &material).expect("d").to_vec();
         let normals = OwnedNormals::new(&NORMALS);
@@ -270,7 +270,7 @@ fn info_describes_wire_files() {
         assert_eq!(bytes, format!("bytes        {length}"));
         assert!(error.starts_with("error        ") && error.contains("of the peak"), "{error}");
         let buffers = match format {
-            "f32" => of_floats(&OwnedBasis::<f32>::new(&table).basis().expect("a basis")),
+            "f32" => of_floats(&OwnedBasis::new(&table).basis().expect("a basis")),
             "q15" => of_integers::<Q15>(&table),
             _ => of_integers::<Q31>(&table),
         };

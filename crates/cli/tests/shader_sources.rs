@@ -69,7 +69,7 @@ fn shaded(highlights: &Lobes, normals: &[Vector]) -> Vec<f64> {
 fn with_shader(test: impl Fn(Shader<'_>)) {
     let folder = Folder::with_table();
     let table = folder.table("b.bin");
-    let owned = OwnedBasis::<f32>::new(&table);
+    let owned = OwnedBasis::new(&table);
     let mut projector = Projector::new(owned.any().expect("a basis"), table.count());
     let (light, material) = (vec![1.0; light::count(DEGREE)], vec![1.0; material::count(ORDER)]);
     projector.project(&light, &material).expect("a scene");

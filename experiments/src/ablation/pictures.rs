@@ -79,7 +79,7 @@ pub fn errors(scene: &Scene) -> [f64; 3] {
     let materials = scenes::material(&table, order);
     let (lights, material) = (scene.lights(degree), &materials.entries[0]);
     let expected = direct(&sphere, &lights, &materials, table.effects());
-    let basis = OwnedBasis::<f32>::new(&table);
+    let basis = OwnedBasis::new(&table);
     let mut shader = Shader::new(basis.basis().expect("a basis"), table.count());
     let normals = OwnedNormals::new(&sphere.normals);
     let mut in_f32 = |light: &Named| -> Picture {
@@ -104,7 +104,7 @@ pub fn terms_within(scene: &Scene, tolerance: f32) -> Vec<usize> {
     let table = scene.whole_table();
     let (degree, order) = (table.gram.degree, table.gram.order);
     let material = scenes::material(&table, order).entries[0].luminance();
-    let basis = OwnedBasis::<f32>::new(&table);
+    let basis = OwnedBasis::new(&table);
     let mut shader = Shader::new(basis.basis().expect("a basis"), table.count());
     let normals = OwnedNormals::new(&[[0.0, 0.0, 1.0]]);
     let terms = |light: &Named| {

@@ -181,7 +181,7 @@ fn of_scene(scene: &Scene) -> f64 {
     let table = scene.whole_table();
     let (degree, order) = (table.gram.degree, table.gram.order);
     let (light, material) = (scene.light(degree), material(&table, order));
-    let basis = OwnedBasis::<f32>::new(&table);
+    let basis = OwnedBasis::new(&table);
     let basis = basis.basis().expect("a basis");
     let mut shader = Shader::new(basis, table.count());
     let lights = light.entries[0].rgb.iter().take(scene.channels);

@@ -75,8 +75,8 @@ type Scale = Option<fn(&[[f32; 3]], &mut [Vec<f32>; 3])>;
 
 struct Floats {
     setting: Setting,
-    basis: OwnedBasis<f32>,
-    normals: OwnedNormals<f32>,
+    basis: OwnedBasis,
+    normals: OwnedNormals,
     each: Vec<Normal<f32>>,
     /// The normals for maps of 16 bits.
     quantized: Vec<quantized::Normal<Q15>>,
@@ -98,7 +98,7 @@ impl Floats {
     /// With `scale`, the normals are first given lengths other than 1.
     fn new(setting: Setting, table: &Table, normals: &[[f64; 3]], scale: Scale) -> Result<Self> {
         let quantized = integer_shader::normals(normals)?;
-        let (basis, normals) = (OwnedBasis::<f32>::new(table), OwnedNormals::new(normals));
+        let (basis, normals) = (OwnedBasis::new(table), OwnedNormals::new(normals));
         Ok(Self { setting, basis, each: normals.each()?, normals, quantized, scale })
     }
 

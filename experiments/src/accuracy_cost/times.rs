@@ -198,7 +198,7 @@ pub fn rows(quick: bool, timed: bool) -> Result<Vec<Record>> {
     rows.extend(of_tables("components", &tables, timed)?);
 
     let Made { table, pair, .. } = &tables[2];
-    let owned = OwnedBasis::<f32>::new(table);
+    let owned = OwnedBasis::new(table);
     let basis = owned.basis().map_err(fault)?;
     let new_materials = |count| new_materials(&owned, pair, count);
     let bytes = basis.transfer_len() * size_of::<f32>();
@@ -209,7 +209,7 @@ pub fn rows(quick: bool, timed: bool) -> Result<Vec<Record>> {
     shader.project(&pair.light, &pair.material)?;
     let scene = &shader.scene()?;
     let pixels = |count| -> Result<Work<'_>> {
-        let normals = OwnedNormals::<f32>::new(&hemisphere(count));
+        let normals = OwnedNormals::new(&hemisphere(count));
         let mut out = vec![0.0; count];
         Ok(Box::new(move || {
             let normals = black_box(&normals).view().ok();
@@ -284,7 +284,7 @@ fn of_tables(quantity: &str, tables: &[Made], timed: bool) -> Result<Vec<Record>
     add("bytes", BYTES.map(|(measure, _)| measure), &bytes);
     add("multiplications", OPERATIONS, &multiplications);
     if timed {
-        let owned: Vec<_> = tables.iter().map(|made| OwnedBasis::<f32>::new(&made.table)).collect();
+        let owned: Vec<_> = tables.iter().map(|made| OwnedBasis::new(&made.table)).collect();
         let case = |made: &Made| Case::new(&Setting::of(made.recipe), &made.table, &made.pair);
         let mut cases = tables.iter().map(case).collect::<Result<Vec<_>>>()?;
         let transfers =
@@ -316,7 +316,7 @@ fn proportional<'a>(
     Ok(rows)
 }
 
-fn new_materials<'a>(owned: &'a OwnedBasis<f32>, pair: &Pair, count: usize) -> Result<Work<'a>> {
+fn new_materials<'a>(owned: &'a OwnedBasis, pair: &Pair, count: usize) -> Result<Work<'a>> {
     let basis = owned.basis().map_err(fault)?;
     let material: Vec<f32> = pair.material.iter().map(|&value| value as f32).collect();
     let mut workspace = vec![0.0; basis.workspace_len()];

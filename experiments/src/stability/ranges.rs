@@ -97,7 +97,7 @@ type Answers = [[Vec<f64>; 2]; 2];
 
 /// In f32, with pixels by collapsed polynomials and component by component.
 fn answers(table: &Table, light: &[f64], on: &[f64]) -> Answers {
-    let owned = OwnedBasis::<f32>::new(table);
+    let owned = OwnedBasis::new(table);
     let basis = owned.basis().expect("a basis");
     coefficients(&basis, light, on).map(|d| {
         let scene = basis.collapse_into(&d, vec![0.0; basis.scene_len()]).expect("sizes");
@@ -222,7 +222,7 @@ pub(super) fn subnormal() -> Vec<Figure> {
     let of_light = products_of_map(&tiny, |unit| relit(unit).to_vec());
     let other = pixels.iter().zip(&scaled).filter(|(a, b)| **a != **b * TINY).count();
     // All components of the shipped scene.
-    let owned = OwnedBasis::<f32>::new(&fixtures::table(&fixtures::shipped("curet")));
+    let owned = OwnedBasis::new(&fixtures::table(&fixtures::shipped("curet")));
     let mut shader = Shader::new(owned.basis().expect("a basis"), usize::MAX);
     let far: Vec<f64> = tiny.iter().copied().map(f64::from).collect();
     let all = shader.project(&far, &on).expect("coefficients");

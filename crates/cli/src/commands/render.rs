@@ -249,7 +249,7 @@ const BAND_IN_F64: usize = 1 << 12;
 impl Pair<'_> {
     /// The window of the light for a whole picture of these components.
     fn window(&self, components: usize, exposure: Option<Exposure>) -> Result<Window> {
-        let basis = OwnedBasis::<f32>::new(self.table);
+        let basis = OwnedBasis::new(self.table);
         let mut shader =
             Shader::new(basis.any().map_err(fault)?, components).with_transfers(basis.transfers());
         let highlights = self.highlights.as_ref().map(HighlightInputs::shaded).transpose()?;
@@ -267,7 +267,7 @@ impl Pair<'_> {
         object: &Object,
         show: &mut dyn FnMut(Pixel, Rgb<f32>),
     ) -> Result<()> {
-        let basis = OwnedBasis::<f32>::new(self.table);
+        let basis = OwnedBasis::new(self.table);
         let mut shader = Shader::new(basis.any().map_err(fault)?, components)
             .with_transfers(basis.transfers())
             .with_effects(effects)?;

@@ -100,7 +100,7 @@ impl Images {
 
     /// Writes the images in f32.
     pub fn floats(&self, way: Way, out: &mut Output<'_>) -> Result<()> {
-        let basis = OwnedBasis::<f32>::new(&self.table);
+        let basis = OwnedBasis::new(&self.table);
         let mut shader = Shader::new(basis.any().map_err(fault)?, self.components)
             .with_transfers(basis.transfers())
             .with_effects(self.effects)?;
@@ -117,7 +117,7 @@ impl Images {
     }
 
     /// Writes the images of polynomials within a tolerance, and reports what was kept.
-    fn within(&self, shader: &mut Shader<'_, f32>, share: f64, out: &mut Output<'_>) -> Result<()> {
+    fn within(&self, shader: &mut Shader<'_>, share: f64, out: &mut Output<'_>) -> Result<()> {
         let normals = OwnedNormals::new(&self.normals);
         let mut chosen: Vec<(Truncation<f32>, f64)> = Vec::new();
         self.colors(out, |channels| {

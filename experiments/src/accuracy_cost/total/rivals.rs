@@ -73,7 +73,7 @@ impl Prefiltered {
     pub fn pictures(&self, gltf: Gltf, world: &World) -> Result<Vec<Picture>> {
         let lobe = Gltf { albedo: 0.0, ..gltf }.surface("lobe".into())?;
         let [reflected, ..] = &self.white.pictures(&lobe, &world.sphere.normals, &())[0];
-        let normals = OwnedNormals::<f32>::new(&world.sphere.normals);
+        let normals = OwnedNormals::new(&world.sphere.normals);
         let picture = |map: usize| -> Result<Picture> {
             let channel = |c: usize| -> Result<Vec<f64>> {
                 let light = world.lights.entries[map].rgb[c].clone();
