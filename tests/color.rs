@@ -174,15 +174,14 @@ fn sources_and_glosses_are_the_shipped_files() {
         let (name, of_preset, presets) = all.next().unwrap();
         assert_eq!((name, of_preset, presets.len()), (light.as_str(), *most, set.len()));
         for (preset, file) in presets.iter().zip(set) {
-            let file = highlights::source::<f64>(file).unwrap();
-            let near =
-                |a: f32, b: f64| assert!((f64::from(a) - b).abs() <= 1e-6 * b.abs().max(1.0));
+            let file = highlights::source(file).unwrap();
+            let near = |a: f32, b: f32| assert!((a - b).abs() <= 1e-6 * b.abs().max(1.0));
             for k in 0..3 {
                 near(preset.direction()[k], file.direction()[k]);
                 near(preset.major()[k], file.major()[k]);
             }
             near(preset.minor(), file.minor());
-            assert_eq!(preset.energy(), file.energy().map(|energy| energy as f32));
+            assert_eq!(preset.energy(), file.energy());
             // It is accepted as it is.
             let [x, y, z] = preset.direction();
             assert!((x * x + y * y + z * z - 1.0).abs() < 1e-6);
@@ -195,10 +194,7 @@ fn sources_and_glosses_are_the_shipped_files() {
     assert_eq!(gloss::ALL.len(), glosses.len());
     for ((name, preset), file) in gloss::ALL.into_iter().zip(glosses) {
         assert_eq!(name, file.name);
-        assert_eq!(
-            Ok(preset),
-            highlights::gloss::<f32>(&file.gloss).map_err(|error| error.to_string())
-        );
+        assert_eq!(Ok(preset), highlights::gloss(&file.gloss).map_err(|error| error.to_string()));
     }
 }
 

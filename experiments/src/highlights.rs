@@ -144,7 +144,7 @@ pub fn errors(inputs: &Path, names: &[String], progress: &ProgressBar) -> Result
                     let counts = std::iter::once(0).chain(SETS.into_iter().filter(|_| has_sources));
                     for sources in counts {
                         let gloss = &material.gloss;
-                        let found = picture(&view, [response; 3], gloss, sets, sources, &sphere)?;
+                        let found = picture(&view, [response; 3], gloss, sets, sources, &sphere);
                         let ScreenError { mean, p95, white } =
                             reference.errors(&found, &sphere).all;
                         // The digits that are recorded.
@@ -247,7 +247,7 @@ pub fn spheres(inputs: &Path, map: &str, on: &str, normals: &[[f64; 3]]) -> Resu
         let Some((size, most)) = drawn else { return Ok(view.reference(&surface, normals)) };
         let projected = surface.project(size.1, Measure::default()).material;
         let [r, g, b] = projected.rgb.each_ref().map(|b| Response::new(size, b));
-        picture(&view, [&r, &g, &b], &gloss, &sources, most, &sphere)
+        Ok(picture(&view, [&r, &g, &b], &gloss, &sources, most, &sphere))
     };
     DRAWN.into_iter().map(drawn).collect()
 }

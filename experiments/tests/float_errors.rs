@@ -113,7 +113,7 @@ fn floats_are_right_at_every_degree() {
 #[test]
 fn a_table_with_series_is_read_back() {
     let (table, ..) = table([16, 16]);
-    let owned = OwnedBasis::<f32>::new(&table);
+    let owned = OwnedBasis::new(&table);
     let basis = owned.basis().expect("a basis");
     assert!(!basis.parts().recurrences.is_empty());
     let bytes = encode(&table, NumberFormat::F32, Endian::Little).expect("a wire file");

@@ -2,12 +2,12 @@
 
 use crate::OF_DIGITS;
 use crate::support::repository;
-use eigenshade::{Gloss, sphere};
+use eigenshade::sphere;
 use eigenshade_generator::light::environment::EnvironmentMap;
 use eigenshade_index::highlights::ROUGHNESS;
 use eigenshade_model::screen::ScreenError;
-use eigenshade_model::source::{Base, NamedGloss, SetError};
-use eigenshade_shading::{highlights, shipped};
+use eigenshade_model::source::{Base, Gloss, NamedGloss, SetError};
+use eigenshade_shading::shipped;
 use eigenshade_sources::remaining;
 use eigenshade_sources::response::Glossy;
 use eigenshade_sources::view::View;
@@ -70,8 +70,10 @@ fn errors_of_sets_hold_under_another_view() {
         let key = (row.light.as_str(), row.sources, row.size, Base::Metal);
         let is = |one: &&SetError| (one.light.as_str(), one.most, one.size, one.base) == key;
         let Some(estimate) = estimates.iter().find(is) else { continue };
-        let metal = Gloss::new(row.roughness, [1.0; 3], [0.0; 3]).unwrap();
-        let estimate = highlights::set_errors(estimate, &metal);
+        let [white, black] = [[1.0; 3], [0.0; 3]];
+        let metal =
+            Gloss { roughness: row.roughness, reflectance: white, grazing: white, albedo: black };
+        let estimate = estimate.of(&metal);
         shares.push(row.error.over_close() / estimate.over_close());
         if estimate.is_close() {
             close[usize::from(row.error.is_close())] += 1;

@@ -126,7 +126,7 @@ impl<'a> Sample<'a> {
         for (v, view) in self.views.iter().enumerate() {
             let turned = sources.iter().map(|source| {
                 let source = Source { energy: [1.0; 3], ..view.turned(source) };
-                let harmonics = highlights::harmonics::<f32>(&source, degree)?;
+                let harmonics = highlights::harmonics(&source, degree)?;
                 Ok((highlights::source(&source)?, harmonics))
             });
             let turned = turned.collect::<Result<Vec<(eigenshade::Source<f32>, _)>>>()?;

@@ -16,7 +16,7 @@ type Integers = q15::Highlights<i32, LARGEST_SET>;
 
 /// The normals that the sources shine on.
 pub struct Lit {
-    normals: OwnedNormals<f32>,
+    normals: OwnedNormals,
     quantized: Vec<q15::Normal>,
 }
 

@@ -1,12 +1,10 @@
 //! Fig. 3: the first twelve eigenimages of the image-centered basis of all modes, from the constant one on.
 
 use super::plate::Plate;
-use super::reconstruction::shade;
 use super::{Modes, Study, csv, digits, place, row};
 use crate::figures::OutputFile;
 use eigenshade_model::error::Result;
-use eigenshade_shading::owned_basis::OwnedBasis;
-use eigenshade_shading::shader::{OwnedNormals, fault};
+use eigenshade_model::evaluation::Evaluator;
 use eigenshade_table::Table;
 use eigenshade_table::scene::Criterion;
 
@@ -38,14 +36,11 @@ fn sheet(table: &Table) -> Result<OutputFile> {
 }
 
 fn plate(table: &Table) -> Result<OutputFile> {
-    let owned = OwnedBasis::<f64>::new(table);
-    let basis = owned.basis().map_err(fault)?;
     let mut plate = Plate::new(SIZE, (COLUMNS, SHOWN.div_ceil(COLUMNS)), [0, 0, 2]);
-    let normals = OwnedNormals::<f64>::new(&plate.view.normals);
+    let evaluator = Evaluator::new(table).with_components(SHOWN);
+    let eigenimages = evaluator.eigenimages(&plate.view.normals);
     for (index, component) in table.components.iter().enumerate().take(SHOWN) {
-        let mut coefficients = vec![0.0; index + 1];
-        coefficients[index] = 1.0;
-        let image = shade(&basis, &coefficients, &normals)?;
+        let image = eigenimages.eigenimage(index);
         let place = (index % COLUMNS, index / COLUMNS);
         plate.signed(place, image.iter().map(|value| value / SCALE));
         let share = component.eigenvalue.map(|value| 100.0 * value / table.summary.energy);

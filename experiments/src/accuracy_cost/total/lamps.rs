@@ -24,7 +24,7 @@ pub struct Lamps {
     format: Format,
     /// By light.
     rests: Vec<Rest>,
-    normals: OwnedNormals<f32>,
+    normals: OwnedNormals,
     quantized: Vec<q15::Normal>,
 }
 
