@@ -1,7 +1,7 @@
 //! Baked maps against the polynomials that they were made from, on the shipped lights and
 //! materials.
 
-use eigenshade::{BakedMap, Error, IntegerMap, MapPoint, Normal, Normals, Q15, q15, sphere};
+use eigenshade::{BakedMap, Error, q15::BakedMap, MapPoint, Normal, Normals, Q15, q15, sphere};
 use eigenshade_testing::images::{coefficients, on};
 use eigenshade_testing::{fixtures, largest, median_and_largest};
 
@@ -18,12 +18,12 @@ fn scenes(step: usize) -> Vec<sphere::Scene> {
 }
 
 /// Normals as a picture of a sphere has them, `across` pixels across.
-fn normals(across: usize) -> Vec<Normal<f32>> {
+fn normals(across: usize) -> Vec<Normal> {
     fixtures::disc(across).into_iter().map(fixtures::normal).collect()
 }
 
 /// A normal of any numbers, which are not scaled.
-fn unscaled([x, y, z]: [f32; 3]) -> Normal<f32> {
+fn unscaled([x, y, z]: [f32; 3]) -> Normal {
     Normals::from_unit(&[x], &[y], &[z]).expect("one length").iter().next().expect("one normal")
 }
 
@@ -34,7 +34,7 @@ struct Shaded {
 }
 
 impl Shaded {
-    fn new(step: usize, normals: &[Normal<f32>]) -> Self {
+    fn new(step: usize, normals: &[Normal]) -> Self {
         let scenes = scenes(step);
         let image = |scene: &sphere::Scene| {
             normals.iter().map(|&normal| f64::from(scene.shade(normal))).collect()
@@ -115,7 +115,7 @@ fn nearest(x: f32) -> Q15 {
 
 /// A normal in Q15, on the map.
 fn on_map([x, y, z]: [Q15; 3]) -> MapPoint<Q15> {
-    MapPoint::of_q15(q15::Normal::from_unit(x, y, z).expect("a unit normal"))
+    q15::MapPoint::of(q15::Normal::from_unit(x, y, z).expect("a unit normal"))
 }
 
 #[test]
@@ -234,14 +234,14 @@ fn texels_stand_where_documented() {
         assert!((map.bilinear(point) - bilinear).abs() < RIM_INWARD, "{point:?}");
     }
     let texels: Vec<i16> = texels.iter().map(|&texel| 100 * texel as i16).collect();
-    let map = IntegerMap::new(5, 0, texels).expect("25 texels");
+    let map = q15::BakedMap::new(5, 0, texels).expect("25 texels");
     assert_eq!(map.bilinear(MapPoint::new(Q15(-32_768), Q15(-32_768))), 0);
     assert_eq!(map.bilinear(MapPoint::new(Q15(0), Q15(0))), 2_200);
     assert_eq!(map.bilinear(MapPoint::new(Q15(3_277), Q15(-6_554))), 1_820);
     assert_eq!(map.bilinear(MapPoint::new(Q15(32_767), Q15(32_767))), 4_400);
     assert_eq!(map.bilinear(MapPoint::new(Q15(32_767), Q15(-32_768))), 400);
     // The far corners of i16 neither wrap nor panic.
-    let map = IntegerMap::new(2, 0, [i16::MIN, i16::MAX, i16::MAX, i16::MIN]).expect("4 texels");
+    let map = q15::BakedMap::new(2, 0, [i16::MIN, i16::MAX, i16::MAX, i16::MIN]).expect("4 texels");
     for u in [i16::MIN, -1, 0, i16::MAX] {
         for v in [i16::MIN, -1, 0, i16::MAX] {
             let exact = |x: i16| (f64::from(x) + 32_768.0) / 65_536.0;
@@ -291,7 +291,7 @@ fn sizes_that_do_not_fit_are_errors() {
         let refused = Some(Error::Size { found: size });
         assert_eq!(scene.bake_into(size, [0.0f32; 4]).err(), refused);
         assert_eq!(BakedMap::<f32, _>::new(size, [0.0f32; 4]).err(), refused);
-        assert_eq!(IntegerMap::new(size, 0, [0; 4]).err(), refused);
+        assert_eq!(q15::BakedMap::new(size, 0, [0; 4]).err(), refused);
     }
     assert!(matches!(scene.bake::<f32, 15>(4), Err(Error::Capacity { needed: 16, .. })));
     assert!(matches!(scene.bake_into(4, [0.0f32; 15]), Err(Error::Length { expected: 16, .. })));

@@ -174,19 +174,18 @@ fn sources_and_glosses_are_the_shipped_files() {
         let (name, of_preset, presets) = all.next().unwrap();
         assert_eq!((name, of_preset, presets.len()), (light.as_str(), *most, set.len()));
         for (preset, file) in presets.iter().zip(set) {
-            let file = highlights::source::<f64>(file).unwrap();
-            let near =
-                |a: f32, b: f64| assert!((f64::from(a) - b).abs() <= 1e-6 * b.abs().max(1.0));
+            let file = highlights::source(file).unwrap();
+            let near = |a: f32, b: f32| assert!((a - b).abs() <= 1e-6 * b.abs().max(1.0));
             for k in 0..3 {
                 near(preset.direction()[k], file.direction()[k]);
                 near(preset.major()[k], file.major()[k]);
             }
             near(preset.minor(), file.minor());
-            assert_eq!(preset.energy(), file.energy().map(|energy| energy as f32));
+            assert_eq!(preset.energy(), file.energy());
             // It is accepted as it is.
             let [x, y, z] = preset.direction();
             assert!((x * x + y * y + z * z - 1.0).abs() < 1e-6);
-            Source::new::<Libm>([x, y, z], preset.energy(), preset.major(), preset.minor())
+            Source::new([x, y, z], preset.energy(), preset.major(), preset.minor())
                 .unwrap();
         }
     }
@@ -195,10 +194,7 @@ fn sources_and_glosses_are_the_shipped_files() {
     assert_eq!(gloss::ALL.len(), glosses.len());
     for ((name, preset), file) in gloss::ALL.into_iter().zip(glosses) {
         assert_eq!(name, file.name);
-        assert_eq!(
-            Ok(preset),
-            highlights::gloss::<f32>(&file.gloss).map_err(|error| error.to_string())
-        );
+        assert_eq!(Ok(preset), highlights::gloss(&file.gloss).map_err(|error| error.to_string()));
     }
 }
 
@@ -290,13 +286,13 @@ fn few_terms_are_shaded_in_color_as_each_channel() {
 
 #[test]
 fn a_light_turns_and_a_map_is_baked_in_three_channels() {
-    let rotation = Rotation::from_euler::<SinglePrecision>(0.3, 0.2, 0.1).unwrap();
+    let rotation = Rotation::from_euler(0.3, 0.2, 0.1).unwrap();
     let turned = light::PARK.turned::<100>(&rotation).unwrap();
     let expected = light::PARK.g.turned::<100>(&rotation).unwrap();
     assert_eq!(turned.lights().unwrap().g.coefficients(), expected.as_slice());
     let window = Window::SincFourth { width: 20.0 };
-    let windowed = light::PARK.windowed::<SinglePrecision, 100>(window).unwrap();
-    let expected = light::PARK.b.windowed::<SinglePrecision, 100>(window).unwrap();
+    let windowed = light::PARK.windowed::<100>(window).unwrap();
+    let expected = light::PARK.b.windowed::<100>(window).unwrap();
     assert_eq!(windowed.b, expected);
     let four = light::PARK.truncated(1).b.coefficients().len();
     assert_eq!(four, index::light::count(1));
@@ -341,7 +337,7 @@ fn turning_about_the_view_axis() {
     /// Of the largest coefficient: sixteen roundings.
     const TOLERANCE: f32 = 2e-6;
     for angle in [0.0, 0.3, -1.7, 3.1] {
-        let rotation = Rotation::from_euler::<SinglePrecision>(angle, 0.0, 0.0).unwrap();
+        let rotation = Rotation::from_euler(angle, 0.0, 0.0).unwrap();
         let expected = light::PARK.turned::<100>(&rotation).unwrap();
         let found = light::PARK.turned_about_view::<100>([angle.cos(), angle.sin()]).unwrap();
         for (found, expected) in <[_; 3]>::from(found.zip(expected)) {
@@ -354,9 +350,9 @@ fn turning_about_the_view_axis() {
     // Another degree.
     let numbers: Vec<f32> = (0..40 * 40).map(|k| (k as f32 * 0.7).sin()).collect();
     let light = Light::new(&numbers).unwrap();
-    let rotation = Rotation::from_euler::<SinglePrecision>(0.3, 0.0, 0.0).unwrap();
+    let rotation = Rotation::from_euler(0.3, 0.0, 0.0).unwrap();
     let (mut workspace, mut expected) = (vec![0.0; Light::<f32>::turn_len(39)], vec![0.0; 1600]);
-    light.turn_into::<SinglePrecision>(&rotation, &mut workspace, &mut expected).unwrap();
+    light.turn_into(&rotation, &mut workspace, &mut expected).unwrap();
     let found = light.turned_about_view::<1600>([0.3_f32.cos(), 0.3_f32.sin()]).unwrap();
     assert!(found.iter().zip(&expected).all(|(a, b)| (a - b).abs() < 5.0 * TOLERANCE));
     let refused = light::PARK.turned_about_view::<99>([1.0, 0.0]);

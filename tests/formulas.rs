@@ -55,14 +55,14 @@ fn discs_are_integrals_of_harmonics() {
     for direction in DIRECTIONS {
         for radius in [0.05, 0.5, FRAC_PI_2, 2.5, PI] {
             let light = AnalyticLight::<f64, 100>::dark().unwrap();
-            let light = light.disc::<Libm>(direction, radius, 3.0).unwrap();
+            let light = light.disc(direction, radius, 3.0).unwrap();
             let expected: Vec<f64> =
                 disc(direction, radius).into_iter().map(|value| 3.0 * value).collect();
             assert_near(light.light().unwrap().coefficients(), &expected, DISC);
             // Small radii keep their digits in f32.
-            let light = AnalyticLight::<f32, 100>::dark().unwrap();
+            let light = AnalyticLight::<100>::dark().unwrap();
             let [direction, [radius, ..]] = [direction, [radius; 3]].map(|d| d.map(|c| c as f32));
-            let light = light.disc::<SinglePrecision>(direction, radius, 3.0).unwrap();
+            let light = light.disc(direction, radius, 3.0).unwrap();
             let found = light.light().unwrap().coefficients().iter();
             let found: Vec<f64> = found.map(|&value| value.into()).collect();
             assert_near(&found, &expected, SINGLE);
@@ -74,20 +74,20 @@ fn discs_are_integrals_of_harmonics() {
 #[test]
 fn limits_of_a_disc() {
     for direction in DIRECTIONS {
-        let dark = AnalyticLight::<f32, 100>::dark().unwrap();
+        let dark = AnalyticLight::<100>::dark().unwrap();
         let radius = 0.004_65_f32;
         let area = 2.0 * PI * (1.0 - f64::from(radius).cos());
-        let sun = dark.disc::<SinglePrecision>(direction.map(|c| c as f32), radius, 1.0).unwrap();
+        let sun = dark.disc(direction.map(|c| c as f32), radius, 1.0).unwrap();
         let expected = spherical_harmonic::all(9, unit(direction));
         let found = sun.light().unwrap().coefficients().iter();
         let found: Vec<f64> = found.map(|&value| f64::from(value) / area).collect();
         // (l radius / 2)² / 2 at l = 9.
         assert_near(&found, &expected, 5e-4);
         let dark = AnalyticLight::<f64, 100>::dark().unwrap();
-        let light = dark.directional::<Libm>(direction, 2.0).unwrap();
+        let light = dark.directional(direction, 2.0).unwrap();
         let expected: Vec<f64> = expected.iter().map(|value| 2.0 * value).collect();
         assert_near(light.light().unwrap().coefficients(), &expected, 1e-13);
-        let whole = dark.disc::<Libm>(direction, PI, 0.7).unwrap();
+        let whole = dark.disc(direction, PI, 0.7).unwrap();
         let ambient = dark.ambient(0.7);
         let expected = ambient.light().unwrap();
         assert_near(whole.light().unwrap().coefficients(), expected.coefficients(), 1e-13);
@@ -98,10 +98,10 @@ fn limits_of_a_disc() {
 fn lights_are_summed_scaled_and_windowed() {
     let dark = AnalyticLight::<f64, 16>::dark().unwrap();
     let [sky, ground] = [1.5, 0.25];
-    let light = dark.hemisphere::<Libm>([0.0, 2.0, 0.0], sky, ground).unwrap();
+    let light = dark.hemisphere([0.0, 2.0, 0.0], sky, ground).unwrap();
     let halves = dark
-        .disc::<Libm>([0.0, 1.0, 0.0], FRAC_PI_2, sky)
-        .and_then(|light| light.disc::<Libm>([0.0, -1.0, 0.0], FRAC_PI_2, ground))
+        .disc([0.0, 1.0, 0.0], FRAC_PI_2, sky)
+        .and_then(|light| light.disc([0.0, -1.0, 0.0], FRAC_PI_2, ground))
         .unwrap();
     let twice = light.plus(&light.light().unwrap()).unwrap();
     for (a, b, tolerance) in [(light, halves, 1e-14), (twice, light.scaled(2.0), 1e-15)] {
@@ -109,8 +109,8 @@ fn lights_are_summed_scaled_and_windowed() {
         assert_near(a.coefficients(), b.coefficients(), tolerance);
     }
     let window = Window::SincFourth { width: 5.0 };
-    let windowed = light.windowed::<Libm>(window);
-    let expected = light.light().unwrap().windowed::<Libm, 16>(window).unwrap();
+    let windowed = light.windowed(window);
+    let expected = light.light().unwrap().windowed::<16>(window).unwrap();
     assert_eq!(windowed.light().unwrap().coefficients(), expected.as_slice());
 }
 
@@ -122,40 +122,40 @@ fn lights_in_color_are_three_lights() {
     let window = Window::SincFourth { width: 8.0 };
     let base = Rgb::<AnalyticLight<f64, 25>>::dark().unwrap().ambient(ground);
     let light = base
-        .hemisphere::<Libm>(up, sky, ground)
-        .and_then(|light| light.disc::<Libm>(aside, 0.3, lamp))
-        .and_then(|light| light.directional::<Libm>(up, sun)?.plus(base.lights()?))
+        .hemisphere(up, sky, ground)
+        .and_then(|light| light.disc(aside, 0.3, lamp))
+        .and_then(|light| light.directional(up, sun)?.plus(base.lights()?))
         .unwrap()
         .scaled(0.5)
-        .windowed::<Libm>(window);
+        .windowed(window);
     for (c, found) in <[_; 3]>::from(light.lights().unwrap()).into_iter().enumerate() {
         let base = AnalyticLight::<f64, 25>::dark().unwrap().ambient(ground[c]);
         let light = base
-            .hemisphere::<Libm>(up, sky[c], ground[c])
-            .and_then(|light| light.disc::<Libm>(aside, 0.3, lamp[c]))
-            .and_then(|light| light.directional::<Libm>(up, sun[c])?.plus(&base.light()?))
+            .hemisphere(up, sky[c], ground[c])
+            .and_then(|light| light.disc(aside, 0.3, lamp[c]))
+            .and_then(|light| light.directional(up, sun[c])?.plus(&base.light()?))
             .unwrap();
-        assert_eq!(light.scaled(0.5).windowed::<Libm>(window).light(), Ok(found));
+        assert_eq!(light.scaled(0.5).windowed(window).light(), Ok(found));
     }
 }
 
 #[test]
 fn bad_lights_are_refused() {
-    assert!(AnalyticLight::<f32, 10>::dark().is_err());
-    let bright = AnalyticLight::<f32, 4>::dark().unwrap().ambient(f32::NAN);
+    assert!(AnalyticLight::<10>::dark().is_err());
+    let bright = AnalyticLight::<4>::dark().unwrap().ambient(f32::NAN);
     assert_eq!(
         bright.light().err(),
         Some(Error::NotFinite { argument: Argument::Light, index: 0 })
     );
-    let dark = AnalyticLight::<f32, 4>::dark().unwrap();
+    let dark = AnalyticLight::<4>::dark().unwrap();
     for direction in [[0.0; 3], [f32::NAN, 0.0, 1.0], [f32::INFINITY, 0.0, 0.0]] {
-        let refused = dark.directional::<SinglePrecision>(direction, 1.0);
+        let refused = dark.directional(direction, 1.0);
         assert_eq!(refused, Err(Error::Direction));
-        let refused = dark.hemisphere::<SinglePrecision>(direction, 1.0, 0.0);
+        let refused = dark.hemisphere(direction, 1.0, 0.0);
         assert_eq!(refused, Err(Error::Direction));
     }
     for radius in [0.0, -1.0, 3.2, f32::NAN] {
-        let refused = dark.disc::<SinglePrecision>([0.0, 0.0, 1.0], radius, 1.0);
+        let refused = dark.disc([0.0, 0.0, 1.0], radius, 1.0);
         assert_eq!(refused, Err(Error::Direction));
     }
     let higher = Light::new(&[1.0; 9]).unwrap();

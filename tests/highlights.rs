@@ -19,11 +19,11 @@ const LOBE_F32: [(f64, f64); 6] =
     [(0.065, 3e-5), (0.1, 1e-5), (0.2, 5e-6), (0.3, 3e-6), (0.5, 2e-6), (1.0, 1.5e-6)];
 
 fn of_one(material: &Glossy, source: Source<f64>) -> Highlights<f64, 1> {
-    Highlights::new::<Libm>(&material.gloss(), &[source]).expect("room for one")
+    Highlights::new(&material.gloss(), &[source]).expect("room for one")
 }
 
-fn of_single(material: &Glossy, source: Source<f32>) -> Highlights<f32, 1> {
-    Highlights::new::<SinglePrecision>(&material.gloss(), &[source]).expect("room for one")
+fn of_single(material: &Glossy, source: Source) -> Highlights<1> {
+    Highlights::new(&material.gloss(), &[source]).expect("room for one")
 }
 
 #[test]
@@ -144,12 +144,12 @@ fn lobes_of_elongated_blobs() {
 #[test]
 fn slices_are_the_sums_of_single_normals() {
     let material = Glossy { roughness: 0.3, f0: 0.5, albedo: 0.2 };
-    let gloss: Gloss<f32> = material.gloss();
+    let gloss: Gloss = material.gloss();
     let sources: Vec<_> =
         blobs(&[10.0, 120.0]).iter().map(|blob| blob.single([1.0, 2.0, 0.5])).collect();
     let normals: Vec<_> = disc(24).into_iter().map(normal::<f32>).collect();
     for count in [0, 1, 4, 10] {
-        let highlights = Highlights::<f32, 10>::new::<SinglePrecision>(&gloss, &sources[..count]);
+        let highlights = Highlights::<10>::new(&gloss, &sources[..count]);
         let highlights = highlights.expect("room for ten");
         assert_eq!((highlights.len(), highlights.is_empty()), (count, count == 0));
         for length in [0, 1, 63, 64, 65, 300] {
@@ -168,7 +168,7 @@ fn slices_are_the_sums_of_single_normals() {
         let expected = Error::Length { argument: Argument::Normals, expected: 0, found: 1 };
         assert_eq!(refused, Err(expected));
     }
-    let refused = Highlights::<f32, 4>::new::<SinglePrecision>(&gloss, &sources[..5]);
+    let refused = Highlights::<4>::new(&gloss, &sources[..5]);
     let expected = Error::Capacity { argument: Argument::Sources, needed: 5, capacity: 4 };
     assert_eq!(refused.map(|_| ()), Err(expected));
 }
@@ -180,12 +180,12 @@ fn hard_cases() {
     let degrees = [0.0, 1e-5, 89.99, 90.0, 90.01, 175.0, 177.0, 179.9, 180.0];
     for (roughness, tolerance) in [(0.065, 5e-5), (0.1, 5e-5), (1.0, 4e-6)] {
         let material = Glossy { roughness, f0: 0.5, albedo: 0.5 };
-        let gloss: Gloss<f32> = material.gloss();
+        let gloss: Gloss = material.gloss();
         // D <= 1.35 / π α², as a lobe is at most √1.16 wide, V n·s <= 1 / 2 α, F <= 1.
         let alpha = material.alpha();
         let most = 0.5 * 1.35 / (PI * alpha.powi(3)) + 1.0 / PI;
-        let new = |sources: &[Source<f32>]| {
-            Highlights::<f32, 2>::new::<SinglePrecision>(&gloss, sources).expect("room for two")
+        let new = |sources: &[Source]| {
+            Highlights::<2>::new(&gloss, sources).expect("room for two")
         };
         for blob in blobs(&degrees) {
             let source = blob.single([1.0; 3]);
@@ -221,10 +221,10 @@ fn hard_cases() {
 fn sources_set_and_rise() {
     let material = Glossy { roughness: 0.3, f0: 0.5, albedo: 0.5 };
     let source =
-        Source::round::<SinglePrecision>([0.0, 0.0, 1.0], [1.0; 3], 0.02).expect("a source");
+        Source::round([0.0, 0.0, 1.0], [1.0; 3], 0.02).expect("a source");
     for step in 0..=72 {
         let angle = step as f32 * 5.0_f32.to_radians();
-        let rotation = Rotation::from_euler::<SinglePrecision>(0.3, angle, 0.0).expect("angles");
+        let rotation = Rotation::from_euler(0.3, angle, 0.0).expect("angles");
         let turned = source.turned(rotation);
         let highlights = of_single(&material, turned);
         let lit = highlights.shade(normal([0.0, 0.0, 1.0])).g;

@@ -2,7 +2,6 @@
 //! bits.
 
 use crate::blobs::{ANGLES, Blob, Glossy, Vector, at, blobs, dot, normals_for};
-use eigenshade::mathematics::SinglePrecision;
 use eigenshade::q15::{Highlights, Lobe, Normal};
 use eigenshade::{Argument, Error, Q15, Rgb, Source};
 use eigenshade_testing::largest;
@@ -32,12 +31,12 @@ fn rounded(normal: Vector) -> (Normal, Vector) {
 
 fn in_floats<const N: usize>(
     material: &Glossy,
-    sources: &[Source<f32>; N],
-) -> eigenshade::Highlights<f32, N> {
-    eigenshade::Highlights::new::<SinglePrecision>(&material.gloss(), sources).expect("room")
+    sources: &[Source; N],
+) -> eigenshade::Highlights<N> {
+    eigenshade::Highlights::new(&material.gloss(), sources).expect("room")
 }
 
-fn gray(material: &Glossy, source: Source<f32>, exponent: i32) -> Highlights<i32, 1> {
+fn gray(material: &Glossy, source: Source, exponent: i32) -> Highlights<i32, 1> {
     Highlights::quantize(&in_floats(material, &[source]), exponent).expect("room")
 }
 
@@ -171,10 +170,10 @@ fn sources_and_channels_add_up() {
     assert_eq!((color.lobes().len(), color.exponent()), (3, exponents));
     let stored = Highlights::stored(color.exponent(), color.alpha_square(), color.lobes());
     assert_eq!(stored.as_ref(), Ok(&color));
-    let one = |source: &Source<f32>, channel: Channel, exponent| {
+    let one = |source: &Source, channel: Channel, exponent| {
         let energy = [channel(source.energy()); 3];
         let (direction, major, minor) = (source.direction(), source.major(), source.minor());
-        let gray_source = Source::new::<SinglePrecision>(direction, energy, major, minor);
+        let gray_source = Source::new(direction, energy, major, minor);
         gray(&material, gray_source.expect("it was one before"), exponent)
     };
     let channels: [(Channel, i32); 3] = [(|rgb| rgb.r, -16), (|rgb| rgb.g, -14), (|rgb| rgb.b, -9)];
@@ -215,7 +214,7 @@ fn sources_set() {
                 assert!(found == 0 || cosine > -1e-4, "{degrees}: {cosine}, {found}");
             }
         }
-        let behind = Source::round::<SinglePrecision>([0.0, 0.0, -1.0], [1e6; 3], 0.1);
+        let behind = Source::round([0.0, 0.0, -1.0], [1e6; 3], 0.1);
         let highlights = gray(&material, behind.expect("a source"), -10);
         for (normal, ..) in expected(&material, &blobs(&[0.0])[0]) {
             assert_eq!(highlights.shade(normal), 0);

@@ -3,7 +3,6 @@
 
 use crate::invariants::integer::Mantissa as _;
 use crate::oracle::Numbers;
-use eigenshade::mathematics::Libm;
 use eigenshade::q15::{Light, LightBuffer, Rotation};
 use eigenshade::{Argument, Error, Q15, Rgb};
 use eigenshade_model::rotation;
@@ -82,7 +81,7 @@ fn agrees(most: f64) {
             let reference = rotation::Rotation { alpha: b, beta: a, gamma: c };
             let of_quaternion = Rotation::from_quaternion(quaternion(angles)).expect("a rotation");
             let [a, b, c] = angles.map(|angle| angle as f32);
-            let floats = eigenshade::Rotation::from_euler::<Libm>(a, b, c).expect("a rotation");
+            let floats = eigenshade::Rotation::from_euler(a, b, c).expect("a rotation");
             for mantissas in lights(degree, &mut numbers).iter().skip(round % 2).step_by(2) {
                 let light = Light::new(-3, mantissas).expect("a light");
                 let exact = reference.turn(degree, &values(light));

@@ -25,7 +25,7 @@ fn collapsing_azimuth_by_azimuth() {
         let expected = BASIS.collapse::<{ sphere::SCENE }>(&d).unwrap();
         let mut found = sphere::collapse(&coefficients(seed + 1)).unwrap();
         sphere::collapse_into(&d, &mut found).unwrap();
-        let normals: Vec<Normal<f32>> = disc(11).into_iter().map(normal).collect();
+        let normals: Vec<Normal> = disc(11).into_iter().map(normal).collect();
         let found: Vec<f64> = normals.iter().map(|&at| found.shade(at).into()).collect();
         let expected: Vec<f64> = normals.iter().map(|&at| expected.shade(at).into()).collect();
         let error = relative_error(&found, &expected);

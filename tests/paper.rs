@@ -78,7 +78,7 @@ fn grid(slants: usize, tilts: usize) -> Vec<[f64; 3]> {
 fn all_components_in_f32_are_the_direct_sum() {
     let loaded = shipped("curet");
     let table = fixtures::table(&loaded);
-    let owned = OwnedBasis::<f32>::new(&table);
+    let owned = OwnedBasis::new(&table);
     let mut shader = Shader::new(owned.basis().expect("a basis"), usize::MAX);
     // The device is given the reference's input, rounded.
     let rounded = |normal: [f64; 3]| normal.map(|x| f64::from(x as f32));

@@ -4,15 +4,15 @@ use eigenshade::index::record::{Coupling, NONE, Pass, ProfilePlace, Row};
 use eigenshade::{Argument, Basis, Error, Light, Material, Parts, q15, sphere};
 
 /// The shipped table's parts.
-fn shipped() -> Parts<'static, f32> {
+fn shipped() -> Parts<'static> {
     *sphere::BASIS.parts()
 }
 
-fn refused(parts: Parts<'_, f32>) -> Error {
+fn refused(parts: Parts<'_>) -> Error {
     Basis::new(parts).expect_err("contradicting parts")
 }
 
-fn refused_length(parts: Parts<'_, f32>) -> Argument {
+fn refused_length(parts: Parts<'_>) -> Argument {
     match refused(parts) {
         Error::Length { argument, .. } => argument,
         other => panic!("{other}"),

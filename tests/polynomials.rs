@@ -5,11 +5,10 @@
 use crate::invariants::integer::eigenimage;
 use eigenshade::{Normal, Scalar, Tolerance, sphere};
 use eigenshade_model::reference::DirectSum;
-use eigenshade_shading::owned_basis::OwnedBasis;
-use eigenshade_shading::shader::{OwnedNormals, Shader};
 use eigenshade_table::trim::trim;
+use eigenshade_testing::any_float::OwnedBasis;
 use eigenshade_testing::fixtures::{
-    captured, measured, normal, of_equal_areas, shipped_table, spiral,
+    Projector, captured, measured, normal, of_equal_areas, shipped_table, spiral,
 };
 use eigenshade_testing::images::{Image, on, products, rule, shape};
 use eigenshade_testing::largest;
@@ -25,7 +24,7 @@ const HALVES_F64: f64 = 2e-12;
 fn farthest<S: Scalar + Into<f64>>() -> f64 {
     let table = shipped_table("pbr");
     let owned = OwnedBasis::<S>::new(&table);
-    let basis = owned.basis().expect("a basis");
+    let basis = owned.basis();
     let lengths = basis.parts().lengths;
     assert!(lengths.iter().filter(|&&length| (17..=32).contains(&length)).count() >= 10);
     let mut worst = 0.0f64;
@@ -73,13 +72,11 @@ fn the_full_scene_keeps_its_tolerance() {
     let terms: usize =
         eigenshade_table::parts::floats(&table).lengths.iter().map(|&n| usize::from(n)).sum();
     assert!(terms <= 80, "{terms} for one sign of m");
-    let basis = OwnedBasis::<f64>::new(&table);
-    let basis = basis.basis().expect("a basis");
-    let mut shader = Shader::new(basis, table.count());
+    let projector = Projector::new(&table);
     let (degree, order) = (table.gram.degree, table.gram.order);
     let (lights, materials) = (captured(degree), measured(order));
     let normals = of_equal_areas(200);
-    let owned = OwnedNormals::new(&normals);
+    let eigenimages = projector.0.eigenimages(&normals);
     let reference = DirectSum::new(degree, order);
     let (mut error, mut peaks) = (0.0, 0.0);
     for material in &materials.entries {
@@ -89,7 +86,7 @@ fn the_full_scene_keeps_its_tolerance() {
         for light in &lights.entries {
             let light = light.luminance();
             let light: Vec<f64> = light.iter().map(|value| value / light[0]).collect();
-            let found = shader.polynomial(&light, &material, &owned).expect("it fits");
+            let found = eigenimages.reconstruct(&projector.project(&light, &material));
             let expected = scattered.iter().map(|(scattered, at)| at.irradiance(&light, scattered));
             let (mut square, mut peak) = (0.0, 0.0f64);
             for (found, expected) in found.iter().zip(expected) {
@@ -115,7 +112,7 @@ const STATED: [&str; 2] = ["68", "1.4"];
 
 /// Mean square error of the image without the highest terms of one azimuth, by the number that
 /// stay, by quadrature; azimuths are orthogonal, so those of several add.
-fn losses(d: &[f32], image: &Image, rule: &[(Normal<f32>, f64)]) -> Vec<Vec<f64>> {
+fn losses(d: &[f32], image: &Image, rule: &[(Normal, f64)]) -> Vec<Vec<f64>> {
     let full = sphere::BASIS.parts().lengths;
     let of = |azimuth: usize, length: u16| {
         let mut lengths = full.to_vec();

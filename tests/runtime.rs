@@ -148,7 +148,7 @@ fn normals_are_scaled_where_they_are() {
     use eigenshade::{Error, Normals};
     let (mut x, mut y, mut z) =
         ([0.0f32, 255.0, 3.0, 0.0], [0.0f32, 1.0, 4.0, 0.0], [254.0f32, -31.0, 0.0, -1.0]);
-    let refused = Normals::normalized::<Libm>(&mut x, &mut y, &mut z);
+    let refused = Normals::normalized(&mut x, &mut y, &mut z);
     assert_eq!(refused, Err(Error::Normals { index: 3 }));
     assert_eq!((x[3], y[3], z[3]), (0.0, 0.0, -1.0));
     assert_eq!((x[0], y[0], z[0]), (0.0, 0.0, 1.0));
@@ -156,11 +156,11 @@ fn normals_are_scaled_where_they_are() {
     // A square root is exact to half a last place everywhere; `hypot` may be off by more.
     let length = (x[1] * x[1] + y[1] * y[1]).sqrt();
     assert!((length - 1.0).abs() <= 2.0 * f32::EPSILON, "{} {}", x[1], y[1]);
-    let normals = Normals::normalized::<SinglePrecision>(&mut x[..3], &mut y[..3], &mut z[..3]);
+    let normals = Normals::normalized(&mut x[..3], &mut y[..3], &mut z[..3]);
     let [x, y, z] = normals.expect("visible").iter().nth(2).expect("three").components();
     assert!((x - 0.6).abs() < 1e-6 && (y - 0.8).abs() < 1e-6 && z == 0.0);
     let (mut x, mut z) = ([0.0f32], [1.0]);
-    let length = Normals::normalized::<Libm>(&mut x, &mut [], &mut z);
+    let length = Normals::normalized(&mut x, &mut [], &mut z);
     assert!(matches!(length, Err(Error::Length { .. })));
 }
 

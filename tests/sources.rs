@@ -18,7 +18,7 @@ where
 {
     let dark = [S::ZERO; N];
     let light = Rgb::gray(Light::new(&dark).expect("all degrees"));
-    let residual = light.residual::<Libm, N>(&[source]).expect("room");
+    let residual = light.residual::<N>(&[source]).expect("room");
     residual.r.iter().map(|&coefficient| -coefficient).collect()
 }
 
@@ -63,7 +63,7 @@ fn blobs_in_single_precision() {
         let exact = taken::<f64, 100>(blob.source([1.0; 3]));
         let dark = [0.0; 100];
         let light = Rgb::gray(Light::new(&dark).expect("degree 9"));
-        let residual = light.residual::<SinglePrecision, 100>(&[blob.single([1.0; 3])]);
+        let residual = light.residual::<100>(&[blob.single([1.0; 3])]);
         for (found, exact) in residual.expect("room").g.iter().zip(&exact) {
             most = most.max((f64::from(-found) - exact).abs());
         }
@@ -92,7 +92,7 @@ fn residuals_lose_what_sources_take_and_turn_with_them() {
     let of_light = noise::<100>(&mut numbers);
     let light = of_light.each_ref().try_map(|channel| Light::new(channel)).expect("degree 9");
     let sources = sources();
-    let residual = light.residual::<Libm, 100>(&sources).expect("room");
+    let residual = light.residual::<100>(&sources).expect("room");
     let mut most = 0.0_f64;
     for (channel, k) in [(&residual.r, 0), (&residual.g, 1), (&residual.b, 2)] {
         let of_light: [&[f64]; 3] = light.map(|light| light.coefficients()).into();
@@ -107,10 +107,10 @@ fn residuals_lose_what_sources_take_and_turn_with_them() {
     // Sums of four energies of up to 30.
     assert!(most <= 1e-13, "{most:e}");
 
-    let rotation = Rotation::from_euler::<Libm>(0.4, 2.0, -1.1).expect("a rotation");
+    let rotation = Rotation::from_euler(0.4, 2.0, -1.1).expect("a rotation");
     let turned = light.turned::<100>(&rotation).expect("room");
     let turned_sources = sources.map(|source| source.turned(rotation));
-    let before = lights(&turned).residual::<Libm, 100>(&turned_sources).expect("room");
+    let before = lights(&turned).residual::<100>(&turned_sources).expect("room");
     let after = lights(&residual).turned::<100>(&rotation).expect("room");
     for (before, after) in [(before.r, after.r), (before.g, after.g), (before.b, after.b)] {
         for (before, after) in before.iter().zip(&after) {
@@ -128,7 +128,7 @@ fn residuals_lose_what_sources_take_and_turn_with_them() {
 }
 
 fn with_energy_1(source: Source<f64>) -> Source<f64> {
-    Source::new::<Libm>(source.direction(), [1.0; 3], source.major(), source.minor())
+    Source::new(source.direction(), [1.0; 3], source.major(), source.minor())
         .expect("it was one before")
 }
 
@@ -138,14 +138,14 @@ fn residuals_of_channels_of_several_degrees() {
     let (low, high) = ([1.0; 4], [1.0; 16]);
     let light = Rgb::new(&low[..], &high[..], &low[..1]);
     let light = light.try_map(Light::new).expect("all degrees");
-    let source = Source::round::<Libm>([0.0, 0.6, 0.8], [1.0; 3], 0.1).expect("a source");
-    let residual = light.residual::<Libm, 16>(&[source]).expect("room");
+    let source = Source::round([0.0, 0.6, 0.8], [1.0; 3], 0.1).expect("a source");
+    let residual = light.residual::<16>(&[source]).expect("room");
     let blob = taken::<f64, 16>(source);
     assert_eq!([residual.r.len(), residual.g.len(), residual.b.len()], [4, 16, 1]);
     for channel in [&residual.r, &residual.g, &residual.b] {
         assert!(channel.iter().zip(&blob).all(|(rest, blob)| (rest + blob - 1.0).abs() <= 1e-15));
     }
-    let refused = light.residual::<Libm, 9>(&[source]);
+    let refused = light.residual::<9>(&[source]);
     let expected = Error::Capacity { argument: Argument::Light, needed: 16, capacity: 9 };
     assert_eq!(refused, Err(expected));
 }
@@ -153,7 +153,7 @@ fn residuals_of_channels_of_several_degrees() {
 #[test]
 fn sources_that_are_none_are_refused() {
     let new = |direction, energy: [f32; 3], major, minor| {
-        Source::new::<SinglePrecision>(direction, energy, major, minor)
+        Source::new(direction, energy, major, minor)
     };
     let (front, gray, wide) = ([0.0, 0.0, 1.0], [1.0; 3], [0.5, 0.0, 0.0]);
     assert!(new(front, gray, wide, 0.5).is_ok());
@@ -177,9 +177,9 @@ fn sources_that_are_none_are_refused() {
         assert_eq!(new(direction, energy, major, minor), Err(Error::Source), "{major:?} {minor}");
     }
     for spread in [-0.1, 0.51, f32::NAN] {
-        assert_eq!(Source::round::<SinglePrecision>(front, gray, spread), Err(Error::Source));
+        assert_eq!(Source::round(front, gray, spread), Err(Error::Source));
     }
-    assert_eq!(Source::round::<SinglePrecision>([0.0; 3], gray, 0.1), Err(Error::Source));
+    assert_eq!(Source::round([0.0; 3], gray, 0.1), Err(Error::Source));
 
     // What is nearly right is made right.
     let source = new([0.6, 0.0, 0.8004], gray, [0.1, 0.1, 0.1], 0.05).expect("a source");
@@ -187,7 +187,7 @@ fn sources_that_are_none_are_refused() {
     assert!((dot(direction, direction) - 1.0).abs() < 6e-7 && dot(direction, major).abs() < 3e-8);
     for k in 0..50 {
         let direction = at(0.07 * f64::from(k), f64::from(k)).map(|x| x as f32);
-        let source = Source::round::<SinglePrecision>(direction, gray, 0.2).expect("a source");
+        let source = Source::round(direction, gray, 0.2).expect("a source");
         let major = source.major().map(f64::from);
         assert!(
             (dot(major, major).sqrt() - 0.2).abs() < 1e-7 && (source.minor() - 0.2).abs() < 1e-7
@@ -209,7 +209,7 @@ fn gloss_is_that_of_gltf() {
         Gloss::new(0.0_f32, [0.0; 3], [0.0; 3]).map(|gloss| gloss.alpha()),
         Ok(0.065 * 0.065)
     );
-    let refused = |gloss: Result<Gloss<f32>, Error>, argument| {
+    let refused = |gloss: Result<Gloss, Error>, argument| {
         assert_eq!(gloss, Err(Error::Outside { argument }));
     };
     refused(Gloss::new(1.1, [0.0; 3], [0.0; 3]), Argument::Roughness);

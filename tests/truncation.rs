@@ -7,8 +7,8 @@ use eigenshade::{
 use eigenshade_generator::basis::build;
 use eigenshade_model::inputs::coefficient_csv::{read_lights, read_materials};
 use eigenshade_model::reference::DirectSum;
-use eigenshade_shading::owned_basis::{AnyBasis, OwnedBasis};
 use eigenshade_table::decode;
+use eigenshade_testing::any_float::OwnedBasis;
 use eigenshade_testing::{fixtures, images};
 use images::{Image, coefficients, products, rule, single, vectors};
 
@@ -25,9 +25,9 @@ type Numbers = [f32; sphere::SCENE];
 
 fn truncated<'l>(
     d: &[f32],
-    tolerance: Tolerance<f32>,
+    tolerance: Tolerance,
     lengths: &'l mut [u16],
-) -> (Scene<'l, Numbers>, Truncation<f32>) {
+) -> (Scene<'l, Numbers>, Truncation) {
     sphere::BASIS.collapse_within(d, tolerance, lengths, [0.0; sphere::SCENE]).expect("it fits")
 }
 
@@ -191,7 +191,7 @@ fn bounds_hold_of_long_series() {
     scene.basis.profile_tolerance = 1e-14;
     let table = build(&scene, &lights, &materials).expect("a table");
     let owned = OwnedBasis::<f64>::new(&table);
-    let Ok(AnyBasis::Sphere(basis)) = owned.any() else { panic!("a sphere's") };
+    let basis = owned.basis();
     let lengths = basis.parts().lengths;
     assert!(lengths.iter().any(|&length| length > 32), "{lengths:?}");
     assert!(lengths.iter().any(|length| (17..=32).contains(length)), "{lengths:?}");

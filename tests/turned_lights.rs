@@ -33,7 +33,7 @@ fn turned<S: Scalar>(degree: usize, light: &[S], rotation: &Rotation<S>) -> Vec<
     let mut workspace = vec![S::ONE; Light::<S>::turn_len(degree)];
     let mut turned = vec![S::ONE; light.len()];
     let light = Light::new(light).expect("coefficients");
-    light.turn_into::<Libm>(rotation, &mut workspace, &mut turned).expect("room");
+    light.turn_into(rotation, &mut workspace, &mut turned).expect("room");
     turned
 }
 
@@ -42,8 +42,8 @@ fn wide(values: &[f32]) -> Vec<f64> {
 }
 
 /// By angles, with roots in single precision.
-fn of_angles([a, b, c]: [f32; 3]) -> Rotation<f32> {
-    Rotation::from_euler::<SinglePrecision>(a, b, c).expect("a rotation")
+fn of_angles([a, b, c]: [f32; 3]) -> Rotation {
+    Rotation::from_euler(a, b, c).expect("a rotation")
 }
 
 /// Angles in general, and those at which Euler angles are not unique.
@@ -68,7 +68,7 @@ fn turned_light_comes_from_turned_directions() {
         })
         .collect();
     for [a, b, c] in angles().into_iter().step_by(5) {
-        let rotation = Rotation::from_euler::<Libm>(a, b, c).expect("a rotation");
+        let rotation = Rotation::from_euler(a, b, c).expect("a rotation");
         let after = ExplicitLight::new(&turned(9, &light, &rotation));
         for &direction in &directions {
             let seen = after.radiance(rotation.turn_direction(direction));
@@ -97,7 +97,7 @@ fn turned_light_is_the_generators() {
             let of_generator = eigenshade_model::rotation::Rotation { alpha: b, beta: a, gamma: c };
             let expected = of_generator.turn(degree, &light);
             let scale = largest(light.iter().copied());
-            let rotation = Rotation::from_euler::<Libm>(a, b, c).expect("a rotation");
+            let rotation = Rotation::from_euler(a, b, c).expect("a rotation");
             let found = turned(degree, &light, &rotation);
             worst = worst.max(largest_difference(&found, &expected) / scale);
             // f32 from beginning to end.
@@ -230,7 +230,7 @@ fn rotations_are_one_however_given() {
         let (a, b) = (a.matrix(), b.matrix());
         largest(a.as_flattened().iter().zip(b.as_flattened()).map(|(a, b)| a - b))
     };
-    let of_angles = |a, b, c| Rotation::from_euler::<Libm>(a, b, c).expect("a rotation");
+    let of_angles = |a, b, c| Rotation::from_euler(a, b, c).expect("a rotation");
     for [a, b, c] in angles() {
         let rotation = of_angles(a, b, c);
         // Products of quaternions about z, y and z.
@@ -266,7 +266,7 @@ fn what_is_no_rotation_is_an_error() {
     assert_eq!(Rotation::from_quaternion([0.0f32; 4]), no);
     assert_eq!(Rotation::from_quaternion([f32::MAX, 0.0, 0.0, 0.0]), no);
     assert_eq!(Rotation::from_quaternion([f32::NAN, 0.0, 0.0, 1.0]), no);
-    assert_eq!(Rotation::from_euler::<SinglePrecision>(0.0, f32::INFINITY, 0.0), no);
+    assert_eq!(Rotation::from_euler(0.0, f32::INFINITY, 0.0), no);
     let mirrored = [[1.0f32, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, -1.0]];
     assert_eq!(Rotation::from_matrix(mirrored), no);
     assert_eq!(Rotation::from_matrix([[2.0f32, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 2.0]]), no);
@@ -281,7 +281,7 @@ fn what_is_no_rotation_is_an_error() {
     assert!(light.turned::<16>(&Rotation::NONE).is_ok());
     assert!(matches!(light.turned::<15>(&Rotation::NONE), Err(Error::Capacity { .. })));
     let mut few = [0.0; 9];
-    let error = light.turn_into::<Libm>(&Rotation::NONE, &mut [], &mut few);
+    let error = light.turn_into(&Rotation::NONE, &mut [], &mut few);
     assert!(matches!(error, Err(Error::Length { expected: 16, found: 9, .. })));
     // From degree 13 on there has to be a workspace.
     let numbers = [0.5f32; 196];
@@ -290,7 +290,7 @@ fn what_is_no_rotation_is_an_error() {
     let error = Error::Capacity { argument: Argument::Workspace, needed, capacity: 0 };
     assert_eq!(light.turned::<196>(&Rotation::NONE), Err(error));
     let (mut room, mut turned) = (vec![0.0; needed - 1], [0.0; 196]);
-    let error = light.turn_into::<Libm>(&Rotation::NONE, &mut room, &mut turned);
+    let error = light.turn_into(&Rotation::NONE, &mut room, &mut turned);
     assert!(matches!(error, Err(Error::Length { argument: Argument::Workspace, .. })));
 }
 

@@ -29,19 +29,19 @@ fn factors_are_fourth_powers_of_sinc() {
                 _ => sinc(std::f64::consts::PI * degree as f64 / width).powi(4),
             };
             let window = Window::SincFourth { width };
-            let found = window.factor::<Libm>(degree);
+            let found = window.factor(degree);
             assert!((found - expected).abs() <= tolerances::SPECIAL_LOW, "{degree}, {width}");
             let single = Window::SincFourth { width: width as f32 };
-            let factors = [single.factor::<Libm>(degree), single.factor::<SinglePrecision>(degree)];
+            let factors = [single.factor(degree), single.factor(degree)];
             for found in factors {
                 let apart = (f64::from(found) - expected).abs();
                 assert!(apart <= WINDOW_F32, "{degree}, {width}: {apart:e}");
             }
-            assert_eq!(Window::<f32>::None.factor::<Libm>(degree), 1.0);
+            assert_eq!(Window::None.factor(degree), 1.0);
         }
     }
     // As documented for degree 9.
-    let last = |width: f64| Window::SincFourth { width }.factor::<Libm>(9);
+    let last = |width: f64| Window::SincFourth { width }.factor(9);
     let [off, nothing] = WINDOW_STATED;
     assert!(
         (last(20.0) - 0.2).abs() < off && last(10.0) < nothing,
@@ -51,7 +51,7 @@ fn factors_are_fourth_powers_of_sinc() {
     );
     for width in [0.0f32, -1.0, f32::NAN] {
         let window = Window::SincFourth { width };
-        assert_eq!((window.factor::<Libm>(0), window.factor::<Libm>(1)), (1.0, 0.0));
+        assert_eq!((window.factor(0), window.factor(1)), (1.0, 0.0));
     }
 }
 
@@ -61,13 +61,13 @@ fn lights_pass_windows_degree_by_degree() {
     let coefficients: Vec<f64> = (0..100).map(|k| 1.0 + f64::from(k)).collect();
     let light = Light::new(&coefficients).expect("100 coefficients");
     let window = Window::SincFourth { width: 11.0 };
-    let windowed = light.windowed::<Libm, 100>(window).expect("room");
+    let windowed = light.windowed::<100>(window).expect("room");
     let places = eigenshade::index::light::indices(9);
     for ((l, _), (found, given)) in places.zip(windowed.iter().zip(&coefficients)) {
-        assert_eq!(*found, given * window.factor::<Libm>(l));
+        assert_eq!(*found, given * window.factor(l));
     }
-    assert_eq!(light.windowed::<Libm, 100>(Window::None).expect("room").as_slice(), coefficients);
-    assert!(matches!(light.windowed::<Libm, 99>(window), Err(Error::Capacity { needed: 100, .. })));
+    assert_eq!(light.windowed::<100>(Window::None).expect("room").as_slice(), coefficients);
+    assert!(matches!(light.windowed::<99>(window), Err(Error::Capacity { needed: 100, .. })));
 }
 
 /// A sun to degree 9 rings below zero; through a window of that degree hardly.
@@ -95,7 +95,7 @@ fn a_window_takes_the_ringing() {
         (-1000..=1000).map(radiance).fold(f64::INFINITY, f64::min) / radiance(1000)
     };
     let light = Light::new(&sun).expect("100 coefficients");
-    let windowed = light.windowed::<Libm, 100>(Window::SincFourth { width: 10.0 }).expect("room");
+    let windowed = light.windowed::<100>(Window::SincFourth { width: 10.0 }).expect("room");
     let (before, after) = (least(&sun), least(&windowed));
     println!("{before} {after}");
     assert!(before < -0.1 && after > -WINDOW_RINGING, "{before} {after}");

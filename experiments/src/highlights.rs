@@ -4,7 +4,7 @@
 use crate::accuracy_cost::scope::published;
 use crate::numbers::median;
 use crate::pages::{Part, table};
-use crate::sheet::fields;
+use crate::sheet::{Record, Sheet, fields};
 use eigenshade_generator::light::environment::EnvironmentMap;
 use eigenshade_generator::light::projection::named_maps;
 use eigenshade_generator::material::brdf::Measure;
@@ -51,6 +51,24 @@ pub struct Row {
 pub const COLUMNS: &str = "light,turned,roughness,degree,order,sources,mean,p95,white";
 
 impl Row {
+    /// A row of `docs/highlights.csv`.
+    fn of(record: &Record) -> Option<Self> {
+        let number = |column| record.number(column);
+        let count = |column: &str| record.text(column).parse().ok();
+        Some(Self {
+            light: record.text("light").into(),
+            is_turned: record.text("turned") == "1",
+            roughness: number("roughness")?,
+            size: (count("degree")?, count("order")?),
+            sources: count("sources")?,
+            error: ScreenError {
+                mean: number("mean")?,
+                p95: number("p95")?,
+                white: number("white")?,
+            },
+        })
+    }
+
     /// The fields of [`COLUMNS`].
     pub fn fields(&self) -> Vec<String> {
         let Self { light, is_turned, roughness, size: (degree, order), sources, error } = self;
@@ -58,6 +76,13 @@ impl Row {
         let (turned, white) = (u8::from(*is_turned), format!("{:.4}", error.white));
         fields(&[light, &turned, roughness, degree, order, sources, &mean, &p95, &white])
     }
+}
+
+/// The rows of `docs/highlights.csv`.
+pub fn read(path: &Path) -> Result<Vec<Row>> {
+    let rows = Sheet::read(path)?.rows;
+    let fault = |line| Error::new("it lacks a number", "make the file again").at_line(path, line);
+    rows.iter().map(|record| Row::of(record).ok_or_else(|| fault(record.line))).collect()
 }
 
 /// Lights that no camera took: their names and maps.
@@ -119,7 +144,7 @@ pub fn errors(inputs: &Path, names: &[String], progress: &ProgressBar) -> Result
                     let counts = std::iter::once(0).chain(SETS.into_iter().filter(|_| has_sources));
                     for sources in counts {
                         let gloss = &material.gloss;
-                        let found = picture(&view, [response; 3], gloss, sets, sources, &sphere)?;
+                        let found = picture(&view, [response; 3], gloss, sets, sources, &sphere);
                         let ScreenError { mean, p95, white } =
                             reference.errors(&found, &sphere).all;
                         // The digits that are recorded.
@@ -222,7 +247,7 @@ pub fn spheres(inputs: &Path, map: &str, on: &str, normals: &[[f64; 3]]) -> Resu
         let Some((size, most)) = drawn else { return Ok(view.reference(&surface, normals)) };
         let projected = surface.project(size.1, Measure::default()).material;
         let [r, g, b] = projected.rgb.each_ref().map(|b| Response::new(size, b));
-        picture(&view, [&r, &g, &b], &gloss, &sources, most, &sphere)
+        Ok(picture(&view, [&r, &g, &b], &gloss, &sources, most, &sphere))
     };
     DRAWN.into_iter().map(drawn).collect()
 }

@@ -4,14 +4,11 @@
 pub use eigenshade_sources::{light_tree, mirrored, sphere, texels};
 pub use eigenshade_testing::tolerances;
 
-pub mod ablation;
 pub mod accuracy_cost;
 pub mod chart;
 pub mod figures;
 pub mod highlights;
 pub mod material_errors;
-pub mod multiplications;
-pub mod mutations;
 pub mod numbers;
 pub mod pages;
 pub mod paper;

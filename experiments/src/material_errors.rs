@@ -4,24 +4,24 @@
 use crate::accuracy_cost::errors::Spread;
 use crate::accuracy_cost::scope::published;
 use crate::accuracy_cost::total::references::World;
-use crate::sheet::fields;
+use crate::numbers::{median, percent};
+use crate::pages::table;
+use crate::sheet::{Record, Sheet, fields};
 use crate::sphere::{Picture, Sphere};
-use eigenshade::mathematics::Libm;
-use eigenshade::{Highlights, Rgb};
 use eigenshade_generator::material::brdf::{Brdf, Geometry, Surface};
-use eigenshade_index::highlights::MAX_SOURCES;
 use eigenshade_index::light;
 use eigenshade_model::database::Named;
 use eigenshade_model::error::{Error, Result};
+use eigenshade_model::highlights::{self, Highlights};
 use eigenshade_model::inputs::coefficient_csv::read_lights;
 use eigenshade_model::scattering;
 use eigenshade_model::screen::ScreenError;
 use eigenshade_model::source::{Gloss, Source, SourceSets};
-use eigenshade_shading::shader::{OwnedNormals, fault};
+use eigenshade_shading::shipped;
 use eigenshade_shading::shipped::{ERROR_SIZES, TotalError, named_materials};
-use eigenshade_shading::{highlights, shipped};
 use eigenshade_sources::screen::{self, Reference};
 use indicatif::ProgressBar;
+use std::convert::Infallible;
 use std::path::Path;
 
 /// The material that was measured and is not in color.
@@ -65,12 +65,10 @@ pub fn errors(inputs: &Path, names: &[String], spacing: f64, bar: &ProgressBar) 
         let integrated = world.pictures(surface, &world.sphere.normals).into_iter();
         let references: Vec<_> = integrated.map(|one| Reference::new(one, &world.sphere)).collect();
         let gloss = glosses.iter().find(|one| one.name == surface.name).map(|one| one.gloss);
-        let gloss = gloss.filter(|gloss| {
-            highlights::gloss::<f64>(gloss).is_ok_and(|gloss| gloss.needs_sources())
-        });
+        let gloss = gloss.filter(Gloss::needs_sources);
         let mut of_material = Vec::new();
         for (size, material) in ERROR_SIZES.into_iter().zip(shipped) {
-            for (sources, pictures) in pictures(&world, size, material, gloss.as_ref(), &sets)? {
+            for (sources, pictures) in pictures(&world, size, material, gloss.as_ref(), &sets) {
                 let error = errors_of(&references, &world, &pictures);
                 of_material.push(Errors { size, sources, ..error });
             }
@@ -94,6 +92,23 @@ pub fn rows(found: &Found) -> impl Iterator<Item = Vec<String>> {
             fields(&[name, degree, order, sources, &mean, &mean_most, &p95, &p95_most, map])
         })
     })
+}
+
+/// The table of the energies that orders leave out, of `merl.energy.csv`.
+pub fn energies(sheet: &Sheet) -> String {
+    let row = |of_kind: &[Record]| {
+        let shares: Vec<f64> = of_kind.iter().filter_map(|row| row.number("left_out")).collect();
+        let worst = (0..shares.len()).max_by(|&a, &b| shares[a].total_cmp(&shares[b]));
+        let worst = worst.unwrap_or_default();
+        let [model, order] = ["model", "order"].map(|column| of_kind[0].text(column));
+        let numbers = [median(&shares), Spread::of(&shares).most, shares[worst]];
+        let [middle, most, largest] = numbers.map(|share| percent(share, 2));
+        let largest = format!("{largest} ({})", of_kind[worst].text("material"));
+        vec![format!("{}, {order}", model.to_uppercase()), middle, most, largest]
+    };
+    let kind = |row: &Record| ["model", "order"].map(|column| row.text(column).to_owned());
+    let kinds = sheet.rows.chunk_by(|a, b| kind(a) == kind(b));
+    table("model, order | median: | 95th percentile: | worst material:", kinds.map(row))
 }
 
 fn errors_of(all: &[Reference], world: &World, pictures: &[Picture]) -> Errors {
@@ -123,7 +138,7 @@ fn pictures(
     on: &Named,
     gloss: Option<&Gloss>,
     sets: &[SourceSets],
-) -> Result<Vec<(usize, Vec<Picture>)>> {
+) -> Vec<(usize, Vec<Picture>)> {
     let (sphere, lights) = (&world.sphere, &world.lights.entries);
     let mut lit = Vec::new();
     let mut apart = [const { Vec::new() }; 3];
@@ -133,8 +148,8 @@ fn pictures(
                 light.rgb.each_ref().map(|channel| channel[..light::count(degree)].to_vec());
             let sources = sets.iter().find(|one| one.name == light.name && gloss.is_some());
             let sources = sources.map_or(&[][..], |sets| sets.of_most(most));
-            highlights::take_out(&mut rest, degree, sources)?;
-            lit.push(gloss.map(|gloss| shone(gloss, sources, sphere)).transpose()?);
+            highlights::take_out(&mut rest, degree, sources);
+            lit.push(gloss.map(|gloss| shone(gloss, sources, sphere)));
             for (apart, rest) in apart.iter_mut().zip(&rest) {
                 apart.extend((0..=degree).map(|l| {
                     let mut one = vec![0.0; rest.len()];
@@ -148,31 +163,28 @@ fn pictures(
     let degrees = sphere.direct((degree, order), &[0, 1, 2].map(channel));
     let (count, terms) = (SOURCES.len() * lights.len(), degree + 1);
     let picture = |k: usize| {
-        screen::windowed(degree, sphere, |window| {
+        let Ok(picture) = screen::windowed(degree, sphere, |window| {
             let factors = screen::factors(window, degree);
             let channel = |c: usize| {
                 let images = &degrees[(c * count + k) * terms..][..terms];
                 let pixel = |n: usize| {
                     let sum: f64 = images.iter().zip(&factors).map(|(one, f)| f * one[n]).sum();
-                    sum + lit[k].as_ref().map_or(0.0, |lit| <[f64; 3]>::from(lit[n])[c])
+                    sum + lit[k].as_ref().map_or(0.0, |lit| lit[n][c])
                 };
                 (0..sphere.normals.len()).map(pixel).collect()
             };
-            Ok([channel(0), channel(1), channel(2)])
-        })
+            Ok::<Picture, Infallible>([channel(0), channel(1), channel(2)])
+        });
+        picture
     };
-    let all = (0..count).map(picture).collect::<Result<Vec<Picture>>>()?;
-    Ok(SOURCES.into_iter().zip(all.chunks(lights.len()).map(<[_]>::to_vec)).collect())
+    let all: Vec<Picture> = (0..count).map(picture).collect();
+    SOURCES.into_iter().zip(all.chunks(lights.len()).map(<[_]>::to_vec)).collect()
 }
 
 /// The highlights of sources at the normals of a sphere.
-fn shone(gloss: &Gloss, sources: &[Source], sphere: &Sphere) -> Result<Vec<Rgb<f64>>> {
-    let sources = sources.iter().map(highlights::source).collect::<Result<Vec<_>>>()?;
-    let gloss = highlights::gloss(gloss)?;
-    let lobes = Highlights::<f64, MAX_SOURCES>::new::<Libm>(&gloss, &sources).map_err(fault)?;
-    let mut lit = vec![Rgb::gray(0.0); sphere.normals.len()];
-    lobes.add_slice(OwnedNormals::new(&sphere.normals).view()?, &mut lit).map_err(fault)?;
-    Ok(lit)
+fn shone(gloss: &Gloss, sources: &[Source], sphere: &Sphere) -> Vec<[f64; 3]> {
+    let lobes = Highlights::new(gloss, sources);
+    sphere.normals.iter().map(|&normal| lobes.irradiance(normal)).collect()
 }
 
 /// The BRDFs with the coefficients that are shipped for each of [`ERROR_SIZES`].

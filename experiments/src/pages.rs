@@ -1,67 +1,15 @@
-//! Generated parts of handwritten pages: inserting them, and comparing them with a new measurement.
+//! Generated tables of handwritten pages.
 //!
-//! A part is enclosed by `<!-- NAME -->` and `<!-- end of NAME -->`, each on its own line.
+//! A table is enclosed by `<!-- NAME -->` and `<!-- end of NAME -->`, each on its own line.
 
-use clap::Args;
+use crate::sheet::Sheet;
 use eigenshade_cli::output;
 use eigenshade_model::error::{self, Error};
 use std::fs;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
-/// A part's name and its text, which consists of whole lines.
+/// A table's name and its text, which consists of whole lines.
 pub type Part = (&'static str, String);
-
-/// A page of `docs/` with generated parts.
-pub struct Page {
-    /// The page's name, which is also the name of the command that regenerates its parts.
-    pub name: &'static str,
-    /// Whether a recorded word is the same as a new one, given the recorded line.
-    pub same: fn(line: &str, old: &str, new: &str) -> bool,
-}
-
-impl Page {
-    /// Inserts the parts into the page of `--out`, or compares them with the page of `--check`.
-    pub fn write_or_compare(&self, purpose: &Purpose, parts: &[Part]) -> error::Result<()> {
-        let Some(path) = purpose.out.as_ref().or(purpose.check.as_ref()) else { return Ok(()) };
-        let (text, name) = (filled(path, parts)?, self.name);
-        let command = format!("cargo run --release -p experiments -- {name} --out docs/{name}.md");
-        purpose.write_or_compare(&text, &command, |old, new| compare_words(old, new, self.same))
-    }
-}
-
-/// Whether a command writes its output or compares it with an existing file: one of the two.
-#[derive(Args, Debug)]
-#[group(required = true, multiple = false)]
-pub struct Purpose {
-    /// Write to this folder or file
-    #[arg(long, value_name = "PATH")]
-    pub out: Option<PathBuf>,
-    /// Compare this folder or file with the current measurements
-    #[arg(long, value_name = "PATH")]
-    pub check: Option<PathBuf>,
-}
-
-impl Purpose {
-    /// Writes `text` to `--out`, or compares it with the file of `--check`: `compare(recorded,
-    /// text)` returns the first difference. `command` is the command that rewrites the file.
-    pub fn write_or_compare(
-        &self,
-        text: &str,
-        command: &str,
-        compare: impl Fn(&str, &str) -> Result<(), String>,
-    ) -> error::Result<()> {
-        if let Some(path) = &self.out {
-            output::write_all(Some(path), text)?;
-        }
-        if let Some(path) = &self.check {
-            let recorded = fs::read_to_string(path).map_err(|error| Error::io(path, &error))?;
-            compare(&recorded, text).map_err(|fault| {
-                Error::new(fault, format!("make it again with `{command}`")).in_file(path)
-            })?;
-        }
-        Ok(())
-    }
-}
 
 /// A table with these columns, which ` | ` separates. A colon at the end aligns one right.
 pub fn table(columns: &str, rows: impl IntoIterator<Item = Vec<String>>) -> String {
@@ -73,15 +21,33 @@ pub fn table(columns: &str, rows: impl IntoIterator<Item = Vec<String>>) -> Stri
     text + &rows.collect::<String>() + "\n"
 }
 
-/// The page in a file with the text of each part replaced.
-pub fn filled(path: &Path, parts: &[Part]) -> error::Result<String> {
-    let page = fs::read_to_string(path).map_err(|error| Error::io(path, &error))?;
-    with_parts(&page, parts)
-        .map_err(|fault| Error::new(fault, "restore these markers").in_file(path))
+/// The table of a CSV as it is. Columns without words are aligned right.
+pub fn table_of(sheet: &Sheet) -> String {
+    let is_number =
+        |cell: &&str| !cell.starts_with(|letter: char| letter.is_alphabetic() || letter == '`');
+    let column = |name: &String| {
+        let is_right = sheet.texts(name).iter().all(is_number);
+        format!("{name}{}", if is_right { ":" } else { "" })
+    };
+    let columns: Vec<String> = sheet.columns.iter().map(column).collect();
+    // An unescaped bar would end the cell.
+    let cells = sheet
+        .rows
+        .iter()
+        .map(|row| sheet.columns.iter().map(|name| row.text(name).replace('|', "\\|")).collect());
+    table(&columns.join(" | "), cells)
+}
+
+/// Writes the tables into the page.
+pub fn fill(page: &Path, parts: &[Part]) -> error::Result<()> {
+    let text = fs::read_to_string(page).map_err(|error| Error::io(page, &error))?;
+    let text = with_parts(&text, parts)
+        .map_err(|fault| Error::new(fault, "restore these markers").in_file(page))?;
+    output::write_all(Some(page), text)
 }
 
 /// Returns the page with the text of each part replaced, or the markers that it lacks.
-pub fn with_parts(page: &str, parts: &[Part]) -> Result<String, String> {
+fn with_parts(page: &str, parts: &[Part]) -> Result<String, String> {
     let mut page = page.to_owned();
     for (name, text) in parts {
         let (begin, end) = (format!("<!-- {name} -->\n"), format!("<!-- end of {name} -->\n"));
@@ -92,44 +58,6 @@ pub fn with_parts(page: &str, parts: &[Part]) -> Result<String, String> {
         page.replace_range(start..stop, text);
     }
     Ok(page)
-}
-
-/// Compares texts word by word: `same(recorded line, old, new)`. Fails at the first difference.
-pub fn compare_words(
-    recorded: &str,
-    now: &str,
-    mut same: impl FnMut(&str, &str, &str) -> bool,
-) -> Result<(), String> {
-    let (old, new): (Vec<_>, Vec<_>) = (recorded.lines().collect(), now.lines().collect());
-    for (line, (old, new)) in old.iter().zip(&new).enumerate() {
-        let fault = |old, new| Err(format!("line {}: recorded `{old}`, now `{new}`", line + 1));
-        let [before, after] = [old, new].map(|line| line.split_whitespace().collect::<Vec<_>>());
-        if let Some((a, b)) = before.iter().zip(&after).find(|(a, b)| !same(old, a, b)) {
-            return fault(*a, *b);
-        }
-        if before.len() != after.len() {
-            return fault(*old, *new);
-        }
-    }
-    if old.len() == new.len() { Ok(()) } else { Err("the number of lines differs".into()) }
-}
-
-/// Whether a recorded word and the current one are the same. Words with an exponent or a percent
-/// sign are numbers and must be `near` each other (recorded, now). Words that begin with × are
-/// ratios of times and are not compared. All other words must be equal.
-pub fn same_word(old: &str, new: &str, near: impl Fn(f64, f64) -> bool) -> bool {
-    match (number(old), number(new)) {
-        (Some(old), Some(new)) => near(old, new),
-        _ => old == new || old.starts_with('×') && new.starts_with('×'),
-    }
-}
-
-fn number(word: &str) -> Option<f64> {
-    let word = word.trim_end_matches([',', '.', ';']);
-    if let Some(share) = word.strip_suffix('%') {
-        return share.parse::<f64>().ok().map(|share| 1e-2 * share);
-    }
-    if word.contains('e') { word.parse().ok() } else { None }
 }
 
 #[cfg(test)]
@@ -145,29 +73,9 @@ mod tests {
     }
 
     #[test]
-    fn a_table_has_a_row_for_each_list_of_cells() {
-        let text =
-            table("a | b:", [["x", "1"], ["y", "2"]].map(|row| row.map(Into::into).to_vec()));
-        assert_eq!(text, "| a | b |\n|---|---:|\n| x | 1 |\n| y | 2 |\n");
-    }
-
-    #[test]
-    fn words_are_equal_and_numbers_near() {
-        let compare = |old: &str, new: &str| {
-            let near = |old: f64, new: f64| (old - new).abs() <= 0.1 * old;
-            compare_words(old, new, |_, old, new| same_word(old, new, near))
-        };
-        for (old, new) in [
-            ("1.0e-3 a", "1.05e-3 a"),
-            ("1e-3, b", "1.05e-3, b"),
-            ("10 %", "10 %"),
-            ("10%;", "10.5%;"),
-        ] {
-            assert_eq!(compare(old, new), Ok(()), "{old}");
-        }
-        assert_eq!(compare("×1.2 b", "×7 b"), Ok(()));
-        for (old, new) in [("1e-3", "2e-3"), ("a", "b"), ("1", "2"), ("a", "a\nb"), ("1e-3", "x")] {
-            assert!(compare(old, new).is_err(), "{old}");
-        }
+    fn a_table_has_the_rows_of_its_csv() {
+        let sheet = Sheet::parse("# c\na,b,c\nx,1,|u|\n,< 2,3\n", "a.csv").unwrap();
+        let text = "| a | b | c |\n|---|---:|---:|\n| x | 1 | \\|u\\| |\n|  | < 2 | 3 |\n";
+        assert_eq!(table_of(&sheet), text);
     }
 }

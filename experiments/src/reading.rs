@@ -1,9 +1,10 @@
-//! Errors of estimates of light and material, for the tables of `docs/reading.md`, from images of
+//! Errors of estimates of light and material, which `docs/reading.md` shows, from images of
 //! peak 1 with camera effects: noise, few bits, clipping and hidden parts.
 
 use crate::numbers::median;
-use crate::pages::{Page, Part, same_word, table};
+use crate::sheet;
 use crate::tolerances;
+use csv::StringRecord;
 use eigenshade_cli::messages::progress_bar;
 use eigenshade_cli::picture::SphereView;
 use eigenshade_cli::reading::{Reader, Reading};
@@ -30,23 +31,23 @@ use std::path::Path;
 /// rounding, which differs between hosts.
 const ROUNDING: f64 = 1.5;
 /// Rows that are only rounding: all components, and no error in the pixels that are used.
-const EXACT: [&str; 3] =
-    ["| 218 | as it is |", "| 218 | clipped, left out |", "| 218 | half hidden |"];
-/// `docs/reading.md`. Counts may be off by one.
-pub const PAGE: Page = Page {
-    name: "reading",
-    same: |line, old, new| {
-        let is_exact = EXACT.iter().any(|start| line.starts_with(start));
-        let allowed = if is_exact { ROUNDING } else { tolerances::REPORT };
-        let mut names = line.split('|').take(3).flat_map(str::split_whitespace);
-        let is_name = names.any(|word| word == old);
-        let counts = [old, new].map(|word| word.parse::<i32>().ok().filter(|_| !is_name));
-        match counts {
-            [Some(old), Some(new)] => old.abs_diff(new) <= 1,
-            _ => same_word(old, new, |old, new| (old / new).ln().abs() <= allowed),
-        }
-    },
-};
+const EXACT: [&str; 3] = ["as it is", "clipped, left out", "half hidden"];
+
+/// Whether a recorded cell is the same as a new one. Counts may be off by one.
+pub fn same(row: &StringRecord, column: usize, old: &str, new: &str) -> bool {
+    let is_exact = row.get(0) == Some("218") && row.get(1).is_some_and(|one| EXACT.contains(&one));
+    let allowed = if is_exact { ROUNDING } else { tolerances::REPORT };
+    let near = |(old, new): (&str, &str)| match [old, new].map(str::parse::<i32>) {
+        [Ok(old), Ok(new)] => old.abs_diff(new) <= 1,
+        _ => match [old, new].map(str::parse::<f64>) {
+            [Ok(old), Ok(new)] => (old / new).ln().abs() <= allowed,
+            _ => old == new,
+        },
+    };
+    let [before, after] = [old, new].map(|cell| cell.split([',', ' ']).collect::<Vec<_>>());
+    old == new
+        || column > 1 && before.len() == after.len() && before.into_iter().zip(after).all(near)
+}
 
 /// Materials of the images, from matte to specular.
 const SHOWN_MATERIALS: [&str; 7] = [
@@ -63,7 +64,7 @@ const SIZE: usize = 64;
 
 /// The tables of the page: errors of the estimates, then ranks of the material and errors of the
 /// light. `tables` is the folder of the shipped tables.
-pub fn parts(tables: &Path) -> Result<Vec<Part>> {
+pub fn csv(tables: &Path) -> Result<[String; 2]> {
     let few = table::read(tables.join("curet.bin"))?;
     let (degree, order) = (few.gram.degree, few.gram.order);
     let lights = read_lights(tables.join("inputs/lights.csv"), None)?.truncated(degree);
@@ -97,15 +98,11 @@ pub fn parts(tables: &Path) -> Result<Vec<Part>> {
             [vec![table.count().to_string(), degradation.name.to_owned()], cells(score)].concat()
         })
     };
-    let estimates =
-        "components: | image | d: SP: | d: LS: | d: PM: | image: SP: | image: LS: | image: PM:";
-    let scenes = "\
-        components: | image | first: | last place: | light 2: | light 9: | true, 2: | true, 9: \
-        | posterior modes, 2: | least-norm modes of LS, 2:";
-    Ok(vec![
-        ("estimates", table(estimates, rows(Score::of_estimates))),
-        ("scenes", table(scenes, rows(Score::of_scene))),
-    ])
+    let csv = |columns, cells| sheet::csv("experiments reading --out docs", columns, rows(cells));
+    let estimates = "components,image,d: SP,d: LS,d: PM,image: SP,image: LS,image: PM";
+    let scenes = "components,image,first,last place,light: 2,light: 9,true material: 2,\
+                  true material: 9,posterior modes: 2,least-norm modes of LS: 2";
+    Ok([csv(estimates, Score::of_estimates)?, csv(scenes, Score::of_scene)?])
 }
 
 /// The entries with one of these names, and the others.

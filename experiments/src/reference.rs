@@ -10,8 +10,7 @@ use eigenshade_generator::material::brdf::{Measure, Surface};
 use eigenshade_index::{light, material};
 use eigenshade_model::database::{Lights, Named};
 use eigenshade_model::error::{Error, Result};
-use eigenshade_shading::owned_basis::OwnedBasis;
-use eigenshade_shading::shader::{OwnedNormals, Shader, fault};
+use eigenshade_model::evaluation::Evaluator;
 use eigenshade_shading::sphere_rings::rings;
 use eigenshade_table::Table;
 use indicatif::ProgressBar;
@@ -86,12 +85,15 @@ impl<'a> Reference<'a> {
         for channel in &mut material.rgb {
             channel.truncate(material::count(order));
         }
-        let basis = OwnedBasis::<f64>::new(table);
-        let mut shader = Shader::new(basis.any().map_err(fault)?, table.count());
-        let normals = OwnedNormals::new(&self.sphere.normals);
-        let pictures: Result<Vec<Picture>> =
-            lights.entries.iter().map(|light| shader.color(light, &material, &normals)).collect();
-        Ok(self.errors(pictures?.into_iter()))
+        let evaluator = Evaluator::new(table);
+        let eigenimages = evaluator.eigenimages(&self.sphere.normals);
+        let transfer = |c: usize| evaluator.transfer(&material.rgb[c]);
+        let transfers = [transfer(0)?, transfer(1)?, transfer(2)?];
+        let picture = |light: &Named| {
+            let channel = |c: usize| evaluator.relight(&transfers[c], &light.rgb[c]);
+            [0, 1, 2].map(|c: usize| eigenimages.reconstruct(&channel(c)))
+        };
+        Ok(self.errors(lights.entries.iter().map(picture)))
     }
 
     /// The first map under which the material is black.

@@ -1,12 +1,51 @@
 //! Recorded CSV files: their rows, and the counts of the boards, `firmware/counts.csv`.
 
 use crate::numbers::digits;
-use eigenshade_cli::output::Rows;
+use clap::Args;
+use eigenshade_cli::output::{Rows, write_all};
 use eigenshade_model::error::{Error, Result};
 use std::collections::BTreeMap;
 use std::fmt::Display;
 use std::fs;
-use std::path::Path;
+use std::path::{Path, PathBuf};
+
+/// Whether a command writes its output or compares it with what is there: one of the two.
+#[derive(Args, Debug)]
+#[group(required = true, multiple = false)]
+pub struct Purpose {
+    /// Write to this folder or file
+    #[arg(long, value_name = "PATH")]
+    pub out: Option<PathBuf>,
+    /// Compare this folder or file with the current measurements
+    #[arg(long, value_name = "PATH")]
+    pub check: Option<PathBuf>,
+}
+
+impl Purpose {
+    /// Writes `text` to `--out`, or compares it with the file of `--check`: `compare(recorded,
+    /// text)` returns the first difference. `name` is that of a file in the folder, if any;
+    /// `command` rewrites the file.
+    pub fn write_or_compare<T>(
+        &self,
+        name: &str,
+        text: &str,
+        command: &str,
+        compare: impl Fn(&str, &str) -> std::result::Result<T, String>,
+    ) -> Result<()> {
+        let in_folder =
+            |path: &PathBuf| if name.is_empty() { path.clone() } else { path.join(name) };
+        if let Some(path) = self.out.as_ref().map(in_folder) {
+            write_all(Some(&path), text)?;
+        }
+        if let Some(path) = self.check.as_ref().map(in_folder) {
+            let recorded = fs::read_to_string(&path).map_err(|error| Error::io(&path, &error))?;
+            compare(&recorded, text).map_err(|fault| {
+                Error::new(fault, format!("make it again with `{command}`")).in_file(&path)
+            })?;
+        }
+        Ok(())
+    }
+}
 
 /// Significant digits of measured numbers.
 const DIGITS: usize = 4;
@@ -49,6 +88,11 @@ impl Sheet {
         };
         let rows = reader.records().map(row).collect::<Result<_>>()?;
         Ok(Self { columns, rows })
+    }
+
+    pub fn read(path: &Path) -> Result<Self> {
+        let text = fs::read_to_string(path).map_err(|error| Error::io(path, &error))?;
+        Self::parse(&text, path)
     }
 
     /// The rows with this text in a column, which must exist.
@@ -123,11 +167,45 @@ pub fn csv<R: IntoIterator<Item: AsRef<[u8]>>>(
     Ok(String::from_utf8_lossy(&bytes).into_owned())
 }
 
+/// Compares two CSV texts cell by cell: `same(recorded row, column, old, new)`. Returns the number of
+/// cells, or the first difference.
+pub fn compare_cells(
+    recorded: &str,
+    now: &str,
+    same: impl Fn(&csv::StringRecord, usize, &str, &str) -> bool,
+) -> std::result::Result<usize, String> {
+    let rows = |text: &str| {
+        let mut reader = csv::ReaderBuilder::new();
+        let reader = reader.comment(Some(b'#')).has_headers(false).flexible(true);
+        let rows = reader.from_reader(text.as_bytes()).into_records().collect();
+        let rows: csv::Result<Vec<csv::StringRecord>> = rows;
+        rows.map_err(|error| error.to_string())
+    };
+    let (old, new) = (rows(recorded)?, rows(now)?);
+    let mut count = 0;
+    for (before, after) in old.iter().zip(&new) {
+        let line = before.position().map_or(0, csv::Position::line);
+        if before.len() != after.len() {
+            return Err(format!(
+                "line {line}: {} fields where {} belong",
+                before.len(),
+                after.len()
+            ));
+        }
+        for (column, (a, b)) in before.iter().zip(after).enumerate() {
+            if !same(before, column, a, b) {
+                return Err(format!("line {line}: recorded `{a}`, now `{b}`"));
+            }
+            count += 1;
+        }
+    }
+    if old.len() == new.len() { Ok(count) } else { Err("the number of lines differs".into()) }
+}
+
 /// The records of a file, which must have all columns.
 pub fn read(form: &Form, folder: &Path) -> Result<Vec<Record>> {
     let path = folder.join(form.name);
-    let text = fs::read_to_string(&path).map_err(|error| Error::io(&path, &error))?;
-    let sheet = Sheet::parse(&text, &path)?;
+    let sheet = Sheet::read(&path)?;
     let is_missing = |column: &&str| sheet.columns.iter().all(|name| name != column);
     match form.columns.split(',').find(is_missing) {
         None => Ok(sheet.rows),

@@ -10,11 +10,12 @@ use eigenshade_shading::shipped;
 use eigenshade_table::Table;
 use eigenshade_table::wire::{Endian, NumberFormat, encode};
 use eigenshade_testing::fixtures::named;
-use eigenshade_testing::{glossy, part};
+use eigenshade_testing::{glossy, repository};
 use experiments::accuracy_cost::errors::compare;
 use experiments::accuracy_cost::images::Images;
 use experiments::accuracy_cost::scope::{Scope, scene};
 use experiments::accuracy_cost::settings::{Format, Recipe, Setting, Way};
+use experiments::sheet::{Record, Sheet};
 
 /// Degrees and orders.
 const SHAPES: [[usize; 2]; 5] = [[9, 7], [12, 12], [16, 16], [24, 24], [32, 32]];
@@ -75,16 +76,18 @@ fn table([degree, order]: [usize; 2]) -> (Table, Lights, Materials) {
     (table, lights, materials)
 }
 
-/// Two methods with every component above a rank cut-off of 1e-10. The table of
-/// `docs/method.md` has the errors in f32.
+/// Two methods with every component above a rank cut-off of 1e-10. `docs/float-errors.csv`
+/// has the errors in f32.
 #[test]
 fn floats_are_right_at_every_degree() {
-    let table = part(include_str!("../../docs/method.md"), "float errors");
+    let recorded = Sheet::read(&repository().join("docs/float-errors.csv")).expect("a CSV");
     for (shape, [in_f32, in_f64]) in SHAPES.into_iter().zip(ALL_COMPONENTS_AT) {
         let errors = errors(shape);
-        let row = format!("\n| {}, {} | {} |", shape[0], shape[1], errors[0].components);
-        let row = table.split_once(&row).expect("a row of the table").1.lines().next();
-        let stated = row.expect("its figures").split('|').filter_map(|one| one.trim().parse().ok());
+        let key = [format!("{}, {}", shape[0], shape[1]), errors[0].components.to_string()];
+        let is_it =
+            |row: &&Record| ["degree and order", "components"].map(|one| row.text(one)) == key;
+        let row = recorded.rows.iter().find(is_it).expect("a row of the table");
+        let stated = recorded.columns[2..].iter().filter_map(|column| row.number(column));
         let found = errors.iter().filter(|one| one.format == "f32");
         // The largest error of each method in f32, then the rms and f64 of the polynomials.
         let found = found.map(|one| one.largest).chain([errors[0].rms, errors[1].largest]);
@@ -110,7 +113,7 @@ fn floats_are_right_at_every_degree() {
 #[test]
 fn a_table_with_series_is_read_back() {
     let (table, ..) = table([16, 16]);
-    let owned = OwnedBasis::<f32>::new(&table);
+    let owned = OwnedBasis::new(&table);
     let basis = owned.basis().expect("a basis");
     assert!(!basis.parts().recurrences.is_empty());
     let bytes = encode(&table, NumberFormat::F32, Endian::Little).expect("a wire file");

@@ -1,32 +1,21 @@
-//! The recorded errors of pictures with small sources, their page, and gloss.
+//! The recorded errors of pictures with small sources, and gloss.
 
 use crate::OF_DIGITS;
 use crate::support::repository;
-use eigenshade::{Gloss, sphere};
+use eigenshade::sphere;
 use eigenshade_generator::light::environment::EnvironmentMap;
 use eigenshade_index::highlights::ROUGHNESS;
 use eigenshade_model::screen::ScreenError;
-use eigenshade_model::source::{Base, NamedGloss, SetError};
-use eigenshade_shading::{highlights, shipped};
+use eigenshade_model::source::{Base, Gloss, NamedGloss, SetError};
+use eigenshade_shading::shipped;
 use eigenshade_sources::remaining;
 use eigenshade_sources::response::Glossy;
 use eigenshade_sources::view::View;
-use experiments::highlights::{Row, errors, glosses, parts};
-use experiments::pages::filled;
+use experiments::highlights::{Row, errors, glosses, read};
 use indicatif::ProgressBar;
-use std::fs;
 
 fn recorded() -> Vec<Row> {
-    let text = fs::read_to_string(repository().join("docs/highlights.csv")).unwrap();
-    let row = |line: &str| {
-        let fields: Vec<&str> = line.split(',').collect();
-        let number = |k: usize| fields[k].parse::<f64>().unwrap();
-        let [degree, order, sources] = [3, 4, 5].map(|k: usize| fields[k].parse().unwrap());
-        let (light, is_turned, roughness) = (fields[0].into(), fields[1] == "1", number(2));
-        let error = ScreenError { mean: number(6), p95: number(7), white: number(8) };
-        Row { light, is_turned, roughness, size: (degree, order), sources, error }
-    };
-    text.lines().skip(2).map(row).collect()
+    read(&repository().join("docs/highlights.csv")).unwrap()
 }
 
 #[test]
@@ -81,8 +70,10 @@ fn errors_of_sets_hold_under_another_view() {
         let key = (row.light.as_str(), row.sources, row.size, Base::Metal);
         let is = |one: &&SetError| (one.light.as_str(), one.most, one.size, one.base) == key;
         let Some(estimate) = estimates.iter().find(is) else { continue };
-        let metal = Gloss::new(row.roughness, [1.0; 3], [0.0; 3]).unwrap();
-        let estimate = highlights::set_errors(estimate, &metal);
+        let [white, black] = [[1.0; 3], [0.0; 3]];
+        let metal =
+            Gloss { roughness: row.roughness, reflectance: white, grazing: white, albedo: black };
+        let estimate = estimate.of(&metal);
         shares.push(row.error.over_close() / estimate.over_close());
         if estimate.is_close() {
             close[usize::from(row.error.is_close())] += 1;
@@ -94,12 +85,6 @@ fn errors_of_sets_hold_under_another_view() {
     println!("{count}: {:?}, {close:?}", [0.05, 0.5, 0.8, 0.95, 1.0].map(at));
     assert!(count > 300 && at(0.5) <= 1.0 && at(0.8) <= 1.25, "{} {}", at(0.5), at(0.8));
     assert!(close[0] * 8 <= close[1], "{close:?}");
-}
-
-#[test]
-fn the_page_has_the_recorded_errors() {
-    let page = repository().join("docs/highlights.md");
-    assert_eq!(filled(&page, &parts(&recorded())).unwrap(), fs::read_to_string(&page).unwrap());
 }
 
 /// Nearer to the rim than the normals of the page's tables: 9 % of the peak, and more.

@@ -3,7 +3,6 @@
 #[path = "../../crates/cli/tests/support/mod.rs"]
 mod support;
 
-mod ablation_page;
 mod accuracy_cost;
 mod benchmark_tables;
 mod direct_integration;
@@ -11,14 +10,14 @@ mod float_errors;
 mod highlights;
 mod material_errors;
 mod metallic_roughness;
-mod paper_command;
 mod paper_oracle;
 mod paper_statements;
-mod reading_page;
+mod reading;
 use eigenshade_generator::light::environment::EnvironmentMap;
 use eigenshade_generator::material::brdf::{Brdf, Surface};
 use eigenshade_generator::material::files::{Source, read};
 use eigenshade_testing::{oracle, tolerances};
+use experiments::sheet;
 use experiments::texels::Texels;
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -26,7 +25,7 @@ use std::path::{Path, PathBuf};
 /// The program that has this command. `eigenshade` lies beside this one if it was built.
 fn program(command: &str) -> PathBuf {
     let experiments = Path::new(env!("CARGO_BIN_EXE_experiments"));
-    if ["errors", "paper", "accuracy-cost"].contains(&command) {
+    if ["errors", "accuracy-cost"].contains(&command) {
         return experiments.into();
     }
     let eigenshade =
@@ -39,19 +38,13 @@ fn program(command: &str) -> PathBuf {
 /// the integrals and the sources differently.
 const OF_DIGITS: f64 = 2.5;
 
-/// A page contains this text.
-fn assert_contains(page: &str, text: &str) {
+/// A CSV of `docs` has these rows. Its first line is the command that prints them.
+fn assert_recorded(name: &str, columns: &str, rows: &[Vec<String>]) {
+    let recorded = fs::read_to_string(support::repository().join("docs").join(name)).expect(name);
+    let (comment, _) = recorded.split_once('\n').expect("a line");
+    let text = sheet::csv(comment.trim_start_matches("# "), columns, rows).expect("a CSV");
     println!("{text}");
-    let found = fs::read_to_string(support::repository().join(page)).expect(page);
-    assert!(found.contains(text), "{page} lacks the text above");
-}
-
-/// A page contains these words, wherever its lines break.
-fn assert_says(page: &str, words: &str) {
-    println!("{words}");
-    let text = fs::read_to_string(support::repository().join(page)).expect(page);
-    let text = text.split_whitespace().collect::<Vec<_>>().join(" ");
-    assert!(text.contains(words), "{page} lacks: {words}");
+    assert!(recorded == text, "docs/{name} has not the rows above");
 }
 
 /// A shipped map.

@@ -1,6 +1,6 @@
 //! The runtime's materials of metallic and roughness, against projections of the formula itself.
 
-use crate::assert_contains;
+use crate::assert_recorded;
 use crate::support::{Folder, numbers, rows};
 use eigenshade::index::material::{count, indices};
 use eigenshade::presets::light::PARK;
@@ -133,10 +133,7 @@ fn of_runtime(size: usize, base: f32, metallic: f32, roughness: f32) -> [Vec<f64
 fn pictures_are_those_of_the_formula_over_all_parameters() {
     let pixels = SIZES.map(pixels);
     let [bare, over_matte] = [0.0, 1.0].map(|albedo| formula(1.0, 0.0, albedo));
-    let mut table = String::from(
-        "| roughness | order 7, f32 | Q15 | only rounded | order 12, f32 | Q15 | only rounded |\n\
-         |---|---:|---:|---:|---:|---:|---:|\n",
-    );
+    let mut rows = Vec::new();
     let mut failures = Vec::new();
     for range in ROUGHNESS {
         let mut worst = [[0.0f64; 3]; 2];
@@ -167,11 +164,13 @@ fn pictures_are_those_of_the_formula_over_all_parameters() {
             }
         }
         let [first, last] = [range[0], range[range.len() - 1]];
-        let numbers = worst.as_flattened().iter().map(|error| format!(" {error:.1e} |"));
-        table += &format!("| {first} to {last} |{}\n", numbers.collect::<String>());
+        let numbers = worst.as_flattened().iter().map(|error| format!("{error:.1e}"));
+        rows.push(std::iter::once(format!("{first} to {last}")).chain(numbers).collect());
     }
     assert!(failures.is_empty(), "{}: {:#?}", failures.len(), &failures[..failures.len().min(20)]);
-    assert_contains("docs/accuracy.md", &table);
+    let columns = "roughness,order 7: f32,order 7: Q15,order 7: only rounded,order 12: f32,\
+                   order 12: Q15,order 12: only rounded";
+    assert_recorded("metallic-roughness.csv", columns, &rows);
 }
 
 /// The program's `material ggx` projects whole materials.

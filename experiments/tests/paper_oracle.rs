@@ -2,11 +2,10 @@
 
 use crate::support::repository;
 use crate::{oracle, tolerances};
-use eigenshade::Normal;
 use eigenshade_index::{light, material, mode};
+use eigenshade_model::evaluation::Evaluator;
 use eigenshade_model::irradiance;
 use eigenshade_model::selection::variances;
-use eigenshade_shading::owned_basis::OwnedBasis;
 use eigenshade_shading::parallel;
 use eigenshade_testing::fixtures::of_equal_areas;
 use experiments::paper::bound::render;
@@ -93,24 +92,14 @@ fn errors_are_those_of_pixels() {
     near(trial.mean * trial.mean, average * average, "mean");
 
     for (table, fit) in study.tables.iter().zip(&trial.fits) {
-        let owned = OwnedBasis::<f64>::new(table);
-        let basis = owned.basis().expect("a basis");
-        let at = |coefficients: &[f64]| -> Vec<f64> {
-            let one = |[x, y, z]: [f64; 3]| {
-                let normal = Normal::new(x, y, z).expect("visible");
-                basis.reconstruct(coefficients, normal).expect("no more than there are")
-            };
-            pixels.iter().map(|(normal, _)| one(*normal)).collect()
-        };
+        let normals: Vec<[f64; 3]> = pixels.iter().map(|(normal, _)| *normal).collect();
+        let eigenimages = Evaluator::new(table).with_components(50).eigenimages(&normals);
         // Standard PCA's basis adds its mean image to everything.
-        let base = at(&[]);
-        let mut residual: Vec<f64> = image.iter().zip(&base).map(|(a, b)| a - b).collect();
+        let pairs = image.iter().zip(eigenimages.mean());
+        let mut residual: Vec<f64> = pairs.map(|(a, b)| a - b).collect();
         let criterion = table.scene.basis.criterion.name();
         for count in 0..50 {
-            let mut coefficients = vec![0.0; count + 1];
-            coefficients[count] = 1.0;
-            let eigenimage: Vec<f64> =
-                at(&coefficients).iter().zip(&base).map(|(a, b)| a - b).collect();
+            let eigenimage = eigenimages.eigenimage(count);
             if [0, 1, 5, 10, 30].contains(&count) {
                 let center = mean(&pixels, |k| residual[k]);
                 let left = mean(&pixels, |k| (residual[k] - center).powi(2));

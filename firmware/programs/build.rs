@@ -5,20 +5,15 @@ mod golden;
 #[path = "build/highlights.rs"]
 mod highlights;
 mod list;
-#[path = "../tables/one_material.rs"]
+#[path = "build/one_material.rs"]
 mod one_material;
 
 use eigenshade::Q15;
 use list::Listed;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 use std::{env, fs, process};
 
 type Result<T> = std::result::Result<T, String>;
-
-/// The scenes, each with its table. Color and rotation change no number of a table, so scenes
-/// without a table of their own have that of [`LEATHER`].
-const SCENES: &str = "../scenes";
-const LEATHER: &str = "sun_leather";
 
 /// The shipped table.
 const SHIPPED: &str = "../../tables/sphere.bin";
@@ -68,53 +63,11 @@ fn program(Listed { name, source, .. }: Listed) -> Result<String> {
                 None => table(module) + &run(operation),
             }
         }
-        "size_q15" => table(&format!("tables::{operation}")) + &run("main"),
-        "scene_f32" | "scene_q15" => {
-            let scene = Scene::read(operation)?;
-            let mut items = table(&format!("tables::{}", scene.table));
-            items += &format!("const CHANNELS: usize = {};\n", scene.channels);
-            // Integers do not turn lights.
-            if format == "f32" {
-                items += &format!("const TURNS: bool = {};\n", scene.turns);
-            }
-            items + &run("main")
-        }
+        "scene_f32" | "size_q15" => table(&format!("tables::{operation}")) + &run("main"),
         "sources_f32" | "sources_q15" => run("main"),
         "watch" => run(&format!("in_{format}")),
         _ => run(operation),
     })
-}
-
-/// The settings of a scene that its program uses.
-struct Scene<'a> {
-    table: &'a str,
-    channels: usize,
-    turns: bool,
-}
-
-impl<'a> Scene<'a> {
-    /// Reads a scene's file. A table of `../tables/sizes.csv` has none: one channel, and no
-    /// rotation.
-    fn read(name: &'a str) -> Result<Self> {
-        let file = format!("{SCENES}/{name}.toml");
-        if !Path::new(&file).exists() {
-            return Ok(Self { table: name, channels: 1, turns: false });
-        }
-        let text = read(&file)?;
-        let flag = |name: &str| {
-            let is = |value: bool| text.lines().any(|line| line == format!("{name} = {value}"));
-            match (is(true), is(false)) {
-                (true, false) => Ok(true),
-                (false, true) => Ok(false),
-                _ => Err(format!("{file}: `{name} = true` or `false` expected on a line")),
-            }
-        };
-        Ok(Self {
-            table: if Path::new(&file).with_extension("bin").exists() { name } else { LEATHER },
-            channels: if flag("color")? { 3 } else { 1 },
-            turns: flag("rotation")?,
-        })
-    }
 }
 
 /// The shipped table in Q15, with the transfer of the first golden material.

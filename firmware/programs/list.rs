@@ -25,7 +25,7 @@ pub fn programs() -> impl Iterator<Item = Listed> {
     })
 }
 
-/// The parts of a program's name: an operation, a table or a scene; and the number format.
+/// The parts of a program's name: an operation or a table; and the number format.
 pub fn parts(name: &str) -> (&str, &str) {
     name.rsplit_once('_').unwrap_or((name, "none"))
 }

@@ -31,15 +31,15 @@ impl Blob {
     }
 
     pub fn source(&self, energy: [f64; 3]) -> Source<f64> {
-        Source::new::<Libm>(self.direction, energy, scaled(self.axis(), self.major), self.minor)
+        Source::new(self.direction, energy, scaled(self.axis(), self.major), self.minor)
             .expect("a small source")
     }
 
-    pub fn single(&self, energy: [f64; 3]) -> Source<f32> {
+    pub fn single(&self, energy: [f64; 3]) -> Source {
         let of = |v: Vector| v.map(|x| x as f32);
         let major = of(scaled(self.axis(), self.major));
         let [direction, energy] = [self.direction, energy].map(of);
-        Source::new::<SinglePrecision>(direction, energy, major, self.minor as f32)
+        Source::new(direction, energy, major, self.minor as f32)
             .expect("a small source")
     }
 

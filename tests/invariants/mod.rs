@@ -127,7 +127,7 @@ pub fn read(bytes: &[u8]) -> [Option<WireError>; 3] {
 const COMPONENTS: usize = 256;
 
 /// Everything can be done with a basis that was read.
-pub fn floats(basis: &Basis<'_, f32>) {
+pub fn floats(basis: &Basis<'_>) {
     let normal = Normal::new(0.6, 0.0, 0.8).expect("a normal");
     let estimate = basis.estimate::<COMPONENTS>();
     assert!(estimate.is_ok() || basis.components() > COMPONENTS);
@@ -169,7 +169,7 @@ pub fn floats(basis: &Basis<'_, f32>) {
 }
 
 /// See [`floats`].
-pub fn general(basis: &GeneralBasis<'_, f32>) {
+pub fn general(basis: &GeneralBasis<'_>) {
     let span = basis.span();
     floats(span);
     let ones = vec![1.0; light::count(span.degree())];

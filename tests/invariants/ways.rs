@@ -102,7 +102,7 @@ impl Case {
     }
 
     /// d, the sum of that of each effect.
-    fn of_effects(light: &Light<'_, f32>, material: &Material<'_, f32>) -> Vec<f64> {
+    fn of_effects(light: &Light<'_>, material: &Material<'_>) -> Vec<f64> {
         let mut workspace = [0.0; sphere::WORKSPACE];
         let (mut d, mut sum) = ([0.0; sphere::COMPONENTS], vec![0.0; sphere::COMPONENTS]);
         for effect in Effect::ALL {
@@ -171,7 +171,7 @@ fn indices(input: &mut Reader<'_>) {
 }
 
 /// Of any numbers an error, or a matrix that is a rotation.
-fn any_rotation(input: &mut Reader<'_>) -> Rotation<f32> {
+fn any_rotation(input: &mut Reader<'_>) -> Rotation {
     let mut rotation = Rotation::NONE;
     for _ in 0..input.up_to(4) {
         let found = match input.byte() % 5 {
@@ -179,11 +179,11 @@ fn any_rotation(input: &mut Reader<'_>) -> Rotation<f32> {
             1 => Rotation::from_quaternion([(); 4].map(|()| input.small())),
             2 => {
                 let [a, b, c] = [(); 3].map(|()| input.float(false));
-                Rotation::from_euler::<Libm>(a, b, c)
+                Rotation::from_euler(a, b, c)
             }
             3 => {
                 let [a, b, c] = [(); 3].map(|()| input.small() / 40.0);
-                Rotation::from_euler::<SinglePrecision>(a, b, c)
+                Rotation::from_euler(a, b, c)
             }
             _ => {
                 // Next to a rotation, or anything.
@@ -207,11 +207,11 @@ fn any_rotation(input: &mut Reader<'_>) -> Rotation<f32> {
 }
 
 /// Turned and windowed light: finite of moderate numbers, of the same energy.
-fn turn(light: &Light<'_, f32>, rotation: &Rotation<f32>, is_moderate: bool) {
+fn turn(light: &Light<'_>, rotation: &Rotation, is_moderate: bool) {
     let turned = light.turned::<LIGHT>(rotation).expect("room");
     for width in [0.5, 10.0, f32::NAN] {
         let window = Window::SincFourth { width };
-        let windowed = light.windowed::<SinglePrecision, LIGHT>(window).expect("room");
+        let windowed = light.windowed::<LIGHT>(window).expect("room");
         assert!(!is_moderate || windowed.iter().all(|value| value.is_finite()));
     }
     if !is_moderate {
@@ -259,7 +259,7 @@ fn look_up(d: &[f32; sphere::COMPONENTS], input: &mut Reader<'_>, is_moderate: b
         }
         estimate.add(raw, y[0], z[0]);
         let [mut x, mut y, mut z] = [x, y, z];
-        let Ok(normals) = Normals::normalized::<Libm>(&mut x, &mut y, &mut z) else { continue };
+        let Ok(normals) = Normals::normalized(&mut x, &mut y, &mut z) else { continue };
         let normal = normals.iter().next().expect("one");
         if !is_moderate {
             continue;

@@ -12,8 +12,8 @@ use eigenshade_generator::basis::build;
 use eigenshade_model::database::Named;
 use eigenshade_model::inputs::coefficient_csv::{read_lights, read_materials};
 use eigenshade_model::reference::DirectSum;
-use eigenshade_shading::owned_basis::{AnyBasis, OwnedBasis};
 use eigenshade_table::decode;
+use eigenshade_testing::any_float::OwnedBasis;
 use images::{Image, coefficients, rule, single, vectors};
 use proptest::prelude::*;
 
@@ -31,18 +31,18 @@ const SHARES: [f32; 3] = [0.1, 1e-2, 1e-3];
 
 const METHOD: &str = include_str!("../../docs/method.md");
 
-type Rule = [(Normal<f32>, f64)];
+type Rule = [(Normal, f64)];
 
 /// A set in one shape.
 struct Chosen {
     components: usize,
     lengths: Vec<u16>,
-    reports: Vec<Truncation<f32>>,
+    reports: Vec<Truncation>,
     buffer: Vec<f32>,
 }
 
 impl Chosen {
-    fn new(set: &[sphere::Coefficients], channels: usize, tolerance: Tolerance<f32>) -> Self {
+    fn new(set: &[sphere::Coefficients], channels: usize, tolerance: Tolerance) -> Self {
         let mut lengths = [0; 16];
         let mut reports = vec![Truncation::default(); set.len()];
         let mut buffer = vec![0.0; set.len() * sphere::SCENE];
@@ -261,7 +261,7 @@ fn of_all_components_bounds_are_of_the_direct_sum() {
     let measured = read_materials("tables/inputs/materials.csv", Some(7)).expect("materials");
     let table = build(&scene, &inputs, &measured).expect("a table");
     let owned = OwnedBasis::<f64>::new(&table);
-    let Ok(AnyBasis::Sphere(basis)) = owned.any() else { panic!("a sphere's") };
+    let basis = owned.basis();
     let (degree, order) = (basis.degree(), basis.order());
     let reference = DirectSum::new(degree, order);
     let vectors = vectors();

@@ -46,7 +46,7 @@ fn assert_same(table: &str, found: &[f32], tolerance: f32) {
 }
 
 /// d of the test's light on its material, by projection and by a transfer, and some pixel.
-fn floats(basis: &Basis<'_, f32>) -> ([Vec<f32>; 2], f32) {
+fn floats(basis: &Basis<'_>) -> ([Vec<f32>; 2], f32) {
     let [light, material] = inputs();
     let light = Light::new(&light).expect("a light").truncated(basis.degree());
     let material = Material::new(&material).expect("a material").truncated(basis.order());
@@ -61,7 +61,7 @@ fn floats(basis: &Basis<'_, f32>) -> ([Vec<f32>; 2], f32) {
     ([projected, relit], irradiance)
 }
 
-fn general(basis: &GeneralBasis<'_, f32>) -> Vec<f32> {
+fn general(basis: &GeneralBasis<'_>) -> Vec<f32> {
     let [light, material] = inputs();
     let light = Light::new(&light).expect("a light");
     let material = Material::new(&material).expect("a material");

@@ -4,11 +4,12 @@
 //! under all shipped lights if its own are not known.
 
 use crate::presets::{Source, largest_within};
+use eigenshade_index::highlights::MATTE;
 use eigenshade_model::budget::Budget;
 use eigenshade_model::error::Result;
 use eigenshade_model::screen::ScreenError;
 use eigenshade_model::source::{Base, Gloss, NamedGloss, SetError};
-use eigenshade_shading::{highlights, shipped};
+use eigenshade_shading::shipped;
 
 /// The rms that a fitted gloss leaves, relative to pictures under a small source, from which on it
 /// is worth a note.
@@ -55,10 +56,10 @@ impl Estimates {
 
     /// The error of a picture of a material with at most this many sources, at the largest measured
     /// degree and order that are not larger, or else at the least: the median over the lights. It is
-    /// not known, and NaN, beyond the largest. Fails if a parameter of the gloss is not from 0 to 1.
-    pub fn of(&self, size: Size, gloss: &Gloss, sources: usize) -> Result<Estimate> {
-        let runtime = highlights::gloss::<f64>(gloss)?;
-        let sources = if runtime.needs_sources() { sources } else { 0 };
+    /// not known, and NaN, beyond the largest.
+    #[must_use]
+    pub fn of(&self, size: Size, gloss: &Gloss, sources: usize) -> Estimate {
+        let sources = if gloss.needs_sources() { sources } else { 0 };
         let sizes = self.errors.iter().map(|one| one.size);
         let is_beyond = sizes.clone().all(|(degree, order)| size.0 > degree || size.1 > order);
         let size = largest_within(sizes, size).filter(|_| !is_beyond).unwrap_or_default();
@@ -73,7 +74,7 @@ impl Estimates {
                 None => sets.push(one),
             }
         }
-        let errors: Vec<_> = sets.iter().map(|set| highlights::set_errors(set, &runtime)).collect();
+        let errors: Vec<_> = sets.iter().map(|set| set.of(gloss)).collect();
         let median = |of: fn(&ScreenError) -> f64| {
             let mut values: Vec<f64> = errors.iter().map(of).collect();
             values.sort_by(f64::total_cmp);
@@ -84,18 +85,13 @@ impl Estimates {
             p95: median(|error| error.p95),
             white: median(|error| error.white),
         };
-        Ok(Estimate { sources, error })
+        Estimate { sources, error }
     }
 
     /// The fewest sources, at most `most`, with which a picture is close, or within a share of
-    /// white if one is given; or else those that leave least. Fails as [`of`](Self::of) does.
-    pub fn fewest(
-        &self,
-        size: Size,
-        gloss: &Gloss,
-        within: Option<f64>,
-        most: usize,
-    ) -> Result<Estimate> {
+    /// white if one is given; or else those that leave least.
+    #[must_use]
+    pub fn fewest(&self, size: Size, gloss: &Gloss, within: Option<f64>, most: usize) -> Estimate {
         let mut counts: Vec<usize> = self.errors.iter().map(|one| one.most).collect();
         counts.retain(|count| *count <= most);
         counts.sort_unstable();
@@ -104,17 +100,17 @@ impl Estimates {
             None => one.error.over_close(),
             Some(share) => one.error.white / share,
         };
-        let mut best = self.of(size, gloss, 0)?;
+        let mut best = self.of(size, gloss, 0);
         for count in counts {
             if over(&best) <= 1.0 {
                 break;
             }
-            let one = self.of(size, gloss, count)?;
+            let one = self.of(size, gloss, count);
             if over(&one) < over(&best) {
                 best = one;
             }
         }
-        Ok(best)
+        best
     }
 
     /// A note if a picture is not close, or exceeds the share of white that is given.
@@ -179,18 +175,17 @@ pub fn matte_note(name: &str, gloss: &Gloss) -> String {
     format!(
         "note: `{name}` is as matte as a roughness of {:.2}, and sources serve a roughness below \
          {:.1}",
-        gloss.roughness,
-        eigenshade::Gloss::MATTE
+        gloss.roughness, MATTE
     )
 }
 
-/// A note if a material needs no sources, or its highlights are far off with them. Fails if a
-/// parameter of the gloss is not from 0 to 1.
-pub fn gloss_note(NamedGloss { name, gloss, error }: &NamedGloss) -> Result<Option<String>> {
-    if !highlights::gloss::<f64>(gloss)?.needs_sources() {
-        return Ok(Some(matte_note(name, gloss)));
+/// A note if a material needs no sources, or its highlights are far off with them.
+#[must_use]
+pub fn gloss_note(NamedGloss { name, gloss, error }: &NamedGloss) -> Option<String> {
+    if !gloss.needs_sources() {
+        return Some(matte_note(name, gloss));
     }
-    Ok(off_lobe_note(name, *error))
+    off_lobe_note(name, *error)
 }
 
 /// A note if the highlights of a fitted lobe with this error are far off.

@@ -1,6 +1,6 @@
 //! Messages and progress on standard error, and the warnings and notes about inputs and results.
 
-use eigenshade::{Scalar, Truncation};
+use eigenshade::Truncation;
 use eigenshade_model::database::{Lights, Materials, Named};
 use eigenshade_model::scattering;
 use std::fmt::Display;
@@ -190,12 +190,12 @@ impl Ringing {
 /// error, for one image in one channel or for many images, each with its exposure. `rounding` is the
 /// error of the number format as a share of the peak.
 #[must_use]
-pub fn truncation_lines<S: Scalar + Into<f64>>(
-    chosen: &[(Truncation<S>, f64)],
+pub fn truncation_lines(
+    chosen: &[(Truncation, f64)],
     components: usize,
     rounding: f64,
 ) -> Vec<String> {
-    let span = |of: fn(&Truncation<S>) -> usize| {
+    let span = |of: fn(&Truncation) -> usize| {
         let values = chosen.iter().map(|(one, _)| of(one));
         match (values.clone().min(), values.max()) {
             (Some(least), Some(most)) if least == most => least.to_string(),
@@ -203,8 +203,8 @@ pub fn truncation_lines<S: Scalar + Into<f64>>(
             _ => "none".to_owned(),
         }
     };
-    let share = |(one, exposure): &(Truncation<S>, f64)| {
-        let of = |part: S| exposure * part.into();
+    let share = |(one, exposure): &(Truncation, f64)| {
+        let of = |part: f32| exposure * f64::from(part);
         let parts = [one.bound, one.left_out_by_components, one.left_out_by_terms, one.floor];
         (parts.map(of), rounding * of(one.peak))
     };

@@ -142,7 +142,7 @@ impl Source {
             Error::new(what, FIND_SOURCES).in_file(&file)
         })?;
         let sources = sets.of_most(most);
-        if let Some(bad) = sources.iter().position(|one| highlights::source::<f32>(one).is_err()) {
+        if let Some(bad) = sources.iter().position(|one| highlights::source(one).is_err()) {
             let what = format!("source {} of `{light}` is not one", bad + 1);
             let remedy = "a source has a unit direction, energies of at least 0, and spreads of 0 <= \
                           minor <= |major| <= 0.5";

@@ -1,10 +1,10 @@
 //! A coarse picture of a sphere, which meters an exposure and chooses a window before the picture
 //! itself is drawn.
 
-use eigenshade::mathematics::Libm;
-use eigenshade::{Exposure, Highlights, Meter, Rgb, Scalar, Window};
+use eigenshade::{Exposure, Highlights, Meter, Rgb};
 use eigenshade_index::highlights::MAX_SOURCES;
 use eigenshade_model::error::Result;
+use eigenshade_model::window::Window;
 use eigenshade_shading::shader::{Lit, OwnedNormals, Shader, fault};
 use std::f64::consts::PI;
 
@@ -12,17 +12,17 @@ use std::f64::consts::PI;
 const COUNT: usize = 512;
 
 /// Shades a sphere at normals whose pixels are spread evenly over its picture.
-pub struct Preview<'s, 'a, S> {
-    shader: &'s mut Shader<'a, S>,
-    highlights: Option<&'s Highlights<S, MAX_SOURCES>>,
-    normals: OwnedNormals<S>,
+pub struct Preview<'s, 'a> {
+    shader: &'s mut Shader<'a>,
+    highlights: Option<&'s Highlights<MAX_SOURCES>>,
+    normals: OwnedNormals,
 }
 
-impl<'s, 'a, S: Scalar + Into<f64>> Preview<'s, 'a, S> {
+impl<'s, 'a> Preview<'s, 'a> {
     /// A preview by this shader, with highlights if there are any.
     pub fn new(
-        shader: &'s mut Shader<'a, S>,
-        highlights: Option<&'s Highlights<S, MAX_SOURCES>>,
+        shader: &'s mut Shader<'a>,
+        highlights: Option<&'s Highlights<MAX_SOURCES>>,
     ) -> Self {
         let normal = |k: usize| {
             let square = (k as f64 + 0.5) / COUNT as f64;
@@ -41,12 +41,11 @@ impl<'s, 'a, S: Scalar + Into<f64>> Preview<'s, 'a, S> {
         };
         let [r, g, b] = [channel(0)?, channel(1)?, channel(2)?];
         let colors = r.into_iter().zip(g).zip(b).map(|((r, g), b)| Rgb::new(r, g, b));
-        let mut colors: Vec<Rgb<S>> = colors.collect();
+        let mut colors: Vec<Rgb<f32>> = colors.collect();
         if let Some(highlights) = self.highlights {
             highlights.add_slice(self.normals.view()?, &mut colors).map_err(fault)?;
         }
-        let narrow = |color: Rgb<S>| color.map(|channel| channel.into() as f32);
-        Ok(colors.into_iter().map(narrow).collect())
+        Ok(colors)
     }
 
     /// The metered exposure of the channels of a light, each on that of a material. Fails as
@@ -61,7 +60,7 @@ impl<'s, 'a, S: Scalar + Into<f64>> Preview<'s, 'a, S> {
         &mut self,
         channels: &[Lit<'_>; 3],
         exposure: Option<Exposure>,
-    ) -> Result<Window<f64>> {
+    ) -> Result<Window> {
         let plain = self.colors(channels)?;
         let exposure = exposure.unwrap_or_else(|| metered(&plain));
         let darkest = |colors: &[Rgb<f32>]| {
@@ -70,13 +69,13 @@ impl<'s, 'a, S: Scalar + Into<f64>> Preview<'s, 'a, S> {
         };
         let degree = channels[0].0.len().isqrt().saturating_sub(1);
         let mut failed = None;
-        let window = Window::weakest(degree, |window: Window<f64>| {
+        let window = Window::weakest(degree, |window: Window| {
             if window == Window::None {
                 return darkest(&plain);
             }
             let lights = channels.map(|(light, _)| {
                 let mut light = light.to_vec();
-                window.apply::<Libm>(&mut light);
+                window.apply(&mut light);
                 light
             });
             let windowed = [0, 1, 2].map(|c: usize| (&lights[c][..], channels[c].1));

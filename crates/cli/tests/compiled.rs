@@ -148,7 +148,7 @@ fn compiled() -> (String, Vec<[Vec<f32>; 2]>) {
         files.push((kind.0.to_owned(), statics::floats(&table, "a test")));
         let light = rounded(lights.entries[1].luminance());
         let material = rounded(materials.entries[2].luminance());
-        let owned = OwnedBasis::<f32>::new(&table);
+        let owned = OwnedBasis::new(&table);
         let mut shader = Shader::new(owned.any().expect("a basis"), usize::MAX);
         let d = shader.project(&light, &material).expect("d").to_vec();
         let normals = OwnedNormals::new(&NORMALS);
@@ -230,7 +230,7 @@ fn compiled_tables_agree_with_tables_that_are_read() {
     }
 }
 
-fn of_floats(basis: &Basis<'_, f32>) -> String {
+fn of_floats(basis: &Basis<'_>) -> String {
     let [workspace, transfer, components, scene] =
         [basis.workspace_len(), basis.transfer_len(), basis.components(), basis.scene_len()]
             .map(grouped);

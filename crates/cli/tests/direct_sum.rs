@@ -75,7 +75,7 @@ fn errors_of_few_components_are_as_stated() {
     view.normals.retain(|_| inside.next() == Some(true));
     let normals = OwnedNormals::new(&view.normals);
     let reference = reference_image::images(&lights, &materials, &view.normals, &());
-    let basis = OwnedBasis::<f32>::new(&table);
+    let basis = OwnedBasis::new(&table);
     let all = table.count();
     let shipped = eigenshade_table::decode(shipped::TABLE).unwrap().count();
     let names = [shipped.to_string(), format!("{all} (all)")];

@@ -5,8 +5,7 @@ use crate::support::{Folder, PAIR, assert_fails, assert_near, colored, lights, m
 use crate::tolerances;
 use eigenshade_index::effect::{Effect, Effects};
 use eigenshade_index::{light, material, mode};
-use eigenshade_shading::owned_basis::OwnedBasis;
-use eigenshade_shading::shader::Shader;
+use eigenshade_model::evaluation::Evaluator;
 use eigenshade_table::Table;
 use eigenshade_table::parts;
 
@@ -139,15 +138,13 @@ fn selections_and_objects_have_effects() {
 /// over the modes that are kept, of the rows of UᵀM that the table's nodes give.
 fn assert_projects_kept_modes(table: &Table, effects: Effects) {
     let (degree, order) = (table.gram.degree, table.gram.order);
-    let owned = OwnedBasis::<f64>::new(table);
-    let mut shader = Shader::new(owned.any().unwrap(), usize::MAX);
+    let evaluator = Evaluator::new(table);
     let light: Vec<f64> = (0..light::count(degree)).map(|k| 1.0 / (1.0 + k as f64)).collect();
-    let dark = shader.project(&vec![0.0; light.len()], &vec![0.0; material::count(order)]);
-    let dark = dark.unwrap().to_vec();
+    let dark = evaluator.project(&[], &[]).unwrap();
     for (j, coefficient) in material::indices(order).enumerate() {
         let mut one = vec![0.0; material::count(order)];
         one[j] = 1.0;
-        let found = shader.project(&light, &one).unwrap().to_vec();
+        let found = evaluator.project(&light, &one).unwrap();
         for (k, component) in table.components.iter().enumerate() {
             let profile = &table.profiles[component.profile];
             let m = component.order as isize;

@@ -6,7 +6,7 @@ use crate::support::{Folder, PAIR, assert_fails, assert_usage_errors, repository
 use eigenshade_index::mode;
 use eigenshade_model::database::Named;
 use eigenshade_model::inputs::coefficient_csv::{read_lights, read_materials};
-use eigenshade_shading::owned_basis::OwnedBasis;
+use eigenshade_model::special::spherical_harmonic;
 use serde_json::Value;
 use std::collections::HashMap;
 use std::io::{Cursor, Read};
@@ -146,18 +146,18 @@ fn arrays_are_those_of_the_table() {
         }
         assert_eq!(found.contains_key("mean_series"), criterion == "standard");
 
-        // Eigenimages by the runtime without collapsing: other roundings.
-        let owned = OwnedBasis::<f64>::new(&table);
-        let basis = owned.basis().expect("a basis");
+        // Eigenimages by the definition of Chebyshev polynomials, T_k(cos x) = cos kx.
         let normals = floats(&found["normals"]);
         let images = floats(&found["eigenimages"]);
-        for i in 0..count {
-            let mut d = vec![0.0; i + 1];
-            d[i] = 1.0;
-            for (k, normal) in normals.chunks(3).enumerate() {
-                let normal = eigenshade::Normal::new(normal[0], normal[1], normal[2]).expect("one");
-                let value = basis.reconstruct(&d, normal).expect("a value")
-                    - basis.reconstruct(&[], normal).expect("a value");
+        for (i, component) in table.components.iter().enumerate() {
+            let profile = &table.profiles[component.profile];
+            for (k, normal) in normals.as_chunks::<3>().0.iter().enumerate() {
+                let &[x, y, z] = normal;
+                let angle = (2.0 * z - 1.0).clamp(-1.0, 1.0).acos();
+                let terms = (0..).zip(&profile.chebyshev);
+                let height: f64 = terms.map(|(k, c)| c * (f64::from(k) * angle).cos()).sum();
+                let wave = spherical_harmonic::azimuth(component.order as isize, y.atan2(x));
+                let value = height * x.hypot(y).powi(profile.azimuth as i32) * wave;
                 let found = images[i * normals.len() / 3 + k];
                 assert!((found - value).abs() < 1e-11, "{criterion}, {i}, {k}: {found} {value}");
             }

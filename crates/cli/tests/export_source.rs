@@ -277,8 +277,7 @@ fn sources_and_gloss_compile_and_hold_the_numbers() {
     let modules = [("scene".to_owned(), folder.read("scene.rs"))];
     let made = format!(
         "fn made() -> Result<(), eigenshade::Error> {{
-            use eigenshade::mathematics::Libm;
-            use eigenshade::{{Gloss, Source}};
+                        use eigenshade::{{Gloss, Source}};
             use scene::{{gloss, sources}};
             {example}
             let first = sources::ALL[0].1;

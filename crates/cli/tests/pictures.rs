@@ -3,7 +3,6 @@
 use crate::support::files::{answer, decoded, get, gray_png, nearest, png};
 use crate::support::{BASIS, Folder, assert_contains, rows, shipped_path};
 use crate::tolerances;
-use eigenshade::mathematics::Libm;
 use eigenshade::sphere::color::Scene;
 use eigenshade::{Display, Exposure, Light, Normal, Rgb, Rotation, Tone, Window, presets, sphere};
 use eigenshade_cli::object::ObjectView;
@@ -118,12 +117,12 @@ fn pictures_follow_their_options() {
     let linear = near("--exposure 0.5", gold(size, Tone::Linear, 0.5, lobby));
     near("--exposure 0.5 --tone reinhard", gold(size, Tone::Reinhard, 0.5, lobby));
     near("--exposure 2 --tone filmic", gold(size, Tone::Filmic, 2.0, lobby));
-    let rotation = Rotation::from_euler::<Libm>(0.5, 1.2, -0.3).unwrap();
+    let rotation = Rotation::from_euler(0.5, 1.2, -0.3).unwrap();
     let turned = lobby.turned::<100>(&rotation).unwrap();
     let turned = gold(size, Tone::Linear, 0.5, turned.lights().unwrap());
     assert!(turned != linear);
     near("--exposure 0.5 --rotate 0.5,1.2,-0.3", turned);
-    let windowed = lobby.windowed::<Libm, 100>(Window::SincFourth { width: 12.0 }).unwrap();
+    let windowed = lobby.windowed::<100>(Window::SincFourth { width: 12.0 }).unwrap();
     near("--exposure 0.5 --window 12", gold(size, Tone::Linear, 0.5, windowed.lights().unwrap()));
     // Metered: a pixel in a hundred is white in some channel, or up to one in ten.
     let metered = picture("");
@@ -163,7 +162,7 @@ pub fn assert_same_codes(found: &[u8], expected: &[u8], name: &str) {
 }
 
 /// The bytes of the picture of a sphere of gold paint under a light.
-fn gold(size: usize, tone: Tone, exposure: f32, light: Rgb<Light<'_, f32>>) -> Vec<u8> {
+fn gold(size: usize, tone: Tone, exposure: f32, light: Rgb<Light<'_>>) -> Vec<u8> {
     let scene = sphere::color::scene(light, presets::material::GOLD_METALLIC_PAINT).unwrap();
     drawn(&ObjectView::sphere(size), &scene, tone, exposure)
 }

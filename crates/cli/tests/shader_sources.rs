@@ -1,4 +1,4 @@
-//! `shader --sources`: the text with highlights against [`Highlights`] in f64, against the formula
+//! `shader --sources`: the text with highlights against the model's [`Lobes`] in f64, against the formula
 //! of the literature for points of light, and against the direct sum over the rest of the light.
 //! Texts without sources stay as they are.
 
@@ -6,13 +6,11 @@ use crate::interpreter::Function;
 use crate::oracle::ggx;
 use crate::shader::{normals, parts};
 use crate::support::{DEGREE, Folder, ORDER, SOURCES, assert_fails, assert_near, difference};
-use eigenshade::mathematics::Libm;
-use eigenshade::{
-    Argument, Error, Gloss, Highlights, Normals, Rgb, Shader, ShaderLanguage, Source,
-};
+use eigenshade::{Argument, Error, Gloss, Highlights, Shader, ShaderLanguage, Source};
 use eigenshade_index::{light, material};
+use eigenshade_model::highlights::Highlights as Lobes;
 use eigenshade_model::inputs::coefficient_csv::read_lights;
-use eigenshade_model::source::Source as Blob;
+use eigenshade_model::source::{Gloss as Material, Source as Blob};
 use eigenshade_model::special::spherical_harmonic;
 use eigenshade_shading::highlights;
 use eigenshade_shading::owned_basis::OwnedBasis;
@@ -61,21 +59,16 @@ fn normals_for(sources: &[Blob], alpha: f64) -> Vec<Vector> {
     normals
 }
 
-/// What highlights in f64 give at these normals, one by one as slices take them: beyond the rim
-/// too.
-fn shaded<const N: usize>(highlights: &Highlights<f64, N>, normals: &[Vector]) -> Vec<f64> {
-    let [x, y, z] = [0, 1, 2].map(|axis| normals.iter().map(|n| n[axis]).collect::<Vec<_>>());
-    let mut irradiance = vec![Rgb::gray(0.0); normals.len()];
-    let list = Normals::from_unit(&x, &y, &z).expect("one length");
-    highlights.add_slice(list, &mut irradiance).expect("one length");
-    irradiance.into_iter().flat_map(<[f64; 3]>::from).collect()
+/// What highlights in f64 give at these normals, beyond the rim too.
+fn shaded(highlights: &Lobes, normals: &[Vector]) -> Vec<f64> {
+    normals.iter().flat_map(|&normal| highlights.irradiance(normal)).collect()
 }
 
 /// Runs a test with the shader of scenes of the small table.
 fn with_shader(test: impl Fn(Shader<'_>)) {
     let folder = Folder::with_table();
     let table = folder.table("b.bin");
-    let owned = OwnedBasis::<f32>::new(&table);
+    let owned = OwnedBasis::new(&table);
     let mut projector = Projector::new(owned.any().expect("a basis"), table.count());
     let (light, material) = (vec![1.0; light::count(DEGREE)], vec![1.0; material::count(ORDER)]);
     projector.project(&light, &material).expect("a scene");
@@ -96,9 +89,9 @@ fn compare<const N: usize>(shader: Shader<'_>, roughness: f64, count: usize) {
     let functions = languages.map(|language| Function::new(&text_of(&shader, language)));
     let (f0, albedo) = ([0.04, 0.3, 0.9], [0.5, 0.2, 0.0]);
     let single =
-        Gloss::<f32>::new(roughness as f32, f0.map(|x| x as f32), albedo.map(|x| x as f32));
-    let double = Gloss::<f64>::new(roughness, f0, albedo);
-    let (single, double) = (single.expect("a gloss"), double.expect("a gloss"));
+        Gloss::new(roughness as f32, f0.map(|x| x as f32), albedo.map(|x| x as f32));
+    let single = single.expect("a gloss");
+    let double = Material { roughness, reflectance: f0, grazing: [1.0; 3], albedo };
     let all = sources();
     let mut most = 0.0_f64;
     // Those of a set are spread over all angles.
@@ -107,11 +100,9 @@ fn compare<const N: usize>(shader: Shader<'_>, roughness: f64, count: usize) {
         let set: Vec<_> = all.iter().skip(first).step_by(step).take(count).copied().collect();
         assert_eq!(set.len(), count);
         let normals = normals_for(&set, roughness * roughness);
-        let of: Vec<Source<f64>> = set.iter().map(|one| highlights::source(one).unwrap()).collect();
-        let exact = Highlights::<f64, N>::new::<Libm>(&double, &of).expect("room");
-        let expected = shaded(&exact, &normals);
-        let of: Vec<Source<f32>> = set.iter().map(|one| highlights::source(one).unwrap()).collect();
-        let found = Highlights::<f32, N>::new::<Libm>(&single, &of).expect("room");
+        let expected = shaded(&Lobes::new(&double, &set), &normals);
+        let of: Vec<Source> = set.iter().map(|one| highlights::source(one).unwrap()).collect();
+        let found = Highlights::<N>::new(&single, &of).expect("room");
         let mut vectors = vec![[0.0; 4]; shader.vectors()];
         shader.highlight_uniforms(&found, &mut vectors).expect("room");
         let vectors: Vec<_> = vectors.iter().map(|vector| vector.map(f64::from)).collect();
@@ -225,10 +216,7 @@ fn scenes_with_sources_are_the_direct_sum_and_the_highlights() {
     folder.write("normals.csv", text);
     let normals = normals(&folder);
 
-    let exact = highlights::gloss::<f64>(&gloss).expect("a gloss");
-    let sources = round.iter().map(highlights::source).collect::<Result<Vec<Source<f64>>, _>>();
-    let exact = Highlights::<f64, 2>::new::<Libm>(&exact, &sources.expect("sources"));
-    let of_round = shaded(&exact.expect("room"), &normals);
+    let of_round = shaded(&Lobes::new(&gloss, &round), &normals);
     let of_points: Vec<f64> = normals
         .iter()
         .flat_map(|&normal| {
@@ -303,10 +291,10 @@ fn texts_without_sources_are_unchanged() {
 /// alone.
 #[test]
 fn vectors_have_their_places() {
-    let gloss = Gloss::<f32>::new(0.3, [0.04; 3], [0.5; 3]).expect("a gloss");
-    let lamp = Source::round::<Libm>([0.0, 0.6, 0.8_f32], [1.0; 3], 0.1).expect("a source");
+    let gloss = Gloss::new(0.3, [0.04; 3], [0.5; 3]).expect("a gloss");
+    let lamp = Source::round([0.0, 0.6, 0.8_f32], [1.0; 3], 0.1).expect("a source");
     let of = |count: usize| {
-        Highlights::<f32, 3>::new::<Libm>(&gloss, &[lamp; 3][..count]).expect("room")
+        Highlights::<3>::new(&gloss, &[lamp; 3][..count]).expect("room")
     };
     with_shader(|shader| {
         let scene = shader.vectors();

@@ -9,10 +9,9 @@ use eigenshade_generator::scene_file;
 use eigenshade_index::effect::{Effect, Effects};
 use eigenshade_index::{light, material};
 use eigenshade_model::database::{Lights, Materials};
+use eigenshade_model::evaluation::Evaluator;
 use eigenshade_model::reference::DirectSum;
 use eigenshade_model::rotation::Rotation;
-use eigenshade_shading::owned_basis::OwnedBasis;
-use eigenshade_shading::shader::{OwnedNormals, Shader};
 use eigenshade_shading::shipped;
 use eigenshade_table::scene::Criterion;
 use eigenshade_table::{Scene, Table, parts};
@@ -139,17 +138,13 @@ fn shaded(
     materials: &Materials,
     normals: &[[f64; 3]],
 ) -> Vec<Vec<f64>> {
-    let basis = OwnedBasis::<f64>::new(table);
-    let mut shader = Shader::new(basis.basis().expect("a basis"), table.count());
-    let owned = OwnedNormals::new(normals);
-    let (degree, order) = (table.gram.degree, table.gram.order);
+    let evaluator = Evaluator::new(table);
+    let eigenimages = evaluator.eigenimages(normals);
     let mut images = Vec::new();
     for entry in &materials.entries {
-        let material = &entry.luminance()[..material::count(order)];
+        let transfer = evaluator.transfer(&entry.luminance()).expect("a table that projects");
         for light in lights {
-            let light = &light[..light::count(degree)];
-            let image = shader.polynomial(light, material, &owned);
-            images.push(image.expect("it fits"));
+            images.push(eigenimages.reconstruct(&evaluator.relight(&transfer, light)));
         }
     }
     images

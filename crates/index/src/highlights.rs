@@ -17,6 +17,9 @@ pub const DIELECTRIC: f64 = 0.04;
 /// 1/α² up to 2^16.
 pub const SMOOTHEST: f64 = 0.065;
 
+/// The roughness from which on harmonics of degree 9 show highlights as well as sources do.
+pub const MATTE: f64 = 0.6;
+
 /// The roughness of the metals whose errors a set has.
 pub const ROUGHNESS: [f64; 6] = [0.1, 0.2, 0.3, 0.4, 0.5, 0.6];
 

@@ -1,5 +1,5 @@
-//! The model from which eigenshade tables are computed, and the coefficient files that it takes as
-//! input.
+//! The model from which eigenshade tables are computed, the evaluation of tables in f64, and the
+//! coefficient files.
 //!
 //! The modules follow the mathematics of Nillius and Eklundh, "Phenomenological Eigenfunctions for
 //! Image Irradiance", ICCV 2003; "(n)" in these pages is equation n of that paper.
@@ -43,11 +43,19 @@ pub mod selection;
 
 pub mod reference;
 
+mod orthogonal_series;
+
+pub mod evaluation;
+
+pub mod window;
+
 pub mod error;
 
 pub mod database;
 
 pub mod source;
+
+pub mod highlights;
 
 pub mod highlight_constants;
 

@@ -2,6 +2,7 @@
 
 use crate::inputs::coefficient_text::significant;
 use crate::screen::ScreenError;
+use eigenshade_index::highlights::{MATTE, ROUGHNESS, SMOOTHEST};
 
 /// An elliptical blob of light on the sphere of directions: see the runtime's `Source`.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -69,6 +70,22 @@ pub struct Gloss {
     pub albedo: [f64; 3],
 }
 
+impl Gloss {
+    /// α, the square of the roughness, which counts as at least
+    /// [`SMOOTHEST`](eigenshade_index::highlights::SMOOTHEST).
+    #[must_use]
+    pub fn alpha(&self) -> f64 {
+        self.roughness.max(SMOOTHEST).powi(2)
+    }
+
+    /// Whether sources make pictures of this material nearer: its roughness is below
+    /// [`MATTE`](eigenshade_index::highlights::MATTE).
+    #[must_use]
+    pub fn needs_sources(&self) -> bool {
+        self.alpha() < MATTE * MATTE
+    }
+}
+
 /// The gloss of one material.
 #[derive(Clone, Debug, PartialEq)]
 pub struct NamedGloss {
@@ -126,4 +143,23 @@ pub struct SetError {
     /// For each of [`ROUGHNESS`](eigenshade_index::highlights::ROUGHNESS), against direct
     /// integration, with the window that `eigenshade render` chooses.
     pub errors: [ScreenError; 6],
+}
+
+impl SetError {
+    /// The errors of a material, linear in α between the roughnesses. Beyond a roughness of 0.6 they
+    /// are those of 0.6, below 0.1 those of 0.1.
+    #[must_use]
+    pub fn of(&self, gloss: &Gloss) -> ScreenError {
+        let knots = ROUGHNESS.map(|roughness| roughness * roughness);
+        let alpha = gloss.alpha().clamp(knots[0], knots[knots.len() - 1]);
+        let next = knots.partition_point(|knot| *knot < alpha).max(1);
+        let share = (alpha - knots[next - 1]) / (knots[next] - knots[next - 1]);
+        let [before, after] = [self.errors[next - 1], self.errors[next]];
+        let between = |of: fn(ScreenError) -> f64| of(before) + share * (of(after) - of(before));
+        ScreenError {
+            mean: between(|errors| errors.mean),
+            p95: between(|errors| errors.p95),
+            white: between(|errors| errors.white),
+        }
+    }
 }

@@ -1,7 +1,7 @@
-//! Images from a table on the host: the runtime's methods in every number format, and the direct
+//! Images from a table on the host: the runtime's methods in f32 and in integers, and the direct
 //! sum as the reference.
 //!
-//! A shipped material under a shipped light, in f64:
+//! A shipped material under a shipped light:
 //!
 //! ```
 //! use eigenshade_shading::owned_basis::OwnedBasis;
@@ -10,7 +10,7 @@
 //!
 //! let table = eigenshade_table::decode(shipped::TABLE)?;
 //! let (lights, materials) = fitted(&table, &shipped::lights()?, &shipped::materials()?);
-//! let owned = OwnedBasis::<f64>::new(&table);
+//! let owned = OwnedBasis::new(&table);
 //! let mut shader = Shader::new(owned.any()?, 46);
 //! let normals = OwnedNormals::new(&[[0.0, 0.0, 1.0], [0.6, 0.0, 0.8]]);
 //! let (light, material) = (&lights.entries[0], &materials.entries[0]);

@@ -4,10 +4,10 @@
 use crate::overflow;
 use crate::owned_basis::AnyBasis;
 use crate::shader::{Lit, OwnedNormals, Shader, fault};
-use eigenshade::{MapPoint, Normal, Scalar, Scene, Tolerance, Truncation};
+use eigenshade::{MapPoint, Normal, Scene, Tolerance, Truncation};
 use eigenshade_model::error::{Error, Result};
 
-impl<S: Scalar> Shader<'_, S> {
+impl Shader<'_> {
     /// The channels of one color image, with a common shape that has the fewest polynomial terms
     /// for a tolerance relative to the brightest channel's peak. Also returns the resulting
     /// truncation of each channel.
@@ -19,16 +19,16 @@ impl<S: Scalar> Shader<'_, S> {
     pub fn within(
         &mut self,
         channels: &[Lit<'_>],
-        normals: &OwnedNormals<S>,
-        tolerance: Tolerance<S>,
-    ) -> Result<Vec<(Vec<S>, Truncation<S>)>> {
+        normals: &OwnedNormals,
+        tolerance: Tolerance,
+    ) -> Result<Vec<(Vec<f32>, Truncation)>> {
         let normals = normals.view()?;
         self.truncated(channels, tolerance, |scenes, truncations| {
             let mut shaded = Vec::new();
             for ((scene, truncation), (light, material)) in
                 scenes.iter().zip(truncations).zip(channels)
             {
-                let mut irradiance = vec![S::ZERO; normals.len()];
+                let mut irradiance = vec![0.0; normals.len()];
                 scene.shade_slice(normals, &mut irradiance).map_err(fault)?;
                 overflow::check(&irradiance, light, material)?;
                 shaded.push((irradiance, truncation));
@@ -46,8 +46,8 @@ impl<S: Scalar> Shader<'_, S> {
     pub fn truncated<R>(
         &mut self,
         channels: &[Lit<'_>],
-        tolerance: Tolerance<S>,
-        function: impl FnOnce(&[Scene<'_, &[S]>], Vec<Truncation<S>>) -> Result<R>,
+        tolerance: Tolerance,
+        function: impl FnOnce(&[Scene<'_, &[f32]>], Vec<Truncation>) -> Result<R>,
     ) -> Result<R> {
         let mut images = Vec::new();
         for &(light, material) in channels {
@@ -65,7 +65,7 @@ impl<S: Scalar> Shader<'_, S> {
         }
         let (count, len) = (images.len(), basis.scene_len());
         let mut lengths = vec![0; basis.azimuths()];
-        let mut buffer = vec![S::ZERO; count * len];
+        let mut buffer = vec![0.0; count * len];
         let mut truncations = vec![Truncation::default(); count];
         let (room, report) = (&mut buffer, &mut truncations);
         let shape = basis
@@ -85,13 +85,13 @@ impl<S: Scalar> Shader<'_, S> {
         &mut self,
         light: &[f64],
         material: &[f64],
-        normals: &[Normal<S>],
+        normals: &[Normal],
         size: usize,
-    ) -> Result<Vec<S>> {
+    ) -> Result<Vec<f32>> {
         self.project(light, material)?;
         let scene = self.scene()?;
-        let map = scene.bake_into(size, vec![S::ZERO; size * size]).map_err(fault)?;
-        let irradiance: Vec<S> =
+        let map = scene.bake_into(size, vec![0.0; size * size]).map_err(fault)?;
+        let irradiance: Vec<f32> =
             normals.iter().map(|&normal| map.bilinear(MapPoint::of(normal))).collect();
         overflow::check(&irradiance, light, material)?;
         Ok(irradiance)
@@ -106,26 +106,26 @@ impl<S: Scalar> Shader<'_, S> {
         &mut self,
         light: &[f64],
         material: &[f64],
-        normals: &[Normal<S>],
-    ) -> Result<Vec<S>> {
+        normals: &[Normal],
+    ) -> Result<Vec<f32>> {
         let basis = self.basis;
         let coefficients = self.project(light, material)?.to_vec();
-        let mut reconstruct = |d: &[S], normal: Normal<S>| {
+        let mut reconstruct = |d: &[f32], normal: Normal| {
             match &basis {
                 AnyBasis::Sphere(basis) => basis.reconstruct(d, normal),
                 AnyBasis::General(basis) => basis.reconstruct(d, normal, &mut self.workspace),
             }
             .map_err(fault)
         };
-        let one = |&normal: &Normal<S>| {
+        let one = |&normal: &Normal| {
             let whole = reconstruct(&coefficients, normal)?;
             let dark = match self.dark.as_slice() {
-                [] => S::ZERO,
+                [] => 0.0,
                 dark => reconstruct(dark, normal)?,
             };
             Ok(whole - dark)
         };
-        let irradiance: Vec<S> = normals.iter().map(one).collect::<Result<_>>()?;
+        let irradiance: Vec<f32> = normals.iter().map(one).collect::<Result<_>>()?;
         overflow::check(&irradiance, light, material)?;
         Ok(irradiance)
     }

@@ -1,6 +1,5 @@
 //! Errors for results outside the range of a number format.
 
-use eigenshade::Scalar;
 use eigenshade_model::database::Named;
 use eigenshade_model::error::{Error, Result};
 use std::fmt::Display;
@@ -13,14 +12,28 @@ const LEAST: f64 = 1e-36;
 /// # Errors
 ///
 /// [`fault`] if a number is not finite; otherwise as [`lost`].
-pub fn check<S: Scalar>(numbers: &[S], light: &[f64], material: &[f64]) -> Result<()> {
+pub fn check<S: Copy + Into<f64>>(numbers: &[S], light: &[f64], material: &[f64]) -> Result<()> {
     if size_of::<S>() == size_of::<f32>() {
         lost(std::any::type_name::<S>(), light, material)?;
     }
-    if numbers.iter().all(|number| number.is_finite()) {
+    if numbers.iter().all(|&number| number.into().is_finite()) {
         return Ok(());
     }
     Err(fault(std::any::type_name::<S>(), light, material))
+}
+
+/// The numbers that [`check`] accepts.
+///
+/// # Errors
+///
+/// As [`check`].
+pub fn checked<S: Copy + Into<f64>>(
+    numbers: Vec<S>,
+    light: &[f64],
+    material: &[f64],
+) -> Result<Vec<S>> {
+    check(&numbers, light, material)?;
+    Ok(numbers)
 }
 
 /// The error for a light and a material whose result exceeds a format. The remedy says how to scale

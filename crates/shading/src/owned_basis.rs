@@ -1,46 +1,46 @@
-//! A table read at run time, as a runtime basis in a chosen number format.
+//! A table read at run time, as a runtime basis.
 
-use eigenshade::{Basis, GeneralBasis, Scalar};
+use eigenshade::{Basis, GeneralBasis};
 use eigenshade_index::record::floats::{OwnedGeneralParts, OwnedParts};
 use eigenshade_table::{Table, parts};
 
 /// The owned records of a basis.
 #[derive(Clone, Debug)]
-pub struct OwnedBasis<S> {
-    parts: OwnedParts<S>,
-    general: OwnedGeneralParts<S>,
-    transfers: Vec<OwnedTransfer<S>>,
+pub struct OwnedBasis {
+    parts: OwnedParts<f32>,
+    general: OwnedGeneralParts<f32>,
+    transfers: Vec<OwnedTransfer>,
 }
 
 /// A material whose transfer the table stores.
 #[derive(Clone, Debug)]
-pub struct OwnedTransfer<S> {
+pub struct OwnedTransfer {
     /// The fingerprint of its coefficients: [`eigenshade_table::reduce::fingerprint`].
     pub fingerprint: u32,
     /// Its transfer, for [`Basis::relight_into`].
-    pub transfer: Vec<S>,
+    pub transfer: Vec<f32>,
 }
 
-impl<S: Scalar> OwnedBasis<S> {
-    /// Rounds a table's numbers to the format.
+impl OwnedBasis {
+    /// Rounds a table's numbers to f32.
     #[must_use]
     pub fn new(table: &Table) -> Self {
         let parts = parts::floats(table);
         let transfers = table.transfers.iter().map(|one| {
             let numbers = parts::transfer(&parts, &one.numbers);
-            let transfer = numbers.iter().map(|&number| S::from_f64(number)).collect();
+            let transfer = numbers.iter().map(|&number| number as f32).collect();
             OwnedTransfer { fingerprint: one.fingerprint, transfer }
         });
         Self {
             transfers: transfers.collect(),
-            parts: parts.convert(|&number| S::from_f64(number)),
-            general: parts::general(table).convert(|&number| S::from_f64(number)),
+            parts: parts.convert(|&number| number as f32),
+            general: parts::general(table).convert(|&number| number as f32),
         }
     }
 
     /// The materials whose transfers the table stores; empty for a table that projects.
     #[must_use]
-    pub fn transfers(&self) -> &[OwnedTransfer<S>] {
+    pub fn transfers(&self) -> &[OwnedTransfer] {
         &self.transfers
     }
 
@@ -49,7 +49,7 @@ impl<S: Scalar> OwnedBasis<S> {
     /// # Errors
     ///
     /// See [`basis`](Self::basis).
-    pub fn any(&self) -> Result<AnyBasis<'_, S>, eigenshade::Error> {
+    pub fn any(&self) -> Result<AnyBasis<'_>, eigenshade::Error> {
         let basis = self.basis()?;
         match self.general.components {
             0 => Ok(AnyBasis::Sphere(basis)),
@@ -62,22 +62,22 @@ impl<S: Scalar> OwnedBasis<S> {
     /// # Errors
     ///
     /// As [`Basis::new`], for a table whose parts contradict each other.
-    pub fn basis(&self) -> Result<Basis<'_, S>, eigenshade::Error> {
+    pub fn basis(&self) -> Result<Basis<'_>, eigenshade::Error> {
         Basis::new(self.parts.borrow())
     }
 }
 
 /// A basis of either kind.
 #[derive(Clone, Copy, Debug)]
-pub enum AnyBasis<'a, S> {
+pub enum AnyBasis<'a> {
     /// Each eigenimage has a single azimuth.
-    Sphere(Basis<'a, S>),
+    Sphere(Basis<'a>),
     /// Eigenimages are sums over several azimuths.
-    General(GeneralBasis<'a, S>),
+    General(GeneralBasis<'a>),
 }
 
-impl<'a, S> From<Basis<'a, S>> for AnyBasis<'a, S> {
-    fn from(basis: Basis<'a, S>) -> Self {
+impl<'a> From<Basis<'a>> for AnyBasis<'a> {
+    fn from(basis: Basis<'a>) -> Self {
         Self::Sphere(basis)
     }
 }

@@ -1,9 +1,8 @@
-//! Computes the irradiance of many normals from a light and a material, in one of the runtime's
-//! number formats.
+//! Computes the irradiance of many normals from a light and a material, in f32.
 
 use crate::overflow;
 use crate::owned_basis::{AnyBasis, OwnedTransfer};
-use eigenshade::{Light, Material, Normal, Normals, Scalar, Scene};
+use eigenshade::{Light, Material, Normal, Normals, Scene};
 use eigenshade_index::effect::{Effect, Effects};
 use eigenshade_model::database::{Lights, Materials, Named};
 use eigenshade_model::error::{Error, Result};
@@ -53,28 +52,28 @@ pub type Lit<'a> = (&'a [f64], &'a [f64]);
 
 /// A basis with its work buffers.
 #[derive(Clone, Debug)]
-pub struct Shader<'a, S> {
-    pub(crate) basis: AnyBasis<'a, S>,
+pub struct Shader<'a> {
+    pub(crate) basis: AnyBasis<'a>,
     pub(crate) components: usize,
-    pub(crate) workspace: Vec<S>,
-    coefficients: Vec<S>,
-    scene: Vec<S>,
-    transfers: &'a [OwnedTransfer<S>],
+    pub(crate) workspace: Vec<f32>,
+    coefficients: Vec<f32>,
+    scene: Vec<f32>,
+    transfers: &'a [OwnedTransfer],
     effects: Effects,
     /// d without any light, subtracted if the effects do not include the mean image; otherwise
     /// empty.
-    pub(crate) dark: Vec<S>,
+    pub(crate) dark: Vec<f32>,
 }
 
-/// Normals as one array per component, in a number format.
+/// Normals as one array per component, in f32.
 #[derive(Clone, Debug)]
-pub struct OwnedNormals<S>([Vec<S>; 3]);
+pub struct OwnedNormals([Vec<f32>; 3]);
 
-impl<S: Scalar> OwnedNormals<S> {
-    /// Rounds unit normals with z >= 0 to the format.
+impl OwnedNormals {
+    /// Rounds unit normals with z >= 0 to f32.
     #[must_use]
     pub fn new(normals: &[[f64; 3]]) -> Self {
-        Self([0, 1, 2].map(|axis| normals.iter().map(|n| S::from_f64(n[axis])).collect()))
+        Self([0, 1, 2].map(|axis| normals.iter().map(|n| n[axis] as f32).collect()))
     }
 
     /// The normals, for [`Scene::shade_slice`].
@@ -82,7 +81,7 @@ impl<S: Scalar> OwnedNormals<S> {
     /// # Errors
     ///
     /// Cannot fail in practice, because the three arrays have the same length.
-    pub fn view(&self) -> Result<Normals<'_, S>> {
+    pub fn view(&self) -> Result<Normals<'_>> {
         let [x, y, z] = &self.0;
         Normals::from_unit(x, y, z).map_err(fault)
     }
@@ -92,17 +91,17 @@ impl<S: Scalar> OwnedNormals<S> {
     /// # Errors
     ///
     /// If one is not a visible normal.
-    pub fn each(&self) -> Result<Vec<Normal<S>>> {
+    pub fn each(&self) -> Result<Vec<Normal>> {
         let [x, y, z] = &self.0;
         let triples = x.iter().zip(y).zip(z);
         triples.map(|((&x, &y), &z)| Normal::new(x, y, z).map_err(fault)).collect()
     }
 }
 
-impl<'a, S: Scalar> Shader<'a, S> {
+impl<'a> Shader<'a> {
     /// A shader that uses the first `components` of the basis.
     #[must_use]
-    pub fn new(basis: impl Into<AnyBasis<'a, S>>, components: usize) -> Self {
+    pub fn new(basis: impl Into<AnyBasis<'a>>, components: usize) -> Self {
         let basis = basis.into();
         let (all, workspace, scene) = match &basis {
             AnyBasis::Sphere(basis) => {
@@ -115,9 +114,9 @@ impl<'a, S: Scalar> Shader<'a, S> {
         Self {
             basis,
             components: components.min(all),
-            workspace: vec![S::ZERO; workspace],
-            coefficients: vec![S::ZERO; all],
-            scene: vec![S::ZERO; scene],
+            workspace: vec![0.0; workspace],
+            coefficients: vec![0.0; all],
+            scene: vec![0.0; scene],
             transfers: &[],
             effects: Effects::ALL,
             dark: Vec::new(),
@@ -156,7 +155,7 @@ impl<'a, S: Scalar> Shader<'a, S> {
     /// Adds the stored transfers of a table. A basis without projection accepts only these
     /// materials.
     #[must_use]
-    pub fn with_transfers(self, transfers: &'a [OwnedTransfer<S>]) -> Self {
+    pub fn with_transfers(self, transfers: &'a [OwnedTransfer]) -> Self {
         Self { transfers, ..self }
     }
 
@@ -167,14 +166,14 @@ impl<'a, S: Scalar> Shader<'a, S> {
     ///
     /// If the coefficients are not those of a degree and of an order, or exceed the basis's; if a
     /// basis of transfers does not have the material; or if d is not finite.
-    pub fn project(&mut self, light: &[f64], material: &[f64]) -> Result<&[S]> {
+    pub fn project(&mut self, light: &[f64], material: &[f64]) -> Result<&[f32]> {
         self.projected(light, material)?;
         overflow::check(&self.coefficients, light, material)?;
         Ok(&self.coefficients[..self.components])
     }
 
     fn projected(&mut self, light: &[f64], material: &[f64]) -> Result<()> {
-        let light = rounded::<S>(light);
+        let light = rounded(light);
         let light = Light::from_finite(&light).map_err(fault)?;
         if let AnyBasis::Sphere(basis) = &self.basis
             && !basis.projects()
@@ -191,7 +190,7 @@ impl<'a, S: Scalar> Shader<'a, S> {
             let coefficients = &mut self.coefficients;
             return basis.relight_into(&of.transfer, &light, coefficients).map_err(fault);
         }
-        let material = rounded::<S>(material);
+        let material = rounded(material);
         let material = Material::from_finite(&material).map_err(fault)?;
         let (workspace, coefficients) = (&mut self.workspace, &mut self.coefficients);
         let effects = self.effects;
@@ -211,10 +210,10 @@ impl<'a, S: Scalar> Shader<'a, S> {
     /// # Errors
     ///
     /// Cannot fail in practice, because the buffers have the lengths that the basis requires.
-    pub fn scene(&mut self) -> Result<Scene<'a, &mut Vec<S>>> {
+    pub fn scene(&mut self) -> Result<Scene<'a, &mut Vec<f32>>> {
         let coefficients = &self.coefficients[..self.components];
         let (basis, workspace) = (&self.basis, &mut self.workspace);
-        let collapse = |d: &[S], workspace: &mut Vec<S>, scene: &mut Vec<S>| {
+        let collapse = |d: &[f32], workspace: &mut Vec<f32>, scene: &mut Vec<f32>| {
             match basis {
                 AnyBasis::Sphere(basis) => basis.collapse_into(d, scene).map(drop),
                 AnyBasis::General(basis) => basis.collapse_into(d, workspace, scene).map(drop),
@@ -223,7 +222,7 @@ impl<'a, S: Scalar> Shader<'a, S> {
         };
         collapse(coefficients, workspace, &mut self.scene)?;
         if !self.dark.is_empty() {
-            let mut dark = vec![S::ZERO; self.scene.len()];
+            let mut dark = vec![0.0; self.scene.len()];
             collapse(&self.dark, workspace, &mut dark)?;
             self.scene.iter_mut().zip(dark).for_each(|(number, dark)| *number -= dark);
         }
@@ -243,11 +242,11 @@ impl<'a, S: Scalar> Shader<'a, S> {
         &mut self,
         light: &[f64],
         material: &[f64],
-        normals: &OwnedNormals<S>,
-    ) -> Result<Vec<S>> {
+        normals: &OwnedNormals,
+    ) -> Result<Vec<f32>> {
         self.project(light, material)?;
         let normals = normals.view()?;
-        let mut irradiance = vec![S::ZERO; normals.len()];
+        let mut irradiance = vec![0.0; normals.len()];
         self.scene()?.shade_slice(normals, &mut irradiance).map_err(fault)?;
         overflow::check(&irradiance, light, material)?;
         Ok(irradiance)
@@ -262,8 +261,8 @@ impl<'a, S: Scalar> Shader<'a, S> {
         &mut self,
         light: &Named,
         material: &Named,
-        normals: &OwnedNormals<S>,
-    ) -> Result<[Vec<S>; 3]> {
+        normals: &OwnedNormals,
+    ) -> Result<[Vec<f32>; 3]> {
         let mut channel = |c: usize| {
             self.polynomial(&light.rgb[c], &material.rgb[c], normals)
                 .map_err(|error| error.of(overflow::pair(light, material)))
@@ -272,8 +271,8 @@ impl<'a, S: Scalar> Shader<'a, S> {
     }
 }
 
-fn rounded<S: Scalar>(values: &[f64]) -> Vec<S> {
-    values.iter().map(|&value| S::from_f64(value)).collect()
+fn rounded(values: &[f64]) -> Vec<f32> {
+    values.iter().map(|&value| value as f32).collect()
 }
 
 /// Converts an error of the runtime about its inputs.

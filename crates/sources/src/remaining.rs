@@ -5,17 +5,16 @@ use crate::response::{Glossy, Place, Response};
 use crate::screen::{self, Reference};
 use crate::sphere::{Picture, Sphere};
 use crate::view::View;
-use eigenshade::mathematics::Libm;
-use eigenshade::{Highlights, Normal, Window};
 use eigenshade_generator::light::environment::EnvironmentMap;
-use eigenshade_index::highlights::MAX_SOURCES;
 use eigenshade_index::light;
 use eigenshade_model::error::Result;
+use eigenshade_model::highlights::{self, Highlights};
 use eigenshade_model::rotation::Rotation;
 use eigenshade_model::screen::ScreenError;
 use eigenshade_model::source::{Base, Gloss, SetError, SourceSets};
-use eigenshade_shading::shader::fault;
-use eigenshade_shading::{highlights, parallel};
+use eigenshade_model::window::Window;
+use eigenshade_shading::parallel;
+use std::convert::Infallible;
 
 /// The degrees and orders.
 const SIZES: [(usize, usize); 2] = [(9, 7), (12, 12)];
@@ -46,7 +45,7 @@ pub fn materials(base: Base, roughness: &[f64]) -> Result<Vec<Glossy>> {
 ///
 /// # Errors
 ///
-/// Those of [`View::new`], and if the runtime refuses a source.
+/// Those of [`View::new`].
 pub fn errors(
     map: &EnvironmentMap,
     sets: &SourceSets,
@@ -79,7 +78,7 @@ pub fn errors(
                     };
                     let responses = [response; 3];
                     let picture =
-                        picture(&view, responses, &material.gloss, sets, one.most, &sphere)?;
+                        picture(&view, responses, &material.gloss, sets, one.most, &sphere);
                     let errors = &mut one.errors[place];
                     *errors = errors.max(reference.errors(&picture, &sphere).all);
                 }
@@ -91,10 +90,7 @@ pub fn errors(
 
 /// The picture of a material by harmonics and at most this many sources, both in f64, with the
 /// window that `eigenshade render` chooses.
-///
-/// # Errors
-///
-/// If the runtime refuses a source or the gloss.
+#[must_use]
 pub fn picture(
     view: &View,
     responses: [&Response; 3],
@@ -102,31 +98,28 @@ pub fn picture(
     sets: &SourceSets,
     most: usize,
     sphere: &Sphere,
-) -> Result<Picture> {
+) -> Picture {
     let degree = responses[0].degree();
     let mut rest = view.light().each_ref().map(|light| light[..light::count(degree)].to_vec());
     let turned = sets.of_most(most).iter().map(|source| view.turned(source)).collect::<Vec<_>>();
-    highlights::take_out(&mut rest, degree, &turned)?;
-    let turned = turned.iter().map(highlights::source).collect::<Result<Vec<_>>>()?;
-    let lobes = Highlights::<f64, MAX_SOURCES>::new::<Libm>(&highlights::gloss(gloss)?, &turned);
-    let lobes = lobes.map_err(fault)?;
-    let at = |k: usize| -> Result<(Place, [f64; 3])> {
-        let [x, y, z] = sphere.normals[k];
-        let lit = lobes.shade(Normal::new(x, y, z).map_err(fault)?);
-        Ok((Place::new([x, y, z], degree), lit.into()))
+    highlights::take_out(&mut rest, degree, &turned);
+    let lobes = Highlights::new(gloss, &turned);
+    let at = |k: usize| {
+        let normal = sphere.normals[k];
+        (Place::new(normal, degree), lobes.irradiance(normal))
     };
     let places = parallel::map(sphere.normals.len(), &(), at);
-    let places = places.into_iter().collect::<Result<Vec<_>>>()?;
-    screen::windowed(degree, sphere, |window: Window<f64>| {
+    let Ok(drawn) = screen::windowed(degree, sphere, |window: Window| {
         let images = [0, 1, 2].map(|c: usize| {
             let mut rest = rest[c].clone();
-            window.apply::<Libm>(&mut rest);
+            window.apply(&mut rest);
             responses[c].under(&rest)
         });
         let channel = |c: usize| {
             let pixel = |(at, lit): &(Place, [f64; 3])| images[c].irradiance(at) + lit[c];
             places.iter().map(pixel).collect()
         };
-        Ok([channel(0), channel(1), channel(2)])
-    })
+        Ok::<Picture, Infallible>([channel(0), channel(1), channel(2)])
+    });
+    drawn
 }

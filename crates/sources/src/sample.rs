@@ -3,7 +3,6 @@
 
 use crate::response::{Glossy, Place, Response};
 use crate::view::View;
-use eigenshade::mathematics::Libm;
 use eigenshade::{Highlights, Normals, Rgb};
 use eigenshade_model::error::Result;
 use eigenshade_model::source::Source;
@@ -126,10 +125,10 @@ impl<'a> Sample<'a> {
         for (v, view) in self.views.iter().enumerate() {
             let turned = sources.iter().map(|source| {
                 let source = Source { energy: [1.0; 3], ..view.turned(source) };
-                let harmonics = highlights::harmonics::<f32>(&source, degree)?;
+                let harmonics = highlights::harmonics(&source, degree)?;
                 Ok((highlights::source(&source)?, harmonics))
             });
-            let turned = turned.collect::<Result<Vec<(eigenshade::Source<f32>, _)>>>()?;
+            let turned = turned.collect::<Result<Vec<(eigenshade::Source, _)>>>()?;
             for part in self.parts.iter().filter(|part| part.view == v) {
                 let gloss = highlights::gloss(&self.materials[part.material].gloss)?;
                 let [x, y, z] = &part.normals;
@@ -140,7 +139,7 @@ impl<'a> Sample<'a> {
                 matmul(&mut low, Accum::Replace, &part.response, &harmonics, 1.0, Par::Seq);
                 for (j, ((source, _), addition)) in turned.iter().zip(&mut additions).enumerate() {
                     let mut colors = vec![Rgb::gray(0.0); x.len()];
-                    let highlight = Highlights::<f32, 1>::new::<Libm>(&gloss, &[*source]);
+                    let highlight = Highlights::<1>::new(&gloss, &[*source]);
                     highlight.and_then(|h| h.add_slice(normals, &mut colors)).map_err(fault)?;
                     let rows = colors.iter().zip(low.col(j).iter());
                     addition.extend(rows.map(|(color, low)| (color.r - low) / part.peak));

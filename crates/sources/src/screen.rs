@@ -1,9 +1,9 @@
 //! Pictures as a display shows them, and how far one is from another.
 
 use crate::sphere::{Picture, Sphere};
-use eigenshade::mathematics::Libm;
-use eigenshade::{Display, Exposure, Meter, Rgb, Tone, Window};
+use eigenshade::{Display, Exposure, Meter, Rgb, Tone};
 use eigenshade_model::screen::ScreenError;
+use eigenshade_model::window::Window;
 use palette::color_difference::Ciede2000;
 use palette::{IntoColor, Lab, Srgb};
 
@@ -31,7 +31,7 @@ pub fn exposure(picture: &Picture, sphere: &Sphere) -> Exposure {
 pub fn windowed<E>(
     degree: usize,
     sphere: &Sphere,
-    mut drawn: impl FnMut(Window<f64>) -> Result<Picture, E>,
+    mut drawn: impl FnMut(Window) -> Result<Picture, E>,
 ) -> Result<Picture, E> {
     let plain = drawn(Window::None)?;
     let exposure = f64::from(exposure(&plain, sphere).factor());
@@ -54,8 +54,8 @@ pub fn windowed<E>(
 
 /// The factors of a window for each degree of a light.
 #[must_use]
-pub fn factors(window: Window<f64>, degree: usize) -> Vec<f64> {
-    (0..=degree).map(|degree| window.factor::<Libm>(degree)).collect()
+pub fn factors(window: Window, degree: usize) -> Vec<f64> {
+    (0..=degree).map(|degree| window.factor(degree)).collect()
 }
 
 /// A picture that others are compared with.

@@ -1,5 +1,6 @@
 //! A table: the eigenbasis of one scene.
 
+use crate::chebyshev::clenshaw;
 use crate::gram::GramFactor;
 use crate::scene::{Scene, Store};
 use eigenshade_index::effect::Effects;
@@ -152,6 +153,22 @@ pub struct Rounding {
     pub largest: f64,
     /// The largest root mean square error of any image, over the sphere's normals.
     pub rms: f64,
+}
+
+impl Profile {
+    /// h(z) = u / sin^|m|.
+    #[must_use]
+    pub fn height(&self, z: f64) -> f64 {
+        clenshaw(&self.chebyshev, 2.0 * z - 1.0)
+    }
+}
+
+impl MeanImage {
+    /// The mean irradiance at z = cos α.
+    #[must_use]
+    pub fn value(&self, z: f64) -> f64 {
+        clenshaw(&self.chebyshev, 2.0 * z - 1.0)
+    }
 }
 
 impl Table {

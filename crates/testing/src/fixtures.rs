@@ -7,11 +7,10 @@ use eigenshade_generator::basis;
 use eigenshade_generator::scene_file::{self, Loaded};
 use eigenshade_index::{light, material};
 use eigenshade_model::database::{Lights, Materials, Named};
+use eigenshade_model::evaluation::Evaluator;
 use eigenshade_model::inputs::coefficient_csv::{read_lights, read_materials};
 use eigenshade_model::reference::DirectSum;
 use eigenshade_model::special::quadrature::gauss_legendre;
-use eigenshade_shading::owned_basis::{AnyBasis, OwnedBasis};
-use eigenshade_shading::shader::Shader;
 use eigenshade_table::Table;
 use eigenshade_table::scene::Criterion;
 use std::f64::consts::{FRAC_PI_2, PI};
@@ -187,14 +186,15 @@ pub fn direct_images(lights: &Lights, materials: &Materials, normals: &[[f64; 3]
     images
 }
 
-/// The largest error of the whole basis in f64 against the direct sum, over the scene's lights and
+/// The largest error of the whole basis in f64, by the host, against the direct sum, over the scene's lights and
 /// materials. Each error is relative to the image's peak.
 pub fn reconstruction_error(loaded: &Loaded, table: &Table) -> f64 {
     let projector = Projector::new(table);
     let normals = normals(&SLANTS, 12);
     let images = direct_images(&loaded.lights, &loaded.materials, &normals);
+    let eigenimages = projector.0.eigenimages(&normals);
     largest(images.iter().map(|(light, material, expected)| {
-        let found = projector.shade(&projector.project(light, material), &normals);
+        let found = eigenimages.reconstruct(&projector.project(light, material));
         let peak = largest(expected.iter().copied());
         let error = largest_difference(&found, expected);
         // A black image must stay black.
@@ -208,39 +208,26 @@ pub fn standard(mut loaded: Loaded) -> Loaded {
     loaded
 }
 
-/// A basis of either kind in f64, with methods that allocate their buffers.
-pub struct Projector(OwnedBasis<f64>);
+/// A table evaluated in f64 by the host.
+pub struct Projector(pub Evaluator<Table>);
 
 impl Projector {
     pub fn new(table: &Table) -> Self {
-        Self(OwnedBasis::new(table))
+        Self(Evaluator::new(table.clone()))
     }
 
-    /// d for a light and a material of the table's degree and order.
+    /// d for a light and a material.
     pub fn project(&self, light: &[f64], material: &[f64]) -> Vec<f64> {
-        let basis = self.0.any().expect("a basis");
-        let d = Shader::new(basis, usize::MAX).project(light, material).map(<[f64]>::to_vec);
-        d.expect("coefficients that fit")
+        self.0.project(light, material).expect("a table that projects")
     }
 
-    /// The mean image plus Σ d_i U_i at unit normals, from the collapsed scene.
+    /// The mean image plus Σ d_i U_i at unit normals.
     pub fn shade(&self, d: &[f64], normals: &[[f64; 3]]) -> Vec<f64> {
-        let length = self.0.basis().expect("a span").scene_len();
-        let scene = match self.0.any().expect("a basis") {
-            AnyBasis::Sphere(basis) => basis.collapse_into(d, vec![0.0; length]),
-            AnyBasis::General(basis) => {
-                let mut workspace = vec![0.0; basis.workspace_len()];
-                basis.collapse_into(d, &mut workspace, vec![0.0; length])
-            }
-        };
-        let scene = scene.expect("components");
-        normals.iter().map(|&at| scene.shade(normal(at))).collect()
+        self.0.eigenimages(normals).reconstruct(d)
     }
 
     /// U_i at unit normals, without the mean image.
     pub fn eigenimage(&self, number: usize, normals: &[[f64; 3]]) -> Vec<f64> {
-        let unit: Vec<f64> = (0..=number).map(|k| f64::from(u8::from(k == number))).collect();
-        let (of_unit, of_none) = (self.shade(&unit, normals), self.shade(&[], normals));
-        of_unit.iter().zip(of_none).map(|(with, without)| with - without).collect()
+        self.0.eigenimages(normals).eigenimage(number)
     }
 }

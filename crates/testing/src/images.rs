@@ -33,7 +33,7 @@ pub fn vectors() -> Vec<([f64; 3], f64)> {
 }
 
 /// The same rule with normals instead of vectors.
-pub fn rule() -> Vec<(Normal<f32>, f64)> {
+pub fn rule() -> Vec<(Normal, f64)> {
     vectors().into_iter().map(|(at, weight)| (normal(at), weight)).collect()
 }
 
@@ -44,7 +44,7 @@ pub struct Image {
 }
 
 impl Image {
-    pub fn new(d: &[f32], rule: &[(Normal<f32>, f64)]) -> Self {
+    pub fn new(d: &[f32], rule: &[(Normal, f64)]) -> Self {
         let at = |normal| f64::from(sphere::BASIS.reconstruct(d, normal).expect("components"));
         let values: Vec<f64> = rule.iter().map(|&(normal, _)| at(normal)).collect();
         // The rule contains neither the pole nor the rim and is too coarse to find the peak.
@@ -59,7 +59,7 @@ impl Image {
     }
 
     /// Root mean square difference between a scene and this image.
-    pub fn apart<B: AsRef<[f32]>>(&self, scene: &Scene<'_, B>, rule: &[(Normal<f32>, f64)]) -> f64 {
+    pub fn apart<B: AsRef<[f32]>>(&self, scene: &Scene<'_, B>, rule: &[(Normal, f64)]) -> f64 {
         let squares = rule.iter().zip(&self.values).map(|(&(normal, weight), value)| {
             weight * (f64::from(scene.shade(normal)) - value).powi(2)
         });

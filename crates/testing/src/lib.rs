@@ -17,6 +17,8 @@ pub mod pictures;
 
 pub mod golden;
 
+pub mod any_float;
+
 /// The root of the repository.
 #[must_use]
 pub fn repository() -> PathBuf {

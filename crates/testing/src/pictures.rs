@@ -68,9 +68,10 @@ impl Pictures {
     /// image's peak.
     pub fn errors(&self, table: &Table) -> Vec<f64> {
         let projector = Projector::new(table);
+        let images = projector.0.eigenimages(&self.normals);
         let mut worst = vec![0.0; self.normals.len()];
         for (light, on, expected) in &self.pairs {
-            let found = projector.shade(&projector.project(light, on), &self.normals);
+            let found = images.reconstruct(&projector.project(light, on));
             let peak = largest(expected.iter().copied());
             for (worst, (found, expected)) in worst.iter_mut().zip(found.iter().zip(expected)) {
                 *worst = largest([*worst, (found - expected) / peak]);

@@ -262,7 +262,3 @@ pub const NO_ACCIDENT: f64 = 1e-3;
 /// A pixel of a Lambertian scene under light of degree 2, relative to one by the nine-term formula:
 /// the promised limit; measured 50 of 50 instructions on a Cortex-M0, 26 of 26 on a Cortex-M4F.
 pub const OF_NINE_TERMS: f64 = 1.1;
-
-/// A pixel of a typical scene at 1e-3, in nine-term pixels of nine multiply-adds: the promised
-/// limit; measured 15.6 on a Cortex-M0, 11.5 on a Cortex-M4F.
-pub const TYPICAL_OF_NINE_TERMS: f64 = 16.0;

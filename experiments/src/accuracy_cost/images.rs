@@ -3,7 +3,7 @@
 
 use super::scope::Scope;
 use crate::sphere::Sphere;
-use eigenshade::{Light, NineTerms, Scalar};
+use eigenshade::{Light, NineTerms};
 use eigenshade_index::{light, material};
 use eigenshade_model::database::Named;
 use eigenshade_model::error::Result;
@@ -42,13 +42,13 @@ impl Pair {
     }
 
     /// The nine-term formula, with the material treated as Lambertian.
-    pub fn nine_terms<S: Scalar>(&self) -> Result<NineTerms<S>> {
+    pub fn nine_terms(&self) -> Result<NineTerms<f32>> {
         let degree = (self.light.len().isqrt() - 1).min(2);
         let (light, _) = self.within(degree, 0);
-        let light = Light::new(light).map_err(fault)?;
+        let light: Vec<f32> = light.iter().map(|&value| value as f32).collect();
+        let light = Light::new(&light).map_err(fault)?;
         // b_00^0 is twice the albedo.
-        let formula = NineTerms::lambertian(&light, 0.5 * self.material[0]);
-        Ok(NineTerms::new(formula.coefficients().map(S::from_f64)))
+        Ok(NineTerms::lambertian(&light, 0.5 * self.material[0] as f32))
     }
 }
 

@@ -1,11 +1,10 @@
-//! The machines whose costs are known: the counted instructions of emulated boards, from
-//! `firmware/counts.csv`, and the times of the WebAssembly module in Node, from
-//! `crates/wasm/times.csv`, for the tables that `crates/wasm/benchmark-tables` puts into modules.
-//! Their costs choose settings: the cheapest below an error, and those that no other beats.
+//! The machines whose costs are known: this one, and emulated boards, whose counted instructions are
+//! in `firmware/counts.csv`. Their costs choose settings: the cheapest below an error, and those that
+//! no other beats.
 
 use super::settings::{DEGREE, Format, ORDER, Recipe, Scaling, Setting, Way};
 use crate::sheet::{Counts, Record, Sheet};
-use eigenshade_model::error::{Error, Result};
+use eigenshade_model::error::Result;
 
 pub struct Machine {
     /// The name in files and columns.
@@ -16,14 +15,13 @@ pub struct Machine {
     pub board: Option<&'static str>,
 }
 
-/// All machines. Boards are emulated; WebAssembly has SIMD and runs in Node.
-pub const MACHINES: [Machine; 6] = [
+/// All machines. Boards are emulated.
+pub const MACHINES: [Machine; 5] = [
     Machine { key: "host", title: "x86-64", board: None },
     Machine { key: "m0", title: "Cortex-M0", board: Some("microbit") },
     Machine { key: "m3", title: "Cortex-M3", board: Some("mps2-an385") },
     Machine { key: "m4f", title: "Cortex-M4F", board: Some("mps2-an386") },
     Machine { key: "rv32", title: "RV32IMAC", board: Some("riscv32") },
-    Machine { key: "wasm", title: "WebAssembly", board: None },
 ];
 
 impl Machine {
@@ -122,59 +120,6 @@ impl Boards {
     }
 }
 
-/// The tables that are put into modules.
-pub fn tables() -> Vec<Recipe> {
-    let first = |count| Recipe::first(DEGREE, ORDER, count);
-    let trimmed = |count, tolerance| first(count).trimmed(tolerance);
-    let few = [Recipe::all(2, 0), trimmed(9, 1e-1), trimmed(25, 3e-2), first(50)];
-    let many = [(50, 1e-2), (100, 1e-2), (130, 1e-3), (130, 2e-4)];
-    let many = many.map(|(count, tolerance)| trimmed(count, tolerance));
-    [&few[..], &many, &[Recipe::all(DEGREE, ORDER)]].concat()
-}
-
-/// The measured settings that are timed with a table.
-pub fn timed<'a>(table: &Recipe, all: &'a [Setting]) -> impl Iterator<Item = &'a Setting> {
-    let base = Setting::of(*table);
-    all.iter().filter(move |&&setting| match setting.way {
-        Way::Polynomial => {
-            setting.format != Format::F64 && setting == base.in_format(setting.format)
-        }
-        way => way == Way::Bilinear(32) && setting == base.by(way),
-    })
-}
-
-/// Nanoseconds of a pixel and of a new light with SIMD, by setting.
-pub struct Times {
-    times: Vec<Record>,
-    /// A pixel of the nine-term formula in the same run.
-    nine_terms: f64,
-}
-
-impl Times {
-    pub fn new() -> Result<Self> {
-        let text = include_str!("../../../crates/wasm/times.csv");
-        let times = Sheet::parse(text, "crates/wasm/times.csv")?.rows;
-        let nine_terms = Setting::of(Recipe::all(2, 0)).by(Way::NineTerms).to_string();
-        let found = times.iter().find(|row| row.text("setting") == nine_terms);
-        let nine_terms = found.and_then(|row| row.number("pixel_ns"));
-        let remedy = "run `crates/wasm/benchmark-tables && node crates/wasm/measure.mjs --times`";
-        let fault = || Error::new("crates/wasm/times.csv has no nine-term pixel", remedy);
-        Ok(Self { nine_terms: nine_terms.ok_or_else(fault)?, times })
-    }
-
-    /// Fills in the cost of a setting, in nine-term pixels.
-    pub fn fill(&self, row: &mut Record, setting: &Setting) {
-        let name = setting.to_string();
-        let Some(time) = self.times.iter().find(|time| time.text("setting") == name) else {
-            return;
-        };
-        for kind in ["pixel", "light"] {
-            let ratio = time.number(&format!("{kind}_ns")).map(|ns| ns / self.nine_terms);
-            row.measure(format!("wasm_{kind}"), ratio);
-        }
-    }
-}
-
 /// The limits of the total screen error: CIEDE2000, the mean of a picture.
 pub const LIMITS: [f64; 7] = [20.0, 16.0, 12.0, 10.0, 9.0, 8.0, 7.0];
 /// The number of pixels of the picture over which costs are summed.
@@ -244,31 +189,4 @@ pub fn pareto(points: &[(f64, f64)]) -> Vec<(f64, f64)> {
         is_better
     });
     points
-}
-
-#[cfg(test)]
-mod tests {
-    use super::super::settings;
-    use super::{Setting, Times, tables};
-    use std::collections::BTreeSet;
-
-    #[test]
-    fn the_timed_settings_are_those_of_the_tables() {
-        let all: Vec<Setting> = settings::all(false).iter().map(|one| one.setting).collect();
-        let mut expected = BTreeSet::from(["2/0 all nine-terms f32".to_owned()]);
-        for table in &tables() {
-            let of_table: Vec<String> = super::timed(table, &all).map(Setting::to_string).collect();
-            assert!(!of_table.is_empty(), "{table}");
-            expected.extend(of_table);
-        }
-        let times = Times::new().unwrap().times;
-        let names: BTreeSet<String> =
-            times.iter().map(|time| time.text("setting").to_owned()).collect();
-        assert_eq!((&names, times.len()), (&expected, expected.len()));
-        for time in &times {
-            let is_timed = |column| time.number(column).is_some_and(|ns| ns > 0.0);
-            assert!(is_timed("pixel_ns"), "{time:?}");
-            assert_eq!(is_timed("light_ns"), !time.text("setting").contains("nine-terms"));
-        }
-    }
 }

@@ -20,11 +20,11 @@ use eigenshade_model::error::{Error, Result};
 use errors::{Found, compare};
 use images::Images;
 use indicatif::ProgressBar;
-use machines::{Boards, Times};
+use machines::Boards;
 use numbers::table_bytes;
 use scope::{Bases, Scope};
 use settings::{Setting, Varied, WindowChoice};
-use sheet::{GROWTH, MODEL, SETTINGS, TOTAL};
+use sheet::{MODEL, SETTINGS, TOTAL};
 use source_times::Lit;
 use std::collections::BTreeSet;
 use std::path::Path;
@@ -41,7 +41,6 @@ pub struct Measured {
     pub settings: Vec<Record>,
     pub model: Vec<Record>,
     pub total: Vec<Record>,
-    pub growth: Vec<Record>,
 }
 
 impl Measured {
@@ -61,19 +60,17 @@ impl Measured {
             total.extend(study.components()?);
             total.extend(study.rivals()?);
         }
-        let growth = times::rows(quick, timed)?;
-        Ok(Self { settings, model, total, growth })
+        Ok(Self { settings, model, total })
     }
 
     pub fn read(folder: &Path) -> Result<Self> {
-        let [settings, model, total, growth] =
-            [&SETTINGS, &MODEL, &TOTAL, &GROWTH].map(|form| read(form, folder));
-        Ok(Self { settings: settings?, model: model?, total: total?, growth: growth? })
+        let [settings, model, total] = [&SETTINGS, &MODEL, &TOTAL].map(|form| read(form, folder));
+        Ok(Self { settings: settings?, model: model?, total: total? })
     }
 
-    pub fn sheets(&self) -> [(&'static Form, &[Record]); 4] {
-        let Self { settings, model, total, growth } = self;
-        [(&SETTINGS, settings), (&MODEL, model), (&TOTAL, total), (&GROWTH, growth)]
+    pub fn sheets(&self) -> [(&'static Form, &[Record]); 3] {
+        let Self { settings, model, total } = self;
+        [(&SETTINGS, settings), (&MODEL, model), (&TOTAL, total)]
     }
 
     /// Takes over the times of an earlier run, which must have all settings; a window takes no time.
@@ -89,11 +86,6 @@ impl Measured {
             };
             TIMES.iter().for_each(|column| row.put(*column, found.text(column)));
         }
-        self.growth.extend(earlier.growth.iter().filter(|row| row.text("unit") == "ns").cloned());
-        // In the order of the files: the times of a quantity follow its counts.
-        self.growth.sort_by_key(|row| {
-            times::QUANTITIES.iter().position(|quantity| *quantity == row.text("quantity"))
-        });
         Ok(())
     }
 }
@@ -107,7 +99,7 @@ fn measure(
     progress: &ProgressBar,
 ) -> Result<(Vec<Record>, Vec<Record>)> {
     let size = |one: &Varied| one.setting.recipe.size();
-    let (boards, wasm) = (Boards::new()?, Times::new()?);
+    let boards = Boards::new()?;
     let mut rows = vec![Record::default(); varied.len()];
     let mut totals = vec![Vec::new(); varied.len()];
     let mut cases = Vec::new();
@@ -152,7 +144,6 @@ fn measure(
             row.put("table_bytes", table_bytes(setting, &table).map_err(of)?);
             row.put("state_bytes", found.bytes + setting.sources * numbers::source_bytes(setting));
             boards.fill(row, setting);
-            wasm.fill(row, setting);
             progress.inc(1);
         }
     }

@@ -4,10 +4,11 @@ use super::images::{Numbers, Pair, Pixels, Shaded, Shading, Work, each};
 use super::settings::{Format, Scaling, Setting, Way};
 use eigenshade::mathematics::{Libm, Mathematics, Micromath, SinglePrecision};
 use eigenshade::{
-    Basis, Highlights, IntegerMap, Light, MapPoint, Material, Normal, Normals, Q15, Scalar, Source,
+    Basis, Highlights, q15::BakedMap, Light, MapPoint, Material, Normal, Normals, Q15, Source,
     Tolerance, q15,
 };
 use eigenshade_model::error::{Error, Result};
+use eigenshade_model::evaluation::{Eigenimages, Evaluator};
 use eigenshade_shading::integer_shader::{self, IntegerShader, OwnedQuantized};
 use eigenshade_shading::owned_basis::OwnedBasis;
 use eigenshade_shading::shader::{OwnedNormals, Shader, fault};
@@ -20,12 +21,12 @@ use std::hint::black_box;
 pub fn numbers(setting: &Setting, table: &Table, normals: &[[f64; 3]]) -> Result<Box<dyn Numbers>> {
     let scale = match setting.scaling {
         Scaling::None => None,
-        Scaling::Libm => Some(scale::<f32, Libm> as _),
-        Scaling::Single => Some(scale::<f32, SinglePrecision> as _),
-        Scaling::Micromath => Some(scale::<f32, Micromath> as _),
+        Scaling::Libm => Some(scale::<Libm> as _),
+        Scaling::Single => Some(scale::<SinglePrecision> as _),
+        Scaling::Micromath => Some(scale::<Micromath> as _),
     };
     Ok(match (setting.format, setting.way) {
-        (Format::F64, _) => Box::new(Floats::<f64>::new(*setting, table, normals, None)?),
+        (Format::F64, Way::Polynomial | Way::Eigen) => Box::new(Doubles::new(table, normals)),
         // Maps of 16 bits are made from scenes in f32.
         (Format::F32, _) | (Format::Q15, Way::Bilinear(_)) => {
             Box::new(Floats::new(*setting, table, normals, scale)?)
@@ -58,67 +59,67 @@ pub fn table_bytes(setting: &Setting, table: &Table) -> Result<usize> {
 /// Bytes in RAM for each source: its lobe and, in floats, which turn it, itself.
 pub fn source_bytes(setting: &Setting) -> usize {
     type Integers<const N: usize> = q15::Highlights<i32, N>;
-    type Floats<const N: usize> = Highlights<f32, N>;
+    type Floats<const N: usize> = Highlights<N>;
     match setting.format {
         Format::Q15 => size_of::<Integers<2>>() - size_of::<Integers<1>>(),
-        _ => size_of::<Source<f32>>() + size_of::<Floats<2>>() - size_of::<Floats<1>>(),
+        _ => size_of::<Source>() + size_of::<Floats<2>>() - size_of::<Floats<1>>(),
     }
 }
 
 /// Lengths of the normals that are to be scaled, in turn: like cross products, over an octave.
-const LENGTHS: [f64; 5] = [0.37, 0.61, 1.0, 1.43, 2.3];
+const LENGTHS: [f32; 5] = [0.37, 0.61, 1.0, 1.43, 2.3];
 
 /// What scales vectors to unit length, if needed, into an array for each component.
-type Scale<S> = Option<fn(&[[S; 3]], &mut [Vec<S>; 3])>;
+type Scale = Option<fn(&[[f32; 3]], &mut [Vec<f32>; 3])>;
 
-struct Floats<S> {
+struct Floats {
     setting: Setting,
-    basis: OwnedBasis<S>,
-    normals: OwnedNormals<S>,
-    each: Vec<Normal<S>>,
+    basis: OwnedBasis,
+    normals: OwnedNormals,
+    each: Vec<Normal>,
     /// The normals for maps of 16 bits.
     quantized: Vec<q15::Normal>,
-    scale: Scale<S>,
+    scale: Scale,
 }
 
 /// From the coefficients d to the data that a pixel reads.
-type Collapse<'a, S> = Box<dyn FnMut(&[S]) -> std::result::Result<(), eigenshade::Error> + 'a>;
+type Collapse<'a> = Box<dyn FnMut(&[f32]) -> std::result::Result<(), eigenshade::Error> + 'a>;
 
 /// The pixels of an image, their number of terms, and how their data are made, in how many bytes.
-struct Operations<'a, S> {
+struct Operations<'a> {
     pixels: Box<dyn Pixels + 'a>,
     terms: usize,
-    collapse: Collapse<'a, S>,
+    collapse: Collapse<'a>,
     bytes: usize,
 }
 
-impl<S: Scalar + Into<f64>> Floats<S> {
+impl Floats {
     /// With `scale`, the normals are first given lengths other than 1.
-    fn new(setting: Setting, table: &Table, normals: &[[f64; 3]], scale: Scale<S>) -> Result<Self> {
+    fn new(setting: Setting, table: &Table, normals: &[[f64; 3]], scale: Scale) -> Result<Self> {
         let quantized = integer_shader::normals(normals)?;
         let (basis, normals) = (OwnedBasis::new(table), OwnedNormals::new(normals));
         Ok(Self { setting, basis, each: normals.each()?, normals, quantized, scale })
     }
 
-    fn basis(&self) -> Result<Basis<'_, S>> {
+    fn basis(&self) -> Result<Basis<'_>> {
         self.basis.basis().map_err(fault)
     }
 
-    fn project(&self, pair: &Pair) -> Result<Vec<S>> {
+    fn project(&self, pair: &Pair) -> Result<Vec<f32>> {
         let basis = self.basis()?;
         let (light, material) = pair.within(basis.degree(), basis.order());
-        Shader::new(basis, usize::MAX).project(light, material).map(<[S]>::to_vec)
+        Shader::new(basis, usize::MAX).project(light, material).map(<[f32]>::to_vec)
     }
 
     /// `lengths` has a number for each azimuth.
-    fn operations<'a>(&'a self, pair: &Pair, lengths: &'a mut [u16]) -> Result<Operations<'a, S>> {
+    fn operations<'a>(&'a self, pair: &Pair, lengths: &'a mut [u16]) -> Result<Operations<'a>> {
         let Setting { way, format, .. } = self.setting;
         let (basis, d) = (self.basis()?, self.project(pair)?);
-        let mut buffer = vec![S::ZERO; basis.scene_len()];
+        let mut buffer = vec![0.0; basis.scene_len()];
         let scene = basis.collapse_into(&d, buffer.clone()).map_err(fault)?;
-        let held = size_of::<S>() * (basis.transfer_len() + basis.components());
+        let held = size_of::<f32>() * (basis.transfer_len() + basis.components());
         let of_scene = held + size_of_val(&buffer[..]);
-        let (pixels, terms, collapse, bytes): (_, _, Collapse<'a, S>, _) = match way {
+        let (pixels, terms, collapse, bytes): (_, _, Collapse<'a>, _) = match way {
             Way::NineTerms => {
                 let formula = pair.nine_terms()?;
                 let pixels =
@@ -128,25 +129,25 @@ impl<S: Scalar + Into<f64>> Floats<S> {
                 (pixels, coefficients.len(), Box::new(|_| Ok(())), size_of_val(coefficients))
             }
             Way::Eigen => {
-                let pixel = move |normal| basis.reconstruct(&d, normal).unwrap_or(S::ZERO);
+                let pixel = move |normal| basis.reconstruct(&d, normal).unwrap_or(0.0);
                 let terms = basis.parts().terms.len();
                 (each(&self.each, 0, pixel), terms, Box::new(|_| Ok(())), held)
             }
             Way::Polynomial => {
                 let pixels = self.all(move |normals, out| scene.shade_slice(normals, out))?;
-                let collapse = move |d: &[S]| {
+                let collapse = move |d: &[f32]| {
                     basis.collapse_into(d, &mut buffer[..]).map(|scene| seen(&scene))
                 };
                 (pixels, basis.scene_len(), Box::new(collapse), of_scene)
             }
             Way::Within(share) => {
-                let tolerance = Tolerance::OfPeak(S::from_f64(share));
+                let tolerance = Tolerance::OfPeak(share as f32);
                 let lengths = &mut lengths[..basis.azimuths()];
                 let mut again = lengths.to_vec();
                 let within = basis.collapse_within(&d, tolerance, lengths, buffer.clone());
                 let (scene, truncation) = within.map_err(fault)?;
                 let pixels = self.all(move |normals, out| scene.shade_slice(normals, out))?;
-                let collapse = move |d: &[S]| {
+                let collapse = move |d: &[f32]| {
                     let within = basis.collapse_within(d, tolerance, &mut again, &mut buffer[..]);
                     within.map(|found| seen(&found))
                 };
@@ -156,18 +157,18 @@ impl<S: Scalar + Into<f64>> Floats<S> {
                 let mut texels = vec![0i16; size * size];
                 let map = scene.bake_integers_into(size, texels.clone()).map_err(fault)?;
                 let bytes = held + size_of_val(&texels[..]);
-                let collapse = move |d: &[S]| {
+                let collapse = move |d: &[f32]| {
                     let scene = basis.collapse_into(d, &mut buffer[..])?;
                     scene.bake_integers_into(size, &mut texels[..]).map(|map| seen(&map))
                 };
                 (of_integers(map, &self.quantized), 0, Box::new(collapse), bytes)
             }
             Way::Bilinear(size) => {
-                let mut texels = vec![S::ZERO; size * size];
+                let mut texels = vec![0.0; size * size];
                 let map = scene.bake_into(size, texels.clone()).map_err(fault)?;
                 let bytes = held + size_of_val(&texels[..]);
                 let pixels = each(&self.each, 0, move |n| map.bilinear(MapPoint::of(n)));
-                let collapse = move |d: &[S]| {
+                let collapse = move |d: &[f32]| {
                     let scene = basis.collapse_into(d, &mut buffer[..])?;
                     scene.bake_into(size, &mut texels[..]).map(|map| seen(&map))
                 };
@@ -180,7 +181,7 @@ impl<S: Scalar + Into<f64>> Floats<S> {
     /// All pixels at once. As in a renderer, normals that need it are all scaled before.
     fn all<'a>(
         &'a self,
-        shade: impl Fn(Normals<'_, S>, &mut [S]) -> std::result::Result<(), eigenshade::Error> + 'a,
+        shade: impl Fn(Normals<'_>, &mut [f32]) -> std::result::Result<(), eigenshade::Error> + 'a,
     ) -> Result<Box<dyn Pixels + 'a>> {
         let Some(scale) = self.scale else {
             let normals = self.normals.view()?;
@@ -188,10 +189,10 @@ impl<S: Scalar + Into<f64>> Floats<S> {
                 black_box(shade(black_box(normals), out).is_ok());
             }));
         };
-        let raw = self.each.iter().zip(LENGTHS.into_iter().map(S::from_f64).cycle());
-        let raw: Vec<[S; 3]> =
+        let raw = self.each.iter().zip(LENGTHS.into_iter().cycle());
+        let raw: Vec<[f32; 3]> =
             raw.map(|(one, length)| one.components().map(|x| length * x)).collect();
-        let mut axes = [0, 1, 2].map(|_| vec![S::ZERO; raw.len()]);
+        let mut axes = [0, 1, 2].map(|_| vec![0.0; raw.len()]);
         Ok(Shading::boxed(raw.len(), 0, move |out| {
             scale(black_box(&raw), &mut axes);
             let [x, y, z] = &axes;
@@ -201,7 +202,7 @@ impl<S: Scalar + Into<f64>> Floats<S> {
     }
 }
 
-impl<S: Scalar + Into<f64> + Sync> Numbers for Floats<S> {
+impl Numbers for Floats {
     fn image(&self, pair: &Pair) -> Result<Shaded> {
         let mut lengths = vec![0; self.setting.recipe.degree + 1];
         let Operations { mut pixels, terms, bytes, .. } = self.operations(pair, &mut lengths)?;
@@ -214,11 +215,11 @@ impl<S: Scalar + Into<f64> + Sync> Numbers for Floats<S> {
         let Operations { mut pixels, mut collapse, .. } = self.operations(pair, lengths)?;
         let (basis, mut d) = (self.basis()?, self.project(pair)?);
         let (light, material) = pair.within(basis.degree(), basis.order());
-        let rounded = |values: &[f64]| values.iter().map(|&v| S::from_f64(v)).collect::<Vec<S>>();
+        let rounded = |values: &[f64]| values.iter().map(|&v| v as f32).collect::<Vec<f32>>();
         let (light, material) = (rounded(light), rounded(material));
         let material = Material::new(&material).map_err(fault)?;
-        let mut transfer = vec![S::ZERO; basis.transfer_len()];
-        let mut workspace = vec![S::ZERO; basis.workspace_len()];
+        let mut transfer = vec![0.0; basis.transfer_len()];
+        let mut workspace = vec![0.0; basis.workspace_len()];
         basis.transfer_into(&material, &mut workspace, &mut transfer).map_err(fault)?;
         let new_light = move || {
             let light = Light::new(black_box(&light));
@@ -229,14 +230,55 @@ impl<S: Scalar + Into<f64> + Sync> Numbers for Floats<S> {
     }
 }
 
+/// The host's sums of eigenimages.
+struct Doubles {
+    evaluator: Evaluator<Table>,
+    eigenimages: Eigenimages,
+    size: (usize, usize),
+    terms: usize,
+    bytes: usize,
+}
+
+impl Doubles {
+    fn new(table: &Table, normals: &[[f64; 3]]) -> Self {
+        let evaluator = Evaluator::new(table.clone());
+        let degrees = table.profiles.iter().map(|profile| table.gram.degree + 1 - profile.azimuth);
+        let terms = table.terms();
+        Self {
+            eigenimages: evaluator.eigenimages(normals),
+            evaluator,
+            size: (table.gram.degree, table.gram.order),
+            terms,
+            bytes: size_of::<f64>() * (degrees.sum::<usize>() + table.count() + terms),
+        }
+    }
+}
+
+impl Numbers for Doubles {
+    fn image(&self, pair: &Pair) -> Result<Shaded> {
+        let (light, material) = pair.within(self.size.0, self.size.1);
+        let irradiances = self.eigenimages.reconstruct(&self.evaluator.project(light, material)?);
+        Ok(Shaded { irradiances, terms: self.terms, bytes: self.bytes, exponent: 0 })
+    }
+
+    fn works<'a>(&'a self, pair: &Pair, _: &'a mut [u16]) -> Result<[Work<'a>; 2]> {
+        let (light, material) = pair.within(self.size.0, self.size.1);
+        let (light, transfer) = (light.to_vec(), self.evaluator.transfer(material)?);
+        let d = self.evaluator.relight(&transfer, &light);
+        let pixels = move || seen(&self.eigenimages.reconstruct(black_box(&d)));
+        let new_light = move || seen(&self.evaluator.relight(&transfer, black_box(&light)));
+        Ok([Box::new(pixels), Box::new(new_light)])
+    }
+}
+
 /// The pixels of a map of 16 bits. A copy for each format of the scene would keep the compiler from
 /// inlining the look-up, which would distort its time.
-fn of_integers(map: IntegerMap<Vec<i16>>, at: &[q15::Normal]) -> Box<dyn Pixels + '_> {
-    each(at, map.exponent(), move |normal| map.bilinear(MapPoint::of_q15(normal)))
+fn of_integers(map: q15::BakedMap<Vec<i16>>, at: &[q15::Normal]) -> Box<dyn Pixels + '_> {
+    each(at, map.exponent(), move |normal| map.bilinear(q15::MapPoint::of(normal)))
 }
 
 /// Scales vectors with one implementation of mathematics.
-fn scale<S: Scalar, M: Mathematics<S>>(raw: &[[S; 3]], [xs, ys, zs]: &mut [Vec<S>; 3]) {
+fn scale<M: Mathematics<f32>>(raw: &[[f32; 3]], [xs, ys, zs]: &mut [Vec<f32>; 3]) {
     for (((to_x, to_y), to_z), &[x, y, z]) in xs.iter_mut().zip(ys).zip(zs).zip(raw) {
         if let Ok(normal) = Normal::with_mathematics::<M>(x, y, z) {
             [*to_x, *to_y, *to_z] = normal.components();

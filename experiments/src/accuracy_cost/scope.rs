@@ -2,8 +2,6 @@
 //! bases of the settings, each computed once.
 
 use super::settings::Recipe;
-use eigenshade::Window;
-use eigenshade::mathematics::Libm;
 use eigenshade_generator::basis;
 use eigenshade_generator::material::brdf::{Ggx, Lambertian, Measure, OrenNayar, Surface};
 use eigenshade_generator::material::published_fits;
@@ -13,6 +11,7 @@ use eigenshade_model::database::{Lights, Materials, Named};
 use eigenshade_model::error::{Error, Result};
 use eigenshade_model::inputs::input_file::InputFile;
 use eigenshade_model::inputs::sheet::Sheet;
+use eigenshade_model::window::Window;
 use eigenshade_shading::{parallel, shipped};
 use eigenshade_table::reduce::with_components;
 use eigenshade_table::scene::Store;
@@ -143,13 +142,13 @@ const MEASURED: [&str; 7] = [
     "purple-paint",
 ];
 /// The window of the shipped coefficients in color, `material --window`.
-const WINDOW: Window<f64> = Window::SincFourth { width: 40.0 };
+const WINDOW: Window = Window::SincFourth { width: 40.0 };
 
 /// Coefficients with the window of the shipped ones in color.
 pub fn windowed(mut material: Named) -> Named {
     for channel in &mut material.rgb {
         for (b, (o, ..)) in channel.iter_mut().zip(material::indices(usize::MAX)) {
-            *b *= WINDOW.factor::<Libm>(o);
+            *b *= WINDOW.factor(o);
         }
     }
     material

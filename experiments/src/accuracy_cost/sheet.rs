@@ -1,12 +1,11 @@
 //! The CSV files, in which a row is a [`Record`] from its measurement to the charts, and their
 //! comparison with fresh errors, bytes and counts, but not times or what depends on them.
 
-use crate::figures::{Figures, OutputFile};
+use crate::figures::{self, OutputFile};
 use crate::sheet::{Form, Record, read};
 use eigenshade_model::error::{Error, Result};
 use std::path::Path;
 
-pub const FIGURES: Figures = Figures { command: "accuracy-cost", folder: "", is_exact: true };
 /// The settings: errors of the method (`unseen_` over materials that the basis never saw), the
 /// error of the model, the total error over all its pictures, bytes, times, and costs on each
 /// machine.
@@ -23,8 +22,7 @@ pub const SETTINGS: Form = Form {
               table_bytes,state_bytes,\
               host_pixel_ns,host_light_ns,host_pixel,host_light,\
               m0_pixel,m0_light,m0_flash,m0_ram,m3_pixel,m3_light,m3_flash,m3_ram,\
-              m4f_pixel,m4f_light,m4f_flash,m4f_ram,rv32_pixel,rv32_light,rv32_flash,rv32_ram,\
-              wasm_pixel,wasm_light",
+              m4f_pixel,m4f_light,m4f_flash,m4f_ram,rv32_pixel,rv32_light,rv32_flash,rv32_ram",
     keys: &["setting"],
 };
 /// The errors of the model by map.
@@ -41,16 +39,9 @@ pub const TOTAL: Form = Form {
               white_median,white_most,f32_bytes,q15_bytes",
     keys: &["setting", "sources", "kind"],
 };
-/// The growth curves, with separate columns for counts and nanoseconds.
-pub const GROWTH: Form = Form {
-    name: "growth.csv",
-    columns: "quantity,measure,unit,size,counted,host_ns",
-    keys: &["quantity", "measure", "unit", "size"],
-};
-
 pub fn csv(form: &Form, records: &[Record]) -> Result<OutputFile> {
     let rows = records.iter().map(|record| form.columns.split(',').map(|one| record.text(one)));
-    FIGURES.csv(form.name, form.columns, rows)
+    figures::csv("accuracy-cost --out docs/accuracy-cost", form.name, form.columns, rows)
 }
 
 /// The allowed relative difference of an error: hosts round differently, and rounding may end a
@@ -73,7 +64,7 @@ fn tolerance(column: &str) -> [f64; 2] {
         [ERROR, STEP]
     } else if ends(&["median", "most", "worst"]) {
         [ERROR, ROUNDING]
-    } else if ends(&["_bytes", "counted"]) {
+    } else if column.ends_with("_bytes") {
         [BYTES, 0.0]
     } else if column == "terms" {
         [BYTES, 2.0]
@@ -84,20 +75,22 @@ fn tolerance(column: &str) -> [f64; 2] {
 
 /// Whether a column is not compared: times, and decibels, which repeat the errors.
 fn is_time(column: &str) -> bool {
-    column.starts_with("host_") || column.starts_with("wasm_") || column.ends_with("_db")
+    column.starts_with("host_") || column.ends_with("_db")
 }
 
-/// Compares these records with those of the file in `folder`. Rows of times are not compared. With
-/// `whole`, the file must not have other rows; otherwise fields that the records lack are skipped.
-/// Returns the numbers of rows and of numbers compared. The error is the first difference, with its
-/// file and line.
+/// What to do where a file differs.
+const REMEDY: &str = "make it again with `cargo run --release -p experiments -- accuracy-cost --out \
+                      docs/accuracy-cost --keep-times`";
+
+/// Compares these records with those of the file in `folder`. With `whole`, the file must not have
+/// other rows; otherwise fields that the records lack are skipped. Returns the numbers of rows and of
+/// numbers compared. The error is the first difference, with its file and line.
 pub fn compare(form: &Form, fresh: &[Record], folder: &Path, whole: bool) -> Result<[usize; 2]> {
     let path = folder.join(form.name);
     let recorded = read(form, folder)?;
-    let fault = |what: String| Error::new(what, FIGURES.again(folder, " --keep-times"));
-    let is_count = |record: &&Record| record.text("unit") != "ns";
-    let (rows, mut numbers) = (fresh.iter().filter(is_count).count(), 0);
-    for record in fresh.iter().filter(is_count) {
+    let fault = |what: String| Error::new(what, REMEDY);
+    let (rows, mut numbers) = (fresh.len(), 0);
+    for record in fresh {
         let (key, name) = (record.key(form), record.key(form).join(", "));
         let missing = || fault(format!("it has no row of `{name}`")).in_file(&path);
         let other = recorded.iter().find(|other| other.key(form) == key).ok_or_else(missing)?;
@@ -118,7 +111,7 @@ pub fn compare(form: &Form, fresh: &[Record], folder: &Path, whole: bool) -> Res
             }
         }
     }
-    let there = recorded.iter().filter(is_count).count();
+    let there = recorded.len();
     if whole && there != rows {
         return Err(fault(format!("it has {there} rows where {rows} belong")).in_file(path));
     }

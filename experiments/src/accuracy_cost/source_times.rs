@@ -3,7 +3,6 @@
 use super::images::Work;
 use super::settings::Format;
 use super::times::{PIXELS, hemisphere};
-use eigenshade::mathematics::SinglePrecision;
 use eigenshade::{Gloss, Highlights, Rgb, Rotation, Source, q15};
 use eigenshade_index::highlights::LARGEST_SET;
 use eigenshade_model::error::{Error, Result};
@@ -16,7 +15,7 @@ type Integers = q15::Highlights<i32, LARGEST_SET>;
 
 /// The normals that the sources shine on.
 pub struct Lit {
-    normals: OwnedNormals<f32>,
+    normals: OwnedNormals,
     quantized: Vec<q15::Normal>,
 }
 
@@ -72,15 +71,15 @@ impl Lit {
 }
 
 /// One of the sources, around the camera: nearly all normals face all of them.
-fn lamp(number: usize) -> std::result::Result<Source<f32>, eigenshade::Error> {
+fn lamp(number: usize) -> std::result::Result<Source, eigenshade::Error> {
     let (sine, cosine) = (TAU * number as f32 / LARGEST_SET as f32).sin_cos();
     let direction = [0.2 * cosine, 0.2 * sine, 0.96_f32.sqrt()];
-    Source::round::<SinglePrecision>(direction, [1.0, 0.9, 0.8], 0.05)
+    Source::round(direction, [1.0, 0.9, 0.8], 0.05)
 }
 
 fn reflected(
-    sources: &[Source<f32>],
-) -> std::result::Result<Highlights<f32, LARGEST_SET>, eigenshade::Error> {
+    sources: &[Source],
+) -> std::result::Result<Highlights<LARGEST_SET>, eigenshade::Error> {
     let gloss = Gloss::metallic_roughness([1.0, 0.78, 0.34], 1.0, 0.3)?;
-    Highlights::new::<SinglePrecision>(&gloss, sources)
+    Highlights::new(&gloss, sources)
 }

@@ -1,11 +1,10 @@
 //! Files that tests, CI, pages and the runtime use: the golden file, materials of sharp gloss, the
-//! comparison of two tables' components, tables for WebAssembly modules, the table from which the
-//! runtime computes materials of metallic and roughness; and the folders of figures.
+//! comparison of two tables' components, the table from which the runtime computes materials of
+//! metallic and roughness; and the folders of figures.
 
 use super::write_csv;
 use clap::Args;
 use eigenshade_cli::messages::{print_message, progress_bar, spinner};
-use eigenshade_cli::output::write_all;
 use eigenshade_cli::table;
 use eigenshade_generator::material::brdf::projection::project_orders;
 use eigenshade_generator::material::brdf::{Ggx, Measure};
@@ -15,16 +14,12 @@ use eigenshade_model::inputs::coefficient_csv::write_materials;
 use eigenshade_shading::parallel;
 use eigenshade_testing::golden::record::{Golden, Row};
 use eigenshade_testing::{glossy, golden};
-use experiments::accuracy_cost::machines::{tables, timed};
-use experiments::accuracy_cost::scope::{Bases, Scope};
-use experiments::accuracy_cost::settings::{Format, Recipe, Setting, Way, all};
+use experiments::accuracy_cost::Measured;
 use experiments::accuracy_cost::sheet::{self, SETTINGS, compare};
-use experiments::accuracy_cost::{Measured, report};
 use experiments::numbers::digits;
-use experiments::pages::{Purpose, filled};
-use experiments::paper;
+use experiments::sheet::Purpose;
 use experiments::stability::spectrum::{Agreement, agreement};
-use std::collections::BTreeSet;
+use experiments::{figures, paper};
 use std::f64::consts::PI;
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -35,7 +30,7 @@ pub fn golden(purpose: &Purpose) -> Result<()> {
         "cargo run --release -p experiments -- golden --out tests/golden/sphere.csv";
     let answered = golden::golden();
     let text = answered.text(&[COMMAND, "What the rows are: docs/formats.md"]);
-    purpose.write_or_compare(&text, COMMAND, |recorded, _| {
+    purpose.write_or_compare("", &text, COMMAND, |recorded, _| {
         let recorded = Golden::parse(recorded)?;
         if recorded.rows.len() != answered.rows.len() {
             return Err("the number of rows differs".into());
@@ -82,33 +77,6 @@ pub fn same_order(one: &Path, other: &Path) -> Result<()> {
         "{compared} components have the same order and sign, products from {least:.6} on"
     ));
     Ok(())
-}
-
-pub fn wasm_tables(folder: &Path) -> Result<()> {
-    fs::create_dir_all(folder).map_err(|error| Error::io(folder, &error))?;
-    let write = |name: &str, bytes: &[u8]| {
-        let path = folder.join(name);
-        fs::write(&path, bytes).map_err(|error| Error::io(&path, &error))
-    };
-    let all: Vec<Setting> = all(false).iter().map(|one| one.setting).collect();
-    let mut lines =
-        String::from("# crates/wasm/benchmark-tables\ntable,module,setting,way,format\n");
-    let tables = tables();
-    for (degree, order) in tables.iter().map(Recipe::size).collect::<BTreeSet<_>>() {
-        let of_size = tables.iter().filter(|recipe| recipe.size() == (degree, order));
-        let bases = Bases::new(&Scope::new(degree, order)?, of_size.clone().copied())?;
-        for recipe in of_size {
-            let name = recipe.to_string().replace('/', "-").replace(' ', "_");
-            write(&format!("{name}.bin"), &eigenshade_table::encode(&bases.table(recipe)?))?;
-            for setting in timed(recipe, &all) {
-                let is_float = setting.format == Format::F32;
-                let module = if is_float { "floats.simd" } else { "all.simd" };
-                let way = if setting.way == Way::Polynomial { "shade" } else { "look_up" };
-                lines += &format!("{name},{module},{setting},{way},{}\n", setting.format);
-            }
-        }
-    }
-    write("benchmark_tables.csv", lines.as_bytes())
 }
 
 /// Orders, with the number of Chebyshev polynomials in roughness that each takes: what these leave
@@ -163,34 +131,31 @@ pub fn metallic_roughness(out: &Path) -> Result<()> {
 }
 
 pub fn paper(Purpose { out, check }: &Purpose) -> Result<()> {
-    let Some(folder) = out.as_ref().or(check.as_ref()) else { return Ok(()) };
     let progress = spinner("figures");
-    let made = paper::make(folder);
+    let made = paper::make();
     progress.finish_and_clear();
     let files = made?;
-    let count = files.len();
-    if check.is_none() {
-        paper::FIGURES.write(&files, folder)?;
-        print_message(format_args!("{count} files in {}", folder.display()));
-    } else {
-        let [numbers, pixels] = paper::FIGURES.compare(&files, folder)?;
-        print_message(format_args!(
-            "{count} files are up to date: {numbers} numbers, {pixels} pixels"
-        ));
+    if let Some(folder) = out {
+        figures::write(&files, folder)?;
+        print_message(format_args!("{} files in {}", files.len(), folder.display()));
+    }
+    if let Some(folder) = check {
+        let remedy =
+            "make it again with `cargo run --release -p experiments -- paper --out docs/paper`";
+        let count = figures::compare(&files, folder, remedy)?;
+        print_message(format_args!("{count} cells are up to date"));
     }
     Ok(())
 }
 
 /// The cost of accuracy: error, bytes and time as every parameter varies
 ///
-/// --out writes the numbers as CSV and the charts as SVG to DIR, and the tables of
-/// DIR/accuracy-cost.md: errors against the direct sum over the shipped lights and materials and
-/// over others, errors of a degree and an order against direct integration under captured maps,
-/// total errors of pictures against direct integration, times on this machine, and the instructions
-/// that were counted on emulated boards. --check recomputes errors, bytes and counts and compares
-/// them with the files of a folder; times are not compared. It also compares the charts and tables
-/// there with the CSV files, and fails if the folder has other files. --quick does either for a part
-/// of the settings. A full run takes some ten minutes on two cores, a quick check one.
+/// --out writes the CSV files of docs/accuracy-cost: errors against the direct sum over the shipped
+/// lights and materials and over others, errors of a degree and an order against direct integration
+/// under captured maps, total errors of pictures against direct integration, times on this machine,
+/// and the instructions that were counted on emulated boards. --check recomputes errors, bytes and
+/// counts and compares them with the files of a folder; times are not compared. --quick does either
+/// for a part of the settings. A full run takes some ten minutes on two cores, a quick check one.
 #[derive(Args, Debug)]
 pub struct AccuracyCost {
     #[command(flatten)]
@@ -201,12 +166,6 @@ pub struct AccuracyCost {
     /// With --out: keep the times of DIR's files and recompute the rest
     #[arg(long, conflicts_with_all = ["quick", "check"])]
     keep_times: bool,
-    /// Also write, or compare, the choices of a setting in this page
-    #[arg(long, value_name = "FILE")]
-    page: Option<PathBuf>,
-    /// With --out: measure nothing, only make the charts and tables from DIR's CSV files
-    #[arg(long, conflicts_with_all = ["quick", "check", "keep_times"])]
-    from_csv: bool,
     /// Folder of the project's environment maps
     #[arg(long, value_name = "DIR", default_value = "tables/inputs/maps")]
     maps: PathBuf,
@@ -219,9 +178,7 @@ impl AccuracyCost {
         // Paths that cannot be read or written fail before the long computation.
         if let Some(out) = &self.purpose.out {
             fs::create_dir_all(out).map_err(|error| Error::io(out, &error))?;
-            let measured = if self.from_csv {
-                Measured::read(out)?
-            } else if self.keep_times {
+            let measured = if self.keep_times {
                 let earlier = Measured::read(out)?;
                 let mut measured = measure(false)?;
                 measured.keep_times(&earlier)?;
@@ -229,13 +186,8 @@ impl AccuracyCost {
             } else {
                 measure(true)?
             };
-            let files = report::files(&measured, out)?;
-            sheet::FIGURES.write(&files, out)?;
-            if let Some(page) = &self.page {
-                write_all(Some(page), filled(page, &[report::choice(&measured)])?)?;
-            }
-            let (settings, files) = (measured.settings.len(), files.len());
-            print_message(format_args!("{settings} settings, {files} files in {}", out.display()));
+            let files = measured.sheets().into_iter().map(|(form, rows)| sheet::csv(form, rows));
+            figures::write(&files.collect::<Result<Vec<_>>>()?, out)?;
         }
         if let Some(folder) = &self.purpose.check {
             let numbers = folder.join(SETTINGS.name);
@@ -245,16 +197,6 @@ impl AccuracyCost {
             for (form, records) in measured.sheets() {
                 let [more_rows, more_numbers] = compare(form, records, folder, !self.quick)?;
                 (rows, numbers) = (rows + more_rows, numbers + more_numbers);
-            }
-            let recorded = Measured::read(folder)?;
-            sheet::FIGURES.compare(&report::files(&recorded, folder)?, folder)?;
-            if let Some(page) = &self.page {
-                let text = fs::read_to_string(page).map_err(|error| Error::io(page, &error))?;
-                if text != filled(page, &[report::choice(&recorded)])? {
-                    let what = "its choices are not those of the files";
-                    let remedy = "run it with --from-csv --out instead of --check";
-                    return Err(Error::new(what, remedy).in_file(page));
-                }
             }
             print_message(format_args!("{rows} rows are what they should be: {numbers} numbers"));
         }

@@ -2,7 +2,6 @@
 
 use super::{inputs, write, write_csv};
 use eigenshade_cli::messages::{print_message, progress_bar};
-use eigenshade_cli::output::write_all;
 use eigenshade_cli::picture::{Canvas, SphereView, write_png};
 use eigenshade_model::error::Result;
 use eigenshade_model::inputs::gloss_csv::write_glosses;
@@ -11,9 +10,8 @@ use eigenshade_model::srgb::srgb;
 use eigenshade_sources::screen::{self, Reference};
 use experiments::highlights::{self, DRAWN, Row};
 use experiments::material_errors::{self, SPACING};
-use experiments::pages::filled;
 use experiments::sphere::Sphere;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
 pub fn gloss(out: Option<&Path>) -> Result<()> {
     let glosses = highlights::glosses(&[])?;
@@ -30,11 +28,9 @@ pub fn material_errors(out: Option<&Path>) -> Result<()> {
     write_csv(out, material_errors::COLUMNS, material_errors::rows(&found))
 }
 
-pub fn errors(out: Option<&Path>, page: Option<PathBuf>) -> Result<()> {
+pub fn errors(out: Option<&Path>) -> Result<()> {
     let rows = highlights::errors(inputs(), &[], &progress_bar("lights", 0))?;
-    write_csv(out, highlights::COLUMNS, rows.iter().map(Row::fields))?;
-    let Some(page) = page else { return Ok(()) };
-    write_all(Some(&page), filled(&page, &highlights::parts(&rows))?)
+    write_csv(out, highlights::COLUMNS, rows.iter().map(Row::fields))
 }
 
 /// Width of a sphere and of the gap beside it, in pixels.

@@ -3,14 +3,15 @@
 mod errors;
 mod files;
 mod highlights;
+mod pages;
 mod pictures;
 
 use clap::{Args, Parser};
 use eigenshade_cli::messages::{printable, spinner};
 use eigenshade_cli::output::{self, write_error};
 use eigenshade_model::error::{Error, Result};
-use experiments::pages::Purpose;
-use experiments::{ablation, mutations, reading, sheet, stability};
+use experiments::sheet::{Purpose, compare_cells};
+use experiments::{reading, sheet, stability};
 use std::io::Write;
 use std::path::{Path, PathBuf};
 
@@ -38,12 +39,9 @@ pub struct OutputFile {
 pub enum Command {
     /// The figures of Nillius and Eklundh (2003) and their numbers, on the shipped data
     ///
-    /// --out replaces the tables of DIR/paper.md and writes the files that it shows to DIR/paper:
-    /// CSV, SVG charts and PNG pictures. --check recomputes everything and compares every file:
-    /// counts and words must be equal, other numbers within two units of six digits, or one of the
-    /// last digit where there are fewer; coordinates of charts within a pixel; pictures within one
-    /// of 255 levels, and in no more than a thousandth of their pixels. A missing figure and a file
-    /// that is not a figure are errors too. Both take a minute.
+    /// --out writes CSV files and PNG pictures. --check recomputes everything and compares the CSV
+    /// files: counts and words must be equal, other numbers within two units of six digits, or one
+    /// of the last digit where there are fewer. Both take a minute.
     Paper(Purpose),
     /// Spheres of GGX materials under captured lights by the runtime in f32, docs/spheres.png
     Picture {
@@ -57,11 +55,14 @@ pub enum Command {
     /// on gold paint, each with a window and its own exposure
     ContactSheet(OutputFile),
     AccuracyCost(files::AccuracyCost),
-    /// Cost and contribution of each effect, docs/ablation.md; times are not compared
-    Ablation(Purpose),
-    /// The numerically hard cases, measured, docs/stability.md
+    /// The tables and charts of the documentation, from the CSV files that the other commands write
+    ///
+    /// Writes the tables of README.md, docs/*.md and tables/README.md, and the charts of
+    /// docs/accuracy-cost and docs/paper. Takes seconds.
+    Pages,
+    /// The numerically hard cases, measured, docs/stability.csv
     Stability(Purpose),
-    /// Errors of estimates from degraded images, docs/reading.md
+    /// Errors of estimates from degraded images, docs/reading-*.csv
     Reading {
         #[command(flatten)]
         purpose: Purpose,
@@ -85,19 +86,12 @@ pub enum Command {
         #[arg(value_name = "FILE")]
         out: PathBuf,
     },
-    /// Errors of pictures with small sources, docs/highlights.csv and the tables of
-    /// docs/highlights.md
+    /// Errors of pictures with small sources, docs/highlights.csv
     ///
     /// The pictures are of GGX metals under the captured lights as they are and turned, and under
     /// three synthetic ones. The reference is direct integration of the whole map. Takes some five
     /// minutes on two cores.
-    Highlights {
-        #[command(flatten)]
-        csv: Csv,
-        /// Write the tables into this page
-        #[arg(long, value_name = "FILE")]
-        page: Option<PathBuf>,
-    },
+    Highlights(Csv),
     /// Spheres with sources beside those without, and direct integration, docs/highlights.png
     HighlightPicture(OutputFile),
     /// The errors that the shipped sources leave, tables/inputs/sources.errors.csv
@@ -131,15 +125,6 @@ pub enum Command {
         #[arg(value_name = "B.bin")]
         other: PathBuf,
     },
-    /// The tables that crates/wasm/benchmark-tables puts into modules
-    ///
-    /// benchmark_tables.csv assigns a setting of accuracy-cost to each module and table.
-    WasmTables {
-        /// The folder to write to
-        #[arg(value_name = "DIR")]
-        folder: PathBuf,
-    },
-    Mutations(mutations::Mutations),
 }
 
 impl Command {
@@ -149,36 +134,37 @@ impl Command {
             Self::Picture { file, table } => pictures::spheres(&file.out, &table),
             Self::ContactSheet(file) => pictures::contact_sheet(&file.out),
             Self::AccuracyCost(command) => command.run(),
-            Self::Ablation(purpose) => {
-                let parts = ablation::parts(&ablation::scenes::Times::measured());
-                let remedy = "every scene must keep its tolerance, in f32 and in Q15";
-                let parts = parts.map_err(|fault| Error::new(fault, remedy))?;
-                ablation::PAGE.write_or_compare(&purpose, &parts)
-            }
+            Self::Pages => pages::write(),
             Self::Stability(purpose) => {
                 let progress = spinner("cases");
-                let parts = stability::parts(|name| progress.set_message(name.to_owned()));
+                let rows = stability::rows(|name| progress.set_message(name.to_owned()));
                 progress.finish_and_clear();
                 let remedy =
                     "every bound must hold, and a tight one be at most ten times the error";
-                let parts = parts.map_err(|fault| Error::new(fault, remedy))?;
-                stability::PAGE.write_or_compare(&purpose, &parts)
+                let rows = rows.map_err(|fault| Error::new(fault, remedy))?;
+                let command = "experiments stability --out docs/stability.csv";
+                let text = sheet::csv(command, stability::COLUMNS, rows)?;
+                let same = |old: &str, new: &str| compare_cells(old, new, stability::same);
+                purpose.write_or_compare("", &text, command, same)
             }
             Self::Reading { purpose, tables } => {
-                reading::PAGE.write_or_compare(&purpose, &reading::parts(&tables)?)
+                let command = "experiments reading --out docs";
+                let same = |old: &str, new: &str| compare_cells(old, new, reading::same);
+                let names = ["reading-estimates.csv", "reading-scenes.csv"];
+                names.into_iter().zip(reading::csv(&tables)?).try_for_each(|(name, text)| {
+                    purpose.write_or_compare(name, &text, command, same)
+                })
             }
             Self::Errors(command) => command.run(),
             Self::Golden(purpose) => files::golden(&purpose),
             Self::Gloss(csv) => highlights::gloss(csv.out.as_deref()),
             Self::GlossyMaterials { out } => files::glossy_materials(&out),
-            Self::Highlights { csv, page } => highlights::errors(csv.out.as_deref(), page),
+            Self::Highlights(csv) => highlights::errors(csv.out.as_deref()),
             Self::HighlightPicture(file) => highlights::picture(&file.out),
             Self::SourceErrors(csv) => highlights::source_errors(csv.out.as_deref()),
             Self::MaterialErrors(csv) => highlights::material_errors(csv.out.as_deref()),
             Self::MetallicRoughness(file) => files::metallic_roughness(&file.out),
             Self::SameOrder { one, other } => files::same_order(&one, &other),
-            Self::WasmTables { folder } => files::wasm_tables(&folder),
-            Self::Mutations(command) => command.run(),
         }
     }
 }

@@ -1,6 +1,5 @@
 //! The pictures of the README: spheres of materials under captured lights, and all presets.
 
-use eigenshade::mathematics::Libm;
 use eigenshade::presets::{self, light, material};
 use eigenshade::{Display, Exposure, Light, Meter, Normal, Rgb, Tone, Window, sphere};
 use eigenshade_cli::picture::{Canvas, SphereView, TextHeight, text_width, write_png};
@@ -45,7 +44,7 @@ pub fn spheres(out: &Path, table: &Path) -> Result<()> {
         }
         materials.push(Named { name: format!("{roughness}"), rgb });
     }
-    let basis = OwnedBasis::<f32>::new(&table);
+    let basis = OwnedBasis::new(&table);
     let mut shader = Shader::new(basis.any().map_err(fault)?, table.count());
     let view = SphereView::new(SIZE);
     let normals = OwnedNormals::new(&view.normals);
@@ -106,7 +105,7 @@ fn all_presets() -> std::result::Result<Canvas, eigenshade::Error> {
     let of_all = metered(spheres.iter().flat_map(|(_, colors, _)| colors));
     spheres.iter_mut().for_each(|(.., exposure)| *exposure = of_all);
     for (name, light) in light::ALL {
-        let windowed = light.windowed::<Libm, 100>(Window::SincFourth { width: WINDOW })?;
+        let windowed = light.windowed::<100>(Window::SincFourth { width: WINDOW })?;
         let colors = colors(&view, windowed.lights()?, material::GOLD_METALLIC_PAINT)?;
         let exposure = metered(&colors);
         spheres.push((name, colors, exposure));
@@ -123,7 +122,7 @@ fn all_presets() -> std::result::Result<Canvas, eigenshade::Error> {
 /// The irradiances of a sphere.
 fn colors(
     view: &SphereView,
-    light: Rgb<Light<'_, f32>>,
+    light: Rgb<Light<'_>>,
     material: presets::Material,
 ) -> std::result::Result<Vec<Rgb<f32>>, eigenshade::Error> {
     let scene = sphere::color::scene(light, material)?;

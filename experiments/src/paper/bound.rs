@@ -4,10 +4,11 @@
 use super::partial_sum::{PartialSum, Step};
 use super::plate::{Plate, UNCLIPPED, gray};
 use super::spheres::SHOWN;
-use super::{FIGURES, Modes, Study, Trial, row, title};
+use super::{Modes, Study, Trial, csv, row, title};
 use crate::chart::{Axes, Chart, Points, Style, colored};
-use crate::figures::OutputFile;
+use crate::figures::{self, OutputFile};
 use crate::numbers::exposure;
+use crate::sheet::Sheet;
 use eigenshade_model::error::Result;
 use eigenshade_model::reference::DirectSum;
 use eigenshade_shading::parallel;
@@ -55,8 +56,8 @@ pub fn files(study: &Study) -> Result<Vec<OutputFile>> {
                   largest_error_over_bound,median_bound_over_triangle,\
                   exceeding_uncorrelated,largest_error_over_uncorrelated";
     let mut files = rendered_files(study)?;
-    files.push(FIGURES.csv("bound.csv", header, &rows)?);
-    files.push(FIGURES.chart("bound.svg", &chart(study)?));
+    files.push(csv("bound.csv", header, &rows)?);
+    files.push(course(study)?);
     Ok(files)
 }
 
@@ -101,23 +102,30 @@ fn summary(reached: &[Reached]) -> [f64; 11] {
     ]
 }
 
-fn chart(study: &Study) -> Result<String> {
+/// The course of one image's partial sums.
+fn course(study: &Study) -> Result<OutputFile> {
     let trial = study.trial(DRAWN.0, DRAWN.1)?;
     let steps = steps(study, &PartialSum::new(&study.gram, &[]), trial);
-    let course = |value: fn(&Step) -> f64| -> Points {
-        // One point in eight is still denser than one per pixel.
-        let points = steps.iter().step_by(8);
-        points.map(|step| (step.terms as f64, value(step) / trial.mean)).collect()
-    };
+    // One point in eight is still denser than one per pixel.
+    let rows = steps.iter().step_by(8).map(|step| {
+        row(&[&step.terms], [step.bound, step.uncorrelated, step.error].map(|one| one / trial.mean))
+    });
+    csv("bound_course.csv", "terms,bound,uncorrelated,error", rows)
+}
+
+pub fn chart(sheet: &Sheet) -> Result<OutputFile> {
+    let terms = sheet.numbers("terms");
+    let course = |column| terms.iter().copied().zip(sheet.numbers(column)).collect::<Points>();
     let series = [
-        ("bound", Style::Line, course(|step| step.bound)),
-        ("root of the summed variances", Style::Dashed, course(|step| step.uncorrelated)),
-        ("error", Style::Line, course(|step| step.error)),
+        ("bound", Style::Line, course("bound")),
+        ("root of the summed variances", Style::Dashed, course("uncorrelated")),
+        ("error", Style::Line, course("error")),
     ];
     let titles = ["terms summed, the strongest first", "rms left out, of the mean"];
     // Slightly lower, so that the last power of ten gets its label.
     let axes = Axes::Percent { columns: 0.0..3704.0, rows: 0.99e-6..10.0, labels: 8 };
-    Chart::new(titles, axes, SeriesLabelPosition::LowerLeft, colored(series)).svg()
+    let chart = Chart::new(titles, axes, SeriesLabelPosition::LowerLeft, colored(series));
+    Ok(figures::chart("bound.svg", &chart.svg()?))
 }
 
 pub struct Rendered {
@@ -198,7 +206,7 @@ fn rendered_files(study: &Study) -> Result<Vec<OutputFile>> {
     }
     let header = "light,material,terms,accuracy,bound,error,pixel_error,largest_pixel_error";
     Ok(vec![
-        FIGURES.csv("bound_spheres.csv", header, &rows)?,
-        FIGURES.picture("bound_spheres.png", plate.scale("stated/2")),
+        csv("bound_spheres.csv", header, &rows)?,
+        OutputFile::picture("bound_spheres.png", plate.scale("stated/2")),
     ])
 }

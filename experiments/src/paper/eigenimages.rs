@@ -1,12 +1,10 @@
-//! Fig. 3: the first twelve eigenimages of the image-centered bases, from the constant one on.
+//! Fig. 3: the first twelve eigenimages of the image-centered basis of all modes, from the constant one on.
 
 use super::plate::Plate;
-use super::reconstruction::shade;
-use super::{FIGURES, Modes, Study, digits, place, row};
+use super::{Modes, Study, csv, digits, place, row};
 use crate::figures::OutputFile;
 use eigenshade_model::error::Result;
-use eigenshade_shading::owned_basis::OwnedBasis;
-use eigenshade_shading::shader::{OwnedNormals, fault};
+use eigenshade_model::evaluation::Evaluator;
 use eigenshade_table::Table;
 use eigenshade_table::scene::Criterion;
 
@@ -20,15 +18,11 @@ pub const SCALE: f64 = 3.0;
 const LISTED: usize = 100;
 
 pub fn files(study: &Study) -> Result<Vec<OutputFile>> {
-    let of = |modes: Modes| {
-        let table = &study.tables[place(Criterion::ImageCentered, modes)];
-        let name = format!("eigenimages{}", modes.suffix());
-        [plate(&format!("{name}.png"), table), sheet(&format!("{name}.csv"), table)]
-    };
-    Modes::BOTH.into_iter().flat_map(of).collect()
+    let table = &study.tables[place(Criterion::ImageCentered, Modes::All)];
+    Ok(vec![plate(table)?, sheet(table)?])
 }
 
-fn sheet(name: &str, table: &Table) -> Result<OutputFile> {
+fn sheet(table: &Table) -> Result<OutputFile> {
     let mut rows = Vec::new();
     for (index, component) in table.components.iter().enumerate().take(LISTED) {
         // The constant has no eigenvalue.
@@ -38,23 +32,20 @@ fn sheet(name: &str, table: &Table) -> Result<OutputFile> {
         let texts = row(&[&index, &component.order, &value, &share.unwrap_or_default()], [left]);
         rows.push(texts);
     }
-    FIGURES.csv(name, "component,m,eigenvalue,share,left", &rows)
+    csv("eigenimages.csv", "component,m,eigenvalue,share,left", &rows)
 }
 
-fn plate(name: &str, table: &Table) -> Result<OutputFile> {
-    let owned = OwnedBasis::<f64>::new(table);
-    let basis = owned.basis().map_err(fault)?;
+fn plate(table: &Table) -> Result<OutputFile> {
     let mut plate = Plate::new(SIZE, (COLUMNS, SHOWN.div_ceil(COLUMNS)), [0, 0, 2]);
-    let normals = OwnedNormals::<f64>::new(&plate.view.normals);
+    let evaluator = Evaluator::new(table).with_components(SHOWN);
+    let eigenimages = evaluator.eigenimages(&plate.view.normals);
     for (index, component) in table.components.iter().enumerate().take(SHOWN) {
-        let mut coefficients = vec![0.0; index + 1];
-        coefficients[index] = 1.0;
-        let image = shade(&basis, &coefficients, &normals)?;
+        let image = eigenimages.eigenimage(index);
         let place = (index % COLUMNS, index / COLUMNS);
         plate.signed(place, image.iter().map(|value| value / SCALE));
         let share = component.eigenvalue.map(|value| 100.0 * value / table.summary.energy);
         let share = share.map_or("constant".into(), |share| format!("{share:.1} %"));
         plate.below(place, &[&format!("{index}: m = {}", component.order), &share]);
     }
-    Ok(FIGURES.picture(name, plate.scale(&format!("{SCALE}"))))
+    Ok(OutputFile::picture("eigenimages.png", plate.scale(&format!("{SCALE}"))))
 }

@@ -7,11 +7,13 @@
 //! PCA counts the constant in K.
 
 use super::node_image::{MaterialImages, fit};
-use super::{DEGREE, FIGURES, Modes, Study, Trial, digits, place, row, title};
+use super::tables::Sheets;
+use super::{DEGREE, Modes, Study, Trial, csv, digits, place, row, title};
 use crate::chart::{
     Axes, BLUE, Chart, GREEN, ORANGE, PALE, PURPLE, Points, Series, Style, colored,
 };
-use crate::figures::OutputFile;
+use crate::figures::{self, OutputFile};
+use crate::sheet::Sheet;
 use eigenshade_index::{light, mode};
 use eigenshade_model::database::Named;
 use eigenshade_model::error::Result;
@@ -20,12 +22,11 @@ use eigenshade_shading::parallel;
 use eigenshade_table::scene::Criterion;
 use plotters::prelude::SeriesLabelPosition;
 use plotters::style::RGBColor;
-use std::fmt::Display;
 
 /// Errors are given up to this number of components.
 pub const SHOWN: usize = 100;
-/// The criteria in the order of [`Study::tables`].
-const CRITERIA: [Criterion; 2] = [Criterion::ImageCentered, Criterion::Standard];
+/// The image-centered basis of all modes in [`Study::tables`].
+const CENTERED: usize = 0;
 /// The materials that Fig. 6 names, and their lines, which differ in print without colors too.
 const NAMED: [(&str, RGBColor, Style); 4] = [
     ("07-velvet", PURPLE, Style::Dashed),
@@ -37,34 +38,34 @@ const NAMED: [(&str, RGBColor, Style); 4] = [
 pub fn files(study: &Study) -> Result<Vec<OutputFile>> {
     let (materials, lights) = (&study.materials.entries, &study.lights.entries);
     let mean = [0, 1, 2, 3].map(|basis| average(study, basis, |_| true));
-    let by = |basis: usize, of: fn(&Trial) -> usize, count: usize| -> Vec<Vec<f64>> {
-        (0..count).map(|k| average(study, basis, |trial| of(trial) == k)).collect()
+    let by = |of: fn(&Trial) -> usize, count: usize| -> Vec<Vec<f64>> {
+        (0..count).map(|k| average(study, CENTERED, |trial| of(trial) == k)).collect()
     };
-    let by_material = [0, 1, 2, 3].map(|basis| by(basis, |trial| trial.material, materials.len()));
-    let by_light = [0, 2].map(|basis| by(basis, |trial| trial.light, lights.len()));
+    let by_material = by(|trial| trial.material, materials.len());
+    let by_light = by(|trial| trial.light, lights.len());
     let rotated = rotated(study, &study.luminances);
     let names = |entries: &[Named]| {
         entries.iter().map(|entry| entry.name.as_str()).collect::<Vec<_>>().join(",")
     };
     let header = "components,image_centered,standard,image_centered_1000,standard_1000";
     let [of_materials, of_lights] =
-        [materials, lights].map(|entries| format!("modes,criterion,components,{}", names(entries)));
+        [materials, lights].map(|entries| format!("components,{}", names(entries)));
     let of_rotated = format!("components,all,{}", names(materials));
-    let light_rows = by_basis(&by_light, &CRITERIA[..1]);
-    let mut files = vec![
-        FIGURES.csv("error.csv", header, by_count(&[], &mean))?,
-        FIGURES.chart("error.svg", &mean_chart(&mean)?),
-        FIGURES.csv("error_by_material.csv", &of_materials, by_basis(&by_material, &CRITERIA))?,
-        FIGURES.csv("error_by_light.csv", &of_lights, light_rows)?,
-        FIGURES.csv("error_rotated.csv", &of_rotated, by_count(&[], &rotated))?,
+    Ok(vec![
+        csv("error.csv", header, by_count(&mean))?,
+        csv("error_by_material.csv", &of_materials, by_count(&by_material))?,
+        csv("error_by_light.csv", &of_lights, by_count(&by_light))?,
+        csv("error_rotated.csv", &of_rotated, by_count(&rotated))?,
         selected(study)?,
-    ];
-    for modes in Modes::BOTH {
-        let name = format!("error_by_material{}.svg", modes.suffix());
-        let errors = &by_material[place(Criterion::ImageCentered, modes)];
-        files.push(FIGURES.chart(&name, &material_chart(materials, errors)?));
-    }
-    Ok(files)
+    ])
+}
+
+/// The charts of the CSV files.
+pub fn charts(sheets: &Sheets) -> Result<Vec<OutputFile>> {
+    Ok(vec![
+        figures::chart("error.svg", &mean_chart(&sheets["error"])?),
+        figures::chart("error_by_material.svg", &material_chart(&sheets["error_by_material"])?),
+    ])
 }
 
 /// The mean error of the chosen images with one basis, for 0 to [`SHOWN`] components.
@@ -109,40 +110,29 @@ pub fn rotated(study: &Study, luminances: &[Vec<f64>]) -> Vec<Vec<f64>> {
 }
 
 /// One row for each number of components, one column for each of `errors`.
-fn by_count(first: &[&dyn Display], errors: &[Vec<f64>]) -> Vec<Vec<String>> {
-    let of = |count: usize| {
-        let numbers = errors.iter().map(|errors| errors[count]);
-        row(&[first, &[&count]].concat(), numbers)
-    };
-    (0..=SHOWN).map(of).collect()
+fn by_count(errors: &[Vec<f64>]) -> Vec<Vec<String>> {
+    (0..=SHOWN).map(|count| row(&[&count], errors.iter().map(|errors| errors[count]))).collect()
 }
 
-/// The same for each choice of modes and each criterion.
-fn by_basis(errors: &[Vec<Vec<f64>>], criteria: &[Criterion]) -> Vec<Vec<String>> {
-    let of_modes =
-        |modes: Modes| criteria.iter().map(move |criterion| (modes.count(), criterion.name()));
-    let bases = Modes::BOTH.into_iter().flat_map(of_modes).zip(errors);
-    bases.flat_map(|((modes, name), errors)| by_count(&[&modes, &name], errors)).collect()
-}
-
-fn mean_chart(mean: &[Vec<f64>; 4]) -> Result<String> {
+fn mean_chart(sheet: &Sheet) -> Result<String> {
     let names = [
         ("image-centered", Style::Line),
         ("standard", Style::Dashed),
         ("image-centered, 1000 modes", Style::Line),
         ("standard, 1000 modes", Style::Dashed),
     ];
-    let lines = names.into_iter().zip(mean);
-    chart(colored(lines.map(|((name, style), errors)| (name, style, points(errors)))))
+    let lines = names.into_iter().zip(&sheet.columns[1..]);
+    chart(colored(lines.map(|((name, style), of)| (name, style, points(&sheet.numbers(of))))))
 }
 
-fn material_chart(materials: &[Named], errors: &[Vec<f64>]) -> Result<String> {
-    let new = |errors: &Vec<f64>| Series::new("", Style::Line, PALE, points(errors));
-    let mut lines: Vec<_> = errors.iter().map(|one| Series { width: 1, ..new(one) }).collect();
+fn material_chart(sheet: &Sheet) -> Result<String> {
+    let line = |name: &String| {
+        let line = Series::new("", Style::Line, PALE, points(&sheet.numbers(name)));
+        Series { width: 1, ..line }
+    };
+    let mut lines: Vec<_> = sheet.columns[1..].iter().map(line).collect();
     for (name, color, style) in NAMED {
-        let found = materials.iter().zip(errors).find(|(material, _)| material.name == name);
-        let points = found.map(|(_, errors)| points(errors)).unwrap_or_default();
-        lines.push(Series::new(title(name), style, color, points));
+        lines.push(Series::new(title(name), style, color, points(&sheet.numbers(name))));
     }
     chart(lines)
 }
@@ -204,5 +194,5 @@ fn selected(study: &Study) -> Result<OutputFile> {
     let of_degree =
         |(l, count): (usize, &usize)| [format!("modes_kept_of_degree_{l}"), count.to_string()];
     let rows = rows.into_iter().chain(by_degree.iter().enumerate().map(of_degree));
-    FIGURES.csv("selected_modes.csv", "quantity,value", rows)
+    csv("selected_modes.csv", "quantity,value", rows)
 }

@@ -1,7 +1,7 @@
 //! The figures of Nillius and Eklundh, "Phenomenological Eigenfunctions for Image Irradiance", ICCV
-//! 2003, on the shipped databases. Each file that [`make`] calls makes one figure, as CSV and as a
-//! picture; `tables` makes the tables of `docs/paper.md` from the CSV. All share the lights, the
-//! materials, the four bases, and how well each basis represents every image.
+//! 2003, on the shipped databases. Each file that [`make`] calls measures one figure; [`charts`] and
+//! `tables` show the CSV files. All share the lights, the materials, the four bases, and how well
+//! each basis represents every image.
 
 pub mod bound;
 mod eigenimages;
@@ -15,8 +15,9 @@ pub mod tables;
 pub mod variance;
 
 use self::node_image::{Fit, MaterialImages, fit};
-use crate::figures::{Figures, OutputFile};
-use crate::{numbers, pages};
+use self::tables::Sheets;
+use crate::figures::{self, OutputFile};
+use crate::numbers;
 use eigenshade_generator::basis::moments::exposure;
 use eigenshade_generator::basis::{self, gram};
 use eigenshade_index::{effect, mode};
@@ -27,31 +28,41 @@ use eigenshade_shading::{parallel, shipped};
 use eigenshade_table::scene::{self, Criterion, Effects, Normalize};
 use eigenshade_table::{GramFactor, Scene, Table, decode};
 use std::fmt::Display;
-use std::path::Path;
 
-const PAGE: &str = "paper.md";
-pub const FIGURES: Figures = Figures { command: "paper", folder: "paper/", is_exact: false };
 /// Significant digits of the figures' numbers.
 const DIGITS: usize = 6;
 
-/// Makes the page in `folder` with its tables replaced, and the figures below it.
-pub fn make(folder: &Path) -> Result<Vec<OutputFile>> {
-    let path = folder.join(PAGE);
-    // Done first, so that missing markers are reported before the long computation.
-    pages::filled(&path, &tables::empty_parts())?;
+/// Measures the CSV files and draws the pictures of `docs/paper`.
+pub fn make() -> Result<Vec<OutputFile>> {
     let study = Study::new()?;
-    let mut files = [
+    let files = [
         variance::Variance::new(&study).files()?,
         eigenimages::files(&study)?,
         spheres::files(&study)?,
         error::files(&study)?,
         reconstruction::files(&study)?,
         bound::files(&study)?,
+    ];
+    Ok(files.concat())
+}
+
+/// The charts of `docs/paper`, from its CSV files.
+pub fn charts(sheets: &Sheets) -> Result<Vec<OutputFile>> {
+    Ok([
+        variance::Variance::of(&sheets["variance"]).charts()?,
+        error::charts(sheets)?,
+        vec![bound::chart(&sheets["bound_course"])?],
     ]
-    .concat();
-    let page = pages::filled(&path, &tables::parts(&files)?)?;
-    files.push(OutputFile::text(PAGE, page));
-    Ok(files)
+    .concat())
+}
+
+/// A CSV of the figures; `columns` are separated by commas.
+fn csv<R: IntoIterator<Item: AsRef<[u8]>>>(
+    name: &str,
+    columns: &str,
+    rows: impl IntoIterator<Item = R>,
+) -> Result<OutputFile> {
+    figures::csv("paper --out docs/paper", name, columns, rows)
 }
 
 /// A row of a CSV: texts, then numbers with six significant digits.
@@ -84,14 +95,6 @@ pub enum Modes {
 
 impl Modes {
     pub const BOTH: [Self; 2] = [Self::All, Self::Selected];
-
-    /// The ending of the names of files that show these modes.
-    pub fn suffix(self) -> &'static str {
-        match self {
-            Self::All => "",
-            Self::Selected => "_1000",
-        }
-    }
 
     /// The nominal number of modes.
     pub fn count(self) -> usize {

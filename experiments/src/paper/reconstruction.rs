@@ -1,15 +1,14 @@
 //! Fig. 7: reconstructions of velvet and leather, and leather's brightest point under every light.
 
 use super::plate::{Plate, UNCLIPPED, gray};
-use super::{FIGURES, Modes, Study, Trial, place, row, title};
+use super::{Modes, Study, Trial, csv, place, row, title};
 use crate::figures::OutputFile;
 use crate::numbers::exposure;
-use eigenshade::{Basis, Normal};
 use eigenshade_model::error::Result;
+use eigenshade_model::evaluation::Evaluator;
 use eigenshade_model::reference::DirectSum;
-use eigenshade_shading::owned_basis::OwnedBasis;
-use eigenshade_shading::shader::{OwnedNormals, fault};
 use eigenshade_shading::sphere_rings::{Ring, rings};
+use eigenshade_table::Table;
 use eigenshade_table::scene::Criterion;
 
 /// Material and light of each image.
@@ -29,21 +28,18 @@ const LISTED: usize = 100;
 const SPACING: f64 = 0.02;
 
 pub fn files(study: &Study) -> Result<Vec<OutputFile>> {
-    let mut rows = Vec::new();
-    let [all, selected] = Modes::BOTH.map(|modes| plate(study, modes, &mut rows));
-    let header = "modes,light,material,components,error,brightest";
-    let sheet = FIGURES.csv("reconstruction.csv", header, &rows)?;
-    Ok(vec![all?, selected?, sheet, highlights(study)?])
+    let [plate, sheet] = plate(study)?;
+    Ok(vec![plate, sheet, highlights(study)?])
 }
 
-/// Draws a plate and appends its rows to those of the CSV.
-fn plate(study: &Study, modes: Modes, rows: &mut Vec<Vec<String>>) -> Result<OutputFile> {
-    let which = place(Criterion::ImageCentered, modes);
-    let owned = OwnedBasis::<f64>::new(&study.tables[which]);
-    let basis = owned.basis().map_err(fault)?;
+/// The plate and its CSV.
+fn plate(study: &Study) -> Result<[OutputFile; 2]> {
+    let mut rows = Vec::new();
+    let which = place(Criterion::ImageCentered, Modes::All);
+    let evaluator = Evaluator::new(&study.tables[which]).with_components(LISTED);
     let mut plate = Plate::new(SIZE, (COUNTS.len() + 1, 2 * SHOWN.len()), [2, 0, 1]);
     let normals = plate.view.normals.clone();
-    let owned_normals = OwnedNormals::<f64>::new(&normals);
+    let eigenimages = evaluator.eigenimages(&normals);
     for (pair, (material, light)) in SHOWN.into_iter().enumerate() {
         let trial = study.trial(light, material)?;
         let image = direct_sum(study, trial, &normals);
@@ -52,13 +48,13 @@ fn plate(study: &Study, modes: Modes, rows: &mut Vec<Vec<String>>) -> Result<Out
         plate.light((0, 2 * pair), scale, gray(&image));
         plate.below((0, 2 * pair), &[&title(material)]);
         let fit = &trial.fits[which];
-        let brightest = brightest(&basis, &fit.coefficients, &image, &normals)?;
+        let brightest = brightest(&evaluator, &fit.coefficients, &image, &normals);
         let errors = fit.variances.iter().map(|left| left / trial.variance);
         for (count, (error, share)) in errors.zip(brightest).enumerate() {
-            rows.push(row(&[&modes.count(), &light, &material, &count], [error, share]));
+            rows.push(row(&[&light, &material, &count], [error, share]));
         }
         for (column, count) in (1..).zip(COUNTS) {
-            let ours = shade(&basis, &fit.coefficients[..count], &owned_normals)?;
+            let ours = eigenimages.reconstruct(&fit.coefficients[..count]);
             plate.light((column, 2 * pair), scale, gray(&ours));
             let residual = image.iter().zip(&ours).map(|(a, b)| (a - b) / (RESIDUAL * peak));
             plate.signed((column, 2 * pair + 1), residual);
@@ -70,26 +66,27 @@ fn plate(study: &Study, modes: Modes, rows: &mut Vec<Vec<String>>) -> Result<Out
     for (column, count) in (1..).zip(COUNTS) {
         plate.above(column, &format!("K = {count}"));
     }
-    let name = format!("reconstruction{}.png", modes.suffix());
-    Ok(FIGURES.picture(&name, plate.scale(&format!("{RESIDUAL} of the peak"))))
+    let picture =
+        OutputFile::picture("reconstruction.png", plate.scale(&format!("{RESIDUAL} of the peak")));
+    let header = "light,material,components,error,brightest";
+    Ok([picture, csv("reconstruction.csv", header, &rows)?])
 }
 
 /// The number of components of all modes from which leather's brightest point is right, under every
 /// light. A light that needs more components than were tried has an empty field.
 fn highlights(study: &Study) -> Result<OutputFile> {
     let which = place(Criterion::ImageCentered, Modes::All);
-    let owned = OwnedBasis::<f64>::new(&study.tables[which]);
-    let basis = owned.basis().map_err(fault)?;
+    let evaluator = Evaluator::new(&study.tables[which]).with_components(LISTED);
     let normals: Vec<[f64; 3]> = rings(SPACING).iter().flat_map(Ring::normals).collect();
     let mut rows = Vec::new();
     for light in &study.lights.entries {
         let trial = study.trial(&light.name, GLOSSY)?;
         let image = direct_sum(study, trial, &normals);
-        let shares = brightest(&basis, &trial.fits[which].coefficients, &image, &normals)?;
+        let shares = brightest(&evaluator, &trial.fits[which].coefficients, &image, &normals);
         let count = right_from(&shares).map_or(String::new(), |count| count.to_string());
         rows.push(vec![light.name.clone(), count]);
     }
-    FIGURES.csv("highlight.csv", "light,components", &rows)
+    csv("highlight.csv", "light,components", &rows)
 }
 
 /// The first number of components from which the brightest point is right and stays right; `None`
@@ -108,27 +105,17 @@ fn direct_sum(study: &Study, trial: &Trial, normals: &[[f64; 3]]) -> Vec<f64> {
     modes.map(|modes| modes.irradiance(light, &modes.scatter(gray))).collect()
 }
 
-pub fn shade(basis: &Basis<'_, f64>, d: &[f64], normals: &OwnedNormals<f64>) -> Result<Vec<f64>> {
-    let mut scene = vec![0.0; basis.scene_len()];
-    let scene = basis.collapse_into(d, &mut scene).map_err(fault)?;
-    let normals = normals.view()?;
-    let mut image = vec![0.0; normals.len()];
-    scene.shade_slice(normals, &mut image).map_err(fault)?;
-    Ok(image)
-}
-
 /// With 0, 1, .. components, the value at the image's brightest normal, of the reference there.
 fn brightest(
-    basis: &Basis<'_, f64>,
+    evaluator: &Evaluator<&Table>,
     coefficients: &[f64],
     image: &[f64],
     normals: &[[f64; 3]],
-) -> Result<Vec<f64>> {
+) -> Vec<f64> {
     let most = image.iter().zip(normals).max_by(|a, b| a.0.total_cmp(b.0));
-    let (&reference, &[x, y, z]) = most.unwrap_or((&1.0, &[0.0, 0.0, 1.0]));
-    let normal = Normal::new(x, y, z).map_err(fault)?;
-    let there = |count: usize| basis.reconstruct(&coefficients[..count], normal);
-    (0..=LISTED).map(|count| Ok(there(count).map_err(fault)? / reference)).collect()
+    let (&reference, &normal) = most.unwrap_or((&1.0, &[0.0, 0.0, 1.0]));
+    let there = evaluator.eigenimages(&[normal]);
+    (0..=LISTED).map(|count| there.reconstruct(&coefficients[..count])[0] / reference).collect()
 }
 
 #[cfg(test)]

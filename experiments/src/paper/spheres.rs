@@ -2,15 +2,14 @@
 //! properties of each sphere, and its irradiance on a grid of normals.
 
 use super::plate::{Plate, UNCLIPPED};
-use super::{FIGURES, Modes, Study, place, row, title};
+use super::{Modes, Study, csv, place, row, title};
 use crate::figures::OutputFile;
 use crate::numbers::exposure;
 use eigenshade_cli::picture::SphereView;
 use eigenshade_model::database::{Lights, Materials};
 use eigenshade_model::error::Result;
-use eigenshade_shading::owned_basis::OwnedBasis;
+use eigenshade_model::evaluation::Evaluator;
 use eigenshade_shading::reference_image;
-use eigenshade_shading::shader::{OwnedNormals, Shader, fault};
 use eigenshade_table::scene::Criterion;
 
 /// Material and light of each sphere, chosen from the shipped lights to be as near to the paper's
@@ -21,16 +20,16 @@ pub const SHOWN: [(&str, &str); 3] =
 const SIZE: usize = 288;
 /// The grid of the listed irradiances: x and y of the normals are multiples of 1 / `STEPS`.
 const STEPS: i32 = 4;
+/// Normals that are shaded together.
+const BAND: usize = 1 << 12;
 
 /// One row of the plate is by the direct sum of all modes, one has the selected modes.
 pub fn files(study: &Study) -> Result<Vec<OutputFile>> {
     let table = &study.tables[place(Criterion::ImageCentered, Modes::Selected)];
-    let owned = OwnedBasis::<f64>::new(table);
     // All of its components span every image that the selected modes can give.
-    let mut shader = Shader::new(owned.basis().map_err(fault)?, usize::MAX);
+    let evaluator = Evaluator::new(table);
     let mut plate = Plate::new(SIZE, (SHOWN.len(), 2), [0, 6, 2]);
     let normals = [plate.view.normals.clone(), grid()].concat();
-    let owned_normals = OwnedNormals::<f64>::new(&normals);
     let (mut rows, mut values) = (Vec::new(), Vec::new());
     for (column, (material_name, light_name)) in SHOWN.into_iter().enumerate() {
         let trial = study.trial(light_name, material_name)?;
@@ -40,9 +39,15 @@ pub fn files(study: &Study) -> Result<Vec<OutputFile>> {
         let materials = Materials { entries: vec![material.clone()], ..study.materials };
         let whole = reference_image::images(&lights, &materials, &normals, &());
         let whole: Vec<[f64; 3]> = whole.iter().map(|of_pairs| of_pairs[0]).collect();
-        let selected = shader.color(light, material, &owned_normals)?;
-        let selected: Vec<[f64; 3]> =
-            (0..normals.len()).map(|k| selected.each_ref().map(|channel| channel[k])).collect();
+        let d = |c: usize| evaluator.project(&light.rgb[c], &material.rgb[c]);
+        let d = [d(0)?, d(1)?, d(2)?];
+        // Not all eigenimages at once, which take 200 MB.
+        let selected = normals.chunks(BAND).flat_map(|normals| {
+            let eigenimages = evaluator.eigenimages(normals);
+            let rgb = d.each_ref().map(|d| eigenimages.reconstruct(d));
+            (0..normals.len()).map(move |k| rgb.each_ref().map(|channel| channel[k]))
+        });
+        let selected: Vec<[f64; 3]> = selected.collect();
         let pixels = plate.view.pixels.len();
         let scale = exposure(whole[..pixels].as_flattened().to_vec(), UNCLIPPED);
         let errors = [0.0, trial.unselected / trial.variance];
@@ -66,9 +71,9 @@ pub fn files(study: &Study) -> Result<Vec<OutputFile>> {
                   peak,slant_of_peak,least_of_peak,share_below_zero,rms_off_of_peak,error";
     let listed = "light,material,modes,x,y,z,r,g,b";
     Ok(vec![
-        FIGURES.csv("spheres.csv", header, &rows)?,
-        FIGURES.csv("spheres_values.csv", listed, &values)?,
-        FIGURES.picture("spheres.png", plate.finish()),
+        csv("spheres.csv", header, &rows)?,
+        csv("spheres_values.csv", listed, &values)?,
+        OutputFile::picture("spheres.png", plate.finish()),
     ])
 }
 

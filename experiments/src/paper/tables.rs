@@ -1,14 +1,15 @@
 //! The tables of the page, made from the figures' CSV files.
 
 use super::variance::SURFACES;
-use super::{FIGURES, Modes, title};
-use crate::figures::{Content, OutputFile};
+use super::{Modes, title};
 use crate::numbers::{self, limit};
 use crate::pages::{self, Part};
 use crate::sheet::Sheet;
 use eigenshade_cli::messages::grouped;
-use eigenshade_model::error::Result;
+use eigenshade_model::error::{Error, Result};
 use std::collections::BTreeMap;
+use std::fs;
+use std::path::Path;
 
 /// Numbers of components for which errors are given.
 const COUNTS: [usize; 8] = [5, 6, 9, 10, 20, 30, 50, 100];
@@ -25,8 +26,8 @@ impl Sheet {
     }
 }
 
-/// The CSV files from which the tables get their numbers.
-type Sheets = BTreeMap<String, Sheet>;
+/// The CSV files of the figures, by name.
+pub type Sheets = BTreeMap<String, Sheet>;
 
 fn variance(sheets: &Sheets) -> Table {
     let of = |&(_, degree, name): &(usize, usize, &str)| {
@@ -65,14 +66,13 @@ fn errors(sheets: &Sheets) -> Table {
 
 /// The errors of each material under the lights as captured, and under rotated lights.
 fn poses(sheets: &Sheets) -> [Sheet; 2] {
-    let captured = sheets["error_by_material"].clone().of(Modes::All);
-    [captured.only("criterion", "image-centered"), sheets["error_rotated"].clone()]
+    ["error_by_material", "error_rotated"].map(|name| sheets[name].clone())
 }
 
 fn components(sheets: &Sheets) -> Table {
     let [sheet, _] = poses(sheets);
     let counts = |limit: f64| -> Vec<f64> {
-        let names = sheet.columns[3..].iter();
+        let names = sheet.columns[1..].iter();
         let mut counts: Vec<f64> =
             names.map(|name| needed(&sheet.numbers(name), limit) as f64).collect();
         counts.sort_by(f64::total_cmp);
@@ -114,7 +114,7 @@ fn rotations(sheets: &Sheets) -> Table {
 
 fn reconstruction(sheets: &Sheets) -> Table {
     let column = |material: &str, column: &str| {
-        let sheet = sheets["reconstruction"].clone().of(Modes::All).only("material", material);
+        let sheet = sheets["reconstruction"].clone().only("material", material);
         at(&sheet.numbers(column), &RECONSTRUCTED)
     };
     Table::new("components", RECONSTRUCTED.map(|count| count.to_string()))
@@ -163,21 +163,22 @@ const TABLES: [(&str, TableOf); 8] = [
     ("bound spheres", bound_spheres),
 ];
 
-/// The generated parts of the page, from the figures' files.
-pub fn parts(files: &[OutputFile]) -> Result<Vec<Part>> {
+/// Reads the CSV files of `docs/paper`.
+pub fn read(folder: &Path) -> Result<Sheets> {
     let mut sheets = Sheets::new();
-    for file in files {
-        let name = file.name.trim_start_matches(FIGURES.folder).strip_suffix(".csv");
-        if let (Some(name), Content::Text(text)) = (name, &file.content) {
-            sheets.insert(name.to_owned(), Sheet::parse(text, &file.name)?);
+    for entry in fs::read_dir(folder).map_err(|error| Error::io(folder, &error))? {
+        let path = entry.map_err(|error| Error::io(folder, &error))?.path();
+        let name = path.file_name().unwrap_or_default().to_string_lossy();
+        if let Some(name) = name.strip_suffix(".csv") {
+            sheets.insert(name.to_owned(), Sheet::read(&path)?);
         }
     }
-    Ok(TABLES.iter().map(|(name, made)| (*name, made(&sheets).text())).collect())
+    Ok(sheets)
 }
 
-/// The same without any text.
-pub fn empty_parts() -> Vec<Part> {
-    TABLES.iter().map(|(name, _)| (*name, String::new())).collect()
+/// The tables of the page.
+pub fn parts(sheets: &Sheets) -> Vec<Part> {
+    TABLES.iter().map(|(name, made)| (*name, made(sheets).text())).collect()
 }
 
 /// The least number of components with at most this error.

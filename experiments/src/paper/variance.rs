@@ -1,8 +1,9 @@
 //! Fig. 2: the variance of the irradiance modes, over degrees of the light and surface modes.
 
-use super::{DEGREE, FIGURES, ORDER, Study, row};
+use super::{DEGREE, ORDER, Study, csv, row};
 use crate::chart::{Axes, COLORS, Chart, DrawResult, INK, Points, Series, Style, fault, letters};
-use crate::figures::OutputFile;
+use crate::figures::{self, OutputFile};
+use crate::sheet::Sheet;
 use eigenshade_index::{material, mode};
 use eigenshade_model::error::Result;
 use eigenshade_model::selection::variances;
@@ -70,13 +71,30 @@ impl Variance {
                 shares.push(row(&[&name, &l, &mode::total(l, order)], [beyond]));
             }
         }
+        Ok(vec![
+            csv("variance.csv", "l,o,p,q,variance,modes,selected", &rows)?,
+            csv("variance_beyond.csv", "surface,degree,modes,beyond", &shares)?,
+        ])
+    }
+
+    /// The variances of `variance.csv`, without the selected modes.
+    pub fn of(sheet: &Sheet) -> Self {
+        let mut by_mode = vec![[0.0; DEGREE + 1]; material::count(ORDER)];
+        let [l, o, p, q] = ["l", "o", "p", "q"].map(|name| sheet.numbers(name));
+        for (k, value) in sheet.numbers("variance").into_iter().enumerate() {
+            let [l, o, p, q] = [&l, &o, &p, &q].map(|index| index[k] as usize);
+            by_mode[material::position(o, p, q)][l] = value;
+        }
+        Self { by_mode, selected: Vec::new() }
+    }
+
+    pub fn charts(&self) -> Result<Vec<OutputFile>> {
         let mut map = String::new();
         self.map(&mut map).map_err(fault)?;
+        let shares = self.shares()?;
         Ok(vec![
-            FIGURES.csv("variance.csv", "l,o,p,q,variance,modes,selected", &rows)?,
-            FIGURES.chart("variance.svg", &map),
-            FIGURES.csv("variance_beyond.csv", "surface,degree,modes,beyond", &shares)?,
-            FIGURES.chart("variance_beyond.svg", &self.shares()?),
+            figures::chart("variance.svg", &map),
+            figures::chart("variance_beyond.svg", &shares),
         ])
     }
 

@@ -3,7 +3,7 @@
 
 use super::{Figure, exactly, least, most, tight};
 use crate::tolerances;
-use eigenshade::{Basis, Light, Material, Normal, Scalar};
+use eigenshade::{Basis, Light, Material};
 use eigenshade_generator::basis;
 use eigenshade_generator::scene_file::Loaded;
 use eigenshade_index::{material, mode};
@@ -13,32 +13,32 @@ use eigenshade_shading::owned_basis::OwnedBasis;
 use eigenshade_shading::shader::{OwnedNormals, Shader};
 use eigenshade_table::scene::Store;
 use eigenshade_table::{Component, Table};
-use eigenshade_testing::fixtures::{self, ROOT};
+use eigenshade_testing::fixtures::{self, Projector, ROOT};
 use eigenshade_testing::oracle::{self, ExplicitLight, Numbers, irradiance};
 use eigenshade_testing::{glossy, largest, relative_error};
 use nalgebra::DVector;
 
 /// d by projection, and by a transfer of the material and a new light.
-pub fn coefficients<S: Scalar>(basis: &Basis<'_, S>, light: &[f64], on: &[f64]) -> [Vec<S>; 2] {
-    let rounded = |values: &[f64]| values.iter().map(|&value| S::from_f64(value)).collect();
-    let (light, material): (Vec<S>, Vec<S>) = (rounded(light), rounded(on));
+pub fn coefficients(basis: &Basis<'_>, light: &[f64], on: &[f64]) -> [Vec<f32>; 2] {
+    let rounded = |values: &[f64]| values.iter().map(|&value| value as f32).collect();
+    let (light, material): (Vec<f32>, Vec<f32>) = (rounded(light), rounded(on));
     let light = Light::new(&light).expect("coefficients");
     let material = Material::new(&material).expect("coefficients");
-    let mut workspace = vec![S::ZERO; basis.workspace_len()];
-    let mut transfer = vec![S::ZERO; basis.transfer_len()];
-    let [mut projected, mut relit] = [(); 2].map(|()| vec![S::ZERO; basis.components()]);
+    let mut workspace = vec![0.0; basis.workspace_len()];
+    let mut transfer = vec![0.0; basis.transfer_len()];
+    let [mut projected, mut relit] = [(); 2].map(|()| vec![0.0; basis.components()]);
     basis.project_into(&light, &material, &mut workspace, &mut projected).expect("sizes");
     basis.transfer_into(&material, &mut workspace, &mut transfer).expect("sizes");
     basis.relight_into(&transfer, &light, &mut relit).expect("sizes");
     [projected, relit]
 }
 
-/// The image of a table with all components, from the collapsed polynomials.
-fn shaded<S: Scalar + Into<f64>>(table: &Table, pair: [&[f64]; 2], at: &[[f64; 3]]) -> Vec<f64> {
-    let owned = OwnedBasis::<S>::new(table);
+/// The image of a table with all components in f32, from the collapsed polynomials.
+fn shaded(table: &Table, pair: [&[f64]; 2], at: &[[f64; 3]]) -> Vec<f64> {
+    let owned = OwnedBasis::new(table);
     let mut shader = Shader::new(owned.basis().expect("a basis"), usize::MAX);
     let image = shader.polynomial(pair[0], pair[1], &OwnedNormals::new(at));
-    image.expect("coefficients that fit").into_iter().map(Into::into).collect()
+    image.expect("coefficients that fit").into_iter().map(f64::from).collect()
 }
 
 /// Compares with values of 25 digits, from explicit sums in 60 digits and more.
@@ -88,6 +88,7 @@ fn worst<const N: usize>(file: &str, reach: f64, value: impl Fn([f64; N]) -> f64
 pub(super) fn pole_and_rim() -> Vec<Figure> {
     let loaded = fixtures::shipped("curet");
     let table = fixtures::table(&loaded);
+    let projector = Projector::new(&table);
     let mut numbers = Numbers(3);
     let (mut in_f64, mut in_f32) = (0.0, 0.0);
     for (light, on) in loaded.lights.entries.iter().zip(&loaded.materials.entries).take(6) {
@@ -99,8 +100,8 @@ pub(super) fn pole_and_rim() -> Vec<Figure> {
         let explicit = ExplicitLight::new(&light);
         let expected: Vec<f64> =
             normals.iter().map(|&normal| irradiance(&explicit, &terms, normal)).collect();
-        let double = shaded::<f64>(&table, [&light, &material], &normals);
-        let single = shaded::<f32>(&table, [&light, &material], &normals);
+        let double = projector.shade(&projector.project(&light, &material), &normals);
+        let single = shaded(&table, [&light, &material], &normals);
         in_f64 = largest([in_f64, relative_error(&double, &expected)]);
         in_f32 = largest([in_f32, relative_error(&single, &expected)]);
     }
@@ -134,8 +135,8 @@ pub(super) fn high() -> Vec<Figure> {
         // The error grows with the degree.
         let bounded = if degree == 32 { tight } else { most };
         for (format, found, bound) in [
-            ("f64", pixel_error::<f64>(&loaded, &table), tolerances::HIGH_PIXELS),
-            ("f32", pixel_error::<f32>(&loaded, &table), tolerances::HIGH_PIXELS_F32),
+            ("f64", pixel_error(&loaded, &table, in_f64), tolerances::HIGH_PIXELS),
+            ("f32", pixel_error(&loaded, &table, in_f32), tolerances::HIGH_PIXELS_F32),
         ] {
             let what = format!("light to pixel in {format}, degree {degree}, of the peak");
             figures.push(bounded(what, found, bound));
@@ -144,30 +145,43 @@ pub(super) fn high() -> Vec<Figure> {
     figures
 }
 
-/// The largest error of the runtime's images, from a transfer to its pixels, at the nodes in a few
-/// tilts. There the eigenimages are known without any polynomial, and d is in f64.
-fn pixel_error<S: Scalar + Into<f64>>(loaded: &Loaded, table: &Table) -> f64 {
-    let (double, owned) = (OwnedBasis::<f64>::new(table), OwnedBasis::<S>::new(table));
-    let mut exact = Shader::new(double.basis().expect("a basis"), usize::MAX);
+/// The image of a light on a material, from a transfer, at these normals.
+type Pixels = fn(&Table, [&[f64]; 2], &[[f64; 3]]) -> Vec<f64>;
+
+fn in_f64(table: &Table, [light, on]: [&[f64]; 2], at: &[[f64; 3]]) -> Vec<f64> {
+    let projector = Projector::new(table);
+    projector.shade(&projector.project(light, on), at)
+}
+
+fn in_f32(table: &Table, [light, on]: [&[f64]; 2], at: &[[f64; 3]]) -> Vec<f64> {
+    let owned = OwnedBasis::new(table);
     let basis = owned.basis().expect("a basis");
+    let [_, d] = coefficients(&basis, light, on);
+    let scene = basis.collapse_into(&d, vec![0.0; basis.scene_len()]).expect("sizes");
+    at.iter().map(|&normal| scene.shade(fixtures::normal(normal)).into()).collect()
+}
+
+/// The largest error of images at the nodes in a few tilts. There the eigenimages are known without
+/// any polynomial, and d is in f64.
+fn pixel_error(loaded: &Loaded, table: &Table, pixels: Pixels) -> f64 {
+    let projector = Projector::new(table);
+    const TILTS: [f64; 3] = [0.1, 1.7, 4.0];
+    let of_node = |&z: &f64| TILTS.map(|tilt| [sine(z) * tilt.cos(), sine(z) * tilt.sin(), z]);
+    let normals: Vec<[f64; 3]> = table.gram.nodes.iter().flat_map(of_node).collect();
     largest(loaded.lights.entries.iter().zip(&loaded.materials.entries).map(|(light, on)| {
         let (light, on) = (light.luminance(), on.luminance());
-        let exact = exact.project(&light, &on).expect("coefficients");
-        let [_, d] = coefficients(&basis, &light, &on);
-        let scene = basis.collapse_into(&d, vec![S::ZERO; basis.scene_len()]).expect("sizes");
-        let (mut found, mut expected) = (Vec::new(), Vec::new());
-        for (k, (&z, root)) in table.gram.nodes.iter().zip(&table.gram.root_weights).enumerate() {
-            for tilt in [0.1, 1.7, 4.0] {
+        let exact = projector.project(&light, &on);
+        let mut expected = Vec::new();
+        for (k, root) in table.gram.root_weights.iter().enumerate() {
+            for tilt in TILTS {
                 let image = |(component, d): (&Component, &f64)| {
                     let u = table.profiles[component.profile].node_values[k] / root;
                     d * u * spherical_harmonic::azimuth(component.order as isize, tilt)
                 };
-                expected.push(table.components.iter().zip(exact).map(image).sum::<f64>());
-                let [x, y, z] = [sine(z) * tilt.cos(), sine(z) * tilt.sin(), z].map(S::from_f64);
-                found.push(scene.shade(Normal::new(x, y, z).expect("visible")).into());
+                expected.push(table.components.iter().zip(&exact).map(image).sum::<f64>());
             }
         }
-        relative_error(&found, &expected)
+        relative_error(&pixels(table, [&light, &on], &normals), &expected)
     }))
 }
 

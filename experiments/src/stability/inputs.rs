@@ -4,12 +4,12 @@
 use super::{Figure, exactly, least, most, tight};
 use crate::numbers::median;
 use crate::tolerances;
-use eigenshade::mathematics::Libm;
 use eigenshade::{MapPoint, NegativePolicy, Normal, Normals, Tolerance, q15};
 use eigenshade_generator::light::environment::EnvironmentMap;
 use eigenshade_generator::light::projection;
 use eigenshade_index::light;
 use eigenshade_model::database::Named;
+use eigenshade_model::evaluation::Evaluator;
 use eigenshade_shading::integer_shader::IntegerShader;
 use eigenshade_shading::owned_basis::OwnedBasis;
 use eigenshade_shading::shader::{OwnedNormals, Shader};
@@ -102,10 +102,9 @@ fn table() -> Table {
 
 /// The image of the shipped table in f64, component by component.
 fn reference(light: &[f64], material: &[f64], normals: &[[f64; 3]]) -> Vec<f64> {
-    let owned = OwnedBasis::<f64>::new(&table());
-    let mut shader = Shader::new(owned.basis().expect("a basis"), usize::MAX);
-    let normals = OwnedNormals::new(normals).each().expect("visible normals");
-    shader.eigen(light, material, &normals).expect("coefficients")
+    let evaluator = Evaluator::new(table());
+    let d = evaluator.project(light, material).expect("a table that projects");
+    evaluator.eigenimages(normals).reconstruct(&d)
 }
 
 fn floats(values: Vec<f32>) -> Vec<f64> {
@@ -128,11 +127,11 @@ pub(super) fn eight_bits() -> Vec<Figure> {
     let decoded: Vec<[f64; 3]> = normals.iter().map(|normal| normal.map(decode)).collect();
     let component = |axis: usize| decoded.iter().map(|v| v[axis] as f32).collect::<Vec<f32>>();
     let [mut x, mut y, mut z] = [0, 1, 2].map(component);
-    Normals::normalized::<Libm>(&mut x, &mut y, &mut z).expect("visible");
+    Normals::normalized(&mut x, &mut y, &mut z).expect("visible");
     let scaled = x.iter().zip(&y).zip(&z).map(|((&x, &y), &z)| [x, y, z].map(f64::from));
-    let scaled = OwnedNormals::<f32>::new(&scaled.collect::<Vec<_>>());
-    let (as_they_are, in_q15) = (OwnedNormals::<f32>::new(&decoded), in_integers(&decoded));
-    let owned = OwnedBasis::<f32>::new(&table());
+    let scaled = OwnedNormals::new(&scaled.collect::<Vec<_>>());
+    let (as_they_are, in_q15) = (OwnedNormals::new(&decoded), in_integers(&decoded));
+    let owned = OwnedBasis::new(&table());
     let mut f32 = Shader::new(owned.basis().expect("a basis"), usize::MAX);
     let mut q15 = IntegerShader::new(&table(), usize::MAX).expect("a table for Q15");
     let mut errors = [const { Vec::new() }; 3];
@@ -167,7 +166,7 @@ pub(super) fn eight_bits() -> Vec<Figure> {
 
 /// Normals with z = -0.01 and -0.1, by the longer polynomials of a table of degree 12.
 pub(super) fn behind() -> Vec<Figure> {
-    let owned = OwnedBasis::<f32>::new(&decode(shipped::PBR).expect("the table"));
+    let owned = OwnedBasis::new(&decode(shipped::PBR).expect("the table"));
     let mut shader = Shader::new(owned.basis().expect("a basis"), usize::MAX);
     let light = captured(9).entries[5].luminance();
     let (mut naive, mut ours, mut of_integers) = ([0.0f64; 2], 0.0, 0);
@@ -211,9 +210,9 @@ fn every_method(
     light: &[f64],
     normals: &[[f64; 3]],
 ) -> impl Iterator<Item = ([Vec<f64>; 5], Vec<f64>, f64)> {
-    let owned = OwnedBasis::<f32>::new(&table());
+    let owned = OwnedBasis::new(&table());
     let mut q15 = IntegerShader::new(&table(), usize::MAX).expect("a table for Q15");
-    let rounded = OwnedNormals::<f32>::new(normals);
+    let rounded = OwnedNormals::new(normals);
     let (each, in_q15) = (rounded.each().expect("visible normals"), in_integers(normals));
     materials(3).into_iter().map(move |material| {
         let expected = reference(light, &material, normals);
@@ -223,7 +222,7 @@ fn every_method(
         let baked = f32.baked(light, material, &each, 64).expect("a map");
         let map = f32.scene().expect("room").bake_integers_into(64, vec![0; 64 * 64]);
         let map = map.expect("numbers that fit");
-        let pixel = |&normal| f64::from(map.bilinear(MapPoint::of_q15(normal)));
+        let pixel = |&normal| f64::from(map.bilinear(q15::MapPoint::of(normal)));
         let of_map = in_q15.iter().map(|normal| pixel(normal) * 2f64.powi(map.exponent()));
         let within = f32.within(&[(light, material)], &rounded, Tolerance::OfPeak(1e-2));
         let (within, truncation) = within.expect("a tolerance").remove(0);

@@ -4,7 +4,8 @@
 use super::degrees::coefficients;
 use super::{Figure, exactly, least, most, tight};
 use crate::tolerances;
-use eigenshade::{Argument, Error, Light, Material, Normal, Q15, Scalar, q15, sphere};
+use eigenshade::{Argument, Error, Light, Material, Normal, Q15, q15, sphere};
+use eigenshade_model::evaluation::Evaluator;
 use eigenshade_shading::owned_basis::OwnedBasis;
 use eigenshade_shading::shader::{OwnedNormals, Shader};
 use eigenshade_table::Table;
@@ -16,7 +17,7 @@ use eigenshade_testing::{images, largest, relative_error};
 const FAR: i32 = 100;
 
 pub(super) fn double() -> Vec<Figure> {
-    let found = Found::new::<f64>();
+    let found = Found::new(answers_in_f64, |value| value == 0.0);
     vec![
         exactly("coefficients that differ in a bit", found.coefficients, 0),
         exactly("pixels that differ in a bit", found.pixels, 0),
@@ -25,7 +26,7 @@ pub(super) fn double() -> Vec<Figure> {
 }
 
 pub(super) fn single() -> Vec<Figure> {
-    let found = Found::new::<f32>();
+    let found = Found::new(answers, |value| value as f32 == 0.0);
     vec![
         exactly("pixels that differ in a bit", found.pixels, 0),
         exactly("first 50 coefficients that differ in a bit", found.shipped, 0),
@@ -49,7 +50,8 @@ struct Found {
 }
 
 impl Found {
-    fn new<S: Scalar + Into<f64>>() -> Self {
+    /// By [`answers`] or [`answers_in_f64`].
+    fn new(answers: impl Fn(&Table, &[f64], &[f64]) -> Answers, is_zero: fn(f64) -> bool) -> Self {
         let table = fixtures::table(&fixtures::shipped("curet"));
         let mut numbers = Numbers(41);
         let light = fixtures::lights(9, 1, &mut numbers).entries[0].luminance();
@@ -57,19 +59,19 @@ impl Found {
         let scaled = |values: &[f64], power: i32| -> Vec<f64> {
             values.iter().map(|value| value * 2f64.powi(power)).collect()
         };
-        let plain = answers::<S>(&table, &light, &material);
+        let plain = answers(&table, &light, &material);
         let mut all = Self::default();
         let both = [(FAR, -FAR), (-FAR, FAR), (-FAR, -FAR)];
         let one = [(FAR, 0), (-FAR, 0), (0, FAR), (0, -FAR)];
         for (of_light, of_material) in one.into_iter().chain(both) {
             let (light, material) = (scaled(&light, of_light), scaled(&material, of_material));
-            let found = answers::<S>(&table, &light, &material);
+            let found = answers(&table, &light, &material);
             let count = |is: fn(&f64) -> bool| {
                 found.iter().flatten().flatten().filter(|value| is(value)).count()
             };
             all.infinite += count(|value| !value.is_finite());
             // 1e-60 is zero in f32.
-            if S::from_f64(2f64.powi(of_light + of_material)).into() == 0.0 {
+            if is_zero(2f64.powi(of_light + of_material)) {
                 all.not_zero += count(|value| *value != 0.0);
                 continue;
             }
@@ -90,21 +92,34 @@ fn different(a: &[f64], b: &[f64]) -> usize {
     a.iter().zip(b).filter(|(a, b)| a.to_bits() != b.to_bits()).count()
 }
 
-/// Coefficients by projection, then by transfer and new light, each with its pixels by collapsed
-/// polynomials and component by component.
-fn answers<S: Scalar + Into<f64>>(table: &Table, light: &[f64], on: &[f64]) -> [[Vec<f64>; 2]; 2] {
-    let owned = OwnedBasis::<S>::new(table);
+/// Coefficients by projection, then by transfer and new light, each with its pixels.
+type Answers = [[Vec<f64>; 2]; 2];
+
+/// In f32, with pixels by collapsed polynomials and component by component.
+fn answers(table: &Table, light: &[f64], on: &[f64]) -> Answers {
+    let owned = OwnedBasis::new(table);
     let basis = owned.basis().expect("a basis");
     coefficients(&basis, light, on).map(|d| {
-        let scene = basis.collapse_into(&d, vec![S::ZERO; basis.scene_len()]).expect("sizes");
+        let scene = basis.collapse_into(&d, vec![0.0; basis.scene_len()]).expect("sizes");
         let pixels = fixtures::normals(&fixtures::SLANTS, 5).into_iter().flat_map(|normal| {
-            let [x, y, z] = normal.map(S::from_f64);
-            let normal = Normal::new(x, y, z).expect("visible");
+            let normal = fixtures::normal(normal);
             let summed = basis.reconstruct(&d, normal).expect("all components");
-            [scene.shade(normal), summed].map(Into::into)
+            [scene.shade(normal), summed].map(f64::from)
         });
         let pixels = pixels.collect();
-        [d.into_iter().map(Into::into).collect(), pixels]
+        [d.into_iter().map(f64::from).collect(), pixels]
+    })
+}
+
+/// In f64, by the host.
+fn answers_in_f64(table: &Table, light: &[f64], on: &[f64]) -> Answers {
+    let evaluator = Evaluator::new(table);
+    let eigenimages = evaluator.eigenimages(&fixtures::normals(&fixtures::SLANTS, 5));
+    let transfer = evaluator.transfer(on).expect("a table that projects");
+    let projected = evaluator.project(light, on).expect("a table that projects");
+    [projected, evaluator.relight(&transfer, light)].map(|d| {
+        let pixels = eigenimages.reconstruct(&d);
+        [d, pixels]
     })
 }
 
@@ -182,7 +197,7 @@ pub(super) fn subnormal() -> Vec<Figure> {
         terms
     };
     let normals = disc(48);
-    let rounded_normals = OwnedNormals::<f32>::new(&normals);
+    let rounded_normals = OwnedNormals::new(&normals);
     let each = rounded_normals.each().expect("visible normals");
     let shaded = |scene: &sphere::Scene| -> Vec<f32> {
         each.iter().map(|&normal| sphere::shade(scene, normal)).collect()
@@ -207,7 +222,7 @@ pub(super) fn subnormal() -> Vec<Figure> {
     let of_light = products_of_map(&tiny, |unit| relit(unit).to_vec());
     let other = pixels.iter().zip(&scaled).filter(|(a, b)| **a != **b * TINY).count();
     // All components of the shipped scene.
-    let owned = OwnedBasis::<f32>::new(&fixtures::table(&fixtures::shipped("curet")));
+    let owned = OwnedBasis::new(&fixtures::table(&fixtures::shipped("curet")));
     let mut shader = Shader::new(owned.basis().expect("a basis"), usize::MAX);
     let far: Vec<f64> = tiny.iter().copied().map(f64::from).collect();
     let all = shader.project(&far, &on).expect("coefficients");

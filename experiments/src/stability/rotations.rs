@@ -2,7 +2,6 @@
 
 use super::{Figure, least, most, off_orthonormal};
 use crate::tolerances;
-use eigenshade::mathematics::SinglePrecision;
 use eigenshade::{Light, Rotation};
 use eigenshade_index::light;
 use eigenshade_model::polar_integral::PolarIntegrals;
@@ -82,7 +81,7 @@ fn off(matrix: [[f32; 3]; 3]) -> f64 {
     off_orthonormal(&DMatrix::from_fn(3, 3, |i, j| matrix[j][i].into()))
 }
 
-fn turned(light: &[f32], rotation: &Rotation<f32>) -> Vec<f32> {
+fn turned(light: &[f32], rotation: &Rotation) -> Vec<f32> {
     let light = Light::new(light).expect("100 coefficients");
     light.turned::<100>(rotation).expect("room").to_vec()
 }
@@ -104,7 +103,7 @@ pub(super) fn drift() -> Vec<Figure> {
     let single: Vec<f32> = first.iter().map(|&value| value as f32).collect();
     let angles = [0.004f32, 0.003, -0.002];
     let [a, b, c] = angles;
-    let small = Rotation::from_euler::<SinglePrecision>(a, b, c).expect("a rotation");
+    let small = Rotation::from_euler(a, b, c).expect("a rotation");
     let step = Matrix3::from(small.matrix());
     let (mut naive, mut all, mut light) = (step, small, turned(&single, &small));
     for _ in 1..1000 {

@@ -3,13 +3,9 @@
 use super::{docs, rows};
 use crate::support::{Folder, assert_fails};
 use experiments::accuracy_cost::scope::modelled;
-use experiments::accuracy_cost::sheet::{FIGURES, GROWTH, MODEL, SETTINGS, TOTAL, compare};
-use experiments::accuracy_cost::times::curves;
-use experiments::accuracy_cost::{Measured, report, settings};
+use experiments::accuracy_cost::sheet::{MODEL, SETTINGS, compare};
+use experiments::accuracy_cost::{Measured, settings};
 use std::fs;
-
-/// Lower powers still contribute at the largest sizes, (24 / 2 + 1)² of the order.
-const POWER: f64 = 0.3;
 
 fn read(name: &str) -> String {
     fs::read_to_string(docs().join(name)).unwrap_or_else(|error| panic!("{name}: {error}"))
@@ -24,18 +20,6 @@ fn the_file_has_all_settings() {
     let all = settings::all(false);
     let all: Vec<_> = all.iter().map(|one| (one.parameter, one.setting.to_string())).collect();
     assert_eq!(found, all);
-}
-
-/// Bytes grow with the powers of theory.
-#[test]
-fn bytes_grow_as_they_should() {
-    let mut curves = curves(&rows(&GROWTH));
-    curves.retain(|curve| curve.unit == "bytes");
-    assert_eq!(curves.len(), 12);
-    for curve in curves {
-        let apart = curve.exponent().expect("a power") - curve.theory.expect("its theory");
-        assert!(curve.points.len() >= 4 && apart.abs() <= POWER, "{curve:?}");
-    }
 }
 
 /// Each surface is there at every degree and order, and seven of them are measured.
@@ -56,7 +40,6 @@ fn the_model_has_all_surfaces() {
 fn kept_times_are_those_of_the_files() {
     let earlier = Measured::read(&docs()).expect("the files");
     let mut measured = earlier.clone();
-    measured.growth.retain(|row| row.text("unit") != "ns");
     for row in &mut measured.settings {
         let columns = ["host_pixel_ns", "host_light_ns", "host_pixel", "host_light"];
         columns.into_iter().for_each(|column| row.put(column, ""));
@@ -65,33 +48,12 @@ fn kept_times_are_those_of_the_files() {
     other.settings.iter_mut().for_each(|row| row.put("rms_median", 7));
     measured.keep_times(&other).expect("all times");
     assert_eq!(measured.settings, earlier.settings);
-    assert_eq!(measured.growth, earlier.growth);
     measured.settings[0].put("setting", "9/7 K51 polynomial f32");
     assert!(measured.keep_times(&earlier).is_err());
     let folder = Folder::new();
     fs::create_dir(folder.path("docs")).unwrap();
     assert_fails(&folder, "accuracy-cost --out docs --keep-times", &["docs/accuracy-cost.csv"]);
     assert_eq!(folder.run("accuracy-cost --check docs --keep-times").status.code(), Some(2));
-}
-
-/// `--from-csv` makes the committed files and no others, also without a page. It shows them all.
-#[test]
-fn charts_and_tables_are_made_from_the_files() {
-    let measured = Measured::read(&docs()).expect("the files");
-    let files = report::files(&measured, &docs()).expect("all markers");
-    FIGURES.compare(&files, &docs()).unwrap_or_else(|error| panic!("{error}"));
-    let folder = Folder::new();
-    for form in [&SETTINGS, &MODEL, &TOTAL, &GROWTH] {
-        folder.write(form.name, read(form.name));
-    }
-    folder.ok("accuracy-cost --out . --from-csv");
-    let page = read(report::PAGE);
-    for file in &files {
-        let (name, text) = (&file.name, read(&file.name));
-        assert!(folder.read(name) == text, "{name}");
-        assert!(name == report::PAGE || page.contains(&format!("]({name})")), "{name}");
-        assert!(text.lines().next().is_some_and(|one| one.contains("accuracy-cost")), "{name}");
-    }
 }
 
 /// A difference is reported with its line; times are not compared.
@@ -119,7 +81,7 @@ fn damage_is_found() {
         good.replacen(lines[place], &fields.join(","), 1)
     };
     let changed = |column: &str, to: &dyn Fn(f64) -> f64| changed_at(place, column, to);
-    for column in ["host_pixel_ns", "host_light_ns", "host_pixel", "wasm_pixel"] {
+    for column in ["host_pixel_ns", "host_light_ns", "host_pixel"] {
         compared(&changed(column, &|time| 3.0 * time)).expect("times are not compared");
     }
     for column in ["rms_median", "table_bytes"] {
@@ -157,17 +119,32 @@ fn damage_is_found() {
     compared(&good).expect("all is whole again");
 }
 
-/// A run without times is compared with the committed files, except for rows of times.
+/// A run without times is compared with the committed files.
 #[test]
 fn a_run_without_times_is_compared_whole() {
     let mut untimed = Measured::read(&docs()).expect("the files");
-    untimed.growth.retain(|row| row.text("unit") != "ns");
     untimed.settings.iter_mut().for_each(|row| row.put("host_pixel", ""));
     let compared = untimed.sheets().map(|(form, rows)| compare(form, rows, &docs(), true));
     let rows = compared.map(|one| one.unwrap_or_else(|error| panic!("{error}"))[0]);
     assert!(rows.iter().sum::<usize>() > 300, "{rows:?}");
-    let short = &untimed.growth[..18];
-    let error = compare(&GROWTH, short, &docs(), true).expect_err("missing rows");
+    let short = &untimed.model[..18];
+    let error = compare(&MODEL, short, &docs(), true).expect_err("missing rows");
     assert!(error.to_string().contains("rows where 18 belong"), "{error}");
-    compare(&GROWTH, short, &docs(), false).expect("a quick run has fewer rows");
+    compare(&MODEL, short, &docs(), false).expect("a quick run has fewer rows");
+}
+
+#[test]
+fn bad_folders_fail_before_the_work() {
+    let folder = Folder::new();
+    folder.write("file", "");
+    assert_fails(&folder, "accuracy-cost --out file", &["file"]);
+    assert_fails(&folder, "accuracy-cost --check nowhere", &["nowhere", "accuracy-cost.csv"]);
+    for usage in ["", "--out a --check b"] {
+        let status = folder.run(&format!("accuracy-cost {usage}")).status;
+        assert_eq!(status.code(), Some(2), "{usage}");
+    }
+    fs::create_dir(folder.path("docs")).unwrap();
+    folder.write("docs/accuracy-cost.csv", "");
+    let missing = &["esplanade.exr", "no such map", "--maps"];
+    assert_fails(&folder, "accuracy-cost --check docs --maps nowhere", missing);
 }

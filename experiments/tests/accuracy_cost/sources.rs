@@ -1,12 +1,12 @@
 //! Settings with light sources: their pictures, their errors and their costs.
 
 use super::rows;
-use eigenshade::mathematics::Libm;
-use eigenshade::{Highlights, Normal};
+use crate::tolerances;
 use eigenshade_index::highlights::MAX_SOURCES;
 use eigenshade_index::light::count;
+use eigenshade_model::highlights::{self, Highlights};
 use eigenshade_model::source::Gloss;
-use eigenshade_shading::{highlights, shipped};
+use eigenshade_shading::shipped;
 use eigenshade_testing::fixtures::of_equal_areas;
 use experiments::accuracy_cost::images::Shaded;
 use experiments::accuracy_cost::machines::MACHINES;
@@ -53,7 +53,7 @@ fn lamps_are_the_sources_that_lights_lack() {
             let mut whole = lamps.rest(k)[c].clone();
             assert_eq!(whole.len(), count(9));
             for source in sources {
-                let blob = highlights::harmonics::<f64>(source, 9).expect("a source");
+                let blob = highlights::harmonics(source, 9);
                 whole.iter_mut().zip(&blob).for_each(|(to, y)| *to += source.energy[c] * y);
             }
             let energy: f64 = sources.iter().map(|source| source.energy[c]).sum();
@@ -63,14 +63,8 @@ fn lamps_are_the_sources_that_lights_lack() {
             }
         }
         // In f64, on an irradiance of 0.25.
-        let lobes: Vec<_> =
-            sources.iter().map(|one| highlights::source::<f64>(one).expect("a source")).collect();
-        let in_f64 = highlights::gloss::<f64>(&gloss).expect("a gloss");
-        let in_f64 = Highlights::<f64, MAX_SOURCES>::new::<Libm>(&in_f64, &lobes).expect("sources");
-        let of = |&[x, y, z]: &[f64; 3]| {
-            let lit: [f64; 3] = in_f64.shade(Normal::new(x, y, z).expect("a normal")).into();
-            lit.map(|one| one + 0.25)
-        };
+        let in_f64 = Highlights::new(&gloss, sources);
+        let of = |&normal: &[f64; 3]| in_f64.irradiance(normal).map(|one| one + 0.25);
         let expected: Vec<[f64; 3]> = normals.iter().map(of).collect();
         let peak = expected.iter().flatten().fold(0.0, |most: f64, one| one.max(most));
         assert!(peak > 0.3, "{peak}");
@@ -121,7 +115,7 @@ fn costs_of_sources_are_added() {
             for kind in ["pixel", "light"] {
                 let [all, table] = [with, without].map(|row| machine.number(row, kind));
                 let Some(board) = machine.board.filter(|_| table.is_some()) else {
-                    // On this machine they were timed, in WebAssembly they were not.
+                    // On this machine they were timed.
                     assert_eq!(all.is_some(), machine.key == "host", "{with:?}");
                     continue;
                 };
@@ -143,6 +137,10 @@ fn costs_of_sources_are_added() {
         let count: usize = count.parse().expect("a number");
         let half = of(&rows, &format!("{name} sources{}", count / 2));
         assert!(of_host(with) > of_host(half), "{with:?}");
+    }
+    for on in [M0, M4F] {
+        let lambertian = counts.of_nine_terms(on, "shade_lambertian");
+        assert!(lambertian <= tolerances::OF_NINE_TERMS, "{on:?}: {lambertian}");
     }
     for on in [M0, M3, ["mps2-an386", "q15"], M4F, RV32] {
         let count = |operation| counts.get(on, operation, "instructions").expect("a count") as f64;

@@ -4,14 +4,13 @@
 use super::states;
 use crate::paper_oracle::study;
 use crate::tolerances;
-use eigenshade::Normal;
 use eigenshade_generator::basis::gram;
 use eigenshade_generator::basis::profile::evaluate;
 use eigenshade_index::{light, mode};
+use eigenshade_model::evaluation::Evaluator;
 use eigenshade_model::rotation::Rotation;
 use eigenshade_model::selection::variances;
 use eigenshade_model::special::quadrature::gauss_legendre;
-use eigenshade_shading::owned_basis::OwnedBasis;
 use eigenshade_shading::parallel;
 use eigenshade_shading::sphere_rings::{Ring, rings};
 use eigenshade_table::Table;
@@ -152,30 +151,17 @@ fn eigenimages_look_as_they_are_called() {
     states(constant(&profile(standard, 0)), 0.96, 0.01);
 }
 
-#[test]
-fn eigenimages_of_1000_modes_are_nearly_the_same() {
-    let [all, selected] = Modes::BOTH.map(centered);
-    for (a, b) in all.components.iter().zip(&selected.components).take(11) {
-        let nodes = |table: &'static Table, profile: usize| &table.profiles[profile].node_values;
-        let pairs = nodes(all, a.profile).iter().zip(nodes(selected, b.profile));
-        let product: f64 = pairs.map(|(a, b)| a * b).sum();
-        assert!(a.order == b.order && product > 0.99, "{product}");
-    }
-}
-
 /// The colors of Fig. 3 end at 3: little is beyond, near the rim.
 #[test]
 fn colors_show_the_eigenimages() {
-    let owned = OwnedBasis::<f64>::new(centered(Modes::All));
-    let basis = owned.basis().expect("a basis");
     let normals: Vec<[f64; 3]> = rings(0.02).iter().flat_map(Ring::normals).collect();
+    let evaluator = Evaluator::new(centered(Modes::All)).with_components(12);
+    let eigenimages = evaluator.eigenimages(&normals);
     let mut beyond = 0.0;
     for component in 0..12 {
-        let mut coefficients = vec![0.0; component + 1];
-        coefficients[component] = 1.0;
-        for &[x, y, z] in &normals {
-            let normal = Normal::new(x, y, z).expect("visible");
-            if basis.reconstruct(&coefficients, normal).expect("few").abs() > 3.0 {
+        let image = eigenimages.eigenimage(component);
+        for (&[x, y, z], value) in normals.iter().zip(image) {
+            if value.abs() > 3.0 {
                 assert!(x.hypot(y) > 0.95, "{component}: {x} {y}");
                 // Seen by the camera, whereas rings are equally dense on the sphere.
                 beyond += z;

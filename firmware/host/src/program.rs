@@ -83,7 +83,7 @@ pub enum Kind {
     Empty,
     /// One operation, measured.
     Operation,
-    /// A scene, a table of one size, or sources: several operations of one program, and its total
+    /// A table of one size, or sources: several operations of one program, and its total
     /// memory.
     Scene,
     /// A complete program, whose size has a budget.
@@ -100,7 +100,7 @@ impl Listed {
         match self.source {
             "empty" => Kind::Empty,
             "golden_f32" | "golden_q15" | "readme" => Kind::Demonstration,
-            "scene_f32" | "scene_q15" | "size_q15" | "sources_f32" | "sources_q15" => Kind::Scene,
+            "scene_f32" | "size_q15" | "sources_f32" | "sources_q15" => Kind::Scene,
             "complete_q15" => Kind::Complete,
             _ => Kind::Operation,
         }
@@ -119,8 +119,6 @@ impl Listed {
         match (self.source, list::parts(self.name).1) {
             // Without a float unit, integers cost a twentieth of the instructions of floats.
             ("scene_f32" | "sources_f32", _) => board.floats == Floats::Hardware,
-            // The page of scenes has the smallest board and the one with a float unit.
-            ("scene_q15", _) => board.floats == Floats::None,
             // A frame is longer than the clock without one.
             ("watch", "f32") => board.floats == Floats::Hardware,
             // Its screen takes 115,200 bytes.
@@ -152,7 +150,7 @@ mod tests {
     }
 
     #[test]
-    fn every_table_and_every_scene_has_programs() {
+    fn every_table_has_programs() {
         let has = |name: &str, source: &str| {
             list::programs().any(|one| list::parts(one.name).0 == name && one.source == source)
         };
@@ -160,15 +158,6 @@ mod tests {
         for line in sizes.filter(|line| !line.starts_with('#')).skip(1) {
             let name = line.split(',').next().unwrap();
             assert!(has(name, "scene_f32") && has(name, "size_q15"), "{name}");
-        }
-        for file in std::fs::read_dir("../scenes").unwrap() {
-            let path = file.unwrap().path();
-            let name = path.file_stem().unwrap().to_str().unwrap();
-            if path.extension().is_some_and(|extension| extension == "toml") {
-                let turns = std::fs::read_to_string(&path).unwrap().contains("rotation = true");
-                // Integers do not turn lights.
-                assert!(has(name, "scene_f32") && has(name, "scene_q15") != turns, "{name}");
-            }
         }
     }
 }

@@ -254,7 +254,7 @@ mod tests {
 
     #[test]
     fn a_scene_has_a_row_for_each_operation_and_one_of_its_memory() {
-        let program = Listed { name: "sun_f32", source: "scene_f32", needs_tables: true };
+        let program = Listed { name: "full_f32", source: "scene_f32", needs_tables: true };
         let sizes = |flash, ram| Sizes { flash, ram, initialized: 0 };
         let of = |operation: &str, ticks: u32, stack: u32| {
             format!(
@@ -264,7 +264,7 @@ mod tests {
         let output = format!("holds 8\n{}{}", of("light", 105, 90), of("pixel", 15, 30));
         let rows = Row::of_program(AN386, &program, &output, sizes(900, 50), sizes(100, 40));
         let rows: Vec<String> = rows.unwrap().iter().map(ToString::to_string).collect();
-        let board = "mps2-an386,sun";
+        let board = "mps2-an386,full";
         assert_eq!(rows[0], format!("{board}/light,f32,400,,,90"));
         assert_eq!(rows[1], format!("{board}/pixel,f32,40,,,30"));
         assert_eq!(rows[2], format!("{board}/scene,f32,,800,18,90"));

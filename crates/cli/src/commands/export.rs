@@ -222,7 +222,7 @@ impl Export {
         }
         for (material, Named { name, .. }) in of_each(self.material.as_ref(), &materials.entries) {
             let known = material.known_gloss(name, memory.of_file())?;
-            gloss_note(&known)?.iter().for_each(print_message);
+            gloss_note(&known).iter().for_each(print_message);
             found.glosses.push(known);
         }
         Ok(found)

@@ -2,13 +2,13 @@
 
 use super::choices::Choices;
 use super::options::{Inputs, Memory};
-use eigenshade::mathematics::Libm;
-use eigenshade::{Effect, Highlights, Scalar};
+use eigenshade::{Effect, Highlights};
 use eigenshade_cli::estimate::{Estimates, counted, matte_note, off_lobe_note};
 use eigenshade_cli::messages::print_message;
 use eigenshade_index::highlights::MAX_SOURCES;
 use eigenshade_model::database::{Lights, Materials};
 use eigenshade_model::error::{Error, Result};
+use eigenshade_model::highlights as model;
 use eigenshade_model::source::{Gloss, NamedGloss, Source};
 use eigenshade_shading::highlights;
 use eigenshade_shading::shader::fault;
@@ -39,7 +39,7 @@ pub fn needed(
     let size = (lights.degree, materials.order);
     let estimates = Estimates::under(&inputs.light, &light.name, memory.of_file())?;
     let most = if estimates.is_of_the_light() { MOST } else { 0 };
-    let estimate = estimates.fewest(size, &gloss, within, most)?;
+    let estimate = estimates.fewest(size, &gloss, within, most);
     let note = estimates.note(material, size, &gloss, estimate, within);
     let note = note.or_else(|| off_lobe_note(material, error).filter(|_| estimate.sources > 0));
     Ok((estimate.sources, note))
@@ -59,7 +59,7 @@ pub fn estimate_note(
     let Some(gloss) = gloss else { return Ok(None) };
     let size = (lights.degree, materials.order);
     let estimates = Estimates::under(&inputs.light, light, memory.of_file())?;
-    let estimate = estimates.of(size, &gloss.gloss, sources)?;
+    let estimate = estimates.of(size, &gloss.gloss, sources);
     let note = estimates.note(material, size, &gloss.gloss, estimate, None);
     Ok(note.or_else(|| off_lobe_note(material, gloss.error).filter(|_| estimate.sources > 0)))
 }
@@ -96,7 +96,7 @@ impl HighlightInputs {
         }
         let (light, material) = (&lights.entries[0].name, &materials.entries[0].name);
         let NamedGloss { gloss, .. } = inputs.material.known_gloss(material, memory.of_file())?;
-        if !highlights::gloss::<f64>(&gloss)?.needs_sources() {
+        if !gloss.needs_sources() {
             inputs.light.sources(light, MAX_SOURCES, memory.of_file())?;
             let note = matte_note(material, &gloss);
             print_message(format_args!("{note}, and it is drawn without"));
@@ -107,7 +107,7 @@ impl HighlightInputs {
             let drawn = counted(sources.len());
             print_message(format_args!("note: {drawn}, the largest set of at most {most}"));
         }
-        highlights::take_out(&mut lights.entries[0].rgb, lights.degree, &sources)?;
+        model::take_out(&mut lights.entries[0].rgb, lights.degree, &sources);
         Ok(Some(Self { gloss, sources }))
     }
 
@@ -122,9 +122,14 @@ impl HighlightInputs {
         Self { sources, ..self }
     }
 
-    /// The highlights in a number format. Fails if the runtime refuses a source or the gloss.
-    pub fn shaded<S: Scalar>(&self) -> Result<Highlights<S, MAX_SOURCES>> {
+    /// The highlights in f64.
+    pub fn in_f64(&self) -> model::Highlights {
+        model::Highlights::new(&self.gloss, &self.sources)
+    }
+
+    /// The highlights in f32. Fails if the runtime refuses a source or the gloss.
+    pub fn shaded(&self) -> Result<Highlights<MAX_SOURCES>> {
         let sources = self.sources.iter().map(highlights::source).collect::<Result<Vec<_>>>()?;
-        Highlights::new::<Libm>(&highlights::gloss(&self.gloss)?, &sources).map_err(fault)
+        Highlights::new(&highlights::gloss(&self.gloss)?, &sources).map_err(fault)
     }
 }

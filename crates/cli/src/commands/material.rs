@@ -3,8 +3,6 @@
 use super::options::{Destination, Memory, choice, count, width};
 use clap::builder::TypedValueParser;
 use clap::{Args, Subcommand};
-use eigenshade::Window;
-use eigenshade::mathematics::Libm;
 use eigenshade_cli::messages::{albedo_warning, print_message, progress_bar};
 use eigenshade_cli::output;
 use eigenshade_cli::presets::{self, GLOSS};
@@ -21,6 +19,7 @@ use eigenshade_model::inputs::coefficient_csv::write_materials;
 use eigenshade_model::inputs::gloss_csv::write_glosses;
 use eigenshade_model::source::NamedGloss;
 use eigenshade_model::srgb::from_hex;
+use eigenshade_model::window::Window;
 use eigenshade_shading::parallel;
 use eigenshade_sources::gloss::{Fitter, of_measured};
 use std::collections::HashSet;
@@ -186,11 +185,11 @@ fn coefficients(
 }
 
 /// Multiplies the coefficients of each order by the window's factor.
-fn attenuate(materials: &mut Materials, window: Window<f64>) {
+fn attenuate(materials: &mut Materials, window: Window) {
     for channel in materials.entries.iter_mut().flat_map(|entry| &mut entry.rgb) {
         for o in 0..=materials.order {
             let start = if o == 0 { 0 } else { count_of_orders(o - 1) };
-            let factor = window.factor::<Libm>(o);
+            let factor = window.factor(o);
             channel[start..count_of_orders(o)].iter_mut().for_each(|b| *b *= factor);
         }
     }

@@ -2,7 +2,7 @@
 
 use clap::Args;
 use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
-use eigenshade::{Effect, Exposure, Window};
+use eigenshade::{Effect, Exposure};
 use eigenshade_cli::messages::print_message;
 use eigenshade_cli::presets::Source;
 use eigenshade_cli::table;
@@ -11,6 +11,7 @@ use eigenshade_model::budget::Budget;
 use eigenshade_model::error::Result;
 use eigenshade_model::inputs::input_file::InputFile;
 use eigenshade_model::rotation::Rotation;
+use eigenshade_model::window::Window;
 use eigenshade_table::Table;
 #[cfg(feature = "generate")]
 use std::ops::RangeInclusive;
@@ -182,7 +183,7 @@ pub enum WindowChoice {
     /// The weakest without dark rings.
     Auto,
     /// None, or one of a width.
-    Given(Window<f64>),
+    Given(Window),
 }
 
 /// Parses a window.

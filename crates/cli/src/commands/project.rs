@@ -6,9 +6,9 @@ use eigenshade_cli::messages::{albedo_warning, print_message};
 use eigenshade_cli::output::{self, Rows, exact};
 use eigenshade_cli::table;
 use eigenshade_model::error::Result;
+use eigenshade_model::evaluation::Evaluator;
 use eigenshade_shading::overflow;
-use eigenshade_shading::owned_basis::OwnedBasis;
-use eigenshade_shading::shader::{Shader, fault, fitted, of_higher_order};
+use eigenshade_shading::shader::{fitted, of_higher_order};
 
 /// Project every light on every material onto a table's components
 ///
@@ -38,17 +38,17 @@ impl Project {
             of_higher_order(self.inputs.material.named(), materials.order, table.gram.order);
         let warnings = higher.into_iter().chain(albedo_warning(&materials));
         let (lights, materials) = fitted(&table, &lights, &materials);
-        let basis = OwnedBasis::<f64>::new(&table);
-        let mut shader =
-            Shader::new(basis.any().map_err(fault)?, components).with_transfers(basis.transfers());
+        let evaluator = Evaluator::new(&table).with_components(components);
         output::write(self.out.path.as_deref(), |out| {
             let header = ["light", "material", "component", "r", "g", "b"];
             let mut rows = Rows::new(out, header)?;
             for light in &lights.entries {
                 for material in &materials.entries {
-                    let mut channel = |c: usize| -> Result<Vec<f64>> {
-                        let d = shader.project(&light.rgb[c], &material.rgb[c]);
-                        d.map(<[f64]>::to_vec)
+                    let channel = |c: usize| -> Result<Vec<f64>> {
+                        let (of_light, of_material) = (&light.rgb[c], &material.rgb[c]);
+                        evaluator
+                            .project(of_light, of_material)
+                            .and_then(|d| overflow::checked(d, of_light, of_material))
                             .map_err(|error| error.of(overflow::pair(light, material)))
                     };
                     let (red, green, blue) = (channel(0)?, channel(1)?, channel(2)?);

@@ -8,8 +8,7 @@ use super::options::{
 };
 use clap::builder::TypedValueParser;
 use clap::{Args, ValueEnum};
-use eigenshade::mathematics::Libm;
-use eigenshade::{Effects, Exposure, Matcap, Rgb, Scalar, Tone, Window};
+use eigenshade::{Effects, Exposure, Matcap, Rgb, Tone};
 use eigenshade_cli::estimate::counted;
 use eigenshade_cli::messages::{Ringing, albedo_warning, dark_light_warning, print_message};
 use eigenshade_cli::object::{Object, ObjectView, SIZE};
@@ -20,6 +19,8 @@ use eigenshade_cli::preview::Preview;
 use eigenshade_cli::table::rounding;
 use eigenshade_model::database::{Lights, Materials};
 use eigenshade_model::error::{Error, Result};
+use eigenshade_model::evaluation::Evaluator;
+use eigenshade_model::window::Window;
 use eigenshade_shading::overflow;
 use eigenshade_shading::owned_basis::OwnedBasis;
 use eigenshade_shading::shader::{OwnedNormals, Shader, fault, fitted, of_higher_order};
@@ -167,7 +168,7 @@ impl Render {
         };
         let highlights = scene.highlights;
         for channel in &mut lights.entries[0].rgb {
-            window.apply::<Libm>(channel);
+            window.apply(channel);
         }
         let is_sphere = self.normals.as_os_str() == "sphere";
         let object = match self.matcap {
@@ -195,8 +196,8 @@ impl Render {
                 show(pixel, color);
             };
             match self.format {
-                Format::F32 => scene.draw::<f32>(components, effects, &object, &mut show),
-                Format::F64 => scene.draw::<f64>(components, effects, &object, &mut show),
+                Format::F32 => scene.draw(components, effects, &object, &mut show),
+                Format::F64 => scene.draw_in_f64(components, effects, &object, &mut show),
             }
         };
         let (exposure, is_opaque) = (self.exposure, self.matcap.is_some());
@@ -220,10 +221,10 @@ impl Render {
 const DEFAULT_TABLE: &str = "sphere";
 
 /// The message that names the table, the sources and the window of a picture.
-fn drawn(table: &Path, components: usize, sources: usize, window: Window<f64>) -> String {
+fn drawn(table: &Path, components: usize, sources: usize, window: Window) -> String {
     let window = match window {
         Window::SincFourth { width } => format!("a window of width {width:.1}"),
-        _ => "no window".to_owned(),
+        Window::None => "no window".to_owned(),
     };
     format!(
         "drawn with table {} ({components} components), {}, {window}",
@@ -242,11 +243,13 @@ struct Pair<'a> {
 
 /// Pixels that are shaded together.
 const BAND: usize = 1 << 16;
+/// Pixels whose eigenimages are in memory together.
+const BAND_IN_F64: usize = 1 << 12;
 
 impl Pair<'_> {
     /// The window of the light for a whole picture of these components.
-    fn window(&self, components: usize, exposure: Option<Exposure>) -> Result<Window<f64>> {
-        let basis = OwnedBasis::<f32>::new(self.table);
+    fn window(&self, components: usize, exposure: Option<Exposure>) -> Result<Window> {
+        let basis = OwnedBasis::new(self.table);
         let mut shader =
             Shader::new(basis.any().map_err(fault)?, components).with_transfers(basis.transfers());
         let highlights = self.highlights.as_ref().map(HighlightInputs::shaded).transpose()?;
@@ -256,20 +259,20 @@ impl Pair<'_> {
         window.map_err(|error| error.of(overflow::pair(light, material)))
     }
 
-    /// Calls `show` with each pixel of an object and its irradiance.
-    fn draw<S: Scalar + Into<f64>>(
+    /// Calls `show` with each pixel of an object and its irradiance, in f32.
+    fn draw(
         &self,
         components: usize,
         effects: Effects,
         object: &Object,
         show: &mut dyn FnMut(Pixel, Rgb<f32>),
     ) -> Result<()> {
-        let basis = OwnedBasis::<S>::new(self.table);
+        let basis = OwnedBasis::new(self.table);
         let mut shader = Shader::new(basis.any().map_err(fault)?, components)
             .with_transfers(basis.transfers())
             .with_effects(effects)?;
         let (light, material) = (&self.lights.entries[0], &self.materials.entries[0]);
-        let highlights = self.highlights.as_ref().map(HighlightInputs::shaded::<S>).transpose()?;
+        let highlights = self.highlights.as_ref().map(HighlightInputs::shaded).transpose()?;
         let mut all = object.pixels();
         loop {
             let (pixels, normals): (Vec<Pixel>, Vec<_>) = all.by_ref().take(BAND).unzip();
@@ -279,12 +282,46 @@ impl Pair<'_> {
             let normals = OwnedNormals::new(&normals);
             let [r, g, b] = shader.color(light, material, &normals)?;
             let colors = r.into_iter().zip(g).zip(b).map(|((r, g), b)| Rgb::new(r, g, b));
-            let mut colors: Vec<Rgb<S>> = colors.collect();
+            let mut colors: Vec<Rgb<f32>> = colors.collect();
             if let Some(highlights) = &highlights {
                 highlights.add_slice(normals.view()?, &mut colors).map_err(fault)?;
             }
             for (pixel, color) in pixels.into_iter().zip(colors) {
-                show(pixel, color.map(|channel| channel.into() as f32));
+                show(pixel, color);
+            }
+        }
+    }
+
+    /// [`draw`](Self::draw) in f64.
+    fn draw_in_f64(
+        &self,
+        components: usize,
+        effects: Effects,
+        object: &Object,
+        show: &mut dyn FnMut(Pixel, Rgb<f32>),
+    ) -> Result<()> {
+        let evaluator = Evaluator::new(self.table).with_components(components);
+        let evaluator = evaluator.with_effects(effects)?;
+        let (light, material) = (&self.lights.entries[0], &self.materials.entries[0]);
+        let named = |error: Error| error.of(overflow::pair(light, material));
+        let d = |c: usize| evaluator.project(&light.rgb[c], &material.rgb[c]).map_err(named);
+        let d = [d(0)?, d(1)?, d(2)?];
+        let highlights = self.highlights.as_ref().map(HighlightInputs::in_f64);
+        let mut all = object.pixels();
+        loop {
+            let (pixels, normals): (Vec<Pixel>, Vec<_>) = all.by_ref().take(BAND_IN_F64).unzip();
+            if pixels.is_empty() {
+                return Ok(());
+            }
+            let eigenimages = evaluator.eigenimages(&normals);
+            let channel = |c: usize| {
+                let image = eigenimages.reconstruct(&d[c]);
+                overflow::checked(image, &light.rgb[c], &material.rgb[c]).map_err(named)
+            };
+            let rgb = [channel(0)?, channel(1)?, channel(2)?];
+            for (k, (pixel, normal)) in pixels.into_iter().zip(normals).enumerate() {
+                let lit = highlights.as_ref().map_or([0.0; 3], |of| of.irradiance(normal));
+                show(pixel, [0, 1, 2].map(|c: usize| (rgb[c][k] + lit[c]) as f32).into());
             }
         }
     }

@@ -4,14 +4,14 @@ use super::choices::Choices;
 use super::options::{Destination, Inputs, Memory, TableChoice, WindowChoice, count, tolerance};
 use super::shade_images::{Images, Output, Way};
 use clap::{Args, ValueEnum};
-use eigenshade::mathematics::Libm;
-use eigenshade::{NegativePolicy, Window};
+use eigenshade::NegativePolicy;
 use eigenshade_cli::messages::{Ringing, albedo_warning, dark_light_warning, print_message};
 use eigenshade_cli::output::{self, Rows, exact};
 use eigenshade_cli::table::{self, rounding};
 use eigenshade_model::error::{Error, Result};
 use eigenshade_model::inputs::input_file::InputFile;
 use eigenshade_model::inputs::normals::read_normals;
+use eigenshade_model::window::Window;
 use eigenshade_shading::integer_shader::IntegerShader;
 use eigenshade_shading::shader::{fitted, of_higher_order};
 use eigenshade_table::reduce::with_components;
@@ -44,7 +44,7 @@ pub struct Shade {
     size: Option<usize>,
     /// Shade with fewer polynomial terms, as long as the rms difference over a picture of a sphere
     /// stays within this share of white under its metered exposure, like 2e-3. Needs the method
-    /// polynomial in f32 or f64. The error of the components in use is not included
+    /// polynomial in f32. The error of the components in use is not included
     #[arg(long, value_name = "T", value_parser = tolerance)]
     tolerance: Option<f64>,
     /// Set irradiance below zero to zero, and report the least value on standard error
@@ -56,6 +56,7 @@ pub struct Shade {
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 enum Format {
+    /// The sum of the eigenimages in double precision, for comparison
     F64,
     F32,
     /// Integers of 16 bits
@@ -89,9 +90,14 @@ impl Shade {
             let what = "q15 supports only the method polynomial";
             return Err(Error::new(what, "use --method polynomial, or --format f32"));
         }
-        if self.tolerance.is_some() && (is_integer || self.method != Method::Polynomial) {
-            let what = "--tolerance needs the method polynomial in f32 or f64";
+        let is_f32 = matches!(self.format, None | Some(Format::F32));
+        if self.tolerance.is_some() && (!is_f32 || self.method != Method::Polynomial) {
+            let what = "--tolerance needs the method polynomial in f32";
             return Err(Error::new(what, "leave it out, or use those"));
+        }
+        if self.method == Method::Baked && !is_f32 {
+            let what = "the method baked supports only f32";
+            return Err(Error::new(what, "leave --format out, or choose another method"));
         }
         refuse_object(&self.normals)?;
         let inputs = self.inputs.files(&[&self.normals, self.table.path()]);
@@ -123,7 +129,7 @@ impl Shade {
         self.choices.rotate(&mut lights);
         if let Some(window) = self.window()? {
             let channels = lights.entries.iter_mut().flat_map(|entry| &mut entry.rgb);
-            channels.for_each(|channel| window.apply::<Libm>(channel));
+            channels.for_each(|channel| window.apply(channel));
         }
         let warnings = warnings.chain(stored.and_then(|one| rounding::warning(&table, one)));
         let normals = read_normals(memory.file(&self.normals))?;
@@ -145,12 +151,12 @@ impl Shade {
         };
         match (self.method, self.format) {
             (Method::Modes, _) => write(&mut |out| images.modes(out)),
-            (_, Some(Format::F64)) => write(&mut |out| images.floats::<f64>(way, out)),
+            (_, Some(Format::F64)) => write(&mut |out| images.doubles(out)),
             (_, Some(Format::Q15)) => {
                 let mut shader = self.integer_shader(&images)?;
                 write(&mut |out| images.integers(&mut shader, out))
             }
-            (_, _) => write(&mut |out| images.floats::<f32>(way, out)),
+            (_, _) => write(&mut |out| images.floats(way, out)),
         }?;
         if self.clamp && least < 0.0 {
             print_message(format_args!("least irradiance {}, clamped", exact(least)));
@@ -161,7 +167,7 @@ impl Shade {
     }
 
     /// The window that is asked for, which cannot depend on a picture: there are only normals.
-    fn window(&self) -> Result<Option<Window<f64>>> {
+    fn window(&self) -> Result<Option<Window>> {
         match self.choices.window() {
             None => Ok(None),
             Some(WindowChoice::Given(window)) => Ok(Some(window)),

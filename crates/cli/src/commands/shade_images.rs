@@ -1,11 +1,12 @@
 //! The images of `eigenshade shade`: every light on every material, by any method.
 
-use eigenshade::{Effects, NegativePolicy, Scalar, Tolerance, Truncation};
+use eigenshade::{Effects, NegativePolicy, Tolerance, Truncation};
 use eigenshade_cli::messages::{Ringing, print_message, progress_bar, truncation_lines};
 use eigenshade_cli::output::{Rows, exact};
 use eigenshade_cli::preview::Preview;
 use eigenshade_model::database::{Lights, Materials, Named};
 use eigenshade_model::error::Result;
+use eigenshade_model::evaluation::Evaluator;
 use eigenshade_shading::integer_shader::{self, IntegerShader};
 use eigenshade_shading::owned_basis::OwnedBasis;
 use eigenshade_shading::parallel::Progress;
@@ -82,16 +83,27 @@ impl Images {
         self.channels(out, |light, material| shader.polynomial(light, material, &normals))
     }
 
-    /// Writes the images in floats.
-    pub fn floats<S: Scalar + Into<f64>>(&self, way: Way, out: &mut Output<'_>) -> Result<()> {
-        let basis = OwnedBasis::<S>::new(&self.table);
+    /// Writes the images in f64, eigenimage by eigenimage.
+    pub fn doubles(&self, out: &mut Output<'_>) -> Result<()> {
+        let evaluator = Evaluator::new(&self.table).with_components(self.components);
+        let evaluator = evaluator.with_effects(self.effects)?;
+        let eigenimages = evaluator.eigenimages(&self.normals);
+        self.channels(out, |light, material| {
+            let image = eigenimages.reconstruct(&evaluator.project(light, material)?);
+            overflow::checked(image, light, material)
+        })
+    }
+
+    /// Writes the images in f32.
+    pub fn floats(&self, way: Way, out: &mut Output<'_>) -> Result<()> {
+        let basis = OwnedBasis::new(&self.table);
         let mut shader = Shader::new(basis.any().map_err(fault)?, self.components)
             .with_transfers(basis.transfers())
             .with_effects(self.effects)?;
         if let Some(tolerance) = self.tolerance {
             return self.within(&mut shader, tolerance, out);
         }
-        let normals = OwnedNormals::<S>::new(&self.normals);
+        let normals = OwnedNormals::new(&self.normals);
         let each = normals.each()?;
         self.channels(out, |light, material| match way {
             Way::Eigen => shader.eigen(light, material, &each),
@@ -101,24 +113,17 @@ impl Images {
     }
 
     /// Writes the images of polynomials within a tolerance, and reports what was kept.
-    fn within<S: Scalar + Into<f64>>(
-        &self,
-        shader: &mut Shader<'_, S>,
-        share: f64,
-        out: &mut Output<'_>,
-    ) -> Result<()> {
-        let normals = OwnedNormals::<S>::new(&self.normals);
-        let mut chosen: Vec<(Truncation<S>, f64)> = Vec::new();
+    fn within(&self, shader: &mut Shader<'_>, share: f64, out: &mut Output<'_>) -> Result<()> {
+        let normals = OwnedNormals::new(&self.normals);
+        let mut chosen: Vec<(Truncation, f64)> = Vec::new();
         self.colors(out, |channels| {
             let exposure = Preview::new(shader, None).exposure(&channels)?.factor();
-            let exposure = f64::from(exposure);
-            let [of_white, by] = [share, exposure].map(S::from_f64);
-            let tolerance = Tolerance::OfWhite { share: of_white, exposure: by };
+            let tolerance = Tolerance::OfWhite { share: share as f32, exposure };
             let shaded = shader.within(&channels, &normals, tolerance)?;
             let mut rgb = [const { Vec::new() }; 3];
             for (channel, (irradiance, report)) in rgb.iter_mut().zip(shaded) {
                 *channel = irradiance;
-                chosen.push((report, exposure));
+                chosen.push((report, exposure.into()));
             }
             Ok(rgb)
         })?;

@@ -90,7 +90,7 @@ fn binding(text: &str) -> Parsed<(u16, u16)> {
 }
 
 /// The highlights of a scene.
-type Lobes = Highlights<f32, MAX_SOURCES>;
+type Lobes = Highlights<MAX_SOURCES>;
 
 /// What --json writes.
 #[derive(Serialize)]
@@ -116,7 +116,7 @@ impl Shader {
         let materials = Materials { order: materials.order, entries: vec![material] };
         let (highlights, sharp) = self.highlights(&table, &mut lights, &materials, memory)?;
         let (light, material) = (&lights.entries[0], &materials.entries[0]);
-        let basis = OwnedBasis::<f32>::new(&table);
+        let basis = OwnedBasis::new(&table);
         let any = basis.any().map_err(fault)?;
         let projector = Projector::new(any, table.count()).with_transfers(basis.transfers());
         let channels = [0, 1, 2].map(|c| (&light.rgb[c][..], &material.rgb[c][..]));
@@ -163,7 +163,7 @@ impl Shader {
     /// The shader of three channels.
     fn written(
         &self,
-        projector: Projector<'_, f32>,
+        projector: Projector<'_>,
         channels: [Lit<'_>; 3],
         highlights: Option<&Lobes>,
     ) -> Result<Written> {

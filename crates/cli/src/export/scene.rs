@@ -5,9 +5,8 @@ use super::shown::Shown;
 use super::table::BYTES;
 use eigenshade_model::database::{Lights, Materials};
 use eigenshade_model::error::Result;
+use eigenshade_model::evaluation::Evaluator;
 use eigenshade_shading::overflow;
-use eigenshade_shading::owned_basis::OwnedBasis;
-use eigenshade_shading::shader::{OwnedNormals, Shader, fault};
 use eigenshade_table::Table;
 
 /// The bytes that an export of this many pairs of a light and a material at this many normals takes
@@ -24,10 +23,8 @@ pub fn arrays(
     (lights, materials): (&Lights, &Materials),
     shown: Option<&Shown>,
 ) -> Result<Vec<Array>> {
-    let basis = OwnedBasis::<f64>::new(table);
-    let mut shader =
-        Shader::new(basis.any().map_err(fault)?, table.count()).with_transfers(basis.transfers());
-    let normals = shown.map(|shown| OwnedNormals::new(&shown.normals));
+    let evaluator = Evaluator::new(table);
+    let eigenimages = shown.map(|shown| evaluator.eigenimages(&shown.normals));
     let (mut coefficients, mut images) = (Vec::<f64>::new(), Vec::<f64>::new());
     for light in &lights.entries {
         for material in &materials.entries {
@@ -35,11 +32,13 @@ pub fn arrays(
                 |error: eigenshade_model::error::Error| error.of(overflow::pair(light, material));
             for channel in 0..3 {
                 let (of_light, of_material) = (&light.rgb[channel], &material.rgb[channel]);
-                coefficients.extend(shader.project(of_light, of_material).map_err(named)?);
-                if let Some(normals) = &normals {
-                    let image = shader.polynomial(of_light, of_material, normals);
-                    images.extend(image.map_err(named)?);
+                let checked = |numbers| overflow::checked(numbers, of_light, of_material);
+                let d = evaluator.project(of_light, of_material).and_then(checked);
+                let d = d.map_err(named)?;
+                if let Some(eigenimages) = &eigenimages {
+                    images.extend(checked(eigenimages.reconstruct(&d)).map_err(named)?);
                 }
+                coefficients.extend(d);
             }
         }
     }

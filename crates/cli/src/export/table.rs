@@ -5,8 +5,7 @@ use super::array::Array;
 use super::shown::Shown;
 use eigenshade_index::mode;
 use eigenshade_model::error::{Error, Result};
-use eigenshade_shading::owned_basis::{AnyBasis, OwnedBasis};
-use eigenshade_shading::shader::{OwnedNormals, fault};
+use eigenshade_model::evaluation::Evaluator;
 use eigenshade_table::{General, Profile, Table};
 
 /// Bytes of a number, as it is and as text, with what is allocated beside it.
@@ -118,7 +117,7 @@ pub fn arrays(table: &Table, shown: Option<&Shown>) -> Result<Vec<Array>> {
     arrays.extend(statistics(table));
     table.general.iter().for_each(|general| arrays.extend(of_object(general, components)));
     if let Some(shown) = shown {
-        arrays.extend(images(table, shown)?);
+        arrays.extend(images(table, shown));
         arrays.extend(shown.arrays());
     }
     Ok(arrays)
@@ -230,24 +229,16 @@ fn of_object(general: &General, components: usize) -> Vec<Array> {
 }
 
 /// Each eigenimage at the normals, and the mean image if there is one.
-fn images(table: &Table, shown: &Shown) -> Result<Vec<Array>> {
-    let owned = OwnedBasis::<f64>::new(table);
-    let basis = owned.any().map_err(fault)?;
-    let normals = OwnedNormals::new(&shown.normals);
+fn images(table: &Table, shown: &Shown) -> Vec<Array> {
     let (count, length) = (table.count(), shown.normals.len());
-    let mean = image(&basis, &[], &normals)?;
+    let eigenimages = Evaluator::new(table).eigenimages(&shown.normals);
+    let values = (0..count).flat_map(|component| eigenimages.eigenimage(component));
+    let mean = eigenimages.mean().to_vec();
     let has_mean = mean.iter().any(|&value| value != 0.0);
-    let mut values = Vec::with_capacity(count * length);
-    for component in 0..count {
-        let mut coefficients = vec![0.0; component + 1];
-        coefficients[component] = 1.0;
-        let image = image(&basis, &coefficients, &normals)?;
-        values.extend(image.iter().zip(&mean).map(|(value, mean)| value - mean));
-    }
     let mut arrays = vec![Array::new(
         ("eigenimages", "U_i at each normal", "1"),
         [("eigenimage", count), ("normal", length)],
-        values,
+        values.collect::<Vec<_>>(),
     )];
     if has_mean {
         arrays.push(Array::new(
@@ -256,30 +247,5 @@ fn images(table: &Table, shown: &Shown) -> Result<Vec<Array>> {
             mean,
         ));
     }
-    Ok(arrays)
-}
-
-fn image(
-    basis: &AnyBasis<'_, f64>,
-    coefficients: &[f64],
-    normals: &OwnedNormals<f64>,
-) -> Result<Vec<f64>> {
-    let normals = normals.view()?;
-    let mut image = vec![0.0; normals.len()];
-    match basis {
-        AnyBasis::Sphere(basis) => {
-            let mut scene = vec![0.0; basis.scene_len()];
-            let scene = basis.collapse_into(coefficients, &mut scene).map_err(fault)?;
-            scene.shade_slice(normals, &mut image)
-        }
-        AnyBasis::General(basis) => {
-            let mut scene = vec![0.0; basis.span().scene_len()];
-            let mut workspace = vec![0.0; basis.workspace_len()];
-            let scene =
-                basis.collapse_into(coefficients, &mut workspace, &mut scene).map_err(fault)?;
-            scene.shade_slice(normals, &mut image)
-        }
-    }
-    .map_err(fault)?;
-    Ok(image)
+    arrays
 }

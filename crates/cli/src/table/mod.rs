@@ -188,7 +188,7 @@ fn checked(bytes: &[u8]) -> std::result::Result<(Header, Lengths), WireError> {
     Ok((header, lengths))
 }
 
-fn of_floats(workspace: usize, components: usize, basis: &Basis<'_, f32>) -> Lengths {
+fn of_floats(workspace: usize, components: usize, basis: &Basis<'_>) -> Lengths {
     let lengths = [workspace, basis.transfer_len(), components, basis.scene_len()];
     ["WORKSPACE", "TRANSFER", "COMPONENTS", "SCENE"].into_iter().zip(lengths).collect()
 }

@@ -1,9 +1,10 @@
 //! The error that a number format adds to a table's images, measured when the table is made.
 
-use eigenshade::Scalar;
 use eigenshade_model::database::{Lights, Materials};
 use eigenshade_model::error::Result;
+use eigenshade_model::evaluation::Evaluator;
 use eigenshade_shading::integer_shader::{self, IntegerShader};
+use eigenshade_shading::overflow;
 use eigenshade_shading::owned_basis::OwnedBasis;
 use eigenshade_shading::shader::{OwnedNormals, Shader, fault, fitted};
 use eigenshade_shading::sphere_rings::{Ring, rings};
@@ -47,13 +48,13 @@ pub fn measure(
         })
         .collect();
     // Images outside the range of a format are skipped.
-    let Ok(exact) = floats::<f64>(table, &chosen, &normals) else {
+    let Ok(exact) = exact(table, &chosen, &normals) else {
         return Vec::new();
     };
     let mut roundings = Vec::new();
     for &format in formats {
         let images = match format {
-            NumberFormat::F32 => floats::<f32>(table, &chosen, &normals).ok(),
+            NumberFormat::F32 => floats(table, &chosen, &normals).ok(),
             NumberFormat::Q15 => integers(table, &chosen, &normals),
         };
         let Some(images) = images else { continue };
@@ -90,15 +91,21 @@ pub fn warning(table: &Table, format: NumberFormat) -> Option<String> {
 
 type Images = Vec<Vec<f64>>;
 
-fn floats<S: Scalar + Into<f64>>(
-    table: &Table,
-    pairs: &[[Vec<f64>; 2]],
-    normals: &[[f64; 3]],
-) -> Result<Images> {
-    let basis = OwnedBasis::<S>::new(table);
+fn exact(table: &Table, pairs: &[[Vec<f64>; 2]], normals: &[[f64; 3]]) -> Result<Images> {
+    let evaluator = Evaluator::new(table);
+    let eigenimages = evaluator.eigenimages(normals);
+    let image = |[light, material]: &[Vec<f64>; 2]| {
+        let image = eigenimages.reconstruct(&evaluator.project(light, material)?);
+        overflow::checked(image, light, material)
+    };
+    pairs.iter().map(image).collect()
+}
+
+fn floats(table: &Table, pairs: &[[Vec<f64>; 2]], normals: &[[f64; 3]]) -> Result<Images> {
+    let basis = OwnedBasis::new(table);
     let any = basis.any().map_err(fault)?;
     let mut shader = Shader::new(any, usize::MAX).with_transfers(basis.transfers());
-    let normals = OwnedNormals::<S>::new(normals);
+    let normals = OwnedNormals::new(normals);
     let image = |[light, material]: &[Vec<f64>; 2]| {
         let image = shader.polynomial(light, material, &normals)?;
         Ok(image.into_iter().map(Into::into).collect())

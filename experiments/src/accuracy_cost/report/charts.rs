@@ -5,12 +5,10 @@ use super::tables::{of_kind, rival_pixel};
 use crate::accuracy_cost::machines::{
     Lighting, MACHINES, Machine, PIXELS, is_choice, pareto, picture,
 };
-use crate::accuracy_cost::sheet::FIGURES;
-use crate::accuracy_cost::times::{Curve, curves, power_law};
 use crate::accuracy_cost::total::{MATCAP, PREFILTERED};
 use crate::accuracy_cost::{Measured, errors, settings};
 use crate::chart::{Axes, Chart, Points, Style, colored};
-use crate::figures::OutputFile;
+use crate::figures::{self, OutputFile};
 use crate::sheet::Record;
 use eigenshade_model::error::Result;
 use plotters::prelude::SeriesLabelPosition;
@@ -22,17 +20,8 @@ pub fn all(measured: &Measured) -> Result<Vec<OutputFile>> {
     let mut charts: Vec<(String, Chart)> = MACHINES.iter().map(of_machine).collect();
     charts.push(("total".into(), total_chart(measured)));
     charts.push(("degrees".into(), degrees(measured)));
-    let curves = curves(&measured.growth);
-    for of_kind in curves.chunk_by(|a, b| (&a.quantity, &a.unit) == (&b.quantity, &b.unit)) {
-        // Where all are proportional, a chart shows nothing that the table does not.
-        if of_kind.len() > 1 {
-            let unit = if of_kind[0].unit == "ns" { "times" } else { &of_kind[0].unit };
-            let name = format!("growth-{}-{unit}", of_kind[0].quantity);
-            charts.push((name, growth_chart(of_kind)));
-        }
-    }
     let drawn = charts.into_iter();
-    drawn.map(|(name, chart)| Ok(FIGURES.chart(&format!("{name}.svg"), &chart.svg()?))).collect()
+    drawn.map(|(name, chart)| Ok(figures::chart(format!("{name}.svg"), &chart.svg()?))).collect()
 }
 
 fn chart(
@@ -93,23 +82,6 @@ fn degrees(measured: &Measured) -> Chart {
     let horizontal = format!("a pixel, in {}", MACHINES[0].unit());
     let titles = [horizontal, "error of the model, median".into()];
     Chart { labels, ..chart(titles, SeriesLabelPosition::LowerLeft, series) }
-}
-
-/// Curves relative to their first points, each with its fitted power law.
-fn growth_chart(curves: &[Curve]) -> Chart {
-    let mut series = Vec::new();
-    for curve in curves {
-        let Some((&(_, first), (a, b))) = curve.points.first().zip(power_law(&curve.points)) else {
-            continue;
-        };
-        let points = curve.points.iter().map(|&(x, y)| (x, y / first)).collect();
-        series.push((curve.measure.clone(), Style::Line, points));
-        let fitted = &curve.points[curve.points.len() / 2..];
-        let points = fitted.iter().map(|&(x, _)| (x, a * x.powf(b) / first)).collect();
-        series.push((format!("exponent {b:.2}"), Style::Dashed, points));
-    }
-    let titles = [curves[0].quantity.clone(), format!("{}, of the first", curves[0].unit)];
-    chart(titles, SeriesLabelPosition::UpperLeft, series)
 }
 
 /// The series of eigenshade in the chart of total errors, by their numbers of sources.

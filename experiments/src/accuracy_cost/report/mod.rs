@@ -1,43 +1,19 @@
 //! The charts, and the tables of the page.
 
-mod charts;
+pub mod charts;
 mod tables;
 
 use super::Measured;
 use super::machines::MACHINES;
-use super::sheet::csv;
-use crate::figures::OutputFile;
 use crate::numbers;
-use crate::pages::{Part, with_parts};
+use crate::pages::Part;
 use eigenshade_cli::messages::grouped;
-use eigenshade_model::error::{Error, Result};
-use std::fs;
-use std::path::Path;
 
-pub const PAGE: &str = "accuracy-cost.md";
-/// The page into which tables are inserted where a folder has none.
-const TEMPLATE: &str = include_str!("../../../../docs/accuracy-cost/accuracy-cost.md");
 /// A number that was not measured.
 const MISSING: &str = "-";
 
-/// The files of a folder: CSV, charts, and the page with its tables replaced.
-pub fn files(measured: &Measured, folder: &Path) -> Result<Vec<OutputFile>> {
-    let path = folder.join(PAGE);
-    let page = if path.exists() {
-        fs::read_to_string(&path).map_err(|error| Error::io(&path, &error))?
-    } else {
-        TEMPLATE.to_owned()
-    };
-    let page = with_parts(&page, &tables(measured))
-        .map_err(|fault| Error::new(fault, "restore these markers").in_file(&path))?;
-    let sheets = measured.sheets().into_iter().map(|(form, rows)| csv(form, rows));
-    let mut files = sheets.collect::<Result<Vec<OutputFile>>>()?;
-    files.extend(charts::all(measured)?);
-    files.push(OutputFile::text(PAGE, page));
-    Ok(files)
-}
-
-fn tables(measured: &Measured) -> Vec<Part> {
+/// The tables of the page.
+pub fn tables(measured: &Measured) -> Vec<Part> {
     let mut parts: Vec<Part> = MACHINES
         .iter()
         .map(|machine| (machine.key, tables::of_machine(&measured.settings, machine)))
@@ -48,7 +24,7 @@ fn tables(measured: &Measured) -> Vec<Part> {
     parts.push(("components", tables::components(measured)));
     parts.push(("model", tables::model(&measured.model)));
     parts.push(("mathematics", tables::mathematics(&measured.settings)));
-    parts.push(("growth", tables::growth(&measured.growth)));
+    parts.push(("effects", tables::effects(&measured.settings)));
     parts
 }
 

@@ -3,7 +3,6 @@
 use super::{MISSING, cost, difference, instructions, percent};
 use crate::accuracy_cost::errors::{self, Spread};
 use crate::accuracy_cost::machines::{LIMITS, Lighting, MACHINES, Machine, cheapest, picture};
-use crate::accuracy_cost::times::{Curve, curves};
 use crate::accuracy_cost::total::subjects::ALL;
 use crate::accuracy_cost::total::{COMPONENTS, MATCAP, PREFILTERED, components_name};
 use crate::accuracy_cost::{Measured, settings};
@@ -134,22 +133,28 @@ pub fn mathematics(rows: &[Record]) -> String {
     table(columns, rows.iter().filter(is_shown).map(row))
 }
 
-pub fn growth(rows: &[Record]) -> String {
-    let row = |curve: Curve| {
-        let size = |place: Option<&(f64, f64)>| place.map_or(0, |point| point.0.round() as usize);
-        let [first, last] = [curve.points.first(), curve.points.last()].map(size).map(grouped);
-        let exponent = |value: Option<f64>| match value {
-            Some(value) if value.fract() == 0.0 => value.to_string(),
-            Some(value) => format!("{value:.2}"),
-            None => MISSING.into(),
-        };
-        let [fitted, theory] =
-            [curve.exponent().map(|fitted| fitted + 1e-9), curve.theory].map(exponent);
-        let Curve { measure, unit, quantity, .. } = curve;
-        vec![format!("{measure}, {unit}"), quantity, format!("{first} to {last}"), fitted, theory]
+/// What each effect costs, and what a basis without it leaves out of the pictures.
+pub fn effects(rows: &[Record]) -> String {
+    let row = |row: &Record| {
+        let [error, bytes, pixel, light] =
+            ["rms_median", "table_bytes", "host_pixel", "host_light"].map(|one| row.number(one));
+        let shown =
+            |value: Option<f64>, format: fn(f64) -> String| value.map_or(MISSING.into(), format);
+        vec![
+            row.text("effects").replace(' ', ", "),
+            row.text("terms").into(),
+            shown(bytes, |bytes| grouped(bytes as usize)),
+            shown(pixel, cost),
+            shown(light, cost),
+            shown(error, percent),
+        ]
     };
-    let columns = "what | against | sizes | fitted: | theory:";
-    table(columns, curves(rows).into_iter().map(row))
+    let is_shown = |row: &&Record| {
+        row.text("parameter") == "effects" || row.text("setting") == "9/7 all polynomial f32"
+    };
+    let columns = "effects | terms: | table, bytes: | a pixel, nine-term pixels: | a new light: | \
+                   method, median:";
+    table(columns, rows.iter().filter(is_shown).map(row))
 }
 
 /// The ways to a picture whose total errors the page shows for all kinds of materials.

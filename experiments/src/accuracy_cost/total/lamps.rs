@@ -4,7 +4,6 @@
 use crate::accuracy_cost::images::Shaded;
 use crate::accuracy_cost::settings::{Format, Setting};
 use crate::sphere::Picture;
-use eigenshade::mathematics::Libm;
 use eigenshade::{Highlights, Light, Rgb, Source, q15};
 use eigenshade_index::highlights::MAX_SOURCES;
 use eigenshade_index::light::count;
@@ -17,21 +16,21 @@ use eigenshade_shading::{highlights, integer_shader};
 /// The highest degree of a light that sources are taken out of.
 const DEGREE: usize = 16;
 
-type Lobes = Highlights<f32, MAX_SOURCES>;
+type Lobes = Highlights<MAX_SOURCES>;
 
 /// Lights without some of their sources, and the normals that the sources shine on.
 pub struct Lamps {
     format: Format,
     /// By light.
     rests: Vec<Rest>,
-    normals: OwnedNormals<f32>,
+    normals: OwnedNormals,
     quantized: Vec<q15::Normal>,
 }
 
 /// A light without some of its sources.
 struct Rest {
     rgb: [Vec<f64>; 3],
-    sources: Vec<Source<f32>>,
+    sources: Vec<Source>,
 }
 
 impl Rest {
@@ -43,7 +42,7 @@ impl Rest {
         };
         let [r, g, b] = light.rgb.each_ref().map(rounded);
         let light = Rgb::new(&r, &g, &b).try_map(|channel| Light::new(channel));
-        let rest = light.and_then(|light| light.residual::<Libm, { count(DEGREE) }>(&sources));
+        let rest = light.and_then(|light| light.residual::<{ count(DEGREE) }>(&sources));
         let Rgb { r, g, b } = rest.map_err(fault)?;
         let rgb = [r, g, b].map(|channel| channel.iter().copied().map(f64::from).collect());
         Ok(Self { rgb, sources })
@@ -77,7 +76,7 @@ impl Lamps {
     /// The picture of the rest of a light with the highlights of its sources.
     pub fn add(&self, light: usize, gloss: &Gloss, rest: &[Shaded; 3]) -> Result<Picture> {
         let gloss = highlights::gloss(gloss)?;
-        let lobes = Lobes::new::<Libm>(&gloss, &self.rests[light].sources).map_err(fault)?;
+        let lobes = Lobes::new(&gloss, &self.rests[light].sources).map_err(fault)?;
         match self.format {
             Format::F32 => self.in_floats(&lobes, rest),
             Format::Q15 => self.in_integers(&lobes, rest),

@@ -12,13 +12,12 @@ use super::numbers::{numbers, table_bytes};
 use super::settings::{DEGREE, Format, ORDER, Recipe, Setting, WindowChoice};
 use crate::sheet::Record;
 use crate::sphere::Picture;
-use eigenshade::Window;
-use eigenshade::mathematics::Libm;
 use eigenshade_generator::basis;
 use eigenshade_generator::scene_file::{self, Loaded};
 use eigenshade_model::database::Materials;
 use eigenshade_model::error::{Error, Result};
 use eigenshade_model::source::SourceSets;
+use eigenshade_model::window::Window;
 use eigenshade_shading::{parallel, shipped};
 use eigenshade_sources::screen::{Errors as PictureErrors, Reference, windowed};
 use eigenshade_table::reduce::with_components;
@@ -98,11 +97,11 @@ impl Study {
             let (material, map) = (k / maps, k % maps);
             let gloss = self.subjects[material].gloss.filter(|_| setting.sources > 0);
             let light = gloss.map_or(&lights[map].rgb, |_| lamps.rest(map));
-            let drawn = |window: Window<f64>| -> Result<Picture> {
+            let drawn = |window: Window| -> Result<Picture> {
                 let channel = |c: usize| {
                     let material = materials.entries[material].rgb[c].clone();
                     let mut light = light[c].clone();
-                    window.apply::<Libm>(&mut light);
+                    window.apply(&mut light);
                     numbers.image(&Pair { light, material })
                 };
                 let rest = [channel(0)?, channel(1)?, channel(2)?];

@@ -73,14 +73,14 @@ impl Prefiltered {
     pub fn pictures(&self, gltf: Gltf, world: &World) -> Result<Vec<Picture>> {
         let lobe = Gltf { albedo: 0.0, ..gltf }.surface("lobe".into())?;
         let [reflected, ..] = &self.white.pictures(&lobe, &world.sphere.normals, &())[0];
-        let normals = OwnedNormals::<f32>::new(&world.sphere.normals);
+        let normals = OwnedNormals::new(&world.sphere.normals);
         let picture = |map: usize| -> Result<Picture> {
             let channel = |c: usize| -> Result<Vec<f64>> {
                 let light = world.lights.entries[map].rgb[c].clone();
                 // b_00^0 of a Lambertian.
                 let pair = Pair { light, material: vec![2.0 * gltf.albedo] };
                 let mut matte = vec![0.0; world.sphere.normals.len()];
-                let formula = pair.nine_terms::<f32>()?;
+                let formula = pair.nine_terms()?;
                 formula.shade_slice(normals.view()?, &mut matte).map_err(fault)?;
                 let radiance = self.radiance[map][c].iter();
                 let sum = |((radiance, share), matte): ((&f64, &f64), f32)| {

@@ -5,7 +5,7 @@ use eigenshade_generator::material::brdf::{Ggx, OrenNayar, Surface};
 use eigenshade_model::database::Materials;
 use eigenshade_model::error::Result;
 use eigenshade_model::source::Gloss;
-use eigenshade_shading::{highlights, shipped};
+use eigenshade_shading::shipped;
 
 /// Roughnesses of GGX, between those of `tables/inputs/pbr-materials.toml`.
 const ROUGHNESSES: [f64; 9] = [0.22, 0.28, 0.35, 0.45, 0.55, 0.65, 0.75, 0.85, 0.95];
@@ -90,7 +90,7 @@ pub fn all() -> Result<Vec<Subject>> {
             let gltf = Gltf { roughness, f0, albedo };
             let surface = gltf.surface(format!("{name}-{roughness}"))?;
             let (reflectance, albedo) = ([f0; 3], [albedo; 3]);
-            let gloss = shiny(Gloss { roughness, reflectance, grazing: [1.0; 3], albedo })?;
+            let gloss = shiny(Gloss { roughness, reflectance, grazing: [1.0; 3], albedo });
             subjects.push(Subject { kind, surface, gltf: Some(gltf), gloss });
         }
     }
@@ -106,15 +106,15 @@ pub fn all() -> Result<Vec<Subject>> {
             continue;
         }
         let fitted = glosses.iter().find(|one| one.name == surface.name);
-        let gloss = fitted.map_or(Ok(None), |one| shiny(one.gloss))?;
+        let gloss = fitted.and_then(|one| shiny(one.gloss));
         subjects.push(Subject { kind: Kind::Measured, surface, gltf: None, gloss });
     }
     Ok(subjects)
 }
 
 /// The gloss if sources pay.
-fn shiny(gloss: Gloss) -> Result<Option<Gloss>> {
-    Ok(highlights::gloss::<f64>(&gloss)?.needs_sources().then_some(gloss))
+fn shiny(gloss: Gloss) -> Option<Gloss> {
+    Some(gloss).filter(Gloss::needs_sources)
 }
 
 /// The coefficients at these orders. As shipped, those of measured materials have a window.

@@ -1,5 +1,4 @@
-//! A table in Q15 with the transfer of one material. The build scripts of two packages share this
-//! file.
+//! A table in Q15 with the transfer of one material.
 
 use crate::Result;
 use eigenshade::Q15;
@@ -10,12 +9,13 @@ use eigenshade_table::quantize::{self, TOLERANCE};
 use eigenshade_table::{Table, statics};
 
 /// The first line of each generated module.
-pub const COMMAND: &str = "build.rs";
+const COMMAND: &str = "build.rs";
 
 /// A table in Q15 with the transfer of one material as `MATERIAL`, and without the statics that
 /// only a transfer uses.
 pub fn one_material(table: &Table, exponents: &[i8], mantissas: &[Q15]) -> Result<String> {
-    let mut parts = parts(table)?;
+    let parts = quantize::integers(table, TOLERANCE);
+    let mut parts = parts.map_err(|error| error.to_string())?;
     let (numbers, of_profiles) =
         transfer(&parts, exponents, mantissas).map_err(|error| error.to_string())?;
     for numbers in [&mut parts.polar, &mut parts.factors] {
@@ -40,9 +40,4 @@ fn transfer(
     let mut workspace = vec![0; basis.workspace_len()];
     basis.transfer_into(&material, &mut workspace, &mut numbers, &mut of_profiles)?;
     Ok((numbers, of_profiles))
-}
-
-/// The arrays of a table in integers.
-pub fn parts(table: &Table) -> Result<OwnedParts<Q15>> {
-    quantize::integers(table, TOLERANCE).map_err(|error| error.to_string())
 }

@@ -1,6 +1,8 @@
-//! The conclusions of `docs/reading.md` hold for its figures, which `reading --check` reproduces.
+//! The conclusions of `docs/reading.md` hold for its figures, which `reading --check docs` reproduces.
 
+use crate::support::repository;
 use crate::tolerances::REPORT;
+use experiments::sheet::{Record, Sheet};
 use std::collections::HashMap;
 use std::ops::Range;
 
@@ -10,19 +12,19 @@ struct Tables([HashMap<String, Vec<[f64; 2]>>; 2]);
 
 impl Tables {
     fn recorded() -> Self {
-        let page = include_str!("../../docs/reading.md");
-        let row = |line: &str| {
-            let cells: Vec<&str> = line.trim_matches('|').split('|').map(str::trim).collect();
-            let pair = |cell: &&str| {
+        let tables = Self(["estimates", "scenes"].map(|name| {
+            let path = repository().join(format!("docs/reading-{name}.csv"));
+            let sheet = Sheet::read(&path).expect("a CSV");
+            let pair = |cell: &str| {
                 let mut numbers = cell.split([',', ' ']).filter_map(|word| word.parse().ok());
                 let first = numbers.next().unwrap_or(f64::NAN);
                 [first, numbers.next_back().unwrap_or(first)]
             };
-            (cells[..2].join(" "), cells[2..].iter().map(pair).collect())
-        };
-        let tables = Self(["estimates", "scenes"].map(|name| {
-            let (_, start) = page.split_once(&format!("<!-- {name} -->\n")).expect("a marker");
-            start.split_once("<!--").expect("an end").0.lines().skip(2).map(row).collect()
+            let row = |row: &Record| {
+                let name = ["components", "image"].map(|one| row.text(one)).join(" ");
+                (name, sheet.columns[2..].iter().map(|one| pair(row.text(one))).collect())
+            };
+            sheet.rows.iter().map(row).collect()
         }));
         assert_eq!(tables.0.each_ref().map(HashMap::len), [24, 24]);
         tables

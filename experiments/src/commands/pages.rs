@@ -1,0 +1,41 @@
+//! `experiments pages`: the generated tables and charts of the documentation.
+
+use eigenshade_model::error::Result;
+use experiments::accuracy_cost::{Measured, report};
+use experiments::pages::{Part, fill, table_of};
+use experiments::paper::tables;
+use experiments::sheet::Sheet;
+use experiments::{figures, highlights, material_errors, paper};
+use std::path::Path;
+
+/// The pages that show CSV files of `docs` as they are.
+const AS_THEY_ARE: [(&str, &[&str]); 4] = [
+    ("docs/accuracy.md", &["metallic-roughness.csv", "unseen.csv"]),
+    ("docs/method.md", &["float-errors.csv"]),
+    ("docs/reading.md", &["reading-estimates.csv", "reading-scenes.csv"]),
+    ("docs/stability.md", &["stability.csv"]),
+];
+
+/// Makes them from the committed CSV files, from the repository's root.
+pub fn write() -> Result<()> {
+    let docs = Path::new("docs");
+    for (page, names) in AS_THEY_ARE {
+        let part = |name: &&'static str| Ok((*name, table_of(&Sheet::read(&docs.join(name))?)));
+        fill(Path::new(page), &names.iter().map(part).collect::<Result<Vec<Part>>>()?)?;
+    }
+    let energies = Sheet::read(&super::inputs().join("merl.energy.csv"))?;
+    fill(Path::new("tables/README.md"), &[("energies", material_errors::energies(&energies))])?;
+    let errors = highlights::read(&docs.join("highlights.csv"))?;
+    fill(&docs.join("highlights.md"), &highlights::parts(&errors))?;
+
+    let folder = docs.join("accuracy-cost");
+    let measured = Measured::read(&folder)?;
+    fill(&folder.join("accuracy-cost.md"), &report::tables(&measured))?;
+    fill(Path::new("README.md"), &[report::choice(&measured)])?;
+    figures::write(&report::charts::all(&measured)?, &folder)?;
+
+    let folder = docs.join("paper");
+    let sheets = tables::read(&folder)?;
+    fill(&docs.join("paper.md"), &tables::parts(&sheets))?;
+    figures::write(&paper::charts(&sheets)?, &folder)
+}
