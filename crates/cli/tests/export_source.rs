@@ -348,7 +348,7 @@ fn wrong_sources_are_refused() {
     let fails = |options: &str, parts: &[&str]| {
         assert_fails(&folder, &format!("export {options}"), parts);
     };
-    fails("--lang json -l studio --sources 4", &["json and npz have no sources"]);
+    fails("--lang npz -l studio --sources 4", &["npz has no sources"]);
     fails("--lang c --sources 4", &["--light or --material"]);
     fails("--lang c -l studio --sources 24", &["up to 16 sources, not 24"]);
     fails("--lang c -l blender-city --sources 4", &["blender-city", "has no map"]);

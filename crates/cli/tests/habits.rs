@@ -138,8 +138,6 @@ fn standard_input_in_place_of_a_file() {
         &format!("{project} --light lights.csv:light-1"),
         "lights.csv",
     );
-    let export = "export --lang json -t b.bin --normals";
-    outputs_agree(&format!("{export} -"), &format!("{export} normals.csv"), "normals.csv");
     outputs_agree("light - --degree 2", "light lights.csv --degree 2", "lights.csv");
     let basis = fed(&folder, "basis --scene - --check b.bin", &folder.bytes("scene.toml"));
     assert_eq!(basis.status.code(), Some(0));

@@ -3,11 +3,10 @@
 use super::options::{Destination, Green, Memory, TableChoice, count};
 use clap::{Args, ValueEnum};
 use eigenshade_cli::estimate::gloss_note;
-use eigenshade_cli::export::array::{Array, json};
 use eigenshade_cli::export::entry::{Format, entries, identifier, quoted_entries};
 use eigenshade_cli::export::highlights::SourcesAndGloss;
 use eigenshade_cli::export::shown::Shown;
-use eigenshade_cli::export::{c, coefficients, js, rust, scene, table as of_table};
+use eigenshade_cli::export::{c, coefficients, js, npz, rust, scene, table as of_table};
 use eigenshade_cli::messages::print_message;
 use eigenshade_cli::output;
 use eigenshade_cli::presets::Source;
@@ -19,11 +18,11 @@ use eigenshade_table::quantize::{QuantizeError, TOLERANCE, integers};
 use eigenshade_table::{Table, statics};
 use std::path::{Path, PathBuf};
 
-/// Export lights, materials, tables and scenes to Rust, C, JavaScript, JSON or numpy
+/// Export lights, materials, tables and scenes to Rust, C, JavaScript or numpy
 ///
 /// With --light and --material, exports these, to the degree and order of the table; with both,
-/// json and npz also hold the scene: its coefficients in the table's eigenimages. With neither,
-/// exports the table.
+/// npz also holds the scene: its coefficients in the table's eigenimages. With neither, exports the
+/// table.
 #[derive(Args, Debug)]
 pub struct Export {
     /// Language or file format
@@ -46,7 +45,7 @@ pub struct Export {
     #[arg(long, value_name = "K", value_parser = count(1, MAX_SOURCES as u64))]
     sources: Option<usize>,
     /// Add eigenimages, or the images of a scene, at normals: a normals CSV, `sphere`, a normal map
-    /// (.png) or a mesh (.obj, .stl, .ply); for json and npz
+    /// (.png) or a mesh (.obj, .stl, .ply); for npz
     #[arg(short, long, value_name = "NORMALS")]
     normals: Option<PathBuf>,
     /// Pixels across the longer side of --normals, 2 to 8192 [default: 64; all of a normal map]
@@ -69,9 +68,7 @@ enum Lang {
     C,
     /// A module of typed arrays
     Js,
-    /// Arrays with shapes and units
-    Json,
-    /// The same arrays in numpy's format
+    /// Arrays in numpy's format
     Npz,
 }
 
@@ -96,7 +93,7 @@ impl Export {
             (Some(light), _) => {
                 memory.file(light.path()).admit(scene::size(&table, pairs, normals))
             }
-            (None, None) if self.holds_arrays() => {
+            (None, None) if self.lang == Lang::Npz => {
                 memory.file(self.table.path()).admit(of_table::size(&table, normals))
             }
             _ => Ok(()),
@@ -125,23 +122,18 @@ impl Export {
         Ok(())
     }
 
-    /// Whether the file holds arrays instead of source.
-    fn holds_arrays(&self) -> bool {
-        matches!(self.lang, Lang::Json | Lang::Npz)
-    }
-
     /// Whether the options go together.
     fn check(&self) -> Result<()> {
         let has_images = self.light.is_none() == self.material.is_none();
         let fault = |what: &str, remedy: &str| Err(Error::new(what, remedy));
-        if self.normals.is_some() && !(self.holds_arrays() && has_images) {
+        if self.normals.is_some() && !(self.lang == Lang::Npz && has_images) {
             let what = "--normals adds eigenimages or images, which only tables and scenes have, \
-                        in json and npz";
+                        in npz";
             return fault(what, "leave it out, or export a table, or a light with a material");
         }
         if let Some(most) = self.sources {
-            if self.holds_arrays() {
-                return fault("json and npz have no sources and gloss", "leave --sources out");
+            if self.lang == Lang::Npz {
+                return fault("npz has no sources and gloss", "leave --sources out");
             }
             if self.light.is_none() && self.material.is_none() {
                 let what = "--sources adds sources to lights and gloss to materials";
@@ -158,8 +150,8 @@ impl Export {
                 "the WebAssembly module takes floats and makes integers of them itself",
                 "leave --format out",
             ),
-            (Lang::Json | Lang::Npz, Some(_)) => {
-                fault("json and npz hold the numbers as they are, in f64", "leave --format out")
+            (Lang::Npz, Some(_)) => {
+                fault("npz holds the numbers as they are, in f64", "leave --format out")
             }
             _ => Ok(()),
         }
@@ -179,7 +171,7 @@ impl Export {
                 "build the module for this table (crates/wasm/README.md), and export lights and \
                  materials",
             )),
-            Lang::Json | Lang::Npz => self.arrays(&of_table::arrays(table, shown)?),
+            Lang::Npz => npz::bytes(&of_table::arrays(table, shown)?),
         }
     }
 
@@ -245,7 +237,7 @@ impl Export {
             Lang::Rust => rust::module(&entries()?, highlights, COMMAND),
             Lang::C => c::header(&entries()?, highlights, COMMAND, &self.guard()),
             Lang::Js => js::module(&quoted()?, highlights, COMMAND),
-            Lang::Json | Lang::Npz => {
+            Lang::Npz => {
                 let mut arrays = Vec::new();
                 if !lights.entries.is_empty() {
                     arrays.extend(coefficients::of_lights(lights));
@@ -256,23 +248,10 @@ impl Export {
                 if !lights.entries.is_empty() && !materials.entries.is_empty() {
                     arrays.extend(scene::arrays(table, (lights, materials), shown)?);
                 }
-                return self.arrays(&arrays);
+                return npz::bytes(&arrays);
             }
         };
         Ok(source.into_bytes())
-    }
-
-    fn arrays(&self, arrays: &[Array]) -> Result<Vec<u8>> {
-        match self.lang {
-            #[cfg(feature = "generate")]
-            Lang::Npz => eigenshade_cli::export::npz::bytes(arrays),
-            #[cfg(not(feature = "generate"))]
-            Lang::Npz => Err(Error::new(
-                "this build lacks npz",
-                "use json, or build the program with its default features",
-            )),
-            _ => json(arrays).map(String::into_bytes),
-        }
     }
 
     /// The macro against including a header twice: the name of its file.

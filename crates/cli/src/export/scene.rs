@@ -43,21 +43,11 @@ pub fn arrays(
             }
         }
     }
-    let (light, material) =
-        (("light", lights.entries.len()), ("material", materials.entries.len()));
-    let meaning =
-        "d, the image in the table's eigenimages, less the mean image of a standard table";
-    let mut arrays = vec![Array::new(
-        ("coefficients", meaning, "irradiance"),
-        [light, material, ("r g b", 3), ("component", table.count())],
-        coefficients,
-    )];
+    let (light, material) = (lights.entries.len(), materials.entries.len());
+    let mut arrays =
+        vec![Array::new("coefficients", [light, material, 3, table.count()], coefficients)];
     if let Some(shown) = shown {
-        arrays.push(Array::new(
-            ("images", "irradiance of each normal", "irradiance"),
-            [light, material, ("r g b", 3), ("normal", shown.normals.len())],
-            images,
-        ));
+        arrays.push(Array::new("images", [light, material, 3, shown.normals.len()], images));
         arrays.extend(shown.arrays());
     }
     Ok(arrays)

@@ -53,21 +53,14 @@ impl Shown {
     #[must_use]
     pub fn arrays(&self) -> Vec<Array> {
         let count = self.normals.len();
-        let mut arrays = vec![Array::new(
-            ("normals", "unit normals: x right, y up, z toward the camera", "1"),
-            [("normal", count), ("x y z", 3)],
-            self.normals.as_flattened().to_vec(),
-        )];
+        let mut arrays =
+            vec![Array::new("normals", [count, 3], self.normals.as_flattened().to_vec())];
         if !self.pixels.is_empty() {
             let places = self.pixels.iter().flat_map(|one| [one.row as i64, one.column as i64]);
+            arrays.push(Array::new("pixels", [count, 2], places.collect::<Vec<_>>()));
             arrays.push(Array::new(
-                ("pixels", "row from the top and column from the left of each normal", "pixel"),
-                [("normal", count), ("row column", 2)],
-                places.collect::<Vec<_>>(),
-            ));
-            arrays.push(Array::new(
-                ("coverage", "share of each pixel that the object covers", "1"),
-                [("normal", count)],
+                "coverage",
+                [count],
                 self.pixels.iter().map(|one| one.coverage).collect::<Vec<_>>(),
             ));
         }
