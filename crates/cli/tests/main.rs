@@ -17,7 +17,6 @@ mod export_source;
 mod foreign_files;
 mod habits;
 mod highlights;
-mod interpreter;
 mod materials;
 mod memory;
 mod mismatches;
@@ -34,7 +33,7 @@ mod shader_sources;
 mod shapes;
 mod tolerance_choice;
 
-use eigenshade_testing::{oracle, tolerances};
+use eigenshade_testing::tolerances;
 
 /// The program.
 const PROGRAM: &str = env!("CARGO_BIN_EXE_eigenshade");
