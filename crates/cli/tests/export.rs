@@ -247,7 +247,6 @@ fn bad_requests_have_one_error() {
         ("--lang js --light large.csv", ["light `a`", "beyond f32"]),
         ("--lang js --light lights.csv:moon", ["lights.csv", "no light `moon`"]),
         ("--lang js --material lobby", ["`lobby` is a light, not a material", "eigenshade list"]),
-        ("--lang npz --table b.bin --memory 100KiB", ["b.bin", "--memory"]),
         ("--lang npz --table b.bin --out b.bin", ["b.bin", "replace the input"]),
     ] {
         assert_fails(&folder, &format!("export {arguments}"), &fragments);

@@ -91,7 +91,6 @@ fn likely_mistakes() {
         ("project -l park -m dielectric-0.2", ["`dielectric-0.2` is neither", "shipped material"]),
         ("project -l park -m chrome -o -", ["`-`", "without --out"]),
         ("render -l park -m chrome -o picture", ["picture: its name has no extension", ".png"]),
-        ("info -t b.bin --memory 1B", ["the budget is 1 byte;", "--memory"]),
         (&format!("{SHADE} --method modes --components 3"), ["modes", "--components"]),
     ] {
         assert_fails(&folder, arguments, &fragments);

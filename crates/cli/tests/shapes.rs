@@ -296,7 +296,7 @@ fn bad_objects_and_outputs() {
             &["map.png", "replace the input"],
         ),
         // A mesh that takes more memory than allowed.
-        ("pack-normals e.obj --size 4096 --memory 100MiB --out new.bin", &["e.obj", "memory"]),
+        ("render -l lobby -m chrome -n e.obj -s 8192 -o new.png", &["e.obj", "use 2 to 4096"]),
     ] {
         assert_fails(&folder, arguments, fragments);
     }

@@ -11,7 +11,6 @@ use eigenshade_generator::light::projection::named_maps;
 use eigenshade_generator::material;
 use eigenshade_generator::material::brdf::{Measure, Projected, Surface};
 use eigenshade_generator::material::files::Source;
-use eigenshade_model::budget::Budget;
 use eigenshade_model::error::{Error, Result};
 use eigenshade_model::inputs::coefficient_csv::read_lights;
 use eigenshade_model::inputs::input_file::InputFile;
@@ -148,5 +147,5 @@ impl Errors {
 
 /// Maps of 4k by 2k exceed the limit for a user's files.
 fn file(path: impl AsRef<Path>) -> InputFile {
-    InputFile::new(path, Budget::BASIS)
+    InputFile::new(path)
 }

@@ -1,6 +1,6 @@
 //! `eigenshade basis`: makes a table from a scene file.
 
-use super::options::Memory;
+use super::options::input_file;
 use clap::Args;
 use eigenshade_cli::messages::{albedo_warning, grouped, print_message, spinner};
 use eigenshade_cli::output;
@@ -27,8 +27,8 @@ const ERRORS: &str = "errors.csv";
 
 /// Make the table of a scene: its eigenimages
 ///
-/// The command estimates its memory first, and refuses a table that would take more than --memory.
-/// If the scene has a tolerance, standard error reports the choice for it. With `--out B.bin`, it
+/// The command estimates its memory first, and refuses a table that would take more than 8 GiB. If
+/// the scene has a tolerance, standard error reports the choice for it. With `--out B.bin`, it
 /// writes the table to B.bin and its manifest to B.manifest.csv. The manifest repeats the errors
 /// recorded in B.errors.csv, if there is such a file; errors of another table are refused. --check
 /// makes the table again and compares eigenvalues, profiles, mode means, rows of U^T M and the
@@ -55,7 +55,7 @@ struct Purpose {
 }
 
 impl Basis {
-    pub fn run(self, memory: Memory) -> Result<()> {
+    pub fn run(self) -> Result<()> {
         if let Some(path) = &self.purpose.out {
             let mut inputs = scene_file::inputs(&self.scene);
             inputs.push(path.with_extension(ERRORS));
@@ -65,14 +65,14 @@ impl Basis {
         }
         // Read first, so that a broken table is reported before the new one is made.
         let old = match &self.purpose.check {
-            Some(path) => Some((path, table::read(memory.file(path))?)),
+            Some(path) => Some((path, table::read(input_file(path))?)),
             None => None,
         };
         let start = Instant::now();
         let progress = spinner("eigenimages");
-        let loaded = scene_file::load(memory.file(&self.scene))?;
+        let loaded = scene_file::load(input_file(&self.scene))?;
         let estimate = Estimate::of(&loaded);
-        estimate.admit(memory.of_basis()).map_err(|error| error.in_file(&self.scene))?;
+        estimate.check().map_err(|error| error.in_file(&self.scene))?;
         if let Some(time) = estimate.minutes() {
             progress.suspend(|| print_message(format_args!("this takes {time} or less")));
         }

@@ -1,6 +1,6 @@
 //! `eigenshade export`: writes lights, materials, tables and scenes for other programs.
 
-use super::options::{Destination, Green, Memory, TableChoice, count};
+use super::options::{Destination, Green, TableChoice, count, input_file};
 use clap::{Args, ValueEnum};
 use eigenshade_cli::estimate::gloss_note;
 use eigenshade_cli::export::entry::{Format, entries, identifier, quoted_entries};
@@ -48,14 +48,17 @@ pub struct Export {
     /// (.png) or a mesh (.obj, .stl, .ply); for npz
     #[arg(short, long, value_name = "NORMALS")]
     normals: Option<PathBuf>,
-    /// Pixels across the longer side of --normals, 2 to 8192 [default: 64; all of a normal map]
-    #[arg(short, long, value_name = "N", value_parser = count(2, 8192), requires = "normals")]
+    /// Pixels across the longer side of --normals, 2 to 4096 [default: 64; all of a normal map]
+    #[arg(short, long, value_name = "N", value_parser = count(2, 4096), requires = "normals")]
     size: Option<usize>,
     #[command(flatten)]
     green: Green,
     #[command(flatten)]
     out: Destination,
 }
+
+/// The most numbers in a file of arrays, in 2 GiB.
+const MOST_NUMBERS: usize = 1 << 28;
 
 /// What source files say made them.
 const COMMAND: &str = "eigenshade export";
@@ -73,7 +76,7 @@ enum Lang {
 }
 
 impl Export {
-    pub fn run(self, memory: Memory) -> Result<()> {
+    pub fn run(self) -> Result<()> {
         let [light, material] = [&self.light, &self.material].map(Option::as_ref);
         let mut inputs = light.map_or_else(Vec::new, Source::light_files);
         inputs.extend(material.into_iter().flat_map(Source::material_files));
@@ -81,37 +84,34 @@ impl Export {
         let inputs = inputs.chain([self.table.path()]);
         output::refuse_collisions(&self.out.path, inputs)?;
         self.check()?;
-        let table = self.table.read(memory)?;
+        let table = self.table.read()?;
         let none = Lights { degree: 0, entries: Vec::new() };
-        let lights = light.map_or(Ok(none), |one| one.lights(memory.of_file()))?;
+        let lights = light.map_or(Ok(none), |one| one.lights())?;
         let none = Materials { order: 0, entries: Vec::new() };
         let order = table.gram.order;
-        let of_file = material.map_or(Ok(none), |one| one.materials(order, memory.of_file()))?;
+        let of_file = material.map_or(Ok(none), |one| one.materials(order))?;
         let (lights, materials) = fitted(&table, &lights, &of_file);
         let pairs = lights.entries.len() * materials.entries.len();
-        let admit = |normals: usize| match (light, material) {
-            (Some(light), _) => {
-                memory.file(light.path()).admit(scene::size(&table, pairs, normals))
+        let read = |path| Shown::read(input_file(path), self.size, self.green.is_flipped);
+        let shown = self.normals.as_ref().map(read).transpose()?;
+        let normals = shown.as_ref().map_or(0, |shown| shown.normals.len());
+        if self.lang == Lang::Npz {
+            let count = match (light, material) {
+                (None, None) => of_table::size(&table, normals),
+                _ => scene::size(&table, pairs, normals),
+            };
+            if count > MOST_NUMBERS {
+                let what = format!("{count} numbers are too many to export");
+                let remedy = format!("export at most {MOST_NUMBERS}, of fewer normals or inputs");
+                return Err(Error::new(what, remedy).in_file(self.table.path()));
             }
-            (None, None) if self.lang == Lang::Npz => {
-                memory.file(self.table.path()).admit(of_table::size(&table, normals))
-            }
-            _ => Ok(()),
-        };
-        let shown = match &self.normals {
-            Some(path) => {
-                let flip_green = self.green.is_flipped;
-                Some(Shown::read(memory.file(path), self.size, flip_green, admit)?)
-            }
-            None => admit(0).map(|()| None)?,
-        };
+        }
         if light.is_none() && material.is_none() {
             let contents = self.table_contents(&table, shown.as_ref());
             let contents = contents.map_err(|error| error.in_file(self.table.path()))?;
             return output::write_all(self.out.path.as_deref(), contents);
         }
-        let highlights =
-            self.sources.map(|most| self.highlights(most, &lights, &materials, memory));
+        let highlights = self.sources.map(|most| self.highlights(most, &lights, &materials));
         let highlights = highlights.transpose()?;
         let entries = (&lights, &materials, highlights.as_ref());
         let contents = self.coefficients(&table, entries, shown.as_ref())?;
@@ -199,11 +199,10 @@ impl Export {
         most: usize,
         lights: &Lights,
         materials: &Materials,
-        memory: Memory,
     ) -> Result<SourcesAndGloss> {
         let mut found = SourcesAndGloss::default();
         for (light, Named { name, .. }) in of_each(self.light.as_ref(), &lights.entries) {
-            let sources = light.sources(name, most, memory.of_file())?;
+            let sources = light.sources(name, most)?;
             if sources.len() < most {
                 let count = sources.len();
                 print_message(format_args!(
@@ -213,7 +212,7 @@ impl Export {
             found.sources.push((name.clone(), sources));
         }
         for (material, Named { name, .. }) in of_each(self.material.as_ref(), &materials.entries) {
-            let known = material.known_gloss(name, memory.of_file())?;
+            let known = material.known_gloss(name)?;
             gloss_note(&known)?.iter().for_each(print_message);
             found.glosses.push(known);
         }

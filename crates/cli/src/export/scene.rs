@@ -2,7 +2,6 @@
 
 use super::array::Array;
 use super::shown::Shown;
-use super::table::BYTES;
 use eigenshade_model::database::{Lights, Materials};
 use eigenshade_model::error::Result;
 use eigenshade_shading::overflow;
@@ -10,11 +9,10 @@ use eigenshade_shading::owned_basis::OwnedBasis;
 use eigenshade_shading::shader::{OwnedNormals, Shader, fault};
 use eigenshade_table::Table;
 
-/// The bytes that an export of this many pairs of a light and a material at this many normals takes
-/// at most.
+/// The numbers in the arrays of this many pairs of a light and a material at this many normals.
 #[must_use]
-pub fn size(table: &Table, pairs: usize, normals: usize) -> u64 {
-    BYTES * (3 * pairs * (table.count() + normals)) as u64
+pub fn size(table: &Table, pairs: usize, normals: usize) -> usize {
+    3 * pairs * (table.count() + normals)
 }
 
 /// d of each light on each material, channel by channel; and, for normals, the irradiances. Fails

@@ -9,15 +9,12 @@ use eigenshade_shading::owned_basis::{AnyBasis, OwnedBasis};
 use eigenshade_shading::shader::{OwnedNormals, fault};
 use eigenshade_table::{General, Profile, Table};
 
-/// Bytes of a number, as it is and as text, with what is allocated beside it.
-pub(super) const BYTES: u64 = 48;
-
-/// The bytes that an export of a table takes at most: the arrays, and the text of a file.
+/// The most numbers in the arrays of a table.
 #[must_use]
-pub fn size(table: &Table, normals: usize) -> u64 {
+pub fn size(table: &Table, normals: usize) -> usize {
     let modes = mode::total(table.gram.degree, table.gram.order);
     let by_mode = modes * (table.gram.nodes.len() + 2 * table.components.len() + 7);
-    BYTES * (by_mode + normals * (table.count() + 7)) as u64
+    by_mode + normals * (table.count() + 7)
 }
 
 /// The arrays of a table. Modes are sorted by m from -degree to degree, and within one m in the
