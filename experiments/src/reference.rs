@@ -1,19 +1,16 @@
 //! Pictures of a sphere by direct integration under environment maps, and the errors of truncated
-//! sums and of tables against them.
+//! sums against them.
 //!
 //! The error of a map is the rms over the sphere's normals and the three channels, relative to the
 //! largest |I| of the direct integration over all of them.
 
 use crate::light_tree::LightTree;
 use crate::sphere::{self, Picture, Sphere};
-use eigenshade_generator::material::brdf::{Measure, Surface};
-use eigenshade_index::{light, material};
+use eigenshade_generator::material::brdf::Surface;
+use eigenshade_index::light;
 use eigenshade_model::database::{Lights, Named};
 use eigenshade_model::error::{Error, Result};
-use eigenshade_shading::owned_basis::OwnedBasis;
-use eigenshade_shading::shader::{OwnedNormals, Shader, fault};
 use eigenshade_shading::sphere_rings::rings;
-use eigenshade_table::Table;
 use indicatif::ProgressBar;
 
 /// The widest spacing of normals in radians.
@@ -22,8 +19,7 @@ const WIDEST: f64 = 0.06;
 const SPACING: f64 = 1.25;
 
 /// A surface under environment maps, integrated directly.
-pub struct Reference<'a> {
-    surface: &'a Surface,
+pub struct Reference {
     pub sphere: Sphere,
     pictures: Vec<Picture>,
     peaks: Vec<f64>,
@@ -52,8 +48,8 @@ pub fn sums(sphere: &Sphere, lights: &Lights, size: (usize, usize), on: &Named) 
     (0..maps).map(|map| [0, 1, 2].map(|c| images[c * maps + map].clone())).collect()
 }
 
-impl<'a> Reference<'a> {
-    pub fn new(surface: &'a Surface, maps: &LightTree, progress: &ProgressBar) -> Self {
+impl Reference {
+    pub fn new(surface: &Surface, maps: &LightTree, progress: &ProgressBar) -> Self {
         let parts = surface.parts();
         // The narrowest lobe is resolved.
         let width = parts.iter().map(|part| part.brdf.width()).fold(1.0, f64::min);
@@ -68,7 +64,7 @@ impl<'a> Reference<'a> {
             at_mirror.fold(sphere::peak(picture), f64::max)
         };
         let peaks = pictures.iter().enumerate().map(largest).collect();
-        Self { surface, sphere, pictures, peaks }
+        Self { sphere, pictures, peaks }
     }
 
     /// The error for each map of the direct sum (15) up to a degree and an order. `lights` are the
@@ -76,27 +72,6 @@ impl<'a> Reference<'a> {
     /// this order.
     pub fn of_sum(&self, lights: &Lights, size: (usize, usize), material: &Named) -> Vec<f64> {
         self.errors(sums(&self.sphere, lights, size, material).into_iter())
-    }
-
-    /// The error for each map of a table with all of its components, in f64.
-    pub fn of_table(&self, lights: &Lights, table: &Table) -> Result<Vec<f64>> {
-        let (degree, order) = (table.gram.degree, table.gram.order);
-        let lights = lights.truncated(degree);
-        let mut material = self.surface.project(order, Measure::Projected).material;
-        for channel in &mut material.rgb {
-            channel.truncate(material::count(order));
-        }
-        let basis = OwnedBasis::<f64>::new(table);
-        let mut shader = Shader::new(basis.any().map_err(fault)?, table.count());
-        let normals = OwnedNormals::new(&self.sphere.normals);
-        let pictures: Result<Vec<Picture>> =
-            lights.entries.iter().map(|light| shader.color(light, &material, &normals)).collect();
-        Ok(self.errors(pictures?.into_iter()))
-    }
-
-    /// The first map under which the material is black.
-    pub fn black(&self) -> Option<usize> {
-        self.peaks.iter().position(|peak| *peak == 0.0)
     }
 
     /// The rms over normals and channels relative to the peak, by map.

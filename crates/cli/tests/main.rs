@@ -22,7 +22,6 @@ mod materials;
 mod mismatches;
 mod objects;
 mod outputs;
-mod pbr_errors;
 mod pictures;
 mod read;
 mod results;

@@ -1,6 +1,5 @@
 //! The commands. Those with many options are structs in files of their own.
 
-mod errors;
 mod files;
 mod highlights;
 mod pictures;
@@ -69,7 +68,6 @@ pub enum Command {
         #[arg(long, value_name = "DIR", default_value = "tables")]
         tables: PathBuf,
     },
-    Errors(errors::Errors),
     /// Results of the runtime, tests/golden/sphere.csv
     ///
     /// Integers must be equal; floats may differ by the tolerance that the file states.
@@ -167,7 +165,6 @@ impl Command {
             Self::Reading { purpose, tables } => {
                 reading::PAGE.write_or_compare(&purpose, &reading::parts(&tables)?)
             }
-            Self::Errors(command) => command.run(),
             Self::Golden(purpose) => files::golden(&purpose),
             Self::Gloss(csv) => highlights::gloss(csv.out.as_deref()),
             Self::GlossyMaterials { out } => files::glossy_materials(&out),

@@ -5,7 +5,6 @@ use clap::Args;
 use eigenshade_cli::messages::{albedo_warning, grouped, print_message, spinner};
 use eigenshade_cli::output;
 use eigenshade_cli::table::compare::{Difference, differences};
-use eigenshade_cli::table::recorded_errors::manifest_rows;
 use eigenshade_cli::table::{self, rounding};
 use eigenshade_generator::basis::estimate::Estimate;
 use eigenshade_generator::scene_file;
@@ -22,18 +21,14 @@ use std::time::{Duration, Instant};
 /// The ending of a table's manifest.
 const MANIFEST: &str = "manifest.csv";
 
-/// The ending of the file of a table's recorded errors.
-const ERRORS: &str = "errors.csv";
-
 /// Make the table of a scene: its eigenimages
 ///
 /// The command estimates its memory first, and refuses a table that would take more than 8 GiB. If
 /// the scene has a tolerance, standard error reports the choice for it. With `--out B.bin`, it
-/// writes the table to B.bin and its manifest to B.manifest.csv. The manifest repeats the errors
-/// recorded in B.errors.csv, if there is such a file; errors of another table are refused. --check
-/// makes the table again and compares eigenvalues, profiles, mode means, rows of U^T M and the
-/// images A U, each to 1e-9 of its largest number. Terms that only one of two polynomials has may
-/// be as large as profile_tolerance allows.
+/// writes the table to B.bin and its manifest to B.manifest.csv. --check makes the table again and
+/// compares eigenvalues, profiles, mode means, rows of U^T M and the images A U, each to 1e-9 of its
+/// largest number. Terms that only one of two polynomials has may be as large as profile_tolerance
+/// allows.
 #[derive(Args, Debug)]
 pub struct Basis {
     /// Scene file; paths in it are relative to the file
@@ -57,8 +52,7 @@ struct Purpose {
 impl Basis {
     pub fn run(self) -> Result<()> {
         if let Some(path) = &self.purpose.out {
-            let mut inputs = scene_file::inputs(&self.scene);
-            inputs.push(path.with_extension(ERRORS));
+            let inputs = scene_file::inputs(&self.scene);
             output::refuse_collisions([path, &path.with_extension(MANIFEST)], inputs)?;
             writable(path)?;
             writable(&path.with_extension(MANIFEST))?;
@@ -85,15 +79,10 @@ impl Basis {
         }
         table.summary.roundings =
             rounding::measure(&table, &loaded.lights, &loaded.materials, &NumberFormat::ALL);
-        let errors = match &self.purpose.out {
-            Some(path) => manifest_rows(&path.with_extension(ERRORS), &table, &loaded)?,
-            None => String::new(),
-        };
         let bytes = encode(&table);
         if let Some(path) = &self.purpose.out {
             output::write_all(Some(path), &bytes)?;
-            let text = manifest(&table) + &errors;
-            output::write_all(Some(&path.with_extension(MANIFEST)), text)?;
+            output::write_all(Some(&path.with_extension(MANIFEST)), manifest(&table))?;
         }
         let folder = self.scene.parent().unwrap_or(Path::new("."));
         let database = folder.join(loaded.scene.material.database.join(", "));
