@@ -116,17 +116,16 @@ impl Unfinished {
     /// Creates a file in `folder` with the permissions of the file that it will replace, or with
     /// those of any new file.
     fn create(folder: &Path, replaced: Option<&Metadata>) -> io::Result<Self> {
-        let mut builder = tempfile::Builder::new();
-        builder.prefix(".eigenshade-");
+        let mut options = OpenOptions::new();
+        options.write(true).create_new(true);
         #[cfg(unix)]
         {
-            use std::os::unix::fs::{MetadataExt, PermissionsExt};
-            let mode = replaced.map_or(0o666, |old| old.mode() & 0o777);
-            builder.permissions(fs::Permissions::from_mode(mode));
+            use std::os::unix::fs::{MetadataExt, OpenOptionsExt};
+            options.mode(replaced.map_or(0o666, |old| old.mode() & 0o777));
         }
         let mut paths = paths();
-        // The text of the error names the temporary file.
-        let file = builder.tempfile_in(folder).map_err(|error| io::Error::from(error.kind()))?;
+        let mut builder = tempfile::Builder::new();
+        let file = builder.prefix(".eigenshade-").make_in(folder, |path| options.open(path))?;
         paths.push(file.path().to_owned());
         drop(paths);
         if let Some(old) = replaced {
