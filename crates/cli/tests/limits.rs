@@ -1,8 +1,12 @@
 //! Files that are larger than their readers take, and tables, pictures and exports that would be
 //! too large: one line, before anything is written.
+#![cfg(unix)]
 
+use crate::PROGRAM;
 use crate::support::files::{ply_header, square_png, with_geometry};
-use crate::support::{Folder, NEW_BASIS, PAIR, SHADE, assert_fails};
+use crate::support::{BASIS, Folder, NEW_BASIS, PAIR, SHADE, assert_fails, stderr};
+use eigenshade_generator::basis::estimate::Estimate;
+use eigenshade_generator::scene_file;
 use png::{BitDepth, ColorType, Compression, Encoder};
 use std::fs::File;
 use std::io::Write;
@@ -166,6 +170,19 @@ fn tables_that_are_too_large() {
         let expected = ["scene.toml: a table of degree 64, order 64 needs", "reduce the degree"];
         assert_fails(&folder, NEW_BASIS, &expected);
     }
+}
+
+/// The estimated memory is enough.
+#[test]
+fn a_table_takes_what_was_estimated() {
+    let folder = Folder::of_size(20, 20, [2, 2]);
+    folder.write("scene.toml", folder.read("scene.toml") + "rank_cutoff = 1e-10\n");
+    let loaded = scene_file::load(folder.path("scene.toml")).expect("a scene");
+    // The program itself, and the address space of two threads.
+    let own = 300 << 20;
+    let kibibytes = (Estimate::of(&loaded).bytes + own) >> 10;
+    let output = folder.shell(&format!("ulimit -v {kibibytes}; exec '{PROGRAM}' {BASIS}"));
+    assert_eq!(output.status.code(), Some(0), "{}", stderr(&output));
 }
 
 #[test]
