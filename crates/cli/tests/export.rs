@@ -2,7 +2,7 @@
 //! `export` refuses.
 
 use crate::support::files::built;
-use crate::support::{Folder, PAIR, assert_fails, assert_usage_errors, scene};
+use crate::support::{Folder, PAIR, scene};
 use eigenshade_index::mode;
 use eigenshade_model::database::Named;
 use eigenshade_model::inputs::coefficient_csv::{read_lights, read_materials};
@@ -221,45 +221,4 @@ fn objects_have_their_own_arrays() {
             assert!((product - expected).abs() < 1e-6, "{i}, {j}: {product}");
         }
     }
-}
-
-#[test]
-fn bad_requests_have_one_error() {
-    let folder = Folder::with_table();
-    folder.write("same.csv", "name,l,m,value\na-b,0,0,1\na b,0,0,2\n");
-    folder.write("none.csv", "name,l,m,value\n面,0,0,1\n");
-    folder.write("large.csv", "name,l,m,value\na,0,0,1e39\n");
-    for (arguments, fragments) in [
-        ("--lang c --table b.bin", ["b.bin", "the C library itself is built for one"]),
-        ("--lang js --table b.bin", ["b.bin", "the WebAssembly module itself is built for one"]),
-        ("--lang js --light lobby --format q15", ["takes floats", "leave --format out"]),
-        ("--lang npz --light lobby --format f32", ["in f64", "leave --format out"]),
-        ("--lang npz --light lobby --normals sphere", ["--normals", "leave it out"]),
-        ("--lang rust --table b.bin --normals sphere", ["--normals", "leave it out"]),
-        ("--lang npz --table b.bin --normals no.csv", ["no.csv", "check the path"]),
-        (
-            "--lang npz --table b.bin --normals normals.csv --size 9",
-            ["normals.csv", "leave --size out"],
-        ),
-        ("--lang npz --table lights.csv", ["lights.csv", "not an eigenshade table"]),
-        ("--lang rust --light same.csv", ["`a-b` and `a b` give one identifier", "FILE:NAME"]),
-        ("--lang c --light none.csv", ["light `面`", "give it a name"]),
-        ("--lang js --light large.csv", ["light `a`", "beyond f32"]),
-        ("--lang js --light lights.csv:moon", ["lights.csv", "no light `moon`"]),
-        ("--lang js --material lobby", ["`lobby` is a light, not a material", "eigenshade list"]),
-        ("--lang npz --table b.bin --out b.bin", ["b.bin", "replace the input"]),
-    ] {
-        assert_fails(&folder, &format!("export {arguments}"), &fragments);
-    }
-    let stored = built(&(scene("image-centered", 10, "[]") + "store = \"materials\"\n"), &[]);
-    for lang in ["rust", "npz"] {
-        let arguments = format!("export --lang {lang} --table b.bin");
-        assert_fails(&stored, &arguments, &["b.bin", "transfers"]);
-    }
-    // JavaScript quotes names.
-    for file in ["same.csv", "none.csv"] {
-        folder.ok(&format!("export --lang js --light {file}"));
-    }
-    let incomplete = ["export", "export --table b.bin", "export --lang npz --light lobby --size 9"];
-    assert_usage_errors(&folder, &incomplete);
 }

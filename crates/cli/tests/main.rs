@@ -3,8 +3,6 @@
 
 mod support;
 
-mod bad_images;
-mod bad_input;
 mod bad_objects;
 mod basis;
 mod commands;
@@ -19,7 +17,6 @@ mod habits;
 mod highlights;
 mod limits;
 mod materials;
-mod mismatches;
 mod objects;
 mod outputs;
 mod pictures;
@@ -30,6 +27,8 @@ mod shade;
 mod shader;
 mod shader_sources;
 mod shapes;
+#[cfg(unix)]
+mod tables;
 mod tolerance_choice;
 
 use eigenshade_testing::tolerances;

@@ -95,19 +95,6 @@ fn a_tolerance_leaves_terms_out() {
     assert!(all > some && some > few && few > 0, "{all}, {some}, {few}");
 }
 
-#[test]
-fn more_vectors_than_promised_give_a_note() {
-    let folder = Folder::new();
-    let of = |lang: &str| {
-        let inputs = "--table pbr --light lobby --material gold-metallic-paint --out scene.txt";
-        folder.messages(&format!("shader --lang {lang} {inputs}"))
-    };
-    assert!(of("glsl").contains("note: 454 vectors are more than the 224 "), "{}", of("glsl"));
-    for lang in ["glsl-block", "glsl-texture", "wgsl"] {
-        assert!(!of(lang).contains("vectors"), "{}", of(lang));
-    }
-}
-
 /// The error of the truncation that `tables/color.toml` states, relative to the peak of each
 /// picture.
 const CUT: f64 = 2e-5;
@@ -139,18 +126,6 @@ fn trimming_the_table_in_color_shows_in_no_picture() {
         let json = folder.ok(&format!("shader --quiet --lang glsl --table {table} {inputs}"));
         let json: Value = serde_json::from_str(&json).expect("JSON");
         assert_eq!(json["terms"].as_u64(), Some(terms));
-    }
-}
-
-#[test]
-fn several_entries_are_refused() {
-    let folder = Folder::with_table();
-    for (options, named) in [
-        ("--light lights.csv --material materials.csv:material-2", "lights.csv: it has 3 entries"),
-        ("--light lights.csv:light-1 --material materials.csv", "materials.csv: it has 4 entries"),
-        ("--light lights.csv:z --material materials.csv:material-2", "it has no light `z`"),
-    ] {
-        assert_fails(&folder, &format!("shader --lang glsl --table b.bin {options}"), &[named]);
     }
 }
 
