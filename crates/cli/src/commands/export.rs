@@ -86,7 +86,7 @@ impl Export {
         self.check()?;
         let table = self.table.read()?;
         let none = Lights { degree: 0, entries: Vec::new() };
-        let lights = light.map_or(Ok(none), |one| one.lights())?;
+        let lights = light.map_or(Ok(none), Source::lights)?;
         let none = Materials { order: 0, entries: Vec::new() };
         let order = table.gram.order;
         let of_file = material.map_or(Ok(none), |one| one.materials(order))?;
