@@ -3,7 +3,6 @@
 #[cfg(feature = "generate")]
 pub mod compare;
 #[cfg(feature = "generate")]
-pub mod recorded_errors;
 pub mod rounding;
 
 use crate::description::Description;
