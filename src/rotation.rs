@@ -32,8 +32,9 @@ impl Rotation {
     /// 10 rad each is off by up to 1.1e-3. The same errors.
     #[cfg(feature = "micromath")]
     pub fn approximate_from_euler(beta: f32, alpha: f32, gamma: f32) -> Result<Self, Error> {
-        use micromath::F32Ext as _;
-        Self::euler([beta, alpha, gamma], |angle| (angle.sin(), angle.cos()))
+        use micromath::F32Ext;
+        let sine_and_cosine = |angle| (F32Ext::sin(angle), F32Ext::cos(angle));
+        Self::euler([beta, alpha, gamma], sine_and_cosine)
     }
 
     #[inline]

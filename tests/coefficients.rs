@@ -4,7 +4,7 @@
 use crate::tolerances;
 use eigenshade::index::material;
 use eigenshade::{Effect, Effects, Error, Light, Material, sphere};
-use eigenshade_testing::any_float::OwnedBasis;
+use eigenshade_shading::owned_basis::OwnedBasis;
 use eigenshade_testing::fixtures::{self, normal, projected};
 use eigenshade_testing::oracle::Numbers;
 use eigenshade_testing::{largest, largest_difference, relative_error};
@@ -27,7 +27,7 @@ fn effects_are_the_modes_of_their_degrees_and_orders() {
         let lights = fixtures::lights(degree, 3, &mut numbers);
         let materials = fixtures::materials(5, 3, &mut numbers);
         let (light, material) = (lights.entries[0].luminance(), materials.entries[1].luminance());
-        let owned = OwnedBasis::<f64>::new(&fixtures::table(&fixtures::scene(lights, materials)));
+        let owned = OwnedBasis::new(&fixtures::table(&fixtures::scene(lights, materials)));
         let basis = owned.basis();
         let project = |light: &[f64], material: &[f64], effects: Effects| {
             let light = Light::new(light).expect("a light");
@@ -63,7 +63,7 @@ fn weighted_pixels_give_back_the_coefficients() {
     for mut loaded in [shipped.clone(), fixtures::standard(shipped)] {
         loaded.scene.basis.components = Some(60);
         loaded.scene.basis.profile_tolerance = 1e-13;
-        let owned = OwnedBasis::<f64>::new(&fixtures::table(&loaded));
+        let owned = OwnedBasis::new(&fixtures::table(&loaded));
         let basis = owned.basis();
         let [light, material] = [&loaded.lights.entries[3], &loaded.materials.entries[8]];
         let d = projected(&basis, &light.luminance(), &material.luminance());

@@ -13,7 +13,7 @@ use eigenshade_shading::shipped;
 use eigenshade_table::Table;
 use eigenshade_table::reduce::fingerprint;
 use eigenshade_table::scene::Store;
-use eigenshade_testing::any_float::OwnedBasis;
+use eigenshade_shading::owned_basis::OwnedBasis;
 use eigenshade_testing::fixtures::{self, SLANTS, normal, shipped_table};
 use eigenshade_testing::oracle::Numbers;
 use eigenshade_testing::pictures::{self, listed};
@@ -75,7 +75,7 @@ fn by_runtime(
 /// Compares d and images of some lights on some materials.
 fn compare(what: &str, table: &Table, lights: &Lights, materials: &Materials, effects: Effects) {
     let (lights, materials) = fitted(table, lights, materials);
-    let owned = OwnedBasis::<f64>::new(table);
+    let owned = OwnedBasis::new(table);
     let normals = fixtures::normals(&SLANTS, 7);
     let mut most = [0.0_f64; 3];
     for components in [table.count(), table.count().div_ceil(3)] {

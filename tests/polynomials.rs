@@ -6,7 +6,7 @@ use crate::invariants::integer::eigenimage;
 use eigenshade::{Normal, Scalar, Tolerance, sphere};
 use eigenshade_model::reference::DirectSum;
 use eigenshade_table::trim::trim;
-use eigenshade_testing::any_float::OwnedBasis;
+use eigenshade_shading::owned_basis::OwnedBasis;
 use eigenshade_testing::fixtures::{
     Projector, captured, measured, normal, of_equal_areas, shipped_table, spiral,
 };
@@ -23,7 +23,7 @@ const HALVES_F64: f64 = 2e-12;
 /// Each component alone, by collapsing it and by itself; of its largest value, the worst.
 fn farthest<S: Scalar + Into<f64>>() -> f64 {
     let table = shipped_table("pbr");
-    let owned = OwnedBasis::<S>::new(&table);
+    let owned = OwnedBasis::new(&table);
     let basis = owned.basis();
     let lengths = basis.parts().lengths;
     assert!(lengths.iter().filter(|&&length| (17..=32).contains(&length)).count() >= 10);

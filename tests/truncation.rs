@@ -8,7 +8,7 @@ use eigenshade_generator::basis::build;
 use eigenshade_model::inputs::coefficient_csv::{read_lights, read_materials};
 use eigenshade_model::reference::DirectSum;
 use eigenshade_table::decode;
-use eigenshade_testing::any_float::OwnedBasis;
+use eigenshade_shading::owned_basis::OwnedBasis;
 use eigenshade_testing::{fixtures, images};
 use images::{Image, coefficients, products, rule, single, vectors};
 
@@ -190,7 +190,7 @@ fn bounds_hold_of_long_series() {
     (scene.light.degree, scene.basis.components) = (24, Some(200));
     scene.basis.profile_tolerance = 1e-14;
     let table = build(&scene, &lights, &materials).expect("a table");
-    let owned = OwnedBasis::<f64>::new(&table);
+    let owned = OwnedBasis::new(&table);
     let basis = owned.basis();
     let lengths = basis.parts().lengths;
     assert!(lengths.iter().any(|&length| length > 32), "{lengths:?}");

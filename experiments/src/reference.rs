@@ -1,18 +1,16 @@
 //! Pictures of a sphere by direct integration under environment maps, and the errors of truncated
-//! sums and of tables against them.
+//! sums against them.
 //!
 //! The error of a map is the rms over the sphere's normals and the three channels, relative to the
 //! largest |I| of the direct integration over all of them.
 
 use crate::light_tree::LightTree;
 use crate::sphere::{self, Picture, Sphere};
-use eigenshade_generator::material::brdf::{Measure, Surface};
-use eigenshade_index::{light, material};
+use eigenshade_generator::material::brdf::Surface;
+use eigenshade_index::light;
 use eigenshade_model::database::{Lights, Named};
 use eigenshade_model::error::{Error, Result};
-use eigenshade_model::evaluation::Evaluator;
 use eigenshade_shading::sphere_rings::rings;
-use eigenshade_table::Table;
 use indicatif::ProgressBar;
 
 /// The widest spacing of normals in radians.
@@ -21,8 +19,7 @@ const WIDEST: f64 = 0.06;
 const SPACING: f64 = 1.25;
 
 /// A surface under environment maps, integrated directly.
-pub struct Reference<'a> {
-    surface: &'a Surface,
+pub struct Reference {
     pub sphere: Sphere,
     pictures: Vec<Picture>,
     peaks: Vec<f64>,
@@ -51,8 +48,8 @@ pub fn sums(sphere: &Sphere, lights: &Lights, size: (usize, usize), on: &Named) 
     (0..maps).map(|map| [0, 1, 2].map(|c| images[c * maps + map].clone())).collect()
 }
 
-impl<'a> Reference<'a> {
-    pub fn new(surface: &'a Surface, maps: &LightTree, progress: &ProgressBar) -> Self {
+impl Reference {
+    pub fn new(surface: &Surface, maps: &LightTree, progress: &ProgressBar) -> Self {
         let parts = surface.parts();
         // The narrowest lobe is resolved.
         let width = parts.iter().map(|part| part.brdf.width()).fold(1.0, f64::min);
@@ -67,7 +64,7 @@ impl<'a> Reference<'a> {
             at_mirror.fold(sphere::peak(picture), f64::max)
         };
         let peaks = pictures.iter().enumerate().map(largest).collect();
-        Self { surface, sphere, pictures, peaks }
+        Self { sphere, pictures, peaks }
     }
 
     /// The error for each map of the direct sum (15) up to a degree and an order. `lights` are the
@@ -75,30 +72,6 @@ impl<'a> Reference<'a> {
     /// this order.
     pub fn of_sum(&self, lights: &Lights, size: (usize, usize), material: &Named) -> Vec<f64> {
         self.errors(sums(&self.sphere, lights, size, material).into_iter())
-    }
-
-    /// The error for each map of a table with all of its components, in f64.
-    pub fn of_table(&self, lights: &Lights, table: &Table) -> Result<Vec<f64>> {
-        let (degree, order) = (table.gram.degree, table.gram.order);
-        let lights = lights.truncated(degree);
-        let mut material = self.surface.project(order, Measure::Projected).material;
-        for channel in &mut material.rgb {
-            channel.truncate(material::count(order));
-        }
-        let evaluator = Evaluator::new(table);
-        let eigenimages = evaluator.eigenimages(&self.sphere.normals);
-        let transfer = |c: usize| evaluator.transfer(&material.rgb[c]);
-        let transfers = [transfer(0)?, transfer(1)?, transfer(2)?];
-        let picture = |light: &Named| {
-            let channel = |c: usize| evaluator.relight(&transfers[c], &light.rgb[c]);
-            [0, 1, 2].map(|c: usize| eigenimages.reconstruct(&channel(c)))
-        };
-        Ok(self.errors(lights.entries.iter().map(picture)))
-    }
-
-    /// The first map under which the material is black.
-    pub fn black(&self) -> Option<usize> {
-        self.peaks.iter().position(|peak| *peak == 0.0)
     }
 
     /// The rms over normals and channels relative to the peak, by map.

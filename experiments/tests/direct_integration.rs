@@ -1,18 +1,13 @@
-//! Direct integration under maps, and the command `errors`, against quadrature in the normal's own
-//! frame, which has other nodes and other formulas.
+//! Direct integration under maps against quadrature in the normal's own frame, which has other nodes
+//! and other formulas.
 
-use crate::support::{self, Folder, assert_fails, repository, rows};
-use crate::{OF_DIGITS, by_texels, measured_surfaces, shipped_map, tolerances};
+use crate::{by_texels, measured_surfaces, shipped_map};
 use eigenshade_generator::light::environment::EnvironmentMap;
-use eigenshade_generator::light::projection::project;
-use eigenshade_generator::material::brdf::projection::project as project_brdf;
-use eigenshade_generator::material::brdf::{Brdf, Ggx, Lambertian, Measure};
-use eigenshade_model::reference::DirectSum;
-use eigenshade_testing::fixtures::{self, of_equal_areas};
+use eigenshade_generator::material::brdf::{Brdf, Ggx, Lambertian};
+use eigenshade_testing::fixtures::of_equal_areas;
 use eigenshade_testing::oracle::ggx;
 use experiments::light_tree::LightTree;
 use std::f64::consts::{PI, TAU};
-use std::fs;
 
 /// A matte sphere under radiance 1 on 128 x 64 texels, relative: the horizon cuts texels of three
 /// degrees, where the cosine is that of their center.
@@ -146,140 +141,6 @@ fn narrow_lobes_converge() {
         assert!(apart(0) <= DIRECT_PARTS, "{name}, {roughness}: {}", apart(0));
         assert!(apart(1) <= 0.7 * DIRECT_PARTS, "{name}, {roughness}: {}", apart(1));
     }
-}
-
-/// Rms over normals and channels, of the peak, of the sum (15) under one map.
-fn error(
-    material: Explicit,
-    map: &EnvironmentMap,
-    (degree, order): (usize, usize),
-    normals: &[[f64; 3]],
-    integral: impl Fn(usize) -> [f64; 3],
-) -> f64 {
-    let light = project(map, degree);
-    let coefficients = project_brdf(&*material.0(), order, Measure::Projected).coefficients;
-    let reference = DirectSum::new(degree, order);
-    let (mut square, mut peak): (f64, f64) = (0.0, 0.0);
-    for (k, &normal) in normals.iter().enumerate() {
-        let modes = reference.at(normal);
-        let scattered = modes.scatter(&coefficients);
-        let expected = integral(k);
-        for (light, expected) in light.iter().zip(expected) {
-            square += (modes.irradiance(light, &scattered) - expected).powi(2) / 3.0;
-            peak = peak.max(expected.abs());
-        }
-    }
-    (square / normals.len() as f64).sqrt() / peak
-}
-
-const HEADER: &str = "material,degree,order,components,median,worst,map,normals,scene,energy";
-
-fn pfm(map: &EnvironmentMap) -> Vec<u8> {
-    fixtures::pfm(map.width, &map.texels)
-}
-
-fn with_maps() -> Folder {
-    let folder = Folder::new();
-    fs::create_dir(folder.path("maps")).unwrap();
-    folder.write("maps/east.pfm", pfm(&window(64, 32, 5, 14)));
-    folder.write("maps/west.pfm", pfm(&window(64, 32, 55, 20)));
-    folder.write(
-        "m.toml",
-        "[[material]]\nname = \"metal\"\nmodel = \"ggx\"\nroughness = 0.5\nf0 = 0.9\n\
-         [[material]]\nname = \"matte\"\nmodel = \"lambertian\"\nalbedo = 0.8\n",
-    );
-    folder.ok("light maps --degree 16 --out lights.csv");
-    folder.ok("material m.toml --order 3 --out materials.csv");
-    folder.ok("basis --scene scene.toml --out b.bin");
-    folder
-}
-
-#[test]
-fn the_command_agrees_with_another_quadrature() {
-    let folder = with_maps();
-    let text = folder.ok("errors b.bin --lights lights.csv --maps maps --materials m.toml");
-    let rows = rows(&text, HEADER);
-    let sizes: Vec<[&str; 3]> =
-        rows.iter().map(|row| [row[0].as_str(), row[1].as_str(), row[2].as_str()]).collect();
-    let of = |name| [[name, "4", "3"], [name, "4", "3"], [name, "16", "16"]];
-    assert_eq!(sizes, [of("metal"), of("matte")].concat());
-    let maps = [window(64, 32, 5, 14), window(64, 32, 55, 20)];
-    let (materials, normals) = ([METAL, MATTE], of_equal_areas(200));
-    let integrals: Vec<_> =
-        normals.iter().map(|&normal| integrals(&materials, &maps, normal, 300)).collect();
-    for (m, (rows, material)) in rows.chunks(3).zip(materials).enumerate() {
-        let found =
-            [0, 1].map(|k| error(material, &maps[k], (4, 3), &normals, |n| integrals[n][m][k]));
-        let worst = if found[0] > found[1] { 0 } else { 1 };
-        for row in &rows[..2] {
-            let number = |k: usize| row[k].parse::<f64>().unwrap();
-            println!("{row:?} {found:?}");
-            let median = 0.5 * (found[0] + found[1]);
-            assert!((number(4) / median - 1.0).abs() <= tolerances::ERROR_FIGURE, "{row:?}");
-            assert!((number(5) / found[worst] - 1.0).abs() <= tolerances::ERROR_FIGURE, "{row:?}");
-            assert_eq!(row[6], ["east", "west"][worst]);
-        }
-        let larger: f64 = rows[2][5].parse().unwrap();
-        assert!(larger < 0.5 * found[worst], "{larger}");
-    }
-}
-
-/// The rows of a matte material, a rough and a glossy one in `tables/pbr.errors.csv`.
-#[test]
-fn recorded_errors_of_formulas_are_found_again() {
-    const NAMES: [&str; 3] = ["oren-nayar-0.35", "metal-0.2", "metal-0.5"];
-    let folder = Folder::new();
-    let tables = repository().join("tables");
-    let read = |name: &str| fs::read_to_string(tables.join(name)).unwrap();
-    let formulas = read("inputs/pbr-materials.toml");
-    let is_chosen = |one: &str| NAMES.iter().any(|name| one.contains(&format!("\"{name}\"\n")));
-    let formulas = formulas.split("[[material]]").filter(|one| is_chosen(one));
-    let chosen: String = formulas.map(|one| format!("[[material]]{one}")).collect();
-    folder.write("chosen.toml", chosen);
-    let inputs = tables.join("inputs").display().to_string();
-    let found = folder.ok(&format!(
-        "errors {} --lights {inputs}/lights.csv --maps {inputs}/maps --materials chosen.toml",
-        tables.join("pbr.bin").display()
-    ));
-    let (found, mut recorded) = (rows(&found, HEADER), rows(&read("pbr.errors.csv"), HEADER));
-    recorded.retain(|row| NAMES.contains(&row[0].as_str()));
-    assert_eq!((found.len(), recorded.len()), (4 * NAMES.len(), 4 * NAMES.len()));
-    for (found, recorded) in found.iter().zip(&recorded) {
-        assert_eq!((&found[..4], &found[6..9]), (&recorded[..4], &recorded[6..9]));
-        for column in [4, 5] {
-            let [a, b] = [found, recorded].map(|row| row[column].parse::<f64>().unwrap());
-            assert!((a - b).abs() <= OF_DIGITS * 1e-6, "{found:?} {recorded:?}");
-        }
-    }
-}
-
-#[test]
-fn inputs_that_cannot_be_compared_are_errors() {
-    let folder = with_maps();
-    let fails = |lights: &str, maps: &str, materials: &str, out: &str, fragments: &[&str]| {
-        let inputs = format!("--lights {lights} --maps {maps} --materials {materials}");
-        assert_fails(&folder, &format!("errors b.bin {inputs} --out {out}"), fragments);
-    };
-    folder.write("low.csv", support::lights(2, 1));
-    folder.write("other.pfm", pfm(&window(32, 16, 5, 5)));
-    folder.write("c.csv", "theta_i,phi_i,theta_r,phi_r,value\n1,1,1,1,1\n");
-    folder.write("cut.pfm", &pfm(&window(32, 16, 5, 5))[..100]);
-    folder.write("odd.pfm", pfm(&window(36, 18, 5, 5)));
-    folder.ok("light odd.pfm --degree 16 --out odd.csv");
-    fails("low.csv", "maps", "m.toml", "e.csv", &["low.csv", "east"]);
-    fails("lights.csv", "other.pfm", "m.toml", "e.csv", &["lights.csv", "other"]);
-    fails("odd.csv", "odd.pfm", "m.toml", "e.csv", &["36 x 18", "multiples of 8"]);
-    fails("lights.csv", "maps", "c.csv", "e.csv", &["c.csv", "measured"]);
-    fails("lights.csv", "maps", "none.toml", "e.csv", &["none.toml"]);
-    fails("lights.csv", "cut.pfm", "m.toml", "e.csv", &["cut"]);
-    for input in ["b.bin", "lights.csv", "maps/east.pfm", "m.toml"] {
-        fails("lights.csv", "maps", "m.toml", &format!("./{input}"), &[input]);
-    }
-    folder.ok("light maps other.pfm --degree 16 --out lights.csv");
-    let two = "maps --maps other.pfm";
-    fails("lights.csv", two, "m.toml", "e.csv", &["64 x 32 and 32 x 16"]);
-    folder.ok("light maps --degree 3 --out low.csv");
-    fails("low.csv", "maps", "m.toml", "e.csv", &["low.csv", "degree 3"]);
 }
 
 /// The window of the shipped materials in color takes a quarter of the ringing and costs no

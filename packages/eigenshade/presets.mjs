@@ -1,30 +1,35 @@
-// node presets.mjs PROGRAM: writes each shipped light and material to a file of its own, f32 in
+// node presets.mjs: writes each shipped light and material to a file of its own, f32 in
 // little-endian, all red, all green, all blue, and the gloss of a material; the sources of each
 // light with the number that a material needs, and all names.
 
-import { execFileSync } from "node:child_process";
 import { mkdirSync, readFileSync, writeFileSync } from "node:fs";
 
-const [program] = process.argv.slice(2);
-const run = (...options) => JSON.parse(execFileSync(program, options, { maxBuffer: 1 << 28 }));
-
-/** The numbers after the name in each line of a file. */
-function lines(file, count) {
+/** The fields of each row of a file of `tables/inputs`. */
+function rows(file) {
   const text = readFileSync(new URL(`../../tables/inputs/${file}`, import.meta.url), "utf8");
-  const all = text.trim().split("\n").slice(2).map((line) => line.split(","));
-  return (name) => all.filter((fields) => fields[0] === name).flatMap((fields) => fields.slice(1, 1 + count).map(Number));
+  return text.trim().split("\n").filter((line) => !line.startsWith("#")).slice(1).map((line) => line.split(","));
 }
-const [sources, gloss] = [lines("sources.csv", 11), lines("gloss.csv", 10)];
+
+/** By name, the numbers of each row from the field `first` on, `count` or all. */
+function byName(file, first, count) {
+  const all = new Map();
+  for (const [name, ...fields] of rows(file)) {
+    if (!all.has(name)) all.set(name, []);
+    all.get(name).push(fields.slice(first - 1, count && first - 1 + count).map(Number));
+  }
+  return all;
+}
+const [sources, gloss] = [byName("sources.csv", 1, 11), byName("gloss.csv", 1, 10)];
 
 /** The size, degree, order and base of each measured set of a light, and its errors: mean, p95. */
-const errors = readFileSync(new URL("../../tables/inputs/sources.errors.csv", import.meta.url), "utf8")
-  .trim().split("\n").slice(2).map((line) => line.split(","));
+const errors = rows("sources.errors.csv");
 
 /** The roughness of the measured materials; errors are linear in its square between them. */
 const KNOTS = [0.1, 0.2, 0.3, 0.4, 0.5, 0.6];
-/** The most sources, and the degree and order of the presets. */
+/** The most sources, the degree and order of the presets, and their numbers of coefficients. */
 const MOST = 8;
 const SIZE = ["9", "7"];
+const COUNTS = { light: 100, material: 40 };
 
 function interpolated(values, roughness) {
   const next = KNOTS.findIndex((knot) => roughness <= knot);
@@ -66,24 +71,24 @@ function needed(name) {
 
 const names = { light: [], material: [] };
 mkdirSync("presets/sources", { recursive: true });
-for (const { kind, name } of run("list", "--json")) {
-  const found = run("export", "--lang", "json", `--${kind}`, name);
-  const { shape, values } = found[`${kind}s`];
-  const [, channels, count] = shape;
-  const ofGloss = kind === "material" ? gloss(name) : [];
-  const numbers = new Float32Array(3 * count + ofGloss.length);
-  numbers.set(ofGloss, 3 * count);
-  for (let channel = 0; channel < 3; channel++) {
-    const from = Math.min(channel, channels - 1) * count;
-    numbers.set(values.slice(from, from + count), channel * count);
-  }
+
+/** Writes the entries of a file, whose coefficients begin at the field `first`: r, g, b, or one value. */
+function write(kind, file, first) {
   mkdirSync(`presets/${kind}`, { recursive: true });
-  writeFileSync(`presets/${kind}/${name}.bin`, numbers);
-  if (kind === "light") {
-    const steps = needed(name);
-    const numbers = Float32Array.from([steps.length, ...steps.flat(), ...sources(name)]);
-    writeFileSync(`presets/sources/${name}.bin`, numbers);
+  for (const [name, coefficients] of byName(file, first)) {
+    const channel = (k) => coefficients.slice(0, COUNTS[kind]).map((values) => values[values.length === 1 ? 0 : k]);
+    const ofGloss = kind === "material" ? gloss.get(name) ?? [] : [];
+    const numbers = [channel(0), channel(1), channel(2), ofGloss].flat(2);
+    writeFileSync(`presets/${kind}/${name}.bin`, Float32Array.from(numbers));
+    if (kind === "light") {
+      const steps = needed(name);
+      const numbers = [steps.length, ...steps.flat(), ...(sources.get(name) ?? []).flat()];
+      writeFileSync(`presets/sources/${name}.bin`, Float32Array.from(numbers));
+    }
+    names[kind].push(name);
   }
-  names[kind].push(name);
 }
+write("light", "lights.csv", 3);
+write("material", "merl.csv", 4);
+write("material", "materials.csv", 4);
 writeFileSync("presets/names.json", JSON.stringify(names));

@@ -13,7 +13,7 @@ use eigenshade_model::database::Named;
 use eigenshade_model::inputs::coefficient_csv::{read_lights, read_materials};
 use eigenshade_model::reference::DirectSum;
 use eigenshade_table::decode;
-use eigenshade_testing::any_float::OwnedBasis;
+use eigenshade_shading::owned_basis::OwnedBasis;
 use images::{Image, coefficients, rule, single, vectors};
 use proptest::prelude::*;
 
@@ -260,7 +260,7 @@ fn of_all_components_bounds_are_of_the_direct_sum() {
     let inputs = read_lights("tables/inputs/lights.csv", None).expect("the shipped lights");
     let measured = read_materials("tables/inputs/materials.csv", Some(7)).expect("materials");
     let table = build(&scene, &inputs, &measured).expect("a table");
-    let owned = OwnedBasis::<f64>::new(&table);
+    let owned = OwnedBasis::new(&table);
     let basis = owned.basis();
     let (degree, order) = (basis.degree(), basis.order());
     let reference = DirectSum::new(degree, order);

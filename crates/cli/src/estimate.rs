@@ -5,7 +5,6 @@
 
 use crate::presets::{Source, largest_within};
 use eigenshade_index::highlights::MATTE;
-use eigenshade_model::budget::Budget;
 use eigenshade_model::error::Result;
 use eigenshade_model::screen::ScreenError;
 use eigenshade_model::source::{Base, Gloss, NamedGloss, SetError};
@@ -40,8 +39,8 @@ pub struct Estimate {
 impl Estimates {
     /// The errors under a light, or under all shipped lights with maps if its own are not known.
     /// Fails if the errors beside a light CSV cannot be read.
-    pub fn under(light: &Source, name: &str, budget: Budget) -> Result<Self> {
-        let errors = light.set_errors(name, budget)?;
+    pub fn under(light: &Source, name: &str) -> Result<Self> {
+        let errors = light.set_errors(name)?;
         if errors.is_empty() {
             return Ok(Self { light: None, errors: shipped::set_errors()? });
         }

@@ -3,7 +3,7 @@
 mod commands;
 
 use clap::{CommandFactory, FromArgMatches, Parser};
-use commands::{Command, Memory};
+use commands::Command;
 use eigenshade_cli::messages::{be_quiet, report_error};
 use std::process::ExitCode;
 
@@ -17,12 +17,10 @@ use std::process::ExitCode;
 #[cfg_attr(
     not(feature = "generate"),
     command(
-        after_help = "This build lacks the feature `generate`, and therefore light, material, basis, pack-normals, read and npz."
+        after_help = "This build lacks the feature `generate`, and therefore light, material, basis, pack-normals and read."
     )
 )]
 struct Program {
-    #[command(flatten)]
-    memory: Memory,
     /// Show errors, but no warnings, notes, reports and progress
     #[arg(short, long, global = true, display_order = 900)]
     quiet: bool,
@@ -45,12 +43,12 @@ fn main() -> ExitCode {
     eigenshade_cli::output::clean_up_on_signals();
     let matches = with_negative_numbers(Program::command()).get_matches();
     let program = Program::from_arg_matches(&matches);
-    let Program { memory, quiet, command } =
+    let Program { quiet, command } =
         program.unwrap_or_else(|error| error.format(&mut Program::command()).exit());
     if quiet {
         be_quiet();
     }
-    match command.run(memory, Program::command()) {
+    match command.run(Program::command()) {
         Ok(()) => ExitCode::SUCCESS,
         Err(error) => {
             report_error(error);

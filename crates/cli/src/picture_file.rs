@@ -52,16 +52,6 @@ impl PictureFile {
         }
     }
 
-    /// The memory in bytes that [`write`](Self::write) takes for each pixel of a picture, at most.
-    #[must_use]
-    pub fn bytes_per_pixel(self) -> u64 {
-        match self {
-            Self::Png => 4,
-            // The numbers, and the file.
-            Self::Exr => 2 * 16,
-        }
-    }
-
     /// Writes a picture of `size` pixels across and down. Metering draws it once more. Fails as
     /// `draw` does, or if the file, its folder or the disk fails, or if the picture is too large.
     pub fn write(

@@ -1,6 +1,5 @@
 //! Lights and materials as options name them: shipped ones, all of a file, or one of a file.
 
-use eigenshade_model::budget::Budget;
 use eigenshade_model::database::{Lights, Materials, Named, name_remedy};
 use eigenshade_model::error::{Error, Result, STANDARD_INPUT};
 use eigenshade_model::inputs::coefficient_csv::{read_lights, read_materials};
@@ -98,8 +97,8 @@ impl Source {
 
     /// The lights. Fails as [`read_lights`] does, and if no light has the name; the message offers
     /// similar names.
-    pub fn lights(&self, budget: Budget) -> Result<Lights> {
-        let file = InputFile::new(&self.path, budget);
+    pub fn lights(&self) -> Result<Lights> {
+        let file = InputFile::new(&self.path);
         let extension = file.extension();
         if is_file(&self.path) && MAPS.contains(&extension.as_str()) {
             let is_picture = ["png", "jpg", "jpeg"].contains(&extension.as_str());
@@ -118,7 +117,7 @@ impl Source {
     /// The largest set of at most this many small sources of one light. Fails if the sources of a
     /// light CSV, which are in a file beside it, cannot be read; or if there are none for the
     /// light, or one that the runtime refuses in f32.
-    pub fn sources(&self, light: &str, most: usize, budget: Budget) -> Result<Vec<SmallSource>> {
+    pub fn sources(&self, light: &str, most: usize) -> Result<Vec<SmallSource>> {
         if self.entry == Entry::Shipped {
             let sets = shipped::sources()?.into_iter().find(|sets| sets.name == light);
             let sets = sets.ok_or_else(|| {
@@ -136,7 +135,7 @@ impl Source {
             let what = "there are no sources beside the light CSV";
             return Err(Error::new(what, FIND_SOURCES).in_file(file));
         }
-        let lights = read_sources(InputFile::new(&file, budget))?;
+        let lights = read_sources(InputFile::new(&file))?;
         let sets = lights.into_iter().find(|sets| sets.name == light).ok_or_else(|| {
             let what = format!("it has no sources of the light `{light}`");
             Error::new(what, FIND_SOURCES).in_file(&file)
@@ -153,12 +152,12 @@ impl Source {
 
     /// The errors that the sets of small sources of one light leave, if they are known. Fails if
     /// the errors of a light CSV, which are in a file beside it, cannot be read.
-    pub fn set_errors(&self, light: &str, budget: Budget) -> Result<Vec<SetError>> {
+    pub fn set_errors(&self, light: &str) -> Result<Vec<SetError>> {
         let errors = match self.entry {
             Entry::Shipped => shipped::set_errors()?,
             _ => {
                 let Some(file) = existing(&self.path, SET_ERRORS) else { return Ok(Vec::new()) };
-                read_set_errors(InputFile::new(file, budget))?
+                read_set_errors(InputFile::new(file))?
             }
         };
         Ok(errors.into_iter().filter(|one| one.light == light).collect())
@@ -166,20 +165,20 @@ impl Source {
 
     /// The gloss of one material, if it is known. Fails if the gloss of a material CSV, which is in
     /// a file beside it, cannot be read.
-    pub fn gloss(&self, material: &str, budget: Budget) -> Result<Option<NamedGloss>> {
+    pub fn gloss(&self, material: &str) -> Result<Option<NamedGloss>> {
         let glosses = match self.entry {
             Entry::Shipped => shipped::glosses()?,
             _ => {
                 let Some(file) = existing(&self.path, GLOSS) else { return Ok(None) };
-                read_glosses(InputFile::new(file, budget))?
+                read_glosses(InputFile::new(file))?
             }
         };
         Ok(glosses.into_iter().find(|one| one.name == material))
     }
 
     /// The gloss of one material. Fails as [`gloss`](Self::gloss) does, and if it is not known.
-    pub fn known_gloss(&self, material: &str, budget: Budget) -> Result<NamedGloss> {
-        self.gloss(material, budget)?.ok_or_else(|| {
+    pub fn known_gloss(&self, material: &str) -> Result<NamedGloss> {
+        self.gloss(material)?.ok_or_else(|| {
             let remedy = "leave --sources out, name a shipped material in color, or make the CSV with \
                           `eigenshade material .. --out FILE.csv`, which writes FILE.gloss.csv";
             let error = Error::new(format!("the gloss of `{material}` is not known"), remedy);
@@ -190,8 +189,8 @@ impl Source {
 
     /// The materials, shipped ones for a table of this order. Fails as [`lights`](Self::lights)
     /// does.
-    pub fn materials(&self, order: usize, budget: Budget) -> Result<Materials> {
-        let file = InputFile::new(&self.path, budget);
+    pub fn materials(&self, order: usize) -> Result<Materials> {
+        let file = InputFile::new(&self.path);
         if is_file(&self.path) && file.extension() == "toml" {
             let what = "it holds formulas, not coefficients";
             let remedy = "run `eigenshade material` on it, and use the material CSV that it writes";

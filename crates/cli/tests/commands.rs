@@ -4,7 +4,7 @@ use crate::PROGRAM;
 use crate::support::files::{decoded, eigenvalues, gray_png, map};
 use crate::support::{
     BASIS, DEGREE, Folder, ORDER, PAIR, PROJECTED, SHADE, SHADED, assert_contains, assert_fails,
-    assert_usage_errors, materials, numbers, repository_text, rows,
+    materials, numbers, repository_text, rows,
 };
 use crate::tolerances;
 use eigenshade_model::polar_integral;
@@ -218,32 +218,6 @@ fn demo_shows_shipped_data() {
     assert_eq!(folder.ok("demo --out new/demo --size 16"), "");
     let files = || std::fs::read_dir(folder.path("new/demo")).unwrap().count();
     assert_eq!((files(), folder.path("new/demo/demo.png").is_file()), (1, true));
-}
-
-#[test]
-fn usage_errors_exit_with_2() {
-    let folder = Folder::new();
-    let errors = [
-        "",
-        "no-such-command",
-        "basis --scene scene.toml",
-        "basis --scene scene.toml --out a --check b",
-        "light --degree 3",
-        "light lights.csv --degree -1",
-        "shade --table b.bin --light a --material b --normals c --method magic",
-        "shade --table b.bin --light a --material b --normals c --rotate 1,2",
-        "evaluate no-such-function points.csv",
-        "demo",
-        "render --table b.bin --light a --material b --out c.png --size 1",
-        "render --table b.bin --light a --material b --out c.png --exposure 0",
-        "render --table b.bin --light a --material b --out c.png --exposure inf",
-        "render --table b.bin --light a --material b --out c.png --tone agfa",
-        "render --table b.bin --light a --material b --out c.png --rotate 1,2",
-        "material lambertian --albedo 0.5 --window 0",
-    ];
-    assert_usage_errors(&folder, &errors);
-    folder.ok("--help");
-    folder.ok("light --help");
 }
 
 /// It is not an error if the reader closes the pipe early.

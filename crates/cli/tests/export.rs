@@ -1,45 +1,19 @@
-//! `export --lang json` and `--lang npz` hold the numbers of a table and of other commands, bit for
-//! bit; and what `export` refuses.
+//! `export --lang npz` holds the numbers of a table and of other commands, bit for bit; and what
+//! `export` refuses.
 
 use crate::support::files::built;
-use crate::support::{Folder, PAIR, assert_fails, assert_usage_errors, repository_text, scene};
+use crate::support::{Folder, PAIR, scene};
 use eigenshade_index::mode;
 use eigenshade_model::database::Named;
 use eigenshade_model::inputs::coefficient_csv::{read_lights, read_materials};
 use eigenshade_model::special::spherical_harmonic;
-use serde_json::Value;
 use std::collections::HashMap;
 use std::io::{Cursor, Read};
 
 /// An array of a file: shape, and values as bits; those of a text are its letters.
 type Numbers = (Vec<usize>, Vec<u64>);
 
-/// The arrays of a JSON file.
-fn json(folder: &Folder, name: &str) -> HashMap<String, Numbers> {
-    let Value::Object(arrays) = serde_json::from_str(&folder.read(name)).expect("JSON") else {
-        panic!("{name} holds no object")
-    };
-    let of = |array: &Value| {
-        let list = |key: &str| array[key].as_array().expect("a list").clone();
-        let length = |length: &Value| length.as_u64().expect("a length") as usize;
-        let shape: Vec<usize> = list("shape").iter().map(length).collect();
-        assert_eq!(list("axes").len(), shape.len(), "{array}");
-        assert!(array["unit"].is_string() && array["meaning"].is_string());
-        let values = list("values").into_iter().flat_map(|value| match value {
-            Value::Null => vec![f64::NAN.to_bits()],
-            Value::Number(number) if number.is_f64() => {
-                vec![number.as_f64().expect("a number").to_bits()]
-            }
-            Value::Number(number) => vec![number.as_i64().expect("a number") as u64],
-            Value::String(text) => text.chars().map(u64::from).collect(),
-            other => panic!("{other}"),
-        });
-        (shape, values.collect())
-    };
-    arrays.iter().map(|(name, array)| (name.clone(), of(array))).collect()
-}
-
-/// The arrays of an npz file, by a reader of its own.
+/// The arrays of an npz file.
 fn arrays(folder: &Folder, name: &str) -> HashMap<String, Numbers> {
     let mut archive = zip::ZipArchive::new(Cursor::new(folder.bytes(name))).expect("an archive");
     let mut found = HashMap::new();
@@ -82,13 +56,10 @@ fn floats(array: &Numbers) -> Vec<f64> {
     array.1.iter().map(|&bits| f64::from_bits(bits)).collect()
 }
 
-/// Whether both formats hold the same arrays, which are returned.
-fn both(folder: &Folder, options: &str) -> HashMap<String, Numbers> {
+/// The arrays that these options export.
+fn exported(folder: &Folder, options: &str) -> HashMap<String, Numbers> {
     folder.ok(&format!("export --lang npz {options} --out e.npz"));
-    folder.ok(&format!("export --lang json {options} --out e.json"));
-    let found = arrays(folder, "e.npz");
-    assert_eq!(found, json(folder, "e.json"));
-    found
+    arrays(folder, "e.npz")
 }
 
 /// The arrays of a table are the table's numbers, bit for bit, and obey the equations that they
@@ -97,7 +68,7 @@ fn both(folder: &Folder, options: &str) -> HashMap<String, Numbers> {
 fn arrays_are_those_of_the_table() {
     for criterion in ["image-centered", "standard"] {
         let folder = built(&scene(criterion, 20, "[]"), &[]);
-        let found = both(&folder, "--table b.bin --normals normals.csv");
+        let found = exported(&folder, "--table b.bin --normals normals.csv");
         let table = folder.table("b.bin");
         let gram = &table.gram;
         let [nodes, count] = [gram.nodes.len(), table.components.len()];
@@ -170,7 +141,7 @@ fn arrays_are_those_of_the_table() {
 #[test]
 fn arrays_of_a_scene_are_those_of_other_commands() {
     let folder = Folder::with_table();
-    let found = both(&folder, &format!("{PAIR} --table b.bin --normals normals.csv"));
+    let found = exported(&folder, &format!("{PAIR} --table b.bin --normals normals.csv"));
     let numbers_of = |entries: &[Named]| -> Vec<u64> {
         entries.iter().flat_map(|entry| bits(entry.rgb.iter().flatten())).collect()
     };
@@ -203,7 +174,7 @@ fn arrays_of_a_scene_are_those_of_other_commands() {
 fn normals_of_a_picture_have_pixels() {
     let folder = Folder::new();
     let options = "--light lobby --material gold-metallic-paint --normals sphere --size 8";
-    let found = both(&folder, options);
+    let found = exported(&folder, options);
     assert_eq!(found["lights"].0, [1, 3, 100]);
     assert_eq!(found["materials"].0, [1, 3, 40]);
     assert_eq!(found["coefficients"].0, [1, 1, 3, 160]);
@@ -229,7 +200,7 @@ fn objects_have_their_own_arrays() {
     let normals = "x,y,z\n0,0,1\n0.1,0.2,1\n1,0,1\n1,1,1\n0.5,-0.7,1\n-0.2,0.4,1\n";
     let text = scene("image-centered", 5, "[]").replace("\"sphere\"", "\"object.csv\"");
     let folder = built(&text, &[("object.csv", normals.into())]);
-    let found = both(&folder, "--table b.bin --normals object.csv");
+    let found = exported(&folder, "--table b.bin --normals object.csv");
     let table = folder.table("b.bin");
     let general = table.general.as_ref().expect("an object");
     let span = table.components.len();
@@ -248,70 +219,6 @@ fn objects_have_their_own_arrays() {
             let product: f64 = a.iter().zip(b).map(|(a, b)| a * b).sum::<f64>() / normals as f64;
             let expected = f64::from(u8::from(i == j));
             assert!((product - expected).abs() < 1e-6, "{i}, {j}: {product}");
-        }
-    }
-}
-
-#[test]
-fn bad_requests_have_one_error() {
-    let folder = Folder::with_table();
-    folder.write("same.csv", "name,l,m,value\na-b,0,0,1\na b,0,0,2\n");
-    folder.write("none.csv", "name,l,m,value\n面,0,0,1\n");
-    folder.write("large.csv", "name,l,m,value\na,0,0,1e39\n");
-    for (arguments, fragments) in [
-        ("--lang c --table b.bin", ["b.bin", "the C library itself is built for one"]),
-        ("--lang js --table b.bin", ["b.bin", "the WebAssembly module itself is built for one"]),
-        ("--lang js --light lobby --format q15", ["takes floats", "leave --format out"]),
-        ("--lang npz --light lobby --format f32", ["in f64", "leave --format out"]),
-        ("--lang npz --light lobby --normals sphere", ["--normals", "leave it out"]),
-        ("--lang rust --table b.bin --normals sphere", ["--normals", "leave it out"]),
-        ("--lang npz --table b.bin --normals no.csv", ["no.csv", "check the path"]),
-        (
-            "--lang npz --table b.bin --normals normals.csv --size 9",
-            ["normals.csv", "leave --size out"],
-        ),
-        ("--lang npz --table lights.csv", ["lights.csv", "not an eigenshade table"]),
-        ("--lang rust --light same.csv", ["`a-b` and `a b` give one identifier", "FILE:NAME"]),
-        ("--lang c --light none.csv", ["light `面`", "give it a name"]),
-        ("--lang js --light large.csv", ["light `a`", "beyond f32"]),
-        ("--lang js --light lights.csv:moon", ["lights.csv", "no light `moon`"]),
-        ("--lang js --material lobby", ["`lobby` is a light, not a material", "eigenshade list"]),
-        ("--lang json --table b.bin --memory 100KiB", ["b.bin", "--memory"]),
-        ("--lang json --table b.bin --out b.bin", ["b.bin", "replace the input"]),
-    ] {
-        assert_fails(&folder, &format!("export {arguments}"), &fragments);
-    }
-    let stored = built(&(scene("image-centered", 10, "[]") + "store = \"materials\"\n"), &[]);
-    for lang in ["rust", "json", "npz"] {
-        let arguments = format!("export --lang {lang} --table b.bin");
-        assert_fails(&stored, &arguments, &["b.bin", "transfers"]);
-    }
-    // JavaScript quotes names.
-    for file in ["same.csv", "none.csv"] {
-        folder.ok(&format!("export --lang js --light {file}"));
-    }
-    let incomplete = ["export", "export --table b.bin", "export --lang npz --light lobby --size 9"];
-    assert_usage_errors(&folder, &incomplete);
-}
-
-/// The page lists the arrays of a table and of a scene, each with its shape.
-#[test]
-fn the_page_lists_all_arrays() {
-    let page = repository_text("docs/commands.md");
-    let folder = built(&scene("standard", 5, "[]"), &[]);
-    for inputs in ["--table b.bin", PAIR] {
-        let text = folder.ok(&format!("export --lang json {inputs} --normals sphere"));
-        let arrays: Value = serde_json::from_str(&text).expect("JSON");
-        for (name, array) in arrays.as_object().expect("an object") {
-            let axes = array["axes"].as_array().expect("a list").iter().filter_map(Value::as_str);
-            let axes = axes.collect::<Vec<_>>().join(", ");
-            let name = format!("`{name}`");
-            let of_name =
-                |line: &&str| line.split('|').nth(1).is_some_and(|cell| cell.contains(&name));
-            let row = page.lines().skip_while(|line| *line != "## Export").find(of_name);
-            let row = row.unwrap_or_else(|| panic!("no row for {name}"));
-            let shown = row.split('|').nth(2).map(str::trim);
-            assert_eq!(shown, Some(axes.as_str()), "{name}: {row}");
         }
     }
 }

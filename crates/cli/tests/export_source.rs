@@ -2,8 +2,7 @@
 
 use crate::compiled::output_of;
 use crate::support::{
-    BASIS, Folder, PAIR, SOURCES, assert_contains, assert_fails, repository, repository_text,
-    stderr,
+    BASIS, Folder, PAIR, SOURCES, assert_contains, repository, repository_text, stderr,
 };
 use eigenshade_model::inputs::coefficient_csv::{read_lights, read_materials};
 use eigenshade_shading::shipped;
@@ -340,39 +339,3 @@ fn sources_fit_a_material_in_integers() {
 }
 
 const LAMP: &str = "0,0,1,1,1,1,0.1,0,0,0.1";
-
-#[test]
-fn wrong_sources_are_refused() {
-    let folder = Folder::new();
-    let fails = |options: &str, parts: &[&str]| {
-        assert_fails(&folder, &format!("export {options}"), parts);
-    };
-    fails("--lang json -l studio --sources 4", &["json and npz have no sources"]);
-    fails("--lang c --sources 4", &["--light or --material"]);
-    fails("--lang c -l studio --sources 24", &["up to 16 sources, not 24"]);
-    fails("--lang c -l blender-city --sources 4", &["blender-city", "has no map"]);
-    fails("--lang c -m materials.csv --sources 4", &["materials.gloss.csv", "material-0"]);
-    let own = "--lang js -l lights.csv:light-0 --sources 4";
-    fails(own, &["lights.sources.csv", "there are no sources"]);
-    for wrong in
-        ["0,0,2,1,1,1,0.1,0,0,0.1", "0,0,1,1e39,1,1,0.1,0,0,0.1", "0,0,1,1,-3,1,0.1,0,0,0.1"]
-    {
-        folder
-            .write("lights.sources.csv", format!("{SOURCES}light-0,4,{LAMP}\nlight-0,4,{wrong}\n"));
-        fails(own, &["lights.sources.csv", "source 2 of `light-0` is not one"]);
-    }
-    // What was found is not overwritten.
-    folder.write("lights.sources.csv", format!("{SOURCES}light-0,4,{LAMP}\n"));
-    fails(&format!("{own} --out lights.sources.csv"), &["lights.sources.csv"]);
-    let project = "project -l lights.csv:light-0 -m nylon --out lights.sources.csv";
-    assert_fails(&folder, project, &["lights.sources.csv"]);
-}
-
-#[test]
-fn notes_say_where_sources_do_not_show() {
-    let folder = Folder::new();
-    let said = |m: &str| folder.messages(&format!("export --lang c -m {m} --sources 4 --out a.h"));
-    assert_contains(&said("pink-felt"), &["as matte as a roughness"]);
-    assert_contains(&said("two-layer-gold"), &["not quite a GGX lobe"]);
-    assert_eq!(said("gold-metallic-paint"), "");
-}

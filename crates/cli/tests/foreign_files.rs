@@ -164,7 +164,7 @@ fn normal_maps_of_other_conventions() {
     for command in [
         "pack-normals dx.png --out n.bin",
         "render -l lobby -m chrome -n dx.png -s 32 -o r.png",
-        "export -t sphere -l lobby -m chrome -n dx.png -s 32 --lang json",
+        "export -t sphere -l lobby -m chrome -n dx.png -s 32 --lang npz -o e.npz",
     ] {
         let messages = folder.messages(command);
         let expected = "warning: dx.png: it fits a surface only if green points down, as in \

@@ -72,32 +72,6 @@ fn folders_do_not_hide_names() {
     assert_fails(&folder, "info -t none", &["neither a file", "`color`, `sphere`, `curet`"]);
 }
 
-/// Inputs of another kind, and names that are almost right.
-#[test]
-fn likely_mistakes() {
-    let folder = Folder::with_table();
-    folder.ok("pack -t b.bin -o w.esw");
-    folder.write("map.exr", "");
-    folder.write("map.png", "");
-    for (arguments, fragments) in [
-        ("info -t WRONG", ["`WRONG`", "`color`, `sphere`, `curet`"]),
-        ("eigenvalues -t w.esw", ["w.esw: it is a wire file", "packed"]),
-        ("project -l map.exr -m chrome", ["map.exr: it is an environment map", "eigenshade light"]),
-        ("project -l map.png -m chrome", ["map.png: it is a picture", "eigenshade light"]),
-        ("project -l LOBBY -m chrome", ["`LOBBY`", "use `lobby`"]),
-        ("project -l chrome -m lobby", ["`chrome` is a material, not a light", "eigenshade light"]),
-        ("project -l lobby -m park", ["`park` is a light, not a material", "eigenshade material"]),
-        ("pack -t color -f q15 -o w.esw", ["color: component 149 ", "keep 149"]),
-        ("project -l park -m dielectric-0.2", ["`dielectric-0.2` is neither", "shipped material"]),
-        ("project -l park -m chrome -o -", ["`-`", "without --out"]),
-        ("render -l park -m chrome -o picture", ["picture: its name has no extension", ".png"]),
-        ("info -t b.bin --memory 1B", ["the budget is 1 byte;", "--memory"]),
-        (&format!("{SHADE} --method modes --components 3"), ["modes", "--components"]),
-    ] {
-        assert_fails(&folder, arguments, &fragments);
-    }
-}
-
 /// `--light` and `--material` mean the same in each command.
 #[test]
 fn one_entry_of_a_file() {
@@ -138,8 +112,6 @@ fn standard_input_in_place_of_a_file() {
         &format!("{project} --light lights.csv:light-1"),
         "lights.csv",
     );
-    let export = "export --lang json -t b.bin --normals";
-    outputs_agree(&format!("{export} -"), &format!("{export} normals.csv"), "normals.csv");
     outputs_agree("light - --degree 2", "light lights.csv --degree 2", "lights.csv");
     let basis = fed(&folder, "basis --scene - --check b.bin", &folder.bytes("scene.toml"));
     assert_eq!(basis.status.code(), Some(0));
@@ -191,19 +163,6 @@ fn answers_as_json() {
     assert_eq!(list.as_array().unwrap().len(), names);
     let demo = parsed("demo -o d -s 16");
     assert_eq!(demo, serde_json::json!({ "files": ["d/demo.png"] }));
-}
-
-/// With `--quiet`, errors are all that is shown.
-#[test]
-fn quiet_commands() {
-    let folder = Folder::with_table();
-    let sharp = "render -l park -m chrome -s 16 -o a.png";
-    assert!(folder.messages(sharp).contains("sharper"));
-    for arguments in [sharp, "pack -t b.bin -o w.esw", "basis --scene scene.toml -o c.bin"] {
-        let output = folder.run(&format!("{arguments} --quiet"));
-        assert_eq!((output.stdout, output.stderr), (vec![], vec![]), "{arguments}");
-    }
-    assert_fails(&folder, "-q info -t none.bin", &["none.bin"]);
 }
 
 /// Each command has a page, and each shell completions that know the commands.

@@ -1,6 +1,6 @@
 //! Small sources: finding them in a map, reading them from files, and pictures with them.
 
-use crate::support::{Folder, assert_contains, assert_fails, shipped_path};
+use crate::support::{Folder, assert_contains, assert_fails};
 use eigenshade_cli::reading::pixels::LinearImage;
 use eigenshade_generator::material::brdf::{Brdf, Geometry, Ggx};
 use eigenshade_model::inputs::gloss_csv::read_glosses;
@@ -164,40 +164,6 @@ fn smooth_materials_are_beyond_the_method() {
     assert_ne!(said("venice", "glossy", "--sources 0"), "");
     assert_eq!(said("venice", "glossy", ""), "");
     assert_eq!(said("studio", "matte", ""), "");
-}
-
-#[test]
-fn pictures_say_what_they_lack() {
-    let folder = Folder::new();
-    let said = |arguments: &str| folder.messages(&format!("render {arguments} -s 16 -o a.png"));
-    let gold = said("-l studio -m gold-metallic-paint");
-    assert_eq!(gold.lines().count(), 1, "{gold}");
-    assert_contains(&gold, &["drawn with table sphere (46 components), "]);
-    // No lobe of its own, whose roughness would mean something.
-    folder.ok("material oren-nayar --sigma 0.5 --albedo 0.2,0.4,0.8 --out rough.csv");
-    assert_contains(&said("-l studio -m rough.csv"), &[", no sources, no window"]);
-    for (drawn, note) in [
-        ("-l studio -m pink-felt --sources 4", "as matte as a roughness"),
-        ("-l studio -m two-layer-gold --sources 4", "not quite a GGX lobe"),
-        ("-l studio -m rough.csv --sources 4", "as matte as a roughness of 1.00"),
-        ("-l studio -m chrome --sources 3", "2 sources, the largest set of at most 3"),
-        ("-l city -m chrome --sources 1", "no sources, the largest set of at most 1"),
-    ] {
-        assert_contains(&said(drawn), &[note]);
-    }
-    for (refused, fragments) in [
-        ("-l blender-city -m nylon", ["blender-city", "has no map"]),
-        ("-l studio -m 07-velvet", ["07-velvet", "gloss"]),
-        (
-            "-l studio -m materials.csv:material-0",
-            ["material-0", "eigenshade material .. --out FILE.csv"],
-        ),
-        ("-l lights.csv:light-0 -m nylon", ["lights.sources.csv", "light MAP --sources"]),
-    ] {
-        assert_fails(&folder, &format!("render {refused} --sources 4 -o a.png"), &fragments);
-    }
-    let csv = format!("light {} --sources 4 --out b.csv", shipped_path("inputs/lights.csv"));
-    assert_fails(&folder, &csv, &["--sources needs a map"]);
 }
 
 /// The fewest sources that are close, or within a tolerance, by the shipped errors.

@@ -3,8 +3,6 @@
 
 mod support;
 
-mod bad_images;
-mod bad_input;
 mod bad_objects;
 mod basis;
 mod commands;
@@ -17,13 +15,10 @@ mod export_source;
 mod foreign_files;
 mod habits;
 mod highlights;
-mod interpreter;
+mod limits;
 mod materials;
-mod memory;
-mod mismatches;
 mod objects;
 mod outputs;
-mod pbr_errors;
 mod pictures;
 mod read;
 mod results;
@@ -32,9 +27,11 @@ mod shade;
 mod shader;
 mod shader_sources;
 mod shapes;
+#[cfg(unix)]
+mod tables;
 mod tolerance_choice;
 
-use eigenshade_testing::{oracle, tolerances};
+use eigenshade_testing::tolerances;
 
 /// The program.
 const PROGRAM: &str = env!("CARGO_BIN_EXE_eigenshade");

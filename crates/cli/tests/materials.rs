@@ -143,19 +143,6 @@ fn hexadecimal_colors_are_in_srgb() {
     assert_fails(&folder, "material m.toml", &["m.toml:5:", "[r, g, b]"]);
 }
 
-/// A note for a sharp material names the way to its highlight. A dull one gets no note.
-#[test]
-fn a_note_says_what_to_take_for_sharp_highlights() {
-    let folder = Folder::new();
-    for (formula, is_sharp) in
-        [("ggx --roughness 0.2 --f0 0.9", true), ("lambertian --albedo 0.5", false)]
-    {
-        let said = folder.messages(&format!("material {formula} --order 7 --out a.csv"));
-        assert!(said.contains("order 7 leaves out"), "{said}");
-        assert_eq!(said.contains("by sources of the light"), is_sharp, "{said}");
-    }
-}
-
 /// The options of the coefficients are on either side of a formula's name.
 #[test]
 fn options_before_a_formula() {
@@ -166,75 +153,4 @@ fn options_before_a_formula() {
     assert_ne!(before, folder.ok(&format!("material {formula}")));
     let report = format!("material --report r.csv {formula}");
     assert_fails(&folder, &report, &["neither paths nor --report"]);
-}
-
-/// The gloss beside `q.csv` is not that of `q.txt`.
-#[test]
-fn gloss_is_beside_a_csv_only() {
-    let folder = Folder::new();
-    for (roughness, file) in [("0.9", "q.csv"), ("0.3", "q.txt")] {
-        let formula = format!("ggx --roughness {roughness} --f0 0.9 --name a");
-        folder.ok(&format!("material {formula} --out {file}"));
-    }
-    let drawn = |file: &str| format!("render -l lobby -m {file} --sources 4 -s 16 -o a.png");
-    folder.ok(&drawn("q.csv"));
-    let fragments = ["q.txt: the gloss of `a` is not known", "--out FILE.csv"];
-    assert_fails(&folder, &drawn("q.txt"), &fragments);
-}
-
-#[test]
-fn too_few_measurements_are_said() {
-    let folder = Folder::new();
-    let few: String = measured().lines().take(11).map(|line| format!("{line}\n")).collect();
-    folder.write("few.csv", few);
-    let error = "few: 10 measurements do not determine 40 coefficients";
-    assert_fails(&folder, "material few.csv --out new.csv", &[error]);
-    // Ten in one direction of the light are in range by chance.
-    let said = folder.messages("material few.csv --order 2 --out new.csv");
-    assert!(said.contains("10 measurements of `few` do not determine 5 coefficients"), "{said}");
-}
-
-#[test]
-fn bad_formulas() {
-    let folder = Folder::new();
-    for (arguments, fragments) in [
-        ("lambertian --albedo 1.5", ["albedo = 1.5", "[0, 1]"]),
-        ("lambertian --albedo 0.5,nan,0.5", ["albedo = NaN", "[0, 1]"]),
-        ("oren-nayar --sigma 20", ["sigma = 20", "radians"]),
-        ("ggx --roughness 0 --f0 0.04", ["roughness = 0 ", "[0.03, 1]"]),
-        ("ggx --roughness 1.01 --f0 0.04", ["roughness = 1.01", "[0.03, 1]"]),
-        ("ggx --roughness inf --f0 0.04", ["roughness = inf", "[0.03, 1]"]),
-        ("ggx --roughness 0.5 --f0=-0.1", ["f0 = -0.1", "[0, 1]"]),
-    ] {
-        assert_fails(&folder, &format!("material {arguments} --order 2 --out new.csv"), &fragments);
-    }
-    let incomplete = [
-        "material ggx --f0 0.04 --order 2",
-        "material lambertian --order 1",
-        "material lambertian --albedo 1,2 --order 2",
-    ];
-    assert_usage_errors(&folder, &incomplete);
-    let good = "[[material]]\nname = \"a\"\nmodel = \"ggx\"\nroughness = 0.5\nf0 = 0.04\n";
-    for (text, fragment) in [
-        (good.replace("0.5", "0.0"), "`a`: roughness = 0 "),
-        (good.replace("0.5", "inf"), "roughness = inf"),
-        (good.replace("0.04", "nan"), "f0 = NaN"),
-        (good.replace("0.04", "1e999"), "m.toml:5:"),
-        (good[..28].to_owned(), "m.toml:3:"),
-        (good.replace("roughness", "rough"), "m.toml:4:"),
-        (good.replace("\"ggx\"", "\"phong\""), "m.toml:3:"),
-        (good.replace("f0 = 0.04\n", ""), "`f0`"),
-        (format!("{good}sigma = 0.1\n"), "`sigma`"),
-        (format!("{good}{good}"), "twice"),
-        (good.replace("\"a\"", "\"\""), "empty"),
-        (String::new(), "no material"),
-        (good.replace("0.04", "[0.04, 0.1]"), "m.toml:5:"),
-    ] {
-        folder.write("m.toml", text);
-        assert_fails(&folder, "material m.toml --order 2 --out new.csv", &["m.toml", fragment]);
-    }
-    folder.write("m.toml", b"\x89PNG\r\n\x1a\n\0\xff\xfe");
-    assert_fails(&folder, "material m.toml --order 2 --out new.csv", &["m.toml", "UTF-8"]);
-    std::fs::create_dir(folder.path("nothing")).unwrap();
-    assert_fails(&folder, "material nothing --order 2", &["nothing", "no materials"]);
 }

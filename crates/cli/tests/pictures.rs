@@ -1,7 +1,7 @@
 //! Pictures: reading them, the transfer functions of PNG files, and the normals of a sphere.
 
 use crate::support::files::{answer, decoded, get, gray_png, nearest, png};
-use crate::support::{BASIS, Folder, assert_contains, rows, shipped_path};
+use crate::support::{Folder, assert_contains, rows, shipped_path};
 use crate::tolerances;
 use eigenshade::sphere::color::Scene;
 use eigenshade::{Display, Exposure, Light, Normal, Rgb, Rotation, Tone, Window, presets, sphere};
@@ -69,31 +69,6 @@ fn names_are_entries_of_the_shipped_files() {
     assert_eq!(by_name.lines().skip(1).collect::<Vec<_>>(), of_both);
     let projected = format!("--table {table} --light park --material 07-velvet --components 3");
     assert_eq!(folder.projected(&projected).len(), 3 * 3);
-}
-
-/// A material sharper than its picture says so, of whatever degree and order; a matte one, one
-/// under even light, and one of which a file has no gloss do not.
-#[test]
-fn sharp_materials_are_named() {
-    let folder = Folder::new();
-    let drawn = |material: &str| {
-        folder.messages(&format!("render --light park --material {material} --size 32 --out a.png"))
-    };
-    let sharp = "`chrome` is sharper than degree 9, order 7 with";
-    for options in ["", "--window 12", "--components 9"] {
-        assert_contains(&drawn(&format!("chrome {options}")), &[sharp]);
-    }
-    assert!(!drawn("chrome --effects diffuse").contains("sharper"));
-    folder.ok(BASIS);
-    assert_contains(&drawn("chrome --table b.bin"), &["sharper than degree 4, order 3 with"]);
-    assert!(!drawn("ptfe-633nm").contains("sharper"));
-    folder.write("even.csv", "name,l,m,value\neven,0,0,1\neven,1,-1,0\neven,1,0,0\neven,1,1,0\n");
-    let even = "render -l even.csv -m chrome -t pbr --size 32 --out a.png";
-    for options in ["", "--sources 0"] {
-        assert!(!folder.messages(&format!("{even} {options}")).contains("sharper"));
-    }
-    let file = shipped_path("inputs/merl.csv");
-    assert!(!drawn(&format!("{file}:chrome")).contains("sharper"));
 }
 
 /// Exposure, tone curve, rotation, window, effects and components change a picture as the runtime

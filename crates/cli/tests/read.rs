@@ -4,9 +4,10 @@
 use crate::support::files::{Answer, READ, answer, get, nearest, third_material, with_image};
 use crate::support::{
     BASIS, DEGREE, Folder, ORDER, SHADED, assert_contains, assert_fails, assert_near, lights,
-    noise, numbers, rows, scene,
+    noise, numbers, rows, scene, shipped_path,
 };
 use eigenshade_testing::{fixtures, largest};
+use std::fs;
 
 /// d of an image without noise, and the image of its light, relative to the largest: polynomials
 /// accurate to 1e-12, times a condition number of a few hundreds.
@@ -278,4 +279,45 @@ fn an_exr_is_divided_by_its_opacity() {
     }
     assert_eq!(materials, ["pearl-paint"; 2]);
     assert_eq!(transparent[0], transparent[1]);
+}
+
+/// A material that reflects nothing: alone it is refused, among others it is the least likely.
+#[test]
+fn black_materials() {
+    let folder = with_image();
+    let all = folder.read("materials.csv");
+    let first = all.lines().filter_map(|line| line.strip_prefix("material-0"));
+    let zeros: String =
+        first.map(|line| format!("soot{},0\n", line.rsplit_once(',').unwrap().0)).collect();
+    let soot = format!("name,o,p,q,value\n{zeros}");
+    folder.write("soot.csv", &soot);
+    let read = "read image.csv --normals normals.csv --out new.csv";
+    for criterion in ["image-centered", "standard"] {
+        folder.write("scene.toml", scene(criterion, 10_000, "[]"));
+        folder.write("materials.csv", &soot);
+        folder.ok("basis --scene scene.toml --out night.bin");
+        assert_fails(&folder, &format!("{read} --table night.bin"), &["night.bin", "black"]);
+        folder.write("materials.csv", &all);
+        folder.ok(BASIS);
+        let with_soot = format!("{read} --table b.bin --material soot.csv");
+        assert_fails(&folder, &with_soot, &["b.bin", "black", "--material"]);
+    }
+    folder.write("both.csv", format!("{all}{zeros}"));
+    let found = answer(&folder.ok(&format!("{READ} --material both.csv")));
+    assert_eq!(nearest(&found), "material-2");
+    assert_eq!(get(&found, "material-evidence", "soot")[0][0], 4.0);
+}
+
+/// Missing databases with as many lights and materials as the shipped ones, but other ones.
+#[test]
+fn shipped_databases_replace_only_themselves() {
+    let folder = with_image();
+    fs::copy(shipped_path("inputs/materials.csv"), folder.path("materials.csv")).unwrap();
+    folder.write("lights.csv", lights(DEGREE, 26));
+    folder.ok("basis --scene scene.toml --out other.bin");
+    fs::remove_file(folder.path("lights.csv")).unwrap();
+    let read = "read image.csv --normals normals.csv --table other.bin --components 9";
+    assert_fails(&folder, &format!("{read} --out new.csv"), &["other.bin", "--light"]);
+    folder.write("lights.csv", lights(DEGREE, 26));
+    folder.ok(read);
 }

@@ -3,8 +3,8 @@
 
 use crate::support::files::{READ, with_image};
 use crate::support::{
-    BASIS, DEGREE, Folder, NEW_BASIS, ORDER, PAIR, SHADE, SHADED, assert_contains, assert_fails,
-    lights, materials, numbers, rows,
+    BASIS, DEGREE, Folder, ORDER, PAIR, SHADE, SHADED, assert_contains, assert_fails, lights,
+    materials, numbers, rows,
 };
 use crate::tolerances;
 use eigenshade_index::light;
@@ -93,45 +93,6 @@ fn a_wire_file_beyond_f32_is_refused() {
 
 const RENDER: &str = "render -t b.bin -l lights.csv:light-0 -m materials.csv:material-0 \
                       --size 16 --out p.png";
-
-#[test]
-fn materials_with_impossible_albedo() {
-    let folder = Folder::with_table();
-    let project = format!("project --table b.bin {PAIR}");
-    for command in [SHADE, RENDER, &project] {
-        assert_eq!(folder.notes(command), "", "{command}");
-    }
-    // b_00^0 / 2 is the albedo where b_20^0 and b_22^0 are zero.
-    folder.replace("scene.toml", "order = 3", "order = 0");
-    for (b, fragments) in [
-        ("3.7", ["`material-0` has albedo 1.8500", "more light than it receives"]),
-        ("-0.2", ["`material-0` has albedo -0.1000", "a negative amount"]),
-    ] {
-        let header = "name,o,p,q,value";
-        let rows = format!("{header}\nmaterial-0,0,0,0,{b}\nmaterial-1,0,0,0,1\n");
-        folder.write("materials.csv", rows);
-
-        for command in [SHADE, RENDER, &project, NEW_BASIS] {
-            let message = folder.messages(command);
-            let warned: Vec<&str> =
-                message.lines().filter(|line| line.starts_with("warning: ")).collect();
-            assert_eq!(warned.len(), 1, "{command}: {message}");
-            assert_contains(warned[0], &fragments);
-        }
-    }
-}
-
-#[test]
-fn measurements_below_zero() {
-    let folder = Folder::new();
-    let said = |lowest: f64| {
-        let rows = format!("0.1,0,0.2,0,0.1\n0.3,1,0.2,0,{lowest}\n");
-        folder.write("m.csv", format!("theta_i,phi_i,theta_r,phi_r,value\n{rows}"));
-        folder.messages("material m.csv --order 0 --out new.csv")
-    };
-    assert!(!said(-0.004).contains("warning: "));
-    assert_contains(&said(-0.03), &["warning: material `m` has measurements down to -0.0300"]);
-}
 
 /// A point light on the axis, truncated at a degree: from the camera for z = 1, from behind for -1.
 fn point(z: f64) -> String {

@@ -97,22 +97,6 @@ fn degree_and_order_stay_where_they_are_not_chosen() {
     }
 }
 
-/// A cutoff that leaves out more than the tolerance, and what cannot be trimmed.
-#[test]
-fn tolerances_that_are_not_met_and_trims_are_refused() {
-    let cut = with_tolerance("1e-3", "rank_cutoff = 0.3\n");
-    assert_fails(&cut, BASIS, &["basis.tolerance", "rank_cutoff"]);
-    for wrong in ["0.0", "1.0", "-1e-3", "nan"] {
-        assert_fails(&with_tolerance(wrong, ""), BASIS, &["basis.tolerance"]);
-    }
-    let trimmed = with_tolerance("1e-2", "trim = 0.1\n");
-    assert_fails(&trimmed, BASIS, &["tolerance and trim"]);
-    let vertical = Folder::new();
-    vertical.replace("scene.toml", "\"any\"", "\"vertical\"");
-    vertical.write("scene.toml", vertical.read("scene.toml") + "trim = 1e-2\n");
-    assert_fails(&vertical, BASIS, &["basis.trim", "leave it out"]);
-}
-
 /// Tables of transfers, and of sets of effects, some with unfactored ambient light.
 #[test]
 fn tolerances_work_with_stores_and_effects() {

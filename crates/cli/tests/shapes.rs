@@ -1,8 +1,8 @@
 //! Objects other than a sphere: packed normals, pictures of them, and matcaps.
 
 use crate::pictures::{assert_same_codes, drawn};
-use crate::support::files::{decoded, gray_png, normal_map, obj, ply, png, stl};
-use crate::support::{Folder, assert_fails, assert_usage_errors};
+use crate::support::Folder;
+use crate::support::files::{decoded, normal_map, obj, ply, stl};
 use eigenshade::{
     Display, Exposure, Matcap, Normal, NormalMap, NormalPixel, Tone, presets, sphere,
 };
@@ -10,7 +10,7 @@ use eigenshade_cli::object::ObjectView;
 use eigenshade_generator::light::environment::EnvironmentMap;
 use eigenshade_testing::vectors::{Vector, unit};
 use eigenshade_testing::{fixtures, largest};
-use png::{BitDepth, ColorType};
+use png::BitDepth;
 use std::f64::consts::PI;
 
 /// A normal after packing, in degrees.
@@ -257,60 +257,4 @@ fn matcaps_hold_the_scene() {
     let (.., bytes) = decoded(&folder.path("metered.png"));
     let white = bytes.chunks(3).filter(|pixel| pixel.contains(&255)).count();
     assert!(white > 0 && white < 400, "{white}");
-}
-
-#[test]
-fn bad_objects_and_outputs() {
-    let folder = Folder::new();
-    folder.write("map.png", normal_map(BitDepth::Eight));
-    folder.write("away.obj", "v 0 0 0\nv 0 1 0\nv 1 0 0\nf 1 2 3\n");
-    folder.write("empty.obj", "v 0 0 0\n");
-    folder.write("gray.png", gray_png(2, 2, &[128; 4]));
-    let behind = [128, 128, 255, 128, 128, 0];
-    folder.write("behind.png", png([2, 1], BitDepth::Eight, ColorType::Rgb, &behind));
-    folder.write("notes.txt", "none");
-    for (input, options, fragments) in [
-        ("none.obj", "", &["none.obj"][..]),
-        ("none.png", "", &["none.png"]),
-        ("notes.txt", "", &["notes.txt", ".stl"]),
-        ("away.obj", "", &["away.obj", "faces away"]),
-        ("empty.obj", "", &["empty.obj", "no triangle"]),
-        ("gray.png", "", &["gray.png", "no pixel"]),
-        ("behind.png", "", &["behind.png", "pixel 1, 0", "points away"]),
-        ("map.png", "--size 65", &["map.png", "64 x 64", "at most 64"]),
-    ] {
-        assert_fails(&folder, &format!("pack-normals {input} {options} --out new.bin"), fragments);
-        let render = format!("render {CHOICE} --normals {input} {options} --out new.png");
-        assert_fails(&folder, &render, fragments);
-    }
-    folder.write("e.obj", obj());
-    let render = format!("render {CHOICE} --size 8");
-    for (arguments, fragments) in [
-        ("pack-normals map.png --out new.txt", &["new.txt", ".bin"][..]),
-        ("pack-normals map.png --out new", &["new", ".rs"]),
-        ("pack-normals map.png --out none/new.rs", &["none"]),
-        (&format!("{render} --out new.jpg"), &["new.jpg", ".png", ".exr"]),
-        (&format!("{render} --tone filmic --out new.exr"), &["new.exr", "--tone"]),
-        (
-            &format!("render {CHOICE} --normals map.png --out map.png"),
-            &["map.png", "replace the input"],
-        ),
-        // A mesh that takes more memory than allowed.
-        ("pack-normals e.obj --size 4096 --memory 100MiB --out new.bin", &["e.obj", "memory"]),
-    ] {
-        assert_fails(&folder, arguments, fragments);
-    }
-    assert_usage_errors(
-        &folder,
-        &[
-            "pack-normals sphere --out new.bin --size 0",
-            "pack-normals sphere --out new.bin --size 1",
-            "pack-normals sphere",
-            &format!("{render} --size 0 --out new.png"),
-            &format!("render {CHOICE} --size 0 --matcap --out new.png"),
-            &format!("{render} --exposure 0 --matcap --out new.exr"),
-            &format!("{render} --matcap=unity --out new.png"),
-            &format!("{render} --matcap --normals map.png --out new.png"),
-        ],
-    );
 }

@@ -7,14 +7,11 @@ use eigenshade_model::inputs::input_file::InputFile;
 use png::{BitDepth, ColorType, Decoder, DecodingError, Info, Limits, Transformations};
 use std::io::Cursor;
 
+/// The most pixels that are read: 8192 x 4096.
+const MOST_PIXELS: u64 = 1 << 25;
+
 /// Four channels of 16 bits.
 const MOST_BYTES_PER_PIXEL: u64 = 8;
-
-/// Bytes for each pixel in [`PngSamples`].
-pub const BYTES_PER_PIXEL: u64 = 8;
-
-/// Number of rows that the decoder holds.
-const ROWS: u64 = 4;
 
 /// Bytes for small buffers.
 const BESIDE: u64 = 1 << 16;
@@ -63,13 +60,10 @@ impl PngSamples {
 
 /// Reads a PNG of any color type, 1 to 16 bits. For an animation it reads the first frame.
 ///
-/// Memory: the file, [`BYTES_PER_PIXEL`] for each pixel and, while decoding, the file's samples at
-/// 1 to 8 bytes for each pixel.
-///
 /// # Errors
 ///
-/// If the file cannot be read, is not a PNG, is broken or cut short, or claims more pixels than its
-/// bytes can hold or its budget has room for.
+/// If the file cannot be read, is not a PNG, is broken or cut short, claims more pixels than its
+/// bytes can hold, or has more than 2²⁵.
 pub fn read(file: impl Into<InputFile>) -> Result<PngSamples> {
     let file = file.into();
     let bytes = file.bytes()?;
@@ -95,16 +89,7 @@ fn decode(bytes: &[u8], file: &InputFile) -> Result<PngSamples> {
             "export the picture again",
         ));
     }
-    // The file, the rows being unpacked, the whole expanded picture, and the samples.
-    let admit = |expanded: u64| {
-        let rows = ROWS * MOST_BYTES_PER_PIXEL * width;
-        let beside = (bytes.len() as u64).saturating_add(rows).saturating_add(expanded);
-        file.admit_pixels(width.saturating_mul(height), BYTES_PER_PIXEL, beside)
-            .map_err(|error| error.of(format_args!("{width} x {height} pixels")))
-    };
-    // Assume no transparent colors; only a later chunk declares them.
-    let expanded = if header.color_type == ColorType::Indexed { 3 } else { bits.div_ceil(8) };
-    admit(expanded.saturating_mul(width.saturating_mul(height)))?;
+    file.at_most(width.saturating_mul(height), MOST_PIXELS, "pixels")?;
     // A row of the picture, and the buffers of other chunks, which double as they are read.
     let limit = (MOST_BYTES_PER_PIXEL * width).saturating_add(4 * bytes.len() as u64);
     decoder.set_limits(Limits { bytes: usize::try_from(limit + BESIDE).unwrap_or(usize::MAX) });
@@ -113,7 +98,6 @@ fn decode(bytes: &[u8], file: &InputFile) -> Result<PngSamples> {
     let curve = Curve::of(reader.info(), bytes);
     let to_srgb = to_srgb(reader.info());
     let size = reader.output_buffer_size().ok_or_else(|| fault(&DecodingError::LimitsExceeded))?;
-    admit(size as u64)?;
     let mut buffer = vec![0; size];
     let frame = reader.next_frame(&mut buffer).map_err(|error| fault(&error))?;
     buffer.truncate(frame.buffer_size());

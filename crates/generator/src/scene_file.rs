@@ -87,8 +87,8 @@ impl Loaded {
 /// Maximum size of a scene file in bytes, enough for a weight for each of ten thousand materials.
 const LONGEST: u64 = 1 << 20;
 
-/// Reads a scene file and the files that it names, each within the same budget. Paths in the scene
-/// are relative to the scene file.
+/// Reads a scene file and the files that it names. Paths in the scene are relative to the scene
+/// file.
 ///
 /// # Errors
 ///
@@ -220,7 +220,7 @@ fn named(materials: &Materials, names: &[String]) -> Result<Vec<Named>> {
 }
 
 /// Reads the geometry of a scene of the given `degree`. Paths are relative to the folder of the
-/// scene file, and each file is read within the scene file's budget.
+/// scene file.
 ///
 /// # Errors
 ///

@@ -63,8 +63,6 @@ pub mod srgb;
 
 pub mod screen;
 
-pub mod budget;
-
 pub mod inputs {
     //! Coefficients, sources and normals as files.
 

@@ -1,12 +1,11 @@
 //! Complete files or none: an output appears under its name only when it is complete.
 
 use crate::error::{Error, Result};
-use std::collections::BTreeSet;
 use std::fs::{self, File, Metadata, OpenOptions};
 use std::io::{self, BufWriter, Write};
 use std::path::{Path, PathBuf};
-use std::process;
 use std::sync::{Mutex, MutexGuard, PoisonError};
+use tempfile::NamedTempFile;
 
 /// Writes a file through a temporary file in the same folder, which is renamed at the end. A reader
 /// of `path` finds either the old file or the complete new one.
@@ -33,10 +32,9 @@ pub fn write_atomically(
         Some(parent) if !parent.as_os_str().is_empty() => parent,
         _ => Path::new("."),
     };
-    let (unfinished, file) = Unfinished::create(folder, replaced.as_ref()).map_err(fault)?;
-    let file = fill(path, file, write)?;
-    file.sync_all().map_err(fault)?;
-    drop(file);
+    let unfinished = Unfinished::create(folder, replaced.as_ref()).map_err(fault)?;
+    fill(path, unfinished.0.as_file(), write)?;
+    unfinished.0.as_file().sync_all().map_err(fault)?;
     unfinished.finish(&target).map_err(fault)
 }
 
@@ -94,10 +92,10 @@ fn refuse_read_only(path: &Path, target: &Path, metadata: &Metadata) -> Result<(
     OpenOptions::new().write(true).open(target).map(drop).map_err(|error| Error::io(path, &error))
 }
 
-/// The paths of all unfinished files. Creating, renaming or removing one requires the lock.
-static PATHS: Mutex<BTreeSet<PathBuf>> = Mutex::new(BTreeSet::new());
+/// The paths of all unfinished files, and of files that were finished.
+static PATHS: Mutex<Vec<PathBuf>> = Mutex::new(Vec::new());
 
-fn paths() -> MutexGuard<'static, BTreeSet<PathBuf>> {
+fn paths() -> MutexGuard<'static, Vec<PathBuf>> {
     PATHS.lock().unwrap_or_else(PoisonError::into_inner)
 }
 
@@ -112,12 +110,12 @@ pub fn remove_unfinished() {
 }
 
 /// A file that is being written and will replace its target. Dropping it removes the file.
-struct Unfinished(PathBuf);
+struct Unfinished(NamedTempFile);
 
 impl Unfinished {
     /// Creates a file in `folder` with the permissions of the file that it will replace, or with
     /// those of any new file.
-    fn create(folder: &Path, replaced: Option<&Metadata>) -> io::Result<(Self, File)> {
+    fn create(folder: &Path, replaced: Option<&Metadata>) -> io::Result<Self> {
         let mut options = OpenOptions::new();
         options.write(true).create_new(true);
         #[cfg(unix)]
@@ -126,39 +124,21 @@ impl Unfinished {
             options.mode(replaced.map_or(0o666, |old| old.mode() & 0o777));
         }
         let mut paths = paths();
-        let name = |number: u64| folder.join(format!(".eigenshade-{}-{number}", process::id()));
-        let mut number = paths.len() as u64;
-        let (path, file) = loop {
-            match options.open(name(number)) {
-                Err(error) if error.kind() == io::ErrorKind::AlreadyExists => number += 1,
-                opened => break (name(number), opened?),
-            }
-        };
-        paths.insert(path.clone());
+        let mut builder = tempfile::Builder::new();
+        let file = builder.prefix(".eigenshade-").make_in(folder, |path| options.open(path))?;
+        paths.push(file.path().to_owned());
         drop(paths);
-        let unfinished = Self(path);
         if let Some(old) = replaced {
-            keep_owner(&file, old);
-            file.set_permissions(old.permissions())?;
+            keep_owner(file.as_file(), old);
+            file.as_file().set_permissions(old.permissions())?;
         }
-        Ok((unfinished, file))
+        Ok(Self(file))
     }
 
     /// Renames the file to `target`.
     fn finish(self, target: &Path) -> io::Result<()> {
-        let mut paths = paths();
-        fs::rename(&self.0, target)?;
-        paths.remove(&self.0);
-        Ok(())
-    }
-}
-
-impl Drop for Unfinished {
-    fn drop(&mut self) {
-        let mut paths = paths();
-        if paths.remove(&self.0) {
-            let _ = fs::remove_file(&self.0);
-        }
+        let _paths = paths();
+        self.0.persist(target).map(drop).map_err(|error| error.error)
     }
 }
 

@@ -127,7 +127,8 @@ impl IntegerShader {
         }
         overflow::lost("q15", light, material)?;
         let basis = self.basis.view().map_err(fault)?;
-        let order = eigenshade::Material::new(material).map_err(fault)?.order();
+        let rounded: Vec<f32> = material.iter().map(|&number| number as f32).collect();
+        let order = eigenshade::Material::new(&rounded).map_err(fault)?.order();
         let (mantissas, exponents) = quantize::material(order, material);
         let material = Material::new(&exponents, &mantissas).map_err(fault)?;
         let (mantissas, exponent) = quantize::row(light, i64::MAX);

@@ -2,7 +2,7 @@
 
 use crate::oracle::Numbers;
 use crate::{largest, largest_difference};
-use eigenshade::{Basis, Light, Material, Normal, Scalar};
+use eigenshade::{Basis, Light, Material, Normal};
 use eigenshade_generator::basis;
 use eigenshade_generator::scene_file::{self, Loaded};
 use eigenshade_index::{light, material};
@@ -90,22 +90,22 @@ pub fn materials(order: usize, count: usize, numbers: &mut Numbers) -> Materials
 pub const SLANTS: [f64; 7] = [0.0, 1e-9, 1e-5, 0.7, 1.3, FRAC_PI_2 - 1e-9, FRAC_PI_2];
 
 /// The normal along a vector of the visible hemisphere.
-pub fn normal<S: Scalar>(vector: [f64; 3]) -> Normal<S> {
-    let [x, y, z] = vector.map(S::from_f64);
+pub fn normal(vector: [f64; 3]) -> Normal {
+    let [x, y, z] = vector.map(|component| component as f32);
     Normal::new(x, y, z).expect("visible")
 }
 
 /// The components of normals, a list for each axis.
-pub fn axes<S: Scalar>(normals: &[Normal<S>]) -> [Vec<S>; 3] {
+pub fn axes(normals: &[Normal]) -> [Vec<f32>; 3] {
     [0, 1, 2].map(|axis| normals.iter().map(|normal| normal.components()[axis]).collect())
 }
 
 /// d for a light and a material, which fit the basis.
-pub fn projected<S: Scalar>(basis: &Basis<'_, S>, light: &[S], material: &[S]) -> Vec<S> {
+pub fn projected(basis: &Basis<'_>, light: &[f32], material: &[f32]) -> Vec<f32> {
     let light = Light::new(light).expect("coefficients of a light");
     let material = Material::new(material).expect("coefficients of a material");
-    let mut workspace = vec![S::ZERO; basis.workspace_len()];
-    let mut d = vec![S::ZERO; basis.components()];
+    let mut workspace = vec![0.0; basis.workspace_len()];
+    let mut d = vec![0.0; basis.components()];
     basis.project_into(&light, &material, &mut workspace, &mut d).expect("it fits");
     d
 }

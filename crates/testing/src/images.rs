@@ -54,7 +54,7 @@ impl Image {
             let around = (0..64).map(|k| (TAU / 64.0 * f64::from(k)).sin_cos());
             around.map(move |(y, x)| [sine * x, sine * y, z.max(0.0)])
         });
-        let peak = largest(finer.map(|at| scene.shade(normal::<f32>(at)).into()));
+        let peak = largest(finer.map(|at| scene.shade(normal(at)).into()));
         Self { values, peak }
     }
 

@@ -17,7 +17,6 @@ pub mod pictures;
 
 pub mod golden;
 
-pub mod any_float;
 
 /// The root of the repository.
 #[must_use]

@@ -248,10 +248,6 @@ pub const STATED: f64 = 0.051;
 /// Figures that a report gives with two digits, as a logarithm: twice a unit of the last digit.
 pub const REPORT: f64 = 0.2;
 
-/// An error figure with other normals and nodes, relative: 200 normals sample the error to a few
-/// percent, and the peak, at a window, is that of the nearest normal.
-pub const ERROR_FIGURE: f64 = 0.1;
-
 /// Sums over the rings of a disc: the shares sum to 1, and the mean cosine is by midpoints 0.02
 /// apart.
 pub const RING_SHARES: f64 = 4e-14;

@@ -42,7 +42,7 @@ impl Pair {
     }
 
     /// The nine-term formula, with the material treated as Lambertian.
-    pub fn nine_terms(&self) -> Result<NineTerms<f32>> {
+    pub fn nine_terms(&self) -> Result<NineTerms> {
         let degree = (self.light.len().isqrt() - 1).min(2);
         let (light, _) = self.within(degree, 0);
         let light: Vec<f32> = light.iter().map(|&value| value as f32).collect();

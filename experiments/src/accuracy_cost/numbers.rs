@@ -2,9 +2,8 @@
 
 use super::images::{Numbers, Pair, Pixels, Shaded, Shading, Work, each};
 use super::settings::{Format, Scaling, Setting, Way};
-use eigenshade::mathematics::{Libm, Mathematics, Micromath, SinglePrecision};
 use eigenshade::{
-    Basis, Highlights, q15::BakedMap, Light, MapPoint, Material, Normal, Normals, Q15, Source,
+    Basis, Highlights, Light, Material, Normal, Normals, Q15, Source,
     Tolerance, q15,
 };
 use eigenshade_model::error::{Error, Result};
@@ -19,11 +18,10 @@ use std::hint::black_box;
 
 /// The numbers of a setting without its sources. Fails if its format cannot represent the table.
 pub fn numbers(setting: &Setting, table: &Table, normals: &[[f64; 3]]) -> Result<Box<dyn Numbers>> {
-    let scale = match setting.scaling {
+    let scale: Scale = match setting.scaling {
         Scaling::None => None,
-        Scaling::Libm => Some(scale::<Libm> as _),
-        Scaling::Single => Some(scale::<SinglePrecision> as _),
-        Scaling::Micromath => Some(scale::<Micromath> as _),
+        Scaling::Newton => Some(|raw, to| scale(Normal::new, raw, to)),
+        Scaling::Micromath => Some(|raw, to| scale(Normal::approximate, raw, to)),
     };
     Ok(match (setting.format, setting.way) {
         (Format::F64, Way::Polynomial | Way::Eigen) => Box::new(Doubles::new(table, normals)),
@@ -277,10 +275,14 @@ fn of_integers(map: q15::BakedMap<Vec<i16>>, at: &[q15::Normal]) -> Box<dyn Pixe
     each(at, map.exponent(), move |normal| map.bilinear(q15::MapPoint::of(normal)))
 }
 
-/// Scales vectors with one implementation of mathematics.
-fn scale<M: Mathematics<f32>>(raw: &[[f32; 3]], [xs, ys, zs]: &mut [Vec<f32>; 3]) {
+/// Scales vectors with a constructor.
+fn scale(
+    new: impl Fn(f32, f32, f32) -> std::result::Result<Normal, eigenshade::Error>,
+    raw: &[[f32; 3]],
+    [xs, ys, zs]: &mut [Vec<f32>; 3],
+) {
     for (((to_x, to_y), to_z), &[x, y, z]) in xs.iter_mut().zip(ys).zip(zs).zip(raw) {
-        if let Ok(normal) = Normal::with_mathematics::<M>(x, y, z) {
+        if let Ok(normal) = new(x, y, z) {
             [*to_x, *to_y, *to_z] = normal.components();
         }
     }

@@ -68,8 +68,9 @@ pub enum Format {
 pub enum Scaling {
     /// None: normals arrive scaled.
     None,
-    Libm,
-    Single,
+    /// `Normal::new`.
+    Newton,
+    /// `Normal::approximate`.
     Micromath,
 }
 
@@ -251,7 +252,7 @@ pub fn all(quick: bool) -> Vec<Varied> {
         add("baked maps", higher().by(Way::Bilinear(32)).in_format(format));
     }
     add("component by component", Setting::of(first(50)).by(Way::Eigen));
-    for scaling in [Scaling::Libm, Scaling::Single, Scaling::Micromath] {
+    for scaling in [Scaling::Newton, Scaling::Micromath] {
         add("mathematics", Setting { scaling, ..Setting::of(first(50)) });
     }
     for (degree, order) in LOWER {

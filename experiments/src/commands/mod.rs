@@ -1,6 +1,5 @@
 //! The commands. Those with many options are structs in files of their own.
 
-mod errors;
 mod files;
 mod highlights;
 mod pages;
@@ -70,7 +69,6 @@ pub enum Command {
         #[arg(long, value_name = "DIR", default_value = "tables")]
         tables: PathBuf,
     },
-    Errors(errors::Errors),
     /// Results of the runtime, tests/golden/sphere.csv
     ///
     /// Integers must be equal; floats may differ by the tolerance that the file states.
@@ -155,7 +153,6 @@ impl Command {
                     purpose.write_or_compare(name, &text, command, same)
                 })
             }
-            Self::Errors(command) => command.run(),
             Self::Golden(purpose) => files::golden(&purpose),
             Self::Gloss(csv) => highlights::gloss(csv.out.as_deref()),
             Self::GlossyMaterials { out } => files::glossy_materials(&out),

@@ -4,7 +4,7 @@
 use super::{Figure, exactly, least, most, tight};
 use crate::numbers::median;
 use crate::tolerances;
-use eigenshade::{MapPoint, NegativePolicy, Normal, Normals, Tolerance, q15};
+use eigenshade::{NegativePolicy, Normal, Normals, Tolerance, q15};
 use eigenshade_generator::light::environment::EnvironmentMap;
 use eigenshade_generator::light::projection;
 use eigenshade_index::light;

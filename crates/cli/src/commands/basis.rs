@@ -1,11 +1,10 @@
 //! `eigenshade basis`: makes a table from a scene file.
 
-use super::options::Memory;
+use super::options::input_file;
 use clap::Args;
 use eigenshade_cli::messages::{albedo_warning, grouped, print_message, spinner};
 use eigenshade_cli::output;
 use eigenshade_cli::table::compare::{Difference, differences};
-use eigenshade_cli::table::recorded_errors::manifest_rows;
 use eigenshade_cli::table::{self, rounding};
 use eigenshade_generator::basis::estimate::Estimate;
 use eigenshade_generator::scene_file;
@@ -22,18 +21,14 @@ use std::time::{Duration, Instant};
 /// The ending of a table's manifest.
 const MANIFEST: &str = "manifest.csv";
 
-/// The ending of the file of a table's recorded errors.
-const ERRORS: &str = "errors.csv";
-
 /// Make the table of a scene: its eigenimages
 ///
-/// The command estimates its memory first, and refuses a table that would take more than --memory.
-/// If the scene has a tolerance, standard error reports the choice for it. With `--out B.bin`, it
-/// writes the table to B.bin and its manifest to B.manifest.csv. The manifest repeats the errors
-/// recorded in B.errors.csv, if there is such a file; errors of another table are refused. --check
-/// makes the table again and compares eigenvalues, profiles, mode means, rows of U^T M and the
-/// images A U, each to 1e-9 of its largest number. Terms that only one of two polynomials has may
-/// be as large as profile_tolerance allows.
+/// The command estimates its memory first, and refuses a table that would take more than 8 GiB. If
+/// the scene has a tolerance, standard error reports the choice for it. With `--out B.bin`, it
+/// writes the table to B.bin and its manifest to B.manifest.csv. --check makes the table again and
+/// compares eigenvalues, profiles, mode means, rows of U^T M and the images A U, each to 1e-9 of its
+/// largest number. Terms that only one of two polynomials has may be as large as profile_tolerance
+/// allows.
 #[derive(Args, Debug)]
 pub struct Basis {
     /// Scene file; paths in it are relative to the file
@@ -55,24 +50,23 @@ struct Purpose {
 }
 
 impl Basis {
-    pub fn run(self, memory: Memory) -> Result<()> {
+    pub fn run(self) -> Result<()> {
         if let Some(path) = &self.purpose.out {
-            let mut inputs = scene_file::inputs(&self.scene);
-            inputs.push(path.with_extension(ERRORS));
+            let inputs = scene_file::inputs(&self.scene);
             output::refuse_collisions([path, &path.with_extension(MANIFEST)], inputs)?;
             writable(path)?;
             writable(&path.with_extension(MANIFEST))?;
         }
         // Read first, so that a broken table is reported before the new one is made.
         let old = match &self.purpose.check {
-            Some(path) => Some((path, table::read(memory.file(path))?)),
+            Some(path) => Some((path, table::read(input_file(path))?)),
             None => None,
         };
         let start = Instant::now();
         let progress = spinner("eigenimages");
-        let loaded = scene_file::load(memory.file(&self.scene))?;
+        let loaded = scene_file::load(input_file(&self.scene))?;
         let estimate = Estimate::of(&loaded);
-        estimate.admit(memory.of_basis()).map_err(|error| error.in_file(&self.scene))?;
+        estimate.check().map_err(|error| error.in_file(&self.scene))?;
         if let Some(time) = estimate.minutes() {
             progress.suspend(|| print_message(format_args!("this takes {time} or less")));
         }
@@ -85,15 +79,10 @@ impl Basis {
         }
         table.summary.roundings =
             rounding::measure(&table, &loaded.lights, &loaded.materials, &NumberFormat::ALL);
-        let errors = match &self.purpose.out {
-            Some(path) => manifest_rows(&path.with_extension(ERRORS), &table, &loaded)?,
-            None => String::new(),
-        };
         let bytes = encode(&table);
         if let Some(path) = &self.purpose.out {
             output::write_all(Some(path), &bytes)?;
-            let text = manifest(&table) + &errors;
-            output::write_all(Some(&path.with_extension(MANIFEST)), text)?;
+            output::write_all(Some(&path.with_extension(MANIFEST)), manifest(&table))?;
         }
         let folder = self.scene.parent().unwrap_or(Path::new("."));
         let database = folder.join(loaded.scene.material.database.join(", "));

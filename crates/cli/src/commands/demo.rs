@@ -1,7 +1,7 @@
 //! `eigenshade demo`: draws the shipped materials under the shipped lights.
 
 use super::demo_relief;
-use super::options::{Memory, TableChoice, count};
+use super::options::{TableChoice, count};
 use clap::Args;
 use eigenshade::{Display, Meter, Rgb, Tone};
 use eigenshade_cli::messages::print_message;
@@ -42,11 +42,11 @@ struct Answer {
 }
 
 impl Demo {
-    pub fn run(self, memory: Memory) -> Result<()> {
+    pub fn run(self) -> Result<()> {
         fs::create_dir_all(&self.out).map_err(|error| Error::io(&self.out, &error))?;
         let file = self.out.join("demo.png");
         writable(&file)?;
-        let table = self.table.read(memory)?;
+        let table = self.table.read()?;
         let (lights, materials) = shown()?;
         let (lights, materials) = fitted(&table, &lights, &materials);
         let basis = OwnedBasis::new(&table);

@@ -1,6 +1,6 @@
 //! `eigenshade evaluate`: evaluates functions of the paper.
 
-use super::options::{Destination, Memory};
+use super::options::{Destination, input_file};
 use clap::{Args, ValueEnum};
 use eigenshade_cli::output::{self, Rows, exact};
 use eigenshade_model::error::Result;
@@ -34,12 +34,12 @@ pub struct Evaluate {
 }
 
 impl Evaluate {
-    pub fn run(self, memory: Memory) -> Result<()> {
+    pub fn run(self) -> Result<()> {
         output::refuse_collisions(&self.out.path, [&self.points])?;
         let function = self.function;
         let (indices, arguments) = function.columns();
         let columns = [indices, arguments].concat().join(",");
-        let sheet = Sheet::read(memory.file(&self.points), &columns)?;
+        let sheet = Sheet::read(input_file(&self.points), &columns)?;
         let places = |names: &[&str]| -> Result<Vec<usize>> {
             let places = names.iter().map(|name| sheet.column(name)).collect::<Option<_>>();
             places.ok_or_else(|| sheet.wrong_header(&format!("`{columns}`")))

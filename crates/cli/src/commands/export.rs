@@ -1,13 +1,12 @@
 //! `eigenshade export`: writes lights, materials, tables and scenes for other programs.
 
-use super::options::{Destination, Green, Memory, TableChoice, count};
+use super::options::{Destination, Green, TableChoice, count, input_file};
 use clap::{Args, ValueEnum};
 use eigenshade_cli::estimate::gloss_note;
-use eigenshade_cli::export::array::{Array, json};
 use eigenshade_cli::export::entry::{Format, entries, identifier, quoted_entries};
 use eigenshade_cli::export::highlights::SourcesAndGloss;
 use eigenshade_cli::export::shown::Shown;
-use eigenshade_cli::export::{c, coefficients, js, rust, scene, table as of_table};
+use eigenshade_cli::export::{c, coefficients, js, npz, rust, scene, table as of_table};
 use eigenshade_cli::messages::print_message;
 use eigenshade_cli::output;
 use eigenshade_cli::presets::Source;
@@ -19,11 +18,11 @@ use eigenshade_table::quantize::{QuantizeError, TOLERANCE, integers};
 use eigenshade_table::{Table, statics};
 use std::path::{Path, PathBuf};
 
-/// Export lights, materials, tables and scenes to Rust, C, JavaScript, JSON or numpy
+/// Export lights, materials, tables and scenes to Rust, C, JavaScript or numpy
 ///
 /// With --light and --material, exports these, to the degree and order of the table; with both,
-/// json and npz also hold the scene: its coefficients in the table's eigenimages. With neither,
-/// exports the table.
+/// npz also holds the scene: its coefficients in the table's eigenimages. With neither, exports the
+/// table.
 #[derive(Args, Debug)]
 pub struct Export {
     /// Language or file format
@@ -46,17 +45,20 @@ pub struct Export {
     #[arg(long, value_name = "K", value_parser = count(1, MAX_SOURCES as u64))]
     sources: Option<usize>,
     /// Add eigenimages, or the images of a scene, at normals: a normals CSV, `sphere`, a normal map
-    /// (.png) or a mesh (.obj, .stl, .ply); for json and npz
+    /// (.png) or a mesh (.obj, .stl, .ply); for npz
     #[arg(short, long, value_name = "NORMALS")]
     normals: Option<PathBuf>,
-    /// Pixels across the longer side of --normals, 2 to 8192 [default: 64; all of a normal map]
-    #[arg(short, long, value_name = "N", value_parser = count(2, 8192), requires = "normals")]
+    /// Pixels across the longer side of --normals, 2 to 4096 [default: 64; all of a normal map]
+    #[arg(short, long, value_name = "N", value_parser = count(2, 4096), requires = "normals")]
     size: Option<usize>,
     #[command(flatten)]
     green: Green,
     #[command(flatten)]
     out: Destination,
 }
+
+/// The most numbers in a file of arrays, in 2 GiB.
+const MOST_NUMBERS: usize = 1 << 28;
 
 /// What source files say made them.
 const COMMAND: &str = "eigenshade export";
@@ -69,14 +71,12 @@ enum Lang {
     C,
     /// A module of typed arrays
     Js,
-    /// Arrays with shapes and units
-    Json,
-    /// The same arrays in numpy's format
+    /// Arrays in numpy's format
     Npz,
 }
 
 impl Export {
-    pub fn run(self, memory: Memory) -> Result<()> {
+    pub fn run(self) -> Result<()> {
         let [light, material] = [&self.light, &self.material].map(Option::as_ref);
         let mut inputs = light.map_or_else(Vec::new, Source::light_files);
         inputs.extend(material.into_iter().flat_map(Source::material_files));
@@ -84,37 +84,34 @@ impl Export {
         let inputs = inputs.chain([self.table.path()]);
         output::refuse_collisions(&self.out.path, inputs)?;
         self.check()?;
-        let table = self.table.read(memory)?;
+        let table = self.table.read()?;
         let none = Lights { degree: 0, entries: Vec::new() };
-        let lights = light.map_or(Ok(none), |one| one.lights(memory.of_file()))?;
+        let lights = light.map_or(Ok(none), Source::lights)?;
         let none = Materials { order: 0, entries: Vec::new() };
         let order = table.gram.order;
-        let of_file = material.map_or(Ok(none), |one| one.materials(order, memory.of_file()))?;
+        let of_file = material.map_or(Ok(none), |one| one.materials(order))?;
         let (lights, materials) = fitted(&table, &lights, &of_file);
         let pairs = lights.entries.len() * materials.entries.len();
-        let admit = |normals: usize| match (light, material) {
-            (Some(light), _) => {
-                memory.file(light.path()).admit(scene::size(&table, pairs, normals))
+        let read = |path| Shown::read(input_file(path), self.size, self.green.is_flipped);
+        let shown = self.normals.as_ref().map(read).transpose()?;
+        let normals = shown.as_ref().map_or(0, |shown| shown.normals.len());
+        if self.lang == Lang::Npz {
+            let count = match (light, material) {
+                (None, None) => of_table::size(&table, normals),
+                _ => scene::size(&table, pairs, normals),
+            };
+            if count > MOST_NUMBERS {
+                let what = format!("{count} numbers are too many to export");
+                let remedy = format!("export at most {MOST_NUMBERS}, of fewer normals or inputs");
+                return Err(Error::new(what, remedy).in_file(self.table.path()));
             }
-            (None, None) if self.holds_arrays() => {
-                memory.file(self.table.path()).admit(of_table::size(&table, normals))
-            }
-            _ => Ok(()),
-        };
-        let shown = match &self.normals {
-            Some(path) => {
-                let flip_green = self.green.is_flipped;
-                Some(Shown::read(memory.file(path), self.size, flip_green, admit)?)
-            }
-            None => admit(0).map(|()| None)?,
-        };
+        }
         if light.is_none() && material.is_none() {
             let contents = self.table_contents(&table, shown.as_ref());
             let contents = contents.map_err(|error| error.in_file(self.table.path()))?;
             return output::write_all(self.out.path.as_deref(), contents);
         }
-        let highlights =
-            self.sources.map(|most| self.highlights(most, &lights, &materials, memory));
+        let highlights = self.sources.map(|most| self.highlights(most, &lights, &materials));
         let highlights = highlights.transpose()?;
         let entries = (&lights, &materials, highlights.as_ref());
         let contents = self.coefficients(&table, entries, shown.as_ref())?;
@@ -125,23 +122,18 @@ impl Export {
         Ok(())
     }
 
-    /// Whether the file holds arrays instead of source.
-    fn holds_arrays(&self) -> bool {
-        matches!(self.lang, Lang::Json | Lang::Npz)
-    }
-
     /// Whether the options go together.
     fn check(&self) -> Result<()> {
         let has_images = self.light.is_none() == self.material.is_none();
         let fault = |what: &str, remedy: &str| Err(Error::new(what, remedy));
-        if self.normals.is_some() && !(self.holds_arrays() && has_images) {
+        if self.normals.is_some() && !(self.lang == Lang::Npz && has_images) {
             let what = "--normals adds eigenimages or images, which only tables and scenes have, \
-                        in json and npz";
+                        in npz";
             return fault(what, "leave it out, or export a table, or a light with a material");
         }
         if let Some(most) = self.sources {
-            if self.holds_arrays() {
-                return fault("json and npz have no sources and gloss", "leave --sources out");
+            if self.lang == Lang::Npz {
+                return fault("npz has no sources and gloss", "leave --sources out");
             }
             if self.light.is_none() && self.material.is_none() {
                 let what = "--sources adds sources to lights and gloss to materials";
@@ -158,8 +150,8 @@ impl Export {
                 "the WebAssembly module takes floats and makes integers of them itself",
                 "leave --format out",
             ),
-            (Lang::Json | Lang::Npz, Some(_)) => {
-                fault("json and npz hold the numbers as they are, in f64", "leave --format out")
+            (Lang::Npz, Some(_)) => {
+                fault("npz holds the numbers as they are, in f64", "leave --format out")
             }
             _ => Ok(()),
         }
@@ -179,7 +171,7 @@ impl Export {
                 "build the module for this table (crates/wasm/README.md), and export lights and \
                  materials",
             )),
-            Lang::Json | Lang::Npz => self.arrays(&of_table::arrays(table, shown)?),
+            Lang::Npz => npz::bytes(&of_table::arrays(table, shown)?),
         }
     }
 
@@ -207,11 +199,10 @@ impl Export {
         most: usize,
         lights: &Lights,
         materials: &Materials,
-        memory: Memory,
     ) -> Result<SourcesAndGloss> {
         let mut found = SourcesAndGloss::default();
         for (light, Named { name, .. }) in of_each(self.light.as_ref(), &lights.entries) {
-            let sources = light.sources(name, most, memory.of_file())?;
+            let sources = light.sources(name, most)?;
             if sources.len() < most {
                 let count = sources.len();
                 print_message(format_args!(
@@ -221,7 +212,7 @@ impl Export {
             found.sources.push((name.clone(), sources));
         }
         for (material, Named { name, .. }) in of_each(self.material.as_ref(), &materials.entries) {
-            let known = material.known_gloss(name, memory.of_file())?;
+            let known = material.known_gloss(name)?;
             gloss_note(&known).iter().for_each(print_message);
             found.glosses.push(known);
         }
@@ -245,7 +236,7 @@ impl Export {
             Lang::Rust => rust::module(&entries()?, highlights, COMMAND),
             Lang::C => c::header(&entries()?, highlights, COMMAND, &self.guard()),
             Lang::Js => js::module(&quoted()?, highlights, COMMAND),
-            Lang::Json | Lang::Npz => {
+            Lang::Npz => {
                 let mut arrays = Vec::new();
                 if !lights.entries.is_empty() {
                     arrays.extend(coefficients::of_lights(lights));
@@ -256,23 +247,10 @@ impl Export {
                 if !lights.entries.is_empty() && !materials.entries.is_empty() {
                     arrays.extend(scene::arrays(table, (lights, materials), shown)?);
                 }
-                return self.arrays(&arrays);
+                return npz::bytes(&arrays);
             }
         };
         Ok(source.into_bytes())
-    }
-
-    fn arrays(&self, arrays: &[Array]) -> Result<Vec<u8>> {
-        match self.lang {
-            #[cfg(feature = "generate")]
-            Lang::Npz => eigenshade_cli::export::npz::bytes(arrays),
-            #[cfg(not(feature = "generate"))]
-            Lang::Npz => Err(Error::new(
-                "this build lacks npz",
-                "use json, or build the program with its default features",
-            )),
-            _ => json(arrays).map(String::into_bytes),
-        }
     }
 
     /// The macro against including a header twice: the name of its file.

@@ -1,7 +1,7 @@
 //! Small sources of a light on the gloss of a material, which `render` and `shader` share.
 
 use super::choices::Choices;
-use super::options::{Inputs, Memory};
+use super::options::Inputs;
 use eigenshade::{Effect, Highlights};
 use eigenshade_cli::estimate::{Estimates, counted, matte_note, off_lobe_note};
 use eigenshade_cli::messages::print_message;
@@ -31,13 +31,12 @@ pub fn needed(
     table: &Table,
     (lights, materials): (&Lights, &Materials),
     within: Option<f64>,
-    memory: Memory,
 ) -> Result<(usize, Option<String>)> {
     let (light, material) = (&lights.entries[0], &materials.entries[0].name);
-    let gloss = shining(inputs, table, (lights, materials), memory)?;
+    let gloss = shining(inputs, table, (lights, materials))?;
     let Some(NamedGloss { gloss, error, .. }) = gloss else { return Ok((0, None)) };
     let size = (lights.degree, materials.order);
-    let estimates = Estimates::under(&inputs.light, &light.name, memory.of_file())?;
+    let estimates = Estimates::under(&inputs.light, &light.name)?;
     let most = if estimates.is_of_the_light() { MOST } else { 0 };
     let estimate = estimates.fewest(size, &gloss, within, most);
     let note = estimates.note(material, size, &gloss, estimate, within);
@@ -52,13 +51,12 @@ pub fn estimate_note(
     table: &Table,
     (lights, materials): (&Lights, &Materials),
     sources: usize,
-    memory: Memory,
 ) -> Result<Option<String>> {
     let (light, material) = (&lights.entries[0].name, &materials.entries[0].name);
-    let gloss = shining(inputs, table, (lights, materials), memory)?;
+    let gloss = shining(inputs, table, (lights, materials))?;
     let Some(gloss) = gloss else { return Ok(None) };
     let size = (lights.degree, materials.order);
-    let estimates = Estimates::under(&inputs.light, light, memory.of_file())?;
+    let estimates = Estimates::under(&inputs.light, light)?;
     let estimate = estimates.of(size, &gloss.gloss, sources);
     let note = estimates.note(material, size, &gloss.gloss, estimate, None);
     Ok(note.or_else(|| off_lobe_note(material, gloss.error).filter(|_| estimate.sources > 0)))
@@ -70,13 +68,12 @@ fn shining(
     inputs: &Inputs,
     table: &Table,
     (lights, materials): (&Lights, &Materials),
-    memory: Memory,
 ) -> Result<Option<NamedGloss>> {
     let is_even = |channel: &Vec<f64>| channel[1..].iter().all(|&coefficient| coefficient == 0.0);
     if !table.effects().has(Effect::Gloss) || lights.entries[0].rgb.iter().all(is_even) {
         return Ok(None);
     }
-    inputs.material.gloss(&materials.entries[0].name, memory.of_file())
+    inputs.material.gloss(&materials.entries[0].name)
 }
 
 impl HighlightInputs {
@@ -88,21 +85,20 @@ impl HighlightInputs {
         table: &Table,
         (lights, materials): (&mut Lights, &Materials),
         most: usize,
-        memory: Memory,
     ) -> Result<Option<Self>> {
         if !table.effects().has(Effect::Gloss) {
             let what = "the table's scene has no gloss, and sources are for highlights";
             return Err(Error::new(what, "leave --sources out, or use --table color"));
         }
         let (light, material) = (&lights.entries[0].name, &materials.entries[0].name);
-        let NamedGloss { gloss, .. } = inputs.material.known_gloss(material, memory.of_file())?;
+        let NamedGloss { gloss, .. } = inputs.material.known_gloss(material)?;
         if !gloss.needs_sources() {
-            inputs.light.sources(light, MAX_SOURCES, memory.of_file())?;
+            inputs.light.sources(light, MAX_SOURCES)?;
             let note = matte_note(material, &gloss);
             print_message(format_args!("{note}, and it is drawn without"));
             return Ok(None);
         }
-        let sources = inputs.light.sources(light, most, memory.of_file())?;
+        let sources = inputs.light.sources(light, most)?;
         if sources.len() != most {
             let drawn = counted(sources.len());
             print_message(format_args!("note: {drawn}, the largest set of at most {most}"));

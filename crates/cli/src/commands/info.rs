@@ -1,6 +1,6 @@
 //! `eigenshade info` and `eigenshade eigenvalues`: describe a table.
 
-use super::options::{Destination, Memory, TableChoice};
+use super::options::{Destination, TableChoice, input_file};
 use clap::Args;
 use eigenshade_cli::description::Description;
 use eigenshade_cli::{output, table};
@@ -24,8 +24,8 @@ pub struct Info {
 }
 
 impl Info {
-    pub fn run(self, memory: Memory) -> Result<()> {
-        let bytes = table::bytes(&memory.file(self.table.path()))?;
+    pub fn run(self) -> Result<()> {
+        let bytes = table::bytes(&input_file(self.table.path()))?;
         let found = if table::is_wire(&bytes) {
             table::wire_description(&bytes)
         } else {
@@ -64,9 +64,9 @@ struct Eigenvalue {
 }
 
 impl Eigenvalues {
-    pub fn run(self, memory: Memory) -> Result<()> {
+    pub fn run(self) -> Result<()> {
         output::refuse_collisions(&self.out.path, [self.table.path()])?;
-        let table = self.table.read(memory)?;
+        let table = self.table.read()?;
         let criterion = table.scene.basis.criterion.name();
         let of = |(index, &(m, eigenvalue))| Eigenvalue { criterion, index, m, eigenvalue };
         let rows: Vec<Eigenvalue> = table.spectrum.iter().enumerate().map(of).collect();

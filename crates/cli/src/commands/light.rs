@@ -1,7 +1,7 @@
 //! `eigenshade light`: projects environment maps onto spherical harmonics.
 
 use super::light_coefficients::{self, Convention, is_of_coefficients};
-use super::options::{Destination, Memory, choice, count, number};
+use super::options::{Destination, choice, count, input_file, number};
 use clap::Args;
 use clap::builder::TypedValueParser;
 use eigenshade_cli::messages::{print_message, progress_bar};
@@ -114,7 +114,7 @@ fn frames() -> impl TypedValueParser<Value = Frame> {
 }
 
 impl Light {
-    pub fn run(self, memory: Memory) -> Result<()> {
+    pub fn run(self) -> Result<()> {
         let out = self.out.path.as_deref();
         let beside = out.and_then(|out| beside(out, SOURCES).zip(beside(out, SET_ERRORS)));
         if self.sources.is_none() {
@@ -131,7 +131,7 @@ impl Light {
             _ => None,
         };
         let lights = match self.maps.as_slice() {
-            [file] if shipped.is_some() || is_of_coefficients(&memory.file(file)) => {
+            [file] if shipped.is_some() || is_of_coefficients(&input_file(file)) => {
                 if self.sources.is_some() {
                     let what = "--sources needs a map: coefficients are harmonics only";
                     return Err(Error::new(what, "give the map").in_file(file));
@@ -150,7 +150,7 @@ impl Light {
                     (Some(lights), None, _) => (Convention::Paper, lights),
                     (None, from, to) => {
                         let (lights, from) =
-                            light_coefficients::read(memory.file(file), self.degree, from)?;
+                            light_coefficients::read(input_file(file), self.degree, from)?;
                         if from.is_none() && to == Convention::Paper && self.degree.is_none() {
                             let what = "nothing to convert: it is taken to be in `paper` already";
                             let remedy = "give its convention, as --from graphics, another \
@@ -172,12 +172,12 @@ impl Light {
                 let all_beside = beside.iter().flat_map(|(sources, errors)| [sources, errors]);
                 let outputs = self.out.path.iter().chain(all_beside);
                 output::refuse_collisions(outputs, inputs?.concat())?;
-                let lights = self.projected(&files, memory)?;
+                let lights = self.projected(&files)?;
                 if let (Some(most), Some((of_sources, of_errors))) = (self.sources, beside) {
                     // The search takes long, and runs once the maps are read and the files open.
                     let search = || {
                         output::write(Some(&of_sources), |out| {
-                            let (sets, errors) = self.found(&files, most, memory)?;
+                            let (sets, errors) = self.found(&files, most)?;
                             write_sources(&sets, out)?;
                             output::write(Some(&of_errors), |out| write_set_errors(&errors, out))
                         })
@@ -215,12 +215,12 @@ impl Light {
     }
 
     /// The lights of the maps, with the digits of the shipped files.
-    fn projected(&self, files: &[(String, PathBuf)], memory: Memory) -> Result<Lights> {
+    fn projected(&self, files: &[(String, PathBuf)]) -> Result<Lights> {
         let degree = self.degree.unwrap_or(DEGREE);
         let progress = progress_bar("maps", files.len());
         let mut entries = Vec::new();
         for (name, path) in files {
-            let map = progress.suspend(|| Map::read(memory.file(path), self.layout))?;
+            let map = progress.suspend(|| Map::read(input_file(path), self.layout))?;
             if self.sources.is_some() && map.is_cube() {
                 return Err(in_cube(path));
             }
@@ -238,7 +238,6 @@ impl Light {
         &self,
         files: &[(String, PathBuf)],
         most: usize,
-        memory: Memory,
     ) -> Result<(Vec<SourceSets>, Vec<SetError>)> {
         let progress = progress_bar("maps", files.len());
         let materials = pursuit::metals(&self.roughness)?;
@@ -247,7 +246,7 @@ impl Light {
         let (mut lights, mut errors) = (Vec::new(), Vec::new());
         for (name, path) in files {
             // Its warnings are known already.
-            let map = Map::read(InputFile::new(path, memory.of_file()), self.layout)?;
+            let map = Map::read(InputFile::new(path), self.layout)?;
             let Map::Equirectangular(map) = map else { return Err(in_cube(path)) };
             let map = &map.in_blocks(BLOCK);
             let turn = self.frame.turn(false)?.matrix();

@@ -39,15 +39,24 @@ impl Convention {
         self.to_possible_value().map(|value| value.get_name().to_owned()).unwrap_or_default()
     }
 
-    /// Converts lights to another convention.
+    /// Converts lights to another convention. Factors of irradiance are rounded to f32.
     pub fn convert(self, mut lights: Lights, to: Self) -> Result<Lights> {
         for channel in lights.entries.iter_mut().flat_map(|light| &mut light.rgb) {
-            let decoded = self.other().map_or(Ok(()), |from| from.decode(channel));
-            decoded.and_then(|()| to.other().map_or(Ok(()), |to| to.encode(channel))).map_err(
-                |fault| Error::new(fault.to_string(), "give --degree 2, or another convention"),
-            )?;
+            let [from, to] = [self, to].map(|convention| convention.factors(channel.len()));
+            for (number, (from, to)) in channel.iter_mut().zip(from?.into_iter().zip(to?)) {
+                *number *= f64::from(to) / f64::from(from);
+            }
         }
         Ok(lights)
+    }
+
+    /// The coefficients of this convention for coefficients of 1 of ours.
+    fn factors(self, count: usize) -> Result<Vec<f32>> {
+        let mut ones = vec![1.0; count];
+        self.other().map_or(Ok(()), |other| other.encode(&mut ones)).map_err(|fault| {
+            Error::new(fault.to_string(), "give --degree 2, or another convention")
+        })?;
+        Ok(ones)
     }
 }
 

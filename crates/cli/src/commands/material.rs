@@ -1,6 +1,6 @@
 //! `eigenshade material`: converts measured, tabulated or analytic BRDFs to coefficients.
 
-use super::options::{Destination, Memory, choice, count, width};
+use super::options::{Destination, choice, count, input_file, width};
 use clap::builder::TypedValueParser;
 use clap::{Args, Subcommand};
 use eigenshade_cli::messages::{albedo_warning, print_message, progress_bar};
@@ -60,7 +60,7 @@ pub struct Material {
 }
 
 impl Material {
-    pub fn run(self, memory: Memory) -> Result<()> {
+    pub fn run(self) -> Result<()> {
         let Self { formula, paths, projection, report } = self;
         let Projection { order, measure, window, out } = projection;
         let beside = out.path.as_deref().and_then(|out| presets::beside(out, GLOSS));
@@ -75,7 +75,7 @@ impl Material {
             None => {
                 let mut sources = Vec::new();
                 for path in &paths {
-                    sources.extend(material::files::read(memory.file(path))?);
+                    sources.extend(material::files::read(input_file(path))?);
                 }
                 sources
             }

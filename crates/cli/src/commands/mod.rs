@@ -33,7 +33,6 @@ mod shader;
 
 use clap::Subcommand;
 use eigenshade_model::error::Result;
-pub use options::Memory;
 
 /// A command.
 #[derive(Debug, Subcommand)]
@@ -65,29 +64,29 @@ pub enum Command {
 
 impl Command {
     /// Runs the command of this program.
-    pub fn run(self, memory: Memory, program: clap::Command) -> Result<()> {
+    pub fn run(self, program: clap::Command) -> Result<()> {
         match self {
-            Self::Demo(command) => command.run(memory),
+            Self::Demo(command) => command.run(),
             Self::List(command) => command.run(),
             #[cfg(feature = "generate")]
-            Self::Light(command) => command.run(memory),
+            Self::Light(command) => command.run(),
             #[cfg(feature = "generate")]
-            Self::Material(command) => command.run(memory),
+            Self::Material(command) => command.run(),
             #[cfg(feature = "generate")]
-            Self::Basis(command) => command.run(memory),
-            Self::Pack(command) => command.run(memory),
+            Self::Basis(command) => command.run(),
+            Self::Pack(command) => command.run(),
             #[cfg(feature = "generate")]
-            Self::PackNormals(command) => command.run(memory),
-            Self::Info(command) => command.run(memory),
-            Self::Eigenvalues(command) => command.run(memory),
-            Self::Project(command) => command.run(memory),
-            Self::Shade(command) => command.run(memory),
-            Self::Render(command) => command.run(memory),
+            Self::PackNormals(command) => command.run(),
+            Self::Info(command) => command.run(),
+            Self::Eigenvalues(command) => command.run(),
+            Self::Project(command) => command.run(),
+            Self::Shade(command) => command.run(),
+            Self::Render(command) => command.run(),
             #[cfg(feature = "generate")]
-            Self::Read(command) => command.run(memory),
-            Self::Shader(command) => command.run(memory),
-            Self::Export(command) => command.run(memory),
-            Self::Evaluate(command) => command.run(memory),
+            Self::Read(command) => command.run(),
+            Self::Shader(command) => command.run(),
+            Self::Export(command) => command.run(),
+            Self::Evaluate(command) => command.run(),
             Self::Completions(command) => command.run(program),
             Self::Man(command) => command.run(program),
         }

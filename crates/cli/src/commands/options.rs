@@ -7,7 +7,6 @@ use eigenshade_cli::messages::print_message;
 use eigenshade_cli::presets::Source;
 use eigenshade_cli::table;
 use eigenshade_index::highlights::MAX_SOURCES;
-use eigenshade_model::budget::Budget;
 use eigenshade_model::error::Result;
 use eigenshade_model::inputs::input_file::InputFile;
 use eigenshade_model::rotation::Rotation;
@@ -20,33 +19,11 @@ use std::path::{Path, PathBuf};
 /// What clap's parsers return.
 pub type Parsed<T> = std::result::Result<T, String>;
 
-/// The memory limits of a command.
-#[derive(Args, Clone, Copy, Debug)]
-pub struct Memory {
-    /// Memory limit for a file that is read, drawn or exported, and for making a table, like 4GiB
-    /// [default: 512MiB for a file, 2GiB for a table]
-    #[arg(long = "memory", global = true, value_name = "SIZE", display_order = 900)]
-    budget: Option<Budget>,
-}
-
-impl Memory {
-    /// The limit for making a table.
-    #[cfg(feature = "generate")]
-    pub fn of_basis(self) -> Budget {
-        self.budget.unwrap_or(Budget::BASIS)
-    }
-
-    /// The limit for reading a file.
-    pub fn of_file(self) -> Budget {
-        self.budget.unwrap_or(Budget::READING)
-    }
-
-    /// A file that is read within its limit, and whose warnings are printed.
-    pub fn file(self, path: impl AsRef<Path>) -> InputFile {
-        InputFile::new(path, self.of_file()).with_warnings(|path, what| {
-            print_message(format_args!("warning: {}: {what}", path.display()));
-        })
-    }
+/// A file whose warnings are printed.
+pub fn input_file(path: impl AsRef<Path>) -> InputFile {
+    InputFile::new(path).with_warnings(|path, what| {
+        print_message(format_args!("warning: {}: {what}", path.display()));
+    })
 }
 
 /// The green channel of a normal map.
@@ -79,8 +56,8 @@ impl TableChoice {
     }
 
     /// Reads the table. Fails as [`table::read`] does.
-    pub fn read(&self, memory: Memory) -> Result<Table> {
-        table::read(memory.file(self.path()))
+    pub fn read(&self) -> Result<Table> {
+        table::read(input_file(self.path()))
     }
 }
 

@@ -1,6 +1,6 @@
 //! `eigenshade pack`: writes a table as a wire file.
 
-use super::options::{Memory, TableChoice, choice, count};
+use super::options::{TableChoice, choice, count};
 use clap::Args;
 use eigenshade_cli::messages::grouped;
 use eigenshade_cli::output;
@@ -36,9 +36,9 @@ pub struct Pack {
 }
 
 impl Pack {
-    pub fn run(self, memory: Memory) -> Result<()> {
+    pub fn run(self) -> Result<()> {
         output::refuse_collisions([&self.out], [self.table.path()])?;
-        let table = self.first_components(self.table.read(memory)?)?;
+        let table = self.first_components(self.table.read()?)?;
         let format = self.format;
         let endian = if self.big_endian { Endian::Big } else { Endian::Little };
         let bytes = wire::encode(&table, format, endian)

@@ -1,6 +1,6 @@
 //! `eigenshade pack-normals`: makes a normal map for the runtime.
 
-use super::options::{Green, Memory, count};
+use super::options::{Green, count, input_file};
 use clap::Args;
 use eigenshade_cli::export::c;
 use eigenshade_cli::export::entry::identifier;
@@ -51,7 +51,7 @@ fn module(file: &str) -> String {
 }
 
 impl PackNormals {
-    pub fn run(self, memory: Memory) -> Result<()> {
+    pub fn run(self) -> Result<()> {
         output::refuse_collisions([&self.out], [&self.normals])?;
         let extension = self.out.extension().unwrap_or_default().to_ascii_lowercase();
         let kind = match extension.to_str() {
@@ -65,7 +65,7 @@ impl PackNormals {
         };
         let is_map = self.normals.extension().is_some_and(|end| end.eq_ignore_ascii_case("png"));
         let size = self.size.or((!is_map).then_some(SIZE));
-        let view = ObjectView::read(memory.file(&self.normals), size, self.green.is_flipped)?;
+        let view = ObjectView::read(input_file(&self.normals), size, self.green.is_flipped)?;
         let codes = view.codes()?;
         let bytes = codes.as_flattened();
         let map = format!("eigenshade::NormalMap::new({}, {}, ", view.width, view.height);

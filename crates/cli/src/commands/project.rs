@@ -1,6 +1,6 @@
 //! `eigenshade project`: writes the coefficients of images in a table's eigenimages.
 
-use super::options::{Destination, Inputs, Memory, TableChoice, count};
+use super::options::{Destination, Inputs, TableChoice, count};
 use clap::Args;
 use eigenshade_cli::messages::{albedo_warning, print_message};
 use eigenshade_cli::output::{self, Rows, exact};
@@ -28,12 +28,12 @@ pub struct Project {
 }
 
 impl Project {
-    pub fn run(self, memory: Memory) -> Result<()> {
+    pub fn run(self) -> Result<()> {
         output::refuse_collisions(&self.out.path, self.inputs.files(&[self.table.path()]))?;
-        let table = self.table.read(memory)?;
+        let table = self.table.read()?;
         let components = table::components(&table, self.components, self.table.path())?;
-        let lights = self.inputs.light.lights(memory.of_file())?;
-        let materials = self.inputs.material.materials(table.gram.order, memory.of_file())?;
+        let lights = self.inputs.light.lights()?;
+        let materials = self.inputs.material.materials(table.gram.order)?;
         let higher =
             of_higher_order(self.inputs.material.named(), materials.order, table.gram.order);
         let warnings = higher.into_iter().chain(albedo_warning(&materials));

@@ -1,6 +1,6 @@
 //! `eigenshade read`: estimates components, light and material from an image.
 
-use super::options::{Destination, Green, Memory, TableChoice, count, number};
+use super::options::{Destination, Green, TableChoice, count, input_file, number};
 use super::read_answer::{self, Answer};
 use clap::Args;
 use eigenshade_cli::messages::print_message;
@@ -80,13 +80,13 @@ pub struct Read {
 }
 
 impl Read {
-    pub fn run(self, memory: Memory) -> Result<()> {
-        let table = self.table.read(memory)?;
+    pub fn run(self) -> Result<()> {
+        let table = self.table.read()?;
         self.refuse_collisions(&table)?;
         self.refuse_store(&table)?;
         let components = table::components(&table, self.components, self.table.path())?;
-        let (lights, lights_are_shipped) = self.lights(&table, memory)?;
-        let (materials, materials_are_shipped) = self.materials(&table, memory)?;
+        let (lights, lights_are_shipped) = self.lights(&table)?;
+        let (materials, materials_are_shipped) = self.materials(&table)?;
         let path = match &self.material {
             Some(source) => Some(source.path().to_owned()),
             None => self.beside_all(&table).ok().and_then(|paths| paths.into_iter().next()),
@@ -111,8 +111,8 @@ impl Read {
             return Err(Error::new(what, remedy).in_file(self.table.path()));
         }
 
-        let image = LinearImage::read(memory.file(&self.image), self.transfer)?;
-        let (observation, summary) = self.observe(&table, components, &image, memory)?;
+        let image = LinearImage::read(input_file(&self.image), self.transfer)?;
+        let (observation, summary) = self.observe(&table, components, &image)?;
         let reading = reader.read(&observation, self.noise)?;
 
         let answer = Answer {
@@ -120,7 +120,7 @@ impl Read {
             observation: &observation,
             materials: &materials,
             all_components: table.count(),
-            is_png: memory.file(&self.image).extension() == "png",
+            is_png: input_file(&self.image).extension() == "png",
         };
         self.write(&answer)?;
         warning.iter().chain(&rounding::warning(&table, NumberFormat::F32)).for_each(print_message);
@@ -185,13 +185,13 @@ impl Read {
 
     /// The lights of the option, or those of the table's scene; and whether the shipped ones
     /// replace the latter.
-    fn lights(&self, table: &Table, memory: Memory) -> Result<(Lights, bool)> {
+    fn lights(&self, table: &Table) -> Result<(Lights, bool)> {
         let count = table.summary.lights;
         if let Some(source) = &self.light {
-            return Ok((source.lights(memory.of_file())?, false));
+            return Ok((source.lights()?, false));
         }
         match self.beside(&table.scene.light.database) {
-            Ok(path) => Ok((read_lights(memory.file(path), None)?, false)),
+            Ok(path) => Ok((read_lights(input_file(path), None)?, false)),
             Err(missing) => shipped::lights()
                 .ok()
                 .filter(|lights| lights.entries.len() == count)
@@ -202,13 +202,13 @@ impl Read {
 
     /// The materials of the option, or those of the table's scene; and whether the shipped ones
     /// replace the latter.
-    fn materials(&self, table: &Table, memory: Memory) -> Result<(Materials, bool)> {
+    fn materials(&self, table: &Table) -> Result<(Materials, bool)> {
         if let Some(source) = &self.material {
-            return Ok((source.materials(table.gram.order, memory.of_file())?, false));
+            return Ok((source.materials(table.gram.order)?, false));
         }
         let scene = &table.scene.material;
         let beside = self.beside_all(table);
-        let read = |path: &Path| read_materials_and_order(memory.file(path), None);
+        let read = |path: &Path| read_materials_and_order(input_file(path), None);
         let Materials { order, mut entries } = match &beside {
             Ok(paths) => scene_file::together(paths.iter().cloned(), read)?.0,
             Err(missing) => {
@@ -249,16 +249,15 @@ impl Read {
         table: &Table,
         components: usize,
         image: &LinearImage,
-        memory: Memory,
     ) -> Result<(Observation, String)> {
         let count = image.pixels.len();
         let mask = match &self.mask {
-            Some(path) => pixels::weights(&memory.file(path), image.size, count)?,
+            Some(path) => pixels::weights(&input_file(path), image.size, count)?,
             None => vec![1.0; count],
         };
         let counts: Vec<bool> =
             image.weights.iter().zip(&mask).map(|(weight, mask)| weight * mask > 0.0).collect();
-        let file = memory.file(&self.normals);
+        let file = input_file(&self.normals);
         let normals = pixels::normals(&file, image.size, &counts, self.green.is_flipped)?;
         if let Some([width, height]) = image.size
             && self.normals == Path::new("sphere")

@@ -3,8 +3,8 @@
 use super::choices::Choices;
 use super::highlights::{HighlightInputs, estimate_note, needed};
 use super::options::{
-    Green, Inputs, Memory, Sources, TableChoice, WindowChoice, choice, count, exposure, sources,
-    tolerance,
+    Green, Inputs, Sources, TableChoice, WindowChoice, choice, count, exposure, input_file,
+    sources, tolerance,
 };
 use clap::builder::TypedValueParser;
 use clap::{Args, ValueEnum};
@@ -103,7 +103,7 @@ fn tones() -> impl TypedValueParser<Value = Tone> {
 }
 
 impl Render {
-    pub fn run(self, memory: Memory) -> Result<()> {
+    pub fn run(self) -> Result<()> {
         let inputs = self.inputs.files(&[&self.normals, self.table.path()]);
         output::refuse_collisions([&self.out], inputs)?;
         let Inputs { light, material } = &self.inputs;
@@ -112,10 +112,10 @@ impl Render {
             let remedy = "leave --tone out, or write a .png";
             return Err(Error::new("an .exr has no tone curve", remedy).in_file(&self.out));
         }
-        let Lights { degree, entries } = light.lights(memory.of_file())?;
+        let Lights { degree, entries } = light.lights()?;
         let lights = Lights { degree, entries: vec![light.only(entries)?] };
         let one = |order| -> Result<Materials> {
-            let Materials { order, entries } = material.materials(order, memory.of_file())?;
+            let Materials { order, entries } = material.materials(order)?;
             Ok(Materials { order, entries: vec![material.only(entries)?] })
         };
         let mut materials = one(usize::MAX)?;
@@ -124,7 +124,7 @@ impl Render {
             let what = "--tolerance chooses the number of sources, which is given";
             return Err(Error::new(what, "leave one out, or give --sources auto"));
         }
-        let table = choice.read(memory)?;
+        let table = choice.read()?;
         if material.is_shipped() {
             materials = one(table.gram.order)?;
         }
@@ -142,18 +142,14 @@ impl Render {
         let all_effects = self.choices.has_all_effects();
         let (most, note_of_error) = match self.sources {
             _ if !all_effects => (0, None),
-            Some(Sources::Most(most)) => {
-                (most, estimate_note(&self.inputs, &table, pair, most, memory)?)
-            }
-            None | Some(Sources::Auto) => {
-                needed(&self.inputs, &table, pair, self.tolerance, memory)?
-            }
+            Some(Sources::Most(most)) => (most, estimate_note(&self.inputs, &table, pair, most)?),
+            None | Some(Sources::Auto) => needed(&self.inputs, &table, pair, self.tolerance)?,
         };
         let highlights = match most {
             0 => None,
             most => {
                 let pair = (&mut lights, &materials);
-                HighlightInputs::taken_out(&self.inputs, &table, pair, most, memory)?
+                HighlightInputs::taken_out(&self.inputs, &table, pair, most)?
             }
         };
         let sources = highlights.as_ref().map_or(0, HighlightInputs::count);
@@ -180,12 +176,10 @@ impl Render {
                 Object::Sphere(self.size.unwrap_or(SIZE))
             }
             None => {
-                let file = memory.file(&self.normals);
+                let file = input_file(&self.normals);
                 Object::View(ObjectView::read(file, self.size, self.green.is_flipped)?)
             }
         };
-        let [width, height] = object.size();
-        memory.file(&self.out).admit_pixels((width * height) as u64, file.bytes_per_pixel(), 0)?;
         let scene = Pair { table: &table, lights: &lights, materials: &materials, highlights };
         let (mut least, mut largest) = (f64::INFINITY, f64::NEG_INFINITY);
         let mut draw = |show: &mut dyn FnMut(Pixel, Rgb<f32>)| {

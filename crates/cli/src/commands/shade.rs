@@ -1,7 +1,9 @@
 //! `eigenshade shade`: writes the irradiance of given normals.
 
 use super::choices::Choices;
-use super::options::{Destination, Inputs, Memory, TableChoice, WindowChoice, count, tolerance};
+use super::options::{
+    Destination, Inputs, TableChoice, WindowChoice, count, input_file, tolerance,
+};
 use super::shade_images::{Images, Output, Way};
 use clap::{Args, ValueEnum};
 use eigenshade::NegativePolicy;
@@ -76,7 +78,7 @@ enum Method {
 }
 
 impl Shade {
-    pub fn run(self, memory: Memory) -> Result<()> {
+    pub fn run(self) -> Result<()> {
         let is_integer = self.format == Some(Format::Q15);
         if self.method == Method::Modes && !matches!(self.format, None | Some(Format::F64)) {
             let what = "the method modes supports only f64";
@@ -102,7 +104,7 @@ impl Shade {
         refuse_object(&self.normals)?;
         let inputs = self.inputs.files(&[&self.normals, self.table.path()]);
         output::refuse_collisions(&self.out.path, inputs)?;
-        let table = self.table.read(memory)?;
+        let table = self.table.read()?;
         let effects = self.choices.effects(&table)?;
         self.choices.check_rotation(&table)?;
         if is_integer && effects != table.effects() {
@@ -118,8 +120,8 @@ impl Shade {
             if is_part { with_components(&table, |number, _| number < components) } else { table };
         // The rounding of all components was measured, but not that of fewer.
         let stored = self.stored().filter(|_| !is_part);
-        let lights = self.inputs.light.lights(memory.of_file())?;
-        let materials = self.inputs.material.materials(table.gram.order, memory.of_file())?;
+        let lights = self.inputs.light.lights()?;
+        let materials = self.inputs.material.materials(table.gram.order)?;
         let higher =
             of_higher_order(self.inputs.material.named(), materials.order, table.gram.order);
         let dark = dark_light_warning(&lights);
@@ -132,7 +134,7 @@ impl Shade {
             channels.for_each(|channel| window.apply(channel));
         }
         let warnings = warnings.chain(stored.and_then(|one| rounding::warning(&table, one)));
-        let normals = read_normals(memory.file(&self.normals))?;
+        let normals = read_normals(input_file(&self.normals))?;
         let tolerance = self.tolerance;
         let rounding = stored.and_then(|format| table.rounding(format));
         let rounding = rounding.map_or(0.0, |rounding| rounding.largest);

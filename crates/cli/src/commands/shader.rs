@@ -1,7 +1,7 @@
 //! `eigenshade shader`: writes a scene as a function of a shader.
 
 use super::highlights::{HighlightInputs, estimate_note};
-use super::options::{Destination, Inputs, Memory, Parsed, TableChoice, choice, count, tolerance};
+use super::options::{Destination, Inputs, Parsed, TableChoice, choice, count, tolerance};
 use clap::Args;
 use clap::builder::TypedValueParser;
 use eigenshade::{Highlights, Rgb, Scene, ShaderLanguage, Tolerance};
@@ -101,20 +101,20 @@ struct Written {
 }
 
 impl Shader {
-    pub fn run(self, memory: Memory) -> Result<()> {
+    pub fn run(self) -> Result<()> {
         if self.binding.is_some() && self.lang.0 != ShaderLanguage::Wgsl {
             return Err(Error::new("--binding is for --lang wgsl", "leave it out"));
         }
         output::refuse_collisions(&self.out.path, self.inputs.files(&[self.table.path()]))?;
-        let table = self.table.read(memory)?;
-        let lights = self.inputs.light.lights(memory.of_file())?;
-        let of_file = self.inputs.material.materials(table.gram.order, memory.of_file())?;
+        let table = self.table.read()?;
+        let lights = self.inputs.light.lights()?;
+        let of_file = self.inputs.material.materials(table.gram.order)?;
         let (lights, materials) = fitted(&table, &lights, &of_file);
         let light = self.inputs.light.only(lights.entries)?;
         let material = self.inputs.material.only(materials.entries)?;
         let mut lights = Lights { degree: lights.degree, entries: vec![light] };
         let materials = Materials { order: materials.order, entries: vec![material] };
-        let (highlights, sharp) = self.highlights(&table, &mut lights, &materials, memory)?;
+        let (highlights, sharp) = self.highlights(&table, &mut lights, &materials)?;
         let (light, material) = (&lights.entries[0], &materials.entries[0]);
         let basis = OwnedBasis::new(&table);
         let any = basis.any().map_err(fault)?;
@@ -148,15 +148,14 @@ impl Shader {
         table: &Table,
         lights: &mut Lights,
         materials: &Materials,
-        memory: Memory,
     ) -> Result<(Option<Lobes>, Option<String>)> {
         let depends = self.json || self.tolerance.is_some();
         let Some(most) = self.sources.filter(|_| depends) else { return Ok((None, None)) };
         let pair = (&mut *lights, materials);
-        let highlights = HighlightInputs::taken_out(&self.inputs, table, pair, most, memory)?;
+        let highlights = HighlightInputs::taken_out(&self.inputs, table, pair, most)?;
         let Some(highlights) = highlights else { return Ok((None, None)) };
         let pair = (&*lights, materials);
-        let note = estimate_note(&self.inputs, table, pair, highlights.count(), memory)?;
+        let note = estimate_note(&self.inputs, table, pair, highlights.count())?;
         Ok((Some(highlights.shaded()?), note))
     }
 

@@ -1,30 +1,18 @@
-//! Arrays with names, axes and units, and as JSON: an object with, for each name, meaning, axes,
-//! shape, unit and values.
-
-use eigenshade_model::error::{Error, Result};
-use serde::{Serialize, Serializer};
+//! Arrays with names and shapes.
 
 /// One array of an export.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Array {
     /// Its name in the file.
-    #[serde(skip)]
     pub name: &'static str,
-    /// A description of the values.
-    pub meaning: &'static str,
-    /// What each axis counts, as many as the shape has numbers.
-    pub axes: Vec<&'static str>,
     /// Length of each axis; empty for a single value.
     pub shape: Vec<usize>,
-    /// Unit of the values; `1` if they have none.
-    pub unit: &'static str,
     /// The values, the last axis fastest.
     pub values: Values,
 }
 
 /// The values of an array.
-#[derive(Clone, Debug, PartialEq, Serialize)]
-#[serde(untagged)]
+#[derive(Clone, Debug, PartialEq)]
 pub enum Values {
     /// Real numbers; NaN where there is none.
     Floats(Vec<f64>),
@@ -63,36 +51,19 @@ impl From<Vec<String>> for Values {
 }
 
 impl Array {
-    /// The array `name` with the given axes, each with its length.
+    /// The array `name` of a shape.
     ///
     /// # Panics
     ///
-    /// If the values do not fill the axes, which is a fault of the caller.
+    /// If the values do not fill the shape, which is a fault of the caller.
     #[must_use]
     pub fn new<const N: usize>(
-        (name, meaning, unit): (&'static str, &'static str, &'static str),
-        axes: [(&'static str, usize); N],
+        name: &'static str,
+        shape: [usize; N],
         values: impl Into<Values>,
     ) -> Self {
         let values = values.into();
-        let (axes, shape): (Vec<_>, Vec<usize>) = axes.into_iter().unzip();
         assert_eq!(values.len(), shape.iter().product::<usize>(), "the shape of {name}");
-        Self { name, meaning, axes, shape, unit, values }
-    }
-}
-
-/// The text of a JSON file. Values are in one list, the last axis fastest; NaN is `null`. Numbers
-/// read back as the same bits. Cannot fail in practice: names, numbers and texts always have a form
-/// in JSON.
-pub fn json(arrays: &[Array]) -> Result<String> {
-    let text = serde_json::to_string(&ByName(arrays));
-    Ok(text.map_err(|error| Error::new(error.to_string(), "report it"))? + "\n")
-}
-
-struct ByName<'a>(&'a [Array]);
-
-impl Serialize for ByName<'_> {
-    fn serialize<S: Serializer>(&self, serializer: S) -> std::result::Result<S::Ok, S::Error> {
-        serializer.collect_map(self.0.iter().map(|array| (array.name, array)))
+        Self { name, shape: shape.to_vec(), values }
     }
 }

@@ -10,17 +10,9 @@ pub fn of_lights(lights: &Lights) -> Vec<Array> {
     let (count, length) = (lights.entries.len(), light::count(lights.degree));
     let indices = light::indices(lights.degree).flat_map(|(l, m)| [l as i64, m as i64]);
     vec![
-        Array::new(("light_names", "names", "1"), [("light", count)], names(&lights.entries)),
-        Array::new(
-            ("lights", "spherical harmonic coefficients L_l^m", "radiance"),
-            [("light", count), ("r g b", 3), ("coefficient", length)],
-            channels(&lights.entries),
-        ),
-        Array::new(
-            ("light_indices", "l and m of each coefficient of a light", "1"),
-            [("coefficient", length), ("l m", 2)],
-            indices.collect::<Vec<_>>(),
-        ),
+        Array::new("light_names", [count], names(&lights.entries)),
+        Array::new("lights", [count, 3, length], channels(&lights.entries)),
+        Array::new("light_indices", [length, 2], indices.collect::<Vec<_>>()),
     ]
 }
 
@@ -31,21 +23,9 @@ pub fn of_materials(materials: &Materials) -> Vec<Array> {
     let indices = material::indices(materials.order);
     let indices = indices.flat_map(|(o, p, q)| [o as i64, p as i64, q as i64]);
     vec![
-        Array::new(
-            ("material_names", "names", "1"),
-            [("material", count)],
-            names(&materials.entries),
-        ),
-        Array::new(
-            ("materials", "Koenderink-van Doorn coefficients b_op^q of the BRDF", "1/sr"),
-            [("material", count), ("r g b", 3), ("coefficient", length)],
-            channels(&materials.entries),
-        ),
-        Array::new(
-            ("material_indices", "o, p and q of each coefficient of a material", "1"),
-            [("coefficient", length), ("o p q", 3)],
-            indices.collect::<Vec<_>>(),
-        ),
+        Array::new("material_names", [count], names(&materials.entries)),
+        Array::new("materials", [count, 3, length], channels(&materials.entries)),
+        Array::new("material_indices", [length, 3], indices.collect::<Vec<_>>()),
     ]
 }
 

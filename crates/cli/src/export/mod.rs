@@ -1,5 +1,5 @@
 //! Lights, materials, tables and scenes for other programs: as source in Rust, C and JavaScript,
-//! and as arrays in JSON and numpy's npz.
+//! and as arrays in numpy's npz.
 
 pub mod array;
 pub mod c;
@@ -7,7 +7,6 @@ pub mod coefficients;
 pub mod entry;
 pub mod highlights;
 pub mod js;
-#[cfg(feature = "generate")]
 pub mod npz;
 pub mod rust;
 pub mod scene;

@@ -2,18 +2,16 @@
 
 use super::array::Array;
 use super::shown::Shown;
-use super::table::BYTES;
 use eigenshade_model::database::{Lights, Materials};
 use eigenshade_model::error::Result;
 use eigenshade_model::evaluation::Evaluator;
 use eigenshade_shading::overflow;
 use eigenshade_table::Table;
 
-/// The bytes that an export of this many pairs of a light and a material at this many normals takes
-/// at most.
+/// The numbers in the arrays of this many pairs of a light and a material at this many normals.
 #[must_use]
-pub fn size(table: &Table, pairs: usize, normals: usize) -> u64 {
-    BYTES * (3 * pairs * (table.count() + normals)) as u64
+pub fn size(table: &Table, pairs: usize, normals: usize) -> usize {
+    3 * pairs * (table.count() + normals)
 }
 
 /// d of each light on each material, channel by channel; and, for normals, the irradiances. Fails
@@ -42,21 +40,11 @@ pub fn arrays(
             }
         }
     }
-    let (light, material) =
-        (("light", lights.entries.len()), ("material", materials.entries.len()));
-    let meaning =
-        "d, the image in the table's eigenimages, less the mean image of a standard table";
-    let mut arrays = vec![Array::new(
-        ("coefficients", meaning, "irradiance"),
-        [light, material, ("r g b", 3), ("component", table.count())],
-        coefficients,
-    )];
+    let (light, material) = (lights.entries.len(), materials.entries.len());
+    let mut arrays =
+        vec![Array::new("coefficients", [light, material, 3, table.count()], coefficients)];
     if let Some(shown) = shown {
-        arrays.push(Array::new(
-            ("images", "irradiance of each normal", "irradiance"),
-            [light, material, ("r g b", 3), ("normal", shown.normals.len())],
-            images,
-        ));
+        arrays.push(Array::new("images", [light, material, 3, shown.normals.len()], images));
         arrays.extend(shown.arrays());
     }
     Ok(arrays)

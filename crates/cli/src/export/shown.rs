@@ -2,7 +2,7 @@
 
 use super::array::Array;
 use crate::object::ObjectView;
-use crate::picture::{Pixel, SphereView};
+use crate::picture::Pixel;
 use eigenshade_model::error::{Error, Result};
 use eigenshade_model::inputs::input_file::InputFile;
 use eigenshade_model::inputs::normals::read_normals;
@@ -21,15 +21,9 @@ pub struct Shown {
 
 impl Shown {
     /// The normals of a CSV `x,y,z`, or of the object that [`ObjectView::read`] reads, in `size`
-    /// pixels across; by default 64, and all of a normal map. `admit` checks the number of normals:
-    /// of a sphere before they are computed, of a file when it has been read. Fails as reading the
-    /// file and `admit` do, and for a CSV with a size.
-    pub fn read(
-        file: InputFile,
-        size: Option<usize>,
-        flip_green: bool,
-        admit: impl Fn(usize) -> Result<()>,
-    ) -> Result<Self> {
+    /// pixels across; by default 64, and all of a normal map. Fails as reading the file does, and
+    /// for a CSV with a size.
+    pub fn read(file: InputFile, size: Option<usize>, flip_green: bool) -> Result<Self> {
         let extension = file.extension();
         if extension == "csv" && !flip_green {
             if size.is_some() {
@@ -37,15 +31,10 @@ impl Shown {
                 return Err(Error::new(what, "leave --size out").in_file(file.path()));
             }
             let normals = read_normals(file)?;
-            admit(normals.len())?;
             return Ok(Self { normals, pixels: Vec::new() });
         }
         let size = size.or((extension != "png").then_some(SIZE));
-        if file.path().as_os_str() == "sphere" {
-            admit(SphereView::pixels(size.unwrap_or(SIZE)).count())?;
-        }
         let ObjectView { normals, pixels, .. } = ObjectView::read(file, size, flip_green)?;
-        admit(normals.len())?;
         Ok(Self { normals, pixels })
     }
 
@@ -53,21 +42,14 @@ impl Shown {
     #[must_use]
     pub fn arrays(&self) -> Vec<Array> {
         let count = self.normals.len();
-        let mut arrays = vec![Array::new(
-            ("normals", "unit normals: x right, y up, z toward the camera", "1"),
-            [("normal", count), ("x y z", 3)],
-            self.normals.as_flattened().to_vec(),
-        )];
+        let mut arrays =
+            vec![Array::new("normals", [count, 3], self.normals.as_flattened().to_vec())];
         if !self.pixels.is_empty() {
             let places = self.pixels.iter().flat_map(|one| [one.row as i64, one.column as i64]);
+            arrays.push(Array::new("pixels", [count, 2], places.collect::<Vec<_>>()));
             arrays.push(Array::new(
-                ("pixels", "row from the top and column from the left of each normal", "pixel"),
-                [("normal", count), ("row column", 2)],
-                places.collect::<Vec<_>>(),
-            ));
-            arrays.push(Array::new(
-                ("coverage", "share of each pixel that the object covers", "1"),
-                [("normal", count)],
+                "coverage",
+                [count],
                 self.pixels.iter().map(|one| one.coverage).collect::<Vec<_>>(),
             ));
         }

@@ -8,15 +8,12 @@ use eigenshade_model::error::{Error, Result};
 use eigenshade_model::evaluation::Evaluator;
 use eigenshade_table::{General, Profile, Table};
 
-/// Bytes of a number, as it is and as text, with what is allocated beside it.
-pub(super) const BYTES: u64 = 48;
-
-/// The bytes that an export of a table takes at most: the arrays, and the text of a file.
+/// The most numbers in the arrays of a table.
 #[must_use]
-pub fn size(table: &Table, normals: usize) -> u64 {
+pub fn size(table: &Table, normals: usize) -> usize {
     let modes = mode::total(table.gram.degree, table.gram.order);
     let by_mode = modes * (table.gram.nodes.len() + 2 * table.components.len() + 7);
-    BYTES * (by_mode + normals * (table.count() + 7)) as u64
+    by_mode + normals * (table.count() + 7)
 }
 
 /// The arrays of a table. Modes are sorted by m from -degree to degree, and within one m in the
@@ -48,60 +45,30 @@ pub fn arrays(table: &Table, shown: Option<&Shown>) -> Result<Vec<Array>> {
         if m == 0 { means.clone() } else { vec![0.0; of_m] }
     });
     let mut arrays = vec![
-        scalar(("degree", "largest degree l of the light", "1"), vec![degree as i64]),
-        scalar(("order", "largest order o of the BRDF", "1"), vec![order as i64]),
-        scalar(
-            ("criterion", "image-centered (18) or standard (17)", "1"),
-            vec![table.scene.basis.criterion.name().to_owned()],
-        ),
-        scalar(
-            ("energy", "mean energy of the database's images about their mean", "irradiance^2"),
-            vec![table.summary.energy],
-        ),
+        scalar("degree", vec![degree as i64]),
+        scalar("order", vec![order as i64]),
+        scalar("criterion", vec![table.scene.basis.criterion.name().to_owned()]),
+        scalar("energy", vec![table.summary.energy]),
+        Array::new("modes", [total, 5], modes.collect::<Vec<_>>()),
+        Array::new("kept", [total], kept.collect::<Vec<_>>()),
+        Array::new("nodes", [nodes], gram.nodes.clone()),
+        Array::new("root_weights", [nodes], gram.root_weights.clone()),
+        Array::new("gram_factor", [nodes, total], factor(table)),
+        Array::new("mode_means", [total], means.collect::<Vec<_>>()),
         Array::new(
-            ("modes", "l, m, o, p and q of each irradiance mode E_lop^mq", "1"),
-            [("mode", total), ("l m o p q", 5)],
-            modes.collect::<Vec<_>>(),
-        ),
-        Array::new(
-            ("kept", "1 if the table includes the mode", "1"),
-            [("mode", total)],
-            kept.collect::<Vec<_>>(),
-        ),
-        Array::new(
-            ("nodes", "z = cos alpha of each node", "1"),
-            [("node", nodes)],
-            gram.nodes.clone(),
-        ),
-        Array::new(
-            ("root_weights", "square root of each node's weight; the weights sum to 1", "1"),
-            [("node", nodes)],
-            gram.root_weights.clone(),
-        ),
-        Array::new(
-            ("gram_factor", "A with M = A^T A between modes of one m; 0 between others", "sr^1/2"),
-            [("node", nodes), ("mode", total)],
-            factor(table),
-        ),
-        Array::new(
-            ("mode_means", "e, the mean of each mode over the normals", "sr"),
-            [("mode", total)],
-            means.collect::<Vec<_>>(),
-        ),
-        Array::new(
-            ("component_m", "m of each component", "1"),
-            [("component", components)],
+            "component_m",
+            [components],
             table.components.iter().map(|one| i64::from(one.order)).collect::<Vec<_>>(),
         ),
         Array::new(
-            ("profiles", "square root of weight times the component's profile u", "1"),
-            [("node", nodes), ("component", components)],
+            "profiles",
+            [nodes, components],
             by_component(table, nodes, |profile, k| profile.node_values[k]),
         ),
         series(table),
         Array::new(
-            ("projection", "U^T M", "sr"),
-            [("component", components), ("mode", total)],
+            "projection",
+            [components, total],
             rows(table, |profile| table.gram_row(profile)),
         ),
     ];
@@ -109,8 +76,8 @@ pub fn arrays(table: &Table, shown: Option<&Shown>) -> Result<Vec<Array>> {
         let rows = rows(table, |profile| profile.modes.clone());
         let columns = (0..total).flat_map(|s| (0..components).map(move |i| (i, s)));
         arrays.push(Array::new(
-            ("mode_coefficients", "U over modes, a column for each component", "1/sr"),
-            [("mode", total), ("component", components)],
+            "mode_coefficients",
+            [total, components],
             columns.map(|(i, s)| rows[i * total + s]).collect::<Vec<_>>(),
         ));
     }
@@ -123,11 +90,8 @@ pub fn arrays(table: &Table, shown: Option<&Shown>) -> Result<Vec<Array>> {
     Ok(arrays)
 }
 
-fn scalar(
-    text: (&'static str, &'static str, &'static str),
-    value: impl Into<super::array::Values>,
-) -> Array {
-    Array::new(text, [], value)
+fn scalar(name: &'static str, value: impl Into<super::array::Values>) -> Array {
+    Array::new(name, [], value)
 }
 
 /// The sign of what +m and -m share: (-1)^m for -m.
@@ -176,8 +140,8 @@ fn by_component(table: &Table, length: usize, of: impl Fn(&Profile, usize) -> f6
 fn series(table: &Table) -> Array {
     let longest = table.profiles.iter().map(|profile| profile.chebyshev.len()).max().unwrap_or(0);
     Array::new(
-        ("series", "Chebyshev coefficients in 2z - 1 of h with u = sin^|m|(alpha) h(z)", "1"),
-        [("term", longest), ("component", table.components.len())],
+        "series",
+        [longest, table.components.len()],
         by_component(table, longest, |profile, k| profile.chebyshev.get(k).copied().unwrap_or(0.0)),
     )
 }
@@ -190,25 +154,21 @@ fn statistics(table: &Table) -> Vec<Array> {
     let spectrum = &table.spectrum;
     let mut arrays = vec![
         Array::new(
-            ("eigenvalues", "variance of each eigenimage; none for the constant", "irradiance^2"),
-            [("eigenimage", values.len())],
+            "eigenvalues",
+            [values.len()],
             values.into_iter().map(number).collect::<Vec<_>>(),
         ),
         Array::new(
-            ("spectrum", "eigenvalues of all components, kept or not", "irradiance^2"),
-            [("index", spectrum.len())],
+            "spectrum",
+            [spectrum.len()],
             spectrum.iter().map(|(_, value)| number(*value)).collect::<Vec<_>>(),
         ),
     ];
     if let Some(mean) = &table.mean {
+        arrays.push(Array::new("mean_series", [mean.chebyshev.len()], mean.chebyshev.clone()));
         arrays.push(Array::new(
-            ("mean_series", "Chebyshev coefficients in 2z - 1 of the mean image", "irradiance"),
-            [("term", mean.chebyshev.len())],
-            mean.chebyshev.clone(),
-        ));
-        arrays.push(Array::new(
-            ("mean_coefficients", "the mean image in the components", "irradiance"),
-            [("component", mean.coefficients.len())],
+            "mean_coefficients",
+            [mean.coefficients.len()],
             mean.coefficients.clone(),
         ));
     }
@@ -218,14 +178,13 @@ fn statistics(table: &Table) -> Vec<Array> {
 fn of_object(general: &General, components: usize) -> Vec<Array> {
     let count = general.eigenvalues.len();
     let matrices = [
-        ("object_projection", "maps an image's coordinates in the span to d", &general.projection),
-        ("object_synthesis", "coordinates of each eigenimage in the span", &general.synthesis),
-        ("object_modes", "U of each eigenimage in terms of U of the span", &general.modes),
+        ("object_projection", &general.projection),
+        ("object_synthesis", &general.synthesis),
+        ("object_modes", &general.modes),
     ];
-    let kept = matrices.into_iter().filter(|(_, _, values)| !values.is_empty());
-    let axes = [("eigenimage", count), ("component", components)];
-    kept.map(|(name, meaning, values)| Array::new((name, meaning, "1"), axes, values.clone()))
-        .collect()
+    let kept = matrices.into_iter().filter(|(_, values)| !values.is_empty());
+    let axes = [count, components];
+    kept.map(|(name, values)| Array::new(name, axes, values.clone())).collect()
 }
 
 /// Each eigenimage at the normals, and the mean image if there is one.
@@ -235,17 +194,9 @@ fn images(table: &Table, shown: &Shown) -> Vec<Array> {
     let values = (0..count).flat_map(|component| eigenimages.eigenimage(component));
     let mean = eigenimages.mean().to_vec();
     let has_mean = mean.iter().any(|&value| value != 0.0);
-    let mut arrays = vec![Array::new(
-        ("eigenimages", "U_i at each normal", "1"),
-        [("eigenimage", count), ("normal", length)],
-        values.collect::<Vec<_>>(),
-    )];
+    let mut arrays = vec![Array::new("eigenimages", [count, length], values.collect::<Vec<_>>())];
     if has_mean {
-        arrays.push(Array::new(
-            ("mean_image", "the image of d = 0 at each normal", "irradiance"),
-            [("normal", length)],
-            mean,
-        ));
+        arrays.push(Array::new("mean_image", [length], mean));
     }
     arrays
 }

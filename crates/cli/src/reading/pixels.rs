@@ -15,9 +15,6 @@ use eigenshade_model::srgb::linear;
 use eigenshade_model::vector::dot;
 use std::path::Path;
 
-/// Bytes per pixel of a [`LinearImage`] while it is read, including its weight and its normal.
-const BYTES_PER_PIXEL: u64 = 136;
-
 /// By how much rounding may leave an opacity outside 0 to 1.
 const OPACITY_SLACK: f32 = 1e-3;
 
@@ -61,7 +58,7 @@ impl LinearImage {
     /// a type that has none, or none is given for a PNG that declares another curve; if numbers are
     /// not finite.
     pub fn read(file: impl Into<InputFile>, transfer: Option<Transfer>) -> Result<Self> {
-        let file = file.into().with_bytes_beside(BYTES_PER_PIXEL);
+        let file = file.into();
         let path = file.path();
         let ending = file.extension();
         if ending == "png" {
@@ -235,8 +232,7 @@ fn normals_of_png(
     flip_green: bool,
 ) -> Result<Vec<Option<[f64; 3]>>> {
     let path = file.path();
-    let png = file.clone().with_bytes_beside(size_of::<Option<[f64; 3]>>() as u64);
-    let png = normal_map::load(&png, flip_green)?;
+    let png = normal_map::load(file, flip_green)?;
     let (width, height) = (png.width, png.height);
     let what = match size {
         Some([w, h]) if [w, h] != [width, height] => format!("the image {w} x {h}"),
@@ -262,8 +258,7 @@ pub fn weights(file: &InputFile, size: Option<[usize; 2]>, count: usize) -> Resu
 }
 
 fn weights_of_png(file: &InputFile, size: Option<[usize; 2]>) -> Result<Vec<f64>> {
-    let png = file.clone().with_bytes_beside(size_of::<f64>() as u64);
-    let png = png_samples::read(png)?.upright();
+    let png = png_samples::read(file.clone())?.upright();
     if let Some([width, height]) = size
         && (width, height) != (png.width, png.height)
     {

@@ -3,7 +3,6 @@
 #[cfg(feature = "generate")]
 pub mod compare;
 #[cfg(feature = "generate")]
-pub mod recorded_errors;
 pub mod rounding;
 
 use crate::description::Description;
@@ -104,7 +103,7 @@ pub fn wire_description(bytes: &[u8]) -> Result<Description> {
     let (header, lengths) = found.map_err(|error| Error::of_line(error, "pack the table again"))?;
     let (format, names) = match NumberFormat::of(header.format) {
         Some(NumberFormat::F32) | None => {
-            (NumberFormat::F32, [Parts::<f32>::ARRAYS, GeneralParts::<f32>::ARRAYS].concat())
+            (NumberFormat::F32, [Parts::ARRAYS, GeneralParts::ARRAYS].concat())
         }
         Some(format) => (format, q15::Parts::ARRAYS.to_vec()),
     };
@@ -177,11 +176,11 @@ fn checked(bytes: &[u8]) -> std::result::Result<(Header, Lengths), WireError> {
     let lengths = match NumberFormat::of(header.format) {
         Some(NumberFormat::Q15) => of_integers(&q15::Basis::from_bytes(bytes)?),
         _ if header.images > 0 => {
-            let basis = GeneralBasis::<f32>::from_bytes(bytes)?;
+            let basis = GeneralBasis::from_bytes(bytes)?;
             of_floats(basis.workspace_len(), basis.components(), basis.span())
         }
         _ => {
-            let basis = Basis::<f32>::from_bytes(bytes)?;
+            let basis = Basis::from_bytes(bytes)?;
             of_floats(basis.workspace_len(), basis.components(), &basis)
         }
     };

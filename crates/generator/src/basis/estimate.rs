@@ -4,10 +4,12 @@ use crate::basis::profile::terms;
 use crate::object::geometry::Geometry;
 use crate::scene_file::Loaded;
 use eigenshade_index::{layout, light, material, mode, pair};
-use eigenshade_model::budget::Budget;
-use eigenshade_model::error::Result;
+use eigenshade_model::error::{Error, Result};
 use eigenshade_table::scene::{LightRotation, Store};
 use std::time::Duration;
+
+/// The most memory that a table may need, in bytes.
+const MOST_BYTES: u64 = 8 << 30;
 
 /// Bytes per number.
 const NUMBER: f64 = 8.0;
@@ -107,17 +109,23 @@ impl Estimate {
         }
     }
 
-    /// Whether the table can be made within this budget.
+    /// Checks the memory before the table is made.
     ///
     /// # Errors
     ///
-    /// If it cannot. The message gives degree, order, memory and time.
-    pub fn admit(&self, budget: Budget) -> Result<()> {
+    /// If it is more than 8 GiB. The message gives degree, order, memory and time.
+    pub fn check(&self) -> Result<()> {
+        if self.bytes <= MOST_BYTES {
+            return Ok(());
+        }
         let [degree, order] = self.size;
-        budget.admit(self.bytes).map_err(|error| {
-            let time = self.minutes().map(|time| format!(", {time} of work")).unwrap_or_default();
-            error.of(format_args!("a table of degree {degree}, order {order}{time}"))
-        })
+        let time = self.minutes().map(|time| format!(" and {time}")).unwrap_or_default();
+        let [needed, most] = [self.bytes.div_ceil(1 << 30), MOST_BYTES >> 30];
+        let what = format!(
+            "a table of degree {degree}, order {order} needs {needed} GiB of memory{time}, and at \
+             most {most} GiB are allowed"
+        );
+        Err(Error::new(what, "reduce the degree or the order, or name fewer materials"))
     }
 
     /// The time as text; `None` if it is shorter than a minute.

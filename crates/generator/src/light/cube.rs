@@ -6,7 +6,7 @@
 //! meet pz. This frame becomes the project's by turning z around: pz is -z, in front of the camera,
 //! as the middle of an equirectangular map is, and px is +x, to its right.
 
-use crate::light::environment::{BYTES_PER_TEXEL, EnvironmentMap, Integrals};
+use crate::light::environment::{EnvironmentMap, Integrals, MOST_TEXELS};
 use crate::light::map_file::maps_in;
 use eigenshade_model::error::{Error, Result};
 use eigenshade_model::inputs::input_file::InputFile;
@@ -132,12 +132,13 @@ impl CubeMap {
     /// # Errors
     ///
     /// If a face is missing, is there twice, is not square or has another size than px; those of
-    /// [`EnvironmentMap::from_path`], where the budget has to have room for all faces.
+    /// [`EnvironmentMap::from_path`], whose limit holds for all faces together.
     pub fn from_folder(folder: &InputFile) -> Result<Self> {
         let (mut size, mut texels) = (0, Vec::new());
         for path in face_files(folder.path())? {
-            let face = folder.other(&path).with_bytes_beside(5 * BYTES_PER_TEXEL);
-            let face = EnvironmentMap::from_path(face)?;
+            let face = EnvironmentMap::from_path(folder.other(&path))?;
+            let count = 6 * face.texels.len() as u64;
+            folder.at_most(count, MOST_TEXELS as u64, "texels in six faces")?;
             let (width, height) = (face.width, face.height);
             let what = if width != height {
                 format!("it is {width} x {height} pixels, not square")

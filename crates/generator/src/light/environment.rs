@@ -9,14 +9,11 @@ use eigenshade_model::database::luminance;
 use eigenshade_model::error::{Error, Result};
 use std::f64::consts::{PI, TAU};
 
-/// Largest number of texels that is read: twice the largest size in use, 16384 x 8192.
-pub const MOST_TEXELS: usize = 1 << 28;
+/// The most texels that are read: 16384 x 8192.
+pub const MOST_TEXELS: usize = 1 << 27;
 
 /// No file type packs more texels into a byte; a header that claims more is wrong.
 const MOST_TEXELS_PER_BYTE: u64 = 1 << 16;
-
-/// Bytes of a texel of an [`EnvironmentMap`].
-pub const BYTES_PER_TEXEL: u64 = 12;
 
 /// Linear radiance in every direction.
 #[derive(Clone, Debug, PartialEq)]
@@ -163,13 +160,17 @@ impl EnvironmentMap {
 /// memory is allocated for it.
 pub(crate) fn believable(width: usize, height: usize, bytes: u64) -> Result<usize> {
     let count = width.checked_mul(height);
-    let most = bytes.saturating_mul(MOST_TEXELS_PER_BYTE).min(MOST_TEXELS as u64) as usize;
+    let most = bytes.saturating_mul(MOST_TEXELS_PER_BYTE);
     match count {
         Some(0) => Err(Error::new(
             format!("it is {width} x {height} pixels: it has none"),
             "export the map again",
         )),
-        Some(count) if count <= most => Ok(count),
+        Some(count) if count <= MOST_TEXELS && count as u64 <= most => Ok(count),
+        Some(count) if count as u64 <= most => Err(Error::new(
+            format!("it is {width} x {height} pixels, too many to read"),
+            format!("shrink it to at most {MOST_TEXELS} pixels"),
+        )),
         _ => Err(Error::new(
             format!("its header claims {width} x {height} pixels, which {bytes} bytes cannot hold"),
             format!("export the map again, with {MOST_TEXELS} pixels at most"),

@@ -4,9 +4,7 @@
 //! allocates whatever memory a header claims, including by tile sizes and the counters of DWA
 //! blocks. A single wrong byte could end the program instead of returning an error.
 
-use crate::light::environment::{
-    BYTES_PER_TEXEL, EnvironmentMap, MOST_TEXELS, believable, broken, other_type,
-};
+use crate::light::environment::{EnvironmentMap, MOST_TEXELS, believable, broken, other_type};
 use crate::light::exr_layer::ExrLayer;
 use crate::light::primaries::{Primaries, product};
 use eigenshade_model::error::{Error, Result};
@@ -64,8 +62,6 @@ pub(crate) fn decode(
     }
     let count = width * height;
     let has_opacities = needs_opacity && layer.opacity.is_some();
-    let bytes = BYTES_PER_TEXEL + if has_opacities { BYTES_PER_OPACITY } else { 0 };
-    file.admit_pixels(count as u64, bytes, bytes_beside(&headers, length))?;
     check_counters(&headers, parts.all_chunks(false).map_err(fault)?)?;
     reader.rewind().map_err(io)?;
     let mut grid = Grid {
@@ -114,9 +110,6 @@ fn convert(texels: &mut [[f32; 3]], stated: Chromaticities, file: &InputFile) {
         *texel = product(&matrix, texel.map(f64::from)).map(|value| value as f32);
     }
 }
-
-/// Bytes of an opacity.
-const BYTES_PER_OPACITY: u64 = 4;
 
 /// Texels row by row, and their opacities or none.
 struct Grid {
@@ -185,27 +178,8 @@ fn fault(error: ExrError) -> Error {
     }
 }
 
-/// Copies of a block that the decoder makes: as stored, unpacked, and two on the way from one to
-/// the other.
-const COPIES: u64 = 4;
-
-/// Bytes in which the decoder keeps the position of a block in the file.
-const PLACE: u64 = 24;
-
-/// Bytes that decoding needs in addition to the pixels.
-fn bytes_beside(headers: &[Header], length: u64) -> u64 {
-    let places = headers.iter().map(|header| PLACE * header.chunk_count as u64);
-    let block = |header: &Header| {
-        let Vec2(width, height) = header.max_block_pixel_size();
-        (width as u64)
-            .saturating_mul(height as u64)
-            .saturating_mul(header.channels.bytes_per_pixel as u64)
-    };
-    let largest = headers.iter().map(block).max().unwrap_or(0);
-    places
-        .fold(largest.saturating_mul(COPIES), u64::saturating_add)
-        .saturating_add(length.min(largest))
-}
+/// The most bytes of an unpacked block, of which the decoder makes four copies.
+const MOST_BYTES_PER_BLOCK: u64 = 1 << 28;
 
 /// Checks the sizes of every part of a file of `bytes` bytes.
 fn check_sizes(headers: &[Header], bytes: u64) -> Result<()> {
@@ -217,6 +191,12 @@ fn check_sizes(headers: &[Header], bytes: u64) -> Result<()> {
             if width.checked_mul(height).is_none_or(|area| area > MOST_TEXELS) {
                 return Err(broken(format!("its tiles are {width} x {height}")));
             }
+        }
+        let Vec2(width, height) = header.max_block_pixel_size();
+        let block = width as u64 * height as u64 * header.channels.bytes_per_pixel as u64;
+        if block > MOST_BYTES_PER_BLOCK {
+            let what = format!("a block of it has {block} bytes, too many to read");
+            return Err(Error::new(what, "export it as scan lines, without other layers"));
         }
     }
     Ok(())

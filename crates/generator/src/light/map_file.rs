@@ -1,6 +1,6 @@
 //! Environment maps as files: OpenEXR, Radiance, portable float maps, and pictures.
 
-use crate::light::environment::{BYTES_PER_TEXEL, EnvironmentMap, believable, broken, other_type};
+use crate::light::environment::{EnvironmentMap, believable, broken, other_type};
 use crate::light::{map_exr, map_hdr, map_picture};
 use eigenshade_model::error::{Error, Result};
 use eigenshade_model::inputs::input_file::InputFile;
@@ -28,8 +28,8 @@ impl EnvironmentMap {
     /// # Errors
     ///
     /// If the file cannot be read, is of another type, is broken, has no texels or a texel that is
-    /// not finite, is a cube as its attribute `envmap` states, or if its budget has no room for
-    /// [`BYTES_PER_TEXEL`] and a few rows.
+    /// not finite, is a cube as its attribute `envmap` states, or has more than
+    /// [`MOST_TEXELS`](crate::light::environment::MOST_TEXELS).
     pub fn from_path(file: impl Into<InputFile>) -> Result<Self> {
         let file = file.into();
         match read(&file)? {
@@ -47,7 +47,7 @@ impl EnvironmentMap {
     ///
     /// # Errors
     ///
-    /// Those of [`from_path`](Self::from_path); four more bytes a texel are needed.
+    /// Those of [`from_path`](Self::from_path).
     pub fn with_opacities(file: impl Into<InputFile>) -> Result<(Self, Vec<f32>)> {
         let file = file.into();
         let (mut reader, length) = file.open()?;
@@ -188,7 +188,6 @@ fn decode_pfm(
     }
     reader.consume(header);
     let mut row = vec![0; 4 * channels * width];
-    file.admit_pixels(count as u64, BYTES_PER_TEXEL, row.len() as u64)?;
     let mut texels = vec![[0.0; 3]; count];
     let decode = if scale < 0.0 { f32::from_le_bytes } else { f32::from_be_bytes };
     for texels in texels.chunks_exact_mut(width).rev() {

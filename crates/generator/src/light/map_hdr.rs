@@ -7,7 +7,7 @@
 //! This crate reads them itself because `image` 0.25 adds no half, drops the exponent that one
 //! needs for it, and ignores what the header states about color.
 
-use crate::light::environment::{BYTES_PER_TEXEL, EnvironmentMap, believable, broken, other_type};
+use crate::light::environment::{EnvironmentMap, believable, broken, other_type};
 use crate::light::primaries::{Primaries, XYZ, product};
 use crate::orientation::Orientation;
 use eigenshade_model::error::{Error, Result};
@@ -37,7 +37,6 @@ pub(crate) fn decode(
     let (orientation, stored) = header.size;
     let count = believable(stored[0], stored[1], length)?;
     let size = orientation.size(stored);
-    file.admit_pixels(count as u64, BYTES_PER_TEXEL, 4 * stored[0] as u64)?;
     let conversion = header.conversion(file);
     let mut texels = vec![[0.0; 3]; count];
     let mut pixels = vec![[0; 4]; stored[0]];

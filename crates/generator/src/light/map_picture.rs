@@ -4,7 +4,7 @@
 //! of EXIF data is applied, and primaries that a PNG states are converted. Opacity and color
 //! profiles are ignored, with a warning.
 
-use crate::light::environment::{BYTES_PER_TEXEL, EnvironmentMap, believable, broken, other_type};
+use crate::light::environment::{EnvironmentMap, believable, broken, other_type};
 use crate::light::primaries::product;
 use crate::orientation::Orientation;
 use crate::png_samples::{self, Curve};
@@ -22,7 +22,7 @@ use zune_jpeg::zune_core::options::DecoderOptions;
 /// as linear, any other as sRGB.
 pub(crate) fn decode_png(reader: &mut BufReader<File>, file: &InputFile) -> Result<EnvironmentMap> {
     check_signature(reader, file, b"\x89PNG\r\n\x1a\n", "PNG")?;
-    let png = png_samples::read(file.clone().with_bytes_beside(BYTES_PER_TEXEL))?;
+    let png = png_samples::read(file.clone())?;
     let curve = match &png.curve {
         Curve::Linear => |code| code,
         Curve::Undeclared | Curve::Srgb | Curve::Profile(_) => linear,
@@ -59,15 +59,8 @@ pub(crate) fn decode_png(reader: &mut BufReader<File>, file: &InputFile) -> Resu
 /// Every block of 8 x 8 pixels takes a bit at least.
 const MOST_PIXELS_PER_BYTE: u64 = 512;
 
-/// The largest side of a JPEG, and the largest side of its blocks.
+/// The largest side of a JPEG.
 const LONGEST_SIDE: usize = u16::MAX as usize;
-const LARGEST_BLOCK: u64 = 32;
-
-/// Bytes that the decoder of JPEGs takes for a pixel of such blocks: four coefficients.
-const BYTES_PER_BLOCK_PIXEL: u64 = 8;
-
-/// Bytes that it takes for each column of a row of blocks.
-const BYTES_PER_COLUMN: u64 = 1 << 10;
 
 /// Decodes a JPEG, baseline or progressive, gray or in color.
 pub(crate) fn decode_jpeg(
@@ -91,12 +84,6 @@ pub(crate) fn decode_jpeg(
     if pixels > MOST_PIXELS_PER_BYTE * length {
         return Err(broken(format!("{length} bytes cannot hold its {width} x {height} pixels")));
     }
-    let blocks = (width as u64).next_multiple_of(LARGEST_BLOCK)
-        * (height as u64).next_multiple_of(LARGEST_BLOCK);
-    // The coefficients are dropped before there are texels.
-    let rows = length + 3 * pixels + BYTES_PER_COLUMN * width as u64;
-    file.admit_pixels(pixels, 0, rows + BYTES_PER_BLOCK_PIXEL * blocks)?;
-    file.admit_pixels(pixels, BYTES_PER_TEXEL, rows)?;
     let samples = decoder.decode().map_err(jpeg_fault)?;
     let orientation = decoder.exif().and_then(|data| Orientation::of_exif(data));
     if decoder.icc_profile().is_some_and(|profile| !is_srgb(&profile)) {

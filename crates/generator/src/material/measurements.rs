@@ -102,8 +102,8 @@ pub(super) fn polar_angle(angle: f64) -> Option<f64> {
     (-RIM_SLACK..=FRAC_PI_2 + RIM_SLACK).contains(&angle).then(|| angle.clamp(0.0, FRAC_PI_2))
 }
 
-/// Bytes of a measurement, and of its value while it is read.
-const BYTES_PER_VALUE: u64 = 2 * size_of::<Measurement>() as u64;
+/// The most values of a CUReT folder, and the most lines of its directions.
+const MOST_VALUES: u64 = 1 << 22;
 
 /// The files of a CUReT folder: values, directions and names.
 pub const CURET_FILES: [&str; 3] = ["abrdf.dat", "table.txt", "samples.csv"];
@@ -127,7 +127,7 @@ pub fn read_curet(folder: impl Into<InputFile>) -> Result<Vec<Measured>> {
     let names = read_names(names)?;
     let text = file.text()?;
     let values = text.split_ascii_whitespace().count() as u64;
-    file.admit(text.len() as u64 + values.saturating_mul(BYTES_PER_VALUE))?;
+    file.at_most(values, MOST_VALUES, "values")?;
     let mut taken = BTreeMap::new();
     let mut materials = Vec::new();
     for (line, row) in rows(&text) {
@@ -176,7 +176,7 @@ pub fn read_curet(folder: impl Into<InputFile>) -> Result<Vec<Measured>> {
 /// Reads the directions of `table.txt`, without values.
 fn read_directions(file: &InputFile) -> Result<Vec<Measurement>> {
     let (path, text) = (file.path(), file.text()?);
-    file.admit(text.len() as u64 + BYTES_PER_VALUE * text.lines().count() as u64)?;
+    file.at_most(text.lines().count() as u64, MOST_VALUES, "lines")?;
     let mut directions = Vec::new();
     for (line, row) in rows(&text) {
         let fields: Vec<&str> = row.split_whitespace().collect();

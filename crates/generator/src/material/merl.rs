@@ -153,8 +153,6 @@ pub fn read(file: impl Into<InputFile>) -> Result<Surface> {
     if length != BYTES {
         return Err(Error::new(format!("it has {length} bytes, not {BYTES}"), REMEDY).in_file(path));
     }
-    // All channels, plus a second copy of one channel.
-    input.admit(BYTES + BYTES / 3)?;
     let mut channels = Vec::new();
     for (name, scale) in ["red", "green", "blue"].into_iter().zip(SCALES) {
         let mut bytes = vec![0; (BYTES as usize - 12) / 3];

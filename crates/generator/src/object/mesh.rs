@@ -7,13 +7,6 @@ use crate::object::{mesh_obj, mesh_ply, mesh_stl};
 use eigenshade_model::error::{Error, Result};
 use eigenshade_model::inputs::input_file::InputFile;
 
-/// Bytes for each facet until it is known which are seen: the facet, its share, its index and its
-/// entry in the result.
-const BYTES_PER_FACET: u64 = size_of::<Facet>() as u64 + 80;
-
-/// Bytes for the picture and for the facets' own points.
-const PICTURE: u64 = 100 << 20;
-
 /// Samples across and down the picture that determines visibility: 8 MiB.
 const SAMPLES: usize = 1024;
 
@@ -26,14 +19,11 @@ const SAMPLES: usize = 1024;
 /// not count itself. Normals are the facets' own: smoothed normals in the file (`vn`; `nx`, `ny`,
 /// `nz`) are not used. Facets without area are left out.
 ///
-/// Memory: while reading, at most 64 bytes for each corner, for meshes with two facets for each
-/// corner; then about 180 bytes for each facet, and 100 MiB for the picture.
-///
 /// # Errors
 ///
 /// If the file is broken or does not match its header, a corner does not exist or is not finite, a
 /// face has fewer than three corners or is not covered by a fan of triangles, most of what the
-/// camera sees faces away, or the file's budget has no room for the mesh.
+/// camera sees faces away, or there are more than 2²² corners or triangles.
 pub fn read(file: impl Into<InputFile>) -> Result<Vec<([f64; 3], f64)>> {
     let file = file.into();
     seen(&file).map_err(|error| error.in_file(file.path()))
@@ -48,12 +38,11 @@ fn mesh(file: &InputFile) -> Result<Mesh> {
 }
 
 /// The facets with an area of the mesh in a file, in a unit in which the mesh is of size 1.
-/// `bytes_beside` is the memory that the caller needs besides the facets.
 ///
 /// # Errors
 ///
 /// Those of [`read`].
-pub(crate) fn facets(file: &InputFile, bytes_beside: u64) -> Result<Vec<Facet>> {
+pub(crate) fn facets(file: &InputFile) -> Result<Vec<Facet>> {
     let mesh = mesh(file)?;
     let mut largest: f64 = 0.0;
     for (number, corners) in mesh.triangles().enumerate() {
@@ -67,10 +56,6 @@ pub(crate) fn facets(file: &InputFile, bytes_beside: u64) -> Result<Vec<Facet>> 
     if count == 0 {
         return Err(broken("it contains no triangle"));
     }
-    let own = mesh.corners.capacity() as u64 * Mesh::CORNER
-        + mesh.triangles.capacity() as u64 * Mesh::TRIANGLE;
-    file.admit((count as u64).saturating_mul(BYTES_PER_FACET).saturating_add(bytes_beside + own))
-        .map_err(|error| error.of(format_args!("{count} facets")))?;
     // Scale to the mesh's own size, so that areas of very small and very large meshes stay in
     // range.
     let mut facets = Vec::with_capacity(count);
@@ -87,7 +72,7 @@ pub(crate) fn facets(file: &InputFile, bytes_beside: u64) -> Result<Vec<Facet>> 
 }
 
 fn seen(file: &InputFile) -> Result<Vec<([f64; 3], f64)>> {
-    let facets = facets(file, PICTURE)?;
+    let facets = facets(file)?;
     let shares = seen_shares(&facets, SAMPLES);
     let seen = facets.iter().zip(shares).filter(|(_, share)| *share > 0.0);
     Ok(seen.map(|(facet, share)| (facet.normal, share * facet.projected_area)).collect())

@@ -12,6 +12,9 @@ const MISSED: f64 = 1e-4;
 /// The most corners that are tried as the start of a fan, to bound the time.
 const TRIED: usize = 1000;
 
+/// The most corners, and the most triangles, that are read.
+pub(crate) const MOST: u64 = 1 << 22;
+
 /// Triangles as the file readers return them: 24 bytes for each corner, 12 for each triangle.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(crate) struct Mesh {
@@ -21,25 +24,14 @@ pub(crate) struct Mesh {
 }
 
 impl Mesh {
-    /// Bytes for a corner and for a triangle.
-    pub(crate) const CORNER: u64 = 24;
-    pub(crate) const TRIANGLE: u64 = 12;
-
     /// An empty mesh with room for the given numbers of corners and triangles.
     ///
     /// # Errors
     ///
-    /// If the file's budget has no room for them, or there are too many corners.
+    /// If there are more than [`MOST`] of either.
     pub(crate) fn with_room(file: &InputFile, corners: u64, triangles: u64) -> Result<Self> {
-        file.admit(
-            corners
-                .saturating_mul(Self::CORNER)
-                .saturating_add(triangles.saturating_mul(Self::TRIANGLE)),
-        )?;
-        if corners > u64::from(u32::MAX) {
-            let remedy = "give a mesh of at most 4,294,967,295 corners";
-            return Err(Error::new(format!("it has {corners} corners"), remedy));
-        }
+        file.at_most(corners, MOST, "corners")?;
+        file.at_most(triangles, MOST, "triangles")?;
         let [corners, triangles] = [corners, triangles].map(|count| count as usize);
         Ok(Self { corners: Vec::with_capacity(corners), triangles: Vec::with_capacity(triangles) })
     }
@@ -49,7 +41,7 @@ impl Mesh {
     ///
     /// # Errors
     ///
-    /// If it has fewer than three corners, no fan covers it, or the budget has no room for its
+    /// If it has fewer than three corners, no fan covers it, or there are more than [`MOST`]
     /// triangles.
     pub(crate) fn push_polygon(&mut self, file: &InputFile, polygon: &[u32]) -> Result<()> {
         let corners = polygon.len();
@@ -59,13 +51,7 @@ impl Mesh {
         }
         let first = if corners == 3 { 0 } else { self.fan_corner(polygon)? };
         let count = self.triangles.len() + corners - 2;
-        if count > self.triangles.capacity() {
-            // The old and the new list coexist while one is moved into the other.
-            let room = count.max(2 * self.triangles.capacity());
-            let triangles = (room + self.triangles.capacity()) as u64 * Self::TRIANGLE;
-            file.admit(self.corners.capacity() as u64 * Self::CORNER + triangles)?;
-            self.triangles.reserve_exact(room - self.triangles.len());
-        }
+        file.at_most(count as u64, MOST, "triangles")?;
         let fan = (1..corners - 1).map(|k| fan_triangle(polygon, first, k));
         self.triangles.extend(fan);
         Ok(())

@@ -16,34 +16,23 @@ pub const LENGTHS: RangeInclusive<f64> = 0.5..=1.5;
 ///
 /// Pixels without a normal, see [`normals`], and pixels that are black in the mask do not count.
 ///
-/// Memory: that of [`png_samples::read`], one more byte for each pixel, and [`BYTES_PER_NORMAL`]
-/// for each pixel that counts.
-///
 /// # Errors
 ///
-/// If a file is not a PNG or is broken, the mask has another size, a pixel that counts points away
-/// from the camera, or the file's budget has no room for the memory above.
+/// If a file is not a PNG or is broken, the mask has another size, or a pixel that counts points
+/// away from the camera.
 pub fn read(file: impl Into<InputFile>, mask: Option<&Path>) -> Result<Vec<([f64; 3], f64)>> {
-    let file = file.into().with_bytes_beside(1);
+    let file = file.into();
     let map = load(&file, false)?;
     let mask = match mask {
         Some(mask) => mask_of(file.other(mask), [map.width, map.height])?,
         None => vec![true; map.width * map.height],
     };
-    let seen = || {
-        each(&map, &mask)
-            .zip(&mask)
-            .filter(|(_, counts)| **counts)
-            .filter_map(|(normal, _)| normal.transpose())
-            .map(|normal| normal.map_err(|error| error.in_file(file.path())))
-    };
-    let count = seen().map(|normal| normal.map(|_| 1)).sum::<Result<u64>>()?;
-    file.admit_pixels(mask.len() as u64, png_samples::BYTES_PER_PIXEL, count * BYTES_PER_NORMAL)?;
-    let mut pairs = Vec::with_capacity(count as usize);
-    for normal in seen() {
-        pairs.push((normal?, 1.0));
-    }
-    Ok(pairs)
+    let seen = each(&map, &mask)
+        .zip(&mask)
+        .filter(|(_, counts)| **counts)
+        .filter_map(|(normal, _)| normal.transpose())
+        .map(|normal| normal.map_err(|error| error.in_file(file.path())));
+    seen.map(|normal| normal.map(|normal| (normal, 1.0))).collect()
 }
 
 /// Reads the samples of a normal map, with green upside down if it points down in the file.
@@ -186,10 +175,6 @@ fn handedness(map: &PngSamples) -> f64 {
     if count < FEWEST { 0.0 } else { sum / count as f64 }
 }
 
-/// Bytes that [`read`] and [`WeightedNormals`](crate::object::geometry::WeightedNormals) together
-/// need for each normal.
-pub const BYTES_PER_NORMAL: u64 = 64;
-
 /// The unit normal, z >= 0, of each pixel of a map; `None` where there is no object.
 ///
 /// A channel c in 0..=1 encodes the coordinate 2c - 1: red is x to the right, green is y up, blue
@@ -263,7 +248,6 @@ fn length(vector: [f64; 3]) -> f64 {
 
 /// Whether each pixel counts, which is where the mask is not black.
 fn mask_of(file: InputFile, [width, height]: [usize; 2]) -> Result<Vec<bool>> {
-    let file = file.with_bytes_beside(1);
     let mask = png_samples::read(file.clone())?;
     if (mask.width, mask.height) != (width, height) {
         let (w, h) = (mask.width, mask.height);

@@ -15,11 +15,8 @@ const SAMPLES: usize = 4096;
 /// Samples across a pixel of a mesh, at most.
 const PER_PIXEL: usize = 4;
 
-/// Bytes for each sample: the depth in front, that of the facet, and the facet.
-const BYTES_PER_SAMPLE: u64 = 8 + 8 + 4;
-
-/// Bytes for each pixel of a picture while it is made.
-const BYTES_PER_PIXEL: u64 = 96;
+/// The largest picture of a mesh, in pixels across.
+const MOST_SIDE: usize = 4096;
 
 /// A picture of normals.
 #[derive(Clone, Debug, PartialEq)]
@@ -54,18 +51,17 @@ impl Picture {
     /// # Errors
     ///
     /// Those of [`mesh::read`]; if no facet faces the camera or all are thinner than a sample, or
-    /// the size is less than 2.
+    /// the size is not 2 to 4096.
     pub fn of_mesh(file: impl Into<InputFile>, size: usize) -> Result<Self> {
         let file = file.into();
         let drawn = || {
-            if size < 2 {
-                return Err(Error::new(format!("a picture of {size} pixels"), "use 2 or more"));
+            if !(2..=MOST_SIDE).contains(&size) {
+                let remedy = format!("use 2 to {MOST_SIDE}");
+                return Err(Error::new(format!("a picture of a mesh {size} pixels wide"), remedy));
             }
             let across = (SAMPLES / size).clamp(1, PER_PIXEL);
             let samples = across * size;
-            let bytes = (samples * samples) as u64 * BYTES_PER_SAMPLE
-                + (size * size) as u64 * BYTES_PER_PIXEL;
-            let facets = mesh::facets(&file, bytes)?;
+            let facets = mesh::facets(&file)?;
             let mut sums = Sums::new(size, size);
             let front = in_front(&facets, size, samples);
             for (place, facet) in front.into_iter().enumerate() {
@@ -104,7 +100,7 @@ impl Picture {
         size: Option<usize>,
         flip_green: bool,
     ) -> Result<Self> {
-        let file = file.into().with_bytes_beside(BYTES_PER_PIXEL);
+        let file = file.into();
         let map = normal_map::load(&file, flip_green)?;
         let drawn = || {
             let longer = map.width.max(map.height);

@@ -8,8 +8,6 @@ use eigenshade_generator::light::frame::Frame;
 use eigenshade_generator::light::map::{Layout, Map};
 use eigenshade_generator::light::projection::{coefficients, named_maps, project, project_cube};
 use eigenshade_index::light;
-use eigenshade_model::budget::Budget;
-use eigenshade_model::inputs::input_file::InputFile;
 use png::{BitDepth, ColorType};
 use std::f64::consts::PI;
 use std::fs;
@@ -174,17 +172,6 @@ fn faults_of_faces_are_named() {
     }
     refused("studio.v2: it has no map named py, nz; a cube is a folder ");
     assert_eq!(named_maps(&[&folder]).unwrap().len(), 1);
-}
-
-#[test]
-fn all_faces_have_to_fit_the_budget() {
-    let (_kept, folder) = folder_of_faces(64);
-    let texels = 6 * 64 * 64 * 12;
-    let read = |bytes: u64| {
-        let budget: Budget = format!("{bytes}").parse().unwrap();
-        CubeMap::from_folder(&InputFile::new(&folder, budget)).is_ok()
-    };
-    assert!(!read(texels - 1) && read(texels + (1 << 16)));
 }
 
 /// The direction from which the light of degree 1 comes: L_1^m is proportional to its Y_1^m.

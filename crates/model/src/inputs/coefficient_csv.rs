@@ -73,10 +73,6 @@ pub fn write_materials(materials: &Materials, out: &mut (impl Write + ?Sized)) -
     write(&MATERIAL, materials.order, &materials.entries, out)
 }
 
-/// Estimated memory for an entry and for one of its rows.
-const BYTES_PER_NAME: u64 = 512;
-const BYTES_PER_ROW: u64 = 160;
-
 /// The rows of one name, in file order.
 struct Found<'a> {
     name: &'a str,
@@ -114,11 +110,6 @@ fn gather<'a, const N: usize>(kind: &Kind<N>, sheet: &'a Sheet) -> Result<(usize
     let [name_column] = sheet.columns(["name"]).ok_or_else(wrong_header)?;
     let index_columns = sheet.columns(kind.names).ok_or_else(wrong_header)?;
     let value_columns = sheet.colors()?.ok_or_else(wrong_header)?;
-    // Counts runs of equal names. A file that interleaves its entries has more runs than names.
-    let name = |row: Row<'a>| row.text(name_column);
-    let names =
-        sheet.rows().zip(sheet.rows().skip(1)).filter(|(a, b)| name(*a) != name(*b)).count();
-    sheet.admit(BYTES_PER_NAME * (names as u64 + 1) + BYTES_PER_ROW * sheet.rows().len() as u64)?;
     let (mut largest, mut found) = (0, Vec::<Found<'a>>::new());
     let mut entry_of = HashMap::new();
     for row in sheet.rows() {

@@ -1,6 +1,5 @@
-//! A file to read, and a limit on the memory that reading it may take.
+//! A file to read.
 
-use crate::budget::Budget;
 use crate::error::{Error, Result, STANDARD_INPUT};
 use std::fs::File;
 use std::io::{BufRead, BufReader, Read};
@@ -16,13 +15,14 @@ pub const MARK: &[u8] = b"\xef\xbb\xbf";
 /// Receives a warning about the file at a path: one line, without the path.
 pub type Warn = fn(&Path, &str);
 
-/// A path with a [`Budget`]; the path `-` is standard input, which is read once and as a whole. A
-/// plain path converts to an `InputFile` with [`Budget::READING`], whose warnings are dropped.
+/// The most bytes of a file that is read as a whole.
+const MOST_BYTES: u64 = 512 << 20;
+
+/// A path; `-` is standard input, which is read once and as a whole. A plain path converts to an
+/// `InputFile` whose warnings are dropped.
 #[derive(Clone, Debug)]
 pub struct InputFile {
     path: PathBuf,
-    budget: Budget,
-    beside: u64,
     text: Option<String>,
     warn: Option<Warn>,
 }
@@ -34,9 +34,9 @@ pub fn is_file(path: &Path) -> bool {
 }
 
 impl InputFile {
-    /// A file to be read within this budget.
-    pub fn new(path: impl AsRef<Path>, budget: Budget) -> Self {
-        Self { path: path.as_ref().to_owned(), budget, beside: 0, text: None, warn: None }
+    /// The file at a path.
+    pub fn new(path: impl AsRef<Path>) -> Self {
+        Self { path: path.as_ref().to_owned(), text: None, warn: None }
     }
 
     /// The same file for a caller that wants its warnings: what a reader ignores in it, chooses
@@ -56,15 +56,7 @@ impl InputFile {
 
     /// A file that has already been read. Error messages name it `path`.
     pub fn of_text(text: impl Into<String>, path: impl AsRef<Path>) -> Self {
-        Self { text: Some(text.into()), ..Self::new(path, Budget::READING) }
-    }
-
-    /// The same file for a caller that allocates this many additional bytes per pixel while it
-    /// holds the file's data. They count toward the budget, as do those of earlier calls.
-    #[must_use]
-    pub fn with_bytes_beside(mut self, bytes_per_pixel: u64) -> Self {
-        self.beside = self.beside.saturating_add(bytes_per_pixel);
-        self
+        Self { text: Some(text.into()), ..Self::new(path) }
     }
 
     /// The path of the file.
@@ -101,28 +93,22 @@ impl InputFile {
         self.path.parent().unwrap_or(Path::new("."))
     }
 
-    /// Another file with the same budget and the same receiver of warnings.
+    /// Another file with the same receiver of warnings.
     pub fn other(&self, path: impl AsRef<Path>) -> Self {
-        Self { warn: self.warn, ..Self::new(path, self.budget) }
+        Self { warn: self.warn, ..Self::new(path) }
     }
 
-    /// Checks that this many bytes are within the budget.
+    /// Checks a number that the file contains or claims against the most that its reader takes.
     ///
     /// # Errors
     ///
-    /// See [`Budget::admit`].
-    pub fn admit(&self, bytes: u64) -> Result<()> {
-        self.budget.admit(bytes).map_err(|error| error.in_file(&self.path))
-    }
-
-    /// Checks that `count` pixels of `each` bytes, the caller's additional bytes per pixel, and
-    /// `bytes` more are within the budget.
-    ///
-    /// # Errors
-    ///
-    /// See [`Budget::admit`].
-    pub fn admit_pixels(&self, count: u64, each: u64, bytes: u64) -> Result<()> {
-        self.admit(count.saturating_mul(each.saturating_add(self.beside)).saturating_add(bytes))
+    /// If it is larger.
+    pub fn at_most(&self, count: u64, most: u64, things: &str) -> Result<()> {
+        if count <= most {
+            return Ok(());
+        }
+        let what = format!("it has {count} {things}, too many to read");
+        Err(Error::new(what, format!("give at most {most} {things}")).in_file(&self.path))
     }
 
     /// Opens the file and returns its length.
@@ -164,7 +150,7 @@ impl InputFile {
     ///
     /// # Errors
     ///
-    /// If the file cannot be read or is larger than the budget.
+    /// If the file cannot be read or has more than 512 MiB.
     pub fn bytes(&self) -> Result<Vec<u8>> {
         if let Some(text) = &self.text {
             return Ok(text.clone().into_bytes());
@@ -177,17 +163,16 @@ impl InputFile {
             Box::new(std::io::stdin().lock())
         } else {
             let (file, length) = self.open()?;
-            self.admit(length)?;
+            self.at_most(length, MOST_BYTES, "bytes")?;
             Box::new(file)
         };
         let mut bytes = Vec::new();
-        // What is not on a disk reports no length: the read stops when it exceeds the budget.
+        // What is not on a disk reports no length.
         source
-            .take(self.budget.bytes().saturating_add(1))
+            .take(MOST_BYTES + 1)
             .read_to_end(&mut bytes)
             .map_err(|error| Error::io(&self.path, &error))?;
-        let read = bytes.len() as u64;
-        self.budget.covers(read).map_err(|error| error.in_file(&self.path))?;
+        self.at_most(bytes.len() as u64, MOST_BYTES, "bytes")?;
         Ok(bytes)
     }
 
@@ -216,6 +201,6 @@ impl InputFile {
 
 impl<P: AsRef<Path>> From<P> for InputFile {
     fn from(path: P) -> Self {
-        Self::new(path, Budget::READING)
+        Self::new(path)
     }
 }

@@ -7,8 +7,9 @@ use std::collections::HashSet;
 use std::io::Write;
 use std::path::Path;
 
-/// Memory per row that a caller may need, besides the entries that it builds by name.
-const BYTES_PER_ROW: u64 = 160;
+/// The most rows and fields that are read.
+const MOST_ROWS: u64 = 1 << 21;
+const MOST_FIELDS: u64 = 1 << 24;
 
 /// The rows of a CSV file.
 ///
@@ -29,7 +30,7 @@ pub struct Sheet {
 impl Sheet {
     /// Reads a file. `columns` is the expected header, which appears in remedies.
     ///
-    /// Memory: twice the file size, 16 bytes per field and about 200 per row.
+    /// It takes at most 2²¹ rows and 2²⁴ fields.
     ///
     /// # Errors
     ///
@@ -44,8 +45,8 @@ impl Sheet {
         let count = |wanted: &[u8]| text.iter().filter(|byte| wanted.contains(byte)).count();
         let rows = count(b"\n\r") + 1;
         let fields = count(b",") + rows;
-        let bytes = 2 * text.len() + 16 * fields + 8 * rows;
-        file.admit((bytes as u64).saturating_add(BYTES_PER_ROW * rows as u64))?;
+        file.at_most(rows as u64, MOST_ROWS, "rows")?;
+        file.at_most(fields as u64, MOST_FIELDS, "fields")?;
         let path = file.path();
         let mut reader =
             ReaderBuilder::new().comment(Some(b'#')).trim(Trim::All).from_reader(text.as_slice());
@@ -79,16 +80,6 @@ impl Sheet {
         }
         drop(reader);
         Ok(Self { text, ..sheet })
-    }
-
-    /// Checks that this many bytes are within the file's budget, in addition to the sheet itself.
-    ///
-    /// # Errors
-    ///
-    /// If they are not.
-    pub fn admit(&self, bytes: u64) -> Result<()> {
-        let own = self.text.len() + self.fields.capacity() + 8 * self.ends.capacity();
-        self.file.admit((own as u64).saturating_add(bytes))
     }
 
     /// The names of the columns.
