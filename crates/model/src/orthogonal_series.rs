@@ -15,8 +15,11 @@ pub(crate) struct OrthogonalSeries {
 }
 
 impl OrthogonalSeries {
-    /// As many terms as the profile has. Domain: a table with more nodes than terms.
+    /// As many terms as the longest profile of its |m| has. Domain: a table with more nodes than
+    /// terms.
     pub(crate) fn new(table: &Table, profile: &Profile) -> Self {
+        let of_azimuth = table.profiles.iter().filter(|one| one.azimuth == profile.azimuth);
+        let length = of_azimuth.map(|one| one.chebyshev.len()).max().unwrap_or(0);
         let product = |a: &[f64], b: &[f64]| a.iter().zip(b).map(|(a, b)| a * b).sum::<f64>();
         let arguments: Vec<f64> = table.gram.nodes.iter().map(|z| 2.0 * z - 1.0).collect();
         let weight = |(z, root): (&f64, &f64)| {
@@ -28,7 +31,7 @@ impl OrthogonalSeries {
         let mut before = vec![0.0; element.len()];
         let mut square_before = f64::INFINITY;
         let (mut recurrence, mut elements) = (Vec::new(), Vec::new());
-        for _ in &profile.chebyshev {
+        for _ in 0..length {
             let square = product(&element, &element);
             let moments = element.iter().zip(&arguments).map(|(value, t)| 2.0 * t * value * value);
             let (a, b) = (moments.sum::<f64>() / square, square / square_before);
