@@ -63,7 +63,7 @@ mod tests {
                 assert!((found - (below + whole * (above - below))).abs() <= 0.5);
             }
             let [below, above] = [[a, b, c], [c, a, b]].map(Rgb::from);
-            let blended = above / (below, coverage);
+            let blended = above.over(below, coverage);
             for (found, (above, below)) in <[_; 3]>::from(blended.zip(above.zip(below))) {
                 let [above, below] = [above, below].map(f64::from);
                 let exact = below + f64::from(coverage) / 255.0 * (above - below);

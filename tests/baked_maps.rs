@@ -1,7 +1,7 @@
 //! Baked maps against the polynomials that they were made from, on the shipped lights and
 //! materials.
 
-use eigenshade::{BakedMap, Error, q15::BakedMap, MapPoint, Normal, Normals, Q15, q15, sphere};
+use eigenshade::{BakedMap, Error, MapPoint, Normal, Normals, Q15, q15, sphere};
 use eigenshade_testing::images::{coefficients, on};
 use eigenshade_testing::{fixtures, largest, median_and_largest};
 
@@ -114,7 +114,7 @@ fn nearest(x: f32) -> Q15 {
 }
 
 /// A normal in Q15, on the map.
-fn on_map([x, y, z]: [Q15; 3]) -> MapPoint<Q15> {
+fn on_map([x, y, z]: [Q15; 3]) -> q15::MapPoint {
     q15::MapPoint::of(q15::Normal::from_unit(x, y, z).expect("a unit normal"))
 }
 
@@ -139,7 +139,7 @@ fn integer_maps_are_as_exact_as_documented() {
     let shaded = Shaded::new(3, &normals);
     let of_normals: Vec<_> = normals.iter().map(|n| on_map(n.components().map(nearest))).collect();
     let given = normals.iter().map(|&n| MapPoint::of(n).coordinates().map(nearest));
-    let given: Vec<_> = given.map(|[u, v]| MapPoint::new(u, v)).collect();
+    let given: Vec<_> = given.map(|[u, v]| q15::MapPoint::new(u, v)).collect();
     for (size, bilinear) in BAKED {
         let found = shaded.errors(|scene| {
             let map = scene.bake_integers_into(size, vec![0; size * size]).expect("room");
@@ -171,7 +171,7 @@ fn integers_round_and_no_more() {
     for normal in normals {
         let [u, v] = MapPoint::of(normal).coordinates().map(nearest);
         let exact = MapPoint::new(f32::from(u.0) / 32_768.0, f32::from(v.0) / 32_768.0);
-        let apart = map.bilinear(exact) / unit - integers.bilinear(MapPoint::new(u, v)) as f32;
+        let apart = map.bilinear(exact) / unit - integers.bilinear(q15::MapPoint::new(u, v)) as f32;
         // Half a unit of each of: texels, the step along u, the step along v.
         assert!(apart.abs() <= 1.51, "{apart}");
     }
@@ -235,11 +235,11 @@ fn texels_stand_where_documented() {
     }
     let texels: Vec<i16> = texels.iter().map(|&texel| 100 * texel as i16).collect();
     let map = q15::BakedMap::new(5, 0, texels).expect("25 texels");
-    assert_eq!(map.bilinear(MapPoint::new(Q15(-32_768), Q15(-32_768))), 0);
-    assert_eq!(map.bilinear(MapPoint::new(Q15(0), Q15(0))), 2_200);
-    assert_eq!(map.bilinear(MapPoint::new(Q15(3_277), Q15(-6_554))), 1_820);
-    assert_eq!(map.bilinear(MapPoint::new(Q15(32_767), Q15(32_767))), 4_400);
-    assert_eq!(map.bilinear(MapPoint::new(Q15(32_767), Q15(-32_768))), 400);
+    assert_eq!(map.bilinear(q15::MapPoint::new(Q15(-32_768), Q15(-32_768))), 0);
+    assert_eq!(map.bilinear(q15::MapPoint::new(Q15(0), Q15(0))), 2_200);
+    assert_eq!(map.bilinear(q15::MapPoint::new(Q15(3_277), Q15(-6_554))), 1_820);
+    assert_eq!(map.bilinear(q15::MapPoint::new(Q15(32_767), Q15(32_767))), 4_400);
+    assert_eq!(map.bilinear(q15::MapPoint::new(Q15(32_767), Q15(-32_768))), 400);
     // The far corners of i16 neither wrap nor panic.
     let map = q15::BakedMap::new(2, 0, [i16::MIN, i16::MAX, i16::MAX, i16::MIN]).expect("4 texels");
     for u in [i16::MIN, -1, 0, i16::MAX] {
@@ -248,7 +248,7 @@ fn texels_stand_where_documented() {
             let (across, up) = (exact(u), exact(v));
             let weight = across + up - 2.0 * across * up;
             let expected = -32_768.0 + 65_535.0 * weight;
-            let found = f64::from(map.bilinear(MapPoint::new(Q15(u), Q15(v))));
+            let found = f64::from(map.bilinear(q15::MapPoint::new(Q15(u), Q15(v))));
             assert!((found - expected).abs() < 3.0, "{u} {v}: {found} {expected}");
         }
     }
@@ -290,15 +290,15 @@ fn sizes_that_do_not_fit_are_errors() {
     for size in [0, 1, 4097, usize::MAX] {
         let refused = Some(Error::Size { found: size });
         assert_eq!(scene.bake_into(size, [0.0f32; 4]).err(), refused);
-        assert_eq!(BakedMap::<f32, _>::new(size, [0.0f32; 4]).err(), refused);
+        assert_eq!(BakedMap::<_>::new(size, [0.0f32; 4]).err(), refused);
         assert_eq!(q15::BakedMap::new(size, 0, [0; 4]).err(), refused);
     }
-    assert!(matches!(scene.bake::<f32, 15>(4), Err(Error::Capacity { needed: 16, .. })));
+    assert!(matches!(scene.bake::<15>(4), Err(Error::Capacity { needed: 16, .. })));
     assert!(matches!(scene.bake_into(4, [0.0f32; 15]), Err(Error::Length { expected: 16, .. })));
-    assert!(matches!(scene.bake_integers_into::<f32, _>(4, [0; 15]), Err(Error::Length { .. })));
-    assert!(scene.bake::<f32, 16>(4).is_ok());
+    assert!(matches!(scene.bake_integers_into(4, [0; 15]), Err(Error::Length { .. })));
+    assert!(scene.bake::<16>(4).is_ok());
     // A black image has no scale.
     let black = sphere::collapse(&coefficients(&[0.0], &[0.0])).expect("it fits");
-    let map = black.bake_integers_into::<f32, _>(4, [1; 16]).expect("16 texels");
+    let map = black.bake_integers_into(4, [1; 16]).expect("16 texels");
     assert!(map.texels().iter().all(|&texel| texel == 0));
 }

@@ -6,6 +6,7 @@ use eigenshade::index::material;
 use eigenshade::{Effect, Effects, Error, Light, Material, sphere};
 use eigenshade_shading::owned_basis::OwnedBasis;
 use eigenshade_testing::fixtures::{self, normal, projected};
+use eigenshade_testing::images::single;
 use eigenshade_testing::oracle::Numbers;
 use eigenshade_testing::{largest, largest_difference, relative_error};
 use std::ops::RangeInclusive;
@@ -18,6 +19,9 @@ const MODES: [(Effect, RangeInclusive<usize>, RangeInclusive<usize>); 4] = [
     (Effect::Gloss, 1..=17, 4..=5),
 ];
 
+/// d of an effect in f32, of the largest d: sums of some hundred products, in another order.
+const EFFECT_F32: f64 = 1e-6;
+
 /// d of an effect is d of the light and the material without all other degrees and orders. At
 /// degree 17, rows have more groups than the kernels for the usual degrees.
 #[test]
@@ -26,10 +30,11 @@ fn effects_are_the_modes_of_their_degrees_and_orders() {
         let mut numbers = Numbers(3);
         let lights = fixtures::lights(degree, 3, &mut numbers);
         let materials = fixtures::materials(5, 3, &mut numbers);
-        let (light, material) = (lights.entries[0].luminance(), materials.entries[1].luminance());
+        let [light, material] =
+            [lights.entries[0].luminance(), materials.entries[1].luminance()].map(single);
         let owned = OwnedBasis::new(&fixtures::table(&fixtures::scene(lights, materials)));
-        let basis = owned.basis();
-        let project = |light: &[f64], material: &[f64], effects: Effects| {
+        let basis = owned.basis().expect("parts of a table");
+        let project = |light: &[f32], material: &[f32], effects: Effects| {
             let light = Light::new(light).expect("a light");
             let material = Material::new(material).expect("a material");
             let mut workspace = vec![0.0; basis.workspace_len()];
@@ -37,24 +42,27 @@ fn effects_are_the_modes_of_their_degrees_and_orders() {
             basis
                 .project_effects_into(&light, &material, effects, &mut workspace, &mut d)
                 .expect("sizes");
-            d
+            d.into_iter().map(f64::from).collect::<Vec<_>>()
         };
         let whole = largest(project(&light, &material, Effects::ALL));
         for (effect, degrees, orders) in MODES {
             let (mut of_light, mut of_material) = (light.clone(), material.clone());
             for (k, number) in of_light.iter_mut().enumerate() {
-                *number *= f64::from(u8::from(degrees.contains(&k.isqrt())));
+                *number *= f32::from(u8::from(degrees.contains(&k.isqrt())));
             }
             for ((o, _, _), number) in material::indices(5).zip(&mut of_material) {
-                *number *= f64::from(u8::from(orders.contains(&o)));
+                *number *= f32::from(u8::from(orders.contains(&o)));
             }
             let found = project(&light, &material, Effects::NONE.with(effect));
             let expected = project(&of_light, &of_material, Effects::ALL);
             let apart = largest_difference(&found, &expected);
-            assert!(apart <= tolerances::DENSE_PROJECTION * whole, "{effect:?}: {apart}");
+            assert!(apart <= EFFECT_F32 * whole, "{effect:?}: {apart}");
         }
     }
 }
+
+/// d by the sum over 912 pixels in f32, of the largest d.
+const ESTIMATE_F32: f64 = 2e-6;
 
 /// Both criteria: the mean image is subtracted pixel by pixel.
 #[test]
@@ -64,17 +72,19 @@ fn weighted_pixels_give_back_the_coefficients() {
         loaded.scene.basis.components = Some(60);
         loaded.scene.basis.profile_tolerance = 1e-13;
         let owned = OwnedBasis::new(&fixtures::table(&loaded));
-        let basis = owned.basis();
+        let basis = owned.basis().expect("parts of a table");
         let [light, material] = [&loaded.lights.entries[3], &loaded.materials.entries[8]];
-        let d = projected(&basis, &light.luminance(), &material.luminance());
+        let d = projected(&basis, &single(light.luminance()), &single(material.luminance()));
         let scene = basis.collapse_into(&d, vec![0.0; basis.scene_len()]).expect("sizes");
         let mut estimate = basis.estimate::<60>().expect("room");
         for (at, weight) in fixtures::rule(48, 19) {
             // Any factor of all weights drops out.
-            estimate.add(normal(at), scene.shade(normal(at)), 7.0 * weight);
+            estimate.add(normal(at), scene.shade(normal(at)), 7.0 * weight as f32);
         }
-        let apart = relative_error(&estimate.coefficients().expect("pixels"), &d);
-        assert!(apart <= tolerances::DENSE_PROJECTION, "{apart}");
+        let wide =
+            |numbers: &[f32]| numbers.iter().map(|&number| number.into()).collect::<Vec<f64>>();
+        let apart = relative_error(&wide(&estimate.coefficients().expect("pixels")), &wide(&d));
+        assert!(apart <= ESTIMATE_F32, "{apart}");
     }
 }
 

@@ -1,6 +1,5 @@
 //! Three channels at once, the presets, and pixels of a display.
 
-use eigenshade::mathematics::{Libm, SinglePrecision};
 use eigenshade::presets::{gloss, light, material, sources};
 use eigenshade::specialized::shade_normals;
 use eigenshade::sphere;
@@ -68,7 +67,7 @@ fn gray_materials_are_found_by_their_numbers() {
 fn maps_are_baked_in_color() {
     let scene = sphere::color::scene(light::LOBBY, material::GOLD_METALLIC_PAINT).unwrap();
     let maps = scene.bake::<256>(16).unwrap();
-    let expected = scene.each_ref().map(|channel| channel.bake::<f32, 256>(16).unwrap());
+    let expected = scene.each_ref().map(|channel| channel.bake::<256>(16).unwrap());
     assert_eq!(maps, expected);
     let point = MapPoint::of(normal([0.0, 0.6, 0.8]));
     assert_eq!(maps.bilinear(point), expected.each_ref().map(|map| map.bilinear(point)));
@@ -185,8 +184,7 @@ fn sources_and_glosses_are_the_shipped_files() {
             // It is accepted as it is.
             let [x, y, z] = preset.direction();
             assert!((x * x + y * y + z * z - 1.0).abs() < 1e-6);
-            Source::new([x, y, z], preset.energy(), preset.major(), preset.minor())
-                .unwrap();
+            Source::new([x, y, z], preset.energy(), preset.major(), preset.minor()).unwrap();
         }
     }
     assert!(all.next().is_none());
@@ -298,7 +296,7 @@ fn a_light_turns_and_a_map_is_baked_in_three_channels() {
     assert_eq!(four, index::light::count(1));
 
     let scene = sphere::color::scene(light::PARK, material::GREEN_LATEX).unwrap();
-    let maps = scene.each_ref().try_map(|scene| scene.bake::<f32, 1024>(32)).unwrap();
+    let maps = scene.each_ref().try_map(|scene| scene.bake::<1024>(32)).unwrap();
     for normal in NORMALS.map(normal) {
         let pairs = maps.bilinear(MapPoint::of(normal)).zip(scene.shade(normal));
         for (baked, exact) in <[_; 3]>::from(pairs) {
@@ -351,7 +349,7 @@ fn turning_about_the_view_axis() {
     let numbers: Vec<f32> = (0..40 * 40).map(|k| (k as f32 * 0.7).sin()).collect();
     let light = Light::new(&numbers).unwrap();
     let rotation = Rotation::from_euler(0.3, 0.0, 0.0).unwrap();
-    let (mut workspace, mut expected) = (vec![0.0; Light::<f32>::turn_len(39)], vec![0.0; 1600]);
+    let (mut workspace, mut expected) = (vec![0.0; Light::turn_len(39)], vec![0.0; 1600]);
     light.turn_into(&rotation, &mut workspace, &mut expected).unwrap();
     let found = light.turned_about_view::<1600>([0.3_f32.cos(), 0.3_f32.sin()]).unwrap();
     assert!(found.iter().zip(&expected).all(|(a, b)| (a - b).abs() < 5.0 * TOLERANCE));

@@ -8,7 +8,7 @@ use eigenshade::index::light;
 use eigenshade::{Error, Light, Rgb, sphere};
 use eigenshade_model::reference::DirectSum;
 use eigenshade_testing::fixtures::{normal, spiral};
-use eigenshade_testing::images::{self, single};
+use eigenshade_testing::images;
 use eigenshade_testing::vectors::{self, cross, dot, scaled, unit};
 use std::f64::consts::{PI, TAU};
 
@@ -115,6 +115,10 @@ fn coefficients(convention: Convention, light: impl Fn([f64; 3]) -> f64) -> [f64
     sums
 }
 
+fn wide(light: &[f32]) -> Vec<f64> {
+    light.iter().map(|&number| number.into()).collect()
+}
+
 /// What each program's shader makes of its coefficients: irradiance over π.
 fn shaded(convention: Convention, c: &[f64; 9], normal: [f64; 3]) -> f64 {
     let [x, y, z] = normal;
@@ -169,10 +173,10 @@ fn normals() -> Vec<[f64; 3]> {
 fn a_matte_sphere_is_as_bright_as_there() {
     for convention in CONVENTIONS {
         let numbers = coefficients(convention, radiance);
-        let light = Light::from_graphics::<9>(convention, &numbers).unwrap();
+        let light = Light::from_graphics::<9>(convention, &numbers.map(|x| x as f32)).unwrap();
         let sum = DirectSum::new(2, 0);
-        let scene = sphere::collapse(&images::coefficients(&single(light.to_vec()), &[2.0]));
-        let scene = scene.unwrap();
+        let scene = sphere::collapse(&images::coefficients(&light, &[2.0])).unwrap();
+        let light = wide(&light);
         for at in normals() {
             let expected = irradiance(radiance, at);
             let modes = sum.at(at);
@@ -182,7 +186,7 @@ fn a_matte_sphere_is_as_bright_as_there() {
                 let off = (found - expected).abs();
                 assert!(off <= SUMS * expected, "{convention:?}: {found} {expected}");
             }
-            let pixel = f64::from(scene.shade(normal::<f32>(at)));
+            let pixel = f64::from(scene.shade(normal(at)));
             assert!((pixel - expected).abs() <= OF_TABLE * 3.0, "{convention:?}: {pixel}");
         }
     }
@@ -196,8 +200,8 @@ fn a_patch_of_light_stays_where_it_is() {
         let patch = |direction| (20.0 * (dot(direction, lamp) - 1.0)).exp();
         for convention in CONVENTIONS {
             let numbers = coefficients(convention, patch);
-            let light = Light::from_graphics::<9>(convention, &numbers).unwrap();
-            let light = ExplicitLight::new(&light);
+            let light = Light::from_graphics::<9>(convention, &numbers.map(|x| x as f32)).unwrap();
+            let light = ExplicitLight::new(&wide(&light));
             let lit = directions().map(|(direction, _)| (light.radiance(direction), direction));
             let (_, brightest) = lit.max_by(|(a, _), (b, _)| a.total_cmp(b)).unwrap();
             // The grid has 2.8 degrees.
@@ -208,15 +212,15 @@ fn a_patch_of_light_stays_where_it_is() {
 
 #[test]
 fn conversions_are_inverse() {
-    let numbers: [f64; 9] = [3.0, -0.5, 0.25, 1.5, 0.3, -0.7, 0.1, 0.9, -0.2];
+    let numbers: [f32; 9] = [3.0, -0.5, 0.25, 1.5, 0.3, -0.7, 0.1, 0.9, -0.2];
     for convention in CONVENTIONS {
         let light = Light::from_graphics::<9>(convention, &numbers).unwrap();
         let back = Light::new(&light).unwrap().to_graphics::<9>(convention).unwrap();
         for (back, number) in back.iter().zip(numbers) {
-            assert!((back - number).abs() <= 1e-15, "{convention:?}");
+            assert!((back - number).abs() <= 5e-7, "{convention:?}");
         }
         let rows = numbers.map(|number| [number, 2.0 * number, -number]);
-        let color = Rgb::<Light<'_, f64>>::from_graphics::<9>(convention, &rows).unwrap();
+        let color = Rgb::<Light<'_>>::from_graphics::<9>(convention, &rows).unwrap();
         assert_eq!(color.r, light);
         assert!(color.g.iter().zip(light.iter()).all(|(a, b)| *a == 2.0 * b));
         assert!(color.b.iter().zip(light.iter()).all(|(a, b)| *a == -b));
@@ -250,7 +254,7 @@ fn higher_degrees_of_cmgen_have_its_harmonics() {
         let mut numbers = [0.0; 36];
         numbers[light::position(l, m)] = 1.0;
         let light = Light::from_graphics::<36>(Cmgen, &numbers).unwrap();
-        let here = ExplicitLight::new(&light).radiance(direction);
+        let here = ExplicitLight::new(&wide(&light)).radiance(direction);
         assert!((here - value).abs() < 1e-12, "{l} {m}: {here} {value}");
     }
 }
@@ -259,7 +263,7 @@ fn higher_degrees_of_cmgen_have_its_harmonics() {
 /// Language", second edition, 2006, with the book's formula.
 #[test]
 fn published_nine_terms_are_read() {
-    const GRACE: [[f64; 3]; 9] = [
+    const GRACE: [[f32; 3]; 9] = [
         [0.78908, 0.43710, 0.54161],
         [0.39499, 0.34989, 0.60488],
         [-0.33974, -0.18236, -0.26940],
@@ -270,18 +274,19 @@ fn published_nine_terms_are_read() {
         [0.56014, 0.21444, 0.13915],
         [0.21205, -0.05432, -0.30374],
     ];
-    let light = Rgb::<Light<'_, f64>>::from_graphics::<9>(ThreeJs, &GRACE).unwrap();
+    let light = Rgb::<Light<'_>>::from_graphics::<9>(ThreeJs, &GRACE).unwrap();
     let sum = DirectSum::new(2, 0);
     for normal in normals() {
         let [x, y, z] = normal;
         let modes = sum.at(normal);
         for (channel, light) in <[_; 3]>::from(light.clone()).iter().enumerate() {
-            let [l00, l1m1, l10, l11, l2m2, l2m1, l20, l21, l22] = GRACE.map(|row| row[channel]);
+            let [l00, l1m1, l10, l11, l2m2, l2m1, l20, l21, l22] =
+                GRACE.map(|row| f64::from(row[channel]));
             let [c1, c2, c3, c4, c5] = [0.429043, 0.511664, 0.743125, 0.886227, 0.247708];
             let expected = c1 * l22 * (x * x - y * y) + c3 * l20 * z * z + c4 * l00 - c5 * l20
                 + 2.0 * c1 * (l2m2 * x * y + l21 * x * z + l2m1 * y * z)
                 + 2.0 * c2 * (l11 * x + l1m1 * y + l10 * z);
-            let found = PI * modes.irradiance(light, &modes.scatter(&[2.0]));
+            let found = PI * modes.irradiance(&wide(light), &modes.scatter(&[2.0]));
             assert!((found - expected).abs() < 1e-5, "{found} {expected}");
         }
     }
@@ -301,7 +306,7 @@ fn coefficients_that_mean_nothing_are_refused() {
     assert!(matches!(eight, Err(Error::Count { found: 8, .. })), "{eight:?}");
     let capacity = Light::from_graphics::<4>(ThreeJs, &[1.0; 9]);
     assert!(matches!(capacity, Err(Error::Capacity { needed: 9, .. })), "{capacity:?}");
-    let infinite = Light::from_graphics::<4>(Filament, &[1.0, 0.0, f64::INFINITY, 0.0]);
+    let infinite = Light::from_graphics::<4>(Filament, &[1.0, 0.0, f32::INFINITY, 0.0]);
     assert!(matches!(infinite, Err(Error::NotFinite { index: 2, .. })), "{infinite:?}");
     let text = error.to_string();
     assert!(text.contains("degree 3") && text.contains("first 9"), "{text}");

@@ -2,14 +2,13 @@
 //! exact BRDF integrated over the blob that defines a source.
 
 use crate::blobs::{ANGLES, Blob, Glossy, Vector, around, at, blobs, disc, dot, normals_for};
-use eigenshade::mathematics::{Libm, SinglePrecision};
 use eigenshade::{Argument, Error, Gloss, Highlights, Normals, Rgb, Rotation, Source};
+use eigenshade_model::highlights::Highlights as OfHost;
 use eigenshade_testing::fixtures::{axes, normal};
 use eigenshade_testing::{largest, relative_error};
 use std::f64::consts::PI;
 
-/// In f64 against the formula in slopes, of the lobe's peak: roots by Newton's method, and slopes
-/// of up to a hundred.
+/// The host's against the formula in slopes, of the lobe's peak: slopes of up to a hundred.
 const LOBE_F64: f64 = 2e-12;
 
 /// In f32, of the lobe's peak, by roughness. A lobe of α moves by its width where a normal turns by
@@ -18,11 +17,11 @@ const LOBE_F64: f64 = 2e-12;
 const LOBE_F32: [(f64, f64); 6] =
     [(0.065, 3e-5), (0.1, 1e-5), (0.2, 5e-6), (0.3, 3e-6), (0.5, 2e-6), (1.0, 1.5e-6)];
 
-fn of_one(material: &Glossy, source: Source<f64>) -> Highlights<f64, 1> {
-    Highlights::new(&material.gloss(), &[source]).expect("room for one")
+fn of_host(material: &Glossy, blob: &Blob, energy: [f64; 3]) -> OfHost {
+    OfHost::new(&material.of_host(), &[blob.of_host(energy)])
 }
 
-fn of_single(material: &Glossy, source: Source) -> Highlights<1> {
+fn of_one(material: &Glossy, source: Source) -> Highlights<1> {
     Highlights::new(&material.gloss(), &[source]).expect("room for one")
 }
 
@@ -32,13 +31,13 @@ fn lobes_are_those_of_the_formula_in_slopes() {
     for blob in blobs(&ANGLES) {
         for roughness in [0.065, 0.1, 0.3, 0.6, 1.0] {
             let material = Glossy { roughness, f0: 0.3, albedo: 0.5 };
-            let highlights = of_one(&material, blob.source([1.0, 0.5, 0.0]));
+            let highlights = of_host(&material, &blob, [1.0, 0.5, 0.0]);
             let normals = normals_for(&blob, material.alpha().hypot(0.5 * blob.major));
             let expected: Vec<_> =
                 normals.iter().map(|&normal| material.lobe(&blob, normal)).collect();
             let peak = largest(expected.iter().copied());
             for (&at, expected) in normals.iter().zip(expected) {
-                let Rgb { r, g, b } = highlights.shade(normal(at));
+                let [r, g, b] = highlights.irradiance(at);
                 most = most.max((r - expected).abs() / peak);
                 assert!((g - 0.5 * r).abs() <= 1e-15 * r && b == 0.0, "{blob:?}");
             }
@@ -54,10 +53,10 @@ fn single_precision() {
         let material = Glossy { roughness, f0: 0.3, albedo: 0.5 };
         let mut most = 0.0_f64;
         for blob in blobs(&ANGLES) {
-            let double = of_one(&material, blob.source([1.0; 3]));
-            let single = of_single(&material, blob.single([1.0; 3]));
+            let double = of_host(&material, &blob, [1.0; 3]);
+            let single = of_one(&material, blob.source([1.0; 3]));
             let normals = normals_for(&blob, material.alpha().hypot(0.5 * blob.major));
-            let exact: Vec<_> = normals.iter().map(|&at| double.shade(normal(at)).r).collect();
+            let exact: Vec<_> = normals.iter().map(|&at| double.irradiance(at)[0]).collect();
             let found = normals.iter().map(|&at| f64::from(single.shade(normal(at)).r));
             most = most.max(relative_error(&found.collect::<Vec<_>>(), &exact));
         }
@@ -146,8 +145,8 @@ fn slices_are_the_sums_of_single_normals() {
     let material = Glossy { roughness: 0.3, f0: 0.5, albedo: 0.2 };
     let gloss: Gloss = material.gloss();
     let sources: Vec<_> =
-        blobs(&[10.0, 120.0]).iter().map(|blob| blob.single([1.0, 2.0, 0.5])).collect();
-    let normals: Vec<_> = disc(24).into_iter().map(normal::<f32>).collect();
+        blobs(&[10.0, 120.0]).iter().map(|blob| blob.source([1.0, 2.0, 0.5])).collect();
+    let normals: Vec<_> = disc(24).into_iter().map(normal).collect();
     for count in [0, 1, 4, 10] {
         let highlights = Highlights::<10>::new(&gloss, &sources[..count]);
         let highlights = highlights.expect("room for ten");
@@ -184,12 +183,10 @@ fn hard_cases() {
         // D <= 1.35 / π α², as a lobe is at most √1.16 wide, V n·s <= 1 / 2 α, F <= 1.
         let alpha = material.alpha();
         let most = 0.5 * 1.35 / (PI * alpha.powi(3)) + 1.0 / PI;
-        let new = |sources: &[Source]| {
-            Highlights::<2>::new(&gloss, sources).expect("room for two")
-        };
+        let new = |sources: &[Source]| Highlights::<2>::new(&gloss, sources).expect("room for two");
         for blob in blobs(&degrees) {
-            let source = blob.single([1.0; 3]);
-            let [dark, bright] = [0.0, 1e6].map(|energy| new(&[blob.single([energy; 3])]));
+            let source = blob.source([1.0; 3]);
+            let [dark, bright] = [0.0, 1e6].map(|energy| new(&[blob.source([energy; 3])]));
             let (one, two) = (new(&[source]), new(&[source; 2]));
             let normals = normals_for(&blob, alpha);
             let expected: Vec<_> =
@@ -220,13 +217,12 @@ fn hard_cases() {
 #[test]
 fn sources_set_and_rise() {
     let material = Glossy { roughness: 0.3, f0: 0.5, albedo: 0.5 };
-    let source =
-        Source::round([0.0, 0.0, 1.0], [1.0; 3], 0.02).expect("a source");
+    let source = Source::round([0.0, 0.0, 1.0], [1.0; 3], 0.02).expect("a source");
     for step in 0..=72 {
         let angle = step as f32 * 5.0_f32.to_radians();
         let rotation = Rotation::from_euler(0.3, angle, 0.0).expect("angles");
         let turned = source.turned(rotation);
-        let highlights = of_single(&material, turned);
+        let highlights = of_one(&material, turned);
         let lit = highlights.shade(normal([0.0, 0.0, 1.0])).g;
         assert_eq!(lit > 0.0, turned.direction()[2] > 0.0, "{step}");
         for at in disc(32) {

@@ -1,7 +1,7 @@
 //! Materials of integers in a color, and maps of integers in three channels.
 
 use eigenshade::presets::{light, material};
-use eigenshade::{Error, MapPoint, Q15, Rgb, index, q15, sphere};
+use eigenshade::{Error, Q15, Rgb, index, q15, sphere};
 
 /// Integers against the same product in floats: half a unit of each mantissa, and of the product.
 #[test]
@@ -45,9 +45,9 @@ fn integers_are_baked_in_color() {
     let texels = || Rgb::gray([0; 16 * 16]);
     let map = scene.bake_integers_into(16, texels()).unwrap();
     let exposure = map.exposure_by_factor(1.5).unwrap();
-    let point = MapPoint::new(Q15(3_000), Q15(-9_000));
+    let point = q15::MapPoint::new(Q15(3_000), Q15(-9_000));
     let of_channel = scene.each_ref().map(|scene| {
-        let map = scene.bake_integers_into::<f32, _>(16, [0; 16 * 16]).unwrap();
+        let map = scene.bake_integers_into(16, [0; 16 * 16]).unwrap();
         let exposure = q15::Exposure::new(1.5, map.exponent()).unwrap();
         let found = map.bilinear(point);
         (found, exposure.of(found))

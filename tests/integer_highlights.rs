@@ -69,7 +69,7 @@ fn highlights_are_those_of_the_formula() {
                 let expected = expected(&material, &blob);
                 let peak = peak_of(&expected);
                 let exponent = exponent_of(peak);
-                let highlights = gray(&material, blob.single([1.0; 3]), exponent);
+                let highlights = gray(&material, blob.source([1.0; 3]), exponent);
                 for (normal, exact, irradiance) in expected {
                     let found = f64::from(highlights.shade(normal)) * f64::from(exponent).exp2();
                     let cosine = dot(blob.direction, exact);
@@ -97,7 +97,7 @@ fn tails_of_bright_sources() {
         for blob in blobs(&[5.0, 40.0, 110.0]) {
             let expected = expected(&material, &blob);
             let exponent = exponent_of(1e-3 * peak_of(&expected)) - 6;
-            let highlights = gray(&material, blob.single([1e6; 3]), exponent + 20);
+            let highlights = gray(&material, blob.source([1e6; 3]), exponent + 20);
             for (normal, exact, irradiance) in expected {
                 let found = highlights.shade(normal);
                 let units = 1e6 * irradiance * f64::from(-exponent - 20).exp2();
@@ -125,7 +125,7 @@ fn energies_and_exponents_of_any_size() {
     for blob in blobs(&[0.0, 40.0]) {
         let of_energy = |power: i32, exponent: i32| {
             let energy = f64::from(power).exp2();
-            gray(&material, blob.single([energy; 3]), exponent).shade(normal)
+            gray(&material, blob.source([energy; 3]), exponent).shade(normal)
         };
         let usual = of_energy(0, -16);
         assert!(usual > 1000, "{usual}");
@@ -138,14 +138,14 @@ fn energies_and_exponents_of_any_size() {
             assert_eq!(of_energy(power, 65_536), 0);
         }
         assert_eq!(of_energy(-60, -16), 0);
-        let dark = blob.single([0.0; 3]);
+        let dark = blob.source([0.0; 3]);
         for exponent in [-65_536, -200, -16, 0, 65_536] {
             assert_eq!(gray(&material, dark, exponent).shade(normal), 0);
-            let aligned = gray(&material, blob.single([1.0; 3]), -16).aligned(exponent);
-            assert_eq!(aligned, gray(&material, blob.single([1.0; 3]), exponent));
+            let aligned = gray(&material, blob.source([1.0; 3]), -16).aligned(exponent);
+            assert_eq!(aligned, gray(&material, blob.source([1.0; 3]), exponent));
         }
         // A sum saturates at either end, and a scene may be negative.
-        let bright = gray(&material, blob.single([1.0; 3]), -31 + 4);
+        let bright = gray(&material, blob.source([1.0; 3]), -31 + 4);
         let found = bright.shade(normal);
         assert_eq!(bright.add(i32::MAX - 5, normal), i32::MAX);
         assert_eq!(bright.add(i32::MIN, normal), i32::MIN + found);
@@ -159,7 +159,7 @@ type Channel = fn(Rgb<f32>) -> f32;
 #[test]
 fn sources_and_channels_add_up() {
     let material = Glossy { roughness: 0.4, f0: 0.3, albedo: 0.4 };
-    let sources = blobs(&[30.0, 100.0]).into_iter().map(|blob| blob.single([0.3, 1.0, 70.0]));
+    let sources = blobs(&[30.0, 100.0]).into_iter().map(|blob| blob.source([0.3, 1.0, 70.0]));
     let sources: Vec<_> = sources.collect();
     let normals: Vec<_> =
         expected(&material, &blobs(&[30.0])[1]).into_iter().map(|(normal, ..)| normal).collect();
@@ -206,7 +206,7 @@ fn sources_set() {
         for degrees in [90.0, 150.0, 175.0, 179.0, 179.99, 180.0] {
             let direction = at(f64::to_radians(degrees), 0.7);
             let blob = Blob { direction, angle: 1.0, major: 0.05, minor: 0.02 };
-            let highlights = gray(&material, blob.single([1e6; 3]), -10);
+            let highlights = gray(&material, blob.source([1e6; 3]), -10);
             for (normal, exact, _) in expected(&material, &blob) {
                 let (found, cosine) = (highlights.shade(normal), dot(blob.direction, exact));
                 assert!(found >= 0);

@@ -17,7 +17,6 @@ mod found;
 mod golden_file;
 mod graphics;
 mod highlights;
-mod host_in_f64;
 mod integer_color;
 mod integer_highlights;
 mod integer_lights;

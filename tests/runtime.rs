@@ -144,7 +144,6 @@ fn lights_and_materials_are_finite() {
 /// is an error with its place, and stays as it was.
 #[test]
 fn normals_are_scaled_where_they_are() {
-    use eigenshade::mathematics::{Libm, SinglePrecision};
     use eigenshade::{Error, Normals};
     let (mut x, mut y, mut z) =
         ([0.0f32, 255.0, 3.0, 0.0], [0.0f32, 1.0, 4.0, 0.0], [254.0f32, -31.0, 0.0, -1.0]);
@@ -209,8 +208,8 @@ fn a_transfer_starts_a_cache_line() {
 /// A normal is hidden from an eighth behind the rim on.
 #[test]
 fn normals_behind_the_rim_by_an_eighth_are_hidden() {
-    let behind = |z: f64| eigenshade::Normal::new((1.0 - z * z).sqrt(), 0.0, -z);
+    let behind = |z: f32| eigenshade::Normal::new((1.0 - z * z).sqrt(), 0.0, -z);
     let [x, y, z] = behind(0.124_9).expect("near the rim").components();
-    assert!((x - 1.0).abs() <= 1e-15 && (y, z) == (0.0, 0.0), "{x}");
+    assert!((x - 1.0).abs() <= 2e-7 && (y, z) == (0.0, 0.0), "{x}");
     assert_eq!(behind(0.125_1), Err(eigenshade::Error::Hidden));
 }

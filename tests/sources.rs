@@ -3,20 +3,17 @@
 
 use crate::blobs::{ANGLES, Blob, VIEW, at, blobs, dot};
 use crate::oracle::{ExplicitLight, Numbers};
-use eigenshade::mathematics::{Libm, SinglePrecision};
-use eigenshade::{Argument, Error, Gloss, Light, LightBuffer, Rgb, Rotation, Scalar, Source};
+use eigenshade::{Argument, Error, Gloss, Light, LightBuffer, Rgb, Rotation, Source};
+use eigenshade_model::highlights::harmonics;
 use std::f64::consts::PI;
 
-/// Coefficients of a blob by the trapezoid rule of the runtime, for energy 1: its ends and its
+/// Coefficients of a blob by the trapezoid rule of the host, for energy 1: its ends and its
 /// aliases leave 4e-6 each, of a harmonic of at most 1.41 times √((2l + 1) / 4π) = 1.41.
 const BLOB: f64 = 1e-5;
 
 /// The coefficients that a source takes from no light, negated.
-fn taken<S: Scalar, const N: usize>(source: Source<S>) -> Vec<S>
-where
-    Libm: eigenshade::mathematics::Mathematics<S>,
-{
-    let dark = [S::ZERO; N];
+fn taken<const N: usize>(source: Source) -> Vec<f32> {
+    let dark = [0.0; N];
     let light = Rgb::gray(Light::new(&dark).expect("all degrees"));
     let residual = light.residual::<N>(&[source]).expect("room");
     residual.r.iter().map(|&coefficient| -coefficient).collect()
@@ -39,7 +36,7 @@ fn blobs_have_the_harmonics_of_their_definition() {
     for (k, direction) in directions.into_iter().enumerate() {
         for (major, minor) in shapes {
             let blob = Blob { direction, angle: 0.5 + k as f64, major, minor };
-            let found = taken::<f64, 169>(blob.source([1.0, 0.0, 0.0]));
+            let found = harmonics(&blob.of_host([1.0, 0.0, 0.0]), 12);
             let nodes = blob.nodes(0.2);
             for (found, explicit) in found.iter().zip(&explicit) {
                 let expected: f64 =
@@ -60,10 +57,10 @@ const BLOB_F32: f64 = 4e-6;
 fn blobs_in_single_precision() {
     let mut most = 0.0_f64;
     for blob in blobs(&ANGLES) {
-        let exact = taken::<f64, 100>(blob.source([1.0; 3]));
+        let exact = harmonics(&blob.of_host([1.0; 3]), 9);
         let dark = [0.0; 100];
         let light = Rgb::gray(Light::new(&dark).expect("degree 9"));
-        let residual = light.residual::<100>(&[blob.single([1.0; 3])]);
+        let residual = light.residual::<100>(&[blob.source([1.0; 3])]);
         for (found, exact) in residual.expect("room").g.iter().zip(&exact) {
             most = most.max((f64::from(-found) - exact).abs());
         }
@@ -72,16 +69,19 @@ fn blobs_in_single_precision() {
     assert!(most <= BLOB_F32, "{most:e}");
 }
 
-fn noise<const N: usize>(numbers: &mut Numbers) -> Rgb<[f64; N]> {
-    Rgb::gray(()).map(|()| [(); N].map(|()| numbers.next()))
+/// A light less four sources, in f32: sums of energies of up to 30.
+const RESIDUAL: f32 = 2e-5;
+
+fn noise<const N: usize>(numbers: &mut Numbers) -> Rgb<[f32; N]> {
+    Rgb::gray(()).map(|()| [(); N].map(|()| numbers.next() as f32))
 }
 
-fn sources() -> [Source<f64>; 4] {
+fn sources() -> [Source; 4] {
     let blobs = blobs(&[20.0, 100.0]);
     [0, 1, 7, 8].map(|k| blobs[k].source([1.0 + k as f64, 0.5, 30.0]))
 }
 
-fn lights<const N: usize>(residual: &Rgb<LightBuffer<f64, N>>) -> Rgb<Light<'_, f64>> {
+fn lights<const N: usize>(residual: &Rgb<LightBuffer<N>>) -> Rgb<Light<'_>> {
     residual.lights().expect("all degrees")
 }
 
@@ -93,19 +93,18 @@ fn residuals_lose_what_sources_take_and_turn_with_them() {
     let light = of_light.each_ref().try_map(|channel| Light::new(channel)).expect("degree 9");
     let sources = sources();
     let residual = light.residual::<100>(&sources).expect("room");
-    let mut most = 0.0_f64;
+    let mut most = 0.0_f32;
     for (channel, k) in [(&residual.r, 0), (&residual.g, 1), (&residual.b, 2)] {
-        let of_light: [&[f64]; 3] = light.map(|light| light.coefficients()).into();
-        let energy = |source: &Source<f64>| <[f64; 3]>::from(source.energy())[k];
-        let blobs =
-            sources.map(|source| (energy(&source), taken::<f64, 100>(with_energy_1(source))));
+        let of_light: [&[f32]; 3] = light.map(|light| light.coefficients()).into();
+        let energy = |source: &Source| <[f32; 3]>::from(source.energy())[k];
+        let blobs = sources.map(|source| (energy(&source), taken::<100>(with_energy_1(source))));
         for (place, rest) in channel.iter().enumerate() {
-            let sum: f64 = blobs.iter().map(|(energy, blob)| energy * blob[place]).sum();
+            let sum: f32 = blobs.iter().map(|(energy, blob)| energy * blob[place]).sum();
             most = most.max((rest + sum - of_light[k][place]).abs());
         }
     }
-    // Sums of four energies of up to 30.
-    assert!(most <= 1e-13, "{most:e}");
+    // Sums of four energies of up to 30, in f32.
+    assert!(most <= RESIDUAL, "{most:e}");
 
     let rotation = Rotation::from_euler(0.4, 2.0, -1.1).expect("a rotation");
     let turned = light.turned::<100>(&rotation).expect("room");
@@ -114,20 +113,20 @@ fn residuals_lose_what_sources_take_and_turn_with_them() {
     let after = lights(&residual).turned::<100>(&rotation).expect("room");
     for (before, after) in [(before.r, after.r), (before.g, after.g), (before.b, after.b)] {
         for (before, after) in before.iter().zip(&after) {
-            assert!((before - after).abs() <= 1e-12, "{before} {after}");
+            assert!((before - after).abs() <= 10.0 * RESIDUAL, "{before} {after}");
         }
     }
     // The same blob, seen from elsewhere.
     let back = turned_sources.map(|source| source.turned(rotation.inverse()));
     for (back, source) in back.iter().zip(&sources) {
         for (a, b) in [(back.direction(), source.direction()), (back.major(), source.major())] {
-            assert!(a.iter().zip(b).all(|(a, b)| (a - b).abs() <= 1e-15));
+            assert!(a.iter().zip(b).all(|(a, b)| (a - b).abs() <= 5e-7));
         }
         assert_eq!((back.minor(), back.energy()), (source.minor(), source.energy()));
     }
 }
 
-fn with_energy_1(source: Source<f64>) -> Source<f64> {
+fn with_energy_1(source: Source) -> Source {
     Source::new(source.direction(), [1.0; 3], source.major(), source.minor())
         .expect("it was one before")
 }
@@ -140,10 +139,10 @@ fn residuals_of_channels_of_several_degrees() {
     let light = light.try_map(Light::new).expect("all degrees");
     let source = Source::round([0.0, 0.6, 0.8], [1.0; 3], 0.1).expect("a source");
     let residual = light.residual::<16>(&[source]).expect("room");
-    let blob = taken::<f64, 16>(source);
+    let blob = taken::<16>(source);
     assert_eq!([residual.r.len(), residual.g.len(), residual.b.len()], [4, 16, 1]);
     for channel in [&residual.r, &residual.g, &residual.b] {
-        assert!(channel.iter().zip(&blob).all(|(rest, blob)| (rest + blob - 1.0).abs() <= 1e-15));
+        assert!(channel.iter().zip(&blob).all(|(rest, blob)| (rest + blob - 1.0).abs() <= 2e-7));
     }
     let refused = light.residual::<9>(&[source]);
     let expected = Error::Capacity { argument: Argument::Light, needed: 16, capacity: 9 };
@@ -152,9 +151,8 @@ fn residuals_of_channels_of_several_degrees() {
 
 #[test]
 fn sources_that_are_none_are_refused() {
-    let new = |direction, energy: [f32; 3], major, minor| {
-        Source::new(direction, energy, major, minor)
-    };
+    let new =
+        |direction, energy: [f32; 3], major, minor| Source::new(direction, energy, major, minor);
     let (front, gray, wide) = ([0.0, 0.0, 1.0], [1.0; 3], [0.5, 0.0, 0.0]);
     assert!(new(front, gray, wide, 0.5).is_ok());
     assert!(new(front, [0.0; 3], [0.0; 3], 0.0).is_ok());
@@ -198,12 +196,12 @@ fn sources_that_are_none_are_refused() {
 #[test]
 fn gloss_is_that_of_gltf() {
     let gloss = Gloss::metallic_roughness([0.5, 1.0, 0.0], 0.25, 0.6).expect("a material");
-    assert!((gloss.alpha() - 0.36_f64).abs() <= 1e-15);
+    assert!((gloss.alpha() - 0.36).abs() <= 1e-7);
     for (found, expected) in
         [(gloss.reflectance(), [0.155, 0.28, 0.03]), (gloss.albedo(), [0.375, 0.75, 0.0])]
     {
-        let found: [f64; 3] = found.into();
-        assert!(found.iter().zip(expected).all(|(f, e)| (f - e).abs() <= 1e-15), "{found:?}");
+        let found: [f32; 3] = found.into();
+        assert!(found.iter().zip(expected).all(|(f, e)| (f - e).abs() <= 1e-7), "{found:?}");
     }
     assert_eq!(
         Gloss::new(0.0_f32, [0.0; 3], [0.0; 3]).map(|gloss| gloss.alpha()),

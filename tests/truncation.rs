@@ -7,8 +7,8 @@ use eigenshade::{
 use eigenshade_generator::basis::build;
 use eigenshade_model::inputs::coefficient_csv::{read_lights, read_materials};
 use eigenshade_model::reference::DirectSum;
-use eigenshade_table::decode;
 use eigenshade_shading::owned_basis::OwnedBasis;
+use eigenshade_table::decode;
 use eigenshade_testing::{fixtures, images};
 use images::{Image, coefficients, products, rule, single, vectors};
 
@@ -36,9 +36,8 @@ const MATTE: [f32; 1] = [2.0];
 
 /// A white matte by the nine-term formula.
 fn nine_terms(light: &[f32]) -> impl Fn([f64; 3]) -> f64 {
-    let light: Vec<f64> = light.iter().map(|&one| one.into()).collect();
-    let formula = NineTerms::lambertian(&Light::new(&light).expect("a light"), 1.0);
-    move |[x, y, z]| formula.shade(Normal::new(x, y, z).expect("visible"))
+    let formula = NineTerms::lambertian(&Light::new(light).expect("a light"), 1.0);
+    move |at| formula.shade(fixtures::normal(at)).into()
 }
 
 #[test]
@@ -191,13 +190,14 @@ fn bounds_hold_of_long_series() {
     scene.basis.profile_tolerance = 1e-14;
     let table = build(&scene, &lights, &materials).expect("a table");
     let owned = OwnedBasis::new(&table);
-    let basis = owned.basis();
+    let basis = owned.basis().expect("parts of a table");
     let lengths = basis.parts().lengths;
     assert!(lengths.iter().any(|&length| length > 32), "{lengths:?}");
     assert!(lengths.iter().any(|length| (17..=32).contains(length)), "{lengths:?}");
     let light = lights.entries[3].luminance();
-    let light = Light::new(&light[..625]).expect("coefficients");
-    let material = materials.entries[5].luminance();
+    let light = single(light[..625].to_vec());
+    let light = Light::new(&light).expect("coefficients");
+    let material = single(materials.entries[5].luminance());
     let material = Material::new(&material).expect("coefficients");
     let mut d = vec![0.0; basis.components()];
     let mut workspace = vec![0.0; basis.workspace_len()];
@@ -209,9 +209,9 @@ fn bounds_hold_of_long_series() {
         let mut lengths = [0; 32];
         let within = basis.collapse_within(&d, Tolerance::OfPeak(share), &mut lengths, room());
         let (scene, report) = within.expect("sizes");
-        let squares = fixtures::rule(40, 50).into_iter().map(|([x, y, z], weight)| {
-            let normal = Normal::new(x, y, z).expect("visible");
-            weight * (scene.shade(normal) - whole.shade(normal)).powi(2)
+        let squares = fixtures::rule(40, 50).into_iter().map(|(at, weight)| {
+            let normal = fixtures::normal(at);
+            weight * f64::from(scene.shade(normal) - whole.shade(normal)).powi(2)
         });
         let error = squares.sum::<f64>().sqrt();
         println!(
@@ -220,7 +220,7 @@ fn bounds_hold_of_long_series() {
             report.terms,
             basis.scene_len()
         );
-        assert!(error <= report.bound * (1.0 + RECURRENCE_ROUNDING));
+        assert!(error <= f64::from(report.bound) * (1.0 + RECURRENCE_ROUNDING));
         assert!(report.bound <= 1.000_01 * share * report.peak);
         assert!(report.terms < basis.scene_len());
         fewer = fewer.min(report.terms);

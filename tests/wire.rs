@@ -26,7 +26,7 @@ fn what_is_compiled_in_is_the_shipped_table() {
 #[test]
 fn the_shipped_table_comes_back() {
     let found = placed(&shipped(NumberFormat::F32), |bytes| {
-        format!("{:?}", Basis::<f32>::from_bytes(bytes).expect("a wire file").parts())
+        format!("{:?}", Basis::from_bytes(bytes).expect("a wire file").parts())
     });
     assert_eq!(found, format!("{:?}", sphere::BASIS.parts()));
     let found = placed(&shipped(NumberFormat::Q15), |bytes| {
@@ -91,7 +91,7 @@ pub fn sealed(mut bytes: Vec<u8>) -> Vec<u8> {
 
 #[test]
 fn errors_say_which_they_are() {
-    let of = |bytes: &[u8]| Basis::<f32>::from_bytes(bytes).expect_err("a fault");
+    let of = |bytes: &[u8]| Basis::from_bytes(bytes).expect_err("a fault");
     let with = |file: &[u8], at: usize, byte: u8| {
         let mut bytes = file.to_vec();
         bytes[at] = byte;
@@ -117,7 +117,7 @@ fn errors_say_which_they_are() {
         (with(&SPHERE.0, 35, 2), Fault::Section { number: 0 }.into()),
         (with(&SPHERE.0, 36, 1), Fault::Section { number: 0 }.into()),
     ];
-    let of_sphere = GeneralBasis::<f32>::from_bytes(&SPHERE.0).expect_err("no eigenimages");
+    let of_sphere = GeneralBasis::from_bytes(&SPHERE.0).expect_err("no eigenimages");
     found.push((of_sphere, Fault::Images { found: 0 }.into()));
     let refused = aligned(&SPHERE.0, &mut [0; 3]).expect_err("too little");
     found.push((refused.into(), Fault::Room { needed: length / 4, found: 3 }.into()));
@@ -149,7 +149,7 @@ fn the_other_byte_order_is_told() {
     let table = shipped_table("sphere");
     let [little, big] = [Endian::Little, Endian::Big]
         .map(|endian| encode(&table, NumberFormat::F32, endian).expect("a sphere's table"));
-    let refused = placed(&big, |bytes| Basis::<f32>::from_bytes(bytes).expect_err("another order"));
+    let refused = placed(&big, |bytes| Basis::from_bytes(bytes).expect_err("another order"));
     assert_eq!(refused, Fault::Endianness.into());
     let long = |at: usize| u32::from_le_bytes(std::array::from_fn(|k| little[at + k])) as usize;
     let turned = |at: usize, width: usize| {

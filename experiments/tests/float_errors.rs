@@ -118,7 +118,7 @@ fn a_table_with_series_is_read_back() {
     assert!(!basis.parts().recurrences.is_empty());
     let bytes = encode(&table, NumberFormat::F32, Endian::Little).expect("a wire file");
     let mut room = vec![0; bytes.len() / 4 + 1];
-    let read = Basis::<f32>::from_bytes(aligned(&bytes, &mut room).expect("room"));
+    let read = Basis::from_bytes(aligned(&bytes, &mut room).expect("room"));
     let read = read.expect("a wire file");
     assert_eq!(format!("{:?}", read.parts()), format!("{:?}", basis.parts()));
 

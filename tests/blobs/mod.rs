@@ -1,8 +1,8 @@
 //! Oracles of small sources, in f64: the blob that defines a source by quadrature, and the
 //! microfacet formula in slopes.
 
-use eigenshade::mathematics::{Libm, SinglePrecision};
-use eigenshade::{Gloss, Scalar, Source};
+use eigenshade::{Gloss, Source};
+use eigenshade_model::source::{Gloss as GlossOfHost, Source as SourceOfHost};
 use std::f64::consts::PI;
 
 pub use eigenshade_testing::fixtures::disc;
@@ -30,17 +30,16 @@ impl Blob {
         sum(scaled(along, self.angle.cos()), self.angle.sin(), across)
     }
 
-    pub fn source(&self, energy: [f64; 3]) -> Source<f64> {
-        Source::new(self.direction, energy, scaled(self.axis(), self.major), self.minor)
-            .expect("a small source")
+    pub fn of_host(&self, energy: [f64; 3]) -> SourceOfHost {
+        let (direction, major) = (self.direction, scaled(self.axis(), self.major));
+        SourceOfHost { direction, energy, major, minor: self.minor }
     }
 
-    pub fn single(&self, energy: [f64; 3]) -> Source {
+    pub fn source(&self, energy: [f64; 3]) -> Source {
         let of = |v: Vector| v.map(|x| x as f32);
         let major = of(scaled(self.axis(), self.major));
         let [direction, energy] = [self.direction, energy].map(of);
-        Source::new(direction, energy, major, self.minor as f32)
-            .expect("a small source")
+        Source::new(direction, energy, major, self.minor as f32).expect("a small source")
     }
 
     /// Directions and weights that integrate the blob as it is defined: a heat kernel at each node
@@ -129,8 +128,13 @@ impl Glossy {
         self.roughness * self.roughness
     }
 
-    pub fn gloss<S: Scalar>(&self) -> Gloss<S> {
-        let [roughness, f0, albedo] = [self.roughness, self.f0, self.albedo].map(S::from_f64);
+    pub fn of_host(&self) -> GlossOfHost {
+        let Self { roughness, f0, albedo } = *self;
+        GlossOfHost { roughness, reflectance: [f0; 3], grazing: [1.0; 3], albedo: [albedo; 3] }
+    }
+
+    pub fn gloss(&self) -> Gloss {
+        let [roughness, f0, albedo] = [self.roughness, self.f0, self.albedo].map(|x| x as f32);
         Gloss::new(roughness, [f0; 3], [albedo; 3]).expect("numbers from 0 to 1")
     }
 

@@ -117,8 +117,8 @@ pub fn from_bytes(bytes: &[u8]) {
 /// The error of each kind of basis that cannot be read from these bytes. Every other one is used.
 pub fn read(bytes: &[u8]) -> [Option<WireError>; 3] {
     [
-        Basis::<f32>::from_bytes(bytes).map(|basis| floats(&basis)).err(),
-        GeneralBasis::<f32>::from_bytes(bytes).map(|basis| general(&basis)).err(),
+        Basis::from_bytes(bytes).map(|basis| floats(&basis)).err(),
+        GeneralBasis::from_bytes(bytes).map(|basis| general(&basis)).err(),
         q15::Basis::from_bytes(bytes).map(|basis| integers(&basis)).err(),
     ]
 }

@@ -4,7 +4,6 @@
 use super::Reader;
 use super::integer::{Mantissa as _, Relit, normal, normals, shipped};
 use super::shading::{ANY_PIXEL_Q15, near};
-use eigenshade::mathematics::{Libm, SinglePrecision};
 use eigenshade::{
     Effect, Effects, Light, MapPoint, Material, NegativePolicy, Normal, Normals, Q15, Rotation,
     Tolerance, Truncation, Window, q15, sphere,
@@ -166,8 +165,8 @@ fn indices(input: &mut Reader<'_>) {
     let _ = (light::position(a, b.cast_signed()), material::position(a, b, c), light::count(a));
     let _ = (eigenshade_index::pair::position(a, b), eigenshade_index::pair::count(a));
     let _ = (eigenshade_index::layout::factors(a, b, c, a), material::count(a));
-    let _ = (Light::<f32>::turn_len(a), Light::<f32>::new(&[0.0; 30][..b % 31]));
-    let _ = Material::<f32>::new(&[0.0; 30][..c % 31]);
+    let _ = (Light::turn_len(a), Light::new(&[0.0; 30][..b % 31]));
+    let _ = Material::new(&[0.0; 30][..c % 31]);
 }
 
 /// Of any numbers an error, or a matrix that is a rotation.
@@ -250,7 +249,7 @@ fn look_up(d: &[f32; sphere::COMPONENTS], input: &mut Reader<'_>, is_moderate: b
         let _ = (within.shade(raw), MapPoint::of(raw).direction());
         let [u, v, _] = vector.map(|c| Q15((c.to_bits() >> 16) as u16 as i16));
         if let Ok(integers) = &integers {
-            let _ = integers.bilinear(MapPoint::new(u, v));
+            let _ = integers.bilinear(q15::MapPoint::new(u, v));
         }
         let [a, b, c] = vector.map(|c| c.to_bits().cast_signed());
         if let Ok(normal) = q15::Normal::new(a, b, c) {

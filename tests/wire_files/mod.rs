@@ -100,10 +100,10 @@ const WIRE_Q15: f32 = 2e-4;
 #[test]
 fn tables_of_all_effects_are_read() {
     for (table, bytes) in [("sphere", &SPHERE.0), ("mean", &MEAN.0)] {
-        let basis = Basis::<f32>::from_bytes(bytes).expect("a wire file");
+        let basis = Basis::from_bytes(bytes).expect("a wire file");
         floats(&basis).0.iter().for_each(|d| assert_same(table, d, WIRE_F32));
     }
-    let basis = GeneralBasis::<f32>::from_bytes(&GENERAL.0).expect("a wire file");
+    let basis = GeneralBasis::from_bytes(&GENERAL.0).expect("a wire file");
     assert_same("general", &general(&basis), WIRE_F32);
     let basis = q15::Basis::from_bytes(&INTEGERS_15.0).expect("a wire file");
     assert_same("sphere", &integers(&basis), WIRE_Q15);
@@ -112,7 +112,7 @@ fn tables_of_all_effects_are_read() {
 #[test]
 fn tables_of_some_effects_are_read() {
     for (table, bytes) in [("effects", &EFFECTS.0), ("turned", &TURNED.0)] {
-        let basis = Basis::<f32>::from_bytes(bytes).expect("a wire file");
+        let basis = Basis::from_bytes(bytes).expect("a wire file");
         assert!(!basis.effects().is_all());
         floats(&basis).0.iter().for_each(|d| assert_same(table, d, WIRE_F32));
     }
@@ -124,7 +124,7 @@ fn tables_of_some_effects_are_read() {
 /// The last number is an irradiance.
 #[test]
 fn polynomials_in_two_halves_are_read() {
-    let basis = Basis::<f32>::from_bytes(&LONG.0).expect("a wire file");
+    let basis = Basis::from_bytes(&LONG.0).expect("a wire file");
     assert!(basis.parts().lengths.iter().any(|length| (17..=32).contains(length)));
     let ([_, mut found], irradiance) = floats(&basis);
     found.push(irradiance);
@@ -138,10 +138,10 @@ fn alignment_is_asked_for() {
     for beyond in 1..4 {
         let bytes: Vec<u8> = [&vec![0; beyond], &SPHERE.0, &vec![0; 4 - beyond]].concat();
         let bytes = aligned(&bytes, &mut places).expect("room");
-        let refused = Basis::<f32>::from_bytes(&bytes[beyond..]).expect_err("not aligned");
+        let refused = Basis::from_bytes(&bytes[beyond..]).expect_err("not aligned");
         assert_eq!(refused, Fault::Alignment { beyond }.into());
         assert!(refused.to_string().contains("wire::aligned"));
         let file = &bytes[beyond..][..SPHERE.0.len()];
-        assert!(placed(file, |bytes| Basis::<f32>::from_bytes(bytes).is_ok()));
+        assert!(placed(file, |bytes| Basis::from_bytes(bytes).is_ok()));
     }
 }

@@ -74,9 +74,7 @@ fn texts_without_sources_are_unchanged() {
 fn vectors_have_their_places() {
     let gloss = Gloss::new(0.3, [0.04; 3], [0.5; 3]).expect("a gloss");
     let lamp = Source::round([0.0, 0.6, 0.8_f32], [1.0; 3], 0.1).expect("a source");
-    let of = |count: usize| {
-        Highlights::<3>::new(&gloss, &[lamp; 3][..count]).expect("room")
-    };
+    let of = |count: usize| Highlights::<3>::new(&gloss, &[lamp; 3][..count]).expect("room");
     with_shader(|shader| {
         let scene = shader.vectors();
         let shader = shader.with_sources(2).expect("at most 32");

@@ -17,7 +17,6 @@ pub mod pictures;
 
 pub mod golden;
 
-
 /// The root of the repository.
 #[must_use]
 pub fn repository() -> PathBuf {

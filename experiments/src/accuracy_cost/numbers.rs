@@ -3,8 +3,7 @@
 use super::images::{Numbers, Pair, Pixels, Shaded, Shading, Work, each};
 use super::settings::{Format, Scaling, Setting, Way};
 use eigenshade::{
-    Basis, Highlights, Light, MapPoint, Material, Normal, Normals, Q15, Source,
-    Tolerance, q15,
+    Basis, Highlights, Light, MapPoint, Material, Normal, Normals, Q15, Source, Tolerance, q15,
 };
 use eigenshade_model::error::{Error, Result};
 use eigenshade_model::evaluation::{Eigenimages, Evaluator};

@@ -2,7 +2,6 @@
 
 use super::rows;
 use crate::tolerances;
-use eigenshade_index::highlights::MAX_SOURCES;
 use eigenshade_index::light::count;
 use eigenshade_model::highlights::{self, Highlights};
 use eigenshade_model::source::Gloss;
