@@ -19,15 +19,18 @@ pub(crate) fn inverse_root(x: f32) -> f32 {
     (0..3).fold(first, |inverse, _| inverse + 0.5 * inverse * (1.0 - x * inverse * inverse))
 }
 
-/// (sin a, cos a) of an angle a in radians: within 1e-7 for angles to 1,000 rad.
+/// (sin a, cos a) of an angle a in radians: within 1e-7 for angles to 1,000 rad. To 1e9 rad, of an
+/// angle that differs from a by a rounding or two.
 #[inline]
 pub(crate) fn sine_and_cosine(angle: f32) -> (f32, f32) {
     let (number, rest) = nearest(angle);
+    // What is left of many turns is rounded as the angle is, and may be more than half a quarter.
+    let (more, rest) = nearest(rest);
     let square = rest * rest;
     let polynomial = |terms: [f32; 3]| terms.iter().fold(0.0, |sum, term| sum * square + term);
     let sine = rest + rest * (square * polynomial(SINE));
     let cosine = 1.0 - (0.5 * square - square * square * polynomial(COSINE));
-    plus_quarters(number, (sine, cosine))
+    plus_quarters(number.wrapping_add(more), (sine, cosine))
 }
 
 /// Polynomials in x², highest term first, that equal (sin x - x) / x³ and (cos x - 1 + x²/2) / x⁴
@@ -97,6 +100,15 @@ mod tests {
             }
         }
         assert_eq!(sine_and_cosine(0.0), (0.0, 1.0));
+        for k in 0..10_000 {
+            let angle = 1_000.0 * libm::powf(1e6, k as f32 / 10_000.0);
+            let (sine, cosine) = sine_and_cosine(angle);
+            let one = f64::from(sine) * f64::from(sine) + f64::from(cosine) * f64::from(cosine);
+            assert!((one - 1.0).abs() <= 4.0 * ANGLE, "{angle}: {sine}, {cosine}");
+            let turned = libm::atan2(sine.into(), cosine.into());
+            let apart = libm::remainder(f64::from(angle) - turned, core::f64::consts::TAU).abs();
+            assert!(apart <= 2.5e-7 * f64::from(angle), "{angle}: {apart}");
+        }
         for none in [f32::NAN, f32::INFINITY, -f32::INFINITY] {
             let (sine, cosine) = sine_and_cosine(none);
             assert!(!sine.is_finite() && !cosine.is_finite(), "{none}: {sine}, {cosine}");

@@ -145,7 +145,7 @@ impl<'a> Normals<'a> {
 
     /// The normals in the directions of these vectors. Each vector is scaled in place, and moved to
     /// the rim if it points away from the camera by at most 1/8, as by
-    /// [`Normal::with_mathematics`].
+    /// [`Normal::new`].
     ///
     /// A component rounded to 8 bits, as in a normal map, is off by up to 0.4 %. For the shipped
     /// lights on the shipped materials, the rms error from the rounded directions is 0.1 % of the

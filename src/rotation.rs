@@ -23,7 +23,7 @@ impl Rotation {
     ///
     /// # Errors
     ///
-    /// [`Error::Rotation`] if an angle is not finite.
+    /// [`Error::Rotation`] if an angle is beyond 1e9 rad or not a number.
     pub fn from_euler(beta: f32, alpha: f32, gamma: f32) -> Result<Self, Error> {
         Self::euler([beta, alpha, gamma], mathematics::sine_and_cosine)
     }
@@ -47,7 +47,9 @@ impl Rotation {
                 [-sa * cg, sa * sg, ca],
             ],
         };
-        if angles.into_iter().all(f32::is_finite) { Ok(rotation) } else { Err(Error::Rotation) }
+        // Beyond, the next angle is several turns away.
+        let is_angle = |angle: f32| angle <= 1e9 && -angle <= 1e9;
+        if angles.into_iter().all(is_angle) { Ok(rotation) } else { Err(Error::Rotation) }
     }
 
     /// The rotation of the quaternion x i + y j + z k + w. Its length may be anything whose square

@@ -12,6 +12,9 @@ use std::f64::consts::PI;
 /// sums of 19 products.
 const TURNED_F32: f64 = 2e-6;
 
+/// The same of degree 32, by products of matrices.
+const TURNED_HIGH_F32: f64 = 3e-5;
+
 /// Its radiance in the turned direction, which is rounded: a slope of up to nine times the radiance.
 const TURNED_RADIANCE: f64 = 1e-5;
 
@@ -96,8 +99,8 @@ fn turned_light_is_the_generators() {
             worst = worst.max(largest_difference(&found, &expected) / scale);
         }
         println!("degree {degree}: {worst:e}");
-        // A turn is rounded to 6e-8 rad, which degree l turns l times.
-        assert!(worst <= TURNED_F32 * (degree as f64 / 9.0).max(1.0), "{degree}: {worst:e}");
+        let most = if degree > 13 { TURNED_HIGH_F32 } else { TURNED_F32 };
+        assert!(worst <= most, "{degree}: {worst:e}");
     }
 }
 

@@ -31,12 +31,13 @@ use std::path::Path;
 use std::{env, process};
 
 /// Writes the statics of the scene at `scene` to the file `name` in the build script's `OUT_DIR`:
-/// in `f32`, and in integers in a module `q15`. If the scene has a section `[highlights]`, the modules `sources` and `gloss` hold the small sources of its lights
-/// and the gloss of its materials.
+/// in `f32`, and in integers in a module `q15`. If the scene has a section `[highlights]`, the
+/// modules `sources` and `gloss` hold the small sources of its lights and the gloss of its
+/// materials.
 ///
 /// Prints directives for cargo on standard output: the files that the statics depend on, and a
-/// warning if integers do not suit the scene and `q15` is left out, for lights without sources and for materials without gloss. On an error it prints one line and ends the
-/// process.
+/// warning if integers do not suit the scene and `q15` is left out, for lights without sources and
+/// for materials without gloss. On an error it prints one line and ends the process.
 pub fn statics(scene: impl AsRef<Path>, name: &str) {
     let scene = scene.as_ref();
     for input in scene_file::inputs(scene) {

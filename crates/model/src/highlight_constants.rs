@@ -25,7 +25,7 @@ fn of_sources(text: &mut String, sources: &[(&str, &[Source])]) {
         text,
         "/// Small sources of lights.\npub mod sources {{\n{EXPECT}\
          \n    /// Direction, energy, major axis and minor spread: the arguments of \
-         `eigenshade::Source::new::<Libm>`.\n    \
+         `eigenshade::Source::new`.\n    \
          pub type Record = ([f32; 3], [f32; 3], [f32; 3], f32);\n\
          \n    /// By the name of the light.\n    pub const ALL: &[(&str, &[Record])] = &[\n"
     );

@@ -99,12 +99,11 @@ pub enum Command {
     /// Total errors of the shipped materials, tables/inputs/merl.errors.csv
     ///
     /// The reference is direct integration of each BRDF under the environment maps, without degree
-    /// or order; PTFE, which was measured, is its own coefficients. The error of a map is the rms
-    /// over a sphere's picture and the channels, relative to the picture's peak. The CSV has its
-    /// median and its worst over the maps, the map of the worst, and the largest error of any pixel
-    /// under any map, for the coefficients that are shipped at 9/7 and for the same at 12/12. The
-    /// normals are evenly spaced ones, and others that mirror the lamps of the maps. Takes some ten
-    /// minutes on two cores.
+    /// or order; PTFE, which was measured, is its own coefficients. Errors are CIEDE2000 on a
+    /// screen: the mean and the 95th percentile of pixels, of the median map and of that which 95
+    /// of 100 do not exceed, at 9/7 and at 12/12, with no source and with 8. The normals are evenly
+    /// spaced ones, and others that mirror the lamps of the maps. Takes some ten minutes on two
+    /// cores.
     MaterialErrors(Csv),
     /// Coefficients of glTF materials, tables/inputs/metallic-roughness.csv
     ///

@@ -59,7 +59,7 @@ fn constant(text: &mut String, entry: &Entry) {
     let lint = "#[allow(clippy::approx_constant, reason = \"numbers of a file\")]";
     let _ = write!(
         text,
-        "\n    /// {}.\n    {lint}\n    pub const {name}: Rgb<{record}<'static, {number}>> = {{\n",
+        "\n    /// {}.\n    {lint}\n    pub const {name}: Rgb<{record}<'static>> = {{\n",
         entry.comment()
     );
     let mut made = Vec::new();
