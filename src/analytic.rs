@@ -123,7 +123,7 @@ impl<const N: usize> AnalyticLight<N> {
     /// Multiplies the light.
     #[must_use]
     pub fn scaled(mut self, factor: f32) -> Self {
-        self.coefficients.iter_mut().for_each(|coefficient| *coefficient = *coefficient * factor);
+        self.coefficients.iter_mut().for_each(|coefficient| *coefficient *= factor);
         self
     }
 

@@ -51,7 +51,7 @@ impl Convention {
         let degree = self.accept(coefficients.len())?;
         Error::check_finite(Argument::Light, coefficients)?;
         for (coefficient, (l, m)) in coefficients.iter_mut().zip(indices(degree)) {
-            *coefficient = *coefficient * self.share(l, m).recip();
+            *coefficient *= self.share(l, m).recip();
         }
         Ok(())
     }
@@ -62,7 +62,7 @@ impl Convention {
         let degree = self.accept(coefficients.len())?;
         Error::check_finite(Argument::Light, coefficients)?;
         for (coefficient, (l, m)) in coefficients.iter_mut().zip(indices(degree)) {
-            *coefficient = *coefficient * self.share(l, m);
+            *coefficient *= self.share(l, m);
         }
         Ok(())
     }

@@ -200,7 +200,7 @@ impl Window {
             let orders = (2 * degree + 1).min(rest.len());
             let (of_degree, higher) = split_mut(rest, orders);
             let factor = self.factor(degree);
-            of_degree.iter_mut().for_each(|coefficient| *coefficient = *coefficient * factor);
+            of_degree.iter_mut().for_each(|coefficient| *coefficient *= factor);
             (rest, degree) = (higher, degree + 1);
         }
     }

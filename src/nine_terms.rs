@@ -10,10 +10,10 @@ use crate::scene::{Descent, Scene};
 
 // The clamped cosine over π has the weights 1, 2/3 and 1/4. They are multiplied by the norms of the
 // harmonics, √(1/4π), √(3/4π), √(15/4π) and √(5/16π).
-pub(crate) const CONSTANT: f32 = 0.282_094_791_773_878_14;
-pub(crate) const LINEAR: f32 = 2.0 / 3.0 * 0.488_602_511_902_919_9;
-pub(crate) const SQUARE: f32 = 0.25 * 1.092_548_430_592_079;
-pub(crate) const UPRIGHT: f32 = 0.25 * 0.315_391_565_252_520_05;
+pub(crate) const CONSTANT: f32 = 0.282_094_8;
+pub(crate) const LINEAR: f32 = 2.0 / 3.0 * 0.488_602_52;
+pub(crate) const SQUARE: f32 = 0.25 * 1.092_548_5;
+pub(crate) const UPRIGHT: f32 = 0.25 * 0.315_391_57;
 
 /// Irradiance as a polynomial of degree 2 in the normal, for a Lambertian material under light of
 /// degree 2. It needs no table.

@@ -122,8 +122,7 @@ impl<'a> Shader<'a> {
     ) -> Result<(), Error> {
         let needed = self.vectors();
         Error::check(Argument::Scene, needed, needed.min(vectors.len()))?;
-        let Rgb { r, g, b } =
-            scene.map(|scene| scene.buffer.as_ref().iter().map(|&number| number.into()));
+        let Rgb { r, g, b } = scene.map(|scene| scene.buffer.as_ref().iter().copied());
         let colors = r.zip(g).zip(b).take(self.terms()).map(|((r, g), b)| [r, g, b, 0.0]);
         let entries = self.entries().map(|&[at, below]| [at, below, 0.0, 0.0]);
         let mut all = colors.chain(entries);

@@ -193,8 +193,8 @@ impl Source {
             let (mut weight, mut ratio) = (1.0, decay(half * step * step));
             let square = ratio * ratio;
             for j in 1..=nodes {
-                weight = weight * ratio;
-                ratio = ratio * square;
+                weight *= ratio;
+                ratio *= square;
                 total += weight + weight;
                 let (sine, cosine) = mathematics::sine_and_cosine((j as f32) * step * width);
                 for sine in [sine, -sine] {
@@ -210,10 +210,10 @@ impl Source {
         let mut coefficients = coefficients.iter_mut();
         for l in 0..=degree {
             for coefficient in coefficients.by_ref().take(2 * l + 1) {
-                *coefficient = *coefficient * damping;
+                *coefficient *= damping;
             }
-            power = power * factor;
-            damping = damping * power;
+            power *= factor;
+            damping *= power;
         }
         Ok(())
     }

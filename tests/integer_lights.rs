@@ -93,7 +93,7 @@ fn agrees(most: f64) {
             }
         }
     }
-    println!("{}: 2^{:.2}", "q15", found.log2());
+    println!("q15: 2^{:.2}", found.log2());
     assert!(found <= most, "{found:e}");
 }
 
@@ -149,7 +149,7 @@ fn turned_about_the_view_is_the_generators() {
                 }
             }
         }
-        println!("{}: 2^{:.2}, larger {larger}", "q15", found.log2());
+        println!("q15: 2^{:.2}, larger {larger}", found.log2());
         assert!(found <= most && larger > 0, "{found:e}");
     }
     agrees(OF_ENERGY);

@@ -133,8 +133,7 @@ mod tests {
             [&[3, 2, 1], &[3, 2], &[1, 1], &[2, 1, 1], &[0, 2, 1], &[3, 0, 1], &[3], &[1]];
         for lengths in lengths {
             for seed in 0..200u32 {
-                let mut scene = Scene::<[i32; 9]>::default();
-                scene.lengths = lengths;
+                let mut scene = Scene::<[i32; 9]> { lengths, ..Scene::default() };
                 let mut state = seed;
                 for term in &mut scene.buffer {
                     state = state.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
@@ -168,8 +167,7 @@ mod tests {
         let shapes: [&[u8]; 6] =
             [&[4, 2, 1], &[3, 3], &[3, 1, 2], &[1, 1, 1, 1], &[0, 0, 0, 1], &[]];
         for lengths in shapes {
-            let mut scene = Scene::<[i32; 11]>::default();
-            scene.lengths = lengths;
+            let scene = Scene::<[i32; 11]> { lengths, ..Scene::default() };
             assert_eq!(scene.nine_terms(), None, "{lengths:?}");
         }
     }

@@ -78,7 +78,7 @@ impl<'s> Accounts<'s> {
         let mut price = self.first_price();
         while price < 1.0 {
             self.sweep(lengths, price);
-            price = price * rise;
+            price *= rise;
         }
         // Finally accept any price: a term that stays now could never be removed.
         self.sweep(lengths, (self.len.max(1)) as f32);

@@ -87,7 +87,7 @@ pub(super) fn sizes(azimuth: usize, below: impl Iterator<Item = f32>) -> impl It
         if azimuth == 0 { 1.0 } else { mathematics::inverse_root((2 * azimuth + 2) as f32) };
     below.enumerate().map(move |(k, below)| {
         if k > 0 {
-            size = size * mathematics::square_root(below);
+            size *= mathematics::square_root(below);
         }
         size
     })
@@ -129,7 +129,7 @@ pub(super) fn mean_square(azimuth: usize, [plus, minus]: [&[f32]; 2], scale: f32
         (*t, *weight, *square) = ((node.0) as f32, (node.1) as f32, (of_sine) as f32);
     }
     for _ in 0..azimuth {
-        weights.iter_mut().zip(&squares).for_each(|(weight, &square)| *weight = *weight * square);
+        weights.iter_mut().zip(&squares).for_each(|(weight, &square)| *weight *= square);
     }
     let plus = values::<ANY, _>(plus, [&t, &t]);
     let minus = values::<ANY, _>(minus, [&t, &t]);

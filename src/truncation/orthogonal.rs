@@ -65,7 +65,7 @@ impl Rows {
                 }
             }
             add(next, [term * scale, other * scale]);
-            scale = scale * double;
+            scale *= double;
             (now, next) = (next, now);
         }
         let both = plus.iter_mut().rev().zip(minus.iter_mut().rev());
@@ -108,7 +108,7 @@ impl Rows {
         let both = plus.iter_mut().rev().zip(minus.iter_mut().rev());
         for (pair, (plus, minus)) in now.iter().skip(1).zip(both) {
             [*plus, *minus] = pair.map(|sum| sum * scale);
-            scale = scale * double;
+            scale *= double;
         }
     }
 

@@ -65,11 +65,11 @@ pub struct Truncation {
 /// Slants at which the peak is sought, apart from the camera's direction, given by their cosines
 /// and sines: one for each lane, and one where t is 0.
 const SLANTS: [(f32, f32); LANES + 1] = [
-    (0.92, 0.391_918_358_845_308_5),
-    (0.75, 0.661_437_827_766_147_6),
-    (0.25, 0.968_245_836_551_854_2),
+    (0.92, 0.391_918_36),
+    (0.75, 0.661_437_8),
+    (0.25, 0.968_245_86),
     (0.0, 1.0),
-    (0.5, 0.866_025_403_784_438_6),
+    (0.5, 0.866_025_4),
 ];
 
 /// The unit of an image that is black at the normals where its peak is sought.
@@ -135,7 +135,7 @@ pub(super) fn peak<B: AsRef<[f32]>>(scene: &Scene<'_, B>) -> f32 {
     let mut most = 0.0;
     for (azimuth, (plus, minus)) in scene.azimuths().enumerate() {
         if plus.is_empty() {
-            power.iter_mut().zip(&sines).for_each(|(power, &of_slant)| *power = *power * of_slant);
+            power.iter_mut().zip(&sines).for_each(|(power, &of_slant)| *power *= of_slant);
             continue;
         }
         let recurrence = scene.recurrences.of(azimuth);
@@ -162,7 +162,7 @@ pub(super) fn peak<B: AsRef<[f32]>>(scene: &Scene<'_, B>) -> f32 {
         {
             *cosine = float::add_product(*cosine, plus, *power);
             *sine = float::add_product(*sine, sign * minus, *power);
-            *power = *power * of_slant;
+            *power *= of_slant;
         }
     }
     let diagonal = core::f32::consts::FRAC_1_SQRT_2;

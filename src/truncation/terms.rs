@@ -179,8 +179,8 @@ impl<'p> Polynomials<'p> {
 fn times([plus, minus]: [&mut [f32]; 2], numbers: impl Iterator<Item = f32>) {
     let mut minus = minus.iter_mut().rev();
     for (term, number) in plus.iter_mut().rev().zip(numbers) {
-        *term = *term * number;
-        minus.next().into_iter().for_each(|term| *term = *term * number);
+        *term *= number;
+        minus.next().into_iter().for_each(|term| *term *= number);
     }
 }
 

@@ -105,7 +105,7 @@ impl<const P: usize, const O: usize> Degree<P, O> {
     pub fn normalize(&self, sums: &mut [i32; P]) -> i32 {
         let mut either = 0;
         for &sum in sums.iter() {
-            either = either | sum.max(-sum);
+            either |= sum.max(-sum);
         }
         let largest = either.bits();
         let by = BITS.cast_signed() - largest.cast_signed();
@@ -180,7 +180,7 @@ fn settle<const L: usize>(
     let (mut either, mut sum) = (0, 0);
     for (&number, exponent) in row.iter().zip(exponents) {
         let aligned = number.max(-number).floor_shr((exponent - largest).min(0));
-        either = either | aligned;
+        either |= aligned;
         sum += aligned.floor_shr(-guard.cast_signed());
     }
     let found = row_bits(either, sum, L as i32, guard);
