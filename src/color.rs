@@ -214,12 +214,12 @@ impl<C> Rgb<Scene<'_, C>> {
     /// ```
     /// # #[cfg(feature = "presets")] {
     /// use eigenshade::presets::{light::LOBBY, material::GOLD_METALLIC_PAINT};
-    /// use eigenshade::{MapPoint, Q15, Rgb, sphere};
+    /// use eigenshade::{Q15, Rgb, q15, sphere};
     ///
     /// let scene = sphere::color::scene(LOBBY, GOLD_METALLIC_PAINT)?;
     /// let map = scene.bake_integers_into(32, Rgb::gray([0; 32 * 32]))?;
     /// let exposure = map.exposure_by_factor(1.5)?;
-    /// let color = exposure.of(map.bilinear(MapPoint::new(Q15(0), Q15(0))));
+    /// let color = exposure.of(map.bilinear(q15::MapPoint::new(Q15(0), Q15(0))));
     /// assert!(color.r > color.b);
     /// # }
     /// # Ok::<(), eigenshade::Error>(())

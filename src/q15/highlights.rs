@@ -22,13 +22,13 @@ use sealed::Sealed;
 /// # #[cfg(feature = "presets")] {
 /// use eigenshade::presets::{light::q15::LOBBY, material::q15::GOLD_METALLIC_PAINT};
 /// use eigenshade::q15::{self, Normal};
-/// use eigenshade::{Gloss, Highlights, Q15, Rgb, Source, sphere::q15};
+/// use eigenshade::{Gloss, Highlights, Rgb, Source, sphere};
 ///
 /// let lamp = Source::round([0.0, 0.6, 0.8], [0.5; 3], 0.03)?;
 /// let gloss = Gloss::metallic_roughness([1.0, 0.78, 0.34], 1.0, 0.3)?;
 /// let in_floats = Highlights::<1>::new(&gloss, &[lamp])?;
 ///
-/// let scene = q15::color::scene(LOBBY, GOLD_METALLIC_PAINT)?;
+/// let scene = sphere::q15::color::scene(LOBBY, GOLD_METALLIC_PAINT)?;
 /// let exponents = scene.each_ref().map(|channel| channel.exponent());
 /// let highlights = q15::Highlights::<Rgb<i32>, 1>::quantize(&in_floats, exponents)?;
 ///

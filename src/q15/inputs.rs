@@ -281,6 +281,7 @@ impl Normal {
     /// # Errors
     ///
     /// [`Error::NotUnit`] if the length is not 1, [`Error::Hidden`] if z < 0.
+    #[inline]
     pub const fn from_unit(x: Q15, y: Q15, z: Q15) -> Result<Self, Error> {
         const ONE: u32 = 1 << (2 * BITS);
         let (a, b, c) = (x.0.unsigned_abs(), y.0.unsigned_abs(), z.0.unsigned_abs());

@@ -1,9 +1,8 @@
-// three.js and our WebAssembly module on the same pixels: a task in JSON from standard input,
-// the answer to standard output. `benches/peers/run` calls it.
+// three.js and our package on the same pixels: a task in JSON from standard input, the answer to
+// standard output. `benches/peers/run` calls it.
 
 import { readFileSync } from "node:fs";
-import { load } from "../../../crates/wasm/eigenshade.mjs";
-import { bytes } from "../../../crates/wasm/tests/support/modules.mjs";
+import { Scene, load } from "../../../packages/eigenshade/src/index.js";
 
 const ROUNDS = 101;
 
@@ -15,20 +14,22 @@ const fail = (message) => {
 const three = await import("three").catch((fault) =>
   fail(`${fault.message}; run \`npm install\` in benches/peers/node first`),
 );
-let module;
+let engine;
 try {
-  module = await load(bytes("all", ".simd"));
+  engine = await load(readFileSync(new URL("../../../target/modules/color.simd.wasm", import.meta.url)));
 } catch (fault) {
   fail(fault.message);
 }
 const { SphericalHarmonics3, Vector3 } = three;
-const { f32, exports } = module;
 const task = JSON.parse(readFileSync(0, "utf8"));
-const count = f32.shape.normals;
+const [x, y, z] = [0, 1, 2].map((axis) => Float32Array.from(task.normals, (normal) => normal[axis]));
 
-/** Buffers of the module. */
-const view = (name, length) => new Float32Array(exports.memory.buffer, exports[name].value, length);
-const [nine, axes, irradiance] = [view("nine", 9), view("f32_normals", 3 * count), view("f32_irradiance", count)];
+/** Three channels as the package takes them, of degree 9 or order 7 at most. */
+const rgb = (channels, most) => {
+  const [r, g, b] = channels.map((channel) => channel.slice(0, most));
+  return { r, g, b };
+};
+const scene = ({ light, material }) => Scene.create({ light: rgb(light, 100), material: rgb(material, 40), engine });
 
 /** Our coefficients to the graphics convention. */
 const SIGNS = [1, -1, 1, -1, -1, -1, 1, -1, 1];
@@ -37,41 +38,6 @@ const SIGNS = [1, -1, 1, -1, -1, -1, 1, -1, 1];
 function probe({ light }) {
   const coefficients = SIGNS.map((sign, k) => new Vector3(...light.map((channel) => sign * channel[k])));
   return new SphericalHarmonics3().set(coefficients);
-}
-
-/** Coefficients of 1, x, y, z, x² - y², xy, xz, yz, z² of one channel, on f = 1/π. */
-function nineTerms(light) {
-  const c = SIGNS.map((sign, k) => sign * light[k] * (k === 0 ? 1 : k < 4 ? 2 / 3 : 1 / 4));
-  const [constant, linear, mixed, along] = [0.25, 0.75, 3.75, 0.3125].map((share) => Math.sqrt(share / Math.PI));
-  return [
-    constant * c[0] - along * c[6],
-    linear * c[3],
-    linear * c[1],
-    linear * c[2],
-    0.5 * mixed * c[8],
-    mixed * c[4],
-    mixed * c[7],
-    mixed * c[5],
-    3 * along * c[6],
-  ];
-}
-
-/** Normals into the module, from `start` on; gives how many. */
-function fill(start) {
-  const part = task.normals.slice(start, start + count);
-  part.forEach((normal, k) => normal.forEach((value, axis) => (axes[axis * count + k] = value)));
-  return part.length;
-}
-
-/** One channel's image by an export that fills `f32_irradiance`. */
-function channel(shade) {
-  const image = [];
-  for (let start = 0; start < task.normals.length; start += count) {
-    const length = fill(start);
-    shade(length);
-    image.push(...irradiance.subarray(0, length));
-  }
-  return image;
 }
 
 /** The images of a case, by way. */
@@ -85,17 +51,10 @@ const IMAGES = {
     });
     return [0, 1, 2].map((axis) => pixels.map((pixel) => pixel[axis] / Math.PI));
   },
-  nine: (one) =>
-    one.light.map((light) => {
-      nine.set(nineTerms(light));
-      return channel(exports.nine_terms);
-    }),
-  full: (one) =>
-    one.light.map((light, k) => {
-      f32.light(light).material(one.material[k]).project();
-      f32.collapse();
-      return channel(exports.f32_shade);
-    }),
+  ours: async (one) => {
+    const { r, g, b } = (await scene(one)).shade(x, y, z);
+    return [r, g, b];
+  },
 };
 
 /** Root mean square of the difference over all channels, of the peak. */
@@ -113,24 +72,21 @@ function error({ reference }, image, isMatte) {
   return Math.sqrt(squares / 3) / peak;
 }
 
-const errors = (way, cases, isMatte) => cases.map((one) => error(one, IMAGES[way](one), isMatte));
+async function errors(way, cases, isMatte) {
+  const found = [];
+  for (const one of cases) found.push(error(one, await IMAGES[way](one), isMatte));
+  return found;
+}
 
 /** Times of each way in those of the first, medians over interleaved rounds. */
 async function ratios() {
-  fill(0);
-  const some = Math.min(count, task.normals.length);
   const [one] = task.measured_materials;
-  IMAGES.full(one);
-  fill(0);
+  const ours = await scene(one);
   const light = probe(one);
   const target = new Vector3();
-  const normals = task.normals.slice(0, some).map((normal) => new Vector3(...normal));
-  const [x, y, z] = [0, 1, 2].map((axis) => Float32Array.from(task.normals.slice(0, some), (normal) => normal[axis]));
-  const out = new Float32Array(some);
+  const normals = task.normals.map((normal) => new Vector3(...normal));
+  const out = ours.shade(x, y, z);
   let sum = 0;
-  const threeChannels = (shade) => () => {
-    for (let channel = 0; channel < 3; channel++) shade();
-  };
   const tasks = [
     {
       repeat: 30,
@@ -138,9 +94,7 @@ async function ratios() {
         for (const normal of normals) sum += light.getIrradianceAt(normal, target).x;
       },
     },
-    { repeat: 400, work: threeChannels(() => exports.nine_terms(some)) },
-    { repeat: 20, work: threeChannels(() => exports.f32_shade(some)) },
-    { repeat: 20, work: threeChannels(() => f32.shade(x, y, z, out)) },
+    { repeat: 30, work: () => ours.shade(x, y, z, out) },
   ];
   const run = ({ work, repeat }) => {
     const start = process.hrtime.bigint();
@@ -162,16 +116,17 @@ async function ratios() {
 }
 
 const times = task.measured ? await ratios() : [];
-const ways = [
+const ways = [];
+for (const [k, [name, way, isOurs]] of [
   ["three.js", "three", false],
-  ["nine terms in our module", "nine", true],
-  ["full scene in our module", "full", true],
-  ["full scene by `shade`", "full", true],
-].map(([name, way, isOurs], k) => ({
-  name,
-  ratio: times[k] ?? null,
-  is_ours: isOurs,
-  mattes: errors(way, task.mattes, false),
-  measured_materials: errors(way, task.measured_materials, way !== "full"),
-}));
+  ["full scene by `Scene.shade`", "ours", true],
+].entries()) {
+  ways.push({
+    name,
+    ratio: times[k] ?? null,
+    is_ours: isOurs,
+    mattes: await errors(way, task.mattes, false),
+    measured_materials: await errors(way, task.measured_materials, !isOurs),
+  });
+}
 console.log(JSON.stringify({ ways }));

@@ -91,9 +91,8 @@ impl Pair {
 
     /// The formula of a white matte under the light.
     pub fn nine_terms(&self) -> NineTerms {
-        let light = Light::from_finite(&self.light[..9]).expect("coefficients of its degree");
-        let formula = NineTerms::lambertian(&light, 1.0);
-        NineTerms::new(formula.coefficients().map(|value| value as f32))
+        let light = Light::from_finite(&self.light_single[..9]);
+        NineTerms::lambertian(&light.expect("coefficients of its degree"), 1.0)
     }
 
     pub fn project(&self) -> sphere::Coefficients {

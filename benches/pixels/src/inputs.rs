@@ -10,7 +10,7 @@ use std::path::Path;
 pub const NINE: &str = "nine-term formula";
 
 /// The nine-term formula with some coefficients.
-pub const NINE_TERMS: NineTerms<f32> =
+pub const NINE_TERMS: NineTerms =
     NineTerms::new([0.9, 0.2, -0.1, 0.5, 0.05, 0.02, -0.03, 0.01, 0.07]);
 
 /// Room for irradiances, apart from the normals.

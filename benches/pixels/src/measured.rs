@@ -41,7 +41,7 @@ impl Path {
     }
 
     fn nine_terms() -> Self {
-        Self::pixels(NINE, NineTerms::<f32>::MULTIPLY_ADDS)
+        Self::pixels(NINE, NineTerms::MULTIPLY_ADDS)
     }
 
     fn image(image: &Image) -> Self {
@@ -129,7 +129,7 @@ pub fn timed(images: &[Image]) -> (Vec<Path>, f64) {
     let normals = normals();
     let each: Vec<Normal> = normals.iter().collect();
     let full = sphere::BASIS.collapse_into(&images[0].d, [0.0; sphere::SCENE]).expect("sizes");
-    let baked: BakedMap<f32, Vec<f32>> = full.bake_into(64, vec![0.0; 64 * 64]).expect("sizes");
+    let baked: BakedMap<Vec<f32>> = full.bake_into(64, vec![0.0; 64 * 64]).expect("sizes");
     let inputs: &CallInputs = Box::leak(Box::new(CallInputs::new()));
     let by_texels = irradiances();
 

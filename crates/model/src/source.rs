@@ -72,14 +72,14 @@ pub struct Gloss {
 
 impl Gloss {
     /// α, the square of the roughness, which counts as at least
-    /// [`SMOOTHEST`](eigenshade_index::highlights::SMOOTHEST).
+    /// [`SMOOTHEST`].
     #[must_use]
     pub fn alpha(&self) -> f64 {
         self.roughness.max(SMOOTHEST).powi(2)
     }
 
     /// Whether sources make pictures of this material nearer: its roughness is below
-    /// [`MATTE`](eigenshade_index::highlights::MATTE).
+    /// [`MATTE`].
     #[must_use]
     pub fn needs_sources(&self) -> bool {
         self.alpha() < MATTE * MATTE
@@ -140,7 +140,7 @@ pub struct SetError {
     pub size: (usize, usize),
     /// The kind of the materials.
     pub base: Base,
-    /// For each of [`ROUGHNESS`](eigenshade_index::highlights::ROUGHNESS), against direct
+    /// For each of [`ROUGHNESS`], against direct
     /// integration, with the window that `eigenshade render` chooses.
     pub errors: [ScreenError; 6],
 }
