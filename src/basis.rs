@@ -11,7 +11,7 @@ use crate::recurrences::Recurrences;
 /// The arrays of a basis: [`Basis::new`] checks that they are consistent.
 pub type Parts<'a> = floats::Parts<'a, f32>;
 
-/// An eigenbasis. Degree, order and number of components are values; the number format is a type.
+/// An eigenbasis. Degree, order and number of components are values.
 #[derive(Clone, Copy, Debug)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Basis<'a> {

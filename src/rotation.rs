@@ -53,7 +53,7 @@ impl Rotation {
     }
 
     /// The rotation of the quaternion x i + y j + z k + w. Its length may be anything whose square
-    /// is a normal number of the format. Takes no root and no angle.
+    /// is a normal number of f32. Takes no root and no angle.
     ///
     /// # Errors
     ///

@@ -84,7 +84,7 @@ struct Angle {
 }
 
 impl Angle {
-    /// The angle of (x, y), to more than the precision of the format: multiples amplify its error.
+    /// The angle of (x, y), to more than the precision of f32: multiples amplify its error.
     /// x and y are sums of two numbers, the second of which are roundings. Times `scale` the length
     /// is nearly 1.
     #[inline(never)]

@@ -2,7 +2,6 @@
 
 #[cfg(feature = "generate")]
 pub mod compare;
-#[cfg(feature = "generate")]
 pub mod rounding;
 
 use crate::description::Description;
