@@ -123,7 +123,6 @@ pub(crate) fn orthogonal<const N: usize>(
     let [mut sums, mut more] = [[0.0; N]; 2];
     let (mut element, mut before) = ([1.0; N], [0.0; N]);
     for ((&term, &another), &[at, below]) in one.iter().zip(other).rev().zip(recurrence) {
-        let (at, below) = (at, below);
         let both = sums.iter_mut().zip(&mut more);
         let elements = element.iter_mut().zip(&mut before);
         for ((sum, more), ((element, before), &t)) in both.zip(elements.zip(t)) {

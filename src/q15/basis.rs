@@ -253,6 +253,7 @@ impl<'a> Basis<'a> {
     }
 
     /// Length of a collapsed scene.
+    #[inline]
     #[must_use]
     pub const fn scene_len(&self) -> usize {
         let (mut sum, mut azimuth) = (0, 0);

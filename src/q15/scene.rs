@@ -112,6 +112,7 @@ impl<'a> Basis<'a> {
     /// # Errors
     ///
     /// [`Error::Length`] unless there are [`scene_len`](Self::scene_len) numbers.
+    #[inline]
     pub fn scene<B: AsRef<[i32]>>(&self, exponent: i32, buffer: B) -> Result<Scene<'a, B>, Error> {
         Error::check(Argument::Scene, self.scene_len(), buffer.as_ref().len())?;
         Ok(Scene { lengths: self.parts.lengths, exponent, buffer })
