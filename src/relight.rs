@@ -54,6 +54,7 @@ impl Basis<'_> {
     /// [`Error::Beyond`] if the degree of the light exceeds that of the basis, [`Error::Length`] if
     /// the transfer belongs to another basis, [`Error::Capacity`] if `K` is less than
     /// [`components`](Self::components).
+    #[inline]
     pub fn relight<const T: usize, const K: usize>(
         &self,
         transfer: &Transfer<T>,
@@ -71,6 +72,7 @@ impl Basis<'_> {
     /// [`Error::Beyond`] if the degree of the light exceeds that of the basis, [`Error::Length`]
     /// unless `transfer` has [`transfer_len`](Self::transfer_len) numbers and `coefficients` has
     /// [`components`](Self::components).
+    #[inline]
     pub fn relight_into(
         &self,
         transfer: &[f32],
@@ -89,6 +91,7 @@ impl Basis<'_> {
         Ok(())
     }
 
+    #[inline]
     fn relight_passes(&self, transfer: &[f32], light: &Light<'_>, coefficients: &mut [f32]) {
         let mut next = self.first_pass();
         while let Some(pass) = next {
@@ -101,6 +104,7 @@ impl Basis<'_> {
         }
     }
 
+    #[inline]
     fn relight_runs(&self, transfer: &[f32], light: &Light<'_>, coefficients: &mut [f32]) {
         let mut next = self.first_run();
         while let Some(run) = next {
@@ -135,6 +139,7 @@ pub fn write<B, const I: usize, const P: usize, const K: usize>(
 }
 
 #[expect(clippy::panic, reason = "while the program is compiled")]
+#[inline]
 const fn pass_of<B: KnownTable<Basis<'static>>, const P: usize>(index: usize) -> PassPlace {
     match B::BASIS.pass_at(index) {
         Some(pass) if pass.profiles == P => pass,
@@ -143,6 +148,7 @@ const fn pass_of<B: KnownTable<Basis<'static>>, const P: usize>(index: usize) ->
 }
 
 #[expect(clippy::panic, reason = "while the program is compiled")]
+#[inline]
 const fn run_of<B: KnownTable<Basis<'static>>, const P: usize>(index: usize) -> Run {
     match B::BASIS.run_at(index) {
         Some(run) if run.profiles == P => run,
@@ -283,6 +289,7 @@ mod tests {
 
     /// Each machine takes one of the two ways.
     #[test]
+    #[inline]
     fn passes_and_runs_agree_bit_for_bit() {
         let light: [f32; sphere::LIGHT] = core::array::from_fn(|k| (7 * k % 19) as f32 - 9.0);
         let material = [0.3f32; 40];

@@ -58,7 +58,6 @@ impl Light<'_> {
     ///
     /// [`Error::Capacity`] if `N` is below (degree + 1)², [`Error::Rotation`] if cosine² + sine²
     /// differs from 1 by more than 2 %.
-    #[inline]
     pub fn turned_about_view<const N: usize>(
         &self,
         angle: [f32; 2],
@@ -77,7 +76,6 @@ impl Light<'_> {
     /// # Errors
     ///
     /// [`Error::Length`] unless `N` is (degree + 1)², [`Error::Rotation`] as above.
-    #[inline]
     pub fn turn_about_view_into<const N: usize>(
         &self,
         angle: [f32; 2],
@@ -122,7 +120,6 @@ impl Rgb<Light<'_>> {
     /// # Errors
     ///
     /// The same.
-    #[inline]
     pub fn turned_about_view<const N: usize>(
         &self,
         angle: [f32; 2],
@@ -133,7 +130,6 @@ impl Rgb<Light<'_>> {
 
 /// A vector scaled to length 1, from which its square may be off by 2 %: 1/√(1 + e) by its first
 /// terms, to within 3e-6.
-#[inline]
 fn unit([c, s]: [f32; 2]) -> Result<[f32; 2], Error> {
     let [most, half, next] = [0.02, -0.5, 0.375];
     let off = c * c + s * s - 1.0;

@@ -61,7 +61,6 @@ const EXCHANGE: [f64; ELEMENTS] = {
 
 /// The element of order m in the image of order n, by the recurrence from order l down.
 #[expect(clippy::indexing_slicing, reason = "a constant function has no iterators")]
-#[inline]
 const fn element(l: usize, m: usize, n: usize, links: &[f64; LARGEST + 1]) -> f64 {
     // 2^(1-l) √binomial(2l, l - n), over √2 for order 0; (x + iz)^l has the signs + + - -.
     let (mut binomial, mut k) = (if n == 0 { 2.0 } else { 4.0 }, 0);
@@ -90,7 +89,6 @@ const fn element(l: usize, m: usize, n: usize, links: &[f64; LARGEST + 1]) -> f6
 
 /// The elements of the generator between each order and the next, times two.
 #[expect(clippy::indexing_slicing, reason = "a constant function has no iterators")]
-#[inline]
 const fn links(l: usize) -> [f64; LARGEST + 1] {
     let (mut links, mut m) = ([0.0; LARGEST + 1], 0);
     while m < l {
@@ -102,7 +100,6 @@ const fn links(l: usize) -> [f64; LARGEST + 1] {
 }
 
 /// √x for x > 0, by Newton's method from above, until it stops decreasing.
-#[inline]
 const fn root(x: f64) -> f64 {
     let mut root = if x > 1.0 { x } else { 1.0 };
     loop {
@@ -137,7 +134,6 @@ pub(crate) static IN_Q15: [Q15; ELEMENTS] = {
 };
 
 /// The nearest integer; a conversion truncates toward zero, and saturates.
-#[inline]
 const fn nearest(x: f64) -> f64 {
     if x < 0.0 { x - 0.5 } else { x + 0.5 }
 }

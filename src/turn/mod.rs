@@ -42,7 +42,6 @@ impl Light<'_> {
     /// # Errors
     ///
     /// [`Error::Capacity`] if `N` is too small, or the degree above 12.
-    #[inline]
     pub fn turned<const N: usize>(&self, rotation: &Rotation) -> Result<LightBuffer<N>, Error> {
         turned([*self], rotation).map(|[turned]| turned)
     }
@@ -50,7 +49,6 @@ impl Light<'_> {
     /// Workspace length for [`turn_into`](Self::turn_into): 0 to degree 12, above the matrices of
     /// two degrees, and some numbers for each order. `usize::MAX` if that overflows.
     #[must_use]
-    #[inline]
     pub const fn turn_len(degree: usize) -> usize {
         if degree <= LARGEST { 0 } else { recursion::workspace_len(degree) }
     }
@@ -65,7 +63,6 @@ impl Light<'_> {
     ///
     /// [`Error::Length`] unless `workspace` has [`turn_len`](Self::turn_len) numbers and `turned`
     /// has (degree + 1)².
-    #[inline]
     pub fn turn_into(
         &self,
         rotation: &Rotation,
@@ -90,7 +87,6 @@ impl Rgb<Light<'_>> {
     /// # Errors
     ///
     /// The same.
-    #[inline]
     pub fn turned<const N: usize>(
         &self,
         rotation: &Rotation,
@@ -99,7 +95,6 @@ impl Rgb<Light<'_>> {
     }
 }
 
-#[inline]
 fn turned<const C: usize, const N: usize>(
     lights: [Light<'_>; C],
     rotation: &Rotation,
@@ -118,7 +113,6 @@ fn turned<const C: usize, const N: usize>(
 }
 
 /// Turns lights, each into as many numbers. Their degrees are at most [`LARGEST`].
-#[inline]
 fn turn<const C: usize>(lights: [Light<'_>; C], rotation: &Turn<f32>, mut turned: [&mut [f32]; C]) {
     let degree = lights.iter().map(Light::degree).max().unwrap_or_default();
     for (to, from) in turned.iter_mut().zip(&lights) {

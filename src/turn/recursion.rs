@@ -20,7 +20,6 @@ use crate::rotation::Rotation;
 
 /// Workspace length for a degree: the matrices of two degrees, and some numbers for each order.
 /// `usize::MAX` if that overflows.
-#[inline]
 pub(super) const fn workspace_len(degree: usize) -> usize {
     let orders = degree.saturating_mul(2).saturating_add(1);
     // 2 orders² + 2 orders, plus degree + 1.
@@ -29,7 +28,6 @@ pub(super) const fn workspace_len(degree: usize) -> usize {
 }
 
 /// Turns a light. `workspace` has [`workspace_len`] numbers, `turned` as many as the light.
-#[inline]
 pub(super) fn turn(
     light: &Light<'_>,
     rotation: &Rotation,
@@ -66,7 +64,6 @@ pub(super) fn turn(
 }
 
 /// Replaces x by D (x + (x - DᵀD x) / 2). `images` has room for two vectors like x.
-#[inline]
 fn apply(matrix: Matrix<'_>, x: &mut [f32], images: &mut [f32]) {
     let (image, rest) = split_mut(images, x.len());
     let back = part_mut(rest, ..x.len());
@@ -87,12 +84,10 @@ struct Matrix<'a> {
 }
 
 impl Matrix<'_> {
-    #[inline]
     fn flipped(self) -> Self {
         Self { transposed: !self.transposed, ..self }
     }
 
-    #[inline]
     fn times(self, from: &[f32], to: &mut [f32]) {
         to.fill(0.0);
         let rows = self.elements.chunks_exact(from.len().max(1));
@@ -109,13 +104,11 @@ impl Matrix<'_> {
 }
 
 /// Converts to harmonics without the phase, which the recursion uses, and back.
-#[inline]
 fn signed(order: isize, value: f32) -> f32 {
     if index::graphics_sign(order) < 0 { -value } else { value }
 }
 
 /// The matrix of degree 1, whose orders -1, 0, 1 are y, z, x.
-#[inline]
 fn first(rotation: &Rotation, to: &mut [f32]) {
     let [[xx, xy, xz], [yx, yy, yz], [zx, zy, zz]] = rotation.matrix;
     for (to, from) in to.iter_mut().zip([yy, yz, yx, zy, zz, zx, xy, xz, xx]) {
@@ -124,7 +117,6 @@ fn first(rotation: &Rotation, to: &mut [f32]) {
 }
 
 /// The matrix of degree l >= 2, from that of l - 1.
-#[inline]
 fn next(rotation: &Rotation, l: usize, before: &[f32], to: &mut [f32], columns: &mut [f32]) {
     let root = |square: usize| mathematics::square_root(square as f32);
     for (n, column) in columns.iter_mut().enumerate().take(l + 1) {
@@ -184,7 +176,6 @@ impl Previous<'_> {
     }
 
     /// An element of degree l - 1; 0 for orders beyond it, whose factors are zero.
-    #[inline]
     fn element(&self, m: isize, n: isize) -> f32 {
         let last = self.l - 1;
         if m.abs() > last {

@@ -30,7 +30,6 @@ impl Arithmetic for Floats {
 impl Rotation {
     /// This rotation, prepared. A rotation and its inverse have the same numbers, so that one
     /// undoes the other up to the rounding of the coefficients.
-    #[inline]
     pub(super) fn turn(&self, degree: usize) -> Turn<f32> {
         let (Self { matrix }, is_inverse) = self.upright();
         let [[xx, xy, xz], [yx, yy, yz], [_, _, zz]] = matrix;
@@ -67,7 +66,6 @@ impl Rotation {
     }
 
     /// This rotation or its inverse, chosen the same way for both, and whether it is the inverse.
-    #[inline]
     pub(super) fn upright(&self) -> (Self, bool) {
         let [[_, xy, xz], [yx, _, yz], [zx, zy, _]] = self.matrix;
         let apart = [xy - yx, xz - zx, yz - zy].into_iter().find(|&apart| apart != 0.0);
@@ -113,7 +111,6 @@ impl Angle {
 }
 
 /// Makes 1 + x + iy a number of absolute value 1, by a step of Newton's method.
-#[inline]
 fn unit([x, y]: [f32; 2]) -> [f32; 2] {
     let excess = x * (x + 2.0) + y * y;
     let half = 0.5 * excess;
@@ -121,7 +118,6 @@ fn unit([x, y]: [f32; 2]) -> [f32; 2] {
 }
 
 /// a + b, rounded, and the rounding.
-#[inline]
 fn sum(a: f32, b: f32) -> [f32; 2] {
     let sum = a + b;
     let of_b = sum - a;
@@ -129,7 +125,6 @@ fn sum(a: f32, b: f32) -> [f32; 2] {
 }
 
 /// The rounding error of the product a b, by Dekker's method: halves of 12 bits.
-#[inline]
 fn residual(a: f32, b: f32) -> f32 {
     let splitter = ((1 << 12) + 1) as f32;
     let split = |number: f32| {
