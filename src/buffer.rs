@@ -14,7 +14,7 @@ use core::ops::{Deref, DerefMut};
 ///
 /// let buffer = Buffer::from([3.0, 1.0]);
 /// assert_eq!(buffer.as_slice(), [3.0, 1.0]);
-/// assert_eq!(buffer.iter().sum::<f64>(), 4.0);
+/// assert_eq!(buffer.iter().sum::<f32>(), 4.0);
 /// ```
 #[derive(Clone, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]

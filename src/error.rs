@@ -58,7 +58,7 @@ pub enum Error {
         /// The index of the number.
         index: usize,
     },
-    /// A number exceeds the range of an integer format.
+    /// A number exceeds the range of its integer.
     Saturated {
         /// Which argument.
         argument: Argument,
@@ -77,7 +77,7 @@ pub enum Error {
     Hidden,
     /// A basis that holds only transfers was asked to project a material.
     TransfersOnly,
-    /// An exponent of an integer format is beyond ±128, or one of coefficients beyond ±2^16.
+    /// An exponent of Q15 numbers is beyond ±128, or one of coefficients beyond ±2^16.
     Exponent,
     /// A row of an integer table or transfer has a sum that could overflow its accumulator.
     Bound,

@@ -76,7 +76,7 @@ impl<const K: usize> Estimate<'_, K> {
     /// For a sphere, these are all pixels of its disc, seen from afar. It does not hold for part of
     /// an object, which takes least squares.
     ///
-    /// Compared with the same mean in exact arithmetic, the error in f32 is below 1e-6 of the
+    /// Compared with the same mean in exact arithmetic, the error is below 1e-6 of the
     /// largest coefficient, for a million pixels and the shipped table.
     ///
     /// # Errors

@@ -110,7 +110,7 @@ impl<const N: usize> Highlights<N> {
     /// The irradiance of one normal by the sources alone, to be added to that of
     /// [`Scene::shade`](crate::Scene::shade).
     ///
-    /// In f32 it is within 3e-5 of the peak of the formula in exact arithmetic for the least
+    /// It is within 3e-5 of the peak of the formula in exact arithmetic for the least
     /// roughness, within 1e-5 for 0.1, and within 3e-6 from 0.3 on. Cost: a root, and for each
     /// source that the normal faces a division and 31 products, those of a second root among them.
     #[inline]

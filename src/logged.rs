@@ -34,6 +34,6 @@ const _: () = {
     can_be_logged::<(q15::Light<'_>, q15::Material<'_>)>();
     can_be_logged::<(q15::Normal, q15::Coefficients<8>)>();
     can_be_logged::<(q15::Transfer<'_>, q15::Estimate<'_, 8>)>();
-    can_be_logged::<(crate::q15::MapPoint, Rotation, Window, NegativePolicy)>();
+    can_be_logged::<(q15::MapPoint, Rotation, Window, NegativePolicy)>();
     can_be_logged::<(q15::Scene<'_, [i32; 8]>, q15::TransferBuffer<8, 8>)>();
 };

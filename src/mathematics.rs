@@ -2,7 +2,8 @@
 //! crate `libm` takes roots by integer loops and sines in f64. So roots are taken by Newton's
 //! method, and angles are split into quarter turns.
 
-/// √x, for x = 0 and normal numbers x > 0: within 2e-7 of itself.
+/// √x, for x = 0 and normal numbers x > 0: within 2e-7 of itself. Too small for subnormal numbers,
+/// and not a number for infinity.
 #[inline]
 pub(crate) fn square_root(x: f32) -> f32 {
     let inverse = inverse_root(x);

@@ -171,7 +171,7 @@ impl<'a> Basis<'a> {
         Workspace { scattering, sums, lights: lights.as_chunks_mut().0 }
     }
 
-    /// The rows of f32 from l = `azimuth` on.
+    /// The rows of S from l = `azimuth` on.
     #[inline]
     pub(crate) fn scattered_from<'w>(&self, azimuth: usize, scattering: &'w [f32]) -> &'w [f32] {
         part(scattering, azimuth * self.row()..)
@@ -221,9 +221,9 @@ pub(crate) fn gather(coefficients: &[f32], degree: usize, azimuth: usize, lights
 }
 
 pub(crate) struct Workspace<'w> {
-    /// f32, with a row for each l.
+    /// S, with a row for each l.
     pub(crate) scattering: &'w mut [f32],
-    /// Room for f32 along l.
+    /// Room for S along l.
     pub(crate) sums: &'w mut [f32],
     /// The light of one azimuth.
     lights: &'w mut [[f32; 2]],

@@ -20,7 +20,7 @@ impl Basis<'_> {
         if self.projects() { Ok(()) } else { Err(Error::TransfersOnly) }
     }
 
-    /// Writes S: for each l a zero-padded row over the pairs (p, q). `sums` holds f32 along l
+    /// Writes S: for each l a zero-padded row over the pairs (p, q). `sums` holds S along l
     /// meanwhile. Only modes of `effects` are summed; if the basis has a selection of modes, only
     /// those of `azimuth`. Inlined so that the compiler can see when all effects are meant.
     #[inline(always)]
@@ -47,7 +47,7 @@ impl Basis<'_> {
         self.transpose(sums, scattering);
     }
 
-    /// Computes f32 along l, in rows of `G` groups.
+    /// Computes S along l, in rows of `G` groups.
     fn scatter_rows<const G: usize>(&self, material: &Material<'_>, sums: &mut [f32]) {
         let (polar, _) = self.parts.polar.as_chunks::<LANES>().0.as_chunks::<G>();
         let (sums, _) = sums.as_chunks_mut::<LANES>().0.as_chunks_mut::<G>();
@@ -60,7 +60,7 @@ impl Basis<'_> {
         });
     }
 
-    /// Computes f32 along l, in rows of any number of groups.
+    /// Computes S along l, in rows of any number of groups.
     fn scatter_long(&self, groups: usize, material: &Material<'_>, sums: &mut [f32]) {
         let (polar, _) = self.parts.polar.as_chunks::<LANES>();
         let (sums, _) = sums.as_chunks_mut::<LANES>();
@@ -75,7 +75,7 @@ impl Basis<'_> {
         });
     }
 
-    /// Computes f32 along l, in rows of any length, for some effects. If the basis has a selection of
+    /// Computes S along l, in rows of any length, for some effects. If the basis has a selection of
     /// modes, only for the modes of one azimuth.
     fn scatter_some(
         &self,
@@ -144,7 +144,7 @@ impl Basis<'_> {
         })
     }
 
-    /// Transposes f32 from rows over l, one for each pair, to rows over the pairs, one for each l.
+    /// Transposes S from rows over l, one for each pair, to rows over the pairs, one for each l.
     fn transpose(&self, sums: &[f32], scattering: &mut [f32]) {
         let width = self.row() / LANES;
         let groups = layout::groups(self.degree()).max(1);

@@ -134,7 +134,7 @@ impl<'a> Shader<'a> {
     /// place of the highlights before. Sources that are not there are dark: their vectors become
     /// zero.
     ///
-    /// In f32, a shader is as near to the formula as [`Highlights::shade`].
+    /// A shader is as near to the formula as [`Highlights::shade`].
     ///
     /// # Errors
     ///

@@ -61,7 +61,8 @@ fn effects_are_the_modes_of_their_degrees_and_orders() {
     }
 }
 
-/// d by the sum over 912 pixels in f32, of the largest d.
+/// d by the sum over 912 pixels in f32, which is compensated: roundings of pixels and of d itself, of
+/// the largest d.
 const ESTIMATE_F32: f64 = 2e-6;
 
 /// Both criteria: the mean image is subtracted pixel by pixel.

@@ -1,12 +1,18 @@
 //! The approximate constructors are as far off as documented, and no worse.
 
-use eigenshade::{Error, Normal, Rotation};
+use eigenshade::presets::{light::STUDIO, material::CHROME_STEEL};
+use eigenshade::{Error, Normal, Rotation, sphere};
+use eigenshade_testing::fixtures::of_equal_areas;
+use eigenshade_testing::oracle::Numbers;
 
 /// Reciprocal roots, relative: the exponent halved, its bits as a straight line.
 const INVERSE_ROOT: f32 = 0.035;
 
-/// Sines and cosines within 10 rad: two parabolas.
-const ANGLE: f64 = 1.1e-3;
+/// A pixel of chrome in a studio, of the peak.
+const PIXEL: f32 = 0.21;
+
+/// An element of a matrix: products of sines within 10 rad, two parabolas that are off by 1.1e-3.
+const ELEMENT: f32 = 3e-3;
 
 #[test]
 fn normals_are_too_long_or_too_short_by_as_much_as_stated() {
@@ -21,20 +27,32 @@ fn normals_are_too_long_or_too_short_by_as_much_as_stated() {
     assert_eq!(Normal::approximate(f32::NAN, 0.0, 1.0), Err(Error::Normal));
 }
 
+/// A steep picture: a normal of another length leaves the polynomials' domain.
+#[test]
+fn pixels_are_off_by_up_to_a_fifth_of_the_peak() {
+    let scene = sphere::color::scene(STUDIO, CHROME_STEEL).expect("one table");
+    let (mut worst, mut peak) = (0.0f32, 0.0f32);
+    for at in of_equal_areas(4_000) {
+        let [x, y, z] = at.map(|component| component as f32);
+        let [exact, found] = [Normal::new, Normal::approximate]
+            .map(|new| scene.g.shade(new(x, y, z).expect("visible")));
+        (worst, peak) = (worst.max((found - exact).abs()), peak.max(exact));
+    }
+    assert!(worst <= PIXEL * peak && worst > 0.5 * PIXEL * peak, "{}", worst / peak);
+}
+
 #[test]
 fn rotations_are_off_by_as_much_as_stated() {
-    let worst = (-10_000..=10_000).fold(0.0f64, |worst, k| {
-        let angle = k as f32 * 1e-3;
-        let turned = |rotation: Result<Rotation, Error>| {
-            rotation.expect("finite").turn_direction([1.0, 0.0, 0.0]).map(f64::from)
-        };
-        let found = turned(Rotation::approximate_from_euler(angle, 0.0, 0.0));
-        let (sine, cosine) = f64::from(angle).sin_cos();
-        [found[0] - cosine, found[1] - sine]
-            .into_iter()
-            .fold(worst, |most, off| most.max(off.abs()))
-    });
-    // About z: the cosines of the other angles, 1, are off too.
-    assert!(worst <= 2.5 * ANGLE && worst > 0.9 * ANGLE, "{worst}");
+    let mut numbers = Numbers(5);
+    let mut worst = 0.0f32;
+    for _ in 0..20_000 {
+        let [beta, alpha, gamma] = [0; 3].map(|_| 10.0 * numbers.next() as f32);
+        let exact = Rotation::from_euler(beta, alpha, gamma).expect("finite");
+        let found = Rotation::approximate_from_euler(beta, alpha, gamma).expect("finite");
+        let pairs = found.matrix().into_iter().flatten().zip(exact.matrix().into_iter().flatten());
+        worst = pairs.fold(worst, |most, (found, exact)| most.max((found - exact).abs()));
+        assert!(Rotation::from_matrix(found.matrix()) == Ok(found), "{found:?}");
+    }
+    assert!(worst <= ELEMENT && worst > 0.5 * ELEMENT, "{worst}");
     assert_eq!(Rotation::approximate_from_euler(f32::NAN, 0.0, 0.0), Err(Error::Rotation));
 }

@@ -5,19 +5,12 @@ use crate::blobs::{ANGLES, Blob, VIEW, at, blobs, dot};
 use crate::oracle::{ExplicitLight, Numbers};
 use eigenshade::{Argument, Error, Gloss, Light, LightBuffer, Rgb, Rotation, Source};
 use eigenshade_model::highlights::harmonics;
+use eigenshade_model::source::Source as SourceOfHost;
 use std::f64::consts::PI;
 
 /// Coefficients of a blob by the trapezoid rule of the host, for energy 1: its ends and its
 /// aliases leave 4e-6 each, of a harmonic of at most 1.41 times √((2l + 1) / 4π) = 1.41.
 const BLOB: f64 = 1e-5;
-
-/// The coefficients that a source takes from no light, negated.
-fn taken<const N: usize>(source: Source) -> Vec<f32> {
-    let dark = [0.0; N];
-    let light = Rgb::gray(Light::new(&dark).expect("all degrees"));
-    let residual = light.residual::<N>(&[source]).expect("room");
-    residual.r.iter().map(|&coefficient| -coefficient).collect()
-}
 
 #[test]
 fn blobs_have_the_harmonics_of_their_definition() {
@@ -58,27 +51,40 @@ fn blobs_in_single_precision() {
     let mut most = 0.0_f64;
     for blob in blobs(&ANGLES) {
         let exact = harmonics(&blob.of_host([1.0; 3]), 9);
-        let dark = [0.0; 100];
-        let light = Rgb::gray(Light::new(&dark).expect("degree 9"));
-        let residual = light.residual::<100>(&[blob.source([1.0; 3])]);
-        for (found, exact) in residual.expect("room").g.iter().zip(&exact) {
-            most = most.max((f64::from(-found) - exact).abs());
+        let found = blob.source([1.0; 3]).harmonics::<100>(9).expect("room");
+        for (&found, exact) in found.iter().zip(&exact) {
+            most = most.max((f64::from(found) - exact).abs());
         }
     }
     println!("of energy 1: {most:e}");
     assert!(most <= BLOB_F32, "{most:e}");
 }
 
-/// A light less four sources, in f32: sums of energies of up to 30.
-const RESIDUAL: f32 = 2e-5;
+/// A light less four sources, against the host's: energies of up to 37 times `BLOB_F32`.
+const RESIDUAL: f64 = 37.0 * BLOB_F32;
+
+/// Coefficients of up to 40 turned in f32, by two ways.
+const TURNED: f32 = 2e-4;
 
 fn noise<const N: usize>(numbers: &mut Numbers) -> Rgb<[f32; N]> {
     Rgb::gray(()).map(|()| [(); N].map(|()| numbers.next() as f32))
 }
 
-fn sources() -> [Source; 4] {
+const ENERGIES: [[f64; 3]; 4] =
+    [[1.0, 0.5, 30.0], [2.0, 0.5, 30.0], [3.0, 0.5, 30.0], [4.0, 0.5, 30.0]];
+
+/// Four of the sources, for both.
+fn chosen() -> [(Blob, [f64; 3]); 4] {
     let blobs = blobs(&[20.0, 100.0]);
-    [0, 1, 7, 8].map(|k| blobs[k].source([1.0 + k as f64, 0.5, 30.0]))
+    [(0, 0), (1, 1), (7, 2), (8, 3)].map(|(place, k)| (blobs[place], ENERGIES[k]))
+}
+
+fn sources() -> [Source; 4] {
+    chosen().map(|(blob, energy)| blob.source(energy))
+}
+
+fn of_host() -> [SourceOfHost; 4] {
+    chosen().map(|(blob, energy)| blob.of_host(energy))
 }
 
 fn lights<const N: usize>(residual: &Rgb<LightBuffer<N>>) -> Rgb<Light<'_>> {
@@ -93,17 +99,16 @@ fn residuals_lose_what_sources_take_and_turn_with_them() {
     let light = of_light.each_ref().try_map(|channel| Light::new(channel)).expect("degree 9");
     let sources = sources();
     let residual = light.residual::<100>(&sources).expect("room");
-    let mut most = 0.0_f32;
+    let mut most = 0.0_f64;
     for (channel, k) in [(&residual.r, 0), (&residual.g, 1), (&residual.b, 2)] {
         let of_light: [&[f32]; 3] = light.map(|light| light.coefficients()).into();
-        let energy = |source: &Source| <[f32; 3]>::from(source.energy())[k];
-        let blobs = sources.map(|source| (energy(&source), taken::<100>(with_energy_1(source))));
-        for (place, rest) in channel.iter().enumerate() {
-            let sum: f32 = blobs.iter().map(|(energy, blob)| energy * blob[place]).sum();
-            most = most.max((rest + sum - of_light[k][place]).abs());
+        let blobs = of_host().map(|source| (source.energy[k], harmonics(&source, 9)));
+        for (place, &rest) in channel.iter().enumerate() {
+            let sum: f64 = blobs.iter().map(|(energy, blob)| energy * blob[place]).sum();
+            most = most.max((f64::from(rest) + sum - f64::from(of_light[k][place])).abs());
         }
     }
-    // Sums of four energies of up to 30, in f32.
+    println!("residual: {most:e}");
     assert!(most <= RESIDUAL, "{most:e}");
 
     let rotation = Rotation::from_euler(0.4, 2.0, -1.1).expect("a rotation");
@@ -113,7 +118,7 @@ fn residuals_lose_what_sources_take_and_turn_with_them() {
     let after = lights(&residual).turned::<100>(&rotation).expect("room");
     for (before, after) in [(before.r, after.r), (before.g, after.g), (before.b, after.b)] {
         for (before, after) in before.iter().zip(&after) {
-            assert!((before - after).abs() <= 10.0 * RESIDUAL, "{before} {after}");
+            assert!((before - after).abs() <= TURNED, "{before} {after}");
         }
     }
     // The same blob, seen from elsewhere.
@@ -126,11 +131,6 @@ fn residuals_lose_what_sources_take_and_turn_with_them() {
     }
 }
 
-fn with_energy_1(source: Source) -> Source {
-    Source::new(source.direction(), [1.0; 3], source.major(), source.minor())
-        .expect("it was one before")
-}
-
 /// The channels of a light may have degrees of their own.
 #[test]
 fn residuals_of_channels_of_several_degrees() {
@@ -139,7 +139,7 @@ fn residuals_of_channels_of_several_degrees() {
     let light = light.try_map(Light::new).expect("all degrees");
     let source = Source::round([0.0, 0.6, 0.8], [1.0; 3], 0.1).expect("a source");
     let residual = light.residual::<16>(&[source]).expect("room");
-    let blob = taken::<16>(source);
+    let blob = source.harmonics::<16>(3).expect("room");
     assert_eq!([residual.r.len(), residual.g.len(), residual.b.len()], [4, 16, 1]);
     for channel in [&residual.r, &residual.g, &residual.b] {
         assert!(channel.iter().zip(&blob).all(|(rest, blob)| (rest + blob - 1.0).abs() <= 2e-7));

@@ -22,7 +22,7 @@ const TURNED_RADIANCE: f64 = 1e-5;
 /// cube of 2 %.
 const SCALED_ANGLE: f64 = 4e-5;
 
-/// The same turned and turned back.
+/// A light turned and turned back, of its largest coefficient.
 const TURNED_BACK_F32: f64 = 1e-6;
 
 /// A quarter turn brings an axis to the next, not to its negative or the third.
@@ -90,11 +90,13 @@ fn turned_light_is_the_generators() {
         let light = noise(degree, &mut numbers);
         let step = if degree > 9 { 40 } else { 1 };
         let mut worst = 0.0f64;
-        for [a, b, c] in angles().into_iter().step_by(step) {
+        for angles in angles().into_iter().step_by(step) {
+            let single_angles = angles.map(|angle| angle as f32);
+            let [a, b, c] = single_angles.map(f64::from);
             let of_generator = eigenshade_model::rotation::Rotation { alpha: b, beta: a, gamma: c };
             let expected = of_generator.turn(degree, &light);
             let scale = largest(light.iter().copied());
-            let rotation = of_angles([a, b, c].map(|angle| angle as f32));
+            let rotation = of_angles(single_angles);
             let found = wide(&turned(degree, &single(light.clone()), &rotation));
             worst = worst.max(largest_difference(&found, &expected) / scale);
         }
@@ -293,8 +295,8 @@ fn what_is_no_rotation_is_an_error() {
     assert!(matches!(error, Err(Error::Length { argument: Argument::Workspace, .. })));
 }
 
-/// Of every length a rotation or an error: the reciprocal of a square below the smallest normal
-/// number was finite and twice of it was not.
+/// Of every length a rotation or an error: the reciprocal of a small square was finite and twice
+/// of it was not.
 #[test]
 fn quaternions_of_any_length_are_rotations_or_errors() {
     let no = Err(Error::Rotation);

@@ -1,6 +1,6 @@
 //! What an integer table's module consists of besides its numbers.
 
-/// The items of a module that holds the numbers of one table in an integer format.
+/// The items of a module that holds the numbers of one table in Q15.
 /// `eigenshade-table` writes the numbers and the lines that call this macro.
 ///
 /// - `integer_table!(basis)`: constants, types and the basis.

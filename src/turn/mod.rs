@@ -23,7 +23,7 @@ impl Light<'_> {
     /// `N` must be at least (degree + 1)², and the degree at most 12; for higher ones there is
     /// [`turn_into`](Self::turn_into).
     ///
-    /// The energy of each degree is preserved. A light of degree 9 in f32 that is rotated and
+    /// The energy of each degree is preserved. A light of degree 9 that is rotated and
     /// rotated back matches the original within 1e-6 of its largest coefficient. Cost: for degree 9
     /// some 1,500 products, and one root; see `docs/costs.md`. This is set-up work, not work for
     /// each pixel.
@@ -53,8 +53,7 @@ impl Light<'_> {
         if degree <= LARGEST { 0 } else { recursion::workspace_len(degree) }
     }
 
-    /// [`turned`](Self::turned) of any degree, with slices, and with a choice of implementation
-    /// for the roots.
+    /// [`turned`](Self::turned) of any degree, into a slice.
     ///
     /// Above degree 12 the rotation's matrices are computed, which takes for each degree l
     /// (2l + 1)² elements of some twenty operations each, and three roots for each order.

@@ -21,7 +21,7 @@ use proptest::prelude::*;
 /// A scene's bound in f32 beyond its share of the peak, of the share: some hundred roundings.
 const PARSEVAL: f32 = 1e-5;
 
-/// Rounding of d and of a scene in f32, of the peak.
+/// Rounding of d and of a scene in f32, of the peak: sums of some hundred products.
 const ROUNDED: f64 = 1e-6;
 
 /// The median, over images, of the bound divided by the error. Only components that are left out

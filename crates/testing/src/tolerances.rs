@@ -105,7 +105,7 @@ pub const NAIVE_ROOT: f64 = 0.1;
 
 // Projection and images in floats
 
-/// d = UᵀMc in f64 by the runtime's short sums against dense rows, relative to the largest d: sums
+/// d = UᵀMc in f64 by the host's short sums against dense rows, relative to the largest d: sums
 /// of about a thousand roundings.
 pub const DENSE_PROJECTION: f64 = 2e-14;
 
