@@ -17,7 +17,7 @@ pub struct OutputFile {
 
 #[derive(Clone, Debug, PartialEq)]
 pub enum Content {
-    /// CSV, Markdown or SVG.
+    /// CSV or SVG.
     Text(String),
     /// PNG.
     Picture(Canvas),

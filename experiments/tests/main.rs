@@ -25,7 +25,7 @@ use std::path::{Path, PathBuf};
 /// The program that has this command. `eigenshade` lies beside this one if it was built.
 fn program(command: &str) -> PathBuf {
     let experiments = Path::new(env!("CARGO_BIN_EXE_experiments"));
-    if ["errors", "accuracy-cost"].contains(&command) {
+    if command == "accuracy-cost" {
         return experiments.into();
     }
     let eigenshade =

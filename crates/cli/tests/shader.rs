@@ -1,5 +1,5 @@
 //! `shader` writes functions that are valid in every language, and refuses what is no single scene.
-//! packages/eigenshade compares their values in a browser with the direct sum.
+//! packages/eigenshade compares their values in a browser with the pixels of its module.
 
 use crate::support::{
     Folder, assert_fails, assert_usage_errors, difference, of_equal_areas, shipped_path,
@@ -60,7 +60,7 @@ fn module(lang: &str, text: &str) -> naga::Module {
     parsed.unwrap_or_else(|error| panic!("{}", error.emit_to_string(&whole)))
 }
 
-/// With monomials, even and odd halves and recurrences, with and without sources.
+/// With monomials and even and odd halves, with and without sources.
 #[test]
 fn texts_are_valid() {
     let folder = Folder::new();

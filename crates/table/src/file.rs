@@ -208,12 +208,6 @@ pub fn manifest(table: &Table) -> String {
     text
 }
 
-/// The checksum of a scene in a manifest; the same on every host.
-#[must_use]
-pub fn scene_checksum(scene: &Scene) -> u32 {
-    crc32fast::hash(&section(scene))
-}
-
 fn row(text: &mut String, line: std::fmt::Arguments<'_>) {
     writeln!(text, "{line}").expect("a string takes everything");
 }

@@ -5,7 +5,7 @@ use eigenshade_cli::messages::{Ringing, print_message, progress_bar, truncation_
 use eigenshade_cli::output::{Rows, exact};
 use eigenshade_cli::preview::Preview;
 use eigenshade_model::database::{Lights, Materials, Named};
-use eigenshade_model::error::Result;
+use eigenshade_model::error::{Error, Result};
 use eigenshade_model::evaluation::Evaluator;
 use eigenshade_shading::integer_shader::{self, IntegerShader};
 use eigenshade_shading::owned_basis::OwnedBasis;
@@ -13,6 +13,9 @@ use eigenshade_shading::parallel::Progress;
 use eigenshade_shading::shader::{Lit, OwnedNormals, Shader, fault};
 use eigenshade_shading::{overflow, reference_image};
 use eigenshade_table::Table;
+
+/// The most numbers of eigenimages in f64 in memory: 1 GiB.
+const MOST_IN_F64: usize = 1 << 27;
 
 /// The inputs of the images.
 pub struct Images {
@@ -87,6 +90,13 @@ impl Images {
     pub fn doubles(&self, out: &mut Output<'_>) -> Result<()> {
         let evaluator = Evaluator::new(&self.table).with_components(self.components);
         let evaluator = evaluator.with_effects(self.effects)?;
+        let numbers = self.components.min(self.table.count()).saturating_mul(self.normals.len());
+        if numbers > MOST_IN_F64 {
+            let what = format!("{numbers} numbers of eigenimages are too many in f64");
+            let remedy =
+                format!("shade fewer normals, for at most {MOST_IN_F64}, or use --format f32");
+            return Err(Error::new(what, remedy));
+        }
         let eigenimages = evaluator.eigenimages(&self.normals);
         self.channels(out, |light, material| {
             let image = eigenimages.reconstruct(&evaluator.project(light, material)?);

@@ -1,4 +1,4 @@
-//! Lights and materials as a JavaScript module: typed arrays, which `eigenshade.mjs` takes.
+//! Lights and materials as a JavaScript module: typed arrays for the web package.
 
 use super::entry::{Channel, Entry, Kind};
 use super::highlights::SourcesAndGloss;

@@ -8,10 +8,11 @@ use eigenshade_model::evaluation::Evaluator;
 use eigenshade_shading::overflow;
 use eigenshade_table::Table;
 
-/// The numbers in the arrays of this many pairs of a light and a material at this many normals.
+/// The numbers in the arrays of this many pairs of a light and a material at this many normals, and
+/// in the eigenimages that they are computed from.
 #[must_use]
 pub fn size(table: &Table, pairs: usize, normals: usize) -> usize {
-    3 * pairs * (table.count() + normals)
+    3 * pairs * (table.count() + normals) + table.count() * normals
 }
 
 /// d of each light on each material, channel by channel; and, for normals, the irradiances. Fails

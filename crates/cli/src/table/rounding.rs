@@ -80,10 +80,13 @@ pub fn measure(
 pub fn warning(table: &Table, format: NumberFormat) -> Option<String> {
     let Rounding { largest, rms, .. } = table.rounding(format)?;
     (*largest > UNSEEN).then(|| {
+        let remedy = match format {
+            NumberFormat::F32 => "make another table",
+            NumberFormat::Q15 => "use f32, or another table",
+        };
         format!(
             "warning: rounding to {} costs up to {largest:.1e} of an image's peak (rms {rms:.1e}) \
-             over the table's database; use a format of more digits, or another \
-             table",
+             over the table's database; {remedy}",
             format.name()
         )
     })
