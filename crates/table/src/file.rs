@@ -8,7 +8,6 @@
 //! | 4 | CRC-32 of the payload, little-endian |
 //! | rest | [`Table`] by bincode 2.0.1, standard configuration |
 
-use crate::scene::Scene;
 use crate::table::{Profile, Table};
 use bincode::error::DecodeError;
 use bincode::serde::decode_from_slice;
