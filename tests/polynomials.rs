@@ -103,8 +103,8 @@ fn the_full_scene_keeps_its_tolerance() {
 const OF_FEWEST: [f64; 2] = [1.02, 1.4];
 
 /// The least share of images in per cent whose pixels take the fewest products, and the most
-/// products of any over its fewest, which `docs/method.md` quotes.
-const STATED: [&str; 2] = ["68", "1.4"];
+/// products of any over its fewest.
+const RECORDED: [&str; 2] = ["68", "1.4"];
 
 /// Mean square error of the image without the highest terms of one azimuth, by the number that
 /// stay, by quadrature; azimuths are orthogonal, so those of several add.
@@ -183,5 +183,5 @@ fn a_pixel_costs_little_more_than_the_least_possible() {
         assert!(worst <= OF_FEWEST[1], "{share}: {worst}");
         (fewest, most) = (fewest.min(least), most.max(worst));
     }
-    assert_eq!([format!("{fewest:.0}"), format!("{most:.1}")], STATED);
+    assert_eq!([format!("{fewest:.0}"), format!("{most:.1}")], RECORDED);
 }

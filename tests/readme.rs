@@ -15,17 +15,14 @@ mod gold_q15 {
     pub const DRAW: super::Draw = draw;
 }
 
-/// The README has the first program above, and says in which words the second differs. In floats and
-/// in integers they draw the same sphere to a step of each channel, in integers with the same bits on
+/// The README has the first program above, and the second differs in a few words. In floats and in
+/// integers they draw the same sphere to a step of each channel, in integers with the same bits on
 /// every machine.
 #[test]
 fn the_readme_draws_a_gold_sphere() {
     let readme = include_str!("../README.md");
     let program = include_str!("readme/gold.rs");
     assert!(readme.contains(&format!("```rust\n{program}```")), "{program}");
-    let in_integers = "`light::q15`, `material::q15`, `sphere::q15`\nand `normal_q15` for \
-                       `light`, `material`, `sphere` and `normal`";
-    assert!(readme.contains(in_integers));
     let mut words = program.to_owned();
     for word in ["light", "material", "sphere"] {
         words = words.replace(&format!("{word}::"), &format!("{word}::q15::"));

@@ -10,7 +10,6 @@ use eigenshade_table::Table;
 use eigenshade_table::parts;
 
 /// The sum of pictures of effects against the picture of all, relative to the peak: rounding.
-/// docs/method.md promises 1e-12.
 const SUM_OF_EFFECTS: f64 = 9e-15;
 
 /// An object's table of some effects against the direct sum over their modes, relative to the peak:

@@ -23,25 +23,13 @@ pub fn repository() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("../..")
 }
 
-/// The part of a page between `<!-- NAME: ... -->` and `<!-- end of NAME -->`.
-#[must_use]
-pub fn part<'a>(page: &'a str, name: &str) -> &'a str {
-    let (_, part) = page.split_once(&format!("<!-- {name}: ")).expect("the part's start");
-    part.split_once(&format!("<!-- end of {name} -->")).expect("the part's end").0
-}
-
-/// Asserts that the part of a page has a line that begins like this and states these numbers, to a
-/// share of each.
-pub fn assert_stated(page: &str, name: &str, start: &str, found: &[f64], tolerance: f64) {
-    let line = part(page, name).lines().find_map(|line| line.strip_prefix(start));
-    let line = line.unwrap_or_else(|| panic!("the table `{name}` of the page lacks `{start}`"));
-    let stated: Vec<f64> =
-        line.split(['|', '/']).filter_map(|one| one.trim().parse().ok()).collect();
+/// Asserts that these numbers are the recorded ones, to a share of each.
+pub fn assert_recorded(name: &str, found: &[f64], recorded: &[f64], tolerance: f64) {
     let printed: Vec<String> = found.iter().map(|one| format!("{one:.3e}")).collect();
-    println!("{start} {}", printed.join(" | "));
-    assert_eq!(stated.len(), found.len(), "{start}{line}");
-    for (stated, found) in stated.iter().zip(found) {
-        assert!((stated - found).abs() <= tolerance * found, "{start}{line}: {found}");
+    println!("{name}: {}", printed.join(", "));
+    assert_eq!(found.len(), recorded.len(), "{name}");
+    for (found, recorded) in found.iter().zip(recorded) {
+        assert!((recorded - found).abs() <= tolerance * found, "{name}: {found} for {recorded}");
     }
 }
 

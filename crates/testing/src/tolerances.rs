@@ -239,11 +239,11 @@ pub const READ_MODES: f64 = 1e-9;
 /// be discarded: the condition number is a few tens.
 pub const READ_CUT_OFF: f64 = 1e-12;
 
-// Figures of pages, and thresholds
+// Recorded figures, and thresholds
 
-/// A figure that a page states with two digits, relative: half a unit of the second digit is at
+/// A figure that is recorded with two digits, relative: half a unit of the second digit is at
 /// most a twentieth.
-pub const STATED: f64 = 0.051;
+pub const RECORDED: f64 = 0.051;
 
 /// Figures that a report gives with two digits, as a logarithm: twice a unit of the last digit.
 pub const REPORT: f64 = 0.2;
