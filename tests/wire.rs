@@ -35,7 +35,7 @@ fn the_shipped_table_comes_back() {
     assert_eq!(found, format!("{:?}", sphere::q15::BASIS.parts()));
 }
 
-/// The first bytes, as `tables/README.md` has them.
+/// The first bytes, as `docs/formats.md` has them.
 #[test]
 fn a_header_is_as_written_down() {
     let header = Header::read(&INTEGERS_15.0).expect("a header");

@@ -29,7 +29,7 @@ export async function map(name, turn = true) {
   return made;
 }
 
-/** A light probe of the first nine coefficients of a light: docs/conventions.md has the signs. */
+/** A light probe of the first nine coefficients of a light: docs/method.md has the signs. */
 export function lightProbe({ r, g, b }) {
   const probe = new THREE.LightProbe();
   probe.sh.coefficients.forEach((coefficient, k) => {

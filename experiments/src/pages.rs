@@ -2,7 +2,7 @@
 //!
 //! A table is enclosed by `<!-- NAME -->` and `<!-- end of NAME -->`, each on its own line.
 
-use crate::sheet::Sheet;
+use crate::sheet::{Record, Sheet};
 use eigenshade_cli::output;
 use eigenshade_model::error::{self, Error};
 use std::fs;
@@ -17,8 +17,12 @@ pub fn table(columns: &str, rows: impl IntoIterator<Item = Vec<String>>) -> Stri
     for name in columns.split(" | ") {
         text += if name.ends_with(':') { "---:|" } else { "---|" };
     }
-    let rows = rows.into_iter().map(|cells| format!("\n| {} |", cells.join(" | ")));
-    text + &rows.collect::<String>() + "\n"
+    for cells in rows {
+        // An unescaped bar would end the cell.
+        let cells: Vec<String> = cells.iter().map(|cell| cell.replace('|', "\\|")).collect();
+        text += &format!("\n| {} |", cells.join(" | "));
+    }
+    text + "\n"
 }
 
 /// The table of a CSV as it is. Columns without words are aligned right.
@@ -30,12 +34,8 @@ pub fn table_of(sheet: &Sheet) -> String {
         format!("{name}{}", if is_right { ":" } else { "" })
     };
     let columns: Vec<String> = sheet.columns.iter().map(column).collect();
-    // An unescaped bar would end the cell.
-    let cells = sheet
-        .rows
-        .iter()
-        .map(|row| sheet.columns.iter().map(|name| row.text(name).replace('|', "\\|")).collect());
-    table(&columns.join(" | "), cells)
+    let cells = |row: &Record| sheet.columns.iter().map(|name| row.text(name).to_owned()).collect();
+    table(&columns.join(" | "), sheet.rows.iter().map(cells))
 }
 
 /// Writes the tables into the page.

@@ -1,4 +1,4 @@
-// Spherical harmonics in the convention of docs/conventions.md, and lights that a formula
+// Spherical harmonics in the convention of docs/method.md, and lights that a formula
 // describes.
 
 import { factor } from "../eigenshade/src/window.js";

@@ -1,4 +1,4 @@
-// Panoramas to light coefficients, in the frame of docs/conventions.md.
+// Panoramas to light coefficients, in the frame of docs/method.md.
 
 import { DEGREE, harmonics } from "./harmonics.js";
 

@@ -1,6 +1,6 @@
 //! Tables that are loaded at run time, from a flash page, a file or a fetch, and read in place.
 //!
-//! `eigenshade pack` writes such a file from a table; `tables/README.md` documents its format byte
+//! `eigenshade pack` writes such a file from a table; `docs/formats.md` documents its format byte
 //! by byte. [`Basis::from_bytes`], [`GeneralBasis::from_bytes`] and
 //! [`q15::Basis::from_bytes`] return a basis that borrows the bytes: nothing is copied and
 //! nothing is allocated. Any sequence of bytes gives either a basis or a [`WireError`]. Bytes after

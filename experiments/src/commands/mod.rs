@@ -56,8 +56,8 @@ pub enum Command {
     AccuracyCost(files::AccuracyCost),
     /// The tables and charts of the documentation, from the CSV files that the other commands write
     ///
-    /// Writes the tables of README.md, docs/*.md and tables/README.md, and the charts of
-    /// docs/accuracy-cost and docs/paper. Takes seconds.
+    /// Writes the tables of README.md and docs/*.md, and the charts of docs/accuracy-cost and
+    /// docs/paper. Takes seconds.
     Pages,
     /// The numerically hard cases, measured, docs/stability.csv
     Stability(Purpose),

@@ -5,15 +5,13 @@ use experiments::accuracy_cost::{Measured, report};
 use experiments::pages::{Part, fill, table_of};
 use experiments::paper::tables;
 use experiments::sheet::Sheet;
-use experiments::{figures, highlights, material_errors, paper};
+use experiments::{figures, highlights, material_errors, paper, stability};
 use std::path::Path;
 
 /// The pages that show CSV files of `docs` as they are.
-const AS_THEY_ARE: [(&str, &[&str]); 4] = [
-    ("docs/accuracy.md", &["metallic-roughness.csv", "unseen.csv"]),
-    ("docs/method.md", &["float-errors.csv"]),
+const AS_THEY_ARE: [(&str, &[&str]); 2] = [
+    ("docs/accuracy.md", &["float-errors.csv", "metallic-roughness.csv", "unseen.csv"]),
     ("docs/reading.md", &["reading-estimates.csv", "reading-scenes.csv"]),
-    ("docs/stability.md", &["stability.csv"]),
 ];
 
 /// Makes them from the committed CSV files, from the repository's root.
@@ -24,7 +22,9 @@ pub fn write() -> Result<()> {
         fill(Path::new(page), &names.iter().map(part).collect::<Result<Vec<Part>>>()?)?;
     }
     let energies = Sheet::read(&super::inputs().join("merl.energy.csv"))?;
-    fill(Path::new("tables/README.md"), &[("energies", material_errors::energies(&energies))])?;
+    let cases = Sheet::read(&docs.join("stability.csv"))?;
+    let parts = [("energies", material_errors::energies(&energies)), stability::summary(&cases)];
+    fill(&docs.join("accuracy.md"), &parts)?;
     let errors = highlights::read(&docs.join("highlights.csv"))?;
     fill(&docs.join("highlights.md"), &highlights::parts(&errors))?;
 

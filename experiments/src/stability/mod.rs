@@ -1,6 +1,8 @@
-//! The numerically hard cases, which `docs/stability.md` describes: the error measured against an
+//! The numerically hard cases, which `docs/accuracy.md` describes: the error measured against an
 //! oracle, and what a naive method would give. `experiments stability` checks every bound.
 
+use crate::pages;
+use crate::sheet::{Record, Sheet};
 use csv::StringRecord;
 use eigenshade_testing::largest;
 use nalgebra::{DMatrix, DVector, SymmetricEigen};
@@ -122,6 +124,20 @@ pub fn rows(progress: impl Fn(&str)) -> Result<Vec<Vec<String>>, String> {
         }
     }
     if broken.is_empty() { Ok(rows) } else { Err(broken.join("; ")) }
+}
+
+/// The part of the page: of each case the largest error with an upper bound, or else its first
+/// count.
+pub fn summary(sheet: &Sheet) -> (&'static str, String) {
+    let rows = sheet.rows.chunk_by(|_, next| next.text("case").is_empty()).map(|of_case| {
+        let measured = |row: &&Record| row.number("measured").unwrap_or_default();
+        let errors = of_case.iter().filter(|row| row.text("bound").starts_with('≤'));
+        let worst = errors.max_by(|a, b| measured(a).total_cmp(&measured(b)));
+        let worst = worst.unwrap_or(&of_case[0]);
+        let cells = ["quantity", "measured", "bound"].map(|column| worst.text(column));
+        [&[of_case[0].text("case")], &cells[..]].concat().into_iter().map(str::to_owned).collect()
+    });
+    ("hard cases", pages::table("case | quantity | measured: | bound:", rows))
 }
 
 /// The distance of WᵀW from the identity.

@@ -1,6 +1,6 @@
 //! The wire format: tables as bytes that the runtime reads in place.
 //!
-//! `tables/README.md` specifies it byte by byte. Its sections are the arrays of the
+//! `docs/formats.md` specifies it byte by byte. Its sections are the arrays of the
 //! [records](crate::record), in the same order; empty ones at the end are omitted. This module has
 //! the constants of the format, which the writer in `eigenshade-table` shares, and the reader.
 
