@@ -159,7 +159,7 @@ pub mod integers {
         // 3, 4 and 5 are the sides of a right triangle.
         const FIFTH: i32 = i32::MAX / 5;
         [[0, 0, 5], [3, 0, 4], [0, -4, 3], [-3, 4, 0]].map(|fifths| {
-            let [x, y, z] = fifths.map(|count| Q15((count * black_box(FIFTH) >> 16) as i16));
+            let [x, y, z] = fifths.map(|count| Q15(((count * black_box(FIFTH)) >> 16) as i16));
             Normal::from_unit(x, y, z).unwrap_or_else(|_| board::exit(false))
         })
     }
