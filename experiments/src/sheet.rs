@@ -220,10 +220,6 @@ pub fn read(form: &Form, folder: &Path) -> Result<Vec<Record>> {
 pub const M0: [&str; 2] = ["microbit", "q15"];
 /// The processor with a floating-point unit.
 pub const M4F: [&str; 2] = ["mps2-an386", "f32"];
-/// Cortex-M3, in integers.
-pub const M3: [&str; 2] = ["mps2-an385", "q15"];
-/// 32-bit RISC-V, in integers.
-pub const RV32: [&str; 2] = ["riscv32", "q15"];
 
 #[derive(Clone, Debug)]
 pub struct Counts(pub Vec<Record>);
@@ -243,12 +239,5 @@ impl Counts {
         };
         let text = self.0.iter().find(is_it)?.text(column);
         (!text.is_empty()).then(|| text.parse().expect("a whole number"))
-    }
-
-    /// The counted instructions of an operation, of those of a pixel by the nine-term formula.
-    pub fn of_nine_terms(&self, on: [&str; 2], operation: &str) -> f64 {
-        let counts = [operation, "nine_terms"].map(|one| self.get(on, one, "instructions"));
-        let [all, nine] = counts.map(|count| count.expect("an operation that was counted"));
-        all as f64 / nine as f64
     }
 }

@@ -9,7 +9,7 @@ use eigenshade_table::reduce::with_components;
 use eigenshade_table::trim::trim;
 use experiments::accuracy_cost::scope::{Bases, Scope};
 use experiments::accuracy_cost::settings::{self, Setting};
-use experiments::sheet::{Counts, M0, M3, M4F, RV32, Record, Sheet};
+use experiments::sheet::{Counts, M0, M4F, Record, Sheet};
 use std::fs;
 
 /// Counts of four digits against those of the firmware, relative: half a last digit of 1,000.
@@ -18,8 +18,7 @@ const COUNTED: f64 = 5e-4;
 /// exponents of each, and in 15 bits the room of a row that is padded.
 const HELD_WORDS: f64 = 16.0;
 /// Boards of the counts with their formats, and their columns in the settings' file.
-const BOARDS: [([&str; 2], &str); 5] =
-    [(M0, "m0"), (M3, "m3"), (["mps2-an386", "q15"], "m4f"), (M4F, "m4f"), (RV32, "rv32")];
+const BOARDS: [([&str; 2], &str); 3] = [(M0, "m0"), (["mps2-an386", "q15"], "m4f"), (M4F, "m4f")];
 
 fn sheet(path: &str) -> Vec<Record> {
     let text = fs::read_to_string(repository().join(path)).expect(path);

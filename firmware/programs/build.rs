@@ -4,12 +4,13 @@
 mod golden;
 #[path = "build/highlights.rs"]
 mod highlights;
+#[expect(dead_code, reason = "the host reads the rest")]
 mod list;
 #[path = "build/one_material.rs"]
 mod one_material;
 
 use eigenshade::Q15;
-use list::Listed;
+use list::Program;
 use std::path::PathBuf;
 use std::{env, fs, process};
 
@@ -30,44 +31,25 @@ fn main() {
 
 fn write_all() -> Result<()> {
     write("golden.rs", &golden::modules()?)?;
-    let has_tables = env::var_os("CARGO_FEATURE_TABLES").is_some();
     write("one_material.rs", &of_one_material()?)?;
     write("highlights.rs", &highlights::constants()?)?;
-    let mut compiled = list::programs().filter(|one| has_tables || !one.needs_tables);
-    compiled.try_for_each(|one| write(&format!("programs/{}.rs", one.name), &program(one)?))
+    let mut programs = list::programs().into_iter();
+    programs.try_for_each(|one| write(&format!("programs/{}.rs", one.name()), &program(one)))
 }
 
-/// The items that `program!` includes: the modules and constants that the source uses, and the
-/// function to run.
-fn program(Listed { name, source, .. }: Listed) -> Result<String> {
-    let (operation, format) = list::parts(name);
-    let in_format = |module: &str| match format {
-        "f32" => module.to_owned(),
-        _ => format!("{module}::{format}"),
+/// The items that `program!` includes: the table, and the function to run.
+fn program(Program { operation, format, source, table }: Program) -> String {
+    let table = match (table, format) {
+        ("", _) => String::new(),
+        ("sphere", "f32") => "use eigenshade::sphere as table;\n".into(),
+        ("sphere", _) => format!("use eigenshade::sphere::{format} as table;\n"),
+        (_, "f32") => format!("use tables::{table} as table;\n"),
+        _ => format!("use tables::{table}::{format} as table;\n"),
     };
-    let table = |module: &str| format!("use {} as table;\n", in_format(module));
-    let run = |function: &str| format!("board::program!({function});\n");
-    Ok(match source {
-        "golden_f32" | "golden_q15" => {
-            let vectors = format!("use programs::golden::{format} as vectors;\n");
-            vectors + &table("eigenshade::sphere") + &run(operation)
-        }
-        "operations_f32" | "operations_q15" => {
-            let module = match operation {
-                "shade" | "shade_highlights" => "tables::full",
-                "shade_lambertian" => "tables::lambertian",
-                _ => "eigenshade::sphere",
-            };
-            match operation.strip_suffix("_full") {
-                Some(operation) => table("tables::full") + &run(operation),
-                None => table(module) + &run(operation),
-            }
-        }
-        "scene_f32" | "size_q15" => table(&format!("tables::{operation}")) + &run("main"),
-        "sources_f32" | "sources_q15" => run("main"),
-        "watch" => run(&format!("in_{format}")),
-        _ => run(operation),
-    })
+    // An operation with another table than the usual one has its name after its own.
+    let operation = operation.strip_suffix("_full").unwrap_or(operation);
+    let function = if source == "scene" { source } else { operation };
+    format!("{table}board::program!({function});\n")
 }
 
 /// The shipped table in Q15, with the transfer of the first golden material.

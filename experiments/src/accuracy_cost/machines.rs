@@ -16,12 +16,10 @@ pub struct Machine {
 }
 
 /// All machines. Boards are emulated.
-pub const MACHINES: [Machine; 5] = [
+pub const MACHINES: [Machine; 3] = [
     Machine { key: "host", title: "x86-64", board: None },
     Machine { key: "m0", title: "Cortex-M0", board: Some("microbit") },
-    Machine { key: "m3", title: "Cortex-M3", board: Some("mps2-an385") },
     Machine { key: "m4f", title: "Cortex-M4F", board: Some("mps2-an386") },
-    Machine { key: "rv32", title: "RV32IMAC", board: Some("riscv32") },
 ];
 
 impl Machine {

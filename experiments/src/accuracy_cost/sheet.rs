@@ -21,8 +21,7 @@ pub const SETTINGS: Form = Form {
               total_below_p95_median,total_below_p95_most,total_white_median,total_white_most,\
               table_bytes,state_bytes,\
               host_pixel_ns,host_light_ns,host_pixel,host_light,\
-              m0_pixel,m0_light,m0_flash,m0_ram,m3_pixel,m3_light,m3_flash,m3_ram,\
-              m4f_pixel,m4f_light,m4f_flash,m4f_ram,rv32_pixel,rv32_light,rv32_flash,rv32_ram",
+              m0_pixel,m0_light,m0_flash,m0_ram,m4f_pixel,m4f_light,m4f_flash,m4f_ram",
     keys: &["setting"],
 };
 /// The errors of the model by map.

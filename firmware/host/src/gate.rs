@@ -2,7 +2,7 @@
 //! test that each gate works.
 
 use crate::Result;
-use crate::program::{AN386, Board, Floats, MICROBIT};
+use crate::program::{AN386, Board, MICROBIT};
 use crate::toolchain;
 use object::{Object, ObjectSection, ObjectSymbol, SectionFlags, elf};
 use std::path::Path;
@@ -91,7 +91,7 @@ pub fn check(board: Board, program: &str, linked: &Linked) -> Result<()> {
         }
     }
     let of_f32 = linked.names.iter().find(|name| is_f32(name));
-    if let (Floats::None, Some(found)) = (board.floats, of_f32) {
+    if let (false, Some(found)) = (board.is_large, of_f32) {
         return fault("arithmetic in f32", found);
     }
     match linked.sizes.initialized {

@@ -10,11 +10,11 @@ mod toolchain;
 
 mod gate;
 
-mod budget;
+mod limits;
 mod page;
 mod row;
 
-use list::Listed;
+use list::Program;
 use program::{BOARDS, Board, Kind};
 use rayon::prelude::*;
 use row::Row;
@@ -23,7 +23,8 @@ use std::process::ExitCode;
 
 const USAGE: &str = "usage: firmware/run BOARD... | all [--check] [--update], \
                      firmware/run BOARD PROGRAM..., firmware/run gates, firmware/run pages
-boards: microbit mps2-an385 mps2-an386 riscv32; programs: bin in firmware/programs/Cargo.toml";
+boards: microbit mps2-an386, counted; mps2-an385 riscv32, whose answers are checked
+programs: OPERATION_FORMAT of firmware/operations.csv, TABLE_FORMAT of firmware/tables/sizes.csv";
 
 /// The error is a message with the problem and the remedy.
 type Result<T> = std::result::Result<T, String>;
@@ -63,42 +64,43 @@ fn chosen(names: &[&str], options: &[&str]) -> Result<()> {
     }
 }
 
-/// Builds, runs and checks some programs of a board, with their budgets, and prints their counts.
+/// Builds, runs and checks some programs of a board, with their limits, and prints their counts.
 fn some_programs(board: Board, names: &[&str]) -> Result<()> {
-    let listed: Vec<Listed> = program::of_board(board).collect();
-    if let Some(name) = names.iter().find(|name| !listed.iter().any(|one| one.name == **name)) {
+    let listed = program::of_board(board);
+    if let Some(name) = names.iter().find(|name| !listed.iter().any(|one| one.name() == **name)) {
         return Err(format!("no program {name} on {}\n{USAGE}", board.name));
     }
-    let wanted = |one: &Listed| one.kind() == Kind::Empty || names.contains(&one.name);
-    let programs: Vec<Listed> = listed.into_iter().filter(wanted).collect();
+    let wanted = |one: &Program| one.kind() == Kind::Empty || names.contains(&&*one.name());
+    let programs: Vec<Program> = listed.into_iter().filter(wanted).collect();
     println!("{}", row::HEADER);
     build(&[(board, &programs)])?;
-    let rows = run(board, &programs)?;
+    let rows = run(board, &programs, &mut BTreeMap::new())?;
     rows.iter().for_each(|row| println!("{row}"));
-    budget::within_measured(&rows)
+    limits::within(&rows)
 }
 
 /// Builds, runs and checks all programs of these boards, and prints the counts as CSV.
 fn boards(boards: &[Board], options: &[&str]) -> Result<()> {
-    let of_board = |&board: &Board| (board, program::of_board(board).collect());
-    let boards: Vec<(Board, Vec<Listed>)> = boards.iter().map(of_board).collect();
+    let of_board = |&board: &Board| (board, program::of_board(board));
+    let boards: Vec<(Board, Vec<Program>)> = boards.iter().map(of_board).collect();
     let listed: Vec<_> = boards.iter().map(|(board, programs)| (*board, &programs[..])).collect();
     build(&listed)?;
-    let mut rows = Vec::new();
-    let mut compilers = BTreeMap::new();
+    let (mut rows, mut compilers, mut pictures) = (Vec::new(), BTreeMap::new(), BTreeMap::new());
     println!("{}", row::HEADER);
     for (board, programs) in listed {
-        for row in run(board, programs)? {
+        for row in run(board, programs, &mut pictures)? {
             println!("{row}");
             rows.push(row);
         }
-        compilers.insert(board.name, toolchain::version()?);
+        if board.is_counted() {
+            compilers.insert(board.name, toolchain::version()?);
+        }
     }
     if options.contains(&"--update") {
         row::record(&rows, &compilers)?;
         page::write()?;
     }
-    budget::within(&rows)?;
+    limits::within(&rows)?;
     if options.contains(&"--check") {
         row::same_as_recorded(&rows, &compilers)?;
         page::check()?;
@@ -108,30 +110,44 @@ fn boards(boards: &[Board], options: &[&str]) -> Result<()> {
 
 /// Builds the programs of boards. One run of cargo builds those that have the same boards, for all
 /// of these side by side.
-fn build(boards: &[(Board, &[Listed])]) -> Result<()> {
-    let mut groups: BTreeMap<(&str, Vec<&str>), Vec<Listed>> = BTreeMap::new();
+fn build(boards: &[(Board, &[Program])]) -> Result<()> {
+    page::write_programs()?;
+    let mut groups: BTreeMap<(&str, Vec<&str>), Vec<Program>> = BTreeMap::new();
     for program in list::programs() {
-        let runs = |programs: &[Listed]| programs.iter().any(|one| one.name == program.name);
+        let runs = |programs: &[Program]| programs.iter().any(|one| one.name() == program.name());
         let of_program = boards.iter().filter(|(_, programs)| runs(programs));
         let targets = of_program.map(|(board, _)| board.target).collect();
         groups.entry((program.profile(), targets)).or_default().push(program);
     }
     groups.into_iter().try_for_each(|((profile, targets), programs)| {
-        let names: Vec<&str> = programs.iter().map(|program| program.name).collect();
-        let needs_tables = programs.iter().any(|program| program.needs_tables);
+        let names: Vec<String> = programs.iter().map(Program::name).collect();
+        let needs_tables = programs.iter().any(Program::needs_tables);
         let features: &[&str] = if needs_tables { &["tables"] } else { &[] };
         toolchain::build(&targets, "programs", &names, profile, features)
     })
 }
 
-/// Runs and checks programs, of which the first is the empty one.
-fn run(board: Board, programs: &[Listed]) -> Result<Vec<Row>> {
+/// Runs and checks programs; on a board that is counted, the empty one is the first. Complete
+/// programs must draw the picture that they drew on another board.
+fn run(
+    board: Board,
+    programs: &[Program],
+    pictures: &mut BTreeMap<String, String>,
+) -> Result<Vec<Row>> {
     let mut empty = gate::Sizes::default();
     let mut rows = Vec::new();
     for (program, (sizes, output)) in programs.iter().zip(outputs(board, programs)?) {
-        match program.kind() {
+        let (kind, name) = (program.kind(), program.name());
+        if kind == Kind::Complete {
+            let picture = output.split("stack").next().unwrap_or_default();
+            if picture != pictures.entry(name.clone()).or_insert(picture.into()) {
+                return Err(format!("{name} draws another picture on {}:\n{picture}", board.name));
+            }
+        }
+        match kind {
             Kind::Empty => empty = sizes,
-            Kind::Demonstration => eprint!("{}: {}\n{output}", board.name, program.name),
+            Kind::Answers => eprintln!("{}: {name} passes: {}", board.name, output.trim()),
+            _ if !board.is_counted() => eprintln!("{}: {name} passes", board.name),
             _ => rows.extend(Row::of_program(board, program, &output, sizes, empty)?),
         }
     }
@@ -139,11 +155,11 @@ fn run(board: Board, programs: &[Listed]) -> Result<Vec<Row>> {
 }
 
 /// Checks what was linked and runs it, on all processors: sizes and output of each program.
-fn outputs(board: Board, programs: &[Listed]) -> Result<Vec<(gate::Sizes, String)>> {
+fn outputs(board: Board, programs: &[Program]) -> Result<Vec<(gate::Sizes, String)>> {
     let outputs = programs.par_iter().map(|program| {
-        let path = toolchain::binary(board.target, program.profile(), program.name);
+        let path = toolchain::binary(board.target, program.profile(), &program.name());
         let linked = gate::Linked::read(&path)?;
-        gate::check(board, program.name, &linked)?;
+        gate::check(board, &program.name(), &linked)?;
         Ok((linked.sizes, toolchain::run(board, &path)?))
     });
     outputs.collect()

@@ -1,7 +1,9 @@
-//! The tables of counts in the documentation: written between two marks, compared by `--check`.
+//! The tables of counts in the documentation, written between two marks and compared by `--check`;
+//! and the list of the programs for cargo.
 
 use crate::Result;
-use crate::program::{AN386, BOARDS, Board, MICROBIT};
+use crate::list;
+use crate::program::{AN386, Board, COUNTED, MICROBIT};
 use crate::row::{self, Row};
 
 const START: &str = "<!-- counts: firmware/run all --update writes them -->\n";
@@ -19,8 +21,13 @@ const SHORT: [(&str, &str); 5] = [
     ("transfer", "a new material, 46 components"),
 ];
 
-/// The boards whose memory is shown: without a float unit and with one.
-const MEMORY: [Board; 2] = [MICROBIT, AN386];
+/// What the operations are.
+const DESCRIPTIONS: &str = "../docs/costs.md";
+const DESCRIPTIONS_START: &str = "<!-- operations: firmware/run pages writes them -->\n";
+const DESCRIPTIONS_END: &str = "<!-- end of operations -->\n";
+
+/// The list of the programs, and what is before and after it.
+const PROGRAMS: [&str; 3] = ["programs/Cargo.toml", "bin = [\n", "]\n"];
 
 /// The page of the watch's frames, and its marks.
 const WATCH: &str = "../crates/embedded-graphics/README.md";
@@ -28,13 +35,11 @@ const WATCH_START: &str = "<!-- frames: firmware/run all --update writes them --
 const WATCH_END: &str = "<!-- end of frames -->\n";
 
 /// Chips with the processors of the boards: name, board, number format, clock in MHz.
-const CHIPS: [(&str, Board, &str, u64); 6] = [
+const CHIPS: [(&str, Board, &str, u64); 4] = [
     ("nRF51822, Cortex-M0", MICROBIT, "q15", 16),
     ("RP2040, Cortex-M0+", MICROBIT, "q15", 133),
     ("nRF52840, Cortex-M4F", AN386, "f32", 64),
     ("STM32F411, Cortex-M4F", AN386, "f32", 100),
-    ("STM32F103, Cortex-M3", BOARDS[1], "q15", 72),
-    ("ESP32-C3, RV32IMC", BOARDS[3], "q15", 160),
 ];
 
 /// Panels and the diameter of a watch on them in pixels.
@@ -44,12 +49,34 @@ const PANELS: [(&str, u64); 3] =
 /// The diameter of the watch that is measured.
 const WATCH_SIZE: u64 = 128;
 
-/// Writes the recorded counts into the pages.
+/// Writes the recorded counts into the pages, and the list of the programs.
 pub fn write() -> Result<()> {
+    write_programs()?;
     for (path, text) in pages()? {
         std::fs::write(path, text).map_err(|error| format!("{path}: {error}"))?;
     }
     Ok(())
+}
+
+/// Writes the list of the programs, which cargo needs to build them.
+pub fn write_programs() -> Result<()> {
+    let [path, ..] = PROGRAMS;
+    let (old, new) = (read(path)?, programs()?);
+    if old == new {
+        return Ok(());
+    }
+    std::fs::write(path, new).map_err(|error| format!("{path}: {error}"))
+}
+
+/// The manifest with the list of the programs.
+fn programs() -> Result<String> {
+    let [path, start, end] = PROGRAMS;
+    let line = |one: &list::Program| {
+        let feature = if one.needs_tables() { ", required-features = [\"tables\"]" } else { "" };
+        format!("    {{ name = \"{}\", path = \"src/{}\"{feature} }},\n", one.name(), one.file())
+    };
+    let lines: String = list::programs().iter().map(line).collect();
+    between(path, &read(path)?, [start, end], &lines)
 }
 
 fn pages() -> Result<Vec<(&'static str, String)>> {
@@ -57,7 +84,11 @@ fn pages() -> Result<Vec<(&'static str, String)>> {
     let mut pages = Vec::new();
     for (path, formats) in PAGES {
         let table = if formats.is_empty() { short(&rows) } else { table(&rows, formats) };
-        pages.push((path, between(path, &read(path)?, [START, END], &table)?));
+        let mut page = between(path, &read(path)?, [START, END], &table)?;
+        if path == DESCRIPTIONS {
+            page = between(path, &page, [DESCRIPTIONS_START, DESCRIPTIONS_END], &descriptions())?;
+        }
+        pages.push((path, page));
     }
     let frames = between(WATCH, &read(WATCH)?, [WATCH_START, WATCH_END], &frames(&rows))?;
     pages.push((WATCH, frames));
@@ -122,7 +153,7 @@ fn short(rows: &[Row]) -> String {
     );
     for (operation, what) in SHORT {
         text += &format!("| {what} |");
-        for (board, format) in MEMORY.into_iter().zip(["q15", "f32"]) {
+        for (board, format) in COUNTED.into_iter().zip(["q15", "f32"]) {
             text += &cell(row::instructions(rows, [board.name, operation, format]));
         }
         text += "\n";
@@ -133,10 +164,10 @@ fn short(rows: &[Row]) -> String {
 /// A line for each operation and format: instructions on each board, and memory.
 fn table(rows: &[Row], formats: &[&str]) -> String {
     let mut text = String::from("| operation | format |");
-    for board in BOARDS {
+    for board in COUNTED {
         text += &format!(" {} |", board.processor);
     }
-    text += " flash | RAM | stack |\n|---|---|---:|---:|---:|---:|---:|---:|---:|\n";
+    text += " flash | RAM | stack |\n|---|---|---:|---:|---:|---:|---:|\n";
     let mut keys: Vec<&[String]> = Vec::new();
     let shown = |row: &&Row| !row.is_of_scene() && formats.contains(&row.key[2].as_str());
     for row in rows.iter().filter(shown) {
@@ -149,14 +180,22 @@ fn table(rows: &[Row], formats: &[&str]) -> String {
         let on =
             |board: Board| rows.iter().find(|row| row.key[0] == board.name && row.key[1..] == *key);
         text += &format!("| `{}` | `{}` |", key[0], key[1]);
-        for board in BOARDS {
+        for board in COUNTED {
             text += &cell(on(board).and_then(|row| row.numbers[0]));
         }
-        let memory = MEMORY.into_iter().find_map(on).map_or([None; 4], |row| row.numbers);
+        let memory = COUNTED.into_iter().find_map(on).map_or([None; 4], |row| row.numbers);
         text += &memory[1..].iter().map(|number| cell(*number)).collect::<String>();
         text += "\n";
     }
     text
+}
+
+/// A line for each operation that is counted.
+fn descriptions() -> String {
+    let counted =
+        list::operations().filter(|one| !["empty", "golden", "readme"].contains(&one.source));
+    let lines = counted.map(|one| format!("| `{}` | {} |\n", one.name, one.description));
+    ["| operation | |\n|---|---|\n".into()].into_iter().chain(lines).collect()
 }
 
 /// A number with commas between thousands.
@@ -174,26 +213,29 @@ fn cell(number: Option<u64>) -> String {
 
 #[cfg(test)]
 mod tests {
-    use super::{END, START, between, frames, table};
+    use super::{END, PROGRAMS, START, between, frames, programs, read, table};
     use crate::row::Row;
 
     #[test]
     fn a_line_has_each_board_and_the_memory_of_the_smallest() {
         let rows: Vec<Row> =
-            ["microbit,shade,q15,811,9928,604,224", "riscv32,shade,q15,1873,8196,5,6"]
+            ["microbit,shade,q15,811,9928,604,224", "mps2-an386,shade,q15,1873,8196,5,6"]
                 .map(|line| line.parse().unwrap())
                 .into();
         let page = format!("a\n{START}old\n{END}b\n");
         let page = between("page", &page, [START, END], &table(&rows, &["q15"])).unwrap();
-        assert!(
-            page.contains("| `shade` | `q15` | 811 |  |  | 1,873 | 9,928 | 604 | 224 |\n"),
-            "{page}"
-        );
+        assert!(page.contains("| `shade` | `q15` | 811 | 1,873 | 9,928 | 604 | 224 |\n"), "{page}");
         assert!(page.starts_with("a\n") && page.ends_with("b\n") && !page.contains("old"));
         assert_eq!(table(&rows, &["f32"]).lines().count(), 2);
         let of_scene = ["microbit,sun/pixel,q15,811,,,224".parse().unwrap()];
         assert_eq!(table(&of_scene, &["q15"]).lines().count(), 2);
         assert!(between("page", "no marks", [START, END], "").unwrap_err().contains("page"));
+    }
+
+    #[test]
+    fn the_manifest_lists_the_programs() {
+        std::env::set_current_dir("..").unwrap();
+        assert_eq!(read(PROGRAMS[0]), programs(), "run `firmware/run pages`");
     }
 
     #[test]

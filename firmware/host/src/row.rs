@@ -2,7 +2,7 @@
 
 use crate::Result;
 use crate::gate::Sizes;
-use crate::list::{self, Listed};
+use crate::list::Program;
 use crate::program::{BOARDS, Board, Kind};
 use std::collections::BTreeMap;
 use std::fmt;
@@ -41,28 +41,28 @@ impl Row {
     /// operation, such as `NAME/pixel`, and `NAME/scene` with its memory beyond that of `empty`.
     pub fn of_program(
         board: Board,
-        program: &Listed,
+        program: &Program,
         output: &str,
         sizes: Sizes,
         empty: Sizes,
     ) -> Result<Vec<Self>> {
         let row = |part: &str, numbers| {
-            let [board, operation, format] = key(board, program);
-            Self { key: [board, operation + part, format], numbers }
+            let operation = program.operation.to_owned() + part;
+            Self { key: [board.name.into(), operation, program.format.into()], numbers }
         };
         let flash = || Some(sizes.flash.saturating_sub(empty.flash));
         let ram = || Some(sizes.ram - empty.ram + held(output));
         match program.kind() {
-            Kind::Empty | Kind::Demonstration => Ok(Vec::new()),
+            Kind::Empty | Kind::Answers => Ok(Vec::new()),
             Kind::Operation => {
-                let (instructions, stack) = measured(board, program, output)?;
+                let (instructions, stack) = measured(board, output)?;
                 Ok(vec![row("", [Some(instructions), flash(), ram(), Some(stack)])])
             }
             Kind::Scene => {
                 let (mut rows, mut deepest) = (Vec::new(), 0);
                 for part in output.split("operation ").skip(1) {
                     let (operation, output) = part.split_once('\n').unwrap_or((part, ""));
-                    let (instructions, stack) = measured(board, program, output)?;
+                    let (instructions, stack) = measured(board, output)?;
                     deepest = deepest.max(stack);
                     let numbers = [Some(instructions), None, None, Some(stack)];
                     rows.push(row(&format!("{SCENE}{operation}"), numbers));
@@ -83,17 +83,8 @@ impl Row {
     }
 }
 
-fn key(board: Board, program: &Listed) -> [String; 3] {
-    let (operation, format) = list::parts(program.name);
-    let operation = match program.times() {
-        1 => operation.into(),
-        times => format!("{operation} x {times}"),
-    };
-    [board.name.into(), operation, format.into()]
-}
-
 /// Instructions of an operation, rounded to the nearest, and bytes of stack.
-fn measured(board: Board, program: &Listed, output: &str) -> Result<(u64, u64)> {
+fn measured(board: Board, output: &str) -> Result<(u64, u64)> {
     let numbers = |word: &str, count: usize| numbers(output, word, count);
     let tick = numbers("tick", 2)?;
     let half_instructions = board.half_instructions_in_a_tick;
@@ -103,7 +94,7 @@ fn measured(board: Board, program: &Listed, output: &str) -> Result<(u64, u64)> 
         return Err(format!("{name}: {expected} ticks expected of its clock, {found} found"));
     }
     let count = numbers("count", 3)?;
-    let doubled = (count[1].saturating_sub(count[2])) * half_instructions * program.times();
+    let doubled = count[1].saturating_sub(count[2]) * half_instructions;
     Ok(((doubled + count[0]) / (2 * count[0]), numbers("stack", 1)?[0]))
 }
 
@@ -234,7 +225,7 @@ fn same(row: &Row, record: &Row) -> bool {
 mod tests {
     use super::{Row, same};
     use crate::gate::Sizes;
-    use crate::list::Listed;
+    use crate::list::Program;
     use crate::program::AN386;
 
     #[test]
@@ -254,7 +245,7 @@ mod tests {
 
     #[test]
     fn a_scene_has_a_row_for_each_operation_and_one_of_its_memory() {
-        let program = Listed { name: "full_f32", source: "scene_f32", needs_tables: true };
+        let program = Program { operation: "full", format: "f32", source: "scene", table: "full" };
         let sizes = |flash, ram| Sizes { flash, ram, initialized: 0 };
         let of = |operation: &str, ticks: u32, stack: u32| {
             format!(

@@ -5,6 +5,7 @@
 
 use crate::Result;
 use crate::program::Board;
+use std::ffi::OsStr;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
 
@@ -15,7 +16,7 @@ const DEBIAN: [&str; 2] = ["/usr/bin/rustc", "ld.lld-22"];
 pub fn build(
     targets: &[&str],
     package: &str,
-    binaries: &[&str],
+    binaries: &[impl AsRef<OsStr>],
     profile: &str,
     features: &[&str],
 ) -> Result<()> {
@@ -25,7 +26,7 @@ pub fn build(
     let mut command = Command::new("cargo");
     command.args(["build", "--quiet", "--profile", profile, "-p", package]);
     targets.iter().for_each(|target| _ = command.args(["--target", target]));
-    binaries.iter().for_each(|binary| _ = command.args(["--bin", binary]));
+    binaries.iter().for_each(|binary| _ = command.arg("--bin").arg(binary));
     features.iter().for_each(|feature| _ = command.args(["--features", feature]));
     if is_debian() {
         command

@@ -2,8 +2,8 @@
 #![no_std]
 #![no_main]
 
-board::program!(main);
+programs::program!();
 
-fn main() {
+fn empty() {
     board::measure(&[0_u32; 16], board::Passes(64), |_| ());
 }

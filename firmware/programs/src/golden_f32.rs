@@ -1,11 +1,10 @@
-//! The golden vectors in f32, to the tolerance that they state, and a sphere as text.
+//! The golden vectors in f32, to the tolerance that they state.
 #![no_std]
 #![no_main]
-#![expect(dead_code, reason = "a program runs one of the functions")]
 
 use eigenshade::{Error, Light, Material, Normal};
+use programs::golden::f32::{NORMALS, PAIRS, TOLERANCE};
 use programs::golden::{Pair, Tally, compare_all};
-use vectors::{NORMALS, PAIRS, TOLERANCE};
 
 programs::program!();
 
@@ -37,21 +36,4 @@ fn compare(pair: &Pair<f32, f32>, tally: &mut Tally) -> Result<(), Error> {
 fn near(found: f32, expected: f32, all_expected: &[f32]) -> bool {
     let largest = all_expected.iter().fold(0.0_f32, |most, number| most.max(number.abs()));
     (found - expected).abs() <= TOLERANCE * largest
-}
-
-fn sphere() {
-    draw().unwrap_or_else(|_| board::exit(false));
-}
-
-fn draw() -> Result<(), Error> {
-    let [pair, ..] = &PAIRS;
-    let light = Light::from_finite(pair.light.0)?;
-    let material = Material::from_finite(pair.material.0)?;
-    let scene = table::collapse(&table::project(&light, &material)?)?;
-    programs::drawing::as_text(|x, y, z| {
-        let [x, y, z] = [x, y, z].map(|fraction| fraction as f32);
-        let normal = Normal::new(x, y, z).ok()?;
-        Some((table::shade(&scene, normal) * 65536.0) as i32)
-    });
-    Ok(())
 }

@@ -31,7 +31,22 @@ pub fn pixels(codes: &[[u8; 2]; 1088]) -> NormalPixels<'_> {
 /// Inputs in f32.
 pub mod floats {
     use core::hint::black_box;
-    use eigenshade::{Light, Material, Normal, Source};
+    pub use eigenshade::presets::{light::LOBBY, material::GOLD_METALLIC_PAINT};
+    pub use eigenshade::sphere::color;
+    pub use eigenshade::{BakedMap, MapPoint, Material};
+    use eigenshade::{Buffer, Error, Exposure, Light, Normal, Rgb, Rotation, Source};
+
+    /// The coefficients of a material in color, of order 7.
+    pub type OfOrder7 = Rgb<Buffer<f32, 40>>;
+    /// The same of order 12.
+    pub type OfOrder12 = Rgb<Buffer<f32, 140>>;
+
+    /// The base color of copper.
+    pub const COPPER: [f32; 3] = [0.93, 0.52, 0.38];
+    /// The metallic share of a metal.
+    pub const ONE: f32 = 1.0;
+    /// Roughnesses between and at points of a table.
+    pub const ROUGHNESSES: [f32; 2] = [0.3, 0.7];
 
     /// 16 visible normals.
     #[must_use]
@@ -58,6 +73,34 @@ pub mod floats {
             state = state.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
             f32::from((state >> 16) as u16 as i16) / 32768.0
         })
+    }
+
+    /// A number as an irradiance.
+    #[inline]
+    #[must_use]
+    pub fn irradiance(number: f32) -> f32 {
+        number
+    }
+
+    /// An exposure.
+    #[inline]
+    #[must_use]
+    pub fn exposure() -> Exposure {
+        Exposure::new(black_box(1.5)).unwrap_or_else(|_| board::exit(false))
+    }
+
+    /// A baked map of 32 x 32 texels.
+    #[inline]
+    pub fn baked_map() -> Result<BakedMap<[f32; 1024]>, Error> {
+        BakedMap::new(32, numbers())
+    }
+
+    /// A rotation about none of the axes.
+    #[inline]
+    #[must_use]
+    pub fn rotation() -> Rotation {
+        let rotation = Rotation::from_quaternion(black_box([0.1, 0.2, 0.3, 1.0]));
+        rotation.unwrap_or_else(|_| board::exit(false))
     }
 
     /// A light of these coefficients.
@@ -92,13 +135,23 @@ pub mod floats {
 /// Inputs in Q15.
 pub mod integers {
     use core::hint::black_box;
-    use eigenshade::q15::{Light, Material, Normal, Q15};
+    pub use eigenshade::presets::{light::q15::LOBBY, material::q15::GOLD_METALLIC_PAINT};
+    pub use eigenshade::q15::{BakedMap, MapPoint, Material};
+    use eigenshade::q15::{Exposure, Light, MaterialBuffer, Normal, Q15, Rotation};
+    pub use eigenshade::sphere::q15::color;
+    use eigenshade::{Error, Rgb};
 
-    /// A fraction of 2^31.
-    #[must_use]
-    pub fn of(fraction: i32) -> Q15 {
-        Q15((fraction >> 16) as i16)
-    }
+    /// The coefficients of a material in color, of order 7.
+    pub type OfOrder7 = Rgb<MaterialBuffer<40, 8>>;
+    /// The same of order 12.
+    pub type OfOrder12 = Rgb<MaterialBuffer<140, 13>>;
+
+    /// The base color of copper.
+    pub const COPPER: [Q15; 3] = [Q15(30_474), Q15(17_039), Q15(12_452)];
+    /// The metallic share of a metal.
+    pub const ONE: Q15 = Q15(i16::MAX);
+    /// Roughnesses 0.3 and 0.7.
+    pub const ROUGHNESSES: [Q15; 2] = [Q15(9_830), Q15(22_938)];
 
     /// Four visible normals.
     #[must_use]
@@ -106,20 +159,49 @@ pub mod integers {
         // 3, 4 and 5 are the sides of a right triangle.
         const FIFTH: i32 = i32::MAX / 5;
         [[0, 0, 5], [3, 0, 4], [0, -4, 3], [-3, 4, 0]].map(|fifths| {
-            let [x, y, z] = fifths.map(|count| of(count * black_box(FIFTH)));
+            let [x, y, z] = fifths.map(|count| Q15(((count * black_box(FIFTH)) >> 16) as i16));
             Normal::from_unit(x, y, z).unwrap_or_else(|_| board::exit(false))
         })
     }
 
     /// Mantissas of both signs, always the same.
     #[must_use]
-    pub fn mantissas<const N: usize>() -> [Q15; N] {
+    pub fn numbers<const N: usize>() -> [Q15; N] {
         let mut state = black_box(1_u32);
         core::array::from_fn(|_| {
             state = state.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
             // Half of the largest, so that its bits are those of a light's.
-            of(state.cast_signed() >> 1)
+            Q15((state.cast_signed() >> 17) as i16)
         })
+    }
+
+    /// A number as an irradiance.
+    #[inline]
+    #[must_use]
+    pub fn irradiance(number: Q15) -> i32 {
+        number.0.into()
+    }
+
+    /// An exposure.
+    #[inline]
+    #[must_use]
+    pub fn exposure() -> Rgb<Exposure> {
+        let exposure = Exposure::new(black_box(1.5), -15);
+        Rgb::gray(exposure.unwrap_or_else(|_| board::exit(false)))
+    }
+
+    /// A baked map of 32 x 32 texels.
+    #[inline]
+    pub fn baked_map() -> Result<BakedMap<[i16; 1024]>, Error> {
+        BakedMap::new(32, 0, numbers().map(|texel| texel.0))
+    }
+
+    /// A rotation about none of the axes.
+    #[inline]
+    #[must_use]
+    pub fn rotation() -> Rotation {
+        let rotation = Rotation::from_quaternion(black_box([1, 2, 3, 10]));
+        rotation.unwrap_or_else(|_| board::exit(false))
     }
 
     /// A light of these mantissas.
@@ -128,13 +210,9 @@ pub mod integers {
         Light::new(-15, mantissas).unwrap_or_else(|_| board::exit(false))
     }
 
-    /// A material of these mantissas.
+    /// A material of order 7 of these mantissas.
     #[must_use]
-    pub fn material(mantissas: &[Q15], order: usize) -> Material<'_> {
-        let exponents = EXPONENTS.get(..=order).unwrap_or_default();
-        Material::new(exponents, mantissas).unwrap_or_else(|_| board::exit(false))
+    pub fn material(mantissas: &[Q15]) -> Material<'_> {
+        Material::new(&[-15; 8], mantissas).unwrap_or_else(|_| board::exit(false))
     }
-
-    /// Exponents of a material of order 7.
-    static EXPONENTS: [i8; 8] = [-15; 8];
 }

@@ -1,7 +1,7 @@
 //! The parts that all programs share: golden vectors, inputs and drawings.
 //!
-//! Cargo.toml lists the programs and their sources. `relight_q15`, for example, is the function
-//! `relight` of `operations_q15.rs`, with the shipped table in Q15 as the module `table`.
+//! `operations.csv` lists the programs. `relight_q15`, for example, is the function `relight` of
+//! `operations_q15.rs`, with the shipped table in Q15 as the module `table`.
 #![no_std]
 
 /// The library's table in Q15, with the transfer of one material.
@@ -26,7 +26,7 @@ pub mod split_sum;
 pub mod drawing;
 
 /// Runs one function of a source as the program. The build script derives the function and the
-/// module `table` from the program's name.
+/// module `table` from the program's row.
 #[macro_export]
 macro_rules! program {
     () => {

@@ -5,16 +5,16 @@
 
 use board::{Passes, holds, measure};
 use core::hint::black_box;
-use eigenshade::presets::light::LOBBY;
-use eigenshade::presets::material::GOLD_METALLIC_PAINT;
 use eigenshade::{
-    BakedMap, Buffer, DiscPixel, Display, Error, Exposure, Gloss, Highlights, Light, MapPoint,
-    Material, Meter, NineTerms, Normal, NormalPixel, Normals, Rgb, Rotation, Source, Tolerance,
-    Tone, sphere,
+    DiscPixel, Error, Gloss, Highlights, Light, Meter, NineTerms, Normal, NormalPixel, Normals,
+    Rgb, Source, Tolerance,
 };
-use programs::inputs::floats as inputs;
+use operations::*;
+use programs::inputs::floats::{self as inputs, GOLD_METALLIC_PAINT, LOBBY};
 use programs::split_sum::{SIDE, STEPS, SplitSum};
 use table::{COMPONENTS, Coefficients, DEGREE, SCENE, Transfer};
+
+mod operations;
 
 programs::program!();
 
@@ -134,29 +134,6 @@ fn prefiltered() {
     measure(&inputs::normals(), Passes(64), |normal| formula.shade(*normal));
 }
 
-/// A bilinear look-up in a baked map, by normal.
-fn baked() {
-    let Ok(map) = BakedMap::new(32, inputs::numbers::<1024>()) else { board::exit(false) };
-    let map = black_box(map);
-    holds(size_of_val(&map));
-    measure(&inputs::normals(), Passes(64), |normal| map.bilinear(MapPoint::of(*normal)));
-}
-
-/// A bilinear look-up in a baked map, by map coordinates.
-fn baked_point() {
-    let Ok(map) = BakedMap::new(32, inputs::numbers::<1024>()) else { board::exit(false) };
-    let map = black_box(map);
-    holds(size_of_val(&map));
-    let points = inputs::normals().map(MapPoint::of);
-    measure(&points, Passes(64), |point| map.bilinear(*point));
-}
-
-static DISPLAY: Display = Display::new(Tone::Filmic);
-
-fn exposure() -> Exposure {
-    Exposure::new(black_box(1.5)).unwrap_or_else(|_| board::exit(false))
-}
-
 /// The next pixel of a disc and its normal.
 fn disc() {
     let mut disc = programs::inputs::middle();
@@ -172,33 +149,6 @@ fn normal_map() {
     measure(&[(); 16], Passes(64), |()| pixels.next().map(NormalPixel::normal));
 }
 
-/// Three irradiances to a pixel of 16 bits: exposed, toned and encoded.
-fn display() {
-    let channels = inputs::numbers::<48>();
-    let (channels, _) = channels.as_chunks::<3>();
-    let exposure = exposure();
-    measure(channels, Passes(64), |channels| DISPLAY.rgb565(exposure.of(Rgb::from(*channels))));
-}
-
-/// The same in 24 bits.
-fn display_888() {
-    let channels = inputs::numbers::<48>();
-    let (channels, _) = channels.as_chunks::<3>();
-    let exposure = exposure();
-    measure(channels, Passes(64), |channels| DISPLAY.rgb888(exposure.of(Rgb::from(*channels))));
-}
-
-/// The same in 16 bits, with ordered dithering.
-fn display_dithered() {
-    let channels = inputs::numbers::<48>();
-    let (channels, _) = channels.as_chunks::<3>();
-    let (exposure, mut column) = (exposure(), 0);
-    measure(channels, Passes(64), |channels| {
-        column += 1;
-        DISPLAY.rgb565_dithered(exposure.of(Rgb::from(*channels)), column, 1)
-    });
-}
-
 /// Three irradiances, counted for an exposure.
 fn meter() {
     let channels = inputs::numbers::<48>();
@@ -210,38 +160,19 @@ fn meter() {
 
 /// A pixel of the gold sphere: normal, irradiance in color, 16 bits.
 fn gold() {
-    let Ok(scene) = sphere::color::scene(LOBBY, GOLD_METALLIC_PAINT) else { board::exit(false) };
+    let Ok(scene) = inputs::color::scene(LOBBY, GOLD_METALLIC_PAINT) else { board::exit(false) };
     let scene = black_box(scene);
     holds(size_of_val(&scene));
-    let (mut disc, exposure) = (programs::inputs::middle(), exposure());
+    let (mut disc, exposure) = (programs::inputs::middle(), inputs::exposure());
     measure(&[(); 16], Passes(64), |()| {
         let pixel = disc.next()?;
         Some(DISPLAY.rgb565(exposure.of(scene.shade(pixel.normal()))))
     });
 }
 
-/// A new light in color on the gold sphere, up to the scene.
-fn gold_light() {
-    let Ok(transfer) = sphere::color::transfer(GOLD_METALLIC_PAINT) else { board::exit(false) };
-    let Ok(mut scene) = sphere::color::relight(&transfer, LOBBY) else { board::exit(false) };
-    let transfer = black_box(transfer);
-    holds(size_of_val(&transfer) + size_of_val(&scene));
-    measure(&[LOBBY], Passes(64), |light| {
-        sphere::color::relight_into(&transfer, *light, black_box(&mut scene)).is_ok()
-    });
-}
-
-/// A pixel of the gold sphere, in color.
-fn color() {
-    let Ok(scene) = sphere::color::scene(LOBBY, GOLD_METALLIC_PAINT) else { board::exit(false) };
-    let scene = black_box(scene);
-    holds(size_of_val(&scene));
-    measure(&inputs::normals(), Passes(64), |normal| scene.shade(*normal));
-}
-
 /// The irradiances of 16 vertices in color.
 fn vertices_16() {
-    let Ok(scene) = sphere::color::scene(LOBBY, GOLD_METALLIC_PAINT) else { board::exit(false) };
+    let Ok(scene) = inputs::color::scene(LOBBY, GOLD_METALLIC_PAINT) else { board::exit(false) };
     let scene = black_box(scene);
     let axes = [0, 1, 2].map(|axis: usize| {
         inputs::normals().map(|normal| normal.components().get(axis).copied().unwrap_or(0.0))
@@ -290,9 +221,7 @@ fn highlights() {
 /// The highlights of four sources that turned.
 fn highlights_turn() {
     let sources = inputs::sources(black_box(0.3));
-    let Ok(rotation) = Rotation::from_quaternion(black_box([0.1, 0.2, 0.3, 1.0])) else {
-        board::exit(false)
-    };
+    let rotation = inputs::rotation();
     holds(size_of_val(&sources));
     measure(&[sources], Passes(64), |sources| {
         reflected(&sources.map(|source| source.turned(rotation)))
@@ -310,32 +239,6 @@ fn residual() {
 fn reflected<const N: usize>(sources: &[Source; N]) -> Result<Highlights<N>, Error> {
     let gloss = Gloss::metallic_roughness([1.0, 0.78, 0.34], 1.0, 0.3)?;
     Highlights::new(&gloss, sources)
-}
-
-/// The coefficients of a glTF material in color, for a new roughness.
-fn metallic_roughness() {
-    let copper = [0.93, 0.52, 0.38];
-    holds(size_of::<Rgb<Buffer<f32, 40>>>());
-    measure(&[0.3, 0.7], Passes(64), |roughness| {
-        Material::metallic_roughness(black_box(copper), 1.0, *roughness)
-    });
-}
-
-/// The same to order 12.
-fn metallic_roughness_12() {
-    let copper = [0.93, 0.52, 0.38];
-    holds(size_of::<Rgb<Buffer<f32, 140>>>());
-    measure(&[0.3, 0.7], Passes(64), |roughness| {
-        Material::metallic_roughness_of_order_12(black_box(copper), 1.0, *roughness)
-    });
-}
-
-/// A rotation of a light in color about any axis.
-fn turn() {
-    let rotation = Rotation::from_quaternion(black_box([0.1, 0.2, 0.3, 1.0]));
-    let Ok(rotation) = rotation else { board::exit(false) };
-    holds(size_of_val(&rotation));
-    measure(&[LOBBY], Passes(64), |light| light.turned::<100>(&rotation));
 }
 
 /// A rotation of a light in color about the view axis.

@@ -5,30 +5,31 @@
 
 use board::{Passes, holds, measure};
 use core::hint::black_box;
-use eigenshade::presets::{light::q15::LOBBY, material::q15::GOLD_METALLIC_PAINT};
-use eigenshade::q15::{
-    BakedMap, Exposure, Highlights, Irradiance, LightBuffer, Lobe, MapPoint, Material,
-    MaterialBuffer, NineTerms, Rotation,
-};
-use eigenshade::{DiscPixel, Display, Error, Meter, NormalPixel, Q15, Rgb, Tone, sphere};
-use programs::inputs::integers as inputs;
-use table::{BASIS, COMPONENTS, Coefficients, ORDER, SCENE, Scene, Transfer};
+use eigenshade::q15::{Highlights, Irradiance, LightBuffer, Lobe, NineTerms, SceneBuffer};
+use eigenshade::{DiscPixel, Error, Meter, NormalPixel, Rgb};
+use operations::*;
+use programs::inputs::integers::{self as inputs, GOLD_METALLIC_PAINT, LOBBY};
+use table::{BASIS, COMPONENTS, Coefficients, SCENE, Scene, Transfer};
+
+mod operations;
 
 programs::program!();
 
 /// A pixel of a scene.
 fn shade() {
-    let mantissas = [0; COMPONENTS].map(|_: i32| black_box(123_456_789));
-    let Ok(scene) = BASIS.collapse::<SCENE>(&mantissas, -30) else { board::exit(false) };
-    let scene = black_box(scene);
+    let scene = black_box(collapsed());
     holds(size_of_val(&scene));
     measure(&inputs::normals(), Passes(256), |normal| table::shade(&scene, *normal));
 }
 
+fn collapsed() -> eigenshade::q15::Scene<'static, SceneBuffer<SCENE>> {
+    let mantissas = [0; COMPONENTS].map(|_| black_box(123_456_789));
+    BASIS.collapse::<SCENE>(&mantissas, -30).unwrap_or_else(|_| board::exit(false))
+}
+
 /// The same with the highlights of two sources, which all normals face.
 fn shade_highlights() {
-    let mantissas = [0; COMPONENTS].map(|_: i32| black_box(123_456_789));
-    let Ok(scene) = BASIS.collapse::<SCENE>(&mantissas, -30) else { board::exit(false) };
+    let scene = collapsed();
     let lobes = programs::highlights::GRAY.first_chunk::<2>();
     let Some(Ok(highlights)) = lobes.map(|lobes| of_lobes::<_, 2>(lobes, scene.exponent())) else {
         board::exit(false)
@@ -52,9 +53,7 @@ fn of_lobes<T: Irradiance, const N: usize>(
 
 /// A pixel of the gold sphere in color with the highlights of four sources, which all normals face.
 fn highlights() {
-    let Ok(scene) = sphere::q15::color::scene(LOBBY, GOLD_METALLIC_PAINT) else {
-        board::exit(false)
-    };
+    let Ok(scene) = inputs::color::scene(LOBBY, GOLD_METALLIC_PAINT) else { board::exit(false) };
     let exponents = scene.each_ref().map(|channel| channel.exponent());
     let Ok(highlights) = of_lobes(&programs::highlights::COLOR, exponents) else {
         board::exit(false)
@@ -66,9 +65,7 @@ fn highlights() {
 
 /// A pixel of a Lambertian scene, by the nine-term formula.
 fn shade_lambertian() {
-    let mantissas = [0; COMPONENTS].map(|_: i32| black_box(123_456_789));
-    let Ok(scene) = BASIS.collapse::<SCENE>(&mantissas, -30) else { board::exit(false) };
-    let scene = black_box(scene);
+    let scene = black_box(collapsed());
     holds(size_of_val(&scene));
     let Some(formula) = scene.nine_terms() else { board::exit(false) };
     measure(&inputs::normals(), Passes(256), |normal| formula.shade(*normal));
@@ -76,46 +73,33 @@ fn shade_lambertian() {
 
 /// A new light on a fixed material.
 fn relight() {
-    relight_up_to!();
+    let (transfer, mut d) = (black_box(transferred()), Coefficients::default());
+    holds(size_of_val(&transfer) + size_of_val(&d));
+    measure(&[inputs::numbers::<100>()], Passes(64), |light| {
+        table::relight_into(&transfer.view(), &inputs::light(light), black_box(&mut d))
+    });
 }
 
 /// A new light on a fixed material, up to the scene.
 fn relight_collapse() {
-    relight_up_to!(collapse_into);
+    let (transfer, mut d) = (black_box(transferred()), Coefficients::default());
+    let mut scene = Scene::default();
+    holds(size_of_val(&transfer) + size_of_val(&d) + size_of_val(&scene));
+    measure(&[inputs::numbers::<100>()], Passes(64), |light| {
+        table::relight_into(&transfer.view(), &inputs::light(light), black_box(&mut d))?;
+        table::collapse_into(&d, black_box(&mut scene))
+    });
 }
 
-/// A new light on a fixed material, up to the coefficients or with `collapse_into` up to the scene.
-/// A macro, so that the former is linked without `collapse_into`.
-macro_rules! relight_up_to {
-    ($($collapse_into:ident)?) => {
-        let material = inputs::mantissas::<40>();
-        let Ok(transfer) = table::transfer(&inputs::material(&material, ORDER)) else {
-            board::exit(false)
-        };
-        let transfer = black_box(transfer);
-        let (mut d, mut scene) = (Coefficients::default(), Scene::default());
-        let of_scene = [$(stringify!($collapse_into))?].map(|_: &str| size_of_val(&scene));
-        holds(of_scene.into_iter().sum());
-        holds(size_of_val(&transfer) + size_of_val(&d));
-        measure(&[inputs::mantissas::<100>()], Passes(64), |light| {
-            let light = inputs::light(light);
-            let done = table::relight_into(&transfer.view(), &light, black_box(&mut d));
-            // Without `collapse_into`, the scene is not used otherwise.
-            let _ = &mut scene;
-            $(let done = done.and_then(|()| table::$collapse_into(&d, black_box(&mut scene)));)?
-            done
-        });
-    };
+fn transferred() -> Transfer {
+    let material = inputs::numbers::<40>();
+    table::transfer(&inputs::material(&material)).unwrap_or_else(|_| board::exit(false))
 }
-use relight_up_to;
 
 /// The coefficients of an image to its scene.
 fn collapse() {
-    let material = inputs::mantissas::<40>();
-    let light = inputs::mantissas::<100>();
-    let light = inputs::light(&light);
-    let relit = table::transfer(&inputs::material(&material, ORDER))
-        .and_then(|transfer| table::relight(&transfer.view(), &light));
+    let light = inputs::numbers::<100>();
+    let relit = table::relight(&transferred().view(), &inputs::light(&light));
     let Ok(relit) = relit else { board::exit(false) };
     let mut scene = Scene::default();
     holds(size_of_val(&relit) + size_of_val(&scene));
@@ -126,9 +110,8 @@ fn collapse() {
 fn transfer() {
     let mut transfer = Transfer::default();
     holds(size_of_val(&transfer));
-    measure(&[inputs::mantissas::<40>()], Passes(16), |material| {
-        let material = inputs::material(material, ORDER);
-        table::transfer_into(&material, black_box(&mut transfer))
+    measure(&[inputs::numbers::<40>()], Passes(16), |material| {
+        table::transfer_into(&inputs::material(material), black_box(&mut transfer))
     });
 }
 
@@ -139,31 +122,13 @@ fn nine_terms() {
     measure(&inputs::normals(), Passes(256), |normal| formula.shade(*normal));
 }
 
-/// A bilinear look-up in a baked map, by normal.
-fn baked() {
-    let map = baked_map();
-    holds(size_of_val(&map));
-    let normals = inputs::normals();
-    measure(&normals, Passes(256), |normal| map.bilinear(MapPoint::of(*normal)));
-}
-
-/// A bilinear look-up in a baked map, by map coordinates.
-fn baked_point() {
-    let map = baked_map();
-    holds(size_of_val(&map));
-    let points = inputs::normals().map(MapPoint::of);
-    measure(&points, Passes(256), |point| map.bilinear(*point));
-}
-
-fn baked_map() -> BakedMap<[i16; 1024]> {
-    let texels = inputs::mantissas::<1024>().map(|texel| texel.0);
-    let Ok(map) = BakedMap::new(32, 0, texels) else { board::exit(false) };
-    black_box(map)
-}
-
-/// One row of a dense projection. A projection has one for each component.
-fn dense_row() {
-    measure(&[&ROW, &ROW], Passes(8), |modes| dense_product(modes));
+/// A dense projection: a row for each component of the shipped table.
+fn dense_46() {
+    measure(&[&ROW], Passes(8), |modes| {
+        for _ in 0..46 {
+            black_box(dense_product(black_box(modes)));
+        }
+    });
 }
 
 /// Modes at degree 9 and order 7.
@@ -197,13 +162,6 @@ fn dense_product(modes: &[i16; MODES]) -> i16 {
     rounded.clamp(i64::from(i16::MIN), i64::from(i16::MAX)) as i16
 }
 
-static DISPLAY: Display = Display::new(Tone::Filmic);
-
-fn exposure() -> Rgb<Exposure> {
-    let exposure = Exposure::new(black_box(1.5), -15);
-    Rgb::gray(exposure.unwrap_or_else(|_| board::exit(false)))
-}
-
 /// The next pixel of a disc and its normal.
 fn disc() {
     let mut disc = programs::inputs::middle();
@@ -219,57 +177,18 @@ fn normal_map() {
     measure(&[(); 16], Passes(64), |()| pixels.next().map(NormalPixel::normal_q15));
 }
 
-/// Three irradiances to a pixel of 16 bits: exposed, toned and encoded.
-fn display() {
-    let channels = inputs::mantissas::<48>().map(|channel| i32::from(channel.0));
-    let (channels, _) = channels.as_chunks::<3>();
-    let exposure = exposure();
-    measure(channels, Passes(64), |channels| DISPLAY.rgb565(exposure.of(Rgb::from(*channels))));
-}
-
-/// The same in 24 bits.
-fn display_888() {
-    let channels = inputs::mantissas::<48>().map(|channel| i32::from(channel.0));
-    let (channels, _) = channels.as_chunks::<3>();
-    let exposure = exposure();
-    measure(channels, Passes(64), |channels| DISPLAY.rgb888(exposure.of(Rgb::from(*channels))));
-}
-
-/// The same in 16 bits, with ordered dithering.
-fn display_dithered() {
-    let channels = inputs::mantissas::<48>().map(|channel| i32::from(channel.0));
-    let (channels, _) = channels.as_chunks::<3>();
-    let (exposure, mut column) = (exposure(), 0);
-    measure(channels, Passes(64), |channels| {
-        column += 1;
-        DISPLAY.rgb565_dithered(exposure.of(Rgb::from(*channels)), column, 1)
-    });
-}
-
 /// Three irradiances, exposed and counted for an exposure.
 fn meter() {
-    let channels = inputs::mantissas::<48>().map(|channel| i32::from(channel.0));
+    let channels = inputs::numbers::<48>().map(|channel| i32::from(channel.0));
     let (channels, _) = channels.as_chunks::<3>();
-    let (exposure, mut meter) = (exposure(), black_box(Meter::default()));
+    let (exposure, mut meter) = (inputs::exposure(), black_box(Meter::default()));
     holds(size_of_val(&meter));
     measure(channels, Passes(64), |channels| meter.add_linear(exposure.of(Rgb::from(*channels))));
 }
 
-/// A pixel of the gold sphere in three channels.
-fn color() {
-    let Ok(scene) = sphere::q15::color::scene(LOBBY, GOLD_METALLIC_PAINT) else {
-        board::exit(false)
-    };
-    let scene = black_box(scene);
-    holds(size_of_val(&scene));
-    measure(&inputs::normals(), Passes(64), |normal| scene.shade(*normal));
-}
-
 /// The irradiances of 16 vertices in color.
 fn vertices_16() {
-    let Ok(scene) = sphere::q15::color::scene(LOBBY, GOLD_METALLIC_PAINT) else {
-        board::exit(false)
-    };
+    let Ok(scene) = inputs::color::scene(LOBBY, GOLD_METALLIC_PAINT) else { board::exit(false) };
     let scene = black_box(scene);
     let four = inputs::normals();
     let vertices: [_; 4] = [four; 4];
@@ -282,7 +201,7 @@ fn vertices_16() {
 
 /// A pixel of the gold sphere: normal, irradiance in color, 16 bits.
 fn gold() {
-    let scene = sphere::q15::color::scene(LOBBY, GOLD_METALLIC_PAINT);
+    let scene = inputs::color::scene(LOBBY, GOLD_METALLIC_PAINT);
     let scene = scene.and_then(|scene| Ok((scene.exposure_by_factor(1.5)?, scene)));
     let Ok((exposure, scene)) = scene else { board::exit(false) };
     let scene = black_box(scene);
@@ -292,44 +211,6 @@ fn gold() {
         let pixel = disc.next()?;
         Some(DISPLAY.rgb565(exposure.of(scene.shade(pixel.normal_q15()))))
     });
-}
-
-/// The coefficients of a glTF material in color, for a new roughness.
-fn metallic_roughness() {
-    let copper = [Q15(30_474), Q15(17_039), Q15(12_452)];
-    holds(size_of::<Rgb<MaterialBuffer<40, 8>>>());
-    measure(&[Q15(9_830), Q15(22_938)], Passes(64), |roughness| {
-        Material::metallic_roughness(black_box(copper), Q15(i16::MAX), *roughness)
-    });
-}
-
-/// The same to order 12.
-fn metallic_roughness_12() {
-    let copper = [Q15(30_474), Q15(17_039), Q15(12_452)];
-    holds(size_of::<Rgb<MaterialBuffer<140, 13>>>());
-    measure(&[Q15(9_830), Q15(22_938)], Passes(64), |roughness| {
-        Material::metallic_roughness_of_order_12(black_box(copper), Q15(i16::MAX), *roughness)
-    });
-}
-
-/// A new light in color on the gold sphere, up to the scene.
-fn gold_light() {
-    let transfer = sphere::q15::color::transfer(GOLD_METALLIC_PAINT);
-    let Ok(transfer) = transfer else { board::exit(false) };
-    let Ok(mut scene) = sphere::q15::color::relight(&transfer, LOBBY) else { board::exit(false) };
-    let transfer = black_box(transfer);
-    holds(size_of_val(&transfer) + size_of_val(&scene));
-    measure(&[LOBBY], Passes(16), |light| {
-        sphere::q15::color::relight_into(&transfer, *light, black_box(&mut scene)).is_ok()
-    });
-}
-
-/// A rotation of a light in color about any axis.
-fn turn() {
-    let rotation = Rotation::from_quaternion(black_box([1, 2, 3, 10]));
-    let Ok(rotation) = rotation else { board::exit(false) };
-    holds(size_of_val(&rotation));
-    measure(&[LOBBY], Passes(16), |light| light.turned::<100>(&rotation));
 }
 
 /// A rotation of a light in color about the view axis.

@@ -12,7 +12,7 @@ programs::program!();
 
 const MATERIAL: usize = eigenshade::index::material::count(ORDER);
 
-fn main() {
+fn scene() {
     let material = inputs::numbers::<MATERIAL>();
     let Ok(transfer) = table::transfer(&inputs::material(&material)) else { board::exit(false) };
     let transfer = black_box(transfer);

@@ -5,12 +5,12 @@
 
 use board::{Passes, holds, measure_named};
 use core::hint::black_box;
-use eigenshade::{Error, Gloss, Highlights, Rotation, Source};
+use eigenshade::{Error, Gloss, Highlights, Source};
 use programs::inputs::floats as inputs;
 
 programs::program!();
 
-fn main() {
+fn sources() {
     of_count::<1>(["pixel_1", "light_1"]);
     of_count::<2>(["pixel_2", "light_2"]);
     of_count::<4>(["pixel_4", "light_4"]);
@@ -24,9 +24,7 @@ fn of_count<const N: usize>([pixel, light]: [&str; 2]) {
     let four = inputs::sources(along);
     let sources: [Source; N] =
         core::array::from_fn(|k| four.get(k % 4).copied().unwrap_or_else(|| board::exit(false)));
-    let Ok(rotation) = Rotation::from_quaternion(black_box([0.1, 0.2, 0.3, 1.0])) else {
-        board::exit(false)
-    };
+    let rotation = inputs::rotation();
     measure_named(light, &[sources], Passes(16), |sources| {
         reflected(&sources.map(|source| source.turned(rotation)))
     });

@@ -11,7 +11,7 @@ use programs::inputs::integers as inputs;
 
 programs::program!();
 
-fn main() {
+fn sources() {
     of_count::<1>(["pixel_1", "light_1"]);
     of_count::<2>(["pixel_2", "light_2"]);
     of_count::<4>(["pixel_4", "light_4"]);

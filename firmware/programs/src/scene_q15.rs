@@ -12,16 +12,14 @@ programs::program!();
 const LIGHT: usize = eigenshade::index::light::count(DEGREE);
 const MATERIAL: usize = eigenshade::index::material::count(ORDER);
 
-fn main() {
-    let material = inputs::mantissas::<MATERIAL>();
-    let Ok(transfer) = table::transfer(&inputs::material(&material, ORDER)) else {
-        board::exit(false)
-    };
+fn scene() {
+    let material = inputs::numbers::<MATERIAL>();
+    let Ok(transfer) = table::transfer(&inputs::material(&material)) else { board::exit(false) };
     let transfer = black_box(transfer);
     let mut d = Coefficients::default();
     let mut scene = Scene::default();
     board::holds(size_of_val(&transfer) + size_of_val(&d) + size_of_val(&scene));
-    let lights = [inputs::mantissas::<LIGHT>()];
+    let lights = [inputs::numbers::<LIGHT>()];
     measure_named("light", &lights, Passes(64), |light| {
         let light = inputs::light(light);
         table::relight_into(&transfer.view(), &light, &mut d)?;
