@@ -8,8 +8,9 @@ use experiments::sheet::Sheet;
 use experiments::{figures, highlights, material_errors, paper};
 use std::path::Path;
 
-/// The pages that show CSV files of `docs` as they are.
-const AS_THEY_ARE: [(&str, &[&str]); 4] = [
+/// The pages that show CSV files of their folder as they are.
+const AS_THEY_ARE: [(&str, &[&str]); 5] = [
+    ("benches/README.md", &["counts.csv", "peers.csv"]),
     ("docs/accuracy.md", &["metallic-roughness.csv", "unseen.csv"]),
     ("docs/method.md", &["float-errors.csv"]),
     ("docs/reading.md", &["reading-estimates.csv", "reading-scenes.csv"]),
@@ -20,8 +21,10 @@ const AS_THEY_ARE: [(&str, &[&str]); 4] = [
 pub fn write() -> Result<()> {
     let docs = Path::new("docs");
     for (page, names) in AS_THEY_ARE {
-        let part = |name: &&'static str| Ok((*name, table_of(&Sheet::read(&docs.join(name))?)));
-        fill(Path::new(page), &names.iter().map(part).collect::<Result<Vec<Part>>>()?)?;
+        let page = Path::new(page);
+        let part =
+            |name: &&'static str| Ok((*name, table_of(&Sheet::read(&page.with_file_name(name))?)));
+        fill(page, &names.iter().map(part).collect::<Result<Vec<Part>>>()?)?;
     }
     let energies = Sheet::read(&super::inputs().join("merl.energy.csv"))?;
     fill(Path::new("tables/README.md"), &[("energies", material_errors::energies(&energies))])?;
