@@ -41,10 +41,10 @@ fn pictures() -> Vec<Path> {
         run,
     };
     let gray = |name: &str, (scene, lengths): &Image| {
-        picture(name, necessary(lengths), shading(normals, scene.clone()))
+        picture(name, necessary(lengths), shading(normals, *scene))
     };
     let in_color = |name: &str, (scene, lengths): &Image| {
-        let (scene, mut pixels) = (Rgb::gray(scene.clone()), vec![Rgb::gray(0.0); PIXELS]);
+        let (scene, mut pixels) = (Rgb::gray(*scene), vec![Rgb::gray(0.0); PIXELS]);
         let run = move || {
             let (scene, normals) = (black_box(&scene), black_box(normals));
             scene.shade_slice(normals, black_box(&mut pixels)).expect("one length");
