@@ -18,7 +18,8 @@ const COLUMNS: [&str; 6] =
 /// The column of this build's times.
 const TIME: &str = if cfg!(target_feature = "fma") { COLUMNS[3] } else { COLUMNS[2] };
 
-/// Interleaved rounds, of which each way's fastest is taken.
+/// Interleaved rounds, of which each form's fastest is taken: ratios then repeat within some per cent
+/// on a busy machine, and methods timed one after the other do not.
 const ROUNDS: usize = 101;
 
 fn main() -> ExitCode {
