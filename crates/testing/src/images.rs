@@ -67,7 +67,7 @@ impl Image {
     }
 }
 
-/// Multiply-adds per pixel for polynomials of these lengths, counted as in benches/pixels: Horner's
+/// Multiply-adds per pixel for polynomials of these lengths, counted as in benches: Horner's
 /// rule, complex products for the azimuths, t = 2 z - 1.
 pub fn products(lengths: &[u16]) -> usize {
     let of = |length: u16| usize::from(length).saturating_sub(1);

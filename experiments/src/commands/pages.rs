@@ -8,8 +8,9 @@ use experiments::sheet::Sheet;
 use experiments::{figures, highlights, material_errors, paper, stability};
 use std::path::Path;
 
-/// The pages that show CSV files of `docs` as they are.
-const AS_THEY_ARE: [(&str, &[&str]); 2] = [
+/// The pages that show CSV files of their folder as they are.
+const AS_THEY_ARE: [(&str, &[&str]); 3] = [
+    ("benches/README.md", &["counts.csv", "peers.csv"]),
     ("docs/accuracy.md", &["float-errors.csv", "metallic-roughness.csv", "unseen.csv"]),
     ("docs/reading.md", &["reading-estimates.csv", "reading-scenes.csv"]),
 ];
@@ -18,8 +19,10 @@ const AS_THEY_ARE: [(&str, &[&str]); 2] = [
 pub fn write() -> Result<()> {
     let docs = Path::new("docs");
     for (page, names) in AS_THEY_ARE {
-        let part = |name: &&'static str| Ok((*name, table_of(&Sheet::read(&docs.join(name))?)));
-        fill(Path::new(page), &names.iter().map(part).collect::<Result<Vec<Part>>>()?)?;
+        let page = Path::new(page);
+        let part =
+            |name: &&'static str| Ok((*name, table_of(&Sheet::read(&page.with_file_name(name))?)));
+        fill(page, &names.iter().map(part).collect::<Result<Vec<Part>>>()?)?;
     }
     let energies = Sheet::read(&super::inputs().join("merl.energy.csv"))?;
     let cases = Sheet::read(&docs.join("stability.csv"))?;

@@ -1,0 +1,167 @@
+//! The paths whose instructions are counted: pictures of the shipped inputs, and the calls that are
+//! made once for a light or a material.
+
+use crate::shipped::{Axes, Pair, Shipped, Shown, full, tables, white_matte, within};
+use eigenshade::wire::aligned;
+use eigenshade::{Basis, NineTerms, Normals, Rgb, Scene, Tolerance, sphere};
+use eigenshade_table::wire::{Endian, NumberFormat, encode};
+use std::hint::black_box;
+
+/// Pixels of a picture.
+const PIXELS: usize = 16_384;
+/// How often a call is made.
+const CALLS: usize = 50;
+
+/// A path.
+pub struct Path {
+    /// Name in counts.csv.
+    pub name: String,
+    /// Multiply-adds that a pixel or a call cannot do without.
+    pub multiply_adds: usize,
+    /// Pixels or calls of one run.
+    pub count: usize,
+    /// Draws a picture, or makes the calls.
+    pub run: Box<dyn FnMut()>,
+}
+
+/// All paths.
+#[must_use]
+pub fn all() -> Vec<Path> {
+    let mut paths = pictures();
+    paths.extend(calls());
+    paths
+}
+
+fn pictures() -> Vec<Path> {
+    let normals = Box::leak(Box::new(Axes::spread(PIXELS))).normals();
+    let picture = |name: &str, multiply_adds, run| Path {
+        name: name.to_owned(),
+        multiply_adds,
+        count: PIXELS,
+        run,
+    };
+    let gray = |name: &str, (scene, lengths): &Image| {
+        picture(name, necessary(lengths), shading(normals, *scene))
+    };
+    let in_color = |name: &str, (scene, lengths): &Image| {
+        let (scene, mut pixels) = (Rgb::gray(*scene), vec![Rgb::gray(0.0); PIXELS]);
+        let run = move || {
+            let (scene, normals) = (black_box(&scene), black_box(normals));
+            scene.shade_slice(normals, black_box(&mut pixels)).expect("one length");
+        };
+        picture(&format!("{name}, in color"), 3 * necessary(lengths), Box::new(run))
+    };
+
+    let shipped = Shipped::read();
+    let every = shipped.lights.len() * shipped.materials.len();
+    let database: Vec<_> = shipped.pairs(every).iter().map(Pair::project).collect();
+    let mattes: Vec<_> = shipped.on_matte(sphere::DEGREE).iter().map(Pair::project).collect();
+    let falling: Vec<f64> = (0..9).map(|k| 3.5 / f64::from(1 + k)).collect();
+    let matte = within(&Pair::new(falling, white_matte()).project(), 1e-3);
+    let whole = full(&database[database.len() / 2]);
+    let whole = (whole, used(sphere::BASIS.parts().lengths));
+    let hundredth = median(&database, 1e-2);
+
+    let formula = NineTerms::new([0.9, 0.2, -0.1, 0.5, 0.05, 0.02, -0.03, 0.01, 0.07]);
+    let mut out = vec![0.0; PIXELS];
+    let nine_terms = move || {
+        let (formula, normals) = (black_box(&formula), black_box(normals));
+        formula.shade_slice(normals, black_box(&mut out)).expect("one length");
+    };
+    let pbr = pbr();
+    let long = pbr.collapse_into(&[1.0], vec![0.0; pbr.scene_len()]).expect("it fits");
+    vec![
+        picture("nine-term formula", NineTerms::MULTIPLY_ADDS, Box::new(nine_terms)),
+        gray("full scene", &whole),
+        gray("median image within 1e-4", &median(&database, 1e-4)),
+        gray("median image within 1e-3", &median(&database, 1e-3)),
+        gray("median image within 1e-2", &hundredth),
+        gray("median matte within 1e-2", &median(&mattes, 1e-2)),
+        gray("matte, light of degree 2, within 1e-3", &matte),
+        in_color("full scene", &whole),
+        in_color("median image within 1e-2", &hundredth),
+        in_color("matte, light of degree 2, within 1e-3", &matte),
+        picture(
+            "full scene of `pbr`",
+            necessary(&used(pbr.parts().lengths)),
+            shading(normals, long),
+        ),
+    ]
+}
+
+/// A scene, and the lengths of its polynomials by azimuth.
+type Image = (Shown, Vec<u16>);
+
+/// The image of middle cost.
+fn median(ds: &[sphere::Coefficients], share: f32) -> Image {
+    let mut images: Vec<Image> = ds.iter().map(|d| within(d, share)).collect();
+    images.sort_by_key(|(_, lengths)| necessary(lengths));
+    images.swap_remove(images.len() / 2)
+}
+
+/// The lengths of the azimuths that have terms.
+fn used(lengths: &[u16]) -> Vec<u16> {
+    lengths.iter().copied().take_while(|&length| length > 0).collect()
+}
+
+/// Draws a scene.
+fn shading<B: AsRef<[f32]> + 'static>(
+    normals: Normals<'static>,
+    scene: Scene<'static, B>,
+) -> Box<dyn FnMut()> {
+    let mut out = vec![0.0; PIXELS];
+    Box::new(move || {
+        let (scene, normals) = (black_box(&scene), black_box(normals));
+        scene.shade_slice(normals, black_box(&mut out)).expect("one length");
+    })
+}
+
+/// The second shipped table, with polynomials in even and odd halves.
+fn pbr() -> Basis<'static> {
+    let bytes = std::fs::read(tables().join("pbr.bin")).expect("the shipped table");
+    let table = eigenshade_table::decode(&bytes).expect("a table");
+    let bytes = encode(&table, NumberFormat::F32, Endian::Little).expect("it fits");
+    let room = Vec::leak(vec![0; bytes.len().div_ceil(4)]);
+    Basis::from_bytes(aligned(&bytes, room).expect("room")).expect("a wire file")
+}
+
+/// Multiply-adds that a pixel of polynomials of these lengths cannot do without: README.md has them
+/// in words.
+fn necessary(lengths: &[u16]) -> usize {
+    let of = |length: u16| usize::from(length).saturating_sub(1);
+    let (&pole, around) = lengths.split_first().unwrap_or((&0, &[]));
+    match (pole, around) {
+        (..=3, [first @ ..=2]) => return of(pole) + 2 * usize::from(*first),
+        (..=3, [first @ ..=2, ..=1]) => return of(pole) + 2 * usize::from(*first) + 3,
+        _ => {}
+    }
+    let polynomials = of(pole) + around.iter().map(|&length| 2 * of(length)).sum::<usize>();
+    polynomials + (4 * around.len()).saturating_sub(2) + usize::from(polynomials > 0)
+}
+
+fn calls() -> [Path; 5] {
+    // The numbers change no count but that of `collapse_within`: like real ones, these fall.
+    let falling = |count: u8| (0..count).map(|k| 1.0 / f64::from(1 + 2 * k)).collect();
+    let pair: &'static Pair = Box::leak(Box::new(Pair::new(falling(100), falling(40))));
+    let transfer = sphere::transfer(&pair.material()).expect("it fits");
+    let d: &'static sphere::Coefficients = Box::leak(Box::new(pair.project()));
+    [
+        call("relight", 570, move || {
+            sphere::relight(black_box(&transfer), &black_box(pair).light())
+        }),
+        call("collapse", 590, move || sphere::collapse(black_box(d))),
+        call("collapse_within", 590, move || {
+            let (mut lengths, mut room) = ([0; sphere::DEGREE + 1], [0.0; sphere::SCENE]);
+            let (d, share) = (black_box(d), Tolerance::OfPeak(1e-2));
+            let found = sphere::BASIS.collapse_within(d, share, &mut lengths, &mut room[..]);
+            found.map(|(_, report)| report)
+        }),
+        call("transfer", 5400, move || sphere::transfer(&black_box(pair).material())),
+        call("project", 7200, move || black_box(pair).project()),
+    ]
+}
+
+fn call<T>(name: &str, multiply_adds: usize, call: impl Fn() -> T + 'static) -> Path {
+    let run = move || (0..CALLS).for_each(|_| drop(black_box(call())));
+    Path { name: format!("`{name}`"), multiply_adds, count: CALLS, run: Box::new(run) }
+}
