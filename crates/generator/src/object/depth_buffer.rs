@@ -88,24 +88,10 @@ impl DepthBuffer {
     /// Counts a facet's samples in a drawn picture. If none is seen, it counts at least `enough`,
     /// or all.
     pub(super) fn count(&mut self, facet: &Placed, enough: usize) -> Count {
-        let plane = Plane::new(facet);
         let mut count = Count::default();
-        let mut hidden = Vec::new();
+        self.visit_seen(facet, |_, _| count.seen += 1);
+        let plane = Plane::new(facet);
         for part in self.parts(facet) {
-            if self.is_behind(&part, &plane, facet.contact, f64::lt) {
-                hidden.push(part);
-                continue;
-            }
-            if part.is_outside(&plane) {
-                continue;
-            }
-            facet.visit(&plane, [part.rows, part.columns], |row, column, depth| {
-                count.covered += 1;
-                let front = self.front[row * self.samples + column];
-                count.seen += usize::from(depth + facet.contact >= front);
-            });
-        }
-        for part in hidden {
             if count.seen == 0 && count.covered >= enough {
                 break;
             }
@@ -116,6 +102,13 @@ impl DepthBuffer {
             }
         }
         count
+    }
+
+    /// Whether, at the nearest sample, nothing lies farther than this in front of a point.
+    pub(super) fn sees(&self, [x, y, depth]: [f64; 3], distance: f64) -> bool {
+        // The casts convert negative coordinates to 0.
+        let [column, row] = [x, y].map(|across| (across as usize).min(self.samples - 1));
+        depth + distance >= self.front[row * self.samples + column]
     }
 
     /// The samples that a facet may cover, split into tiles, or as one part if they are few.

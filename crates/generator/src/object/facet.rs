@@ -49,6 +49,8 @@ pub(super) struct Placed {
     pub(super) faces_camera: bool,
     /// How far along z a surface in contact may be.
     pub(super) contact: f64,
+    /// How far along z a surface may be at the width of a sample from the plane.
+    pub(super) sample_in_front: f64,
 }
 
 /// A frame of `samples` x `samples` points over the box around the projection of the facets.
@@ -92,7 +94,8 @@ impl Frame {
 
     /// Converts a facet to units of samples.
     pub(super) fn place(&self, facet: &Facet) -> Placed {
-        let longest = self.sides.iter().copied().fold(0.0, f64::max);
+        let [wide, tall, deep] = self.sides;
+        let (longer, cosine) = (wide.max(tall), facet.normal[2].abs());
         let place = |corner: [f64; 3]| {
             let across = |axis: usize| {
                 // In a box without width, no facet has a projected area.
@@ -104,8 +107,9 @@ impl Frame {
         Placed {
             corners: facet.corners.map(place),
             faces_camera: facet.projected_area > 0.0,
-            // The extent along z of a distance CONTACT from the plane; infinite if seen edge on.
-            contact: CONTACT * longest / facet.normal[2].abs(),
+            // The extents along z of distances from the plane; infinite if seen edge on.
+            contact: CONTACT * longer.max(deep) / cosine,
+            sample_in_front: longer / self.samples as f64 / cosine,
         }
     }
 }
