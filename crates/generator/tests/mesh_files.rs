@@ -133,7 +133,7 @@ fn polygon_files_of_every_spelling() {
         ),
         ("0.5 0.25 0", "0.5 0.25", "(it has too few numbers)"),
         ("0.5 0.25 0", "0.5 0.25 0 9", "(`9` follows its last number)"),
-        ("5 0 1 2", "5 0 1.5 2", "a face has no list `vertex_indices`"),
+        ("5 0 1 2", "5 0 1.5 2", "corner 1.5 does not exist"),
         ("5 0 1 2", "5 0 1 -2", "corner -2 does not exist"),
     ] {
         let error = read("a.ply", plain.replace(from, to)).expect_err(what).to_string();

@@ -1,29 +1,19 @@
 //! Polygon files (.ply), text or binary.
 //!
 //! `ply-rs-bw` reads the header and binary elements. Elements in text are read here: its grammar
-//! has neither `.5` nor `nan`, which files have for numbers that are not used.
+//! has neither `.5` nor `nan`.
 
 use crate::object::mesh_data::{LONGEST_LINE, Mesh, append_line, broken};
 use eigenshade_model::error::{Error, Result};
 use eigenshade_model::inputs::input_file::InputFile;
 use ply_rs_bw::parser::{ParseError, Parser, Reader};
 use ply_rs_bw::ply::{
-    BeginList, ElementDef, Encoding, Header, Property, PropertyAccess, PropertyAccessResult,
-    PropertyType,
+    BeginList, ElementDef, Encoding, Header, PropertyAccess, PropertyAccessResult, PropertyType,
 };
 use std::io::{self, BufRead, ErrorKind};
 
 /// Largest number of entries in a list of any type.
 const MOST_NUMBERS: usize = LONGEST_LINE;
-
-/// Accepts lists as they come, unless they are too long.
-macro_rules! bounded_lists {
-    ($($begin:ident: $number:ty),*) => {
-        $(fn $begin(&mut self, _: &str, count: usize) -> BeginList<'_, $number> {
-            if count <= MOST_NUMBERS { BeginList::UseSetter } else { BeginList::UnsupportedType }
-        })*
-    };
-}
 
 /// The triangles of a polygon file; polygons are cut into fans, and triangle strips (`tristrips`)
 /// into triangles. Bytes after the last element of a binary file cause a warning.
@@ -64,10 +54,10 @@ fn decode(mut reader: impl BufRead, length: u64, file: &InputFile) -> Result<Mes
                 match name.as_str() {
                     "vertex" => mesh.corners.push(row.corner()?),
                     "face" => {
-                        let corners = row.corners()?.into_iter().map(corner);
+                        let corners = row.corners()?.iter().map(|number| corner(*number));
                         mesh.push_polygon(file, &corners.collect::<Result<Vec<_>>>()?)?;
                     }
-                    "tristrips" => push_strips(&mut mesh, file, &row.corners()?)?,
+                    "tristrips" => push_strips(&mut mesh, file, row.corners()?)?,
                     _ => {}
                 }
                 Ok(())
@@ -83,8 +73,8 @@ fn decode(mut reader: impl BufRead, length: u64, file: &InputFile) -> Result<Mes
 /// Adds the triangles of strips, with -1 between one strip and the next. Each corner makes a
 /// triangle with the two before it, whose order alternates. A strip repeats a corner to turn, which
 /// makes a triangle without an area.
-fn push_strips(mesh: &mut Mesh, file: &InputFile, strips: &[i64]) -> Result<()> {
-    for strip in strips.split(|place| *place == -1) {
+fn push_strips(mesh: &mut Mesh, file: &InputFile, strips: &[f64]) -> Result<()> {
+    for strip in strips.split(|number| *number == -1.0) {
         for (number, window) in strip.windows(3).enumerate() {
             let [a, b, c] = [0, 1, 2].map(|k| corner(window[k]));
             let (a, b) = if number % 2 == 0 { (a?, b?) } else { (b?, a?) };
@@ -95,8 +85,10 @@ fn push_strips(mesh: &mut Mesh, file: &InputFile, strips: &[i64]) -> Result<()> 
 }
 
 /// The index of a corner.
-fn corner(value: i64) -> Result<u32> {
-    u32::try_from(value).map_err(|_| broken(format!("corner {value} does not exist")))
+fn corner(number: f64) -> Result<u32> {
+    let place = number as u32;
+    let missing = || broken(format!("corner {number} does not exist"));
+    (f64::from(place) == number).then_some(place).ok_or_else(missing)
 }
 
 /// Reads the header, whose comments may be in any encoding.
@@ -186,33 +178,30 @@ fn row_of_text(line: &str, element: &ElementDef) -> std::result::Result<Element,
     let number = |word: &str| word.parse::<f64>().map_err(|_| format!("`{word}` is not a number"));
     for (name, property) in &element.properties {
         let first = words.next().ok_or_else(missing)?;
-        row.set_property(
-            name,
-            match property.data_type {
-                PropertyType::Scalar(_) => Property::Double(number(first)?),
-                PropertyType::List(..) => {
-                    let count = first
-                        .parse()
-                        .map_err(|_| format!("`{first}` is not a number of corners"))?;
-                    let list = words.by_ref().take(count).map(number);
-                    let list = list.collect::<std::result::Result<Vec<_>, _>>()?;
-                    if list.len() < count {
-                        return Err(missing());
-                    }
-                    Property::ListDouble(list)
+        match property.data_type {
+            PropertyType::Scalar(_) => row.set_double(name, number(first)?),
+            PropertyType::List(..) => {
+                let count =
+                    first.parse().map_err(|_| format!("`{first}` is not a number of corners"))?;
+                let list = words.by_ref().take(count).map(number);
+                let list = list.collect::<std::result::Result<Vec<_>, _>>()?;
+                if list.len() < count {
+                    return Err(missing());
                 }
-            },
-        );
+                row.set_list_double(name, list)
+            }
+        };
     }
     words.next().map_or(Ok(row), |word| Err(format!("`{word}` follows its last number")))
 }
 
 /// The properties of a vertex and of a face, where present.
+#[derive(Default)]
 struct Element {
     /// x, y and z.
     corner: [Option<f64>; 3],
     /// The list of corners.
-    list: Option<Property>,
+    list: Option<Vec<f64>>,
 }
 
 impl Element {
@@ -224,59 +213,48 @@ impl Element {
     }
 
     /// The indices of corners; -1 separates strips.
-    fn corners(self) -> Result<Vec<i64>> {
-        fn all<T: Into<i64>>(list: Vec<T>) -> Vec<i64> {
-            list.into_iter().map(Into::into).collect()
-        }
-        Ok(match self.list {
-            Some(Property::ListInt(list)) => all(list),
-            Some(Property::ListShort(list)) => all(list),
-            Some(Property::ListChar(list)) => all(list),
-            Some(Property::ListUInt(list)) => all(list),
-            Some(Property::ListUShort(list)) => all(list),
-            Some(Property::ListUChar(list)) => all(list),
-            // Any list in text.
-            Some(Property::ListDouble(list)) if list.iter().all(|one| one.fract() == 0.0) => {
-                list.into_iter().map(|one| one as i64).collect()
-            }
-            _ => return Err(broken("a face has no list `vertex_indices`")),
-        })
+    fn corners(&self) -> Result<&[f64]> {
+        self.list.as_deref().ok_or_else(|| broken("a face has no list `vertex_indices`"))
     }
+}
+
+/// Functions of [`Element`] that take numbers and lists of each type; too long a list is an error.
+macro_rules! setters {
+    ($($set:ident, $begin_list:ident, $set_list:ident: $number:ty;)*) => {
+        $(fn $set(&mut self, name: &str, number: $number) -> PropertyAccessResult {
+            if let Some(axis) = ["x", "y", "z"].iter().position(|axis| *axis == name) {
+                self.corner[axis] = Some(f64::from(number));
+            }
+            PropertyAccessResult::Set
+        }
+
+        fn $begin_list(&mut self, _: &str, count: usize) -> BeginList<'_, $number> {
+            if count <= MOST_NUMBERS { BeginList::UseSetter } else { BeginList::UnsupportedType }
+        }
+
+        fn $set_list(&mut self, name: &str, list: Vec<$number>) -> PropertyAccessResult {
+            if let "vertex_indices" | "vertex_index" = name {
+                self.list = Some(list.into_iter().map(f64::from).collect());
+            }
+            PropertyAccessResult::Set
+        })*
+    };
 }
 
 impl PropertyAccess for Element {
     fn new() -> Self {
-        Self { corner: [None; 3], list: None }
+        Self::default()
     }
 
-    bounded_lists!(
-        begin_list_char: i8, begin_list_uchar: u8, begin_list_short: i16, begin_list_ushort: u16,
-        begin_list_int: i32, begin_list_uint: u32, begin_list_float: f32, begin_list_double: f64
-    );
-
-    fn set_property(&mut self, name: &str, property: Property) -> PropertyAccessResult {
-        let axis = match name {
-            "x" => 0,
-            "y" => 1,
-            "z" => 2,
-            "vertex_indices" | "vertex_index" => {
-                self.list = Some(property);
-                return PropertyAccessResult::Set;
-            }
-            _ => return PropertyAccessResult::Ignored,
-        };
-        self.corner[axis] = match property {
-            Property::Float(value) => Some(f64::from(value)),
-            Property::Double(value) => Some(value),
-            Property::Int(value) => Some(f64::from(value)),
-            Property::UInt(value) => Some(f64::from(value)),
-            Property::Short(value) => Some(f64::from(value)),
-            Property::UShort(value) => Some(f64::from(value)),
-            Property::Char(value) => Some(f64::from(value)),
-            Property::UChar(value) => Some(f64::from(value)),
-            _ => None,
-        };
-        PropertyAccessResult::Set
+    setters! {
+        set_char, begin_list_char, set_list_char: i8;
+        set_uchar, begin_list_uchar, set_list_uchar: u8;
+        set_short, begin_list_short, set_list_short: i16;
+        set_ushort, begin_list_ushort, set_list_ushort: u16;
+        set_int, begin_list_int, set_list_int: i32;
+        set_uint, begin_list_uint, set_list_uint: u32;
+        set_float, begin_list_float, set_list_float: f32;
+        set_double, begin_list_double, set_list_double: f64;
     }
 }
 
@@ -286,20 +264,30 @@ mod tests {
 
     #[test]
     fn corners_are_of_any_type() {
-        for kind in ["char", "uchar", "short", "ushort", "int", "uint", "float", "double"] {
-            let text = format!(
-                "ply\nformat ascii 1.0\nelement vertex 3\nproperty {kind} x\nproperty {kind} y\n\
-                 property {kind} z\nelement face 1\nproperty list uchar int vertex_indices\n\
-                 end_header\n0 0 1\n100 0 2\n0 120 3\n3 0 1 2\n"
+        type Bytes = fn(u8) -> Vec<u8>;
+        let kinds: [(&str, Bytes); 8] = [
+            ("char", |n| vec![n]),
+            ("uchar", |n| vec![n]),
+            ("short", |n| i16::from(n).to_le_bytes().into()),
+            ("ushort", |n| u16::from(n).to_le_bytes().into()),
+            ("int", |n| i32::from(n).to_le_bytes().into()),
+            ("uint", |n| u32::from(n).to_le_bytes().into()),
+            ("float", |n| f32::from(n).to_le_bytes().into()),
+            ("double", |n| f64::from(n).to_le_bytes().into()),
+        ];
+        for (kind, bytes) in kinds {
+            let header = format!(
+                "ply\nformat binary_little_endian 1.0\nelement vertex 3\nproperty {kind} x\n\
+                 property {kind} y\nproperty {kind} z\nelement face 1\n\
+                 property list uchar {kind} vertex_indices\nend_header\n"
             );
-            let corners = [[0.0, 0.0, 1.0], [100.0, 0.0, 2.0], [0.0, 120.0, 3.0]];
-            let file = "mesh.ply".into();
-            let mesh = decode(text.as_bytes(), text.len() as u64, &file).expect("a mesh");
-            assert_eq!(
-                (mesh.corners, mesh.triangles),
-                (corners.to_vec(), vec![[0, 1, 2]]),
-                "{kind}"
-            );
+            let corners = [[0u8, 0, 1], [100, 0, 2], [0, 120, 3]];
+            let numbers = corners.as_flattened().iter().flat_map(|&n| bytes(n));
+            let list = [3].into_iter().chain([0, 1, 2].into_iter().flat_map(bytes));
+            let file: Vec<u8> = header.bytes().chain(numbers).chain(list).collect();
+            let mesh = decode(&file[..], file.len() as u64, &"mesh.ply".into()).expect("a mesh");
+            let corners = corners.map(|corner| corner.map(f64::from));
+            assert_eq!((mesh.corners, mesh.triangles), (corners.into(), vec![[0, 1, 2]]), "{kind}");
         }
     }
 }
