@@ -1,7 +1,4 @@
 //! Wavefront files (.obj): corners and faces, read line by line.
-//!
-//! This module reads them itself because `tobj` 4.0.5 uses about 400 bytes for each corner and
-//! drops faces of fewer than three corners.
 
 use crate::object::mesh_data::{Mesh, append_line, broken};
 use eigenshade_model::error::Result;

@@ -1,7 +1,4 @@
 //! Stereolithography files (.stl), text or binary.
-//!
-//! This module reads them itself because `stl_io` 0.11.0 accepts only lower-case text with a single
-//! solid, and does not detect anything after it.
 
 use crate::object::mesh_data::{Mesh, append_line, broken};
 use eigenshade_model::error::{Error, Result};
