@@ -6,7 +6,6 @@ use crate::index::record::floats;
 use crate::index::record::{Coupling, ProfilePlace, Row};
 use crate::index::{layout, material, pair};
 use crate::invariant::split_row;
-use crate::recurrences::Recurrences;
 
 /// The arrays of a basis: [`Basis::new`] checks that they are consistent.
 pub type Parts<'a> = floats::Parts<'a, f32>;
@@ -16,7 +15,6 @@ pub type Parts<'a> = floats::Parts<'a, f32>;
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Basis<'a> {
     pub(crate) parts: Parts<'a>,
-    pub(crate) recurrences: Recurrences<'a>,
     transfer: usize,
     scene: usize,
 }
@@ -30,11 +28,15 @@ impl<'a> Basis<'a> {
     ///
     /// # Errors
     ///
-    /// [`Error::Length`], [`Error::Coupling`], [`Error::Profile`] or [`Error::Pass`] if the parts
-    /// contradict each other.
+    /// [`Error::High`] beyond degree 12 or order 12, or [`Error::Length`], [`Error::Coupling`],
+    /// [`Error::Profile`] or [`Error::Pass`] if the parts contradict each other. A polynomial has at
+    /// most 40 terms.
     pub const fn new(parts: Parts<'a>) -> Result<Self, Error> {
         // These come first because they bound the counts below.
-        let basis = Self { parts, recurrences: Recurrences::NONE, transfer: 0, scene: 0 };
+        if let Err(error) = Error::check_shape(parts.degree, parts.order) {
+            return Err(error);
+        }
+        let basis = Self { parts, transfer: 0, scene: 0 };
         let parts = &basis.parts;
         let (degrees, factored) = (parts.degree.saturating_add(1), basis.factored_order());
         let couplings = material::count(factored);
@@ -47,10 +49,6 @@ impl<'a> Basis<'a> {
         if !basis.couples() {
             return Err(Error::Coupling);
         }
-        let recurrences = match Recurrences::new(parts.lengths, parts.recurrences) {
-            Ok(recurrences) => recurrences,
-            Err(error) => return Err(error),
-        };
         let (mut served, mut zonal) = (0, 0);
         let (mut factors, mut terms, mut scene) = (0, 0, 0);
         let (mut rest, mut before, mut run) = (parts.profiles, 0, 0);
@@ -97,8 +95,8 @@ impl<'a> Basis<'a> {
                 return Err(error);
             }
             let found = basis.length(azimuth);
-            if found > layout::EVEN_ODD_TERMS && azimuth < recurrences.first {
-                let (argument, expected) = (Argument::Lengths, layout::EVEN_ODD_TERMS);
+            if found > layout::MAX_TERMS {
+                let (argument, expected) = (Argument::Lengths, layout::MAX_TERMS);
                 return Err(Error::Length { argument, expected, found });
             }
             scene = usize::saturating_add(scene, signs * found);
@@ -132,7 +130,7 @@ impl<'a> Basis<'a> {
         if !basis.places() {
             return Err(Error::Pass);
         }
-        Ok(Self { recurrences, transfer, scene, ..basis })
+        Ok(Self { transfer, scene, ..basis })
     }
 
     /// The parts of this basis.

@@ -1,5 +1,6 @@
 //! Errors in the arguments of the runtime.
 
+use crate::index::layout;
 use core::fmt;
 
 /// An invalid argument, with the expected and the found value.
@@ -114,8 +115,13 @@ pub enum Error {
         /// Their degree.
         degree: usize,
     },
-    /// A basis has polynomials in series, but the crate was built without the feature `series`.
-    Series,
+    /// A basis goes beyond degree 12 or order 12.
+    High {
+        /// The degree of the basis.
+        degree: usize,
+        /// The order of the basis.
+        order: usize,
+    },
     /// A tolerance is not finite or not above zero.
     Tolerance,
     /// A source of light is not a small blob of positive energy: its direction is not a unit vector
@@ -179,8 +185,6 @@ pub enum Argument {
     Terms,
     /// Part of a basis: lengths of the polynomials.
     Lengths,
-    /// Part of a basis: recurrences of orthogonal polynomials.
-    Recurrences,
     /// Part of a basis: the mean image.
     Mean,
     /// Part of a basis: the selection of modes.
@@ -204,6 +208,12 @@ impl Error {
     pub(crate) fn check_components(components: usize, found: usize) -> Result<(), Self> {
         let (argument, expected) = (Argument::Coefficients, components);
         if found > components { Err(Self::Length { argument, expected, found }) } else { Ok(()) }
+    }
+
+    /// `Ok` if a basis of this degree and order is one of the runtime.
+    pub(crate) const fn check_shape(degree: usize, order: usize) -> Result<(), Self> {
+        let fits = degree <= layout::MAX_DEGREE && order <= layout::MAX_ORDER;
+        if fits { Ok(()) } else { Err(Self::High { degree, order }) }
     }
 
     /// `Ok` if the basis goes to a degree or order.
@@ -332,8 +342,10 @@ impl fmt::Display for Error {
             Self::Weight => f.write_str(
                 "an estimate needs pixels whose weights have a finite sum above zero; add some",
             ),
-            Self::Series => f.write_str(
-                "the basis has polynomials in series; build eigenshade with the feature `series`",
+            Self::High { degree, order } => write!(
+                f,
+                "the basis has degree {degree} and order {order}, of at most 12; make a smaller one, and \
+                 give what is sharper as sources"
             ),
             Self::Tolerance => f.write_str("a tolerance must be finite and above zero; give one such as 0.01"),
             Self::Rotation => f.write_str(

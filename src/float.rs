@@ -19,36 +19,21 @@ pub(crate) fn add_product(sum: f32, a: f32, b: f32) -> f32 {
     sum + a * b
 }
 
-/// A step of Horner's rule at a block of arguments: each sum becomes term + sum t.
+/// A step of Horner's rule at a block of arguments t and u: each sum becomes
+/// even + odd t + sum u.
 #[inline(always)]
-pub(crate) fn horner<const N: usize>(term: f32, sums: &mut [f32; N], t: &[f32; N]) {
-    #[cfg(target_feature = "relaxed-simd")]
-    {
-        *sums = lanes::fused([term; N], sums, t);
-    }
-    #[cfg(not(target_feature = "relaxed-simd"))]
-    for (sum, &t) in sums.iter_mut().zip(t) {
-        *sum = add_product(term, *sum, t);
-    }
-}
-
-/// [`horner`] for two polynomials. In one loop: compilers for x86 leave the numbers of two loops in
-/// memory, and take twice the instructions.
-#[inline(always)]
-pub(crate) fn horner_of_two<const N: usize>(
-    [term, another]: [f32; 2],
-    [sums, more]: [&mut [f32; N]; 2],
-    t: &[f32; N],
+pub(crate) fn horner<const N: usize>(
+    [odd, even]: [&f32; 2],
+    sums: &mut [f32; N],
+    [t, u]: [&[f32; N]; 2],
 ) {
     #[cfg(target_feature = "relaxed-simd")]
     {
-        horner(term, sums, t);
-        horner(another, more, t);
+        *sums = lanes::fused(lanes::fused([*even; N], &[*odd; N], t), sums, u);
     }
     #[cfg(not(target_feature = "relaxed-simd"))]
-    for ((sum, more), &t) in sums.iter_mut().zip(more).zip(t) {
-        *sum = add_product(term, *sum, t);
-        *more = add_product(another, *more, t);
+    for (sum, (&t, &u)) in sums.iter_mut().zip(t.iter().zip(u)) {
+        *sum = add_product(add_product(*even, *odd, t), *sum, u);
     }
 }
 

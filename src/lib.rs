@@ -96,8 +96,6 @@ mod normal;
 
 mod polynomial;
 
-mod recurrences;
-
 mod places;
 
 mod basis;
@@ -223,8 +221,6 @@ pub use normal::{Normal, Normals};
 pub use normal_map::{NormalMap, NormalPixel, NormalPixels};
 pub use projection::Coefficients;
 pub use q15::Q15;
-#[doc(hidden)]
-pub use recurrences::Recurrences;
 pub use rotation::Rotation;
 pub use scene::{Scene, SceneBuffer};
 pub use shade::NegativePolicy;

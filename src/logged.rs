@@ -1,6 +1,6 @@
 //! Checks at compile time that `defmt` can log every public type.
 
-use crate::bake::{BakedMap, MapPoint};
+use crate::bake::BakedMap;
 use crate::basis::{Basis, Parts};
 use crate::error::{Argument, Error};
 use crate::estimate::Estimate;

@@ -5,14 +5,13 @@ use crate::basis::Basis;
 use crate::buffer::{Buffer, zeros};
 use crate::error::{Argument, Error};
 use crate::float;
-use crate::index::layout::{LANES, Recurrence};
+use crate::index::layout::LANES;
 use crate::index::record::ProfilePlace;
 use crate::invariant::{part, part_mut, split, split_mut, split_row};
 use crate::lanes::multiply_add;
 use crate::normal::Normal;
 use crate::polynomial;
 use crate::polynomial::{argument, turned};
-use crate::recurrences::Recurrences;
 
 /// Storage for a collapsed scene.
 pub type SceneBuffer<const N: usize> = Buffer<f32, N>;
@@ -24,7 +23,6 @@ pub type SceneBuffer<const N: usize> = Buffer<f32, N>;
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Scene<'a, B> {
     pub(crate) lengths: &'a [u16],
-    pub(crate) recurrences: Recurrences<'a>,
     pub(crate) buffer: B,
 }
 
@@ -92,7 +90,7 @@ impl<'a> Basis<'a> {
                 add(-weight, terms, part_mut(sums, terms.len()..));
             }
         }
-        Ok(Scene::of(self.parts.lengths, self.recurrences, buffer))
+        Ok(Scene::of(self.parts.lengths, buffer))
     }
 
     /// The scene of polynomials that were collapsed earlier and stored. The irradiances are
@@ -103,7 +101,7 @@ impl<'a> Basis<'a> {
     /// [`Error::Length`] unless there are [`scene_len`](Self::scene_len) numbers.
     pub fn scene<B: AsRef<[f32]>>(&self, buffer: B) -> Result<Scene<'a, B>, Error> {
         Error::check(Argument::Scene, self.scene_len(), buffer.as_ref().len())?;
-        Ok(Scene::of(self.parts.lengths, self.recurrences, buffer))
+        Ok(Scene::of(self.parts.lengths, buffer))
     }
 
     /// The irradiance of one normal as Σ d_i U_i, component by component, without collapsing.
@@ -127,7 +125,7 @@ impl<'a> Basis<'a> {
 
     #[inline]
     pub(crate) fn mean_at(&self, normal: Normal) -> f32 {
-        polynomial::value(self.parts.mean, argument(normal.z), self.recurrences.of(0))
+        polynomial::value(self.parts.mean, argument(normal.z))
     }
 
     /// For each profile the value of its polynomial at a normal, and what it is multiplied by in
@@ -145,7 +143,7 @@ impl<'a> Basis<'a> {
                 azimuth += 1;
             }
             // Φ_-m = √2 sin(-mβ).
-            let value = polynomial::value(terms, t, self.recurrences.of(azimuth));
+            let value = polynomial::value(terms, t);
             (place, value, [cosine, -sine])
         })
     }
@@ -169,18 +167,8 @@ fn add(weight: f32, terms: &[f32], sums: &mut [f32]) {
 
 impl<'a, B> Scene<'a, B> {
     #[inline]
-    pub(crate) fn of(lengths: &'a [u16], recurrences: Recurrences<'a>, buffer: B) -> Self {
-        Self { lengths, recurrences, buffer }
-    }
-
-    /// The terms of all polynomials, for writing polynomials of these lengths without recurrences.
-    #[inline]
-    pub(crate) fn rewritten(&mut self, lengths: &'a [u16]) -> &mut [f32]
-    where
-        B: AsMut<[f32]>,
-    {
-        (self.lengths, self.recurrences) = (lengths, Recurrences::NONE);
-        self.buffer.as_mut()
+    pub(crate) fn of(lengths: &'a [u16], buffer: B) -> Self {
+        Self { lengths, buffer }
     }
 
     /// The polynomials of each azimuth: those of +m, and those of -m (empty for m = 0).
@@ -215,7 +203,7 @@ impl<'a, B> Scene<'a, B> {
         let (pole, around) = split(terms, usize::from(pole));
         let len = lengths.iter().map(|&length| 2 * usize::from(length)).sum();
         let around = part(around, ..len);
-        Descent { lengths, pole, around, recurrences: self.recurrences }
+        Descent { lengths, pole, around }
     }
 }
 
@@ -227,24 +215,6 @@ pub(crate) struct Descent<'s> {
     pub(crate) lengths: &'s [u16],
     pub(crate) pole: &'s [f32],
     pub(crate) around: &'s [f32],
-    pub(crate) recurrences: Recurrences<'s>,
-}
-
-impl<'s> Descent<'s> {
-    /// Whether any azimuth has a recurrence.
-    #[inline]
-    pub(crate) fn is_orthogonal(&self) -> bool {
-        !self.recurrences.is_empty()
-    }
-
-    /// The recurrence of the next azimuth, then that of the pole; empty if there is none.
-    pub(crate) fn recurrence(&self) -> &'s [Recurrence] {
-        self.recurrences.of(self.lengths.len())
-    }
-
-    pub(crate) fn any_longer_than(&self, terms: usize) -> bool {
-        self.pole.len() > terms || self.lengths.iter().any(|&length| usize::from(length) > terms)
-    }
 }
 
 impl<'s> Iterator for Descent<'s> {
@@ -292,7 +262,7 @@ mod tests {
             &[20, 18, 3],
             &[19, 17, 3],
         ] {
-            let scene = Scene::of(lengths, Recurrences::NONE, &numbers);
+            let scene = Scene::of(lengths, &numbers);
             for count in [0, 1, 63, 64, 127, 128, 300] {
                 let normals = Normals::from_unit(&x[..count], &y[..count], &z[..count]);
                 let mut irradiance = [f32::NAN; 300];

@@ -4,12 +4,10 @@ use crate::color::Rgb;
 use crate::error::{Argument, Error};
 use crate::highlights::Highlights;
 use crate::index::highlights::MAX_SOURCES;
-use crate::index::layout::{Form, Recurrence};
-use crate::recurrences::Recurrences;
 use crate::scene::Scene;
 use crate::scene::{count, signs};
 use crate::shader_text::ShaderLanguage;
-use crate::shader_text::{Azimuth, highlight_vectors, highlights, put};
+use crate::shader_text::{highlight_vectors, highlights, polynomial, put};
 use core::fmt::{self, Write};
 
 /// A shader that computes the irradiance of scenes of one shape.
@@ -37,7 +35,6 @@ use core::fmt::{self, Write};
 #[derive(Clone, Copy, Debug)]
 pub struct Shader<'a> {
     lengths: &'a [u16],
-    recurrences: Recurrences<'a>,
     sources: usize,
 }
 
@@ -45,7 +42,7 @@ impl<'a> Shader<'a> {
     /// The shader for scenes of the shape of this one.
     #[must_use]
     pub fn new<B>(scene: &Scene<'a, B>) -> Self {
-        Self { lengths: scene.lengths, recurrences: scene.recurrences, sources: 0 }
+        Self { lengths: scene.lengths, sources: 0 }
     }
 
     /// The shader that adds the [`Highlights`] of up to `sources` small sources, 0 to
@@ -96,21 +93,16 @@ impl<'a> Shader<'a> {
         count(self.lengths)
     }
 
-    /// Number of vectors of four numbers in the shader's array: one for each coefficient, and one
-    /// for each entry of a recurrence; with sources, four for each and one more. At least 1,
-    /// because no array is empty.
+    /// Number of vectors of four numbers in the shader's array: one for each coefficient;
+    /// with sources, four for each and one more. At least 1, because no array is empty.
     #[must_use]
     pub fn vectors(&self) -> usize {
-        (self.scene_vectors() + highlight_vectors(self.sources)).max(1)
+        (self.terms() + highlight_vectors(self.sources)).max(1)
     }
 
-    fn scene_vectors(&self) -> usize {
-        self.terms() + self.entries().count()
-    }
-
-    /// Writes the array of the shader: red, green and blue of each coefficient, and the numbers of
-    /// the recurrences. All other `vectors` become zero, which makes the sources dark. The numbers
-    /// are meaningless for a shader of another shape.
+    /// Writes the array of the shader: red, green and blue of each coefficient. All other `vectors`
+    /// become zero, which makes the sources dark. The numbers are meaningless for a shader of
+    /// another shape.
     ///
     /// # Errors
     ///
@@ -123,9 +115,7 @@ impl<'a> Shader<'a> {
         let needed = self.vectors();
         Error::check(Argument::Scene, needed, needed.min(vectors.len()))?;
         let Rgb { r, g, b } = scene.map(|scene| scene.buffer.as_ref().iter().copied());
-        let colors = r.zip(g).zip(b).take(self.terms()).map(|((r, g), b)| [r, g, b, 0.0]);
-        let entries = self.entries().map(|&[at, below]| [at, below, 0.0, 0.0]);
-        let mut all = colors.chain(entries);
+        let mut all = r.zip(g).zip(b).take(self.terms()).map(|((r, g), b)| [r, g, b, 0.0]);
         vectors.fill_with(|| all.next().unwrap_or_default());
         Ok(())
     }
@@ -152,20 +142,11 @@ impl<'a> Shader<'a> {
             return Err(Error::Capacity { argument, needed: highlights.len(), capacity });
         }
         let mut all = highlights.vectors().map(|vector| vector.map(Into::into));
-        let places = vectors.iter_mut().skip(self.scene_vectors());
+        let places = vectors.iter_mut().skip(self.terms());
         for vector in places.take(highlight_vectors(capacity)) {
             *vector = all.next().unwrap_or_default();
         }
         Ok(())
-    }
-
-    /// The entries of the recurrences that are used: the last term needs no next polynomial.
-    fn entries(&self) -> impl Iterator<Item = &'a Recurrence> {
-        let lengths = self.lengths.iter().enumerate();
-        let recurrences = self.recurrences;
-        lengths.flat_map(move |(azimuth, &length)| {
-            recurrences.of(azimuth).iter().take(usize::from(length).saturating_sub(1))
-        })
     }
 
     /// Writes the text: the array `eigenshade` and `vec3 irradiance(vec3 normal)`, in WGSL
@@ -195,16 +176,12 @@ impl<'a> Shader<'a> {
                 put(out, ": array<vec4f, ", vectors, ">;\n")?;
             }
         }
-        let longest = self.lengths.iter().map(|&length| usize::from(length)).max();
         out.write_str(if glsl {
-            "vec3 irradiance(vec3 normal) {\n  float t = 2.0 * normal.z - 1.0"
+            "vec3 irradiance(vec3 normal) {\n  float t = 2.0 * normal.z - 1.0, u = 2.0 * t * t - 1.0"
         } else {
-            "fn irradiance(normal: vec3f) -> vec3f {\n  let t = 2.0 * normal.z - 1.0"
+            "fn irradiance(normal: vec3f) -> vec3f {\n  let t = 2.0 * normal.z - 1.0;\n  \
+             let u = 2.0 * t * t - 1.0"
         })?;
-        if longest.is_some_and(|longest| Form::of(longest) == Form::EvenOdd) {
-            out.write_str(if glsl { ", u" } else { ";\n  let u" })?;
-            out.write_str(" = 2.0 * t * t - 1.0")?;
-        }
         // Sums of (n_x + i n_y)^m: `re` and `im` those of the azimuths above, `p` and `q` this
         // one's.
         out.write_str(if glsl {
@@ -212,31 +189,16 @@ impl<'a> Shader<'a> {
         } else {
             ";\n  var re = vec3f(0.0);\n  var im = re;\n  var p: vec3f;\n  var q: vec3f;\n"
         })?;
-        if self.entries().next().is_some() {
-            out.write_str(if glsl {
-                "  float e, f, g;\n"
-            } else {
-                "  var e: f32;\n  var f: f32;\n  var g: f32;\n"
-            })?;
-        }
-        let (mut terms, mut entry) = (self.terms(), self.scene_vectors());
-        let mut above = false;
+        let (mut terms, mut above) = (self.terms(), false);
         for (azimuth, &length) in self.lengths.iter().enumerate().rev() {
             let length = usize::from(length);
             terms -= signs(azimuth) * length;
-            let recurrence = self.recurrences.of(azimuth);
-            entry -= recurrence.len().min(length.saturating_sub(1));
             if length == 0 && !above && azimuth > 0 {
                 continue;
             }
-            let text = Azimuth { language, first: terms, length, entry };
-            if length > 0 && !recurrence.is_empty() {
-                text.orthogonal(azimuth, out)?;
-            } else {
-                text.sum("p", 0, out)?;
-                if azimuth > 0 {
-                    text.sum("q", length, out)?;
-                }
+            polynomial(language, "p", terms, length, out)?;
+            if azimuth > 0 {
+                polynomial(language, "q", terms + length, length, out)?;
             }
             if above {
                 out.write_str("  p += normal.x * re + normal.y * im;\n")?;
@@ -253,7 +215,7 @@ impl<'a> Shader<'a> {
             out.write_str("  p = re;\n")?;
         }
         if self.sources > 0 {
-            highlights(language, self.scene_vectors(), self.sources, out)?;
+            highlights(language, self.terms(), self.sources, out)?;
         }
         out.write_str("  return p;\n}\n")
     }

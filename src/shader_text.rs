@@ -1,6 +1,5 @@
 //! The statements of a shader, in each language.
 
-use crate::index::layout::Form;
 use crate::invariant::part;
 use core::fmt::{self, Write};
 
@@ -31,105 +30,38 @@ impl ShaderLanguage {
     }
 }
 
-/// The text of the polynomials of an azimuth, that of +m and that of -m.
-pub(crate) struct Azimuth {
-    pub(crate) language: ShaderLanguage,
-    /// Place of the first coefficient.
-    pub(crate) first: usize,
-    /// Terms of each polynomial.
-    pub(crate) length: usize,
-    /// Place of the first entry of the recurrence.
-    pub(crate) entry: usize,
-}
-
-impl Azimuth {
-    fn color(&self, place: usize, out: &mut impl Write) -> fmt::Result {
-        self.vector(place, out)?;
-        out.write_str(".rgb")
+/// Writes the sum of a polynomial of `length` terms, the first of which is at `first`: an even and an
+/// odd half, by Horner's rule in u.
+pub(crate) fn polynomial(
+    language: ShaderLanguage,
+    name: &str,
+    first: usize,
+    length: usize,
+    out: &mut impl Write,
+) -> fmt::Result {
+    let [before, after] = language.brackets();
+    join(&["  ", name, " = "], out)?;
+    if length == 0 {
+        out.write_str(if language == ShaderLanguage::Wgsl { "vec3f(0.0)" } else { "vec3(0.0)" })?;
     }
-
-    fn vector(&self, place: usize, out: &mut impl Write) -> fmt::Result {
-        let [before, after] = self.language.brackets();
-        put(out, before, place, after)
+    let mut place = first;
+    if length % 2 == 1 {
+        put(out, before, place, after)?;
+        out.write_str(".rgb")?;
+        place += 1;
     }
-
-    /// Writes the sum of a polynomial in the form of its length, by Horner's rule.
-    pub(crate) fn sum(&self, name: &str, from: usize, out: &mut impl Write) -> fmt::Result {
-        let first = self.first + from;
-        let assign = |out: &mut _| statement(out, name, " = ");
-        if self.length == 0 {
-            assign(out)?;
-            return out.write_str(match self.language {
-                ShaderLanguage::Wgsl => "vec3f(0.0);\n",
-                _ => "vec3(0.0);\n",
-            });
+    while place < first + length {
+        if place > first {
+            join(&[";\n  ", name, " = ", name, " * u + "], out)?;
         }
-        let odd = self.length % 2;
-        let (mut place, step) = match Form::of(self.length) {
-            Form::Monomial => (first + 1, 1),
-            Form::EvenOdd => (first + odd, 2),
-        };
-        // The first of the sum: a single term, or the highest pair.
-        assign(out)?;
-        if step == 2 && odd == 0 {
-            self.pair(place, out)?;
-            place += 2;
-        } else {
-            self.color(first, out)?;
-        }
-        out.write_str(";\n")?;
-        while place < first + self.length {
-            assign(out)?;
-            out.write_str(name)?;
-            if step == 2 {
-                out.write_str(" * u + ")?;
-                self.pair(place, out)?;
-            } else {
-                out.write_str(" * t + ")?;
-                self.color(place, out)?;
-            }
-            out.write_str(";\n")?;
-            place += step;
-        }
-        Ok(())
+        join(&["(", before], out)?;
+        put(out, "", place, after)?;
+        join(&[".rgb * t + ", before], out)?;
+        put(out, "", place + 1, after)?;
+        out.write_str(".rgb)")?;
+        place += 2;
     }
-
-    /// Writes an odd and an even half.
-    fn pair(&self, place: usize, out: &mut impl Write) -> fmt::Result {
-        out.write_str("(")?;
-        self.color(place, out)?;
-        out.write_str(" * t + ")?;
-        self.color(place + 1, out)?;
-        out.write_str(")")
-    }
-
-    /// Writes the sums of both polynomials by the recurrence of their azimuth.
-    pub(crate) fn orthogonal(&self, azimuth: usize, out: &mut impl Write) -> fmt::Result {
-        out.write_str(match self.language {
-            ShaderLanguage::Wgsl => "  p = vec3f(0.0);\n  q = p;\n",
-            _ => "  p = vec3(0.0);\n  q = p;\n",
-        })?;
-        out.write_str("  e = 1.0;\n  f = 0.0;\n")?;
-        for k in 0..self.length {
-            let last = self.first + self.length - 1 - k;
-            statement(out, "p", " += ")?;
-            self.color(last, out)?;
-            out.write_str(" * e;\n")?;
-            if azimuth > 0 {
-                statement(out, "q", " += ")?;
-                self.color(last + self.length, out)?;
-                out.write_str(" * e;\n")?;
-            }
-            if k + 1 < self.length {
-                out.write_str("  g = (2.0 * t - ")?;
-                self.vector(self.entry + k, out)?;
-                out.write_str(".x) * e - ")?;
-                self.vector(self.entry + k, out)?;
-                out.write_str(".y * f;\n  f = e;\n  e = g;\n")?;
-            }
-        }
-        Ok(())
-    }
+    out.write_str(";\n")
 }
 
 /// Writes the statements that add the highlights of sources to `p`: `Highlights::shade`, in a loop.
@@ -166,10 +98,6 @@ pub(crate) fn highlights(
 /// Number of vectors of the highlights: four for each source, and one for the gloss.
 pub(crate) fn highlight_vectors(sources: usize) -> usize {
     if sources == 0 { 0 } else { 1 + 4 * sources }
-}
-
-fn statement(out: &mut impl Write, name: &str, operator: &str) -> fmt::Result {
-    join(&["  ", name, operator], out)
 }
 
 fn join(texts: &[&str], out: &mut impl Write) -> fmt::Result {

@@ -5,7 +5,7 @@
 #[macro_export]
 macro_rules! table_items {
     (basis $type:ty = $basis:expr, components $components:expr, workspace $workspace:expr,
-        scene $scene:ty, derive $($derive:ident),*) => {
+        scene $scene:ty) => {
         /// This table, for the functions that are specialized for it.
         struct This;
         impl $crate::specialized::KnownTable<$type> for This {
@@ -26,7 +26,7 @@ macro_rules! table_items {
         /// A scene of this table's size.
         type Collapsed = $scene;
         /// One image, ready to be shaded. It dereferences to a scene of eigenshade.
-        #[derive(Debug, PartialEq, $($derive),*)]
+        #[derive(Clone, Debug, PartialEq)]
         pub struct Scene(Collapsed);
         impl core::ops::Deref for Scene {
             type Target = Collapsed;
@@ -46,7 +46,7 @@ macro_rules! table_in_color {
         $a:lifetime, light $light:ty, material $material:ty,
         normal $normal:ty, irradiance $irradiance:ty,
         blank $coefficients:ident::$of_numbers:ident($($numbers:expr)?),
-        $scene:ident::$blank:ident(), view |$transfer:ident| $view:expr
+        view |$transfer:ident| $view:expr
     ) => {
         /// The steps from light to pixel in three channels.
         pub mod color {
@@ -60,7 +60,7 @@ macro_rules! table_in_color {
             pub type Transfer = Rgb<super::Transfer>;
 
             /// One image in three channels, ready to be shaded. It dereferences to the channels.
-            #[derive(Clone, Debug, PartialEq)]
+            #[derive(Clone, Debug, Default, PartialEq)]
             pub struct Scene(Rgb<super::Scene>);
 
             impl core::ops::Deref for Scene {
@@ -100,7 +100,7 @@ macro_rules! table_in_color {
                 light: Rgb<Light<'_>>,
                 material: Rgb<Material<'_>>,
             ) -> Result<Scene, $crate::Error> {
-                let mut scene = blank();
+                let mut scene = Scene::default();
                 if let Some(gray) = material.as_gray() {
                     lit_gray(&gray, light, &mut scene)?;
                     return Ok(scene);
@@ -153,7 +153,7 @@ macro_rules! table_in_color {
                 transfer: impl Into<Rgb<&'t super::Transfer>>,
                 light: impl Into<Rgb<Light<'l>>>,
             ) -> Result<Scene, $crate::Error> {
-                let mut scene = blank();
+                let mut scene = Scene::default();
                 relit(transfer.into(), light.into(), &mut scene)?;
                 Ok(scene)
             }
@@ -192,13 +192,6 @@ macro_rules! table_in_color {
             ) -> Result<(), $crate::Error> {
                 super::relight_into($view, light, d)?;
                 super::collapse_into(d, scene)
-            }
-
-            /// A scene to be overwritten.
-            #[inline(always)]
-            fn blank() -> Scene {
-                let blank = super::$scene::$blank;
-                Scene(Rgb::new(blank(), blank(), blank()))
             }
 
             #[inline(always)]

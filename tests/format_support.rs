@@ -55,7 +55,7 @@ const REFUSALS: [Refusal; 7] = [
             let last = table.profiles.last().cloned().expect("a profile");
             table.profiles.resize(512, last);
         },
-        "make the table with fewer components or a lower degree",
+        "make the table with fewer components",
     ),
     (|table| table.profiles[0].chebyshev = vec![5000.0], "make the table of a lower degree"),
 ];
@@ -69,7 +69,7 @@ fn tables_that_integers_do_not_hold_are_refused() {
         assert!(refused.contains(error), "`{error}` in `{refused}`");
     }
     let refused = quantize::integers(&shipped_table("color"), 0.0).err();
-    assert_eq!(refused, Some(quantize::QuantizeError::Large { component: 149 }));
+    assert_eq!(refused, Some(eigenshade_table::FormatError::Large { component: 149 }));
     let mut table = shipped().table.clone();
     table.scene.basis.store = Store::Materials;
     for format in wire::NumberFormat::ALL {

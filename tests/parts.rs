@@ -43,8 +43,8 @@ fn lengths_are_checked() {
     let kept = vec![true; 4000];
     for (wrong, expected) in [
         (Parts { lengths: short(parts.lengths), ..parts }, Argument::Lengths),
-        (Parts { degree: usize::MAX, ..parts }, Argument::Lengths),
-        (Parts { order: usize::MAX, ..parts }, Argument::Couplings),
+        (Parts { degree: 12, ..parts }, Argument::Lengths),
+        (Parts { order: 12, ..parts }, Argument::Couplings),
         (Parts { couplings: short(parts.couplings), ..parts }, Argument::Couplings),
         (Parts { slots: short(parts.slots), ..parts }, Argument::Slots),
         (Parts { polar: short(parts.polar), ..parts }, Argument::Polar),
@@ -55,6 +55,10 @@ fn lengths_are_checked() {
         (Parts { selection: short(&kept), ..parts }, Argument::Selection),
     ] {
         assert_eq!(refused_length(wrong), expected);
+    }
+    for (degree, order) in [(13, 7), (9, 13), (usize::MAX, usize::MAX)] {
+        let high = Basis::new(Parts { degree, order, ..parts }).err();
+        assert_eq!(high, Some(Error::High { degree, order }));
     }
     assert!(Basis::new(Parts { selection: &kept, ..parts }).is_ok());
 }

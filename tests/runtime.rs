@@ -14,7 +14,7 @@ const MEMORY: [usize; 5] = [21_820, 460, 46, 568, 167];
 fn costs_are_the_tables() {
     let bytes = std::fs::read("tables/sphere.bin").expect("the shipped table");
     let table = eigenshade_table::decode(&bytes).expect("a table");
-    let module = statics::floats(&table, "a test");
+    let module = statics::floats(&table, "a test").expect("it projects");
     let flash = module.lines().nth(1).and_then(|line| line.split(' ').nth(1));
     let flash: usize = flash.and_then(|bytes| bytes.parse().ok()).expect("a number of bytes");
     let found = [flash, sphere::WORKSPACE, sphere::COMPONENTS, sphere::TRANSFER, sphere::SCENE];

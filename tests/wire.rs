@@ -39,12 +39,12 @@ fn the_shipped_table_comes_back() {
 #[test]
 fn a_header_is_as_written_down() {
     let header = Header::read(&INTEGERS_15.0).expect("a header");
-    assert_eq!((header.version, header.length), (1, INTEGERS_15.0.len()));
+    assert_eq!((header.version, header.length), (2, INTEGERS_15.0.len()));
     assert_eq!(NumberFormat::of(header.format), Some(NumberFormat::Q15));
     assert_eq!((header.degree, header.order, header.components), (2, 2, 6));
     assert_eq!((header.images, header.sections), (0, 7));
     let expected = [
-        b"EIGSWIRE\x04\x03\x02\x01\x01\0\x02\0".as_slice(),
+        b"EIGSWIRE\x04\x03\x02\x01\x02\0\x02\0".as_slice(),
         &(INTEGERS_15.0.len() as u32).to_le_bytes(),
         b"\x02\0\x02\0\x06\0\0\0\x07\0\x0f\0",
     ];
@@ -110,7 +110,7 @@ fn errors_say_which_they_are() {
         (of(&INTEGERS_15.0), Fault::Format { expected: NumberFormat::F32, found: 2 }.into()),
         (of(&GENERAL.0), Fault::Images { found: 4 }.into()),
         (with(&SPHERE.0, 21, 2), Fault::Shape { degree: 514, order: 2 }.into()),
-        (with(&GENERAL.0, 28, 18), Fault::Section { number: 17 }.into()),
+        (with(&GENERAL.0, 28, 18), Fault::Section { number: 16 }.into()),
         (with(&SPHERE.0, 28, 9), Fault::Section { number: 8 }.into()),
         (with(&SPHERE.0, 28, 7), WireError::Parts(without_terms)),
         (with(&SPHERE.0, 32, 2), Fault::Section { number: 0 }.into()),

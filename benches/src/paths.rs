@@ -116,7 +116,7 @@ fn shading<B: AsRef<[f32]> + 'static>(
     })
 }
 
-/// The second shipped table, with polynomials in even and odd halves.
+/// The second shipped table, of degree 12.
 fn pbr() -> Basis<'static> {
     let bytes = std::fs::read(tables().join("pbr.bin")).expect("the shipped table");
     let table = eigenshade_table::decode(&bytes).expect("a table");

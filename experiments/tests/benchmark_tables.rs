@@ -136,7 +136,7 @@ fn modules_compute_only_passes_that_serve_a_component() {
             }
             slots = rest;
         }
-        let text = eigenshade_table::statics::floats(&table, "a test");
+        let text = eigenshade_table::statics::floats(&table, "a test").expect("it projects");
         let (_, listed) = text.split_once("table!(sphere passes ").expect("a line of passes");
         let (listed, _) = listed.split_once(" runs").expect("its end");
         let second = |pass: &str| pass.split(' ').nth(1).and_then(|index| index.parse().ok());

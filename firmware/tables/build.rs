@@ -12,9 +12,6 @@ type Result<T> = std::result::Result<T, String>;
 /// The list of the tables of several sizes.
 const SIZES: &str = "sizes.csv";
 
-/// Light of degree 2 on Lambertian materials, and how far its polynomials are trimmed.
-const LAMBERTIAN: (&str, f64) = ("lambertian.bin", 2e-4);
-
 /// The first line of each generated module.
 const COMMAND: &str = "build.rs";
 
@@ -28,9 +25,6 @@ fn main() {
 /// A module for each table.
 fn modules() -> Result<String> {
     let mut text = String::new();
-    let mut table = decoded(LAMBERTIAN.0)?;
-    trim(&mut table, LAMBERTIAN.1);
-    text += &any_material("lambertian", &table)?;
     let sizes = read(SIZES)?;
     for line in sizes.lines().filter(|line| !line.starts_with('#')).skip(1) {
         text += &size(line).map_err(|fault| format!("{SIZES}: `{line}`: {fault}"))?;
@@ -60,7 +54,7 @@ fn size(line: &str) -> Result<String> {
 
 /// The module of a table in the formats of its programs.
 fn any_material(name: &str, table: &Table) -> Result<String> {
-    let mut text = statics::floats(table, COMMAND);
+    let mut text = statics::floats(table, COMMAND).map_err(|error| error.to_string())?;
     let parts = quantize::integers(table, TOLERANCE).map_err(|error| error.to_string())?;
     text += &in_module("q15", &statics::integers(&parts, COMMAND));
     Ok(in_module(name, &text))

@@ -21,14 +21,15 @@ pub struct Basis<'a> {
 impl Basis<'_> {
     /// Checks all lengths, and all positions by which one part refers to another.
     const fn fits(&self) -> Result<(), Error> {
+        if let Err(error) = Error::check_shape(self.parts.degree, self.parts.order) {
+            return Err(error);
+        }
         let degrees = self.parts.degree.saturating_add(1);
         if let Err(error) = Error::check(Argument::Lengths, degrees, self.parts.lengths.len()) {
             return Err(error);
         }
-        // Each profile needs a weight for +m and one for -m; each degree needs a place in a row of
-        // a transfer.
-        if 2 * self.parts.profiles.len() > layout::MAX_WEIGHTS || degrees > layout::MAX_WEIGHTS / 2
-        {
+        // Each profile needs a weight for +m and one for -m.
+        if 2 * self.parts.profiles.len() > layout::MAX_WEIGHTS {
             return Err(Error::Bound);
         }
         if self.parts.effects.unfactored_count(self.parts.order) > 0

@@ -203,7 +203,8 @@ impl<T: Irradiance, const N: usize> Highlights<T, N> {
 
     /// The sum of the irradiance of a scene, whose exponent is that of these highlights, and that
     /// of the sources. The sum saturates.
-    #[inline]
+    // Not inlined, which leaves the registers to the polynomials of the scene.
+    #[inline(never)]
     #[must_use]
     pub fn add(&self, irradiance: T, normal: Normal) -> T {
         let [x, y, z] = normal.components().map(Q15::get);

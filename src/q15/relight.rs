@@ -19,6 +19,12 @@ pub struct Coefficients<const K: usize> {
 }
 
 impl<const K: usize> Coefficients<K> {
+    /// Coefficients that were stored: mantissas, all times 2^exponent.
+    #[must_use]
+    pub fn new(mantissas: [i32; K], exponent: i32) -> Self {
+        Self { mantissas: mantissas.into(), exponent }
+    }
+
     /// The mantissas, component by component.
     #[must_use]
     pub fn mantissas(&self) -> &[i32] {

@@ -13,10 +13,7 @@ macro_rules! integer_table {
         $crate::table_items! {
             basis $crate::q15::Basis<'static> = BASIS,
             components PARTS.components, workspace BASIS.workspace_len(),
-            scene $crate::q15::Scene<
-                'static, $crate::q15::SceneBuffer<SCENE>,
-            >,
-            derive Clone, Default
+            scene $crate::q15::Scene<'static, [i32; SCENE]>
         }
         /// Number of slant profiles.
         pub const PROFILES: usize = BASIS.profiles();
@@ -42,8 +39,15 @@ macro_rules! integer_table {
             'a, light $crate::q15::Light<'a>,
             material $crate::q15::Material<'a>,
             normal $crate::q15::Normal, irradiance i32,
-            blank Coefficients::default(), Scene::default(),
+            blank Coefficients::default(),
             view |transfer| &transfer.view()
+        }
+        impl Default for Scene {
+            /// A black image, to be overwritten.
+            #[inline(always)]
+            fn default() -> Self {
+                Self($crate::q15::kernels::collapse::blank_scene(&BASIS))
+            }
         }
         impl color::Scene {
             /// What multiplies the irradiances of the mantissas of [`shade`](Self::shade) by a
@@ -217,8 +221,8 @@ macro_rules! integer_table {
         $crate::integer_table!(@collapse |coefficients, scene| {
             use $crate::q15::kernels::collapse as kernels;
             const AZIMUTHS: usize = kernels::azimuths(&BASIS);
-            let terms = kernels::terms(&BASIS, &mut scene.0);
-            if let (Some(d), Some(terms)) = (kernels::mantissas(coefficients), terms) {
+            if let Some(d) = kernels::mantissas(coefficients) {
+                let terms = kernels::terms_mut(&mut scene.0);
                 let size = kernels::Size::<AZIMUTHS>::empty()
                     $(.azimuth::<This, $azimuth, COMPONENTS>(d))*;
                 if let Some(shifts) = size.shifts::<This>() {
@@ -237,13 +241,15 @@ macro_rules! integer_table {
             coefficients: &Coefficients,
             scene: &mut Scene,
         ) -> Result<(), $crate::Error> {
-            *scene = Scene(BASIS.collapse(coefficients.mantissas(), coefficients.exponent())?);
+            let (mantissas, exponent) = (coefficients.mantissas(), coefficients.exponent());
+            *scene = Scene(BASIS.collapse_into(mantissas, exponent, [0; SCENE])?);
             Ok(())
         }
     };
     (collapse by basis) => {
         $crate::integer_table!(@collapse |coefficients, scene| {
-            *scene = Scene(BASIS.collapse(coefficients.mantissas(), coefficients.exponent())?);
+            let (mantissas, exponent) = (coefficients.mantissas(), coefficients.exponent());
+            *scene = Scene(BASIS.collapse_into(mantissas, exponent, [0; SCENE])?);
             Ok(())
         });
     };
@@ -276,7 +282,7 @@ macro_rules! integer_table {
             #[inline]
             #[must_use]
             pub fn shade(&self, normal: $crate::q15::Normal) -> i32 {
-                shade(&self.0, normal)
+                shade_terms($crate::q15::kernels::collapse::terms(&self.0), normal)
             }
             /// [`shade`](Self::shade) for many normals.
             ///
@@ -293,15 +299,12 @@ macro_rules! integer_table {
                 $crate::specialized::shade_each(normals, irradiance, |normal| self.shade(normal))
             }
         }
-        /// [`Scene::shade`] for a scene in a buffer of any type. The irradiance is 0 if the scene
-        /// has fewer terms than one of this table.
+        /// The irradiance of one normal from a scene's terms, bit for bit that of
+        /// [`Scene::shade`]. For bindings that store the terms alone.
+        #[doc(hidden)]
         #[inline]
         #[must_use]
-        pub fn shade<B: AsRef<[i32]>>(
-            scene: &$crate::q15::Scene<'_, B>,
-            normal: $crate::q15::Normal,
-        ) -> i32 {
-            let Some(terms) = scene.terms().first_chunk::<SCENE>() else { return 0 };
+        pub fn shade_terms(terms: &[i32; SCENE], normal: $crate::q15::Normal) -> i32 {
             $crate::q15::kernels::Pixel::start::<This, SCENE>(terms, normal)
                 $(.azimuth::<This, $azimuth, SCENE>(terms))*
                 .irradiance()

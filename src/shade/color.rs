@@ -1,98 +1,42 @@
 //! Shades many normals in three channels.
 
-use super::tile::{self, Room, TILE};
-use super::{BLOCK, SPECIAL, Way};
+use super::{BLOCK, SPECIAL, blocks};
 use crate::color::Rgb;
 use crate::error::{Argument, Error};
 use crate::invariant::part_mut;
-use crate::normal::{Normal, Normals};
-use crate::scene::{Descent, Scene};
+use crate::normal::Normals;
+use crate::scene::Scene;
 
-/// Normals that are shaded in one channel before the next: whole tiles and blocks of every target,
-/// few enough to stay in the L1 cache.
-const CHUNK: usize = if SPECIAL { 640 } else { 4 * BLOCK };
-const _: () = assert!(CHUNK.is_multiple_of(BLOCK) && (!SPECIAL || CHUNK.is_multiple_of(TILE)));
+/// Normals that are shaded in one channel before the next: whole blocks, few enough to stay in the
+/// L1 cache.
+const CHUNK: usize = if SPECIAL { 10 * BLOCK } else { 4 * BLOCK };
 
 impl<B> Rgb<&Scene<'_, B>> {
     /// [`Rgb::shade_slice`] of the scenes.
     #[doc(hidden)]
+    #[inline(never)]
     pub fn shade_slice(self, normals: Normals<'_>, irradiance: &mut [Rgb<f32>]) -> Result<(), Error>
     where
         B: AsRef<[f32]>,
     {
         Error::check(Argument::Normals, normals.len(), irradiance.len())?;
-        let ways = self.map(|scene| Way::of(scene.descent()));
-        match [ways.r, ways.g, ways.b] {
-            [Way::Constant(r), Way::Constant(g), Way::Constant(b)] if SPECIAL => {
-                irradiance.fill(Rgb::new(r, g, b));
+        let mut planes = Rgb::gray([0.0; CHUNK]);
+        let mut shade = |normals: Normals<'_>, colors: &mut [Rgb<f32>]| {
+            let Rgb { r, g, b } = &mut planes;
+            for (scene, plane) in [(self.r, r), (self.g, g), (self.b, b)] {
+                blocks(scene.descent(), normals, part_mut(plane, ..normals.len()));
             }
-            [Way::NineTerms(r), Way::NineTerms(g), Way::NineTerms(b)] if SPECIAL => {
-                let nine_terms = Rgb::new(r, g, b);
-                let axes = normals.x.iter().zip(normals.y).zip(normals.z);
-                for (color, ((&x, &y), &z)) in irradiance.iter_mut().zip(axes) {
-                    let normal = Normal { x, y, z };
-                    *color = nine_terms.each_ref().map(|nine_terms| nine_terms.shade(normal));
-                }
-            }
-            [Way::Tiles(r), Way::Tiles(g), Way::Tiles(b)] => {
-                let rest = by_tiles([r, g, b], normals, irradiance);
-                return by_chunks(&ways, rest.0, rest.1);
-            }
-            _ => return by_chunks(&ways, normals, irradiance),
+            write(&planes, colors);
+        };
+        let [(x, x_rest), (y, y_rest), (z, z_rest)] =
+            [normals.x, normals.y, normals.z].map(<[f32]>::as_chunks::<CHUNK>);
+        let (colors, rest) = irradiance.as_chunks_mut::<CHUNK>();
+        for (((x, y), z), colors) in x.iter().zip(y).zip(z).zip(colors) {
+            shade(Normals { x, y, z }, colors);
         }
+        shade(Normals { x: x_rest, y: y_rest, z: z_rest }, rest);
         Ok(())
     }
-}
-
-/// Shades each channel of a tile of normals before the next tile. The channels share the first step.
-/// Returns what is less than a tile.
-#[inline(never)]
-fn by_tiles<'n, 'i>(
-    polynomials: [Descent<'_>; 3],
-    normals: Normals<'n>,
-    irradiance: &'i mut [Rgb<f32>],
-) -> (Normals<'n>, &'i mut [Rgb<f32>]) {
-    let (mut room, mut planes) = (Room::new(), Rgb::gray([0.0; TILE]));
-    let [(x, x_rest), (y, y_rest), (z, z_rest)] =
-        [normals.x, normals.y, normals.z].map(<[f32]>::as_chunks::<TILE>);
-    let (colors, rest) = irradiance.as_chunks_mut::<TILE>();
-    for (((x, y), z), colors) in x.iter().zip(y).zip(z).zip(colors) {
-        tile::arguments(z, &mut room);
-        let Rgb { r, g, b } = &mut planes;
-        for (polynomials, plane) in polynomials.into_iter().zip([r, g, b]) {
-            tile::tile(polynomials, [x, y], &mut room, plane);
-        }
-        write(&planes, colors);
-    }
-    (Normals { x: x_rest, y: y_rest, z: z_rest }, rest)
-}
-
-/// Shades each channel of a chunk of normals before the next chunk.
-#[inline(never)]
-fn by_chunks(
-    ways: &Rgb<Way<'_>>,
-    normals: Normals<'_>,
-    irradiance: &mut [Rgb<f32>],
-) -> Result<(), Error> {
-    let (mut room, mut planes) = (Room::new(), Rgb::gray([0.0; CHUNK]));
-    let mut shade = |normals: Normals<'_>, planes: &mut Rgb<[f32; CHUNK]>| {
-        let all = ..normals.len();
-        let Rgb { r, g, b } = planes;
-        for (way, plane) in [(&ways.r, r), (&ways.g, g), (&ways.b, b)] {
-            way.shade(normals, &mut room, part_mut(plane, all))?;
-        }
-        Ok::<_, Error>(())
-    };
-    let [(x, x_rest), (y, y_rest), (z, z_rest)] =
-        [normals.x, normals.y, normals.z].map(<[f32]>::as_chunks::<CHUNK>);
-    let (colors, rest) = irradiance.as_chunks_mut::<CHUNK>();
-    for (((x, y), z), colors) in x.iter().zip(y).zip(z).zip(colors) {
-        shade(Normals { x, y, z }, &mut planes)?;
-        write(&planes, colors);
-    }
-    shade(Normals { x: x_rest, y: y_rest, z: z_rest }, &mut planes)?;
-    write(&planes, rest);
-    Ok(())
 }
 
 #[inline(always)]

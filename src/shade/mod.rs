@@ -1,18 +1,14 @@
 //! Shades many normals at a time, in loops that the compiler can vectorize.
 
 mod color;
-mod tile;
 
 use crate::error::{Argument, Error};
 use crate::float;
-use crate::index::layout::{EVEN_ODD_TERMS, MONOMIAL_TERMS, Recurrence};
 use crate::lanes::padded;
-use crate::nine_terms::{NineTerms, nine_terms};
 use crate::normal::{Normal, Normals};
 use crate::polynomial;
 use crate::polynomial::argument;
 use crate::scene::{Descent, Scene};
-use tile::Room;
 
 /// Normals in one block: enough to keep the vector registers of the target busy.
 const BLOCK: usize = if cfg!(target_feature = "avx512f") {
@@ -33,9 +29,6 @@ const SCALAR: usize = 4;
 /// Whether normals are shaded faster one by one, in loops specialized for a table.
 pub(crate) const ONE_BY_ONE: bool = BLOCK == SCALAR;
 
-/// For polynomials of any length.
-pub(crate) const ANY: usize = usize::MAX;
-
 /// Whether to include special loops for short polynomials: on targets where code may be large.
 const SPECIAL: bool = cfg!(any(target_arch = "x86_64", target_arch = "aarch64"));
 
@@ -48,16 +41,8 @@ impl<B> Scene<'_, B> {
     where
         B: AsRef<[f32]>,
     {
-        let polynomials = self.descent();
-        if let Some(nine_terms) = nine_terms(polynomials) {
-            return nine_terms.shade(normal);
-        }
         let Normal { x, y, z } = normal;
-        let [irradiance] = if polynomials.is_orthogonal() {
-            orthogonal::<1>(polynomials, &[x], &[y], &[z])
-        } else {
-            block::<{ ANY }, 1>(polynomials, &[x], &[y], &[z])
-        };
+        let [irradiance] = block(self.descent(), &[x], &[y], &[z]);
         irradiance
     }
 
@@ -89,108 +74,24 @@ impl<B> Scene<'_, B> {
         B: AsRef<[f32]>,
     {
         Error::check(Argument::Normals, normals.len(), irradiance.len())?;
-        Way::of(self.descent()).shade(normals, &mut Room::new(), irradiance)
-    }
-}
-
-/// The fastest way to shade many normals of a scene on this target.
-#[derive(Clone, Copy)]
-enum Way<'s> {
-    /// Some azimuths have recurrences.
-    Stable(Descent<'s>),
-    /// One formula of degree 2.
-    NineTerms(NineTerms),
-    /// The same irradiance for every normal.
-    Constant(f32),
-    /// Polynomials of a few terms each.
-    Tiles(Descent<'s>),
-    /// Any polynomials.
-    Blocks(Descent<'s>),
-}
-
-impl<'s> Way<'s> {
-    #[inline(always)]
-    fn of(polynomials: Descent<'s>) -> Self {
-        if polynomials.is_orthogonal() {
-            Self::Stable(polynomials)
-        } else if let Some(nine_terms) = nine_terms(polynomials) {
-            Self::NineTerms(nine_terms)
-        } else if !SPECIAL {
-            Self::Blocks(polynomials)
-        } else if let ([], [] | [_]) = (polynomials.lengths, polynomials.pole) {
-            Self::Constant(polynomials.pole.first().copied().unwrap_or(0.0))
-        } else if tile::fits(&polynomials) {
-            Self::Tiles(polynomials)
-        } else {
-            Self::Blocks(polynomials)
-        }
-    }
-
-    #[inline(always)]
-    fn shade(
-        &self,
-        normals: Normals<'_>,
-        room: &mut Room,
-        irradiance: &mut [f32],
-    ) -> Result<(), Error> {
-        let axes = [normals.x, normals.y, normals.z];
-        match *self {
-            Self::Stable(polynomials) => stable(polynomials, axes, irradiance),
-            Self::NineTerms(nine_terms) => return nine_terms.shade_slice(normals, irradiance),
-            Self::Constant(value) => irradiance.fill(value),
-            Self::Tiles(polynomials) => {
-                let [(x, x_rest), (y, y_rest), (z, z_rest)] = axes.map(<[f32]>::as_chunks);
-                let (out, out_rest) = irradiance.as_chunks_mut();
-                for (((x, y), z), out) in x.iter().zip(y).zip(z).zip(out) {
-                    tile::arguments(z, room);
-                    tile::tile(polynomials, [x, y], room, out);
-                }
-                blocks::<MONOMIAL_TERMS>(polynomials, [x_rest, y_rest, z_rest], out_rest);
-            }
-            Self::Blocks(polynomials) if !SPECIAL => {
-                blocks::<ANY>(polynomials, axes, irradiance);
-            }
-            Self::Blocks(polynomials) if polynomials.any_longer_than(MONOMIAL_TERMS) => {
-                blocks::<EVEN_ODD_TERMS>(polynomials, axes, irradiance);
-            }
-            Self::Blocks(polynomials) => {
-                blocks::<MONOMIAL_TERMS>(polynomials, axes, irradiance);
-            }
-        }
+        blocks(self.descent(), normals, irradiance);
         Ok(())
     }
 }
 
-/// Shades normals block by block, for a scene in which some azimuths have recurrences.
+/// Shades normals block by block.
 #[inline(never)]
-fn stable(polynomials: Descent<'_>, axes: [&[f32]; 3], irradiance: &mut [f32]) {
-    in_blocks(axes, irradiance, |x, y, z| orthogonal(polynomials, x, y, z));
-}
-
-#[inline(never)]
-fn blocks<const LONGEST: usize>(
-    polynomials: Descent<'_>,
-    axes: [&[f32]; 3],
-    irradiance: &mut [f32],
-) {
-    let block = if SPECIAL { block::<LONGEST, BLOCK> } else { one_block::<LONGEST> };
-    in_blocks(axes, irradiance, |x, y, z| block(polynomials, x, y, z));
-}
-
-#[inline(always)]
-fn in_blocks(
-    axes: [&[f32]; 3],
-    irradiance: &mut [f32],
-    block: impl Fn(&[f32; BLOCK], &[f32; BLOCK], &[f32; BLOCK]) -> [f32; BLOCK],
-) {
-    let [(x, x_rest), (y, y_rest), (z, z_rest)] = axes.map(<[f32]>::as_chunks::<BLOCK>);
+fn blocks(polynomials: Descent<'_>, normals: Normals<'_>, irradiance: &mut [f32]) {
+    let block = if SPECIAL { block::<BLOCK> } else { one_block };
+    let [(x, x_rest), (y, y_rest), (z, z_rest)] =
+        [normals.x, normals.y, normals.z].map(<[f32]>::as_chunks::<BLOCK>);
     let (out, out_rest) = irradiance.as_chunks_mut::<BLOCK>();
     for (((x, y), z), out) in x.iter().zip(y).zip(z).zip(out) {
-        *out = block(x, y, z);
+        *out = block(polynomials, x, y, z);
     }
     if !out_rest.is_empty() {
         let [x, y, z] = [padded(x_rest), padded(y_rest), padded(z_rest)];
-        for (out, value) in out_rest.iter_mut().zip(block(&x, &y, &z)) {
+        for (out, value) in out_rest.iter_mut().zip(block(polynomials, &x, &y, &z)) {
             *out = value;
         }
     }
@@ -198,19 +99,19 @@ fn in_blocks(
 
 /// [`block`], compiled once per program, for targets where code must be small.
 #[inline(never)]
-fn one_block<const LONGEST: usize>(
+fn one_block(
     polynomials: Descent<'_>,
     x: &[f32; BLOCK],
     y: &[f32; BLOCK],
     z: &[f32; BLOCK],
 ) -> [f32; BLOCK] {
-    block::<LONGEST, BLOCK>(polynomials, x, y, z)
+    block(polynomials, x, y, z)
 }
 
 /// The irradiances of a block of normals: Re Σ_m (P_m + i Q_m) w̄^m with w = n_x + i n_y, by
-/// Horner's rule from the highest azimuth down. `LONGEST` is as for [`polynomial::values`].
+/// Horner's rule from the highest azimuth down.
 #[inline(always)]
-pub(crate) fn block<const LONGEST: usize, const N: usize>(
+pub(crate) fn block<const N: usize>(
     mut polynomials: Descent<'_>,
     x: &[f32; N],
     y: &[f32; N],
@@ -218,49 +119,19 @@ pub(crate) fn block<const LONGEST: usize, const N: usize>(
 ) -> [f32; N] {
     let t = if SPECIAL { vectorized(z) } else { z.map(argument) };
     let mut u = t;
-    if LONGEST > MONOMIAL_TERMS && LONGEST <= EVEN_ODD_TERMS {
-        for u in &mut u {
-            *u = polynomial::doubled(*u);
-        }
+    for u in &mut u {
+        *u = polynomial::doubled(*u);
     }
     let at = [&t, &u];
     let Some((plus, minus)) = polynomials.next() else {
-        return polynomial::values::<LONGEST, N>(polynomials.pole, at);
+        return polynomial::values(polynomials.pole, at);
     };
-    let [mut real, mut imaginary] = polynomial::pairs::<LONGEST, N>([plus, minus], at);
+    let [mut real, mut imaginary] = [polynomial::values(plus, at), polynomial::values(minus, at)];
     for (plus, minus) in polynomials.by_ref() {
-        let here = polynomial::pairs::<LONGEST, N>([plus, minus], at);
+        let here = [polynomial::values(plus, at), polynomial::values(minus, at)];
         float::descend([&mut real, &mut imaginary], here, [x, y]);
     }
-    let mut sums = polynomial::values::<LONGEST, N>(polynomials.pole, at);
-    let above = real.iter().zip(&imaginary).zip(x.iter().zip(y));
-    for (sum, ((&real, &imaginary), (&x, &y))) in sums.iter_mut().zip(above) {
-        *sum = float::add_product(float::add_product(*sum, real, x), imaginary, y);
-    }
-    sums
-}
-
-/// [`block`] for a scene in which some azimuths have recurrences. Partial sums from the highest
-/// azimuth down are large where the profiles are; each factor w̄ makes them smaller accordingly.
-#[inline(never)]
-pub(crate) fn orthogonal<const N: usize>(
-    mut polynomials: Descent<'_>,
-    x: &[f32; N],
-    y: &[f32; N],
-    z: &[f32; N],
-) -> [f32; N] {
-    let t = vectorized(z);
-    let both = |terms: [&[f32]; 2], recurrence: &[Recurrence]| match recurrence {
-        [] => terms.map(|terms| polynomial::values::<ANY, N>(terms, [&t, &t])),
-        _ => polynomial::orthogonal(terms, &t, recurrence),
-    };
-    let [mut real, mut imaginary] = [[0.0; N]; 2];
-    loop {
-        let recurrence = polynomials.recurrence();
-        let Some((plus, minus)) = polynomials.next() else { break };
-        float::descend([&mut real, &mut imaginary], both([plus, minus], recurrence), [x, y]);
-    }
-    let [mut sums, _] = both([polynomials.pole; 2], polynomials.recurrence());
+    let mut sums = polynomial::values(polynomials.pole, at);
     let above = real.iter().zip(&imaginary).zip(x.iter().zip(y));
     for (sum, ((&real, &imaginary), (&x, &y))) in sums.iter_mut().zip(above) {
         *sum = float::add_product(float::add_product(*sum, real, x), imaginary, y);

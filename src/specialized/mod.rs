@@ -11,7 +11,7 @@ pub mod project;
 mod scene;
 mod table;
 
-pub use scene::{azimuth, blank_scene, collapse, pole, scene, scene_mut, shade};
+pub use scene::{azimuth, blank_scene, collapse, pole, terms, terms_mut};
 
 /// Relighting, part by part.
 pub mod relight {

@@ -9,22 +9,24 @@ use crate::invariant::split_mut;
 use crate::normal::Normal;
 use crate::places::{AzimuthPlace, KnownTable};
 use crate::polynomial;
-use crate::recurrences::Recurrences;
-use crate::scene::{Scene, SceneBuffer};
+use crate::scene::Scene;
 
-/// A scene of polynomials of these lengths, all zero, without recurrences.
+/// A scene of polynomials of these lengths, all zero.
 #[inline(always)]
-pub fn blank_scene<const N: usize>(lengths: &[u16]) -> Scene<'_, SceneBuffer<N>> {
-    Scene::of(lengths, Recurrences::NONE, SceneBuffer::from([0.0; N]))
+pub fn blank_scene<const N: usize>(lengths: &[u16]) -> Scene<'_, [f32; N]> {
+    Scene::of(lengths, [0.0; N])
 }
 
-/// The numbers of a scene, if `N`, to be overwritten with polynomials of these lengths.
+/// The terms of a scene.
 #[inline(always)]
-pub fn scene_mut<'s, 'a, const N: usize>(
-    scene: &'s mut Scene<'a, SceneBuffer<N>>,
-    lengths: &'a [u16],
-) -> Option<&'s mut [f32; N]> {
-    scene.rewritten(lengths).try_into().ok()
+pub const fn terms<'s, const N: usize>(scene: &'s Scene<'_, [f32; N]>) -> &'s [f32; N] {
+    &scene.buffer
+}
+
+/// The terms of a scene, to be overwritten.
+#[inline(always)]
+pub const fn terms_mut<'s, const N: usize>(scene: &'s mut Scene<'_, [f32; N]>) -> &'s mut [f32; N] {
+    &mut scene.buffer
 }
 
 /// Sums the polynomials of azimuth `M`, of `P` profiles, weighted by the coefficients of their
@@ -91,19 +93,6 @@ fn sum_profiles<const W: usize, const P: usize>(
     }
 }
 
-/// The numbers of a scene whose azimuths have these lengths, `N` in all. Returns `None` for a scene
-/// of another basis. A scene is recognized by the address of its lengths, because comparing the
-/// values takes too long for a pixel. If it also has `N` terms in all, none are left for azimuths
-/// beyond these lengths.
-#[inline(always)]
-pub fn scene<'s, B: AsRef<[f32]>, const N: usize>(
-    scene: &'s Scene<'_, B>,
-    lengths: &[u16],
-) -> Option<&'s [f32; N]> {
-    let same = core::ptr::eq(scene.lengths.as_ptr(), lengths.as_ptr());
-    scene.buffer.as_ref().try_into().ok().filter(|_| same)
-}
-
 /// P_m + i Q_m + w̄ `above` for azimuth `M` > 0. The highest azimuth has nothing above it.
 #[inline(always)]
 pub fn azimuth<B: KnownTable<Basis<'static>>, const M: usize, const N: usize>(
@@ -115,7 +104,7 @@ pub fn azimuth<B: KnownTable<Basis<'static>>, const M: usize, const N: usize>(
     let t = polynomial::argument(normal.z);
     let [plus, minus] = [start, start + length].map(|start| {
         let terms = terms.get(start..).and_then(|rest| rest.get(..length));
-        terms.map_or(0.0, |terms| polynomial::short(terms, t))
+        terms.map_or(0.0, |terms| polynomial::value(terms, t))
     });
     let Some([real, imaginary]) = above else { return Some([plus, minus]) };
     let Normal { x, y, .. } = normal;
@@ -134,15 +123,7 @@ pub fn pole<B: KnownTable<Basis<'static>>, const N: usize>(
 ) -> f32 {
     let terms = terms.get(..const { azimuth_of::<B>(0).length });
     let t = polynomial::argument(normal.z);
-    let value = terms.map_or(0.0, |terms| polynomial::short(terms, t));
+    let value = terms.map_or(0.0, |terms| polynomial::value(terms, t));
     let [real, imaginary] = above.unwrap_or([0.0; 2]);
     float::add_product(float::add_product(value, real, normal.x), imaginary, normal.y)
-}
-
-/// Shades a pixel of any other scene. Not inlined, so that callers that do not use it do not pay
-/// for its stack and registers.
-#[cold]
-#[inline(never)]
-pub fn shade<B: AsRef<[f32]>>(scene: &Scene<'_, B>, normal: Normal) -> f32 {
-    scene.shade(normal)
 }

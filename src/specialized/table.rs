@@ -110,7 +110,8 @@ macro_rules! table {
             Ok(())
         });
         $crate::table!(@collapse |coefficients, scene| {
-            *scene = Scene(BASIS.collapse::<WORKSPACE, SCENE>(coefficients)?);
+            let mut workspace = [0.0; WORKSPACE];
+            *scene = Scene(BASIS.collapse_into(coefficients, &mut workspace, [0.0; SCENE])?);
             Ok(())
         });
     };
@@ -202,8 +203,8 @@ macro_rules! table {
     (collapse $([$azimuth:literal $profiles:literal])*) => {
         $crate::table!(@collapse |coefficients, scene| {
             let d: Result<&[f32; COMPONENTS], _> = coefficients.as_slice().try_into();
-            let terms = $crate::specialized::scene_mut(&mut scene.0, PARTS.lengths);
-            if let (Ok(d), Some(terms)) = (d, terms) {
+            let terms = $crate::specialized::terms_mut(&mut scene.0);
+            if let Ok(d) = d {
                 $($crate::specialized::collapse::<
                     This, $azimuth, $profiles, COMPONENTS, SCENE,
                 >(d, terms);)*
@@ -217,13 +218,13 @@ macro_rules! table {
             coefficients: &Coefficients,
             scene: &mut Scene,
         ) -> Result<(), $crate::Error> {
-            *scene = Scene(BASIS.collapse::<SCENE>(coefficients)?);
+            *scene = Scene(BASIS.collapse_into(coefficients, [0.0; SCENE])?);
             Ok(())
         }
     };
     (collapse by basis) => {
         $crate::table!(@collapse |coefficients, scene| {
-            *scene = Scene(BASIS.collapse::<SCENE>(coefficients)?);
+            *scene = Scene(BASIS.collapse_into(coefficients, [0.0; SCENE])?);
             Ok(())
         });
     };
@@ -231,7 +232,7 @@ macro_rules! table {
         /// Sums the components of each azimuth: see `collapse` of [`BASIS`]. The same errors, but
         /// no capacity is too small.
         pub fn collapse(coefficients: &Coefficients) -> Result<Scene, $crate::Error> {
-            let mut scene = Scene::blank();
+            let mut scene = Scene::default();
             collapse_into(coefficients, &mut scene)?;
             Ok(scene)
         }
@@ -242,12 +243,20 @@ macro_rules! table {
         ) -> Result<(), $crate::Error> $collapse
     };
     (shade $($azimuth:literal)*) => {
-        $crate::table!(@shade &'s [f32; SCENE], |scene| {
-            $crate::specialized::scene::<_, SCENE>(scene, PARTS.lengths)
-        });
-        /// The irradiance of one normal from a scene's [`terms`]: bit for bit that of [`shade`].
+        impl Scene {
+            /// The irradiance of one normal: see [`eigenshade::Scene::shade`], with every
+            /// length a constant.
+            #[inline]
+            #[must_use]
+            pub fn shade(&self, normal: $crate::Normal) -> f32 {
+                shade_terms(self.terms(), normal)
+            }
+        }
+        /// The irradiance of one normal from a scene's terms, bit for bit that of
+        /// [`Scene::shade`]. For bindings that store the terms alone.
         #[doc(hidden)]
         #[inline]
+        #[must_use]
         pub fn shade_terms(terms: &[f32; SCENE], normal: $crate::Normal) -> f32 {
             let above = None;
             $(let above =
@@ -255,61 +264,11 @@ macro_rules! table {
             $crate::specialized::pole::<This, SCENE>(terms, normal, above)
         }
     };
-    (shade nine terms) => {
-        $crate::table!(@shade $crate::NineTerms, |scene| scene.nine_terms());
-        /// The irradiance of one normal from a scene's [`terms`]: bit for bit that of [`shade`].
-        #[doc(hidden)]
-        #[inline]
-        pub fn shade_terms(terms: $crate::NineTerms, normal: $crate::Normal) -> f32 {
-            terms.shade(normal)
-        }
-    };
-    (@shade $terms:ty, |$scene:ident| $found:expr) => {
-        impl Scene {
-            /// The irradiance of one normal: see [`eigenshade::Scene::shade`], with every
-            /// length a constant.
-            #[inline]
-            #[must_use]
-            pub fn shade(&self, normal: $crate::Normal) -> f32 {
-                shade(&self.0, normal)
-            }
-        }
-        /// [`Scene::shade`] for a scene in a buffer of any type, of any basis.
-        #[doc(hidden)]
-        #[inline]
-        pub fn shade<B: AsRef<[f32]>>(
-            scene: &$crate::Scene<'_, B>,
-            normal: $crate::Normal,
-        ) -> f32 {
-            match terms(scene) {
-                Some(terms) => shade_terms(terms, normal),
-                None => $crate::specialized::shade(scene, normal),
-            }
-        }
-        /// The polynomials of a scene, for [`shade_terms`]; `None` for a scene of another basis. A
-        /// loop over pixels asks once instead of at each pixel.
-        #[doc(hidden)]
-        #[inline]
-        pub fn terms<'s, B: AsRef<[f32]>>($scene: &'s $crate::Scene<'_, B>) -> Option<$terms> {
-            $found
-        }
-    };
-    (shade by scene) => {
-        /// [`eigenshade::Scene::shade`].
-        #[inline]
-        #[must_use]
-        pub fn shade<B: AsRef<[f32]>>(
-            scene: &$crate::Scene<'_, B>,
-            normal: $crate::Normal,
-        ) -> f32 {
-            scene.shade(normal)
-        }
-    };
     (@sizes $components:expr, $workspace:expr, $basis:expr) => {
         $crate::table_items! {
             basis $crate::Basis<'static> = $basis,
             components $components, workspace $workspace,
-            scene $crate::Scene<'static, $crate::SceneBuffer<SCENE>>, derive Clone
+            scene $crate::Scene<'static, [f32; SCENE]>
         }
         /// Number of coefficients of a light.
         pub const LIGHT: usize = (DEGREE + 1) * (DEGREE + 1);
@@ -318,16 +277,25 @@ macro_rules! table {
         /// The transfer of one material.
         pub type Transfer = $crate::Transfer<TRANSFER>;
         impl Scene {
-            /// A scene to be overwritten.
+            /// The polynomials' terms, azimuth by azimuth.
+            #[doc(hidden)]
             #[inline(always)]
-            fn blank() -> Self {
+            #[must_use]
+            pub fn terms(&self) -> &[f32; SCENE] {
+                $crate::specialized::terms(&self.0)
+            }
+        }
+        impl Default for Scene {
+            /// A black image, to be overwritten.
+            #[inline(always)]
+            fn default() -> Self {
                 Self($crate::specialized::blank_scene(PARTS.lengths))
             }
         }
         $crate::table_in_color! {
             'a, light $crate::Light<'a>, material $crate::Material<'a>,
             normal $crate::Normal, irradiance f32,
-            blank Coefficients::from([0.0; super::COMPONENTS]), Scene::blank(),
+            blank Coefficients::from([0.0; super::COMPONENTS]),
             view |transfer| transfer
         }
         impl color::Scene {

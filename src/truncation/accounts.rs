@@ -49,10 +49,9 @@ impl<'s> Accounts<'s> {
         }
         for place in self.polynomials.descent(self.len).filter(|place| place.original > 0) {
             let (azimuth, terms) = (place.azimuth, place.original);
-            let is_series = !self.polynomials.recurrences.of(azimuth).is_empty();
             let exact = azimuth + terms <= NODES.len();
             let Some((below, [length, ..])) = lengths.split_at_mut_checked(azimuth) else { return };
-            if !place.known || is_series || !exact {
+            if !exact {
                 return;
             }
             let saved = signs(azimuth) * (terms - 1) + around_saved(below);
@@ -86,7 +85,7 @@ impl<'s> Accounts<'s> {
 
     /// Removes all terms that are worth a price, from the highest azimuth down.
     fn sweep(&mut self, lengths: &mut [u16], price: f32) {
-        for place in self.polynomials.descent(self.len).filter(|place| place.known) {
+        for place in self.polynomials.descent(self.len) {
             let at = lengths.split_at_mut_checked(place.azimuth);
             let Some((below, [length, above @ ..])) = at else { continue };
             if *length == 0 {
@@ -150,7 +149,6 @@ impl<'s> Accounts<'s> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::recurrences::Recurrences;
 
     /// Asked first, one image could lose both terms of m = 2 in exchange for the azimuth that a
     /// pixel saves. The other can lose only one term, and for one term the first image would pay
@@ -159,7 +157,7 @@ mod tests {
     fn the_order_of_images_changes_nothing() {
         const LENGTHS: &[u16] = &[6, 0, 2];
         const LEN: usize = 10;
-        let polynomials = Polynomials { lengths: LENGTHS, recurrences: Recurrences::NONE };
+        let polynomials = Polynomials { lengths: LENGTHS };
         // Squares, in units of the first price.
         let image = |zero: f32, [highest, lowest]: [f32; 2]| {
             let squares = [zero, zero, zero, zero, zero, 9.0, highest, lowest, 0.0, 0.0];
@@ -185,7 +183,7 @@ mod tests {
     #[test]
     fn last_terms_below_the_highest_azimuth_stay() {
         const LEN: usize = 3 + 2 * (2 + 2);
-        let polynomials = Polynomials { lengths: &[3, 2, 2], recurrences: Recurrences::NONE };
+        let polynomials = Polynomials { lengths: &[3, 2, 2] };
         for (highest, expected) in [(100.0, [1, 1, 1]), (0.0, [0, 0, 0])] {
             // From the highest term down: the last of m = 2.
             let numbers: [f32; LEN] = core::array::from_fn(|k| if k == 8 { highest } else { 0.0 });
@@ -202,7 +200,7 @@ mod tests {
     fn whole_azimuths_go_as_in_the_sweeps() {
         const LENGTHS: [u16; 5] = [6, 4, 5, 3, 4];
         const LEN: usize = 6 + 2 * (4 + 5 + 3 + 4);
-        let polynomials = Polynomials { lengths: &LENGTHS, recurrences: Recurrences::NONE };
+        let polynomials = Polynomials { lengths: &LENGTHS };
         let mut early = 0;
         for exponent in 0..40 {
             let numbers: [f32; LEN] = core::array::from_fn(|k| {
@@ -235,7 +233,7 @@ mod tests {
     fn whole_azimuths_go_only_if_the_rule_is_exact() {
         for (length, goes) in [(NODES.len() - 1, LANES_ARE_CHEAP), (NODES.len(), false)] {
             let (original, len) = ([0, length as u16], 2 * length);
-            let polynomials = Polynomials { lengths: &original, recurrences: Recurrences::NONE };
+            let polynomials = Polynomials { lengths: &original };
             let mut report = [Truncation { bound: 1.0, peak: 1.0, ..Truncation::default() }];
             let (numbers, mut lengths) = ([0.0; 2 * NODES.len()], original);
             let numbers = numbers.get(..len).unwrap_or(&numbers);

@@ -6,28 +6,15 @@
 //! its Cholesky factors are multiplied in reverse order (Christoffel's transformation). Both steps
 //! together reduce the number of known terms by one.
 
-use crate::index::layout::{EVEN_ODD_TERMS, LANES};
+use crate::index::layout::{LANES, MAX_DEGREE, MAX_TERMS};
 use crate::lanes::multiply_add;
 use crate::mathematics;
-use crate::polynomial::values;
-use crate::shade::ANY;
-
-/// The largest number of terms of a polynomial that is converted.
-pub(super) const MOST: usize = EVEN_ODD_TERMS;
-
-/// Number of azimuths whose polynomials can be converted.
-const AZIMUTHS: usize = 64;
+use crate::polynomial::{doubled, values};
 
 /// Terms of the recurrence of m = 0. Azimuth m has m terms fewer.
-const TERMS: usize = AZIMUTHS + MOST;
+const TERMS: usize = MAX_DEGREE + MAX_TERMS;
 
-/// The longest polynomial of an azimuth that can be converted.
-pub(super) const fn longest(azimuth: usize) -> usize {
-    if azimuth < AZIMUTHS { MOST } else { 0 }
-}
-
-/// The orthogonal polynomials of one azimuth, p_k+1 = (2t - at_k) p_k - below_k p_k-1, p_0 = 1: the
-/// polynomials of a [recurrence](crate::index::layout::Recurrence).
+/// The orthogonal polynomials of one azimuth, p_k+1 = (2t - at_k) p_k - below_k p_k-1, p_0 = 1.
 pub(super) struct Density {
     azimuth: usize,
     terms: usize,
@@ -131,8 +118,9 @@ pub(super) fn mean_square(azimuth: usize, [plus, minus]: [&[f32]; 2], scale: f32
     for _ in 0..azimuth {
         weights.iter_mut().zip(&squares).for_each(|(weight, &square)| *weight *= square);
     }
-    let plus = values::<ANY, _>(plus, [&t, &t]);
-    let minus = values::<ANY, _>(minus, [&t, &t]);
+    let mut u = t;
+    u.iter_mut().for_each(|u| *u = doubled(*u));
+    let [plus, minus] = [plus, minus].map(|terms| values(terms, [&t, &u]));
     let mut sums = [0.0; LANES];
     let values = groups(&plus).iter().zip(groups(&minus));
     for (weights, (plus, minus)) in groups(&weights).iter().zip(values) {

@@ -26,9 +26,8 @@ impl<'a> Basis<'a> {
     ///
     /// The polynomials of the scene are written to the beginning of `buffer`, of length
     /// [`scene_len`](Self::scene_len), and their lengths to `lengths`, which needs room for
-    /// [`azimuths`](Self::azimuths). Polynomials of more than 32 terms or of azimuths above 63 are
-    /// kept as they are, unless their azimuth has a recurrence. A tolerance below
-    /// [`Truncation::floor`] is finer than the accuracy of the table.
+    /// [`azimuths`](Self::azimuths). A tolerance below [`Truncation::floor`] is finer than the
+    /// accuracy of the table.
     ///
     /// Set-up cost, with the shipped table: two projections on a Cortex-M4F, less than one in
     /// software floats, three on x86-64, and seven with AVX2. Stack: some 700 numbers.
@@ -51,6 +50,6 @@ impl<'a> Basis<'a> {
         let room = buffer.as_mut();
         let shape = self.collapse_set_within(&one, 1, tolerance, lengths, room, &mut reports)?;
         let [report] = reports;
-        Ok((Scene::of(shape.lengths, shape.recurrences, buffer), report))
+        Ok((Scene::of(shape.lengths, buffer), report))
     }
 }

@@ -1,13 +1,13 @@
-//! Converts polynomials from the form that pixels use into orthogonal polynomials, and back. Both
+//! Converts polynomials from an even and an odd half into orthogonal polynomials, and back. Both
 //! directions use Horner's rule: the sum so far times 2t, plus the next term. +m and -m are
 //! converted side by side.
 
-use super::density::{Density, MOST};
-use crate::index::layout::{LANES, MONOMIAL_TERMS};
+use super::density::Density;
+use crate::index::layout::{LANES, MAX_TERMS};
 use crate::lanes::multiply_add;
 
 /// Room for numbers, lowest first, after a zero and with zeros behind them.
-const ROOM: usize = MOST + 4;
+const ROOM: usize = MAX_TERMS + 4;
 
 /// Pairs of numbers, one of +m and one of -m.
 type Row = [[f32; 2]; ROOM];
@@ -18,13 +18,13 @@ pub(super) struct Rows {
     at: Row,
     below: Row,
     /// Stands in for the terms of -m if there are none.
-    none: [f32; MOST],
+    none: [f32; MAX_TERMS],
 }
 
 impl Rows {
     pub(super) const fn new() -> Self {
         let row = [[0.0; 2]; ROOM];
-        Self { now: row, next: row, at: row, below: row, none: [0.0; MOST] }
+        Self { now: row, next: row, at: row, below: row, none: [0.0; MAX_TERMS] }
     }
 
     /// Converts polynomials of +m and -m, highest term first, into orthogonal ones times `numbers`.
@@ -39,13 +39,6 @@ impl Rows {
         let Self { now, next, at, below, none } = self;
         let (mut now, mut next) = (now, next);
         let minus = if minus.is_empty() { none.as_mut_slice() } else { minus };
-        let (half, is_long) = (0.5, length > MONOMIAL_TERMS);
-        // The powers are those of 2t.
-        let double = if is_long { 1.0 } else { 1.0 + 1.0 };
-        let mut scale = (1..length).fold(1.0, |scale, _| scale * half);
-        if is_long {
-            scale = 1.0;
-        }
         for (index, (&term, &other)) in plus.iter().zip(&*minus).enumerate() {
             let ([_, here @ ..], [_, below @ ..]) = (&*now, &*below);
             let ([_, higher @ ..], [_, sums @ ..]) = (here, &mut *next);
@@ -54,18 +47,17 @@ impl Rows {
             let sums = groups_mut(sums).iter_mut().zip(terms).take(index / 2 + 1);
             // u = (2t)²/2 - 1: the last sum already contains one factor 2t, and `sum` is the one
             // before it.
-            if is_long && (length - index) % 2 == 1 {
+            if (length - index) % 2 == 1 {
                 for (sum, ((at, below), ((lower, here), higher))) in sums {
                     let whole = multiply_add(multiply_add(*lower, here, at), higher, below);
-                    *sum = multiply_add(sum.map(|sum| -sum), &whole, &[half; LANES]);
+                    *sum = multiply_add(sum.map(|sum| -sum), &whole, &[0.5; LANES]);
                 }
             } else {
                 for (sum, ((at, below), ((lower, here), higher))) in sums {
                     *sum = multiply_add(multiply_add(*lower, here, at), higher, below);
                 }
             }
-            add(next, [term * scale, other * scale]);
-            scale *= double;
+            add(next, [term, other]);
             (now, next) = (next, now);
         }
         let both = plus.iter_mut().rev().zip(minus.iter_mut().rev());
@@ -74,14 +66,13 @@ impl Rows {
         }
     }
 
-    /// Converts orthogonal polynomials of +m and -m into the form that belongs to their length.
+    /// Converts orthogonal polynomials of +m and -m into an even and an odd half.
     pub(super) fn rewrite(&mut self, [plus, minus]: [&mut [f32]; 2], density: &Density) {
         let length = plus.len();
         self.start(length, density);
         let Self { now, next, at, below, none } = self;
         let (mut now, mut next) = (now, next);
         let minus = if minus.is_empty() { none.as_mut_slice() } else { minus };
-        let is_long = length > MONOMIAL_TERMS;
         let recurrence = at.iter().zip(below.iter().skip(1)).take(length).rev();
         let both = plus.iter().zip(&*minus).zip(recurrence);
         for (index, ((&term, &other), (&[at, _], &[below, _]))) in both.enumerate() {
@@ -90,25 +81,17 @@ impl Rows {
             let [_, higher @ ..] = here;
             let terms = groups(now).iter().zip(groups(here)).zip(groups(higher));
             let sums = groups_mut(sums).iter_mut().zip(terms).take(index / 2 + 1);
-            for (sum, ((&lower, here), &[up, down, ..])) in sums {
+            for (sum, ((&[even, more, odd, another], here), &[up, down, ..])) in sums {
                 // 2t times t is u + 1.
-                let times = match lower {
-                    [even, more, odd, another] if is_long => {
-                        [even + up, more + down, odd + odd, another + another]
-                    }
-                    powers => powers,
-                };
+                let times = [even + up, more + down, odd + odd, another + another];
                 *sum = multiply_add(multiply_add(times, here, &at), sum, &below);
             }
             add(next, [term, other]);
             (now, next) = (next, now);
         }
-        let double = if is_long { 1.0 } else { 1.0 + 1.0 };
-        let mut scale = 1.0;
         let both = plus.iter_mut().rev().zip(minus.iter_mut().rev());
-        for (pair, (plus, minus)) in now.iter().skip(1).zip(both) {
-            [*plus, *minus] = pair.map(|sum| sum * scale);
-            scale *= double;
+        for (&pair, (plus, minus)) in now.iter().skip(1).zip(both) {
+            [*plus, *minus] = pair;
         }
     }
 

@@ -2,9 +2,8 @@
 
 use crate::error::Error;
 use crate::float;
-use crate::index::layout::{LANES, MONOMIAL_TERMS, Recurrence};
-use crate::lanes::multiply_add;
-use crate::polynomial::{long, orthogonal, value};
+use crate::index::layout::LANES;
+use crate::polynomial::{doubled, value, values};
 use crate::scene::Scene;
 
 /// The allowed error of an image, root mean square over a sphere's normals, relative to the image
@@ -138,19 +137,15 @@ pub(super) fn peak<B: AsRef<[f32]>>(scene: &Scene<'_, B>) -> f32 {
             power.iter_mut().zip(&sines).for_each(|(power, &of_slant)| *power *= of_slant);
             continue;
         }
-        let recurrence = scene.recurrences.of(azimuth);
         // m = 0 has no sin mβ.
         let minus = if azimuth == 0 { plus } else { minus };
-        let lanes = match recurrence {
-            [] => [slants(plus, &t), slants(minus, &t)],
-            _ => orthogonal([plus, minus], &t, recurrence),
-        };
         if azimuth == 0 {
-            most = size(value(plus, 1.0, recurrence));
+            most = size(value(plus, 1.0));
         }
-        let ([[a, b, c, d], [e, f, g, h]], [plus, minus]) =
-            (lanes, [middle(plus, recurrence), middle(minus, recurrence)]);
-        let (plus, minus) = ([a, b, c, d, plus], [e, f, g, h, minus]);
+        let [plus, minus] = [plus, minus].map(|terms| {
+            let [a, b, c, d] = slants(terms, &t);
+            [a, b, c, d, value(terms, 0.0)]
+        });
         let (turns, sign) = match azimuth % 8 {
             turns @ 0..=4 => (turns, 1.0),
             turns => (8 - turns, -1.0),
@@ -190,19 +185,7 @@ pub(super) fn peak<B: AsRef<[f32]>>(scene: &Scene<'_, B>) -> f32 {
 /// would treat each lane separately.
 #[inline(never)]
 fn slants(terms: &[f32], t: &[f32; LANES]) -> [f32; LANES] {
-    if terms.len() > MONOMIAL_TERMS {
-        return long(terms, t);
-    }
-    let Some((&first, rest)) = terms.split_first() else { return [0.0; LANES] };
-    rest.iter().fold([first; LANES], |sums, &term| multiply_add([term; LANES], &sums, t))
-}
-
-/// The value of a polynomial at t = 0.
-fn middle(terms: &[f32], recurrence: &[Recurrence]) -> f32 {
-    match terms.last() {
-        Some(&last) if recurrence.is_empty() && terms.len() <= MONOMIAL_TERMS => last,
-        _ => value(terms, 0.0, recurrence),
-    }
+    values(terms, [t, &t.map(doubled)])
 }
 
 /// The larger of two numbers; a number that is not finite is kept.

@@ -8,7 +8,6 @@ use crate::error::{Argument, Error};
 use crate::float;
 use crate::lanes::rows_mut;
 use crate::mathematics;
-use crate::recurrences::Recurrences;
 use crate::scene::{Scene, count};
 
 /// The fraction of the squared tolerance reserved for components, a sixteenth. The rest is for
@@ -26,8 +25,6 @@ pub struct Shape<'l> {
     pub components: usize,
     /// Number of terms of the polynomials of azimuths |m| = 0, 1, ...
     pub lengths: &'l [u16],
-    /// The recurrences of the basis.
-    pub recurrences: Recurrences<'l>,
 }
 
 impl<'l> Shape<'l> {
@@ -53,7 +50,7 @@ impl<'l> Shape<'l> {
         let (expected, found) = (self.terms(), buffer.as_ref().len());
         let enough = expected.min(found);
         Error::check(Argument::Scene, expected, enough)?;
-        Ok(Scene::of(self.lengths, self.recurrences, buffer))
+        Ok(Scene::of(self.lengths, buffer))
     }
 
     /// Completes the report of an image in this shape, converting squared errors into irradiances.
@@ -168,7 +165,7 @@ impl<'a> Basis<'a> {
         }
         Accounts { polynomials, numbers: buffer, len, reports }.truncate(lengths);
         let lengths = trimmed(lengths);
-        let shape = Shape { components, lengths, recurrences: self.recurrences };
+        let shape = Shape { components, lengths };
         for (image, numbers, report) in each(images, buffer, len, reports) {
             polynomials.restore(shape.lengths, numbers, report.unit());
             shape.settle(image, report);
@@ -212,11 +209,11 @@ impl<'a> Basis<'a> {
         report.left_out_by_terms = polynomials.left_out(shape.lengths, numbers);
         polynomials.restore(shape.lengths, numbers, report.unit());
         shape.settle(coefficients, &mut report);
-        Ok((Scene::of(shape.lengths, shape.recurrences, buffer), report))
+        Ok((Scene::of(shape.lengths, buffer), report))
     }
 
     fn polynomials(&self) -> Polynomials<'a> {
-        Polynomials { lengths: self.parts.lengths, recurrences: self.recurrences }
+        Polynomials { lengths: self.parts.lengths }
     }
 }
 

@@ -3,12 +3,10 @@
 //! In this form, the square of a term is the mean square error of leaving it out (Parseval), and
 //! the remaining terms are the nearest image with that many terms.
 
-use super::density::{Density, longest, sizes};
+use super::density::{Density, sizes};
 use super::orthogonal::Rows;
 use crate::float;
-use crate::index::layout::Recurrence;
 use crate::invariant::{part, part_mut, split, split_mut};
-use crate::recurrences::Recurrences;
 use crate::scene::signs;
 use core::cell::Cell;
 
@@ -25,7 +23,6 @@ pub(super) fn trimmed(mut lengths: &[u16]) -> &[u16] {
 pub(super) struct Polynomials<'p> {
     /// Number of terms of each of the two polynomials, by azimuth.
     pub(super) lengths: &'p [u16],
-    pub(super) recurrences: Recurrences<'p>,
 }
 
 /// The position of an azimuth's polynomials.
@@ -35,8 +32,6 @@ pub(super) struct Place {
     start: usize,
     /// Number of terms of each of the two polynomials.
     pub(super) original: usize,
-    /// Whether the polynomials can be converted; false if they are too long.
-    pub(super) known: bool,
 }
 
 impl Place {
@@ -76,8 +71,7 @@ impl<'p> Polynomials<'p> {
     #[inline]
     fn place(&self, azimuth: usize, start: usize) -> Place {
         let original = self.lengths.get(azimuth).map_or(0, |&length| length.into());
-        let known = azimuth >= self.recurrences.first || original <= longest(azimuth);
-        Place { azimuth, start, original, known }
+        Place { azimuth, start, original }
     }
 
     fn places(self) -> impl Iterator<Item = Place> {
@@ -99,36 +93,28 @@ impl<'p> Polynomials<'p> {
         })
     }
 
-    /// The density for the azimuths without a recurrence.
-    fn density(self, lengths: &[u16]) -> Density {
-        let left = lengths.iter().enumerate().take(self.recurrences.first);
-        let terms =
-            left.filter(|&(azimuth, &length)| (1..=longest(azimuth)).contains(&length.into()));
-        let terms = terms.map(|(azimuth, &length)| azimuth + usize::from(length));
+    /// The density for polynomials of these lengths.
+    fn density(lengths: &[u16]) -> Density {
+        let left = lengths.iter().enumerate().filter(|(_, length)| **length > 0);
+        let terms = left.map(|(azimuth, &length)| azimuth + usize::from(length));
         Density::new(terms.max().unwrap_or(0))
     }
 
-    /// Converts a scene's polynomials, times `scale`, into orthonormal ones. Polynomials that are
-    /// too long, or of which no term is kept, stay as they are.
+    /// Converts a scene's polynomials, times `scale`, into orthonormal ones. Polynomials of
+    /// which no term is kept stay as they are.
     pub(super) fn orthonormalize(self, kept: &[u16], numbers: &mut [f32], scale: f32) {
-        let (mut density, mut rows) = (self.density(kept), Rows::new());
-        for (place, _) in self.places().zip(kept).filter(|(place, kept)| place.known && **kept > 0)
-        {
-            let recurrence = self.recurrences.of(place.azimuth);
+        let (mut density, mut rows) = (Self::density(kept), Rows::new());
+        for (place, _) in self.places().zip(kept).filter(|(_, kept)| **kept > 0) {
+            density.turn_to(place.azimuth);
+            let sizes = sizes(place.azimuth, density.below());
             let both = place.both_mut(numbers);
-            if recurrence.is_empty() {
-                density.turn_to(place.azimuth);
-                let sizes = sizes(place.azimuth, density.below());
-                rows.orthogonalize(both, &density, sizes.map(|size| size * scale));
-            } else {
-                times(both, sizes(place.azimuth, below(recurrence)).map(|size: f32| size * scale));
-            }
+            rows.orthogonalize(both, &density, sizes.map(|size| size * scale));
         }
     }
 
     /// Moves the remaining terms to the beginning, in the form of these lengths, times `scale`.
     pub(super) fn restore(self, lengths: &[u16], numbers: &mut [f32], scale: f32) {
-        let (mut density, mut rows) = (self.density(lengths), Rows::new());
+        let (mut density, mut rows) = (Self::density(lengths), Rows::new());
         let (cells, mut end) = (Cell::from_mut(&mut *numbers).as_slice_of_cells(), 0);
         for (place, &length) in self.places().zip(lengths) {
             // Terms move toward the beginning, and never onto terms that have yet to move.
@@ -139,17 +125,11 @@ impl<'p> Polynomials<'p> {
                 end += length;
             }
         }
-        let made = Polynomials { lengths, ..self }.places().zip(self.places());
-        for (made, _) in made.filter(|(made, original)| made.original > 0 && original.known) {
-            let recurrence = self.recurrences.of(made.azimuth);
+        for made in (Polynomials { lengths }).places().filter(|made| made.original > 0) {
             let over = |size: f32| size.recip() * scale;
-            if recurrence.is_empty() {
-                density.turn_to(made.azimuth);
-                times(made.both_mut(numbers), sizes(made.azimuth, density.below()).map(over));
-                rows.rewrite(made.both_mut(numbers), &density);
-            } else {
-                times(made.both_mut(numbers), sizes(made.azimuth, below(recurrence)).map(over));
-            }
+            density.turn_to(made.azimuth);
+            times(made.both_mut(numbers), sizes(made.azimuth, density.below()).map(over));
+            rows.rewrite(made.both_mut(numbers), &density);
         }
     }
 
@@ -164,14 +144,10 @@ impl<'p> Polynomials<'p> {
         sum
     }
 
-    /// Whether polynomials of these lengths can be made from these: none is longer, and none that
-    /// must stay as it is is shorter.
+    /// Whether polynomials of these lengths can be made from these: none is longer.
     pub(super) fn can_become(self, lengths: &[u16]) -> bool {
-        let padded = lengths.iter().map(|&length| usize::from(length)).chain(core::iter::repeat(0));
         lengths.len() <= self.lengths.len()
-            && self.places().zip(padded).all(|(Place { original, known, .. }, length)| {
-                length == original || length < original && known
-            })
+            && lengths.iter().zip(self.lengths).all(|(length, original)| length <= original)
     }
 }
 
@@ -184,18 +160,13 @@ fn times([plus, minus]: [&mut [f32]; 2], numbers: impl Iterator<Item = f32>) {
     }
 }
 
-/// The coefficients below_k of a recurrence.
-fn below(recurrence: &[Recurrence]) -> impl Iterator<Item = f32> {
-    recurrence.iter().map(|&[_, below]| below)
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
     use crate::normal::Normal;
     use crate::scene::{Scene, count};
 
-    /// Covers each form, and an azimuth far above the others.
+    /// Short and long polynomials, and an azimuth far above the others.
     const CASES: [&[u16]; 3] = [&[1], &[16, 3, 15, 16], &[2, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0, 12]];
 
     fn numbers(lengths: &[u16]) -> [f32; 500] {
@@ -232,10 +203,10 @@ mod tests {
         for lengths in CASES {
             let numbers = numbers(lengths);
             let mut terms = numbers;
-            let polynomials = Polynomials { lengths, recurrences: Recurrences::NONE };
+            let polynomials = Polynomials { lengths };
             polynomials.orthonormalize(lengths, &mut terms, 0.5);
             let sum: f64 = terms.iter().map(|&term| f64::from(term).powi(2)).sum();
-            let mean = over_the_sphere(&Scene::of(lengths, Recurrences::NONE, &numbers));
+            let mean = over_the_sphere(&Scene::of(lengths, &numbers));
             assert!((4.0 * sum - mean).abs() < 1e-4 * mean, "{lengths:?}: {sum}, {mean}");
             polynomials.restore(lengths, &mut terms, 2.0);
             for (term, number) in terms.iter().zip(&numbers) {

@@ -219,12 +219,13 @@ fn seen(d: &[i32], exponent: i32, normals: &[q15::Normal]) {
     }
     let scene = scene.expect("an exponent within bounds");
     let lengths = basis.parts().lengths;
+    let terms = scene.terms().try_into().expect("a scene of the table");
     // In units of the scene.
     let scale = 2f64.powi(exponent.saturating_sub(scene.exponent()));
     let floats: Vec<f64> = d.iter().map(|&d| scale * f64::from(d)).collect();
     for &normal in normals {
         let pixel = scene.shade(normal);
-        assert_eq!(pixel, sphere::q15::shade(&scene, normal), "two ways to a pixel");
+        assert_eq!(pixel, sphere::q15::shade_terms(terms, normal), "two ways to a pixel");
         let exact = integer::exact(lengths, scene.terms(), normal);
         assert_eq!(i128::from(pixel), exact, "a pixel");
         let at = normal.components().map(Q15::to_f64);

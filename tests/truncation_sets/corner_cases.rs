@@ -1,7 +1,7 @@
 //! Sets that are black, empty, dim, bright, of wrong sizes, or not numbers.
 
 use super::{Chosen, on, shipped};
-use eigenshade::{Argument, Error, Recurrences, Shape, Tolerance, Truncation, sphere};
+use eigenshade::{Argument, Error, Shape, Tolerance, Truncation, sphere};
 
 #[test]
 fn black_images_and_none_cost_nothing() {
@@ -119,8 +119,7 @@ fn faults_are_named() {
     assert_eq!(tried(1, azimuths, room - 1, 4), wrong(Argument::Scene, room, room - 1));
     assert_eq!(tried(1, azimuths - 1, room, 4), wrong(Argument::Lengths, azimuths, azimuths - 1));
     let shaped = |lengths: &[u16]| {
-        let shape =
-            Shape { components: sphere::COMPONENTS, lengths, recurrences: Recurrences::NONE };
+        let shape = Shape { components: sphere::COMPONENTS, lengths };
         let made = sphere::BASIS.collapse_as(&set[0], shape, [0.0; sphere::SCENE]);
         made.map(|(_, report)| report.terms)
     };
@@ -128,11 +127,7 @@ fn faults_are_named() {
     assert_eq!(shaped(&[]), Ok(0));
     assert!(matches!(shaped(&[99]), Err(Error::Length { argument: Argument::Lengths, .. })));
     assert!(matches!(shaped(&[0; 16]), Err(Error::Length { argument: Argument::Lengths, .. })));
-    let shape = Shape {
-        components: sphere::COMPONENTS,
-        lengths: &[3, 2, 1],
-        recurrences: Recurrences::NONE,
-    };
+    let shape = Shape { components: sphere::COMPONENTS, lengths: &[3, 2, 1] };
     assert_eq!(shape.scene([0.0f32; 8]).map(|_| ()), wrong(Argument::Scene, 9, 8));
 }
 

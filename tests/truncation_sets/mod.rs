@@ -7,7 +7,7 @@ use eigenshade_testing::{assert_recorded, images};
 
 mod corner_cases;
 
-use eigenshade::{Light, Material, Normal, Recurrences, Shape, Tolerance, Truncation, sphere};
+use eigenshade::{Light, Material, Normal, Shape, Tolerance, Truncation, sphere};
 use eigenshade_generator::basis::build;
 use eigenshade_model::database::Named;
 use eigenshade_model::inputs::coefficient_csv::{read_lights, read_materials};
@@ -78,11 +78,7 @@ impl Chosen {
     }
 
     fn shape(&self) -> Shape<'_> {
-        Shape {
-            components: self.components,
-            lengths: &self.lengths,
-            recurrences: Recurrences::NONE,
-        }
+        Shape { components: self.components, lengths: &self.lengths }
     }
 }
 
@@ -148,11 +144,7 @@ fn checked(
             continue;
         }
         lengths[azimuth] -= 1;
-        let shorter = Shape {
-            components: sphere::COMPONENTS,
-            lengths: &lengths,
-            recurrences: Recurrences::NONE,
-        };
+        let shorter = Shape { components: sphere::COMPONENTS, lengths: &lengths };
         let breaks = set.iter().zip(images).zip(&chosen.reports).any(|((d, image), report)| {
             let terms = error_in(d, shorter, image, &rule);
             let bound = (terms * terms + beyond(d, chosen.components)).sqrt();

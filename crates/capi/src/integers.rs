@@ -32,12 +32,6 @@ fn relight_only() -> &'static Basis<'static> {
     &BASIS
 }
 
-/// The irradiance, with every size a constant; shared by `shade` and `shade_many`.
-#[inline(never)]
-fn constant_irradiance(scene: &q15::Scene<'_, &[i32]>, normal: Normal) -> i32 {
-    table::q15::shade(scene, normal)
-}
-
 records! {
     Light = "light" Q15:
         degree: usize, length: usize, mantissas: Input<Q15>, exponent: i32;
@@ -225,10 +219,11 @@ pub(crate) fn collapsed(mantissas: &[i32], exponent: i32, scene: &mut Scene) -> 
     Ok(())
 }
 
-/// The irradiance of a normal, times 2 to the scene's negative exponent.
-#[inline]
-pub(crate) fn irradiance(scene: &Scene, normal: Normal) -> Result<i32, Status> {
-    Ok(constant_irradiance(&relight_only().scene(0, scene.terms.as_slice())?, normal))
+/// The irradiance of a normal, times 2 to the scene's negative exponent, with every size a constant.
+// Shared by all that shades.
+#[inline(never)]
+pub(crate) fn irradiance(scene: &Scene, normal: Normal) -> i32 {
+    table::q15::shade_terms(&scene.terms, normal)
 }
 
 pub(crate) fn normalize(vector: Input<i32>, normal: Output<Q15>) -> Result<(), Status> {
@@ -254,7 +249,7 @@ pub(crate) fn shade(
     disjoint(&[irradiance.place()], &[Place::of(scene)])?;
     scene.check()?;
     let normal = Normal::from_unit(x, y, z)?;
-    let found = self::irradiance(scene, normal)?;
+    let found = self::irradiance(scene, normal);
     // SAFETY: it overlaps no other.
     *unsafe { irradiance.zeroed() }? = found;
     Ok(())
@@ -273,9 +268,8 @@ pub(crate) fn shade_many(
     // SAFETY: C promises `count` numbers each.
     let ([x, y, z], irradiance) =
         unsafe { normals(Place::of(scene), count, [&x, &y, &z], &irradiance) }?;
-    let scene = relight_only().scene(0, scene.terms.as_slice())?;
     for (((irradiance, &x), &y), &z) in irradiance.iter_mut().zip(x).zip(y).zip(z) {
-        *irradiance = constant_irradiance(&scene, Normal::from_unit(x, y, z)?);
+        *irradiance = self::irradiance(scene, Normal::from_unit(x, y, z)?);
     }
     Ok(())
 }

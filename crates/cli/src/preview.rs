@@ -4,43 +4,53 @@
 use eigenshade::{Exposure, Highlights, Meter, Rgb};
 use eigenshade_index::highlights::MAX_SOURCES;
 use eigenshade_model::error::Result;
+use eigenshade_model::evaluation::Evaluator;
 use eigenshade_model::window::Window;
 use eigenshade_shading::shader::{Lit, OwnedNormals, Shader, fault};
+use eigenshade_table::Table;
 use std::f64::consts::PI;
 
 /// The number of normals.
 const COUNT: usize = 512;
 
 /// Shades a sphere at normals whose pixels are spread evenly over its picture.
-pub struct Preview<'s, 'a> {
-    shader: &'s mut Shader<'a>,
+pub struct Preview<'s> {
+    image: Image<'s>,
     highlights: Option<&'s Highlights<MAX_SOURCES>>,
     normals: OwnedNormals,
 }
 
-impl<'s, 'a> Preview<'s, 'a> {
+/// The irradiances of the normals, in one channel.
+type Image<'s> = Box<dyn FnMut(Lit<'_>, &OwnedNormals) -> Result<Vec<f32>> + 's>;
+
+impl<'s> Preview<'s> {
     /// A preview by this shader, with highlights if there are any.
     pub fn new(
-        shader: &'s mut Shader<'a>,
+        shader: &'s mut Shader<'_>,
         highlights: Option<&'s Highlights<MAX_SOURCES>>,
     ) -> Self {
-        let normal = |k: usize| {
-            let square = (k as f64 + 0.5) / COUNT as f64;
-            // A spiral by the golden angle.
-            let (sine, cosine) = (k as f64 * PI * (3.0 - 5_f64.sqrt())).sin_cos();
-            [square.sqrt() * cosine, square.sqrt() * sine, (1.0 - square).sqrt()]
-        };
-        let normals: Vec<[f64; 3]> = (0..COUNT).map(normal).collect();
-        Self { shader, highlights, normals: OwnedNormals::new(&normals) }
+        let image: Image<'s> =
+            Box::new(|(light, material), normals| shader.polynomial(light, material, normals));
+        Self { image, highlights, normals: OwnedNormals::new(&normals()) }
+    }
+
+    /// A preview in f64, for tables that only f64 draws.
+    pub fn in_f64(
+        evaluator: &'s Evaluator<&Table>,
+        highlights: Option<&'s Highlights<MAX_SOURCES>>,
+    ) -> Self {
+        let normals = normals();
+        let eigenimages = evaluator.eigenimages(&normals);
+        let image: Image<'s> = Box::new(move |(light, material), _| {
+            let image = eigenimages.reconstruct(&evaluator.project(light, material)?);
+            Ok(image.into_iter().map(|irradiance| irradiance as f32).collect())
+        });
+        Self { image, highlights, normals: OwnedNormals::new(&normals) }
     }
 
     fn colors(&mut self, channels: &[Lit<'_>; 3]) -> Result<Vec<Rgb<f32>>> {
-        let mut channel = |c: usize| {
-            let (light, material) = channels[c];
-            self.shader.polynomial(light, material, &self.normals)
-        };
-        let [r, g, b] = [channel(0)?, channel(1)?, channel(2)?];
-        let colors = r.into_iter().zip(g).zip(b).map(|((r, g), b)| Rgb::new(r, g, b));
+        let [r, g, b] = channels.map(|lit| (self.image)(lit, &self.normals));
+        let colors = r?.into_iter().zip(g?).zip(b?).map(|((r, g), b)| Rgb::new(r, g, b));
         let mut colors: Vec<Rgb<f32>> = colors.collect();
         if let Some(highlights) = self.highlights {
             highlights.add_slice(self.normals.view()?, &mut colors).map_err(fault)?;
@@ -49,13 +59,13 @@ impl<'s, 'a> Preview<'s, 'a> {
     }
 
     /// The metered exposure of the channels of a light, each on that of a material. Fails as
-    /// [`Shader::polynomial`] does.
+    /// the shader does.
     pub fn exposure(&mut self, channels: &[Lit<'_>; 3]) -> Result<Exposure> {
         Ok(metered(&self.colors(channels)?))
     }
 
     /// The weakest window of the light without dark rings under an exposure, or the metered one.
-    /// Fails as [`Shader::polynomial`] does.
+    /// Fails as the shader does.
     pub fn window(
         &mut self,
         channels: &[Lit<'_>; 3],
@@ -89,6 +99,16 @@ impl<'s, 'a> Preview<'s, 'a> {
         });
         failed.map_or(Ok(window), Err)
     }
+}
+
+fn normals() -> Vec<[f64; 3]> {
+    let normal = |k: usize| {
+        let square = (k as f64 + 0.5) / COUNT as f64;
+        // A spiral by the golden angle.
+        let (sine, cosine) = (k as f64 * PI * (3.0 - 5_f64.sqrt())).sin_cos();
+        [square.sqrt() * cosine, square.sqrt() * sine, (1.0 - square).sqrt()]
+    };
+    (0..COUNT).map(normal).collect()
 }
 
 /// The metered exposure of a picture; 1 if it is black. A meter reaches from 2^-16 to 2^16, so the

@@ -70,7 +70,12 @@ fn a_table_of_degree_32_is_the_direct_sum() {
         .collect();
     assert_near("degree 32", &found, &expected, HIGH_DEGREE);
     // And it is drawn.
-    folder.ok(&format!("render {scene} -s 16 -o a.png"));
+    folder.ok(&format!("render {scene} --format f64 -s 16 -o a.png"));
+    assert_fails(
+        &folder,
+        &format!("render {scene} -s 16 -o b.png"),
+        &["degree 32", "--format f64"],
+    );
 }
 
 #[test]

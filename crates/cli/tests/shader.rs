@@ -17,7 +17,7 @@ const ONE: &str = "--table b.bin --light lights.csv:light-1 --material materials
 /// The text of a language and the array.
 fn written(folder: &Folder, options: &str) -> (String, Vec<[f64; 4]>) {
     let (text, vectors, terms) = parts(folder, &format!("{ONE} {options}"));
-    assert_eq!(terms, vectors.len(), "no recurrences");
+    assert_eq!(terms, vectors.len());
     (text, vectors)
 }
 
@@ -60,7 +60,7 @@ fn module(lang: &str, text: &str) -> naga::Module {
     parsed.unwrap_or_else(|error| panic!("{}", error.emit_to_string(&whole)))
 }
 
-/// With monomials and even and odd halves, with and without sources.
+/// Of each shipped table, with and without sources.
 #[test]
 fn texts_are_valid() {
     let folder = Folder::new();

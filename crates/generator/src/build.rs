@@ -60,16 +60,14 @@ pub fn statics(scene: impl AsRef<Path>, name: &str) {
 ///
 /// # Errors
 ///
-/// The errors of [`scene_file::load`] and [`Loaded::build`](scene_file::Loaded::build), a scene
-/// that stores only transfers, and errors of writing.
+/// The errors of [`scene_file::load`] and [`Loaded::build`](scene_file::Loaded::build), those of
+/// [`statics::module`], and errors of writing.
 pub fn write(scene: &Path, out: &Path) -> Result<Vec<String>> {
     let loaded = scene_file::load(scene)?;
     let table = loaded.build().map_err(|error| error.in_file(scene))?;
     let command = format!("eigenshade-generator, from {}", scene.display());
-    let statics = statics::module(&table, &command).map_err(|_| {
-        let what = "it stores only transfers, which have no static form";
-        Error::new(what, "set store = \"projection\"").in_file(scene)
-    })?;
+    let statics = statics::module(&table, &command)
+        .map_err(|error| Error::of_line(error, "make another table").in_file(scene))?;
     let text = statics.text + &loaded.highlights.iter().map(Highlights::text).collect::<String>();
     write_atomically(out, |to| {
         to.write_all(text.as_bytes()).map_err(|error| Error::io(out, &error))

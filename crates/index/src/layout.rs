@@ -10,77 +10,20 @@
 //! multiple of [`LANES`], and at most [`PASS`] profiles of each order. It holds one group for each
 //! l from [`lowest_degree`] on and each of its profiles.
 
-/// Maximum number of terms of a profile's polynomial in powers of t = 2z - 1. The powers cancel:
-/// with n terms by up to (1 + √2)^n to one.
-pub const MONOMIAL_TERMS: usize = 16;
+/// Largest degree of the light in a table of the runtime. Sharper light takes
+/// [sources](crate::source).
+pub const MAX_DEGREE: usize = 12;
 
-/// Maximum number of terms in [`Form::EvenOdd`], whose powers cancel like those of half as many
-/// terms.
-pub const EVEN_ODD_TERMS: usize = 2 * MONOMIAL_TERMS;
+/// Largest order of the BRDF in a table of the runtime.
+pub const MAX_ORDER: usize = 12;
 
-/// How a polynomial in t is written, highest term first, if its azimuth has no [`Recurrence`]. The
-/// number of terms determines the form.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Form {
-    /// In 1, t, t², ...: one multiplication and one addition per term.
-    Monomial,
-    /// In 1, t, u, tu, u², tu², ... with u = 2t² - 1, alternating between the even and the odd
-    /// half: the same operations per term, plus one multiplication and one addition for u.
-    EvenOdd,
-}
+/// Maximum number of terms of a profile's polynomial in f32: more than tables of [`MAX_DEGREE`] and
+/// [`MAX_ORDER`] have.
+pub const MAX_TERMS: usize = 40;
 
-impl Form {
-    /// The form of a polynomial with this number of terms.
-    #[inline]
-    #[must_use]
-    pub const fn of(terms: usize) -> Self {
-        if terms <= MONOMIAL_TERMS { Self::Monomial } else { Self::EvenOdd }
-    }
-
-    /// `[above, below]` in t e_k = above e_k+1 + below e_k-1, where e_k are the polynomials of this
-    /// form.
-    #[inline]
-    #[must_use]
-    pub const fn recurrence(self, k: usize) -> [f64; 2] {
-        match (self, k) {
-            (Self::Monomial, _) => [1.0, 0.0],
-            (Self::EvenOdd, _) if k.is_multiple_of(2) => [1.0, 0.0],
-            (Self::EvenOdd, _) => [0.5, 0.5],
-        }
-    }
-}
-
-/// Coefficients a_k and b_k of the recurrence e_k+1 = (2t - a_k) e_k - b_k e_k-1, e_0 = 1, e_-1 =
-/// 0, of polynomials that are orthogonal over a sphere's normals with the weight sin^2m.
-///
-/// At a high azimuth a profile h = u / sin^|m| is far larger near the pole than at the rim. In
-/// powers, halves or Chebyshev polynomials its value at the rim is a small difference of large
-/// terms. These polynomials grow toward the pole as h does. The coefficients are `f32` in every
-/// number format; the rounded values define the polynomials.
-pub type Recurrence = [f32; 2];
-
-/// `[first, length]`: the first azimuth that has recurrences, and the length of each recurrence.
-///
-/// A table stores recurrences for its last azimuths. Each has as many coefficient pairs as the
-/// longest of the polynomial `lengths` has terms; `count` is their total number. If `count` is 0,
-/// no azimuth has a recurrence. Returns `None` if `count` is not possible for these lengths.
-#[must_use]
-pub const fn recurrences(lengths: &[u16], count: usize) -> Option<[usize; 2]> {
-    let (mut longest, mut rest) = (0, lengths);
-    while let [length, tail @ ..] = rest {
-        if *length as usize > longest {
-            longest = *length as usize;
-        }
-        rest = tail;
-    }
-    if count == 0 {
-        return Some([lengths.len(), longest]);
-    }
-    if longest == 0 || !count.is_multiple_of(longest) || count / longest > lengths.len() {
-        return None;
-    }
-    Some([lengths.len() - count / longest, longest])
-}
+/// Maximum number of terms of a polynomial in integers, which is in powers of t = 2z - 1. They
+/// cancel: with n terms by up to (1 + √2)^n to one.
+pub const MAX_INTEGER_TERMS: usize = 16;
 
 /// Maximum number of weights in one integer sum: one for +m and one for -m of each profile. The
 /// limit leaves headroom for rounding. The weights of a scene are off by half a unit each, which

@@ -4,13 +4,14 @@
 //! work buffers.
 
 use crate::overflow;
-use crate::shader::fault;
+use crate::shader::{beyond, fault};
 use eigenshade::Q15;
 use eigenshade::q15::{Basis, Light, Material, Normal, Transfer};
 use eigenshade_index::record::integers::OwnedParts;
 use eigenshade_model::error::{Error, Result};
+use eigenshade_table::FormatError;
 use eigenshade_table::Table;
-use eigenshade_table::quantize::{self, QuantizeError, TOLERANCE};
+use eigenshade_table::quantize::{self, TOLERANCE};
 
 /// The nearest representable normal.
 ///
@@ -39,7 +40,7 @@ impl OwnedQuantized {
     /// # Errors
     ///
     /// If the table has no integer form.
-    pub fn new(table: &Table, tolerance: f64) -> std::result::Result<Self, QuantizeError> {
+    pub fn new(table: &Table, tolerance: f64) -> std::result::Result<Self, FormatError> {
         Ok(Self { parts: quantize::integers(table, tolerance)? })
     }
 
@@ -75,13 +76,16 @@ impl IntegerShader {
     /// If the table has no integer form.
     pub fn new(table: &Table, components: usize) -> Result<Self> {
         let basis = OwnedQuantized::new(table, TOLERANCE).map_err(|error| {
+            if let FormatError::High { degree, order } = error {
+                return beyond(degree, order);
+            }
             let line = error.to_string();
             let (what, remedy) = line.rsplit_once("; ").unwrap_or((&line, "another table"));
             let others = match error {
-                QuantizeError::Large { .. } => {
+                FormatError::Large { .. } => {
                     ", fewer --components, or another table, as --table sphere".to_owned()
                 }
-                QuantizeError::General => String::new(),
+                FormatError::General => String::new(),
                 _ => format!(", or {remedy}"),
             };
             Error::new(what, format!("use --format f32{others}"))
@@ -157,11 +161,6 @@ impl IntegerShader {
         let basis = self.basis.view().map_err(fault)?;
         let used = self.mantissas.get(..self.components).unwrap_or(&self.mantissas);
         let scene = basis.collapse_into(used, self.exponent, &mut self.scene).map_err(fault)?;
-        if let Some(formula) = scene.nine_terms() {
-            self.unit = formula.exponent();
-            let one = |normal: &Normal| scaled(formula.shade(*normal), self.unit);
-            return Ok(normals.iter().map(one).collect());
-        }
         self.unit = scene.exponent();
         let one = |normal: &Normal| scaled(scene.shade(*normal), self.unit);
         Ok(normals.iter().map(one).collect())

@@ -4,6 +4,7 @@ use crate::overflow;
 use crate::owned_basis::{AnyBasis, OwnedTransfer};
 use eigenshade::{Light, Material, Normal, Normals, Scene};
 use eigenshade_index::effect::{Effect, Effects};
+use eigenshade_index::layout::{MAX_DEGREE, MAX_ORDER};
 use eigenshade_model::database::{Lights, Materials, Named};
 use eigenshade_model::error::{Error, Result};
 use eigenshade_table::Table;
@@ -278,5 +279,17 @@ fn rounded(values: &[f64]) -> Vec<f32> {
 /// Converts an error of the runtime about its inputs.
 #[must_use]
 pub fn fault(error: eigenshade::Error) -> Error {
+    if let eigenshade::Error::High { degree, order } = error {
+        return beyond(degree, order);
+    }
     Error::new(error.to_string(), "check the inputs against `eigenshade info` of the table")
+}
+
+/// The error for a table that only f64 draws.
+pub(crate) fn beyond(degree: usize, order: usize) -> Error {
+    let what = format!(
+        "the table has degree {degree} and order {order}; f32 and q15 go to {MAX_DEGREE} and \
+         {MAX_ORDER}"
+    );
+    Error::new(what, "use --format f64, or a smaller table with --sources")
 }

@@ -1,7 +1,5 @@
 //! Chebyshev series.
 
-use eigenshade_index::layout::Form;
-
 /// t times a Chebyshev series: t T_0 = T_1, t T_k = (T_k-1 + T_k+1) / 2.
 pub(crate) fn times_argument(series: &[f64]) -> Vec<f64> {
     let mut product = vec![0.0; series.len() + 1];
@@ -24,10 +22,18 @@ pub(crate) fn clenshaw(series: &[f64], t: f64) -> f64 {
     series.first().copied().unwrap_or(0.0) + t * next - after
 }
 
-/// Converts a Chebyshev series to a polynomial of `length` terms, highest first, in the form that
-/// this length determines. `length` is at least the length of the series.
-pub(crate) fn polynomial(chebyshev: &[f64], length: usize) -> Vec<f64> {
-    let form = Form::of(length);
+/// How a polynomial in t is written, highest term first.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Form {
+    /// In 1, t, t², ...: that of integers.
+    Powers,
+    /// In 1, t, u, tu, u², tu², ... with u = 2t² - 1: that of floats.
+    Halves,
+}
+
+/// Converts a Chebyshev series to a polynomial of `length` terms, highest first. `length` is at least
+/// the length of the series.
+pub(crate) fn polynomial(chebyshev: &[f64], length: usize, form: Form) -> Vec<f64> {
     let mut terms = vec![0.0; length];
     // T_0 = 1, T_1 = t, T_k+1 = 2 t T_k - T_k-1; lowest term first.
     let mut before = vec![0.0; length];
@@ -40,12 +46,14 @@ pub(crate) fn polynomial(chebyshev: &[f64], length: usize) -> Vec<f64> {
         }
         let mut next: Vec<f64> = before.iter().map(|before| -before).collect();
         for (k, term) in current.iter().enumerate() {
-            let [above, below] = form.recurrence(k).map(|share| factor * share * term);
+            // t times a term is the next one; t times tu^k is (u^k+1 + u^k) / 2.
+            let halved = form == Form::Halves && k % 2 == 1;
+            let product = factor * if halved { 0.5 * term } else { *term };
             if let Some(next) = next.get_mut(k + 1) {
-                *next += above;
+                *next += product;
             }
-            if let Some(next) = k.checked_sub(1).and_then(|k| next.get_mut(k)) {
-                *next += below;
+            if halved {
+                next[k - 1] += product;
             }
         }
         before = std::mem::replace(&mut current, next);
@@ -57,21 +65,22 @@ pub(crate) fn polynomial(chebyshev: &[f64], length: usize) -> Vec<f64> {
 
 #[cfg(test)]
 mod tests {
+    use super::Form::{Halves, Powers};
     use super::polynomial;
 
     #[test]
-    fn short_chebyshev_series_become_powers() {
+    fn chebyshev_series_become_powers() {
         // T_0 + 2 T_1 + 3 T_2 + 4 T_3 = 1 + 2t + 3(2t² - 1) + 4(4t³ - 3t).
-        assert_eq!(polynomial(&[1.0, 2.0, 3.0, 4.0], 5), [0.0, 16.0, 6.0, -10.0, -2.0]);
-        assert_eq!(polynomial(&[7.0], 1), [7.0]);
-        assert_eq!(polynomial(&[], 2), [0.0, 0.0]);
+        assert_eq!(polynomial(&[1.0, 2.0, 3.0, 4.0], 5, Powers), [0.0, 16.0, 6.0, -10.0, -2.0]);
+        assert_eq!(polynomial(&[7.0], 1, Powers), [7.0]);
+        assert_eq!(polynomial(&[], 2, Powers), [0.0, 0.0]);
     }
 
     #[test]
-    fn longer_ones_become_halves() {
+    fn chebyshev_series_become_halves() {
         // T_0 + 2 T_1 + 3 T_2 + 4 T_3 + 5 T_4 = 1 + 2t + 3u + 4(2tu - t) + 5(2u² - 1).
-        let mut halves = [0.0; 17];
-        halves[12..].copy_from_slice(&[10.0, 8.0, 3.0, -2.0, -4.0]);
-        assert_eq!(polynomial(&[1.0, 2.0, 3.0, 4.0, 5.0], 17), halves);
+        let series = [1.0, 2.0, 3.0, 4.0, 5.0];
+        assert_eq!(polynomial(&series, 6, Halves), [0.0, 10.0, 8.0, 3.0, -2.0, -4.0]);
+        assert_eq!(polynomial(&series[..2], 2, Halves), [2.0, 1.0]);
     }
 }

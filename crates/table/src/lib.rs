@@ -36,7 +36,7 @@ pub mod trim;
 
 pub mod reduce;
 
-mod polynomials;
+mod format_error;
 
 pub mod parts;
 
@@ -51,6 +51,7 @@ pub mod wire;
 pub mod statics;
 
 pub use file::{FileError, decode, encode};
+pub use format_error::FormatError;
 pub use gram::GramFactor;
 pub use scene::Scene;
 pub use table::{

@@ -1,7 +1,8 @@
 //! A table as the runtime needs it: the numbers for a device, padded and in the order of the
 //! runtime's loops. They are in f64; rounding to the device's format comes last.
 
-use crate::polynomials::Polynomials;
+use crate::chebyshev::{Form, polynomial};
+use crate::format_error::FormatError;
 use crate::table::{General, Profile, Table};
 use eigenshade_index::effect::{Effect, Effects};
 use eigenshade_index::layout::{LANES, PASS, first_order, lowest_degree};
@@ -9,6 +10,28 @@ use eigenshade_index::record::floats::{OwnedGeneralParts, OwnedParts};
 use eigenshade_index::record::{Coupling, NONE, Pass, ProfilePlace, Row};
 use eigenshade_index::{layout, material, pair};
 use std::collections::BTreeSet;
+
+/// Whether the runtime takes this table.
+///
+/// # Errors
+///
+/// [`FormatError::TransfersOnly`] if it stores only transfers, [`FormatError::High`] beyond degree or
+/// order 12, [`FormatError::Long`] if a polynomial has more than 40 terms.
+pub fn check(table: &Table) -> Result<(), FormatError> {
+    let (degree, order) = (table.gram.degree, table.gram.order);
+    if !table.has_projection() {
+        return Err(FormatError::TransfersOnly);
+    }
+    if degree > layout::MAX_DEGREE || order > layout::MAX_ORDER {
+        return Err(FormatError::High { degree, order });
+    }
+    let most = layout::MAX_TERMS;
+    let lengths = lengths(table).into_iter().map(usize::from);
+    match lengths.enumerate().find(|(_, terms)| *terms > most) {
+        Some((azimuth, terms)) => Err(FormatError::Long { azimuth, terms, most }),
+        None => Ok(()),
+    }
+}
 
 /// The arrays of a table, or of the span of a general basis.
 #[must_use]
@@ -19,7 +42,7 @@ pub fn floats(table: &Table) -> OwnedParts<f64> {
     let factored = effects.factored_order(order);
     let pairs = pair::count(factored);
     let roots: Vec<f64> = pair::indices(factored).map(|(o, _)| ((o + 1) as f64).sqrt()).collect();
-    let polynomials = Polynomials::new(table);
+    let lengths = lengths(table);
     let (polar, factors) = if table.has_projection() {
         let polar = grouped(degree, pairs, |l, pair| match (l, effects.has(Effect::Ambient)) {
             (0, false) => 0.0,
@@ -29,11 +52,15 @@ pub fn floats(table: &Table) -> OwnedParts<f64> {
     } else {
         (Vec::new(), Vec::new())
     };
-    let terms = table.profiles.iter().zip(&polynomials.profiles).flat_map(|(profile, terms)| {
+    let terms = table.profiles.iter().flat_map(|profile| {
         let scale = if profile.azimuth == 0 { 1.0 } else { std::f64::consts::SQRT_2 };
-        terms.iter().map(move |term| scale * term)
+        let terms = polynomial(&profile.chebyshev, lengths[profile.azimuth].into(), Form::Halves);
+        terms.into_iter().map(move |term| scale * term)
     });
-    let mean = table.mean.as_ref().map(|mean| mean.coefficients.clone());
+    let mean = table.mean.as_ref();
+    let (of_mean, mean_coefficients) = mean.map_or_else(Default::default, |mean| {
+        (polynomial(&mean.chebyshev, lengths[0].into(), Form::Halves), mean.coefficients.clone())
+    });
     let mut profiles = places(table);
     let (passes, slots) = arrange(degree, &mut profiles);
     for place in profiles.iter_mut().filter(|place| place.azimuth == 0) {
@@ -52,11 +79,10 @@ pub fn floats(table: &Table) -> OwnedParts<f64> {
         polar,
         factors,
         terms: terms.collect(),
-        recurrences: polynomials.recurrences,
-        mean: polynomials.mean,
-        mean_coefficients: mean.unwrap_or_default(),
+        mean: of_mean,
+        mean_coefficients,
         selection: table.selection.clone(),
-        lengths: polynomials.lengths,
+        lengths,
     }
 }
 
@@ -91,6 +117,17 @@ pub fn transfer(parts: &OwnedParts<f64>, numbers: &[f64]) -> Vec<f64> {
         }
     }
     transfer
+}
+
+/// Number of terms for each azimuth: that of its longest profile.
+fn lengths(table: &Table) -> Vec<u16> {
+    let mut lengths = vec![0; table.gram.degree + 1];
+    let profiles = table.profiles.iter().map(|profile| (profile.azimuth, &profile.chebyshev));
+    for (azimuth, chebyshev) in profiles.chain(table.mean.iter().map(|mean| (0, &mean.chebyshev))) {
+        let length = u16::try_from(chebyshev.len()).expect("a polynomial's length is small");
+        lengths[azimuth] = length.max(lengths[azimuth]);
+    }
+    lengths
 }
 
 /// The positions of the pairs (o, q) and (p, q) for each (o, p, q) up to `order`;

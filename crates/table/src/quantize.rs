@@ -4,94 +4,14 @@
 //! over the row, of products with mantissas, overflows an accumulator of twice as many bits plus
 //! one: Σ |mantissa| < 2^(bits + 1).
 
-use crate::chebyshev::polynomial;
+use crate::chebyshev::{Form, polynomial};
+use crate::format_error::{FormatError, MAX_PROFILES};
+use crate::parts;
 use crate::table::{Profile, Table};
 use eigenshade_index::effect::Effect;
 use eigenshade_index::record::integers::{OwnedParts, Profile as Place};
 use eigenshade_index::record::{NONE, Q15};
 use eigenshade_index::{layout, material, pair};
-use std::fmt;
-
-/// The maximum number of profiles, and of degrees, in `eigenshade::q15::Basis`.
-const MAX_PROFILES: usize = layout::MAX_WEIGHTS / 2;
-
-/// Why a table cannot be converted to integers.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-#[non_exhaustive]
-pub enum QuantizeError {
-    /// Its criterion subtracts a mean image.
-    Mean,
-    /// It has a selection of modes.
-    Selection,
-    /// Its object is not a sphere, or its light does not turn freely.
-    General,
-    /// It stores only transfers.
-    TransfersOnly,
-    /// Its effect ambient contains orders that no other effect of the table contains.
-    Unfactored,
-    /// A polynomial has more than [`layout::MONOMIAL_TERMS`] terms.
-    Long {
-        /// |m| of the polynomial.
-        azimuth: usize,
-        /// Number of terms of the polynomial.
-        terms: usize,
-    },
-    /// It has more profiles or degrees than the runtime's sums allow.
-    Many,
-    /// A profile, a term of its polynomial or an intermediate sum exceeds 4,095.
-    Large {
-        /// The first component of such a profile, from 0.
-        component: usize,
-    },
-}
-
-impl fmt::Display for QuantizeError {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::Mean => f.write_str(
-                "integer formats do not support a mean image; make the table with criterion = \"image-centered\"",
-            ),
-            Self::Selection => {
-                f.write_str("integer formats do not support a selection of modes; make the table with modes = 0")
-            }
-            Self::General => f.write_str(
-                "integer formats support only tables of a sphere under light that turns freely; \
-                 use f32",
-            ),
-            Self::TransfersOnly => {
-                f.write_str("the table stores only transfers; make it with store = \"projection\"")
-            }
-            Self::Unfactored => f.write_str(
-                "integer formats support ambient only together with another effect that contains \
-                 all its orders; make the table without ambient, with gloss, or with a lower \
-                 material.order",
-            ),
-            Self::Long { azimuth, terms } => write!(
-                f,
-                "a polynomial of |m| = {azimuth} has {terms} terms, integer formats allow at most \
-                 {}; make the table with a larger profile_tolerance or a lower degree",
-                layout::MONOMIAL_TERMS
-            ),
-            Self::Many => write!(
-                f,
-                "integer formats allow at most {MAX_PROFILES} profiles, and degrees below that; make \
-                 the table with fewer components or a lower degree"
-            ),
-            Self::Large { component } => {
-                write!(f, "component {component} (counted from 0) has a profile above 4095; ")?;
-                if *component > 0 {
-                    write!(
-                        f,
-                        "keep {component} components or fewer (`pack --components {component}`), or "
-                    )?;
-                }
-                f.write_str("make the table of a lower degree")
-            }
-        }
-    }
-}
-
-impl std::error::Error for QuantizeError {}
 
 /// Number of bits of a mantissa, without the sign.
 const BITS: i32 = Q15::BITS.cast_signed();
@@ -107,14 +27,14 @@ pub const TOLERANCE: f64 = 1e-5;
 /// # Errors
 ///
 /// If the table cannot be converted to integers.
-pub fn integers(table: &Table, tolerance: f64) -> Result<OwnedParts<Q15>, QuantizeError> {
+pub fn integers(table: &Table, tolerance: f64) -> Result<OwnedParts<Q15>, FormatError> {
+    parts::check(table)?;
     for (fault, error) in [
-        (table.mean.is_some(), QuantizeError::Mean),
-        (!table.selection.is_empty(), QuantizeError::Selection),
-        (table.general.is_some(), QuantizeError::General),
-        (!table.has_projection(), QuantizeError::TransfersOnly),
-        (table.effects().unfactored_count(table.gram.order) > 0, QuantizeError::Unfactored),
-        (table.profiles.len().max(table.gram.degree + 1) > MAX_PROFILES, QuantizeError::Many),
+        (table.mean.is_some(), FormatError::Mean),
+        (!table.selection.is_empty(), FormatError::Selection),
+        (table.general.is_some(), FormatError::General),
+        (table.effects().unfactored_count(table.gram.order) > 0, FormatError::Unfactored),
+        (table.profiles.len() > MAX_PROFILES, FormatError::Many),
     ] {
         if fault {
             return Err(error);
@@ -148,7 +68,8 @@ pub fn integers(table: &Table, tolerance: f64) -> Result<OwnedParts<Q15>, Quanti
         let scale = if azimuth == 0 { 1.0 } else { std::f64::consts::SQRT_2 };
         let length = usize::from(lengths[azimuth]);
         let kept = &profile.chebyshev[..length.min(profile.chebyshev.len())];
-        let powers: Vec<f64> = polynomial(kept, length).iter().map(|term| scale * term).collect();
+        let powers: Vec<f64> =
+            polynomial(kept, length, Form::Powers).iter().map(|term| scale * term).collect();
         let (mantissas, exponent) = row(&powers, i64::MAX);
         let Some([size, step]) = sizes(&mantissas, exponent, azimuth) else {
             let first = table.components.iter().position(|one| one.profile == k);
@@ -171,7 +92,7 @@ pub fn integers(table: &Table, tolerance: f64) -> Result<OwnedParts<Q15>, Quanti
         });
     }
     if let Some(component) = large {
-        return Err(QuantizeError::Large { component });
+        return Err(FormatError::Large { component });
     }
     Ok(OwnedParts {
         degree,
@@ -221,7 +142,7 @@ fn in_range(numbers: &[f64], sum: i64) -> Option<(Vec<Q15>, i8)> {
 
 /// Number of terms for each azimuth: as few as possible while each component loses at most
 /// `tolerance` of the database's rms at any normal.
-fn lengths(table: &Table, tolerance: f64) -> Result<Vec<u8>, QuantizeError> {
+fn lengths(table: &Table, tolerance: f64) -> Result<Vec<u8>, FormatError> {
     let values = table.spectrum.iter().filter_map(|(_, value)| *value);
     let energy: f64 = values.sum();
     let mut lengths = vec![0; table.gram.degree + 1];
@@ -236,8 +157,9 @@ fn lengths(table: &Table, tolerance: f64) -> Result<Vec<u8>, QuantizeError> {
         *length = needed.max(*length);
     }
     for (azimuth, &terms) in lengths.iter().enumerate() {
-        if terms > layout::MONOMIAL_TERMS {
-            return Err(QuantizeError::Long { azimuth, terms });
+        let most = layout::MAX_INTEGER_TERMS;
+        if terms > most {
+            return Err(FormatError::Long { azimuth, terms, most });
         }
     }
     Ok(lengths.into_iter().map(|length| length as u8).collect())

@@ -1,7 +1,8 @@
 //! A table as Rust source: statics in floats, and a module with the table in integers.
 
+use crate::format_error::FormatError;
 use crate::parts;
-use crate::quantize::{self, QuantizeError};
+use crate::quantize;
 use crate::table::Table;
 use eigenshade_index::record::Q15;
 use eigenshade_index::record::integers::OwnedParts;
@@ -13,7 +14,7 @@ pub struct Statics {
     /// The text of [`floats`], then a `mod q15` if the table can be converted to integers.
     pub text: String,
     /// Why it cannot be.
-    pub without_integers: Option<QuantizeError>,
+    pub without_integers: Option<FormatError>,
 }
 
 /// The statics of a table in `f32`, and in integers if it can be converted. `command`, the command
@@ -21,12 +22,9 @@ pub struct Statics {
 ///
 /// # Errors
 ///
-/// [`QuantizeError::TransfersOnly`] for a table that stores only transfers: it has no statics.
-pub fn module(table: &Table, command: &str) -> Result<Statics, QuantizeError> {
-    if !table.has_projection() {
-        return Err(QuantizeError::TransfersOnly);
-    }
-    let mut text = floats(table, command);
+/// As [`floats`].
+pub fn module(table: &Table, command: &str) -> Result<Statics, FormatError> {
+    let mut text = floats(table, command)?;
     let without_integers = match quantize::integers(table, quantize::TOLERANCE) {
         Ok(parts) => {
             let inner = integers(&parts, command);
@@ -40,12 +38,14 @@ pub fn module(table: &Table, command: &str) -> Result<Statics, QuantizeError> {
 
 /// The statics of a table in `f32`.
 ///
-/// Domain: a table that [projects](Table::has_projection).
-#[must_use]
-pub fn floats(table: &Table, command: &str) -> String {
+/// # Errors
+///
+/// As [`parts::check`].
+pub fn floats(table: &Table, command: &str) -> Result<String, FormatError> {
+    parts::check(table)?;
     let parts = parts::floats(table).convert(|&number| number as f32);
     let general = parts::general(table).convert(|&number| number as f32);
-    source::floats::module(&parts.borrow(), &general.borrow(), command)
+    Ok(source::floats::module(&parts.borrow(), &general.borrow(), command))
 }
 
 /// The statics of a table in integers.

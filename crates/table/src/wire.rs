@@ -1,15 +1,13 @@
 //! A table as bytes that the runtime reads in place: the wire format of [`eigenshade_index::wire`].
 
+use crate::format_error::FormatError;
 use crate::parts;
-use crate::quantize::{self, QuantizeError};
+use crate::quantize;
 use crate::table::Table;
 use eigenshade_index::effect::Effects;
 pub use eigenshade_index::format::NumberFormat;
 use eigenshade_index::record::{Item, Visitor, Word};
-use eigenshade_index::wire::{
-    ALIGNMENT, CHECKSUM, ENTRY, HEADER, LABEL, MARK, MAX_DEGREE_AND_ORDER, VERSION,
-};
-use std::fmt;
+use eigenshade_index::wire::{ALIGNMENT, CHECKSUM, ENTRY, HEADER, LABEL, MARK, VERSION};
 
 /// The byte order of a wire file, which must be that of the machine that reads it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -20,69 +18,13 @@ pub enum Endian {
     Big,
 }
 
-/// Why a table cannot be encoded as a wire file.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-#[non_exhaustive]
-pub enum WireError {
-    /// It stores only transfers.
-    TransfersOnly,
-    /// Its degree or order exceeds [`MAX_DEGREE_AND_ORDER`].
-    Shape {
-        /// The degree.
-        degree: usize,
-        /// The order.
-        order: usize,
-    },
-    /// The file would be longer than 32 bits can express.
-    Long,
-    /// One of its numbers exceeds the range of `f32`.
-    Range,
-    /// It cannot be converted to integers.
-    Quantize(QuantizeError),
-}
-
-impl fmt::Display for WireError {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::TransfersOnly => QuantizeError::TransfersOnly.fmt(f),
-            Self::Shape { degree, order } => write!(
-                f,
-                "degree {degree} and order {order}, a wire file allows at most \
-                 {MAX_DEGREE_AND_ORDER}; make the table with a lower degree and order"
-            ),
-            Self::Long => {
-                f.write_str("the wire file would exceed 4 GB; make the table with fewer components")
-            }
-            Self::Range => f.write_str(
-                "a number exceeds the range of f32; scale the lights and materials of the scene \
-                 toward 1",
-            ),
-            Self::Quantize(error) => error.fmt(f),
-        }
-    }
-}
-
-impl std::error::Error for WireError {}
-
-impl From<QuantizeError> for WireError {
-    fn from(error: QuantizeError) -> Self {
-        Self::Quantize(error)
-    }
-}
-
 /// Encodes a table as the bytes of a wire file.
 ///
 /// # Errors
 ///
-/// If the table stores only transfers, its numbers exceed the format, or it cannot be converted to
-/// integers.
-pub fn encode(table: &Table, format: NumberFormat, endian: Endian) -> Result<Vec<u8>, WireError> {
-    let (degree, order) = (table.gram.degree, table.gram.order);
-    if degree > MAX_DEGREE_AND_ORDER || order > MAX_DEGREE_AND_ORDER {
-        return Err(WireError::Shape { degree, order });
-    }
+/// If the table cannot be converted into the format.
+pub fn encode(table: &Table, format: NumberFormat, endian: Endian) -> Result<Vec<u8>, FormatError> {
     match format {
-        NumberFormat::F32 if !table.has_projection() => Err(WireError::TransfersOnly),
         NumberFormat::F32 => floats(table, endian),
         NumberFormat::Q15 => {
             let parts = quantize::integers(table, quantize::TOLERANCE)?;
@@ -94,12 +36,13 @@ pub fn encode(table: &Table, format: NumberFormat, endian: Endian) -> Result<Vec
     }
 }
 
-fn floats(table: &Table, endian: Endian) -> Result<Vec<u8>, WireError> {
+fn floats(table: &Table, endian: Endian) -> Result<Vec<u8>, FormatError> {
+    parts::check(table)?;
     let (parts, general) = (parts::floats(table), parts::general(table));
     // These arrays scale with the images. All others describe eigenimages, which have norm 1.
     let sized = [&parts.mean, &parts.mean_coefficients, &general.span_mean, &general.image_mean];
     if sized.into_iter().flatten().any(|&number| !(number as f32).is_finite()) {
-        return Err(WireError::Range);
+        return Err(FormatError::Range);
     }
     let mut sections = Sections { endian, sections: Vec::new() };
     parts.convert(|&number| number as f32).borrow().visit(&mut sections);
@@ -129,11 +72,11 @@ impl Sections {
         format: NumberFormat,
         shape: [usize; 4],
         effects: Effects,
-    ) -> Result<Vec<u8>, WireError> {
+    ) -> Result<Vec<u8>, FormatError> {
         let Self { endian, mut sections } = self;
         let last = sections.iter().rposition(|section| !section.bytes.is_empty());
         sections.truncate(last.map_or(0, |last| last + 1));
-        let long = |number: usize| u32::try_from(number).map_err(|_| WireError::Long);
+        let long = |number: usize| u32::try_from(number).map_err(|_| FormatError::File);
         let short = |number: usize| u16::try_from(number).expect("small shapes");
         let start = HEADER + ENTRY * sections.len();
         let padded: usize = sections.iter().map(Bytes::padded).sum();

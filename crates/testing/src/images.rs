@@ -2,7 +2,7 @@
 
 use crate::fixtures::{self, normal};
 use crate::largest;
-use eigenshade::{Light, Material, Normal, Recurrences, Scene, Shape, sphere};
+use eigenshade::{Light, Material, Normal, Scene, Shape, sphere};
 use eigenshade_model::database::Named;
 use std::f64::consts::TAU;
 
@@ -24,7 +24,7 @@ pub fn on(light: &Named, material: &Named) -> sphere::Coefficients {
 
 /// A shape of all components, with these lengths of the polynomials.
 pub fn shape(lengths: &[u16]) -> Shape<'_> {
-    Shape { components: sphere::COMPONENTS, lengths, recurrences: Recurrences::NONE }
+    Shape { components: sphere::COMPONENTS, lengths }
 }
 
 /// Unit vectors and weights of a quadrature rule for squares of images over a sphere.

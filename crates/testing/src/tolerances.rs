@@ -211,7 +211,7 @@ pub const FLAT_PICTURES: f64 = 1e-9;
 
 /// d by a compensated sum of a million pixels in f32, relative to the largest d: eigenimages
 /// accurate to 3e-7, whose errors average out, and two roundings.
-pub const MILLION_PIXELS: f64 = 2e-7;
+pub const MILLION_PIXELS: f64 = 1.5e-7;
 
 /// Exact sums over the million pixels against d, relative to the largest d: 3550 pixels of the rim
 /// are half inside and half outside, the root of that number is 6e-5 of all pixels, and images at
@@ -254,7 +254,3 @@ pub const RING_SHARES: f64 = 4e-14;
 
 /// A deliberate change alters a result by more than this, which is far above any rounding.
 pub const NO_ACCIDENT: f64 = 1e-3;
-
-/// A pixel of a Lambertian scene under light of degree 2, relative to one by the nine-term formula:
-/// the promised limit; measured 50 of 50 instructions on a Cortex-M0, 26 of 26 on a Cortex-M4F.
-pub const OF_NINE_TERMS: f64 = 1.1;

@@ -26,7 +26,8 @@ fn bake(path: &Path) -> Result<(), String> {
     let table = eigenshade_table::decode(&bytes).map_err(|error| error.to_string())?;
     fits(&table)?;
     let command = format!("build.rs, from {}", path.display());
-    write("table.rs", &statics::floats(&table, &command))
+    let text = statics::floats(&table, &command).map_err(|error| error.to_string())?;
+    write("table.rs", &text)
 }
 
 /// Whether the module can project with a table.

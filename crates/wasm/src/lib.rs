@@ -6,7 +6,6 @@
 #![cfg(target_arch = "wasm32")]
 #![no_std]
 
-#[cfg(feature = "color")]
 mod color;
 
 // For its exports.

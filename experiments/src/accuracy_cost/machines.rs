@@ -38,7 +38,6 @@ fn operations(setting: &Setting) -> [Option<&'static str>; 2] {
     match way {
         Way::NineTerms => [Some("nine_terms"), None],
         Way::Bilinear(32) if format != Format::F64 => [Some("baked"), None],
-        Way::Polynomial if recipe == Recipe::all(2, 0) => [Some("shade_lambertian"), None],
         Way::Polynomial if recipe == Recipe::first(DEGREE, ORDER, 130).trimmed(2e-4) => {
             [Some("shade"), None]
         }

@@ -23,7 +23,7 @@ use indicatif::ProgressBar;
 use machines::Boards;
 use numbers::table_bytes;
 use scope::{Bases, Scope};
-use settings::{Setting, Varied, WindowChoice};
+use settings::{Format, Setting, Varied, WindowChoice};
 use sheet::{MODEL, SETTINGS, TOTAL};
 use source_times::Lit;
 use std::collections::BTreeSet;
@@ -141,7 +141,10 @@ fn measure(
                 row.measure("model_median", spread.median);
                 row.measure("model_worst", spread.worst);
             }
-            row.put("table_bytes", table_bytes(setting, &table).map_err(of)?);
+            // f64 is the host's.
+            if setting.format != Format::F64 {
+                row.put("table_bytes", table_bytes(setting, &table).map_err(of)?);
+            }
             row.put("state_bytes", found.bytes + setting.sources * numbers::source_bytes(setting));
             boards.fill(row, setting);
             progress.inc(1);

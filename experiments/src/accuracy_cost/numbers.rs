@@ -11,7 +11,7 @@ use eigenshade_shading::integer_shader::{self, IntegerShader, OwnedQuantized};
 use eigenshade_shading::owned_basis::OwnedBasis;
 use eigenshade_shading::shader::{OwnedNormals, Shader, fault};
 use eigenshade_table::quantize::{self, TOLERANCE};
-use eigenshade_table::{Table, parts, wire};
+use eigenshade_table::{Table, wire};
 use std::fmt::Display;
 use std::hint::black_box;
 
@@ -38,19 +38,15 @@ fn unrepresentable(error: impl Display) -> Error {
 }
 
 /// Bytes of the table in flash, as `eigenshade pack` writes it.
+///
+/// Domain: a format of the runtime, not f64.
 pub fn table_bytes(setting: &Setting, table: &Table) -> Result<usize> {
     let format = match (setting.format, setting.way) {
         (_, Way::NineTerms) => return Ok(0),
         (Format::Q15, Way::Polynomial) => wire::NumberFormat::Q15,
         _ => wire::NumberFormat::F32,
     };
-    let bytes = wire::encode(table, format, wire::Endian::Little).map_err(unrepresentable)?.len();
-    if setting.format != Format::F64 {
-        return Ok(bytes);
-    }
-    // A wire file has no f64: its numbers would take four bytes more each.
-    let parts = parts::floats(table);
-    Ok(bytes + 4 * (parts.polar.len() + parts.factors.len() + parts.terms.len()))
+    Ok(wire::encode(table, format, wire::Endian::Little).map_err(unrepresentable)?.len())
 }
 
 /// Bytes in RAM for each source: its lobe and, in floats, which turn it, itself.

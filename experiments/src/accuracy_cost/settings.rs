@@ -164,8 +164,10 @@ pub const DEGREE: usize = 9;
 pub const ORDER: usize = 7;
 /// Degrees and orders of the measured materials, below the shipped ones.
 const LOWER: [(usize, usize); 8] = [(1, 0), (2, 0), (2, 2), (3, 2), (4, 3), (5, 4), (6, 5), (7, 6)];
-/// Higher degrees and orders, for materials given by formulas.
-const HIGHER: [(usize, usize); 4] = [(12, 12), (16, 16), (24, 24), (32, 32)];
+/// The highest degree and order of the runtime, for materials given by formulas.
+const HIGH: (usize, usize) = (12, 12);
+/// Degrees and orders beyond the runtime, in f64.
+const BEYOND: [(usize, usize); 3] = [(16, 16), (24, 24), (32, 32)];
 /// The largest number of components that a basis beyond the shipped order keeps.
 const HIGH_COMPONENTS: usize = 400;
 const QUICK_SOURCES: usize = 4;
@@ -179,7 +181,7 @@ pub struct Varied {
 
 /// The degrees and orders, in rising order.
 pub fn sizes() -> impl Iterator<Item = (usize, usize)> {
-    LOWER.into_iter().chain([(DEGREE, ORDER)]).chain(HIGHER)
+    LOWER.into_iter().chain([(DEGREE, ORDER), HIGH]).chain(BEYOND)
 }
 
 /// The settings, or a part of them. A new parameter is a field of [`Setting`] or [`Recipe`].
@@ -273,26 +275,23 @@ pub fn all(quick: bool) -> Vec<Varied> {
             add("window", Setting { sources, window: WindowChoice::None, ..setting });
         }
     }
-    for (degree, order) in HIGHER {
+    add("degree and order", higher());
+    add("degree and order", higher().in_format(Format::F64));
+    for share in either(quick, &[1e-2, 1e-3], &[1e-2]) {
+        let setting = trimmed(higher().recipe, share);
+        add("degree and order", setting);
+        add("degree and order", setting.by(Way::Within(share)));
+    }
+    for (degree, order) in BEYOND {
         let recipe = Recipe::first(degree, order, HIGH_COMPONENTS);
-        add("degree and order", Setting::of(recipe));
-        // A quick run has all kinds at the first of these sizes, and one setting at the others.
-        if quick && (degree, order) != HIGHER[0] {
-            continue;
-        }
         add("degree and order", Setting::of(recipe).in_format(Format::F64));
-        for share in either(quick, &[1e-2, 1e-3], &[1e-2]) {
-            let setting = trimmed(recipe, share);
-            add("degree and order", setting);
-            add("degree and order", setting.by(Way::Within(share)));
-        }
     }
     found
 }
 
-/// The first size above the shipped ones.
+/// The highest degree and order of the runtime.
 fn higher() -> Setting {
-    Setting::of(Recipe::first(HIGHER[0].0, HIGHER[0].1, HIGH_COMPONENTS))
+    Setting::of(Recipe::first(HIGH.0, HIGH.1, HIGH_COMPONENTS))
 }
 
 /// Numbers of sources: the sizes of the sets in `tables/inputs/sources.csv`.

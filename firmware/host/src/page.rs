@@ -14,7 +14,7 @@ const PAGES: [(&str, &[&str]); 2] = [("../README.md", &[]), ("../docs/costs.md",
 
 /// The rows of the short table: an operation and its description.
 const SHORT: [(&str, &str); 5] = [
-    ("shade_lambertian", "a pixel, matte material, light of degree 2"),
+    ("nine_terms", "a pixel, matte material, light of degree 2, no table"),
     ("shade", "a pixel of any material, 130 components to 1e-4"),
     ("gold", "a pixel of the gold sphere, in color, to RGB565"),
     ("relight_collapse", "a new light on a transferred material, 46 components"),

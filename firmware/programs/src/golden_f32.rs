@@ -26,8 +26,8 @@ fn compare(pair: &Pair<f32, f32>, tally: &mut Tally) -> Result<(), Error> {
     let (normals, _) = NORMALS.as_chunks::<3>();
     for (&[x, y, z], &expected) in normals.iter().zip(irradiances) {
         let normal = Normal::new(x, y, z)?;
-        tally.count(near(table::shade(&scene, normal), expected, irradiances));
         tally.count(near(scene.shade(normal), expected, irradiances));
+        tally.count(near((*scene).shade(normal), expected, irradiances));
     }
     Ok(())
 }

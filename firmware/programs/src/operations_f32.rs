@@ -24,13 +24,7 @@ fn shade() {
     let Ok(scene) = table::collapse(&Coefficients::from(numbers)) else { board::exit(false) };
     let scene = black_box(scene);
     holds(size_of_val(&scene));
-    let Some(terms) = table::terms(&scene) else { board::exit(false) };
-    measure(&inputs::normals(), Passes(64), |normal| table::shade_terms(terms, *normal));
-}
-
-/// A pixel of a Lambertian scene.
-fn shade_lambertian() {
-    shade();
+    measure(&inputs::normals(), Passes(64), |normal| scene.shade(*normal));
 }
 
 /// A new light on a fixed material.
@@ -193,9 +187,8 @@ fn shade_highlights() {
     let Ok(highlights) = reflected(&[first, second]) else { board::exit(false) };
     let (scene, highlights) = (black_box(scene), black_box(highlights));
     holds(size_of_val(&scene) + size_of_val(&highlights));
-    let Some(terms) = table::terms(&scene) else { board::exit(false) };
     measure(&inputs::normals(), Passes(64), |normal| {
-        table::shade_terms(terms, *normal) + reflection(&highlights, *normal)
+        scene.shade(*normal) + reflection(&highlights, *normal)
     });
 }
 

@@ -5,7 +5,7 @@
 
 use board::{Passes, holds, measure};
 use core::hint::black_box;
-use eigenshade::q15::{Highlights, Irradiance, LightBuffer, Lobe, NineTerms, SceneBuffer};
+use eigenshade::q15::{Highlights, Irradiance, LightBuffer, Lobe, NineTerms};
 use eigenshade::{DiscPixel, Error, Meter, NormalPixel, Rgb};
 use operations::*;
 use programs::inputs::integers::{self as inputs, GOLD_METALLIC_PAINT, LOBBY};
@@ -19,12 +19,12 @@ programs::program!();
 fn shade() {
     let scene = black_box(collapsed());
     holds(size_of_val(&scene));
-    measure(&inputs::normals(), Passes(256), |normal| table::shade(&scene, *normal));
+    measure(&inputs::normals(), Passes(256), |normal| scene.shade(*normal));
 }
 
-fn collapsed() -> eigenshade::q15::Scene<'static, SceneBuffer<SCENE>> {
-    let mantissas = [0; COMPONENTS].map(|_| black_box(123_456_789));
-    BASIS.collapse::<SCENE>(&mantissas, -30).unwrap_or_else(|_| board::exit(false))
+fn collapsed() -> Scene {
+    let d = Coefficients::new([0; COMPONENTS].map(|_| black_box(123_456_789)), -30);
+    table::collapse(&d).unwrap_or_else(|_| board::exit(false))
 }
 
 /// The same with the highlights of two sources, which all normals face.
@@ -37,7 +37,7 @@ fn shade_highlights() {
     let (scene, highlights) = (black_box(scene), black_box(highlights));
     holds(size_of_val(&scene) + size_of_val(&highlights));
     measure(&inputs::normals(), Passes(256), |normal| {
-        highlights.add(table::shade(&scene, *normal), *normal)
+        highlights.add(scene.shade(*normal), *normal)
     });
 }
 
@@ -61,14 +61,6 @@ fn highlights() {
     let (scene, highlights) = (black_box(scene), black_box(highlights));
     holds(size_of_val(&scene) + size_of_val(&highlights));
     measure(&inputs::normals(), Passes(64), |normal| highlights.add(scene.shade(*normal), *normal));
-}
-
-/// A pixel of a Lambertian scene, by the nine-term formula.
-fn shade_lambertian() {
-    let scene = black_box(collapsed());
-    holds(size_of_val(&scene));
-    let Some(formula) = scene.nine_terms() else { board::exit(false) };
-    measure(&inputs::normals(), Passes(256), |normal| formula.shade(*normal));
 }
 
 /// A new light on a fixed material.

@@ -27,8 +27,5 @@ fn scene() {
         table::collapse_into(&d, black_box(&mut scene))
     });
     let scene = black_box(scene);
-    let Some(terms) = table::terms(&scene) else { board::exit(false) };
-    measure_named("pixel", &inputs::normals(), Passes(64), |normal| {
-        table::shade_terms(terms, *normal)
-    });
+    measure_named("pixel", &inputs::normals(), Passes(64), |normal| scene.shade(*normal));
 }

@@ -26,5 +26,5 @@ fn scene() {
         table::collapse_into(&d, black_box(&mut scene))
     });
     let scene = black_box(scene);
-    measure_named("pixel", &inputs::normals(), Passes(256), |normal| table::shade(&scene, *normal));
+    measure_named("pixel", &inputs::normals(), Passes(256), |normal| scene.shade(*normal));
 }

@@ -51,8 +51,8 @@ function isModule(bytes) {
 }
 
 /**
- * An engine with a table of your own: a module `color`, `color-series` or
- * `color-sources` that `crates/wasm/build` made.
+ * An engine with a table of your own: a module `color` or `color-sources` that
+ * `crates/wasm/build` made.
  *
  * @param {ArrayBuffer | ArrayBufferView | Response | Promise<Response>} source the module's bytes, such
  *   as `fetch(url)`

@@ -4,17 +4,25 @@
 use crate::invariant::part_mut;
 use crate::places::{AzimuthPlace, KnownTable};
 use crate::q15::arithmetic::{SUM_SHIFT, TERM_BITS, weigh};
-use crate::q15::scene::{FINEST, Scene, SceneBuffer, bits, half_or_one, size, with_margin};
+use crate::q15::scene::{FINEST, Scene, bits, half_or_one, size, with_margin};
 use crate::q15::{Basis, Coefficients, Profile, scene};
 
-/// The terms of a scene, to be filled for this basis.
+/// A scene of this basis, all zero.
 #[inline(always)]
-pub fn terms<'s, 'a, const N: usize>(
-    basis: &Basis<'a>,
-    scene: &'s mut Scene<'a, SceneBuffer<N>>,
-) -> Option<&'s mut [i32; N]> {
-    scene.lengths = basis.parts.lengths;
-    scene.buffer.filled()
+pub const fn blank_scene<'a, const N: usize>(basis: &Basis<'a>) -> Scene<'a, [i32; N]> {
+    Scene { lengths: basis.parts.lengths, exponent: 0, buffer: [0; N] }
+}
+
+/// The terms of a scene.
+#[inline(always)]
+pub const fn terms<'s, const N: usize>(scene: &'s Scene<'_, [i32; N]>) -> &'s [i32; N] {
+    &scene.buffer
+}
+
+/// The terms of a scene, to be overwritten.
+#[inline(always)]
+pub const fn terms_mut<'s, const N: usize>(scene: &'s mut Scene<'_, [i32; N]>) -> &'s mut [i32; N] {
+    &mut scene.buffer
 }
 
 /// The mantissas of exactly `K` coefficients, if
@@ -209,10 +217,10 @@ fn sum<B, const M: usize, const W: usize, const P: usize, const N: usize>(
 
 /// Writes the exponent of a scene.
 #[inline(always)]
-pub fn finish<'a, const K: usize, const N: usize, const A: usize>(
+pub fn finish<const K: usize, const N: usize, const A: usize>(
     coefficients: &Coefficients<K>,
     shifts: &Shifts<A>,
-    scene: &mut Scene<'a, SceneBuffer<N>>,
+    scene: &mut Scene<'_, [i32; N]>,
 ) {
     scene.exponent = coefficients.exponent + shifts.bits - TERM_BITS.cast_signed();
 }

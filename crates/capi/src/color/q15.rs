@@ -182,7 +182,7 @@ impl Format for Q15 {
 
     #[inline]
     fn shade(scene: &Scene, normal: Normal) -> Result<i32, Status> {
-        integers::irradiance(scene, normal)
+        Ok(integers::irradiance(scene, normal))
     }
 
     fn bake(

@@ -14,7 +14,8 @@ use eigenshade_index::highlights::{LARGEST_SET, MAX_SOURCES};
 use eigenshade_model::database::{Lights, Materials, Named};
 use eigenshade_model::error::{Error, Result};
 use eigenshade_shading::shader::{fitted, of_higher_order};
-use eigenshade_table::quantize::{QuantizeError, TOLERANCE, integers};
+use eigenshade_table::FormatError;
+use eigenshade_table::quantize::{TOLERANCE, integers};
 use eigenshade_table::{Table, statics};
 use std::path::{Path, PathBuf};
 
@@ -176,15 +177,9 @@ impl Export {
     }
 
     fn table_source(&self, table: &Table) -> Result<String> {
-        let fault = |error: QuantizeError| Error::of_line(error, "export it in f32");
+        let fault = |error: FormatError| Error::of_line(error, "export it in f32");
         match self.format.unwrap_or_default() {
-            Format::F32 => {
-                if table.has_projection() {
-                    Ok(statics::floats(table, COMMAND))
-                } else {
-                    Err(fault(QuantizeError::TransfersOnly))
-                }
-            }
+            Format::F32 => statics::floats(table, COMMAND).map_err(fault),
             Format::Q15 => {
                 let parts = integers(table, TOLERANCE).map_err(fault)?;
                 Ok(statics::integers(&parts, COMMAND))

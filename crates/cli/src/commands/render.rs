@@ -160,7 +160,7 @@ impl Render {
             WindowChoice::Given(window) => window,
             // Parts of a picture may be dark.
             WindowChoice::Auto if !all_effects => Window::None,
-            WindowChoice::Auto => scene.window(components, self.exposure)?,
+            WindowChoice::Auto => scene.window(components, self.format, self.exposure)?,
         };
         let highlights = scene.highlights;
         for channel in &mut lights.entries[0].rgb {
@@ -242,14 +242,27 @@ const BAND_IN_F64: usize = 1 << 12;
 
 impl Pair<'_> {
     /// The window of the light for a whole picture of these components.
-    fn window(&self, components: usize, exposure: Option<Exposure>) -> Result<Window> {
-        let basis = OwnedBasis::new(self.table);
-        let mut shader =
-            Shader::new(basis.any().map_err(fault)?, components).with_transfers(basis.transfers());
+    fn window(
+        &self,
+        components: usize,
+        format: Format,
+        exposure: Option<Exposure>,
+    ) -> Result<Window> {
         let highlights = self.highlights.as_ref().map(HighlightInputs::shaded).transpose()?;
         let (light, material) = (&self.lights.entries[0], &self.materials.entries[0]);
         let channels = [0, 1, 2].map(|c: usize| (&light.rgb[c][..], &material.rgb[c][..]));
-        let window = Preview::new(&mut shader, highlights.as_ref()).window(&channels, exposure);
+        let window = match format {
+            Format::F32 => {
+                let basis = OwnedBasis::new(self.table);
+                let mut shader = Shader::new(basis.any().map_err(fault)?, components)
+                    .with_transfers(basis.transfers());
+                Preview::new(&mut shader, highlights.as_ref()).window(&channels, exposure)
+            }
+            Format::F64 => {
+                let evaluator = Evaluator::new(self.table).with_components(components);
+                Preview::in_f64(&evaluator, highlights.as_ref()).window(&channels, exposure)
+            }
+        };
         window.map_err(|error| error.of(overflow::pair(light, material)))
     }
 

@@ -2,7 +2,7 @@
 
 use super::{Item, NONE, Word, item, record};
 use crate::effect::Effects;
-use crate::layout::{self, Recurrence};
+use crate::layout;
 use zerocopy::{FromBytes, Immutable, KnownLayout};
 
 record! {
@@ -39,10 +39,8 @@ record! {
         /// The profiles of an azimuth are taken in twos, whose rows alternate group by group; if
         /// their number is odd, the last profile is paired with zeros.
         factors: [S],
-        /// For each profile, its polynomial in t = 2z - 1, highest term first, times √2 if m is not
-        /// 0. If its azimuth has a [recurrence](layout::Recurrence), the terms refer to the
-        /// polynomials of that recurrence; otherwise they have the form of their length,
-        /// [`layout::Form::of`].
+        /// For each profile, its polynomial in t = 2z - 1 and u = 2t² - 1, times √2 if m is not 0:
+        /// the factors of ..., tu, u, t, 1.
         terms: [S],
         /// The mean image's polynomial, or empty.
         mean: [S],
@@ -54,8 +52,6 @@ record! {
         /// For each profile of m = 0, a row of UᵀM over the coefficients that are
         /// [not factored](crate::effect::Effects::unfactored); empty if all are.
         ambient: [S],
-        /// Recurrences of the last azimuths (see [`layout::recurrences`]), or empty.
-        recurrences: [Recurrence],
     }
 }
 

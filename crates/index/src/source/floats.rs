@@ -79,10 +79,10 @@ fn project(parts: &Parts<'_, f32>) -> String {
     text
 }
 
-/// The azimuths of a scene and their profiles. A mean image is one summand more, and orthogonal
-/// polynomials have recurrences: the basis takes both.
+/// The azimuths of a scene and their profiles. A mean image is one summand more: the basis takes
+/// it.
 fn collapse(parts: &Parts<'_, f32>) -> String {
-    if !parts.mean.is_empty() || !parts.recurrences.is_empty() {
+    if !parts.mean.is_empty() {
         return "by basis".into();
     }
     let azimuths = parts.profiles.chunk_by(|a, b| a.azimuth == b.azimuth);
@@ -93,12 +93,5 @@ fn collapse(parts: &Parts<'_, f32>) -> String {
 fn shade(parts: &Parts<'_, f32>) -> String {
     let lengths = parts.lengths;
     let last = lengths.iter().rposition(|&length| length > 0).unwrap_or(0);
-    if !parts.recurrences.is_empty() {
-        return "by scene".into();
-    }
-    // A scene of at most nine terms of the normal, and of more than azimuth 0.
-    if matches!(lengths[..=last], [..=3, ..=2] | [..=3, ..=2, ..=1]) {
-        return "nine terms".into();
-    }
     words((1..=last).rev())
 }

@@ -1,7 +1,8 @@
 //! What may be wrong with a wire file.
 
-use super::{ALIGNMENT, MAX_DEGREE_AND_ORDER, VERSION};
+use super::{ALIGNMENT, VERSION};
 use crate::format::NumberFormat;
+use crate::layout::{MAX_DEGREE, MAX_ORDER};
 use core::fmt;
 
 /// The first problem found in the bytes of a wire file.
@@ -122,8 +123,8 @@ impl fmt::Display for Fault {
             ),
             Self::Shape { degree, order } => write!(
                 f,
-                "wire file: degree and order up to {MAX_DEGREE_AND_ORDER} expected, {degree} and {order} found; \
-                 pack the table again"
+                "wire file: degree up to {MAX_DEGREE} and order up to {MAX_ORDER} expected, {degree} and \
+                 {order} found; pack the table again"
             ),
             Self::Effects { bits } => write!(
                 f,

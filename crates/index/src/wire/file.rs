@@ -1,11 +1,10 @@
 //! A wire file: its alignment, its header, its checksum and its sections.
 
 use super::fault::Fault;
-use super::{
-    ALIGNMENT, CHECKSUM, ENTRY, HEADER, LABEL, MARK, MAX_DEGREE_AND_ORDER, VERSION, place,
-};
+use super::{ALIGNMENT, CHECKSUM, ENTRY, HEADER, LABEL, MARK, VERSION, place};
 use crate::effect::Effects;
 use crate::format::NumberFormat;
+use crate::layout::{MAX_DEGREE, MAX_ORDER};
 use crate::record::{Item, Q15, Reader, floats, integers};
 use zerocopy::{IntoBytes, TryFromBytes};
 
@@ -162,7 +161,7 @@ impl Header {
         let Some(effects) = effects else { return Err(Fault::Effects { bits }) };
         let size = |at| usize::from(short(header, at));
         let (degree, order) = (size(place::DEGREE), size(place::ORDER));
-        if degree > MAX_DEGREE_AND_ORDER || order > MAX_DEGREE_AND_ORDER {
+        if degree > MAX_DEGREE || order > MAX_ORDER {
             return Err(Fault::Shape { degree, order });
         }
         Ok(Self {

@@ -17,7 +17,7 @@ pub const LABEL: [u8; 8] = *b"EIGSWIRE";
 pub const MARK: u32 = 0x0102_0304;
 
 /// The wire format version.
-pub const VERSION: u16 = 1;
+pub const VERSION: u16 = 2;
 
 /// The alignment in bytes of a file and of each of its sections.
 pub const ALIGNMENT: usize = 4;
@@ -30,9 +30,6 @@ pub const ENTRY: usize = 8;
 
 /// Size in bytes of the checksum at the end of a file.
 pub const CHECKSUM: usize = 4;
-
-/// The largest degree and order of a wire file. Within it no size overflows 32 bits.
-pub const MAX_DEGREE_AND_ORDER: usize = 256;
 
 /// Byte offsets of the numbers in the header.
 pub mod place {

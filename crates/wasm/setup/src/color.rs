@@ -5,8 +5,8 @@ use crate::table::{BASIS, COMPONENTS, DEGREE, SCENE, TRANSFER, WORKSPACE};
 use crate::{LIGHT_COUNT, MATERIAL_COUNT, Shared};
 use core::fmt;
 use eigenshade::{
-    Effect, Effects, Light, Material, Parts, Recurrences, Rgb, Rotation, Scene, Shader,
-    ShaderLanguage, Shape, Tolerance, Truncation,
+    Effect, Effects, Light, Material, Rgb, Rotation, Scene, Shader, ShaderLanguage, Shape,
+    Tolerance, Truncation,
 };
 
 /// The light of the next `color_relight`, channel by channel.
@@ -46,10 +46,7 @@ pub struct Collapsed {
 impl Collapsed {
     /// The channels, or `None` before the first scene.
     pub fn scene(&self) -> Option<Rgb<Scene<'_, &[f32]>>> {
-        let Parts { lengths, recurrences, .. } = *BASIS.parts();
-        // Those of the table, which all shorter polynomials have.
-        let recurrences = Recurrences::new(lengths, recurrences).ok()?;
-        let shape = Shape { components: COMPONENTS, lengths: &self.lengths, recurrences };
+        let shape = Shape { components: COMPONENTS, lengths: &self.lengths };
         let (channels, _) = self.numbers.as_chunks::<SCENE>();
         let [r, g, b] = channels else { return None };
         Rgb::new(r, g, b).try_map(|numbers| shape.scene(&numbers[..])).ok()
@@ -166,8 +163,8 @@ extern "C" fn color_truncate(share: f32, exposure: f32) -> u32 {
     1
 }
 
-/// Vectors of a shader's array: those of all terms, recurrences and sources.
-const VECTORS: usize = SCENE + BASIS.parts().recurrences.len() + OF_SOURCES;
+/// Vectors of a shader's array: those of all terms and sources.
+const VECTORS: usize = SCENE + OF_SOURCES;
 #[cfg(feature = "sources")]
 const OF_SOURCES: usize = 1 + 4 * eigenshade::index::highlights::MAX_SOURCES;
 #[cfg(not(feature = "sources"))]

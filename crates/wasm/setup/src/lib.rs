@@ -19,7 +19,6 @@ pub mod table {
     include!(concat!(env!("OUT_DIR"), "/table.rs"));
 }
 
-#[cfg(feature = "color")]
 pub mod color;
 #[cfg(feature = "sources")]
 pub mod highlights;

@@ -177,7 +177,7 @@ const SHOWN: [&str; 23] = [
     "12/12 K400 polynomial f32 sources4",
     "12/12 K400 polynomial f32 sources8 no-window",
     "12/12 K400 polynomial f32 sources8",
-    "16/16 K400 polynomial f32",
+    "16/16 K400 polynomial f64",
     "sphere.bin f32",
     "sphere.bin q15",
     "color.bin f32",

@@ -15,6 +15,6 @@ export function ownModule(scene) {
   mkdirSync(folder, { recursive: true });
   execFileSync(EIGENSHADE, ["basis", "--quiet", "--scene", path, "--out", `${folder}/table.bin`]);
   const environment = { ...process.env, EIGENSHADE_TABLE: `${folder}/table.bin` };
-  execFileSync(`${ROOT}crates/wasm/build`, ["--to", folder, "color-series.simd"], { env: environment, stdio: "pipe" });
-  return readFileSync(`${folder}/color-series.simd.wasm`);
+  execFileSync(`${ROOT}crates/wasm/build`, ["--to", folder, "color.simd"], { env: environment, stdio: "pipe" });
+  return readFileSync(`${folder}/color.simd.wasm`);
 }
