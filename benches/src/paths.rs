@@ -130,13 +130,8 @@ fn pbr() -> Basis<'static> {
 fn necessary(lengths: &[u16]) -> usize {
     let of = |length: u16| usize::from(length).saturating_sub(1);
     let (&pole, around) = lengths.split_first().unwrap_or((&0, &[]));
-    match (pole, around) {
-        (..=3, [first @ ..=2]) => return of(pole) + 2 * usize::from(*first),
-        (..=3, [first @ ..=2, ..=1]) => return of(pole) + 2 * usize::from(*first) + 3,
-        _ => {}
-    }
     let polynomials = of(pole) + around.iter().map(|&length| 2 * of(length)).sum::<usize>();
-    polynomials + (4 * around.len()).saturating_sub(2) + usize::from(polynomials > 0)
+    polynomials + (4 * around.len()).saturating_sub(2) + 2 * usize::from(polynomials > 0)
 }
 
 fn calls() -> [Path; 5] {
