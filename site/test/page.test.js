@@ -100,7 +100,7 @@ on("accuracy: the slider moves terms, errors, costs and the point, and the pictu
   assert.match(await text(page, "verdict"), /^Visible: mean \d/);
   assert.ok(Number(await page.locator(".rms-point").getAttribute("cx")) < Number(x) - 100);
   assert.ok((await apart(page)) > 3);
-  const count = Math.round((3 * (49.4 + 5.26 * few) + 291) / 10) * 10;
+  const count = Math.round((3 * (44.8 + 5.3 * few) + 306) / 10) * 10;
   assert.equal(await text(page, "m0"), `${count.toLocaleString("en")} instr.`);
   assert.notEqual(m0, await text(page, "m0"));
   assert.match(await text(page, "light-time"), /^[\d.]+ µs$/);

@@ -9,7 +9,7 @@ use eigenshade::q15::{Highlights, Irradiance, LightBuffer, Lobe, NineTerms};
 use eigenshade::{DiscPixel, Error, Meter, NormalPixel, Rgb};
 use operations::*;
 use programs::inputs::integers::{self as inputs, GOLD_METALLIC_PAINT, LOBBY};
-use table::{BASIS, COMPONENTS, Coefficients, SCENE, Scene, Transfer};
+use table::{COMPONENTS, Coefficients, Scene, Transfer};
 
 mod operations;
 
