@@ -1,6 +1,6 @@
 //! Errors in the arguments of the runtime.
 
-use crate::index::layout;
+use crate::index::layout::{MAX_DEGREE, MAX_ORDER};
 use core::fmt;
 
 /// An invalid argument, with the expected and the found value.
@@ -212,7 +212,7 @@ impl Error {
 
     /// `Ok` if a basis of this degree and order is one of the runtime.
     pub(crate) const fn check_shape(degree: usize, order: usize) -> Result<(), Self> {
-        let fits = degree <= layout::MAX_DEGREE && order <= layout::MAX_ORDER;
+        let fits = degree <= MAX_DEGREE && order <= MAX_ORDER;
         if fits { Ok(()) } else { Err(Self::High { degree, order }) }
     }
 
@@ -344,8 +344,8 @@ impl fmt::Display for Error {
             ),
             Self::High { degree, order } => write!(
                 f,
-                "the basis has degree {degree} and order {order}, of at most 12; make a smaller one, and \
-                 give what is sharper as sources"
+                "the basis has degree {degree} and order {order}, of at most {MAX_DEGREE} and {MAX_ORDER}; \
+                 make a smaller one, and give what is sharper as sources"
             ),
             Self::Tolerance => f.write_str("a tolerance must be finite and above zero; give one such as 0.01"),
             Self::Rotation => f.write_str(

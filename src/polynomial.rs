@@ -42,7 +42,8 @@ pub(crate) fn value(terms: &[f32], t: f32) -> f32 {
     sum
 }
 
-/// The values of a polynomial at a block of arguments t and u.
+/// The values of a polynomial at a block of arguments t and u. An even number of terms begins with
+/// zero: with its first two, x86-64 takes more instructions.
 #[inline(always)]
 pub(crate) fn values<const N: usize>(terms: &[f32], [t, u]: [&[f32; N]; 2]) -> [f32; N] {
     let (alone, rest) = split(terms, terms.len() % 2);

@@ -14,7 +14,7 @@ use images::{Image, coefficients, products, rule, single, vectors};
 
 /// A scene's error beyond its bound, of the peak: roundings to f32 add to the smallest bound, 1e-6 of
 /// the peak, as squares do. 6e-10 found.
-const RECURRENCE_ROUNDING: f64 = 5e-9;
+const BOUND_ROUNDING: f64 = 5e-9;
 
 /// A scene of a matte under light of degree 2 within 1e-3 of the peak against the nine-term
 /// formula, of the peak: what is left out has no part in nine terms, so what remains is the
@@ -218,12 +218,12 @@ fn bounds_hold_of_long_polynomials() {
             report.terms,
             basis.scene_len()
         );
-        assert!(error <= f64::from(report.bound) + RECURRENCE_ROUNDING * f64::from(report.peak));
+        assert!(error <= f64::from(report.bound) + BOUND_ROUNDING * f64::from(report.peak));
         assert!(report.bound <= 1.000_01 * share * report.peak);
         assert!(report.terms < basis.scene_len());
         fewer = fewer.min(report.terms);
     }
-    // A tenth of the peak is met by powers.
+    // A tenth of the peak takes few terms.
     assert!(fewer <= 16, "{fewer}");
 }
 

@@ -91,7 +91,7 @@ impl Modes {
         self.kept.iter().map(|&k| self.all[k])
     }
 
-    /// What the selection keeps of values for all modes.
+    /// Of values for all modes, those of the selected modes.
     pub fn kept(&self, values: &[f64]) -> Vec<f64> {
         self.kept.iter().map(|&k| values[k]).collect()
     }

@@ -1,4 +1,4 @@
-//! What the counts and the comparisons share.
+//! The paths and the files of results, for the counts and for the comparisons.
 
 pub mod shipped;
 

@@ -15,7 +15,7 @@ fn path(file: &str) -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join(file)
 }
 
-/// The cells of a file whose rows have names of so many columns.
+/// The cells of a file by name and column. The first `names` columns are the name of a row.
 fn read(file: &str, names: usize) -> HashMap<(Vec<String>, String), String> {
     let mut reader = csv::Reader::from_path(path(file)).expect("a file of results");
     let columns = reader.headers().expect("a header").clone();

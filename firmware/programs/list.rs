@@ -14,7 +14,7 @@ pub struct Operation {
     pub formats: &'static str,
     /// Limits of its counts.
     pub limits: [&'static str; 5],
-    /// What it does.
+    /// A sentence for docs/costs.md.
     pub description: &'static str,
 }
 

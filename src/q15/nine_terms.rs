@@ -25,12 +25,11 @@ impl NineTerms {
         let [constant, of_x, of_y, of_z, squares, xy, xz, yz, zz] = coefficients;
         let size = i64::unsigned_abs;
         let largest = coefficients.iter().copied().map(size).fold(0, u64::max);
-        let inner = (size(squares) + size(xy)).max(size(xz) + size(yz) + size(zz));
         // The number of bits of a factor of a mantissa, and how many bits of a number exceed a
         // limit.
         let factor = 31 - BITS;
         let beyond = |bits: u32, most: u32| bits.saturating_sub(most);
-        let by = beyond(bits(sum.max(inner)), factor).max(beyond(bits(largest), 31));
+        let by = beyond(bits(sum), factor).max(beyond(bits(largest), 31));
         let half = (1_i64 << by) >> 1;
         let [nearest, up, down] =
             [half, (1 << by) - 1, 0].map(|added| move |one: i64| ((one + added) >> by) as i32);

@@ -1,6 +1,6 @@
 //! Shades many normals in three channels.
 
-use super::{BLOCK, SPECIAL, blocks};
+use super::{BLOCK, LARGE, blocks};
 use crate::color::Rgb;
 use crate::error::{Argument, Error};
 use crate::invariant::part_mut;
@@ -9,7 +9,7 @@ use crate::scene::Scene;
 
 /// Normals that are shaded in one channel before the next: whole blocks, few enough to stay in the
 /// L1 cache.
-const CHUNK: usize = if SPECIAL { 10 * BLOCK } else { 4 * BLOCK };
+const CHUNK: usize = if LARGE { 10 * BLOCK } else { 4 * BLOCK };
 
 impl<B> Rgb<&Scene<'_, B>> {
     /// [`Rgb::shade_slice`] of the scenes.

@@ -29,8 +29,8 @@ const SCALAR: usize = 4;
 /// Whether normals are shaded faster one by one, in loops specialized for a table.
 pub(crate) const ONE_BY_ONE: bool = BLOCK == SCALAR;
 
-/// Whether to include special loops for short polynomials: on targets where code may be large.
-const SPECIAL: bool = cfg!(any(target_arch = "x86_64", target_arch = "aarch64"));
+/// Whether blocks are inlined and many: on targets where code may be large.
+const LARGE: bool = cfg!(any(target_arch = "x86_64", target_arch = "aarch64"));
 
 impl<B> Scene<'_, B> {
     /// The irradiance of one normal. Its unit is that of the light's radiance times steradian times
@@ -82,7 +82,7 @@ impl<B> Scene<'_, B> {
 /// Shades normals block by block.
 #[inline(never)]
 fn blocks(polynomials: Descent<'_>, normals: Normals<'_>, irradiance: &mut [f32]) {
-    let block = if SPECIAL { block::<BLOCK> } else { one_block };
+    let block = if LARGE { block::<BLOCK> } else { one_block };
     let [(x, x_rest), (y, y_rest), (z, z_rest)] =
         [normals.x, normals.y, normals.z].map(<[f32]>::as_chunks::<BLOCK>);
     let (out, out_rest) = irradiance.as_chunks_mut::<BLOCK>();
@@ -117,7 +117,7 @@ pub(crate) fn block<const N: usize>(
     y: &[f32; N],
     z: &[f32; N],
 ) -> [f32; N] {
-    let t = if SPECIAL { vectorized(z) } else { z.map(argument) };
+    let t = if LARGE { vectorized(z) } else { z.map(argument) };
     let mut u = t;
     for u in &mut u {
         *u = polynomial::doubled(*u);

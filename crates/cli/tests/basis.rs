@@ -76,6 +76,14 @@ fn a_table_of_degree_32_is_the_direct_sum() {
         &format!("render {scene} -s 16 -o b.png"),
         &["degree 32", "--format f64"],
     );
+    for format in ["f32", "q15"] {
+        for command in [
+            format!("pack --table 32.bin --format {format} --out b.esw"),
+            format!("export --table 32.bin --lang rust --format {format} --out b.rs"),
+        ] {
+            assert_fails(&folder, &command, &["degree 32 and order 32", "sources"]);
+        }
+    }
 }
 
 #[test]

@@ -57,6 +57,24 @@ fn integers_stand_beside_floats_where_they_serve() {
     }
 }
 
+#[test]
+fn tables_that_the_runtime_does_not_take_are_refused() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let out = folder.path().join("table.rs");
+    let basis = "criterion = \"image-centered\"\ncomponents = 4";
+    let path = scene(folder.path(), "normals = \"sphere\"", basis);
+    let text = fs::read_to_string(&path).expect("a scene");
+    for (from, to, reason) in [
+        ("degree = 2", "degree = 13", "degree 13 and order 2, the runtime goes to 12 and 12"),
+        ("[basis]", "[basis]\nstore = \"materials\"", "stores only transfers"),
+    ] {
+        fs::write(&path, text.replace(from, to)).expect("a file");
+        let refused = write(&path, &out).expect_err(reason).to_string();
+        assert!(refused.contains("scene.toml: ") && refused.contains(reason), "{refused}");
+        assert!(!out.exists());
+    }
+}
+
 /// Sources and gloss are beside the table, exactly those of the files; a light without a map and a
 /// material without gloss are named, and a scene of nothing else is refused.
 #[test]

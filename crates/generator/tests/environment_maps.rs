@@ -6,6 +6,8 @@ use crate::tolerances;
 mod cubes;
 mod files;
 mod pictures;
+mod radiance;
+mod refusals;
 mod stated;
 
 use eigenshade_generator::light::environment::EnvironmentMap;

@@ -17,8 +17,8 @@ pub const MAX_DEGREE: usize = 12;
 /// Largest order of the BRDF in a table of the runtime.
 pub const MAX_ORDER: usize = 12;
 
-/// Maximum number of terms of a profile's polynomial in f32: more than tables of [`MAX_DEGREE`] and
-/// [`MAX_ORDER`] have.
+/// Maximum number of terms of a profile's polynomial in f32. Tables of [`MAX_DEGREE`] and
+/// [`MAX_ORDER`] have 20 at the usual tolerance of profiles.
 pub const MAX_TERMS: usize = 40;
 
 /// Maximum number of terms of a polynomial in integers, which is in powers of t = 2z - 1. They

@@ -21,7 +21,7 @@ const SHORT: [(&str, &str); 5] = [
     ("transfer", "a new material, 46 components"),
 ];
 
-/// What the operations are.
+/// The page with the descriptions of the operations.
 const DESCRIPTIONS: &str = "../docs/costs.md";
 const DESCRIPTIONS_START: &str = "<!-- operations: firmware/run pages writes them -->\n";
 const DESCRIPTIONS_END: &str = "<!-- end of operations -->\n";

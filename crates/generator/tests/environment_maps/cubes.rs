@@ -1,7 +1,8 @@
 //! Cubes as crosses and as folders of six faces, and their faults.
 
-use super::files::{self, assert_starts, map_of};
+use super::files::{self, map_of};
 use super::pictures::png;
+use super::refusals::assert_starts;
 use eigenshade_generator::light::cube::{CubeMap, FACES};
 use eigenshade_generator::light::environment::EnvironmentMap;
 use eigenshade_generator::light::frame::Frame;
