@@ -1,11 +1,11 @@
 //! The eigenbasis of one scene.
 
 use crate::error::{Argument, Error};
-use crate::index::effect::Effects;
 use crate::index::record::floats;
-use crate::index::record::{Coupling, ProfilePlace, Row};
-use crate::index::{layout, material, pair};
+use crate::index::record::{ProfilePlace, Row};
+use crate::index::{layout, pair};
 use crate::invariant::split_row;
+use crate::scene::signs;
 
 /// The arrays of a basis: [`Basis::new`] checks that they are consistent.
 pub type Parts<'a> = floats::Parts<'a, f32>;
@@ -22,115 +22,96 @@ pub struct Basis<'a> {
 impl<'a> Basis<'a> {
     /// Creates a basis from its parts.
     ///
-    /// This checks all lengths, and all indices from one part into another. An azimuth without a
+    /// This checks all lengths, and all positions from one part into another. An azimuth without a
     /// profile must have length 0. The numbers themselves are not checked, nor that no two profiles
     /// serve the same component.
     ///
     /// # Errors
     ///
-    /// [`Error::High`] beyond degree 12 or order 12, or [`Error::Length`], [`Error::Coupling`],
-    /// [`Error::Profile`] or [`Error::Pass`] if the parts contradict each other. A polynomial has at
-    /// most 40 terms.
+    /// [`Error::High`] beyond degree 12 or order 12, or [`Error::Length`], [`Error::Profile`] or
+    /// [`Error::Pass`] if the parts contradict each other. A polynomial has at most 40 terms.
     pub const fn new(parts: Parts<'a>) -> Result<Self, Error> {
         // These come first because they bound the counts below.
         if let Err(error) = Error::check_shape(parts.degree, parts.order) {
             return Err(error);
         }
-        let basis = Self { parts, transfer: 0, scene: 0 };
-        let parts = &basis.parts;
-        let (degrees, factored) = (parts.degree.saturating_add(1), basis.factored_order());
-        let couplings = material::count(factored);
+        let degrees = parts.degree + 1;
         if let Err(error) = Error::check(Argument::Lengths, degrees, parts.lengths.len()) {
             return Err(error);
         }
-        if let Err(error) = Error::check(Argument::Couplings, couplings, parts.couplings.len()) {
-            return Err(error);
-        }
-        if !basis.couples() {
-            return Err(Error::Coupling);
-        }
-        let (mut served, mut zonal) = (0, 0);
-        let (mut factors, mut terms, mut scene) = (0, 0, 0);
-        let (mut rest, mut before, mut run) = (parts.profiles, 0, 0);
-        while let [place, tail @ ..] = rest {
-            let azimuth = place.azimuth();
-            if azimuth < before || !basis.serves(place) {
-                return Err(Error::Profile);
-            }
-            // Factors are stored for two profiles of an azimuth at a time: the first of the two
-            // adds the length of both.
-            run = if azimuth == before { run + 1 } else { 1 };
-            if run % 2 == 1 {
-                let more = layout::factors(parts.degree, factored, azimuth, 1);
-                factors = usize::saturating_add(factors, more);
-            }
-            terms = usize::saturating_add(terms, basis.length(azimuth));
-            zonal += (azimuth == 0) as usize;
-            served += place.plus().is_some() as usize + place.minus().is_some() as usize;
-            (rest, before) = (tail, azimuth);
-        }
+        let [scene, terms, rows] = match (Self { parts, transfer: 0, scene: 0 }).lengths() {
+            Ok(lengths) => lengths,
+            Err(error) => return Err(error),
+        };
         let (mut transfer, mut slots) = (0, 0);
-        let mut rest = parts.passes;
-        while let [pass, tail @ ..] = rest {
-            let Some(length) = pass.length(parts.degree) else {
+        let mut passes = parts.passes;
+        while let [pass, others @ ..] = passes {
+            let Some(length) = pass.length(parts.degree) else { return Err(Error::Pass) };
+            if pass.start as usize != transfer || pass.slots as usize != slots {
                 return Err(Error::Pass);
-            };
-            transfer = usize::saturating_add(transfer, length);
-            slots += pass.slots();
-            rest = tail;
+            }
+            (transfer, slots) = (usize::saturating_add(transfer, length), slots + pass.width());
+            passes = others;
         }
-        let (mut azimuth, mut rest) = (0, parts.profiles);
-        while azimuth <= parts.degree {
-            let (signs, mut has_terms) =
-                if azimuth == 0 { (1, !parts.mean.is_empty()) } else { (2, false) };
-            while let [place, tail @ ..] = rest
-                && place.azimuth() == azimuth
-            {
-                (rest, has_terms) = (tail, true);
-            }
-            // An azimuth with terms needs no check, since its terms bound its length.
-            if !has_terms
-                && let Err(error) = Error::check(Argument::Lengths, 0, basis.length(azimuth))
-            {
-                return Err(error);
-            }
-            let found = basis.length(azimuth);
-            if found > layout::MAX_TERMS {
-                let (argument, expected) = (Argument::Lengths, layout::MAX_TERMS);
-                return Err(Error::Length { argument, expected, found });
-            }
-            scene = usize::saturating_add(scene, signs * found);
-            azimuth += 1;
-        }
-        let group = layout::LANES * pair::count(factored);
+        let basis = Self { parts, transfer, scene };
         // A basis that holds only transfers has neither polar integrals nor factors.
-        let holds_transfers = parts.polar.is_empty() && parts.factors.is_empty();
-        let polar = if holds_transfers { 0 } else { group * layout::groups(parts.degree) };
-        let factors = if holds_transfers { 0 } else { factors };
-        let unfactored = if holds_transfers { 0 } else { basis.unfactored_count() };
-        let selection = if parts.selection.is_empty() { 0 } else { basis.selection_length() };
-        let mean = if parts.mean.is_empty() { 0 } else { parts.components };
-        let mean_terms = if parts.mean.is_empty() { 0 } else { basis.length(0) };
+        let (polar, row) = if parts.polar.is_empty() && parts.factors.is_empty() {
+            (0, 0)
+        } else {
+            (layout::LANES * pair::count(parts.order) * layout::groups(parts.degree), basis.row())
+        };
         let checked = Error::first(&[
             Error::check(Argument::Slots, slots, parts.slots.len()),
             Error::check(Argument::Polar, polar, parts.polar.len()),
-            Error::check(Argument::Factors, factors, parts.factors.len()),
-            Error::check(Argument::Ambient, zonal * unfactored, parts.ambient.len()),
+            Error::check(Argument::Factors, rows.saturating_mul(row), parts.factors.len()),
             Error::check(Argument::Terms, terms, parts.terms.len()),
-            Error::check(Argument::Mean, mean_terms, parts.mean.len()),
-            Error::check(Argument::Mean, mean, parts.mean_coefficients.len()),
-            Error::check(Argument::Selection, selection, parts.selection.len()),
         ]);
         if let Err(error) = checked {
             return Err(error);
         }
-        if served != parts.components {
-            return Err(Error::Profile);
+        if basis.has_rows() && basis.has_runs() { Ok(basis) } else { Err(Error::Pass) }
+    }
+
+    /// Checks the profiles and the positions of each azimuth. Returns the lengths of a scene, of the
+    /// terms and, in rows, of the factors.
+    const fn lengths(&self) -> Result<[usize; 3], Error> {
+        let parts = &self.parts;
+        let (mut first, mut served) = (0, 0);
+        let [mut scene, mut terms, mut rows] = [0_usize; 3];
+        let (mut azimuth, mut azimuths, mut rest) = (0, parts.azimuths, parts.profiles);
+        while azimuth <= parts.degree {
+            let mut profiles = 0;
+            while let [profile, tail @ ..] = rest
+                && profile.azimuth() == azimuth
+            {
+                if !self.serves(profile) {
+                    return Err(Error::Profile);
+                }
+                served += profile.plus().is_some() as usize + profile.minus().is_some() as usize;
+                (rest, profiles) = (tail, profiles + 1);
+            }
+            let [place, others @ ..] = azimuths else { return Err(Error::Profile) };
+            if !place.is([first, profiles, scene, terms, rows]) {
+                return Err(Error::Profile);
+            }
+            let found = self.length(azimuth);
+            // The number of terms bounds the length of an azimuth with profiles.
+            let expected = if profiles == 0 { 0 } else { layout::MAX_TERMS };
+            if found > expected {
+                let argument = Argument::Lengths;
+                return Err(Error::Length { argument, expected, found });
+            }
+            first += profiles;
+            scene += signs(azimuth) * found;
+            terms = terms.saturating_add(profiles.saturating_mul(found));
+            rows = rows.saturating_add(layout::rows(parts.degree, azimuth, profiles));
+            (azimuths, azimuth) = (others, azimuth + 1);
         }
-        if !basis.places() {
-            return Err(Error::Pass);
+        if rest.is_empty() && azimuths.is_empty() && served == parts.components {
+            Ok([scene, terms, rows])
+        } else {
+            Err(Error::Profile)
         }
-        Ok(Self { transfer, scene, ..basis })
     }
 
     /// The parts of this basis.
@@ -149,12 +130,6 @@ impl<'a> Basis<'a> {
     #[must_use]
     pub const fn order(&self) -> usize {
         self.parts.order
-    }
-
-    /// The effects that this basis covers.
-    #[must_use]
-    pub const fn effects(&self) -> Effects {
-        self.parts.effects
     }
 
     /// Number of components K.
@@ -183,7 +158,7 @@ impl<'a> Basis<'a> {
 
     /// Length of a row over the pairs.
     pub(crate) const fn row(&self) -> usize {
-        layout::row(self.factored_order())
+        layout::row(self.parts.order)
     }
 
     /// Length of a transfer.
@@ -215,13 +190,12 @@ impl<'a> Basis<'a> {
         })
     }
 
-    /// The largest order o of the factors: the order of the basis unless effects are left out.
-    pub(crate) const fn factored_order(&self) -> usize {
-        self.parts.effects.factored_order(self.parts.order)
-    }
-
-    pub(crate) const fn unfactored_count(&self) -> usize {
-        self.parts.effects.unfactored_count(self.parts.order)
+    /// Number of terms of an azimuth's polynomials.
+    pub(crate) const fn length(&self, azimuth: usize) -> usize {
+        match self.parts.lengths.split_at_checked(azimuth) {
+            Some((_, [length, ..])) => *length as usize,
+            _ => 0,
+        }
     }
 
     /// Whether the azimuth and the components of a profile exist.
@@ -237,30 +211,8 @@ impl<'a> Basis<'a> {
         place.azimuth() <= self.parts.degree && plus && minus
     }
 
-    /// Whether the couplings match the order of the basis, coefficient by coefficient.
-    const fn couples(&self) -> bool {
-        let (mut o, mut p, mut q) = (0, 0, 0);
-        let mut rest = self.parts.couplings;
-        while let [coupling, tail @ ..] = rest {
-            let none = coupling.o == Coupling::NONE.o && coupling.p == Coupling::NONE.p;
-            let same = coupling.o as usize == pair::position(o, q)
-                && coupling.p as usize == pair::position(p, q);
-            let fits = if self.parts.effects.factored(o) { same } else { none };
-            if !fits {
-                return false;
-            }
-            (o, p, q) = match (q < p, p < o) {
-                (true, _) => (o, p, q + 2),
-                (false, true) => (o, p + 2, o % 2),
-                (false, false) => (o + 1, (o + 1) % 2, (o + 1) % 2),
-            };
-            rest = tail;
-        }
-        true
-    }
-
     /// Whether the slots contain exactly the components, each where its profile has its row.
-    const fn places(&self) -> bool {
+    const fn has_rows(&self) -> bool {
         let (mut rest, mut given) = (self.parts.slots, 0);
         while let [slot, tail @ ..] = rest {
             given += ((*slot as usize) < self.parts.components) as usize;
@@ -285,28 +237,24 @@ impl<'a> Basis<'a> {
 
     /// Whether a row belongs to this order and its slot holds this component.
     const fn gives(&self, row: Row, order: isize, component: Option<u16>) -> bool {
-        let (mut passes, mut slots, mut start) =
-            (self.parts.passes, self.parts.slots, row.start as usize);
-        while let [pass, tail @ ..] = passes {
-            let (Some(length), Some((of_pass, others))) =
-                (pass.length(self.parts.degree), slots.split_at_checked(pass.slots()))
-            else {
-                return false;
+        let mut passes = self.parts.passes;
+        while let [pass, others @ ..] = passes {
+            passes = others;
+            let (first, step) = (pass.first as isize, pass.width());
+            // Skip the numbers between the pass's lowest degree and degree |m|.
+            let skipped = step * (order.unsigned_abs().saturating_sub(layout::lowest_degree(first)));
+            let Some(slot) = (row.start as usize).checked_sub(pass.start as usize + skipped) else {
+                continue;
             };
-            if start >= length {
-                (passes, slots, start) = (tail, others, start - length);
+            if layout::first_order(order) != first || slot >= step {
                 continue;
             }
-            let (first, step) = (pass.first as isize, pass.slots());
-            if layout::first_order(order) != first || row.step as usize != step {
+            let Some((_, of_pass)) = self.parts.slots.split_at_checked(pass.slots as usize) else {
                 return false;
-            }
-            // Skip the numbers between the pass's lowest degree and degree |m|.
-            let skipped = step * (order.unsigned_abs() - layout::lowest_degree(first));
-            let Some(slot) = start.checked_sub(skipped) else { return false };
-            let in_lane = slot % layout::LANES == (order - first).unsigned_abs();
+            };
             let Some((_, [found, ..])) = of_pass.split_at_checked(slot) else { return false };
-            return in_lane
+            return row.step as usize == step
+                && slot % layout::LANES == (order - first).unsigned_abs()
                 && match component {
                     Some(component) => *found == component,
                     None => *found as usize >= self.parts.components,
@@ -315,8 +263,49 @@ impl<'a> Basis<'a> {
         false
     }
 
-    const fn selection_length(&self) -> usize {
-        let degrees = self.parts.degree + 1;
-        degrees.saturating_mul(degrees).saturating_mul(material::count(self.parts.order))
+    /// Whether the runs are the rows of the profiles, order by order.
+    const fn has_runs(&self) -> bool {
+        let (mut profile, mut of_azimuth, mut sign) = (0, 0, 1);
+        let mut runs = self.parts.runs;
+        while let [run, others @ ..] = runs {
+            let Some((before, [first, ..])) = self.parts.profiles.split_at_checked(profile) else {
+                return false;
+            };
+            if let [.., last] = before
+                && last.azimuth != first.azimuth
+            {
+                of_azimuth = profile;
+            }
+            let order = sign * first.azimuth().cast_signed();
+            let Row { start, step } = first.row(sign);
+            let same = run.order as isize == order && run.first as usize == profile;
+            let placed = run.start == start && run.step as u32 == step;
+            if !same || !placed || !run.fits() {
+                return false;
+            }
+            let mut count = 0;
+            while count < run.profiles as usize {
+                let Some((_, [next, ..])) = self.parts.profiles.split_at_checked(profile) else {
+                    return false;
+                };
+                let row = next.row(sign);
+                let beside = row.start == start + (layout::LANES * count) as u32;
+                if next.azimuth != first.azimuth || !beside || row.step != step {
+                    return false;
+                }
+                (profile, count) = (profile + 1, count + 1);
+            }
+            // The opposite order follows the last profile of an azimuth.
+            let ends = match self.parts.profiles.split_at_checked(profile) {
+                Some((_, [next, ..])) => next.azimuth != first.azimuth,
+                _ => true,
+            };
+            if ends && first.azimuth > 0 {
+                sign = -sign;
+                profile = if sign < 0 { of_azimuth } else { profile };
+            }
+            runs = others;
+        }
+        profile == self.parts.profiles.len() && sign > 0
     }
 }

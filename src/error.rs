@@ -43,15 +43,13 @@ pub enum Error {
         found: usize,
     },
     /// The profiles of a basis are invalid. A profile has an azimuth beyond the degree, is out of
-    /// order or serves a component that does not exist; or a component has no profile or, in
-    /// integers, two profiles.
+    /// order or serves a component that does not exist; a component has no profile or, in
+    /// integers, two profiles; or the positions of an azimuth are not those of its profiles.
     Profile,
-    /// The passes of a basis are invalid. A pass is beyond the degree or is not laid out as
-    /// [`index::layout`](crate::index::layout) specifies, or the slots do not contain the
-    /// components where the profiles have their rows.
+    /// The passes or runs of a basis are invalid. A pass is beyond the degree or is not laid out as
+    /// [`index::layout`](crate::index::layout) specifies, the slots do not contain the components
+    /// where the profiles have their rows, or the runs are not these rows.
     Pass,
-    /// A coupling or the effects of a basis do not match its order.
-    Coupling,
     /// A number is not finite.
     NotFinite {
         /// Which argument.
@@ -171,24 +169,16 @@ pub enum Argument {
     Sources,
     /// The reflectance of a material at normal incidence, f0.
     Reflectance,
-    /// Part of a basis: the pairs that each coefficient of a material couples.
-    Couplings,
     /// Part of a basis: polar integrals.
     Polar,
     /// Part of a basis: factors of UᵀM.
     Factors,
-    /// Part of a basis: UᵀM of the unfactored coefficients.
-    Ambient,
     /// Part of a basis: the components of the lanes of a transfer.
     Slots,
     /// Part of a basis: polynomial terms.
     Terms,
     /// Part of a basis: lengths of the polynomials.
     Lengths,
-    /// Part of a basis: the mean image.
-    Mean,
-    /// Part of a basis: the selection of modes.
-    Selection,
     /// Part of a general basis: the matrix from coordinates in the span to d.
     Projection,
     /// Part of a general basis: the coordinates of the eigenimages in the span.
@@ -292,15 +282,11 @@ impl fmt::Display for Error {
                  basis"
             ),
             Self::Profile => f.write_str(
-                "the basis's profiles are not sorted by azimuth up to the degree, or do not serve \
-                 its components; take all parts from one table",
+                "the basis's profiles are not sorted by azimuth up to the degree, not where its \
+                 azimuths state, or do not serve its components; take all parts from one table",
             ),
             Self::Pass => f.write_str(
-                "the basis's passes, slots and rows do not fit; take all parts from one table",
-            ),
-            Self::Coupling => f.write_str(
-                "the basis's couplings or effects do not match its order; take all parts from one \
-                 table",
+                "the basis's passes, runs, slots and rows do not fit; take all parts from one table",
             ),
             Self::NotFinite { argument: Argument::Exposure, .. } => {
                 f.write_str("an exposure must be a finite number above zero; give one such as 1")

@@ -57,10 +57,10 @@ impl<const K: usize> Estimate<'_, K> {
     /// no root and no division.
     #[inline]
     pub fn add(&mut self, normal: Normal, irradiance: f32, weight: f32) {
-        let seen = weight * (irradiance - self.basis.mean_at(normal));
-        for (place, value, [plus, minus]) in self.basis.eigenimages_at(normal) {
+        let seen = weight * irradiance;
+        for (place, value, [cosine, sine]) in self.basis.eigenimages_at(normal) {
             let profile = seen * value;
-            for (index, around) in [(place.plus(), plus), (place.minus(), minus)] {
+            for (index, around) in [(place.plus(), cosine), (place.minus(), -sine)] {
                 let sum = index.and_then(|index| self.sums.get_mut(usize::from(index)));
                 if let Some(sum) = sum {
                     sum.add(profile * around);
@@ -70,7 +70,7 @@ impl<const K: usize> Estimate<'_, K> {
         self.weight.add(weight);
     }
 
-    /// The coefficients d: the weighted mean of (I - the mean image) U_i over the pixels.
+    /// The coefficients d: the weighted mean of I U_i over the pixels.
     ///
     /// This equals I • U_i if the weighted pixels are distributed like the normals of the basis.
     /// For a sphere, these are all pixels of its disc, seen from afar. It does not hold for part of

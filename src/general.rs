@@ -9,7 +9,6 @@ use crate::basis::Basis;
 use crate::buffer::zeros;
 use crate::error::{Argument, Error};
 use crate::float;
-use crate::index::effect::Effects;
 use crate::index::record::floats;
 use crate::invariant::split_mut;
 use crate::light::Light;
@@ -39,13 +38,9 @@ impl<'a> GeneralBasis<'a> {
     pub const fn new(span: Basis<'a>, parts: GeneralParts<'a>) -> Result<Self, Error> {
         let functions = span.components();
         let length = functions.saturating_mul(parts.components);
-        let has_mean = !parts.span_mean.is_empty();
-        let (mean, coefficients) = if has_mean { (functions, parts.components) } else { (0, 0) };
         let checked = Error::first(&[
             Error::check(Argument::Projection, length, parts.projection.len()),
             Error::check(Argument::Synthesis, length, parts.synthesis.len()),
-            Error::check(Argument::Mean, mean, parts.span_mean.len()),
-            Error::check(Argument::Mean, coefficients, parts.image_mean.len()),
         ]);
         match checked {
             Ok(()) => Ok(Self { span, parts }),
@@ -103,22 +98,9 @@ impl<'a> GeneralBasis<'a> {
         workspace: &mut [f32],
         coefficients: &mut [f32],
     ) -> Result<(), Error> {
-        self.project_effects_into(light, material, Effects::ALL, workspace, coefficients)
-    }
-
-    /// [`project_into`](Self::project_into) for some effects only: see
-    /// [`Basis::project_effects_into`]; the same errors.
-    pub fn project_effects_into(
-        &self,
-        light: &Light<'_>,
-        material: &Material<'_>,
-        effects: Effects,
-        workspace: &mut [f32],
-        coefficients: &mut [f32],
-    ) -> Result<(), Error> {
         Error::check(Argument::Workspace, self.workspace_len(), workspace.len())?;
         let (workspace, coordinates) = split_mut(workspace, self.span.workspace_len());
-        self.span.project_effects_into(light, material, effects, workspace, coordinates)?;
+        self.span.project_into(light, material, workspace, coordinates)?;
         self.coefficients(coordinates, coefficients)
     }
 
@@ -158,7 +140,7 @@ impl<'a> GeneralBasis<'a> {
         })
     }
 
-    /// The coefficients d from coordinates in the span, less those of the mean image.
+    /// The coefficients d from coordinates in the span.
     fn coefficients(&self, coordinates: &[f32], coefficients: &mut [f32]) -> Result<(), Error> {
         Error::check(Argument::Coefficients, self.components(), coefficients.len())?;
         let functions = self.span.components().max(1);
@@ -166,9 +148,6 @@ impl<'a> GeneralBasis<'a> {
         for (coefficient, row) in coefficients.iter_mut().zip(rows) {
             let products = row.iter().zip(coordinates);
             *coefficient = products.fold(0.0, |sum, (&p, &a)| float::add_product(sum, p, a));
-        }
-        for (coefficient, &mean) in coefficients.iter_mut().zip(self.parts.image_mean) {
-            *coefficient -= mean;
         }
         Ok(())
     }
@@ -224,9 +203,6 @@ impl<'a> GeneralBasis<'a> {
         Error::check_components(self.components(), coefficients.len())?;
         let (_, coordinates) = split_mut(workspace, self.span.workspace_len());
         coordinates.fill(0.0);
-        for (coordinate, &mean) in coordinates.iter_mut().zip(self.parts.span_mean) {
-            *coordinate = mean;
-        }
         let rows = self.parts.synthesis.chunks(self.span.components().max(1));
         for (&coefficient, row) in coefficients.iter().zip(rows) {
             for (coordinate, &part) in coordinates.iter_mut().zip(row) {

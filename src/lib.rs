@@ -96,8 +96,6 @@ mod normal;
 
 mod polynomial;
 
-mod places;
-
 mod basis;
 
 mod scattering;

@@ -6,7 +6,7 @@ use crate::error::{Argument, Error};
 use crate::estimate::Estimate;
 use crate::general::{GeneralBasis, GeneralParts};
 use crate::index::effect::{Effect, Effects};
-use crate::index::record::{Coupling, Pass, ProfilePlace, Row};
+use crate::index::record::{Azimuth, Pass, ProfilePlace, Row, Run};
 use crate::light::{Light, Window};
 use crate::material::Material;
 use crate::normal::{Normal, Normals};
@@ -25,7 +25,7 @@ const _: () = {
     can_be_logged::<(Light<'_>, Material<'_>, Normal, Normals<'_>)>();
     can_be_logged::<(Basis<'_>, GeneralBasis<'_>)>();
     can_be_logged::<(Parts<'_>, GeneralParts<'_>)>();
-    can_be_logged::<(Coupling, Pass, ProfilePlace, Row, Error, Argument, Effect, Effects)>();
+    can_be_logged::<(Azimuth, Pass, ProfilePlace, Row, Run, Error, Argument, Effect, Effects)>();
     can_be_logged::<(Transfer<8>, Estimate<'_, 8>, Scene<'_, Buffer>)>();
     can_be_logged::<(BakedMap<Buffer>, q15::BakedMap<&[i16]>)>();
     can_be_logged::<(Tolerance, Truncation, Shape<'_>, Fault, WireError)>();

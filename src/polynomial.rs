@@ -28,26 +28,24 @@ pub(crate) fn turned(cosine: f32, sine: f32, x: f32, y: f32) -> (f32, f32) {
 /// The value of a polynomial.
 #[inline]
 pub(crate) fn value(terms: &[f32], t: f32) -> f32 {
-    let u = doubled(t);
-    let (mut sum, rest) = match terms {
-        [] => return 0.0,
-        [odd, even, rest @ ..] if rest.len().is_multiple_of(2) => {
-            (float::add_product(*even, *odd, t), rest)
-        }
-        [alone, rest @ ..] => (*alone, rest),
-    };
-    for [odd, even] in rest.as_chunks().0 {
-        sum = float::add_product(float::add_product(*even, *odd, t), sum, u);
-    }
-    sum
+    let [value] = values(terms, [&[t], &[doubled(t)]]);
+    value
 }
 
-/// The values of a polynomial at a block of arguments t and u. An even number of terms begins with
-/// zero: with its first two, x86-64 takes more instructions.
+/// The values of a polynomial at a block of arguments t and u.
 #[inline(always)]
 pub(crate) fn values<const N: usize>(terms: &[f32], [t, u]: [&[f32; N]; 2]) -> [f32; N] {
-    let (alone, rest) = split(terms, terms.len() % 2);
-    let mut sums = [alone.first().copied().unwrap_or(0.0); N];
+    // In a block, an even number of terms begins with zero: with its first two, x86-64 takes more
+    // instructions.
+    let (mut sums, rest) = match terms {
+        [odd, even, rest @ ..] if N == 1 && rest.len().is_multiple_of(2) => {
+            (t.map(|t| float::add_product(*even, *odd, t)), rest)
+        }
+        _ => {
+            let (alone, rest) = split(terms, terms.len() % 2);
+            ([alone.first().copied().unwrap_or(0.0); N], rest)
+        }
+    };
     for [odd, even] in rest.as_chunks().0 {
         float::horner([odd, even], &mut sums, [t, u]);
     }
@@ -81,8 +79,8 @@ mod tests {
                     (f64::from(found) - sum).abs() < 2e-4,
                     "{length} at {angle}: {found}, {sum}"
                 );
-                let at = [&[t], &[doubled(t)]];
-                assert_eq!(values(terms, at), [found]);
+                let at = [&[t; 2], &[doubled(t); 2]];
+                assert_eq!(values(terms, at), [found; 2]);
             }
         }
     }

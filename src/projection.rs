@@ -7,10 +7,6 @@
 use crate::basis::Basis;
 use crate::buffer::{Buffer, zeros};
 use crate::error::{Argument, Error};
-use crate::float;
-#[cfg(doc)]
-use crate::index::effect::Effect;
-use crate::index::effect::Effects;
 use crate::index::{layout, layout::LANES, light, record::ProfilePlace};
 use crate::invariant::{part, split_mut, split_row};
 use crate::lanes;
@@ -22,7 +18,7 @@ pub type Coefficients<const K: usize> = Buffer<f32, K>;
 
 impl<'a> Basis<'a> {
     /// Computes d = UᵀMc for a light on a material: the coefficients of the image in the
-    /// eigenimages, minus those of the mean image if the basis has one.
+    /// eigenimages.
     ///
     /// `N` must be at least [`workspace_len`](Self::workspace_len), `K` at least
     /// [`components`](Self::components). If the light has a lower degree than the basis, or the
@@ -74,39 +70,12 @@ impl<'a> Basis<'a> {
         workspace: &mut [f32],
         coefficients: &mut [f32],
     ) -> Result<(), Error> {
-        self.image((light, material, Effects::ALL), workspace, coefficients)
-    }
-
-    /// [`project_into`](Self::project_into) for some effects only, with the same errors: d of the
-    /// image that these effects produce. The images of [all effects](Effect::ALL) sum to the whole.
-    ///
-    /// The mean image is ambient, and its coefficients are subtracted whatever the effects. To get
-    /// d for other effects from a basis with a mean image, subtract the result for no effects from
-    /// the result for these effects.
-    pub fn project_effects_into(
-        &self,
-        light: &Light<'_>,
-        material: &Material<'_>,
-        effects: Effects,
-        workspace: &mut [f32],
-        coefficients: &mut [f32],
-    ) -> Result<(), Error> {
-        self.image((light, material, effects), workspace, coefficients)
-    }
-
-    #[inline(always)]
-    fn image(
-        &self,
-        lit: (&Light<'_>, &Material<'_>, Effects),
-        workspace: &mut [f32],
-        coefficients: &mut [f32],
-    ) -> Result<(), Error> {
-        let (light, material, effects) = lit;
         self.accept_light(light)?;
         self.accept_material(material)?;
         Error::check(Argument::Workspace, self.workspace_len(), workspace.len())?;
         Error::check(Argument::Coefficients, self.components(), coefficients.len())?;
         // Rows of the usual orders have kernels with their length built in.
+        let lit = (light, material);
         match self.row() / LANES {
             1 => self.project_rows(lit, workspace, coefficients, row::<1>),
             2 => self.project_rows(lit, workspace, coefficients, row::<2>),
@@ -115,50 +84,31 @@ impl<'a> Basis<'a> {
             5 => self.project_rows(lit, workspace, coefficients, row::<5>),
             _ => self.project_rows(lit, workspace, coefficients, long_row),
         }
-        let ambient = light.coefficients().first().copied().unwrap_or(0.0);
-        for (place, unfactored) in
-            self.parts.profiles.iter().zip(self.unfactored(material, effects))
-        {
-            let place = place.plus().and_then(|index| coefficients.get_mut(usize::from(index)));
-            if let Some(coefficient) = place {
-                *coefficient = float::add_product(*coefficient, ambient, unfactored);
-            }
-        }
-        self.subtract_mean(coefficients);
         Ok(())
     }
 
     #[inline(always)]
     fn project_rows(
         &self,
-        (light, material, effects): (&Light<'_>, &Material<'_>, Effects),
+        (light, material): (&Light<'_>, &Material<'_>),
         workspace: &mut [f32],
         coefficients: &mut [f32],
         row: impl Fn(Row<'_>) -> [lanes::Two; 2],
     ) {
         let width = self.row() / LANES;
         let Workspace { scattering, sums, lights } = self.divide(workspace);
+        self.scatter(material, sums, scattering);
         let mut gathered = None;
         for (places, factors) in self.rows() {
             let azimuth = places.first().map_or(0, |place| place.azimuth());
             if gathered != Some(azimuth) {
-                if gathered.is_none() || !self.parts.selection.is_empty() {
-                    self.scatter(material, effects, azimuth, sums, scattering);
-                }
                 gather(light.coefficients(), light.degree(), azimuth, lights);
                 gathered = Some(azimuth);
             }
             let scattering = self.scattered_from(azimuth, scattering);
-            let [plus, minus] = row(Row { factors, scattering, lights, width });
-            let sums = lanes::sums(plus).into_iter().zip(lanes::sums(minus));
-            for (place, (plus, minus)) in places.iter().zip(sums) {
-                for (index, value) in [(place.minus(), minus), (place.plus(), plus)] {
-                    let place = index.and_then(|index| coefficients.get_mut(usize::from(index)));
-                    if let Some(coefficient) = place {
-                        *coefficient = value;
-                    }
-                }
-            }
+            let sums = row(Row { factors, scattering, lights, width });
+            let components = places.iter().map(|place| place.components());
+            write_twos(&[sums], components, coefficients);
         }
     }
 
@@ -180,14 +130,14 @@ impl<'a> Basis<'a> {
     /// The profiles of each azimuth in twos, with their factors.
     #[inline]
     pub(crate) fn rows(&self) -> impl Iterator<Item = (&'a [ProfilePlace], &'a [f32])> + use<'a> {
-        let (degree, order) = (self.degree(), self.factored_order());
+        let (degree, row) = (self.degree(), self.row());
         let (mut places, mut factors) = (self.parts.profiles, self.parts.factors);
         // Written by hand because the compiler cannot prove that `chunk_by` never panics.
         core::iter::from_fn(move || {
             let azimuth = places.first()?.azimuth();
             let same = places.iter().take(2).take_while(|place| place.azimuth() == azimuth);
             let (two, others) = places.split_at_checked(same.count())?;
-            let length = layout::factors(degree, order, azimuth, two.len());
+            let length = layout::rows(degree, azimuth, two.len()) * row;
             let (rows, rest) = split_row(factors, length);
             (places, factors) = (others, rest);
             Some((two, rows))
@@ -196,13 +146,6 @@ impl<'a> Basis<'a> {
 
     pub(crate) fn accept_light(&self, light: &Light<'_>) -> Result<(), Error> {
         Error::check_beyond(Argument::Light, self.degree(), light.degree())
-    }
-
-    #[inline]
-    pub(crate) fn subtract_mean(&self, coefficients: &mut [f32]) {
-        for (coefficient, &mean) in coefficients.iter_mut().zip(self.parts.mean_coefficients) {
-            *coefficient -= mean;
-        }
     }
 }
 
@@ -274,6 +217,27 @@ pub(crate) fn add_lit(
 ) -> [lanes::Two; 2] {
     let plus = lanes::multiply_add_two(plus, row, &[of_plus; LANES]);
     [plus, lanes::multiply_add_two(minus, row, &[of_minus; LANES])]
+}
+
+/// Writes the components of profiles, two at a time, from sums that are not yet summed across the
+/// lanes.
+#[inline(always)]
+pub(crate) fn write_twos(
+    sums: &[[lanes::Two; 2]],
+    components: impl IntoIterator<Item = [u16; 2]>,
+    coefficients: &mut [f32],
+) {
+    let sums = sums.iter().flat_map(|[plus, minus]| {
+        let [[a, b], [c, d]] = [lanes::sums(*plus), lanes::sums(*minus)];
+        [[a, c], [b, d]]
+    });
+    for (sums, components) in sums.zip(components) {
+        for (sum, component) in sums.into_iter().zip(components) {
+            if let Some(coefficient) = coefficients.get_mut(usize::from(component)) {
+                *coefficient = sum;
+            }
+        }
+    }
 }
 
 /// Provides a workspace and coefficients for `project` to fill, both of constant capacities.

@@ -11,11 +11,12 @@ use crate::basis::Basis;
 use crate::buffer::zeros;
 use crate::error::{Argument, Error};
 use crate::float;
-use crate::index::{layout::LANES, light::position};
+use crate::index::record::{Pass, Run};
+use crate::index::{layout, layout::LANES, light::position};
 use crate::invariant::part;
 use crate::lanes;
 use crate::light::Light;
-use crate::places::{KnownTable, PassPlace, Run};
+use crate::specialized::{KnownTable, at, components, head, tail};
 use crate::projection::Coefficients;
 use crate::transfer::Transfer;
 
@@ -45,7 +46,7 @@ macro_rules! by_profiles {
     };
 }
 
-impl Basis<'_> {
+impl<'a> Basis<'a> {
     /// Computes d for a new light on a material whose transfer is known, with one multiplication
     /// for each of the [`transfer_len`](Self::transfer_len) numbers.
     ///
@@ -87,44 +88,37 @@ impl Basis<'_> {
         } else {
             self.relight_runs(transfer, light, coefficients);
         }
-        self.subtract_mean(coefficients);
         Ok(())
     }
 
     #[inline]
     fn relight_passes(&self, transfer: &[f32], light: &Light<'_>, coefficients: &mut [f32]) {
-        let mut next = self.first_pass();
-        while let Some(pass) = next {
-            let degrees = (light.degree() + 1).saturating_sub(pass.lowest);
+        for pass in self.parts.passes {
             by_profiles!(pass.profiles, P => {
-                let sums = any_sums::<P>(&pass, degrees, transfer, light.coefficients());
-                write_pass(&pass, &sums, coefficients);
+                let sums = any_sums::<P>(pass, transfer, light);
+                write_pass(self.slots(pass).as_chunks().0, &sums, coefficients);
             });
-            next = self.pass_after(&pass);
         }
     }
 
     #[inline]
     fn relight_runs(&self, transfer: &[f32], light: &Light<'_>, coefficients: &mut [f32]) {
-        let mut next = self.first_run();
-        while let Some(run) = next {
-            let degrees = (light.degree() + 1).saturating_sub(run.order.unsigned_abs());
+        for run in self.parts.runs {
             by_profiles!(run.profiles, P => {
-                let sums = run_sums::<P>(&run, degrees, transfer, light.coefficients());
-                write_run(self.components_of_run(&run), sums, coefficients);
+                let sums = run_sums::<P>(run, light.degree(), transfer, light.coefficients());
+                let profiles = tail(self.parts.profiles, run.first.into());
+                let components = profiles.iter().map(|profile| profile.components());
+                write_run(components, run.order, sums, coefficients);
             });
-            next = self.run_after(&run);
         }
     }
-}
 
-/// The numbers of a transfer and of a light, if there are exactly `T` and `N`.
-#[inline(always)]
-pub fn inputs<'a, const T: usize, const N: usize>(
-    transfer: &'a Transfer<T>,
-    light: &Light<'a>,
-) -> Option<(&'a [f32; T], &'a [f32; N])> {
-    Some((transfer.as_slice().try_into().ok()?, light.coefficients().try_into().ok()?))
+    /// The components of a pass.
+    #[inline(always)]
+    const fn slots(&self, pass: &Pass) -> &'a [u16] {
+        tail(self.parts.slots, pass.slots as usize)
+    }
+
 }
 
 /// Writes the sums of pass number `I`, which has `P` profiles, to their components.
@@ -135,25 +129,10 @@ pub fn write<B, const I: usize, const P: usize, const K: usize>(
 ) where
     B: KnownTable<Basis<'static>>,
 {
-    write_pass(const { &pass_of::<B, P>(I) }, sums, coefficients);
-}
-
-#[expect(clippy::panic, reason = "while the program is compiled")]
-#[inline]
-const fn pass_of<B: KnownTable<Basis<'static>>, const P: usize>(index: usize) -> PassPlace {
-    match B::BASIS.pass_at(index) {
-        Some(pass) if pass.profiles == P => pass,
-        _ => panic!("the table has no such pass"),
-    }
-}
-
-#[expect(clippy::panic, reason = "while the program is compiled")]
-#[inline]
-const fn run_of<B: KnownTable<Basis<'static>>, const P: usize>(index: usize) -> Run {
-    match B::BASIS.run_at(index) {
-        Some(run) if run.profiles == P => run,
-        _ => panic!("the table has no such run"),
-    }
+    let slots = const {
+        *head::<_, P>(B::BASIS.slots(at(B::BASIS.parts.passes, I)).as_chunks::<LANES>().0)
+    };
+    write_pass(&slots, sums, coefficients);
 }
 
 /// The sums of pass number `I`, which has `P` profiles. Not inlined: a compiler that sees single
@@ -166,35 +145,36 @@ pub fn sums<B, const I: usize, const P: usize, const T: usize, const N: usize>(
 where
     B: KnownTable<Basis<'static>>,
 {
-    let place = const { &pass_of::<B, P>(I) };
-    let degrees = const { B::BASIS.parts.degree + 1 - pass_of::<B, P>(I).lowest };
-    sums_of_pass(place, degrees, transfer, light)
+    let pass = const { *at(B::BASIS.parts.passes, I) };
+    const { assert!(at(B::BASIS.parts.passes, I).profiles as usize == P, "other profiles") };
+    sums_of_pass(&pass, const { B::BASIS.parts.degree }, transfer, light)
 }
 
 /// [`sums_of_pass`] of any pass of `P` profiles.
 #[inline(never)]
 fn any_sums<const P: usize>(
-    pass: &PassPlace,
-    degrees: usize,
+    pass: &Pass,
     transfer: &[f32],
-    light: &[f32],
+    light: &Light<'_>,
 ) -> [[f32; LANES]; P] {
-    sums_of_pass(pass, degrees, transfer, light)
+    sums_of_pass(pass, light.degree(), transfer, light.coefficients())
 }
 
-/// The sums of a pass, over this many degrees.
+/// The sums of a pass, for a light of this degree.
 #[inline(always)]
 fn sums_of_pass<const P: usize>(
-    pass: &PassPlace,
-    degrees: usize,
+    pass: &Pass,
+    degree: usize,
     transfer: &[f32],
     light: &[f32],
 ) -> [[f32; LANES]; P] {
     let mut sums = [[0.0; LANES]; P];
-    let (groups, _) = part(transfer, pass.start..).as_chunks::<LANES>();
+    let (groups, _) = part(transfer, pass.start as usize..).as_chunks::<LANES>();
     let (rows, _) = groups.as_chunks::<P>();
-    for (l, row) in (pass.lowest..).zip(part(rows, ..degrees)) {
-        let window = window(light, l, pass.first);
+    let first = isize::from(pass.first);
+    let lowest = layout::lowest_degree(first);
+    for (l, row) in (lowest..).zip(part(rows, ..(degree + 1).saturating_sub(lowest))) {
+        let window = window(light, l, first);
         for (sum, row) in sums.iter_mut().zip(row) {
             *sum = lanes::multiply_add(*sum, row, &window);
         }
@@ -215,8 +195,8 @@ fn window(light: &[f32], l: usize, first: isize) -> [f32; LANES] {
 }
 
 #[inline(always)]
-fn write_pass(pass: &PassPlace, sums: &[[f32; LANES]], coefficients: &mut [f32]) {
-    for (slots, sums) in pass.slots.iter().zip(sums) {
+fn write_pass(slots: &[[u16; LANES]], sums: &[[f32; LANES]], coefficients: &mut [f32]) {
+    for (slots, sums) in slots.iter().zip(sums) {
         for (&slot, &sum) in slots.iter().zip(sums) {
             if let Some(coefficient) = coefficients.get_mut(usize::from(slot)) {
                 *coefficient = sum;
@@ -235,27 +215,25 @@ pub fn run<B, const I: usize, const P: usize, const T: usize, const N: usize, co
 ) where
     B: KnownTable<Basis<'static>>,
 {
-    let run = const { &run_of::<B, P>(I) };
-    let degrees = const { B::BASIS.parts.degree + 1 - run_of::<B, P>(I).order.unsigned_abs() };
-    let components = const { B::BASIS.run_components::<P>(&run_of::<B, P>(I)) };
-    let sums = run_sums::<P>(run, degrees, transfer, light);
-    write_run(components, sums, coefficients);
+    let run = const { *at(B::BASIS.parts.runs, I) };
+    const { assert!(at(B::BASIS.parts.runs, I).profiles as usize == P, "other profiles") };
+    let sums = run_sums::<P>(&run, const { B::BASIS.parts.degree }, transfer, light);
+    let components = const {
+        components::<P>(B::BASIS.parts.profiles, at(B::BASIS.parts.runs, I).first as usize, P)
+    };
+    write_run(components, run.order, sums, coefficients);
 }
 
-/// The sums of a run of `P` profiles, over this many degrees.
+/// The sums of a run of `P` profiles, for a light of this degree.
 #[inline(always)]
-fn run_sums<const P: usize>(
-    run: &Run,
-    degrees: usize,
-    transfer: &[f32],
-    light: &[f32],
-) -> [f32; P] {
+fn run_sums<const P: usize>(run: &Run, degree: usize, transfer: &[f32], light: &[f32]) -> [f32; P] {
     let mut sums = [0.0; P];
     let (groups, _) = transfer.as_chunks::<LANES>();
-    let (mut at, lane) = (run.start / LANES, run.start % LANES);
-    let lowest = run.order.unsigned_abs();
-    let mut of_light = position(lowest, run.order);
-    for l in lowest..lowest + degrees {
+    let (mut at, lane) = (run.start as usize / LANES, run.start as usize % LANES);
+    let order = isize::from(run.order);
+    let lowest = order.unsigned_abs();
+    let mut of_light = position(lowest, order);
+    for l in lowest..=degree {
         let groups = groups.get(at..).and_then(<[_]>::first_chunk::<P>);
         let (Some(&light), Some(groups)) = (light.get(of_light), groups) else { break };
         for (sum, group) in sums.iter_mut().zip(groups) {
@@ -263,18 +241,20 @@ fn run_sums<const P: usize>(
             *sum =
                 if l == lowest { number * light } else { float::add_product(*sum, number, light) };
         }
-        (at, of_light) = (at + run.step / LANES, of_light + 2 * l + 2);
+        (at, of_light) = (at + usize::from(run.step) / LANES, of_light + 2 * l + 2);
     }
     sums
 }
 
 #[inline(always)]
 fn write_run<const P: usize>(
-    components: impl IntoIterator<Item = u16>,
+    components: impl IntoIterator<Item = [u16; 2]>,
+    order: i16,
     sums: [f32; P],
     coefficients: &mut [f32],
 ) {
-    for (sum, component) in sums.into_iter().zip(components) {
+    for (sum, [plus, minus]) in sums.into_iter().zip(components) {
+        let component = if order < 0 { minus } else { plus };
         if let Some(coefficient) = coefficients.get_mut(usize::from(component)) {
             *coefficient = sum;
         }

@@ -5,10 +5,9 @@ use crate::basis::Basis;
 use crate::buffer::{Buffer, zeros};
 use crate::error::{Argument, Error};
 use crate::float;
-use crate::index::layout::LANES;
 use crate::index::record::ProfilePlace;
-use crate::invariant::{part, part_mut, split, split_mut, split_row};
-use crate::lanes::multiply_add;
+use crate::invariant::{part, split, split_mut, split_row};
+use crate::lanes;
 use crate::normal::Normal;
 use crate::polynomial;
 use crate::polynomial::{argument, turned};
@@ -66,28 +65,23 @@ impl<'a> Basis<'a> {
         coefficients: &[f32],
         mut buffer: B,
     ) -> Result<Scene<'a, B>, Error> {
-        let sums = buffer.as_mut();
-        Error::check(Argument::Scene, self.scene_len(), sums.len())?;
+        let scene = buffer.as_mut();
+        Error::check(Argument::Scene, self.scene_len(), scene.len())?;
         Error::check_components(self.components(), coefficients.len())?;
-        sums.fill(0.0);
-        for (sum, &mean) in sums.iter_mut().zip(self.parts.mean) {
-            *sum = mean;
-        }
-        let weight = |index: Option<u16>| {
-            index.and_then(|index| coefficients.get(usize::from(index))).copied()
-        };
-        let (mut sums, mut azimuth) = (sums, 0);
-        for (place, terms) in self.profiles() {
-            while azimuth < place.azimuth() {
-                sums = part_mut(sums, signs(azimuth) * self.length(azimuth)..);
-                azimuth += 1;
-            }
-            if let Some(weight) = weight(place.plus()) {
-                add(weight, terms, sums);
-            }
-            // Φ_-m = √2 sin(-mβ) = -√2 Im (n_x + i n_y)^m / sin^m.
-            if let Some(weight) = weight(place.minus()) {
-                add(-weight, terms, part_mut(sums, terms.len()..));
+        for (azimuth, place) in self.parts.azimuths.iter().enumerate() {
+            let length = self.length(azimuth);
+            let (_, scene) = split_mut(scene, place.start as usize);
+            let (_, terms) = split(self.parts.terms, place.terms as usize);
+            let profiles = part(self.parts.profiles, place.first.into()..);
+            let profiles = profiles.iter().zip(lanes::rows(terms, length));
+            for (number, (profile, terms)) in profiles.take(place.profiles.into()).enumerate() {
+                let weights = weights(profile.components(), coefficients);
+                if azimuth == 0 {
+                    let [plus, _] = weights;
+                    sum_profiles(length, terms, &[[plus]], number > 0, scene);
+                } else {
+                    sum_profiles(length, terms, &[weights], number > 0, scene);
+                }
             }
         }
         Ok(Scene::of(self.parts.lengths, buffer))
@@ -112,24 +106,16 @@ impl<'a> Basis<'a> {
     /// [`Error::Length`] if there are more coefficients than components.
     pub fn reconstruct(&self, coefficients: &[f32], normal: Normal) -> Result<f32, Error> {
         Error::check_components(self.components(), coefficients.len())?;
-        let weight = |index: Option<u16>| {
-            let found = index.and_then(|index| coefficients.get(usize::from(index)));
-            found.copied().unwrap_or(0.0)
-        };
-        let mut sum = self.mean_at(normal);
-        for (place, value, [plus, minus]) in self.eigenimages_at(normal) {
-            sum += value * (weight(place.plus()) * plus + weight(place.minus()) * minus);
+        let mut sum = 0.0;
+        for (place, value, [cosine, sine]) in self.eigenimages_at(normal) {
+            let [plus, minus] = weights(place.components(), coefficients);
+            sum += value * (plus * cosine + minus * sine);
         }
         Ok(sum)
     }
 
-    #[inline]
-    pub(crate) fn mean_at(&self, normal: Normal) -> f32 {
-        polynomial::value(self.parts.mean, argument(normal.z))
-    }
-
     /// For each profile the value of its polynomial at a normal, and what it is multiplied by in
-    /// the eigenimages of +m and -m. There is no root and no division.
+    /// the eigenimages of +m and, with the opposite sign, of -m. There is no root and no division.
     #[inline]
     pub(crate) fn eigenimages_at(
         &self,
@@ -142,26 +128,52 @@ impl<'a> Basis<'a> {
                 (cosine, sine) = turned(cosine, sine, normal.x, normal.y);
                 azimuth += 1;
             }
-            // Φ_-m = √2 sin(-mβ).
-            let value = polynomial::value(terms, t);
-            (place, value, [cosine, -sine])
+            (place, polynomial::value(terms, t), [cosine, sine])
         })
     }
 }
 
-#[inline]
-fn add(weight: f32, terms: &[f32], sums: &mut [f32]) {
-    // Small code for targets without lanes to fill.
-    if cfg!(target_pointer_width = "32") {
-        return sums.iter_mut().zip(terms).for_each(|(sum, &term)| *sum += weight * term);
-    }
-    let (terms, rest) = terms.as_chunks();
-    let (sums, others) = split_mut(sums, LANES * terms.len());
-    for (sums, terms) in sums.as_chunks_mut().0.iter_mut().zip(terms) {
-        *sums = multiply_add(*sums, terms, &[weight; LANES]);
-    }
-    for (sum, &term) in others.iter_mut().zip(rest) {
-        *sum = float::add_product(*sum, weight, term);
+/// The weights of a profile's polynomial in the sums of +m and of -m, from its components. One that
+/// is missing counts as zero.
+#[inline(always)]
+pub(crate) fn weights([plus, minus]: [u16; 2], coefficients: &[f32]) -> [f32; 2] {
+    let weight = |component: u16| coefficients.get(usize::from(component)).copied().unwrap_or(0.0);
+    // Φ_-m = √2 sin(-mβ) = -√2 Im (n_x + i n_y)^m / sin^m.
+    [weight(plus), -weight(minus)]
+}
+
+/// Sums the polynomials of `P` profiles of `length` terms, with weights for `W` sums each, or adds
+/// them to what is there.
+#[inline(always)]
+pub(crate) fn sum_profiles<const W: usize, const P: usize>(
+    length: usize,
+    terms: &[f32],
+    weights: &[[f32; W]; P],
+    is_more: bool,
+    scene: &mut [f32],
+) {
+    for j in 0..length {
+        let mut sums = [0.0; W];
+        if is_more {
+            for (sign, sum) in sums.iter_mut().enumerate() {
+                *sum = scene.get(sign * length + j).copied().unwrap_or(0.0);
+            }
+        }
+        for (profile, weights) in weights.iter().enumerate() {
+            let Some(&term) = terms.get(profile * length + j) else { continue };
+            for (sum, &weight) in sums.iter_mut().zip(weights) {
+                *sum = if profile == 0 && !is_more {
+                    weight * term
+                } else {
+                    float::add_product(*sum, weight, term)
+                };
+            }
+        }
+        for (sign, sum) in sums.into_iter().enumerate() {
+            if let Some(to) = scene.get_mut(sign * length + j) {
+                *to = sum;
+            }
+        }
     }
 }
 

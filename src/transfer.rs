@@ -6,7 +6,6 @@ use crate::basis::Basis;
 use crate::buffer::{Buffer, zeros};
 use crate::error::{Argument, Error};
 use crate::float;
-use crate::index::effect::Effects;
 use crate::index::{layout, record::ProfilePlace};
 use crate::lanes;
 use crate::lanes::rows;
@@ -124,29 +123,6 @@ impl Basis<'_> {
         workspace: &mut [f32],
         transfer: &mut [f32],
     ) -> Result<(), Error> {
-        self.transferred(material, Effects::ALL, workspace, transfer)
-    }
-
-    /// [`transfer_into`](Self::transfer_into) for some effects only, with the same errors: see
-    /// [`project_effects_into`](Self::project_effects_into).
-    pub fn transfer_effects_into(
-        &self,
-        material: &Material<'_>,
-        effects: Effects,
-        workspace: &mut [f32],
-        transfer: &mut [f32],
-    ) -> Result<(), Error> {
-        self.transferred(material, effects, workspace, transfer)
-    }
-
-    #[inline(always)]
-    fn transferred(
-        &self,
-        material: &Material<'_>,
-        effects: Effects,
-        workspace: &mut [f32],
-        transfer: &mut [f32],
-    ) -> Result<(), Error> {
         self.accept_material(material)?;
         Error::check(Argument::Workspace, self.workspace_len(), workspace.len())?;
         Error::check(Argument::Transfer, self.transfer_len(), transfer.len())?;
@@ -154,16 +130,9 @@ impl Basis<'_> {
         transfer.fill(0.0);
         let width = self.row() / LANES;
         let Workspace { scattering, sums, .. } = self.divide(workspace);
-        let mut scattered = None;
+        self.scatter(material, sums, scattering);
         for (places, factors) in self.rows() {
             let azimuth = places.first().map_or(0, |place| place.azimuth());
-            // One scattering serves every azimuth, unless a selection of modes makes them differ.
-            if scattered.is_none()
-                || (scattered != Some(azimuth) && !self.parts.selection.is_empty())
-            {
-                self.scatter(material, effects, azimuth, sums, scattering);
-                scattered = Some(azimuth);
-            }
             let (of_scattering, _) = self.scattered_from(azimuth, scattering).as_chunks::<LANES>();
             let both = rows(factors.as_chunks().0, width).zip(rows(of_scattering, width));
             for (row, (factors, scattering)) in both.enumerate() {
@@ -173,23 +142,7 @@ impl Basis<'_> {
                 }
             }
         }
-        if !self.parts.ambient.is_empty() {
-            self.add_unfactored(material, effects, transfer);
-        }
         Ok(())
-    }
-
-    /// Adds the coefficients that are not factored, which only affect l = 0.
-    #[cold]
-    #[inline(never)]
-    fn add_unfactored(&self, material: &Material<'_>, effects: Effects, transfer: &mut [f32]) {
-        for (place, unfactored) in
-            self.parts.profiles.iter().zip(self.unfactored(material, effects))
-        {
-            if let Some(to) = transfer.get_mut(place.plus_row.start as usize) {
-                *to += unfactored;
-            }
-        }
     }
 }
 

@@ -3,12 +3,11 @@
 
 use crate::tolerances;
 use eigenshade::index::material;
-use eigenshade::{Effect, Effects, Error, Light, Material, sphere};
+use eigenshade::{Effect, Error, Q15, sphere};
 use eigenshade_shading::owned_basis::OwnedBasis;
 use eigenshade_testing::fixtures::{self, normal, projected};
 use eigenshade_testing::images::single;
-use eigenshade_testing::oracle::Numbers;
-use eigenshade_testing::{largest, largest_difference, relative_error};
+use eigenshade_testing::relative_error;
 use std::ops::RangeInclusive;
 
 /// The degrees l and the orders o of each effect.
@@ -19,43 +18,18 @@ const MODES: [(Effect, RangeInclusive<usize>, RangeInclusive<usize>); 4] = [
     (Effect::Gloss, 1..=12, 4..=5),
 ];
 
-/// d of an effect in f32, of the largest d: sums of some hundred products, in another order.
-const EFFECT_F32: f64 = 1e-6;
-
-/// d of an effect is d of the light and the material without all other degrees and orders.
+/// Masks leave the coefficients of an effect's degrees and orders, floats and mantissas alike.
 #[test]
 fn effects_are_the_modes_of_their_degrees_and_orders() {
-    for degree in [5, 12] {
-        let mut numbers = Numbers(3);
-        let lights = fixtures::lights(degree, 3, &mut numbers);
-        let materials = fixtures::materials(5, 3, &mut numbers);
-        let [light, material] =
-            [lights.entries[0].luminance(), materials.entries[1].luminance()].map(single);
-        let owned = OwnedBasis::new(&fixtures::table(&fixtures::scene(lights, materials)));
-        let basis = owned.basis().expect("parts of a table");
-        let project = |light: &[f32], material: &[f32], effects: Effects| {
-            let light = Light::new(light).expect("a light");
-            let material = Material::new(material).expect("a material");
-            let mut workspace = vec![0.0; basis.workspace_len()];
-            let mut d = vec![0.0; basis.components()];
-            basis
-                .project_effects_into(&light, &material, effects, &mut workspace, &mut d)
-                .expect("sizes");
-            d.into_iter().map(f64::from).collect::<Vec<_>>()
-        };
-        let whole = largest(project(&light, &material, Effects::ALL));
-        for (effect, degrees, orders) in MODES {
-            let (mut of_light, mut of_material) = (light.clone(), material.clone());
-            for (k, number) in of_light.iter_mut().enumerate() {
-                *number *= f32::from(u8::from(degrees.contains(&k.isqrt())));
-            }
-            for ((o, _, _), number) in material::indices(5).zip(&mut of_material) {
-                *number *= f32::from(u8::from(orders.contains(&o)));
-            }
-            let found = project(&light, &material, Effects::NONE.with(effect));
-            let expected = project(&of_light, &of_material, Effects::ALL);
-            let apart = largest_difference(&found, &expected);
-            assert!(apart <= EFFECT_F32 * whole, "{effect:?}: {apart}");
+    for (effect, degrees, orders) in MODES {
+        let (mut light, mut material) = ([1.5f32; 169], [Q15(3); 20]);
+        effect.mask_light(&mut light);
+        effect.mask_material(&mut material);
+        for (k, &number) in light.iter().enumerate() {
+            assert_eq!(number != 0.0, degrees.contains(&k.isqrt()), "{effect:?} {k}");
+        }
+        for ((o, p, q), &number) in material::indices(5).zip(&material) {
+            assert_eq!(number.0 != 0, orders.contains(&o), "{effect:?} {o} {p} {q}");
         }
     }
 }
@@ -64,28 +38,25 @@ fn effects_are_the_modes_of_their_degrees_and_orders() {
 /// the largest d.
 const ESTIMATE_F32: f64 = 2e-6;
 
-/// Both criteria: the mean image is subtracted pixel by pixel.
 #[test]
 fn weighted_pixels_give_back_the_coefficients() {
-    let shipped = fixtures::shipped("curet");
-    for mut loaded in [shipped.clone(), fixtures::standard(shipped)] {
-        loaded.scene.basis.components = Some(60);
-        loaded.scene.basis.profile_tolerance = 1e-13;
-        let owned = OwnedBasis::new(&fixtures::table(&loaded));
-        let basis = owned.basis().expect("parts of a table");
-        let [light, material] = [&loaded.lights.entries[3], &loaded.materials.entries[8]];
-        let d = projected(&basis, &single(light.luminance()), &single(material.luminance()));
-        let scene = basis.collapse_into(&d, vec![0.0; basis.scene_len()]).expect("sizes");
-        let mut estimate = basis.estimate::<60>().expect("room");
-        for (at, weight) in fixtures::rule(48, 19) {
-            // Any factor of all weights drops out.
-            estimate.add(normal(at), scene.shade(normal(at)), 7.0 * weight as f32);
-        }
-        let wide =
-            |numbers: &[f32]| numbers.iter().map(|&number| number.into()).collect::<Vec<f64>>();
-        let apart = relative_error(&wide(&estimate.coefficients().expect("pixels")), &wide(&d));
-        assert!(apart <= ESTIMATE_F32, "{apart}");
+    let mut loaded = fixtures::shipped("curet");
+    loaded.scene.basis.components = Some(60);
+    loaded.scene.basis.profile_tolerance = 1e-13;
+    let owned = OwnedBasis::new(&fixtures::table(&loaded)).expect("a table for f32");
+    let basis = owned.basis().expect("parts of a table");
+    let [light, material] = [&loaded.lights.entries[3], &loaded.materials.entries[8]];
+    let d = projected(&basis, &single(light.luminance()), &single(material.luminance()));
+    let scene = basis.collapse_into(&d, vec![0.0; basis.scene_len()]).expect("sizes");
+    let mut estimate = basis.estimate::<60>().expect("room");
+    for (at, weight) in fixtures::rule(48, 19) {
+        // Any factor of all weights drops out.
+        estimate.add(normal(at), scene.shade(normal(at)), 7.0 * weight as f32);
     }
+    let wide =
+        |numbers: &[f32]| numbers.iter().map(|&number| number.into()).collect::<Vec<f64>>();
+    let apart = relative_error(&wide(&estimate.coefficients().expect("pixels")), &wide(&d));
+    assert!(apart <= ESTIMATE_F32, "{apart}");
 }
 
 #[test]

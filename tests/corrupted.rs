@@ -3,9 +3,7 @@
 
 use crate::invariants;
 use crate::wire::sealed;
-use crate::wire_files::{
-    EFFECTS, GENERAL, INTEGERS_15, LONG, MEAN, SPHERE, TURNED, TURNED_15, placed,
-};
+use crate::wire_files::{GENERAL, INTEGERS_15, LONG, SPHERE, placed};
 use eigenshade::index::record::{floats, integers};
 use eigenshade::wire::WireError;
 use eigenshade::{Basis, GeneralBasis, Q15, q15};
@@ -23,22 +21,22 @@ struct Kind {
 fn kinds() -> [Kind; 3] {
     [
         Kind {
-            files: vec![&SPHERE.0, &MEAN.0, &EFFECTS.0, &TURNED.0, &LONG.0],
+            files: vec![&SPHERE.0, &LONG.0],
             arrays: floats::Parts::<f32>::ARRAYS.to_vec(),
             open: |bytes| Basis::from_bytes(bytes).map(|basis| invariants::floats(&basis)),
-            checked: &["profiles", "passes", "slots", "couplings", "lengths", "selection"],
+            checked: &["profiles", "azimuths", "passes", "runs", "slots", "lengths"],
         },
         Kind {
             files: vec![&GENERAL.0],
             arrays: [floats::Parts::<f32>::ARRAYS, floats::GeneralParts::<f32>::ARRAYS].concat(),
             open: |bytes| GeneralBasis::from_bytes(bytes).map(|basis| invariants::general(&basis)),
-            checked: &["profiles", "passes", "slots", "couplings", "lengths"],
+            checked: &["profiles", "azimuths", "passes", "runs", "slots", "lengths"],
         },
         Kind {
-            files: vec![&INTEGERS_15.0, &TURNED_15.0],
+            files: vec![&INTEGERS_15.0],
             arrays: integers::Parts::<Q15>::ARRAYS.to_vec(),
             open: |bytes| q15::Basis::from_bytes(bytes).map(|one| invariants::integers(&one)),
-            checked: &["profiles", "lengths", "factors", "terms"],
+            checked: &["profiles", "azimuths", "lengths", "factors", "terms"],
         },
     ]
 }

@@ -5,9 +5,9 @@ use crate::invariants::integer::shipped;
 use crate::invariants::{Reader, SHADING, project_reconstruct, public_interface};
 use eigenshade::{Argument, Error, Light, Q15, q15, sphere};
 use eigenshade_table::quantize;
-use eigenshade_table::scene::{Effect, Store};
+use eigenshade_table::scene::{Criterion, Store};
 use eigenshade_table::wire::{self, Endian};
-use eigenshade_table::{General, MeanImage, Table};
+use eigenshade_table::{General, Table};
 use eigenshade_testing::fixtures::shipped_table;
 use proptest::collection::vec;
 use proptest::prelude::*;
@@ -16,21 +16,7 @@ use proptest::prelude::*;
 type Refusal = (fn(&mut Table), &'static str);
 
 /// What a table may hold in `f32` alone.
-const REFUSALS: [Refusal; 7] = [
-    // An effect whose orders no other effect has.
-    (
-        |table| table.scene.effects.wanted = vec![Effect::Ambient, Effect::Diffuse],
-        "integer formats support ambient only together with another effect that contains all its \
-         orders",
-    ),
-    (
-        |table| {
-            let coefficients = vec![0.0; table.count()];
-            table.mean = Some(MeanImage { chebyshev: vec![1.0], coefficients });
-        },
-        "integer formats do not support a mean image",
-    ),
-    (|table| table.selection = vec![true], "integer formats do not support a selection of modes"),
+const REFUSALS: [Refusal; 4] = [
     (
         |table| {
             table.general = Some(General {
@@ -70,11 +56,18 @@ fn tables_that_integers_do_not_hold_are_refused() {
     }
     let refused = quantize::integers(&shipped_table("color"), 0.0).err();
     assert_eq!(refused, Some(eigenshade_table::FormatError::Large { component: 149 }));
-    let mut table = shipped().table.clone();
-    table.scene.basis.store = Store::Materials;
-    for format in wire::NumberFormat::ALL {
-        let refused = wire::encode(&table, format, Endian::Little).expect_err("no factors");
-        assert!(refused.to_string().contains("the table stores only transfers"), "{refused}");
+    let others: [Refusal; 3] = [
+        (|table| table.scene.basis.store = Store::Materials, "the table stores only transfers"),
+        (|table| table.scene.basis.criterion = Criterion::Standard, "it subtracts a mean image"),
+        (|table| table.selection = vec![true], "it has a selection of modes"),
+    ];
+    for (change, error) in others {
+        let mut table = shipped().table.clone();
+        change(&mut table);
+        for format in wire::NumberFormat::ALL {
+            let refused = wire::encode(&table, format, Endian::Little).expect_err(error);
+            assert!(refused.to_string().contains(error), "{refused}");
+        }
     }
 }
 
@@ -112,15 +105,9 @@ fn numbers_beyond_a_format_are_refused() {
     says(of_pixels, "a number exceeds its integer format");
 }
 
-/// A table of some effects, and parts that hold only transfers.
+/// Parts that hold only transfers.
 #[test]
 fn what_every_format_supports_is_there() {
-    let mut table = shipped().table.clone();
-    for effects in [vec![Effect::Diffuse, Effect::Broad], Effect::ALL.to_vec()] {
-        table.scene.effects.wanted = effects;
-        let taken = quantize::integers(&table, quantize::TOLERANCE);
-        assert!(taken.is_ok(), "{:?}", taken.err());
-    }
     let alone = q15::Parts {
         polar: &[],
         polar_exponents: &[],

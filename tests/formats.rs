@@ -120,7 +120,7 @@ impl Reference {
 #[test]
 fn floats_are_good() {
     let reference = Reference::new();
-    let basis = OwnedBasis::new(&reference.shipped.table);
+    let basis = OwnedBasis::new(&reference.shipped.table).expect("a table for f32");
     let mut shader = Shader::new(basis.any().expect("a basis"), usize::MAX);
     let normals = OwnedNormals::new(&reference.normals);
     let score = reference.score(|light, material| {

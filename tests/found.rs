@@ -1,6 +1,7 @@
 //! Inputs that once overflowed, lost what they should keep, or gave what is not so: each
 //! found by any bytes, by name.
 
+use eigenshade::index::record::Azimuth;
 use eigenshade::q15::{Basis, Light, Material, Parts, Profile, Transfer};
 use eigenshade::{Error, Normal, Q15};
 
@@ -13,12 +14,16 @@ fn of_transfers(terms: &[Q15]) -> Parts<'_> {
         Profile::new(0, -3, [0, NONE], [u16::MAX, u16::MAX]),
         Profile::new(1, -3, [1, 2], [u16::MAX, u16::MAX]),
     ];
+    const AZIMUTHS: [Azimuth; 2] = [
+        Azimuth { first: 0, profiles: 1, start: 0, terms: 0, rows: 0 },
+        Azimuth { first: 1, profiles: 1, start: 1, terms: 1, rows: 2 },
+    ];
     Parts {
         degree: 1,
         order: 0,
-        effects: eigenshade::Effects::ALL,
         components: 3,
         profiles: &PLACES,
+        azimuths: &AZIMUTHS,
         lengths: &[1, 1],
         polar: &[],
         polar_exponents: &[],
@@ -151,10 +156,14 @@ fn short_normals() {
 fn bases_out_of_all_proportion() {
     let places: Vec<_> = (0..512).map(|k| Profile::new(0, 0, [k, NONE], [16, 16])).collect();
     let terms = vec![Q15(1); 512];
+    let azimuths = [511, 512].map(|profiles| {
+        [Azimuth { first: 0, profiles, start: 0, terms: 0, rows: 0 }]
+    });
     let of = |count: usize| Parts {
         degree: 0,
         components: count,
         profiles: &places[..count],
+        azimuths: &azimuths[count - 511],
         lengths: &[1],
         terms: &terms[..count],
         ..of_transfers(&[])
@@ -162,8 +171,8 @@ fn bases_out_of_all_proportion() {
     assert_eq!(Basis::new(of(512)).err(), Some(Error::Bound));
     assert!(Basis::new(of(511)).is_ok());
     let high = |degree, order| Some(Error::High { degree, order });
-    assert_eq!(Basis::new(Parts { degree: 13, ..of(1) }).err(), high(13, 0));
-    assert_eq!(Basis::new(Parts { order: usize::MAX, ..of(1) }).err(), high(0, usize::MAX));
+    assert_eq!(Basis::new(Parts { degree: 13, ..of(511) }).err(), high(13, 0));
+    assert_eq!(Basis::new(Parts { order: usize::MAX, ..of(511) }).err(), high(0, usize::MAX));
 }
 
 /// Two profiles of one component, and another without: d was scaled twice.

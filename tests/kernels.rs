@@ -33,9 +33,9 @@ fn collapsing_azimuth_by_azimuth() {
     }
 }
 
-/// Fewer coefficients, and lights of a lower degree, take the general way.
+/// Fewer coefficients, lights of a lower degree and materials of a lower order count as zero.
 #[test]
-fn other_sizes_are_served() {
+fn what_is_missing_is_zero() {
     let short = sphere::Coefficients::from_slice(&numbers(7, 3)).expect("room");
     let expected = BASIS.collapse_into(&short, [0.0; sphere::SCENE]).unwrap();
     assert_eq!(*sphere::collapse(&short).unwrap(), expected);
@@ -44,7 +44,10 @@ fn other_sizes_are_served() {
     let light = Light::new(&light).unwrap();
     let mut found = coefficients(1);
     sphere::relight_into(&transfer, &light, &mut found).unwrap();
-    assert_eq!(found, sphere::relight(&transfer, &light).unwrap());
+    assert_eq!(found, BASIS.relight(&transfer, &light).unwrap());
+    let matte = Material::new(&[2.0]).unwrap();
+    let expected = BASIS.project::<{ sphere::WORKSPACE }, { sphere::COMPONENTS }>(&light, &matte);
+    assert_eq!(sphere::project(&light, &matte), expected);
     let beyond = numbers(121, 1);
     let beyond = Light::new(&beyond).unwrap();
     assert!(sphere::relight_into(&transfer, &beyond, &mut found).is_err());
@@ -52,12 +55,4 @@ fn other_sizes_are_served() {
     let mut scene = sphere::collapse(&none).unwrap();
     sphere::collapse_into(&coefficients(5), &mut scene).unwrap();
     assert_eq!(scene, sphere::collapse(&coefficients(5)).unwrap());
-}
-
-/// The shipped table has no mean image; other tables do.
-#[test]
-fn the_mean_is_subtracted() {
-    let mut d = [3.0f32, 1.0, 0.5];
-    eigenshade::specialized::subtract(&mut d, &[1.0, -0.25]);
-    assert_eq!(d, [2.0, 1.25, 0.5]);
 }

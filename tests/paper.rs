@@ -1,7 +1,6 @@
 //! The paper's direct sum and principal components, checked on the shipped databases.
 
 use crate::{oracle, tolerances};
-use eigenshade::Effects;
 use eigenshade::index::{light, material, mode};
 use eigenshade_generator::basis::gram;
 use eigenshade_generator::basis::moments::{self, LightMoments, MaterialMoments};
@@ -78,7 +77,7 @@ fn grid(slants: usize, tilts: usize) -> Vec<[f64; 3]> {
 fn all_components_in_f32_are_the_direct_sum() {
     let loaded = shipped("curet");
     let table = fixtures::table(&loaded);
-    let owned = OwnedBasis::new(&table);
+    let owned = OwnedBasis::new(&table).expect("a table for f32");
     let mut shader = Shader::new(owned.basis().expect("a basis"), usize::MAX);
     // The device is given the reference's input, rounded.
     let rounded = |normal: [f64; 3]| normal.map(|x| f64::from(x as f32));
@@ -105,7 +104,7 @@ fn signs_of_m_have_equal_eigenvalues() {
     let (mut worst, mut largest) = (0.0f64, 0.0f64);
     for azimuth in 1..=9 {
         let criterion = loaded.scene.basis.criterion;
-        let deviations = moments::deviations(&light, &material, Effects::ALL, criterion, azimuth);
+        let deviations = moments::deviations(&light, &material, criterion, azimuth);
         let values = |gram: &GramFactor| {
             let block = Block::new(gram, azimuth, &|_, _, _, _| true).expect("finite");
             let images = block.images(gram, &deviations);

@@ -1,6 +1,6 @@
 //! A basis whose parts contradict each other is refused.
 
-use eigenshade::index::record::{Coupling, NONE, Pass, ProfilePlace, Row};
+use eigenshade::index::record::{Azimuth, NONE, Pass, ProfilePlace, Row, Run};
 use eigenshade::{Argument, Basis, Error, Light, Material, Parts, q15, sphere};
 
 /// The shipped table's parts.
@@ -40,19 +40,14 @@ fn place(azimuth: u16, [plus, minus]: [u16; 2], [plus_row, minus_row]: [Row; 2])
 fn lengths_are_checked() {
     let parts = shipped();
     assert!(Basis::new(parts).is_ok());
-    let kept = vec![true; 4000];
     for (wrong, expected) in [
         (Parts { lengths: short(parts.lengths), ..parts }, Argument::Lengths),
         (Parts { degree: 12, ..parts }, Argument::Lengths),
-        (Parts { order: 12, ..parts }, Argument::Couplings),
-        (Parts { couplings: short(parts.couplings), ..parts }, Argument::Couplings),
+        (Parts { order: 12, ..parts }, Argument::Polar),
         (Parts { slots: short(parts.slots), ..parts }, Argument::Slots),
         (Parts { polar: short(parts.polar), ..parts }, Argument::Polar),
         (Parts { factors: short(parts.factors), ..parts }, Argument::Factors),
         (Parts { terms: short(parts.terms), ..parts }, Argument::Terms),
-        (Parts { mean: short(parts.terms), ..parts }, Argument::Mean),
-        (Parts { mean_coefficients: parts.terms, ..parts }, Argument::Mean),
-        (Parts { selection: short(&kept), ..parts }, Argument::Selection),
     ] {
         assert_eq!(refused_length(wrong), expected);
     }
@@ -60,7 +55,6 @@ fn lengths_are_checked() {
         let high = Basis::new(Parts { degree, order, ..parts }).err();
         assert_eq!(high, Some(Error::High { degree, order }));
     }
-    assert!(Basis::new(Parts { selection: &kept, ..parts }).is_ok());
 }
 
 /// A basis of transfers alone relights those, and takes in no material.
@@ -103,12 +97,47 @@ fn profiles_serve_the_components() {
     assert_eq!(refused(Parts { profiles: &beyond, ..parts }), Error::Profile);
 }
 
+/// Every position that a table states is checked, by moving it by one.
 #[test]
-fn couplings_are_the_orders() {
+fn positions_are_those_of_the_parts() {
     let parts = shipped();
-    let exchanged = with(parts.couplings, 3, Coupling { o: 0, p: 2 });
-    assert_ne!(parts.couplings[3], exchanged[3]);
-    assert_eq!(refused(Parts { couplings: &exchanged, ..parts }), Error::Coupling);
+    for (number, &place) in parts.azimuths.iter().enumerate() {
+        let Azimuth { first, profiles, start, terms, rows } = place;
+        for moved in [
+            Azimuth { first: first + 1, ..place },
+            Azimuth { profiles: profiles + 1, ..place },
+            Azimuth { start: start + 1, ..place },
+            Azimuth { terms: terms + 1, ..place },
+            Azimuth { rows: rows + 1, ..place },
+        ] {
+            let azimuths = with(parts.azimuths, number, moved);
+            assert_eq!(refused(Parts { azimuths: &azimuths, ..parts }), Error::Profile);
+        }
+    }
+    for (number, &run) in parts.runs.iter().enumerate() {
+        let Run { order, profiles, first, step, start } = run;
+        for moved in [
+            Run { order: order + 1, ..run },
+            Run { profiles: profiles + 1, ..run },
+            Run { profiles: 0, ..run },
+            Run { first: first + 1, ..run },
+            Run { step: step + 1, ..run },
+            Run { start: start + 1, ..run },
+        ] {
+            let runs = with(parts.runs, number, moved);
+            assert_eq!(refused(Parts { runs: &runs, ..parts }), Error::Pass, "{moved:?}");
+        }
+    }
+    for (number, &pass) in parts.passes.iter().enumerate() {
+        for moved in
+            [Pass { start: pass.start + 1, ..pass }, Pass { slots: pass.slots + 1, ..pass }]
+        {
+            let passes = with(parts.passes, number, moved);
+            assert_eq!(refused(Parts { passes: &passes, ..parts }), Error::Pass);
+        }
+    }
+    assert_eq!(refused(Parts { azimuths: short(parts.azimuths), ..parts }), Error::Profile);
+    assert_eq!(refused(Parts { runs: short(parts.runs), ..parts }), Error::Pass);
 }
 
 /// What `transfer` writes is what `relight` reads.
@@ -140,12 +169,12 @@ fn passes_are_those_of_the_layout() {
     let parts = shipped();
     let of_two = [-7, -2, -16, 12, i16::MIN, i16::MAX].map(|first| (first, 2));
     for (first, profiles) in of_two.into_iter().chain([(-8, 0), (-8, 9)]) {
-        let passes = with(parts.passes, 0, Pass { first, profiles });
+        let passes = with(parts.passes, 0, Pass { first, profiles, ..parts.passes[0] });
         assert_eq!(refused(Parts { passes: &passes, ..parts }), Error::Pass, "{first} {profiles}");
     }
 }
 
-/// Nothing but an azimuth's profiles, or the mean image at 0, says how long its polynomials are.
+/// Nothing but an azimuth's profiles says how long its polynomials are.
 #[test]
 fn an_azimuth_without_a_profile_has_no_terms() {
     let parts = shipped();

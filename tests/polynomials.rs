@@ -20,7 +20,7 @@ const HALVES_F32: f64 = 4e-4;
 /// Each component alone, by collapsing it and by itself; of its largest value, the worst.
 fn farthest() -> f64 {
     let table = shipped_table("pbr");
-    let owned = OwnedBasis::new(&table);
+    let owned = OwnedBasis::new(&table).expect("a table for f32");
     let basis = owned.basis().expect("parts of a table");
     let lengths = basis.parts().lengths;
     assert!(lengths.iter().filter(|&&length| (17..=32).contains(&length)).count() >= 10);

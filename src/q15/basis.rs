@@ -3,10 +3,11 @@
 use super::Q15;
 use super::transfer::Transfer;
 use crate::error::{Argument, Error};
-use crate::index::effect::Effects;
 use crate::index::record::integers;
 pub use crate::index::record::integers::Profile;
 use crate::index::{layout, pair};
+use crate::scene::signs;
+use crate::specialized::tail;
 
 /// The arrays of a basis: [`Basis::new`] checks that they are consistent.
 pub type Parts<'a> = integers::Parts<'a, Q15>;
@@ -31,11 +32,6 @@ impl Basis<'_> {
         // Each profile needs a weight for +m and one for -m.
         if 2 * self.parts.profiles.len() > layout::MAX_WEIGHTS {
             return Err(Error::Bound);
-        }
-        if self.parts.effects.unfactored_count(self.parts.order) > 0
-            || self.parts.effects.factored_order(self.parts.order) != self.parts.order
-        {
-            return Err(Error::Coupling);
         }
         let pairs = pair::count(self.parts.order);
         let (mut rows, mut terms, mut served, mut before) = (0, 0, 0, 0);
@@ -65,21 +61,33 @@ impl Basis<'_> {
         if served != self.parts.components {
             return Err(Error::Profile);
         }
-        // Azimuths with profiles need no check: the number of terms bounds their length.
-        let (mut azimuth, mut rest) = (0, self.parts.profiles);
+        let (mut azimuth, mut azimuths, mut rest) = (0, self.parts.azimuths, self.parts.profiles);
+        let [mut first, mut scene, mut of_terms, mut of_rows] = [0; 4];
         while azimuth <= self.parts.degree {
-            let mut has_profile = false;
+            let (mut profiles, length) = (0, self.length(azimuth));
             while let [profile, tail @ ..] = rest
                 && profile.azimuth() == azimuth
             {
-                (rest, has_profile) = (tail, true);
+                (rest, profiles) = (tail, profiles + 1);
             }
-            if !has_profile
-                && let Err(error) = Error::check(Argument::Lengths, 0, self.length(azimuth))
+            let [place, others @ ..] = azimuths else { return Err(Error::Profile) };
+            if !place.is([first, profiles, scene, of_terms, of_rows]) {
+                return Err(Error::Profile);
+            }
+            // The number of terms bounds the length of an azimuth with profiles.
+            if profiles == 0
+                && let Err(error) = Error::check(Argument::Lengths, 0, length)
             {
                 return Err(error);
             }
-            azimuth += 1;
+            first += profiles;
+            scene += signs(azimuth) * length;
+            of_terms += profiles * length;
+            of_rows += profiles * (degrees - azimuth);
+            (azimuths, azimuth) = (others, azimuth + 1);
+        }
+        if !azimuths.is_empty() {
+            return Err(Error::Profile);
         }
         let holds_transfers = self.parts.polar.is_empty() && self.parts.factors.is_empty();
         let (degrees, rows) = if holds_transfers { (0, 0) } else { (degrees, rows) };
@@ -115,8 +123,7 @@ impl<'a> Basis<'a> {
     ///
     /// # Errors
     ///
-    /// [`Error::Length`], [`Error::Profile`] or [`Error::Coupling`] if the parts are
-    /// inconsistent. [`Error::Bound`] if a row of factors sums to 2^16 or more, if
+    /// [`Error::Length`] or [`Error::Profile`] if the parts are inconsistent. [`Error::Bound`] if a row of factors sums to 2^16 or more, if
     /// a term is larger than the largest step that its profile states, if there are more than 511
     /// profiles, or if the degree is above 510.
     pub const fn new(parts: Parts<'a>) -> Result<Self, Error> {
@@ -217,12 +224,6 @@ impl<'a> Basis<'a> {
         self.parts.order
     }
 
-    /// The effects that the basis covers.
-    #[must_use]
-    pub const fn effects(&self) -> Effects {
-        self.parts.effects
-    }
-
     /// Number of components K.
     #[must_use]
     pub const fn components(&self) -> usize {
@@ -245,6 +246,26 @@ impl<'a> Basis<'a> {
             rest = tail;
         }
         sum
+    }
+
+    /// The profiles of an azimuth.
+    pub(crate) const fn profiles_of(&self, azimuth: usize) -> &'a [Profile] {
+        let Some((_, [place, ..])) = self.parts.azimuths.split_at_checked(azimuth) else {
+            return &[];
+        };
+        let profiles = tail(self.parts.profiles, place.first as usize);
+        match profiles.split_at_checked(place.profiles as usize) {
+            Some((profiles, _)) => profiles,
+            None => profiles,
+        }
+    }
+
+    /// Number of terms of an azimuth's polynomials.
+    pub(crate) const fn length(&self, azimuth: usize) -> usize {
+        match self.parts.lengths.split_at_checked(azimuth) {
+            Some((_, [length, ..])) => *length as usize,
+            _ => 0,
+        }
     }
 
     /// Number of profiles.

@@ -3,7 +3,7 @@
 use super::arithmetic::{self, argument, argument_times, dot, halved, of_value, product};
 use super::{Basis, Normal};
 use crate::invariant::part;
-use crate::places::{AzimuthPlace, KnownTable};
+use crate::specialized::{KnownTable, at};
 
 /// A pixel in progress: the sum so far, and (n_x + i n_y)^m for the next m.
 #[derive(Clone, Copy, Debug)]
@@ -56,7 +56,8 @@ impl Pixel {
         self,
         terms: &[i32; N],
     ) -> Self {
-        let AzimuthPlace { start, length, .. } = const { B::BASIS.azimuth_at(M) };
+        let start = const { at(B::BASIS.parts.azimuths, M).start as usize };
+        let length = const { B::BASIS.length(M) };
         let [plus, minus] = [start, start + length].map(|start| part(terms, start..start + length));
         self.add(plus, minus)
     }

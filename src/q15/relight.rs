@@ -7,7 +7,7 @@ use crate::buffer::{Buffer, zeros};
 use crate::error::{Argument, Error};
 use crate::index::light;
 use crate::invariant::{part, split_row};
-use crate::places::{AzimuthPlace, KnownTable};
+use crate::specialized::{KnownTable, at, whole};
 
 /// The coefficients d of one image, component by component. The mantissas are at most 2^30 in size
 /// and are multiplied by 2^exponent.
@@ -98,6 +98,7 @@ impl Basis<'_> {
     }
 
     /// Whether the absolute values of each row sum to less than 2^16.
+    #[cold]
     fn has_bounded(&self, mut numbers: &[Q15]) -> bool {
         self.parts.profiles.iter().all(|profile| {
             let length = self.degree() + 1 - usize::from(profile.azimuth);
@@ -113,21 +114,28 @@ impl Basis<'_> {
     }
 }
 
-/// The numbers of a transfer and of a light, of exactly these lengths. `None` unless the rows of
-/// the transfer are known to fit their accumulators.
+/// The numbers and exponents of a transfer, and the mantissas of a light, filled up with zeros.
+///
+/// # Errors
+///
+/// Those of [`Basis::relight_into`].
 #[inline(always)]
 pub fn inputs<'a, const T: usize, const P: usize, const N: usize>(
+    basis: &Basis<'_>,
     transfer: &Transfer<'a>,
     light: &Light<'a>,
-) -> Option<(&'a [Q15; T], &'a [i16; P], &'a [Q15; N])> {
-    if !transfer.bounded {
-        return None;
-    }
-    Some((
-        transfer.numbers.try_into().ok()?,
-        transfer.exponents.try_into().ok()?,
-        light.mantissas.try_into().ok()?,
-    ))
+    room: &'a mut [Q15; N],
+) -> Result<(&'a [Q15; T], &'a [i16; P], &'a [Q15; N]), Error> {
+    Error::check_beyond(Argument::Light, basis.degree(), light.degree)?;
+    let length = |found, expected| Error::Length { argument: Argument::Transfer, expected, found };
+    let (numbers, exponents) = (transfer.numbers, transfer.exponents);
+    let of_length = (
+        numbers.try_into().map_err(|_| length(numbers.len(), T))?,
+        exponents.try_into().map_err(|_| length(exponents.len(), P))?,
+        whole(light.mantissas, room),
+    );
+    let fits = transfer.bounded || basis.has_bounded(numbers);
+    if fits { Ok(of_length) } else { Err(Error::Bound) }
 }
 
 /// Computes the sums of azimuth `M`: for each of its profiles. Not inlined: several copies in one
@@ -145,10 +153,10 @@ pub fn azimuth<
     mantissas: &mut [i32; K],
     top: i32,
 ) -> i32 {
-    let AzimuthPlace { degrees, first, rows, .. } = const { B::BASIS.azimuth_at(M) };
-    let profiles = const { B::BASIS.profiles_at(&B::BASIS.azimuth_at(M)) };
-    let rows = part(numbers, rows..).chunks_exact(degrees);
-    let exponents = part(exponents, first..);
+    let (place, degrees) = const { (*at(B::BASIS.parts.azimuths, M), B::BASIS.degree() + 1 - M) };
+    let profiles = const { B::BASIS.profiles_of(M) };
+    let rows = part(numbers, place.rows as usize..).chunks_exact(degrees);
+    let exponents = part(exponents, place.first.into()..);
     let mut top = top;
     for ((row, profile), &exponent) in rows.zip(profiles).zip(exponents) {
         let sums = if M > 0 { sums::<true>(row, light, M) } else { sums::<false>(row, light, M) };
@@ -166,9 +174,9 @@ pub fn align<B, const M: usize, const P: usize, const K: usize>(
 ) where
     B: KnownTable<Basis<'static>>,
 {
-    let first = const { B::BASIS.azimuth_at(M).first };
-    let profiles = const { B::BASIS.profiles_at(&B::BASIS.azimuth_at(M)) };
-    let exponents = part(exponents, first..);
+    let first = const { at(B::BASIS.parts.azimuths, M).first };
+    let profiles = const { B::BASIS.profiles_of(M) };
+    let exponents = part(exponents, first.into()..);
     for (profile, &exponent) in profiles.iter().zip(exponents) {
         let by = i32::from(exponent) - common;
         // The same as `shifted`, in fewer instructions.
@@ -181,12 +189,18 @@ pub fn align<B, const M: usize, const P: usize, const K: usize>(
 }
 
 /// All mantissas of the coefficients of an image, to be written, and their exponent.
+///
+/// # Errors
+///
+/// None: a buffer holds as many as its capacity.
 #[inline(always)]
 pub fn coefficients<const K: usize>(
     coefficients: &mut Coefficients<K>,
-) -> Option<(&mut [i32; K], &mut i32)> {
+) -> Result<(&mut [i32; K], &mut i32), Error> {
     let Coefficients { mantissas, exponent } = coefficients;
-    Some((mantissas.filled()?, exponent))
+    let (argument, needed, capacity) = (Argument::Coefficients, K, K);
+    let mantissas = mantissas.filled().ok_or(Error::Capacity { argument, needed, capacity })?;
+    Ok((mantissas, exponent))
 }
 
 /// The size of an empty sum. It is less than any other, and no difference from it overflows.

@@ -189,31 +189,18 @@ macro_rules! integer_table {
         ) -> Result<(), $crate::Error> {
             use $crate::q15::kernels::relight as kernels;
             const LIGHT: usize = (DEGREE + 1) * (DEGREE + 1);
-            let inputs =
-                kernels::inputs::<TRANSFER, PROFILES, LIGHT>(transfer, light);
-            let coefficients_mut = kernels::coefficients(coefficients);
-            if let (Some(inputs), Some((d, exponent))) = (inputs, coefficients_mut) {
-                let top = kernels::NONE;
-                $(let top = kernels::azimuth::<
-                    This, $azimuth, TRANSFER, PROFILES, LIGHT, COMPONENTS,
-                >(inputs, d, top);)*
-                let common = kernels::common(top);
-                $(kernels::align::<This, $azimuth, PROFILES, COMPONENTS>(
-                    inputs.1, common, d,
-                );)*
-                *exponent = kernels::exponent(common, light.exponent());
-                return Ok(());
-            }
-            relight_generally(transfer, light, coefficients)
-        }
-        #[cold]
-        #[inline(never)]
-        fn relight_generally(
-            transfer: &$crate::q15::Transfer<'_>,
-            light: &$crate::q15::Light<'_>,
-            coefficients: &mut Coefficients,
-        ) -> Result<(), $crate::Error> {
-            *coefficients = BASIS.relight::<COMPONENTS>(transfer, light)?;
+            let mut room = [$crate::q15::Q15(0); LIGHT];
+            let inputs = kernels::inputs::<TRANSFER, PROFILES, LIGHT>(
+                &BASIS, transfer, light, &mut room,
+            )?;
+            let (d, exponent) = kernels::coefficients(coefficients)?;
+            let top = kernels::NONE;
+            $(let top = kernels::azimuth::<
+                This, $azimuth, TRANSFER, PROFILES, LIGHT, COMPONENTS,
+            >(inputs, d, top);)*
+            let common = kernels::common(top);
+            $(kernels::align::<This, $azimuth, PROFILES, COMPONENTS>(inputs.1, common, d);)*
+            *exponent = kernels::exponent(common, light.exponent());
             Ok(())
         }
     };

@@ -123,7 +123,6 @@ impl Basis<'_> {
     fn scatter(&self, material: &Material<'_>, sums: &mut [i32], exponents: &mut [i32]) {
         let pairs = pair::count(self.order());
         let room = room(self.order());
-        let all = self.parts.effects.is_all();
         let polar = rows(self.parts.polar, pairs).zip(rows(self.parts.polar_exponents, pairs));
         for ((polar, of_polar), (sums, exponent)) in polar.zip(rows_mut(sums, pairs).zip(exponents))
         {
@@ -143,9 +142,6 @@ impl Basis<'_> {
             sums.fill(0);
             let coefficients = material::indices(material.order).zip(material.mantissas);
             for ((o, p, q), &b) in coefficients {
-                if !all && !self.parts.effects.factored(o) {
-                    continue;
-                }
                 let of_order = material.exponents.get(o).copied().unwrap_or_default();
                 let (of_o, of_p) = (pair::position(o, q), pair::position(p, q));
                 let b = if o == p { b } else { over_root_two(b) };

@@ -117,26 +117,73 @@ pub(crate) fn block<const N: usize>(
     y: &[f32; N],
     z: &[f32; N],
 ) -> [f32; N] {
-    let t = if LARGE { vectorized(z) } else { z.map(argument) };
-    let mut u = t;
-    for u in &mut u {
-        *u = polynomial::doubled(*u);
-    }
-    let at = [&t, &u];
+    let block = Block::new([x, y, z]);
     let Some((plus, minus)) = polynomials.next() else {
-        return polynomial::values(polynomials.pole, at);
+        return block.values(polynomials.pole);
     };
-    let [mut real, mut imaginary] = [polynomial::values(plus, at), polynomial::values(minus, at)];
+    let mut above = [block.values(plus), block.values(minus)];
     for (plus, minus) in polynomials.by_ref() {
-        let here = [polynomial::values(plus, at), polynomial::values(minus, at)];
-        float::descend([&mut real, &mut imaginary], here, [x, y]);
+        above = block.azimuth(plus, minus, Some(above));
     }
-    let mut sums = polynomial::values(polynomials.pole, at);
-    let above = real.iter().zip(&imaginary).zip(x.iter().zip(y));
-    for (sum, ((&real, &imaginary), (&x, &y))) in sums.iter_mut().zip(above) {
-        *sum = float::add_product(float::add_product(*sum, real, x), imaginary, y);
+    block.pole(polynomials.pole, Some(above))
+}
+
+/// A block of normals, with the arguments of the polynomials.
+#[derive(Clone, Copy, Debug)]
+pub struct Block<'n, const N: usize> {
+    x: &'n [f32; N],
+    y: &'n [f32; N],
+    t: [f32; N],
+    u: [f32; N],
+}
+
+impl<'n, const N: usize> Block<'n, N> {
+    /// The block of these normals, axis by axis.
+    #[inline(always)]
+    #[must_use]
+    pub fn new([x, y, z]: [&'n [f32; N]; 3]) -> Self {
+        let t = if LARGE { vectorized(z) } else { z.map(argument) };
+        let mut u = t;
+        for u in &mut u {
+            *u = polynomial::doubled(*u);
+        }
+        Self { x, y, t, u }
     }
-    sums
+
+    /// The values of a polynomial.
+    #[inline(always)]
+    fn values(&self, terms: &[f32]) -> [f32; N] {
+        polynomial::values(terms, [&self.t, &self.u])
+    }
+
+    /// P_m + i Q_m + w̄ `above`, from the polynomials of +m and of -m. The highest azimuth has
+    /// nothing above it.
+    #[inline(always)]
+    #[must_use]
+    pub fn azimuth(
+        &self,
+        plus: &[f32],
+        minus: &[f32],
+        above: Option<[[f32; N]; 2]>,
+    ) -> [[f32; N]; 2] {
+        let here = [self.values(plus), self.values(minus)];
+        let Some([mut real, mut imaginary]) = above else { return here };
+        float::descend([&mut real, &mut imaginary], here, [self.x, self.y]);
+        [real, imaginary]
+    }
+
+    /// P_0 + Re w̄ `above`.
+    #[inline(always)]
+    #[must_use]
+    pub fn pole(&self, terms: &[f32], above: Option<[[f32; N]; 2]>) -> [f32; N] {
+        let mut sums = self.values(terms);
+        let Some([real, imaginary]) = above else { return sums };
+        let above = real.iter().zip(&imaginary).zip(self.x.iter().zip(self.y));
+        for (sum, ((&real, &imaginary), (&x, &y))) in sums.iter_mut().zip(above) {
+            *sum = float::add_product(float::add_product(*sum, real, x), imaginary, y);
+        }
+        sums
+    }
 }
 
 /// The argument t of each normal. A loop, because `map` may become a call.

@@ -1,10 +1,9 @@
 //! Kernels for tables that are known when the program is compiled: `table!` calls them, once for
 //! each part of the work.
 //!
-//! They compute the same as [`Basis::project`](crate::Basis::project),
+//! They are the steps of [`Basis::project`](crate::Basis::project),
 //! [`Basis::relight`](crate::Basis::relight), [`Basis::collapse`](crate::Basis::collapse) and
-//! [`Scene::shade`](crate::Scene::shade), with constants for all sizes and indices. If an argument
-//! does not have the expected shape, the general functions are called instead.
+//! [`Scene::shade`](crate::Scene::shade), with constants for all sizes and positions.
 
 pub mod project;
 
@@ -15,13 +14,18 @@ pub use scene::{azimuth, blank_scene, collapse, pole, terms, terms_mut};
 
 /// Relighting, part by part.
 pub mod relight {
-    pub use crate::relight::{GROUPS, inputs, run, sums, write};
+    pub use crate::relight::{GROUPS, run, sums, write};
 }
 
-pub use crate::places::KnownTable;
+pub use crate::shade::Block;
 
 use crate::error::{Argument, Error};
+use crate::index::record::{NONE, ProfilePlace};
+use crate::light::Light;
+use crate::material::Material;
 use crate::normal::{Normal, Normals};
+use crate::projection::Coefficients;
+use crate::transfer::Transfer;
 
 /// Shades normals one by one.
 ///
@@ -74,10 +78,123 @@ pub const fn checked<B: Copy>(basis: Result<B, Error>) -> B {
     }
 }
 
-/// Subtracts the coefficients of the mean image from those of an image.
-#[inline(always)]
-pub fn subtract(coefficients: &mut [f32], mean: &[f32]) {
-    for (coefficient, &mean) in coefficients.iter_mut().zip(mean) {
-        *coefficient -= mean;
+/// A table that is known when the program is compiled, with a basis of type `B`.
+pub trait KnownTable<B: 'static> {
+    /// The basis.
+    const BASIS: &'static B;
+}
+
+/// One of the items of a table.
+#[expect(clippy::panic, reason = "while the program is compiled")]
+pub(crate) const fn at<T>(items: &[T], position: usize) -> &T {
+    match items.split_at_checked(position) {
+        Some((_, [item, ..])) => item,
+        _ => panic!("the table has fewer items"),
     }
+}
+
+/// The items of a table from one position on; none if there are fewer.
+#[inline(always)]
+pub(crate) const fn tail<T>(items: &[T], position: usize) -> &[T] {
+    match items.split_at_checked(position) {
+        Some((_, rest)) => rest,
+        None => &[],
+    }
+}
+
+/// The components of +m and of -m of `count` profiles, at most `N`. Constants are copied out of a
+/// table: a compiler may not see what is in it.
+pub(crate) const fn components<const N: usize>(
+    profiles: &[ProfilePlace],
+    first: usize,
+    count: usize,
+) -> [[u16; 2]; N] {
+    let mut components = [[NONE; 2]; N];
+    let (mut to, mut number) = (components.as_mut_slice(), 0);
+    while let [of_profile, others @ ..] = to
+        && number < count
+    {
+        *of_profile = at(profiles, first + number).components();
+        (to, number) = (others, number + 1);
+    }
+    components
+}
+
+/// The first items of a table.
+#[expect(clippy::panic, reason = "while the program is compiled")]
+pub(crate) const fn head<T, const N: usize>(items: &[T]) -> &[T; N] {
+    match items.first_chunk() {
+        Some(items) => items,
+        None => panic!("the table has fewer items"),
+    }
+}
+
+/// The coefficients of a light of at most this degree.
+///
+/// # Errors
+///
+/// [`Error::Beyond`].
+#[inline(always)]
+pub fn light<'a, const N: usize>(
+    light: &Light<'a>,
+    degree: usize,
+    room: &'a mut [f32; N],
+) -> Result<&'a [f32; N], Error> {
+    Error::check_beyond(Argument::Light, degree, light.degree())?;
+    Ok(whole(light.coefficients(), room))
+}
+
+/// The coefficients of a material of at most this order.
+///
+/// # Errors
+///
+/// [`Error::Beyond`].
+#[inline(always)]
+pub fn material<'a, const N: usize>(
+    material: &Material<'a>,
+    order: usize,
+    room: &'a mut [f32; N],
+) -> Result<&'a [f32; N], Error> {
+    Error::check_beyond(Argument::Material, order, material.order())?;
+    Ok(whole(material.coefficients(), room))
+}
+
+/// `N` coefficients. If there are fewer, the others are zero, in `room`.
+#[inline(always)]
+pub(crate) fn whole<'a, S: Copy, const N: usize>(
+    coefficients: &'a [S],
+    room: &'a mut [S; N],
+) -> &'a [S; N] {
+    if let Ok(whole) = coefficients.try_into() {
+        return whole;
+    }
+    for (to, &from) in room.iter_mut().zip(coefficients) {
+        *to = from;
+    }
+    room
+}
+
+/// The numbers of a transfer.
+///
+/// # Errors
+///
+/// [`Error::Length`] if there are fewer, as in a transfer of another table.
+#[inline(always)]
+pub fn transfer<const N: usize>(transfer: &Transfer<N>) -> Result<&[f32; N], Error> {
+    let (argument, found) = (Argument::Transfer, transfer.as_slice().len());
+    let length = Error::Length { argument, expected: N, found };
+    transfer.as_slice().try_into().map_err(|_| length)
+}
+
+/// The coefficients of an image, to be written.
+///
+/// # Errors
+///
+/// None: a buffer holds as many as its capacity.
+#[inline(always)]
+pub fn coefficients<const N: usize>(
+    coefficients: &mut Coefficients<N>,
+) -> Result<&mut [f32; N], Error> {
+    let (argument, needed, capacity) = (Argument::Coefficients, N, N);
+    coefficients.filled().ok_or(Error::Capacity { argument, needed, capacity })
 }

@@ -1,48 +1,22 @@
 //! Projects a light on a material with all sizes constant: the steps of
 //! [`Basis::project`](crate::Basis::project). Four profiles read the scattered material once.
 
-use super::KnownTable;
+use super::{KnownTable, at, components, tail};
 use crate::basis::Basis;
 use crate::index::layout::LANES;
-use crate::light::Light;
-use crate::material::Material;
-use crate::projection::{add_lit, gather};
-use crate::{index, lanes};
+use crate::lanes;
+use crate::projection::{add_lit, gather, write_twos};
+use crate::scattering::{scatter_pairs, transpose};
 
-/// The coefficients of a light and of a material, if there are exactly `N` and `M`.
-#[inline(always)]
-pub fn inputs<'a, const N: usize, const M: usize>(
-    light: &Light<'a>,
-    material: &Material<'a>,
-) -> Option<(&'a [f32; N], &'a [f32; M])> {
-    Some((light.coefficients().try_into().ok()?, material.coefficients().try_into().ok()?))
-}
-
-/// The sums S_l,pq of one q, for its `P` pairs p = q, q + 2, ...: P x P products of a symmetric
-/// matrix B and rows of Ĉ. Rows run along l and have `G` groups. Not inlined, so that the sums stay
-/// in registers.
+/// The sums S_l,pq of one q, for its `P` pairs p = q, q + 2, ..., in rows of `G` groups. Not inlined,
+/// so that the sums stay in registers.
 #[inline(never)]
 pub fn scatter<const Q: usize, const P: usize, const G: usize, const M: usize, const R: usize>(
     material: &[f32; M],
     polar: &[[[f32; LANES]; G]; R],
     sums: &mut [[[f32; LANES]; G]],
 ) {
-    let half = core::f32::consts::FRAC_1_SQRT_2;
-    for p in 0..P {
-        let mut sum = [[0.0; LANES]; G];
-        for o in 0..P {
-            let mode = index::material::position(Q + 2 * p.max(o), Q + 2 * p.min(o), Q);
-            let row = polar.get(index::pair::position(Q + 2 * o, Q));
-            let (Some(&b), Some(row)) = (material.get(mode), row) else { continue };
-            let b = if o == p { b } else { half * b };
-            for (sum, row) in sum.iter_mut().zip(row) {
-                *sum = lanes::multiply_add(*sum, &[b; LANES], row);
-            }
-        }
-        if let Some(to) = sums.get_mut(index::pair::position(Q + 2 * p, Q)) {
-            *to = sum;
-        }
-    }
+    scatter_pairs(Q, P, material, polar, sums);
 }
 
 /// The numbers of a table as `R` rows of `G` groups, if there are enough.
@@ -60,16 +34,7 @@ pub fn transposed<const V: usize, const D: usize, const G: usize, const R: usize
     sums: &[[[f32; LANES]; G]; R],
 ) -> [[[f32; LANES]; V]; D] {
     let mut scattering = [[[0.0; LANES]; V]; D];
-    let (columns, _) = sums.as_chunks::<LANES>();
-    for (column, [first, second, third, fourth]) in columns.iter().enumerate() {
-        let lanes = first.as_flattened().iter().zip(second.as_flattened());
-        let lanes = lanes.zip(third.as_flattened().iter().zip(fourth.as_flattened()));
-        for (row, ((&a, &b), (&c, &d))) in scattering.iter_mut().zip(lanes) {
-            if let Some(to) = row.get_mut(column) {
-                *to = [a, b, c, d];
-            }
-        }
-    }
+    transpose(sums.as_flattened(), G, scattering.as_flattened_mut(), V);
     scattering
 }
 
@@ -98,7 +63,11 @@ pub fn rows<
     scattering: &[[[f32; LANES]; V]; D],
     lights: &[[f32; 2]; L],
 ) -> [[lanes::Two; 2]; C] {
-    let factors = const { B::BASIS.parts.factors.split_at(B::BASIS.factors_at(M, FIRST)).1 };
+    // Two profiles have two rows of factors for each degree.
+    let factors = const {
+        let row = at(B::BASIS.parts.azimuths, M).rows as usize + FIRST * L;
+        tail(B::BASIS.parts.factors, LANES * V * row)
+    };
     let mut sums = [[[0.0; 2 * LANES]; 2]; C];
     let (factors, _) = factors.as_chunks().0.as_chunks::<V>().0.as_chunks::<L>();
     let scattering = scattering.get(M..).and_then(|rows| rows.first_chunk::<L>());
@@ -133,14 +102,11 @@ pub fn write<B, const M: usize, const FIRST: usize, const C: usize, const K: usi
 ) where
     B: KnownTable<Basis<'static>>,
 {
-    let places = const { &B::BASIS.twos_of::<C>(M, FIRST) };
-    for (two, [plus, minus]) in places.iter().zip(sums) {
-        for (components, sums) in two.iter().zip([lanes::sums(*plus), lanes::sums(*minus)]) {
-            for (&component, sum) in components.iter().zip(sums) {
-                if let Some(coefficient) = coefficients.get_mut(usize::from(component)) {
-                    *coefficient = sum;
-                }
-            }
-        }
-    }
+    // There are at most four profiles.
+    let components = const {
+        let place = at(B::BASIS.parts.azimuths, M);
+        let left = place.profiles as usize - FIRST;
+        components::<4>(B::BASIS.parts.profiles, place.first as usize + FIRST, if left < 4 { left } else { 4 })
+    };
+    write_twos(sums, components, coefficients);
 }

@@ -45,35 +45,18 @@ macro_rules! table {
         }
         /// A scene with fewer terms than a [`Scene`].
         pub type Truncated<'l> = $crate::Scene<'l, $crate::SceneBuffer<SCENE>>;
-        $crate::table!(@relight |transfer, light| {
-            let Some(inputs) = $crate::specialized::relight::inputs(transfer, light) else {
-                return BASIS.relight(transfer, light);
-            };
-            let mut coefficients = [0.0; COMPONENTS];
-            relight_whole(inputs, &mut coefficients);
-            Ok(coefficients.into())
-        }, |transfer, light, coefficients| {
-            let inputs = $crate::specialized::relight::inputs(transfer, light);
-            if let (Some(inputs), Ok(d)) = (inputs, coefficients.as_mut_slice().try_into()) {
-                relight_whole(inputs, d);
-                return Ok(());
-            }
-            relight_generally(transfer, light, coefficients)
-        });
-        #[cold]
-        #[inline(never)]
-        fn relight_generally(
-            transfer: &Transfer,
-            light: &$crate::Light<'_>,
-            coefficients: &mut Coefficients,
-        ) -> Result<(), $crate::Error> {
-            *coefficients = BASIS.relight(transfer, light)?;
+        $crate::table!(@relight |transfer, light, coefficients| {
+            use $crate::specialized as inputs;
+            let (transfer, mut room) = (inputs::transfer(transfer)?, [0.0; LIGHT]);
+            let light = inputs::light(light, DEGREE, &mut room)?;
+            relight_whole(transfer, light, inputs::coefficients(coefficients)?);
             Ok(())
-        }
+        });
         /// Relights, for a light of this table's degree.
         #[inline(always)]
         fn relight_whole(
-            (transfer, light): (&[f32; TRANSFER], &[f32; LIGHT]),
+            transfer: &[f32; TRANSFER],
+            light: &[f32; LIGHT],
             d: &mut [f32; COMPONENTS],
         ) {
             use $crate::specialized::relight;
@@ -88,7 +71,6 @@ macro_rules! table {
                     transfer, light, d,
                 );)*
             }
-            $crate::specialized::subtract(d, PARTS.mean_coefficients);
         }
     };
     (general) => {
@@ -102,10 +84,10 @@ macro_rules! table {
         pub static BASIS: $crate::GeneralBasis<'static> =
             $crate::specialized::checked($crate::GeneralBasis::new(SPAN, GENERAL));
         $crate::table!(@transfer SPAN);
-        $crate::table!(project by basis);
-        $crate::table!(@relight |transfer, light| {
-            BASIS.relight::<TRANSFER, WORKSPACE, COMPONENTS>(transfer, light)
-        }, |transfer, light, coefficients| {
+        $crate::table!(@project |light, material| {
+            BASIS.project::<WORKSPACE, COMPONENTS>(light, material)
+        });
+        $crate::table!(@relight |transfer, light, coefficients| {
             *coefficients = BASIS.relight::<TRANSFER, WORKSPACE, COMPONENTS>(transfer, light)?;
             Ok(())
         });
@@ -118,14 +100,12 @@ macro_rules! table {
     (project scatter $([$q:literal $pairs:literal])*
         $(azimuth $azimuth:literal $([$first:literal $twos:literal])*)*) => {
         $crate::table!(@project |light, material| {
-            let inputs = $crate::specialized::project::inputs(light, material);
-            let Some((light, material)) = inputs else {
-                return BASIS.project::<WORKSPACE, COMPONENTS>(light, material);
-            };
+            use $crate::specialized as inputs;
+            let (mut of_light, mut of_material) = ([0.0; LIGHT], [0.0; MODES]);
+            let light = inputs::light(light, DEGREE, &mut of_light)?;
+            let material = inputs::material(material, ORDER, &mut of_material)?;
             let mut d = Coefficients::from([0.0; COMPONENTS]);
-            if let Ok(d) = d.as_mut_slice().try_into() {
-                project_whole(light, material, d);
-            }
+            project_whole(light, material, inputs::coefficients(&mut d)?);
             Ok(d)
         });
         const MODES: usize = $crate::index::material::count(ORDER);
@@ -163,13 +143,7 @@ macro_rules! table {
                     project::write::<This, $azimuth, $first, $twos, COMPONENTS>(&rows, d);
                 )*
             )*
-            $crate::specialized::subtract(d, PARTS.mean_coefficients);
         }
-    };
-    (project by basis) => {
-        $crate::table!(@project |light, material| {
-            BASIS.project::<WORKSPACE, COMPONENTS>(light, material)
-        });
     };
     (@project |$light:ident, $material:ident| $project:block) => {
         /// d = UᵀMc: see `project` of [`BASIS`]. The same errors, but no capacity is too small.
@@ -185,46 +159,30 @@ macro_rules! table {
             $basis.transfer::<WORKSPACE, TRANSFER>(material)
         }
     };
-    (@relight |$transfer:ident, $light:ident| $relight:block,
-        |$to:ident, $under:ident, $coefficients:ident| $relight_into:block) => {
+    (@relight |$transfer:ident, $light:ident, $coefficients:ident| $relight:block) => {
         /// A new light on a transferred material: see `relight` of [`BASIS`]. The same errors, but
         /// no capacity is too small.
         pub fn relight(
-            $transfer: &Transfer,
-            $light: &$crate::Light<'_>,
-        ) -> Result<Coefficients, $crate::Error> $relight
+            transfer: &Transfer,
+            light: &$crate::Light<'_>,
+        ) -> Result<Coefficients, $crate::Error> {
+            let mut coefficients = Coefficients::from([0.0; COMPONENTS]);
+            relight_into(transfer, light, &mut coefficients)?;
+            Ok(coefficients)
+        }
         /// [`relight`] into existing coefficients, unmoved; after an error they are unspecified.
         pub fn relight_into(
-            $to: &Transfer,
-            $under: &$crate::Light<'_>,
+            $transfer: &Transfer,
+            $light: &$crate::Light<'_>,
             $coefficients: &mut Coefficients,
-        ) -> Result<(), $crate::Error> $relight_into
+        ) -> Result<(), $crate::Error> $relight
     };
     (collapse $([$azimuth:literal $profiles:literal])*) => {
         $crate::table!(@collapse |coefficients, scene| {
-            let d: Result<&[f32; COMPONENTS], _> = coefficients.as_slice().try_into();
             let terms = $crate::specialized::terms_mut(&mut scene.0);
-            if let Ok(d) = d {
-                $($crate::specialized::collapse::<
-                    This, $azimuth, $profiles, COMPONENTS, SCENE,
-                >(d, terms);)*
-                return Ok(());
-            }
-            collapse_generally(coefficients, scene)
-        });
-        #[cold]
-        #[inline(never)]
-        fn collapse_generally(
-            coefficients: &Coefficients,
-            scene: &mut Scene,
-        ) -> Result<(), $crate::Error> {
-            *scene = Scene(BASIS.collapse_into(coefficients, [0.0; SCENE])?);
-            Ok(())
-        }
-    };
-    (collapse by basis) => {
-        $crate::table!(@collapse |coefficients, scene| {
-            *scene = Scene(BASIS.collapse_into(coefficients, [0.0; SCENE])?);
+            $($crate::specialized::collapse::<This, $azimuth, $profiles, SCENE>(
+                coefficients, terms,
+            );)*
             Ok(())
         });
     };
@@ -258,10 +216,12 @@ macro_rules! table {
         #[inline]
         #[must_use]
         pub fn shade_terms(terms: &[f32; SCENE], normal: $crate::Normal) -> f32 {
+            let axes = normal.components().map(|axis| [axis]);
+            let pixel = $crate::specialized::Block::new(axes.each_ref());
             let above = None;
             $(let above =
-                $crate::specialized::azimuth::<This, $azimuth, SCENE>(terms, normal, above);)*
-            $crate::specialized::pole::<This, SCENE>(terms, normal, above)
+                $crate::specialized::azimuth::<This, $azimuth, SCENE>(terms, &pixel, above);)*
+            $crate::specialized::pole::<This, SCENE>(terms, &pixel, above)
         }
     };
     (@sizes $components:expr, $workspace:expr, $basis:expr) => {

@@ -16,7 +16,7 @@ pub use ways::{project_reconstruct, public_interface};
 use eigenshade::index::{light, material, wire};
 use eigenshade::q15::{self, Transfer};
 use eigenshade::wire::{WireError, aligned};
-use eigenshade::{Basis, Effect, Effects, GeneralBasis, Light, Material, Normal, Q15, Tolerance};
+use eigenshade::{Basis, GeneralBasis, Light, Material, Normal, Q15, Tolerance};
 use integer::Mantissa as _;
 use shading::{collapse_sets, shade_coefficients, shade_floats, shade_integers, shade_transfer};
 
@@ -147,16 +147,6 @@ pub fn floats(basis: &Basis<'_>) {
     assert!(done.is_ok() || !basis.projects());
     if done.is_ok() {
         basis.transfer_into(&material, &mut workspace, &mut transfer).expect("sizes");
-        for effect in Effect::ALL {
-            for effects in [Effects::NONE.with(effect), Effects::ALL.without(effect)] {
-                basis
-                    .project_effects_into(&light, &material, effects, &mut workspace, &mut d)
-                    .expect("sizes");
-                basis
-                    .transfer_effects_into(&material, effects, &mut workspace, &mut transfer)
-                    .expect("sizes");
-            }
-        }
     }
     basis.relight_into(&transfer, &light, &mut d).expect("sizes");
     basis.reconstruct(&d, normal).expect("as many as components");

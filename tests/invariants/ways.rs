@@ -5,7 +5,7 @@ use super::Reader;
 use super::integer::{Mantissa as _, Relit, normal, normals, shipped};
 use super::shading::{ANY_PIXEL_Q15, near};
 use eigenshade::{
-    Effect, Effects, Light, MapPoint, Material, NegativePolicy, Normal, Normals, Q15, Rotation,
+    Effect, Light, MapPoint, Material, NegativePolicy, Normal, Normals, Q15, Rotation,
     Tolerance, Truncation, Window, q15, sphere,
 };
 use eigenshade_index::record::ProfilePlace;
@@ -89,7 +89,7 @@ impl Case {
         let d = sphere::project(&light, &material).expect("it fits");
         let wide: Vec<f64> = d.iter().map(|&d| d.into()).collect();
         self.projected(&wide, ANY_D_F32, 0.0);
-        self.projected(&Self::of_effects(&light, &material), ANY_D_F32, 0.0);
+        self.projected(&self.of_effects(), ANY_D_F32, 0.0);
         let scene = sphere::collapse(&d).expect("it fits");
         let allowed = rounded(&wide);
         for normal in normals {
@@ -101,15 +101,16 @@ impl Case {
     }
 
     /// d, the sum of that of each effect.
-    fn of_effects(light: &Light<'_>, material: &Material<'_>) -> Vec<f64> {
-        let mut workspace = [0.0; sphere::WORKSPACE];
-        let (mut d, mut sum) = ([0.0; sphere::COMPONENTS], vec![0.0; sphere::COMPONENTS]);
+    fn of_effects(&self) -> Vec<f64> {
+        let mut sum = vec![0.0; sphere::COMPONENTS];
         for effect in Effect::ALL {
-            let effects = Effects::NONE.with(effect);
-            sphere::BASIS
-                .project_effects_into(light, material, effects, &mut workspace, &mut d)
-                .expect("it fits");
-            sum.iter_mut().zip(d).for_each(|(sum, d)| *sum += f64::from(d));
+            let (mut light, mut material) = (self.light.clone(), self.material.clone());
+            effect.mask_light(&mut light);
+            effect.mask_material(&mut material);
+            let light = Light::from_finite(&light).expect("a light");
+            let material = Material::from_finite(&material).expect("a material");
+            let d = sphere::project(&light, &material).expect("it fits");
+            sum.iter_mut().zip(&d).for_each(|(sum, &d)| *sum += f64::from(d));
         }
         sum
     }
@@ -164,7 +165,7 @@ fn indices(input: &mut Reader<'_>) {
     let [a, b, c] = [(); 3].map(|()| u64::from_le_bytes(input.bytes()) as usize);
     let _ = (light::position(a, b.cast_signed()), material::position(a, b, c), light::count(a));
     let _ = (eigenshade_index::pair::position(a, b), eigenshade_index::pair::count(a));
-    let _ = (eigenshade_index::layout::factors(a, b, c, a), material::count(a));
+    let _ = (eigenshade_index::layout::rows(a, b, c), material::count(a));
     let _ = (Light::turn_len(a), Light::new(&[0.0; 30][..b % 31]));
     let _ = Material::new(&[0.0; 30][..c % 31]);
 }

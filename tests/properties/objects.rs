@@ -8,7 +8,6 @@ use eigenshade_generator::basis::span::Span;
 use eigenshade_generator::basis::{gram, moments};
 use eigenshade_generator::object::geometry::WeightedNormals;
 use eigenshade_generator::scene_file::Loaded;
-use eigenshade_index::effect::Effects;
 use eigenshade_index::mode;
 use eigenshade_model::database::Named;
 use eigenshade_model::rotation::Rotation;
@@ -55,7 +54,7 @@ fn rotations() -> impl Strategy<Value = LightRotation> {
 /// the largest singular value, over the object and over the span.
 fn cut(loaded: &Loaded, listed: &WeightedNormals, modes: &DMatrix<f64>) -> f64 {
     let gram = gram::of_sphere(loaded.lights.degree, loaded.materials.order);
-    let span = Span::new(&gram, &Kept { effects: Effects::ALL, selection: vec![] });
+    let span = Span::new(&gram, &Kept { selection: vec![] });
     let span = span.expect("finite");
     let shown = span.factor(listed).norm_l2();
     let cutoff = loaded.scene.basis.rank_cutoff;

@@ -5,7 +5,6 @@ use crate::{config, tolerances};
 use eigenshade_generator::basis::moments;
 use eigenshade_generator::basis::profile::evaluate;
 use eigenshade_generator::scene_file::Loaded;
-use eigenshade_index::effect::Effects;
 use eigenshade_index::{light, material, mode};
 use eigenshade_model::polar_integral::PolarIntegrals;
 use eigenshade_model::reference::DirectSum;
@@ -245,7 +244,7 @@ fn assert_orthonormal(loaded: &Loaded, table: &Table) {
         // What of a component lies where the cut-off counts A as zero: A F v / σ_k, so
         // at most cut-off |A| |F| / σ_k.
         let deviations =
-            moments::deviations(&moments, &of_materials, Effects::ALL, criterion, azimuth);
+            moments::deviations(&moments, &of_materials, criterion, azimuth);
         let squares = deviations.iter().flat_map(|one| &one.material).map(|b| b * b);
         let factor = squares.sum::<f64>().sqrt();
         let lost = |k: usize| {

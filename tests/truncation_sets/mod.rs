@@ -260,7 +260,7 @@ fn of_all_components_bounds_are_of_the_direct_sum() {
     let inputs = read_lights("tables/inputs/lights.csv", None).expect("the shipped lights");
     let measured = read_materials("tables/inputs/materials.csv", Some(7)).expect("materials");
     let table = build(&scene, &inputs, &measured).expect("a table");
-    let owned = OwnedBasis::new(&table);
+    let owned = OwnedBasis::new(&table).expect("a table for f32");
     let basis = owned.basis().expect("parts of a table");
     let (degree, order) = (basis.degree(), basis.order());
     let reference = DirectSum::new(degree, order);

@@ -5,19 +5,12 @@
 use eigenshade::wire::{Aligned, Fault, aligned};
 use eigenshade::{Basis, GeneralBasis, Light, Material, Normal, Q15, q15};
 
-pub const SPHERE: &Aligned<[u8]> = &Aligned(*include_bytes!("v2.sphere.f32.esw"));
-pub const MEAN: &Aligned<[u8]> = &Aligned(*include_bytes!("v2.mean.f32.esw"));
-pub const GENERAL: &Aligned<[u8]> = &Aligned(*include_bytes!("v2.general.f32.esw"));
-pub const INTEGERS_15: &Aligned<[u8]> = &Aligned(*include_bytes!("v2.sphere.q15.esw"));
-/// Of the effects ambient and diffuse.
-pub const EFFECTS: &Aligned<[u8]> = &Aligned(*include_bytes!("v2.effects.f32.esw"));
-/// Of the effects diffuse and broad.
-pub const TURNED: &Aligned<[u8]> = &Aligned(*include_bytes!("v2.turned.f32.esw"));
-pub const TURNED_15: &Aligned<[u8]> = &Aligned(*include_bytes!("v2.turned.q15.esw"));
+pub const SPHERE: &Aligned<[u8]> = &Aligned(*include_bytes!("v3.sphere.f32.esw"));
+pub const GENERAL: &Aligned<[u8]> = &Aligned(*include_bytes!("v3.general.f32.esw"));
+pub const INTEGERS_15: &Aligned<[u8]> = &Aligned(*include_bytes!("v3.sphere.q15.esw"));
 /// Of polynomials with more than 16 terms.
-pub const LONG: &Aligned<[u8]> = &Aligned(*include_bytes!("v2.long.f32.esw"));
-pub const ALL: [&[u8]; 8] =
-    [&SPHERE.0, &MEAN.0, &GENERAL.0, &INTEGERS_15.0, &EFFECTS.0, &TURNED.0, &TURNED_15.0, &LONG.0];
+pub const LONG: &Aligned<[u8]> = &Aligned(*include_bytes!("v3.long.f32.esw"));
+pub const ALL: [&[u8]; 4] = [&SPHERE.0, &GENERAL.0, &INTEGERS_15.0, &LONG.0];
 
 /// What `read` gives for these bytes at a multiple of four.
 pub fn placed<T>(bytes: &[u8], read: impl FnOnce(&[u8]) -> T) -> T {
@@ -37,7 +30,7 @@ fn inputs() -> [Vec<f32>; 2] {
 
 /// Against d as it was when the files were made, of the largest.
 fn assert_same(table: &str, found: &[f32], tolerance: f32) {
-    let expected = column(include_str!("v2.csv"), &format!("{table},"));
+    let expected = column(include_str!("v3.csv"), &format!("{table},"));
     assert_eq!(found.len(), expected.len());
     let largest = expected.iter().fold(0.0f32, |most, d| most.max(d.abs()));
     for (found, expected) in found.iter().zip(&expected) {
@@ -98,27 +91,13 @@ const WIRE_F32: f32 = 1e-6;
 const WIRE_Q15: f32 = 2e-4;
 
 #[test]
-fn tables_of_all_effects_are_read() {
-    for (table, bytes) in [("sphere", &SPHERE.0), ("mean", &MEAN.0)] {
-        let basis = Basis::from_bytes(bytes).expect("a wire file");
-        floats(&basis).0.iter().for_each(|d| assert_same(table, d, WIRE_F32));
-    }
+fn tables_are_read() {
+    let basis = Basis::from_bytes(&SPHERE.0).expect("a wire file");
+    floats(&basis).0.iter().for_each(|d| assert_same("sphere", d, WIRE_F32));
     let basis = GeneralBasis::from_bytes(&GENERAL.0).expect("a wire file");
     assert_same("general", &general(&basis), WIRE_F32);
     let basis = q15::Basis::from_bytes(&INTEGERS_15.0).expect("a wire file");
     assert_same("sphere", &integers(&basis), WIRE_Q15);
-}
-
-#[test]
-fn tables_of_some_effects_are_read() {
-    for (table, bytes) in [("effects", &EFFECTS.0), ("turned", &TURNED.0)] {
-        let basis = Basis::from_bytes(bytes).expect("a wire file");
-        assert!(!basis.effects().is_all());
-        floats(&basis).0.iter().for_each(|d| assert_same(table, d, WIRE_F32));
-    }
-    let basis = q15::Basis::from_bytes(&TURNED_15.0).expect("a wire file");
-    assert!(!basis.effects().is_all());
-    assert_same("turned", &integers(&basis), WIRE_Q15);
 }
 
 /// The last number is an irradiance.

@@ -151,7 +151,7 @@ fn compiled() -> (String, Vec<[Vec<f32>; 2]>) {
         ));
         let light = rounded(lights.entries[1].luminance());
         let material = rounded(materials.entries[2].luminance());
-        let owned = OwnedBasis::new(&table);
+        let owned = OwnedBasis::new(&table).expect("a table for f32");
         let mut shader = Shader::new(owned.any().expect("a basis"), usize::MAX);
         let d = shader.project(&light, &material).expect("d").to_vec();
         let normals = OwnedNormals::new(&NORMALS);
@@ -266,12 +266,12 @@ fn info_describes_wire_files() {
         assert_eq!(bytes, format!("bytes        {length}"));
         assert!(error.starts_with("error        ") && error.contains("of the peak"), "{error}");
         let buffers = match format {
-            "f32" => of_floats(&OwnedBasis::new(&table).basis().expect("a basis")),
+            "f32" => of_floats(&OwnedBasis::new(&table).expect("a table").basis().expect("a basis")),
             _ => of_integers(&table),
         };
         let description = folder.ok("info --table w.esw");
         for line in [
-            "wire version             2".to_owned(),
+            "wire version             3".to_owned(),
             format!("format                   {format}"),
             format!("degree                   {DEGREE}"),
             format!("order                    {ORDER}"),

@@ -1,5 +1,5 @@
-//! Effects: their pictures sum to the whole, tables of some effects give just those, and effects
-//! that are left out are in no table.
+//! Effects: their pictures sum to the whole in every format, and bound the degree and the order of
+//! a table.
 
 use crate::support::{Folder, PAIR, assert_fails, assert_near, colored, lights, materials, scene};
 use crate::tolerances;
@@ -16,7 +16,7 @@ const SUM_OF_EFFECTS: f64 = 9e-15;
 /// the rank cutoff of 1e-10, amplified by how weakly six normals determine the modes.
 const OBJECT_OF_EFFECTS: f64 = 1e-10;
 
-/// Tables of some effects in integers against f64, relative to the peak: measured 6e-4.
+/// Effects in integers against f64, relative to the peak.
 const EFFECTS_Q15: f64 = 2e-3;
 
 /// A folder of degree 4 and order 6, where every effect has modes, and ambient modes of each order.
@@ -74,8 +74,8 @@ fn the_pictures_of_effects_sum_to_the_whole() {
     }
 }
 
-/// The table of each of the fifteen sets with all components, and the table of all effects with the
-/// option --effects, against the direct sum over their modes.
+/// Each of the fifteen sets, by the table of all effects and by the table of that set, which has at
+/// least its modes, in every format against the direct sum over these modes.
 #[test]
 fn some_effects_are_the_direct_sum_over_their_modes() {
     for criterion in ["image-centered", "standard"] {
@@ -84,19 +84,26 @@ fn some_effects_are_the_direct_sum_over_their_modes() {
         for effects in every() {
             make(&folder, effects, "some.bin");
             folder.ok("basis --scene effects.toml --check some.bin");
-            let options = format!("--effects {}", names(effects).join(","));
-            let reference = folder.shaded_by("all.bin", &format!("--method modes {options}"));
-            for (table, options, tolerance) in [
-                ("some.bin", "--method modes".to_owned(), SUM_OF_EFFECTS),
-                ("some.bin", "--format f64".into(), tolerances::ALL_COMPONENTS),
-                ("some.bin", "--format f64 --method eigen".into(), tolerances::ALL_COMPONENTS),
-                ("some.bin", "--format f32".into(), tolerances::ALL_COMPONENTS_F32),
-                ("some.bin", "--format f32 --method eigen".into(), tolerances::ALL_COMPONENTS_F32),
-                ("all.bin", format!("--format f64 {options}"), tolerances::ALL_COMPONENTS),
-                ("all.bin", format!("--format f32 {options}"), tolerances::ALL_COMPONENTS_F32),
+            let names = names(effects).join(",");
+            let shaded = |table: &str, options: &str| {
+                folder.shaded_by(table, &format!("{options} --effects {names}"))
+            };
+            let reference = shaded("all.bin", "--method modes");
+            for (options, tolerance) in [
+                ("--method modes", SUM_OF_EFFECTS),
+                ("--format f64", tolerances::ALL_COMPONENTS),
+                ("--format f64 --method eigen", tolerances::ALL_COMPONENTS),
+                ("--format f32", tolerances::ALL_COMPONENTS_F32),
+                ("--format f32 --method eigen", tolerances::ALL_COMPONENTS_F32),
+                ("--format q15", EFFECTS_Q15),
             ] {
-                let what = format!("{criterion} {:?} {table} {options}", names(effects));
-                assert_near(&what, &folder.shaded_by(table, &options), &reference, tolerance);
+                if criterion == "standard" && !options.contains("f64") && !options.contains("modes") {
+                    continue;
+                }
+                for table in ["some.bin", "all.bin"] {
+                    let what = format!("{criterion} {names} {table} {options}");
+                    assert_near(&what, &shaded(table, options), &reference, tolerance);
+                }
             }
         }
     }
@@ -119,17 +126,20 @@ fn selections_and_objects_have_effects() {
         folder.ok("basis --scene effects.toml --check object.bin");
         folder.write("scene.toml", &sphere);
         make(&folder, effects, "sphere.bin");
-        let of = |table: &str, options: &str| {
-            folder.irradiance(&format!("--table {table} {PAIR} --normals object.csv {options}"))
+        let of = |table: &str, method: &str| {
+            let inputs = format!("--table {table} {PAIR} --normals object.csv");
+            folder.irradiance(&format!("{inputs} {options} {method}"))
         };
-        let reference = of("sphere.bin", &format!("--method modes {options}"));
+        let reference = of("sphere.bin", "--method modes");
         assert_near(&options, &of("object.bin", "--format f64"), &reference, OBJECT_OF_EFFECTS);
-        // Few modes: d of a coefficient is the sum over those that are kept, of these effects.
-        folder.replace("scene.toml", "profile_tolerance", "modes = 60\nprofile_tolerance");
-        let table = make(&folder, effects, "few.bin");
-        folder.ok("basis --scene effects.toml --check few.bin");
+    }
+    // Few modes: d of a coefficient is the sum over those that are kept, of these effects.
+    folder.replace("scene.toml", "profile_tolerance", "modes = 60\nprofile_tolerance");
+    let table = make(&folder, Effects::ALL, "few.bin");
+    folder.ok("basis --scene effects.toml --check few.bin");
+    assert!(table.count() > 0);
+    for effects in every() {
         assert_projects_kept_modes(&table, effects);
-        assert!(table.count() > 0);
     }
 }
 
@@ -137,7 +147,7 @@ fn selections_and_objects_have_effects() {
 /// over the modes that are kept, of the rows of UᵀM that the table's nodes give.
 fn assert_projects_kept_modes(table: &Table, effects: Effects) {
     let (degree, order) = (table.gram.degree, table.gram.order);
-    let evaluator = Evaluator::new(table);
+    let evaluator = Evaluator::new(table).with_effects(effects).unwrap();
     let light: Vec<f64> = (0..light::count(degree)).map(|k| 1.0 / (1.0 + k as f64)).collect();
     let dark = evaluator.project(&[], &[]).unwrap();
     for (j, coefficient) in material::indices(order).enumerate() {
@@ -165,63 +175,25 @@ fn assert_projects_kept_modes(table: &Table, effects: Effects) {
     }
 }
 
-/// Tables have no rows, columns, azimuths and degrees of effects that are left out. Gloss uses the
-/// columns of all orders, because its coefficients (o, p, q) couple o >= 4 with every p.
+/// Effects bound a table: the degree is that of its light, the order the highest that one of them
+/// has.
 #[test]
-fn what_is_left_out_costs_nothing() {
+fn effects_bound_the_degree_and_the_order() {
     let folder = folder("image-centered");
-    let whole = make(&folder, Effects::ALL, "b.bin");
-    let size = |table: &Table| {
-        let parts = parts::floats(table);
-        let transfer: usize = parts.passes.iter().map(|pass| usize::from(pass.profiles)).sum();
-        let terms: usize = parts.lengths.iter().map(|&length| usize::from(length)).sum();
-        [
-            parts.components,
-            parts.polar.len(),
-            parts.factors.len() + parts.ambient.len(),
-            parts.couplings.len(),
-            parts.terms.len(),
-            transfer,
-            terms,
-        ]
-    };
-    let all = size(&whole);
-    for effects in every().filter(|effects| !effects.has(Effect::Gloss)) {
-        let table = make(&folder, effects, "some.bin");
-        let some = size(&table);
-        println!("{:?}: {some:?} of {all:?}", names(effects));
-        for (some, all) in some.iter().zip(&all) {
-            assert!(some <= all, "{:?}: {some} of {all}", names(effects));
-        }
-        assert!(some[..4].iter().zip(&all).all(|(some, all)| some < all), "{:?}", names(effects));
-    }
-    // Ambient alone: no azimuth but m = 0, no degree but l = 0.
-    let ambient = make(&folder, Effects::NONE.with(Effect::Ambient), "ambient.bin");
-    assert_eq!((ambient.gram.degree, parts::floats(&ambient).lengths.len()), (0, 1));
-    assert!(ambient.components.iter().all(|component| component.order == 0));
-    // Diffuse alone is what a Lambertian table is.
-    let diffuse = make(&folder, Effects::NONE.with(Effect::Diffuse), "diffuse.bin");
-    assert_eq!((diffuse.gram.order, parts::floats(&diffuse).couplings.len()), (0, 1));
-}
-
-#[test]
-fn wire_files_have_effects() {
-    let folder = folder("image-centered");
-    for effects in every() {
-        let table = make(&folder, effects, "some.bin");
-        folder.ok("pack --table some.bin --out some.esw --format f32");
-        let text = folder.ok("info --table some.esw");
-        let line = format!("{:<24} {}", "effects", names(effects).join(" "));
-        assert!(text.contains(&line), "{text}");
-        let pack = "pack --table some.bin --out some15.esw --format q15";
-        if effects.unfactored_count(table.gram.order) > 0 {
-            assert_fails(&folder, pack, &["ambient", "gloss"]);
-            continue;
-        }
-        folder.ok(pack);
-        let double = folder.shaded_by("some.bin", "--format f64");
-        let integers = folder.shaded_by("some.bin", "--format q15");
-        assert_near(&format!("{:?}", names(effects)), &integers, &double, EFFECTS_Q15);
+    for (names, degree, order) in [
+        ("ambient", 0, 6),
+        ("diffuse", 4, 0),
+        ("broad", 4, 3),
+        ("gloss", 4, 6),
+        ("diffuse,broad", 4, 3),
+        ("ambient,diffuse", 4, 6),
+    ] {
+        let of = |name: &&Effect| names.split(',').any(|one| one == name.name());
+        let table = make(&folder, Effect::ALL.iter().filter(of).copied().collect(), "some.bin");
+        assert_eq!((table.gram.degree, table.gram.order), (degree, order), "{names}");
+        let parts = parts::floats(&table);
+        assert_eq!(parts.lengths.len(), degree + 1);
+        assert!(table.components.iter().all(|one| one.order.unsigned_abs() as usize <= degree));
     }
 }
 
@@ -232,7 +204,6 @@ fn what_a_scene_leaves_out_is_refused() {
     let shade =
         |options: &str| format!("shade --table some.bin {PAIR} --normals normals.csv {options}");
     assert_fails(&folder, &shade("--effects gloss"), &["no gloss", "ambient diffuse"]);
-    assert_fails(&folder, &shade("--effects diffuse --format q15"), &["q15 shades all effects"]);
     let text = folder.read("effects.toml");
     folder.write("none.toml", text.replace("[\"ambient\", \"diffuse\"]", "[]"));
     assert_fails(&folder, "basis --scene none.toml --out n.bin", &["effects.use", "all"]);

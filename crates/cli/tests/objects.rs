@@ -66,7 +66,7 @@ fn every_object_shades_as_the_direct_sum() {
 fn a_pixel_costs_no_more_than_on_a_sphere() {
     let length = |geometry: &str, files: &[(&str, Vec<u8>)]| {
         let folder = built(&with_geometry(geometry).replace("1e-12", "1e-7"), files);
-        let owned = OwnedBasis::new(&folder.table("b.bin"));
+        let owned = OwnedBasis::new(&folder.table("b.bin")).expect("a table for f32");
         owned.basis().expect("a basis").scene_len()
     };
     let sphere = length("normals = \"sphere\"\n", &[]);

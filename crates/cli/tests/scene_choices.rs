@@ -99,7 +99,7 @@ fn degree_and_order_stay_where_they_are_not_chosen() {
     }
 }
 
-/// Tables of transfers, and of sets of effects, some with unfactored ambient light.
+/// Tables of transfers, and of sets of effects.
 #[test]
 fn tolerances_work_with_stores_and_effects() {
     for basis in [

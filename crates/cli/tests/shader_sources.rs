@@ -12,7 +12,7 @@ use eigenshade_shading::shader::Shader as Projector;
 fn with_shader(test: impl Fn(Shader<'_>)) {
     let folder = Folder::with_table();
     let table = folder.table("b.bin");
-    let owned = OwnedBasis::new(&table);
+    let owned = OwnedBasis::new(&table).expect("a table for f32");
     let mut projector = Projector::new(owned.any().expect("a basis"), table.count());
     let (light, material) = (vec![1.0; light::count(DEGREE)], vec![1.0; material::count(ORDER)]);
     projector.project(&light, &material).expect("a scene");

@@ -153,7 +153,7 @@ fn shaded(
 /// The number of numbers of the runtime's table that projection uses.
 fn projecting(table: &Table) -> usize {
     let parts = parts::floats(table);
-    parts.polar.len() + parts.factors.len() + parts.ambient.len()
+    parts.polar.len() + parts.factors.len()
 }
 
 /// Asserts that the choice describes the table.

@@ -39,6 +39,39 @@ impl Effect {
         }
     }
 
+    /// Sets the coefficients of a light that have no part in this effect to zero.
+    ///
+    /// The image of the masked light on the [masked](Self::mask_material) material is that of the
+    /// effect; the images of all four sum to the whole. Coefficients are floats or mantissas.
+    ///
+    /// ```
+    /// use eigenshade_index::effect::Effect;
+    ///
+    /// let mut light = [3.5, 0.2, 1.0, -0.4];
+    /// Effect::Diffuse.mask_light(&mut light);
+    /// assert_eq!(light, [0.0, 0.2, 1.0, -0.4]);
+    /// ```
+    pub fn mask_light<S: Default>(self, coefficients: &mut [S]) {
+        for (place, coefficient) in coefficients.iter_mut().enumerate() {
+            // L_0^0 comes first.
+            if (place == 0) != (self == Self::Ambient) {
+                *coefficient = S::default();
+            }
+        }
+    }
+
+    /// Sets the coefficients of a material that have no part in this effect to zero: see
+    /// [`mask_light`](Self::mask_light).
+    pub fn mask_material<S: Default>(self, coefficients: &mut [S]) {
+        let mut mode = (0, 0, 0);
+        for coefficient in coefficients {
+            if self != Self::Ambient && Self::of(1, mode.0) != self {
+                *coefficient = S::default();
+            }
+            mode = crate::material::following(mode);
+        }
+    }
+
     /// The effect's name in a scene file and on the command line.
     #[must_use]
     pub const fn name(self) -> &'static str {
@@ -56,11 +89,6 @@ impl Effect {
 }
 
 /// A set of effects.
-///
-/// A basis for some effects factors UᵀM in the same way as a basis for all of them, but only for
-/// the orders o that its directional effects (l >= 1) contain: see [`factored`](Self::factored). If
-/// `ambient` contains other orders, their coefficients are stored unfactored: one number for each
-/// profile of m = 0 and coefficient.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Effects(u8);
@@ -136,62 +164,15 @@ impl Effects {
         if self.is_directional() { degree } else { 0 }
     }
 
-    /// The largest order o that the set uses, for a material up to `order`: the largest factored
-    /// order, or all of `order` if some coefficients are unfactored.
+    /// The largest order o that the set contains, for a material up to `order`.
     #[must_use]
     pub const fn order(self, order: usize) -> usize {
-        if self.unfactored_count(order) > 0 { order } else { self.factored_order(order) }
-    }
-
-    /// Whether a basis for this set factors the modes of order o.
-    #[inline]
-    #[must_use]
-    pub const fn factored(self, o: usize) -> bool {
-        if self.is_directional() { self.keeps(1, o) } else { o == 0 }
-    }
-
-    /// The largest order o <= `order` that a basis for this set factors; 0 if there is none.
-    #[must_use]
-    pub const fn factored_order(self, order: usize) -> usize {
         match order {
+            _ if self.has(Effect::Ambient) || self.has(Effect::Gloss) => order,
             0..=3 if self.has(Effect::Broad) => order,
-            0..=3 => 0,
-            _ if self.has(Effect::Gloss) => order,
-            _ => self.factored_order(3),
+            _ if self.has(Effect::Broad) => 3,
+            _ => 0,
         }
-    }
-
-    /// Whether the coefficient (o, p, q) is stored unfactored.
-    #[must_use]
-    pub const fn is_unfactored(self, o: usize, q: usize) -> bool {
-        self.has(Effect::Ambient) && q == 0 && !self.factored(o)
-    }
-
-    /// The (o, p) of the unfactored coefficients (o, p, 0) up to `order`, in storage order.
-    pub fn unfactored(self, order: usize) -> impl Iterator<Item = (usize, usize)> {
-        let all = crate::material::indices(order);
-        all.filter(move |&(o, _, q)| self.is_unfactored(o, q)).map(|(o, p, _)| (o, p))
-    }
-
-    /// Number of unfactored coefficients up to `order`.
-    ///
-    /// Returns `usize::MAX` if there are any and the order is above 2047, like
-    /// [`material::count`](crate::material::count).
-    #[must_use]
-    pub const fn unfactored_count(self, order: usize) -> usize {
-        if !self.has(Effect::Ambient) || self.is_all() {
-            return 0;
-        }
-        if order > crate::material::MAX_ORDER {
-            return usize::MAX;
-        }
-        let (mut count, mut o) = (0, 0);
-        while o <= order {
-            // p = 0, 2, ..., o.
-            count += if self.is_unfactored(o, o % 2) { o / 2 + 1 } else { 0 };
-            o += 1;
-        }
-        count
     }
 }
 
@@ -224,21 +205,34 @@ mod tests {
     }
 
     #[test]
-    fn kept_coefficients_of_degree_zero_are_factored_or_unfactored() {
-        for effects in every().filter(|effects| effects.has(Effect::Ambient)) {
-            for (o, _, q) in crate::material::indices(9).filter(|&(_, _, q)| q == 0) {
-                assert!(effects.factored(o) != effects.is_unfactored(o, q), "{effects:?} {o}");
+    fn degree_and_order_are_the_largest_of_a_mode() {
+        for (effects, degree, order) in every()
+            .flat_map(|one| (0..9).map(move |order| (one, order)))
+            .flat_map(|(one, order)| (0..3).map(move |degree| (one, degree, order)))
+        {
+            let modes = (0..=degree).flat_map(|l| (0..=order).map(move |o| (l, o)));
+            let kept = modes.filter(|&(l, o)| effects.keeps(l, o));
+            let [l, o] = kept.fold([0; 2], |[l, o], mode| [l.max(mode.0), o.max(mode.1)]);
+            // Without directional light nothing is broad.
+            let is_lit = degree > 0 || effects.has(Effect::Ambient);
+            assert!(effects.degree(degree) == l || !is_lit, "{effects:?}");
+            assert!(effects.order(order) == o || degree == 0, "{effects:?} {degree} {order}");
+        }
+    }
+
+    /// The four images of a light on a material are those of its modes.
+    #[test]
+    fn masks_keep_the_modes_of_their_effect() {
+        for effect in Effect::ALL {
+            let (mut light, mut material) = ([1; 16], [1; 30]);
+            effect.mask_light(&mut light);
+            effect.mask_material(&mut material);
+            for ((l, _), &of_light) in crate::light::indices(3).zip(&light) {
+                for ((o, _, _), &of_material) in crate::material::indices(6).zip(&material) {
+                    let kept = of_light * of_material == 1;
+                    assert_eq!(kept, Effect::of(l, o) == effect, "{effect:?} {l} {o}");
+                }
             }
-            assert_eq!(effects.unfactored(9).count(), effects.unfactored_count(9), "{effects:?}");
         }
-        for (effects, order) in every().flat_map(|one| (0..9).map(move |order| (one, order))) {
-            let largest = (0..=order).rev().find(|&o| effects.factored(o)).unwrap_or(0);
-            assert_eq!(effects.factored_order(order), largest, "{effects:?} {order}");
-        }
-        let matte: Effects = [Effect::Ambient, Effect::Diffuse].into_iter().collect();
-        assert_eq!((matte.order(7), matte.factored_order(7), matte.unfactored_count(7)), (7, 0, 9));
-        let rough = matte.with(Effect::Broad).without(Effect::Ambient);
-        assert_eq!((rough.order(7), rough.factored_order(7), rough.unfactored_count(7)), (3, 3, 0));
-        assert_eq!(Effects::ALL.unfactored_count(7), 0);
     }
 }

@@ -55,13 +55,13 @@ pub const fn row(order: usize) -> usize {
     crate::pair::count(order).div_ceil(LANES).saturating_mul(LANES)
 }
 
-/// Number of factors of `profiles` profiles of `azimuth`; `usize::MAX` on overflow, 0 unless
+/// Number of rows of factors of `profiles` profiles of `azimuth`; `usize::MAX` on overflow, 0 unless
 /// azimuth <= degree.
 #[inline]
 #[must_use]
-pub const fn factors(degree: usize, order: usize, azimuth: usize, profiles: usize) -> usize {
+pub const fn rows(degree: usize, azimuth: usize, profiles: usize) -> usize {
     let degrees = degree.saturating_add(1).saturating_sub(azimuth);
-    profiles.div_ceil(2).saturating_mul(2).saturating_mul(degrees).saturating_mul(row(order))
+    profiles.div_ceil(2).saturating_mul(2).saturating_mul(degrees)
 }
 
 /// The smallest l of a pass whose orders start at `first`: the smallest |m| in the pass.
@@ -104,9 +104,9 @@ mod tests {
     }
     #[test]
     fn impossible_sizes_do_not_panic() {
-        assert_eq!(factors(usize::MAX, 7, 0, 2), usize::MAX);
-        assert_eq!(factors(7, usize::MAX, 0, usize::MAX), usize::MAX);
-        assert_eq!(factors(7, 7, 8, 2), 0);
+        assert_eq!(rows(usize::MAX, 0, 2), usize::MAX);
+        assert_eq!(rows(7, 0, usize::MAX), usize::MAX);
+        assert_eq!(rows(7, 8, 2), 0);
         assert!(row(usize::MAX) > row(2047));
     }
 }

@@ -1,15 +1,12 @@
 //! The variance of each irradiance mode (2.4), and the selection of the modes with the highest
 //! variance (2.5).
 
-use eigenshade_index::effect::Effects;
 use eigenshade_index::mode;
 use eigenshade_table::GramFactor;
 
-/// The modes of a scene: those that belong to its effects and that a selection kept.
+/// The modes of a scene that a selection kept.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Kept {
-    /// The effects.
-    pub effects: Effects,
     /// A selection in the layout of `Table::selection`; empty if all modes are kept.
     pub selection: Vec<bool>,
 }
@@ -24,8 +21,7 @@ impl Kept {
         mode: (usize, usize, usize, usize),
     ) -> bool {
         let (l, o, p, q) = mode;
-        self.effects.keeps(l, o)
-            && (self.selection.is_empty() || self.selection[gram.place(azimuth, l, o, p, q)])
+        self.selection.is_empty() || self.selection[gram.place(azimuth, l, o, p, q)]
     }
 }
 
@@ -37,30 +33,22 @@ pub fn variances(gram: &GramFactor, azimuth: usize) -> Vec<f64> {
     gram.columns(azimuth).iter().map(|column| column.iter().map(|a| a * a).sum()).collect()
 }
 
-/// Keeps the `count` modes with the highest variance among those of the effects, counting both
-/// signs of m. Ties are kept together, so slightly more modes may be kept.
+/// Keeps the `count` modes with the highest variance, counting both signs of m. Ties are kept
+/// together, so slightly more modes may be kept.
 ///
 /// The result has the layout of `Table::selection`. It is empty if `count` is 0 or all modes are
 /// kept.
 #[must_use]
-pub fn highest(gram: &GramFactor, effects: Effects, count: usize) -> Vec<bool> {
+pub fn highest(gram: &GramFactor, count: usize) -> Vec<bool> {
     let (degree, order) = (gram.degree, gram.order);
     if count == 0 || count >= mode::total(degree, order) {
         return Vec::new();
     }
     let mut ranked: Vec<(f64, usize)> = Vec::new();
-    let of_effects = |azimuth: usize| {
-        let modes = mode::indices(degree, order, azimuth).zip(variances(gram, azimuth));
-        let kept = modes.map(
-            |((l, o, ..), variance)| if effects.keeps(l, o) { variance } else { f64::NEG_INFINITY },
-        );
-        kept.collect()
-    };
-    let by_azimuth: Vec<Vec<f64>> = (0..=degree).map(of_effects).collect();
+    let by_azimuth: Vec<Vec<f64>> = (0..=degree).map(|azimuth| variances(gram, azimuth)).collect();
     for (azimuth, variances) in by_azimuth.iter().enumerate() {
         let signs = if azimuth == 0 { 1 } else { 2 };
-        let kept = variances.iter().filter(|variance| variance.is_finite());
-        ranked.extend(kept.map(|&variance| (variance, signs)));
+        ranked.extend(variances.iter().map(|&variance| (variance, signs)));
     }
     ranked.sort_by(|a, b| b.0.total_cmp(&a.0));
     let mut kept = 0;

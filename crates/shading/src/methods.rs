@@ -14,8 +14,7 @@ impl Shader<'_> {
     ///
     /// # Errors
     ///
-    /// As [`project`](Self::project), and if the basis is for an object other than a sphere or its
-    /// mean image is not part of the effects.
+    /// As [`project`](Self::project), and if the basis is for an object other than a sphere.
     pub fn within(
         &mut self,
         channels: &[Lit<'_>],
@@ -53,16 +52,11 @@ impl Shader<'_> {
         for &(light, material) in channels {
             images.push(self.project(light, material)?.to_vec());
         }
-        let refused = |what: &str| Error::new(what, "leave --tolerance out");
         let AnyBasis::Sphere(basis) = &self.basis else {
             let what =
                 "a tolerance needs the table of a sphere, and this one is for another object";
-            return Err(refused(what));
+            return Err(Error::new(what, "leave --tolerance out"));
         };
-        if !self.dark.is_empty() {
-            let what = "a tolerance needs the effect ambient, to which the mean image belongs";
-            return Err(refused(what));
-        }
         let (count, len) = (images.len(), basis.scene_len());
         let mut lengths = vec![0; basis.azimuths()];
         let mut buffer = vec![0.0; count * len];
@@ -117,14 +111,7 @@ impl Shader<'_> {
             }
             .map_err(fault)
         };
-        let one = |&normal: &Normal| {
-            let whole = reconstruct(&coefficients, normal)?;
-            let dark = match self.dark.as_slice() {
-                [] => 0.0,
-                dark => reconstruct(dark, normal)?,
-            };
-            Ok(whole - dark)
-        };
+        let one = |&normal: &Normal| reconstruct(&coefficients, normal);
         let irradiance: Vec<f32> = normals.iter().map(one).collect::<Result<_>>()?;
         overflow::check(&irradiance, light, material)?;
         Ok(irradiance)

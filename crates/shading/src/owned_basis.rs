@@ -1,8 +1,10 @@
 //! A table read at run time, as a runtime basis.
 
+use crate::shader::beyond;
 use eigenshade::{Basis, GeneralBasis};
 use eigenshade_index::record::floats::{OwnedGeneralParts, OwnedParts};
-use eigenshade_table::{Table, parts};
+use eigenshade_model::error::{Error, Result};
+use eigenshade_table::{FormatError, Table, parts};
 
 /// The owned records of a basis.
 #[derive(Clone, Debug)]
@@ -23,19 +25,33 @@ pub struct OwnedTransfer {
 
 impl OwnedBasis {
     /// Rounds a table's numbers to f32.
-    #[must_use]
-    pub fn new(table: &Table) -> Self {
+    ///
+    /// # Errors
+    ///
+    /// If the table has a mean image, a selection of modes or a degree or order of which f32 has
+    /// none.
+    pub fn new(table: &Table) -> Result<Self> {
+        match parts::check(table) {
+            // Those of a table of transfers are drawn.
+            Ok(()) | Err(FormatError::TransfersOnly) => {}
+            Err(FormatError::High { degree, order }) => return Err(beyond(degree, order)),
+            Err(error) => {
+                let line = format!("f32 does not draw the table: {error}");
+                let (what, remedy) = line.rsplit_once("; ").unwrap_or((&line, "take another"));
+                return Err(Error::new(what, format!("use --format f64, or {remedy}")));
+            }
+        }
         let parts = parts::floats(table);
         let transfers = table.transfers.iter().map(|one| {
             let numbers = parts::transfer(&parts, &one.numbers);
             let transfer = numbers.iter().map(|&number| number as f32).collect();
             OwnedTransfer { fingerprint: one.fingerprint, transfer }
         });
-        Self {
+        Ok(Self {
             transfers: transfers.collect(),
             parts: parts.convert(|&number| number as f32),
             general: parts::general(table).convert(|&number| number as f32),
-        }
+        })
     }
 
     /// The materials whose transfers the table stores; empty for a table that projects.
@@ -49,7 +65,7 @@ impl OwnedBasis {
     /// # Errors
     ///
     /// See [`basis`](Self::basis).
-    pub fn any(&self) -> Result<AnyBasis<'_>, eigenshade::Error> {
+    pub fn any(&self) -> std::result::Result<AnyBasis<'_>, eigenshade::Error> {
         let basis = self.basis()?;
         match self.general.components {
             0 => Ok(AnyBasis::Sphere(basis)),
@@ -62,7 +78,7 @@ impl OwnedBasis {
     /// # Errors
     ///
     /// As [`Basis::new`], for a table whose parts contradict each other.
-    pub fn basis(&self) -> Result<Basis<'_>, eigenshade::Error> {
+    pub fn basis(&self) -> std::result::Result<Basis<'_>, eigenshade::Error> {
         Basis::new(self.parts.borrow())
     }
 }

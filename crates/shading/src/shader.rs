@@ -3,10 +3,11 @@
 use crate::overflow;
 use crate::owned_basis::{AnyBasis, OwnedTransfer};
 use eigenshade::{Light, Material, Normal, Normals, Scene};
-use eigenshade_index::effect::{Effect, Effects};
+use eigenshade_index::effect::Effects;
 use eigenshade_index::layout::{MAX_DEGREE, MAX_ORDER};
 use eigenshade_model::database::{Lights, Materials, Named};
 use eigenshade_model::error::{Error, Result};
+use eigenshade_model::reference::{light_products, material_products};
 use eigenshade_table::Table;
 use eigenshade_table::reduce::fingerprint;
 use std::path::Path;
@@ -61,9 +62,6 @@ pub struct Shader<'a> {
     scene: Vec<f32>,
     transfers: &'a [OwnedTransfer],
     effects: Effects,
-    /// d without any light, subtracted if the effects do not include the mean image; otherwise
-    /// empty.
-    pub(crate) dark: Vec<f32>,
 }
 
 /// Normals as one array per component, in f32.
@@ -120,7 +118,6 @@ impl<'a> Shader<'a> {
             scene: vec![0.0; scene],
             transfers: &[],
             effects: Effects::ALL,
-            dark: Vec::new(),
         }
     }
 
@@ -128,29 +125,18 @@ impl<'a> Shader<'a> {
     ///
     /// # Errors
     ///
-    /// If the basis has transfers and some of its effects are left out: transfers contain all
-    /// effects.
-    pub fn with_effects(mut self, effects: Effects) -> Result<Self> {
-        let (all, projects, mean) = match &self.basis {
-            AnyBasis::Sphere(basis) => {
-                (basis.effects(), basis.projects(), basis.parts().mean_coefficients)
-            }
-            AnyBasis::General(basis) => {
-                let span = basis.span();
-                (span.effects(), span.projects(), basis.parts().image_mean)
-            }
+    /// If the basis has transfers and some effects are left out: transfers contain all of them.
+    pub fn with_effects(self, effects: Effects) -> Result<Self> {
+        let projects = match &self.basis {
+            AnyBasis::Sphere(basis) => basis.projects(),
+            AnyBasis::General(basis) => basis.span().projects(),
         };
-        self.effects = effects;
-        if effects.and(all) != all && !projects {
+        if !effects.is_all() && !projects {
             let what = "the table has transfers, which contain all its effects";
             let remedy = "leave --effects out, or make a table with store = \"projection\"";
             return Err(Error::new(what, remedy));
         }
-        // The mean image is ambient.
-        if !effects.has(Effect::Ambient) {
-            self.dark = mean.iter().take(self.components).map(|&d| -d).collect();
-        }
-        Ok(self)
+        Ok(Self { effects, ..self })
     }
 
     /// Adds the stored transfers of a table. A basis without projection accepts only these
@@ -174,8 +160,6 @@ impl<'a> Shader<'a> {
     }
 
     fn projected(&mut self, light: &[f64], material: &[f64]) -> Result<()> {
-        let light = rounded(light);
-        let light = Light::from_finite(&light).map_err(fault)?;
         if let AnyBasis::Sphere(basis) = &self.basis
             && !basis.projects()
         {
@@ -188,22 +172,34 @@ impl<'a> Shader<'a> {
                     "use the scene's material file, or make a table with store = \"projection\"";
                 Error::new(what, remedy)
             })?;
+            let light = rounded(light);
+            let light = Light::from_finite(&light).map_err(fault)?;
             let coefficients = &mut self.coefficients;
             return basis.relight_into(&of.transfer, &light, coefficients).map_err(fault);
         }
-        let material = rounded(material);
-        let material = Material::from_finite(&material).map_err(fault)?;
-        let (workspace, coefficients) = (&mut self.workspace, &mut self.coefficients);
-        let effects = self.effects;
-        match &self.basis {
-            AnyBasis::Sphere(basis) => {
-                basis.project_effects_into(&light, &material, effects, workspace, coefficients)
+        let degree = Light::from_finite(&rounded(light)).map_err(fault)?.degree();
+        let order = Material::from_finite(&rounded(material)).map_err(fault)?.order();
+        let lights = light_products(degree, light, self.effects);
+        let materials = material_products(order, material, self.effects);
+        let mut sums = vec![0.0; self.coefficients.len()];
+        for (light, material) in lights.iter().zip(&materials) {
+            let (light, material) = (rounded(light), rounded(material));
+            let light = Light::from_finite(&light).map_err(fault)?;
+            let material = Material::from_finite(&material).map_err(fault)?;
+            let (workspace, coefficients) = (&mut self.workspace, &mut self.coefficients);
+            match &self.basis {
+                AnyBasis::Sphere(basis) => {
+                    basis.project_into(&light, &material, workspace, coefficients)
+                }
+                AnyBasis::General(basis) => {
+                    basis.project_into(&light, &material, workspace, coefficients)
+                }
             }
-            AnyBasis::General(basis) => {
-                basis.project_effects_into(&light, &material, effects, workspace, coefficients)
-            }
+            .map_err(fault)?;
+            sums.iter_mut().zip(coefficients).for_each(|(sum, d)| *sum += *d);
         }
-        .map_err(fault)
+        self.coefficients = sums;
+        Ok(())
     }
 
     /// The collapsed image of the last projection.
@@ -213,20 +209,14 @@ impl<'a> Shader<'a> {
     /// Cannot fail in practice, because the buffers have the lengths that the basis requires.
     pub fn scene(&mut self) -> Result<Scene<'a, &mut Vec<f32>>> {
         let coefficients = &self.coefficients[..self.components];
-        let (basis, workspace) = (&self.basis, &mut self.workspace);
-        let collapse = |d: &[f32], workspace: &mut Vec<f32>, scene: &mut Vec<f32>| {
-            match basis {
-                AnyBasis::Sphere(basis) => basis.collapse_into(d, scene).map(drop),
-                AnyBasis::General(basis) => basis.collapse_into(d, workspace, scene).map(drop),
+        let scene = &mut self.scene;
+        match &self.basis {
+            AnyBasis::Sphere(basis) => basis.collapse_into(coefficients, scene).map(drop),
+            AnyBasis::General(basis) => {
+                basis.collapse_into(coefficients, &mut self.workspace, scene).map(drop)
             }
-            .map_err(fault)
-        };
-        collapse(coefficients, workspace, &mut self.scene)?;
-        if !self.dark.is_empty() {
-            let mut dark = vec![0.0; self.scene.len()];
-            collapse(&self.dark, workspace, &mut dark)?;
-            self.scene.iter_mut().zip(dark).for_each(|(number, dark)| *number -= dark);
         }
+        .map_err(fault)?;
         match &self.basis {
             AnyBasis::Sphere(basis) => basis.scene(&mut self.scene),
             AnyBasis::General(basis) => basis.span().scene(&mut self.scene),

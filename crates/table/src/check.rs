@@ -26,8 +26,7 @@ impl Table {
         if degree > MAX || order > MAX {
             return Err(format!("degree {degree} or order {order} above {MAX}"));
         }
-        let effects = self.effects();
-        if effects == Effects::NONE {
+        if self.effects() == Effects::NONE {
             return Err("a scene without effects".into());
         }
         if (degree, order) != (self.scene.degree(), self.scene.order()) {
@@ -57,9 +56,7 @@ impl Table {
             numbers("profile's node values", &profile.node_values, nodes)?;
             let modes = if self.has_modes() { mode::count(degree, order, azimuth) } else { 0 };
             numbers("profile's modes", &profile.modes, modes)?;
-            let factored = pair::count(effects.factored_order(order)) * (degree - azimuth + 1);
-            let unfactored = if azimuth == 0 { effects.unfactored_count(order) } else { 0 };
-            let factors = projects * (factored + unfactored);
+            let factors = projects * pairs * (degree - azimuth + 1);
             numbers("profile's factors", &profile.factors, factors)?;
             terms("profile's polynomial", &profile.chebyshev)?;
         }

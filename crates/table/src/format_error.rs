@@ -25,8 +25,6 @@ pub enum FormatError {
     General,
     /// It stores only transfers.
     TransfersOnly,
-    /// Its effect ambient contains orders that no other effect of the table contains.
-    Unfactored,
     /// A polynomial has more terms than the format allows.
     Long {
         /// |m| of the polynomial.
@@ -43,8 +41,6 @@ pub enum FormatError {
         /// The first component of such a profile, from 0.
         component: usize,
     },
-    /// A number exceeds the range of `f32`.
-    Range,
     /// The wire file would be longer than 32 bits can express.
     File,
 }
@@ -58,11 +54,12 @@ impl fmt::Display for FormatError {
                  {MAX_ORDER}; make the table so, and give what is sharper as sources"
             ),
             Self::Mean => f.write_str(
-                "integer formats do not support a mean image; make the table with criterion = \"image-centered\"",
+                "it subtracts a mean image, which only f64 draws; make the table with criterion = \
+                 \"image-centered\"",
             ),
-            Self::Selection => {
-                f.write_str("integer formats do not support a selection of modes; make the table with modes = 0")
-            }
+            Self::Selection => f.write_str(
+                "it has a selection of modes, which only f64 draws; make the table with modes = 0",
+            ),
             Self::General => f.write_str(
                 "integer formats support only tables of a sphere under light that turns freely; \
                  use f32",
@@ -70,11 +67,6 @@ impl fmt::Display for FormatError {
             Self::TransfersOnly => {
                 f.write_str("the table stores only transfers; make it with store = \"projection\"")
             }
-            Self::Unfactored => f.write_str(
-                "integer formats support ambient only together with another effect that contains \
-                 all its orders; make the table without ambient, with gloss, or with a lower \
-                 material.order",
-            ),
             Self::Long { azimuth, terms, most } => write!(
                 f,
                 "a polynomial of |m| = {azimuth} has {terms} terms, the format allows at most {most}; \
@@ -95,10 +87,6 @@ impl fmt::Display for FormatError {
                 }
                 f.write_str("make the table of a lower degree")
             }
-            Self::Range => f.write_str(
-                "a number exceeds the range of f32; scale the lights and materials of the scene \
-                 toward 1",
-            ),
             Self::File => {
                 f.write_str("the wire file would exceed 4 GB; make the table with fewer components")
             }

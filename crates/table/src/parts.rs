@@ -3,24 +3,31 @@
 
 use crate::chebyshev::{Form, polynomial};
 use crate::format_error::FormatError;
+use crate::scene::Criterion;
 use crate::table::{General, Profile, Table};
-use eigenshade_index::effect::{Effect, Effects};
 use eigenshade_index::layout::{LANES, PASS, first_order, lowest_degree};
 use eigenshade_index::record::floats::{OwnedGeneralParts, OwnedParts};
-use eigenshade_index::record::{Coupling, NONE, Pass, ProfilePlace, Row};
-use eigenshade_index::{layout, material, pair};
+use eigenshade_index::record::{Azimuth, NONE, Pass, ProfilePlace, Row, Run};
+use eigenshade_index::{layout, pair};
 use std::collections::BTreeSet;
 
 /// Whether the runtime takes this table.
 ///
 /// # Errors
 ///
-/// [`FormatError::TransfersOnly`] if it stores only transfers, [`FormatError::High`] beyond degree or
-/// order 12, [`FormatError::Long`] if a polynomial has more than 40 terms.
+/// [`FormatError::TransfersOnly`] if it stores only transfers, [`FormatError::Selection`] if it has a
+/// selection of modes, [`FormatError::Mean`] if it has a mean image, [`FormatError::High`] beyond
+/// degree or order 12, [`FormatError::Long`] if a polynomial has more than 40 terms.
 pub fn check(table: &Table) -> Result<(), FormatError> {
     let (degree, order) = (table.gram.degree, table.gram.order);
     if !table.has_projection() {
         return Err(FormatError::TransfersOnly);
+    }
+    if !table.selection.is_empty() {
+        return Err(FormatError::Selection);
+    }
+    if table.scene.basis.criterion == Criterion::Standard {
+        return Err(FormatError::Mean);
     }
     if degree > layout::MAX_DEGREE || order > layout::MAX_ORDER {
         return Err(FormatError::High { degree, order });
@@ -37,18 +44,15 @@ pub fn check(table: &Table) -> Result<(), FormatError> {
 #[must_use]
 pub fn floats(table: &Table) -> OwnedParts<f64> {
     let gram = &table.gram;
-    let effects = table.effects();
     let (degree, order) = (gram.degree, gram.order);
-    let factored = effects.factored_order(order);
-    let pairs = pair::count(factored);
-    let roots: Vec<f64> = pair::indices(factored).map(|(o, _)| ((o + 1) as f64).sqrt()).collect();
+    let pairs = pair::count(order);
+    let roots: Vec<f64> = pair::indices(order).map(|(o, _)| ((o + 1) as f64).sqrt()).collect();
     let lengths = lengths(table);
     let (polar, factors) = if table.has_projection() {
-        let polar = grouped(degree, pairs, |l, pair| match (l, effects.has(Effect::Ambient)) {
-            (0, false) => 0.0,
-            _ => roots[pair] * gram.polar_integrals[pair * (degree + 1) + l],
+        let polar = grouped(degree, pairs, |l, pair| {
+            roots[pair] * gram.polar_integrals[pair * (degree + 1) + l]
         });
-        (polar, factors(table, degree, factored))
+        (polar, factors(table, degree, order))
     } else {
         (Vec::new(), Vec::new())
     };
@@ -56,10 +60,6 @@ pub fn floats(table: &Table) -> OwnedParts<f64> {
         let scale = if profile.azimuth == 0 { 1.0 } else { std::f64::consts::SQRT_2 };
         let terms = polynomial(&profile.chebyshev, lengths[profile.azimuth].into(), Form::Halves);
         terms.into_iter().map(move |term| scale * term)
-    });
-    let mean = table.mean.as_ref();
-    let (of_mean, mean_coefficients) = mean.map_or_else(Default::default, |mean| {
-        (polynomial(&mean.chebyshev, lengths[0].into(), Form::Halves), mean.coefficients.clone())
     });
     let mut profiles = places(table);
     let (passes, slots) = arrange(degree, &mut profiles);
@@ -69,19 +69,15 @@ pub fn floats(table: &Table) -> OwnedParts<f64> {
     OwnedParts {
         degree,
         order,
-        effects,
         components: table.components.len(),
+        azimuths: azimuths(degree, &profiles, &lengths),
+        runs: runs(&profiles),
         profiles,
         passes,
         slots,
-        couplings: couplings(effects, factored),
-        ambient: ambient(table, degree, pairs),
         polar,
         factors,
         terms: terms.collect(),
-        mean: of_mean,
-        mean_coefficients,
-        selection: table.selection.clone(),
         lengths,
     }
 }
@@ -95,8 +91,6 @@ pub fn general(table: &Table) -> OwnedGeneralParts<f64> {
         components: general.map_or(0, |general| general.eigenvalues.len()),
         projection: of(|general| &general.projection),
         synthesis: of(|general| &general.synthesis),
-        span_mean: of(|general| &general.mean),
-        image_mean: of(|general| &general.mean_coefficients),
     }
 }
 
@@ -122,27 +116,63 @@ pub fn transfer(parts: &OwnedParts<f64>, numbers: &[f64]) -> Vec<f64> {
 /// Number of terms for each azimuth: that of its longest profile.
 fn lengths(table: &Table) -> Vec<u16> {
     let mut lengths = vec![0; table.gram.degree + 1];
-    let profiles = table.profiles.iter().map(|profile| (profile.azimuth, &profile.chebyshev));
-    for (azimuth, chebyshev) in profiles.chain(table.mean.iter().map(|mean| (0, &mean.chebyshev))) {
+    for Profile { azimuth, chebyshev, .. } in &table.profiles {
         let length = u16::try_from(chebyshev.len()).expect("a polynomial's length is small");
-        lengths[azimuth] = length.max(lengths[azimuth]);
+        lengths[*azimuth] = length.max(lengths[*azimuth]);
     }
     lengths
 }
 
-/// The positions of the pairs (o, q) and (p, q) for each (o, p, q) up to `order`;
-/// [`Coupling::NONE`] for coefficients that are not factored.
-fn couplings(effects: Effects, order: usize) -> Vec<Coupling> {
-    let short = |place: usize| u16::try_from(place).expect("orders are small");
-    material::indices(order)
-        .map(|(o, p, q)| {
-            if effects.factored(o) {
-                Coupling { o: short(pair::position(o, q)), p: short(pair::position(p, q)) }
-            } else {
-                Coupling::NONE
+/// Where the numbers of each azimuth are, for these lengths of polynomials.
+fn azimuths(degree: usize, profiles: &[ProfilePlace], lengths: &[u16]) -> Vec<Azimuth> {
+    let of = |azimuth| profiles.iter().filter(move |one| one.azimuth() == azimuth).count();
+    let lengths = lengths.iter().copied();
+    positions((0..=degree).map(of), lengths, |azimuth, count| layout::rows(degree, azimuth, count))
+}
+
+/// Where the numbers of each azimuth are, from its number of profiles, the length of its polynomials
+/// and its number of rows.
+pub(crate) fn positions(
+    counts: impl IntoIterator<Item = usize>,
+    lengths: impl IntoIterator<Item = impl Into<u32>>,
+    rows: impl Fn(usize, usize) -> usize,
+) -> Vec<Azimuth> {
+    let mut next = Azimuth { first: 0, profiles: 0, start: 0, terms: 0, rows: 0 };
+    let place = |(azimuth, (count, length)): (usize, (usize, u32))| {
+        let profiles = small(count);
+        let place = Azimuth { profiles, ..next };
+        next.first += profiles;
+        next.start += if azimuth == 0 { length } else { 2 * length };
+        next.terms += u32::from(profiles) * length;
+        next.rows += short(rows(azimuth, count));
+        place
+    };
+    let lengths = lengths.into_iter().map(Into::into);
+    counts.into_iter().zip(lengths).enumerate().map(place).collect()
+}
+
+/// The rows of a transfer, order by order: those that stand side by side in one run.
+fn runs(profiles: &[ProfilePlace]) -> Vec<Run> {
+    let (mut runs, mut first) = (Vec::new(), 0);
+    for of_azimuth in profiles.chunk_by(|a, b| a.azimuth == b.azimuth) {
+        let order = of_azimuth[0].azimuth().cast_signed() as i16;
+        for sign in if order == 0 { &[1][..] } else { &[1, -1] } {
+            let row = |place: &ProfilePlace| place.row(*sign);
+            let beside = |a: &ProfilePlace, b: &ProfilePlace| {
+                row(b).step == row(a).step && row(b).start == row(a).start + LANES as u32
+            };
+            let mut of_run = first;
+            for run in of_azimuth.chunk_by(beside) {
+                let Row { start, step } = row(&run[0]);
+                let (profiles, step) = (small(run.len()), small(step as usize));
+                let order = *sign as i16 * order;
+                runs.push(Run { order, profiles, first: small(of_run), step, start });
+                of_run += run.len();
             }
-        })
-        .collect()
+        }
+        first += of_azimuth.len();
+    }
+    runs
 }
 
 /// One row over l for each pair, padded to whole groups with zeros.
@@ -174,17 +204,6 @@ fn factors(table: &Table, degree: usize, order: usize) -> Vec<f64> {
         }
     }
     factors
-}
-
-/// The unfactored coefficients for each profile of m = 0; 0 for modes that a selection dropped.
-fn ambient(table: &Table, degree: usize, pairs: usize) -> Vec<f64> {
-    let zonal = table.profiles.iter().filter(|profile| profile.azimuth == 0);
-    let unfactored = || table.effects().unfactored(table.gram.order);
-    let kept = |(o, p), number: f64| if table.keeps(0, 0, o, p, 0) { number } else { 0.0 };
-    zonal
-        .flat_map(|profile| unfactored().zip(profile.factors.iter().skip(pairs * (degree + 1))))
-        .map(|(mode, &number)| kept(mode, number))
-        .collect()
 }
 
 fn places(table: &Table) -> Vec<ProfilePlace> {
@@ -243,11 +262,21 @@ fn arrange(degree: usize, places: &mut [ProfilePlace]) -> (Vec<Pass>, Vec<u16>) 
                     slots.push(slot);
                 }
             }
-            passes.push(Pass { first: first as i16, profiles: count as u16 });
-            start += LANES * count * (degree + 1 - lowest_degree(first));
+            let of_pass = LANES * count;
+            passes.push(Pass {
+                first: first as i16,
+                profiles: small(count),
+                start: short(start),
+                slots: short(slots.len() - of_pass),
+            });
+            start += of_pass * (degree + 1 - lowest_degree(first));
         }
     }
     (passes, slots)
+}
+
+fn small(count: usize) -> u16 {
+    u16::try_from(count).expect("as few as components")
 }
 
 fn short(place: usize) -> u32 {

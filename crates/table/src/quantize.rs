@@ -8,7 +8,6 @@ use crate::chebyshev::{Form, polynomial};
 use crate::format_error::{FormatError, MAX_PROFILES};
 use crate::parts;
 use crate::table::{Profile, Table};
-use eigenshade_index::effect::Effect;
 use eigenshade_index::record::integers::{OwnedParts, Profile as Place};
 use eigenshade_index::record::{NONE, Q15};
 use eigenshade_index::{layout, material, pair};
@@ -30,26 +29,21 @@ pub const TOLERANCE: f64 = 1e-5;
 pub fn integers(table: &Table, tolerance: f64) -> Result<OwnedParts<Q15>, FormatError> {
     parts::check(table)?;
     for (fault, error) in [
-        (table.mean.is_some(), FormatError::Mean),
-        (!table.selection.is_empty(), FormatError::Selection),
         (table.general.is_some(), FormatError::General),
-        (table.effects().unfactored_count(table.gram.order) > 0, FormatError::Unfactored),
         (table.profiles.len() > MAX_PROFILES, FormatError::Many),
     ] {
         if fault {
             return Err(error);
         }
     }
-    let (gram, effects) = (&table.gram, table.effects());
+    let gram = &table.gram;
     let (degree, order) = (gram.degree, gram.order);
     let pairs = pair::count(order);
     let lengths = lengths(table, tolerance)?;
     let (mut polar, mut polar_exponents) = (Vec::new(), Vec::new());
     for l in 0..=degree {
         for (k, (o, _)) in pair::indices(order).enumerate() {
-            let kept = l > 0 || effects.has(Effect::Ambient);
             let value = gram.polar_integrals[k * (degree + 1) + l] * ((o + 1) as f64).sqrt();
-            let value = if kept { value } else { 0.0 };
             let (mantissas, exponent) = row(&[value], i64::MAX);
             polar.extend(mantissas);
             polar_exponents.push(exponent);
@@ -94,10 +88,16 @@ pub fn integers(table: &Table, tolerance: f64) -> Result<OwnedParts<Q15>, Format
     if let Some(component) = large {
         return Err(FormatError::Large { component });
     }
+    let count = |azimuth| profiles.iter().filter(|one| one.azimuth() == azimuth).count();
+    let azimuths = parts::positions(
+        (0..=degree).map(count),
+        lengths.iter().copied(),
+        |azimuth, count| count * (degree + 1 - azimuth),
+    );
     Ok(OwnedParts {
+        azimuths,
         degree,
         order,
-        effects,
         components: table.components.len(),
         polar,
         polar_exponents,

@@ -64,10 +64,8 @@ pub struct Profile {
     /// Coefficients of the eigenimage over the modes of |m|, in the order of
     /// `eigenshade_index::mode`: a column of U. Empty unless [`Table::has_modes`].
     pub modes: Vec<f64>,
-    /// UᵀM, factored: for each l = |m|..=degree and each pair (p, q) up to the largest order that
-    /// the scene's effects factor, (-1)^q √(p+1) Σ_k √w_k W_k R_p^q D_l^mq; 0 for l = 0 without
-    /// ambient. For m = 0, UᵀM of the [unfactored](eigenshade_index::effect::Effects) coefficients
-    /// of l = 0 follows. See [`Table::gram_row`]. Empty unless [`Table::has_projection`].
+    /// UᵀM, factored: for each l = |m|..=degree and each pair (p, q), (-1)^q √(p+1) Σ_k √w_k W_k
+    /// R_p^q D_l^mq. See [`Table::gram_row`]. Empty unless [`Table::has_projection`].
     pub factors: Vec<f64>,
 }
 
@@ -189,18 +187,12 @@ impl Table {
     /// For o != p it is (Ĉ_lo^q g_pq + Ĉ_lp^q g_oq) / √2, for o = p Ĉ_lo^q g_oq, with Ĉ_lo^q =
     /// √(o+1) N_l^q C_lo^q and the factors g of l.
     ///
-    /// Modes that a selection dropped, or that belong to none of the scene's effects, are 0.
+    /// Modes that a selection dropped are 0.
     /// Domain: [`Table::has_projection`].
     #[must_use]
     pub fn gram_row(&self, profile: &Profile) -> Vec<f64> {
         let gram = &self.gram;
-        let effects = self.effects();
-        let pairs = pair::count(effects.factored_order(gram.order));
-        let unfactored = &profile.factors[pairs * (gram.degree + 1 - profile.azimuth)..];
-        let unfactored_entry = |o, p| {
-            let place = effects.unfactored(gram.order).position(|one| one == (o, p));
-            unfactored[place.expect("a coefficient that is not factored")]
-        };
+        let pairs = pair::count(gram.order);
         let polar = |l: usize, o: usize, q: usize| {
             gram.polar_integrals[pair::position(o, q) * (gram.degree + 1) + l]
                 * ((o + 1) as f64).sqrt()
@@ -209,9 +201,6 @@ impl Table {
             .map(|(l, o, p, q)| {
                 if !self.keeps(profile.azimuth, l, o, p, q) {
                     return 0.0;
-                }
-                if !effects.factored(o) {
-                    return unfactored_entry(o, p);
                 }
                 let factor = |p: usize| {
                     profile.factors[(l - profile.azimuth) * pairs + pair::position(p, q)]
@@ -226,17 +215,16 @@ impl Table {
             .collect()
     }
 
-    /// The effects that the table serves.
+    /// The effects of the scene.
     #[must_use]
     pub fn effects(&self) -> Effects {
         self.scene.effects.set()
     }
 
-    /// Whether a mode belongs to the scene's effects and the selection kept it.
+    /// Whether the selection kept a mode.
     #[must_use]
     pub fn keeps(&self, azimuth: usize, l: usize, o: usize, p: usize, q: usize) -> bool {
-        self.effects().keeps(l, o)
-            && (self.selection.is_empty() || self.selection[self.gram.place(azimuth, l, o, p, q)])
+        self.selection.is_empty() || self.selection[self.gram.place(azimuth, l, o, p, q)]
     }
 
     /// The rounding errors of a format, if they were measured.

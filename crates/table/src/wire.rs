@@ -4,7 +4,6 @@ use crate::format_error::FormatError;
 use crate::parts;
 use crate::quantize;
 use crate::table::Table;
-use eigenshade_index::effect::Effects;
 pub use eigenshade_index::format::NumberFormat;
 use eigenshade_index::record::{Item, Visitor, Word};
 use eigenshade_index::wire::{ALIGNMENT, CHECKSUM, ENTRY, HEADER, LABEL, MARK, VERSION};
@@ -31,7 +30,7 @@ pub fn encode(table: &Table, format: NumberFormat, endian: Endian) -> Result<Vec
             let mut sections = Sections { endian, sections: Vec::new() };
             parts.borrow().visit(&mut sections);
             let shape = [parts.degree, parts.order, parts.components, 0];
-            sections.file(format, shape, parts.effects)
+            sections.file(format, shape)
         }
     }
 }
@@ -39,16 +38,11 @@ pub fn encode(table: &Table, format: NumberFormat, endian: Endian) -> Result<Vec
 fn floats(table: &Table, endian: Endian) -> Result<Vec<u8>, FormatError> {
     parts::check(table)?;
     let (parts, general) = (parts::floats(table), parts::general(table));
-    // These arrays scale with the images. All others describe eigenimages, which have norm 1.
-    let sized = [&parts.mean, &parts.mean_coefficients, &general.span_mean, &general.image_mean];
-    if sized.into_iter().flatten().any(|&number| !(number as f32).is_finite()) {
-        return Err(FormatError::Range);
-    }
     let mut sections = Sections { endian, sections: Vec::new() };
     parts.convert(|&number| number as f32).borrow().visit(&mut sections);
     general.convert(|&number| number as f32).borrow().visit(&mut sections);
     let shape = [parts.degree, parts.order, parts.components, general.components];
-    sections.file(NumberFormat::F32, shape, parts.effects)
+    sections.file(NumberFormat::F32, shape)
 }
 
 /// The sections of a file.
@@ -71,7 +65,6 @@ impl Sections {
         self,
         format: NumberFormat,
         shape: [usize; 4],
-        effects: Effects,
     ) -> Result<Vec<u8>, FormatError> {
         let Self { endian, mut sections } = self;
         let last = sections.iter().rposition(|section| !section.bytes.is_empty());
@@ -86,7 +79,7 @@ impl Sections {
         file.short(format.number());
         file.long(long(start + padded + CHECKSUM)?);
         shape.into_iter().chain([sections.len()]).for_each(|number| file.short(short(number)));
-        file.short(effects.bits());
+        file.short(0);
         let mut next = start;
         for section in &sections {
             file.long(long(next)?);

@@ -90,7 +90,7 @@ impl Floats {
     /// With `scale`, the normals are first given lengths other than 1.
     fn new(setting: Setting, table: &Table, normals: &[[f64; 3]], scale: Scale) -> Result<Self> {
         let quantized = integer_shader::normals(normals)?;
-        let (basis, normals) = (OwnedBasis::new(table), OwnedNormals::new(normals));
+        let (basis, normals) = (OwnedBasis::new(table)?, OwnedNormals::new(normals));
         Ok(Self { setting, basis, each: normals.each()?, normals, quantized, scale })
     }
 

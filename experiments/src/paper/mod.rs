@@ -20,7 +20,7 @@ use crate::figures::{self, OutputFile};
 use crate::numbers;
 use eigenshade_generator::basis::moments::exposure;
 use eigenshade_generator::basis::{self, gram};
-use eigenshade_index::{effect, mode};
+use eigenshade_index::mode;
 use eigenshade_model::database::{Lights, Materials, Named};
 use eigenshade_model::error::{Error, Result};
 use eigenshade_model::selection;
@@ -168,7 +168,7 @@ impl Study {
         };
         let luminances = lights.entries.iter().map(luminance).collect::<Result<Vec<_>>>()?;
         let gram = gram::of_sphere(DEGREE, ORDER);
-        let selection = selection::highest(&gram, effect::Effects::ALL, SELECTED);
+        let selection = selection::highest(&gram, SELECTED);
         let grays: Vec<Vec<f64>> = materials.entries.iter().map(Named::luminance).collect();
         let whole = MaterialImages::new(&gram, &[], &grays);
         let selected = MaterialImages::new(&gram, &selection, &grays);

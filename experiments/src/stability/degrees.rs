@@ -35,7 +35,7 @@ pub fn coefficients(basis: &Basis<'_>, light: &[f64], on: &[f64]) -> [Vec<f32>; 
 
 /// The image of a table with all components in f32, from the collapsed polynomials.
 fn shaded(table: &Table, pair: [&[f64]; 2], at: &[[f64; 3]]) -> Vec<f64> {
-    let owned = OwnedBasis::new(table);
+    let owned = OwnedBasis::new(table).expect("a table for f32");
     let mut shader = Shader::new(owned.basis().expect("a basis"), usize::MAX);
     let image = shader.polynomial(pair[0], pair[1], &OwnedNormals::new(at));
     image.expect("coefficients that fit").into_iter().map(f64::from).collect()
@@ -151,7 +151,7 @@ fn in_f64(table: &Table, [light, on]: [&[f64]; 2], at: &[[f64; 3]]) -> Vec<f64> 
 }
 
 fn in_f32(table: &Table, [light, on]: [&[f64]; 2], at: &[[f64; 3]]) -> Vec<f64> {
-    let owned = OwnedBasis::new(table);
+    let owned = OwnedBasis::new(table).expect("a table for f32");
     let basis = owned.basis().expect("a basis");
     let [_, d] = coefficients(&basis, light, on);
     let scene = basis.collapse_into(&d, vec![0.0; basis.scene_len()]).expect("sizes");

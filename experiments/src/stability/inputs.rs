@@ -131,7 +131,7 @@ pub(super) fn eight_bits() -> Vec<Figure> {
     let scaled = x.iter().zip(&y).zip(&z).map(|((&x, &y), &z)| [x, y, z].map(f64::from));
     let scaled = OwnedNormals::new(&scaled.collect::<Vec<_>>());
     let (as_they_are, in_q15) = (OwnedNormals::new(&decoded), in_integers(&decoded));
-    let owned = OwnedBasis::new(&table());
+    let owned = OwnedBasis::new(&table()).expect("a table for f32");
     let mut f32 = Shader::new(owned.basis().expect("a basis"), usize::MAX);
     let mut q15 = IntegerShader::new(&table(), usize::MAX).expect("a table for Q15");
     let mut errors = [const { Vec::new() }; 3];
@@ -166,7 +166,7 @@ pub(super) fn eight_bits() -> Vec<Figure> {
 
 /// Normals with z = -0.01 and -0.1, by the longer polynomials of a table of degree 12.
 pub(super) fn behind() -> Vec<Figure> {
-    let owned = OwnedBasis::new(&decode(shipped::PBR).expect("the table"));
+    let owned = OwnedBasis::new(&decode(shipped::PBR).expect("the table")).expect("a table for f32");
     let mut shader = Shader::new(owned.basis().expect("a basis"), usize::MAX);
     let light = captured(9).entries[5].luminance();
     let (mut naive, mut ours, mut of_integers) = ([0.0f64; 2], 0.0, 0);
@@ -210,7 +210,7 @@ fn every_method(
     light: &[f64],
     normals: &[[f64; 3]],
 ) -> impl Iterator<Item = ([Vec<f64>; 5], Vec<f64>, f64)> {
-    let owned = OwnedBasis::new(&table());
+    let owned = OwnedBasis::new(&table()).expect("a table for f32");
     let mut q15 = IntegerShader::new(&table(), usize::MAX).expect("a table for Q15");
     let rounded = OwnedNormals::new(normals);
     let (each, in_q15) = (rounded.each().expect("visible normals"), in_integers(normals));

@@ -4,6 +4,7 @@
 use super::degrees::coefficients;
 use super::{Figure, exactly, least, most, tight};
 use crate::tolerances;
+use eigenshade::index::record::Azimuth;
 use eigenshade::{Argument, Error, Light, Material, Normal, Q15, q15, sphere};
 use eigenshade_model::evaluation::Evaluator;
 use eigenshade_shading::owned_basis::OwnedBasis;
@@ -97,7 +98,7 @@ type Answers = [[Vec<f64>; 2]; 2];
 
 /// In f32, with pixels by collapsed polynomials and component by component.
 fn answers(table: &Table, light: &[f64], on: &[f64]) -> Answers {
-    let owned = OwnedBasis::new(table);
+    let owned = OwnedBasis::new(table).expect("a table for f32");
     let basis = owned.basis().expect("a basis");
     coefficients(&basis, light, on).map(|d| {
         let scene = basis.collapse_into(&d, vec![0.0; basis.scene_len()]).expect("sizes");
@@ -228,7 +229,7 @@ pub(super) fn subnormal() -> Vec<Figure> {
     let of_light = products_of_map(&tiny, |unit| relit(unit).to_vec());
     let other = pixels.iter().zip(&scaled).filter(|(a, b)| **a != **b * TINY).count();
     // All components of the shipped scene.
-    let owned = OwnedBasis::new(&fixtures::table(&fixtures::shipped("curet")));
+    let owned = OwnedBasis::new(&fixtures::table(&fixtures::shipped("curet"))).expect("a table for f32");
     let mut shader = Shader::new(owned.basis().expect("a basis"), usize::MAX);
     let far: Vec<f64> = tiny.iter().copied().map(f64::from).collect();
     let all = shader.project(&far, &on).expect("coefficients");
@@ -299,9 +300,9 @@ pub(super) fn full_weight() -> Vec<Figure> {
     let largest_table = q15::Basis::new(q15::Parts {
         degree: 0,
         order: 0,
-        effects: eigenshade::Effects::ALL,
         components: 1,
         profiles: &places,
+        azimuths: &[Azimuth { first: 0, profiles: 1, start: 0, terms: 0, rows: 0 }],
         lengths: &[3],
         polar: &[],
         polar_exponents: &[],

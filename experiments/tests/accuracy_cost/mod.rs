@@ -79,7 +79,7 @@ fn errors_are_those_of_direct_quadrature() {
     let found = errors::compare(&Setting::of(recipe), &table, &images).expect("errors");
     // Not those of the command.
     let normals = of_equal_areas(300);
-    let owned = OwnedBasis::new(&table);
+    let owned = OwnedBasis::new(&table).expect("a table for f32");
     let shader = Shader::new(owned.basis().expect("a basis"), usize::MAX);
     let view = OwnedNormals::new(&normals);
     let errors = |seen: bool| {

@@ -2,9 +2,9 @@
 //! [`Basis::collapse_into`](crate::q15::Basis::collapse_into), azimuth by azimuth.
 
 use crate::invariant::part_mut;
-use crate::places::{AzimuthPlace, KnownTable};
 use crate::q15::arithmetic::{SUM_SHIFT, TERM_BITS, weigh};
 use crate::q15::scene::{FINEST, Scene, bits, half_or_one, size, with_margin};
+use crate::specialized::{KnownTable, at, head, tail};
 use crate::q15::{Basis, Coefficients, Profile, scene};
 
 /// A scene of this basis, all zero.
@@ -75,7 +75,7 @@ impl<const A: usize> Size<A> {
     {
         let of = |index: u16| d.get(usize::from(index)).copied().map_or(0, size);
         let (mut of_plus, mut of_minus) = (0_u32, 0_u32);
-        for profile in const { B::BASIS.profiles_at(&B::BASIS.azimuth_at(M)) } {
+        for profile in const { B::BASIS.profiles_of(M) } {
             let (plus, minus) = (of(profile.plus), of(profile.minus));
             let (size, step) = (u32::from(profile.size), u32::from(profile.step));
             self.image = self.image.wrapping_add((plus + minus).wrapping_mul(size));
@@ -163,14 +163,10 @@ pub fn azimuth<
     }
 }
 
-#[expect(clippy::panic, reason = "while the program is compiled")]
 const fn profiles<B: KnownTable<Basis<'static>>, const P: usize>(
     azimuth: usize,
 ) -> &'static [Profile; P] {
-    match B::BASIS.profiles_at(&B::BASIS.azimuth_at(azimuth)).first_chunk() {
-        Some(profiles) => profiles,
-        None => panic!("the azimuth has fewer profiles"),
-    }
+    head(B::BASIS.profiles_of(azimuth))
 }
 
 /// Sums the `P` profiles of azimuth `M`, with weights for `W` polynomials each. The weights are
@@ -184,9 +180,9 @@ fn sum<B, const M: usize, const W: usize, const P: usize, const N: usize>(
 ) where
     B: KnownTable<Basis<'static>>,
 {
-    let AzimuthPlace { start, length, .. } = const { B::BASIS.azimuth_at(M) };
-    let terms = const { B::BASIS.parts.terms.split_at(B::BASIS.azimuth_at(M).terms).1 };
-    let scene = part_mut(scene, start..);
+    let (place, length) = const { (*at(B::BASIS.parts.azimuths, M), B::BASIS.length(M)) };
+    let terms = const { tail(B::BASIS.parts.terms, at(B::BASIS.parts.azimuths, M).terms as usize) };
+    let scene = part_mut(scene, place.start as usize..);
     let by = SUM_SHIFT + finer;
     for k in 0..length {
         let mut sums = [half_or_one(k == 0 || (W == 1 && k == length - 1), by); W];

@@ -3,10 +3,10 @@
 
 use crate::index::{material, pair};
 use crate::invariant::{part, part_mut};
-use crate::places::KnownTable;
 use crate::q15::arithmetic::{BITS, Shift as _, over_root_two};
 use crate::q15::transfer::{GUARD_BITS, ZERO_EXPONENT, guard, room, row_bits};
 use crate::q15::{Basis, Material, Q15, TransferBuffer, transfer};
+use crate::specialized::{KnownTable, at};
 
 /// The mantissas and exponents of a material, of exactly these lengths. `None` unless each exponent
 /// is at most that of any lower o of the same parity. Then no addend exceeds the scale that
@@ -136,17 +136,18 @@ pub fn azimuth<
     of_sums: &[i32; D],
     (numbers, exponents): (&mut [Q15; T], &mut [i16; E]),
 ) {
-    let place = const { &B::BASIS.azimuth_at(M) };
+    let place = const { *at(B::BASIS.parts.azimuths, M) };
+    let (first, before) = (usize::from(place.first), place.rows as usize);
     let parts = const { &B::BASIS.parts };
-    let rows = part(parts.factors.as_chunks::<P>().0, place.rows..);
-    let of_rows = part(parts.factor_exponents, place.rows..);
+    let rows = part(parts.factors.as_chunks::<P>().0, before..);
+    let of_rows = part(parts.factor_exponents, before..);
     let rows = rows.as_chunks::<L>().0.iter().zip(of_rows.as_chunks::<L>().0);
-    let numbers = part_mut(numbers, place.rows..).as_chunks_mut::<L>().0;
-    let exponents = part_mut(exponents, place.first..);
+    let numbers = part_mut(numbers, before..).as_chunks_mut::<L>().0;
+    let exponents = part_mut(exponents, first..);
     let sums = part(sums, M..);
     let of_sums = part(of_sums, M..);
     for (((rows, of_rows), numbers), exponent) in
-        rows.zip(numbers).zip(exponents).take(place.profiles)
+        rows.zip(numbers).zip(exponents).take(place.profiles.into())
     {
         let mut row = [0; L];
         for ((place, factors), sums) in row.iter_mut().zip(rows).zip(sums) {

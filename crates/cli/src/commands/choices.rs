@@ -55,7 +55,7 @@ impl Choices {
             return Err(Error::new(what, format!("it has {}", table::effect_names(all))));
         }
         let requested = self.effects.iter().copied().collect();
-        Ok(if self.effects.is_empty() { all } else { requested })
+        Ok(if self.effects.is_empty() { Effects::ALL } else { requested })
     }
 
     /// Checks that the table allows a rotation, if one is requested. Fails if the table is for

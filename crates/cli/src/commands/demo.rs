@@ -49,7 +49,7 @@ impl Demo {
         let table = self.table.read()?;
         let (lights, materials) = shown()?;
         let (lights, materials) = fitted(&table, &lights, &materials);
-        let basis = OwnedBasis::new(&table);
+        let basis = OwnedBasis::new(&table)?;
         let components = table.count();
         let mut shader =
             Shader::new(basis.any().map_err(fault)?, components).with_transfers(basis.transfers());

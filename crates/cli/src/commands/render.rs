@@ -253,7 +253,7 @@ impl Pair<'_> {
         let channels = [0, 1, 2].map(|c: usize| (&light.rgb[c][..], &material.rgb[c][..]));
         let window = match format {
             Format::F32 => {
-                let basis = OwnedBasis::new(self.table);
+                let basis = OwnedBasis::new(self.table)?;
                 let mut shader = Shader::new(basis.any().map_err(fault)?, components)
                     .with_transfers(basis.transfers());
                 Preview::new(&mut shader, highlights.as_ref()).window(&channels, exposure)
@@ -274,7 +274,7 @@ impl Pair<'_> {
         object: &Object,
         show: &mut dyn FnMut(Pixel, Rgb<f32>),
     ) -> Result<()> {
-        let basis = OwnedBasis::new(self.table);
+        let basis = OwnedBasis::new(self.table)?;
         let mut shader = Shader::new(basis.any().map_err(fault)?, components)
             .with_transfers(basis.transfers())
             .with_effects(effects)?;

@@ -107,10 +107,6 @@ impl Shade {
         let table = self.table.read()?;
         let effects = self.choices.effects(&table)?;
         self.choices.check_rotation(&table)?;
-        if is_integer && effects != table.effects() {
-            let what = "q15 shades all effects of their table";
-            return Err(Error::new(what, "make a table of those effects, or use --format f32"));
-        }
         let way = self.way()?;
         let components = self.choices.components(&table, self.table.path())?;
         // Integers of some components are scaled without the others, as `pack` scales them.

@@ -7,6 +7,7 @@ use eigenshade_cli::preview::Preview;
 use eigenshade_model::database::{Lights, Materials, Named};
 use eigenshade_model::error::{Error, Result};
 use eigenshade_model::evaluation::Evaluator;
+use eigenshade_model::reference::{light_products, material_products};
 use eigenshade_shading::integer_shader::{self, IntegerShader};
 use eigenshade_shading::owned_basis::OwnedBasis;
 use eigenshade_shading::parallel::Progress;
@@ -83,7 +84,17 @@ impl Images {
     /// Writes the images in integers.
     pub fn integers(&self, shader: &mut IntegerShader, out: &mut Output<'_>) -> Result<()> {
         let normals = integer_shader::normals(&self.normals)?;
-        self.channels(out, |light, material| shader.polynomial(light, material, &normals))
+        let (degree, order) = (self.lights.degree, self.materials.order);
+        self.channels(out, |light, material| {
+            let lights = light_products(degree, light, self.effects);
+            let materials = material_products(order, material, self.effects);
+            let mut image = vec![0.0; normals.len()];
+            for (light, material) in lights.iter().zip(&materials) {
+                let product = shader.polynomial(light, material, &normals)?;
+                image.iter_mut().zip(product).for_each(|(sum, value)| *sum += value);
+            }
+            Ok(image)
+        })
     }
 
     /// Writes the images in f64, eigenimage by eigenimage.
@@ -106,7 +117,7 @@ impl Images {
 
     /// Writes the images in f32.
     pub fn floats(&self, way: Way, out: &mut Output<'_>) -> Result<()> {
-        let basis = OwnedBasis::new(&self.table);
+        let basis = OwnedBasis::new(&self.table)?;
         let mut shader = Shader::new(basis.any().map_err(fault)?, self.components)
             .with_transfers(basis.transfers())
             .with_effects(self.effects)?;

@@ -113,7 +113,6 @@ pub fn wire_description(bytes: &[u8]) -> Result<Description> {
     description.field("format", format.name());
     description.field("degree", header.degree);
     description.field("order", header.order);
-    description.field("effects", effect_names(header.effects));
     description.field("components", header.images.max(header.components));
     description.field("span", if header.images == 0 { 0 } else { header.components });
     if !lengths.is_empty() {
@@ -132,12 +131,12 @@ pub fn wire_description(bytes: &[u8]) -> Result<Description> {
 /// The file with the numbers of its header and its table of sections in the other byte order.
 fn swapped(bytes: &[u8]) -> Vec<u8> {
     use eigenshade_index::wire::place::{
-        COMPONENTS, DEGREE, EFFECTS, FORMAT, IMAGES, LENGTH, MARK, ORDER, SECTIONS, VERSION,
+        COMPONENTS, DEGREE, FORMAT, IMAGES, LENGTH, MARK, ORDER, SECTIONS, VERSION,
     };
     let starts =
-        [MARK, VERSION, FORMAT, LENGTH, DEGREE, ORDER, COMPONENTS, IMAGES, SECTIONS, EFFECTS];
+        [MARK, VERSION, FORMAT, LENGTH, DEGREE, ORDER, COMPONENTS, IMAGES, SECTIONS];
     let mut bytes = bytes.to_vec();
-    let ends = starts[1..].iter().copied().chain([HEADER]);
+    let ends = starts[1..].iter().copied().chain([SECTIONS + 2]);
     for (start, end) in starts.into_iter().zip(ends) {
         bytes[start..end].reverse();
     }

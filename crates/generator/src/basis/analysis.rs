@@ -51,17 +51,14 @@ impl Analysis {
         let weights = material_weights(scene, lights, materials)?;
         let of_materials = MaterialMoments::weighted(materials, weights);
         let gram = gram::of_sphere(scene.degree(), scene.order());
-        let effects = scene.effects.set();
-        let selection = selection::highest(&gram, effects, scene.basis.modes);
-        let kept = Kept { effects, selection };
+        let kept = Kept { selection: selection::highest(&gram, scene.basis.modes) };
         let azimuths: Vec<Result<Azimuth>> = (0..=gram.degree)
             .into_par_iter()
             .map(|azimuth| analyze(&gram, &kept, (&light, &of_materials), &scene.basis, azimuth))
             .collect();
         // Report the first fault by azimuth, regardless of which thread found one first.
         let azimuths = azimuths.into_iter().collect::<Result<Vec<_>>>()?;
-        let whole =
-            moments::deviations(&light, &of_materials, effects, Criterion::ImageCentered, 0);
+        let whole = moments::deviations(&light, &of_materials, Criterion::ImageCentered, 0);
         let size = azimuths[0].block.images(&gram, &whole).norm_l2();
         in_range(size)?;
         let strongest = largest_of(&azimuths, |azimuth| &azimuth.principal.singular_values);
@@ -122,8 +119,7 @@ impl Analysis {
         }
         let mut material = self.materials.mean.clone();
         material.iter_mut().for_each(|b| *b *= self.light.ambient_mean);
-        let mut deviation = moments::Deviation { degree: 0, material };
-        deviation.leave(self.kept.effects);
+        let deviation = moments::Deviation { degree: 0, material };
         Some(self.azimuths[0].block.images(&self.gram, &[deviation]))
     }
 
@@ -204,7 +200,7 @@ fn analyze(
         Store::Modes => Block::new(gram, azimuth, &keeps)?,
         _ => Block::without_modes(gram, azimuth, &keeps)?,
     };
-    let deviations = moments::deviations(light, materials, kept.effects, criterion, azimuth);
+    let deviations = moments::deviations(light, materials, criterion, azimuth);
     let images = block.images(gram, &deviations);
     let constant = (criterion == Criterion::ImageCentered && azimuth == 0)
         .then(|| constant_coordinates(gram, &block.space));

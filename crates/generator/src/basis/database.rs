@@ -108,8 +108,7 @@ fn variances(
         let signs = if azimuth == 0 { 1.0 } else { 2.0 };
         let columns = gram.columns(azimuth);
         let modes: Vec<_> = mode::indices(gram.degree, gram.order, azimuth).collect();
-        let wanted = scene.effects.set();
-        let all = moments::deviations(&light, &equal, wanted, Criterion::ImageCentered, azimuth);
+        let all = moments::deviations(&light, &equal, Criterion::ImageCentered, azimuth);
         // For each degree with light, one deviation of each material in turn.
         for (number, deviation) in all.iter().enumerate() {
             let mut image = vec![0.0; gram.nodes.len()];

@@ -6,12 +6,10 @@ use crate::basis::canonical::Ranked;
 use crate::basis::pca::{Block, Principal};
 use crate::basis::profile;
 use crate::basis::profile::ProfileSpace;
-use eigenshade_index::effect::{Effect, Effects};
 use eigenshade_index::pair;
 use eigenshade_table::{Component, GramFactor, Profile, Table};
 use faer::Mat;
 use rayon::iter::{IntoParallelRefIterator, ParallelIterator};
-use std::f64::consts::FRAC_1_SQRT_2;
 
 /// Number of components whose orthonormality is reported.
 pub(crate) const REPORTED: usize = 100;
@@ -73,7 +71,6 @@ impl Selected {
         threshold: f64,
         tolerance: f64,
     ) {
-        let effects = table.effects();
         table.components = self.components;
         table.profiles = self
             .profiles
@@ -81,8 +78,7 @@ impl Selected {
             .map(|ranked| {
                 let azimuth = &azimuths[ranked.azimuth];
                 let coordinates = coordinates(&table.gram, azimuth, ranked);
-                let of = (&table.gram, effects);
-                profile(of, &azimuth.block, &coordinates, tolerance, threshold)
+                profile(&table.gram, &azimuth.block, &coordinates, tolerance, threshold)
             })
             .collect();
     }
@@ -110,7 +106,7 @@ pub(crate) fn signed_left(block: &Block, rank: usize) -> Mat<f64> {
 }
 
 fn profile(
-    of: (&GramFactor, Effects),
+    gram: &GramFactor,
     block: &Block,
     coordinates: &Mat<f64>,
     tolerance: f64,
@@ -118,12 +114,12 @@ fn profile(
 ) -> Profile {
     let modes = block.mode_coefficients(coordinates, threshold);
     let modes = modes.col(0).iter().copied().collect();
-    Profile { modes, ..image(of, block, coordinates, tolerance) }
+    Profile { modes, ..image(gram, block, coordinates, tolerance) }
 }
 
 /// A profile from its coordinates, given as a column; its mode coefficients are left empty.
 pub(crate) fn image(
-    of: (&GramFactor, Effects),
+    gram: &GramFactor,
     block: &Block,
     coordinates: &Mat<f64>,
     tolerance: f64,
@@ -134,7 +130,7 @@ pub(crate) fn image(
     let node_values = first(block.space.node_values(coordinates));
     Profile {
         azimuth: block.azimuth,
-        factors: factors(of, block.azimuth, &node_values),
+        factors: factors(gram, block.azimuth, &node_values),
         modes: Vec::new(),
         chebyshev,
         node_values,
@@ -142,31 +138,15 @@ pub(crate) fn image(
 }
 
 /// The factored form of UᵀM for one profile, see [`Profile::factors`].
-fn factors(
-    (gram, effects): (&GramFactor, Effects),
-    azimuth: usize,
-    node_values: &[f64],
-) -> Vec<f64> {
+fn factors(gram: &GramFactor, azimuth: usize, node_values: &[f64]) -> Vec<f64> {
     let weighted: Vec<f64> =
         node_values.iter().zip(&gram.root_weights).map(|(value, root)| value * root).collect();
     let mut factors = Vec::new();
     for l in azimuth..=gram.degree {
-        let kept = l > 0 || effects.has(Effect::Ambient);
-        for (p, q) in pair::indices(effects.factored_order(gram.order)) {
-            let kept = kept && q <= l;
+        for (p, q) in pair::indices(gram.order) {
+            let kept = q <= l;
             factors.push(if kept { factor(gram, azimuth, &weighted, l, [p, q]) } else { 0.0 });
         }
-    }
-    if azimuth == 0 {
-        let polar = |o: usize| {
-            let row = pair::position(o, 0) * (gram.degree + 1);
-            gram.polar_integrals[row] * ((o + 1) as f64).sqrt()
-        };
-        let factor = |p: usize| factor(gram, 0, &weighted, 0, [p, 0]);
-        factors.extend(effects.unfactored(gram.order).map(|(o, p)| match o == p {
-            true => polar(o) * factor(o),
-            false => (polar(o) * factor(p) + polar(p) * factor(o)) * FRAC_1_SQRT_2,
-        }));
     }
     factors
 }

@@ -83,8 +83,7 @@ pub fn chosen(
         MaterialMoments::weighted(&materials, weights)
     };
     let gram = gram::of_sphere(scene.degree(), scene.order());
-    let effects = scene.effects.set();
-    let kept = Kept { effects, selection: selection::highest(&gram, effects, scene.basis.modes) };
+    let kept = Kept { selection: selection::highest(&gram, scene.basis.modes) };
     let span = Span::new(&gram, &kept)?;
     let cutoff = scene.basis.rank_cutoff;
     let observed = Observed::new(&span, geometry, cutoff)?;
@@ -162,7 +161,7 @@ pub fn chosen(
     };
     let images = observed.images(&shown);
     table.profiles =
-        span.table_profiles((&table.gram, effects), scene.basis.profile_tolerance, &images, &mean);
+        span.table_profiles(&table.gram, scene.basis.profile_tolerance, &images, &mean);
     table.summary.orthonormality = observed.orthonormality(&shown, rank, REPORTED);
     if energy > 0.0 {
         table.summary.energy_kept = (1.0 - table.energy_left(kept) / energy).max(0.0);

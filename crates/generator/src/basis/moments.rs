@@ -5,8 +5,7 @@
 //! V_c = Σ_t v_t v_tᵀ has one vector v_t for each degree l of the light and each material:
 //! √E{(L_l^m)²} b_j / √n. So nothing is squared, and no matrix square root is needed.
 
-use eigenshade_index::effect::Effects;
-use eigenshade_index::{light, material};
+use eigenshade_index::light;
 use eigenshade_model::database::{Lights, Materials};
 use eigenshade_model::error::{Error, Result};
 use eigenshade_model::rotation::Rotation;
@@ -153,24 +152,12 @@ pub struct Deviation {
     pub material: Vec<f64>,
 }
 
-impl Deviation {
-    /// Keeps only the coefficients that belong to these effects.
-    pub fn leave(&mut self, effects: Effects) {
-        let order = (0..).find(|&order| material::count(order) >= self.material.len());
-        let modes = material::indices(order.unwrap_or(0));
-        for (b, (o, _, _)) in self.material.iter_mut().zip(modes) {
-            *b = if effects.keeps(self.degree, o) { *b } else { 0.0 };
-        }
-    }
-}
-
 /// The factor of V_c ([`Criterion::ImageCentered`]) or of Σ_c, (34) ([`Criterion::Standard`]), for
-/// the modes of one azimuth and the given effects.
+/// the modes of one azimuth.
 #[must_use]
 pub fn deviations(
     light: &LightMoments,
     materials: &MaterialMoments,
-    effects: Effects,
     criterion: Criterion,
     azimuth: usize,
 ) -> Vec<Deviation> {
@@ -194,7 +181,6 @@ pub fn deviations(
             }
         }
     }
-    deviations.iter_mut().for_each(|deviation| deviation.leave(effects));
     deviations
 }
 

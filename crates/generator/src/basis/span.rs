@@ -8,7 +8,6 @@ use crate::basis::eigenimages::{self, constant_coordinates, signed_left};
 use crate::basis::pca::Block;
 use crate::basis::profile::chebyshev_values;
 use crate::object::geometry::WeightedNormals;
-use eigenshade_index::effect::Effects;
 use eigenshade_index::{light, material, mode};
 use eigenshade_model::error::Result;
 use eigenshade_model::selection::Kept;
@@ -247,7 +246,7 @@ impl Span {
     /// of any image in that profile, so its contribution to an image stays within `tolerance`.
     pub(crate) fn table_profiles(
         &self,
-        of_table: (&GramFactor, Effects),
+        gram: &GramFactor,
         tolerance: f64,
         images: &Mat<f64>,
         mean: &[f64],
@@ -265,7 +264,7 @@ impl Span {
                 let weight = functions.by_ref().take(signs).map(largest).fold(0.0, f64::max);
                 let coordinates = of.profiles.get(.., profile..profile + 1).to_owned();
                 let tolerance = (tolerance / weight).min(1.0);
-                let image = eigenimages::image(of_table, &of.block, &coordinates, tolerance);
+                let image = eigenimages::image(gram, &of.block, &coordinates, tolerance);
                 // The span's own U is V / s; `modes` is s V.
                 let modes = of.modes.row(profile).iter();
                 let modes = modes.map(|mode| mode / singular.powi(2)).collect();

@@ -1,7 +1,6 @@
 //! The record of a basis in floats, and that of eigenimages over a span.
 
-use super::{Item, NONE, Word, item, record};
-use crate::effect::Effects;
+use super::{Azimuth, Item, NONE, Word, item, record};
 use crate::layout;
 use zerocopy::{FromBytes, Immutable, KnownLayout};
 
@@ -13,23 +12,21 @@ record! {
         degree: usize,
         /// Largest order o of the BRDF.
         order: usize,
-        /// The effects that the basis covers.
-        effects: Effects,
         /// Number of components K.
         components: usize,
     }
     arrays {
         /// Slant profiles, in order of |m|.
         profiles: [ProfilePlace],
-        /// The layout of a transfer.
+        /// For each |m|, where its profiles, factors and terms are.
+        azimuths: [Azimuth],
+        /// The layout of a transfer, in groups of orders.
         passes: [Pass],
+        /// The layout of a transfer, order by order: 0, 1, -1, 2, -2, ...
+        runs: [Run],
         /// For each pass, profile and lane, the number of its component, or a number that the basis
         /// does not have.
         slots: [u16],
-        /// The pairs that each coefficient of the material couples, in the order of
-        /// [`material`](crate::material), up to the largest order that the effects factor.
-        /// Coefficients that are not factored have [`Coupling::NONE`].
-        couplings: [Coupling],
         /// Number of polynomial terms for each |m|.
         lengths: [u16],
         /// √(o+1) N_l^q C_lo^q of (11): for each pair a row over l, padded to `layout::groups`
@@ -42,16 +39,6 @@ record! {
         /// For each profile, its polynomial in t = 2z - 1 and u = 2t² - 1, times √2 if m is not 0:
         /// the factors of ..., tu, u, t, 1.
         terms: [S],
-        /// The mean image's polynomial, or empty.
-        mean: [S],
-        /// The mean image's coefficients, or empty.
-        mean_coefficients: [S],
-        /// For each |m|, each (o, p, q) and each l, whether the mode is selected; empty if all
-        /// modes are.
-        selection: [bool],
-        /// For each profile of m = 0, a row of UᵀM over the coefficients that are
-        /// [not factored](crate::effect::Effects::unfactored); empty if all are.
-        ambient: [S],
     }
 }
 
@@ -68,10 +55,6 @@ record! {
         projection: [S],
         /// The coordinates of each eigenimage in the span.
         synthesis: [S],
-        /// The coordinates of the mean image in the span, or empty.
-        span_mean: [S],
-        /// The coefficients of the mean image, or empty.
-        image_mean: [S],
     }
 }
 
@@ -114,16 +97,17 @@ impl ProfilePlace {
         component(self.minus)
     }
 
+    /// The numbers of the components of +m and of -m, or [`NONE`].
+    #[inline]
+    #[must_use]
+    pub const fn components(self) -> [u16; 2] {
+        [self.plus, self.minus]
+    }
+
     /// The row of the component of this sign.
     #[must_use]
     pub const fn row(self, sign: isize) -> Row {
         if sign < 0 { self.minus_row } else { self.plus_row }
-    }
-
-    /// The number of the component of this sign, or [`NONE`].
-    #[must_use]
-    pub const fn component(self, sign: isize) -> u16 {
-        if sign < 0 { self.minus } else { self.plus }
     }
 
     /// |m|.
@@ -146,22 +130,6 @@ item! {
 }
 
 item! {
-    /// The pairs that one coefficient b_op^q couples: polar integrals of (o, q) are added to the
-    /// sum of (p, q), and vice versa.
-    Coupling {
-        /// Position of (o, q) among the pairs.
-        o: u16,
-        /// Position of (p, q) among the pairs.
-        p: u16,
-    }
-}
-
-impl Coupling {
-    /// The coupling of a coefficient that the effects of the basis do not factor.
-    pub const NONE: Self = Self { o: NONE, p: NONE };
-}
-
-item! {
     /// Part of a transfer: [`layout::LANES`] orders m beginning with `first`, with `profiles`
     /// profiles each.
     Pass {
@@ -169,13 +137,44 @@ item! {
         first: i16,
         /// Number of profiles of each order, at most [`layout::PASS`].
         profiles: u16,
+        /// Position of its numbers in a transfer.
+        start: u32,
+        /// Position of its components among the slots.
+        slots: u32,
+    }
+}
+
+item! {
+    /// Part of a transfer: profiles of one order whose rows stand side by side, [`layout::LANES`]
+    /// numbers from one to the next.
+    Run {
+        /// The order m.
+        order: i16,
+        /// Number of profiles, at most [`layout::PASS`].
+        profiles: u16,
+        /// The number of its first profile.
+        first: u16,
+        /// Distance from one degree to the next.
+        step: u16,
+        /// Position of the number of its first profile and l = |m|.
+        start: u32,
+    }
+}
+
+impl Run {
+    /// Whether its order and its number of profiles are ones that a table may have.
+    #[must_use]
+    pub const fn fits(self) -> bool {
+        self.profiles > 0
+            && self.profiles as usize <= layout::PASS
+            && self.order.unsigned_abs() as usize <= layout::MAX_DEGREE
     }
 }
 
 impl Pass {
-    /// Number of slots, which is the number of entries for one degree.
+    /// Number of entries for one degree.
     #[must_use]
-    pub const fn slots(self) -> usize {
+    pub const fn width(self) -> usize {
         layout::LANES * self.profiles as usize
     }
 
@@ -189,6 +188,6 @@ impl Pass {
         if !aligned || lowest > degree || profiles == 0 || profiles > layout::PASS {
             return None;
         }
-        Some(self.slots() * (degree + 1 - lowest))
+        Some(self.width() * (degree + 1 - lowest))
     }
 }

@@ -1,7 +1,6 @@
 //! The record of a basis in integers. A number is a mantissa times 2 to its exponent.
 
-use super::{Item, NONE, Word, item, record};
-use crate::effect::Effects;
+use super::{Azimuth, Item, NONE, Word, item, record};
 use zerocopy::{FromBytes, Immutable, KnownLayout};
 
 record! {
@@ -13,14 +12,14 @@ record! {
         degree: usize,
         /// Largest order o of the BRDF.
         order: usize,
-        /// The effects that the basis covers. All coefficients must be factored.
-        effects: Effects,
         /// Number of components K.
         components: usize,
     }
     arrays {
         /// Slant profiles, in order of |m|.
         profiles: [Profile],
+        /// For each |m|, where its profiles, rows of factors and terms are.
+        azimuths: [Azimuth],
         /// Number of polynomial terms for each |m|.
         lengths: [u8],
         /// √(o+1) N_l^q C_lo^q of (11): for each l a row over the pairs (o, q). This and the next

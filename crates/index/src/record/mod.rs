@@ -7,12 +7,11 @@
 pub mod floats;
 pub mod integers;
 
-pub use floats::{Coupling, Pass, ProfilePlace, Row};
+pub use floats::{Pass, ProfilePlace, Row, Run};
 pub use integers::{Profile, Q15};
 
-use crate::effect::{Effect, Effects};
 use core::fmt::{self, Debug, Write};
-use zerocopy::{Immutable, KnownLayout, TryFromBytes};
+use zerocopy::{FromBytes, Immutable, KnownLayout, TryFromBytes};
 
 /// Marks a missing component.
 pub const NONE: u16 = u16::MAX;
@@ -73,19 +72,6 @@ impl Size for usize {
     }
 }
 
-impl Size for Effects {
-    fn write(self, to: &mut impl Write) -> fmt::Result {
-        if self.is_all() {
-            return to.write_str("eigenshade::Effects::ALL");
-        }
-        to.write_str("eigenshade::Effects::NONE")?;
-        for effect in Effect::ALL.into_iter().filter(|&effect| self.has(effect)) {
-            write!(to, ".with(eigenshade::Effect::{effect:?})")?;
-        }
-        Ok(())
-    }
-}
-
 /// The words of numbers.
 macro_rules! primitive {
     ($($type:ident $name:literal |$number:ident| $word:expr;)*) => {$(
@@ -134,6 +120,34 @@ macro_rules! item {
     };
 }
 pub(crate) use item;
+
+item! {
+    /// Where the numbers of one |m| are.
+    Azimuth {
+        /// The number of its first profile.
+        first: u16,
+        /// Number of profiles.
+        profiles: u16,
+        /// Position of its polynomials in a scene: that of +m, then that of -m.
+        start: u32,
+        /// Position of the terms of its first profile.
+        terms: u32,
+        /// Number of rows of factors before its own.
+        rows: u32,
+    }
+}
+
+impl Azimuth {
+    /// Whether these are its numbers, in order.
+    #[must_use]
+    pub const fn is(&self, [first, profiles, start, terms, rows]: [usize; 5]) -> bool {
+        self.first as usize == first
+            && self.profiles as usize == profiles
+            && self.start as usize == start
+            && self.terms as usize == terms
+            && self.rows as usize == rows
+    }
+}
 
 /// A record of sizes and of arrays, borrowed and owned, in the order of a file. `S` is the number
 /// format of the arrays `[S]`.

@@ -3,7 +3,7 @@
 use super::{Constants, line, words};
 use crate::layout;
 use crate::record::floats::{GeneralParts, Parts};
-use crate::record::{Coupling, NONE, ProfilePlace, Row};
+use crate::record::{NONE, ProfilePlace, Row};
 use alloc::format;
 use alloc::string::String;
 use alloc::vec::Vec;
@@ -59,14 +59,8 @@ fn sphere(parts: &Parts<'_, f32>) -> String {
     format!("sphere passes {} runs {}", words(passes), words(runs))
 }
 
-/// The parts of a projection. A table with a selection of modes is projected by its basis, since
-/// its polar integrals differ from azimuth to azimuth; so is one of effects that leave out orders
-/// between others, or whose ambient stands apart.
+/// The parts of a projection.
 fn project(parts: &Parts<'_, f32>) -> String {
-    let whole = parts.ambient.is_empty() && !parts.couplings.contains(&Coupling::NONE);
-    if !whole || !parts.selection.is_empty() {
-        return "by basis".into();
-    }
     let order = parts.order;
     let scatter = (0..=order).map(|q| format!("[{q} {}]", (order - q) / 2 + 1));
     let mut text = format!("scatter {}", words(scatter));
@@ -79,12 +73,8 @@ fn project(parts: &Parts<'_, f32>) -> String {
     text
 }
 
-/// The azimuths of a scene and their profiles. A mean image is one summand more: the basis takes
-/// it.
+/// The azimuths of a scene and their profiles.
 fn collapse(parts: &Parts<'_, f32>) -> String {
-    if !parts.mean.is_empty() {
-        return "by basis".into();
-    }
     let azimuths = parts.profiles.chunk_by(|a, b| a.azimuth == b.azimuth);
     words(azimuths.map(|profiles| format!("[{} {}]", profiles[0].azimuth, profiles.len())))
 }

@@ -41,9 +41,7 @@ fn transfer_of(parts: &Parts<'_, Q15>) -> String {
         return "transfer by basis".into();
     }
     let pairs = pair::indices(parts.order).map(|(p, q)| {
-        let coupled = |o: &usize| parts.effects.factored(p.max(*o));
-        let orders = (q..=parts.order).step_by(2).filter(coupled);
-        format!("[{p} {q} {}]", words(orders))
+        format!("[{p} {q} {}]", words((q..=parts.order).step_by(2)))
     });
     format!("transfer scatter {} azimuths {}", words(pairs), azimuths_of(parts))
 }

@@ -54,11 +54,6 @@ pub enum Fault {
         /// The order found.
         order: usize,
     },
-    /// The file has a set of effects that does not exist.
-    Effects {
-        /// The bits of the set.
-        bits: u16,
-    },
     /// A section lies outside the file, is not an array of its kind or is missing, or there is one
     /// section too many.
     Section {
@@ -125,10 +120,6 @@ impl fmt::Display for Fault {
                 f,
                 "wire file: degree up to {MAX_DEGREE} and order up to {MAX_ORDER} expected, {degree} and \
                  {order} found; pack the table again"
-            ),
-            Self::Effects { bits } => write!(
-                f,
-                "wire file: bits of effects from 1 to 15 expected, {bits} found; pack the table again"
             ),
             Self::Section { number } => write!(
                 f,

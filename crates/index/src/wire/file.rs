@@ -2,7 +2,6 @@
 
 use super::fault::Fault;
 use super::{ALIGNMENT, CHECKSUM, ENTRY, HEADER, LABEL, MARK, VERSION, place};
-use crate::effect::Effects;
 use crate::format::NumberFormat;
 use crate::layout::{MAX_DEGREE, MAX_ORDER};
 use crate::record::{Item, Q15, Reader, floats, integers};
@@ -117,8 +116,6 @@ pub struct Header {
     pub degree: usize,
     /// Largest order o of the BRDF.
     pub order: usize,
-    /// The effects that the table covers.
-    pub effects: Effects,
     /// Number of components; if there are eigenimages, the components of their span.
     pub components: usize,
     /// Number of eigenimages over the span, or 0.
@@ -129,8 +126,8 @@ pub struct Header {
 
 impl Header {
     /// The sizes of a record.
-    const fn shape(&self) -> (usize, usize, Effects, usize) {
-        (self.degree, self.order, self.effects, self.components)
+    const fn shape(&self) -> (usize, usize, usize) {
+        (self.degree, self.order, self.components)
     }
 
     /// Reads the header of a file. The bytes need not be aligned or complete, and the checksum is
@@ -153,12 +150,9 @@ impl Header {
             return Err(if other { Fault::Endianness } else { Fault::BadMagic });
         }
         let version = short(header, place::VERSION);
-        let bits = short(header, place::EFFECTS);
         if version != VERSION {
             return Err(Fault::Version(version));
         }
-        let effects = Effects::from_bits(bits).filter(|&one| one != Effects::NONE);
-        let Some(effects) = effects else { return Err(Fault::Effects { bits }) };
         let size = |at| usize::from(short(header, at));
         let (degree, order) = (size(place::DEGREE), size(place::ORDER));
         if degree > MAX_DEGREE || order > MAX_ORDER {
@@ -170,7 +164,6 @@ impl Header {
             length: long(header, place::LENGTH) as usize,
             degree,
             order,
-            effects,
             components: size(place::COMPONENTS),
             images: size(place::IMAGES),
             sections: size(place::SECTIONS),

@@ -17,12 +17,12 @@ pub const LABEL: [u8; 8] = *b"EIGSWIRE";
 pub const MARK: u32 = 0x0102_0304;
 
 /// The wire format version.
-pub const VERSION: u16 = 2;
+pub const VERSION: u16 = 3;
 
 /// The alignment in bytes of a file and of each of its sections.
 pub const ALIGNMENT: usize = 4;
 
-/// Size of the header in bytes: label, mark, version, format, length, shape.
+/// Size of the header in bytes: label, mark, version, format, length, shape, and two bytes of zero.
 pub const HEADER: usize = 32;
 
 /// Size in bytes of a section's entry after the header: its start and its length.
@@ -51,6 +51,4 @@ pub mod place {
     pub const IMAGES: usize = 26;
     /// u16: number of sections.
     pub const SECTIONS: usize = 28;
-    /// u16: the bits of the effects that the table serves.
-    pub const EFFECTS: usize = 30;
 }

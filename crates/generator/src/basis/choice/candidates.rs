@@ -11,7 +11,6 @@ use crate::basis::database::material_weights;
 use crate::basis::eigenimages::constant_coordinates;
 use crate::basis::gram;
 use crate::basis::moments::{LightMoments, MaterialMoments, deviations};
-use eigenshade_index::effect::Effects;
 use eigenshade_index::{layout, pair};
 use eigenshade_model::database::{self, Lights, Materials};
 use eigenshade_model::error::{Error, Result};
@@ -85,17 +84,18 @@ pub(super) fn least(
     allowed: f64,
 ) -> Result<Candidate> {
     let weights = database::weights(&lights.entries, &scene.light.weights)?;
+    let effects = scene.effects.set();
+    let lights = &lights.truncated(effects.degree(lights.degree));
+    let materials = &materials.truncated(effects.order(materials.order));
     let light = LightMoments::weighted(lights, scene.light.normalize, &weights)?;
     let weights = material_weights(scene, lights, materials)?;
     let of_materials = MaterialMoments::weighted(materials, weights);
     let gram = gram::of_sphere(lights.degree, materials.order);
-    let effects = scene.effects.set();
-    let kept = Kept { effects, selection: Vec::new() };
-    let moments =
-        |criterion, azimuth| deviations(&light, &of_materials, effects, criterion, azimuth);
+    let kept = Kept { selection: Vec::new() };
+    let moments = |criterion, azimuth| deviations(&light, &of_materials, criterion, azimuth);
     let energies =
         Energies::new(&gram, &kept, |azimuth| moments(Criterion::ImageCentered, azimuth));
-    let candidates = within(&energies, effects, [gram.degree, gram.order], allowed);
+    let candidates = within(&energies, [gram.degree, gram.order], allowed);
 
     let criterion = scene.basis.criterion;
     let mut spectra = vec![Vec::new(); candidates.len()];
@@ -123,7 +123,7 @@ pub(super) fn least(
         let left = [candidate.degrees_left, candidate.orders_left];
         let profiles = profiles(spectrum, criterion, (1.0 - POLYNOMIALS) * budget(allowed, left));
         let reach = [candidate.degree, candidate.order];
-        (numbers(scene.basis.store, effects, reach, &profiles, transfers), candidate)
+        (numbers(scene.basis.store, reach, &profiles, transfers), candidate)
     });
     // Ties go to the first.
     let least = sized.reduce(|least, one| if one.0 < least.0 { one } else { least });
@@ -133,19 +133,17 @@ pub(super) fn least(
 /// The candidates, sorted by degree, then order.
 fn within(
     energies: &Energies,
-    effects: Effects,
     [most_degree, most_order]: [usize; 2],
     allowed: f64,
 ) -> Vec<Candidate> {
     let negligible = NEGLIGIBLE * NEGLIGIBLE * allowed;
     let mut candidates = Vec::new();
-    for degree in (0..=most_degree).filter(|&degree| effects.degree(degree) == degree) {
-        for order in (0..=most_order).filter(|&order| effects.order(order) == order) {
-            let has_modes = (0..=degree).any(|l| (0..=order).any(|o| effects.keeps(l, o)));
+    for degree in 0..=most_degree {
+        for order in 0..=most_order {
             let one = Candidate::new(energies, degree, order);
             let left = budget(allowed, [one.degrees_left, one.orders_left]);
             let is_last = one.orders_left <= negligible;
-            if has_modes && left >= LEAST_BUDGET * LEAST_BUDGET * allowed {
+            if left >= LEAST_BUDGET * LEAST_BUDGET * allowed {
                 candidates.push(one);
             }
             if is_last {
@@ -203,11 +201,10 @@ fn profiles(spectrum: Vec<(usize, f64)>, criterion: Criterion, allowed: f64) -> 
     profiles
 }
 
-/// How many numbers projection reads from the runtime table: polar integrals, factors and the
-/// unfactored part; or the transfers of `transfers` materials.
+/// How many numbers projection reads from the runtime table: polar integrals and factors; or the
+/// transfers of `transfers` materials.
 fn numbers(
     store: Store,
-    effects: Effects,
     [degree, order]: [usize; 2],
     profiles: &[usize],
     transfers: usize,
@@ -217,9 +214,7 @@ fn numbers(
         let rows = by_azimuth.map(|(azimuth, count)| count * (degree + 1 - azimuth));
         return transfers * rows.sum::<usize>();
     }
-    let factored = effects.factored_order(order);
-    let polar = pair::count(factored) * layout::LANES * layout::groups(degree);
-    let factors =
-        by_azimuth.map(|(azimuth, &count)| layout::factors(degree, factored, azimuth, count));
-    polar + factors.sum::<usize>() + profiles[0] * effects.unfactored_count(order)
+    let polar = pair::count(order) * layout::LANES * layout::groups(degree);
+    let rows = by_azimuth.map(|(azimuth, &count)| layout::rows(degree, azimuth, count));
+    polar + layout::row(order) * rows.sum::<usize>()
 }
