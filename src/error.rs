@@ -47,7 +47,7 @@ pub enum Error {
     /// integers, two profiles.
     Profile,
     /// The passes of a basis are invalid. A pass is beyond the degree or is not laid out as
-    /// [`index::layout`](crate::index::layout) specifies, or the slots do not contain the
+    /// [`eigenshade_table::layout`] specifies, or the slots do not contain the
     /// components where the profiles have their rows.
     Pass,
     /// A coupling or the effects of a basis do not match its order.

@@ -2,9 +2,9 @@
 //! quadrature are d from light and material.
 
 use crate::tolerances;
-use eigenshade::index::material;
 use eigenshade::{Effect, Effects, Error, Light, Material, sphere};
 use eigenshade_shading::owned_basis::OwnedBasis;
+use eigenshade_table::material;
 use eigenshade_testing::fixtures::{self, normal, projected};
 use eigenshade_testing::images::single;
 use eigenshade_testing::oracle::Numbers;

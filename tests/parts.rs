@@ -1,7 +1,7 @@
 //! A basis whose parts contradict each other is refused.
 
-use eigenshade::index::record::{Coupling, NONE, Pass, ProfilePlace, Row};
 use eigenshade::{Argument, Basis, Error, Light, Material, Parts, q15, sphere};
+use eigenshade_table::record::{Coupling, NONE, Pass, ProfilePlace, Row};
 
 /// The shipped table's parts.
 fn shipped() -> Parts<'static> {

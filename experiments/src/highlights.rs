@@ -8,7 +8,6 @@ use crate::sheet::{Record, Sheet, fields};
 use eigenshade_generator::light::environment::EnvironmentMap;
 use eigenshade_generator::light::projection::named_maps;
 use eigenshade_generator::material::brdf::Measure;
-use eigenshade_index::highlights::{LARGEST_SET, ROUGHNESS, SETS};
 use eigenshade_model::error::{Error, Result};
 use eigenshade_model::inputs::source_csv::read_sources;
 use eigenshade_model::rotation::Rotation;
@@ -22,6 +21,7 @@ use eigenshade_sources::response::{Glossy, Response};
 use eigenshade_sources::screen::Reference;
 use eigenshade_sources::sphere::{Picture, Sphere};
 use eigenshade_sources::view::View;
+use eigenshade_table::highlights::{LARGEST_SET, ROUGHNESS, SETS};
 use indicatif::ProgressBar;
 use std::path::Path;
 

@@ -7,10 +7,10 @@
 use crate::light_tree::LightTree;
 use crate::sphere::{self, Picture, Sphere};
 use eigenshade_generator::material::brdf::Surface;
-use eigenshade_index::light;
 use eigenshade_model::database::{Lights, Named};
 use eigenshade_model::error::{Error, Result};
 use eigenshade_shading::sphere_rings::rings;
+use eigenshade_table::light;
 use indicatif::ProgressBar;
 
 /// The widest spacing of normals in radians.

@@ -2,9 +2,9 @@
 //! `docs/accuracy-cost` with the same counts, and the firmware builds the setting's table.
 
 use crate::support::repository;
-use eigenshade::index::layout::LANES;
 use eigenshade_cli::table::compare::differences;
 use eigenshade_table::Table;
+use eigenshade_table::layout::LANES;
 use eigenshade_table::reduce::with_components;
 use eigenshade_table::trim::trim;
 use experiments::accuracy_cost::scope::{Bases, Scope};

@@ -178,7 +178,7 @@ fn the_window_of_materials_in_color_pays() {
     for channel in plain.entries.iter_mut().flat_map(|entry| &mut entry.rgb) {
         for o in 1..=7 {
             let x = PI * o as f64 / WIDTH;
-            let [start, end] = [o - 1, o].map(eigenshade_index::material::count);
+            let [start, end] = [o - 1, o].map(eigenshade_table::material::count);
             channel[start..end].iter_mut().for_each(|b| *b /= (x.sin() / x).powi(4));
         }
     }

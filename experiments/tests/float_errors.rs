@@ -63,7 +63,7 @@ fn errors([degree, order]: [usize; 2]) -> Vec<Errors> {
 fn table([degree, order]: [usize; 2]) -> (Table, Lights, Materials) {
     let scene = scene(degree, order, usize::MAX).expect("the shipped scene");
     let mut materials = glossy::materials(order);
-    let mut matte = vec![0.0; eigenshade_index::material::count(order)];
+    let mut matte = vec![0.0; eigenshade_table::material::count(order)];
     matte[0] = 2.0;
     materials.entries.push(named("lambertian", matte));
     let lights = shipped::lights().expect("the shipped lights").truncated(degree);

@@ -4,13 +4,13 @@ use crate::OF_DIGITS;
 use crate::support::repository;
 use eigenshade::sphere;
 use eigenshade_generator::light::environment::EnvironmentMap;
-use eigenshade_index::highlights::ROUGHNESS;
 use eigenshade_model::screen::ScreenError;
 use eigenshade_model::source::{Base, Gloss, NamedGloss, SetError};
 use eigenshade_shading::shipped;
 use eigenshade_sources::remaining;
 use eigenshade_sources::response::Glossy;
 use eigenshade_sources::view::View;
+use eigenshade_table::highlights::ROUGHNESS;
 use experiments::highlights::{Row, errors, glosses, read};
 use indicatif::ProgressBar;
 

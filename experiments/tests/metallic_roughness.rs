@@ -2,13 +2,13 @@
 
 use crate::assert_recorded;
 use crate::support::{Folder, numbers, rows};
-use eigenshade::index::material::{count, indices};
 use eigenshade::presets::light::PARK;
 use eigenshade::{Argument, Error, Material, Normal, Q15, Transfer, q15, sphere};
 use eigenshade_generator::material::brdf::projection::project_orders;
 use eigenshade_generator::material::brdf::{Ggx, Measure};
 use eigenshade_model::reference::DirectSum;
 use eigenshade_shading::shipped;
+use eigenshade_table::material::{count, indices};
 use eigenshade_testing::fixtures::spiral;
 
 /// The largest difference of a pixel in f32, relative to the largest irradiance of the channel.

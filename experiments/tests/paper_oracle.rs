@@ -2,11 +2,11 @@
 
 use crate::support::repository;
 use crate::{oracle, tolerances};
-use eigenshade_index::{light, material, mode};
 use eigenshade_model::evaluation::Evaluator;
 use eigenshade_model::irradiance;
 use eigenshade_model::selection::variances;
 use eigenshade_shading::parallel;
+use eigenshade_table::{light, material, mode};
 use eigenshade_testing::fixtures::of_equal_areas;
 use experiments::paper::bound::render;
 use experiments::paper::partial_sum::PartialSum;

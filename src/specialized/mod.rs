@@ -18,6 +18,7 @@ pub mod relight {
     pub use crate::relight::{GROUPS, inputs, run, sums, write};
 }
 
+pub use crate::index::{layout, material, pair, record};
 pub use crate::places::KnownTable;
 
 use crate::error::{Argument, Error};

@@ -164,7 +164,7 @@ fn compiled() -> (String, Vec<[Vec<f32>; 2]>) {
         let (table, ..) = self::table(&folder, &small);
         let name = format!("of_{degree}_{order}");
         let parts = integers(&table, TOLERANCE).expect("parts");
-        let count = eigenshade_index::material::count(order).to_string();
+        let count = eigenshade_table::material::count(order).to_string();
         body += &COMPARE_INTEGERS.replace("NAME", &name).replace("MATERIAL", &count);
         files.push((name, statics::integers(&parts, "a test")));
     }

@@ -8,7 +8,7 @@ use crate::support::{
     scene,
 };
 use crate::tolerances;
-use eigenshade_index::{light, material};
+use eigenshade_table::{light, material};
 
 /// If images do not vary, image-centered tables have the constant alone, and standard tables no
 /// component.

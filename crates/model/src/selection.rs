@@ -1,9 +1,8 @@
 //! The variance of each irradiance mode (2.4), and the selection of the modes with the highest
 //! variance (2.5).
 
-use eigenshade_index::effect::Effects;
-use eigenshade_index::mode;
-use eigenshade_table::GramFactor;
+use eigenshade_table::effect::Effects;
+use eigenshade_table::{GramFactor, mode};
 
 /// The modes of a scene: those that belong to its effects and that a selection kept.
 #[derive(Clone, Debug, PartialEq)]

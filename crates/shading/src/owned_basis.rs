@@ -1,7 +1,7 @@
 //! A table read at run time, as a runtime basis.
 
 use eigenshade::{Basis, GeneralBasis};
-use eigenshade_index::record::floats::{OwnedGeneralParts, OwnedParts};
+use eigenshade_table::record::floats::{OwnedGeneralParts, OwnedParts};
 use eigenshade_table::{Table, parts};
 
 /// The owned records of a basis.

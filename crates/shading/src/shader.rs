@@ -3,11 +3,11 @@
 use crate::overflow;
 use crate::owned_basis::{AnyBasis, OwnedTransfer};
 use eigenshade::{Light, Material, Normal, Normals, Scene};
-use eigenshade_index::effect::{Effect, Effects};
-use eigenshade_index::layout::{MAX_DEGREE, MAX_ORDER};
 use eigenshade_model::database::{Lights, Materials, Named};
 use eigenshade_model::error::{Error, Result};
 use eigenshade_table::Table;
+use eigenshade_table::effect::{Effect, Effects};
+use eigenshade_table::layout::{MAX_DEGREE, MAX_ORDER};
 use eigenshade_table::reduce::fingerprint;
 use std::path::Path;
 

@@ -1,7 +1,6 @@
 //! The shipped databases and table, compiled in, so that results do not depend on files in the
 //! working directory.
 
-use eigenshade_index::material;
 use eigenshade_model::database::{Lights, Materials};
 use eigenshade_model::error::{Error, Result};
 use eigenshade_model::inputs::coefficient_csv::{read_lights, read_materials};
@@ -11,7 +10,7 @@ use eigenshade_model::inputs::set_error_csv::read_set_errors;
 use eigenshade_model::inputs::source_csv::read_sources;
 use eigenshade_model::screen::ScreenError;
 use eigenshade_model::source::{NamedGloss, SetError, SourceSets};
-use eigenshade_table::decode;
+use eigenshade_table::{decode, material};
 use std::ffi::OsStr;
 use std::path::Path;
 

@@ -6,7 +6,6 @@ use crate::screen::{self, Reference};
 use crate::sphere::{Picture, Sphere};
 use crate::view::View;
 use eigenshade_generator::light::environment::EnvironmentMap;
-use eigenshade_index::light;
 use eigenshade_model::error::Result;
 use eigenshade_model::highlights::{self, Highlights};
 use eigenshade_model::rotation::Rotation;
@@ -14,6 +13,7 @@ use eigenshade_model::screen::ScreenError;
 use eigenshade_model::source::{Base, Gloss, SetError, SourceSets};
 use eigenshade_model::window::Window;
 use eigenshade_shading::parallel;
+use eigenshade_table::light;
 use std::convert::Infallible;
 
 /// The degrees and orders.
@@ -26,7 +26,7 @@ const VIEWS: [Option<Rotation>; 2] = [None, Some(Rotation { alpha: 0.6, beta: 1.
 const SPACING: f64 = 0.09;
 
 /// The materials of a kind with these roughnesses; those whose pictures are compared are of
-/// [`ROUGHNESS`](eigenshade_index::highlights::ROUGHNESS).
+/// [`ROUGHNESS`](eigenshade_table::highlights::ROUGHNESS).
 ///
 /// # Errors
 ///

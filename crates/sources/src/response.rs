@@ -1,11 +1,11 @@
 //! The irradiance of a material under each spherical harmonic, for any normal.
 
 use eigenshade_generator::material::brdf::{Brdf, Ggx, Measure, projection};
-use eigenshade_index::light;
 use eigenshade_model::error::Result;
 use eigenshade_model::reference::DirectSum;
 use eigenshade_model::source::Gloss;
 use eigenshade_model::special::spherical_harmonic::azimuth;
+use eigenshade_table::light;
 use rayon::iter::{IntoParallelIterator, ParallelIterator};
 use std::f64::consts::{FRAC_PI_2, PI};
 

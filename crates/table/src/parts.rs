@@ -2,13 +2,13 @@
 //! runtime's loops. They are in f64; rounding to the device's format comes last.
 
 use crate::chebyshev::{Form, polynomial};
+use crate::effect::{Effect, Effects};
 use crate::format_error::FormatError;
+use crate::layout::{LANES, PASS, first_order, lowest_degree};
+use crate::record::floats::{OwnedGeneralParts, OwnedParts};
+use crate::record::{Coupling, NONE, Pass, ProfilePlace, Row};
 use crate::table::{General, Profile, Table};
-use eigenshade_index::effect::{Effect, Effects};
-use eigenshade_index::layout::{LANES, PASS, first_order, lowest_degree};
-use eigenshade_index::record::floats::{OwnedGeneralParts, OwnedParts};
-use eigenshade_index::record::{Coupling, NONE, Pass, ProfilePlace, Row};
-use eigenshade_index::{layout, material, pair};
+use crate::{layout, material, pair};
 use std::collections::BTreeSet;
 
 /// Whether the runtime takes this table.

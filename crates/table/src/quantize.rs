@@ -5,13 +5,13 @@
 //! one: Σ |mantissa| < 2^(bits + 1).
 
 use crate::chebyshev::{Form, polynomial};
+use crate::effect::Effect;
 use crate::format_error::{FormatError, MAX_PROFILES};
 use crate::parts;
+use crate::record::integers::{OwnedParts, Profile as Place};
+use crate::record::{NONE, Q15};
 use crate::table::{Profile, Table};
-use eigenshade_index::effect::Effect;
-use eigenshade_index::record::integers::{OwnedParts, Profile as Place};
-use eigenshade_index::record::{NONE, Q15};
-use eigenshade_index::{layout, material, pair};
+use crate::{layout, material, pair};
 
 /// Number of bits of a mantissa, without the sign.
 const BITS: i32 = Q15::BITS.cast_signed();

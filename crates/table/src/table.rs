@@ -1,11 +1,11 @@
 //! A table: the eigenbasis of one scene.
 
 use crate::chebyshev::clenshaw;
+use crate::effect::Effects;
+use crate::format::NumberFormat;
 use crate::gram::GramFactor;
+use crate::pair;
 use crate::scene::{Scene, Store};
-use eigenshade_index::effect::Effects;
-use eigenshade_index::format::NumberFormat;
-use eigenshade_index::pair;
 use serde::{Deserialize, Serialize};
 
 /// All results of the generator for one scene, in f64.
@@ -62,11 +62,11 @@ pub struct Profile {
     /// \[0, 1\]; h(1) > 0.
     pub chebyshev: Vec<f64>,
     /// Coefficients of the eigenimage over the modes of |m|, in the order of
-    /// `eigenshade_index::mode`: a column of U. Empty unless [`Table::has_modes`].
+    /// `crate::mode`: a column of U. Empty unless [`Table::has_modes`].
     pub modes: Vec<f64>,
     /// UᵀM, factored: for each l = |m|..=degree and each pair (p, q) up to the largest order that
     /// the scene's effects factor, (-1)^q √(p+1) Σ_k √w_k W_k R_p^q D_l^mq; 0 for l = 0 without
-    /// ambient. For m = 0, UᵀM of the [unfactored](eigenshade_index::effect::Effects) coefficients
+    /// ambient. For m = 0, UᵀM of the [unfactored](crate::effect::Effects) coefficients
     /// of l = 0 follows. See [`Table::gram_row`]. Empty unless [`Table::has_projection`].
     pub factors: Vec<f64>,
 }
@@ -205,7 +205,7 @@ impl Table {
             gram.polar_integrals[pair::position(o, q) * (gram.degree + 1) + l]
                 * ((o + 1) as f64).sqrt()
         };
-        eigenshade_index::mode::indices(gram.degree, gram.order, profile.azimuth)
+        crate::mode::indices(gram.degree, gram.order, profile.azimuth)
             .map(|(l, o, p, q)| {
                 if !self.keeps(profile.azimuth, l, o, p, q) {
                     return 0.0;

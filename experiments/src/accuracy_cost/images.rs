@@ -4,11 +4,11 @@
 use super::scope::Scope;
 use crate::sphere::Sphere;
 use eigenshade::{Light, NineTerms};
-use eigenshade_index::{light, material};
 use eigenshade_model::database::Named;
 use eigenshade_model::error::Result;
 use eigenshade_shading::shader::fault;
 use eigenshade_shading::sphere_rings::{Ring, rings};
+use eigenshade_table::{light, material};
 use std::f64::consts::{FRAC_PI_2, TAU};
 use std::hint::black_box;
 

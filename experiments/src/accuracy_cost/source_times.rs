@@ -4,10 +4,10 @@ use super::images::Work;
 use super::settings::Format;
 use super::times::{PIXELS, hemisphere};
 use eigenshade::{Gloss, Highlights, Rgb, Rotation, Source, q15};
-use eigenshade_index::highlights::LARGEST_SET;
 use eigenshade_model::error::{Error, Result};
 use eigenshade_shading::integer_shader;
 use eigenshade_shading::shader::{OwnedNormals, fault};
+use eigenshade_table::highlights::LARGEST_SET;
 use std::f32::consts::TAU;
 use std::hint::black_box;
 

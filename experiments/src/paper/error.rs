@@ -14,12 +14,12 @@ use crate::chart::{
 };
 use crate::figures::{self, OutputFile};
 use crate::sheet::Sheet;
-use eigenshade_index::{light, mode};
 use eigenshade_model::database::Named;
 use eigenshade_model::error::Result;
 use eigenshade_model::selection::variances;
 use eigenshade_shading::parallel;
 use eigenshade_table::scene::Criterion;
+use eigenshade_table::{light, mode};
 use plotters::prelude::SeriesLabelPosition;
 use plotters::style::RGBColor;
 

@@ -20,13 +20,12 @@ use crate::figures::{self, OutputFile};
 use crate::numbers;
 use eigenshade_generator::basis::moments::exposure;
 use eigenshade_generator::basis::{self, gram};
-use eigenshade_index::{effect, mode};
 use eigenshade_model::database::{Lights, Materials, Named};
 use eigenshade_model::error::{Error, Result};
 use eigenshade_model::selection;
 use eigenshade_shading::{parallel, shipped};
 use eigenshade_table::scene::{self, Criterion, Effects, Normalize};
-use eigenshade_table::{GramFactor, Scene, Table, decode};
+use eigenshade_table::{GramFactor, Scene, Table, decode, effect, mode};
 use std::fmt::Display;
 
 /// Significant digits of the figures' numbers.

@@ -4,8 +4,7 @@
 //! [`fit`] finds how well each number of components represents an image (4.4).
 
 use eigenshade_generator::basis::profile;
-use eigenshade_index::{light, material, mode};
-use eigenshade_table::{GramFactor, Table};
+use eigenshade_table::{GramFactor, Table, light, material, mode};
 
 /// An image as √w_k u_m(α_k) for m = -degree..=degree and each node k.
 #[derive(Clone, Debug, PartialEq)]

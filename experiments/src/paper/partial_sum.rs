@@ -9,8 +9,7 @@
 //! * the root of the sum of the squared sizes, which would be the norm if the terms were
 //!   orthogonal. They are not, so it is not a bound.
 
-use eigenshade_index::{light, material, mode};
-use eigenshade_table::GramFactor;
+use eigenshade_table::{GramFactor, light, material, mode};
 
 /// The modes with their sizes, prepared for any light and material.
 #[derive(Clone, Debug)]

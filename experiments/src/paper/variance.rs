@@ -4,9 +4,9 @@ use super::{DEGREE, ORDER, Study, csv, row};
 use crate::chart::{Axes, COLORS, Chart, DrawResult, INK, Points, Series, Style, fault, letters};
 use crate::figures::{self, OutputFile};
 use crate::sheet::Sheet;
-use eigenshade_index::{material, mode};
 use eigenshade_model::error::Result;
 use eigenshade_model::selection::variances;
+use eigenshade_table::{material, mode};
 use plotters::prelude::*;
 use plotters::style::text_anchor::{HPos, Pos, VPos};
 

@@ -60,8 +60,8 @@ pub(super) fn alike() -> Vec<Figure> {
 pub(super) fn zeros() -> Vec<Figure> {
     let mut numbers = Numbers(23);
     let some = lights(DEGREE, 3, &mut numbers);
-    let no_light = named("black", vec![0.0; eigenshade_index::light::count(DEGREE)]);
-    let black = named("black", vec![0.0; eigenshade_index::material::count(ORDER)]);
+    let no_light = named("black", vec![0.0; eigenshade_table::light::count(DEGREE)]);
+    let black = named("black", vec![0.0; eigenshade_table::material::count(ORDER)]);
     let mut with_black = materials(ORDER, 3, &mut numbers);
     with_black.entries.push(black.clone());
     let (among, _) = both(some.clone(), with_black);

@@ -3,10 +3,10 @@
 use super::{Figure, least, most, off_orthonormal};
 use crate::tolerances;
 use eigenshade::{Light, Rotation};
-use eigenshade_index::light;
 use eigenshade_model::polar_integral::PolarIntegrals;
 use eigenshade_model::reference::DirectSum;
 use eigenshade_model::rotation;
+use eigenshade_table::light;
 use eigenshade_testing::oracle::Numbers;
 use eigenshade_testing::rotations::{euler, irradiance, product, rotation};
 use eigenshade_testing::{fixtures, largest, largest_difference};

@@ -1,10 +1,10 @@
 //! Settings with light sources: their pictures, their errors and their costs.
 
 use super::rows;
-use eigenshade_index::light::count;
 use eigenshade_model::highlights::{self, Highlights};
 use eigenshade_model::source::Gloss;
 use eigenshade_shading::shipped;
+use eigenshade_table::light::count;
 use eigenshade_testing::fixtures::of_equal_areas;
 use experiments::accuracy_cost::images::Shaded;
 use experiments::accuracy_cost::machines::MACHINES;

@@ -4,7 +4,7 @@
 mod averages;
 
 use crate::paper_oracle::{sheet, study};
-use eigenshade_index::{material, mode};
+use eigenshade_table::{material, mode};
 use experiments::paper::tables::needed;
 use experiments::paper::variance::{SURFACES, Variance};
 use experiments::paper::{Modes, ORDER};

@@ -11,8 +11,6 @@ use eigenshade_generator::material::analytic::{Analytic, Model, Shares};
 use eigenshade_generator::material::brdf::{Measure, Projected, Surface};
 use eigenshade_generator::material::files::Source;
 use eigenshade_generator::material::fit::{Fit, LOWEST, fit, write_figures};
-use eigenshade_index::highlights::DIELECTRIC;
-use eigenshade_index::material::count as count_of_orders;
 use eigenshade_model::database::{Materials, Named};
 use eigenshade_model::error::{Error, Result};
 use eigenshade_model::inputs::coefficient_csv::write_materials;
@@ -22,6 +20,8 @@ use eigenshade_model::srgb::from_hex;
 use eigenshade_model::window::Window;
 use eigenshade_shading::parallel;
 use eigenshade_sources::gloss::{Fitter, of_measured};
+use eigenshade_table::highlights::DIELECTRIC;
+use eigenshade_table::material::count as count_of_orders;
 use std::collections::HashSet;
 use std::path::PathBuf;
 

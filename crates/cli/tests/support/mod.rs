@@ -5,8 +5,7 @@ pub mod files;
 
 pub use eigenshade_testing::repository;
 
-use eigenshade_index::{light, material};
-use eigenshade_table::{Table, decode};
+use eigenshade_table::{Table, decode, light, material};
 use eigenshade_testing::largest;
 use std::fmt::Write;
 use std::fs;

@@ -5,13 +5,13 @@ use crate::accuracy_cost::images::Shaded;
 use crate::accuracy_cost::settings::{Format, Setting};
 use crate::sphere::Picture;
 use eigenshade::{Highlights, Light, Rgb, Source, q15};
-use eigenshade_index::highlights::MAX_SOURCES;
-use eigenshade_index::light::count;
 use eigenshade_model::database::Named;
 use eigenshade_model::error::{Error, Result};
 use eigenshade_model::source::{Gloss, SourceSets};
 use eigenshade_shading::shader::{OwnedNormals, fault};
 use eigenshade_shading::{highlights, integer_shader};
+use eigenshade_table::highlights::MAX_SOURCES;
+use eigenshade_table::light::count;
 
 /// The highest degree of a light that sources are taken out of.
 const DEGREE: usize = 16;

@@ -107,7 +107,7 @@ primitive! {
     u32 "u32" |number| Word::Long(number);
     i32 "i32" |number| Word::Long(number.cast_unsigned());
     f32 "f32" |number| Word::Long(number.to_bits());
-    Q15 "eigenshade::index::record::Q15" |number| Word::Short(number.0.cast_unsigned());
+    Q15 "eigenshade::specialized::record::Q15" |number| Word::Short(number.0.cast_unsigned());
 }
 
 impl Item for [f32; 2] {
@@ -128,7 +128,7 @@ macro_rules! item {
         #[repr(C)]
         pub struct $Name { $($(#[$doc])* pub $field: $kind,)* }
         impl Item for $Name {
-            const TYPE: &'static str = concat!("eigenshade::index::record::", stringify!($Name));
+            const TYPE: &'static str = concat!("eigenshade::specialized::record::", stringify!($Name));
             fn words<F: FnMut(Word)>(self, to: &mut F) { $(self.$field.words(to);)* }
         }
     };

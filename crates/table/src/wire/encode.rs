@@ -1,13 +1,13 @@
-//! A table as bytes that the runtime reads in place: the wire format of [`eigenshade_index::wire`].
+//! The writer of the wire format.
 
+use super::{ALIGNMENT, CHECKSUM, ENTRY, HEADER, LABEL, MARK, VERSION};
+use crate::effect::Effects;
+use crate::format::NumberFormat;
 use crate::format_error::FormatError;
 use crate::parts;
 use crate::quantize;
+use crate::record::{Item, Visitor, Word};
 use crate::table::Table;
-use eigenshade_index::effect::Effects;
-pub use eigenshade_index::format::NumberFormat;
-use eigenshade_index::record::{Item, Visitor, Word};
-use eigenshade_index::wire::{ALIGNMENT, CHECKSUM, ENTRY, HEADER, LABEL, MARK, VERSION};
 
 /// The byte order of a wire file, which must be that of the machine that reads it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -2,11 +2,16 @@
 //!
 //! `docs/formats.md` specifies it byte by byte. Its sections are the arrays of the
 //! [records](crate::record), in the same order; empty ones at the end are omitted. This module has
-//! the constants of the format, which the writer in `eigenshade-table` shares, and the reader.
+//! the constants of the format, the reader, and with the feature `files` the writer.
 
+#[cfg(feature = "files")]
+mod encode;
 mod fault;
 mod file;
 
+pub use crate::format::NumberFormat;
+#[cfg(feature = "files")]
+pub use encode::{Endian, encode};
 pub use fault::Fault;
 pub use file::{Aligned, Header, aligned, read_floats, read_integers};
 

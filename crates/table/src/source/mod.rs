@@ -56,7 +56,7 @@ fn array<T: Item>(name: &str, items: &[T]) -> String {
     let (kind, count) = (T::TYPE, items.len());
     // The items of a record are named without a path.
     let named = kind.contains("::") && count > 0;
-    let scope = if named { "use eigenshade::index::record::*; " } else { "" };
+    let scope = if named { "use eigenshade::specialized::record::*; " } else { "" };
     let (open, close) = if named { ("{ ", " }") } else { ("", "") };
     format!("static {name}: [{kind}; {count}] = {open}{scope}{items:?}{close};\n")
 }
