@@ -7,8 +7,9 @@ use eigenshade::{
     Argument, Disc, DiscPixel, Display, Error, Gloss, Light, MapPoint, Material, Normals, Q15, Rgb,
     Rotation, Source, SourceSet, Tolerance, Tone, Window, q15,
 };
+use eigenshade_model::shipped;
 use eigenshade_model::source::{Base, SetError};
-use eigenshade_shading::{highlights, shipped};
+use eigenshade_shading::highlights;
 use eigenshade_testing::fixtures::{axes, normal};
 
 const NORMALS: [[f64; 3]; 4] =

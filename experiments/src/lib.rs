@@ -1,7 +1,7 @@
 //! Measurements for the documentation of eigenshade: CSV files, plots, and parts of pages.
 #![expect(missing_docs, reason = "no package depends on it")]
 
-pub use eigenshade_sources::{light_tree, mirrored, sphere, texels};
+pub use eigenshade_shading::sources::{light_tree, mirrored, sphere, texels};
 pub use eigenshade_testing::tolerances;
 
 pub mod accuracy_cost;

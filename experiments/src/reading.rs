@@ -17,7 +17,7 @@ use eigenshade_model::database::{Lights, Materials, Named};
 use eigenshade_model::error::Result;
 use eigenshade_model::inputs::coefficient_csv::{read_lights, read_materials};
 use eigenshade_model::srgb::{linear, srgb};
-use eigenshade_shading::{parallel, shipped};
+use eigenshade_model::{parallel, shipped};
 use eigenshade_table::{Table, light};
 use eigenshade_testing::fixtures::{Image, direct_images};
 use eigenshade_testing::largest;

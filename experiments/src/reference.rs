@@ -9,7 +9,7 @@ use crate::sphere::{self, Picture, Sphere};
 use eigenshade_generator::material::brdf::Surface;
 use eigenshade_model::database::{Lights, Named};
 use eigenshade_model::error::{Error, Result};
-use eigenshade_shading::sphere_rings::rings;
+use eigenshade_model::sphere_rings::rings;
 use eigenshade_table::light;
 use indicatif::ProgressBar;
 

@@ -149,7 +149,7 @@ fn narrow_lobes_converge() {
 #[test]
 fn the_window_of_materials_in_color_pays() {
     use eigenshade_model::database::{Lights, Materials};
-    use eigenshade_shading::{reference_image, shipped as databases};
+    use eigenshade_model::{reference_image, shipped as databases};
     const NAMES: [&str; 6] = [
         "gold-metallic-paint",
         "teflon",

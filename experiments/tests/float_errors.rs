@@ -3,7 +3,7 @@
 
 use eigenshade_generator::basis;
 use eigenshade_model::database::{Lights, Materials};
-use eigenshade_shading::shipped;
+use eigenshade_model::shipped;
 use eigenshade_table::Table;
 use eigenshade_testing::fixtures::named;
 use eigenshade_testing::{glossy, repository};

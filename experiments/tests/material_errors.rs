@@ -7,7 +7,7 @@ use eigenshade_generator::basis;
 use eigenshade_generator::material::brdf::Measure;
 use eigenshade_generator::scene_file::{self, Loaded};
 use eigenshade_model::database::{Lights, Materials};
-use eigenshade_shading::shipped;
+use eigenshade_model::shipped;
 use eigenshade_table::reduce::with_components;
 use eigenshade_table::scene::MaterialNormalize;
 use eigenshade_testing::fixtures::of_equal_areas;

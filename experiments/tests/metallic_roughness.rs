@@ -7,7 +7,7 @@ use eigenshade::{Argument, Error, Material, Normal, Q15, Transfer, q15, sphere};
 use eigenshade_generator::material::brdf::projection::project_orders;
 use eigenshade_generator::material::brdf::{Ggx, Measure};
 use eigenshade_model::reference::DirectSum;
-use eigenshade_shading::shipped;
+use eigenshade_model::shipped;
 use eigenshade_table::material::{count, indices};
 use eigenshade_testing::fixtures::spiral;
 

@@ -6,8 +6,8 @@
 use crate::presets::{Source, largest_within};
 use eigenshade_model::error::Result;
 use eigenshade_model::screen::ScreenError;
+use eigenshade_model::shipped;
 use eigenshade_model::source::{Base, Gloss, NamedGloss, SetError};
-use eigenshade_shading::shipped;
 use eigenshade_table::highlights::MATTE;
 
 /// The rms that a fitted gloss leaves, relative to pictures under a small source, from which on it

@@ -5,7 +5,7 @@ use crate::support::{
     BASIS, Folder, PAIR, SOURCES, assert_contains, repository, repository_text, stderr,
 };
 use eigenshade_model::inputs::coefficient_csv::{read_lights, read_materials};
-use eigenshade_shading::shipped;
+use eigenshade_model::shipped;
 use eigenshade_table::material;
 use std::process::Command;
 

@@ -10,7 +10,7 @@ use eigenshade_model::database::{Lights, Materials};
 use eigenshade_model::evaluation::Evaluator;
 use eigenshade_model::reference::DirectSum;
 use eigenshade_model::rotation::Rotation;
-use eigenshade_shading::shipped;
+use eigenshade_model::shipped;
 use eigenshade_table::effect::{Effect, Effects};
 use eigenshade_table::scene::Criterion;
 use eigenshade_table::{Scene, Table, light, material, parts};

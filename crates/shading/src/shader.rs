@@ -1,10 +1,10 @@
 //! Computes the irradiance of many normals from a light and a material, in f32.
 
-use crate::overflow;
 use crate::owned_basis::{AnyBasis, OwnedTransfer};
 use eigenshade::{Light, Material, Normal, Normals, Scene};
 use eigenshade_model::database::{Lights, Materials, Named};
 use eigenshade_model::error::{Error, Result};
+use eigenshade_model::overflow;
 use eigenshade_table::Table;
 use eigenshade_table::effect::{Effect, Effects};
 use eigenshade_table::layout::{MAX_DEGREE, MAX_ORDER};

@@ -12,7 +12,7 @@ use crate::sheet::Record;
 use eigenshade_generator::light::environment::EnvironmentMap;
 use eigenshade_generator::material::brdf::{Measure, Projected};
 use eigenshade_model::error::{Error, Result};
-use eigenshade_shading::{parallel, shipped};
+use eigenshade_model::{parallel, shipped};
 use eigenshade_table::Table;
 use eigenshade_testing::largest;
 use indicatif::ProgressBar;

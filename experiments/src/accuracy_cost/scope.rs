@@ -10,7 +10,7 @@ use eigenshade_model::error::{Error, Result};
 use eigenshade_model::inputs::input_file::InputFile;
 use eigenshade_model::inputs::sheet::Sheet;
 use eigenshade_model::window::Window;
-use eigenshade_shading::{parallel, shipped};
+use eigenshade_model::{parallel, shipped};
 use eigenshade_table::effect::Effects;
 use eigenshade_table::reduce::with_components;
 use eigenshade_table::scene::Store;

@@ -2,7 +2,7 @@
 //! format. Each parameter varies by itself, and combinations of parameters.
 
 use eigenshade_cli::table;
-use eigenshade_shading::shipped;
+use eigenshade_model::shipped;
 use eigenshade_table::effect::{Effect, Effects};
 use std::collections::BTreeSet;
 use std::fmt;

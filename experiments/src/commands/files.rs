@@ -10,7 +10,7 @@ use eigenshade_generator::material::brdf::projection::project_orders;
 use eigenshade_generator::material::brdf::{Ggx, Measure};
 use eigenshade_model::error::{Error, Result};
 use eigenshade_model::inputs::coefficient_csv::write_materials;
-use eigenshade_shading::parallel;
+use eigenshade_model::parallel;
 use eigenshade_table::material::indices;
 use eigenshade_testing::golden::record::{Golden, Row};
 use eigenshade_testing::{glossy, golden};

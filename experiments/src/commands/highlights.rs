@@ -7,7 +7,7 @@ use eigenshade_model::error::Result;
 use eigenshade_model::inputs::gloss_csv::write_glosses;
 use eigenshade_model::inputs::set_error_csv::write_set_errors;
 use eigenshade_model::srgb::srgb;
-use eigenshade_sources::screen::{self, Reference};
+use eigenshade_shading::sources::screen::{self, Reference};
 use experiments::highlights::{self, DRAWN, Row};
 use experiments::material_errors::{self, SPACING};
 use experiments::sphere::Sphere;

@@ -8,10 +8,10 @@ use eigenshade_generator::material::brdf::projection::project;
 use eigenshade_generator::material::brdf::{Ggx, Measure};
 use eigenshade_model::database::Named;
 use eigenshade_model::error::{Error, Result};
+use eigenshade_model::shipped;
 use eigenshade_model::srgb::srgb;
 use eigenshade_shading::owned_basis::OwnedBasis;
 use eigenshade_shading::shader::{OwnedNormals, Shader, fault};
-use eigenshade_shading::shipped;
 use experiments::numbers::exposure;
 use std::path::Path;
 

@@ -10,8 +10,8 @@ use crate::figures::{self, OutputFile};
 use crate::numbers::exposure;
 use crate::sheet::Sheet;
 use eigenshade_model::error::Result;
+use eigenshade_model::parallel;
 use eigenshade_model::reference::DirectSum;
-use eigenshade_shading::parallel;
 use plotters::prelude::SeriesLabelPosition;
 
 /// The stated accuracies: root mean square of the omitted part, relative to the image's mean.

@@ -23,7 +23,7 @@ use eigenshade_generator::basis::{self, gram};
 use eigenshade_model::database::{Lights, Materials, Named};
 use eigenshade_model::error::{Error, Result};
 use eigenshade_model::selection;
-use eigenshade_shading::{parallel, shipped};
+use eigenshade_model::{parallel, shipped};
 use eigenshade_table::scene::{self, Criterion, Effects, Normalize};
 use eigenshade_table::{GramFactor, Scene, Table, decode, effect, mode};
 use std::fmt::Display;

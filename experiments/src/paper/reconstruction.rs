@@ -7,7 +7,7 @@ use crate::numbers::exposure;
 use eigenshade_model::error::Result;
 use eigenshade_model::evaluation::Evaluator;
 use eigenshade_model::reference::DirectSum;
-use eigenshade_shading::sphere_rings::{Ring, rings};
+use eigenshade_model::sphere_rings::{Ring, rings};
 use eigenshade_table::Table;
 use eigenshade_table::scene::Criterion;
 

@@ -9,7 +9,7 @@ use eigenshade_cli::picture::SphereView;
 use eigenshade_model::database::{Lights, Materials};
 use eigenshade_model::error::Result;
 use eigenshade_model::evaluation::Evaluator;
-use eigenshade_shading::reference_image;
+use eigenshade_model::reference_image;
 use eigenshade_table::scene::Criterion;
 
 /// Material and light of each sphere, chosen from the shipped lights to be as near to the paper's

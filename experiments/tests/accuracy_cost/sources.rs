@@ -2,8 +2,8 @@
 
 use super::rows;
 use eigenshade_model::highlights::{self, Highlights};
+use eigenshade_model::shipped;
 use eigenshade_model::source::Gloss;
-use eigenshade_shading::shipped;
 use eigenshade_table::light::count;
 use eigenshade_testing::fixtures::of_equal_areas;
 use experiments::accuracy_cost::images::Shaded;

@@ -21,11 +21,11 @@ use eigenshade_model::inputs::coefficient_text::{LIGHT_DIGITS, rounded};
 use eigenshade_model::inputs::input_file::InputFile;
 use eigenshade_model::inputs::set_error_csv::write_set_errors;
 use eigenshade_model::inputs::source_csv::write_sources;
+use eigenshade_model::shipped;
 use eigenshade_model::source::{Base, SetError, Source, SourceSets};
-use eigenshade_shading::shipped;
-use eigenshade_sources::light_tree::BLOCK;
-use eigenshade_sources::pursuit::{self, FITTED};
-use eigenshade_sources::remaining;
+use eigenshade_shading::sources::light_tree::BLOCK;
+use eigenshade_shading::sources::pursuit::{self, FITTED};
+use eigenshade_shading::sources::remaining;
 use eigenshade_table::highlights::{MAX_SOURCES, ROUGHNESS};
 use std::path::{Path, PathBuf};
 

@@ -10,7 +10,7 @@ use eigenshade_cli::output;
 use eigenshade_cli::preview::Preview;
 use eigenshade_model::database::{Lights, Materials};
 use eigenshade_model::error::{Error, Result};
-use eigenshade_shading::overflow;
+use eigenshade_model::overflow;
 use eigenshade_shading::owned_basis::OwnedBasis;
 use eigenshade_shading::shader::{Lit, Shader as Projector, fault, fitted, of_higher_order};
 use eigenshade_table::Table;

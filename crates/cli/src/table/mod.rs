@@ -10,7 +10,7 @@ use eigenshade::wire::{Fault, Header, NumberFormat, WireError, aligned};
 use eigenshade::{Basis, GeneralBasis, GeneralParts, Parts, q15};
 use eigenshade_model::error::{Error, Result};
 use eigenshade_model::inputs::input_file::{InputFile, is_file};
-use eigenshade_shading::shipped;
+use eigenshade_model::shipped;
 use eigenshade_table::Table;
 use eigenshade_table::effect::{Effect, Effects};
 use eigenshade_table::wire::{ENTRY, HEADER, LABEL};

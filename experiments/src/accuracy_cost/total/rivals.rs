@@ -9,7 +9,7 @@ use eigenshade::Matcap;
 use eigenshade_generator::light::environment::EnvironmentMap;
 use eigenshade_generator::material::brdf::Surface;
 use eigenshade_model::error::Result;
-use eigenshade_shading::parallel;
+use eigenshade_model::parallel;
 use eigenshade_shading::shader::{OwnedNormals, fault};
 use std::f64::consts::PI;
 

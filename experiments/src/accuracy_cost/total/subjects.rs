@@ -4,8 +4,8 @@ use crate::accuracy_cost::scope::{projected, published, windowed};
 use eigenshade_generator::material::brdf::{Ggx, OrenNayar, Surface};
 use eigenshade_model::database::Materials;
 use eigenshade_model::error::Result;
+use eigenshade_model::shipped;
 use eigenshade_model::source::Gloss;
-use eigenshade_shading::shipped;
 
 /// Roughnesses of GGX, between those of `tables/inputs/pbr-materials.toml`.
 const ROUGHNESSES: [f64; 9] = [0.22, 0.28, 0.35, 0.45, 0.55, 0.65, 0.75, 0.85, 0.95];

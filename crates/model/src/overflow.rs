@@ -1,7 +1,7 @@
 //! Errors for results outside the range of a number format.
 
-use eigenshade_model::database::Named;
-use eigenshade_model::error::{Error, Result};
+use crate::database::Named;
+use crate::error::{Error, Result};
 use std::fmt::Display;
 
 /// If the largest coefficient is below this, f32 and integers lose it in whole or in part.

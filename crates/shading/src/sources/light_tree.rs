@@ -7,14 +7,14 @@
 //! values at 4 x 4 Chebyshev nodes. What each node contributes is a sum over the block's texels,
 //! computed once for all BRDFs and normals.
 
-use crate::sphere::Picture;
-use crate::texels::Texels;
+use crate::sources::sphere::Picture;
+use crate::sources::texels::Texels;
 use eigenshade_generator::light::environment::EnvironmentMap;
 use eigenshade_generator::material::brdf::{Brdf, Geometry, Surface};
 use eigenshade_model::database::luminance;
 use eigenshade_model::error::{Error, Result};
+use eigenshade_model::parallel::{self, Progress};
 use eigenshade_model::vector::dot;
-use eigenshade_shading::parallel::{self, Progress};
 use std::f64::consts::{PI, TAU};
 
 /// Texels along a side of the smallest block.

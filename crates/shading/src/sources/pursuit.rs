@@ -10,9 +10,9 @@
 //! A larger set is kept only if it leaves less at normals and under a rotation that it was not
 //! fitted to.
 
-use crate::response::Glossy;
-use crate::sample::Sample;
-use crate::view::View;
+use crate::sources::response::Glossy;
+use crate::sources::sample::Sample;
+use crate::sources::view::View;
 use eigenshade_generator::light::environment::EnvironmentMap;
 use eigenshade_model::error::Result;
 use eigenshade_model::rotation::Rotation;

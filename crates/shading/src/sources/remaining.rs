@@ -1,18 +1,18 @@
 //! The screen errors that sources leave: pictures of metals and dielectrics against direct integration
 //! of the whole map.
 
-use crate::response::{Glossy, Place, Response};
-use crate::screen::{self, Reference};
-use crate::sphere::{Picture, Sphere};
-use crate::view::View;
+use crate::sources::response::{Glossy, Place, Response};
+use crate::sources::screen::{self, Reference};
+use crate::sources::sphere::{Picture, Sphere};
+use crate::sources::view::View;
 use eigenshade_generator::light::environment::EnvironmentMap;
 use eigenshade_model::error::Result;
 use eigenshade_model::highlights::{self, Highlights};
+use eigenshade_model::parallel;
 use eigenshade_model::rotation::Rotation;
 use eigenshade_model::screen::ScreenError;
 use eigenshade_model::source::{Base, Gloss, SetError, SourceSets};
 use eigenshade_model::window::Window;
-use eigenshade_shading::parallel;
 use eigenshade_table::light;
 use std::convert::Infallible;
 

@@ -4,8 +4,8 @@ use eigenshade_generator::light::environment::EnvironmentMap;
 use eigenshade_generator::material::brdf::{Ggx, Measure, projection};
 use eigenshade_model::reference::DirectSum;
 use eigenshade_model::source::Source;
-use eigenshade_sources::pursuit::{find, metals};
-use eigenshade_sources::response::{Place, Response};
+use eigenshade_shading::sources::pursuit::{find, metals};
+use eigenshade_shading::sources::response::{Place, Response};
 
 /// Lamps of this radiance within an angle of these directions, on a dim sky.
 fn lamps(directions: &[[f64; 3]], angle: f64, radiance: f32) -> EnvironmentMap {

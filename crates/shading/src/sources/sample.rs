@@ -1,13 +1,14 @@
 //! The normals at which sources are fitted, what truncated pictures lack there, and what a source
 //! would add.
 
-use crate::response::{Glossy, Place, Response};
-use crate::view::View;
+use crate::highlights;
+use crate::shader::fault;
+use crate::sources::response::{Glossy, Place, Response};
+use crate::sources::view::View;
 use eigenshade::{Highlights, Normals, Rgb};
 use eigenshade_model::error::Result;
+use eigenshade_model::parallel;
 use eigenshade_model::source::Source;
-use eigenshade_shading::shader::fault;
-use eigenshade_shading::{highlights, parallel};
 use faer::linalg::matmul::matmul;
 use faer::{Accum, Mat, Par};
 

@@ -1,15 +1,15 @@
 //! The shipped databases and table, compiled in, so that results do not depend on files in the
 //! working directory.
 
-use eigenshade_model::database::{Lights, Materials};
-use eigenshade_model::error::{Error, Result};
-use eigenshade_model::inputs::coefficient_csv::{read_lights, read_materials};
-use eigenshade_model::inputs::gloss_csv::read_glosses;
-use eigenshade_model::inputs::input_file::InputFile;
-use eigenshade_model::inputs::set_error_csv::read_set_errors;
-use eigenshade_model::inputs::source_csv::read_sources;
-use eigenshade_model::screen::ScreenError;
-use eigenshade_model::source::{NamedGloss, SetError, SourceSets};
+use crate::database::{Lights, Materials};
+use crate::error::{Error, Result};
+use crate::inputs::coefficient_csv::{read_lights, read_materials};
+use crate::inputs::gloss_csv::read_glosses;
+use crate::inputs::input_file::InputFile;
+use crate::inputs::set_error_csv::read_set_errors;
+use crate::inputs::source_csv::read_sources;
+use crate::screen::ScreenError;
+use crate::source::{NamedGloss, SetError, SourceSets};
 use eigenshade_table::{decode, material};
 use std::ffi::OsStr;
 use std::path::Path;

@@ -1,9 +1,9 @@
 //! The normals of a sphere in rings, images at them by the direct sum (15), and errors of images.
 
+use eigenshade_model::parallel;
 use eigenshade_model::reference::DirectSum;
 use eigenshade_model::special::spherical_harmonic::azimuth;
-use eigenshade_shading::parallel;
-use eigenshade_shading::sphere_rings::Ring;
+use eigenshade_model::sphere_rings::Ring;
 
 /// Irradiances by channel and then by normal.
 pub type Picture = [Vec<f64>; 3];

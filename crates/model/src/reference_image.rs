@@ -1,8 +1,8 @@
 //! Images by the direct sum (15), in f64: the reference for all other methods.
 
+use crate::database::{Lights, Materials};
 use crate::parallel::{self, Progress};
-use eigenshade_model::database::{Lights, Materials};
-use eigenshade_model::reference::{DirectSum, light_products, material_products};
+use crate::reference::{DirectSum, light_products, material_products};
 use eigenshade_table::effect::Effects;
 
 /// The irradiance, r, g and b, of every light on every material at every normal: one list per

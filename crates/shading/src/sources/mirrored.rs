@@ -7,10 +7,10 @@
 //! heuristic: E. Veach and L. Guibas, "Optimally Combining Sampling Techniques for Monte Carlo
 //! Rendering", SIGGRAPH 1995).
 
-use crate::sphere::Sphere;
+use crate::sources::sphere::Sphere;
 use eigenshade_generator::light::environment::EnvironmentMap;
 use eigenshade_model::database::luminance;
-use eigenshade_shading::sphere_rings::{Ring, rings};
+use eigenshade_model::sphere_rings::{Ring, rings};
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
 /// Texels along a side of the blocks.

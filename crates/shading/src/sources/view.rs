@@ -1,16 +1,16 @@
 //! A captured light seen from one side.
 
-use crate::light_tree::LightTree;
-use crate::mirrored::{self, texel_of};
-use crate::response::{Glossy, Image, Place, Response};
-use crate::sphere::{Picture, Sphere};
+use crate::sources::light_tree::LightTree;
+use crate::sources::mirrored::{self, texel_of};
+use crate::sources::response::{Glossy, Image, Place, Response};
+use crate::sources::sphere::{Picture, Sphere};
 use eigenshade_generator::light::environment::EnvironmentMap;
 use eigenshade_generator::light::projection::project;
 use eigenshade_generator::material::brdf::Surface;
 use eigenshade_model::error::Result;
+use eigenshade_model::parallel;
 use eigenshade_model::rotation::Rotation;
 use eigenshade_model::source::Source;
-use eigenshade_shading::parallel;
 use rayon::iter::{IntoParallelIterator, ParallelIterator};
 use std::f64::consts::{PI, TAU};
 
@@ -93,7 +93,7 @@ impl View {
             [0, 1, 2].map(|c: usize| found.iter().map(|(_, sums)| sums[size][c]).collect())
         });
         let truncated = truncated.collect();
-        let peak = crate::sphere::peak(&reference);
+        let peak = crate::sources::sphere::peak(&reference);
         Pictures { reference, truncated, peak }
     }
 }

@@ -1,6 +1,6 @@
 //! Pictures as a display shows them, and how far one is from another.
 
-use crate::sphere::{Picture, Sphere};
+use crate::sources::sphere::{Picture, Sphere};
 use eigenshade::{Display, Exposure, Meter, Rgb, Tone};
 use eigenshade_model::screen::ScreenError;
 use eigenshade_model::window::Window;

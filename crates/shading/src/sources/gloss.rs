@@ -7,8 +7,8 @@
 use eigenshade_generator::material::brdf::{Brdf, Geometry, Ggx, Surface};
 use eigenshade_generator::material::measurements::{Measured, Measurement};
 use eigenshade_model::error::Result;
+use eigenshade_model::parallel;
 use eigenshade_model::source::{Gloss, NamedGloss};
-use eigenshade_shading::parallel;
 use eigenshade_table::highlights::SMOOTHEST;
 use std::f64::consts::{FRAC_PI_2, PI};
 use std::ops::Range;
