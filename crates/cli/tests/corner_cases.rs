@@ -1,5 +1,5 @@
 //! Hard cases of scenes: images without variance, objects of few normals, black lights and
-//! materials, and coefficients out of range. `experiments stability` measures more of them, and the
+//! materials, and coefficients out of range. `report stability` measures more of them, and the
 //! runtime's properties cover any degree and order.
 
 use crate::support::files::built;

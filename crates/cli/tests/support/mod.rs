@@ -1,4 +1,4 @@
-//! The program on small scenes in folders of their own. The tests of the experiments use it as
+//! The program on small scenes in folders of their own. The tests of the report use it as
 //! well.
 #![allow(dead_code, reason = "no package uses all of it")]
 pub mod files;
