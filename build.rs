@@ -8,8 +8,8 @@ mod metallic_roughness;
 #[path = "build/presets.rs"]
 mod presets;
 
-use eigenshade_index::source;
-use eigenshade_index::wire::{Fault, aligned, read_floats, read_integers};
+use eigenshade_table::source;
+use eigenshade_table::wire::{Fault, aligned, read_floats, read_integers};
 use std::{env, fs, process};
 
 fn main() {

@@ -1,7 +1,7 @@
 //! Writes the series in roughness from which glTF materials are computed, in floats and integers.
 
 use crate::files::{read_lines, write_output};
-use eigenshade_index::material;
+use eigenshade_table::material;
 use std::fmt::Write as _;
 
 const PATH: &str = "tables/inputs/metallic-roughness.csv";

@@ -1,7 +1,7 @@
 //! Writes the shipped lights and materials as constants with names.
 
 use crate::files::{read_lines, write_output};
-use eigenshade_index::{light, material};
+use eigenshade_table::{light, material};
 
 /// The degree of the lights and the order of the materials: those of the shipped table.
 const DEGREE: usize = 9;

@@ -242,7 +242,8 @@ impl<'a> Basis<'a> {
             passes = others;
             let (first, step) = (pass.first as isize, pass.width());
             // Skip the numbers between the pass's lowest degree and degree |m|.
-            let skipped = step * (order.unsigned_abs().saturating_sub(layout::lowest_degree(first)));
+            let skipped =
+                step * (order.unsigned_abs().saturating_sub(layout::lowest_degree(first)));
             let Some(slot) = (row.start as usize).checked_sub(pass.start as usize + skipped) else {
                 continue;
             };

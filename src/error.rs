@@ -47,8 +47,8 @@ pub enum Error {
     /// integers, two profiles; or the positions of an azimuth are not those of its profiles.
     Profile,
     /// The passes or runs of a basis are invalid. A pass is beyond the degree or is not laid out as
-    /// [`index::layout`](crate::index::layout) specifies, the slots do not contain the components
-    /// where the profiles have their rows, or the runs are not these rows.
+    /// [`eigenshade_table::layout`] specifies, the slots do not contain the components where the
+    /// profiles have their rows, or the runs are not these rows.
     Pass,
     /// A number is not finite.
     NotFinite {

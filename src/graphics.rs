@@ -9,7 +9,7 @@ use crate::nine_terms::{CONSTANT, LINEAR, SQUARE, UPRIGHT};
 
 /// The convention of another program's coefficients.
 ///
-/// All of them are in the order of [`index::light`](crate::index::light). Directions are those of
+/// All of them are in the order of [`eigenshade_table::light`]. Directions are those of
 /// the program's world: right-handed, y up, with a camera that looks along -z until it is turned.
 /// This is the frame of this crate. For a camera that is turned, turn the light back with
 /// [`Light::turned`].

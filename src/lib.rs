@@ -68,7 +68,7 @@ extern crate std;
 #[cfg(any(feature = "baked", feature = "generate"))]
 extern crate self as eigenshade;
 
-pub use eigenshade_index as index;
+pub(crate) use eigenshade_table as index;
 
 mod float;
 

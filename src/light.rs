@@ -8,7 +8,7 @@ use crate::invariant::split_mut;
 use crate::mathematics;
 
 /// One channel of distant light: (degree + 1)² coefficients in units of radiance, in the order of
-/// [`index::light`](crate::index::light).
+/// [`eigenshade_table::light`].
 ///
 /// The harmonics include the Condon-Shortley phase. z points to the camera, x to the right, y up.
 /// [`from_graphics`](Self::from_graphics) converts coefficients of three.js, Filament and cmgen.
@@ -191,7 +191,7 @@ impl Window {
     }
 
     /// Attenuates the coefficients of a light in place. They are in the order of
-    /// [`index::light`](crate::index::light).
+    /// [`eigenshade_table::light`].
     ///
     /// Cost: a sine for each degree and a product for each coefficient.
     pub fn apply(self, coefficients: &mut [f32]) {

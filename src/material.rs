@@ -4,7 +4,7 @@ use crate::error::{Argument, Error};
 use crate::index::material;
 
 /// One channel of an isotropic BRDF: its coefficients in 1/sr, in the order of
-/// [`index::material`](crate::index::material).
+/// [`eigenshade_table::material`].
 ///
 /// The azimuth in (8) is φ_i - φ_r, so zero is backscatter.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -32,7 +32,7 @@ impl<'a> Material<'a> {
     ///
     /// # Errors
     ///
-    /// [`Error::Count`] unless there are [`index::material::count`](crate::index::material::count)
+    /// [`Error::Count`] unless there are [`eigenshade_table::material::count`]
     /// coefficients for some order; [`Error::NotFinite`] with the index of the first coefficient
     /// that is infinite or NaN.
     pub fn new(coefficients: &'a [f32]) -> Result<Self, Error> {

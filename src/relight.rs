@@ -16,8 +16,8 @@ use crate::index::{layout, layout::LANES, light::position};
 use crate::invariant::part;
 use crate::lanes;
 use crate::light::Light;
-use crate::specialized::{KnownTable, at, components, head, tail};
 use crate::projection::Coefficients;
+use crate::specialized::{KnownTable, at, components, head, tail};
 use crate::transfer::Transfer;
 
 /// Whether the target computes with groups of numbers.
@@ -118,7 +118,6 @@ impl<'a> Basis<'a> {
     const fn slots(&self, pass: &Pass) -> &'a [u16] {
         tail(self.parts.slots, pass.slots as usize)
     }
-
 }
 
 /// Writes the sums of pass number `I`, which has `P` profiles, to their components.
@@ -152,11 +151,7 @@ where
 
 /// [`sums_of_pass`] of any pass of `P` profiles.
 #[inline(never)]
-fn any_sums<const P: usize>(
-    pass: &Pass,
-    transfer: &[f32],
-    light: &Light<'_>,
-) -> [[f32; LANES]; P] {
+fn any_sums<const P: usize>(pass: &Pass, transfer: &[f32], light: &Light<'_>) -> [[f32; LANES]; P] {
     sums_of_pass(pass, light.degree(), transfer, light.coefficients())
 }
 

@@ -20,7 +20,7 @@ pub struct SourceSet<'a> {
 
 impl<'a> SourceSet<'a> {
     /// The sources, and the errors for metals of the roughness of
-    /// [`ROUGHNESS`](crate::index::highlights::ROUGHNESS), 0.1 to 0.6: shares of white, 0 or
+    /// [`ROUGHNESS`](eigenshade_table::highlights::ROUGHNESS), 0.1 to 0.6: shares of white, 0 or
     /// more, which is not checked.
     #[must_use]
     pub const fn new(sources: &'a [Source], errors: [f32; 6]) -> Self {

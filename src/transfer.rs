@@ -32,7 +32,7 @@ pub struct Transfer<const N: usize> {
 }
 
 impl<const N: usize> Transfer<N> {
-    /// The numbers, in the layout of [`index::layout`](crate::index::layout).
+    /// The numbers, in the layout of [`eigenshade_table::layout`].
     #[must_use]
     pub fn as_slice(&self) -> &[f32] {
         &self.numbers

@@ -2,9 +2,9 @@
 //! quadrature are d from light and material.
 
 use crate::tolerances;
-use eigenshade::index::material;
 use eigenshade::{Effect, Error, Q15, sphere};
 use eigenshade_shading::owned_basis::OwnedBasis;
+use eigenshade_table::material;
 use eigenshade_testing::fixtures::{self, normal, projected};
 use eigenshade_testing::images::single;
 use eigenshade_testing::relative_error;
@@ -53,8 +53,7 @@ fn weighted_pixels_give_back_the_coefficients() {
         // Any factor of all weights drops out.
         estimate.add(normal(at), scene.shade(normal(at)), 7.0 * weight as f32);
     }
-    let wide =
-        |numbers: &[f32]| numbers.iter().map(|&number| number.into()).collect::<Vec<f64>>();
+    let wide = |numbers: &[f32]| numbers.iter().map(|&number| number.into()).collect::<Vec<f64>>();
     let apart = relative_error(&wide(&estimate.coefficients().expect("pixels")), &wide(&d));
     assert!(apart <= ESTIMATE_F32, "{apart}");
 }

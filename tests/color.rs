@@ -5,10 +5,11 @@ use eigenshade::specialized::shade_normals;
 use eigenshade::sphere;
 use eigenshade::{
     Argument, Disc, DiscPixel, Display, Error, Gloss, Light, MapPoint, Material, Normals, Q15, Rgb,
-    Rotation, Source, SourceSet, Tolerance, Tone, Window, index, q15,
+    Rotation, Source, SourceSet, Tolerance, Tone, Window, q15,
 };
+use eigenshade_model::shipped;
 use eigenshade_model::source::{Base, SetError};
-use eigenshade_shading::{highlights, shipped};
+use eigenshade_shading::highlights;
 use eigenshade_testing::fixtures::{axes, normal};
 
 const NORMALS: [[f64; 3]; 4] =
@@ -293,7 +294,7 @@ fn a_light_turns_and_a_map_is_baked_in_three_channels() {
     let expected = light::PARK.b.windowed::<100>(window).unwrap();
     assert_eq!(windowed.b, expected);
     let four = light::PARK.truncated(1).b.coefficients().len();
-    assert_eq!(four, index::light::count(1));
+    assert_eq!(four, eigenshade_table::light::count(1));
 
     let scene = sphere::color::scene(light::PARK, material::GREEN_LATEX).unwrap();
     let maps = scene.each_ref().try_map(|scene| scene.bake::<1024>(32)).unwrap();

@@ -4,9 +4,9 @@
 use crate::invariants;
 use crate::wire::sealed;
 use crate::wire_files::{GENERAL, INTEGERS_15, LONG, SPHERE, placed};
-use eigenshade::index::record::{floats, integers};
 use eigenshade::wire::WireError;
 use eigenshade::{Basis, GeneralBasis, Q15, q15};
+use eigenshade_table::record::{floats, integers};
 use std::collections::BTreeMap;
 
 /// What a file holds, and what opens it and uses its basis.

@@ -3,12 +3,12 @@
 
 use crate::invariants::integer::{self, Mantissa as _};
 use crate::oracle::{ExplicitLight, irradiance};
-use eigenshade::index::light;
 use eigenshade::{
     AnalyticLight, Argument, Error, Light, NineTerms, Normals, Q15, Rgb, Window, q15,
 };
 use eigenshade_model::special::quadrature::gauss_legendre;
 use eigenshade_model::special::spherical_harmonic;
+use eigenshade_table::light;
 use eigenshade_testing::fixtures::{axes, normal, spiral};
 use eigenshade_testing::relative_error;
 use eigenshade_testing::vectors::{cross, unit};

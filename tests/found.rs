@@ -1,9 +1,9 @@
 //! Inputs that once overflowed, lost what they should keep, or gave what is not so: each
 //! found by any bytes, by name.
 
-use eigenshade::index::record::Azimuth;
 use eigenshade::q15::{Basis, Light, Material, Parts, Profile, Transfer};
 use eigenshade::{Error, Normal, Q15};
+use eigenshade_table::record::Azimuth;
 
 const NONE: u16 = Profile::NONE;
 
@@ -156,9 +156,8 @@ fn short_normals() {
 fn bases_out_of_all_proportion() {
     let places: Vec<_> = (0..512).map(|k| Profile::new(0, 0, [k, NONE], [16, 16])).collect();
     let terms = vec![Q15(1); 512];
-    let azimuths = [511, 512].map(|profiles| {
-        [Azimuth { first: 0, profiles, start: 0, terms: 0, rows: 0 }]
-    });
+    let azimuths =
+        [511, 512].map(|profiles| [Azimuth { first: 0, profiles, start: 0, terms: 0, rows: 0 }]);
     let of = |count: usize| Parts {
         degree: 0,
         components: count,

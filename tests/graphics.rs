@@ -4,9 +4,9 @@
 
 use crate::oracle::ExplicitLight;
 use eigenshade::Convention::{self, Cmgen, CmgenIrradiance, Filament, ThreeJs};
-use eigenshade::index::light;
 use eigenshade::{Error, Light, Rgb, sphere};
 use eigenshade_model::reference::DirectSum;
+use eigenshade_table::light;
 use eigenshade_testing::fixtures::{normal, spiral};
 use eigenshade_testing::images;
 use eigenshade_testing::vectors::{self, cross, dot, scaled, unit};

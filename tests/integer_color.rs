@@ -1,7 +1,7 @@
 //! Materials of integers in a color, and maps of integers in three channels.
 
 use eigenshade::presets::{light, material};
-use eigenshade::{Error, Q15, Rgb, index, q15, sphere};
+use eigenshade::{Error, Q15, Rgb, q15, sphere};
 
 /// Integers against the same product in floats: half a unit of each mantissa, and of the product.
 #[test]
@@ -16,7 +16,7 @@ fn a_tint_in_integers_scales_each_channel() {
                 gray.exponents().iter().zip(found.exponents()).enumerate()
             {
                 let (mut most, unit) = (0, f64::from(exponent).exp2());
-                let of_order = index::material::indices(7).map(|(of, ..)| of == o);
+                let of_order = eigenshade_table::material::indices(7).map(|(of, ..)| of == o);
                 for (_, (&gray, &found)) in of_order
                     .zip(gray.mantissas().iter().zip(found.mantissas()))
                     .filter(|(is_of_order, _)| *is_of_order)

@@ -1,7 +1,6 @@
 //! The paper's direct sum and principal components, checked on the shipped databases.
 
 use crate::{oracle, tolerances};
-use eigenshade::index::{light, material, mode};
 use eigenshade_generator::basis::gram;
 use eigenshade_generator::basis::moments::{self, LightMoments, MaterialMoments};
 use eigenshade_generator::basis::pca::{Block, principal};
@@ -10,8 +9,9 @@ use eigenshade_model::irradiance::slant_rotation;
 use eigenshade_model::reference::DirectSum;
 use eigenshade_shading::owned_basis::OwnedBasis;
 use eigenshade_shading::shader::{OwnedNormals, Shader};
-use eigenshade_table::GramFactor;
 use eigenshade_table::scene::Normalize;
+use eigenshade_table::{GramFactor, light, material, mode};
+use eigenshade_table::{light, material, mode};
 use eigenshade_testing::fixtures::{self, direct_images, shipped};
 use eigenshade_testing::{largest, relative_error};
 use std::f64::consts::{FRAC_PI_2, PI};

@@ -58,7 +58,7 @@ fn lights_pass_windows_degree_by_degree() {
     let light = Light::new(&coefficients).expect("100 coefficients");
     let window = Window::SincFourth { width: 11.0 };
     let windowed = light.windowed::<100>(window).expect("room");
-    let places = eigenshade::index::light::indices(9);
+    let places = eigenshade_table::light::indices(9);
     for ((l, _), (found, given)) in places.zip(windowed.iter().zip(&coefficients)) {
         assert_eq!(*found, given * window.factor(l));
     }

@@ -3,8 +3,8 @@
 use crate::{Method, rows};
 use eigenshade_benches::sheet::Row;
 use eigenshade_benches::shipped::tables;
-use eigenshade_index::light::{graphics_sign, position};
 use eigenshade_model::special::spherical_harmonic;
+use eigenshade_table::light::{graphics_sign, position};
 use sphrs::{Coordinates, HarmonicsSet, RealSH};
 use std::hint::black_box;
 

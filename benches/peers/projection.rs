@@ -5,9 +5,8 @@ use crate::{Method, rows};
 use eigenshade::{Effects, sphere};
 use eigenshade_benches::sheet::Row;
 use eigenshade_benches::shipped::{Pair, Shipped, tables};
-use eigenshade_index::{light, material, mode};
 use eigenshade_model::selection;
-use eigenshade_table::{Component, Table};
+use eigenshade_table::{Component, Table, light, material, mode};
 use std::hint::black_box;
 
 /// Lights on materials.

@@ -1,4 +1,4 @@
-//! The CSV files of results, which `experiments pages` shows in README.md.
+//! The CSV files of results, which `report pages` shows in README.md.
 
 use std::collections::HashMap;
 use std::path::{Path, PathBuf};

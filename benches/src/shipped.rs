@@ -1,9 +1,9 @@
 //! The shipped lights and materials, their scenes, and normals to draw them for.
 
 use eigenshade::{Light, Material, NineTerms, Normals, Scene, Tolerance, Truncation, sphere};
-use eigenshade_index::{light, material};
 use eigenshade_model::database::Named;
 use eigenshade_model::inputs::coefficient_csv::{read_lights, read_materials};
+use eigenshade_table::{light, material};
 use std::path::{Path, PathBuf};
 
 /// The folder of the shipped tables.

@@ -9,7 +9,7 @@ use crate::invariant::{part, part_mut, split_mut, split_row};
 use crate::light::degree;
 use crate::material::order;
 
-/// One channel of distant light: mantissas in the order of [`index::light`](crate::index::light),
+/// One channel of distant light: mantissas in the order of [`eigenshade_table::light`],
 /// all to be multiplied by 2^exponent.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
@@ -20,7 +20,7 @@ pub struct Light<'a> {
 }
 
 /// One channel of an isotropic BRDF: mantissas in the order of
-/// [`index::material`](crate::index::material). Each order o has its own exponent.
+/// [`eigenshade_table::material`]. Each order o has its own exponent.
 ///
 /// The exponents determine how much precision small coefficients lose. The largest mantissa of each
 /// o should use all bits, and an o whose mantissas are all zero should have the least exponent.
@@ -69,7 +69,7 @@ impl<'a> Material<'a> {
     ///
     /// # Errors
     ///
-    /// [`Error::Count`] unless there are [`index::material::count`](crate::index::material::count)
+    /// [`Error::Count`] unless there are [`eigenshade_table::material::count`]
     /// mantissas for some order, [`Error::Length`] unless there are order + 1 exponents.
     pub const fn new(exponents: &'a [i8], mantissas: &'a [Q15]) -> Result<Self, Error> {
         let order = match order(mantissas.len()) {
@@ -138,7 +138,7 @@ impl<'a> Material<'a> {
     ///
     /// # Errors
     ///
-    /// [`Error::Count`] unless there are [`index::material::count`](crate::index::material::count)
+    /// [`Error::Count`] unless there are [`eigenshade_table::material::count`]
     /// numbers for some order, [`Error::Length`] unless `to` has the same length and `exponents`
     /// has order + 1; [`Error::NotFinite`] as in [`Light::quantize`].
     pub fn quantize(

@@ -124,15 +124,15 @@ macro_rules! integer_table {
             $(
                 let sum = 0;
                 $(let sum = degree.add::<$p, $q, $o, MODES>(sum, b);)*
-                if let Some(to) = sums.get_mut($crate::index::pair::position($p, $q)) {
+                if let Some(to) = sums.get_mut($crate::specialized::pair::position($p, $q)) {
                     *to = sum;
                 }
             )*
         }
         const DEGREES: usize = DEGREE + 1;
         const ORDERS: usize = ORDER + 1;
-        const PAIRS: usize = $crate::index::pair::count(ORDER);
-        const MODES: usize = $crate::index::material::count(ORDER);
+        const PAIRS: usize = $crate::specialized::pair::count(ORDER);
+        const MODES: usize = $crate::specialized::material::count(ORDER);
     };
     (transfer by basis) => {
         $crate::integer_table!(@transfer |material, transfer| {

@@ -17,6 +17,7 @@ pub mod relight {
     pub use crate::relight::{GROUPS, run, sums, write};
 }
 
+pub use crate::index::{layout, material, pair, record};
 pub use crate::shade::Block;
 
 use crate::error::{Argument, Error};

@@ -106,7 +106,11 @@ pub fn write<B, const M: usize, const FIRST: usize, const C: usize, const K: usi
     let components = const {
         let place = at(B::BASIS.parts.azimuths, M);
         let left = place.profiles as usize - FIRST;
-        components::<4>(B::BASIS.parts.profiles, place.first as usize + FIRST, if left < 4 { left } else { 4 })
+        components::<4>(
+            B::BASIS.parts.profiles,
+            place.first as usize + FIRST,
+            if left < 4 { left } else { 4 },
+        )
     };
     write_twos(sums, components, coefficients);
 }

@@ -108,7 +108,7 @@ macro_rules! table {
             project_whole(light, material, inputs::coefficients(&mut d)?);
             Ok(d)
         });
-        const MODES: usize = $crate::index::material::count(ORDER);
+        const MODES: usize = $crate::specialized::material::count(ORDER);
         /// Projects a light and a material of this table's degree and order. Not inlined: the
         /// components would be copied one by one.
         #[inline(never)]
@@ -117,7 +117,7 @@ macro_rules! table {
             material: &[f32; MODES],
             d: &mut [f32; COMPONENTS],
         ) {
-            use $crate::index::{layout, pair};
+            use $crate::specialized::{layout, pair};
             use $crate::specialized::project;
             const LANES: usize = layout::LANES;
             const PAIRS: usize = pair::count(ORDER);

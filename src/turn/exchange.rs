@@ -1,7 +1,7 @@
 //! The matrices that exchange y and z: (Ef)(x, y, z) = f(x, z, y), for degrees 1 to 12.
 //!
 //! Without the phase, that is, in the basis of
-//! [`graphics_sign`](crate::index::light::graphics_sign), let c_m and s_m be the harmonics of
+//! [`graphics_sign`](eigenshade_table::light::graphics_sign), let c_m and s_m be the harmonics of
 //! orders m and -m. E is its own inverse and therefore symmetric. It maps functions that are even
 //! in y to functions that are even in z, and preserves the parity in x, so three quarters of its
 //! elements are zero. The others are four square blocks.

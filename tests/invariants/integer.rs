@@ -1,13 +1,12 @@
 //! The shipped table in f64 and as integers, decoded once, and a pixel in integers with room for everything.
 
 use super::Reader;
-use eigenshade::index::record::integers::OwnedParts;
 use eigenshade::q15::{Light, Material, Normal, Transfer};
 use eigenshade::sphere::q15;
 use eigenshade::{Error, Q15};
-use eigenshade_index::{light, material, mode, pair};
 use eigenshade_table::quantize::{TOLERANCE, integers};
-use eigenshade_table::{Component, Table};
+use eigenshade_table::record::integers::OwnedParts;
+use eigenshade_table::{Component, Table, light, material, mode, pair};
 use std::f64::consts::SQRT_2;
 use std::sync::OnceLock;
 

@@ -7,7 +7,7 @@ use super::{Reader, integer};
 use eigenshade::{
     Error, Light, Material, Normal, Normals, Q15, Tolerance, Truncation, q15, sphere,
 };
-use eigenshade_index::{light, material};
+use eigenshade_table::{light, material};
 
 /// What counts as moderate: sums of products of two stay below f32's largest.
 const MODERATE: f32 = 1e12;

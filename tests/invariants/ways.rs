@@ -5,11 +5,11 @@ use super::Reader;
 use super::integer::{Mantissa as _, Relit, normal, normals, shipped};
 use super::shading::{ANY_PIXEL_Q15, near};
 use eigenshade::{
-    Effect, Light, MapPoint, Material, NegativePolicy, Normal, Normals, Q15, Rotation,
-    Tolerance, Truncation, Window, q15, sphere,
+    Effect, Light, MapPoint, Material, NegativePolicy, Normal, Normals, Q15, Rotation, Tolerance,
+    Truncation, Window, q15, sphere,
 };
-use eigenshade_index::record::ProfilePlace;
-use eigenshade_index::{light, material};
+use eigenshade_table::record::ProfilePlace;
+use eigenshade_table::{light, material};
 
 /// d of any light and material, of what its addends could be, all of the largest size and of one
 /// sign: some roundings of 24 bits, of addends far smaller.
@@ -164,8 +164,8 @@ pub fn public_interface(bytes: &[u8]) {
 fn indices(input: &mut Reader<'_>) {
     let [a, b, c] = [(); 3].map(|()| u64::from_le_bytes(input.bytes()) as usize);
     let _ = (light::position(a, b.cast_signed()), material::position(a, b, c), light::count(a));
-    let _ = (eigenshade_index::pair::position(a, b), eigenshade_index::pair::count(a));
-    let _ = (eigenshade_index::layout::rows(a, b, c), material::count(a));
+    let _ = (eigenshade_table::pair::position(a, b), eigenshade_table::pair::count(a));
+    let _ = (eigenshade_table::layout::rows(a, b, c), material::count(a));
     let _ = (Light::turn_len(a), Light::new(&[0.0; 30][..b % 31]));
     let _ = Material::new(&[0.0; 30][..c % 31]);
 }

@@ -3,9 +3,9 @@
 use eigenshade_generator::object::density;
 use eigenshade_generator::object::geometry::WeightedNormals;
 use eigenshade_generator::scene_file::Loaded;
-use eigenshade_index::{light, material};
 use eigenshade_model::database::{Lights, Materials, Named};
 use eigenshade_table::scene::{Criterion, Normalize};
+use eigenshade_table::{light, material};
 use eigenshade_testing::fixtures::{self, named};
 use eigenshade_testing::oracle::Numbers;
 use eigenshade_testing::pictures::listed;

@@ -5,13 +5,13 @@ use crate::{config, tolerances};
 use eigenshade_generator::basis::moments;
 use eigenshade_generator::basis::profile::evaluate;
 use eigenshade_generator::scene_file::Loaded;
-use eigenshade_index::{light, material, mode};
 use eigenshade_model::polar_integral::PolarIntegrals;
 use eigenshade_model::reference::DirectSum;
 use eigenshade_model::rotation::Rotation;
 use eigenshade_model::scattering;
+use eigenshade_table::effect::Effects;
 use eigenshade_table::scene::Criterion;
-use eigenshade_table::{Table, decode, encode};
+use eigenshade_table::{Table, decode, encode, light, material, mode};
 use eigenshade_testing::fixtures::Projector;
 use eigenshade_testing::oracle::Numbers;
 use eigenshade_testing::rotations::{euler, irradiance, product, rotation};
@@ -243,8 +243,7 @@ fn assert_orthonormal(loaded: &Loaded, table: &Table) {
         let images: Vec<_> = profiles.iter().map(|(_, one)| image(&one.modes)).collect();
         // What of a component lies where the cut-off counts A as zero: A F v / σ_k, so
         // at most cut-off |A| |F| / σ_k.
-        let deviations =
-            moments::deviations(&moments, &of_materials, criterion, azimuth);
+        let deviations = moments::deviations(&moments, &of_materials, criterion, azimuth);
         let squares = deviations.iter().flat_map(|one| &one.material).map(|b| b * b);
         let factor = squares.sum::<f64>().sqrt();
         let lost = |k: usize| {

@@ -4,7 +4,6 @@
 
 use crate::oracle::Numbers;
 use crate::tolerances;
-use eigenshade::index::{light, material};
 use eigenshade_generator::basis::moments::LightStatistics;
 use eigenshade_generator::basis::moments::{MaterialMoments, equal};
 use eigenshade_generator::reading::light_estimate::Explained;
@@ -17,8 +16,8 @@ use eigenshade_model::database::Named;
 use eigenshade_model::irradiance;
 use eigenshade_model::reference::DirectSum;
 use eigenshade_model::rotation::Rotation;
-use eigenshade_table::Table;
 use eigenshade_table::scene::{Criterion, LightRotation};
+use eigenshade_table::{Table, light, material};
 use eigenshade_testing::fixtures::{self, Projector};
 use eigenshade_testing::{largest, pictures};
 use nalgebra::{DMatrix, DVector};

@@ -1,7 +1,7 @@
 //! The constants of `include/eigenshade_table.h`: the sizes of the table.
 
 use crate::table::{self, q15};
-use eigenshade::index::{light, material};
+use eigenshade_table::{light, material};
 
 /// Name, description and value.
 pub(crate) const CONSTANTS: [(&str, &str, usize); 12] = [

@@ -1,6 +1,6 @@
 //! The header `include/eigenshade_presets.h`.
 
-use eigenshade::index::highlights::SETS;
+use eigenshade_table::highlights::SETS;
 use std::format;
 use std::string::{String, ToString};
 use std::vec::Vec;

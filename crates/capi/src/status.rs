@@ -2,8 +2,8 @@
 
 use crate::table;
 use core::ffi::{CStr, c_char};
-use eigenshade::index::{light, material};
 use eigenshade::{Argument, Error};
+use eigenshade_table::{light, material};
 
 macro_rules! statuses {
     ($($status:ident = $number:literal: $message:literal)*) => {

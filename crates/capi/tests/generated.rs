@@ -10,7 +10,7 @@ mod oracle;
 #[expect(dead_code, reason = "other tests use the rest")]
 mod tolerances;
 
-use eigenshade::{Light, Material, Normal, generated, index, sphere};
+use eigenshade::{Light, Material, Normal, generated, sphere};
 
 /// Statics in f32 of a table that another host made, of the largest of their kind: 2^-23,
 /// a rounding the other way.
@@ -55,8 +55,9 @@ fn a_scene_of_ones_own_is_its_images() {
     assert_eq!((generated::DEGREE, generated::ORDER), (3, 2));
     assert_eq!((generated::q15::DEGREE, generated::q15::ORDER), (3, 2));
     let mut numbers = oracle::Numbers(5);
-    let coefficients: Vec<f64> = (0..index::light::count(3)).map(|_| numbers.next()).collect();
-    let indices: Vec<_> = index::material::indices(2).collect();
+    let coefficients: Vec<f64> =
+        (0..eigenshade_table::light::count(3)).map(|_| numbers.next()).collect();
+    let indices: Vec<_> = eigenshade_table::material::indices(2).collect();
     let brdf: Vec<_> = indices.iter().map(|&(o, p, q)| (o, p, q, numbers.next())).collect();
     let rounded = |values: &[f64]| values.iter().map(|&value| value as f32).collect::<Vec<_>>();
     let light = rounded(&coefficients);

@@ -59,7 +59,7 @@ fn c_draws_with_the_table_of_a_scene() {
         q15::Light::new(light.exponent(), mantissas).expect("a light")
     });
     let material = GOLD_METALLIC_PAINT.map(|material| {
-        let length = eigenshade::index::material::count(ORDER);
+        let length = eigenshade_table::material::count(ORDER);
         let (exponents, mantissas) = (material.exponents(), material.mantissas());
         q15::Material::new(&exponents[..=ORDER], &mantissas[..length]).expect("a material")
     });

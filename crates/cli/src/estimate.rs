@@ -4,11 +4,11 @@
 //! under all shipped lights if its own are not known.
 
 use crate::presets::{Source, largest_within};
-use eigenshade_index::highlights::MATTE;
 use eigenshade_model::error::Result;
 use eigenshade_model::screen::ScreenError;
+use eigenshade_model::shipped;
 use eigenshade_model::source::{Base, Gloss, NamedGloss, SetError};
-use eigenshade_shading::shipped;
+use eigenshade_table::highlights::MATTE;
 
 /// The rms that a fitted gloss leaves, relative to pictures under a small source, from which on it
 /// is worth a note.

@@ -92,7 +92,7 @@ pub fn spinner(what: &'static str) -> indicatif::ProgressBar {
 /// Shows nothing: progress bars need the feature `generate`.
 #[cfg(not(feature = "generate"))]
 #[must_use]
-pub fn progress_bar(_: &'static str, _: usize) -> impl eigenshade_shading::parallel::Progress {}
+pub fn progress_bar(_: &'static str, _: usize) -> impl eigenshade_model::parallel::Progress {}
 
 /// How far an albedo may be beyond 0 to 1: the error of truncated coefficients.
 const ALBEDO_SLACK: f64 = 1e-3;

@@ -2,12 +2,12 @@
 //! itself is drawn.
 
 use eigenshade::{Exposure, Highlights, Meter, Rgb};
-use eigenshade_index::highlights::MAX_SOURCES;
 use eigenshade_model::error::Result;
 use eigenshade_model::evaluation::Evaluator;
 use eigenshade_model::window::Window;
 use eigenshade_shading::shader::{Lit, OwnedNormals, Shader, fault};
 use eigenshade_table::Table;
+use eigenshade_table::highlights::MAX_SOURCES;
 use std::f64::consts::PI;
 
 /// The number of normals.

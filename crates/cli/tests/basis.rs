@@ -11,7 +11,7 @@ use crate::tolerances;
 use eigenshade_model::inputs::coefficient_csv::read_materials;
 use eigenshade_model::inputs::normals::read_normals;
 use eigenshade_model::reference::DirectSum;
-use eigenshade_shading::shipped;
+use eigenshade_model::shipped;
 use eigenshade_table::{General, MeanImage, Table, decode, encode};
 use std::process::Command;
 

@@ -164,7 +164,7 @@ fn compiled() -> (String, Vec<[Vec<f32>; 2]>) {
         let (table, ..) = self::table(&folder, &small);
         let name = format!("of_{degree}_{order}");
         let parts = integers(&table, TOLERANCE).expect("parts");
-        let count = eigenshade_index::material::count(order).to_string();
+        let count = eigenshade_table::material::count(order).to_string();
         body += &COMPARE_INTEGERS.replace("NAME", &name).replace("MATERIAL", &count);
         files.push((name, statics::integers(&parts, "a test")));
     }
@@ -266,7 +266,9 @@ fn info_describes_wire_files() {
         assert_eq!(bytes, format!("bytes        {length}"));
         assert!(error.starts_with("error        ") && error.contains("of the peak"), "{error}");
         let buffers = match format {
-            "f32" => of_floats(&OwnedBasis::new(&table).expect("a table").basis().expect("a basis")),
+            "f32" => {
+                of_floats(&OwnedBasis::new(&table).expect("a table").basis().expect("a basis"))
+            }
             _ => of_integers(&table),
         };
         let description = folder.ok("info --table w.esw");

@@ -1,5 +1,5 @@
 //! Hard cases of scenes: images without variance, objects of few normals, black lights and
-//! materials, and coefficients out of range. `experiments stability` measures more of them, and the
+//! materials, and coefficients out of range. `report stability` measures more of them, and the
 //! runtime's properties cover any degree and order.
 
 use crate::support::files::built;
@@ -8,7 +8,7 @@ use crate::support::{
     scene,
 };
 use crate::tolerances;
-use eigenshade_index::{light, material};
+use eigenshade_table::{light, material};
 
 /// If images do not vary, image-centered tables have the constant alone, and standard tables no
 /// component.

@@ -4,9 +4,9 @@ use crate::support::{Folder, PAIR, difference};
 use crate::tolerances;
 use eigenshade_cli::picture::SphereView;
 use eigenshade_model::database::Named;
+use eigenshade_model::{reference_image, shipped};
 use eigenshade_shading::owned_basis::OwnedBasis;
 use eigenshade_shading::shader::{OwnedNormals, Shader, fitted};
-use eigenshade_shading::{reference_image, shipped};
 use eigenshade_testing::{assert_recorded, fixtures};
 
 /// Pictures under a light turned with its normals against those as they were, of the peak: sums of

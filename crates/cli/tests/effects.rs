@@ -3,11 +3,9 @@
 
 use crate::support::{Folder, PAIR, assert_fails, assert_near, colored, lights, materials, scene};
 use crate::tolerances;
-use eigenshade_index::effect::{Effect, Effects};
-use eigenshade_index::{light, material, mode};
 use eigenshade_model::evaluation::Evaluator;
-use eigenshade_table::Table;
-use eigenshade_table::parts;
+use eigenshade_table::effect::{Effect, Effects};
+use eigenshade_table::{Table, light, material, mode, parts};
 
 /// The sum of pictures of effects against the picture of all, relative to the peak: rounding.
 const SUM_OF_EFFECTS: f64 = 9e-15;
@@ -97,7 +95,8 @@ fn some_effects_are_the_direct_sum_over_their_modes() {
                 ("--format f32 --method eigen", tolerances::ALL_COMPONENTS_F32),
                 ("--format q15", EFFECTS_Q15),
             ] {
-                if criterion == "standard" && !options.contains("f64") && !options.contains("modes") {
+                if criterion == "standard" && !options.contains("f64") && !options.contains("modes")
+                {
                     continue;
                 }
                 for table in ["some.bin", "all.bin"] {

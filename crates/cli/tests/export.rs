@@ -3,10 +3,10 @@
 
 use crate::support::files::built;
 use crate::support::{Folder, PAIR, scene};
-use eigenshade_index::mode;
 use eigenshade_model::database::Named;
 use eigenshade_model::inputs::coefficient_csv::{read_lights, read_materials};
 use eigenshade_model::special::spherical_harmonic;
+use eigenshade_table::mode;
 use std::collections::HashMap;
 use std::io::{Cursor, Read};
 

@@ -5,7 +5,8 @@ use crate::support::{
     BASIS, Folder, PAIR, SOURCES, assert_contains, repository, repository_text, stderr,
 };
 use eigenshade_model::inputs::coefficient_csv::{read_lights, read_materials};
-use eigenshade_shading::shipped;
+use eigenshade_model::shipped;
+use eigenshade_table::material;
 use std::process::Command;
 
 /// Two lights in color and materials in gray, whose names are no identifiers.
@@ -93,12 +94,11 @@ fn rust_source_compiles_and_holds_the_numbers() {
             }}\n"
         );
     }
+    let orders: Vec<usize> = material::indices(7).map(|(o, ..)| o).collect();
+    let of_material = format!("channel.exponents()[{orders:?}[_k]]");
     for (constant, _) in CONSTANTS {
-        let exponent = if constant.starts_with("light") {
-            "channel.exponent()"
-        } else {
-            "channel.exponents()[eigenshade::index::material::indices(7).nth(_k).unwrap().0]"
-        };
+        let exponent =
+            if constant.starts_with("light") { "channel.exponent()" } else { &of_material };
         body += &format!(
             "for channel in [of_q15::{constant}.r, of_q15::{constant}.g, of_q15::{constant}.b] {{
                 for (_k, number) in channel.mantissas().iter().enumerate() {{

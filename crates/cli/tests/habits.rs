@@ -4,7 +4,7 @@ use crate::PROGRAM;
 use crate::support::{
     Folder, PAIR, SHADE, assert_contains, assert_fails, error_line, shipped_path, stderr,
 };
-use eigenshade_shading::shipped;
+use eigenshade_model::shipped;
 use serde_json::Value;
 use std::fs;
 use std::io::Write;

@@ -6,8 +6,8 @@ use eigenshade_generator::material::brdf::{Brdf, Geometry, Ggx};
 use eigenshade_model::inputs::gloss_csv::read_glosses;
 use eigenshade_model::inputs::set_error_csv::read_set_errors;
 use eigenshade_model::inputs::source_csv::read_sources;
+use eigenshade_model::shipped;
 use eigenshade_model::source::{Base, Gloss, SetError};
-use eigenshade_shading::shipped;
 use eigenshade_testing::fixtures;
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 

@@ -8,9 +8,9 @@ use eigenshade::{Display, Exposure, Light, Normal, Rgb, Rotation, Tone, Window, 
 use eigenshade_cli::object::ObjectView;
 use eigenshade_cli::picture::SphereView;
 use eigenshade_cli::reading::pixels::{LinearImage, Transfer};
+use eigenshade_model::shipped;
+use eigenshade_model::sphere_rings::rings;
 use eigenshade_model::srgb::linear;
-use eigenshade_shading::shipped;
-use eigenshade_shading::sphere_rings::rings;
 use eigenshade_testing::largest_difference;
 use png::chunk::ChunkType;
 use png::{BitDepth, ColorType, Encoder, ScaledFloat, SrgbRenderingIntent};

@@ -31,7 +31,7 @@ fn components_and_material_come_back() {
     assert_eq!(get(&found, "fit", "product-converged"), [[1.0; 3]]);
     assert!(folder.read("l.csv").contains("\nimage,0,0,"));
     let modes = rows(&folder.read("m.csv"), "estimate,l,m,o,p,q,r,g,b");
-    let count = eigenshade_index::mode::total(DEGREE, ORDER);
+    let count = eigenshade_table::mode::total(DEGREE, ORDER);
     assert_eq!(modes.len(), 2 * count);
 }
 

@@ -7,8 +7,7 @@ use crate::support::{
     materials, numbers, rows,
 };
 use crate::tolerances;
-use eigenshade_index::light;
-use eigenshade_table::encode;
+use eigenshade_table::{encode, light};
 use eigenshade_testing::largest;
 use std::f64::consts::PI;
 

@@ -4,8 +4,7 @@
 use crate::support::{
     BASIS, Folder, NEW_BASIS, PAIR, assert_fails, materials, repository_text, scene, shipped_scene,
 };
-use eigenshade_index::material;
-use eigenshade_table::Table;
+use eigenshade_table::{Table, material};
 use std::collections::HashMap;
 
 /// The small scene with a tolerance, and these lines of `[basis]`.

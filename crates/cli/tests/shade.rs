@@ -2,7 +2,7 @@
 
 use crate::support::{DEGREE, Folder, PAIR, SHADE, assert_fails, lights};
 use crate::tolerances;
-use eigenshade_index::light;
+use eigenshade_table::light;
 use eigenshade_testing::largest;
 use std::f64::consts::{PI, TAU};
 

@@ -4,9 +4,9 @@
 use crate::shader::parts;
 use crate::support::{DEGREE, Folder, ORDER, SOURCES, assert_fails};
 use eigenshade::{Argument, Error, Gloss, Highlights, Shader, ShaderLanguage, Source};
-use eigenshade_index::{light, material};
 use eigenshade_shading::owned_basis::OwnedBasis;
 use eigenshade_shading::shader::Shader as Projector;
+use eigenshade_table::{light, material};
 
 /// Runs a test with the shader of scenes of the small table.
 fn with_shader(test: impl Fn(Shader<'_>)) {

@@ -6,8 +6,8 @@ use eigenshade_generator::material::brdf::projection::{
     Projection, nodes, project, project_orders, project_with,
 };
 use eigenshade_generator::material::brdf::{Brdf, Lambertian, Measure, OrenNayar};
-use eigenshade_index::material;
 use eigenshade_model::scattering;
+use eigenshade_table::material;
 use eigenshade_testing::{largest, relative_error};
 use std::f64::consts::{PI, TAU};
 

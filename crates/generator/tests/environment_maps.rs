@@ -12,10 +12,10 @@ mod stated;
 
 use eigenshade_generator::light::environment::EnvironmentMap;
 use eigenshade_generator::light::projection::{named_maps, project};
-use eigenshade_index::light;
 use eigenshade_model::inputs::coefficient_csv::{read_lights, write_lights};
 use eigenshade_model::inputs::coefficient_text::{LIGHT_DIGITS, rounded};
 use eigenshade_model::special::spherical_harmonic;
+use eigenshade_table::light;
 use files::{Type, held, map_of, through};
 use std::f64::consts::PI;
 use tolerances::LIGHT_PROJECTION;

@@ -3,11 +3,11 @@
 //! 25-digit values, see `crates/cli/tests/commands.rs`.
 
 use crate::tolerances;
-use eigenshade_index::{light, material};
 use eigenshade_model::rotation::Rotation;
 use eigenshade_model::scattering::{albedo, brdf, modes};
 use eigenshade_model::special::quadrature::gauss_legendre;
 use eigenshade_model::special::spherical_harmonic;
+use eigenshade_table::{light, material};
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
 /// Scattering modes (8) up to order 12 under exact quadrature: some thousand roundings.

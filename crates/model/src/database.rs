@@ -1,7 +1,7 @@
 //! Named lights and materials as coefficients of three color channels.
 
 use crate::error::{Error, Result};
-use eigenshade_index::{light, material};
+use eigenshade_table::{light, material};
 use std::collections::BTreeMap;
 
 /// The coefficients of one light or one material, for each channel (r, g, b).
@@ -69,7 +69,7 @@ impl Named {
     }
 }
 
-/// Lights of one degree: L_l^m in radiance, in the order of [`eigenshade_index::light`].
+/// Lights of one degree: L_l^m in radiance, in the order of [`eigenshade_table::light`].
 #[derive(Clone, Debug, PartialEq)]
 pub struct Lights {
     /// The common degree of the lights.
@@ -78,7 +78,7 @@ pub struct Lights {
     pub entries: Vec<Named>,
 }
 
-/// Materials of one order: b_op^q in 1/sr, in the order of [`eigenshade_index::material`].
+/// Materials of one order: b_op^q in 1/sr, in the order of [`eigenshade_table::material`].
 #[derive(Clone, Debug, PartialEq)]
 pub struct Materials {
     /// The common order of the materials.

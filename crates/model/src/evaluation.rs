@@ -18,12 +18,11 @@
 
 use crate::error::{Error, Result};
 use crate::orthogonal_series::OrthogonalSeries;
-use eigenshade_index::effect::{Effect, Effects};
-use eigenshade_index::{light, material, mode};
 #[cfg(doc)]
 use eigenshade_table::General;
+use eigenshade_table::effect::{Effect, Effects};
 use eigenshade_table::reduce::fingerprint;
-use eigenshade_table::{Component, Profile, Table};
+use eigenshade_table::{Component, Profile, Table, light, material, mode};
 use std::borrow::Borrow;
 use std::f64::consts::SQRT_2;
 

@@ -4,7 +4,7 @@
 use crate::source::{Gloss, Source};
 use crate::special::spherical_harmonic;
 use crate::vector::{dot, plus, times, unit};
-use eigenshade_index::light;
+use eigenshade_table::light;
 use std::f64::consts::{FRAC_1_PI, TAU};
 
 /// The least cosine of half the angle between a source and the view.

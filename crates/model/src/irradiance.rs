@@ -2,7 +2,7 @@
 
 use crate::polar_integral::{PolarIntegrals, gain};
 use crate::special::{spherical_harmonic, wigner, zernike};
-use eigenshade_index::pair;
+use eigenshade_table::pair;
 
 /// D_l^mq(α, β, 0) / Φ_m(β) of (49), for l = max(|m|, q)..=degree, q >= 0.
 ///

@@ -1,5 +1,5 @@
-//! The model from which eigenshade tables are computed, the evaluation of tables in f64, and the
-//! coefficient files.
+//! The model from which eigenshade tables are computed, the evaluation of tables in f64, the
+//! coefficient files, and the shipped data.
 //!
 //! The modules follow the mathematics of Nillius and Eklundh, "Phenomenological Eigenfunctions for
 //! Image Irradiance", ICCV 2003; "(n)" in these pages is equation n of that paper.
@@ -33,6 +33,8 @@ pub mod vector;
 
 pub mod rotation;
 
+pub mod sphere_rings;
+
 pub mod polar_integral;
 
 pub mod scattering;
@@ -43,6 +45,10 @@ pub mod selection;
 
 pub mod reference;
 
+pub mod parallel;
+
+pub mod reference_image;
+
 mod orthogonal_series;
 
 pub mod evaluation;
@@ -52,6 +58,8 @@ pub mod window;
 pub mod error;
 
 pub mod database;
+
+pub mod overflow;
 
 pub mod source;
 
@@ -75,5 +83,7 @@ pub mod inputs {
     pub mod sheet;
     pub mod source_csv;
 }
+
+pub mod shipped;
 
 pub mod output;

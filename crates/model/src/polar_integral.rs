@@ -4,7 +4,7 @@
 use crate::special::quadrature::gauss_legendre;
 use crate::special::spherical_harmonic::legendre;
 use crate::special::zernike;
-use eigenshade_index::pair;
+use eigenshade_table::pair;
 
 /// N_l^q C_lo^q for every pair (o, q) up to an order and every l up to a degree.
 ///

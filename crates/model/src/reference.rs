@@ -7,8 +7,8 @@
 use crate::irradiance::{slant_radials, slant_rotation};
 use crate::polar_integral::{PolarIntegrals, gain};
 use crate::special::spherical_harmonic::azimuth;
-use eigenshade_index::effect::{Effect, Effects};
-use eigenshade_index::{light, material, pair};
+use eigenshade_table::effect::{Effect, Effects};
+use eigenshade_table::{light, material, pair};
 
 /// The precomputed part of the sum for a degree and an order.
 #[derive(Clone, Debug)]

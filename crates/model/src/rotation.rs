@@ -11,7 +11,7 @@
 //! | m < 0 | P^mn sin s + (-1)^n P^m,-n sin t | √2 P^m0 sin mβ | -(-1)^n P^mn cos s + P^m,-n cos t |
 
 use crate::special::wigner;
-use eigenshade_index::light;
+use eigenshade_table::light;
 use std::f64::consts::SQRT_2;
 
 /// Euler angles, radians: R = Rz(`beta`) Ry(`alpha`) Rz(`gamma`).
@@ -71,7 +71,7 @@ impl Rotation {
     /// The coefficients of the light rotated by R: L'(Rω) = L(ω), so L'_m = Σ_n D_l^mn L_n.
     ///
     /// `light` and the result have (degree + 1)² coefficients in the order of
-    /// [`eigenshade_index::light`]. The rotation is orthogonal, so it preserves the energy of each
+    /// [`eigenshade_table::light`]. The rotation is orthogonal, so it preserves the energy of each
     /// degree.
     #[must_use]
     pub fn turn(self, degree: usize, light: &[f64]) -> Vec<f64> {

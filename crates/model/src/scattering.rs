@@ -8,7 +8,7 @@
 use std::f64::consts::TAU;
 
 use crate::irradiance::slant_radials;
-use eigenshade_index::{material, pair};
+use eigenshade_table::{material, pair};
 
 /// I_op^q(θ_i, θ_r, Δφ) \[1/sr per unit of b_op^q\] for every mode up to `order`, in the order of
 /// [`material`].

@@ -1,8 +1,7 @@
 //! The variance of each irradiance mode (2.4), and the selection of the modes with the highest
 //! variance (2.5).
 
-use eigenshade_index::mode;
-use eigenshade_table::GramFactor;
+use eigenshade_table::{GramFactor, mode};
 
 /// The modes of a scene that a selection kept.
 #[derive(Clone, Debug, PartialEq)]

@@ -2,7 +2,7 @@
 
 use crate::inputs::coefficient_text::significant;
 use crate::screen::ScreenError;
-use eigenshade_index::highlights::{MATTE, ROUGHNESS, SMOOTHEST};
+use eigenshade_table::highlights::{MATTE, ROUGHNESS, SMOOTHEST};
 
 /// An elliptical blob of light on the sphere of directions: see the runtime's `Source`.
 #[derive(Clone, Copy, Debug, PartialEq)]

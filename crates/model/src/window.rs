@@ -57,7 +57,7 @@ impl Window {
         }
     }
 
-    /// Attenuates the coefficients of a light, in the order of [`eigenshade_index::light`].
+    /// Attenuates the coefficients of a light, in the order of [`eigenshade_table::light`].
     pub fn apply(self, light: &mut [f64]) {
         let degrees = (0..).flat_map(|l| std::iter::repeat_n(l, 2 * l + 1));
         light.iter_mut().zip(degrees).for_each(|(value, l)| *value *= self.factor(l));

@@ -1,9 +1,9 @@
 //! Small sources of the host as sources of the runtime.
 
 use crate::shader::fault;
-use eigenshade_index::light;
 use eigenshade_model::error::Result;
 use eigenshade_model::source::{Gloss, Source};
+use eigenshade_table::light;
 
 /// The largest degree of [`harmonics`].
 const DEGREE: usize = 32;

@@ -3,15 +3,14 @@
 //! An [`OwnedQuantized`] is a table read at run time as a runtime basis; an [`IntegerShader`] adds
 //! work buffers.
 
-use crate::overflow;
 use crate::shader::{beyond, fault};
 use eigenshade::Q15;
 use eigenshade::q15::{Basis, Light, Material, Normal, Transfer};
-use eigenshade_index::record::integers::OwnedParts;
 use eigenshade_model::error::{Error, Result};
-use eigenshade_table::FormatError;
-use eigenshade_table::Table;
+use eigenshade_model::overflow;
 use eigenshade_table::quantize::{self, TOLERANCE};
+use eigenshade_table::record::integers::OwnedParts;
+use eigenshade_table::{FormatError, Table};
 
 /// The nearest representable normal.
 ///

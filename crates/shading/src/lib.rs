@@ -1,12 +1,13 @@
-//! Images from a table on the host: the runtime's methods in f32 and in integers, and the direct
-//! sum as the reference.
+//! Images from a table on the host by the runtime's methods, in f32 and in integers.
+//!
+//! The feature `sources` finds small bright sources in captured light.
 //!
 //! A shipped material under a shipped light:
 //!
 //! ```
 //! use eigenshade_shading::owned_basis::OwnedBasis;
 //! use eigenshade_shading::shader::{OwnedNormals, Shader, fitted};
-//! use eigenshade_shading::shipped;
+//! use eigenshade_model::shipped;
 //!
 //! let table = eigenshade_table::decode(shipped::TABLE)?;
 //! let (lights, materials) = fitted(&table, &shipped::lights()?, &shipped::materials()?);
@@ -19,12 +20,6 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
-pub mod parallel;
-
-pub mod overflow;
-
-pub mod shipped;
-
 pub mod owned_basis;
 
 pub mod shader;
@@ -33,8 +28,7 @@ pub mod methods;
 
 pub mod integer_shader;
 
-pub mod reference_image;
-
-pub mod sphere_rings;
-
 pub mod highlights;
+
+#[cfg(feature = "sources")]
+pub mod sources;

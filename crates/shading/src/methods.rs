@@ -1,11 +1,11 @@
 //! Other ways to an image than all collapsed polynomials: the fewest terms for a tolerance,
 //! a baked map, and the sum of the components.
 
-use crate::overflow;
 use crate::owned_basis::AnyBasis;
 use crate::shader::{Lit, OwnedNormals, Shader, fault};
 use eigenshade::{MapPoint, Normal, Scene, Tolerance, Truncation};
 use eigenshade_model::error::{Error, Result};
+use eigenshade_model::overflow;
 
 impl Shader<'_> {
     /// The channels of one color image, with a common shape that has the fewest polynomial terms

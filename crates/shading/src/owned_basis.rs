@@ -2,8 +2,8 @@
 
 use crate::shader::beyond;
 use eigenshade::{Basis, GeneralBasis};
-use eigenshade_index::record::floats::{OwnedGeneralParts, OwnedParts};
 use eigenshade_model::error::{Error, Result};
+use eigenshade_table::record::floats::{OwnedGeneralParts, OwnedParts};
 use eigenshade_table::{FormatError, Table, parts};
 
 /// The owned records of a basis.

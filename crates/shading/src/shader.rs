@@ -1,14 +1,14 @@
 //! Computes the irradiance of many normals from a light and a material, in f32.
 
-use crate::overflow;
 use crate::owned_basis::{AnyBasis, OwnedTransfer};
 use eigenshade::{Light, Material, Normal, Normals, Scene};
-use eigenshade_index::effect::Effects;
-use eigenshade_index::layout::{MAX_DEGREE, MAX_ORDER};
 use eigenshade_model::database::{Lights, Materials, Named};
 use eigenshade_model::error::{Error, Result};
+use eigenshade_model::overflow;
 use eigenshade_model::reference::{light_products, material_products};
 use eigenshade_table::Table;
+use eigenshade_table::effect::Effects;
+use eigenshade_table::layout::{MAX_DEGREE, MAX_ORDER};
 use eigenshade_table::reduce::fingerprint;
 use std::path::Path;
 

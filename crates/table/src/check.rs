@@ -1,10 +1,10 @@
 //! Consistency checks on the parts of a table, so that decoding is total.
 
+use crate::effect::Effects;
+use crate::record::NONE;
 use crate::scene::{Criterion, is_share};
 use crate::table::{General, Table};
-use eigenshade_index::effect::Effects;
-use eigenshade_index::record::NONE;
-use eigenshade_index::{material, mode, pair};
+use crate::{material, mode, pair};
 
 /// The largest degree and order of a valid table. The limit keeps the counts below from
 /// overflowing.

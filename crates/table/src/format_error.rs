@@ -1,6 +1,6 @@
 //! Why a table is not one of the runtime.
 
-use eigenshade_index::layout::{MAX_DEGREE, MAX_ORDER, MAX_WEIGHTS};
+use crate::layout::{MAX_DEGREE, MAX_ORDER, MAX_WEIGHTS};
 use std::fmt;
 
 /// The maximum number of profiles in `eigenshade::q15::Basis`.

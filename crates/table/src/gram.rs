@@ -5,7 +5,7 @@
 //! f_s(α) Φ_m(β) and the azimuth functions are orthonormal. A itself is a product of small tables,
 //! which are stored instead.
 
-use eigenshade_index::{material, mode, pair};
+use crate::{material, mode, pair};
 use serde::{Deserialize, Serialize};
 
 /// The small tables whose product is A.

@@ -3,12 +3,12 @@
 
 use crate::chebyshev::{Form, polynomial};
 use crate::format_error::FormatError;
+use crate::layout::{LANES, PASS, first_order, lowest_degree};
+use crate::record::floats::{OwnedGeneralParts, OwnedParts};
+use crate::record::{Azimuth, NONE, Pass, ProfilePlace, Row, Run};
 use crate::scene::Criterion;
 use crate::table::{General, Profile, Table};
-use eigenshade_index::layout::{LANES, PASS, first_order, lowest_degree};
-use eigenshade_index::record::floats::{OwnedGeneralParts, OwnedParts};
-use eigenshade_index::record::{Azimuth, NONE, Pass, ProfilePlace, Row, Run};
-use eigenshade_index::{layout, pair};
+use crate::{layout, pair};
 use std::collections::BTreeSet;
 
 /// Whether the runtime takes this table.

@@ -7,10 +7,10 @@
 use crate::chebyshev::{Form, polynomial};
 use crate::format_error::{FormatError, MAX_PROFILES};
 use crate::parts;
+use crate::record::integers::{OwnedParts, Profile as Place};
+use crate::record::{NONE, Q15};
 use crate::table::{Profile, Table};
-use eigenshade_index::record::integers::{OwnedParts, Profile as Place};
-use eigenshade_index::record::{NONE, Q15};
-use eigenshade_index::{layout, material, pair};
+use crate::{layout, material, pair};
 
 /// Number of bits of a mantissa, without the sign.
 const BITS: i32 = Q15::BITS.cast_signed();
@@ -89,11 +89,10 @@ pub fn integers(table: &Table, tolerance: f64) -> Result<OwnedParts<Q15>, Format
         return Err(FormatError::Large { component });
     }
     let count = |azimuth| profiles.iter().filter(|one| one.azimuth() == azimuth).count();
-    let azimuths = parts::positions(
-        (0..=degree).map(count),
-        lengths.iter().copied(),
-        |azimuth, count| count * (degree + 1 - azimuth),
-    );
+    let azimuths =
+        parts::positions((0..=degree).map(count), lengths.iter().copied(), |azimuth, count| {
+            count * (degree + 1 - azimuth)
+        });
     Ok(OwnedParts {
         azimuths,
         degree,

@@ -2,7 +2,7 @@
 
 use crate::scene::Store;
 use crate::table::{Component, MaterialTransfer, Table};
-use eigenshade_index::{material, mode};
+use crate::{material, mode};
 
 /// The table restricted to the components for which `keep` returns true, and to their profiles.
 ///

@@ -1,7 +1,7 @@
 //! The scene file: the specification of a basis.
 
-use eigenshade_index::effect;
-pub use eigenshade_index::effect::Effect;
+use crate::effect;
+pub use crate::effect::Effect;
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 

@@ -3,10 +3,10 @@
 use crate::format_error::FormatError;
 use crate::parts;
 use crate::quantize;
+use crate::record::Q15;
+use crate::record::integers::OwnedParts;
+use crate::source;
 use crate::table::Table;
-use eigenshade_index::record::Q15;
-use eigenshade_index::record::integers::OwnedParts;
-use eigenshade_index::source;
 
 /// The text of a module, and why it lacks integers.
 #[derive(Clone, Debug, PartialEq)]

@@ -1,11 +1,11 @@
 //! A table: the eigenbasis of one scene.
 
 use crate::chebyshev::clenshaw;
+use crate::effect::Effects;
+use crate::format::NumberFormat;
 use crate::gram::GramFactor;
+use crate::pair;
 use crate::scene::{Scene, Store};
-use eigenshade_index::effect::Effects;
-use eigenshade_index::format::NumberFormat;
-use eigenshade_index::pair;
 use serde::{Deserialize, Serialize};
 
 /// All results of the generator for one scene, in f64.
@@ -62,7 +62,7 @@ pub struct Profile {
     /// \[0, 1\]; h(1) > 0.
     pub chebyshev: Vec<f64>,
     /// Coefficients of the eigenimage over the modes of |m|, in the order of
-    /// `eigenshade_index::mode`: a column of U. Empty unless [`Table::has_modes`].
+    /// `crate::mode`: a column of U. Empty unless [`Table::has_modes`].
     pub modes: Vec<f64>,
     /// UᵀM, factored: for each l = |m|..=degree and each pair (p, q), (-1)^q √(p+1) Σ_k √w_k W_k
     /// R_p^q D_l^mq. See [`Table::gram_row`]. Empty unless [`Table::has_projection`].
@@ -197,7 +197,7 @@ impl Table {
             gram.polar_integrals[pair::position(o, q) * (gram.degree + 1) + l]
                 * ((o + 1) as f64).sqrt()
         };
-        eigenshade_index::mode::indices(gram.degree, gram.order, profile.azimuth)
+        crate::mode::indices(gram.degree, gram.order, profile.azimuth)
             .map(|(l, o, p, q)| {
                 if !self.keeps(profile.azimuth, l, o, p, q) {
                     return 0.0;

@@ -5,14 +5,13 @@ use crate::{largest, largest_difference};
 use eigenshade::{Basis, Light, Material, Normal};
 use eigenshade_generator::basis;
 use eigenshade_generator::scene_file::{self, Loaded};
-use eigenshade_index::{light, material};
 use eigenshade_model::database::{Lights, Materials, Named};
 use eigenshade_model::evaluation::Evaluator;
 use eigenshade_model::inputs::coefficient_csv::{read_lights, read_materials};
 use eigenshade_model::reference::DirectSum;
 use eigenshade_model::special::quadrature::gauss_legendre;
-use eigenshade_table::Table;
 use eigenshade_table::scene::Criterion;
+use eigenshade_table::{Table, light, material};
 use std::f64::consts::{FRAC_PI_2, PI};
 use std::path::Path;
 

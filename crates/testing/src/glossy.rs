@@ -5,10 +5,10 @@
 //! Surfaces", 2007, with Smith's height-correlated masking and Schlick's Fresnel term; α is
 //! roughness².
 
-use eigenshade_index::{material, pair};
 use eigenshade_model::database::{Materials, Named};
 use eigenshade_model::irradiance::slant_radials;
 use eigenshade_model::special::quadrature::gauss_legendre;
+use eigenshade_table::{material, pair};
 use std::f64::consts::{PI, TAU};
 
 /// Ten roughnesses, 0.1 to 1, each as a dielectric on a matte base and as a metal.

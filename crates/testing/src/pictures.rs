@@ -5,10 +5,9 @@ use crate::fixtures::{Image, Projector, direct_images};
 use crate::largest;
 use eigenshade_generator::object::geometry::{Geometry, WeightedNormals};
 use eigenshade_generator::scene_file::Loaded;
-use eigenshade_index::{light, material};
 use eigenshade_model::irradiance;
-use eigenshade_table::Table;
 use eigenshade_table::scene::Criterion;
+use eigenshade_table::{Table, light, material};
 use nalgebra::{DMatrix, DVector};
 
 /// All images of a scene's database over a list of normals.

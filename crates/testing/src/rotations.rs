@@ -1,9 +1,9 @@
 //! Rotations as matrices, and irradiance in a rotated frame.
 
-use eigenshade_index::{light, material};
 use eigenshade_model::polar_integral::PolarIntegrals;
 use eigenshade_model::rotation::Rotation;
 use eigenshade_model::special::zernike;
+use eigenshade_table::{light, material};
 use std::f64::consts::PI;
 
 /// ∫ L f cos θ_i dω_i in the local frame, with f of (8) and the view at (θ_r, φ_r).

@@ -3,7 +3,7 @@
 
 use eigenshade_testing::oracle;
 
-use eigenshade::{Light, Material, Normal, Q15, index, q15};
+use eigenshade::{Light, Material, Normal, Q15, q15};
 use own_table::table;
 
 /// Images of forty components in f32 against direct quadrature, of the peak: what the other
@@ -25,13 +25,13 @@ fn row(file: &str, name: &str, count: usize) -> Vec<f64> {
 
 #[test]
 fn images_are_those_of_the_scene() {
-    let light = row("lights.csv", "venice", index::light::count(3));
+    let light = row("lights.csv", "venice", eigenshade_table::light::count(3));
     let reference = oracle::ExplicitLight::new(&light);
     let mut numbers = oracle::Numbers(3);
     let normals: Vec<[f64; 3]> = (0..40).map(|_| numbers.normal()).collect();
     for name in ["10-plaster-a", "07-velvet", "ptfe-633nm"] {
-        let material = row("materials.csv", name, index::material::count(4));
-        let indices = index::material::indices(4).zip(&material);
+        let material = row("materials.csv", name, eigenshade_table::material::count(4));
+        let indices = eigenshade_table::material::indices(4).zip(&material);
         let brdf: Vec<_> = indices.map(|((o, p, q), &b)| (o, p, q, b)).collect();
         let expected: Vec<f64> =
             normals.iter().map(|&normal| oracle::irradiance(&reference, &brdf, normal)).collect();

@@ -2,11 +2,10 @@
 
 use crate::Result;
 use eigenshade::Q15;
-use eigenshade::index::record::integers::OwnedParts;
-use eigenshade::index::source;
 use eigenshade::q15::{Basis, Material};
 use eigenshade_table::quantize::{self, TOLERANCE};
-use eigenshade_table::{Table, statics};
+use eigenshade_table::record::integers::OwnedParts;
+use eigenshade_table::{Table, source, statics};
 
 /// The first line of each generated module.
 const COMMAND: &str = "build.rs";

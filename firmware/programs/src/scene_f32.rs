@@ -10,7 +10,7 @@ use table::{COMPONENTS, LIGHT, ORDER};
 
 programs::program!();
 
-const MATERIAL: usize = eigenshade::index::material::count(ORDER);
+const MATERIAL: usize = eigenshade_table::material::count(ORDER);
 
 fn scene() {
     let material = inputs::numbers::<MATERIAL>();

@@ -9,8 +9,8 @@ use table::{Coefficients, DEGREE, ORDER, Scene};
 
 programs::program!();
 
-const LIGHT: usize = eigenshade::index::light::count(DEGREE);
-const MATERIAL: usize = eigenshade::index::material::count(ORDER);
+const LIGHT: usize = eigenshade_table::light::count(DEGREE);
+const MATERIAL: usize = eigenshade_table::material::count(ORDER);
 
 fn scene() {
     let material = inputs::numbers::<MATERIAL>();

@@ -4,8 +4,8 @@
 use crate::invariant::part_mut;
 use crate::q15::arithmetic::{SUM_SHIFT, TERM_BITS, weigh};
 use crate::q15::scene::{FINEST, Scene, bits, half_or_one, size, with_margin};
-use crate::specialized::{KnownTable, at, head, tail};
 use crate::q15::{Basis, Coefficients, Profile, scene};
+use crate::specialized::{KnownTable, at, head, tail};
 
 /// A scene of this basis, all zero.
 #[inline(always)]

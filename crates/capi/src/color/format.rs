@@ -5,8 +5,8 @@ use super::picture::Picture;
 use crate::boundary::{Input, Place, Plain};
 use crate::float;
 use crate::status::Status;
-use eigenshade::index::material;
 use eigenshade::{DiscPixel, Error, Highlights, Linear, NormalPixel, Rgb, Source};
+use eigenshade_table::material;
 
 /// The order of glTF materials, and their coefficients.
 pub(crate) const ORDER: usize = 7;

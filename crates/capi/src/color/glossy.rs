@@ -7,8 +7,8 @@ use crate::boundary::{Input, Output, Place, Plain, disjoint};
 use crate::export::{export, records};
 use crate::status::Status;
 use crate::{float, integers};
-pub(crate) use eigenshade::index::highlights::LARGEST_SET as SOURCES;
 use eigenshade::{Highlights, Q15, Rotation};
+pub(crate) use eigenshade_table::highlights::LARGEST_SET as SOURCES;
 
 records! {
     Source = "source" f32:

@@ -10,13 +10,12 @@ use eigenshade_cli::export::{c, coefficients, js, npz, rust, scene, table as of_
 use eigenshade_cli::messages::print_message;
 use eigenshade_cli::output;
 use eigenshade_cli::presets::Source;
-use eigenshade_index::highlights::{LARGEST_SET, MAX_SOURCES};
 use eigenshade_model::database::{Lights, Materials, Named};
 use eigenshade_model::error::{Error, Result};
 use eigenshade_shading::shader::{fitted, of_higher_order};
-use eigenshade_table::FormatError;
+use eigenshade_table::highlights::{LARGEST_SET, MAX_SOURCES};
 use eigenshade_table::quantize::{TOLERANCE, integers};
-use eigenshade_table::{Table, statics};
+use eigenshade_table::{FormatError, Table, statics};
 use std::path::{Path, PathBuf};
 
 /// Export lights, materials, tables and scenes to Rust, C, JavaScript or numpy

@@ -5,7 +5,6 @@ use super::options::Inputs;
 use eigenshade::{Effect, Highlights};
 use eigenshade_cli::estimate::{Estimates, counted, matte_note, off_lobe_note};
 use eigenshade_cli::messages::print_message;
-use eigenshade_index::highlights::MAX_SOURCES;
 use eigenshade_model::database::{Lights, Materials};
 use eigenshade_model::error::{Error, Result};
 use eigenshade_model::highlights as model;
@@ -13,6 +12,7 @@ use eigenshade_model::source::{Gloss, NamedGloss, Source};
 use eigenshade_shading::highlights;
 use eigenshade_shading::shader::fault;
 use eigenshade_table::Table;
+use eigenshade_table::highlights::MAX_SOURCES;
 
 /// The inputs of `Highlights`: small sources, and the gloss that reflects them.
 pub struct HighlightInputs {

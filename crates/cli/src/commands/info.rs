@@ -88,7 +88,7 @@ fn description(table: &Table) -> Description {
     if let Some(share) = scene.basis.trim {
         requested.push_str(&format!(", trimmed to {share:e}"));
     }
-    let modes = eigenshade_index::mode::total(table.gram.degree, table.gram.order);
+    let modes = eigenshade_table::mode::total(table.gram.degree, table.gram.order);
     let mut found = Description::default();
     found.field("normals", &scene.geometry.normals);
     found.field("light", &scene.light.database);
@@ -140,7 +140,7 @@ fn kept_modes(table: &Table) -> String {
     }
     let (degree, order) = (table.gram.degree, table.gram.order);
     let kept = (0..=degree).map(|azimuth| {
-        let modes = eigenshade_index::mode::indices(degree, order, azimuth);
+        let modes = eigenshade_table::mode::indices(degree, order, azimuth);
         let count = modes.filter(|&(l, o, p, q)| table.keeps(azimuth, l, o, p, q)).count();
         if azimuth == 0 { count } else { 2 * count }
     });

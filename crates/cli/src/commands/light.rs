@@ -14,7 +14,6 @@ use eigenshade_generator::light::frame::Frame;
 use eigenshade_generator::light::map::{Layout, Map};
 use eigenshade_generator::light::map_file::is_picture;
 use eigenshade_generator::light::projection::{coefficients, named_maps};
-use eigenshade_index::highlights::{MAX_SOURCES, ROUGHNESS};
 use eigenshade_model::database::{Lights, Named, name_remedy};
 use eigenshade_model::error::{Error, Result};
 use eigenshade_model::inputs::coefficient_csv::write_lights;
@@ -22,11 +21,12 @@ use eigenshade_model::inputs::coefficient_text::{LIGHT_DIGITS, rounded};
 use eigenshade_model::inputs::input_file::InputFile;
 use eigenshade_model::inputs::set_error_csv::write_set_errors;
 use eigenshade_model::inputs::source_csv::write_sources;
+use eigenshade_model::shipped;
 use eigenshade_model::source::{Base, SetError, Source, SourceSets};
-use eigenshade_shading::shipped;
-use eigenshade_sources::light_tree::BLOCK;
-use eigenshade_sources::pursuit::{self, FITTED};
-use eigenshade_sources::remaining;
+use eigenshade_shading::sources::light_tree::BLOCK;
+use eigenshade_shading::sources::pursuit::{self, FITTED};
+use eigenshade_shading::sources::remaining;
+use eigenshade_table::highlights::{MAX_SOURCES, ROUGHNESS};
 use std::path::{Path, PathBuf};
 
 /// Digits of the numbers of a source.

@@ -2,10 +2,10 @@
 
 use clap::Args;
 use eigenshade_cli::output;
-use eigenshade_index::material;
 use eigenshade_model::database::{Lights, Materials, Named};
 use eigenshade_model::error::Result;
-use eigenshade_shading::shipped;
+use eigenshade_model::shipped;
+use eigenshade_table::material;
 use serde::Serialize;
 
 /// List the shipped lights and materials

@@ -7,7 +7,7 @@ use clap_mangen::Man;
 use eigenshade_cli::output;
 use eigenshade_model::database::Named;
 use eigenshade_model::error::{Error, Result};
-use eigenshade_shading::shipped;
+use eigenshade_model::shipped;
 use std::fs;
 use std::path::{Path, PathBuf};
 

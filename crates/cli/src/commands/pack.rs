@@ -6,7 +6,7 @@ use eigenshade_cli::messages::grouped;
 use eigenshade_cli::output;
 use eigenshade_cli::table::{self, rounding};
 use eigenshade_model::error::{Error, Result};
-use eigenshade_shading::shipped;
+use eigenshade_model::shipped;
 use eigenshade_table::reduce::with_components;
 use eigenshade_table::wire::{self, Endian, NumberFormat};
 use eigenshade_table::{Rounding, Table};

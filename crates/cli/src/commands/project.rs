@@ -7,7 +7,7 @@ use eigenshade_cli::output::{self, Rows, exact};
 use eigenshade_cli::table;
 use eigenshade_model::error::Result;
 use eigenshade_model::evaluation::Evaluator;
-use eigenshade_shading::overflow;
+use eigenshade_model::overflow;
 use eigenshade_shading::shader::{fitted, of_higher_order};
 
 /// Project every light on every material onto a table's components

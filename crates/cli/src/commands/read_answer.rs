@@ -6,10 +6,10 @@ use eigenshade_cli::reading::{Channel, Reading};
 use eigenshade_generator::reading::coefficients::Fit;
 use eigenshade_generator::reading::modes::ModeCoefficients;
 use eigenshade_generator::reading::observation::Observation;
-use eigenshade_index::{light, material};
 use eigenshade_model::database::{Lights, Materials, Named};
 use eigenshade_model::error::{Error, Result};
 use eigenshade_model::inputs::coefficient_csv::write_lights;
+use eigenshade_table::{light, material};
 use std::io::Write;
 use std::path::Path;
 

@@ -7,12 +7,12 @@ use eigenshade_cli::preview::Preview;
 use eigenshade_model::database::{Lights, Materials, Named};
 use eigenshade_model::error::{Error, Result};
 use eigenshade_model::evaluation::Evaluator;
+use eigenshade_model::parallel::Progress;
 use eigenshade_model::reference::{light_products, material_products};
+use eigenshade_model::{overflow, reference_image};
 use eigenshade_shading::integer_shader::{self, IntegerShader};
 use eigenshade_shading::owned_basis::OwnedBasis;
-use eigenshade_shading::parallel::Progress;
 use eigenshade_shading::shader::{Lit, OwnedNormals, Shader, fault};
-use eigenshade_shading::{overflow, reference_image};
 use eigenshade_table::Table;
 
 /// The most numbers of eigenimages in f64 in memory: 1 GiB.

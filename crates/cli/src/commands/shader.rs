@@ -8,13 +8,13 @@ use eigenshade::{Highlights, Rgb, Scene, ShaderLanguage, Tolerance};
 use eigenshade_cli::messages::print_message;
 use eigenshade_cli::output;
 use eigenshade_cli::preview::Preview;
-use eigenshade_index::highlights::MAX_SOURCES;
 use eigenshade_model::database::{Lights, Materials};
 use eigenshade_model::error::{Error, Result};
-use eigenshade_shading::overflow;
+use eigenshade_model::overflow;
 use eigenshade_shading::owned_basis::OwnedBasis;
 use eigenshade_shading::shader::{Lit, Shader as Projector, fault, fitted, of_higher_order};
 use eigenshade_table::Table;
+use eigenshade_table::highlights::MAX_SOURCES;
 use serde::Serialize;
 
 /// Write a light on a material as a function of a shader

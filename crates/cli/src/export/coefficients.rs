@@ -1,8 +1,8 @@
 //! Lights and materials as arrays.
 
 use super::array::Array;
-use eigenshade_index::{light, material};
 use eigenshade_model::database::{Lights, Materials, Named};
+use eigenshade_table::{light, material};
 
 /// Names, coefficients and indices of lights.
 #[must_use]

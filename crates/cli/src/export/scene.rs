@@ -5,7 +5,7 @@ use super::shown::Shown;
 use eigenshade_model::database::{Lights, Materials};
 use eigenshade_model::error::Result;
 use eigenshade_model::evaluation::Evaluator;
-use eigenshade_shading::overflow;
+use eigenshade_model::overflow;
 use eigenshade_table::Table;
 
 /// The numbers in the arrays of this many pairs of a light and a material at this many normals, and

@@ -3,10 +3,9 @@
 
 use super::array::Array;
 use super::shown::Shown;
-use eigenshade_index::mode;
 use eigenshade_model::error::{Error, Result};
 use eigenshade_model::evaluation::Evaluator;
-use eigenshade_table::{General, Profile, Table};
+use eigenshade_table::{General, Profile, Table, mode};
 
 /// The most numbers in the arrays of a table.
 #[must_use]

@@ -9,8 +9,7 @@
 //! error that the scene allows.
 
 use eigenshade_generator::basis::profile::evaluate;
-use eigenshade_index::mode;
-use eigenshade_table::{General, Profile, Table};
+use eigenshade_table::{General, Profile, Table, mode};
 
 /// The allowed difference, relative to the largest number of its kind.
 pub const ALLOWED: f64 = 1e-9;

@@ -8,12 +8,12 @@ use crate::description::Description;
 use crate::messages::grouped;
 use eigenshade::wire::{Fault, Header, NumberFormat, WireError, aligned};
 use eigenshade::{Basis, GeneralBasis, GeneralParts, Parts, q15};
-use eigenshade_index::effect::{Effect, Effects};
-use eigenshade_index::wire::{ENTRY, HEADER, LABEL};
 use eigenshade_model::error::{Error, Result};
 use eigenshade_model::inputs::input_file::{InputFile, is_file};
-use eigenshade_shading::shipped;
+use eigenshade_model::shipped;
 use eigenshade_table::Table;
+use eigenshade_table::effect::{Effect, Effects};
+use eigenshade_table::wire::{ENTRY, HEADER, LABEL};
 use std::borrow::Cow;
 use std::path::Path;
 
@@ -130,11 +130,10 @@ pub fn wire_description(bytes: &[u8]) -> Result<Description> {
 
 /// The file with the numbers of its header and its table of sections in the other byte order.
 fn swapped(bytes: &[u8]) -> Vec<u8> {
-    use eigenshade_index::wire::place::{
+    use eigenshade_table::wire::place::{
         COMPONENTS, DEGREE, FORMAT, IMAGES, LENGTH, MARK, ORDER, SECTIONS, VERSION,
     };
-    let starts =
-        [MARK, VERSION, FORMAT, LENGTH, DEGREE, ORDER, COMPONENTS, IMAGES, SECTIONS];
+    let starts = [MARK, VERSION, FORMAT, LENGTH, DEGREE, ORDER, COMPONENTS, IMAGES, SECTIONS];
     let mut bytes = bytes.to_vec();
     let ends = starts[1..].iter().copied().chain([SECTIONS + 2]);
     for (start, end) in starts.into_iter().zip(ends) {

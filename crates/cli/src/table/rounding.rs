@@ -3,11 +3,11 @@
 use eigenshade_model::database::{Lights, Materials};
 use eigenshade_model::error::Result;
 use eigenshade_model::evaluation::Evaluator;
+use eigenshade_model::overflow;
+use eigenshade_model::sphere_rings::{Ring, rings};
 use eigenshade_shading::integer_shader::{self, IntegerShader};
-use eigenshade_shading::overflow;
 use eigenshade_shading::owned_basis::OwnedBasis;
 use eigenshade_shading::shader::{OwnedNormals, Shader, fault, fitted};
-use eigenshade_shading::sphere_rings::{Ring, rings};
 use eigenshade_table::wire::NumberFormat;
 use eigenshade_table::{Rounding, Table};
 

@@ -1,12 +1,11 @@
-//! The program on small scenes in folders of their own. The tests of the experiments use it as
+//! The program on small scenes in folders of their own. The tests of the report use it as
 //! well.
 #![allow(dead_code, reason = "no package uses all of it")]
 pub mod files;
 
 pub use eigenshade_testing::repository;
 
-use eigenshade_index::{light, material};
-use eigenshade_table::{Table, decode};
+use eigenshade_table::{Table, decode, light, material};
 use eigenshade_testing::largest;
 use std::fmt::Write;
 use std::fs;

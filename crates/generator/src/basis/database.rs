@@ -2,12 +2,11 @@
 
 use crate::basis::gram;
 use crate::basis::moments::{self, LightMoments, MaterialMoments, comparable};
-use eigenshade_index::mode;
 use eigenshade_model::database::{self, Lights, Materials};
 use eigenshade_model::error::{Error, Result};
 use eigenshade_model::reference::{DirectSum, light_products, material_products};
 use eigenshade_table::scene::{Criterion, MaterialNormalize};
-use eigenshade_table::{GramFactor, Scene};
+use eigenshade_table::{GramFactor, Scene, mode};
 use std::f64::consts::PI;
 
 /// Range of image sizes whose squares fit in f64.
@@ -114,7 +113,7 @@ fn variances(
             let mut image = vec![0.0; gram.nodes.len()];
             for (column, &(l, o, p, q)) in columns.iter().zip(&modes) {
                 if l == deviation.degree {
-                    let b = deviation.material[eigenshade_index::material::position(o, p, q)];
+                    let b = deviation.material[eigenshade_table::material::position(o, p, q)];
                     image.iter_mut().zip(column).for_each(|(image, one)| *image += b * one);
                 }
             }

@@ -6,8 +6,7 @@ use crate::basis::canonical::Ranked;
 use crate::basis::pca::{Block, Principal};
 use crate::basis::profile;
 use crate::basis::profile::ProfileSpace;
-use eigenshade_index::pair;
-use eigenshade_table::{Component, GramFactor, Profile, Table};
+use eigenshade_table::{Component, GramFactor, Profile, Table, pair};
 use faer::Mat;
 use rayon::iter::{IntoParallelRefIterator, ParallelIterator};
 

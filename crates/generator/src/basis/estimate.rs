@@ -3,9 +3,9 @@
 use crate::basis::profile::terms;
 use crate::object::geometry::Geometry;
 use crate::scene_file::Loaded;
-use eigenshade_index::{layout, light, material, mode, pair};
 use eigenshade_model::error::{Error, Result};
 use eigenshade_table::scene::{LightRotation, Store};
+use eigenshade_table::{layout, light, material, mode, pair};
 use std::time::Duration;
 
 /// The most memory that a table may need, in bytes.

@@ -1,10 +1,9 @@
 //! The Gram matrix M of (23) for the normals of a sphere, as the factor A of [`GramFactor`].
 
-use eigenshade_index::{material, pair};
 use eigenshade_model::irradiance::{slant_radials, slant_rotation};
 use eigenshade_model::polar_integral::{PolarIntegrals, gain};
 use eigenshade_model::special::quadrature::gauss_legendre;
-use eigenshade_table::GramFactor;
+use eigenshade_table::{GramFactor, material, pair};
 
 /// Computes the factor of M for the visible normals of a sphere, whose density over the hemisphere
 /// is cos(α)/π.

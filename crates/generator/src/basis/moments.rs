@@ -5,10 +5,10 @@
 //! V_c = Σ_t v_t v_tᵀ has one vector v_t for each degree l of the light and each material:
 //! √E{(L_l^m)²} b_j / √n. So nothing is squared, and no matrix square root is needed.
 
-use eigenshade_index::light;
 use eigenshade_model::database::{Lights, Materials};
 use eigenshade_model::error::{Error, Result};
 use eigenshade_model::rotation::Rotation;
+use eigenshade_table::light;
 use eigenshade_table::scene::{Criterion, LightRotation, Normalize};
 use faer::Mat;
 
@@ -148,7 +148,7 @@ pub fn exposure(name: &str, ambient: f64, normalize: Normalize) -> Result<f64> {
 pub struct Deviation {
     /// The degree l of the light.
     pub degree: usize,
-    /// Coefficients in the order of [`eigenshade_index::material`].
+    /// Coefficients in the order of [`eigenshade_table::material`].
     pub material: Vec<f64>,
 }
 

@@ -6,9 +6,8 @@
 
 use crate::basis::moments::Deviation;
 use crate::basis::profile::ProfileSpace;
-use eigenshade_index::{material, mode};
 use eigenshade_model::error::{Error, Result};
-use eigenshade_table::GramFactor;
+use eigenshade_table::{GramFactor, material, mode};
 use faer::{Mat, MatRef};
 
 /// Modes that are processed at once.
@@ -21,7 +20,7 @@ pub struct Block {
     pub azimuth: usize,
     /// The space of the profiles.
     pub space: ProfileSpace,
-    /// Coordinates of each mode's profile, one column for each mode of [`eigenshade_index::mode`].
+    /// Coordinates of each mode's profile, one column for each mode of [`eigenshade_table::mode`].
     /// Columns of modes that are not kept are zero.
     pub factor: Mat<f64>,
     /// Left singular vectors of `factor`.

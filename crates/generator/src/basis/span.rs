@@ -8,11 +8,10 @@ use crate::basis::eigenimages::{self, constant_coordinates, signed_left};
 use crate::basis::pca::Block;
 use crate::basis::profile::chebyshev_values;
 use crate::object::geometry::WeightedNormals;
-use eigenshade_index::{light, material, mode};
 use eigenshade_model::error::Result;
 use eigenshade_model::selection::Kept;
 use eigenshade_model::special::spherical_harmonic::azimuth as phi;
-use eigenshade_table::{Component, GramFactor, Profile};
+use eigenshade_table::{Component, GramFactor, Profile, light, material, mode};
 use faer::Mat;
 
 /// Singular values of the mode images below this fraction of the largest over all azimuths are

@@ -15,10 +15,10 @@ use crate::light::environment::EnvironmentMap;
 use crate::light::frame::Frame;
 use crate::light::map::Map;
 use crate::light::map_file::maps_in;
-use eigenshade_index::light;
 use eigenshade_model::error::{Error, Result};
 use eigenshade_model::rotation::Rotation;
 use eigenshade_model::special::spherical_harmonic::{self, legendre};
+use eigenshade_table::light;
 use rayon::iter::{IntoParallelIterator, ParallelIterator};
 use std::collections::HashMap;
 use std::f64::consts::{FRAC_PI_2, PI};
@@ -28,7 +28,7 @@ use std::path::{Path, PathBuf};
 /// From the frame with its pole at the top of the map to the global frame.
 const TO_GLOBAL: Rotation = Rotation { alpha: FRAC_PI_2, beta: FRAC_PI_2, gamma: PI };
 
-/// L_l^m of a map up to `degree`, for each channel, in the order of [`eigenshade_index::light`] and
+/// L_l^m of a map up to `degree`, for each channel, in the order of [`eigenshade_table::light`] and
 /// the project's own convention.
 ///
 /// Agrees with the texel-by-texel sum to 1e-12 of the largest coefficient. Time: width x height x

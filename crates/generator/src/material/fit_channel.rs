@@ -7,9 +7,9 @@ use clarabel::algebra::CscMatrix;
 use clarabel::solver::{
     DefaultSettingsBuilder, DefaultSolver, IPSolver, NonnegativeConeT, SolverStatus,
 };
-use eigenshade_index::material;
 use eigenshade_model::error::{Error, Result};
 use eigenshade_model::scattering;
+use eigenshade_table::material;
 use faer::{Col, Mat};
 
 /// How much tighter the inequalities are than the checked range, in units of the measured maximum.

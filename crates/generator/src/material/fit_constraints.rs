@@ -2,8 +2,8 @@
 
 use std::f64::consts::{FRAC_PI_2, PI};
 
-use eigenshade_index::material;
 use eigenshade_model::scattering::polar_parts;
+use eigenshade_table::material;
 
 /// The lowest value a fit may take, as a multiple of the measured maximum.
 pub const LOWEST: f64 = -0.05;

@@ -44,7 +44,7 @@ pub struct LightEstimate<'a> {
 /// How well a material explains one channel, and the light that does so best.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Explained {
-    /// The posterior mean of the light, in the order of [`eigenshade_index::light`], as radiance at
+    /// The posterior mean of the light, in the order of [`eigenshade_table::light`], as radiance at
     /// the exposure of the image.
     pub light: Vec<f64>,
     /// The exposure s of the light with the largest evidence.

@@ -3,9 +3,8 @@
 use super::posterior::Estimate;
 use super::posterior::Prior;
 use super::transfer::{Transfers, sign};
-use eigenshade_index::{light, material};
-use eigenshade_table::Table;
 use eigenshade_table::scene::Criterion;
+use eigenshade_table::{Table, light, material};
 use faer::{Col, Mat};
 
 /// c of every mode, with one row for each light coefficient (l, m) and one column for each material
@@ -57,7 +56,7 @@ pub fn least_norm(table: &Table, d: &[f64]) -> ModeCoefficients {
     };
     for (component, d) in table.components.iter().zip(d) {
         let profile = &table.profiles[component.profile];
-        let modes = eigenshade_index::mode::indices(degree, order, profile.azimuth);
+        let modes = eigenshade_table::mode::indices(degree, order, profile.azimuth);
         for ((l, o, p, q), u) in modes.zip(&profile.modes) {
             let row = light::position(l, component.order as isize);
             c.values[(row, material::position(o, p, q))] += sign(component.order) * d * u;

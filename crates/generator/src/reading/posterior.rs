@@ -16,10 +16,9 @@ use super::linear::{Reduction, decompose};
 use super::observation::Observation;
 use super::transfer::Transfers;
 use crate::basis::moments::{LightStatistics, MaterialMoments};
-use eigenshade_index::light;
 use eigenshade_model::error::{Error, Result};
-use eigenshade_table::Table;
 use eigenshade_table::scene::Criterion;
+use eigenshade_table::{Table, light};
 use faer::linalg::solvers::Svd;
 use faer::{Col, ColRef, Mat};
 
@@ -120,7 +119,7 @@ impl Prior {
 }
 
 /// The moments of the light, with one row for each coefficient L_l^m, in the order of
-/// [`eigenshade_index::light`].
+/// [`eigenshade_table::light`].
 #[derive(Clone, Debug)]
 pub struct LightPrior {
     /// E{L}.

@@ -10,8 +10,8 @@
 
 use super::linear::decompose;
 use super::modes::ModeCoefficients;
-use eigenshade_index::light;
 use eigenshade_model::error::Result;
+use eigenshade_table::light;
 use faer::Mat;
 
 /// Maximum number of alternations.
@@ -24,9 +24,9 @@ const SETTLED: f64 = 1e-14;
 /// A light and a material whose product approximates c.
 #[derive(Clone, Debug, PartialEq)]
 pub struct RankOne {
-    /// L_l^m in the order of [`eigenshade_index::light`].
+    /// L_l^m in the order of [`eigenshade_table::light`].
     pub light: Vec<f64>,
-    /// b_op^q in the order of [`eigenshade_index::material`].
+    /// b_op^q in the order of [`eigenshade_table::material`].
     pub material: Vec<f64>,
     /// |c - L (x) b|² / |c|², over the modes that exist; 0 for c = 0.
     pub left: f64,

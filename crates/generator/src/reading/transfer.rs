@@ -1,7 +1,6 @@
 //! The transfer matrix T of a material: d = T L maps the light's coefficients to the components.
 
-use eigenshade_index::{light, material, mode};
-use eigenshade_table::{Profile, Table};
+use eigenshade_table::{Profile, Table, light, material, mode};
 use faer::Mat;
 
 /// Computes transfers of any material into the first components of one table.

@@ -8,7 +8,7 @@ use eigenshade_generator::light::environment::EnvironmentMap;
 use eigenshade_generator::light::frame::Frame;
 use eigenshade_generator::light::map::{Layout, Map};
 use eigenshade_generator::light::projection::{coefficients, named_maps, project, project_cube};
-use eigenshade_index::light;
+use eigenshade_table::light;
 use png::{BitDepth, ColorType};
 use std::f64::consts::PI;
 use std::fs;

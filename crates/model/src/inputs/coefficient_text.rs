@@ -2,7 +2,7 @@
 //! materials, and numbers as text, exactly or rounded to fewer digits for smaller files.
 
 use crate::database::Lights;
-use eigenshade_index::{light, material};
+use eigenshade_table::{light, material};
 
 /// The largest degree or order that is accepted.
 const LARGEST: usize = 1024;

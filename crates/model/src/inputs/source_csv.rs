@@ -9,7 +9,7 @@ use super::input_file::InputFile;
 use super::sheet::{Row, read_entries, write_entries};
 use crate::error::Result;
 use crate::source::{Source, SourceSets};
-use eigenshade_index::highlights::MAX_SOURCES;
+use eigenshade_table::highlights::MAX_SOURCES;
 use std::io::Write;
 
 const COLUMNS: [&str; 12] =

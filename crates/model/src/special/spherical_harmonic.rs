@@ -1,7 +1,7 @@
 //! Real spherical harmonics Y_l^m of (46), their normalized associated Legendre functions N_l^m
 //! P_l^m of (43), with the Condon-Shortley phase, and their azimuth functions Φ_m of (47).
 
-use eigenshade_index::light;
+use eigenshade_table::light;
 use std::f64::consts::{PI, SQRT_2};
 
 /// Φ_m(φ) of (47), with the signed m taken literally: √2 cos mφ, 1, √2 sin mφ.

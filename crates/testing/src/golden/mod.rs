@@ -10,7 +10,7 @@ use crate::fixtures::{Projector, captured, measured};
 use crate::images::single;
 use eigenshade::q15::{Basis, Light, Material, Normal, Transfer};
 use eigenshade::{Error, Q15, sphere};
-use eigenshade_shading::shipped;
+use eigenshade_model::shipped;
 
 /// d and irradiances in f32 against those in f64, relative to the largest number of their array:
 /// about forty significant roundings of 6e-8, in any order, fused or not.

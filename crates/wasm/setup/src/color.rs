@@ -166,7 +166,7 @@ extern "C" fn color_truncate(share: f32, exposure: f32) -> u32 {
 /// Vectors of a shader's array: those of all terms and sources.
 const VECTORS: usize = SCENE + OF_SOURCES;
 #[cfg(feature = "sources")]
-const OF_SOURCES: usize = 1 + 4 * eigenshade::index::highlights::MAX_SOURCES;
+const OF_SOURCES: usize = 1 + 4 * eigenshade_table::highlights::MAX_SOURCES;
 #[cfg(not(feature = "sources"))]
 const OF_SOURCES: usize = 0;
 /// The array of the shader of the last `color_vectors`.

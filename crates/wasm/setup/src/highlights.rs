@@ -3,8 +3,8 @@
 
 use crate::color::{LIGHT, TURN};
 use crate::{LIGHT_COUNT, Shared};
-use eigenshade::index::highlights::MAX_SOURCES;
 use eigenshade::{Error, Gloss, Highlights, Light, Rgb, Rotation, Source};
+use eigenshade_table::highlights::MAX_SOURCES;
 
 /// Constants for a page: the most sources, the reflectance of dielectrics, and the roughness
 /// from which on sources change nothing.

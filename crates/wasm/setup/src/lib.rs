@@ -7,7 +7,7 @@
 
 use crate::table::{COMPONENTS, DEGREE, ORDER};
 use core::cell::UnsafeCell;
-use eigenshade::index;
+use eigenshade_table::{light, material};
 
 /// The shipped table.
 #[cfg(not(own_table))]
@@ -50,9 +50,9 @@ impl<T> Shared<T> {
 }
 
 /// Number of coefficients of the largest light.
-pub const LIGHT_COUNT: usize = index::light::count(DEGREE);
+pub const LIGHT_COUNT: usize = light::count(DEGREE);
 /// Number of coefficients of the largest material.
-pub const MATERIAL_COUNT: usize = index::material::count(ORDER);
+pub const MATERIAL_COUNT: usize = material::count(ORDER);
 /// Maximum number of normals in a call.
 pub const NORMALS: usize = 1024;
 /// Degree, order, number of components, and maximum number of normals in a call.

@@ -11,12 +11,11 @@ use crate::basis::database::material_weights;
 use crate::basis::eigenimages::constant_coordinates;
 use crate::basis::gram;
 use crate::basis::moments::{LightMoments, MaterialMoments, deviations};
-use eigenshade_index::{layout, pair};
 use eigenshade_model::database::{self, Lights, Materials};
 use eigenshade_model::error::{Error, Result};
 use eigenshade_model::selection::Kept;
-use eigenshade_table::Scene;
 use eigenshade_table::scene::{Criterion, Store};
+use eigenshade_table::{Scene, layout, pair};
 use faer::{Mat, Side};
 
 /// The smallest fraction of the tolerance that is reserved for components and polynomials.

@@ -5,9 +5,8 @@
 use crate::basis::moments::Deviation;
 use crate::basis::pca;
 use crate::basis::profile::ProfileSpace;
-use eigenshade_index::{material, mode};
 use eigenshade_model::selection::Kept;
-use eigenshade_table::GramFactor;
+use eigenshade_table::{GramFactor, material, mode};
 use faer::Mat;
 use std::fmt;
 

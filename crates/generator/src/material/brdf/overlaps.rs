@@ -6,10 +6,10 @@
 //! is c A B A. So B = A⁻¹ F A⁻¹ / c gives the sum nearest to any f, and the energy of Σ b I is c
 //! times the trace of (B A)².
 
-use eigenshade_index::material;
 use eigenshade_model::scattering::norm;
 use eigenshade_model::special::quadrature::gauss_legendre;
 use eigenshade_model::special::zernike;
+use eigenshade_table::material;
 use faer::Mat;
 use faer::linalg::solvers::Solve;
 use std::f64::consts::{PI, TAU};

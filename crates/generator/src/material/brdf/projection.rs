@@ -13,10 +13,10 @@
 
 use crate::material::brdf::overlaps::Overlaps;
 use crate::material::brdf::{Brdf, Slants};
-use eigenshade_index::{material, pair};
 use eigenshade_model::irradiance::slant_radials;
 use eigenshade_model::scattering::norm;
 use eigenshade_model::special::quadrature::{Feature, gauss_legendre, spread};
+use eigenshade_table::{material, pair};
 use std::f64::consts::{FRAC_PI_2, FRAC_PI_8, PI};
 
 /// Width of the widest panel, in radians.

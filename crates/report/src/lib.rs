@@ -1,0 +1,18 @@
+//! Measurements for the documentation of eigenshade: CSV files, plots, and parts of pages.
+#![expect(missing_docs, reason = "no package depends on it")]
+
+pub use eigenshade_shading::sources::{light_tree, mirrored, sphere, texels};
+pub use eigenshade_testing::tolerances;
+
+pub mod accuracy_cost;
+pub mod chart;
+pub mod figures;
+pub mod highlights;
+pub mod material_errors;
+pub mod numbers;
+pub mod pages;
+pub mod paper;
+pub mod reading;
+pub mod reference;
+pub mod sheet;
+pub mod stability;
