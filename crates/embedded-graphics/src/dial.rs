@@ -1,6 +1,6 @@
 //! The dial of a watch or a gauge: a domed face with raised marks in a round bezel.
 
-use crate::paint::{DisplayColor, Shader};
+use crate::paint::{DisplayColor, Place, Shader, places};
 use crate::rows;
 use core::marker::PhantomData;
 use eigenshade::{Disc, DiscPixel, Error, Normal, Q15, q15};
@@ -88,6 +88,10 @@ impl<P: Shader, C: DisplayColor> Drawable for Dial<'_, P, C> {
 pub struct DialPixel {
     place: DiscPixel,
     shape: Shape,
+}
+
+places! {
+    DialPixel, |_| u8::MAX;
 }
 
 impl DialPixel {

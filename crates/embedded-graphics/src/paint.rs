@@ -1,6 +1,5 @@
 //! From normals to the colors of a display.
 
-use crate::dial::DialPixel;
 use eigenshade::{DiscPixel, Display, Exposure, Linear, Normal, NormalPixel, Rgb, blend565, q15};
 use embedded_graphics_core::pixelcolor::raw::{RawData as _, RawU16};
 use embedded_graphics_core::pixelcolor::{
@@ -21,6 +20,7 @@ pub trait Place: Copy {
     fn normal_q15(self) -> q15::Normal;
 }
 
+/// Types of pixels as places, each with its coverage.
 macro_rules! places {
     ($($pixel:ty, $coverage:expr;)*) => {
         $(
@@ -50,9 +50,9 @@ macro_rules! places {
         )*
     };
 }
+pub(crate) use places;
 places! {
     DiscPixel, |_| u8::MAX;
-    DialPixel, |_| u8::MAX;
     NormalPixel, NormalPixel::coverage;
 }
 

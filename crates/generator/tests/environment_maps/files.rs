@@ -4,6 +4,7 @@ use eigenshade_generator::light::environment::EnvironmentMap;
 use exr::prelude::{FlatSamples, *};
 use std::fs;
 use std::path::{Path, PathBuf};
+use tempfile::TempDir;
 
 /// What a map goes through.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -180,4 +181,21 @@ pub fn pfm(map: &EnvironmentMap, path: &Path, magic: &str, order: &str, bytes: f
         }
     }
     fs::write(path, file).unwrap();
+}
+
+/// The message about a file, from its name on.
+pub fn message(name: &str, bytes: &[u8]) -> String {
+    let folder = TempDir::new().unwrap();
+    let path = folder.path().join(name);
+    fs::write(&path, bytes).unwrap();
+    refusal(&path)
+}
+
+/// The message about the file at a path, from its name on.
+pub fn refusal(path: &Path) -> String {
+    let read = EnvironmentMap::from_path(path).map(|map| (map.width, map.height));
+    let text = read.unwrap_err().to_string();
+    assert!(!text.contains('\n'), "one line: {text}");
+    let name = path.file_name().unwrap().to_str().unwrap();
+    text[text.find(name).unwrap()..].to_owned()
 }

@@ -1,7 +1,6 @@
 //! Pictures as maps: PNG and JPEG.
 
-use super::files::{exr_channels, map_of};
-use super::refusals::message;
+use super::files::{exr_channels, map_of, message};
 use eigenshade_generator::light::environment::EnvironmentMap;
 use eigenshade_generator::light::map_file::is_picture;
 use eigenshade_generator::light::projection::project;

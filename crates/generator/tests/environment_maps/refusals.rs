@@ -1,31 +1,14 @@
 //! Every fault of a map's file: one line, with a remedy, and no panic.
 
-use super::files::{Type, exr_channels, map_of, write};
+use super::files::{Type, exr_channels, map_of, message, refusal, write};
 use super::pictures::small;
 use eigenshade_generator::light::environment::EnvironmentMap;
 use eigenshade_generator::light::projection::named_maps;
 use exr::prelude::{FlatSamples, *};
 use std::fs::{self, File, OpenOptions};
 use std::io::{Seek, SeekFrom, Write};
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 use tempfile::TempDir;
-
-/// The message about a file, from its name on.
-pub fn message(name: &str, bytes: &[u8]) -> String {
-    let folder = TempDir::new().unwrap();
-    let path = folder.path().join(name);
-    fs::write(&path, bytes).unwrap();
-    refusal(&path)
-}
-
-/// The message about the file at a path, from its name on.
-fn refusal(path: &Path) -> String {
-    let read = EnvironmentMap::from_path(path).map(|map| (map.width, map.height));
-    let text = read.unwrap_err().to_string();
-    assert!(!text.contains('\n'), "one line: {text}");
-    let name = path.file_name().unwrap().to_str().unwrap();
-    text[text.find(name).unwrap()..].to_owned()
-}
 
 #[track_caller]
 pub fn assert_starts(text: &str, start: &str) {

@@ -7,8 +7,7 @@
 //! PCA counts the constant in K.
 
 use super::node_image::{MaterialImages, fit};
-use super::tables::Sheets;
-use super::{DEGREE, Modes, Study, Trial, csv, digits, place, row, title};
+use super::{DEGREE, Modes, Sheets, Study, Trial, csv, digits, place, row, title};
 use crate::chart::{
     Axes, BLUE, Chart, GREEN, ORANGE, PALE, PURPLE, Points, Series, Style, colored,
 };

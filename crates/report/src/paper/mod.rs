@@ -15,9 +15,9 @@ pub mod tables;
 pub mod variance;
 
 use self::node_image::{Fit, MaterialImages, fit};
-use self::tables::Sheets;
 use crate::figures::{self, OutputFile};
 use crate::numbers;
+use crate::sheet::Sheet;
 use eigenshade_generator::basis::moments::exposure;
 use eigenshade_generator::basis::{self, gram};
 use eigenshade_model::database::{Lights, Materials, Named};
@@ -26,6 +26,7 @@ use eigenshade_model::selection;
 use eigenshade_model::{parallel, shipped};
 use eigenshade_table::scene::{self, Criterion, Effects, Normalize};
 use eigenshade_table::{GramFactor, Scene, Table, decode, mode};
+use std::collections::BTreeMap;
 use std::fmt::Display;
 
 /// Significant digits of the figures' numbers.
@@ -44,6 +45,9 @@ pub fn make() -> Result<Vec<OutputFile>> {
     ];
     Ok(files.concat())
 }
+
+/// The CSV files of the figures, by name.
+pub type Sheets = BTreeMap<String, Sheet>;
 
 /// The charts of `docs/paper`, from its CSV files.
 pub fn charts(sheets: &Sheets) -> Result<Vec<OutputFile>> {

@@ -1,13 +1,12 @@
 //! The tables of the page, made from the figures' CSV files.
 
 use super::variance::SURFACES;
-use super::{Modes, title};
+use super::{Modes, Sheets, title};
 use crate::numbers::{self, limit};
 use crate::pages::{self, Part};
 use crate::sheet::Sheet;
 use eigenshade_cli::messages::grouped;
 use eigenshade_model::error::{Error, Result};
-use std::collections::BTreeMap;
 use std::fs;
 use std::path::Path;
 
@@ -25,9 +24,6 @@ impl Sheet {
         self.only("modes", &modes.count().to_string())
     }
 }
-
-/// The CSV files of the figures, by name.
-pub type Sheets = BTreeMap<String, Sheet>;
 
 fn variance(sheets: &Sheets) -> Table {
     let of = |&(_, degree, name): &(usize, usize, &str)| {
