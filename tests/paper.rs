@@ -11,7 +11,6 @@ use eigenshade_shading::owned_basis::OwnedBasis;
 use eigenshade_shading::shader::{OwnedNormals, Shader};
 use eigenshade_table::scene::Normalize;
 use eigenshade_table::{GramFactor, light, material, mode};
-use eigenshade_table::{light, material, mode};
 use eigenshade_testing::fixtures::{self, direct_images, shipped};
 use eigenshade_testing::{largest, relative_error};
 use std::f64::consts::{FRAC_PI_2, PI};

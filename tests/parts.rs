@@ -2,7 +2,6 @@
 
 use eigenshade::{Argument, Basis, Error, Light, Material, Parts, q15, sphere};
 use eigenshade_table::record::{Azimuth, NONE, Pass, ProfilePlace, Row, Run};
-use eigenshade_table::record::{Coupling, NONE, Pass, ProfilePlace, Row};
 
 /// The shipped table's parts.
 fn shipped() -> Parts<'static> {
