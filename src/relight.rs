@@ -228,7 +228,7 @@ fn run_sums<const P: usize>(run: &Run, degree: usize, transfer: &[f32], light: &
     let order = isize::from(run.order);
     let lowest = order.unsigned_abs();
     let mut of_light = position(lowest, order);
-    for l in lowest..=degree {
+    for l in lowest..degree + 1 {
         let groups = groups.get(at..).and_then(<[_]>::first_chunk::<P>);
         let (Some(&light), Some(groups)) = (light.get(of_light), groups) else { break };
         for (sum, group) in sums.iter_mut().zip(groups) {

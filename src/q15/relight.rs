@@ -7,7 +7,7 @@ use crate::buffer::{Buffer, zeros};
 use crate::error::{Argument, Error};
 use crate::index::light;
 use crate::invariant::{part, split_row};
-use crate::specialized::{KnownTable, at, whole};
+use crate::specialized::{KnownTable, at};
 
 /// The coefficients d of one image, component by component. The mantissas are at most 2^30 in size
 /// and are multiplied by 2^exponent.
@@ -114,25 +114,24 @@ impl Basis<'_> {
     }
 }
 
-/// The numbers and exponents of a transfer, and the mantissas of a light, filled up with zeros.
+/// The numbers and exponents of a transfer that a light of any degree up to the table's can be
+/// applied to.
 ///
 /// # Errors
 ///
 /// Those of [`Basis::relight_into`].
 #[inline(always)]
-pub fn inputs<'a, const T: usize, const P: usize, const N: usize>(
+pub fn inputs<'a, const T: usize, const P: usize>(
     basis: &Basis<'_>,
     transfer: &Transfer<'a>,
-    light: &Light<'a>,
-    room: &'a mut [Q15; N],
-) -> Result<(&'a [Q15; T], &'a [i16; P], &'a [Q15; N]), Error> {
+    light: &Light<'_>,
+) -> Result<(&'a [Q15; T], &'a [i16; P]), Error> {
     Error::check_beyond(Argument::Light, basis.degree(), light.degree)?;
     let length = |found, expected| Error::Length { argument: Argument::Transfer, expected, found };
     let (numbers, exponents) = (transfer.numbers, transfer.exponents);
     let of_length = (
         numbers.try_into().map_err(|_| length(numbers.len(), T))?,
         exponents.try_into().map_err(|_| length(exponents.len(), P))?,
-        whole(light.mantissas, room),
     );
     let fits = transfer.bounded || basis.has_bounded(numbers);
     if fits { Ok(of_length) } else { Err(Error::Bound) }

@@ -189,17 +189,18 @@ macro_rules! integer_table {
         ) -> Result<(), $crate::Error> {
             use $crate::q15::kernels::relight as kernels;
             const LIGHT: usize = (DEGREE + 1) * (DEGREE + 1);
-            let mut room = [$crate::q15::Q15(0); LIGHT];
-            let inputs = kernels::inputs::<TRANSFER, PROFILES, LIGHT>(
-                &BASIS, transfer, light, &mut room,
-            )?;
+            let (numbers, exponents) =
+                kernels::inputs::<TRANSFER, PROFILES>(&BASIS, transfer, light)?;
             let (d, exponent) = kernels::coefficients(coefficients)?;
-            let top = kernels::NONE;
-            $(let top = kernels::azimuth::<
-                This, $azimuth, TRANSFER, PROFILES, LIGHT, COMPONENTS,
-            >(inputs, d, top);)*
+            let mut top = kernels::NONE;
+            $crate::specialized::whole(light.mantissas(), |mantissas: &[_; LIGHT]| {
+                let inputs = (numbers, exponents, mantissas);
+                $(top = kernels::azimuth::<
+                    This, $azimuth, TRANSFER, PROFILES, LIGHT, COMPONENTS,
+                >(inputs, d, top);)*
+            });
             let common = kernels::common(top);
-            $(kernels::align::<This, $azimuth, PROFILES, COMPONENTS>(inputs.1, common, d);)*
+            $(kernels::align::<This, $azimuth, PROFILES, COMPONENTS>(exponents, common, d);)*
             *exponent = kernels::exponent(common, light.exponent());
             Ok(())
         }

@@ -130,49 +130,44 @@ pub(crate) const fn head<T, const N: usize>(items: &[T]) -> &[T; N] {
     }
 }
 
-/// The coefficients of a light of at most this degree.
-///
-/// # Errors
-///
-/// [`Error::Beyond`].
+/// Calls `with` with `N` numbers: these, and zeros if there are fewer.
 #[inline(always)]
-pub fn light<'a, const N: usize>(
-    light: &Light<'a>,
-    degree: usize,
-    room: &'a mut [f32; N],
-) -> Result<&'a [f32; N], Error> {
-    Error::check_beyond(Argument::Light, degree, light.degree())?;
-    Ok(whole(light.coefficients(), room))
-}
-
-/// The coefficients of a material of at most this order.
-///
-/// # Errors
-///
-/// [`Error::Beyond`].
-#[inline(always)]
-pub fn material<'a, const N: usize>(
-    material: &Material<'a>,
-    order: usize,
-    room: &'a mut [f32; N],
-) -> Result<&'a [f32; N], Error> {
-    Error::check_beyond(Argument::Material, order, material.order())?;
-    Ok(whole(material.coefficients(), room))
-}
-
-/// `N` coefficients. If there are fewer, the others are zero, in `room`.
-#[inline(always)]
-pub(crate) fn whole<'a, S: Copy, const N: usize>(
-    coefficients: &'a [S],
-    room: &'a mut [S; N],
-) -> &'a [S; N] {
-    if let Ok(whole) = coefficients.try_into() {
-        return whole;
+pub fn whole<S: Copy + Default, const N: usize>(numbers: &[S], with: impl FnOnce(&[S; N])) {
+    match numbers.try_into() {
+        Ok(whole) => with(whole),
+        Err(_) => filled(numbers, with),
     }
-    for (to, &from) in room.iter_mut().zip(coefficients) {
+}
+
+/// [`whole`] of fewer numbers. Apart, so that their copy costs nothing where there is none.
+#[cold]
+#[inline(never)]
+fn filled<S: Copy + Default, const N: usize>(numbers: &[S], with: impl FnOnce(&[S; N])) {
+    let mut room = [S::default(); N];
+    for (to, &from) in room.iter_mut().zip(numbers) {
         *to = from;
     }
-    room
+    with(&room);
+}
+
+/// Whether a table of this degree takes a light.
+///
+/// # Errors
+///
+/// [`Error::Beyond`].
+#[inline(always)]
+pub fn accept_light(degree: usize, light: &Light<'_>) -> Result<(), Error> {
+    Error::check_beyond(Argument::Light, degree, light.degree())
+}
+
+/// Whether a table of this order takes a material.
+///
+/// # Errors
+///
+/// [`Error::Beyond`].
+#[inline(always)]
+pub fn accept_material(order: usize, material: &Material<'_>) -> Result<(), Error> {
+    Error::check_beyond(Argument::Material, order, material.order())
 }
 
 /// The numbers of a transfer.

@@ -28,8 +28,8 @@ pub const fn terms_mut<'s, const N: usize>(scene: &'s mut Scene<'_, [f32; N]>) -
 /// Sums the polynomials of azimuth `M`, of `P` profiles, weighted by the coefficients of their
 /// components. Not inlined: a compiler that sees several azimuths at once runs out of registers.
 #[inline(never)]
-pub fn collapse<B, const M: usize, const P: usize, const N: usize>(
-    coefficients: &[f32],
+pub fn collapse<B, const M: usize, const P: usize, const K: usize, const N: usize>(
+    coefficients: &[f32; K],
     scene: &mut [f32; N],
 ) where
     B: KnownTable<Basis<'static>>,

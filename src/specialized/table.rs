@@ -47,13 +47,14 @@ macro_rules! table {
         pub type Truncated<'l> = $crate::Scene<'l, $crate::SceneBuffer<SCENE>>;
         $crate::table!(@relight |transfer, light, coefficients| {
             use $crate::specialized as inputs;
-            let (transfer, mut room) = (inputs::transfer(transfer)?, [0.0; LIGHT]);
-            let light = inputs::light(light, DEGREE, &mut room)?;
-            relight_whole(transfer, light, inputs::coefficients(coefficients)?);
+            inputs::accept_light(DEGREE, light)?;
+            let transfer = inputs::transfer(transfer)?;
+            let d = inputs::coefficients(coefficients)?;
+            inputs::whole(light.coefficients(), |light| relight_whole(transfer, light, d));
             Ok(())
         });
         /// Relights, for a light of this table's degree.
-        #[inline(always)]
+        #[inline(never)]
         fn relight_whole(
             transfer: &[f32; TRANSFER],
             light: &[f32; LIGHT],
@@ -101,12 +102,14 @@ macro_rules! table {
         $(azimuth $azimuth:literal $([$first:literal $twos:literal])*)*) => {
         $crate::table!(@project |light, material| {
             use $crate::specialized as inputs;
-            let (mut of_light, mut of_material) = ([0.0; LIGHT], [0.0; MODES]);
-            let light = inputs::light(light, DEGREE, &mut of_light)?;
-            let material = inputs::material(material, ORDER, &mut of_material)?;
-            let mut d = Coefficients::from([0.0; COMPONENTS]);
-            project_whole(light, material, inputs::coefficients(&mut d)?);
-            Ok(d)
+            inputs::accept_light(DEGREE, light)?;
+            inputs::accept_material(ORDER, material)?;
+            let mut coefficients = Coefficients::from([0.0; COMPONENTS]);
+            let d = inputs::coefficients(&mut coefficients)?;
+            inputs::whole(material.coefficients(), |material| {
+                inputs::whole(light.coefficients(), |light| project_whole(light, material, d));
+            });
+            Ok(coefficients)
         });
         const MODES: usize = $crate::specialized::material::count(ORDER);
         /// Projects a light and a material of this table's degree and order. Not inlined: the
@@ -179,10 +182,11 @@ macro_rules! table {
     };
     (collapse $([$azimuth:literal $profiles:literal])*) => {
         $crate::table!(@collapse |coefficients, scene| {
-            let terms = $crate::specialized::terms_mut(&mut scene.0);
-            $($crate::specialized::collapse::<This, $azimuth, $profiles, SCENE>(
-                coefficients, terms,
-            );)*
+            use $crate::specialized as kernels;
+            let terms = kernels::terms_mut(&mut scene.0);
+            kernels::whole(coefficients, |d: &[f32; COMPONENTS]| {
+                $(kernels::collapse::<This, $azimuth, $profiles, COMPONENTS, SCENE>(d, terms);)*
+            });
             Ok(())
         });
     };

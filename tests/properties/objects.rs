@@ -11,7 +11,6 @@ use eigenshade_generator::scene_file::Loaded;
 use eigenshade_model::database::Named;
 use eigenshade_model::rotation::Rotation;
 use eigenshade_model::selection::Kept;
-use eigenshade_table::effect::Effects;
 use eigenshade_table::scene::LightRotation;
 use eigenshade_table::{Table, mode};
 use eigenshade_testing::fixtures::Projector;

@@ -9,7 +9,6 @@ use eigenshade_model::polar_integral::PolarIntegrals;
 use eigenshade_model::reference::DirectSum;
 use eigenshade_model::rotation::Rotation;
 use eigenshade_model::scattering;
-use eigenshade_table::effect::Effects;
 use eigenshade_table::scene::Criterion;
 use eigenshade_table::{Table, decode, encode, light, material, mode};
 use eigenshade_testing::fixtures::Projector;
