@@ -1,33 +1,24 @@
-//! Three channels in floats: a turned light on a material as a scene, as the vectors of a shader,
-//! and as its text. Every function returns 0 if its input is missing or invalid.
+//! Three channels in floats: a turned light on a material as a scene. Every function returns 0 if its
+//! input is missing or invalid.
 
+use crate::inputs::{LIGHT, TURN, UNTURNED};
+use crate::shared::{LIGHT_COUNT, MATERIAL_COUNT, Shared};
 use crate::table::{BASIS, COMPONENTS, DEGREE, SCENE, TRANSFER, WORKSPACE};
-use crate::{LIGHT_COUNT, MATERIAL_COUNT, Shared};
-use core::fmt;
 use eigenshade::{
-    Effect, Effects, Light, Material, Rgb, Rotation, Scene, Shader, ShaderLanguage, Shape,
-    Tolerance, Truncation,
+    Effect, Effects, Light, Material, Rgb, Rotation, Scene, Shape, Tolerance, Truncation,
 };
 
-/// The light of the next `color_relight`, channel by channel.
-#[unsafe(export_name = "color_light")]
-pub(crate) static LIGHT: Shared<[[f32; LIGHT_COUNT]; 3]> = Shared::new([[0.0; LIGHT_COUNT]; 3]);
-/// The quaternion (x, y, z, w) by which the light is turned.
-#[unsafe(export_name = "color_turn")]
-pub(crate) static TURN: Shared<[f32; 4]> = Shared::new(UNTURNED);
-/// The quaternion of no rotation.
-const UNTURNED: [f32; 4] = [0.0, 0.0, 0.0, 1.0];
-/// The material of the next `color_transfer`, channel by channel.
-#[unsafe(export_name = "color_material")]
+/// The material of the next `transfer`, channel by channel.
+#[unsafe(export_name = "material")]
 static MATERIAL: Shared<[[f32; MATERIAL_COUNT]; 3]> = Shared::new([[0.0; MATERIAL_COUNT]; 3]);
-/// Base color, metallic and roughness of the next `color_metallic_roughness`.
-#[unsafe(export_name = "color_parameters")]
+/// Base color, metallic and roughness of the next `metallic_roughness`.
+#[unsafe(export_name = "parameters")]
 static PARAMETERS: Shared<[f32; 5]> = Shared::new([0.0; 5]);
 /// The coefficients d, channel by channel.
-#[unsafe(export_name = "color_d")]
+#[unsafe(export_name = "d")]
 static D: Shared<[[f32; COMPONENTS]; 3]> = Shared::new([[0.0; COMPONENTS]; 3]);
-/// Terms, azimuths, bound, estimated error of the table and peak of the last `color_truncate`.
-#[unsafe(export_name = "color_report")]
+/// Terms, azimuths, bound, estimated error of the table and peak of the last `collapse_within`.
+#[unsafe(export_name = "report")]
 static REPORT: Shared<[f32; 5]> = Shared::new([0.0; 5]);
 
 static TRANSFERS: Shared<[[f32; TRANSFER]; 3]> = Shared::new([[0.0; TRANSFER]; 3]);
@@ -55,7 +46,7 @@ impl Collapsed {
 
 /// The coefficients of a glTF material, from the parameters.
 #[unsafe(no_mangle)]
-extern "C" fn color_metallic_roughness() -> u32 {
+extern "C" fn metallic_roughness() -> u32 {
     // SAFETY: each buffer is borrowed once, and no other function runs.
     let (&mut [r, g, b, metallic, roughness], material) =
         unsafe { (PARAMETERS.borrow(), MATERIAL.borrow()) };
@@ -70,7 +61,7 @@ extern "C" fn color_metallic_roughness() -> u32 {
 /// The transfers of the material, for the effects whose bits are set: ambient, diffuse, broad and
 /// gloss from the lowest.
 #[unsafe(no_mangle)]
-extern "C" fn color_transfer(effects: u32) -> u32 {
+extern "C" fn transfer(effects: u32) -> u32 {
     let mut of = Effects::NONE;
     for (bit, effect) in Effect::ALL.into_iter().enumerate() {
         if effects >> bit & 1 == 1 {
@@ -88,10 +79,10 @@ extern "C" fn color_transfer(effects: u32) -> u32 {
     done.into()
 }
 
-/// The coefficients d of the turned light on the material of the last `color_transfer`; 0 also if
+/// The coefficients d of the turned light on the material of the last `transfer`; 0 also if
 /// one is not finite.
 #[unsafe(no_mangle)]
-extern "C" fn color_relight() -> u32 {
+extern "C" fn relight() -> u32 {
     // SAFETY: each buffer is borrowed once, and no other function runs.
     let (light, turn, transfers, d) =
         unsafe { (LIGHT.borrow(), TURN.borrow(), TRANSFERS.borrow(), D.borrow()) };
@@ -121,7 +112,7 @@ extern "C" fn color_relight() -> u32 {
 
 /// Collapses d to a scene with all terms.
 #[unsafe(no_mangle)]
-extern "C" fn color_collapse() -> u32 {
+extern "C" fn collapse() -> u32 {
     // SAFETY: each buffer is borrowed once, and no other function runs.
     let (d, Collapsed { numbers, lengths }) = unsafe { (D.borrow(), COLLAPSED.borrow()) };
     let (channels, _) = numbers.as_chunks_mut::<SCENE>();
@@ -139,7 +130,7 @@ extern "C" fn color_collapse() -> u32 {
 /// Collapses d to a scene with as few terms as a share of white under an exposure allows, and writes
 /// the report.
 #[unsafe(no_mangle)]
-extern "C" fn color_truncate(share: f32, exposure: f32) -> u32 {
+extern "C" fn collapse_within(share: f32, exposure: f32) -> u32 {
     // SAFETY: each buffer is borrowed once, and no other function runs.
     let (d, Collapsed { numbers, lengths }, report) =
         unsafe { (D.borrow(), COLLAPSED.borrow(), REPORT.borrow()) };
@@ -161,92 +152,4 @@ extern "C" fn color_truncate(share: f32, exposure: f32) -> u32 {
         most(|report| report.peak),
     ];
     1
-}
-
-/// Vectors of a shader's array: those of all terms and sources.
-const VECTORS: usize = SCENE + OF_SOURCES;
-#[cfg(feature = "sources")]
-const OF_SOURCES: usize = 1 + 4 * eigenshade::index::highlights::MAX_SOURCES;
-#[cfg(not(feature = "sources"))]
-const OF_SOURCES: usize = 0;
-/// The array of the shader of the last `color_vectors`.
-#[unsafe(export_name = "color_array")]
-static ARRAY: Shared<[[f32; 4]; VECTORS]> = Shared::new([[0.0; 4]; VECTORS]);
-
-/// Terms of the scene.
-#[unsafe(no_mangle)]
-extern "C" fn color_terms() -> usize {
-    // SAFETY: no other function runs.
-    let scene = unsafe { COLLAPSED.borrow() }.scene();
-    scene.map_or(0, |scene| Shader::new(&scene.r).terms())
-}
-
-/// Writes the scene as the array of its shader. Returns the number of vectors.
-#[unsafe(no_mangle)]
-extern "C" fn color_vectors() -> usize {
-    // SAFETY: each buffer is borrowed once, and no other function runs.
-    let (collapsed, array) = unsafe { (COLLAPSED.borrow(), ARRAY.borrow()) };
-    let Some(scene) = collapsed.scene() else { return 0 };
-    let shader = shader(&scene.r);
-    if shader.uniforms(scene.each_ref(), array).is_err() {
-        return 0;
-    }
-    #[cfg(feature = "sources")]
-    // SAFETY: as above.
-    if let Some(highlights) = unsafe { crate::highlights::HIGHLIGHTS.borrow() }
-        && shader.highlight_uniforms(highlights, array).is_err()
-    {
-        return 0;
-    }
-    shader.vectors()
-}
-
-/// The shader of a scene, and of the highlights of the last `color_highlights`.
-fn shader<'a>(scene: &Scene<'a, &[f32]>) -> Shader<'a> {
-    let shader = Shader::new(scene);
-    #[cfg(feature = "sources")]
-    // SAFETY: no other function borrows it now.
-    let sources = unsafe { crate::highlights::HIGHLIGHTS.borrow() }.as_ref().map_or(0, |h| h.len());
-    #[cfg(feature = "sources")]
-    let shader = shader.with_sources(sources).unwrap_or(shader);
-    shader
-}
-
-/// The text of the shader of the last `color_shader`.
-#[unsafe(export_name = "color_text")]
-static TEXT: Shared<[u8; TEXT_LEN]> = Shared::new([0; TEXT_LEN]);
-/// Bytes of the longest text: at most 160 for a term.
-const TEXT_LEN: usize = 1024 + 160 * VECTORS;
-
-/// Writes the text of the scene's shader in the language of this number. Returns its length.
-#[unsafe(no_mangle)]
-extern "C" fn color_shader(language: u32) -> usize {
-    let language = match language {
-        0 => ShaderLanguage::Glsl,
-        1 => ShaderLanguage::GlslBlock,
-        2 => ShaderLanguage::GlslTexture,
-        3 => ShaderLanguage::Wgsl,
-        _ => return 0,
-    };
-    // SAFETY: each buffer is borrowed once, and no other function runs.
-    let (collapsed, text) = unsafe { (COLLAPSED.borrow(), TEXT.borrow()) };
-    let Some(scene) = collapsed.scene() else { return 0 };
-    let mut text = Text { rest: text, written: 0 };
-    if shader(&scene.r).write(language, &mut text).is_ok() { text.written } else { 0 }
-}
-
-/// A text in a buffer.
-struct Text<'a> {
-    rest: &'a mut [u8],
-    written: usize,
-}
-
-impl fmt::Write for Text<'_> {
-    fn write_str(&mut self, text: &str) -> fmt::Result {
-        let all = core::mem::take(&mut self.rest);
-        let Some((to, rest)) = all.split_at_mut_checked(text.len()) else { return Err(fmt::Error) };
-        to.copy_from_slice(text.as_bytes());
-        (self.rest, self.written) = (rest, self.written + text.len());
-        Ok(())
-    }
 }
