@@ -57,7 +57,7 @@ function cpu(scenes, engine, simd) {
     scene.shade(x.subarray(0, 1), y.subarray(0, 1), z.subarray(0, 1));
     const { normals, axes } = engine;
     [x, y, z].forEach((axis, which) => axes.set(axis.subarray(0, normals), which * normals));
-    return () => engine.wasm.color_shade(normals);
+    return () => engine.wasm.shade(normals);
   };
   return [
     { name: "three.js, `getIrradianceAt`, results stored in arrays", work: () => stored(nine) },

@@ -16,7 +16,6 @@ uint32_t program(void) {
   check_golden_vectors();
   check_faults();
   check_color();
-  check_color_faults();
   print_u32(found_faults());
   print(" faults\n");
   return found_faults();

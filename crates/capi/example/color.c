@@ -23,92 +23,103 @@ static void fill_codes(void) {
   }
 }
 
-#define DRAWN(format, picture, rows, call)                                                    \
-  do {                                                                                        \
-    uint16_t *pixels = drawn_##format[count];                                                 \
-    names[count++] = picture;                                                                 \
-    for (size_t row = 0; row < (rows); row++, pixels += SIDE) {                               \
-      check_status(call, EIGENSHADE_STATUS_OK, #format, picture);                             \
-    }                                                                                         \
+#define DRAWN(format, picture, rows, call)                                                        \
+  do {                                                                                            \
+    uint16_t *pixels = drawn_##format[count];                                                     \
+    names[count++] = picture;                                                                     \
+    for (size_t row = 0; row < (rows); row++, pixels += SIDE) {                                   \
+      check_status(call, EIGENSHADE_STATUS_OK, #format, picture);                                 \
+    }                                                                                             \
   } while (0)
 
-#define DISC(format, picture, scene)                                                          \
-  DRAWN(format, picture, SIDE,                                                                \
-        eigenshade_color_disc_row_##format(scene, SIDE, row, 1.5f,                            \
-                                           &eigenshade_display_filmic, pixels, SIDE))
+#define DISC(format, picture, from)                                                               \
+  DRAWN(format, picture, SIDE,                                                                    \
+        eigenshade_picture_disc_row_##format(from, SIDE, row, 1.5f, &eigenshade_display_filmic,   \
+                                             pixels, SIDE))
 
-#define PICTURES(format, number, texel, angle, one)                                           \
-  static void pictures_##format(void) {                                                       \
-    static eigenshade_color_transfer_##format##_t transfer;                                   \
-    static eigenshade_color_scene_f32_t to_bake;                                              \
-    static eigenshade_color_scene_##format##_t scene;                                         \
-    static eigenshade_color_light_buffer_##format##_t light_buffer, turned_buffer;            \
-    static eigenshade_color_material_buffer_##format##_t material_buffer;                     \
-    static texel texels[3 * BAKED * BAKED];                                                   \
-    static const angle quaternion[4] = {1, -2, 3, 4}, angles[2] = {FIFTHS_##format};          \
-    static const number copper[3] = {(number)(0.93f * (one)), (number)(0.5f * (one)),         \
-                                     (number)(0.25f * (one))};                                \
-    const eigenshade_color_light_##format##_t *lobby = &eigenshade_light_lobby_##format;      \
-    eigenshade_color_light_##format##_t light, turned;                                        \
-    eigenshade_color_material_##format##_t material;                                          \
-    eigenshade_color_baked_##format##_t baked;                                                \
-    eigenshade_source_f32_t sources[4];                                                       \
-    eigenshade_color_glossy_##format##_t glossy = {                                           \
-        &scene, &eigenshade_gloss_gold_metallic_paint_f32, eigenshade_sources_lobby_4_f32, 4}; \
-    const char *const name = #format;                                                         \
-                                                                                              \
-    CHECKED(eigenshade_color_scene_##format(                                                  \
-        lobby, &eigenshade_material_gold_metallic_paint_##format, &scene));                   \
-    DISC(format, "scene", &scene);                                                            \
-    CHECKED(eigenshade_color_transfer_##format(                                               \
-        &eigenshade_material_gold_metallic_paint_##format, &transfer));                       \
-    CHECKED(eigenshade_color_relight_##format(&transfer, &eigenshade_light_park_##format,     \
-                                              &scene));                                       \
-    DISC(format, "relit", &scene);                                                            \
-    CHECKED(eigenshade_color_turn_##format(lobby, quaternion, &light_buffer, &light));        \
-    CHECKED(eigenshade_color_relight_##format(&transfer, &light, &scene));                    \
-    DISC(format, "turned", &scene);                                                           \
-    CHECKED(eigenshade_color_turn_about_view_##format(lobby, angles, &light_buffer, &light)); \
-    CHECKED(eigenshade_color_relight_##format(&transfer, &light, &scene));                    \
-    DISC(format, "turned about the view", &scene);                                            \
-    DRAWN(format, "normal map", MAP,                                                          \
-          eigenshade_color_normal_map_row_##format(&scene, &map, row, 0.7f,                   \
-                                                   &eigenshade_display_reinhard, pixels,      \
-                                                   SIDE));                                    \
-    CHECKED(eigenshade_color_residual_##format(&eigenshade_light_lobby_f32, glossy.sources, 4, \
-                                               &light_buffer, &light));                       \
-    CHECKED(eigenshade_color_relight_##format(&transfer, &light, &scene));                    \
-    DRAWN(format, "highlights", SIDE,                                                         \
-          eigenshade_color_glossy_disc_row_##format(&glossy, SIDE, row, 1.0f,                 \
-                                                    &eigenshade_display_linear, pixels, SIDE)); \
-    CHECKED(eigenshade_color_turn_##format(&light, quaternion, &turned_buffer, &turned));     \
-    CHECKED(eigenshade_color_relight_##format(&transfer, &turned, &scene));                   \
-    for (size_t k = 0; k < 4; k++) {                                                          \
-      CHECKED(eigenshade_source_turn_f32(&eigenshade_sources_lobby_4_f32[k],                  \
-                                         quaternion_f32, &sources[k]));                       \
-    }                                                                                         \
-    glossy.sources = sources;                                                                 \
-    DRAWN(format, "turned highlights", MAP,                                                   \
-          eigenshade_color_glossy_normal_map_row_##format(                                    \
-              &glossy, &map, row, 1.0f, &eigenshade_display_linear, pixels, SIDE));           \
-    CHECKED(eigenshade_color_metallic_roughness_##format(                                     \
-        copper, (number)(0.75f * (one)), (number)(0.5f * (one)), &material_buffer,            \
-        &material));                                                                          \
-    CHECKED(eigenshade_color_scene_##format(lobby, &material, &scene));                       \
-    DISC(format, "glTF", &scene);                                                             \
-    CHECKED(eigenshade_color_scene_##format(                                                  \
-        lobby, &eigenshade_material_ptfe_633nm_##format, &scene));                            \
-    DISC(format, "gray", &scene);                                                             \
-    CHECKED(eigenshade_color_scene_f32(&eigenshade_light_lobby_f32,                           \
-                                       &eigenshade_material_dark_red_paint_f32, &to_bake));   \
-    CHECKED(eigenshade_color_bake_##format(&to_bake, BAKED, texels, 3 * BAKED * BAKED,        \
-                                           &baked));                                          \
-    DRAWN(format, "baked", SIDE,                                                              \
-          eigenshade_color_baked_disc_row_##format(&baked, SIDE, row, 1.5f,                   \
-                                                   &eigenshade_display_linear, pixels, SIDE)); \
-    DRAWN(format, "baked normal map", MAP,                                                    \
-          eigenshade_color_baked_normal_map_row_##format(                                     \
-              &baked, &map, row, 1.5f, &eigenshade_display_filmic, pixels, SIDE));            \
+#define PICTURES(format, number, texel, angle, one)                                               \
+  static void pictures_##format(void) {                                                           \
+    static eigenshade_transfer_##format##_t transfer;                                             \
+    static eigenshade_picture_f32_t to_bake;                                                      \
+    static eigenshade_picture_##format##_t picture, moved;                                        \
+    static eigenshade_light_buffer_##format##_t light_buffer, turned_buffer;                      \
+    static eigenshade_material_buffer_##format##_t material_buffer;                               \
+    static texel texels[3 * BAKED * BAKED];                                                       \
+    static const angle quaternion[4] = {1, -2, 3, 4}, angles[2] = {FIFTHS_##format};              \
+    static const number copper[3] = {(number)(0.93f * (one)), (number)(0.5f * (one)),             \
+                                     (number)(0.25f * (one))};                                    \
+    const eigenshade_color_light_##format##_t *lobby = &eigenshade_light_lobby_##format;          \
+    const eigenshade_color_material_##format##_t *gold =                                          \
+        &eigenshade_material_gold_metallic_paint_##format;                                        \
+    const eigenshade_gloss_f32_t *gloss = &eigenshade_gloss_gold_metallic_paint_f32;              \
+    eigenshade_color_light_##format##_t light, turned;                                            \
+    eigenshade_color_material_##format##_t material;                                              \
+    eigenshade_baked_##format##_t baked;                                                          \
+    eigenshade_source_f32_t sources[4];                                                           \
+    const char *const name = #format;                                                             \
+                                                                                                  \
+    CHECKED(eigenshade_picture_begin_##format(lobby, gold, &picture));                            \
+    DISC(format, "scene", &picture);                                                              \
+    CHECKED(eigenshade_transfer_##format(gold, &transfer));                                       \
+    CHECKED(eigenshade_picture_relight_##format(&transfer, &eigenshade_light_park_##format,       \
+                                                &picture));                                       \
+    DISC(format, "relit", &picture);                                                              \
+    CHECKED(eigenshade_turn_##format(lobby, quaternion, &light_buffer, &light));                  \
+    CHECKED(eigenshade_picture_relight_##format(&transfer, &light, &picture));                    \
+    DISC(format, "turned", &picture);                                                             \
+    CHECKED(eigenshade_turn_about_view_##format(lobby, angles, &light_buffer, &light));           \
+    CHECKED(eigenshade_picture_relight_##format(&transfer, &light, &picture));                    \
+    DISC(format, "turned about the view", &picture);                                              \
+    DRAWN(format, "normal map", MAP,                                                              \
+          eigenshade_picture_normal_map_row_##format(&picture, &map, row, 0.7f,                   \
+                                                     &eigenshade_display_reinhard, pixels,        \
+                                                     SIDE));                                      \
+    CHECKED(eigenshade_picture_begin_glossy_##format(lobby, gold, gloss,                          \
+        eigenshade_sources_lobby_4_f32, 4, &picture));                                            \
+    moved = picture;                                                                              \
+    DRAWN(format, "highlights", SIDE,                                                             \
+          eigenshade_picture_disc_row_##format(&moved, SIDE, row, 1.0f,                           \
+                                               &eigenshade_display_linear, pixels, SIDE));        \
+    CHECKED(eigenshade_residual_##format(lobby, eigenshade_sources_lobby_4_f32, 4,                \
+                                         &light_buffer, &light));                                 \
+    CHECKED(eigenshade_turn_##format(&light, quaternion, &turned_buffer, &turned));               \
+    CHECKED(eigenshade_picture_relight_##format(&transfer, &turned, &picture));                   \
+    for (size_t k = 0; k < 4; k++) {                                                              \
+      CHECKED(eigenshade_source_turn_f32(&eigenshade_sources_lobby_4_f32[k], quaternion_f32,      \
+                                         &sources[k]));                                           \
+    }                                                                                             \
+    CHECKED(eigenshade_picture_highlights_##format(gloss, sources, 4, &picture));                 \
+    DRAWN(format, "turned highlights", MAP,                                                       \
+          eigenshade_picture_normal_map_row_##format(&picture, &map, row, 1.0f,                   \
+                                                     &eigenshade_display_linear, pixels, SIDE));  \
+    CHECKED(eigenshade_metallic_roughness_##format(copper, (number)(0.75f * (one)),               \
+                                                   (number)(0.5f * (one)), &material_buffer,      \
+                                                   &material));                                   \
+    CHECKED(eigenshade_picture_begin_##format(lobby, &material, &picture));                       \
+    DISC(format, "glTF", &picture);                                                               \
+    CHECKED(eigenshade_picture_begin_##format(lobby, &eigenshade_material_ptfe_633nm_##format,    \
+        &picture));                                                                               \
+    /* All rows but the first in one call. */                                                     \
+    DRAWN(format, "gray", 1,                                                                      \
+          eigenshade_picture_disc_row_##format(&picture, SIDE, 0, 1.5f,                           \
+                                               &eigenshade_display_filmic, pixels, SIDE) |        \
+              eigenshade_picture_disc_rows_##format(&picture, SIDE, 1, SIDE - 1, 1.5f,            \
+                                                    &eigenshade_display_filmic, pixels + SIDE,    \
+                                                    SIDE, SIDE * (SIDE - 1)));                    \
+    DRAWN(format, "gray normal map", 1,                                                           \
+          eigenshade_picture_normal_map_rows_##format(&picture, &map, 0, MAP, 1.5f,               \
+                                                      &eigenshade_display_filmic, pixels, SIDE,   \
+                                                      SIDE * (MAP - 1) + MAP));                   \
+    CHECKED(eigenshade_picture_begin_f32(&eigenshade_light_lobby_f32,                             \
+        &eigenshade_material_dark_red_paint_f32, &to_bake));                                      \
+    CHECKED(eigenshade_picture_bake_##format(&to_bake, BAKED, texels, 3 * BAKED * BAKED,          \
+                                             &baked));                                            \
+    DRAWN(format, "baked", SIDE,                                                                  \
+          eigenshade_baked_disc_row_##format(&baked, SIDE, row, 1.5f,                             \
+                                             &eigenshade_display_linear, pixels, SIDE));          \
+    DRAWN(format, "baked normal map", MAP,                                                        \
+          eigenshade_baked_normal_map_row_##format(&baked, &map, row, 1.5f,                       \
+                                                   &eigenshade_display_filmic, pixels, SIDE));    \
   }
 
 #define CHECKED(call) check_status(call, EIGENSHADE_STATUS_OK, name, #call)
@@ -140,61 +151,64 @@ static int are_near(uint16_t a, uint16_t b, int low, int bits) {
   return difference >= -1 && difference <= 1;
 }
 
-/* The irradiance of one normal, from a scene and from a baked one: in integers printed, in float
- * those in integers to a thousandth. */
+/* The irradiance of one normal, from a picture, from a baked one, and with a highlight: in integers
+ * printed, in float those in integers to a thousandth. */
 static void check_shade(void) {
-  static eigenshade_color_scene_f32_t scene_f32;
-  static eigenshade_color_scene_q15_t scene_q15;
+  static eigenshade_picture_f32_t of_f32;
+  static eigenshade_picture_q15_t of_q15;
   static float texels_f32[3 * BAKED * BAKED];
   static int16_t texels_q15[3 * BAKED * BAKED];
+  const eigenshade_color_material_f32_t *red = &eigenshade_material_dark_red_paint_f32;
   const char *const name = "shade";
-  eigenshade_color_baked_f32_t baked_f32;
-  eigenshade_color_baked_q15_t baked_q15;
-  float found_f32[9];
-  int32_t found_q15[9];
+  eigenshade_baked_f32_t baked_f32;
+  eigenshade_baked_q15_t baked_q15;
+  eigenshade_irradiance_f32_t found_f32[3];
+  eigenshade_irradiance_q15_t found_q15[3];
 
-  CHECKED(eigenshade_color_scene_f32(&eigenshade_light_lobby_f32,
-                                     &eigenshade_material_dark_red_paint_f32, &scene_f32));
-  CHECKED(eigenshade_color_scene_q15(&eigenshade_light_lobby_q15,
-                                     &eigenshade_material_dark_red_paint_q15, &scene_q15));
-  CHECKED(eigenshade_color_bake_f32(&scene_f32, BAKED, texels_f32, 3 * BAKED * BAKED, &baked_f32));
-  CHECKED(eigenshade_color_bake_q15(&scene_f32, BAKED, texels_q15, 3 * BAKED * BAKED, &baked_q15));
-  CHECKED(eigenshade_color_shade_f32(&scene_f32, 0, 0.6f, 0.8f, found_f32));
-  CHECKED(eigenshade_color_shade_q15(&scene_q15, 0, 19661, 26214, found_q15));
-  CHECKED(eigenshade_color_baked_shade_f32(&baked_f32, 0, 0.6f, 0.8f, found_f32 + 3));
-  CHECKED(eigenshade_color_baked_shade_q15(&baked_q15, 0, 19661, 26214, found_q15 + 3));
+  CHECKED(eigenshade_picture_begin_f32(&eigenshade_light_lobby_f32, red, &of_f32));
+  CHECKED(eigenshade_picture_begin_q15(&eigenshade_light_lobby_q15,
+      &eigenshade_material_dark_red_paint_q15, &of_q15));
+  CHECKED(eigenshade_picture_bake_f32(&of_f32, BAKED, texels_f32, 3 * BAKED * BAKED, &baked_f32));
+  CHECKED(eigenshade_picture_bake_q15(&of_f32, BAKED, texels_q15, 3 * BAKED * BAKED, &baked_q15));
+  CHECKED(eigenshade_picture_shade_f32(&of_f32, 0, 0.6f, 0.8f, &found_f32[0]));
+  CHECKED(eigenshade_picture_shade_q15(&of_q15, 0, 19661, 26214, &found_q15[0]));
+  CHECKED(eigenshade_baked_shade_f32(&baked_f32, 0, 0.6f, 0.8f, &found_f32[1]));
+  CHECKED(eigenshade_baked_shade_q15(&baked_q15, 0, 19661, 26214, &found_q15[1]));
   /* Half-way between a lamp and the camera, on copper. */
   static const eigenshade_source_f32_t lamp = {
       {0, 0.6f, 0.8f}, {0.5f, 0.4f, 0.3f}, {0.03f, 0, 0}, 0.03f};
   static const float copper[3] = {0.93f, 0.5f, 0.25f};
   eigenshade_gloss_f32_t gloss;
   CHECKED(eigenshade_gloss_metallic_roughness_f32(copper, 1, 0.3f, &gloss));
-  const eigenshade_color_glossy_f32_t glossy_f32 = {&scene_f32, &gloss, &lamp, 1};
-  const eigenshade_color_glossy_q15_t glossy_q15 = {&scene_q15, &gloss, &lamp, 1};
-  CHECKED(eigenshade_color_glossy_shade_f32(&glossy_f32, 0, 0.3162f, 0.9487f, found_f32 + 6));
-  CHECKED(eigenshade_color_glossy_shade_q15(&glossy_q15, 0, 10362, 31086, found_q15 + 6));
-  const int32_t exponents[9] = {scene_q15.r.exponent,   scene_q15.g.exponent,
-                                scene_q15.b.exponent,   baked_q15.exponents[0],
-                                baked_q15.exponents[1], baked_q15.exponents[2],
-                                scene_q15.r.exponent,   scene_q15.g.exponent,
-                                scene_q15.b.exponent};
+  CHECKED(eigenshade_picture_highlights_f32(&gloss, &lamp, 1, &of_f32));
+  CHECKED(eigenshade_picture_highlights_q15(&gloss, &lamp, 1, &of_q15));
+  CHECKED(eigenshade_picture_shade_f32(&of_f32, 0, 0.3162f, 0.9487f, &found_f32[2]));
+  CHECKED(eigenshade_picture_shade_q15(&of_q15, 0, 10362, 31086, &found_q15[2]));
   /* By the textbook E F D / (4 n.v): 0.5 x 0.93 x 35 / 3.8 for a lobe that the lamp widens; and the
    * scene. */
-  check(found_f32[6] > 4.3f && found_f32[6] < 5, "f32", "the peak of a highlight", 0);
+  check(found_f32[2].r > 4.3f && found_f32[2].r < 5, "f32", "the peak of a highlight", 0);
   for (uint32_t k = 0; k < 9; k++) {
-    float found = found_f32[k];
-    for (int32_t exponent = exponents[k]; exponent < 0; exponent++) {
+    const eigenshade_irradiance_f32_t of_floats = found_f32[k / 3];
+    const eigenshade_irradiance_q15_t of_integers = found_q15[k / 3];
+    const float floats[3] = {of_floats.r, of_floats.g, of_floats.b};
+    const int32_t integers[3] = {of_integers.r, of_integers.g, of_integers.b};
+    float found = floats[k % 3];
+    for (int32_t exponent = of_integers.exponents[k % 3]; exponent < 0; exponent++) {
       found *= 2;
     }
-    for (int32_t exponent = exponents[k]; exponent > 0; exponent--) {
+    for (int32_t exponent = of_integers.exponents[k % 3]; exponent > 0; exponent--) {
       found /= 2;
     }
-    const float expected = (float)found_q15[k];
+    const float expected = (float)integers[k % 3];
     check(found > 0.999f * expected && found < 1.001f * expected, "f32", name, k);
     print("shade,");
-    print_u32((uint32_t)found_q15[k]);
+    print_u32((uint32_t)integers[k % 3]);
     print("\n");
   }
+  /* The highlights are those of one call only. */
+  CHECKED(eigenshade_picture_highlights_f32(&gloss, NULL, 0, &of_f32));
+  CHECKED(eigenshade_picture_shade_f32(&of_f32, 0, 0.6f, 0.8f, &found_f32[1]));
+  check(found_f32[0].r == found_f32[1].r, "f32", "no highlights", 0);
 }
 
 void check_color(void) {

@@ -1,249 +1,362 @@
 /* What the library answers to arguments at fault, and that it then leaves alone what it was
- * to write. */
+ * to write. Freestanding C99. */
 #include "checks.h"
+#include "eigenshade_presets.h"
 #include "parts.h"
 
-static const float bright[1] = {1.0f};
-static const float white[1] = {2.0f};
+/* The header gives the size of a picture. */
+typedef char size_of_f32[sizeof(eigenshade_picture_f32_t) == 8 * EIGENSHADE_PICTURE_F32 ? 1 : -1];
+typedef char size_of_q15[sizeof(eigenshade_picture_q15_t) == 8 * EIGENSHADE_PICTURE_Q15 ? 1 : -1];
 
-static void faults_f32(void) {
-  static eigenshade_workspace_f32_t workspace;
-  static eigenshade_transfer_f32_t transfer;
-  static eigenshade_coefficients_f32_t d;
-  static eigenshade_scene_f32_t scene;
-  static float numbers[4];
-  const char *const name = "f32";
-  const eigenshade_light_f32_t ambient = {.degree = 0, .length = 1, .coefficients = bright};
-  const eigenshade_material_f32_t matte = {.order = 0, .length = 1, .coefficients = white};
-  eigenshade_light_f32_t light = ambient;
-  eigenshade_material_f32_t material = matte;
-  float irradiance = 0.0f;
+enum { SIDE = 8, BAKED = 4 };
 
-  /* A scene of zeros, or of whatever was in memory. */
-  for (int byte = 0; byte < 256; byte += 85) {
-    for (size_t k = 0; k < sizeof scene; k++) {
-      ((unsigned char *)&scene)[k] = (unsigned char)byte;
-    }
-    EXPECTED(SCENE, eigenshade_shade_f32(&scene, 0.0f, 0.0f, 1.0f, &irradiance));
-    EXPECTED(SCENE, eigenshade_shade_many_f32(&scene, 1, bright, bright, bright, &irradiance));
+/* A pointer that is not aligned. */
+#define BESIDE(pointer) ((void *)((char *)(pointer) + 1))
+
+static const float zeros[4] = {0, 0, 0, 0};
+static const eigenshade_source_f32_t lamp = {{0, 0, 1}, {1, 1, 1}, {0, 0, 0}, 0};
+static const eigenshade_gloss_f32_t white = {0.3f, {0, 0, 0}, {1, 1, 1}, {1, 1, 1}};
+
+static void fill(void *memory, size_t size, unsigned char byte) {
+  for (size_t k = 0; k < size; k++) {
+    ((unsigned char *)memory)[k] = byte;
   }
-  check(irradiance == 0.0f, name, "irradiance without a scene", 0);
-
-  /* A matte sphere in light from everywhere: pi times its radiance Y_0^0 over pi. */
-  EXPECTED(OK, eigenshade_project_f32(&light, &material, &workspace, &d));
-  EXPECTED(OK, eigenshade_collapse_f32(&d, EIGENSHADE_COMPONENTS, &scene));
-  EXPECTED(OK, eigenshade_shade_f32(&scene, 0.0f, 0.0f, 2.0f, &irradiance));
-  check(irradiance > 0.2820f && irradiance < 0.2822f, name, "ambient", 0);
-
-  d.numbers[0] = 7.0f;
-  EXPECTED(NULL_POINTER, eigenshade_project_f32(NULL, &material, &workspace, &d));
-  EXPECTED(NULL_POINTER, eigenshade_project_f32(&light, NULL, &workspace, &d));
-  EXPECTED(NULL_POINTER, eigenshade_project_f32(&light, &material, NULL, &d));
-  EXPECTED(NULL_POINTER, eigenshade_project_f32(&light, &material, &workspace, NULL));
-  light.coefficients = NULL;
-  EXPECTED(NULL_POINTER, eigenshade_relight_f32(&transfer, &light, &d));
-  light.coefficients = (const float *)(const void *)((const char *)numbers + 1);
-  EXPECTED(UNALIGNED, eigenshade_relight_f32(&transfer, &light, &d));
-  light = ambient;
-  light.degree = EIGENSHADE_DEGREE + 1;
-  EXPECTED(LIGHT_BEYOND, eigenshade_relight_f32(&transfer, &light, &d));
-  light.degree = 1;
-  EXPECTED(LIGHT_LENGTH, eigenshade_relight_f32(&transfer, &light, &d));
-  material.order = (size_t)-1;
-  EXPECTED(MATERIAL_BEYOND, eigenshade_transfer_f32(&material, &workspace, &transfer));
-  material.order = 1;
-  EXPECTED(MATERIAL_LENGTH, eigenshade_transfer_f32(&material, &workspace, &transfer));
-  check(d.numbers[0] == 7.0f, name, "d is as it was", 0);
-
-  EXPECTED(COMPONENTS, eigenshade_collapse_f32(&d, EIGENSHADE_COMPONENTS + 1, &scene));
-  irradiance = 7.0f;
-  EXPECTED(NORMAL, eigenshade_shade_f32(&scene, 0.0f, 0.0f, 0.0f, &irradiance));
-  EXPECTED(HIDDEN, eigenshade_shade_f32(&scene, 0.0f, 0.0f, -1.0f, &irradiance));
-  check(irradiance == 7.0f, name, "irradiance is as it was", 0);
-  EXPECTED(OVERLAP, eigenshade_shade_many_f32(&scene, 2, numbers, numbers, numbers, numbers + 1));
-  EXPECTED(COUNT,
-           eigenshade_shade_many_f32(&scene, (size_t)-1, numbers, numbers, numbers, numbers));
-  EXPECTED(NULL_POINTER, eigenshade_shade_many_f32(&scene, 2, numbers, NULL, numbers, numbers + 2));
-  EXPECTED(OK, eigenshade_shade_many_f32(&scene, 0, NULL, NULL, NULL, NULL));
 }
 
-/* What is written to overlaps what is read, or something else that is written to: the numbers
- * were wrong, and the answer was that all is well. */
-static void overlaps_f32(void) {
-  static eigenshade_workspace_f32_t workspace;
-  static eigenshade_transfer_f32_t transfer;
-  static eigenshade_coefficients_f32_t d;
-  static eigenshade_scene_f32_t scene;
-  static union {
-    eigenshade_workspace_f32_t workspace;
-    eigenshade_transfer_f32_t transfer;
-    eigenshade_coefficients_f32_t d;
-    eigenshade_scene_f32_t scene;
-    eigenshade_light_f32_t light;
-    eigenshade_material_f32_t material;
-    float numbers[4];
-  } one;
-  const char *const name = "f32";
-  const eigenshade_light_f32_t light = {.degree = 0, .length = 1, .coefficients = bright};
-  const eigenshade_light_f32_t light_in_d = {.degree = 0, .length = 1, .coefficients = d.numbers + 7};
-  const eigenshade_material_f32_t material = {.order = 0, .length = 1, .coefficients = white};
-  const eigenshade_material_f32_t in_workspace = {
-      .order = 0, .length = 1, .coefficients = workspace.numbers};
-  EXPECTED(OVERLAP, eigenshade_transfer_f32(&material, &one.workspace, &one.transfer));
-  EXPECTED(OVERLAP, eigenshade_transfer_f32(&in_workspace, &workspace, &transfer));
-  one.material = material;
-  EXPECTED(OVERLAP, eigenshade_transfer_f32(&one.material, &workspace, &one.transfer));
-  check(one.material.length == 1, name, "the material is as it was", 0);
-  EXPECTED(OVERLAP, eigenshade_relight_f32(&transfer, &light_in_d, &d));
-  EXPECTED(OVERLAP, eigenshade_relight_f32(&one.transfer, &light, &one.d));
-  one.light = light;
-  EXPECTED(OVERLAP, eigenshade_relight_f32(&transfer, &one.light, &one.d));
-  EXPECTED(OVERLAP, eigenshade_project_f32(&light, &material, &one.workspace, &one.d));
-  EXPECTED(OVERLAP, eigenshade_project_f32(&light_in_d, &material, &workspace, &d));
-  EXPECTED(OVERLAP, eigenshade_project_f32(&light, &in_workspace, &workspace, &d));
-  EXPECTED(OVERLAP, eigenshade_collapse_f32(&one.d, 1, &one.scene));
-  EXPECTED(OVERLAP, eigenshade_shade_f32(&scene, 0.0f, 0.0f, 1.0f, scene.terms + 3));
-  EXPECTED(OK, eigenshade_project_f32(&light, &material, &workspace, &d));
-  EXPECTED(OK, eigenshade_collapse_f32(&d, 1, &scene));
-  EXPECTED(OVERLAP, eigenshade_shade_many_f32(&scene, 1, white, white, white, scene.terms));
-  size_t normalized = 7;
-  EXPECTED(OVERLAP,
-           eigenshade_normalize_f32(one.numbers, one.numbers + 1, one.numbers + 3, 2, &normalized));
-  check(normalized == 7, name, "nothing is normalized", 0);
-}
-
-static void runtime_inputs_f32(void) {
-  const char *const name = "f32";
-  const float numbers[4] = {1.0f, 0.0f, __builtin_inff(), 0.0f};
-  const eigenshade_light_f32_t light = {.degree = 1, .length = 4, .coefficients = numbers};
-  const eigenshade_material_f32_t material = {.order = 1, .length = 2, .coefficients = numbers + 1};
-  EXPECTED(NOT_FINITE, eigenshade_check_light_f32(&light));
-  EXPECTED(NOT_FINITE, eigenshade_check_material_f32(&material));
-  const eigenshade_light_f32_t ambient = {.degree = 0, .length = 1, .coefficients = numbers};
-  EXPECTED(OK, eigenshade_check_light_f32(&ambient));
-  EXPECTED(NULL_POINTER, eigenshade_check_material_f32(NULL));
-  /* Of a map of 8 bits: toward the camera, just behind the rim, far behind it. */
-  float x[3] = {1.0f, 255.0f, 255.0f}, y[3] = {1.0f, 1.0f, 1.0f}, z[3] = {255.0f, -1.0f, -255.0f};
-  size_t normalized = 7;
-  EXPECTED(HIDDEN, eigenshade_normalize_f32(x, y, z, 3, &normalized));
-  check(normalized == 2 && z[0] > 0.9999f && z[0] < 1.0f && z[1] == 0.0f && x[1] > 0.9999f, name,
-        "those before it", 0);
-  check(x[2] == 255.0f && z[2] == -255.0f, name, "the one behind is as it was", 0);
-}
-
-/* The same in an integer format of type `mantissa`, its largest `one`. */
-#define FAULTS_OF_INTEGERS(format, mantissa, one)                                             \
-  static void faults_##format(void) {                                                         \
-    const char *const name = #format;                                                         \
-    static const mantissa largest[1] = {one};                                                 \
-    static const int8_t exponents[1] = {0};                                                   \
-    static eigenshade_workspace_##format##_t workspace;                                       \
-    static eigenshade_transfer_##format##_t transfer;                                         \
-    static eigenshade_coefficients_##format##_t d;                                            \
-    static eigenshade_scene_##format##_t scene;                                               \
-    static mantissa zeros[3], z[3] = {one, -one, one};                                        \
-    static int32_t irradiances[3] = {7, 7, 7};                                                \
-    const eigenshade_light_##format##_t ambient = {.degree = 0, .length = 1, .mantissas = largest}; \
-    const eigenshade_material_##format##_t matte = {                                          \
-        .order = 0, .length = 1, .mantissas = largest, .exponents_length = 1,                 \
-        .exponents = exponents};                                                              \
-    eigenshade_light_##format##_t light = ambient;                                            \
-    eigenshade_material_##format##_t material = matte;                                        \
-    int32_t irradiance = 7;                                                                   \
-    EXPECTED(SCENE, eigenshade_shade_##format(&scene, 0, 0, one, &irradiance));               \
-    EXPECTED(SCENE, eigenshade_shade_many_##format(&scene, 1, zeros, zeros, z, &irradiance)); \
-    EXPECTED(OK, eigenshade_project_##format(&light, &material, &workspace, &transfer, &d));  \
-    EXPECTED(OK, eigenshade_collapse_##format(&d, EIGENSHADE_COMPONENTS, &scene));            \
-    const eigenshade_light_f32_t of_floats = {.degree = 0, .length = 1, .coefficients = bright}; \
-    mantissa quantized[1] = {7};                                                              \
-    EXPECTED(NULL_POINTER, eigenshade_quantize_light_##format(&of_floats, NULL, 1, &light));  \
-    EXPECTED(LIGHT_LENGTH, eigenshade_quantize_light_##format(&of_floats, quantized, 4, &light)); \
-    check(quantized[0] == 7, name, "mantissas are as they were", 0);                          \
-    EXPECTED(OK, eigenshade_quantize_light_##format(&of_floats, quantized, 1, &light));       \
-    check(light.mantissas == quantized, name, "the light's mantissas", 0);                    \
-    light = ambient;                                                                          \
-    d.mantissas[0] = 7;                                                                       \
-    EXPECTED(NULL_POINTER, eigenshade_transfer_##format(NULL, &workspace, &transfer));        \
-    EXPECTED(NULL_POINTER, eigenshade_transfer_##format(&material, NULL, &transfer));         \
-    EXPECTED(NULL_POINTER, eigenshade_transfer_##format(&material, &workspace, NULL));        \
-    material.exponents = NULL;                                                                \
-    EXPECTED(NULL_POINTER, eigenshade_transfer_##format(&material, &workspace, &transfer));   \
-    material = matte;                                                                         \
-    material.exponents_length = 2;                                                            \
-    EXPECTED(MATERIAL_LENGTH, eigenshade_transfer_##format(&material, &workspace, &transfer)); \
-    material.order = EIGENSHADE_ORDER + 1;                                                    \
-    EXPECTED(MATERIAL_BEYOND, eigenshade_transfer_##format(&material, &workspace, &transfer)); \
-    light.exponent = 129;                                                                     \
-    EXPECTED(EXPONENT, eigenshade_relight_##format(&transfer, &light, &d));                   \
-    light.degree = EIGENSHADE_DEGREE + 1;                                                     \
-    EXPECTED(LIGHT_BEYOND, eigenshade_relight_##format(&transfer, &light, &d));               \
-    light.degree = 1;                                                                         \
-    EXPECTED(LIGHT_LENGTH, eigenshade_relight_##format(&transfer, &light, &d));               \
-    check(d.mantissas[0] == 7, name, "d is as it was", 0);                                    \
-    light = ambient;                                                                          \
-    transfer.numbers[0] = transfer.numbers[1] = transfer.numbers[2] = one;                    \
-    EXPECTED(TRANSFER, eigenshade_relight_##format(&transfer, &light, &d));                   \
-    check(d.mantissas[0] == 0, name, "d is zero", 0);                                         \
-    EXPECTED(COMPONENTS, eigenshade_collapse_##format(&d, EIGENSHADE_COMPONENTS + 1, &scene)); \
-    d.exponent = INT32_MIN;                                                                   \
-    EXPECTED(EXPONENT, eigenshade_collapse_##format(&d, EIGENSHADE_COMPONENTS, &scene));      \
-    EXPECTED(NORMAL, eigenshade_shade_##format(&scene, 0, 0, one / 2, &irradiance));          \
-    EXPECTED(HIDDEN, eigenshade_shade_##format(&scene, 0, 0, -one, &irradiance));             \
-    check(irradiance == 7, name, "irradiance is as it was", 0);                               \
-    EXPECTED(OK, eigenshade_shade_##format(&scene, 0, 0, one, &irradiance));                  \
-    EXPECTED(NULL_POINTER,                                                                    \
-             eigenshade_shade_many_##format(&scene, 3, zeros, NULL, z, irradiances));         \
-    check(irradiances[0] == 7, name, "irradiances are as they were", 0);                      \
-    /* The second normal points away. */                                                      \
-    EXPECTED(HIDDEN, eigenshade_shade_many_##format(&scene, 3, zeros, zeros, z, irradiances)); \
-    check(irradiances[0] == irradiance && irradiances[1] == 0 && irradiances[2] == 0, name,   \
-          "what stands before it", 0);                                                        \
-    EXPECTED(OVERLAP,                                                                         \
-             eigenshade_shade_many_##format(&scene, 1, zeros, zeros, z, (int32_t *)(void *)z)); \
-    static eigenshade_light_##format##_t light_in_d;                                          \
-    static union {                                                                            \
-      eigenshade_workspace_##format##_t workspace;                                            \
-      eigenshade_transfer_##format##_t transfer;                                              \
-      eigenshade_coefficients_##format##_t d;                                                 \
-      eigenshade_scene_##format##_t scene;                                                    \
-      eigenshade_light_##format##_t light;                                                    \
-      mantissa mantissas[4];                                                                  \
-    } same;                                                                                   \
-    EXPECTED(OVERLAP, eigenshade_transfer_##format(&matte, &same.workspace, &same.transfer)); \
-    light_in_d = ambient;                                                                     \
-    light_in_d.mantissas = (const mantissa *)(const void *)d.mantissas;                       \
-    EXPECTED(OVERLAP, eigenshade_relight_##format(&transfer, &light_in_d, &d));               \
-    EXPECTED(OVERLAP, eigenshade_relight_##format(&same.transfer, &ambient, &same.d));        \
-    EXPECTED(OVERLAP,                                                                         \
-             eigenshade_project_##format(&ambient, &matte, &workspace, &same.transfer, &same.d)); \
-    EXPECTED(OVERLAP,                                                                         \
-             eigenshade_project_##format(&ambient, &matte, &same.workspace, &transfer, &same.d)); \
-    EXPECTED(OVERLAP, eigenshade_collapse_##format(&same.d, 1, &same.scene));                 \
-    EXPECTED(OVERLAP, eigenshade_shade_##format(&scene, 0, 0, one, scene.terms + 3));         \
-    EXPECTED(OVERLAP,                                                                         \
-             eigenshade_shade_many_##format(&scene, 1, zeros, zeros, z, &scene.exponent));    \
-    EXPECTED(OVERLAP,                                                                         \
-             eigenshade_quantize_light_##format(&of_floats, same.mantissas, 1, &same.light)); \
-    const float endless[1] = {__builtin_inff()};                                              \
-    const eigenshade_light_f32_t of_infinity = {                                              \
-        .degree = 0, .length = 1, .coefficients = endless};                                   \
-    EXPECTED(NOT_FINITE, eigenshade_quantize_light_##format(&of_infinity, quantized, 1, &light)); \
-    /* Of a map of 8 bits. */                                                                 \
-    const int32_t behind[3] = {255, 1, -1}, away[3] = {1, 1, -255};                           \
-    mantissa normal[3] = {7, 7, 7};                                                           \
-    EXPECTED(HIDDEN, eigenshade_normalize_##format(away, normal));                            \
-    check(normal[0] == 7 && normal[2] == 7, name, "normal is as it was", 0);                  \
-    EXPECTED(OK, eigenshade_normalize_##format(behind, normal));                              \
-    check(normal[0] > one - one / 1000 && normal[1] > 0 && normal[2] == 0, name, "rim", 0);   \
-    EXPECTED(OK, eigenshade_shade_##format(&scene, normal[0], normal[1], normal[2], &irradiance)); \
+/* Pictures that were never begun, and inputs of those that are begun. */
+#define BEGUN(format, number, one)                                                                \
+  static void begun_##format(void) {                                                              \
+    static eigenshade_transfer_##format##_t transfer;                                             \
+    static eigenshade_picture_##format##_t picture;                                               \
+    static union {                                                                                \
+      eigenshade_picture_##format##_t picture;                                                    \
+      eigenshade_transfer_##format##_t transfer;                                                  \
+      eigenshade_color_light_##format##_t light;                                                  \
+      eigenshade_color_material_##format##_t material;                                            \
+      eigenshade_source_f32_t sources[1];                                                         \
+      eigenshade_gloss_f32_t gloss;                                                               \
+    } same;                                                                                       \
+    const eigenshade_color_light_##format##_t *const lobby = &eigenshade_light_lobby_##format;    \
+    const eigenshade_color_material_##format##_t *const gold =                                    \
+        &eigenshade_material_gold_metallic_paint_##format;                                        \
+    eigenshade_color_light_##format##_t light = *lobby;                                           \
+    eigenshade_color_material_##format##_t material = *gold;                                      \
+    eigenshade_irradiance_##format##_t irradiance, before;                                        \
+    const char *const name = #format;                                                             \
+                                                                                                  \
+    /* Zeros, or whatever was in memory. */                                                       \
+    for (int byte = 0; byte < 256; byte += 85) {                                                  \
+      fill(&picture, sizeof picture, (unsigned char)byte);                                        \
+      EXPECTED(PICTURE, eigenshade_picture_shade_##format(&picture, 0, 0, one, &irradiance));     \
+      EXPECTED(PICTURE, eigenshade_picture_highlights_##format(&white, &lamp, 1, &picture));      \
+    }                                                                                             \
+    EXPECTED(OK, eigenshade_picture_begin_##format(lobby, gold, &picture));                       \
+    EXPECTED(OK, eigenshade_picture_shade_##format(&picture, 0, 0, one, &before));                \
+    EXPECTED(OK, eigenshade_transfer_##format(gold, &transfer));                                  \
+                                                                                                  \
+    light.b.degree = EIGENSHADE_DEGREE + 1;                                                       \
+    EXPECTED(LIGHT_BEYOND,                                                                        \
+             eigenshade_picture_begin_##format(&light, gold, &picture));                          \
+    EXPECTED(LIGHT_BEYOND, eigenshade_picture_relight_##format(&transfer, &light, &picture));     \
+    light.b.degree = 1;                                                                           \
+    EXPECTED(LIGHT_LENGTH, eigenshade_picture_relight_##format(&transfer, &light, &picture));     \
+    light = *lobby;                                                                               \
+    material.g.length = 39;                                                                       \
+    EXPECTED(MATERIAL_LENGTH,                                                                     \
+             eigenshade_picture_begin_##format(lobby, &material, &picture));                      \
+    transfer.numbers[2][0] = 77;                                                                  \
+    EXPECTED(MATERIAL_LENGTH, eigenshade_transfer_##format(&material, &transfer));                \
+    material.g.order = (size_t)-1;                                                                \
+    EXPECTED(MATERIAL_BEYOND, eigenshade_transfer_##format(&material, &transfer));                \
+    check(transfer.numbers[2][0] == (number)77, name, "the transfer is as it was", 0);            \
+    EXPECTED(NULL_POINTER,                                                                        \
+             eigenshade_picture_begin_##format(NULL, gold, &picture));                            \
+    EXPECTED(NULL_POINTER,                                                                        \
+             eigenshade_picture_begin_##format(lobby, NULL, &picture));                           \
+    EXPECTED(NULL_POINTER, eigenshade_picture_begin_##format(lobby, gold, NULL));                 \
+    EXPECTED(NULL_POINTER,                                                                        \
+             eigenshade_picture_begin_glossy_##format(lobby, gold, NULL, &lamp, 1, &picture));    \
+    EXPECTED(NULL_POINTER,                                                                        \
+             eigenshade_picture_begin_glossy_##format(lobby, gold, &white, NULL, 1, &picture));   \
+    EXPECTED(UNALIGNED, eigenshade_picture_begin_##format(lobby, gold, BESIDE(&picture)));        \
+                                                                                                  \
+    /* What is written to overlaps what is read. */                                               \
+    same.light = *lobby;                                                                          \
+    EXPECTED(OVERLAP, eigenshade_picture_begin_##format(&same.light, gold, &same.picture));       \
+    same.material = *gold;                                                                        \
+    EXPECTED(OVERLAP, eigenshade_picture_begin_##format(lobby, &same.material, &same.picture));   \
+    EXPECTED(OVERLAP, eigenshade_transfer_##format(&same.material, &same.transfer));              \
+    same.gloss = white;                                                                           \
+    EXPECTED(OVERLAP, eigenshade_picture_begin_glossy_##format(lobby, gold, &same.gloss, &lamp,   \
+        1, &same.picture));                                                                       \
+    same.sources[0] = lamp;                                                                       \
+    EXPECTED(OVERLAP, eigenshade_picture_begin_glossy_##format(lobby, gold, &white,               \
+        same.sources, 1, &same.picture));                                                         \
+    EXPECTED(OVERLAP,                                                                             \
+             eigenshade_picture_relight_##format(&same.transfer, lobby, &same.picture));          \
+    EXPECTED(OVERLAP, eigenshade_picture_shade_##format(                                          \
+                          &picture, 0, 0, one,                                                    \
+                          (eigenshade_irradiance_##format##_t *)(void *)&picture));               \
+                                                                                                  \
+    irradiance.r = 7;                                                                             \
+    EXPECTED(HIDDEN, eigenshade_picture_shade_##format(&picture, 0, 0, -(one), &irradiance));     \
+    EXPECTED(NORMAL, eigenshade_picture_shade_##format(&picture, 0, 0, 0, &irradiance));          \
+    check(irradiance.r == 7, name, "the irradiance is as it was", 0);                             \
+    EXPECTED(OK, eigenshade_picture_shade_##format(&picture, 0, 0, one, &irradiance));            \
+    check(irradiance.r == before.r, name, "the picture is as it was", 0);                         \
   }
 
-FAULTS_OF_INTEGERS(q15, int16_t, 32767)
+/* Sources that are at fault, and where they are taken out. */
+#define SOURCES(format)                                                                           \
+  static void sources_##format(void) {                                                            \
+    static eigenshade_picture_##format##_t picture;                                               \
+    static eigenshade_light_buffer_##format##_t buffer;                                           \
+    static eigenshade_source_f32_t sources[EIGENSHADE_SOURCES + 1];                               \
+    const eigenshade_color_light_##format##_t *const lobby = &eigenshade_light_lobby_##format;    \
+    const eigenshade_color_material_##format##_t *const gold =                                    \
+        &eigenshade_material_gold_metallic_paint_##format;                                        \
+    const size_t most = EIGENSHADE_SOURCES;                                                       \
+    eigenshade_color_light_##format##_t light;                                                    \
+    eigenshade_gloss_f32_t gloss = white;                                                         \
+    const char *const name = #format;                                                             \
+    for (size_t k = 0; k <= most; k++) {                                                          \
+      sources[k] = lamp;                                                                          \
+    }                                                                                             \
+    EXPECTED(OK, eigenshade_picture_begin_glossy_##format(lobby, gold, &gloss, sources, most,     \
+        &picture));                                                                               \
+    EXPECTED(SOURCE,                                                                              \
+             eigenshade_picture_begin_glossy_##format(lobby, gold, &gloss, sources, most + 1,     \
+                 &picture));                                                                      \
+    EXPECTED(SOURCE,                                                                              \
+             eigenshade_picture_highlights_##format(&gloss, sources, most + 1, &picture));        \
+    EXPECTED(SOURCE, eigenshade_residual_##format(lobby, sources, most + 1, &buffer, &light));    \
+    sources[most - 1].minor = 0.1f;                                                               \
+    EXPECTED(SOURCE,                                                                              \
+             eigenshade_picture_begin_glossy_##format(lobby, gold, &gloss, sources, most,         \
+                 &picture));                                                                      \
+    EXPECTED(SOURCE, eigenshade_residual_##format(lobby, sources, most, &buffer, &light));        \
+    gloss.albedo[1] = 2;                                                                          \
+    EXPECTED(OUTSIDE,                                                                             \
+             eigenshade_picture_begin_glossy_##format(lobby, gold, &gloss, sources, 1,            \
+                 &picture));                                                                      \
+    EXPECTED(OVERLAP,                                                                             \
+             eigenshade_picture_highlights_##format(                                              \
+                 &white, (const eigenshade_source_f32_t *)(const void *)&picture, 1, &picture));  \
+  }
+
+/* Rows, the meter and baked maps. */
+#define ROWS(format, texel)                                                                       \
+  static void rows_##format(void) {                                                               \
+    static eigenshade_picture_##format##_t picture, none;                                         \
+    static eigenshade_picture_f32_t to_bake;                                                      \
+    static eigenshade_meter_t meter;                                                              \
+    static texel texels[3 * BAKED * BAKED];                                                       \
+    static const uint8_t codes[2] = {0, 0};                                                       \
+    const eigenshade_display_t *const display = &eigenshade_display_linear;                       \
+    eigenshade_baked_##format##_t baked;                                                          \
+    eigenshade_normal_map_t map = {1, 1, 2, codes};                                               \
+    uint16_t pixels[SIDE] = {7, 7, 7, 7, 7, 7, 7, 7};                                             \
+    float exposure = 7;                                                                           \
+    const char *const name = #format;                                                             \
+    EXPECTED(OK, eigenshade_picture_begin_##format(&eigenshade_light_lobby_##format,              \
+        &eigenshade_material_gold_metallic_paint_##format, &picture));                            \
+                                                                                                  \
+    EXPECTED(PICTURE,                                                                             \
+             eigenshade_picture_disc_row_##format(&none, 8, 4, 1, display, pixels, SIDE));        \
+    EXPECTED(DIAMETER,                                                                            \
+             eigenshade_picture_disc_row_##format(&picture, 0, 0, 1, display, pixels, SIDE));     \
+    EXPECTED(DIAMETER,                                                                            \
+             eigenshade_picture_disc_row_##format(&picture, 4097, 0, 1, display, pixels, SIDE));  \
+    EXPECTED(ROW,                                                                                 \
+             eigenshade_picture_disc_row_##format(&picture, 8, 8, 1, display, pixels, SIDE));     \
+    EXPECTED(ROW, eigenshade_picture_disc_row_##format(&picture, 8, 4, 1, display, pixels,        \
+                                                       SIDE - 1));                                \
+    EXPECTED(EXPOSURE,                                                                            \
+             eigenshade_picture_disc_row_##format(&picture, 8, 4, 0, display, pixels, SIDE));     \
+    EXPECTED(EXPOSURE,                                                                            \
+             eigenshade_picture_disc_row_##format(&picture, 8, 4, -1, display, pixels, SIDE));    \
+    EXPECTED(NULL_POINTER,                                                                        \
+             eigenshade_picture_disc_row_##format(&picture, 8, 4, 1, NULL, pixels, SIDE));        \
+    EXPECTED(NULL_POINTER,                                                                        \
+             eigenshade_picture_disc_row_##format(&picture, 8, 4, 1, display, NULL, SIDE));       \
+    EXPECTED(OVERLAP, eigenshade_picture_disc_row_##format(                                       \
+                          &picture, 8, 4, 1, display, (uint16_t *)(void *)&picture, SIDE));       \
+    /* Too many rows, none, rows that overlap, and a buffer that is too short or endless. */      \
+    EXPECTED(ROW, eigenshade_picture_disc_rows_##format(&picture, 2, 1, 2, 1, display, pixels, 2, \
+                                                        SIDE));                                   \
+    EXPECTED(ROW, eigenshade_picture_disc_rows_##format(&picture, 2, 1, (size_t)-1, 1, display,   \
+                                                        pixels, 2, SIDE));                        \
+    EXPECTED(ROW, eigenshade_picture_disc_rows_##format(&picture, 2, 0, 0, 1, display, pixels, 2, \
+                                                        SIDE));                                   \
+    EXPECTED(ROW, eigenshade_picture_disc_rows_##format(&picture, 2, 0, 2, 1, display, pixels, 1, \
+                                                        SIDE));                                   \
+    EXPECTED(ROW, eigenshade_picture_disc_rows_##format(&picture, 2, 0, 2, 1, display, pixels, 7, \
+                                                        SIDE));                                   \
+    EXPECTED(ROW, eigenshade_picture_disc_rows_##format(&picture, 4, 0, 4, 1, display, pixels,    \
+                                                        (size_t)-1, SIDE));                       \
+    EXPECTED(COUNT, eigenshade_picture_disc_rows_##format(&picture, 2, 0, 2, 1, display, pixels,  \
+                                                          2, (size_t)-1));                        \
+    EXPECTED(ROW, eigenshade_picture_normal_map_row_##format(&picture, &map, 1, 1, display,       \
+                                                             pixels, SIDE));                      \
+    EXPECTED(ROW, eigenshade_picture_normal_map_row_##format(&picture, &map, 0, 1, display,       \
+                                                             pixels, 0));                         \
+    EXPECTED(PICTURE, eigenshade_picture_meter_disc_row_##format(&none, 8, 4, &meter));           \
+    EXPECTED(ROW, eigenshade_picture_meter_disc_row_##format(&picture, 8, 8, &meter));            \
+    EXPECTED(DIAMETER, eigenshade_picture_meter_disc_row_##format(&picture, 0, 0, &meter));       \
+    EXPECTED(NULL_POINTER, eigenshade_picture_meter_disc_row_##format(&picture, 8, 4, NULL));     \
+    EXPECTED(OVERLAP, eigenshade_picture_meter_disc_row_##format(                                 \
+                          &picture, 8, 4, (eigenshade_meter_t *)(void *)&picture));               \
+    EXPECTED(ROW, eigenshade_picture_meter_normal_map_row_##format(&picture, &map, 1, &meter));   \
+    EXPECTED(DARK, eigenshade_meter_exposure_f32(&meter, &exposure));                             \
+    check(exposure == 7, name, "the exposure is as it was", 0);                                   \
+    EXPECTED(OK, eigenshade_picture_meter_normal_map_row_##format(&picture, &map, 0, &meter));    \
+    EXPECTED(OK, eigenshade_meter_exposure_f32(&meter, &exposure));                               \
+    check(exposure > 0 && exposure != 7, name, "a metered exposure", 0);                          \
+    map.length = 3;                                                                               \
+    EXPECTED(NORMAL_MAP, eigenshade_picture_normal_map_row_##format(&picture, &map, 0, 1,         \
+        display,                                                                                  \
+                                                                    pixels, SIDE));               \
+    map.width = map.length = 0;                                                                   \
+    EXPECTED(NORMAL_MAP, eigenshade_picture_normal_map_row_##format(&picture, &map, 0, 1,         \
+        display,                                                                                  \
+                                                                    pixels, SIDE));               \
+    for (size_t column = 0; column < SIDE; column++) {                                            \
+      check(pixels[column] == 7, name, "the pixels are as they were", (uint32_t)column);          \
+    }                                                                                             \
+                                                                                                  \
+    EXPECTED(PICTURE, eigenshade_picture_bake_##format(&to_bake, BAKED, texels, 48, &baked));     \
+    EXPECTED(OK, eigenshade_picture_begin_f32(&eigenshade_light_lobby_f32,                        \
+        &eigenshade_material_gold_metallic_paint_f32, &to_bake));                                 \
+    EXPECTED(BAKED, eigenshade_picture_bake_##format(&to_bake, 1, texels, 3, &baked));            \
+    EXPECTED(BAKED, eigenshade_picture_bake_##format(&to_bake, BAKED, texels, 47, &baked));       \
+    EXPECTED(BAKED, eigenshade_picture_bake_##format(&to_bake, (size_t)-1, texels, 3, &baked));   \
+    EXPECTED(OK, eigenshade_picture_bake_##format(&to_bake, BAKED, texels, 48, &baked));          \
+    baked.size = 5;                                                                               \
+    EXPECTED(BAKED,                                                                               \
+             eigenshade_baked_disc_row_##format(&baked, 8, 4, 1, display, pixels, SIDE));         \
+    EXPECTED(OK, eigenshade_picture_highlights_f32(&white, &lamp, 1, &to_bake));                  \
+    EXPECTED(HIGHLIGHTS, eigenshade_picture_bake_##format(&to_bake, BAKED, texels, 48, &baked));  \
+  }
+
+/* Lights and materials that are turned or computed. */
+#define INPUTS(format, number, angle)                                                             \
+  static void inputs_##format(void) {                                                             \
+    static eigenshade_light_buffer_##format##_t light_buffer;                                     \
+    static eigenshade_material_buffer_##format##_t material_buffer;                               \
+    static eigenshade_workspace_##format##_t workspace;                                           \
+    static union {                                                                                \
+      eigenshade_workspace_##format##_t workspace;                                                \
+      eigenshade_coefficients_##format##_t d;                                                     \
+      eigenshade_light_##format##_t light;                                                        \
+    } same;                                                                                       \
+    static eigenshade_coefficients_##format##_t d;                                                \
+    static const angle none[4] = {0, 0, 0, 0};                                                    \
+    static const number black[3] = {0, 0, 0}, outside[3] = {0, (number)-1, 0};                    \
+    const eigenshade_color_light_##format##_t *const lobby = &eigenshade_light_lobby_##format;    \
+    const eigenshade_material_##format##_t *const gold =                                          \
+        &eigenshade_material_gold_metallic_paint_##format.r;                                      \
+    eigenshade_color_light_##format##_t light;                                                    \
+    eigenshade_color_material_##format##_t material;                                              \
+    const char *const name = #format;                                                             \
+    EXPECTED(ROTATION, eigenshade_turn_##format(lobby, none, &light_buffer, &light));             \
+    EXPECTED(ROTATION, eigenshade_turn_about_view_##format(lobby, none, &light_buffer, &light));  \
+    light = *lobby;                                                                               \
+    EXPECTED(OVERLAP, eigenshade_turn_##format(&light, none, &light_buffer, &light));             \
+    EXPECTED(OUTSIDE, eigenshade_metallic_roughness_##format(outside, 0, 0, &material_buffer,     \
+                                                             &material));                         \
+    EXPECTED(OUTSIDE, eigenshade_metallic_roughness_##format(black, (number)-1, 0,                \
+                                                             &material_buffer, &material));       \
+    EXPECTED(OUTSIDE, eigenshade_metallic_roughness_##format(black, 0, (number)-1,                \
+                                                             &material_buffer, &material));       \
+    EXPECTED(NULL_POINTER, eigenshade_project_##format(NULL, gold, &workspace, &d));              \
+    EXPECTED(NULL_POINTER, eigenshade_project_##format(&lobby->r, NULL, &workspace, &d));         \
+    EXPECTED(NULL_POINTER, eigenshade_project_##format(&lobby->r, gold, NULL, &d));               \
+    EXPECTED(NULL_POINTER, eigenshade_project_##format(&lobby->r, gold, &workspace, NULL));       \
+    EXPECTED(OVERLAP, eigenshade_project_##format(&lobby->r, gold, &same.workspace, &same.d));    \
+    same.light = lobby->r;                                                                        \
+    EXPECTED(OVERLAP, eigenshade_project_##format(&same.light, gold, &workspace, &same.d));       \
+  }
+
+/* What each format has for itself. */
+static void others_f32(void) {
+  const char *const name = "f32";
+  static eigenshade_picture_f32_t picture;
+  static eigenshade_transfer_f32_t transfer;
+  static const float endless[1] = {__builtin_inff()};
+  const eigenshade_light_f32_t bright = {0, 1, endless};
+  const eigenshade_material_f32_t white_matte = {0, 1, endless};
+  const eigenshade_color_light_f32_t light = {bright, bright, bright};
+  const eigenshade_color_material_f32_t material = {white_matte, white_matte, white_matte};
+  EXPECTED(NOT_FINITE, eigenshade_transfer_f32(&material, &transfer));
+  EXPECTED(NOT_FINITE, eigenshade_picture_relight_f32(&transfer, &light, &picture));
+  eigenshade_source_f32_t turned = lamp;
+  eigenshade_gloss_f32_t gloss = white;
+  EXPECTED(ROTATION, eigenshade_source_turn_f32(&lamp, zeros, &turned));
+  EXPECTED(OVERLAP, eigenshade_source_turn_f32(&turned, zeros, &turned));
+  EXPECTED(OUTSIDE, eigenshade_gloss_metallic_roughness_f32(zeros, 2, 0, &gloss));
+  check(gloss.grazing[2] > 0.5f, name, "the gloss is as it was", 0);
+}
+
+static void others_q15(void) {
+  const char *const name = "q15";
+  static eigenshade_picture_q15_t picture;
+  static eigenshade_transfer_q15_t transfer;
+  static eigenshade_light_buffer_q15_t buffer;
+  static const float endless[1] = {__builtin_inff()};
+  const eigenshade_light_f32_t bright = {0, 1, endless};
+  const eigenshade_color_light_f32_t endless_light = {bright, bright, bright};
+  eigenshade_color_light_q15_t light = eigenshade_light_lobby_q15;
+  eigenshade_color_material_q15_t material = eigenshade_material_gold_metallic_paint_q15;
+  eigenshade_irradiance_q15_t irradiance;
+  EXPECTED(NOT_FINITE, eigenshade_quantize_light_q15(&endless_light, &buffer, &light));
+  light = eigenshade_light_lobby_q15;
+  EXPECTED(NULL_POINTER, eigenshade_quantize_light_q15(&eigenshade_light_lobby_f32, NULL, &light));
+  material.r.exponents = NULL;
+  EXPECTED(NULL_POINTER, eigenshade_transfer_q15(&material, &transfer));
+  material.r.exponents_length = 2;
+  EXPECTED(MATERIAL_LENGTH, eigenshade_transfer_q15(&material, &transfer));
+  light.g.exponent = 129;
+  EXPECTED(EXPONENT, eigenshade_picture_relight_q15(&transfer, &light, &picture));
+  /* A transfer that could overflow leaves no picture. */
+  EXPECTED(OK, eigenshade_transfer_q15(&eigenshade_material_gold_metallic_paint_q15, &transfer));
+  for (size_t k = 0; k < EIGENSHADE_TRANSFER_Q15; k++) {
+    transfer.numbers[2][k] = INT16_MAX;
+  }
+  light = eigenshade_light_lobby_q15;
+  EXPECTED(TRANSFER, eigenshade_picture_relight_q15(&transfer, &light, &picture));
+  EXPECTED(PICTURE, eigenshade_picture_shade_q15(&picture, 0, 0, INT16_MAX, &irradiance));
+  /* Of a map of 8 bits. */
+  const int32_t behind[3] = {255, 1, -1}, away[3] = {1, 1, -255};
+  int16_t normal[3] = {7, 7, 7};
+  EXPECTED(HIDDEN, eigenshade_normalize_q15(away, normal));
+  check(normal[0] == 7 && normal[2] == 7, name, "normal is as it was", 0);
+  EXPECTED(OK, eigenshade_normalize_q15(behind, normal));
+  check(normal[0] > 32734 && normal[1] > 0 && normal[2] == 0, name, "rim", 0);
+  EXPECTED(OK, eigenshade_picture_begin_q15(&light,
+      &eigenshade_material_gold_metallic_paint_q15, &picture));
+  EXPECTED(OK, eigenshade_picture_shade_q15(&picture, normal[0], normal[1], normal[2],
+                                            &irradiance));
+}
+
+BEGUN(f32, float, 1.0f)
+BEGUN(q15, int16_t, INT16_MAX)
+SOURCES(f32)
+SOURCES(q15)
+ROWS(f32, float)
+ROWS(q15, int16_t)
+INPUTS(f32, float, float)
+INPUTS(q15, int16_t, int32_t)
 
 void check_faults(void) {
-  faults_f32();
-  overlaps_f32();
-  runtime_inputs_f32();
-  faults_q15();
+  begun_f32();
+  begun_q15();
+  sources_f32();
+  sources_q15();
+  rows_f32();
+  rows_q15();
+  inputs_f32();
+  inputs_q15();
+  others_f32();
+  others_q15();
   check(eigenshade_message(EIGENSHADE_STATUS_OK) != eigenshade_message(-1), "any", "message", 0);
 }

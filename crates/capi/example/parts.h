@@ -5,9 +5,8 @@
 /* The golden vectors (golden_vectors.c). */
 void check_golden_vectors(void);
 
-/* What the library answers to arguments at fault (faults.c, color_faults.c). */
+/* What the library answers to arguments at fault (faults.c). */
 void check_faults(void);
-void check_color_faults(void);
 
 /* Pictures in color (color.c). */
 void check_color(void);

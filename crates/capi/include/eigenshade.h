@@ -1,19 +1,22 @@
-/* eigenshade: image irradiance of any isotropic material under any distant light. Its
-table is of degree EIGENSHADE_DEGREE and order EIGENSHADE_ORDER: the shipped one is 9 and 7.
+/* eigenshade: pictures of any isotropic material under any distant light, from coefficients to
+rows of RGB565 pixels, in float (f32) and in integers (q15). The shipped lights and materials are in
+`eigenshade_presets.h`. The table is of degree EIGENSHADE_DEGREE and order EIGENSHADE_ORDER: the
+shipped one is 9 and 7.
 
-The steps are: compute the transfer of a material, relight it with a light, collapse the
-coefficients to a scene, and shade normals with the scene; in float (f32) and in integers
-(q15). A number in integers is a mantissa times 2 to the power of an exponent. The
-quantize functions convert lights and materials from float to integers, without a float
-unit. These are the steps of one channel; `eigenshade_color.h` has three, and rows of pixels.
+The steps are: begin the picture of a light, a material and small bright sources of light, then draw
+its rows; or keep the transfer of a material, and relight it with each new light. A number in
+integers is a mantissa times 2 to the power of an exponent. All functions in q15 do without a float
+unit, except `eigenshade_picture_bake_q15` and those that read sources. Integers give the same bits
+on every machine.
 
 The caller owns every array and structure, and need not initialize those that the library
 writes. No function allocates, keeps a pointer, or has state, so all may be called from
-interrupts and threads at once on separate arguments. Pointers must not be NULL and must be
-aligned; both are checked. Arguments that a function writes to must not overlap its other
-arguments; this is checked too. Lengths are counts of numbers, not bytes.
+interrupts and threads at once on separate arguments. Each pointer points to a value of its type, or
+to as many as the function says. Pointers must not be NULL and must be aligned; both are checked.
+Arguments that a function writes to must not overlap its other arguments; this is checked too.
+Lengths are counts of numbers, not bytes.
 
-Integers give the same bits on every machine. */
+`crates/capi/run header` writes this file. */
 
 #ifndef EIGENSHADE_H
 #define EIGENSHADE_H
@@ -26,100 +29,215 @@ Integers give the same bits on every machine. */
 /** The version of this header: compare it with `eigenshade_version()`. */
 #define EIGENSHADE_VERSION "0.1.0"
 
-/** The result of every function that can fail: 0, or the reason why it did nothing. */
+
+/**
+ * The result of every function that can fail: 0, or the reason why it did nothing.
+ */
 enum eigenshade_status
 #if defined(__cplusplus) || __STDC_VERSION__ >= 202311L
   : int32_t
-#endif
-{
-  /** Success. */
+#endif // defined(__cplusplus) || __STDC_VERSION__ >= 202311L
+ {
+  /**
+   * Success.
+   */
   EIGENSHADE_STATUS_OK = 0,
-  /** A pointer is NULL. */
+  /**
+   * A pointer is NULL.
+   */
   EIGENSHADE_STATUS_NULL_POINTER = 1,
-  /** A pointer is not aligned for its type. */
+  /**
+   * A pointer is not aligned for its type.
+   */
   EIGENSHADE_STATUS_UNALIGNED = 2,
-  /** An array that is written to overlaps another. */
+  /**
+   * An array that is written to overlaps another.
+   */
   EIGENSHADE_STATUS_OVERLAP = 3,
-  /** The degree of a light is above EIGENSHADE_DEGREE. */
+  /**
+   * The degree of a light is above EIGENSHADE_DEGREE.
+   */
   EIGENSHADE_STATUS_LIGHT_BEYOND = 4,
-  /** A light does not have (degree + 1)^2 coefficients. */
+  /**
+   * A light does not have (degree + 1)^2 coefficients.
+   */
   EIGENSHADE_STATUS_LIGHT_LENGTH = 5,
-  /** The order of a material is above EIGENSHADE_ORDER. */
+  /**
+   * The order of a material is above EIGENSHADE_ORDER.
+   */
   EIGENSHADE_STATUS_MATERIAL_BEYOND = 6,
   /**
    * A material does not have the number of coefficients of its order, or an exponent for each o.
    */
   EIGENSHADE_STATUS_MATERIAL_LENGTH = 7,
-  /** More than EIGENSHADE_COMPONENTS components. */
-  EIGENSHADE_STATUS_COMPONENTS = 8,
-  /** An exponent is out of its range. */
-  EIGENSHADE_STATUS_EXPONENT = 9,
+  /**
+   * An exponent is out of its range.
+   */
+  EIGENSHADE_STATUS_EXPONENT = 8,
   /**
    * A normal has a component that is not finite, length zero, or, in integers, a length other
    * than 1.
    */
-  EIGENSHADE_STATUS_NORMAL = 10,
-  /** A normal points away from the camera. */
-  EIGENSHADE_STATUS_HIDDEN = 11,
-  /** More normals than memory can hold. */
-  EIGENSHADE_STATUS_COUNT = 12,
-  /** A fault of the library. */
-  EIGENSHADE_STATUS_INTERNAL = 13,
+  EIGENSHADE_STATUS_NORMAL = 9,
+  /**
+   * A normal points away from the camera.
+   */
+  EIGENSHADE_STATUS_HIDDEN = 10,
+  /**
+   * An array is larger than memory.
+   */
+  EIGENSHADE_STATUS_COUNT = 11,
+  /**
+   * A fault of the library.
+   */
+  EIGENSHADE_STATUS_INTERNAL = 12,
   /**
    * A row of a transfer is so large that its sum with a light could overflow: no function of
    * this library computed it.
    */
-  EIGENSHADE_STATUS_TRANSFER = 14,
-  /** A coefficient of a light or a material is infinite or NaN. */
-  EIGENSHADE_STATUS_NOT_FINITE = 15,
-  /** A color, metallic or roughness is not from 0 to 1. */
-  EIGENSHADE_STATUS_OUTSIDE = 16,
+  EIGENSHADE_STATUS_TRANSFER = 13,
   /**
-   * A quaternion, or cosine and sine, are zero or not finite; or, in f32, cosine² + sine² differs
-   * from 1 by more than 2 %.
+   * A coefficient of a light or a material is infinite or NaN.
    */
-  EIGENSHADE_STATUS_ROTATION = 17,
-  /** The object has no such row, or the buffer is shorter than a row. */
-  EIGENSHADE_STATUS_ROW = 18,
-  /** A disc has no pixel, or more than 4096 across. */
-  EIGENSHADE_STATUS_DIAMETER = 19,
-  /** A normal map has no pixel, or not two bytes for each. */
-  EIGENSHADE_STATUS_NORMAL_MAP = 20,
-  /** An exposure is not a number above 0. */
-  EIGENSHADE_STATUS_EXPOSURE = 21,
-  /** A baked map is not of 2 to 4096 texels a side, or has not three times its square. */
-  EIGENSHADE_STATUS_BAKED = 22,
-  /** A source has wrong numbers, or there are more than `EIGENSHADE_SOURCES`. */
-  EIGENSHADE_STATUS_SOURCE = 23,
-  /** A light above degree 12, beyond which none is turned. */
-  EIGENSHADE_STATUS_TURN = 24,
-  /** A scene that no function of this library computed, such as one of zeros. */
-  EIGENSHADE_STATUS_SCENE = 25,
-  /** A meter has counted no pixel, or only black ones. */
-  EIGENSHADE_STATUS_DARK = 26,
+  EIGENSHADE_STATUS_NOT_FINITE = 14,
+  /**
+   * A color, metallic or roughness is not from 0 to 1.
+   */
+  EIGENSHADE_STATUS_OUTSIDE = 15,
+  /**
+   * A quaternion, or cosine and sine, are zero or not finite; or, in f32, cosine² + sine²
+   * differs from 1 by more than 2 %.
+   */
+  EIGENSHADE_STATUS_ROTATION = 16,
+  /**
+   * The object has no such rows, or the buffer is shorter than they are.
+   */
+  EIGENSHADE_STATUS_ROW = 17,
+  /**
+   * A disc has no pixel, or more than 4096 across.
+   */
+  EIGENSHADE_STATUS_DIAMETER = 18,
+  /**
+   * A normal map has no pixel, or not two bytes for each.
+   */
+  EIGENSHADE_STATUS_NORMAL_MAP = 19,
+  /**
+   * An exposure is not a number above 0.
+   */
+  EIGENSHADE_STATUS_EXPOSURE = 20,
+  /**
+   * A baked map is not of 2 to 4096 texels a side, or has not three times its square.
+   */
+  EIGENSHADE_STATUS_BAKED = 21,
+  /**
+   * A source has wrong numbers, or there are more than EIGENSHADE_SOURCES.
+   */
+  EIGENSHADE_STATUS_SOURCE = 22,
+  /**
+   * A light above degree 12, beyond which none is turned.
+   */
+  EIGENSHADE_STATUS_TURN = 23,
+  /**
+   * A picture that was never begun, such as one of zeros.
+   */
+  EIGENSHADE_STATUS_PICTURE = 24,
+  /**
+   * A meter has counted no pixel, or only black ones.
+   */
+  EIGENSHADE_STATUS_DARK = 25,
+  /**
+   * A picture with highlights, which are too sharp for a baked map.
+   */
+  EIGENSHADE_STATUS_HIGHLIGHTS = 26,
 };
 #ifndef __cplusplus
 #if __STDC_VERSION__ >= 202311L
 typedef enum eigenshade_status eigenshade_status;
 #else
 typedef int32_t eigenshade_status;
-#endif
-#endif
+#endif // __STDC_VERSION__ >= 202311L
+#endif // __cplusplus
+
+/**
+ * A tone curve and the sRGB encoding, as a table of 774 bytes: `eigenshade_display_linear` clips
+ * colors brighter than white, `eigenshade_display_reinhard` and `eigenshade_display_filmic`
+ * compress them.
+ */
+typedef struct eigenshade_display_t eigenshade_display_t;
+
+/**
+ * A small bright source of light, as `eigenshade light --sources` writes it. May be kept in flash.
+ */
+typedef struct eigenshade_source_f32_t {
+  /**
+   * A unit vector from the object to the light, in the camera's frame.
+   */
+  float direction[3];
+  /**
+   * The integral of its radiance over solid angle: red, green and blue, at least 0.
+   */
+  float energy[3];
+  /**
+   * A vector across the direction, whose length is the standard deviation along it in radians.
+   */
+  float major[3];
+  /**
+   * The standard deviation across the major axis: from 0 to its length, at most 0.5.
+   */
+  float minor;
+} eigenshade_source_f32_t;
+
+/**
+ * A GGX lobe over a matte base; all numbers are from 0 to 1. May be kept in flash.
+ */
+typedef struct eigenshade_gloss_f32_t {
+  /**
+   * The roughness; below 0.065 it counts as 0.065.
+   */
+  float roughness;
+  /**
+   * The reflectance at normal incidence: the base color of a metal, 0.04 of other materials.
+   */
+  float reflectance[3];
+  /**
+   * The reflectance at grazing incidence, usually 1.
+   */
+  float grazing[3];
+  /**
+   * The color of the matte base: 0 of a metal.
+   */
+  float albedo[3];
+} eigenshade_gloss_f32_t;
+
+/**
+ * The brightness of a picture's pixels, to meter its exposure. Zeros have counted nothing.
+ */
+typedef struct eigenshade_meter_t {
+  /**
+   * The library's.
+   */
+  uint32_t counts[257];
+} eigenshade_meter_t;
 
 /**
  * One channel of distant light: spherical harmonic coefficients L_l^m in radiance, l from
  * 0, m from -l to l, that of l and m at l*l + l + m.
  *
  * The harmonics carry the Condon-Shortley phase, x points to the right, y up, z to the
- * camera. Take them finite: one that is not spoils the image, and
- * `eigenshade_check_light_f32` finds it.
+ * camera.
  */
 typedef struct eigenshade_light_f32_t {
-  /** Largest l, at most EIGENSHADE_DEGREE; above it the light is zero. */
+  /**
+   * Largest l, at most EIGENSHADE_DEGREE; above it the light is zero.
+   */
   size_t degree;
-  /** Number of coefficients: (degree + 1)^2. */
+  /**
+   * Number of coefficients: (degree + 1)^2.
+   */
   size_t length;
-  /** The coefficients; the caller's. */
+  /**
+   * The coefficients; the caller's.
+   */
   const float *coefficients;
 } eigenshade_light_f32_t;
 
@@ -127,54 +245,196 @@ typedef struct eigenshade_light_f32_t {
  * One channel of an isotropic material: Koenderink-van Doorn coefficients b_op^q of its
  * BRDF in 1/sr, by o, then p, then q: 000, 111, 200, 220, 222, 311, ... White matte is
  * the one coefficient 2.
- *
- * Take them finite: one that is not spoils the image, and `eigenshade_check_material_f32`
- * finds it.
  */
 typedef struct eigenshade_material_f32_t {
-  /** Largest o, at most EIGENSHADE_ORDER; above it the material is zero. */
+  /**
+   * Largest o, at most EIGENSHADE_ORDER; above it the material is zero.
+   */
   size_t order;
-  /** Number of coefficients: 1, 2, 5, 8, 14, 20, 30, 40 for orders 0 to 7. */
+  /**
+   * Number of coefficients: 1, 2, 5, 8, 14, 20, 30, 40 for orders 0 to 7.
+   */
   size_t length;
-  /** The coefficients; the caller's. */
+  /**
+   * The coefficients; the caller's.
+   */
   const float *coefficients;
 } eigenshade_material_f32_t;
 
-/** Scratch memory; holds nothing between two calls. */
+/**
+ * Scratch memory; holds nothing between two calls.
+ */
 typedef struct eigenshade_workspace_f32_t {
-  /** Scratch. */
+  /**
+   * Scratch.
+   */
   float numbers[EIGENSHADE_WORKSPACE_F32];
 } eigenshade_workspace_f32_t;
 
-/** The transfer of a material, as `eigenshade_transfer_f32` writes it. May be kept in flash. */
-typedef struct eigenshade_transfer_f32_t {
-  /** Its numbers. */
-  float numbers[EIGENSHADE_TRANSFER_F32];
-} eigenshade_transfer_f32_t;
-
-/** The coefficients d of one image, component by component. */
+/**
+ * The coefficients d of one image, component by component.
+ */
 typedef struct eigenshade_coefficients_f32_t {
-  /** d. */
+  /**
+   * d.
+   */
   float numbers[EIGENSHADE_COMPONENTS];
 } eigenshade_coefficients_f32_t;
 
-/** One image, as `eigenshade_collapse_f32` writes it. May be kept in flash. */
-typedef struct eigenshade_scene_f32_t {
-  /** Its polynomials. */
-  float terms[EIGENSHADE_SCENE_F32];
-  /** What marks a computed scene: the library's. */
-  uint32_t state;
-} eigenshade_scene_f32_t;
+/**
+ * An isotropic material in three channels. Those of a gray material point to the same numbers.
+ */
+typedef struct eigenshade_color_material_f32_t {
+  /**
+   * Red.
+   */
+  struct eigenshade_material_f32_t r;
+  /**
+   * Green.
+   */
+  struct eigenshade_material_f32_t g;
+  /**
+   * Blue.
+   */
+  struct eigenshade_material_f32_t b;
+} eigenshade_color_material_f32_t;
 
-/** One channel of distant light: as `eigenshade_light_f32_t`, in mantissas times 2^exponent. */
-typedef struct eigenshade_light_q15_t {
-  /** Largest l, at most EIGENSHADE_DEGREE; above it the light is zero. */
-  size_t degree;
-  /** Number of mantissas: (degree + 1)^2. */
+/**
+ * The transfer of a material in three channels. May be kept in flash.
+ */
+typedef struct eigenshade_transfer_f32_t {
+  /**
+   * Its numbers: of red, green and blue.
+   */
+  float numbers[3][EIGENSHADE_TRANSFER_F32];
+} eigenshade_transfer_f32_t;
+
+/**
+ * Distant light in three channels.
+ */
+typedef struct eigenshade_color_light_f32_t {
+  /**
+   * Red.
+   */
+  struct eigenshade_light_f32_t r;
+  /**
+   * Green.
+   */
+  struct eigenshade_light_f32_t g;
+  /**
+   * Blue.
+   */
+  struct eigenshade_light_f32_t b;
+} eigenshade_color_light_f32_t;
+
+/**
+ * A picture, once it was begun. It has no pointers, so it may be moved.
+ */
+typedef struct eigenshade_picture_f32_t {
+  /**
+   * The library's.
+   */
+  uint64_t words[EIGENSHADE_PICTURE_F32];
+} eigenshade_picture_f32_t;
+
+/**
+ * The irradiance of a normal, in the light's radiance times sr times the material's 1/sr.
+ */
+typedef struct eigenshade_irradiance_f32_t {
+  /**
+   * Red.
+   */
+  float r;
+  /**
+   * Green.
+   */
+  float g;
+  /**
+   * Blue.
+   */
+  float b;
+} eigenshade_irradiance_f32_t;
+
+/**
+ * The visible normals of an object, as `eigenshade pack-normals` makes them from a mesh or a
+ * normal map. May be kept in flash.
+ */
+typedef struct eigenshade_normal_map_t {
+  /**
+   * Pixels across.
+   */
+  size_t width;
+  /**
+   * Pixels down.
+   */
+  size_t height;
+  /**
+   * Number of bytes: 2 * width * height.
+   */
   size_t length;
-  /** The mantissas; the caller's. The more bits the largest has, the better. */
+  /**
+   * Two bytes for each pixel, row by row from the top; the caller's.
+   */
+  const uint8_t *codes;
+} eigenshade_normal_map_t;
+
+/**
+ * A picture baked into three square maps, one for each channel. May be kept in flash.
+ */
+typedef struct eigenshade_baked_f32_t {
+  /**
+   * Texels a side, 2 to 4096.
+   */
+  size_t size;
+  /**
+   * Number of texels: 3 * size * size.
+   */
+  size_t length;
+  /**
+   * The texels of red, then of green, then of blue; the caller's.
+   */
+  const float *texels;
+} eigenshade_baked_f32_t;
+
+/**
+ * Memory for a turned light, or for one without its sources.
+ */
+typedef struct eigenshade_light_buffer_f32_t {
+  /**
+   * Coefficients of the three channels.
+   */
+  float numbers[3][EIGENSHADE_LIGHT];
+} eigenshade_light_buffer_f32_t;
+
+/**
+ * Memory for a computed material.
+ */
+typedef struct eigenshade_material_buffer_f32_t {
+  /**
+   * Coefficients of the three channels.
+   */
+  float numbers[3][EIGENSHADE_MATERIAL_BUFFER];
+} eigenshade_material_buffer_f32_t;
+
+/**
+ * One channel of distant light: as `eigenshade_light_f32_t`, in mantissas times 2^exponent.
+ */
+typedef struct eigenshade_light_q15_t {
+  /**
+   * Largest l, at most EIGENSHADE_DEGREE; above it the light is zero.
+   */
+  size_t degree;
+  /**
+   * Number of mantissas: (degree + 1)^2.
+   */
+  size_t length;
+  /**
+   * The mantissas; the caller's. The more bits the largest has, the better.
+   */
   const int16_t *mantissas;
-  /** The exponent of all of them, from -128 to 128. */
+  /**
+   * The exponent of all of them, from -128 to 128.
+   */
   int32_t exponent;
 } eigenshade_light_q15_t;
 
@@ -183,53 +443,207 @@ typedef struct eigenshade_light_q15_t {
  * 2^exponent, an exponent for each o.
  */
 typedef struct eigenshade_material_q15_t {
-  /** Largest o, at most EIGENSHADE_ORDER; above it the material is zero. */
+  /**
+   * Largest o, at most EIGENSHADE_ORDER; above it the material is zero.
+   */
   size_t order;
-  /** Number of mantissas: 1, 2, 5, 8, 14, 20, 30, 40 for orders 0 to 7. */
+  /**
+   * Number of mantissas: 1, 2, 5, 8, 14, 20, 30, 40 for orders 0 to 7.
+   */
   size_t length;
-  /** The mantissas; the caller's. The more bits the largest of each o has, the better. */
+  /**
+   * The mantissas; the caller's. The more bits the largest of each o has, the better.
+   */
   const int16_t *mantissas;
-  /** Number of exponents: order + 1. */
+  /**
+   * Number of exponents: order + 1.
+   */
   size_t exponents_length;
-  /** For each o the exponent of its mantissas; the caller's. */
+  /**
+   * For each o the exponent of its mantissas; the caller's.
+   */
   const int8_t *exponents;
 } eigenshade_material_q15_t;
 
-/** Scratch memory; holds nothing between two calls. */
+/**
+ * Scratch memory; holds nothing between two calls.
+ */
 typedef struct eigenshade_workspace_q15_t {
-  /** Scratch. */
-  int32_t numbers[EIGENSHADE_WORKSPACE];
+  /**
+   * Scratch.
+   */
+  int32_t numbers[EIGENSHADE_WORKSPACE_Q15];
+  /**
+   * A channel of a transfer.
+   */
+  int16_t transfer[EIGENSHADE_TRANSFER_Q15];
+  /**
+   * Its exponents.
+   */
+  int16_t exponents[EIGENSHADE_PROFILES];
 } eigenshade_workspace_q15_t;
 
-/** The transfer of a material, as `eigenshade_transfer_q15` writes it. May be kept in flash. */
-typedef struct eigenshade_transfer_q15_t {
-  /** Its mantissas. */
-  int16_t numbers[EIGENSHADE_TRANSFER];
-  /** Its exponents. */
-  int16_t exponents[EIGENSHADE_PROFILES];
-} eigenshade_transfer_q15_t;
-
-/** The coefficients d of one image, component by component: mantissas times 2^exponent. */
+/**
+ * The coefficients d of one image, component by component: mantissas times 2^exponent.
+ */
 typedef struct eigenshade_coefficients_q15_t {
-  /** Mantissas of at most 2^30. */
+  /**
+   * Mantissas of at most 2^30.
+   */
   int32_t mantissas[EIGENSHADE_COMPONENTS];
-  /** The exponent of all of them. */
+  /**
+   * The exponent of all of them.
+   */
   int32_t exponent;
 } eigenshade_coefficients_q15_t;
 
-/** One image, as `eigenshade_collapse_q15` writes it. May be kept in flash. */
-typedef struct eigenshade_scene_q15_t {
-  /** Its polynomials. */
-  int32_t terms[EIGENSHADE_SCENE_Q15];
-  /** The exponent of every irradiance. */
-  int32_t exponent;
-  /** What marks a computed scene: the library's. */
-  uint32_t state;
-} eigenshade_scene_q15_t;
+/**
+ * An isotropic material in three channels. Those of a gray material point to the same numbers.
+ */
+typedef struct eigenshade_color_material_q15_t {
+  /**
+   * Red.
+   */
+  struct eigenshade_material_q15_t r;
+  /**
+   * Green.
+   */
+  struct eigenshade_material_q15_t g;
+  /**
+   * Blue.
+   */
+  struct eigenshade_material_q15_t b;
+} eigenshade_color_material_q15_t;
+
+/**
+ * The transfer of a material in three channels. May be kept in flash.
+ */
+typedef struct eigenshade_transfer_q15_t {
+  /**
+   * Its mantissas: of red, green and blue.
+   */
+  int16_t numbers[3][EIGENSHADE_TRANSFER_Q15];
+  /**
+   * Their exponents.
+   */
+  int16_t exponents[3][EIGENSHADE_PROFILES];
+} eigenshade_transfer_q15_t;
+
+/**
+ * Distant light in three channels.
+ */
+typedef struct eigenshade_color_light_q15_t {
+  /**
+   * Red.
+   */
+  struct eigenshade_light_q15_t r;
+  /**
+   * Green.
+   */
+  struct eigenshade_light_q15_t g;
+  /**
+   * Blue.
+   */
+  struct eigenshade_light_q15_t b;
+} eigenshade_color_light_q15_t;
+
+/**
+ * A picture, once it was begun. It has no pointers, so it may be moved.
+ */
+typedef struct eigenshade_picture_q15_t {
+  /**
+   * The library's.
+   */
+  uint64_t words[EIGENSHADE_PICTURE_Q15];
+} eigenshade_picture_q15_t;
+
+/**
+ * The irradiance of a normal: mantissas times 2^exponent, in the light's radiance times sr times
+ * the material's 1/sr.
+ */
+typedef struct eigenshade_irradiance_q15_t {
+  /**
+   * Red.
+   */
+  int32_t r;
+  /**
+   * Green.
+   */
+  int32_t g;
+  /**
+   * Blue.
+   */
+  int32_t b;
+  /**
+   * The exponents of red, green and blue: the same for all normals of a picture.
+   */
+  int32_t exponents[3];
+} eigenshade_irradiance_q15_t;
+
+/**
+ * A picture baked into three square maps, one for each channel. May be kept in flash.
+ */
+typedef struct eigenshade_baked_q15_t {
+  /**
+   * Texels a side, 2 to 4096.
+   */
+  size_t size;
+  /**
+   * Number of texels: 3 * size * size.
+   */
+  size_t length;
+  /**
+   * The texels of red, then of green, then of blue; the caller's.
+   */
+  const int16_t *texels;
+  /**
+   * For each channel the exponent of its texels.
+   */
+  int32_t exponents[3];
+} eigenshade_baked_q15_t;
+
+/**
+ * Memory for a turned or quantized light, or for one without its sources.
+ */
+typedef struct eigenshade_light_buffer_q15_t {
+  /**
+   * Mantissas of the three channels.
+   */
+  int16_t mantissas[3][EIGENSHADE_LIGHT];
+} eigenshade_light_buffer_q15_t;
+
+/**
+ * Memory for a computed or quantized material.
+ */
+typedef struct eigenshade_material_buffer_q15_t {
+  /**
+   * Mantissas of the three channels.
+   */
+  int16_t mantissas[3][EIGENSHADE_MATERIAL_BUFFER];
+  /**
+   * Their exponents.
+   */
+  int8_t exponents[3][EIGENSHADE_MATERIAL_EXPONENTS];
+} eigenshade_material_buffer_q15_t;
 
 #ifdef __cplusplus
 extern "C" {
-#endif
+#endif // __cplusplus
+
+/**
+ * Clips at white.
+ */
+extern const struct eigenshade_display_t eigenshade_display_linear;
+
+/**
+ * Reinhard's curve: reaches white at 16.
+ */
+extern const struct eigenshade_display_t eigenshade_display_reinhard;
+
+/**
+ * A fit to the curve of ACES.
+ */
+extern const struct eigenshade_display_t eigenshade_display_filmic;
 
 /**
  * The library's version, a static string: compare it with EIGENSHADE_VERSION of the header.
@@ -251,38 +665,40 @@ uint32_t eigenshade_table(void);
 const char *eigenshade_message(int32_t status);
 
 /**
- * Computes the transfer of a material, for any number of lights.
+ * A source turned by the rotation of a quaternion (x, y, z, w), as the light is that it was taken
+ * out of.
  *
- * Cost: a multiplication for each of the table's factors. On an error `transfer` is
- * unchanged.
- *
- * Every pointer that is neither NULL nor unaligned points to a value of its type, and
- * `workspace` and `transfer` to nothing else's memory.
+ * On an error `to` is unchanged.
  */
-eigenshade_status eigenshade_transfer_f32(const struct eigenshade_material_f32_t *material,
-                                          struct eigenshade_workspace_f32_t *workspace,
-                                          struct eigenshade_transfer_f32_t *transfer);
+eigenshade_status eigenshade_source_turn_f32(const struct eigenshade_source_f32_t *from,
+                                             const float *quaternion,
+                                             struct eigenshade_source_f32_t *to);
 
 /**
- * Computes d of a new light on a material from its transfer.
+ * The gloss of a glTF material from its linear base color, metallic and roughness, all from 0 to
+ * 1.
  *
- * Cost: a multiplication for each number of the transfer. On an error `coefficients` is
- * unchanged.
- *
- * Every pointer that is neither NULL nor unaligned points to a value of its type, and
- * `coefficients` to nothing else's memory.
+ * On an error `gloss` is unchanged.
  */
-eigenshade_status eigenshade_relight_f32(const struct eigenshade_transfer_f32_t *transfer,
-                                         const struct eigenshade_light_f32_t *light,
-                                         struct eigenshade_coefficients_f32_t *coefficients);
+eigenshade_status eigenshade_gloss_metallic_roughness_f32(const float *base_color,
+                                                          float metallic,
+                                                          float roughness,
+                                                          struct eigenshade_gloss_f32_t *gloss);
 
 /**
- * Computes d of a light on a material without a transfer, for when both change each time.
+ * The exposure of the pixels that a meter has counted, in either format, to within 7 %.
  *
- * Cost: as `eigenshade_transfer_f32`. On an error `coefficients` is unchanged.
+ * One pixel in a hundred is brighter than white. If that leaves the median pixel darker than 0.12
+ * of white, the exposure rises until the median has 0.12 or one pixel in ten is brighter than
+ * white. On an error `exposure` is unchanged.
+ */
+eigenshade_status eigenshade_meter_exposure_f32(const struct eigenshade_meter_t *meter,
+                                                float *exposure);
+
+/**
+ * The coefficients d of a light on a material in one channel, as numbers.
  *
- * Every pointer that is neither NULL nor unaligned points to a value of its type, and
- * `workspace` and `coefficients` to nothing else's memory.
+ * Cost: a multiplication for each of the table's factors. On an error `coefficients` is unchanged.
  */
 eigenshade_status eigenshade_project_f32(const struct eigenshade_light_f32_t *light,
                                          const struct eigenshade_material_f32_t *material,
@@ -290,163 +706,448 @@ eigenshade_status eigenshade_project_f32(const struct eigenshade_light_f32_t *li
                                          struct eigenshade_coefficients_f32_t *coefficients);
 
 /**
- * Sums the components of each azimuth to a scene, from which pixels are shaded.
+ * The transfer of a material, for any number of lights. That of a gray material is computed once.
  *
- * Of d only the first `components` are used, at most EIGENSHADE_COMPONENTS; the others count
- * as zero. On an error `scene` is unchanged.
- *
- * Every pointer that is neither NULL nor unaligned points to a value of its type, and
- * `scene` to nothing else's memory.
+ * On an error `transfer` is unchanged.
  */
-eigenshade_status eigenshade_collapse_f32(const struct eigenshade_coefficients_f32_t *coefficients,
-                                          size_t components, struct eigenshade_scene_f32_t *scene);
+eigenshade_status eigenshade_transfer_f32(const struct eigenshade_color_material_f32_t *material,
+                                          struct eigenshade_transfer_f32_t *transfer);
 
 /**
- * The irradiance of the normal along (x, y, z), in the light's radiance times sr times the
- * material's 1/sr.
+ * Begins the picture of a material under a light: computes all that its pixels have in common.
  *
- * The normal may have any length from 1e-9 to 1e9; it is scaled, which costs a root. One
- * that points away by no more than 1/8 is laid on the rim. On an error `irradiance` is as
- * it was.
- *
- * Every pointer that is neither NULL nor unaligned points to a value of its type, and
- * `irradiance` to nothing else's memory.
+ * Uses 5 KB of stack. On an error `picture` is unchanged.
  */
-eigenshade_status eigenshade_shade_f32(const struct eigenshade_scene_f32_t *scene, float x, float y,
-                                       float z, float *irradiance);
+eigenshade_status eigenshade_picture_begin_f32(const struct eigenshade_color_light_f32_t *light,
+                                               const struct eigenshade_color_material_f32_t *material,
+                                               struct eigenshade_picture_f32_t *picture);
 
 /**
- * Whether a light's degree, length and coefficients are in order, all of these finite: for what
- * arrives at run time. The functions that take a light check all but the last.
+ * Begins the picture of a glossy material under a light with `count` small sources, at most
+ * EIGENSHADE_SOURCES: they are taken out of the light, and become sharp highlights. If `count` is
+ * 0, `sources` is not read.
  *
- * Cost: a comparison for each coefficient.
- *
- * Every pointer that is neither NULL nor unaligned points to a value of its type.
+ * Uses 8 KB of stack. On an error `picture` is unchanged.
  */
-eigenshade_status eigenshade_check_light_f32(const struct eigenshade_light_f32_t *light);
+eigenshade_status eigenshade_picture_begin_glossy_f32(const struct eigenshade_color_light_f32_t *light,
+                                                      const struct eigenshade_color_material_f32_t *material,
+                                                      const struct eigenshade_gloss_f32_t *gloss,
+                                                      const struct eigenshade_source_f32_t *sources,
+                                                      size_t count,
+                                                      struct eigenshade_picture_f32_t *picture);
 
 /**
- * Whether a material's order, length and coefficients are in order: as
- * `eigenshade_check_light_f32`.
+ * Begins the picture of a transferred material under a new light, without highlights.
  *
- * Every pointer that is neither NULL nor unaligned points to a value of its type.
+ * On an error `picture` is unchanged.
  */
-eigenshade_status eigenshade_check_material_f32(const struct eigenshade_material_f32_t *material);
+eigenshade_status eigenshade_picture_relight_f32(const struct eigenshade_transfer_f32_t *transfer,
+                                                 const struct eigenshade_color_light_f32_t *light,
+                                                 struct eigenshade_picture_f32_t *picture);
 
 /**
- * Scales `count` normals to length 1, each where it is, and lays those on the rim that point
- * away by no more than 1/8: those of a mesh, or of a normal map, whose channel c of 8 bits says
- * 2c - 255.
+ * Gives a picture the highlights of `count` sources, at most EIGENSHADE_SOURCES, in place of those
+ * that it has. Its light has to be without them, as `eigenshade_residual_f32` makes it. Where a
+ * light turns, turn the residual and the sources.
  *
- * `normalized` becomes their number. If one has no direction or points away by more, it becomes
- * its place, and it and those after it stay as they were; on any other error nothing is written.
- * Cost: a root for each.
- *
- * Every pointer that is neither NULL nor unaligned points to a value of its type, the first three
- * to `count` numbers each.
+ * On an error `picture` has no highlights, or is unchanged.
  */
-eigenshade_status eigenshade_normalize_f32(float *x, float *y, float *z, size_t count,
-                                           size_t *normalized);
+eigenshade_status eigenshade_picture_highlights_f32(const struct eigenshade_gloss_f32_t *gloss,
+                                                    const struct eigenshade_source_f32_t *sources,
+                                                    size_t count,
+                                                    struct eigenshade_picture_f32_t *picture);
 
 /**
- * The irradiances of `count` unit normals with z from 0 to 1, into `irradiance`.
+ * The irradiance of the normal along (x, y, z).
  *
- * Normals are neither normalized nor checked: a wrong normal has a meaningless irradiance and
- * affects no other; `eigenshade_normalize_f32` normalizes any vectors. If `count` is 0, the
- * pointers are not read. On an error `irradiance` is unchanged.
- *
- * Every pointer that is neither NULL nor unaligned points to a value of its type, the last
- * four to `count` numbers each.
+ * The normal may have any length from 1e-9 to 1e9; it is scaled, which costs a root. One that
+ * points away by no more than 1/8 is laid on the rim. On an error `irradiance` is unchanged.
  */
-eigenshade_status eigenshade_shade_many_f32(const struct eigenshade_scene_f32_t *scene,
-                                            size_t count, const float *x, const float *y,
-                                            const float *z, float *irradiance);
+eigenshade_status eigenshade_picture_shade_f32(const struct eigenshade_picture_f32_t *picture,
+                                               float x,
+                                               float y,
+                                               float z,
+                                               struct eigenshade_irradiance_f32_t *irradiance);
 
 /**
- * A light in these mantissas from one in float, in integer arithmetic throughout.
+ * One row of a sphere that fills a square of `diameter` x `diameter` pixels, 1 to 4096, into
+ * `length` RGB565 pixels, at least `diameter`. Row 0 is the top.
  *
- * Writes `length` mantissas, as many as `from` has coefficients, and the light that they
- * make; they stay the caller's, and the light points to them. On an error
- * nothing is written, unless a number is not finite or `to` is at fault.
- *
- * Every pointer that is neither NULL nor unaligned points to a value of its type, `mantissas`
- * to room for `length` numbers, and it and `to` to nothing else's memory.
+ * Pixels beside the sphere are unchanged, and on an error all of them. `exposure` is a number
+ * above 0 that multiplies the irradiance.
  */
-eigenshade_status eigenshade_quantize_light_q15(const struct eigenshade_light_f32_t *from,
-                                                int16_t *mantissas, size_t length,
-                                                struct eigenshade_light_q15_t *to);
+eigenshade_status eigenshade_picture_disc_row_f32(const struct eigenshade_picture_f32_t *picture,
+                                                  size_t diameter,
+                                                  size_t row,
+                                                  float exposure,
+                                                  const struct eigenshade_display_t *display,
+                                                  uint16_t *pixels,
+                                                  size_t length);
 
 /**
- * A material in these mantissas from one in float, in integer arithmetic throughout.
- *
- * Writes `length` mantissas, as many as `from` has coefficients, `exponents_length`
- * exponents, one for each o, and the material that they make; they stay the caller's, and
- * the material points to them. On an error nothing is written, unless a number is not finite,
- * or `exponents` or `to` is at fault.
- *
- * Every pointer that is neither NULL nor unaligned points to a value of its type, `mantissas`
- * and `exponents` to room for as many numbers, and they and `to` to nothing else's memory.
+ * `rows` rows of a sphere from row `first` on, each `stride` pixels after the one before; the
+ * `length` pixels start with the first of row `first`. The rest is as in
+ * `eigenshade_picture_disc_row_f32`.
  */
-eigenshade_status eigenshade_quantize_material_q15(const struct eigenshade_material_f32_t *from,
-                                                   int16_t *mantissas, size_t length,
-                                                   int8_t *exponents, size_t exponents_length,
-                                                   struct eigenshade_material_q15_t *to);
+eigenshade_status eigenshade_picture_disc_rows_f32(const struct eigenshade_picture_f32_t *picture,
+                                                   size_t diameter,
+                                                   size_t first,
+                                                   size_t rows,
+                                                   float exposure,
+                                                   const struct eigenshade_display_t *display,
+                                                   uint16_t *pixels,
+                                                   size_t stride,
+                                                   size_t length);
 
 /**
- * Computes the transfer of a material, for any number of lights.
+ * One row of the object of a normal map, into `length` RGB565 pixels, at least its width. Pixels
+ * that the object covers in part are mixed with what they were.
  *
- * Cost: a multiplication for each of the table's factors. On an error `transfer` is
- * unchanged.
- *
- * Every pointer that is neither NULL nor unaligned points to a value of its type, and
- * `workspace` and `transfer` to nothing else's memory.
+ * Other pixels are unchanged, and on an error all of them. The rest is as in
+ * `eigenshade_picture_disc_row_f32`.
  */
-eigenshade_status eigenshade_transfer_q15(const struct eigenshade_material_q15_t *material,
-                                          struct eigenshade_workspace_q15_t *workspace,
-                                          struct eigenshade_transfer_q15_t *transfer);
+eigenshade_status eigenshade_picture_normal_map_row_f32(const struct eigenshade_picture_f32_t *picture,
+                                                        const struct eigenshade_normal_map_t *map,
+                                                        size_t row,
+                                                        float exposure,
+                                                        const struct eigenshade_display_t *display,
+                                                        uint16_t *pixels,
+                                                        size_t length);
 
 /**
- * Computes d of a new light on a material from its transfer.
- *
- * A transfer that `eigenshade_transfer_q15` did not write is refused if its rows could overflow
- * their sums, and gives meaningless numbers otherwise. Cost: two multiplications for each
- * number of the transfer. On an error `coefficients` is unchanged, except that it is zero if
- * the transfer is refused.
- *
- * Every pointer that is neither NULL nor unaligned points to a value of its type, and
- * `coefficients` to nothing else's memory.
+ * `rows` rows of the object of a normal map from row `first` on, as
+ * `eigenshade_picture_disc_rows_f32` draws those of a sphere.
  */
-eigenshade_status eigenshade_relight_q15(const struct eigenshade_transfer_q15_t *transfer,
-                                         const struct eigenshade_light_q15_t *light,
-                                         struct eigenshade_coefficients_q15_t *coefficients);
+eigenshade_status eigenshade_picture_normal_map_rows_f32(const struct eigenshade_picture_f32_t *picture,
+                                                         const struct eigenshade_normal_map_t *map,
+                                                         size_t first,
+                                                         size_t rows,
+                                                         float exposure,
+                                                         const struct eigenshade_display_t *display,
+                                                         uint16_t *pixels,
+                                                         size_t stride,
+                                                         size_t length);
 
 /**
- * Computes d of a light on a material: first the `transfer`, then d.
+ * Counts the pixels of one row of a sphere, to meter the exposure of its picture. The arguments
+ * are those of `eigenshade_picture_disc_row_f32`. Every fourth row of a small sphere will do.
  *
- * Cost: as `eigenshade_transfer_q15` and `eigenshade_relight_q15`. On an error `coefficients`
- * is unchanged; `transfer` may have changed.
+ * On an error `meter` is unchanged.
+ */
+eigenshade_status eigenshade_picture_meter_disc_row_f32(const struct eigenshade_picture_f32_t *picture,
+                                                        size_t diameter,
+                                                        size_t row,
+                                                        struct eigenshade_meter_t *meter);
+
+/**
+ * `eigenshade_picture_meter_disc_row_f32` of the object of a normal map.
+ */
+eigenshade_status eigenshade_picture_meter_normal_map_row_f32(const struct eigenshade_picture_f32_t *picture,
+                                                              const struct eigenshade_normal_map_t *map,
+                                                              size_t row,
+                                                              struct eigenshade_meter_t *meter);
+
+/**
+ * Bakes a picture without highlights into maps of `size` x `size` texels, 2 to 4096. `length` is
+ * 3 * size * size.
  *
- * Every pointer that is neither NULL nor unaligned points to a value of its type, and
- * `workspace`, `transfer` and `coefficients` to nothing else's memory.
+ * A look-up costs less than a pixel of the picture and is less exact, as docs/method.md lists by
+ * size. The texels are in `texels`, and `baked` points there. On an error neither may be used.
+ */
+eigenshade_status eigenshade_picture_bake_f32(const struct eigenshade_picture_f32_t *picture,
+                                              size_t size,
+                                              float *texels,
+                                              size_t length,
+                                              struct eigenshade_baked_f32_t *baked);
+
+/**
+ * `eigenshade_picture_shade_f32` from a baked picture.
+ */
+eigenshade_status eigenshade_baked_shade_f32(const struct eigenshade_baked_f32_t *baked,
+                                             float x,
+                                             float y,
+                                             float z,
+                                             struct eigenshade_irradiance_f32_t *irradiance);
+
+/**
+ * `eigenshade_picture_disc_row_f32` from a baked picture.
+ */
+eigenshade_status eigenshade_baked_disc_row_f32(const struct eigenshade_baked_f32_t *baked,
+                                                size_t diameter,
+                                                size_t row,
+                                                float exposure,
+                                                const struct eigenshade_display_t *display,
+                                                uint16_t *pixels,
+                                                size_t length);
+
+/**
+ * `eigenshade_picture_normal_map_row_f32` from a baked picture.
+ */
+eigenshade_status eigenshade_baked_normal_map_row_f32(const struct eigenshade_baked_f32_t *baked,
+                                                      const struct eigenshade_normal_map_t *map,
+                                                      size_t row,
+                                                      float exposure,
+                                                      const struct eigenshade_display_t *display,
+                                                      uint16_t *pixels,
+                                                      size_t length);
+
+/**
+ * A light, of degree 12 at most, turned by the rotation of a quaternion (x, y, z, w):
+ * L'(R v) = L(v) for every direction v.
+ *
+ * The turned light is in `buffer`, and `to` points there. On an error neither may be used.
+ */
+eigenshade_status eigenshade_turn_f32(const struct eigenshade_color_light_f32_t *from,
+                                      const float *quaternion,
+                                      struct eigenshade_light_buffer_f32_t *buffer,
+                                      struct eigenshade_color_light_f32_t *to);
+
+/**
+ * A light turned about the view axis, from x toward y, by an angle, given by its cosine and sine:
+ * much cheaper than any other axis. Their squares sum to 1 to within 2 %; they are scaled.
+ *
+ * The turned light is in `buffer`, and `to` points there. On an error neither may be used.
+ */
+eigenshade_status eigenshade_turn_about_view_f32(const struct eigenshade_color_light_f32_t *from,
+                                                 const float *cosine_and_sine,
+                                                 struct eigenshade_light_buffer_f32_t *buffer,
+                                                 struct eigenshade_color_light_f32_t *to);
+
+/**
+ * A light without `count` sources, at most EIGENSHADE_SOURCES.
+ *
+ * The light is in `buffer`, and `to` points there. On an error neither may be used.
+ */
+eigenshade_status eigenshade_residual_f32(const struct eigenshade_color_light_f32_t *from,
+                                          const struct eigenshade_source_f32_t *sources,
+                                          size_t count,
+                                          struct eigenshade_light_buffer_f32_t *buffer,
+                                          struct eigenshade_color_light_f32_t *to);
+
+/**
+ * A glTF material from its linear base color, metallic and roughness, all from 0 to 1.
+ *
+ * A roughness below 0.2 is drawn as 0.2. The table's order has to be 7 or more. The material is in
+ * `buffer`, and `to` points there. On an error neither may be used.
+ */
+eigenshade_status eigenshade_metallic_roughness_f32(const float *base_color,
+                                                    float metallic,
+                                                    float roughness,
+                                                    struct eigenshade_material_buffer_f32_t *buffer,
+                                                    struct eigenshade_color_material_f32_t *to);
+
+/**
+ * `eigenshade_project_f32` in Q15.
  */
 eigenshade_status eigenshade_project_q15(const struct eigenshade_light_q15_t *light,
                                          const struct eigenshade_material_q15_t *material,
                                          struct eigenshade_workspace_q15_t *workspace,
-                                         struct eigenshade_transfer_q15_t *transfer,
                                          struct eigenshade_coefficients_q15_t *coefficients);
 
 /**
- * Sums the components of each azimuth to a scene, from which pixels are shaded.
- *
- * Of d only the first `components` are used, at most EIGENSHADE_COMPONENTS; the others count
- * as zero. Of coefficients that `eigenshade_relight_q15` did not write the exponent has to be
- * 2048 at most, either way. On an error `scene` is unchanged.
- *
- * Every pointer that is neither NULL nor unaligned points to a value of its type, and
- * `scene` to nothing else's memory.
+ * `eigenshade_transfer_f32` in Q15.
  */
-eigenshade_status eigenshade_collapse_q15(const struct eigenshade_coefficients_q15_t *coefficients,
-                                          size_t components, struct eigenshade_scene_q15_t *scene);
+eigenshade_status eigenshade_transfer_q15(const struct eigenshade_color_material_q15_t *material,
+                                          struct eigenshade_transfer_q15_t *transfer);
+
+/**
+ * `eigenshade_picture_begin_f32` in Q15. Uses 3 KB of stack.
+ */
+eigenshade_status eigenshade_picture_begin_q15(const struct eigenshade_color_light_q15_t *light,
+                                               const struct eigenshade_color_material_q15_t *material,
+                                               struct eigenshade_picture_q15_t *picture);
+
+/**
+ * `eigenshade_picture_begin_glossy_f32` in Q15. It computes in floats, too. Uses 9 KB of stack.
+ */
+eigenshade_status eigenshade_picture_begin_glossy_q15(const struct eigenshade_color_light_q15_t *light,
+                                                      const struct eigenshade_color_material_q15_t *material,
+                                                      const struct eigenshade_gloss_f32_t *gloss,
+                                                      const struct eigenshade_source_f32_t *sources,
+                                                      size_t count,
+                                                      struct eigenshade_picture_q15_t *picture);
+
+/**
+ * `eigenshade_picture_relight_f32` in Q15. A transfer that is refused leaves a picture that was
+ * never begun.
+ */
+eigenshade_status eigenshade_picture_relight_q15(const struct eigenshade_transfer_q15_t *transfer,
+                                                 const struct eigenshade_color_light_q15_t *light,
+                                                 struct eigenshade_picture_q15_t *picture);
+
+/**
+ * `eigenshade_picture_highlights_f32` in Q15. It computes in floats.
+ */
+eigenshade_status eigenshade_picture_highlights_q15(const struct eigenshade_gloss_f32_t *gloss,
+                                                    const struct eigenshade_source_f32_t *sources,
+                                                    size_t count,
+                                                    struct eigenshade_picture_q15_t *picture);
+
+/**
+ * `eigenshade_picture_shade_f32` in Q15: (x, y, z) has length 1, in fractions of 2^15 (1 as 2^15 -
+ * 1).
+ */
+eigenshade_status eigenshade_picture_shade_q15(const struct eigenshade_picture_q15_t *picture,
+                                               int16_t x,
+                                               int16_t y,
+                                               int16_t z,
+                                               struct eigenshade_irradiance_q15_t *irradiance);
+
+/**
+ * `eigenshade_picture_disc_row_f32` in Q15. The bits of `exposure` are read in integers.
+ */
+eigenshade_status eigenshade_picture_disc_row_q15(const struct eigenshade_picture_q15_t *picture,
+                                                  size_t diameter,
+                                                  size_t row,
+                                                  float exposure,
+                                                  const struct eigenshade_display_t *display,
+                                                  uint16_t *pixels,
+                                                  size_t length);
+
+/**
+ * `eigenshade_picture_disc_rows_f32` in Q15.
+ */
+eigenshade_status eigenshade_picture_disc_rows_q15(const struct eigenshade_picture_q15_t *picture,
+                                                   size_t diameter,
+                                                   size_t first,
+                                                   size_t rows,
+                                                   float exposure,
+                                                   const struct eigenshade_display_t *display,
+                                                   uint16_t *pixels,
+                                                   size_t stride,
+                                                   size_t length);
+
+/**
+ * `eigenshade_picture_normal_map_row_f32` in Q15.
+ */
+eigenshade_status eigenshade_picture_normal_map_row_q15(const struct eigenshade_picture_q15_t *picture,
+                                                        const struct eigenshade_normal_map_t *map,
+                                                        size_t row,
+                                                        float exposure,
+                                                        const struct eigenshade_display_t *display,
+                                                        uint16_t *pixels,
+                                                        size_t length);
+
+/**
+ * `eigenshade_picture_normal_map_rows_f32` in Q15.
+ */
+eigenshade_status eigenshade_picture_normal_map_rows_q15(const struct eigenshade_picture_q15_t *picture,
+                                                         const struct eigenshade_normal_map_t *map,
+                                                         size_t first,
+                                                         size_t rows,
+                                                         float exposure,
+                                                         const struct eigenshade_display_t *display,
+                                                         uint16_t *pixels,
+                                                         size_t stride,
+                                                         size_t length);
+
+/**
+ * `eigenshade_picture_meter_disc_row_f32` in Q15.
+ */
+eigenshade_status eigenshade_picture_meter_disc_row_q15(const struct eigenshade_picture_q15_t *picture,
+                                                        size_t diameter,
+                                                        size_t row,
+                                                        struct eigenshade_meter_t *meter);
+
+/**
+ * `eigenshade_picture_meter_normal_map_row_f32` in Q15.
+ */
+eigenshade_status eigenshade_picture_meter_normal_map_row_q15(const struct eigenshade_picture_q15_t *picture,
+                                                              const struct eigenshade_normal_map_t *map,
+                                                              size_t row,
+                                                              struct eigenshade_meter_t *meter);
+
+/**
+ * `eigenshade_picture_bake_f32` in Q15, from a picture in float.
+ */
+eigenshade_status eigenshade_picture_bake_q15(const struct eigenshade_picture_f32_t *picture,
+                                              size_t size,
+                                              int16_t *texels,
+                                              size_t length,
+                                              struct eigenshade_baked_q15_t *baked);
+
+/**
+ * `eigenshade_picture_shade_q15` from a baked picture.
+ */
+eigenshade_status eigenshade_baked_shade_q15(const struct eigenshade_baked_q15_t *baked,
+                                             int16_t x,
+                                             int16_t y,
+                                             int16_t z,
+                                             struct eigenshade_irradiance_q15_t *irradiance);
+
+/**
+ * `eigenshade_picture_disc_row_q15` from a baked picture.
+ */
+eigenshade_status eigenshade_baked_disc_row_q15(const struct eigenshade_baked_q15_t *baked,
+                                                size_t diameter,
+                                                size_t row,
+                                                float exposure,
+                                                const struct eigenshade_display_t *display,
+                                                uint16_t *pixels,
+                                                size_t length);
+
+/**
+ * `eigenshade_picture_normal_map_row_q15` from a baked picture.
+ */
+eigenshade_status eigenshade_baked_normal_map_row_q15(const struct eigenshade_baked_q15_t *baked,
+                                                      const struct eigenshade_normal_map_t *map,
+                                                      size_t row,
+                                                      float exposure,
+                                                      const struct eigenshade_display_t *display,
+                                                      uint16_t *pixels,
+                                                      size_t length);
+
+/**
+ * `eigenshade_turn_f32` in Q15. The quaternion may have any scale.
+ */
+eigenshade_status eigenshade_turn_q15(const struct eigenshade_color_light_q15_t *from,
+                                      const int32_t *quaternion,
+                                      struct eigenshade_light_buffer_q15_t *buffer,
+                                      struct eigenshade_color_light_q15_t *to);
+
+/**
+ * `eigenshade_turn_about_view_f32` in Q15. Cosine and sine may have any scale.
+ */
+eigenshade_status eigenshade_turn_about_view_q15(const struct eigenshade_color_light_q15_t *from,
+                                                 const int32_t *cosine_and_sine,
+                                                 struct eigenshade_light_buffer_q15_t *buffer,
+                                                 struct eigenshade_color_light_q15_t *to);
+
+/**
+ * `eigenshade_residual_f32` in Q15. It computes in floats.
+ */
+eigenshade_status eigenshade_residual_q15(const struct eigenshade_color_light_q15_t *from,
+                                          const struct eigenshade_source_f32_t *sources,
+                                          size_t count,
+                                          struct eigenshade_light_buffer_q15_t *buffer,
+                                          struct eigenshade_color_light_q15_t *to);
+
+/**
+ * `eigenshade_metallic_roughness_f32` in Q15, in which 1 is 32767.
+ */
+eigenshade_status eigenshade_metallic_roughness_q15(const int16_t *base_color,
+                                                    int16_t metallic,
+                                                    int16_t roughness,
+                                                    struct eigenshade_material_buffer_q15_t *buffer,
+                                                    struct eigenshade_color_material_q15_t *to);
+
+/**
+ * A light in Q15 from one in float, in integer arithmetic throughout.
+ *
+ * The light is in `buffer`, and `to` points there. On an error neither may be used.
+ */
+eigenshade_status eigenshade_quantize_light_q15(const struct eigenshade_color_light_f32_t *from,
+                                                struct eigenshade_light_buffer_q15_t *buffer,
+                                                struct eigenshade_color_light_q15_t *to);
+
+/**
+ * A material in Q15 from one in float, in integer arithmetic throughout.
+ *
+ * The material is in `buffer`, and `to` points there. On an error neither may be used.
+ */
+eigenshade_status eigenshade_quantize_material_q15(const struct eigenshade_color_material_f32_t *from,
+                                                   struct eigenshade_material_buffer_q15_t *buffer,
+                                                   struct eigenshade_color_material_q15_t *to);
 
 /**
  * The unit normal along a vector of three integers of any scale, as three mantissas, x, y and z:
@@ -454,39 +1155,11 @@ eigenshade_status eigenshade_collapse_q15(const struct eigenshade_coefficients_q
  *
  * One that points away by no more than 1/8 is laid on the rim. Cost: a root and three divisions
  * in 64 bits. On an error `normal` is unchanged.
- *
- * Pointers that are neither NULL nor unaligned point to three numbers each.
  */
 eigenshade_status eigenshade_normalize_q15(const int32_t *vector, int16_t *normal);
 
-/**
- * The irradiance of the unit normal (x, y, z), in fractions of 2^15 (1 as 2^15 - 1):
- * `irradiance` times 2 to the scene's exponent, in the light's radiance times sr times the
- * material's 1/sr.
- *
- * On an error `irradiance` is unchanged.
- *
- * Every pointer that is neither NULL nor unaligned points to a value of its type, and
- * `irradiance` to nothing else's memory.
- */
-eigenshade_status eigenshade_shade_q15(const struct eigenshade_scene_q15_t *scene, int16_t x,
-                                       int16_t y, int16_t z, int32_t *irradiance);
-
-/**
- * The irradiances of `count` such normals, into `irradiance`.
- *
- * If `count` is 0, the pointers to numbers are not read. On an error `irradiance` is unchanged,
- * unless a normal is at fault: then the irradiances before it are written, and zeros from it on.
- *
- * Every pointer that is neither NULL nor unaligned points to a value of its type, the last
- * four to `count` numbers each.
- */
-eigenshade_status eigenshade_shade_many_q15(const struct eigenshade_scene_q15_t *scene,
-                                            size_t count, const int16_t *x, const int16_t *y,
-                                            const int16_t *z, int32_t *irradiance);
-
 #ifdef __cplusplus
-}
-#endif
+}  // extern "C"
+#endif  // __cplusplus
 
-#endif
+#endif  /* EIGENSHADE_H */

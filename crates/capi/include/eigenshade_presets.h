@@ -7,7 +7,7 @@ The example presets_header writes this file. */
 #ifndef EIGENSHADE_PRESETS_H
 #define EIGENSHADE_PRESETS_H
 
-#include "eigenshade_color.h"
+#include "eigenshade.h"
 
 #ifdef __cplusplus
 extern "C" {

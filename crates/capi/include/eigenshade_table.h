@@ -5,7 +5,7 @@ file. */
 #define EIGENSHADE_TABLE_H
 
 /** A checksum of these sizes: compare it with `eigenshade_table()`. */
-#define EIGENSHADE_TABLE 3950693635u
+#define EIGENSHADE_TABLE 549450755u
 
 /** Largest degree l of a light. */
 #define EIGENSHADE_DEGREE 9
@@ -19,28 +19,37 @@ file. */
 /** Coefficients of a material of that order. */
 #define EIGENSHADE_MATERIAL 40
 
+/** Coefficients that memory for a material has. */
+#define EIGENSHADE_MATERIAL_BUFFER 40
+
+/** Exponents that memory for a material has. */
+#define EIGENSHADE_MATERIAL_EXPONENTS 8
+
 /** Components d of an image. */
 #define EIGENSHADE_COMPONENTS 46
 
 /** Profiles of a table in integers. */
 #define EIGENSHADE_PROFILES 26
 
-/** Numbers in a transfer in float. */
+/** Numbers of a channel of a transfer in float. */
 #define EIGENSHADE_TRANSFER_F32 568
 
-/** Numbers in a transfer in integers. */
-#define EIGENSHADE_TRANSFER 207
+/** Numbers of a channel of a transfer in integers. */
+#define EIGENSHADE_TRANSFER_Q15 207
 
-/** Numbers of a scene in float. */
-#define EIGENSHADE_SCENE_F32 167
-
-/** Numbers of a scene in Q15. */
-#define EIGENSHADE_SCENE_Q15 130
-
-/** Numbers in the workspace of transfers and projections in float. */
+/** Numbers in the workspace of projections in float. */
 #define EIGENSHADE_WORKSPACE_F32 460
 
-/** Numbers in the workspace of transfers in integers. */
-#define EIGENSHADE_WORKSPACE 230
+/** Numbers in the workspace of projections in integers. */
+#define EIGENSHADE_WORKSPACE_Q15 230
+
+/** The most sources of a picture. */
+#define EIGENSHADE_SOURCES 16
+
+/** Words of 64 bits in a picture in float. */
+#define EIGENSHADE_PICTURE_F32 375
+
+/** Words of 64 bits in a picture in integers. */
+#define EIGENSHADE_PICTURE_Q15 370
 
 #endif

@@ -43,12 +43,12 @@ static void write_picture(void) {
 }
 
 int main(void) {
-  static eigenshade_color_scene_q15_t scene;
+  static eigenshade_picture_q15_t picture;
   static uint16_t row[DIAMETER];
   static sphere_image_t sphere = {
-      .scene = &scene, .display = &eigenshade_display_filmic, .exposure = 1.5f, .row = row};
-  const eigenshade_status status = eigenshade_color_scene_q15(
-      &eigenshade_light_lobby_q15, &eigenshade_material_gold_metallic_paint_q15, &scene);
+      .picture = &picture, .display = &eigenshade_display_filmic, .exposure = 1.5f, .row = row};
+  const eigenshade_status status = eigenshade_picture_begin_q15(
+      &eigenshade_light_lobby_q15, &eigenshade_material_gold_metallic_paint_q15, &picture);
   if (status) {
     fprintf(stderr, "%s\n", eigenshade_message(status));
     return 1;

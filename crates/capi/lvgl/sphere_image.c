@@ -36,8 +36,8 @@ static lv_res_t read_row(lv_img_decoder_t *decoder, lv_img_decoder_dsc_t *opened
   for (size_t column = 0; column < diameter; column++) {
     image->row[column] = key.full;
   }
-  if (eigenshade_color_disc_row_q15(image->scene, diameter, (size_t)y, image->exposure,
-                                    image->display, image->row, diameter)) {
+  if (eigenshade_picture_disc_row_q15(image->picture, diameter, (size_t)y, image->exposure,
+                                      image->display, image->row, diameter)) {
     return LV_RES_INV;
   }
   memcpy(pixels, image->row + x, (size_t)length * sizeof *image->row);

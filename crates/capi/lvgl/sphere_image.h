@@ -3,14 +3,14 @@
 #ifndef SPHERE_IMAGE_H
 #define SPHERE_IMAGE_H
 
-#include "eigenshade_color.h"
+#include "eigenshade.h"
 #include "lvgl.h"
 
-/* An image source for `lv_img_set_src`. To change the picture, change the scene or the exposure and
+/* An image source for `lv_img_set_src`. To change it, change the picture or the exposure and
  * call `lv_obj_invalidate` on the image. */
 typedef struct {
   lv_img_dsc_t source; /* LVGL looks at this; `sphere_image_init` fills it in. */
-  const eigenshade_color_scene_q15_t *scene;
+  const eigenshade_picture_q15_t *picture;
   const eigenshade_display_t *display;
   float exposure;
   uint16_t *row; /* Memory for as many pixels as the diameter. */

@@ -2,7 +2,6 @@
 #![expect(unsafe_code, reason = "pointers come from C")]
 
 use crate::status::Status;
-use core::marker::PhantomData;
 use eigenshade::Q15;
 
 /// Types for which any bytes are a valid value, including zeros: C may pass uninitialized arrays.
@@ -22,10 +21,8 @@ plain!(f32 i8 u8 i16 u16 i32 i64 usize Q15);
 
 // SAFETY: consists of plain values.
 unsafe impl<T: Plain, const N: usize> Plain for [T; N] {}
-// SAFETY: has no bytes.
-unsafe impl<T> Plain for PhantomData<T> {}
 // SAFETY: an address, which is checked before anything is read.
-unsafe impl<T> Plain for Input<T> {}
+unsafe impl<T> Plain for *const T {}
 
 /// Marks a record that this library wrote. Zeros do not have the mark, nor does memory that nobody
 /// wrote, except by a chance of 2^-32.
@@ -40,16 +37,14 @@ impl Mark {
     pub(crate) const COMPUTED: Self = Self(0x6e67_6965);
 }
 
-/// A pointer to what a function reads. Only C makes one, and promises that if it is neither NULL
-/// nor unaligned, it points to a value that nobody else writes to during the call.
-#[repr(transparent)]
-pub(crate) struct Input<T>(*const T);
+/// A pointer to what a function reads. It is C's, which promises that if it is neither NULL nor
+/// unaligned, it points to a value that nobody else writes to during the call.
+pub(crate) struct Input<T>(pub(crate) *const T);
 
-/// A pointer to what a function writes to. Only C makes one, and promises that if it is neither
-/// NULL nor unaligned, it points to memory for a value, and that during the call nobody uses the
-/// memory but through the arguments.
-#[repr(transparent)]
-pub(crate) struct Output<T>(*mut T);
+/// A pointer to what a function writes to. It is C's, which promises that if it is neither NULL nor
+/// unaligned, it points to memory for a value, and that during the call nobody uses the memory but
+/// through the arguments.
+pub(crate) struct Output<T>(pub(crate) *mut T);
 
 /// Bytes of `count` values of `T`.
 fn bytes<T>(count: usize) -> Result<usize, Status> {
@@ -68,23 +63,7 @@ fn usable<T>(pointer: *const T, count: usize) -> Result<(), Status> {
     }
 }
 
-impl<T> Clone for Input<T> {
-    fn clone(&self) -> Self {
-        Self(self.0)
-    }
-}
-
 impl<T> Input<T> {
-    /// A pointer to the first of these numbers, for a record that C keeps.
-    pub(crate) const fn to(numbers: &[T]) -> Self {
-        Self(numbers.as_ptr())
-    }
-
-    /// Whether both point to the same.
-    pub(crate) fn is(&self, other: &Self) -> bool {
-        core::ptr::eq(self.0, other.0)
-    }
-
     /// The value.
     pub(crate) fn value(&self) -> Result<&T, Status> {
         usable(self.0, 1)?;
@@ -92,12 +71,23 @@ impl<T> Input<T> {
         Ok(unsafe { &*self.0 })
     }
 
+    /// `N` numbers.
+    ///
+    /// # Safety
+    ///
+    /// C promises as many.
+    pub(crate) unsafe fn numbers<const N: usize>(&self) -> Result<&[T; N], Status> {
+        usable(self.0, N)?;
+        // SAFETY: neither NULL nor unaligned, the rest is the caller's promise.
+        Ok(unsafe { &*self.0.cast() })
+    }
+
     /// An array of numbers. If `count` is 0, it is empty for any pointer.
     ///
     /// # Safety
     ///
     /// C promises as many numbers.
-    pub(crate) unsafe fn array(&self, count: usize) -> Result<&[T], Status>
+    pub(crate) unsafe fn array<'a>(&self, count: usize) -> Result<&'a [T], Status>
     where
         T: Plain,
     {
@@ -158,11 +148,6 @@ impl<T: Plain> Output<T> {
         unsafe { self.array(count) }
     }
 
-    /// The same memory, to be read in a later call.
-    pub(crate) fn to_input(&self) -> Input<T> {
-        Input(self.0)
-    }
-
     /// Where the value lies.
     pub(crate) fn place(&self) -> Place {
         // NULL is rejected when the pointer is used.
@@ -178,7 +163,7 @@ impl<T: Plain> Output<T> {
 }
 
 /// The address range of an argument.
-#[derive(Clone, Copy)]
+#[derive(Clone, Copy, Default)]
 pub(crate) struct Place {
     start: usize,
     bytes: usize,
@@ -194,26 +179,6 @@ impl Place {
         let (first, second) = if self.start < other.start { (self, other) } else { (other, self) };
         second.bytes > 0 && second.start - first.start < first.bytes
     }
-}
-
-/// The components of `count` normals, and memory for their irradiances, filled with zeros.
-///
-/// # Safety
-///
-/// C promises as many numbers each.
-pub(crate) unsafe fn normals<'a, 'w, N: Plain, I: Plain>(
-    scene: Place,
-    count: usize,
-    axes: [&'a Input<N>; 3],
-    irradiance: &Output<I>,
-) -> Result<([&'a [N]; 3], &'w mut [I]), Status> {
-    let [x, y, z] = axes;
-    // SAFETY: the caller's promise.
-    let (x, y, z) = unsafe { (x.array(count)?, y.array(count)?, z.array(count)?) };
-    let read = [scene, Place::of(x), Place::of(y), Place::of(z)];
-    disjoint(&[irradiance.place_of_array(count)?], &read)?;
-    // SAFETY: the caller's promise; it overlaps no other.
-    Ok(([x, y, z], unsafe { irradiance.zeroed_array(count) }?))
 }
 
 /// Checks that the places that are written to overlap neither each other nor those that are read.

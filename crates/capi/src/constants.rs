@@ -1,26 +1,59 @@
-//! The constants of `include/eigenshade_table.h`: the sizes of the table.
+//! The constants of `include/eigenshade_table.h`: the sizes of the table, and what follows from
+//! them.
 
 use crate::table::{self, q15};
-use eigenshade_table::{light, material};
+use eigenshade_table::{highlights, light, material};
+use eigenshade::{Highlights, Rgb};
+
+/// The order of glTF materials.
+pub(crate) const METALLIC_ROUGHNESS_ORDER: usize = 7;
+/// The largest order of a material in memory of the caller.
+const LARGEST_ORDER: usize =
+    if table::ORDER > METALLIC_ROUGHNESS_ORDER { table::ORDER } else { METALLIC_ROUGHNESS_ORDER };
+/// Coefficients of such a material.
+pub(crate) const MATERIAL_BUFFER: usize = material::count(LARGEST_ORDER);
+/// Exponents of such a material.
+pub(crate) const MATERIAL_EXPONENTS: usize = LARGEST_ORDER + 1;
+/// The most sources of a picture.
+pub(crate) const SOURCES: usize = highlights::LARGEST_SET;
+
+/// The size of a picture in words of 64 bits, on machines with addresses of 64 bits. On others it
+/// is smaller, but C has one header.
+const fn words(scene: usize, without: usize, with_two: usize) -> usize {
+    let state = 8;
+    let addresses = 2 * (8 - size_of::<usize>());
+    let lobe = (with_two - without) / 2;
+    (state + scene + 4).div_ceil(8) + (without + addresses + SOURCES * lobe).div_ceil(8)
+}
+
+/// Highlights beside a function.
+type OfFloats<const N: usize> = Option<(fn(), Highlights<N>)>;
+type OfIntegers<const N: usize> = Option<(fn(), eigenshade::q15::Highlights<Rgb<i32>, N>)>;
+
+/// Words of a picture in float.
+pub(crate) const PICTURE_F32: usize =
+    words(12 * table::SCENE, size_of::<OfFloats<0>>(), size_of::<OfFloats<2>>());
+/// Words of a picture in integers.
+pub(crate) const PICTURE_Q15: usize =
+    words(12 * q15::SCENE + 12, size_of::<OfIntegers<0>>(), size_of::<OfIntegers<2>>());
 
 /// Name, description and value.
-pub(crate) const CONSTANTS: [(&str, &str, usize); 12] = [
+pub(crate) const CONSTANTS: [(&str, &str, usize); 15] = [
     ("DEGREE", "Largest degree l of a light.", table::DEGREE),
     ("ORDER", "Largest order o of a material.", table::ORDER),
     ("LIGHT", "Coefficients of a light of that degree.", light::count(table::DEGREE)),
     ("MATERIAL", "Coefficients of a material of that order.", material::count(table::ORDER)),
+    ("MATERIAL_BUFFER", "Coefficients that memory for a material has.", MATERIAL_BUFFER),
+    ("MATERIAL_EXPONENTS", "Exponents that memory for a material has.", MATERIAL_EXPONENTS),
     ("COMPONENTS", "Components d of an image.", table::COMPONENTS),
     ("PROFILES", "Profiles of a table in integers.", q15::PROFILES),
-    ("TRANSFER_F32", "Numbers in a transfer in float.", table::TRANSFER),
-    ("TRANSFER", "Numbers in a transfer in integers.", q15::TRANSFER),
-    ("SCENE_F32", "Numbers of a scene in float.", table::SCENE),
-    ("SCENE_Q15", "Numbers of a scene in Q15.", q15::SCENE),
-    (
-        "WORKSPACE_F32",
-        "Numbers in the workspace of transfers and projections in float.",
-        table::WORKSPACE,
-    ),
-    ("WORKSPACE", "Numbers in the workspace of transfers in integers.", q15::WORKSPACE),
+    ("TRANSFER_F32", "Numbers of a channel of a transfer in float.", table::TRANSFER),
+    ("TRANSFER_Q15", "Numbers of a channel of a transfer in integers.", q15::TRANSFER),
+    ("WORKSPACE_F32", "Numbers in the workspace of projections in float.", table::WORKSPACE),
+    ("WORKSPACE_Q15", "Numbers in the workspace of projections in integers.", q15::WORKSPACE),
+    ("SOURCES", "The most sources of a picture.", SOURCES),
+    ("PICTURE_F32", "Words of 64 bits in a picture in float.", PICTURE_F32),
+    ("PICTURE_Q15", "Words of 64 bits in a picture in integers.", PICTURE_Q15),
 ];
 
 /// A checksum of the sizes, FNV-1a. Tables of the same sizes have the same one.

@@ -1,80 +1,69 @@
-//! What C sees: structures and functions.
+//! The functions that both formats share, as C sees them.
+#![expect(unsafe_code, reason = "exported symbols")]
 
-/// Declares structures of C. Tests list their definitions.
-macro_rules! records {
-    ($($name:ident = $in_c:literal $($format:ty)?: $($field:ident: $type:ty),*;)*) => {$(
-        #[derive(Clone)]
-        #[repr(C)]
-        pub(crate) struct $name {
-            $(pub(crate) $field: $type),*
-        }
+use crate::boundary::{Input, Output};
+use crate::constants::TABLE;
+use crate::meter::{self, Meter};
+use crate::sources::{self, Gloss, Source};
+use crate::status::{Status, message};
+use core::ffi::c_char;
 
-        // SAFETY: all of its fields are plain.
-        unsafe impl Plain for $name where $($type: Plain),* {}
-
-        #[cfg(test)]
-        impl crate::header::Declared for $name
-        where
-            $($type: crate::header::Declared),*
-        {
-            fn declare(name: &str) -> std::string::String {
-                let of_format: &[&str] = &[$("_", <$format as crate::export::Format>::NAME)?];
-                std::format!("struct eigenshade_{}{}_t {name}", $in_c, of_format.concat())
-            }
-
-            fn define() -> std::string::String {
-                crate::header::structure::<Self>(&[$(<$type>::declare(stringify!($field))),*])
-            }
-        }
-    )*};
-}
-pub(crate) use records;
-
-/// Exports functions of this module in one format as `eigenshade_FUNCTION_FORMAT`, those of a
-/// generic function for the type in brackets. Tests list their declarations and the structures that
-/// these need.
-macro_rules! export {
-    (
-        $declarations:ident $format:literal
-        $($function:ident $(<$type_of_format:ty>)? ($($argument:ident: $type:ty),*))*
-    ) => {
-        // In a block, because the functions of the formats have the same names in Rust.
-        const _: () = {
-            $(
-                #[unsafe(export_name = concat!("eigenshade_", stringify!($function), "_", $format))]
-                extern "C" fn $function($($argument: $type),*) -> Status {
-                    self::$function$(::<$type_of_format>)?($($argument),*).into()
-                }
-            )*
-        };
-
-        #[cfg(test)]
-        pub(crate) fn $declarations() -> std::vec::Vec<std::string::String> {
-            use crate::header::Declared;
-            std::vec![$(
-                $(<$type>::define(),)*
-                crate::header::function(
-                    concat!(stringify!($function), "_", $format),
-                    &[$(<$type>::declare(stringify!($argument))),*],
-                ),
-            )*]
-        }
-    };
-}
-pub(crate) use export;
-
-/// A number format, with the end of the names of its functions.
-#[cfg(test)]
-pub(crate) trait Format {
-    const NAME: &'static str;
+/// The library's version, a static string: compare it with EIGENSHADE_VERSION of the header.
+/// Never fails.
+#[unsafe(no_mangle)]
+pub extern "C" fn eigenshade_version() -> *const c_char {
+    concat!(env!("CARGO_PKG_VERSION"), "\0").as_ptr().cast()
 }
 
-#[cfg(test)]
-impl Format for f32 {
-    const NAME: &'static str = "f32";
+/// A checksum of the sizes of the library's table. If it is not `EIGENSHADE_TABLE`, the headers are
+/// those of another library: do not call it. Tables of the same sizes have the same checksum.
+#[unsafe(no_mangle)]
+pub extern "C" fn eigenshade_table() -> u32 {
+    TABLE
 }
 
-#[cfg(test)]
-impl Format for eigenshade::Q15 {
-    const NAME: &'static str = "q15";
+/// The message of a status, with the remedy: a static string in English without a line end.
+///
+/// Never fails: an unknown status has a message too.
+#[unsafe(no_mangle)]
+pub extern "C" fn eigenshade_message(status: i32) -> *const c_char {
+    message(status).as_ptr()
+}
+
+/// A source turned by the rotation of a quaternion (x, y, z, w), as the light is that it was taken
+/// out of.
+///
+/// On an error `to` is unchanged.
+#[unsafe(no_mangle)]
+pub extern "C" fn eigenshade_source_turn_f32(
+    from: *const Source,
+    quaternion: *const f32,
+    to: *mut Source,
+) -> Status {
+    sources::source_turn(&Input(from), &Input(quaternion), &Output(to)).into()
+}
+
+/// The gloss of a glTF material from its linear base color, metallic and roughness, all from 0 to
+/// 1.
+///
+/// On an error `gloss` is unchanged.
+#[unsafe(no_mangle)]
+pub extern "C" fn eigenshade_gloss_metallic_roughness_f32(
+    base_color: *const f32,
+    metallic: f32,
+    roughness: f32,
+    gloss: *mut Gloss,
+) -> Status {
+    sources::gloss_metallic_roughness(&Input(base_color), metallic, roughness, &Output(gloss))
+        .into()
+}
+
+/// The exposure of the pixels that a meter has counted, in either format, to within 7 %.
+///
+/// One pixel in a hundred is brighter than white. If that leaves the median pixel darker than 0.12
+/// of white, the exposure rises until the median has 0.12 or one pixel in ten is brighter than
+/// white. On an error `exposure` is unchanged.
+#[unsafe(no_mangle)]
+pub extern "C" fn eigenshade_meter_exposure_f32(meter: *const Meter, exposure: *mut f32) -> Status {
+    meter::exposure(&Input(meter), &Output(exposure)).into()
 }

@@ -1,230 +1,294 @@
 //! In float: `f32`, for machines with a float unit.
 #![expect(unsafe_code, reason = "memory of C")]
 
-use crate::boundary::{Input, Mark, Output, Place, Plain, disjoint, normals};
-use crate::export::{export, records};
+use crate::boundary::{Input, Output, Place, Plain, disjoint};
+use crate::constants::{METALLIC_ROUGHNESS_ORDER, SOURCES};
+use crate::format::{Format, Read};
+use crate::records_f32::{
+    BakedF32, CoefficientsF32, ColorLightF32, ColorMaterialF32, IrradianceF32, LightBufferF32,
+    LightF32, MaterialBufferF32, MaterialF32, PictureF32, TransferF32, WorkspaceF32,
+};
 use crate::status::{Status, light_shape, material_shape};
-use crate::table::{self, COMPONENTS, SCENE, TRANSFER, WORKSPACE};
+use crate::table::{self, COMPONENTS, LIGHT, SCENE, TRANSFER, WORKSPACE};
+use eigenshade_table::material;
 use eigenshade::specialized::checked;
-use eigenshade::{Basis, Normal, Normals, Parts};
+use eigenshade::{
+    BakedMap, Basis, DiscPixel, Error, Exposure, Highlights, Light, Linear, MapPoint, Material,
+    Normal, NormalPixel, Parts, Rgb, Rotation, Source,
+};
 
 /// The basis without the factors of transfers: a program whose transfers are computed beforehand
 /// links no factors.
 static RELIGHT_ONLY: Basis<'static> =
     checked(Basis::new(Parts { polar: &[], factors: &[], ..*table::BASIS.parts() }));
 
-records! {
-    Light = "light" f32: degree: usize, length: usize, coefficients: Input<f32>;
-    Material = "material" f32: order: usize, length: usize, coefficients: Input<f32>;
-    Workspace = "workspace" f32: numbers: [f32; WORKSPACE];
-    Transfer = "transfer" f32: numbers: [f32; TRANSFER];
-    Coefficients = "coefficients" f32: numbers: [f32; COMPONENTS];
-    Scene = "scene" f32: terms: [f32; SCENE], state: Mark;
-}
+/// The polynomials of a picture.
+#[repr(transparent)]
+pub(crate) struct Scene([[f32; SCENE]; 3]);
 
-impl Light {
-    /// The light, and where it lies.
-    pub(crate) fn view(&self) -> Result<(eigenshade::Light<'_>, [Place; 2]), Status> {
-        light_shape(self.degree, self.length)?;
-        // SAFETY: C promises `length` coefficients.
-        let coefficients = unsafe { self.coefficients.array(self.length) }?;
-        let places = [Place::of(self), Place::of(coefficients)];
-        Ok((eigenshade::Light::from_finite(coefficients)?, places))
-    }
-}
+// SAFETY: consists of numbers.
+unsafe impl Plain for Scene {}
 
 impl Scene {
-    /// Refuses a scene that was never computed.
-    pub(crate) fn check(&self) -> Result<(), Status> {
-        if self.state == Mark::COMPUTED { Ok(()) } else { Err(Status::Scene) }
+    /// The scenes, for steps that the runtime alone has.
+    pub(crate) fn view(&self) -> Result<Rgb<eigenshade::Scene<'_, &[f32]>>, Status> {
+        Rgb::from(self.0.each_ref()).try_map(|terms| Ok(RELIGHT_ONLY.scene(&terms[..])?))
     }
 }
 
-impl Material {
-    /// The material, and where it lies.
-    pub(crate) fn view(&self) -> Result<(eigenshade::Material<'_>, [Place; 2]), Status> {
-        material_shape(self.order, self.length)?;
-        // SAFETY: C promises `length` coefficients.
-        let coefficients = unsafe { self.coefficients.array(self.length) }?;
-        let places = [Place::of(self), Place::of(coefficients)];
-        Ok((eigenshade::Material::from_finite(coefficients)?, places))
-    }
+/// A light, and where its coefficients lie.
+fn light(from: &LightF32) -> Result<(Light<'_>, Place), Status> {
+    light_shape(from.degree, from.length)?;
+    // SAFETY: C promises `length` coefficients.
+    let coefficients = unsafe { Input(from.coefficients).array(from.length) }?;
+    Ok((Light::from_finite(coefficients)?, Place::of(coefficients)))
 }
 
-/// Writes the transfer of a material.
-pub(crate) fn transferred(
-    material: &eigenshade::Material<'_>,
-    workspace: &mut [f32; WORKSPACE],
-    transfer: &mut Transfer,
-) -> Result<(), Status> {
-    Ok(table::BASIS.transfer_into(material, workspace, &mut transfer.numbers)?)
+/// A material, and where its coefficients lie.
+fn material(from: &MaterialF32) -> Result<(Material<'_>, Place), Status> {
+    material_shape(from.order, from.length)?;
+    // SAFETY: C promises `length` coefficients.
+    let coefficients = unsafe { Input(from.coefficients).array(from.length) }?;
+    Ok((Material::new(coefficients)?, Place::of(coefficients)))
 }
 
-/// Computes d from a transfer.
-pub(crate) fn relit(
-    transfer: &Transfer,
-    light: &eigenshade::Light<'_>,
-    d: &mut [f32; COMPONENTS],
-) -> Result<(), Status> {
-    Ok(RELIGHT_ONLY.relight_into(&transfer.numbers, light, d)?)
-}
-
-/// Sums the first components to a scene.
-pub(crate) fn collapsed(d: &[f32], scene: &mut Scene) -> Result<(), Status> {
-    RELIGHT_ONLY.collapse_into(d, &mut scene.terms[..])?;
-    scene.state = Mark::COMPUTED;
+/// Relights and collapses one channel.
+fn lit(transfer: &[f32; TRANSFER], light: &Light<'_>, to: &mut [f32; SCENE]) -> Result<(), Status> {
+    let mut d = [0.0; COMPONENTS];
+    RELIGHT_ONLY.relight_into(transfer, light, &mut d)?;
+    RELIGHT_ONLY.collapse_into(&d, &mut to[..])?;
     Ok(())
 }
 
-/// The image, for steps that the runtime alone has.
-pub(crate) fn view(scene: &Scene) -> Result<eigenshade::Scene<'_, &[f32]>, Status> {
-    scene.check()?;
-    Ok(RELIGHT_ONLY.scene(&scene.terms[..])?)
+/// Writes the transfer of one channel.
+fn transferred(material: &Material<'_>, to: &mut [f32; TRANSFER]) -> Result<(), Status> {
+    Ok(table::BASIS.transfer_into(material, &mut [0.0; WORKSPACE], to)?)
 }
 
-/// The irradiance, with every size a constant.
-// Shared by all that shades.
-#[inline(never)]
-pub(crate) fn irradiance(scene: &Scene, normal: Normal) -> f32 {
-    table::shade_terms(&scene.terms, normal)
-}
-
-pub(crate) fn transfer(
-    material: Input<Material>,
-    workspace: Output<Workspace>,
-    transfer: Output<Transfer>,
-) -> Result<(), Status> {
-    let (material, read) = material.value()?.view()?;
-    disjoint(&[workspace.place(), transfer.place()], &read)?;
-    // SAFETY: nothing overlaps.
-    let (workspace, transfer) = unsafe { (workspace.zeroed()?, transfer.zeroed()?) };
-    transferred(&material, &mut workspace.numbers, transfer)
-}
-
-pub(crate) fn relight(
-    transfer: Input<Transfer>,
-    light: Input<Light>,
-    coefficients: Output<Coefficients>,
-) -> Result<(), Status> {
-    let transfer = transfer.value()?;
-    let (light, [of_light, of_numbers]) = light.value()?.view()?;
-    disjoint(&[coefficients.place()], &[Place::of(transfer), of_light, of_numbers])?;
-    // SAFETY: it overlaps no other.
-    let coefficients = unsafe { coefficients.zeroed() }?;
-    relit(transfer, &light, &mut coefficients.numbers)
+/// Stores modified lights.
+fn stored<B: AsRef<[f32]>>(modified: &Rgb<B>, buffer: &mut LightBufferF32) -> ColorLightF32 {
+    let channels =
+        Rgb::from(buffer.numbers.each_mut()).zip(modified.each_ref()).map(|(to, from)| {
+            let from = from.as_ref();
+            to.iter_mut().zip(from).for_each(|(to, &from)| *to = from);
+            let degree = from.len().isqrt().saturating_sub(1);
+            LightF32 { degree, length: from.len(), coefficients: to.as_ptr() }
+        });
+    ColorLightF32 { r: channels.r, g: channels.g, b: channels.b }
 }
 
 pub(crate) fn project(
-    light: Input<Light>,
-    material: Input<Material>,
-    workspace: Output<Workspace>,
-    coefficients: Output<Coefficients>,
+    from: &Input<LightF32>,
+    on: &Input<MaterialF32>,
+    workspace: &Output<WorkspaceF32>,
+    coefficients: &Output<CoefficientsF32>,
 ) -> Result<(), Status> {
-    let (light, of_light) = light.value()?.view()?;
-    let (material, of_material) = material.value()?.view()?;
+    let (from, on) = (from.value()?, on.value()?);
+    let ((light, of_light), (material, of_material)) = (light(from)?, material(on)?);
     let written = [workspace.place(), coefficients.place()];
-    disjoint(&written, [of_light, of_material].as_flattened())?;
+    disjoint(&written, &[Place::of(from), of_light, Place::of(on), of_material])?;
     // SAFETY: nothing overlaps.
-    let (workspace, coefficients) = unsafe { (workspace.zeroed()?, coefficients.zeroed()?) };
-    let (workspace, coefficients) = (&mut workspace.numbers, &mut coefficients.numbers);
-    Ok(table::BASIS.project_into(&light, &material, workspace, coefficients)?)
+    let (workspace, to) = unsafe { (workspace.zeroed()?, coefficients.zeroed()?) };
+    let (workspace, to) = (&mut workspace.numbers, &mut to.numbers);
+    Ok(table::BASIS.project_into(&light, &material, workspace, to)?)
 }
 
-pub(crate) fn collapse(
-    coefficients: Input<Coefficients>,
-    components: usize,
-    scene: Output<Scene>,
-) -> Result<(), Status> {
-    let coefficients = coefficients.value()?;
-    disjoint(&[scene.place()], &[Place::of(coefficients)])?;
-    let first = coefficients.numbers.get(..components).ok_or(Status::Components)?;
-    // SAFETY: it overlaps no other.
-    collapsed(first, unsafe { scene.zeroed() }?)
-}
+impl Format for f32 {
+    type Light = ColorLightF32;
+    type Material = ColorMaterialF32;
+    type Transfer = TransferF32;
+    type OfLight<'a> = Light<'a>;
+    type OfMaterial<'a> = Material<'a>;
+    type LightBuffer = LightBufferF32;
+    type MaterialBuffer = MaterialBufferF32;
+    type PictureBuffer = PictureF32;
+    type Scene = Scene;
+    type Highlights = Highlights<SOURCES>;
+    type Normal = Normal;
+    type Channel = f32;
+    type Irradiance = IrradianceF32;
+    type Exposure = Exposure;
+    type Angle = f32;
+    type Baked = BakedF32;
+    type Texel = f32;
 
-pub(crate) fn shade(
-    scene: Input<Scene>,
-    x: f32,
-    y: f32,
-    z: f32,
-    irradiance: Output<f32>,
-) -> Result<(), Status> {
-    let scene = scene.value()?;
-    disjoint(&[irradiance.place()], &[Place::of(scene)])?;
-    scene.check()?;
-    let found = self::irradiance(scene, Normal::new(x, y, z)?);
-    // SAFETY: it overlaps no other.
-    *unsafe { irradiance.zeroed() }? = found;
-    Ok(())
-}
-
-pub(crate) fn check_light(light: Input<Light>) -> Result<(), Status> {
-    let (light, _) = light.value()?.view()?;
-    eigenshade::Light::new(light.coefficients())?;
-    Ok(())
-}
-
-pub(crate) fn check_material(material: Input<Material>) -> Result<(), Status> {
-    let (material, _) = material.value()?.view()?;
-    eigenshade::Material::new(material.coefficients())?;
-    Ok(())
-}
-
-pub(crate) fn normalize(
-    x: Output<f32>,
-    y: Output<f32>,
-    z: Output<f32>,
-    count: usize,
-    normalized: Output<usize>,
-) -> Result<(), Status> {
-    let [of_x, of_y, of_z] = [&x, &y, &z].map(|axis| axis.place_of_array(count));
-    disjoint(&[of_x?, of_y?, of_z?, normalized.place()], &[])?;
-    // SAFETY: C promises `count` numbers each; nothing overlaps.
-    let (x, y, z) = unsafe { (x.array(count)?, y.array(count)?, z.array(count)?) };
-    // SAFETY: it overlaps no other.
-    let normalized = unsafe { normalized.zeroed() }?;
-    for ((x, y), z) in x.iter_mut().zip(y).zip(z) {
-        (*x, *y, *z) = Normal::new(*x, *y, *z)?.components().into();
-        *normalized += 1;
+    fn light(from: &ColorLightF32) -> Result<Read<Light<'_>>, Status> {
+        let ((r, of_r), (g, of_g), (b, of_b)) = (light(&from.r)?, light(&from.g)?, light(&from.b)?);
+        let none = Place::default();
+        let places = [Place::of(from), of_r, of_g, of_b, none, none, none];
+        Ok(Read { value: Rgb::new(r, g, b), places })
     }
-    Ok(())
-}
 
-pub(crate) fn shade_many(
-    scene: Input<Scene>,
-    count: usize,
-    x: Input<f32>,
-    y: Input<f32>,
-    z: Input<f32>,
-    irradiance: Output<f32>,
-) -> Result<(), Status> {
-    let scene = scene.value()?;
-    scene.check()?;
-    // SAFETY: C promises `count` numbers each.
-    let ([x, y, z], irradiance) =
-        unsafe { normals(Place::of(scene), count, [&x, &y, &z], &irradiance) }?;
-    for (irradiance, normal) in irradiance.iter_mut().zip(Normals::from_unit(x, y, z)?.iter()) {
-        *irradiance = self::irradiance(scene, normal);
+    fn check(light: Rgb<Light<'_>>) -> Result<(), Status> {
+        let finite = |light: &Light<'_>| light.coefficients().iter().all(|one| one.is_finite());
+        if <[_; 3]>::from(light).iter().all(finite) { Ok(()) } else { Err(Status::NotFinite) }
     }
-    Ok(())
+
+    fn material(from: &ColorMaterialF32) -> Result<Read<Material<'_>>, Status> {
+        let ((r, of_r), (g, of_g), (b, of_b)) =
+            (material(&from.r)?, material(&from.g)?, material(&from.b)?);
+        let none = Place::default();
+        let places = [Place::of(from), of_r, of_g, of_b, none, none, none];
+        Ok(Read { value: Rgb::new(r, g, b), places })
+    }
+
+    fn transfer(material: Rgb<Material<'_>>, to: &mut TransferF32) -> Result<(), Status> {
+        let [r, g, b] = &mut to.numbers;
+        transferred(&material.r, r)?;
+        if material.as_gray().is_some() {
+            (*g, *b) = (*r, *r);
+            return Ok(());
+        }
+        transferred(&material.g, g)?;
+        transferred(&material.b, b)
+    }
+
+    fn relight(
+        transfer: &TransferF32,
+        light: Rgb<Light<'_>>,
+        to: &mut Scene,
+    ) -> Result<(), Status> {
+        let lights: [_; 3] = light.into();
+        let channels = transfer.numbers.iter().zip(&lights).zip(&mut to.0);
+        channels.into_iter().try_for_each(|((transfer, light), to)| lit(transfer, light, to))
+    }
+
+    fn scene(
+        light: Rgb<Light<'_>>,
+        material: Rgb<Material<'_>>,
+        to: &mut Scene,
+    ) -> Result<(), Status> {
+        let mut transfer = [0.0; TRANSFER];
+        let gray = material.as_gray().is_some();
+        let (lights, materials): ([_; 3], [_; 3]) = (light.into(), material.into());
+        for (channel, ((light, material), to)) in
+            lights.iter().zip(&materials).zip(&mut to.0).enumerate()
+        {
+            if channel == 0 || !gray {
+                transferred(material, &mut transfer)?;
+            }
+            lit(&transfer, light, to)?;
+        }
+        Ok(())
+    }
+
+    fn turn(
+        from: Rgb<Light<'_>>,
+        quaternion: &[f32; 4],
+        buffer: &mut LightBufferF32,
+    ) -> Result<ColorLightF32, Status> {
+        let rotation = Rotation::from_quaternion(*quaternion)?;
+        Ok(stored(&from.turned::<LIGHT>(&rotation)?, buffer))
+    }
+
+    fn turn_about_view(
+        from: Rgb<Light<'_>>,
+        angle: &[f32; 2],
+        buffer: &mut LightBufferF32,
+    ) -> Result<ColorLightF32, Status> {
+        Ok(stored(&from.turned_about_view::<LIGHT>(*angle)?, buffer))
+    }
+
+    fn residual(
+        from: Rgb<Light<'_>>,
+        sources: &[Source],
+        buffer: &mut LightBufferF32,
+    ) -> Result<ColorLightF32, Status> {
+        Ok(stored(&from.residual::<LIGHT>(sources)?, buffer))
+    }
+
+    fn metallic_roughness(
+        base_color: &[f32; 3],
+        metallic: f32,
+        roughness: f32,
+        buffer: &mut MaterialBufferF32,
+    ) -> Result<ColorMaterialF32, Status> {
+        let found = Material::metallic_roughness(*base_color, metallic, roughness)?;
+        let channels = Rgb::from(buffer.numbers.each_mut()).zip(found).map(|(to, from)| {
+            to.iter_mut().zip(from.iter()).for_each(|(to, &from)| *to = from);
+            let order = METALLIC_ROUGHNESS_ORDER;
+            MaterialF32 { order, length: material::count(order), coefficients: to.as_ptr() }
+        });
+        Ok(ColorMaterialF32 { r: channels.r, g: channels.g, b: channels.b })
+    }
+
+    const LIGHT_BUFFER: LightBufferF32 = LightBufferF32 { numbers: [[0.0; LIGHT]; 3] };
+
+    fn highlights(of: &Highlights<SOURCES>, _: &Scene) -> Result<Highlights<SOURCES>, Status> {
+        Ok(of.clone())
+    }
+
+    #[inline]
+    fn add(highlights: &Highlights<SOURCES>, irradiance: Rgb<f32>, normal: Normal) -> Rgb<f32> {
+        irradiance + highlights.shade(normal)
+    }
+
+    fn normal(x: f32, y: f32, z: f32) -> Result<Normal, Status> {
+        Ok(Normal::new(x, y, z)?)
+    }
+
+    #[inline]
+    fn of_disc(pixel: DiscPixel) -> Normal {
+        pixel.normal()
+    }
+
+    #[inline]
+    fn of_normal_map(pixel: NormalPixel) -> Normal {
+        pixel.normal()
+    }
+
+    #[inline]
+    fn shade(scene: &Scene, normal: Normal) -> Rgb<f32> {
+        Rgb::from(scene.0.each_ref()).map(|terms| irradiance(terms, normal))
+    }
+
+    fn exponents(_: &Scene) -> [i32; 3] {
+        [0; 3]
+    }
+
+    fn irradiance(Rgb { r, g, b }: Rgb<f32>, _: [i32; 3]) -> IrradianceF32 {
+        IrradianceF32 { r, g, b }
+    }
+
+    fn exposure(exposure: f32, _: [i32; 3]) -> Result<Exposure, Error> {
+        Exposure::new(exposure)
+    }
+
+    #[inline]
+    fn exposed(irradiance: Rgb<f32>, exposure: Exposure) -> Rgb<Linear> {
+        exposure.of(irradiance).map(Linear::from)
+    }
+
+    fn bake(
+        scene: Rgb<eigenshade::Scene<'_, &[f32]>>,
+        size: usize,
+        texels: Rgb<&mut [f32]>,
+    ) -> Result<[i32; 3], Status> {
+        scene.zip(texels).try_map(|(scene, texels)| scene.bake_into(size, texels))?;
+        Ok([0; 3])
+    }
+
+    fn baked(size: usize, texels: *const f32, length: usize, _: [i32; 3]) -> BakedF32 {
+        BakedF32 { size, length, texels }
+    }
+
+    fn maps(baked: &BakedF32) -> (usize, Input<f32>, usize, [i32; 3]) {
+        (baked.size, Input(baked.texels), baked.length, [0; 3])
+    }
+
+    fn look_up(
+        size: usize,
+        texels: Rgb<&[f32]>,
+        _: [i32; 3],
+    ) -> Result<impl Fn(Normal) -> Rgb<f32>, Status> {
+        let maps = texels.try_map(|texels| BakedMap::new(size, texels))?;
+        Ok(move |normal| maps.bilinear(MapPoint::of(normal)))
+    }
 }
 
-export! { functions "f32"
-    transfer(material: Input<Material>, workspace: Output<Workspace>, transfer: Output<Transfer>)
-    relight(transfer: Input<Transfer>, light: Input<Light>, coefficients: Output<Coefficients>)
-    project(
-        light: Input<Light>, material: Input<Material>,
-        workspace: Output<Workspace>, coefficients: Output<Coefficients>
-    )
-    collapse(coefficients: Input<Coefficients>, components: usize, scene: Output<Scene>)
-    shade(scene: Input<Scene>, x: f32, y: f32, z: f32, irradiance: Output<f32>)
-    check_light(light: Input<Light>)
-    check_material(material: Input<Material>)
-    normalize(
-        x: Output<f32>, y: Output<f32>, z: Output<f32>, count: usize, normalized: Output<usize>
-    )
-    shade_many(
-        scene: Input<Scene>, count: usize,
-        x: Input<f32>, y: Input<f32>, z: Input<f32>, irradiance: Output<f32>
-    )
+/// The irradiance in one channel, with every size a constant.
+// Shared by all that shades.
+#[inline(never)]
+fn irradiance(terms: &[f32; SCENE], normal: Normal) -> f32 {
+    table::shade_terms(terms, normal)
 }

@@ -1,308 +1,361 @@
 //! In integers: mantissas of 15 bits, for machines without a float unit.
 #![expect(unsafe_code, reason = "memory of C")]
 
-use crate::boundary::{Input, Mark, Output, Place, Plain, disjoint, normals};
-use crate::export::{export, records};
-use crate::float;
+use crate::boundary::{Input, Output, Place, Plain, disjoint};
+use crate::constants::{METALLIC_ROUGHNESS_ORDER, SOURCES};
+use crate::format::{Format, Read};
+use crate::quantize::{material_in, pointing, quantized};
+use crate::records_q15::{
+    BakedQ15, CoefficientsQ15, ColorLightQ15, ColorMaterialQ15, IrradianceQ15, LightBufferQ15,
+    LightQ15, MaterialBufferQ15, MaterialQ15, PictureQ15, TransferQ15, WorkspaceQ15,
+};
 use crate::status::{Status, light_shape, material_shape};
 use crate::table::q15::{PROFILES, SCENE, TRANSFER, WORKSPACE};
-use crate::table::{self, COMPONENTS};
-use eigenshade::Q15;
-use eigenshade::q15::{self, Basis, Normal, Parts};
+use crate::table::{self, COMPONENTS, LIGHT};
+use eigenshade::q15::{
+    self, BakedMap, Basis, Exposure, Highlights, Light, LightBuffer, MapPoint, Material, Normal,
+    Parts, Rotation, Transfer,
+};
 use eigenshade::specialized::checked;
-
-/// The largest exponent of d. Lights and materials reach less than half of it.
-const EXPONENT: u32 = 2_048;
-
-/// The complete basis, which computes transfers.
-fn basis() -> &'static Basis<'static> {
-    &table::q15::BASIS
-}
+use eigenshade::{DiscPixel, Error, Linear, NormalPixel, Q15, Rgb, Source};
 
 /// The basis without the factors of transfers: a program whose transfers are computed beforehand
 /// links no factors.
-fn relight_only() -> &'static Basis<'static> {
-    static BASIS: Basis<'static> = checked(Basis::new(Parts {
-        polar: &[],
-        polar_exponents: &[],
-        factors: &[],
-        factor_exponents: &[],
-        ..*table::q15::BASIS.parts()
-    }));
-    &BASIS
+static RELIGHT_ONLY: Basis<'static> = checked(Basis::new(Parts {
+    polar: &[],
+    polar_exponents: &[],
+    factors: &[],
+    factor_exponents: &[],
+    ..*table::q15::BASIS.parts()
+}));
+
+/// The polynomials of a picture.
+#[repr(C)]
+pub(crate) struct Scene {
+    terms: [[i32; SCENE]; 3],
+    exponents: [i32; 3],
 }
 
-records! {
-    Light = "light" Q15:
-        degree: usize, length: usize, mantissas: Input<Q15>, exponent: i32;
-    Material = "material" Q15:
-        order: usize, length: usize, mantissas: Input<Q15>,
-        exponents_length: usize, exponents: Input<i8>;
-    Workspace = "workspace" Q15: numbers: [i32; WORKSPACE];
-    Transfer = "transfer" Q15: numbers: [Q15; TRANSFER], exponents: [i16; PROFILES];
-    Coefficients = "coefficients" Q15:
-        mantissas: [i32; COMPONENTS], exponent: i32;
-    Scene = "scene" Q15: terms: [i32; SCENE], exponent: i32, state: Mark;
+// SAFETY: consists of numbers.
+unsafe impl Plain for Scene {}
+
+/// A light, and where its mantissas lie.
+fn light(from: &LightQ15) -> Result<(Light<'_>, Place), Status> {
+    light_shape(from.degree, from.length)?;
+    // SAFETY: C promises `length` mantissas.
+    let mantissas = unsafe { Input(from.mantissas).array(from.length) }?;
+    Ok((Light::new(from.exponent, mantissas)?, Place::of(mantissas)))
 }
 
-impl Light {
-    /// The light, and where it lies.
-    pub(crate) fn view(&self) -> Result<(q15::Light<'_>, [Place; 2]), Status> {
-        light_shape(self.degree, self.length)?;
-        // SAFETY: C promises `length` mantissas.
-        let mantissas = unsafe { self.mantissas.array(self.length) }?;
-        let light = q15::Light::new(self.exponent, mantissas)?;
-        Ok((light, [Place::of(self), Place::of(mantissas)]))
-    }
-}
-
-impl Scene {
-    /// Refuses a scene that was never computed.
-    pub(crate) fn check(&self) -> Result<(), Status> {
-        if self.state == Mark::COMPUTED { Ok(()) } else { Err(Status::Scene) }
-    }
-}
-
-impl Material {
-    /// The material, and where it lies.
-    pub(crate) fn view(&self) -> Result<(q15::Material<'_>, [Place; 3]), Status> {
-        material_shape(self.order, self.length)?;
-        if self.exponents_length != self.order + 1 {
-            return Err(Status::MaterialLength);
-        }
-        // SAFETY: C promises `length` mantissas.
-        let mantissas = unsafe { self.mantissas.array(self.length) }?;
-        // SAFETY: C promises `exponents_length` exponents.
-        let exponents = unsafe { self.exponents.array(self.exponents_length) }?;
-        let material = q15::Material::new(exponents, mantissas)?;
-        Ok((material, [Place::of(self), Place::of(mantissas), Place::of(exponents)]))
-    }
-}
-
-pub(crate) fn quantize_light(
-    from: Input<float::Light>,
-    mantissas: Output<Q15>,
-    length: usize,
-    to: Output<Light>,
-) -> Result<(), Status> {
-    let from = from.value()?;
-    if length != from.length {
-        return Err(Status::LightLength);
-    }
-    let (light, read) = from.view()?;
-    disjoint(&[to.place(), mantissas.place_of_array(length)?], &read)?;
-    // SAFETY: C promises memory for `length` numbers, which overlaps no other.
-    let numbers = unsafe { mantissas.zeroed_array(length) }?;
-    let exponent = q15::Light::quantize(light.coefficients(), numbers)?.exponent();
-    // SAFETY: it overlaps no other.
-    let to = unsafe { to.zeroed() }?;
-    *to = Light { degree: from.degree, length, mantissas: mantissas.to_input(), exponent };
-    Ok(())
-}
-
-pub(crate) fn quantize_material(
-    from: Input<float::Material>,
-    mantissas: Output<Q15>,
-    length: usize,
-    exponents: Output<i8>,
-    exponents_length: usize,
-    to: Output<Material>,
-) -> Result<(), Status> {
-    let from = from.value()?;
-    if length != from.length || exponents_length.wrapping_sub(1) != from.order {
+/// A material, and where its mantissas and exponents lie.
+fn material(from: &MaterialQ15) -> Result<(Material<'_>, [Place; 2]), Status> {
+    material_shape(from.order, from.length)?;
+    if from.exponents_length != from.order + 1 {
         return Err(Status::MaterialLength);
     }
-    let (material, read) = from.view()?;
-    let of_mantissas = mantissas.place_of_array(length)?;
-    disjoint(&[to.place(), of_mantissas, exponents.place_of_array(exponents_length)?], &read)?;
-    // SAFETY: C promises memory for `length` numbers, which overlaps no other.
-    let numbers = unsafe { mantissas.zeroed_array(length) }?;
-    // SAFETY: C promises memory for `exponents_length` numbers, which overlaps no other.
-    let powers = unsafe { exponents.zeroed_array(exponents_length) }?;
-    q15::Material::quantize(material.coefficients(), numbers, powers)?;
-    // SAFETY: it overlaps no other.
-    let to = unsafe { to.zeroed() }?;
-    let (mantissas, exponents) = (mantissas.to_input(), exponents.to_input());
-    let order = from.order;
-    *to = Material { order, length, mantissas, exponents_length, exponents };
-    Ok(())
+    // SAFETY: C promises `length` mantissas.
+    let mantissas = unsafe { Input(from.mantissas).array(from.length) }?;
+    // SAFETY: C promises `exponents_length` exponents.
+    let exponents = unsafe { Input(from.exponents).array(from.exponents_length) }?;
+    Ok((Material::new(exponents, mantissas)?, [Place::of(mantissas), Place::of(exponents)]))
 }
 
-/// Writes the transfer of a material.
-pub(crate) fn transferred(
-    material: &q15::Material<'_>,
-    workspace: &mut [i32; WORKSPACE],
-    transfer: &mut Transfer,
-) -> Result<(), Status> {
-    let Transfer { numbers, exponents } = transfer;
-    Ok(basis().transfer_into(material, workspace, numbers, exponents)?)
-}
-
-pub(crate) fn transfer(
-    material: Input<Material>,
-    workspace: Output<Workspace>,
-    transfer: Output<Transfer>,
-) -> Result<(), Status> {
-    let (material, read) = material.value()?.view()?;
-    disjoint(&[workspace.place(), transfer.place()], &read)?;
-    // SAFETY: nothing overlaps.
-    let (workspace, transfer) = unsafe { (workspace.zeroed()?, transfer.zeroed()?) };
-    transferred(&material, &mut workspace.numbers, transfer)
-}
-
-/// Computes d from a transfer.
+/// Relights one channel. Returns the exponent of d.
 #[inline(always)]
-pub(crate) fn relit(
-    transfer: &Transfer,
-    light: &q15::Light<'_>,
-    coefficients: &mut Coefficients,
-) -> Result<(), Status> {
-    let transfer = q15::Transfer::new(&transfer.numbers, &transfer.exponents);
-    let mantissas = &mut coefficients.mantissas;
-    coefficients.exponent = relight_only().relight_into(&transfer, light, mantissas)?;
-    Ok(())
+fn relit(
+    transfer: (&[Q15; TRANSFER], &[i16; PROFILES]),
+    light: &Light<'_>,
+    d: &mut [i32; COMPONENTS],
+) -> Result<i32, Status> {
+    let transfer = Transfer::new(transfer.0, transfer.1);
+    Ok(RELIGHT_ONLY.relight_into(&transfer, light, d)?)
 }
 
-pub(crate) fn relight(
-    transfer: Input<Transfer>,
-    light: Input<Light>,
-    coefficients: Output<Coefficients>,
+/// Relights and collapses one channel. Returns the exponent of its polynomials.
+fn lit(
+    transfer: (&[Q15; TRANSFER], &[i16; PROFILES]),
+    light: &Light<'_>,
+    to: &mut [i32; SCENE],
+) -> Result<i32, Status> {
+    let mut d = [0; COMPONENTS];
+    let exponent = relit(transfer, light, &mut d)?;
+    Ok(RELIGHT_ONLY.collapse_into(&d, exponent, to)?.exponent())
+}
+
+/// Writes the transfer of one channel.
+fn transferred(
+    material: &Material<'_>,
+    workspace: &mut [i32; WORKSPACE],
+    numbers: &mut [Q15; TRANSFER],
+    exponents: &mut [i16; PROFILES],
 ) -> Result<(), Status> {
-    let transfer = transfer.value()?;
-    let (light, [of_light, of_mantissas]) = light.value()?.view()?;
-    disjoint(&[coefficients.place()], &[Place::of(transfer), of_light, of_mantissas])?;
-    // SAFETY: it overlaps no other.
-    relit(transfer, &light, unsafe { coefficients.zeroed() }?)
+    Ok(table::q15::BASIS.transfer_into(material, workspace, numbers, exponents)?)
+}
+
+/// A light of C from one of the runtime, whose mantissas it copies to `to`.
+fn stored(from: Light<'_>, to: &mut [Q15; LIGHT]) -> LightQ15 {
+    let (mantissas, exponent) = (from.mantissas(), from.exponent());
+    to.iter_mut().zip(mantissas).for_each(|(to, &from)| *to = from);
+    pointing(to, mantissas.len(), exponent)
+}
+
+/// Stores turned lights.
+fn stored_lights(
+    turned: &Rgb<LightBuffer<LIGHT>>,
+    buffer: &mut LightBufferQ15,
+) -> Result<ColorLightQ15, Status> {
+    let ([to_r, to_g, to_b], Rgb { r, g, b }) = (&mut buffer.mantissas, turned.lights()?);
+    Ok(ColorLightQ15 { r: stored(r, to_r), g: stored(g, to_g), b: stored(b, to_b) })
 }
 
 pub(crate) fn project(
-    light: Input<Light>,
-    material: Input<Material>,
-    workspace: Output<Workspace>,
-    transfer: Output<Transfer>,
-    coefficients: Output<Coefficients>,
+    from: &Input<LightQ15>,
+    on: &Input<MaterialQ15>,
+    workspace: &Output<WorkspaceQ15>,
+    coefficients: &Output<CoefficientsQ15>,
 ) -> Result<(), Status> {
-    let (light, of_light) = light.value()?.view()?;
-    let (material, of_material) = material.value()?.view()?;
-    let written = [workspace.place(), transfer.place(), coefficients.place()];
-    disjoint(&written, &of_light)?;
-    disjoint(&written, &of_material)?;
+    let (from, on) = (from.value()?, on.value()?);
+    let (light, of_light) = light(from)?;
+    let (material, [of_mantissas, of_exponents]) = material(on)?;
+    let written = [workspace.place(), coefficients.place()];
+    let read = [Place::of(from), of_light, Place::of(on), of_mantissas, of_exponents];
+    disjoint(&written, &read)?;
     // SAFETY: nothing overlaps.
-    let (workspace, transfer) = unsafe { (workspace.zeroed()?, transfer.zeroed()?) };
-    // SAFETY: it overlaps no other.
-    let coefficients = unsafe { coefficients.zeroed() }?;
-    transferred(&material, &mut workspace.numbers, transfer)?;
-    relit(transfer, &light, coefficients)
-}
-
-pub(crate) fn collapse(
-    coefficients: Input<Coefficients>,
-    components: usize,
-    scene: Output<Scene>,
-) -> Result<(), Status> {
-    let coefficients = coefficients.value()?;
-    disjoint(&[scene.place()], &[Place::of(coefficients)])?;
-    let &Coefficients { ref mantissas, exponent, .. } = coefficients;
-    if exponent.unsigned_abs() > EXPONENT {
-        return Err(Status::Exponent);
-    }
-    let first = mantissas.get(..components).ok_or(Status::Components)?;
-    // SAFETY: it overlaps no other.
-    collapsed(first, exponent, unsafe { scene.zeroed() }?)
-}
-
-/// Sums the first components to a scene.
-pub(crate) fn collapsed(mantissas: &[i32], exponent: i32, scene: &mut Scene) -> Result<(), Status> {
-    let Scene { terms, exponent: of_scene, state } = scene;
-    *of_scene = relight_only().collapse_into(mantissas, exponent, terms)?.exponent();
-    *state = Mark::COMPUTED;
+    let (workspace, to) = unsafe { (workspace.zeroed()?, coefficients.zeroed()?) };
+    let WorkspaceQ15 { numbers, transfer, exponents } = workspace;
+    transferred(&material, numbers, transfer, exponents)?;
+    to.exponent = relit((transfer, exponents), &light, &mut to.mantissas)?;
     Ok(())
 }
 
-/// The irradiance of a normal, times 2 to the scene's negative exponent, with every size a constant.
+/// The irradiance in one channel, times 2 to the negative exponent, with every size a constant.
 // Shared by all that shades.
 #[inline(never)]
-pub(crate) fn irradiance(scene: &Scene, normal: Normal) -> i32 {
-    table::q15::shade_terms(&scene.terms, normal)
+fn irradiance(terms: &[i32; SCENE], normal: Normal) -> i32 {
+    table::q15::shade_terms(terms, normal)
 }
 
-pub(crate) fn normalize(vector: Input<i32>, normal: Output<Q15>) -> Result<(), Status> {
-    // SAFETY: C promises three numbers.
-    let vector = unsafe { vector.array(3) }?;
-    disjoint(&[normal.place_of_array(3)?], &[Place::of(vector)])?;
-    let &[x, y, z] = vector else { return Err(Status::Internal) };
-    let found = Normal::new(x, y, z)?;
-    // SAFETY: C promises memory for three numbers, which overlaps no other.
-    let normal = unsafe { normal.zeroed_array(3) }?;
-    normal.iter_mut().zip(found.components()).for_each(|(to, from)| *to = from);
-    Ok(())
-}
+impl Format for Q15 {
+    type Light = ColorLightQ15;
+    type Material = ColorMaterialQ15;
+    type Transfer = TransferQ15;
+    type OfLight<'a> = Light<'a>;
+    type OfMaterial<'a> = Material<'a>;
+    type LightBuffer = LightBufferQ15;
+    type MaterialBuffer = MaterialBufferQ15;
+    type PictureBuffer = PictureQ15;
+    type Scene = Scene;
+    type Highlights = Highlights<Rgb<i32>, SOURCES>;
+    type Normal = Normal;
+    type Channel = i32;
+    type Irradiance = IrradianceQ15;
+    type Exposure = Rgb<Exposure>;
+    type Angle = i32;
+    type Baked = BakedQ15;
+    type Texel = i16;
 
-pub(crate) fn shade(
-    scene: Input<Scene>,
-    x: Q15,
-    y: Q15,
-    z: Q15,
-    irradiance: Output<i32>,
-) -> Result<(), Status> {
-    let scene = scene.value()?;
-    disjoint(&[irradiance.place()], &[Place::of(scene)])?;
-    scene.check()?;
-    let normal = Normal::from_unit(x, y, z)?;
-    let found = self::irradiance(scene, normal);
-    // SAFETY: it overlaps no other.
-    *unsafe { irradiance.zeroed() }? = found;
-    Ok(())
-}
-
-pub(crate) fn shade_many(
-    scene: Input<Scene>,
-    count: usize,
-    x: Input<Q15>,
-    y: Input<Q15>,
-    z: Input<Q15>,
-    irradiance: Output<i32>,
-) -> Result<(), Status> {
-    let scene = scene.value()?;
-    scene.check()?;
-    // SAFETY: C promises `count` numbers each.
-    let ([x, y, z], irradiance) =
-        unsafe { normals(Place::of(scene), count, [&x, &y, &z], &irradiance) }?;
-    for (((irradiance, &x), &y), &z) in irradiance.iter_mut().zip(x).zip(y).zip(z) {
-        *irradiance = self::irradiance(scene, Normal::from_unit(x, y, z)?);
+    fn light(from: &ColorLightQ15) -> Result<Read<Light<'_>>, Status> {
+        let ((r, of_r), (g, of_g), (b, of_b)) = (light(&from.r)?, light(&from.g)?, light(&from.b)?);
+        let none = Place::default();
+        let places = [Place::of(from), of_r, of_g, of_b, none, none, none];
+        Ok(Read { value: Rgb::new(r, g, b), places })
     }
-    Ok(())
+
+    fn check(_: Rgb<Light<'_>>) -> Result<(), Status> {
+        Ok(())
+    }
+
+    fn material(from: &ColorMaterialQ15) -> Result<Read<Material<'_>>, Status> {
+        let ((r, [r_m, r_e]), (g, [g_m, g_e]), (b, [b_m, b_e])) =
+            (material(&from.r)?, material(&from.g)?, material(&from.b)?);
+        let places = [Place::of(from), r_m, r_e, g_m, g_e, b_m, b_e];
+        Ok(Read { value: Rgb::new(r, g, b), places })
+    }
+
+    fn transfer(material: Rgb<Material<'_>>, to: &mut TransferQ15) -> Result<(), Status> {
+        let TransferQ15 { numbers: [r, g, b], exponents: [of_r, of_g, of_b] } = to;
+        let mut workspace = [0; WORKSPACE];
+        transferred(&material.r, &mut workspace, r, of_r)?;
+        if material.as_gray().is_some() {
+            (*g, *b, *of_g, *of_b) = (*r, *r, *of_r, *of_r);
+            return Ok(());
+        }
+        transferred(&material.g, &mut workspace, g, of_g)?;
+        transferred(&material.b, &mut workspace, b, of_b)
+    }
+
+    fn relight(
+        transfer: &TransferQ15,
+        light: Rgb<Light<'_>>,
+        to: &mut Scene,
+    ) -> Result<(), Status> {
+        let lights: [_; 3] = light.into();
+        let transfers = transfer.numbers.iter().zip(&transfer.exponents);
+        let channels = to.terms.iter_mut().zip(&mut to.exponents);
+        for ((transfer, light), (terms, exponent)) in transfers.zip(&lights).zip(channels) {
+            *exponent = lit(transfer, light, terms)?;
+        }
+        Ok(())
+    }
+
+    fn scene(
+        light: Rgb<Light<'_>>,
+        material: Rgb<Material<'_>>,
+        to: &mut Scene,
+    ) -> Result<(), Status> {
+        let (mut numbers, mut exponents) = ([Q15(0); TRANSFER], [0; PROFILES]);
+        let gray = material.as_gray().is_some();
+        let inputs = <[_; 3]>::from(light.zip(material));
+        let channels = to.terms.iter_mut().zip(&mut to.exponents);
+        for (channel, ((light, material), (terms, exponent))) in
+            inputs.iter().zip(channels).enumerate()
+        {
+            if channel == 0 || !gray {
+                transferred(material, &mut [0; WORKSPACE], &mut numbers, &mut exponents)?;
+            }
+            *exponent = lit((&numbers, &exponents), light, terms)?;
+        }
+        Ok(())
+    }
+
+    fn turn(
+        from: Rgb<Light<'_>>,
+        quaternion: &[i32; 4],
+        buffer: &mut LightBufferQ15,
+    ) -> Result<ColorLightQ15, Status> {
+        let rotation = Rotation::from_quaternion(*quaternion)?;
+        stored_lights(&from.turned::<LIGHT>(&rotation)?, buffer)
+    }
+
+    fn turn_about_view(
+        from: Rgb<Light<'_>>,
+        angle: &[i32; 2],
+        buffer: &mut LightBufferQ15,
+    ) -> Result<ColorLightQ15, Status> {
+        stored_lights(&from.turned_about_view::<LIGHT>(*angle)?, buffer)
+    }
+
+    fn residual(
+        from: Rgb<Light<'_>>,
+        sources: &[Source],
+        buffer: &mut LightBufferQ15,
+    ) -> Result<ColorLightQ15, Status> {
+        let mut numbers = [[0.0; LIGHT]; 3];
+        let lights = Rgb::from(numbers.each_mut()).zip(from).try_map(|(to, from)| {
+            let unit = unit(from.exponent());
+            let mantissas = from.mantissas();
+            to.iter_mut().zip(mantissas).for_each(|(to, from)| *to = from.get() as f32 * unit);
+            let to = to.get(..mantissas.len()).ok_or(Status::Internal)?;
+            Ok::<_, Status>(eigenshade::Light::new(to)?)
+        })?;
+        quantized(&lights.residual::<LIGHT>(sources)?, buffer)
+    }
+
+    fn metallic_roughness(
+        base_color: &[Self; 3],
+        metallic: Self,
+        roughness: Self,
+        buffer: &mut MaterialBufferQ15,
+    ) -> Result<ColorMaterialQ15, Status> {
+        let found = q15::Material::metallic_roughness(*base_color, metallic, roughness)?;
+        let numbers = Rgb::from(buffer.mantissas.each_mut());
+        let numbers = numbers.zip(Rgb::from(buffer.exponents.each_mut())).zip(found.materials()?);
+        let channels = numbers.map(|((mantissas, exponents), found)| {
+            mantissas.iter_mut().zip(found.mantissas()).for_each(|(to, &from)| *to = from);
+            exponents.iter_mut().zip(found.exponents()).for_each(|(to, &from)| *to = from);
+            material_in(mantissas, exponents, METALLIC_ROUGHNESS_ORDER)
+        });
+        Ok(ColorMaterialQ15 { r: channels.r, g: channels.g, b: channels.b })
+    }
+
+    const LIGHT_BUFFER: LightBufferQ15 = LightBufferQ15 { mantissas: [[Q15(0); LIGHT]; 3] };
+
+    fn highlights(
+        of: &eigenshade::Highlights<SOURCES>,
+        scene: &Scene,
+    ) -> Result<Highlights<Rgb<i32>, SOURCES>, Status> {
+        Ok(Highlights::quantize(of, scene.exponents.into())?)
+    }
+
+    #[inline]
+    fn add(
+        highlights: &Highlights<Rgb<i32>, SOURCES>,
+        irradiance: Rgb<i32>,
+        normal: Normal,
+    ) -> Rgb<i32> {
+        highlights.add(irradiance, normal)
+    }
+
+    fn normal(x: Self, y: Self, z: Self) -> Result<Normal, Status> {
+        Ok(Normal::from_unit(x, y, z)?)
+    }
+
+    #[inline]
+    fn of_disc(pixel: DiscPixel) -> Normal {
+        pixel.normal_q15()
+    }
+
+    #[inline]
+    fn of_normal_map(pixel: NormalPixel) -> Normal {
+        pixel.normal_q15()
+    }
+
+    #[inline]
+    fn shade(scene: &Scene, normal: Normal) -> Rgb<i32> {
+        Rgb::from(scene.terms.each_ref()).map(|terms| irradiance(terms, normal))
+    }
+
+    fn exponents(scene: &Scene) -> [i32; 3] {
+        scene.exponents
+    }
+
+    fn irradiance(Rgb { r, g, b }: Rgb<i32>, exponents: [i32; 3]) -> IrradianceQ15 {
+        IrradianceQ15 { r, g, b, exponents }
+    }
+
+    fn exposure(exposure: f32, exponents: [i32; 3]) -> Result<Rgb<Exposure>, Error> {
+        Rgb::from(exponents).try_map(|exponent| Exposure::new(exposure, exponent))
+    }
+
+    #[inline]
+    fn exposed(irradiance: Rgb<i32>, exposure: Rgb<Exposure>) -> Rgb<Linear> {
+        exposure.of(irradiance)
+    }
+
+    fn bake(
+        scene: Rgb<eigenshade::Scene<'_, &[f32]>>,
+        size: usize,
+        texels: Rgb<&mut [i16]>,
+    ) -> Result<[i32; 3], Status> {
+        let baked = scene.bake_integers_into(size, texels)?;
+        Ok(baked.map(|map| map.exponent()).into())
+    }
+
+    fn baked(size: usize, texels: *const i16, length: usize, exponents: [i32; 3]) -> BakedQ15 {
+        BakedQ15 { size, length, texels, exponents }
+    }
+
+    fn maps(baked: &BakedQ15) -> (usize, Input<i16>, usize, [i32; 3]) {
+        (baked.size, Input(baked.texels), baked.length, baked.exponents)
+    }
+
+    fn look_up(
+        size: usize,
+        texels: Rgb<&[i16]>,
+        exponents: [i32; 3],
+    ) -> Result<impl Fn(Normal) -> Rgb<i32>, Status> {
+        let maps = texels
+            .zip(Rgb::from(exponents))
+            .try_map(|(texels, exponent)| BakedMap::new(size, exponent, texels))?;
+        Ok(move |normal| maps.bilinear(MapPoint::of(normal)))
+    }
 }
 
-export! { functions "q15"
-    quantize_light(
-        from: Input<float::Light>, mantissas: Output<Q15>, length: usize,
-        to: Output<Light>
-    )
-    quantize_material(
-        from: Input<float::Material>, mantissas: Output<Q15>, length: usize,
-        exponents: Output<i8>, exponents_length: usize, to: Output<Material>
-    )
-    transfer(
-        material: Input<Material>, workspace: Output<Workspace>,
-        transfer: Output<Transfer>
-    )
-    relight(
-        transfer: Input<Transfer>, light: Input<Light>,
-        coefficients: Output<Coefficients>
-    )
-    project(
-        light: Input<Light>, material: Input<Material>,
-        workspace: Output<Workspace>, transfer: Output<Transfer>,
-        coefficients: Output<Coefficients>
-    )
-    collapse(
-        coefficients: Input<Coefficients>, components: usize, scene: Output<Scene>
-    )
-    normalize(vector: Input<i32>, normal: Output<Q15>)
-    shade(scene: Input<Scene>, x: Q15, y: Q15, z: Q15, irradiance: Output<i32>)
-    shade_many(
-        scene: Input<Scene>, count: usize, x: Input<Q15>, y: Input<Q15>, z: Input<Q15>,
-        irradiance: Output<i32>
-    )
+/// 2^exponent for the exponents of lights with 15 bits of mantissa.
+fn unit(exponent: i32) -> f32 {
+    let (mut unit, by) = (1.0_f32, if exponent < 0 { 0.5 } else { 2.0 });
+    for _ in 0..exponent.unsigned_abs() {
+        unit *= by;
+    }
+    unit
 }

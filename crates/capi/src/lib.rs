@@ -1,9 +1,8 @@
 //! The shipped table of [`eigenshade`] for firmware written in C: the headers in `include` and a
 //! static library.
 //!
-//! The headers document every function. The modules `float` and `integers` hold those of one
-//! channel, for `f32` and for Q15, the module `color` those of three; a program links only
-//! what it calls.
+//! `cbindgen` writes `include/eigenshade.h` from the documented functions and structures of this
+//! crate; a program links only what it calls.
 //!
 //! On bare metal the static library has a panic handler. In release builds it calls an undefined
 //! symbol, so a reachable panic fails to link, and so does a program whose linker keeps unused
@@ -23,38 +22,37 @@ mod status;
 
 mod boundary;
 
-mod export;
+mod records_f32;
+
+mod records_q15;
+
+mod format;
+
+mod quantize;
 
 mod float;
 
 mod integers;
 
-mod color;
+mod sources;
+
+mod steps;
+
+mod picture;
+
+mod baked;
+
+mod rows;
+
+mod meter;
+
+mod export;
+
+mod export_f32;
+
+mod export_q15;
 
 mod presets;
-
-#[cfg(test)]
-mod presets_header;
-
-#[cfg(test)]
-mod table_header;
-
-#[cfg(test)]
-mod header;
-
-use core::ffi::c_char;
-
-#[expect(unsafe_code, reason = "an exported symbol")]
-#[unsafe(no_mangle)]
-extern "C" fn eigenshade_version() -> *const c_char {
-    concat!(env!("CARGO_PKG_VERSION"), "\0").as_ptr().cast()
-}
-
-#[expect(unsafe_code, reason = "an exported symbol")]
-#[unsafe(no_mangle)]
-extern "C" fn eigenshade_table() -> u32 {
-    constants::TABLE
-}
 
 #[cfg(target_os = "none")]
 #[panic_handler]

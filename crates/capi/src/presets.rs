@@ -2,11 +2,12 @@
 //! those that it names.
 #![expect(unsafe_code, reason = "exported symbols")]
 
-use crate::boundary::Input;
-use crate::color::{Channels, Gloss, Source};
-use crate::{float, integers};
+use crate::records_f32::{ColorLightF32, ColorMaterialF32, LightF32, MaterialF32};
+use crate::records_q15::{ColorLightQ15, ColorMaterialQ15, LightQ15, MaterialQ15};
+use crate::rows::Display;
+use crate::sources::{Gloss, Source};
 use eigenshade::presets::{gloss, light, material, sources};
-use eigenshade::{Display, Rgb, Tone, q15, sphere};
+use eigenshade::{Rgb, Tone, q15, sphere};
 
 /// A constant that C reads.
 #[repr(transparent)]
@@ -16,39 +17,39 @@ struct Constant<T>(T);
 unsafe impl<T> Sync for Constant<T> {}
 
 macro_rules! channels {
-    ($from:expr, $of:path) => {
-        Constant(Channels([$of(&$from.r), $of(&$from.g), $of(&$from.b)]))
+    ($color:ident, $from:expr, $of:path) => {
+        Constant($color { r: $of(&$from.r), g: $of(&$from.g), b: $of(&$from.b) })
     };
 }
 
-const fn light_f32(light: &eigenshade::Light<'static>) -> float::Light {
+const fn light_f32(light: &eigenshade::Light<'static>) -> LightF32 {
     let coefficients = light.coefficients();
     let (degree, length) = (light.degree(), coefficients.len());
-    float::Light { degree, length, coefficients: Input::to(coefficients) }
+    LightF32 { degree, length, coefficients: coefficients.as_ptr() }
 }
 
-const fn material_f32(material: &eigenshade::Material<'static>) -> float::Material {
+const fn material_f32(material: &eigenshade::Material<'static>) -> MaterialF32 {
     let coefficients = material.coefficients();
     let (order, length) = (material.order(), coefficients.len());
-    float::Material { order, length, coefficients: Input::to(coefficients) }
+    MaterialF32 { order, length, coefficients: coefficients.as_ptr() }
 }
 
-const fn light_q15(light: &q15::Light<'static>) -> integers::Light {
+const fn light_q15(light: &q15::Light<'static>) -> LightQ15 {
     let (mantissas, exponent) = (light.mantissas(), light.exponent());
     assert!(mantissas.len() == sphere::LIGHT, "presets have the degree of the shipped table");
-    let mantissas = Input::to(mantissas);
-    integers::Light { degree: sphere::DEGREE, length: sphere::LIGHT, mantissas, exponent }
+    let mantissas = mantissas.as_ptr();
+    LightQ15 { degree: sphere::DEGREE, length: sphere::LIGHT, mantissas, exponent }
 }
 
-const fn material_q15(material: &q15::Material<'static>) -> integers::Material {
+const fn material_q15(material: &q15::Material<'static>) -> MaterialQ15 {
     let (mantissas, exponents) = (material.mantissas(), material.exponents());
     assert!(exponents.len() == sphere::ORDER + 1, "presets have the order of the shipped table");
-    integers::Material {
+    MaterialQ15 {
         order: sphere::ORDER,
         length: mantissas.len(),
-        mantissas: Input::to(mantissas),
+        mantissas: mantissas.as_ptr(),
         exponents_length: exponents.len(),
-        exponents: Input::to(exponents),
+        exponents: exponents.as_ptr(),
     }
 }
 
@@ -56,13 +57,13 @@ macro_rules! lights {
     ($($constant:ident $name:literal)*) => {
         const _: () = {$(
             #[unsafe(export_name = concat!("eigenshade_light_", $name, "_f32"))]
-            static $constant: Constant<Channels<float::Light>> =
-                channels!(light::$constant, light_f32);
+            static $constant: Constant<ColorLightF32> =
+                channels!(ColorLightF32, light::$constant, light_f32);
         )*};
         const _: () = {$(
             #[unsafe(export_name = concat!("eigenshade_light_", $name, "_q15"))]
-            static $constant: Constant<Channels<integers::Light>> =
-                channels!(light::q15::$constant, light_q15);
+            static $constant: Constant<ColorLightQ15> =
+                channels!(ColorLightQ15, light::q15::$constant, light_q15);
         )*};
     };
 }
@@ -72,13 +73,13 @@ macro_rules! materials {
     ($($constant:ident $name:literal)*) => {
         const _: () = {$(
             #[unsafe(export_name = concat!("eigenshade_material_", $name, "_f32"))]
-            static $constant: Constant<Channels<float::Material>> =
-                channels!(material::$constant, material_f32);
+            static $constant: Constant<ColorMaterialF32> =
+                channels!(ColorMaterialF32, material::$constant, material_f32);
         )*};
         const _: () = {$(
             #[unsafe(export_name = concat!("eigenshade_material_", $name, "_q15"))]
-            static $constant: Constant<Channels<integers::Material>> =
-                channels!(material::q15::$constant, material_q15);
+            static $constant: Constant<ColorMaterialQ15> =
+                channels!(ColorMaterialQ15, material::q15::$constant, material_q15);
         )*};
     };
 }
@@ -138,19 +139,20 @@ macro_rules! glosses {
 }
 eigenshade::each_preset_gloss!(glosses);
 
-macro_rules! displays {
-    ($($constant:ident $tone:ident $name:literal)*) => {
-        $(
-            #[unsafe(export_name = concat!("eigenshade_display_", $name))]
-            static $constant: Display = Display::new(Tone::$tone);
-        )*
-        /// The names of the tone curves.
-        #[cfg(test)]
-        pub(crate) const DISPLAYS: &[&str] = &[$($name),*];
+macro_rules! display {
+    ($tone:ident) => {
+        Display(eigenshade::Display::new(Tone::$tone))
     };
 }
-displays! {
-    LINEAR Linear "linear"
-    REINHARD Reinhard "reinhard"
-    FILMIC Filmic "filmic"
-}
+
+/// Clips at white.
+#[unsafe(no_mangle)]
+pub static eigenshade_display_linear: Display = display!(Linear);
+
+/// Reinhard's curve: reaches white at 16.
+#[unsafe(no_mangle)]
+pub static eigenshade_display_reinhard: Display = display!(Reinhard);
+
+/// A fit to the curve of ACES.
+#[unsafe(no_mangle)]
+pub static eigenshade_display_filmic: Display = display!(Filmic);

@@ -1,67 +1,115 @@
 //! Statuses and their messages.
 
 use crate::table;
-use core::ffi::{CStr, c_char};
-use eigenshade::{Argument, Error};
+use core::ffi::CStr;
 use eigenshade_table::{light, material};
+use eigenshade::{Argument, Error};
 
-macro_rules! statuses {
-    ($($status:ident = $number:literal: $message:literal)*) => {
-        /// The result of every function that can fail: 0, or the reason why it did nothing.
-        #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-        #[repr(i32)]
-        pub(crate) enum Status {
-            $($status = $number,)*
-        }
-
-        #[cfg(test)]
-        pub(crate) const STATUSES: &[Status] = &[$(Status::$status),*];
-
-        fn message(status: i32) -> &'static CStr {
-            match status {
-                $($number => $message,)*
-                _ => c"unknown status; compare the versions of header and library",
-            }
-        }
-    };
+/// The result of every function that can fail: 0, or the reason why it did nothing.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[repr(i32)]
+pub enum Status {
+    /// Success.
+    Ok = 0,
+    /// A pointer is NULL.
+    NullPointer = 1,
+    /// A pointer is not aligned for its type.
+    Unaligned = 2,
+    /// An array that is written to overlaps another.
+    Overlap = 3,
+    /// The degree of a light is above EIGENSHADE_DEGREE.
+    LightBeyond = 4,
+    /// A light does not have (degree + 1)^2 coefficients.
+    LightLength = 5,
+    /// The order of a material is above EIGENSHADE_ORDER.
+    MaterialBeyond = 6,
+    /// A material does not have the number of coefficients of its order, or an exponent for each o.
+    MaterialLength = 7,
+    /// An exponent is out of its range.
+    Exponent = 8,
+    /// A normal has a component that is not finite, length zero, or, in integers, a length other
+    /// than 1.
+    Normal = 9,
+    /// A normal points away from the camera.
+    Hidden = 10,
+    /// An array is larger than memory.
+    Count = 11,
+    /// A fault of the library.
+    Internal = 12,
+    /// A row of a transfer is so large that its sum with a light could overflow: no function of
+    /// this library computed it.
+    Transfer = 13,
+    /// A coefficient of a light or a material is infinite or NaN.
+    NotFinite = 14,
+    /// A color, metallic or roughness is not from 0 to 1.
+    Outside = 15,
+    /// A quaternion, or cosine and sine, are zero or not finite; or, in f32, cosine² + sine²
+    /// differs from 1 by more than 2 %.
+    Rotation = 16,
+    /// The object has no such rows, or the buffer is shorter than they are.
+    Row = 17,
+    /// A disc has no pixel, or more than 4096 across.
+    Diameter = 18,
+    /// A normal map has no pixel, or not two bytes for each.
+    NormalMap = 19,
+    /// An exposure is not a number above 0.
+    Exposure = 20,
+    /// A baked map is not of 2 to 4096 texels a side, or has not three times its square.
+    Baked = 21,
+    /// A source has wrong numbers, or there are more than EIGENSHADE_SOURCES.
+    Source = 22,
+    /// A light above degree 12, beyond which none is turned.
+    Turn = 23,
+    /// A picture that was never begun, such as one of zeros.
+    Picture = 24,
+    /// A meter has counted no pixel, or only black ones.
+    Dark = 25,
+    /// A picture with highlights, which are too sharp for a baked map.
+    Highlights = 26,
 }
 
-statuses! {
-    Ok = 0: c"success"
-    NullPointer = 1: c"a pointer is NULL; pass the address of a value"
-    Unaligned = 2: c"a pointer is not aligned for its type; point to a value of the type itself"
-    Overlap = 3: c"an array that is written to overlaps another; use separate arrays"
-    LightBeyond = 4:
-        c"the degree of the light is above EIGENSHADE_DEGREE; leave out the coefficients above it"
-    LightLength = 5: c"a light has (degree + 1)^2 coefficients; check degree and length"
-    MaterialBeyond = 6:
-        c"the order of the material is above EIGENSHADE_ORDER; leave out the coefficients above it"
-    MaterialLength = 7: c"the lengths of a material do not match its order; check order and lengths"
-    Components = 8: c"too many components; use at most EIGENSHADE_COMPONENTS"
-    Exponent = 9: c"an exponent is out of range; scale the numbers"
-    Normal = 10: c"a normal is zero, not finite, or, in integers, no unit vector; leave it out, or scale it"
-    Hidden = 11: c"a normal points away from the camera; leave it out"
-    Count = 12: c"more normals than memory can hold; check the count"
-    Internal = 13: c"a bug in the library; please report it"
-    Transfer = 14: c"a transfer could overflow the sums; use one that this library computed"
-    NotFinite = 15: c"a coefficient is infinite or NaN; leave it out, or scale the numbers down"
-    Outside = 16: c"a color, reflectance, metallic or roughness is not from 0 to 1; clamp it"
-    Rotation = 17: c"a rotation is zero or not finite; use a quaternion, or cosine and sine"
-    Row = 18: c"the object has no such row, or the buffer is shorter than one; check both"
-    Diameter = 19: c"a disc has a diameter of 1 to 4096 pixels; check it"
-    NormalMap = 20: c"a normal map has at least one pixel, and two bytes for each; check its size"
-    Exposure = 21: c"an exposure is not a number above 0; check it"
-    Baked = 22: c"a baked map has 2 to 4096 texels a side and three times its square; check both"
-    Source = 23: c"a source has wrong numbers, or there are over EIGENSHADE_SOURCES; check both"
-    Turn = 24: c"lights are turned to degree 12; leave out the coefficients above it"
-    Scene = 25: c"a scene was never computed; call color_scene, color_relight or collapse first"
-    Dark = 26: c"no pixel was metered, or all of them are black; meter the rows of a lit picture"
-}
-
-#[expect(unsafe_code, reason = "an exported symbol")]
-#[unsafe(no_mangle)]
-pub(crate) extern "C" fn eigenshade_message(status: i32) -> *const c_char {
-    message(status).as_ptr()
+/// The message of a status.
+pub(crate) fn message(status: i32) -> &'static CStr {
+    match status {
+        0 => c"success",
+        1 => c"a pointer is NULL; pass the address of a value",
+        2 => c"a pointer is not aligned for its type; point to a value of the type itself",
+        3 => c"an array that is written to overlaps another; use separate arrays",
+        4 => {
+            c"the degree of the light is above EIGENSHADE_DEGREE; leave out the coefficients above it"
+        }
+        5 => c"a light has (degree + 1)^2 coefficients; check degree and length",
+        6 => {
+            c"the order of the material is above EIGENSHADE_ORDER; leave out the coefficients above it"
+        }
+        7 => c"the lengths of a material do not match its order; check order and lengths",
+        8 => c"an exponent is out of range; scale the numbers",
+        9 => {
+            c"a normal is zero, not finite, or, in integers, no unit vector; leave it out, or scale it"
+        }
+        10 => c"a normal points away from the camera; leave it out",
+        11 => c"more numbers than memory can hold; check the count",
+        12 => c"a bug in the library; please report it",
+        13 => c"a transfer could overflow the sums; use one that this library computed",
+        14 => c"a coefficient is infinite or NaN; leave it out, or scale the numbers down",
+        15 => c"a color, reflectance, metallic or roughness is not from 0 to 1; clamp it",
+        16 => c"a rotation is zero or not finite; use a quaternion, or cosine and sine",
+        17 => {
+            c"the object has no such rows, or the buffer is shorter; check rows, stride and length"
+        }
+        18 => c"a disc has a diameter of 1 to 4096 pixels; check it",
+        19 => c"a normal map has at least one pixel, and two bytes for each; check its size",
+        20 => c"an exposure is not a number above 0; check it",
+        21 => c"a baked map has 2 to 4096 texels a side and three times its square; check both",
+        22 => c"a source has wrong numbers, or there are over EIGENSHADE_SOURCES; check both",
+        23 => c"lights are turned to degree 12; leave out the coefficients above it",
+        24 => c"a picture was never begun; call picture_begin or picture_relight first",
+        25 => c"no pixel was metered, or all of them are black; meter the rows of a lit picture",
+        26 => {
+            c"highlights are too sharp for a baked map; bake the picture of the light without sources"
+        }
+        _ => c"unknown status; compare the versions of header and library",
+    }
 }
 
 impl From<Result<(), Self>> for Status {

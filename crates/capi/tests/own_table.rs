@@ -27,10 +27,10 @@ const PROGRAM: &str = "\
 #include <stdio.h>
 
 int main(void) {
-  static eigenshade_color_scene_q15_t scene;
+  static eigenshade_picture_q15_t picture;
   eigenshade_color_light_q15_t light = eigenshade_light_lobby_q15;
   eigenshade_color_material_q15_t material = eigenshade_material_gold_metallic_paint_q15;
-  int32_t found[3] = {0};
+  eigenshade_irradiance_q15_t found = {0, 0, 0, {0, 0, 0}};
   puts(eigenshade_table() == EIGENSHADE_TABLE ? \"its table\" : \"another table\");
   light.r.degree = light.g.degree = light.b.degree = EIGENSHADE_DEGREE;
   light.r.length = light.g.length = light.b.length = EIGENSHADE_LIGHT;
@@ -38,11 +38,11 @@ int main(void) {
   material.r.length = material.g.length = material.b.length = EIGENSHADE_MATERIAL;
   material.r.exponents_length = material.g.exponents_length = EIGENSHADE_ORDER + 1;
   material.b.exponents_length = EIGENSHADE_ORDER + 1;
-  puts(eigenshade_message(eigenshade_color_scene_q15(&eigenshade_light_lobby_q15, &material,
-                                                     &scene)));
-  puts(eigenshade_message(eigenshade_color_scene_q15(&light, &material, &scene)));
-  eigenshade_color_shade_q15(&scene, 0, 19661, 26214, found);
-  printf(\"%d %d %d\\n\", (int)found[0], (int)found[1], (int)found[2]);
+  puts(eigenshade_message(eigenshade_picture_begin_q15(&eigenshade_light_lobby_q15, &material,
+                                                       &picture)));
+  puts(eigenshade_message(eigenshade_picture_begin_q15(&light, &material, &picture)));
+  eigenshade_picture_shade_q15(&picture, 0, 19661, 26214, &found);
+  printf(\"%d %d %d\\n\", (int)found.r, (int)found.g, (int)found.b);
   return 0;
 }
 ";

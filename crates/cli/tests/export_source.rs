@@ -305,7 +305,6 @@ fn sources_and_gloss_compile_and_hold_the_numbers() {
     assert_eq!(count("gloss: new Float32Array(["), 10);
 }
 
-/// The light is in floats, of which the library takes sources.
 #[test]
 fn sources_fit_a_material_in_integers() {
     let folder = Folder::new();
@@ -323,9 +322,8 @@ fn sources_fit_a_material_in_integers() {
         format!("export --lang c --light lights.csv:light-0 {material} --sources 2 --out c.h");
     let none = "of `light-0`, the largest set of at most 2 sources has 0";
     assert_contains(&folder.messages(&few), &[none]);
-    let call =
-        "  (void)sizeof(eigenshade_color_residual_q15(&light_light_0_f32, sources_light_0_f32,
-                                             sources_light_0_count, 0, 0));
+    let call = "  (void)sizeof(eigenshade_residual_q15(&light_light_0_q15, sources_light_0_f32,
+                                       sources_light_0_count, 0, 0));
   printf(\"%d\\n\", sources_light_0_count);";
     for (header, count) in [("a.h", "1\n"), ("c.h", "0\n")] {
         let program = format!(

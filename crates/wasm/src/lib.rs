@@ -6,7 +6,7 @@
 #![cfg(target_arch = "wasm32")]
 #![no_std]
 
-mod color;
+mod pixels;
 
 // For its exports.
 use eigenshade_wasm_setup as _;

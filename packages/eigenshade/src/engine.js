@@ -70,8 +70,8 @@ export async function load(source) {
     throw new TypeError(`load: ${name} is no WebAssembly module; give one that crates/wasm/build made`);
   }
   const { instance } = await WebAssembly.instantiate(/** @type {BufferSource} */ (bytes));
-  if (!("color_shade" in instance.exports)) {
-    throw new Error("load: this module has no scenes in color; build the module `color`");
+  if (!("shade" in instance.exports)) {
+    throw new Error("load: this is another module; give one that crates/wasm/build made");
   }
   return new Engine(instance);
 }
@@ -157,29 +157,29 @@ export class Engine {
     this.components = components;
     /** Maximum number of normals in a call. */
     this.normals = normals;
-    this.light = view("color_light", Float32Array, 3 * lightCount(degree));
-    this.material = view("color_material", Float32Array, 3 * materialCount(order));
-    this.turn = view("color_turn", Float32Array, 4);
-    this.parameters = view("color_parameters", Float32Array, 5);
-    this.d = view("color_d", Float32Array, 3 * components);
-    this.report = view("color_report", Float32Array, 5);
-    this.axes = view("color_normals", Float32Array, 3 * normals);
-    this.irradiance = view("color_irradiance", Float32Array, 3 * normals);
-    this.pixels = view("color_pixels", Uint8ClampedArray, 4 * normals);
+    this.light = view("light", Float32Array, 3 * lightCount(degree));
+    this.material = view("material", Float32Array, 3 * materialCount(order));
+    this.turn = view("turn", Float32Array, 4);
+    this.parameters = view("parameters", Float32Array, 5);
+    this.d = view("d", Float32Array, 3 * components);
+    this.report = view("report", Float32Array, 5);
+    this.axes = view("normals", Float32Array, 3 * normals);
+    this.irradiance = view("irradiance", Float32Array, 3 * normals);
+    this.pixels = view("pixels", Uint8ClampedArray, 4 * normals);
     /** Whether this module draws small sources. */
-    this.hasSources = "color_residual" in exports;
+    this.hasSources = "residual" in exports;
     if (this.hasSources) {
-      const [most, dielectric, matte] = view("color_limits", Float32Array, 3);
+      const [most, dielectric, matte] = view("limits", Float32Array, 3);
       this.dielectric = dielectric;
       this.matte = matte;
-      this.sources = view("color_sources", Float32Array, 10 * most);
-      this.gloss = view("color_gloss", Float32Array, 10);
+      this.sources = view("sources", Float32Array, 10 * most);
+      this.gloss = view("gloss", Float32Array, 10);
     }
     /** The vectors of the scene's shader: a copy. */
-    this.vectors = () => view("color_array", Float32Array, 4 * this.wasm.color_vectors()).slice();
+    this.vectors = () => view("uniform_array", Float32Array, 4 * this.wasm.uniforms()).slice();
     /** The text of the scene's shader. */
     this.shader = (/** @type {number} */ language) =>
-      new TextDecoder().decode(view("color_text", Uint8Array, this.wasm.color_shader(language)));
+      new TextDecoder().decode(view("text", Uint8Array, this.wasm.shader(language)));
     /** What the module holds now: a scene's inputs, so that nothing is computed twice. */
     this.held = {
       material: /** @type {unknown} */ (undefined),
@@ -199,7 +199,7 @@ export class Engine {
     if (this.held.material !== transfer) {
       this.held.material = undefined;
       this.material.set(material);
-      if (!this.wasm.color_transfer(effects)) {
+      if (!this.wasm.transfer(effects)) {
         throw new Error("transfer: the module rejected its input");
       }
       this.held.material = transfer;
@@ -208,23 +208,23 @@ export class Engine {
     this.turn.set(turn);
     this.sources?.set(sources);
     if (gloss) this.gloss?.set(gloss);
-    if (this.wasm.color_highlights?.(sources.length / 10) === 0) {
+    if (this.wasm.highlights?.(sources.length / 10) === 0) {
       throw new Error("sources: the module rejected them");
     }
-    if (!this.wasm.color_relight()) {
+    if (!this.wasm.relight()) {
       throw new RangeError("relight: its numbers are too large for f32");
     }
     for (let from = components; from < this.d.length; from += this.components) {
       this.d.fill(0, from, from + this.components - components);
     }
     if (tolerance === undefined) {
-      if (!this.wasm.color_collapse()) {
+      if (!this.wasm.collapse()) {
         throw new RangeError("collapse: its numbers are too large for f32");
       }
       return undefined;
     }
     const { share, exposure } = tolerance;
-    if (!this.wasm.color_truncate(share, exposure)) throw new Error("within: the module rejected it");
+    if (!this.wasm.collapse_within(share, exposure)) throw new Error("within: the module rejected it");
     const [terms, azimuths, bound, floor, peak] = this.report;
     return { terms, azimuths, bound, floor, peak };
   }
@@ -262,7 +262,7 @@ export class Engine {
     }
     this.light.set(light);
     this.sources.set(sources);
-    if (!this.wasm.color_residual(count)) {
+    if (!this.wasm.residual(count)) {
       throw new RangeError("light: its sources are not as Channels describes them");
     }
     return this.light.slice();
@@ -276,10 +276,10 @@ export class Engine {
   /** Makes the scene one eigenimage. */
   eigenimage(/** @type {number} */ index) {
     this.held.scene = undefined;
-    this.wasm.color_highlights?.(0);
+    this.wasm.highlights?.(0);
     this.d.fill(0);
     this.d[index] = 1;
-    this.wasm.color_collapse();
+    this.wasm.collapse();
   }
 
   /**
@@ -321,7 +321,7 @@ export class Engine {
           for (let k = 0; k < count; k++) axes[which * most + k] = axis[start + k];
         }
       });
-      if (this.wasm.color_shade(count) !== count) {
+      if (this.wasm.shade(count) !== count) {
         throw new Error(`${what}: the module rejected the normals`);
       }
       done(start, count);

@@ -183,7 +183,7 @@ export class Scene {
     } else {
       const given = parameters(material);
       this.#engine.parameters.set(given);
-      if (!this.#engine.wasm.color_metallic_roughness()) {
+      if (!this.#engine.wasm.metallic_roughness()) {
         throw new Error("material: the module rejected it");
       }
       this.#material.set(this.#engine.material);
@@ -319,7 +319,7 @@ export class Scene {
   /** Number of terms of the polynomials: multiplications and additions a pixel and channel, about. */
   get terms() {
     this.#ready();
-    return this.#engine.wasm.color_terms();
+    return this.#engine.wasm.terms();
   }
 
   /**
@@ -443,7 +443,7 @@ export class Scene {
     const pixels = new Uint8ClampedArray(4 * x.length);
     this.#ready();
     this.#engine.shadeAll("pixels", [x, y, z], (start, count) => {
-      if (this.#engine.wasm.color_encode(count, exposure, curve) !== count) {
+      if (this.#engine.wasm.rgb888(count, exposure, curve) !== count) {
         throw new Error("pixels: the module rejected the exposure");
       }
       pixels.set(this.#engine.pixels.subarray(0, 4 * count), 4 * start);

@@ -4,7 +4,8 @@
 use eigenshade::presets::{gloss, light, material, sources};
 use eigenshade::q15::{self, Rotation};
 use eigenshade::{
-    Disc, Display, Error, Gloss, Highlights, NormalMap, Q15, Rgb, Source, Tone, blend565, sphere,
+    Disc, Display, Error, Gloss, Highlights, Light, NormalMap, Q15, Rgb, Source, Tone, blend565,
+    sphere,
 };
 use std::fmt::Write as _;
 
@@ -88,7 +89,13 @@ pub fn lines() -> Result<String, Error> {
     let [reflectance, grazing] = [of_gold.reflectance(), of_gold.grazing()].map(Into::into);
     let of_gold = Gloss::new(of_gold.alpha().sqrt(), reflectance, of_gold.albedo().into())?
         .with_grazing(grazing)?;
-    let rest = light::LOBBY.residual::<LIGHT>(&sources)?;
+    // The sources are taken out of the light in integers, as C has it.
+    let floats = lobby.map(|light| {
+        let unit = 2.0_f32.powi(light.exponent());
+        light.mantissas().iter().map(|mantissa| mantissa.get() as f32 * unit).collect::<Vec<_>>()
+    });
+    let floats = floats.each_ref().try_map(|numbers| Light::new(numbers))?;
+    let rest = floats.residual::<LIGHT>(&sources)?;
     let mut mantissas = [[Q15(0); LIGHT]; 3];
     let [r, g, b] = &mut mantissas;
     let rest = Rgb::new(
@@ -119,10 +126,12 @@ pub fn lines() -> Result<String, Error> {
     let copper = q15::Material::metallic_roughness(copper, number(0.75), number(0.5))?;
     let gray = material::q15::PTFE_633NM;
     for (name, material) in [("glTF", copper.materials()?), ("gray", gray)] {
-        pictures.push((
-            name,
-            disc(&filmic, &exposed(&sphere::q15::color::scene(lobby, material)?, 1.5)?),
-        ));
+        let scene = sphere::q15::color::scene(lobby, material)?;
+        pictures.push((name, disc(&filmic, &exposed(&scene, 1.5)?)));
+        if name == "gray" {
+            let shade = exposed(&scene, 1.5)?;
+            pictures.push(("gray normal map", of_map(&codes, &filmic, &shade)?));
+        }
     }
 
     let red = sphere::color::scene(light::LOBBY, material::DARK_RED_PAINT)?;

@@ -40,8 +40,8 @@ pub struct Export {
     #[arg(short, long, value_enum)]
     format: Option<Format>,
     /// Add the largest set of at most K small sources of each light and the gloss of each material,
-    /// for sharp highlights; for rust, c (up to 16) and js. They are in f32, and so are the lights,
-    /// out of which the runtime takes the sources
+    /// for sharp highlights; for rust, c (up to 16) and js. They are in f32, and so are the lights
+    /// of rust, out of which the runtime takes the sources
     #[arg(long, value_name = "K", value_parser = count(1, MAX_SOURCES as u64))]
     sources: Option<usize>,
     /// Add eigenimages, or the images of a scene, at normals: a normals CSV, `sphere`, a normal map
@@ -221,8 +221,9 @@ impl Export {
         shown: Option<&Shown>,
     ) -> Result<Vec<u8>> {
         let format = self.format.unwrap_or_default();
-        // Sources are taken out of lights in floats.
-        let of_lights = if highlights.is_some() { Format::F32 } else { format };
+        // The runtime takes sources out of lights in floats.
+        let in_floats = highlights.is_some() && matches!(self.lang, Lang::Rust);
+        let of_lights = if in_floats { Format::F32 } else { format };
         let formats = [of_lights, format];
         let entries = || entries(lights, materials, formats);
         let quoted = || quoted_entries(lights, materials, formats);

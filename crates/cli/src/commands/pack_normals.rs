@@ -22,7 +22,7 @@ const PER_LINE: usize = 20;
 /// A mesh is seen from +z, with x to the right and y up. A normal map has x in red, y (up) in green
 /// and z in blue; its opacity is the object's coverage. The file is the map's bytes, two for each
 /// pixel; Rust source with the map as the static `MAP`; or, for F.h, a C header with the constant
-/// `normal_map_F` for `eigenshade_color.h`. Normals are within 0.51 degrees.
+/// `normal_map_F` for `eigenshade.h`. Normals are within 0.51 degrees.
 #[derive(Args, Debug)]
 pub struct PackNormals {
     /// `sphere`, a normal map (.png), or a mesh (.obj, .stl, .ply)

@@ -1,5 +1,5 @@
 //! Lights, materials and normal maps as C headers: a constant record for each, which the functions
-//! of `eigenshade_color.h` take.
+//! of `eigenshade.h` take.
 
 use super::entry::{Channel, Entry, Format, Kind, identifier};
 use super::highlights::{SourcesAndGloss, numbers_of, numbers_of_gloss};
@@ -43,7 +43,7 @@ fn guarded(constants: &str, command: &str, guard: &str) -> String {
     let command = comment(command);
     format!(
         "/* {command} */\n\n#ifndef {guard}\n#define {guard}\n\n\
-         #include \"eigenshade_color.h\"\n{constants}\n#endif /* {guard} */\n"
+         #include \"eigenshade.h\"\n{constants}\n#endif /* {guard} */\n"
     )
 }
 

@@ -1,28 +1,28 @@
 //! Small sources of a light: taken out of it, and as highlights. Every function returns 0 if its
 //! input is invalid.
 
-use crate::color::{LIGHT, TURN};
-use crate::{LIGHT_COUNT, Shared};
-use eigenshade::{Error, Gloss, Highlights, Light, Rgb, Rotation, Source};
+use crate::inputs::{LIGHT, TURN};
+use crate::shared::{LIGHT_COUNT, Shared};
 use eigenshade_table::highlights::MAX_SOURCES;
+use eigenshade::{Error, Gloss, Highlights, Light, Rgb, Rotation, Source};
 
 /// Constants for a page: the most sources, the reflectance of dielectrics, and the roughness
 /// from which on sources change nothing.
-#[unsafe(export_name = "color_limits")]
+#[unsafe(export_name = "limits")]
 static LIMITS: [f32; 3] = [MAX_SOURCES as f32, Gloss::DIELECTRIC, Gloss::MATTE];
 /// The sources, each with its direction, energy, major axis and minor spread.
-#[unsafe(export_name = "color_sources")]
+#[unsafe(export_name = "sources")]
 static SOURCES: Shared<[[f32; 10]; MAX_SOURCES]> = Shared::new([[0.0; 10]; MAX_SOURCES]);
 /// The gloss of the material: roughness, reflectance at normal and at grazing incidence, albedo.
-#[unsafe(export_name = "color_gloss")]
+#[unsafe(export_name = "gloss")]
 static GLOSS: Shared<[f32; 10]> = Shared::new([0.0; 10]);
 
-/// The highlights of the last `color_highlights`; none if it failed.
+/// The highlights of the last `highlights`; none if it failed.
 pub static HIGHLIGHTS: Shared<Option<Highlights<MAX_SOURCES>>> = Shared::new(None);
 
-/// Takes the first `count` sources out of the light of the next `color_relight`.
+/// Takes the first `count` sources out of the light of the next `relight`.
 #[unsafe(no_mangle)]
-extern "C" fn color_residual(count: usize) -> u32 {
+extern "C" fn residual(count: usize) -> u32 {
     // SAFETY: each buffer is borrowed once, and no other function runs.
     let (light, sources) = unsafe { (LIGHT.borrow(), SOURCES.borrow()) };
     let mut taken_out = |numbers| {
@@ -40,7 +40,7 @@ extern "C" fn color_residual(count: usize) -> u32 {
 
 /// The highlights of the first `count` sources, turned like the light, on the gloss.
 #[unsafe(no_mangle)]
-extern "C" fn color_highlights(count: usize) -> u32 {
+extern "C" fn highlights(count: usize) -> u32 {
     // SAFETY: each buffer is borrowed once, and no other function runs.
     let (sources, turn, gloss, highlights) =
         unsafe { (SOURCES.borrow(), TURN.borrow(), GLOSS.borrow(), HIGHLIGHTS.borrow()) };

@@ -1,20 +1,20 @@
 //! Loops over pixels in color.
 
 use eigenshade::{Display, Exposure, Normals, Rgb, Tone};
-use eigenshade_wasm_setup::color::COLLAPSED;
-use eigenshade_wasm_setup::{NORMALS, Shared};
+use eigenshade_wasm_setup::scene::COLLAPSED;
+use eigenshade_wasm_setup::shared::{NORMALS, Shared};
 
 /// Normals to shade: all x, all y, all z.
-#[unsafe(export_name = "color_normals")]
+#[unsafe(export_name = "normals")]
 static AXES: Shared<[[f32; NORMALS]; 3]> = Shared::new([[0.0; NORMALS]; 3]);
 /// Their irradiances: all red, all green, all blue.
-#[unsafe(export_name = "color_irradiance")]
+#[unsafe(export_name = "irradiance")]
 static IRRADIANCE: Shared<[[f32; NORMALS]; 3]> = Shared::new([[0.0; NORMALS]; 3]);
 
 /// Computes the irradiances of the first `count` normals. Returns `count`, or 0 if there is no
 /// scene or `count` is too large.
 #[unsafe(no_mangle)]
-extern "C" fn color_shade(count: usize) -> usize {
+extern "C" fn shade(count: usize) -> usize {
     // SAFETY: each place once, and no other function runs.
     let (collapsed, [x, y, z], planes) =
         unsafe { (COLLAPSED.borrow(), AXES.borrow(), IRRADIANCE.borrow()) };
@@ -47,13 +47,13 @@ extern "C" fn color_shade(count: usize) -> usize {
 static DISPLAYS: [Display; 3] =
     [Display::new(Tone::Linear), Display::new(Tone::Reinhard), Display::new(Tone::Filmic)];
 /// Pixels: red, green, blue and opacity.
-#[unsafe(export_name = "color_pixels")]
+#[unsafe(export_name = "pixels")]
 static PIXELS: Shared<[[u8; 4]; NORMALS]> = Shared::new([[0; 4]; NORMALS]);
 
 /// Encodes the first `count` irradiances, exposed, by the tone curve of this number. Returns
 /// `count`, or 0 if it is too large, there is no such curve, or the exposure is not above 0.
 #[unsafe(no_mangle)]
-extern "C" fn color_encode(count: usize, exposure: f32, tone: usize) -> usize {
+extern "C" fn rgb888(count: usize, exposure: f32, tone: usize) -> usize {
     // SAFETY: each place once, and no other function runs.
     let ([r, g, b], pixels) = unsafe { (IRRADIANCE.borrow(), PIXELS.borrow()) };
     let (Some(display), Some(pixels)) = (DISPLAYS.get(tone), pixels.get_mut(..count)) else {

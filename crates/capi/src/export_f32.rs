@@ -1,0 +1,429 @@
+//! The functions in float, as C sees them.
+#![expect(unsafe_code, reason = "exported symbols")]
+
+use crate::boundary::{Input, Output};
+use crate::meter::{self, Meter};
+use crate::records_f32::{
+    BakedF32, CoefficientsF32, ColorLightF32, ColorMaterialF32, IrradianceF32, LightBufferF32,
+    LightF32, MaterialBufferF32, MaterialF32, PictureF32, TransferF32, WorkspaceF32,
+};
+use crate::rows::{Display, NormalMap, Target, disc, draw, normal_map};
+use crate::sources::{Gloss, Source};
+use crate::status::Status;
+use crate::{baked, float, picture, steps};
+
+/// The coefficients d of a light on a material in one channel, as numbers.
+///
+/// Cost: a multiplication for each of the table's factors. On an error `coefficients` is unchanged.
+#[unsafe(no_mangle)]
+pub extern "C" fn eigenshade_project_f32(
+    light: *const LightF32,
+    material: *const MaterialF32,
+    workspace: *mut WorkspaceF32,
+    coefficients: *mut CoefficientsF32,
+) -> Status {
+    float::project(&Input(light), &Input(material), &Output(workspace), &Output(coefficients))
+        .into()
+}
+
+/// The transfer of a material, for any number of lights. That of a gray material is computed once.
+///
+/// On an error `transfer` is unchanged.
+#[unsafe(no_mangle)]
+pub extern "C" fn eigenshade_transfer_f32(
+    material: *const ColorMaterialF32,
+    transfer: *mut TransferF32,
+) -> Status {
+    steps::transfer::<f32>(&Input(material), &Output(transfer)).into()
+}
+
+/// Begins the picture of a material under a light: computes all that its pixels have in common.
+///
+/// Uses 5 KB of stack. On an error `picture` is unchanged.
+#[unsafe(no_mangle)]
+pub extern "C" fn eigenshade_picture_begin_f32(
+    light: *const ColorLightF32,
+    material: *const ColorMaterialF32,
+    picture: *mut PictureF32,
+) -> Status {
+    picture::begin::<f32>(&Input(light), &Input(material), &Output(picture)).into()
+}
+
+/// Begins the picture of a glossy material under a light with `count` small sources, at most
+/// EIGENSHADE_SOURCES: they are taken out of the light, and become sharp highlights. If `count` is
+/// 0, `sources` is not read.
+///
+/// Uses 8 KB of stack. On an error `picture` is unchanged.
+#[unsafe(no_mangle)]
+pub extern "C" fn eigenshade_picture_begin_glossy_f32(
+    light: *const ColorLightF32,
+    material: *const ColorMaterialF32,
+    gloss: *const Gloss,
+    sources: *const Source,
+    count: usize,
+    picture: *mut PictureF32,
+) -> Status {
+    picture::begin_glossy::<f32>(
+        &Input(light),
+        &Input(material),
+        &Input(gloss),
+        &Input(sources),
+        count,
+        &Output(picture),
+    )
+    .into()
+}
+
+/// Begins the picture of a transferred material under a new light, without highlights.
+///
+/// On an error `picture` is unchanged.
+#[unsafe(no_mangle)]
+pub extern "C" fn eigenshade_picture_relight_f32(
+    transfer: *const TransferF32,
+    light: *const ColorLightF32,
+    picture: *mut PictureF32,
+) -> Status {
+    picture::relight::<f32>(&Input(transfer), &Input(light), &Output(picture)).into()
+}
+
+/// Gives a picture the highlights of `count` sources, at most EIGENSHADE_SOURCES, in place of those
+/// that it has. Its light has to be without them, as `eigenshade_residual_f32` makes it. Where a
+/// light turns, turn the residual and the sources.
+///
+/// On an error `picture` has no highlights, or is unchanged.
+#[unsafe(no_mangle)]
+pub extern "C" fn eigenshade_picture_highlights_f32(
+    gloss: *const Gloss,
+    sources: *const Source,
+    count: usize,
+    picture: *mut PictureF32,
+) -> Status {
+    picture::highlights::<f32>(&Input(gloss), &Input(sources), count, &Output(picture)).into()
+}
+
+/// The irradiance of the normal along (x, y, z).
+///
+/// The normal may have any length from 1e-9 to 1e9; it is scaled, which costs a root. One that
+/// points away by no more than 1/8 is laid on the rim. On an error `irradiance` is unchanged.
+#[unsafe(no_mangle)]
+pub extern "C" fn eigenshade_picture_shade_f32(
+    picture: *const PictureF32,
+    x: f32,
+    y: f32,
+    z: f32,
+    irradiance: *mut IrradianceF32,
+) -> Status {
+    picture::open::<f32>(&Input(picture))
+        .and_then(|picture| picture::shade(picture, x, y, z, &Output(irradiance)))
+        .into()
+}
+
+/// One row of a sphere that fills a square of `diameter` x `diameter` pixels, 1 to 4096, into
+/// `length` RGB565 pixels, at least `diameter`. Row 0 is the top.
+///
+/// Pixels beside the sphere are unchanged, and on an error all of them. `exposure` is a number
+/// above 0 that multiplies the irradiance.
+#[unsafe(no_mangle)]
+pub extern "C" fn eigenshade_picture_disc_row_f32(
+    picture: *const PictureF32,
+    diameter: usize,
+    row: usize,
+    exposure: f32,
+    display: *const Display,
+    pixels: *mut u16,
+    length: usize,
+) -> Status {
+    draw::<f32>(
+        picture::open::<f32>(&Input(picture)),
+        disc(diameter),
+        &Target {
+            first: row,
+            rows: 1,
+            exposure,
+            display: Input(display),
+            pixels: Output(pixels),
+            stride: 0,
+            length,
+        },
+    )
+    .into()
+}
+
+/// `rows` rows of a sphere from row `first` on, each `stride` pixels after the one before; the
+/// `length` pixels start with the first of row `first`. The rest is as in
+/// `eigenshade_picture_disc_row_f32`.
+#[unsafe(no_mangle)]
+pub extern "C" fn eigenshade_picture_disc_rows_f32(
+    picture: *const PictureF32,
+    diameter: usize,
+    first: usize,
+    rows: usize,
+    exposure: f32,
+    display: *const Display,
+    pixels: *mut u16,
+    stride: usize,
+    length: usize,
+) -> Status {
+    draw::<f32>(
+        picture::open::<f32>(&Input(picture)),
+        disc(diameter),
+        &Target {
+            first,
+            rows,
+            exposure,
+            display: Input(display),
+            pixels: Output(pixels),
+            stride,
+            length,
+        },
+    )
+    .into()
+}
+
+/// One row of the object of a normal map, into `length` RGB565 pixels, at least its width. Pixels
+/// that the object covers in part are mixed with what they were.
+///
+/// Other pixels are unchanged, and on an error all of them. The rest is as in
+/// `eigenshade_picture_disc_row_f32`.
+#[unsafe(no_mangle)]
+pub extern "C" fn eigenshade_picture_normal_map_row_f32(
+    picture: *const PictureF32,
+    map: *const NormalMap,
+    row: usize,
+    exposure: f32,
+    display: *const Display,
+    pixels: *mut u16,
+    length: usize,
+) -> Status {
+    draw::<f32>(
+        picture::open::<f32>(&Input(picture)),
+        normal_map(&Input(map)),
+        &Target {
+            first: row,
+            rows: 1,
+            exposure,
+            display: Input(display),
+            pixels: Output(pixels),
+            stride: 0,
+            length,
+        },
+    )
+    .into()
+}
+
+/// `rows` rows of the object of a normal map from row `first` on, as
+/// `eigenshade_picture_disc_rows_f32` draws those of a sphere.
+#[unsafe(no_mangle)]
+pub extern "C" fn eigenshade_picture_normal_map_rows_f32(
+    picture: *const PictureF32,
+    map: *const NormalMap,
+    first: usize,
+    rows: usize,
+    exposure: f32,
+    display: *const Display,
+    pixels: *mut u16,
+    stride: usize,
+    length: usize,
+) -> Status {
+    draw::<f32>(
+        picture::open::<f32>(&Input(picture)),
+        normal_map(&Input(map)),
+        &Target {
+            first,
+            rows,
+            exposure,
+            display: Input(display),
+            pixels: Output(pixels),
+            stride,
+            length,
+        },
+    )
+    .into()
+}
+
+/// Counts the pixels of one row of a sphere, to meter the exposure of its picture. The arguments
+/// are those of `eigenshade_picture_disc_row_f32`. Every fourth row of a small sphere will do.
+///
+/// On an error `meter` is unchanged.
+#[unsafe(no_mangle)]
+pub extern "C" fn eigenshade_picture_meter_disc_row_f32(
+    picture: *const PictureF32,
+    diameter: usize,
+    row: usize,
+    meter: *mut Meter,
+) -> Status {
+    meter::count::<f32>(picture::open::<f32>(&Input(picture)), disc(diameter), row, &Output(meter))
+        .into()
+}
+
+/// `eigenshade_picture_meter_disc_row_f32` of the object of a normal map.
+#[unsafe(no_mangle)]
+pub extern "C" fn eigenshade_picture_meter_normal_map_row_f32(
+    picture: *const PictureF32,
+    map: *const NormalMap,
+    row: usize,
+    meter: *mut Meter,
+) -> Status {
+    meter::count::<f32>(
+        picture::open::<f32>(&Input(picture)),
+        normal_map(&Input(map)),
+        row,
+        &Output(meter),
+    )
+    .into()
+}
+
+/// Bakes a picture without highlights into maps of `size` x `size` texels, 2 to 4096. `length` is
+/// 3 * size * size.
+///
+/// A look-up costs less than a pixel of the picture and is less exact, as docs/method.md lists by
+/// size. The texels are in `texels`, and `baked` points there. On an error neither may be used.
+#[unsafe(no_mangle)]
+pub extern "C" fn eigenshade_picture_bake_f32(
+    picture: *const PictureF32,
+    size: usize,
+    texels: *mut f32,
+    length: usize,
+    baked: *mut BakedF32,
+) -> Status {
+    baked::bake::<f32>(&Input(picture), size, &Output(texels), length, &Output(baked)).into()
+}
+
+/// `eigenshade_picture_shade_f32` from a baked picture.
+#[unsafe(no_mangle)]
+pub extern "C" fn eigenshade_baked_shade_f32(
+    baked: *const BakedF32,
+    x: f32,
+    y: f32,
+    z: f32,
+    irradiance: *mut IrradianceF32,
+) -> Status {
+    baked::open::<f32>(&Input(baked))
+        .and_then(|baked| picture::shade(baked, x, y, z, &Output(irradiance)))
+        .into()
+}
+
+/// `eigenshade_picture_disc_row_f32` from a baked picture.
+#[unsafe(no_mangle)]
+pub extern "C" fn eigenshade_baked_disc_row_f32(
+    baked: *const BakedF32,
+    diameter: usize,
+    row: usize,
+    exposure: f32,
+    display: *const Display,
+    pixels: *mut u16,
+    length: usize,
+) -> Status {
+    draw::<f32>(
+        baked::open::<f32>(&Input(baked)),
+        disc(diameter),
+        &Target {
+            first: row,
+            rows: 1,
+            exposure,
+            display: Input(display),
+            pixels: Output(pixels),
+            stride: 0,
+            length,
+        },
+    )
+    .into()
+}
+
+/// `eigenshade_picture_normal_map_row_f32` from a baked picture.
+#[unsafe(no_mangle)]
+pub extern "C" fn eigenshade_baked_normal_map_row_f32(
+    baked: *const BakedF32,
+    map: *const NormalMap,
+    row: usize,
+    exposure: f32,
+    display: *const Display,
+    pixels: *mut u16,
+    length: usize,
+) -> Status {
+    draw::<f32>(
+        baked::open::<f32>(&Input(baked)),
+        normal_map(&Input(map)),
+        &Target {
+            first: row,
+            rows: 1,
+            exposure,
+            display: Input(display),
+            pixels: Output(pixels),
+            stride: 0,
+            length,
+        },
+    )
+    .into()
+}
+
+/// A light, of degree 12 at most, turned by the rotation of a quaternion (x, y, z, w):
+/// L'(R v) = L(v) for every direction v.
+///
+/// The turned light is in `buffer`, and `to` points there. On an error neither may be used.
+#[unsafe(no_mangle)]
+pub extern "C" fn eigenshade_turn_f32(
+    from: *const ColorLightF32,
+    quaternion: *const f32,
+    buffer: *mut LightBufferF32,
+    to: *mut ColorLightF32,
+) -> Status {
+    steps::turn::<f32>(&Input(from), &Input(quaternion), &Output(buffer), &Output(to)).into()
+}
+
+/// A light turned about the view axis, from x toward y, by an angle, given by its cosine and sine:
+/// much cheaper than any other axis. Their squares sum to 1 to within 2 %; they are scaled.
+///
+/// The turned light is in `buffer`, and `to` points there. On an error neither may be used.
+#[unsafe(no_mangle)]
+pub extern "C" fn eigenshade_turn_about_view_f32(
+    from: *const ColorLightF32,
+    cosine_and_sine: *const f32,
+    buffer: *mut LightBufferF32,
+    to: *mut ColorLightF32,
+) -> Status {
+    steps::turn_about_view::<f32>(
+        &Input(from),
+        &Input(cosine_and_sine),
+        &Output(buffer),
+        &Output(to),
+    )
+    .into()
+}
+
+/// A light without `count` sources, at most EIGENSHADE_SOURCES.
+///
+/// The light is in `buffer`, and `to` points there. On an error neither may be used.
+#[unsafe(no_mangle)]
+pub extern "C" fn eigenshade_residual_f32(
+    from: *const ColorLightF32,
+    sources: *const Source,
+    count: usize,
+    buffer: *mut LightBufferF32,
+    to: *mut ColorLightF32,
+) -> Status {
+    steps::residual::<f32>(&Input(from), &Input(sources), count, &Output(buffer), &Output(to))
+        .into()
+}
+
+/// A glTF material from its linear base color, metallic and roughness, all from 0 to 1.
+///
+/// A roughness below 0.2 is drawn as 0.2. The table's order has to be 7 or more. The material is in
+/// `buffer`, and `to` points there. On an error neither may be used.
+#[unsafe(no_mangle)]
+pub extern "C" fn eigenshade_metallic_roughness_f32(
+    base_color: *const f32,
+    metallic: f32,
+    roughness: f32,
+    buffer: *mut MaterialBufferF32,
+    to: *mut ColorMaterialF32,
+) -> Status {
+    steps::metallic_roughness::<f32>(
+        &Input(base_color),
+        metallic,
+        roughness,
+        &Output(buffer),
+        &Output(to),
+    )
+    .into()
+}
