@@ -54,7 +54,7 @@ static void fill_codes(void) {
     eigenshade_color_baked_##format##_t baked;                                                \
     eigenshade_source_f32_t sources[4];                                                       \
     eigenshade_color_glossy_##format##_t glossy = {                                           \
-        &scene, &eigenshade_gloss_gold_metallic_paint_f32, eigenshade_sources_lobby_4_f32, 4}; \
+        &scene, &eigenshade_gloss_gold_metallic_paint_f32, eigenshade_sources_lobby_f32, 4};   \
     const char *const name = #format;                                                         \
                                                                                               \
     CHECKED(eigenshade_color_scene_##format(                                                  \
@@ -84,7 +84,7 @@ static void fill_codes(void) {
     CHECKED(eigenshade_color_turn_##format(&light, quaternion, &turned_buffer, &turned));     \
     CHECKED(eigenshade_color_relight_##format(&transfer, &turned, &scene));                   \
     for (size_t k = 0; k < 4; k++) {                                                          \
-      CHECKED(eigenshade_source_turn_f32(&eigenshade_sources_lobby_4_f32[k],                  \
+      CHECKED(eigenshade_source_turn_f32(&eigenshade_sources_lobby_f32[k],                    \
                                          quaternion_f32, &sources[k]));                       \
     }                                                                                         \
     glossy.sources = sources;                                                                 \
@@ -165,7 +165,7 @@ static void check_shade(void) {
   CHECKED(eigenshade_color_baked_shade_q15(&baked_q15, 0, 19661, 26214, found_q15 + 3));
   /* Half-way between a lamp and the camera, on copper. */
   static const eigenshade_source_f32_t lamp = {
-      {0, 0.6f, 0.8f}, {0.5f, 0.4f, 0.3f}, {0.03f, 0, 0}, 0.03f};
+      {0, 0.6f, 0.8f}, {0.5f, 0.4f, 0.3f}, 0.03f};
   static const float copper[3] = {0.93f, 0.5f, 0.25f};
   eigenshade_gloss_f32_t gloss;
   CHECKED(eigenshade_gloss_metallic_roughness_f32(copper, 1, 0.3f, &gloss));

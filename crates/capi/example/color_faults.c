@@ -122,7 +122,7 @@ static const float zeros[4] = {0, 0, 0, 0};
     }                                                                                         \
                                                                                               \
     eigenshade_source_f32_t sources[EIGENSHADE_SOURCES + 1];                                  \
-    eigenshade_source_f32_t lamp = {{0, 0, 1}, {1, 1, 1}, {0, 0, 0}, 0};                      \
+    eigenshade_source_f32_t lamp = {{0, 0, 1}, {1, 1, 1}, 0};                                 \
     eigenshade_gloss_f32_t gloss = {0.3f, {0, 0, 0}, {1, 1, 1}, {1, 1, 1}};                   \
     eigenshade_color_glossy_##format##_t glossy = {&scene, &gloss, sources, EIGENSHADE_SOURCES}; \
     for (size_t k = 0; k <= EIGENSHADE_SOURCES; k++) {                                        \
@@ -141,7 +141,7 @@ static const float zeros[4] = {0, 0, 0, 0};
     EXPECTED(SOURCE, eigenshade_color_residual_##format(&eigenshade_light_lobby_f32, sources, \
                                                         glossy.count, &light_buffer, &light)); \
     glossy.count = EIGENSHADE_SOURCES;                                                        \
-    sources[EIGENSHADE_SOURCES - 1].minor = 0.1f;                                             \
+    sources[EIGENSHADE_SOURCES - 1].spread = 0.6f;                                            \
     EXPECTED(SOURCE, GLOSSY(format));                                                         \
     EXPECTED(SOURCE, eigenshade_color_residual_##format(&eigenshade_light_lobby_f32, sources, \
                                                         glossy.count, &light_buffer, &light)); \
@@ -170,6 +170,13 @@ static const float zeros[4] = {0, 0, 0, 0};
     EXPECTED(ROTATION, eigenshade_source_turn_f32(&lamp, zeros, &sources[0]));                \
     EXPECTED(OVERLAP, eigenshade_source_turn_f32(&lamp, zeros, &lamp));                       \
     EXPECTED(OUTSIDE, eigenshade_gloss_metallic_roughness_f32(zeros, 2, 0, &gloss));          \
+    size_t fewest = 7;                                                                        \
+    EXPECTED(OK, eigenshade_gloss_fewest_sources_f32(                                         \
+                     &gloss, eigenshade_source_errors_lobby_f32[0], 2, 1, &fewest));          \
+    check(fewest == 0, name, "none for any error", (uint32_t)fewest);                         \
+    EXPECTED(OK, eigenshade_gloss_fewest_sources_f32(                                         \
+                     &gloss, eigenshade_source_errors_lobby_f32[0], 2, 0, &fewest));          \
+    check(fewest == 2, name, "more than two for no error", (uint32_t)fewest);                 \
     check(gloss.grazing[2] > 0.5f, name, "the gloss is as it was", 0);                        \
                                                                                               \
     EXPECTED(OK, eigenshade_color_scene_f32(&eigenshade_light_lobby_f32,                      \

@@ -58,10 +58,8 @@ typedef struct eigenshade_source_f32_t {
   float direction[3];
   /** The integral of its radiance over solid angle: red, green and blue, at least 0. */
   float energy[3];
-  /** A vector across the direction, whose length is the standard deviation along it in radians. */
-  float major[3];
-  /** The standard deviation across the major axis: from 0 to its length, at most 0.5. */
-  float minor;
+  /** The standard deviation in radians along every direction, 0 to 0.5. */
+  float spread;
 } eigenshade_source_f32_t;
 
 /** A GGX lobe over a matte base; all numbers are from 0 to 1. May be kept in flash. */
@@ -381,6 +379,17 @@ eigenshade_status eigenshade_source_turn_f32(const struct eigenshade_source_f32_
 eigenshade_status eigenshade_gloss_metallic_roughness_f32(const float *base_color, float metallic,
                                                           float roughness,
                                                           struct eigenshade_gloss_f32_t *gloss);
+
+/**
+ * The fewest of a light's first sources with which pictures of a gloss are within `tolerance`, a
+ * share of white: 0 from a roughness of 0.6 on, and `length` if all exceed it. `errors` is such as
+ * `eigenshade_source_errors_lobby_f32[0]`, and `length` its number of rows, of six numbers each.
+ *
+ * On an error `count` is unchanged.
+ */
+eigenshade_status eigenshade_gloss_fewest_sources_f32(const struct eigenshade_gloss_f32_t *gloss,
+                                                      const float *errors, size_t length,
+                                                      float tolerance, size_t *count);
 
 /**
  * A light without `count` sources, at most `EIGENSHADE_SOURCES`.

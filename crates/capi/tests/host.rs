@@ -107,7 +107,7 @@ fn the_readme_draws_highlights() {
     for format in ["f32", "q15"] {
         // The light, the sources and the gloss stay in float.
         let of_float =
-            ["light_lobby_", "gloss_gold_metallic_paint_", "lobby_4_", "eigenshade_source_"];
+            ["light_lobby_", "gloss_gold_metallic_paint_", "sources_lobby_", "eigenshade_source_"];
         let glossy = of_float.into_iter().fold(glossy.replace("f32", format), |text, name| {
             text.replace(&format!("{name}{format}"), &format!("{name}f32"))
         });

@@ -6,7 +6,7 @@
 //! * [`mode`]: the irradiance modes of one azimuth |m|.
 //! * [`effect`]: sets of irradiance modes with a visible meaning.
 //! * [`format`](mod@format): the number formats.
-//! * [`highlights`]: the sizes of sets of small sources, and the metals of their errors.
+//! * [`highlights`]: the most small sources of a light, and the materials of their errors.
 //! * [`layout`]: the memory layout of the runtime's rows.
 //! * [`record`]: the arrays of a table.
 //! * [`source`]: records as Rust source, with the feature `alloc`.

@@ -6,6 +6,7 @@ use eigenshade_model::error::Result;
 use eigenshade_model::reference::DirectSum;
 use eigenshade_model::source::Gloss;
 use eigenshade_model::special::spherical_harmonic::azimuth;
+use eigenshade_shading::parallel;
 use rayon::iter::{IntoParallelIterator, ParallelIterator};
 use std::f64::consts::{FRAC_PI_2, PI};
 
@@ -57,6 +58,12 @@ impl Response {
             *value *= at.wave(m);
         }
         values
+    }
+
+    /// The irradiance under each harmonic at each of some normals.
+    #[must_use]
+    pub fn at_all(&self, normals: &[[f64; 3]]) -> Vec<Vec<f64>> {
+        parallel::map(normals.len(), &(), |k| self.at(&Place::new(normals[k], self.degree)))
     }
 
     /// The image under a light of the same degree or a higher one.

@@ -7,12 +7,12 @@ use crate::boundary::{Input, Output, Place, Plain, disjoint};
 use crate::export::{export, records};
 use crate::status::Status;
 use crate::{float, integers};
-pub(crate) use eigenshade::index::highlights::LARGEST_SET as SOURCES;
+pub(crate) use eigenshade::index::highlights::SHIPPED_SOURCES as SOURCES;
 use eigenshade::{Highlights, Q15, Rotation};
 
 records! {
     Source = "source" f32:
-        direction: [f32; 3], energy: [f32; 3], major: [f32; 3], minor: f32;
+        direction: [f32; 3], energy: [f32; 3], spread: f32;
     Gloss = "gloss" f32:
         roughness: f32, reflectance: [f32; 3], grazing: [f32; 3], albedo: [f32; 3];
     GlossyF32 = "color_glossy" f32:
@@ -26,8 +26,8 @@ records! {
 impl Source {
     /// The source, for the runtime.
     fn view(&self) -> Result<eigenshade::Source, Status> {
-        let Self { direction, energy, major, minor } = *self;
-        Ok(eigenshade::Source::new(direction, energy, major, minor)?)
+        let Self { direction, energy, spread } = *self;
+        Ok(eigenshade::Source::new(direction, energy, spread)?)
     }
 }
 
@@ -84,8 +84,7 @@ fn source_turn(
     *unsafe { to.zeroed() }? = Source {
         direction: turned.direction(),
         energy: turned.energy().into(),
-        major: turned.major(),
-        minor: turned.minor(),
+        spread: turned.spread(),
     };
     Ok(())
 }
@@ -103,6 +102,23 @@ fn gloss_metallic_roughness(
     // SAFETY: nothing overlaps.
     *unsafe { gloss.zeroed() }? =
         Gloss { roughness, reflectance, grazing, albedo: found.albedo().into() };
+    Ok(())
+}
+
+fn gloss_fewest_sources(
+    gloss: Input<Gloss>,
+    errors: Input<[f32; 6]>,
+    length: usize,
+    tolerance: f32,
+    count: Output<usize>,
+) -> Result<(), Status> {
+    let gloss = gloss.value()?;
+    // SAFETY: C promises `length` rows.
+    let errors = unsafe { errors.array(length) }?;
+    disjoint(&[count.place()], &[Place::of(gloss), Place::of(errors)])?;
+    let fewest = gloss.view()?.fewest_sources(errors, tolerance).unwrap_or(length);
+    // SAFETY: nothing overlaps.
+    *unsafe { count.zeroed() }? = fewest;
     Ok(())
 }
 
@@ -151,5 +167,9 @@ export! { functions "f32"
     source_turn(from: Input<Source>, quaternion: Input<[f32; 4]>, to: Output<Source>)
     gloss_metallic_roughness(
         base_color: Input<[f32; 3]>, metallic: f32, roughness: f32, gloss: Output<Gloss>
+    )
+    gloss_fewest_sources(
+        gloss: Input<Gloss>, errors: Input<[f32; 6]>, length: usize, tolerance: f32,
+        count: Output<usize>
     )
 }

@@ -76,13 +76,9 @@ pub fn lines() -> Result<String, Error> {
     pictures.push(("normal map", of_map(&codes, &reinhard, &exposed(&scene, 0.7)?)?));
 
     // Sources and gloss as C has them, rounded once more.
-    let source = |source: &Source| {
-        let (energy, minor) = (source.energy(), source.minor());
-        Source::new(source.direction(), energy, source.major(), minor)
-    };
-    let mut sources = [source(&sources::LOBBY_4[0])?; 4];
-    for (to, from) in sources.iter_mut().zip(sources::LOBBY_4) {
-        *to = source(from)?;
+    let mut sources = [sources::LOBBY[0]; 4];
+    for (to, from) in sources.iter_mut().zip(sources::LOBBY) {
+        *to = Source::new(from.direction(), from.energy(), from.spread())?;
     }
     let of_gold = gloss::GOLD_METALLIC_PAINT;
     let [reflectance, grazing] = [of_gold.reflectance(), of_gold.grazing()].map(Into::into);
