@@ -155,9 +155,9 @@ impl Gloss {
     /// use eigenshade::Gloss;
     /// use eigenshade::presets::{gloss::GOLD_METALLIC_PAINT, sources::errors::STUDIO};
     ///
-    /// assert_eq!(GOLD_METALLIC_PAINT.fewest_sources(&STUDIO, 0.01), Some(4));
+    /// assert_eq!(GOLD_METALLIC_PAINT.fewest_sources(&STUDIO, 0.02), Some(2));
     /// let matte = Gloss::new(0.6, [0.04; 3], [0.8, 0.2, 0.2])?;
-    /// assert_eq!(matte.fewest_sources(&STUDIO, 0.01), Some(0));
+    /// assert_eq!(matte.fewest_sources(&STUDIO, 0.02), Some(0));
     /// # }
     /// # Ok::<(), eigenshade::Error>(())
     /// ```

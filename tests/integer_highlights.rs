@@ -8,10 +8,10 @@ use eigenshade_testing::largest;
 
 /// In Q15, of the lobe's peak, by roughness. A normal, a direction and a form of 16 bits turn a
 /// lobe by some 2^-16, of its width α; the squares of a narrow lobe's form have as few as 9 bits.
-/// Roots, reciprocals and cosines leave 1e-3, and more where a source behind the object lights a
-/// rim at cosines of some hundred units.
+/// Roots, reciprocals and cosines leave 1e-3, and more where a source behind the object, at 175
+/// degrees from the view, lights a rim at cosines of some hundred units.
 const LOBE_Q15: [(f64, f64); 6] =
-    [(0.065, 2e-2), (0.1, 1e-2), (0.2, 3e-3), (0.3, 2e-3), (0.5, 4e-3), (1.0, 4e-3)];
+    [(0.065, 2e-2), (0.1, 1e-2), (0.2, 3e-3), (0.3, 4e-3), (0.5, 4e-3), (1.0, 4e-3)];
 
 /// Where a normal's z and its cosine to the source are both smaller, the formula itself jumps: at
 /// z = 0 from 0, for a source below the horizon, to that of grazing light.
