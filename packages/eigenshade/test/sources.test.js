@@ -180,16 +180,16 @@ test("automatic sources are as few as each material needs", async () => {
   const scene = await Scene.create({ light: "studio", material: { metallic: 1, roughness: 0.2 }, sources: "auto" });
   const of = (material) => scene.material(material).sources;
   const found = [0.2, 0.3, 0.4, 0.5, 0.59, 0.6, 0.8].map((roughness) => of({ metallic: 1, roughness }));
-  assert.deepEqual(found, [4, 4, 4, 2, 1, 0, 0]);
+  assert.deepEqual(found, [6, 6, 6, 2, 1, 0, 0]);
   assert.ok(of({ roughness: 0.3 }) < 4);
   assert.equal(of(three([1])), 0);
   // Another light, as it is set.
   of({ metallic: 1, roughness: 0.3 });
   assert.equal(scene.light(await lightPreset("blender-studio", { sources: "auto" })).sources, 0);
   const auto = await lightPreset("studio", { sources: "auto" });
-  assert.equal(scene.light(auto).sources, 4);
-  const four = await Scene.create({ light: "studio", material: { metallic: 1, roughness: 0.3 }, sources: 4 });
-  assert.deepEqual(scene.uniforms(), four.uniforms());
+  assert.equal(scene.light(auto).sources, 6);
+  const six = await Scene.create({ light: "studio", material: { metallic: 1, roughness: 0.3 }, sources: 6 });
+  assert.deepEqual(scene.uniforms(), six.uniforms());
   // A light of one's own has all that it comes with, or none.
   const { sources } = await lightPreset("studio", { sources: 2 });
   assert.equal(scene.light({ ...three([1]), sources }).sources, 2);
