@@ -187,7 +187,7 @@ fn sources() -> Result<(), String> {
     );
     constants += &each("sources", lights.iter().map(|(light, _)| light.as_str()));
     let what = "All of them, by the name of the light, with the errors";
-    constants += &list(what, "ALL", "&str, &[Source], &[[f32; 6]]", &entries);
+    constants += &list(what, "ALL", "&str, &[Source], &[Errors]", &entries);
     write_output("preset_sources.rs", &constants)
 }
 

@@ -111,6 +111,10 @@ pub mod material {
 /// ```
 pub mod sources {
     use crate::source::Source;
+
+    /// Errors of six metals: see [`Gloss::fewest_sources`](crate::Gloss::fewest_sources).
+    pub type Errors = [f32; 6];
+
     include!(concat!(env!("OUT_DIR"), "/preset_sources.rs"));
 }
 
