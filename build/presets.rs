@@ -148,80 +148,69 @@ fn rows<const N: usize>(path: &str) -> Result<Vec<(String, [f64; N])>, String> {
     rows.map(|line| row(line).ok_or_else(|| format!("{path}: `{line}`"))).collect()
 }
 
-/// Writes the sets of sources: constants such as `STUDIO_4`, and a list of all of them.
+/// Writes the sources of each light, and the errors with the first ones: constants such as `STUDIO`
+/// and `errors::STUDIO`, and a list of all of them.
 fn sources() -> Result<(), String> {
-    let mut sets = Vec::new();
-    for (light, numbers) in rows("tables/inputs/sources.csv")? {
-        let [set, x, y, z, r, g, b, u, v, w, minor] = numbers;
-        // Exactly of length 1 and perpendicular, which six digits are not.
+    let mut lights = Vec::new();
+    for (light, [x, y, z, r, g, b, spread]) in rows("tables/inputs/sources.csv")? {
+        // Exactly of length 1, which six digits are not.
         let length = (x * x + y * y + z * z).sqrt();
-        let [x, y, z] = [x, y, z].map(|component| component / length);
-        let along = u * x + v * y + w * z;
-        let [u, v, w] = [u - along * x, v - along * y, w - along * z];
-        let minor = minor.min((u * u + v * v + w * w).sqrt());
-        let [x, y, z, u, v, w, minor] = [x, y, z, u, v, w, minor].map(|number| number as f32);
-        let [r, g, b] = [r, g, b].map(|energy| energy as f32);
+        let [x, y, z] = [x, y, z].map(|component| (component / length) as f32);
+        let [r, g, b, spread] = [r, g, b, spread].map(|number| number as f32);
         let text = format!(
-            "    Source::stored([{x:?}, {y:?}, {z:?}], [{r:?}, {g:?}, {b:?}], \
-             [{u:?}, {v:?}, {w:?}], {minor:?}),\n"
+            "    Source::stored([{x:?}, {y:?}, {z:?}], [{r:?}, {g:?}, {b:?}], {spread:?}),\n"
         );
-        add(&mut sets, (light, set as usize), text);
+        add(&mut lights, light, text);
     }
-    let (mut constants, mut entries) = (String::new(), Vec::new());
-    for ((light, most), sources) in &sets {
-        let (constant, sources) = (format!("{}_{most}", constant_name(light)), sources.concat());
-        let s = if *most == 1 { "" } else { "s" };
+    let (mut constants, mut of_errors, mut entries) = (String::new(), String::new(), Vec::new());
+    for ((light, sources), (of_light, errors)) in lights.iter().zip(&source_errors()?) {
+        let (constant, count) = (constant_name(light), sources.len());
+        if light != of_light || errors.len() != count + 1 {
+            return Err(format!("`{light}` has {count} sources and {} errors", errors.len()));
+        }
         constants += &format!(
-            "/// At most {most} source{s} of `{light}`.\npub const {constant}: &[Source] = \
-             &[\n{sources}];\n"
+            "/// The sources of `{light}`, in the order of their worth.\n\
+             pub const {constant}: [Source; {count}] = [\n{}];\n",
+            sources.concat()
         );
-        entries.push(format!("    (\"{light}\", {most}, {constant}),\n"));
+        of_errors += &format!(
+            "    /// Under `{light}`.\n    pub const {constant}: [[f32; 6]; {}] = [\n{}    ];\n",
+            errors.len(),
+            errors.concat()
+        );
+        entries.push(format!("    (\"{light}\", &{constant}, &errors::{constant}),\n"));
     }
-    constants += &source_sets(&sets)?;
-    let names: Vec<_> = sets.iter().map(|((light, most), _)| format!("{light}-{most}")).collect();
-    constants += &each("sources", names.iter().map(String::as_str));
-    let what = "All of them, by the name of the light and the most sources";
-    constants += &list(what, "ALL", "&str, usize, &[Source]", &entries);
+    constants += &format!(
+        "/// The errors of pictures with the first n sources of a light, from n = 0 on: see\n\
+         /// [`Gloss::fewest_sources`](crate::Gloss::fewest_sources).\n\
+         pub mod errors {{\n{of_errors}}}\n"
+    );
+    constants += &each("sources", lights.iter().map(|(light, _)| light.as_str()));
+    let what = "All of them, by the name of the light, with the errors";
+    constants += &list(what, "ALL", "&str, &[Source], &[Errors]", &entries);
     write_output("preset_sources.rs", &constants)
 }
 
-/// Constants such as `STUDIO`: no sources, and the sets of a light, with their errors at the degree
-/// and order of the presets.
-fn source_sets(sets: &[((String, usize), Vec<String>)]) -> Result<String, String> {
-    let mut constants = Vec::new();
+/// For each light the errors of metals without sources and with the first ones, at the degree and
+/// order of the presets: shares of white for each roughness.
+fn source_errors() -> Result<Vec<(String, Vec<String>)>, String> {
+    let mut lights = Vec::new();
     let path = "tables/inputs/sources.errors.csv";
     for line in read_lines(path)?.iter().skip(1) {
+        let fault = || format!("{path}: `{line}`");
         let fields: Vec<&str> = line.split(',').collect();
-        let number = |text: &&str| text.parse::<f64>().map_err(|_| format!("{path}: `{line}`"));
-        let [light, most, degree, order, base, numbers @ ..] = &fields[..] else { continue };
-        if [number(degree)?, number(order)?] != [DEGREE as f64, ORDER as f64] || *base != "metal" {
+        let [light, _, degree, order, base, numbers @ ..] = &fields[..] else {
+            return Err(fault());
+        };
+        if (*degree, *order, *base) != (&*DEGREE.to_string(), &*ORDER.to_string(), "metal") {
             continue;
         }
-        let (light, most) = ((*light).to_owned(), number(most)?);
-        let numbers = numbers.iter().map(number).collect::<Result<Vec<f64>, _>>()?;
-        let [.., a, b, c, d, e, f] = numbers[..] else { return Err(format!("{path}: `{line}`")) };
-        let sources = match most as usize {
-            0 => "&[]".to_owned(),
-            most if sets.iter().any(|(set, _)| set.0 == light && set.1 == most) => {
-                format!("{}_{most}", constant_name(&light))
-            }
-            most => return Err(format!("`{light}` has no set of {most} sources")),
-        };
-        let errors = [a, b, c, d, e, f];
-        let text = format!("    SourceSet::new({sources}, {errors:?}),\n");
-        add(&mut constants, light, text);
+        let numbers = numbers.iter().map(|text| text.parse().ok()).collect::<Option<Vec<f32>>>();
+        let numbers = numbers.ok_or_else(fault)?;
+        let errors = numbers.last_chunk::<6>().ok_or_else(fault)?;
+        add(&mut lights, (*light).to_owned(), format!("        {errors:?},\n"));
     }
-    let (mut text, mut entries) = (String::new(), Vec::new());
-    for (light, sets) in &constants {
-        let (name, count, sets) = (constant_name(light), sets.len(), sets.concat());
-        text += &format!(
-            "/// No sources of `{light}`, and its sets.\n\
-             pub const {name}: [SourceSet<'static>; {count}] = [\n{sets}];\n"
-        );
-        entries.push(format!("    (\"{light}\", &{name}),\n"));
-    }
-    let entry = "&str, &[SourceSet<'static>]";
-    Ok(text + &list("The sets of all lights, by name", "SETS", entry, &entries))
+    Ok(lights)
 }
 
 /// Writes the gloss of the materials in color as constants.

@@ -123,8 +123,8 @@ pub enum Error {
     /// A tolerance is not finite or not above zero.
     Tolerance,
     /// A source of light is not a small blob of positive energy: its direction is not a unit vector
-    /// to within 1e-3, a number is not finite, a channel of its energy is below 0, or its spreads
-    /// do not satisfy 0 <= minor <= major <= 0.5 rad.
+    /// to within 1e-3, a number is not finite, a channel of its energy is below 0, or its spread
+    /// is not from 0 to 0.5 rad.
     Source,
 }
 
@@ -347,8 +347,8 @@ impl fmt::Display for Error {
                  at most π",
             ),
             Self::Source => f.write_str(
-                "a source needs a unit direction, finite energies of at least 0, and spreads with 0 \
-                 <= minor <= major <= 0.5 rad; leave a wider one in the light",
+                "a source needs a unit direction, finite energies of at least 0, and a spread of \
+                 0 to 0.5 rad; leave a wider one in the light",
             ),
             Self::Irradiance { degree } => write!(
                 f,

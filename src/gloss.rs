@@ -2,7 +2,7 @@
 
 use crate::color::Rgb;
 use crate::error::{Argument, Error};
-use crate::index::highlights::{DIELECTRIC, SMOOTHEST};
+use crate::index::highlights::{DIELECTRIC, ROUGHNESS, SMOOTHEST};
 
 /// The roughness from which on harmonics of degree 9 show highlights as well as sources do.
 const MATTE: f32 = 0.6;
@@ -137,6 +137,50 @@ impl Gloss {
         self.alpha < matte * matte
     }
 
+    /// The fewest sources of a light with which pictures of this material are within `tolerance`, a
+    /// share of white; 0 if it [needs none](Self::needs_sources), and `None` if all exceed it.
+    ///
+    /// `errors` has a row for no sources, for the first one, for the first two and so on, such as
+    /// [`presets::sources::errors::STUDIO`](crate::presets::sources::errors::STUDIO). A row has the
+    /// errors of GGX metals of the roughness of
+    /// [`ROUGHNESS`](crate::index::highlights::ROUGHNESS), 0.1 to 0.6: the root mean square over a
+    /// sphere's picture under its metered exposure, clipped at white, as a share of white, against
+    /// direct integration of the whole light; the larger one of the light as captured and turned.
+    /// The error is linear in α between the metals, and below 0.1 that of 0.1, which is too small.
+    /// A dielectric over a matte base has smaller errors. For a lobe that was fitted to another
+    /// material, add what the fit leaves.
+    ///
+    /// ```
+    /// # #[cfg(feature = "presets")] {
+    /// use eigenshade::Gloss;
+    /// use eigenshade::presets::{gloss::GOLD_METALLIC_PAINT, sources::errors::STUDIO};
+    ///
+    /// assert_eq!(GOLD_METALLIC_PAINT.fewest_sources(&STUDIO, 0.02), Some(2));
+    /// let matte = Gloss::new(0.6, [0.04; 3], [0.8, 0.2, 0.2])?;
+    /// assert_eq!(matte.fewest_sources(&STUDIO, 0.02), Some(0));
+    /// # }
+    /// # Ok::<(), eigenshade::Error>(())
+    /// ```
+    #[must_use]
+    pub fn fewest_sources(&self, errors: &[[f32; 6]], tolerance: f32) -> Option<usize> {
+        let fits = |row: &[f32; 6]| !self.needs_sources() || self.interpolated(row) <= tolerance;
+        errors.iter().position(fits)
+    }
+
+    /// The error of this material between those of the metals.
+    fn interpolated(&self, errors: &[f32; 6]) -> f32 {
+        let [first, ..] = *errors;
+        let (mut knot, mut error) = (0.0, first);
+        let knots = ROUGHNESS.map(|roughness| (roughness * roughness) as f32);
+        for (&next, next_knot) in errors.iter().zip(knots) {
+            if self.alpha <= next_knot {
+                return error + (next - error) * (self.alpha - knot) * (next_knot - knot).recip();
+            }
+            (knot, error) = (next_knot, next);
+        }
+        error
+    }
+
     /// The reflectance at normal incidence, f0.
     #[must_use]
     pub const fn reflectance(&self) -> Rgb<f32> {
@@ -158,4 +202,29 @@ impl Gloss {
 
 fn at_most_one(number: f32) -> f32 {
     if number < 1.0 { number } else { 1.0 }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn errors_are_linear_between_metals() {
+        let errors = [0.05, 0.04, 0.02, 0.01, 0.005, 0.001];
+        let error = |alpha: f32| {
+            let gloss = Gloss::new(alpha.sqrt(), [0.9; 3], [0.0; 3]);
+            gloss.map_or(f32::NAN, |gloss| gloss.interpolated(&errors))
+        };
+        for (alpha, expected) in [
+            (0.0, 0.05),
+            (0.01, 0.05),
+            (0.025, 0.045),
+            (0.04, 0.04),
+            (0.0625, 0.031),
+            (0.36, 0.001),
+            (1.0, 0.001),
+        ] {
+            assert!((error(alpha) - expected).abs() < 1e-7, "{alpha}: {}", error(alpha));
+        }
+    }
 }

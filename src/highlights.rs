@@ -34,15 +34,14 @@ const BLOCK: usize =
 /// E (F D V n·s + (1 - F) albedo / π n·s), and 0 where n·s <= 0,
 ///
 /// by the formulas of [`Gloss`] with the half-way direction h of source and view. F is the same for
-/// all normals. The source's extent blurs the lobe: instead of α² I, D has the matrix
-/// A = α² I + κ J C Jᵀ in the plane tangent to h, where C is the blob's covariance in the plane
-/// tangent to s, and J = diag(1/2, 1/(2 cos θ_d)) is how far h moves along and across the plane of
-/// source and view, with the angle θ_d between h and the view. So D = 1 / (π √det A (nᵀ Q n)²
-/// (1 + c²/2)), Q = h hᵀ + T A⁻¹ Tᵀ with the tangents T at h, and c = C_across / cos² θ_d, which
-/// fades a source that spreads around the object's back. There A is also at most 1 across the
-/// plane; its element A_12 is divided by what A_22 was.
+/// all normals. The source's spread σ blurs the lobe: instead of α² I, D has the matrix
+/// A = α² I + κ σ² J² in the plane tangent to h, where J = diag(1/2, 1/(2 cos θ_d)) is how far h
+/// moves along and across the plane of source and view, with the angle θ_d between h and the view.
+/// So D = 1 / (π √det A (nᵀ Q n)² (1 + c²/2)), Q = h hᵀ + T A⁻¹ Tᵀ with the tangents T at h, and
+/// c = σ² / cos² θ_d, which fades a source that spreads around the object's back. There A is also
+/// at most 1 across the plane.
 ///
-/// A GGX lobe blurred by a normal distribution is not a GGX lobe. κ = 2 + α² / (α² + tr(J C Jᵀ)/2)
+/// A GGX lobe blurred by a normal distribution is not a GGX lobe. κ = 2 + α² / (α² + σ² tr(J²)/2)
 /// leaves an error of the peak's height of at most 7.5 %, from points to sources that are much
 /// wider than the lobe. A pixel on the flank may be off by more: for spreads to 0.2 rad and a
 /// roughness of 0.2, by 20 % of the peak up to 110 degrees from the view, and by 25 % at 140.
@@ -53,7 +52,7 @@ const BLOCK: usize =
 /// use eigenshade::{Gloss, Highlights, Material, Normal, Source, sphere};
 ///
 /// let (color, metallic, roughness) = ([0.93, 0.52, 0.38], 1.0, 0.25);
-/// let lamp = Source::round([0.0, 0.6, 0.8], [0.5; 3], 0.03)?;
+/// let lamp = Source::new([0.0, 0.6, 0.8], [0.5; 3], 0.03)?;
 ///
 /// // All light but the lamp.
 /// let rest = LOBBY.residual::<100>(&[lamp])?;
@@ -127,7 +126,7 @@ impl<const N: usize> Highlights<N> {
     /// ```
     /// use eigenshade::{Gloss, Highlights, Normals, Rgb, Source};
     ///
-    /// let sun = Source::round([0.6, 0.0, 0.8], [1.0, 0.9, 0.8], 0.005)?;
+    /// let sun = Source::new([0.6, 0.0, 0.8], [1.0, 0.9, 0.8], 0.005)?;
     /// let gloss = Gloss::metallic_roughness([0.1, 0.1, 0.2], 0.0, 0.3)?;
     /// let highlights = Highlights::<1>::new(&gloss, &[sun])?;
     /// let mut colors = [Rgb::gray(0.25); 2]; // of ambient light
@@ -246,38 +245,23 @@ impl Lobe {
         let halfway = [sine * ex, sine * ey, cosine];
         let across = [-ey, ex, 0.0];
         let along_half = [cosine * ex, cosine * ey, -sine];
-        let along = [z * ex, z * ey, -radius];
 
-        // The blob's covariance J C Jᵀ.
-        let [a, b] = [dot(source.major(), along), dot(source.major(), across)];
-        let long = a * a + b * b;
-        let minor = source.minor();
-        let ratio = if long > 0.0 { minor * minor * long.recip() } else { one };
-        let wider = cosine.recip();
+        // A = diag(a11, a22): the blob's covariance spread² I widens the lobe by J Jᵀ. A wider lobe
+        // than a uniform one would be brightest far from its middle.
+        let wide = source.spread() * source.spread();
         let square = gloss.alpha() * gloss.alpha();
         let quarter = 0.25;
-        let [of_along, of_across] = [a * a + ratio * b * b, b * b + ratio * a * a];
-        let far = wider * wider * of_across;
-        let mean = half * quarter * (of_along + far);
+        let far = wide * (cosine * cosine).recip();
+        let mean = half * quarter * (wide + far);
         let blur = quarter * (one + one + square * (square + mean).recip());
-        let a11 = square + blur * of_along;
-        let a12 = blur * wider * (a * b * (one - ratio));
+        let a11 = square + blur * wide;
         let a22 = square + blur * far;
+        let a22 = if a22 > one { one } else { a22 };
 
-        // A wider lobe than a uniform one would be brightest far from its middle.
-        let [a12, a22] = if a22 > one { [a12 * a22.recip(), one] } else { [a12, a22] };
-
-        // A = L Lᵀ, and the rows h, L⁻¹ Tᵀ, whose squares add up to Q.
-        let first = mathematics::inverse_root(a11);
-        let shear = a12 * first;
-        // At least α² but for rounding, or nearly 1 where it is limited.
-        let [rest, least] = [a22 - shear * shear, half * square];
-        let second = mathematics::inverse_root(if rest > least { rest } else { least });
+        // The rows h and A^(-1/2) Tᵀ, whose squares add up to Q.
+        let [first, second] = [mathematics::inverse_root(a11), mathematics::inverse_root(a22)];
         let one_row = along_half.map(|t| t * first);
-        let [ux, uy, uz] = one_row;
-        let [vx, vy, vz] = across;
-        let other_row =
-            [(vx - shear * ux) * second, (vy - shear * uy) * second, (vz - shear * uz) * second];
+        let other_row = across.map(|t| t * second);
 
         let fresnel = {
             let rest = one - cosine;

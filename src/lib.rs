@@ -133,8 +133,6 @@ mod source;
 
 mod gloss;
 
-mod source_set;
-
 mod highlights;
 
 mod shader_text;
@@ -225,7 +223,6 @@ pub use shade::NegativePolicy;
 pub use shader::Shader;
 pub use shader_text::ShaderLanguage;
 pub use source::Source;
-pub use source_set::SourceSet;
 pub use transfer::Transfer;
 pub use truncation::{Shape, Tolerance, Truncation};
 

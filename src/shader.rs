@@ -59,7 +59,7 @@ impl<'a> Shader<'a> {
     /// use eigenshade::{Gloss, Highlights, Material, Shader, ShaderLanguage, Source, sphere};
     ///
     /// let (color, metallic, roughness) = ([0.93, 0.52, 0.38], 1.0, 0.25);
-    /// let lamp = Source::round([0.0, 0.6, 0.8], [0.5; 3], 0.03)?;
+    /// let lamp = Source::new([0.0, 0.6, 0.8], [0.5; 3], 0.03)?;
     /// let rest = LOBBY.residual::<100>(&[lamp])?;
     /// let copper = Material::metallic_roughness(color, metallic, roughness)?;
     /// let scene = sphere::color::scene(rest.lights()?, copper.materials()?)?;

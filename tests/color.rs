@@ -5,10 +5,10 @@ use eigenshade::specialized::shade_normals;
 use eigenshade::sphere;
 use eigenshade::{
     Argument, Disc, DiscPixel, Display, Error, Gloss, Light, MapPoint, Material, Normals, Q15, Rgb,
-    Rotation, Source, SourceSet, Tolerance, Tone, Window, q15,
+    Rotation, Source, Tolerance, Tone, Window, q15,
 };
 use eigenshade_model::shipped;
-use eigenshade_model::source::{Base, SetError};
+use eigenshade_model::source::{Base, SourceError};
 use eigenshade_shading::highlights;
 use eigenshade_testing::fixtures::{axes, normal};
 
@@ -126,69 +126,54 @@ fn presets_are_the_shipped_files() {
     }
 }
 
-/// The error of a metal whose roughness is in tenths, as a share of white.
-fn of_white(set: &SetError, tenths: usize) -> f64 {
-    set.errors[tenths.min(6) - 1].white
-}
-
-/// The errors of the sets are those of the file, at the degree and order of the presets, and the
-/// choice for a tolerance is that of the file's numbers.
+/// The rows of errors are those of the file, at the degree and order of the presets, and the choice
+/// for a tolerance is that of the file's numbers.
 #[test]
-fn sets_have_the_errors_of_the_shipped_file() {
-    let files = shipped::set_errors().unwrap();
+fn sources_have_the_errors_of_the_shipped_file() {
+    let files = shipped::source_errors().unwrap();
     let size = (sphere::DEGREE, sphere::ORDER);
-    let mut count = 0;
-    for (light, sets) in sources::SETS {
-        let is_of_light = |one: &&SetError| {
+    for (light, lamps, rows) in sources::ALL {
+        let is_of_light = |one: &&SourceError| {
             (one.light.as_str(), one.size, one.base) == (light, size, Base::Metal)
         };
         let of_light: Vec<_> = files.iter().filter(is_of_light).collect();
-        assert_eq!(sets.len(), of_light.len(), "{light}");
-        for tenths in 1..=10_u8 {
-            let roughness = f64::from(tenths) / 10.0;
-            let gloss = Gloss::new(roughness as f32, [0.9; 3], [0.0; 3]).unwrap();
-            for (set, file) in sets.iter().zip(&of_light) {
-                let apart = f64::from(set.error(&gloss)) - of_white(file, usize::from(tenths));
-                assert!(apart.abs() < 1e-6, "{light}, {roughness}: {apart}");
-                count += 1;
-            }
+        assert_eq!((rows.len(), of_light.len()), (lamps.len() + 1, lamps.len() + 1), "{light}");
+        for (count, (row, file)) in rows.iter().zip(&of_light).enumerate() {
+            assert_eq!(count, file.sources, "{light}");
+            assert_eq!(*row, file.errors.map(|error| error.white as f32), "{light}");
+        }
+        for tenths in 1..=10_usize {
+            let gloss = Gloss::new(tenths as f32 / 10.0, [0.9; 3], [0.0; 3]).unwrap();
             for tolerance in [1.03e-3, 5.03e-3, 1.003e-2, 2.003e-2, 5.003e-2] {
-                let chosen = SourceSet::within(sets, &gloss, tolerance as f32);
-                let expected = of_light.iter().position(|file| {
-                    roughness >= 0.6 || of_white(file, usize::from(tenths)) <= tolerance
-                });
-                assert_eq!(chosen, expected.map(|k| sets[k]), "{light}, {roughness}, {tolerance}");
+                let found = gloss.fewest_sources(rows, tolerance as f32);
+                let fits =
+                    |file: &&SourceError| tenths >= 6 || file.errors[tenths - 1].white <= tolerance;
+                let expected = of_light.iter().position(fits);
+                assert_eq!(found, expected, "{light}, {tenths}, {tolerance}");
             }
         }
     }
-    assert!(count >= 18 * 4 * 10, "{count}");
 }
 
 /// Sources are those of the files after their check, and so are glosses.
 #[test]
 fn sources_and_glosses_are_the_shipped_files() {
     let files = shipped::sources().unwrap();
-    let mut all = sources::ALL.into_iter();
-    for (light, (most, set)) in files.iter().flat_map(|f| f.sets.iter().map(move |s| (&f.name, s)))
-    {
-        let (name, of_preset, presets) = all.next().unwrap();
-        assert_eq!((name, of_preset, presets.len()), (light.as_str(), *most, set.len()));
-        for (preset, file) in presets.iter().zip(set) {
+    assert_eq!((files.len(), sources::ALL.len()), (18, 18));
+    for (file, (name, presets, _)) in files.iter().zip(sources::ALL) {
+        assert_eq!((name, presets.len()), (file.name.as_str(), file.sources.len()));
+        for (preset, file) in presets.iter().zip(&file.sources) {
             let file = highlights::source(file).unwrap();
-            let near = |a: f32, b: f32| assert!((a - b).abs() <= 1e-6 * b.abs().max(1.0));
-            for k in 0..3 {
-                near(preset.direction()[k], file.direction()[k]);
-                near(preset.major()[k], file.major()[k]);
+            for (preset, file) in preset.direction().iter().zip(file.direction()) {
+                assert!((preset - file).abs() <= 1e-6);
             }
-            near(preset.minor(), file.minor());
-            assert_eq!(preset.energy(), file.energy());
+            assert_eq!((preset.spread(), preset.energy()), (file.spread(), file.energy()));
             // It is accepted as it is.
             let [x, y, z] = preset.direction();
             assert!((x * x + y * y + z * z - 1.0).abs() < 1e-6);
-            Source::new([x, y, z], preset.energy(), preset.major(), preset.minor()).unwrap();
+            Source::new([x, y, z], preset.energy(), preset.spread()).unwrap();
         }
     }
-    assert!(all.next().is_none());
     let glosses = shipped::glosses().unwrap();
     assert_eq!(gloss::ALL.len(), glosses.len());
     for ((name, preset), file) in gloss::ALL.into_iter().zip(glosses) {

@@ -19,9 +19,9 @@ function byName(file, first, count) {
   }
   return all;
 }
-const [sources, gloss] = [byName("sources.csv", 1, 11), byName("gloss.csv", 1, 10)];
+const [sources, gloss] = [byName("sources.csv", 1, 7), byName("gloss.csv", 1, 10)];
 
-/** The size, degree, order and base of each measured set of a light, and its errors: mean, p95. */
+/** A light, a number of sources, degree, order and base, and the errors: mean, p95. */
 const errors = rows("sources.errors.csv");
 
 /** The roughness of the measured materials; errors are linear in its square between them. */
@@ -46,22 +46,22 @@ function interpolated(values, roughness) {
 function needed(name) {
   const all = [];
   for (const base of ["metal", "dielectric"]) {
-    const sets = errors
-      .filter(([light, set, degree, order, of]) => light === name && set <= MOST && degree === SIZE[0] && order === SIZE[1] && of === base)
-      .map(([, set, , , , ...values]) => ({ set: Number(set), mean: values.slice(0, 6).map(Number), p95: values.slice(6, 12).map(Number) }))
-      .sort((one, other) => one.set - other.set);
-    if (!sets.length) continue;
+    const rows = errors
+      .filter(([light, count, degree, order, of]) => light === name && count <= MOST && degree === SIZE[0] && order === SIZE[1] && of === base)
+      .map(([, count, , , , ...values]) => ({ count: Number(count), mean: values.slice(0, 6).map(Number), p95: values.slice(6, 12).map(Number) }))
+      .sort((one, other) => one.count - other.count);
+    if (!rows.length) continue;
     const steps = [];
     for (let k = 1; k <= 600; k++) {
       const roughness = k / 1000;
       const over = ({ mean, p95 }) => Math.max(interpolated(mean, roughness) / 2, interpolated(p95, roughness) / 5);
-      let best = sets[0];
-      for (const set of sets) {
+      let best = rows[0];
+      for (const row of rows) {
         if (over(best) <= 1) break;
-        if (over(set) < over(best)) best = set;
+        if (over(row) < over(best)) best = row;
       }
-      if (steps.at(-1)?.[2] === best.set) steps.at(-1)[1] = roughness;
-      else steps.push([Number(base === "metal"), roughness, best.set]);
+      if (steps.at(-1)?.[2] === best.count) steps.at(-1)[1] = roughness;
+      else steps.push([Number(base === "metal"), roughness, best.count]);
     }
     steps.at(-1)[1] = 1;
     all.push(...steps);

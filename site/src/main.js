@@ -378,7 +378,7 @@ async function open(/** @type {File} */ file) {
       const fault = await take({ light: "own", ownLight: { name: file.name.slice(0, 80), light } });
       if (fault) throw new Error(fault);
       const shape = width === 2 * height ? "" : " It is not twice as wide as high; it is read as equirectangular.";
-      say(`${file.name}: ${width} × ${height}, projected to degree 9, with ${counted(light.sources.length / 10, "source")}.${shape}${note}`);
+      say(`${file.name}: ${width} × ${height}, projected to degree 9, with ${counted(light.sources.length / 7, "source")}.${shape}${note}`);
     }
   } catch (fault) {
     say("");

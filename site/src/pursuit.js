@@ -80,7 +80,7 @@ function across([x, y, z]) {
 }
 
 /**
- * The sources of a map, in the order of their worth, ten numbers each as `Channels` has them: the
+ * The sources of a map, in the order of their worth, seven numbers each as `Channels` has them: the
  * first n are the set of n.
  *
  * @param {{ r: Float32Array, g: Float32Array, b: Float32Array }} map coefficients to degree {@link FINE}
@@ -124,8 +124,7 @@ export function pursue({ r, g, b }, progress = () => {}) {
         left.forEach((channel, c) => (channel[k] -= energy[c] * blur[l] * values[k]));
       }
     }
-    const [axis] = across(direction);
-    sources.push(...direction, ...energy, ...axis.map((value) => value * spread), spread);
+    sources.push(...direction, ...energy, spread);
     progress((count + 1) / MOST);
   }
   return Float32Array.from(sources);

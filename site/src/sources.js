@@ -28,12 +28,13 @@ const roughnessOf = (/** @type {any} */ material) => material.roughness ?? mater
  * @param {import("../eigenshade/src/index.js").Scene} scene
  * @returns {import("./screen.js").Direct | undefined}
  */
-export function directError({ light, sources: most, effects }, { material }, { sources: drawn, isGlossy }) {
+export function directError({ light, effects }, { material }, { sources: drawn, isGlossy }) {
   if (!isGlossy || effects.length < EFFECTS.length) return undefined;
   const away = (/** @type {string} */ rough) => Math.abs(Number(rough) - roughnessOf(material));
   const [nearest] = errors.map(([, rough]) => rough).sort((a, b) => away(a) - away(b));
-  // A set of at most eight may have four.
-  const count = drawn && most !== "auto" ? most : drawn;
+  // Not every number of sources was measured, and fewer are not nearer.
+  const known = errors.map(([, , sources]) => Number(sources));
+  const count = Math.max(...known.filter((sources) => sources <= drawn));
   const found = errors.filter(([name, rough, sources]) => name === light && rough === nearest && Number(sources) === count);
   if (!found.length) return undefined;
   const [mean, p95] = [3, 4].map((column) => Math.max(...found.map((row) => Number(row[column]))));
@@ -49,8 +50,8 @@ export function directError({ light, sources: most, effects }, { material }, { s
  */
 export function showSources(state, inputs, scene) {
   const { light, material } = inputs;
-  const why = !light.sources?.length && !light.sets?.all.length
-    ? state.sources === "auto" ? "this light has none" : `this light has no set of at most ${state.sources}`
+  const why = !light.sources?.length
+    ? "this light has none"
     : state.effects.length < EFFECTS.length
       ? "effects are left out"
       : roughnessOf(material) === undefined

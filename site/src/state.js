@@ -54,7 +54,7 @@ function encodeLight({ r, g, b, sources = [] }) {
 /** @param {string} text */
 function decodeLight(text) {
   const bytes = Uint8Array.from(atob(text.replaceAll("-", "+").replaceAll("_", "/")), (c) => c.charCodeAt(0));
-  const count = (bytes.length - 12 * COUNT) / 40;
+  const count = (bytes.length - 12 * COUNT) / 28;
   if (!(Number.isInteger(count) && count >= 0 && count <= MOST)) throw new RangeError("its light is incomplete");
   const numbers = new Float32Array(bytes.buffer);
   if (!numbers.every((value) => Math.abs(value) <= LARGEST)) throw new RangeError(`its light has a number beyond ${LARGEST}`);
@@ -196,7 +196,7 @@ const INPUTS = {
   async light(/** @type {State} */ { light, ownLight, sources }) {
     if (light === "own") {
       const own = /** @type {Light} */ (ownLight?.light);
-      return { ...own, sources: own.sources?.subarray(0, 10 * (sources === "auto" ? MOST : sources)) };
+      return { ...own, sources: own.sources?.subarray(0, 7 * (sources === "auto" ? MOST : sources)) };
     }
     return Object.hasOwn(ANALYTIC, light) ? ANALYTIC[light]() : lightPreset(light, { sources });
   },

@@ -269,7 +269,7 @@ on("sources: highlights, their number, and the error that degree 9 leaves", "obj
   await tab(page, "scene");
   await none(() => page.locator("input[name=material][value=red-fabric2]").check({ force: true }), "this material is matte");
   assert.equal(await text(page, "degree"), "-");
-  await none(() => page.locator("#light").selectOption("hemisphere"), "this light has no set of at most 8");
+  await none(() => page.locator("#light").selectOption("hemisphere"), "this light has none");
   // As few as the material needs, which no link holds: it is the initial choice.
   await page.locator("#light").selectOption("night");
   await choose(page, "material", "chrome-steel");

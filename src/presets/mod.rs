@@ -78,20 +78,21 @@ pub mod material {
     }
 }
 
-/// Small sources of the captured lights that have maps, in sets of at most 1, 2, 4, 8 and 16: 40
-/// bytes each. [`Highlights`](crate::Highlights) shade them. For each light there is also a list
-/// such as `STUDIO`, with the errors of each set, for
-/// [`SourceSet::within`](crate::SourceSet::within).
+/// Up to 16 small sources of the captured lights that have maps, 28 bytes each, in the order of
+/// their worth: the first n are the set of n. [`Highlights`](crate::Highlights) shade them, and
+/// [`Gloss::fewest_sources`](crate::Gloss::fewest_sources) says how many a material needs.
 ///
 /// ```
 /// # #[cfg(feature = "baked")] {
 /// use eigenshade::presets::{gloss, light::STUDIO, material::GOLD_METALLIC_PAINT, sources};
 /// use eigenshade::{Buffer, Highlights, Normal, Rotation, sphere};
 ///
-/// let rest = STUDIO.residual::<100>(sources::STUDIO_4)?;
-/// let scene = sphere::color::scene(rest.lights()?, GOLD_METALLIC_PAINT)?;
 /// let gold = gloss::GOLD_METALLIC_PAINT;
-/// let highlights = Highlights::<4>::new(&gold, sources::STUDIO_4)?;
+/// let count = gold.fewest_sources(&sources::errors::STUDIO, 0.02).unwrap_or(8);
+/// let (lamps, _) = sources::STUDIO.split_at(count);
+/// let rest = STUDIO.residual::<100>(lamps)?;
+/// let scene = sphere::color::scene(rest.lights()?, GOLD_METALLIC_PAINT)?;
+/// let highlights = Highlights::<16>::new(&gold, lamps)?;
 ///
 /// let normal = Normal::new(-0.5, 0.4, 0.768)?;
 /// let color = scene.shade(normal) + highlights.shade(normal);
@@ -101,16 +102,19 @@ pub mod material {
 /// let turn = Rotation::from_quaternion([0.0, 0.3, 0.0, 1.0])?;
 /// let rest = rest.lights()?.turned::<100>(&turn)?;
 /// let scene = sphere::color::scene(rest.lights()?, GOLD_METALLIC_PAINT)?;
-/// let mut lamps = Buffer::<_, 4>::from_slice(sources::STUDIO_4).unwrap_or_default();
+/// let mut lamps = Buffer::<_, 16>::from_slice(lamps).unwrap_or_default();
 /// lamps.iter_mut().for_each(|lamp| *lamp = lamp.turned(turn));
-/// let highlights = Highlights::<4>::new(&gold, &lamps)?;
+/// let highlights = Highlights::<16>::new(&gold, &lamps)?;
 /// assert_ne!(scene.shade(normal) + highlights.shade(normal), color);
 /// # }
 /// # Ok::<(), eigenshade::Error>(())
 /// ```
 pub mod sources {
     use crate::source::Source;
-    use crate::source_set::SourceSet;
+
+    /// Errors of six metals: see [`Gloss::fewest_sources`](crate::Gloss::fewest_sources).
+    pub type Errors = [f32; 6];
+
     include!(concat!(env!("OUT_DIR"), "/preset_sources.rs"));
 }
 

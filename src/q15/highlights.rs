@@ -24,7 +24,7 @@ use sealed::Sealed;
 /// use eigenshade::q15::{self, Normal};
 /// use eigenshade::{Gloss, Highlights, Rgb, Source, sphere};
 ///
-/// let lamp = Source::round([0.0, 0.6, 0.8], [0.5; 3], 0.03)?;
+/// let lamp = Source::new([0.0, 0.6, 0.8], [0.5; 3], 0.03)?;
 /// let gloss = Gloss::metallic_roughness([1.0, 0.78, 0.34], 1.0, 0.3)?;
 /// let in_floats = Highlights::<1>::new(&gloss, &[lamp])?;
 ///

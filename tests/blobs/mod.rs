@@ -15,65 +15,35 @@ pub fn tangents(direction: Vector) -> [Vector; 2] {
     [cross(across, direction), across]
 }
 
-/// A source in f64, and the tangent angle of its major axis.
+/// A source in f64.
 #[derive(Clone, Copy, Debug)]
 pub struct Blob {
     pub direction: Vector,
-    pub angle: f64,
-    pub major: f64,
-    pub minor: f64,
+    pub spread: f64,
 }
 
 impl Blob {
-    pub fn axis(&self) -> Vector {
-        let [along, across] = tangents(self.direction);
-        sum(scaled(along, self.angle.cos()), self.angle.sin(), across)
-    }
-
     pub fn of_host(&self, energy: [f64; 3]) -> SourceOfHost {
-        let (direction, major) = (self.direction, scaled(self.axis(), self.major));
-        SourceOfHost { direction, energy, major, minor: self.minor }
+        SourceOfHost { direction: self.direction, energy, spread: self.spread }
     }
 
     pub fn source(&self, energy: [f64; 3]) -> Source {
-        let of = |v: Vector| v.map(|x| x as f32);
-        let major = of(scaled(self.axis(), self.major));
-        let [direction, energy] = [self.direction, energy].map(of);
-        Source::new(direction, energy, major, self.minor as f32).expect("a small source")
+        let [direction, energy] = [self.direction, energy].map(|v| v.map(|x| x as f32));
+        Source::new(direction, energy, self.spread as f32).expect("a small source")
     }
 
-    /// Directions and weights that integrate the blob as it is defined: a heat kernel at each node
-    /// along the major axis, by trapezoid sums of this spacing at most. A step of one standard
-    /// deviation leaves 2 exp(-2 π²) = 5e-9, and the tails beyond six 2e-9.
+    /// Directions and weights that integrate the blob as it is defined, a heat kernel, by trapezoid
+    /// sums of this spacing at most. A step of one standard deviation leaves 2 exp(-2 π²) = 5e-9,
+    /// and the tails beyond six 2e-9.
     pub fn nodes(&self, spacing: f64) -> Vec<(Vector, f64)> {
-        let length = (self.major.powi(2) - self.minor.powi(2)).max(0.0).sqrt();
-        let axis = self.axis();
-        let arc: Vec<(Vector, f64)> = if length > 0.0 {
-            let step = spacing.min(length);
-            let count = (6.0 * length / step).ceil() as i32;
-            (-count..=count)
-                .map(|k| {
-                    let x = f64::from(k) * step;
-                    let direction = sum(scaled(self.direction, x.cos()), x.sin(), axis);
-                    (direction, (-0.5 * (x / length).powi(2)).exp())
-                })
-                .collect()
-        } else {
-            vec![(self.direction, 1.0)]
+        let [a, b] = tangents(self.direction);
+        let node = |([u, v], weight): ([f64; 2], f64)| {
+            let angle = u.hypot(v);
+            let tangent = sum(scaled(a, u), v, b);
+            let ratio = if angle > 0.0 { angle.sin() / angle } else { 1.0 };
+            (sum(scaled(self.direction, angle.cos()), ratio, tangent), weight)
         };
-        let kernel = heat_kernel(self.minor, spacing);
-        let mut nodes: Vec<_> = arc
-            .iter()
-            .flat_map(|&(center, weight)| {
-                let [a, b] = tangents(center);
-                kernel.iter().map(move |&([u, v], of_kernel)| {
-                    let angle = u.hypot(v);
-                    let tangent = sum(scaled(a, u), v, b);
-                    let ratio = if angle > 0.0 { angle.sin() / angle } else { 1.0 };
-                    (sum(scaled(center, angle.cos()), ratio, tangent), weight * of_kernel)
-                })
-            })
-            .collect();
+        let mut nodes: Vec<_> = heat_kernel(self.spread, spacing).into_iter().map(node).collect();
         let total: f64 = nodes.iter().map(|(_, weight)| weight).sum();
         nodes.iter_mut().for_each(|(_, weight)| *weight /= total);
         nodes
@@ -174,37 +144,23 @@ impl Glossy {
         }
         let half = unit(sum(blob.direction, 1.0, VIEW));
         let along_view = dot(half, VIEW);
-        let [c, s] = [blob.angle.cos(), blob.angle.sin()];
-        let [long, short] = [blob.major.powi(2), blob.minor.powi(2)];
-        let covariance = [
-            [long * c * c + short * s * s, (long - short) * c * s],
-            [(long - short) * c * s, long * s * s + short * c * c],
-        ];
+        let square = self.alpha().powi(2);
+        // The variances of the half-way direction, along the plane and across.
         let jacobian = [0.5, 0.5 / along_view];
-        let mut wide = [0, 1].map(|i| [0, 1].map(|j| jacobian[i] * covariance[i][j] * jacobian[j]));
-        let ratio = 0.5 * (wide[0][0] + wide[1][1]) / self.alpha().powi(2);
-        let blur = 2.0 + 1.0 / (1.0 + ratio);
-        for (i, row) in wide.iter_mut().enumerate() {
-            row.iter_mut().for_each(|element| *element *= blur);
-            row[i] += self.alpha().powi(2);
-        }
-        let behind = covariance[1][1] / along_view.powi(2);
+        let wide = jacobian.map(|slope| (slope * blob.spread).powi(2));
+        let blur = 2.0 + 1.0 / (1.0 + 0.5 * (wide[0] + wide[1]) / square);
+        let [first, second] = wide.map(|wide| square + blur * wide);
+        let second = second.min(1.0);
+        let behind = (blob.spread / along_view).powi(2);
         let faded = 1.0 / (1.0 + 0.5 * behind * behind);
-        if wide[1][1] > 1.0 {
-            wide[0][1] /= wide[1][1];
-            wide[1][0] = wide[0][1];
-            wide[1][1] = 1.0;
-        }
-        let determinant = wide[0][0] * wide[1][1] - wide[0][1] * wide[1][0];
         // The tangents of the source's plane at the half-way direction.
         let across = tangents(blob.direction)[1];
         let along = cross(across, half);
         let facing = dot(half, normal);
         let [p, q] = [dot(along, normal) / facing, dot(across, normal) / facing];
-        let quadratic =
-            (wide[1][1] * p * p - 2.0 * wide[0][1] * p * q + wide[0][0] * q * q) / determinant;
+        let quadratic = p * p / first + q * q / second;
         let distribution =
-            1.0 / (PI * determinant.sqrt() * facing.powi(4) * (1.0 + quadratic).powi(2));
+            1.0 / (PI * (first * second).sqrt() * facing.powi(4) * (1.0 + quadratic).powi(2));
         let fresnel = self.fresnel(along_view);
         let matte = (1.0 - fresnel) * self.albedo / PI;
         cosine * (matte + faded * fresnel * distribution * self.visibility(cosine, view))
@@ -219,15 +175,12 @@ pub fn around(blob: &Blob, step: f64, count: i32) -> Vec<Vector> {
     normals.filter(|normal| normal[2] >= 0.0).collect()
 }
 
-/// Blobs by angle from the view: round and elongated, from a point to the widest.
+/// Blobs by angle from the view, from a point to the widest.
 pub fn blobs(degrees: &[f64]) -> Vec<Blob> {
-    let shapes = [(0.0, 0.0), (0.02, 0.02), (0.1, 0.03), (0.2, 0.0), (0.5, 0.5)];
     let mut blobs = Vec::new();
     for (k, degrees) in degrees.iter().enumerate() {
-        for (j, (major, minor)) in shapes.into_iter().enumerate() {
-            let direction = at(degrees.to_radians(), 0.4 + 1.3 * k as f64);
-            blobs.push(Blob { direction, angle: 0.3 + j as f64, major, minor });
-        }
+        let direction = at(degrees.to_radians(), 0.4 + 1.3 * k as f64);
+        blobs.extend([0.0, 0.02, 0.05, 0.2, 0.5].map(|spread| Blob { direction, spread }));
     }
     blobs
 }

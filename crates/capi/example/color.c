@@ -75,17 +75,17 @@ static void fill_codes(void) {
                                                      &eigenshade_display_reinhard, pixels,        \
                                                      SIDE));                                      \
     CHECKED(eigenshade_picture_begin_glossy_##format(lobby, gold, gloss,                          \
-        eigenshade_sources_lobby_4_f32, 4, &picture));                                            \
+        eigenshade_sources_lobby_f32, 4, &picture));                                            \
     moved = picture;                                                                              \
     DRAWN(format, "highlights", SIDE,                                                             \
           eigenshade_picture_disc_row_##format(&moved, SIDE, row, 1.0f,                           \
                                                &eigenshade_display_linear, pixels, SIDE));        \
-    CHECKED(eigenshade_residual_##format(lobby, eigenshade_sources_lobby_4_f32, 4,                \
+    CHECKED(eigenshade_residual_##format(lobby, eigenshade_sources_lobby_f32, 4,                \
                                          &light_buffer, &light));                                 \
     CHECKED(eigenshade_turn_##format(&light, quaternion, &turned_buffer, &turned));               \
     CHECKED(eigenshade_picture_relight_##format(&transfer, &turned, &picture));                   \
     for (size_t k = 0; k < 4; k++) {                                                              \
-      CHECKED(eigenshade_source_turn_f32(&eigenshade_sources_lobby_4_f32[k], quaternion_f32,      \
+      CHECKED(eigenshade_source_turn_f32(&eigenshade_sources_lobby_f32[k], quaternion_f32,      \
                                          &sources[k]));                                           \
     }                                                                                             \
     CHECKED(eigenshade_picture_highlights_##format(gloss, sources, 4, &picture));                 \
@@ -176,7 +176,7 @@ static void check_shade(void) {
   CHECKED(eigenshade_baked_shade_q15(&baked_q15, 0, 19661, 26214, &found_q15[1]));
   /* Half-way between a lamp and the camera, on copper. */
   static const eigenshade_source_f32_t lamp = {
-      {0, 0.6f, 0.8f}, {0.5f, 0.4f, 0.3f}, {0.03f, 0, 0}, 0.03f};
+      {0, 0.6f, 0.8f}, {0.5f, 0.4f, 0.3f}, 0.03f};
   static const float copper[3] = {0.93f, 0.5f, 0.25f};
   eigenshade_gloss_f32_t gloss;
   CHECKED(eigenshade_gloss_metallic_roughness_f32(copper, 1, 0.3f, &gloss));

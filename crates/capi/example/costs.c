@@ -88,7 +88,7 @@ enum { SIDE = 64, PIXELS_OF_ROW = SIDE };
     const eigenshade_color_material_##format##_t *material =                                      \
         &eigenshade_material_gold_metallic_paint_##format;                                        \
     const eigenshade_gloss_f32_t *gloss = &eigenshade_gloss_gold_metallic_paint_f32;              \
-    const eigenshade_source_f32_t *sources = eigenshade_sources_lobby_4_f32;                      \
+    const eigenshade_source_f32_t *sources = eigenshade_sources_lobby_f32;                      \
     eigenshade_irradiance_##format##_t irradiance;                                                \
     const char *const name = #format;                                                             \
     uint32_t faults = 0;                                                                          \

@@ -14,7 +14,7 @@ enum { SIDE = 8, BAKED = 4 };
 #define BESIDE(pointer) ((void *)((char *)(pointer) + 1))
 
 static const float zeros[4] = {0, 0, 0, 0};
-static const eigenshade_source_f32_t lamp = {{0, 0, 1}, {1, 1, 1}, {0, 0, 0}, 0};
+static const eigenshade_source_f32_t lamp = {{0, 0, 1}, {1, 1, 1}, 0};
 static const eigenshade_gloss_f32_t white = {0.3f, {0, 0, 0}, {1, 1, 1}, {1, 1, 1}};
 
 static void fill(void *memory, size_t size, unsigned char byte) {
@@ -130,7 +130,7 @@ static void fill(void *memory, size_t size, unsigned char byte) {
     EXPECTED(SOURCE,                                                                              \
              eigenshade_picture_highlights_##format(&gloss, sources, most + 1, &picture));        \
     EXPECTED(SOURCE, eigenshade_residual_##format(lobby, sources, most + 1, &buffer, &light));    \
-    sources[most - 1].minor = 0.1f;                                                               \
+    sources[most - 1].spread = 0.6f;                                                              \
     EXPECTED(SOURCE,                                                                              \
              eigenshade_picture_begin_glossy_##format(lobby, gold, &gloss, sources, most,         \
                  &picture));                                                                      \

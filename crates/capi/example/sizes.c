@@ -30,7 +30,7 @@ uint32_t program(void) {
 #else
   eigenshade_status status = MY(picture_begin_glossy_)(&PRESET(light, lobby), &PRESET(material,
       gold_metallic_paint), &eigenshade_gloss_gold_metallic_paint_f32,
-      eigenshade_sources_lobby_4_f32, 4, &picture);
+      eigenshade_sources_lobby_f32, 4, &picture);
 #endif
   for (size_t row = 0; !status && row < SIDE; row++) {
     status = MY(picture_disc_row_)(&picture, SIDE, row, 1.5f, &eigenshade_display_filmic,

@@ -1,6 +1,7 @@
 /* The shipped lights and materials in color, as `eigenshade list` names them, each in float (f32)
-and in integers (q15); small sources of the lights that have some, in sets of at most
-1, 2, 4, 8 and 16; and the gloss of the materials. A program contains only those that it names.
+and in integers (q15); up to 16 small sources of the lights that have some, in the order of their
+worth, and the errors with the first ones, for `eigenshade_gloss_fewest_sources_f32`; and the gloss
+of the materials. A program contains only those that it names.
 
 The example presets_header writes this file. */
 
@@ -259,92 +260,43 @@ extern const struct eigenshade_color_material_q15_t eigenshade_material_yellow_p
 extern const struct eigenshade_color_material_q15_t eigenshade_material_yellow_plastic_q15;
 extern const struct eigenshade_color_material_q15_t eigenshade_material_ptfe_633nm_q15;
 
-extern const struct eigenshade_source_f32_t eigenshade_sources_apartment_1_f32[1];
-extern const struct eigenshade_source_f32_t eigenshade_sources_apartment_2_f32[2];
-extern const struct eigenshade_source_f32_t eigenshade_sources_apartment_4_f32[4];
-extern const struct eigenshade_source_f32_t eigenshade_sources_apartment_8_f32[8];
-extern const struct eigenshade_source_f32_t eigenshade_sources_apartment_16_f32[16];
-extern const struct eigenshade_source_f32_t eigenshade_sources_bridge_2_f32[2];
-extern const struct eigenshade_source_f32_t eigenshade_sources_bridge_4_f32[4];
-extern const struct eigenshade_source_f32_t eigenshade_sources_bridge_8_f32[8];
-extern const struct eigenshade_source_f32_t eigenshade_sources_bridge_16_f32[16];
-extern const struct eigenshade_source_f32_t eigenshade_sources_city_2_f32[2];
-extern const struct eigenshade_source_f32_t eigenshade_sources_city_4_f32[4];
-extern const struct eigenshade_source_f32_t eigenshade_sources_city_8_f32[8];
-extern const struct eigenshade_source_f32_t eigenshade_sources_city_16_f32[16];
-extern const struct eigenshade_source_f32_t eigenshade_sources_dawn_1_f32[1];
-extern const struct eigenshade_source_f32_t eigenshade_sources_dawn_2_f32[2];
-extern const struct eigenshade_source_f32_t eigenshade_sources_dawn_4_f32[4];
-extern const struct eigenshade_source_f32_t eigenshade_sources_dawn_8_f32[8];
-extern const struct eigenshade_source_f32_t eigenshade_sources_dawn_16_f32[16];
-extern const struct eigenshade_source_f32_t eigenshade_sources_esplanade_1_f32[1];
-extern const struct eigenshade_source_f32_t eigenshade_sources_esplanade_2_f32[2];
-extern const struct eigenshade_source_f32_t eigenshade_sources_esplanade_4_f32[4];
-extern const struct eigenshade_source_f32_t eigenshade_sources_esplanade_8_f32[4];
-extern const struct eigenshade_source_f32_t eigenshade_sources_esplanade_16_f32[4];
-extern const struct eigenshade_source_f32_t eigenshade_sources_forest_2_f32[2];
-extern const struct eigenshade_source_f32_t eigenshade_sources_forest_4_f32[4];
-extern const struct eigenshade_source_f32_t eigenshade_sources_forest_8_f32[8];
-extern const struct eigenshade_source_f32_t eigenshade_sources_forest_16_f32[16];
-extern const struct eigenshade_source_f32_t eigenshade_sources_hall_2_f32[2];
-extern const struct eigenshade_source_f32_t eigenshade_sources_hall_4_f32[4];
-extern const struct eigenshade_source_f32_t eigenshade_sources_hall_8_f32[8];
-extern const struct eigenshade_source_f32_t eigenshade_sources_hall_16_f32[16];
-extern const struct eigenshade_source_f32_t eigenshade_sources_lab_1_f32[1];
-extern const struct eigenshade_source_f32_t eigenshade_sources_lab_2_f32[2];
-extern const struct eigenshade_source_f32_t eigenshade_sources_lab_4_f32[4];
-extern const struct eigenshade_source_f32_t eigenshade_sources_lab_8_f32[8];
-extern const struct eigenshade_source_f32_t eigenshade_sources_lab_16_f32[16];
-extern const struct eigenshade_source_f32_t eigenshade_sources_lobby_1_f32[1];
-extern const struct eigenshade_source_f32_t eigenshade_sources_lobby_2_f32[2];
-extern const struct eigenshade_source_f32_t eigenshade_sources_lobby_4_f32[4];
-extern const struct eigenshade_source_f32_t eigenshade_sources_lobby_8_f32[8];
-extern const struct eigenshade_source_f32_t eigenshade_sources_lobby_16_f32[16];
-extern const struct eigenshade_source_f32_t eigenshade_sources_night_1_f32[1];
-extern const struct eigenshade_source_f32_t eigenshade_sources_night_2_f32[2];
-extern const struct eigenshade_source_f32_t eigenshade_sources_night_4_f32[4];
-extern const struct eigenshade_source_f32_t eigenshade_sources_night_8_f32[8];
-extern const struct eigenshade_source_f32_t eigenshade_sources_night_16_f32[16];
-extern const struct eigenshade_source_f32_t eigenshade_sources_park_1_f32[1];
-extern const struct eigenshade_source_f32_t eigenshade_sources_park_2_f32[1];
-extern const struct eigenshade_source_f32_t eigenshade_sources_park_4_f32[1];
-extern const struct eigenshade_source_f32_t eigenshade_sources_park_8_f32[1];
-extern const struct eigenshade_source_f32_t eigenshade_sources_park_16_f32[1];
-extern const struct eigenshade_source_f32_t eigenshade_sources_sky_1_f32[1];
-extern const struct eigenshade_source_f32_t eigenshade_sources_sky_2_f32[1];
-extern const struct eigenshade_source_f32_t eigenshade_sources_sky_4_f32[1];
-extern const struct eigenshade_source_f32_t eigenshade_sources_sky_8_f32[1];
-extern const struct eigenshade_source_f32_t eigenshade_sources_sky_16_f32[1];
-extern const struct eigenshade_source_f32_t eigenshade_sources_studio_1_f32[1];
-extern const struct eigenshade_source_f32_t eigenshade_sources_studio_2_f32[2];
-extern const struct eigenshade_source_f32_t eigenshade_sources_studio_4_f32[4];
-extern const struct eigenshade_source_f32_t eigenshade_sources_studio_8_f32[8];
-extern const struct eigenshade_source_f32_t eigenshade_sources_studio_16_f32[16];
-extern const struct eigenshade_source_f32_t eigenshade_sources_sunrise_1_f32[1];
-extern const struct eigenshade_source_f32_t eigenshade_sources_sunrise_2_f32[2];
-extern const struct eigenshade_source_f32_t eigenshade_sources_sunrise_4_f32[4];
-extern const struct eigenshade_source_f32_t eigenshade_sources_sunrise_8_f32[4];
-extern const struct eigenshade_source_f32_t eigenshade_sources_sunrise_16_f32[4];
-extern const struct eigenshade_source_f32_t eigenshade_sources_sunset_1_f32[1];
-extern const struct eigenshade_source_f32_t eigenshade_sources_sunset_2_f32[2];
-extern const struct eigenshade_source_f32_t eigenshade_sources_sunset_4_f32[4];
-extern const struct eigenshade_source_f32_t eigenshade_sources_sunset_8_f32[8];
-extern const struct eigenshade_source_f32_t eigenshade_sources_sunset_16_f32[16];
-extern const struct eigenshade_source_f32_t eigenshade_sources_venice_1_f32[1];
-extern const struct eigenshade_source_f32_t eigenshade_sources_venice_2_f32[2];
-extern const struct eigenshade_source_f32_t eigenshade_sources_venice_4_f32[4];
-extern const struct eigenshade_source_f32_t eigenshade_sources_venice_8_f32[8];
-extern const struct eigenshade_source_f32_t eigenshade_sources_venice_16_f32[16];
-extern const struct eigenshade_source_f32_t eigenshade_sources_warehouse_1_f32[1];
-extern const struct eigenshade_source_f32_t eigenshade_sources_warehouse_2_f32[2];
-extern const struct eigenshade_source_f32_t eigenshade_sources_warehouse_4_f32[4];
-extern const struct eigenshade_source_f32_t eigenshade_sources_warehouse_8_f32[8];
-extern const struct eigenshade_source_f32_t eigenshade_sources_warehouse_16_f32[16];
-extern const struct eigenshade_source_f32_t eigenshade_sources_workshop_1_f32[1];
-extern const struct eigenshade_source_f32_t eigenshade_sources_workshop_2_f32[2];
-extern const struct eigenshade_source_f32_t eigenshade_sources_workshop_4_f32[4];
-extern const struct eigenshade_source_f32_t eigenshade_sources_workshop_8_f32[8];
-extern const struct eigenshade_source_f32_t eigenshade_sources_workshop_16_f32[8];
+extern const struct eigenshade_source_f32_t eigenshade_sources_apartment_f32[16];
+extern const struct eigenshade_source_f32_t eigenshade_sources_bridge_f32[16];
+extern const struct eigenshade_source_f32_t eigenshade_sources_city_f32[16];
+extern const struct eigenshade_source_f32_t eigenshade_sources_dawn_f32[16];
+extern const struct eigenshade_source_f32_t eigenshade_sources_esplanade_f32[2];
+extern const struct eigenshade_source_f32_t eigenshade_sources_forest_f32[16];
+extern const struct eigenshade_source_f32_t eigenshade_sources_hall_f32[16];
+extern const struct eigenshade_source_f32_t eigenshade_sources_lab_f32[16];
+extern const struct eigenshade_source_f32_t eigenshade_sources_lobby_f32[16];
+extern const struct eigenshade_source_f32_t eigenshade_sources_night_f32[16];
+extern const struct eigenshade_source_f32_t eigenshade_sources_park_f32[1];
+extern const struct eigenshade_source_f32_t eigenshade_sources_sky_f32[16];
+extern const struct eigenshade_source_f32_t eigenshade_sources_studio_f32[16];
+extern const struct eigenshade_source_f32_t eigenshade_sources_sunrise_f32[15];
+extern const struct eigenshade_source_f32_t eigenshade_sources_sunset_f32[10];
+extern const struct eigenshade_source_f32_t eigenshade_sources_venice_f32[16];
+extern const struct eigenshade_source_f32_t eigenshade_sources_warehouse_f32[16];
+extern const struct eigenshade_source_f32_t eigenshade_sources_workshop_f32[16];
+
+extern const float eigenshade_source_errors_apartment_f32[17][6];
+extern const float eigenshade_source_errors_bridge_f32[17][6];
+extern const float eigenshade_source_errors_city_f32[17][6];
+extern const float eigenshade_source_errors_dawn_f32[17][6];
+extern const float eigenshade_source_errors_esplanade_f32[3][6];
+extern const float eigenshade_source_errors_forest_f32[17][6];
+extern const float eigenshade_source_errors_hall_f32[17][6];
+extern const float eigenshade_source_errors_lab_f32[17][6];
+extern const float eigenshade_source_errors_lobby_f32[17][6];
+extern const float eigenshade_source_errors_night_f32[17][6];
+extern const float eigenshade_source_errors_park_f32[2][6];
+extern const float eigenshade_source_errors_sky_f32[17][6];
+extern const float eigenshade_source_errors_studio_f32[17][6];
+extern const float eigenshade_source_errors_sunrise_f32[16][6];
+extern const float eigenshade_source_errors_sunset_f32[11][6];
+extern const float eigenshade_source_errors_venice_f32[17][6];
+extern const float eigenshade_source_errors_warehouse_f32[17][6];
+extern const float eigenshade_source_errors_workshop_f32[17][6];
 
 extern const struct eigenshade_gloss_f32_t eigenshade_gloss_alum_bronze_f32;
 extern const struct eigenshade_gloss_f32_t eigenshade_gloss_alumina_oxide_f32;

@@ -2,8 +2,8 @@
 //! them.
 
 use crate::table::{self, q15};
-use eigenshade_table::{highlights, light, material};
 use eigenshade::{Highlights, Rgb};
+use eigenshade_table::{highlights, light, material};
 
 /// The order of glTF materials.
 pub(crate) const METALLIC_ROUGHNESS_ORDER: usize = 7;
@@ -15,7 +15,7 @@ pub(crate) const MATERIAL_BUFFER: usize = material::count(LARGEST_ORDER);
 /// Exponents of such a material.
 pub(crate) const MATERIAL_EXPONENTS: usize = LARGEST_ORDER + 1;
 /// The most sources of a picture.
-pub(crate) const SOURCES: usize = highlights::LARGEST_SET;
+pub(crate) const SOURCES: usize = highlights::SHIPPED_SOURCES;
 
 /// The size of a picture in words of 64 bits, on machines with addresses of 64 bits. On others it
 /// is smaller, but C has one header.

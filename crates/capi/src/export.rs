@@ -58,6 +58,23 @@ pub extern "C" fn eigenshade_gloss_metallic_roughness_f32(
         .into()
 }
 
+/// The fewest of a light's first sources with which pictures of a gloss are within `tolerance`, a
+/// share of white: 0 from a roughness of 0.6 on, and `length` if all exceed it. `errors` is such as
+/// `eigenshade_source_errors_lobby_f32[0]`, and `length` its number of rows, of six numbers each.
+///
+/// On an error `count` is unchanged.
+#[unsafe(no_mangle)]
+pub extern "C" fn eigenshade_gloss_fewest_sources_f32(
+    gloss: *const Gloss,
+    errors: *const f32,
+    length: usize,
+    tolerance: f32,
+    count: *mut usize,
+) -> Status {
+    let errors = Input(errors.cast());
+    sources::gloss_fewest_sources(&Input(gloss), &errors, length, tolerance, &Output(count)).into()
+}
+
 /// The exposure of the pixels that a meter has counted, in either format, to within 7 %.
 ///
 /// One pixel in a hundred is brighter than white. If that leaves the median pixel darker than 0.12

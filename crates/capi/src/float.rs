@@ -10,12 +10,12 @@ use crate::records_f32::{
 };
 use crate::status::{Status, light_shape, material_shape};
 use crate::table::{self, COMPONENTS, LIGHT, SCENE, TRANSFER, WORKSPACE};
-use eigenshade_table::material;
 use eigenshade::specialized::checked;
 use eigenshade::{
     BakedMap, Basis, DiscPixel, Error, Exposure, Highlights, Light, Linear, MapPoint, Material,
     Normal, NormalPixel, Parts, Rgb, Rotation, Source,
 };
+use eigenshade_table::material;
 
 /// The basis without the factors of transfers: a program whose transfers are computed beforehand
 /// links no factors.

@@ -85,18 +85,13 @@ macro_rules! materials {
 }
 eigenshade::each_preset_material!(materials);
 
-const fn sources_f32<const N: usize>(from: &[eigenshade::Source]) -> [Source; N] {
-    const NONE: Source =
-        Source { direction: [0.0; 3], energy: [0.0; 3], major: [0.0; 3], minor: 0.0 };
+const fn sources_f32<const N: usize>(from: [eigenshade::Source; N]) -> [Source; N] {
+    const NONE: Source = Source { direction: [0.0; 3], energy: [0.0; 3], spread: 0.0 };
     let (mut to, mut k) = ([NONE; N], 0);
     while k < N {
         let Rgb { r, g, b } = from[k].energy();
-        to[k] = Source {
-            direction: from[k].direction(),
-            energy: [r, g, b],
-            major: from[k].major(),
-            minor: from[k].minor(),
-        };
+        let (direction, spread) = (from[k].direction(), from[k].spread());
+        to[k] = Source { direction, energy: [r, g, b], spread };
         k += 1;
     }
     to
@@ -124,6 +119,11 @@ macro_rules! sources {
             #[unsafe(export_name = concat!("eigenshade_sources_", $name, "_f32"))]
             static $constant: Constant<[Source; sources::$constant.len()]> =
                 Constant(sources_f32(sources::$constant));
+        )*};
+        const _: () = {$(
+            #[unsafe(export_name = concat!("eigenshade_source_errors_", $name, "_f32"))]
+            static $constant: Constant<[[f32; 6]; sources::errors::$constant.len()]> =
+                Constant(sources::errors::$constant);
         )*};
     };
 }

@@ -1,9 +1,7 @@
 //! The header `include/eigenshade_presets.h`.
 
-use eigenshade_table::highlights::SETS;
 use std::format;
 use std::string::{String, ToString};
-use std::vec::Vec;
 
 macro_rules! names {
     ($($constant:ident $name:literal)*) => {
@@ -13,8 +11,9 @@ macro_rules! names {
 
 const START: &str = "\
 /* The shipped lights and materials in color, as `eigenshade list` names them, each in float (f32)
-and in integers (q15); small sources of the lights that have some, in sets of at most
-SETS; and the gloss of the materials. A program contains only those that it names.
+and in integers (q15); up to 16 small sources of the lights that have some, in the order of their
+worth, and the errors with the first ones, for `eigenshade_gloss_fewest_sources_f32`; and the gloss
+of the materials. A program contains only those that it names.
 
 The example presets_header writes this file. */
 
@@ -44,9 +43,7 @@ macro_rules! counted {
 
 /// The header.
 pub(crate) fn header() -> String {
-    let (last, others) = SETS.split_last().expect("some sets");
-    let others: Vec<String> = others.iter().map(ToString::to_string).collect();
-    let mut text = START.replace("\nSETS;", &format!("\n{} and {last};", others.join(", ")));
+    let mut text = START.to_string();
     let lights: &[&str] = &eigenshade::each_preset_light!(names);
     let materials: &[&str] = &eigenshade::each_preset_material!(names);
     for (kind, names) in [("light", lights), ("material", materials)] {
@@ -64,6 +61,11 @@ pub(crate) fn header() -> String {
     for (name, count) in sources {
         let constant = format!("eigenshade_sources_{name}_f32[{count}]");
         text += &format!("extern const struct eigenshade_source_f32_t {constant};\n");
+    }
+    text += "\n";
+    for (name, count) in sources {
+        let rows = count + 1;
+        text += &format!("extern const float eigenshade_source_errors_{name}_f32[{rows}][6];\n");
     }
     text += "\n";
     let glosses: &[&str] = &eigenshade::each_preset_gloss!(names);

@@ -9,9 +9,9 @@ use crate::records_q15::{
 };
 use crate::status::Status;
 use crate::table::LIGHT;
-use eigenshade_table::material;
 use eigenshade::q15::{Light, Material, Normal};
 use eigenshade::{Q15, Rgb};
+use eigenshade_table::material;
 
 /// A light of C whose mantissas are the first ones of these.
 pub(crate) fn pointing(to: &[Q15; LIGHT], length: usize, exponent: i32) -> LightQ15 {

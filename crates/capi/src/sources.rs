@@ -13,10 +13,8 @@ pub struct Source {
     pub direction: [f32; 3],
     /// The integral of its radiance over solid angle: red, green and blue, at least 0.
     pub energy: [f32; 3],
-    /// A vector across the direction, whose length is the standard deviation along it in radians.
-    pub major: [f32; 3],
-    /// The standard deviation across the major axis: from 0 to its length, at most 0.5.
-    pub minor: f32,
+    /// The standard deviation of its round blob in radians, from 0 to 0.5.
+    pub spread: f32,
 }
 
 /// A GGX lobe over a matte base; all numbers are from 0 to 1. May be kept in flash.
@@ -40,8 +38,8 @@ unsafe impl Plain for Gloss {}
 impl Source {
     /// The source, for the runtime.
     fn view(&self) -> Result<eigenshade::Source, Status> {
-        let Self { direction, energy, major, minor } = *self;
-        Ok(eigenshade::Source::new(direction, energy, major, minor)?)
+        let Self { direction, energy, spread } = *self;
+        Ok(eigenshade::Source::new(direction, energy, spread)?)
     }
 }
 
@@ -80,8 +78,7 @@ pub(crate) fn source_turn(
     *unsafe { to.zeroed() }? = Source {
         direction: turned.direction(),
         energy: turned.energy().into(),
-        major: turned.major(),
-        minor: turned.minor(),
+        spread: turned.spread(),
     };
     Ok(())
 }
@@ -100,5 +97,22 @@ pub(crate) fn gloss_metallic_roughness(
     // SAFETY: nothing overlaps.
     *unsafe { gloss.zeroed() }? =
         Gloss { roughness, reflectance, grazing, albedo: found.albedo().into() };
+    Ok(())
+}
+
+pub(crate) fn gloss_fewest_sources(
+    gloss: &Input<Gloss>,
+    errors: &Input<[f32; 6]>,
+    length: usize,
+    tolerance: f32,
+    count: &Output<usize>,
+) -> Result<(), Status> {
+    let gloss = gloss.value()?;
+    // SAFETY: C promises `length` rows.
+    let errors = unsafe { errors.array(length) }?;
+    disjoint(&[count.place()], &[Place::of(gloss), Place::of(errors)])?;
+    let fewest = gloss.view()?.fewest_sources(errors, tolerance).unwrap_or(length);
+    // SAFETY: nothing overlaps.
+    *unsafe { count.zeroed() }? = fewest;
     Ok(())
 }

@@ -2,8 +2,8 @@
 
 use crate::table;
 use core::ffi::CStr;
-use eigenshade_table::{light, material};
 use eigenshade::{Argument, Error};
+use eigenshade_table::{light, material};
 
 /// The result of every function that can fail: 0, or the reason why it did nothing.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -109,7 +109,7 @@ fn the_readme_draws_highlights() {
                 (unsigned)other[k]);\n  return status;\n}\n";
     for format in ["f32", "q15"] {
         // The sources and the gloss stay in float.
-        let of_float = ["gloss_gold_metallic_paint_", "lobby_4_", "eigenshade_source_"];
+        let of_float = ["gloss_gold_metallic_paint_", "sources_lobby_", "eigenshade_source_"];
         let glossy = of_float.into_iter().fold(glossy.replace("f32", format), |text, name| {
             text.replace(&format!("{name}{format}"), &format!("{name}f32"))
         });

@@ -7,7 +7,7 @@ use crate::presets::{Source, largest_within};
 use eigenshade_model::error::Result;
 use eigenshade_model::screen::ScreenError;
 use eigenshade_model::shipped;
-use eigenshade_model::source::{Base, Gloss, NamedGloss, SetError};
+use eigenshade_model::source::{Base, Gloss, NamedGloss, SourceError};
 use eigenshade_table::highlights::MATTE;
 
 /// The rms that a fitted gloss leaves, relative to pictures under a small source, from which on it
@@ -24,13 +24,13 @@ type Size = (usize, usize);
 pub struct Estimates {
     /// The name of the light, if the errors are its own.
     light: Option<String>,
-    errors: Vec<SetError>,
+    errors: Vec<SourceError>,
 }
 
 /// A number of sources, and the error of a picture with them.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Estimate {
-    /// The most sources.
+    /// The number of sources.
     pub sources: usize,
     /// The error against direct integration under the whole light.
     pub error: ScreenError,
@@ -40,9 +40,9 @@ impl Estimates {
     /// The errors under a light, or under all shipped lights with maps if its own are not known.
     /// Fails if the errors beside a light CSV cannot be read.
     pub fn under(light: &Source, name: &str) -> Result<Self> {
-        let errors = light.set_errors(name)?;
+        let errors = light.source_errors(name)?;
         if errors.is_empty() {
-            return Ok(Self { light: None, errors: shipped::set_errors()? });
+            return Ok(Self { light: None, errors: shipped::source_errors()? });
         }
         Ok(Self { light: Some(name.to_owned()), errors })
     }
@@ -62,18 +62,18 @@ impl Estimates {
         let sizes = self.errors.iter().map(|one| one.size);
         let is_beyond = sizes.clone().all(|(degree, order)| size.0 > degree || size.1 > order);
         let size = largest_within(sizes, size).filter(|_| !is_beyond).unwrap_or_default();
-        let fits = |one: &&SetError| {
-            (one.size, one.base) == (size, Base::of(gloss)) && one.most <= sources
+        let fits = |one: &&SourceError| {
+            (one.size, one.base) == (size, Base::of(gloss)) && one.sources <= sources
         };
-        let mut sets: Vec<&SetError> = Vec::new();
+        let mut all: Vec<&SourceError> = Vec::new();
         for one in self.errors.iter().filter(fits) {
-            match sets.iter_mut().find(|set| set.light == one.light) {
-                Some(set) if set.most <= one.most => *set = one,
+            match all.iter_mut().find(|other| other.light == one.light) {
+                Some(other) if other.sources <= one.sources => *other = one,
                 Some(_) => {}
-                None => sets.push(one),
+                None => all.push(one),
             }
         }
-        let errors: Vec<_> = sets.iter().map(|set| set.of(gloss)).collect();
+        let errors: Vec<_> = all.iter().map(|one| one.of(gloss)).collect();
         let median = |of: fn(&ScreenError) -> f64| {
             let mut values: Vec<f64> = errors.iter().map(of).collect();
             values.sort_by(f64::total_cmp);
@@ -91,7 +91,7 @@ impl Estimates {
     /// white if one is given; or else those that leave least.
     #[must_use]
     pub fn fewest(&self, size: Size, gloss: &Gloss, within: Option<f64>, most: usize) -> Estimate {
-        let mut counts: Vec<usize> = self.errors.iter().map(|one| one.most).collect();
+        let mut counts: Vec<usize> = self.errors.iter().map(|one| one.sources).collect();
         counts.retain(|count| *count <= most);
         counts.sort_unstable();
         counts.dedup();

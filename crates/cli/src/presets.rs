@@ -5,10 +5,10 @@ use eigenshade_model::error::{Error, Result, STANDARD_INPUT};
 use eigenshade_model::inputs::coefficient_csv::{read_lights, read_materials};
 use eigenshade_model::inputs::gloss_csv::read_glosses;
 use eigenshade_model::inputs::input_file::{InputFile, is_file};
-use eigenshade_model::inputs::set_error_csv::read_set_errors;
 use eigenshade_model::inputs::source_csv::read_sources;
+use eigenshade_model::inputs::source_error_csv::read_source_errors;
 use eigenshade_model::shipped;
-use eigenshade_model::source::{NamedGloss, SetError, Source as SmallSource};
+use eigenshade_model::source::{NamedGloss, Source as SmallSource, SourceError};
 use eigenshade_shading::highlights;
 use std::convert::Infallible;
 use std::path::{Path, PathBuf};
@@ -81,7 +81,7 @@ impl Source {
     /// The files with the light: its own, and those beside it with its sources and their errors.
     #[must_use]
     pub fn light_files(&self) -> Vec<PathBuf> {
-        self.with_existing([SOURCES, SET_ERRORS])
+        self.with_existing([SOURCES, SOURCE_ERRORS])
     }
 
     /// The files with the material: its own, and the one beside it with its gloss.
@@ -114,18 +114,18 @@ impl Source {
         Ok(Lights { degree, entries: self.chosen("light", entries)? })
     }
 
-    /// The largest set of at most this many small sources of one light. Fails if the sources of a
+    /// The first small sources of one light, at most this many. Fails if the sources of a
     /// light CSV, which are in a file beside it, cannot be read; or if there are none for the
     /// light, or one that the runtime refuses in f32.
     pub fn sources(&self, light: &str, most: usize) -> Result<Vec<SmallSource>> {
         if self.entry == Entry::Shipped {
-            let sets = shipped::sources()?.into_iter().find(|sets| sets.name == light);
-            let sets = sets.ok_or_else(|| {
+            let named = shipped::sources()?.into_iter().find(|named| named.name == light);
+            let named = named.ok_or_else(|| {
                 let what =
                     format!("the shipped light `{light}` has no map, so no sources are known");
                 Error::new(what, "take another light, or leave --sources out")
             })?;
-            return Ok(sets.of_most(most).to_vec());
+            return Ok(named.first(most).to_vec());
         }
         let Some(file) = beside(&self.path, SOURCES) else {
             let what = "only a file whose name ends in .csv has sources beside it";
@@ -136,28 +136,28 @@ impl Source {
             return Err(Error::new(what, FIND_SOURCES).in_file(file));
         }
         let lights = read_sources(InputFile::new(&file))?;
-        let sets = lights.into_iter().find(|sets| sets.name == light).ok_or_else(|| {
+        let named = lights.into_iter().find(|named| named.name == light).ok_or_else(|| {
             let what = format!("it has no sources of the light `{light}`");
             Error::new(what, FIND_SOURCES).in_file(&file)
         })?;
-        let sources = sets.of_most(most);
+        let sources = named.first(most);
         if let Some(bad) = sources.iter().position(|one| highlights::source(one).is_err()) {
             let what = format!("source {} of `{light}` is not one", bad + 1);
-            let remedy = "a source has a unit direction, energies of at least 0, and spreads of 0 <= \
-                          minor <= |major| <= 0.5";
+            let remedy = "a source has a unit direction, energies of at least 0, and a spread of 0 to \
+                          0.5";
             return Err(Error::new(what, remedy).in_file(file));
         }
         Ok(sources.to_vec())
     }
 
-    /// The errors that the sets of small sources of one light leave, if they are known. Fails if
+    /// The errors of pictures with the small sources of one light, if they are known. Fails if
     /// the errors of a light CSV, which are in a file beside it, cannot be read.
-    pub fn set_errors(&self, light: &str) -> Result<Vec<SetError>> {
+    pub fn source_errors(&self, light: &str) -> Result<Vec<SourceError>> {
         let errors = match self.entry {
-            Entry::Shipped => shipped::set_errors()?,
+            Entry::Shipped => shipped::source_errors()?,
             _ => {
-                let Some(file) = existing(&self.path, SET_ERRORS) else { return Ok(Vec::new()) };
-                read_set_errors(InputFile::new(file))?
+                let Some(file) = existing(&self.path, SOURCE_ERRORS) else { return Ok(Vec::new()) };
+                read_source_errors(InputFile::new(file))?
             }
         };
         Ok(errors.into_iter().filter(|one| one.light == light).collect())
@@ -283,7 +283,7 @@ const FIND_SOURCES: &str =
 /// The ending of the file beside a light CSV that has the sources of its lights.
 pub const SOURCES: &str = "sources.csv";
 /// The ending of the file beside them that has the errors that these sources leave.
-pub const SET_ERRORS: &str = "sources.errors.csv";
+pub const SOURCE_ERRORS: &str = "sources.errors.csv";
 /// The ending of the file beside a material CSV that has the gloss of its materials.
 pub const GLOSS: &str = "gloss.csv";
 
@@ -302,7 +302,7 @@ fn existing(file: &Path, ending: &str) -> Option<PathBuf> {
 /// Refuses to write a light CSV beside the sources of other lights, with which the new ones would
 /// be drawn.
 pub fn refuse_stale_sources(lights: Option<&Path>) -> Result<()> {
-    let all = [SOURCES, SET_ERRORS].map(|ending| existing(lights?, ending));
+    let all = [SOURCES, SOURCE_ERRORS].map(|ending| existing(lights?, ending));
     let beside = all.iter().flatten().map(|file| file.display().to_string());
     let beside: Vec<String> = beside.collect();
     if beside.is_empty() {

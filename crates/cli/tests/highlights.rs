@@ -4,10 +4,10 @@ use crate::support::{Folder, assert_contains, assert_fails};
 use eigenshade_cli::reading::pixels::LinearImage;
 use eigenshade_generator::material::brdf::{Brdf, Geometry, Ggx};
 use eigenshade_model::inputs::gloss_csv::read_glosses;
-use eigenshade_model::inputs::set_error_csv::read_set_errors;
 use eigenshade_model::inputs::source_csv::read_sources;
+use eigenshade_model::inputs::source_error_csv::read_source_errors;
 use eigenshade_model::shipped;
-use eigenshade_model::source::{Base, Gloss, SetError};
+use eigenshade_model::source::{Base, Gloss, SourceError};
 use eigenshade_testing::fixtures;
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
@@ -34,14 +34,14 @@ fn a_lamp_is_found_and_mirrored() {
     folder.ok("light lamp.pfm --sources 1 --for 0.3 --degree 9 --out lamp.csv");
     let lights = read_sources(folder.path("lamp.sources.csv")).unwrap();
     let [light] = &lights[..] else { panic!("{lights:?}") };
-    let [source] = light.of_most(1) else { panic!("{light:?}") };
+    let [source] = light.first(1) else { panic!("{light:?}") };
     let [x, _, z] = source.direction;
     assert!((0.6 * x + 0.8 * z).acos() < PLACE, "{source:?}");
     // What is left of pictures is beside them: a source halves it.
-    let errors = read_set_errors(folder.path("lamp.sources.errors.csv")).unwrap();
+    let errors = read_source_errors(folder.path("lamp.sources.errors.csv")).unwrap();
     let left = |most: usize| {
         let key = (most, (9, 7), Base::Metal);
-        errors.iter().find(|one| (one.most, one.size, one.base) == key).unwrap().errors[2]
+        errors.iter().find(|one| (one.sources, one.size, one.base) == key).unwrap().errors[2]
     };
     assert!(left(1).mean < 0.5 * left(0).mean && left(1).white < 0.5 * left(0).white, "{errors:?}");
     folder.ok("material ggx --roughness 0.3 --f0 0.9,0.6,0.3 --out copper.csv");
@@ -143,10 +143,10 @@ fn smooth_materials_are_beyond_the_method() {
         assert!(notes.len() <= 1, "{text}");
         notes.concat()
     };
-    let errors = shipped::set_errors().unwrap();
+    let errors = shipped::source_errors().unwrap();
     let of = |most: usize| {
         let key = ("studio", most, (9, 7), Base::Metal);
-        let is = |one: &&SetError| (one.light.as_str(), one.most, one.size, one.base) == key;
+        let is = |one: &&SourceError| (one.light.as_str(), one.sources, one.size, one.base) == key;
         let error = errors.iter().find(is).unwrap().errors[0];
         format!("{:.1} in the mean and {:.1} for 95 of 100 pixels", error.mean, error.p95)
     };
@@ -177,17 +177,18 @@ fn pictures_take_the_sources_that_they_need() {
         let said = folder.messages(&drawn);
         (said, LinearImage::read(folder.path("a.exr"), None).unwrap().pixels)
     };
-    let errors = shipped::set_errors().unwrap();
+    let errors = shipped::source_errors().unwrap();
     let mut counts = Vec::new();
     for light in ["studio", "city", "venice"] {
         for (material, base, place) in
             [("metal.csv", Base::Metal, 4), ("clay.csv", Base::Dielectric, 2)]
         {
             let of_light = errors.iter().filter(|one| {
-                (one.light.as_str(), one.size, one.base) == (light, (9, 7), base) && one.most <= 8
+                (one.light.as_str(), one.size, one.base) == (light, (9, 7), base)
+                    && one.sources <= 8
             });
-            let sets: Vec<_> = of_light.map(|one| (one.most, one.errors[place])).collect();
-            let Some((count, _)) = sets.iter().find(|(_, error)| error.is_close()) else {
+            let all: Vec<_> = of_light.map(|one| (one.sources, one.errors[place])).collect();
+            let Some((count, _)) = all.iter().find(|(_, error)| error.is_close()) else {
                 continue;
             };
             let (said, pixels) = drawn(light, material, "");
@@ -200,12 +201,11 @@ fn pictures_take_the_sources_that_they_need() {
             assert!(!said.contains("sharper"), "{said}");
             assert!(pixels == drawn(light, material, &format!("--sources {count}")).1, "{said}");
             counts.push(*count);
-            // A tolerance between two sets takes the second.
-            let (least, _) = sets[0];
-            assert_eq!(least, 0);
-            let share = 0.5 * (sets[0].1.white + sets[1].1.white);
+            // A tolerance between two errors takes the second.
+            assert_eq!(all[0].0, 0);
+            let share = 0.5 * (all[0].1.white + all[1].1.white);
             let (said, _) = drawn(light, material, &format!("--tolerance {share}"));
-            let within = sets.iter().find(|(_, error)| error.white <= share);
+            let within = all.iter().find(|(_, error)| error.white <= share);
             if let Some((count, _)) = within.filter(|(count, _)| *count > 1) {
                 assert_contains(&said, &[&format!(", {count} sources,")]);
             }

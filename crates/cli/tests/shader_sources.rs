@@ -31,7 +31,7 @@ const MATERIAL: &str = "gold-metallic-paint2";
 /// A folder with a table, lights, and two sources of `light-1` beside them.
 fn folder_with_sources() -> Folder {
     let folder = Folder::with_table();
-    let source = "light-1,2,0,0.6,0.8,1,0.7,0.2,0.02,0,0,0.02\n";
+    let source = "light-1,0,0.6,0.8,1,0.7,0.2,0.02\n";
     folder.write("lights.sources.csv", SOURCES.to_owned() + &source.repeat(2));
     folder
 }
@@ -73,7 +73,7 @@ fn texts_without_sources_are_unchanged() {
 #[test]
 fn vectors_have_their_places() {
     let gloss = Gloss::new(0.3, [0.04; 3], [0.5; 3]).expect("a gloss");
-    let lamp = Source::round([0.0, 0.6, 0.8_f32], [1.0; 3], 0.1).expect("a source");
+    let lamp = Source::new([0.0, 0.6, 0.8_f32], [1.0; 3], 0.1).expect("a source");
     let of = |count: usize| Highlights::<3>::new(&gloss, &[lamp; 3][..count]).expect("room");
     with_shader(|shader| {
         let scene = shader.vectors();

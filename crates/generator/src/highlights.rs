@@ -6,7 +6,7 @@ use eigenshade_model::highlight_constants::modules;
 use eigenshade_model::inputs::gloss_csv::read_glosses;
 use eigenshade_model::inputs::input_file::InputFile;
 use eigenshade_model::inputs::source_csv::read_sources;
-use eigenshade_model::source::{NamedGloss, SourceSets};
+use eigenshade_model::source::{NamedGloss, NamedSources};
 use serde::Deserialize;
 
 /// The section `[highlights]`.
@@ -24,7 +24,7 @@ pub struct Highlights {
     /// The most sources of a light.
     pub most: usize,
     /// The sources of the lights that have some.
-    pub sources: Vec<SourceSets>,
+    pub sources: Vec<NamedSources>,
     /// The gloss of the materials of which it is known.
     pub glosses: Vec<NamedGloss>,
     /// Lights without sources, such as those that no map is known of.
@@ -50,7 +50,7 @@ impl Highlights {
         let mut sources = read_sources(scene.other(&of_sources))?;
         let mut glosses = read_glosses(scene.other(&of_gloss))?;
         let is_in = |entries: &[Named], name: &str| entries.iter().any(|entry| entry.name == name);
-        sources.retain(|sets| is_in(&lights.entries, &sets.name));
+        sources.retain(|light| is_in(&lights.entries, &light.name));
         glosses.retain(|gloss| is_in(&materials.entries, &gloss.name));
         if sources.is_empty() {
             let remedy = "find them with `eigenshade light MAP --sources 8 --out FILE.csv`, or remove \
@@ -71,7 +71,7 @@ impl Highlights {
         };
         Ok(Self {
             most: files.most,
-            dark: others(&lights.entries, &|name| sources.iter().any(|sets| sets.name == name)),
+            dark: others(&lights.entries, &|name| sources.iter().any(|light| light.name == name)),
             without_gloss: others(&materials.entries, &|name| {
                 glosses.iter().any(|one| one.name == name)
             }),
@@ -85,7 +85,7 @@ impl Highlights {
     #[must_use]
     pub fn text(&self) -> String {
         let sources = self.sources.iter();
-        let sources = sources.map(|sets| (sets.name.as_str(), sets.of_most(self.most)));
+        let sources = sources.map(|light| (light.name.as_str(), light.first(self.most)));
         modules(&sources.collect::<Vec<_>>(), &self.glosses)
     }
 

@@ -24,18 +24,16 @@ fn of_sources(text: &mut String, sources: &[(&str, &[Source])]) {
     let _ = write!(
         text,
         "/// Small sources of lights.\npub mod sources {{\n{EXPECT}\
-         \n    /// Direction, energy, major axis and minor spread: the arguments of \
-         `eigenshade::Source::new`.\n    \
-         pub type Record = ([f32; 3], [f32; 3], [f32; 3], f32);\n\
+         \n    /// Direction, energy and spread: the arguments of `eigenshade::Source::new`.\n    \
+         pub type Record = ([f32; 3], [f32; 3], f32);\n\
          \n    /// By the name of the light.\n    pub const ALL: &[(&str, &[Record])] = &[\n"
     );
     for (name, of_light) in sources {
         let _ = writeln!(text, "        ({name:?}, &[");
-        for &Source { direction, energy, major, minor } in *of_light {
-            let [direction, energy, major] = [direction, energy, major].map(rounded);
-            let minor = minor as f32;
-            let _ =
-                writeln!(text, "            ({direction:?}, {energy:?}, {major:?}, {minor:?}),");
+        for &Source { direction, energy, spread } in *of_light {
+            let [direction, energy] = [direction, energy].map(rounded);
+            let spread = spread as f32;
+            let _ = writeln!(text, "            ({direction:?}, {energy:?}, {spread:?}),");
         }
         text.push_str("        ]),\n");
     }

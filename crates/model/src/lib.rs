@@ -79,9 +79,9 @@ pub mod inputs {
     pub mod gloss_csv;
     pub mod input_file;
     pub mod normals;
-    pub mod set_error_csv;
     pub mod sheet;
     pub mod source_csv;
+    pub mod source_error_csv;
 }
 
 pub mod shipped;

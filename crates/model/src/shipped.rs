@@ -6,10 +6,10 @@ use crate::error::{Error, Result};
 use crate::inputs::coefficient_csv::{read_lights, read_materials};
 use crate::inputs::gloss_csv::read_glosses;
 use crate::inputs::input_file::InputFile;
-use crate::inputs::set_error_csv::read_set_errors;
 use crate::inputs::source_csv::read_sources;
+use crate::inputs::source_error_csv::read_source_errors;
 use crate::screen::ScreenError;
-use crate::source::{NamedGloss, SetError, SourceSets};
+use crate::source::{NamedGloss, NamedSources, SourceError};
 use eigenshade_table::{decode, material};
 use std::ffi::OsStr;
 use std::path::Path;
@@ -30,7 +30,7 @@ const COLORED: &str = include_str!("../tables/inputs/merl.csv");
 const COLORED_12: &str = include_str!("../tables/inputs/merl-12.csv");
 
 const SOURCES: &str = include_str!("../tables/inputs/sources.csv");
-const SET_ERRORS: &str = include_str!("../tables/inputs/sources.errors.csv");
+const SOURCE_ERRORS: &str = include_str!("../tables/inputs/sources.errors.csv");
 const GLOSS: &str = include_str!("../tables/inputs/gloss.csv");
 const ERRORS: &str = include_str!("../tables/inputs/merl.errors.csv");
 
@@ -62,18 +62,18 @@ pub fn lights() -> Result<Lights> {
 /// # Errors
 ///
 /// As [`read_sources`], for the compiled-in file.
-pub fn sources() -> Result<Vec<SourceSets>> {
+pub fn sources() -> Result<Vec<NamedSources>> {
     read_sources(InputFile::of_text(SOURCES, "tables/inputs/sources.csv"))
 }
 
-/// The errors that the small sources of the captured lights leave, and those without sources,
+/// The errors of pictures under the captured lights without sources and with the first ones,
 /// `tables/inputs/sources.errors.csv`.
 ///
 /// # Errors
 ///
-/// As [`read_set_errors`], for the compiled-in file.
-pub fn set_errors() -> Result<Vec<SetError>> {
-    read_set_errors(InputFile::of_text(SET_ERRORS, "tables/inputs/sources.errors.csv"))
+/// As [`read_source_errors`], for the compiled-in file.
+pub fn source_errors() -> Result<Vec<SourceError>> {
+    read_source_errors(InputFile::of_text(SOURCE_ERRORS, "tables/inputs/sources.errors.csv"))
 }
 
 /// The gloss of the materials in color, `tables/inputs/gloss.csv`.

@@ -4,17 +4,15 @@ use crate::inputs::coefficient_text::significant;
 use crate::screen::ScreenError;
 use eigenshade_table::highlights::{MATTE, ROUGHNESS, SMOOTHEST};
 
-/// An elliptical blob of light on the sphere of directions: see the runtime's `Source`.
+/// A round blob of light on the sphere of directions: see the runtime's `Source`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Source {
     /// The unit vector toward the source.
     pub direction: [f64; 3],
     /// The integral of radiance over solid angle, by channel.
     pub energy: [f64; 3],
-    /// Perpendicular to the direction; its length is the standard deviation along it in radians.
-    pub major: [f64; 3],
-    /// The standard deviation across it in radians, at most the length of `major`.
-    pub minor: f64,
+    /// The standard deviation along every direction in radians.
+    pub spread: f64,
 }
 
 impl Source {
@@ -22,7 +20,7 @@ impl Source {
     #[must_use]
     pub fn turned(&self, matrix: [[f64; 3]; 3]) -> Self {
         let turn = |[x, y, z]: [f64; 3]| matrix.map(|[a, b, c]| a * x + b * y + c * z);
-        Self { direction: turn(self.direction), major: turn(self.major), ..*self }
+        Self { direction: turn(self.direction), ..*self }
     }
 
     /// This source with its numbers rounded to significant digits, for smaller files.
@@ -32,28 +30,25 @@ impl Source {
         Self {
             direction: self.direction.map(round),
             energy: self.energy.map(round),
-            major: self.major.map(round),
-            minor: round(self.minor),
+            spread: round(self.spread),
         }
     }
 }
 
-/// The sources of one light: several sets of different sizes.
+/// The sources of one light.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub struct SourceSets {
+pub struct NamedSources {
     /// The name of the light.
     pub name: String,
-    /// The most sources of each set, in rising order, and its sources. A set has fewer than its
-    /// most if more do not pay.
-    pub sets: Vec<(usize, Vec<Source>)>,
+    /// The sources in the order of their worth: the first n are the best n of this list.
+    pub sources: Vec<Source>,
 }
 
-impl SourceSets {
-    /// The largest set of at most this many sources.
+impl NamedSources {
+    /// The first `most` sources, or all if there are fewer.
     #[must_use]
-    pub fn of_most(&self, most: usize) -> &[Source] {
-        let fitting = self.sets.iter().rev().find(|(size, _)| *size <= most);
-        fitting.map_or(&[], |(_, sources)| sources)
+    pub fn first(&self, most: usize) -> &[Source] {
+        &self.sources[..most.min(self.sources.len())]
     }
 }
 
@@ -129,13 +124,13 @@ impl Base {
     }
 }
 
-/// The errors of pictures of GGX materials under one light with one set of sources.
+/// The errors of pictures of GGX materials under one light with its first sources.
 #[derive(Clone, Debug, PartialEq)]
-pub struct SetError {
+pub struct SourceError {
     /// The name of the light.
     pub light: String,
-    /// The most sources of the set; 0 for no sources.
-    pub most: usize,
+    /// The number of sources.
+    pub sources: usize,
     /// Degree and order.
     pub size: (usize, usize),
     /// The kind of the materials.
@@ -145,7 +140,7 @@ pub struct SetError {
     pub errors: [ScreenError; 6],
 }
 
-impl SetError {
+impl SourceError {
     /// The errors of a material, linear in α between the roughnesses. Beyond a roughness of 0.6 they
     /// are those of 0.6, below 0.1 those of 0.1.
     #[must_use]

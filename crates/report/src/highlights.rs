@@ -13,21 +13,23 @@ use eigenshade_model::inputs::source_csv::read_sources;
 use eigenshade_model::rotation::Rotation;
 use eigenshade_model::screen::ScreenError;
 use eigenshade_model::shipped;
-use eigenshade_model::source::{Base, NamedGloss, SetError, SourceSets};
+use eigenshade_model::source::{NamedGloss, NamedSources};
 use eigenshade_shading::sources::gloss::Fitter;
 use eigenshade_shading::sources::pursuit::{self, FITTED};
-use eigenshade_shading::sources::remaining::{self, picture};
+use eigenshade_shading::sources::remaining::picture;
 use eigenshade_shading::sources::response::{Glossy, Response};
 use eigenshade_shading::sources::screen::Reference;
 use eigenshade_shading::sources::sphere::{Picture, Sphere};
 use eigenshade_shading::sources::view::View;
-use eigenshade_table::highlights::{LARGEST_SET, ROUGHNESS, SETS};
+use eigenshade_table::highlights::SHIPPED_SOURCES;
 use indicatif::ProgressBar;
 use std::path::Path;
 
 /// Degrees and orders, and whether sources are used.
 const SIZES: [((usize, usize), bool); 4] =
     [((9, 7), true), ((12, 12), true), ((24, 24), false), ((32, 32), false)];
+/// Numbers of sources.
+const COUNTS: [usize; 5] = [1, 2, 4, 8, SHIPPED_SOURCES];
 /// A rotation of the light that sources are not fitted to.
 const OTHER: Rotation = Rotation { alpha: 0.8, beta: -2.1, gamma: 0.9 };
 /// Spacing of the normals in radians, other than that of the fit.
@@ -42,7 +44,7 @@ pub struct Row {
     pub roughness: f64,
     /// Degree and order.
     pub size: (usize, usize),
-    /// The most sources.
+    /// The number of sources, or all if the light has fewer.
     pub sources: usize,
     pub error: ScreenError,
 }
@@ -120,19 +122,19 @@ pub fn errors(inputs: &Path, names: &[String], progress: &ProgressBar) -> Result
     let mut lights = Vec::new();
     for (name, path) in named_maps(&[inputs.join("maps")])? {
         if is_chosen(&name) {
-            let sets = sources.iter().find(|sets| sets.name == name).cloned();
-            lights.push((EnvironmentMap::from_path(path)?, sets.unwrap_or_default(), name));
+            let sources = sources.iter().find(|light| light.name == name).cloned();
+            lights.push((EnvironmentMap::from_path(path)?, sources.unwrap_or_default(), name));
         }
     }
     for (name, map) in synthetic() {
         if is_chosen(name) {
-            let sets = pursuit::find(&map, &pursuit::metals(&FITTED)?, LARGEST_SET)?;
-            lights.push((map, SourceSets { name: name.into(), sets }, name.into()));
+            let sources = pursuit::find(&map, &pursuit::metals(&FITTED)?, SHIPPED_SOURCES)?;
+            lights.push((map, NamedSources { name: name.into(), sources }, name.into()));
         }
     }
     progress.set_length(lights.len() as u64);
     let mut rows = Vec::new();
-    for (map, sets, name) in &lights {
+    for (map, of_light, name) in &lights {
         for turn in [None, Some(OTHER)] {
             let degree = sizes.iter().map(|size| size.0).max().unwrap_or(0);
             let view = View::new(map, turn, degree)?;
@@ -141,10 +143,13 @@ pub fn errors(inputs: &Path, names: &[String], progress: &ProgressBar) -> Result
                 let reference = view.pictures(material, &sphere.normals).reference;
                 let reference = Reference::new(reference, &sphere);
                 for (response, (size, has_sources)) in material.responses.iter().zip(SIZES) {
-                    let counts = std::iter::once(0).chain(SETS.into_iter().filter(|_| has_sources));
+                    let responses = response.at_all(&sphere.normals);
+                    let counts =
+                        std::iter::once(0).chain(COUNTS.into_iter().filter(|_| has_sources));
                     for sources in counts {
                         let gloss = &material.gloss;
-                        let found = picture(&view, [response; 3], gloss, sets, sources, &sphere);
+                        let (first, responses) = (of_light.first(sources), [&responses[..]; 3]);
+                        let found = picture(&view, size.0, responses, gloss, first, &sphere);
                         let ScreenError { mean, p95, white } =
                             reference.errors(&found, &sphere).all;
                         // The digits that are recorded.
@@ -213,23 +218,7 @@ pub fn glosses(names: &[String]) -> Result<Vec<NamedGloss>> {
     all.iter().map(|surface| fitter.named(surface)).collect()
 }
 
-/// The errors that the shipped sources of each captured light leave, or of those with these names.
-pub fn remaining(inputs: &Path, names: &[String], progress: &ProgressBar) -> Result<Vec<SetError>> {
-    let of = |base| Ok((base, remaining::materials(base, &ROUGHNESS)?));
-    let materials = Base::ALL.into_iter().map(of).collect::<Result<Vec<_>>>()?;
-    let mut lights = read_sources(inputs.join("sources.csv"))?;
-    lights.retain(|sets| names.is_empty() || names.contains(&sets.name));
-    progress.set_length(lights.len() as u64);
-    let mut all = Vec::new();
-    for sets in lights {
-        let path = inputs.join(format!("maps/{}.exr", sets.name));
-        all.extend(remaining::errors(&EnvironmentMap::from_path(path)?, &sets, &materials)?);
-        progress.inc(1);
-    }
-    Ok(all)
-}
-
-/// The pictures of [`spheres`]: a degree, an order and the most sources; `None` is the reference.
+/// The pictures of [`spheres`]: a degree, an order and a number of sources; `None` is the reference.
 pub const DRAWN: [Option<((usize, usize), usize)>; 4] =
     [Some(((9, 7), 0)), Some(((9, 7), 4)), Some(((12, 12), 8)), None];
 
@@ -239,15 +228,17 @@ pub fn spheres(inputs: &Path, map: &str, on: &str, normals: &[[f64; 3]]) -> Resu
     let view = View::new(&EnvironmentMap::from_path(path)?, None, 12)?;
     let surface = published()?.into_iter().find(|surface| surface.name == on);
     let surface = surface.ok_or_else(|| Error::new("no such material", "take a shipped one"))?;
-    let sources = shipped::sources()?.into_iter().find(|sets| sets.name == map).unwrap_or_default();
+    let sources =
+        shipped::sources()?.into_iter().find(|light| light.name == map).unwrap_or_default();
     let gloss = shipped::glosses()?.into_iter().find(|one| one.name == on);
     let gloss = gloss.ok_or_else(|| Error::new("no gloss", "take a shipped material"))?.gloss;
     let sphere = Sphere::of_normals(normals);
     let drawn = |drawn: Option<((usize, usize), usize)>| {
         let Some((size, most)) = drawn else { return Ok(view.reference(&surface, normals)) };
         let projected = surface.project(size.1, Measure::default()).material;
-        let [r, g, b] = projected.rgb.each_ref().map(|b| Response::new(size, b));
-        Ok(picture(&view, [&r, &g, &b], &gloss, &sources, most, &sphere))
+        let rows = projected.rgb.each_ref().map(|b| Response::new(size, b).at_all(normals));
+        let rows = rows.each_ref().map(Vec::as_slice);
+        Ok(picture(&view, size.0, rows, &gloss, sources.first(most), &sphere))
     };
     DRAWN.into_iter().map(drawn).collect()
 }

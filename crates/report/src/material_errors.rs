@@ -17,7 +17,7 @@ use eigenshade_model::scattering;
 use eigenshade_model::screen::ScreenError;
 use eigenshade_model::shipped;
 use eigenshade_model::shipped::{ERROR_SIZES, TotalError, named_materials};
-use eigenshade_model::source::{Gloss, Source, SourceSets};
+use eigenshade_model::source::{Gloss, NamedSources, Source};
 use eigenshade_shading::sources::screen::{self, Reference};
 use eigenshade_table::light;
 use indicatif::ProgressBar;
@@ -59,7 +59,7 @@ pub fn errors(inputs: &Path, names: &[String], spacing: f64, bar: &ProgressBar) 
     let lights = read_lights(inputs.join("lights.csv"), None)?;
     let world = World::new(&inputs.join("maps"), &lights, spacing)?;
     bar.set_length(chosen.len() as u64);
-    let (sets, glosses) = (shipped::sources()?, shipped::glosses()?);
+    let (all_sources, glosses) = (shipped::sources()?, shipped::glosses()?);
     let mut found = Vec::new();
     for (surface, shipped) in chosen {
         let integrated = world.pictures(surface, &world.sphere.normals).into_iter();
@@ -68,7 +68,9 @@ pub fn errors(inputs: &Path, names: &[String], spacing: f64, bar: &ProgressBar) 
         let gloss = gloss.filter(Gloss::needs_sources);
         let mut of_material = Vec::new();
         for (size, material) in ERROR_SIZES.into_iter().zip(shipped) {
-            for (sources, pictures) in pictures(&world, size, material, gloss.as_ref(), &sets) {
+            for (sources, pictures) in
+                pictures(&world, size, material, gloss.as_ref(), &all_sources)
+            {
                 let error = errors_of(&references, &world, &pictures);
                 of_material.push(Errors { size, sources, ..error });
             }
@@ -137,7 +139,7 @@ fn pictures(
     (degree, order): (usize, usize),
     on: &Named,
     gloss: Option<&Gloss>,
-    sets: &[SourceSets],
+    sources: &[NamedSources],
 ) -> Vec<(usize, Vec<Picture>)> {
     let (sphere, lights) = (&world.sphere, &world.lights.entries);
     let mut lit = Vec::new();
@@ -146,8 +148,8 @@ fn pictures(
         for light in lights {
             let mut rest =
                 light.rgb.each_ref().map(|channel| channel[..light::count(degree)].to_vec());
-            let sources = sets.iter().find(|one| one.name == light.name && gloss.is_some());
-            let sources = sources.map_or(&[][..], |sets| sets.of_most(most));
+            let of_light = sources.iter().find(|one| one.name == light.name && gloss.is_some());
+            let sources = of_light.map_or(&[][..], |light| light.first(most));
             highlights::take_out(&mut rest, degree, sources);
             lit.push(gloss.map(|gloss| shone(gloss, sources, sphere)));
             for (apart, rest) in apart.iter_mut().zip(&rest) {

@@ -6,7 +6,7 @@ use eigenshade::sphere;
 use eigenshade_generator::light::environment::EnvironmentMap;
 use eigenshade_model::screen::ScreenError;
 use eigenshade_model::shipped;
-use eigenshade_model::source::{Base, Gloss, NamedGloss, SetError};
+use eigenshade_model::source::{Base, Gloss, NamedGloss, SourceError};
 use eigenshade_shading::sources::remaining;
 use eigenshade_shading::sources::response::Glossy;
 use eigenshade_shading::sources::view::View;
@@ -41,18 +41,20 @@ fn is_near(a: ScreenError, b: ScreenError) -> bool {
 
 /// Those of the two smoothest metals and dielectrics, which depend on sources most.
 #[test]
-fn errors_of_sets_are_found_again() {
+fn errors_of_sources_are_found_again() {
     let map = repository().join("tables/inputs/maps/sunset.exr");
     let map = EnvironmentMap::from_path(map).unwrap();
-    let sets = shipped::sources().unwrap().into_iter().find(|sets| sets.name == "sunset").unwrap();
+    let sources = shipped::sources().unwrap();
+    let sunset = sources.into_iter().find(|light| light.name == "sunset").unwrap();
     let materials =
         Base::ALL.map(|base| (base, remaining::materials(base, &ROUGHNESS[..2]).unwrap()));
-    let found = remaining::errors(&map, &sets, &materials).unwrap();
-    let recorded = shipped::set_errors().unwrap();
-    let recorded: Vec<&SetError> = recorded.iter().filter(|one| one.light == sets.name).collect();
+    let found = remaining::errors(&map, &sunset.name, &sunset.sources, &materials).unwrap();
+    let recorded = shipped::source_errors().unwrap();
+    let recorded: Vec<&SourceError> =
+        recorded.iter().filter(|one| one.light == sunset.name).collect();
     assert_eq!(found.len(), recorded.len());
     for (found, recorded) in found.iter().zip(recorded) {
-        let key = |one: &SetError| (one.most, one.size, one.base);
+        let key = |one: &SourceError| (one.sources, one.size, one.base);
         assert_eq!(key(found), key(recorded));
         for (&found, recorded) in found.errors[..2].iter().zip(recorded.errors) {
             assert!(is_near(found, recorded), "{found:?} {recorded:?}");
@@ -60,15 +62,15 @@ fn errors_of_sets_are_found_again() {
     }
 }
 
-/// The errors of sets against those under another rotation of the light, as the page says: a
+/// The errors with sources against those under another rotation of the light, as the page says: a
 /// picture that is not close by the estimate is seldom close, and the other way round.
 #[test]
-fn errors_of_sets_hold_under_another_view() {
-    let estimates = shipped::set_errors().unwrap();
+fn errors_of_sources_hold_under_another_view() {
+    let estimates = shipped::source_errors().unwrap();
     let (mut shares, mut close) = (Vec::new(), [0; 2]);
     for row in recorded().iter().filter(|row| row.is_turned) {
         let key = (row.light.as_str(), row.sources, row.size, Base::Metal);
-        let is = |one: &&SetError| (one.light.as_str(), one.most, one.size, one.base) == key;
+        let is = |one: &&SourceError| (one.light.as_str(), one.sources, one.size, one.base) == key;
         let Some(estimate) = estimates.iter().find(is) else { continue };
         let [white, black] = [[1.0; 3], [0.0; 3]];
         let metal =

@@ -16,8 +16,8 @@ const DEGREE: usize = 32;
 pub fn source(source: &Source) -> Result<eigenshade::Source> {
     let number = |number: f64| number as f32;
     let energy = source.energy.map(number);
-    let (direction, major) = (source.direction.map(number), source.major.map(number));
-    eigenshade::Source::new(direction, energy, major, number(source.minor)).map_err(fault)
+    let direction = source.direction.map(number);
+    eigenshade::Source::new(direction, energy, number(source.spread)).map_err(fault)
 }
 
 /// A gloss of the runtime.

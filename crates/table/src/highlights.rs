@@ -1,14 +1,11 @@
-//! Small sources of a light: how many a set has, the metals by which its errors are measured, and the
+//! Small sources of a light: how many it has, the metals by which their errors are measured, and the
 //! smoothest lobe that shows them.
 
-/// The most sources of a set.
+/// The most sources of a light.
 pub const MAX_SOURCES: usize = 32;
 
-/// The most sources of each set that is shipped.
-pub const SETS: [usize; 5] = [1, 2, 4, 8, LARGEST_SET];
-
-/// The most sources of the largest set that is shipped.
-pub const LARGEST_SET: usize = 16;
+/// The most sources of a light that is shipped.
+pub const SHIPPED_SOURCES: usize = 16;
 
 /// The reflectance of dielectrics at normal incidence, as in glTF.
 pub const DIELECTRIC: f64 = 0.04;
@@ -20,7 +17,7 @@ pub const SMOOTHEST: f64 = 0.065;
 /// The roughness from which on harmonics of degree 9 show highlights as well as sources do.
 pub const MATTE: f64 = 0.6;
 
-/// The roughness of the metals whose errors a set has.
+/// The roughness of the materials whose errors are measured.
 pub const ROUGHNESS: [f64; 6] = [0.1, 0.2, 0.3, 0.4, 0.5, 0.6];
 
 /// Products of a pixel in color for one source: 3 of its cosine, 11 of the lobe, 4 of masking, 6 in

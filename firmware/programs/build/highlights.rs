@@ -14,7 +14,7 @@ pub fn constants() -> Result<String> {
     let sources = PLACES.map(|[x, y]| {
         let length = (x * x + y * y + 1.0).sqrt();
         let direction = [x, y, 1.0].map(|component| component / length);
-        Source::round(direction, [1.0, 0.9, 0.8], 0.05).map_err(fault)
+        Source::new(direction, [1.0, 0.9, 0.8], 0.05).map_err(fault)
     });
     let [a, b, c, d] = sources;
     let floats = Highlights::<4>::new(&gloss, &[a?, b?, c?, d?]);

@@ -115,20 +115,14 @@ pub mod floats {
         Material::from_finite(coefficients).unwrap_or_else(|_| board::exit(false))
     }
 
-    /// Two round and two elongated sources in front of the object.
+    /// Four sources in front of the object.
     #[must_use]
     pub fn sources(along: f32) -> [Source; 4] {
-        let new = |[x, y]: [f32; 2], minor: f32| {
+        [[along, 0.2], [-along, 0.2], [along, -0.2], [-along, -0.2]].map(|[x, y]| {
             let Ok(normal) = Normal::new(x, y, 1.0) else { board::exit(false) };
-            let (direction, energy, major) =
-                (normal.components(), [1.0, 0.9, 0.8], [0.0, 0.05, 0.0]);
-            match minor {
-                0.05 => Source::round(direction, energy, minor),
-                _ => Source::new(direction, energy, major, minor),
-            }
-        };
-        [([along, 0.2], 0.05), ([-along, 0.2], 0.05), ([along, -0.2], 0.02), ([-along, -0.2], 0.02)]
-            .map(|(place, minor)| new(place, minor).unwrap_or_else(|_| board::exit(false)))
+            let source = Source::new(normal.components(), [1.0, 0.9, 0.8], 0.05);
+            source.unwrap_or_else(|_| board::exit(false))
+        })
     }
 }
 

@@ -221,7 +221,7 @@ fn highlights_turn() {
     });
 }
 
-/// A light in color without four sources, of which two are round.
+/// A light in color without four sources.
 fn residual() {
     measure(&[inputs::sources(black_box(0.3))], Passes(4), |sources| {
         LOBBY.residual::<100>(sources)

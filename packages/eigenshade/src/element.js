@@ -40,8 +40,8 @@ canvas:not([hidden]) { width: 100%; height: 100%; display: block; }`);
  *
  * - `light`, `material`: presets' names;
  * - `base-color`, `metallic`, `roughness`: a glTF material; with `material`, an error;
- * - `sources`: the largest set of at most this many small sources of the light, for sharp
- *   highlights; `auto` by default, as few as the material needs;
+ * - `sources`: how many of the light's small sources are drawn, at most, for sharp highlights;
+ *   `auto` by default, as few as the material needs;
  * - `window`: the width of a window over the light, `none`, or `auto`, the default;
  * - `yaw`, `pitch`, `roll`: the turn of the light, in degrees;
  * - `exposure`, `tone`: from irradiance to display; `exposure` is `auto` by default, and chosen.

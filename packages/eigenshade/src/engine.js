@@ -1,6 +1,7 @@
 // The WebAssembly module: one instance serves all scenes of a page.
 
 import { misplaced, required } from "./assets.js";
+import { SOURCE } from "./input.js";
 
 const HEAD = [0, 97, 115, 109, 1, 0, 0, 0, 1, 5, 1, 96, 0, 1, 123, 3, 2, 1, 0, 10];
 const ZERO = [65, 0, 253, 15];
@@ -172,7 +173,7 @@ export class Engine {
       const [most, dielectric, matte] = view("limits", Float32Array, 3);
       this.dielectric = dielectric;
       this.matte = matte;
-      this.sources = view("sources", Float32Array, 10 * most);
+      this.sources = view("sources", Float32Array, SOURCE * most);
       this.gloss = view("gloss", Float32Array, 10);
     }
     /** The vectors of the scene's shader: a copy. */
@@ -208,7 +209,7 @@ export class Engine {
     this.turn.set(turn);
     this.sources?.set(sources);
     if (gloss) this.gloss?.set(gloss);
-    if (this.wasm.highlights?.(sources.length / 10) === 0) {
+    if (this.wasm.highlights?.(sources.length / SOURCE) === 0) {
       throw new Error("sources: the module rejected them");
     }
     if (!this.wasm.relight()) {
@@ -250,14 +251,14 @@ export class Engine {
    * @param {Float32Array} sources
    */
   without(light, sources) {
-    const count = sources.length / 10;
+    const count = sources.length / SOURCE;
     if (count === 0) return light;
     if (!this.sources) {
       throw new RangeError("light: the engine has no sources; build the module `color-sources`");
     }
-    const most = this.sources.length / 10;
+    const most = this.sources.length / SOURCE;
     if (!Number.isInteger(count) || count > most) {
-      const expected = `expected up to ${most} of ten numbers each`;
+      const expected = `expected up to ${most} of seven numbers each`;
       throw new RangeError(`light: it has ${count} sources, ${expected}`);
     }
     this.light.set(light);

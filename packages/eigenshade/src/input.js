@@ -8,23 +8,25 @@ import { unlike } from "./suggest.js";
  * @typedef {readonly number[] | (ArrayBufferView & ArrayLike<number>)} Numbers
  */
 
+/** The numbers of a source. */
+export const SOURCE = 7;
+
 /**
  * Coefficients in three channels: (degree + 1)² of a light in radiance, or those of a material in
  * 1/sr.
  *
- * Small bright sources of a light are ten numbers each: direction, energy, major axis, and spread
- * across it. The gloss of a material is ten numbers from 0 to 1: roughness, reflectance in three
- * channels at normal and at grazing incidence, and albedo. No number may exceed 1e15.
+ * Small bright sources of a light are seven numbers each: direction, energy and spread. The gloss of
+ * a material is ten numbers from 0 to 1: roughness, reflectance in three channels at normal and at
+ * grazing incidence, and albedo. No number may exceed 1e15.
  *
- * A light of `lightPreset` with the sources `"auto"` has sets of sources, and which of them a gloss
- * needs.
+ * A light of `lightPreset` with the sources `"auto"` has steps that say how many a gloss needs.
  *
  * @typedef {object} Channels
  * @property {Numbers} r
  * @property {Numbers} g
  * @property {Numbers} b
  * @property {Numbers | null} [sources]
- * @property {import("./sets.js").Sets} [sets]
+ * @property {import("./steps.js").Steps} [steps]
  * @property {Numbers | null} [gloss]
  * @property {string} [name] what a picture's label calls it
  */
@@ -33,8 +35,8 @@ import { unlike } from "./suggest.js";
  * What a scene is made of: a preset's name or coefficients of the light, and of the material, or the
  * parameters of a glTF material. An engine of `load` has a table of your own.
  *
- * With `sources`, the largest set of at most this many small bright sources of a light by name,
- * which may be none, is shaded on its own, for sharp highlights; `"auto"` takes as few as the
+ * With `sources`, the first small bright sources of a light by name, at most this many, are shaded on
+ * their own, for sharp highlights; `"auto"` takes as few as the
  * material needs to be close on a screen, at most 8. Such a scene has a larger module.
  * `Scene.sources` is the number of those drawn. A scene that is created without, and with a light
  * that has none, takes no light with sources; one with an engine of `load` does if the engine can.
@@ -199,12 +201,11 @@ export function put(what, given, to, count, most) {
 }
 
 /**
- * The sources of a light, or its sets of them; JSON has `null` for none.
+ * The sources of a light; JSON has `null` for none.
  *
  * @param {Channels} light
  */
-export const sourcesOf = ({ sources, sets }) =>
-  (sets?.all ?? [sources ?? []]).map((one) => checked("light", "sources", one));
+export const sourcesOf = ({ sources }) => checked("light", "sources", sources ?? []);
 
 /**
  * The gloss of a material; JSON has `null` for none.

@@ -1,7 +1,7 @@
 // The shipped lights and materials, each a file of its own that is fetched by name.
 
 import { asset, misplaced, required } from "./assets.js";
-import { checkNames, checkSources } from "./input.js";
+import { SOURCE, checkNames, checkSources } from "./input.js";
 import { near } from "./suggest.js";
 
 /** @typedef {import("./input.js").Channels} Channels */
@@ -30,9 +30,9 @@ function once(path, read) {
 }
 
 /**
- * The coefficients of a shipped light, to degree 9, and its largest set of at most this many small
- * sources, which may be none. With `"auto"`, a scene chooses among the sets of up to 8. Lights
- * without a map have none. Each call makes a copy.
+ * The coefficients of a shipped light, to degree 9, and its first small sources, at most this many.
+ * With `"auto"`, a scene takes as many of the first 8 as a material needs. Lights without a map have
+ * none. Each call makes a copy.
  *
  * @param {string} name such as `"park"`; {@link presetNames} lists all
  * @param {{ sources?: number | "auto" }} [options] 0 sources by default
@@ -46,22 +46,14 @@ export async function lightPreset(name, options = {}) {
   checkSources(sources);
   const light = await preset("light", name);
   if (sources === 0) return light;
-  const { steps, rows } = await sourcesOf(name);
-  const sizes = [...new Set(rows.map(([size]) => size))];
-  const set = (/** @type {number | undefined} */ size) =>
-    rows.filter((row) => row[0] === size).flatMap((row) => [...row.subarray(1)]);
-  if (sources !== "auto") return { ...light, sources: set(sizes.filter((size) => size <= sources).at(-1)) };
-  const chosen = [...new Set(steps.map(([, , size]) => size))];
-  const found = steps.map(([isMetal, roughness, size]) => (
-    { isMetal: isMetal === 1, roughness, place: chosen.indexOf(size) }
-  ));
-  return { ...light, sets: { all: chosen.map(set), steps: found } };
+  const { steps, all } = await sourcesOf(name);
+  if (sources !== "auto") return { ...light, sources: all.slice(0, SOURCE * sources) };
+  return { ...light, sources: all.slice(), steps };
 }
 
 /**
  * What a file has of sources: steps of three numbers each, whether they are of metals, up to which
- * roughness, and the size of the set; then eleven numbers for each source, the size of its set and
- * those of `Channels`, smaller sets first.
+ * roughness, and how many sources; then the sources as `Channels` has them.
  *
  * @param {string} name
  */
@@ -71,12 +63,14 @@ const sourcesOf = (name) => {
     const bytes = await required(path);
     const numbers = new Float32Array(bytes.byteLength % 4 ? [-1] : bytes);
     const start = 1 + 3 * numbers[0];
-    if (!(start <= numbers.length && (numbers.length - start) % 11 === 0)) {
+    if (!(start <= numbers.length && (numbers.length - start) % SOURCE === 0)) {
       throw misplaced(path, `is no preset: it has ${bytes.byteLength} bytes`);
     }
-    const parts = (/** @type {number} */ from, /** @type {number} */ to, /** @type {number} */ size) =>
-      Array.from({ length: (to - from) / size }, (_, k) => numbers.subarray(from + size * k, from + size * (k + 1)));
-    return { steps: parts(1, start, 3), rows: parts(start, numbers.length, 11) };
+    const steps = Array.from({ length: numbers[0] }, (_, k) => {
+      const [isMetal, roughness, count] = numbers.subarray(1 + 3 * k);
+      return { isMetal: isMetal === 1, roughness, count };
+    });
+    return { steps, all: numbers.subarray(start) };
   });
 };
 

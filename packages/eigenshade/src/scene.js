@@ -2,13 +2,13 @@
 
 import { Engine, engine as shared, lightCount, materialCount } from "./engine.js";
 import {
-  EFFECTS, checkExposure, checkNames, checkNormals, checkSources, checkTolerance, checkWhole,
+  EFFECTS, SOURCE, checkExposure, checkNames, checkNormals, checkSources, checkTolerance, checkWhole,
   effectBits, glossOf, isChannels, parameters, put, quaternion, refuse, sourcesOf, toneNumber,
 } from "./input.js";
 import { setAssets } from "./assets.js";
 import { DISC, metered } from "./exposure.js";
 import { lightOf, materialOf } from "./presets.js";
-import { placeOf } from "./sets.js";
+import { countOf } from "./steps.js";
 import { glsl, wgsl } from "./shader.js";
 import { checkWindow, weakest, windowed } from "./window.js";
 
@@ -40,14 +40,12 @@ export class Scene {
   #engine;
   /** @type {Float32Array} */
   #light;
-  /**
-   * Its sets of sources, each with the light without them, once it was drawn.
-   *
-   * @type {{ sources: Float32Array, rest?: Float32Array }[]}
-   */
-  #sets = [];
-  /** @type {import("./sets.js").Sets["steps"]} Which of them a material needs. */
-  #steps = [];
+  /** Its sources, in the order of their worth. */
+  #sources = new Float32Array();
+  /** @type {import("./steps.js").Steps | undefined} How many of them a material needs, if not all. */
+  #steps;
+  /** @type {Map<number, Float32Array>} The light without the first sources, once it was drawn. */
+  #rests = new Map();
   #hasSources;
   #turn = UNTURNED.slice();
   #material;
@@ -90,7 +88,7 @@ export class Scene {
     checkWindow(window);
     if (assets !== undefined) setAssets(assets);
     if (light instanceof Promise) refuse("light", light, "{ r, g, b } or a name");
-    const own = typeof light === "object" && (light?.sources?.length || light?.sets);
+    const own = typeof light === "object" && light?.sources?.length;
     const hasSources = sources !== 0 || Boolean(own);
     const [loaded, givenLight, givenMaterial] = await Promise.all([
       engine ?? shared(hasSources),
@@ -141,7 +139,7 @@ export class Scene {
   /**
    * Sets the light: in each channel (degree + 1)² coefficients in radiance, up to {@link degree}, and
    * maybe sources, which are part of it, if the scene has sources. No number may exceed 1e15. Of
-   * several sets of sources, each material takes the one that it needs.
+   * a light of `lightPreset` with `"auto"`, each material takes as many as it needs.
    *
    * @param {Channels} light
    * @returns {this}
@@ -150,16 +148,14 @@ export class Scene {
   light(light) {
     const numbers = new Float32Array(this.#light.length);
     put("light", light, numbers, lightCount, this.#engine.degree);
-    const isChosen = light.sets !== undefined;
     const canDraw = this.#hasSources && this.#engine.hasSources;
-    const all = isChosen && !canDraw ? [] : sourcesOf(light);
-    if (all.some(({ length }) => length) && !this.#hasSources) {
+    const sources = light.steps && !canDraw ? new Float32Array() : sourcesOf(light);
+    if (sources.length && !this.#hasSources) {
       throw new RangeError("light: this scene has no sources; create it with the option `sources`");
     }
-    this.#sets = all.map((sources) => (
-      isChosen ? { sources } : { sources, rest: this.#engine.without(numbers, sources) }
-    ));
-    this.#steps = light.sets?.steps ?? [];
+    this.#rests = new Map([[sources.length / SOURCE, this.#engine.without(numbers, sources)]]);
+    this.#sources = sources;
+    this.#steps = light.steps;
     this.#light = numbers;
     this.#names.light = light.name ? `the light ${light.name}` : "a light";
     this.#changed(true);
@@ -293,17 +289,19 @@ export class Scene {
    * {@link isGlossy | glossy}, or effects are left out. The light is then drawn as a whole.
    */
   get sources() {
-    return this.#drawn.sources.length / 10;
+    return this.#drawn.sources.length / SOURCE;
   }
 
   /** The sources that are drawn, and what they leave of the light. */
   get #drawn() {
     const none = { sources: new Float32Array(), rest: this.#light };
     if (!this.isGlossy || this.#effects !== ALL || !this.#gloss) return none;
-    const set = this.#sets[placeOf(this.#steps, this.#gloss)];
-    if (!set) return none;
-    const rest = (set.rest ??= this.#engine.without(this.#light, set.sources));
-    return { sources: set.sources, rest };
+    const all = this.#sources.length / SOURCE;
+    const count = this.#steps ? Math.min(countOf(this.#steps, this.#gloss), all) : all;
+    const sources = this.#sources.subarray(0, SOURCE * count);
+    const rest = this.#rests.get(count) ?? this.#engine.without(this.#light, sources);
+    this.#rests.set(count, rest);
+    return { sources, rest };
   }
 
   /**

@@ -77,12 +77,9 @@ pub fn lines() -> Result<String, Error> {
     pictures.push(("normal map", of_map(&codes, &reinhard, &exposed(&scene, 0.7)?)?));
 
     // Sources and gloss as C has them, rounded once more.
-    let source = |source: &Source| {
-        let (energy, minor) = (source.energy(), source.minor());
-        Source::new(source.direction(), energy, source.major(), minor)
-    };
-    let mut sources = [source(&sources::LOBBY_4[0])?; 4];
-    for (to, from) in sources.iter_mut().zip(sources::LOBBY_4) {
+    let source = |from: &Source| Source::new(from.direction(), from.energy(), from.spread());
+    let mut sources = [sources::LOBBY[0]; 4];
+    for (to, from) in sources.iter_mut().zip(&sources::LOBBY) {
         *to = source(from)?;
     }
     let of_gold = gloss::GOLD_METALLIC_PAINT;
@@ -150,7 +147,7 @@ pub fn lines() -> Result<String, Error> {
     let normal = q15::Normal::from_unit(Q15(0), Q15(19_661), Q15(26_214))?;
     let scene = sphere::q15::color::scene(lobby, material::q15::DARK_RED_PAINT)?;
     let lamp = [0.0, 0.6, 0.8];
-    let lamp = Source::new(lamp, [0.5, 0.4, 0.3], [0.03, 0.0, 0.0], 0.03)?;
+    let lamp = Source::new(lamp, [0.5, 0.4, 0.3], 0.03)?;
     let copper = Gloss::metallic_roughness([0.93, 0.5, 0.25], 1.0, 0.3)?;
     let highlights = Highlights::<1>::new(&copper, &[lamp])?;
     let exponents = scene.each_ref().map(|channel| channel.exponent());

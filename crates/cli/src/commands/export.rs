@@ -2,7 +2,7 @@
 
 use super::options::{Destination, Green, TableChoice, count, input_file};
 use clap::{Args, ValueEnum};
-use eigenshade_cli::estimate::gloss_note;
+use eigenshade_cli::estimate::{counted, gloss_note};
 use eigenshade_cli::export::entry::{Format, entries, identifier, quoted_entries};
 use eigenshade_cli::export::highlights::SourcesAndGloss;
 use eigenshade_cli::export::shown::Shown;
@@ -13,7 +13,7 @@ use eigenshade_cli::presets::Source;
 use eigenshade_model::database::{Lights, Materials, Named};
 use eigenshade_model::error::{Error, Result};
 use eigenshade_shading::shader::{fitted, of_higher_order};
-use eigenshade_table::highlights::{LARGEST_SET, MAX_SOURCES};
+use eigenshade_table::highlights::{MAX_SOURCES, SHIPPED_SOURCES};
 use eigenshade_table::quantize::{TOLERANCE, integers};
 use eigenshade_table::{FormatError, Table, statics};
 use std::path::{Path, PathBuf};
@@ -39,8 +39,8 @@ pub struct Export {
     /// Number format of rust and c [default: f32]
     #[arg(short, long, value_enum)]
     format: Option<Format>,
-    /// Add the largest set of at most K small sources of each light and the gloss of each material,
-    /// for sharp highlights; for rust, c (up to 16) and js. They are in f32, and so are the lights
+    /// Add the first K small sources of each light, or fewer if it has no more, and the gloss of each
+    /// material, for sharp highlights; for rust, c (up to 16) and js. They are in f32, and so are the lights
     /// of rust, out of which the runtime takes the sources
     #[arg(long, value_name = "K", value_parser = count(1, MAX_SOURCES as u64))]
     sources: Option<usize>,
@@ -139,9 +139,10 @@ impl Export {
                 let what = "--sources adds sources to lights and gloss to materials";
                 return fault(what, "give --light or --material, or leave it out");
             }
-            if self.lang == Lang::C && most > LARGEST_SET {
-                let what = format!("the C library draws up to {LARGEST_SET} sources, not {most}");
-                let remedy = format!("give --sources {LARGEST_SET}, or another language");
+            if self.lang == Lang::C && most > SHIPPED_SOURCES {
+                let what =
+                    format!("the C library draws up to {SHIPPED_SOURCES} sources, not {most}");
+                let remedy = format!("give --sources {SHIPPED_SOURCES}, or another language");
                 return fault(&what, &remedy);
             }
         }
@@ -198,9 +199,9 @@ impl Export {
         for (light, Named { name, .. }) in of_each(self.light.as_ref(), &lights.entries) {
             let sources = light.sources(name, most)?;
             if sources.len() < most {
-                let count = sources.len();
                 print_message(format_args!(
-                    "note: of `{name}`, the largest set of at most {most} sources has {count}"
+                    "note: `{name}` has {}, of {most} asked for",
+                    counted(sources.len())
                 ));
             }
             found.sources.push((name.clone(), sources));

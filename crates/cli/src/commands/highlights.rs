@@ -99,9 +99,9 @@ impl HighlightInputs {
             return Ok(None);
         }
         let sources = inputs.light.sources(light, most)?;
-        if sources.len() != most {
-            let drawn = counted(sources.len());
-            print_message(format_args!("note: {drawn}, the largest set of at most {most}"));
+        if sources.len() < most {
+            let all = counted(sources.len());
+            print_message(format_args!("note: `{light}` has {all}, of {most} asked for"));
         }
         model::take_out(&mut lights.entries[0].rgb, lights.degree, &sources);
         Ok(Some(Self { gloss, sources }))

@@ -7,7 +7,7 @@ use clap::builder::TypedValueParser;
 use eigenshade_cli::messages::{print_message, progress_bar};
 use eigenshade_cli::output;
 use eigenshade_cli::presets::{
-    SET_ERRORS, SOURCES, Source as Preset, beside, refuse_stale_sources,
+    SOURCE_ERRORS, SOURCES, Source as Preset, beside, refuse_stale_sources,
 };
 use eigenshade_generator::light::cube::{FACES, are_faces, face_files};
 use eigenshade_generator::light::frame::Frame;
@@ -19,10 +19,10 @@ use eigenshade_model::error::{Error, Result};
 use eigenshade_model::inputs::coefficient_csv::write_lights;
 use eigenshade_model::inputs::coefficient_text::{LIGHT_DIGITS, rounded};
 use eigenshade_model::inputs::input_file::InputFile;
-use eigenshade_model::inputs::set_error_csv::write_set_errors;
 use eigenshade_model::inputs::source_csv::write_sources;
+use eigenshade_model::inputs::source_error_csv::write_source_errors;
 use eigenshade_model::shipped;
-use eigenshade_model::source::{Base, SetError, Source, SourceSets};
+use eigenshade_model::source::{Base, NamedSources, Source, SourceError};
 use eigenshade_shading::sources::light_tree::BLOCK;
 use eigenshade_shading::sources::pursuit::{self, FITTED};
 use eigenshade_shading::sources::remaining;
@@ -74,10 +74,11 @@ pub struct Light {
     /// Convention of a light's coefficients [default: `paper` for a CSV, else what the file states]
     #[arg(long, value_enum)]
     from: Option<Convention>,
-    /// Find sets of 1, 2, 4, 8, 16 and K small bright sources, K from 1 to 32, for the highlights
-    /// of glossy materials: see `render --sources`. They are written beside the output, to
-    /// FILE.sources.csv for FILE.csv, and what they leave of pictures to FILE.sources.errors.csv.
-    /// Maps must be equirectangular, and the convention `paper`. Takes some twenty seconds a map
+    /// Find up to K small bright sources, K from 1 to 32, in the order of their worth, for the
+    /// highlights of glossy materials: see `render --sources`. They are written beside the output,
+    /// to FILE.sources.csv for FILE.csv, and the errors of pictures with the first ones to
+    /// FILE.sources.errors.csv. Maps must be equirectangular, and the convention `paper`. Takes
+    /// half a minute a map
     #[arg(long, value_name = "K", value_parser = count(1, MAX_SOURCES as u64), requires = "out")]
     sources: Option<usize>,
     /// Roughness of the materials that sources are found for, 0.1 to 1
@@ -116,7 +117,7 @@ fn frames() -> impl TypedValueParser<Value = Frame> {
 impl Light {
     pub fn run(self) -> Result<()> {
         let out = self.out.path.as_deref();
-        let beside = out.and_then(|out| beside(out, SOURCES).zip(beside(out, SET_ERRORS)));
+        let beside = out.and_then(|out| beside(out, SOURCES).zip(beside(out, SOURCE_ERRORS)));
         if self.sources.is_none() {
             refuse_stale_sources(out)?;
         } else if self.convention != Convention::Paper {
@@ -177,9 +178,9 @@ impl Light {
                     // The search takes long, and runs once the maps are read and the files open.
                     let search = || {
                         output::write(Some(&of_sources), |out| {
-                            let (sets, errors) = self.found(&files, most)?;
-                            write_sources(&sets, out)?;
-                            output::write(Some(&of_errors), |out| write_set_errors(&errors, out))
+                            let (sources, errors) = self.found(&files, most)?;
+                            write_sources(&sources, out)?;
+                            output::write(Some(&of_errors), |out| write_source_errors(&errors, out))
                         })
                     };
                     return output::write_before(out, |out| write_lights(&lights, out), search);
@@ -238,7 +239,7 @@ impl Light {
         &self,
         files: &[(String, PathBuf)],
         most: usize,
-    ) -> Result<(Vec<SourceSets>, Vec<SetError>)> {
+    ) -> Result<(Vec<NamedSources>, Vec<SourceError>)> {
         let progress = progress_bar("maps", files.len());
         let materials = pursuit::metals(&self.roughness)?;
         let of = |base| Ok((base, remaining::materials(base, &ROUGHNESS)?));
@@ -250,15 +251,14 @@ impl Light {
             let Map::Equirectangular(map) = map else { return Err(in_cube(path)) };
             let map = &map.in_blocks(BLOCK);
             let turn = self.frame.turn(false)?.matrix();
-            let sets = pursuit::find(map, &materials, most).map_err(|error| error.in_file(path))?;
-            let sets = SourceSets { name: name.clone(), sets };
-            let left = remaining::errors(map, &sets, &compared);
+            let sources = pursuit::find(map, &materials, most);
+            let sources = sources.map_err(|error| error.in_file(path))?;
+            let rounded = |source: Source| source.rounded(DIGITS);
+            let sources: Vec<Source> = sources.into_iter().map(rounded).collect();
+            let left = remaining::errors(map, name, &sources, &compared);
             errors.extend(left.map_err(|error| error.in_file(path))?);
-            let turned = |(most, set): (usize, Vec<Source>)| {
-                (most, set.iter().map(|source| source.turned(turn).rounded(DIGITS)).collect())
-            };
-            let sets = sets.sets.into_iter().map(turned).collect();
-            lights.push(SourceSets { name: name.clone(), sets });
+            let turned = sources.iter().map(|source| rounded(source.turned(turn)));
+            lights.push(NamedSources { name: name.clone(), sources: turned.collect() });
             progress.inc(1);
         }
         Ok((lights, errors))

@@ -101,9 +101,9 @@ fn sources_of(text: &mut String, light: &str, sources: &[Source]) {
     }
     let _ = writeln!(text, "{record} {name}_f32[] = {{");
     for numbers in sources.iter().map(numbers_of) {
-        let [direction, energy, major] = [0, 3, 6].map(|k| vector(&numbers[k..k + 3]));
-        let minor = float(numbers[9]);
-        let _ = writeln!(text, "  {{{direction}, {energy},\n   {major}, {minor}f}},");
+        let [direction, energy] = [0, 3].map(|k| vector(&numbers[k..k + 3]));
+        let spread = float(numbers[6]);
+        let _ = writeln!(text, "  {{{direction}, {energy}, {spread}f}},");
     }
     text.push_str("};\n");
 }

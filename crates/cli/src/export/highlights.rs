@@ -12,7 +12,7 @@ pub struct SourcesAndGloss {
 }
 
 impl SourcesAndGloss {
-    /// The sources of a light as ten numbers each: see [`numbers_of`].
+    /// The sources of a light as seven numbers each: see [`numbers_of`].
     #[must_use]
     pub fn sources_of(&self, light: &str) -> Vec<f32> {
         let of_light = self.sources.iter().filter(|(name, _)| name == light);
@@ -28,11 +28,11 @@ impl SourcesAndGloss {
     }
 }
 
-/// Direction, energy, major axis and minor spread.
+/// Direction, energy and spread.
 #[must_use]
-pub fn numbers_of(source: &Source) -> [f32; 10] {
-    let Source { direction: [x, y, z], energy: [r, g, b], major: [u, v, w], minor } = *source;
-    [x, y, z, r, g, b, u, v, w, minor].map(|number| number as f32)
+pub fn numbers_of(source: &Source) -> [f32; 7] {
+    let Source { direction: [x, y, z], energy: [r, g, b], spread } = *source;
+    [x, y, z, r, g, b, spread].map(|number| number as f32)
 }
 
 /// As [`SourcesAndGloss::gloss_of`].

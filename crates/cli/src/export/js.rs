@@ -32,7 +32,7 @@ fn object(text: &mut String, entry: &Entry, highlights: Option<&SourcesAndGloss>
         }
     }
     if let Some(highlights) = highlights {
-        let of_sources = "Small sources: direction, energy, major axis and minor spread of each.";
+        let of_sources = "Small sources: direction, energy and spread of each.";
         let of_gloss = "Roughness, then reflectance, the same at grazing incidence, and albedo.";
         let (name, meaning, numbers) = match entry.kind {
             Kind::Light => ("sources", of_sources, highlights.sources_of(&entry.name)),

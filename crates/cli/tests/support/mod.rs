@@ -38,7 +38,7 @@ pub const BASIS: &str = "basis --scene scene.toml --out b.bin";
 pub const NEW_BASIS: &str = "basis --scene scene.toml --out new.bin";
 
 /// The header of a file of sources, with its line end.
-pub const SOURCES: &str = "light,set,x,y,z,r,g,b,major_x,major_y,major_z,minor\n";
+pub const SOURCES: &str = "light,x,y,z,r,g,b,spread\n";
 
 /// A folder with `lights.csv`, `materials.csv`, `normals.csv` and `scene.toml`.
 pub struct Folder(TempDir);

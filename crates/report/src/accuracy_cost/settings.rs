@@ -2,9 +2,7 @@
 //! format. Each parameter varies by itself, and combinations of parameters.
 
 use eigenshade_cli::table;
-use eigenshade_model::shipped;
 use eigenshade_table::effect::{Effect, Effects};
-use std::collections::BTreeSet;
 use std::fmt;
 
 /// The part of a basis that is kept; `None` keeps all.
@@ -264,7 +262,7 @@ pub fn all(quick: bool) -> Vec<Varied> {
             add("degree and order", trimmed(recipe, share));
         }
     }
-    let counts = source_counts().into_iter();
+    let counts = SOURCE_COUNTS.into_iter();
     for sources in counts.filter(|count| !quick || *count == QUICK_SOURCES) {
         for setting in with_sources() {
             add("sources", Setting { sources, ..setting });
@@ -294,11 +292,8 @@ fn higher() -> Setting {
     Setting::of(Recipe::first(HIGH.0, HIGH.1, HIGH_COMPONENTS))
 }
 
-/// Numbers of sources: the sizes of the sets in `tables/inputs/sources.csv`.
-fn source_counts() -> BTreeSet<usize> {
-    let lights = shipped::sources().unwrap_or_default();
-    lights.iter().flat_map(|light| light.sets.iter().map(|(most, _)| *most)).collect()
-}
+/// Numbers of sources.
+const SOURCE_COUNTS: [usize; 5] = [1, 2, 4, 8, 16];
 
 /// The settings that sources are added to: the nine-term formula, tables whose pixels are counted
 /// on boards, and all that a degree and an order have.
@@ -332,6 +327,7 @@ fn with_sources() -> impl Iterator<Item = Setting> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use std::collections::BTreeSet;
     use std::mem::discriminant;
 
     #[test]

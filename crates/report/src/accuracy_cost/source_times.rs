@@ -7,11 +7,11 @@ use eigenshade::{Gloss, Highlights, Rgb, Rotation, Source, q15};
 use eigenshade_model::error::{Error, Result};
 use eigenshade_shading::integer_shader;
 use eigenshade_shading::shader::{OwnedNormals, fault};
-use eigenshade_table::highlights::LARGEST_SET;
+use eigenshade_table::highlights::SHIPPED_SOURCES;
 use std::f32::consts::TAU;
 use std::hint::black_box;
 
-type Integers = q15::Highlights<i32, LARGEST_SET>;
+type Integers = q15::Highlights<i32, SHIPPED_SOURCES>;
 
 /// The normals that the sources shine on.
 pub struct Lit {
@@ -72,14 +72,14 @@ impl Lit {
 
 /// One of the sources, around the camera: nearly all normals face all of them.
 fn lamp(number: usize) -> std::result::Result<Source, eigenshade::Error> {
-    let (sine, cosine) = (TAU * number as f32 / LARGEST_SET as f32).sin_cos();
+    let (sine, cosine) = (TAU * number as f32 / SHIPPED_SOURCES as f32).sin_cos();
     let direction = [0.2 * cosine, 0.2 * sine, 0.96_f32.sqrt()];
-    Source::round(direction, [1.0, 0.9, 0.8], 0.05)
+    Source::new(direction, [1.0, 0.9, 0.8], 0.05)
 }
 
 fn reflected(
     sources: &[Source],
-) -> std::result::Result<Highlights<LARGEST_SET>, eigenshade::Error> {
+) -> std::result::Result<Highlights<SHIPPED_SOURCES>, eigenshade::Error> {
     let gloss = Gloss::metallic_roughness([1.0, 0.78, 0.34], 1.0, 0.3)?;
     Highlights::new(&gloss, sources)
 }

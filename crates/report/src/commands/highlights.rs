@@ -5,7 +5,6 @@ use eigenshade_cli::messages::{print_message, progress_bar};
 use eigenshade_cli::picture::{Canvas, SphereView, write_png};
 use eigenshade_model::error::Result;
 use eigenshade_model::inputs::gloss_csv::write_glosses;
-use eigenshade_model::inputs::set_error_csv::write_set_errors;
 use eigenshade_model::srgb::srgb;
 use eigenshade_shading::sources::screen::{self, Reference};
 use report::highlights::{self, DRAWN, Row};
@@ -16,11 +15,6 @@ use std::path::Path;
 pub fn gloss(out: Option<&Path>) -> Result<()> {
     let glosses = highlights::glosses(&[])?;
     write(out, |out| write_glosses(&glosses, out))
-}
-
-pub fn source_errors(out: Option<&Path>) -> Result<()> {
-    let errors = highlights::remaining(inputs(), &[], &progress_bar("lights", 0))?;
-    write(out, |out| write_set_errors(&errors, out))
 }
 
 pub fn material_errors(out: Option<&Path>) -> Result<()> {

@@ -92,10 +92,6 @@ pub enum Command {
     Highlights(Csv),
     /// Spheres with sources beside those without, and direct integration, docs/highlights.png
     HighlightPicture(OutputFile),
-    /// The errors that the shipped sources leave, tables/inputs/sources.errors.csv
-    ///
-    /// Those that `eigenshade light --sources` writes are of sources that are not yet rounded.
-    SourceErrors(Csv),
     /// Total errors of the shipped materials, tables/inputs/merl.errors.csv
     ///
     /// The reference is direct integration of each BRDF under the environment maps, without degree
@@ -157,7 +153,6 @@ impl Command {
             Self::GlossyMaterials { out } => files::glossy_materials(&out),
             Self::Highlights(csv) => highlights::errors(csv.out.as_deref()),
             Self::HighlightPicture(file) => highlights::picture(&file.out),
-            Self::SourceErrors(csv) => highlights::source_errors(csv.out.as_deref()),
             Self::MaterialErrors(csv) => highlights::material_errors(csv.out.as_deref()),
             Self::MetallicRoughness(file) => files::metallic_roughness(&file.out),
             Self::SameOrder { one, other } => files::same_order(&one, &other),

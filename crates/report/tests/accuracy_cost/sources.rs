@@ -35,18 +35,18 @@ fn lamps_are_the_sources_that_lights_lack() {
     let lights = shipped::lights().expect("the lights");
     let named = |name: &str| lights.entries.iter().find(|light| light.name == name).cloned();
     let lights = ["studio", "lobby"].map(|name| named(name).expect("a light"));
-    let sets = shipped::sources().expect("the sources");
+    let all = shipped::sources().expect("the sources");
     let mut normals = of_equal_areas(60);
     normals.retain(|[.., z]| *z > 0.1);
     let albedo = [0.2, 0.1, 0.3];
     let gloss =
         Gloss { roughness: 0.35, reflectance: [0.5, 0.4, 0.3], grazing: [1.0, 0.9, 0.8], albedo };
     for (k, light) in lights.iter().enumerate() {
-        let of_light = sets.iter().find(|sets| sets.name == light.name).expect("sources");
-        let sources = of_light.of_most(4);
+        let of_light = all.iter().find(|sources| sources.name == light.name).expect("sources");
+        let sources = of_light.first(4);
         assert!(sources.len() > 1, "{}", light.name);
         let setting = Setting { sources: 4, ..Setting::of(Recipe::all(9, 7)) };
-        let lamps = Lamps::new(&setting, &lights, &sets, &normals).expect("sources");
+        let lamps = Lamps::new(&setting, &lights, &all, &normals).expect("sources");
         for c in 0..3 {
             let mut whole = lamps.rest(k)[c].clone();
             assert_eq!(whole.len(), count(9));
@@ -71,7 +71,7 @@ fn lamps_are_the_sources_that_lights_lack() {
         for (format, exponent, most) in [(Format::F32, 0, OF_F32), (Format::Q15, exponent, OF_Q15)]
         {
             let setting = setting.in_format(format);
-            let lamps = Lamps::new(&setting, &lights, &sets, &normals).expect("sources");
+            let lamps = Lamps::new(&setting, &lights, &all, &normals).expect("sources");
             let rest = shaded(normals.len(), exponent);
             let picture = lamps.add(k, &gloss, &rest).expect("a picture");
             for (j, expected) in expected.iter().enumerate() {
@@ -82,7 +82,7 @@ fn lamps_are_the_sources_that_lights_lack() {
             }
         }
         let setting = setting.in_format(Format::F64);
-        let lamps = Lamps::new(&setting, &lights, &sets, &normals).expect("sources");
+        let lamps = Lamps::new(&setting, &lights, &all, &normals).expect("sources");
         assert!(lamps.add(k, &gloss, &shaded(normals.len(), 0)).is_err());
     }
 }

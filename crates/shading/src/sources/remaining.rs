@@ -1,17 +1,16 @@
-//! The screen errors that sources leave: pictures of metals and dielectrics against direct integration
+//! The screen errors with sources: pictures of metals and dielectrics against direct integration
 //! of the whole map.
 
-use crate::sources::response::{Glossy, Place, Response};
+use crate::sources::response::Glossy;
 use crate::sources::screen::{self, Reference};
 use crate::sources::sphere::{Picture, Sphere};
 use crate::sources::view::View;
 use eigenshade_generator::light::environment::EnvironmentMap;
 use eigenshade_model::error::Result;
 use eigenshade_model::highlights::{self, Highlights};
-use eigenshade_model::parallel;
 use eigenshade_model::rotation::Rotation;
 use eigenshade_model::screen::ScreenError;
-use eigenshade_model::source::{Base, Gloss, SetError, SourceSets};
+use eigenshade_model::source::{Base, Gloss, Source, SourceError};
 use eigenshade_model::window::Window;
 use eigenshade_table::light;
 use std::convert::Infallible;
@@ -40,24 +39,25 @@ pub fn materials(base: Base, roughness: &[f64]) -> Result<Vec<Glossy>> {
     roughness.iter().map(of).collect()
 }
 
-/// The errors of the pictures of these materials of each base under a map, without sources and with
-/// each set: the larger of two views.
+/// The errors of the pictures of these materials of each base under a map, without sources, with the
+/// first one, with the first two and so on: the larger of two views.
 ///
 /// # Errors
 ///
 /// Those of [`View::new`].
 pub fn errors(
     map: &EnvironmentMap,
-    sets: &SourceSets,
+    name: &str,
+    sources: &[Source],
     materials: &[(Base, Vec<Glossy>)],
-) -> Result<Vec<SetError>> {
+) -> Result<Vec<SourceError>> {
     let degree = SIZES.iter().map(|size| size.0).max().unwrap_or(0);
-    let mut found: Vec<SetError> = Vec::new();
+    let mut found: Vec<SourceError> = Vec::new();
     for size in SIZES {
-        for most in std::iter::once(0).chain(sets.sets.iter().map(|(most, _)| *most)) {
-            found.extend(materials.iter().map(|(base, _)| SetError {
-                light: sets.name.clone(),
-                most,
+        for count in 0..=sources.len() {
+            found.extend(materials.iter().map(|(base, _)| SourceError {
+                light: name.to_owned(),
+                sources: count,
                 size,
                 base: *base,
                 errors: [ScreenError::default(); 6],
@@ -71,16 +71,16 @@ pub fn errors(
             for (place, material) in materials.iter().enumerate() {
                 let reference = view.pictures(material, &sphere.normals).reference;
                 let reference = Reference::new(reference, &sphere);
-                for one in found.iter_mut().filter(|one| one.base == *base) {
-                    let size = SIZES.iter().position(|size| *size == one.size);
-                    let Some(response) = size.and_then(|size| material.responses.get(size)) else {
-                        continue;
-                    };
-                    let responses = [response; 3];
-                    let picture =
-                        picture(&view, responses, &material.gloss, sets, one.most, &sphere);
-                    let errors = &mut one.errors[place];
-                    *errors = errors.max(reference.errors(&picture, &sphere).all);
+                for (size, response) in SIZES.iter().zip(&material.responses) {
+                    let rows = response.at_all(&sphere.normals);
+                    let fits = |one: &&mut SourceError| (one.base, one.size) == (*base, *size);
+                    for one in found.iter_mut().filter(fits) {
+                        let first = &sources[..one.sources];
+                        let rows = [&rows[..]; 3];
+                        let picture = picture(&view, size.0, rows, &material.gloss, first, &sphere);
+                        let errors = &mut one.errors[place];
+                        *errors = errors.max(reference.errors(&picture, &sphere).all);
+                    }
                 }
             }
         }
@@ -88,38 +88,33 @@ pub fn errors(
     Ok(found)
 }
 
-/// The picture of a material by harmonics and at most this many sources, both in f64, with the
-/// window that `eigenshade render` chooses.
+/// The picture of a material by harmonics and sources, both in f64, with the window that
+/// `eigenshade render` chooses. `rows` are the responses of each channel at the normals.
 #[must_use]
 pub fn picture(
     view: &View,
-    responses: [&Response; 3],
+    degree: usize,
+    rows: [&[Vec<f64>]; 3],
     gloss: &Gloss,
-    sets: &SourceSets,
-    most: usize,
+    sources: &[Source],
     sphere: &Sphere,
 ) -> Picture {
-    let degree = responses[0].degree();
     let mut rest = view.light().each_ref().map(|light| light[..light::count(degree)].to_vec());
-    let turned = sets.of_most(most).iter().map(|source| view.turned(source)).collect::<Vec<_>>();
+    let turned = sources.iter().map(|source| view.turned(source)).collect::<Vec<_>>();
     highlights::take_out(&mut rest, degree, &turned);
     let lobes = Highlights::new(gloss, &turned);
-    let at = |k: usize| {
-        let normal = sphere.normals[k];
-        (Place::new(normal, degree), lobes.irradiance(normal))
-    };
-    let places = parallel::map(sphere.normals.len(), &(), at);
+    let lit: Vec<[f64; 3]> = sphere.normals.iter().map(|&n| lobes.irradiance(n)).collect();
     let Ok(drawn) = screen::windowed(degree, sphere, |window: Window| {
-        let images = [0, 1, 2].map(|c: usize| {
+        let channel = |c: usize| {
             let mut rest = rest[c].clone();
             window.apply(&mut rest);
-            responses[c].under(&rest)
-        });
-        let channel = |c: usize| {
-            let pixel = |(at, lit): &(Place, [f64; 3])| images[c].irradiance(at) + lit[c];
-            places.iter().map(pixel).collect()
+            let pixel = |(row, lit): (&Vec<f64>, &[f64; 3])| {
+                lit[c]
+                    + row.iter().zip(&rest).map(|(response, light)| response * light).sum::<f64>()
+            };
+            rows[c].iter().zip(&lit).map(pixel).collect()
         };
-        Ok::<Picture, Infallible>([channel(0), channel(1), channel(2)])
+        Ok::<Picture, Infallible>([0, 1, 2].map(channel))
     });
     drawn
 }

@@ -2,6 +2,7 @@
 
 use eigenshade_generator::material::brdf::{Brdf, Ggx, Measure, projection};
 use eigenshade_model::error::Result;
+use eigenshade_model::parallel;
 use eigenshade_model::reference::DirectSum;
 use eigenshade_model::source::Gloss;
 use eigenshade_model::special::spherical_harmonic::azimuth;
@@ -57,6 +58,12 @@ impl Response {
             *value *= at.wave(m);
         }
         values
+    }
+
+    /// The irradiance under each harmonic at each of some normals.
+    #[must_use]
+    pub fn at_all(&self, normals: &[[f64; 3]]) -> Vec<Vec<f64>> {
+        parallel::map(normals.len(), &(), |k| self.at(&Place::new(normals[k], self.degree)))
     }
 
     /// The image under a light of the same degree or a higher one.

@@ -3,11 +3,10 @@
 
 use crate::highlights;
 use crate::shader::fault;
-use crate::sources::response::{Glossy, Place, Response};
+use crate::sources::response::{Glossy, Response};
 use crate::sources::view::View;
 use eigenshade::{Highlights, Normals, Rgb};
 use eigenshade_model::error::Result;
-use eigenshade_model::parallel;
 use eigenshade_model::source::Source;
 use faer::linalg::matmul::matmul;
 use faer::{Accum, Mat, Par};
@@ -46,10 +45,9 @@ struct Part {
 }
 
 impl<'a> Sample<'a> {
-    /// Samples pictures at the normals of [`View::sphere`], at the sizes of the materials from
-    /// `first` on.
+    /// Samples pictures at the normals of [`View::sphere`], at all sizes of the materials.
     #[must_use]
-    pub fn new(views: &'a [View], materials: &'a [Glossy], spacing: f64, first: usize) -> Self {
+    pub fn new(views: &'a [View], materials: &'a [Glossy], spacing: f64) -> Self {
         let mut sample = Self {
             views,
             materials,
@@ -65,7 +63,7 @@ impl<'a> Sample<'a> {
             let sphere = view.sphere(spacing);
             for (m, material) in materials.iter().enumerate() {
                 let pictures = view.pictures(material, &sphere.normals);
-                for (size, truncated) in pictures.truncated.iter().enumerate().skip(first) {
+                for (size, truncated) in pictures.truncated.iter().enumerate() {
                     let lack = |c: usize, k: usize| pictures.reference[c][k] - truncated[c][k];
                     let lack = |c: usize, k: usize| (lack(c, k) / pictures.peak) as f32;
                     let most = |k: usize| (0..3).map(|c| lack(c, k).abs()).fold(0.0, f32::max);
@@ -76,30 +74,20 @@ impl<'a> Sample<'a> {
                     for (c, to) in sample.lack.iter_mut().enumerate() {
                         to.extend(chosen.iter().map(|&k| lack(c, k)));
                     }
-                    // Large errors of a pixel count more. Between sizes, squares count as they are,
-                    // so that the errors of the smaller one decide. At one size they count in
-                    // relation to the error without sources: else the smoothest material decides.
+                    // Large errors of a pixel count more. A picture counts in relation to its error
+                    // without sources: else the smoothest material and the lower degree decide.
                     let rms = rms.max(ROUNDING);
-                    let times = match (first + 1 < pictures.truncated.len(), m == middle) {
-                        (true, _) => 1.0,
-                        (false, true) => MIDDLE / rms,
-                        (false, false) => 1.0 / rms,
-                    };
+                    let times = if m == middle { MIDDLE / rms } else { 1.0 / rms };
                     let share = |k: usize| {
                         let of_mean = sphere.weights[k] * sphere.normals.len() as f64;
                         times * (of_mean + LEAST) as f32
                     };
                     let weights = chosen.iter().map(|&k| share(k) * (rms + most(k)) / rms);
                     sample.weights.extend(weights);
-                    let rows = parallel::map(chosen.len(), &(), |row| {
-                        let response = &material.responses[size];
-                        let normal = sphere.normals[chosen[row]];
-                        response.at(&Place::new(normal, response.degree()))
-                    });
+                    let normals: Vec<_> = chosen.iter().map(|&k| sphere.normals[k]).collect();
+                    let rows = material.responses[size].at_all(&normals);
                     let columns = rows.first().map_or(0, Vec::len);
-                    let axis = |a: usize| {
-                        chosen.iter().map(|&k| sphere.normals[k][a] as f32).collect::<Vec<f32>>()
-                    };
+                    let axis = |a: usize| normals.iter().map(|normal| normal[a] as f32).collect();
                     sample.parts.push(Part {
                         view: v,
                         material: m,

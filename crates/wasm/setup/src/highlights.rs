@@ -3,16 +3,16 @@
 
 use crate::inputs::{LIGHT, TURN};
 use crate::shared::{LIGHT_COUNT, Shared};
-use eigenshade_table::highlights::MAX_SOURCES;
 use eigenshade::{Error, Gloss, Highlights, Light, Rgb, Rotation, Source};
+use eigenshade_table::highlights::MAX_SOURCES;
 
 /// Constants for a page: the most sources, the reflectance of dielectrics, and the roughness
 /// from which on sources change nothing.
 #[unsafe(export_name = "limits")]
 static LIMITS: [f32; 3] = [MAX_SOURCES as f32, Gloss::DIELECTRIC, Gloss::MATTE];
-/// The sources, each with its direction, energy, major axis and minor spread.
+/// The sources, each with its direction, energy and spread.
 #[unsafe(export_name = "sources")]
-static SOURCES: Shared<[[f32; 10]; MAX_SOURCES]> = Shared::new([[0.0; 10]; MAX_SOURCES]);
+static SOURCES: Shared<[[f32; 7]; MAX_SOURCES]> = Shared::new([[0.0; 7]; MAX_SOURCES]);
 /// The gloss of the material: roughness, reflectance at normal and at grazing incidence, albedo.
 #[unsafe(export_name = "gloss")]
 static GLOSS: Shared<[f32; 10]> = Shared::new([0.0; 10]);
@@ -62,8 +62,8 @@ extern "C" fn highlights(count: usize) -> u32 {
 }
 
 /// A dark source.
-const NONE: [f32; 10] = [0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0];
+const NONE: [f32; 7] = [0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0];
 
-fn source(&[x, y, z, r, g, b, u, v, w, minor]: &[f32; 10]) -> Result<Source, Error> {
-    Source::new([x, y, z], [r, g, b], [u, v, w], minor)
+fn source(&[x, y, z, r, g, b, spread]: &[f32; 7]) -> Result<Source, Error> {
+    Source::new([x, y, z], [r, g, b], spread)
 }

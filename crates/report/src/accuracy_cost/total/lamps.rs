@@ -7,7 +7,7 @@ use crate::sphere::Picture;
 use eigenshade::{Highlights, Light, Rgb, Source, q15};
 use eigenshade_model::database::Named;
 use eigenshade_model::error::{Error, Result};
-use eigenshade_model::source::{Gloss, SourceSets};
+use eigenshade_model::source::{Gloss, NamedSources};
 use eigenshade_shading::shader::{OwnedNormals, fault};
 use eigenshade_shading::{highlights, integer_shader};
 use eigenshade_table::highlights::MAX_SOURCES;
@@ -34,8 +34,13 @@ struct Rest {
 }
 
 impl Rest {
-    fn new(light: &Named, degree: usize, sets: Option<&SourceSets>, most: usize) -> Result<Self> {
-        let sources = sets.map_or(&[][..], |sets| sets.of_most(most));
+    fn new(
+        light: &Named,
+        degree: usize,
+        sources: Option<&NamedSources>,
+        most: usize,
+    ) -> Result<Self> {
+        let sources = sources.map_or(&[][..], |sources| sources.first(most));
         let sources = sources.iter().map(highlights::source).collect::<Result<Vec<_>>>()?;
         let rounded = |channel: &Vec<f64>| -> Vec<f32> {
             channel.iter().take(count(degree)).map(|&number| number as f32).collect()
@@ -53,12 +58,12 @@ impl Lamps {
     pub fn new(
         setting: &Setting,
         lights: &[Named],
-        sources: &[SourceSets],
+        sources: &[NamedSources],
         normals: &[[f64; 3]],
     ) -> Result<Self> {
         let rest = |light: &Named| {
-            let sets = sources.iter().find(|sets| sets.name == light.name);
-            Rest::new(light, setting.recipe.degree, sets, setting.sources)
+            let of_light = sources.iter().find(|sources| sources.name == light.name);
+            Rest::new(light, setting.recipe.degree, of_light, setting.sources)
         };
         Ok(Self {
             format: setting.format,

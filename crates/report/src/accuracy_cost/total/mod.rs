@@ -16,7 +16,7 @@ use eigenshade_generator::basis;
 use eigenshade_generator::scene_file::{self, Loaded};
 use eigenshade_model::database::Materials;
 use eigenshade_model::error::{Error, Result};
-use eigenshade_model::source::SourceSets;
+use eigenshade_model::source::NamedSources;
 use eigenshade_model::window::Window;
 use eigenshade_model::{parallel, shipped};
 use eigenshade_shading::sources::screen::{Errors as PictureErrors, Reference, windowed};
@@ -57,7 +57,7 @@ pub struct Study {
     references: Vec<Vec<Reference>>,
     /// By order.
     materials: Vec<Materials>,
-    sources: Vec<SourceSets>,
+    sources: Vec<NamedSources>,
 }
 
 impl Study {
