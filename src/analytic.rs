@@ -13,7 +13,7 @@ use core::f32::consts::{FRAC_PI_2, PI, SQRT_2};
 /// A window keeps small lights from ringing.
 ///
 /// ```
-/// use eigenshade::{AnalyticLight, Window};
+/// use eigenshade::lights::{AnalyticLight, Window};
 ///
 /// // A sky above a darker ground, and a lamp from the upper left, 20 degrees in radius.
 /// let light = AnalyticLight::<100>::dark()?
@@ -163,7 +163,8 @@ impl<const N: usize> AnalyticLight<N> {
 /// The same in color. Radiances and irradiances have three channels.
 ///
 /// ```
-/// use eigenshade::{AnalyticLight, Rgb};
+/// use eigenshade::lights::AnalyticLight;
+/// use eigenshade::Rgb;
 ///
 /// let light = Rgb::<AnalyticLight<100>>::dark()?
 ///     .hemisphere([0.0, 1.0, 0.0], [0.3, 0.5, 1.0], [0.2, 0.2, 0.1])?

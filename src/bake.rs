@@ -45,15 +45,13 @@ pub struct BakedMap<B> {
     texels: B,
 }
 
-/// A buffer for a baked map.
-pub type MapBuffer<const T: usize> = Buffer<f32, T>;
-
 impl<C> Scene<'_, C> {
     /// Bakes the scene into N x N texels; `T` must be at least N².
     ///
     /// ```
     /// # #[cfg(feature = "baked")] {
-    /// use eigenshade::{Light, MapPoint, Material, Normal, sphere};
+    /// use eigenshade::object::MapPoint;
+    /// use eigenshade::{Light, Material, Normal, sphere};
     ///
     /// let light = Light::new(&[3.5, 0.0, 1.0, 0.0])?;
     /// let scene = sphere::collapse(&sphere::project(&light, &Material::new(&[2.0])?)?)?;
@@ -69,7 +67,7 @@ impl<C> Scene<'_, C> {
     /// # Errors
     ///
     /// [`Error::Size`] unless N is 2 to 4096, [`Error::Capacity`] if `T` is too small.
-    pub fn bake<const T: usize>(&self, size: usize) -> Result<BakedMap<MapBuffer<T>>, Error>
+    pub fn bake<const T: usize>(&self, size: usize) -> Result<BakedMap<Buffer<f32, T>>, Error>
     where
         C: AsRef<[f32]>,
     {

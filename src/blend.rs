@@ -8,7 +8,7 @@ use crate::color::Rgb;
 /// values. Costs two products for all three channels.
 ///
 /// ```
-/// use eigenshade::blend565;
+/// use eigenshade::screen::blend565;
 ///
 /// let (black, white) = (0x0000, 0xffff);
 /// assert_eq!([0, 255].map(|coverage| blend565(black, white, coverage)), [black, white]);

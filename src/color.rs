@@ -1,9 +1,9 @@
 //! Three channels of anything: lights, materials, transfers, images and pixels.
 
-use crate::bake::{BakedMap, MapBuffer, MapPoint};
+use crate::bake::{BakedMap, MapPoint};
 use crate::buffer::{Buffer, copied};
 use crate::error::{Argument, Error};
-use crate::light::{Light, LightBuffer, Window};
+use crate::light::{Light, Window};
 use crate::material::Material;
 use crate::normal::Normal;
 use crate::q15;
@@ -135,7 +135,7 @@ impl Rgb<Light<'_>> {
     }
 
     /// [`Light::windowed`] in each channel; the same errors.
-    pub fn windowed<const N: usize>(&self, window: Window) -> Result<Rgb<LightBuffer<N>>, Error> {
+    pub fn windowed<const N: usize>(&self, window: Window) -> Result<Rgb<Buffer<f32, N>>, Error> {
         self.each_ref().try_map(|light| light.windowed::<N>(window))
     }
 }
@@ -202,7 +202,7 @@ impl<C> Rgb<Scene<'_, C>> {
     }
 
     /// [`Scene::bake`] in each channel; the same errors.
-    pub fn bake<const T: usize>(&self, size: usize) -> Result<Rgb<BakedMap<MapBuffer<T>>>, Error>
+    pub fn bake<const T: usize>(&self, size: usize) -> Result<Rgb<BakedMap<Buffer<f32, T>>>, Error>
     where
         C: AsRef<[f32]>,
     {

@@ -47,7 +47,7 @@ fn root(square: u32) -> u16 {
 /// and two divisions to make it.
 ///
 /// ```
-/// use eigenshade::Disc;
+/// use eigenshade::object::Disc;
 ///
 /// let mut picture = [' '; 4 * 4];
 /// for pixel in Disc::new(4)? {

@@ -62,7 +62,8 @@ const fn srgb(x: f64) -> f64 {
 /// A tone curve and the sRGB encoding, as a table of 774 bytes.
 ///
 /// ```
-/// use eigenshade::{Display, Rgb, Tone};
+/// use eigenshade::screen::{Display, Tone};
+/// use eigenshade::Rgb;
 ///
 /// static DISPLAY: Display = Display::new(Tone::Linear);
 /// assert_eq!(DISPLAY.rgb888(Rgb::new(0.0, 0.2140, 1.0)), Rgb::new(0, 127, 255));

@@ -83,7 +83,7 @@ pub enum Error {
     /// The weights of an estimate's pixels do not have a finite sum above zero.
     Weight,
     /// The size of a square picture is out of range: a baked map has 2 to 4096 texels a side, a
-    /// [`Disc`](crate::Disc) 1 to 4096 pixels, and a [`Matcap`](crate::Matcap) at least one.
+    /// [`Disc`](crate::object::Disc) 1 to 4096 pixels, and a [`Matcap`](crate::object::Matcap) at least one.
     Size {
         /// The number of pixels a side.
         found: usize,

@@ -7,7 +7,7 @@ use crate::error::{Argument, Error};
 pub(crate) const POINT: u32 = 16;
 
 /// An exposed irradiance in units of 2^-16: 65,536 is white under
-/// [`Tone::Linear`](crate::Tone::Linear).
+/// [`Tone::Linear`](crate::screen::Tone::Linear).
 ///
 /// It converts from `f32`: values below 0 and NaN become 0, large ones the largest number.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord)]
@@ -24,7 +24,8 @@ impl From<f32> for Linear {
 /// What an irradiance is multiplied by, so that white is 1.
 ///
 /// ```
-/// use eigenshade::{Exposure, Rgb};
+/// use eigenshade::screen::Exposure;
+/// use eigenshade::Rgb;
 ///
 /// let exposure = Exposure::new(1.5)?;
 /// assert_eq!(exposure.of(Rgb::new(0.5, 1.0, 2.0)), Rgb::new(0.75, 1.5, 3.0));
@@ -100,7 +101,8 @@ const UNCLIPPED: [f32; 2] = [0.99, 0.9];
 /// found.
 ///
 /// ```
-/// use eigenshade::{Meter, Rgb};
+/// use eigenshade::screen::Meter;
+/// use eigenshade::Rgb;
 ///
 /// let mut meter = Meter::default();
 /// (1..=100).for_each(|i| meter.add(Rgb::new(0.0, 0.02 * i as f32, 0.0)));

@@ -6,7 +6,7 @@
 //! collapsed scene costs the same.
 
 use crate::basis::Basis;
-use crate::buffer::zeros;
+use crate::buffer::{Buffer, zeros};
 use crate::error::{Argument, Error};
 use crate::float;
 use crate::index::record::floats;
@@ -15,7 +15,7 @@ use crate::light::Light;
 use crate::material::Material;
 use crate::normal::Normal;
 use crate::projection::{Coefficients, buffered};
-use crate::scene::{Scene, SceneBuffer};
+use crate::scene::Scene;
 use crate::transfer::Transfer;
 
 /// The arrays of a general basis: [`GeneralBasis::new`] checks that they are consistent.
@@ -159,7 +159,7 @@ impl<'a> GeneralBasis<'a> {
     pub fn collapse<const N: usize, const C: usize>(
         &self,
         coefficients: &[f32],
-    ) -> Result<Scene<'a, SceneBuffer<C>>, Error> {
+    ) -> Result<Scene<'a, Buffer<f32, C>>, Error> {
         let mut workspace = zeros::<f32, N>(Argument::Workspace, self.workspace_len())?;
         let scene = zeros::<f32, C>(Argument::Scene, self.span.scene_len())?;
         self.collapse_into(coefficients, &mut workspace, scene)

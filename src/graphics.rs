@@ -4,7 +4,7 @@ use crate::buffer::{Buffer, copied};
 use crate::color::Rgb;
 use crate::error::{Argument, Error};
 use crate::index::light::{graphics_sign, indices};
-use crate::light::{Light, LightBuffer, degree};
+use crate::light::{Light, degree};
 use crate::nine_terms::{CONSTANT, LINEAR, SQUARE, UPRIGHT};
 
 /// The convention of another program's coefficients.
@@ -112,7 +112,8 @@ impl Light<'_> {
     /// The light of another program's coefficients, one channel. `N` must be at least their number.
     ///
     /// ```
-    /// use eigenshade::{Convention, Light};
+    /// use eigenshade::lights::Convention;
+    /// use eigenshade::Light;
     ///
     /// // More light from the right: x is the fourth number, and negative here.
     /// let light = Light::from_graphics::<4>(Convention::ThreeJs, &[3.5, 0.0, 0.0, 1.0])?;
@@ -130,7 +131,7 @@ impl Light<'_> {
     pub fn from_graphics<const N: usize>(
         convention: Convention,
         numbers: &[f32],
-    ) -> Result<LightBuffer<N>, Error> {
+    ) -> Result<Buffer<f32, N>, Error> {
         let mut light = copied(Argument::Light, numbers.iter().copied())?;
         convention.decode(&mut light)?;
         Ok(light)
@@ -157,7 +158,8 @@ impl Rgb<Light<'_>> {
     ///
     /// ```
     /// # #[cfg(feature = "baked")] {
-    /// use eigenshade::{Convention, Light, Material, Normal, Rgb, sphere};
+    /// use eigenshade::lights::Convention;
+    /// use eigenshade::{Light, Material, Normal, Rgb, sphere};
     ///
     /// // `sh.txt` of `cmgen --deploy`: white, and blue from above.
     /// let sh = [[1.0, 1.0, 1.0], [0.0, 0.0, 0.6], [0.0; 3], [0.0; 3]];
@@ -175,7 +177,7 @@ impl Rgb<Light<'_>> {
     pub fn from_graphics<const N: usize>(
         convention: Convention,
         numbers: &[[f32; 3]],
-    ) -> Result<Rgb<LightBuffer<N>>, Error> {
+    ) -> Result<Rgb<Buffer<f32, N>>, Error> {
         let mut light = Rgb::new(
             copied(Argument::Light, numbers.iter().map(|[r, ..]| *r))?,
             copied(Argument::Light, numbers.iter().map(|[_, g, _]| *g))?,

@@ -115,7 +115,7 @@ mod shade;
 #[doc(hidden)]
 pub mod specialized;
 
-mod truncation;
+pub mod truncation;
 
 mod bake;
 
@@ -137,7 +137,7 @@ mod highlights;
 
 mod shader_text;
 
-mod shader;
+pub mod shader;
 
 mod graphics;
 
@@ -193,38 +193,48 @@ pub mod generated {
     include!(concat!(env!("OUT_DIR"), "/generated.rs"));
 }
 
-pub use analytic::AnalyticLight;
-pub use bake::{BakedMap, MapBuffer, MapPoint};
-pub use basis::{Basis, Parts};
-pub use blend::blend565;
+pub use basis::Basis;
 pub use buffer::Buffer;
 pub use color::Rgb;
-pub use disc::{Disc, DiscPixel};
-pub use display::{Display, Tone};
 pub use error::{Argument, Error};
 pub use estimate::Estimate;
-pub use exposure::{Exposure, Linear, Meter};
-pub use general::{GeneralBasis, GeneralParts};
+pub use general::GeneralBasis;
 pub use gloss::Gloss;
-pub use graphics::Convention;
 pub use highlights::Highlights;
-pub use index::effect::{Effect, Effects};
-pub use light::{Light, LightBuffer, Window};
-pub use matcap::{Matcap, MatcapTexel};
+pub use index::effect::Effect;
+pub use light::Light;
 pub use material::Material;
-pub use nine_terms::NineTerms;
 pub use normal::{Normal, Normals};
-pub use normal_map::{NormalMap, NormalPixel, NormalPixels};
 pub use projection::Coefficients;
 pub use q15::Q15;
 pub use rotation::Rotation;
-pub use scene::{Scene, SceneBuffer};
-pub use shade::NegativePolicy;
-pub use shader::Shader;
-pub use shader_text::ShaderLanguage;
+pub use scene::Scene;
 pub use source::Source;
 pub use transfer::Transfer;
-pub use truncation::{Shape, Tolerance, Truncation};
+
+/// Light from formulas and from other programs, and windows against its ringing.
+pub mod lights {
+    pub use crate::analytic::AnalyticLight;
+    pub use crate::graphics::Convention;
+    pub use crate::light::Window;
+    pub use crate::nine_terms::NineTerms;
+}
+
+/// What is drawn: discs, normal maps, and maps of an image by its normals.
+pub mod object {
+    pub use crate::bake::{BakedMap, MapPoint};
+    pub use crate::disc::{Disc, DiscPixel};
+    pub use crate::matcap::{Matcap, MatcapTexel};
+    pub use crate::normal_map::{NormalMap, NormalPixel, NormalPixels};
+}
+
+/// From irradiance to the pixels of a display.
+pub mod screen {
+    pub use crate::blend::blend565;
+    pub use crate::display::{Display, Tone};
+    pub use crate::exposure::{Exposure, Linear, Meter};
+    pub use crate::shade::NegativePolicy;
+}
 
 // Runs the README's examples as tests.
 #[cfg(all(doctest, feature = "baked", feature = "presets"))]

@@ -106,9 +106,6 @@ pub(crate) const fn degree(found: usize) -> Result<usize, Error> {
     if count == found { Ok(degree) } else { Err(Error::Count { argument: Argument::Light, found }) }
 }
 
-/// The coefficients of a modified light, in a buffer of fixed capacity.
-pub type LightBuffer<const N: usize> = Buffer<f32, N>;
-
 /// Factors that attenuate a light's coefficients, degree by degree.
 ///
 /// A light truncated at some degree rings around its brightest parts and becomes negative, and so
@@ -146,7 +143,7 @@ impl Window {
     /// window of a light in this way; a picture needs a weaker one, since its material blurs it.
     ///
     /// ```
-    /// use eigenshade::Window;
+    /// use eigenshade::lights::Window;
     ///
     /// // A picture that is dark by a tenth of the second degree's factor.
     /// let window = Window::weakest(2, |window: Window| -0.1 * window.factor(2));
@@ -211,7 +208,8 @@ impl Light<'_> {
     /// sine for each degree.
     ///
     /// ```
-    /// use eigenshade::{Light, Window};
+    /// use eigenshade::lights::Window;
+    /// use eigenshade::Light;
     ///
     /// let light = Light::new(&[3.5, 0.0, 1.0, 0.0])?;
     /// let window = Window::SincFourth { width: 4.0 };
@@ -223,7 +221,7 @@ impl Light<'_> {
     /// # Errors
     ///
     /// [`Error::Capacity`] if `N` is too small.
-    pub fn windowed<const N: usize>(&self, window: Window) -> Result<LightBuffer<N>, Error> {
+    pub fn windowed<const N: usize>(&self, window: Window) -> Result<Buffer<f32, N>, Error> {
         let mut windowed = copied(Argument::Light, self.coefficients().iter().copied())?;
         window.apply(&mut windowed);
         Ok(windowed)

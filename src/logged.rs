@@ -12,7 +12,7 @@ use crate::material::Material;
 use crate::normal::{Normal, Normals};
 use crate::q15;
 use crate::rotation::Rotation;
-use crate::scene::{Scene, SceneBuffer};
+use crate::scene::Scene;
 use crate::shade::NegativePolicy;
 use crate::transfer::Transfer;
 use crate::truncation::{Shape, Tolerance, Truncation};
@@ -21,7 +21,7 @@ use crate::wire::{Aligned, Fault, Header, NumberFormat, WireError};
 const fn can_be_logged<T: defmt::Format>() {}
 
 const _: () = {
-    type Buffer = SceneBuffer<8>;
+    type Buffer = crate::buffer::Buffer<f32, 8>;
     can_be_logged::<(Light<'_>, Material<'_>, Normal, Normals<'_>)>();
     can_be_logged::<(Basis<'_>, GeneralBasis<'_>)>();
     can_be_logged::<(Parts<'_>, GeneralParts<'_>)>();

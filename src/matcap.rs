@@ -24,7 +24,7 @@ use crate::normal::Normal;
 /// | 1024 | 6e-4 | 1.8e-3 |
 ///
 /// ```
-/// use eigenshade::Matcap;
+/// use eigenshade::object::Matcap;
 ///
 /// let mut matcap = [[0.0; 3]; 8 * 8];
 /// for texel in Matcap::new(8)? {

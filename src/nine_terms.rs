@@ -18,7 +18,8 @@ pub(crate) const UPRIGHT: f32 = 0.25 * 0.315_391_57;
 /// degree 2. It needs no table.
 ///
 /// ```
-/// use eigenshade::{Light, NineTerms, Normal};
+/// use eigenshade::lights::NineTerms;
+/// use eigenshade::{Light, Normal};
 ///
 /// let light = Light::new(&[3.5, 0.0, 1.0, 0.0])?; // all around, more from the camera
 /// let matte = NineTerms::lambertian(&light, 0.8);

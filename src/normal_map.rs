@@ -25,7 +25,8 @@ const NEIGHBORS: [[i8; 2]; 8] =
 /// packed ones. Pixels at an object's outline have a coverage.
 ///
 /// ```
-/// use eigenshade::{Disc, Display, NormalMap, Tone, blend565};
+/// use eigenshade::object::{Disc, NormalMap};
+/// use eigenshade::screen::{Display, Tone, blend565};
 ///
 /// // A sphere of 32 x 32 pixels, and a display of the same size with a blue background.
 /// let mut codes = [NormalMap::BACKGROUND; 32 * 32];
@@ -211,7 +212,7 @@ impl NormalPixel {
     }
 
     /// The share of the pixel that the object covers, from 8 to 255: see
-    /// [`blend565`](crate::blend565).
+    /// [`blend565`](crate::screen::blend565).
     #[inline]
     #[must_use]
     pub const fn coverage(self) -> u8 {

@@ -12,9 +12,6 @@ use crate::normal::Normal;
 use crate::polynomial;
 use crate::polynomial::{argument, turned};
 
-/// Storage for a collapsed scene.
-pub type SceneBuffer<const N: usize> = Buffer<f32, N>;
-
 /// One image: `buffer` holds the polynomials of +m and -m for each azimuth |m|.
 ///
 /// A pixel costs 2 degree + 1 polynomials, whatever the number of components.
@@ -49,7 +46,7 @@ impl<'a> Basis<'a> {
     pub fn collapse<const N: usize>(
         &self,
         coefficients: &[f32],
-    ) -> Result<Scene<'a, SceneBuffer<N>>, Error> {
+    ) -> Result<Scene<'a, Buffer<f32, N>>, Error> {
         self.collapse_into(coefficients, zeros::<f32, N>(Argument::Scene, self.scene_len())?)
     }
 

@@ -6,7 +6,7 @@ use crate::highlights::Highlights;
 use crate::index::highlights::MAX_SOURCES;
 use crate::scene::Scene;
 use crate::scene::{count, signs};
-use crate::shader_text::ShaderLanguage;
+pub use crate::shader_text::ShaderLanguage;
 use crate::shader_text::{highlight_vectors, highlights, polynomial, put};
 use core::fmt::{self, Write};
 
@@ -18,7 +18,8 @@ use core::fmt::{self, Write};
 /// ```
 /// # #[cfg(all(feature = "baked", feature = "presets"))] {
 /// use eigenshade::presets::{light::LOBBY, material::GOLD_METALLIC_PAINT};
-/// use eigenshade::{Shader, ShaderLanguage, sphere};
+/// use eigenshade::shader::{Shader, ShaderLanguage};
+/// use eigenshade::sphere;
 ///
 /// let scene = sphere::color::scene(LOBBY, GOLD_METALLIC_PAINT)?;
 /// let shader = Shader::new(&scene.r);
@@ -56,7 +57,8 @@ impl<'a> Shader<'a> {
     /// ```
     /// # #[cfg(all(feature = "baked", feature = "presets"))] {
     /// use eigenshade::presets::light::LOBBY;
-    /// use eigenshade::{Gloss, Highlights, Material, Shader, ShaderLanguage, Source, sphere};
+    /// use eigenshade::shader::{Shader, ShaderLanguage};
+    /// use eigenshade::{Gloss, Highlights, Material, Source, sphere};
     ///
     /// let (color, metallic, roughness) = ([0.93, 0.52, 0.38], 1.0, 0.25);
     /// let lamp = Source::new([0.0, 0.6, 0.8], [0.5; 3], 0.03)?;

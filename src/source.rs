@@ -1,11 +1,11 @@
 //! Small bright sources, which are taken out of the harmonics of a light.
 
 use crate::analytic::add_harmonics;
-use crate::buffer::{copied, zeros};
+use crate::buffer::{Buffer, copied, zeros};
 use crate::color::Rgb;
 use crate::error::{Argument, Error};
 use crate::index::light::count;
-use crate::light::{Light, LightBuffer};
+use crate::light::Light;
 use crate::mathematics;
 use crate::rotation::{Rotation, dot};
 
@@ -111,7 +111,7 @@ impl Source {
     /// # Errors
     ///
     /// [`Error::Capacity`] if `N` is too small.
-    pub fn harmonics<const N: usize>(&self, degree: usize) -> Result<LightBuffer<N>, Error> {
+    pub fn harmonics<const N: usize>(&self, degree: usize) -> Result<Buffer<f32, N>, Error> {
         let mut blob = zeros::<f32, N>(Argument::Light, count(degree))?;
         add_harmonics(&mut blob, self.direction, 1.0)?;
         // exp(-l (l + 1) spread² / 2) is the product of exp(-spread²)^k for k to l.
@@ -163,7 +163,7 @@ impl Rgb<Light<'_>> {
     pub fn residual<const N: usize>(
         &self,
         sources: &[Source],
-    ) -> Result<Rgb<LightBuffer<N>>, Error> {
+    ) -> Result<Rgb<Buffer<f32, N>>, Error> {
         let mut residual = self.each_ref().try_map(|light| {
             copied::<f32, N>(Argument::Light, light.coefficients().iter().copied())
         })?;

@@ -1,7 +1,8 @@
 //! Baked maps against the polynomials that they were made from, on the shipped lights and
 //! materials.
 
-use eigenshade::{BakedMap, Error, MapPoint, Normal, Normals, Q15, q15, sphere};
+use eigenshade::object::{BakedMap, MapPoint};
+use eigenshade::{Error, Normal, Normals, Q15, q15, sphere};
 use eigenshade_testing::images::{coefficients, on};
 use eigenshade_testing::{fixtures, largest, median_and_largest};
 

@@ -1,11 +1,14 @@
 //! Three channels at once, the presets, and pixels of a display.
 
+use eigenshade::lights::Window;
+use eigenshade::object::{Disc, DiscPixel, MapPoint};
 use eigenshade::presets::{gloss, light, material, sources};
+use eigenshade::screen::{Display, Tone};
 use eigenshade::specialized::shade_normals;
 use eigenshade::sphere;
+use eigenshade::truncation::Tolerance;
 use eigenshade::{
-    Argument, Disc, DiscPixel, Display, Error, Gloss, Light, MapPoint, Material, Normals, Q15, Rgb,
-    Rotation, Source, Tolerance, Tone, Window, q15,
+    Argument, Error, Gloss, Light, Material, Normals, Q15, Rgb, Rotation, Source, q15,
 };
 use eigenshade_model::shipped;
 use eigenshade_model::source::{Base, SourceError};

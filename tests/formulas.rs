@@ -3,9 +3,8 @@
 
 use crate::invariants::integer::{self, Mantissa as _};
 use crate::oracle::{ExplicitLight, irradiance};
-use eigenshade::{
-    AnalyticLight, Argument, Error, Light, NineTerms, Normals, Q15, Rgb, Window, q15,
-};
+use eigenshade::lights::{AnalyticLight, NineTerms, Window};
+use eigenshade::{Argument, Error, Light, Normals, Q15, Rgb, q15};
 use eigenshade_model::special::quadrature::gauss_legendre;
 use eigenshade_model::special::spherical_harmonic;
 use eigenshade_table::light;

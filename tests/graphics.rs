@@ -3,7 +3,7 @@
 //! quadrature of radiance times the cosine, and with pixels of this crate.
 
 use crate::oracle::ExplicitLight;
-use eigenshade::Convention::{self, Cmgen, CmgenIrradiance, Filament, ThreeJs};
+use eigenshade::lights::Convention::{self, Cmgen, CmgenIrradiance, Filament, ThreeJs};
 use eigenshade::{Error, Light, Rgb, sphere};
 use eigenshade_model::reference::DirectSum;
 use eigenshade_table::light;

@@ -1,7 +1,8 @@
 //! The error of a bilinear look-up in a matcap against the scene that it was made of.
 
+use eigenshade::object::{Disc, Matcap};
 use eigenshade::presets::{light, material};
-use eigenshade::{Argument, Disc, Error, Matcap, Rgb, sphere};
+use eigenshade::{Argument, Error, Rgb, sphere};
 use eigenshade_testing::{fixtures, median_and_largest};
 use std::f64::consts::TAU;
 

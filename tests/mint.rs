@@ -1,7 +1,8 @@
 //! Normals and rotations through the types of `mint`.
 #![cfg(feature = "mint")]
 
-use eigenshade::{Error, MapPoint, Normal, Rotation};
+use eigenshade::object::MapPoint;
+use eigenshade::{Error, Normal, Rotation};
 
 #[test]
 fn normals_come_and_go() {

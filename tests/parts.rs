@@ -1,6 +1,7 @@
 //! A basis whose parts contradict each other is refused.
 
-use eigenshade::{Argument, Basis, Error, Light, Material, Parts, q15, sphere};
+use eigenshade::wire::Parts;
+use eigenshade::{Argument, Basis, Error, Light, Material, q15, sphere};
 use eigenshade_table::record::{Azimuth, NONE, Pass, ProfilePlace, Row, Run};
 
 /// The shipped table's parts.

@@ -3,7 +3,8 @@
 //! pixel, beside the least that any lengths could cost: found by trying all, azimuth by azimuth.
 
 use crate::invariants::integer::eigenimage;
-use eigenshade::{Normal, Tolerance, sphere};
+use eigenshade::truncation::Tolerance;
+use eigenshade::{Normal, sphere};
 use eigenshade_model::reference::DirectSum;
 use eigenshade_shading::owned_basis::OwnedBasis;
 use eigenshade_table::trim::trim;

@@ -3,7 +3,7 @@
 
 use crate::blobs::{ANGLES, Blob, VIEW, at, blobs, dot};
 use crate::oracle::{ExplicitLight, Numbers};
-use eigenshade::{Argument, Error, Gloss, Light, LightBuffer, Rgb, Rotation, Source};
+use eigenshade::{Argument, Buffer, Error, Gloss, Light, Rgb, Rotation, Source};
 use eigenshade_model::highlights::harmonics;
 use eigenshade_model::source::Source as SourceOfHost;
 use std::f64::consts::PI;
@@ -85,7 +85,7 @@ fn of_host() -> [SourceOfHost; 4] {
     chosen().map(|(blob, energy)| blob.of_host(energy))
 }
 
-fn lights<const N: usize>(residual: &Rgb<LightBuffer<N>>) -> Rgb<Light<'_>> {
+fn lights<const N: usize>(residual: &Rgb<Buffer<f32, N>>) -> Rgb<Light<'_>> {
     residual.lights().expect("all degrees")
 }
 

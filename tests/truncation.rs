@@ -1,9 +1,9 @@
 //! Scenes within a tolerance: what an image does not need costs nothing, and the bound holds of
 //! long series too. `truncation_sets` compares bounds with errors.
 
-use eigenshade::{
-    Error, Light, Material, NineTerms, Normal, Normals, Scene, Tolerance, Truncation, sphere,
-};
+use eigenshade::lights::NineTerms;
+use eigenshade::truncation::{Tolerance, Truncation};
+use eigenshade::{Error, Light, Material, Normal, Normals, Scene, sphere};
 use eigenshade_generator::basis::build;
 use eigenshade_model::inputs::coefficient_csv::{read_lights, read_materials};
 use eigenshade_model::reference::DirectSum;

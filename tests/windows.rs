@@ -1,7 +1,9 @@
 //! Windows of a light, and clamping of what is below zero.
 
 use crate::tolerances;
-use eigenshade::{Error, Light, NegativePolicy, Window};
+use eigenshade::lights::Window;
+use eigenshade::screen::NegativePolicy;
+use eigenshade::{Error, Light};
 use eigenshade_model::window::Window as OfHost;
 
 /// A factor of a window in f32: a sine, a division, two squares.

@@ -2,7 +2,7 @@
 
 use crate::dense::{ByHand, Dense, FAER, NALGEBRA};
 use crate::{Method, rows};
-use eigenshade::{Effects, sphere};
+use eigenshade::sphere;
 use eigenshade_benches::sheet::Row;
 use eigenshade_benches::shipped::{Pair, Shipped, tables};
 use eigenshade_model::selection;
@@ -39,7 +39,7 @@ impl Modes {
             modes.map(move |(l, o, p, q)| (l, m, o, p, q))
         };
         let all: Vec<Mode> = (-top..=top).flat_map(of).collect();
-        let highest = selection::highest(&table.gram, Effects::ALL, 1000);
+        let highest = selection::highest(&table.gram, 1000);
         let keeps = |&k: &usize| {
             let (l, m, o, p, q) = all[k];
             highest[table.gram.place(m.unsigned_abs(), l, o, p, q)]

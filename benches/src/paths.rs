@@ -2,8 +2,10 @@
 //! made once for a light or a material.
 
 use crate::shipped::{Axes, Pair, Shipped, Shown, full, tables, white_matte, within};
+use eigenshade::lights::NineTerms;
+use eigenshade::truncation::Tolerance;
 use eigenshade::wire::aligned;
-use eigenshade::{Basis, NineTerms, Normals, Rgb, Scene, Tolerance, sphere};
+use eigenshade::{Basis, Normals, Rgb, Scene, sphere};
 use eigenshade_table::wire::{Endian, NumberFormat, encode};
 use std::hint::black_box;
 

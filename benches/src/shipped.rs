@@ -1,6 +1,8 @@
 //! The shipped lights and materials, their scenes, and normals to draw them for.
 
-use eigenshade::{Light, Material, NineTerms, Normals, Scene, Tolerance, Truncation, sphere};
+use eigenshade::lights::NineTerms;
+use eigenshade::truncation::{Tolerance, Truncation};
+use eigenshade::{Light, Material, Normals, Scene, sphere};
 use eigenshade_model::database::Named;
 use eigenshade_model::inputs::coefficient_csv::{read_lights, read_materials};
 use eigenshade_table::{light, material};

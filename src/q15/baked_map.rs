@@ -12,7 +12,7 @@ const EXPONENTS: core::ops::RangeInclusive<i32> = -75..=45;
 const MOST: usize = 32_767;
 
 /// One image baked into N x N integers: irradiance = texel x 2^exponent. The texels are those of a
-/// [`BakedMap`](crate::BakedMap).
+/// [`BakedMap`](crate::object::BakedMap).
 ///
 /// The exponent is the smallest one with which the largest texel fits. Texels are rounded to 2^-15
 /// to 2^-16 of the largest texel, and a look-up rounds twice more.
@@ -135,7 +135,7 @@ impl<B: AsRef<[i16]>> BakedMap<B> {
 
     /// The irradiance at a point times 2^-exponent, interpolated between the four texels around it.
     ///
-    /// Compared with a [`BakedMap`](crate::BakedMap) of the same size, the rms error grows by at
+    /// Compared with a [`BakedMap`](crate::object::BakedMap) of the same size, the rms error grows by at
     /// most 4e-5 of the peak. `firmware/counts.csv` lists the cost: `baked_point`, and `baked`
     /// starting from a Q15 normal.
     #[inline]

@@ -7,7 +7,8 @@ use crate::exposure::{Linear, POINT};
 /// Exposes irradiances in integers: a mantissa of a scene becomes a [`Linear`].
 ///
 /// ```
-/// use eigenshade::{Linear, q15::Exposure};
+/// use eigenshade::screen::Linear;
+/// use eigenshade::q15::Exposure;
 ///
 /// // 0.5 times 3 x 2^-3.
 /// let exposure = Exposure::new(0.5, -3)?;

@@ -86,6 +86,6 @@ pub use map_point::MapPoint;
 pub use nine_terms::NineTerms;
 pub use relight::Coefficients;
 pub use rotation::Rotation;
-pub use scene::{Scene, SceneBuffer};
+pub use scene::Scene;
 pub use transfer::{Transfer, TransferBuffer};
 pub use turn::LightBuffer;

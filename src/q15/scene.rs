@@ -10,9 +10,6 @@ use crate::invariant::{split, split_mut, split_row};
 use crate::specialized::shade_each;
 use core::ops::{Add, Mul, Shr};
 
-/// Storage for a collapsed scene.
-pub type SceneBuffer<const N: usize> = Buffer<i32, N>;
-
 /// Number of low bits of d that [`size`] drops. The rest has at most 16 bits and so does the value
 /// that a profile states, so their product fits into 32 bits.
 const UNIT: u32 = 16;
@@ -43,7 +40,7 @@ impl<'a> Basis<'a> {
         &self,
         mantissas: &[i32],
         exponent: i32,
-    ) -> Result<Scene<'a, SceneBuffer<N>>, Error> {
+    ) -> Result<Scene<'a, Buffer<i32, N>>, Error> {
         let buffer = zeros::<i32, N>(Argument::Scene, self.scene_len())?;
         self.collapse_into(mantissas, exponent, buffer)
     }

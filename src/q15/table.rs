@@ -51,7 +51,7 @@ macro_rules! integer_table {
         }
         impl color::Scene {
             /// What multiplies the irradiances of the mantissas of [`shade`](Self::shade) by a
-            /// factor, channel by channel. A [`Meter`](eigenshade::Meter) finds the factor.
+            /// factor, channel by channel. A [`Meter`](eigenshade::screen::Meter) finds the factor.
             ///
             /// # Errors
             ///

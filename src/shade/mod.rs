@@ -203,7 +203,7 @@ fn vectorized<const N: usize>(z: &[f32; N]) -> [f32; N] {
 /// negative values show that an image is at its limits, and estimates from pixels need them.
 ///
 /// ```
-/// use eigenshade::NegativePolicy;
+/// use eigenshade::screen::NegativePolicy;
 ///
 /// let mut image = [0.5, -0.25];
 /// assert_eq!(NegativePolicy::Clamped.apply(&mut image), Some(-0.25));

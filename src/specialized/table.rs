@@ -37,14 +37,14 @@ macro_rules! table {
         /// [`Error::Tolerance`](eigenshade::Error::Tolerance) unless the tolerance is above zero.
         pub fn collapse_within<'l>(
             coefficients: &Coefficients,
-            tolerance: $crate::Tolerance,
+            tolerance: $crate::truncation::Tolerance,
             lengths: &'l mut [u16; DEGREE + 1],
-        ) -> Result<(Truncated<'l>, $crate::Truncation), $crate::Error> {
-            let buffer = $crate::SceneBuffer::from([0.0; SCENE]);
+        ) -> Result<(Truncated<'l>, $crate::truncation::Truncation), $crate::Error> {
+            let buffer = $crate::Buffer::from([0.0; SCENE]);
             BASIS.collapse_within(coefficients, tolerance, lengths, buffer)
         }
         /// A scene with fewer terms than a [`Scene`].
-        pub type Truncated<'l> = $crate::Scene<'l, $crate::SceneBuffer<SCENE>>;
+        pub type Truncated<'l> = $crate::Scene<'l, $crate::Buffer<f32, SCENE>>;
         $crate::table!(@relight |transfer, light, coefficients| {
             use $crate::specialized as inputs;
             inputs::accept_light(DEGREE, light)?;
@@ -264,13 +264,13 @@ macro_rules! table {
         }
         impl color::Scene {
             /// What multiplies the irradiances of [`shade`](Self::shade) by a factor, the same for
-            /// every scene; errors as [`eigenshade::Exposure::new`]. A
-            /// [`Meter`](eigenshade::Meter) finds the factor.
+            /// every scene; errors as [`eigenshade::screen::Exposure::new`]. A
+            /// [`Meter`](eigenshade::screen::Meter) finds the factor.
             pub fn exposure_by_factor(
                 &self,
                 factor: f32,
-            ) -> Result<$crate::Exposure, $crate::Error> {
-                $crate::Exposure::new(factor)
+            ) -> Result<$crate::screen::Exposure, $crate::Error> {
+                $crate::screen::Exposure::new(factor)
             }
 
             /// Bakes the scene into `size` x `size` texels, at most `T`: see
@@ -278,7 +278,7 @@ macro_rules! table {
             pub fn bake<const T: usize>(
                 &self,
                 size: usize,
-            ) -> Result<$crate::Rgb<$crate::BakedMap<$crate::MapBuffer<T>>>, $crate::Error>
+            ) -> Result<$crate::Rgb<$crate::object::BakedMap<$crate::Buffer<f32, T>>>, $crate::Error>
             {
                 self.each_ref().try_map(|scene| scene.bake(size))
             }

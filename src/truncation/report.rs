@@ -17,7 +17,7 @@ pub enum Tolerance {
     OfWhite {
         /// The share of white.
         share: f32,
-        /// The factor from irradiance to white: see [`Exposure::factor`](crate::Exposure::factor).
+        /// The factor from irradiance to white: see [`Exposure::factor`](crate::screen::Exposure::factor).
         exposure: f32,
     },
     /// A fraction of the image's peak, above 0. For a channel of a color, a fraction of the largest

@@ -92,7 +92,8 @@ impl<'a> Basis<'a> {
     ///
     /// ```
     /// # #[cfg(feature = "baked")] {
-    /// use eigenshade::{Truncation, Light, Material, Normal, Tolerance, sphere};
+    /// use eigenshade::truncation::{Truncation, Tolerance};
+    /// use eigenshade::{Light, Material, Normal, sphere};
     ///
     /// let matte = Material::new(&[2.0])?;
     /// let of = |light: &[f32]| sphere::project(&Light::new(light)?, &matte);

@@ -1,12 +1,12 @@
 //! Turns light about the view axis: a rotation of each pair of orders m and -m.
 
 use super::exchange::LARGEST;
-use crate::buffer::zeros;
+use crate::buffer::{Buffer, zeros};
 use crate::color::Rgb;
 use crate::error::{Argument, Error};
 use crate::float;
 use crate::index::light;
-use crate::light::{Light, LightBuffer, degree};
+use crate::light::{Light, degree};
 
 /// Up to a degree of at most 12, for each order m a first step, then one for each degree l from m
 /// on. All are literals: the compiler would keep the longest loops, and addresses with them.
@@ -61,7 +61,7 @@ impl Light<'_> {
     pub fn turned_about_view<const N: usize>(
         &self,
         angle: [f32; 2],
-    ) -> Result<LightBuffer<N>, Error> {
+    ) -> Result<Buffer<f32, N>, Error> {
         let mut turned = zeros::<f32, N>(Argument::Light, light::count(self.degree()))?;
         match turned.as_mut_slice().try_into() {
             Ok(all) => self.turn_about_view_into::<N>(angle, all)?,
@@ -123,7 +123,7 @@ impl Rgb<Light<'_>> {
     pub fn turned_about_view<const N: usize>(
         &self,
         angle: [f32; 2],
-    ) -> Result<Rgb<LightBuffer<N>>, Error> {
+    ) -> Result<Rgb<Buffer<f32, N>>, Error> {
         self.each_ref().try_map(|light| light.turned_about_view::<N>(angle))
     }
 }

@@ -9,11 +9,11 @@ mod swing_twist;
 pub(crate) use degree::{Arithmetic, Degree, Multiples, Turn};
 pub(crate) use exchange::LARGEST;
 
-use crate::buffer::zeros;
+use crate::buffer::{Buffer, zeros};
 use crate::color::Rgb;
 use crate::error::{Argument, Error};
 use crate::index::light;
-use crate::light::{Light, LightBuffer};
+use crate::light::Light;
 use crate::rotation::Rotation;
 use swing_twist::Floats;
 
@@ -42,7 +42,7 @@ impl Light<'_> {
     /// # Errors
     ///
     /// [`Error::Capacity`] if `N` is too small, or the degree above 12.
-    pub fn turned<const N: usize>(&self, rotation: &Rotation) -> Result<LightBuffer<N>, Error> {
+    pub fn turned<const N: usize>(&self, rotation: &Rotation) -> Result<Buffer<f32, N>, Error> {
         turned([*self], rotation).map(|[turned]| turned)
     }
 
@@ -89,7 +89,7 @@ impl Rgb<Light<'_>> {
     pub fn turned<const N: usize>(
         &self,
         rotation: &Rotation,
-    ) -> Result<Rgb<LightBuffer<N>>, Error> {
+    ) -> Result<Rgb<Buffer<f32, N>>, Error> {
         turned((*self).into(), rotation).map(Rgb::from)
     }
 }
@@ -97,8 +97,8 @@ impl Rgb<Light<'_>> {
 fn turned<const C: usize, const N: usize>(
     lights: [Light<'_>; C],
     rotation: &Rotation,
-) -> Result<[LightBuffer<N>; C], Error> {
-    let mut turned = [(); C].map(|()| LightBuffer::default());
+) -> Result<[Buffer<f32, N>; C], Error> {
+    let mut turned = [(); C].map(|()| Buffer::default());
     for (to, light) in turned.iter_mut().zip(&lights) {
         let needed = Light::turn_len(light.degree());
         if needed > 0 {
@@ -107,7 +107,7 @@ fn turned<const C: usize, const N: usize>(
         *to = zeros(Argument::Light, light.coefficients().len())?;
     }
     let degree = lights.iter().map(Light::degree).max().unwrap_or_default();
-    turn(lights, &rotation.turn(degree), turned.each_mut().map(LightBuffer::as_mut_slice));
+    turn(lights, &rotation.turn(degree), turned.each_mut().map(Buffer::as_mut_slice));
     Ok(turned)
 }
 

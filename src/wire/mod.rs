@@ -25,6 +25,8 @@
 //! # Ok::<(), wire::Fault>(())
 //! ```
 
+pub use crate::basis::Parts;
+pub use crate::general::GeneralParts;
 pub use crate::index::format::NumberFormat;
 pub use crate::index::wire::{Aligned, Fault, Header, aligned};
 

@@ -14,8 +14,9 @@ mod ways;
 pub use ways::{project_reconstruct, public_interface};
 
 use eigenshade::q15::{self, Transfer};
+use eigenshade::truncation::Tolerance;
 use eigenshade::wire::{WireError, aligned};
-use eigenshade::{Basis, GeneralBasis, Light, Material, Normal, Q15, Tolerance};
+use eigenshade::{Basis, GeneralBasis, Light, Material, Normal, Q15};
 use eigenshade_table::{light, material, wire};
 use integer::Mantissa as _;
 use shading::{collapse_sets, shade_coefficients, shade_floats, shade_integers, shade_transfer};

@@ -4,9 +4,8 @@
 
 use super::integer::{Mantissa as _, Relit, normals, shipped};
 use super::{Reader, integer};
-use eigenshade::{
-    Error, Light, Material, Normal, Normals, Q15, Tolerance, Truncation, q15, sphere,
-};
+use eigenshade::truncation::{Tolerance, Truncation};
+use eigenshade::{Error, Light, Material, Normal, Normals, Q15, q15, sphere};
 use eigenshade_table::{light, material};
 
 /// What counts as moderate: sums of products of two stay below f32's largest.

@@ -4,10 +4,11 @@
 use super::Reader;
 use super::integer::{Mantissa as _, Relit, normal, normals, shipped};
 use super::shading::{ANY_PIXEL_Q15, near};
-use eigenshade::{
-    Effect, Light, MapPoint, Material, NegativePolicy, Normal, Normals, Q15, Rotation, Tolerance,
-    Truncation, Window, q15, sphere,
-};
+use eigenshade::lights::Window;
+use eigenshade::object::MapPoint;
+use eigenshade::screen::NegativePolicy;
+use eigenshade::truncation::{Tolerance, Truncation};
+use eigenshade::{Effect, Light, Material, Normal, Normals, Q15, Rotation, q15, sphere};
 use eigenshade_table::record::ProfilePlace;
 use eigenshade_table::{light, material};
 

@@ -1,5 +1,7 @@
 use eigenshade::presets::{light::q15::LOBBY, material::q15::GOLD_METALLIC_PAINT};
-use eigenshade::{Disc, Display, Tone, sphere};
+use eigenshade::object::Disc;
+use eigenshade::screen::{Display, Tone};
+use eigenshade::sphere;
 
 static DISPLAY: Display = Display::new(Tone::Filmic);
 

@@ -1,7 +1,8 @@
 //! Sets that are black, empty, dim, bright, of wrong sizes, or not numbers.
 
 use super::{Chosen, on, shipped};
-use eigenshade::{Argument, Error, Shape, Tolerance, Truncation, sphere};
+use eigenshade::truncation::{Shape, Tolerance, Truncation};
+use eigenshade::{Argument, Error, sphere};
 
 #[test]
 fn black_images_and_none_cost_nothing() {

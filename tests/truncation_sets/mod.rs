@@ -7,7 +7,8 @@ use eigenshade_testing::{assert_recorded, images};
 
 mod corner_cases;
 
-use eigenshade::{Light, Material, Normal, Shape, Tolerance, Truncation, sphere};
+use eigenshade::truncation::{Shape, Tolerance, Truncation};
+use eigenshade::{Light, Material, Normal, sphere};
 use eigenshade_generator::basis::build;
 use eigenshade_model::database::Named;
 use eigenshade_model::inputs::coefficient_csv::{read_lights, read_materials};

@@ -10,11 +10,11 @@ use crate::records_f32::{
 };
 use crate::status::{Status, light_shape, material_shape};
 use crate::table::{self, COMPONENTS, LIGHT, SCENE, TRANSFER, WORKSPACE};
+use eigenshade::object::{BakedMap, DiscPixel, MapPoint, NormalPixel};
+use eigenshade::screen::{Exposure, Linear};
 use eigenshade::specialized::checked;
-use eigenshade::{
-    BakedMap, Basis, DiscPixel, Error, Exposure, Highlights, Light, Linear, MapPoint, Material,
-    Normal, NormalPixel, Parts, Rgb, Rotation, Source,
-};
+use eigenshade::wire::Parts;
+use eigenshade::{Basis, Error, Highlights, Light, Material, Normal, Rgb, Rotation, Source};
 use eigenshade_table::material;
 
 /// The basis without the factors of transfers: a program whose transfers are computed beforehand

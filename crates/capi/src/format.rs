@@ -3,7 +3,9 @@
 use crate::boundary::{Input, Place, Plain};
 use crate::constants::SOURCES;
 use crate::status::Status;
-use eigenshade::{DiscPixel, Error, Highlights, Linear, NormalPixel, Rgb, Source};
+use eigenshade::object::{DiscPixel, NormalPixel};
+use eigenshade::screen::Linear;
+use eigenshade::{Error, Highlights, Rgb, Source};
 
 /// A light or a material that was checked, and where it lies.
 pub(crate) struct Read<T> {

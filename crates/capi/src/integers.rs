@@ -12,12 +12,14 @@ use crate::records_q15::{
 use crate::status::{Status, light_shape, material_shape};
 use crate::table::q15::{PROFILES, SCENE, TRANSFER, WORKSPACE};
 use crate::table::{self, COMPONENTS, LIGHT};
+use eigenshade::object::{DiscPixel, NormalPixel};
 use eigenshade::q15::{
     self, BakedMap, Basis, Exposure, Highlights, Light, LightBuffer, MapPoint, Material, Normal,
     Parts, Rotation, Transfer,
 };
+use eigenshade::screen::Linear;
 use eigenshade::specialized::checked;
-use eigenshade::{DiscPixel, Error, Linear, NormalPixel, Q15, Rgb, Source};
+use eigenshade::{Error, Q15, Rgb, Source};
 
 /// The basis without the factors of transfers: a program whose transfers are computed beforehand
 /// links no factors.

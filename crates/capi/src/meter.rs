@@ -18,8 +18,8 @@ pub struct Meter {
 unsafe impl Plain for Meter {}
 
 // It has the bytes of the runtime's meter, which consists of such numbers.
-const _: () = assert!(size_of::<Meter>() == size_of::<eigenshade::Meter>());
-const _: () = assert!(align_of::<Meter>() == align_of::<eigenshade::Meter>());
+const _: () = assert!(size_of::<Meter>() == size_of::<eigenshade::screen::Meter>());
+const _: () = assert!(align_of::<Meter>() == align_of::<eigenshade::screen::Meter>());
 
 /// Counts the pixels of a row, once everything is checked.
 pub(crate) fn count<F: Format>(
@@ -39,7 +39,7 @@ pub(crate) fn count<F: Format>(
     // SAFETY: C promises a meter, which overlaps no other.
     let [meter] = unsafe { meter.array(1) }? else { return Err(Status::Internal) };
     // SAFETY: both consist of 257 numbers, and no other reference exists.
-    let meter = unsafe { &mut *core::ptr::from_mut(meter).cast::<eigenshade::Meter>() };
+    let meter = unsafe { &mut *core::ptr::from_mut(meter).cast::<eigenshade::screen::Meter>() };
     for (_, _, normal) in object.row(row) {
         meter.add_linear(exposed(normal));
     }
@@ -50,7 +50,7 @@ pub(crate) fn exposure(meter: &Input<Meter>, exposure: &Output<f32>) -> Result<(
     let meter = meter.value()?;
     disjoint(&[exposure.place()], &[Place::of(meter)])?;
     // SAFETY: both consist of 257 numbers.
-    let meter = unsafe { &*core::ptr::from_ref(meter).cast::<eigenshade::Meter>() };
+    let meter = unsafe { &*core::ptr::from_ref(meter).cast::<eigenshade::screen::Meter>() };
     let found = meter.exposure().ok_or(Status::Dark)?.factor();
     // SAFETY: it overlaps no other.
     *unsafe { exposure.zeroed() }? = found;

@@ -7,7 +7,8 @@ use crate::records_q15::{ColorLightQ15, ColorMaterialQ15, LightQ15, MaterialQ15}
 use crate::rows::Display;
 use crate::sources::{Gloss, Source};
 use eigenshade::presets::{gloss, light, material, sources};
-use eigenshade::{Rgb, Tone, q15, sphere};
+use eigenshade::screen::Tone;
+use eigenshade::{Rgb, q15, sphere};
 
 /// A constant that C reads.
 #[repr(transparent)]
@@ -141,7 +142,7 @@ eigenshade::each_preset_gloss!(glosses);
 
 macro_rules! display {
     ($tone:ident) => {
-        Display(eigenshade::Display::new(Tone::$tone))
+        Display(eigenshade::screen::Display::new(Tone::$tone))
     };
 }
 

@@ -5,7 +5,9 @@ use crate::boundary::{Input, Output, Place, Plain, disjoint};
 use crate::format::Format;
 use crate::picture::{Opened, Shade};
 use crate::status::Status;
-use eigenshade::{Disc, Linear, Rgb, blend565};
+use eigenshade::Rgb;
+use eigenshade::object::Disc;
+use eigenshade::screen::{Linear, blend565};
 
 /// The visible normals of an object, as `eigenshade pack-normals` makes them from a mesh or a
 /// normal map. May be kept in flash.
@@ -27,7 +29,7 @@ unsafe impl Plain for NormalMap {}
 /// A tone curve and the sRGB encoding, as a table of 774 bytes: `eigenshade_display_linear` clips
 /// colors brighter than white, `eigenshade_display_reinhard` and `eigenshade_display_filmic`
 /// compress them.
-pub struct Display(pub(crate) eigenshade::Display);
+pub struct Display(pub(crate) eigenshade::screen::Display);
 
 /// Rows of an RGB565 picture, and how bright it is.
 pub(crate) struct Target {
@@ -89,7 +91,7 @@ impl<F: Format> Object<F> for Sphere {
 
 /// A normal map that was checked.
 pub(crate) struct Map<'a> {
-    map: eigenshade::NormalMap<'a>,
+    map: eigenshade::object::NormalMap<'a>,
     places: [Place; 2],
 }
 
@@ -98,7 +100,7 @@ pub(crate) fn normal_map(map: &Input<NormalMap>) -> Result<Map<'_>, Status> {
     // SAFETY: C promises `length` bytes.
     let codes = unsafe { Input(map.codes).array(map.length) }?;
     let places = [Place::of(map), Place::of(codes)];
-    let map = eigenshade::NormalMap::new(map.width, map.height, codes);
+    let map = eigenshade::object::NormalMap::new(map.width, map.height, codes);
     Ok(Map { map: map.map_err(|_| Status::NormalMap)?, places })
 }
 

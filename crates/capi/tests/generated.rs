@@ -38,7 +38,7 @@ fn the_shipped_scene_gives_the_shipped_statics() {
     assert_near("polar", found.polar, expected.polar);
     assert_near("factors", found.factors, expected.factors);
     assert_near("terms", found.terms, expected.terms);
-    let without = |parts| eigenshade::Parts { polar: &[], factors: &[], terms: &[], ..parts };
+    let without = |parts| eigenshade::wire::Parts { polar: &[], factors: &[], terms: &[], ..parts };
     assert_eq!(format!("{:?}", without(found)), format!("{:?}", without(expected)));
     let (found, expected) = (generated::q15::BASIS.parts(), sphere::q15::BASIS.parts());
     assert_eq!(found.profiles.len(), expected.profiles.len());

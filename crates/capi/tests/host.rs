@@ -11,9 +11,11 @@ mod pictures;
 #[path = "support/program.rs"]
 mod program;
 
+use eigenshade::Error;
+use eigenshade::object::Disc;
 use eigenshade::presets::{light, material};
+use eigenshade::screen::{Display, Meter, Tone};
 use eigenshade::sphere::{self, q15};
-use eigenshade::{Disc, Display, Error, Meter, Tone};
 use program::{compiled, library, run};
 use std::collections::BTreeSet;
 use std::fs;

@@ -1,6 +1,6 @@
 //! Messages and progress on standard error, and the warnings and notes about inputs and results.
 
-use eigenshade::Truncation;
+use eigenshade::truncation::Truncation;
 use eigenshade_model::database::{Lights, Materials, Named};
 use eigenshade_model::scattering;
 use std::fmt::Display;

@@ -1,7 +1,8 @@
 //! The object of a picture: a sphere, a mesh or a normal map, or the look-up of a matcap.
 
 use crate::picture::{Pixel, SphereView};
-use eigenshade::{Matcap, Normal, NormalMap};
+use eigenshade::Normal;
+use eigenshade::object::{Matcap, NormalMap};
 use eigenshade_model::error::{Error, Result};
 use eigenshade_model::inputs::input_file::InputFile;
 

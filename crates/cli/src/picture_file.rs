@@ -1,7 +1,8 @@
 //! Files of drawn pictures: sRGB as PNG, or linear numbers as OpenEXR.
 
 use crate::picture::{Pixel, write_png};
-use eigenshade::{Display, Exposure, Meter, Rgb, Tone};
+use eigenshade::Rgb;
+use eigenshade::screen::{Display, Exposure, Meter, Tone};
 use eigenshade_model::error::{Error, Result};
 use std::path::Path;
 

@@ -1,7 +1,8 @@
 //! A coarse picture of a sphere, which meters an exposure and chooses a window before the picture
 //! itself is drawn.
 
-use eigenshade::{Exposure, Highlights, Meter, Rgb};
+use eigenshade::screen::{Exposure, Meter};
+use eigenshade::{Highlights, Rgb};
 use eigenshade_model::error::Result;
 use eigenshade_model::evaluation::Evaluator;
 use eigenshade_model::window::Window;

@@ -3,8 +3,10 @@
 use crate::support::files::{answer, decoded, get, gray_png, nearest, png};
 use crate::support::{Folder, assert_contains, rows, shipped_path};
 use crate::tolerances;
+use eigenshade::lights::Window;
+use eigenshade::screen::{Display, Exposure, Tone};
 use eigenshade::sphere::color::Scene;
-use eigenshade::{Display, Exposure, Light, Normal, Rgb, Rotation, Tone, Window, presets, sphere};
+use eigenshade::{Light, Normal, Rgb, Rotation, presets, sphere};
 use eigenshade_cli::object::ObjectView;
 use eigenshade_cli::picture::SphereView;
 use eigenshade_cli::reading::pixels::{LinearImage, Transfer};

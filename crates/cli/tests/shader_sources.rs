@@ -3,7 +3,8 @@
 
 use crate::shader::parts;
 use crate::support::{DEGREE, Folder, ORDER, SOURCES, assert_fails};
-use eigenshade::{Argument, Error, Gloss, Highlights, Shader, ShaderLanguage, Source};
+use eigenshade::shader::{Shader, ShaderLanguage};
+use eigenshade::{Argument, Error, Gloss, Highlights, Source};
 use eigenshade_shading::owned_basis::OwnedBasis;
 use eigenshade_shading::shader::Shader as Projector;
 use eigenshade_table::{light, material};

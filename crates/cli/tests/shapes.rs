@@ -3,9 +3,9 @@
 use crate::pictures::{assert_same_codes, drawn};
 use crate::support::Folder;
 use crate::support::files::{decoded, normal_map, obj, ply, stl};
-use eigenshade::{
-    Display, Exposure, Matcap, Normal, NormalMap, NormalPixel, Tone, presets, sphere,
-};
+use eigenshade::object::{Matcap, NormalMap, NormalPixel};
+use eigenshade::screen::{Display, Exposure, Tone};
+use eigenshade::{Normal, presets, sphere};
 use eigenshade_cli::object::ObjectView;
 use eigenshade_generator::light::environment::EnvironmentMap;
 use eigenshade_testing::vectors::{Vector, unit};
@@ -160,7 +160,7 @@ fn packed_normals_as_source() {
     let text = folder.read("ball.rs");
     let (first, rest) = text.split_once('\n').unwrap();
     assert_eq!(first, "// eigenshade pack-normals sphere --size 16 --out ball.rs");
-    assert!(rest.contains("eigenshade::NormalMap::new(16, 16, &CODES)"));
+    assert!(rest.contains("eigenshade::object::NormalMap::new(16, 16, &CODES)"));
     let numbers = rest.split_once("= [").unwrap().1.trim_end().trim_end_matches("];");
     let numbers = numbers.split(',').map(str::trim).filter(|number| !number.is_empty());
     let bytes: Vec<u8> = numbers.map(|number| number.parse().unwrap()).collect();

@@ -1,8 +1,10 @@
 //! A golden coin on a blue dial, as docs/guides/watch.md builds it: `coin FILE.png`.
 
+use eigenshade::object::NormalMap;
 use eigenshade::presets::light::HALL;
 use eigenshade::presets::material::{BLUE_METALLIC_PAINT2, GOLD_METALLIC_PAINT};
-use eigenshade::{Display, NormalMap, Rotation, Tone, sphere};
+use eigenshade::screen::{Display, Tone};
+use eigenshade::{Rotation, sphere};
 use eigenshade_embedded_graphics::{Dial, Paint, Relief};
 use embedded_graphics::framebuffer::{Framebuffer, buffer_size};
 use embedded_graphics::image::GetPixel as _;

@@ -3,7 +3,8 @@
 use crate::paint::{DisplayColor, Place, Shader, places};
 use crate::rows;
 use core::marker::PhantomData;
-use eigenshade::{Disc, DiscPixel, Error, Normal, Q15, q15};
+use eigenshade::object::{Disc, DiscPixel};
+use eigenshade::{Error, Normal, Q15, q15};
 use embedded_graphics_core::Drawable;
 use embedded_graphics_core::draw_target::DrawTarget;
 use embedded_graphics_core::geometry::{Dimensions, Point, Size};

@@ -7,7 +7,8 @@
 //!
 //! ```
 //! use eigenshade::presets::{light::LOBBY, material::GOLD_METALLIC_PAINT};
-//! use eigenshade::{Display, Tone, sphere};
+//! use eigenshade::screen::{Display, Tone};
+//! use eigenshade::sphere;
 //! use eigenshade_embedded_graphics::{Paint, Sphere};
 //! use embedded_graphics::{pixelcolor::Rgb565, prelude::*};
 //! # use embedded_graphics::framebuffer::{Framebuffer, buffer_size};
@@ -29,7 +30,8 @@
 //!
 //! ```
 //! use eigenshade::presets::{light::q15::LOBBY, material::q15::GOLD_METALLIC_PAINT};
-//! # use eigenshade::{Display, Tone, sphere::q15};
+//! # use eigenshade::screen::{Display, Tone};
+//! # use eigenshade::sphere::q15;
 //! # use eigenshade_embedded_graphics::Paint;
 //! # static DISPLAY: Display = Display::new(Tone::Filmic);
 //!

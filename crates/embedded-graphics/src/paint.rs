@@ -1,6 +1,8 @@
 //! From normals to the colors of a display.
 
-use eigenshade::{DiscPixel, Display, Exposure, Linear, Normal, NormalPixel, Rgb, blend565, q15};
+use eigenshade::object::{DiscPixel, NormalPixel};
+use eigenshade::screen::{Display, Exposure, Linear, blend565};
+use eigenshade::{Normal, Rgb, q15};
 use embedded_graphics_core::pixelcolor::raw::{RawData as _, RawU16};
 use embedded_graphics_core::pixelcolor::{
     Bgr565, Bgr888, PixelColor, Rgb565, Rgb888, RgbColor as _,

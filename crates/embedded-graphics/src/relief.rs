@@ -2,7 +2,7 @@
 
 use crate::paint::{DisplayColor, Shader};
 use crate::rows;
-use eigenshade::NormalMap;
+use eigenshade::object::NormalMap;
 use embedded_graphics_core::Drawable;
 use embedded_graphics_core::draw_target::DrawTarget;
 use embedded_graphics_core::geometry::{Dimensions, Point, Size};

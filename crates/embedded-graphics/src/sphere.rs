@@ -3,7 +3,8 @@
 use crate::paint::{DisplayColor, Shader};
 use crate::rows;
 use core::marker::PhantomData;
-use eigenshade::{Disc, Error};
+use eigenshade::Error;
+use eigenshade::object::Disc;
 use embedded_graphics_core::Drawable;
 use embedded_graphics_core::draw_target::DrawTarget;
 use embedded_graphics_core::geometry::{Dimensions, Point, Size};

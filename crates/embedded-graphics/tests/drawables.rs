@@ -1,8 +1,10 @@
 //! Objects on displays: pixels, rows, parts, outlines, and the geometry of a dial.
 #![expect(clippy::unwrap_used, clippy::indexing_slicing, reason = "a test may panic")]
 
+use eigenshade::object::{Disc, NormalMap};
 use eigenshade::presets::{light, material};
-use eigenshade::{Disc, Display, Error, Exposure, Normal, NormalMap, Rgb, Tone, blend565, sphere};
+use eigenshade::screen::{Display, Exposure, Tone, blend565};
+use eigenshade::{Error, Normal, Rgb, sphere};
 use eigenshade_embedded_graphics::{Dial, Paint, Relief, Sphere};
 use embedded_graphics::pixelcolor::raw::RawU16;
 use embedded_graphics::pixelcolor::{Bgr565, Bgr888, Rgb565, Rgb888};
@@ -122,7 +124,7 @@ fn only_what_is_inside_the_target_is_shaded() {
     // Beyond each side and corner, partly and wholly.
     for (x, y) in (-40..50).step_by(9).flat_map(|x| (-40..50).step_by(9).map(move |y| (x, y))) {
         let [at, first] = [Point::new(x, y), Point::new(20, 4)];
-        let inside = |pixel: &eigenshade::DiscPixel| {
+        let inside = |pixel: &eigenshade::object::DiscPixel| {
             let at = at + Point::new(pixel.column() as i32, pixel.row() as i32);
             Rectangle::new(first, Size::new(15, 20)).contains(at)
         };

@@ -3,7 +3,9 @@
 
 use crate::owned_basis::AnyBasis;
 use crate::shader::{Lit, OwnedNormals, Shader, fault};
-use eigenshade::{MapPoint, Normal, Scene, Tolerance, Truncation};
+use eigenshade::object::MapPoint;
+use eigenshade::truncation::{Tolerance, Truncation};
+use eigenshade::{Normal, Scene};
 use eigenshade_model::error::{Error, Result};
 use eigenshade_model::overflow;
 

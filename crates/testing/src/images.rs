@@ -2,7 +2,8 @@
 
 use crate::fixtures::{self, normal};
 use crate::largest;
-use eigenshade::{Light, Material, Normal, Scene, Shape, sphere};
+use eigenshade::truncation::Shape;
+use eigenshade::{Light, Material, Normal, Scene, sphere};
 use eigenshade_model::database::Named;
 use std::f64::consts::TAU;
 

@@ -1,6 +1,7 @@
 //! Loops over pixels in color.
 
-use eigenshade::{Display, Exposure, Normals, Rgb, Tone};
+use eigenshade::screen::{Display, Exposure, Tone};
+use eigenshade::{Normals, Rgb};
 use eigenshade_wasm_setup::scene::COLLAPSED;
 use eigenshade_wasm_setup::shared::{NORMALS, Shared};
 

@@ -1,7 +1,7 @@
 //! Inputs of the measured operations. Except for `collapse_within` and floats in software, their
 //! values do not change the counts, because no operation branches on its numbers.
 
-use eigenshade::{Disc, NormalMap, NormalPixels};
+use eigenshade::object::{Disc, NormalMap, NormalPixels};
 
 /// A disc of 64 x 64 pixels from its middle rows on, where hardly any pixel is outside.
 #[must_use]
@@ -31,10 +31,12 @@ pub fn pixels(codes: &[[u8; 2]; 1088]) -> NormalPixels<'_> {
 /// Inputs in f32.
 pub mod floats {
     use core::hint::black_box;
+    pub use eigenshade::Material;
+    pub use eigenshade::object::{BakedMap, MapPoint};
     pub use eigenshade::presets::{light::LOBBY, material::GOLD_METALLIC_PAINT};
+    use eigenshade::screen::Exposure;
     pub use eigenshade::sphere::color;
-    pub use eigenshade::{BakedMap, MapPoint, Material};
-    use eigenshade::{Buffer, Error, Exposure, Light, Normal, Rgb, Rotation, Source};
+    use eigenshade::{Buffer, Error, Light, Normal, Rgb, Rotation, Source};
 
     /// The coefficients of a material in color, of order 7.
     pub type OfOrder7 = Rgb<Buffer<f32, 40>>;

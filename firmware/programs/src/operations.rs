@@ -5,7 +5,8 @@ use super::inputs::{
 };
 use board::{Passes, holds, measure};
 use core::hint::black_box;
-use eigenshade::{Display, Rgb, Tone};
+use eigenshade::Rgb;
+use eigenshade::screen::{Display, Tone};
 
 /// A bilinear look-up in a baked map, by normal.
 pub fn baked() {

@@ -5,10 +5,11 @@
 
 use board::{Passes, holds, measure};
 use core::hint::black_box;
-use eigenshade::{
-    DiscPixel, Error, Gloss, Highlights, Light, Meter, NineTerms, Normal, NormalPixel, Normals,
-    Rgb, Source, Tolerance,
-};
+use eigenshade::lights::NineTerms;
+use eigenshade::object::{DiscPixel, NormalPixel};
+use eigenshade::screen::Meter;
+use eigenshade::truncation::Tolerance;
+use eigenshade::{Error, Gloss, Highlights, Light, Normal, Normals, Rgb, Source};
 use operations::*;
 use programs::inputs::floats::{self as inputs, GOLD_METALLIC_PAINT, LOBBY};
 use programs::split_sum::{SIDE, STEPS, SplitSum};

@@ -5,8 +5,10 @@
 
 use board::{Passes, holds, measure};
 use core::hint::black_box;
+use eigenshade::object::{DiscPixel, NormalPixel};
 use eigenshade::q15::{Highlights, Irradiance, LightBuffer, Lobe, NineTerms};
-use eigenshade::{DiscPixel, Error, Meter, NormalPixel, Rgb};
+use eigenshade::screen::Meter;
+use eigenshade::{Error, Rgb};
 use operations::*;
 use programs::inputs::integers::{self as inputs, GOLD_METALLIC_PAINT, LOBBY};
 use table::{COMPONENTS, Coefficients, Scene, Transfer};

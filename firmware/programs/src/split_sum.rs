@@ -8,7 +8,8 @@
 //! of the split sum are multiplied with the reflectances of the material beforehand, in a table by
 //! n_z.
 
-use eigenshade::{NineTerms, Normal};
+use eigenshade::Normal;
+use eigenshade::lights::NineTerms;
 
 /// Texels along a side of the map, with those of the border.
 pub const SIDE: usize = WITHIN + 2;

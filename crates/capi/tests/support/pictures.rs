@@ -1,12 +1,11 @@
 //! The pictures of `example/color.c` as the runtime draws them: `name,checksum` in lines, and the
 //! irradiances that it prints.
 
+use eigenshade::object::{Disc, NormalMap};
 use eigenshade::presets::{gloss, light, material, sources};
 use eigenshade::q15::{self, Rotation};
-use eigenshade::{
-    Disc, Display, Error, Gloss, Highlights, Light, NormalMap, Q15, Rgb, Source, Tone, blend565,
-    sphere,
-};
+use eigenshade::screen::{Display, Tone, blend565};
+use eigenshade::{Error, Gloss, Highlights, Light, Q15, Rgb, Source, sphere};
 use std::fmt::Write as _;
 
 const SIDE: usize = 48;
@@ -15,7 +14,7 @@ const BAKED: usize = 32;
 const LIGHT: usize = sphere::LIGHT;
 
 /// The irradiance of a normal, as exposed.
-type Shade<'s> = &'s dyn Fn(q15::Normal) -> Rgb<eigenshade::Linear>;
+type Shade<'s> = &'s dyn Fn(q15::Normal) -> Rgb<eigenshade::screen::Linear>;
 
 fn disc(display: &Display, shade: Shade<'_>) -> Vec<u16> {
     let mut picture = vec![0; SIDE * SIDE];

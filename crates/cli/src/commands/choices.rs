@@ -2,13 +2,14 @@
 
 use super::options::{WindowChoice, angles, count, effect, window};
 use clap::Args;
-use eigenshade::{Effect, Effects};
+use eigenshade::Effect;
 use eigenshade_cli::table;
 use eigenshade_model::database::Lights;
 use eigenshade_model::error::{Error, Result};
 use eigenshade_model::rotation::Rotation;
 use eigenshade_model::source::Source;
 use eigenshade_table::Table;
+use eigenshade_table::effect::Effects;
 use std::path::Path;
 
 /// Options that change an image.

@@ -3,7 +3,8 @@
 use super::demo_relief;
 use super::options::{TableChoice, count};
 use clap::Args;
-use eigenshade::{Display, Meter, Rgb, Tone};
+use eigenshade::Rgb;
+use eigenshade::screen::{Display, Meter, Tone};
 use eigenshade_cli::messages::print_message;
 use eigenshade_cli::object::ObjectView;
 use eigenshade_cli::output;

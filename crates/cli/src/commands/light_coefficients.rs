@@ -24,13 +24,13 @@ pub enum Convention {
 
 impl Convention {
     /// The runtime's; `None` for its own.
-    fn other(self) -> Option<eigenshade::Convention> {
+    fn other(self) -> Option<eigenshade::lights::Convention> {
         match self {
             Self::Paper => None,
-            Self::Graphics => Some(eigenshade::Convention::ThreeJs),
-            Self::Cmgen => Some(eigenshade::Convention::Cmgen),
-            Self::CmgenIrradiance => Some(eigenshade::Convention::CmgenIrradiance),
-            Self::Filament => Some(eigenshade::Convention::Filament),
+            Self::Graphics => Some(eigenshade::lights::Convention::ThreeJs),
+            Self::Cmgen => Some(eigenshade::lights::Convention::Cmgen),
+            Self::CmgenIrradiance => Some(eigenshade::lights::Convention::CmgenIrradiance),
+            Self::Filament => Some(eigenshade::lights::Convention::Filament),
         }
     }
 

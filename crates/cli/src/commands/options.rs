@@ -2,7 +2,8 @@
 
 use clap::Args;
 use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
-use eigenshade::{Effect, Exposure};
+use eigenshade::Effect;
+use eigenshade::screen::Exposure;
 use eigenshade_cli::messages::print_message;
 use eigenshade_cli::presets::Source;
 use eigenshade_cli::table;

@@ -68,7 +68,7 @@ impl PackNormals {
         let view = ObjectView::read(input_file(&self.normals), size, self.green.is_flipped)?;
         let codes = view.codes()?;
         let bytes = codes.as_flattened();
-        let map = format!("eigenshade::NormalMap::new({}, {}, ", view.width, view.height);
+        let map = format!("eigenshade::object::NormalMap::new({}, {}, ", view.width, view.height);
         let stem = self.out.file_stem().unwrap_or_default().to_string_lossy();
         let (contents, (language, line)) = match kind {
             Kind::Bytes => {
@@ -115,7 +115,7 @@ impl PackNormals {
         let count = bytes.len();
         let mut text = format!(
             "// {}\n\n/// The map.\n\
-             pub static MAP: eigenshade::NormalMap<'static> =\n    \
+             pub static MAP: eigenshade::object::NormalMap<'static> =\n    \
              eigenshade::specialized::checked({map}&CODES));\n\n\
              #[rustfmt::skip]\nstatic CODES: [u8; {count}] = [\n",
             self.command()

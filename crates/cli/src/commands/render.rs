@@ -8,7 +8,9 @@ use super::options::{
 };
 use clap::builder::TypedValueParser;
 use clap::{Args, ValueEnum};
-use eigenshade::{Effects, Exposure, Matcap, Rgb, Tone};
+use eigenshade::Rgb;
+use eigenshade::object::Matcap;
+use eigenshade::screen::{Exposure, Tone};
 use eigenshade_cli::estimate::counted;
 use eigenshade_cli::messages::{Ringing, albedo_warning, dark_light_warning, print_message};
 use eigenshade_cli::object::{Object, ObjectView, SIZE};
@@ -24,6 +26,7 @@ use eigenshade_model::overflow;
 use eigenshade_model::window::Window;
 use eigenshade_shading::owned_basis::OwnedBasis;
 use eigenshade_shading::shader::{OwnedNormals, Shader, fault, fitted, of_higher_order};
+use eigenshade_table::effect::Effects;
 use eigenshade_table::scene::Geometry;
 use eigenshade_table::{Table, wire};
 use std::path::{Path, PathBuf};

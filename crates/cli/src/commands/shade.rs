@@ -6,7 +6,7 @@ use super::options::{
 };
 use super::shade_images::{Images, Output, Way};
 use clap::{Args, ValueEnum};
-use eigenshade::NegativePolicy;
+use eigenshade::screen::NegativePolicy;
 use eigenshade_cli::messages::{Ringing, albedo_warning, dark_light_warning, print_message};
 use eigenshade_cli::output::{self, Rows, exact};
 use eigenshade_cli::table::{self, rounding};

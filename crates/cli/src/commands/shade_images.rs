@@ -1,6 +1,7 @@
 //! The images of `eigenshade shade`: every light on every material, by any method.
 
-use eigenshade::{Effects, NegativePolicy, Tolerance, Truncation};
+use eigenshade::screen::NegativePolicy;
+use eigenshade::truncation::{Tolerance, Truncation};
 use eigenshade_cli::messages::{Ringing, print_message, progress_bar, truncation_lines};
 use eigenshade_cli::output::{Rows, exact};
 use eigenshade_cli::preview::Preview;
@@ -14,6 +15,7 @@ use eigenshade_shading::integer_shader::{self, IntegerShader};
 use eigenshade_shading::owned_basis::OwnedBasis;
 use eigenshade_shading::shader::{Lit, OwnedNormals, Shader, fault};
 use eigenshade_table::Table;
+use eigenshade_table::effect::Effects;
 
 /// The most numbers of eigenimages in f64 in memory: 1 GiB.
 const MOST_IN_F64: usize = 1 << 27;

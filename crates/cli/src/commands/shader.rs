@@ -4,7 +4,9 @@ use super::highlights::{HighlightInputs, estimate_note};
 use super::options::{Destination, Inputs, Parsed, TableChoice, choice, count, tolerance};
 use clap::Args;
 use clap::builder::TypedValueParser;
-use eigenshade::{Highlights, Rgb, Scene, ShaderLanguage, Tolerance};
+use eigenshade::shader::ShaderLanguage;
+use eigenshade::truncation::Tolerance;
+use eigenshade::{Highlights, Rgb, Scene};
 use eigenshade_cli::messages::print_message;
 use eigenshade_cli::output;
 use eigenshade_cli::preview::Preview;
@@ -188,7 +190,7 @@ impl Shader {
         scene: Rgb<&Scene<'_, B>>,
         highlights: Option<&Lobes>,
     ) -> Result<Written> {
-        let shader = eigenshade::Shader::new(scene.r);
+        let shader = eigenshade::shader::Shader::new(scene.r);
         let shader = shader.with_sources(self.sources.unwrap_or(0)).map_err(fault)?;
         let (mut text, mut vectors) = (String::new(), vec![[0.0; 4]; shader.vectors()]);
         let report = |error: std::fmt::Error| Error::new(error.to_string(), "report it");

@@ -5,7 +5,9 @@
 #![allow(dead_code, reason = "each of them draws in one number format or in both")]
 
 use core::convert::Infallible;
-use eigenshade::{Display, Error, NormalMap, Tone};
+use eigenshade::Error;
+use eigenshade::object::NormalMap;
+use eigenshade::screen::{Display, Tone};
 use eigenshade_embedded_graphics::{Dial, DisplayColor, Relief, Shader};
 use embedded_graphics_core::draw_target::DrawTarget;
 use embedded_graphics_core::geometry::{OriginDimensions, Point, Size};
@@ -164,7 +166,7 @@ pub mod floats {
     use eigenshade_embedded_graphics::Paint;
 
     type Light<'a> = eigenshade::Light<'a>;
-    type Buffer = eigenshade::LightBuffer<100>;
+    type Buffer = eigenshade::Buffer<f32, 100>;
     frames!(|frame| wrist(frame).map(|part| part as f32));
 
     fn paint(scene: &Scene) -> Result<impl Shader, Error> {

@@ -1,7 +1,8 @@
 //! Makes the watch's relief: a guilloché, and two hands on a hub.
 
 use super::face::RELIEF;
-use eigenshade::{Normal, NormalMap};
+use eigenshade::Normal;
+use eigenshade::object::NormalMap;
 
 /// The radius of the guilloché in pixels.
 const RADIUS: f64 = 36.5;

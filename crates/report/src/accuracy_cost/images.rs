@@ -3,7 +3,8 @@
 
 use super::scope::Scope;
 use crate::sphere::Sphere;
-use eigenshade::{Light, NineTerms};
+use eigenshade::Light;
+use eigenshade::lights::NineTerms;
 use eigenshade_model::database::Named;
 use eigenshade_model::error::Result;
 use eigenshade_model::sphere_rings::{Ring, rings};

@@ -2,9 +2,9 @@
 
 use super::images::{Numbers, Pair, Pixels, Shaded, Shading, Work, each};
 use super::settings::{Format, Scaling, Setting, Way};
-use eigenshade::{
-    Basis, Highlights, Light, MapPoint, Material, Normal, Normals, Q15, Source, Tolerance, q15,
-};
+use eigenshade::object::MapPoint;
+use eigenshade::truncation::Tolerance;
+use eigenshade::{Basis, Highlights, Light, Material, Normal, Normals, Q15, Source, q15};
 use eigenshade_model::error::{Error, Result};
 use eigenshade_model::evaluation::{Eigenimages, Evaluator};
 use eigenshade_shading::integer_shader::{self, IntegerShader, OwnedQuantized};

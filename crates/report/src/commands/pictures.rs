@@ -1,7 +1,9 @@
 //! The pictures of the README: spheres of materials under captured lights, and all presets.
 
+use eigenshade::lights::Window;
 use eigenshade::presets::{self, light, material};
-use eigenshade::{Display, Exposure, Light, Meter, Normal, Rgb, Tone, Window, sphere};
+use eigenshade::screen::{Display, Exposure, Meter, Tone};
+use eigenshade::{Light, Normal, Rgb, sphere};
 use eigenshade_cli::picture::{Canvas, SphereView, TextHeight, text_width, write_png};
 use eigenshade_cli::table;
 use eigenshade_generator::material::brdf::projection::project;

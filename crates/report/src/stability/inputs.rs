@@ -4,7 +4,9 @@
 use super::{Figure, exactly, least, most, tight};
 use crate::numbers::median;
 use crate::tolerances;
-use eigenshade::{NegativePolicy, Normal, Normals, Tolerance, q15};
+use eigenshade::screen::NegativePolicy;
+use eigenshade::truncation::Tolerance;
+use eigenshade::{Normal, Normals, q15};
 use eigenshade_generator::light::environment::EnvironmentMap;
 use eigenshade_generator::light::projection;
 use eigenshade_model::database::Named;

@@ -3,7 +3,8 @@
 
 use crate::support::repository;
 use crate::{oracle, tolerances};
-use eigenshade::{Tolerance, sphere};
+use eigenshade::sphere;
+use eigenshade::truncation::Tolerance;
 use eigenshade_generator::material::brdf::projection::project;
 use eigenshade_generator::material::brdf::{Ggx, Measure};
 use eigenshade_model::database::Named;

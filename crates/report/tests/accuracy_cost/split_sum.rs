@@ -4,7 +4,8 @@
 mod baseline;
 
 use baseline::{SIDE, STEPS, SplitSum, WITHIN, place};
-use eigenshade::{NineTerms, Normal};
+use eigenshade::Normal;
+use eigenshade::lights::NineTerms;
 use eigenshade_testing::fixtures::of_equal_areas;
 
 /// Between 32 texels along a side, a function of direction that is linear in each component bends

@@ -1,7 +1,8 @@
 //! Pictures as a display shows them, and how far one is from another.
 
 use crate::sources::sphere::{Picture, Sphere};
-use eigenshade::{Display, Exposure, Meter, Rgb, Tone};
+use eigenshade::Rgb;
+use eigenshade::screen::{Display, Exposure, Meter, Tone};
 use eigenshade_model::screen::ScreenError;
 use eigenshade_model::window::Window;
 use palette::color_difference::Ciede2000;

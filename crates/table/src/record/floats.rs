@@ -6,7 +6,7 @@ use zerocopy::{FromBytes, Immutable, KnownLayout};
 
 record! {
     /// The arrays of a basis. `Basis::new` of the runtime checks that they are consistent.
-    "eigenshade::Parts" Parts OwnedParts
+    "eigenshade::wire::Parts" Parts OwnedParts
     sizes {
         /// Largest degree l of the light.
         degree: usize,
@@ -45,7 +45,7 @@ record! {
 record! {
     /// The arrays of a general basis. Matrices are stored row by row, with a row for each
     /// eigenimage and a column for each component of the span.
-    "eigenshade::GeneralParts" GeneralParts OwnedGeneralParts
+    "eigenshade::wire::GeneralParts" GeneralParts OwnedGeneralParts
     sizes {
         /// Number of eigenimages K.
         components: usize,

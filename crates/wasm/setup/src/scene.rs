@@ -4,7 +4,8 @@
 use crate::inputs::{LIGHT, TURN, UNTURNED};
 use crate::shared::{LIGHT_COUNT, MATERIAL_COUNT, Shared};
 use crate::table::{BASIS, COMPONENTS, DEGREE, SCENE, TRANSFER, WORKSPACE};
-use eigenshade::{Effect, Light, Material, Rgb, Rotation, Scene, Shape, Tolerance, Truncation};
+use eigenshade::truncation::{Shape, Tolerance, Truncation};
+use eigenshade::{Effect, Light, Material, Rgb, Rotation, Scene};
 
 /// The material of the next `transfer`, channel by channel.
 #[unsafe(export_name = "material")]

@@ -7,7 +7,8 @@ use crate::scene::COLLAPSED;
 use crate::shared::Shared;
 use crate::table::SCENE;
 use core::fmt;
-use eigenshade::{Scene, Shader, ShaderLanguage};
+use eigenshade::Scene;
+use eigenshade::shader::{Shader, ShaderLanguage};
 
 /// Vectors of a shader's array: those of all terms and sources.
 const VECTORS: usize = SCENE + OF_SOURCES;

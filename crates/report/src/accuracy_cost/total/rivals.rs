@@ -5,7 +5,7 @@ use super::subjects::Gltf;
 use crate::accuracy_cost::images::Pair;
 use crate::light_tree::LightTree;
 use crate::sphere::Picture;
-use eigenshade::Matcap;
+use eigenshade::object::Matcap;
 use eigenshade_generator::light::environment::EnvironmentMap;
 use eigenshade_generator::material::brdf::Surface;
 use eigenshade_model::error::Result;
