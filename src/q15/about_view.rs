@@ -7,7 +7,6 @@ use crate::buffer::{Buffer, zeros};
 use crate::color::Rgb;
 use crate::error::{Argument, Error};
 use crate::index::light;
-use crate::light::degree;
 use crate::turn::swing_twist::Multiples;
 use crate::turn::twist::{self, Twist};
 
@@ -150,9 +149,7 @@ fn turn_all<const N: usize>(
 ) -> bool {
     // In a register: a constant would take an addition of its own.
     let half = core::hint::black_box(HALF);
-    // No light has another length.
-    let degree = const { if let Ok(degree) = degree(N) { degree } else { 0 } };
-    twist::turn_unrolled(Integers { multiples, half, halves: false }, degree, from, turned)
+    twist::turn_unrolled(Integers { multiples, half, halves: false }, from, turned)
 }
 
 /// The same for a degree that is known at run time, and for halved numbers, which fit.

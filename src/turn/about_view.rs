@@ -6,7 +6,7 @@ use crate::color::Rgb;
 use crate::error::{Argument, Error};
 use crate::float;
 use crate::index::light;
-use crate::light::{Light, LightBuffer, degree};
+use crate::light::{Light, LightBuffer};
 
 impl Light<'_> {
     /// The coefficients of this light after a rotation about the view axis z, from x toward y, by
@@ -58,10 +58,8 @@ impl Light<'_> {
             let expected = light::count(self.degree());
             return Err(Error::Length { argument: Argument::Light, expected, found: N });
         };
-        // No light has another length.
-        let degree = const { if let Ok(degree) = degree(N) { degree } else { 0 } };
-        Error::check_degree(degree)?;
-        twist::turn_unrolled(Multiple::of(angle)?, degree, from, turned);
+        Error::check_degree(self.degree())?;
+        twist::turn_unrolled(Multiple::of(angle)?, from, turned);
         Ok(())
     }
 

@@ -1,6 +1,7 @@
 //! A twist, which is a rotation about z: it turns each pair of orders m and -m by m times the angle.
 
 use crate::index::light;
+use crate::light::degree;
 
 /// A twist in a number format.
 pub(crate) trait Twist {
@@ -62,14 +63,15 @@ macro_rules! unrolled {
     };
 }
 
-/// [`turn`] for a constant degree of at most 12, without a loop.
+/// [`turn`] for as many coefficients as a light of a degree of at most 12 has, without a loop.
 #[inline(always)]
 pub(crate) fn turn_unrolled<T: Twist, const N: usize>(
     mut twist: T,
-    degree: usize,
     from: &[T::Coefficient; N],
     to: &mut [T::Coefficient; N],
 ) -> bool {
+    // No light has another length.
+    let degree = const { if let Ok(degree) = degree(N) { degree } else { 0 } };
     zonal(&twist, degree, from, to);
     unrolled!(m in 1..=degree {
         let factor = twist.factor(m);
