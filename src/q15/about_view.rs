@@ -6,7 +6,6 @@ use super::{Light, LightBuffer, Q15};
 use crate::buffer::{Buffer, zeros};
 use crate::color::Rgb;
 use crate::error::{Argument, Error};
-use crate::index::light;
 use crate::turn::swing_twist::Multiples;
 use crate::turn::twist::{self, Twist};
 
@@ -93,10 +92,8 @@ fn turn<const C: usize, const N: usize>(
     let degree = lights.iter().map(|(light, _)| light.degree).max().unwrap_or_default();
     Error::check_degree(degree)?;
     let mut multiples = multiples(fraction(angle).ok_or(Error::Rotation)?, degree);
-    for (m, [cosine, sine]) in (1..).zip(&mut multiples) {
+    for [cosine, _] in &mut multiples {
         *cosine += 1 << (BITS - 1);
-        // The harmonics of odd m > 0 have the sign -1.
-        *sine *= i32::from(light::graphics_sign(m));
     }
     for (light, to) in lights {
         to.exponent = light.exponent + i32::from(!turn_one(light, &multiples, &mut to.mantissas)?);

@@ -37,7 +37,7 @@ impl Light<'_> {
         let mut turned = zeros::<f32, N>(Argument::Light, light::count(self.degree()))?;
         match turned.as_mut_slice().try_into() {
             Ok(all) => self.turn_about_view_into::<N>(angle, all)?,
-            Err(_) => self.turn_in_loops(Multiple::of(angle)?, &mut turned),
+            Err(_) => self.turn_in_loops(Multiple::of(unit(angle)?), &mut turned),
         }
         Ok(turned)
     }
@@ -59,7 +59,7 @@ impl Light<'_> {
             return Err(Error::Length { argument: Argument::Light, expected, found: N });
         };
         Error::check_degree(self.degree())?;
-        twist::turn_unrolled(Multiple::of(angle)?, from, turned);
+        twist::turn_unrolled(Multiple::of(unit(angle)?), from, turned);
         Ok(())
     }
 
@@ -91,17 +91,22 @@ struct Multiple {
 }
 
 impl Multiple {
-    /// The angle along a vector from whose square 1 may differ by 2 %.
-    fn of([c, s]: [f32; 2]) -> Result<Self, Error> {
-        let [most, half, next] = [0.02, -0.5, 0.375];
-        let off = c * c + s * s - 1.0;
-        if !(-most..=most).contains(&off) {
-            return Err(Error::Rotation);
-        }
-        // 1/√(1 + off) by its first terms, to within 3e-6.
-        let scale = float::add_product(1.0, off, float::add_product(half, off, next));
-        Ok(Self { angle: [scale * c, scale * s], multiple: [1.0, 0.0] })
+    #[inline(always)]
+    const fn of(angle: [f32; 2]) -> Self {
+        Self { angle, multiple: [1.0, 0.0] }
     }
+}
+
+/// A vector scaled to length 1, from which its square may be off by 2 %: 1/√(1 + e) by its first
+/// terms, to within 3e-6.
+fn unit([c, s]: [f32; 2]) -> Result<[f32; 2], Error> {
+    let [most, half, next] = [0.02, -0.5, 0.375];
+    let off = c * c + s * s - 1.0;
+    if !(-most..=most).contains(&off) {
+        return Err(Error::Rotation);
+    }
+    let scale = float::add_product(1.0, off, float::add_product(half, off, next));
+    Ok([scale * c, scale * s])
 }
 
 impl Twist for Multiple {
@@ -112,15 +117,13 @@ impl Twist for Multiple {
         coefficient
     }
     #[inline(always)]
-    fn factor(&mut self, m: usize) -> [f32; 2] {
+    fn factor(&mut self, _: usize) -> [f32; 2] {
         let ([a, b], [c, s]) = (self.multiple, self.angle);
-        let multiple @ [cosine, sine] = [a * c - b * s, b * c + a * s];
-        self.multiple = multiple;
-        // The harmonics of odd m > 0 have the sign -1.
-        [cosine, if m.is_multiple_of(2) { sine } else { -sine }]
+        self.multiple = [a * c - b * s, b * c + a * s];
+        self.multiple
     }
     #[inline(always)]
-    fn pair(&self, [c, s]: [f32; 2], [minus, plus]: [f32; 2]) -> ([f32; 2], bool) {
-        ([minus * c - plus * s, plus * c + minus * s], true)
+    fn pair(&self, [c, s]: [f32; 2], [x, y]: [f32; 2]) -> ([f32; 2], bool) {
+        ([x * c - y * s, y * c + x * s], true)
     }
 }

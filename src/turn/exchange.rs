@@ -31,7 +31,7 @@ pub(crate) const ELEMENTS: usize = {
 pub(crate) const EXCHANGE: [f64; ELEMENTS] = {
     let (mut elements, mut place, mut l) = ([0.0; ELEMENTS], 0, 1);
     while l <= MAX_DEGREE {
-        let links = links(l);
+        let ladder = ladder(l);
         let mut block = 0;
         while block < 4 {
             let is_sine = block >= 2;
@@ -43,7 +43,7 @@ pub(crate) const EXCHANGE: [f64; ELEMENTS] = {
                     n = 2;
                 }
                 while n <= l {
-                    elements[place] = -element(l, m, n, &links);
+                    elements[place] = -element(l, m, n, &ladder);
                     (place, n) = (place + 1, n + 2);
                 }
                 m += 2;
@@ -58,7 +58,7 @@ pub(crate) const EXCHANGE: [f64; ELEMENTS] = {
 
 /// The element of order m in the image of order n, by the recurrence from order l down.
 #[expect(clippy::indexing_slicing, reason = "a constant function has no iterators")]
-const fn element(l: usize, m: usize, n: usize, links: &[f64; MAX_DEGREE + 1]) -> f64 {
+const fn element(l: usize, m: usize, n: usize, ladder: &[f64; MAX_DEGREE + 1]) -> f64 {
     // 2^(1-l) √binomial(2l, l - n), over √2 for order 0; (x + iz)^l has the signs + + - -.
     let (mut binomial, mut k) = (if n == 0 { 2.0 } else { 4.0 }, 0);
     while k < l {
@@ -77,23 +77,23 @@ const fn element(l: usize, m: usize, n: usize, links: &[f64; MAX_DEGREE + 1]) ->
     let mut order = l;
     while order > m {
         let sign = if (l - order).is_multiple_of(2) { 2.0 } else { -2.0 };
-        let above = if order < l { links[order] } else { 0.0 };
-        (before, now) = (now, (sign * n as f64 * now + above * before) / links[order - 1]);
+        let above = if order < l { ladder[order] } else { 0.0 };
+        (before, now) = (now, (sign * n as f64 * now + above * before) / ladder[order - 1]);
         order -= 1;
     }
     now
 }
 
-/// The elements of the generator between each order and the next, times two.
+/// The ladder: the generator's elements between each order and the next, times two.
 #[expect(clippy::indexing_slicing, reason = "a constant function has no iterators")]
-const fn links(l: usize) -> [f64; MAX_DEGREE + 1] {
-    let (mut links, mut m) = ([0.0; MAX_DEGREE + 1], 0);
+const fn ladder(l: usize) -> [f64; MAX_DEGREE + 1] {
+    let (mut ladder, mut m) = ([0.0; MAX_DEGREE + 1], 0);
     while m < l {
         let square = (l - m) * (l + m + 1);
-        links[m] = root(if m == 0 { 2 * square } else { square } as f64);
+        ladder[m] = root(if m == 0 { 2 * square } else { square } as f64);
         m += 1;
     }
-    links
+    ladder
 }
 
 /// √x for x > 0, by Newton's method from above, until it stops decreasing.

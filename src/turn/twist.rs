@@ -9,9 +9,9 @@ pub(crate) trait Twist {
     type Factor: Copy;
     /// The result for a coefficient of order 0.
     fn zonal(&self, coefficient: Self::Coefficient) -> Self::Coefficient;
-    /// Cosine and sine for order m. Called for m = 1, 2, ... in turn.
+    /// Cosine and sine of m times the angle. Called for m = 1, 2, ... in turn.
     fn factor(&mut self, m: usize) -> Self::Factor;
-    /// The results for the orders -m and m, and whether they fit.
+    /// The pair (x, y) turned from x toward y, and whether the results fit.
     fn pair(
         &self,
         factor: Self::Factor,
@@ -102,8 +102,14 @@ fn pair<T: Twist>(
     let pair = first..=first + 2 * m;
     match (from.get(pair.clone()), to.get_mut(pair)) {
         (Some(&[minus, .., plus]), Some([to_minus, .., to_plus])) => {
-            let fits;
-            ([*to_minus, *to_plus], fits) = twist.pair(factor, [minus, plus]);
+            // The harmonics of odd m > 0 have the sign -1, so the pair turns the other way.
+            let ([x, y], fits);
+            if m.is_multiple_of(2) {
+                ([x, y], fits) = twist.pair(factor, [minus, plus]);
+            } else {
+                ([y, x], fits) = twist.pair(factor, [plus, minus]);
+            }
+            (*to_minus, *to_plus) = (x, y);
             fits
         }
         _ => true,
