@@ -1,10 +1,10 @@
 //! The eigenbasis of one scene.
 
+use crate::checked_slice::split_row;
 use crate::error::{Argument, Error};
 use crate::index::record::floats;
 use crate::index::record::{ProfilePlace, Row};
 use crate::index::{layout, pair};
-use crate::invariant::split_row;
 use crate::scene::signs;
 
 /// The arrays of a basis: [`Basis::new`] checks that they are consistent.

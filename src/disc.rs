@@ -2,7 +2,7 @@
 
 use crate::error::{Argument, Error};
 use crate::normal::Normal;
-use crate::piece::{INTERVALS, Piece, interpolated};
+use crate::piecewise::{INTERVALS, Piece, interpolated};
 use crate::q15;
 use crate::q15::Q15;
 

@@ -6,7 +6,7 @@
 
 use crate::color::Rgb;
 use crate::exposure::{Linear, POINT};
-use crate::piece::{INTERVALS, Piece, interpolated};
+use crate::piecewise::{INTERVALS, Piece, interpolated};
 
 /// The bits of an interval's width in each piece, in units of 2^-[`POINT`].
 const WIDTHS: [u32; 3] = [5, 9, 13];

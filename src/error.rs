@@ -100,7 +100,7 @@ pub enum Error {
     },
     /// Angles, cosine and sine, a quaternion or a matrix do not describe a rotation.
     Rotation,
-    /// Integers turn lights of degrees to 12.
+    /// A light to be turned is of a degree above 12.
     Degree {
         /// The degree of the light.
         found: usize,
@@ -232,6 +232,12 @@ impl Error {
         if fits { Ok(()) } else { Err(Self::Outside { argument }) }
     }
 
+    /// `Ok` for the degree of a light that can be turned.
+    #[inline]
+    pub(crate) fn check_degree(degree: usize) -> Result<(), Self> {
+        if degree > MAX_DEGREE { Err(Self::Degree { found: degree }) } else { Ok(()) }
+    }
+
     pub(crate) fn check_finite(argument: Argument, numbers: &[f32]) -> Result<(), Self> {
         match numbers.iter().position(|number| !number.is_finite()) {
             None => Ok(()),
@@ -265,11 +271,6 @@ impl fmt::Display for Error {
                 f,
                 "Sources: {needed} of them, room for {capacity}; give the strongest, or make room for \
                  more"
-            ),
-            Self::Capacity { argument: Argument::Workspace, needed, capacity: 0 } => write!(
-                f,
-                "Workspace: {needed} numbers needed, and this function has none; use the one whose \
-                 name ends in _into"
             ),
             Self::Capacity { argument, needed, capacity } => write!(
                 f,
@@ -340,7 +341,7 @@ impl fmt::Display for Error {
             ),
             Self::Degree { found } => write!(
                 f,
-                "integers turn lights to degree 12, {found} found; truncate it, or turn it in floats"
+                "lights are turned to degree {MAX_DEGREE}, {found} found; truncate the light"
             ),
             Self::Direction => f.write_str(
                 "a light needs a finite direction of some length, and an angular radius above 0 and \

@@ -1,7 +1,7 @@
 //! Sums of products in `f32`, fused where the target can, and a root for loops over pixels.
 
 #[cfg(target_feature = "relaxed-simd")]
-use crate::lanes;
+use crate::groups;
 
 /// sum + a b. With the feature `std` on a target with the target feature `fma`, it rounds once,
 /// otherwise twice.
@@ -29,7 +29,7 @@ pub(crate) fn horner<const N: usize>(
 ) {
     #[cfg(target_feature = "relaxed-simd")]
     {
-        *sums = lanes::fused(lanes::fused([*even; N], &[*odd; N], t), sums, u);
+        *sums = groups::fused(groups::fused([*even; N], &[*odd; N], t), sums, u);
     }
     #[cfg(not(target_feature = "relaxed-simd"))]
     for (sum, (&t, &u)) in sums.iter_mut().zip(t.iter().zip(u)) {
@@ -48,13 +48,13 @@ pub(crate) fn descend<const N: usize>(
     // The steps with `fused`, a loop for each product.
     #[cfg(target_feature = "relaxed-simd")]
     {
-        let plus = lanes::fused(plus, real, x);
-        let plus = lanes::fused(plus, imaginary, y);
+        let plus = groups::fused(plus, real, x);
+        let plus = groups::fused(plus, imaginary, y);
         for number in &mut *real {
             *number = -*number;
         }
-        let minus = lanes::fused(minus, imaginary, x);
-        (*real, *imaginary) = (plus, lanes::fused(minus, real, y));
+        let minus = groups::fused(minus, imaginary, x);
+        (*real, *imaginary) = (plus, groups::fused(minus, real, y));
     }
     #[cfg(not(target_feature = "relaxed-simd"))]
     {

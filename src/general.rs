@@ -7,10 +7,10 @@
 
 use crate::basis::Basis;
 use crate::buffer::{Buffer, zeros};
+use crate::checked_slice::split_mut;
 use crate::error::{Argument, Error};
 use crate::float;
 use crate::index::record::floats;
-use crate::invariant::split_mut;
 use crate::light::Light;
 use crate::material::Material;
 use crate::normal::Normal;

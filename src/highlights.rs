@@ -5,7 +5,7 @@ use crate::color::Rgb;
 use crate::error::{Argument, Error};
 use crate::float;
 use crate::gloss::Gloss;
-use crate::lanes::padded;
+use crate::groups::padded;
 use crate::mathematics;
 use crate::normal::{Normal, Normals};
 use crate::rotation::{cross, dot};

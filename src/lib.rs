@@ -76,9 +76,9 @@ mod error;
 
 mod mathematics;
 
-mod invariant;
+mod checked_slice;
 
-mod lanes;
+mod groups;
 
 mod buffer;
 
@@ -141,7 +141,7 @@ pub mod shader;
 
 mod graphics;
 
-mod piece;
+mod piecewise;
 
 mod exposure;
 
@@ -160,7 +160,7 @@ mod matcap;
 pub mod wire;
 
 #[cfg(feature = "defmt")]
-mod logged;
+mod defmt_check;
 
 #[cfg(feature = "mint")]
 mod mint;

@@ -2,9 +2,9 @@
 //! reduce the ringing of a truncated light.
 
 use crate::buffer::{Buffer, copied};
+use crate::checked_slice::split_mut;
 use crate::error::{Argument, Error};
 use crate::index::light;
-use crate::invariant::split_mut;
 use crate::mathematics;
 
 /// One channel of distant light: (degree + 1)² coefficients in units of radiance, in the order of

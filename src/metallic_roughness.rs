@@ -9,11 +9,11 @@
 //! where rim and metal are smooth in roughness: sums of Chebyshev polynomials over \[0.2, 1\].
 
 use crate::buffer::Buffer;
+use crate::checked_slice::{part, part_mut};
 use crate::color::Rgb;
 use crate::error::{Argument, Error};
 use crate::gloss::Gloss;
 use crate::index::material::count;
-use crate::invariant::{part, part_mut};
 use crate::material::Material;
 use crate::q15;
 use crate::q15::Q15;

@@ -4,8 +4,8 @@
 //! The terms are in the order ..., b_1, a_1, b_0, a_0, so with an odd number of them the first has no
 //! odd partner. A term costs as much as in powers of t, but only half as many powers cancel.
 
+use crate::checked_slice::split;
 use crate::float;
-use crate::invariant::split;
 
 /// The argument t = 2z - 1 of the profile polynomials.
 #[inline]

@@ -6,10 +6,10 @@
 
 use crate::basis::Basis;
 use crate::buffer::{Buffer, zeros};
+use crate::checked_slice::{part, split_mut, split_row};
 use crate::error::{Argument, Error};
+use crate::groups;
 use crate::index::{layout, layout::LANES, light, record::ProfilePlace};
-use crate::invariant::{part, split_mut, split_row};
-use crate::lanes;
 use crate::light::Light;
 use crate::material::Material;
 
@@ -93,7 +93,7 @@ impl<'a> Basis<'a> {
         (light, material): (&Light<'_>, &Material<'_>),
         workspace: &mut [f32],
         coefficients: &mut [f32],
-        row: impl Fn(Row<'_>) -> [lanes::Two; 2],
+        row: impl Fn(Row<'_>) -> [groups::Two; 2],
     ) {
         let width = self.row() / LANES;
         let Workspace { scattering, sums, lights } = self.divide(workspace);
@@ -185,25 +185,25 @@ struct Row<'a> {
 /// across the lanes. Not inlined: if the compiler sees the sum across the lanes, it splits the
 /// vectors throughout.
 #[inline(never)]
-fn row<const V: usize>(row: Row<'_>) -> [lanes::Two; 2] {
+fn row<const V: usize>(row: Row<'_>) -> [groups::Two; 2] {
     let (factors, _) = row.factors.as_chunks().0.as_chunks::<V>();
     let (scattering, _) = row.scattering.as_chunks::<LANES>().0.as_chunks::<V>();
     let rows = factors.iter().zip(scattering);
-    lit(rows.map(|(factors, scattering)| lanes::product(factors, scattering)), row.lights)
+    lit(rows.map(|(factors, scattering)| groups::product(factors, scattering)), row.lights)
 }
 
 /// [`row`] for rows of any length.
 #[inline(never)]
-fn long_row(row: Row<'_>) -> [lanes::Two; 2] {
+fn long_row(row: Row<'_>) -> [groups::Two; 2] {
     let factors = row.factors.as_chunks().0.chunks_exact(row.width.max(1));
     let scattering = row.scattering.as_chunks::<LANES>().0.chunks_exact(row.width.max(1));
     let rows = factors.zip(scattering);
-    lit(rows.map(|(factors, scattering)| lanes::product(factors, scattering)), row.lights)
+    lit(rows.map(|(factors, scattering)| groups::product(factors, scattering)), row.lights)
 }
 
 /// The sums of the rows, weighted by the light.
 #[inline(always)]
-fn lit(rows: impl Iterator<Item = lanes::Two>, lights: &[[f32; 2]]) -> [lanes::Two; 2] {
+fn lit(rows: impl Iterator<Item = groups::Two>, lights: &[[f32; 2]]) -> [groups::Two; 2] {
     let zero = [[0.0; 2 * LANES]; 2];
     rows.zip(lights).fold(zero, |sums, (row, lights)| add_lit(sums, &row, lights))
 }
@@ -211,24 +211,24 @@ fn lit(rows: impl Iterator<Item = lanes::Two>, lights: &[[f32; 2]]) -> [lanes::T
 /// Adds a row, times the light of +m and of -m, to the sums of two profiles.
 #[inline(always)]
 pub(crate) fn add_lit(
-    [plus, minus]: [lanes::Two; 2],
-    row: &lanes::Two,
+    [plus, minus]: [groups::Two; 2],
+    row: &groups::Two,
     &[of_plus, of_minus]: &[f32; 2],
-) -> [lanes::Two; 2] {
-    let plus = lanes::multiply_add_two(plus, row, &[of_plus; LANES]);
-    [plus, lanes::multiply_add_two(minus, row, &[of_minus; LANES])]
+) -> [groups::Two; 2] {
+    let plus = groups::multiply_add_two(plus, row, &[of_plus; LANES]);
+    [plus, groups::multiply_add_two(minus, row, &[of_minus; LANES])]
 }
 
 /// Writes the components of profiles, two at a time, from sums that are not yet summed across the
 /// lanes.
 #[inline(always)]
 pub(crate) fn write_twos(
-    sums: &[[lanes::Two; 2]],
+    sums: &[[groups::Two; 2]],
     components: impl IntoIterator<Item = [u16; 2]>,
     coefficients: &mut [f32],
 ) {
     let sums = sums.iter().flat_map(|[plus, minus]| {
-        let [[a, b], [c, d]] = [lanes::sums(*plus), lanes::sums(*minus)];
+        let [[a, b], [c, d]] = [groups::sums(*plus), groups::sums(*minus)];
         [[a, c], [b, d]]
     });
     for (sums, components) in sums.zip(components) {

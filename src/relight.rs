@@ -9,12 +9,12 @@
 
 use crate::basis::Basis;
 use crate::buffer::zeros;
+use crate::checked_slice::part;
 use crate::error::{Argument, Error};
 use crate::float;
+use crate::groups;
 use crate::index::record::{Pass, Run};
 use crate::index::{layout, layout::LANES, light::position};
-use crate::invariant::part;
-use crate::lanes;
 use crate::light::Light;
 use crate::projection::Coefficients;
 use crate::specialized::{KnownTable, at, components, head, tail};
@@ -171,7 +171,7 @@ fn sums_of_pass<const P: usize>(
     for (l, row) in (lowest..).zip(part(rows, ..(degree + 1).saturating_sub(lowest))) {
         let window = window(light, l, first);
         for (sum, row) in sums.iter_mut().zip(row) {
-            *sum = lanes::multiply_add(*sum, row, &window);
+            *sum = groups::multiply_add(*sum, row, &window);
         }
     }
     sums

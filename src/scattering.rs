@@ -6,10 +6,10 @@
 //! of UᵀM for this material.
 
 use crate::basis::Basis;
+use crate::checked_slice::{part_mut, split};
 use crate::error::{Argument, Error};
+use crate::groups;
 use crate::index::{layout, layout::LANES, material, pair};
-use crate::invariant::{part_mut, split};
-use crate::lanes;
 use crate::material::Material;
 
 impl Basis<'_> {
@@ -70,7 +70,7 @@ pub(crate) fn scatter_pairs<const G: usize>(
             let (Some(&b), Some(row)) = (material.get(mode), row) else { continue };
             let b = if o == p { b } else { half * b };
             for (sum, row) in sum.iter_mut().zip(row) {
-                *sum = lanes::multiply_add(*sum, &[b; LANES], row);
+                *sum = groups::multiply_add(*sum, &[b; LANES], row);
             }
         }
         if let Some(to) = sums.get_mut(pair::position(q + 2 * p, q)) {
@@ -89,7 +89,7 @@ pub(crate) fn transpose(
     width: usize,
 ) {
     // Blocks of four pairs by four degrees.
-    for (column, pairs) in lanes::rows(sums, LANES * groups).enumerate() {
+    for (column, pairs) in groups::rows(sums, LANES * groups).enumerate() {
         let (first, rest) = split(pairs, groups);
         let (second, rest) = split(rest, groups);
         let (third, fourth) = split(rest, groups);

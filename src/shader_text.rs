@@ -1,6 +1,6 @@
 //! The statements of a shader, in each language.
 
-use crate::invariant::part;
+use crate::checked_slice::part;
 use core::fmt::{self, Write};
 
 /// The language of a shader, and where it finds the coefficients.

@@ -6,9 +6,9 @@ use crate::basis::Basis;
 use crate::buffer::{Buffer, zeros};
 use crate::error::{Argument, Error};
 use crate::float;
+use crate::groups;
+use crate::groups::rows;
 use crate::index::{layout, record::ProfilePlace};
-use crate::lanes;
-use crate::lanes::rows;
 use crate::material::Material;
 use crate::projection::Workspace;
 
@@ -136,7 +136,7 @@ impl Basis<'_> {
             let (of_scattering, _) = self.scattered_from(azimuth, scattering).as_chunks::<LANES>();
             let both = rows(factors.as_chunks().0, width).zip(rows(of_scattering, width));
             for (row, (factors, scattering)) in both.enumerate() {
-                let sums = lanes::sums(product(factors, scattering));
+                let sums = groups::sums(product(factors, scattering));
                 for (place, sum) in places.iter().zip(sums) {
                     write(place, row, sum, transfer);
                 }
@@ -148,8 +148,8 @@ impl Basis<'_> {
 
 /// Not inlined: if the compiler sees the sum across the lanes, it splits the vectors.
 #[inline(never)]
-fn product(factors: &[lanes::Two], scattering: &[[f32; LANES]]) -> lanes::Two {
-    lanes::product(factors, scattering)
+fn product(factors: &[groups::Two], scattering: &[[f32; LANES]]) -> groups::Two {
+    groups::product(factors, scattering)
 }
 
 /// Writes T_l for l = |m| + `row` into the rows of +m and -m.

@@ -1,4 +1,4 @@
-//! Turns light in integers about the view axis: a rotation of each pair of orders m and -m.
+//! Turns light in integers about the view axis.
 
 use super::arithmetic::{BITS, product, truncated};
 use super::rotation::{multiples, unit};
@@ -6,10 +6,8 @@ use super::{Light, LightBuffer, Q15};
 use crate::buffer::{Buffer, zeros};
 use crate::color::Rgb;
 use crate::error::{Argument, Error};
-use crate::index::light;
-use crate::light::degree;
-use crate::turn::about_view::unrolled;
-use crate::turn::{LARGEST, Multiples};
+use crate::turn::swing_twist::Multiples;
+use crate::turn::twist::{self, Twist};
 
 impl Light<'_> {
     /// This light after a rotation about the view axis z, from x toward y, by the angle along
@@ -92,14 +90,10 @@ fn turn<const C: usize, const N: usize>(
     angle: [i32; 2],
 ) -> Result<(), Error> {
     let degree = lights.iter().map(|(light, _)| light.degree).max().unwrap_or_default();
-    if degree > LARGEST {
-        return Err(Error::Degree { found: degree });
-    }
+    Error::check_degree(degree)?;
     let mut multiples = multiples(fraction(angle).ok_or(Error::Rotation)?, degree);
-    for (m, [cosine, sine]) in (1..).zip(&mut multiples) {
+    for [cosine, _] in &mut multiples {
         *cosine += 1 << (BITS - 1);
-        // The harmonics of odd m > 0 have the sign -1.
-        *sine *= i32::from(light::graphics_sign(m));
     }
     for (light, to) in lights {
         to.exponent = light.exponent + i32::from(!turn_one(light, &multiples, &mut to.mantissas)?);
@@ -151,15 +145,8 @@ fn turn_all<const N: usize>(
     turned: &mut [Q15; N],
 ) -> bool {
     // In a register: a constant would take an addition of its own.
-    let half = core::hint::black_box(1 << (BITS - 2));
-    // No light has another length.
-    let degree = const { if let Ok(degree) = degree(N) { degree } else { 0 } };
-    means(degree, from, turned, false);
-    unrolled!(m in 1..=degree {
-        {}
-        l => if !pair(m, l, multiples, half, from, turned, false) { return false }
-    });
-    true
+    let half = core::hint::black_box(HALF);
+    twist::turn_unrolled(Integers { multiples, half, halves: false }, from, turned)
 }
 
 /// The same for a degree that is known at run time, and for halved numbers, which fit.
@@ -170,52 +157,46 @@ fn turn_in_loops(
     turned: &mut [Q15],
     halves: bool,
 ) -> bool {
-    means(light.degree, light.mantissas, turned, halves);
-    let half = 1 << (BITS - 2);
-    (1..=light.degree).all(|m| {
-        (m..=light.degree).all(|l| pair(m, l, multiples, half, light.mantissas, turned, halves))
-    })
+    let twist = Integers { multiples, half: HALF, halves };
+    twist::turn(twist, light.degree, light.mantissas, turned)
 }
 
-/// Copies the coefficients of order 0.
-#[inline(always)]
-fn means(degree: usize, from: &[Q15], turned: &mut [Q15], halves: bool) {
-    for place in (0..=degree).map(|l| light::position(l, 0)) {
-        if let (Some(&mean), Some(to)) = (from.get(place), turned.get_mut(place)) {
-            *to = truncated(number(mean, halves));
-        }
-    }
-}
+/// Half a unit of a product.
+const HALF: i32 = 1 << (BITS - 2);
 
-/// Turns the orders -m and m of degree l. Returns whether the numbers fit.
-#[inline(always)]
-fn pair(
-    m: usize,
-    l: usize,
-    multiples: &Multiples<i32>,
+/// A twist of mantissas, or of their halves.
+struct Integers<'a> {
+    multiples: &'a Multiples<i32>,
     half: i32,
-    from: &[Q15],
-    turned: &mut [Q15],
     halves: bool,
-) -> bool {
-    let pair = light::position(l, -m.cast_signed())..=light::position(l, m.cast_signed());
-    match (from.get(pair.clone()), turned.get_mut(pair), multiples.get(m - 1)) {
-        (Some(&[minus, .., plus]), Some([to_minus, .., to_plus]), Some(&[c, s])) => {
-            let [x, y] = [minus, plus].map(|mantissa| number(mantissa, halves));
-            let [x, y] =
-                [half + product(x, c) - product(y, s), half + product(y, c) + product(x, s)]
-                    .map(|sum| sum >> (BITS - 1));
-            (*to_minus, *to_plus) = (truncated(x), truncated(y));
-            let [a, b] = [x, y].map(|number| number.wrapping_add(1 << BITS).cast_unsigned());
-            (a | b) >> (BITS + 1) == 0
-        }
-        _ => true,
+}
+
+impl Twist for Integers<'_> {
+    type Coefficient = Q15;
+    type Factor = [i32; 2];
+    #[inline(always)]
+    fn zonal(&self, mantissa: Q15) -> Q15 {
+        truncated(self.number(mantissa))
+    }
+    #[inline(always)]
+    fn factor(&mut self, m: usize) -> [i32; 2] {
+        self.multiples.get(m - 1).copied().unwrap_or_default()
+    }
+    #[inline(always)]
+    fn pair(&self, [c, s]: [i32; 2], pair: [Q15; 2]) -> ([Q15; 2], bool) {
+        let [x, y] = pair.map(|mantissa| self.number(mantissa));
+        let sums = [product(x, c) - product(y, s), product(y, c) + product(x, s)];
+        let [x, y] = sums.map(|sum| (self.half + sum) >> (BITS - 1));
+        let [a, b] = [x, y].map(|number| number.wrapping_add(1 << BITS).cast_unsigned());
+        ([truncated(x), truncated(y)], (a | b) >> (BITS + 1) == 0)
     }
 }
 
-/// A mantissa as an integer, or half of it, rounded.
-#[inline(always)]
-fn number(mantissa: Q15, halves: bool) -> i32 {
-    let number = mantissa.get();
-    if halves { (number >> 1) + (number & 1) } else { number }
+impl Integers<'_> {
+    /// A mantissa as an integer, or half of it, rounded.
+    #[inline(always)]
+    fn number(&self, mantissa: Q15) -> i32 {
+        let number = mantissa.get();
+        if self.halves { (number >> 1) + (number & 1) } else { number }
+    }
 }

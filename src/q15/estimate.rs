@@ -7,8 +7,8 @@ use super::arithmetic::{
 };
 use super::{Basis, Coefficients, Normal, Profile, Q15};
 use crate::buffer::{Buffer, zeros};
+use crate::checked_slice::split_row;
 use crate::error::{Argument, Error};
-use crate::invariant::split_row;
 
 /// An estimate that accumulates pixels: see [`Basis::estimate`].
 #[derive(Clone, Debug)]

@@ -2,10 +2,10 @@
 
 use super::Q15;
 use super::arithmetic::{BITS, Shift as _};
+use crate::checked_slice::{part, part_mut, split_mut, split_row};
 use crate::color::Rgb;
 use crate::error::{Argument, Error};
 use crate::index::material::count;
-use crate::invariant::{part, part_mut, split_mut, split_row};
 use crate::light::degree;
 use crate::material::order;
 

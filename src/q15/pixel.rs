@@ -2,7 +2,7 @@
 
 use super::arithmetic::{self, argument, argument_times, dot, halved, of_value, product};
 use super::{Basis, Normal};
-use crate::invariant::part;
+use crate::checked_slice::part;
 use crate::specialized::{KnownTable, at};
 
 /// A pixel in progress: the sum so far, and (n_x + i n_y)^m for the next m.

@@ -4,9 +4,9 @@
 use super::arithmetic::{BITS as MANTISSA_BITS, Shift as _};
 use super::{Basis, Light, Profile, Q15, Transfer};
 use crate::buffer::{Buffer, zeros};
+use crate::checked_slice::{part, split_row};
 use crate::error::{Argument, Error};
 use crate::index::light;
-use crate::invariant::{part, split_row};
 use crate::specialized::{KnownTable, at};
 
 /// The coefficients d of one image, component by component. The mantissas are at most 2^30 in size

@@ -3,7 +3,8 @@
 use super::arithmetic::{BITS, Shift as _, rotated};
 use super::inputs::decoded;
 use crate::error::Error;
-use crate::turn::{LARGEST, Multiples, Turn};
+use crate::index::layout::MAX_DEGREE;
+use crate::turn::swing_twist::{Multiples, SwingTwist};
 
 /// A rotation of light in integers: light that came from ω comes from Rω afterward.
 ///
@@ -13,7 +14,7 @@ use crate::turn::{LARGEST, Multiples, Turn};
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Rotation {
     // A half turn about y, then a twist about z, then a swing that moves z toward an axis: see
-    // `turn/degree.rs`. Cosines and sines are fractions of 2^30.
+    // `turn/swing_twist.rs`. Cosines and sines are fractions of 2^30.
     flips: bool,
     twist: [i32; 2],
     axis: [i32; 2],
@@ -85,16 +86,16 @@ impl Rotation {
     }
 
     /// The multiples of the angles.
-    pub(super) fn turn(&self, degree: usize) -> Turn<i32> {
+    pub(super) fn swing_twist(&self, degree: usize) -> SwingTwist<i32> {
         let [cosine, sine] = self.swing;
-        let mut turn = Turn {
+        let mut turn = SwingTwist {
             flips: self.flips,
             is_inverse: false,
             swings: sine != 0,
             is_small: cosine > ONE - ONE / 100,
             twist: multiples(self.twist, degree),
-            axis: [[0; 2]; LARGEST],
-            swing: [[0; 2]; LARGEST],
+            axis: [[0; 2]; MAX_DEGREE],
+            swing: [[0; 2]; MAX_DEGREE],
         };
         if turn.swings {
             turn.axis = multiples(self.axis, degree);
@@ -130,7 +131,7 @@ pub(super) fn multiples(angle: [i32; 2], degree: usize) -> Multiples<i32> {
     const DOWN: u32 = 31 - BITS;
     let rounded = |number: i32| ((number >> (DOWN - 1)) + 1) >> 1;
     let [mut c, mut s] = angle;
-    let mut multiples = [[0; 2]; LARGEST];
+    let mut multiples = [[0; 2]; MAX_DEGREE];
     for multiple in multiples.iter_mut().take(degree) {
         *multiple = [rounded(c) - (ONE >> DOWN), rounded(s)];
         [c, s] = rotated([c, s], angle);

@@ -5,8 +5,8 @@ use super::arithmetic::{SUM_SHIFT, Shift as _, TERM_BITS, WEIGHT_BITS, weigh};
 use super::pixel::Pixel;
 use super::{Basis, Normal, Profile};
 use crate::buffer::{Buffer, zeros};
+use crate::checked_slice::{split, split_mut, split_row};
 use crate::error::{Argument, Error};
-use crate::invariant::{split, split_mut, split_row};
 use crate::specialized::shade_each;
 use core::ops::{Add, Mul, Shr};
 

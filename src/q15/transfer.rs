@@ -4,10 +4,10 @@
 use super::arithmetic::{BITS, Shift as _, over_root_two};
 use super::{Basis, Material, Q15};
 use crate::buffer::{Buffer, zeros};
+use crate::checked_slice::{part, split_mut, split_row};
 use crate::error::{Argument, Error};
+use crate::groups::{rows, rows_mut};
 use crate::index::{material, pair};
-use crate::invariant::{part, split_mut, split_row};
-use crate::lanes::{rows, rows_mut};
 
 /// The transfer of a material: for each profile a row over l from |m| on, times 2 to its exponent.
 #[derive(Clone, Copy, Debug, PartialEq)]

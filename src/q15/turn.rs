@@ -4,11 +4,12 @@ use super::arithmetic::{BITS, product, sum, times, whole};
 use super::inputs::LEAST_TOP;
 use super::{Light, Q15, Rotation};
 use crate::buffer::{Buffer, zeros};
+use crate::checked_slice::part_mut;
 use crate::color::Rgb;
 use crate::error::{Argument, Error};
 use crate::index::light;
-use crate::invariant::part_mut;
-use crate::turn::{Arithmetic, Degree, LARGEST, exchange};
+use crate::turn::exchange;
+use crate::turn::swing_twist::{Arithmetic, Scales};
 
 /// The coefficients of a modified light, in a buffer of fixed capacity.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -72,13 +73,43 @@ impl Rgb<Light<'_>> {
 
 /// The arithmetic of integers. Numbers are scaled so that the root of the energy of a degree has
 /// [`NUMBER_BITS`] bits; no sum of products then leaves its accumulator.
-pub(super) struct Integers;
+struct Integers;
+
+/// The matrices in fractions of 2^15.
+#[expect(clippy::indexing_slicing, reason = "a constant has no iterators")]
+static EXCHANGE: [Q15; exchange::ELEMENTS] = {
+    let (mut elements, mut k) = ([Q15(0); exchange::ELEMENTS], 0);
+    while k < exchange::ELEMENTS {
+        let element = exchange::EXCHANGE[k] * 32_768.0;
+        // A conversion truncates toward zero, and saturates.
+        elements[k] = Q15(if element < 0.0 { element - 0.5 } else { element + 0.5 } as i16);
+        k += 1;
+    }
+    elements
+};
 
 impl Arithmetic for Integers {
+    type Coefficient = Q15;
+    /// The power of two.
+    type Scale = i32;
     type Number = i32;
     type Factor = i32;
     type Element = Q15;
     type Sum = i32;
+    const EXCHANGE: &'static [Q15] = &EXCHANGE;
+    #[inline(always)]
+    fn scale(mantissas: &[Q15]) -> i32 {
+        NUMBER_BITS - size(mantissas)
+    }
+    #[inline(always)]
+    fn scaled(scale: i32) -> impl Fn(Q15) -> i32 {
+        let shift = Shift::by(scale);
+        move |mantissa| shift.of(mantissa.get())
+    }
+    #[inline(always)]
+    fn coefficient(number: i32) -> Q15 {
+        Q15::saturate(number)
+    }
     #[inline(always)]
     fn product([c, s]: [i32; 2], [x, y]: [i32; 2]) -> [i32; 2] {
         let minus = product(y, s).wrapping_neg();
@@ -97,50 +128,25 @@ impl Arithmetic for Integers {
 /// Bits of the root of a degree's energy. What a small swing changes has up to twice that size.
 const NUMBER_BITS: i32 = BITS.cast_signed();
 
-/// The exponents of the degrees of a light.
-type Exponents = [i32; LARGEST + 1];
-
 fn turned<const C: usize, const N: usize>(
     lights: [Light<'_>; C],
     rotation: &Rotation,
 ) -> Result<[LightBuffer<N>; C], Error> {
     let mut turned = [(); C].map(|()| LightBuffer::default());
-    let mut exponents: [Exponents; C] = lights.map(|light| [light.exponent; LARGEST + 1]);
     for (to, light) in turned.iter_mut().zip(&lights) {
-        if light.degree > LARGEST {
-            return Err(Error::Degree { found: light.degree });
-        }
+        Error::check_degree(light.degree)?;
         to.mantissas = zeros(Argument::Light, light.mantissas.len())?;
-        if let (Some(to), Some(&mean)) = (to.mantissas.first_mut(), light.mantissas.first()) {
-            *to = mean;
-        }
     }
     let degree = lights.iter().map(|light| light.degree).max().unwrap_or_default();
-    let (rotation, mut elements) = (rotation.turn(degree), exchange::IN_Q15.as_slice());
-    let mut numbers = [(); 3].map(|()| Degree::<Integers, C>::new());
-    for l in 1..=degree {
-        let range = light::count(l - 1)..light::count(l);
-        let [of_degree, ..] = &mut numbers;
-        let channels = lights.iter().zip(&mut exponents).enumerate();
-        for (channel, (light, exponents)) in channels {
-            // A light of a lower degree has none.
-            let from = light.mantissas.get(range.clone()).unwrap_or_default();
-            let shift = NUMBER_BITS - size(from);
-            let shifted = Shift::by(shift);
-            of_degree.load(channel, from, |mantissa| shifted.of(mantissa.get()));
-            if let Some(exponent) = exponents.get_mut(l) {
-                *exponent -= shift;
-            }
-        }
-        rotation.apply(l, &mut elements, &mut numbers);
-        let [of_degree, ..] = &mut numbers;
-        for (channel, to) in turned.iter_mut().enumerate() {
-            let to = to.mantissas.get_mut(range.clone()).unwrap_or_default();
-            of_degree.store(channel, to, Q15::saturate);
-        }
-    }
-    for ((to, light), exponents) in turned.iter_mut().zip(&lights).zip(&exponents) {
-        to.exponent = align(&mut to.mantissas, light.degree, exponents)?;
+    let mut scales = [Scales::default(); C];
+    rotation.swing_twist(degree).turn::<Integers, C>(
+        degree,
+        lights.map(|light| light.mantissas),
+        turned.each_mut().map(|to| to.mantissas.as_mut_slice()),
+        &mut scales,
+    );
+    for ((to, light), scales) in turned.iter_mut().zip(&lights).zip(&scales) {
+        to.exponent = align(&mut to.mantissas, light, scales)?;
     }
     Ok(turned)
 }
@@ -188,10 +194,11 @@ fn size(mantissas: &[Q15]) -> i32 {
 
 /// Brings the mantissas of all degrees to a common exponent.
 #[inline(never)]
-fn align(mantissas: &mut [Q15], degree: usize, exponents: &Exponents) -> Result<i32, Error> {
+fn align(mantissas: &mut [Q15], light: &Light<'_>, scales: &Scales<i32>) -> Result<i32, Error> {
+    let exponents = || scales.iter().take(light.degree + 1).map(|scale| light.exponent - scale);
     let range = |l: usize| l * l..light::count(l);
     let mut top = LEAST_TOP;
-    for (l, exponent) in exponents.iter().enumerate().take(degree + 1) {
+    for (l, exponent) in exponents().enumerate() {
         let bits = bits(part_mut(mantissas, range(l)));
         if bits > 0 {
             top = top.max(bits + exponent);
@@ -201,7 +208,7 @@ fn align(mantissas: &mut [Q15], degree: usize, exponents: &Exponents) -> Result<
     if common > 128 {
         return Err(Error::Exponent);
     }
-    for (l, exponent) in exponents.iter().enumerate().take(degree + 1) {
+    for (l, exponent) in exponents().enumerate() {
         let shift = Shift::by(exponent - common);
         for mantissa in part_mut(mantissas, range(l)) {
             *mantissa = Q15::saturate(shift.of(mantissa.get()));

@@ -1,9 +1,9 @@
 //! Shades many normals in three channels.
 
 use super::{BLOCK, LARGE, blocks};
+use crate::checked_slice::part_mut;
 use crate::color::Rgb;
 use crate::error::{Argument, Error};
-use crate::invariant::part_mut;
 use crate::normal::Normals;
 use crate::scene::Scene;
 

@@ -4,7 +4,7 @@ mod color;
 
 use crate::error::{Argument, Error};
 use crate::float;
-use crate::lanes::padded;
+use crate::groups::padded;
 use crate::normal::{Normal, Normals};
 use crate::polynomial;
 use crate::polynomial::argument;

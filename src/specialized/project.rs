@@ -3,8 +3,8 @@
 
 use super::{KnownTable, at, components, tail};
 use crate::basis::Basis;
+use crate::groups;
 use crate::index::layout::LANES;
-use crate::lanes;
 use crate::projection::{add_lit, gather, write_twos};
 use crate::scattering::{scatter_pairs, transpose};
 
@@ -62,7 +62,7 @@ pub fn rows<
 >(
     scattering: &[[[f32; LANES]; V]; D],
     lights: &[[f32; 2]; L],
-) -> [[lanes::Two; 2]; C] {
+) -> [[groups::Two; 2]; C] {
     // Two profiles have two rows of factors for each degree.
     let factors = const {
         let row = at(B::BASIS.parts.azimuths, M).rows as usize + FIRST * L;
@@ -77,14 +77,14 @@ pub fn rows<
         ([a, ..], [of_a]) => {
             let mut sum = [[0.0; 2 * LANES]; 2];
             for (a, (scattering, lights)) in a.iter().zip(rows) {
-                sum = add_lit(sum, &lanes::product(a, scattering), lights);
+                sum = add_lit(sum, &groups::product(a, scattering), lights);
             }
             *of_a = sum;
         }
         ([a, b, ..], [of_a, of_b]) => {
             let mut sums = [[[0.0; 2 * LANES]; 2]; 2];
             for ((a, b), (scattering, lights)) in a.iter().zip(b).zip(rows) {
-                let (a, b) = (lanes::product(a, scattering), lanes::product(b, scattering));
+                let (a, b) = (groups::product(a, scattering), groups::product(b, scattering));
                 sums = [add_lit(sums[0], &a, lights), add_lit(sums[1], &b, lights)];
             }
             [*of_a, *of_b] = sums;
@@ -97,7 +97,7 @@ pub fn rows<
 /// Writes the components that [`rows`] computed.
 #[inline(always)]
 pub fn write<B, const M: usize, const FIRST: usize, const C: usize, const K: usize>(
-    sums: &[[lanes::Two; 2]; C],
+    sums: &[[groups::Two; 2]; C],
     coefficients: &mut [f32; K],
 ) where
     B: KnownTable<Basis<'static>>,

@@ -3,7 +3,7 @@
 
 use super::{KnownTable, at, components, tail};
 use crate::basis::Basis;
-use crate::invariant::{part, split_mut};
+use crate::checked_slice::{part, split_mut};
 use crate::scene::{Scene, sum_profiles, weights};
 use crate::shade::Block;
 

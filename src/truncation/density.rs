@@ -6,8 +6,8 @@
 //! its Cholesky factors are multiplied in reverse order (Christoffel's transformation). Both steps
 //! together reduce the number of known terms by one.
 
+use crate::groups::multiply_add;
 use crate::index::layout::{LANES, MAX_DEGREE, MAX_TERMS};
-use crate::lanes::multiply_add;
 use crate::mathematics;
 use crate::polynomial::{doubled, values};
 

@@ -3,8 +3,8 @@
 //! converted side by side.
 
 use super::density::Density;
+use crate::groups::multiply_add;
 use crate::index::layout::{LANES, MAX_TERMS};
-use crate::lanes::multiply_add;
 
 /// Room for numbers, lowest first, after a zero and with zeros behind them.
 const ROOM: usize = MAX_TERMS + 4;

@@ -6,7 +6,7 @@ use super::terms::{Polynomials, trimmed};
 use crate::basis::Basis;
 use crate::error::{Argument, Error};
 use crate::float;
-use crate::lanes::rows_mut;
+use crate::groups::rows_mut;
 use crate::mathematics;
 use crate::scene::{Scene, count};
 

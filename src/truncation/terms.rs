@@ -5,8 +5,8 @@
 
 use super::density::{Density, sizes};
 use super::orthogonal::Rows;
+use crate::checked_slice::{part, part_mut, split, split_mut};
 use crate::float;
-use crate::invariant::{part, part_mut, split, split_mut};
 use crate::scene::signs;
 use core::cell::Cell;
 

@@ -1,41 +1,12 @@
-//! Turns light about the view axis: a rotation of each pair of orders m and -m.
+//! Turns light about the view axis.
 
-use super::exchange::LARGEST;
+use super::twist::{self, Twist};
 use crate::buffer::{Buffer, zeros};
 use crate::color::Rgb;
 use crate::error::{Argument, Error};
 use crate::float;
 use crate::index::light;
-use crate::light::{Light, degree};
-
-/// Up to a degree of at most 12, for each order m a first step, then one for each degree l from m
-/// on. All are literals: the compiler would keep the longest loops, and addresses with them.
-macro_rules! unrolled {
-    ($m:ident in 1..=$degree:ident { $first:block $l:ident => $step:expr }) => {
-        $crate::turn::about_view::unrolled!(@ $m $degree $l $first $step;
-            1 [0 1 2 3 4 5 6 7 8 9 10 11] 2 [0 1 2 3 4 5 6 7 8 9 10] 3 [0 1 2 3 4 5 6 7 8 9]
-            4 [0 1 2 3 4 5 6 7 8] 5 [0 1 2 3 4 5 6 7] 6 [0 1 2 3 4 5 6] 7 [0 1 2 3 4 5]
-            8 [0 1 2 3 4] 9 [0 1 2 3] 10 [0 1 2] 11 [0 1] 12 [0])
-    };
-    (@ $m:ident $degree:ident $l:ident $first:block $step:expr; $($order:literal $above:tt)*) => {
-        $({
-            let $m: usize = $order;
-            if $m <= $degree {
-                $first
-                $crate::turn::about_view::unrolled!(# $m $degree $l $step; $above);
-            }
-        })*
-    };
-    (# $m:ident $degree:ident $l:ident $step:expr; [$($above:literal)*]) => {
-        $({
-            let $l: usize = $m + $above;
-            if $l <= $degree {
-                $step;
-            }
-        })*
-    };
-}
-pub(crate) use unrolled;
+use crate::light::Light;
 
 impl Light<'_> {
     /// The coefficients of this light after a rotation about the view axis z, from x toward y, by
@@ -52,20 +23,21 @@ impl Light<'_> {
     /// ```
     ///
     /// Cost: four products for each degree and order above 0. If `N` is (degree + 1)² itself, no
-    /// loop is left to degree 12.
+    /// loop is left.
     ///
     /// # Errors
     ///
-    /// [`Error::Capacity`] if `N` is below (degree + 1)², [`Error::Rotation`] if cosine² + sine²
-    /// differs from 1 by more than 2 %.
+    /// Those of [`turned`](Self::turned), and [`Error::Rotation`] if cosine² + sine² differs from 1
+    /// by more than 2 %.
     pub fn turned_about_view<const N: usize>(
         &self,
         angle: [f32; 2],
     ) -> Result<Buffer<f32, N>, Error> {
+        Error::check_degree(self.degree())?;
         let mut turned = zeros::<f32, N>(Argument::Light, light::count(self.degree()))?;
         match turned.as_mut_slice().try_into() {
             Ok(all) => self.turn_about_view_into::<N>(angle, all)?,
-            Err(_) => self.turn_in_loops(unit(angle)?, &mut turned),
+            Err(_) => self.turn_in_loops(Multiple::of(unit(angle)?), &mut turned),
         }
         Ok(turned)
     }
@@ -75,7 +47,8 @@ impl Light<'_> {
     ///
     /// # Errors
     ///
-    /// [`Error::Length`] unless `N` is (degree + 1)², [`Error::Rotation`] as above.
+    /// [`Error::Length`] unless `N` is (degree + 1)², [`Error::Degree`] and [`Error::Rotation`] as
+    /// above.
     pub fn turn_about_view_into<const N: usize>(
         &self,
         angle: [f32; 2],
@@ -85,32 +58,15 @@ impl Light<'_> {
             let expected = light::count(self.degree());
             return Err(Error::Length { argument: Argument::Light, expected, found: N });
         };
-        // No light has another length.
-        let degree = const { if let Ok(degree) = degree(N) { degree } else { 0 } };
-        let angle = unit(angle)?;
-        if degree > LARGEST {
-            self.turn_in_loops(angle, turned);
-            return Ok(());
-        }
-        let mut multiple = [1.0, 0.0];
-        means(degree, from, turned);
-        unrolled!(m in 1..=degree {
-            { multiple = product(multiple, angle) }
-            l => pair(m, l, multiple, from, turned)
-        });
+        Error::check_degree(self.degree())?;
+        twist::turn_unrolled(Multiple::of(unit(angle)?), from, turned);
         Ok(())
     }
 
     /// The same for a degree that is known at run time.
     #[inline(never)]
-    fn turn_in_loops(&self, angle: [f32; 2], turned: &mut [f32]) {
-        let (degree, from) = (self.degree(), self.coefficients());
-        means(degree, from, turned);
-        let mut multiple = angle;
-        for m in 1..=degree {
-            (m..=degree).for_each(|l| pair(m, l, multiple, from, turned));
-            multiple = product(multiple, angle);
-        }
+    fn turn_in_loops(&self, multiple: Multiple, turned: &mut [f32]) {
+        twist::turn(multiple, self.degree(), self.coefficients(), turned);
     }
 }
 
@@ -128,6 +84,19 @@ impl Rgb<Light<'_>> {
     }
 }
 
+/// Cosine and sine of an angle and of a multiple of it.
+struct Multiple {
+    angle: [f32; 2],
+    multiple: [f32; 2],
+}
+
+impl Multiple {
+    #[inline(always)]
+    const fn of(angle: [f32; 2]) -> Self {
+        Self { angle, multiple: [1.0, 0.0] }
+    }
+}
+
 /// A vector scaled to length 1, from which its square may be off by 2 %: 1/√(1 + e) by its first
 /// terms, to within 3e-6.
 fn unit([c, s]: [f32; 2]) -> Result<[f32; 2], Error> {
@@ -140,34 +109,21 @@ fn unit([c, s]: [f32; 2]) -> Result<[f32; 2], Error> {
     Ok([scale * c, scale * s])
 }
 
-/// Copies the coefficients of order 0.
-#[inline(always)]
-fn means(degree: usize, from: &[f32], turned: &mut [f32]) {
-    for l in 0..=degree {
-        let place = light::position(l, 0);
-        if let (Some(to), Some(&mean)) = (turned.get_mut(place), from.get(place)) {
-            *to = mean;
-        }
+impl Twist for Multiple {
+    type Coefficient = f32;
+    type Factor = [f32; 2];
+    #[inline(always)]
+    fn zonal(&self, coefficient: f32) -> f32 {
+        coefficient
     }
-}
-
-/// Turns the orders -m and m of degree l by this multiple of the angle.
-#[inline(always)]
-fn pair(m: usize, l: usize, [c, s]: [f32; 2], from: &[f32], turned: &mut [f32]) {
-    // The harmonics of odd m > 0 have the sign -1.
-    let s = if m.is_multiple_of(2) { s } else { -s };
-    let first = light::position(l, -m.cast_signed());
-    let pair = first..=first + 2 * m;
-    if let (Some(&[minus, .., plus]), Some([to_minus, .., to_plus])) =
-        (from.get(pair.clone()), turned.get_mut(pair))
-    {
-        *to_minus = minus * c - plus * s;
-        *to_plus = plus * c + minus * s;
+    #[inline(always)]
+    fn factor(&mut self, _: usize) -> [f32; 2] {
+        let ([a, b], [c, s]) = (self.multiple, self.angle);
+        self.multiple = [a * c - b * s, b * c + a * s];
+        self.multiple
     }
-}
-
-/// The product of two complex numbers.
-#[inline(always)]
-fn product([a, b]: [f32; 2], [c, d]: [f32; 2]) -> [f32; 2] {
-    [a * c - b * d, b * c + a * d]
+    #[inline(always)]
+    fn pair(&self, [c, s]: [f32; 2], [x, y]: [f32; 2]) -> ([f32; 2], bool) {
+        ([x * c - y * s, y * c + x * s], true)
+    }
 }

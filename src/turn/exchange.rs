@@ -10,14 +10,11 @@
 //! recurrence along each column. It starts with the order l, (x + iz)^l, and proceeds toward
 //! smaller orders, in which direction it is stable.
 
-use crate::q15::Q15;
+use crate::index::layout::MAX_DEGREE;
 
-/// The largest degree of the tables.
-pub(crate) const LARGEST: usize = 12;
-
-const ELEMENTS: usize = {
+pub(crate) const ELEMENTS: usize = {
     let (mut elements, mut l) = (0, 1);
-    while l <= LARGEST {
+    while l <= MAX_DEGREE {
         let (even, odd) = (l / 2, l.div_ceil(2));
         elements += (even + 1) * (even + 1) + even * even + 2 * odd * odd;
         l += 1;
@@ -31,10 +28,10 @@ const ELEMENTS: usize = {
 /// The sign drops out wherever E is applied twice. It makes -1 of those elements that are 1, which
 /// a fraction of 2^15 in 16 bits represents exactly.
 #[expect(clippy::indexing_slicing, reason = "a constant function has no iterators")]
-const EXCHANGE: [f64; ELEMENTS] = {
+pub(crate) const EXCHANGE: [f64; ELEMENTS] = {
     let (mut elements, mut place, mut l) = ([0.0; ELEMENTS], 0, 1);
-    while l <= LARGEST {
-        let links = links(l);
+    while l <= MAX_DEGREE {
+        let ladder = ladder(l);
         let mut block = 0;
         while block < 4 {
             let is_sine = block >= 2;
@@ -46,7 +43,7 @@ const EXCHANGE: [f64; ELEMENTS] = {
                     n = 2;
                 }
                 while n <= l {
-                    elements[place] = -element(l, m, n, &links);
+                    elements[place] = -element(l, m, n, &ladder);
                     (place, n) = (place + 1, n + 2);
                 }
                 m += 2;
@@ -61,7 +58,7 @@ const EXCHANGE: [f64; ELEMENTS] = {
 
 /// The element of order m in the image of order n, by the recurrence from order l down.
 #[expect(clippy::indexing_slicing, reason = "a constant function has no iterators")]
-const fn element(l: usize, m: usize, n: usize, links: &[f64; LARGEST + 1]) -> f64 {
+const fn element(l: usize, m: usize, n: usize, ladder: &[f64; MAX_DEGREE + 1]) -> f64 {
     // 2^(1-l) √binomial(2l, l - n), over √2 for order 0; (x + iz)^l has the signs + + - -.
     let (mut binomial, mut k) = (if n == 0 { 2.0 } else { 4.0 }, 0);
     while k < l {
@@ -80,23 +77,23 @@ const fn element(l: usize, m: usize, n: usize, links: &[f64; LARGEST + 1]) -> f6
     let mut order = l;
     while order > m {
         let sign = if (l - order).is_multiple_of(2) { 2.0 } else { -2.0 };
-        let above = if order < l { links[order] } else { 0.0 };
-        (before, now) = (now, (sign * n as f64 * now + above * before) / links[order - 1]);
+        let above = if order < l { ladder[order] } else { 0.0 };
+        (before, now) = (now, (sign * n as f64 * now + above * before) / ladder[order - 1]);
         order -= 1;
     }
     now
 }
 
-/// The elements of the generator between each order and the next, times two.
+/// The ladder: the generator's elements between each order and the next, times two.
 #[expect(clippy::indexing_slicing, reason = "a constant function has no iterators")]
-const fn links(l: usize) -> [f64; LARGEST + 1] {
-    let (mut links, mut m) = ([0.0; LARGEST + 1], 0);
+const fn ladder(l: usize) -> [f64; MAX_DEGREE + 1] {
+    let (mut ladder, mut m) = ([0.0; MAX_DEGREE + 1], 0);
     while m < l {
         let square = (l - m) * (l + m + 1);
-        links[m] = root(if m == 0 { 2 * square } else { square } as f64);
+        ladder[m] = root(if m == 0 { 2 * square } else { square } as f64);
         m += 1;
     }
-    links
+    ladder
 }
 
 /// √x for x > 0, by Newton's method from above, until it stops decreasing.
@@ -109,31 +106,4 @@ const fn root(x: f64) -> f64 {
         }
         root = next;
     }
-}
-
-/// [`EXCHANGE`] in floats.
-#[expect(clippy::indexing_slicing, reason = "a constant function has no iterators")]
-pub(crate) static F32: [f32; ELEMENTS] = {
-    let (mut elements, mut k) = ([0.0; ELEMENTS], 0);
-    while k < ELEMENTS {
-        elements[k] = EXCHANGE[k] as f32;
-        k += 1;
-    }
-    elements
-};
-
-/// [`EXCHANGE`] in fractions of 2^15.
-#[expect(clippy::indexing_slicing, reason = "a constant function has no iterators")]
-pub(crate) static IN_Q15: [Q15; ELEMENTS] = {
-    let (mut elements, mut k) = ([Q15(0); ELEMENTS], 0);
-    while k < ELEMENTS {
-        elements[k] = Q15(nearest(EXCHANGE[k] * 32_768.0) as i16);
-        k += 1;
-    }
-    elements
-};
-
-/// The nearest integer; a conversion truncates toward zero, and saturates.
-const fn nearest(x: f64) -> f64 {
-    if x < 0.0 { x - 0.5 } else { x + 0.5 }
 }

@@ -1,27 +1,24 @@
-//! Turns light.
+//! Turns light: by any rotation, and about the view axis alone.
 
-pub(crate) mod about_view;
-mod degree;
+mod about_view;
 pub(crate) mod exchange;
-mod recursion;
-mod swing_twist;
-
-pub(crate) use degree::{Arithmetic, Degree, Multiples, Turn};
-pub(crate) use exchange::LARGEST;
+mod floats;
+pub(crate) mod swing_twist;
+pub(crate) mod twist;
 
 use crate::buffer::{Buffer, zeros};
 use crate::color::Rgb;
 use crate::error::{Argument, Error};
-use crate::index::light;
 use crate::light::Light;
 use crate::rotation::Rotation;
-use swing_twist::Floats;
+use floats::Floats;
+use swing_twist::Scales;
 
 impl Light<'_> {
     /// The coefficients of this light after rotation: L'(Rω) = L(ω).
     ///
-    /// `N` must be at least (degree + 1)², and the degree at most 12; for higher ones there is
-    /// [`turn_into`](Self::turn_into).
+    /// `N` must be at least (degree + 1)², and the degree at most 12. [`truncated`](Self::truncated)
+    /// leaves out higher degrees, which no rotation mixes with the others.
     ///
     /// The energy of each degree is preserved. A light of degree 9 that is rotated and
     /// rotated back matches the original within 1e-6 of its largest coefficient. Cost: for degree 9
@@ -41,42 +38,9 @@ impl Light<'_> {
     ///
     /// # Errors
     ///
-    /// [`Error::Capacity`] if `N` is too small, or the degree above 12.
+    /// [`Error::Capacity`] if `N` is too small, [`Error::Degree`] if the degree is above 12.
     pub fn turned<const N: usize>(&self, rotation: &Rotation) -> Result<Buffer<f32, N>, Error> {
         turned([*self], rotation).map(|[turned]| turned)
-    }
-
-    /// Workspace length for [`turn_into`](Self::turn_into): 0 to degree 12, above the matrices of
-    /// two degrees, and some numbers for each order. `usize::MAX` if that overflows.
-    #[must_use]
-    pub const fn turn_len(degree: usize) -> usize {
-        if degree <= LARGEST { 0 } else { recursion::workspace_len(degree) }
-    }
-
-    /// [`turned`](Self::turned) of any degree, into a slice.
-    ///
-    /// Above degree 12 the rotation's matrices are computed, which takes for each degree l
-    /// (2l + 1)² elements of some twenty operations each, and three roots for each order.
-    ///
-    /// # Errors
-    ///
-    /// [`Error::Length`] unless `workspace` has [`turn_len`](Self::turn_len) numbers and `turned`
-    /// has (degree + 1)².
-    pub fn turn_into(
-        &self,
-        rotation: &Rotation,
-        workspace: &mut [f32],
-        turned: &mut [f32],
-    ) -> Result<(), Error> {
-        let degree = self.degree();
-        Error::check(Argument::Light, light::count(degree), turned.len())?;
-        Error::check(Argument::Workspace, Self::turn_len(degree), workspace.len())?;
-        if degree <= LARGEST {
-            turn([*self], &rotation.turn(degree), [turned]);
-        } else {
-            recursion::turn(self, rotation, workspace, turned);
-        }
-        Ok(())
     }
 }
 
@@ -100,40 +64,15 @@ fn turned<const C: usize, const N: usize>(
 ) -> Result<[Buffer<f32, N>; C], Error> {
     let mut turned = [(); C].map(|()| Buffer::default());
     for (to, light) in turned.iter_mut().zip(&lights) {
-        let needed = Light::turn_len(light.degree());
-        if needed > 0 {
-            return Err(Error::Capacity { argument: Argument::Workspace, needed, capacity: 0 });
-        }
+        Error::check_degree(light.degree())?;
         *to = zeros(Argument::Light, light.coefficients().len())?;
     }
     let degree = lights.iter().map(Light::degree).max().unwrap_or_default();
-    turn(lights, &rotation.turn(degree), turned.each_mut().map(Buffer::as_mut_slice));
+    rotation.swing_twist(degree).turn::<Floats, C>(
+        degree,
+        lights.map(|light| light.coefficients()),
+        turned.each_mut().map(Buffer::as_mut_slice),
+        &mut [Scales::default(); C],
+    );
     Ok(turned)
-}
-
-/// Turns lights, each into as many numbers. Their degrees are at most [`LARGEST`].
-fn turn<const C: usize>(lights: [Light<'_>; C], rotation: &Turn<f32>, mut turned: [&mut [f32]; C]) {
-    let degree = lights.iter().map(Light::degree).max().unwrap_or_default();
-    for (to, from) in turned.iter_mut().zip(&lights) {
-        if let (Some(to), Some(&mean)) = (to.first_mut(), from.coefficients().first()) {
-            *to = mean;
-        }
-    }
-    let mut elements = exchange::F32.as_slice();
-    let mut numbers = [(); 3].map(|()| Degree::<Floats, C>::new());
-    for l in 1..=degree {
-        let range = light::count(l - 1)..light::count(l);
-        let [of_degree, ..] = &mut numbers;
-        for (channel, light) in lights.iter().enumerate() {
-            // A light of a lower degree has none.
-            let from = light.coefficients().get(range.clone()).unwrap_or_default();
-            of_degree.load(channel, from, |number| number);
-        }
-        rotation.apply(l, &mut elements, &mut numbers);
-        let [of_degree, ..] = &mut numbers;
-        for (channel, to) in turned.iter_mut().enumerate() {
-            let to = to.get_mut(range.clone()).unwrap_or_default();
-            of_degree.store(channel, to, |number| number);
-        }
-    }
 }

@@ -167,7 +167,7 @@ fn indices(input: &mut Reader<'_>) {
     let _ = (light::position(a, b.cast_signed()), material::position(a, b, c), light::count(a));
     let _ = (eigenshade_table::pair::position(a, b), eigenshade_table::pair::count(a));
     let _ = (eigenshade_table::layout::rows(a, b, c), material::count(a));
-    let _ = (Light::turn_len(a), Light::new(&[0.0; 30][..b % 31]));
+    let _ = Light::new(&[0.0; 30][..b % 31]);
     let _ = Material::new(&[0.0; 30][..c % 31]);
 }
 

@@ -1,7 +1,7 @@
 //! Collapses a scene with all sizes constant: the steps of
 //! [`Basis::collapse_into`](crate::q15::Basis::collapse_into), azimuth by azimuth.
 
-use crate::invariant::part_mut;
+use crate::checked_slice::part_mut;
 use crate::q15::arithmetic::{SUM_SHIFT, TERM_BITS, weigh};
 use crate::q15::scene::{FINEST, Scene, bits, half_or_one, size, with_margin};
 use crate::q15::{Basis, Coefficients, Profile, scene};

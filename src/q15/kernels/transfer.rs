@@ -1,8 +1,8 @@
 //! Computes the transfer of a new material with all sizes constant: the steps of
 //! [`Basis::transfer_into`](crate::q15::Basis::transfer_into).
 
+use crate::checked_slice::{part, part_mut};
 use crate::index::{material, pair};
-use crate::invariant::{part, part_mut};
 use crate::q15::arithmetic::{BITS, Shift as _, over_root_two};
 use crate::q15::transfer::{GUARD_BITS, ZERO_EXPONENT, guard, room, row_bits};
 use crate::q15::{Basis, Material, Q15, TransferBuffer, transfer};
