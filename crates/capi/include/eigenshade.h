@@ -178,13 +178,9 @@ typedef struct eigenshade_source_f32_t {
    */
   float energy[3];
   /**
-   * A vector across the direction, whose length is the standard deviation along it in radians.
+   * The standard deviation of its round blob in radians, from 0 to 0.5.
    */
-  float major[3];
-  /**
-   * The standard deviation across the major axis: from 0 to its length, at most 0.5.
-   */
-  float minor;
+  float spread;
 } eigenshade_source_f32_t;
 
 /**
@@ -684,6 +680,19 @@ eigenshade_status eigenshade_gloss_metallic_roughness_f32(const float *base_colo
                                                           float metallic,
                                                           float roughness,
                                                           struct eigenshade_gloss_f32_t *gloss);
+
+/**
+ * The fewest of a light's first sources with which pictures of a gloss are within `tolerance`, a
+ * share of white: 0 from a roughness of 0.6 on, and `length` if all exceed it. `errors` is such as
+ * `eigenshade_source_errors_lobby_f32[0]`, and `length` its number of rows, of six numbers each.
+ *
+ * On an error `count` is unchanged.
+ */
+eigenshade_status eigenshade_gloss_fewest_sources_f32(const struct eigenshade_gloss_f32_t *gloss,
+                                                      const float *errors,
+                                                      size_t length,
+                                                      float tolerance,
+                                                      size_t *count);
 
 /**
  * The exposure of the pixels that a meter has counted, in either format, to within 7 %.

@@ -90,12 +90,14 @@ fn a_table_of_degree_32_is_the_direct_sum() {
 fn every_store_gives_the_same_images() {
     for criterion in ["image-centered", "standard"] {
         let folder = with_stores(criterion);
-        for format in ["f64", "f32"] {
+        // Only f64 draws a mean image.
+        let formats = ["f64", "f32"];
+        for format in &formats[..if criterion == "standard" { 1 } else { 2 }] {
             let shaded = |store: &str| {
                 folder.shaded_by(&format!("{store}.bin"), &format!("--format {format}"))
             };
             let expected = shaded("modes");
-            let tolerance = match format {
+            let tolerance = match *format {
                 "f64" => tolerances::DENSE_PROJECTION,
                 _ => tolerances::POLYNOMIAL_F32,
             };
@@ -107,7 +109,7 @@ fn every_store_gives_the_same_images() {
         let [expected, _, of_materials] =
             STORES.map(|store| folder.projected(&format!("--table {store}.bin {PAIR}")));
         assert_near(criterion, &of_materials, &expected, tolerances::DENSE_PROJECTION);
-        folder.ok(RENDER);
+        folder.ok(&format!("{RENDER} --format f64"));
     }
 }
 

@@ -20,7 +20,7 @@ fn no_variance_gives_no_components() {
         folder.ok(BASIS);
         let table = folder.table("b.bin");
         assert_eq!((table.components.len(), table.spectrum.len()), (components, components));
-        folder.shaded("");
+        folder.shaded("--format f64");
         folder.ok("info --table b.bin");
     }
 }

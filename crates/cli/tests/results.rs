@@ -3,8 +3,8 @@
 
 use crate::support::files::{READ, with_image};
 use crate::support::{
-    BASIS, DEGREE, Folder, ORDER, PAIR, SHADE, SHADED, assert_contains, assert_fails, lights,
-    materials, numbers, rows,
+    DEGREE, Folder, ORDER, PAIR, SHADE, SHADED, assert_contains, assert_fails, lights, materials,
+    numbers, rows,
 };
 use crate::tolerances;
 use eigenshade_table::{encode, light};
@@ -75,17 +75,6 @@ fn integers_are_right_up_to_the_size_at_which_they_saturate() {
     folder.write("lights.csv", lights(DEGREE, 1));
     folder.write("materials.csv", times(&materials(ORDER, 1), too_large));
     assert_fails(&folder, &shade, &["material-0", format, "toward"]);
-}
-
-/// A wire file has the mean image, which is as large as the images.
-#[test]
-fn a_wire_file_beyond_f32_is_refused() {
-    let folder = Folder::new();
-    folder.replace("scene.toml", "image-centered", "standard");
-    folder.replace("scene.toml", "rotation = \"any\"", "rotation = \"any\"\nnormalize = \"none\"");
-    folder.write("lights.csv", times(&lights(DEGREE, 3), "50"));
-    folder.ok(BASIS);
-    assert_fails(&folder, "pack --table b.bin --out new.esw", &["b.bin", "f32", "toward"]);
 }
 
 const RENDER: &str = "render -t b.bin -l lights.csv:light-0 -m materials.csv:material-0 \

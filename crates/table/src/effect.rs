@@ -168,9 +168,10 @@ impl Effects {
     #[must_use]
     pub const fn order(self, order: usize) -> usize {
         match order {
-            _ if self.has(Effect::Ambient) || self.has(Effect::Gloss) => order,
+            _ if self.has(Effect::Ambient) => order,
+            4.. if self.has(Effect::Gloss) => order,
             0..=3 if self.has(Effect::Broad) => order,
-            _ if self.has(Effect::Broad) => 3,
+            4.. if self.has(Effect::Broad) => 3,
             _ => 0,
         }
     }
@@ -213,10 +214,10 @@ mod tests {
             let modes = (0..=degree).flat_map(|l| (0..=order).map(move |o| (l, o)));
             let kept = modes.filter(|&(l, o)| effects.keeps(l, o));
             let [l, o] = kept.fold([0; 2], |[l, o], mode| [l.max(mode.0), o.max(mode.1)]);
-            // Without directional light nothing is broad.
-            let is_lit = degree > 0 || effects.has(Effect::Ambient);
-            assert!(effects.degree(degree) == l || !is_lit, "{effects:?}");
-            assert!(effects.order(order) == o || degree == 0, "{effects:?} {degree} {order}");
+            // A set whose modes are all beyond degree and order has no largest one.
+            let has_modes = effects.keeps(l, o);
+            assert!(effects.degree(degree) == l || !has_modes, "{effects:?} {degree} {order}");
+            assert!(effects.order(order) == o || !has_modes, "{effects:?} {degree} {order}");
         }
     }
 

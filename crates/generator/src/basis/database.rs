@@ -4,7 +4,7 @@ use crate::basis::gram;
 use crate::basis::moments::{self, LightMoments, MaterialMoments, comparable};
 use eigenshade_model::database::{self, Lights, Materials};
 use eigenshade_model::error::{Error, Result};
-use eigenshade_model::reference::{DirectSum, light_products, material_products};
+use eigenshade_model::reference::DirectSum;
 use eigenshade_table::scene::{Criterion, MaterialNormalize};
 use eigenshade_table::{GramFactor, Scene, mode};
 use std::f64::consts::PI;
@@ -136,39 +136,34 @@ fn center(gram: &GramFactor, image: &mut [f64]) {
 /// The peak of a scene's databases, to which tolerances are relative: the root of the mean square
 /// of each image's largest |I|, over the lights as captured and the materials.
 ///
-/// It is computed for the scene's effects, weights and exposures at the databases' degree and
-/// order. It samples 24 slants by 48 tilts, including the pole and the rim.
+/// It is computed for the scene's weights and exposures, at the databases' degree and order as far as
+/// the scene's effects reach. It samples 24 slants by 48 tilts, including the pole and the rim.
 ///
 /// # Errors
 ///
 /// If the weights are invalid or a light cannot be normalized.
 pub fn peak(scene: &Scene, lights: &Lights, materials: &Materials) -> Result<f64> {
+    let effects = scene.effects.set();
+    let lights = &lights.truncated(effects.degree(lights.degree));
+    let materials = &materials.truncated(effects.order(materials.order));
     let reference = DirectSum::new(lights.degree, materials.order);
-    let (wanted, weights) =
-        (scene.effects.set(), database::weights(&lights.entries, &scene.light.weights)?);
+    let weights = database::weights(&lights.entries, &scene.light.weights)?;
     let (scaled, of_lights): (Vec<Vec<f64>>, Vec<f64>) =
         comparable(lights, scene.light.normalize, &weights)?.into_iter().unzip();
     let weights = material_weights(scene, lights, materials)?;
     let MaterialMoments { vectors, weights: of_materials, .. } =
         MaterialMoments::weighted(materials, weights);
-    let (degree, order) = (lights.degree, materials.order);
-    let scaled: Vec<_> = scaled.iter().map(|light| light_products(degree, light, wanted)).collect();
-    let materials: Vec<_> =
-        vectors.iter().map(|material| material_products(order, material, wanted)).collect();
-    let mut peaks = vec![0.0f64; scaled.len() * materials.len()];
+    let mut peaks = vec![0.0f64; scaled.len() * vectors.len()];
     for slant in 0..24 {
         let (sine, z) = (0.5 * PI * f64::from(slant) / 23.0).sin_cos();
         for tilt in 0..48 {
             let (y, x) = (2.0 * PI * f64::from(tilt) / 48.0).sin_cos();
             let modes = reference.at([sine * x, sine * y, z.max(0.0)]);
             let mut peak = peaks.iter_mut();
-            for material in &materials {
-                let scattered: Vec<_> = material.iter().map(|one| modes.scatter(one)).collect();
+            for material in &vectors {
+                let scattered = modes.scatter(material);
                 for (light, peak) in scaled.iter().zip(&mut peak) {
-                    let products = light.iter().zip(&scattered);
-                    let irradiance: f64 =
-                        products.map(|(light, scattered)| modes.irradiance(light, scattered)).sum();
-                    *peak = peak.max(irradiance.abs());
+                    *peak = peak.max(modes.irradiance(light, &scattered).abs());
                 }
             }
         }

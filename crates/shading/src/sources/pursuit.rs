@@ -38,6 +38,8 @@ const SPACING: f64 = 0.06;
 const OTHER_SPACING: f64 = 0.083;
 /// A list may leave this times the least squares there that a shorter one leaves.
 const WORSE: f64 = 1.1;
+/// A light has sources if they leave at most this share of the squares there.
+const USEFUL: f64 = 0.9;
 
 /// Directions of the grid.
 const DIRECTIONS: usize = 2000;
@@ -96,7 +98,9 @@ pub fn find(map: &EnvironmentMap, materials: &[Glossy], most: usize) -> Result<V
     let left = lacks(&held_out, &trials(&held_out, &sources, None)?);
     let left: Vec<f64> = left.iter().map(|lack| squares(&held_out, lack)).collect();
     let least = left.iter().copied().fold(f64::INFINITY, f64::min);
-    sources.truncate(left.iter().rposition(|&left| left <= WORSE * least).unwrap_or(0));
+    let helps = left.first().is_some_and(|&without| least <= USEFUL * without);
+    let last = left.iter().rposition(|&left| left <= WORSE * least);
+    sources.truncate(last.filter(|_| helps).unwrap_or(0));
     Ok(sources)
 }
 
