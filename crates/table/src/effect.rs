@@ -207,18 +207,20 @@ mod tests {
 
     #[test]
     fn degree_and_order_are_the_largest_of_a_mode() {
-        for (effects, degree, order) in every()
-            .flat_map(|one| (0..9).map(move |order| (one, order)))
-            .flat_map(|(one, order)| (0..3).map(move |degree| (one, degree, order)))
-        {
-            let modes = (0..=degree).flat_map(|l| (0..=order).map(move |o| (l, o)));
-            let kept = modes.filter(|&(l, o)| effects.keeps(l, o));
-            let [l, o] = kept.fold([0; 2], |[l, o], mode| [l.max(mode.0), o.max(mode.1)]);
-            // A set whose modes are all beyond degree and order has no largest one.
-            let has_modes = effects.keeps(l, o);
-            assert!(effects.degree(degree) == l || !has_modes, "{effects:?} {degree} {order}");
-            assert!(effects.order(order) == o || !has_modes, "{effects:?} {degree} {order}");
+        // Every effect has modes of these.
+        for effects in every().filter(|&one| one != Effects::NONE) {
+            for (degree, order) in [(1, 4), (2, 4), (3, 8)] {
+                let modes = (0..=degree).flat_map(|l| (0..=order).map(move |o| (l, o)));
+                let kept = modes.filter(|&(l, o)| effects.keeps(l, o));
+                let largest = kept.fold([0; 2], |[l, o], mode| [l.max(mode.0), o.max(mode.1)]);
+                assert_eq!([effects.degree(degree), effects.order(order)], largest, "{effects:?}");
+            }
         }
+        let [matte, rough, shiny] = [[Effect::Diffuse], [Effect::Broad], [Effect::Gloss]]
+            .map(|effects| effects.into_iter().collect::<Effects>());
+        assert_eq!([0, 2, 3, 7].map(|order| matte.order(order)), [0; 4]);
+        assert_eq!([0, 2, 3, 7].map(|order| rough.order(order)), [0, 2, 3, 3]);
+        assert_eq!([0, 2, 3, 7].map(|order| shiny.order(order)), [0, 0, 0, 7]);
     }
 
     /// The four images of a light on a material are those of its modes.
