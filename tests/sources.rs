@@ -122,7 +122,7 @@ fn residuals_lose_what_sources_take_and_turn_with_them() {
     // The same blob, seen from elsewhere.
     let back = turned_sources.map(|source| source.turned(rotation.inverse()));
     for (back, source) in back.iter().zip(&sources) {
-        let [a, b] = [back, source].map(|source| source.direction());
+        let [a, b] = [back, source].map(Source::direction);
         assert!(a.iter().zip(b).all(|(a, b)| (a - b).abs() <= 5e-7));
         assert_eq!((back.spread(), back.energy()), (source.spread(), source.energy()));
     }

@@ -209,9 +209,7 @@ fn describe(row: &mut Record, Varied { parameter, setting }: &Varied) {
     row.put("degree", recipe.degree);
     row.put("order", recipe.order);
     row.put("effects", table::effect_names(recipe.effects));
-    for (column, count) in [("components", recipe.components), ("modes", recipe.modes)] {
-        count.into_iter().for_each(|count| row.put(column, count));
-    }
+    recipe.components.into_iter().for_each(|count| row.put("components", count));
     row.put("way", setting.way);
     row.put("format", setting.format);
     row.put("sources", setting.sources);

@@ -180,32 +180,28 @@ pub fn projected<S: Borrow<Surface> + Sync>(surfaces: &[S], orders: &[usize]) ->
     orders.iter().enumerate().map(of_order).collect()
 }
 
-/// A selection of modes: how many of the highest variance, and the effects.
-type Modes = (Option<usize>, Effects);
-
-/// A table for each selection of modes, with as many components as a recipe asks for.
-pub struct Bases(HashMap<Modes, Table>);
+/// A table for each set of effects, with as many components as a recipe asks for.
+pub struct Bases(HashMap<Effects, Table>);
 
 impl Bases {
     /// Makes the bases that these recipes of one scope start from.
     pub fn new(scope: &Scope, recipes: impl IntoIterator<Item = Recipe>) -> Result<Self> {
-        let mut most: HashMap<Modes, usize> = HashMap::new();
+        let mut most: HashMap<Effects, usize> = HashMap::new();
         for recipe in recipes {
-            let count = most.entry((recipe.modes, recipe.effects)).or_default();
+            let count = most.entry(recipe.effects).or_default();
             *count = (*count).max(recipe.components.unwrap_or(usize::MAX));
         }
-        let table = |((modes, effects), components): (Modes, usize)| {
+        let table = |(effects, components): (Effects, usize)| {
             let mut scene = scene(scope.degree, scope.order, components)?;
-            scene.basis.modes = modes.unwrap_or(0);
             scene.effects.wanted.retain(|&effect| effects.has(effect));
-            Ok(((modes, effects), basis::build(&scene, &scope.lights, &scope.seen)?))
+            Ok((effects, basis::build(&scene, &scope.lights, &scope.seen)?))
         };
         Ok(Self(most.into_iter().map(table).collect::<Result<_>>()?))
     }
 
     /// The table of a recipe, which must be one of those given at first.
     pub fn table(&self, recipe: &Recipe) -> Result<Table> {
-        let whole = self.0.get(&(recipe.modes, recipe.effects));
+        let whole = self.0.get(&recipe.effects);
         let whole = whole.ok_or_else(|| Error::new("a basis is missing", "report it"))?;
         let count = recipe.components.unwrap_or(usize::MAX);
         let mut table = with_components(whole, |number, _| number < count);

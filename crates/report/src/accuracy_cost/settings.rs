@@ -11,8 +11,6 @@ pub struct Recipe {
     pub degree: usize,
     pub order: usize,
     pub components: Option<usize>,
-    /// The number of modes, by highest variance.
-    pub modes: Option<usize>,
     pub effects: Effects,
     /// Where the polynomials are trimmed; `None` keeps each profile to 1e-7.
     pub trim: Option<f64>,
@@ -21,8 +19,8 @@ pub struct Recipe {
 impl Recipe {
     /// All components of a degree and an order.
     pub fn all(degree: usize, order: usize) -> Self {
-        let (components, modes, trim) = (None, None, None);
-        Self { degree, order, components, modes, effects: Effects::ALL, trim }
+        let (components, trim) = (None, None);
+        Self { degree, order, components, effects: Effects::ALL, trim }
     }
 
     /// The first components of a degree and an order.
@@ -113,7 +111,6 @@ impl fmt::Display for Recipe {
         let effects = table::effect_names(self.effects).replace(' ', "+");
         let parts = [
             Some(self.components.map_or("all".into(), |count| format!("K{count}"))),
-            self.modes.map(|count| format!("modes{count}")),
             (!self.effects.is_all()).then_some(effects),
             self.trim.map(|share| format!("trim{share:e}")),
         ];
@@ -232,14 +229,11 @@ pub fn all(quick: bool) -> Vec<Varied> {
             add("tolerance", setting.by(Way::Within(share)));
         }
     }
-    for modes in either(quick, &[250, 500, 1000, 2000], &[1000]) {
-        add("modes", Setting::of(Recipe { modes: Some(modes), ..whole }));
-    }
-    // Without highlights; then also without rim and roughness; then only uniform light.
+    // Without highlights: order 3; then also without rim and roughness: order 0; then only uniform
+    // light: degree 0.
+    let diffuse = Effects::NONE.with(Effect::Diffuse);
     let ambient = Effects::NONE.with(Effect::Ambient);
-    let matte = ambient.with(Effect::Diffuse);
-    let rest = Effects::ALL.without(Effect::Ambient);
-    for effects in [matte.with(Effect::Broad), matte, ambient, rest] {
+    for effects in [diffuse.with(Effect::Broad), diffuse, ambient] {
         add("effects", Setting::of(Recipe { effects, ..whole }));
     }
     for size in either(quick, &[8, 16, 32, 64, 128], &[16, 32]) {
@@ -341,7 +335,7 @@ mod tests {
     /// The kind of a setting, ignoring sizes.
     fn kind(Varied { parameter, setting }: &Varied) -> impl PartialEq + std::fmt::Debug {
         let recipe = setting.recipe;
-        let parts = [recipe.components, recipe.modes].map(|part| part.is_some());
+        let parts = recipe.components.is_some();
         let forms = (discriminant(&setting.way), recipe.trim.is_some(), setting.window);
         let format = (setting.format, setting.scaling, setting.sources > 0);
         (*parameter, parts, recipe.effects == Effects::ALL, forms, format)

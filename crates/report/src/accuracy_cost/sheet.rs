@@ -11,7 +11,7 @@ use std::path::Path;
 /// machine.
 pub const SETTINGS: Form = Form {
     name: "accuracy-cost.csv",
-    columns: "parameter,setting,degree,order,components,modes,effects,way,format,sources,terms,\
+    columns: "parameter,setting,degree,order,components,effects,way,format,sources,terms,\
               rms_median,rms_worst,rms_median_db,rms_worst_db,\
               largest_median,largest_worst,largest_median_db,largest_worst_db,\
               unseen_rms_median,unseen_rms_most,unseen_rms_worst,\

@@ -20,16 +20,11 @@ static D: Shared<[[f32; COMPONENTS]; 3]> = Shared::new([[0.0; COMPONENTS]; 3]);
 #[unsafe(export_name = "report")]
 static REPORT: Shared<[f32; 5]> = Shared::new([0.0; 5]);
 
-/// A product of light and material: that of all effects, or those of ambient and of directional
-/// light.
-struct Product {
-    /// The effect that masks the light; the outer `None` if the product is not there.
-    light: Option<Option<Effect>>,
-    transfers: [[f32; TRANSFER]; 3],
-}
-
-static PRODUCTS: Shared<[Product; 2]> =
-    Shared::new([const { Product { light: None, transfers: [[0.0; TRANSFER]; 3] } }; 2]);
+/// The products of light and material of which d is the sum: that of all effects alone, or those of
+/// directional and of ambient light. `None` if there is none, or else the effect that masks the light.
+static MASKS: Shared<[Option<Option<Effect>>; 2]> = Shared::new([None; 2]);
+/// Of each product, the transfers of the masked material.
+static TRANSFERS: Shared<[[[f32; TRANSFER]; 3]; 2]> = Shared::new([[[0.0; TRANSFER]; 3]; 2]);
 static ROOM: Shared<[f32; WORKSPACE]> = Shared::new([0.0; WORKSPACE]);
 
 /// The scene: its polynomials, channel by channel, and their lengths.
@@ -73,18 +68,17 @@ extern "C" fn transfer(effects: u32) -> u32 {
     const AMBIENT: u32 = 1;
     const ALL: u32 = 0b1111;
     // SAFETY: each buffer is borrowed once, and no other function runs.
-    let (materials, room, products) =
-        unsafe { (MATERIAL.borrow(), ROOM.borrow(), PRODUCTS.borrow()) };
-    let [first, ambient] = products;
-    first.light = match effects & ALL {
+    let (materials, room, masks, transfers) =
+        unsafe { (MATERIAL.borrow(), ROOM.borrow(), MASKS.borrow(), TRANSFERS.borrow()) };
+    let directional = match effects & ALL {
         ALL => Some(None),
         AMBIENT | 0 => None,
         _ => Some(Some(Effect::Diffuse)),
     };
     let has_ambient = effects & ALL != ALL && effects & AMBIENT == AMBIENT;
-    ambient.light = has_ambient.then_some(Some(Effect::Ambient));
+    *masks = [directional, has_ambient.then_some(Some(Effect::Ambient))];
     let mut done = true;
-    for Product { light, transfers } in [first, ambient] {
+    for (light, transfers) in masks.iter().zip(transfers) {
         for (material, transfer) in materials.iter().zip(transfers) {
             let mut masked = [0.0; MATERIAL_COUNT];
             match light {
@@ -116,8 +110,8 @@ fn mask(material: &[f32; MATERIAL_COUNT], effects: u32, masked: &mut [f32; MATER
 #[unsafe(no_mangle)]
 extern "C" fn relight() -> u32 {
     // SAFETY: each buffer is borrowed once, and no other function runs.
-    let (light, turn, products, d) =
-        unsafe { (LIGHT.borrow(), TURN.borrow(), PRODUCTS.borrow(), D.borrow()) };
+    let (light, turn, masks, transfers, d) =
+        unsafe { (LIGHT.borrow(), TURN.borrow(), MASKS.borrow(), TRANSFERS.borrow(), D.borrow()) };
     let [r, g, b] = light;
     let Ok(lights) = Rgb::new(r, g, b).try_map(|numbers| Light::from_finite(&numbers[..])) else {
         return 0;
@@ -135,7 +129,7 @@ extern "C" fn relight() -> u32 {
     let mut done = true;
     for (channel, (light, sums)) in <[_; 3]>::from(lights).into_iter().zip(d).enumerate() {
         *sums = [0.0; COMPONENTS];
-        for Product { light: mask, transfers } in products.iter() {
+        for (mask, transfers) in masks.iter().zip(&*transfers) {
             let (Some(mask), Some(transfer)) = (mask, transfers.get(channel)) else { continue };
             let mut masked = [0.0; LIGHT_COUNT];
             masked.iter_mut().zip(light.coefficients()).for_each(|(to, &from)| *to = from);
