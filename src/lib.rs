@@ -56,6 +56,14 @@
 //! It is `no_std`. `mul_add` is not in `core`: on targets with the target feature `fma`, such as
 //! x86-64 with `-C target-cpu=x86-64-v3`, the feature `std` fuses sums of products, which is faster
 //! and changes their last bits. On other targets the feature changes nothing.
+//!
+//! [`Disc`]: object::Disc
+//! [`Display`]: screen::Display
+//! [`Matcap`]: object::Matcap
+//! [`NegativePolicy`]: screen::NegativePolicy
+//! [`NormalMap`]: object::NormalMap
+//! [`Shader`]: shader::Shader
+//! [`Window`]: lights::Window
 #![no_std]
 // docs.rs shows which feature adds an item; only nightly compilers can.
 #![cfg_attr(docsrs, feature(doc_cfg))]

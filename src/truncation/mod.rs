@@ -2,8 +2,8 @@
 //! components, azimuths and terms are left out as long as a tolerance holds.
 //!
 //! Components are orthonormal, so leaving some out costs Σ d_i², the mean square over the normals.
-//! The cost of leaving out terms is described in [`terms`]. The error of the components lies within
-//! the span of the remaining terms and the error of the terms outside it, so their squares add.
+//! The error of the components lies within the span of the remaining terms and the error of the terms
+//! outside it, so their squares add.
 
 mod accounts;
 mod density;

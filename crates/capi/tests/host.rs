@@ -36,7 +36,7 @@ fn the_library_exports_the_functions_of_the_header() {
     // Functions and constants, but no types.
     let names = headers.lines().filter_map(|line| {
         let is_function = ["eigenshade_status ", "const char *", "uint32_t "];
-        let end = match line.strip_prefix("extern const struct ") {
+        let end = match line.strip_prefix("extern const ") {
             Some(_) => line.find([';', '['])?,
             None if is_function.iter().any(|start| line.starts_with(start)) => line.find('(')?,
             None => return None,

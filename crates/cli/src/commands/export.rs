@@ -39,9 +39,9 @@ pub struct Export {
     /// Number format of rust and c [default: f32]
     #[arg(short, long, value_enum)]
     format: Option<Format>,
-    /// Add the first K small sources of each light, or fewer if it has no more, and the gloss of each
-    /// material, for sharp highlights; for rust, c (up to 16) and js. They are in f32, and so are the lights
-    /// of rust, out of which the runtime takes the sources
+    /// Add the first K small sources of each light, or fewer if it has no more, and the gloss of
+    /// each material, for sharp highlights; for rust, c (up to 16) and js. They are in f32, and so
+    /// are the lights of rust, out of which the runtime takes the sources
     #[arg(long, value_name = "K", value_parser = count(1, MAX_SOURCES as u64))]
     sources: Option<usize>,
     /// Add eigenimages, or the images of a scene, at normals: a normals CSV, `sphere`, a normal map
