@@ -78,10 +78,9 @@ impl Measured {
         for row in &mut self.settings {
             let name = row.text("setting").trim_end_matches(" no-window").to_owned();
             let is_it = |other: &&Record| other.text("setting") == name;
-            let found = earlier.settings.iter().find(is_it);
-            let Some(found) = found.filter(|row| TIMES.iter().all(|one| row.number(one).is_some()))
-            else {
-                let what = format!("`{}` has no time to be kept", row.text("setting"));
+            // A setting that was not timed stays so.
+            let Some(found) = earlier.settings.iter().find(is_it) else {
+                let what = format!("`{}` is not among the files' settings", row.text("setting"));
                 return Err(Error::new(what, "measure all times again, without --keep-times"));
             };
             TIMES.iter().for_each(|column| row.put(*column, found.text(column)));
