@@ -228,7 +228,7 @@ pub mod lights {
     pub use crate::nine_terms::NineTerms;
 }
 
-/// What is drawn: discs, normal maps, and maps of an image by its normals.
+/// Pixels of objects: discs, normal maps, and irradiance baked by normal.
 pub mod object {
     pub use crate::bake::{BakedMap, MapPoint};
     pub use crate::disc::{Disc, DiscPixel};

@@ -45,33 +45,44 @@ macro_rules! table {
         }
         /// A scene with fewer terms than a [`Scene`].
         pub type Truncated<'l> = $crate::Scene<'l, $crate::Buffer<f32, SCENE>>;
-        $crate::table!(@relight |transfer, light, coefficients| {
+        $crate::table!(@relight |transfer, light, d| {
             use $crate::specialized as inputs;
             inputs::accept_light(DEGREE, light)?;
             let transfer = inputs::transfer(transfer)?;
-            let d = inputs::coefficients(coefficients)?;
-            inputs::whole(light.coefficients(), |light| relight_whole(transfer, light, d));
+            inputs::whole(light.coefficients(), |light| {
+                if inputs::relight::GROUPS {
+                    relight_passes(transfer, light, d);
+                } else {
+                    relight_runs(transfer, light, d);
+                }
+            });
             Ok(())
         });
-        /// Relights, for a light of this table's degree.
-        #[inline(never)]
-        fn relight_whole(
+        /// Relights pass by pass. Inlined: the components are stored where the caller has them.
+        #[inline(always)]
+        fn relight_passes(
             transfer: &[f32; TRANSFER],
             light: &[f32; LIGHT],
             d: &mut [f32; COMPONENTS],
         ) {
             use $crate::specialized::relight;
-            if relight::GROUPS {
-                // All sums first: between the calls, components would be spilled one by one.
-                let sums = ($(
-                    relight::sums::<This, $pass, $profiles, TRANSFER, LIGHT>(transfer, light),
-                )*);
-                $(relight::write::<This, $pass, $profiles, COMPONENTS>(&sums.$number, d);)*
-            } else {
-                $(relight::run::<This, $run, $rows, TRANSFER, LIGHT, COMPONENTS>(
-                    transfer, light, d,
-                );)*
-            }
+            // All sums first: between the calls, components would be spilled one by one.
+            let sums = ($(
+                relight::sums::<This, $pass, $profiles, TRANSFER, LIGHT>(transfer, light),
+            )*);
+            $(relight::write::<This, $pass, $profiles, COMPONENTS>(&sums.$number, d);)*
+        }
+        /// Relights run by run.
+        #[inline(never)]
+        fn relight_runs(
+            transfer: &[f32; TRANSFER],
+            light: &[f32; LIGHT],
+            d: &mut [f32; COMPONENTS],
+        ) {
+            use $crate::specialized::relight;
+            $(relight::run::<This, $run, $rows, TRANSFER, LIGHT, COMPONENTS>(
+                transfer, light, d,
+            );)*
         }
     };
     (general) => {
@@ -88,9 +99,9 @@ macro_rules! table {
         $crate::table!(@project |light, material| {
             BASIS.project::<WORKSPACE, COMPONENTS>(light, material)
         });
-        $crate::table!(@relight |transfer, light, coefficients| {
-            *coefficients = BASIS.relight::<TRANSFER, WORKSPACE, COMPONENTS>(transfer, light)?;
-            Ok(())
+        $crate::table!(@relight |transfer, light, d| {
+            let mut workspace = [0.0; WORKSPACE];
+            BASIS.relight_into(transfer.as_slice(), light, &mut workspace, d)
         });
         $crate::table!(@collapse |coefficients, scene| {
             let mut workspace = [0.0; WORKSPACE];
@@ -104,12 +115,11 @@ macro_rules! table {
             use $crate::specialized as inputs;
             inputs::accept_light(DEGREE, light)?;
             inputs::accept_material(ORDER, material)?;
-            let mut coefficients = Coefficients::from([0.0; COMPONENTS]);
-            let d = inputs::coefficients(&mut coefficients)?;
+            let mut d = [0.0; COMPONENTS];
             inputs::whole(material.coefficients(), |material| {
-                inputs::whole(light.coefficients(), |light| project_whole(light, material, d));
+                inputs::whole(light.coefficients(), |light| project_whole(light, material, &mut d));
             });
-            Ok(coefficients)
+            Ok(d.into())
         });
         const MODES: usize = $crate::specialized::material::count(ORDER);
         /// Projects a light and a material of this table's degree and order. Not inlined: the
@@ -162,22 +172,31 @@ macro_rules! table {
             $basis.transfer::<WORKSPACE, TRANSFER>(material)
         }
     };
-    (@relight |$transfer:ident, $light:ident, $coefficients:ident| $relight:block) => {
+    (@relight |$transfer:ident, $light:ident, $d:ident| $relight:block) => {
         /// A new light on a transferred material: see `relight` of [`BASIS`]. The same errors, but
         /// no capacity is too small.
         pub fn relight(
             transfer: &Transfer,
             light: &$crate::Light<'_>,
         ) -> Result<Coefficients, $crate::Error> {
-            let mut coefficients = Coefficients::from([0.0; COMPONENTS]);
-            relight_into(transfer, light, &mut coefficients)?;
-            Ok(coefficients)
+            // An array: a buffer that a call has written is copied once more.
+            let mut d = [0.0; COMPONENTS];
+            relight_array(transfer, light, &mut d)?;
+            Ok(d.into())
         }
         /// [`relight`] into existing coefficients, unmoved; after an error they are unspecified.
         pub fn relight_into(
+            transfer: &Transfer,
+            light: &$crate::Light<'_>,
+            coefficients: &mut Coefficients,
+        ) -> Result<(), $crate::Error> {
+            relight_array(transfer, light, $crate::specialized::coefficients(coefficients)?)
+        }
+        #[inline(always)]
+        fn relight_array(
             $transfer: &Transfer,
             $light: &$crate::Light<'_>,
-            $coefficients: &mut Coefficients,
+            $d: &mut [f32; COMPONENTS],
         ) -> Result<(), $crate::Error> $relight
     };
     (collapse $([$azimuth:literal $profiles:literal])*) => {
@@ -199,6 +218,7 @@ macro_rules! table {
             Ok(scene)
         }
         /// [`collapse`] into an existing scene, unmoved; after an error it is unspecified.
+        #[inline]
         pub fn collapse_into(
             $coefficients: &Coefficients,
             $scene: &mut Scene,

@@ -37,13 +37,12 @@ impl Mark {
     pub(crate) const COMPUTED: Self = Self(0x6e67_6965);
 }
 
-/// A pointer to what a function reads. It is C's, which promises that if it is neither NULL nor
-/// unaligned, it points to a value that nobody else writes to during the call.
+/// A pointer from C to what a function reads. It may be NULL or unaligned. If it is neither, C
+/// promises that it points to a value, which does not change during the call.
 pub(crate) struct Input<T>(pub(crate) *const T);
 
-/// A pointer to what a function writes to. It is C's, which promises that if it is neither NULL nor
-/// unaligned, it points to memory for a value, and that during the call nobody uses the memory but
-/// through the arguments.
+/// A pointer from C to what a function writes. It may be NULL or unaligned. If it is neither, C
+/// promises that it points to memory for a value, which only the arguments refer to during the call.
 pub(crate) struct Output<T>(pub(crate) *mut T);
 
 /// Bytes of `count` values of `T`.

@@ -136,15 +136,7 @@ pub extern "C" fn eigenshade_picture_disc_row_f32(
     draw::<f32>(
         picture::open::<f32>(&Input(picture)),
         disc(diameter),
-        &Target {
-            first: row,
-            rows: 1,
-            exposure,
-            display: Input(display),
-            pixels: Output(pixels),
-            stride: 0,
-            length,
-        },
+        &Target::row(row, (exposure, display), (pixels, length)),
     )
     .into()
 }
@@ -167,15 +159,7 @@ pub extern "C" fn eigenshade_picture_disc_rows_f32(
     draw::<f32>(
         picture::open::<f32>(&Input(picture)),
         disc(diameter),
-        &Target {
-            first,
-            rows,
-            exposure,
-            display: Input(display),
-            pixels: Output(pixels),
-            stride,
-            length,
-        },
+        &Target::rows([first, rows], (exposure, display), (pixels, stride, length)),
     )
     .into()
 }
@@ -198,15 +182,7 @@ pub extern "C" fn eigenshade_picture_normal_map_row_f32(
     draw::<f32>(
         picture::open::<f32>(&Input(picture)),
         normal_map(&Input(map)),
-        &Target {
-            first: row,
-            rows: 1,
-            exposure,
-            display: Input(display),
-            pixels: Output(pixels),
-            stride: 0,
-            length,
-        },
+        &Target::row(row, (exposure, display), (pixels, length)),
     )
     .into()
 }
@@ -228,15 +204,7 @@ pub extern "C" fn eigenshade_picture_normal_map_rows_f32(
     draw::<f32>(
         picture::open::<f32>(&Input(picture)),
         normal_map(&Input(map)),
-        &Target {
-            first,
-            rows,
-            exposure,
-            display: Input(display),
-            pixels: Output(pixels),
-            stride,
-            length,
-        },
+        &Target::rows([first, rows], (exposure, display), (pixels, stride, length)),
     )
     .into()
 }
@@ -317,15 +285,7 @@ pub extern "C" fn eigenshade_baked_disc_row_f32(
     draw::<f32>(
         baked::open::<f32>(&Input(baked)),
         disc(diameter),
-        &Target {
-            first: row,
-            rows: 1,
-            exposure,
-            display: Input(display),
-            pixels: Output(pixels),
-            stride: 0,
-            length,
-        },
+        &Target::row(row, (exposure, display), (pixels, length)),
     )
     .into()
 }
@@ -344,15 +304,7 @@ pub extern "C" fn eigenshade_baked_normal_map_row_f32(
     draw::<f32>(
         baked::open::<f32>(&Input(baked)),
         normal_map(&Input(map)),
-        &Target {
-            first: row,
-            rows: 1,
-            exposure,
-            display: Input(display),
-            pixels: Output(pixels),
-            stride: 0,
-            length,
-        },
+        &Target::row(row, (exposure, display), (pixels, length)),
     )
     .into()
 }

@@ -117,15 +117,7 @@ pub extern "C" fn eigenshade_picture_disc_row_q15(
     draw::<Q15>(
         picture::open::<Q15>(&Input(picture)),
         disc(diameter),
-        &Target {
-            first: row,
-            rows: 1,
-            exposure,
-            display: Input(display),
-            pixels: Output(pixels),
-            stride: 0,
-            length,
-        },
+        &Target::row(row, (exposure, display), (pixels, length)),
     )
     .into()
 }
@@ -146,15 +138,7 @@ pub extern "C" fn eigenshade_picture_disc_rows_q15(
     draw::<Q15>(
         picture::open::<Q15>(&Input(picture)),
         disc(diameter),
-        &Target {
-            first,
-            rows,
-            exposure,
-            display: Input(display),
-            pixels: Output(pixels),
-            stride,
-            length,
-        },
+        &Target::rows([first, rows], (exposure, display), (pixels, stride, length)),
     )
     .into()
 }
@@ -173,15 +157,7 @@ pub extern "C" fn eigenshade_picture_normal_map_row_q15(
     draw::<Q15>(
         picture::open::<Q15>(&Input(picture)),
         normal_map(&Input(map)),
-        &Target {
-            first: row,
-            rows: 1,
-            exposure,
-            display: Input(display),
-            pixels: Output(pixels),
-            stride: 0,
-            length,
-        },
+        &Target::row(row, (exposure, display), (pixels, length)),
     )
     .into()
 }
@@ -202,15 +178,7 @@ pub extern "C" fn eigenshade_picture_normal_map_rows_q15(
     draw::<Q15>(
         picture::open::<Q15>(&Input(picture)),
         normal_map(&Input(map)),
-        &Target {
-            first,
-            rows,
-            exposure,
-            display: Input(display),
-            pixels: Output(pixels),
-            stride,
-            length,
-        },
+        &Target::rows([first, rows], (exposure, display), (pixels, stride, length)),
     )
     .into()
 }
@@ -284,15 +252,7 @@ pub extern "C" fn eigenshade_baked_disc_row_q15(
     draw::<Q15>(
         baked::open::<Q15>(&Input(baked)),
         disc(diameter),
-        &Target {
-            first: row,
-            rows: 1,
-            exposure,
-            display: Input(display),
-            pixels: Output(pixels),
-            stride: 0,
-            length,
-        },
+        &Target::row(row, (exposure, display), (pixels, length)),
     )
     .into()
 }
@@ -311,15 +271,7 @@ pub extern "C" fn eigenshade_baked_normal_map_row_q15(
     draw::<Q15>(
         baked::open::<Q15>(&Input(baked)),
         normal_map(&Input(map)),
-        &Target {
-            first: row,
-            rows: 1,
-            exposure,
-            display: Input(display),
-            pixels: Output(pixels),
-            stride: 0,
-            length,
-        },
+        &Target::row(row, (exposure, display), (pixels, length)),
     )
     .into()
 }

@@ -10,7 +10,7 @@ use crate::sources::{Gloss, Source, with_sources};
 use crate::status::Status;
 use eigenshade::{Highlights, Q15, Rgb};
 
-/// What a picture's memory holds. Its fields are in this order, so that the mark is in front.
+/// The contents of a picture's memory. The mark comes first, where every format looks for it.
 #[repr(C)]
 pub(crate) struct Picture<F: Format> {
     state: Mark,

@@ -33,17 +33,36 @@ pub struct Display(pub(crate) eigenshade::screen::Display);
 
 /// Rows of an RGB565 picture, and how bright it is.
 pub(crate) struct Target {
-    pub(crate) first: usize,
-    pub(crate) rows: usize,
-    pub(crate) exposure: f32,
-    pub(crate) display: Input<Display>,
-    pub(crate) pixels: Output<u16>,
+    first: usize,
+    rows: usize,
+    exposure: f32,
+    display: Input<Display>,
+    pixels: Output<u16>,
     /// Pixels from a row to the next.
-    pub(crate) stride: usize,
-    pub(crate) length: usize,
+    stride: usize,
+    length: usize,
 }
 
 impl Target {
+    /// One row, whose pixels have this length.
+    pub(crate) fn row(
+        row: usize,
+        shown: (f32, *const Display),
+        (pixels, length): (*mut u16, usize),
+    ) -> Self {
+        Self::rows([row, 1], shown, (pixels, 0, length))
+    }
+
+    /// The first row and the number of rows, their exposure and display, and their pixels.
+    pub(crate) fn rows(
+        [first, rows]: [usize; 2],
+        (exposure, display): (f32, *const Display),
+        (pixels, stride, length): (*mut u16, usize, usize),
+    ) -> Self {
+        let (display, pixels) = (Input(display), Output(pixels));
+        Self { first, rows, exposure, display, pixels, stride, length }
+    }
+
     /// Checks that an object has these rows, and that the pixels have room for them.
     fn check(&self, [width, height]: [usize; 2]) -> Result<(), Status> {
         let has_rows = self.first < height && self.rows <= height - self.first;

@@ -89,6 +89,27 @@ fn errors_of_sources_hold_under_another_view() {
     assert!(close[0] * 8 <= close[1], "{close:?}");
 }
 
+/// More sources are not always better: the page's counts, of what is recorded.
+#[test]
+fn more_sources_are_seldom_worse() {
+    let mut recorded = shipped::source_errors().unwrap();
+    recorded.retain(|one| one.base == Base::Metal);
+    recorded.sort_by_key(|one| (one.light.clone(), one.size, one.sources));
+    let (mut all, mut worse, mut most) = (0, 0, 0.0_f64);
+    for pair in recorded.windows(2) {
+        let [before, after] = pair else { continue };
+        if after.sources != before.sources + 1 {
+            continue;
+        }
+        for (before, after) in before.errors.iter().zip(&after.errors) {
+            let step = after.white - before.white;
+            (all, worse, most) = (all + 1, worse + usize::from(step > 0.0), most.max(step));
+        }
+    }
+    assert_eq!((all, worse), (3024, 595));
+    assert!((0.0395..0.0405).contains(&most), "{most}");
+}
+
 /// Nearer to the rim than the normals of the page's tables: 9 % of the peak, and more.
 #[test]
 fn the_rim_is_worse() {

@@ -164,11 +164,12 @@ impl Effects {
         if self.is_directional() { degree } else { 0 }
     }
 
-    /// The largest order o that the set contains, for a material up to `order`.
+    /// The largest order o that the set contains for directional light, or else for ambient light, of
+    /// a material up to `order`.
     #[must_use]
     pub const fn order(self, order: usize) -> usize {
         match order {
-            _ if self.has(Effect::Ambient) => order,
+            _ if !self.is_directional() && self.has(Effect::Ambient) => order,
             4.. if self.has(Effect::Gloss) => order,
             0..=3 if self.has(Effect::Broad) => order,
             4.. if self.has(Effect::Broad) => 3,
@@ -206,12 +207,14 @@ mod tests {
     }
 
     #[test]
-    fn degree_and_order_are_the_largest_of_a_mode() {
+    fn degree_and_order_are_the_largest_of_their_modes() {
         // Every effect has modes of these.
         for effects in every().filter(|&one| one != Effects::NONE) {
             for (degree, order) in [(1, 4), (2, 4), (3, 8)] {
                 let modes = (0..=degree).flat_map(|l| (0..=order).map(move |o| (l, o)));
                 let kept = modes.filter(|&(l, o)| effects.keeps(l, o));
+                // Ambient light beside directional light has the same orders.
+                let kept = kept.filter(|&(l, _)| l > 0 || !effects.is_directional());
                 let largest = kept.fold([0; 2], |[l, o], mode| [l.max(mode.0), o.max(mode.1)]);
                 assert_eq!([effects.degree(degree), effects.order(order)], largest, "{effects:?}");
             }

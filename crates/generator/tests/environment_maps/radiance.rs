@@ -75,7 +75,7 @@ fn rows_of_radiance_are_read_as_they_are_written() {
     assert_eq!((same, warnings.as_str()), (map, "bytes after its last row are ignored"));
 }
 
-/// What is cut off on writing is added on reading: no channel is too dark in the mean.
+/// Writing rounds mantissas down; reading adds half a unit, so that the mean is right.
 #[test]
 fn mantissas_stand_for_their_middle() {
     let mut state = 7u32;

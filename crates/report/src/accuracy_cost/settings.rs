@@ -231,9 +231,9 @@ pub fn all(quick: bool) -> Vec<Varied> {
     }
     // Without highlights: order 3; then also without rim and roughness: order 0; then only uniform
     // light: degree 0.
-    let diffuse = Effects::NONE.with(Effect::Diffuse);
     let ambient = Effects::NONE.with(Effect::Ambient);
-    for effects in [diffuse.with(Effect::Broad), diffuse, ambient] {
+    let matte = ambient.with(Effect::Diffuse);
+    for effects in [matte.with(Effect::Broad), matte, ambient] {
         add("effects", Setting::of(Recipe { effects, ..whole }));
     }
     for size in either(quick, &[8, 16, 32, 64, 128], &[16, 32]) {
