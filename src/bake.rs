@@ -54,7 +54,7 @@ impl<C> Scene<'_, C> {
     /// use eigenshade::{Light, Material, Normal, sphere};
     ///
     /// let light = Light::new(&[3.5, 0.0, 1.0, 0.0])?;
-    /// let scene = sphere::collapse(&sphere::project(&light, &Material::new(&[2.0])?)?)?;
+    /// let scene = sphere::collapse(&sphere::project(&light, &Material::new(&[2.0])?)?);
     /// let map = scene.bake::<{ 32 * 32 }>(32)?;
     /// let normal = Normal::new(0.0, 0.6, 0.8)?;
     /// assert!((map.bilinear(MapPoint::of(normal)) - scene.shade(normal)).abs() < 1e-2);

@@ -28,8 +28,7 @@ impl<'a> Basis<'a> {
     ///
     /// # Errors
     ///
-    /// [`Error::High`] beyond degree 12 or order 12, or [`Error::Length`], [`Error::Profile`] or
-    /// [`Error::Pass`] if the parts contradict each other. A polynomial has at most 40 terms.
+    /// [`Error::High`] beyond degree 12 or order 12, or [`Error::Length`], [`Error::Parts`] if the parts contradict each other. A polynomial has at most 40 terms.
     pub const fn new(parts: Parts<'a>) -> Result<Self, Error> {
         // These come first because they bound the counts below.
         if let Err(error) = Error::check_shape(parts.degree, parts.order) {
@@ -46,9 +45,9 @@ impl<'a> Basis<'a> {
         let (mut transfer, mut slots) = (0, 0);
         let mut passes = parts.passes;
         while let [pass, others @ ..] = passes {
-            let Some(length) = pass.length(parts.degree) else { return Err(Error::Pass) };
+            let Some(length) = pass.length(parts.degree) else { return Err(Error::Parts) };
             if pass.start as usize != transfer || pass.slots as usize != slots {
-                return Err(Error::Pass);
+                return Err(Error::Parts);
             }
             (transfer, slots) = (usize::saturating_add(transfer, length), slots + pass.width());
             passes = others;
@@ -69,7 +68,7 @@ impl<'a> Basis<'a> {
         if let Err(error) = checked {
             return Err(error);
         }
-        if basis.has_rows() && basis.has_runs() { Ok(basis) } else { Err(Error::Pass) }
+        if basis.has_rows() && basis.has_runs() { Ok(basis) } else { Err(Error::Parts) }
     }
 
     /// Checks the profiles and the positions of each azimuth. Returns the lengths of a scene, of the
@@ -85,14 +84,14 @@ impl<'a> Basis<'a> {
                 && profile.azimuth() == azimuth
             {
                 if !self.serves(profile) {
-                    return Err(Error::Profile);
+                    return Err(Error::Parts);
                 }
                 served += profile.plus().is_some() as usize + profile.minus().is_some() as usize;
                 (rest, profiles) = (tail, profiles + 1);
             }
-            let [place, others @ ..] = azimuths else { return Err(Error::Profile) };
+            let [place, others @ ..] = azimuths else { return Err(Error::Parts) };
             if !place.is([first, profiles, scene, terms, rows]) {
-                return Err(Error::Profile);
+                return Err(Error::Parts);
             }
             let found = self.length(azimuth);
             // The number of terms bounds the length of an azimuth with profiles.
@@ -110,7 +109,7 @@ impl<'a> Basis<'a> {
         if rest.is_empty() && azimuths.is_empty() && served == parts.components {
             Ok([scene, terms, rows])
         } else {
-            Err(Error::Profile)
+            Err(Error::Parts)
         }
     }
 

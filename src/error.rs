@@ -33,23 +33,23 @@ pub enum Error {
         /// The length that it can hold.
         capacity: usize,
     },
-    /// The light or the material exceeds the degree or order of the basis.
+    /// A light or a material goes beyond the degree or order of the basis, a light to be turned
+    /// beyond degree 12, or coefficients of irradiance beyond degree 2.
     Beyond {
         /// Which argument.
         argument: Argument,
-        /// The degree or order of the basis.
-        basis: usize,
+        /// The largest degree or order that is taken.
+        most: usize,
         /// The degree or order of the argument.
         found: usize,
     },
-    /// The profiles of a basis are invalid. A profile has an azimuth beyond the degree, is out of
-    /// order or serves a component that does not exist; a component has no profile or, in
-    /// integers, two profiles; or the positions of an azimuth are not those of its profiles.
-    Profile,
-    /// The passes or runs of a basis are invalid. A pass is beyond the degree or is not laid out as
-    /// [`eigenshade_table::layout`] specifies, the slots do not contain the components where the
-    /// profiles have their rows, or the runs are not these rows.
-    Pass,
+    /// The parts of a basis contradict each other. A profile has an azimuth beyond the degree, is
+    /// out of order or belongs to a component that does not exist; a component has no profile or, in
+    /// integers, two profiles; the positions of an azimuth are not those of its profiles; a pass is
+    /// beyond the degree or is not laid out as [`eigenshade_table::layout`] specifies; the slots do
+    /// not contain the components where the profiles have their rows, or the runs are not these
+    /// rows.
+    Parts,
     /// A number is not finite.
     NotFinite {
         /// Which argument.
@@ -100,19 +100,9 @@ pub enum Error {
     },
     /// Angles, cosine and sine, a quaternion or a matrix do not describe a rotation.
     Rotation,
-    /// A light to be turned is of a degree above 12.
-    Degree {
-        /// The degree of the light.
-        found: usize,
-    },
     /// A light's direction has no length or is not finite, or its radius is not above 0 and at most
     /// π.
     Direction,
-    /// Coefficients of irradiance go beyond degree 2.
-    Irradiance {
-        /// Their degree.
-        degree: usize,
-    },
     /// A basis goes beyond degree 12 or order 12.
     High {
         /// The degree of the basis.
@@ -137,6 +127,8 @@ pub enum Argument {
     Light,
     /// Coefficients of a material.
     Material,
+    /// Coefficients of irradiance.
+    Irradiance,
     /// A color that tints a material, its base color, or the albedo of its matte base.
     Color,
     /// The share of a material that is metal.
@@ -206,9 +198,9 @@ impl Error {
         if fits { Ok(()) } else { Err(Self::High { degree, order }) }
     }
 
-    /// `Ok` if the basis goes to a degree or order.
-    pub(crate) fn check_beyond(argument: Argument, basis: usize, found: usize) -> Result<(), Self> {
-        if found > basis { Err(Self::Beyond { argument, basis, found }) } else { Ok(()) }
+    /// `Ok` for a degree or order of at most `most`.
+    pub(crate) fn check_beyond(argument: Argument, most: usize, found: usize) -> Result<(), Self> {
+        if found > most { Err(Self::Beyond { argument, most, found }) } else { Ok(()) }
     }
 
     /// The first error of several checks.
@@ -235,7 +227,7 @@ impl Error {
     /// `Ok` for the degree of a light that can be turned.
     #[inline]
     pub(crate) fn check_degree(degree: usize) -> Result<(), Self> {
-        if degree > MAX_DEGREE { Err(Self::Degree { found: degree }) } else { Ok(()) }
+        Self::check_beyond(Argument::Light, MAX_DEGREE, degree)
     }
 
     pub(crate) fn check_finite(argument: Argument, numbers: &[f32]) -> Result<(), Self> {
@@ -277,17 +269,19 @@ impl fmt::Display for Error {
                 "{argument:?}: {needed} numbers needed, room for {capacity}; take the capacity that \
                  the basis states"
             ),
-            Self::Beyond { argument, basis, found } => write!(
+            Self::Beyond { argument: Argument::Irradiance, most, found } => write!(
                 f,
-                "{argument:?}: the basis goes to {basis}, {found} found; truncate it, or make a larger \
-                 basis"
+                "coefficients of irradiance of degree {found}: above degree {most} the cosine leaves \
+                 too little of the light; give the first 9"
             ),
-            Self::Profile => f.write_str(
-                "the basis's profiles are not sorted by azimuth up to the degree, not where its \
-                 azimuths state, or do not serve its components; take all parts from one table",
+            Self::Beyond { argument, most, found } => write!(
+                f,
+                "{argument:?}: {} {most} at most, {found} found; truncate it, or make a larger basis",
+                if matches!(argument, Argument::Material) { "order" } else { "degree" }
             ),
-            Self::Pass => f.write_str(
-                "the basis's passes, runs, slots and rows do not fit; take all parts from one table",
+            Self::Parts => f.write_str(
+                "the profiles, azimuths, passes, runs or slots of the basis contradict each other; \
+                 take all parts from one table",
             ),
             Self::NotFinite { argument: Argument::Exposure, .. } => {
                 f.write_str("an exposure must be a finite number above zero; give one such as 1")
@@ -339,10 +333,6 @@ impl fmt::Display for Error {
                 "a rotation needs finite angles, the cosine and sine of one, a quaternion that is not \
                  zero, or an orthonormal right-handed matrix",
             ),
-            Self::Degree { found } => write!(
-                f,
-                "lights are turned to degree {MAX_DEGREE}, {found} found; truncate the light"
-            ),
             Self::Direction => f.write_str(
                 "a light needs a finite direction of some length, and an angular radius above 0 and \
                  at most π",
@@ -350,11 +340,6 @@ impl fmt::Display for Error {
             Self::Source => f.write_str(
                 "a source needs a unit direction, finite energies of at least 0, and a spread of \
                  0 to 0.5 rad; leave a wider one in the light",
-            ),
-            Self::Irradiance { degree } => write!(
-                f,
-                "coefficients of irradiance of degree {degree}: above degree 2 the cosine leaves too \
-                 little of the light; give the first 9"
             ),
             Self::Size { found } => {
                 write!(f, "a picture of {found} pixels a side; take 1 to 4096 for a disc, 2 to 4096 for a \

@@ -28,7 +28,7 @@ impl<'a> Basis<'a> {
     /// # #[cfg(feature = "baked")] {
     /// use eigenshade::{Normal, sphere};
     ///
-    /// let mut estimate = sphere::estimate()?;
+    /// let mut estimate = sphere::estimate();
     /// for (x, z, seen) in [(0.0, 1.0, 1.2), (0.6, 0.8, 1.0), (-0.6, 0.8, 0.9)] {
     ///     estimate.add(Normal::new(x, 0.0, z)?, seen, 1.0);
     /// }
@@ -46,7 +46,14 @@ impl<'a> Basis<'a> {
     }
 }
 
-impl<const K: usize> Estimate<'_, K> {
+impl<'a, const K: usize> Estimate<'a, K> {
+    /// The estimate of a table with `K` components.
+    #[doc(hidden)]
+    #[must_use]
+    pub fn of_table(basis: Basis<'a>) -> Self {
+        Self { basis, sums: [Sum::default(); K].into(), weight: Sum::default() }
+    }
+
     /// Adds a pixel: its normal, the irradiance observed there, and its weight. The weight is the
     /// image area of the pixel (1 if all pixels are alike).
     ///

@@ -72,7 +72,8 @@ impl Convention {
         let degree = degree(count)?;
         match self {
             Self::CmgenIrradiance | Self::Filament if degree > 2 => {
-                Err(Error::Irradiance { degree })
+                let argument = Argument::Irradiance;
+                Err(Error::Beyond { argument, most: 2, found: degree })
             }
             _ => Ok(degree),
         }
@@ -125,7 +126,7 @@ impl Light<'_> {
     /// # Errors
     ///
     /// [`Error::Count`] unless there are (degree + 1)² numbers for some degree;
-    /// [`Error::Irradiance`] if the convention contains irradiance and the degree is above 2;
+    /// [`Error::Beyond`] if the convention contains irradiance and the degree is above 2;
     /// [`Error::NotFinite`] with the index of the first number that is infinite or NaN;
     /// [`Error::Capacity`] if `N` is too small.
     pub fn from_graphics<const N: usize>(

@@ -36,7 +36,7 @@
 //! // White light from everywhere and more from the camera; a matte white sphere.
 //! let light = Light::new(&[3.5, 0.0, 1.0, 0.0])?;
 //! let material = Material::new(&[2.0])?;
-//! let scene = sphere::collapse(&sphere::project(&light, &material)?)?;
+//! let scene = sphere::collapse(&sphere::project(&light, &material)?);
 //! let facing = scene.shade(Normal::new(0.0, 0.0, 1.0)?);
 //! let rim = scene.shade(Normal::new(1.0, 0.0, 0.0)?);
 //! assert!(facing > rim && rim > 0.0);

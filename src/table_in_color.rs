@@ -191,7 +191,8 @@ macro_rules! table_in_color {
                 scene: &mut super::Scene,
             ) -> Result<(), $crate::Error> {
                 super::relight_into($view, light, d)?;
-                super::collapse_into(d, scene)
+                super::collapse_into(d, scene);
+                Ok(())
             }
 
             #[inline(always)]

@@ -85,7 +85,7 @@ impl Basis<'_> {
     ///
     /// let matte = sphere::transfer(&Material::new(&[2.0])?)?; // once for a material
     /// for light in [[3.5, 0.0, 1.0, 0.0], [3.5, -1.0, 0.0, 0.0]] {
-    ///     let scene = sphere::collapse(&sphere::relight(&matte, &Light::new(&light)?)?)?;
+    ///     let scene = sphere::collapse(&sphere::relight(&matte, &Light::new(&light)?)?);
     ///     assert!(scene.shade(eigenshade::Normal::new(0.0, 0.6, 0.8)?) > 0.0);
     /// }
     /// # }

@@ -82,7 +82,7 @@ fn numbers_beyond_a_format_are_refused() {
     assert_eq!(q15::Light::quantize(&light, &mut [Q15(0); 4]), Err(refused));
     assert_eq!(Light::new(&light), Err(refused));
     says(refused, "is not finite");
-    says(Error::Degree { found: 13 }, "lights are turned to degree 12");
+    says(Error::Beyond { argument: Argument::Light, most: 12, found: 13 }, "degree 12 at most");
 
     let baked = |size: usize, constant: f32| {
         let mut d = [0.0f32; sphere::COMPONENTS];

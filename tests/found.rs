@@ -96,9 +96,11 @@ fn an_order_of_zeros() {
 #[cfg(feature = "baked")]
 #[test]
 fn exponents_of_coefficients_by_hand() {
+    use eigenshade::q15::Coefficients;
     use eigenshade::sphere::q15::{BASIS, SCENE};
     for exponent in [i32::MAX, i32::MIN, 65_537, -65_537] {
         assert_eq!(BASIS.collapse::<SCENE>(&[1 << 29], exponent).err(), Some(Error::Exponent));
+        assert_eq!(Coefficients::<1>::new([1 << 29], exponent), Err(Error::Exponent));
     }
     for exponent in [65_536, -65_536] {
         let scene = BASIS.collapse::<SCENE>(&[1 << 29], exponent).expect("an exponent");
@@ -182,7 +184,7 @@ fn a_component_of_two_profiles() {
         Basis::new(Parts { profiles: &places, ..parts }).err()
     };
     let first = Profile::new(0, 0, [0, NONE], [16, 16]);
-    assert_eq!(of([first, Profile::new(1, 0, [1, 0], [16, 16])]), Some(Error::Profile));
-    assert_eq!(of([first, Profile::new(1, 0, [1, 1], [16, 16])]), Some(Error::Profile));
+    assert_eq!(of([first, Profile::new(1, 0, [1, 0], [16, 16])]), Some(Error::Parts));
+    assert_eq!(of([first, Profile::new(1, 0, [1, 1], [16, 16])]), Some(Error::Parts));
     assert_eq!(of([first, Profile::new(1, 0, [2, 1], [16, 16])]), None);
 }

@@ -204,8 +204,14 @@ fn what_cannot_be_turned_is_an_error() {
     let none = Rotation::NONE;
     let mantissas = [Q15(i16::MAX); 196];
     let light = Light::new(-15, &mantissas).expect("a light");
-    assert_eq!(light.turned::<196>(&none), Err(Error::Degree { found: 13 }));
-    assert_eq!(light.turned_about_view::<196>([1, 0]), Err(Error::Degree { found: 13 }));
+    assert_eq!(
+        light.turned::<196>(&none),
+        Err(Error::Beyond { argument: Argument::Light, most: 12, found: 13 })
+    );
+    assert_eq!(
+        light.turned_about_view::<196>([1, 0]),
+        Err(Error::Beyond { argument: Argument::Light, most: 12, found: 13 })
+    );
     let light = Light::new(-15, &mantissas[..100]).expect("a light");
     let error = Error::Capacity { argument: Argument::Light, needed: 100, capacity: 99 };
     assert_eq!(light.turned::<99>(&none), Err(error));

@@ -87,15 +87,15 @@ fn a_basis_may_lack_what_projects() {
 fn profiles_serve_the_components() {
     let parts = shipped();
     for components in [parts.components - 1, parts.components + 1] {
-        assert_eq!(refused(Parts { components, ..parts }), Error::Profile);
+        assert_eq!(refused(Parts { components, ..parts }), Error::Parts);
     }
     let first = parts.profiles[0];
     let last = parts.profiles.len() - 1;
     let unsorted = with(parts.profiles, last, first);
-    assert_eq!(refused(Parts { profiles: &unsorted, ..parts }), Error::Profile);
+    assert_eq!(refused(Parts { profiles: &unsorted, ..parts }), Error::Parts);
     let row = Row { start: 256, step: 24 };
     let beyond = with(parts.profiles, last, place(10, [42, 43], [row, row]));
-    assert_eq!(refused(Parts { profiles: &beyond, ..parts }), Error::Profile);
+    assert_eq!(refused(Parts { profiles: &beyond, ..parts }), Error::Parts);
 }
 
 /// Every position that a table states is checked, by moving it by one.
@@ -112,7 +112,7 @@ fn positions_are_those_of_the_parts() {
             Azimuth { rows: rows + 1, ..place },
         ] {
             let azimuths = with(parts.azimuths, number, moved);
-            assert_eq!(refused(Parts { azimuths: &azimuths, ..parts }), Error::Profile);
+            assert_eq!(refused(Parts { azimuths: &azimuths, ..parts }), Error::Parts);
         }
     }
     for (number, &run) in parts.runs.iter().enumerate() {
@@ -126,7 +126,7 @@ fn positions_are_those_of_the_parts() {
             Run { start: start + 1, ..run },
         ] {
             let runs = with(parts.runs, number, moved);
-            assert_eq!(refused(Parts { runs: &runs, ..parts }), Error::Pass, "{moved:?}");
+            assert_eq!(refused(Parts { runs: &runs, ..parts }), Error::Parts, "{moved:?}");
         }
     }
     for (number, &pass) in parts.passes.iter().enumerate() {
@@ -134,11 +134,11 @@ fn positions_are_those_of_the_parts() {
             [Pass { start: pass.start + 1, ..pass }, Pass { slots: pass.slots + 1, ..pass }]
         {
             let passes = with(parts.passes, number, moved);
-            assert_eq!(refused(Parts { passes: &passes, ..parts }), Error::Pass);
+            assert_eq!(refused(Parts { passes: &passes, ..parts }), Error::Parts);
         }
     }
-    assert_eq!(refused(Parts { azimuths: short(parts.azimuths), ..parts }), Error::Profile);
-    assert_eq!(refused(Parts { runs: short(parts.runs), ..parts }), Error::Pass);
+    assert_eq!(refused(Parts { azimuths: short(parts.azimuths), ..parts }), Error::Parts);
+    assert_eq!(refused(Parts { runs: short(parts.runs), ..parts }), Error::Parts);
 }
 
 /// What `transfer` writes is what `relight` reads.
@@ -148,7 +148,7 @@ fn rows_and_slots_agree() {
     for slot in 0..parts.slots.len() {
         let (found, other) = (parts.slots[slot], (slot + 1) % parts.slots.len());
         let mut slots = with(parts.slots, slot, if found == 7 { u16::MAX } else { 7 });
-        assert_eq!(refused(Parts { slots: &slots, ..parts }), Error::Pass);
+        assert_eq!(refused(Parts { slots: &slots, ..parts }), Error::Parts);
         slots.copy_from_slice(parts.slots);
         slots.swap(slot, other);
         assert!(slots == parts.slots || Basis::new(Parts { slots: &slots, ..parts }).is_err());
@@ -158,11 +158,11 @@ fn rows_and_slots_agree() {
         let row = Row { start, step };
         let moved = place(0, [0, NONE], [row, row]);
         let profiles = with(parts.profiles, 0, moved);
-        assert_eq!(refused(Parts { profiles: &profiles, ..parts }), Error::Pass, "{row:?}");
+        assert_eq!(refused(Parts { profiles: &profiles, ..parts }), Error::Parts, "{row:?}");
     }
     let halves = place(0, [0, NONE], [256, 260].map(|start| Row { start, step: 24 }));
     let profiles = with(parts.profiles, 0, halves);
-    assert_eq!(refused(Parts { profiles: &profiles, ..parts }), Error::Pass);
+    assert_eq!(refused(Parts { profiles: &profiles, ..parts }), Error::Parts);
 }
 
 #[test]
@@ -171,7 +171,7 @@ fn passes_are_those_of_the_layout() {
     let of_two = [-7, -2, -16, 12, i16::MIN, i16::MAX].map(|first| (first, 2));
     for (first, profiles) in of_two.into_iter().chain([(-8, 0), (-8, 9)]) {
         let passes = with(parts.passes, 0, Pass { first, profiles, ..parts.passes[0] });
-        assert_eq!(refused(Parts { passes: &passes, ..parts }), Error::Pass, "{first} {profiles}");
+        assert_eq!(refused(Parts { passes: &passes, ..parts }), Error::Parts, "{first} {profiles}");
     }
 }
 

@@ -162,7 +162,7 @@ fn generated_ways_are_the_general_ones() {
     let light = [Q15(i16::MIN); 100];
     let light = Light::new(0, &light).expect("a light");
     assert_eq!(q15::relight(&transfer, &light), Err(Error::Bound));
-    let estimate = q15::estimate().expect("its components");
+    let estimate = q15::estimate();
     assert_eq!(estimate.coefficients(i32::MAX), Err(Error::Exponent));
 }
 
@@ -177,11 +177,11 @@ fn what_does_not_fit_is_refused() {
     assert_eq!(Light::new(129, &numbers[..100]), Err(Error::Exponent));
     let light = Light::new(0, &numbers).expect("a light");
     let material = Material::new(&[0; 9], &numbers[..55]).expect("a material");
-    let beyond = Error::Beyond { argument: Argument::Material, basis: 7, found: 8 };
+    let beyond = Error::Beyond { argument: Argument::Material, most: 7, found: 8 };
     assert_eq!(q15::transfer(&material), Err(beyond));
     let transfer = ([Q15(0); q15::TRANSFER], [0; q15::PROFILES]);
     let transfer = Transfer::new(&transfer.0, &transfer.1);
-    let beyond = Error::Beyond { argument: Argument::Light, basis: 9, found: 10 };
+    let beyond = Error::Beyond { argument: Argument::Light, most: 9, found: 10 };
     assert_eq!(q15::relight(&transfer, &light), Err(beyond));
     assert!(q15::BASIS.collapse_into(&[0; q15::COMPONENTS + 1], 0, [0; q15::SCENE]).is_err());
     assert!(q15::BASIS.collapse_into(&[0; q15::COMPONENTS], 0, [0; 3]).is_err());
@@ -239,7 +239,7 @@ fn estimates_are_means() {
     let found = estimated();
     println!("d from pixels: {found:.1e}");
     assert!(found <= ESTIMATE_Q15);
-    let empty = q15::estimate().expect("its components");
+    let empty = q15::estimate();
     assert_eq!(empty.coefficients(0), Err(Error::Weight));
     assert!(q15::BASIS.estimate::<{ q15::COMPONENTS - 1 }>().is_err());
 }

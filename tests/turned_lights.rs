@@ -273,7 +273,7 @@ fn what_is_no_rotation_is_an_error() {
     assert!(matches!(light.turned::<15>(&Rotation::NONE), Err(Error::Capacity { .. })));
     let numbers = [0.5f32; 196];
     let light = Light::new(&numbers).expect("196 coefficients");
-    let error = Error::Degree { found: 13 };
+    let error = Error::Beyond { argument: Argument::Light, most: 12, found: 13 };
     assert_eq!(light.turned::<196>(&Rotation::NONE), Err(error));
     assert_eq!(light.turned_about_view::<196>([1.0, 0.0]), Err(error));
     assert_eq!(light.turned_about_view::<200>([1.0, 0.0]), Err(error));

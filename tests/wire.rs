@@ -124,7 +124,7 @@ fn errors_say_which_they_are() {
         assert_eq!(found, expected);
     }
     // More components than profiles serve.
-    let contradiction = WireError::Parts(Error::Profile);
+    let contradiction = WireError::Parts(Error::Parts);
     let kinds: [&[u8]; 3] = [&SPHERE.0, &GENERAL.0, &INTEGERS_15.0];
     for (kind, file) in kinds.into_iter().enumerate() {
         let mut bytes = file.to_vec();

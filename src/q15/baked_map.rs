@@ -32,7 +32,7 @@ impl<C> Scene<'_, C> {
     /// use eigenshade::{Light, Material, Normal, q15, sphere};
     ///
     /// let light = Light::new(&[3.5, 0.0, 1.0, 0.0])?;
-    /// let scene = sphere::collapse(&sphere::project(&light, &Material::new(&[2.0])?)?)?;
+    /// let scene = sphere::collapse(&sphere::project(&light, &Material::new(&[2.0])?)?);
     /// let map = scene.bake_integers_into(32, [0; 32 * 32])?;
     /// let point = q15::MapPoint::of(q15::Normal::new(0, 3, 4)?);
     /// let irradiance = map.bilinear(point) as f32 * 2_f32.powi(map.exponent());

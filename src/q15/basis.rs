@@ -40,7 +40,7 @@ impl Basis<'_> {
             let azimuth = profile.azimuth();
             let of_minus = profile.minus != Profile::NONE;
             if azimuth < before || azimuth > self.parts.degree || (azimuth == 0 && of_minus) {
-                return Err(Error::Profile);
+                return Err(Error::Parts);
             }
             let orders = [profile.plus, profile.minus];
             let mut orders = orders.as_slice();
@@ -48,7 +48,7 @@ impl Basis<'_> {
                 if *component != Profile::NONE {
                     let of_others = profile.plus == profile.minus || served_by(tail, *component);
                     if *component as usize >= self.parts.components || of_others {
-                        return Err(Error::Profile);
+                        return Err(Error::Parts);
                     }
                     served += 1;
                 }
@@ -59,7 +59,7 @@ impl Basis<'_> {
             (rest, before) = (tail, azimuth);
         }
         if served != self.parts.components {
-            return Err(Error::Profile);
+            return Err(Error::Parts);
         }
         let (mut azimuth, mut azimuths, mut rest) = (0, self.parts.azimuths, self.parts.profiles);
         let [mut first, mut scene, mut of_terms, mut of_rows] = [0; 4];
@@ -70,9 +70,9 @@ impl Basis<'_> {
             {
                 (rest, profiles) = (tail, profiles + 1);
             }
-            let [place, others @ ..] = azimuths else { return Err(Error::Profile) };
+            let [place, others @ ..] = azimuths else { return Err(Error::Parts) };
             if !place.is([first, profiles, scene, of_terms, of_rows]) {
-                return Err(Error::Profile);
+                return Err(Error::Parts);
             }
             // The number of terms bounds the length of an azimuth with profiles.
             if profiles == 0
@@ -87,7 +87,7 @@ impl Basis<'_> {
             (azimuths, azimuth) = (others, azimuth + 1);
         }
         if !azimuths.is_empty() {
-            return Err(Error::Profile);
+            return Err(Error::Parts);
         }
         let holds_transfers = self.parts.polar.is_empty() && self.parts.factors.is_empty();
         let (degrees, rows) = if holds_transfers { (0, 0) } else { (degrees, rows) };
@@ -123,7 +123,7 @@ impl<'a> Basis<'a> {
     ///
     /// # Errors
     ///
-    /// [`Error::Length`] or [`Error::Profile`] if the parts are inconsistent. [`Error::Bound`] if a row of factors sums to 2^16 or more, if
+    /// [`Error::Length`] or [`Error::Parts`] if the parts are inconsistent. [`Error::Bound`] if a row of factors sums to 2^16 or more, if
     /// a term is larger than the largest step that its profile states, if there are more than 511
     /// profiles, or if the degree is above 510.
     pub const fn new(parts: Parts<'a>) -> Result<Self, Error> {

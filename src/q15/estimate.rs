@@ -36,7 +36,14 @@ impl<'a> Basis<'a> {
     }
 }
 
-impl<const K: usize> Estimate<'_, K> {
+impl<'a, const K: usize> Estimate<'a, K> {
+    /// The estimate of a table with `K` components.
+    #[doc(hidden)]
+    #[must_use]
+    pub fn of_table(basis: Basis<'a>) -> Self {
+        Self { basis, sums: [0; K].into(), weight: 0, is_saturated: false }
+    }
+
     /// Adds a pixel with its normal, the irradiance seen there and its weight. The irradiance is a
     /// mantissa, and all pixels share one exponent. The weight is the image area that the pixel
     /// represents: 1 if all pixels are alike, 0 for a pixel that does not count.

@@ -25,7 +25,7 @@
 //! let matte = Material::new(&[-13], &[Q15(16_384)])?;
 //! let light = Light::new(-12, &[Q15(14_336), Q15(0), Q15(4_096), Q15(0)])?;
 //! let transfer = q15::transfer(&matte)?;
-//! let scene = q15::collapse(&q15::relight(&transfer.view(), &light)?)?;
+//! let scene = q15::collapse(&q15::relight(&transfer.view(), &light)?);
 //! let normal = Normal::from_unit(Q15(0), Q15(19_661), Q15(26_214))?; // (0, 0.6, 0.8)
 //! let mantissa = scene.shade(normal); // times 2^scene.exponent()
 //! let irradiance = f64::from(mantissa) * f64::from(scene.exponent()).exp2();

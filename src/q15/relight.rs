@@ -10,7 +10,7 @@ use crate::index::light;
 use crate::specialized::{KnownTable, at};
 
 /// The coefficients d of one image, component by component. The mantissas are at most 2^30 in size
-/// and are multiplied by 2^exponent.
+/// and are multiplied by 2^exponent, which is at most 2^16 in size.
 #[derive(Clone, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Coefficients<const K: usize> {
@@ -20,9 +20,13 @@ pub struct Coefficients<const K: usize> {
 
 impl<const K: usize> Coefficients<K> {
     /// Coefficients that were stored: mantissas, all times 2^exponent.
-    #[must_use]
-    pub fn new(mantissas: [i32; K], exponent: i32) -> Self {
-        Self { mantissas: mantissas.into(), exponent }
+    ///
+    /// # Errors
+    ///
+    /// [`Error::Exponent`] if |exponent| is above 2^16, which no light on a material reaches.
+    pub fn new(mantissas: [i32; K], exponent: i32) -> Result<Self, Error> {
+        check_exponent(exponent)?;
+        Ok(Self { mantissas: mantissas.into(), exponent })
     }
 
     /// The mantissas, component by component.
@@ -36,6 +40,11 @@ impl<const K: usize> Coefficients<K> {
     pub const fn exponent(&self) -> i32 {
         self.exponent
     }
+}
+
+/// `Ok` if an exponent of coefficients is at most 2^16 in size.
+pub(crate) fn check_exponent(exponent: i32) -> Result<(), Error> {
+    if exponent.unsigned_abs() > 1 << 16 { Err(Error::Exponent) } else { Ok(()) }
 }
 
 /// Number of bits of a mantissa of d.

@@ -3,6 +3,7 @@
 
 use super::arithmetic::{SUM_SHIFT, Shift as _, TERM_BITS, WEIGHT_BITS, weigh};
 use super::pixel::Pixel;
+use super::relight::check_exponent;
 use super::{Basis, Normal, Profile};
 use crate::buffer::{Buffer, zeros};
 use crate::checked_slice::{split, split_mut, split_row};
@@ -61,9 +62,7 @@ impl<'a> Basis<'a> {
         let sums = buffer.as_mut();
         Error::check(Argument::Scene, self.scene_len(), sums.len())?;
         Error::check_components(self.components(), mantissas.len())?;
-        if exponent.unsigned_abs() > 1 << 16 {
-            return Err(Error::Exponent);
-        }
+        check_exponent(exponent)?;
         sums.fill(0);
         let bits = self.size(mantissas);
         let (mut terms, mut profiles, mut rest) = (self.parts.terms, self.parts.profiles, sums);

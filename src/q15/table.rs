@@ -28,12 +28,9 @@ macro_rules! integer_table {
         /// An estimate of the coefficients d from pixels.
         pub type Estimate = $crate::q15::Estimate<'static, COMPONENTS>;
         /// Starts an estimate from pixels: see [`eigenshade::q15::Basis::estimate`].
-        ///
-        /// # Errors
-        ///
-        /// Never: the capacity is that of this table.
-        pub fn estimate() -> Result<Estimate, $crate::Error> {
-            BASIS.estimate()
+        #[must_use]
+        pub fn estimate() -> Estimate {
+            Estimate::of_table(BASIS)
         }
         $crate::table_in_color! {
             'a, light $crate::q15::Light<'a>,
@@ -218,49 +215,40 @@ macro_rules! integer_table {
                         This, $azimuth, $profiles, AZIMUTHS, COMPONENTS, SCENE,
                     >(d, &shifts, terms);)*
                     kernels::finish(coefficients, &shifts, &mut scene.0);
-                    return Ok(());
+                    return;
                 }
             }
-            collapse_generally(coefficients, scene)
+            collapse_generally(coefficients, scene);
         });
-        #[cold]
-        #[inline(never)]
-        fn collapse_generally(
-            coefficients: &Coefficients,
-            scene: &mut Scene,
-        ) -> Result<(), $crate::Error> {
-            let (mantissas, exponent) = (coefficients.mantissas(), coefficients.exponent());
-            *scene = Scene(BASIS.collapse_into(mantissas, exponent, [0; SCENE])?);
-            Ok(())
-        }
+        $crate::integer_table!(@collapse_generally #[cold]);
     };
     (collapse by basis) => {
         $crate::integer_table!(@collapse |coefficients, scene| {
-            let (mantissas, exponent) = (coefficients.mantissas(), coefficients.exponent());
-            *scene = Scene(BASIS.collapse_into(mantissas, exponent, [0; SCENE])?);
-            Ok(())
+            collapse_generally(coefficients, scene);
         });
+        $crate::integer_table!(@collapse_generally);
+    };
+    (@collapse_generally $(#[$cold:ident])?) => {
+        $(#[$cold])?
+        #[inline(never)]
+        fn collapse_generally(coefficients: &Coefficients, scene: &mut Scene) {
+            let (mantissas, exponent) = (coefficients.mantissas(), coefficients.exponent());
+            // No length can be wrong: all are this table's. Nor can the exponent of coefficients.
+            if let Ok(collapsed) = BASIS.collapse_into(mantissas, exponent, [0; SCENE]) {
+                *scene = Scene(collapsed);
+            }
+        }
     };
     (@collapse |$coefficients:ident, $scene:ident| $into:block) => {
         /// Sums the components of each azimuth: see [`eigenshade::q15::Basis::collapse`].
-        ///
-        /// # Errors
-        ///
-        /// The same, except that no capacity can be too small.
-        pub fn collapse(coefficients: &Coefficients) -> Result<Scene, $crate::Error> {
+        #[must_use]
+        pub fn collapse(coefficients: &Coefficients) -> Scene {
             let mut scene = Scene::default();
-            collapse_into(coefficients, &mut scene)?;
-            Ok(scene)
+            collapse_into(coefficients, &mut scene);
+            scene
         }
         /// [`collapse`] into an existing scene, without moving it.
-        ///
-        /// # Errors
-        ///
-        /// The same; `scene` is then left unspecified.
-        pub fn collapse_into(
-            $coefficients: &Coefficients,
-            $scene: &mut Scene,
-        ) -> Result<(), $crate::Error> $into
+        pub fn collapse_into($coefficients: &Coefficients, $scene: &mut Scene) $into
     };
     (shade $($azimuth:literal)*) => {
         impl Scene {

@@ -50,7 +50,7 @@ impl Light<'_> {
     ///
     /// # Errors
     ///
-    /// [`Error::Capacity`] if `N` is below (degree + 1)², [`Error::Degree`] if the degree is above
+    /// [`Error::Capacity`] if `N` is below (degree + 1)², [`Error::Beyond`] if the degree is above
     /// 12, [`Error::Exponent`] if the exponent of the result is above 128.
     pub fn turned<const N: usize>(&self, rotation: &Rotation) -> Result<LightBuffer<N>, Error> {
         turned([*self], rotation).map(|[turned]| turned)

@@ -57,7 +57,7 @@ impl<B> Scene<'_, B> {
     /// use eigenshade::{Light, Material, Normals, sphere};
     ///
     /// let light = Light::new(&[3.5, 0.0, 1.0, 0.0])?;
-    /// let scene = sphere::collapse(&sphere::project(&light, &Material::new(&[2.0])?)?)?;
+    /// let scene = sphere::collapse(&sphere::project(&light, &Material::new(&[2.0])?)?);
     /// let mut irradiance = [0.0; 2];
     /// let normals = Normals::new(&[0.0, 0.6], &[0.0, 0.0], &[1.0, 0.8])?;
     /// scene.shade_slice(normals, &mut irradiance)?;

@@ -21,12 +21,9 @@ macro_rules! table {
         /// An estimate of the coefficients d from pixels.
         pub type Estimate = $crate::Estimate<'static, COMPONENTS>;
         /// Starts an estimate from pixels: see [`eigenshade::Basis::estimate`].
-        ///
-        /// # Errors
-        ///
-        /// None: the capacity is that of this table.
-        pub fn estimate() -> Result<Estimate, $crate::Error> {
-            BASIS.estimate()
+        #[must_use]
+        pub fn estimate() -> Estimate {
+            Estimate::of_table(BASIS)
         }
         /// The scene of some coefficients with as few terms as a tolerance allows: see
         /// [`eigenshade::Basis::collapse_within`]. `lengths` receives the lengths of its
@@ -105,8 +102,10 @@ macro_rules! table {
         });
         $crate::table!(@collapse |coefficients, scene| {
             let mut workspace = [0.0; WORKSPACE];
-            *scene = Scene(BASIS.collapse_into(coefficients, &mut workspace, [0.0; SCENE])?);
-            Ok(())
+            // No length can be wrong: all are this table's.
+            if let Ok(collapsed) = BASIS.collapse_into(coefficients, &mut workspace, [0.0; SCENE]) {
+                *scene = Scene(collapsed);
+            }
         });
     };
     (project scatter $([$q:literal $pairs:literal])*
@@ -206,23 +205,19 @@ macro_rules! table {
             kernels::whole(coefficients, |d: &[f32; COMPONENTS]| {
                 $(kernels::collapse::<This, $azimuth, $profiles, COMPONENTS, SCENE>(d, terms);)*
             });
-            Ok(())
         });
     };
     (@collapse |$coefficients:ident, $scene:ident| $collapse:block) => {
-        /// Sums the components of each azimuth: see `collapse` of [`BASIS`]. The same errors, but
-        /// no capacity is too small.
-        pub fn collapse(coefficients: &Coefficients) -> Result<Scene, $crate::Error> {
+        /// Sums the components of each azimuth: see `collapse` of [`BASIS`].
+        #[must_use]
+        pub fn collapse(coefficients: &Coefficients) -> Scene {
             let mut scene = Scene::default();
-            collapse_into(coefficients, &mut scene)?;
-            Ok(scene)
+            collapse_into(coefficients, &mut scene);
+            scene
         }
-        /// [`collapse`] into an existing scene, unmoved; after an error it is unspecified.
+        /// [`collapse`] into an existing scene, without moving it.
         #[inline]
-        pub fn collapse_into(
-            $coefficients: &Coefficients,
-            $scene: &mut Scene,
-        ) -> Result<(), $crate::Error> $collapse
+        pub fn collapse_into($coefficients: &Coefficients, $scene: &mut Scene) $collapse
     };
     (shade $($azimuth:literal)*) => {
         impl Scene {

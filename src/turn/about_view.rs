@@ -47,7 +47,7 @@ impl Light<'_> {
     ///
     /// # Errors
     ///
-    /// [`Error::Length`] unless `N` is (degree + 1)², [`Error::Degree`] and [`Error::Rotation`] as
+    /// [`Error::Length`] unless `N` is (degree + 1)², [`Error::Beyond`] and [`Error::Rotation`] as
     /// above.
     pub fn turn_about_view_into<const N: usize>(
         &self,

@@ -38,7 +38,7 @@ impl Light<'_> {
     ///
     /// # Errors
     ///
-    /// [`Error::Capacity`] if `N` is too small, [`Error::Degree`] if the degree is above 12.
+    /// [`Error::Capacity`] if `N` is too small, [`Error::Beyond`] if the degree is above 12.
     pub fn turned<const N: usize>(&self, rotation: &Rotation) -> Result<Buffer<f32, N>, Error> {
         turned([*self], rotation).map(|[turned]| turned)
     }

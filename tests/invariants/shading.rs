@@ -37,7 +37,7 @@ pub fn shade_floats(input: &mut Reader<'_>) {
     let [x, y, z] = &axes;
     let normals = Normals::new(x, y, z).expect("one length");
     for d in [&projected, &relit] {
-        let scene = sphere::collapse(d).expect("it fits");
+        let scene = sphere::collapse(d);
         let mut shaded = vec![0.0; normals.len()];
         scene.shade_slice(normals, &mut shaded).expect("one length");
         for (normal, shaded) in normals.iter().zip(shaded) {

@@ -91,7 +91,7 @@ impl Case {
         let wide: Vec<f64> = d.iter().map(|&d| d.into()).collect();
         self.projected(&wide, ANY_D_F32, 0.0);
         self.projected(&self.of_effects(), ANY_D_F32, 0.0);
-        let scene = sphere::collapse(&d).expect("it fits");
+        let scene = sphere::collapse(&d);
         let allowed = rounded(&wide);
         for normal in normals {
             let [x, y, z] = normal.components().map(|one| one.mantissa() as f32);

@@ -130,7 +130,7 @@ impl From<Error> for Status {
             Error::Outside { .. } => Self::Outside,
             Error::Rotation => Self::Rotation,
             Error::Source => Self::Source,
-            Error::Degree { .. } => Self::Turn,
+            Error::Beyond { .. } => Self::Turn,
             // The lengths of lights and materials are checked below, all others are constants.
             _ => Self::Internal,
         }

@@ -6,7 +6,7 @@ use own_table::table;
 fn main() -> Result<(), Error> {
     let light = Light::new(&[2.0, 0.7, 1.0, 0.7])?;
     let material = Material::new(&[2.0])?;
-    let scene = table::collapse(&table::project(&light, &material)?)?;
+    let scene = table::collapse(&table::project(&light, &material)?);
     for row in 0..20 {
         let line: String = (0..40)
             .map(|column| {

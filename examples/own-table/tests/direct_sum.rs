@@ -52,7 +52,6 @@ fn floats(light: &[f32], material: &[f32]) -> impl Fn([f64; 3]) -> f64 {
     let light = Light::new(light).expect("sixteen coefficients");
     let material = Material::new(material).expect("fourteen coefficients");
     let scene = table::collapse(&table::project(&light, &material).expect("it fits"));
-    let scene = scene.expect("it fits");
     move |normal| {
         let [x, y, z] = normal.map(|component| component as f32);
         scene.shade(Normal::new(x, y, z).expect("a normal")).into()
@@ -67,7 +66,6 @@ fn integers(light: &[f32], material: &[f32]) -> impl Fn([f64; 3]) -> f64 {
     let material = q15::Material::quantize(material, &mut of_material, &mut exponents);
     let transfer = table::transfer(&material.expect("fourteen")).expect("it fits");
     let scene = table::collapse(&table::relight(&transfer.view(), &light).expect("it fits"));
-    let scene = scene.expect("it fits");
     move |normal| {
         let [x, y, z] =
             normal.map(|component| Q15((32_768.0 * component).round().min(32_767.0) as i16));

@@ -25,13 +25,9 @@ pub const fn terms_mut<'s, const N: usize>(scene: &'s mut Scene<'_, [i32; N]>) -
     &mut scene.buffer
 }
 
-/// The mantissas of exactly `K` coefficients, if
-/// [`Basis::collapse_into`](crate::q15::Basis::collapse_into) accepts their exponent.
+/// The mantissas of exactly `K` coefficients.
 #[inline(always)]
 pub fn mantissas<const K: usize>(coefficients: &Coefficients<K>) -> Option<&[i32; K]> {
-    if coefficients.exponent.unsigned_abs() > 1 << 16 {
-        return None;
-    }
     coefficients.mantissas.as_slice().try_into().ok()
 }
 

@@ -210,7 +210,7 @@ pub(super) fn subnormal() -> Vec<Figure> {
         each.iter().map(|&normal| scene.shade(normal)).collect()
     };
     let [d, of_plain] = [&tiny, &plain].map(|light| relit(light));
-    let scenes = [&d, &of_plain].map(|d| sphere::collapse(d).expect("it fits"));
+    let scenes = [&d, &of_plain].map(sphere::collapse);
     let [pixels, scaled] = scenes.each_ref().map(shaded);
     let (of_image, of_plain_image) = (terms(&d), terms(&of_plain));
     let largest = of_image.iter().fold(0.0f32, |most, term| most.max(term.abs()));
@@ -260,11 +260,11 @@ pub(super) fn million() -> Vec<Figure> {
     let light: Vec<f32> = (0..100).map(|k| 1.5 / (1.0 + k as f32).sqrt()).collect();
     let material: Vec<f32> = (0..40).map(|k| 1.0 / (1.0 + k as f32)).collect();
     let d = images::coefficients(&light, &material);
-    let scene = sphere::collapse(&d).expect("it fits");
+    let scene = sphere::collapse(&d);
     // The eigenimages one by one, for both reference sums.
     let images: [_; sphere::COMPONENTS] = std::array::from_fn(|k| {
         let unit: [f32; sphere::COMPONENTS] = std::array::from_fn(|i| f32::from(u8::from(i == k)));
-        sphere::collapse(&sphere::Coefficients::from(unit)).expect("it fits")
+        sphere::collapse(&sphere::Coefficients::from(unit))
     });
     let mut ours = sphere::BASIS.estimate::<{ sphere::COMPONENTS }>().expect("it fits");
     let (mut plain, mut exact) = ([0.0f32; sphere::COMPONENTS], [0.0f64; sphere::COMPONENTS]);
