@@ -64,6 +64,12 @@ static void fill_codes(void) {
     CHECKED(eigenshade_picture_relight_##format(&transfer, &eigenshade_light_park_##format,       \
                                                 &picture));                                       \
     DISC(format, "relit", &picture);                                                              \
+    CHECKED(eigenshade_mask_light_##format(lobby, EIGENSHADE_EFFECT_DIFFUSE, &light_buffer,       \
+                                           &light));                                              \
+    CHECKED(eigenshade_mask_material_##format(gold, EIGENSHADE_EFFECT_DIFFUSE, &material_buffer,  \
+                                              &material));                                        \
+    CHECKED(eigenshade_picture_begin_##format(&light, &material, &picture));                      \
+    DISC(format, "diffuse", &picture);                                                            \
     CHECKED(eigenshade_turn_##format(lobby, quaternion, &light_buffer, &light));                  \
     CHECKED(eigenshade_picture_relight_##format(&transfer, &light, &picture));                    \
     DISC(format, "turned", &picture);                                                             \

@@ -81,7 +81,9 @@ enum { SIDE = 64, PIXELS_OF_ROW = SIDE };
     static eigenshade_transfer_##format##_t transfer;                                             \
     static eigenshade_picture_##format##_t picture;                                               \
     static eigenshade_light_buffer_##format##_t buffer;                                           \
+    static eigenshade_material_buffer_##format##_t material_buffer;                               \
     static eigenshade_color_light_##format##_t turned;                                            \
+    static eigenshade_color_material_##format##_t masked;                                         \
     static uint16_t pixels[SIDE];                                                                 \
     static const angle quaternion[4] = {1, -2, 3, 4}, cosine_and_sine[2] = {__VA_ARGS__};         \
     const eigenshade_color_light_##format##_t *light = &eigenshade_light_lobby_##format;          \
@@ -100,6 +102,11 @@ enum { SIDE = 64, PIXELS_OF_ROW = SIDE };
              eigenshade_turn_about_view_##format(light, cosine_and_sine, &buffer, &turned));      \
     MEASURED("residual", name, 1,                                                                 \
              eigenshade_residual_##format(light, sources, 4, &buffer, &turned));                  \
+    MEASURED("mask_light", name, 1,                                                               \
+             eigenshade_mask_light_##format(light, EIGENSHADE_EFFECT_GLOSS, &buffer, &turned));   \
+    MEASURED("mask_material", name, 1,                                                            \
+             eigenshade_mask_material_##format(material, EIGENSHADE_EFFECT_GLOSS,                 \
+                                               &material_buffer, &masked));                       \
     MEASURED("relight", name, 1,                                                                  \
              eigenshade_picture_relight_##format(&transfer, light, &picture));                    \
     MEASURED("begin", name, 1,                                                                    \

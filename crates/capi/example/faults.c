@@ -255,8 +255,8 @@ static void fill(void *memory, size_t size, unsigned char byte) {
     const eigenshade_color_light_##format##_t *const lobby = &eigenshade_light_lobby_##format;    \
     const eigenshade_material_##format##_t *const gold =                                          \
         &eigenshade_material_gold_metallic_paint_##format.r;                                      \
-    eigenshade_color_light_##format##_t light;                                                    \
-    eigenshade_color_material_##format##_t material;                                              \
+    eigenshade_color_light_##format##_t light, masked_light;                                      \
+    eigenshade_color_material_##format##_t material, masked;                                      \
     const char *const name = #format;                                                             \
     EXPECTED(ROTATION, eigenshade_turn_##format(lobby, none, &light_buffer, &light));             \
     EXPECTED(ROTATION, eigenshade_turn_about_view_##format(lobby, none, &light_buffer, &light));  \
@@ -268,6 +268,27 @@ static void fill(void *memory, size_t size, unsigned char byte) {
                                                              &material_buffer, &material));       \
     EXPECTED(OUTSIDE, eigenshade_metallic_roughness_##format(black, 0, (number)-1,                \
                                                              &material_buffer, &material));       \
+    EXPECTED(EFFECT, eigenshade_mask_light_##format(lobby, -1, &light_buffer, &light));           \
+    EXPECTED(EFFECT, eigenshade_mask_light_##format(lobby, 4, &light_buffer, &light));            \
+    EXPECTED(NULL_POINTER, eigenshade_mask_light_##format(NULL, 1, &light_buffer, &light));       \
+    EXPECTED(NULL_POINTER, eigenshade_mask_light_##format(lobby, 1, NULL, &light));               \
+    EXPECTED(NULL_POINTER, eigenshade_mask_light_##format(lobby, 1, &light_buffer, NULL));        \
+    light = *lobby;                                                                               \
+    EXPECTED(OVERLAP, eigenshade_mask_light_##format(&light, 1, &light_buffer, &light));          \
+    light.g.length = 9;                                                                           \
+    EXPECTED(LIGHT_LENGTH,                                                                        \
+             eigenshade_mask_light_##format(&light, 1, &light_buffer, &masked_light));            \
+    material = eigenshade_material_gold_metallic_paint_##format;                                  \
+    EXPECTED(EFFECT, eigenshade_mask_material_##format(&material, 4, &material_buffer, &masked)); \
+    EXPECTED(NULL_POINTER, eigenshade_mask_material_##format(NULL, 1, &material_buffer, &masked));\
+    EXPECTED(NULL_POINTER, eigenshade_mask_material_##format(&material, 1, NULL, &masked));       \
+    EXPECTED(NULL_POINTER,                                                                        \
+             eigenshade_mask_material_##format(&material, 1, &material_buffer, NULL));            \
+    EXPECTED(OVERLAP,                                                                             \
+             eigenshade_mask_material_##format(&material, 1, &material_buffer, &material));       \
+    material.b.length = 5;                                                                        \
+    EXPECTED(MATERIAL_LENGTH,                                                                     \
+             eigenshade_mask_material_##format(&material, 1, &material_buffer, &masked));         \
     EXPECTED(NULL_POINTER, eigenshade_project_##format(NULL, gold, &workspace, &d));              \
     EXPECTED(NULL_POINTER, eigenshade_project_##format(&lobby->r, NULL, &workspace, &d));         \
     EXPECTED(NULL_POINTER, eigenshade_project_##format(&lobby->r, gold, NULL, &d));               \

@@ -149,12 +149,50 @@ enum eigenshade_status
    * A picture with highlights, which are too sharp for a baked map.
    */
   EIGENSHADE_STATUS_HIGHLIGHTS = 26,
+  /**
+   * A number that is none of `eigenshade_effect`.
+   */
+  EIGENSHADE_STATUS_EFFECT = 27,
 };
 #ifndef __cplusplus
 #if __STDC_VERSION__ >= 202311L
 typedef enum eigenshade_status eigenshade_status;
 #else
 typedef int32_t eigenshade_status;
+#endif // __STDC_VERSION__ >= 202311L
+#endif // __cplusplus
+
+/**
+ * A part of a picture: the picture of a masked light on a material masked for the same effect. The
+ * pictures of all four sum to the whole.
+ */
+enum eigenshade_effect
+#if defined(__cplusplus) || __STDC_VERSION__ >= 202311L
+  : int32_t
+#endif // defined(__cplusplus) || __STDC_VERSION__ >= 202311L
+ {
+  /**
+   * l = 0: light that is the same from everywhere.
+   */
+  EIGENSHADE_EFFECT_AMBIENT = 0,
+  /**
+   * l >= 1, o = 0: the light's directions on a Lambertian material.
+   */
+  EIGENSHADE_EFFECT_DIFFUSE = 1,
+  /**
+   * l >= 1, 1 <= o <= 3: rough, backscattering and rim lobes.
+   */
+  EIGENSHADE_EFFECT_BROAD = 2,
+  /**
+   * l >= 1, o >= 4: highlights.
+   */
+  EIGENSHADE_EFFECT_GLOSS = 3,
+};
+#ifndef __cplusplus
+#if __STDC_VERSION__ >= 202311L
+typedef enum eigenshade_effect eigenshade_effect;
+#else
+typedef int32_t eigenshade_effect;
 #endif // __STDC_VERSION__ >= 202311L
 #endif // __cplusplus
 
@@ -393,7 +431,7 @@ typedef struct eigenshade_baked_f32_t {
 } eigenshade_baked_f32_t;
 
 /**
- * Memory for a turned light, or for one without its sources.
+ * Memory for a turned or masked light, or for one without its sources.
  */
 typedef struct eigenshade_light_buffer_f32_t {
   /**
@@ -403,7 +441,7 @@ typedef struct eigenshade_light_buffer_f32_t {
 } eigenshade_light_buffer_f32_t;
 
 /**
- * Memory for a computed material.
+ * Memory for a computed or masked material.
  */
 typedef struct eigenshade_material_buffer_f32_t {
   /**
@@ -599,7 +637,7 @@ typedef struct eigenshade_baked_q15_t {
 } eigenshade_baked_q15_t;
 
 /**
- * Memory for a turned or quantized light, or for one without its sources.
+ * Memory for a turned, masked or quantized light, or for one without its sources.
  */
 typedef struct eigenshade_light_buffer_q15_t {
   /**
@@ -609,7 +647,7 @@ typedef struct eigenshade_light_buffer_q15_t {
 } eigenshade_light_buffer_q15_t;
 
 /**
- * Memory for a computed or quantized material.
+ * Memory for a computed, masked or quantized material.
  */
 typedef struct eigenshade_material_buffer_q15_t {
   /**
@@ -934,6 +972,28 @@ eigenshade_status eigenshade_residual_f32(const struct eigenshade_color_light_f3
                                           struct eigenshade_color_light_f32_t *to);
 
 /**
+ * A light with only its coefficients of an effect, which is one of `eigenshade_effect`; the others
+ * are zero. Mask the material for the same effect.
+ *
+ * The light is in `buffer`, and `to` points there. On an error neither may be used.
+ */
+eigenshade_status eigenshade_mask_light_f32(const struct eigenshade_color_light_f32_t *from,
+                                            int32_t effect,
+                                            struct eigenshade_light_buffer_f32_t *buffer,
+                                            struct eigenshade_color_light_f32_t *to);
+
+/**
+ * A material with only its coefficients of an effect, which is one of `eigenshade_effect`; the
+ * others are zero. Mask the light for the same effect.
+ *
+ * The material is in `buffer`, and `to` points there. On an error neither may be used.
+ */
+eigenshade_status eigenshade_mask_material_f32(const struct eigenshade_color_material_f32_t *from,
+                                               int32_t effect,
+                                               struct eigenshade_material_buffer_f32_t *buffer,
+                                               struct eigenshade_color_material_f32_t *to);
+
+/**
  * A glTF material from its linear base color, metallic and roughness, all from 0 to 1.
  *
  * A roughness below 0.2 is drawn as 0.2. The table's order has to be 7 or more. The material is in
@@ -1130,6 +1190,22 @@ eigenshade_status eigenshade_residual_q15(const struct eigenshade_color_light_q1
                                           size_t count,
                                           struct eigenshade_light_buffer_q15_t *buffer,
                                           struct eigenshade_color_light_q15_t *to);
+
+/**
+ * `eigenshade_mask_light_f32` in Q15.
+ */
+eigenshade_status eigenshade_mask_light_q15(const struct eigenshade_color_light_q15_t *from,
+                                            int32_t effect,
+                                            struct eigenshade_light_buffer_q15_t *buffer,
+                                            struct eigenshade_color_light_q15_t *to);
+
+/**
+ * `eigenshade_mask_material_f32` in Q15.
+ */
+eigenshade_status eigenshade_mask_material_q15(const struct eigenshade_color_material_q15_t *from,
+                                               int32_t effect,
+                                               struct eigenshade_material_buffer_q15_t *buffer,
+                                               struct eigenshade_color_material_q15_t *to);
 
 /**
  * `eigenshade_metallic_roughness_f32` in Q15, in which 1 is 32767.

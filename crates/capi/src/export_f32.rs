@@ -10,7 +10,7 @@ use crate::records_f32::{
 use crate::rows::{Display, NormalMap, Target, disc, draw, normal_map};
 use crate::sources::{Gloss, Source};
 use crate::status::Status;
-use crate::{baked, float, picture, steps};
+use crate::{baked, effects, float, picture, steps};
 
 /// The coefficients d of a light on a material in one channel, as numbers.
 ///
@@ -356,6 +356,34 @@ pub extern "C" fn eigenshade_residual_f32(
 ) -> Status {
     steps::residual::<f32>(&Input(from), &Input(sources), count, &Output(buffer), &Output(to))
         .into()
+}
+
+/// A light with only its coefficients of an effect, which is one of `eigenshade_effect`; the others
+/// are zero. Mask the material for the same effect.
+///
+/// The light is in `buffer`, and `to` points there. On an error neither may be used.
+#[unsafe(no_mangle)]
+pub extern "C" fn eigenshade_mask_light_f32(
+    from: *const ColorLightF32,
+    effect: i32,
+    buffer: *mut LightBufferF32,
+    to: *mut ColorLightF32,
+) -> Status {
+    effects::mask_light::<f32>(&Input(from), effect, &Output(buffer), &Output(to)).into()
+}
+
+/// A material with only its coefficients of an effect, which is one of `eigenshade_effect`; the
+/// others are zero. Mask the light for the same effect.
+///
+/// The material is in `buffer`, and `to` points there. On an error neither may be used.
+#[unsafe(no_mangle)]
+pub extern "C" fn eigenshade_mask_material_f32(
+    from: *const ColorMaterialF32,
+    effect: i32,
+    buffer: *mut MaterialBufferF32,
+    to: *mut ColorMaterialF32,
+) -> Status {
+    effects::mask_material::<f32>(&Input(from), effect, &Output(buffer), &Output(to)).into()
 }
 
 /// A glTF material from its linear base color, metallic and roughness, all from 0 to 1.

@@ -11,7 +11,7 @@ use crate::records_q15::{
 use crate::rows::{Display, NormalMap, Target, disc, draw, normal_map};
 use crate::sources::{Gloss, Source};
 use crate::status::Status;
-use crate::{baked, integers, picture, quantize, steps};
+use crate::{baked, effects, integers, picture, quantize, steps};
 use eigenshade::Q15;
 
 /// `eigenshade_project_f32` in Q15.
@@ -315,6 +315,28 @@ pub extern "C" fn eigenshade_residual_q15(
 ) -> Status {
     steps::residual::<Q15>(&Input(from), &Input(sources), count, &Output(buffer), &Output(to))
         .into()
+}
+
+/// `eigenshade_mask_light_f32` in Q15.
+#[unsafe(no_mangle)]
+pub extern "C" fn eigenshade_mask_light_q15(
+    from: *const ColorLightQ15,
+    effect: i32,
+    buffer: *mut LightBufferQ15,
+    to: *mut ColorLightQ15,
+) -> Status {
+    effects::mask_light::<Q15>(&Input(from), effect, &Output(buffer), &Output(to)).into()
+}
+
+/// `eigenshade_mask_material_f32` in Q15.
+#[unsafe(no_mangle)]
+pub extern "C" fn eigenshade_mask_material_q15(
+    from: *const ColorMaterialQ15,
+    effect: i32,
+    buffer: *mut MaterialBufferQ15,
+    to: *mut ColorMaterialQ15,
+) -> Status {
+    effects::mask_material::<Q15>(&Input(from), effect, &Output(buffer), &Output(to)).into()
 }
 
 /// `eigenshade_metallic_roughness_f32` in Q15, in which 1 is 32767.

@@ -2,7 +2,7 @@
 #![expect(unsafe_code, reason = "memory of C")]
 
 use crate::boundary::{Input, Output, Place, Plain, disjoint};
-use crate::constants::{METALLIC_ROUGHNESS_ORDER, SOURCES};
+use crate::constants::{MATERIAL_BUFFER, METALLIC_ROUGHNESS_ORDER, SOURCES};
 use crate::format::{Format, Read};
 use crate::records_f32::{
     BakedF32, CoefficientsF32, ColorLightF32, ColorMaterialF32, IrradianceF32, LightBufferF32,
@@ -14,7 +14,9 @@ use eigenshade::object::{BakedMap, DiscPixel, MapPoint, NormalPixel};
 use eigenshade::screen::{Exposure, Linear};
 use eigenshade::specialized::checked;
 use eigenshade::wire::Parts;
-use eigenshade::{Basis, Error, Highlights, Light, Material, Normal, Rgb, Rotation, Source};
+use eigenshade::{
+    Basis, Effect, Error, Highlights, Light, Material, Normal, Rgb, Rotation, Source,
+};
 use eigenshade_table::material;
 
 /// The basis without the factors of transfers: a program whose transfers are computed beforehand
@@ -65,14 +67,24 @@ fn transferred(material: &Material<'_>, to: &mut [f32; TRANSFER]) -> Result<(), 
     Ok(table::BASIS.transfer_into(material, &mut [0.0; WORKSPACE], to)?)
 }
 
+/// A light of C whose coefficients are the first ones of these.
+fn light_in(numbers: &[f32; LIGHT], length: usize) -> LightF32 {
+    let degree = length.isqrt().saturating_sub(1);
+    LightF32 { degree, length, coefficients: numbers.as_ptr() }
+}
+
+/// A material of C whose coefficients are the first ones of these.
+fn material_in(numbers: &[f32; MATERIAL_BUFFER], order: usize) -> MaterialF32 {
+    MaterialF32 { order, length: material::count(order), coefficients: numbers.as_ptr() }
+}
+
 /// Stores modified lights.
 fn stored<B: AsRef<[f32]>>(modified: &Rgb<B>, buffer: &mut LightBufferF32) -> ColorLightF32 {
     let channels =
         Rgb::from(buffer.numbers.each_mut()).zip(modified.each_ref()).map(|(to, from)| {
             let from = from.as_ref();
             to.iter_mut().zip(from).for_each(|(to, &from)| *to = from);
-            let degree = from.len().isqrt().saturating_sub(1);
-            LightF32 { degree, length: from.len(), coefficients: to.as_ptr() }
+            light_in(to, from.len())
         });
     ColorLightF32 { r: channels.r, g: channels.g, b: channels.b }
 }
@@ -197,6 +209,33 @@ impl Format for f32 {
         Ok(stored(&from.residual::<LIGHT>(sources)?, buffer))
     }
 
+    fn mask_light(
+        from: Rgb<Light<'_>>,
+        effect: Effect,
+        buffer: &mut LightBufferF32,
+    ) -> ColorLightF32 {
+        let channels = Rgb::from(buffer.numbers.each_mut()).zip(from).map(|(to, from)| {
+            let from = from.coefficients();
+            to.iter_mut().zip(from).for_each(|(to, &from)| *to = from);
+            effect.mask_light(to);
+            light_in(to, from.len())
+        });
+        ColorLightF32 { r: channels.r, g: channels.g, b: channels.b }
+    }
+
+    fn mask_material(
+        from: Rgb<Material<'_>>,
+        effect: Effect,
+        buffer: &mut MaterialBufferF32,
+    ) -> ColorMaterialF32 {
+        let channels = Rgb::from(buffer.numbers.each_mut()).zip(from).map(|(to, from)| {
+            to.iter_mut().zip(from.coefficients()).for_each(|(to, &from)| *to = from);
+            effect.mask_material(to);
+            material_in(to, from.order())
+        });
+        ColorMaterialF32 { r: channels.r, g: channels.g, b: channels.b }
+    }
+
     fn metallic_roughness(
         base_color: &[f32; 3],
         metallic: f32,
@@ -206,8 +245,7 @@ impl Format for f32 {
         let found = Material::metallic_roughness(*base_color, metallic, roughness)?;
         let channels = Rgb::from(buffer.numbers.each_mut()).zip(found).map(|(to, from)| {
             to.iter_mut().zip(from.iter()).for_each(|(to, &from)| *to = from);
-            let order = METALLIC_ROUGHNESS_ORDER;
-            MaterialF32 { order, length: material::count(order), coefficients: to.as_ptr() }
+            material_in(to, METALLIC_ROUGHNESS_ORDER)
         });
         Ok(ColorMaterialF32 { r: channels.r, g: channels.g, b: channels.b })
     }

@@ -5,7 +5,7 @@ use crate::constants::SOURCES;
 use crate::status::Status;
 use eigenshade::object::{DiscPixel, NormalPixel};
 use eigenshade::screen::Linear;
-use eigenshade::{Error, Highlights, Rgb, Source};
+use eigenshade::{Effect, Error, Highlights, Rgb, Source};
 
 /// A light or a material that was checked, and where it lies.
 pub(crate) struct Read<T> {
@@ -85,6 +85,20 @@ pub(crate) trait Format: Plain + Copy + 'static {
         sources: &[Source],
         buffer: &mut Self::LightBuffer,
     ) -> Result<Self::Light, Status>;
+
+    /// A light with only its coefficients of an effect. The result points to `buffer`.
+    fn mask_light(
+        from: Rgb<Self::OfLight<'_>>,
+        effect: Effect,
+        buffer: &mut Self::LightBuffer,
+    ) -> Self::Light;
+
+    /// A material with only its coefficients of an effect. The result points to `buffer`.
+    fn mask_material(
+        from: Rgb<Self::OfMaterial<'_>>,
+        effect: Effect,
+        buffer: &mut Self::MaterialBuffer,
+    ) -> Self::Material;
 
     /// A glTF material. The result points to `buffer`.
     fn metallic_roughness(

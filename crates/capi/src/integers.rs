@@ -2,7 +2,7 @@
 #![expect(unsafe_code, reason = "memory of C")]
 
 use crate::boundary::{Input, Output, Place, Plain, disjoint};
-use crate::constants::{METALLIC_ROUGHNESS_ORDER, SOURCES};
+use crate::constants::{MATERIAL_BUFFER, SOURCES};
 use crate::format::{Format, Read};
 use crate::quantize::{material_in, pointing, quantized};
 use crate::records_q15::{
@@ -19,7 +19,7 @@ use eigenshade::q15::{
 };
 use eigenshade::screen::Linear;
 use eigenshade::specialized::checked;
-use eigenshade::{Error, Q15, Rgb, Source};
+use eigenshade::{Effect, Error, Q15, Rgb, Source};
 
 /// The basis without the factors of transfers: a program whose transfers are computed beforehand
 /// links no factors.
@@ -108,6 +108,23 @@ fn stored_lights(
 ) -> Result<ColorLightQ15, Status> {
     let ([to_r, to_g, to_b], Rgb { r, g, b }) = (&mut buffer.mantissas, turned.lights()?);
     Ok(ColorLightQ15 { r: stored(r, to_r), g: stored(g, to_g), b: stored(b, to_b) })
+}
+
+/// Stores materials, whose mantissas it modifies.
+fn stored_materials(
+    from: Rgb<Material<'_>>,
+    buffer: &mut MaterialBufferQ15,
+    modify: impl Fn(&mut [Q15; MATERIAL_BUFFER]),
+) -> ColorMaterialQ15 {
+    let numbers = Rgb::from(buffer.mantissas.each_mut());
+    let numbers = numbers.zip(Rgb::from(buffer.exponents.each_mut())).zip(from);
+    let channels = numbers.map(|((mantissas, exponents), from)| {
+        mantissas.iter_mut().zip(from.mantissas()).for_each(|(to, &from)| *to = from);
+        exponents.iter_mut().zip(from.exponents()).for_each(|(to, &from)| *to = from);
+        modify(mantissas);
+        material_in(mantissas, exponents, from.exponents().len().saturating_sub(1))
+    });
+    ColorMaterialQ15 { r: channels.r, g: channels.g, b: channels.b }
 }
 
 pub(crate) fn project(
@@ -253,6 +270,28 @@ impl Format for Q15 {
         quantized(&lights.residual::<LIGHT>(sources)?, buffer)
     }
 
+    fn mask_light(
+        from: Rgb<Light<'_>>,
+        effect: Effect,
+        buffer: &mut LightBufferQ15,
+    ) -> ColorLightQ15 {
+        let channels = Rgb::from(buffer.mantissas.each_mut()).zip(from).map(|(to, from)| {
+            let mantissas = from.mantissas();
+            to.iter_mut().zip(mantissas).for_each(|(to, &from)| *to = from);
+            effect.mask_light(to);
+            pointing(to, mantissas.len(), from.exponent())
+        });
+        ColorLightQ15 { r: channels.r, g: channels.g, b: channels.b }
+    }
+
+    fn mask_material(
+        from: Rgb<Material<'_>>,
+        effect: Effect,
+        buffer: &mut MaterialBufferQ15,
+    ) -> ColorMaterialQ15 {
+        stored_materials(from, buffer, |mantissas| effect.mask_material(mantissas))
+    }
+
     fn metallic_roughness(
         base_color: &[Self; 3],
         metallic: Self,
@@ -260,14 +299,7 @@ impl Format for Q15 {
         buffer: &mut MaterialBufferQ15,
     ) -> Result<ColorMaterialQ15, Status> {
         let found = q15::Material::metallic_roughness(*base_color, metallic, roughness)?;
-        let numbers = Rgb::from(buffer.mantissas.each_mut());
-        let numbers = numbers.zip(Rgb::from(buffer.exponents.each_mut())).zip(found.materials()?);
-        let channels = numbers.map(|((mantissas, exponents), found)| {
-            mantissas.iter_mut().zip(found.mantissas()).for_each(|(to, &from)| *to = from);
-            exponents.iter_mut().zip(found.exponents()).for_each(|(to, &from)| *to = from);
-            material_in(mantissas, exponents, METALLIC_ROUGHNESS_ORDER)
-        });
-        Ok(ColorMaterialQ15 { r: channels.r, g: channels.g, b: channels.b })
+        Ok(stored_materials(found.materials()?, buffer, |_| ()))
     }
 
     const LIGHT_BUFFER: LightBufferQ15 = LightBufferQ15 { mantissas: [[Q15(0); LIGHT]; 3] };

@@ -38,6 +38,8 @@ mod sources;
 
 mod steps;
 
+mod effects;
+
 mod picture;
 
 mod baked;

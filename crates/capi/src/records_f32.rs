@@ -94,14 +94,14 @@ pub struct IrradianceF32 {
     pub b: f32,
 }
 
-/// Memory for a turned light, or for one without its sources.
+/// Memory for a turned or masked light, or for one without its sources.
 #[repr(C)]
 pub struct LightBufferF32 {
     /// Coefficients of the three channels.
     pub numbers: [[f32; LIGHT]; 3],
 }
 
-/// Memory for a computed material.
+/// Memory for a computed or masked material.
 #[repr(C)]
 pub struct MaterialBufferF32 {
     /// Coefficients of the three channels.

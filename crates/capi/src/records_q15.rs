@@ -108,14 +108,14 @@ pub struct IrradianceQ15 {
     pub exponents: [i32; 3],
 }
 
-/// Memory for a turned or quantized light, or for one without its sources.
+/// Memory for a turned, masked or quantized light, or for one without its sources.
 #[repr(C)]
 pub struct LightBufferQ15 {
     /// Mantissas of the three channels.
     pub mantissas: [[Q15; LIGHT]; 3],
 }
 
-/// Memory for a computed or quantized material.
+/// Memory for a computed, masked or quantized material.
 #[repr(C)]
 pub struct MaterialBufferQ15 {
     /// Mantissas of the three channels.

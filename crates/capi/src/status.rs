@@ -66,6 +66,8 @@ pub enum Status {
     Dark = 25,
     /// A picture with highlights, which are too sharp for a baked map.
     Highlights = 26,
+    /// A number that is none of `eigenshade_effect`.
+    Effect = 27,
 }
 
 /// The message of a status.
@@ -108,6 +110,7 @@ pub(crate) fn message(status: i32) -> &'static CStr {
         26 => {
             c"highlights are too sharp for a baked map; bake the picture of the light without sources"
         }
+        27 => c"no effect has this number; use one of eigenshade_effect",
         _ => c"unknown status; compare the versions of header and library",
     }
 }

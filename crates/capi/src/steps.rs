@@ -18,7 +18,7 @@ pub(crate) fn transfer<F: Format>(
 }
 
 /// Modifies a light by a function of the format.
-fn modified<F: Format>(
+pub(crate) fn modified<F: Format>(
     from: &Input<F::Light>,
     by: Place,
     buffer: &Output<F::LightBuffer>,

@@ -11,11 +11,11 @@ mod pictures;
 #[path = "support/program.rs"]
 mod program;
 
-use eigenshade::Error;
 use eigenshade::object::Disc;
 use eigenshade::presets::{light, material};
 use eigenshade::screen::{Display, Meter, Tone};
 use eigenshade::sphere::{self, q15};
+use eigenshade::{Effect, Error};
 use program::{compiled, library, run};
 use std::collections::BTreeSet;
 use std::fs;
@@ -58,6 +58,95 @@ fn the_checks_hold_under_sanitizers() {
     let program = compiled("checks", &sources, ("golden.h", &golden));
     let pictures = pictures::lines().expect("pictures");
     assert_eq!(run(&mut Command::new(program)), format!("{pictures}0 faults\n"));
+}
+
+/// Masks one preset of each in a format, in the second channel a shorter one, and prints numbers.
+const MASKS: &str = "\
+#include \"eigenshade_presets.h\"
+#include <stdio.h>
+
+static void print(size_t largest, size_t length, const NUMBER *numbers) {
+  printf(\"%zu\", largest);
+  for (size_t k = 0; k < length; k++) printf(\" %.9g\", (double)numbers[k]);
+  puts(\"\");
+}
+
+int main(void) {
+  static eigenshade_light_buffer_FORMAT_t light_buffer;
+  static eigenshade_material_buffer_FORMAT_t material_buffer;
+  eigenshade_color_light_FORMAT_t light = eigenshade_light_lobby_FORMAT, L;
+  eigenshade_color_material_FORMAT_t material = eigenshade_material_gold_metallic_paint_FORMAT, M;
+  light.g.degree = 2;
+  light.g.length = 9;
+  material.g.order = 4;
+  material.g.length = 14;
+  SHORTER
+  for (int32_t effect = EIGENSHADE_EFFECT_AMBIENT; effect <= EIGENSHADE_EFFECT_GLOSS; effect++) {
+    if (eigenshade_mask_light_FORMAT(&light, effect, &light_buffer, &L)) return 1;
+    if (eigenshade_mask_material_FORMAT(&material, effect, &material_buffer, &M)) return 1;
+    print(L.r.degree, L.r.length, L.r.NUMBERS);
+    print(L.g.degree, L.g.length, L.g.NUMBERS);
+    print(L.b.degree, L.b.length, L.b.NUMBERS);
+    print(M.r.order, M.r.length, M.r.NUMBERS);
+    print(M.g.order, M.g.length, M.g.NUMBERS);
+    print(M.b.order, M.b.length, M.b.NUMBERS);
+  }
+  return 0;
+}
+";
+
+/// What `MASKS` prints, from the coefficients of light and material.
+fn masked<S: Copy + Default>(
+    light: [&[S]; 3],
+    material: [&[S]; 3],
+    number: fn(S) -> f32,
+) -> Vec<Vec<f32>> {
+    let [r, g, b] = light;
+    let lights = [(9.0, r), (2.0, &g[..9]), (9.0, b)];
+    let [r, g, b] = material;
+    let materials = [(7.0, r), (4.0, &g[..14]), (7.0, b)];
+    let mut lines = Vec::new();
+    for effect in Effect::ALL {
+        let line = |(largest, from): (f32, &[S]), mask: &dyn Fn(&mut [S])| {
+            let mut numbers = from.to_vec();
+            mask(&mut numbers);
+            [largest].into_iter().chain(numbers.into_iter().map(number)).collect()
+        };
+        lines.extend(lights.map(|from| line(from, &|numbers| effect.mask_light(numbers))));
+        lines.extend(materials.map(|from| line(from, &|numbers| effect.mask_material(numbers))));
+    }
+    lines
+}
+
+/// C masks the coefficients that Rust does, in both formats to the bit.
+#[test]
+fn masks_are_those_of_rust() {
+    let of_float = masked(
+        light::LOBBY.map(|light| light.coefficients()).into(),
+        material::GOLD_METALLIC_PAINT.map(|material| material.coefficients()).into(),
+        |number| number,
+    );
+    let of_integers = masked(
+        light::q15::LOBBY.map(|light| light.mantissas()).into(),
+        material::q15::GOLD_METALLIC_PAINT.map(|material| material.mantissas()).into(),
+        |number| number.0.into(),
+    );
+    for (format, number, numbers, shorter, expected) in [
+        ("f32", "float", "coefficients", "", of_float),
+        ("q15", "int16_t", "mantissas", "material.g.exponents_length = 5;", of_integers),
+    ] {
+        let text = MASKS.replace("FORMAT", format).replace("SHORTER", shorter);
+        let text = text.replace("NUMBERS", numbers).replace("NUMBER", number);
+        let source = Path::new(env!("CARGO_TARGET_TMPDIR")).join(format!("masks_{format}.c"));
+        fs::write(&source, text).expect("the program is written");
+        let name = format!("masks_{format}");
+        let printed = run(&mut Command::new(compiled(&name, &[&source], ("none.h", ""))));
+        let numbers = |line: &str| -> Vec<f32> {
+            line.split(' ').map(|number| number.parse().expect("a number")).collect()
+        };
+        let found: Vec<Vec<f32>> = printed.lines().map(numbers).collect();
+        assert_eq!(found, expected, "{format}");
+    }
 }
 
 /// The README's second example meters a picture as Rust does, in floats and in integers to a step of

@@ -5,7 +5,7 @@ use eigenshade::object::{Disc, NormalMap};
 use eigenshade::presets::{gloss, light, material, sources};
 use eigenshade::q15::{self, Rotation};
 use eigenshade::screen::{Display, Tone, blend565};
-use eigenshade::{Error, Gloss, Highlights, Light, Q15, Rgb, Source, sphere};
+use eigenshade::{Effect, Error, Gloss, Highlights, Light, Q15, Rgb, Source, sphere};
 use std::fmt::Write as _;
 
 const SIDE: usize = 48;
@@ -32,6 +32,32 @@ fn of_map(codes: &[u8], display: &Display, shade: Shade<'_>) -> Result<Vec<u16>,
         *to = blend565(*to, above, pixel.coverage());
     }
     Ok(picture)
+}
+
+fn masked(from: &[Q15], mask: impl Fn(&mut [Q15])) -> Vec<Q15> {
+    let mut numbers = from.to_vec();
+    mask(&mut numbers);
+    numbers
+}
+
+/// The part of a picture that is diffuse.
+fn diffuse(
+    light: Rgb<q15::Light<'_>>,
+    material: Rgb<q15::Material<'_>>,
+) -> Result<sphere::q15::color::Scene, Error> {
+    let of_light =
+        light.map(|light| masked(light.mantissas(), |all| Effect::Diffuse.mask_light(all)));
+    let of_material = material
+        .map(|material| masked(material.mantissas(), |all| Effect::Diffuse.mask_material(all)));
+    let light = of_light
+        .each_ref()
+        .zip(light)
+        .try_map(|(numbers, light)| q15::Light::new(light.exponent(), numbers))?;
+    let material = of_material
+        .each_ref()
+        .zip(material)
+        .try_map(|(numbers, material)| q15::Material::new(material.exponents(), numbers))?;
+    sphere::q15::color::scene(light, material)
 }
 
 /// FNV-1a of a picture.
@@ -68,6 +94,7 @@ pub fn lines() -> Result<String, Error> {
     };
     draw("scene", &relit(lobby)?)?;
     draw("relit", &relit(light::q15::PARK)?)?;
+    draw("diffuse", &diffuse(lobby, material::q15::GOLD_METALLIC_PAINT)?)?;
     let turned = lobby.turned::<LIGHT>(&Rotation::from_quaternion([1, -2, 3, 4])?)?;
     draw("turned", &relit(turned.lights()?)?)?;
     let turned = lobby.turned_about_view::<LIGHT>([3, 4])?;
