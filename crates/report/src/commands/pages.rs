@@ -33,7 +33,7 @@ pub fn write() -> Result<()> {
 
     let folder = docs.join("accuracy-cost");
     let measured = Measured::read(&folder)?;
-    fill(&folder.join("accuracy-cost.md"), &accuracy_cost::report::tables(&measured))?;
+    fill(&docs.join("costs.md"), &accuracy_cost::report::tables(&measured))?;
     fill(Path::new("README.md"), &[accuracy_cost::report::choice(&measured)])?;
     figures::write(&accuracy_cost::report::charts::all(&measured)?, &folder)?;
 
