@@ -1,7 +1,7 @@
 //! Sums of products in `f32`, fused where the target can, and a root for loops over pixels.
 
 #[cfg(target_feature = "relaxed-simd")]
-use crate::groups;
+use crate::checked_slice::padded;
 
 /// sum + a b. With the feature `std` on a target with the target feature `fma`, it rounds once,
 /// otherwise twice.
@@ -19,6 +19,35 @@ pub(crate) fn add_product(sum: f32, a: f32, b: f32) -> f32 {
     sum + a * b
 }
 
+/// sums + a b, four at a time, by an instruction that rounds each sum once where the processor has
+/// one. Compilers do not emit it on their own, because its result depends on the processor.
+#[cfg(target_feature = "relaxed-simd")]
+#[inline(always)]
+pub(crate) fn fused<const N: usize>(mut sums: [f32; N], a: &[f32; N], b: &[f32; N]) -> [f32; N] {
+    use core::arch::wasm32::{f32x4, f32x4_extract_lane, f32x4_relaxed_madd};
+
+    let four = |sums: [f32; 4], a: [f32; 4], b: [f32; 4]| {
+        let [sums, a, b] = [sums, a, b].map(|[p, q, r, s]| f32x4(p, q, r, s));
+        let next = f32x4_relaxed_madd(a, b, sums);
+        [
+            f32x4_extract_lane::<0>(next),
+            f32x4_extract_lane::<1>(next),
+            f32x4_extract_lane::<2>(next),
+            f32x4_extract_lane::<3>(next),
+        ]
+    };
+    let ((of_four, rest), (a, a_rest), (b, b_rest)) =
+        (sums.as_chunks_mut(), a.as_chunks(), b.as_chunks());
+    for (sums, (&a, &b)) in of_four.iter_mut().zip(a.iter().zip(b)) {
+        *sums = four(*sums, a, b);
+    }
+    let last = four(padded(rest), padded(a_rest), padded(b_rest));
+    for (sum, next) in rest.iter_mut().zip(last) {
+        *sum = next;
+    }
+    sums
+}
+
 /// A step of Horner's rule at a block of arguments t and u: each sum becomes
 /// even + odd t + sum u.
 #[inline(always)]
@@ -29,7 +58,7 @@ pub(crate) fn horner<const N: usize>(
 ) {
     #[cfg(target_feature = "relaxed-simd")]
     {
-        *sums = groups::fused(groups::fused([*even; N], &[*odd; N], t), sums, u);
+        *sums = fused(fused([*even; N], &[*odd; N], t), sums, u);
     }
     #[cfg(not(target_feature = "relaxed-simd"))]
     for (sum, (&t, &u)) in sums.iter_mut().zip(t.iter().zip(u)) {
@@ -48,13 +77,13 @@ pub(crate) fn descend<const N: usize>(
     // The steps with `fused`, a loop for each product.
     #[cfg(target_feature = "relaxed-simd")]
     {
-        let plus = groups::fused(plus, real, x);
-        let plus = groups::fused(plus, imaginary, y);
+        let plus = fused(plus, real, x);
+        let plus = fused(plus, imaginary, y);
         for number in &mut *real {
             *number = -*number;
         }
-        let minus = groups::fused(minus, imaginary, x);
-        (*real, *imaginary) = (plus, groups::fused(minus, real, y));
+        let minus = fused(minus, imaginary, x);
+        (*real, *imaginary) = (plus, fused(minus, real, y));
     }
     #[cfg(not(target_feature = "relaxed-simd"))]
     {

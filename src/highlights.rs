@@ -1,11 +1,11 @@
 //! Shades small sources by a microfacet formula, one lobe for each source.
 
 use crate::buffer::{Buffer, zeros};
+use crate::checked_slice::padded;
 use crate::color::Rgb;
 use crate::error::{Argument, Error};
 use crate::float;
 use crate::gloss::Gloss;
-use crate::groups::padded;
 use crate::mathematics;
 use crate::normal::{Normal, Normals};
 use crate::rotation::{cross, dot};

@@ -6,7 +6,7 @@
 //! of UᵀM for this material.
 
 use crate::basis::Basis;
-use crate::checked_slice::{part_mut, split};
+use crate::checked_slice::{part_mut, rows, split};
 use crate::error::{Argument, Error};
 use crate::groups;
 use crate::index::{layout, layout::LANES, material, pair};
@@ -89,7 +89,7 @@ pub(crate) fn transpose(
     width: usize,
 ) {
     // Blocks of four pairs by four degrees.
-    for (column, pairs) in groups::rows(sums, LANES * groups).enumerate() {
+    for (column, pairs) in rows(sums, LANES * groups).enumerate() {
         let (first, rest) = split(pairs, groups);
         let (second, rest) = split(rest, groups);
         let (third, fourth) = split(rest, groups);

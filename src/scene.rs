@@ -3,10 +3,9 @@
 
 use crate::basis::Basis;
 use crate::buffer::{Buffer, zeros};
-use crate::checked_slice::{part, split, split_mut, split_row};
+use crate::checked_slice::{part, rows, split, split_mut, split_row};
 use crate::error::{Argument, Error};
 use crate::float;
-use crate::groups;
 use crate::index::record::ProfilePlace;
 use crate::normal::Normal;
 use crate::polynomial;
@@ -70,7 +69,7 @@ impl<'a> Basis<'a> {
             let (_, scene) = split_mut(scene, place.start as usize);
             let (_, terms) = split(self.parts.terms, place.terms as usize);
             let profiles = part(self.parts.profiles, place.first.into()..);
-            let profiles = profiles.iter().zip(groups::rows(terms, length));
+            let profiles = profiles.iter().zip(rows(terms, length));
             for (number, (profile, terms)) in profiles.take(place.profiles.into()).enumerate() {
                 let weights = weights(profile.components(), coefficients);
                 if azimuth == 0 {

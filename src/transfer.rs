@@ -4,10 +4,10 @@
 
 use crate::basis::Basis;
 use crate::buffer::{Buffer, zeros};
+use crate::checked_slice::rows;
 use crate::error::{Argument, Error};
 use crate::float;
 use crate::groups;
-use crate::groups::rows;
 use crate::index::{layout, record::ProfilePlace};
 use crate::material::Material;
 use crate::projection::Workspace;

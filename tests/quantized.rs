@@ -151,8 +151,13 @@ fn generated_ways_are_the_general_ones() {
         ([9, 7, 5, 3, 1, 0, -1, -2], &mantissas),
         ([-20, -20, -16, -18, -13, -12, -9, -9], &largest),
         ([-20, -9, -20, -9, -9, -20, -20, -9], &largest),
-    ] {
-        let material = Material::new(&exponents, mantissas).expect("a material");
+    ]
+    .iter()
+    .flat_map(|(exponents, mantissas)| {
+        // All orders, those up to 4, and the first alone.
+        [(8, 40), (5, 14), (1, 1)].map(|(o, count)| (&exponents[..o], &mantissas[..count]))
+    }) {
+        let material = Material::new(exponents, mantissas).expect("a material");
         let generated = q15::transfer(&material).expect("it fits");
         let general = general_transfer(&q15::BASIS, &material);
         assert_eq!(Ok(generated), general, "{exponents:?}");

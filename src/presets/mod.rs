@@ -37,7 +37,7 @@ pub mod light {
     use crate::color::Rgb;
     include!(concat!(env!("OUT_DIR"), "/preset_lights.rs"));
 
-    /// The same lights in integers: 600 bytes each.
+    /// The same lights in integers: 612 bytes each.
     pub mod q15 {
         use super::super::quantized_light;
         use crate::color::Rgb;

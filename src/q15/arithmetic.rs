@@ -2,9 +2,9 @@
 
 use super::Q15;
 
-/// Number of bits by which a scene's weights are finer than its terms, and by which a sum of
-/// weighted numbers is.
+/// Number of bits by which a scene's weights are finer than its terms.
 pub(crate) const WEIGHT_BITS: u32 = 14;
+/// Number of bits by which a sum of weighted terms is finer than a scene's terms.
 pub(crate) const SUM_SHIFT: u32 = 14;
 /// Bits of the magnitude at each step of a pixel's polynomials, and of its irradiance.
 pub(crate) const TERM_BITS: u32 = 17;

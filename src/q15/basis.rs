@@ -123,9 +123,10 @@ impl<'a> Basis<'a> {
     ///
     /// # Errors
     ///
-    /// [`Error::Length`] or [`Error::Parts`] if the parts are inconsistent. [`Error::Bound`] if a row of factors sums to 2^16 or more, if
-    /// a term is larger than the largest step that its profile states, if there are more than 511
-    /// profiles, or if the degree is above 510.
+    /// [`Error::High`] beyond degree 12 or order 12; [`Error::Length`] or [`Error::Parts`] if the
+    /// parts are inconsistent; [`Error::Bound`] if a row of factors sums to 2^16 or more, if a term
+    /// is larger than the largest step that its profile states, or if there are more than 511
+    /// profiles.
     pub const fn new(parts: Parts<'a>) -> Result<Self, Error> {
         let basis = Self { parts };
         if let Err(error) = basis.fits() {
@@ -230,7 +231,7 @@ impl<'a> Basis<'a> {
         self.parts.components
     }
 
-    /// Workspace length of `transfer`, in wide numbers: S and one row, both with exponents.
+    /// Workspace length of `transfer`, in numbers: S and one row, both with exponents.
     #[must_use]
     pub const fn workspace_len(&self) -> usize {
         pair::count(self.parts.order).saturating_add(3).saturating_mul(self.parts.degree + 1)

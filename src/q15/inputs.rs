@@ -126,7 +126,6 @@ impl<'a> Light<'a> {
         let degree = degree(from.len())?;
         Error::check(Argument::Light, from.len(), to.len())?;
         check_finite(Argument::Light, from)?;
-        // From -127 to 113: no float needs another exponent.
         let exponent = quantize(from, to);
         Ok(Self { degree, exponent, mantissas: to })
     }

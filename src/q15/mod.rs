@@ -57,7 +57,7 @@ mod turn;
 
 /// Kernels for tables that are known when the program is compiled: `integer_table!` calls them,
 /// once for each azimuth. They compute the same bits as the methods of a [`Basis`] and a [`Scene`],
-/// with constants for all sizes and positions. For other shapes, the methods are called.
+/// with constants for all sizes and positions.
 #[doc(hidden)]
 pub mod kernels {
     pub mod collapse;

@@ -9,7 +9,7 @@ use crate::buffer::{Buffer, zeros};
 use crate::checked_slice::{split, split_mut, split_row};
 use crate::error::{Argument, Error};
 use crate::specialized::shade_each;
-use core::ops::{Add, Mul, Shr};
+use core::ops::{Add, Shr};
 
 /// Number of low bits of d that [`size`] drops. The rest has at most 16 bits and so does the value
 /// that a profile states, so their product fits into 32 bits.
@@ -69,7 +69,7 @@ impl<'a> Basis<'a> {
         for (azimuth, &length) in self.parts.lengths.iter().enumerate() {
             let (block, others) = of_azimuth(profiles, azimuth);
             profiles = others;
-            let finer = finer(bits, self.bits(step(mantissas, block)));
+            let finer = finer(bits, bits_of(step(mantissas, block)));
             let (base, mut rows) = (base(bits) + finer.cast_signed(), terms);
             for is_minus in [false, true] {
                 if is_minus && azimuth == 0 {
@@ -128,12 +128,7 @@ impl<'a> Basis<'a> {
             largest = largest.max(step(mantissas, block));
             profiles = others;
         }
-        self.bits(largest)
-    }
-
-    /// [`bits`] for this basis.
-    fn bits(&self, largest: u64) -> i32 {
-        bits(largest, self.degree())
+        bits_of(largest)
     }
 }
 
@@ -184,21 +179,20 @@ pub(crate) fn size(d: i32) -> u32 {
 
 /// Number of bits of the largest step, term or irradiance, in sixteenths of 2^[`UNIT`].
 #[inline]
-pub(crate) fn bits(largest: u64, degree: usize) -> i32 {
-    let bits = u64::BITS - with_margin(largest, degree).leading_zeros();
+pub(crate) fn bits_of(largest: u64) -> i32 {
+    let bits = u64::BITS - with_margin(largest).leading_zeros();
     bits.cast_signed() - 4 + UNIT.cast_signed()
 }
 
 /// The largest step, term or irradiance, plus a margin for the error of that bound.
 #[inline(always)]
-pub(crate) fn with_margin<N>(largest: N, degree: usize) -> N
+pub(crate) fn with_margin<N>(largest: N) -> N
 where
-    N: Copy + From<u16> + Add<Output = N> + Mul<Output = N> + Shr<u32, Output = N>,
+    N: Copy + Add<Output = N> + Shr<u32, Output = N>,
 {
     // A normal may be a two-thousandth too long, which makes (n_x + i n_y)^m too large by the mth
-    // power. The sixty-fourth covers this up to m = 24. The degree is at most 510.
-    let beyond = N::from(degree.saturating_sub(24) as u16);
-    largest + (largest >> 6) + beyond * (largest >> 10)
+    // power. The sixty-fourth covers this up to m = 24, twice the largest degree.
+    largest + (largest >> 6)
 }
 
 /// The shift from d to the weight of a component is this number plus the exponent of its profile.
@@ -272,7 +266,7 @@ impl<B: AsRef<[i32]>> Scene<'_, B> {
 }
 
 impl<B: AsRef<[i32]>> Scene<'_, B> {
-    /// The polynomials of each azimuth: those of +m, and those of -m (empty for m = 0).
+    /// The terms of all polynomials, azimuth by azimuth, the ones of +m before the ones of -m.
     #[must_use]
     pub fn terms(&self) -> &[i32] {
         self.buffer.as_ref()

@@ -83,34 +83,26 @@ macro_rules! integer_table {
         azimuths $($azimuth:literal)*) => {
         $crate::integer_table!(@transfer |material, transfer| {
             use $crate::q15::kernels::transfer as kernels;
-            let inputs = kernels::inputs::<MODES, ORDERS>(material);
-            let of_transfer = kernels::numbers(transfer);
-            if let (Some(inputs), Some((numbers, exponents))) = (inputs, of_transfer) {
-                let (mut sums, mut of_sums) = ([[0; PAIRS]; DEGREES], [0; DEGREES]);
-                let b = kernels::coefficients(inputs.0);
-                for (l, (sums, exponent)) in sums.iter_mut().zip(&mut of_sums).enumerate() {
-                    let degree = kernels::Degree::new::<This>(l, inputs.1);
-                    let Some(degree) = &degree else { continue };
-                    scatter(degree, &b, sums);
-                    *exponent = degree.normalize(sums);
-                }
-                $(kernels::azimuth::<
-                    This, $azimuth, { DEGREES - $azimuth }, PAIRS, DEGREES,
-                    TRANSFER, PROFILES,
-                >(&sums, &of_sums, (&mut *numbers, &mut *exponents));)*
-                return Ok(());
+            kernels::accept(ORDER, material)?;
+            let (numbers, exponents) = kernels::numbers(transfer)?;
+            let orders = kernels::Orders::<ORDERS>::of(material);
+            let mut b = [0; MODES];
+            $crate::specialized::whole(material.mantissas(), |mantissas| {
+                b = kernels::coefficients(mantissas);
+            });
+            let (mut sums, mut of_sums) = ([[0; PAIRS]; DEGREES], [0; DEGREES]);
+            for (l, (sums, exponent)) in sums.iter_mut().zip(&mut of_sums).enumerate() {
+                let degree = kernels::Degree::new::<This>(l, &orders);
+                let Some(degree) = &degree else { continue };
+                scatter(degree, &b, sums);
+                *exponent = degree.normalize(sums);
             }
-            transfer_generally(material, transfer)
-        });
-        #[cold]
-        #[inline(never)]
-        fn transfer_generally(
-            material: &$crate::q15::Material<'_>,
-            transfer: &mut Transfer,
-        ) -> Result<(), $crate::Error> {
-            *transfer = BASIS.transfer::<WORKSPACE, TRANSFER, PROFILES>(material)?;
+            $(kernels::azimuth::<
+                This, $azimuth, { DEGREES - $azimuth }, PAIRS, DEGREES,
+                TRANSFER, PROFILES,
+            >(&sums, &of_sums, (&mut *numbers, &mut *exponents));)*
             Ok(())
-        }
+        });
         /// The sums S of one degree.
         #[inline(never)]
         fn scatter(

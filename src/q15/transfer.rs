@@ -5,8 +5,8 @@ use super::arithmetic::{BITS, Shift as _, over_root_two};
 use super::{Basis, Material, Q15};
 use crate::buffer::{Buffer, zeros};
 use crate::checked_slice::{part, split_mut, split_row};
+use crate::checked_slice::{rows, rows_mut};
 use crate::error::{Argument, Error};
-use crate::groups::{rows, rows_mut};
 use crate::index::{material, pair};
 
 /// The transfer of a material: for each profile a row over l from |m| on, times 2 to its exponent.
@@ -170,8 +170,8 @@ impl Basis<'_> {
 }
 
 /// The number of bits by which the addends of S are shifted right so that their sum fits. There is
-/// one addend for each o of a parity. The shift is at least one bit, because the generated code
-/// shifts by at least one.
+/// one addend for each o of a parity. The shift is at least one bit, because the kernel of a
+/// table shifts by at least one.
 #[inline(always)]
 pub(crate) fn room(order: usize) -> i32 {
     (((order / 2 + 1) as i32).bits().cast_signed() - 1).max(1)

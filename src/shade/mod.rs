@@ -2,9 +2,9 @@
 
 mod color;
 
+use crate::checked_slice::padded;
 use crate::error::{Argument, Error};
 use crate::float;
-use crate::groups::padded;
 use crate::normal::{Normal, Normals};
 use crate::polynomial;
 use crate::polynomial::argument;

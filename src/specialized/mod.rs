@@ -65,17 +65,17 @@ pub fn shade_normals<I>(
     Ok(())
 }
 
-/// The basis of a table, or of a general one its span.
+/// A constant of a table or of the presets.
 ///
 /// # Panics
 ///
-/// If the parts contradict each other; for a static that is an error of compilation.
+/// If it is invalid; for a static that is an error of compilation.
 #[must_use]
 #[expect(clippy::panic, reason = "while the program is compiled")]
 pub const fn checked<B: Copy>(basis: Result<B, Error>) -> B {
     match basis {
         Ok(basis) => basis,
-        Err(_) => panic!("the table's parts do not fit together"),
+        Err(_) => panic!("invalid numbers of a table or a preset"),
     }
 }
 

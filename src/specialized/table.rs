@@ -3,8 +3,9 @@
 /// The items of a module that holds the numbers of one table. `eigenshade-table` writes the numbers
 /// and the lines that call this macro.
 ///
-/// - `table!(sphere ...)`: constants, types and functions of a table of a sphere, with a number and
-///   the number of profiles for each pass and run of a transfer.
+/// - `table!(sphere ...)`: constants, types and functions of a table of a sphere. A pass of a
+///   transfer has its place in the result, its number and its number of profiles; a run has the
+///   last two.
 /// - `table!(general)`: the same for the table of another object.
 /// - `table!(project ...)`, `table!(collapse ...)` and `table!(shade ...)`: functions specialized for
 ///   the azimuths listed and their profiles, or those of the basis or the scene.

@@ -10,7 +10,7 @@
 use super::density::{NODES, mean_square};
 use super::report::Truncation;
 use super::terms::{Polynomials, trimmed};
-use crate::groups::rows;
+use crate::checked_slice::rows;
 use crate::scene::signs;
 
 /// The factor by which the price rises from one sweep to the next.

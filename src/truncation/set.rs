@@ -4,9 +4,9 @@ use super::accounts::Accounts;
 use super::report::{Tolerance, Truncation, larger, peak};
 use super::terms::{Polynomials, trimmed};
 use crate::basis::Basis;
+use crate::checked_slice::rows_mut;
 use crate::error::{Argument, Error};
 use crate::float;
-use crate::groups::rows_mut;
 use crate::mathematics;
 use crate::scene::{Scene, count};
 

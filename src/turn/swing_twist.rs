@@ -8,8 +8,8 @@
 //! and Ry(b) - 1 = E (Rz(-b) - 1) E is small if the angle is. A light that is turned by small
 //! angles many times then neither gains nor loses energy.
 
+use crate::checked_slice::rows;
 use crate::checked_slice::{part, part_mut, split, split_mut};
-use crate::groups::rows;
 use crate::index::layout::MAX_DEGREE;
 use crate::index::light;
 use core::ops::{Add, Neg};

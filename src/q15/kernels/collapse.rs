@@ -3,7 +3,7 @@
 
 use crate::checked_slice::part_mut;
 use crate::q15::arithmetic::{SUM_SHIFT, TERM_BITS, weigh};
-use crate::q15::scene::{FINEST, Scene, bits, half_or_one, size, with_margin};
+use crate::q15::scene::{FINEST, Scene, bits_of, half_or_one, size, with_margin};
 use crate::q15::{Basis, Coefficients, Profile, scene};
 use crate::specialized::{KnownTable, at, head, tail};
 
@@ -88,10 +88,9 @@ impl<const A: usize> Size<A> {
     /// than d would have to be shifted left, or right by more bits than they have.
     #[inline(never)]
     pub fn shifts<B: KnownTable<Basis<'static>>>(&self) -> Option<Shifts<A>> {
-        let degree = const { B::BASIS.parts.degree };
         let [least, largest] = const { exponents(B::BASIS.parts.profiles) };
         let most = self.steps.iter().copied().fold(self.image, u32::max);
-        let bits = bits(most.into(), degree);
+        let bits = bits_of(most.into());
         let base = -scene::base(bits);
         let most_finer = FINEST.cast_signed();
         let beyond = base - most_finer <= largest || base - least > 31;
@@ -101,7 +100,7 @@ impl<const A: usize> Size<A> {
         let finer = self.steps.map(|step| {
             // The top bits show by how many bits the step is shorter, up to `FINEST`: the same
             // result as with `bits`.
-            let upper = with_margin(step, degree) >> (bits - 12 - most_finer);
+            let upper = with_margin(step) >> (bits - 12 - most_finer);
             FINEST.saturating_sub(upper)
         });
         Some(Shifts { bits, base, finer })

@@ -2,31 +2,63 @@
 //! [`Basis::transfer_into`](crate::q15::Basis::transfer_into).
 
 use crate::checked_slice::{part, part_mut};
+use crate::error::{Argument, Error};
 use crate::index::{material, pair};
 use crate::q15::arithmetic::{BITS, Shift as _, over_root_two};
 use crate::q15::transfer::{GUARD_BITS, ZERO_EXPONENT, guard, room, row_bits};
 use crate::q15::{Basis, Material, Q15, TransferBuffer, transfer};
 use crate::specialized::{KnownTable, at};
 
-/// The mantissas and exponents of a material, of exactly these lengths. `None` unless each exponent
-/// is at most that of any lower o of the same parity. Then no addend exceeds the scale that
-/// [`Degree::new`] derives from each o alone.
-#[inline(always)]
-pub fn inputs<'a, const B: usize, const O: usize>(
-    material: &Material<'a>,
-) -> Option<(&'a [Q15; B], &'a [i8; O])> {
-    let exponents: &[i8; O] = material.exponents.try_into().ok()?;
-    let falls = exponents.iter().zip(exponents.iter().skip(2)).all(|(low, high)| high <= low);
-    if falls { Some((material.mantissas.try_into().ok()?, exponents)) } else { None }
+/// The exponents of a material, order by order.
+#[derive(Clone, Copy, Debug)]
+pub struct Orders<const O: usize> {
+    own: [i8; O],
+    /// The largest exponent of each o and of the higher ones of the same parity: Ĉ of (o, q) is
+    /// multiplied by their coefficients.
+    above: [i8; O],
 }
 
-/// The numbers and exponents of a transfer, to be filled.
+impl<const O: usize> Orders<O> {
+    /// The exponents of a material of up to `O` orders. Orders that it does not have are zero.
+    #[inline(never)]
+    pub fn of(material: &Material<'_>) -> Self {
+        let mut own = [i8::MIN; O];
+        for (to, &exponent) in own.iter_mut().zip(material.exponents) {
+            *to = exponent;
+        }
+        let (mut above, mut largest, mut of_others) = (own, i8::MIN, i8::MIN);
+        for exponent in above.iter_mut().rev() {
+            *exponent = largest.max(*exponent);
+            (largest, of_others) = (of_others, *exponent);
+        }
+        Self { own, above }
+    }
+}
+
+/// Whether a table of this order takes a material.
+///
+/// # Errors
+///
+/// [`Error::Beyond`].
+#[inline(always)]
+pub fn accept(order: usize, material: &Material<'_>) -> Result<(), Error> {
+    Error::check_beyond(Argument::Material, order, material.order)
+}
+
+/// The numbers and exponents of a transfer, to be written.
+///
+/// # Errors
+///
+/// None: a buffer holds as many as its capacity.
 #[inline(always)]
 pub fn numbers<const T: usize, const E: usize>(
     transfer: &mut TransferBuffer<T, E>,
-) -> Option<(&mut [Q15; T], &mut [i16; E])> {
+) -> Result<(&mut [Q15; T], &mut [i16; E]), Error> {
     let TransferBuffer { numbers, exponents } = transfer;
-    Some((numbers.filled()?, exponents.filled()?))
+    match (numbers.filled(), exponents.filled()) {
+        (Some(numbers), Some(exponents)) => Ok((numbers, exponents)),
+        _ => Err(Error::Capacity { argument: Argument::Transfer, needed: T, capacity: T }),
+    }
 }
 
 /// The coefficients as they are multiplied: divided by √2 unless o and p are equal.
@@ -64,20 +96,20 @@ pub struct Degree<const P: usize, const O: usize> {
 impl<const P: usize, const O: usize> Degree<P, O> {
     /// Prepares the degree `l`.
     #[inline(never)]
-    pub fn new<T: KnownTable<Basis<'static>>>(l: usize, of_orders: &[i8; O]) -> Option<Self> {
+    pub fn new<T: KnownTable<Basis<'static>>>(l: usize, orders: &Orders<O>) -> Option<Self> {
         let polar = T::BASIS.parts.polar.as_chunks::<P>().0.get(l)?;
         let exponents = T::BASIS.parts.polar_exponents.as_chunks::<P>().0.get(l)?;
         let room = room(O - 1);
         let mut rest = exponents.as_slice();
         let mut top = i32::MIN;
-        for (o, &of_order) in of_orders.iter().enumerate() {
+        for (o, &above) in orders.above.iter().enumerate() {
             let (of_o, after) = rest.split_at_checked(o / 2 + 1)?;
             rest = after;
             let largest = of_o.iter().copied().max().unwrap_or(i8::MIN);
-            top = top.max(i32::from(of_order) + i32::from(largest));
+            top = top.max(i32::from(above) + i32::from(largest));
         }
         let common = top + room;
-        let shifts = of_orders.map(|of_order| common - i32::from(of_order) - 1);
+        let shifts = orders.own.map(|of_order| common - i32::from(of_order) - 1);
         Some(Self { polar, exponents, shifts, common })
     }
 

@@ -4,7 +4,7 @@ use super::{Azimuth, Item, NONE, Word, item, record};
 use zerocopy::{FromBytes, Immutable, KnownLayout};
 
 record! {
-    /// The arrays of a basis in a fixed-point format. `q15::Basis::new` of the runtime checks
+    /// The arrays of a basis in integers. `q15::Basis::new` of the runtime checks
     /// that they are consistent.
     "eigenshade::q15::Parts" Parts OwnedParts
     sizes {
