@@ -123,9 +123,9 @@ impl<'a> Basis<'a> {
     ///
     /// # Errors
     ///
-    /// [`Error::Length`] or [`Error::Parts`] if the parts are inconsistent. [`Error::Bound`] if a row of factors sums to 2^16 or more, if
-    /// a term is larger than the largest step that its profile states, if there are more than 511
-    /// profiles, or if the degree is above 510.
+    /// [`Error::Length`] or [`Error::Parts`] if the parts are inconsistent; [`Error::Bound`] if a
+    /// row of factors sums to 2^16 or more, if a term is larger than the largest step that its
+    /// profile states, if there are more than 511 profiles, or if the degree is above 510.
     pub const fn new(parts: Parts<'a>) -> Result<Self, Error> {
         let basis = Self { parts };
         if let Err(error) = basis.fits() {
@@ -154,8 +154,8 @@ impl<'a> Basis<'a> {
         Ok(basis)
     }
 
-    /// A transfer of these numbers, checked once for this basis. Being `const`, it can
-    /// initialize a static.
+    /// A transfer of these numbers, checked once for this basis. The function is `const`, so the
+    /// transfer can initialize a static.
     ///
     /// # Errors
     ///

@@ -56,8 +56,8 @@ mod transfer;
 mod turn;
 
 /// Kernels for tables that are known when the program is compiled: `integer_table!` calls them,
-/// once for each azimuth. They compute the same bits as the methods of a [`Basis`] and a [`Scene`],
-/// with constants for all sizes and positions. For other shapes, the methods are called.
+/// once for each azimuth. The kernels compute the same bits as the methods of a [`Basis`] and a
+/// [`Scene`], with constants for all sizes and positions. For other shapes, the methods are called.
 #[doc(hidden)]
 pub mod kernels {
     pub mod collapse;

@@ -251,7 +251,7 @@ impl<B: AsRef<[i32]>> Scene<'_, B> {
         pixel.irradiance()
     }
 
-    /// Writes the irradiance of each normal into `irradiance`: bit for bit that of
+    /// Writes the irradiance of each normal into `irradiance`: bit for bit as
     /// [`shade`](Self::shade).
     ///
     /// # Errors
@@ -272,7 +272,7 @@ impl<B: AsRef<[i32]>> Scene<'_, B> {
 }
 
 impl<B: AsRef<[i32]>> Scene<'_, B> {
-    /// The polynomials of each azimuth: those of +m, and those of -m (empty for m = 0).
+    /// The polynomials of each azimuth: of +m, and of -m (empty for m = 0).
     #[must_use]
     pub fn terms(&self) -> &[i32] {
         self.buffer.as_ref()

@@ -73,9 +73,9 @@ impl Basis<'_> {
     ///
     /// # Errors
     ///
-    /// [`Error::Beyond`] if the order of the material exceeds that of the basis,
-    /// [`Error::TransfersOnly`] if the basis only holds transfers, [`Error::Length`] unless
-    /// `workspace` has [`workspace_len`](Self::workspace_len) numbers, `numbers` has
+    /// [`Error::Beyond`] if the material goes beyond the basis's order, [`Error::TransfersOnly`] if
+    /// the basis only holds transfers, [`Error::Length`] unless `workspace` has
+    /// [`workspace_len`](Self::workspace_len) numbers, `numbers` has
     /// [`transfer_len`](Self::transfer_len) and `exponents` has [`profiles`](Self::profiles).
     pub fn transfer_into(
         &self,
@@ -197,7 +197,7 @@ pub(crate) fn product(factors: &[Q15], sums: &[i32]) -> i32 {
     sum
 }
 
-/// The exponent of zeros, less than that of any number.
+/// The exponent of zeros, below the exponent of any number.
 pub(crate) const ZERO_EXPONENT: i32 = -1 << 12;
 
 /// When a row is aligned to its largest exponent, its largest number must have this many bits more

@@ -21,8 +21,8 @@ pub use set::Shape;
 
 impl<'a> Basis<'a> {
     /// Computes a cheaper scene, within a tolerance of the scene of all `coefficients`:
-    /// [`collapse_into`](Self::collapse_into) with fewer components, azimuths and terms. This is a
-    /// set of one image; [`collapse_set_within`](Self::collapse_set_within) takes several.
+    /// [`collapse_into`](Self::collapse_into) with fewer components, azimuths and terms.
+    /// [`collapse_set_within`](Self::collapse_set_within) takes several images.
     ///
     /// The polynomials of the scene are written to the beginning of `buffer`, of length
     /// [`scene_len`](Self::scene_len), and their lengths to `lengths`, which needs room for

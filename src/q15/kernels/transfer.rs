@@ -8,8 +8,8 @@ use crate::q15::transfer::{GUARD_BITS, ZERO_EXPONENT, guard, room, row_bits};
 use crate::q15::{Basis, Material, Q15, TransferBuffer, transfer};
 use crate::specialized::{KnownTable, at};
 
-/// The mantissas and exponents of a material, of exactly these lengths. `None` unless each exponent
-/// is at most that of any lower o of the same parity. Then no addend exceeds the scale that
+/// The mantissas and exponents of a material, of exactly these lengths. `None` if an exponent
+/// exceeds the exponent of a lower o of the same parity. Otherwise no addend exceeds the scale that
 /// [`Degree::new`] derives from each o alone.
 #[inline(always)]
 pub fn inputs<'a, const B: usize, const O: usize>(
