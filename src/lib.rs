@@ -54,8 +54,8 @@
 //! trigonometry, no roots and no division, except that [`Highlights`] takes one of each for a
 //! source and a pixel.
 //!
-//! `mul_add` is not in `core`: on targets with the target feature `fma`, such as x86-64 with `-C
-//! target-cpu=x86-64-v3`, the feature `std` fuses sums of products, which is faster and changes
+//! `mul_add` is not in `core`: on targets with the target feature `fma`, such as x86-64 with
+//! `-C target-cpu=x86-64-v3`, the feature `std` fuses sums of products, which is faster and changes
 //! their last bits. On other targets the feature changes nothing.
 //!
 //! [`Disc`]: object::Disc

@@ -11,9 +11,9 @@ use crate::normal::Normal;
 /// texel has the nearest normal of the rim, so that a bilinear look-up is right there too.
 ///
 /// The image falls steeply just inside the rim, where z does, so bilinear look-ups are worst there.
-/// The table has the rms errors of bilinear look-ups over a disc, against the scene, as fractions
-/// of the peak of the brightest channel: in the median and at worst, for gold paint under each
-/// shipped light and for each shipped material in the lobby.
+/// The table below has the rms errors of bilinear look-ups over a disc, against the scene, as
+/// fractions of the peak of the brightest channel: in the median and at worst, for gold paint under
+/// each shipped light and for each shipped material in the lobby.
 ///
 /// | N | median | worst |
 /// |---:|---:|---:|

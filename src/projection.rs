@@ -30,7 +30,7 @@ impl<'a> Basis<'a> {
     ///
     /// let light = Light::new(&[3.5, 0.0, 1.0, 0.0])?;
     /// let matte = Material::new(&[2.0])?;
-    /// // A table's own functions know its sizes.
+    /// // A table's own functions have its sizes as constants.
     /// let d = sphere::project(&light, &matte)?;
     /// assert_eq!(d.len(), sphere::BASIS.components());
     /// # }

@@ -54,7 +54,8 @@ pub enum Status {
     NormalMap = 19,
     /// An exposure is not a number above 0.
     Exposure = 20,
-    /// A baked map does not have 2 to 4096 texels a side, or not three times the square of a side.
+    /// A baked map does not have 2 to 4096 texels a side, or its length is not three times the
+    /// square of a side.
     Baked = 21,
     /// A source has wrong numbers, or there are more than EIGENSHADE_SOURCES.
     Source = 22,

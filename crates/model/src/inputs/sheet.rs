@@ -219,7 +219,7 @@ impl<'a> Row<'a> {
 ///
 /// # Errors
 ///
-/// As [`Sheet::read`] and of `entry`, and if a column is missing.
+/// As [`Sheet::read`] and `entry`, and if a column is missing.
 pub(super) fn read_entries<T, const N: usize>(
     file: impl Into<InputFile>,
     columns: [&str; N],
