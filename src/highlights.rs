@@ -34,10 +34,10 @@ const BLOCK: usize =
 /// E (F D V n·s + (1 - F) albedo / π n·s), and 0 where n·s <= 0,
 ///
 /// by the formulas of [`Gloss`] with the half-way direction h of source and view. F is the same for
-/// all normals. The source's spread σ blurs the lobe: instead of α² I, D has the matrix A = α²
-/// I + κ σ² J² in the plane tangent to h, where J = diag(1/2, 1/(2 cos θ_d)) is how far h moves
-/// along and across the plane of source and view, with the angle θ_d between h and the view. So
-/// D = 1 / (π √det A (nᵀ Q n)² (1 + c²/2)), Q = h hᵀ + T A⁻¹ Tᵀ with the tangents T at h, and
+/// all normals. The source's spread σ blurs the lobe: instead of α² I, D has the matrix
+/// A = α² I + κ σ² J² in the plane tangent to h, where J = diag(1/2, 1/(2 cos θ_d)) is how far h
+/// moves along and across the plane of source and view, with the angle θ_d between h and the view.
+/// So D = 1 / (π √det A (nᵀ Q n)² (1 + c²/2)), Q = h hᵀ + T A⁻¹ Tᵀ with the tangents T at h, and
 /// c = σ² / cos² θ_d, which fades a source that spreads around the object's back. Across the plane,
 /// A is at most 1.
 ///

@@ -22,7 +22,7 @@ const WIDEST: f32 = 0.5 * (1.0 + 1e-5);
 /// ([`Rgb::residual`]) and shaded by [`Highlights`](crate::Highlights), a lamp has a sharp
 /// reflection.
 ///
-/// The blob is the heat kernel of variance spread²: its harmonics of degree l are a point's times
+/// The blob is the heat kernel of variance spread²: its harmonics of degree l are a point's, times
 /// exp(-l (l + 1) spread² / 2). The blob's integral over the sphere is 1, times the energy.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]

@@ -21,7 +21,7 @@ pub struct Transfer<'a> {
 
 impl<'a> Transfer<'a> {
     /// A transfer of these numbers. [`Basis::relight`](super::Basis::relight) checks on every call
-    /// that there are as many as it needs and that no sum can leave its accumulator.
+    /// that there are as many as it needs and that no sum can overflow its accumulator.
     /// [`Basis::checked_transfer`](super::Basis::checked_transfer) checks this only once.
     #[must_use]
     pub const fn new(numbers: &'a [Q15], exponents: &'a [i16]) -> Self {

@@ -1,8 +1,8 @@
 //! Scenes that are only as accurate as required, one by one or several of the same shape:
 //! components, azimuths and terms are left out as long as a tolerance holds.
 //!
-//! Components are orthonormal, so leaving some out costs Σ d_i², the mean square over the normals.
-//! The error of the components lies within the span of the remaining terms and the error of the terms
+//! Components are orthonormal, so omitting some costs Σ d_i², the mean square over the normals. The
+//! error of the components lies within the span of the remaining terms and the error of the terms
 //! outside it, so their squares add.
 
 mod accounts;

@@ -43,7 +43,7 @@ pub struct Truncation {
     /// sphere's normals, apart from rounding. The square of `bound` is the sum of the squares of
     /// the next two fields.
     pub bound: f32,
-    /// Upper bound on the part of the difference that comes from leaving out the components beyond
+    /// Upper bound on the part of the difference that comes from omitting the components beyond
     /// [`components`](Self::components).
     pub left_out_by_components: f32,
     /// The part of the difference that comes from the azimuths and terms that are left out.

@@ -252,7 +252,7 @@ impl Table {
         self.general.as_ref().map_or(self.components.len(), |general| general.eigenvalues.len())
     }
 
-    /// Energy that the first `count` components leave, from the eigenvalues.
+    /// Energy beyond the first `count` components, from the eigenvalues.
     #[must_use]
     pub fn energy_left(&self, count: usize) -> f64 {
         // Summed from the small end to preserve small values.
