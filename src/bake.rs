@@ -2,8 +2,8 @@
 //!
 //! The map takes the normal n to the point (n_x, n_y) / (1 + n_z). The visible hemisphere fills the
 //! unit disc, and the normal toward the camera is its center. The map is conformal and its scale
-//! varies by no more than a factor of two, so texels are used evenly. In (n_x, n_y) itself they
-//! crowd at the center and are missing at the rim.
+//! varies by no more than a factor of two, so texels are used evenly. In (n_x, n_y) itself texels
+//! would crowd at the center and be missing at the rim.
 //!
 //! The texel in row j and column k lies at u = 2k/(N-1) - 1, v = 2j/(N-1) - 1, so the outermost
 //! texels lie on the bounding square of the unit disc. Points outside the disc are hidden normals,
@@ -122,9 +122,9 @@ impl<C> Scene<'_, C> {
         fitted([row, row + 1, row + 2].map(|row| self.continued(grid, place, row)))
     }
 
-    /// Calls a function with each texel that a look-up reads and its index, in storage order. The
-    /// texels are those of [`bake_into`](Self::bake_into), bit by bit. No other texel is kept, so
-    /// this shades up to 3 N² + 6 N pixels.
+    /// Calls a function with each texel that a look-up reads and its index, in storage order.
+    /// [`bake_into`](Self::bake_into) writes the same texels, bit by bit. No other texel is kept,
+    /// so this shades up to 3 N² + 6 N pixels.
     pub(crate) fn each_texel(&self, size: usize, mut take: impl FnMut(usize, f32))
     where
         C: AsRef<[f32]>,
@@ -175,7 +175,7 @@ fn fitted([before, here, after]: [f32; 3]) -> f32 {
     here + (here + here - (before + after)) * (1.0 / 12.0)
 }
 
-/// Replaces values in a row or a column by those of [`fitted`], given those at its ends.
+/// Replaces the values of a row or a column by [`fitted`] ones, given the values at its ends.
 #[inline(never)]
 fn fit(
     texels: &mut [f32],
@@ -300,7 +300,7 @@ pub struct MapPoint {
 }
 
 impl MapPoint {
-    /// The point (u, v). It is not checked: a point outside the disc looks up a meaningless texel.
+    /// The point (u, v), unchecked: a point outside the disc looks up a meaningless texel.
     #[inline]
     #[must_use]
     pub const fn new(u: f32, v: f32) -> Self {

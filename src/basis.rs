@@ -22,13 +22,14 @@ pub struct Basis<'a> {
 impl<'a> Basis<'a> {
     /// Creates a basis from its parts.
     ///
-    /// This checks all lengths, and all positions from one part into another. An azimuth without a
-    /// profile must have length 0. The numbers themselves are not checked, nor that no two profiles
-    /// serve the same component.
+    /// Checks all lengths, and all positions from one part into another. An azimuth without a
+    /// profile must have length 0. Neither the numbers themselves are checked, nor whether two
+    /// profiles belong to the same component.
     ///
     /// # Errors
     ///
-    /// [`Error::High`] beyond degree 12 or order 12, or [`Error::Length`], [`Error::Parts`] if the parts contradict each other. A polynomial has at most 40 terms.
+    /// [`Error::High`] beyond degree 12 or order 12; [`Error::Length`] or [`Error::Parts`] if the
+    /// parts contradict each other. A polynomial has at most 40 terms.
     pub const fn new(parts: Parts<'a>) -> Result<Self, Error> {
         // These come first because they bound the counts below.
         if let Err(error) = Error::check_shape(parts.degree, parts.order) {
@@ -143,8 +144,8 @@ impl<'a> Basis<'a> {
         !self.parts.polar.is_empty()
     }
 
-    /// Length of the workspace that a projection needs. It holds the material's polar integrals,
-    /// once along l and once along the pairs, and two coefficients of the light for each l.
+    /// Length of the workspace that a projection needs: the material's polar integrals, once along
+    /// l and once along the pairs, and two coefficients of the light for each l.
     #[must_use]
     pub const fn workspace_len(&self) -> usize {
         (self.parts.degree + 1) * (self.row() + 2) + self.sums_len()

@@ -6,7 +6,7 @@ use core::ops::{Deref, DerefMut};
 /// At most `N` numbers, or sources, stored in place: the coefficients, scenes, transfers and maps
 /// that functions return by value.
 ///
-/// It dereferences to a slice. Each table states the capacities that it needs, such as
+/// A buffer dereferences to a slice. Each table states the capacities that it needs, such as
 /// `sphere::SCENE`.
 ///
 /// ```
@@ -44,7 +44,7 @@ impl<S, const N: usize> Buffer<S, N> {
         self.0.as_mut_slice()
     }
 
-    /// All `N` numbers, to be written. Those that were not there before are zero.
+    /// All `N` numbers, to be written. Numbers that were not there before are zero.
     #[inline(always)]
     pub(crate) fn filled(&mut self) -> Option<&mut [S; N]>
     where

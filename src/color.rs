@@ -13,7 +13,8 @@ use core::ops::Add;
 /// Red, green and blue: three lights, three materials, three irradiances.
 ///
 /// A module of a table has the steps from light to pixel for three channels at once, such as
-/// `sphere::color::scene`. They take an `Rgb`, or one light or material for all three channels.
+/// `sphere::color::scene`. The steps take an `Rgb`, or one light or material for all three
+/// channels.
 ///
 /// ```
 /// use eigenshade::{Light, Rgb};
@@ -75,7 +76,7 @@ impl<T: Copy> Rgb<T> {
     }
 }
 
-/// The sum in each channel, such as that of a scene and its [`Highlights`](crate::Highlights).
+/// The sum in each channel, such as of a scene and its [`Highlights`](crate::Highlights).
 impl<T: Add> Add for Rgb<T> {
     type Output = Rgb<T::Output>;
 
@@ -160,7 +161,8 @@ impl<const N: usize, const O: usize> Rgb<q15::MaterialBuffer<N, O>> {
 }
 
 impl Material<'_> {
-    /// This material in a color: its coefficients times each channel. `N` is at least their number.
+    /// This material in a color: its coefficients times each channel. `N` is at least the number of
+    /// coefficients.
     ///
     /// ```
     /// use eigenshade::Material;
@@ -254,8 +256,8 @@ impl<B: AsRef<[i16]>> Rgb<q15::BakedMap<B>> {
         self.each_ref().map(|map| map.bilinear(point))
     }
 
-    /// What multiplies the irradiances of the mantissas by a factor, channel by channel; errors as
-    /// [`q15::Exposure::new`].
+    /// The exposure that multiplies the irradiances of the mantissas by a factor, channel by
+    /// channel; errors as [`q15::Exposure::new`].
     pub fn exposure_by_factor(&self, factor: f32) -> Result<Rgb<q15::Exposure>, Error> {
         self.each_ref().try_map(|map| q15::Exposure::new(factor, map.exponent()))
     }

@@ -43,8 +43,8 @@ fn root(square: u32) -> u16 {
 
 /// Iterates over the pixels of a sphere that fills a square picture, row by row from the top.
 ///
-/// It yields the pixels whose centers are inside the circle. Costs a look-up of a root per pixel,
-/// and two divisions to make it.
+/// Yields the pixels whose centers are inside the circle. Cost: two divisions in
+/// [`new`](Self::new), and a look-up of a root per pixel.
 ///
 /// ```
 /// use eigenshade::object::Disc;

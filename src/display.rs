@@ -80,8 +80,8 @@ pub struct Display {
 }
 
 impl Display {
-    /// Computes the table. It takes 25,000 divisions in `f64`: initialize a static with it, so that
-    /// the compiler computes it.
+    /// Computes the table with 25,000 divisions in `f64`: initialize a static with this function,
+    /// so that the compiler computes the table.
     #[must_use]
     #[expect(clippy::indexing_slicing, reason = "a constant function has no iterators")]
     pub const fn new(tone: Tone) -> Self {

@@ -44,11 +44,11 @@ pub enum Error {
         found: usize,
     },
     /// The parts of a basis contradict each other. A profile has an azimuth beyond the degree, is
-    /// out of order or belongs to a component that does not exist; a component has no profile or, in
-    /// integers, two profiles; the positions of an azimuth are not those of its profiles; a pass is
+    /// out of order or belongs to a component that does not exist; a component has no profile or,
+    /// in integers, two profiles; the positions of an azimuth do not match its profiles; a pass is
     /// beyond the degree or is not laid out as [`eigenshade_table::layout`] specifies; the slots do
-    /// not contain the components where the profiles have their rows, or the runs are not these
-    /// rows.
+    /// not contain the components where the profiles have their rows, or the runs differ from the
+    /// profiles' rows.
     Parts,
     /// A number is not finite.
     NotFinite {

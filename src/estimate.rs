@@ -79,9 +79,9 @@ impl<'a, const K: usize> Estimate<'a, K> {
 
     /// The coefficients d: the weighted mean of I U_i over the pixels.
     ///
-    /// This equals I • U_i if the weighted pixels are distributed like the normals of the basis.
-    /// For a sphere, these are all pixels of its disc, seen from afar. It does not hold for part of
-    /// an object, which takes least squares.
+    /// The mean equals I • U_i if the weighted pixels are distributed like the normals of the
+    /// basis: for a sphere, all pixels of its disc, seen from afar. Part of an object takes least
+    /// squares instead.
     ///
     /// Compared with the same mean in exact arithmetic, the error is below 1e-6 of the
     /// largest coefficient, for a million pixels and the shipped table.

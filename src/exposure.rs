@@ -9,7 +9,8 @@ pub(crate) const POINT: u32 = 16;
 /// An exposed irradiance in units of 2^-16: 65,536 is white under
 /// [`Tone::Linear`](crate::screen::Tone::Linear).
 ///
-/// It converts from `f32`: values below 0 and NaN become 0, large ones the largest number.
+/// A conversion from `f32` turns values below 0 and NaN into 0, and large values into the largest
+/// number.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Linear(pub u32);
@@ -21,7 +22,7 @@ impl From<f32> for Linear {
     }
 }
 
-/// What an irradiance is multiplied by, so that white is 1.
+/// The factor by which an irradiance is multiplied, so that white is 1.
 ///
 /// ```
 /// use eigenshade::screen::Exposure;
@@ -59,7 +60,7 @@ impl Exposure {
         }
     }
 
-    /// The number that it multiplies by.
+    /// The factor from irradiance to a multiple of white.
     #[inline]
     #[must_use]
     pub const fn factor(self) -> f32 {
@@ -93,9 +94,9 @@ const UNCLIPPED: [f32; 2] = [0.99, 0.9];
 
 /// Meters a picture for its exposure.
 ///
-/// One pixel in a hundred is brighter than white. If that leaves the median pixel darker than 0.12
-/// of white, which a display shows as a dark gray, the exposure rises until the median has 0.12 or
-/// one pixel in ten is brighter than white. Brightness is that of the largest channel.
+/// One pixel in a hundred is brighter than white. If the median pixel is then darker than 0.12 of
+/// white, which a display shows as a dark gray, the exposure rises until the median has 0.12 or one
+/// pixel in ten is brighter than white. The largest channel counts as the brightness of a pixel.
 ///
 /// Pixels in integers are exposed first, say by `e`; the picture's exposure is `e` times the one
 /// found.
@@ -124,7 +125,7 @@ impl Default for Meter {
 }
 
 impl Meter {
-    /// Counts a pixel. One that is black in all channels, or not finite, counts as the darkest.
+    /// Counts a pixel: as the darkest if it is black in all channels or not finite.
     pub fn add(&mut self, color: Rgb<f32>) {
         let largest = color.largest();
         let largest = if largest > 0.0 && largest.is_finite() { largest } else { 0.0 };
@@ -159,8 +160,8 @@ impl Meter {
         Some(Exposure(unclipped.max(1.0 / self.brightness(brightest)?)))
     }
 
-    /// The brightness that this share of the pixels, from 0 to 1, does not exceed: the middle of its
-    /// step. If more of them are black, that of the darkest other one.
+    /// The brightness that this share of the pixels, from 0 to 1, does not exceed: the middle of
+    /// its step. If more pixels are black, the brightness of the darkest other one.
     fn brightness(&self, share: f32) -> Option<f32> {
         // The product rounds up for more than 2^24 pixels.
         let enough = ((share * self.total as f32) as u32).min(self.total);

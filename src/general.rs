@@ -67,7 +67,7 @@ impl<'a> GeneralBasis<'a> {
     }
 
     /// Length of the workspace that [`project`](Self::project) and [`collapse`](Self::collapse)
-    /// need: that of the span, and the coordinates of an image in the span.
+    /// need: the span's workspace, and the coordinates of an image in the span.
     #[must_use]
     pub const fn workspace_len(&self) -> usize {
         self.span.workspace_len() + self.span.components()

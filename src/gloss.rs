@@ -17,8 +17,8 @@ const MATTE: f32 = 0.6;
 /// * D = α² / π(sin² θ_h + α² cos² θ_h)²;
 /// * V = 1/2 / (cos θ_i √(α² + (1 - α²) cos² θ_r) + the same with i and r exchanged).
 ///
-/// This is the BRDF of `eigenshade material ggx` and of `Material::metallic_roughness`, here for
-/// any roughness, as it needs no coefficients.
+/// `eigenshade material ggx` and `Material::metallic_roughness` have the same BRDF; a gloss takes
+/// any roughness, because it needs no coefficients.
 ///
 /// ```
 /// use eigenshade::{Gloss, Rgb};
@@ -121,7 +121,7 @@ impl Gloss {
     }
 
     /// Whether sources make pictures of this material nearer: its roughness is below
-    /// [`MATTE`](Gloss::MATTE). Harmonics of degree 9 show wider lobes without.
+    /// [`MATTE`](Gloss::MATTE). Harmonics of degree 9 show wider lobes without sources.
     ///
     /// ```
     /// use eigenshade::Gloss;
@@ -142,13 +142,13 @@ impl Gloss {
     ///
     /// `errors` has a row for no sources, for the first one, for the first two and so on, such as
     /// [`presets::sources::errors::STUDIO`](crate::presets::sources::errors::STUDIO). A row has the
-    /// errors of GGX metals of the roughness of
-    /// [`ROUGHNESS`](crate::index::highlights::ROUGHNESS), 0.1 to 0.6: the root mean square over a
-    /// sphere's picture under its metered exposure, clipped at white, as a share of white, against
-    /// direct integration of the whole light; the larger one of the light as captured and turned.
-    /// The error is linear in α between the metals, and below 0.1 that of 0.1, which is too small.
-    /// A dielectric over a matte base has smaller errors. For a lobe that was fitted to another
-    /// material, add what the fit leaves.
+    /// errors of GGX metals of the roughness of [`ROUGHNESS`](crate::index::highlights::ROUGHNESS),
+    /// 0.1 to 0.6: the root mean square over a sphere's picture under its metered exposure, clipped
+    /// at white, as a share of white, against direct integration of the whole light; the larger one
+    /// of the light as captured and turned. The error is linear in α between the metals; a
+    /// roughness below 0.1 has the error of 0.1, which is too small. A dielectric over a matte base
+    /// has smaller errors. For a lobe that was fitted to another material, add the rms residual of
+    /// the fit.
     ///
     /// ```
     /// # #[cfg(feature = "presets")] {
@@ -167,7 +167,7 @@ impl Gloss {
         errors.iter().position(fits)
     }
 
-    /// The error of this material between those of the metals.
+    /// The error of this material, interpolated between the metals' errors.
     fn interpolated(&self, errors: &[f32; 6]) -> f32 {
         let [first, ..] = *errors;
         let (mut knot, mut error) = (0.0, first);

@@ -9,9 +9,9 @@ use crate::nine_terms::{CONSTANT, LINEAR, SQUARE, UPRIGHT};
 
 /// The convention of another program's coefficients.
 ///
-/// All of them are in the order of [`eigenshade_table::light`]. Directions are those of
-/// the program's world: right-handed, y up, with a camera that looks along -z until it is turned.
-/// This is the frame of this crate. For a camera that is turned, turn the light back with
+/// All coefficients are in the order of [`eigenshade_table::light`]. Directions are in the
+/// program's world: right-handed, y up, with a camera that looks along -z until it is turned. This
+/// crate has the same frame. For a camera that is turned, turn the light back with
 /// [`Light::turned`].
 ///
 /// | | contains | harmonics | degree |
@@ -31,16 +31,17 @@ pub enum Convention {
     /// Ramamoorthi and Hanrahan, "An Efficient Representation for Irradiance Environment Maps",
     /// 2001, have the same signs and scale.
     ThreeJs,
-    /// What `cmgen --sh=BANDS` prints and `IndirectLight::Builder::radiance` takes: radiance, with
-    /// the Condon-Shortley phase, but with |m| in sin(|m| φ).
+    /// Radiance as `cmgen --sh=BANDS` prints it and `IndirectLight::Builder::radiance` takes it:
+    /// with the Condon-Shortley phase, but with |m| in sin(|m| φ).
     Cmgen,
-    /// What `cmgen --sh=3 --sh-irradiance` prints: `Cmgen` times π, 2π/3 and π/4 for degrees 0, 1
-    /// and 2. Versions without the option `--sh-window` print these numbers divided by π.
+    /// Irradiance as `cmgen --sh=3 --sh-irradiance` prints it: `Cmgen` times π, 2π/3 and π/4 for
+    /// degrees 0, 1 and 2. Versions without the option `--sh-window` print these numbers divided by
+    /// π.
     CmgenIrradiance,
-    /// What `IndirectLight::Builder::irradiance` takes: a polynomial in the normal whose value is
-    /// the irradiance over π. `cmgen --deploy` writes it to `sh.txt` and to the entry `sh` of a KTX
-    /// file, `cmgen --sh-shader` prints it. `IndirectLight::Builder::intensity` is a factor of the
-    /// light that is not included.
+    /// A polynomial in the normal whose value is the irradiance over π, as
+    /// `IndirectLight::Builder::irradiance` takes it. `cmgen --deploy` writes the polynomial to
+    /// `sh.txt` and to the entry `sh` of a KTX file; `cmgen --sh-shader` prints the polynomial.
+    /// `IndirectLight::Builder::intensity` is a factor of the light that is not included.
     Filament,
 }
 
@@ -110,7 +111,8 @@ impl Convention {
 }
 
 impl Light<'_> {
-    /// The light of another program's coefficients, one channel. `N` must be at least their number.
+    /// The light of another program's coefficients, one channel. `N` must be at least the number of
+    /// coefficients.
     ///
     /// ```
     /// use eigenshade::lights::Convention;
@@ -142,7 +144,8 @@ impl Light<'_> {
     ///
     /// # Errors
     ///
-    /// The same, except for `Count`. [`truncated`](Self::truncated) brings a light to degree 2.
+    /// As [`from_graphics`](Self::from_graphics), except for `Count`.
+    /// [`truncated`](Self::truncated) brings a light to degree 2.
     pub fn to_graphics<const N: usize>(
         &self,
         convention: Convention,
@@ -174,7 +177,7 @@ impl Rgb<Light<'_>> {
     ///
     /// # Errors
     ///
-    /// The same; `NotFinite` counts coefficients.
+    /// As [`Light::from_graphics`]; `NotFinite` counts coefficients.
     pub fn from_graphics<const N: usize>(
         convention: Convention,
         numbers: &[[f32; 3]],

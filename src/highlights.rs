@@ -38,11 +38,11 @@ const BLOCK: usize =
 /// A = α² I + κ σ² J² in the plane tangent to h, where J = diag(1/2, 1/(2 cos θ_d)) is how far h
 /// moves along and across the plane of source and view, with the angle θ_d between h and the view.
 /// So D = 1 / (π √det A (nᵀ Q n)² (1 + c²/2)), Q = h hᵀ + T A⁻¹ Tᵀ with the tangents T at h, and
-/// c = σ² / cos² θ_d, which fades a source that spreads around the object's back. There A is also
-/// at most 1 across the plane.
+/// c = σ² / cos² θ_d, which fades a source that spreads around the object's back. Across the plane,
+/// A is at most 1.
 ///
 /// A GGX lobe blurred by a normal distribution is not a GGX lobe. κ = 2 + α² / (α² + σ² tr(J²)/2)
-/// leaves an error of the peak's height of at most 7.5 %, from points to sources that are much
+/// keeps the error of the peak's height to at most 7.5 %, from points to sources that are much
 /// wider than the lobe. A pixel on the flank may be off by more: for spreads to 0.2 rad and a
 /// roughness of 0.2, by 20 % of the peak up to 110 degrees from the view, and by 25 % at 140.
 ///
@@ -91,7 +91,7 @@ pub(crate) struct Lobe {
 }
 
 impl<const N: usize> Highlights<N> {
-    /// The reflections of these sources. Cost: some ten roots for each.
+    /// The reflections of these sources. Cost: some ten roots for each source.
     ///
     /// # Errors
     ///
@@ -106,12 +106,12 @@ impl<const N: usize> Highlights<N> {
         Ok(Self { masking: [half * square, half - half * square], lobes })
     }
 
-    /// The irradiance of one normal by the sources alone, to be added to that of
+    /// The irradiance of one normal by the sources alone, to be added to
     /// [`Scene::shade`](crate::Scene::shade).
     ///
-    /// It is within 3e-5 of the peak of the formula in exact arithmetic for the least
-    /// roughness, within 1e-5 for 0.1, and within 3e-6 from 0.3 on. Cost: a root, and for each
-    /// source that the normal faces a division and 31 products, those of a second root among them.
+    /// The difference from the formula in exact arithmetic is at most 3e-5 of the peak for the
+    /// least roughness, 1e-5 for 0.1, and 3e-6 from 0.3 on. Cost: a root, and for each source that
+    /// the normal faces a division and 31 products, including the products of a second root.
     #[inline]
     #[must_use]
     pub fn shade(&self, normal: Normal) -> Rgb<f32> {
@@ -119,9 +119,9 @@ impl<const N: usize> Highlights<N> {
         Rgb::new(r, g, b)
     }
 
-    /// Adds the irradiance of each normal to `irradiance`, after `shade_slice` of a scene has
-    /// written that of the rest of the light. The sums are those of [`shade`](Self::shade) to the
-    /// last bit.
+    /// Adds the sources' irradiance at each normal to `irradiance`, where `shade_slice` of a scene
+    /// has written the irradiance of the rest of the light. The sums equal [`shade`](Self::shade)
+    /// to the last bit.
     ///
     /// ```
     /// use eigenshade::{Gloss, Highlights, Normals, Rgb, Source};
@@ -167,7 +167,7 @@ impl<const N: usize> Highlights<N> {
         self.lobes.len()
     }
 
-    /// Whether there are none.
+    /// Whether there are no sources.
     #[must_use]
     pub fn is_empty(&self) -> bool {
         self.lobes.is_empty()

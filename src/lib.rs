@@ -10,7 +10,7 @@
 //! 2. [`Basis::project`] gives the coefficients d = UᵀMc of the eigenimages. If the material stays
 //!    the same, [`Basis::transfer`] takes it in once and [`Basis::relight`] applies each new light.
 //! 3. [`Basis::collapse`] sums the components of each azimuth into a [`Scene`].
-//! 4. [`Scene::shade`] gives the irradiance of one [`Normal`], [`Scene::shade_slice`] that of many.
+//! 4. [`Scene::shade`] gives the irradiance of one [`Normal`], [`Scene::shade_slice`] of many.
 //! 5. [`Scene::bake`] makes a map of the image. On processors without vectors, a look-up costs less
 //!    than shading.
 //! 6. To turn the light, call [`Light::turned`] with a [`Rotation`]; integers have their own
@@ -18,8 +18,8 @@
 //!    how to handle irradiance below zero.
 //! 7. A module `color` of each table has these steps in three channels; [`Display`] makes pixels of
 //!    8, 6 or 5 bits of an [`Rgb`], and the module `presets` has lights and materials by name.
-//! 8. [`Disc`] iterates over the pixels of a sphere, [`NormalMap`] over those of any object, and
-//!    [`Matcap`] over the texels of a look-up by normal.
+//! 8. [`Disc`] iterates over the pixels of a sphere, [`NormalMap`] over the pixels of any object,
+//!    and [`Matcap`] over the texels of a look-up by normal.
 //! 9. Glossy materials mirror lamps and the sun more sharply than the harmonics of a light can
 //!    represent. [`Rgb::residual`] takes each such [`Source`] out of the light, and [`Highlights`]
 //!    adds its reflection on a [`Gloss`].
@@ -44,18 +44,19 @@
 //! # Ok::<(), eigenshade::Error>(())
 //! ```
 //!
-//! A table as a module, such as `sphere` or one that a build script makes, has functions that
-//! know all its sizes: `project`, `transfer`, `relight`, `collapse` and so on, with types
-//! `Coefficients`, `Transfer` and `Scene`. The methods of [`Basis`] do the same for a table whose
-//! size is known only at run time; they take sizes as constants or slices. The module
-//! [`q15`] does all of this in integers.
+//! A table as a module, such as `sphere` or one that a build script makes, has the functions
+//! `project`, `transfer`, `relight`, `collapse` and so on, with all its sizes as constants, and the
+//! types `Coefficients`, `Transfer` and `Scene`. The methods of [`Basis`] do the same for a table
+//! whose size is known only at run time; they take sizes as constants or slices. The module [`q15`]
+//! does all of this in integers.
 //!
-//! The crate needs no allocator and does not panic. Its loops over pixels use no trigonometry, no
-//! roots and no division, except that [`Highlights`] takes one of each for a source and a pixel.
+//! The crate is `no_std`, needs no allocator and does not panic. Loops over pixels use no
+//! trigonometry, no roots and no division, except that [`Highlights`] takes one of each for a
+//! source and a pixel.
 //!
-//! It is `no_std`. `mul_add` is not in `core`: on targets with the target feature `fma`, such as
-//! x86-64 with `-C target-cpu=x86-64-v3`, the feature `std` fuses sums of products, which is faster
-//! and changes their last bits. On other targets the feature changes nothing.
+//! `mul_add` is not in `core`: on targets with the target feature `fma`, such as x86-64 with
+//! `-C target-cpu=x86-64-v3`, the feature `std` fuses sums of products, which is faster and changes
+//! their last bits. On other targets the feature changes nothing.
 //!
 //! [`Disc`]: object::Disc
 //! [`Display`]: screen::Display

@@ -25,8 +25,8 @@ pub struct Light<'a> {
 }
 
 impl<'a> Light<'a> {
-    /// Creates a light from its coefficients, which must be finite. Their number determines the
-    /// degree.
+    /// Creates a light from its coefficients, which must be finite. The number of coefficients
+    /// determines the degree.
     ///
     /// Constants, and lights that a small machine makes for each frame, can be created by
     /// [`from_finite`](Self::from_finite).
@@ -52,7 +52,8 @@ impl<'a> Light<'a> {
     }
 
     /// [`new`](Self::new) in a constant, or without a pass over the coefficients: the caller
-    /// promises that they are finite. One that is not spoils more of an image than its own mode.
+    /// promises finite coefficients. An infinite or NaN coefficient spoils more of an image than
+    /// its own mode.
     ///
     /// # Errors
     ///
@@ -137,10 +138,10 @@ impl Window {
     /// The weakest window that keeps a picture from dark rings: no window if there are none.
     ///
     /// `darkest` draws the picture of the light of this degree under a window, and returns its
-    /// smallest channel, exposed, as a share of white. It is called for no window, then for
-    /// stronger ones until that is at least -0.02: a display clips it to black. If no
-    /// window suffices, the one with the largest number is taken. Sloan and Filament search for a
-    /// window of a light in this way; a picture needs a weaker one, since its material blurs it.
+    /// smallest channel, exposed, as a share of white. `darkest` is called for no window, then for
+    /// stronger windows until it returns at least -0.02, which a display clips to black. If no
+    /// window suffices, the window with the largest result is taken. Sloan and Filament search for
+    /// a window of a light in this way; a picture needs a weaker one, since its material blurs it.
     ///
     /// ```
     /// use eigenshade::lights::Window;
@@ -166,7 +167,7 @@ impl Window {
         best.0
     }
 
-    /// The factor of a degree, from 0 to 1. It is 1 for degree 0, so the mean light is preserved.
+    /// The factor of a degree, from 0 to 1; 1 for degree 0, which preserves the mean light.
     ///
     /// A width that is not above 0 keeps degree 0 only.
     #[must_use]
@@ -187,7 +188,7 @@ impl Window {
         square * square
     }
 
-    /// Attenuates the coefficients of a light in place. They are in the order of
+    /// Attenuates the coefficients of a light in place, in the order of
     /// [`eigenshade_table::light`].
     ///
     /// Cost: a sine for each degree and a product for each coefficient.

@@ -11,9 +11,9 @@ use crate::normal::Normal;
 /// texel has the nearest normal of the rim, so that a bilinear look-up is right there too.
 ///
 /// The image falls steeply just inside the rim, where z does, so bilinear look-ups are worst there.
-/// Against the scene, as fractions of the peak of the brightest channel, they are off by these rms
-/// errors over a disc: in the median and at worst, for gold paint under each shipped light and for
-/// each shipped material in the lobby.
+/// The table below has the rms errors of bilinear look-ups over a disc, against the scene, as
+/// fractions of the peak of the brightest channel: in the median and at worst, for gold paint under
+/// each shipped light and for each shipped material in the lobby.
 ///
 /// | N | median | worst |
 /// |---:|---:|---:|
@@ -69,8 +69,8 @@ impl Matcap {
         self.size
     }
 
-    /// The same for an engine that looks up a disc of this radius, of which 1 fills the square: a
-    /// margin of the rim's values is left around it.
+    /// This matcap for an engine that looks up a disc of this radius; 1 fills the square. The
+    /// margin around the disc has the rim's values.
     ///
     /// # Errors
     ///

@@ -15,8 +15,8 @@ pub struct Material<'a> {
 }
 
 impl<'a> Material<'a> {
-    /// Creates a material from its coefficients, which must be finite. Their number determines the
-    /// order: there are 1, 2, 5, 8, 14, 20, 30 and 40 of orders 0 to 7.
+    /// Creates a material from its coefficients, which must be finite. The number of coefficients
+    /// determines the order: 1, 2, 5, 8, 14, 20, 30 and 40 for orders 0 to 7.
     ///
     /// Constants can be created by [`from_finite`](Self::from_finite).
     ///
@@ -42,7 +42,8 @@ impl<'a> Material<'a> {
     }
 
     /// [`new`](Self::new) in a constant, or without a pass over the coefficients: the caller
-    /// promises that they are finite. One that is not spoils more of an image than its own mode.
+    /// promises finite coefficients. An infinite or NaN coefficient spoils more of an image than
+    /// its own mode.
     ///
     /// # Errors
     ///

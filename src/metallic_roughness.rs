@@ -1,8 +1,8 @@
 //! Materials of glTF: base color, metallic and roughness.
 //!
 //! With f0 = 0.04 + (base color - 0.04) metallic and albedo = base color (1 - metallic), the BRDF
-//! of appendix B of the glTF 2.0 specification is linear in albedo (1 - f0), 1 and f0. Its
-//! coefficients are therefore
+//! of appendix B of the glTF 2.0 specification is linear in albedo (1 - f0), 1 and f0. The
+//! coefficients of the BRDF are therefore
 //!
 //! b = albedo (1 - f0) matte + rim(roughness) + f0 metal(roughness),
 //!
@@ -76,11 +76,12 @@ impl Material<'_> {
     }
 
     /// The parts matte, rim and metal, to order 7. Every glTF material of a roughness is a weighted
-    /// sum of them.
+    /// sum of the three parts.
     ///
-    /// Transfers are linear in the material. With those of the three parts, a material of another
-    /// color or share of metal needs no new transfer, but a sum of three, and one of another
-    /// roughness needs two new ones, those of rim and metal, however many channels it has.
+    /// Transfers are linear in the material. A material of another color or share of metal needs no
+    /// new transfer, only a sum of the transfers of the three parts. A material of another
+    /// roughness needs two new transfers, of rim and of metal, however many channels the material
+    /// has.
     ///
     /// ```
     /// # #[cfg(feature = "baked")] {
@@ -147,8 +148,8 @@ impl Material<'_> {
 
 impl q15::Material<'_> {
     /// [`Material::metallic_roughness`](crate::Material::metallic_roughness) in integers: a picture
-    /// of the coefficients differs by at most 6e-4 of its largest irradiance from that of the
-    /// formula's.
+    /// of the coefficients differs by at most 6e-4 of its largest irradiance from the picture of
+    /// the formula's coefficients.
     ///
     /// # Errors
     ///

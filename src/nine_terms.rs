@@ -15,7 +15,7 @@ pub(crate) const SQUARE: f32 = 0.25 * 1.092_548_5;
 pub(crate) const UPRIGHT: f32 = 0.25 * 0.315_391_57;
 
 /// Irradiance as a polynomial of degree 2 in the normal, for a Lambertian material under light of
-/// degree 2. It needs no table.
+/// degree 2, without a table.
 ///
 /// ```
 /// use eigenshade::lights::NineTerms;

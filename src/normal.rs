@@ -1,7 +1,7 @@
 //! Normals: unit vectors on the camera's side, z >= 0.
 //!
-//! The polynomials of a pixel are valid for z in \[0, 1\]. Outside they leave their range, faster
-//! the longer they are. Interpolated normals, and those of 8-bit maps, can lie outside along an
+//! The polynomials of a pixel are valid for z in \[0, 1\]. Outside, polynomials leave their range,
+//! longer ones faster. Interpolated normals, and normals of 8-bit maps, can lie outside along an
 //! object's outline. When normals are scaled to length 1, which happens once for each, such normals
 //! are moved to the rim. Loops over pixels use normals as they are.
 
@@ -84,7 +84,7 @@ impl Normal {
 
 /// Many normals, stored component by component.
 ///
-/// They are used as they are: each must be a unit vector with z in \[0, 1\], as
+/// The normals are used as they are: each must be a unit vector with z in \[0, 1\], as
 /// [`new`](Self::new) checks. Normals of a mesh or a map must pass through
 /// [`normalized`](Self::normalized) first.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -128,8 +128,8 @@ impl<'a> Normals<'a> {
     }
 
     /// [`new`](Self::new) in a constant, or without a pass over the normals: the caller promises
-    /// unit vectors with z in \[0, 1\]. One that is not has a meaningless irradiance, but does not
-    /// affect the others.
+    /// unit vectors with z in \[0, 1\]. Any other vector has a meaningless irradiance, but does not
+    /// affect the other normals.
     ///
     /// # Errors
     ///
@@ -181,7 +181,7 @@ impl<'a> Normals<'a> {
         self.x.len()
     }
 
-    /// Whether there are none.
+    /// Whether there are no normals.
     #[must_use]
     pub const fn is_empty(&self) -> bool {
         self.x.is_empty()

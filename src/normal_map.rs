@@ -2,10 +2,10 @@
 //!
 //! A pixel that the object covers completely has the [code](crate::normal_code) of its normal.
 //!
-//! The codes with u = -128 have no normal of their own. Their other byte is a neighbor's number in
-//! the three low bits and a coverage in units of 1/32 above them: a pixel that the object covers in
-//! part has the normal of that neighbor. Without coverage, a pixel is background. So is a code
-//! beyond the rim, and one that refers to a pixel without a normal of its own.
+//! A code with u = -128 has no normal of its own. The other byte of such a code is a neighbor's
+//! number in the three low bits and a coverage in units of 1/32 above them: a pixel that the object
+//! covers in part has the normal of that neighbor. Without coverage, a pixel is background. A code
+//! beyond the rim, or one that refers to a pixel without a normal of its own, is background too.
 
 use crate::error::{Argument, Error};
 use crate::normal::Normal;
@@ -21,7 +21,7 @@ const NEIGHBORS: [[i8; 2]; 8] =
 
 /// A picture of an object's normals, two bytes a pixel, to be drawn under any light.
 ///
-/// `eigenshade pack-normals` makes one from a mesh or from a PNG. Normals are within 0.51° of the
+/// `eigenshade pack-normals` makes a map from a mesh or from a PNG. Normals are within 0.51° of the
 /// packed ones. Pixels at an object's outline have a coverage.
 ///
 /// ```
@@ -118,10 +118,10 @@ impl<'a> NormalMap<'a> {
         NormalCode::of(normal).bytes()
     }
 
-    /// The code of a pixel that the object covers in part, by `coverage` / 255. Its normal is
-    /// that of `neighbor`, given by its offset in pixels to the right and down, each -1, 0 or 1. If
-    /// `neighbor` is none of the eight neighbors, the code is that of the background. Coverage is
-    /// rounded to 1/32 to 31/32.
+    /// The code of a pixel that the object covers in part, by `coverage` / 255. The pixel gets the
+    /// normal of `neighbor`, an offset in pixels to the right and down, each -1, 0 or 1. If
+    /// `neighbor` is none of the eight neighbors, the code is [`BACKGROUND`](Self::BACKGROUND).
+    /// Coverage is rounded to 1/32 to 31/32.
     #[must_use]
     pub fn edge_code(coverage: u8, neighbor: [i8; 2]) -> [u8; 2] {
         let Some(number) = NEIGHBORS.iter().position(|&step| step == neighbor) else {
@@ -219,14 +219,15 @@ impl NormalPixel {
         self.coverage
     }
 
-    /// The normal. Components are within 2e-6 of those of its code.
+    /// The normal of the pixel's code, each component within 2e-6 of the exact value.
     #[inline]
     #[must_use]
     pub fn normal(self) -> Normal {
         self.code.normal()
     }
 
-    /// The normal in integers. Components are within 2.5 units of 2^-15 of those of its code.
+    /// The normal of the pixel's code in integers, each component within 2.5 units of 2^-15 of the
+    /// exact value.
     #[inline]
     #[must_use]
     pub fn normal_q15(self) -> q15::Normal {

@@ -30,7 +30,7 @@ impl<'a> Basis<'a> {
     ///
     /// let light = Light::new(&[3.5, 0.0, 1.0, 0.0])?;
     /// let matte = Material::new(&[2.0])?;
-    /// // A table's own functions know its sizes.
+    /// // A table's own functions have its sizes as constants.
     /// let d = sphere::project(&light, &matte)?;
     /// assert_eq!(d.len(), sphere::BASIS.components());
     /// # }
@@ -43,8 +43,8 @@ impl<'a> Basis<'a> {
     ///
     /// # Errors
     ///
-    /// [`Error::Beyond`] if the degree of the light or the order of the material exceeds that of
-    /// the basis, [`Error::Capacity`] if `N` or `K` is too small.
+    /// [`Error::Beyond`] if the light goes beyond the basis's degree or the material beyond the
+    /// basis's order, [`Error::Capacity`] if `N` or `K` is too small.
     pub fn project<const N: usize, const K: usize>(
         &self,
         light: &Light<'_>,
@@ -61,8 +61,8 @@ impl<'a> Basis<'a> {
     ///
     /// # Errors
     ///
-    /// [`Error::Beyond`] if the degree of the light or the order of the material exceeds that of
-    /// the basis, [`Error::Length`] if a slice has another length.
+    /// [`Error::Beyond`] if the light goes beyond the basis's degree or the material beyond the
+    /// basis's order, [`Error::Length`] if a slice has another length.
     pub fn project_into(
         &self,
         light: &Light<'_>,

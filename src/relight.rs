@@ -52,8 +52,8 @@ impl<'a> Basis<'a> {
     ///
     /// # Errors
     ///
-    /// [`Error::Beyond`] if the degree of the light exceeds that of the basis, [`Error::Length`] if
-    /// the transfer belongs to another basis, [`Error::Capacity`] if `K` is less than
+    /// [`Error::Beyond`] if the light goes beyond the basis's degree, [`Error::Length`] if the
+    /// transfer belongs to another basis, [`Error::Capacity`] if `K` is less than
     /// [`components`](Self::components).
     #[inline]
     pub fn relight<const T: usize, const K: usize>(
@@ -70,8 +70,8 @@ impl<'a> Basis<'a> {
     ///
     /// # Errors
     ///
-    /// [`Error::Beyond`] if the degree of the light exceeds that of the basis, [`Error::Length`]
-    /// unless `transfer` has [`transfer_len`](Self::transfer_len) numbers and `coefficients` has
+    /// [`Error::Beyond`] if the light goes beyond the basis's degree, [`Error::Length`] unless
+    /// `transfer` has [`transfer_len`](Self::transfer_len) numbers and `coefficients` has
     /// [`components`](Self::components).
     #[inline]
     pub fn relight_into(

@@ -52,8 +52,8 @@ impl Rotation {
         if angles.into_iter().all(is_angle) { Ok(rotation) } else { Err(Error::Rotation) }
     }
 
-    /// The rotation of the quaternion x i + y j + z k + w. Its length may be anything whose square
-    /// is a normal number of f32. Takes no root and no angle.
+    /// The rotation of the quaternion x i + y j + z k + w, of any length whose square is a normal
+    /// number of f32. Takes no root and no angle.
     ///
     /// # Errors
     ///

@@ -1,7 +1,7 @@
 //! Combines the material with the polar integrals: S_l,pq = Σ_o B_op^q Ĉ_lo^q, where Ĉ = √(o+1) N
 //! C, and B is b on the diagonal and b/√2 off it.
 //!
-//! This is the half of (12) that does not depend on the normal. The factors of the basis hold the
+//! S is the half of (12) that does not depend on the normal. The factors of the basis hold the
 //! other half, together with the eigenimages, so that T_i,l = Σ_pq factor_i,l,pq S_l,pq is the row
 //! of UᵀM for this material.
 

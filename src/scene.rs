@@ -94,8 +94,8 @@ impl<'a> Basis<'a> {
         Ok(Scene::of(self.parts.lengths, buffer))
     }
 
-    /// The irradiance of one normal as Σ d_i U_i, component by component, without collapsing.
-    /// Serves as a reference for [`Scene::shade`].
+    /// The irradiance of one normal as Σ d_i U_i, component by component, without collapsing. A
+    /// reference for [`Scene::shade`].
     ///
     /// # Errors
     ///
@@ -179,7 +179,7 @@ impl<'a, B> Scene<'a, B> {
         Self { lengths, buffer }
     }
 
-    /// The polynomials of each azimuth: those of +m, and those of -m (empty for m = 0).
+    /// The polynomials of each azimuth: of +m, and of -m (empty for m = 0).
     #[inline]
     pub(crate) fn azimuths(&self) -> impl Iterator<Item = (&[f32], &[f32])>
     where
@@ -216,7 +216,7 @@ impl<'a, B> Scene<'a, B> {
 }
 
 /// Iterates over the polynomials of a scene, downward from the highest azimuth that has any. Each
-/// item holds those of +m and -m.
+/// item holds the polynomials of +m and -m.
 #[derive(Clone, Copy)]
 pub(crate) struct Descent<'s> {
     /// Lengths of the polynomials of m = 1, 2, ...

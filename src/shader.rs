@@ -51,8 +51,8 @@ impl<'a> Shader<'a> {
     ///
     /// The sources add a loop to the text, which depends on their number alone. A new or turned
     /// source and a new gloss are an upload of [`highlight_uniforms`](Self::highlight_uniforms).
-    /// Cost: four vectors for each source, and one; a root, and for each source that the normal
-    /// faces another root, a division and 24 products.
+    /// Cost: a vector, and four for each source; a root, and for each source that the normal faces
+    /// another root, a division and 24 products.
     ///
     /// ```
     /// # #[cfg(all(feature = "baked", feature = "presets"))] {
@@ -160,7 +160,7 @@ impl<'a> Shader<'a> {
     ///
     /// # Errors
     ///
-    /// Those of `out`.
+    /// The errors of `out`.
     pub fn write(&self, language: ShaderLanguage, out: &mut impl Write) -> fmt::Result {
         let vectors = self.vectors();
         let glsl = language != ShaderLanguage::Wgsl;

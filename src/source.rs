@@ -19,10 +19,11 @@ const WIDEST: f32 = 0.5 * (1.0 + 1e-5);
 ///
 /// The harmonics of a light represent a lamp, a window or the sun as a patch some 180 degrees /
 /// degree wide, so its reflection on a glossy material is just as wide. Taken out of the light
-/// ([`Rgb::residual`]) and shaded by [`Highlights`](crate::Highlights), it is sharp.
+/// ([`Rgb::residual`]) and shaded by [`Highlights`](crate::Highlights), a lamp has a sharp
+/// reflection.
 ///
-/// The blob is the heat kernel of variance spread²: its harmonics of degree l are those of a point
-/// times exp(-l (l + 1) spread² / 2). Its integral over the sphere is 1, times the energy.
+/// The blob is the heat kernel of variance spread²: its harmonics of degree l are a point's, times
+/// exp(-l (l + 1) spread² / 2). The blob's integral over the sphere is 1, times the energy.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Source {
@@ -99,8 +100,8 @@ impl Source {
         self.spread
     }
 
-    /// This source after a rotation, which must also turn the light that it was taken out of. It
-    /// may set behind the object and rise again.
+    /// This source after a rotation, which must also turn the light that it was taken out of. A
+    /// turned source may set behind the object and rise again.
     #[must_use]
     pub fn turned(self, rotation: Rotation) -> Self {
         Self { direction: rotation.turn_direction(self.direction), ..self }
@@ -154,8 +155,8 @@ impl Rgb<Light<'_>> {
     /// ```
     ///
     /// Accurate to 1e-5 of a source's energy. Cost: for each source two roots for each degree and
-    /// order l >= m >= 0, so 110 at degree 9. A light that turns needs it once: turn the residual
-    /// and the sources.
+    /// order l >= m >= 0, so 110 at degree 9. A light that turns needs one residual: turn the
+    /// residual and the sources.
     ///
     /// # Errors
     ///

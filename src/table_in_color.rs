@@ -25,7 +25,7 @@ macro_rules! table_items {
         pub const SCENE: usize = $basis.scene_len();
         /// A scene of this table's size.
         type Collapsed = $scene;
-        /// One image, ready to be shaded. It dereferences to a scene of eigenshade.
+        /// One image, ready to be shaded, which dereferences to a scene of eigenshade.
         #[derive(Clone, Debug, PartialEq)]
         pub struct Scene(Collapsed);
         impl core::ops::Deref for Scene {
@@ -55,11 +55,11 @@ macro_rules! table_in_color {
             type Light<$a> = $light;
             type Material<$a> = $material;
 
-            /// The transfer of a material in each channel. For a gray material one
-            /// [`Transfer`](super::Transfer) serves all channels.
+            /// The transfer of a material in each channel. A gray material has one
+            /// [`Transfer`](super::Transfer) for all channels.
             pub type Transfer = Rgb<super::Transfer>;
 
-            /// One image in three channels, ready to be shaded. It dereferences to the channels.
+            /// One image in three channels, ready to be shaded, which dereferences to the channels.
             #[derive(Clone, Debug, Default, PartialEq)]
             pub struct Scene(Rgb<super::Scene>);
 
@@ -148,7 +148,7 @@ macro_rules! table_in_color {
 
             /// The image of a transferred material under a new light: relight and collapse in each
             /// channel; errors as [`relight`](super::relight). `transfer` is a [`Transfer`] or, for
-            /// a gray material, that of one channel.
+            /// a gray material, one channel's.
             pub fn relight<'l, 't>(
                 transfer: impl Into<Rgb<&'t super::Transfer>>,
                 light: impl Into<Rgb<Light<'l>>>,
@@ -162,7 +162,7 @@ macro_rules! table_in_color {
             ///
             /// # Errors
             ///
-            /// The same; `scene` is then left unspecified.
+            /// As [`relight`]; `scene` is then left unspecified.
             pub fn relight_into<'l, 't>(
                 transfer: impl Into<Rgb<&'t super::Transfer>>,
                 light: impl Into<Rgb<Light<'l>>>,

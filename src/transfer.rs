@@ -97,8 +97,8 @@ impl Basis<'_> {
     ///
     /// # Errors
     ///
-    /// [`Error::Beyond`] if the order of the material exceeds that of the basis,
-    /// [`Error::Capacity`] if `N` or `T` is too small.
+    /// [`Error::Beyond`] if the material goes beyond the basis's order, [`Error::Capacity`] if `N`
+    /// or `T` is too small.
     pub fn transfer<const N: usize, const T: usize>(
         &self,
         material: &Material<'_>,
@@ -114,8 +114,8 @@ impl Basis<'_> {
     ///
     /// # Errors
     ///
-    /// [`Error::Beyond`] if the order of the material exceeds that of the basis, [`Error::Length`]
-    /// unless `workspace` has [`workspace_len`](Self::workspace_len) numbers and `transfer` has
+    /// [`Error::Beyond`] if the material goes beyond the basis's order, [`Error::Length`] unless
+    /// `workspace` has [`workspace_len`](Self::workspace_len) numbers and `transfer` has
     /// [`transfer_len`](Self::transfer_len).
     pub fn transfer_into(
         &self,

@@ -1,4 +1,4 @@
-//! The shipped lights and materials by name. A program contains only those that it names.
+//! The shipped lights and materials by name. A program contains only the presets that it names.
 //!
 //! ```
 //! # #[cfg(feature = "baked")] {
@@ -13,9 +13,9 @@
 //! # Ok::<(), eigenshade::Error>(())
 //! ```
 //!
-//! The build script reads them from the CSV files in `tables/inputs`: all lights, the materials in
-//! color, and sintered PTFE. The program's command `eigenshade list` prints their names in lower
-//! case, and those of 61 more gray materials.
+//! The build script reads the CSV files in `tables/inputs`: all lights, the materials in color, and
+//! sintered PTFE. The program's command `eigenshade list` prints the names of these presets and of
+//! 61 more gray materials in lower case.
 
 mod constant;
 
@@ -53,12 +53,13 @@ pub mod light {
 
 /// Real materials in color.
 ///
-/// They are the published fits of J. Low, J. Kronander, A. Ynnerman and J. Unger, "BRDF Models for
-/// Accurate and Efficient Rendering of Glossy Surfaces", ACM Transactions on Graphics 31, 2012, to
-/// the MERL measurements, and one standard of NIST's, a matte white. Order 7 cannot represent sharp
-/// gloss: chrome looks like a blurred and ringing version of itself. The fits are attenuated by a
-/// window of width 40, which makes their pictures ring less. Each constant states the screen error of
-/// its pictures against direct integration; `docs/accuracy.md` says how it is measured.
+/// The materials are the published fits of J. Low, J. Kronander, A. Ynnerman and J. Unger, "BRDF
+/// Models for Accurate and Efficient Rendering of Glossy Surfaces", ACM Transactions on Graphics
+/// 31, 2012, to the MERL measurements, and one standard of NIST's, a matte white. Order 7 cannot
+/// represent sharp gloss: chrome looks like a blurred and ringing version of itself. The fits are
+/// attenuated by a window of width 40, which makes their pictures ring less. Each constant states
+/// the screen error of its pictures against direct integration; `docs/accuracy.md` describes the
+/// measurement.
 pub mod material {
     use super::{Material, channels, checked};
     use crate::color::Rgb;
@@ -79,8 +80,9 @@ pub mod material {
 }
 
 /// Up to 16 small sources of the captured lights that have maps, 28 bytes each, in the order of
-/// their worth: the first n are the set of n. [`Highlights`](crate::Highlights) shade them, and
-/// [`Gloss::fewest_sources`](crate::Gloss::fewest_sources) says how many a material needs.
+/// their worth: the first n are the set of n. [`Highlights`](crate::Highlights) shade the sources,
+/// and [`Gloss::fewest_sources`](crate::Gloss::fewest_sources) returns the number that a material
+/// needs.
 ///
 /// ```
 /// # #[cfg(feature = "baked")] {
@@ -120,8 +122,8 @@ pub mod sources {
 
 /// The gloss of the materials in color: a GGX lobe over a matte base, fitted to each.
 ///
-/// [`Gloss::needs_sources`](crate::Gloss::needs_sources) tells whether sources pay. Each constant
-/// states how far its lobe is off.
+/// [`Gloss::needs_sources`](crate::Gloss::needs_sources) is true for materials whose pictures
+/// sources improve. Each constant states how far its lobe is off.
 #[expect(clippy::approx_constant, reason = "numbers of a file")]
 pub mod gloss {
     use crate::gloss::Gloss;
@@ -143,7 +145,7 @@ macro_rules! channels {
 }
 use channels;
 
-/// A light in [`Q15`](crate::Q15), computed from that in floats by the compiler.
+/// A light in [`Q15`](crate::Q15), computed by the compiler from the floats.
 macro_rules! quantized_light {
     ($light:expr) => {{
         use crate::presets::constant::light;
@@ -159,7 +161,7 @@ macro_rules! quantized_light {
 }
 use quantized_light;
 
-/// A material in [`Q15`](crate::Q15), computed from that in floats by the compiler.
+/// A material in [`Q15`](crate::Q15), computed by the compiler from the floats.
 macro_rules! quantized_material {
     (gray $material:expr) => {{
         use crate::presets::constant::material;

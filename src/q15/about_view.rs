@@ -31,7 +31,7 @@ impl Light<'_> {
     ///
     /// # Errors
     ///
-    /// Those of [`turned`](Self::turned), and [`Error::Rotation`] if cosine and sine are 0.
+    /// As [`turned`](Self::turned), and [`Error::Rotation`] if cosine and sine are 0.
     pub fn turned_about_view<const N: usize>(
         &self,
         angle: [i32; 2],
@@ -45,7 +45,7 @@ impl Light<'_> {
     ///
     /// # Errors
     ///
-    /// The same; `turned` is then left unspecified.
+    /// As [`turned_about_view`](Self::turned_about_view); `turned` is then left unspecified.
     pub fn turn_about_view_into<const N: usize>(
         &self,
         angle: [i32; 2],
@@ -60,7 +60,7 @@ impl Rgb<Light<'_>> {
     ///
     /// # Errors
     ///
-    /// The same.
+    /// As [`Light::turned_about_view`].
     pub fn turned_about_view<const N: usize>(
         &self,
         angle: [i32; 2],
@@ -74,7 +74,7 @@ impl Rgb<Light<'_>> {
     ///
     /// # Errors
     ///
-    /// The same; `turned` is then left unspecified.
+    /// As [`turned_about_view`](Self::turned_about_view); `turned` is then left unspecified.
     pub fn turn_about_view_into<const N: usize>(
         &self,
         angle: [i32; 2],

@@ -11,8 +11,8 @@ const EXPONENTS: core::ops::RangeInclusive<i32> = -75..=45;
 /// The largest texel.
 const MOST: usize = 32_767;
 
-/// One image baked into N x N integers: irradiance = texel x 2^exponent. The texels are those of a
-/// [`BakedMap`](crate::object::BakedMap).
+/// One image baked into N x N integers, the rounded texels of a
+/// [`BakedMap`](crate::object::BakedMap): irradiance = texel x 2^exponent.
 ///
 /// The exponent is the smallest one with which the largest texel fits. Texels are rounded to 2^-15
 /// to 2^-16 of the largest texel, and a look-up rounds twice more.

@@ -116,10 +116,10 @@ const fn served_by(mut profiles: &[Profile], component: u16) -> bool {
 impl<'a> Basis<'a> {
     /// The basis of these parts.
     ///
-    /// Checks all lengths, all positions by which one part refers to another, that no sum
-    /// over a row of factors can leave its accumulator, and that no term of a profile is
-    /// larger than the step that the profile states. Hence no sum of weighted terms can
-    /// leave its accumulator either.
+    /// Checks all lengths, all positions by which one part refers to another, that no sum over a
+    /// row of factors can overflow its accumulator, and that no term of a profile is larger than
+    /// the step that the profile states. Hence no sum of weighted terms can overflow its
+    /// accumulator either.
     ///
     /// # Errors
     ///
@@ -155,8 +155,8 @@ impl<'a> Basis<'a> {
         Ok(basis)
     }
 
-    /// A transfer of these numbers, checked once for this basis. Being `const`, it can
-    /// initialize a static.
+    /// A transfer of these numbers, checked once for this basis. The function is `const`, so the
+    /// transfer can initialize a static.
     ///
     /// # Errors
     ///

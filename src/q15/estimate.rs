@@ -85,11 +85,11 @@ impl<'a, const K: usize> Estimate<'a, K> {
         self.weight = self.weight.saturating_add(weight.into());
     }
 
-    /// Computes d, the weighted mean of I U_i over the pixels. `exponent` is that of the
-    /// irradiances.
+    /// Computes d, the weighted mean of I U_i over the pixels. `exponent` is the irradiances'
+    /// exponent.
     ///
     /// The mean equals I • U_i to the extent that the weighted pixels are distributed like the
-    /// normals of the basis. For a sphere these are all pixels of its disc, seen from afar.
+    /// normals of the basis: for a sphere, all pixels of its disc, seen from afar.
     ///
     /// Compared with the same mean in exact arithmetic, the error is below 5e-3 of the largest
     /// coefficient for the shipped table, whose weak components have polynomials no longer than

@@ -14,9 +14,9 @@ use sealed::Sealed;
 /// The reflections of up to `N` small sources on a glossy material, by the formula of
 /// [`crate::Highlights`]. `T` is `i32` for one channel or `Rgb<i32>` for three.
 ///
-/// They are in units of 2^exponent, where the exponent is that of the scene that they are added to,
-/// one for each channel. A pixel uses integers of 32 bits only, so its bits are the same on every
-/// machine.
+/// The reflections are in units of 2^exponent, with the exponents of the scene to which they are
+/// added, one for each channel. A pixel uses integers of 32 bits only, so its bits are the same on
+/// every machine.
 ///
 /// ```
 /// # #[cfg(feature = "presets")] {
@@ -108,8 +108,8 @@ impl Irradiance for Rgb<i32> {
 
 impl<T: Irradiance, const N: usize> Highlights<T, N> {
     /// The constants of `highlights` in integers, for a scene of this
-    /// [`exponent`](super::Scene::exponent). One channel has the energies, reflectance and albedo
-    /// of green.
+    /// [`exponent`](super::Scene::exponent). A single channel has the energies, reflectance and
+    /// albedo of green.
     ///
     /// Cost: some 20 operations in floats for each source.
     ///
@@ -146,7 +146,7 @@ impl<T: Irradiance, const N: usize> Highlights<T, N> {
 
     /// Highlights of constants that were computed earlier: the results of
     /// [`exponent`](Self::exponent), [`alpha_square`](Self::alpha_square) and
-    /// [`lobes`](Self::lobes). Machines without floats need no others. The irradiances are
+    /// [`lobes`](Self::lobes). Machines without floats need no other constants. The irradiances are
     /// meaningless for any other numbers.
     ///
     /// # Errors
@@ -188,21 +188,22 @@ impl<T: Irradiance, const N: usize> Highlights<T, N> {
     }
 
     /// The irradiance of one normal by the sources alone, in units of 2^exponent, rounded down for
-    /// each source. It saturates.
+    /// each source and saturating.
     ///
-    /// For an irradiance of 17 bits, it is within 2 % of the peak of the formula in exact
-    /// arithmetic for the least roughness, within 1 % for 0.1, and within 0.4 % from 0.2 on. It may
-    /// be anything up to the peak where the formula jumps: where z is below 1/128 and the cosine to
-    /// the source below 1/1024. Cost: a root by table, and for each source that the normal faces
-    /// another one and a reciprocal: with two sources some 390 instructions on a Cortex-M0.
+    /// For an irradiance of 17 bits, the difference from the formula in exact arithmetic is at most
+    /// 2 % of the peak for the least roughness, 1 % for 0.1, and 0.4 % from 0.2 on. The irradiance
+    /// may be anything up to the peak where the formula jumps: where z is below 1/128 and the
+    /// cosine to the source below 1/1024. Cost: a root by table, and for each source that the
+    /// normal faces another root and a reciprocal: with two sources some 390 instructions on a
+    /// Cortex-M0.
     #[inline]
     #[must_use]
     pub fn shade(&self, normal: Normal) -> T {
         self.add(T::default(), normal)
     }
 
-    /// The sum of the irradiance of a scene, whose exponent is that of these highlights, and that
-    /// of the sources. The sum saturates.
+    /// The irradiance of a scene of the highlights' exponent plus the irradiance of the sources.
+    /// The sum saturates.
     // Not inlined, which leaves the registers to the polynomials of the scene.
     #[inline(never)]
     #[must_use]
@@ -325,8 +326,8 @@ fn weight(form: u32, masked: u32) -> (u32, i32) {
 }
 
 /// The least k such that nᵀ Q n is less than 4^k, with a margin of a hundredth for rounding and
-/// normals that are a little too long. Q has the eigenvalues 1 and those of A⁻¹, which are the
-/// roots of x² - tr x + det.
+/// normals that are a little too long. Q has the eigenvalue 1 and the eigenvalues of A⁻¹, which are
+/// the roots of x² - tr x + det.
 fn size(form: &[f32; 6]) -> i32 {
     let [xx, _, _, yy, _, zz] = *form;
     let trace = form.iter().fold(-1.0, |sum, number| sum + number * number);

@@ -108,7 +108,7 @@ impl<const N: usize, const O: usize> MaterialBuffer<N, O> {
     ///
     /// # Errors
     ///
-    /// Those of [`Material::new`].
+    /// As [`Material::new`].
     pub const fn material(&self) -> Result<Material<'_>, Error> {
         Material::new(&self.exponents, &self.mantissas)
     }
@@ -161,8 +161,8 @@ impl<'a> Material<'a> {
     }
 
     /// This material in a color: its coefficients times each channel, in integers. A channel is a
-    /// fraction of 2^15, of either sign. `N` is the number of coefficients, `O` that of exponents.
-    /// A coefficient is off by at most half a unit of the result.
+    /// fraction of 2^15, of either sign. There are `N` coefficients and `O` exponents. A
+    /// coefficient is off by at most half a unit of the result.
     ///
     /// ```
     /// use eigenshade::q15::Material;
@@ -273,8 +273,8 @@ pub struct Normal {
 }
 
 impl Normal {
-    /// The normal with these components, as they are. They must have unit length to within one part
-    /// in 2,000, because sums of integers could overflow. [`new`](Self::new) scales a vector of any
+    /// The normal with these components, as they are. The length must be 1 to within one part in
+    /// 2,000, because sums of integers could overflow. [`new`](Self::new) scales a vector of any
     /// length.
     ///
     /// # Errors
@@ -295,8 +295,8 @@ impl Normal {
         }
     }
 
-    /// The normal in the direction (x, y, z), integers of any scale. It is scaled to length 1, with
-    /// an error of at most one unit in each component.
+    /// The normal in the direction (x, y, z), integers of any scale. The vector is scaled to length
+    /// 1, with an error of at most one unit in each component.
     ///
     /// A vector that points away from the camera by no more than 1/8 is moved to the rim. For an
     /// 8-bit normal map, pass 2c - 255 for each channel c.

@@ -12,7 +12,7 @@ pub struct MapPoint {
 }
 
 impl MapPoint {
-    /// The point (u, v). It is not checked: a point outside the disc looks up a meaningless texel.
+    /// The point (u, v), unchecked: a point outside the disc looks up a meaningless texel.
     #[inline]
     #[must_use]
     pub const fn new(u: Q15, v: Q15) -> Self {

@@ -74,9 +74,9 @@ impl Basis<'_> {
     ///
     /// # Errors
     ///
-    /// [`Error::Beyond`] if the degree of the light exceeds that of the basis, [`Error::Length`] if
-    /// the transfer or the slice does not fit the basis, [`Error::Bound`] if a row of a transfer
-    /// made by [`Transfer::new`] sums to 2^16 or more.
+    /// [`Error::Beyond`] if the light goes beyond the basis's degree, [`Error::Length`] if the
+    /// transfer or the slice does not fit the basis, [`Error::Bound`] if a row of a transfer made
+    /// by [`Transfer::new`] sums to 2^16 or more.
     pub fn relight_into(
         &self,
         transfer: &Transfer<'_>,
@@ -128,7 +128,7 @@ impl Basis<'_> {
 ///
 /// # Errors
 ///
-/// Those of [`Basis::relight_into`].
+/// As [`Basis::relight_into`].
 #[inline(always)]
 pub fn inputs<'a, const T: usize, const P: usize>(
     basis: &Basis<'_>,
@@ -211,7 +211,7 @@ pub fn coefficients<const K: usize>(
     Ok((mantissas, exponent))
 }
 
-/// The size of an empty sum. It is less than any other, and no difference from it overflows.
+/// The size of an empty sum: it is less than any other, and no difference from it overflows.
 pub const NONE: i32 = -1 << 20;
 
 /// Σ_l T_l L_l^±m, with the sum of -m times (-1)^m. Each row of a transfer of this basis sums to

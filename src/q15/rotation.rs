@@ -8,8 +8,8 @@ use crate::turn::swing_twist::{Multiples, SwingTwist};
 
 /// A rotation of light in integers: light that came from ω comes from Rω afterward.
 ///
-/// It is made without floats and stores cosines and sines to 30 bits, which are the same on every
-/// machine. For a sequence of rotations, multiply their quaternions.
+/// A rotation is made without floats and stores cosines and sines to 30 bits, which are the same on
+/// every machine. For a sequence of rotations, multiply the quaternions.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Rotation {

@@ -245,7 +245,7 @@ impl<B: AsRef<[i32]>> Scene<'_, B> {
         pixel.irradiance()
     }
 
-    /// Writes the irradiance of each normal into `irradiance`: bit for bit that of
+    /// Writes the irradiance of each normal into `irradiance`: bit for bit as
     /// [`shade`](Self::shade).
     ///
     /// # Errors

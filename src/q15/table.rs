@@ -1,4 +1,4 @@
-//! What an integer table's module consists of besides its numbers.
+//! The items of an integer table's module besides its numbers.
 
 /// The items of a module that holds the numbers of one table in Q15.
 /// `eigenshade-table` writes the numbers and the lines that call this macro.
@@ -47,12 +47,13 @@ macro_rules! integer_table {
             }
         }
         impl color::Scene {
-            /// What multiplies the irradiances of the mantissas of [`shade`](Self::shade) by a
-            /// factor, channel by channel. A [`Meter`](eigenshade::screen::Meter) finds the factor.
+            /// The exposure that multiplies the irradiances of the mantissas of
+            /// [`shade`](Self::shade) by a factor, channel by channel. A
+            /// [`Meter`](eigenshade::screen::Meter) finds the factor.
             ///
             /// # Errors
             ///
-            /// Those of [`eigenshade::q15::Exposure::new`].
+            /// As [`eigenshade::q15::Exposure::new`].
             pub fn exposure_by_factor(
                 &self,
                 factor: f32,
@@ -62,8 +63,8 @@ macro_rules! integer_table {
                 })
             }
 
-            /// The mantissas of each normal in each channel, for engines that interpolate between
-            /// the vertices of a mesh: those of [`shade`](Self::shade).
+            /// The mantissas that [`shade`](Self::shade) gives for each normal in each channel, for
+            /// engines that interpolate between the vertices of a mesh.
             ///
             /// # Errors
             ///
@@ -146,7 +147,7 @@ macro_rules! integer_table {
         ///
         /// # Errors
         ///
-        /// The same; `transfer` is then left unspecified.
+        /// As [`transfer`]; `transfer` is then left unspecified.
         pub fn transfer_into(
             $material: &$crate::q15::Material<'_>,
             $transfer: &mut Transfer,
@@ -170,7 +171,7 @@ macro_rules! integer_table {
         ///
         /// # Errors
         ///
-        /// The same; `coefficients` is then left unspecified.
+        /// As [`relight`]; `coefficients` is then left unspecified.
         pub fn relight_into(
             transfer: &$crate::q15::Transfer<'_>,
             light: &$crate::q15::Light<'_>,
@@ -245,7 +246,7 @@ macro_rules! integer_table {
     (shade $($azimuth:literal)*) => {
         impl Scene {
             /// The irradiance of one normal, times 2 to the power of the scene's negative
-            /// [`exponent`](eigenshade::q15::Scene::exponent): bit for bit that of
+            /// [`exponent`](eigenshade::q15::Scene::exponent): bit for bit as
             /// [`eigenshade::q15::Scene::shade`], with every length a constant.
             #[inline]
             #[must_use]
@@ -267,8 +268,8 @@ macro_rules! integer_table {
                 $crate::specialized::shade_each(normals, irradiance, |normal| self.shade(normal))
             }
         }
-        /// The irradiance of one normal from a scene's terms, bit for bit that of
-        /// [`Scene::shade`]. For bindings that store the terms alone.
+        /// The irradiance of one normal from a scene's terms, bit for bit as [`Scene::shade`], for
+        /// bindings that store the terms alone.
         #[doc(hidden)]
         #[inline]
         #[must_use]

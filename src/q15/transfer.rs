@@ -21,7 +21,7 @@ pub struct Transfer<'a> {
 
 impl<'a> Transfer<'a> {
     /// A transfer of these numbers. [`Basis::relight`](super::Basis::relight) checks on every call
-    /// that there are as many as it needs and that no sum can leave its accumulator.
+    /// that there are as many as it needs and that no sum can overflow its accumulator.
     /// [`Basis::checked_transfer`](super::Basis::checked_transfer) checks this only once.
     #[must_use]
     pub const fn new(numbers: &'a [Q15], exponents: &'a [i16]) -> Self {
@@ -73,9 +73,9 @@ impl Basis<'_> {
     ///
     /// # Errors
     ///
-    /// [`Error::Beyond`] if the order of the material exceeds that of the basis,
-    /// [`Error::TransfersOnly`] if the basis only holds transfers, [`Error::Length`] unless
-    /// `workspace` has [`workspace_len`](Self::workspace_len) numbers, `numbers` has
+    /// [`Error::Beyond`] if the material goes beyond the basis's order, [`Error::TransfersOnly`] if
+    /// the basis only holds transfers, [`Error::Length`] unless `workspace` has
+    /// [`workspace_len`](Self::workspace_len) numbers, `numbers` has
     /// [`transfer_len`](Self::transfer_len) and `exponents` has [`profiles`](Self::profiles).
     pub fn transfer_into(
         &self,
@@ -197,7 +197,7 @@ pub(crate) fn product(factors: &[Q15], sums: &[i32]) -> i32 {
     sum
 }
 
-/// The exponent of zeros, less than that of any number.
+/// The exponent of zeros, below the exponent of any number.
 pub(crate) const ZERO_EXPONENT: i32 = -1 << 12;
 
 /// When a row is aligned to its largest exponent, its largest number must have this many bits more

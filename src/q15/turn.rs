@@ -24,7 +24,7 @@ impl<const N: usize> LightBuffer<N> {
     ///
     /// # Errors
     ///
-    /// Those of [`Light::new`].
+    /// As [`Light::new`].
     pub fn light(&self) -> Result<Light<'_>, Error> {
         Light::new(self.exponent, &self.mantissas)
     }
@@ -35,7 +35,7 @@ impl<const N: usize> Rgb<LightBuffer<N>> {
     ///
     /// # Errors
     ///
-    /// Those of [`Light::new`].
+    /// As [`Light::new`].
     pub fn lights(&self) -> Result<Rgb<Light<'_>>, Error> {
         self.each_ref().try_map(LightBuffer::light)
     }
@@ -62,7 +62,7 @@ impl Rgb<Light<'_>> {
     ///
     /// # Errors
     ///
-    /// The same.
+    /// As [`Light::turned`].
     pub fn turned<const N: usize>(
         &self,
         rotation: &Rotation,
@@ -72,7 +72,7 @@ impl Rgb<Light<'_>> {
 }
 
 /// The arithmetic of integers. Numbers are scaled so that the root of the energy of a degree has
-/// [`NUMBER_BITS`] bits; no sum of products then leaves its accumulator.
+/// [`NUMBER_BITS`] bits; every sum of products then fits its accumulator.
 struct Integers;
 
 /// The matrices in fractions of 2^15.

@@ -49,8 +49,8 @@ fn write<const N: usize>(planes: &Rgb<[f32; N]>, colors: &mut [Rgb<f32>]) {
 
 impl<B> Rgb<Scene<'_, B>> {
     /// Writes the irradiance of each normal in each channel, for engines that interpolate between
-    /// the vertices of a mesh. The numbers are those of [`Scene::shade_slice`] in each channel, to
-    /// the last bit.
+    /// the vertices of a mesh. The numbers equal [`Scene::shade_slice`] in each channel, to the
+    /// last bit.
     ///
     /// ```
     /// # #[cfg(feature = "presets")] {

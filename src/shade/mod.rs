@@ -33,8 +33,8 @@ pub(crate) const ONE_BY_ONE: bool = BLOCK == SCALAR;
 const LARGE: bool = cfg!(any(target_arch = "x86_64", target_arch = "aarch64"));
 
 impl<B> Scene<'_, B> {
-    /// The irradiance of one normal. Its unit is that of the light's radiance times steradian times
-    /// the material's 1/sr.
+    /// The irradiance of one normal, in the unit of the light's radiance times steradian times the
+    /// material's 1/sr.
     #[inline]
     #[must_use]
     pub fn shade(&self, normal: Normal) -> f32
@@ -48,9 +48,9 @@ impl<B> Scene<'_, B> {
 
     /// Writes the irradiance of each normal into `irradiance`.
     ///
-    /// The sums are those of [`shade`](Self::shade) in the same order, so the results agree to the
-    /// last bit. With WebAssembly's `relaxed-simd`, `shade` of a generated table may differ in the
-    /// last bits.
+    /// The sums have the same order as in [`shade`](Self::shade), so the results agree to the last
+    /// bit. With WebAssembly's `relaxed-simd`, `shade` of a generated table may differ in the last
+    /// bits.
     ///
     /// ```
     /// # #[cfg(feature = "baked")] {
@@ -198,8 +198,8 @@ fn vectorized<const N: usize>(z: &[f32; N]) -> [f32; N] {
 
 /// How to handle irradiance below zero.
 ///
-/// No light gives negative irradiance. It results from lights and materials that end at some
-/// degree and order, from fits, and from few components. Values are clamped only on request:
+/// No light gives negative irradiance. Negative values result from lights and materials that end at
+/// some degree and order, from fits, and from few components. Values are clamped only on request:
 /// negative values show that an image is at its limits, and estimates from pixels need them.
 ///
 /// ```

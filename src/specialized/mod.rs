@@ -1,7 +1,7 @@
 //! Kernels for tables that are known when the program is compiled: `table!` calls them, once for
 //! each part of the work.
 //!
-//! They are the steps of [`Basis::project`](crate::Basis::project),
+//! The kernels are the steps of [`Basis::project`](crate::Basis::project),
 //! [`Basis::relight`](crate::Basis::relight), [`Basis::collapse`](crate::Basis::collapse) and
 //! [`Scene::shade`](crate::Scene::shade), with constants for all sizes and positions.
 

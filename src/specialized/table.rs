@@ -1,4 +1,4 @@
-//! What a table's module consists of besides its numbers.
+//! The items of a table's module besides its numbers.
 
 /// The items of a module that holds the numbers of one table. `eigenshade-table` writes the numbers
 /// and the lines that call this macro.
@@ -7,8 +7,8 @@
 ///   transfer has its place in the result, its number and its number of profiles; a run has the
 ///   last two.
 /// - `table!(general)`: the same for the table of another object.
-/// - `table!(project ...)`, `table!(collapse ...)` and `table!(shade ...)`: functions specialized for
-///   the azimuths listed and their profiles, or those of the basis or the scene.
+/// - `table!(project ...)`, `table!(collapse ...)` and `table!(shade ...)`: functions specialized
+///   for the azimuths listed and their profiles, or functions of the basis or the scene.
 #[doc(hidden)]
 #[macro_export]
 macro_rules! table {
@@ -230,8 +230,8 @@ macro_rules! table {
                 shade_terms(self.terms(), normal)
             }
         }
-        /// The irradiance of one normal from a scene's terms, bit for bit that of
-        /// [`Scene::shade`]. For bindings that store the terms alone.
+        /// The irradiance of one normal from a scene's terms, bit for bit as [`Scene::shade`], for
+        /// bindings that store the terms alone.
         #[doc(hidden)]
         #[inline]
         #[must_use]
@@ -279,8 +279,8 @@ macro_rules! table {
             view |transfer| transfer
         }
         impl color::Scene {
-            /// What multiplies the irradiances of [`shade`](Self::shade) by a factor, the same for
-            /// every scene; errors as [`eigenshade::screen::Exposure::new`]. A
+            /// The exposure that multiplies the irradiances of [`shade`](Self::shade) by a factor,
+            /// the same for every scene; errors as [`eigenshade::screen::Exposure::new`]. A
             /// [`Meter`](eigenshade::screen::Meter) finds the factor.
             pub fn exposure_by_factor(
                 &self,

@@ -1,11 +1,12 @@
 //! Chooses the terms of several images' polynomials that a tolerance allows to leave out.
 //!
-//! Terms are removed from the highest of an azimuth down, those of +m and -m together. The price of
-//! a removal rises from sweep to sweep, so the first terms to go are those that cost least for each
+//! Terms are removed from the highest of an azimuth down, with +m and -m together. The price of a
+//! removal rises from sweep to sweep, so the first terms to go are those that cost least for each
 //! product that a pixel saves. The result has few terms, but not provably the fewest.
 //!
-//! Each image keeps its own account. Terms are removed only if every image can pay for them. The
-//! price is the same fraction of each image's allowed error, so every image's bound is exact.
+//! Each image keeps its own account. Terms are removed only if the account of every image covers
+//! the price. The price is the same fraction of each image's allowed error, so every image's bound
+//! is exact.
 
 use super::density::{NODES, mean_square};
 use super::report::Truncation;
@@ -70,7 +71,7 @@ impl<'s> Accounts<'s> {
         ((self.len.max(1)) as f32).recip()
     }
 
-    /// Shortens `lengths`, which are initially those of the polynomials or 0, as long as no image
+    /// Shortens `lengths`, which are initially the polynomials' lengths or 0, as long as no image
     /// exceeds its allowed error. The polynomials are orthonormal.
     pub(super) fn truncate(&mut self, lengths: &mut [u16]) {
         let rise = RISE as f32;

@@ -1,10 +1,10 @@
 //! Polynomials in t = 2z - 1 that are orthogonal over a sphere's normals, azimuth by azimuth.
 //!
-//! Their weight is the density 2z dz of the normals times sin^2m = (1 - z²)^m. For m = 0 they are
-//! the Jacobi polynomials of (0, 1), whose recurrence is known. From m to m + 1 the density gains
-//! the factor (1 - t)(3 + t) / 4. For each of the two linear factors the recurrence takes one step:
-//! its Cholesky factors are multiplied in reverse order (Christoffel's transformation). Both steps
-//! together reduce the number of known terms by one.
+//! The weight of the polynomials is the density 2z dz of the normals times sin^2m = (1 - z²)^m. For
+//! m = 0 they are the Jacobi polynomials of (0, 1), whose recurrence is known. From m to m + 1 the
+//! density gains the factor (1 - t)(3 + t) / 4. For each of the two linear factors the recurrence
+//! takes one step: its Cholesky factors are multiplied in reverse order (Christoffel's
+//! transformation). Both steps together reduce the number of known terms by one.
 
 use crate::groups::multiply_add;
 use crate::index::layout::{LANES, MAX_DEGREE, MAX_TERMS};
@@ -23,7 +23,7 @@ pub(super) struct Density {
 }
 
 impl Density {
-    /// The density of m = 0. It serves polynomials of azimuth m with up to `terms` - m terms.
+    /// The density of m = 0, for polynomials of azimuth m with up to `terms` - m terms.
     pub(super) fn new(terms: usize) -> Self {
         let mut recurrence = [[0.0; 2]; TERMS];
         let two = 1.0 + 1.0;
@@ -143,7 +143,8 @@ fn groups(numbers: &[f32; NODES.len()]) -> &[[f32; LANES]] {
 mod tests {
     use super::*;
 
-    /// The mean of z^k is 2 / (k + 2), and that of sin^2m is 1 / (m + 1), half of it with cos mβ.
+    /// The mean of z^k is 2 / (k + 2), and the mean of sin^2m is 1 / (m + 1), half of it with cos
+    /// mβ.
     #[test]
     fn the_rule_is_exact() {
         for k in 0..2 * NODES.len() {

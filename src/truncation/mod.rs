@@ -1,8 +1,8 @@
 //! Scenes that are only as accurate as required, one by one or several of the same shape:
 //! components, azimuths and terms are left out as long as a tolerance holds.
 //!
-//! Components are orthonormal, so leaving some out costs Σ d_i², the mean square over the normals.
-//! The error of the components lies within the span of the remaining terms and the error of the terms
+//! Components are orthonormal, so omitting some costs Σ d_i², the mean square over the normals. The
+//! error of the components lies within the span of the remaining terms and the error of the terms
 //! outside it, so their squares add.
 
 mod accounts;
@@ -21,8 +21,8 @@ pub use set::Shape;
 
 impl<'a> Basis<'a> {
     /// Computes a cheaper scene, within a tolerance of the scene of all `coefficients`:
-    /// [`collapse_into`](Self::collapse_into) with fewer components, azimuths and terms. This is a
-    /// set of one image; [`collapse_set_within`](Self::collapse_set_within) takes several.
+    /// [`collapse_into`](Self::collapse_into) with fewer components, azimuths and terms.
+    /// [`collapse_set_within`](Self::collapse_set_within) takes several images.
     ///
     /// The polynomials of the scene are written to the beginning of `buffer`, of length
     /// [`scene_len`](Self::scene_len), and their lengths to `lengths`, which needs room for

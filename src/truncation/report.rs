@@ -40,21 +40,22 @@ pub struct Truncation {
     /// the first of each polynomial, and 4m - 2 for azimuths up to m.
     pub terms: usize,
     /// Upper bound on the difference from the image of all components, root mean square over a
-    /// sphere's normals, apart from rounding. Its square is the sum of those of the next two
-    /// fields.
+    /// sphere's normals, apart from rounding. The square of `bound` is the sum of the squares of
+    /// the next two fields.
     pub bound: f32,
-    /// Upper bound on the part of the difference that comes from leaving out the components beyond
+    /// Upper bound on the part of the difference that comes from omitting the components beyond
     /// [`components`](Self::components).
     pub left_out_by_components: f32,
     /// The part of the difference that comes from the azimuths and terms that are left out.
     pub left_out_by_terms: f32,
     /// An estimate of the error of the image due to the table's limited number of components, root
     /// mean square over a sphere's normals: the root of the sum of the squares of the last fifth of
-    /// the coefficients. A tolerance below it is met only relative to the image of all components.
+    /// the coefficients. A tolerance below the floor is met only relative to the image of all
+    /// components.
     ///
     /// For unseen materials under the shipped lights, with the shipped table, the estimate matches
-    /// the error in the median. For nine images in ten it is within a factor of 1.6 for measured
-    /// materials and of 3.1 for GGX, and it is within a factor of 8 for all.
+    /// the error in the median. For nine images in ten the estimate is within a factor of 1.6 for
+    /// measured materials and of 3.1 for GGX, and for all images within a factor of 8.
     pub floor: f32,
     /// The largest of 41 pixels of the image, which is at most its peak. If the image is a channel
     /// of a color, the largest of all channels.

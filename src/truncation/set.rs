@@ -17,7 +17,7 @@ const COMPONENTS: f32 = 0.0625;
 /// One in `FLOOR` components, the last, estimates the table's error: see [`Truncation::floor`].
 const FLOOR: usize = 5;
 
-/// The common shape of several scenes. A loop over pixels written for one of them serves all.
+/// The common shape of several scenes: one loop over pixels draws all of them.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Shape<'l> {
@@ -88,7 +88,7 @@ impl<'a> Basis<'a> {
     /// image needs. No azimuth's polynomials can lose further terms, if a pixel would save by it,
     /// without some image exceeding its tolerance.
     ///
-    /// Set-up cost: that of [`collapse_within`](Self::collapse_within) for each image.
+    /// Set-up cost: as [`collapse_within`](Self::collapse_within) for each image.
     ///
     /// ```
     /// # #[cfg(feature = "baked")] {
@@ -116,7 +116,7 @@ impl<'a> Basis<'a> {
     ///
     /// The same as [`collapse_within`](Self::collapse_within), except that `buffer` must have
     /// [`scene_len`](Self::scene_len) numbers for each image; [`Error::Length`] unless the number
-    /// of images is a multiple of `channels` and equals that of `reports`.
+    /// of images is a multiple of `channels` and equals the number of `reports`.
     pub fn collapse_set_within<'l, C: AsRef<[f32]>>(
         &self,
         images: &[C],
@@ -180,8 +180,8 @@ impl<'a> Basis<'a> {
     /// therefore the nearest image with that number of terms.
     ///
     /// The polynomials of the scene are written to the beginning of `buffer`, of length
-    /// [`scene_len`](Self::scene_len). Set-up cost: that of
-    /// [`collapse_within`](Self::collapse_within) without choosing a shape.
+    /// [`scene_len`](Self::scene_len). Set-up cost: as [`collapse_within`](Self::collapse_within),
+    /// without the choice of a shape.
     ///
     /// # Errors
     ///

@@ -27,7 +27,7 @@ impl Light<'_> {
     ///
     /// # Errors
     ///
-    /// Those of [`turned`](Self::turned), and [`Error::Rotation`] if cosine² + sine² differs from 1
+    /// As [`turned`](Self::turned), and [`Error::Rotation`] if cosine² + sine² differs from 1
     /// by more than 2 %.
     pub fn turned_about_view<const N: usize>(
         &self,
@@ -75,7 +75,7 @@ impl Rgb<Light<'_>> {
     ///
     /// # Errors
     ///
-    /// The same.
+    /// As [`Light::turned_about_view`].
     pub fn turned_about_view<const N: usize>(
         &self,
         angle: [f32; 2],

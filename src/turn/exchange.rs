@@ -2,12 +2,12 @@
 //!
 //! Without the phase, that is, in the basis of
 //! [`graphics_sign`](eigenshade_table::light::graphics_sign), let c_m and s_m be the harmonics of
-//! orders m and -m. E is its own inverse and therefore symmetric. It maps functions that are even
-//! in y to functions that are even in z, and preserves the parity in x, so three quarters of its
+//! orders m and -m. E is its own inverse and therefore symmetric. E maps functions that are even in
+//! y to functions that are even in z, and preserves the parity in x, so three quarters of its
 //! elements are zero. The others are four square blocks.
 //!
-//! E maps a rotation about z to one about -y, so E D_z = -D_y E for their generators. That is a
-//! recurrence along each column. It starts with the order l, (x + iz)^l, and proceeds toward
+//! E maps a rotation about z to one about -y, so E D_z = -D_y E for their generators. The result is
+//! a recurrence along each column, which starts with the order l, (x + iz)^l, and proceeds toward
 //! smaller orders, in which direction it is stable.
 
 use crate::index::layout::MAX_DEGREE;
@@ -23,10 +23,10 @@ pub(crate) const ELEMENTS: usize = {
 };
 
 /// -E for each degree in turn. Each has four square blocks, row by row: the rows of c_m for even m
-/// and for odd m, and those of s_m for even m and for odd m.
+/// and for odd m, and the rows of s_m for even m and for odd m.
 ///
-/// The sign drops out wherever E is applied twice. It makes -1 of those elements that are 1, which
-/// a fraction of 2^15 in 16 bits represents exactly.
+/// The sign drops out wherever E is applied twice. The sign makes -1 of the elements that are 1,
+/// which a fraction of 2^15 in 16 bits represents exactly.
 #[expect(clippy::indexing_slicing, reason = "a constant function has no iterators")]
 pub(crate) const EXCHANGE: [f64; ELEMENTS] = {
     let (mut elements, mut place, mut l) = ([0.0; ELEMENTS], 0, 1);

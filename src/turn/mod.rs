@@ -17,13 +17,14 @@ use swing_twist::Scales;
 impl Light<'_> {
     /// The coefficients of this light after rotation: L'(Rω) = L(ω).
     ///
-    /// `N` must be at least (degree + 1)², and the degree at most 12. [`truncated`](Self::truncated)
-    /// leaves out higher degrees, which no rotation mixes with the others.
+    /// `N` must be at least (degree + 1)², and the degree at most 12.
+    /// [`truncated`](Self::truncated) omits higher degrees, which no rotation mixes with the
+    /// others.
     ///
-    /// The energy of each degree is preserved. A light of degree 9 that is rotated and
-    /// rotated back matches the original within 1e-6 of its largest coefficient. Cost: for degree 9
-    /// some 1,500 products, and one root; see `docs/costs.md`. This is set-up work, not work for
-    /// each pixel.
+    /// The energy of each degree is preserved. A light of degree 9 that is rotated and rotated back
+    /// matches the original within 1e-6 of its largest coefficient. Cost: for degree 9 some 1,500
+    /// products, and one root; see `docs/costs.md`. Turning is set-up work, not work for each
+    /// pixel.
     ///
     /// ```
     /// use eigenshade::{Light, Rotation};
@@ -49,7 +50,7 @@ impl Rgb<Light<'_>> {
     ///
     /// # Errors
     ///
-    /// The same.
+    /// As [`Light::turned`].
     pub fn turned<const N: usize>(
         &self,
         rotation: &Rotation,

@@ -15,7 +15,7 @@ use crate::index::light;
 use core::ops::{Add, Neg};
 
 /// The arithmetic of a number format. Numbers are scaled coefficients, factors are cosines and
-/// sines, elements those of the matrices that exchange y and z.
+/// sines, elements belong to the matrices that exchange y and z.
 pub(crate) trait Arithmetic {
     type Coefficient: Copy;
     type Scale: Copy + Default;
@@ -45,8 +45,8 @@ pub(crate) type Scales<S> = [S; MAX_DEGREE + 1];
 /// A rotation, prepared for lights up to degree 12.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct SwingTwist<F> {
-    /// Whether a half turn about y comes before the twist. It leaves the swing at most a right
-    /// angle, so that only a swing by nothing has no axis, and needs none.
+    /// Whether a half turn about y comes before the twist. The half turn keeps the swing to at most
+    /// a right angle, so that only a swing by nothing has no axis, and needs none.
     pub flips: bool,
     /// Whether this is the inverse: the swing, then the twist, then the half turn.
     pub is_inverse: bool,
@@ -108,8 +108,8 @@ impl<F: Copy + Neg<Output = F>> SwingTwist<F> {
         }
     }
 
-    /// Turns the coefficients of degree l, the first of three. `elements` are those of the matrices
-    /// from this degree on, and afterward from the next.
+    /// Turns the coefficients of degree l, the first of three. `elements` are the matrices'
+    /// elements from this degree on, and afterward from the next.
     fn apply<A: Arithmetic<Factor = F>, const C: usize>(
         &self,
         l: usize,
@@ -189,7 +189,7 @@ impl<A: Arithmetic, const C: usize> Degree<A, C> {
         self.negate_odd(channel, minus.len());
     }
 
-    /// Writes one channel's coefficients. They are then not those of a light any more.
+    /// Writes one channel's coefficients. The channel then has no coefficients of a light any more.
     #[inline(never)]
     fn store(&mut self, channel: usize, to: &mut [A::Coefficient]) {
         let half = to.len() / 2;
@@ -203,7 +203,7 @@ impl<A: Arithmetic, const C: usize> Degree<A, C> {
         }
     }
 
-    /// The phase of the cosines; that of the sines is -1.
+    /// The phase of the cosines; the phase of the sines is -1.
     #[inline(never)]
     fn negate_odd(&mut self, channel: usize, l: usize) {
         for odd in part_mut(&mut self.cosines, ..=l).iter_mut().skip(1).step_by(2) {

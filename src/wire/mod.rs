@@ -42,7 +42,7 @@ use core::fmt;
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 #[non_exhaustive]
 pub enum WireError {
-    /// They are not the expected wire file.
+    /// The bytes are not the expected wire file.
     File(Fault),
     /// The parts of the basis are inconsistent.
     Parts(Error),

@@ -15,8 +15,9 @@ pub extern "C" fn eigenshade_version() -> *const c_char {
     concat!(env!("CARGO_PKG_VERSION"), "\0").as_ptr().cast()
 }
 
-/// A checksum of the sizes of the library's table. If it is not `EIGENSHADE_TABLE`, the headers are
-/// those of another library: do not call it. Tables of the same sizes have the same checksum.
+/// A checksum of the sizes of the library's table. If the checksum is not `EIGENSHADE_TABLE`, the
+/// headers belong to another library: do not call this one. Tables of the same sizes have the same
+/// checksum.
 #[unsafe(no_mangle)]
 pub extern "C" fn eigenshade_table() -> u32 {
     TABLE
@@ -77,9 +78,9 @@ pub extern "C" fn eigenshade_gloss_fewest_sources_f32(
 
 /// The exposure of the pixels that a meter has counted, in either format, to within 7 %.
 ///
-/// One pixel in a hundred is brighter than white. If that leaves the median pixel darker than 0.12
-/// of white, the exposure rises until the median has 0.12 or one pixel in ten is brighter than
-/// white. On an error `exposure` is unchanged.
+/// One pixel in a hundred is brighter than white. If the median pixel is then darker than 0.12 of
+/// white, the exposure rises until the median has 0.12 or one pixel in ten is brighter than white.
+/// On an error `exposure` is unchanged.
 #[unsafe(no_mangle)]
 pub extern "C" fn eigenshade_meter_exposure_f32(meter: *const Meter, exposure: *mut f32) -> Status {
     meter::exposure(&Input(meter), &Output(exposure)).into()

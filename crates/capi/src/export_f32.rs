@@ -26,7 +26,8 @@ pub extern "C" fn eigenshade_project_f32(
         .into()
 }
 
-/// The transfer of a material, for any number of lights. That of a gray material is computed once.
+/// The transfer of a material, for any number of lights. A gray material takes the computation of
+/// one channel.
 ///
 /// On an error `transfer` is unchanged.
 #[unsafe(no_mangle)]
@@ -86,9 +87,9 @@ pub extern "C" fn eigenshade_picture_relight_f32(
     picture::relight::<f32>(&Input(transfer), &Input(light), &Output(picture)).into()
 }
 
-/// Gives a picture the highlights of `count` sources, at most EIGENSHADE_SOURCES, in place of those
-/// that it has. Its light has to be without them, as `eigenshade_residual_f32` makes it. Where a
-/// light turns, turn the residual and the sources.
+/// Gives a picture the highlights of `count` sources, at most EIGENSHADE_SOURCES, in place of any
+/// earlier highlights. The picture's light has to be without these sources, as
+/// `eigenshade_residual_f32` makes it. Where a light turns, turn the residual and the sources.
 ///
 /// On an error `picture` has no highlights, or is unchanged.
 #[unsafe(no_mangle)]
@@ -103,7 +104,7 @@ pub extern "C" fn eigenshade_picture_highlights_f32(
 
 /// The irradiance of the normal along (x, y, z).
 ///
-/// The normal may have any length from 1e-9 to 1e9; it is scaled, which costs a root. One that
+/// The normal may have any length from 1e-9 to 1e9; it is scaled, which costs a root. A normal that
 /// points away by no more than 1/8 is laid on the rim. On an error `irradiance` is unchanged.
 #[unsafe(no_mangle)]
 pub extern "C" fn eigenshade_picture_shade_f32(
@@ -188,7 +189,7 @@ pub extern "C" fn eigenshade_picture_normal_map_row_f32(
 }
 
 /// `rows` rows of the object of a normal map from row `first` on, as
-/// `eigenshade_picture_disc_rows_f32` draws those of a sphere.
+/// `eigenshade_picture_disc_rows_f32` draws the rows of a sphere.
 #[unsafe(no_mangle)]
 pub extern "C" fn eigenshade_picture_normal_map_rows_f32(
     picture: *const PictureF32,
@@ -210,7 +211,7 @@ pub extern "C" fn eigenshade_picture_normal_map_rows_f32(
 }
 
 /// Counts the pixels of one row of a sphere, to meter the exposure of its picture. The arguments
-/// are those of `eigenshade_picture_disc_row_f32`. Every fourth row of a small sphere will do.
+/// are as in `eigenshade_picture_disc_row_f32`. Every fourth row of a small sphere will do.
 ///
 /// On an error `meter` is unchanged.
 #[unsafe(no_mangle)]
@@ -324,7 +325,8 @@ pub extern "C" fn eigenshade_turn_f32(
 }
 
 /// A light turned about the view axis, from x toward y, by an angle, given by its cosine and sine:
-/// much cheaper than any other axis. Their squares sum to 1 to within 2 %; they are scaled.
+/// much cheaper than any other axis. The squares of cosine and sine sum to 1 to within 2 %; both
+/// are scaled.
 ///
 /// The turned light is in `buffer`, and `to` points there. On an error neither may be used.
 #[unsafe(no_mangle)]

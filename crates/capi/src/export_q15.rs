@@ -45,7 +45,7 @@ pub extern "C" fn eigenshade_picture_begin_q15(
     picture::begin::<Q15>(&Input(light), &Input(material), &Output(picture)).into()
 }
 
-/// `eigenshade_picture_begin_glossy_f32` in Q15. It computes in floats, too. Uses 9 KB of stack.
+/// `eigenshade_picture_begin_glossy_f32` in Q15, partly computed in floats. Uses 9 KB of stack.
 #[unsafe(no_mangle)]
 pub extern "C" fn eigenshade_picture_begin_glossy_q15(
     light: *const ColorLightQ15,
@@ -66,8 +66,8 @@ pub extern "C" fn eigenshade_picture_begin_glossy_q15(
     .into()
 }
 
-/// `eigenshade_picture_relight_f32` in Q15. A transfer that is refused leaves a picture that was
-/// never begun.
+/// `eigenshade_picture_relight_f32` in Q15. If the transfer is refused, the picture is as if never
+/// begun.
 #[unsafe(no_mangle)]
 pub extern "C" fn eigenshade_picture_relight_q15(
     transfer: *const TransferQ15,
@@ -77,7 +77,7 @@ pub extern "C" fn eigenshade_picture_relight_q15(
     picture::relight::<Q15>(&Input(transfer), &Input(light), &Output(picture)).into()
 }
 
-/// `eigenshade_picture_highlights_f32` in Q15. It computes in floats.
+/// `eigenshade_picture_highlights_f32` in Q15, computed in floats.
 #[unsafe(no_mangle)]
 pub extern "C" fn eigenshade_picture_highlights_q15(
     gloss: *const Gloss,
@@ -304,7 +304,7 @@ pub extern "C" fn eigenshade_turn_about_view_q15(
     .into()
 }
 
-/// `eigenshade_residual_f32` in Q15. It computes in floats.
+/// `eigenshade_residual_f32` in Q15, computed in floats.
 #[unsafe(no_mangle)]
 pub extern "C" fn eigenshade_residual_q15(
     from: *const ColorLightQ15,
@@ -382,11 +382,11 @@ pub extern "C" fn eigenshade_quantize_material_q15(
     quantize::quantize_material(&Input(from), &Output(buffer), &Output(to)).into()
 }
 
-/// The unit normal along a vector of three integers of any scale, as three mantissas, x, y and z:
-/// of a normal map of 8 bits, whose channel c says 2c - 255.
+/// The unit normal along a vector of three integers of any scale, as three mantissas, x, y and z.
+/// For a normal map of 8 bits, pass 2c - 255 for each channel c.
 ///
-/// One that points away by no more than 1/8 is laid on the rim. Cost: a root and three divisions
-/// in 64 bits. On an error `normal` is unchanged.
+/// A vector that points away by no more than 1/8 is laid on the rim. Cost: a root and three
+/// divisions in 64 bits. On an error `normal` is unchanged.
 #[unsafe(no_mangle)]
 pub extern "C" fn eigenshade_normalize_q15(vector: *const i32, normal: *mut Q15) -> Status {
     quantize::normalize(&Input(vector), &Output(normal)).into()

@@ -4,10 +4,10 @@
 //! `cbindgen` writes `include/eigenshade.h` from the documented functions and structures of this
 //! crate; a program links only what it calls.
 //!
-//! On bare metal the static library has a panic handler. In release builds it calls an undefined
-//! symbol, so a reachable panic fails to link, and so does a program whose linker keeps unused
-//! functions: `-Wl,--gc-sections` is required, as the symbol's name says. In builds with debug
-//! assertions, which check their arithmetic, it halts.
+//! On bare metal the static library has a panic handler. In release builds the handler calls an
+//! undefined symbol, so a reachable panic fails to link, and so does a program whose linker keeps
+//! unused functions: `-Wl,--gc-sections` is required, as the symbol's name says. In builds with
+//! debug assertions, which check their arithmetic, the handler halts.
 #![no_std]
 
 // On a host, std handles panics.

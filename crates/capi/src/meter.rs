@@ -7,10 +7,11 @@ use crate::picture::{Opened, Shade};
 use crate::rows::{Object, exposing};
 use crate::status::Status;
 
-/// The brightness of a picture's pixels, to meter its exposure. Zeros have counted nothing.
+/// The brightness of a picture's pixels, to meter its exposure. A meter of zeros has counted
+/// nothing.
 #[repr(C)]
 pub struct Meter {
-    /// The library's.
+    /// Private to the library.
     pub counts: [u32; 257],
 }
 

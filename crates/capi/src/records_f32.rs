@@ -5,8 +5,8 @@ use crate::boundary::Plain;
 use crate::constants::{MATERIAL_BUFFER, PICTURE_F32};
 use crate::table::{COMPONENTS, LIGHT, TRANSFER as TRANSFER_F32, WORKSPACE as WORKSPACE_F32};
 
-/// One channel of distant light: spherical harmonic coefficients L_l^m in radiance, l from
-/// 0, m from -l to l, that of l and m at l*l + l + m.
+/// One channel of distant light: spherical harmonic coefficients L_l^m in radiance, l from 0, m
+/// from -l to l, each at l*l + l + m.
 ///
 /// The harmonics carry the Condon-Shortley phase, x points to the right, y up, z to the
 /// camera.
@@ -44,7 +44,8 @@ pub struct MaterialF32 {
     pub coefficients: *const f32,
 }
 
-/// An isotropic material in three channels. Those of a gray material point to the same numbers.
+/// An isotropic material in three channels. The channels of a gray material point to the same
+/// numbers.
 #[repr(C)]
 pub struct ColorMaterialF32 {
     /// Red.
@@ -72,14 +73,14 @@ pub struct CoefficientsF32 {
 /// The transfer of a material in three channels. May be kept in flash.
 #[repr(C)]
 pub struct TransferF32 {
-    /// Its numbers: of red, green and blue.
+    /// The numbers of red, green and blue.
     pub numbers: [[f32; TRANSFER_F32]; 3],
 }
 
-/// A picture, once it was begun. It has no pointers, so it may be moved.
+/// A picture, once it was begun. A picture has no pointers, so it may be moved.
 #[repr(C)]
 pub struct PictureF32 {
-    /// The library's.
+    /// Private to the library.
     pub words: [u64; PICTURE_F32],
 }
 

@@ -16,7 +16,7 @@ pub struct LightQ15 {
     pub length: usize,
     /// The mantissas; the caller's. The more bits the largest has, the better.
     pub mantissas: *const Q15,
-    /// The exponent of all of them, from -128 to 128.
+    /// The exponent of all mantissas, from -128 to 128.
     pub exponent: i32,
 }
 
@@ -47,7 +47,8 @@ pub struct MaterialQ15 {
     pub exponents: *const i8,
 }
 
-/// An isotropic material in three channels. Those of a gray material point to the same numbers.
+/// An isotropic material in three channels. The channels of a gray material point to the same
+/// numbers.
 #[repr(C)]
 pub struct ColorMaterialQ15 {
     /// Red.
@@ -65,7 +66,7 @@ pub struct WorkspaceQ15 {
     pub numbers: [i32; WORKSPACE_Q15],
     /// A channel of a transfer.
     pub transfer: [Q15; TRANSFER_Q15],
-    /// Its exponents.
+    /// The exponents of the transfer.
     pub exponents: [i16; PROFILES],
 }
 
@@ -74,23 +75,23 @@ pub struct WorkspaceQ15 {
 pub struct CoefficientsQ15 {
     /// Mantissas of at most 2^30.
     pub mantissas: [i32; COMPONENTS],
-    /// The exponent of all of them.
+    /// The exponent of all mantissas.
     pub exponent: i32,
 }
 
 /// The transfer of a material in three channels. May be kept in flash.
 #[repr(C)]
 pub struct TransferQ15 {
-    /// Its mantissas: of red, green and blue.
+    /// The mantissas of red, green and blue.
     pub numbers: [[Q15; TRANSFER_Q15]; 3],
-    /// Their exponents.
+    /// The exponents of red, green and blue.
     pub exponents: [[i16; PROFILES]; 3],
 }
 
-/// A picture, once it was begun. It has no pointers, so it may be moved.
+/// A picture, once it was begun. A picture has no pointers, so it may be moved.
 #[repr(C)]
 pub struct PictureQ15 {
-    /// The library's.
+    /// Private to the library.
     pub words: [u64; PICTURE_Q15],
 }
 
@@ -120,7 +121,7 @@ pub struct LightBufferQ15 {
 pub struct MaterialBufferQ15 {
     /// Mantissas of the three channels.
     pub mantissas: [[Q15; MATERIAL_BUFFER]; 3],
-    /// Their exponents.
+    /// The exponents of red, green and blue.
     pub exponents: [[i8; MATERIAL_EXPONENTS]; 3],
 }
 

@@ -11,9 +11,9 @@ use eigenshade::Rotation;
 pub struct Source {
     /// A unit vector from the object to the light, in the camera's frame.
     pub direction: [f32; 3],
-    /// The integral of its radiance over solid angle: red, green and blue, at least 0.
+    /// The integral of radiance over solid angle: red, green and blue, at least 0.
     pub energy: [f32; 3],
-    /// The standard deviation of its round blob in radians, from 0 to 0.5.
+    /// The standard deviation of the round blob in radians, from 0 to 0.5.
     pub spread: f32,
 }
 

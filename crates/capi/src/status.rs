@@ -46,7 +46,7 @@ pub enum Status {
     /// A quaternion, or cosine and sine, are zero or not finite; or, in f32, cosine² + sine²
     /// differs from 1 by more than 2 %.
     Rotation = 16,
-    /// The object has no such rows, or the buffer is shorter than they are.
+    /// The object has no such rows, or the buffer is shorter than the rows.
     Row = 17,
     /// A disc has no pixel, or more than 4096 across.
     Diameter = 18,
@@ -54,7 +54,8 @@ pub enum Status {
     NormalMap = 19,
     /// An exposure is not a number above 0.
     Exposure = 20,
-    /// A baked map is not of 2 to 4096 texels a side, or has not three times its square.
+    /// A baked map does not have 2 to 4096 texels a side, or its length is not three times the
+    /// square of a side.
     Baked = 21,
     /// A source has wrong numbers, or there are more than EIGENSHADE_SOURCES.
     Source = 22,

@@ -1,4 +1,4 @@
-//! The library's table: the shipped one or, with the feature `own-table`, that of your scene.
+//! The library's table: the shipped one or, with the feature `own-table`, the table of your scene.
 
 #[cfg(feature = "own-table")]
 pub(crate) use eigenshade::generated::*;

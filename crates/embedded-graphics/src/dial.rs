@@ -48,7 +48,7 @@ impl<'p, P: Shader, C: DisplayColor> Dial<'p, P, C> {
     ///
     /// # Errors
     ///
-    /// Those of [`Disc::new`].
+    /// As [`Disc::new`].
     pub fn new(
         top_left: Point,
         diameter: u32,
@@ -179,7 +179,7 @@ fn mark_at([x, y]: [i32; 2], inner: i32, half_width: i32) -> Option<[i32; 3]> {
     Some([quotient(across * 2, half_width), of_x * sign(x), of_y * sign(y)])
 }
 
-/// a / b, where b is above 0: the compiler does not know that, and would link a panic.
+/// a / b, where b is above 0: the compiler cannot prove it, and would link a panic.
 fn quotient(a: i32, b: i32) -> i32 {
     a.checked_div(b).unwrap_or_default()
 }

@@ -1,9 +1,9 @@
 //! Objects in real materials under real light as [`Drawable`]s of embedded-graphics.
 //!
 //! A [`Paint`] turns normals into colors: the scene of a table, its exposure, and the display's
-//! tone curve. [`Sphere`], [`Relief`] and [`Dial`] are objects. They draw themselves row by row on
-//! any [`DrawTarget`], without a frame buffer, and shade only pixels inside the target: to draw a
-//! part again, draw on `target.clipped(&area)`.
+//! tone curve. [`Sphere`], [`Relief`] and [`Dial`] are objects. The objects draw themselves row by
+//! row on any [`DrawTarget`], without a frame buffer, and shade only pixels inside the target: to
+//! draw a part again, draw on `target.clipped(&area)`.
 //!
 //! ```
 //! use eigenshade::presets::{light::LOBBY, material::GOLD_METALLIC_PAINT};

@@ -58,7 +58,7 @@ places! {
     NormalPixel, NormalPixel::coverage;
 }
 
-/// What colors the pixels of an object: a [`Paint`].
+/// Colors the pixels of an object: see [`Paint`].
 pub trait Shader {
     /// The color of a pixel.
     fn color<C: DisplayColor>(&self, place: impl Place) -> C;
@@ -90,7 +90,7 @@ impl<'d, F: Fn(q15::Normal) -> Rgb<i32>> Paint<'d, F, Rgb<q15::Exposure>> {
 }
 
 impl<F, E> Paint<'_, F, E> {
-    /// The same with ordered dithering on displays of 16 bits a pixel.
+    /// This paint with ordered dithering on displays of 16 bits a pixel.
     #[must_use]
     pub fn dithered(self) -> Self {
         Self { is_dithered: true, ..self }

@@ -1,4 +1,4 @@
-//! An object of which a map of its normals was made.
+//! An object drawn from a map of its normals.
 
 use crate::paint::{DisplayColor, Shader};
 use crate::rows;
@@ -8,8 +8,8 @@ use embedded_graphics_core::draw_target::DrawTarget;
 use embedded_graphics_core::geometry::{Dimensions, Point, Size};
 use embedded_graphics_core::primitives::Rectangle;
 
-/// A relief, or any object, from a [`NormalMap`]: `eigenshade pack-normals` makes one from a mesh
-/// or a normal map.
+/// A relief, or any object, from a [`NormalMap`]: `eigenshade pack-normals` makes such a map from a
+/// mesh or a normal map.
 #[derive(Debug)]
 pub struct Relief<'p, 'm, P, C> {
     top_left: Point,
@@ -19,12 +19,12 @@ pub struct Relief<'p, 'm, P, C> {
 }
 
 impl<'p, 'm, P: Shader, C: DisplayColor> Relief<'p, 'm, P, C> {
-    /// An object whose map begins at this point. It has the pixels that it covers by half or more.
+    /// An object whose map begins at this point, with the pixels that it covers by half or more.
     pub const fn new(top_left: Point, map: NormalMap<'m>, paint: &'p P) -> Self {
         Self { top_left, map, paint, below: None }
     }
 
-    /// The same on a background of one color, with which the pixels of the outline are mixed.
+    /// This object on a background of one color, with which the pixels of the outline are mixed.
     #[must_use]
     pub fn over(self, background: C) -> Self {
         Self { below: Some(background), ..self }

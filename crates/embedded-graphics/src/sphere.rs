@@ -27,7 +27,7 @@ impl<'p, P: Shader, C: DisplayColor> Sphere<'p, P, C> {
     ///
     /// # Errors
     ///
-    /// Those of [`Disc::new`].
+    /// As [`Disc::new`].
     pub fn new(top_left: Point, diameter: u32, paint: &'p P) -> Result<Self, Error> {
         let disc = Disc::new(diameter as usize)?;
         Ok(Self { top_left, disc, diameter, paint, color: PhantomData })

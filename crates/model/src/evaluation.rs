@@ -1,7 +1,7 @@
 //! A table evaluated in f64, from its fields alone: the reference for the runtime.
 //!
-//! The table's functions are u(α) Φ_m(β). On a sphere they are the eigenimages U_i. For other
-//! normals, an eigenimage is a sum of them, its row of [`General::synthesis`].
+//! The table's functions are u(α) Φ_m(β): on a sphere, the eigenimages U_i. For other normals, an
+//! eigenimage is a sum of these functions, its row of [`General::synthesis`].
 //!
 //! ```
 //! use eigenshade_model::evaluation::Evaluator;
@@ -144,8 +144,8 @@ impl<T: Borrow<Table>> Evaluator<T> {
         Ok(Transfer(lengths.map(|length| rest.by_ref().take(length).collect()).collect()))
     }
 
-    /// d of one channel of a light on a material, less that of the mean image. Missing coefficients
-    /// of the light count as zero, and those beyond the table's degree are ignored.
+    /// d of one channel of a light on a material, less the mean image's d. Missing coefficients of
+    /// the light count as zero, and those beyond the table's degree are ignored.
     #[must_use]
     pub fn relight(&self, transfer: &Transfer, light: &[f64]) -> Vec<f64> {
         let coordinate = |component: &Component| {
@@ -182,7 +182,7 @@ impl<T: Borrow<Table>> Evaluator<T> {
     ///
     /// # Errors
     ///
-    /// Those of [`transfer`](Self::transfer).
+    /// As [`transfer`](Self::transfer).
     pub fn project(&self, light: &[f64], material: &[f64]) -> Result<Vec<f64>> {
         Ok(self.relight(&self.transfer(material)?, light))
     }

@@ -7,7 +7,7 @@ const EXPECT: &str =
     "    #![allow(clippy::approx_constant, clippy::type_complexity, reason = \"data\")]\n";
 
 /// The modules `sources`, with the sources of each light by its name, and `gloss`, as far as there
-/// are some. They are data alone, of which the runtime's types are made at run time.
+/// are some. The modules hold data alone, of which the runtime's types are made at run time.
 #[must_use]
 pub fn modules(sources: &[(&str, &[Source])], glosses: &[NamedGloss]) -> String {
     let mut text = String::new();

@@ -114,7 +114,7 @@ struct Unfinished(NamedTempFile);
 
 impl Unfinished {
     /// Creates a file in `folder` with the permissions of the file that it will replace, or with
-    /// those of any new file.
+    /// the permissions of any new file.
     fn create(folder: &Path, replaced: Option<&Metadata>) -> io::Result<Self> {
         let mut options = OpenOptions::new();
         options.write(true).create_new(true);

@@ -20,9 +20,9 @@ impl PolarIntegrals {
     /// All integrals up to `degree` l and `order` o.
     ///
     /// Uses Gauss-Legendre quadrature in z = cos θ on \[0, 1\]. With ρ² = 1 - z the integrand is
-    /// (1 - z)^q (1 + z)^(q/2) times a polynomial of degree l - q + (o - q)/2 + 1. It is exact for
-    /// even q. For odd q the branch point at z = -1 is so far away that the 24 nodes beyond those
-    /// that the polynomial needs make its error negligible.
+    /// (1 - z)^q (1 + z)^(q/2) times a polynomial of degree l - q + (o - q)/2 + 1. The quadrature
+    /// is exact for even q. For odd q the branch point at z = -1 is so far away that 24 nodes more
+    /// than the polynomial needs make the error negligible.
     #[must_use]
     pub fn new(degree: usize, order: usize) -> Self {
         let mut values = vec![0.0; pair::count(order) * (degree + 1)];

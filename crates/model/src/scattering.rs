@@ -2,7 +2,7 @@
 //!
 //! Notation follows (8). Δφ = φ_i - φ_r is zero for backscatter and π in the mirror plane. The
 //! modes are orthonormal over the pair of hemispheres under plain solid angle, dω_i dω_r, without
-//! cosines: ρ = √2 sin(θ/2) maps the hemisphere to the unit disc with equal areas. They are
+//! cosines: ρ = √2 sin(θ/2) maps the hemisphere to the unit disc with equal areas. The modes are
 //! symmetric in θ_i and θ_r (6).
 
 use std::f64::consts::TAU;
@@ -52,8 +52,8 @@ pub fn brdf(order: usize, coefficients: &[f64], theta_i: f64, theta_r: f64, delt
 /// The fraction of uniform light from all directions that a material reflects: ∫∫ f cos θ_i cos θ_r
 /// dω_i dω_r / π.
 ///
-/// Missing coefficients count as zero. The albedo of a Lambertian material is b_00^0 / 2. It is in
-/// \[0, 1\] for every physically possible material.
+/// Missing coefficients count as zero. The albedo of a Lambertian material is b_00^0 / 2. The
+/// albedo is in \[0, 1\] for every physically possible material.
 #[must_use]
 pub fn albedo(coefficients: &[f64]) -> f64 {
     // With s = ρ² the cosine is 1 - s = (R_0^0 - R_2^0) / 2, and dω = 2π ds. The integral of R_o^0

@@ -35,7 +35,7 @@ pub fn variances(gram: &GramFactor, azimuth: usize) -> Vec<f64> {
 /// Keeps the `count` modes with the highest variance, counting both signs of m. Ties are kept
 /// together, so slightly more modes may be kept.
 ///
-/// The result has the layout of `Table::selection`. It is empty if `count` is 0 or all modes are
+/// The result has the layout of `Table::selection`; it is empty if `count` is 0 or all modes are
 /// kept.
 #[must_use]
 pub fn highest(gram: &GramFactor, count: usize) -> Vec<bool> {

@@ -94,7 +94,7 @@ pub fn materials() -> Result<Materials> {
     materials_in(Path::new("tables/inputs/materials.csv"))
 }
 
-/// All materials that have names, for a table of this order: those in color of
+/// All materials that have names, for a table of this order: the materials in color of
 /// `tables/inputs/merl.csv`, or from order 12 on of `merl-12.csv`, then the gray ones of
 /// [`materials`], whose higher coefficients are 0.
 ///
@@ -131,8 +131,8 @@ pub fn materials_in(file: &Path) -> Result<Materials> {
     read_materials(InputFile::of_text(text, file), None)
 }
 
-/// The materials in color of which no shipped table is made: those that `tables/color.toml` does
-/// not name.
+/// The materials in color of which no shipped table is made: `tables/color.toml` does not name
+/// them.
 ///
 /// # Errors
 ///
@@ -155,12 +155,13 @@ pub struct TotalError {
     pub most: ScreenError,
 }
 
-/// The degrees and orders of [`total_error`]: that of the shipped table, and the largest that one
-/// would use on a device.
+/// The degrees and orders of [`total_error`]: the shipped table's, and the largest that one would
+/// use on a device.
 pub const ERROR_SIZES: [(usize, usize); 2] = [(9, 7), (12, 12)];
 
-/// The screen error of a shipped material at a degree and an order with at most 0 or 8 sources, from
-/// `tables/inputs/merl.errors.csv`, which has no shares of white. `None` if it is not there.
+/// The screen error of a shipped material at a degree and an order with at most 0 or 8 sources,
+/// from `tables/inputs/merl.errors.csv`, which has no shares of white. `None` if the file has no
+/// such row.
 #[must_use]
 pub fn total_error(material: &str, size: (usize, usize), sources: usize) -> Option<TotalError> {
     ERRORS.lines().find_map(|line| {

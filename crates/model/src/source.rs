@@ -141,8 +141,8 @@ pub struct SourceError {
 }
 
 impl SourceError {
-    /// The errors of a material, linear in α between the roughnesses. Beyond a roughness of 0.6 they
-    /// are those of 0.6, below 0.1 those of 0.1.
+    /// The errors of a material, linear in α between the roughnesses. A roughness beyond 0.6 has
+    /// the errors of 0.6, a roughness below 0.1 the errors of 0.1.
     #[must_use]
     pub fn of(&self, gloss: &Gloss) -> ScreenError {
         let knots = ROUGHNESS.map(|roughness| roughness * roughness);

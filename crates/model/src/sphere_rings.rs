@@ -17,7 +17,7 @@ pub struct Ring {
 /// spacing.
 const TURN: f64 = 0.618_033_988_749_895;
 
-/// Rings whose distance is about that of their normals: `spacing` radians or slightly less.
+/// Rings about as far apart as their normals: `spacing` radians or slightly less.
 ///
 /// Uses the midpoint rule in the slant, with the exact share of each ring under the density
 /// cos(slant) / π.

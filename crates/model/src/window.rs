@@ -25,9 +25,9 @@ impl Window {
     /// The weakest window that keeps a picture from dark rings.
     ///
     /// `darkest` draws the picture of the light of this degree under a window, and returns its
-    /// smallest channel, exposed, as a share of white. It is called for no window, then for
-    /// stronger ones until that is at least -0.02. If no window suffices, the one with the largest
-    /// number is taken.
+    /// smallest channel, exposed, as a share of white. `darkest` is called for no window, then for
+    /// stronger windows until it returns at least -0.02. If no window suffices, the window with the
+    /// largest result is taken.
     pub fn weakest(degree: usize, mut darkest: impl FnMut(Self) -> f64) -> Self {
         let unit = (degree + 1) as f64;
         let mut best = (Self::None, darkest(Self::None));

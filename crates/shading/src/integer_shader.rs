@@ -121,8 +121,9 @@ impl IntegerShader {
     ///
     /// # Errors
     ///
-    /// If the coefficients are not those of a degree and of an order, exceed the table's degree or
-    /// order, or are so large that they would saturate or so small that they would be lost.
+    /// If the coefficients do not have the number of a degree and of an order, exceed the table's
+    /// degree or order, or are so large that they would saturate or so small that they would be
+    /// lost.
     pub fn project(&mut self, light: &[f64], material: &[f64]) -> Result<Vec<f64>> {
         // Only these numbers can saturate: all later ones are scaled by their bounds.
         if ![light, material].iter().all(|numbers| quantize::holds(numbers)) {

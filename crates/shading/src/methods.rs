@@ -43,7 +43,7 @@ impl Shader<'_> {
     ///
     /// # Errors
     ///
-    /// As [`within`](Self::within), and those of the function.
+    /// As [`within`](Self::within), and the errors of the function.
     pub fn truncated<R>(
         &mut self,
         channels: &[Lit<'_>],

@@ -17,9 +17,9 @@ pub struct OwnedBasis {
 /// A material whose transfer the table stores.
 #[derive(Clone, Debug)]
 pub struct OwnedTransfer {
-    /// The fingerprint of its coefficients: [`eigenshade_table::reduce::fingerprint`].
+    /// The fingerprint of the material's coefficients: [`eigenshade_table::reduce::fingerprint`].
     pub fingerprint: u32,
-    /// Its transfer, for [`Basis::relight_into`].
+    /// The transfer, for [`Basis::relight_into`].
     pub transfer: Vec<f32>,
 }
 
@@ -28,8 +28,8 @@ impl OwnedBasis {
     ///
     /// # Errors
     ///
-    /// If the table has a mean image, a selection of modes or a degree or order of which f32 has
-    /// none.
+    /// If the table has a mean image, a selection of modes, or a degree or order that f32 does not
+    /// support.
     pub fn new(table: &Table) -> Result<Self> {
         match parts::check(table) {
             // Those of a table of transfers are drawn.

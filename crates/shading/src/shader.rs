@@ -151,8 +151,8 @@ impl<'a> Shader<'a> {
     ///
     /// # Errors
     ///
-    /// If the coefficients are not those of a degree and of an order, or exceed the basis's; if a
-    /// basis of transfers does not have the material; or if d is not finite.
+    /// If the coefficients do not have the number of a degree and of an order, or exceed the
+    /// basis's; if a basis of transfers does not have the material; or if d is not finite.
     pub fn project(&mut self, light: &[f64], material: &[f64]) -> Result<&[f32]> {
         self.projected(light, material)?;
         overflow::check(&self.coefficients, light, material)?;

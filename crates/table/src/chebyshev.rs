@@ -25,9 +25,9 @@ pub(crate) fn clenshaw(series: &[f64], t: f64) -> f64 {
 /// How a polynomial in t is written, highest term first.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Form {
-    /// In 1, t, t², ...: that of integers.
+    /// In 1, t, t², ...: the form of integers.
     Powers,
-    /// In 1, t, u, tu, u², tu², ... with u = 2t² - 1: that of floats.
+    /// In 1, t, u, tu, u², tu², ... with u = 2t² - 1: the form of floats.
     Halves,
 }
 

@@ -129,8 +129,8 @@ impl Table {
         numbers("mean's coefficients", &general.mean_coefficients, coefficients)
     }
 
-    /// Checks that each component has a profile of its own azimuth, and that each profile serves at
-    /// most one component of each sign.
+    /// Checks that each component has a profile of its own azimuth, and that each profile belongs
+    /// to at most one component of each sign.
     fn check_components(&self) -> Result<(), String> {
         if self.components.len() > usize::from(NONE) {
             return Err(format!("{} components, more than {NONE}", self.components.len()));

@@ -41,8 +41,8 @@ impl Effect {
 
     /// Sets the coefficients of a light that have no part in this effect to zero.
     ///
-    /// The image of the masked light on the [masked](Self::mask_material) material is that of the
-    /// effect; the images of all four sum to the whole. Coefficients are floats or mantissas.
+    /// The image of the masked light on the [masked](Self::mask_material) material is the image of
+    /// the effect; the images of all four sum to the whole. Coefficients are floats or mantissas.
     ///
     /// ```
     /// use eigenshade_table::effect::Effect;
@@ -226,7 +226,7 @@ mod tests {
         assert_eq!([0, 2, 3, 7].map(|order| shiny.order(order)), [0, 0, 0, 7]);
     }
 
-    /// The four images of a light on a material are those of its modes.
+    /// The four images of a light on a material are the images of its modes.
     #[test]
     fn masks_keep_the_modes_of_their_effect() {
         for effect in Effect::ALL {

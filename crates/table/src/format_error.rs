@@ -10,20 +10,20 @@ pub(crate) const MAX_PROFILES: usize = MAX_WEIGHTS / 2;
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum FormatError {
-    /// Its degree exceeds [`MAX_DEGREE`] or its order [`MAX_ORDER`].
+    /// The degree exceeds [`MAX_DEGREE`] or the order [`MAX_ORDER`].
     High {
         /// The degree.
         degree: usize,
         /// The order.
         order: usize,
     },
-    /// Its criterion subtracts a mean image.
+    /// The criterion subtracts a mean image.
     Mean,
-    /// It has a selection of modes.
+    /// The table has a selection of modes.
     Selection,
-    /// Its object is not a sphere, or its light does not turn freely.
+    /// The object is not a sphere, or the light does not turn freely.
     General,
-    /// It stores only transfers.
+    /// The table stores only transfers.
     TransfersOnly,
     /// A polynomial has more terms than the format allows.
     Long {
@@ -34,7 +34,7 @@ pub enum FormatError {
         /// Number of terms that the format allows.
         most: usize,
     },
-    /// It has more profiles than the runtime's sums allow.
+    /// The table has more profiles than the runtime's sums allow.
     Many,
     /// A profile, a term of its polynomial or an intermediate sum exceeds 4,095.
     Large {

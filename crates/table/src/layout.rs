@@ -7,8 +7,8 @@
 //! If their number is odd, the last profile is paired with zeros.
 //!
 //! Transfers run along m. A pass covers the orders m = first..first + [`LANES`], where `first` is a
-//! multiple of [`LANES`], and at most [`PASS`] profiles of each order. It holds one group for each
-//! l from [`lowest_degree`] on and each of its profiles.
+//! multiple of [`LANES`], and at most [`PASS`] profiles of each order. A pass holds one group for
+//! each l from [`lowest_degree`] on and each of its profiles.
 
 /// Largest degree of the light in a table of the runtime. Sharper light takes
 /// [sources](crate::source).
@@ -21,12 +21,12 @@ pub const MAX_ORDER: usize = 12;
 /// [`MAX_ORDER`] have 20 at the usual tolerance of profiles.
 pub const MAX_TERMS: usize = 40;
 
-/// Maximum number of terms of a polynomial in integers, which is in powers of t = 2z - 1. They
-/// cancel: with n terms by up to (1 + √2)^n to one.
+/// Maximum number of terms of a polynomial in integers, which is in powers of t = 2z - 1. The
+/// powers cancel: with n terms by up to (1 + √2)^n to one.
 pub const MAX_INTEGER_TERMS: usize = 16;
 
 /// Maximum number of weights in one integer sum: one for +m and one for -m of each profile. The
-/// limit leaves headroom for rounding. The weights of a scene are off by half a unit each, which
+/// limit includes headroom for rounding. The weights of a scene are off by half a unit each, which
 /// adds up to at most 2^23 in the scene's 31-bit sums; the limit keeps a 64th of the range free. A
 /// transfer's row has half as many numbers, whose rounding is a 256th of the row's largest possible
 /// sum.

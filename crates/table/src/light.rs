@@ -25,8 +25,8 @@ pub fn indices(degree: usize) -> impl Iterator<Item = (usize, isize)> {
     (0..=degree).flat_map(|l| (-l.cast_signed()..=l.cast_signed()).map(move |m| (l, m)))
 }
 
-/// Factor between the paper's coefficient of order m and that of the usual graphics convention
-/// (three.js, Filament, Ramamoorthi): (-1)^m for m > 0, -1 for m < 0, +1 for m = 0.
+/// Factor between the paper's coefficient of order m and the coefficient of the usual graphics
+/// convention (three.js, Filament, Ramamoorthi): (-1)^m for m > 0, -1 for m < 0, +1 for m = 0.
 ///
 /// The paper's harmonics include the Condon-Shortley phase and use the signed m in sin(m phi), so
 /// Y_1^-1 = -√(3/4π) y, Y_1^0 = +√(3/4π) z, Y_1^1 = -√(3/4π) x. The factor is its own inverse, so

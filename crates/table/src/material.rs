@@ -1,7 +1,7 @@
 //! Material: Koenderink-van Doorn coefficients b_op^q of (7), o >= p >= q >= 0, o - q and p - q
 //! even.
 //!
-//! They are sorted by o, then p, then q: 000, 111, 200, 220, 222, 311, 331, 333, ...
+//! The coefficients are sorted by o, then p, then q: 000, 111, 200, 220, 222, 311, 331, 333, ...
 
 /// The largest order for which `count` is exact: the count fits in 32 bits.
 pub(crate) const MAX_ORDER: usize = 2047;

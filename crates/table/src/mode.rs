@@ -1,6 +1,6 @@
 //! Irradiance modes E_lop^mq of (14), azimuth by azimuth.
 //!
-//! The modes of one azimuth |m| are sorted by l = |m|..=degree; those of one l have the order of
+//! The modes of one azimuth |m| are sorted by l = |m|..=degree, and within one l as in
 //! [`material`], restricted to q <= l. +m and -m share one list: E_lop^{-m,q} has (-1)^m times the
 //! slant profile.
 

@@ -1,6 +1,6 @@
 //! Pairs (p, q): one Zernike radial polynomial R_p^q, p >= q >= 0, p - q even.
 //!
-//! They are sorted by p, then q: 00, 11, 20, 22, 31, 33, ...
+//! The pairs are sorted by p, then q: 00, 11, 20, 22, 31, 33, ...
 
 /// Number of pairs up to and including `order`, or `usize::MAX` for an order above 2047, like
 /// [`material::count`](crate::material::count).

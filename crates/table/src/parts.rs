@@ -1,5 +1,5 @@
 //! A table as the runtime needs it: the numbers for a device, padded and in the order of the
-//! runtime's loops. They are in f64; rounding to the device's format comes last.
+//! runtime's loops. The numbers are in f64; rounding to the device's format comes last.
 
 use crate::chebyshev::{Form, polynomial};
 use crate::format_error::FormatError;
@@ -113,7 +113,7 @@ pub fn transfer(parts: &OwnedParts<f64>, numbers: &[f64]) -> Vec<f64> {
     transfer
 }
 
-/// Number of terms for each azimuth: that of its longest profile.
+/// Number of terms for each azimuth: as many as its longest profile has.
 fn lengths(table: &Table) -> Vec<u16> {
     let mut lengths = vec![0; table.gram.degree + 1];
     for Profile { azimuth, chebyshev, .. } in &table.profiles {

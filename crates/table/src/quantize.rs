@@ -15,8 +15,8 @@ use crate::{layout, material, pair};
 /// Number of bits of a mantissa, without the sign.
 const BITS: i32 = Q15::BITS.cast_signed();
 
-/// The truncation error that is allowed for polynomials, relative to the database's rms. It is
-/// smaller than the rounding error.
+/// The truncation error that is allowed for polynomials, relative to the database's rms; smaller
+/// than the rounding error.
 pub const TOLERANCE: f64 = 1e-5;
 
 /// The arrays of a table in integers. Trims its polynomials so that each component loses at most

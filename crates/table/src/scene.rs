@@ -174,7 +174,7 @@ pub struct Basis {
     /// Singular values below this, relative to the largest of all blocks, count as zero.
     #[serde(default = "default_rank_cutoff")]
     pub rank_cutoff: f64,
-    /// Largest error of a profile's polynomial, relative to the profile's largest value. It
+    /// Largest error of a profile's polynomial, relative to the profile's largest value. This error
     /// determines the degrees of the polynomials.
     #[serde(default = "default_profile_tolerance")]
     pub profile_tolerance: f64,

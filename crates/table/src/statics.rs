@@ -13,7 +13,7 @@ use crate::table::Table;
 pub struct Statics {
     /// The text of [`floats`], then a `mod q15` if the table can be converted to integers.
     pub text: String,
-    /// Why it cannot be.
+    /// Why the table cannot be converted to integers.
     pub without_integers: Option<FormatError>,
 }
 

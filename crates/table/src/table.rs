@@ -44,7 +44,7 @@ pub struct Component {
     pub order: i32,
     /// Index of the profile u.
     pub profile: usize,
-    /// Its variance; `None` for the constant of
+    /// The variance; `None` for the constant of
     /// [`Criterion::ImageCentered`](crate::scene::Criterion).
     pub eigenvalue: Option<f64>,
 }
@@ -74,7 +74,7 @@ pub struct Profile {
 pub struct MeanImage {
     /// Chebyshev coefficients in 2z - 1 of the mean irradiance at z = cos α.
     pub chebyshev: Vec<f64>,
-    /// Its coefficient in each component.
+    /// The coefficient of the mean image in each component.
     pub coefficients: Vec<f64>,
 }
 
@@ -234,7 +234,7 @@ impl Table {
     }
 
     /// Number of polynomial terms of a collapsed scene, with both signs of m: the multiply-adds of
-    /// a pixel and channel but for those of the azimuths.
+    /// a pixel and channel, without the azimuths' own.
     #[must_use]
     pub fn terms(&self) -> usize {
         let azimuths = self.profiles.iter().map(|one| (one.azimuth, one.chebyshev.len()));
@@ -252,7 +252,7 @@ impl Table {
         self.general.as_ref().map_or(self.components.len(), |general| general.eigenvalues.len())
     }
 
-    /// Energy that the first `count` components leave, from the eigenvalues.
+    /// Energy beyond the first `count` components, from the eigenvalues.
     #[must_use]
     pub fn energy_left(&self, count: usize) -> f64 {
         // Summed from the small end to preserve small values.

@@ -33,7 +33,7 @@ pub fn mantissas<const K: usize>(coefficients: &Coefficients<K>) -> Option<&[i32
 
 /// How large the terms, steps and irradiances of a scene with `A` azimuths can get: sums of |d|
 /// times the values that the table states for each profile. Domain: these values sum to less than
-/// 2^16, the sizes over all components, the steps over those of an azimuth.
+/// 2^16, the sizes over all components, the steps over the components of an azimuth.
 #[derive(Clone, Copy, Debug)]
 pub struct Size<const A: usize> {
     image: u32,

@@ -71,8 +71,8 @@ impl InputFile {
         self.path.as_os_str() == STANDARD_INPUT
     }
 
-    /// The extension of the file's name in small letters. Standard input has that of a CSV, which
-    /// it is wherever the extension decides.
+    /// The extension of the file's name in small letters. Standard input has the extension of a
+    /// CSV, which it is wherever the extension decides.
     #[must_use]
     pub fn extension(&self) -> String {
         if self.is_standard_input() {
@@ -81,7 +81,7 @@ impl InputFile {
         self.path.extension().unwrap_or_default().to_string_lossy().to_ascii_lowercase()
     }
 
-    /// Whether the file's name is that of a mesh.
+    /// Whether the file's name has the extension of a mesh.
     #[must_use]
     pub fn is_mesh(&self) -> bool {
         ["obj", "stl", "ply"].contains(&self.extension().as_str())

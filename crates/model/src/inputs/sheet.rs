@@ -30,7 +30,7 @@ pub struct Sheet {
 impl Sheet {
     /// Reads a file. `columns` is the expected header, which appears in remedies.
     ///
-    /// It takes at most 2²¹ rows and 2²⁴ fields.
+    /// The file may have at most 2²¹ rows and 2²⁴ fields.
     ///
     /// # Errors
     ///
@@ -219,7 +219,7 @@ impl<'a> Row<'a> {
 ///
 /// # Errors
 ///
-/// Those of [`Sheet::read`] and of `entry`, and if a column is missing.
+/// As [`Sheet::read`] and `entry`, and if a column is missing.
 pub(super) fn read_entries<T, const N: usize>(
     file: impl Into<InputFile>,
     columns: [&str; N],

@@ -6,8 +6,8 @@ use std::f64::consts::PI;
 /// `count` ascending nodes and their weights on \[low, high\], exact for polynomials of degree 2
 /// `count` - 1 to a few ulp.
 ///
-/// Newton's method on the three-term recurrence, from the usual cosine guess. It converges
-/// quadratically, so a few steps reach the last bit.
+/// Newton's method on the three-term recurrence, from the usual cosine guess, converges
+/// quadratically: a few steps reach the last bit.
 #[must_use]
 pub fn gauss_legendre(count: usize, low: f64, high: f64) -> Vec<(f64, f64)> {
     let (middle, half) = (0.5 * (low + high), 0.5 * (high - low));
@@ -50,7 +50,7 @@ pub struct Feature {
 /// The rule is repeated on panels. Next to a feature a panel is as wide as the feature's scale; the
 /// width doubles with the distance from it and never exceeds `widest`.
 ///
-/// A pole one scale away from its feature leaves an error of about 5^(-2 n) of the function's size,
+/// A pole one scale away from its feature causes an error of about 5^(-2 n) of the function's size,
 /// with n nodes in the rule.
 #[must_use]
 pub fn spread(

@@ -6,8 +6,9 @@
 /// Absolute error below 1e-13 up to degree 9, 5e-13 up to 64, for α in \[0, π\]. Empty if max(|m|,
 /// |n|) > degree.
 ///
-/// The recurrence in l starts from the closed form at l = max(|m|, |n|). Its binomial coefficient
-/// is accumulated together with the powers of the half-angle functions, so that neither overflows.
+/// The recurrence in l starts from the closed form at l = max(|m|, |n|). The binomial coefficient
+/// of the closed form is accumulated together with the powers of the half-angle functions, so that
+/// neither overflows.
 #[must_use]
 pub fn column(degree: usize, m: isize, n: isize, alpha: f64) -> Vec<f64> {
     let lowest = m.unsigned_abs().max(n.unsigned_abs());

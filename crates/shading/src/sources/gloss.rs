@@ -15,7 +15,7 @@ use std::ops::Range;
 
 /// Angles of the lights from the camera in degrees.
 const LIGHTS: [f64; 6] = [10.0, 35.0, 60.0, 85.0, 110.0, 140.0];
-/// The standard deviation of a source in radians, about that of captured lamps.
+/// The standard deviation of a source in radians, about as in captured lamps.
 const SPREAD: f64 = 0.04;
 /// The points that stand for a source are a grid of this step to this radius, both in standard
 /// deviations. Half-way directions are half as far apart: 0.003, less than α of the smoothest lobe.
@@ -31,8 +31,8 @@ const AROUND: usize = 8;
 const TRIED: usize = 48;
 const FIRST_STEP: f64 = (1.0 - SMOOTHEST) / (TRIED - 1) as f64;
 const HALVINGS: usize = 6;
-/// A lobe counts as no highlight if a matte surface leaves at most this times as much, or this
-/// much.
+/// A lobe counts as no highlight if the residual of a matte surface is at most this times as large,
+/// or this large.
 const FLAT: f64 = 1.05;
 const EXACT: f64 = 1e-7;
 /// Steps of the least squares solution.
@@ -88,8 +88,7 @@ impl Fitter {
         Ok(NamedGloss { name: surface.name.clone(), gloss, error })
     }
 
-    /// The gloss nearest to a surface, and the rms of what it leaves relative to that of the
-    /// surface.
+    /// The gloss nearest to a surface, and its rms residual relative to the rms of the surface.
     fn fit(&mut self, surface: &Surface) -> Result<(Gloss, f64)> {
         let Lobes { places, pictures, tried } = match &mut self.0 {
             Some(lobes) => lobes,
@@ -123,8 +122,8 @@ impl Lobes {
     }
 }
 
-/// The gloss nearest to measurements. Its error is relative to them: what the lobe is between them
-/// is not known.
+/// The gloss nearest to measurements. The error is relative to the measurements: between them the
+/// lobe is not known.
 ///
 /// # Errors
 ///
@@ -148,8 +147,8 @@ fn roughness(k: usize) -> f64 {
     SMOOTHEST + FIRST_STEP * k as f64
 }
 
-/// The gloss nearest to pictures, and the rms of what it leaves, from the fit of the k-th roughness
-/// that is tried at first.
+/// The gloss nearest to pictures, and its rms residual, from the fit of the k-th roughness that is
+/// tried at first.
 fn nearest(
     places: &[Place],
     points: &[Point],
@@ -253,7 +252,7 @@ fn terms(places: &[Place], roughness: f64) -> Result<Terms> {
     }))
 }
 
-/// The best albedo without a lobe, and the rms of what it leaves.
+/// The best albedo without a lobe, and its rms residual.
 fn matte(points: &[Point], terms: &Terms) -> (Gloss, f64) {
     let mut gloss =
         Gloss { roughness: 1.0, reflectance: [0.0; 3], grazing: [0.0; 3], albedo: [0.0; 3] };

@@ -71,7 +71,7 @@ impl LightTree {
     ///
     /// # Errors
     ///
-    /// Those of [`Texels::new`], or if a side is not a multiple of 8 texels.
+    /// As [`Texels::new`], or if a side is not a multiple of 8 texels.
     pub fn new(maps: &[EnvironmentMap]) -> Result<Self> {
         let texels = Texels::new(maps)?;
         let (columns, rows) = (maps[0].width, maps[0].height);

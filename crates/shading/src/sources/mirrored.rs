@@ -20,8 +20,8 @@ const DRAWN: f64 = 0.09;
 /// Steps of a sequence that fills a square evenly: 1 / p and 1 / p² with p³ = p + 1.
 const STEPS: [f64; 2] = [0.754_877_666_246_693, 0.569_840_290_998_053];
 
-/// The normals of [`rings`] of this spacing in radians, those drawn for the maps, and others that
-/// have no weight.
+/// The normals of [`rings`] of this spacing in radians, the normals drawn for the maps, and others
+/// that have no weight.
 pub fn sphere(maps: &[EnvironmentMap], spacing: f64, others: &[[f64; 3]]) -> Sphere {
     let fits = |map: &EnvironmentMap, size: usize| {
         map.width.is_multiple_of(size) && map.height.is_multiple_of(size)
@@ -73,7 +73,7 @@ struct Blocks {
     rows: usize,
     /// The share of the normals that mirror this block or one before it.
     cumulative: Vec<f64>,
-    /// The density of mirrored directions, of that of evenly spaced ones.
+    /// The density of mirrored directions, relative to evenly spaced ones.
     densities: Vec<f64>,
 }
 

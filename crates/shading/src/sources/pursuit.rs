@@ -34,9 +34,9 @@ const ROTATIONS: [[f64; 3]; 4] = [[0.0; 3], [0.4, 1.1, 2.0], [-1.0, 2.2, 0.7], [
 
 /// Spacing of the normals in radians.
 const SPACING: f64 = 0.06;
-/// That of the normals to which a list is not fitted.
+/// Spacing of the normals to which a list is not fitted.
 const OTHER_SPACING: f64 = 0.083;
-/// A list may leave this times the least squares there that a shorter one leaves.
+/// The squares of a list there may be this times the least squares of a shorter list.
 const WORSE: f64 = 1.1;
 /// A light has sources if they leave at most this share of the squares there.
 const USEFUL: f64 = 0.9;
@@ -81,7 +81,7 @@ type Lack = [Vec<f32>; 3];
 ///
 /// # Errors
 ///
-/// Those of [`View::new`] and [`Glossy::new`].
+/// As [`View::new`] and [`Glossy::new`].
 pub fn find(map: &EnvironmentMap, materials: &[Glossy], most: usize) -> Result<Vec<Source>> {
     let degree = SIZES.iter().map(|size| size.0).max().unwrap_or(0);
     let rotation = |[beta, alpha, gamma]: [f64; 3]| Rotation { alpha, beta, gamma };
@@ -108,7 +108,7 @@ pub fn find(map: &EnvironmentMap, materials: &[Glossy], most: usize) -> Result<V
 ///
 /// # Errors
 ///
-/// Those of [`Glossy::new`].
+/// As [`Glossy::new`].
 pub fn metals(roughness: &[f64]) -> Result<Vec<Glossy>> {
     roughness.iter().map(|&roughness| Glossy::new([roughness, 1.0, 0.0], &SIZES)).collect()
 }
@@ -133,7 +133,7 @@ fn pursue(sample: &Sample<'_>, most: usize) -> Result<Vec<Trial>> {
 }
 
 /// Moves each source to fit the lists that contain it at once. A list of n counts by 1 / n of the
-/// inverse of the squares that it leaves.
+/// inverse of its remaining squares.
 fn move_again(sample: &Sample<'_>, chosen: &mut [Trial]) -> Result<()> {
     for k in 0..chosen.len() {
         let mut mean: Lack = [0, 1, 2].map(|_| vec![0.0; sample.weights.len()]);

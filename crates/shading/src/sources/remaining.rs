@@ -24,12 +24,12 @@ const VIEWS: [Option<Rotation>; 2] = [None, Some(Rotation { alpha: 0.6, beta: 1.
 /// Spacing of the normals in radians.
 const SPACING: f64 = 0.09;
 
-/// The materials of a kind with these roughnesses; those whose pictures are compared are of
+/// The materials of a kind with these roughnesses; materials whose pictures are compared are of
 /// [`ROUGHNESS`](eigenshade_table::highlights::ROUGHNESS).
 ///
 /// # Errors
 ///
-/// Those of [`Glossy::new`].
+/// As [`Glossy::new`].
 pub fn materials(base: Base, roughness: &[f64]) -> Result<Vec<Glossy>> {
     let [reflectance, albedo] = match base {
         Base::Metal => [1.0, 0.0],
@@ -44,7 +44,7 @@ pub fn materials(base: Base, roughness: &[f64]) -> Result<Vec<Glossy>> {
 ///
 /// # Errors
 ///
-/// Those of [`View::new`].
+/// As [`View::new`].
 pub fn errors(
     map: &EnvironmentMap,
     name: &str,

@@ -23,7 +23,7 @@ pub struct Response {
 }
 
 impl Response {
-    /// Of the coefficients of a material of an order, by the direct sum (15).
+    /// The response of a material of an order, from its coefficients, by the direct sum (15).
     #[must_use]
     pub fn new((degree, order): (usize, usize), material: &[f64]) -> Self {
         let sum = DirectSum::new(degree, order);
@@ -108,7 +108,7 @@ pub struct Place {
 }
 
 impl Place {
-    /// Of a unit normal with z >= 0.
+    /// The place of a unit normal with z >= 0.
     #[must_use]
     pub fn new([x, y, z]: [f64; 3], degree: usize) -> Self {
         let (at, tilt) = (x.hypot(y).atan2(z), y.atan2(x));
@@ -148,11 +148,11 @@ fn slant(node: usize) -> f64 {
 
 /// One channel of a GGX material, with its responses at several sizes.
 pub struct Glossy {
-    /// Its parameters, the same in each channel.
+    /// The parameters, the same in each channel.
     pub gloss: Gloss,
     /// The BRDF.
     pub brdf: Box<dyn Brdf>,
-    /// One for each size.
+    /// The response at each size.
     pub responses: Vec<Response>,
 }
 
@@ -161,7 +161,7 @@ impl Glossy {
     ///
     /// # Errors
     ///
-    /// Those of [`Ggx::new`].
+    /// As [`Ggx::new`].
     pub fn new(
         [roughness, reflectance, albedo]: [f64; 3],
         sizes: &[(usize, usize)],

@@ -17,9 +17,9 @@ const OTHERS: usize = 600;
 /// The least weight of a normal, of the mean of all. Normals that mirror a lamp stand for little of
 /// the picture, but are where it is worst.
 const LEAST: f64 = 0.1;
-/// How often the pictures of the material of median roughness count. A few sources mend least in
-/// those of a smoother material, and those of a rougher one need them least. Of 3, 6 and 8, this
-/// leaves the least at a roughness of 0.3.
+/// How often the pictures of the material of median roughness count. A few sources improve pictures
+/// of a smoother material least, and pictures of a rougher one need sources least. Of 3, 6 and 8,
+/// this number has the least error at a roughness of 0.3.
 const MIDDLE: f32 = 8.0;
 /// An error of a picture below this, of the peak, is rounding.
 const ROUNDING: f32 = 1e-6;

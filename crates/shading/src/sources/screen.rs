@@ -28,7 +28,7 @@ pub fn exposure(picture: &Picture, sphere: &Sphere) -> Exposure {
 ///
 /// # Errors
 ///
-/// Those of `drawn`.
+/// The errors of `drawn`.
 pub fn windowed<E>(
     degree: usize,
     sphere: &Sphere,
@@ -66,8 +66,8 @@ pub struct Reference {
     shown: Vec<Lab>,
 }
 
-/// The errors of a picture: of all pixels, and of those that the reference shows below white in
-/// every channel, since clipping hides errors of the others.
+/// The errors of a picture: of all pixels, and of the pixels that the reference shows below white
+/// in every channel, since clipping hides errors of the others.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Errors {
     /// Over all pixels.
@@ -84,7 +84,7 @@ impl Reference {
         Self { shown: shown(&picture, exposure), exposure, picture }
     }
 
-    /// The errors of a picture at the same normals. It is shown with the exposure of this one.
+    /// The errors of a picture at the same normals, shown with the exposure of the reference.
     #[must_use]
     pub fn errors(&self, found: &Picture, sphere: &Sphere) -> Errors {
         let shown = shown(found, self.exposure);

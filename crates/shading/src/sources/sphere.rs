@@ -34,7 +34,7 @@ impl Sphere {
     }
 
     /// The irradiances of each light on its material, by material, light and normal. `degree` is
-    /// that of the sum and of all lights.
+    /// the degree of the sum and of all lights.
     pub fn direct(
         &self,
         (degree, order): (usize, usize),

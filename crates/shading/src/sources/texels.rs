@@ -1,10 +1,10 @@
 //! What each texel of an environment map adds to the irradiance (3), without harmonics, degree or
 //! order.
 //!
-//! Every texel is a patch of constant radiance. Its weight is the integral of f cos θ_i over its
-//! solid angle, computed by the midpoint rule on k x k equal parts with the exact solid angle of
-//! each. k grows where f changes within the texel: it depends on the texel's size relative to the
-//! lobe's width at the half-way direction, and relative to the height above the horizon.
+//! Every texel is a patch of constant radiance. The weight of a texel is the integral of f cos θ_i
+//! over its solid angle, computed by the midpoint rule on k x k equal parts with the exact solid
+//! angle of each. k grows where f changes within the texel: it depends on the texel's size relative
+//! to the lobe's width at the half-way direction, and relative to the height above the horizon.
 
 use eigenshade_generator::light::environment::EnvironmentMap;
 use eigenshade_generator::material::brdf::{Brdf, Geometry};

@@ -38,7 +38,7 @@ impl View {
     ///
     /// # Errors
     ///
-    /// Those of [`LightTree::new`].
+    /// As [`LightTree::new`].
     pub fn new(map: &EnvironmentMap, rotation: Option<Rotation>, degree: usize) -> Result<Self> {
         let map = rotation.map_or_else(|| map.clone(), |rotation| turned(map, rotation.matrix()));
         let tree = LightTree::new(std::slice::from_ref(&map))?;

@@ -1,4 +1,4 @@
-//! The record of a basis in floats, and that of eigenimages over a span.
+//! The records of a basis in floats and of eigenimages over a span.
 
 use super::{Azimuth, Item, NONE, Word, item, record};
 use crate::layout;
@@ -30,7 +30,7 @@ record! {
         /// Number of polynomial terms for each |m|.
         lengths: [u16],
         /// √(o+1) N_l^q C_lo^q of (11): for each pair a row over l, padded to `layout::groups`
-        /// groups. Both this and `factors` are empty in a basis that only holds transfers.
+        /// groups. Both `polar` and `factors` are empty in a basis that only holds transfers.
         polar: [S],
         /// Factors of UᵀM: for each profile and each l from |m| on, a row of `layout::row` numbers.
         /// The profiles of an azimuth are taken in twos, whose rows alternate group by group; if
@@ -69,7 +69,7 @@ item! {
         minus: u16,
         /// The row of +m in a transfer.
         plus_row: Row,
-        /// The row of -m in a transfer; for m = 0 the same as that of +m.
+        /// The row of -m in a transfer; for m = 0 the row of +m.
         minus_row: Row,
     }
 }
@@ -137,9 +137,9 @@ item! {
         first: i16,
         /// Number of profiles of each order, at most [`layout::PASS`].
         profiles: u16,
-        /// Position of its numbers in a transfer.
+        /// Position of the pass's numbers in a transfer.
         start: u32,
-        /// Position of its components among the slots.
+        /// Position of the pass's components among the slots.
         slots: u32,
     }
 }
@@ -152,17 +152,17 @@ item! {
         order: i16,
         /// Number of profiles, at most [`layout::PASS`].
         profiles: u16,
-        /// The number of its first profile.
+        /// The number of the run's first profile.
         first: u16,
         /// Distance from one degree to the next.
         step: u16,
-        /// Position of the number of its first profile and l = |m|.
+        /// Position of the number of the first profile and l = |m|.
         start: u32,
     }
 }
 
 impl Run {
-    /// Whether its order and its number of profiles are ones that a table may have.
+    /// Whether a table may have a run of this order and number of profiles.
     #[must_use]
     pub const fn fits(self) -> bool {
         self.profiles > 0

@@ -43,15 +43,15 @@ item! {
     Profile {
         /// |m|.
         azimuth: u8,
-        /// The exponent of its terms.
+        /// The exponent of the polynomial's terms.
         exponent: i8,
         /// The component of +m, or of 0; [`NONE`](Self::NONE) if there is none.
         plus: u16,
         /// The component of -m, or [`NONE`](Self::NONE).
         minus: u16,
-        /// Its largest absolute value in sixteenths, rounded up.
+        /// The largest absolute value of the profile in sixteenths, rounded up.
         size: u16,
-        /// The largest term of its polynomial or intermediate step of Horner's rule in sixteenths,
+        /// The largest term of the polynomial or intermediate step of Horner's rule in sixteenths,
         /// rounded up.
         step: u16,
     }

@@ -1,8 +1,8 @@
 //! The records of a table, each declared once as a list of fields.
 //!
 //! A record has a borrowed form, which the runtime reads, and an owned form, which the generator
-//! fills. `visit` shows the arrays one by one to what writes them, as bytes or as Rust source, and
-//! `read` takes them back in the same order.
+//! fills. `visit` shows the arrays one by one to a writer of bytes or of Rust source, and `read`
+//! takes them back in the same order.
 
 pub mod floats;
 pub mod integers;
@@ -16,8 +16,8 @@ use zerocopy::{FromBytes, Immutable, KnownLayout, TryFromBytes};
 /// Marks a missing component.
 pub const NONE: u16 = u16::MAX;
 
-/// An element of an array of a record. Its `Debug` is a Rust expression wherever the items of this
-/// module are in scope.
+/// An element of an array of a record. The `Debug` of an item is a Rust expression wherever the
+/// items of this module are in scope.
 pub trait Item: Copy + Debug + TryFromBytes + KnownLayout + Immutable {
     /// Its type in Rust source.
     const TYPE: &'static str;
@@ -36,7 +36,7 @@ pub enum Word {
     Long(u32),
 }
 
-/// What takes the fields of a record.
+/// Takes the fields of a record.
 pub trait Visitor {
     /// Takes a size.
     fn size(&mut self, _name: &'static str, _size: impl Size) {}
@@ -44,7 +44,7 @@ pub trait Visitor {
     fn array<T: Item>(&mut self, name: &'static str, items: &[T]);
 }
 
-/// What gives the arrays of a record.
+/// Gives the arrays of a record.
 pub trait Reader<'a> {
     /// Why an array cannot be given.
     type Error;
@@ -62,7 +62,7 @@ pub trait Size: Copy {
     ///
     /// # Errors
     ///
-    /// That of `to`.
+    /// The error of `to`.
     fn write(self, to: &mut impl Write) -> fmt::Result;
 }
 
@@ -124,15 +124,15 @@ pub(crate) use item;
 item! {
     /// Where the numbers of one |m| are.
     Azimuth {
-        /// The number of its first profile.
+        /// The number of the azimuth's first profile.
         first: u16,
         /// Number of profiles.
         profiles: u16,
-        /// Position of its polynomials in a scene: that of +m, then that of -m.
+        /// Position of the azimuth's polynomials in a scene: of +m, then of -m.
         start: u32,
-        /// Position of the terms of its first profile.
+        /// Position of the terms of the first profile.
         terms: u32,
-        /// Number of rows of factors before its own.
+        /// Number of rows of factors before the azimuth's own.
         rows: u32,
     }
 }
@@ -166,9 +166,9 @@ macro_rules! record {
         }
 
         impl<'a, S: $crate::record::Item> $Parts<'a, S> {
-            /// Its name in Rust source.
+            /// The record's name in Rust source.
             pub const PATH: &'static str = $path;
-            /// The names of its arrays.
+            /// The names of the arrays.
             pub const ARRAYS: &'static [&'static str] = &[$(stringify!($array)),*];
 
             /// Shows each field to `visitor`.
@@ -181,7 +181,7 @@ macro_rules! record {
             ///
             /// # Errors
             ///
-            /// That of the reader.
+            /// The error of the reader.
             pub fn read<R: $crate::record::Reader<'a>>(
                 ($($size,)*): ($($kind,)*),
                 reader: &mut R,

@@ -20,7 +20,7 @@ pub fn module(parts: &Parts<'_, Q15>, command: &str) -> String {
 }
 
 /// The statics of the transfer of a material, as `transfer` gives it, for a place where the `BASIS`
-/// of its table is in scope. Its bounds are checked when it is compiled.
+/// of its table is in scope. The compiler checks the bounds of the transfer.
 #[must_use]
 pub fn transfer(mantissas: &[Q15], exponents: &[i16]) -> String {
     let mut text = array("TRANSFER_NUMBERS", mantissas) + &array("TRANSFER_EXPONENTS", exponents);

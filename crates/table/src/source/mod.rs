@@ -1,6 +1,6 @@
 //! Records as Rust source: the body of a module with a constant for a record, a static for each of
-//! its arrays, and lines for macros of the runtime that name the shape of its loops. It names the
-//! runtime as `eigenshade`.
+//! its arrays, and lines for macros of the runtime that name the shape of its loops. The source
+//! names the runtime as `eigenshade`.
 
 pub mod floats;
 pub mod integers;

@@ -8,7 +8,7 @@ use crate::quantize;
 use crate::record::{Item, Visitor, Word};
 use crate::table::Table;
 
-/// The byte order of a wire file, which must be that of the machine that reads it.
+/// The byte order of a wire file, which must be the byte order of the machine that reads it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Endian {
     /// Least significant byte first.

@@ -1,8 +1,8 @@
 //! The wire format: tables as bytes that the runtime reads in place.
 //!
-//! `docs/formats.md` specifies it byte by byte. Its sections are the arrays of the
-//! [records](crate::record), in the same order; empty ones at the end are omitted. This module has
-//! the constants of the format, the reader, and with the feature `files` the writer.
+//! `docs/formats.md` specifies the format byte by byte. The sections of a file are the arrays of
+//! the [records](crate::record), in the same order; empty sections at the end are omitted. This
+//! module has the constants of the format, the reader, and with the feature `files` the writer.
 
 #[cfg(feature = "files")]
 mod encode;
