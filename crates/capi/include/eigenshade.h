@@ -110,7 +110,7 @@ enum eigenshade_status
    */
   EIGENSHADE_STATUS_ROTATION = 16,
   /**
-   * The object has no such rows, or the buffer is shorter than they are.
+   * The object has no such rows, or the buffer is shorter than the rows.
    */
   EIGENSHADE_STATUS_ROW = 17,
   /**
@@ -126,7 +126,8 @@ enum eigenshade_status
    */
   EIGENSHADE_STATUS_EXPOSURE = 20,
   /**
-   * A baked map is not of 2 to 4096 texels a side, or has not three times its square.
+   * A baked map does not have 2 to 4096 texels a side, or its length is not three times the
+   * square of a side.
    */
   EIGENSHADE_STATUS_BAKED = 21,
   /**
@@ -212,11 +213,11 @@ typedef struct eigenshade_source_f32_t {
    */
   float direction[3];
   /**
-   * The integral of its radiance over solid angle: red, green and blue, at least 0.
+   * The integral of radiance over solid angle: red, green and blue, at least 0.
    */
   float energy[3];
   /**
-   * The standard deviation of its round blob in radians, from 0 to 0.5.
+   * The standard deviation of the round blob in radians, from 0 to 0.5.
    */
   float spread;
 } eigenshade_source_f32_t;
@@ -244,18 +245,19 @@ typedef struct eigenshade_gloss_f32_t {
 } eigenshade_gloss_f32_t;
 
 /**
- * The brightness of a picture's pixels, to meter its exposure. Zeros have counted nothing.
+ * The brightness of a picture's pixels, to meter its exposure. A meter of zeros has counted
+ * nothing.
  */
 typedef struct eigenshade_meter_t {
   /**
-   * The library's.
+   * Private to the library.
    */
   uint32_t counts[257];
 } eigenshade_meter_t;
 
 /**
- * One channel of distant light: spherical harmonic coefficients L_l^m in radiance, l from
- * 0, m from -l to l, that of l and m at l*l + l + m.
+ * One channel of distant light: spherical harmonic coefficients L_l^m in radiance, l from 0, m
+ * from -l to l, each at l*l + l + m.
  *
  * The harmonics carry the Condon-Shortley phase, x points to the right, y up, z to the
  * camera.
@@ -316,7 +318,8 @@ typedef struct eigenshade_coefficients_f32_t {
 } eigenshade_coefficients_f32_t;
 
 /**
- * An isotropic material in three channels. Those of a gray material point to the same numbers.
+ * An isotropic material in three channels. The channels of a gray material point to the same
+ * numbers.
  */
 typedef struct eigenshade_color_material_f32_t {
   /**
@@ -338,7 +341,7 @@ typedef struct eigenshade_color_material_f32_t {
  */
 typedef struct eigenshade_transfer_f32_t {
   /**
-   * Its numbers: of red, green and blue.
+   * The numbers of red, green and blue.
    */
   float numbers[3][EIGENSHADE_TRANSFER_F32];
 } eigenshade_transfer_f32_t;
@@ -362,11 +365,11 @@ typedef struct eigenshade_color_light_f32_t {
 } eigenshade_color_light_f32_t;
 
 /**
- * A picture, once it was begun. It has no pointers, so it may be moved.
+ * A picture, once it was begun. A picture has no pointers, so it may be moved.
  */
 typedef struct eigenshade_picture_f32_t {
   /**
-   * The library's.
+   * Private to the library.
    */
   uint64_t words[EIGENSHADE_PICTURE_F32];
 } eigenshade_picture_f32_t;
@@ -467,7 +470,7 @@ typedef struct eigenshade_light_q15_t {
    */
   const int16_t *mantissas;
   /**
-   * The exponent of all of them, from -128 to 128.
+   * The exponent of all mantissas, from -128 to 128.
    */
   int32_t exponent;
 } eigenshade_light_q15_t;
@@ -512,7 +515,7 @@ typedef struct eigenshade_workspace_q15_t {
    */
   int16_t transfer[EIGENSHADE_TRANSFER_Q15];
   /**
-   * Its exponents.
+   * The exponents of the transfer.
    */
   int16_t exponents[EIGENSHADE_PROFILES];
 } eigenshade_workspace_q15_t;
@@ -526,13 +529,14 @@ typedef struct eigenshade_coefficients_q15_t {
    */
   int32_t mantissas[EIGENSHADE_COMPONENTS];
   /**
-   * The exponent of all of them.
+   * The exponent of all mantissas.
    */
   int32_t exponent;
 } eigenshade_coefficients_q15_t;
 
 /**
- * An isotropic material in three channels. Those of a gray material point to the same numbers.
+ * An isotropic material in three channels. The channels of a gray material point to the same
+ * numbers.
  */
 typedef struct eigenshade_color_material_q15_t {
   /**
@@ -554,11 +558,11 @@ typedef struct eigenshade_color_material_q15_t {
  */
 typedef struct eigenshade_transfer_q15_t {
   /**
-   * Its mantissas: of red, green and blue.
+   * The mantissas of red, green and blue.
    */
   int16_t numbers[3][EIGENSHADE_TRANSFER_Q15];
   /**
-   * Their exponents.
+   * The exponents of red, green and blue.
    */
   int16_t exponents[3][EIGENSHADE_PROFILES];
 } eigenshade_transfer_q15_t;
@@ -582,11 +586,11 @@ typedef struct eigenshade_color_light_q15_t {
 } eigenshade_color_light_q15_t;
 
 /**
- * A picture, once it was begun. It has no pointers, so it may be moved.
+ * A picture, once it was begun. A picture has no pointers, so it may be moved.
  */
 typedef struct eigenshade_picture_q15_t {
   /**
-   * The library's.
+   * Private to the library.
    */
   uint64_t words[EIGENSHADE_PICTURE_Q15];
 } eigenshade_picture_q15_t;
@@ -655,7 +659,7 @@ typedef struct eigenshade_material_buffer_q15_t {
    */
   int16_t mantissas[3][EIGENSHADE_MATERIAL_BUFFER];
   /**
-   * Their exponents.
+   * The exponents of red, green and blue.
    */
   int8_t exponents[3][EIGENSHADE_MATERIAL_EXPONENTS];
 } eigenshade_material_buffer_q15_t;
@@ -686,8 +690,9 @@ extern const struct eigenshade_display_t eigenshade_display_filmic;
 const char *eigenshade_version(void);
 
 /**
- * A checksum of the sizes of the library's table. If it is not `EIGENSHADE_TABLE`, the headers are
- * those of another library: do not call it. Tables of the same sizes have the same checksum.
+ * A checksum of the sizes of the library's table. If the checksum is not `EIGENSHADE_TABLE`, the
+ * headers belong to another library: do not call this one. Tables of the same sizes have the same
+ * checksum.
  */
 uint32_t eigenshade_table(void);
 
@@ -735,9 +740,9 @@ eigenshade_status eigenshade_gloss_fewest_sources_f32(const struct eigenshade_gl
 /**
  * The exposure of the pixels that a meter has counted, in either format, to within 7 %.
  *
- * One pixel in a hundred is brighter than white. If that leaves the median pixel darker than 0.12
- * of white, the exposure rises until the median has 0.12 or one pixel in ten is brighter than
- * white. On an error `exposure` is unchanged.
+ * One pixel in a hundred is brighter than white. If the median pixel is then darker than 0.12 of
+ * white, the exposure rises until the median has 0.12 or one pixel in ten is brighter than white.
+ * On an error `exposure` is unchanged.
  */
 eigenshade_status eigenshade_meter_exposure_f32(const struct eigenshade_meter_t *meter,
                                                 float *exposure);
@@ -753,7 +758,8 @@ eigenshade_status eigenshade_project_f32(const struct eigenshade_light_f32_t *li
                                          struct eigenshade_coefficients_f32_t *coefficients);
 
 /**
- * The transfer of a material, for any number of lights. That of a gray material is computed once.
+ * The transfer of a material, for any number of lights. A gray material takes the computation of
+ * one channel.
  *
  * On an error `transfer` is unchanged.
  */
@@ -793,9 +799,9 @@ eigenshade_status eigenshade_picture_relight_f32(const struct eigenshade_transfe
                                                  struct eigenshade_picture_f32_t *picture);
 
 /**
- * Gives a picture the highlights of `count` sources, at most EIGENSHADE_SOURCES, in place of those
- * that it has. Its light has to be without them, as `eigenshade_residual_f32` makes it. Where a
- * light turns, turn the residual and the sources.
+ * Gives a picture the highlights of `count` sources, at most EIGENSHADE_SOURCES, in place of any
+ * earlier highlights. The picture's light has to be without these sources, as
+ * `eigenshade_residual_f32` makes it. Where a light turns, turn the residual and the sources.
  *
  * On an error `picture` has no highlights, or is unchanged.
  */
@@ -807,7 +813,7 @@ eigenshade_status eigenshade_picture_highlights_f32(const struct eigenshade_glos
 /**
  * The irradiance of the normal along (x, y, z).
  *
- * The normal may have any length from 1e-9 to 1e9; it is scaled, which costs a root. One that
+ * The normal may have any length from 1e-9 to 1e9; it is scaled, which costs a root. A normal that
  * points away by no more than 1/8 is laid on the rim. On an error `irradiance` is unchanged.
  */
 eigenshade_status eigenshade_picture_shade_f32(const struct eigenshade_picture_f32_t *picture,
@@ -863,7 +869,7 @@ eigenshade_status eigenshade_picture_normal_map_row_f32(const struct eigenshade_
 
 /**
  * `rows` rows of the object of a normal map from row `first` on, as
- * `eigenshade_picture_disc_rows_f32` draws those of a sphere.
+ * `eigenshade_picture_disc_rows_f32` draws the rows of a sphere.
  */
 eigenshade_status eigenshade_picture_normal_map_rows_f32(const struct eigenshade_picture_f32_t *picture,
                                                          const struct eigenshade_normal_map_t *map,
@@ -877,7 +883,7 @@ eigenshade_status eigenshade_picture_normal_map_rows_f32(const struct eigenshade
 
 /**
  * Counts the pixels of one row of a sphere, to meter the exposure of its picture. The arguments
- * are those of `eigenshade_picture_disc_row_f32`. Every fourth row of a small sphere will do.
+ * are as in `eigenshade_picture_disc_row_f32`. Every fourth row of a small sphere will do.
  *
  * On an error `meter` is unchanged.
  */
@@ -951,7 +957,8 @@ eigenshade_status eigenshade_turn_f32(const struct eigenshade_color_light_f32_t 
 
 /**
  * A light turned about the view axis, from x toward y, by an angle, given by its cosine and sine:
- * much cheaper than any other axis. Their squares sum to 1 to within 2 %; they are scaled.
+ * much cheaper than any other axis. The squares of cosine and sine sum to 1 to within 2 %; both
+ * are scaled.
  *
  * The turned light is in `buffer`, and `to` points there. On an error neither may be used.
  */
@@ -1027,7 +1034,7 @@ eigenshade_status eigenshade_picture_begin_q15(const struct eigenshade_color_lig
                                                struct eigenshade_picture_q15_t *picture);
 
 /**
- * `eigenshade_picture_begin_glossy_f32` in Q15. It computes in floats, too. Uses 9 KB of stack.
+ * `eigenshade_picture_begin_glossy_f32` in Q15, partly computed in floats. Uses 9 KB of stack.
  */
 eigenshade_status eigenshade_picture_begin_glossy_q15(const struct eigenshade_color_light_q15_t *light,
                                                       const struct eigenshade_color_material_q15_t *material,
@@ -1037,15 +1044,15 @@ eigenshade_status eigenshade_picture_begin_glossy_q15(const struct eigenshade_co
                                                       struct eigenshade_picture_q15_t *picture);
 
 /**
- * `eigenshade_picture_relight_f32` in Q15. A transfer that is refused leaves a picture that was
- * never begun.
+ * `eigenshade_picture_relight_f32` in Q15. If the transfer is refused, the picture is as if never
+ * begun.
  */
 eigenshade_status eigenshade_picture_relight_q15(const struct eigenshade_transfer_q15_t *transfer,
                                                  const struct eigenshade_color_light_q15_t *light,
                                                  struct eigenshade_picture_q15_t *picture);
 
 /**
- * `eigenshade_picture_highlights_f32` in Q15. It computes in floats.
+ * `eigenshade_picture_highlights_f32` in Q15, computed in floats.
  */
 eigenshade_status eigenshade_picture_highlights_q15(const struct eigenshade_gloss_f32_t *gloss,
                                                     const struct eigenshade_source_f32_t *sources,
@@ -1183,7 +1190,7 @@ eigenshade_status eigenshade_turn_about_view_q15(const struct eigenshade_color_l
                                                  struct eigenshade_color_light_q15_t *to);
 
 /**
- * `eigenshade_residual_f32` in Q15. It computes in floats.
+ * `eigenshade_residual_f32` in Q15, computed in floats.
  */
 eigenshade_status eigenshade_residual_q15(const struct eigenshade_color_light_q15_t *from,
                                           const struct eigenshade_source_f32_t *sources,
@@ -1235,11 +1242,11 @@ eigenshade_status eigenshade_quantize_material_q15(const struct eigenshade_color
                                                    struct eigenshade_color_material_q15_t *to);
 
 /**
- * The unit normal along a vector of three integers of any scale, as three mantissas, x, y and z:
- * of a normal map of 8 bits, whose channel c says 2c - 255.
+ * The unit normal along a vector of three integers of any scale, as three mantissas, x, y and z.
+ * For a normal map of 8 bits, pass 2c - 255 for each channel c.
  *
- * One that points away by no more than 1/8 is laid on the rim. Cost: a root and three divisions
- * in 64 bits. On an error `normal` is unchanged.
+ * A vector that points away by no more than 1/8 is laid on the rim. Cost: a root and three
+ * divisions in 64 bits. On an error `normal` is unchanged.
  */
 eigenshade_status eigenshade_normalize_q15(const int32_t *vector, int16_t *normal);
 
