@@ -135,10 +135,7 @@ impl Display {
     #[inline]
     #[must_use]
     pub fn rgb565_dithered(&self, color: Rgb<impl Into<Linear>>, x: usize, y: usize) -> u16 {
-        /// The ranks 0 to 15 of the sixteen pixels, four bits each, row by row.
-        const RANKS: u64 = 0x5d7f_91b3_4c6e_80a2;
-        let rank = (RANKS >> (16 * (y & 3) + 4 * (x & 3))) as u32 & 15;
-        self.rounded565(color, (rank << 12) + (1 << 11))
+        self.rounded565(color, (rank(x, y) << 12) + (1 << 11))
     }
 
     #[inline(always)]
@@ -147,6 +144,21 @@ impl Display {
         let [r, b] = [r, b].map(|channel| levels::<31>(channel, threshold));
         (r << 11) | (levels::<63>(g, threshold) << 5) | b
     }
+}
+
+/// The rank of a pixel in the 4 x 4 Bayer matrix, from 0 to 15.
+#[inline(always)]
+pub(crate) fn rank(x: usize, y: usize) -> u32 {
+    ranks(y)(x)
+}
+
+/// The ranks of the pixels of row `y`, by their column.
+#[inline(always)]
+pub(crate) fn ranks(y: usize) -> impl Fn(usize) -> u32 {
+    /// Four bits each, row by row.
+    const RANKS: u64 = 0x5d7f_91b3_4c6e_80a2;
+    let row = (RANKS >> (16 * (y & 3))) as u32;
+    move |x| row >> (4 * (x & 3)) & 15
 }
 
 /// One of the levels 0 to `MOST`: rounds down after adding a threshold in 2^-16 of a level.

@@ -164,7 +164,11 @@ mod normal_map;
 
 mod blend;
 
+mod sphere_map;
+
 mod matcap;
+
+mod palette;
 
 pub mod wire;
 
@@ -234,6 +238,7 @@ pub mod object {
     pub use crate::bake::{BakedMap, MapPoint};
     pub use crate::disc::{Disc, DiscPixel};
     pub use crate::matcap::{Matcap, MatcapTexel};
+    pub use crate::normal_code::NormalCode;
     pub use crate::normal_map::{NormalMap, NormalPixel, NormalPixels};
 }
 
@@ -242,6 +247,7 @@ pub mod screen {
     pub use crate::blend::blend565;
     pub use crate::display::{Display, Tone};
     pub use crate::exposure::{Exposure, Linear, Meter};
+    pub use crate::palette::{Nodes, Palette};
     pub use crate::shade::NegativePolicy;
 }
 

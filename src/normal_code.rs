@@ -12,7 +12,10 @@ use crate::q15::Q15;
 use core::f32::consts::FRAC_PI_2;
 
 /// The distance of the rim from the center.
-const RIM: f32 = 127.0;
+pub(crate) const RIM: f32 = 127.0;
+
+/// The first byte of a pixel that has no normal of its own.
+pub(crate) const WITHOUT: u8 = 0x80;
 
 /// The square of the largest distance that counts as the rim, in which all rounded codes lie.
 const LARGEST: i32 = 1 << 14;
@@ -23,14 +26,17 @@ const SINE: [f64; 4] = [1.570_795_05, -0.656_135_98, 0.082_027_47, -0.004_576_18
 /// (1 - cos θ) / t, with t = (u² + v²) / 2^14, in t: within 2.1e-7, times t.
 const COSINE: [f64; 4] = [1.253_205_19, -0.261_747_396, 0.021_835_836, -0.000_925_671_56];
 
-/// The code of a visible normal: its point (u, v).
+/// The code of a visible normal: its point (u, v) in the map of codes, within 0.51° of the normal.
+///
+/// A [`Palette`](crate::screen::Palette) gives its color.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub(crate) struct NormalCode([i8; 2]);
+pub struct NormalCode([i8; 2]);
 
 impl NormalCode {
-    /// The nearest code.
-    pub(crate) fn of(normal: Normal) -> Self {
+    /// The nearest code. Cost: a root and an arc tangent.
+    #[must_use]
+    pub fn of(normal: Normal) -> Self {
         let Normal { x, y, z } = normal;
         let sine = libm::sqrtf(x * x + y * y);
         let scale = if sine > 0.0 { RIM / FRAC_PI_2 * libm::atan2f(sine, z) / sine } else { 0.0 };
@@ -39,44 +45,96 @@ impl NormalCode {
 
     /// These bytes as a code, if its point is inside the rim.
     #[inline(always)]
-    pub(crate) fn inside(bytes: [u8; 2]) -> Option<Self> {
-        let point = bytes.map(u8::cast_signed);
-        (square(point) <= LARGEST).then_some(Self(point))
+    pub(crate) const fn inside([u, v]: [u8; 2]) -> Option<Self> {
+        let point = [u.cast_signed(), v.cast_signed()];
+        if square(point) <= LARGEST { Some(Self(point)) } else { None }
     }
 
-    pub(crate) fn bytes(self) -> [u8; 2] {
-        self.0.map(i8::cast_unsigned)
+    /// The code of a pixel, if it has a normal of its own.
+    #[inline(always)]
+    pub(crate) const fn of_pixel(code: [u8; 2]) -> Option<Self> {
+        // No code inside the rim begins so but (-128, 0).
+        if code[0] == WITHOUT { None } else { Self::inside(code) }
+    }
+
+    /// The code at a point of a sphere, from its place (x, y) and z in units of 2^-15: within 0.6.
+    #[inline]
+    pub(crate) const fn of_sphere([x, y]: [i32; 2], z: i32) -> Self {
+        // θ / sin θ / (π/2) in z, within 6.4e-4.
+        let [a, b, c, d] = [32_747, -20_117, 11_937, -3_722];
+        let value = ((d * z) >> 15) + c;
+        let value = ((value * z) >> 15) + b;
+        let value = ((value * z) >> 15) + a;
+        let (u, v) = ((x * value) >> 15, (y * value) >> 15);
+        // A little less than 128 at the rim.
+        Self([((u * 127 + (1 << 14)) >> 15) as i8, ((v * 127 + (1 << 14)) >> 15) as i8])
+    }
+
+    /// The column and the row of the node before the code, every eighth code from -128 on, and the
+    /// way to the next ones in eighths.
+    #[inline(always)]
+    pub(crate) const fn cell(self) -> ([usize; 2], [u32; 2]) {
+        let [u, v] = self.0;
+        // Both at once.
+        let biased = u16::from_le_bytes([u.cast_unsigned(), v.cast_unsigned()]) as u32 ^ 0x8080;
+        let (column, row) = (biased >> 3 & 31, biased >> 11);
+        ([column as usize, row as usize], [biased & 7, biased >> 8 & 7])
+    }
+
+    pub(crate) const fn point(self) -> [i8; 2] {
+        self.0
+    }
+
+    pub(crate) const fn bytes(self) -> [u8; 2] {
+        let [u, v] = self.0;
+        [u.cast_unsigned(), v.cast_unsigned()]
     }
 
     #[inline]
     pub(crate) fn normal(self) -> Normal {
-        const SINE_32: [f32; 4] = rounded(SINE, 1.0 / 127.0);
-        const COSINE_32: [f32; 4] = rounded(COSINE, 1.0);
-        let t = square(self.0) as f32 * (1.0 / LARGEST as f32);
-        let value = |[a, b, c, d]: [f32; 4]| ((d * t + c) * t + b) * t + a;
-        let scale = value(SINE_32);
-        let [x, y] = self.0.map(|along| f32::from(along) * scale);
-        Normal { x, y, z: (1.0 - t * value(COSINE_32)).max(0.0) }
+        normal_at::<0>(self.0.map(i32::from))
     }
 
     #[inline]
     pub(crate) fn normal_q15(self) -> q15::Normal {
-        const SINE_15: [i32; 4] = whole(SINE, 32_767.0 * 128.0 / 127.0);
-        const COSINE_15: [i32; 4] = whole(COSINE, 32_767.0);
-        let t = square(self.0);
-        let value = |[a, b, c, d]: [i32; 4]| {
-            let sum = ((d * t) >> 14) + c;
-            let sum = ((sum * t) >> 14) + b;
-            ((sum * t) >> 14) + a
-        };
-        let scale = value(SINE_15);
-        let [x, y] = self.0.map(|along| {
-            // At most 2^15 before.
-            Q15(((i32::from(along) * scale + 64) >> 7).min(32_767) as i16)
-        });
-        let z = 32_767 - ((value(COSINE_15) * t + (1 << 13)) >> 14);
-        q15::Normal { x, y, z: Q15(z.max(0) as i16) }
+        normal_q15_at::<0>(self.0.map(i32::from))
     }
+}
+
+/// The normal at a point of the map of codes, in units of 2^-`POINT`.
+#[inline]
+pub(crate) fn normal_at<const POINT: u32>(point: [i32; 2]) -> Normal {
+    const SINE_32: [f32; 4] = rounded(SINE, 1.0 / 127.0);
+    const COSINE_32: [f32; 4] = rounded(COSINE, 1.0);
+    let (unit, square_unit) =
+        const { (1.0 / (1 << POINT) as f32, 1.0 / (1_i64 << (14 + 2 * POINT)) as f32) };
+    let [u, v] = point;
+    let t = (u * u + v * v) as f32 * square_unit;
+    let value = |[a, b, c, d]: [f32; 4]| ((d * t + c) * t + b) * t + a;
+    let scale = value(SINE_32) * unit;
+    let [x, y] = point.map(|along| along as f32 * scale);
+    Normal { x, y, z: (1.0 - t * value(COSINE_32)).max(0.0) }
+}
+
+/// [`normal_at`] in integers.
+#[inline]
+pub(crate) fn normal_q15_at<const POINT: u32>(point: [i32; 2]) -> q15::Normal {
+    const SINE_15: [i32; 4] = whole(SINE, 32_767.0 * 128.0 / 127.0);
+    const COSINE_15: [i32; 4] = whole(COSINE, 32_767.0);
+    let [u, v] = point;
+    let t = (u * u + v * v) >> (2 * POINT);
+    let value = |[a, b, c, d]: [i32; 4]| {
+        let sum = ((d * t) >> 14) + c;
+        let sum = ((sum * t) >> 14) + b;
+        ((sum * t) >> 14) + a
+    };
+    let scale = value(SINE_15);
+    let [x, y] = point.map(|along| {
+        // At most 2^15 before.
+        Q15(((along * scale + (64 << POINT)) >> (7 + POINT)).min(32_767) as i16)
+    });
+    let z = 32_767 - ((value(COSINE_15) * t + (1 << 13)) >> 14);
+    q15::Normal { x, y, z: Q15(z.max(0) as i16) }
 }
 
 const fn rounded([a, b, c, d]: [f64; 4], scale: f64) -> [f32; 4] {
@@ -91,8 +149,8 @@ const fn whole([a, b, c, d]: [f64; 4], scale: f64) -> [i32; 4] {
 }
 
 #[inline(always)]
-fn square([u, v]: [i8; 2]) -> i32 {
-    let [u, v] = [i32::from(u), i32::from(v)];
+const fn square([u, v]: [i8; 2]) -> i32 {
+    let [u, v] = [u as i32, v as i32];
     u * u + v * v
 }
 

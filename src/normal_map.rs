@@ -9,11 +9,8 @@
 
 use crate::error::{Argument, Error};
 use crate::normal::Normal;
-use crate::normal_code::NormalCode;
+use crate::normal_code::{NormalCode, WITHOUT};
 use crate::q15;
-
-/// The first byte of codes that have no normal of their own.
-const WITHOUT: u8 = 0x80;
 
 /// The steps to a neighbor, to the right and down, by its number.
 const NEIGHBORS: [[i8; 2]; 8] =
@@ -107,9 +104,14 @@ impl<'a> NormalMap<'a> {
     /// The pixels of one row, from the left. A row beyond the last one has none.
     #[must_use]
     pub fn row(&self, row: usize) -> NormalPixels<'a> {
+        NormalPixels { map: *self, rest: self.codes(row).iter(), column: 0, row }
+    }
+
+    /// The codes of one row; none beyond the last one.
+    pub(crate) fn codes(&self, row: usize) -> &'a [[u8; 2]] {
         let start = row.saturating_mul(self.width);
         let codes = self.codes.get(start..).and_then(|rest| rest.get(..self.width));
-        NormalPixels { map: *self, rest: codes.unwrap_or_default().iter(), column: 0, row }
+        codes.unwrap_or_default()
     }
 
     /// The code of a pixel that the object covers completely: its normal.
@@ -123,16 +125,30 @@ impl<'a> NormalMap<'a> {
     /// `neighbor` is none of the eight neighbors, the code is [`BACKGROUND`](Self::BACKGROUND).
     /// Coverage is rounded to 1/32 to 31/32.
     #[must_use]
-    pub fn edge_code(coverage: u8, neighbor: [i8; 2]) -> [u8; 2] {
-        let Some(number) = NEIGHBORS.iter().position(|&step| step == neighbor) else {
-            return Self::BACKGROUND;
-        };
-        let levels = ((u16::from(coverage) + 4) >> 3).clamp(1, 31) as u8;
-        [WITHOUT, (levels << 3) | number as u8]
+    pub const fn edge_code(coverage: u8, [right, down]: [i8; 2]) -> [u8; 2] {
+        let (mut neighbors, mut number) = (NEIGHBORS.as_slice(), 0);
+        while let [[to_right, to_below], others @ ..] = neighbors {
+            if *to_right == right && *to_below == down {
+                let levels = (coverage as u16 + 4) >> 3;
+                let levels = if levels < 1 { 1 } else { levels };
+                let levels = if levels > 31 { 31 } else { levels };
+                return [WITHOUT, (levels << 3) as u8 | number];
+            }
+            (neighbors, number) = (others, number + 1);
+        }
+        Self::BACKGROUND
     }
 
-    /// The code of a pixel that the object covers in part, and its coverage.
-    fn edge(&self, rest: u8, column: usize, row: usize) -> Option<(NormalCode, u8)> {
+    /// Of a pixel that the object covers in part, the code of its normal and its coverage.
+    pub(crate) fn edge(
+        &self,
+        [without, rest]: [u8; 2],
+        column: usize,
+        row: usize,
+    ) -> Option<(NormalCode, u8)> {
+        if without != WITHOUT {
+            return None;
+        }
         let coverage = rest & 0xf8;
         if coverage == 0 {
             return None;
@@ -140,9 +156,8 @@ impl<'a> NormalMap<'a> {
         let &[right, down] = NEIGHBORS.get(usize::from(rest & 7))?;
         let column = column.checked_add_signed(right.into()).filter(|&one| one < self.width)?;
         let row = row.checked_add_signed(down.into())?;
-        let [x, y] = *self.codes.get(row.checked_mul(self.width)?.checked_add(column)?)?;
-        let code = if x == WITHOUT { None } else { NormalCode::inside([x, y]) };
-        Some((code?, coverage))
+        let code = *self.codes.get(row.checked_mul(self.width)?.checked_add(column)?)?;
+        Some((NormalCode::of_pixel(code)?, coverage))
     }
 }
 
@@ -162,14 +177,13 @@ impl Iterator for NormalPixels<'_> {
     #[inline]
     fn next(&mut self) -> Option<NormalPixel> {
         loop {
-            let &[x, y] = self.rest.next()?;
+            let &code = self.rest.next()?;
             let (column, row, width) = (self.column, self.row, self.map.width);
             (self.column, self.row) =
                 if column + 1 < width { (column + 1, row) } else { (0, row + 1) };
-            let found = if x == WITHOUT {
-                self.map.edge(y, column, row)
-            } else {
-                NormalCode::inside([x, y]).map(|code| (code, u8::MAX))
+            let found = match NormalCode::of_pixel(code) {
+                Some(code) => Some((code, u8::MAX)),
+                None => self.map.edge(code, column, row),
             };
             if let Some((code, coverage)) = found {
                 return Some(NormalPixel { column, row, width, code, coverage });
@@ -217,6 +231,13 @@ impl NormalPixel {
     #[must_use]
     pub const fn coverage(self) -> u8 {
         self.coverage
+    }
+
+    /// The code of the normal: see [`Palette`](crate::screen::Palette).
+    #[inline]
+    #[must_use]
+    pub const fn code(self) -> NormalCode {
+        self.code
     }
 
     /// The normal of the pixel's code, each component within 2e-6 of the exact value.

@@ -107,6 +107,8 @@ impl Program {
 
     fn runs_on(&self, board: Board) -> bool {
         match (self.source, self.format) {
+            // Its memory is more than 16 KB.
+            _ if self.operation == "frame" => board.is_counted() && board.is_large,
             ("golden", "f32") | ("readme", _) => board.is_large,
             ("golden" | "complete" | "watch", "q15") => true,
             (_, format) => board.is_counted() && (board.is_large || format != "f32"),

@@ -32,11 +32,12 @@ pub fn pixels(codes: &[[u8; 2]; 1088]) -> NormalPixels<'_> {
 pub mod floats {
     use core::hint::black_box;
     pub use eigenshade::Material;
+    pub use eigenshade::Normal;
     pub use eigenshade::object::{BakedMap, MapPoint};
     pub use eigenshade::presets::{light::LOBBY, material::GOLD_METALLIC_PAINT};
     use eigenshade::screen::Exposure;
     pub use eigenshade::sphere::color;
-    use eigenshade::{Buffer, Error, Light, Normal, Rgb, Rotation, Source};
+    use eigenshade::{Buffer, Error, Light, Rgb, Rotation, Source};
 
     /// The coefficients of a material in color, of order 7.
     pub type OfOrder7 = Rgb<Buffer<f32, 40>>;
@@ -132,8 +133,9 @@ pub mod floats {
 pub mod integers {
     use core::hint::black_box;
     pub use eigenshade::presets::{light::q15::LOBBY, material::q15::GOLD_METALLIC_PAINT};
+    pub use eigenshade::q15::Normal;
     pub use eigenshade::q15::{BakedMap, MapPoint, Material};
-    use eigenshade::q15::{Exposure, Light, MaterialBuffer, Normal, Q15, Rotation};
+    use eigenshade::q15::{Exposure, Light, MaterialBuffer, Q15, Rotation};
     pub use eigenshade::sphere::q15::color;
     use eigenshade::{Error, Rgb};
 

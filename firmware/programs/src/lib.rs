@@ -4,6 +4,9 @@
 //! `operations_q15.rs`, with the shipped table in Q15 as the module `table`.
 #![no_std]
 
+use eigenshade::Error;
+use eigenshade::object::NormalMap;
+
 /// The library's table in Q15, with the transfer of one material.
 pub mod one_material {
     include!(concat!(env!("OUT_DIR"), "/one_material.rs"));
@@ -32,4 +35,23 @@ macro_rules! program {
     () => {
         include!(concat!(env!("OUT_DIR"), "/programs/", env!("CARGO_BIN_NAME"), ".rs"));
     };
+}
+
+/// Pixels across a picture of a sphere.
+pub const BALL: usize = 240;
+
+/// The sphere's codes.
+static CODES: [[u8; 2]; BALL * BALL] = {
+    let mut codes = [NormalMap::BACKGROUND; BALL * BALL];
+    assert!(NormalMap::sphere(BALL, &mut codes).is_ok());
+    codes
+};
+
+/// The normals of a sphere.
+///
+/// # Errors
+///
+/// None: the size is right.
+pub fn ball() -> Result<NormalMap<'static>, Error> {
+    NormalMap::new(BALL, BALL, CODES.as_flattened())
 }

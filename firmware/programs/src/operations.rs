@@ -1,12 +1,12 @@
 //! The measured operations that are the same in both number formats, but for types and inputs.
 
 use super::inputs::{
-    self, GOLD_METALLIC_PAINT, LOBBY, MapPoint, Material, OfOrder7, OfOrder12, color,
+    self, GOLD_METALLIC_PAINT, LOBBY, MapPoint, Material, Normal, OfOrder7, OfOrder12, color,
 };
 use board::{Passes, holds, measure};
 use core::hint::black_box;
-use eigenshade::Rgb;
-use eigenshade::screen::{Display, Tone};
+use eigenshade::screen::{Display, Linear, Nodes, Palette, Tone};
+use eigenshade::{Error, Rgb};
 
 /// A bilinear look-up in a baked map, by normal.
 pub fn baked() {
@@ -96,4 +96,67 @@ pub fn turn() {
     let rotation = inputs::rotation();
     holds(size_of_val(&rotation));
     measure(&[LOBBY], Passes(64), |light| light.turned::<100>(&rotation));
+}
+
+/// All nodes of a palette, for the gold sphere.
+pub fn palette() {
+    let Ok(scene) = color::scene(LOBBY, GOLD_METALLIC_PAINT) else { board::exit(false) };
+    let (scene, exposure) = (black_box(scene), inputs::exposure());
+    let mut palette = Palette::default();
+    holds(size_of_val(&scene) + size_of_val(&palette));
+    measure(&[()], Passes(1), |()| {
+        palette.fill(&Nodes::ALL, &DISPLAY, |normal| exposure.of(scene.shade(normal)));
+        black_box(&mut palette);
+    });
+}
+
+/// A row of 240 pixels through the middle of a sphere, from a palette.
+pub fn palette_row() {
+    let mut palette = Palette::default();
+    palette.fill(&Nodes::ALL, &DISPLAY, |_: Normal| Rgb::gray(Linear(40_000)));
+    let palette = black_box(&palette);
+    let Ok(map) = programs::ball() else { board::exit(false) };
+    let mut row = [0; programs::BALL];
+    holds(size_of_val(palette) + size_of_val(&row));
+    measure(&[120], Passes(16), |place| {
+        palette.draw_row565(&map, *place, false, &mut row);
+        black_box(&mut row);
+    });
+}
+
+/// The same with ordered dithering.
+pub fn palette_row_dithered() {
+    let mut palette = Palette::default();
+    palette.fill(&Nodes::ALL, &DISPLAY, |_: Normal| Rgb::gray(Linear(40_000)));
+    let palette = black_box(&palette);
+    let Ok(map) = programs::ball() else { board::exit(false) };
+    let mut row = [0; programs::BALL];
+    holds(size_of_val(palette) + size_of_val(&row));
+    measure(&[120], Passes(16), |place| {
+        palette.draw_row565(&map, *place, true, &mut row);
+        black_box(&mut row);
+    });
+}
+
+/// A frame of the gold sphere of 240 x 240 pixels: the light turned, the material relit, a palette
+/// filled, and every row drawn.
+pub fn frame() {
+    let Ok(transfer) = color::transfer(GOLD_METALLIC_PAINT) else { board::exit(false) };
+    let transfer = black_box(&transfer);
+    let (rotation, exposure) = (inputs::rotation(), inputs::exposure());
+    let mut palette = Palette::default();
+    let Ok(map) = programs::ball() else { board::exit(false) };
+    let (nodes, mut row) = (Nodes::of(&map), [0; programs::BALL]);
+    let held = size_of_val(&palette) + size_of_val(&nodes) + size_of_val(&row);
+    holds(size_of_val(transfer) + held);
+    measure(&[LOBBY], Passes(1), |light| {
+        let light = light.turned::<100>(&rotation)?;
+        let scene = color::relight(transfer, light.lights()?)?;
+        palette.fill(&nodes, &DISPLAY, |normal| exposure.of(scene.shade(normal)));
+        for place in 0..map.height() {
+            palette.draw_row565(&map, place, false, &mut row);
+            black_box(&mut row);
+        }
+        Ok::<(), Error>(())
+    });
 }

@@ -1,0 +1,397 @@
+//! The colors of a frame by normal: nodes are shaded, exposed and encoded once, and a pixel is
+//! interpolated between four of them.
+//!
+//! A node is every eighth code of each axis of a [`NormalCode`], and the three low bits of a code are
+//! the place between two nodes. Display values are interpolated, not irradiances: a tone curve and
+//! an encoding make an irradiance much less smooth.
+
+use crate::blend::blend565;
+use crate::color::Rgb;
+use crate::display::{Display, rank, ranks};
+use crate::exposure::Linear;
+use crate::normal::Normal;
+use crate::normal_code::{NormalCode, RIM, normal_at, normal_q15_at};
+use crate::normal_map::NormalMap;
+use crate::q15;
+
+/// Nodes along each axis, from code -128 to 128.
+const SIDE: usize = 33;
+
+/// Bits of a node's place after the binary point, in codes.
+const POINT: u32 = 4;
+
+/// Units of a node's values: steps of a level of RGB565, 31 levels for red and blue and 63 for
+/// green. 64 times the largest value has 16 bits.
+const STEPS: [u32; 2] = [31 << 5, 63 << 4];
+
+/// The encoded color at a node: red in the upper half of the first word and blue in the lower one,
+/// green in the second.
+type Node = [u32; 2];
+
+/// The nodes of a [`Palette`] that an object needs.
+///
+/// ```
+/// use eigenshade::Normal;
+/// use eigenshade::object::NormalMap;
+/// use eigenshade::screen::Nodes;
+///
+/// let codes = NormalMap::code(Normal::new(0.0, 0.3, 0.9)?);
+/// let map = NormalMap::new(1, 1, &codes)?;
+/// assert_eq!(Nodes::of(&map).count(), 4);
+/// assert_eq!(Nodes::ALL.count(), 921);
+/// # Ok::<(), eigenshade::Error>(())
+/// ```
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Nodes([u64; SIDE]);
+
+impl Nodes {
+    /// The nodes of a sphere, which has every normal.
+    pub const ALL: Self = all();
+
+    /// The nodes of an object's normals. Cost: some 40 instructions a pixel, once for each map.
+    #[must_use]
+    pub fn of(map: &NormalMap<'_>) -> Self {
+        let mut nodes = Self([0; SIDE]);
+        for pixel in map.pixels() {
+            let ([column, row], _) = pixel.code().cell();
+            nodes.0.iter_mut().skip(row).take(2).for_each(|row| *row |= 3 << column);
+        }
+        nodes
+    }
+
+    /// The number of nodes.
+    #[must_use]
+    pub fn count(&self) -> usize {
+        self.0.iter().map(|row| row.count_ones() as usize).sum()
+    }
+}
+
+#[expect(clippy::indexing_slicing, reason = "a constant function has no iterators")]
+const fn all() -> Nodes {
+    let (mut nodes, mut row) = ([0; SIDE], 0);
+    while row < SIDE - 1 {
+        let mut column = 0;
+        while column < SIDE - 1 {
+            if NormalCode::inside([nearest(column), nearest(row)]).is_some() {
+                nodes[row] |= 3 << column;
+                nodes[row + 1] |= 3 << column;
+            }
+            column += 1;
+        }
+        row += 1;
+    }
+    Nodes(nodes)
+}
+
+/// Of the eight codes after a node, the one nearest to zero.
+const fn nearest(node: usize) -> u8 {
+    let first = (8 * node) as u8 ^ 0x80;
+    if first < 0x80 { first } else { first + 7 }
+}
+
+/// A normal in one of the number formats.
+pub trait OfNode: sealed::OfNode {}
+impl OfNode for Normal {}
+impl OfNode for q15::Normal {}
+
+mod sealed {
+    use super::{Normal, POINT, normal_at, normal_q15_at, q15};
+
+    pub trait OfNode {
+        /// The normal at a point of the map of codes, in units of 2^-[`POINT`] of a code.
+        fn of_point(point: [i32; 2]) -> Self;
+    }
+    impl OfNode for Normal {
+        #[inline]
+        fn of_point(point: [i32; 2]) -> Self {
+            normal_at::<POINT>(point)
+        }
+    }
+    impl OfNode for q15::Normal {
+        #[inline]
+        fn of_point(point: [i32; 2]) -> Self {
+            normal_q15_at::<POINT>(point)
+        }
+    }
+}
+
+/// The colors of one material under one light, by normal: 8.7 KB.
+///
+/// Fill it for each frame, which shades the nodes, and draw any number of pixels from it. A pixel
+/// takes some 40 instructions. Its error is CIEDE2000 0.2 to 0.7 in the mean before rounding to the
+/// levels of the display; a highlight narrower than the 5.7 degrees between two nodes is dimmer.
+///
+/// ```
+/// # #[cfg(all(feature = "baked", feature = "presets"))] {
+/// use eigenshade::object::Disc;
+/// use eigenshade::presets::{light::LOBBY, material::GOLD_METALLIC_PAINT};
+/// use eigenshade::screen::{Display, Nodes, Palette, Tone};
+/// use eigenshade::sphere;
+///
+/// static DISPLAY: Display = Display::new(Tone::Filmic);
+/// let scene = sphere::color::scene(LOBBY, GOLD_METALLIC_PAINT)?;
+/// let exposure = scene.exposure_by_factor(1.5)?;
+/// let mut palette = Palette::default();
+/// palette.fill(&Nodes::ALL, &DISPLAY, |normal| exposure.of(scene.shade(normal)));
+///
+/// let mut picture = [0_u16; 64 * 64];
+/// for pixel in Disc::new(64)? {
+///     pixel.put(&mut picture, palette.rgb565(pixel.code()))?;
+/// }
+/// # }
+/// # Ok::<(), eigenshade::Error>(())
+/// ```
+#[derive(Clone, Debug)]
+pub struct Palette {
+    /// Row by row from the bottom.
+    nodes: [Node; SIDE * SIDE],
+}
+
+/// A palette in which every color is black.
+impl Default for Palette {
+    fn default() -> Self {
+        Self::BLACK
+    }
+}
+
+impl Palette {
+    /// A palette in which every color is black: for a static.
+    pub const BLACK: Self = Self { nodes: [[0; 2]; SIDE * SIDE] };
+
+    /// Shades, exposes and encodes nodes. `exposed` gives the exposed irradiance of a normal, in
+    /// floats or in integers. Nodes beyond the rim of a sphere have the colors of the rim.
+    ///
+    /// Cost: that of `exposed` and [`Display::encode`] for each node.
+    pub fn fill<N: OfNode, L: Into<Linear>>(
+        &mut self,
+        nodes: &Nodes,
+        display: &Display,
+        mut exposed: impl FnMut(N) -> Rgb<L>,
+    ) {
+        let rows = self.nodes.as_chunks_mut::<SIDE>().0;
+        for (row, (places, used)) in rows.iter_mut().zip(nodes.0).enumerate() {
+            for (column, node) in places.iter_mut().enumerate() {
+                if used >> column & 1 == 1 {
+                    let color = exposed(N::of_point(point([column, row])));
+                    *node = packed(color.map(|channel| display.encode(channel.into())));
+                }
+            }
+        }
+    }
+
+    /// 64 times the color of a code: red and blue, and green.
+    #[inline(always)]
+    fn sums(&self, code: NormalCode) -> Node {
+        let ([column, row], [across, up]) = code.cell();
+        let cell = self.nodes.get(row * SIDE + column..).and_then(|nodes| nodes.first_chunk());
+        let Some(&[a, b, .., c, d]) = cell.map(|cell: &[Node; SIDE + 2]| cell) else {
+            return [0; 2];
+        };
+        // Modulo 2^32: differences may be negative.
+        let between =
+            |a: u32, b: u32, way: u32| (a << 3).wrapping_add(b.wrapping_sub(a).wrapping_mul(way));
+        let rows =
+            [(a, b), (c, d)].map(|([a, c], [b, d])| [between(a, b, across), between(c, d, across)]);
+        let [[a, c], [b, d]] = rows;
+        [between(a, b, up), between(c, d, up)]
+    }
+
+    /// A pixel of 5, 6 and 5 bits: red in the highest bits.
+    #[inline]
+    #[must_use]
+    pub fn rgb565(&self, code: NormalCode) -> u16 {
+        // Half a level.
+        pixel565(self.sums(code), 1 << 10)
+    }
+
+    /// [`rgb565`](Self::rgb565) with ordered dithering, as
+    /// [`Display::rgb565_dithered`](crate::screen::Display::rgb565_dithered).
+    #[inline]
+    #[must_use]
+    pub fn rgb565_dithered(&self, code: NormalCode, x: usize, y: usize) -> u16 {
+        pixel565(self.sums(code), (rank(x, y) << 7) + (1 << 6))
+    }
+
+    /// A pixel of 8 bits a channel.
+    #[inline]
+    #[must_use]
+    pub fn rgb888(&self, code: NormalCode) -> Rgb<u8> {
+        /// 255 of the largest sums, times 2^22.
+        const SCALES: [u32; 2] = [(255 << 22) / (STEPS[0] << 6), (255 << 22) / (STEPS[1] << 6)];
+        let [red_blue, green] = self.sums(code);
+        let level = |sum: u32, scale: u32| ((sum * scale + (1 << 21)) >> 22) as u8;
+        let [of_red_blue, of_green] = SCALES;
+        Rgb {
+            r: level(red_blue >> 16, of_red_blue),
+            g: level(green, of_green),
+            b: level(red_blue & 0xffff, of_red_blue),
+        }
+    }
+}
+
+/// Rows of pixels of 5, 6 and 5 bits.
+impl Palette {
+    /// Draws a row of an object over the pixels in `to`, the first of which is the first one of the
+    /// row. Pixels that the object covers in part are mixed with what is there, and background
+    /// stays. With `dithered`, pixels are as [`rgb565_dithered`](Self::rgb565_dithered) has them for
+    /// this column and row.
+    ///
+    /// A row beyond the last one draws nothing; what is beyond the shorter one of row and `to` is
+    /// left out.
+    pub fn draw_row565(&self, map: &NormalMap<'_>, row: usize, dithered: bool, to: &mut [u16]) {
+        if dithered {
+            let ranks = ranks(row);
+            self.row565(map, row, to, |column| (ranks(column) << 7) + (1 << 6));
+        } else {
+            self.row565(map, row, to, |_| 1 << 10);
+        }
+    }
+
+    // Apart, so that the loop has all registers.
+    #[inline(never)]
+    fn row565(
+        &self,
+        map: &NormalMap<'_>,
+        row: usize,
+        to: &mut [u16],
+        threshold: impl Fn(usize) -> u32,
+    ) {
+        for (column, (pixel, &code)) in to.iter_mut().zip(map.codes(row)).enumerate() {
+            if let Some(code) = NormalCode::of_pixel(code) {
+                *pixel = pixel565(self.sums(code), threshold(column));
+            } else if code != NormalMap::BACKGROUND {
+                self.blend565(map, [column, row], code, threshold(column), pixel);
+            }
+        }
+    }
+
+    /// A pixel that the object may cover in part. Apart: there are few, and the loop needs the
+    /// registers.
+    #[cold]
+    #[inline(never)]
+    fn blend565(
+        &self,
+        map: &NormalMap<'_>,
+        [column, row]: [usize; 2],
+        code: [u8; 2],
+        threshold: u32,
+        pixel: &mut u16,
+    ) {
+        if let Some((code, coverage)) = map.edge(code, column, row) {
+            *pixel = blend565(*pixel, pixel565(self.sums(code), threshold), coverage);
+        }
+    }
+}
+
+/// The levels of sums, each rounded down after adding a threshold: 2^11 of it are a level of red and
+/// blue.
+#[inline(always)]
+fn pixel565([red_blue, green]: Node, threshold: u32) -> u16 {
+    let red_blue = red_blue + (threshold << 16 | threshold);
+    let green = green + (threshold >> 1);
+    ((red_blue >> 16 & 0xf800) | (green >> 5 & 0x07e0) | (red_blue >> 11 & 0x1f)) as u16
+}
+
+/// An encoded color as a node.
+fn packed(color: Rgb<u16>) -> Node {
+    let [of_red_blue, of_green] = STEPS;
+    let steps = |channel: u16, most: u32| (u32::from(channel) * most + (1 << 15)) >> 16;
+    let Rgb { r, g, b } = color;
+    [steps(r, of_red_blue) << 16 | steps(b, of_red_blue), steps(g, of_green)]
+}
+
+/// The point of a node in units of 2^-[`POINT`] of a code: its place, or the nearest one of the rim.
+fn point(node: [usize; 2]) -> [i32; 2] {
+    let point = node.map(|place| (8 * place as i32 - 128) << POINT);
+    let [u, v] = point;
+    let (square, rim) = ((u * u + v * v).cast_unsigned(), (RIM as i32) << POINT);
+    if square <= (rim * rim).cast_unsigned() {
+        return point;
+    }
+    // Above zero, which a compiler does not see.
+    let distance = square.isqrt().cast_signed().max(1);
+    point.map(|along| along * rim / distance)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::screen::Tone;
+
+    /// A smooth picture, without a table.
+    fn exposed([x, y, z]: [f32; 3]) -> Rgb<f32> {
+        Rgb::new(0.5 + 0.4 * x, z * z, (0.3 - 0.3 * y) * (1.0 - 0.5 * z))
+    }
+
+    fn filled(display: &Display) -> Palette {
+        let mut palette = Palette::default();
+        palette.fill(&Nodes::ALL, display, |normal: Normal| exposed(normal.components()));
+        palette
+    }
+
+    fn codes() -> impl Iterator<Item = NormalCode> {
+        (0..=u16::MAX).filter_map(|code| NormalCode::inside(code.to_le_bytes()))
+    }
+
+    #[test]
+    fn colors_are_near_those_of_every_code() {
+        let display = Display::new(Tone::Filmic);
+        let palette = filled(&display);
+        let (mut worst, mut count) = (0, 0);
+        for code in codes() {
+            let exact = display.rgb888(exposed(code.normal().components()));
+            let found = palette.rgb888(code);
+            for (exact, found) in <[_; 3]>::from(exact.zip(found)) {
+                worst = worst.max(exact.abs_diff(found));
+            }
+            count += 1;
+        }
+        assert!(count > 50_000 && worst <= 5, "{worst} of {count}");
+    }
+
+    /// A color that does not change is exact at every level, in all encodings.
+    #[test]
+    fn even_colors_are_exact() {
+        let display = Display::new(Tone::Linear);
+        let mut palette = Palette::default();
+        for level in 0..=256_u32 {
+            let color = Rgb::gray(Linear(level << 8));
+            palette.fill(&Nodes::ALL, &display, |_: q15::Normal| color);
+            for code in codes().step_by(77) {
+                let found = palette.rgb888(code);
+                let exact = display.rgb888(color);
+                let off = <[_; 3]>::from(found.zip(exact)).map(|(a, b)| a.abs_diff(b));
+                assert!(off.iter().all(|&off| off <= 1), "{found:?} {exact:?}");
+                for (x, y) in (0..16).map(|place| (place % 4, place / 4)) {
+                    let dithered = palette.rgb565_dithered(code, x, y);
+                    let plain = palette.rgb565(code);
+                    for (at, mask) in [(11, 31), (5, 63), (0, 31)] {
+                        let level = |pixel: u16| pixel >> at & mask;
+                        assert!(level(dithered).abs_diff(level(plain)) <= 1);
+                    }
+                }
+            }
+        }
+        assert_eq!(palette.rgb565(NormalCode::of(Normal { x: 0.0, y: 0.0, z: 1.0 })), 0xffff);
+        assert_eq!(
+            palette.rgb888(NormalCode::of(Normal { x: 1.0, y: 0.0, z: 0.0 })),
+            Rgb::gray(255)
+        );
+    }
+
+    #[test]
+    fn both_formats_have_the_same_nodes() {
+        for (row, used) in Nodes::ALL.0.into_iter().enumerate() {
+            for column in (0..SIDE).filter(|column| used >> column & 1 == 1) {
+                let point = point([column, row]);
+                let floats = normal_at::<POINT>(point).components();
+                let integers = normal_q15_at::<POINT>(point).components();
+                let square: f32 = floats.iter().map(|along| along * along).sum();
+                assert!((square - 1.0).abs() < 1e-4, "{floats:?}");
+                for (float, integer) in floats.into_iter().zip(integers) {
+                    assert!((32_768.0 * float - f32::from(integer.0)).abs() < 3.0);
+                }
+            }
+        }
+    }
+}
