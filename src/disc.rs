@@ -69,6 +69,8 @@ pub struct Disc {
     unit: u64,
     /// 2^31 / size.
     scale: i32,
+    /// The largest square of the distance of a pixel, in half pixels.
+    most: i32,
 }
 
 impl Disc {
@@ -88,7 +90,15 @@ impl Disc {
         let size = size as i32;
         // 2^31 itself does not fit.
         let scale = i32::MAX / size;
-        Ok(Self { size, column: 0, row: 0, end: size, unit, scale })
+        Ok(Self { size, column: 0, row: 0, end: size, unit, scale, most: size * size })
+    }
+
+    /// The same pixels, and all others that the circle covers in part: see
+    /// [`DiscPixel::coverage`]. They have the normals of the nearest points of the rim.
+    #[must_use]
+    pub const fn with_rim(self) -> Self {
+        let most = self.size + 1;
+        Self { most: most * most, ..self }
     }
 
     /// The pixels of one row, from the left. A row beyond the last one has none.
@@ -111,16 +121,41 @@ impl Iterator for Disc {
             let (x, y) = (2 * column + 1 - self.size, self.size - 1 - 2 * row);
             (self.column, self.row) =
                 if column + 1 < self.size { (column + 1, row) } else { (0, row + 1) };
-            let outside = (x * x + y * y) as u64 * self.unit;
-            if outside <= 1 << 56 {
-                let square = (((1 << 56) - outside) >> 32) as u32;
-                let z = root(square.min((1 << 24) - 1));
-                let [x, y] = [x, y].map(|place| place * self.scale);
-                return Some(DiscPixel { column, row, size: self.size, x, y, z });
+            let square = x * x + y * y;
+            if square <= self.most {
+                let outside = (square as u64 * self.unit).min(1 << 56);
+                let z = root((((1 << 56) - outside) >> 32).min((1 << 24) - 1) as u32);
+                let size = self.size;
+                let pixel =
+                    DiscPixel { column, row, size, x: x * self.scale, y: y * self.scale, z };
+                return Some(if square > size * size { at_the_rim(pixel, [x, y]) } else { pixel });
             }
         }
         None
     }
+}
+
+/// A pixel whose center, in half pixels, is outside the circle.
+#[cold]
+fn at_the_rim(pixel: DiscPixel, center: [i32; 2]) -> DiscPixel {
+    let [x, y] = center;
+    let distance = i64::from((x * x + y * y).cast_unsigned().isqrt()).max(1);
+    // Within 2^-31 times the size of the distance, which was rounded down.
+    let [x, y] = center.map(|along| {
+        let along = i64::from(along) * i64::from(i32::MAX);
+        along.checked_div(distance).unwrap_or_default().clamp((-i32::MAX).into(), i32::MAX.into())
+    });
+    DiscPixel { x: x as i32, y: y as i32, z: 0, ..pixel }
+}
+
+/// The share of a pixel that a circle covers, in units of 1/32, by the distance of the pixel's
+/// center from the circle: below 0 or above 32 for pixels that it does not touch. The place of the
+/// center and the size are in half pixels.
+#[inline]
+pub(crate) const fn coverage([x, y]: [i32; 2], size: i32) -> i32 {
+    let distance = (((x * x + y * y) as u64) << 8).isqrt() as i32;
+    // In sixteenths of half a pixel.
+    16 * size - distance + 16
 }
 
 /// A pixel of a [`Disc`].
@@ -157,6 +192,19 @@ impl DiscPixel {
     #[must_use]
     pub const fn index(self) -> usize {
         (self.row * self.size + self.column) as usize
+    }
+
+    /// The share of the pixel that the circle covers, of 255, by the distance of the pixel's center
+    /// from it: see [`blend565`](crate::screen::blend565). Cost: a root at the rim.
+    #[inline]
+    #[must_use]
+    pub fn coverage(self) -> u8 {
+        let center = [self.column, self.row].map(|place| 2 * place + 1 - self.size);
+        let ([x, y], inner) = (center, self.size - 2);
+        if inner > 0 && x * x + y * y <= inner * inner {
+            return u8::MAX;
+        }
+        (8 * coverage(center, self.size)).clamp(0, 255) as u8
     }
 
     /// Sets this pixel of a picture of the disc's size, stored row by row. For a screen of another

@@ -43,6 +43,15 @@ impl NormalCode {
         Self([x, y].map(|along| libm::roundf(along * scale).clamp(-RIM, RIM) as i8))
     }
 
+    /// The nearest code of a normal in integers, within 0.6 in u and in v. Cost: a dozen
+    /// instructions.
+    #[inline]
+    #[must_use]
+    pub fn of_q15(normal: q15::Normal) -> Self {
+        let [x, y, z] = normal.components().map(|along| i32::from(along.0));
+        Self::of_sphere([x, y], z)
+    }
+
     /// These bytes as a code, if its point is inside the rim.
     #[inline(always)]
     pub(crate) const fn inside([u, v]: [u8; 2]) -> Option<Self> {
@@ -85,7 +94,9 @@ impl NormalCode {
         self.0
     }
 
-    pub(crate) const fn bytes(self) -> [u8; 2] {
+    /// The two bytes of a pixel of a [`NormalMap`](crate::object::NormalMap).
+    #[must_use]
+    pub const fn bytes(self) -> [u8; 2] {
         let [u, v] = self.0;
         [u.cast_unsigned(), v.cast_unsigned()]
     }

@@ -32,32 +32,34 @@ type Node = [u32; 2];
 ///
 /// ```
 /// use eigenshade::Normal;
-/// use eigenshade::object::NormalMap;
+/// use eigenshade::object::{NormalMap, NormalPixel};
 /// use eigenshade::screen::Nodes;
 ///
 /// let codes = NormalMap::code(Normal::new(0.0, 0.3, 0.9)?);
 /// let map = NormalMap::new(1, 1, &codes)?;
-/// assert_eq!(Nodes::of(&map).count(), 4);
+/// let nodes: Nodes = map.pixels().map(NormalPixel::code).collect();
+/// assert_eq!(nodes.count(), 4);
 /// assert_eq!(Nodes::ALL.count(), 921);
 /// # Ok::<(), eigenshade::Error>(())
 /// ```
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Nodes([u64; SIDE]);
 
-impl Nodes {
-    /// The nodes of a sphere, which has every normal.
-    pub const ALL: Self = all();
-
-    /// The nodes of an object's normals. Cost: some 40 instructions a pixel, once for each map.
-    #[must_use]
-    pub fn of(map: &NormalMap<'_>) -> Self {
+/// The nodes of an object's normals.
+impl FromIterator<NormalCode> for Nodes {
+    fn from_iter<I: IntoIterator<Item = NormalCode>>(codes: I) -> Self {
         let mut nodes = Self([0; SIDE]);
-        for pixel in map.pixels() {
-            let ([column, row], _) = pixel.code().cell();
+        for code in codes {
+            let ([column, row], _) = code.cell();
             nodes.0.iter_mut().skip(row).take(2).for_each(|row| *row |= 3 << column);
         }
         nodes
     }
+}
+
+impl Nodes {
+    /// The nodes of a sphere, which has every normal.
+    pub const ALL: Self = all();
 
     /// The number of nodes.
     #[must_use]

@@ -1,6 +1,6 @@
 //! The codes of a sphere, made once for many frames.
 
-use crate::disc::Disc;
+use crate::disc::{Disc, coverage};
 use crate::error::{Argument, Error};
 use crate::normal_code::NormalCode;
 use crate::normal_map::NormalMap;
@@ -104,14 +104,6 @@ const fn part([column, row]: [usize; 2], size: usize) -> Part {
         16.. if square <= size * size => Part::Whole(own([x, y], size)),
         _ => Part::None,
     }
-}
-
-/// The share of a pixel that a circle covers, in units of 1/[`STEPS`]: by the distance of the pixel's
-/// center from it.
-const fn coverage([x, y]: [i32; 2], size: i32) -> i32 {
-    let distance = (((x * x + y * y) as u64) << 8).isqrt() as i32;
-    // In units of 1/32 of a pixel, which are sixteenths of half a pixel.
-    16 * size - distance + STEPS / 2
 }
 
 /// The code of the normal at a place inside the circle.

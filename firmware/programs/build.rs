@@ -22,6 +22,13 @@ const SHIPPED: &str = "../../tables/sphere.bin";
 fn main() {
     if env::var("CARGO_CFG_TARGET_OS").is_ok_and(|os| os == "none") {
         println!("cargo::rustc-link-arg-bins=-Tlink.x");
+        if env::var("TARGET").is_ok_and(|target| target == "thumbv6m-none-eabi") {
+            // Memory of the machine that runs them.
+            for large in list::programs().iter().filter(|program| program.is_large()) {
+                let stack = "--defsym=_stack_start=0x20010000";
+                println!("cargo::rustc-link-arg-bin={}={stack}", large.name());
+            }
+        }
     }
     if let Err(error) = write_all() {
         println!("cargo::error={error}");

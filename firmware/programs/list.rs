@@ -68,6 +68,11 @@ impl Program {
         if self.format.is_empty() { name.into() } else { format!("{name}_{}", self.format) }
     }
 
+    /// Whether it needs more memory than a micro:bit has.
+    pub fn is_large(&self) -> bool {
+        ["watch", "frame"].contains(&self.operation)
+    }
+
     /// The name of its binary.
     pub fn name(&self) -> String {
         self.in_format(self.operation)

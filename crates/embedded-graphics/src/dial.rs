@@ -2,9 +2,8 @@
 
 use crate::paint::{DisplayColor, Place, Shader, places};
 use crate::rows;
-use core::marker::PhantomData;
-use eigenshade::object::{Disc, DiscPixel};
-use eigenshade::{Error, Normal, Q15, q15};
+use eigenshade::object::{Disc, DiscPixel, NormalCode, NormalMap};
+use eigenshade::{Argument, Error, Normal, Q15, q15};
 use embedded_graphics_core::Drawable;
 use embedded_graphics_core::draw_target::DrawTarget;
 use embedded_graphics_core::geometry::{Dimensions, Point, Size};
@@ -28,7 +27,7 @@ pub struct Dial<'p, P, C> {
     disc: Disc,
     shape: Shape,
     paint: &'p P,
-    color: PhantomData<C>,
+    below: Option<C>,
 }
 
 /// Lengths in half pixels.
@@ -62,7 +61,49 @@ impl<'p, P: Shader, C: DisplayColor> Dial<'p, P, C> {
         let inner = diameter.cast_signed() - 2 * bezel;
         let mark = within(mark, inner.cast_unsigned() / 8);
         let shape = Shape { diameter: diameter.cast_signed(), bezel, mark };
-        Ok(Self { top_left, disc, shape, paint, color: PhantomData })
+        Ok(Self { top_left, disc, shape, paint, below: None })
+    }
+
+    /// Writes the codes of the dial's pixels, row by row from the top: of a
+    /// [`NormalMap`](eigenshade::object::NormalMap) that costs much less to draw in every frame. The
+    /// pixels of the rim have a coverage.
+    ///
+    /// # Errors
+    ///
+    /// [`Error::Length`] unless there is a code for each pixel of the square around the dial.
+    pub fn codes(&self, codes: &mut [[u8; 2]]) -> Result<(), Error> {
+        let size = self.shape.diameter.cast_unsigned() as usize;
+        let expected = size * size;
+        if codes.len() != expected {
+            let (argument, found) = (Argument::NormalMap, codes.len());
+            return Err(Error::Length { argument, expected, found });
+        }
+        codes.fill(NormalMap::BACKGROUND);
+        let pixels = || {
+            let shape = self.shape;
+            self.disc.clone().with_rim().map(move |place| DialPixel { place, shape })
+        };
+        for pixel in pixels().filter(|pixel| pixel.place.coverage() == u8::MAX) {
+            pixel.put(codes, pixel.code().bytes());
+        }
+        for pixel in pixels().filter(|pixel| pixel.place.coverage() < u8::MAX) {
+            // The neighbor toward the center.
+            let [right, down] =
+                [pixel.column(), pixel.row()].map(|place| if 2 * place < size { 1 } else { -1 });
+            let neighbor = pixel.place.index().checked_add_signed(down * size as isize + right);
+            let neighbor = neighbor.and_then(|index| codes.get(index));
+            if neighbor.is_some_and(|&code| code != NormalMap::BACKGROUND) {
+                let coverage = pixel.place.coverage();
+                pixel.put(codes, NormalMap::edge_code(coverage, [right as i8, down as i8]));
+            }
+        }
+        Ok(())
+    }
+
+    /// The same on a background of one color, with which the pixels of the rim are mixed.
+    #[must_use]
+    pub fn over(self, background: C) -> Self {
+        Self { disc: self.disc.with_rim(), below: Some(background), ..self }
     }
 }
 
@@ -78,7 +119,7 @@ impl<P: Shader, C: DisplayColor> Drawable for Dial<'_, P, C> {
 
     fn draw<D: DrawTarget<Color = C>>(&self, target: &mut D) -> Result<(), D::Error> {
         let shape = self.shape;
-        rows::draw(target, self.bounding_box(), None, self.paint, |row| {
+        rows::draw(target, self.bounding_box(), self.below, self.paint, |row| {
             self.disc.row(row).map(move |place| DialPixel { place, shape })
         })
     }
@@ -92,7 +133,7 @@ pub struct DialPixel {
 }
 
 places! {
-    DialPixel, |_| u8::MAX;
+    DialPixel, |pixel| pixel.place.coverage();
 }
 
 impl DialPixel {
@@ -120,6 +161,18 @@ impl DialPixel {
     pub fn normal_q15(self) -> q15::Normal {
         let [x, y, z] = self.vector().map(|along| Q15(along.clamp(1 - ONE, ONE - 1) as i16));
         q15::Normal::from_unit(x, y, z).unwrap_or(self.place.normal_q15())
+    }
+
+    /// The code of the normal.
+    #[must_use]
+    pub fn code(self) -> NormalCode {
+        NormalCode::of_q15(self.normal_q15())
+    }
+
+    fn put(self, codes: &mut [[u8; 2]], code: [u8; 2]) {
+        if let Some(to) = codes.get_mut(self.place.index()) {
+            *to = code;
+        }
     }
 
     /// The normal in units of 2^-15.

@@ -52,7 +52,7 @@ mod rows;
 mod sphere;
 
 pub use dial::{Dial, DialPixel};
-pub use paint::{DisplayColor, Paint, Place, Shader};
+pub use paint::{DisplayColor, Dithered, Paint, Place, Shader};
 pub use relief::Relief;
 pub use sphere::Sphere;
 

@@ -1,7 +1,7 @@
 //! From normals to the colors of a display.
 
-use eigenshade::object::{DiscPixel, NormalPixel};
-use eigenshade::screen::{Display, Exposure, Linear, blend565};
+use eigenshade::object::{DiscPixel, NormalCode, NormalPixel};
+use eigenshade::screen::{Display, Exposure, Linear, Palette, blend565};
 use eigenshade::{Normal, Rgb, q15};
 use embedded_graphics_core::pixelcolor::raw::{RawData as _, RawU16};
 use embedded_graphics_core::pixelcolor::{
@@ -20,6 +20,8 @@ pub trait Place: Copy {
     fn normal(self) -> Normal;
     /// The normal in integers.
     fn normal_q15(self) -> q15::Normal;
+    /// The code of the normal.
+    fn code(self) -> NormalCode;
 }
 
 /// Types of pixels as places, each with its coverage.
@@ -48,23 +50,46 @@ macro_rules! places {
                 fn normal_q15(self) -> q15::Normal {
                     self.normal_q15()
                 }
+                #[inline]
+                fn code(self) -> NormalCode {
+                    self.code()
+                }
             }
         )*
     };
 }
 pub(crate) use places;
 places! {
-    DiscPixel, |_| u8::MAX;
+    DiscPixel, DiscPixel::coverage;
     NormalPixel, NormalPixel::coverage;
 }
 
-/// Colors the pixels of an object: see [`Paint`].
+/// A source of the colors of an object's pixels: a [`Palette`], which is filled once for many pixels,
+/// or a [`Paint`], which shades each of them.
 pub trait Shader {
     /// The color of a pixel.
     fn color<C: DisplayColor>(&self, place: impl Place) -> C;
 }
 
-/// A material under a light, exposed for a display: it colors normals.
+impl Shader for Palette {
+    #[inline]
+    fn color<C: DisplayColor>(&self, place: impl Place) -> C {
+        C::of_palette(self, place.code(), None)
+    }
+}
+
+/// A [`Palette`] with ordered dithering on displays of 16 bits a pixel.
+#[derive(Clone, Copy, Debug)]
+pub struct Dithered<'p>(pub &'p Palette);
+
+impl Shader for Dithered<'_> {
+    #[inline]
+    fn color<C: DisplayColor>(&self, place: impl Place) -> C {
+        C::of_palette(self.0, place.code(), Some([place.column(), place.row()]))
+    }
+}
+
+/// A material under a light, exposed for a display: it shades every pixel exactly.
 ///
 /// `F` is a function of a normal, usually `|normal| scene.shade(normal)`; `E` is the exposure.
 #[derive(Clone, Copy, Debug)]
@@ -122,6 +147,8 @@ impl<F: Fn(q15::Normal) -> Rgb<i32>> Shader for Paint<'_, F, Rgb<q15::Exposure>>
 pub trait DisplayColor: PixelColor {
     /// The color of an exposed irradiance; with `dither`, for the pixel at this column and row.
     fn encoded(display: &Display, color: Rgb<Linear>, dither: Option<[usize; 2]>) -> Self;
+    /// The color of a code in a palette; with `dither`, for the pixel at this column and row.
+    fn of_palette(palette: &Palette, code: NormalCode, dither: Option<[usize; 2]>) -> Self;
     /// This color where it covers `coverage` / 255 of a pixel, and `below` in the rest of it.
     #[must_use]
     fn over(self, below: Self, coverage: u8) -> Self;
@@ -137,6 +164,14 @@ impl DisplayColor for Rgb565 {
         .into()
     }
     #[inline]
+    fn of_palette(palette: &Palette, code: NormalCode, dither: Option<[usize; 2]>) -> Self {
+        RawU16::new(match dither {
+            Some([x, y]) => palette.rgb565_dithered(code, x, y),
+            None => palette.rgb565(code),
+        })
+        .into()
+    }
+    #[inline]
     fn over(self, below: Self, coverage: u8) -> Self {
         let [below, above] = [below, self].map(|color| RawU16::from(color).into_inner());
         RawU16::new(blend565(below, above, coverage)).into()
@@ -147,6 +182,11 @@ impl DisplayColor for Rgb888 {
     #[inline]
     fn encoded(display: &Display, color: Rgb<Linear>, _: Option<[usize; 2]>) -> Self {
         let Rgb { r, g, b } = display.rgb888(color);
+        Self::new(r, g, b)
+    }
+    #[inline]
+    fn of_palette(palette: &Palette, code: NormalCode, _: Option<[usize; 2]>) -> Self {
+        let Rgb { r, g, b } = palette.rgb888(code);
         Self::new(r, g, b)
     }
     #[inline]
@@ -169,6 +209,14 @@ macro_rules! reversed {
                     dither: Option<[usize; 2]>,
                 ) -> Self {
                     <$of>::encoded(display, color, dither).into()
+                }
+                #[inline]
+                fn of_palette(
+                    palette: &Palette,
+                    code: NormalCode,
+                    dither: Option<[usize; 2]>,
+                ) -> Self {
+                    <$of>::of_palette(palette, code, dither).into()
                 }
                 #[inline]
                 fn over(self, below: Self, coverage: u8) -> Self {

@@ -2,7 +2,6 @@
 
 use crate::paint::{DisplayColor, Shader};
 use crate::rows;
-use core::marker::PhantomData;
 use eigenshade::Error;
 use eigenshade::object::Disc;
 use embedded_graphics_core::Drawable;
@@ -12,14 +11,15 @@ use embedded_graphics_core::primitives::Rectangle;
 
 /// A sphere of any diameter up to [`Disc::MOST`] pixels.
 ///
-/// Pixels whose centers are inside the circle belong to it. The rest of the target stays.
+/// Pixels whose centers are inside the circle belong to it. The rest of the target stays. On a
+/// background of one color, [`over`](Self::over) blends the rim.
 #[derive(Debug)]
 pub struct Sphere<'p, P, C> {
     top_left: Point,
     disc: Disc,
     diameter: u32,
     paint: &'p P,
-    color: PhantomData<C>,
+    below: Option<C>,
 }
 
 impl<'p, P: Shader, C: DisplayColor> Sphere<'p, P, C> {
@@ -30,7 +30,13 @@ impl<'p, P: Shader, C: DisplayColor> Sphere<'p, P, C> {
     /// As [`Disc::new`].
     pub fn new(top_left: Point, diameter: u32, paint: &'p P) -> Result<Self, Error> {
         let disc = Disc::new(diameter as usize)?;
-        Ok(Self { top_left, disc, diameter, paint, color: PhantomData })
+        Ok(Self { top_left, disc, diameter, paint, below: None })
+    }
+
+    /// The same on a background of one color, with which the pixels of the rim are mixed.
+    #[must_use]
+    pub fn over(self, background: C) -> Self {
+        Self { disc: self.disc.with_rim(), below: Some(background), ..self }
     }
 }
 
@@ -45,6 +51,6 @@ impl<P: Shader, C: DisplayColor> Drawable for Sphere<'_, P, C> {
     type Output = ();
 
     fn draw<D: DrawTarget<Color = C>>(&self, target: &mut D) -> Result<(), D::Error> {
-        rows::draw(target, self.bounding_box(), None, self.paint, |row| self.disc.row(row))
+        rows::draw(target, self.bounding_box(), self.below, self.paint, |row| self.disc.row(row))
     }
 }

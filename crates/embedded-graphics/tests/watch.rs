@@ -26,10 +26,16 @@ fn the_relief_is_as_described() {
 }
 
 #[test]
+fn the_dial_is_that_of_the_drawable() {
+    let committed = include_bytes!("../examples/watch/dial.bin");
+    assert_eq!(relief::dial().as_flattened(), committed);
+}
+
+#[test]
 fn frames_in_integers_are_the_same_on_every_machine() {
-    let mut panel = face::Panel::default();
+    let (mut watch, mut panel) = (face::Watch::default(), face::Panel::default());
     for frame in (0..face::FRAMES).step_by(6) {
-        let Ok(()) = face::integers::draw(frame, &mut panel).unwrap();
+        let Ok(()) = face::integers::draw(frame, &mut watch, &mut panel).unwrap();
     }
     assert_eq!(panel.checksum, face::CHECKSUM, "{:#x}", panel.checksum);
 }
@@ -58,11 +64,12 @@ fn frames_in_integers_are_those_in_floats() {
     const SIDE: usize = face::SIZE as usize;
     const BYTES: usize = buffer_size::<Rgb888>(SIDE, SIDE);
     type Display = Framebuffer<Rgb888, RawU24, LittleEndian, SIDE, SIDE, BYTES>;
+    let mut watch = face::Watch::default();
     for frame in [0, 7, 20] {
         let mut displays = [(); 2].map(|()| Display::new());
         let [of_integers, of_floats] = &mut displays;
-        let Ok(()) = face::integers::draw(frame, of_integers).unwrap();
-        let Ok(()) = face::floats::draw(frame, of_floats).unwrap();
+        let Ok(()) = face::integers::draw(frame, &mut watch, of_integers).unwrap();
+        let Ok(()) = face::floats::draw(frame, &mut watch, of_floats).unwrap();
         let (mut off, mut lit) = (0, 0);
         for place in of_floats.bounding_box().points() {
             let [a, b] = displays.each_ref().map(|display| display.pixel(place).unwrap());

@@ -11,6 +11,7 @@ pub mod highlights;
 pub mod material_errors;
 pub mod numbers;
 pub mod pages;
+pub mod palette_errors;
 pub mod paper;
 pub mod reading;
 pub mod reference;

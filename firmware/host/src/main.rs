@@ -148,7 +148,13 @@ fn run(
             Kind::Empty => empty = sizes,
             Kind::Answers => eprintln!("{}: {name} passes: {}", board.name, output.trim()),
             _ if !board.is_counted() => eprintln!("{}: {name} passes", board.name),
-            _ => rows.extend(Row::of_program(board, program, &output, sizes, empty)?),
+            _ => rows.extend(Row::of_program(
+                program.machine(board),
+                program,
+                &output,
+                sizes,
+                empty,
+            )?),
         }
     }
     Ok(rows)
@@ -160,7 +166,7 @@ fn outputs(board: Board, programs: &[Program]) -> Result<Vec<(gate::Sizes, Strin
         let path = toolchain::binary(board.target, program.profile(), &program.name());
         let linked = gate::Linked::read(&path)?;
         gate::check(board, &program.name(), &linked)?;
-        Ok((linked.sizes, toolchain::run(board, &path)?))
+        Ok((linked.sizes, toolchain::run(program.machine(board), &path)?))
     });
     outputs.collect()
 }

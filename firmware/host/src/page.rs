@@ -13,10 +13,12 @@ const END: &str = "<!-- end of counts -->\n";
 const PAGES: [(&str, &[&str]); 2] = [("../README.md", &[]), ("../docs/costs.md", &["f32", "q15"])];
 
 /// The rows of the short table: an operation and its description.
-const SHORT: [(&str, &str); 5] = [
+const SHORT: [(&str, &str); 7] = [
     ("nine_terms", "a pixel, matte material, light of degree 2, no table"),
     ("shade", "a pixel of any material, 130 components to 1e-4"),
     ("gold", "a pixel of the gold sphere, in color, to RGB565"),
+    ("palette_row", "240 pixels of an object from a palette of its normals, to RGB565"),
+    ("frame", "a frame of the gold sphere of 240 x 240 pixels under a turned light"),
     ("relight_collapse", "a new light on a transferred material, 46 components"),
     ("transfer", "a new material, 46 components"),
 ];
@@ -35,19 +37,15 @@ const WATCH_START: &str = "<!-- frames: firmware/run all --update writes them --
 const WATCH_END: &str = "<!-- end of frames -->\n";
 
 /// Chips with the processors of the boards: name, board, number format, clock in MHz.
-const CHIPS: [(&str, Board, &str, u64); 4] = [
-    ("nRF51822, Cortex-M0", MICROBIT, "q15", 16),
+const CHIPS: [(&str, Board, &str, u64); 3] = [
     ("RP2040, Cortex-M0+", MICROBIT, "q15", 133),
     ("nRF52840, Cortex-M4F", AN386, "f32", 64),
     ("STM32F411, Cortex-M4F", AN386, "f32", 100),
 ];
 
-/// Panels and the diameter of a watch on them in pixels.
-const PANELS: [(&str, u64); 3] =
-    [("SSD1331, 96 x 64", 64), ("ST7735, 128 x 128", 128), ("GC9A01 and ST7789, 240 x 240", 240)];
-
-/// The diameter of the watch that is measured.
-const WATCH_SIZE: u64 = 128;
+/// The operations that are a frame, and their objects.
+const FRAMES: [(&str, &str); 2] =
+    [("watch", "the watch, 128 x 128"), ("frame", "a sphere of gold, 240 x 240")];
 
 /// Writes the recorded counts into the pages, and the list of the programs.
 pub fn write() -> Result<()> {
@@ -121,27 +119,23 @@ fn between(path: &str, page: &str, [start, end]: [&str; 2], table: &str) -> Resu
     Ok(format!("{before}{start}{table}{end}{after}"))
 }
 
-/// The watch's frames per second if an instruction takes a cycle: the instructions of a frame grow
-/// with its area.
+/// Frames per second if an instruction takes a cycle.
 fn frames(rows: &[Row]) -> String {
     let mut text = String::from("| frames a second, at most |");
-    text.extend(PANELS.map(|(panel, _)| format!(" {panel} |")));
-    text += &format!("\n|---|{}\n", "---:|".repeat(PANELS.len()));
+    text.extend(FRAMES.map(|(_, object)| format!(" {object} |")));
+    text += &format!("\n|---|{}\n", "---:|".repeat(FRAMES.len()));
     for (chip, board, format, megahertz) in CHIPS {
         text += &format!(
             "| {chip}, {megahertz} MHz, {} |",
             if format == "f32" { "f32" } else { "Q15" }
         );
-        let instructions = row::instructions(rows, [board.name, "watch", format]);
-        for (_, size) in PANELS {
-            let rate = instructions.map(|instructions| {
-                let frame = instructions * size * size / (WATCH_SIZE * WATCH_SIZE);
-                megahertz as f64 * 1e6 / frame as f64
-            });
-            let digits = if rate.is_some_and(|rate| rate < 10.0) { 1 } else { 0 };
-            text += &rate.map_or(" |".into(), |rate| format!(" {rate:.digits$} |"));
+        for (operation, _) in FRAMES {
+            let instructions = row::instructions(rows, [board.name, operation, format]);
+            let rate =
+                instructions.map(|instructions| megahertz as f64 * 1e6 / instructions as f64);
+            text += &rate.map_or(" |".into(), |rate| format!(" {rate:.1} |"));
         }
-        text += "\n";
+        text.push('\n');
     }
     text
 }
@@ -239,13 +233,10 @@ mod tests {
     }
 
     #[test]
-    fn frames_take_instructions_in_proportion_to_their_area() {
-        let rows = ["microbit,watch,q15,16000000,1,1,1".parse().unwrap()];
+    fn frames_are_the_clock_by_the_instructions() {
+        let rows = ["microbit,watch,q15,26600000,1,1,1".parse().unwrap()];
         let text = frames(&rows);
-        assert!(
-            text.contains("| nRF51822, Cortex-M0, 16 MHz, Q15 | 4.0 | 1.0 | 0.3 |\n"),
-            "{text}"
-        );
-        assert!(text.contains("| nRF52840, Cortex-M4F, 64 MHz, f32 | | | |\n"), "{text}");
+        assert!(text.contains("| RP2040, Cortex-M0+, 133 MHz, Q15 | 5.0 | |\n"), "{text}");
+        assert!(text.contains("| nRF52840, Cortex-M4F, 64 MHz, f32 | | |\n"), "{text}");
     }
 }

@@ -105,10 +105,19 @@ impl Program {
         if self.kind() == Kind::Complete { "small" } else { "fast" }
     }
 
+    /// The machine that a program of this board runs on. Large ones of the micro:bit have the memory
+    /// of a Cortex-M3's machine, which executes the instructions of a Cortex-M0.
+    pub fn machine(&self, board: Board) -> Board {
+        if self.is_large() && !board.is_large {
+            let half_instructions_in_a_tick = AN386.half_instructions_in_a_tick;
+            Board { machine: &["-M", "mps2-an385"], half_instructions_in_a_tick, ..board }
+        } else {
+            board
+        }
+    }
+
     fn runs_on(&self, board: Board) -> bool {
         match (self.source, self.format) {
-            // Its memory is more than 16 KB.
-            _ if self.operation == "frame" => board.is_counted() && board.is_large,
             ("golden", "f32") | ("readme", _) => board.is_large,
             ("golden" | "complete" | "watch", "q15") => true,
             (_, format) => board.is_counted() && (board.is_large || format != "f32"),

@@ -5,6 +5,7 @@ use super::inputs::{
 };
 use board::{Passes, holds, measure};
 use core::hint::black_box;
+use eigenshade::object::NormalPixel;
 use eigenshade::screen::{Display, Linear, Nodes, Palette, Tone};
 use eigenshade::{Error, Rgb};
 
@@ -146,7 +147,8 @@ pub fn frame() {
     let (rotation, exposure) = (inputs::rotation(), inputs::exposure());
     let mut palette = Palette::default();
     let Ok(map) = programs::ball() else { board::exit(false) };
-    let (nodes, mut row) = (Nodes::of(&map), [0; programs::BALL]);
+    let (nodes, mut row) =
+        (map.pixels().map(NormalPixel::code).collect::<Nodes>(), [0; programs::BALL]);
     let held = size_of_val(&palette) + size_of_val(&nodes) + size_of_val(&row);
     holds(size_of_val(transfer) + held);
     measure(&[LOBBY], Passes(1), |light| {

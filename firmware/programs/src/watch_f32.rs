@@ -11,6 +11,7 @@ mod face;
 programs::program!();
 
 fn watch() {
-    let mut panel = face::Panel::default();
-    measure(&[5], Passes(1), |frame| face::floats::draw(*frame, &mut panel));
+    let (mut watch, mut panel) = (face::Watch::default(), face::Panel::default());
+    board::holds(size_of_val(&watch));
+    measure(&[5], Passes(1), |frame| face::floats::draw(*frame, &mut watch, &mut panel));
 }

@@ -11,14 +11,15 @@ mod face;
 programs::program!();
 
 fn watch() {
-    let mut panel = face::Panel::default();
+    let (mut watch, mut panel) = (face::Watch::default(), face::Panel::default());
     for frame in [0, 6, 12, 18] {
-        if face::integers::draw(frame, &mut panel).is_err() {
+        if face::integers::draw(frame, &mut watch, &mut panel).is_err() {
             board::exit(false);
         }
     }
     if panel.checksum != face::CHECKSUM {
         board::exit(false);
     }
-    measure(&[5], Passes(1), |frame| face::integers::draw(*frame, &mut panel));
+    board::holds(size_of_val(&watch));
+    measure(&[5], Passes(1), |frame| face::integers::draw(*frame, &mut watch, &mut panel));
 }

@@ -6,9 +6,9 @@
 
 use core::convert::Infallible;
 use eigenshade::Error;
-use eigenshade::object::NormalMap;
-use eigenshade::screen::{Display, Tone};
-use eigenshade_embedded_graphics::{Dial, DisplayColor, Relief, Shader};
+use eigenshade::object::{NormalMap, NormalPixel};
+use eigenshade::screen::{Display, Nodes, Palette, Tone};
+use eigenshade_embedded_graphics::{DisplayColor, Relief};
 use embedded_graphics_core::draw_target::DrawTarget;
 use embedded_graphics_core::geometry::{OriginDimensions, Point, Size};
 use embedded_graphics_core::pixelcolor::Rgb565;
@@ -26,13 +26,19 @@ pub const FRAMES: i32 = 24;
 pub const RELIEF: u32 = 74;
 
 /// The relief's normals.
-static CODES: [u8; 2 * (RELIEF * RELIEF) as usize] = *include_bytes!("relief.bin");
+static CODES: &[u8] = include_bytes!("relief.bin");
+
+/// The dial's normals.
+static DIAL: &[u8] = include_bytes!("dial.bin");
+
+/// The width of the bezel and of the marks in pixels.
+pub const DIAL_WIDTHS: [u32; 2] = [8, 4];
 
 static DISPLAY: Display = Display::new(Tone::Filmic);
 
 /// The checksum of [`integers`] on a [`Panel`], every sixth frame from the first on: the same on
 /// every machine.
-pub const CHECKSUM: u32 = 0x17ed_4f9d;
+pub const CHECKSUM: u32 = 0x2b52_7e02;
 
 /// How bright the picture is.
 const EXPOSURE: f32 = 2.0;
@@ -47,23 +53,43 @@ fn wrist(frame: i32) -> [i32; 4] {
     [angle, 2 * angle, -angle, 5 * quarter * quarter]
 }
 
-/// Draws the dial.
-fn draw_dial<D>(paint: &impl Shader, target: &mut D) -> Result<(), D::Error>
-where
-    D: DrawTarget<Color: DisplayColor>,
-{
-    // This size is valid.
-    Dial::new(Point::zero(), SIZE, 8, 4, paint).map_or(Ok(()), |dial| dial.draw(target))
+/// What the watch keeps between frames.
+#[derive(Debug)]
+pub struct Watch {
+    palette: Palette,
+    dial: Nodes,
+    relief: Nodes,
 }
 
-/// Draws the relief.
-fn draw_relief<D>(paint: &impl Shader, target: &mut D) -> Result<(), D::Error>
+impl Default for Watch {
+    fn default() -> Self {
+        Self { palette: Palette::default(), dial: nodes(DIAL, SIZE), relief: nodes(CODES, RELIEF) }
+    }
+}
+
+/// An object's normals; `None` would be a map of another size.
+fn map(codes: &'static [u8], side: u32) -> Option<NormalMap<'static>> {
+    NormalMap::new(side as usize, side as usize, codes).ok()
+}
+
+/// The nodes that an object needs.
+fn nodes(codes: &'static [u8], side: u32) -> Nodes {
+    map(codes, side).iter().flat_map(NormalMap::pixels).map(NormalPixel::code).collect()
+}
+
+/// Draws an object in the middle of the display from a palette.
+fn draw_object<D>(
+    codes: &'static [u8],
+    side: u32,
+    palette: &Palette,
+    target: &mut D,
+) -> Result<(), D::Error>
 where
     D: DrawTarget<Color: DisplayColor>,
 {
-    let Ok(map) = NormalMap::new(RELIEF as usize, RELIEF as usize, &CODES) else { return Ok(()) };
-    let corner = (SIZE - RELIEF).cast_signed() / 2;
-    Relief::new(Point::new(corner, corner), map, paint).draw(target)
+    let corner = (SIZE - side).cast_signed() / 2;
+    let Some(map) = map(codes, side) else { return Ok(()) };
+    Relief::new(Point::new(corner, corner), map, palette).draw(target)
 }
 
 /// A display without memory, which computes a checksum of what it is sent: where each row of
@@ -112,46 +138,46 @@ impl DrawTarget for Panel {
     }
 }
 
-/// The functions of a module that draws in a number format. The module has the light, the materials
-/// and `paint` in it; `$wrist` gives the quaternion of a frame.
+/// The functions of a module that draws in a number format. The module has the light and
+/// the materials in it; `$wrist` gives the quaternion of a frame.
 macro_rules! frames {
     ($wrist:expr) => {
         /// Draws a frame. It takes the materials in anew for each frame, which costs little beside
         /// the pixels and needs no memory between frames.
         pub fn draw<D: DrawTarget<Color: DisplayColor>>(
             frame: i32,
+            watch: &mut Watch,
             target: &mut D,
         ) -> Result<Result<(), D::Error>, Error> {
             let light = light(frame)?;
-            match dial(light.lights()?, target)? {
-                Ok(()) => relief(light.lights()?, target),
-                failed => Ok(failed),
+            let Watch { palette, dial, relief } = watch;
+            fill(light.lights()?, BLUE_METALLIC_PAINT2, palette, dial)?;
+            if let Err(failed) = draw_object(DIAL, SIZE, palette, target) {
+                return Ok(Err(failed));
             }
+            fill(light.lights()?, GOLD_METALLIC_PAINT, palette, relief)?;
+            Ok(draw_object(CODES, RELIEF, palette, target))
         }
 
         /// The light after the wrist has turned.
-        // Apart, like the objects, so that its stack is free again for them.
+        // Apart, like `fill`, so that its stack is free again for the rows.
         #[inline(never)]
         fn light(frame: i32) -> Result<Rgb<Buffer>, Error> {
             HALL.turned(&Rotation::from_quaternion(($wrist)(frame))?)
         }
 
+        /// Fills a palette with a material under a light.
         #[inline(never)]
-        fn dial<D: DrawTarget<Color: DisplayColor>>(
+        fn fill(
             light: Rgb<Light<'_>>,
-            target: &mut D,
-        ) -> Result<Result<(), D::Error>, Error> {
-            let scene = color::scene(light, BLUE_METALLIC_PAINT2)?;
-            Ok(draw_dial(&paint(&scene)?, target))
-        }
-
-        #[inline(never)]
-        fn relief<D: DrawTarget<Color: DisplayColor>>(
-            light: Rgb<Light<'_>>,
-            target: &mut D,
-        ) -> Result<Result<(), D::Error>, Error> {
-            let scene = color::scene(light, GOLD_METALLIC_PAINT)?;
-            Ok(draw_relief(&paint(&scene)?, target))
+            material: Rgb<Material<'_>>,
+            palette: &mut Palette,
+            nodes: &Nodes,
+        ) -> Result<(), Error> {
+            let scene = color::scene(light, material)?;
+            let exposure = scene.exposure_by_factor(EXPOSURE)?;
+            palette.fill(nodes, &DISPLAY, |normal| exposure.of(scene.shade(normal)));
+            Ok(())
         }
     };
 }
@@ -161,17 +187,13 @@ pub mod floats {
     use super::*;
     use eigenshade::presets::light::HALL;
     use eigenshade::presets::material::{BLUE_METALLIC_PAINT2, GOLD_METALLIC_PAINT};
-    use eigenshade::sphere::color::{self, Scene};
+    use eigenshade::sphere::color;
     use eigenshade::{Rgb, Rotation};
-    use eigenshade_embedded_graphics::Paint;
 
     type Light<'a> = eigenshade::Light<'a>;
+    type Material<'a> = eigenshade::Material<'a>;
     type Buffer = eigenshade::Buffer<f32, 100>;
     frames!(|frame| wrist(frame).map(|part| part as f32));
-
-    fn paint(scene: &Scene) -> Result<impl Shader, Error> {
-        Ok(Paint::new(|normal| scene.shade(normal), scene.exposure_by_factor(EXPOSURE)?, &DISPLAY))
-    }
 }
 
 /// In integers.
@@ -180,15 +202,9 @@ pub mod integers {
     use eigenshade::Rgb;
     use eigenshade::presets::light::q15::HALL;
     use eigenshade::presets::material::q15::{BLUE_METALLIC_PAINT2, GOLD_METALLIC_PAINT};
-    use eigenshade::q15::{Light, LightBuffer, Rotation};
-    use eigenshade::sphere::q15::color::{self, Scene};
-    use eigenshade_embedded_graphics::Paint;
+    use eigenshade::q15::{Light, LightBuffer, Material, Rotation};
+    use eigenshade::sphere::q15::color;
 
     type Buffer = LightBuffer<100>;
     frames!(wrist);
-
-    fn paint(scene: &Scene) -> Result<impl Shader, Error> {
-        let exposure = scene.exposure_by_factor(EXPOSURE)?;
-        Ok(Paint::q15(|normal| scene.shade(normal), exposure, &DISPLAY))
-    }
 }

@@ -1,5 +1,6 @@
 //! Draws the watch in a frame buffer and writes its frames as an animated PNG:
-//! `watch FILE.png`; `watch --relief FILE.bin` makes the relief's normal map.
+//! `watch FILE.png`; `watch --relief FILE.bin` makes the relief's normal map, and `watch --dial
+//! FILE.bin` the dial's.
 
 mod face;
 mod picture;
@@ -13,8 +14,9 @@ fn main() -> Result<(), Box<dyn Error>> {
     let arguments: Vec<String> = std::env::args().skip(1).collect();
     match &arguments.iter().map(String::as_str).collect::<Vec<_>>()[..] {
         ["--relief", file] => Ok(write(file, relief::codes().as_flattened())?),
+        ["--dial", file] => Ok(write(file, relief::dial().as_flattened())?),
         [file] => animate(file),
-        _ => Err("expected `watch FILE.png` or `watch --relief FILE.bin`".into()),
+        _ => Err("expected `watch FILE.png`, or `--relief` or `--dial` and a FILE.bin".into()),
     }
 }
 

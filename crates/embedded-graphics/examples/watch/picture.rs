@@ -18,7 +18,7 @@ pub fn rgb(frame: i32) -> Result<Vec<u8>, eigenshade::Error> {
     const SIDE: usize = face::SIZE as usize;
     const BYTES: usize = buffer_size::<Rgb565>(SIDE, SIDE);
     let mut display = Framebuffer::<Rgb565, RawU16, LittleEndian, SIDE, SIDE, BYTES>::new();
-    let Ok(()) = face::floats::draw(frame, &mut display)?;
+    let Ok(()) = face::floats::draw(frame, &mut face::Watch::default(), &mut display)?;
     let mut bytes = Vec::new();
     for y in 0..face::SIZE.cast_signed() {
         let row = (0..face::SIZE.cast_signed()).map(|x| Point::new(x, y));

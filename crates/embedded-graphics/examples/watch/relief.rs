@@ -1,8 +1,12 @@
 //! Makes the watch's relief: a guilloché, and two hands on a hub.
 
-use super::face::RELIEF;
+use super::face::{DIAL_WIDTHS, RELIEF, SIZE};
 use eigenshade::Normal;
 use eigenshade::object::NormalMap;
+use eigenshade::screen::Palette;
+use eigenshade_embedded_graphics::Dial;
+use embedded_graphics_core::geometry::Point;
+use embedded_graphics_core::pixelcolor::Rgb565;
 
 /// The radius of the guilloché in pixels.
 const RADIUS: f64 = 36.5;
@@ -19,6 +23,15 @@ pub fn codes() -> Vec<[u8; 2]> {
     let pixels = (0..RELIEF).flat_map(|row| (0..RELIEF).map(move |column| (column, row)));
     let middle = 0.5 * f64::from(RELIEF) - 0.5;
     pixels.map(|(column, row)| code(f64::from(column) - middle, middle - f64::from(row))).collect()
+}
+
+/// The codes of the dial.
+pub fn dial() -> Vec<[u8; 2]> {
+    let (mut codes, palette) = (vec![[0; 2]; (SIZE * SIZE) as usize], Palette::default());
+    let [bezel, mark] = DIAL_WIDTHS;
+    let dial = Dial::<_, Rgb565>::new(Point::zero(), SIZE, bezel, mark, &palette);
+    dial.and_then(|dial| dial.codes(&mut codes)).expect("a size that is drawn");
+    codes
 }
 
 /// The code of a pixel, right and up of the center.

@@ -6,11 +6,11 @@ mod pages;
 mod pictures;
 
 use clap::{Args, Parser};
-use eigenshade_cli::messages::{printable, spinner};
+use eigenshade_cli::messages::{printable, progress_bar, spinner};
 use eigenshade_cli::output::{self, write_error};
 use eigenshade_model::error::{Error, Result};
 use report::sheet::{Purpose, compare_cells};
-use report::{reading, sheet, stability};
+use report::{palette_errors, reading, sheet, stability};
 use std::io::Write;
 use std::path::{Path, PathBuf};
 
@@ -101,6 +101,11 @@ pub enum Command {
     /// spaced ones, and others that mirror the lamps of the maps. Takes some ten minutes on two
     /// cores.
     MaterialErrors(Csv),
+    /// Pictures from a palette of normals against every pixel shaded, docs/palette.csv
+    ///
+    /// A sphere of 240 x 240 pixels in each shipped material in color under five lights. Errors are
+    /// CIEDE2000 against the picture that is not rounded to the levels of a display.
+    PaletteErrors(Csv),
     /// Coefficients of glTF materials, tables/inputs/metallic-roughness.csv
     ///
     /// A material's coefficients are albedo (1 - f0) `matte` + `rim` + f0 `metal`. `matte` does not
@@ -154,6 +159,11 @@ impl Command {
             Self::Highlights(csv) => highlights::errors(csv.out.as_deref()),
             Self::HighlightPicture(file) => highlights::picture(&file.out),
             Self::MaterialErrors(csv) => highlights::material_errors(csv.out.as_deref()),
+            Self::PaletteErrors(csv) => {
+                let rows = palette_errors::errors(&[], &progress_bar("materials", 0))?;
+                let rows = rows.iter().map(palette_errors::Row::fields);
+                write_csv(csv.out.as_deref(), palette_errors::COLUMNS, rows)
+            }
             Self::MetallicRoughness(file) => files::metallic_roughness(&file.out),
             Self::SameOrder { one, other } => files::same_order(&one, &other),
         }
