@@ -114,6 +114,27 @@ impl<const N: usize, const O: usize> MaterialBuffer<N, O> {
     }
 }
 
+impl<const N: usize, const O: usize> Rgb<MaterialBuffer<N, O>> {
+    /// The materials in these buffers; errors as [`Material::new`].
+    pub fn materials(&self) -> Result<Rgb<Material<'_>>, Error> {
+        self.each_ref().try_map(MaterialBuffer::material)
+    }
+}
+
+impl<'a> From<Light<'a>> for Rgb<Light<'a>> {
+    #[inline]
+    fn from(gray: Light<'a>) -> Self {
+        Self::gray(gray)
+    }
+}
+
+impl<'a> From<Material<'a>> for Rgb<Material<'a>> {
+    #[inline]
+    fn from(gray: Material<'a>) -> Self {
+        Self::gray(gray)
+    }
+}
+
 impl<'a> Light<'a> {
     /// Writes the mantissas of a light into `to`, in integer arithmetic throughout.
     ///

@@ -3,6 +3,7 @@
 mod color;
 
 use crate::checked_slice::padded;
+use crate::color::Rgb;
 use crate::error::{Argument, Error};
 use crate::float;
 use crate::normal::{Normal, Normals};
@@ -76,6 +77,18 @@ impl<B> Scene<'_, B> {
         Error::check(Argument::Normals, normals.len(), irradiance.len())?;
         blocks(self.descent(), normals, irradiance);
         Ok(())
+    }
+}
+
+impl<C> Rgb<Scene<'_, C>> {
+    /// [`Scene::shade`] in each channel.
+    #[inline]
+    #[must_use]
+    pub fn shade(&self, normal: Normal) -> Rgb<f32>
+    where
+        C: AsRef<[f32]>,
+    {
+        self.each_ref().map(|scene| scene.shade(normal))
     }
 }
 
