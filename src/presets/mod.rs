@@ -20,7 +20,7 @@
 mod constant;
 
 use crate::color::Rgb;
-use crate::specialized::checked;
+use crate::known_table::checked;
 
 /// A light of degree 9 in three channels: 1,200 bytes.
 pub type Light = Rgb<crate::Light<'static>>;

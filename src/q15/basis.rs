@@ -1,12 +1,12 @@
 //! A fixed-point basis, whose shape and bounds were checked.
 
 use super::Q15;
+use crate::basis::signs;
 use crate::error::{Argument, Error};
 use crate::index::record::integers;
 pub use crate::index::record::integers::Profile;
 use crate::index::{layout, pair};
-use crate::scene::signs;
-use crate::specialized::tail;
+use crate::known_table::tail;
 
 /// The arrays of a basis: [`Basis::new`] checks that they are consistent.
 pub type Parts<'a> = integers::Parts<'a, Q15>;

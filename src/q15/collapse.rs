@@ -7,7 +7,7 @@ use super::{Basis, Coefficients, Profile};
 use crate::buffer::{Buffer, zeros};
 use crate::checked_slice::{part_mut, split, split_mut, split_row};
 use crate::error::{Argument, Error};
-use crate::specialized::{KnownTable, at, head, tail};
+use crate::known_table::{KnownTable, at, head, tail};
 use core::ops::{Add, Shr};
 
 /// Number of low bits of d that [`size`] drops. The rest has at most 16 bits and so does the value

@@ -7,7 +7,7 @@ use crate::buffer::{Buffer, zeros};
 use crate::checked_slice::{part, split_row};
 use crate::error::{Argument, Error};
 use crate::index::light;
-use crate::specialized::{KnownTable, at};
+use crate::known_table::{KnownTable, at};
 
 /// The coefficients d of one image, component by component. The mantissas are at most 2^30 in size
 /// and are multiplied by 2^exponent, which is at most 2^16 in size.

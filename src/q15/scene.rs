@@ -5,7 +5,8 @@ use super::arithmetic::{self, argument, argument_times, dot, halved, of_value, p
 use super::{Basis, Normal};
 use crate::checked_slice::{part, split_row};
 use crate::error::{Argument, Error};
-use crate::specialized::{KnownTable, at, shade_each};
+use crate::known_table::{KnownTable, at};
+use crate::shade::slice::shade_each;
 
 /// One image: `buffer` holds the polynomials of +m and -m for each azimuth |m|, all to be
 /// multiplied by 2^exponent.

@@ -7,7 +7,7 @@ use crate::buffer::{Buffer, zeros};
 use crate::checked_slice::{part, part_mut, rows, rows_mut, split_mut, split_row};
 use crate::error::{Argument, Error};
 use crate::index::{material, pair};
-use crate::specialized::{KnownTable, at};
+use crate::known_table::{KnownTable, at};
 
 /// The transfer of a material: for each profile a row over l from |m| on, times 2 to its exponent.
 #[derive(Clone, Copy, Debug, PartialEq)]
