@@ -1,8 +1,8 @@
 //! The pixels and normals of a sphere, without a root for each pixel.
 
+use crate::display::{INTERVALS, Piece, interpolated};
 use crate::error::{Argument, Error};
 use crate::normal::Normal;
-use crate::piecewise::{INTERVALS, Piece, interpolated};
 use crate::q15;
 use crate::q15::Q15;
 

@@ -173,11 +173,9 @@ pub mod shader;
 
 mod graphics;
 
-mod piecewise;
-
-mod exposure;
-
 mod display;
+
+mod meter;
 
 mod disc;
 
@@ -263,8 +261,8 @@ pub mod object {
 /// From irradiance to the pixels of a display.
 pub mod screen {
     pub use crate::blend::blend565;
-    pub use crate::display::{Display, Tone};
-    pub use crate::exposure::{Exposure, Linear, Meter};
+    pub use crate::display::{Display, Exposure, Linear, Tone};
+    pub use crate::meter::Meter;
     pub use crate::shade::NegativePolicy;
 }
 
