@@ -10,8 +10,7 @@ use crate::error::{Argument, Error};
 /// Bits of a [`Linear`] after the binary point.
 pub(crate) const POINT: u32 = 16;
 
-/// An exposed irradiance in units of 2^-16: 65,536 is white under
-/// [`Tone::Linear`](crate::screen::Tone::Linear).
+/// An exposed irradiance in units of 2^-16: 65,536 is white under [`Tone::Linear`].
 ///
 /// A conversion from `f32` turns values below 0 and NaN into 0, and large values into the largest
 /// number.
