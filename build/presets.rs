@@ -87,13 +87,28 @@ fn constants(kind: &str, presets: &[Preset], error: impl Fn(&str) -> String) -> 
     let (mut floats, mut integers, mut entries) = (String::new(), String::new(), Vec::new());
     for Preset { name, channels } in presets {
         let constant = constant_name(name);
-        let numbers: Vec<String> =
-            channels.iter().map(|channel| format!("[{}]", channel.join(", "))).collect();
-        let gray = if channels.len() == 1 { "gray " } else { "" };
-        let numbers = numbers.join(", ");
-        let head = format!("/// `{name}`.{}\npub const {constant}: {kind} =", error(name));
-        floats += &format!("{head} channels!(crate::{kind}::from_finite, {numbers});\n");
-        integers += &format!("{head} quantized_{lower}!({gray}super::{constant});\n");
+        let head = format!("/// `{name}`.{}\npub const {constant}: {kind} = {{\n", error(name));
+        let numbers = channels.iter().map(|channel| {
+            (format!("[f32; {}]", channel.len()), format!("[{}]", channel.join(", ")))
+        });
+        floats += &head;
+        floats += &channels_text(numbers, |c| format!("crate::{kind}::from_finite(&{c})"));
+        let numbers = channels.iter().zip(["r", "g", "b"]).map(|(channel, field)| {
+            let (count, from) =
+                (channel.len(), format!("super::{constant}.{field}.coefficients()"));
+            match kind {
+                "Light" => (format!("(i32, [Q15; {count}])"), format!("quantized_light({from})")),
+                _ => {
+                    let buffer = format!("MaterialBuffer<{count}, {}>", ORDER + 1);
+                    (buffer, format!("MaterialBuffer::quantized({from})"))
+                }
+            }
+        });
+        integers += &head;
+        integers += &channels_text(numbers, |c| match kind {
+            "Light" => format!("q15::Light::new({c}.0, &{c}.1)"),
+            _ => format!("{c}.material()"),
+        });
         entries.push(format!("    (\"{name}\", {constant}),\n"));
     }
     floats += &each(&lower, presets.iter().map(|preset| preset.name.as_str()));
@@ -102,6 +117,21 @@ fn constants(kind: &str, presets: &[Preset], error: impl Fn(&str) -> String) -> 
         write_output(&format!("preset_{lower}s{format}.rs"), &(text + &all))?;
     }
     Ok(())
+}
+
+/// The body of a constant: its channels' types and numbers as statics, and the color made of them.
+/// A gray preset has one channel.
+fn channels_text(
+    numbers: impl Iterator<Item = (String, String)>,
+    new: impl Fn(&str) -> String,
+) -> String {
+    let (mut statics, mut channels) = (String::new(), Vec::new());
+    for ((of_type, numbers), channel) in numbers.zip(["R", "G", "B"]) {
+        statics += &format!("    static {channel}: {of_type} = {numbers};\n");
+        channels.push(format!("checked({})", new(channel)));
+    }
+    let function = if channels.len() == 1 { "gray" } else { "new" };
+    format!("{statics}    Rgb::{function}({})\n}};\n", channels.join(", "))
 }
 
 fn constant_name(name: &str) -> String {

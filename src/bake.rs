@@ -16,6 +16,7 @@
 //! interval h. Subtracting this mean makes the error 2.4 times smaller.
 
 use crate::buffer::Buffer;
+use crate::color::Rgb;
 use crate::error::{Argument, Error};
 use crate::float;
 use crate::normal::Normal;
@@ -330,5 +331,24 @@ impl MapPoint {
         let scale = (1.0 + square).recip();
         let twice = scale + scale;
         [twice * self.u, twice * self.v, (1.0 - square) * scale]
+    }
+}
+
+impl<C> Rgb<Scene<'_, C>> {
+    /// [`Scene::bake`] in each channel; the same errors.
+    pub fn bake<const T: usize>(&self, size: usize) -> Result<Rgb<BakedMap<Buffer<f32, T>>>, Error>
+    where
+        C: AsRef<[f32]>,
+    {
+        self.each_ref().try_map(|scene| scene.bake(size))
+    }
+}
+
+impl<B: AsRef<[f32]>> Rgb<BakedMap<B>> {
+    /// [`BakedMap::bilinear`] in each channel.
+    #[inline]
+    #[must_use]
+    pub fn bilinear(&self, point: MapPoint) -> Rgb<f32> {
+        self.each_ref().map(|map| map.bilinear(point))
     }
 }

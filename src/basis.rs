@@ -5,10 +5,14 @@ use crate::error::{Argument, Error};
 use crate::index::record::floats;
 use crate::index::record::{ProfilePlace, Row};
 use crate::index::{layout, pair};
-use crate::scene::signs;
 
 /// The arrays of a basis: [`Basis::new`] checks that they are consistent.
 pub type Parts<'a> = floats::Parts<'a, f32>;
+
+/// Number of polynomials of an azimuth.
+pub(crate) const fn signs(azimuth: usize) -> usize {
+    if azimuth == 0 { 1 } else { 2 }
+}
 
 /// An eigenbasis. Degree, order and number of components are values.
 #[derive(Clone, Copy, Debug)]

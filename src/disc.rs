@@ -1,9 +1,9 @@
 //! The pixels and normals of a sphere, without a root for each pixel.
 
+use crate::display::{INTERVALS, Piece, interpolated};
 use crate::error::{Argument, Error};
 use crate::normal::Normal;
 use crate::normal_code::NormalCode;
-use crate::piecewise::{INTERVALS, Piece, interpolated};
 use crate::q15;
 use crate::q15::Q15;
 

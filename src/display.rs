@@ -1,12 +1,99 @@
-//! From exposed irradiance to a pixel of a display: tone curve, sRGB encoding, 24 or 16 bits.
+//! From irradiance to a pixel of a display: exposure, tone curve, sRGB encoding, 24 or 16 bits.
 //!
 //! A tone curve and the encoding are one increasing function of the exposed irradiance. A
 //! [`Display`] holds it as a table in three pieces, from 0 to 1/16, to 1 and to 16, of 128
 //! intervals each, and interpolates. The table is computed when the program is compiled.
 
 use crate::color::Rgb;
-use crate::exposure::{Linear, POINT};
-use crate::piecewise::{INTERVALS, Piece, interpolated};
+use crate::error::{Argument, Error};
+
+/// Bits of a [`Linear`] after the binary point.
+pub(crate) const POINT: u32 = 16;
+
+/// An exposed irradiance in units of 2^-16: 65,536 is white under [`Tone::Linear`].
+///
+/// A conversion from `f32` turns values below 0 and NaN into 0, and large values into the largest
+/// number.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct Linear(pub u32);
+
+impl From<f32> for Linear {
+    #[inline]
+    fn from(exposed: f32) -> Self {
+        Self((exposed * (1_u32 << POINT) as f32 + 0.5) as u32)
+    }
+}
+
+/// The factor by which an irradiance is multiplied, so that white is 1.
+///
+/// ```
+/// use eigenshade::screen::Exposure;
+/// use eigenshade::Rgb;
+///
+/// let exposure = Exposure::new(1.5)?;
+/// assert_eq!(exposure.of(Rgb::new(0.5, 1.0, 2.0)), Rgb::new(0.75, 1.5, 3.0));
+/// assert!(Exposure::new(0.0).is_err());
+/// # Ok::<(), eigenshade::Error>(())
+/// ```
+///
+/// Scenes in integers have an [`Exposure`](crate::q15::Exposure) in each channel.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct Exposure(pub(crate) f32);
+
+/// The exposure 1.
+impl Default for Exposure {
+    fn default() -> Self {
+        Self(1.0)
+    }
+}
+
+impl Exposure {
+    /// An exposure that multiplies by this number.
+    ///
+    /// # Errors
+    ///
+    /// [`Error::NotFinite`] unless it is a normal number above 0.
+    pub const fn new(exposure: f32) -> Result<Self, Error> {
+        if exposure.is_normal() && exposure > 0.0 {
+            Ok(Self(exposure))
+        } else {
+            Err(Error::NotFinite { argument: Argument::Exposure, index: 0 })
+        }
+    }
+
+    /// The factor from irradiance to a multiple of white.
+    #[inline]
+    #[must_use]
+    pub const fn factor(self) -> f32 {
+        self.0
+    }
+
+    /// The exposed color.
+    #[inline]
+    #[must_use]
+    pub fn of(self, color: Rgb<f32>) -> Rgb<f32> {
+        color.map(|channel| channel * self.0)
+    }
+}
+
+/// Intervals of a piece, all of the same width.
+pub(crate) const INTERVALS: usize = 128;
+
+/// The values of a function at both ends of every interval, from 0 on.
+pub(crate) type Piece = [u16; INTERVALS + 1];
+
+/// The value at `place`, with intervals of 2^`width`: interpolated, rounded down. The function must
+/// rise. 0 beyond the end of the piece.
+#[inline(always)]
+pub(crate) fn interpolated(piece: &Piece, place: u32, width: u32) -> u16 {
+    let interval = piece.get((place >> width) as usize..);
+    let Some(&[from, to]) = interval.and_then(|rest| rest.first_chunk()) else { return 0 };
+    let (from, to) = (u32::from(from), u32::from(to));
+    let way = place & ((1 << width) - 1);
+    (from + ((to.wrapping_sub(from).wrapping_mul(way)) >> width)) as u16
+}
 
 /// The bits of an interval's width in each piece, in units of 2^-[`POINT`].
 const WIDTHS: [u32; 3] = [5, 9, 13];
@@ -183,6 +270,21 @@ mod tests {
         };
         let shown = shown.clamp(0.0, 1.0);
         if shown <= 0.0031308 { 12.92 * shown } else { 1.055 * libm::pow(shown, 1.0 / 2.4) - 0.055 }
+    }
+
+    #[test]
+    fn floats_saturate() {
+        let cases = [(-1.0, 0), (f32::NAN, 0), (f32::INFINITY, u32::MAX), (0.5, 1 << 15)];
+        for (from, to) in cases {
+            assert_eq!(Linear::from(from), Linear(to));
+        }
+    }
+
+    #[test]
+    fn exposures_are_above_zero() {
+        for refused in [0.0, -1.0, f32::NAN, f32::INFINITY, 1e-40] {
+            assert!(Exposure::new(refused).is_err(), "{refused}");
+        }
     }
 
     #[test]

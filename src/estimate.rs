@@ -8,7 +8,7 @@ use crate::basis::Basis;
 use crate::buffer::{Buffer, zeros};
 use crate::error::{Argument, Error};
 use crate::normal::Normal;
-use crate::projection::Coefficients;
+use crate::relight::Coefficients;
 
 /// An estimate in progress: see [`Basis::estimate`].
 #[derive(Clone, Debug)]

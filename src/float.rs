@@ -48,56 +48,6 @@ pub(crate) fn fused<const N: usize>(mut sums: [f32; N], a: &[f32; N], b: &[f32; 
     sums
 }
 
-/// A step of Horner's rule at a block of arguments t and u: each sum becomes
-/// even + odd t + sum u.
-#[inline(always)]
-pub(crate) fn horner<const N: usize>(
-    [odd, even]: [&f32; 2],
-    sums: &mut [f32; N],
-    [t, u]: [&[f32; N]; 2],
-) {
-    #[cfg(target_feature = "relaxed-simd")]
-    {
-        *sums = fused(fused([*even; N], &[*odd; N], t), sums, u);
-    }
-    #[cfg(not(target_feature = "relaxed-simd"))]
-    for (sum, (&t, &u)) in sums.iter_mut().zip(t.iter().zip(u)) {
-        *sum = add_product(add_product(*even, *odd, t), *sum, u);
-    }
-}
-
-/// A step of Horner's rule in w̄ = x - i y at a block of normals: the sum above becomes
-/// here + w̄ above. Real and imaginary parts.
-#[inline(always)]
-pub(crate) fn descend<const N: usize>(
-    [real, imaginary]: [&mut [f32; N]; 2],
-    [plus, minus]: [[f32; N]; 2],
-    [x, y]: [&[f32; N]; 2],
-) {
-    // The steps with `fused`, a loop for each product.
-    #[cfg(target_feature = "relaxed-simd")]
-    {
-        let plus = fused(plus, real, x);
-        let plus = fused(plus, imaginary, y);
-        for number in &mut *real {
-            *number = -*number;
-        }
-        let minus = fused(minus, imaginary, x);
-        (*real, *imaginary) = (plus, fused(minus, real, y));
-    }
-    #[cfg(not(target_feature = "relaxed-simd"))]
-    {
-        let above = real.iter_mut().zip(imaginary);
-        let here = plus.iter().zip(&minus).zip(x.iter().zip(y));
-        for ((real, imaginary), ((&plus, &minus), (&x, &y))) in above.zip(here) {
-            (*real, *imaginary) = (
-                add_product(add_product(plus, *real, x), *imaginary, y),
-                add_product(add_product(minus, *imaginary, x), -*real, y),
-            );
-        }
-    }
-}
-
 /// √(x/2) for x > 0 by Newton's method, without branches, division or tables, so that loops over
 /// pixels can be vectorized. The half saves a product. Relative error: 8e-7.
 #[inline(always)]

@@ -14,7 +14,8 @@ use crate::index::record::floats;
 use crate::light::Light;
 use crate::material::Material;
 use crate::normal::Normal;
-use crate::projection::{Coefficients, buffered};
+use crate::projection::buffered;
+use crate::relight::Coefficients;
 use crate::scene::Scene;
 use crate::transfer::Transfer;
 

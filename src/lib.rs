@@ -103,17 +103,15 @@ mod material;
 
 mod normal;
 
-mod polynomial;
+mod known_table;
 
 mod basis;
-
-mod scattering;
-
-mod projection;
 
 mod transfer;
 
 mod relight;
+
+mod projection;
 
 mod scene;
 
@@ -121,8 +119,33 @@ mod nine_terms;
 
 mod shade;
 
+mod eigenimages;
+
+mod table;
+
+/// The items that the macros of a table name, in files of the steps. The kernels are the steps of
+/// [`Basis::project`], [`Basis::relight`], [`Basis::collapse`] and [`Scene::shade`], with constants
+/// for all sizes and positions.
 #[doc(hidden)]
-pub mod specialized;
+pub mod specialized {
+    pub use crate::index::{layout, material, pair, record};
+    pub use crate::known_table::{KnownTable, checked, whole};
+    pub use crate::relight::{accept_light, coefficients, transfer_numbers};
+    pub use crate::scene::{blank_scene, collapse, terms, terms_mut};
+    pub use crate::shade::slice::{ONE_BY_ONE, shade_each, shade_normals};
+    pub use crate::shade::{Block, azimuth, pole};
+    pub use crate::transfer::accept_material;
+
+    /// Relighting, part by part.
+    pub mod relight {
+        pub use crate::relight::{GROUPS, run, sums, write};
+    }
+
+    /// Projecting, part by part.
+    pub mod project {
+        pub use crate::projection::{lights, rows, scatter, table_rows, transposed, write};
+    }
+}
 
 pub mod truncation;
 
@@ -150,11 +173,9 @@ pub mod shader;
 
 mod graphics;
 
-mod piecewise;
-
-mod exposure;
-
 mod display;
+
+mod meter;
 
 mod disc;
 
@@ -218,8 +239,8 @@ pub use index::effect::Effect;
 pub use light::Light;
 pub use material::Material;
 pub use normal::{Normal, Normals};
-pub use projection::Coefficients;
 pub use q15::Q15;
+pub use relight::Coefficients;
 pub use rotation::Rotation;
 pub use scene::Scene;
 pub use source::Source;
@@ -245,8 +266,8 @@ pub mod object {
 /// From irradiance to the pixels of a display.
 pub mod screen {
     pub use crate::blend::blend565;
-    pub use crate::display::{Display, Tone};
-    pub use crate::exposure::{Exposure, Linear, Meter};
+    pub use crate::display::{Display, Exposure, Linear, Tone};
+    pub use crate::meter::Meter;
     pub use crate::palette::{Nodes, Palette};
     pub use crate::shade::NegativePolicy;
 }

@@ -3,6 +3,7 @@
 
 use crate::buffer::{Buffer, copied};
 use crate::checked_slice::split_mut;
+use crate::color::Rgb;
 use crate::error::{Argument, Error};
 use crate::index::light;
 use crate::mathematics;
@@ -226,5 +227,32 @@ impl Light<'_> {
         let mut windowed = copied(Argument::Light, self.coefficients().iter().copied())?;
         window.apply(&mut windowed);
         Ok(windowed)
+    }
+}
+
+impl<'a> From<Light<'a>> for Rgb<Light<'a>> {
+    #[inline]
+    fn from(gray: Light<'a>) -> Self {
+        Self::gray(gray)
+    }
+}
+
+impl Rgb<Light<'_>> {
+    /// [`Light::truncated`] in each channel.
+    #[must_use]
+    pub fn truncated(self, degree: usize) -> Self {
+        self.map(|light| light.truncated(degree))
+    }
+
+    /// [`Light::windowed`] in each channel; the same errors.
+    pub fn windowed<const N: usize>(&self, window: Window) -> Result<Rgb<Buffer<f32, N>>, Error> {
+        self.each_ref().try_map(|light| light.windowed::<N>(window))
+    }
+}
+
+impl<const N: usize> Rgb<Buffer<f32, N>> {
+    /// The lights in these buffers; errors as [`Light::from_finite`].
+    pub fn lights(&self) -> Result<Rgb<Light<'_>>, Error> {
+        self.each_ref().try_map(|channel| Light::from_finite(channel))
     }
 }

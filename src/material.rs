@@ -1,5 +1,7 @@
 //! Material as Koenderink-van Doorn coefficients b_op^q of (7).
 
+use crate::buffer::{Buffer, copied};
+use crate::color::Rgb;
 use crate::error::{Argument, Error};
 use crate::index::material;
 
@@ -76,6 +78,52 @@ impl<'a> Material<'a> {
     #[must_use]
     pub const fn coefficients(&self) -> &'a [f32] {
         self.coefficients
+    }
+}
+
+impl Material<'_> {
+    /// This material in a color: its coefficients times each channel. `N` is at least the number of
+    /// coefficients.
+    ///
+    /// ```
+    /// use eigenshade::Material;
+    ///
+    /// let red = Material::new(&[2.0, -0.5])?.tint::<2>([0.9, 0.2, 0.1])?;
+    /// assert_eq!(red.materials()?.g.coefficients(), [0.4, -0.1]);
+    /// # Ok::<(), eigenshade::Error>(())
+    /// ```
+    ///
+    /// # Errors
+    ///
+    /// [`Error::Capacity`] if `N` is too small; [`Error::NotFinite`] with the index of the first
+    /// channel of the color that is infinite or NaN.
+    pub fn tint<const N: usize>(&self, color: [f32; 3]) -> Result<Rgb<Buffer<f32, N>>, Error> {
+        Rgb::gray(*self).tint(color)
+    }
+}
+
+impl Rgb<Material<'_>> {
+    /// [`Material::tint`] in each channel, such as of a preset: a gray material in a color, or one
+    /// in color with another balance. The same errors.
+    pub fn tint<const N: usize>(&self, color: [f32; 3]) -> Result<Rgb<Buffer<f32, N>>, Error> {
+        Error::check_finite(Argument::Color, &color)?;
+        self.zip(Rgb::from(color)).try_map(|(material, factor)| {
+            copied(Argument::Material, material.coefficients().iter().map(|&from| factor * from))
+        })
+    }
+}
+
+impl<'a> From<Material<'a>> for Rgb<Material<'a>> {
+    #[inline]
+    fn from(gray: Material<'a>) -> Self {
+        Self::gray(gray)
+    }
+}
+
+impl<const N: usize> Rgb<Buffer<f32, N>> {
+    /// The materials in these buffers; errors as [`Material::from_finite`].
+    pub fn materials(&self) -> Result<Rgb<Material<'_>>, Error> {
+        self.each_ref().try_map(|channel| Material::from_finite(channel))
     }
 }
 

@@ -7,8 +7,7 @@
 
 use crate::blend::blend565;
 use crate::color::Rgb;
-use crate::display::{Display, rank, ranks};
-use crate::exposure::Linear;
+use crate::display::{Display, Linear, rank, ranks};
 use crate::normal::Normal;
 use crate::normal_code::{NormalCode, RIM, normal_at, normal_q15_at};
 use crate::normal_map::NormalMap;

@@ -3,20 +3,22 @@
 //! c = L (x) b has rank one. The material is scattered into S_l,pq once, and each profile then
 //! takes one pass over its factors, d_±m = Σ_l (Σ_pq factor_l,pq S_l,pq) (±1)^m L_l^±m. The inner
 //! sum is the same for +m and -m.
+//!
+//! The public functions are the same steps with constants for all sizes and positions, for tables
+//! that are known when the program is compiled. Four profiles then read the scattered material once.
 
 use crate::basis::Basis;
-use crate::buffer::{Buffer, zeros};
-use crate::checked_slice::{part, split_mut, split_row};
+use crate::buffer::zeros;
 use crate::error::{Argument, Error};
 use crate::groups;
-use crate::index::{layout, layout::LANES, light, record::ProfilePlace};
+use crate::index::{layout::LANES, light};
+use crate::known_table::{KnownTable, at, components, tail};
 use crate::light::Light;
 use crate::material::Material;
+use crate::relight::Coefficients;
+use crate::transfer::{Workspace, scatter_pairs, transpose};
 
-/// The coefficients d of one image, component by component.
-pub type Coefficients<const K: usize> = Buffer<f32, K>;
-
-impl<'a> Basis<'a> {
+impl Basis<'_> {
     /// Computes d = UᵀMc for a light on a material: the coefficients of the image in the
     /// eigenimages.
     ///
@@ -111,47 +113,11 @@ impl<'a> Basis<'a> {
             write_twos(&[sums], components, coefficients);
         }
     }
-
-    #[inline]
-    pub(crate) fn divide<'w>(&self, workspace: &'w mut [f32]) -> Workspace<'w> {
-        let rows = (self.degree() + 1) * self.row();
-        let (scattering, rest) = split_mut(workspace, rows);
-        let sums = self.sums_len();
-        let (sums, lights) = split_mut(rest, sums);
-        Workspace { scattering, sums, lights: lights.as_chunks_mut().0 }
-    }
-
-    /// The rows of S from l = `azimuth` on.
-    #[inline]
-    pub(crate) fn scattered_from<'w>(&self, azimuth: usize, scattering: &'w [f32]) -> &'w [f32] {
-        part(scattering, azimuth * self.row()..)
-    }
-
-    /// The profiles of each azimuth in twos, with their factors.
-    #[inline]
-    pub(crate) fn rows(&self) -> impl Iterator<Item = (&'a [ProfilePlace], &'a [f32])> + use<'a> {
-        let (degree, row) = (self.degree(), self.row());
-        let (mut places, mut factors) = (self.parts.profiles, self.parts.factors);
-        // Written by hand because the compiler cannot prove that `chunk_by` never panics.
-        core::iter::from_fn(move || {
-            let azimuth = places.first()?.azimuth();
-            let same = places.iter().take(2).take_while(|place| place.azimuth() == azimuth);
-            let (two, others) = places.split_at_checked(same.count())?;
-            let length = layout::rows(degree, azimuth, two.len()) * row;
-            let (rows, rest) = split_row(factors, length);
-            (places, factors) = (others, rest);
-            Some((two, rows))
-        })
-    }
-
-    pub(crate) fn accept_light(&self, light: &Light<'_>) -> Result<(), Error> {
-        Error::check_beyond(Argument::Light, self.degree(), light.degree())
-    }
 }
 
 /// L_l^m and (-1)^m L_l^-m for l = m, m + 1, ...; zero above the degree of the light.
 #[inline(always)]
-pub(crate) fn gather(coefficients: &[f32], degree: usize, azimuth: usize, lights: &mut [[f32; 2]]) {
+fn gather(coefficients: &[f32], degree: usize, azimuth: usize, lights: &mut [[f32; 2]]) {
     let sign = if azimuth % 2 == 1 { -1.0 } else { 1.0 };
     let mut center = light::position(azimuth, 0);
     for (l, place) in (azimuth..).zip(lights) {
@@ -161,15 +127,6 @@ pub(crate) fn gather(coefficients: &[f32], degree: usize, azimuth: usize, lights
         *place = if l <= degree { [plus, sign * minus] } else { [0.0; 2] };
         center += 2 * l + 2;
     }
-}
-
-pub(crate) struct Workspace<'w> {
-    /// S, with a row for each l.
-    pub(crate) scattering: &'w mut [f32],
-    /// Room for S along l.
-    pub(crate) sums: &'w mut [f32],
-    /// The light of one azimuth.
-    lights: &'w mut [[f32; 2]],
 }
 
 /// The inputs for the components of two profiles.
@@ -210,7 +167,7 @@ fn lit(rows: impl Iterator<Item = groups::Two>, lights: &[[f32; 2]]) -> [groups:
 
 /// Adds a row, times the light of +m and of -m, to the sums of two profiles.
 #[inline(always)]
-pub(crate) fn add_lit(
+fn add_lit(
     [plus, minus]: [groups::Two; 2],
     row: &groups::Two,
     &[of_plus, of_minus]: &[f32; 2],
@@ -222,7 +179,7 @@ pub(crate) fn add_lit(
 /// Writes the components of profiles, two at a time, from sums that are not yet summed across the
 /// lanes.
 #[inline(always)]
-pub(crate) fn write_twos(
+fn write_twos(
     sums: &[[groups::Two; 2]],
     components: impl IntoIterator<Item = [u16; 2]>,
     coefficients: &mut [f32],
@@ -251,4 +208,111 @@ pub(crate) fn buffered<const N: usize, const K: usize>(
     let mut coefficients = zeros::<f32, K>(Argument::Coefficients, components)?;
     project(&mut workspace, &mut coefficients)?;
     Ok(coefficients)
+}
+
+/// The sums S_l,pq of one q, for its `P` pairs p = q, q + 2, ..., in rows of `G` groups. Not inlined,
+/// so that the sums stay in registers.
+#[inline(never)]
+pub fn scatter<const Q: usize, const P: usize, const G: usize, const M: usize, const R: usize>(
+    material: &[f32; M],
+    polar: &[[[f32; LANES]; G]; R],
+    sums: &mut [[[f32; LANES]; G]],
+) {
+    scatter_pairs(Q, P, material, polar, sums);
+}
+
+/// The numbers of a table as `R` rows of `G` groups, if there are enough.
+#[inline(always)]
+pub fn table_rows<const G: usize, const R: usize>(
+    numbers: &[f32],
+) -> Option<&[[[f32; LANES]; G]; R]> {
+    let (groups, _) = numbers.as_chunks::<LANES>();
+    groups.as_chunks::<G>().0.first_chunk()
+}
+
+/// Transposes rows over l, one for each pair, to `D` rows over the pairs, one for each l.
+#[inline(always)]
+pub fn transposed<const V: usize, const D: usize, const G: usize, const R: usize>(
+    sums: &[[[f32; LANES]; G]; R],
+) -> [[[f32; LANES]; V]; D] {
+    let mut scattering = [[[0.0; LANES]; V]; D];
+    transpose(sums.as_flattened(), G, scattering.as_flattened_mut(), V);
+    scattering
+}
+
+/// L_l^m and (-1)^m L_l^-m for the `L` degrees l from m = `M` on.
+#[inline(always)]
+pub fn lights<const M: usize, const L: usize, const N: usize>(light: &[f32; N]) -> [[f32; 2]; L] {
+    let mut lights = [[0.0; 2]; L];
+    gather(light, M + L - 1, M, &mut lights);
+    lights
+}
+
+/// The components of up to `2 C` profiles of azimuth `M`, from number `FIRST` of this azimuth on:
+/// `C` times two profiles, for +m and for -m, before the sum across the lanes. The rows have `V`
+/// groups, for `L` degrees; the scattered material has `D` rows. Not inlined: a compiler that sees
+/// single lanes being read splits the groups.
+#[inline(never)]
+pub fn rows<
+    B: KnownTable<Basis<'static>>,
+    const M: usize,
+    const FIRST: usize,
+    const C: usize,
+    const V: usize,
+    const L: usize,
+    const D: usize,
+>(
+    scattering: &[[[f32; LANES]; V]; D],
+    lights: &[[f32; 2]; L],
+) -> [[groups::Two; 2]; C] {
+    // Two profiles have two rows of factors for each degree.
+    let factors = const {
+        let row = at(B::BASIS.parts.azimuths, M).rows as usize + FIRST * L;
+        tail(B::BASIS.parts.factors, LANES * V * row)
+    };
+    let mut sums = [[[0.0; 2 * LANES]; 2]; C];
+    let (factors, _) = factors.as_chunks().0.as_chunks::<V>().0.as_chunks::<L>();
+    let scattering = scattering.get(M..).and_then(|rows| rows.first_chunk::<L>());
+    let Some(rows) = scattering.map(|rows| rows.iter().zip(lights)) else { return sums };
+    // The sums are named, so that they stay in registers.
+    match (factors, sums.as_mut_slice()) {
+        ([a, ..], [of_a]) => {
+            let mut sum = [[0.0; 2 * LANES]; 2];
+            for (a, (scattering, lights)) in a.iter().zip(rows) {
+                sum = add_lit(sum, &groups::product(a, scattering), lights);
+            }
+            *of_a = sum;
+        }
+        ([a, b, ..], [of_a, of_b]) => {
+            let mut sums = [[[0.0; 2 * LANES]; 2]; 2];
+            for ((a, b), (scattering, lights)) in a.iter().zip(b).zip(rows) {
+                let (a, b) = (groups::product(a, scattering), groups::product(b, scattering));
+                sums = [add_lit(sums[0], &a, lights), add_lit(sums[1], &b, lights)];
+            }
+            [*of_a, *of_b] = sums;
+        }
+        _ => {}
+    }
+    sums
+}
+
+/// Writes the components that [`rows`] computed.
+#[inline(always)]
+pub fn write<B, const M: usize, const FIRST: usize, const C: usize, const K: usize>(
+    sums: &[[groups::Two; 2]; C],
+    coefficients: &mut [f32; K],
+) where
+    B: KnownTable<Basis<'static>>,
+{
+    // There are at most four profiles.
+    let components = const {
+        let place = at(B::BASIS.parts.azimuths, M);
+        let left = place.profiles as usize - FIRST;
+        components::<4>(
+            B::BASIS.parts.profiles,
+            place.first as usize + FIRST,
+            if left < 4 { left } else { 4 },
+        )
+    };
+    write_twos(sums, components, coefficients);
 }

@@ -8,17 +8,19 @@
 //! reads each coefficient of the light once.
 
 use crate::basis::Basis;
-use crate::buffer::zeros;
+use crate::buffer::{Buffer, zeros};
 use crate::checked_slice::part;
 use crate::error::{Argument, Error};
 use crate::float;
 use crate::groups;
 use crate::index::record::{Pass, Run};
 use crate::index::{layout, layout::LANES, light::position};
+use crate::known_table::{KnownTable, at, components, head, tail};
 use crate::light::Light;
-use crate::projection::Coefficients;
-use crate::specialized::{KnownTable, at, components, head, tail};
 use crate::transfer::Transfer;
+
+/// The coefficients d of one image, component by component.
+pub type Coefficients<const K: usize> = Buffer<f32, K>;
 
 /// Whether the target computes with groups of numbers.
 pub const GROUPS: bool = cfg!(any(
@@ -91,6 +93,10 @@ impl<'a> Basis<'a> {
         Ok(())
     }
 
+    pub(crate) fn accept_light(&self, light: &Light<'_>) -> Result<(), Error> {
+        Error::check_beyond(Argument::Light, self.degree(), light.degree())
+    }
+
     #[inline]
     fn relight_passes(&self, transfer: &[f32], light: &Light<'_>, coefficients: &mut [f32]) {
         for pass in self.parts.passes {
@@ -118,6 +124,41 @@ impl<'a> Basis<'a> {
     const fn slots(&self, pass: &Pass) -> &'a [u16] {
         tail(self.parts.slots, pass.slots as usize)
     }
+}
+
+/// Whether a table of this degree takes a light.
+///
+/// # Errors
+///
+/// [`Error::Beyond`].
+#[inline(always)]
+pub fn accept_light(degree: usize, light: &Light<'_>) -> Result<(), Error> {
+    Error::check_beyond(Argument::Light, degree, light.degree())
+}
+
+/// The numbers of a transfer.
+///
+/// # Errors
+///
+/// [`Error::Length`] if there are fewer, as in a transfer of another table.
+#[inline(always)]
+pub fn transfer_numbers<const N: usize>(transfer: &Transfer<N>) -> Result<&[f32; N], Error> {
+    let (argument, found) = (Argument::Transfer, transfer.as_slice().len());
+    let length = Error::Length { argument, expected: N, found };
+    transfer.as_slice().try_into().map_err(|_| length)
+}
+
+/// The coefficients of an image, to be written.
+///
+/// # Errors
+///
+/// None: a buffer holds as many as its capacity.
+#[inline(always)]
+pub fn coefficients<const N: usize>(
+    coefficients: &mut Coefficients<N>,
+) -> Result<&mut [f32; N], Error> {
+    let (argument, needed, capacity) = (Argument::Coefficients, N, N);
+    coefficients.filled().ok_or(Error::Capacity { argument, needed, capacity })
 }
 
 /// Writes the sums of pass number `I`, which has `P` profiles, to their components.

@@ -1,15 +1,12 @@
 //! One image, with the components of each azimuth summed: I(n) = Σ_m Re/Im (n_x + i n_y)^m
 //! H_m(n_z).
 
-use crate::basis::Basis;
+use crate::basis::{Basis, signs};
 use crate::buffer::{Buffer, zeros};
 use crate::checked_slice::{part, rows, split, split_mut, split_row};
 use crate::error::{Argument, Error};
 use crate::float;
-use crate::index::record::ProfilePlace;
-use crate::normal::Normal;
-use crate::polynomial;
-use crate::polynomial::{argument, turned};
+use crate::known_table::{KnownTable, at, components, tail};
 
 /// One image: `buffer` holds the polynomials of +m and -m for each azimuth |m|.
 ///
@@ -19,11 +16,6 @@ use crate::polynomial::{argument, turned};
 pub struct Scene<'a, B> {
     pub(crate) lengths: &'a [u16],
     pub(crate) buffer: B,
-}
-
-/// Number of polynomials of an azimuth.
-pub(crate) const fn signs(azimuth: usize) -> usize {
-    if azimuth == 0 { 1 } else { 2 }
 }
 
 /// Number of terms of polynomials of these lengths, of +m and of -m.
@@ -93,40 +85,6 @@ impl<'a> Basis<'a> {
         Error::check(Argument::Scene, self.scene_len(), buffer.as_ref().len())?;
         Ok(Scene::of(self.parts.lengths, buffer))
     }
-
-    /// The irradiance of one normal as Σ d_i U_i, component by component, without collapsing. A
-    /// reference for [`Scene::shade`].
-    ///
-    /// # Errors
-    ///
-    /// [`Error::Length`] if there are more coefficients than components.
-    pub fn reconstruct(&self, coefficients: &[f32], normal: Normal) -> Result<f32, Error> {
-        Error::check_components(self.components(), coefficients.len())?;
-        let mut sum = 0.0;
-        for (place, value, [cosine, sine]) in self.eigenimages_at(normal) {
-            let [plus, minus] = weights(place.components(), coefficients);
-            sum += value * (plus * cosine + minus * sine);
-        }
-        Ok(sum)
-    }
-
-    /// For each profile the value of its polynomial at a normal, and what it is multiplied by in
-    /// the eigenimages of +m and, with the opposite sign, of -m. There is no root and no division.
-    #[inline]
-    pub(crate) fn eigenimages_at(
-        &self,
-        normal: Normal,
-    ) -> impl Iterator<Item = (&'a ProfilePlace, f32, [f32; 2])> {
-        let t = argument(normal.z);
-        let (mut cosine, mut sine, mut azimuth) = (1.0, 0.0, 0);
-        self.profiles().map(move |(place, terms)| {
-            while azimuth < place.azimuth() {
-                (cosine, sine) = turned(cosine, sine, normal.x, normal.y);
-                azimuth += 1;
-            }
-            (place, polynomial::value(terms, t), [cosine, sine])
-        })
-    }
 }
 
 /// The weights of a profile's polynomial in the sums of +m and of -m, from its components. One that
@@ -141,7 +99,7 @@ pub(crate) fn weights([plus, minus]: [u16; 2], coefficients: &[f32]) -> [f32; 2]
 /// Sums the polynomials of `P` profiles of `length` terms, with weights for `W` sums each, or adds
 /// them to what is there.
 #[inline(always)]
-pub(crate) fn sum_profiles<const W: usize, const P: usize>(
+fn sum_profiles<const W: usize, const P: usize>(
     length: usize,
     terms: &[f32],
     weights: &[[f32; W]; P],
@@ -171,6 +129,49 @@ pub(crate) fn sum_profiles<const W: usize, const P: usize>(
             }
         }
     }
+}
+
+/// Sums the polynomials of azimuth `M`, of `P` profiles, weighted by the coefficients of their
+/// components. Not inlined: a compiler that sees several azimuths at once runs out of registers.
+#[inline(never)]
+pub fn collapse<B, const M: usize, const P: usize, const K: usize, const N: usize>(
+    coefficients: &[f32; K],
+    scene: &mut [f32; N],
+) where
+    B: KnownTable<Basis<'static>>,
+{
+    let place = const { *at(B::BASIS.parts.azimuths, M) };
+    const { assert!(at(B::BASIS.parts.azimuths, M).profiles as usize == P, "other profiles") };
+    let terms = const { tail(B::BASIS.parts.terms, at(B::BASIS.parts.azimuths, M).terms as usize) };
+    let (_, scene) = split_mut(scene, place.start as usize);
+    let length = const { B::BASIS.length(M) };
+    let components = const {
+        components::<P>(B::BASIS.parts.profiles, at(B::BASIS.parts.azimuths, M).first as usize, P)
+    };
+    let weights = components.map(|components| weights(components, coefficients));
+    if M == 0 {
+        sum_profiles(length, terms, &weights.map(|[plus, _]| [plus]), false, scene);
+    } else {
+        sum_profiles(length, terms, &weights, false, scene);
+    }
+}
+
+/// A scene of polynomials of these lengths, all zero.
+#[inline(always)]
+pub const fn blank_scene<const N: usize>(lengths: &[u16]) -> Scene<'_, [f32; N]> {
+    Scene { lengths, buffer: [0.0; N] }
+}
+
+/// The terms of a scene.
+#[inline(always)]
+pub const fn terms<'s, const N: usize>(scene: &'s Scene<'_, [f32; N]>) -> &'s [f32; N] {
+    &scene.buffer
+}
+
+/// The terms of a scene, to be overwritten.
+#[inline(always)]
+pub const fn terms_mut<'s, const N: usize>(scene: &'s mut Scene<'_, [f32; N]>) -> &'s mut [f32; N] {
+    &mut scene.buffer
 }
 
 impl<'a, B> Scene<'a, B> {
@@ -235,52 +236,5 @@ impl<'s> Iterator for Descent<'s> {
         let (rest, of_both) = self.around.split_at_checked(self.around.len() - 2 * length)?;
         (self.lengths, self.around) = (lower, rest);
         of_both.split_at_checked(length)
-    }
-}
-
-#[cfg(test)]
-#[expect(clippy::indexing_slicing, clippy::unwrap_used, reason = "a test may panic")]
-mod tests {
-    use super::*;
-    use crate::normal::Normals;
-
-    /// Covers every way in which a slice is shaded, also for polynomials of azimuth 0 only.
-    #[test]
-    fn slices_of_any_shape_are_shaded_as_their_normals() {
-        let numbers: [f32; 200] =
-            core::array::from_fn(|k| ((7 * k % 19) as f32 - 9.0) / (1 + k % 5) as f32);
-        let [mut x, mut y, mut z] = [[0.0f32; 300]; 3];
-        for (k, ((x, y), z)) in x.iter_mut().zip(&mut y).zip(&mut z).enumerate() {
-            *z = (k as f32 + 0.5) / 300.0;
-            let sine = libm::sqrtf(1.0 - *z * *z);
-            (*x, *y) = (sine * libm::cosf(2.4 * k as f32), sine * libm::sinf(2.4 * k as f32));
-        }
-        for lengths in [
-            &[][..],
-            &[1],
-            &[5],
-            &[9],
-            &[20],
-            &[3, 2],
-            &[2, 3, 1, 1],
-            &[8, 8, 8],
-            &[0, 0, 4],
-            &[9, 1],
-            &[14, 14, 13, 12],
-            &[20, 18, 3],
-            &[19, 17, 3],
-        ] {
-            let scene = Scene::of(lengths, &numbers);
-            for count in [0, 1, 63, 64, 127, 128, 300] {
-                let normals = Normals::from_unit(&x[..count], &y[..count], &z[..count]);
-                let mut irradiance = [f32::NAN; 300];
-                let shaded = scene.shade_slice(normals.unwrap(), &mut irradiance[..count]);
-                assert_eq!(shaded, Ok(()));
-                for k in 0..count {
-                    let normal = Normal { x: x[k], y: y[k], z: z[k] };
-                    assert_eq!(scene.shade(normal), irradiance[k], "{lengths:?}, {k} of {count}");
-                }
-            }
-        }
     }
 }

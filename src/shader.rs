@@ -1,11 +1,11 @@
 //! Scenes as functions of a shader: the same sums as [`Scene::shade`], unrolled, in three channels.
 
+use crate::basis::signs;
 use crate::color::Rgb;
 use crate::error::{Argument, Error};
 use crate::highlights::Highlights;
 use crate::index::highlights::MAX_SOURCES;
-use crate::scene::Scene;
-use crate::scene::{count, signs};
+use crate::scene::{Scene, count};
 pub use crate::shader_text::ShaderLanguage;
 use crate::shader_text::{highlight_vectors, highlights, polynomial, put};
 use core::fmt::{self, Write};

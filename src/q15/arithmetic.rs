@@ -1,4 +1,5 @@
-//! The arithmetic of 15-bit mantissas: products, sums and shifts, and how many bits each has.
+//! The arithmetic of 15-bit mantissas: products, sums and shifts, how many bits each has, and
+//! mantissas with a common exponent.
 
 use super::Q15;
 
@@ -161,4 +162,109 @@ pub(crate) fn times(mantissa: Q15, value: i32) -> i32 {
 #[inline(always)]
 pub(crate) fn whole(sum: i32) -> i32 {
     sum >> 15
+}
+
+/// Rounds numbers with exponents of their own to mantissas, and returns the common exponent.
+#[inline(always)]
+pub(crate) fn settle(row: impl Iterator<Item = (i32, i32)> + Clone, numbers: &mut [Q15]) -> i16 {
+    let common = common_exponent(row.clone(), BITS);
+    for (to, (number, exponent)) in numbers.iter_mut().zip(row) {
+        *to = Q15::saturate(number.shifted(exponent - common));
+    }
+    common as i16
+}
+
+/// [`settle`] of the row of a transfer: products of factors and sums, with the exponents of both.
+#[inline(never)]
+pub(crate) fn settle_row<const L: usize>(
+    row: &[i32; L],
+    of_factors: &[i8; L],
+    of_sums: &[i32],
+    numbers: &mut [Q15; L],
+) -> i16 {
+    let mut exponents = [0; L];
+    let mut largest = i32::MIN;
+    for ((exponent, &of_factors), of_sums) in exponents.iter_mut().zip(of_factors).zip(of_sums) {
+        *exponent = i32::from(of_factors) + of_sums;
+        largest = largest.max(*exponent);
+    }
+    let guard = guard(L as i32);
+    let (mut either, mut sum) = (0, 0);
+    for (&number, exponent) in row.iter().zip(exponents) {
+        let aligned = number.max(-number).floor_shr((exponent - largest).min(0));
+        either |= aligned;
+        sum += aligned.floor_shr(-guard.cast_signed());
+    }
+    let found = row_bits(either, sum, L as i32, guard);
+    if found < BITS + GUARD_BITS {
+        return settle_small(row, &exponents, numbers);
+    }
+    let common = largest + found.cast_signed() - BITS.cast_signed();
+    for ((to, number), exponent) in numbers.iter_mut().zip(row).zip(exponents) {
+        *to = Q15::saturate(number.round_shr(common - exponent - 1));
+    }
+    common as i16
+}
+
+/// [`settle_row`] for a row in which no number with the largest exponent is large.
+#[cold]
+#[inline(never)]
+fn settle_small(row: &[i32], exponents: &[i32], numbers: &mut [Q15]) -> i16 {
+    settle(row.iter().copied().zip(exponents.iter().copied()), numbers)
+}
+
+/// When a row is aligned to its largest exponent, its largest number must have this many bits more
+/// than are kept.
+const GUARD_BITS: u32 = 5;
+
+/// A common exponent for at most 511 numbers, each with an exponent of its own. With it, the
+/// mantissas are below 2^`bits`, and the sum of their sizes after rounding is below 2^(`bits` + 1).
+/// It is the least such exponent, except for the 256th that rounding may add.
+fn common_exponent(numbers: impl Iterator<Item = (i32, i32)> + Clone, bits: u32) -> i32 {
+    let (mut largest, mut top, mut count) = (i32::MIN, None, 0);
+    numbers.clone().for_each(|(number, exponent)| {
+        count += 1;
+        largest = largest.max(exponent);
+        if number != 0 {
+            top = top.max(Some(number.bits().cast_signed() + exponent));
+        }
+    });
+    let Some(top) = top else { return 0 };
+    let guard = guard(count);
+    let at = |reference: i32| {
+        let (mut most, mut sum) = (0, 0);
+        numbers.clone().for_each(|(number, exponent)| {
+            let aligned = number.max(-number).floor_shr(exponent - reference);
+            most = most.max(aligned);
+            sum += aligned.floor_shr(-guard.cast_signed());
+        });
+        row_bits(most, sum, count, guard)
+    };
+    // If no number with the largest exponent is large, align all of them so that they fill their
+    // bits.
+    let found = at(largest);
+    let (reference, found) = if found >= bits + GUARD_BITS {
+        (largest, found)
+    } else {
+        let reference = top - 31;
+        (reference, at(reference))
+    };
+    reference + found.cast_signed() - bits.cast_signed()
+}
+
+/// By how many bits sizes are shifted right so that `count` of them, plus a 256th, fit in a sum.
+#[inline(always)]
+fn guard(count: i32) -> u32 {
+    (count + (count >> 8)).bits()
+}
+
+/// The least n such that the sizes are below 2^n, and their sum, including the error of rounding,
+/// is below 2^(n + 1). `either` is the largest size, or the bitwise OR of all sizes; `sum` is the
+/// sum of `count` sizes, each shifted right by [`guard`].
+#[inline(always)]
+fn row_bits(either: i32, sum: i32, count: i32, guard: u32) -> u32 {
+    // Each size was rounded down.
+    let sum = sum + sum.floor_shr(-8) + count;
+    let half = guard - 1;
+    sum.max(either.floor_shr(-half.cast_signed())).bits() + half
 }

@@ -1,7 +1,8 @@
 //! Baked maps of `i16` texels, for machines without floating-point hardware. Look-ups use integers.
 
-use super::{MapPoint, Q15};
+use super::{Exposure, MapPoint, Q15};
 use crate::bake::{check_size, four};
+use crate::color::Rgb;
 use crate::error::{Argument, Error};
 use crate::scene::Scene;
 
@@ -174,4 +175,48 @@ impl<B: AsRef<[i16]>> BakedMap<B> {
 #[inline]
 fn between(a: i32, b: i32, way: i32) -> i32 {
     a + (((b - a) * way + (1 << 14)) >> 15)
+}
+
+impl<C> Rgb<Scene<'_, C>> {
+    /// [`Scene::bake_integers_into`] in each channel; the same errors.
+    ///
+    /// ```
+    /// # #[cfg(feature = "presets")] {
+    /// use eigenshade::presets::{light::LOBBY, material::GOLD_METALLIC_PAINT};
+    /// use eigenshade::{Q15, Rgb, q15, sphere};
+    ///
+    /// let scene = sphere::color::scene(LOBBY, GOLD_METALLIC_PAINT)?;
+    /// let map = scene.bake_integers_into(32, Rgb::gray([0; 32 * 32]))?;
+    /// let exposure = map.exposure_by_factor(1.5)?;
+    /// let color = exposure.of(map.bilinear(q15::MapPoint::new(Q15(0), Q15(0))));
+    /// assert!(color.r > color.b);
+    /// # }
+    /// # Ok::<(), eigenshade::Error>(())
+    /// ```
+    pub fn bake_integers_into<B: AsMut<[i16]>>(
+        &self,
+        size: usize,
+        texels: Rgb<B>,
+    ) -> Result<Rgb<BakedMap<B>>, Error>
+    where
+        C: AsRef<[f32]>,
+    {
+        let channels = self.each_ref().zip(texels);
+        channels.try_map(|(scene, texels)| scene.bake_integers_into(size, texels))
+    }
+}
+
+impl<B: AsRef<[i16]>> Rgb<BakedMap<B>> {
+    /// [`BakedMap::bilinear`] in each channel.
+    #[inline]
+    #[must_use]
+    pub fn bilinear(&self, point: MapPoint) -> Rgb<i32> {
+        self.each_ref().map(|map| map.bilinear(point))
+    }
+
+    /// The exposure that multiplies the irradiances of the mantissas by a factor, channel by
+    /// channel; errors as [`Exposure::new`].
+    pub fn exposure_by_factor(&self, factor: f32) -> Result<Rgb<Exposure>, Error> {
+        self.each_ref().try_map(|map| Exposure::new(factor, map.exponent()))
+    }
 }

@@ -1,13 +1,12 @@
 //! A fixed-point basis, whose shape and bounds were checked.
 
 use super::Q15;
-use super::transfer::Transfer;
+use crate::basis::signs;
 use crate::error::{Argument, Error};
 use crate::index::record::integers;
 pub use crate::index::record::integers::Profile;
 use crate::index::{layout, pair};
-use crate::scene::signs;
-use crate::specialized::tail;
+use crate::known_table::tail;
 
 /// The arrays of a basis: [`Basis::new`] checks that they are consistent.
 pub type Parts<'a> = integers::Parts<'a, Q15>;
@@ -155,38 +154,6 @@ impl<'a> Basis<'a> {
         Ok(basis)
     }
 
-    /// A transfer of these numbers, checked once for this basis. The function is `const`, so the
-    /// transfer can initialize a static.
-    ///
-    /// # Errors
-    ///
-    /// [`Error::Length`] unless there are [`transfer_len`](Self::transfer_len) numbers and
-    /// [`profiles`](Self::profiles) exponents, [`Error::Bound`] if a row sums to
-    /// 2^16 or more.
-    pub const fn checked_transfer<'t>(
-        &self,
-        numbers: &'t [Q15],
-        exponents: &'t [i16],
-    ) -> Result<Transfer<'t>, Error> {
-        let lengths = [
-            Error::check(Argument::Transfer, self.transfer_len(), numbers.len()),
-            Error::check(Argument::Transfer, self.profiles(), exponents.len()),
-        ];
-        if let [Err(error), _] | [_, Err(error)] = lengths {
-            return Err(error);
-        }
-        let (mut rest, mut profiles) = (numbers, self.parts.profiles);
-        while let [profile, others @ ..] = profiles {
-            let length = self.parts.degree + 1 - profile.azimuth();
-            let Some((row, tail)) = rest.split_at_checked(length) else { break };
-            if !Self::bounds(row) {
-                return Err(Error::Bound);
-            }
-            (rest, profiles) = (tail, others);
-        }
-        Ok(Transfer { numbers, exponents, bounded: true })
-    }
-
     const fn largest(row: &[Q15]) -> u64 {
         let (mut largest, mut numbers) = (0, row);
         while let [Q15(number), others @ ..] = numbers {
@@ -198,7 +165,7 @@ impl<'a> Basis<'a> {
     }
 
     /// Whether the absolute values of a row sum to less than 2^16.
-    const fn bounds(row: &[Q15]) -> bool {
+    pub(crate) const fn bounds(row: &[Q15]) -> bool {
         let (mut sum, mut numbers) = (0_u64, row);
         while let [Q15(number), others @ ..] = numbers {
             sum += number.unsigned_abs() as u64;

@@ -1,8 +1,8 @@
 //! Exposure in integers: from mantissas to multiples of white.
 
 use crate::color::Rgb;
+use crate::display::{Linear, POINT};
 use crate::error::{Argument, Error};
-use crate::exposure::{Linear, POINT};
 
 /// Exposes irradiances in integers: a mantissa of a scene becomes a [`Linear`].
 ///

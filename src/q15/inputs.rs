@@ -1,8 +1,8 @@
-//! Lights and materials, and normals, in fixed point.
+//! Lights and materials in fixed point.
 
 use super::Q15;
 use super::arithmetic::{BITS, Shift as _};
-use crate::checked_slice::{part, part_mut, split_mut, split_row};
+use crate::checked_slice::{part, part_mut};
 use crate::color::Rgb;
 use crate::error::{Argument, Error};
 use crate::index::material::count;
@@ -114,6 +114,27 @@ impl<const N: usize, const O: usize> MaterialBuffer<N, O> {
     }
 }
 
+impl<const N: usize, const O: usize> Rgb<MaterialBuffer<N, O>> {
+    /// The materials in these buffers; errors as [`Material::new`].
+    pub fn materials(&self) -> Result<Rgb<Material<'_>>, Error> {
+        self.each_ref().try_map(MaterialBuffer::material)
+    }
+}
+
+impl<'a> From<Light<'a>> for Rgb<Light<'a>> {
+    #[inline]
+    fn from(gray: Light<'a>) -> Self {
+        Self::gray(gray)
+    }
+}
+
+impl<'a> From<Material<'a>> for Rgb<Material<'a>> {
+    #[inline]
+    fn from(gray: Material<'a>) -> Self {
+        Self::gray(gray)
+    }
+}
+
 impl<'a> Light<'a> {
     /// Writes the mantissas of a light into `to`, in integer arithmetic throughout.
     ///
@@ -149,14 +170,7 @@ impl<'a> Material<'a> {
         Error::check(Argument::Material, from.len(), to.len())?;
         Error::check(Argument::Material, order + 1, exponents.len())?;
         check_finite(Argument::Material, from)?;
-        let (mut from, mut rest) = (from, &mut *to);
-        for (o, exponent) in exponents.iter_mut().enumerate() {
-            let count = (o / 2 + 1) * (o / 2 + 2) / 2;
-            let (of_order, after) = split_row(from, count);
-            let (places, places_after) = split_mut(rest, count);
-            *exponent = quantize(of_order, places).clamp(-127, 127) as i8;
-            (from, rest) = (after, places_after);
-        }
+        quantize_orders(from, to, exponents);
         Ok(Self { order, exponents, mantissas: to })
     }
 
@@ -257,94 +271,67 @@ pub(crate) fn mantissas(from: impl Iterator<Item = (i32, i32)> + Clone, to: &mut
 }
 
 /// [`mantissas`] of floats. Not inlined: lights and materials share it, which keeps modules small.
+/// The compiler computes the presets with it, so it has neither iterators nor traits.
 #[inline(never)]
-fn quantize(from: &[f32], to: &mut [Q15]) -> i32 {
-    mantissas(from.iter().map(|&number| decoded(number)), to)
-}
-
-/// One visible unit normal: x to the right, y up, z >= 0 toward the camera. The components are
-/// fractions of 2^15.
-#[derive(Clone, Copy, Debug, PartialEq)]
-#[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct Normal {
-    pub(crate) x: Q15,
-    pub(crate) y: Q15,
-    pub(crate) z: Q15,
-}
-
-impl Normal {
-    /// The normal with these components, as they are. The length must be 1 to within one part in
-    /// 2,000, because sums of integers could overflow. [`new`](Self::new) scales a vector of any
-    /// length.
-    ///
-    /// # Errors
-    ///
-    /// [`Error::NotUnit`] if the length is not 1, [`Error::Hidden`] if z < 0.
-    #[inline]
-    pub const fn from_unit(x: Q15, y: Q15, z: Q15) -> Result<Self, Error> {
-        const ONE: u32 = 1 << (2 * BITS);
-        let (a, b, c) = (x.0.unsigned_abs(), y.0.unsigned_abs(), z.0.unsigned_abs());
-        let (a, b, c) = (a as u32, b as u32, c as u32);
-        let square = a * a + b * b + c * c;
-        if square < ONE - ONE / 1_000 || square > ONE + ONE / 1_000 {
-            Err(Error::NotUnit)
-        } else if z.0 < 0 {
-            Err(Error::Hidden)
-        } else {
-            Ok(Self { x, y, z })
+const fn quantize(from: &[f32], to: &mut [Q15]) -> i32 {
+    let (mut top, mut rest) = (LEAST_TOP, from);
+    while let [number, others @ ..] = rest {
+        let (size, of_number) = decoded(*number);
+        let bits = i32::BITS - size.unsigned_abs().leading_zeros();
+        let of_number = of_number + bits.cast_signed();
+        if size != 0 && of_number > top {
+            top = of_number;
         }
+        rest = others;
     }
+    let exponent = top - BITS.cast_signed();
+    let (mut from, mut to) = (from, to);
+    while let ([number, numbers @ ..], [place, places @ ..]) = (from, to) {
+        let (size, of_number) = decoded(*number);
+        // At least 9: the significand of the largest number has 24 bits, or the exponent is the
+        // least one.
+        let right = exponent - of_number;
+        let rounded = if right > 31 { 0 } else { ((size >> (right - 1)) + 1) >> 1 };
+        *place = Q15(match rounded {
+            32_768 => 32_767,
+            -32_768 => -32_767,
+            _ => rounded as i16,
+        });
+        (from, to) = (numbers, places);
+    }
+    exponent
+}
 
-    /// The normal in the direction (x, y, z), integers of any scale. The vector is scaled to length
-    /// 1, with an error of at most one unit in each component.
-    ///
-    /// A vector that points away from the camera by no more than 1/8 is moved to the rim. For an
-    /// 8-bit normal map, pass 2c - 255 for each channel c.
-    ///
-    /// Cost: a root and three divisions in 64 bits, suitable for reading maps but not for each
-    /// pixel.
-    ///
-    /// ```
-    /// use eigenshade::q15::Normal;
-    /// use eigenshade::{Error, Q15};
-    ///
-    /// let [x, y, z] = [218, 127, 218].map(|c| 2 * c - 255);
-    /// assert_eq!(Normal::new(x, y, z)?.components(), [23_170, -128, 23_170].map(Q15));
-    /// assert_eq!(Normal::new(4, 3, 0)?, Normal::new(400, 300, -50)?);
-    /// assert_eq!(Normal::new(4, 3, -1), Err(Error::Hidden));
-    /// # Ok::<(), Error>(())
-    /// ```
-    ///
-    /// # Errors
-    ///
-    /// [`Error::Normal`] if all three components are 0, [`Error::Hidden`] if z < -1/8 after
-    /// scaling.
-    pub fn new(x: i32, y: i32, z: i32) -> Result<Self, Error> {
-        let sizes = [x, y, z].map(|c| u64::from(c.max(-i32::MAX).unsigned_abs()));
-        let [a, b, c] = sizes;
-        // The largest component gets 31 bits, so the squares sum to less than 2^64.
-        let shift = (a | b | c).leading_zeros() - 33;
-        let [xx, yy, zz] = sizes.map(|size| (size << shift) * (size << shift));
-        let length = (xx + yy + zz).isqrt();
-        let is_behind = z < 0;
-        if is_behind && c << (shift + 3) > length {
-            return Err(Error::Hidden);
-        }
-        let (c, length) = if is_behind { (0, (xx + yy).isqrt()) } else { (c, length) };
-        let scaled = |component: i32, size: u64| {
-            let rounded = ((size << (shift + BITS)) + length / 2).checked_div(length)?;
-            let size = i32::try_from(rounded).unwrap_or(i32::MAX);
-            Some(Q15::saturate(if component < 0 { -size } else { size }))
+/// [`quantize`] of each order of a material.
+const fn quantize_orders(from: &[f32], to: &mut [Q15], exponents: &mut [i8]) {
+    let (mut from, mut to, mut exponents, mut o) = (from, to, exponents, 0);
+    while let [exponent, others @ ..] = exponents {
+        let count = (o / 2 + 1) * (o / 2 + 2) / 2;
+        let (Some((of_order, numbers)), Some((places, rest))) =
+            (from.split_at_checked(count), to.split_at_mut_checked(count))
+        else {
+            return;
         };
-        match (scaled(x, a), scaled(y, b), scaled(z, c)) {
-            (Some(x), Some(y), Some(z)) => Ok(Self { x, y, z }),
-            _ => Err(Error::Normal),
-        }
+        // From -111 to 113.
+        *exponent = quantize(of_order, places) as i8;
+        (from, to, exponents, o) = (numbers, rest, others, o + 1);
     }
+}
 
-    /// The components x, y and z.
-    #[must_use]
-    pub const fn components(self) -> [Q15; 3] {
-        [self.x, self.y, self.z]
+/// The exponent and the mantissas of a light, as the compiler computes them.
+#[cfg(feature = "presets")]
+pub(crate) const fn quantized_light<const N: usize>(from: &[f32]) -> (i32, [Q15; N]) {
+    let mut mantissas = [Q15(0); N];
+    let exponent = quantize(from, &mut mantissas);
+    (exponent, mantissas)
+}
+
+#[cfg(feature = "presets")]
+impl<const N: usize, const O: usize> MaterialBuffer<N, O> {
+    /// The exponents and the mantissas of a material, as the compiler computes them.
+    pub(crate) const fn quantized(from: &[f32]) -> Self {
+        let mut material = Self { exponents: [0; O], mantissas: [Q15(0); N] };
+        quantize_orders(from, &mut material.mantissas, &mut material.exponents);
+        material
     }
 }

@@ -40,13 +40,14 @@ mod about_view;
 mod arithmetic;
 mod baked_map;
 mod basis;
+mod collapse;
 mod estimate;
 mod exposure;
 mod highlights;
 mod inputs;
 mod map_point;
 mod nine_terms;
-mod pixel;
+mod normal;
 mod relight;
 mod rotation;
 mod scene;
@@ -55,22 +56,18 @@ mod tabulated;
 mod transfer;
 mod turn;
 
-/// Kernels for tables that are known when the program is compiled: `integer_table!` calls them,
-/// once for each azimuth. They compute the same bits as the methods of a [`Basis`] and a [`Scene`],
-/// with constants for all sizes and positions.
+/// The items that `integer_table!` names, in files of the steps. Its kernels compute the same bits as
+/// the methods of a [`Basis`] and a [`Scene`], with constants for all sizes and positions.
 #[doc(hidden)]
 pub mod kernels {
-    pub mod collapse;
-    pub mod transfer;
-
-    /// Relighting, part by part.
-    pub mod relight {
-        pub use crate::q15::relight::{
-            NONE, align, azimuth, coefficients, common, exponent, inputs,
-        };
-    }
-
-    pub use crate::q15::pixel::Pixel;
+    pub use super::collapse::{Shifts, Size, azimuths, collapse_azimuth, finish, mantissas};
+    pub use super::relight::{
+        NONE, align, coefficients, common, exponent, inputs, relight_azimuth,
+    };
+    pub use super::scene::{Pixel, blank_scene, terms, terms_mut};
+    pub use super::transfer::{
+        Degree, Orders, accept_material, transfer_azimuth, transfer_numbers, weighted_coefficients,
+    };
 }
 
 pub use crate::index::record::Q15;
@@ -79,11 +76,12 @@ pub use basis::{Basis, Parts, Profile};
 pub use estimate::Estimate;
 pub use exposure::Exposure;
 pub use highlights::{Highlights, Irradiance, Lobe};
+pub use inputs::{Light, Material, MaterialBuffer};
 #[cfg(feature = "presets")]
-pub(crate) use inputs::{LEAST_TOP, decoded, mantissas};
-pub use inputs::{Light, Material, MaterialBuffer, Normal};
+pub(crate) use inputs::{mantissas, quantized_light};
 pub use map_point::MapPoint;
 pub use nine_terms::NineTerms;
+pub use normal::Normal;
 pub use relight::Coefficients;
 pub use rotation::Rotation;
 pub use scene::Scene;

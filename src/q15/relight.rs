@@ -7,7 +7,7 @@ use crate::buffer::{Buffer, zeros};
 use crate::checked_slice::{part, split_row};
 use crate::error::{Argument, Error};
 use crate::index::light;
-use crate::specialized::{KnownTable, at};
+use crate::known_table::{KnownTable, at};
 
 /// The coefficients d of one image, component by component. The mantissas are at most 2^30 in size
 /// and are multiplied by 2^exponent, which is at most 2^16 in size.
@@ -51,6 +51,38 @@ pub(crate) fn check_exponent(exponent: i32) -> Result<(), Error> {
 const BITS: i32 = 30;
 
 impl Basis<'_> {
+    /// A transfer of these numbers, checked once for this basis. The function is `const`, so the
+    /// transfer can initialize a static.
+    ///
+    /// # Errors
+    ///
+    /// [`Error::Length`] unless there are [`transfer_len`](Self::transfer_len) numbers and
+    /// [`profiles`](Self::profiles) exponents, [`Error::Bound`] if a row sums to
+    /// 2^16 or more.
+    pub const fn checked_transfer<'t>(
+        &self,
+        numbers: &'t [Q15],
+        exponents: &'t [i16],
+    ) -> Result<Transfer<'t>, Error> {
+        let lengths = [
+            Error::check(Argument::Transfer, self.transfer_len(), numbers.len()),
+            Error::check(Argument::Transfer, self.profiles(), exponents.len()),
+        ];
+        if let [Err(error), _] | [_, Err(error)] = lengths {
+            return Err(error);
+        }
+        let (mut rest, mut profiles) = (numbers, self.parts.profiles);
+        while let [profile, others @ ..] = profiles {
+            let length = self.parts.degree + 1 - profile.azimuth();
+            let Some((row, tail)) = rest.split_at_checked(length) else { break };
+            if !Self::bounds(row) {
+                return Err(Error::Bound);
+            }
+            (rest, profiles) = (tail, others);
+        }
+        Ok(Transfer { numbers, exponents, bounded: true })
+    }
+
     /// Computes d for a new light on a material whose transfer is known.
     ///
     /// `K` must be at least [`components`](Self::components).
@@ -149,7 +181,7 @@ pub fn inputs<'a, const T: usize, const P: usize>(
 /// Computes the sums of azimuth `M`: for each of its profiles. Not inlined: several copies in one
 /// function need too many addresses.
 #[inline(never)]
-pub fn azimuth<
+pub fn relight_azimuth<
     B: KnownTable<Basis<'static>>,
     const M: usize,
     const T: usize,

@@ -1,19 +1,12 @@
-//! One image in fixed point, with the components of each azimuth summed,
-//! I(n) = Σ_m Re/Im (n_x + i n_y)^m H_m(n_z), and the irradiance of a normal.
+//! One image in fixed point, and the irradiance of a normal: I(n) = Σ_m Re/Im (n_x + i n_y)^m
+//! H_m(n_z), azimuth by azimuth.
 
-use super::arithmetic::{SUM_SHIFT, Shift as _, TERM_BITS, WEIGHT_BITS, weigh};
-use super::pixel::Pixel;
-use super::relight::check_exponent;
-use super::{Basis, Normal, Profile};
-use crate::buffer::{Buffer, zeros};
-use crate::checked_slice::{split, split_mut, split_row};
+use super::arithmetic::{self, argument, argument_times, dot, halved, of_value, product};
+use super::{Basis, Normal};
+use crate::checked_slice::{part, split_row};
 use crate::error::{Argument, Error};
-use crate::specialized::shade_each;
-use core::ops::{Add, Shr};
-
-/// Number of low bits of d that [`size`] drops. The rest has at most 16 bits and so does the value
-/// that a profile states, so their product fits into 32 bits.
-const UNIT: u32 = 16;
+use crate::known_table::{KnownTable, at};
+use crate::shade::slice::shade_each;
 
 /// One image: `buffer` holds the polynomials of +m and -m for each azimuth |m|, all to be
 /// multiplied by 2^exponent.
@@ -26,82 +19,6 @@ pub struct Scene<'a, B> {
 }
 
 impl<'a> Basis<'a> {
-    /// Sums the components of each azimuth.
-    ///
-    /// `N` must be at least [`scene_len`](Self::scene_len). `mantissas` and `exponent` belong to
-    /// the leading components; missing ones count as zero. Any mantissas are accepted, but the
-    /// resolution of the scene is never finer than for mantissas of size 2^16.
-    ///
-    /// # Errors
-    ///
-    /// [`Error::Length`] if there are more coefficients than components, [`Error::Exponent`] if
-    /// |exponent| is above 2^16, which no light on a material reaches, [`Error::Capacity`] if `N`
-    /// is too small.
-    pub fn collapse<const N: usize>(
-        &self,
-        mantissas: &[i32],
-        exponent: i32,
-    ) -> Result<Scene<'a, Buffer<i32, N>>, Error> {
-        let buffer = zeros::<i32, N>(Argument::Scene, self.scene_len())?;
-        self.collapse_into(mantissas, exponent, buffer)
-    }
-
-    /// [`collapse`](Self::collapse) into a buffer that the caller provides, of length
-    /// [`scene_len`](Self::scene_len).
-    ///
-    /// # Errors
-    ///
-    /// [`Error::Length`] if there are more coefficients than components, or if the buffer has
-    /// another length; [`Error::Exponent`] as for `collapse`.
-    pub fn collapse_into<B: AsMut<[i32]>>(
-        &self,
-        mantissas: &[i32],
-        exponent: i32,
-        mut buffer: B,
-    ) -> Result<Scene<'a, B>, Error> {
-        let sums = buffer.as_mut();
-        Error::check(Argument::Scene, self.scene_len(), sums.len())?;
-        Error::check_components(self.components(), mantissas.len())?;
-        check_exponent(exponent)?;
-        sums.fill(0);
-        let bits = self.size(mantissas);
-        let (mut terms, mut profiles, mut rest) = (self.parts.terms, self.parts.profiles, sums);
-        for (azimuth, &length) in self.parts.lengths.iter().enumerate() {
-            let (block, others) = of_azimuth(profiles, azimuth);
-            profiles = others;
-            let finer = finer(bits, bits_of(step(mantissas, block)));
-            let (base, mut rows) = (base(bits) + finer.cast_signed(), terms);
-            for is_minus in [false, true] {
-                if is_minus && azimuth == 0 {
-                    continue;
-                }
-                let length = usize::from(length);
-                let (polynomial, after) = split_mut(rest, length);
-                (rest, rows) = (after, terms);
-                let mut either = 0;
-                for profile in block {
-                    let (row, after) = split(rows, length);
-                    rows = after;
-                    let component = if is_minus { profile.minus } else { profile.plus };
-                    let d = mantissas.get(usize::from(component)).copied().unwrap_or(0);
-                    let weight = weight(d, base + i32::from(profile.exponent));
-                    either |= weight;
-                    // Φ_-m = √2 sin(-mβ) = -√2 Im (n_x + i n_y)^m / sin^m.
-                    let weight = if is_minus { weight.wrapping_neg() } else { weight };
-                    for (sum, term) in polynomial.iter_mut().zip(row) {
-                        *sum = sum.wrapping_add(weigh(*term, weight));
-                    }
-                }
-                if either != 0 {
-                    round(polynomial, SUM_SHIFT + finer, azimuth == 0);
-                }
-            }
-            terms = rows;
-        }
-        let to = exponent + bits - TERM_BITS.cast_signed();
-        Ok(Scene { lengths: self.parts.lengths, exponent: to, buffer })
-    }
-
     /// The scene of polynomials and an exponent that were collapsed earlier and stored. The
     /// irradiances are meaningless for any other numbers.
     ///
@@ -113,118 +30,24 @@ impl<'a> Basis<'a> {
         Error::check(Argument::Scene, self.scene_len(), buffer.as_ref().len())?;
         Ok(Scene { lengths: self.parts.lengths, exponent, buffer })
     }
-
-    /// The least n such that no step of a pixel's polynomials, none of their terms and no
-    /// irradiance exceeds 2^n in units of these coefficients, with a margin of one sixty-fourth for
-    /// rounding and for normals that are not quite of unit length. Each of these is a sum over
-    /// components, and each component contributes at most |d| times the value that the table states
-    /// for its profile.
-    fn size(&self, mantissas: &[i32]) -> i32 {
-        let mut profiles = self.parts.profiles;
-        let [plus, minus] = SIGNS.map(|sign| sum(mantissas, profiles, sign, |one| one.size));
-        let mut largest = plus + minus;
-        for azimuth in 0..=self.degree() {
-            let (block, others) = of_azimuth(profiles, azimuth);
-            largest = largest.max(step(mantissas, block));
-            profiles = others;
-        }
-        bits_of(largest)
-    }
 }
 
-/// The profiles of this azimuth, which come first, and the others.
-fn of_azimuth(profiles: &[Profile], azimuth: usize) -> (&[Profile], &[Profile]) {
-    let of_azimuth = |profile: &&Profile| usize::from(profile.azimuth) == azimuth;
-    let count = profiles.iter().take_while(of_azimuth).count();
-    split_row(profiles, count)
-}
-
-/// The components of a profile for +m and for -m.
-const SIGNS: [fn(&Profile) -> u16; 2] = [|profile| profile.plus, |profile| profile.minus];
-
-/// The largest term or step of the polynomials of one azimuth.
-fn step(mantissas: &[i32], profiles: &[Profile]) -> u64 {
-    let [plus, minus] = SIGNS.map(|sign| sum(mantissas, profiles, sign, |profile| profile.step));
-    plus.max(minus)
-}
-
-/// Sums the sizes of d times the values that the profiles state.
-fn sum(
-    mantissas: &[i32],
-    profiles: &[Profile],
-    component: impl Fn(&Profile) -> u16,
-    stated: impl Fn(&Profile) -> u16,
-) -> u64 {
-    let products = profiles.iter().map(|profile| {
-        let d = mantissas.get(usize::from(component(profile))).copied().unwrap_or(0);
-        u64::from(size(d) * u32::from(stated(profile)))
-    });
-    products.sum()
-}
-
-/// By how many bits an azimuth's weights can be finer, because its terms have fewer bits.
+/// A scene of this basis, all zero.
 #[inline(always)]
-pub(crate) fn finer(bits: i32, of_azimuth: i32) -> u32 {
-    (bits - of_azimuth).cast_unsigned().min(FINEST)
+pub const fn blank_scene<'a, const N: usize>(basis: &Basis<'a>) -> Scene<'a, [i32; N]> {
+    Scene { lengths: basis.parts.lengths, exponent: 0, buffer: [0; N] }
 }
 
-/// The upper limit of [`finer`].
-pub(crate) const FINEST: u32 = 2;
-
-/// The size of d: |d| in units of 2^[`UNIT`], rounded up.
+/// The terms of a scene.
 #[inline(always)]
-pub(crate) fn size(d: i32) -> u32 {
-    (d.unsigned_abs() + ((1 << UNIT) - 1)) >> UNIT
+pub const fn terms<'s, const N: usize>(scene: &'s Scene<'_, [i32; N]>) -> &'s [i32; N] {
+    &scene.buffer
 }
 
-/// Number of bits of the largest step, term or irradiance, in sixteenths of 2^[`UNIT`].
-#[inline]
-pub(crate) fn bits_of(largest: u64) -> i32 {
-    let bits = u64::BITS - with_margin(largest).leading_zeros();
-    bits.cast_signed() - 4 + UNIT.cast_signed()
-}
-
-/// The largest step, term or irradiance, plus a margin for the error of that bound.
+/// The terms of a scene, to be overwritten.
 #[inline(always)]
-pub(crate) fn with_margin<N>(largest: N) -> N
-where
-    N: Copy + Add<Output = N> + Shr<u32, Output = N>,
-{
-    // A normal may be a two-thousandth too long, which makes (n_x + i n_y)^m too large by the mth
-    // power. The sixty-fourth covers this up to m = 24, twice the largest degree.
-    largest + (largest >> 6)
-}
-
-/// The shift from d to the weight of a component is this number plus the exponent of its profile.
-/// `bits` is the number of bits of the scene's terms, in units of d.
-#[inline(always)]
-pub(crate) fn base(bits: i32) -> i32 {
-    (WEIGHT_BITS + TERM_BITS).cast_signed() - bits
-}
-
-/// d 2^`by`, rounded.
-#[inline]
-fn weight(d: i32, by: i32) -> i32 {
-    // The shift may be anything for a profile of size zero.
-    if by >= 0 { d << by.min(31) } else { d.shifted(by) }
-}
-
-/// Scales the sums of weighted terms. A step of Horner's rule rounds down, by half a unit on
-/// average, so every term that is added to such a step is rounded up by as much. The first term is
-/// not added to any step, and the last term of m = 0 is added to a step that is not rounded.
-#[inline]
-fn round(polynomial: &mut [i32], by: u32, is_constant: bool) {
-    let last = polynomial.len().saturating_sub(1);
-    for (k, sum) in polynomial.iter_mut().enumerate() {
-        let nearest = k == 0 || (is_constant && k == last);
-        *sum = sum.wrapping_add(half_or_one(nearest, by)) >> by;
-    }
-}
-
-/// The number added before a shift: half a unit to round to the nearest, otherwise one unit.
-#[inline(always)]
-pub(crate) fn half_or_one(nearest: bool, by: u32) -> i32 {
-    (1 << by) >> u32::from(nearest)
+pub const fn terms_mut<'s, const N: usize>(scene: &'s mut Scene<'_, [i32; N]>) -> &'s mut [i32; N] {
+    &mut scene.buffer
 }
 
 impl<B: AsRef<[i32]>> Scene<'_, B> {
@@ -279,4 +102,80 @@ impl<B> Scene<'_, B> {
     pub const fn exponent(&self) -> i32 {
         self.exponent
     }
+}
+
+/// A pixel in progress: the sum so far, and (n_x + i n_y)^m for the next m.
+#[derive(Clone, Copy, Debug)]
+pub struct Pixel {
+    normal: Normal,
+    t: i32,
+    cosine: i32,
+    sine: i32,
+    sum: i32,
+}
+
+impl Pixel {
+    /// Starts with the polynomial of m = 0.
+    #[inline(always)]
+    pub(crate) fn new(polynomial: &[i32], normal: Normal) -> Self {
+        let t = argument(normal.z);
+        // The last step of m = 0 needs no rounding.
+        let (last, first) = polynomial.split_last().unwrap_or((&0, &[]));
+        let sum = product(value(first, t), t).wrapping_add(of_value(*last));
+        Self { normal, t, cosine: halved(normal.x), sine: halved(normal.y), sum }
+    }
+
+    /// Adds the polynomials of +m and -m, and moves to m + 1.
+    #[inline(always)]
+    pub(crate) fn add(self, plus: &[i32], minus: &[i32]) -> Self {
+        let Self { normal: Normal { x, y, .. }, t, cosine, sine, sum } = self;
+        let plus = product(value(plus, t), cosine);
+        let minus = product(value(minus, t), sine);
+        Self {
+            cosine: dot(cosine, x, -sine, y),
+            sine: dot(cosine, y, sine, x),
+            sum: sum.wrapping_add(plus).wrapping_add(minus),
+            ..self
+        }
+    }
+
+    /// Starts with m = 0 of a scene of `B`.
+    #[inline(always)]
+    pub fn start<B: KnownTable<Basis<'static>>, const N: usize>(
+        terms: &[i32; N],
+        normal: Normal,
+    ) -> Self {
+        let length = const { B::BASIS.length(0) };
+        Self::new(part(terms, ..length), normal)
+    }
+
+    /// Adds azimuth `M` of a scene of `B`.
+    #[inline(always)]
+    pub fn azimuth<B: KnownTable<Basis<'static>>, const M: usize, const N: usize>(
+        self,
+        terms: &[i32; N],
+    ) -> Self {
+        let start = const { at(B::BASIS.parts.azimuths, M).start as usize };
+        let length = const { B::BASIS.length(M) };
+        let [plus, minus] = [start, start + length].map(|start| part(terms, start..start + length));
+        self.add(plus, minus)
+    }
+
+    /// The irradiance.
+    #[inline(always)]
+    pub fn irradiance(self) -> i32 {
+        arithmetic::sum(self.sum)
+    }
+}
+
+/// The value of a polynomial by Horner's rule, with each step rounded down. No step overflows for a
+/// table; the steps of a table that states its sizes too small may wrap.
+#[inline(always)]
+fn value(terms: &[i32], t: i32) -> i32 {
+    let Some((&first, rest)) = terms.split_first() else { return 0 };
+    let mut sum = first;
+    for &term in rest {
+        sum = argument_times(sum, t).wrapping_add(term);
+    }
+    sum
 }

@@ -43,7 +43,7 @@ macro_rules! integer_table {
             /// A black image, to be overwritten.
             #[inline(always)]
             fn default() -> Self {
-                Self($crate::q15::kernels::collapse::blank_scene(&BASIS))
+                Self($crate::q15::kernels::blank_scene(&BASIS))
             }
         }
         impl color::Scene {
@@ -83,13 +83,13 @@ macro_rules! integer_table {
     (transfer scatter $([$p:literal $q:literal $($o:literal)*])*
         azimuths $($azimuth:literal)*) => {
         $crate::integer_table!(@transfer |material, transfer| {
-            use $crate::q15::kernels::transfer as kernels;
-            kernels::accept(ORDER, material)?;
-            let (numbers, exponents) = kernels::numbers(transfer)?;
+            use $crate::q15::kernels;
+            kernels::accept_material(ORDER, material)?;
+            let (numbers, exponents) = kernels::transfer_numbers(transfer)?;
             let orders = kernels::Orders::<ORDERS>::of(material);
             let mut b = [0; MODES];
             $crate::specialized::whole(material.mantissas(), |mantissas| {
-                b = kernels::coefficients(mantissas);
+                b = kernels::weighted_coefficients(mantissas);
             });
             let (mut sums, mut of_sums) = ([[0; PAIRS]; DEGREES], [0; DEGREES]);
             for (l, (sums, exponent)) in sums.iter_mut().zip(&mut of_sums).enumerate() {
@@ -98,7 +98,7 @@ macro_rules! integer_table {
                 scatter(degree, &b, sums);
                 *exponent = degree.normalize(sums);
             }
-            $(kernels::azimuth::<
+            $(kernels::transfer_azimuth::<
                 This, $azimuth, { DEGREES - $azimuth }, PAIRS, DEGREES,
                 TRANSFER, PROFILES,
             >(&sums, &of_sums, (&mut *numbers, &mut *exponents));)*
@@ -107,7 +107,7 @@ macro_rules! integer_table {
         /// The sums S of one degree.
         #[inline(never)]
         fn scatter(
-            degree: &$crate::q15::kernels::transfer::Degree<PAIRS, ORDERS>,
+            degree: &$crate::q15::kernels::Degree<PAIRS, ORDERS>,
             b: &[i32; MODES],
             sums: &mut [i32; PAIRS],
         ) {
@@ -177,7 +177,7 @@ macro_rules! integer_table {
             light: &$crate::q15::Light<'_>,
             coefficients: &mut Coefficients,
         ) -> Result<(), $crate::Error> {
-            use $crate::q15::kernels::relight as kernels;
+            use $crate::q15::kernels;
             const LIGHT: usize = (DEGREE + 1) * (DEGREE + 1);
             let (numbers, exponents) =
                 kernels::inputs::<TRANSFER, PROFILES>(&BASIS, transfer, light)?;
@@ -185,7 +185,7 @@ macro_rules! integer_table {
             let mut top = kernels::NONE;
             $crate::specialized::whole(light.mantissas(), |mantissas: &[_; LIGHT]| {
                 let inputs = (numbers, exponents, mantissas);
-                $(top = kernels::azimuth::<
+                $(top = kernels::relight_azimuth::<
                     This, $azimuth, TRANSFER, PROFILES, LIGHT, COMPONENTS,
                 >(inputs, d, top);)*
             });
@@ -197,14 +197,14 @@ macro_rules! integer_table {
     };
     (collapse $([$azimuth:literal $profiles:literal])*) => {
         $crate::integer_table!(@collapse |coefficients, scene| {
-            use $crate::q15::kernels::collapse as kernels;
+            use $crate::q15::kernels;
             const AZIMUTHS: usize = kernels::azimuths(&BASIS);
             if let Some(d) = kernels::mantissas(coefficients) {
                 let terms = kernels::terms_mut(&mut scene.0);
                 let size = kernels::Size::<AZIMUTHS>::empty()
                     $(.azimuth::<This, $azimuth, COMPONENTS>(d))*;
                 if let Some(shifts) = size.shifts::<This>() {
-                    $(kernels::azimuth::<
+                    $(kernels::collapse_azimuth::<
                         This, $azimuth, $profiles, AZIMUTHS, COMPONENTS, SCENE,
                     >(d, &shifts, terms);)*
                     kernels::finish(coefficients, &shifts, &mut scene.0);
@@ -251,7 +251,7 @@ macro_rules! integer_table {
             #[inline]
             #[must_use]
             pub fn shade(&self, normal: $crate::q15::Normal) -> i32 {
-                shade_terms($crate::q15::kernels::collapse::terms(&self.0), normal)
+                shade_terms($crate::q15::kernels::terms(&self.0), normal)
             }
             /// [`shade`](Self::shade) for many normals.
             ///

@@ -1,13 +1,13 @@
 //! The transfer of a material in fixed point: T_i,l = Σ_pq factor_i,l,pq S_l,pq with S_l,pq = Σ_o
 //! B_op^q Ĉ_lo^q, so that d_i = Σ_l T_i,l L_l^m.
 
-use super::arithmetic::{BITS, Shift as _, over_root_two};
+use super::arithmetic::{BITS, Shift as _, over_root_two, settle, settle_row};
 use super::{Basis, Material, Q15};
 use crate::buffer::{Buffer, zeros};
-use crate::checked_slice::{part, split_mut, split_row};
-use crate::checked_slice::{rows, rows_mut};
+use crate::checked_slice::{part, part_mut, rows, rows_mut, split_mut, split_row};
 use crate::error::{Argument, Error};
 use crate::index::{material, pair};
+use crate::known_table::{KnownTable, at};
 
 /// The transfer of a material: for each profile a row over l from |m| on, times 2 to its exponent.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -173,23 +173,13 @@ impl Basis<'_> {
 /// one addend for each o of a parity. The shift is at least one bit, because the kernel of a
 /// table shifts by at least one.
 #[inline(always)]
-pub(crate) fn room(order: usize) -> i32 {
+fn room(order: usize) -> i32 {
     (((order / 2 + 1) as i32).bits().cast_signed() - 1).max(1)
-}
-
-/// Rounds numbers with exponents of their own to mantissas, and returns the common exponent.
-#[inline(always)]
-pub(crate) fn settle(row: impl Iterator<Item = (i32, i32)> + Clone, numbers: &mut [Q15]) -> i16 {
-    let common = common_exponent(row.clone(), BITS);
-    for (to, (number, exponent)) in numbers.iter_mut().zip(row) {
-        *to = Q15::saturate(number.shifted(exponent - common));
-    }
-    common as i16
 }
 
 /// Σ a b. The row of factors sums to less than 2^16, so the result fits.
 #[inline(always)]
-pub(crate) fn product(factors: &[Q15], sums: &[i32]) -> i32 {
+fn product(factors: &[Q15], sums: &[i32]) -> i32 {
     let mut sum = 0;
     for (factor, &scattered) in factors.iter().zip(sums) {
         sum += factor.get() * scattered;
@@ -198,60 +188,190 @@ pub(crate) fn product(factors: &[Q15], sums: &[i32]) -> i32 {
 }
 
 /// The exponent of zeros, below the exponent of any number.
-pub(crate) const ZERO_EXPONENT: i32 = -1 << 12;
+const ZERO_EXPONENT: i32 = -1 << 12;
 
-/// When a row is aligned to its largest exponent, its largest number must have this many bits more
-/// than are kept.
-pub(crate) const GUARD_BITS: u32 = 5;
+/// The exponents of a material, order by order.
+#[derive(Clone, Copy, Debug)]
+pub struct Orders<const O: usize> {
+    own: [i8; O],
+    /// The largest exponent of each o and of the higher ones of the same parity: Ĉ of (o, q) is
+    /// multiplied by their coefficients.
+    above: [i8; O],
+}
 
-/// A common exponent for at most 511 numbers, each with an exponent of its own. With it, the
-/// mantissas are below 2^`bits`, and the sum of their sizes after rounding is below 2^(`bits` + 1).
-/// It is the least such exponent, except for the 256th that rounding may add.
-fn common_exponent(numbers: impl Iterator<Item = (i32, i32)> + Clone, bits: u32) -> i32 {
-    let (mut largest, mut top, mut count) = (i32::MIN, None, 0);
-    numbers.clone().for_each(|(number, exponent)| {
-        count += 1;
-        largest = largest.max(exponent);
-        if number != 0 {
-            top = top.max(Some(number.bits().cast_signed() + exponent));
+impl<const O: usize> Orders<O> {
+    /// The exponents of a material of up to `O` orders. Orders that it does not have are zero.
+    #[inline(never)]
+    pub fn of(material: &Material<'_>) -> Self {
+        let mut own = [i8::MIN; O];
+        for (to, &exponent) in own.iter_mut().zip(material.exponents) {
+            *to = exponent;
         }
-    });
-    let Some(top) = top else { return 0 };
-    let guard = guard(count);
-    let at = |reference: i32| {
-        let (mut most, mut sum) = (0, 0);
-        numbers.clone().for_each(|(number, exponent)| {
-            let aligned = number.max(-number).floor_shr(exponent - reference);
-            most = most.max(aligned);
-            sum += aligned.floor_shr(-guard.cast_signed());
-        });
-        row_bits(most, sum, count, guard)
-    };
-    // If no number with the largest exponent is large, align all of them so that they fill their
-    // bits.
-    let found = at(largest);
-    let (reference, found) = if found >= bits + GUARD_BITS {
-        (largest, found)
-    } else {
-        let reference = top - 31;
-        (reference, at(reference))
-    };
-    reference + found.cast_signed() - bits.cast_signed()
+        let (mut above, mut largest, mut of_others) = (own, i8::MIN, i8::MIN);
+        for exponent in above.iter_mut().rev() {
+            *exponent = largest.max(*exponent);
+            (largest, of_others) = (of_others, *exponent);
+        }
+        Self { own, above }
+    }
 }
 
-/// By how many bits sizes are shifted right so that `count` of them, plus a 256th, fit in a sum.
+/// Whether a table of this order takes a material.
+///
+/// # Errors
+///
+/// [`Error::Beyond`].
 #[inline(always)]
-pub(crate) fn guard(count: i32) -> u32 {
-    (count + (count >> 8)).bits()
+pub fn accept_material(order: usize, material: &Material<'_>) -> Result<(), Error> {
+    Error::check_beyond(Argument::Material, order, material.order)
 }
 
-/// The least n such that the sizes are below 2^n, and their sum, including the error of rounding,
-/// is below 2^(n + 1). `either` is the largest size, or the bitwise OR of all sizes; `sum` is the
-/// sum of `count` sizes, each shifted right by [`guard`].
+/// The numbers and exponents of a transfer, to be written.
+///
+/// # Errors
+///
+/// None: a buffer holds as many as its capacity.
 #[inline(always)]
-pub(crate) fn row_bits(either: i32, sum: i32, count: i32, guard: u32) -> u32 {
-    // Each size was rounded down.
-    let sum = sum + sum.floor_shr(-8) + count;
-    let half = guard - 1;
-    sum.max(either.floor_shr(-half.cast_signed())).bits() + half
+pub fn transfer_numbers<const T: usize, const E: usize>(
+    transfer: &mut TransferBuffer<T, E>,
+) -> Result<(&mut [Q15; T], &mut [i16; E]), Error> {
+    let TransferBuffer { numbers, exponents } = transfer;
+    match (numbers.filled(), exponents.filled()) {
+        (Some(numbers), Some(exponents)) => Ok((numbers, exponents)),
+        _ => Err(Error::Capacity { argument: Argument::Transfer, needed: T, capacity: T }),
+    }
+}
+
+/// The coefficients as they are multiplied: divided by √2 unless o and p are equal.
+#[inline(never)]
+pub fn weighted_coefficients<const B: usize>(mantissas: &[Q15; B]) -> [i32; B] {
+    let mut coefficients = [0; B];
+    let same = const { &same::<B>() };
+    for ((&mantissa, &same), to) in mantissas.iter().zip(same).zip(&mut coefficients) {
+        *to = if same { mantissa } else { over_root_two(mantissa) }.get();
+    }
+    coefficients
+}
+
+/// For each coefficient, whether o and p are equal.
+const fn same<const B: usize>() -> [bool; B] {
+    let (mut same, mut mode) = ([false; B], (0, 0, 0));
+    let mut rest = same.as_mut_slice();
+    while let [to, others @ ..] = rest {
+        *to = mode.0 == mode.1;
+        (rest, mode) = (others, material::following(mode));
+    }
+    same
+}
+
+/// The polar integrals of `P` pairs for one degree. For each o, `shifts` holds the shift of its
+/// products, minus one, before their own exponents are subtracted.
+#[derive(Clone, Copy, Debug)]
+pub struct Degree<const P: usize, const O: usize> {
+    polar: &'static [Q15; P],
+    exponents: &'static [i8; P],
+    shifts: [i32; O],
+    common: i32,
+}
+
+impl<const P: usize, const O: usize> Degree<P, O> {
+    /// Prepares the degree `l`.
+    #[inline(never)]
+    pub fn new<T: KnownTable<Basis<'static>>>(l: usize, orders: &Orders<O>) -> Option<Self> {
+        let polar = T::BASIS.parts.polar.as_chunks::<P>().0.get(l)?;
+        let exponents = T::BASIS.parts.polar_exponents.as_chunks::<P>().0.get(l)?;
+        let room = room(O - 1);
+        let mut rest = exponents.as_slice();
+        let mut top = i32::MIN;
+        for (o, &above) in orders.above.iter().enumerate() {
+            let (of_o, after) = rest.split_at_checked(o / 2 + 1)?;
+            rest = after;
+            let largest = of_o.iter().copied().max().unwrap_or(i8::MIN);
+            top = top.max(i32::from(above) + i32::from(largest));
+        }
+        let common = top + room;
+        let shifts = orders.own.map(|of_order| common - i32::from(of_order) - 1);
+        Some(Self { polar, exponents, shifts, common })
+    }
+
+    /// sum + b Ĉ of the order `L` for the pair (`R`, `S`).
+    #[inline(always)]
+    pub fn add<const R: usize, const S: usize, const L: usize, const B: usize>(
+        &self,
+        sum: i32,
+        b: &[i32; B],
+    ) -> i32 {
+        let Self { polar, exponents, shifts, .. } = self;
+        let (o, p) = if L > R { (L, R) } else { (R, L) };
+        let (from, mode) = (pair::position(L, S), material::position(o, p, S));
+        if let (Some(&b), Some(polar), Some(&exponent), Some(&shift)) =
+            (b.get(mode), polar.get(from), exponents.get(from), shifts.get(o))
+        {
+            // The shift is not negative, because an addend has at least one bit of room.
+            return sum + (b * polar.get()).round_shr(shift - i32::from(exponent));
+        }
+        sum
+    }
+
+    /// Scales the sums so that they use all bits, and returns their exponent.
+    #[inline(never)]
+    pub fn normalize(&self, sums: &mut [i32; P]) -> i32 {
+        let mut either = 0;
+        for &sum in sums.iter() {
+            either |= sum.max(-sum);
+        }
+        let largest = either.bits();
+        let by = BITS.cast_signed() - largest.cast_signed();
+        if largest == 0 {
+            return ZERO_EXPONENT;
+        }
+        if by < 0 {
+            sums.iter_mut().for_each(|sum| *sum = sum.round_shr(-by - 1));
+        } else {
+            sums.iter_mut().for_each(|sum| *sum = sum.floor_shr(by));
+        }
+        self.common - by
+    }
+}
+
+/// Computes the rows of the profiles of azimuth `M`, with `L` degrees each.
+#[inline(never)]
+pub fn transfer_azimuth<
+    B: KnownTable<Basis<'static>>,
+    const M: usize,
+    const L: usize,
+    const P: usize,
+    const D: usize,
+    const T: usize,
+    const E: usize,
+>(
+    sums: &[[i32; P]; D],
+    of_sums: &[i32; D],
+    (numbers, exponents): (&mut [Q15; T], &mut [i16; E]),
+) {
+    let place = const { *at(B::BASIS.parts.azimuths, M) };
+    let (first, before) = (usize::from(place.first), place.rows as usize);
+    let parts = const { &B::BASIS.parts };
+    let rows = part(parts.factors.as_chunks::<P>().0, before..);
+    let of_rows = part(parts.factor_exponents, before..);
+    let rows = rows.as_chunks::<L>().0.iter().zip(of_rows.as_chunks::<L>().0);
+    let numbers = part_mut(numbers, before..).as_chunks_mut::<L>().0;
+    let exponents = part_mut(exponents, first..);
+    let sums = part(sums, M..);
+    let of_sums = part(of_sums, M..);
+    for (((rows, of_rows), numbers), exponent) in
+        rows.zip(numbers).zip(exponents).take(place.profiles.into())
+    {
+        let mut row = [0; L];
+        for ((place, factors), sums) in row.iter_mut().zip(rows).zip(sums) {
+            *place = whole_product(factors, sums);
+        }
+        *exponent = settle_row(&row, of_rows, of_sums, numbers);
+    }
+}
+
+/// [`product`] over all pairs.
+#[inline(never)]
+fn whole_product<const P: usize>(factors: &[Q15; P], sums: &[i32; P]) -> i32 {
+    product(factors, sums)
 }

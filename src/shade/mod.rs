@@ -1,33 +1,22 @@
-//! Shades many normals at a time, in loops that the compiler can vectorize.
+//! Shades a normal: the sum of the profile polynomials, azimuth by azimuth.
+//!
+//! A polynomial has an even and an odd half, Σ_k (a_k + b_k t) u^k in t = 2z - 1 and u = 2t² - 1,
+//! evaluated by Horner's rule in u. The terms are in the order ..., b_1, a_1, b_0, a_0, so with an
+//! odd number of them the first has no odd partner. A term costs as much as in powers of t, but only
+//! half as many powers cancel.
 
-mod color;
+mod negative;
+pub(crate) mod slice;
 
-use crate::checked_slice::padded;
-use crate::error::{Argument, Error};
+pub use negative::NegativePolicy;
+
+use crate::basis::Basis;
+use crate::checked_slice::{part, split};
+use crate::color::Rgb;
 use crate::float;
-use crate::normal::{Normal, Normals};
-use crate::polynomial;
-use crate::polynomial::argument;
+use crate::known_table::{KnownTable, at};
+use crate::normal::Normal;
 use crate::scene::{Descent, Scene};
-
-/// Normals in one block: enough to keep the vector registers of the target busy.
-const BLOCK: usize = if cfg!(target_feature = "avx512f") {
-    64
-} else if cfg!(target_feature = "avx2") {
-    32
-} else if cfg!(target_arch = "x86_64") {
-    20
-} else if cfg!(any(target_arch = "aarch64", target_feature = "simd128")) {
-    16
-} else {
-    SCALAR
-};
-
-/// Normals in one block without vector registers.
-const SCALAR: usize = 4;
-
-/// Whether normals are shaded faster one by one, in loops specialized for a table.
-pub(crate) const ONE_BY_ONE: bool = BLOCK == SCALAR;
 
 /// Whether blocks are inlined and many: on targets where code may be large.
 const LARGE: bool = cfg!(any(target_arch = "x86_64", target_arch = "aarch64"));
@@ -45,67 +34,18 @@ impl<B> Scene<'_, B> {
         let [irradiance] = block(self.descent(), &[x], &[y], &[z]);
         irradiance
     }
+}
 
-    /// Writes the irradiance of each normal into `irradiance`.
-    ///
-    /// The sums have the same order as in [`shade`](Self::shade), so the results agree to the last
-    /// bit. With WebAssembly's `relaxed-simd`, `shade` of a generated table may differ in the last
-    /// bits.
-    ///
-    /// ```
-    /// # #[cfg(feature = "baked")] {
-    /// use eigenshade::{Light, Material, Normals, sphere};
-    ///
-    /// let light = Light::new(&[3.5, 0.0, 1.0, 0.0])?;
-    /// let scene = sphere::collapse(&sphere::project(&light, &Material::new(&[2.0])?)?);
-    /// let mut irradiance = [0.0; 2];
-    /// let normals = Normals::new(&[0.0, 0.6], &[0.0, 0.0], &[1.0, 0.8])?;
-    /// scene.shade_slice(normals, &mut irradiance)?;
-    /// assert!(irradiance[0] > irradiance[1]);
-    /// # }
-    /// # Ok::<(), eigenshade::Error>(())
-    /// ```
-    ///
-    /// # Errors
-    ///
-    /// [`Error::Length`] unless `irradiance` and `normals` have the same length.
-    pub fn shade_slice(&self, normals: Normals<'_>, irradiance: &mut [f32]) -> Result<(), Error>
+impl<C> Rgb<Scene<'_, C>> {
+    /// [`Scene::shade`] in each channel.
+    #[inline]
+    #[must_use]
+    pub fn shade(&self, normal: Normal) -> Rgb<f32>
     where
-        B: AsRef<[f32]>,
+        C: AsRef<[f32]>,
     {
-        Error::check(Argument::Normals, normals.len(), irradiance.len())?;
-        blocks(self.descent(), normals, irradiance);
-        Ok(())
+        self.each_ref().map(|scene| scene.shade(normal))
     }
-}
-
-/// Shades normals block by block.
-#[inline(never)]
-fn blocks(polynomials: Descent<'_>, normals: Normals<'_>, irradiance: &mut [f32]) {
-    let block = if LARGE { block::<BLOCK> } else { one_block };
-    let [(x, x_rest), (y, y_rest), (z, z_rest)] =
-        [normals.x, normals.y, normals.z].map(<[f32]>::as_chunks::<BLOCK>);
-    let (out, out_rest) = irradiance.as_chunks_mut::<BLOCK>();
-    for (((x, y), z), out) in x.iter().zip(y).zip(z).zip(out) {
-        *out = block(polynomials, x, y, z);
-    }
-    if !out_rest.is_empty() {
-        let [x, y, z] = [padded(x_rest), padded(y_rest), padded(z_rest)];
-        for (out, value) in out_rest.iter_mut().zip(block(polynomials, &x, &y, &z)) {
-            *out = value;
-        }
-    }
-}
-
-/// [`block`], compiled once per program, for targets where code must be small.
-#[inline(never)]
-fn one_block(
-    polynomials: Descent<'_>,
-    x: &[f32; BLOCK],
-    y: &[f32; BLOCK],
-    z: &[f32; BLOCK],
-) -> [f32; BLOCK] {
-    block(polynomials, x, y, z)
 }
 
 /// The irradiances of a block of normals: Re Σ_m (P_m + i Q_m) w̄^m with w = n_x + i n_y, by
@@ -145,7 +85,7 @@ impl<'n, const N: usize> Block<'n, N> {
         let t = if LARGE { vectorized(z) } else { z.map(argument) };
         let mut u = t;
         for u in &mut u {
-            *u = polynomial::doubled(*u);
+            *u = doubled(*u);
         }
         Self { x, y, t, u }
     }
@@ -153,7 +93,7 @@ impl<'n, const N: usize> Block<'n, N> {
     /// The values of a polynomial.
     #[inline(always)]
     fn values(&self, terms: &[f32]) -> [f32; N] {
-        polynomial::values(terms, [&self.t, &self.u])
+        values(terms, [&self.t, &self.u])
     }
 
     /// P_m + i Q_m + w̄ `above`, from the polynomials of +m and of -m. The highest azimuth has
@@ -168,7 +108,7 @@ impl<'n, const N: usize> Block<'n, N> {
     ) -> [[f32; N]; 2] {
         let here = [self.values(plus), self.values(minus)];
         let Some([mut real, mut imaginary]) = above else { return here };
-        float::descend([&mut real, &mut imaginary], here, [self.x, self.y]);
+        descend([&mut real, &mut imaginary], here, [self.x, self.y]);
         [real, imaginary]
     }
 
@@ -196,50 +136,145 @@ fn vectorized<const N: usize>(z: &[f32; N]) -> [f32; N] {
     t
 }
 
-/// How to handle irradiance below zero.
-///
-/// No light gives negative irradiance. Negative values result from lights and materials that end at
-/// some degree and order, from fits, and from few components. Values are clamped only on request:
-/// negative values show that an image is at its limits, and estimates from pixels need them.
-///
-/// ```
-/// use eigenshade::screen::NegativePolicy;
-///
-/// let mut image = [0.5, -0.25];
-/// assert_eq!(NegativePolicy::Clamped.apply(&mut image), Some(-0.25));
-/// assert_eq!(image, [0.5, 0.0]);
-/// ```
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-#[cfg_attr(feature = "defmt", derive(defmt::Format))]
-#[non_exhaustive]
-pub enum NegativePolicy {
-    /// Keep negative values.
-    #[default]
-    Kept,
-    /// Set negative values to zero.
-    Clamped,
+/// [`Block::azimuth`] of azimuth `M` > 0 of a scene of `B`.
+#[inline(always)]
+pub fn azimuth<B: KnownTable<Basis<'static>>, const M: usize, const N: usize>(
+    terms: &[f32; N],
+    pixel: &Block<'_, 1>,
+    above: Option<[[f32; 1]; 2]>,
+) -> Option<[[f32; 1]; 2]> {
+    let length = const { B::BASIS.length(M) };
+    let start = const { at(B::BASIS.parts.azimuths, M).start as usize };
+    let [plus, minus] = [start, start + length].map(|start| part(terms, start..start + length));
+    Some(pixel.azimuth(plus, minus, above))
 }
 
-impl NegativePolicy {
-    /// Applies this policy to one irradiance, a float or an integer. NaN stays NaN.
-    #[inline]
-    #[must_use]
-    pub fn of<T: Copy + Default + PartialOrd>(self, irradiance: T) -> T {
-        let zero = T::default();
-        if self == Self::Clamped && irradiance < zero { zero } else { irradiance }
-    }
+/// The irradiance: [`Block::pole`] of a scene of `B`.
+#[inline(always)]
+pub fn pole<B: KnownTable<Basis<'static>>, const N: usize>(
+    terms: &[f32; N],
+    pixel: &Block<'_, 1>,
+    above: Option<[[f32; 1]; 2]>,
+) -> f32 {
+    let [irradiance] = pixel.pole(part(terms, ..const { B::BASIS.length(0) }), above);
+    irradiance
+}
 
-    /// Applies this policy to many irradiances in place. Returns the smallest of the original
-    /// values, ignoring NaN, or `None` if there are none.
-    pub fn apply<T: Copy + Default + PartialOrd>(self, irradiance: &mut [T]) -> Option<T> {
-        let mut least = None;
-        for value in irradiance {
-            let is_number = value.partial_cmp(&value).is_some();
-            if is_number && least.is_none_or(|least| *value < least) {
-                least = Some(*value);
-            }
-            *value = self.of(*value);
+/// The argument t = 2z - 1 of the profile polynomials.
+#[inline]
+pub(crate) fn argument(z: f32) -> f32 {
+    z + z - 1.0
+}
+
+/// The argument u = 2t² - 1 = T_2(t).
+#[inline(always)]
+pub(crate) fn doubled(t: f32) -> f32 {
+    float::add_product(-1.0, t + t, t)
+}
+
+/// The value of a polynomial.
+#[inline]
+pub(crate) fn value(terms: &[f32], t: f32) -> f32 {
+    let [value] = values(terms, [&[t], &[doubled(t)]]);
+    value
+}
+
+/// The values of a polynomial at a block of arguments t and u.
+#[inline(always)]
+pub(crate) fn values<const N: usize>(terms: &[f32], [t, u]: [&[f32; N]; 2]) -> [f32; N] {
+    // In a block, an even number of terms begins with zero: with its first two, x86-64 takes more
+    // instructions.
+    let (mut sums, rest) = match terms {
+        [odd, even, rest @ ..] if N == 1 && rest.len().is_multiple_of(2) => {
+            (t.map(|t| float::add_product(*even, *odd, t)), rest)
         }
-        least
+        _ => {
+            let (alone, rest) = split(terms, terms.len() % 2);
+            ([alone.first().copied().unwrap_or(0.0); N], rest)
+        }
+    };
+    for [odd, even] in rest.as_chunks().0 {
+        horner([odd, even], &mut sums, [t, u]);
+    }
+    sums
+}
+
+/// A step of Horner's rule at a block of arguments t and u: each sum becomes
+/// even + odd t + sum u.
+#[inline(always)]
+fn horner<const N: usize>([odd, even]: [&f32; 2], sums: &mut [f32; N], [t, u]: [&[f32; N]; 2]) {
+    #[cfg(target_feature = "relaxed-simd")]
+    {
+        *sums = float::fused(float::fused([*even; N], &[*odd; N], t), sums, u);
+    }
+    #[cfg(not(target_feature = "relaxed-simd"))]
+    for (sum, (&t, &u)) in sums.iter_mut().zip(t.iter().zip(u)) {
+        *sum = float::add_product(float::add_product(*even, *odd, t), *sum, u);
+    }
+}
+
+/// A step of Horner's rule in w̄ = x - i y at a block of normals: the sum above becomes
+/// here + w̄ above. Real and imaginary parts.
+#[inline(always)]
+fn descend<const N: usize>(
+    [real, imaginary]: [&mut [f32; N]; 2],
+    [plus, minus]: [[f32; N]; 2],
+    [x, y]: [&[f32; N]; 2],
+) {
+    // The steps with `fused`, a loop for each product.
+    #[cfg(target_feature = "relaxed-simd")]
+    {
+        let plus = float::fused(plus, real, x);
+        let plus = float::fused(plus, imaginary, y);
+        for number in &mut *real {
+            *number = -*number;
+        }
+        let minus = float::fused(minus, imaginary, x);
+        (*real, *imaginary) = (plus, float::fused(minus, real, y));
+    }
+    #[cfg(not(target_feature = "relaxed-simd"))]
+    {
+        let above = real.iter_mut().zip(imaginary);
+        let here = plus.iter().zip(&minus).zip(x.iter().zip(y));
+        for ((real, imaginary), ((&plus, &minus), (&x, &y))) in above.zip(here) {
+            (*real, *imaginary) = (
+                float::add_product(float::add_product(plus, *real, x), *imaginary, y),
+                float::add_product(float::add_product(minus, *imaginary, x), -*real, y),
+            );
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::index::layout::MAX_TERMS;
+
+    /// Compares with powers of t and of u = cos 2θ. The sums are below 100.
+    #[test]
+    fn values_are_the_sums_that_they_stand_for() {
+        let all: [f32; MAX_TERMS] =
+            core::array::from_fn(|k| (((7 * k) % 19) as f32 - 9.0) / (1 + k % 5) as f32);
+        for length in [0, 1, 2, 3, 16, 17, MAX_TERMS] {
+            let terms = all.get(..length).unwrap_or_default();
+            for angle in [0.0, 0.3, 1.2, 1.6, 2.5, core::f64::consts::PI] {
+                let (t, u) = (libm::cos(angle), libm::cos(2.0 * angle));
+                let element = |k: usize| {
+                    let even = libm::pow(u, (k / 2) as f64);
+                    if k.is_multiple_of(2) { even } else { t * even }
+                };
+                let terms_of_rising_k = terms.iter().rev().enumerate();
+                let sum: f64 =
+                    terms_of_rising_k.map(|(k, &term)| f64::from(term) * element(k)).sum();
+                let t = t as f32;
+                let found = value(terms, t);
+                assert!(
+                    (f64::from(found) - sum).abs() < 2e-4,
+                    "{length} at {angle}: {found}, {sum}"
+                );
+                let at = [&[t; 2], &[doubled(t); 2]];
+                assert_eq!(values(terms, at), [found; 2]);
+            }
+        }
     }
 }

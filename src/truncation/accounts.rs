@@ -11,8 +11,8 @@
 use super::density::{NODES, mean_square};
 use super::report::Truncation;
 use super::terms::{Polynomials, trimmed};
+use crate::basis::signs;
 use crate::checked_slice::rows;
-use crate::scene::signs;
 
 /// The factor by which the price rises from one sweep to the next.
 const RISE: usize = 16;

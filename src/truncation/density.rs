@@ -9,7 +9,7 @@
 use crate::groups::multiply_add;
 use crate::index::layout::{LANES, MAX_DEGREE, MAX_TERMS};
 use crate::mathematics;
-use crate::polynomial::{doubled, values};
+use crate::shade::{doubled, values};
 
 /// Terms of the recurrence of m = 0. Azimuth m has m terms fewer.
 const TERMS: usize = MAX_DEGREE + MAX_TERMS;

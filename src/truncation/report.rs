@@ -3,8 +3,8 @@
 use crate::error::Error;
 use crate::float;
 use crate::index::layout::LANES;
-use crate::polynomial::{doubled, value, values};
 use crate::scene::Scene;
+use crate::shade::{doubled, value, values};
 
 /// The allowed error of an image, root mean square over a sphere's normals, relative to the image
 /// of all components. The error of the components themselves is additional: see

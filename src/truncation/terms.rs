@@ -5,9 +5,9 @@
 
 use super::density::{Density, sizes};
 use super::orthogonal::Rows;
+use crate::basis::signs;
 use crate::checked_slice::{part, part_mut, split, split_mut};
 use crate::float;
-use crate::scene::signs;
 use core::cell::Cell;
 
 /// The lengths without the azimuths above the highest that has terms.

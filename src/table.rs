@@ -46,7 +46,7 @@ macro_rules! table {
         $crate::table!(@relight |transfer, light, d| {
             use $crate::specialized as inputs;
             inputs::accept_light(DEGREE, light)?;
-            let transfer = inputs::transfer(transfer)?;
+            let transfer = inputs::transfer_numbers(transfer)?;
             inputs::whole(light.coefficients(), |light| {
                 if inputs::relight::GROUPS {
                     relight_passes(transfer, light, d);

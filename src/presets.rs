@@ -17,10 +17,8 @@
 //! sintered PTFE. The program's command `eigenshade list` prints the names of these presets and of
 //! 61 more gray materials in lower case.
 
-mod constant;
-
 use crate::color::Rgb;
-use crate::specialized::checked;
+use crate::known_table::checked;
 
 /// A light of degree 9 in three channels: 1,200 bytes.
 pub type Light = Rgb<crate::Light<'static>>;
@@ -33,16 +31,16 @@ pub type Material = Rgb<crate::Material<'static>>;
 /// `tables/README.md` has the sources of the maps.
 #[expect(clippy::approx_constant, reason = "numbers of a file")]
 pub mod light {
-    use super::{Light, channels, checked};
+    use super::{Light, checked};
     use crate::color::Rgb;
     include!(concat!(env!("OUT_DIR"), "/preset_lights.rs"));
 
-    /// The same lights in integers: 612 bytes each.
+    /// The same lights in integers, quantized by the compiler: 612 bytes each.
     pub mod q15 {
-        use super::super::quantized_light;
+        use super::checked;
         use crate::color::Rgb;
         use crate::q15;
-        use crate::q15::Q15;
+        use crate::q15::{Q15, quantized_light};
 
         /// A light of degree 9 in three channels.
         pub type Light = Rgb<q15::Light<'static>>;
@@ -61,16 +59,16 @@ pub mod light {
 /// the screen error of its pictures against direct integration; `docs/accuracy.md` describes the
 /// measurement.
 pub mod material {
-    use super::{Material, channels, checked};
+    use super::{Material, checked};
     use crate::color::Rgb;
     include!(concat!(env!("OUT_DIR"), "/preset_materials.rs"));
 
-    /// The same materials in integers: 264 bytes, or 88 if it is gray.
+    /// The same materials in integers, quantized by the compiler: 264 bytes, or 88 if it is gray.
     pub mod q15 {
-        use super::super::quantized_material;
+        use super::checked;
         use crate::color::Rgb;
         use crate::q15;
-        use crate::q15::Q15;
+        use crate::q15::MaterialBuffer;
 
         /// A material of order 7 in three channels.
         pub type Material = Rgb<q15::Material<'static>>;
@@ -129,55 +127,3 @@ pub mod gloss {
     use crate::gloss::Gloss;
     include!(concat!(env!("OUT_DIR"), "/preset_gloss.rs"));
 }
-
-/// The channels of a preset: numbers as statics, shared if they are gray.
-macro_rules! channels {
-    ($new:path, $gray:expr) => {{
-        static GRAY: &[f32] = &$gray;
-        Rgb::gray(checked($new(GRAY)))
-    }};
-    ($new:path, $r:expr, $g:expr, $b:expr) => {{
-        static R: &[f32] = &$r;
-        static G: &[f32] = &$g;
-        static B: &[f32] = &$b;
-        Rgb::new(checked($new(R)), checked($new(G)), checked($new(B)))
-    }};
-}
-use channels;
-
-/// A light in [`Q15`](crate::Q15), computed by the compiler from the floats.
-macro_rules! quantized_light {
-    ($light:expr) => {{
-        use crate::presets::constant::light;
-        static R: (i32, [Q15; 100]) = light($light.r.coefficients());
-        static G: (i32, [Q15; 100]) = light($light.g.coefficients());
-        static B: (i32, [Q15; 100]) = light($light.b.coefficients());
-        Rgb::new(
-            crate::specialized::checked(q15::Light::new(R.0, &R.1)),
-            crate::specialized::checked(q15::Light::new(G.0, &G.1)),
-            crate::specialized::checked(q15::Light::new(B.0, &B.1)),
-        )
-    }};
-}
-use quantized_light;
-
-/// A material in [`Q15`](crate::Q15), computed by the compiler from the floats.
-macro_rules! quantized_material {
-    (gray $material:expr) => {{
-        use crate::presets::constant::material;
-        static GRAY: ([i8; 8], [Q15; 40]) = material($material.r.coefficients());
-        Rgb::gray(crate::specialized::checked(q15::Material::new(&GRAY.0, &GRAY.1)))
-    }};
-    ($material:expr) => {{
-        use crate::presets::constant::material;
-        static R: ([i8; 8], [Q15; 40]) = material($material.r.coefficients());
-        static G: ([i8; 8], [Q15; 40]) = material($material.g.coefficients());
-        static B: ([i8; 8], [Q15; 40]) = material($material.b.coefficients());
-        Rgb::new(
-            crate::specialized::checked(q15::Material::new(&R.0, &R.1)),
-            crate::specialized::checked(q15::Material::new(&G.0, &G.1)),
-            crate::specialized::checked(q15::Material::new(&B.0, &B.1)),
-        )
-    }};
-}
-use quantized_material;

@@ -1,79 +1,7 @@
-//! Exposure: from irradiance to a multiple of white, and how bright a picture is.
+//! Meters how bright a picture is.
 
 use crate::color::Rgb;
-use crate::error::{Argument, Error};
-
-/// Bits of a [`Linear`] after the binary point.
-pub(crate) const POINT: u32 = 16;
-
-/// An exposed irradiance in units of 2^-16: 65,536 is white under
-/// [`Tone::Linear`](crate::screen::Tone::Linear).
-///
-/// A conversion from `f32` turns values below 0 and NaN into 0, and large values into the largest
-/// number.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord)]
-#[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct Linear(pub u32);
-
-impl From<f32> for Linear {
-    #[inline]
-    fn from(exposed: f32) -> Self {
-        Self((exposed * (1_u32 << POINT) as f32 + 0.5) as u32)
-    }
-}
-
-/// The factor by which an irradiance is multiplied, so that white is 1.
-///
-/// ```
-/// use eigenshade::screen::Exposure;
-/// use eigenshade::Rgb;
-///
-/// let exposure = Exposure::new(1.5)?;
-/// assert_eq!(exposure.of(Rgb::new(0.5, 1.0, 2.0)), Rgb::new(0.75, 1.5, 3.0));
-/// assert!(Exposure::new(0.0).is_err());
-/// # Ok::<(), eigenshade::Error>(())
-/// ```
-///
-/// Scenes in integers have an [`Exposure`](crate::q15::Exposure) in each channel.
-#[derive(Clone, Copy, Debug, PartialEq)]
-#[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct Exposure(f32);
-
-/// The exposure 1.
-impl Default for Exposure {
-    fn default() -> Self {
-        Self(1.0)
-    }
-}
-
-impl Exposure {
-    /// An exposure that multiplies by this number.
-    ///
-    /// # Errors
-    ///
-    /// [`Error::NotFinite`] unless it is a normal number above 0.
-    pub const fn new(exposure: f32) -> Result<Self, Error> {
-        if exposure.is_normal() && exposure > 0.0 {
-            Ok(Self(exposure))
-        } else {
-            Err(Error::NotFinite { argument: Argument::Exposure, index: 0 })
-        }
-    }
-
-    /// The factor from irradiance to a multiple of white.
-    #[inline]
-    #[must_use]
-    pub const fn factor(self) -> f32 {
-        self.0
-    }
-
-    /// The exposed color.
-    #[inline]
-    #[must_use]
-    pub fn of(self, color: Rgb<f32>) -> Rgb<f32> {
-        color.map(|channel| channel * self.0)
-    }
-}
+use crate::display::{Exposure, Linear};
 
 impl Rgb<f32> {
     /// The largest channel.
@@ -179,27 +107,12 @@ mod tests {
     use super::*;
 
     #[test]
-    fn floats_saturate() {
-        let cases = [(-1.0, 0), (f32::NAN, 0), (f32::INFINITY, u32::MAX), (0.5, 1 << 15)];
-        for (from, to) in cases {
-            assert_eq!(Linear::from(from), Linear(to));
-        }
-    }
-
-    #[test]
     fn many_pixels_are_metered() {
         let mut meter = Meter::default();
         meter.add_linear(Rgb::gray(Linear(1 << 16)));
         meter.counts.iter_mut().for_each(|count| *count *= 16_777_219);
         meter.total = 16_777_219;
         assert!(meter.exposure().is_some());
-    }
-
-    #[test]
-    fn exposures_are_above_zero() {
-        for refused in [0.0, -1.0, f32::NAN, f32::INFINITY, 1e-40] {
-            assert!(Exposure::new(refused).is_err(), "{refused}");
-        }
     }
 
     #[test]
