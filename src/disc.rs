@@ -153,7 +153,7 @@ fn at_the_rim(pixel: DiscPixel, center: [i32; 2]) -> DiscPixel {
 /// center and the size are in half pixels.
 #[inline]
 pub(crate) const fn coverage([x, y]: [i32; 2], size: i32) -> i32 {
-    let distance = (((x * x + y * y) as u64) << 8).isqrt() as i32;
+    let distance = ((((x * x + y * y) as u64) << 10).isqrt() as i32 + 1) >> 1;
     // In sixteenths of half a pixel.
     16 * size - distance + 16
 }

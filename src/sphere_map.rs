@@ -149,7 +149,7 @@ mod tests {
                 } else if size < 10 {
                     0.12
                 } else {
-                    0.02
+                    0.04
                 };
             assert!((area - circle).abs() <= allowed, "{size}: {area} {circle}");
             // Every code is drawn.
