@@ -58,7 +58,7 @@ fn root(square: u32) -> u16 {
 /// # Ok::<(), eigenshade::Error>(())
 /// ```
 #[derive(Clone, Debug)]
-pub struct Disc {
+pub struct Disc<const RIM: bool = false> {
     size: i32,
     /// The next pixel.
     column: i32,
@@ -69,8 +69,6 @@ pub struct Disc {
     unit: u64,
     /// 2^31 / size.
     scale: i32,
-    /// The largest square of the distance of a pixel, in half pixels.
-    most: i32,
 }
 
 impl Disc {
@@ -90,27 +88,33 @@ impl Disc {
         let size = size as i32;
         // 2^31 itself does not fit.
         let scale = i32::MAX / size;
-        Ok(Self { size, column: 0, row: 0, end: size, unit, scale, most: size * size })
+        Ok(Self { size, column: 0, row: 0, end: size, unit, scale })
     }
 
     /// The same pixels, and all others that the circle covers in part: see
     /// [`DiscPixel::coverage`]. The others have the normals of the nearest points of the rim. A disc
     /// of less than 8 pixels stays as it is.
     #[must_use]
-    pub const fn with_rim(self) -> Self {
-        let most = if self.size < 8 { self.size } else { self.size + 1 };
-        Self { most: most * most, ..self }
+    pub const fn with_rim(&self) -> Disc<true> {
+        let Self { size, column, row, end, unit, scale } = *self;
+        Disc { size, column, row, end, unit, scale }
     }
+}
 
+impl<const RIM: bool> Disc<RIM> {
     /// A pixel whose center is outside the circle, with the normal of the nearest point of the rim.
     #[cold]
-    fn at_the_rim(&self, pixel: DiscPixel) -> DiscPixel {
+    fn at_the_rim(&self, [column, row]: [i32; 2]) -> DiscPixel {
+        let size = self.size;
+        let (x, y) = (2 * column + 1 - size, size - 1 - 2 * row);
         // 1 / √(1 + e) is 1 - e/2, within 6 e²/16, and e below 2.2 / size. The half of e in 2^-16.
-        let [x, y] = [pixel.column, pixel.row].map(|place| 2 * place + 1 - self.size);
-        let beyond = (x * x + y * y - self.size * self.size).cast_unsigned();
+        let beyond = (x * x + y * y - size * size).cast_unsigned();
         let half = ((u64::from(beyond) * self.unit) >> 41) as i32;
-        let nearer = |along: i32| along - (along >> 16) * half;
-        DiscPixel { x: nearer(pixel.x), y: nearer(pixel.y), z: 0, ..pixel }
+        let [x, y] = [x, y].map(|place| {
+            let along = place * self.scale;
+            along - (along >> 16) * half
+        });
+        DiscPixel { column, row, size, x, y, z: 0 }
     }
 
     /// The pixels of one row, from the left. A row beyond the last one has none.
@@ -122,7 +126,7 @@ impl Disc {
     }
 }
 
-impl Iterator for Disc {
+impl<const RIM: bool> Iterator for Disc<RIM> {
     type Item = DiscPixel;
 
     #[inline]
@@ -134,13 +138,17 @@ impl Iterator for Disc {
             (self.column, self.row) =
                 if column + 1 < self.size { (column + 1, row) } else { (0, row + 1) };
             let square = x * x + y * y;
-            if square <= self.most {
-                let outside = (square as u64 * self.unit).min(1 << 56);
-                let z = root((((1 << 56) - outside) >> 32).min((1 << 24) - 1) as u32);
-                let size = self.size;
-                let pixel =
-                    DiscPixel { column, row, size, x: x * self.scale, y: y * self.scale, z };
-                return Some(if square > size * size { self.at_the_rim(pixel) } else { pixel });
+            let outside = square as u64 * self.unit;
+            if RIM && outside > 1 << 56 && self.size >= 8 {
+                let most = self.size + 1;
+                if square <= most * most {
+                    return Some(self.at_the_rim([column, row]));
+                }
+            } else if outside <= 1 << 56 {
+                let square = (((1 << 56) - outside) >> 32) as u32;
+                let z = root(square.min((1 << 24) - 1));
+                let [x, y] = [x, y].map(|place| place * self.scale);
+                return Some(DiscPixel { column, row, size: self.size, x, y, z });
             }
         }
         None
@@ -301,7 +309,7 @@ mod tests {
     fn the_rim_has_the_nearest_normals() {
         for size in [7, 8, 17, 64, 240, 4096] {
             let (mut area, mut count) = (0.0, 0);
-            for pixel in Disc::new(size).into_iter().flat_map(Disc::with_rim) {
+            for pixel in Disc::new(size).into_iter().flat_map(|disc| disc.with_rim()) {
                 area += f64::from(pixel.coverage()) / 255.0;
                 let place = |k: usize| (2.0 * k as f64 + 1.0) / size as f64 - 1.0;
                 let (x, y) = (place(pixel.column()), -place(pixel.row()));

@@ -81,7 +81,7 @@ impl<'p, P: Shader, C: DisplayColor> Dial<'p, P, C> {
         codes.fill(NormalMap::BACKGROUND);
         let pixels = || {
             let shape = self.shape;
-            self.disc.clone().with_rim().map(move |place| DialPixel { place, shape })
+            self.disc.with_rim().map(move |place| DialPixel { place, shape })
         };
         for pixel in pixels().filter(|pixel| pixel.place.coverage() == u8::MAX) {
             pixel.put(codes, pixel.code().bytes());
@@ -103,7 +103,7 @@ impl<'p, P: Shader, C: DisplayColor> Dial<'p, P, C> {
     /// The same on a background of one color, with which the pixels of the rim are mixed.
     #[must_use]
     pub fn over(self, background: C) -> Self {
-        Self { disc: self.disc.with_rim(), below: Some(background), ..self }
+        Self { below: Some(background), ..self }
     }
 }
 
@@ -118,10 +118,13 @@ impl<P: Shader, C: DisplayColor> Drawable for Dial<'_, P, C> {
     type Output = ();
 
     fn draw<D: DrawTarget<Color = C>>(&self, target: &mut D) -> Result<(), D::Error> {
-        let shape = self.shape;
-        rows::draw(target, self.bounding_box(), self.below, self.paint, |row| {
-            self.disc.row(row).map(move |place| DialPixel { place, shape })
-        })
+        let (area, disc, shape) = (self.bounding_box(), &self.disc, self.shape);
+        let pixel = |place| DialPixel { place, shape };
+        if self.below.is_none() {
+            return rows::draw(target, area, None, self.paint, |row| disc.row(row).map(pixel));
+        }
+        let disc = disc.with_rim();
+        rows::draw(target, area, self.below, self.paint, |row| disc.row(row).map(pixel))
     }
 }
 

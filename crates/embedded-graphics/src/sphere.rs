@@ -36,7 +36,7 @@ impl<'p, P: Shader, C: DisplayColor> Sphere<'p, P, C> {
     /// The same on a background of one color, with which the pixels of the rim are mixed.
     #[must_use]
     pub fn over(self, background: C) -> Self {
-        Self { disc: self.disc.with_rim(), below: Some(background), ..self }
+        Self { below: Some(background), ..self }
     }
 }
 
@@ -51,6 +51,11 @@ impl<P: Shader, C: DisplayColor> Drawable for Sphere<'_, P, C> {
     type Output = ();
 
     fn draw<D: DrawTarget<Color = C>>(&self, target: &mut D) -> Result<(), D::Error> {
-        rows::draw(target, self.bounding_box(), self.below, self.paint, |row| self.disc.row(row))
+        let (area, disc) = (self.bounding_box(), &self.disc);
+        if self.below.is_none() {
+            return rows::draw(target, area, None, self.paint, |row| disc.row(row));
+        }
+        let disc = disc.with_rim();
+        rows::draw(target, area, self.below, self.paint, |row| disc.row(row))
     }
 }
