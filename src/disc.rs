@@ -42,7 +42,8 @@ fn root(square: u32) -> u16 {
     }
 }
 
-/// Iterates over the pixels of a sphere that fills a square picture, row by row from the top.
+/// Iterates over the pixels of a sphere that fills a square picture, row by row from the top; with
+/// `RIM`, also over those that it covers in part ([`with_rim`](Self::with_rim)).
 ///
 /// Yields the pixels whose centers are inside the circle. Cost: two divisions in
 /// [`new`](Self::new), and a look-up of a root per pixel.
@@ -92,8 +93,9 @@ impl Disc {
     }
 
     /// The same pixels, and all others that the circle covers in part: see
-    /// [`DiscPixel::coverage`]. The others have the normals of the nearest points of the rim. A disc
-    /// of less than 8 pixels stays as it is.
+    /// [`DiscPixel::coverage`]. The others have the normals of the nearest points of the rim. Blend
+    /// them by their coverage: [`DiscPixel::put`] would make the disc larger. A disc of less than 8
+    /// pixels stays as it is.
     #[must_use]
     pub const fn with_rim(&self) -> Disc<true> {
         let Self { size, column, row, end, unit, scale } = *self;

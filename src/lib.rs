@@ -189,6 +189,8 @@ mod sphere_map;
 
 mod matcap;
 
+mod nodes;
+
 mod palette;
 
 pub mod wire;
@@ -268,7 +270,8 @@ pub mod screen {
     pub use crate::blend::blend565;
     pub use crate::display::{Display, Exposure, Linear, Tone};
     pub use crate::meter::Meter;
-    pub use crate::palette::{Nodes, Palette};
+    pub use crate::nodes::Nodes;
+    pub use crate::palette::Palette;
     pub use crate::shade::NegativePolicy;
 }
 

@@ -8,6 +8,7 @@
 //! beyond the rim, or one that refers to a pixel without a normal of its own, is background too.
 
 use crate::error::{Argument, Error};
+use crate::nodes::Nodes;
 use crate::normal::Normal;
 use crate::normal_code::{NormalCode, WITHOUT};
 use crate::q15;
@@ -99,6 +100,13 @@ impl<'a> NormalMap<'a> {
     #[must_use]
     pub fn pixels(&self) -> NormalPixels<'a> {
         NormalPixels { map: *self, rest: self.codes.iter(), column: 0, row: 0 }
+    }
+
+    /// The nodes of a [`Palette`](crate::screen::Palette) that the object needs. Cost: some 40
+    /// instructions a pixel, once for a map.
+    #[must_use]
+    pub fn nodes(&self) -> Nodes {
+        self.pixels().map(NormalPixel::code).collect()
     }
 
     /// The pixels of one row, from the left. A row beyond the last one has none.

@@ -10,7 +10,7 @@ use crate::known_table::{KnownTable, at, components, tail};
 
 /// One image: `buffer` holds the polynomials of +m and -m for each azimuth |m|.
 ///
-/// A pixel costs 2 degree + 1 polynomials, whatever the number of components.
+/// A pixel costs at most 2 degree + 1 polynomials, whatever the number of components.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Scene<'a, B> {

@@ -25,8 +25,9 @@ impl NormalMap<'_> {
     /// # Ok::<(), eigenshade::Error>(())
     /// ```
     ///
-    /// Cost: two roots and a division of 64 bits a pixel. In a static, the compiler computes it: some
-    /// seconds for 240 x 240 pixels.
+    /// Codes take two bytes a pixel, 115 KB for 240 x 240. In a static, which is in flash, the
+    /// compiler computes them in a second. At run time it takes a root and divisions of 64 bits for a
+    /// quarter of the pixels.
     ///
     /// # Errors
     ///

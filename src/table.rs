@@ -4,11 +4,11 @@
 /// and the lines that call this macro.
 ///
 /// - `table!(sphere ...)`: constants, types and functions of a table of a sphere. A pass of a
-///   transfer has its place in the result, its number and its number of profiles; a run has the
-///   last two.
+///   transfer is given by its place among the sums, its number and its profiles; a run by its number
+///   and its profiles.
 /// - `table!(general)`: the same for the table of another object.
 /// - `table!(project ...)`, `table!(collapse ...)` and `table!(shade ...)`: functions specialized
-///   for the azimuths listed and their profiles, or functions of the basis or the scene.
+///   for the azimuths listed and their profiles.
 #[doc(hidden)]
 #[macro_export]
 macro_rules! table {

@@ -55,8 +55,8 @@ macro_rules! table_in_color {
             type Light<$a> = $light;
             type Material<$a> = $material;
 
-            /// The transfer of a material in each channel. A gray material has one
-            /// [`Transfer`](super::Transfer) for all channels.
+            /// The transfer of a material in each channel. For a gray material, one
+            /// [`Transfer`](super::Transfer) is enough for all channels.
             pub type Transfer = Rgb<super::Transfer>;
 
             /// One image in three channels, ready to be shaded, which dereferences to the channels.

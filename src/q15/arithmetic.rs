@@ -5,8 +5,8 @@ use super::Q15;
 
 /// Number of bits by which a scene's weights are finer than its terms.
 pub(crate) const WEIGHT_BITS: u32 = 14;
-/// Number of bits by which a sum of weighted terms is finer than a scene's terms.
-pub(crate) const SUM_SHIFT: u32 = 14;
+/// Number of bits by which a sum of weighted terms is finer than a scene's terms: as many.
+pub(crate) const SUM_SHIFT: u32 = WEIGHT_BITS;
 /// Bits of the magnitude at each step of a pixel's polynomials, and of its irradiance.
 pub(crate) const TERM_BITS: u32 = 17;
 /// Bits of a mantissa's magnitude.
@@ -18,7 +18,7 @@ pub(crate) trait Shift: Copy {
     fn bits(self) -> u32;
     /// The integer nearest to self 2^`by`. Domain: it fits.
     fn shifted(self, by: i32) -> Self;
-    /// floor(self 2^`by`). Domain: it fits.
+    /// floor(self 2^`by`): a shift to the right if `by` is negative. Domain: it fits.
     fn floor_shr(self, by: i32) -> Self;
     /// The integer nearest to self / 2^(`by` + 1). Domain: `by` >= 0, self is not the largest.
     fn round_shr(self, by: i32) -> Self;

@@ -264,8 +264,8 @@ impl<const A: usize> Size<A> {
         self
     }
 
-    /// The shifts of this table. `None` if there is hardly an image, or if weights that are coarser
-    /// than d would have to be shifted left, or right by more bits than they have.
+    /// The shifts of this table. `None` if the image has less than 20 bits, or if a weight would be
+    /// finer than d, or coarser by more than the bits of a word: the general form takes these.
     #[inline(never)]
     pub fn shifts<B: KnownTable<Basis<'static>>>(&self) -> Option<Shifts<A>> {
         let [least, largest] = const { exponents(B::BASIS.parts.profiles) };

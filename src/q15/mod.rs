@@ -6,7 +6,7 @@
 //! irradiance of a [`Normal`]. A number is a mantissa times 2^exponent; the numbers of an array
 //! share exponents, and every result has its own.
 //!
-//! Nothing wraps. The tables are scaled so that no sum over them can overflow its accumulator, and
+//! No result wraps. The tables are scaled so that no sum over them can overflow its accumulator, and
 //! [`Basis::new`] checks this when it is compiled. Numbers that depend on light and material are
 //! scaled to their size, and values that cannot be represented saturate. Transfers made by hand are
 //! checked; coefficients may have any value. The sizes that a profile states are trusted: if they

@@ -9,8 +9,8 @@ use crate::error::{Argument, Error};
 use crate::index::light;
 use crate::known_table::{KnownTable, at};
 
-/// The coefficients d of one image, component by component. The mantissas are at most 2^30 in size
-/// and are multiplied by 2^exponent, which is at most 2^16 in size.
+/// The coefficients d of one image, component by component: mantissas times 2^exponent, with an
+/// exponent from -2^16 to 2^16. Mantissas that were computed are at most 2^30 in size.
 #[derive(Clone, Debug, Default, PartialEq)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Coefficients<const K: usize> {

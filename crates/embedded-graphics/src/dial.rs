@@ -100,7 +100,7 @@ impl<'p, P: Shader, C: DisplayColor> Dial<'p, P, C> {
         Ok(())
     }
 
-    /// The same on a background of one color, with which the pixels of the rim are mixed.
+    /// The dial on a background of one color, with which the pixels of the rim are mixed.
     #[must_use]
     pub fn over(self, background: C) -> Self {
         Self { below: Some(background), ..self }

@@ -37,7 +37,7 @@ impl<C: DisplayColor> Run<C> {
 }
 
 /// Draws the part of an object that is inside the target. `row` gives the pixels of one of its rows
-/// from the left,.
+/// from the left.
 ///
 /// A pixel that the object covers in part is mixed with `below`; without it, the object has the
 /// pixels that it covers by half or more.

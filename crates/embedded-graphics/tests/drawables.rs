@@ -3,9 +3,9 @@
 
 use eigenshade::object::{Disc, NormalMap};
 use eigenshade::presets::{light, material};
-use eigenshade::screen::{Display, Exposure, Tone, blend565};
+use eigenshade::screen::{Display, Exposure, Nodes, Palette, Tone, blend565};
 use eigenshade::{Error, Normal, Rgb, sphere};
-use eigenshade_embedded_graphics::{Dial, Paint, Relief, Sphere};
+use eigenshade_embedded_graphics::{Dial, Dithered, Paint, Relief, Sphere};
 use embedded_graphics::pixelcolor::raw::RawU16;
 use embedded_graphics::pixelcolor::{Bgr565, Bgr888, Rgb565, Rgb888};
 use embedded_graphics::prelude::*;
@@ -165,6 +165,54 @@ fn an_outline_is_mixed_with_the_background() {
     Relief::new(Point::zero(), map, &paint).over(below).draw(&mut mixed).unwrap();
     let of = |coverage| color(blend565(RawU16::from(below).into_inner(), white, coverage));
     assert_eq!(mixed.pixels, [of(255), of(64), None, of(255), of(192), None]);
+}
+
+/// A palette draws what its pixels are, in every color, and the codes of a dial are its normals.
+#[test]
+fn palettes_and_codes_of_a_dial() {
+    let scene = sphere::color::scene(light::LOBBY, material::GOLD_METALLIC_PAINT).unwrap();
+    let exposure = scene.exposure_by_factor(1.5).unwrap();
+    let mut palette = Palette::default();
+    palette.fill(&Nodes::ALL, &DISPLAY, |normal| exposure.of(scene.shade(normal)));
+    let (mut screen, mut dithered) = (Screen::<Rgb565>::new(40, 40), Screen::<Rgb565>::new(40, 40));
+    let mut fine = Screen::<Bgr888>::new(40, 40);
+    Sphere::new(Point::zero(), 40, &palette).unwrap().draw(&mut screen).unwrap();
+    Sphere::new(Point::zero(), 40, &Dithered(&palette)).unwrap().draw(&mut dithered).unwrap();
+    Sphere::new(Point::zero(), 40, &palette).unwrap().draw(&mut fine).unwrap();
+    for pixel in Disc::new(40).unwrap() {
+        let (code, at) = (pixel.code(), pixel.index());
+        assert_eq!(screen.pixels[at], Some(RawU16::new(palette.rgb565(code)).into()));
+        let of_pattern = palette.rgb565_dithered(code, pixel.column(), pixel.row());
+        assert_eq!(dithered.pixels[at], Some(RawU16::new(of_pattern).into()));
+        let Rgb { r, g, b } = palette.rgb888(code);
+        assert_eq!(fine.pixels[at], Some(Bgr888::new(r, g, b)));
+    }
+    // On a background, whole pixels stay and the rim is mixed, beyond the circle, too.
+    let below = Rgb565::BLUE;
+    let mut over = Screen::<Rgb565>::new(40, 40);
+    Sphere::new(Point::zero(), 40, &palette).unwrap().over(below).draw(&mut over).unwrap();
+    let mut mixed = 0;
+    for pixel in Disc::new(40).unwrap().with_rim() {
+        let color = palette.rgb565(pixel.code());
+        let expected = blend565(RawU16::from(below).into_inner(), color, pixel.coverage());
+        assert_eq!(over.pixels[pixel.index()], Some(RawU16::new(expected).into()));
+        mixed += usize::from((1..255).contains(&pixel.coverage()));
+    }
+    assert!(mixed > 80 && over.drawn() > screen.drawn());
+
+    let (mut drawn, mut packed) = (Screen::<Rgb565>::new(80, 80), Screen::<Rgb565>::new(80, 80));
+    let dial = Dial::new(Point::zero(), 80, 6, 3, &palette).unwrap();
+    let mut codes = [NormalMap::BACKGROUND; 80 * 80];
+    assert!(dial.codes(&mut codes[1..]).is_err());
+    dial.codes(&mut codes).unwrap();
+    dial.draw(&mut drawn).unwrap();
+    let map = NormalMap::new(80, 80, codes.as_flattened()).unwrap();
+    Relief::new(Point::zero(), map, &palette).draw(&mut packed).unwrap();
+    let whole = map.pixels().filter(|pixel| pixel.coverage() == 255).count();
+    let same = map.pixels().filter(|pixel| pixel.coverage() == 255);
+    let same = same.filter(|pixel| drawn.pixels[pixel.index()] == packed.pixels[pixel.index()]);
+    assert_eq!(same.count(), whole);
+    assert!(whole > 4_700 && packed.drawn() >= drawn.drawn() - 60, "{whole}");
 }
 
 /// The normal of a dial by its definition, in units of half a pixel.

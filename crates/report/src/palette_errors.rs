@@ -2,7 +2,7 @@
 
 use crate::numbers::digits;
 use eigenshade::object::{Disc, DiscPixel, NormalMap, NormalPixel};
-use eigenshade::screen::{Display, Exposure, Meter, Nodes, Palette, Tone};
+use eigenshade::screen::{Display, Exposure, Meter, Palette, Tone};
 use eigenshade::sphere::color::{self, Scene};
 use eigenshade::{Light, Material, Rgb};
 use eigenshade_model::database::Named;
@@ -19,7 +19,7 @@ pub const LIGHTS: [&str; 5] = ["lobby", "studio", "forest", "night", "sky"];
 pub const SIZE: usize = 240;
 
 pub const COLUMNS: &str = "material,light,rgb565_mean,rgb565_p95,palette_mean,palette_p95,\
-    palette565_mean,palette565_p95,worst";
+    palette565_mean,palette565_p95,palette_worst";
 
 static DISPLAY: Display = Display::new(Tone::Linear);
 
@@ -108,9 +108,8 @@ fn compared(scene: &Scene, map: &NormalMap<'_>) -> (Errors, Errors, Errors) {
     let mut meter = Meter::default();
     pixels().for_each(|pixel| meter.add(scene.shade(pixel.normal())));
     let exposure = meter.exposure().unwrap_or_default();
-    let nodes: Nodes = map.pixels().map(NormalPixel::code).collect();
     let mut palette = Palette::default();
-    palette.fill(&nodes, &DISPLAY, |normal| exposure.of(scene.shade(normal)));
+    palette.fill(&map.nodes(), &DISPLAY, |normal| exposure.of(scene.shade(normal)));
     let whole: Vec<NormalPixel> = map.pixels().filter(|pixel| pixel.coverage() == 255).collect();
     let places: Vec<usize> = whole.iter().map(|pixel| pixel.index()).collect();
     let exact: Vec<DiscPixel> =

@@ -10,8 +10,8 @@
 //! multiple of [`LANES`], and at most [`PASS`] profiles of each order. A pass holds one group for
 //! each l from [`lowest_degree`] on and each of its profiles.
 
-/// Largest degree of the light in a table of the runtime. Sharper light takes
-/// [sources](crate::source).
+/// Largest degree of the light in a table of the runtime. Sharper light takes small
+/// sources beside it.
 pub const MAX_DEGREE: usize = 12;
 
 /// Largest order of the BRDF in a table of the runtime.

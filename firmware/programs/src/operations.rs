@@ -5,7 +5,6 @@ use super::inputs::{
 };
 use board::{Passes, holds, measure};
 use core::hint::black_box;
-use eigenshade::object::NormalPixel;
 use eigenshade::screen::{Display, Linear, Nodes, Palette, Tone};
 use eigenshade::{Error, Rgb};
 
@@ -147,8 +146,7 @@ pub fn frame() {
     let (rotation, exposure) = (inputs::rotation(), inputs::exposure());
     let mut palette = Palette::default();
     let Ok(map) = programs::ball() else { board::exit(false) };
-    let (nodes, mut row) =
-        (map.pixels().map(NormalPixel::code).collect::<Nodes>(), [0; programs::BALL]);
+    let (nodes, mut row) = (map.nodes(), [0; programs::BALL]);
     let held = size_of_val(&palette) + size_of_val(&nodes) + size_of_val(&row);
     holds(size_of_val(transfer) + held);
     measure(&[LOBBY], Passes(1), |light| {
@@ -156,6 +154,7 @@ pub fn frame() {
         let scene = color::relight(transfer, light.lights()?)?;
         palette.fill(&nodes, &DISPLAY, |normal| exposure.of(scene.shade(normal)));
         for place in 0..map.height() {
+            row.fill(0);
             palette.draw_row565(&map, place, false, &mut row);
             black_box(&mut row);
         }

@@ -6,7 +6,7 @@
 
 use core::convert::Infallible;
 use eigenshade::Error;
-use eigenshade::object::{NormalMap, NormalPixel};
+use eigenshade::object::NormalMap;
 use eigenshade::screen::{Display, Nodes, Palette, Tone};
 use eigenshade_embedded_graphics::{DisplayColor, Relief};
 use embedded_graphics_core::draw_target::DrawTarget;
@@ -26,10 +26,10 @@ pub const FRAMES: i32 = 24;
 pub const RELIEF: u32 = 74;
 
 /// The relief's normals.
-static CODES: &[u8] = include_bytes!("relief.bin");
+static CODES: &[u8; 2 * (RELIEF * RELIEF) as usize] = include_bytes!("relief.bin");
 
 /// The dial's normals.
-static DIAL: &[u8] = include_bytes!("dial.bin");
+static DIAL: &[u8; 2 * (SIZE * SIZE) as usize] = include_bytes!("dial.bin");
 
 /// The width of the bezel and of the marks in pixels.
 pub const DIAL_WIDTHS: [u32; 2] = [8, 4];
@@ -74,7 +74,7 @@ fn map(codes: &'static [u8], side: u32) -> Option<NormalMap<'static>> {
 
 /// The nodes that an object needs.
 fn nodes(codes: &'static [u8], side: u32) -> Nodes {
-    map(codes, side).iter().flat_map(NormalMap::pixels).map(NormalPixel::code).collect()
+    map(codes, side).map_or(Nodes::ALL, |map| map.nodes())
 }
 
 /// Draws an object in the middle of the display from a palette.
@@ -143,7 +143,7 @@ impl DrawTarget for Panel {
 macro_rules! frames {
     ($wrist:expr) => {
         /// Draws a frame. It takes the materials in anew for each frame, which costs little beside
-        /// the pixels and needs no memory between frames.
+        /// the palettes and needs no memory for transfers. The two objects share a palette.
         pub fn draw<D: DrawTarget<Color: DisplayColor>>(
             frame: i32,
             watch: &mut Watch,
