@@ -17,7 +17,8 @@
 //!    ([`q15::Rotation`]). A [`Window`] keeps a light from ringing, and [`NegativePolicy`] sets
 //!    how to handle irradiance below zero.
 //! 7. A module `color` of each table has these steps in three channels; [`Display`] makes pixels of
-//!    8, 6 or 5 bits of an [`Rgb`], and the module `presets` has lights and materials by name.
+//!    8, 6 or 5 bits of an [`Rgb`], and the module `presets` has lights and materials by name. For a
+//!    frame of many pixels, a [`Palette`] has the colors of some 900 normals.
 //! 8. [`Disc`] iterates over the pixels of a sphere, [`NormalMap`] over the pixels of any object,
 //!    and [`Matcap`] over the texels of a look-up by normal.
 //! 9. Glossy materials mirror lamps and the sun more sharply than the harmonics of a light can
@@ -61,6 +62,7 @@
 //! [`Disc`]: object::Disc
 //! [`Display`]: screen::Display
 //! [`Matcap`]: object::Matcap
+//! [`Palette`]: screen::Palette
 //! [`NegativePolicy`]: screen::NegativePolicy
 //! [`NormalMap`]: object::NormalMap
 //! [`Shader`]: shader::Shader
