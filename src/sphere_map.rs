@@ -33,7 +33,6 @@ impl NormalMap<'_> {
     ///
     /// [`Error::Size`] unless `size` is 1 to [`Disc::MOST`], [`Error::Length`] unless there are as
     /// many codes as pixels.
-    #[expect(clippy::indexing_slicing, reason = "a constant function has no iterators")]
     pub const fn sphere(size: usize, codes: &mut [[u8; 2]]) -> Result<(), Error> {
         if size == 0 || size > Disc::MOST {
             return Err(Error::Size { found: size });
@@ -48,15 +47,22 @@ impl NormalMap<'_> {
             while column < size {
                 let (left, below) = (size - 1 - column, size - 1 - row);
                 let part = part([column, row], size);
-                codes[row * size + column] = part.code([1, 1]);
-                codes[row * size + left] = part.code([-1, 1]);
-                codes[below * size + column] = part.code([1, -1]);
-                codes[below * size + left] = part.code([-1, -1]);
+                put(codes, row * size + column, part.code([1, 1]));
+                put(codes, row * size + left, part.code([-1, 1]));
+                put(codes, below * size + column, part.code([1, -1]));
+                put(codes, below * size + left, part.code([-1, -1]));
                 column += 1;
             }
             row += 1;
         }
         Ok(())
+    }
+}
+
+/// Sets a code. Without a path to a panic: constant functions have no `get_mut`.
+const fn put(codes: &mut [[u8; 2]], index: usize, code: [u8; 2]) {
+    if let Some((_, [to, ..])) = codes.split_at_mut_checked(index) {
+        *to = code;
     }
 }
 
@@ -110,9 +116,14 @@ const fn part([column, row]: [usize; 2], size: usize) -> Part {
 /// The code of the normal at a place inside the circle.
 const fn own([x, y]: [i32; 2], size: i32) -> [i8; 2] {
     let (square, whole) = ((x * x + y * y) as u64, (size as u64) * (size as u64));
-    let z = (((whole - square) << 30) / whole).isqrt() as i32;
+    // The size is above zero, which a compiler does not see.
+    let Some(rest) = ((whole - square) << 30).checked_div(whole) else { return [0; 2] };
+    let z = rest.isqrt() as i32;
     let z = if z < 32_767 { z } else { 32_767 };
-    NormalCode::of_sphere([(x << 15) / size, (y << 15) / size], z).point()
+    match ((x << 15).checked_div(size), (y << 15).checked_div(size)) {
+        (Some(x), Some(y)) => NormalCode::of_sphere([x, y], z).point(),
+        _ => [0; 2],
+    }
 }
 
 #[cfg(test)]
