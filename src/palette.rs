@@ -96,11 +96,11 @@ impl Palette {
     /// A palette in which every color is black.
     pub const BLACK: Self = Self { nodes: [[0; 2]; SIDE * SIDE] };
 
-    /// Shades, exposes and encodes nodes. Others keep their colors: pixels of another object, with
-    /// other nodes, are wrong until its nodes are filled. `exposed` gives the exposed irradiance of a normal, in
-    /// floats or in integers. Nodes beyond the rim of a sphere have the colors of the rim.
+    /// Shades, exposes and encodes nodes. `exposed` gives the exposed irradiance of a normal, in
+    /// floats or in integers. Nodes beyond the rim of a sphere have the colors of the rim. Other
+    /// nodes keep their colors: fill the nodes of an object before you draw it.
     ///
-    /// Cost: that of `exposed` and [`Display::encode`] for each node.
+    /// Cost: `exposed` and three calls of [`Display::encode`] for each node.
     pub fn fill<N: OfNode, L: Into<Linear>>(
         &mut self,
         nodes: &Nodes,
@@ -175,8 +175,8 @@ impl Palette {
     /// stays. With `dithered`, pixels are as [`rgb565_dithered`](Self::rgb565_dithered) has them for
     /// this column and row.
     ///
-    /// A row beyond the last one draws nothing; what is beyond the shorter one of row and `to` is
-    /// left out. Clear `to` for each row that begins with nothing below it:
+    /// A row beyond the last one draws nothing, and pixels beyond the end of `to` are not drawn.
+    /// Clear `to` for each row if nothing is below the object:
     ///
     /// ```
     /// # use eigenshade::Rgb;

@@ -66,7 +66,7 @@ const fn put(codes: &mut [[u8; 2]], index: usize, code: [u8; 2]) {
     }
 }
 
-/// What a sphere covers of a pixel to the upper right of its center.
+/// The part of a pixel that a sphere covers. The pixel is to the upper right of the center.
 enum Part {
     /// All of it: the code of the normal.
     Whole([i8; 2]),

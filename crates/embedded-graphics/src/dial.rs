@@ -64,9 +64,8 @@ impl<'p, P: Shader, C: DisplayColor> Dial<'p, P, C> {
         Ok(Self { top_left, disc, shape, paint, below: None })
     }
 
-    /// Writes the codes of the dial's pixels, row by row from the top: of a
-    /// [`NormalMap`](eigenshade::object::NormalMap) that costs much less to draw in every frame. The
-    /// pixels of the rim have a coverage.
+    /// Writes the codes of the dial's pixels, row by row from the top. A [`NormalMap`] of them, made
+    /// once, is cheaper to draw in every frame. The pixels of the rim have a coverage.
     ///
     /// # Errors
     ///
@@ -92,7 +91,8 @@ impl<'p, P: Shader, C: DisplayColor> Dial<'p, P, C> {
                 [pixel.column(), pixel.row()].map(|place| if 2 * place < size { 1 } else { -1 });
             let neighbor = pixel.place.index().checked_add_signed(down * size as isize + right);
             let neighbor = neighbor.and_then(|index| codes.get(index));
-            if neighbor.is_some_and(|&code| code != NormalMap::BACKGROUND) {
+            // One with a normal of its own.
+            if neighbor.is_some_and(|code| code[0] != NormalMap::BACKGROUND[0]) {
                 let coverage = pixel.place.coverage();
                 pixel.put(codes, NormalMap::edge_code(coverage, [right as i8, down as i8]));
             }

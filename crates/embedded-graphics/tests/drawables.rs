@@ -208,6 +208,9 @@ fn palettes_and_codes_of_a_dial() {
     dial.draw(&mut drawn).unwrap();
     let map = NormalMap::new(80, 80, codes.as_flattened()).unwrap();
     Relief::new(Point::zero(), map, &palette).draw(&mut packed).unwrap();
+    // Every code of the rim refers to a pixel with a normal.
+    let coded = codes.iter().filter(|&&code| code != NormalMap::BACKGROUND).count();
+    assert_eq!(map.pixels().count(), coded);
     let whole = map.pixels().filter(|pixel| pixel.coverage() == 255).count();
     let same = map.pixels().filter(|pixel| pixel.coverage() == 255);
     let same = same.filter(|pixel| drawn.pixels[pixel.index()] == packed.pixels[pixel.index()]);

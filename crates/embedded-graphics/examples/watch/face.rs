@@ -53,7 +53,7 @@ fn wrist(frame: i32) -> [i32; 4] {
     [angle, 2 * angle, -angle, 5 * quarter * quarter]
 }
 
-/// What the watch keeps between frames.
+/// A palette for both objects, and the nodes of each: all memory between frames.
 #[derive(Debug)]
 pub struct Watch {
     palette: Palette,
