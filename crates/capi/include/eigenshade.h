@@ -1174,6 +1174,33 @@ eigenshade_status eigenshade_baked_normal_map_row_q15(const struct eigenshade_ba
                                                       size_t length);
 
 /**
+ * A light in Q15 from one in float, in integer arithmetic throughout.
+ *
+ * The light is in `buffer`, and `to` points there. On an error neither may be used.
+ */
+eigenshade_status eigenshade_quantize_light_q15(const struct eigenshade_color_light_f32_t *from,
+                                                struct eigenshade_light_buffer_q15_t *buffer,
+                                                struct eigenshade_color_light_q15_t *to);
+
+/**
+ * A material in Q15 from one in float, in integer arithmetic throughout.
+ *
+ * The material is in `buffer`, and `to` points there. On an error neither may be used.
+ */
+eigenshade_status eigenshade_quantize_material_q15(const struct eigenshade_color_material_f32_t *from,
+                                                   struct eigenshade_material_buffer_q15_t *buffer,
+                                                   struct eigenshade_color_material_q15_t *to);
+
+/**
+ * The unit normal along a vector of three integers of any scale, as three mantissas, x, y and z.
+ * For a normal map of 8 bits, pass 2c - 255 for each channel c.
+ *
+ * A vector that points away by no more than 1/8 is laid on the rim. Cost: a root and three
+ * divisions in 64 bits. On an error `normal` is unchanged.
+ */
+eigenshade_status eigenshade_normalize_q15(const int32_t *vector, int16_t *normal);
+
+/**
  * `eigenshade_turn_f32` in Q15. The quaternion may have any scale.
  */
 eigenshade_status eigenshade_turn_q15(const struct eigenshade_color_light_q15_t *from,
@@ -1222,33 +1249,6 @@ eigenshade_status eigenshade_metallic_roughness_q15(const int16_t *base_color,
                                                     int16_t roughness,
                                                     struct eigenshade_material_buffer_q15_t *buffer,
                                                     struct eigenshade_color_material_q15_t *to);
-
-/**
- * A light in Q15 from one in float, in integer arithmetic throughout.
- *
- * The light is in `buffer`, and `to` points there. On an error neither may be used.
- */
-eigenshade_status eigenshade_quantize_light_q15(const struct eigenshade_color_light_f32_t *from,
-                                                struct eigenshade_light_buffer_q15_t *buffer,
-                                                struct eigenshade_color_light_q15_t *to);
-
-/**
- * A material in Q15 from one in float, in integer arithmetic throughout.
- *
- * The material is in `buffer`, and `to` points there. On an error neither may be used.
- */
-eigenshade_status eigenshade_quantize_material_q15(const struct eigenshade_color_material_f32_t *from,
-                                                   struct eigenshade_material_buffer_q15_t *buffer,
-                                                   struct eigenshade_color_material_q15_t *to);
-
-/**
- * The unit normal along a vector of three integers of any scale, as three mantissas, x, y and z.
- * For a normal map of 8 bits, pass 2c - 255 for each channel c.
- *
- * A vector that points away by no more than 1/8 is laid on the rim. Cost: a root and three
- * divisions in 64 bits. On an error `normal` is unchanged.
- */
-eigenshade_status eigenshade_normalize_q15(const int32_t *vector, int16_t *normal);
 
 #ifdef __cplusplus
 }  // extern "C"

@@ -52,7 +52,11 @@ mod export;
 
 mod export_f32;
 
+mod export_inputs_f32;
+
 mod export_q15;
+
+mod export_inputs_q15;
 
 mod presets;
 
