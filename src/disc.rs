@@ -1,11 +1,13 @@
 //! The pixels and normals of a sphere, without a root for each pixel.
 
 use crate::display::{INTERVALS, Piece, interpolated};
-use crate::error::{Argument, Error};
+use crate::error::Error;
 use crate::normal::Normal;
 use crate::normal_code::NormalCode;
+use crate::pixel::Pixel;
 use crate::q15;
 use crate::q15::Q15;
+use crate::target::Target;
 
 /// The bits of an interval's width in each piece of [`ROOTS`], in units of 2^-24.
 const WIDTHS: [u32; 4] = [5, 9, 13, 17];
@@ -42,24 +44,25 @@ fn root(square: u32) -> u16 {
     }
 }
 
-/// Iterates over the pixels of a sphere that fills a square picture, row by row from the top; with
-/// `RIM`, also over those that it covers in part ([`with_rim`](Self::with_rim)).
+/// Iterates over the pixels of a sphere that fills a square picture, row by row from the top.
 ///
-/// Yields the pixels whose centers are inside the circle. Cost: two divisions in
-/// [`new`](Self::new), and a look-up of a root per pixel.
+/// Yields the pixels whose centers are inside the circle, and all others that the circle covers in
+/// part, with the normals of the nearest points of the rim: see [`DiscPixel::coverage`]. A disc of
+/// less than 8 pixels has no such others. Cost: two divisions in [`new`](Self::new), and a look-up of
+/// a root per pixel.
 ///
 /// ```
 /// use eigenshade::object::Disc;
 ///
 /// let mut picture = [' '; 4 * 4];
 /// for pixel in Disc::new(4)? {
-///     pixel.put(&mut picture, if pixel.normal().components()[1] > 0.0 { '^' } else { 'v' })?;
+///     picture[pixel.index()] = if pixel.normal().components()[1] > 0.0 { '^' } else { 'v' };
 /// }
 /// assert_eq!(picture.iter().collect::<String>(), " ^^ ^^^^vvvv vv ");
 /// # Ok::<(), eigenshade::Error>(())
 /// ```
 #[derive(Clone, Debug)]
-pub struct Disc<const RIM: bool = false> {
+pub struct Disc {
     size: i32,
     /// The next pixel.
     column: i32,
@@ -92,18 +95,6 @@ impl Disc {
         Ok(Self { size, column: 0, row: 0, end: size, unit, scale })
     }
 
-    /// The same pixels, and all others that the circle covers in part: see
-    /// [`DiscPixel::coverage`]. The others have the normals of the nearest points of the rim. Blend
-    /// them by their coverage: [`DiscPixel::put`] would make the disc larger. A disc of less than 8
-    /// pixels stays as it is.
-    #[must_use]
-    pub const fn with_rim(&self) -> Disc<true> {
-        let Self { size, column, row, end, unit, scale } = *self;
-        Disc { size, column, row, end, unit, scale }
-    }
-}
-
-impl<const RIM: bool> Disc<RIM> {
     /// A pixel whose center is outside the circle, with the normal of the nearest point of the rim.
     #[cold]
     fn at_the_rim(&self, [column, row]: [i32; 2]) -> DiscPixel {
@@ -128,7 +119,7 @@ impl<const RIM: bool> Disc<RIM> {
     }
 }
 
-impl<const RIM: bool> Iterator for Disc<RIM> {
+impl Iterator for Disc {
     type Item = DiscPixel;
 
     #[inline]
@@ -141,16 +132,15 @@ impl<const RIM: bool> Iterator for Disc<RIM> {
                 if column + 1 < self.size { (column + 1, row) } else { (0, row + 1) };
             let square = x * x + y * y;
             let outside = square as u64 * self.unit;
-            if RIM && outside > 1 << 56 && self.size >= 8 {
-                let most = self.size + 1;
-                if square <= most * most {
-                    return Some(self.at_the_rim([column, row]));
-                }
-            } else if outside <= 1 << 56 {
+            if outside <= 1 << 56 {
                 let square = (((1 << 56) - outside) >> 32) as u32;
                 let z = root(square.min((1 << 24) - 1));
                 let [x, y] = [x, y].map(|place| place * self.scale);
                 return Some(DiscPixel { column, row, size: self.size, x, y, z });
+            }
+            let most = self.size + 1;
+            if square <= most * most && self.size >= 8 {
+                return Some(self.at_the_rim([column, row]));
             }
         }
         None
@@ -216,23 +206,10 @@ impl DiscPixel {
         (8 * coverage(center, self.size)).clamp(0, 255) as u8
     }
 
-    /// Sets this pixel of a picture of the disc's size, stored row by row. For a screen of another
-    /// size, use [`row`](Self::row) and [`column`](Self::column).
-    ///
-    /// # Errors
-    ///
-    /// [`Error::Length`] unless the picture has as many pixels as the square around the disc.
+    /// Draws this pixel. Where the circle covers it in part, it is mixed with what is there.
     #[inline]
-    pub fn put<T>(self, picture: &mut [T], value: T) -> Result<(), Error> {
-        let pixels = (self.size * self.size) as usize;
-        let (argument, found) = (Argument::Picture, picture.len());
-        match picture.get_mut(self.index()) {
-            Some(pixel) if found == pixels => {
-                *pixel = value;
-                Ok(())
-            }
-            _ => Err(Error::Length { argument, expected: pixels, found }),
-        }
+    pub fn put<P: Pixel>(self, target: &mut Target<'_, P>, color: P) {
+        target.put([self.column(), self.row()], color, self.coverage());
     }
 
     /// The code of the normal, within 0.6 of its exact place in u and in v.
@@ -263,20 +240,6 @@ impl DiscPixel {
 mod tests {
     use super::*;
 
-    /// On a screen of another size the rows would be smeared.
-    #[test]
-    fn a_picture_of_another_size_is_refused() {
-        for found in [0, 4 * 3, 4 * 4, 4 * 5, 320 * 240] {
-            let mut screen = [0; 320 * 240];
-            let screen = screen.get_mut(..found).unwrap_or_default();
-            let mut pixels = Disc::new(4).into_iter().flatten();
-            let drawn = pixels.try_for_each(|pixel| pixel.put(screen, 1));
-            let refused = Error::Length { argument: Argument::Picture, expected: 16, found };
-            assert_eq!(drawn, if found == 16 { Ok(()) } else { Err(refused) });
-            assert_eq!(screen.iter().sum::<i32>(), if found == 16 { 12 } else { 0 });
-        }
-    }
-
     #[test]
     fn normals_are_those_of_a_sphere() {
         let (mut worst, mut at_the_rim) = (0.0_f64, 0.0_f64);
@@ -288,6 +251,9 @@ mod tests {
                 assert_eq!(pixel.index(), pixel.row() * size + pixel.column());
                 let place = |k: usize| (2.0 * k as f64 + 1.0) / size as f64 - 1.0;
                 let (x, y) = (place(pixel.column()), -place(pixel.row()));
+                if x * x + y * y > 1.0 {
+                    continue;
+                }
                 let z = libm::sqrt((1.0 - x * x - y * y).max(0.0));
                 let found = pixel.normal().components().map(f64::from);
                 // The scale is rounded down to a whole 2^-31 / size.
@@ -311,7 +277,7 @@ mod tests {
     fn the_rim_has_the_nearest_normals() {
         for size in [7, 8, 17, 64, 240, 4096] {
             let (mut area, mut count) = (0.0, 0);
-            for pixel in Disc::new(size).into_iter().flat_map(|disc| disc.with_rim()) {
+            for pixel in Disc::new(size).into_iter().flatten() {
                 area += f64::from(pixel.coverage()) / 255.0;
                 let place = |k: usize| (2.0 * k as f64 + 1.0) / size as f64 - 1.0;
                 let (x, y) = (place(pixel.column()), -place(pixel.row()));
@@ -333,11 +299,12 @@ mod tests {
     }
 
     #[test]
-    fn the_circle_has_the_pixels_whose_centers_it_contains() {
+    fn the_circle_has_the_pixels_that_it_covers() {
         for size in 1..60_usize {
             let inside = |x: usize, y: usize| {
                 let place = |k: usize| (2 * k + 1).abs_diff(size);
-                place(x).pow(2) + place(y).pow(2) <= size * size
+                let most = if size < 8 { size } else { size + 1 };
+                place(x).pow(2) + place(y).pow(2) <= most * most
             };
             let expected = (0..size * size).filter(|k| inside(k % size, k / size));
             let pixels = || Disc::new(size).into_iter().flatten();

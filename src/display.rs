@@ -18,6 +18,17 @@ pub(crate) const POINT: u32 = 16;
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Linear(pub u32);
 
+impl Linear {
+    /// The product with a number in units of 2^-16, such as a channel of a base color. An irradiance
+    /// above 16 counts as 16.
+    #[inline]
+    #[must_use]
+    pub fn times(self, factor: u16) -> Self {
+        let Self(units) = self;
+        Self(((units >> 4).min(0xffff) * u32::from(factor)) >> 12)
+    }
+}
+
 impl From<f32> for Linear {
     #[inline]
     fn from(exposed: f32) -> Self {

@@ -193,7 +193,19 @@ mod matcap;
 
 mod nodes;
 
+mod grid;
+
+mod encoded;
+
+mod pixel;
+
+mod target;
+
 mod palette;
+
+mod linear_palette;
+
+mod sent;
 
 pub mod wire;
 
@@ -271,10 +283,14 @@ pub mod object {
 pub mod screen {
     pub use crate::blend::blend565;
     pub use crate::display::{Display, Exposure, Linear, Tone};
+    pub use crate::linear_palette::LinearPalette;
     pub use crate::meter::Meter;
     pub use crate::nodes::Nodes;
     pub use crate::palette::Palette;
+    pub use crate::pixel::Pixel;
+    pub use crate::sent::Sent;
     pub use crate::shade::NegativePolicy;
+    pub use crate::target::Target;
 }
 
 // Runs the README's examples as tests.

@@ -11,7 +11,9 @@ use crate::error::{Argument, Error};
 use crate::nodes::Nodes;
 use crate::normal::Normal;
 use crate::normal_code::{NormalCode, WITHOUT};
+use crate::pixel::Pixel;
 use crate::q15;
+use crate::target::Target;
 
 /// The steps to a neighbor, to the right and down, by its number.
 const NEIGHBORS: [[i8; 2]; 8] =
@@ -23,14 +25,12 @@ const NEIGHBORS: [[i8; 2]; 8] =
 /// packed ones. Pixels at an object's outline have a coverage.
 ///
 /// ```
-/// use eigenshade::object::{Disc, NormalMap};
-/// use eigenshade::screen::{Display, Tone, blend565};
+/// use eigenshade::object::NormalMap;
+/// use eigenshade::screen::{Display, Target, Tone};
 ///
 /// // A sphere of 32 x 32 pixels, and a display of the same size with a blue background.
 /// let mut codes = [NormalMap::BACKGROUND; 32 * 32];
-/// for pixel in Disc::new(32)? {
-///     pixel.put(&mut codes, NormalMap::code(pixel.normal()))?;
-/// }
+/// NormalMap::sphere(32, &mut codes)?;
 /// let map = NormalMap::new(32, 32, codes.as_flattened())?;
 /// let mut screen = [0x001f_u16; 32 * 32];
 ///
@@ -41,11 +41,10 @@ const NEIGHBORS: [[i8; 2]; 8] =
 /// static DISPLAY: Display = Display::new(Tone::Filmic);
 /// let scene = sphere::color::scene(PARK, DARK_RED_PAINT)?;
 /// let exposure = scene.exposure_by_factor(1.5)?;
+/// let mut target = Target::new(&mut screen, 32)?;
 /// for pixel in map.pixels() {
 ///     let color = DISPLAY.rgb565(exposure.of(scene.shade(pixel.normal())));
-///     if let Some(below) = screen.get_mut(pixel.index()) {
-///         *below = blend565(*below, color, pixel.coverage());
-///     }
+///     pixel.put(&mut target, color);
 /// }
 /// assert!(screen[0] == 0x001f && screen[16 * 32 + 16] != 0x001f);
 /// # }
@@ -239,6 +238,12 @@ impl NormalPixel {
     #[must_use]
     pub const fn coverage(self) -> u8 {
         self.coverage
+    }
+
+    /// Draws this pixel. Where the object covers it in part, it is mixed with what is there.
+    #[inline]
+    pub fn put<P: Pixel>(self, target: &mut Target<'_, P>, color: P) {
+        target.put([self.column, self.row], color, self.coverage);
     }
 
     /// The code of the normal: see [`Palette`](crate::screen::Palette).

@@ -1,55 +1,18 @@
 //! The colors of a frame by normal: nodes are shaded, exposed and encoded once, and a pixel is
 //! interpolated between four of them.
 //!
-//! A node is every eighth code of each axis of a [`NormalCode`], and the three low bits of a code are
-//! the place between two nodes. Display values are interpolated, not irradiances: a tone curve and
-//! an encoding make an irradiance much less smooth.
+//! Display values are interpolated, not irradiances: a tone curve and an encoding make an irradiance
+//! much less smooth.
 
-use crate::blend::blend565;
 use crate::color::Rgb;
 use crate::display::{Display, Linear, rank, ranks};
+use crate::encoded::{Encoded, NEAREST};
+use crate::grid::{Grid, OfNode};
 use crate::nodes::{Nodes, SIDE};
-use crate::normal::Normal;
-use crate::normal_code::{NormalCode, RIM, normal_at, normal_q15_at};
+use crate::normal_code::NormalCode;
 use crate::normal_map::NormalMap;
-use crate::q15;
-
-/// Bits of a node's place after the binary point, in codes.
-const POINT: u32 = 4;
-
-/// Units of a node's values: steps of a level of RGB565, 31 levels for red and blue and 63 for
-/// green. 64 times the largest value has 16 bits.
-const STEPS: [u32; 2] = [31 << 5, 63 << 4];
-
-/// The encoded color at a node: red in the upper half of the first word and blue in the lower one,
-/// green in the second.
-type Node = [u32; 2];
-
-/// A normal in one of the number formats.
-pub trait OfNode: sealed::OfNode {}
-impl OfNode for Normal {}
-impl OfNode for q15::Normal {}
-
-mod sealed {
-    use super::{Normal, POINT, normal_at, normal_q15_at, q15};
-
-    pub trait OfNode {
-        /// The normal at a point of the map of codes, in units of 2^-[`POINT`] of a code.
-        fn of_point(point: [i32; 2]) -> Self;
-    }
-    impl OfNode for Normal {
-        #[inline]
-        fn of_point(point: [i32; 2]) -> Self {
-            normal_at::<POINT>(point)
-        }
-    }
-    impl OfNode for q15::Normal {
-        #[inline]
-        fn of_point(point: [i32; 2]) -> Self {
-            normal_q15_at::<POINT>(point)
-        }
-    }
-}
+use crate::pixel::Pixel;
+use crate::target::Target;
 
 /// The colors of one material under one light, by normal: 8.7 KB.
 ///
@@ -63,7 +26,7 @@ mod sealed {
 /// # #[cfg(all(feature = "baked", feature = "presets"))] {
 /// use eigenshade::object::Disc;
 /// use eigenshade::presets::{light::LOBBY, material::GOLD_METALLIC_PAINT};
-/// use eigenshade::screen::{Display, Nodes, Palette, Tone};
+/// use eigenshade::screen::{Display, Nodes, Palette, Target, Tone};
 /// use eigenshade::sphere;
 ///
 /// static DISPLAY: Display = Display::new(Tone::Filmic);
@@ -73,17 +36,15 @@ mod sealed {
 /// palette.fill(&Nodes::ALL, &DISPLAY, |normal| exposure.of(scene.shade(normal)));
 ///
 /// let mut picture = [0_u16; 64 * 64];
+/// let mut target = Target::new(&mut picture, 64)?;
 /// for pixel in Disc::new(64)? {
-///     pixel.put(&mut picture, palette.rgb565(pixel.code()))?;
+///     pixel.put(&mut target, palette.rgb565(pixel.code()));
 /// }
 /// # }
 /// # Ok::<(), eigenshade::Error>(())
 /// ```
 #[derive(Clone, Debug)]
-pub struct Palette {
-    /// Row by row from the bottom.
-    nodes: [Node; SIDE * SIDE],
-}
+pub struct Palette(Grid<Encoded>);
 
 /// A palette in which every color is black.
 impl Default for Palette {
@@ -94,7 +55,7 @@ impl Default for Palette {
 
 impl Palette {
     /// A palette in which every color is black.
-    pub const BLACK: Self = Self { nodes: [[0; 2]; SIDE * SIDE] };
+    pub const BLACK: Self = Self(Grid([Encoded::BLACK; SIDE * SIDE]));
 
     /// Shades, exposes and encodes nodes. `exposed` gives the exposed irradiance of a normal, in
     /// floats or in integers. Nodes beyond the rim of a sphere have the colors of the rim. Other
@@ -107,40 +68,32 @@ impl Palette {
         display: &Display,
         mut exposed: impl FnMut(N) -> Rgb<L>,
     ) {
-        let rows = self.nodes.as_chunks_mut::<SIDE>().0;
-        for (row, (places, used)) in rows.iter_mut().zip(nodes.0).enumerate() {
-            for (column, node) in places.iter_mut().enumerate() {
-                if used >> column & 1 == 1 {
-                    let color = exposed(N::of_point(point([column, row])));
-                    *node = packed(color.map(|channel| display.encode(channel.into())));
-                }
-            }
-        }
+        self.0.fill(nodes, |normal| {
+            Encoded::of(exposed(normal).map(|channel| display.encode(channel.into())))
+        });
     }
 
-    /// 64 times the color of a code: red and blue, and green.
+    /// 64 times the color of a code.
     #[inline(always)]
-    fn sums(&self, code: NormalCode) -> Node {
-        let ([column, row], [across, up]) = code.cell();
-        let cell = self.nodes.get(row * SIDE + column..).and_then(|nodes| nodes.first_chunk());
-        let Some(&[a, b, .., c, d]) = cell.map(|cell: &[Node; SIDE + 2]| cell) else {
-            return [0; 2];
+    fn sums(&self, code: NormalCode) -> Encoded {
+        let Some(([a, b, c, d], [across, up])) = self.0.around(code) else {
+            return Encoded::BLACK;
         };
         // Modulo 2^32: differences may be negative.
         let between =
             |a: u32, b: u32, way: u32| (a << 3).wrapping_add(b.wrapping_sub(a).wrapping_mul(way));
-        let rows =
-            [(a, b), (c, d)].map(|([a, c], [b, d])| [between(a, b, across), between(c, d, across)]);
+        let rows = [(a, b), (c, d)].map(|(Encoded([a, c]), Encoded([b, d]))| {
+            [between(a, b, across), between(c, d, across)]
+        });
         let [[a, c], [b, d]] = rows;
-        [between(a, b, up), between(c, d, up)]
+        Encoded([between(a, b, up), between(c, d, up)])
     }
 
     /// A pixel of 5, 6 and 5 bits: red in the highest bits.
     #[inline]
     #[must_use]
     pub fn rgb565(&self, code: NormalCode) -> u16 {
-        // Half a level.
-        pixel565(self.sums(code), 1 << 10)
+        self.sums(code).rgb565(NEAREST)
     }
 
     /// [`rgb565`](Self::rgb565) with ordered dithering, as
@@ -148,40 +101,25 @@ impl Palette {
     #[inline]
     #[must_use]
     pub fn rgb565_dithered(&self, code: NormalCode, x: usize, y: usize) -> u16 {
-        pixel565(self.sums(code), (rank(x, y) << 7) + (1 << 6))
+        self.sums(code).rgb565(threshold(rank(x, y)))
     }
 
     /// A pixel of 8 bits a channel.
     #[inline]
     #[must_use]
     pub fn rgb888(&self, code: NormalCode) -> Rgb<u8> {
-        /// 255 of the largest sums, times 2^22.
-        const SCALES: [u32; 2] = [(255 << 22) / (STEPS[0] << 6), (255 << 22) / (STEPS[1] << 6)];
-        let [red_blue, green] = self.sums(code);
-        let level = |sum: u32, scale: u32| ((sum * scale + (1 << 21)) >> 22) as u8;
-        let [of_red_blue, of_green] = SCALES;
-        Rgb {
-            r: level(red_blue >> 16, of_red_blue),
-            g: level(green, of_green),
-            b: level(red_blue & 0xffff, of_red_blue),
-        }
+        self.sums(code).rgb888()
     }
 }
 
-/// Rows of pixels of 5, 6 and 5 bits.
+/// Whole objects.
 impl Palette {
-    /// Draws a row of an object over the pixels in `to`, the first of which is the first one of the
-    /// row. Pixels that the object covers in part are mixed with what is there, and background
-    /// stays. With `dithered`, pixels are as [`rgb565_dithered`](Self::rgb565_dithered) has them for
-    /// this column and row.
-    ///
-    /// A row beyond the last one draws nothing, and pixels beyond the end of `to` are not drawn.
-    /// Clear `to` for each row if nothing is below the object:
+    /// Draws the rows of an object that the target has.
     ///
     /// ```
     /// # use eigenshade::Rgb;
     /// # use eigenshade::object::NormalMap;
-    /// # use eigenshade::screen::{Display, Linear, Palette, Tone};
+    /// # use eigenshade::screen::{Display, Linear, Palette, Target, Tone};
     /// # static DISPLAY: Display = Display::new(Tone::Filmic);
     /// # let mut codes = [NormalMap::BACKGROUND; 64 * 64];
     /// # NormalMap::sphere(64, &mut codes)?;
@@ -189,37 +127,46 @@ impl Palette {
     /// # let mut palette = Palette::default();
     /// # let gray = |_: eigenshade::Normal| Rgb::gray(Linear(40_000));
     /// # palette.fill(&map.nodes(), &DISPLAY, gray);
-    /// # let mut send = |row: &[u16; 64]| assert!(row[32] != 0);
-    /// for y in 0..map.height() {
-    ///     let mut row = [0; 64];
-    ///     palette.draw_row565(&map, y, false, &mut row);
-    ///     send(&row);
+    /// # let mut send = |bytes: &[u8]| assert!(bytes.len() == 128 && bytes[64] != 0);
+    /// // Row by row, in the byte order of a display on SPI.
+    /// for row in 0..64 {
+    ///     let mut pixels = [[0_u8; 2]; 64];
+    ///     palette.draw(&map, &mut Target::new(&mut pixels, 64)?.at(0, -row));
+    ///     send(pixels.as_flattened());
     /// }
     /// # Ok::<(), eigenshade::Error>(())
     /// ```
-    pub fn draw_row565(&self, map: &NormalMap<'_>, row: usize, dithered: bool, to: &mut [u16]) {
-        if dithered {
+    pub fn draw<P: Pixel>(&self, map: &NormalMap<'_>, target: &mut Target<'_, P>) {
+        for row in target.rows(map.height()) {
+            self.row(map, row, target, |_| NEAREST);
+        }
+    }
+
+    /// [`draw`](Self::draw) with ordered dithering of RGB565, as
+    /// [`rgb565_dithered`](Self::rgb565_dithered) has it for the column and the row of the object.
+    pub fn draw_dithered<P: Pixel>(&self, map: &NormalMap<'_>, target: &mut Target<'_, P>) {
+        for row in target.rows(map.height()) {
             let ranks = ranks(row);
-            self.row565(map, row, to, |column| (ranks(column) << 7) + (1 << 6));
-        } else {
-            self.row565(map, row, to, |_| 1 << 10);
+            self.row(map, row, target, |column| threshold(ranks(column)));
         }
     }
 
     // Apart, so that the loop has all registers.
     #[inline(never)]
-    fn row565(
+    fn row<P: Pixel>(
         &self,
         map: &NormalMap<'_>,
         row: usize,
-        to: &mut [u16],
+        target: &mut Target<'_, P>,
         threshold: impl Fn(usize) -> u32,
     ) {
-        for (column, (pixel, &code)) in to.iter_mut().zip(map.codes(row)).enumerate() {
+        let (first, pixels) = target.row(row);
+        let codes = map.codes(row).get(first..).unwrap_or_default();
+        for (column, (pixel, &code)) in (first..).zip(pixels.iter_mut().zip(codes)) {
             if let Some(code) = NormalCode::of_pixel(code) {
-                *pixel = pixel565(self.sums(code), threshold(column));
+                *pixel = P::of(self.sums(code), threshold(column));
             } else if code != NormalMap::BACKGROUND {
-                self.blend565(map, [column, row], code, threshold(column), pixel);
+                self.blend(map, [column, row], code, threshold(column), pixel);
             }
         }
     }
@@ -228,54 +175,33 @@ impl Palette {
     /// registers.
     #[cold]
     #[inline(never)]
-    fn blend565(
+    fn blend<P: Pixel>(
         &self,
         map: &NormalMap<'_>,
         [column, row]: [usize; 2],
         code: [u8; 2],
         threshold: u32,
-        pixel: &mut u16,
+        pixel: &mut P,
     ) {
         if let Some((code, coverage)) = map.edge(code, column, row) {
-            *pixel = blend565(*pixel, pixel565(self.sums(code), threshold), coverage);
+            *pixel = P::of(self.sums(code), threshold).over(*pixel, coverage);
         }
     }
 }
 
-/// The levels of sums, each rounded down after adding a threshold: 2^11 of it are a level of red and
-/// blue.
+/// The threshold of a rank in the matrix of the display.
 #[inline(always)]
-fn pixel565([red_blue, green]: Node, threshold: u32) -> u16 {
-    let red_blue = red_blue + (threshold << 16 | threshold);
-    let green = green + (threshold >> 1);
-    ((red_blue >> 16 & 0xf800) | (green >> 5 & 0x07e0) | (red_blue >> 11 & 0x1f)) as u16
-}
-
-/// An encoded color as a node.
-fn packed(color: Rgb<u16>) -> Node {
-    let [of_red_blue, of_green] = STEPS;
-    let steps = |channel: u16, most: u32| (u32::from(channel) * most + (1 << 15)) >> 16;
-    let Rgb { r, g, b } = color;
-    [steps(r, of_red_blue) << 16 | steps(b, of_red_blue), steps(g, of_green)]
-}
-
-/// The point of a node in units of 2^-[`POINT`] of a code: its place, or the nearest one of the rim.
-fn point(node: [usize; 2]) -> [i32; 2] {
-    let point = node.map(|place| (8 * place as i32 - 128) << POINT);
-    let [u, v] = point;
-    let (square, rim) = ((u * u + v * v).cast_unsigned(), (RIM as i32) << POINT);
-    if square <= (rim * rim).cast_unsigned() {
-        return point;
-    }
-    // Above zero, which a compiler does not see.
-    let distance = square.isqrt().cast_signed().max(1);
-    point.map(|along| along * rim / distance)
+fn threshold(rank: u32) -> u32 {
+    (rank << 7) + (1 << 6)
 }
 
 #[cfg(test)]
 #[expect(clippy::unwrap_used, reason = "a test may panic")]
 mod tests {
     use super::*;
+    use crate::blend::blend565;
+    use crate::normal::Normal;
+    use crate::q15;
     use crate::screen::Tone;
 
     /// A smooth picture, without a table.
@@ -359,7 +285,13 @@ mod tests {
         let (mut partial, below) = (0, 0x1234);
         for (y, dithered) in (0..41).flat_map(|y| [(y, false), (y, true)]) {
             let (mut found, mut expected) = ([below; 40], [below; 40]);
-            palette.draw_row565(&map, y, dithered, &mut found);
+            let mut target = Target::new(&mut found, 40).unwrap();
+            let mut target = target.at(0, -(y as i32));
+            if dithered {
+                palette.draw_dithered(&map, &mut target);
+            } else {
+                palette.draw(&map, &mut target);
+            }
             for pixel in map.row(y) {
                 let (code, x) = (pixel.code(), pixel.column());
                 let color = if dithered {
@@ -375,21 +307,5 @@ mod tests {
             assert_eq!(found, expected);
         }
         assert!(partial > 100);
-    }
-
-    #[test]
-    fn both_formats_have_the_same_nodes() {
-        for (row, used) in Nodes::ALL.0.into_iter().enumerate() {
-            for column in (0..SIDE).filter(|column| used >> column & 1 == 1) {
-                let point = point([column, row]);
-                let floats = normal_at::<POINT>(point).components();
-                let integers = normal_q15_at::<POINT>(point).components();
-                let square: f32 = floats.iter().map(|along| along * along).sum();
-                assert!((square - 1.0).abs() < 1e-4, "{floats:?}");
-                for (float, integer) in floats.into_iter().zip(integers) {
-                    assert!((32_768.0 * float - f32::from(integer.0)).abs() < 3.0);
-                }
-            }
-        }
     }
 }
