@@ -54,6 +54,29 @@ impl<T: Copy> Grid<T> {
         }
     }
 
+    /// [`fill`](Self::fill) of four nodes at a time, with the values of [`Normal::mirrored`] in its
+    /// order. If one of them is set, all are.
+    #[inline]
+    pub fn fill_mirrored<N: OfNode>(&mut self, nodes: &Nodes, mut values: impl FnMut(N) -> [T; 4]) {
+        let last = SIDE - 1;
+        let used = |row: usize| nodes.0.get(row).copied().unwrap_or_default();
+        for row in 0..=last / 2 {
+            let used = used(row) | used(last - row);
+            for column in (0..=last / 2)
+                .filter(|column| used >> column & 1 == 1 || used >> (last - column) & 1 == 1)
+            {
+                let places = [[column, row], [last - column, row]];
+                let opposite = places.map(|[column, row]| [column, last - row]);
+                let values = values(N::of_point(point([column, row])));
+                for ([column, row], value) in places.into_iter().chain(opposite).zip(values) {
+                    if let Some(node) = self.0.get_mut(row * SIDE + column) {
+                        *node = value;
+                    }
+                }
+            }
+        }
+    }
+
     /// The values around a code, from the lower left to the upper right, and the way between them
     /// in eighths, to the right and up.
     #[inline(always)]

@@ -134,6 +134,7 @@ pub mod specialized {
     pub use crate::known_table::{KnownTable, checked, whole};
     pub use crate::relight::{accept_light, coefficients, transfer_numbers};
     pub use crate::scene::{blank_scene, collapse, terms, terms_mut};
+    pub use crate::shade::mirrored::{Mirrored, by_image};
     pub use crate::shade::slice::{ONE_BY_ONE, shade_each, shade_normals};
     pub use crate::shade::{Block, azimuth, pole};
     pub use crate::transfer::accept_material;

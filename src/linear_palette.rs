@@ -57,12 +57,17 @@ impl LinearPalette {
         nodes: &Nodes,
         mut exposed: impl FnMut(N) -> Rgb<L>,
     ) {
-        self.0.fill(nodes, |normal| {
-            <[L; 3]>::from(exposed(normal)).map(|channel| {
-                let Linear(units) = channel.into();
-                (units.saturating_add(8) >> (16 - POINT)).min(u16::MAX.into()) as u16
-            })
-        });
+        self.0.fill(nodes, |normal| packed(exposed(normal)));
+    }
+
+    /// [`fill`](Self::fill) of four nodes at a time, as
+    /// [`Palette::fill_mirrored`](crate::screen::Palette::fill_mirrored).
+    pub fn fill_mirrored<N: OfNode, L: Into<Linear>>(
+        &mut self,
+        nodes: &Nodes,
+        mut exposed: impl FnMut(N) -> [Rgb<L>; 4],
+    ) {
+        self.0.fill_mirrored(nodes, |normal| exposed(normal).map(packed));
     }
 
     /// The irradiance of a code, interpolated between four nodes. Cost: 27 products and sums.
@@ -79,4 +84,12 @@ impl LinearPalette {
         // 64 times the irradiance.
         row(a, b).zip(row(c, d)).map(|(a, b)| Linear(between(a, b, up) >> (6 + POINT - 16)))
     }
+}
+
+/// An irradiance as a node.
+fn packed<L: Into<Linear>>(color: Rgb<L>) -> [u16; 3] {
+    <[L; 3]>::from(color).map(|channel| {
+        let Linear(units) = channel.into();
+        (units.saturating_add(8) >> (16 - POINT)).min(u16::MAX.into()) as u16
+    })
 }

@@ -17,8 +17,8 @@ pub(crate) const RIM: f32 = 127.0;
 /// The first byte of a pixel that has no normal of its own.
 pub(crate) const WITHOUT: u8 = 0x80;
 
-/// The square of the largest distance that counts as the rim, in which all rounded codes lie.
-const LARGEST: i32 = 1 << 14;
+/// All rounded codes lie inside of this squared distance, and no code of [`WITHOUT`].
+const OUTSIDE: i32 = 1 << 14;
 
 /// sin θ / s with s = θ / (π/2), in (u² + v²) / 2^14, from the constant on: within 1.3e-6.
 const SINE: [f64; 4] = [1.570_795_05, -0.656_135_98, 0.082_027_47, -0.004_576_182];
@@ -52,18 +52,12 @@ impl NormalCode {
         Self::of_sphere([x, y], z)
     }
 
-    /// These bytes as a code, if its point is inside the rim.
+    /// These bytes as a code, if its point is inside the rim: those of a pixel that has a normal of
+    /// its own.
     #[inline(always)]
     pub(crate) const fn inside([u, v]: [u8; 2]) -> Option<Self> {
         let point = [u.cast_signed(), v.cast_signed()];
-        if square(point) <= LARGEST { Some(Self(point)) } else { None }
-    }
-
-    /// The code of a pixel, if it has a normal of its own.
-    #[inline(always)]
-    pub(crate) const fn of_pixel(code: [u8; 2]) -> Option<Self> {
-        // No code inside the rim begins so but (-128, 0).
-        if code[0] == WITHOUT { None } else { Self::inside(code) }
+        if square(point) < OUTSIDE { Some(Self(point)) } else { None }
     }
 
     /// The code at a point of a sphere, from its place (x, y) and z in units of 2^-15: within 0.6.
@@ -203,7 +197,7 @@ mod tests {
             let code = code.to_le_bytes();
             let point = code.map(u8::cast_signed);
             let Some(pixel) = NormalCode::inside(code) else {
-                assert!(square(point) > LARGEST);
+                assert!(square(point) > OUTSIDE);
                 continue;
             };
             assert_eq!(pixel.bytes(), code);

@@ -164,7 +164,7 @@ impl<'a> NormalMap<'a> {
         let column = column.checked_add_signed(right.into()).filter(|&one| one < self.width)?;
         let row = row.checked_add_signed(down.into())?;
         let code = *self.codes.get(row.checked_mul(self.width)?.checked_add(column)?)?;
-        Some((NormalCode::of_pixel(code)?, coverage))
+        Some((NormalCode::inside(code)?, coverage))
     }
 }
 
@@ -188,7 +188,7 @@ impl Iterator for NormalPixels<'_> {
             let (column, row, width) = (self.column, self.row, self.map.width);
             (self.column, self.row) =
                 if column + 1 < width { (column + 1, row) } else { (0, row + 1) };
-            let found = match NormalCode::of_pixel(code) {
+            let found = match NormalCode::inside(code) {
                 Some(code) => Some((code, u8::MAX)),
                 None => self.map.edge(code, column, row),
             };

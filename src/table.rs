@@ -243,6 +243,14 @@ macro_rules! table {
                 $crate::specialized::azimuth::<This, $azimuth, SCENE>(terms, &pixel, above);)*
             $crate::specialized::pole::<This, SCENE>(terms, &pixel, above)
         }
+        /// The irradiances of a normal and its mirror images.
+        #[inline(always)]
+        fn mirrored(scene: &Scene, mirrored: &$crate::specialized::Mirrored) -> [f32; 4] {
+            let terms = scene.terms();
+            let sums = mirrored.pole::<This, SCENE>(terms);
+            $(let sums = mirrored.azimuth::<This, $azimuth, SCENE>(terms, sums);)*
+            $crate::specialized::Mirrored::images(sums)
+        }
     };
     (@sizes $components:expr, $workspace:expr, $basis:expr) => {
         $crate::table_items! {
@@ -274,7 +282,7 @@ macro_rules! table {
         }
         $crate::table_in_color! {
             'a, light $crate::Light<'a>, material $crate::Material<'a>,
-            normal $crate::Normal, irradiance f32,
+            normal $crate::Normal, mirrored $crate::specialized::Mirrored, irradiance f32,
             blank Coefficients::from([0.0; super::COMPONENTS]),
             view |transfer| transfer
         }

@@ -44,7 +44,7 @@ macro_rules! table_items {
 macro_rules! table_in_color {
     (
         $a:lifetime, light $light:ty, material $material:ty,
-        normal $normal:ty, irradiance $irradiance:ty,
+        normal $normal:ty, mirrored $mirrored:ty, irradiance $irradiance:ty,
         blank $coefficients:ident::$of_numbers:ident($($numbers:expr)?),
         view |$transfer:ident| $view:expr
     ) => {
@@ -78,6 +78,22 @@ macro_rules! table_in_color {
                 pub fn shade(&self, normal: $normal) -> Rgb<$irradiance> {
                     self.0.each_ref().map(|scene| of_channel(scene, normal))
                 }
+
+                /// The irradiances of a normal and its mirror images in each channel, for the cost
+                /// of some 1.3 normals.
+                #[must_use]
+                pub fn shade_mirrored(&self, normal: $normal) -> [Rgb<$irradiance>; 4] {
+                    let mirrored = <$mirrored>::new(normal);
+                    $crate::specialized::by_image(
+                        self.0.each_ref().map(|scene| of_mirrored(scene, &mirrored)),
+                    )
+                }
+            }
+
+            // As below.
+            #[inline(never)]
+            fn of_mirrored(scene: &super::Scene, mirrored: &$mirrored) -> [$irradiance; 4] {
+                super::mirrored(scene, mirrored)
             }
 
             // Not inlined three times, which would leave too few registers.

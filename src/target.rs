@@ -57,11 +57,7 @@ impl<'a, P> Target<'a, P> {
     /// The part of the target from this column and row of it on, of this width and height or up to
     /// the borders. Objects are drawn at its top left corner.
     #[must_use]
-    pub fn part(
-        &mut self,
-        [left, top]: [usize; 2],
-        [width, height]: [usize; 2],
-    ) -> Target<'_, P> {
+    pub fn part(&mut self, [left, top]: [usize; 2], [width, height]: [usize; 2]) -> Target<'_, P> {
         let width = self.width.saturating_sub(left).min(width);
         let height = self.height.saturating_sub(top).min(height);
         let first = top.saturating_mul(self.stride).saturating_add(left);

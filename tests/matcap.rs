@@ -68,7 +68,8 @@ impl Lit {
         let materials = material::ALL.map(|(_, material)| (light::LOBBY, material));
         let lit = |(light, material)| {
             let scene = sphere::color::scene(light, material).unwrap();
-            let pixels = Disc::new(64).unwrap().map(|pixel| scene.shade(pixel.normal()).largest());
+            let pixels = Disc::new(64).unwrap().filter(|pixel| pixel.coverage() >= 128);
+            let pixels = pixels.map(|pixel| scene.shade(pixel.normal()).largest());
             let peak = pixels.fold(0.0, f32::max).into();
             Self { scene, peak }
         };

@@ -1,10 +1,11 @@
 //! The programs of the README, as the README has them.
 
 use eigenshade::Error;
+use eigenshade::screen::Target;
 
 include!("readme/checksum.rs");
 
-type Draw = fn(&mut [u16; 240 * 240]) -> Result<(), Error>;
+type Draw = fn(&mut Target<'_>) -> Result<(), Error>;
 
 mod gold {
     include!("readme/gold.rs");
@@ -29,8 +30,8 @@ fn the_readme_draws_a_gold_sphere() {
     }
     assert_eq!(words.replace(".normal(", ".normal_q15("), include_str!("readme/gold_q15.rs"));
     let (mut floats, mut integers) = ([0; 240 * 240], [0; 240 * 240]);
-    gold::DRAW(&mut floats).unwrap();
-    gold_q15::DRAW(&mut integers).unwrap();
+    gold::DRAW(&mut Target::new(&mut floats, 240).unwrap()).unwrap();
+    gold_q15::DRAW(&mut Target::new(&mut integers, 240).unwrap()).unwrap();
     let channels = |pixel: u16| [pixel >> 11, (pixel >> 5) & 63, pixel & 31];
     for (&float, &integer) in floats.iter().zip(&integers) {
         let pairs = channels(float).into_iter().zip(channels(integer));

@@ -70,7 +70,7 @@ impl Program {
 
     /// Whether it needs more memory than a micro:bit has.
     pub fn is_large(&self) -> bool {
-        ["watch", "frame"].contains(&self.operation)
+        ["watch", "frames"].contains(&self.source)
     }
 
     /// The name of its binary.

@@ -46,6 +46,7 @@ mod exposure;
 mod highlights;
 mod inputs;
 mod map_point;
+mod mirrored;
 mod nine_terms;
 mod normal;
 mod relight;
@@ -61,6 +62,7 @@ mod turn;
 #[doc(hidden)]
 pub mod kernels {
     pub use super::collapse::{Shifts, Size, azimuths, collapse_azimuth, finish, mantissas};
+    pub use super::mirrored::Mirrored;
     pub use super::relight::{
         NONE, align, coefficients, common, exponent, inputs, relight_azimuth,
     };

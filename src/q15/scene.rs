@@ -80,7 +80,7 @@ impl<B: AsRef<[i32]>> Scene<'_, B> {
 
     /// The polynomial of m = 0, and the lengths and polynomials of the other azimuths.
     #[inline]
-    fn constant(&self) -> (&[i32], &[u8], &[i32]) {
+    pub(super) fn constant(&self) -> (&[i32], &[u8], &[i32]) {
         let (length, lengths) = self.lengths.split_first().unwrap_or((&0, &[]));
         let terms = self.buffer.as_ref();
         let (first, rest) = split_row(terms, usize::from(*length));
@@ -171,7 +171,7 @@ impl Pixel {
 /// The value of a polynomial by Horner's rule, with each step rounded down. No step overflows for a
 /// table; the steps of a table that states its sizes too small may wrap.
 #[inline(always)]
-fn value(terms: &[i32], t: i32) -> i32 {
+pub(super) fn value(terms: &[i32], t: i32) -> i32 {
     let Some((&first, rest)) = terms.split_first() else { return 0 };
     let mut sum = first;
     for &term in rest {

@@ -35,7 +35,8 @@ macro_rules! integer_table {
         $crate::table_in_color! {
             'a, light $crate::q15::Light<'a>,
             material $crate::q15::Material<'a>,
-            normal $crate::q15::Normal, irradiance i32,
+            normal $crate::q15::Normal, mirrored $crate::q15::kernels::Mirrored,
+            irradiance i32,
             blank Coefficients::default(),
             view |transfer| &transfer.view()
         }
@@ -277,6 +278,14 @@ macro_rules! integer_table {
             $crate::q15::kernels::Pixel::start::<This, SCENE>(terms, normal)
                 $(.azimuth::<This, $azimuth, SCENE>(terms))*
                 .irradiance()
+        }
+        /// The irradiances of a normal and its mirror images.
+        #[inline(always)]
+        fn mirrored(scene: &Scene, mirrored: &$crate::q15::kernels::Mirrored) -> [i32; 4] {
+            let terms = $crate::q15::kernels::terms(&scene.0);
+            let sums = mirrored.pole::<This, SCENE>(terms);
+            $(let sums = mirrored.azimuth::<This, $azimuth, SCENE>(terms, sums);)*
+            $crate::q15::kernels::Mirrored::images(sums)
         }
     };
 }

@@ -5,6 +5,7 @@
 //! odd number of them the first has no odd partner. A term costs as much as in powers of t, but only
 //! half as many powers cancel.
 
+pub(crate) mod mirrored;
 mod negative;
 pub(crate) mod slice;
 

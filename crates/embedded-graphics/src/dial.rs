@@ -65,7 +65,8 @@ impl<'p, P: Shader, C: DisplayColor> Dial<'p, P, C> {
     }
 
     /// Writes the codes of the dial's pixels, row by row from the top. A [`NormalMap`] of them, made
-    /// once, is cheaper to draw in every frame. The pixels of the rim have a coverage.
+    /// once, is cheaper to draw in every frame. The pixels of the rim have a coverage, and those on
+    /// an edge inside the mean normal of 4 x 4 points.
     ///
     /// # Errors
     ///
@@ -78,23 +79,23 @@ impl<'p, P: Shader, C: DisplayColor> Dial<'p, P, C> {
             return Err(Error::Length { argument, expected, found });
         }
         codes.fill(NormalMap::BACKGROUND);
-        let pixels = || {
-            let shape = self.shape;
-            self.disc.with_rim().map(move |place| DialPixel { place, shape })
-        };
-        for pixel in pixels().filter(|pixel| pixel.place.coverage() == u8::MAX) {
-            pixel.put(codes, pixel.code().bytes());
+        let pixels = || self.disc.clone();
+        for pixel in pixels().filter(|pixel| pixel.coverage() == u8::MAX) {
+            if let Some(to) = codes.get_mut(pixel.index()) {
+                *to = NormalCode::of(self.shape.mean_normal(pixel)).bytes();
+            }
         }
-        for pixel in pixels().filter(|pixel| pixel.place.coverage() < u8::MAX) {
+        for pixel in pixels().filter(|pixel| pixel.coverage() < u8::MAX) {
             // The neighbor toward the center.
             let [right, down] =
                 [pixel.column(), pixel.row()].map(|place| if 2 * place < size { 1 } else { -1 });
-            let neighbor = pixel.place.index().checked_add_signed(down * size as isize + right);
+            let neighbor = pixel.index().checked_add_signed(down * size as isize + right);
             let neighbor = neighbor.and_then(|index| codes.get(index));
             // One with a normal of its own.
-            if neighbor.is_some_and(|code| code[0] != NormalMap::BACKGROUND[0]) {
-                let coverage = pixel.place.coverage();
-                pixel.put(codes, NormalMap::edge_code(coverage, [right as i8, down as i8]));
+            if neighbor.is_some_and(|code| code[0] != NormalMap::BACKGROUND[0])
+                && let Some(to) = codes.get_mut(pixel.index())
+            {
+                *to = NormalMap::edge_code(pixel.coverage(), [right as i8, down as i8]);
             }
         }
         Ok(())
@@ -118,13 +119,10 @@ impl<P: Shader, C: DisplayColor> Drawable for Dial<'_, P, C> {
     type Output = ();
 
     fn draw<D: DrawTarget<Color = C>>(&self, target: &mut D) -> Result<(), D::Error> {
-        let (area, disc, shape) = (self.bounding_box(), &self.disc, self.shape);
-        let pixel = |place| DialPixel { place, shape };
-        if self.below.is_none() {
-            return rows::draw(target, area, None, self.paint, |row| disc.row(row).map(pixel));
-        }
-        let disc = disc.with_rim();
-        rows::draw(target, area, self.below, self.paint, |row| disc.row(row).map(pixel))
+        let (area, shape) = (self.bounding_box(), self.shape);
+        rows::draw(target, area, self.below, self.paint, |row| {
+            self.disc.row(row).map(move |place| DialPixel { place, shape })
+        })
     }
 }
 
@@ -172,17 +170,35 @@ impl DialPixel {
         NormalCode::of_q15(self.normal_q15())
     }
 
-    fn put(self, codes: &mut [[u8; 2]], code: [u8; 2]) {
-        if let Some(to) = codes.get_mut(self.place.index()) {
-            *to = code;
-        }
-    }
-
     /// The normal in units of 2^-15.
     fn vector(self) -> [i32; 3] {
-        let Shape { diameter, bezel, mark } = self.shape;
+        let Shape { diameter, .. } = self.shape;
         let [x, y] = [self.column(), self.row()].map(|place| 2 * place as i32 + 1 - diameter);
-        let y = -y;
+        self.shape.vector([x, -y])
+    }
+}
+
+impl Shape {
+    /// The mean of the normals of 4 x 4 points of a pixel.
+    fn mean_normal(self, pixel: DiscPixel) -> Normal {
+        let [diameter, bezel, mark] =
+            [self.diameter, self.bezel, self.mark].map(|length| 4 * length);
+        let fine = Self { diameter, bezel, mark };
+        let mut sum = [0; 3];
+        for (down, right) in (0..4).flat_map(|down| (0..4).map(move |right| (down, right))) {
+            let places = [(pixel.column(), right), (pixel.row(), down)];
+            let [x, y] = places.map(|(place, part)| 2 * (4 * place as i32 + part) + 1 - diameter);
+            let vector = fine.vector([x, -y]);
+            sum.iter_mut().zip(vector).for_each(|(sum, along)| *sum += along);
+        }
+        let [x, y, z] = sum.map(|along| along as f32);
+        Normal::new(x, y, z).unwrap_or(pixel.normal())
+    }
+
+    /// The normal at a point, in half pixels to the right of the center and above it, in units of
+    /// 2^-15.
+    fn vector(self, [x, y]: [i32; 2]) -> [i32; 3] {
+        let Self { diameter, bezel, mark } = self;
         let square = (x * x + y * y).cast_unsigned();
         let inner = diameter - 2 * bezel;
         if bezel > 0 && square > (inner * inner).cast_unsigned() {

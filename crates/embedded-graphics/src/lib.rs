@@ -46,12 +46,14 @@
 #![deny(clippy::indexing_slicing, clippy::unwrap_used, clippy::expect_used, clippy::panic)]
 
 mod dial;
+mod frame;
 mod paint;
 mod relief;
 mod rows;
 mod sphere;
 
 pub use dial::{Dial, DialPixel};
+pub use frame::{Frame, Layer};
 pub use paint::{DisplayColor, Dithered, Paint, Place, Shader};
 pub use relief::Relief;
 pub use sphere::Sphere;

@@ -1,7 +1,7 @@
 //! From normals to the colors of a display.
 
 use eigenshade::object::{DiscPixel, NormalCode, NormalPixel};
-use eigenshade::screen::{Display, Exposure, Linear, Palette, blend565};
+use eigenshade::screen::{Display, Exposure, Linear, Palette, Pixel, blend565};
 use eigenshade::{Normal, Rgb, q15};
 use embedded_graphics_core::pixelcolor::raw::{RawData as _, RawU16};
 use embedded_graphics_core::pixelcolor::{
@@ -145,6 +145,12 @@ impl<F: Fn(q15::Normal) -> Rgb<i32>> Shader for Paint<'_, F, Rgb<q15::Exposure>>
 
 /// The color of a display that a [`Display`] encodes.
 pub trait DisplayColor: PixelColor {
+    /// The color in memory.
+    type Pixel: Pixel;
+    /// The color as it is in memory.
+    fn pixel(self) -> Self::Pixel;
+    /// The color of a pixel in memory.
+    fn of_pixel(pixel: Self::Pixel) -> Self;
     /// The color of an exposed irradiance; with `dither`, for the pixel at this column and row.
     fn encoded(display: &Display, color: Rgb<Linear>, dither: Option<[usize; 2]>) -> Self;
     /// The color of a code in a palette; with `dither`, for the pixel at this column and row.
@@ -155,30 +161,45 @@ pub trait DisplayColor: PixelColor {
 }
 
 impl DisplayColor for Rgb565 {
+    type Pixel = u16;
+    #[inline]
+    fn pixel(self) -> u16 {
+        RawU16::from(self).into_inner()
+    }
+    #[inline]
+    fn of_pixel(pixel: u16) -> Self {
+        RawU16::new(pixel).into()
+    }
     #[inline]
     fn encoded(display: &Display, color: Rgb<Linear>, dither: Option<[usize; 2]>) -> Self {
-        RawU16::new(match dither {
+        Self::of_pixel(match dither {
             Some([x, y]) => display.rgb565_dithered(color, x, y),
             None => display.rgb565(color),
         })
-        .into()
     }
     #[inline]
     fn of_palette(palette: &Palette, code: NormalCode, dither: Option<[usize; 2]>) -> Self {
-        RawU16::new(match dither {
+        Self::of_pixel(match dither {
             Some([x, y]) => palette.rgb565_dithered(code, x, y),
             None => palette.rgb565(code),
         })
-        .into()
     }
     #[inline]
     fn over(self, below: Self, coverage: u8) -> Self {
-        let [below, above] = [below, self].map(|color| RawU16::from(color).into_inner());
-        RawU16::new(blend565(below, above, coverage)).into()
+        Self::of_pixel(blend565(below.pixel(), self.pixel(), coverage))
     }
 }
 
 impl DisplayColor for Rgb888 {
+    type Pixel = [u8; 3];
+    #[inline]
+    fn pixel(self) -> [u8; 3] {
+        [self.r(), self.g(), self.b()]
+    }
+    #[inline]
+    fn of_pixel([r, g, b]: [u8; 3]) -> Self {
+        Self::new(r, g, b)
+    }
     #[inline]
     fn encoded(display: &Display, color: Rgb<Linear>, _: Option<[usize; 2]>) -> Self {
         let Rgb { r, g, b } = display.rgb888(color);
@@ -191,9 +212,8 @@ impl DisplayColor for Rgb888 {
     }
     #[inline]
     fn over(self, below: Self, coverage: u8) -> Self {
-        let channels = |color: Self| Rgb::new(color.r(), color.g(), color.b());
-        let Rgb { r, g, b } = channels(self).over(channels(below), coverage);
-        Self::new(r, g, b)
+        let [above, below] = [self, below].map(|color| Rgb::from(color.pixel()));
+        Self::of_pixel(above.over(below, coverage).into())
     }
 }
 
@@ -202,6 +222,15 @@ macro_rules! reversed {
     ($($color:ty, $of:ty;)*) => {
         $(
             impl DisplayColor for $color {
+                type Pixel = <$of as DisplayColor>::Pixel;
+                #[inline]
+                fn pixel(self) -> Self::Pixel {
+                    <$of>::from(self).pixel()
+                }
+                #[inline]
+                fn of_pixel(pixel: Self::Pixel) -> Self {
+                    <$of>::of_pixel(pixel).into()
+                }
                 #[inline]
                 fn encoded(
                     display: &Display,

@@ -11,8 +11,8 @@ use embedded_graphics_core::primitives::Rectangle;
 
 /// A sphere of any diameter up to [`Disc::MOST`] pixels.
 ///
-/// Pixels whose centers are inside the circle belong to it. The rest of the target stays. On a
-/// background of one color, [`over`](Self::over) blends the rim.
+/// The rest of the target stays. The sphere has the pixels that the circle covers by half or more; on
+/// a background of one color, [`over`](Self::over) blends the rim.
 #[derive(Debug)]
 pub struct Sphere<'p, P, C> {
     top_left: Point,
@@ -51,11 +51,6 @@ impl<P: Shader, C: DisplayColor> Drawable for Sphere<'_, P, C> {
     type Output = ();
 
     fn draw<D: DrawTarget<Color = C>>(&self, target: &mut D) -> Result<(), D::Error> {
-        let (area, disc) = (self.bounding_box(), &self.disc);
-        if self.below.is_none() {
-            return rows::draw(target, area, None, self.paint, |row| disc.row(row));
-        }
-        let disc = disc.with_rim();
-        rows::draw(target, area, self.below, self.paint, |row| disc.row(row))
+        rows::draw(target, self.bounding_box(), self.below, self.paint, |row| self.disc.row(row))
     }
 }

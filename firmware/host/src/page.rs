@@ -44,8 +44,14 @@ const CHIPS: [(&str, Board, &str, u64); 3] = [
 ];
 
 /// The operations that are a frame, and their objects.
-const FRAMES: [(&str, &str); 2] =
-    [("watch", "the watch, 128 x 128"), ("frame", "a sphere of gold, 240 x 240")];
+const FRAMES: [(&str, &str); 6] = [
+    ("watch", "the watch, 128 x 128"),
+    ("watch_240", "240 x 240"),
+    ("watch_240_still", "light at rest"),
+    ("frame", "a sphere of gold, 240 x 240"),
+    ("frame_sources", "with 4 sources"),
+    ("frame_textured", "textured"),
+];
 
 /// Writes the recorded counts into the pages, and the list of the programs.
 pub fn write() -> Result<()> {

@@ -6,6 +6,7 @@
 
 use eigenshade::Error;
 use eigenshade::object::NormalMap;
+use eigenshade::screen::{Display, Tone};
 
 /// The library's table in Q15, with the transfer of one material.
 pub mod one_material {
@@ -36,6 +37,9 @@ macro_rules! program {
         include!(concat!(env!("OUT_DIR"), "/programs/", env!("CARGO_BIN_NAME"), ".rs"));
     };
 }
+
+/// The display of all programs.
+pub static DISPLAY: Display = Display::new(Tone::Filmic);
 
 /// Pixels across a picture of a sphere.
 pub const BALL: usize = 240;

@@ -5,8 +5,9 @@ use super::inputs::{
 };
 use board::{Passes, holds, measure};
 use core::hint::black_box;
-use eigenshade::screen::{Display, Linear, Nodes, Palette, Tone};
 use eigenshade::{Error, Rgb};
+use eigenshade::screen::{Linear, Nodes, Palette, Target};
+use programs::DISPLAY;
 
 /// A bilinear look-up in a baked map, by normal.
 pub fn baked() {
@@ -24,8 +25,6 @@ pub fn baked_point() {
     let points = inputs::normals().map(MapPoint::of);
     measure(&points, Passes(256), |point| map.bilinear(*point));
 }
-
-pub static DISPLAY: Display = Display::new(Tone::Filmic);
 
 /// Three irradiances to a pixel of 16 bits: exposed, toned and encoded.
 pub fn display() {
@@ -118,9 +117,11 @@ pub fn palette_row() {
     let Ok(map) = programs::ball() else { board::exit(false) };
     let mut row = [0; programs::BALL];
     holds(size_of_val(palette) + size_of_val(&row));
-    measure(&[120], Passes(16), |place| {
-        palette.draw_row565(&map, *place, false, &mut row);
+    measure(&[-120], Passes(16), |place| {
+        let mut target = Target::new(&mut row, programs::BALL)?;
+        palette.draw(&map, &mut target.at(0, *place));
         black_box(&mut row);
+        Ok::<(), Error>(())
     });
 }
 
@@ -132,32 +133,10 @@ pub fn palette_row_dithered() {
     let Ok(map) = programs::ball() else { board::exit(false) };
     let mut row = [0; programs::BALL];
     holds(size_of_val(palette) + size_of_val(&row));
-    measure(&[120], Passes(16), |place| {
-        palette.draw_row565(&map, *place, true, &mut row);
+    measure(&[-120], Passes(16), |place| {
+        let mut target = Target::new(&mut row, programs::BALL)?;
+        palette.draw_dithered(&map, &mut target.at(0, *place));
         black_box(&mut row);
-    });
-}
-
-/// A frame of the gold sphere of 240 x 240 pixels: the light turned, the material relit, a palette
-/// filled, and every row drawn.
-pub fn frame() {
-    let Ok(transfer) = color::transfer(GOLD_METALLIC_PAINT) else { board::exit(false) };
-    let transfer = black_box(&transfer);
-    let (rotation, exposure) = (inputs::rotation(), inputs::exposure());
-    let mut palette = Palette::default();
-    let Ok(map) = programs::ball() else { board::exit(false) };
-    let (nodes, mut row) = (map.nodes(), [0; programs::BALL]);
-    let held = size_of_val(&palette) + size_of_val(&nodes) + size_of_val(&row);
-    holds(size_of_val(transfer) + held);
-    measure(&[LOBBY], Passes(1), |light| {
-        let light = light.turned::<100>(&rotation)?;
-        let scene = color::relight(transfer, light.lights()?)?;
-        palette.fill(&nodes, &DISPLAY, |normal| exposure.of(scene.shade(normal)));
-        for place in 0..map.height() {
-            row.fill(0);
-            palette.draw_row565(&map, place, false, &mut row);
-            black_box(&mut row);
-        }
         Ok::<(), Error>(())
     });
 }

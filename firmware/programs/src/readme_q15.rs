@@ -9,8 +9,8 @@ include!("../../../tests/readme/checksum.rs");
 
 fn readme() {
     let mut screen = [0; 240 * 240];
-    let is_drawn = draw(&mut screen).is_ok();
-    if !is_drawn || crc32(screen.iter().flat_map(|pixel| pixel.to_le_bytes())) != CHECKSUM {
+    let is_drawn = Target::new(&mut screen, 240).and_then(|mut target| draw(&mut target));
+    if is_drawn.is_err() || crc32(screen.iter().flat_map(|pixel| pixel.to_le_bytes())) != CHECKSUM {
         board::exit(false);
     }
 }

@@ -1,9 +1,10 @@
-//! A whole frame of the watch face in f32: the light turned, two materials relit, and every pixel
-//! sent to a display.
+//! Whole frames of the watch face in f32. A program is one of these functions.
 #![no_std]
 #![no_main]
+#![expect(dead_code, reason = "a program runs one of the functions")]
 
 use board::{Passes, measure};
+use eigenshade::Error;
 
 #[path = "../../../crates/embedded-graphics/examples/watch/face.rs"]
 mod face;
@@ -11,7 +12,32 @@ mod face;
 programs::program!();
 
 fn watch() {
-    let (mut watch, mut panel) = (face::Watch::default(), face::Panel::default());
+    turning(&face::SMALL);
+}
+
+fn watch_240() {
+    turning(&face::LARGE);
+}
+
+/// The light turned, two materials relit, two palettes filled, and every pixel sent.
+fn turning(face: &face::Face) {
+    let Ok(mut watch) = face::floats::watch(face) else { board::exit(false) };
+    let mut panel = face::Panel::new(face);
     board::holds(size_of_val(&watch));
-    measure(&[5], Passes(1), |frame| face::floats::draw(*frame, &mut watch, &mut panel));
+    measure(&[5], Passes(1), |frame| {
+        face::floats::relight(*frame, &mut watch)?;
+        let Ok(()) = watch.draw(&mut panel);
+        Ok::<(), Error>(())
+    });
+}
+
+/// Every pixel drawn and sent: the light stands still.
+fn watch_240_still() {
+    let Ok(mut watch) = face::floats::watch(&face::LARGE) else { board::exit(false) };
+    let mut panel = face::Panel::new(&face::LARGE);
+    if face::floats::relight(5, &mut watch).is_err() {
+        board::exit(false);
+    }
+    board::holds(size_of_val(&watch));
+    measure(&[()], Passes(1), |()| watch.draw(&mut panel).is_ok());
 }

@@ -1,5 +1,5 @@
 //! The face of a watch: a blue dial with an embossed golden emblem and hands, on a display of
-//! 128 x 128 pixels. The light turns as the wrist does.
+//! 128 x 128 or of 240 x 240 pixels. The light turns as the wrist does.
 //!
 //! The program of `main.rs` draws it, tests do, and so do the programs of emulated boards.
 #![allow(dead_code, reason = "each of them draws in one number format or in both")]
@@ -8,37 +8,69 @@ use core::convert::Infallible;
 use eigenshade::Error;
 use eigenshade::object::NormalMap;
 use eigenshade::screen::{Display, Nodes, Palette, Tone};
-use eigenshade_embedded_graphics::{DisplayColor, Relief};
+use eigenshade_embedded_graphics::{DisplayColor, Frame, Layer};
 use embedded_graphics_core::draw_target::DrawTarget;
 use embedded_graphics_core::geometry::{OriginDimensions, Point, Size};
-use embedded_graphics_core::pixelcolor::Rgb565;
 use embedded_graphics_core::pixelcolor::raw::{RawData as _, RawU16};
+use embedded_graphics_core::pixelcolor::{Rgb565, RgbColor as _};
 use embedded_graphics_core::primitives::Rectangle;
 use embedded_graphics_core::{Drawable as _, Pixel};
 
-/// The side of the display in pixels.
-pub const SIZE: u32 = 128;
+/// The normals of a watch, and its measures in pixels.
+#[derive(Debug)]
+pub struct Face {
+    /// The side of the display.
+    pub size: u32,
+    /// The side of the relief in the middle.
+    pub relief: u32,
+    /// The width of the bezel.
+    pub bezel: u32,
+    /// The width of the marks.
+    pub mark: u32,
+    dial_codes: &'static [u8],
+    relief_codes: &'static [u8],
+}
+
+/// On a display of 128 x 128 pixels.
+pub static SMALL: Face = Face {
+    size: 128,
+    relief: 74,
+    bezel: 8,
+    mark: 4,
+    dial_codes: include_bytes!("dial_128.bin"),
+    relief_codes: include_bytes!("relief_128.bin"),
+};
+
+/// On a display of 240 x 240 pixels.
+pub static LARGE: Face = Face {
+    size: 240,
+    relief: 140,
+    bezel: 15,
+    mark: 7,
+    dial_codes: include_bytes!("dial_240.bin"),
+    relief_codes: include_bytes!("relief_240.bin"),
+};
+
+impl Face {
+    /// The normals of the dial and of the relief.
+    ///
+    /// # Errors
+    ///
+    /// None: the sizes are right.
+    pub fn maps(&self) -> Result<[NormalMap<'static>; 2], Error> {
+        let map = |side: u32, codes| NormalMap::new(side as usize, side as usize, codes);
+        Ok([map(self.size, self.dial_codes)?, map(self.relief, self.relief_codes)?])
+    }
+}
 
 /// Frames until the wrist is back where it was.
 pub const FRAMES: i32 = 24;
 
-/// The side of the relief in pixels.
-pub const RELIEF: u32 = 74;
-
-/// The relief's normals.
-static CODES: &[u8; 2 * (RELIEF * RELIEF) as usize] = include_bytes!("relief.bin");
-
-/// The dial's normals.
-static DIAL: &[u8; 2 * (SIZE * SIZE) as usize] = include_bytes!("dial.bin");
-
-/// The width of the bezel and of the marks in pixels.
-pub const DIAL_WIDTHS: [u32; 2] = [8, 4];
-
 static DISPLAY: Display = Display::new(Tone::Filmic);
 
-/// The checksum of [`integers`] on a [`Panel`], every sixth frame from the first on: the same on
-/// every machine.
-pub const CHECKSUM: u32 = 0x0c44_eb90;
+/// The checksums of [`integers`] on a [`Panel`] of both sizes, every sixth frame from the first on:
+/// the same on every machine.
+pub const CHECKSUMS: [u32; 2] = [0x2bc9_a17e, 0x8a02be47];
 
 /// How bright the picture is.
 const EXPOSURE: f32 = 2.0;
@@ -53,62 +85,67 @@ fn wrist(frame: i32) -> [i32; 4] {
     [angle, 2 * angle, -angle, 5 * quarter * quarter]
 }
 
-/// A palette for both objects, and the nodes of each: all memory between frames.
+/// The normals, materials and palettes of the dial and of the relief: all memory between frames.
+/// `T` is the transfer of a material in a number format.
 #[derive(Debug)]
-pub struct Watch {
-    palette: Palette,
-    dial: Nodes,
-    relief: Nodes,
+pub struct Watch<T> {
+    maps: [NormalMap<'static>; 2],
+    nodes: [Nodes; 2],
+    transfers: [T; 2],
+    palettes: [Palette; 2],
 }
 
-impl Default for Watch {
-    fn default() -> Self {
-        Self { palette: Palette::default(), dial: nodes(DIAL, SIZE), relief: nodes(CODES, RELIEF) }
+impl<T> Watch<T> {
+    /// A watch whose palettes are black.
+    fn new(face: &Face, transfers: [T; 2]) -> Result<Self, Error> {
+        let maps = face.maps()?;
+        let nodes = maps.map(|map| map.nodes());
+        Ok(Self { maps, nodes, transfers, palettes: [Palette::BLACK; 2] })
     }
-}
 
-/// An object's normals; `None` would be a map of another size.
-fn map(codes: &'static [u8], side: u32) -> Option<NormalMap<'static>> {
-    NormalMap::new(side as usize, side as usize, codes).ok()
-}
-
-/// The nodes that an object needs.
-fn nodes(codes: &'static [u8], side: u32) -> Nodes {
-    map(codes, side).map_or(Nodes::ALL, |map| map.nodes())
-}
-
-/// Draws an object in the middle of the display from a palette.
-fn draw_object<D>(
-    codes: &'static [u8],
-    side: u32,
-    palette: &Palette,
-    target: &mut D,
-) -> Result<(), D::Error>
-where
-    D: DrawTarget<Color: DisplayColor>,
-{
-    let corner = (SIZE - side).cast_signed() / 2;
-    let Some(map) = map(codes, side) else { return Ok(()) };
-    Relief::new(Point::new(corner, corner), map, palette).draw(target)
+    /// Draws the dial and the relief above it from the palettes.
+    ///
+    /// # Errors
+    ///
+    /// The display's.
+    pub fn draw<D: DrawTarget<Color: DisplayColor + From<Rgb565>>>(
+        &self,
+        target: &mut D,
+    ) -> Result<(), D::Error> {
+        let ([dial, relief], [blue, gold]) = (self.maps, &self.palettes);
+        let corner = (dial.width() - relief.width()) as i32 / 2;
+        let layers = [
+            Layer::new(Point::zero(), dial, blue),
+            Layer::new(Point::new(corner, corner), relief, gold),
+        ];
+        Frame::new(&layers, Rgb565::BLACK.into()).draw(target)
+    }
 }
 
 /// A display without memory, which computes a checksum of what it is sent: where each row of
 /// pixels begins, and the pixels.
-#[derive(Debug, Default)]
+#[derive(Debug)]
 pub struct Panel {
+    size: u32,
     /// The checksum.
     pub checksum: u32,
 }
 
 impl Panel {
+    /// The display of a watch.
+    #[must_use]
+    pub const fn new(face: &Face) -> Self {
+        Self { size: face.size, checksum: 0 }
+    }
+
     fn send(&mut self, word: u32) {
-        self.checksum = (self.checksum.rotate_left(5) ^ word).wrapping_mul(0x9e37_79b9);
+        self.checksum = self.checksum.wrapping_mul(0x0100_0193).wrapping_add(word);
     }
 }
 
 impl OriginDimensions for Panel {
     fn size(&self) -> Size {
-        Size::new_equal(SIZE)
+        Size::new_equal(self.size)
     }
 }
 
@@ -130,7 +167,8 @@ impl DrawTarget for Panel {
     where
         I: IntoIterator<Item = Rgb565>,
     {
-        self.send((area.top_left.y * SIZE.cast_signed() + area.top_left.x).cast_unsigned());
+        let Point { x, y } = area.top_left;
+        self.send((y * self.size.cast_signed() + x).cast_unsigned());
         for color in colors {
             self.send(RawU16::from(color).into_inner().into());
         }
@@ -142,42 +180,40 @@ impl DrawTarget for Panel {
 /// the materials in it; `$wrist` gives the quaternion of a frame.
 macro_rules! frames {
     ($wrist:expr) => {
-        /// Draws a frame. It takes the materials in anew for each frame, which costs little beside
-        /// the palettes and needs no memory for transfers. The two objects share a palette.
-        pub fn draw<D: DrawTarget<Color: DisplayColor>>(
-            frame: i32,
-            watch: &mut Watch,
-            target: &mut D,
-        ) -> Result<Result<(), D::Error>, Error> {
+        /// A watch whose palettes are black.
+        ///
+        /// # Errors
+        ///
+        /// None: the sizes are right.
+        pub fn watch(face: &Face) -> Result<Watch<color::Transfer>, Error> {
+            let transfers =
+                [color::transfer(BLUE_METALLIC_PAINT2)?, color::transfer(GOLD_METALLIC_PAINT)?];
+            Watch::new(face, transfers)
+        }
+
+        /// Lights a frame: turns the light, and fills both palettes.
+        ///
+        /// # Errors
+        ///
+        /// None: the rotation has a direction.
+        pub fn relight(frame: i32, watch: &mut Watch<color::Transfer>) -> Result<(), Error> {
             let light = light(frame)?;
-            let Watch { palette, dial, relief } = watch;
-            fill(light.lights()?, BLUE_METALLIC_PAINT2, palette, dial)?;
-            if let Err(failed) = draw_object(DIAL, SIZE, palette, target) {
-                return Ok(Err(failed));
+            let palettes = watch.palettes.iter_mut().zip(&watch.nodes).zip(&watch.transfers);
+            for ((palette, nodes), transfer) in palettes {
+                let scene = color::relight(transfer, light.lights()?)?;
+                let exposure = scene.exposure_by_factor(EXPOSURE)?;
+                palette.fill_mirrored(nodes, &DISPLAY, |normal| {
+                    scene.shade_mirrored(normal).map(|color| exposure.of(color))
+                });
             }
-            fill(light.lights()?, GOLD_METALLIC_PAINT, palette, relief)?;
-            Ok(draw_object(CODES, RELIEF, palette, target))
+            Ok(())
         }
 
         /// The light after the wrist has turned.
-        // Apart, like `fill`, so that its stack is free again for the rows.
+        // Apart, so that its stack is free again.
         #[inline(never)]
         fn light(frame: i32) -> Result<Rgb<Buffer>, Error> {
             HALL.turned(&Rotation::from_quaternion(($wrist)(frame))?)
-        }
-
-        /// Fills a palette with a material under a light.
-        #[inline(never)]
-        fn fill(
-            light: Rgb<Light<'_>>,
-            material: Rgb<Material<'_>>,
-            palette: &mut Palette,
-            nodes: &Nodes,
-        ) -> Result<(), Error> {
-            let scene = color::scene(light, material)?;
-            let exposure = scene.exposure_by_factor(EXPOSURE)?;
-            palette.fill(nodes, &DISPLAY, |normal| exposure.of(scene.shade(normal)));
-            Ok(())
         }
     };
 }
@@ -190,8 +226,6 @@ pub mod floats {
     use eigenshade::sphere::color;
     use eigenshade::{Rgb, Rotation};
 
-    type Light<'a> = eigenshade::Light<'a>;
-    type Material<'a> = eigenshade::Material<'a>;
     type Buffer = eigenshade::Buffer<f32, 100>;
     frames!(|frame| wrist(frame).map(|part| part as f32));
 }
@@ -202,7 +236,7 @@ pub mod integers {
     use eigenshade::Rgb;
     use eigenshade::presets::light::q15::HALL;
     use eigenshade::presets::material::q15::{BLUE_METALLIC_PAINT2, GOLD_METALLIC_PAINT};
-    use eigenshade::q15::{Light, LightBuffer, Material, Rotation};
+    use eigenshade::q15::{LightBuffer, Rotation};
     use eigenshade::sphere::q15::color;
 
     type Buffer = LightBuffer<100>;

@@ -1,6 +1,5 @@
-//! Draws the watch in a frame buffer and writes its frames as an animated PNG:
-//! `watch FILE.png`; `watch --relief FILE.bin` makes the relief's normal map, and `watch --dial
-//! FILE.bin` the dial's.
+//! Draws the large watch in a frame buffer and writes its frames as an animated PNG:
+//! `watch FILE.png`. `watch --normals FOLDER` makes the normal maps of both watches.
 
 mod face;
 mod picture;
@@ -9,14 +8,23 @@ mod relief;
 use std::error::Error;
 use std::fs::{File, write};
 use std::io::BufWriter;
+use std::path::Path;
 
 fn main() -> Result<(), Box<dyn Error>> {
     let arguments: Vec<String> = std::env::args().skip(1).collect();
     match &arguments.iter().map(String::as_str).collect::<Vec<_>>()[..] {
-        ["--relief", file] => Ok(write(file, relief::codes().as_flattened())?),
-        ["--dial", file] => Ok(write(file, relief::dial().as_flattened())?),
+        ["--normals", folder] => {
+            for face in [&face::SMALL, &face::LARGE] {
+                let maps = [("dial", relief::dial(face)), ("relief", relief::codes(face))];
+                for (name, codes) in maps {
+                    let file = Path::new(folder).join(format!("{name}_{}.bin", face.size));
+                    write(file, codes.as_flattened())?;
+                }
+            }
+            Ok(())
+        }
         [file] => animate(file),
-        _ => Err("expected `watch FILE.png`, or `--relief` or `--dial` and a FILE.bin".into()),
+        _ => Err("expected `watch FILE.png` or `watch --normals FOLDER`".into()),
     }
 }
 

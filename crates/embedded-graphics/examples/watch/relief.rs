@@ -1,6 +1,7 @@
-//! Makes the watch's relief: a guilloché, and two hands on a hub.
+//! Makes the normals of a watch: its relief, which is a guilloché and two hands on a hub, and its
+//! dial. Lengths are in pixels of the small watch, and scale with the relief.
 
-use super::face::{DIAL_WIDTHS, RELIEF, SIZE};
+use super::face::{Face, SMALL};
 use eigenshade::Normal;
 use eigenshade::object::NormalMap;
 use eigenshade::screen::Palette;
@@ -18,27 +19,60 @@ const HANDS: [(f64, f64, f64); 2] = [(21.0, 4.2, 304.5), (32.0, 3.4, 54.0)];
 /// The radius of the hub in pixels.
 const HUB: f64 = 6.0;
 
-/// The codes of a normal map of [`RELIEF`] x [`RELIEF`] pixels.
-pub fn codes() -> Vec<[u8; 2]> {
-    let pixels = (0..RELIEF).flat_map(|row| (0..RELIEF).map(move |column| (column, row)));
-    let middle = 0.5 * f64::from(RELIEF) - 0.5;
-    pixels.map(|(column, row)| code(f64::from(column) - middle, middle - f64::from(row))).collect()
+/// The codes of the relief.
+pub fn codes(face: &Face) -> Vec<[u8; 2]> {
+    let side = face.relief;
+    let pixels = (0..side).flat_map(|row| (0..side).map(move |column| (column, row)));
+    let middle = 0.5 * f64::from(side) - 0.5;
+    let scale = f64::from(SMALL.relief) / f64::from(side);
+    pixels
+        .map(|(column, row)| {
+            let [x, y] = [f64::from(column) - middle, middle - f64::from(row)];
+            match covered([x, y], scale) {
+                cover if cover <= 0.0 => NormalMap::BACKGROUND,
+                cover if cover < 1.0 => at_the_rim([x, y], cover, scale),
+                _ => code(scale * x, scale * y),
+            }
+        })
+        .collect()
 }
 
-/// The codes of the dial.
-pub fn dial() -> Vec<[u8; 2]> {
-    let (mut codes, palette) = (vec![[0; 2]; (SIZE * SIZE) as usize], Palette::default());
-    let [bezel, mark] = DIAL_WIDTHS;
-    let dial = Dial::<_, Rgb565>::new(Point::zero(), SIZE, bezel, mark, &palette);
+/// The codes of the dial around the relief.
+pub fn dial(face: &Face) -> Vec<[u8; 2]> {
+    let (size, palette) = (face.size, Palette::default());
+    let mut codes = vec![[0; 2]; (size * size) as usize];
+    let dial = Dial::<_, Rgb565>::new(Point::zero(), size, face.bezel, face.mark, &palette);
     dial.and_then(|dial| dial.codes(&mut codes)).expect("a size that is drawn");
+    // What the relief hides is not drawn.
+    let first = (size - face.relief) / 2;
+    for (index, code) in self::codes(face).into_iter().enumerate() {
+        let [column, row] = [index as u32 % face.relief, index as u32 / face.relief];
+        if code[0] != NormalMap::BACKGROUND[0] {
+            codes[((first + row) * size + first + column) as usize] = NormalMap::BACKGROUND;
+        }
+    }
     codes
+}
+
+/// How much of a pixel is inside the radius: above 0 and below 1 for a pixel in part.
+fn covered([x, y]: [f64; 2], scale: f64) -> f64 {
+    RADIUS / scale - x.hypot(y) + 0.5
+}
+
+/// The code of a pixel that is covered in part: the normal of the neighbor toward the center.
+fn at_the_rim([x, y]: [f64; 2], cover: f64, scale: f64) -> [u8; 2] {
+    let [left, below] = [x, y].map(|along| (along / x.hypot(y)).round());
+    if covered([x - left, y - below], scale) >= 1.0 {
+        NormalMap::edge_code((255.0 * cover) as u8, [-left as i8, below as i8])
+    } else if cover < 0.5 {
+        NormalMap::BACKGROUND
+    } else {
+        code(scale * x, scale * y)
+    }
 }
 
 /// The code of a pixel, right and up of the center.
 fn code(x: f64, y: f64) -> [u8; 2] {
-    if x.hypot(y) > RADIUS {
-        return NormalMap::BACKGROUND;
-    }
     let slopes = if x.hypot(y) < HUB {
         round([x / HUB, y / HUB])
     } else if let Some(slopes) = HANDS.into_iter().rev().find_map(|hand| on_hand(hand, x, y)) {

@@ -1,0 +1,140 @@
+//! Frames of a sphere of 240 x 240 pixels, the same in both number formats but for types and inputs.
+
+use super::highlighted;
+use super::inputs::{self, GOLD_METALLIC_PAINT, LOBBY, color};
+use board::{Passes, holds, measure};
+use core::hint::black_box;
+use eigenshade::object::NormalMap;
+use eigenshade::screen::{LinearPalette, Palette, Target};
+use eigenshade::{Error, Rgb};
+use programs::{BALL, DISPLAY};
+
+/// A row of pixels in the byte order of a display on SPI.
+type Row = [[u8; 2]; BALL];
+
+/// The light turned, the material relit, a palette filled, and every row drawn.
+pub fn frame() {
+    let Ok(transfer) = color::transfer(GOLD_METALLIC_PAINT) else { board::exit(false) };
+    let transfer = black_box(&transfer);
+    let (rotation, exposure) = (inputs::rotation(), inputs::exposure());
+    let mut palette = Palette::default();
+    let Ok(map) = programs::ball() else { board::exit(false) };
+    let (nodes, mut row) = (map.nodes(), [[0; 2]; BALL]);
+    let held = size_of_val(&palette) + size_of_val(&nodes) + size_of_val(&row);
+    holds(size_of_val(transfer) + held);
+    measure(&[LOBBY], Passes(1), |light| {
+        let light = light.turned::<100>(&rotation)?;
+        let scene = color::relight(transfer, light.lights()?)?;
+        palette.fill_mirrored(&nodes, &DISPLAY, |normal| {
+            scene.shade_mirrored(normal).map(|color| exposure.of(color))
+        });
+        draw(&palette, &map, &mut row)
+    });
+}
+
+/// The rows alone: the light stands still.
+pub fn frame_still() {
+    let Ok(map) = programs::ball() else { board::exit(false) };
+    let (palette, mut row) = (black_box(Palette::default()), [[0; 2]; BALL]);
+    holds(size_of_val(&palette) + size_of_val(&row));
+    measure(&[()], Passes(1), |()| draw(&palette, &map, &mut row));
+}
+
+/// A frame with the highlights of four sources.
+pub fn frame_sources() {
+    let Ok(transfer) = color::transfer(GOLD_METALLIC_PAINT) else { board::exit(false) };
+    let transfer = black_box(&transfer);
+    let (rotation, exposure) = (inputs::rotation(), inputs::exposure());
+    let mut palette = Palette::default();
+    let Ok(map) = programs::ball() else { board::exit(false) };
+    let (nodes, mut row) = (map.nodes(), [[0; 2]; BALL]);
+    let held = size_of_val(&palette) + size_of_val(&nodes) + size_of_val(&row);
+    holds(size_of_val(transfer) + held);
+    measure(&[LOBBY], Passes(1), |light| {
+        let light = light.turned::<100>(&rotation)?;
+        let scene = color::relight(transfer, light.lights()?)?;
+        let shade = highlighted(&scene, &rotation)?;
+        palette.fill(&nodes, &DISPLAY, |normal| exposure.of(shade(normal)));
+        draw(&palette, &map, &mut row)
+    });
+}
+
+/// A frame whose pixels have base colors of their own.
+pub fn frame_textured() {
+    let Ok(transfer) = color::transfer(GOLD_METALLIC_PAINT) else { board::exit(false) };
+    let transfer = black_box(&transfer);
+    let (rotation, exposure) = (inputs::rotation(), inputs::exposure());
+    let mut palette = LinearPalette::default();
+    let Ok(map) = programs::ball() else { board::exit(false) };
+    let (nodes, mut row) = (map.nodes(), [[0; 2]; BALL]);
+    let held = size_of_val(&palette) + size_of_val(&nodes) + size_of_val(&row);
+    holds(size_of_val(transfer) + held);
+    measure(&[LOBBY], Passes(1), |light| {
+        let light = light.turned::<100>(&rotation)?;
+        let scene = color::relight(transfer, light.lights()?)?;
+        palette.fill_mirrored(&nodes, |normal| {
+            scene.shade_mirrored(normal).map(|color| exposure.of(color))
+        });
+        draw_textured(&palette, &map, &mut row)
+    });
+}
+
+/// The rows of [`frame_textured`] alone.
+pub fn frame_textured_still() {
+    let Ok(map) = programs::ball() else { board::exit(false) };
+    let (palette, mut row) = (black_box(LinearPalette::default()), [[0; 2]; BALL]);
+    holds(size_of_val(&palette) + size_of_val(&row));
+    measure(&[()], Passes(1), |()| draw_textured(&palette, &map, &mut row));
+}
+
+/// Draws every row, on black.
+fn draw(palette: &Palette, map: &NormalMap<'_>, row: &mut Row) -> Result<(), Error> {
+    for place in 0..BALL as i32 {
+        row.fill([0; 2]);
+        palette.draw(map, &mut Target::new(row, BALL)?.at(0, -place));
+        black_box(&mut *row);
+    }
+    Ok(())
+}
+
+/// The number of the base color of each pixel: a checkerboard of 16 colors.
+static TEXTURE: [u8; BALL * BALL] = {
+    let (mut texture, mut index) = ([0; BALL * BALL], 0);
+    while index < texture.len() {
+        texture[index] = (index % BALL / 16 + 3 * (index / BALL / 16)) as u8 % 16;
+        index += 1;
+    }
+    texture
+};
+
+/// The base colors in units of 2^-16.
+static COLORS: [Rgb<u16>; 16] = {
+    let (mut colors, mut index) = ([Rgb::gray(0); 16], 0);
+    while index < 16 {
+        colors[index] = Rgb::new(4_000 * index as u16, 60_000 - 3_000 * index as u16, 30_000);
+        index += 1;
+    }
+    colors
+};
+
+/// Draws every row with the texture.
+fn draw_textured(
+    palette: &LinearPalette,
+    map: &NormalMap<'_>,
+    row: &mut Row,
+) -> Result<(), Error> {
+    for place in 0..BALL {
+        row.fill([0; 2]);
+        let mut target = Target::new(row, BALL)?;
+        let mut target = target.at(0, -(place as i32));
+        for pixel in map.row(place) {
+            let number = TEXTURE.get(pixel.index()).copied().unwrap_or_default();
+            let base = COLORS.get(usize::from(number)).copied().unwrap_or(Rgb::gray(0));
+            let light = palette.color(pixel.code());
+            let color = light.zip(base).map(|(light, base)| light.times(base));
+            pixel.put(&mut target, DISPLAY.rgb565(color).to_be_bytes());
+        }
+        black_box(&mut *row);
+    }
+    Ok(())
+}
