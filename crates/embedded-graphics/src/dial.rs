@@ -56,33 +56,40 @@ impl<'p, P: Shader, C: DisplayColor> Dial<'p, P, C> {
         paint: &'p P,
     ) -> Result<Self, Error> {
         let disc = Disc::new(diameter as usize)?;
-        let within = |width: u32, most: u32| width.min(most).cast_signed();
-        let bezel = within(bezel, diameter / 4);
-        let inner = diameter.cast_signed() - 2 * bezel;
-        let mark = within(mark, inner.cast_unsigned() / 8);
-        let shape = Shape { diameter: diameter.cast_signed(), bezel, mark };
+        let shape = Shape::new(diameter, bezel, mark);
         Ok(Self { top_left, disc, shape, paint, below: None })
     }
 
-    /// Writes the codes of the dial's pixels, row by row from the top. A [`NormalMap`] of them, made
-    /// once, is cheaper to draw in every frame. The pixels of the rim have a coverage, and those on
-    /// an edge inside the mean normal of 4 x 4 points.
+    /// The dial on a background of one color, with which the pixels of the rim are mixed.
+    #[must_use]
+    pub fn over(self, background: C) -> Self {
+        Self { below: Some(background), ..self }
+    }
+}
+
+impl Dial<'_, (), ()> {
+    /// Writes the codes of the pixels of a dial, row by row from the top, with the arguments of
+    /// [`new`](Self::new). A [`NormalMap`] of them, made once, is drawn from a
+    /// [`Palette`](eigenshade::screen::Palette) in every frame. The pixels of the rim have a coverage,
+    /// and those on an edge inside the mean normal of 4 x 4 points.
     ///
     /// # Errors
     ///
-    /// [`Error::Length`] unless there is a code for each pixel of the square around the dial.
-    pub fn codes(&self, codes: &mut [[u8; 2]]) -> Result<(), Error> {
-        let size = self.shape.diameter.cast_unsigned() as usize;
+    /// [`Error::Length`] unless there is a code for each pixel of the square around the dial; as
+    /// [`Disc::new`].
+    pub fn codes(diameter: u32, bezel: u32, mark: u32, codes: &mut [[u8; 2]]) -> Result<(), Error> {
+        let (disc, shape) = (Disc::new(diameter as usize)?, Shape::new(diameter, bezel, mark));
+        let size = diameter as usize;
         let expected = size * size;
         if codes.len() != expected {
             let (argument, found) = (Argument::NormalMap, codes.len());
             return Err(Error::Length { argument, expected, found });
         }
         codes.fill(NormalMap::BACKGROUND);
-        let pixels = || self.disc.clone();
+        let pixels = || disc.clone();
         for pixel in pixels().filter(|pixel| pixel.coverage() == u8::MAX) {
             if let Some(to) = codes.get_mut(pixel.index()) {
-                *to = NormalCode::of(self.shape.mean_normal(pixel)).bytes();
+                *to = NormalCode::of(shape.mean_normal(pixel)).bytes();
             }
         }
         for pixel in pixels().filter(|pixel| pixel.coverage() < u8::MAX) {
@@ -99,12 +106,6 @@ impl<'p, P: Shader, C: DisplayColor> Dial<'p, P, C> {
             }
         }
         Ok(())
-    }
-
-    /// The dial on a background of one color, with which the pixels of the rim are mixed.
-    #[must_use]
-    pub fn over(self, background: C) -> Self {
-        Self { below: Some(background), ..self }
     }
 }
 
@@ -179,6 +180,13 @@ impl DialPixel {
 }
 
 impl Shape {
+    fn new(diameter: u32, bezel: u32, mark: u32) -> Self {
+        let bezel = bezel.min(diameter / 4);
+        let mark = mark.min((diameter - 2 * bezel) / 8);
+        let [diameter, bezel, mark] = [diameter, bezel, mark].map(u32::cast_signed);
+        Self { diameter, bezel, mark }
+    }
+
     /// The mean of the normals of 4 x 4 points of a pixel.
     fn mean_normal(self, pixel: DiscPixel) -> Normal {
         let [diameter, bezel, mark] =

@@ -208,8 +208,8 @@ fn palettes_and_codes_of_a_dial() {
     let (mut drawn, mut packed) = (Screen::<Rgb565>::new(80, 80), Screen::<Rgb565>::new(80, 80));
     let dial = Dial::new(Point::zero(), 80, 6, 3, &palette).unwrap();
     let mut codes = [NormalMap::BACKGROUND; 80 * 80];
-    assert!(dial.codes(&mut codes[1..]).is_err());
-    dial.codes(&mut codes).unwrap();
+    assert!(Dial::codes(80, 6, 3, &mut codes[1..]).is_err());
+    Dial::codes(80, 6, 3, &mut codes).unwrap();
     dial.draw(&mut drawn).unwrap();
     let map = NormalMap::new(80, 80, codes.as_flattened()).unwrap();
     Relief::new(Point::zero(), map, &palette).draw(&mut packed).unwrap();

@@ -2,24 +2,34 @@
 
 use crate::numbers::digits;
 use eigenshade::object::{Disc, DiscPixel, NormalMap, NormalPixel};
-use eigenshade::screen::{Display, Exposure, Meter, Palette, Tone};
+use eigenshade::screen::{Display, Meter, Palette, Tone};
 use eigenshade::sphere::color::{self, Scene};
-use eigenshade::{Light, Material, Rgb};
+use eigenshade::{Light, Material, Rgb, Rotation};
 use eigenshade_model::database::Named;
 use eigenshade_model::error::{Error, Result};
 use eigenshade_model::parallel;
 use eigenshade_model::shipped;
 use indicatif::ProgressBar;
 use palette::color_difference::Ciede2000;
-use palette::{IntoColor, Lab, Srgb};
+use palette::{IntoColor, Lab, LinSrgb, Srgb};
+use std::collections::BTreeMap;
 
 /// The lights of the pictures.
 pub const LIGHTS: [&str; 5] = ["lobby", "studio", "forest", "night", "sky"];
 /// The diameter of the sphere in pixels.
 pub const SIZE: usize = 240;
 
+/// The ways that are compared, each by its mean and its 95th percentile: RGB565 with every pixel
+/// shaded; the palette with 8 bits a channel, in RGB565, and in dithered RGB565; both kinds of RGB565
+/// from the palette and the reference as means of 4 x 4 pixels; every pixel shaded under light of degree
+/// 2; and a picture that stands still while the light turns by [`TURN`].
 pub const COLUMNS: &str = "material,light,rgb565_mean,rgb565_p95,palette_mean,palette_p95,\
-    palette565_mean,palette565_p95,palette_worst";
+    palette565_mean,palette565_p95,dithered_mean,dithered_p95,blurred565_mean,blurred565_p95,\
+    blurred_dithered_mean,blurred_dithered_p95,degree2_mean,degree2_p95,still_mean,still_p95,\
+    palette_worst";
+
+/// Degrees by which the light turns about the vertical axis where a picture stands still.
+pub const TURN: f32 = 30.0;
 
 static DISPLAY: Display = Display::new(Tone::Linear);
 
@@ -37,20 +47,16 @@ pub struct Errors {
 pub struct Row {
     pub material: String,
     pub light: &'static str,
-    /// Every pixel shaded and rounded to RGB565.
-    pub rgb565: Errors,
-    /// The palette with 8 bits a channel.
-    pub palette: Errors,
-    /// The palette in RGB565.
-    pub palette565: Errors,
+    /// In the order of [`COLUMNS`].
+    pub errors: [Errors; 8],
 }
 
 impl Row {
     #[must_use]
     pub fn fields(&self) -> Vec<String> {
-        let pairs = [self.rgb565, self.palette, self.palette565];
-        let numbers = pairs.into_iter().flat_map(|errors| [errors.mean, errors.p95]);
-        let numbers = numbers.chain([self.palette.worst]).map(|one| digits(one, 3));
+        let [_, palette, ..] = self.errors;
+        let numbers = self.errors.into_iter().flat_map(|errors| [errors.mean, errors.p95]);
+        let numbers = numbers.chain([palette.worst]).map(|one| digits(one, 3));
         [self.material.clone(), self.light.into()].into_iter().chain(numbers).collect()
     }
 }
@@ -97,57 +103,105 @@ fn row(
     let lights = Rgb { r: r.map_err(fault)?, g: g.map_err(fault)?, b: b.map_err(fault)? };
     let [r, g, b] = material_numbers.each_ref().map(|numbers| Material::new(numbers));
     let materials = Rgb { r: r.map_err(fault)?, g: g.map_err(fault)?, b: b.map_err(fault)? };
-    let scene = color::scene(lights, materials).map_err(fault)?;
-    let (rgb565, palette, palette565) = compared(&scene, map);
-    Ok(Row { material: material.name.clone(), light, rgb565, palette, palette565 })
+    let errors = compared(lights, materials, map).map_err(fault)?;
+    Ok(Row { material: material.name.clone(), light, errors })
 }
 
-/// The three errors of a scene.
-fn compared(scene: &Scene, map: &NormalMap<'_>) -> (Errors, Errors, Errors) {
-    let pixels = || Disc::new(SIZE).into_iter().flatten();
+/// The errors of one material under one light.
+fn compared(
+    light: Rgb<Light<'_>>,
+    material: Rgb<Material<'_>>,
+    map: &NormalMap<'_>,
+) -> std::result::Result<[Errors; 8], eigenshade::Error> {
+    let scene = color::scene(light, material)?;
+    let coarse = color::scene(light.map(|light| light.truncated(2)), material)?;
+    let rotation = Rotation::from_euler(TURN.to_radians(), 0.0, 0.0)?;
+    let turned = light.turned::<100>(&rotation)?;
+    let turned = color::scene(turned.lights()?, material)?;
+
+    let exact: Vec<DiscPixel> =
+        Disc::new(SIZE)?.filter(|pixel| pixel.coverage() == u8::MAX).collect();
     let mut meter = Meter::default();
-    pixels().for_each(|pixel| meter.add(scene.shade(pixel.normal())));
+    exact.iter().for_each(|pixel| meter.add(scene.shade(pixel.normal())));
     let exposure = meter.exposure().unwrap_or_default();
     let mut palette = Palette::default();
     palette.fill(&map.nodes(), &DISPLAY, |normal| exposure.of(scene.shade(normal)));
     let whole: Vec<NormalPixel> = map.pixels().filter(|pixel| pixel.coverage() == 255).collect();
+    // The pixels that both have.
     let places: Vec<usize> = whole.iter().map(|pixel| pixel.index()).collect();
     let exact: Vec<DiscPixel> =
-        pixels().filter(|pixel| places.binary_search(&pixel.index()).is_ok()).collect();
-    let shaded = |pixel: &DiscPixel, exposure: Exposure| exposure.of(scene.shade(pixel.normal()));
-    let reference: Vec<Lab> = exact
+        exact.into_iter().filter(|pixel| places.binary_search(&pixel.index()).is_ok()).collect();
+    let places: Vec<usize> = exact.iter().map(|pixel| pixel.index()).collect();
+    let whole: Vec<NormalPixel> =
+        whole.into_iter().filter(|pixel| places.binary_search(&pixel.index()).is_ok()).collect();
+
+    let shaded = |scene: &Scene| -> Vec<Rgb<f32>> {
+        exact.iter().map(|pixel| exposure.of(scene.shade(pixel.normal()))).collect()
+    };
+    let encoded = |shaded: Vec<Rgb<f32>>| -> Vec<Srgb> {
+        let displayed =
+            |color: Rgb<f32>| color.map(|one| f32::from(DISPLAY.encode(one.into())) / 65_535.0);
+        shaded.into_iter().map(|color| srgb(displayed(color))).collect()
+    };
+    let rounded = |scene: &Scene| -> Vec<Srgb> {
+        shaded(scene).into_iter().map(|color| of565(DISPLAY.rgb565(color))).collect()
+    };
+    let reference = encoded(shaded(&scene));
+    let nearest: Vec<Srgb> = whole.iter().map(|one| of565(palette.rgb565(one.code()))).collect();
+    let dithered: Vec<Srgb> = whole
         .iter()
-        .map(|pixel| {
-            let encoded = shaded(pixel, exposure).map(|one| DISPLAY.encode(one.into()));
-            lab(encoded.map(|one| f32::from(one) / 65_535.0))
-        })
+        .map(|one| of565(palette.rgb565_dithered(one.code(), one.column(), one.row())))
         .collect();
-    let against = |found: Vec<Lab>| summed(&reference, &found);
-    (
-        against(exact.iter().map(|one| lab565(DISPLAY.rgb565(shaded(one, exposure)))).collect()),
-        against(
-            whole
-                .iter()
-                .map(|one| lab(palette.rgb888(one.code()).map(|one| f32::from(one) / 255.0)))
-                .collect(),
-        ),
-        against(whole.iter().map(|one| lab565(palette.rgb565(one.code()))).collect()),
-    )
+    let fine: Vec<Srgb> = whole
+        .iter()
+        .map(|one| srgb(palette.rgb888(one.code()).map(|one| f32::from(one) / 255.0)))
+        .collect();
+    let blurred = |picture: &[Srgb]| blurred(&places, picture);
+    Ok([
+        summed(&reference, &rounded(&scene)),
+        summed(&reference, &fine),
+        summed(&reference, &nearest),
+        summed(&reference, &dithered),
+        summed(&blurred(&reference), &blurred(&nearest)),
+        summed(&blurred(&reference), &blurred(&dithered)),
+        summed(&reference, &rounded(&coarse)),
+        summed(&encoded(shaded(&turned)), &rounded(&scene)),
+    ])
 }
 
-fn lab565(pixel: u16) -> Lab {
+/// Means of 4 x 4 pixels in linear light, where all 16 are given.
+fn blurred(places: &[usize], picture: &[Srgb]) -> Vec<Srgb> {
+    let mut sums = BTreeMap::new();
+    for (&place, color) in places.iter().zip(picture) {
+        let tile = (place / SIZE / 4, place % SIZE / 4);
+        let (count, sum): &mut (usize, [f32; 3]) = sums.entry(tile).or_default();
+        let color: LinSrgb = color.into_linear();
+        *count += 1;
+        sum.iter_mut().zip([color.red, color.green, color.blue]).for_each(|(sum, one)| *sum += one);
+    }
+    let whole = sums.into_values().filter(|&(count, _)| count == 16);
+    whole
+        .map(|(_, sum)| {
+            let [r, g, b] = sum.map(|channel| channel / 16.0);
+            Srgb::from_linear(LinSrgb::new(r, g, b))
+        })
+        .collect()
+}
+
+fn of565(pixel: u16) -> Srgb {
     let level = |shift: u32, most: u16| f32::from(pixel >> shift & most) / f32::from(most);
-    lab(Rgb { r: level(11, 31), g: level(5, 63), b: level(0, 31) })
+    srgb(Rgb { r: level(11, 31), g: level(5, 63), b: level(0, 31) })
 }
 
-fn lab(Rgb { r, g, b }: Rgb<f32>) -> Lab {
-    Srgb::new(r, g, b).into_linear().into_color()
+fn srgb(Rgb { r, g, b }: Rgb<f32>) -> Srgb {
+    Srgb::new(r, g, b)
 }
 
-fn summed(reference: &[Lab], found: &[Lab]) -> Errors {
+fn summed(reference: &[Srgb], found: &[Srgb]) -> Errors {
     assert_eq!(reference.len(), found.len(), "the pixels of both are the same");
+    let lab = |color: Srgb| -> Lab { color.into_linear().into_color() };
     let mut apart: Vec<f64> =
-        reference.iter().zip(found).map(|(&a, &b)| f64::from(a.difference(b))).collect();
+        reference.iter().zip(found).map(|(&a, &b)| f64::from(lab(a).difference(lab(b)))).collect();
     apart.sort_by(f64::total_cmp);
     let count = apart.len().max(1);
     let at = |share: usize| apart.get(apart.len() * share / 100).copied().unwrap_or_default();

@@ -8,6 +8,7 @@ mod program;
 
 mod toolchain;
 
+mod frames;
 mod gate;
 
 mod limits;

@@ -2,26 +2,17 @@
 //! and the list of the programs for cargo.
 
 use crate::Result;
+use crate::frames;
 use crate::list;
-use crate::program::{AN386, Board, COUNTED, MICROBIT};
+use crate::program::{Board, COUNTED};
 use crate::row::{self, Row};
 
 const START: &str = "<!-- counts: firmware/run all --update writes them -->\n";
 const END: &str = "<!-- end of counts -->\n";
 
-/// The pages, and the formats that each shows. An empty list means the [`SHORT`] table.
+/// The pages, and the formats that each shows. An empty list means the table of
+/// frames.
 const PAGES: [(&str, &[&str]); 2] = [("../README.md", &[]), ("../docs/costs.md", &["f32", "q15"])];
-
-/// The rows of the short table: an operation and its description.
-const SHORT: [(&str, &str); 7] = [
-    ("nine_terms", "a pixel, matte material, light of degree 2, no table"),
-    ("shade", "a pixel of any material, 130 components to 1e-4"),
-    ("gold", "a pixel of the gold sphere, in color, to RGB565"),
-    ("palette_row", "240 pixels of an object from a palette of its normals, to RGB565"),
-    ("frame", "a frame of the gold sphere of 240 x 240 pixels under a turned light"),
-    ("relight_collapse", "a new light on a transferred material, 46 components"),
-    ("transfer", "a new material, 46 components"),
-];
 
 /// The page with the descriptions of the operations.
 const DESCRIPTIONS: &str = "../docs/costs.md";
@@ -35,23 +26,6 @@ const PROGRAMS: [&str; 3] = ["programs/Cargo.toml", "bin = [\n", "]\n"];
 const WATCH: &str = "../crates/embedded-graphics/README.md";
 const WATCH_START: &str = "<!-- frames: firmware/run all --update writes them -->\n";
 const WATCH_END: &str = "<!-- end of frames -->\n";
-
-/// Chips with the processors of the boards: name, board, number format, clock in MHz.
-const CHIPS: [(&str, Board, &str, u64); 3] = [
-    ("RP2040, Cortex-M0+", MICROBIT, "q15", 133),
-    ("nRF52840, Cortex-M4F", AN386, "f32", 64),
-    ("STM32F411, Cortex-M4F", AN386, "f32", 100),
-];
-
-/// The operations that are a frame, and their objects.
-const FRAMES: [(&str, &str); 6] = [
-    ("watch", "the watch, 128 x 128"),
-    ("watch_240", "240 x 240"),
-    ("watch_240_still", "light at rest"),
-    ("frame", "a sphere of gold, 240 x 240"),
-    ("frame_sources", "with 4 sources"),
-    ("frame_textured", "textured"),
-];
 
 /// Writes the recorded counts into the pages, and the list of the programs.
 pub fn write() -> Result<()> {
@@ -87,15 +61,16 @@ fn pages() -> Result<Vec<(&'static str, String)>> {
     let (_, rows) = row::read(row::RECORD)?;
     let mut pages = Vec::new();
     for (path, formats) in PAGES {
-        let table = if formats.is_empty() { short(&rows) } else { table(&rows, formats) };
+        let table = if formats.is_empty() { frames::ways(&rows)? } else { table(&rows, formats) };
         let mut page = between(path, &read(path)?, [START, END], &table)?;
         if path == DESCRIPTIONS {
             page = between(path, &page, [DESCRIPTIONS_START, DESCRIPTIONS_END], &descriptions())?;
         }
         pages.push((path, page));
     }
-    let frames = between(WATCH, &read(WATCH)?, [WATCH_START, WATCH_END], &frames(&rows))?;
-    pages.push((WATCH, frames));
+    let of_objects =
+        between(WATCH, &read(WATCH)?, [WATCH_START, WATCH_END], &frames::objects(&rows))?;
+    pages.push((WATCH, of_objects));
     Ok(pages)
 }
 
@@ -123,42 +98,6 @@ fn between(path: &str, page: &str, [start, end]: [&str; 2], table: &str) -> Resu
     let (before, after) =
         parts.ok_or(format!("{path}: the marks around the counts are missing"))?;
     Ok(format!("{before}{start}{table}{end}{after}"))
-}
-
-/// Frames per second if an instruction takes a cycle.
-fn frames(rows: &[Row]) -> String {
-    let mut text = String::from("| frames a second, at most |");
-    text.extend(FRAMES.map(|(_, object)| format!(" {object} |")));
-    text += &format!("\n|---|{}\n", "---:|".repeat(FRAMES.len()));
-    for (chip, board, format, megahertz) in CHIPS {
-        text += &format!(
-            "| {chip}, {megahertz} MHz, {} |",
-            if format == "f32" { "f32" } else { "Q15" }
-        );
-        for (operation, _) in FRAMES {
-            let instructions = row::instructions(rows, [board.name, operation, format]);
-            let rate =
-                instructions.map(|instructions| megahertz as f64 * 1e6 / instructions as f64);
-            text += &rate.map_or(" |".into(), |rate| format!(" {rate:.1} |"));
-        }
-        text.push('\n');
-    }
-    text
-}
-
-/// Instructions of a few operations, in Q15 without a float unit and in f32 with one.
-fn short(rows: &[Row]) -> String {
-    let mut text = String::from(
-        "| instructions, one channel where not stated | Cortex-M0, Q15 | Cortex-M4F, f32 |\n|---|---:|---:|\n",
-    );
-    for (operation, what) in SHORT {
-        text += &format!("| {what} |");
-        for (board, format) in COUNTED.into_iter().zip(["q15", "f32"]) {
-            text += &cell(row::instructions(rows, [board.name, operation, format]));
-        }
-        text += "\n";
-    }
-    text
 }
 
 /// A line for each operation and format: instructions on each board, and memory.
@@ -213,7 +152,7 @@ fn cell(number: Option<u64>) -> String {
 
 #[cfg(test)]
 mod tests {
-    use super::{END, PROGRAMS, START, between, frames, programs, read, table};
+    use super::{END, PROGRAMS, START, between, programs, read, table};
     use crate::row::Row;
 
     #[test]
@@ -236,13 +175,5 @@ mod tests {
     fn the_manifest_lists_the_programs() {
         std::env::set_current_dir("..").unwrap();
         assert_eq!(read(PROGRAMS[0]), programs(), "run `firmware/run pages`");
-    }
-
-    #[test]
-    fn frames_are_the_clock_by_the_instructions() {
-        let rows = ["microbit,watch,q15,26600000,1,1,1".parse().unwrap()];
-        let text = frames(&rows);
-        assert!(text.contains("| RP2040, Cortex-M0+, 133 MHz, Q15 | 5.0 | |\n"), "{text}");
-        assert!(text.contains("| nRF52840, Cortex-M4F, 64 MHz, f32 | | |\n"), "{text}");
     }
 }

@@ -1,10 +1,10 @@
 //! Frames of a sphere of 240 x 240 pixels, the same in both number formats but for types and inputs.
 
-use super::highlighted;
 use super::inputs::{self, GOLD_METALLIC_PAINT, LOBBY, color};
+use super::{highlighted, nine_terms, normal};
 use board::{Passes, holds, measure};
 use core::hint::black_box;
-use eigenshade::object::NormalMap;
+use eigenshade::object::{NormalMap, NormalPixel};
 use eigenshade::screen::{LinearPalette, Palette, Target};
 use eigenshade::{Error, Rgb};
 use programs::{BALL, DISPLAY};
@@ -54,7 +54,9 @@ pub fn frame_sources() {
         let light = light.turned::<100>(&rotation)?;
         let scene = color::relight(transfer, light.lights()?)?;
         let shade = highlighted(&scene, &rotation)?;
-        palette.fill(&nodes, &DISPLAY, |normal| exposure.of(shade(normal)));
+        palette.fill_mirrored(&nodes, &DISPLAY, |normal| {
+            shade(normal).map(|color| exposure.of(color))
+        });
         draw(&palette, &map, &mut row)
     });
 }
@@ -85,6 +87,68 @@ pub fn frame_textured_still() {
     let (palette, mut row) = (black_box(LinearPalette::default()), [[0; 2]; BALL]);
     holds(size_of_val(&palette) + size_of_val(&row));
     measure(&[()], Passes(1), |()| draw_textured(&palette, &map, &mut row));
+}
+
+/// The light turned, the material relit, and every pixel shaded.
+pub fn frame_shaded() {
+    let Ok(transfer) = color::transfer(GOLD_METALLIC_PAINT) else { board::exit(false) };
+    let transfer = black_box(&transfer);
+    let (rotation, exposure) = (inputs::rotation(), inputs::exposure());
+    let Ok(map) = programs::ball() else { board::exit(false) };
+    let mut row = [[0; 2]; BALL];
+    holds(size_of_val(transfer) + size_of_val(&row));
+    measure(&[LOBBY], Passes(1), |light| {
+        let light = light.turned::<100>(&rotation)?;
+        let scene = color::relight(transfer, light.lights()?)?;
+        draw_shaded(&map, &mut row, |pixel| DISPLAY.rgb565(exposure.of(scene.shade(normal(pixel)))))
+    });
+}
+
+/// Baseline: every pixel of a matte material by the nine-term formula, under a light that stands
+/// still.
+pub fn frame_nine_terms() {
+    let (formulas, exposure) = (black_box(Rgb::gray(nine_terms())), inputs::exposure());
+    let Ok(map) = programs::ball() else { board::exit(false) };
+    let mut row = [[0; 2]; BALL];
+    holds(size_of_val(&formulas) + size_of_val(&row));
+    measure(&[()], Passes(1), |()| {
+        draw_shaded(&map, &mut row, |pixel| {
+            let normal = normal(pixel);
+            let color = formulas.each_ref().map(|formula| formula.shade(normal));
+            DISPLAY.rgb565(exposure.of(color))
+        })
+    });
+}
+
+/// Baseline: every pixel from a matcap of 64 x 64 pixels, by the nearest normal.
+pub fn frame_matcap() {
+    let Ok(map) = programs::ball() else { board::exit(false) };
+    let (matcap, mut row) = (black_box([0x1234_u16; 64 * 64]), [[0; 2]; BALL]);
+    holds(size_of_val(&matcap) + size_of_val(&row));
+    measure(&[()], Passes(1), |()| {
+        draw_shaded(&map, &mut row, |pixel| {
+            let [u, v] = pixel.code().bytes().map(|byte| usize::from(byte ^ 0x80) >> 2);
+            matcap.get(64 * v + u).copied().unwrap_or_default()
+        })
+    });
+}
+
+/// Draws every row by the color of each pixel.
+fn draw_shaded(
+    map: &NormalMap<'_>,
+    row: &mut Row,
+    color: impl Fn(NormalPixel) -> u16,
+) -> Result<(), Error> {
+    for place in 0..BALL {
+        row.fill([0; 2]);
+        let mut target = Target::new(row, BALL)?;
+        let mut target = target.at(0, -(place as i32));
+        for pixel in map.row(place) {
+            pixel.put(&mut target, color(pixel).to_be_bytes());
+        }
+        black_box(&mut *row);
+    }
+    Ok(())
 }
 
 /// Draws every row, on black.
@@ -118,23 +182,11 @@ static COLORS: [Rgb<u16>; 16] = {
 };
 
 /// Draws every row with the texture.
-fn draw_textured(
-    palette: &LinearPalette,
-    map: &NormalMap<'_>,
-    row: &mut Row,
-) -> Result<(), Error> {
-    for place in 0..BALL {
-        row.fill([0; 2]);
-        let mut target = Target::new(row, BALL)?;
-        let mut target = target.at(0, -(place as i32));
-        for pixel in map.row(place) {
-            let number = TEXTURE.get(pixel.index()).copied().unwrap_or_default();
-            let base = COLORS.get(usize::from(number)).copied().unwrap_or(Rgb::gray(0));
-            let light = palette.color(pixel.code());
-            let color = light.zip(base).map(|(light, base)| light.times(base));
-            pixel.put(&mut target, DISPLAY.rgb565(color).to_be_bytes());
-        }
-        black_box(&mut *row);
-    }
-    Ok(())
+fn draw_textured(palette: &LinearPalette, map: &NormalMap<'_>, row: &mut Row) -> Result<(), Error> {
+    draw_shaded(map, row, |pixel| {
+        let number = TEXTURE.get(pixel.index()).copied().unwrap_or_default();
+        let base = COLORS.get(usize::from(number)).copied().unwrap_or(Rgb::gray(0));
+        let light = palette.color(pixel.code());
+        DISPLAY.rgb565(light.zip(base).map(|(light, base)| light.times(base)))
+    })
 }

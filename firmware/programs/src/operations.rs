@@ -5,8 +5,8 @@ use super::inputs::{
 };
 use board::{Passes, holds, measure};
 use core::hint::black_box;
-use eigenshade::{Error, Rgb};
 use eigenshade::screen::{Linear, Nodes, Palette, Target};
+use eigenshade::{Error, Rgb};
 use programs::DISPLAY;
 
 /// A bilinear look-up in a baked map, by normal.

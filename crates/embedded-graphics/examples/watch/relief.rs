@@ -4,10 +4,7 @@
 use super::face::{Face, SMALL};
 use eigenshade::Normal;
 use eigenshade::object::NormalMap;
-use eigenshade::screen::Palette;
 use eigenshade_embedded_graphics::Dial;
-use embedded_graphics_core::geometry::Point;
-use embedded_graphics_core::pixelcolor::Rgb565;
 
 /// The radius of the guilloché in pixels.
 const RADIUS: f64 = 36.5;
@@ -39,10 +36,9 @@ pub fn codes(face: &Face) -> Vec<[u8; 2]> {
 
 /// The codes of the dial around the relief.
 pub fn dial(face: &Face) -> Vec<[u8; 2]> {
-    let (size, palette) = (face.size, Palette::default());
+    let size = face.size;
     let mut codes = vec![[0; 2]; (size * size) as usize];
-    let dial = Dial::<_, Rgb565>::new(Point::zero(), size, face.bezel, face.mark, &palette);
-    dial.and_then(|dial| dial.codes(&mut codes)).expect("a size that is drawn");
+    Dial::codes(size, face.bezel, face.mark, &mut codes).expect("a size that is drawn");
     // What the relief hides is not drawn.
     let first = (size - face.relief) / 2;
     for (index, code) in self::codes(face).into_iter().enumerate() {
