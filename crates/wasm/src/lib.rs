@@ -6,6 +6,7 @@
 #![cfg(target_arch = "wasm32")]
 #![no_std]
 
+mod palette;
 mod pixels;
 
 // For its exports.

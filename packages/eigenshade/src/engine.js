@@ -166,6 +166,8 @@ export class Engine {
     this.report = view("report", Float32Array, 5);
     this.axes = view("normals", Float32Array, 3 * normals);
     this.irradiance = view("irradiance", Float32Array, 3 * normals);
+    this.points = view("points", Int32Array, 2 * normals);
+    this.scales = view("scales", Float32Array, normals);
     this.pixels = view("pixels", Uint8ClampedArray, 4 * normals);
     /** Whether this module draws small sources. */
     this.hasSources = "residual" in exports;

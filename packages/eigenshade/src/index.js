@@ -3,10 +3,10 @@
 export { setAssets } from "./assets.js";
 export { load } from "./engine.js";
 export { Preview } from "./preview.js";
-export { sphere } from "./renderer.js";
 export { lightPreset, materialPreset, presetNames } from "./presets.js";
 export { EFFECTS, TONES } from "./input.js";
 export { Scene } from "./scene.js";
+export { sphere } from "./sphere.js";
 
 /**
  * Types of options and results.

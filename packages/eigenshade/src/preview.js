@@ -2,8 +2,9 @@
 
 import { checkExposure, checkNames, checkSources, refuse, shown, toneNumber } from "./input.js";
 import { lightOf, materialOf } from "./presets.js";
-import { renderer, sphere } from "./renderer.js";
+import { renderer } from "./renderer.js";
 import { Scene } from "./scene.js";
+import { sphere } from "./sphere.js";
 
 /** @typedef {import("./input.js").Channels} Channels */
 /**

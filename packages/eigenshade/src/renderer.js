@@ -1,8 +1,9 @@
-// Draws spheres: by a shader in one WebGL 2 context that all previews of a page share, or on the CPU
-// where there is none.
+// Draws spheres by a shader in one WebGL 2 context that all previews of a page share, where that is
+// faster than the CPU.
 
-import { TONES, shown } from "./input.js";
+import { TONES } from "./input.js";
 import { Programs } from "./programs.js";
+import { sphere } from "./sphere.js";
 
 /** @typedef {import("./scene.js").Scene} Scene */
 /** @typedef {import("./input.js").Tone} Tone */
@@ -160,47 +161,4 @@ export function renderer() {
     shared = canvas && gl ? new Shared(canvas, gl) : null;
   }
   return shared;
-}
-
-/**
- * The picture of a sphere, computed on the CPU.
- *
- * @param {Scene} scene
- * @param {number} size pixels across
- * @param {{ exposure?: number, tone?: Tone }} [look] as `Scene.pixels`
- * @returns {Uint8ClampedArray<ArrayBuffer>} red, green, blue and opacity, row by row from the top
- * @throws {TypeError | RangeError} unless the size is a whole number from 1 to 4096, or as
- *   `Scene.pixels`
- */
-export function sphere(scene, size, look = {}) {
-  if (!(Number.isInteger(size) && size >= 1 && size <= 4096)) {
-    throw new RangeError(
-      `sphere: the size is ${shown(size)}, expected a whole number from 1 to 4096`,
-    );
-  }
-  const picture = new Uint8ClampedArray(4 * size * size);
-  const [x, y, z] = [0, 1, 2].map(() => new Float32Array(size));
-  // As in the shader: the outline is half a pixel from the border.
-  const radius = Math.max(size - 1, 1) / 2;
-  for (let row = 0; row < size; row++) {
-    const places = [];
-    for (let column = 0; column < size; column++) {
-      const [across, up] = [(column + 0.5 - size / 2) / radius, (size / 2 - row - 0.5) / radius];
-      const distance = Math.hypot(across, up);
-      const coverage = Math.min(1, radius * (1 - distance) + 0.5);
-      if (coverage <= 0) continue;
-      const scale = Math.max(1, distance);
-      const k = places.length;
-      [x[k], y[k]] = [across / scale, up / scale];
-      z[k] = Math.sqrt(Math.max(0, 1 - distance * distance));
-      places.push({ at: 4 * (row * size + column), coverage });
-    }
-    const parts = [x, y, z].map((axis) => axis.subarray(0, places.length));
-    const pixels = scene.pixels(parts[0], parts[1], parts[2], look);
-    places.forEach(({ at, coverage }, k) => {
-      picture.set(pixels.subarray(4 * k, 4 * k + 3), at);
-      picture[at + 3] = 255 * coverage;
-    });
-  }
-  return picture;
 }

@@ -30,12 +30,28 @@ const ALL = 0b1111;
 const UNTURNED = Float32Array.of(0, 0, 0, 1);
 
 /**
+ * Makes the module hold a scene. For `sphere`, which draws by the module itself.
+ *
+ * @type {(scene: Scene, what: string, look: { exposure?: number, tone?: Tone }) =>
+ *   { engine: Engine, exposure: number, curve: number }}
+ */
+export let prepared;
+
+/**
  * A light on a material.
  *
  * Setting a light, a turn or a material costs nothing by itself; what depends on it is computed when
  * it is read.
  */
 export class Scene {
+  static {
+    prepared = (scene, what, look) => {
+      const checked = checkedLook(what, look);
+      scene.#ready();
+      return { engine: scene.#engine, ...checked };
+    };
+  }
+
   /** @type {Engine} */
   #engine;
   /** @type {Float32Array} */
@@ -433,10 +449,7 @@ export class Scene {
    *   above 0
    */
   pixels(x, y, z, options = {}) {
-    checkNames("pixels", options, "exposure, tone");
-    const { exposure = 1, tone = "filmic" } = options;
-    checkExposure("pixels", exposure);
-    const curve = toneNumber("pixels", tone);
+    const { exposure, curve } = checkedLook("pixels", options);
     checkNormals("pixels", [x, y, z]);
     const pixels = new Uint8ClampedArray(4 * x.length);
     this.#ready();
@@ -518,4 +531,17 @@ export class Scene {
     this.#truncation = this.#engine.compute({ ...request, tolerance });
     held.scene = this.#state;
   }
+}
+
+/**
+ * The exposure and the number of the tone curve.
+ *
+ * @param {string} what
+ * @param {{ exposure?: number, tone?: Tone }} look
+ */
+function checkedLook(what, look) {
+  checkNames(what, look, "exposure, tone");
+  const { exposure = 1, tone = "filmic" } = look;
+  checkExposure(what, exposure);
+  return { exposure, curve: toneNumber(what, tone) };
 }

@@ -3,7 +3,7 @@
 import assert from "node:assert/strict";
 import { readFileSync, readdirSync } from "node:fs";
 import { test } from "node:test";
-import { Scene, lightPreset, load } from "../src/index.js";
+import { Scene, lightPreset, load, sphere } from "../src/index.js";
 import { takeRelaxedSimd } from "./support/relaxed.js";
 
 /** The stack size that `crates/wasm/build` sets. The stack is at the start of memory and grows down. */
@@ -39,6 +39,7 @@ for (const name of names) {
       () => scene.material({ baseColor: "#b87333" }).turn({ yaw: 1 }).coefficients(),
       () => scene.within(1e-3).shade([0], [0], [1]),
       () => scene.within().pixels([0], [0.6], [0.8]),
+      () => sphere(scene, 200),
       () => scene.uniforms(),
       () => scene.glsl() + scene.wgsl(),
     ].map((call) => {

@@ -380,7 +380,8 @@ for (const { name, shader, drawn } of [
 ]) {
   test(`${name}, by the time of the first picture`, async () => {
     const found = await page.evaluate(async (shader) => {
-      const { Preview, Scene } = eigenshade;
+      const { Preview } = eigenshade;
+      const { Engine } = await import("/src/engine.js");
       // Each call of either kind takes its time.
       let clock = 0;
       performance.now = () => clock;
@@ -389,10 +390,10 @@ for (const { name, shader, drawn } of [
         clock += shader;
         return drawArrays.apply(this, all);
       };
-      const { pixels: encode } = Scene.prototype;
-      Scene.prototype.pixels = function (...all) {
+      const { shadeAll } = Engine.prototype;
+      Engine.prototype.shadeAll = function (...all) {
         clock += 0.1;
-        return encode.apply(this, all);
+        return shadeAll.apply(this, all);
       };
       const [canvas] = canvases;
       const { drawImage } = CanvasRenderingContext2D.prototype;
@@ -500,6 +501,7 @@ test("wrong input rejects with one clear error, and the picture stays", async ()
 test("an element draws what its attributes say, and says what is wrong", async () => {
   const found = await page.evaluate(async () => {
     await import("/src/element.js");
+    const { exact } = await import("/test/support/exact.js");
     const next = (element, event) => new Promise((resolve, reject) => {
       element.addEventListener(event, resolve, { once: true });
       element.addEventListener(event === "load" ? "error" : "load", ({ type }) => reject(new Error(`${type}, not ${event}`)), { once: true });
@@ -514,7 +516,7 @@ test("an element draws what its attributes say, and says what is wrong", async (
     const auto = { sources: "auto", window: "auto" };
     const scene = await eigenshade.Scene.create({ light: "studio", material: "red-fabric2", ...auto });
     scene.turn({ yaw: Math.PI / 6 });
-    const same = difference(pixels(canvas), eigenshade.sphere(scene, size, { exposure: 2 }));
+    const same = difference(pixels(canvas), exact(scene, size, { exposure: 2 }));
     const label = canvas.getAttribute("aria-label");
     const message = element.shadowRoot.querySelector("[role=alert]");
     const wrong = [];
@@ -546,7 +548,7 @@ test("an element draws what its attributes say, and says what is wrong", async (
     }
     element.setAttribute("exposure", "auto");
     await next(element, "load");
-    const automatic = difference(pixels(canvas), eigenshade.sphere(scene, size, { exposure: scene.exposure() }));
+    const automatic = difference(pixels(canvas), exact(scene, size, { exposure: scene.exposure() }));
     // A turn keeps the exposure that was chosen.
     element.removeAttribute("exposure");
     await next(element, "load");
@@ -554,7 +556,7 @@ test("an element draws what its attributes say, and says what is wrong", async (
     await next(element, "load");
     const exposure = scene.turn({ yaw: Math.PI / 6 }).exposure();
     scene.turn({ yaw: (5 * Math.PI) / 6 });
-    const kept = difference(pixels(canvas), eigenshade.sphere(scene, size, { exposure }));
+    const kept = difference(pixels(canvas), exact(scene, size, { exposure }));
     element.setAttribute("exposure", "2");
     element.setAttribute("yaw", "30");
     scene.turn({ yaw: Math.PI / 6 });
@@ -562,14 +564,14 @@ test("an element draws what its attributes say, and says what is wrong", async (
     element.setAttribute("base-color", "#b87333");
     element.setAttribute("metallic", "1");
     await next(element, "load");
-    const copper = difference(pixels(canvas), eigenshade.sphere(scene.material({ baseColor: "#b87333", metallic: 1 }), size, { exposure: 2 }));
+    const copper = difference(pixels(canvas), exact(scene.material({ baseColor: "#b87333", metallic: 1 }), size, { exposure: 2 }));
     const few = element.preview.scene.sources;
     element.setAttribute("sources", "4");
     element.setAttribute("window", "9.5");
     await next(element, "load");
     const bright = await eigenshade.Scene.create({ light: "studio", material: { baseColor: "#b87333", metallic: 1 }, sources: 4, window: 9.5 });
     bright.turn({ yaw: Math.PI / 6 });
-    const sharp = [difference(pixels(canvas), eigenshade.sphere(bright, size, { exposure: 2 })), element.preview.scene.sources, element.sources, element.window];
+    const sharp = [difference(pixels(canvas), exact(bright, size, { exposure: 2 })), element.preview.scene.sources, element.sources, element.window];
     element.window = "none";
     element.sources = null;
     await next(element, "load");
