@@ -17,7 +17,7 @@ use crate::target::Target;
 /// The colors of one material under one light, by normal: 8.7 KB.
 ///
 /// Fill it for each frame, which shades the nodes, and draw any number of pixels from it. A pixel to
-/// RGB565 takes 60 instructions on a Cortex-M4F and 112 on a Cortex-M0. On the display, pictures
+/// RGB565 takes 58 instructions on a Cortex-M4F and 101 on a Cortex-M0. On the display, pictures
 /// differ from those with every pixel shaded by CIEDE2000 0.36 in the median and by more than 1 in
 /// one of five (`docs/palette.csv`): where a highlight is narrower than the 5.7 degrees between two
 /// nodes, or an edge is black because the light rings.

@@ -22,6 +22,7 @@ mod integer_highlights;
 mod integer_lights;
 mod kernels;
 mod matcap;
+mod palettes;
 mod paper;
 mod parts;
 mod polynomials;

@@ -3,7 +3,7 @@
 use eigenshade::object::NormalMap;
 use eigenshade::presets::light::HALL;
 use eigenshade::presets::material::{BLUE_METALLIC_PAINT2, GOLD_METALLIC_PAINT};
-use eigenshade::screen::{Display, Palette, Tone};
+use eigenshade::screen::{Display, Nodes, Palette, Tone};
 use eigenshade::sphere::color::{self, Transfer};
 use eigenshade::{Error, Rotation};
 use eigenshade_embedded_graphics::{Dial, Frame, Layer};
@@ -19,17 +19,24 @@ static DISPLAY: Display = Display::new(Tone::Filmic);
 /// An object: its normals, its material, and its colors in this frame.
 struct Object<'a> {
     map: NormalMap<'a>,
+    nodes: Nodes,
     material: Transfer,
     palette: Palette,
+}
+
+impl<'a> Object<'a> {
+    fn new(map: NormalMap<'a>, material: Transfer) -> Self {
+        Self { map, nodes: map.nodes(), material, palette: Palette::BLACK }
+    }
 }
 
 /// Lights the objects when the wrist is tilted by this many radians.
 fn relight(tilt: f32, objects: &mut [Object; 2]) -> Result<(), Error> {
     let light = HALL.turned::<100>(&Rotation::from_euler(tilt, 0.0, 0.0)?)?;
-    for Object { map, material, palette } in objects {
+    for Object { nodes, material, palette, .. } in objects {
         let scene = color::relight(&*material, light.lights()?)?;
         let exposure = scene.exposure_by_factor(2.0)?;
-        palette.fill_mirrored(&map.nodes(), &DISPLAY, |normal| {
+        palette.fill_mirrored(nodes, &DISPLAY, |normal| {
             scene.shade_mirrored(normal).map(|color| exposure.of(color))
         });
     }
@@ -52,13 +59,12 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     let file = std::env::args().nth(1).ok_or("usage: coin FILE.png")?;
     let mut dial = [[0; 2]; 128 * 128];
     Dial::codes(128, 8, 4, &mut dial)?;
-    let object = |map, material| Object { map, material, palette: Palette::BLACK };
     let mut objects = [
-        object(
+        Object::new(
             NormalMap::new(128, 128, dial.as_flattened())?,
             color::transfer(BLUE_METALLIC_PAINT2)?,
         ),
-        object(NormalMap::new(90, 90, COIN)?, color::transfer(GOLD_METALLIC_PAINT)?),
+        Object::new(NormalMap::new(90, 90, COIN)?, color::transfer(GOLD_METALLIC_PAINT)?),
     ];
 
     // Three moments, side by side.

@@ -2,9 +2,10 @@
 
 use crate::numbers::digits;
 use eigenshade::object::{Disc, DiscPixel, NormalMap, NormalPixel};
+use eigenshade::presets::{light, sources};
 use eigenshade::screen::{Display, Meter, Palette, Tone};
-use eigenshade::sphere::color::{self, Scene};
-use eigenshade::{Light, Material, Rgb, Rotation};
+use eigenshade::sphere::color;
+use eigenshade::{Gloss, Highlights, Light, Material, Normal, Rgb, Rotation, Source};
 use eigenshade_model::database::Named;
 use eigenshade_model::error::{Error, Result};
 use eigenshade_model::parallel;
@@ -16,6 +17,8 @@ use std::collections::BTreeMap;
 
 /// The lights of the pictures.
 pub const LIGHTS: [&str; 5] = ["lobby", "studio", "forest", "night", "sky"];
+/// The roughnesses of a glTF material whose highlights are sharp.
+pub const ROUGHNESSES: [f32; 4] = [0.2, 0.3, 0.4, 0.5];
 /// The diameter of the sphere in pixels.
 pub const SIZE: usize = 240;
 
@@ -61,7 +64,8 @@ impl Row {
     }
 }
 
-/// The errors of all shipped materials in color under [`LIGHTS`], or of those with these names.
+/// The errors of all shipped materials in color under [`LIGHTS`], and of glTF's copper of
+/// [`ROUGHNESSES`] with four sources of each light, or of those with these names.
 ///
 /// # Errors
 ///
@@ -77,7 +81,49 @@ pub fn errors(names: &[&str], bar: &ProgressBar) -> Result<Vec<Row>> {
         let rows = LIGHTS.map(|light| row(materials[k], light, &lights.entries, &map));
         rows.into_iter().collect::<Result<Vec<Row>>>()
     });
-    Ok(rows.into_iter().collect::<Result<Vec<_>>>()?.concat())
+    let mut rows = rows.into_iter().collect::<Result<Vec<_>>>()?.concat();
+    for roughness in ROUGHNESSES {
+        let name = format!("copper-{roughness}");
+        if names.is_empty() || names.contains(&name.as_str()) {
+            for light in LIGHTS {
+                let errors = of_copper(roughness, light, &map).map_err(fault)?;
+                rows.push(Row { material: name.clone(), light, errors });
+            }
+        }
+    }
+    Ok(rows)
+}
+
+/// The errors of a glTF material under a light, its four brightest sources as highlights.
+fn of_copper(roughness: f32, light: &str, map: &NormalMap<'_>) -> Compared {
+    let color = [0.93, 0.52, 0.38];
+    let material = Material::metallic_roughness(color, 1.0, roughness)?;
+    let gloss = Gloss::metallic_roughness(color, 1.0, roughness)?;
+    let (of_light, sources) = match light {
+        "studio" => (light::STUDIO, sources::STUDIO.as_slice()),
+        "forest" => (light::FOREST, sources::FOREST.as_slice()),
+        "night" => (light::NIGHT, sources::NIGHT.as_slice()),
+        "sky" => (light::SKY, sources::SKY.as_slice()),
+        _ => (light::LOBBY, sources::LOBBY.as_slice()),
+    };
+    let sources = sources.split_at_checked(4).map_or(sources, |(four, _)| four);
+    let rest = of_light.residual::<100>(sources)?;
+    let rotation = Rotation::from_euler(TURN.to_radians(), 0.0, 0.0)?;
+    let turned_sources: Vec<Source> = sources.iter().map(|one| one.turned(rotation)).collect();
+    let [here, there] = [sources, &turned_sources].map(|all| Highlights::<4>::new(&gloss, all));
+    let (here, there) = (here?, there?);
+    let scene = color::scene(rest.lights()?, material.materials()?)?;
+    let turned = rest.lights()?.turned::<100>(&rotation)?;
+    let turned = color::scene(turned.lights()?, material.materials()?)?;
+    let coarse = color::scene(of_light.map(|one| one.truncated(2)), material.materials()?)?;
+    compared(
+        [
+            &|normal| scene.shade(normal) + here.shade(normal),
+            &|normal| coarse.shade(normal),
+            &|normal| turned.shade(normal) + there.shade(normal),
+        ],
+        map,
+    )
 }
 
 fn fault(error: eigenshade::Error) -> Error {
@@ -103,29 +149,38 @@ fn row(
     let lights = Rgb { r: r.map_err(fault)?, g: g.map_err(fault)?, b: b.map_err(fault)? };
     let [r, g, b] = material_numbers.each_ref().map(|numbers| Material::new(numbers));
     let materials = Rgb { r: r.map_err(fault)?, g: g.map_err(fault)?, b: b.map_err(fault)? };
-    let errors = compared(lights, materials, map).map_err(fault)?;
+    let errors = of_material(lights, materials, map).map_err(fault)?;
     Ok(Row { material: material.name.clone(), light, errors })
 }
 
 /// The errors of one material under one light.
-fn compared(
+fn of_material(
     light: Rgb<Light<'_>>,
     material: Rgb<Material<'_>>,
     map: &NormalMap<'_>,
-) -> std::result::Result<[Errors; 8], eigenshade::Error> {
+) -> Compared {
     let scene = color::scene(light, material)?;
     let coarse = color::scene(light.map(|light| light.truncated(2)), material)?;
     let rotation = Rotation::from_euler(TURN.to_radians(), 0.0, 0.0)?;
     let turned = light.turned::<100>(&rotation)?;
     let turned = color::scene(turned.lights()?, material)?;
+    compared([&|one| scene.shade(one), &|one| coarse.shade(one), &|one| turned.shade(one)], map)
+}
 
+/// The irradiance of a normal.
+type Shade<'s> = &'s dyn Fn(Normal) -> Rgb<f32>;
+
+type Compared = std::result::Result<[Errors; 8], eigenshade::Error>;
+
+/// The errors of a picture, and against it those under light of degree 2 and under a turned light.
+fn compared([scene, coarse, turned]: [Shade<'_>; 3], map: &NormalMap<'_>) -> Compared {
     let exact: Vec<DiscPixel> =
         Disc::new(SIZE)?.filter(|pixel| pixel.coverage() == u8::MAX).collect();
     let mut meter = Meter::default();
-    exact.iter().for_each(|pixel| meter.add(scene.shade(pixel.normal())));
+    exact.iter().for_each(|pixel| meter.add(scene(pixel.normal())));
     let exposure = meter.exposure().unwrap_or_default();
     let mut palette = Palette::default();
-    palette.fill(&map.nodes(), &DISPLAY, |normal| exposure.of(scene.shade(normal)));
+    palette.fill(&map.nodes(), &DISPLAY, |normal| exposure.of(scene(normal)));
     let whole: Vec<NormalPixel> = map.pixels().filter(|pixel| pixel.coverage() == 255).collect();
     // The pixels that both have.
     let places: Vec<usize> = whole.iter().map(|pixel| pixel.index()).collect();
@@ -135,18 +190,18 @@ fn compared(
     let whole: Vec<NormalPixel> =
         whole.into_iter().filter(|pixel| places.binary_search(&pixel.index()).is_ok()).collect();
 
-    let shaded = |scene: &Scene| -> Vec<Rgb<f32>> {
-        exact.iter().map(|pixel| exposure.of(scene.shade(pixel.normal()))).collect()
+    let shaded = |scene: Shade<'_>| -> Vec<Rgb<f32>> {
+        exact.iter().map(|pixel| exposure.of(scene(pixel.normal()))).collect()
     };
     let encoded = |shaded: Vec<Rgb<f32>>| -> Vec<Srgb> {
         let displayed =
             |color: Rgb<f32>| color.map(|one| f32::from(DISPLAY.encode(one.into())) / 65_535.0);
         shaded.into_iter().map(|color| srgb(displayed(color))).collect()
     };
-    let rounded = |scene: &Scene| -> Vec<Srgb> {
+    let rounded = |scene: Shade<'_>| -> Vec<Srgb> {
         shaded(scene).into_iter().map(|color| of565(DISPLAY.rgb565(color))).collect()
     };
-    let reference = encoded(shaded(&scene));
+    let reference = encoded(shaded(scene));
     let nearest: Vec<Srgb> = whole.iter().map(|one| of565(palette.rgb565(one.code()))).collect();
     let dithered: Vec<Srgb> = whole
         .iter()
@@ -158,14 +213,14 @@ fn compared(
         .collect();
     let blurred = |picture: &[Srgb]| blurred(&places, picture);
     Ok([
-        summed(&reference, &rounded(&scene)),
+        summed(&reference, &rounded(scene)),
         summed(&reference, &fine),
         summed(&reference, &nearest),
         summed(&reference, &dithered),
         summed(&blurred(&reference), &blurred(&nearest)),
         summed(&blurred(&reference), &blurred(&dithered)),
-        summed(&reference, &rounded(&coarse)),
-        summed(&encoded(shaded(&turned)), &rounded(&scene)),
+        summed(&reference, &rounded(coarse)),
+        summed(&encoded(shaded(turned)), &rounded(scene)),
     ])
 }
 

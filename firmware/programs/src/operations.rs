@@ -104,7 +104,9 @@ pub fn palette() {
     let mut palette = Palette::default();
     holds(size_of_val(&scene) + size_of_val(&palette));
     measure(&[()], Passes(1), |()| {
-        palette.fill(&Nodes::ALL, &DISPLAY, |normal| exposure.of(scene.shade(normal)));
+        palette.fill_mirrored(&Nodes::ALL, &DISPLAY, |normal| {
+            scene.shade_mirrored(normal).map(|color| exposure.of(color))
+        });
         black_box(&mut palette);
     });
 }
