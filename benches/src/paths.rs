@@ -3,6 +3,9 @@
 
 use crate::shipped::{Axes, Pair, Shipped, Shown, full, tables, white_matte, within};
 use eigenshade::lights::NineTerms;
+use eigenshade::object::NormalMap;
+use eigenshade::presets::{light, material};
+use eigenshade::screen::{Display, Palette, Target, Tone};
 use eigenshade::truncation::Tolerance;
 use eigenshade::wire::aligned;
 use eigenshade::{Basis, Normals, Rgb, Scene, sphere};
@@ -30,9 +33,54 @@ pub struct Path {
 #[must_use]
 pub fn all() -> Vec<Path> {
     let mut paths = pictures();
+    paths.extend(frames());
     paths.extend(calls());
     paths
 }
+
+/// Pixels across the picture of a frame.
+const SIDE: usize = 240;
+
+/// A frame of a gold sphere with every pixel shaded, and from a palette: both from the scene up to
+/// RGB565.
+fn frames() -> [Path; 2] {
+    let scene = sphere::color::scene(light::LOBBY, material::GOLD_METALLIC_PAINT).expect("it fits");
+    let scene: &'static sphere::color::Scene = Box::leak(Box::new(scene));
+    let exposure = scene.exposure_by_factor(1.5).expect("above zero");
+    let codes = Vec::leak(vec![NormalMap::BACKGROUND; SIDE * SIDE]);
+    NormalMap::sphere(SIDE, codes).expect("one length");
+    let map = NormalMap::new(SIDE, SIDE, codes.as_flattened()).expect("one length");
+    let whole: Vec<_> = map.pixels().collect();
+    let places: Vec<_> =
+        whole.iter().map(|pixel| pixel.normal().components().map(f64::from)).collect();
+    let normals = Box::leak(Box::new(Axes::new(&places))).normals();
+    let (count, mut picture) = (whole.len(), vec![0_u16; SIDE * SIDE]);
+    let (nodes, mut palette, mut drawn) = (map.nodes(), Palette::default(), picture.clone());
+    let mut colors = vec![Rgb::gray(0.0); count];
+    let shaded = move || {
+        black_box(scene).shade_slice(black_box(normals), &mut colors).expect("one length");
+        let mut target = Target::new(&mut picture, SIDE).expect("whole rows");
+        for (pixel, &color) in whole.iter().zip(&colors) {
+            pixel.put(&mut target, DISPLAY.rgb565(exposure.of(color)));
+        }
+        black_box(&mut picture);
+    };
+    let from_palette = move || {
+        palette.fill_mirrored(&nodes, &DISPLAY, |normal| {
+            black_box(scene).shade_mirrored(normal).map(|color| exposure.of(color))
+        });
+        palette.draw(&map, &mut Target::new(&mut drawn, SIDE).expect("whole rows"));
+        black_box(&mut drawn);
+    };
+    let path =
+        |name: &str, multiply_adds, run| Path { name: name.into(), multiply_adds, count, run };
+    [
+        path("a gold sphere to RGB565", 534, Box::new(shaded)),
+        path("the same from a palette", 6, Box::new(from_palette)),
+    ]
+}
+
+static DISPLAY: Display = Display::new(Tone::Filmic);
 
 fn pictures() -> Vec<Path> {
     let normals = Box::leak(Box::new(Axes::spread(PIXELS))).normals();
