@@ -106,6 +106,8 @@ pub enum Command {
     /// A sphere of 240 x 240 pixels in each shipped material in color under five lights. Errors are
     /// CIEDE2000 against the picture that is not rounded to the levels of a display.
     PaletteErrors(Csv),
+    /// Spheres from a palette beside those with every pixel shaded, enlarged, docs/palette.png
+    PalettePicture(OutputFile),
     /// Coefficients of glTF materials, tables/inputs/metallic-roughness.csv
     ///
     /// A material's coefficients are albedo (1 - f0) `matte` + `rim` + f0 `metal`. `matte` does not
@@ -164,6 +166,7 @@ impl Command {
                 let rows = rows.iter().map(palette_errors::Row::fields);
                 write_csv(csv.out.as_deref(), palette_errors::COLUMNS, rows)
             }
+            Self::PalettePicture(file) => pictures::palettes(&file.out),
             Self::MetallicRoughness(file) => files::metallic_roughness(&file.out),
             Self::SameOrder { one, other } => files::same_order(&one, &other),
         }

@@ -1,8 +1,9 @@
 //! The pictures of the README: spheres of materials under captured lights, and all presets.
 
 use eigenshade::lights::Window;
+use eigenshade::object::{Disc, NormalMap};
 use eigenshade::presets::{self, light, material};
-use eigenshade::screen::{Display, Exposure, Meter, Tone};
+use eigenshade::screen::{Display, Exposure, Meter, Palette, Target, Tone};
 use eigenshade::{Light, Normal, Rgb, sphere};
 use eigenshade_cli::picture::{Canvas, SphereView, TextHeight, text_width, write_png};
 use eigenshade_cli::table;
@@ -166,4 +167,50 @@ fn lines(name: &str, most: usize) -> Vec<&str> {
         Some(place) if name.len() > most => vec![&name[..=place], &name[place + 1..]],
         _ => vec![name],
     }
+}
+
+/// Pixels of a sphere in the picture of palettes, of a part of it, and the scale of that part.
+const SPHERE: usize = 240;
+const PART: usize = 90;
+const SCALE: usize = 4;
+
+/// Part of a sphere with every pixel shaded, from a palette, and from a palette and dithered, in
+/// RGB565: of a matte material and of gold.
+pub fn palettes(out: &Path) -> Result<()> {
+    static DISPLAY: Display = Display::new(Tone::Filmic);
+    let mut codes = vec![NormalMap::BACKGROUND; SPHERE * SPHERE];
+    NormalMap::sphere(SPHERE, &mut codes).map_err(fault)?;
+    let map = NormalMap::new(SPHERE, SPHERE, codes.as_flattened()).map_err(fault)?;
+    let side = PART * SCALE;
+    let (width, height) = (3 * side, 2 * side);
+    let mut bytes = vec![u8::MAX; 4 * width * height];
+    for (row, material) in [material::PTFE_633NM, material::GOLD_METALLIC_PAINT].iter().enumerate()
+    {
+        let scene = sphere::color::scene(light::LOBBY, *material).map_err(fault)?;
+        let exposure = scene.exposure_by_factor(1.5).map_err(fault)?;
+        let mut palette = Palette::default();
+        palette.fill_mirrored(&map.nodes(), &DISPLAY, |normal| {
+            scene.shade_mirrored(normal).map(|color| exposure.of(color))
+        });
+        let mut pictures = [(); 3].map(|()| vec![0_u16; SPHERE * SPHERE]);
+        let [shaded, plain, dithered] = &mut pictures;
+        let mut target = Target::new(shaded, SPHERE).map_err(fault)?;
+        for pixel in Disc::new(SPHERE).map_err(fault)? {
+            let color = exposure.of(scene.shade(pixel.normal()));
+            pixel.put(&mut target, DISPLAY.rgb565(color));
+        }
+        palette.draw(&map, &mut Target::new(plain, SPHERE).map_err(fault)?);
+        palette.draw_dithered(&map, &mut Target::new(dithered, SPHERE).map_err(fault)?);
+        for (column, picture) in pictures.iter().enumerate() {
+            for (y, x) in (0..side).flat_map(|y| (0..side).map(move |x| (y, x))) {
+                let pixel = picture[(20 + y / SCALE) * SPHERE + 20 + x / SCALE];
+                let level = |shift: u32, most: u16| {
+                    (u32::from(pixel >> shift & most) * 255 / u32::from(most)) as u8
+                };
+                let at = 4 * ((row * side + y) * width + column * side + x);
+                bytes[at..at + 3].copy_from_slice(&[level(11, 31), level(5, 63), level(0, 31)]);
+            }
+        }
+    }
+    write_png(out, width, height, &bytes)
 }
