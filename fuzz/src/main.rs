@@ -11,8 +11,8 @@ type Target = fn(&[u8]);
 
 /// * `shade_any`: any light, material, normals, transfer and coefficients. f32 stays finite, and
 ///   integers stay in range and never wrap.
-/// * `public_interface`: look-ups, baking, rotations, windows, truncation and estimates with any
-///   numbers. No panic, and further invariants for moderate numbers.
+/// * `public_interface`: look-ups, baking, rotations, windows, truncation, estimates and drawing with
+///   any numbers. No panic, and further invariants for moderate numbers.
 /// * `project_reconstruct`: projection and reconstruction in every format are close to the results
 ///   in f64.
 /// * `from_bytes`: any bytes as a table give an error, or a basis that projects and shades.

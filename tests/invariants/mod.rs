@@ -7,6 +7,7 @@
     reason = "each test and each target takes the parts that it needs"
 )]
 
+mod drawing;
 pub mod integer;
 mod shading;
 mod ways;

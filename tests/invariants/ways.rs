@@ -2,6 +2,7 @@
 //! interface beside the pixel: any bits never panic, and every way keeps near the polynomials.
 
 use super::Reader;
+use super::drawing::drawing;
 use super::integer::{Mantissa as _, Relit, normal, normals, shipped};
 use super::shading::{ANY_PIXEL_Q15, near};
 use eigenshade::lights::Window;
@@ -159,6 +160,7 @@ pub fn public_interface(bytes: &[u8]) {
     turn(&light, &rotation, is_moderate);
     let d = std::array::from_fn(|_| input.float(is_moderate));
     look_up(&d, input, is_moderate);
+    drawing(input);
 }
 
 /// Sizes and places of anything: meaningless at worst.
