@@ -19,8 +19,8 @@ pub(crate) const POINT: u32 = 16;
 pub struct Linear(pub u32);
 
 impl Linear {
-    /// The product with a number in units of 2^-16, such as a channel of a base color. An irradiance
-    /// above 16 counts as 16.
+    /// The product with a number in units of 2^-16, such as a channel of a linear base color. An
+    /// irradiance above 16 counts as 16.
     #[inline]
     #[must_use]
     pub fn times(self, factor: u16) -> Self {

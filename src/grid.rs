@@ -9,25 +9,25 @@ use crate::q15;
 /// Bits of a node's place after the binary point, in codes.
 const POINT: u32 = 4;
 
-/// A normal in one of the number formats.
-pub trait OfNode: sealed::OfNode {}
-impl OfNode for Normal {}
-impl OfNode for q15::Normal {}
+/// A [`Normal`] or a [`q15::Normal`].
+pub trait AnyNormal: sealed::AnyNormal {}
+impl AnyNormal for Normal {}
+impl AnyNormal for q15::Normal {}
 
 mod sealed {
     use super::{Normal, POINT, normal_at, normal_q15_at, q15};
 
-    pub trait OfNode {
+    pub trait AnyNormal {
         /// The normal at a point of the map of codes, in units of 2^-[`POINT`] of a code.
         fn of_point(point: [i32; 2]) -> Self;
     }
-    impl OfNode for Normal {
+    impl AnyNormal for Normal {
         #[inline]
         fn of_point(point: [i32; 2]) -> Self {
             normal_at::<POINT>(point)
         }
     }
-    impl OfNode for q15::Normal {
+    impl AnyNormal for q15::Normal {
         #[inline]
         fn of_point(point: [i32; 2]) -> Self {
             normal_q15_at::<POINT>(point)
@@ -43,7 +43,7 @@ impl<T: Copy> Grid<T> {
     /// Sets nodes by their normals. Nodes beyond the rim of a sphere have the normals of the rim.
     /// Other nodes stay.
     #[inline]
-    pub fn fill<N: OfNode>(&mut self, nodes: &Nodes, mut value: impl FnMut(N) -> T) {
+    pub fn fill<N: AnyNormal>(&mut self, nodes: &Nodes, mut value: impl FnMut(N) -> T) {
         let rows = self.0.as_chunks_mut::<SIDE>().0;
         for (row, (places, used)) in rows.iter_mut().zip(nodes.0).enumerate() {
             for (column, node) in places.iter_mut().enumerate() {
@@ -57,7 +57,11 @@ impl<T: Copy> Grid<T> {
     /// [`fill`](Self::fill) of four nodes at a time, with the values of [`Normal::mirrored`] in its
     /// order. If one of them is set, all are.
     #[inline]
-    pub fn fill_mirrored<N: OfNode>(&mut self, nodes: &Nodes, mut values: impl FnMut(N) -> [T; 4]) {
+    pub fn fill_mirrored<N: AnyNormal>(
+        &mut self,
+        nodes: &Nodes,
+        mut values: impl FnMut(N) -> [T; 4],
+    ) {
         let last = SIDE - 1;
         let used = |row: usize| nodes.0.get(row).copied().unwrap_or_default();
         for row in 0..=last / 2 {

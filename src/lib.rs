@@ -284,10 +284,11 @@ pub mod object {
 pub mod screen {
     pub use crate::blend::blend565;
     pub use crate::display::{Display, Exposure, Linear, Tone};
+    pub use crate::grid::AnyNormal;
     pub use crate::linear_palette::LinearPalette;
     pub use crate::meter::Meter;
     pub use crate::nodes::Nodes;
-    pub use crate::palette::Palette;
+    pub use crate::palette::{Dithered, Palette};
     pub use crate::pixel::Pixel;
     pub use crate::sent::Sent;
     pub use crate::shade::NegativePolicy;

@@ -2,7 +2,7 @@
 
 use crate::color::Rgb;
 use crate::display::Linear;
-use crate::grid::{Grid, OfNode};
+use crate::grid::{AnyNormal, Grid};
 use crate::nodes::{Nodes, SIDE};
 use crate::normal_code::NormalCode;
 
@@ -12,8 +12,10 @@ const POINT: u32 = 12;
 /// The exposed irradiances of one material under one light, by normal, not yet encoded: 6.5 KB.
 ///
 /// It is a [`Palette`](crate::screen::Palette) for textured objects: a pixel's irradiance is
-/// multiplied by its own base color, then encoded. Irradiances are in steps of 2^-12 of white, up to
-/// 16.
+/// multiplied by its own base color, then encoded. Base colors are linear: decode those of an sRGB
+/// texture first. The product
+/// tints all of the irradiance, highlights too, which is right for matte materials and for metals.
+/// Irradiances are in steps of 2^-12 of white, up to 16.
 ///
 /// ```
 /// # #[cfg(all(feature = "baked", feature = "presets"))] {
@@ -46,13 +48,16 @@ pub struct LinearPalette(Grid<[u16; 3]>);
 /// A palette in which every irradiance is 0.
 impl Default for LinearPalette {
     fn default() -> Self {
-        Self(Grid([[0; 3]; SIDE * SIDE]))
+        Self::BLACK
     }
 }
 
 impl LinearPalette {
+    /// A palette in which every irradiance is 0.
+    pub const BLACK: Self = Self(Grid([[0; 3]; SIDE * SIDE]));
+
     /// Shades and exposes nodes, as [`Palette::fill`](crate::screen::Palette::fill).
-    pub fn fill<N: OfNode, L: Into<Linear>>(
+    pub fn fill<N: AnyNormal, L: Into<Linear>>(
         &mut self,
         nodes: &Nodes,
         mut exposed: impl FnMut(N) -> Rgb<L>,
@@ -62,7 +67,7 @@ impl LinearPalette {
 
     /// [`fill`](Self::fill) of four nodes at a time, as
     /// [`Palette::fill_mirrored`](crate::screen::Palette::fill_mirrored).
-    pub fn fill_mirrored<N: OfNode, L: Into<Linear>>(
+    pub fn fill_mirrored<N: AnyNormal, L: Into<Linear>>(
         &mut self,
         nodes: &Nodes,
         mut exposed: impl FnMut(N) -> [Rgb<L>; 4],

@@ -7,7 +7,7 @@
 use crate::color::Rgb;
 use crate::display::{Display, Linear, rank, ranks};
 use crate::encoded::{Encoded, NEAREST};
-use crate::grid::{Grid, OfNode};
+use crate::grid::{AnyNormal, Grid};
 use crate::nodes::{Nodes, SIDE};
 use crate::normal_code::NormalCode;
 use crate::normal_map::NormalMap;
@@ -62,7 +62,7 @@ impl Palette {
     /// nodes keep their colors: fill the nodes of an object before you draw it.
     ///
     /// Cost: `exposed` and three calls of [`Display::encode`] for each node.
-    pub fn fill<N: OfNode, L: Into<Linear>>(
+    pub fn fill<N: AnyNormal, L: Into<Linear>>(
         &mut self,
         nodes: &Nodes,
         display: &Display,
@@ -92,7 +92,7 @@ impl Palette {
     /// # }
     /// # Ok::<(), eigenshade::Error>(())
     /// ```
-    pub fn fill_mirrored<N: OfNode, L: Into<Linear>>(
+    pub fn fill_mirrored<N: AnyNormal, L: Into<Linear>>(
         &mut self,
         nodes: &Nodes,
         display: &Display,
@@ -127,12 +127,11 @@ impl Palette {
         self.sums(code).rgb565(NEAREST)
     }
 
-    /// [`rgb565`](Self::rgb565) with ordered dithering, as
-    /// [`Display::rgb565_dithered`](crate::screen::Display::rgb565_dithered).
+    /// The same colors with ordered dithering of RGB565.
     #[inline]
     #[must_use]
-    pub fn rgb565_dithered(&self, code: NormalCode, x: usize, y: usize) -> u16 {
-        self.sums(code).rgb565(threshold(rank(x, y)))
+    pub const fn dithered(&self) -> Dithered<'_> {
+        Dithered(self)
     }
 
     /// A pixel of 8 bits a channel.
@@ -170,15 +169,6 @@ impl Palette {
     pub fn draw<P: Pixel>(&self, map: &NormalMap<'_>, target: &mut Target<'_, P>) {
         for row in target.rows(map.height()) {
             self.row(map, row, target, |_| NEAREST);
-        }
-    }
-
-    /// [`draw`](Self::draw) with ordered dithering of RGB565, as
-    /// [`rgb565_dithered`](Self::rgb565_dithered) has it for the column and the row of the object.
-    pub fn draw_dithered<P: Pixel>(&self, map: &NormalMap<'_>, target: &mut Target<'_, P>) {
-        for row in target.rows(map.height()) {
-            let ranks = ranks(row);
-            self.row(map, row, target, |column| threshold(ranks(column)));
         }
     }
 
@@ -226,6 +216,36 @@ impl Palette {
             count += 1;
         }
         count
+    }
+}
+
+/// A [`Palette`] with ordered dithering of RGB565, by the column and the row in an object: bands of
+/// similar colors do not show edges. It changes nothing with 8 bits a channel.
+#[derive(Clone, Copy, Debug)]
+pub struct Dithered<'p>(&'p Palette);
+
+impl Dithered<'_> {
+    /// A pixel of 5, 6 and 5 bits at this column and row, as
+    /// [`Display::rgb565_dithered`](crate::screen::Display::rgb565_dithered).
+    #[inline]
+    #[must_use]
+    pub fn rgb565(self, code: NormalCode, x: usize, y: usize) -> u16 {
+        self.0.sums(code).rgb565(threshold(rank(x, y)))
+    }
+
+    /// A pixel of 8 bits a channel, as [`Palette::rgb888`].
+    #[inline]
+    #[must_use]
+    pub fn rgb888(self, code: NormalCode) -> Rgb<u8> {
+        self.0.rgb888(code)
+    }
+
+    /// [`Palette::draw`].
+    pub fn draw<P: Pixel>(self, map: &NormalMap<'_>, target: &mut Target<'_, P>) {
+        for row in target.rows(map.height()) {
+            let ranks = ranks(row);
+            self.0.row(map, row, target, |column| threshold(ranks(column)));
+        }
     }
 }
 
@@ -298,7 +318,7 @@ mod tests {
                 different += near(palette.rgb565(code), display.rgb565(color));
                 let mut sums = [0, 0];
                 for (x, y) in (0..16).map(|place| (place % 4, place / 4)) {
-                    let dithered = palette.rgb565_dithered(code, x, y);
+                    let dithered = palette.dithered().rgb565(code, x, y);
                     different += near(dithered, display.rgb565_dithered(color, x, y));
                     sums[0] += levels(dithered)[1];
                     sums[1] += levels(display.rgb565_dithered(color, x, y))[1];
@@ -328,14 +348,14 @@ mod tests {
             let mut target = Target::new(&mut found, 40).unwrap();
             let mut target = target.at(0, -(y as i32));
             if dithered {
-                palette.draw_dithered(&map, &mut target);
+                palette.dithered().draw(&map, &mut target);
             } else {
                 palette.draw(&map, &mut target);
             }
             for pixel in map.row(y) {
                 let (code, x) = (pixel.code(), pixel.column());
                 let color = if dithered {
-                    palette.rgb565_dithered(code, x, y)
+                    palette.dithered().rgb565(code, x, y)
                 } else {
                     palette.rgb565(code)
                 };

@@ -55,7 +55,7 @@ impl<'a, P> Target<'a, P> {
     }
 
     /// The part of the target from this column and row of it on, of this width and height or up to
-    /// the borders. Objects are drawn at its top left corner.
+    /// the borders. Objects are drawn at its top left corner, wherever [`at`](Self::at) had them.
     #[must_use]
     pub fn part(&mut self, [left, top]: [usize; 2], [width, height]: [usize; 2]) -> Target<'_, P> {
         let width = self.width.saturating_sub(left).min(width);
@@ -85,20 +85,26 @@ impl<'a, P> Target<'a, P> {
 
     /// The rows of an object of this height that the target has.
     pub(crate) fn rows(&self, height: usize) -> Range<usize> {
-        let [_, y] = self.corner;
-        let end = self.height.saturating_add_signed(-(y as isize)).min(height);
-        0_usize.saturating_add_signed(-(y as isize)).min(end)..end
+        let [_, [before, after]] = self.corner.map(parts);
+        let end = self.height.saturating_add(before).saturating_sub(after).min(height);
+        before.min(end)..end
     }
 
     /// Of a row of an object, the first column that the target has, and the pixels from there on.
     pub(crate) fn row(&mut self, row: usize) -> (usize, &mut [P]) {
-        let [x, y] = self.corner.map(|place| place as isize);
-        let start = 0_usize.saturating_add_signed(x);
-        let row = row.checked_add_signed(y).filter(|&row| row < self.height);
+        let [[first, start], _] = self.corner.map(parts);
+        let [_, y] = self.corner;
+        let row = row.checked_add_signed(y as isize).filter(|&row| row < self.height);
         let pixels = row.and_then(|row| self.pixels.get_mut(row * self.stride..));
         let pixels = pixels.and_then(|pixels| pixels.get_mut(..self.width)?.get_mut(start..));
-        (0_usize.saturating_add_signed(-x), pixels.unwrap_or_default())
+        (first, pixels.unwrap_or_default())
     }
+}
+
+/// The pixels of an object before the target's border, or those of the target before the object.
+fn parts(corner: i32) -> [usize; 2] {
+    let size = corner.unsigned_abs() as usize;
+    if corner < 0 { [size, 0] } else { [0, size] }
 }
 
 impl<P: Pixel> Target<'_, P> {

@@ -37,7 +37,7 @@ pub fn drawing(input: &mut Reader<'_>) {
         let mut part = target.part([left, top], [most_across, most_down]);
         let mut part = part.at(at[0], at[1]);
         if is_dithered {
-            palette.draw_dithered(&map, &mut part);
+            palette.dithered().draw(&map, &mut part);
         } else {
             palette.draw(&map, &mut part);
         }
@@ -47,7 +47,7 @@ pub fn drawing(input: &mut Reader<'_>) {
         for pixel in map.pixels() {
             let code = pixel.code();
             let color = if is_dithered {
-                palette.rgb565_dithered(code, pixel.column(), pixel.row())
+                palette.dithered().rgb565(code, pixel.column(), pixel.row())
             } else {
                 palette.rgb565(code)
             };
@@ -57,6 +57,7 @@ pub fn drawing(input: &mut Reader<'_>) {
         }
         assert_eq!(whole, single);
         let mut sent = Sent::<1>::default();
-        assert!(sent.changed(0, whole) && !sent.changed(0, single));
+        let sent = [whole, single].map(|pixels| sent.send(0, pixels, |_| Ok::<(), ()>(())));
+        assert_eq!(sent, [Ok(true), Ok(false)]);
     }
 }

@@ -12,6 +12,7 @@ use embedded_graphics::image::GetPixel as _;
 use embedded_graphics::pixelcolor::raw::{LittleEndian, RawU16};
 use embedded_graphics::pixelcolor::{Rgb565, Rgb888};
 use embedded_graphics::prelude::*;
+use embedded_graphics::primitives::Rectangle;
 
 static COIN: &[u8] = include_bytes!("coin.bin");
 static DISPLAY: Display = Display::new(Tone::Filmic);
@@ -52,7 +53,8 @@ fn draw<D: DrawTarget<Color = Rgb565>>(
         Layer::new(Point::zero(), dial.map, &dial.palette),
         Layer::new(Point::new(19, 19), coin.map, &coin.palette),
     ];
-    Frame::new(&layers, Rgb565::BLACK).draw(target)
+    let area = Rectangle::new(Point::zero(), Size::new(128, 128));
+    Frame::new(area, &layers, Rgb565::BLACK).draw(target)
 }
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {

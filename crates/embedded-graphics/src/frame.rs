@@ -2,7 +2,7 @@
 
 use crate::paint::DisplayColor;
 use eigenshade::object::NormalMap;
-use eigenshade::screen::{Palette, Sent, Target};
+use eigenshade::screen::{Dithered, Palette, Sent, Target};
 use embedded_graphics_core::Drawable;
 use embedded_graphics_core::draw_target::DrawTarget;
 use embedded_graphics_core::geometry::{Dimensions, Point, Size};
@@ -11,148 +11,168 @@ use embedded_graphics_core::primitives::Rectangle;
 /// Pixels of a row that are drawn and sent together.
 const RUN: usize = 128;
 
+/// The colors of a [`Layer`]: those of a [`Palette`], as they are or [`Dithered`].
+#[derive(Clone, Copy, Debug)]
+pub enum Colors<'a> {
+    /// Each rounded to the nearest color of the display.
+    Nearest(&'a Palette),
+    /// With ordered dithering on displays of 16 bits a pixel.
+    Dithered(Dithered<'a>),
+}
+
+impl<'a> From<&'a Palette> for Colors<'a> {
+    fn from(palette: &'a Palette) -> Self {
+        Self::Nearest(palette)
+    }
+}
+
+impl<'a> From<Dithered<'a>> for Colors<'a> {
+    fn from(dithered: Dithered<'a>) -> Self {
+        Self::Dithered(dithered)
+    }
+}
+
 /// An object of a [`Frame`]: its normals, where it is, and its colors.
 #[derive(Clone, Copy, Debug)]
 pub struct Layer<'a> {
     top_left: Point,
     map: NormalMap<'a>,
-    palette: &'a Palette,
-    is_dithered: bool,
+    colors: Colors<'a>,
 }
 
 impl<'a> Layer<'a> {
-    /// An object whose map begins at this point.
+    /// An object whose map begins at this point, in the colors of a `&Palette` or of
+    /// [`Palette::dithered`].
     #[must_use]
-    pub const fn new(top_left: Point, map: NormalMap<'a>, palette: &'a Palette) -> Self {
-        Self { top_left, map, palette, is_dithered: false }
-    }
-
-    /// This object with ordered dithering on displays of 16 bits a pixel.
-    #[must_use]
-    pub const fn dithered(self) -> Self {
-        Self { is_dithered: true, ..self }
+    pub fn new(top_left: Point, map: NormalMap<'a>, colors: impl Into<Colors<'a>>) -> Self {
+        Self { top_left, map, colors: colors.into() }
     }
 
     /// Draws the part in a row of pixels, which begins at a point.
     fn draw<C: DisplayColor>(&self, start: Point, row: &mut [C::Pixel]) {
-        let (width, Point { x, y }) = (row.len(), self.top_left - start);
+        let (width, Point { x, y }) = (row.len(), self.top_left);
+        let [x, y] = [x.saturating_sub(start.x), y.saturating_sub(start.y)];
         if let Ok(mut target) = Target::new(row, width) {
             let mut target = target.at(x, y);
-            if self.is_dithered {
-                self.palette.draw_dithered(&self.map, &mut target);
-            } else {
-                self.palette.draw(&self.map, &mut target);
+            match self.colors {
+                Colors::Nearest(palette) => palette.draw(&self.map, &mut target),
+                Colors::Dithered(palette) => palette.draw(&self.map, &mut target),
             }
         }
     }
 }
 
-impl Dimensions for Layer<'_> {
-    fn bounding_box(&self) -> Rectangle {
-        let size = Size::new(self.map.width() as u32, self.map.height() as u32);
-        Rectangle::new(self.top_left, size)
-    }
-}
-
-/// Objects over each other, the last one above, on a background: the fastest way to draw objects
-/// that move or whose light turns.
+/// An area with objects over each other, the last one above, on a background: the fastest way to draw
+/// objects that move or whose light turns.
 ///
-/// Each pixel of the rectangle around them is sent once, row by row. Outlines are mixed with what is
-/// below them. Memory: a buffer of 128 pixels.
+/// Each pixel of the area is sent once, row by row. Outlines are mixed with what is below them. Memory:
+/// a buffer of 128 pixels.
 ///
 /// ```
 /// # use eigenshade::object::NormalMap;
 /// # use eigenshade::screen::{Palette, Sent};
 /// # use eigenshade_embedded_graphics::{Frame, Layer};
 /// # use embedded_graphics::mock_display::MockDisplay;
-/// # use embedded_graphics::{pixelcolor::Rgb565, prelude::*};
+/// # use embedded_graphics::{pixelcolor::Rgb565, prelude::*, primitives::Rectangle};
 /// # let mut display = MockDisplay::<Rgb565>::new();
 /// # display.set_allow_overdraw(true);
 /// # let mut codes = [NormalMap::BACKGROUND; 40 * 40];
 /// # NormalMap::sphere(40, &mut codes)?;
 /// # let map = NormalMap::new(40, 40, codes.as_flattened())?;
 /// # let (steel, gold) = (Palette::default(), Palette::default());
-/// let layers = [Layer::new(Point::zero(), map, &steel), Layer::new(Point::new(9, 5), map, &gold)];
-/// let frame = Frame::new(&layers, Rgb565::BLUE);
-/// frame.draw(&mut display).unwrap();
+/// let area = Rectangle::new(Point::zero(), Size::new(60, 50));
+/// let layers =
+///     [Layer::new(Point::zero(), map, &steel), Layer::new(Point::new(9, 5), map, gold.dithered())];
+/// Frame::new(area, &layers, Rgb565::BLUE).draw(&mut display).unwrap();
 ///
-/// // Of later frames, what changed: nothing here.
-/// let mut sent = Sent::<48>::default();
-/// assert_eq!(frame.draw_changed(&mut display, &mut sent).unwrap(), 49 * 45);
-/// assert_eq!(frame.draw_changed(&mut display, &mut sent).unwrap(), 0);
+/// // Of later frames, what changed: here, nothing.
+/// let mut sent = Sent::<50>::default();
+/// for expected in [60 * 50, 0] {
+///     let frame = Frame::new(area, &layers, Rgb565::BLUE);
+///     assert_eq!(frame.draw_changed(&mut display, &mut sent).unwrap(), expected);
+/// }
 /// # Ok::<(), eigenshade::Error>(())
 /// ```
 #[derive(Clone, Copy, Debug)]
 pub struct Frame<'a, C> {
+    area: Rectangle,
     layers: &'a [Layer<'a>],
     background: C,
 }
 
 impl<'a, C: DisplayColor> Frame<'a, C> {
-    /// These objects, where there is none this color.
+    /// An area with these objects, the places of which are on the display, and with this color where
+    /// there is none.
     #[must_use]
-    pub const fn new(layers: &'a [Layer<'a>], background: C) -> Self {
-        Self { layers, background }
+    pub const fn new(area: Rectangle, layers: &'a [Layer<'a>], background: C) -> Self {
+        Self { area, layers, background }
     }
 
-    /// Sends only runs of up to 128 pixels of a row that are not as they were sent last. `sent` has a
-    /// part for each: rows x (columns / 128, rounded up). Use it for this frame alone. Returns the
-    /// number of pixels that were sent.
+    /// Sends only runs of up to 128 pixels of a row of the area that are not as they were sent last.
+    /// `sent` has a part for each, rows x (columns / 128, rounded up); use it for this area of this
+    /// display alone, and a new one once something else was drawn there. Returns the number of pixels
+    /// that were sent.
     ///
     /// # Errors
     ///
-    /// The display's.
+    /// The display's. What was not sent is sent by the next call.
     pub fn draw_changed<D: DrawTarget<Color = C>, const N: usize>(
         &self,
         target: &mut D,
         sent: &mut Sent<N>,
     ) -> Result<usize, D::Error> {
-        self.send(target, |run, pixels| sent.changed(run, pixels))
+        let mut count = 0;
+        self.runs(target, |run, pixels, send| {
+            if sent.send(run, pixels, send)? {
+                count += pixels.len();
+            }
+            Ok(())
+        })?;
+        Ok(count)
     }
 
-    /// Sends runs that are wanted. Returns the number of their pixels.
-    fn send<D: DrawTarget<Color = C>>(
+    /// Draws every run, and passes its number in the area, its pixels, and what sends these.
+    fn runs<D: DrawTarget<Color = C>>(
         &self,
         target: &mut D,
-        mut wanted: impl FnMut(usize, &[C::Pixel]) -> bool,
-    ) -> Result<usize, D::Error> {
-        let area = self.bounding_box();
-        let visible = area.intersection(&target.bounding_box());
+        mut run: impl FnMut(
+            usize,
+            &[C::Pixel],
+            &mut dyn FnMut(&[C::Pixel]) -> Result<(), D::Error>,
+        ) -> Result<(), D::Error>,
+    ) -> Result<(), D::Error> {
+        let visible = self.area.intersection(&target.bounding_box());
+        let (columns, first) = (visible.columns(), self.area.top_left);
+        let runs = (self.area.size.width as usize).div_ceil(RUN);
         let mut buffer = [self.background.pixel(); RUN];
-        let (mut run, mut count) = (0, 0);
         for y in visible.rows() {
-            let mut columns = visible.columns();
-            while let Some(x) = columns.next() {
-                let rest = columns.len().min(RUN - 1);
-                columns = x + 1 + rest as i32..columns.end;
-                let pixels = buffer.get_mut(..=rest).unwrap_or_default();
+            for number in 0..runs {
+                // Of the area, whatever part of it is visible.
+                let start = first.x + (number * RUN) as i32;
+                let place = start.max(columns.start)..(start + RUN as i32).min(columns.end);
+                let Some(pixels) = buffer.get_mut(..place.len()) else { continue };
+                if pixels.is_empty() {
+                    continue;
+                }
+                let at = Point::new(place.start, y);
                 pixels.fill(self.background.pixel());
                 for layer in self.layers {
-                    layer.draw::<C>(Point::new(x, y), pixels);
+                    layer.draw::<C>(at, pixels);
                 }
-                if wanted(run, pixels) {
+                let area = Rectangle::new(at, Size::new(pixels.len() as u32, 1));
+                run((y - first.y) as usize * runs + number, pixels, &mut |pixels| {
                     let colors = pixels.iter().map(|&pixel| C::of_pixel(pixel));
-                    let size = Size::new(pixels.len() as u32, 1);
-                    target.fill_contiguous(&Rectangle::new(Point::new(x, y), size), colors)?;
-                    count += pixels.len();
-                }
-                run += 1;
+                    target.fill_contiguous(&area, colors)
+                })?;
             }
         }
-        Ok(count)
+        Ok(())
     }
 }
 
 impl<C> Dimensions for Frame<'_, C> {
     fn bounding_box(&self) -> Rectangle {
-        let corners = self.layers.iter().filter_map(|layer| {
-            let area = layer.bounding_box();
-            Some((area.top_left, area.bottom_right()?))
-        });
-        let around = corners.reduce(|(from, to), (others_from, others_to)| {
-            (from.component_min(others_from), to.component_max(others_to))
-        });
-        around.map_or(Rectangle::zero(), |(from, to)| Rectangle::with_corners(from, to))
+        self.area
     }
 }
 
@@ -161,6 +181,6 @@ impl<C: DisplayColor> Drawable for Frame<'_, C> {
     type Output = ();
 
     fn draw<D: DrawTarget<Color = C>>(&self, target: &mut D) -> Result<(), D::Error> {
-        self.send(target, |_, _| true).map(drop)
+        self.runs(target, |_, pixels, send| send(pixels))
     }
 }

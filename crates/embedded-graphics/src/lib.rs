@@ -1,7 +1,8 @@
 //! Objects in real materials under real light as [`Drawable`]s of embedded-graphics.
 //!
-//! A [`Paint`] turns normals into colors: the scene of a table, its exposure, and the display's
-//! tone curve. [`Sphere`], [`Relief`] and [`Dial`] are objects. The objects draw themselves row by
+//! A [`Frame`] of [`Layer`]s draws objects under a light that turns, from a [`Palette`] of each
+//! material: the fast way. A [`Paint`] shades every pixel instead: the scene of a table, its exposure,
+//! and the display's tone curve. [`Sphere`], [`Relief`] and [`Dial`] are objects. The objects draw themselves row by
 //! row on any [`DrawTarget`], without a frame buffer, and shade only pixels inside the target: to
 //! draw a part again, draw on `target.clipped(&area)`.
 //!
@@ -40,6 +41,7 @@
 //! # Ok::<(), eigenshade::Error>(())
 //! ```
 //!
+//! [`Palette`]: eigenshade::screen::Palette
 //! [`Drawable`]: embedded_graphics_core::Drawable
 //! [`DrawTarget`]: embedded_graphics_core::draw_target::DrawTarget
 #![no_std]
@@ -53,8 +55,8 @@ mod rows;
 mod sphere;
 
 pub use dial::{Dial, DialPixel};
-pub use frame::{Frame, Layer};
-pub use paint::{DisplayColor, Dithered, Paint, Place, Shader};
+pub use frame::{Colors, Frame, Layer};
+pub use paint::{DisplayColor, Paint, Place, Shader};
 pub use relief::Relief;
 pub use sphere::Sphere;
 

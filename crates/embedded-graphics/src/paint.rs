@@ -1,7 +1,7 @@
 //! From normals to the colors of a display.
 
 use eigenshade::object::{DiscPixel, NormalCode, NormalPixel};
-use eigenshade::screen::{Display, Exposure, Linear, Palette, Pixel, blend565};
+use eigenshade::screen::{Display, Dithered, Exposure, Linear, Palette, Pixel, blend565};
 use eigenshade::{Normal, Rgb, q15};
 use embedded_graphics_core::pixelcolor::raw::{RawData as _, RawU16};
 use embedded_graphics_core::pixelcolor::{
@@ -74,18 +74,14 @@ pub trait Shader {
 impl Shader for Palette {
     #[inline]
     fn color<C: DisplayColor>(&self, place: impl Place) -> C {
-        C::of_palette(self, place.code(), None)
+        C::of_palette(self, place.code())
     }
 }
-
-/// A [`Palette`] with ordered dithering on displays of 16 bits a pixel.
-#[derive(Clone, Copy, Debug)]
-pub struct Dithered<'p>(pub &'p Palette);
 
 impl Shader for Dithered<'_> {
     #[inline]
     fn color<C: DisplayColor>(&self, place: impl Place) -> C {
-        C::of_palette(self.0, place.code(), Some([place.column(), place.row()]))
+        C::of_dithered(*self, place.code(), [place.column(), place.row()])
     }
 }
 
@@ -153,8 +149,10 @@ pub trait DisplayColor: PixelColor {
     fn of_pixel(pixel: Self::Pixel) -> Self;
     /// The color of an exposed irradiance; with `dither`, for the pixel at this column and row.
     fn encoded(display: &Display, color: Rgb<Linear>, dither: Option<[usize; 2]>) -> Self;
-    /// The color of a code in a palette; with `dither`, for the pixel at this column and row.
-    fn of_palette(palette: &Palette, code: NormalCode, dither: Option<[usize; 2]>) -> Self;
+    /// The color of a code in a palette.
+    fn of_palette(palette: &Palette, code: NormalCode) -> Self;
+    /// The color of a code in a dithered palette, for the pixel at this column and row.
+    fn of_dithered(palette: Dithered<'_>, code: NormalCode, place: [usize; 2]) -> Self;
     /// This color where it covers `coverage` / 255 of a pixel, and `below` in the rest of it.
     #[must_use]
     fn over(self, below: Self, coverage: u8) -> Self;
@@ -178,11 +176,12 @@ impl DisplayColor for Rgb565 {
         })
     }
     #[inline]
-    fn of_palette(palette: &Palette, code: NormalCode, dither: Option<[usize; 2]>) -> Self {
-        Self::of_pixel(match dither {
-            Some([x, y]) => palette.rgb565_dithered(code, x, y),
-            None => palette.rgb565(code),
-        })
+    fn of_palette(palette: &Palette, code: NormalCode) -> Self {
+        Self::of_pixel(palette.rgb565(code))
+    }
+    #[inline]
+    fn of_dithered(palette: Dithered<'_>, code: NormalCode, [x, y]: [usize; 2]) -> Self {
+        Self::of_pixel(palette.rgb565(code, x, y))
     }
     #[inline]
     fn over(self, below: Self, coverage: u8) -> Self {
@@ -206,9 +205,12 @@ impl DisplayColor for Rgb888 {
         Self::new(r, g, b)
     }
     #[inline]
-    fn of_palette(palette: &Palette, code: NormalCode, _: Option<[usize; 2]>) -> Self {
-        let Rgb { r, g, b } = palette.rgb888(code);
-        Self::new(r, g, b)
+    fn of_palette(palette: &Palette, code: NormalCode) -> Self {
+        Self::of_pixel(palette.rgb888(code).into())
+    }
+    #[inline]
+    fn of_dithered(palette: Dithered<'_>, code: NormalCode, _: [usize; 2]) -> Self {
+        Self::of_pixel(palette.rgb888(code).into())
     }
     #[inline]
     fn over(self, below: Self, coverage: u8) -> Self {
@@ -240,12 +242,16 @@ macro_rules! reversed {
                     <$of>::encoded(display, color, dither).into()
                 }
                 #[inline]
-                fn of_palette(
-                    palette: &Palette,
+                fn of_palette(palette: &Palette, code: NormalCode) -> Self {
+                    <$of>::of_palette(palette, code).into()
+                }
+                #[inline]
+                fn of_dithered(
+                    palette: Dithered<'_>,
                     code: NormalCode,
-                    dither: Option<[usize; 2]>,
+                    place: [usize; 2],
                 ) -> Self {
-                    <$of>::of_palette(palette, code, dither).into()
+                    <$of>::of_dithered(palette, code, place).into()
                 }
                 #[inline]
                 fn over(self, below: Self, coverage: u8) -> Self {

@@ -205,7 +205,7 @@ fn compared([scene, coarse, turned]: [Shade<'_>; 3], map: &NormalMap<'_>) -> Com
     let nearest: Vec<Srgb> = whole.iter().map(|one| of565(palette.rgb565(one.code()))).collect();
     let dithered: Vec<Srgb> = whole
         .iter()
-        .map(|one| of565(palette.rgb565_dithered(one.code(), one.column(), one.row())))
+        .map(|one| of565(palette.dithered().rgb565(one.code(), one.column(), one.row())))
         .collect();
     let fine: Vec<Srgb> = whole
         .iter()

@@ -118,7 +118,9 @@ impl<T> Watch<T> {
             Layer::new(Point::zero(), dial, blue),
             Layer::new(Point::new(corner, corner), relief, gold),
         ];
-        Frame::new(&layers, Rgb565::BLACK.into()).draw(target)
+        let size = Size::new(dial.width() as u32, dial.height() as u32);
+        let area = Rectangle::new(Point::zero(), size);
+        Frame::new(area, &layers, Rgb565::BLACK.into()).draw(target)
     }
 }
 

@@ -200,7 +200,7 @@ pub fn palettes(out: &Path) -> Result<()> {
             pixel.put(&mut target, DISPLAY.rgb565(color));
         }
         palette.draw(&map, &mut Target::new(plain, SPHERE).map_err(fault)?);
-        palette.draw_dithered(&map, &mut Target::new(dithered, SPHERE).map_err(fault)?);
+        palette.dithered().draw(&map, &mut Target::new(dithered, SPHERE).map_err(fault)?);
         for (column, picture) in pictures.iter().enumerate() {
             for (y, x) in (0..side).flat_map(|y| (0..side).map(move |x| (y, x))) {
                 let pixel = picture[(20 + y / SCALE) * SPHERE + 20 + x / SCALE];
