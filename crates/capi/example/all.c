@@ -15,6 +15,7 @@ uint32_t program(void) {
   check(eigenshade_table() == EIGENSHADE_TABLE, "any", "table", 0);
   check_golden_vectors();
   check_faults();
+  check_target_faults();
   check_color();
   print_u32(found_faults());
   print(" faults\n");

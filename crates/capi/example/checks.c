@@ -28,3 +28,9 @@ void check_status(eigenshade_status found, eigenshade_status expected, const cha
   print(eigenshade_message(found));
   print("\n");
 }
+
+void fill(void *memory, size_t size, unsigned char byte) {
+  for (size_t k = 0; k < size; k++) {
+    ((unsigned char *)memory)[k] = byte;
+  }
+}

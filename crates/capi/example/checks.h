@@ -15,6 +15,12 @@ void check_status(eigenshade_status found, eigenshade_status expected, const cha
 #define EXPECTED(expected, call)                                                              \
   check_status(call, EIGENSHADE_STATUS_##expected, name, #call " is not " #expected)
 
+/* Sets all bytes. */
+void fill(void *memory, size_t size, unsigned char byte);
+
+/* A pointer that is not aligned. */
+#define BESIDE(pointer) ((void *)((char *)(pointer) + 1))
+
 /* The number of checks that failed. */
 uint32_t found_faults(void);
 

@@ -1,10 +1,10 @@
-/* Pictures in color, drawn row by row. In integers each is the same on every machine: its checksum
- * is printed. In float they are those in integers to one level of a channel. Freestanding C99. */
+/* Pictures in color. In integers each is the same on every machine: its checksum is printed. In
+ * float they are those in integers to one level of a channel. Freestanding C99. */
 #include "checks.h"
 #include "eigenshade_presets.h"
 #include "parts.h"
 
-enum { SIDE = 48, MAP = 16, BAKED = 32, MOST = 16 };
+enum { SIDE = 48, MAP = 16, BAKED = 32, BAND = 5, MOST = 16 };
 
 /* What was drawn, in f32 and in q15. */
 static uint16_t drawn_f32[MOST][SIDE * SIDE], drawn_q15[MOST][SIDE * SIDE];
@@ -23,19 +23,32 @@ static void fill_codes(void) {
   }
 }
 
-#define DRAWN(format, picture, rows, call)                                                        \
+/* A sphere. */
+static uint8_t codes_of_sphere[2 * SIDE * SIDE];
+static const eigenshade_normal_map_t sphere = {SIDE, SIDE, sizeof codes_of_sphere, codes_of_sphere};
+
+/* The next picture, or some of its rows. */
+static eigenshade_target_t next(uint16_t picture[], size_t row, size_t rows) {
+  const size_t left = SIDE - row, height = rows < left ? rows : left;
+  const eigenshade_target_t target = {picture + SIDE * row, 2 * SIDE * height, 2 * SIDE, SIDE,
+                                      height, 0, -(int32_t)row, EIGENSHADE_ENCODING_RGB565};
+  return target;
+}
+
+/* A picture that is drawn in bands of this height. */
+#define DRAWN(format, picture, band, call)                                                        \
   do {                                                                                            \
-    uint16_t *pixels = drawn_##format[count];                                                     \
-    names[count++] = picture;                                                                     \
-    for (size_t row = 0; row < (rows); row++, pixels += SIDE) {                                   \
+    for (size_t row = 0; row < SIDE; row += (band)) {                                             \
+      const eigenshade_target_t target = next(drawn_##format[count], row, band);                  \
       check_status(call, EIGENSHADE_STATUS_OK, #format, picture);                                 \
     }                                                                                             \
+    names[count++] = picture;                                                                     \
   } while (0)
 
 #define DISC(format, picture, from)                                                               \
   DRAWN(format, picture, SIDE,                                                                    \
-        eigenshade_picture_disc_row_##format(from, SIDE, row, 1.5f, &eigenshade_display_filmic,   \
-                                             pixels, SIDE))
+        eigenshade_picture_draw_disc_##format(from, SIDE, 1.5f, &eigenshade_display_filmic,       \
+                                              &target))
 
 #define PICTURES(format, number, texel, angle, one)                                               \
   static void pictures_##format(void) {                                                           \
@@ -56,6 +69,8 @@ static void fill_codes(void) {
     eigenshade_color_material_##format##_t material;                                              \
     eigenshade_baked_##format##_t baked;                                                          \
     eigenshade_source_f32_t sources[4];                                                           \
+    static eigenshade_palette_t palette;                                                          \
+    static eigenshade_nodes_t nodes;                                                              \
     const char *const name = #format;                                                             \
                                                                                                   \
     CHECKED(eigenshade_picture_begin_##format(lobby, gold, &picture));                            \
@@ -76,16 +91,23 @@ static void fill_codes(void) {
     CHECKED(eigenshade_turn_about_view_##format(lobby, angles, &light_buffer, &light));           \
     CHECKED(eigenshade_picture_relight_##format(&transfer, &light, &picture));                    \
     DISC(format, "turned about the view", &picture);                                              \
-    DRAWN(format, "normal map", MAP,                                                              \
-          eigenshade_picture_normal_map_row_##format(&picture, &map, row, 0.7f,                   \
-                                                     &eigenshade_display_reinhard, pixels,        \
-                                                     SIDE));                                      \
+    DRAWN(format, "normal map", SIDE,                                                             \
+          eigenshade_picture_draw_normal_map_##format(&picture, &map, 0.7f,                       \
+                                                      &eigenshade_display_reinhard, &target));    \
+    CHECKED(eigenshade_palette_fill_##format(&picture, 1.5f, &eigenshade_display_filmic, NULL,    \
+                                             &palette));                                          \
+    DRAWN(format, "palette", BAND, eigenshade_palette_draw(&palette, &sphere, &target));          \
     CHECKED(eigenshade_picture_begin_glossy_##format(lobby, gold, gloss,                          \
         eigenshade_sources_lobby_f32, 4, &picture));                                            \
     moved = picture;                                                                              \
-    DRAWN(format, "highlights", SIDE,                                                             \
-          eigenshade_picture_disc_row_##format(&moved, SIDE, row, 1.0f,                           \
-                                               &eigenshade_display_linear, pixels, SIDE));        \
+    DRAWN(format, "highlights", BAND,                                                             \
+          eigenshade_picture_draw_disc_##format(&moved, SIDE, 1.0f, &eigenshade_display_linear,   \
+                                                &target));                                        \
+    CHECKED(eigenshade_nodes_of_normal_map(&sphere, &nodes));                                     \
+    CHECKED(eigenshade_palette_fill_##format(&moved, 1.0f, &eigenshade_display_linear, &nodes,    \
+                                             &palette));                                          \
+    DRAWN(format, "palette of highlights", SIDE,                                                  \
+          eigenshade_palette_draw_dithered(&palette, &sphere, &target));                          \
     CHECKED(eigenshade_residual_##format(lobby, eigenshade_sources_lobby_f32, 4,                \
                                          &light_buffer, &light));                                 \
     CHECKED(eigenshade_turn_##format(&light, quaternion, &turned_buffer, &turned));               \
@@ -95,9 +117,9 @@ static void fill_codes(void) {
                                          &sources[k]));                                           \
     }                                                                                             \
     CHECKED(eigenshade_picture_highlights_##format(gloss, sources, 4, &picture));                 \
-    DRAWN(format, "turned highlights", MAP,                                                       \
-          eigenshade_picture_normal_map_row_##format(&picture, &map, row, 1.0f,                   \
-                                                     &eigenshade_display_linear, pixels, SIDE));  \
+    DRAWN(format, "turned highlights", SIDE,                                                      \
+          eigenshade_picture_draw_normal_map_##format(&picture, &map, 1.0f,                       \
+                                                      &eigenshade_display_linear, &target));      \
     CHECKED(eigenshade_metallic_roughness_##format(copper, (number)(0.75f * (one)),               \
                                                    (number)(0.5f * (one)), &material_buffer,      \
                                                    &material));                                   \
@@ -105,27 +127,20 @@ static void fill_codes(void) {
     DISC(format, "glTF", &picture);                                                               \
     CHECKED(eigenshade_picture_begin_##format(lobby, &eigenshade_material_ptfe_633nm_##format,    \
         &picture));                                                                               \
-    /* All rows but the first in one call. */                                                     \
-    DRAWN(format, "gray", 1,                                                                      \
-          eigenshade_picture_disc_row_##format(&picture, SIDE, 0, 1.5f,                           \
-                                               &eigenshade_display_filmic, pixels, SIDE) |        \
-              eigenshade_picture_disc_rows_##format(&picture, SIDE, 1, SIDE - 1, 1.5f,            \
-                                                    &eigenshade_display_filmic, pixels + SIDE,    \
-                                                    SIDE, SIDE * (SIDE - 1)));                    \
-    DRAWN(format, "gray normal map", 1,                                                           \
-          eigenshade_picture_normal_map_rows_##format(&picture, &map, 0, MAP, 1.5f,               \
-                                                      &eigenshade_display_filmic, pixels, SIDE,   \
-                                                      SIDE * (MAP - 1) + MAP));                   \
+    DISC(format, "gray", &picture);                                                               \
+    DRAWN(format, "gray normal map", BAND,                                                        \
+          eigenshade_picture_draw_normal_map_##format(&picture, &map, 1.5f,                       \
+                                                      &eigenshade_display_filmic, &target));      \
     CHECKED(eigenshade_picture_begin_f32(&eigenshade_light_lobby_f32,                             \
         &eigenshade_material_dark_red_paint_f32, &to_bake));                                      \
     CHECKED(eigenshade_picture_bake_##format(&to_bake, BAKED, texels, 3 * BAKED * BAKED,          \
                                              &baked));                                            \
-    DRAWN(format, "baked", SIDE,                                                                  \
-          eigenshade_baked_disc_row_##format(&baked, SIDE, row, 1.5f,                             \
-                                             &eigenshade_display_linear, pixels, SIDE));          \
-    DRAWN(format, "baked normal map", MAP,                                                        \
-          eigenshade_baked_normal_map_row_##format(&baked, &map, row, 1.5f,                       \
-                                                   &eigenshade_display_filmic, pixels, SIDE));    \
+    DRAWN(format, "baked", BAND,                                                                  \
+          eigenshade_baked_draw_disc_##format(&baked, SIDE, 1.5f, &eigenshade_display_linear,     \
+                                              &target));                                          \
+    DRAWN(format, "baked normal map", SIDE,                                                       \
+          eigenshade_baked_draw_normal_map_##format(&baked, &map, 1.5f,                           \
+                                                    &eigenshade_display_filmic, &target));        \
   }
 
 #define CHECKED(call) check_status(call, EIGENSHADE_STATUS_OK, name, #call)
@@ -140,14 +155,17 @@ static const float quaternion_f32[4] = {1, -2, 3, 4};
 PICTURES(f32, float, float, float, 1.0f)
 PICTURES(q15, int16_t, int16_t, int32_t, 32767.0f)
 
-/* FNV-1a of a picture, the low byte of each pixel first. */
-static uint32_t checksum(const uint16_t *picture) {
+/* Prints FNV-1a of a picture's bytes. */
+static void print_checksum(const char *picture, const void *pixels, size_t length) {
+  const uint8_t *bytes = pixels;
   uint32_t sum = 2166136261u;
-  for (size_t k = 0; k < SIDE * SIDE; k++) {
-    sum = (sum ^ (picture[k] & 0xffu)) * 16777619u;
-    sum = (sum ^ (uint32_t)(picture[k] >> 8)) * 16777619u;
+  for (size_t k = 0; k < length; k++) {
+    sum = (sum ^ bytes[k]) * 16777619u;
   }
-  return sum;
+  print(picture);
+  print(",");
+  print_u32(sum);
+  print("\n");
 }
 
 /* Whether the channels of bits `low` to `low` + `bits` differ by one at most. */
@@ -217,8 +235,52 @@ static void check_shade(void) {
   check(found_f32[0].r == found_f32[1].r, "f32", "no highlights", 0);
 }
 
+/* Windows of 40 x 30 pixels in all encodings, with space between the rows, and a sphere beyond each
+ * corner. */
+static void check_targets(void) {
+  enum { WIDTH = 40, HEIGHT = 30, PLACES = 4 };
+  static const struct {
+    int32_t encoding;
+    size_t stride;
+  } rows[3] = {{EIGENSHADE_ENCODING_RGB565, 88},
+               {EIGENSHADE_ENCODING_RGB565_HIGH_FIRST, 91},
+               {EIGENSHADE_ENCODING_RGB888, 133}};
+  static const int32_t places[PLACES][2] = {{-5, -20}, {20, -7}, {-31, 3}, {2, 11}};
+  static uint16_t memory[(133 * HEIGHT + 1) / 2];
+  static eigenshade_picture_q15_t picture;
+  static eigenshade_palette_t palette;
+  const eigenshade_display_t *display = &eigenshade_display_filmic;
+  const char *const name = "targets";
+  CHECKED(eigenshade_picture_begin_q15(&eigenshade_light_lobby_q15,
+      &eigenshade_material_gold_metallic_paint_q15, &picture));
+  CHECKED(eigenshade_palette_fill_q15(&picture, 1.5f, display, NULL, &palette));
+  for (size_t k = 0; k < 3 * PLACES; k++) {
+    const int32_t *place = places[k % PLACES];
+    const size_t stride = rows[k / PLACES].stride;
+    const eigenshade_target_t target = {memory, stride * HEIGHT, stride, WIDTH, HEIGHT,
+                                        place[0], place[1], rows[k / PLACES].encoding};
+    for (int way = 0; way < 4; way++) {
+      for (size_t pixel = 0; pixel < sizeof memory / 2; pixel++) {
+        memory[pixel] = 0x5a5a;
+      }
+      if (way == 0) {
+        CHECKED(eigenshade_picture_draw_disc_q15(&picture, SIDE, 1.5f, display, &target));
+      } else if (way == 1) {
+        CHECKED(eigenshade_picture_draw_normal_map_q15(&picture, &sphere, 1.5f, display, &target));
+      } else if (way == 2) {
+        CHECKED(eigenshade_palette_draw(&palette, &sphere, &target));
+      } else {
+        CHECKED(eigenshade_palette_draw_dithered(&palette, &sphere, &target));
+      }
+      print_checksum("target", memory, stride * HEIGHT);
+    }
+  }
+}
+
 void check_color(void) {
   fill_codes();
+  check_status(eigenshade_normal_map_sphere(SIDE, codes_of_sphere, sizeof codes_of_sphere),
+               EIGENSHADE_STATUS_OK, "any", "sphere");
   pictures_f32();
   count = 0;
   pictures_q15();
@@ -228,10 +290,8 @@ void check_color(void) {
       check(are_near(a, b, 0, 5) && are_near(a, b, 5, 6) && are_near(a, b, 11, 5), "f32",
             names[picture], (uint32_t)k);
     }
-    print(names[picture]);
-    print(",");
-    print_u32(checksum(drawn_q15[picture]));
-    print("\n");
+    print_checksum(names[picture], drawn_q15[picture], sizeof drawn_q15[picture]);
   }
+  check_targets();
   check_shade();
 }

@@ -85,6 +85,12 @@ enum { SIDE = 64, PIXELS_OF_ROW = SIDE };
     static eigenshade_color_light_##format##_t turned;                                            \
     static eigenshade_color_material_##format##_t masked;                                         \
     static uint16_t pixels[SIDE];                                                                 \
+    static eigenshade_palette_t palette;                                                          \
+    static uint8_t codes[2 * SIDE * SIDE];                                                        \
+    const eigenshade_normal_map_t sphere = {SIDE, SIDE, sizeof codes, codes};                     \
+    const eigenshade_target_t target = {pixels, sizeof pixels, 2 * SIDE, SIDE, 1, 0, -SIDE / 2,   \
+                                        EIGENSHADE_ENCODING_RGB565};                              \
+    const eigenshade_display_t *const display = &eigenshade_display_filmic;                       \
     static const angle quaternion[4] = {1, -2, 3, 4}, cosine_and_sine[2] = {__VA_ARGS__};         \
     const eigenshade_color_light_##format##_t *light = &eigenshade_light_lobby_##format;          \
     const eigenshade_color_material_##format##_t *material =                                      \
@@ -116,8 +122,16 @@ enum { SIDE = 64, PIXELS_OF_ROW = SIDE };
     MEASURED("shade", name, 1, eigenshade_picture_shade_##format(&picture, x, y, z,               \
         &irradiance));                                                                            \
     MEASURED("row", name, PIXELS_OF_ROW,                                                          \
-             eigenshade_picture_disc_row_##format(&picture, SIDE, SIDE / 2, 1.5f,                 \
-                                                  &eigenshade_display_filmic, pixels, SIDE));     \
+             eigenshade_picture_draw_disc_##format(&picture, SIDE, 1.5f, display, &target));      \
+    MEASURED("fill", name, 1,                                                                     \
+             eigenshade_palette_fill_##format(&picture, 1.5f, display, NULL, &palette));          \
+    STACK("fill", #format,                                                                        \
+          eigenshade_palette_fill_##format(&picture, 1.5f, display, NULL, &palette));             \
+    faults += (uint32_t)eigenshade_normal_map_sphere(SIDE, codes, sizeof codes);                  \
+    MEASURED("row of palette", name, PIXELS_OF_ROW,                                               \
+             eigenshade_palette_draw(&palette, &sphere, &target));                                \
+    MEASURED("dithered row of palette", name, PIXELS_OF_ROW,                                      \
+             eigenshade_palette_draw_dithered(&palette, &sphere, &target));                       \
     MEASURED("highlights", name, 1,                                                               \
              eigenshade_picture_highlights_##format(gloss, sources, 4, &picture));                \
     STACK("begin_glossy", #format,                                                                \
@@ -126,8 +140,9 @@ enum { SIDE = 64, PIXELS_OF_ROW = SIDE };
     MEASURED("shade with sources", name, 1,                                                       \
              eigenshade_picture_shade_##format(&picture, x, y, z, &irradiance));                  \
     MEASURED("row with sources", name, PIXELS_OF_ROW,                                             \
-             eigenshade_picture_disc_row_##format(&picture, SIDE, SIDE / 2, 1.5f,                 \
-                                                  &eigenshade_display_filmic, pixels, SIDE));     \
+             eigenshade_picture_draw_disc_##format(&picture, SIDE, 1.5f, display, &target));      \
+    MEASURED("fill with sources", name, 1,                                                        \
+             eigenshade_palette_fill_##format(&picture, 1.5f, display, NULL, &palette));          \
     return faults;                                                                                \
   }
 

@@ -8,20 +8,9 @@
 typedef char size_of_f32[sizeof(eigenshade_picture_f32_t) == 8 * EIGENSHADE_PICTURE_F32 ? 1 : -1];
 typedef char size_of_q15[sizeof(eigenshade_picture_q15_t) == 8 * EIGENSHADE_PICTURE_Q15 ? 1 : -1];
 
-enum { SIDE = 8, BAKED = 4 };
-
-/* A pointer that is not aligned. */
-#define BESIDE(pointer) ((void *)((char *)(pointer) + 1))
-
 static const float zeros[4] = {0, 0, 0, 0};
 static const eigenshade_source_f32_t lamp = {{0, 0, 1}, {1, 1, 1}, 0};
 static const eigenshade_gloss_f32_t white = {0.3f, {0, 0, 0}, {1, 1, 1}, {1, 1, 1}};
-
-static void fill(void *memory, size_t size, unsigned char byte) {
-  for (size_t k = 0; k < size; k++) {
-    ((unsigned char *)memory)[k] = byte;
-  }
-}
 
 /* Pictures that were never begun, and inputs of those that are begun. */
 #define BEGUN(format, number, one)                                                                \
@@ -142,100 +131,6 @@ static void fill(void *memory, size_t size, unsigned char byte) {
     EXPECTED(OVERLAP,                                                                             \
              eigenshade_picture_highlights_##format(                                              \
                  &white, (const eigenshade_source_f32_t *)(const void *)&picture, 1, &picture));  \
-  }
-
-/* Rows, the meter and baked maps. */
-#define ROWS(format, texel)                                                                       \
-  static void rows_##format(void) {                                                               \
-    static eigenshade_picture_##format##_t picture, none;                                         \
-    static eigenshade_picture_f32_t to_bake;                                                      \
-    static eigenshade_meter_t meter;                                                              \
-    static texel texels[3 * BAKED * BAKED];                                                       \
-    static const uint8_t codes[2] = {0, 0};                                                       \
-    const eigenshade_display_t *const display = &eigenshade_display_linear;                       \
-    eigenshade_baked_##format##_t baked;                                                          \
-    eigenshade_normal_map_t map = {1, 1, 2, codes};                                               \
-    uint16_t pixels[SIDE] = {7, 7, 7, 7, 7, 7, 7, 7};                                             \
-    float exposure = 7;                                                                           \
-    const char *const name = #format;                                                             \
-    EXPECTED(OK, eigenshade_picture_begin_##format(&eigenshade_light_lobby_##format,              \
-        &eigenshade_material_gold_metallic_paint_##format, &picture));                            \
-                                                                                                  \
-    EXPECTED(PICTURE,                                                                             \
-             eigenshade_picture_disc_row_##format(&none, 8, 4, 1, display, pixels, SIDE));        \
-    EXPECTED(DIAMETER,                                                                            \
-             eigenshade_picture_disc_row_##format(&picture, 0, 0, 1, display, pixels, SIDE));     \
-    EXPECTED(DIAMETER,                                                                            \
-             eigenshade_picture_disc_row_##format(&picture, 4097, 0, 1, display, pixels, SIDE));  \
-    EXPECTED(ROW,                                                                                 \
-             eigenshade_picture_disc_row_##format(&picture, 8, 8, 1, display, pixels, SIDE));     \
-    EXPECTED(ROW, eigenshade_picture_disc_row_##format(&picture, 8, 4, 1, display, pixels,        \
-                                                       SIDE - 1));                                \
-    EXPECTED(EXPOSURE,                                                                            \
-             eigenshade_picture_disc_row_##format(&picture, 8, 4, 0, display, pixels, SIDE));     \
-    EXPECTED(EXPOSURE,                                                                            \
-             eigenshade_picture_disc_row_##format(&picture, 8, 4, -1, display, pixels, SIDE));    \
-    EXPECTED(NULL_POINTER,                                                                        \
-             eigenshade_picture_disc_row_##format(&picture, 8, 4, 1, NULL, pixels, SIDE));        \
-    EXPECTED(NULL_POINTER,                                                                        \
-             eigenshade_picture_disc_row_##format(&picture, 8, 4, 1, display, NULL, SIDE));       \
-    EXPECTED(OVERLAP, eigenshade_picture_disc_row_##format(                                       \
-                          &picture, 8, 4, 1, display, (uint16_t *)(void *)&picture, SIDE));       \
-    /* Too many rows, none, rows that overlap, and a buffer that is too short or endless. */      \
-    EXPECTED(ROW, eigenshade_picture_disc_rows_##format(&picture, 2, 1, 2, 1, display, pixels, 2, \
-                                                        SIDE));                                   \
-    EXPECTED(ROW, eigenshade_picture_disc_rows_##format(&picture, 2, 1, (size_t)-1, 1, display,   \
-                                                        pixels, 2, SIDE));                        \
-    EXPECTED(ROW, eigenshade_picture_disc_rows_##format(&picture, 2, 0, 0, 1, display, pixels, 2, \
-                                                        SIDE));                                   \
-    EXPECTED(ROW, eigenshade_picture_disc_rows_##format(&picture, 2, 0, 2, 1, display, pixels, 1, \
-                                                        SIDE));                                   \
-    EXPECTED(ROW, eigenshade_picture_disc_rows_##format(&picture, 2, 0, 2, 1, display, pixels, 7, \
-                                                        SIDE));                                   \
-    EXPECTED(ROW, eigenshade_picture_disc_rows_##format(&picture, 4, 0, 4, 1, display, pixels,    \
-                                                        (size_t)-1, SIDE));                       \
-    EXPECTED(COUNT, eigenshade_picture_disc_rows_##format(&picture, 2, 0, 2, 1, display, pixels,  \
-                                                          2, (size_t)-1));                        \
-    EXPECTED(ROW, eigenshade_picture_normal_map_row_##format(&picture, &map, 1, 1, display,       \
-                                                             pixels, SIDE));                      \
-    EXPECTED(ROW, eigenshade_picture_normal_map_row_##format(&picture, &map, 0, 1, display,       \
-                                                             pixels, 0));                         \
-    EXPECTED(PICTURE, eigenshade_picture_meter_disc_row_##format(&none, 8, 4, &meter));           \
-    EXPECTED(ROW, eigenshade_picture_meter_disc_row_##format(&picture, 8, 8, &meter));            \
-    EXPECTED(DIAMETER, eigenshade_picture_meter_disc_row_##format(&picture, 0, 0, &meter));       \
-    EXPECTED(NULL_POINTER, eigenshade_picture_meter_disc_row_##format(&picture, 8, 4, NULL));     \
-    EXPECTED(OVERLAP, eigenshade_picture_meter_disc_row_##format(                                 \
-                          &picture, 8, 4, (eigenshade_meter_t *)(void *)&picture));               \
-    EXPECTED(ROW, eigenshade_picture_meter_normal_map_row_##format(&picture, &map, 1, &meter));   \
-    EXPECTED(DARK, eigenshade_meter_exposure_f32(&meter, &exposure));                             \
-    check(exposure == 7, name, "the exposure is as it was", 0);                                   \
-    EXPECTED(OK, eigenshade_picture_meter_normal_map_row_##format(&picture, &map, 0, &meter));    \
-    EXPECTED(OK, eigenshade_meter_exposure_f32(&meter, &exposure));                               \
-    check(exposure > 0 && exposure != 7, name, "a metered exposure", 0);                          \
-    map.length = 3;                                                                               \
-    EXPECTED(NORMAL_MAP, eigenshade_picture_normal_map_row_##format(&picture, &map, 0, 1,         \
-        display,                                                                                  \
-                                                                    pixels, SIDE));               \
-    map.width = map.length = 0;                                                                   \
-    EXPECTED(NORMAL_MAP, eigenshade_picture_normal_map_row_##format(&picture, &map, 0, 1,         \
-        display,                                                                                  \
-                                                                    pixels, SIDE));               \
-    for (size_t column = 0; column < SIDE; column++) {                                            \
-      check(pixels[column] == 7, name, "the pixels are as they were", (uint32_t)column);          \
-    }                                                                                             \
-                                                                                                  \
-    EXPECTED(PICTURE, eigenshade_picture_bake_##format(&to_bake, BAKED, texels, 48, &baked));     \
-    EXPECTED(OK, eigenshade_picture_begin_f32(&eigenshade_light_lobby_f32,                        \
-        &eigenshade_material_gold_metallic_paint_f32, &to_bake));                                 \
-    EXPECTED(BAKED, eigenshade_picture_bake_##format(&to_bake, 1, texels, 3, &baked));            \
-    EXPECTED(BAKED, eigenshade_picture_bake_##format(&to_bake, BAKED, texels, 47, &baked));       \
-    EXPECTED(BAKED, eigenshade_picture_bake_##format(&to_bake, (size_t)-1, texels, 3, &baked));   \
-    EXPECTED(OK, eigenshade_picture_bake_##format(&to_bake, BAKED, texels, 48, &baked));          \
-    baked.size = 5;                                                                               \
-    EXPECTED(BAKED,                                                                               \
-             eigenshade_baked_disc_row_##format(&baked, 8, 4, 1, display, pixels, SIDE));         \
-    EXPECTED(OK, eigenshade_picture_highlights_f32(&white, &lamp, 1, &to_bake));                  \
-    EXPECTED(HIGHLIGHTS, eigenshade_picture_bake_##format(&to_bake, BAKED, texels, 48, &baked));  \
   }
 
 /* Lights and materials that are turned or computed. */
@@ -363,8 +258,6 @@ BEGUN(f32, float, 1.0f)
 BEGUN(q15, int16_t, INT16_MAX)
 SOURCES(f32)
 SOURCES(q15)
-ROWS(f32, float)
-ROWS(q15, int16_t)
 INPUTS(f32, float, float)
 INPUTS(q15, int16_t, int32_t)
 
@@ -373,8 +266,6 @@ void check_faults(void) {
   begun_q15();
   sources_f32();
   sources_q15();
-  rows_f32();
-  rows_q15();
   inputs_f32();
   inputs_q15();
   others_f32();

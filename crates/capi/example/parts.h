@@ -8,6 +8,9 @@ void check_golden_vectors(void);
 /* What the library answers to arguments at fault (faults.c). */
 void check_faults(void);
 
+/* The same of what is drawn (target_faults.c). */
+void check_target_faults(void);
+
 /* Pictures in color (color.c). */
 void check_color(void);
 

@@ -5,7 +5,7 @@ file. */
 #define EIGENSHADE_TABLE_H
 
 /** A checksum of these sizes: compare it with `eigenshade_table()`. */
-#define EIGENSHADE_TABLE 549450755u
+#define EIGENSHADE_TABLE 877098320u
 
 /** Largest degree l of a light. */
 #define EIGENSHADE_DEGREE 9
@@ -51,5 +51,11 @@ file. */
 
 /** Words of 64 bits in a picture in integers. */
 #define EIGENSHADE_PICTURE_Q15 370
+
+/** Words of 64 bits in the nodes of an object. */
+#define EIGENSHADE_NODES 34
+
+/** Words of 32 bits in a palette. */
+#define EIGENSHADE_PALETTE 2179
 
 #endif

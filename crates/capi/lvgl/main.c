@@ -1,6 +1,6 @@
 /* Draws a screen of 240 x 240 pixels with LVGL, and prints it as a picture (PPM). */
 #include "eigenshade_presets.h"
-#include "sphere_image.h"
+#include "lit_object.h"
 
 #include <stdio.h>
 
@@ -42,24 +42,28 @@ static void write_picture(void) {
   }
 }
 
-int main(void) {
+static eigenshade_status light(eigenshade_palette_t *palette) {
   static eigenshade_picture_q15_t picture;
-  static uint16_t row[DIAMETER];
-  static sphere_image_t sphere = {
-      .picture = &picture, .display = &eigenshade_display_filmic, .exposure = 1.5f, .row = row};
   const eigenshade_status status = eigenshade_picture_begin_q15(
       &eigenshade_light_lobby_q15, &eigenshade_material_gold_metallic_paint_q15, &picture);
+  if (status) return status;
+  return eigenshade_palette_fill_q15(&picture, 1.5f, &eigenshade_display_filmic, NULL, palette);
+}
+
+int main(void) {
+  static eigenshade_palette_t palette;
+  static uint8_t codes[2 * DIAMETER * DIAMETER];
+  static const eigenshade_normal_map_t map = {DIAMETER, DIAMETER, sizeof codes, codes};
+  static lit_object_t sphere = {&palette, &map};
+  eigenshade_status status = eigenshade_normal_map_sphere(DIAMETER, codes, sizeof codes);
+  if (!status) status = light(&palette);
   if (status) {
     fprintf(stderr, "%s\n", eigenshade_message(status));
     return 1;
   }
 
   open_display();
-  sphere_image_register();
-  sphere_image_init(&sphere, DIAMETER);
-  lv_obj_t *image = lv_img_create(lv_scr_act());
-  lv_img_set_src(image, &sphere);
-  lv_obj_center(image);
+  lv_obj_center(lit_object_create(lv_scr_act(), &sphere));
 
   lv_obj_t *arc = lv_arc_create(lv_scr_act());
   lv_obj_set_size(arc, SIDE - 16, SIDE - 16);

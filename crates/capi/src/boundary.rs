@@ -34,7 +34,10 @@ pub(crate) struct Mark(u32);
 unsafe impl Plain for Mark {}
 
 impl Mark {
+    /// A picture.
     pub(crate) const COMPUTED: Self = Self(0x6e67_6965);
+    pub(crate) const NODES: Self = Self(0x6e67_6966);
+    pub(crate) const PALETTE: Self = Self(0x6e67_6967);
 }
 
 /// A pointer from C to what a function reads. It may be NULL or unaligned. If it is neither, C

@@ -2,6 +2,7 @@
 //! them.
 
 use crate::table::{self, q15};
+use eigenshade::screen::{Nodes, Palette};
 use eigenshade::{Highlights, Rgb};
 use eigenshade_table::{highlights, light, material};
 
@@ -37,8 +38,12 @@ pub(crate) const PICTURE_F32: usize =
 pub(crate) const PICTURE_Q15: usize =
     words(12 * q15::SCENE + 12, size_of::<OfIntegers<0>>(), size_of::<OfIntegers<2>>());
 
+/// Words of the nodes of a palette, and of a palette, with their marks.
+pub(crate) const NODES: usize = 1 + size_of::<Nodes>() / 8;
+pub(crate) const PALETTE: usize = 1 + size_of::<Palette>() / 4;
+
 /// Name, description and value.
-pub(crate) const CONSTANTS: [(&str, &str, usize); 15] = [
+pub(crate) const CONSTANTS: [(&str, &str, usize); 17] = [
     ("DEGREE", "Largest degree l of a light.", table::DEGREE),
     ("ORDER", "Largest order o of a material.", table::ORDER),
     ("LIGHT", "Coefficients of a light of that degree.", light::count(table::DEGREE)),
@@ -54,6 +59,8 @@ pub(crate) const CONSTANTS: [(&str, &str, usize); 15] = [
     ("SOURCES", "The most sources of a picture.", SOURCES),
     ("PICTURE_F32", "Words of 64 bits in a picture in float.", PICTURE_F32),
     ("PICTURE_Q15", "Words of 64 bits in a picture in integers.", PICTURE_Q15),
+    ("NODES", "Words of 64 bits in the nodes of an object.", NODES),
+    ("PALETTE", "Words of 32 bits in a palette.", PALETTE),
 ];
 
 /// A checksum of the sizes, FNV-1a. Tables of the same sizes have the same one.

@@ -4,8 +4,11 @@
 use crate::boundary::{Input, Output};
 use crate::constants::TABLE;
 use crate::meter::{self, Meter};
+use crate::object::{self, NormalMap};
+use crate::palette::{self, Nodes, Palette};
 use crate::sources::{self, Gloss, Source};
 use crate::status::{Status, message};
+use crate::target::Target;
 use core::ffi::c_char;
 
 /// The library's version, a static string: compare it with EIGENSHADE_VERSION of the header.
@@ -84,4 +87,53 @@ pub extern "C" fn eigenshade_gloss_fewest_sources_f32(
 #[unsafe(no_mangle)]
 pub extern "C" fn eigenshade_meter_exposure_f32(meter: *const Meter, exposure: *mut f32) -> Status {
     meter::exposure(&Input(meter), &Output(exposure)).into()
+}
+
+/// Writes the codes of the normal map of a sphere of `diameter` x `diameter` pixels, 1 to 4096.
+/// `length` is 2 * diameter * diameter bytes. Cost: a root and divisions of 64 bits for a quarter
+/// of the pixels, once.
+///
+/// On an error `codes` is unchanged.
+#[unsafe(no_mangle)]
+pub extern "C" fn eigenshade_normal_map_sphere(
+    diameter: usize,
+    codes: *mut u8,
+    length: usize,
+) -> Status {
+    object::sphere(diameter, &Output(codes), length).into()
+}
+
+/// Finds the nodes of a palette that the object of a normal map needs, once for a map: fewer than
+/// all of them.
+///
+/// On an error `nodes` is unchanged.
+#[unsafe(no_mangle)]
+pub extern "C" fn eigenshade_nodes_of_normal_map(
+    map: *const NormalMap,
+    nodes: *mut Nodes,
+) -> Status {
+    palette::nodes(&Input(map), &Output(nodes)).into()
+}
+
+/// Draws the object of a normal map from a palette, which `eigenshade_palette_fill_f32` or `_q15`
+/// filled for the nodes of the object.
+///
+/// On an error no pixel is changed.
+#[unsafe(no_mangle)]
+pub extern "C" fn eigenshade_palette_draw(
+    palette: *const Palette,
+    map: *const NormalMap,
+    target: *const Target,
+) -> Status {
+    palette::draw(&Input(palette), &Input(map), &Input(target)).into()
+}
+
+/// `eigenshade_palette_draw` with ordered dithering of RGB565, which hides its steps.
+#[unsafe(no_mangle)]
+pub extern "C" fn eigenshade_palette_draw_dithered(
+    palette: *const Palette,
+    map: *const NormalMap,
+    target: *const Target,
+) -> Status {
+    palette::draw_dithered(&Input(palette), &Input(map), &Input(target)).into()
 }

@@ -2,14 +2,17 @@
 #![expect(unsafe_code, reason = "exported symbols")]
 
 use crate::boundary::{Input, Output};
+use crate::draw::{Display, draw};
 use crate::meter::{self, Meter};
+use crate::object::{NormalMap, disc, normal_map};
+use crate::palette::{self, Nodes, Palette};
 use crate::records_f32::{
     BakedF32, CoefficientsF32, ColorLightF32, ColorMaterialF32, IrradianceF32, LightF32,
     MaterialF32, PictureF32, TransferF32, WorkspaceF32,
 };
-use crate::rows::{Display, NormalMap, Target, disc, draw, normal_map};
 use crate::sources::{Gloss, Source};
 use crate::status::Status;
+use crate::target::Target;
 use crate::{baked, float, picture, steps};
 
 /// The coefficients d of a light on a material in one channel, as numbers.
@@ -119,99 +122,67 @@ pub extern "C" fn eigenshade_picture_shade_f32(
         .into()
 }
 
-/// One row of a sphere that fills a square of `diameter` x `diameter` pixels, 1 to 4096, into
-/// `length` RGB565 pixels, at least `diameter`. Row 0 is the top.
+/// Draws a sphere that fills a square of `diameter` x `diameter` pixels, 1 to 4096, every pixel
+/// shaded. `exposure` is a number above 0 that multiplies the irradiance.
 ///
-/// Pixels beside the sphere are unchanged, and on an error all of them. `exposure` is a number
-/// above 0 that multiplies the irradiance.
+/// On an error no pixel is changed. To draw the same picture many times a second, fill a palette.
 #[unsafe(no_mangle)]
-pub extern "C" fn eigenshade_picture_disc_row_f32(
+pub extern "C" fn eigenshade_picture_draw_disc_f32(
     picture: *const PictureF32,
     diameter: usize,
-    row: usize,
     exposure: f32,
     display: *const Display,
-    pixels: *mut u16,
-    length: usize,
+    target: *const Target,
 ) -> Status {
-    draw::<f32>(
-        picture::open::<f32>(&Input(picture)),
-        disc(diameter),
-        &Target::row(row, (exposure, display), (pixels, length)),
-    )
-    .into()
+    draw::<f32>(picture::open::<f32>(&Input(picture)), disc(diameter), exposure, display, target)
+        .into()
 }
 
-/// `rows` rows of a sphere from row `first` on, each `stride` pixels after the one before; the
-/// `length` pixels start with the first of row `first`. The rest is as in
-/// `eigenshade_picture_disc_row_f32`.
+/// `eigenshade_picture_draw_disc_f32` of the object of a normal map.
 #[unsafe(no_mangle)]
-pub extern "C" fn eigenshade_picture_disc_rows_f32(
-    picture: *const PictureF32,
-    diameter: usize,
-    first: usize,
-    rows: usize,
-    exposure: f32,
-    display: *const Display,
-    pixels: *mut u16,
-    stride: usize,
-    length: usize,
-) -> Status {
-    draw::<f32>(
-        picture::open::<f32>(&Input(picture)),
-        disc(diameter),
-        &Target::rows([first, rows], (exposure, display), (pixels, stride, length)),
-    )
-    .into()
-}
-
-/// One row of the object of a normal map, into `length` RGB565 pixels, at least its width. Pixels
-/// that the object covers in part are mixed with what they were.
-///
-/// Other pixels are unchanged, and on an error all of them. The rest is as in
-/// `eigenshade_picture_disc_row_f32`.
-#[unsafe(no_mangle)]
-pub extern "C" fn eigenshade_picture_normal_map_row_f32(
+pub extern "C" fn eigenshade_picture_draw_normal_map_f32(
     picture: *const PictureF32,
     map: *const NormalMap,
-    row: usize,
     exposure: f32,
     display: *const Display,
-    pixels: *mut u16,
-    length: usize,
+    target: *const Target,
 ) -> Status {
     draw::<f32>(
         picture::open::<f32>(&Input(picture)),
         normal_map(&Input(map)),
-        &Target::row(row, (exposure, display), (pixels, length)),
+        exposure,
+        display,
+        target,
     )
     .into()
 }
 
-/// `rows` rows of the object of a normal map from row `first` on, as
-/// `eigenshade_picture_disc_rows_f32` draws the rows of a sphere.
+/// Shades a picture, with its highlights, at the nodes of a palette: at those of an object, or at
+/// all 921 if `nodes` is NULL. Draw from it any number of objects by `eigenshade_palette_draw`.
+///
+/// The nodes of others stay as they are, and on an error all of them; in the first call they
+/// become black. A picture drawn from it differs by CIEDE2000 0.36 in the median from one with every
+/// pixel shaded, more in highlights narrower than 5.7 degrees.
 #[unsafe(no_mangle)]
-pub extern "C" fn eigenshade_picture_normal_map_rows_f32(
+pub extern "C" fn eigenshade_palette_fill_f32(
     picture: *const PictureF32,
-    map: *const NormalMap,
-    first: usize,
-    rows: usize,
     exposure: f32,
     display: *const Display,
-    pixels: *mut u16,
-    stride: usize,
-    length: usize,
+    nodes: *const Nodes,
+    palette: *mut Palette,
 ) -> Status {
-    draw::<f32>(
-        picture::open::<f32>(&Input(picture)),
-        normal_map(&Input(map)),
-        &Target::rows([first, rows], (exposure, display), (pixels, stride, length)),
+    palette::fill::<f32>(
+        &Input(picture),
+        exposure,
+        &Input(display),
+        &Input(nodes),
+        &Output(palette),
     )
     .into()
 }
 
-/// Counts the pixels of one row of a sphere, to meter the exposure of its picture. The arguments
-/// are as in `eigenshade_picture_disc_row_f32`. Every fourth row of a small sphere will do.
+/// Counts the pixels of one row of a sphere, to meter the exposure of its picture. Row 0 is the
+/// top. Every fourth row of a small sphere will do.
 ///
 /// On an error `meter` is unchanged.
 #[unsafe(no_mangle)]
@@ -272,40 +243,33 @@ pub extern "C" fn eigenshade_baked_shade_f32(
         .into()
 }
 
-/// `eigenshade_picture_disc_row_f32` from a baked picture.
+/// `eigenshade_picture_draw_disc_f32` from a baked picture.
 #[unsafe(no_mangle)]
-pub extern "C" fn eigenshade_baked_disc_row_f32(
+pub extern "C" fn eigenshade_baked_draw_disc_f32(
     baked: *const BakedF32,
     diameter: usize,
-    row: usize,
     exposure: f32,
     display: *const Display,
-    pixels: *mut u16,
-    length: usize,
+    target: *const Target,
 ) -> Status {
-    draw::<f32>(
-        baked::open::<f32>(&Input(baked)),
-        disc(diameter),
-        &Target::row(row, (exposure, display), (pixels, length)),
-    )
-    .into()
+    draw::<f32>(baked::open::<f32>(&Input(baked)), disc(diameter), exposure, display, target).into()
 }
 
-/// `eigenshade_picture_normal_map_row_f32` from a baked picture.
+/// `eigenshade_picture_draw_normal_map_f32` from a baked picture.
 #[unsafe(no_mangle)]
-pub extern "C" fn eigenshade_baked_normal_map_row_f32(
+pub extern "C" fn eigenshade_baked_draw_normal_map_f32(
     baked: *const BakedF32,
     map: *const NormalMap,
-    row: usize,
     exposure: f32,
     display: *const Display,
-    pixels: *mut u16,
-    length: usize,
+    target: *const Target,
 ) -> Status {
     draw::<f32>(
         baked::open::<f32>(&Input(baked)),
         normal_map(&Input(map)),
-        &Target::row(row, (exposure, display), (pixels, length)),
+        exposure,
+        display,
+        target,
     )
     .into()
 }

@@ -2,15 +2,18 @@
 #![expect(unsafe_code, reason = "exported symbols")]
 
 use crate::boundary::{Input, Output};
+use crate::draw::{Display, draw};
 use crate::meter::{self, Meter};
+use crate::object::{NormalMap, disc, normal_map};
+use crate::palette::{self, Nodes, Palette};
 use crate::records_f32::{ColorLightF32, ColorMaterialF32, PictureF32};
 use crate::records_q15::{
     BakedQ15, CoefficientsQ15, ColorLightQ15, ColorMaterialQ15, IrradianceQ15, LightBufferQ15,
     LightQ15, MaterialBufferQ15, MaterialQ15, PictureQ15, TransferQ15, WorkspaceQ15,
 };
-use crate::rows::{Display, NormalMap, Target, disc, draw, normal_map};
 use crate::sources::{Gloss, Source};
 use crate::status::Status;
+use crate::target::Target;
 use crate::{baked, integers, picture, quantize, steps};
 use eigenshade::Q15;
 
@@ -103,82 +106,53 @@ pub extern "C" fn eigenshade_picture_shade_q15(
         .into()
 }
 
-/// `eigenshade_picture_disc_row_f32` in Q15. The bits of `exposure` are read in integers.
+/// `eigenshade_picture_draw_disc_f32` in Q15. The bits of `exposure` are read in integers.
 #[unsafe(no_mangle)]
-pub extern "C" fn eigenshade_picture_disc_row_q15(
+pub extern "C" fn eigenshade_picture_draw_disc_q15(
     picture: *const PictureQ15,
     diameter: usize,
-    row: usize,
     exposure: f32,
     display: *const Display,
-    pixels: *mut u16,
-    length: usize,
+    target: *const Target,
 ) -> Status {
-    draw::<Q15>(
-        picture::open::<Q15>(&Input(picture)),
-        disc(diameter),
-        &Target::row(row, (exposure, display), (pixels, length)),
-    )
-    .into()
+    draw::<Q15>(picture::open::<Q15>(&Input(picture)), disc(diameter), exposure, display, target)
+        .into()
 }
 
-/// `eigenshade_picture_disc_rows_f32` in Q15.
+/// `eigenshade_picture_draw_normal_map_f32` in Q15.
 #[unsafe(no_mangle)]
-pub extern "C" fn eigenshade_picture_disc_rows_q15(
-    picture: *const PictureQ15,
-    diameter: usize,
-    first: usize,
-    rows: usize,
-    exposure: f32,
-    display: *const Display,
-    pixels: *mut u16,
-    stride: usize,
-    length: usize,
-) -> Status {
-    draw::<Q15>(
-        picture::open::<Q15>(&Input(picture)),
-        disc(diameter),
-        &Target::rows([first, rows], (exposure, display), (pixels, stride, length)),
-    )
-    .into()
-}
-
-/// `eigenshade_picture_normal_map_row_f32` in Q15.
-#[unsafe(no_mangle)]
-pub extern "C" fn eigenshade_picture_normal_map_row_q15(
+pub extern "C" fn eigenshade_picture_draw_normal_map_q15(
     picture: *const PictureQ15,
     map: *const NormalMap,
-    row: usize,
     exposure: f32,
     display: *const Display,
-    pixels: *mut u16,
-    length: usize,
+    target: *const Target,
 ) -> Status {
     draw::<Q15>(
         picture::open::<Q15>(&Input(picture)),
         normal_map(&Input(map)),
-        &Target::row(row, (exposure, display), (pixels, length)),
+        exposure,
+        display,
+        target,
     )
     .into()
 }
 
-/// `eigenshade_picture_normal_map_rows_f32` in Q15.
+/// `eigenshade_palette_fill_f32` in Q15. The bits of `exposure` are read in integers.
 #[unsafe(no_mangle)]
-pub extern "C" fn eigenshade_picture_normal_map_rows_q15(
+pub extern "C" fn eigenshade_palette_fill_q15(
     picture: *const PictureQ15,
-    map: *const NormalMap,
-    first: usize,
-    rows: usize,
     exposure: f32,
     display: *const Display,
-    pixels: *mut u16,
-    stride: usize,
-    length: usize,
+    nodes: *const Nodes,
+    palette: *mut Palette,
 ) -> Status {
-    draw::<Q15>(
-        picture::open::<Q15>(&Input(picture)),
-        normal_map(&Input(map)),
-        &Target::rows([first, rows], (exposure, display), (pixels, stride, length)),
+    palette::fill::<Q15>(
+        &Input(picture),
+        exposure,
+        &Input(display),
+        &Input(nodes),
+        &Output(palette),
     )
     .into()
 }
@@ -238,40 +212,33 @@ pub extern "C" fn eigenshade_baked_shade_q15(
         .into()
 }
 
-/// `eigenshade_picture_disc_row_q15` from a baked picture.
+/// `eigenshade_picture_draw_disc_q15` from a baked picture.
 #[unsafe(no_mangle)]
-pub extern "C" fn eigenshade_baked_disc_row_q15(
+pub extern "C" fn eigenshade_baked_draw_disc_q15(
     baked: *const BakedQ15,
     diameter: usize,
-    row: usize,
     exposure: f32,
     display: *const Display,
-    pixels: *mut u16,
-    length: usize,
+    target: *const Target,
 ) -> Status {
-    draw::<Q15>(
-        baked::open::<Q15>(&Input(baked)),
-        disc(diameter),
-        &Target::row(row, (exposure, display), (pixels, length)),
-    )
-    .into()
+    draw::<Q15>(baked::open::<Q15>(&Input(baked)), disc(diameter), exposure, display, target).into()
 }
 
-/// `eigenshade_picture_normal_map_row_q15` from a baked picture.
+/// `eigenshade_picture_draw_normal_map_q15` from a baked picture.
 #[unsafe(no_mangle)]
-pub extern "C" fn eigenshade_baked_normal_map_row_q15(
+pub extern "C" fn eigenshade_baked_draw_normal_map_q15(
     baked: *const BakedQ15,
     map: *const NormalMap,
-    row: usize,
     exposure: f32,
     display: *const Display,
-    pixels: *mut u16,
-    length: usize,
+    target: *const Target,
 ) -> Status {
     draw::<Q15>(
         baked::open::<Q15>(&Input(baked)),
         normal_map(&Input(map)),
-        &Target::row(row, (exposure, display), (pixels, length)),
+        exposure,
+        display,
+        target,
     )
     .into()
 }

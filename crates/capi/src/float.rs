@@ -11,8 +11,8 @@ use crate::records_f32::{
 use crate::status::{Status, light_shape, material_shape};
 use crate::table::{self, COMPONENTS, LIGHT, SCENE, TRANSFER, WORKSPACE};
 use eigenshade::object::{BakedMap, DiscPixel, MapPoint, NormalPixel};
-use eigenshade::screen::{Exposure, Linear};
-use eigenshade::specialized::checked;
+use eigenshade::screen::{Display, Exposure, Linear, Nodes, Palette};
+use eigenshade::specialized::{by_image, checked};
 use eigenshade::wire::Parts;
 use eigenshade::{
     Basis, Effect, Error, Highlights, Light, Material, Normal, Rgb, Rotation, Source,
@@ -278,6 +278,24 @@ impl Format for f32 {
     #[inline]
     fn shade(scene: &Scene, normal: Normal) -> Rgb<f32> {
         Rgb::from(scene.0.each_ref()).map(|terms| irradiance(terms, normal))
+    }
+
+    fn mirrored(normal: Normal) -> [Normal; 4] {
+        normal.mirrored()
+    }
+
+    fn shade_mirrored(scene: &Scene) -> Result<impl Fn(Normal) -> [Rgb<f32>; 4], Status> {
+        let scene = scene.view()?;
+        Ok(move |normal| by_image(scene.map(|channel| channel.shade_mirrored(normal))))
+    }
+
+    fn fill(
+        palette: &mut Palette,
+        nodes: &Nodes,
+        display: &Display,
+        exposed: impl FnMut(Normal) -> [Rgb<Linear>; 4],
+    ) {
+        palette.fill_mirrored(nodes, display, exposed);
     }
 
     fn exponents(_: &Scene) -> [i32; 3] {

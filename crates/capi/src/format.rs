@@ -4,7 +4,7 @@ use crate::boundary::{Input, Place, Plain};
 use crate::constants::SOURCES;
 use crate::status::Status;
 use eigenshade::object::{DiscPixel, NormalPixel};
-use eigenshade::screen::Linear;
+use eigenshade::screen::{Display, Linear, Nodes, Palette};
 use eigenshade::{Effect, Error, Highlights, Rgb, Source};
 
 /// A light or a material that was checked, and where it lies.
@@ -12,6 +12,9 @@ pub(crate) struct Read<T> {
     pub(crate) value: Rgb<T>,
     pub(crate) places: [Place; 7],
 }
+
+/// The irradiances of a normal and its mirror images.
+pub(crate) type Images<F> = [Rgb<<F as Format>::Channel>; 4];
 
 /// A format in which C has pictures.
 pub(crate) trait Format: Plain + Copy + 'static {
@@ -128,6 +131,19 @@ pub(crate) trait Format: Plain + Copy + 'static {
     fn of_disc(pixel: DiscPixel) -> Self::Normal;
     fn of_normal_map(pixel: NormalPixel) -> Self::Normal;
     fn shade(scene: &Self::Scene, normal: Self::Normal) -> Rgb<Self::Channel>;
+
+    /// A normal and its mirror images.
+    fn mirrored(normal: Self::Normal) -> [Self::Normal; 4];
+    /// What shades them.
+    fn shade_mirrored(scene: &Self::Scene)
+    -> Result<impl Fn(Self::Normal) -> Images<Self>, Status>;
+    /// Fills a palette by the exposed irradiances of a normal and its mirror images.
+    fn fill(
+        palette: &mut Palette,
+        nodes: &Nodes,
+        display: &Display,
+        exposed: impl FnMut(Self::Normal) -> [Rgb<Linear>; 4],
+    );
 
     /// The exponents of a scene, 0 in `f32`.
     fn exponents(scene: &Self::Scene) -> [i32; 3];

@@ -17,8 +17,8 @@ use eigenshade::q15::{
     self, BakedMap, Basis, Exposure, Highlights, Light, LightBuffer, MapPoint, Material, Normal,
     Parts, Rotation, Transfer,
 };
-use eigenshade::screen::Linear;
-use eigenshade::specialized::checked;
+use eigenshade::screen::{Display, Linear, Nodes, Palette};
+use eigenshade::specialized::{by_image, checked};
 use eigenshade::{Effect, Error, Q15, Rgb, Source};
 
 /// The basis without the factors of transfers: a program whose transfers are computed beforehand
@@ -337,6 +337,26 @@ impl Format for Q15 {
     #[inline]
     fn shade(scene: &Scene, normal: Normal) -> Rgb<i32> {
         Rgb::from(scene.terms.each_ref()).map(|terms| irradiance(terms, normal))
+    }
+
+    fn mirrored(normal: Normal) -> [Normal; 4] {
+        normal.mirrored()
+    }
+
+    fn shade_mirrored(scene: &Scene) -> Result<impl Fn(Normal) -> [Rgb<i32>; 4], Status> {
+        let channels = Rgb::from(scene.terms.each_ref()).zip(Rgb::from(scene.exponents));
+        let scene =
+            channels.try_map(|(terms, exponent)| RELIGHT_ONLY.scene(exponent, &terms[..]))?;
+        Ok(move |normal| by_image(scene.map(|channel| channel.shade_mirrored(normal))))
+    }
+
+    fn fill(
+        palette: &mut Palette,
+        nodes: &Nodes,
+        display: &Display,
+        exposed: impl FnMut(Normal) -> [Rgb<Linear>; 4],
+    ) {
+        palette.fill_mirrored(nodes, display, exposed);
     }
 
     fn exponents(scene: &Scene) -> [i32; 3] {

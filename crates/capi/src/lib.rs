@@ -44,9 +44,15 @@ mod picture;
 
 mod baked;
 
-mod rows;
+mod object;
+
+mod target;
+
+mod draw;
 
 mod meter;
+
+mod palette;
 
 mod export;
 

@@ -2,9 +2,10 @@
 #![expect(unsafe_code, reason = "memory of C")]
 
 use crate::boundary::{Input, Output, Place, Plain, disjoint};
+use crate::draw::exposing;
 use crate::format::Format;
+use crate::object::Object;
 use crate::picture::{Opened, Shade};
-use crate::rows::{Object, exposing};
 use crate::status::Status;
 
 /// The brightness of a picture's pixels, to meter its exposure. A meter of zeros has counted

@@ -3,7 +3,7 @@
 
 use crate::boundary::{Input, Mark, Output, Place, disjoint};
 use crate::constants::SOURCES;
-use crate::format::Format;
+use crate::format::{Format, Images};
 use crate::records_f32::PictureF32;
 use crate::records_q15::PictureQ15;
 use crate::sources::{Gloss, Source, with_sources};
@@ -202,6 +202,25 @@ pub(crate) fn open<F: Format>(
             Some(Highlighted { add, highlights }) => add(highlights, irradiance, normal),
             None => irradiance,
         }
+    };
+    let places = [Place::of(picture.value()?), Place::default()];
+    Ok(Opened { shade, exponents: F::exponents(scene), places })
+}
+
+/// The picture in this memory, which shades a normal and its mirror images together.
+pub(crate) fn open_mirrored<F: Format>(
+    picture: &Input<F::PictureBuffer>,
+) -> Result<Opened<impl Fn(F::Normal) -> Images<F>>, Status> {
+    let Picture { scene, highlights, .. } = begun::<F>(picture)?;
+    let of_scene = F::shade_mirrored(scene)?;
+    let shade = move |normal| {
+        let mut irradiances = of_scene(normal);
+        if let Some(Highlighted { add, highlights }) = highlights {
+            for (irradiance, image) in irradiances.iter_mut().zip(F::mirrored(normal)) {
+                *irradiance = add(highlights, *irradiance, image);
+            }
+        }
+        irradiances
     };
     let places = [Place::of(picture.value()?), Place::default()];
     Ok(Opened { shade, exponents: F::exponents(scene), places })

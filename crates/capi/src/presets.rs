@@ -2,9 +2,9 @@
 //! those that it names.
 #![expect(unsafe_code, reason = "exported symbols")]
 
+use crate::draw::Display;
 use crate::records_f32::{ColorLightF32, ColorMaterialF32, LightF32, MaterialF32};
 use crate::records_q15::{ColorLightQ15, ColorMaterialQ15, LightQ15, MaterialQ15};
-use crate::rows::Display;
 use crate::sources::{Gloss, Source};
 use eigenshade::presets::{gloss, light, material, sources};
 use eigenshade::screen::Tone;

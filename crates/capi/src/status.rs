@@ -46,7 +46,7 @@ pub enum Status {
     /// A quaternion, or cosine and sine, are zero or not finite; or, in f32, cosine² + sine²
     /// differs from 1 by more than 2 %.
     Rotation = 16,
-    /// The object has no such rows, or the buffer is shorter than the rows.
+    /// The object has no such row.
     Row = 17,
     /// A disc has no pixel, or more than 4096 across.
     Diameter = 18,
@@ -69,6 +69,15 @@ pub enum Status {
     Highlights = 26,
     /// A number that is none of `eigenshade_effect`.
     Effect = 27,
+    /// A target has no pixel, its rows do not fit its stride and length, or the rows of
+    /// `EIGENSHADE_ENCODING_RGB565` have an odd stride.
+    Target = 28,
+    /// A number that is none of `eigenshade_encoding`.
+    Encoding = 29,
+    /// A palette that was never filled, such as one of zeros.
+    Palette = 30,
+    /// Nodes that were never found, such as those of zeros.
+    Nodes = 31,
 }
 
 /// The message of a status.
@@ -97,9 +106,7 @@ pub(crate) fn message(status: i32) -> &'static CStr {
         14 => c"a coefficient is infinite or NaN; leave it out, or scale the numbers down",
         15 => c"a color, reflectance, metallic or roughness is not from 0 to 1; clamp it",
         16 => c"a rotation is zero or not finite; use a quaternion, or cosine and sine",
-        17 => {
-            c"the object has no such rows, or the buffer is shorter; check rows, stride and length"
-        }
+        17 => c"the object has no such row; check the row",
         18 => c"a disc has a diameter of 1 to 4096 pixels; check it",
         19 => c"a normal map has at least one pixel, and two bytes for each; check its size",
         20 => c"an exposure is not a number above 0; check it",
@@ -112,6 +119,10 @@ pub(crate) fn message(status: i32) -> &'static CStr {
             c"highlights are too sharp for a baked map; bake the picture of the light without sources"
         }
         27 => c"no effect has this number; use one of eigenshade_effect",
+        28 => c"a target has no pixel, or no room for its rows; check size, stride and length",
+        29 => c"no encoding has this number; use one of eigenshade_encoding",
+        30 => c"a palette was never filled; call palette_fill first",
+        31 => c"the nodes were never found; call nodes_of_normal_map, or pass NULL for all nodes",
         _ => c"unknown status; compare the versions of header and library",
     }
 }

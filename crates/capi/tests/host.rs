@@ -11,9 +11,9 @@ mod pictures;
 #[path = "support/program.rs"]
 mod program;
 
-use eigenshade::object::Disc;
+use eigenshade::object::{Disc, NormalMap};
 use eigenshade::presets::{light, material};
-use eigenshade::screen::{Display, Meter, Tone};
+use eigenshade::screen::{Display, Meter, Palette, Target, Tone};
 use eigenshade::sphere::{self, q15};
 use eigenshade::{Effect, Error};
 use program::{compiled, library, run};
@@ -50,7 +50,8 @@ fn the_library_exports_the_functions_of_the_header() {
 #[test]
 fn the_checks_hold_under_sanitizers() {
     let example = Path::new(env!("CARGO_MANIFEST_DIR")).join("example");
-    let sources = ["host", "print", "all", "checks", "golden_vectors", "faults", "color"];
+    let sources =
+        ["host", "print", "all", "checks", "golden_vectors", "faults", "target_faults", "color"];
     let sources: Vec<PathBuf> =
         sources.iter().map(|name| example.join(format!("{name}.c"))).collect();
     let sources: Vec<&Path> = sources.iter().map(PathBuf::as_path).collect();
@@ -149,14 +150,18 @@ fn masks_are_those_of_rust() {
     }
 }
 
+/// The README's examples in C.
+fn examples() -> [&'static str; 4] {
+    let texts = include_str!("../README.md").split("```c\n").skip(1);
+    let texts: Vec<&str> = texts.filter_map(|text| text.split("```").next()).collect();
+    texts.try_into().expect("four examples")
+}
+
 /// The README's second example meters a picture as Rust does, in floats and in integers to a step of
 /// the meter, an eighth of a power of two.
 #[test]
 fn the_readme_meters_an_exposure() {
-    let readme = include_str!("../README.md");
-    let examples: Vec<&str> =
-        readme.split("```c\n").skip(1).filter_map(|text| text.split("```").next()).collect();
-    let [_, meter, _] = examples[..] else { panic!("three examples in C") };
+    let [_, meter, ..] = examples();
     let main = "#include <stdio.h>\nint main(void) {\n  float exposure = 7;\n  \
                 static eigenshade_picture_f32_t picture;\n  eigenshade_status status = \
                 eigenshade_picture_begin_f32(&eigenshade_light_studio_f32, \
@@ -187,15 +192,14 @@ fn the_readme_meters_an_exposure() {
     }
 }
 
-/// The README's third example draws brighter highlights, in both formats.
+/// The README's fourth example draws brighter highlights, in both formats.
 #[test]
 fn the_readme_draws_highlights() {
-    let readme = include_str!("../README.md");
-    let examples: Vec<&str> =
-        readme.split("```c\n").skip(1).filter_map(|text| text.split("```").next()).collect();
-    let [plain, _, glossy] = examples[..] else { panic!("three examples in C") };
+    let [plain, .., glossy] = examples();
     let main = "#include <stdio.h>\nint main(void) {\n  static uint16_t other[240 * 240];\n  \
-                const int status = draw() || draw_glossy(other);\n  \
+                const eigenshade_target_t target = {.pixels = other, .length = sizeof other, \
+                .stride = 480, .width = 240, .height = 240};\n  \
+                const int status = draw() || draw_glossy(&target);\n  \
                 for (size_t k = 0; k < 240 * 240; k++) printf(\"%u %u\\n\", (unsigned)screen[k], \
                 (unsigned)other[k]);\n  return status;\n}\n";
     for format in ["f32", "q15"] {
@@ -229,8 +233,9 @@ fn gold_sphere(size: usize) -> Result<Vec<u16>, Error> {
     let scene = q15::color::scene(light::q15::LOBBY, material::q15::GOLD_METALLIC_PAINT)?;
     let exposure = scene.exposure_by_factor(1.5)?;
     let mut screen = vec![0; size * size];
+    let mut target = Target::new(&mut screen, size)?;
     for pixel in Disc::new(size)? {
-        pixel.put(&mut screen, display.rgb565(exposure.of(scene.shade(pixel.normal_q15()))))?;
+        pixel.put(&mut target, display.rgb565(exposure.of(scene.shade(pixel.normal_q15()))));
     }
     Ok(screen)
 }
@@ -239,9 +244,7 @@ fn gold_sphere(size: usize) -> Result<Vec<u16>, Error> {
 /// to one level of a channel.
 #[test]
 fn the_readme_draws_the_same_sphere_as_rust() {
-    let readme = include_str!("../README.md");
-    let (_, rest) = readme.split_once("```c\n").expect("an example in C");
-    let (example, _) = rest.split_once("```").expect("its end");
+    let [example, ..] = examples();
     let main = "#include <stdio.h>\nint main(void) {\n  const eigenshade_status status = draw();\n  \
                 for (size_t k = 0; k < 240 * 240; k++) printf(\"%u\\n\", (unsigned)screen[k]);\n  \
                 return status;\n}\n";
@@ -257,9 +260,60 @@ fn the_readme_draws_the_same_sphere_as_rust() {
     let expected = gold_sphere(240).expect("a sphere");
     assert!(drawn("q15") == expected);
     for (found, expected) in drawn("f32").into_iter().zip(expected) {
-        for (low, bits) in [(0, 5), (5, 6), (11, 5)] {
-            let level = |pixel: u16| (pixel >> low) & ((1 << bits) - 1);
-            assert!(level(found).abs_diff(level(expected)) <= 1);
-        }
+        assert_near(found, expected);
     }
+}
+
+/// Pixels that differ by one level of a channel at most.
+fn assert_near(found: u16, expected: u16) {
+    for (low, bits) in [(0, 5), (5, 6), (11, 5)] {
+        let level = |pixel: u16| (pixel >> low) & ((1 << bits) - 1);
+        assert!(level(found).abs_diff(level(expected)) <= 1);
+    }
+}
+
+/// The README's third example sends the bytes of a palette's picture under turned light: in integers
+/// those of Rust.
+#[test]
+fn the_readme_sends_frames() {
+    let [_, _, frames, _] = examples();
+    let main = "#include <stdio.h>\nvoid send(const uint8_t *bytes, size_t length) {\n  \
+                for (size_t k = 0; k < length; k++) printf(\"%u\\n\", (unsigned)bytes[k]);\n}\n\
+                int main(void) {\n  static const float quaternion[4] = {1, -2, 3, 4};\n  \
+                return begin() || draw_frame(quaternion);\n}\n";
+    let drawn = |format: &str, number: &str| -> Vec<u8> {
+        let text = (frames.to_owned() + main).replace("f32", format).replace("float", number);
+        let source = Path::new(env!("CARGO_TARGET_TMPDIR")).join(format!("frames_{format}.c"));
+        fs::write(&source, text).expect("the example is written");
+        let name = format!("frames_{format}");
+        let text = run(&mut Command::new(compiled(&name, &[&source], ("none.h", ""))));
+        text.lines().map(|line| line.parse().expect("a byte")).collect()
+    };
+    let expected = gold_frame(240).expect("a frame");
+    assert!(drawn("q15", "int32_t") == expected.as_flattened());
+    let found = drawn("f32", "float");
+    for (found, expected) in found.as_chunks().0.iter().zip(expected) {
+        assert_near(u16::from_be_bytes(*found), u16::from_be_bytes(expected));
+    }
+    assert_eq!(found.len(), 2 * 240 * 240);
+}
+
+/// A frame of the README's third example.
+fn gold_frame(size: usize) -> Result<Vec<[u8; 2]>, Error> {
+    let display = Display::new(Tone::Filmic);
+    let rotation = eigenshade::q15::Rotation::from_quaternion([1, -2, 3, 4])?;
+    let turned = light::q15::LOBBY.turned::<{ sphere::LIGHT }>(&rotation)?;
+    let gold = q15::color::transfer(material::q15::GOLD_METALLIC_PAINT)?;
+    let scene = q15::color::relight(&gold, turned.lights()?)?;
+    let exposure = scene.exposure_by_factor(1.5)?;
+    let mut codes = vec![NormalMap::BACKGROUND; size * size];
+    NormalMap::sphere(size, &mut codes)?;
+    let map = NormalMap::new(size, size, codes.as_flattened())?;
+    let mut palette = Palette::default();
+    palette.fill_mirrored(&map.nodes(), &display, |normal: eigenshade::q15::Normal| {
+        scene.shade_mirrored(normal).map(|irradiance| exposure.of(irradiance))
+    });
+    let mut screen = vec![[0; 2]; size * size];
+    palette.draw(&map, &mut Target::new(&mut screen, size)?);
+    Ok(screen)
 }

@@ -4,7 +4,7 @@
 use eigenshade::object::{Disc, NormalMap};
 use eigenshade::presets::{gloss, light, material, sources};
 use eigenshade::q15::{self, Rotation};
-use eigenshade::screen::{Display, Tone, blend565};
+use eigenshade::screen::{Display, Linear, Nodes, Palette, Pixel, Target, Tone};
 use eigenshade::{Effect, Error, Gloss, Highlights, Light, Q15, Rgb, Source, sphere};
 use std::fmt::Write as _;
 
@@ -14,24 +14,114 @@ const BAKED: usize = 32;
 const LIGHT: usize = sphere::LIGHT;
 
 /// The irradiance of a normal, as exposed.
-type Shade<'s> = &'s dyn Fn(q15::Normal) -> Rgb<eigenshade::screen::Linear>;
+type Shade<'s> = &'s dyn Fn(q15::Normal) -> Rgb<Linear>;
 
-fn disc(display: &Display, shade: Shade<'_>) -> Vec<u16> {
+fn disc(display: &Display, shade: Shade<'_>) -> Result<Vec<u16>, Error> {
     let mut picture = vec![0; SIDE * SIDE];
-    for pixel in Disc::new(SIDE).expect("a size above 0") {
-        picture[pixel.index()] = display.rgb565(shade(pixel.normal_q15()));
+    let mut target = Target::new(&mut picture, SIDE)?;
+    for pixel in Disc::new(SIDE)? {
+        pixel.put(&mut target, display.rgb565(shade(pixel.normal_q15())));
     }
-    picture
+    Ok(picture)
 }
 
 fn of_map(codes: &[u8], display: &Display, shade: Shade<'_>) -> Result<Vec<u16>, Error> {
     let mut picture = vec![0; SIDE * SIDE];
+    let mut target = Target::new(&mut picture, SIDE)?;
     for pixel in NormalMap::new(MAP, MAP, codes)?.pixels() {
-        let to = &mut picture[pixel.row() * SIDE + pixel.column()];
-        let above = display.rgb565(shade(pixel.normal_q15()));
-        *to = blend565(*to, above, pixel.coverage());
+        pixel.put(&mut target, display.rgb565(shade(pixel.normal_q15())));
     }
     Ok(picture)
+}
+
+/// The codes of a sphere.
+fn sphere_codes() -> Result<Vec<[u8; 2]>, Error> {
+    let mut codes = vec![NormalMap::BACKGROUND; SIDE * SIDE];
+    NormalMap::sphere(SIDE, &mut codes)?;
+    Ok(codes)
+}
+
+/// An encoding of pixels.
+trait Encoding: Pixel + Copy {
+    /// Bytes from a row to the next.
+    const STRIDE: usize;
+    /// What is there before.
+    const BELOW: Self;
+    fn bytes(self) -> Vec<u8>;
+    fn encoded(display: &Display, color: Rgb<Linear>) -> Self;
+}
+
+impl Encoding for u16 {
+    const STRIDE: usize = 88;
+    const BELOW: Self = 0x5a5a;
+    fn bytes(self) -> Vec<u8> {
+        self.to_ne_bytes().into()
+    }
+    fn encoded(display: &Display, color: Rgb<Linear>) -> Self {
+        display.rgb565(color)
+    }
+}
+
+impl Encoding for [u8; 2] {
+    const STRIDE: usize = 91;
+    const BELOW: Self = [0x5a; 2];
+    fn bytes(self) -> Vec<u8> {
+        self.into()
+    }
+    fn encoded(display: &Display, color: Rgb<Linear>) -> Self {
+        display.rgb565(color).to_be_bytes()
+    }
+}
+
+impl Encoding for [u8; 3] {
+    const STRIDE: usize = 133;
+    const BELOW: Self = [0x5a; 3];
+    fn bytes(self) -> Vec<u8> {
+        self.into()
+    }
+    fn encoded(display: &Display, color: Rgb<Linear>) -> Self {
+        display.rgb888(color).into()
+    }
+}
+
+/// The windows that `check_targets` draws into, in one encoding.
+fn targets<P: Encoding>(lines: &mut String) -> Result<(), Error> {
+    const WIDTH: usize = 40;
+    let display = Display::new(Tone::Filmic);
+    let scene = sphere::q15::color::scene(light::q15::LOBBY, material::q15::GOLD_METALLIC_PAINT)?;
+    let exposure = scene.exposure_by_factor(1.5)?;
+    let exposed = |normal| exposure.of(scene.shade(normal));
+    let mut palette = Palette::default();
+    palette.fill_mirrored(&Nodes::ALL, &display, |normal: q15::Normal| {
+        scene.shade_mirrored(normal).map(|irradiance| exposure.of(irradiance))
+    });
+    let codes = sphere_codes()?;
+    let map = NormalMap::new(SIDE, SIDE, codes.as_flattened())?;
+    for [x, y] in [[-5, -20], [20, -7], [-31, 3], [2, 11]] {
+        for way in 0..4 {
+            let mut pixels = [P::BELOW; WIDTH * 30];
+            let mut target = Target::new(&mut pixels, WIDTH)?;
+            let mut target = target.at(x, y);
+            match way {
+                0 => Disc::new(SIDE)?.for_each(|pixel| {
+                    pixel.put(&mut target, P::encoded(&display, exposed(pixel.normal_q15())));
+                }),
+                1 => map.pixels().for_each(|pixel| {
+                    pixel.put(&mut target, P::encoded(&display, exposed(pixel.normal_q15())));
+                }),
+                2 => palette.draw(&map, &mut target),
+                _ => palette.draw_dithered(&map, &mut target),
+            }
+            // With what is between the rows.
+            let rows = pixels.chunks(WIDTH).flat_map(|row| {
+                let mut bytes: Vec<u8> = row.iter().flat_map(|pixel| pixel.bytes()).collect();
+                bytes.resize(P::STRIDE, 0x5a);
+                bytes
+            });
+            let _ = writeln!(lines, "target,{}", checksum(rows));
+        }
+    }
+    Ok(())
 }
 
 fn masked(from: &[Q15], mask: impl Fn(&mut [Q15])) -> Vec<Q15> {
@@ -60,10 +150,10 @@ fn diffuse(
     sphere::q15::color::scene(light, material)
 }
 
-/// FNV-1a of a picture.
-fn checksum(picture: &[u16]) -> u32 {
-    let bytes = picture.iter().flat_map(|pixel| pixel.to_le_bytes());
-    bytes.fold(2_166_136_261, |sum, byte| (sum ^ u32::from(byte)).wrapping_mul(16_777_619))
+/// FNV-1a of bytes.
+fn checksum(bytes: impl IntoIterator<Item = u8>) -> u32 {
+    let step = |sum: u32, byte| (sum ^ u32::from(byte)).wrapping_mul(16_777_619);
+    bytes.into_iter().fold(2_166_136_261, step)
 }
 
 /// The lines.
@@ -89,7 +179,7 @@ pub fn lines() -> Result<String, Error> {
 
     let mut pictures = Vec::new();
     let mut draw = |name, scene: &sphere::q15::color::Scene| {
-        pictures.push((name, disc(&filmic, &exposed(scene, 1.5)?)));
+        pictures.push((name, disc(&filmic, &exposed(scene, 1.5)?)?));
         Ok::<_, Error>(())
     };
     draw("scene", &relit(lobby)?)?;
@@ -101,6 +191,16 @@ pub fn lines() -> Result<String, Error> {
     let scene = relit(turned.lights()?)?;
     draw("turned about the view", &scene)?;
     pictures.push(("normal map", of_map(&codes, &reinhard, &exposed(&scene, 0.7)?)?));
+    let sphere_codes = sphere_codes()?;
+    let map = NormalMap::new(SIDE, SIDE, sphere_codes.as_flattened())?;
+    let mut palette = Palette::default();
+    let exposure = scene.exposure_by_factor(1.5)?;
+    palette.fill_mirrored(&Nodes::ALL, &filmic, |normal: q15::Normal| {
+        scene.shade_mirrored(normal).map(|irradiance| exposure.of(irradiance))
+    });
+    let mut picture = vec![0; SIDE * SIDE];
+    palette.draw(&map, &mut Target::new(&mut picture, SIDE)?);
+    pictures.push(("palette", picture));
 
     // Sources and gloss as C has them, rounded once more.
     let source = |from: &Source| Source::new(from.direction(), from.energy(), from.spread());
@@ -126,14 +226,30 @@ pub fn lines() -> Result<String, Error> {
         q15::Light::quantize(&rest.g, g)?,
         q15::Light::quantize(&rest.b, b)?,
     );
-    let glossy = |scene: &sphere::q15::color::Scene, sources: &[Source]| {
+    let highlights_of = |scene: &sphere::q15::color::Scene, sources: &[Source]| {
         let highlights = Highlights::<4>::new(&of_gold, sources)?;
         let exponents = scene.each_ref().map(|channel| channel.exponent());
-        let highlights = q15::Highlights::<_, 4>::quantize(&highlights, exponents)?;
+        q15::Highlights::<_, 4>::quantize(&highlights, exponents)
+    };
+    let glossy = |scene: &sphere::q15::color::Scene, sources: &[Source]| {
+        let highlights = highlights_of(scene, sources)?;
         let (scene, exposure) = (scene.clone(), scene.exposure_by_factor(1.0)?);
         Ok::<_, Error>(move |normal| exposure.of(highlights.add(scene.shade(normal), normal)))
     };
-    pictures.push(("highlights", disc(&linear, &glossy(&relit(rest)?, &sources)?)));
+    let scene = relit(rest)?;
+    pictures.push(("highlights", disc(&linear, &glossy(&scene, &sources)?)?));
+    let (highlights, exposure) = (highlights_of(&scene, &sources)?, scene.exposure_by_factor(1.0)?);
+    let mut palette = Palette::default();
+    palette.fill_mirrored(&map.nodes(), &linear, |normal: q15::Normal| {
+        let mut images = normal.mirrored().into_iter();
+        scene.shade_mirrored(normal).map(|irradiance| {
+            let image = images.next().unwrap_or(normal);
+            exposure.of(highlights.add(irradiance, image))
+        })
+    });
+    let mut picture = vec![0; SIDE * SIDE];
+    palette.draw_dithered(&map, &mut Target::new(&mut picture, SIDE)?);
+    pictures.push(("palette of highlights", picture));
     let turned = rest.turned::<LIGHT>(&Rotation::from_quaternion([1, -2, 3, 4])?)?;
     let by = eigenshade::Rotation::from_quaternion([1.0, -2.0, 3.0, 4.0])?;
     let mut turned_sources = sources;
@@ -150,7 +266,7 @@ pub fn lines() -> Result<String, Error> {
     let gray = material::q15::PTFE_633NM;
     for (name, material) in [("glTF", copper.materials()?), ("gray", gray)] {
         let scene = sphere::q15::color::scene(lobby, material)?;
-        pictures.push((name, disc(&filmic, &exposed(&scene, 1.5)?)));
+        pictures.push((name, disc(&filmic, &exposed(&scene, 1.5)?)?));
         if name == "gray" {
             let shade = exposed(&scene, 1.5)?;
             pictures.push(("gray normal map", of_map(&codes, &filmic, &shade)?));
@@ -162,14 +278,18 @@ pub fn lines() -> Result<String, Error> {
     let baked = red.bake_integers_into(BAKED, Rgb::gray(texels))?;
     let exposure = baked.exposure_by_factor(1.5)?;
     let look_up = |normal| exposure.of(baked.bilinear(q15::MapPoint::of(normal)));
-    pictures.push(("baked", disc(&linear, &look_up)));
+    pictures.push(("baked", disc(&linear, &look_up)?));
     pictures.push(("baked normal map", of_map(&codes, &filmic, &look_up)?));
 
     let mut lines = String::new();
     for (name, picture) in pictures {
         // Writing to a string cannot fail.
-        let _ = writeln!(lines, "{name},{}", checksum(&picture));
+        let bytes = picture.iter().flat_map(|pixel| pixel.to_le_bytes());
+        let _ = writeln!(lines, "{name},{}", checksum(bytes));
     }
+    targets::<u16>(&mut lines)?;
+    targets::<[u8; 2]>(&mut lines)?;
+    targets::<[u8; 3]>(&mut lines)?;
     let normal = q15::Normal::from_unit(Q15(0), Q15(19_661), Q15(26_214))?;
     let scene = sphere::q15::color::scene(lobby, material::q15::DARK_RED_PAINT)?;
     let lamp = [0.0, 0.6, 0.8];
