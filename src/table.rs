@@ -246,7 +246,17 @@ macro_rules! table {
         /// The irradiances of a normal and its mirror images.
         #[inline(always)]
         fn mirrored(scene: &Scene, mirrored: &$crate::specialized::Mirrored) -> [f32; 4] {
-            let terms = scene.terms();
+            mirrored_terms(scene.terms(), mirrored)
+        }
+        /// The irradiances of a normal and its mirror images from a scene's terms, as
+        /// [`shade_terms`].
+        #[doc(hidden)]
+        #[inline(always)]
+        #[must_use]
+        pub fn mirrored_terms(
+            terms: &[f32; SCENE],
+            mirrored: &$crate::specialized::Mirrored,
+        ) -> [f32; 4] {
             let sums = mirrored.pole::<This, SCENE>(terms);
             $(let sums = mirrored.azimuth::<This, $azimuth, SCENE>(terms, sums);)*
             $crate::specialized::Mirrored::images(sums)

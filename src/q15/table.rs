@@ -282,7 +282,17 @@ macro_rules! integer_table {
         /// The irradiances of a normal and its mirror images.
         #[inline(always)]
         fn mirrored(scene: &Scene, mirrored: &$crate::q15::kernels::Mirrored) -> [i32; 4] {
-            let terms = $crate::q15::kernels::terms(&scene.0);
+            mirrored_terms($crate::q15::kernels::terms(&scene.0), mirrored)
+        }
+        /// The irradiances of a normal and its mirror images from a scene's terms, as
+        /// [`shade_terms`].
+        #[doc(hidden)]
+        #[inline(always)]
+        #[must_use]
+        pub fn mirrored_terms(
+            terms: &[i32; SCENE],
+            mirrored: &$crate::q15::kernels::Mirrored,
+        ) -> [i32; 4] {
             let sums = mirrored.pole::<This, SCENE>(terms);
             $(let sums = mirrored.azimuth::<This, $azimuth, SCENE>(terms, sums);)*
             $crate::q15::kernels::Mirrored::images(sums)

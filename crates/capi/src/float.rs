@@ -12,7 +12,7 @@ use crate::status::{Status, light_shape, material_shape};
 use crate::table::{self, COMPONENTS, LIGHT, SCENE, TRANSFER, WORKSPACE};
 use eigenshade::object::{BakedMap, DiscPixel, MapPoint, NormalPixel};
 use eigenshade::screen::{Display, Exposure, Linear, Nodes, Palette};
-use eigenshade::specialized::{by_image, checked};
+use eigenshade::specialized::{Mirrored, by_image, checked};
 use eigenshade::wire::Parts;
 use eigenshade::{
     Basis, Effect, Error, Highlights, Light, Material, Normal, Rgb, Rotation, Source,
@@ -284,9 +284,9 @@ impl Format for f32 {
         normal.mirrored()
     }
 
-    fn shade_mirrored(scene: &Scene) -> Result<impl Fn(Normal) -> [Rgb<f32>; 4], Status> {
-        let scene = scene.view()?;
-        Ok(move |normal| by_image(scene.map(|channel| channel.shade_mirrored(normal))))
+    fn shade_mirrored(scene: &Scene, normal: Normal) -> [Rgb<f32>; 4] {
+        let mirrored = Mirrored::new(normal);
+        by_image(Rgb::from(scene.0.each_ref()).map(|terms| images(terms, &mirrored)))
     }
 
     fn fill(
@@ -340,6 +340,13 @@ impl Format for f32 {
         let maps = texels.try_map(|texels| BakedMap::new(size, texels))?;
         Ok(move |normal| maps.bilinear(MapPoint::of(normal)))
     }
+}
+
+/// The irradiances of a normal and its mirror images in one channel.
+// As below.
+#[inline(never)]
+fn images(terms: &[f32; SCENE], mirrored: &Mirrored) -> [f32; 4] {
+    table::mirrored_terms(terms, mirrored)
 }
 
 /// The irradiance in one channel, with every size a constant.

@@ -13,9 +13,6 @@ pub(crate) struct Read<T> {
     pub(crate) places: [Place; 7],
 }
 
-/// The irradiances of a normal and its mirror images.
-pub(crate) type Images<F> = [Rgb<<F as Format>::Channel>; 4];
-
 /// A format in which C has pictures.
 pub(crate) trait Format: Plain + Copy + 'static {
     /// A light, a material and a transfer in C.
@@ -134,9 +131,8 @@ pub(crate) trait Format: Plain + Copy + 'static {
 
     /// A normal and its mirror images.
     fn mirrored(normal: Self::Normal) -> [Self::Normal; 4];
-    /// What shades them.
-    fn shade_mirrored(scene: &Self::Scene)
-    -> Result<impl Fn(Self::Normal) -> Images<Self>, Status>;
+    /// The irradiances of these.
+    fn shade_mirrored(scene: &Self::Scene, normal: Self::Normal) -> [Rgb<Self::Channel>; 4];
     /// Fills a palette by the exposed irradiances of a normal and its mirror images.
     fn fill(
         palette: &mut Palette,

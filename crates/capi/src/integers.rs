@@ -13,6 +13,7 @@ use crate::status::{Status, light_shape, material_shape};
 use crate::table::q15::{PROFILES, SCENE, TRANSFER, WORKSPACE};
 use crate::table::{self, COMPONENTS, LIGHT};
 use eigenshade::object::{DiscPixel, NormalPixel};
+use eigenshade::q15::kernels::Mirrored;
 use eigenshade::q15::{
     self, BakedMap, Basis, Exposure, Highlights, Light, LightBuffer, MapPoint, Material, Normal,
     Parts, Rotation, Transfer,
@@ -145,6 +146,13 @@ pub(crate) fn project(
     transferred(&material, numbers, transfer, exponents)?;
     to.exponent = relit((transfer, exponents), &light, &mut to.mantissas)?;
     Ok(())
+}
+
+/// The irradiances of a normal and its mirror images in one channel.
+// As below.
+#[inline(never)]
+fn images(terms: &[i32; SCENE], mirrored: &Mirrored) -> [i32; 4] {
+    table::q15::mirrored_terms(terms, mirrored)
 }
 
 /// The irradiance in one channel, times 2 to the negative exponent, with every size a constant.
@@ -343,11 +351,9 @@ impl Format for Q15 {
         normal.mirrored()
     }
 
-    fn shade_mirrored(scene: &Scene) -> Result<impl Fn(Normal) -> [Rgb<i32>; 4], Status> {
-        let channels = Rgb::from(scene.terms.each_ref()).zip(Rgb::from(scene.exponents));
-        let scene =
-            channels.try_map(|(terms, exponent)| RELIGHT_ONLY.scene(exponent, &terms[..]))?;
-        Ok(move |normal| by_image(scene.map(|channel| channel.shade_mirrored(normal))))
+    fn shade_mirrored(scene: &Scene, normal: Normal) -> [Rgb<i32>; 4] {
+        let mirrored = Mirrored::new(normal);
+        by_image(Rgb::from(scene.terms.each_ref()).map(|terms| images(terms, &mirrored)))
     }
 
     fn fill(

@@ -142,8 +142,8 @@ pub(crate) fn draw_dithered(
 ) -> Result<(), Status> {
     rows(palette, map, target, |palette, map, [x, y], row| {
         match row {
-            Row::Rgb565(pixels) => palette.draw_dithered(map, &mut of_row(pixels)?.at(x, y)),
-            Row::HighFirst(pixels) => palette.draw_dithered(map, &mut of_row(pixels)?.at(x, y)),
+            Row::Rgb565(pixels) => palette.dithered().draw(map, &mut of_row(pixels)?.at(x, y)),
+            Row::HighFirst(pixels) => palette.dithered().draw(map, &mut of_row(pixels)?.at(x, y)),
             Row::Rgb888(pixels) => palette.draw(map, &mut of_row(pixels)?.at(x, y)),
         }
         Ok(())

@@ -3,7 +3,7 @@
 
 use crate::boundary::{Input, Mark, Output, Place, disjoint};
 use crate::constants::SOURCES;
-use crate::format::{Format, Images};
+use crate::format::Format;
 use crate::records_f32::PictureF32;
 use crate::records_q15::PictureQ15;
 use crate::sources::{Gloss, Source, with_sources};
@@ -48,6 +48,10 @@ pub(crate) struct Opened<S> {
 /// The irradiance of a normal in each channel.
 pub(crate) trait Shade<F: Format>: Fn(F::Normal) -> Rgb<F::Channel> {}
 impl<F: Format, S: Fn(F::Normal) -> Rgb<F::Channel>> Shade<F> for S {}
+
+/// The irradiances of a normal and its mirror images in each channel.
+pub(crate) trait ShadeMirrored<F: Format>: Fn(F::Normal) -> [Rgb<F::Channel>; 4] {}
+impl<F: Format, S: Fn(F::Normal) -> [Rgb<F::Channel>; 4]> ShadeMirrored<F> for S {}
 
 /// The picture in this memory, unless it was never begun.
 fn begun<F: Format>(memory: &Input<F::PictureBuffer>) -> Result<&Picture<F>, Status> {
@@ -210,11 +214,10 @@ pub(crate) fn open<F: Format>(
 /// The picture in this memory, which shades a normal and its mirror images together.
 pub(crate) fn open_mirrored<F: Format>(
     picture: &Input<F::PictureBuffer>,
-) -> Result<Opened<impl Fn(F::Normal) -> Images<F>>, Status> {
+) -> Result<Opened<impl ShadeMirrored<F>>, Status> {
     let Picture { scene, highlights, .. } = begun::<F>(picture)?;
-    let of_scene = F::shade_mirrored(scene)?;
     let shade = move |normal| {
-        let mut irradiances = of_scene(normal);
+        let mut irradiances = F::shade_mirrored(scene, normal);
         if let Some(Highlighted { add, highlights }) = highlights {
             for (irradiance, image) in irradiances.iter_mut().zip(F::mirrored(normal)) {
                 *irradiance = add(highlights, *irradiance, image);

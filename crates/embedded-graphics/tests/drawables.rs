@@ -312,7 +312,7 @@ fn what_changed_is_sent() {
         // The upper half of the sphere.
         (Point::new(5, 5), &bright, None, 15 * 128),
         (Point::new(40, 5), &bright, None, 30 * 128),
-        (Point::new(120, 30), &bright, None, 30 * 256),
+        (Point::new(120, 30), &bright, None, 55 * 256),
         (
             Point::new(120, 30),
             &bright,

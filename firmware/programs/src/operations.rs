@@ -137,7 +137,7 @@ pub fn palette_row_dithered() {
     holds(size_of_val(palette) + size_of_val(&row));
     measure(&[-120], Passes(16), |place| {
         let mut target = Target::new(&mut row, programs::BALL)?;
-        palette.draw_dithered(&map, &mut target.at(0, *place));
+        palette.dithered().draw(&map, &mut target.at(0, *place));
         black_box(&mut row);
         Ok::<(), Error>(())
     });

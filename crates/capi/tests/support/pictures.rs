@@ -110,7 +110,7 @@ fn targets<P: Encoding>(lines: &mut String) -> Result<(), Error> {
                     pixel.put(&mut target, P::encoded(&display, exposed(pixel.normal_q15())));
                 }),
                 2 => palette.draw(&map, &mut target),
-                _ => palette.draw_dithered(&map, &mut target),
+                _ => palette.dithered().draw(&map, &mut target),
             }
             // With what is between the rows.
             let rows = pixels.chunks(WIDTH).flat_map(|row| {
@@ -248,7 +248,7 @@ pub fn lines() -> Result<String, Error> {
         })
     });
     let mut picture = vec![0; SIDE * SIDE];
-    palette.draw_dithered(&map, &mut Target::new(&mut picture, SIDE)?);
+    palette.dithered().draw(&map, &mut Target::new(&mut picture, SIDE)?);
     pictures.push(("palette of highlights", picture));
     let turned = rest.turned::<LIGHT>(&Rotation::from_quaternion([1, -2, 3, 4])?)?;
     let by = eigenshade::Rotation::from_quaternion([1.0, -2.0, 3.0, 4.0])?;
