@@ -80,7 +80,7 @@ macro_rules! table_in_color {
                 }
 
                 /// The irradiances of a normal and its mirror images in each channel, for the cost
-                /// of some 1.3 normals.
+                /// of little more than one.
                 #[must_use]
                 pub fn shade_mirrored(&self, normal: $normal) -> [Rgb<$irradiance>; 4] {
                     let mirrored = <$mirrored>::new(normal);

@@ -70,6 +70,13 @@ fn small_spheres_have_their_rims() {
             assert!(apart(found, exact) <= 1, "{size}: {found:x} {exact:x}");
         }
         assert!(drawn.iter().zip(swapped).all(|(one, bytes)| one.to_be_bytes() == bytes));
+        let mut fine = vec![[0, 0, u8::MAX]; size * size];
+        palette.draw(&map, &mut Target::new(&mut fine, size).unwrap());
+        for pixel in map.pixels() {
+            let color = palette.rgb888(pixel.code());
+            let expected = color.over(Rgb::new(0, 0, u8::MAX), pixel.coverage());
+            assert_eq!(fine[pixel.index()], <[u8; 3]>::from(expected));
+        }
         if size < 8 {
             continue;
         }
@@ -124,6 +131,7 @@ fn palettes_are_of_their_last_fill() {
             sums[1] += exact;
         }
     }
+    // A highlight between nodes.
     assert!(sums[0] < 0.015 * sums[1], "{sums:?}");
 }
 

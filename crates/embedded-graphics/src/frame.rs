@@ -9,7 +9,7 @@ use embedded_graphics_core::geometry::{Dimensions, Point, Size};
 use embedded_graphics_core::primitives::Rectangle;
 
 /// Pixels of a row that are drawn and sent together.
-const RUN: usize = 128;
+const RUN: usize = 256;
 
 /// The colors of a [`Layer`]: those of a [`Palette`], as they are or [`Dithered`].
 #[derive(Clone, Copy, Debug)]
@@ -66,7 +66,7 @@ impl<'a> Layer<'a> {
 /// objects that move or whose light turns.
 ///
 /// Each pixel of the area is sent once, row by row. Outlines are mixed with what is below them. Memory:
-/// a buffer of 128 pixels.
+/// a buffer of 256 pixels.
 ///
 /// ```
 /// # use eigenshade::object::NormalMap;
@@ -108,8 +108,8 @@ impl<'a, C: DisplayColor> Frame<'a, C> {
         Self { area, layers, background }
     }
 
-    /// Sends only runs of up to 128 pixels of a row of the area that are not as they were sent last.
-    /// `sent` has a part for each, rows x (columns / 128, rounded up); use it for this area of this
+    /// Sends only runs of up to 256 pixels of a row of the area that are not as they were sent last.
+    /// `sent` has a part for each, rows x (columns / 256, rounded up); use it for this area of this
     /// display alone, and a new one once something else was drawn there. Returns the number of pixels
     /// that were sent.
     ///
@@ -122,24 +122,20 @@ impl<'a, C: DisplayColor> Frame<'a, C> {
         sent: &mut Sent<N>,
     ) -> Result<usize, D::Error> {
         let mut count = 0;
-        self.runs(target, |run, pixels, send| {
-            if sent.send(run, pixels, send)? {
-                count += pixels.len();
-            }
+        self.runs(target, |target, run, pixels, area| {
+            let is_sent = sent.send(run, pixels, |pixels| send(target, area, pixels))?;
+            count += if is_sent { pixels.len() } else { 0 };
             Ok(())
         })?;
         Ok(count)
     }
 
-    /// Draws every run, and passes its number in the area, its pixels, and what sends these.
+    /// Draws every run, and calls a function with the target, the run's number in the area, its
+    /// pixels and their place.
     fn runs<D: DrawTarget<Color = C>>(
         &self,
         target: &mut D,
-        mut run: impl FnMut(
-            usize,
-            &[C::Pixel],
-            &mut dyn FnMut(&[C::Pixel]) -> Result<(), D::Error>,
-        ) -> Result<(), D::Error>,
+        mut run: impl FnMut(&mut D, usize, &[C::Pixel], &Rectangle) -> Result<(), D::Error>,
     ) -> Result<(), D::Error> {
         let visible = self.area.intersection(&target.bounding_box());
         let (columns, first) = (visible.columns(), self.area.top_left);
@@ -160,14 +156,20 @@ impl<'a, C: DisplayColor> Frame<'a, C> {
                     layer.draw::<C>(at, pixels);
                 }
                 let area = Rectangle::new(at, Size::new(pixels.len() as u32, 1));
-                run((y - first.y) as usize * runs + number, pixels, &mut |pixels| {
-                    let colors = pixels.iter().map(|&pixel| C::of_pixel(pixel));
-                    target.fill_contiguous(&area, colors)
-                })?;
+                run(target, (y - first.y) as usize * runs + number, pixels, &area)?;
             }
         }
         Ok(())
     }
+}
+
+/// Sends pixels of a row.
+fn send<C: DisplayColor, D: DrawTarget<Color = C>>(
+    target: &mut D,
+    area: &Rectangle,
+    pixels: &[C::Pixel],
+) -> Result<(), D::Error> {
+    target.fill_contiguous(area, pixels.iter().map(|&pixel| C::of_pixel(pixel)))
 }
 
 impl<C> Dimensions for Frame<'_, C> {
@@ -181,6 +183,6 @@ impl<C: DisplayColor> Drawable for Frame<'_, C> {
     type Output = ();
 
     fn draw<D: DrawTarget<Color = C>>(&self, target: &mut D) -> Result<(), D::Error> {
-        self.runs(target, |_, pixels, send| send(pixels))
+        self.runs(target, |target, _, pixels, area| send(target, area, pixels))
     }
 }

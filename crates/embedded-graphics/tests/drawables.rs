@@ -302,7 +302,7 @@ fn what_changed_is_sent() {
     let mut codes = [NormalMap::BACKGROUND; 30 * 30];
     NormalMap::sphere(30, &mut codes).unwrap();
     let map = NormalMap::new(30, 30, codes.as_flattened()).unwrap();
-    // Three runs a row, of an area that begins inside the display.
+    // Two runs a row, of an area that begins inside the display.
     let area = Rectangle::new(Point::new(3, 2), Size::new(280, 70));
     let mut shown = vec![None; 300 * 80];
     let mut sent = Sent::<{ 70 * 3 }>::default();
@@ -310,8 +310,8 @@ fn what_changed_is_sent() {
         (Point::new(5, 5), &dark, None, 280 * 70),
         (Point::new(5, 5), &dark, None, 0),
         // The upper half of the sphere.
-        (Point::new(5, 5), &bright, None, 15 * 128),
-        (Point::new(40, 5), &bright, None, 30 * 128),
+        (Point::new(5, 5), &bright, None, 15 * 256),
+        (Point::new(40, 5), &bright, None, 30 * 256),
         (Point::new(120, 30), &bright, None, 55 * 256),
         (
             Point::new(120, 30),

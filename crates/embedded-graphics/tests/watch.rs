@@ -61,9 +61,9 @@ fn the_picture_in_the_documentation_has_these_frames() {
     let mut picture = png::Decoder::new(picture).read_info().unwrap();
     assert_eq!(picture.info().size(), (picture::SIDE, picture::SIDE));
     let frames = picture.info().animation_control.unwrap().num_frames;
-    assert_eq!(frames, face::FRAMES.cast_unsigned());
+    assert_eq!(frames, (face::FRAMES / picture::STEP).cast_unsigned());
     let mut found = vec![0; picture.output_buffer_size().unwrap()];
-    for frame in 0..face::FRAMES {
+    for frame in (0..face::FRAMES).step_by(picture::STEP as usize) {
         picture.next_frame(&mut found).unwrap();
         let expected = picture::rgb(frame).unwrap();
         assert_eq!(found.len(), expected.len());

@@ -23,12 +23,13 @@ pub const ROUGHNESSES: [f32; 4] = [0.2, 0.3, 0.4, 0.5];
 pub const SIZE: usize = 240;
 
 /// The ways that are compared, each by its mean and its 95th percentile: RGB565 with every pixel
-/// shaded; the palette with 8 bits a channel, in RGB565, and in dithered RGB565; both kinds of RGB565
-/// from the palette and the reference as means of 4 x 4 pixels; every pixel shaded under light of degree
-/// 2; and a picture that stands still while the light turns by [`TURN`].
+/// shaded; the palette with 8 bits a channel, in RGB565, and in dithered RGB565; as means of 4 x 4
+/// pixels, both kinds of RGB565 from the palette, and both with every pixel shaded; every pixel shaded
+/// under light of degree 2; and a picture that stands still while the light turns by [`TURN`].
 pub const COLUMNS: &str = "material,light,rgb565_mean,rgb565_p95,palette_mean,palette_p95,\
     palette565_mean,palette565_p95,dithered_mean,dithered_p95,blurred565_mean,blurred565_p95,\
-    blurred_dithered_mean,blurred_dithered_p95,degree2_mean,degree2_p95,still_mean,still_p95,\
+    blurred_dithered_mean,blurred_dithered_p95,shaded_blurred565_mean,shaded_blurred565_p95,\
+    shaded_blurred_dithered_mean,shaded_blurred_dithered_p95,degree2_mean,degree2_p95,still_mean,still_p95,\
     palette_worst";
 
 /// Degrees by which the light turns about the vertical axis where a picture stands still.
@@ -51,7 +52,7 @@ pub struct Row {
     pub material: String,
     pub light: &'static str,
     /// In the order of [`COLUMNS`].
-    pub errors: [Errors; 8],
+    pub errors: [Errors; 10],
 }
 
 impl Row {
@@ -170,7 +171,7 @@ fn of_material(
 /// The irradiance of a normal.
 type Shade<'s> = &'s dyn Fn(Normal) -> Rgb<f32>;
 
-type Compared = std::result::Result<[Errors; 8], eigenshade::Error>;
+type Compared = std::result::Result<[Errors; 10], eigenshade::Error>;
 
 /// The errors of a picture, and against it those under light of degree 2 and under a turned light.
 fn compared([scene, coarse, turned]: [Shade<'_>; 3], map: &NormalMap<'_>) -> Compared {
@@ -207,6 +208,13 @@ fn compared([scene, coarse, turned]: [Shade<'_>; 3], map: &NormalMap<'_>) -> Com
         .iter()
         .map(|one| of565(palette.dithered().rgb565(one.code(), one.column(), one.row())))
         .collect();
+    let shaded_dithered: Vec<Srgb> = exact
+        .iter()
+        .map(|one| {
+            let color = exposure.of(scene(one.normal()));
+            of565(DISPLAY.rgb565_dithered(color, one.column(), one.row()))
+        })
+        .collect();
     let fine: Vec<Srgb> = whole
         .iter()
         .map(|one| srgb(palette.rgb888(one.code()).map(|one| f32::from(one) / 255.0)))
@@ -219,6 +227,8 @@ fn compared([scene, coarse, turned]: [Shade<'_>; 3], map: &NormalMap<'_>) -> Com
         summed(&reference, &dithered),
         summed(&blurred(&reference), &blurred(&nearest)),
         summed(&blurred(&reference), &blurred(&dithered)),
+        summed(&blurred(&reference), &blurred(&rounded(scene))),
+        summed(&blurred(&reference), &blurred(&shaded_dithered)),
         summed(&reference, &rounded(coarse)),
         summed(&encoded(shaded(turned)), &rounded(scene)),
     ])

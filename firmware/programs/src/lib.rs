@@ -45,7 +45,7 @@ pub static DISPLAY: Display = Display::new(Tone::Filmic);
 pub const BALL: usize = 240;
 
 /// The sphere's codes.
-static CODES: [[u8; 2]; BALL * BALL] = {
+pub static CODES: [[u8; 2]; BALL * BALL] = {
     let mut codes = [NormalMap::BACKGROUND; BALL * BALL];
     assert!(NormalMap::sphere(BALL, &mut codes).is_ok());
     codes

@@ -61,6 +61,14 @@ pub fn color() {
     measure(&inputs::normals(), Passes(64), |normal| scene.shade(*normal));
 }
 
+/// A pixel of the gold sphere and its three mirror images, in color.
+pub fn color_mirrored() {
+    let Ok(scene) = color::scene(LOBBY, GOLD_METALLIC_PAINT) else { board::exit(false) };
+    let scene = black_box(scene);
+    holds(size_of_val(&scene));
+    measure(&inputs::normals(), Passes(64), |normal| scene.shade_mirrored(*normal));
+}
+
 /// A new light in color on the gold sphere, up to the scene.
 pub fn gold_light() {
     let Ok(transfer) = color::transfer(GOLD_METALLIC_PAINT) else { board::exit(false) };

@@ -7,6 +7,9 @@ use embedded_graphics::pixelcolor::raw::{LittleEndian, RawU16};
 use embedded_graphics::pixelcolor::{Rgb565, Rgb888};
 use embedded_graphics::prelude::*;
 
+/// Frames from a picture to the next.
+pub const STEP: i32 = 2;
+
 /// The side of a picture in pixels.
 pub const SIDE: u32 = face::LARGE.size;
 
