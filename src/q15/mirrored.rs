@@ -117,7 +117,7 @@ impl<B: AsRef<[i32]>> Scene<'_, B> {
 
 #[cfg(all(test, feature = "baked", feature = "presets"))]
 mod tests {
-    use crate::object::Disc;
+    use crate::object::{Disc, DiscPixel};
     use crate::presets::{light::q15 as light, material::q15 as material};
     use crate::sphere::q15::{BASIS, SCENE, color};
 
@@ -128,7 +128,7 @@ mod tests {
         for light in [light::LOBBY, light::STUDIO, light::SKY, light::NIGHT] {
             for material in [material::GOLD_METALLIC_PAINT, material::CHROME, material::PINK_FELT] {
                 let Ok(scene) = color::scene(light, material) else { unreachable!("one table") };
-                let found = Disc::new(40).into_iter().flatten().map(|pixel| pixel.normal_q15());
+                let found = Disc::new(40).into_iter().flatten().map(DiscPixel::normal_q15);
                 for normal in found {
                     let channel = &scene.r;
                     let general = BASIS.scene(channel.exponent(), channel.terms());

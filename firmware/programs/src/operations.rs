@@ -7,7 +7,7 @@ use board::{Passes, holds, measure};
 use core::hint::black_box;
 use eigenshade::screen::{Linear, Nodes, Palette, Target};
 use eigenshade::{Error, Rgb};
-use programs::DISPLAY;
+pub use programs::DISPLAY;
 
 /// A bilinear look-up in a baked map, by normal.
 pub fn baked() {

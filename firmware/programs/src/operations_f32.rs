@@ -11,7 +11,6 @@ use eigenshade::screen::Meter;
 use eigenshade::truncation::Tolerance;
 use eigenshade::{Error, Gloss, Highlights, Light, Normal, Normals, Rgb, Source};
 use operations::*;
-use programs::DISPLAY;
 use programs::inputs::floats::{self as inputs, GOLD_METALLIC_PAINT, LOBBY};
 use programs::split_sum::{SIDE, STEPS, SplitSum};
 use table::{COMPONENTS, Coefficients, DEGREE, SCENE, Transfer};

@@ -10,7 +10,6 @@ use eigenshade::q15::{Highlights, Irradiance, LightBuffer, Lobe, NineTerms};
 use eigenshade::screen::Meter;
 use eigenshade::{Error, Rgb};
 use operations::*;
-use programs::DISPLAY;
 use programs::inputs::integers::{self as inputs, GOLD_METALLIC_PAINT, LOBBY};
 use table::{COMPONENTS, Coefficients, Scene, Transfer};
 
