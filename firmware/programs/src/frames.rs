@@ -14,17 +14,11 @@ type Row = [[u8; 2]; BALL];
 
 /// The light turned, the material relit, a palette filled, and every row drawn.
 pub fn frame() {
-    let Ok(transfer) = color::transfer(GOLD_METALLIC_PAINT) else { board::exit(false) };
-    let transfer = black_box(&transfer);
-    let (rotation, exposure) = (inputs::rotation(), inputs::exposure());
-    let mut palette = Palette::default();
     let Ok(map) = programs::ball() else { board::exit(false) };
-    let (nodes, mut row) = (map.nodes(), [[0; 2]; BALL]);
+    let (mut palette, mut row) = (Palette::default(), [[0; 2]; BALL]);
+    let (nodes, exposure) = (map.nodes(), inputs::exposure());
     let held = size_of_val(&palette) + size_of_val(&nodes) + size_of_val(&row);
-    holds(size_of_val(transfer) + held);
-    measure(&[LOBBY], Passes(1), |light| {
-        let light = light.turned::<100>(&rotation)?;
-        let scene = color::relight(transfer, light.lights()?)?;
+    turning(held, |scene, _| {
         palette.fill_mirrored(&nodes, &DISPLAY, |normal| {
             scene.shade_mirrored(normal).map(|color| exposure.of(color))
         });
@@ -42,18 +36,12 @@ pub fn frame_still() {
 
 /// A frame with the highlights of four sources.
 pub fn frame_sources() {
-    let Ok(transfer) = color::transfer(GOLD_METALLIC_PAINT) else { board::exit(false) };
-    let transfer = black_box(&transfer);
-    let (rotation, exposure) = (inputs::rotation(), inputs::exposure());
-    let mut palette = Palette::default();
     let Ok(map) = programs::ball() else { board::exit(false) };
-    let (nodes, mut row) = (map.nodes(), [[0; 2]; BALL]);
+    let (mut palette, mut row) = (Palette::default(), [[0; 2]; BALL]);
+    let (nodes, exposure) = (map.nodes(), inputs::exposure());
     let held = size_of_val(&palette) + size_of_val(&nodes) + size_of_val(&row);
-    holds(size_of_val(transfer) + held);
-    measure(&[LOBBY], Passes(1), |light| {
-        let light = light.turned::<100>(&rotation)?;
-        let scene = color::relight(transfer, light.lights()?)?;
-        let shade = highlighted(&scene, &rotation)?;
+    turning(held, |scene, rotation| {
+        let shade = highlighted(scene, rotation)?;
         palette.fill_mirrored(&nodes, &DISPLAY, |normal| {
             shade(normal).map(|color| exposure.of(color))
         });
@@ -63,17 +51,11 @@ pub fn frame_sources() {
 
 /// A frame whose pixels have base colors of their own.
 pub fn frame_textured() {
-    let Ok(transfer) = color::transfer(GOLD_METALLIC_PAINT) else { board::exit(false) };
-    let transfer = black_box(&transfer);
-    let (rotation, exposure) = (inputs::rotation(), inputs::exposure());
-    let mut palette = LinearPalette::default();
     let Ok(map) = programs::ball() else { board::exit(false) };
-    let (nodes, mut row) = (map.nodes(), [[0; 2]; BALL]);
+    let (mut palette, mut row) = (LinearPalette::default(), [[0; 2]; BALL]);
+    let (nodes, exposure) = (map.nodes(), inputs::exposure());
     let held = size_of_val(&palette) + size_of_val(&nodes) + size_of_val(&row);
-    holds(size_of_val(transfer) + held);
-    measure(&[LOBBY], Passes(1), |light| {
-        let light = light.turned::<100>(&rotation)?;
-        let scene = color::relight(transfer, light.lights()?)?;
+    turning(held, |scene, _| {
         palette.fill_mirrored(&nodes, |normal| {
             scene.shade_mirrored(normal).map(|color| exposure.of(color))
         });
@@ -91,16 +73,25 @@ pub fn frame_textured_still() {
 
 /// The light turned, the material relit, and every pixel shaded.
 pub fn frame_shaded() {
-    let Ok(transfer) = color::transfer(GOLD_METALLIC_PAINT) else { board::exit(false) };
-    let transfer = black_box(&transfer);
-    let (rotation, exposure) = (inputs::rotation(), inputs::exposure());
     let Ok(map) = programs::ball() else { board::exit(false) };
-    let mut row = [[0; 2]; BALL];
-    holds(size_of_val(transfer) + size_of_val(&row));
+    let (exposure, mut row) = (inputs::exposure(), [[0; 2]; BALL]);
+    turning(size_of_val(&row), |scene, _| {
+        draw_shaded(&map, &mut row, |pixel| DISPLAY.rgb565(exposure.of(scene.shade(normal(pixel)))))
+    });
+}
+
+/// Measures what paints a scene, with the turn of the light and the relighting of the material before
+/// it. `held` is what it keeps between frames.
+fn turning(
+    held: usize,
+    mut paint: impl FnMut(&color::Scene, &inputs::Rotation) -> Result<(), Error>,
+) {
+    let Ok(transfer) = color::transfer(GOLD_METALLIC_PAINT) else { board::exit(false) };
+    let (transfer, rotation) = (black_box(&transfer), inputs::rotation());
+    holds(size_of_val(transfer) + held);
     measure(&[LOBBY], Passes(1), |light| {
         let light = light.turned::<100>(&rotation)?;
-        let scene = color::relight(transfer, light.lights()?)?;
-        draw_shaded(&map, &mut row, |pixel| DISPLAY.rgb565(exposure.of(scene.shade(normal(pixel)))))
+        paint(&color::relight(transfer, light.lights()?)?, &rotation)
     });
 }
 

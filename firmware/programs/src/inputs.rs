@@ -33,11 +33,12 @@ pub mod floats {
     use core::hint::black_box;
     pub use eigenshade::Material;
     pub use eigenshade::Normal;
+    pub use eigenshade::Rotation;
     pub use eigenshade::object::{BakedMap, MapPoint};
     pub use eigenshade::presets::{light::LOBBY, material::GOLD_METALLIC_PAINT};
     use eigenshade::screen::Exposure;
     pub use eigenshade::sphere::color;
-    use eigenshade::{Buffer, Error, Light, Rgb, Rotation, Source};
+    use eigenshade::{Buffer, Error, Light, Rgb, Source};
 
     /// The coefficients of a material in color, of order 7.
     pub type OfOrder7 = Rgb<Buffer<f32, 40>>;
@@ -134,8 +135,9 @@ pub mod integers {
     use core::hint::black_box;
     pub use eigenshade::presets::{light::q15::LOBBY, material::q15::GOLD_METALLIC_PAINT};
     pub use eigenshade::q15::Normal;
+    pub use eigenshade::q15::Rotation;
     pub use eigenshade::q15::{BakedMap, MapPoint, Material};
-    use eigenshade::q15::{Exposure, Light, MaterialBuffer, Q15, Rotation};
+    use eigenshade::q15::{Exposure, Light, MaterialBuffer, Q15};
     pub use eigenshade::sphere::q15::color;
     use eigenshade::{Error, Rgb};
 
