@@ -155,6 +155,8 @@ mod tests {
                     "golden_q15",
                     "readme_q15",
                     "watch_q15",
+                    "watch_240_q15",
+                    "watch_240_still_q15",
                     "any_material_q15",
                     "one_material_q15"
                 ]
