@@ -61,24 +61,54 @@ pub struct ObjectView {
     pub normals: Vec<[f64; 3]>,
 }
 
-impl ObjectView {
-    /// The object of a file in `size` pixels across: a normal map (.png) or a mesh (.obj, .stl,
-    /// .ply) from +z; or a sphere, if its name is `sphere`. The default size is [`SIZE`], and that
-    /// of the file for a normal map, which can only shrink, and whose green may point down. Fails if
-    /// the file has another extension, cannot be read, shows nothing or is smaller than `size`, or
-    /// if green is to be flipped in anything but a normal map.
-    pub fn read(file: InputFile, size: Option<usize>, flip_green: bool) -> Result<Self> {
-        if flip_green && file.extension() != "png" {
-            return Err(flips_no_map(&file));
+/// How the object of a file is drawn.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct ObjectOptions {
+    /// Pixels across; by default [`SIZE`], and those of the file for a normal map, which can only
+    /// shrink.
+    pub size: Option<usize>,
+    /// Whether green points down in a normal map.
+    pub flip_green: bool,
+    /// Whether the facets of a mesh have their own normals alone.
+    pub is_flat: bool,
+    /// The rotation of a mesh, by rows.
+    pub rotation: Option<[[f64; 3]; 3]>,
+}
+
+impl ObjectOptions {
+    /// The default options with this number of pixels across.
+    #[must_use]
+    pub fn of_size(size: Option<usize>) -> Self {
+        Self { size, ..Self::default() }
+    }
+
+    /// Fails if an option is not for this kind of object.
+    fn check(&self, file: &InputFile) -> Result<()> {
+        if self.flip_green && file.extension() != "png" {
+            return Err(flips_no_map(file));
         }
+        if (self.is_flat || self.rotation.is_some()) && !file.is_mesh() {
+            let what = "--flat, --view and --rotate-object are for a mesh";
+            return Err(Error::new(what, "leave them out").in_file(file.path()));
+        }
+        Ok(())
+    }
+}
+
+impl ObjectView {
+    /// The object of a file: a normal map (.png) or a mesh (.obj, .stl, .ply) from +z; or a sphere,
+    /// if its name is `sphere`. Fails if the file has another extension, cannot be read, shows
+    /// nothing or is smaller than the size asked for, or if an option is not for such an object.
+    pub fn read(file: InputFile, options: ObjectOptions) -> Result<Self> {
+        options.check(&file)?;
         if file.path().as_os_str() == "sphere" {
-            return Ok(Self::sphere(size.unwrap_or(SIZE)));
+            return Ok(Self::sphere(options.size.unwrap_or(SIZE)));
         }
         if file.extension() != "png" && !file.is_mesh() {
             let remedy = "use `sphere`, a normal map (.png) or a mesh (.obj, .stl, .ply)";
             return Err(Error::new("unknown kind of object", remedy).in_file(file.path()));
         }
-        of_file(file, size, flip_green)
+        of_file(file, options)
     }
 
     /// A sphere, as in [`SphereView`].
@@ -147,10 +177,13 @@ fn code([x, y, z]: [f64; 3]) -> Result<[u8; 2]> {
 
 /// The object of a mesh or a normal map.
 #[cfg(feature = "generate")]
-fn of_file(file: InputFile, size: Option<usize>, flip_green: bool) -> Result<ObjectView> {
+fn of_file(file: InputFile, options: ObjectOptions) -> Result<ObjectView> {
     use eigenshade_generator::object::picture::{Picture, Shown};
+    use eigenshade_generator::object::surface::View;
+    let ObjectOptions { size, flip_green, is_flat, rotation } = options;
     let picture = if file.is_mesh() {
-        Picture::of_mesh(file, size.unwrap_or(SIZE))
+        let rotation = rotation.unwrap_or(View::default().rotation);
+        Picture::of_mesh(file, size.unwrap_or(SIZE), &View { is_flat, rotation })
     } else {
         Picture::of_map(file, size, flip_green)
     };
@@ -166,7 +199,7 @@ fn of_file(file: InputFile, size: Option<usize>, flip_green: bool) -> Result<Obj
 }
 
 #[cfg(not(feature = "generate"))]
-fn of_file(file: InputFile, _: Option<usize>, _: bool) -> Result<ObjectView> {
+fn of_file(file: InputFile, _: ObjectOptions) -> Result<ObjectView> {
     let remedy = "build with the feature `generate`, or leave the object out";
     Err(Error::new("this build reads no meshes and no normal maps", remedy).in_file(file.path()))
 }

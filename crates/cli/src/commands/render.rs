@@ -3,7 +3,7 @@
 use super::choices::Choices;
 use super::highlights::{HighlightInputs, estimate_note, needed};
 use super::options::{
-    Green, Inputs, Sources, TableChoice, WindowChoice, choice, count, exposure, input_file,
+    Green, Inputs, Pose, Sources, TableChoice, WindowChoice, choice, count, exposure, input_file,
     sources, tolerance,
 };
 use clap::builder::TypedValueParser;
@@ -13,7 +13,7 @@ use eigenshade::object::Matcap;
 use eigenshade::screen::{Exposure, Tone};
 use eigenshade_cli::estimate::counted;
 use eigenshade_cli::messages::{Ringing, albedo_warning, dark_light_warning, print_message};
-use eigenshade_cli::object::{Object, ObjectView, SIZE};
+use eigenshade_cli::object::{Object, ObjectOptions, ObjectView, SIZE};
 use eigenshade_cli::output;
 use eigenshade_cli::picture::Pixel;
 use eigenshade_cli::picture_file::{Development, PictureFile};
@@ -57,6 +57,8 @@ pub struct Render {
     size: Option<usize>,
     #[command(flatten)]
     green: Green,
+    #[command(flatten)]
+    pose: Pose,
     /// Number format
     #[arg(short, long, value_enum, default_value_t = Format::F32)]
     format: Format,
@@ -170,18 +172,16 @@ impl Render {
             window.apply(channel);
         }
         let is_sphere = self.normals.as_os_str() == "sphere";
+        let options = self.pose.options(self.size, self.green);
         let object = match self.matcap {
             Some(radius) => {
                 let texels = Matcap::new(self.size.unwrap_or(SIZE)).map_err(fault)?;
                 Object::Matcap(texels.with_radius(radius).map_err(fault)?)
             }
-            None if is_sphere && !self.green.is_flipped => {
+            None if is_sphere && options == ObjectOptions::of_size(self.size) => {
                 Object::Sphere(self.size.unwrap_or(SIZE))
             }
-            None => {
-                let file = input_file(&self.normals);
-                Object::View(ObjectView::read(file, self.size, self.green.is_flipped)?)
-            }
+            None => Object::View(ObjectView::read(input_file(&self.normals), options)?),
         };
         let scene = Pair { table: &table, lights: &lights, materials: &materials, highlights };
         let (mut least, mut largest) = (f64::INFINITY, f64::NEG_INFINITY);

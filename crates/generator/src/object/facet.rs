@@ -227,6 +227,14 @@ impl Plane {
         (is_inside && !depth.is_nan()).then(|| depth.max(self.range[0]).min(self.range[1]))
     }
 
+    /// The weights of the corners at a point, which sum to 1; at the edge nearest to one outside.
+    /// `None` if the facet has no projected area.
+    pub(super) fn weights(&self, x: f64, y: f64) -> Option<[f64; 3]> {
+        let sides = self.sides(x, y).map(|side| side.max(0.0));
+        let sum = sides.iter().sum::<f64>();
+        (sum > 0.0).then(|| sides.map(|side| side / sum))
+    }
+
     /// Twice the area between each edge and a point, positive on the facet's side. Even when
     /// rounded, it never falls and rises again along a row or a column.
     pub(super) fn sides(&self, x: f64, y: f64) -> [f64; 3] {

@@ -1,20 +1,21 @@
-//! Wavefront files (.obj): corners and faces, read line by line.
+//! Wavefront files (.obj): corners, normals and faces, read line by line.
 
-use crate::object::mesh_data::{Mesh, append_line, broken};
+use crate::object::mesh_data::{Attribute, MOST, Mesh, append_line, broken, fan};
 use eigenshade_model::error::Result;
 use eigenshade_model::inputs::input_file::InputFile;
 
 /// The triangles of a Wavefront file; polygons are cut into fans.
 ///
-/// In `f 1/2/3` the first number is a corner, counted from 1, or backward from the latest corner if
-/// it is negative. Lines other than `v` and `f` are ignored; surfaces among them are counted in a
-/// warning.
+/// In `f 1/2/3` the first number is a corner and the last one a normal, both counted from 1, or
+/// backward from the latest one if negative. Lines other than `v`, `vn` and `f` are ignored;
+/// surfaces among them are counted in a warning.
 pub(crate) fn read(file: &InputFile) -> Result<Mesh> {
     // Count first: a growing list takes three times the memory.
-    let (mut corners, mut triangles, mut surfaces) = (0, 0, 0);
+    let (mut all, mut triangles, mut surfaces) = ([0; 2], 0, 0);
     each_line(file, |words| {
         match words {
-            ["v", ..] => corners += 1,
+            ["v", ..] => all[0] += 1,
+            ["vn", ..] => all[1] += 1,
             ["f", polygon @ ..] => triangles += (polygon.len() as u64).saturating_sub(2),
             ["surf" | "bzp" | "bsp" | "cdp", ..] => surfaces += 1,
             _ => {}
@@ -24,24 +25,41 @@ pub(crate) fn read(file: &InputFile) -> Result<Mesh> {
     if surfaces > 0 {
         file.warn(format!("free-form surfaces are ignored: {surfaces}; export them as triangles"));
     }
-    let mut mesh = Mesh::with_room(file, corners, triangles)?;
+    let mut mesh = Mesh::with_room(file, all[0], triangles)?;
+    file.at_most(all[1], 3 * MOST, "normals")?;
     each_line(file, |words| {
-        if let ["v", numbers @ ..] = words {
-            mesh.corners.push(corner(numbers)?);
+        match words {
+            ["v", numbers @ ..] => mesh.corners.push(three("v", numbers)?),
+            ["vn", numbers @ ..] => {
+                mesh.normals.values.push(three("vn", numbers)?.map(|number| number as f32));
+            }
+            _ => {}
         }
         Ok(())
     })?;
     // A face may name corners that follow it.
-    let (mut polygon, mut before) = (Vec::new(), 0);
+    let (mut polygon, mut normals, mut before) = (Vec::new(), Vec::new(), [0; 2]);
     each_line(file, |words| {
         match words {
-            ["v", ..] => before += 1,
-            ["f", numbers @ ..] => {
+            ["v", ..] => before[0] += 1,
+            ["vn", ..] => before[1] += 1,
+            ["f", corners @ ..] => {
                 polygon.clear();
-                for number in numbers {
-                    polygon.push(place(number, before, corners)?);
+                normals.clear();
+                for corner in corners {
+                    let mut numbers = corner.split('/');
+                    let number = numbers.next().unwrap_or_default();
+                    polygon.push(place(corner, number, before[0], (all[0], "corners"))?);
+                    let normal = match numbers.nth(1) {
+                        None | Some("") => Attribute::<3>::NONE,
+                        Some(number) => place(corner, number, before[1], (all[1], "normals"))?,
+                    };
+                    normals.push(normal);
                 }
-                mesh.push_polygon(file, &polygon)?;
+                let first = mesh.push_polygon(file, &polygon)?;
+                if all[1] > 0 {
+                    mesh.normals.places.extend(fan(&normals, first));
+                }
             }
             _ => {}
         }
@@ -83,10 +101,11 @@ fn each_line(file: &InputFile, mut with: impl FnMut(&[&str]) -> Result<()>) -> R
     }
 }
 
-fn corner(numbers: &[&str]) -> Result<[f64; 3]> {
+/// The three numbers of a line that begins with `word`.
+fn three(word: &str, numbers: &[&str]) -> Result<[f64; 3]> {
     let wrong = || {
         broken(format!(
-            "it is not a complete OBJ file (no three numbers in `v {}`)",
+            "it is not a complete OBJ file (no three numbers in `{word} {}`)",
             numbers.join(" ")
         ))
     };
@@ -94,13 +113,14 @@ fn corner(numbers: &[&str]) -> Result<[f64; 3]> {
     Ok([axis(0)?, axis(1)?, axis(2)?])
 }
 
-/// The index of a corner, from 0, for `1`, `1/2`, `1//3`, `1/2/3` or `-1`.
-fn place(text: &str, before: i64, all: u64) -> Result<u32> {
+/// The index, from 0, of one of `all` things that `corner` names by a number, of which there are
+/// `before`.
+fn place(corner: &str, number: &str, before: i64, (all, things): (u64, &str)) -> Result<u32> {
     let wrong = || {
-        broken(format!("it is not a complete OBJ file (`{text}` is not one of its {all} corners)"))
+        let what = format!("`{corner}` is not one of its {all} {things}");
+        broken(format!("it is not a complete OBJ file ({what})"))
     };
-    let first = text.split('/').next().unwrap_or_default();
-    let number: i64 = first.parse().map_err(|_| wrong())?;
+    let number: i64 = number.parse().map_err(|_| wrong())?;
     let place = if number < 0 { number + before } else { number - 1 };
     let place = u32::try_from(place).map_err(|_| wrong())?;
     if u64::from(place) < all { Ok(place) } else { Err(wrong()) }

@@ -52,7 +52,12 @@ fn decode(mut reader: impl BufRead, length: u64, file: &InputFile) -> Result<Mes
             let mut push = || {
                 let row = rows.next(element).map_err(fault)?;
                 match name.as_str() {
-                    "vertex" => mesh.corners.push(row.corner()?),
+                    "vertex" => {
+                        mesh.corners.push(row.corner()?);
+                        if let [Some(x), Some(y), Some(z)] = row.normal {
+                            mesh.normals.values.push([x, y, z]);
+                        }
+                    }
                     "face" => {
                         let corners = row.corners()?.iter().map(|number| corner(*number));
                         mesh.push_polygon(file, &corners.collect::<Result<Vec<_>>>()?)?;
@@ -200,6 +205,8 @@ fn row_of_text(line: &str, element: &ElementDef) -> std::result::Result<Element,
 struct Element {
     /// x, y and z.
     corner: [Option<f64>; 3],
+    /// nx, ny and nz.
+    normal: [Option<f32>; 3],
     /// The list of corners.
     list: Option<Vec<f64>>,
 }
@@ -224,6 +231,8 @@ macro_rules! setters {
         $(fn $set(&mut self, name: &str, number: $number) -> PropertyAccessResult {
             if let Some(axis) = ["x", "y", "z"].iter().position(|axis| *axis == name) {
                 self.corner[axis] = Some(f64::from(number));
+            } else if let Some(axis) = ["nx", "ny", "nz"].iter().position(|axis| *axis == name) {
+                self.normal[axis] = Some(number as f32);
             }
             PropertyAccessResult::Set
         }
