@@ -82,12 +82,21 @@ impl ObjectOptions {
         Self { size, ..Self::default() }
     }
 
+    /// How a mesh is looked at.
+    #[cfg(feature = "generate")]
+    #[must_use]
+    pub fn view(&self) -> eigenshade_generator::object::surface::View {
+        let view = eigenshade_generator::object::surface::View::default();
+        let rotation = self.rotation.unwrap_or(view.rotation);
+        eigenshade_generator::object::surface::View { is_flat: self.is_flat, rotation }
+    }
+
     /// Fails if an option is not for this kind of object.
-    fn check(&self, file: &InputFile) -> Result<()> {
+    pub fn check(&self, file: &InputFile) -> Result<()> {
         if self.flip_green && file.extension() != "png" {
             return Err(flips_no_map(file));
         }
-        if (self.is_flat || self.rotation.is_some()) && !file.is_mesh() {
+        if (self.is_flat || self.rotation.is_some()) && !is_mesh(file) {
             let what = "--flat, --view and --rotate-object are for a mesh";
             return Err(Error::new(what, "leave them out").in_file(file.path()));
         }
@@ -96,16 +105,17 @@ impl ObjectOptions {
 }
 
 impl ObjectView {
-    /// The object of a file: a normal map (.png) or a mesh (.obj, .stl, .ply) from +z; or a sphere,
-    /// if its name is `sphere`. Fails if the file has another extension, cannot be read, shows
+    /// The object of a file: a normal map (.png) or a mesh (.obj, .stl, .ply, .glb, .gltf) from +z; or
+    /// a sphere, if its name is `sphere`. Fails if the file has another extension, cannot be read, shows
     /// nothing or is smaller than the size asked for, or if an option is not for such an object.
     pub fn read(file: InputFile, options: ObjectOptions) -> Result<Self> {
         options.check(&file)?;
         if file.path().as_os_str() == "sphere" {
             return Ok(Self::sphere(options.size.unwrap_or(SIZE)));
         }
-        if file.extension() != "png" && !file.is_mesh() {
-            let remedy = "use `sphere`, a normal map (.png) or a mesh (.obj, .stl, .ply)";
+        if file.extension() != "png" && !is_mesh(&file) {
+            let remedy =
+                "use `sphere`, a normal map (.png) or a mesh (.obj, .stl, .ply, .glb, .gltf)";
             return Err(Error::new("unknown kind of object", remedy).in_file(file.path()));
         }
         of_file(file, options)
@@ -161,6 +171,15 @@ impl ObjectView {
     }
 }
 
+/// Whether a file has the extension of a mesh, or of glTF.
+fn is_mesh(file: &InputFile) -> bool {
+    file.is_mesh() || is_gltf(file)
+}
+
+fn is_gltf(file: &InputFile) -> bool {
+    ["glb", "gltf"].contains(&file.extension().as_str())
+}
+
 /// The error of flipping green in anything but a normal map.
 pub(crate) fn flips_no_map(file: &InputFile) -> Error {
     Error::new("--flip-green is for a normal map (.png)", "leave it out").in_file(file.path())
@@ -179,11 +198,12 @@ fn code([x, y, z]: [f64; 3]) -> Result<[u8; 2]> {
 #[cfg(feature = "generate")]
 fn of_file(file: InputFile, options: ObjectOptions) -> Result<ObjectView> {
     use eigenshade_generator::object::picture::{Picture, Shown};
-    use eigenshade_generator::object::surface::View;
-    let ObjectOptions { size, flip_green, is_flat, rotation } = options;
+    let ObjectOptions { size, flip_green, .. } = options;
+    if is_gltf(&file) {
+        return of_gltf(&file, options);
+    }
     let picture = if file.is_mesh() {
-        let rotation = rotation.unwrap_or(View::default().rotation);
-        Picture::of_mesh(file, size.unwrap_or(SIZE), &View { is_flat, rotation })
+        Picture::of_mesh(file, size.unwrap_or(SIZE), &options.view())
     } else {
         Picture::of_map(file, size, flip_green)
     };
@@ -196,6 +216,41 @@ fn of_file(file: InputFile, options: ObjectOptions) -> Result<ObjectView> {
         normals.push(normal);
     }
     Ok(ObjectView { width, height, pixels, normals })
+}
+
+/// The mean normals of the pixels of a glTF file, whatever its materials.
+#[cfg(feature = "generate")]
+fn of_gltf(file: &InputFile, options: ObjectOptions) -> Result<ObjectView> {
+    use eigenshade_asset::{asset::Asset, texels::Texels};
+    use eigenshade_model::inputs::normals::visible;
+    let asset = Asset::read(file)?.unwrap_or_default();
+    let found = Texels::of(file, &asset, options.size.unwrap_or(SIZE), &options.view())?;
+    let mut view = ObjectView {
+        width: found.size,
+        height: found.size,
+        pixels: Vec::new(),
+        normals: Vec::new(),
+    };
+    let mut texels = found.texels.iter().zip(&found.shares);
+    for covered in &found.pixels {
+        let mut sum = [0.0; 3];
+        for (texel, share) in texels.by_ref().take(covered.texels) {
+            let parts = sum.iter_mut().zip(texel.normal);
+            parts.for_each(|(sum, part)| *sum += f64::from(*share) * part);
+        }
+        let Ok(normal) = visible(sum) else { continue };
+        view.pixels.push(pixel_of(covered));
+        view.normals.push(normal);
+    }
+    Ok(view)
+}
+
+/// The pixel of a picture.
+#[cfg(feature = "generate")]
+#[must_use]
+pub fn pixel_of(covered: &eigenshade_asset::texels::Covered) -> Pixel {
+    let eigenshade_asset::texels::Covered { column, row, coverage, .. } = *covered;
+    Pixel { column, row, coverage, is_inside: coverage >= 0.5 }
 }
 
 #[cfg(not(feature = "generate"))]

@@ -10,7 +10,7 @@ use std::path::Path;
 /// Degrees between the normals of a sphere of 512 triangles and the true ones at the same place,
 /// rms over its picture: chords, whose points are a little inside the sphere, and the rim, where
 /// the outline of the mesh is.
-const SMOOTH_SPHERE: f64 = 1.0;
+const SMOOTH_SPHERE: f64 = 1.5;
 
 /// The same of its flat facets, at least.
 const FLAT_SPHERE: f64 = 3.5;

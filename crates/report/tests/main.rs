@@ -14,6 +14,7 @@ mod palette_errors;
 mod paper_oracle;
 mod paper_statements;
 mod reading;
+mod roughness_weights;
 use eigenshade_generator::light::environment::EnvironmentMap;
 use eigenshade_generator::material::brdf::{Brdf, Surface};
 use eigenshade_generator::material::files::{Source, read};

@@ -25,7 +25,7 @@ const PER_LINE: usize = 20;
 /// `normal_map_F` for `eigenshade.h`. Normals are within 0.51 degrees.
 #[derive(Args, Debug)]
 pub struct PackNormals {
-    /// `sphere`, a normal map (.png), or a mesh (.obj, .stl, .ply)
+    /// `sphere`, a normal map (.png), or a mesh (.obj, .stl, .ply, .glb, .gltf)
     #[arg(value_name = "NORMALS")]
     normals: PathBuf,
     /// Pixels across the longer side, 2 to 4096; a normal map can only shrink [default: 240, or all

@@ -29,7 +29,13 @@ pub fn read(file: impl Into<InputFile>) -> Result<Vec<([f64; 3], f64)>> {
     seen(&file).map_err(|error| error.in_file(file.path()))
 }
 
-fn mesh(file: &InputFile) -> Result<Mesh> {
+/// The triangles in a file, and what it states at their corners.
+///
+/// # Errors
+///
+/// If the file is broken or does not match its header, a face has fewer than three corners or is not
+/// covered by a fan of triangles, or there are more than 2²² corners or triangles.
+pub fn load(file: &InputFile) -> Result<Mesh> {
     match file.extension().as_str() {
         "obj" => mesh_obj::read(file),
         "stl" => mesh_stl::read(file),
@@ -43,7 +49,7 @@ fn mesh(file: &InputFile) -> Result<Mesh> {
 ///
 /// Those of [`read`].
 pub(crate) fn surface(file: &InputFile, view: &View) -> Result<Surface> {
-    let surface = Surface::new(file, &mesh(file)?, view)?;
+    let surface = Surface::new(file, &load(file)?, view)?;
     surface.check_front()?;
     Ok(surface)
 }
@@ -107,7 +113,7 @@ mod tests {
         for (name, text) in [("net.obj", obj), ("net.ply", ply), ("net.stl", stl)] {
             let path = folder.path().join(name);
             std::fs::write(&path, text).expect("a file");
-            let mesh = mesh(&path.into()).expect("a mesh");
+            let mesh = load(&path.into()).expect("a mesh");
             let found: Result<Vec<_>> = mesh.triangles().collect();
             assert_eq!(found.as_ref(), Ok(&expected), "{name}");
             let kept = 24 * mesh.corners.capacity() + 12 * mesh.triangles.capacity();

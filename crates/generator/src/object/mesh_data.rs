@@ -24,6 +24,14 @@ pub struct Mesh {
     pub triangles: Vec<[u32; 3]>,
     /// Normals, of any length.
     pub normals: Attribute<3>,
+    /// Texture coordinates, (0, 0) at the upper left corner of a texture.
+    pub coordinates: Attribute<2>,
+    /// Linear colors and opacities.
+    pub colors: Attribute<4>,
+    /// The first triangle of each material, and its name.
+    pub materials: Vec<(u32, String)>,
+    /// The names of files of materials.
+    pub libraries: Vec<String>,
 }
 
 /// Numbers at the corners of triangles; empty in a mesh without.

@@ -7,7 +7,22 @@ use crate::object::smooth::corner_normals;
 use crate::object::visibility::faces_away;
 use eigenshade_model::error::{Error, Result};
 use eigenshade_model::inputs::input_file::InputFile;
-use eigenshade_model::vector::dot;
+use eigenshade_model::vector::{cross, dot};
+
+/// The height of a facet, relative to its longest side, below which its direction is that of the
+/// rounding of its corners.
+const THIN: f64 = 1e-5;
+
+fn is_thin(facet: &Facet) -> bool {
+    let [a, b, c] = facet.corners;
+    let square = |from: [f64; 3], to: [f64; 3]| {
+        (0..3).map(|axis| (to[axis] - from[axis]).powi(2)).sum::<f64>()
+    };
+    let longest = square(a, b).max(square(b, c)).max(square(c, a));
+    let edge = |to: [f64; 3]| [0, 1, 2].map(|axis| to[axis] - a[axis]);
+    let area = cross(edge(b), edge(c));
+    dot(area, area).sqrt() < THIN * longest
+}
 
 /// How a mesh is looked at.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -48,7 +63,8 @@ impl Surface {
     /// The surface of a mesh, in a unit in which no coordinate exceeds 1.
     ///
     /// Normals are those of the file. A corner without, or whose normal has no direction or points
-    /// to the back of its facet, has the one of [`corner_normals`]; a warning counts the latter.
+    /// to the back of its facet, has the one of [`corner_normals`]; a warning counts the latter. At
+    /// slivers, whose direction is that of rounding, the file's normals count.
     /// Triangles without an area are left out.
     ///
     /// # Errors
@@ -93,10 +109,11 @@ impl Surface {
         let mut normals = Vec::with_capacity(self.facets.len());
         for (facet, number) in self.facets.iter().zip(&self.triangles) {
             let number = *number as usize;
+            let is_thin = is_thin(facet);
             normals.push(mesh.normals.at(number, mesh.triangles[number]).map(|of_file| {
                 let normal = view.turned(of_file?.map(f64::from));
                 let length = dot(normal, normal).sqrt();
-                let is_right = length.is_normal() && dot(normal, facet.normal) > 0.0;
+                let is_right = length.is_normal() && (is_thin || dot(normal, facet.normal) > 0.0);
                 wrong += usize::from(!is_right);
                 is_right.then(|| normal.map(|x| x / length))
             }));
