@@ -132,7 +132,7 @@ impl Reader<'_> {
     ) -> Result<()> {
         let normals = self.attribute::<3>(primitive, Semantic::Normals, count)?;
         let tangents = self.attribute::<4>(primitive, Semantic::Tangents, count)?;
-        let coordinates = [0, 1].map(|set| Semantic::TexCoords(set));
+        let coordinates = [0, 1].map(Semantic::TexCoords);
         let coordinates =
             coordinates.map(|semantic| self.attribute::<2>(primitive, semantic, count));
         let colors = match primitive.get(&Semantic::Colors(0)) {

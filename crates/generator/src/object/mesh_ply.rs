@@ -267,7 +267,7 @@ macro_rules! setters {
             if let Some(axis) = ["x", "y", "z"].iter().position(|axis| *axis == name) {
                 self.corner[axis] = Some(f64::from(number));
             } else if let Some(axis) = ["nx", "ny", "nz"].iter().position(|axis| *axis == name) {
-                self.normal[axis] = Some(number as f32);
+                self.normal[axis] = Some(f64::from(number) as f32);
             } else if let Some(channel) = COLORS.iter().position(|channel| *channel == name) {
                 self.color[channel] = Some(share(f64::from(number), full(&ScalarType::$kind), channel == 3));
             }
