@@ -61,24 +61,64 @@ pub struct ObjectView {
     pub normals: Vec<[f64; 3]>,
 }
 
+/// How the object of a file is drawn.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct ObjectOptions {
+    /// Pixels across; by default [`SIZE`], and those of the file for a normal map, which can only
+    /// shrink.
+    pub size: Option<usize>,
+    /// Whether green points down in a normal map.
+    pub flip_green: bool,
+    /// Whether the facets of a mesh have their own normals alone.
+    pub is_flat: bool,
+    /// The rotation of a mesh, by rows.
+    pub rotation: Option<[[f64; 3]; 3]>,
+}
+
+impl ObjectOptions {
+    /// The default options with this number of pixels across.
+    #[must_use]
+    pub fn of_size(size: Option<usize>) -> Self {
+        Self { size, ..Self::default() }
+    }
+
+    /// How a mesh is looked at.
+    #[cfg(feature = "generate")]
+    #[must_use]
+    pub fn view(&self) -> eigenshade_generator::object::surface::View {
+        let view = eigenshade_generator::object::surface::View::default();
+        let rotation = self.rotation.unwrap_or(view.rotation);
+        eigenshade_generator::object::surface::View { is_flat: self.is_flat, rotation }
+    }
+
+    /// Fails if an option is not for this kind of object.
+    pub fn check(&self, file: &InputFile) -> Result<()> {
+        if self.flip_green && file.extension() != "png" {
+            return Err(flips_no_map(file));
+        }
+        if (self.is_flat || self.rotation.is_some()) && !is_mesh(file) {
+            let what = "--flat, --view and --rotate-object are for a mesh";
+            return Err(Error::new(what, "leave them out").in_file(file.path()));
+        }
+        Ok(())
+    }
+}
+
 impl ObjectView {
-    /// The object of a file in `size` pixels across: a normal map (.png) or a mesh (.obj, .stl,
-    /// .ply) from +z; or a sphere, if its name is `sphere`. The default size is [`SIZE`], and that
-    /// of the file for a normal map, which can only shrink, and whose green may point down. Fails if
-    /// the file has another extension, cannot be read, shows nothing or is smaller than `size`, or
-    /// if green is to be flipped in anything but a normal map.
-    pub fn read(file: InputFile, size: Option<usize>, flip_green: bool) -> Result<Self> {
-        if flip_green && file.extension() != "png" {
-            return Err(flips_no_map(&file));
-        }
+    /// The object of a file: a normal map (.png) or a mesh (.obj, .stl, .ply, .glb, .gltf) from +z; or
+    /// a sphere, if its name is `sphere`. Fails if the file has another extension, cannot be read, shows
+    /// nothing or is smaller than the size asked for, or if an option is not for such an object.
+    pub fn read(file: InputFile, options: ObjectOptions) -> Result<Self> {
+        options.check(&file)?;
         if file.path().as_os_str() == "sphere" {
-            return Ok(Self::sphere(size.unwrap_or(SIZE)));
+            return Ok(Self::sphere(options.size.unwrap_or(SIZE)));
         }
-        if file.extension() != "png" && !file.is_mesh() {
-            let remedy = "use `sphere`, a normal map (.png) or a mesh (.obj, .stl, .ply)";
+        if file.extension() != "png" && !is_mesh(&file) {
+            let remedy =
+                "use `sphere`, a normal map (.png) or a mesh (.obj, .stl, .ply, .glb, .gltf)";
             return Err(Error::new("unknown kind of object", remedy).in_file(file.path()));
         }
-        of_file(file, size, flip_green)
+        of_file(file, options)
     }
 
     /// A sphere, as in [`SphereView`].
@@ -131,6 +171,15 @@ impl ObjectView {
     }
 }
 
+/// Whether a file has the extension of a mesh, or of glTF.
+fn is_mesh(file: &InputFile) -> bool {
+    file.is_mesh() || is_gltf(file)
+}
+
+fn is_gltf(file: &InputFile) -> bool {
+    ["glb", "gltf"].contains(&file.extension().as_str())
+}
+
 /// The error of flipping green in anything but a normal map.
 pub(crate) fn flips_no_map(file: &InputFile) -> Error {
     Error::new("--flip-green is for a normal map (.png)", "leave it out").in_file(file.path())
@@ -147,10 +196,14 @@ fn code([x, y, z]: [f64; 3]) -> Result<[u8; 2]> {
 
 /// The object of a mesh or a normal map.
 #[cfg(feature = "generate")]
-fn of_file(file: InputFile, size: Option<usize>, flip_green: bool) -> Result<ObjectView> {
+fn of_file(file: InputFile, options: ObjectOptions) -> Result<ObjectView> {
     use eigenshade_generator::object::picture::{Picture, Shown};
+    let ObjectOptions { size, flip_green, .. } = options;
+    if is_gltf(&file) {
+        return of_gltf(&file, options);
+    }
     let picture = if file.is_mesh() {
-        Picture::of_mesh(file, size.unwrap_or(SIZE))
+        Picture::of_mesh(file, size.unwrap_or(SIZE), &options.view())
     } else {
         Picture::of_map(file, size, flip_green)
     };
@@ -165,8 +218,43 @@ fn of_file(file: InputFile, size: Option<usize>, flip_green: bool) -> Result<Obj
     Ok(ObjectView { width, height, pixels, normals })
 }
 
+/// The mean normals of the pixels of a glTF file, whatever its materials.
+#[cfg(feature = "generate")]
+fn of_gltf(file: &InputFile, options: ObjectOptions) -> Result<ObjectView> {
+    use eigenshade_asset::{asset::Asset, texels::Texels};
+    use eigenshade_model::inputs::normals::visible;
+    let asset = Asset::read(file)?.unwrap_or_default();
+    let found = Texels::of(file, &asset, options.size.unwrap_or(SIZE), &options.view())?;
+    let mut view = ObjectView {
+        width: found.size,
+        height: found.size,
+        pixels: Vec::new(),
+        normals: Vec::new(),
+    };
+    let mut texels = found.texels.iter().zip(&found.shares);
+    for covered in &found.pixels {
+        let mut sum = [0.0; 3];
+        for (texel, share) in texels.by_ref().take(covered.texels) {
+            let parts = sum.iter_mut().zip(texel.normal);
+            parts.for_each(|(sum, part)| *sum += f64::from(*share) * part);
+        }
+        let Ok(normal) = visible(sum) else { continue };
+        view.pixels.push(pixel_of(covered));
+        view.normals.push(normal);
+    }
+    Ok(view)
+}
+
+/// The pixel of a picture.
+#[cfg(feature = "generate")]
+#[must_use]
+pub fn pixel_of(covered: &eigenshade_asset::texels::Covered) -> Pixel {
+    let eigenshade_asset::texels::Covered { column, row, coverage, .. } = *covered;
+    Pixel { column, row, coverage, is_inside: coverage >= 0.5 }
+}
+
 #[cfg(not(feature = "generate"))]
-fn of_file(file: InputFile, _: Option<usize>, _: bool) -> Result<ObjectView> {
+fn of_file(file: InputFile, _: ObjectOptions) -> Result<ObjectView> {
     let remedy = "build with the feature `generate`, or leave the object out";
     Err(Error::new("this build reads no meshes and no normal maps", remedy).in_file(file.path()))
 }

@@ -19,6 +19,7 @@ mod limits;
 mod materials;
 mod objects;
 mod outputs;
+mod own_materials;
 mod pictures;
 mod read;
 mod results;

@@ -6,7 +6,7 @@ use crate::support::files::{decoded, normal_map, obj, ply, stl};
 use eigenshade::object::{Matcap, NormalMap, NormalPixel};
 use eigenshade::screen::{Display, Exposure, Tone};
 use eigenshade::{Normal, presets, sphere};
-use eigenshade_cli::object::ObjectView;
+use eigenshade_cli::object::{ObjectOptions, ObjectView};
 use eigenshade_generator::light::environment::EnvironmentMap;
 use eigenshade_testing::vectors::{Vector, unit};
 use eigenshade_testing::{fixtures, largest};
@@ -194,7 +194,8 @@ fn any_object_is_rendered() {
         let (width, _, bytes) = decoded(&folder.path("p.png"));
         assert_eq!((width, bytes.len()), (size, 4 * (size * size) as usize));
         let asked = (!options.is_empty()).then_some(size as usize);
-        let view = ObjectView::read(folder.path(input).into(), asked, false).unwrap();
+        let view =
+            ObjectView::read(folder.path(input).into(), ObjectOptions::of_size(asked)).unwrap();
         assert_same_codes(&bytes, &drawn(&view, &scene, Tone::Filmic, 1.5), input);
         if input == "e.obj" {
             let between = bytes.chunks(4).filter(|pixel| ![0, 255].contains(&pixel[3])).count();

@@ -64,12 +64,14 @@ pub mod object {
     pub mod facet;
     pub mod geometry;
     pub mod mesh;
-    pub(crate) mod mesh_data;
+    pub mod mesh_data;
     pub(crate) mod mesh_obj;
     pub(crate) mod mesh_ply;
     pub(crate) mod mesh_stl;
     pub mod normal_map;
     pub mod picture;
+    pub mod smooth;
+    pub mod surface;
     pub mod visibility;
 }
 

@@ -12,6 +12,7 @@ mod material_files;
 mod material_fits;
 mod mesh_files;
 mod shapes;
+mod smooth_normals;
 mod special_functions;
 mod statistics;
 mod visible_facets;

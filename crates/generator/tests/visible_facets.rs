@@ -5,6 +5,7 @@ use crate::shapes::{Triangle, cone, cup, ellipsoid, file, rectangle, torus, turn
 use eigenshade_generator::object::facet::Facet;
 use eigenshade_generator::object::mesh;
 use eigenshade_generator::object::picture::Picture;
+use eigenshade_generator::object::surface::View;
 use eigenshade_generator::object::visibility::seen_shares;
 use eigenshade_model::error::Error;
 use std::f64::consts::PI;
@@ -326,7 +327,8 @@ fn errors(triangles: &[Triangle]) -> Vec<Option<String>> {
     let folder = tempfile::tempdir().expect("a folder");
     let path = file(folder.path(), triangles);
     let text = |error: Error| error.to_string().split_once(": ").expect("a path").1.to_owned();
-    let pictures = [2, 7, 40, 250].map(|size| Picture::of_mesh(&path, size).err().map(text));
+    let pictures =
+        [2, 7, 40, 250].map(|size| Picture::of_mesh(&path, size, &View::default()).err().map(text));
     [mesh::read(&path).err().map(text)].into_iter().chain(pictures).collect()
 }
 

@@ -6,6 +6,7 @@ use crate::error::{Error, Result};
 use crate::inputs::coefficient_csv::{read_lights, read_materials};
 use crate::inputs::gloss_csv::read_glosses;
 use crate::inputs::input_file::InputFile;
+use crate::inputs::sheet::Sheet;
 use crate::inputs::source_csv::read_sources;
 use crate::inputs::source_error_csv::read_source_errors;
 use crate::screen::ScreenError;
@@ -32,6 +33,7 @@ const COLORED_12: &str = include_str!("../tables/inputs/merl-12.csv");
 const SOURCES: &str = include_str!("../tables/inputs/sources.csv");
 const SOURCE_ERRORS: &str = include_str!("../tables/inputs/sources.errors.csv");
 const GLOSS: &str = include_str!("../tables/inputs/gloss.csv");
+const ROUGHNESS_WEIGHTS: &str = include_str!("../tables/inputs/roughness-weights.csv");
 const ERRORS: &str = include_str!("../tables/inputs/merl.errors.csv");
 
 /// Shipped materials that pictures and reports show, from matte to specular.
@@ -83,6 +85,20 @@ pub fn source_errors() -> Result<Vec<SourceError>> {
 /// As [`read_glosses`], for the compiled-in file.
 pub fn glosses() -> Result<Vec<NamedGloss>> {
     read_glosses(InputFile::of_text(GLOSS, "tables/inputs/gloss.csv"))
+}
+
+/// The weights of the images of five roughnesses, for equally spaced roughnesses from 0.2 to 1,
+/// `tables/inputs/roughness-weights.csv`.
+///
+/// # Errors
+///
+/// As [`Sheet::read`], for the compiled-in file.
+pub fn roughness_weights() -> Result<Vec<[f64; 5]>> {
+    let file = InputFile::of_text(ROUGHNESS_WEIGHTS, "tables/inputs/roughness-weights.csv");
+    let names = ["w1", "w2", "w3", "w4", "w5"];
+    let sheet = Sheet::read(file, "roughness,w1,w2,w3,w4,w5")?;
+    let columns = sheet.columns(names).ok_or_else(|| sheet.wrong_header("`w1` to `w5`"))?;
+    sheet.rows().map(|row| row.numbers(columns)).collect()
 }
 
 /// The materials in `tables/inputs/materials.csv`.

@@ -15,5 +15,6 @@ pub mod palette_errors;
 pub mod paper;
 pub mod reading;
 pub mod reference;
+pub mod roughness_weights;
 pub mod sheet;
 pub mod stability;

@@ -24,6 +24,8 @@ pub mod owned_basis;
 
 pub mod shader;
 
+pub mod textured;
+
 pub mod methods;
 
 pub mod integer_shader;

@@ -15,6 +15,7 @@ pub mod glossy;
 pub mod images;
 pub mod pictures;
 
+pub mod glb;
 pub mod golden;
 
 /// The root of the repository.

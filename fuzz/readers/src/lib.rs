@@ -1,9 +1,12 @@
 //! Invariants of the host's readers for any bytes: an error of one line with a remedy, or numbers
 //! as documented; never a panic.
 
+use eigenshade_asset::asset::Asset;
+use eigenshade_asset::texels::Texels;
 use eigenshade_generator::light::environment::EnvironmentMap;
 use eigenshade_generator::material::{analytic, measurements, merl as merl_file};
 use eigenshade_generator::object::geometry::WeightedNormals;
+use eigenshade_generator::object::surface::View;
 use eigenshade_generator::object::{density, mesh, normal_map};
 use eigenshade_generator::{png_samples, scene_file};
 use eigenshade_model::error::{Error, Result};
@@ -17,7 +20,7 @@ use std::sync::OnceLock;
 pub type Reader = fn(&[u8]);
 
 /// The readers by name.
-pub const READERS: [(&str, Reader); 12] = [
+pub const READERS: [(&str, Reader); 13] = [
     ("exr", |bytes| map("exr", bytes)),
     ("hdr", |bytes| map("hdr", bytes)),
     ("pfm", |bytes| map("pfm", bytes)),
@@ -25,6 +28,7 @@ pub const READERS: [(&str, Reader); 12] = [
     ("obj", |bytes| weighted(mesh::read(file("obj", bytes)))),
     ("stl", |bytes| weighted(mesh::read(file("stl", bytes)))),
     ("ply", |bytes| weighted(mesh::read(file("ply", bytes)))),
+    ("glb", glb),
     ("csv", csv),
     ("toml", toml),
     ("merl", merl),
@@ -158,6 +162,18 @@ fn map(ending: &str, bytes: &[u8]) {
 fn weighted(read: Result<Vec<([f64; 3], f64)>>) {
     if let Some(object) = accepted(read).and_then(|pairs| accepted(WeightedNormals::new(pairs))) {
         object.normals().iter().for_each(visible);
+    }
+}
+
+fn glb(bytes: &[u8]) {
+    let file = file("glb", bytes).into();
+    let drawn = Asset::read(&file)
+        .and_then(|asset| Texels::of(&file, &asset.unwrap_or_default(), 8, &View::default()));
+    for texel in accepted(drawn).into_iter().flat_map(|drawn| drawn.texels) {
+        visible(&texel.normal);
+        let shares = [texel.matte, texel.reflectance].concat();
+        assert!((0.0..=1.0).contains(&texel.roughness), "{texel:?}");
+        assert!(shares.iter().all(|share| (-1e-6..=1.000_001).contains(share)), "{texel:?}");
     }
 }
 

@@ -45,7 +45,7 @@ pub struct Export {
     #[arg(long, value_name = "K", value_parser = count(1, MAX_SOURCES as u64))]
     sources: Option<usize>,
     /// Add eigenimages, or the images of a scene, at normals: a normals CSV, `sphere`, a normal map
-    /// (.png) or a mesh (.obj, .stl, .ply); for npz
+    /// (.png) or a mesh (.obj, .stl, .ply, .glb, .gltf); for npz
     #[arg(short, long, value_name = "NORMALS")]
     normals: Option<PathBuf>,
     /// Pixels across the longer side of --normals, 2 to 4096 [default: 64; all of a normal map]

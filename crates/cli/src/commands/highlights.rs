@@ -77,6 +77,12 @@ fn shining(
 }
 
 impl HighlightInputs {
+    /// These sources on this gloss.
+    #[cfg(feature = "generate")]
+    pub fn new(gloss: Gloss, sources: Vec<Source>) -> Self {
+        Self { gloss, sources }
+    }
+
     /// Up to `most` sources of the first light, which they are taken out of, for the first
     /// material. A matte material has none, with a note. Fails if the table has no gloss, the light
     /// has no sources, or the gloss of the material is not known.

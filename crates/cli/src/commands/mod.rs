@@ -27,6 +27,8 @@ mod read;
 #[cfg(feature = "generate")]
 mod read_answer;
 mod render;
+#[cfg(feature = "generate")]
+mod render_object;
 mod shade;
 mod shade_images;
 mod shader;

@@ -5,6 +5,7 @@ use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
 use eigenshade::Effect;
 use eigenshade::screen::Exposure;
 use eigenshade_cli::messages::print_message;
+use eigenshade_cli::object::ObjectOptions;
 use eigenshade_cli::presets::Source;
 use eigenshade_cli::table;
 use eigenshade_model::error::Result;
@@ -33,6 +34,63 @@ pub struct Green {
     /// Turn y of a normal map round, whose green points down, as in DirectX
     #[arg(long = "flip-green", requires = "normals")]
     pub is_flipped: bool,
+}
+
+/// How a mesh is drawn.
+#[derive(Args, Clone, Copy, Debug)]
+pub struct Pose {
+    /// Draw the facets of a mesh flat. Without, its normals are those of the file, or else smooth
+    /// across edges of up to 30 degrees
+    #[arg(long = "flat", requires = "normals")]
+    is_flat: bool,
+    /// The side of a mesh that the camera sees: from +z, -z, +x, -x, +y or -y, where y is up
+    #[arg(long, value_parser = views(), requires = "normals")]
+    view: Option<NamedView>,
+    /// Rotate a mesh by Rz(A) Ry(B) Rz(C) in the camera's frame, radians
+    #[arg(long, value_name = "A,B,C", value_parser = angles, allow_hyphen_values = true,
+        requires = "normals")]
+    rotate_object: Option<Rotation>,
+}
+
+/// A view, and the camera's axes in the mesh's frame.
+type NamedView = (&'static str, [[f64; 3]; 3]);
+
+fn views() -> impl TypedValueParser<Value = NamedView> {
+    let [x, y, z] = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
+    let back = |axis: [f64; 3]| axis.map(|component: f64| 0.0 - component);
+    choice([
+        ("front", "", ("front", [x, y, z])),
+        ("back", "", ("back", [back(x), y, back(z)])),
+        ("right", "", ("right", [back(z), y, x])),
+        ("left", "", ("left", [z, y, back(x)])),
+        ("top", "", ("top", [x, back(z), y])),
+        ("bottom", "", ("bottom", [x, z, back(y)])),
+    ])
+}
+
+impl Pose {
+    /// The options of an object with this size and this green channel.
+    pub fn options(&self, size: Option<usize>, green: Green) -> ObjectOptions {
+        let turn = self.rotate_object.map(Rotation::matrix);
+        let rotation = match (turn, self.view) {
+            (Some(turn), Some((_, view))) => Some(turn.map(|row| {
+                [0, 1, 2].map(|column: usize| (0..3).map(|k| row[k] * view[k][column]).sum())
+            })),
+            (turn, view) => turn.or(view.map(|(_, rotation)| rotation)),
+        };
+        ObjectOptions { size, flip_green: green.is_flipped, is_flat: self.is_flat, rotation }
+    }
+
+    /// The options as they are written, each behind a space.
+    #[cfg(feature = "generate")]
+    pub fn written(&self) -> String {
+        let flat = if self.is_flat { " --flat" } else { "" };
+        let view = self.view.map(|(name, _)| format!(" --view {name}")).unwrap_or_default();
+        let turn = self.rotate_object.map(|Rotation { alpha, beta, gamma }| {
+            format!(" --rotate-object {beta},{alpha},{gamma}")
+        });
+        format!("{flat}{view}{}", turn.unwrap_or_default())
+    }
 }
 
 /// The table of a command.

@@ -1,6 +1,6 @@
 //! `eigenshade pack-normals`: makes a normal map for the runtime.
 
-use super::options::{Green, count, input_file};
+use super::options::{Green, Pose, count, input_file};
 use clap::Args;
 use eigenshade_cli::export::c;
 use eigenshade_cli::export::entry::identifier;
@@ -25,7 +25,7 @@ const PER_LINE: usize = 20;
 /// `normal_map_F` for `eigenshade.h`. Normals are within 0.51 degrees.
 #[derive(Args, Debug)]
 pub struct PackNormals {
-    /// `sphere`, a normal map (.png), or a mesh (.obj, .stl, .ply)
+    /// `sphere`, a normal map (.png), or a mesh (.obj, .stl, .ply, .glb, .gltf)
     #[arg(value_name = "NORMALS")]
     normals: PathBuf,
     /// Pixels across the longer side, 2 to 4096; a normal map can only shrink [default: 240, or all
@@ -34,6 +34,8 @@ pub struct PackNormals {
     size: Option<usize>,
     #[command(flatten)]
     green: Green,
+    #[command(flatten)]
+    pose: Pose,
     /// Write bytes (.bin), Rust source (.rs) or a C header (.h) to this file
     #[arg(short, long, value_name = "FILE")]
     out: PathBuf,
@@ -65,7 +67,8 @@ impl PackNormals {
         };
         let is_map = self.normals.extension().is_some_and(|end| end.eq_ignore_ascii_case("png"));
         let size = self.size.or((!is_map).then_some(SIZE));
-        let view = ObjectView::read(input_file(&self.normals), size, self.green.is_flipped)?;
+        let view =
+            ObjectView::read(input_file(&self.normals), self.pose.options(size, self.green))?;
         let codes = view.codes()?;
         let bytes = codes.as_flattened();
         let map = format!("eigenshade::object::NormalMap::new({}, {}, ", view.width, view.height);
@@ -106,7 +109,8 @@ impl PackNormals {
             |path: &Path| path.file_name().unwrap_or_default().to_string_lossy().into_owned();
         let size = self.size.map(|size| format!(" --size {size}")).unwrap_or_default();
         let flip = if self.green.is_flipped { " --flip-green" } else { "" };
-        let files = format!("{}{size}{flip} --out {}", name(&self.normals), name(&self.out));
+        let pose = self.pose.written();
+        let files = format!("{}{size}{flip}{pose} --out {}", name(&self.normals), name(&self.out));
         format!("eigenshade pack-normals {}", printable(&files))
     }
 

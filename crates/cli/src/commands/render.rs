@@ -3,7 +3,7 @@
 use super::choices::Choices;
 use super::highlights::{HighlightInputs, estimate_note, needed};
 use super::options::{
-    Green, Inputs, Sources, TableChoice, WindowChoice, choice, count, exposure, input_file,
+    Green, Inputs, Pose, Sources, TableChoice, WindowChoice, choice, count, exposure, input_file,
     sources, tolerance,
 };
 use clap::builder::TypedValueParser;
@@ -13,10 +13,11 @@ use eigenshade::object::Matcap;
 use eigenshade::screen::{Exposure, Tone};
 use eigenshade_cli::estimate::counted;
 use eigenshade_cli::messages::{Ringing, albedo_warning, dark_light_warning, print_message};
-use eigenshade_cli::object::{Object, ObjectView, SIZE};
+use eigenshade_cli::object::{Object, ObjectOptions, ObjectView, SIZE};
 use eigenshade_cli::output;
 use eigenshade_cli::picture::Pixel;
 use eigenshade_cli::picture_file::{Development, PictureFile};
+use eigenshade_cli::presets::Source;
 use eigenshade_cli::preview::Preview;
 use eigenshade_cli::table::rounding;
 use eigenshade_model::database::{Lights, Materials};
@@ -29,6 +30,7 @@ use eigenshade_shading::shader::{OwnedNormals, Shader, fault, fitted, of_higher_
 use eigenshade_table::effect::Effects;
 use eigenshade_table::scene::Geometry;
 use eigenshade_table::{Table, wire};
+use std::fmt::{Display, Formatter};
 use std::path::{Path, PathBuf};
 
 /// Draw a sphere, a mesh or a normal map with a transparent background, or make a matcap
@@ -40,12 +42,12 @@ use std::path::{Path, PathBuf};
 #[derive(Args, Debug)]
 pub struct Render {
     #[command(flatten)]
-    table: TableChoice,
+    pub(super) table: TableChoice,
     #[command(flatten)]
-    inputs: Inputs,
-    /// What to draw: `sphere`, a normal map (.png), or a mesh (.obj, .stl, .ply) from +z
-    #[arg(short, long, value_name = "NORMALS", default_value = "sphere")]
-    normals: PathBuf,
+    pub(super) inputs: RenderInputs,
+    /// What to draw: `sphere`, a normal map (.png), or a mesh (.obj, .stl, .ply, .glb, .gltf) from +z
+    #[arg(short, long, visible_alias = "object", value_name = "OBJECT", default_value = "sphere")]
+    pub(super) normals: PathBuf,
     /// Make a matcap: the texel at (u, v), v up, has the normal whose x and y are 2u - 1 and 2v -
     /// 1. three and blender are for engines that multiply normals by 0.495 and 0.496 instead of 1/2
     #[arg(long, value_name = "FOR", value_parser = engines(), num_args = 0..=1,
@@ -54,14 +56,16 @@ pub struct Render {
     /// Pixels across the longer side, 2 to 8192; a normal map can only shrink [default: 512, or all
     /// of a normal map]
     #[arg(short, long, value_name = "N", value_parser = count(2, 8192))]
-    size: Option<usize>,
+    pub(super) size: Option<usize>,
     #[command(flatten)]
-    green: Green,
+    pub(super) green: Green,
+    #[command(flatten)]
+    pub(super) pose: Pose,
     /// Number format
     #[arg(short, long, value_enum, default_value_t = Format::F32)]
-    format: Format,
+    pub(super) format: Format,
     #[command(flatten)]
-    choices: Choices,
+    pub(super) choices: Choices,
     /// Shade up to K small bright sources of the light by the material's gloss, for sharp
     /// highlights: 1, 2, 4, 8 or 16 of a shipped light, or 0. `auto` takes as few as the picture
     /// needs to be close on a screen, at most 8, by the errors of `docs/highlights.md`; none where
@@ -69,25 +73,37 @@ pub struct Render {
     /// so has a CSV with FILE.gloss.csv beside it, which `material` writes), for a light without
     /// sources, and with --effects [default: auto]
     #[arg(long, value_name = "K|auto", value_parser = sources, conflicts_with = "effects")]
-    sources: Option<Sources>,
+    pub(super) sources: Option<Sources>,
     /// What `--sources auto` allows instead: the root mean square error of the picture, as a share of
     /// white, like 2e-2
     #[arg(long, value_name = "T", value_parser = tolerance)]
-    tolerance: Option<f64>,
+    pub(super) tolerance: Option<f64>,
     /// The factor from irradiance to what the tone curve shows, white being 1 [default: metered,
     /// and 1 for an .exr]
     #[arg(long, value_name = "E", value_parser = exposure)]
-    exposure: Option<Exposure>,
+    pub(super) exposure: Option<Exposure>,
     /// Tone curve of a PNG [default: linear]
     #[arg(long, value_parser = tones())]
-    tone: Option<Tone>,
+    pub(super) tone: Option<Tone>,
     /// Write the picture to this file, .png or .exr
     #[arg(short, long, value_name = "FILE")]
-    out: PathBuf,
+    pub(super) out: PathBuf,
+}
+
+/// The light and the material of a picture.
+#[derive(Args, Debug)]
+pub struct RenderInputs {
+    /// Light: the name of a shipped one, a light CSV, or one light of a CSV
+    #[arg(short, long, value_name = "NAME|FILE[:NAME]")]
+    pub light: Source,
+    /// Material: the name of a shipped one, a material CSV, or one material of a CSV [default: those
+    /// of the object, if it has any]
+    #[arg(short, long, value_name = "NAME|FILE[:NAME]")]
+    pub material: Option<Source>,
 }
 
 #[derive(Clone, Copy, Debug, ValueEnum)]
-enum Format {
+pub enum Format {
     F64,
     F32,
 }
@@ -107,14 +123,34 @@ fn tones() -> impl TypedValueParser<Value = Tone> {
 
 impl Render {
     pub fn run(self) -> Result<()> {
-        let inputs = self.inputs.files(&[&self.normals, self.table.path()]);
+        let others = [self.normals.as_path(), self.table.path()].map(Path::to_path_buf);
+        let RenderInputs { light, material } = &self.inputs;
+        let of_material = material.as_ref().map(Source::material_files).unwrap_or_default();
+        let inputs = [&others[..], &light.light_files(), &of_material].concat();
         output::refuse_collisions([&self.out], inputs)?;
-        let Inputs { light, material } = &self.inputs;
         let file = PictureFile::of(&self.out)?;
         if file == PictureFile::Exr && self.tone.is_some() {
             let remedy = "leave --tone out, or write a .png";
             return Err(Error::new("an .exr has no tone curve", remedy).in_file(&self.out));
         }
+        if let (Some(Sources::Most(_)), Some(_)) = (self.sources, self.tolerance) {
+            let what = "--tolerance chooses the number of sources, which is given";
+            return Err(Error::new(what, "leave one out, or give --sources auto"));
+        }
+        #[cfg(feature = "generate")]
+        if let Some((object, asset)) = self.own_materials()? {
+            return self.run_own(file, &object, &asset);
+        }
+        let material = material.clone().ok_or_else(|| {
+            let what = "no material, and the object has none of its own";
+            Error::new(what, "give --material NAME, or a .glb, .gltf, or .obj with its .mtl")
+        })?;
+        self.run_with(file, &Inputs { light: light.clone(), material })
+    }
+
+    /// Draws an object in one material.
+    fn run_with(&self, file: PictureFile, inputs: &Inputs) -> Result<()> {
+        let Inputs { light, material } = inputs;
         let Lights { degree, entries } = light.lights()?;
         let lights = Lights { degree, entries: vec![light.only(entries)?] };
         let one = |order| -> Result<Materials> {
@@ -123,10 +159,6 @@ impl Render {
         };
         let mut materials = one(usize::MAX)?;
         let choice = self.table.or(DEFAULT_TABLE);
-        if let (Some(Sources::Most(_)), Some(_)) = (self.sources, self.tolerance) {
-            let what = "--tolerance chooses the number of sources, which is given";
-            return Err(Error::new(what, "leave one out, or give --sources auto"));
-        }
         let table = choice.read()?;
         if material.is_shipped() {
             materials = one(table.gram.order)?;
@@ -145,14 +177,14 @@ impl Render {
         let all_effects = self.choices.has_all_effects();
         let (most, note_of_error) = match self.sources {
             _ if !all_effects => (0, None),
-            Some(Sources::Most(most)) => (most, estimate_note(&self.inputs, &table, pair, most)?),
-            None | Some(Sources::Auto) => needed(&self.inputs, &table, pair, self.tolerance)?,
+            Some(Sources::Most(most)) => (most, estimate_note(inputs, &table, pair, most)?),
+            None | Some(Sources::Auto) => needed(inputs, &table, pair, self.tolerance)?,
         };
         let highlights = match most {
             0 => None,
             most => {
                 let pair = (&mut lights, &materials);
-                HighlightInputs::taken_out(&self.inputs, &table, pair, most)?
+                HighlightInputs::taken_out(inputs, &table, pair, most)?
             }
         };
         let sources = highlights.as_ref().map_or(0, HighlightInputs::count);
@@ -170,18 +202,16 @@ impl Render {
             window.apply(channel);
         }
         let is_sphere = self.normals.as_os_str() == "sphere";
+        let options = self.pose.options(self.size, self.green);
         let object = match self.matcap {
             Some(radius) => {
                 let texels = Matcap::new(self.size.unwrap_or(SIZE)).map_err(fault)?;
                 Object::Matcap(texels.with_radius(radius).map_err(fault)?)
             }
-            None if is_sphere && !self.green.is_flipped => {
+            None if is_sphere && options == ObjectOptions::of_size(self.size) => {
                 Object::Sphere(self.size.unwrap_or(SIZE))
             }
-            None => {
-                let file = input_file(&self.normals);
-                Object::View(ObjectView::read(file, self.size, self.green.is_flipped)?)
-            }
+            None => Object::View(ObjectView::read(input_file(&self.normals), options)?),
         };
         let scene = Pair { table: &table, lights: &lights, materials: &materials, highlights };
         let (mut least, mut largest) = (f64::INFINITY, f64::NEG_INFINITY);
@@ -206,8 +236,8 @@ impl Render {
         ringing.record(pair, least, largest);
         let note = note(choice.path(), &table.scene.geometry).filter(|_| is_sphere);
         let ringing = ringing.note().filter(|_| self.choices.has_all_effects() && !is_dark);
-        let drawn =
-            (all_effects && !is_dark).then(|| drawn(choice.path(), components, sources, window));
+        let drawing = Drawing { table: choice.path(), components, sources, window };
+        let drawn = (all_effects && !is_dark).then(|| drawing.to_string());
         let notes = note.into_iter().chain(drawn).chain(warnings).chain(ringing);
         notes.chain(note_of_error).for_each(print_message);
         Ok(())
@@ -217,25 +247,32 @@ impl Render {
 /// The table that the runtime contains.
 const DEFAULT_TABLE: &str = "sphere";
 
-/// The message that names the table, the sources and the window of a picture.
-fn drawn(table: &Path, components: usize, sources: usize, window: Window) -> String {
-    let window = match window {
-        Window::SincFourth { width } => format!("a window of width {width:.1}"),
-        Window::None => "no window".to_owned(),
-    };
-    format!(
-        "drawn with table {} ({components} components), {}, {window}",
-        table.display(),
-        counted(sources)
-    )
+/// What a picture was drawn with: the message that names it.
+pub struct Drawing<'a> {
+    pub table: &'a Path,
+    pub components: usize,
+    pub sources: usize,
+    pub window: Window,
+}
+
+impl Display for Drawing<'_> {
+    fn fmt(&self, out: &mut Formatter<'_>) -> std::fmt::Result {
+        let (table, components) = (self.table.display(), self.components);
+        let sources = counted(self.sources);
+        write!(out, "drawn with table {table} ({components} components), {sources}, ")?;
+        match self.window {
+            Window::SincFourth { width } => write!(out, "a window of width {width:.1}"),
+            Window::None => write!(out, "no window"),
+        }
+    }
 }
 
 /// One light on one material.
-struct Pair<'a> {
-    highlights: Option<HighlightInputs>,
-    table: &'a Table,
-    lights: &'a Lights,
-    materials: &'a Materials,
+pub struct Pair<'a> {
+    pub highlights: Option<HighlightInputs>,
+    pub table: &'a Table,
+    pub lights: &'a Lights,
+    pub materials: &'a Materials,
 }
 
 /// Pixels that are shaded together.
@@ -245,7 +282,7 @@ const BAND_IN_F64: usize = 1 << 12;
 
 impl Pair<'_> {
     /// The window of the light for a whole picture of these components.
-    fn window(
+    pub fn window(
         &self,
         components: usize,
         format: Format,

@@ -1,7 +1,7 @@
 //! Normals of an export, and the pixels that they have in a picture.
 
 use super::array::Array;
-use crate::object::ObjectView;
+use crate::object::{ObjectOptions, ObjectView};
 use crate::picture::Pixel;
 use eigenshade_model::error::{Error, Result};
 use eigenshade_model::inputs::input_file::InputFile;
@@ -34,7 +34,8 @@ impl Shown {
             return Ok(Self { normals, pixels: Vec::new() });
         }
         let size = size.or((extension != "png").then_some(SIZE));
-        let ObjectView { normals, pixels, .. } = ObjectView::read(file, size, flip_green)?;
+        let options = ObjectOptions { size, flip_green, ..ObjectOptions::default() };
+        let ObjectView { normals, pixels, .. } = ObjectView::read(file, options)?;
         Ok(Self { normals, pixels })
     }
 

@@ -113,7 +113,7 @@ impl DepthBuffer {
 
     /// The samples that a facet may cover, split into tiles, or as one part if they are few.
     fn parts(&self, facet: &Placed) -> Vec<Part> {
-        let [rows, columns] = [1, 0].map(|axis| samples_within(facet.range(axis), self.samples));
+        let [rows, columns] = facet.ranges(self.samples);
         let is_small = [0, 1].map(|axis| facet.range(axis)).iter().all(|[a, b]| b - a <= SMALL);
         if is_small || rows.is_empty() || columns.is_empty() {
             return vec![Part { rows, columns, tile: None }];

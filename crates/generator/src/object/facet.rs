@@ -43,7 +43,7 @@ impl Facet {
 pub const CONTACT: f64 = 1e-6;
 
 /// A facet in units of samples: the sample in column i and row k is at i + 1/2, k + 1/2.
-pub(super) struct Placed {
+pub struct Placed {
     /// x and y in samples, z in the mesh's unit above its smallest z.
     corners: [[f64; 3]; 3],
     pub(super) faces_camera: bool,
@@ -54,7 +54,7 @@ pub(super) struct Placed {
 }
 
 /// A frame of `samples` x `samples` points over the box around the projection of the facets.
-pub(super) struct Frame {
+pub struct Frame {
     samples: usize,
     least: [f64; 3],
     sides: [f64; 3],
@@ -81,7 +81,8 @@ impl Frame {
     }
 
     /// The square around that box, with a margin of samples around its longer side.
-    pub(super) fn square(facets: &[Facet], samples: usize, margin: f64) -> Self {
+    #[must_use]
+    pub fn square(facets: &[Facet], samples: usize, margin: f64) -> Self {
         let mut frame = Self::new(facets, samples);
         let longer = frame.sides[0].max(frame.sides[1]);
         let side = longer * samples as f64 / (samples as f64 - 2.0 * margin);
@@ -92,8 +93,9 @@ impl Frame {
         frame
     }
 
-    /// Converts a facet to units of samples.
-    pub(super) fn place(&self, facet: &Facet) -> Placed {
+    /// Converts a facet to units of samples; rows run upward.
+    #[must_use]
+    pub fn place(&self, facet: &Facet) -> Placed {
         let [wide, tall, deep] = self.sides;
         let (longer, cosine) = (wide.max(tall), facet.normal[2].abs());
         let place = |corner: [f64; 3]| {
@@ -142,6 +144,12 @@ impl Placed {
         points
     }
 
+    /// The rows and columns, out of `samples`, that the facet may cover.
+    #[must_use]
+    pub fn ranges(&self, samples: usize) -> [Range<usize>; 2] {
+        [1, 0].map(|axis| samples_within(self.range(axis), samples))
+    }
+
     /// Smallest and largest coordinate along an axis.
     pub(super) fn range(&self, axis: usize) -> [f64; 2] {
         let [a, b, c] = self.corners.map(|corner| corner[axis]);
@@ -171,7 +179,7 @@ impl Placed {
     }
 
     /// Visits each of these samples that the facet covers, with row, column and depth.
-    pub(super) fn visit(
+    pub fn visit(
         &self,
         plane: &Plane,
         [rows, columns]: [Range<usize>; 2],
@@ -197,7 +205,7 @@ pub(super) fn samples_within([low, high]: [f64; 2], samples: usize) -> Range<usi
 }
 
 /// A facet's depth, and the area where it is defined.
-pub(super) struct Plane {
+pub struct Plane {
     /// For the edge opposite each corner: x and y of a point on it, and its run, with the inner
     /// side positive.
     edges: [[f64; 4]; 3],
@@ -208,7 +216,9 @@ pub(super) struct Plane {
 }
 
 impl Plane {
-    pub(super) fn new(facet: &Placed) -> Self {
+    /// The plane of a facet.
+    #[must_use]
+    pub fn new(facet: &Placed) -> Self {
         let [a, b, c] = facet.corners;
         let edges = [edge(b, c), edge(c, a), edge(a, b)];
         let area = side(&edges[2], c[0], c[1]);
@@ -225,6 +235,22 @@ impl Plane {
         let depth = sides[0] * a + sides[1] * b + sides[2] * c;
         // For a sliver the sides are only rounding; without any area the depth is NaN.
         (is_inside && !depth.is_nan()).then(|| depth.max(self.range[0]).min(self.range[1]))
+    }
+
+    /// The area of the facet in the square of samples.
+    #[must_use]
+    pub fn area(&self) -> f64 {
+        let [[x, y, ..], ..] = self.edges;
+        0.5 * self.sides(x, y).iter().sum::<f64>()
+    }
+
+    /// The weights of the corners at a point, which sum to 1; at the edge nearest to one outside.
+    /// `None` if the facet has no projected area.
+    #[must_use]
+    pub fn weights(&self, x: f64, y: f64) -> Option<[f64; 3]> {
+        let sides = self.sides(x, y).map(|side| side.max(0.0));
+        let sum = sides.iter().sum::<f64>();
+        (sum > 0.0).then(|| sides.map(|side| side / sum))
     }
 
     /// Twice the area between each edge and a point, positive on the facet's side. Even when

@@ -1,10 +1,10 @@
 //! Meshes (.obj, .stl, .ply): the normals of the parts of their facets that the camera sees.
 
-use crate::object::facet::Facet;
-use crate::object::mesh_data::{Mesh, broken};
-use crate::object::visibility::{faces_away, seen_shares};
+use crate::object::mesh_data::Mesh;
+use crate::object::surface::{Surface, View};
+use crate::object::visibility::seen_shares;
 use crate::object::{mesh_obj, mesh_ply, mesh_stl};
-use eigenshade_model::error::{Error, Result};
+use eigenshade_model::error::Result;
 use eigenshade_model::inputs::input_file::InputFile;
 
 /// Samples across and down the picture that determines visibility: 8 MiB.
@@ -16,8 +16,8 @@ const SAMPLES: usize = 1024;
 /// Parts hidden by other facets do not count, to the accuracy of [`seen_shares`] with 1024 x 1024
 /// samples. The facets of a convex object count with their exact areas. Corners run
 /// counterclockwise as seen from outside. A facet that faces away hides what is behind it and does
-/// not count itself. Normals are the facets' own: smoothed normals in the file (`vn`; `nx`, `ny`,
-/// `nz`) are not used. Facets without area are left out.
+/// not count itself. Normals are the facets' own: those at corners (`vn`; `nx`, `ny`, `nz`) are not
+/// used. Facets without area are left out.
 ///
 /// # Errors
 ///
@@ -29,7 +29,13 @@ pub fn read(file: impl Into<InputFile>) -> Result<Vec<([f64; 3], f64)>> {
     seen(&file).map_err(|error| error.in_file(file.path()))
 }
 
-fn mesh(file: &InputFile) -> Result<Mesh> {
+/// The triangles in a file, and what it states at their corners.
+///
+/// # Errors
+///
+/// If the file is broken or does not match its header, a face has fewer than three corners or is not
+/// covered by a fan of triangles, or there are more than 2²² corners or triangles.
+pub fn load(file: &InputFile) -> Result<Mesh> {
     match file.extension().as_str() {
         "obj" => mesh_obj::read(file),
         "stl" => mesh_stl::read(file),
@@ -37,42 +43,19 @@ fn mesh(file: &InputFile) -> Result<Mesh> {
     }
 }
 
-/// The facets with an area of the mesh in a file, in a unit in which the mesh is of size 1.
+/// The surface of the mesh in a file.
 ///
 /// # Errors
 ///
 /// Those of [`read`].
-pub(crate) fn facets(file: &InputFile) -> Result<Vec<Facet>> {
-    let mesh = mesh(file)?;
-    let mut largest: f64 = 0.0;
-    for (number, corners) in mesh.triangles().enumerate() {
-        let corners = corners?;
-        if !corners.iter().flatten().all(|value| value.is_finite()) {
-            return Err(broken(format!("facet {number} has a corner that is not finite")));
-        }
-        largest = corners.iter().flatten().fold(largest, |most, value| most.max(value.abs()));
-    }
-    let count = mesh.triangles.len();
-    if count == 0 {
-        return Err(broken("it contains no triangle"));
-    }
-    // Scale to the mesh's own size, so that areas of very small and very large meshes stay in
-    // range.
-    let mut facets = Vec::with_capacity(count);
-    for corners in mesh.triangles() {
-        facets.extend(Facet::new(corners?.map(|corner| corner.map(|x| x / largest))));
-    }
-    if faces_away(&facets) {
-        return Err(Error::new(
-            "most of what the camera at +z sees of it faces away",
-            "reverse the order of the corners, or turn it",
-        ));
-    }
-    Ok(facets)
+pub(crate) fn surface(file: &InputFile, view: &View) -> Result<Surface> {
+    let surface = Surface::new(file, &load(file)?, view)?;
+    surface.check_front()?;
+    Ok(surface)
 }
 
 fn seen(file: &InputFile) -> Result<Vec<([f64; 3], f64)>> {
-    let facets = facets(file)?;
+    let facets = surface(file, &View { is_flat: true, ..View::default() })?.facets;
     let shares = seen_shares(&facets, SAMPLES);
     let seen = facets.iter().zip(shares).filter(|(_, share)| *share > 0.0);
     Ok(seen.map(|(facet, share)| (facet.normal, share * facet.projected_area)).collect())
@@ -130,7 +113,7 @@ mod tests {
         for (name, text) in [("net.obj", obj), ("net.ply", ply), ("net.stl", stl)] {
             let path = folder.path().join(name);
             std::fs::write(&path, text).expect("a file");
-            let mesh = mesh(&path.into()).expect("a mesh");
+            let mesh = load(&path.into()).expect("a mesh");
             let found: Result<Vec<_>> = mesh.triangles().collect();
             assert_eq!(found.as_ref(), Ok(&expected), "{name}");
             let kept = 24 * mesh.corners.capacity() + 12 * mesh.triangles.capacity();

@@ -1,5 +1,5 @@
-//! Shared by the readers of mesh files: the triangles that they return, text lines of limited
-//! length, and the error for a broken file.
+//! Shared by the readers of mesh files: the triangles that they return, with the normals at their
+//! corners, text lines of limited length, and the error for a broken file.
 
 use eigenshade_model::error::{Error, Result};
 use eigenshade_model::inputs::input_file::InputFile;
@@ -17,10 +17,44 @@ pub(crate) const MOST: u64 = 1 << 22;
 
 /// Triangles as the file readers return them: 24 bytes for each corner, 12 for each triangle.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub(crate) struct Mesh {
-    pub(crate) corners: Vec<[f64; 3]>,
-    /// Three corner indices for each triangle.
-    pub(crate) triangles: Vec<[u32; 3]>,
+pub struct Mesh {
+    /// The positions.
+    pub corners: Vec<[f64; 3]>,
+    /// Three indices of positions for each triangle.
+    pub triangles: Vec<[u32; 3]>,
+    /// Normals, of any length.
+    pub normals: Attribute<3>,
+    /// Texture coordinates, (0, 0) at the upper left corner of a texture.
+    pub coordinates: Attribute<2>,
+    /// Linear colors and opacities.
+    pub colors: Attribute<4>,
+    /// The first triangle of each material, and its name.
+    pub materials: Vec<(u32, String)>,
+    /// The names of files of materials.
+    pub libraries: Vec<String>,
+}
+
+/// Numbers at the corners of triangles; empty in a mesh without.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Attribute<const N: usize> {
+    /// The numbers.
+    pub values: Vec<[f32; N]>,
+    /// Three indices of values for each triangle, [`NONE`](Self::NONE) where it has no value; empty
+    /// if these are the indices of its positions.
+    pub places: Vec<[u32; 3]>,
+}
+
+impl<const N: usize> Attribute<N> {
+    /// The index of no value.
+    pub const NONE: u32 = u32::MAX;
+
+    /// The values at the corners of triangle `number`, which has these positions.
+    #[must_use]
+    pub fn at(&self, number: usize, corners: [u32; 3]) -> [Option<[f32; N]>; 3] {
+        let places = if self.places.is_empty() { Some(&corners) } else { self.places.get(number) };
+        let value = |place: u32| self.values.get(place as usize).copied();
+        places.map_or([None; 3], |places| places.map(value))
+    }
 }
 
 impl Mesh {
@@ -33,17 +67,21 @@ impl Mesh {
         file.at_most(corners, MOST, "corners")?;
         file.at_most(triangles, MOST, "triangles")?;
         let [corners, triangles] = [corners, triangles].map(|count| count as usize);
-        Ok(Self { corners: Vec::with_capacity(corners), triangles: Vec::with_capacity(triangles) })
+        Ok(Self {
+            corners: Vec::with_capacity(corners),
+            triangles: Vec::with_capacity(triangles),
+            ..Self::default()
+        })
     }
 
-    /// Adds a polygon, cut into a fan of triangles. Its corners must be in the mesh already, unless
-    /// it is a triangle.
+    /// Adds a polygon, cut into a fan of triangles, and returns the number of the polygon's corner
+    /// from which the fan starts. Its corners must be in the mesh already, unless it is a triangle.
     ///
     /// # Errors
     ///
     /// If it has fewer than three corners, no fan covers it, or there are more than [`MOST`]
     /// triangles.
-    pub(crate) fn push_polygon(&mut self, file: &InputFile, polygon: &[u32]) -> Result<()> {
+    pub(crate) fn push_polygon(&mut self, file: &InputFile, polygon: &[u32]) -> Result<usize> {
         let corners = polygon.len();
         if corners < 3 {
             let found = if corners == 0 { "none".to_owned() } else { corners.to_string() };
@@ -52,9 +90,8 @@ impl Mesh {
         let first = if corners == 3 { 0 } else { self.fan_corner(polygon)? };
         let count = self.triangles.len() + corners - 2;
         file.at_most(count as u64, MOST, "triangles")?;
-        let fan = (1..corners - 1).map(|k| fan_triangle(polygon, first, k));
-        self.triangles.extend(fan);
-        Ok(())
+        self.triangles.extend(fan(polygon, first));
+        Ok(first)
     }
 
     /// The number of the polygon's corner from which a fan of triangles covers it: the first one
@@ -71,9 +108,7 @@ impl Mesh {
         let size = corners.iter().flatten().fold(0.0, |most: f64, x| most.max(x.abs()));
         // Twice the area of each triangle, times its normal.
         let fan = |first: usize| {
-            let corners = &corners;
-            (1..corners.len() - 1).map(move |k| {
-                let [a, b, c] = fan_triangle(corners, first, k);
+            fan(&corners, first).map(move |[a, b, c]: [[f64; 3]; 3]| {
                 let [u, v] = [b, c].map(|to| [0, 1, 2].map(|axis| (to[axis] - a[axis]) / size));
                 cross(u, v)
             })
@@ -113,9 +148,9 @@ impl Mesh {
     }
 }
 
-/// Triangle `k`, from 1, of the fan from corner number `first`.
-fn fan_triangle<T: Copy>(polygon: &[T], first: usize, k: usize) -> [T; 3] {
-    [0, k, k + 1].map(|k| polygon[(first + k) % polygon.len()])
+/// The triangles of a fan from corner number `first`.
+pub(crate) fn fan<T: Copy>(polygon: &[T], first: usize) -> impl Iterator<Item = [T; 3]> {
+    (1..polygon.len() - 1).map(move |k| [0, k, k + 1].map(|k| polygon[(first + k) % polygon.len()]))
 }
 
 /// The error for a broken file; the remedy is to export it again.

@@ -6,9 +6,11 @@
 use crate::object::mesh_data::{LONGEST_LINE, Mesh, append_line, broken};
 use eigenshade_model::error::{Error, Result};
 use eigenshade_model::inputs::input_file::InputFile;
+use eigenshade_model::srgb::linear;
 use ply_rs_bw::parser::{ParseError, Parser, Reader};
 use ply_rs_bw::ply::{
     BeginList, ElementDef, Encoding, Header, PropertyAccess, PropertyAccessResult, PropertyType,
+    ScalarType,
 };
 use std::io::{self, BufRead, ErrorKind};
 
@@ -52,7 +54,15 @@ fn decode(mut reader: impl BufRead, length: u64, file: &InputFile) -> Result<Mes
             let mut push = || {
                 let row = rows.next(element).map_err(fault)?;
                 match name.as_str() {
-                    "vertex" => mesh.corners.push(row.corner()?),
+                    "vertex" => {
+                        mesh.corners.push(row.corner()?);
+                        if let [Some(x), Some(y), Some(z)] = row.normal {
+                            mesh.normals.values.push([x, y, z]);
+                        }
+                        if let [Some(r), Some(g), Some(b), a] = row.color {
+                            mesh.colors.values.push([r, g, b, a.unwrap_or(1.0)]);
+                        }
+                    }
                     "face" => {
                         let corners = row.corners()?.iter().map(|number| corner(*number));
                         mesh.push_polygon(file, &corners.collect::<Result<Vec<_>>>()?)?;
@@ -178,8 +188,15 @@ fn row_of_text(line: &str, element: &ElementDef) -> std::result::Result<Element,
     let number = |word: &str| word.parse::<f64>().map_err(|_| format!("`{word}` is not a number"));
     for (name, property) in &element.properties {
         let first = words.next().ok_or_else(missing)?;
-        match property.data_type {
-            PropertyType::Scalar(_) => row.set_double(name, number(first)?),
+        match &property.data_type {
+            PropertyType::Scalar(kind) => {
+                let number = number(first)?;
+                let set = row.set_double(name, number);
+                if let Some(channel) = COLORS.iter().position(|channel| *channel == name) {
+                    row.color[channel] = Some(share(number, full(kind), channel == 3));
+                }
+                set
+            }
             PropertyType::List(..) => {
                 let count =
                     first.parse().map_err(|_| format!("`{first}` is not a number of corners"))?;
@@ -200,6 +217,10 @@ fn row_of_text(line: &str, element: &ElementDef) -> std::result::Result<Element,
 struct Element {
     /// x, y and z.
     corner: [Option<f64>; 3],
+    /// nx, ny and nz.
+    normal: [Option<f32>; 3],
+    /// red, green and blue, linear, and alpha.
+    color: [Option<f32>; 4],
     /// The list of corners.
     list: Option<Vec<f64>>,
 }
@@ -218,12 +239,37 @@ impl Element {
     }
 }
 
+const COLORS: [&str; 4] = ["red", "green", "blue", "alpha"];
+
+/// The linear value of a channel: integers up to `full` are in sRGB, unless they are opacities.
+fn share(number: f64, full: Option<f64>, is_opacity: bool) -> f32 {
+    let share = (number / full.unwrap_or(1.0)).clamp(0.0, 1.0);
+    (if full.is_some() && !is_opacity { linear(share) } else { share }) as f32
+}
+
+/// The largest number of a type of integers.
+fn full(kind: &ScalarType) -> Option<f64> {
+    Some(match kind {
+        ScalarType::Char => f64::from(i8::MAX),
+        ScalarType::UChar => f64::from(u8::MAX),
+        ScalarType::Short => f64::from(i16::MAX),
+        ScalarType::UShort => f64::from(u16::MAX),
+        ScalarType::Int => f64::from(i32::MAX),
+        ScalarType::UInt => f64::from(u32::MAX),
+        ScalarType::Float | ScalarType::Double => return None,
+    })
+}
+
 /// Functions of [`Element`] that take numbers and lists of each type; too long a list is an error.
 macro_rules! setters {
-    ($($set:ident, $begin_list:ident, $set_list:ident: $number:ty;)*) => {
+    ($($set:ident, $begin_list:ident, $set_list:ident: $number:ty, $kind:ident;)*) => {
         $(fn $set(&mut self, name: &str, number: $number) -> PropertyAccessResult {
             if let Some(axis) = ["x", "y", "z"].iter().position(|axis| *axis == name) {
                 self.corner[axis] = Some(f64::from(number));
+            } else if let Some(axis) = ["nx", "ny", "nz"].iter().position(|axis| *axis == name) {
+                self.normal[axis] = Some(f64::from(number) as f32);
+            } else if let Some(channel) = COLORS.iter().position(|channel| *channel == name) {
+                self.color[channel] = Some(share(f64::from(number), full(&ScalarType::$kind), channel == 3));
             }
             PropertyAccessResult::Set
         }
@@ -247,14 +293,14 @@ impl PropertyAccess for Element {
     }
 
     setters! {
-        set_char, begin_list_char, set_list_char: i8;
-        set_uchar, begin_list_uchar, set_list_uchar: u8;
-        set_short, begin_list_short, set_list_short: i16;
-        set_ushort, begin_list_ushort, set_list_ushort: u16;
-        set_int, begin_list_int, set_list_int: i32;
-        set_uint, begin_list_uint, set_list_uint: u32;
-        set_float, begin_list_float, set_list_float: f32;
-        set_double, begin_list_double, set_list_double: f64;
+        set_char, begin_list_char, set_list_char: i8, Char;
+        set_uchar, begin_list_uchar, set_list_uchar: u8, UChar;
+        set_short, begin_list_short, set_list_short: i16, Short;
+        set_ushort, begin_list_ushort, set_list_ushort: u16, UShort;
+        set_int, begin_list_int, set_list_int: i32, Int;
+        set_uint, begin_list_uint, set_list_uint: u32, UInt;
+        set_float, begin_list_float, set_list_float: f32, Float;
+        set_double, begin_list_double, set_list_double: f64, Double;
     }
 }
 

@@ -2,7 +2,8 @@
 //! object covers.
 
 use crate::object::depth_buffer::DepthBuffer;
-use crate::object::facet::{Facet, Frame};
+use crate::object::facet::{Facet, Frame, Plane};
+use crate::object::surface::{Surface, View};
 use crate::object::{mesh, normal_map};
 use eigenshade_model::error::{Error, Result};
 use eigenshade_model::inputs::input_file::InputFile;
@@ -43,16 +44,18 @@ impl Picture {
     /// pixels with a margin of half a pixel around the longer side of the object.
     ///
     /// Each pixel has 4 x 4 samples, up to 4096 across the picture: from 2048 pixels on, 2 x 2, and
-    /// from 4096 on, one. Normals are the facets' own. A facet that faces away hides what is behind
-    /// it and shows nothing.
+    /// from 4096 on, one. Normals are those of the [`Surface`]; one that points away where its facet
+    /// is seen is moved to the rim. A facet that faces away hides what is behind it and shows
+    /// nothing.
     ///
-    /// Memory: that of reading the mesh, 20 bytes for each sample and 96 for each pixel.
+    /// Memory: that of reading the mesh, 72 bytes for each facet unless it is flat, 20 for each
+    /// sample and 96 for each pixel.
     ///
     /// # Errors
     ///
     /// Those of [`mesh::read`]; if no facet faces the camera or all are thinner than a sample, or
     /// the size is not 2 to 4096.
-    pub fn of_mesh(file: impl Into<InputFile>, size: usize) -> Result<Self> {
+    pub fn of_mesh(file: impl Into<InputFile>, size: usize, view: &View) -> Result<Self> {
         let file = file.into();
         let drawn = || {
             if !(2..=MOST_SIDE).contains(&size) {
@@ -61,17 +64,13 @@ impl Picture {
             }
             let across = (SAMPLES / size).clamp(1, PER_PIXEL);
             let samples = across * size;
-            let facets = mesh::facets(&file)?;
+            let surface = mesh::surface(&file, view)?;
+            let facets = &surface.facets;
             let mut sums = Sums::new(size, size);
-            let front = in_front(&facets, size, samples);
-            for (place, facet) in front.into_iter().enumerate() {
-                if let Some(facet) = facets.get(facet as usize) {
-                    let (row, column) = (place / samples, place % samples);
-                    // Samples run upward.
-                    let pixel = [column / across, size - 1 - row / across];
-                    sums.add(pixel, facet.normal, 1.0);
-                }
-            }
+            each_sample(&surface, size, samples, |row, column, normal| {
+                // Samples run upward.
+                sums.add([column / across, size - 1 - row / across], normal, 1.0);
+            });
             let picture = sums.picture((across * across) as f64);
             picture.ok_or_else(|| {
                 if facets.iter().any(|facet| facet.projected_area > 0.0) {
@@ -132,9 +131,46 @@ impl Picture {
     }
 }
 
+/// Visits the samples that show a facet, row by row upward, with the unit normal there, z >= 0.
+fn each_sample(
+    surface: &Surface,
+    size: usize,
+    samples: usize,
+    mut with: impl FnMut(usize, usize, [f64; 3]),
+) {
+    let facets = &surface.facets;
+    let frame = frame(facets, size, samples);
+    let mut last: Option<(u32, Plane)> = None;
+    for (place, number) in in_front(facets, &frame, samples).into_iter().enumerate() {
+        let Some(facet) = facets.get(number as usize) else { continue };
+        let (row, column) = (place / samples, place % samples);
+        if surface.normals.is_empty() {
+            with(row, column, facet.normal);
+            continue;
+        }
+        let (_, plane) = match last.take() {
+            Some(same) if same.0 == number => last.insert(same),
+            _ => last.insert((number, Plane::new(&frame.place(facet)))),
+        };
+        let weights = plane.weights(column as f64 + 0.5, row as f64 + 0.5);
+        let normal =
+            weights.map_or(facet.normal, |weights| surface.normal(number as usize, weights));
+        with(row, column, toward_camera(normal).unwrap_or(facet.normal));
+    }
+}
+
+/// The unit vector along this one, moved to the rim if it points away.
+fn toward_camera([x, y, z]: [f64; 3]) -> Option<[f64; 3]> {
+    visible([x, y, z.max(0.0)]).ok()
+}
+
+/// The frame of a picture with a margin of half a pixel.
+fn frame(facets: &[Facet], size: usize, samples: usize) -> Frame {
+    Frame::square(facets, samples, samples as f64 / size as f64 * 0.5)
+}
+
 /// The number of the facet that each sample shows, row by row upward; beyond all facets, if none.
-fn in_front(facets: &[Facet], size: usize, samples: usize) -> Vec<u32> {
-    let frame = Frame::square(facets, samples, samples as f64 / size as f64 * 0.5);
+fn in_front(facets: &[Facet], frame: &Frame, samples: usize) -> Vec<u32> {
     let mut buffer = DepthBuffer::new(samples);
     for facet in facets {
         buffer.draw(&frame.place(facet));

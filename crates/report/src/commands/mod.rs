@@ -10,7 +10,7 @@ use eigenshade_cli::messages::{printable, progress_bar, spinner};
 use eigenshade_cli::output::{self, write_error};
 use eigenshade_model::error::{Error, Result};
 use report::sheet::{Purpose, compare_cells};
-use report::{palette_errors, reading, sheet, stability};
+use report::{palette_errors, reading, roughness_weights, sheet, stability};
 use std::io::Write;
 use std::path::{Path, PathBuf};
 
@@ -114,6 +114,11 @@ pub enum Command {
     /// depend on roughness; `rim` and `metal` are sums of Chebyshev polynomials T_k in
     /// (roughness - 0.6) / 0.4. Writes the CSV `order,k,o,p,q,matte,rim,metal`.
     MetallicRoughness(OutputFile),
+    /// Weights of the images of five roughnesses, tables/inputs/roughness-weights.csv
+    ///
+    /// Fitted by least squares to pictures of a metal and of a dielectric by the table `pbr`, under
+    /// every second shipped light, rotated. Takes seconds.
+    RoughnessWeights(Csv),
     /// Compares the order and the sign of two tables' components
     ///
     /// Tables of one scene that two instruction sets make differ in their weakest components by far
@@ -168,6 +173,10 @@ impl Command {
             }
             Self::PalettePicture(file) => pictures::palettes(&file.out),
             Self::MetallicRoughness(file) => files::metallic_roughness(&file.out),
+            Self::RoughnessWeights(csv) => {
+                let rows = roughness_weights::rows()?;
+                write_csv(csv.out.as_deref(), roughness_weights::COLUMNS, rows)
+            }
             Self::SameOrder { one, other } => files::same_order(&one, &other),
         }
     }

@@ -1,0 +1,6 @@
+//! Objects with materials of their own.
+
+mod bad_files;
+mod drawn;
+mod formats;
+mod support;

@@ -1,0 +1,170 @@
+//! `render --object` with the object's own materials.
+
+use crate::support::files::{decoded, gray_png, png};
+use crate::support::{Folder, assert_fails};
+use eigenshade_generator::light::environment::EnvironmentMap;
+use eigenshade_testing::glb::Glb;
+use png::{BitDepth, ColorType};
+
+/// Pictures of a texture of one color and of a factor, of the peak.
+const OF_A_FACTOR: f64 = 1e-5;
+
+/// Against the coefficients of `material gltf` of the same order, of the peak.
+const OF_THE_FORMULA: f64 = 1e-5;
+
+/// Irradiance times opacity, from an .exr.
+fn picture(folder: &Folder, options: &str) -> Vec<f64> {
+    folder.ok(&format!("render --light lobby {options} --size 48 --out p.exr"));
+    let map = EnvironmentMap::from_path(folder.path("p.exr")).expect("a picture");
+    map.texels.iter().flatten().map(|value| f64::from(*value)).collect()
+}
+
+/// The largest difference, of the peak.
+fn apart(found: &[f64], expected: &[f64]) -> f64 {
+    let peak = expected.iter().fold(0.0, |most: f64, value| most.max(value.abs()));
+    assert!(peak > 0.0 && found.len() == expected.len());
+    let apart = found.iter().zip(expected).map(|(a, b)| (a - b).abs());
+    apart.fold(0.0, f64::max) / peak
+}
+
+fn sphere(material: &str) -> Glb {
+    Glb { material: material.to_owned(), ..Glb::sphere(24) }
+}
+
+/// One uniform texture gives the picture of the factor, also with sources, and that of the material
+/// by name.
+#[test]
+fn a_uniform_texture_is_the_material() {
+    let folder = Folder::new();
+    // 204 of 255 is 0.8, of which sRGB makes 0.6038273.
+    let factor = r#""pbrMetallicRoughness":{"baseColorFactor":[0.6038273389,0.6038273389,0.6038273389,1],"metallicFactor":0.6,"roughnessFactor":0.4}"#;
+    let textured = r#""pbrMetallicRoughness":{"baseColorTexture":{"index":0},"metallicRoughnessTexture":{"index":1}}"#;
+    folder.write("factor.glb", sphere(factor).bytes());
+    let mut glb = sphere(textured);
+    let numbers = png([2, 2], BitDepth::Eight, ColorType::Rgb, &[0, 102, 153].repeat(4));
+    glb.images = vec![gray_png(4, 4, &[204; 16]), numbers];
+    folder.write("textured.glb", glb.bytes());
+    for options in ["", "--sources 8", "--sources 0 --window none", "-t sphere --sources 0"] {
+        let factor = picture(&folder, &format!("--object factor.glb {options}"));
+        let textured = picture(&folder, &format!("--object textured.glb {options}"));
+        let error = apart(&textured, &factor);
+        println!("{options}: {error:.1e}");
+        assert!(error < OF_A_FACTOR, "{options}: {error:e}");
+    }
+    folder.ok(
+        "material gltf --base-color 0.6038273389,0.6038273389,0.6038273389 --metallic 0.6 --roughness \
+         0.4 --order 12 --out m.csv",
+    );
+    let options = "-t pbr --sources 0 --window none";
+    let own = picture(&folder, &format!("--object factor.glb {options}"));
+    let named = picture(&folder, &format!("--object factor.glb --material m.csv {options}"));
+    // At the rim, several texels of a pixel are shaded, and by name one mean normal.
+    let inner = |all: &[f64]| -> Vec<f64> {
+        let is_inner = |k: usize| {
+            let [x, y] = [k / 3 % 48, k / 3 / 48].map(|c| c as f64 - 23.5);
+            x.hypot(y) < 18.0
+        };
+        all.iter().enumerate().filter(|(k, _)| is_inner(*k)).map(|(_, value)| *value).collect()
+    };
+    let error = apart(&inner(&own), &inner(&named));
+    println!("by name: {error:.1e}");
+    assert!(error < OF_THE_FORMULA, "{error:e}");
+}
+
+/// A roughness texture is near the picture of its roughness in the middle.
+#[test]
+fn roughness_by_texture() {
+    let folder = Folder::new();
+    let material =
+        |roughness: f64| format!(r#""pbrMetallicRoughness":{{"roughnessFactor":{roughness}}}"#);
+    let ramp: Vec<u8> = (0..64 * 64).flat_map(|k| [0, (k % 64 * 4) as u8, 255]).collect();
+    let mut glb = sphere(r#""pbrMetallicRoughness":{"metallicRoughnessTexture":{"index":0}}"#);
+    glb.images = vec![png([64, 64], BitDepth::Eight, ColorType::Rgb, &ramp)];
+    folder.write("ramp.glb", glb.bytes());
+    let found = picture(&folder, "--object ramp.glb --sources 0 --window none");
+    // The middle of the picture has u = 1/4.
+    let error = |roughness: f64| {
+        folder.write("one.glb", sphere(&material(roughness)).bytes());
+        let one = picture(&folder, "--object one.glb --sources 0 --window none");
+        let peak = one.iter().copied().fold(0.0, f64::max);
+        let middle = 3 * (24 * 48 + 24);
+        (found[middle] - one[middle]).abs() / peak
+    };
+    let [right, wrong] = [0.25, 0.75].map(error);
+    println!("{right:.1e}, of another roughness {wrong:.1e}");
+    assert!(right < 0.01 && wrong > 0.02, "{right} {wrong}");
+}
+
+#[test]
+fn pictures_and_messages() {
+    let folder = Folder::new();
+    folder.write("a.glb", sphere("").bytes());
+    let message = folder.messages("render --object a.glb --light lobby --size 32 --out a.png");
+    assert!(message.contains("drawn with table pbr (250 components)"), "{message}");
+    let (width, color, bytes) = decoded(&folder.path("a.png"));
+    assert_eq!((width, color, bytes.len()), (32, ColorType::Rgba, 4096));
+    let opaque = bytes.chunks(4).filter(|pixel| pixel[3] == 255).count();
+    assert!((650..850).contains(&opaque), "{opaque}");
+    // With a material of its own choice, and packed.
+    folder.ok("render --object a.glb --light lobby --material chrome --size 32 --out b.png");
+    assert!(folder.bytes("a.png") != folder.bytes("b.png"));
+    folder.ok("pack-normals a.glb --size 32 --view top --out a.bin");
+    for (options, fragments) in [
+        ("--object sphere", &["no material, and the object has none", "--material"][..]),
+        ("--object none.glb", &["none.glb"]),
+        ("--object a.glb --format f64", &["drawn in f32"]),
+        ("--object a.glb --flip-green --material chrome", &["--flip-green is for a normal map"]),
+    ] {
+        let command = format!("render --light lobby {options} --out new.png");
+        assert_fails(&folder, &command, fragments);
+    }
+}
+
+/// A box whose sides have colors, as a polygon file.
+fn colored_box() -> String {
+    let mut corners = String::new();
+    // The outward axis, and the color, of each side.
+    for (axis, sign, color) in [
+        (2, 1.0, "1 0 0"),
+        (2, -1.0, "0 1 0"),
+        (0, 1.0, "0 0 1"),
+        (0, -1.0, "1 1 0"),
+        (1, 1.0, "1 0 1"),
+        (1, -1.0, "0 1 1"),
+    ] {
+        for [u, v] in [[-1.0, -1.0], [1.0, -1.0], [1.0, 1.0], [-1.0, 1.0]] {
+            let mut at = [0.0; 3];
+            (at[axis], at[(axis + 1) % 3], at[(axis + 2) % 3]) = (sign, u * sign, v);
+            corners += &format!("{} {} {} {color}\n", at[0], at[1], at[2]);
+        }
+    }
+    let channels = ["x", "y", "z", "red", "green", "blue"];
+    let channels = channels.map(|name| format!("property float {name}\n")).concat();
+    let sides = (0..6).map(|k| [0, 1, 2, 3].map(|corner| 4 * k + corner));
+    let sides: String = sides.map(|[a, b, c, d]| format!("4 {a} {b} {c} {d}\n")).collect();
+    format!(
+        "ply\nformat ascii 1.0\nelement vertex 24\n{channels}element face 6\nproperty list uchar int \
+         vertex_indices\nend_header\n{corners}{sides}"
+    )
+}
+
+/// Each view shows the side of its name, and colors of corners are drawn without a material.
+#[test]
+fn views_show_the_sides_of_their_names() {
+    let folder = Folder::new();
+    folder.write("box.ply", colored_box());
+    for (view, expected) in [
+        ("front", [true, false, false]),
+        ("back", [false, true, false]),
+        ("right", [false, false, true]),
+        ("left", [true, true, false]),
+        ("top", [true, false, true]),
+        ("bottom", [false, true, true]),
+    ] {
+        folder.ok(&format!("render --object box.ply --light park --view {view} --size 9 -o v.png"));
+        let (_, _, bytes) = decoded(&folder.path("v.png"));
+        let middle = &bytes[4 * (4 * 9 + 4)..][..3];
+        let brightest = middle.iter().max().copied().unwrap_or_default();
+        assert_eq!([0, 1, 2].map(|c: usize| middle[c] > brightest / 2), expected, "{view}");
+    }
+}
