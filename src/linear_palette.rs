@@ -13,9 +13,8 @@ const POINT: u32 = 12;
 ///
 /// It is a [`Palette`](crate::screen::Palette) for textured objects: a pixel's irradiance is
 /// multiplied by its own base color, then encoded. Base colors are linear: decode those of an sRGB
-/// texture first. The product
-/// tints all of the irradiance, highlights too, which is right for matte materials and for metals.
-/// Irradiances are in steps of 2^-12 of white, up to 16.
+/// texture first. The product tints all of the irradiance, highlights too, which is right for matte
+/// materials and for metals. Irradiances are in steps of 2^-12 of white, up to 16.
 ///
 /// ```
 /// # #[cfg(all(feature = "baked", feature = "presets"))] {

@@ -16,11 +16,10 @@ use crate::target::Target;
 
 /// The colors of one material under one light, by normal: 8.7 KB.
 ///
-/// Fill it for each frame, which shades the nodes, and draw any number of pixels from it. A pixel to
-/// RGB565 takes 58 instructions on a Cortex-M4F and 101 on a Cortex-M0. On the display, pictures
-/// differ from those with every pixel shaded by CIEDE2000 0.37 in the median and by more than 1 in
-/// one of five: where a highlight is narrower than the 5.7 degrees between two
-/// nodes, or an edge is black because the light rings.
+/// Fill it for each frame, which shades the nodes, and draw any number of pixels from it: a pixel takes
+/// six interpolations in integers. On the display, pictures differ from those with every pixel shaded
+/// by CIEDE2000 0.37 in the median, and by more than 1 in one of five: where a highlight is narrower
+/// than the 5.7 degrees between two nodes, or an edge is black because the light rings.
 ///
 /// ```
 /// # #[cfg(all(feature = "baked", feature = "presets"))] {
@@ -73,9 +72,10 @@ impl Palette {
         });
     }
 
-    /// [`fill`](Self::fill) of four nodes at a time, in 40 % of the time. `exposed` gives the exposed
-    /// irradiances of [`Normal::mirrored`](crate::Normal::mirrored). Nodes that mirror one of `nodes`
-    /// are set as well, so an object that faces one side may be filled faster by `fill`.
+    /// [`fill`](Self::fill) of four nodes at a time, which are shaded for little more than one.
+    /// `exposed` gives the exposed irradiances of [`Normal::mirrored`](crate::Normal::mirrored). Nodes
+    /// that mirror one of `nodes` are set as well, so an object that faces one side may be filled
+    /// faster by `fill`.
     ///
     /// ```
     /// # #[cfg(all(feature = "baked", feature = "presets"))] {

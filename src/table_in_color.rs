@@ -79,8 +79,8 @@ macro_rules! table_in_color {
                     self.0.each_ref().map(|scene| of_channel(scene, normal))
                 }
 
-                /// The irradiances of a normal and its mirror images in each channel, for the cost
-                /// of little more than one.
+                /// The irradiances of a normal and its mirror images in each channel, at little more
+                /// than the cost of one normal.
                 #[must_use]
                 pub fn shade_mirrored(&self, normal: $normal) -> [Rgb<$irradiance>; 4] {
                     let mirrored = <$mirrored>::new(normal);

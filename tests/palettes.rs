@@ -22,6 +22,12 @@ fn apart(a: u16, b: u16) -> i32 {
     pairs.map(|(a, b)| (a - b).abs()).max().unwrap_or_default()
 }
 
+/// The sizes that the documentation states: 8.7 and 6.5 KB.
+#[test]
+fn palettes_have_their_stated_sizes() {
+    assert_eq!([size_of::<Palette>(), size_of::<LinearPalette>()], [8_712, 6_534]);
+}
+
 /// A flat object is as the display has its one normal, also where the normal is a node or lies on the
 /// edge of a cell, and needs no other nodes than those around it.
 #[test]

@@ -98,8 +98,8 @@ impl Normal {
 }
 
 impl<B: AsRef<[i32]>> Scene<'_, B> {
-    /// The irradiances of [`Normal::mirrored`], for the cost of little more than one: within six units of
-    /// those of [`shade`](Self::shade), which rounds powers of n_x + i n_y by themselves.
+    /// The irradiances of [`Normal::mirrored`], at little more than the cost of one normal: within six
+    /// units of those of [`shade`](Self::shade), which rounds the powers of n_x + i n_y of each image.
     #[must_use]
     pub fn shade_mirrored(&self, normal: Normal) -> [i32; 4] {
         let mirrored = Mirrored::new(normal);

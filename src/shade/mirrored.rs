@@ -104,7 +104,7 @@ impl Normal {
 }
 
 impl<B: AsRef<[f32]>> Scene<'_, B> {
-    /// The irradiances of [`Normal::mirrored`], for the cost of little more than one.
+    /// The irradiances of [`Normal::mirrored`], at little more than the cost of one normal.
     #[must_use]
     pub fn shade_mirrored(&self, normal: Normal) -> [f32; 4] {
         let mirrored = Mirrored::new(normal);

@@ -67,18 +67,18 @@ pub struct Map {
     pub set: usize,
     /// The rows of a matrix that coordinates (u, v, 1) are multiplied by.
     pub transform: [[f32; 3]; 2],
-    /// What is beyond 0 and 1, in u and in v.
+    /// How u and v outside 0 to 1 are looked up.
     pub wrap: [Wrap; 2],
 }
 
-/// What is beyond the edges of a texture.
+/// How coordinates outside a texture are looked up.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Wrap {
-    /// The texture again.
+    /// The texture repeats.
     Repeat,
-    /// The texture again, each second time mirrored.
+    /// The texture repeats, mirrored every second time.
     Mirror,
-    /// The texels at the edge.
+    /// The nearest texel at the edge.
     Clamp,
 }
 

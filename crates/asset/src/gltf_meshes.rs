@@ -70,7 +70,7 @@ struct Reader<'a> {
     file: &'a InputFile,
     accessors: &'a Accessors<'a>,
     asset: Asset,
-    /// What is not drawn.
+    /// Names of the features that are ignored, for a warning.
     ignored: BTreeSet<&'static str>,
 }
 

@@ -1,4 +1,5 @@
-//! What the pixels of an object's picture show.
+//! Renders an object to texels: for each pixel its coverage, and the normals and material
+//! parameters to shade.
 
 mod sample;
 
@@ -33,14 +34,14 @@ const TOGETHER: f64 = 0.98;
 /// have 16 bits.
 const ROUNDED: f64 = 1e-4;
 
-/// The pixels of a square picture that an object covers, and what they show.
+/// The pixels of a square picture that an object covers, and the points to shade in each.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Texels {
     /// Pixels across and down.
     pub size: usize,
     /// The pixels, row by row from the top.
     pub pixels: Vec<Covered>,
-    /// What they show, pixel after pixel.
+    /// The points to shade, pixel by pixel.
     pub texels: Vec<Texel>,
     /// The share of its pixel's covered part that each texel has.
     pub shares: Vec<f32>,

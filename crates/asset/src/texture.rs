@@ -9,7 +9,7 @@ use std::sync::LazyLock;
 /// across.
 const LONGEST: usize = 4096;
 
-/// What the channels of a texture are.
+/// The meaning of a texture's channels.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Kind {
     /// A color in sRGB, and linear opacity.

@@ -5,7 +5,7 @@ use eigenshade_generator::object::surface::View;
 use eigenshade_testing::glb::Glb;
 use std::time::{Duration, Instant};
 
-/// What a refusal may take.
+/// The longest time to refuse a file.
 const REFUSAL: Duration = Duration::from_secs(10);
 
 fn error(bytes: &[u8]) -> String {

@@ -1,4 +1,4 @@
-//! What the pixels of a picture show of materials and textures.
+//! Materials and textures in the pixels of a picture.
 
 use crate::support::{at, drawn, png, read, square};
 use eigenshade_generator::object::surface::View;

@@ -2,9 +2,9 @@
 #![expect(unsafe_code, reason = "memory of C")]
 
 use crate::boundary::{Input, Output, Place, Plain, disjoint};
-use crate::constants::{MATERIAL_BUFFER, SOURCES};
+use crate::constants::SOURCES;
 use crate::format::{Format, Read};
-use crate::quantize::{material_in, pointing, quantized};
+use crate::quantize::{pointing, quantized, stored_lights, stored_materials};
 use crate::records_q15::{
     BakedQ15, CoefficientsQ15, ColorLightQ15, ColorMaterialQ15, IrradianceQ15, LightBufferQ15,
     LightQ15, MaterialBufferQ15, MaterialQ15, PictureQ15, TransferQ15, WorkspaceQ15,
@@ -15,8 +15,8 @@ use crate::table::{self, COMPONENTS, LIGHT};
 use eigenshade::object::{DiscPixel, NormalPixel};
 use eigenshade::q15::kernels::Mirrored;
 use eigenshade::q15::{
-    self, BakedMap, Basis, Exposure, Highlights, Light, LightBuffer, MapPoint, Material, Normal,
-    Parts, Rotation, Transfer,
+    self, BakedMap, Basis, Exposure, Highlights, Light, MapPoint, Material, Normal, Parts,
+    Rotation, Transfer,
 };
 use eigenshade::screen::{Display, Linear, Nodes, Palette};
 use eigenshade::specialized::{by_image, checked};
@@ -93,39 +93,6 @@ fn transferred(
     exponents: &mut [i16; PROFILES],
 ) -> Result<(), Status> {
     Ok(table::q15::BASIS.transfer_into(material, workspace, numbers, exponents)?)
-}
-
-/// A light of C from one of the runtime, whose mantissas it copies to `to`.
-fn stored(from: Light<'_>, to: &mut [Q15; LIGHT]) -> LightQ15 {
-    let (mantissas, exponent) = (from.mantissas(), from.exponent());
-    to.iter_mut().zip(mantissas).for_each(|(to, &from)| *to = from);
-    pointing(to, mantissas.len(), exponent)
-}
-
-/// Stores turned lights.
-fn stored_lights(
-    turned: &Rgb<LightBuffer<LIGHT>>,
-    buffer: &mut LightBufferQ15,
-) -> Result<ColorLightQ15, Status> {
-    let ([to_r, to_g, to_b], Rgb { r, g, b }) = (&mut buffer.mantissas, turned.lights()?);
-    Ok(ColorLightQ15 { r: stored(r, to_r), g: stored(g, to_g), b: stored(b, to_b) })
-}
-
-/// Stores materials, whose mantissas it modifies.
-fn stored_materials(
-    from: Rgb<Material<'_>>,
-    buffer: &mut MaterialBufferQ15,
-    modify: impl Fn(&mut [Q15; MATERIAL_BUFFER]),
-) -> ColorMaterialQ15 {
-    let numbers = Rgb::from(buffer.mantissas.each_mut());
-    let numbers = numbers.zip(Rgb::from(buffer.exponents.each_mut())).zip(from);
-    let channels = numbers.map(|((mantissas, exponents), from)| {
-        mantissas.iter_mut().zip(from.mantissas()).for_each(|(to, &from)| *to = from);
-        exponents.iter_mut().zip(from.exponents()).for_each(|(to, &from)| *to = from);
-        modify(mantissas);
-        material_in(mantissas, exponents, from.exponents().len().saturating_sub(1))
-    });
-    ColorMaterialQ15 { r: channels.r, g: channels.g, b: channels.b }
 }
 
 pub(crate) fn project(

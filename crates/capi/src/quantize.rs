@@ -2,6 +2,7 @@
 #![expect(unsafe_code, reason = "memory of C")]
 
 use crate::boundary::{Input, Output, Place, disjoint};
+use crate::constants::MATERIAL_BUFFER;
 use crate::format::Format;
 use crate::records_f32::{ColorLightF32, ColorMaterialF32};
 use crate::records_q15::{
@@ -9,7 +10,7 @@ use crate::records_q15::{
 };
 use crate::status::Status;
 use crate::table::LIGHT;
-use eigenshade::q15::{Light, Material, Normal};
+use eigenshade::q15::{Light, LightBuffer, Material, Normal};
 use eigenshade::{Q15, Rgb};
 use eigenshade_table::material;
 
@@ -35,7 +36,7 @@ pub(crate) fn quantized<B: AsRef<[f32]>>(
 }
 
 /// A channel of a material of C in this memory.
-pub(crate) fn material_in(mantissas: &[Q15], exponents: &[i8], order: usize) -> MaterialQ15 {
+fn material_in(mantissas: &[Q15], exponents: &[i8], order: usize) -> MaterialQ15 {
     MaterialQ15 {
         order,
         length: material::count(order),
@@ -43,6 +44,39 @@ pub(crate) fn material_in(mantissas: &[Q15], exponents: &[i8], order: usize) -> 
         exponents_length: order + 1,
         exponents: exponents.as_ptr(),
     }
+}
+
+/// A light of C from one of the runtime, whose mantissas it copies to `to`.
+fn stored(from: Light<'_>, to: &mut [Q15; LIGHT]) -> LightQ15 {
+    let (mantissas, exponent) = (from.mantissas(), from.exponent());
+    to.iter_mut().zip(mantissas).for_each(|(to, &from)| *to = from);
+    pointing(to, mantissas.len(), exponent)
+}
+
+/// Stores turned lights.
+pub(crate) fn stored_lights(
+    turned: &Rgb<LightBuffer<LIGHT>>,
+    buffer: &mut LightBufferQ15,
+) -> Result<ColorLightQ15, Status> {
+    let ([to_r, to_g, to_b], Rgb { r, g, b }) = (&mut buffer.mantissas, turned.lights()?);
+    Ok(ColorLightQ15 { r: stored(r, to_r), g: stored(g, to_g), b: stored(b, to_b) })
+}
+
+/// Stores materials, whose mantissas it modifies.
+pub(crate) fn stored_materials(
+    from: Rgb<Material<'_>>,
+    buffer: &mut MaterialBufferQ15,
+    modify: impl Fn(&mut [Q15; MATERIAL_BUFFER]),
+) -> ColorMaterialQ15 {
+    let numbers = Rgb::from(buffer.mantissas.each_mut());
+    let numbers = numbers.zip(Rgb::from(buffer.exponents.each_mut())).zip(from);
+    let channels = numbers.map(|((mantissas, exponents), from)| {
+        mantissas.iter_mut().zip(from.mantissas()).for_each(|(to, &from)| *to = from);
+        exponents.iter_mut().zip(from.exponents()).for_each(|(to, &from)| *to = from);
+        modify(mantissas);
+        material_in(mantissas, exponents, from.exponents().len().saturating_sub(1))
+    });
+    ColorMaterialQ15 { r: channels.r, g: channels.g, b: channels.b }
 }
 
 pub(crate) fn quantize_light(

@@ -17,12 +17,12 @@ use eigenshade_testing::glb::Glb;
 use png::{BitDepth, ColorType, Encoder};
 use std::f64::consts::PI;
 
-/// The rms difference of the median picture, of white; roughness is at least 0.3.
-const OF_WHITE: f64 = 0.015;
+/// The rms difference of a picture, of white; roughness is at least 0.3. The largest found is 0.87 %.
+const OF_WHITE: f64 = 0.01;
 
 /// The rms difference of sums over a map of half the size each way, of white: four times that of
 /// sums over the map.
-const OF_SAMPLING: f64 = 0.01;
+const OF_SAMPLING: f64 = 0.002;
 
 /// Pixels across.
 const SIZE: usize = 14;
@@ -196,9 +196,10 @@ fn pictures_are_near_direct_integration() {
             }
         }
     }
-    errors.sort_by(f64::total_cmp);
     println!("sums over half the map: {:.3} % of white", 100.0 * sampling);
-    assert!(errors[errors.len() / 2] < OF_WHITE && sampling < OF_SAMPLING, "{errors:?} {sampling}");
+    assert!(errors.iter().all(|&error| error < OF_WHITE), "{errors:?}");
+    // Sums over the whole map are off by a quarter of it.
+    assert!(sampling < OF_SAMPLING, "{sampling}");
 }
 
 /// The map in half its size each way: means over four texels of nearly the same solid angle.

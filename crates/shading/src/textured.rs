@@ -16,7 +16,7 @@ use eigenshade_model::shipped;
 use eigenshade_model::source::{Gloss, Source};
 use eigenshade_table::material::count;
 
-/// What a part of a pixel shows.
+/// A point to shade: its normal and its material.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Texel {
     /// The unit normal, z >= 0.

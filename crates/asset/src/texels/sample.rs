@@ -1,4 +1,4 @@
-//! What one sample of a picture shows.
+//! The normal and the material parameters of one sample of a picture.
 
 use crate::asset::{Asset, Map, Material};
 use crate::tangents::{self, Tangent, places};
@@ -9,7 +9,7 @@ use eigenshade_model::vector::{cross, dot};
 /// The reflectance of dielectrics at normal incidence.
 const DIELECTRIC: f32 = 0.04;
 
-/// What a sample shows.
+/// The surface at a sample.
 pub(super) struct Shown {
     /// The unit normal of the surface.
     pub(super) smooth: [f64; 3],
@@ -22,7 +22,7 @@ pub(super) struct Shown {
     pub(super) roughness: f32,
 }
 
-/// Looks up what samples show.
+/// Evaluates an object's surface at samples.
 pub(super) struct Sampler<'a> {
     asset: &'a Asset,
     surface: &'a Surface,
@@ -102,7 +102,7 @@ impl<'a> Sampler<'a> {
         texture.at(mean(places.corners, weights), &places.map, places.level)
     }
 
-    /// What a sample in this column and row, upward, shows of a facet.
+    /// The surface of a facet at the sample in this column and row; rows count upward.
     pub(super) fn shown(&mut self, facet: u32, column: usize, row: usize) -> Option<Shown> {
         let number = facet as usize;
         let plain = self.surface.facets.get(number)?;
