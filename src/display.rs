@@ -6,6 +6,7 @@
 
 use crate::color::Rgb;
 use crate::error::{Argument, Error};
+use crate::srgb;
 
 /// Bits of a [`Linear`] after the binary point.
 pub(crate) const POINT: u32 = 16;
@@ -17,17 +18,6 @@ pub(crate) const POINT: u32 = 16;
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord)]
 #[cfg_attr(feature = "defmt", derive(defmt::Format))]
 pub struct Linear(pub u32);
-
-impl Linear {
-    /// The product with a number in units of 2^-16, such as a channel of a linear base color. An
-    /// irradiance above 16 counts as 16.
-    #[inline]
-    #[must_use]
-    pub fn times(self, factor: u16) -> Self {
-        let Self(units) = self;
-        Self(((units >> 4).min(0xffff) * u32::from(factor)) >> 12)
-    }
-}
 
 impl From<f32> for Linear {
     #[inline]
@@ -140,23 +130,6 @@ impl Tone {
     }
 }
 
-/// The sRGB encoding of a number from 0 to 1 (IEC 61966-2-1).
-const fn srgb(x: f64) -> f64 {
-    if x <= 0.003_130_8 {
-        return 12.92 * x;
-    }
-    // x^(1/2.4) is the twelfth root of x^5. Newton's method falls to it from 1.
-    let fifth = x * x * x * x * x;
-    let (mut root, mut step) = (1.0, 0);
-    while step < 64 {
-        let cube = root * root * root;
-        let eleventh = cube * cube * cube * root * root;
-        root -= (eleventh * root - fifth) / (12.0 * eleventh);
-        step += 1;
-    }
-    1.055 * root - 0.055
-}
-
 /// A tone curve and the sRGB encoding, as a table of 774 bytes.
 ///
 /// ```
@@ -189,7 +162,7 @@ impl Display {
             let mut index = 0;
             while index <= INTERVALS {
                 let units = (index as u32) << WIDTHS[piece];
-                let encoded = srgb(tone.of(units as f64 / (1_u32 << POINT) as f64));
+                let encoded = srgb::encoded(tone.of(units as f64 / (1_u32 << POINT) as f64));
                 pieces[piece][index] = (encoded * 65_535.0 + 0.5) as u16;
                 index += 1;
             }
@@ -238,10 +211,15 @@ impl Display {
 
     #[inline(always)]
     fn rounded565(&self, color: Rgb<impl Into<Linear>>, threshold: u32) -> u16 {
-        let Rgb { r, g, b } = color.map(|channel| self.encode(channel.into()));
-        let [r, b] = [r, b].map(|channel| levels::<31>(channel, threshold));
-        (r << 11) | (levels::<63>(g, threshold) << 5) | b
+        word565(color.map(|channel| self.encode(channel.into())), threshold)
     }
+}
+
+/// A pixel of 5, 6 and 5 bits, each rounded down after adding a threshold in 2^-16 of a level.
+#[inline(always)]
+pub(crate) fn word565(Rgb { r, g, b }: Rgb<u16>, threshold: u32) -> u16 {
+    let [r, b] = [r, b].map(|channel| levels::<31>(channel, threshold));
+    (r << 11) | (levels::<63>(g, threshold) << 5) | b
 }
 
 /// The rank of a pixel in the 4 x 4 Bayer matrix, from 0 to 15.
@@ -261,7 +239,7 @@ pub(crate) fn ranks(y: usize) -> impl Fn(usize) -> u32 {
 
 /// One of the levels 0 to `MOST`: rounds down after adding a threshold in 2^-16 of a level.
 #[inline(always)]
-fn levels<const MOST: u32>(encoded: u16, threshold: u32) -> u16 {
+pub(crate) fn levels<const MOST: u32>(encoded: u16, threshold: u32) -> u16 {
     // At most 65,535 / 65,536 of a level above `MOST`.
     ((u32::from(encoded) * MOST + threshold) >> 16) as u16
 }

@@ -98,6 +98,9 @@ pub enum Error {
         /// Which parameter.
         argument: Argument,
     },
+    /// The bytes of an object are not those of a file that `pack-object` of this version wrote, or
+    /// were cut or changed.
+    Object,
     /// Angles, cosine and sine, a quaternion or a matrix do not describe a rotation.
     Rotation,
     /// A light's direction has no length or is not finite, or its radius is not above 0 and at most
@@ -151,6 +154,8 @@ pub enum Argument {
     Normals,
     /// The bytes of a normal map, two for each pixel.
     NormalMap,
+    /// The palettes of an object's regions.
+    Palettes,
     /// The pixels of a picture that a disc is drawn into.
     Picture,
     /// Images of a set, and the values reported for each.
@@ -246,6 +251,10 @@ impl fmt::Display for Error {
                 "Picture: {expected} pixels expected, {found} found; give a square as wide as the \
                  disc"
             ),
+            Self::Length { argument: Argument::Palettes, expected, found } => write!(
+                f,
+                "{expected} palettes expected, {found} found; give one for each region of the object"
+            ),
             Self::Length { argument, expected, found } => {
                 write!(f, "{argument:?}: {expected} numbers expected, {found} found")
             }
@@ -329,6 +338,10 @@ impl fmt::Display for Error {
                  make a smaller one, and give what is sharper as sources"
             ),
             Self::Tolerance => f.write_str("a tolerance must be finite and above zero; give one such as 0.01"),
+            Self::Object => f.write_str(
+                "the bytes are no object, or were cut or changed; take a file that `eigenshade \
+                 pack-object` of this version wrote",
+            ),
             Self::Rotation => f.write_str(
                 "a rotation needs finite angles, the cosine and sine of one, a quaternion that is not \
                  zero, or an orthonormal right-handed matrix",

@@ -161,6 +161,16 @@ impl<const N: usize> Highlights<N> {
         Ok(())
     }
 
+    /// The difference from the highlights of the same sources and roughness in another color.
+    pub(crate) fn less(mut self, other: &Self) -> Self {
+        for (lobe, other) in self.lobes.iter_mut().zip(&other.lobes) {
+            let difference = |(a, b): (f32, f32)| a - b;
+            lobe.specular = lobe.specular.zip(other.specular).map(difference);
+            lobe.matte = lobe.matte.zip(other.matte).map(difference);
+        }
+        self
+    }
+
     /// The sources that are shaded.
     #[must_use]
     pub fn len(&self) -> usize {

@@ -111,6 +111,8 @@ mod basis;
 
 mod transfer;
 
+mod region;
+
 mod relight;
 
 mod projection;
@@ -186,9 +188,13 @@ mod normal_code;
 
 mod normal_map;
 
+mod packed_object;
+
 mod blend;
 
 mod sphere_map;
+
+mod srgb;
 
 mod matcap;
 
@@ -201,6 +207,8 @@ mod encoded;
 mod pixel;
 
 mod target;
+
+mod painted;
 
 mod palette;
 
@@ -278,6 +286,8 @@ pub mod object {
     pub use crate::matcap::{Matcap, MatcapTexel};
     pub use crate::normal_code::NormalCode;
     pub use crate::normal_map::{NormalMap, NormalPixel, NormalPixels};
+    pub use crate::packed_object::{Object, ObjectPixel};
+    pub use crate::region::Region;
 }
 
 /// From irradiance to the pixels of a display.
@@ -288,6 +298,7 @@ pub mod screen {
     pub use crate::linear_palette::LinearPalette;
     pub use crate::meter::Meter;
     pub use crate::nodes::Nodes;
+    pub use crate::painted::Painted;
     pub use crate::palette::{Dithered, Palette};
     pub use crate::pixel::Pixel;
     pub use crate::sent::Sent;

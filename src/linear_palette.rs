@@ -1,4 +1,4 @@
-//! The irradiances of a frame by normal, for objects whose pixels have colors of their own.
+//! The irradiances of a frame by normal, for pixels with base colors of their own.
 
 use crate::color::Rgb;
 use crate::display::Linear;
@@ -9,40 +9,48 @@ use crate::normal_code::NormalCode;
 /// Bits of a node's values after the binary point.
 const POINT: u32 = 12;
 
-/// The exposed irradiances of one material under one light, by normal, not yet encoded: 6.5 KB.
+/// The exposed irradiances of one region of an [`Object`](crate::object::Object) under one light, by
+/// normal, not yet encoded: 13 KB.
 ///
-/// It is a [`Palette`](crate::screen::Palette) for textured objects: a pixel's irradiance is
-/// multiplied by its own base color, then encoded. Base colors are linear: decode those of an sRGB
-/// texture first. The product tints all of the irradiance, highlights too, which is right for matte
-/// materials and for metals. Irradiances are in steps of 2^-12 of white, up to 16.
+/// It is a [`Palette`](crate::screen::Palette) for pixels with base colors of their own. A pixel's
+/// irradiance is E = base color x T(n) + P(n): the part that the base color tints, and the plain part
+/// that it does not, such as the white highlights of plastic. [`Region`](crate::object::Region) has
+/// the materials of both parts. Irradiances are in steps of 2^-12 of white, up to 16.
 ///
 /// ```
 /// # #[cfg(all(feature = "baked", feature = "presets"))] {
-/// use eigenshade::object::Disc;
-/// use eigenshade::presets::{light::LOBBY, material::PTFE_633NM};
+/// use eigenshade::object::{Disc, Region};
+/// use eigenshade::presets::light::LOBBY;
 /// use eigenshade::screen::{Display, LinearPalette, Nodes, Target, Tone};
-/// use eigenshade::{Rgb, sphere};
+/// use eigenshade::{Material, Rgb, sphere};
 ///
 /// static DISPLAY: Display = Display::new(Tone::Filmic);
-/// let scene = sphere::color::scene(LOBBY, PTFE_633NM)?;
-/// let exposure = scene.exposure_by_factor(1.5)?;
+/// // Plastic of roughness 0.3.
+/// let [tinted, plain] = Region::new(0.0, 0.3)?.materials()?;
+/// let tinted = sphere::color::scene(LOBBY, Material::new(&tinted)?)?;
+/// let plain = sphere::color::scene(LOBBY, Material::new(&plain)?)?;
+/// let exposure = tinted.exposure_by_factor(1.5)?;
 /// let mut palette = LinearPalette::default();
-/// palette.fill(&Nodes::ALL, |normal| exposure.of(scene.shade(normal)));
+/// palette.fill(&Nodes::ALL, |normal| {
+///     [&tinted, &plain].map(|scene| exposure.of(scene.shade(normal)))
+/// });
 ///
-/// // Stripes: base colors in units of 2^-16.
+/// // Stripes: linear base colors in units of 2^-16.
 /// let colors = [Rgb::new(50_000, 9_000, 4_000), Rgb::gray(45_000)];
 /// let mut picture = [0_u16; 64 * 64];
 /// let mut target = Target::new(&mut picture, 64)?;
 /// for pixel in Disc::new(64)? {
 ///     let base = colors[pixel.row() / 8 % 2];
-///     let color = palette.color(pixel.code()).zip(base).map(|(light, base)| light.times(base));
-///     pixel.put(&mut target, DISPLAY.rgb565(color));
+///     pixel.put(&mut target, DISPLAY.rgb565(palette.color(pixel.code(), base)));
 /// }
 /// # }
 /// # Ok::<(), eigenshade::Error>(())
 /// ```
 #[derive(Clone, Debug)]
-pub struct LinearPalette(Grid<[u16; 3]>);
+pub struct LinearPalette(Grid<Node>);
+
+/// The irradiances of a normal: the tinted part, then the plain one.
+type Node = [[u16; 3]; 2];
 
 /// A palette in which every irradiance is 0.
 impl Default for LinearPalette {
@@ -53,40 +61,52 @@ impl Default for LinearPalette {
 
 impl LinearPalette {
     /// A palette in which every irradiance is 0.
-    pub const BLACK: Self = Self(Grid([[0; 3]; SIDE * SIDE]));
+    pub const BLACK: Self = Self(Grid([[[0; 3]; 2]; SIDE * SIDE]));
 
-    /// Shades and exposes nodes, as [`Palette::fill`](crate::screen::Palette::fill).
+    /// Shades and exposes nodes, as [`Palette::fill`](crate::screen::Palette::fill): `exposed` gives
+    /// the tinted part and the plain one.
     pub fn fill<N: AnyNormal, L: Into<Linear>>(
         &mut self,
         nodes: &Nodes,
-        mut exposed: impl FnMut(N) -> Rgb<L>,
+        mut exposed: impl FnMut(N) -> [Rgb<L>; 2],
     ) {
-        self.0.fill(nodes, |normal| packed(exposed(normal)));
+        self.0.fill(nodes, |normal| exposed(normal).map(packed));
     }
 
     /// [`fill`](Self::fill) of four nodes at a time, as
-    /// [`Palette::fill_mirrored`](crate::screen::Palette::fill_mirrored).
+    /// [`Palette::fill_mirrored`](crate::screen::Palette::fill_mirrored): `exposed` gives the four
+    /// irradiances of the tinted part, then those of the plain one.
     pub fn fill_mirrored<N: AnyNormal, L: Into<Linear>>(
         &mut self,
         nodes: &Nodes,
-        mut exposed: impl FnMut(N) -> [Rgb<L>; 4],
+        mut exposed: impl FnMut(N) -> [[Rgb<L>; 4]; 2],
     ) {
-        self.0.fill_mirrored(nodes, |normal| exposed(normal).map(packed));
+        self.0.fill_mirrored(nodes, |normal| {
+            let [[a, b, c, d], [e, f, g, h]] = exposed(normal);
+            [[a, e], [b, f], [c, g], [d, h]].map(|parts| parts.map(packed))
+        });
     }
 
-    /// The irradiance of a code, interpolated between four nodes. Cost: 27 products and sums.
-    #[inline]
+    /// The irradiance of a code for a linear base color in units of 2^-16.
+    #[inline(always)]
     #[must_use]
-    pub fn color(&self, code: NormalCode) -> Rgb<Linear> {
+    pub fn color(&self, code: NormalCode, base: Rgb<u16>) -> Rgb<Linear> {
         let Some(([a, b, c, d], [across, up])) = self.0.around(code) else {
             return Rgb::gray(Linear(0));
         };
-        let between = |a: u32, b: u32, way: u32| a * (8 - way) + b * way;
-        let row = |a: [u16; 3], b: [u16; 3]| {
-            Rgb::from(a).zip(Rgb::from(b)).map(|(a, b)| between(a.into(), b.into(), across))
+        let between = |a: u32, b: u32, way: u32| (a << 3) + b * way - a * way;
+        // 64 times a part's irradiance.
+        let part = |[a, b, c, d]: [[u16; 3]; 4]| {
+            let row = |a: [u16; 3], b: [u16; 3]| {
+                Rgb::from(a).zip(b.into()).map(|(a, b)| between(a.into(), b.into(), across))
+            };
+            row(a, b).zip(row(c, d)).map(|(a, b)| between(a, b, up))
         };
-        // 64 times the irradiance.
-        row(a, b).zip(row(c, d)).map(|(a, b)| Linear(between(a, b, up) >> (6 + POINT - 16)))
+        let tinted = part([a, b, c, d].map(|[tinted, _]| tinted));
+        let plain = part([a, b, c, d].map(|[_, plain]| plain));
+        tinted.zip(plain).zip(base).map(|((tinted, plain), base)| {
+            Linear((((tinted >> 6) * u32::from(base)) >> POINT) + (plain >> (6 + POINT - 16)))
+        })
     }
 }
 

@@ -162,6 +162,14 @@ impl q15::Material<'_> {
         ORDER_7_Q15.material(base_color, metallic, roughness)
     }
 
+    /// Sums of matte, rim and metal with these shares; that of rim is 0 or counts as 1.
+    pub(crate) fn metallic_roughness_sums(
+        roughness: Q15,
+        shares: [[Q15; 3]; 2],
+    ) -> Result<[MaterialBuffer<40, 8>; 2], Error> {
+        ORDER_7_Q15.sums(roughness, shares.map(|shares| shares.map(|Q15(share)| i32::from(share))))
+    }
+
     /// [`metallic_roughness`](Self::metallic_roughness) for tables of order 12; the same error.
     pub fn metallic_roughness_of_order_12(
         base_color: [Q15; 3],
@@ -233,13 +241,27 @@ impl<const N: usize, const O: usize, const K: usize> IntegerSeries<N, O, K> {
         metallic: Q15,
         roughness: Q15,
     ) -> Result<Rgb<MaterialBuffer<N, O>>, Error> {
-        const ONE: i32 = 1 << 15;
         const OF_DIELECTRIC: i32 = (Gloss::DIELECTRIC * ONE as f32 + 0.5) as i32;
-        const OF_LEAST: i32 = (LEAST * ONE as f32 + 0.5) as i32;
         let range = [Q15(0), Q15(i16::MAX)];
         Error::check_range(Argument::Color, color, range)?;
         Error::check_range(Argument::Metallic, [metallic], range)?;
-        Error::check_range(Argument::Roughness, [roughness], range)?;
+        let metallic = i32::from(metallic.0);
+        let shares = color.map(|base| {
+            let base = i32::from(base.0);
+            let f0 = OF_DIELECTRIC + times(base - OF_DIELECTRIC, metallic);
+            [times(times(base, ONE - metallic), ONE - f0), ONE, f0]
+        });
+        self.sums(roughness, shares).map(Rgb::from)
+    }
+
+    /// Sums of matte, rim and metal with these shares, in units of 2^-15. That of rim is 0 or 1.
+    fn sums<const C: usize>(
+        &self,
+        roughness: Q15,
+        shares: [[i32; 3]; C],
+    ) -> Result<[MaterialBuffer<N, O>; C], Error> {
+        const OF_LEAST: i32 = (LEAST * ONE as f32 + 0.5) as i32;
+        Error::check_range(Argument::Roughness, [roughness], [Q15(0), Q15(i16::MAX)])?;
         let roughness = i32::from(roughness.0).max(OF_LEAST);
         // 1 / roughness² is this fraction of 2^16, between a half and one, times 2^raised.
         let square = (roughness * roughness).cast_unsigned();
@@ -260,12 +282,7 @@ impl<const N: usize, const O: usize, const K: usize> IntegerSeries<N, O, K> {
             }
             (before, now) = (now, ((x * now) >> 29) - before);
         }
-        let times = |a: i32, b: i32| (a * b + (ONE >> 1)) >> 15;
-        let metallic = i32::from(metallic.0);
-        Ok(Rgb::from(color).map(|base| {
-            let base = i32::from(base.0);
-            let f0 = OF_DIELECTRIC + times(base - OF_DIELECTRIC, metallic);
-            let matte = times(times(base, ONE - metallic), ONE - f0);
+        Ok(shares.map(|[matte, of_rim_share, f0]| {
             let mut material = MaterialBuffer { exponents: [0; O], mantissas: [Q15(0); N] };
             let [of_matte, of_rim, of_metal] = &self.exponents;
             let exponents = of_matte.iter().zip(of_rim).zip(of_metal);
@@ -286,6 +303,7 @@ impl<const N: usize, const O: usize, const K: usize> IntegerSeries<N, O, K> {
                 let sums = parts.map(|((&in_matte, &in_rim), &in_metal)| {
                     let in_metal = f0 * ((in_metal + (ONE >> 1)) >> 15);
                     let in_matte = matte * i32::from(in_matte);
+                    let in_rim = if of_rim_share > 0 { in_rim } else { 0 };
                     let sum =
                         down(in_matte, of_matte) + down(in_rim, of_rim) + down(in_metal, of_metal);
                     (sum, i32::from(top) - 30)
@@ -296,4 +314,12 @@ impl<const N: usize, const O: usize, const K: usize> IntegerSeries<N, O, K> {
             material
         }))
     }
+}
+
+/// 1 in units of 2^-15.
+const ONE: i32 = 1 << 15;
+
+/// The rounded product of two numbers in units of 2^-15.
+fn times(a: i32, b: i32) -> i32 {
+    (a * b + (ONE >> 1)) >> 15
 }

@@ -17,12 +17,16 @@ impl Pixel for [u8; 3] {}
 
 pub(crate) mod sealed {
     use super::{Rgb, blend565};
+    use crate::display::{levels, word565};
     use crate::encoded::Encoded;
 
     pub trait Pixel: Copy {
         /// The pixel of an encoded color. The levels of RGB565 are rounded down after adding a
         /// threshold, of which 2^11 are a level of red and blue.
         fn of(color: Encoded, threshold: u32) -> Self;
+        /// The pixel of encoded values from 0 to 65,535. The levels of RGB565 are rounded down after
+        /// adding a threshold in units of 2^-16 of a level.
+        fn of_display(color: Rgb<u16>, threshold: u32) -> Self;
         /// This pixel where it covers `coverage` / 255 of a pixel, and `below` in the rest of it.
         fn over(self, below: Self, coverage: u8) -> Self;
         /// All of its bits.
@@ -33,6 +37,10 @@ pub(crate) mod sealed {
         #[inline(always)]
         fn of(color: Encoded, threshold: u32) -> Self {
             color.rgb565(threshold)
+        }
+        #[inline(always)]
+        fn of_display(color: Rgb<u16>, threshold: u32) -> Self {
+            word565(color, threshold)
         }
         #[inline]
         fn over(self, below: Self, coverage: u8) -> Self {
@@ -49,6 +57,10 @@ pub(crate) mod sealed {
         fn of(color: Encoded, threshold: u32) -> Self {
             color.rgb565(threshold).to_be_bytes()
         }
+        #[inline(always)]
+        fn of_display(color: Rgb<u16>, threshold: u32) -> Self {
+            word565(color, threshold).to_be_bytes()
+        }
         #[inline]
         fn over(self, below: Self, coverage: u8) -> Self {
             let [below, above] = [below, self].map(u16::from_be_bytes);
@@ -64,6 +76,10 @@ pub(crate) mod sealed {
         #[inline(always)]
         fn of(color: Encoded, _: u32) -> Self {
             color.rgb888().into()
+        }
+        #[inline(always)]
+        fn of_display(color: Rgb<u16>, _: u32) -> Self {
+            color.map(|channel| levels::<255>(channel, 1 << 15) as u8).into()
         }
         #[inline]
         fn over(self, below: Self, coverage: u8) -> Self {

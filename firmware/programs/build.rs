@@ -6,6 +6,8 @@ mod golden;
 mod highlights;
 #[expect(dead_code, reason = "the host reads the rest")]
 mod list;
+#[path = "build/object.rs"]
+mod object;
 #[path = "build/one_material.rs"]
 mod one_material;
 
@@ -37,11 +39,12 @@ fn main() {
 }
 
 fn write_all() -> Result<()> {
-    write("golden.rs", &golden::modules()?)?;
-    write("one_material.rs", &of_one_material()?)?;
-    write("highlights.rs", &highlights::constants()?)?;
+    write("golden.rs", golden::modules()?)?;
+    write("one_material.rs", of_one_material()?)?;
+    write("highlights.rs", highlights::constants()?)?;
+    write("object.bin", object::sphere(120)?)?;
     let mut programs = list::programs().into_iter();
-    programs.try_for_each(|one| write(&format!("programs/{}.rs", one.name()), &program(one)))
+    programs.try_for_each(|one| write(&format!("programs/{}.rs", one.name()), program(one)))
 }
 
 /// The items that `program!` includes: the table, and the function to run.
@@ -84,9 +87,9 @@ fn read(path: &str) -> Result<String> {
 }
 
 /// Writes a file of the output folder.
-fn write(name: &str, text: &str) -> Result<()> {
+fn write(name: &str, contents: impl AsRef<[u8]>) -> Result<()> {
     let folder = PathBuf::from(env::var_os("OUT_DIR").ok_or("OUT_DIR is not set")?);
     let path = folder.join(name);
-    let written = fs::create_dir_all(folder.join("programs")).and_then(|()| fs::write(&path, text));
+    let written = fs::create_dir_all(folder.join("programs")).and_then(|()| fs::write(&path, contents));
     written.map_err(|error| format!("{}: {error}", path.display()))
 }

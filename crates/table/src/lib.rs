@@ -11,6 +11,7 @@
 //! * [`format`](mod@format): the number formats.
 //! * [`highlights`]: the sizes of sets of small sources, and the metals of their errors.
 //! * [`layout`]: the memory layout of the runtime's rows.
+//! * [`object`]: the file of a packed object.
 //! * [`record`]: the arrays of a table.
 //! * [`wire`]: tables as bytes that the runtime reads in place.
 //!
@@ -64,6 +65,7 @@ pub mod layout;
 pub mod light;
 pub mod material;
 pub mod mode;
+pub mod object;
 pub mod pair;
 pub mod record;
 #[cfg(feature = "alloc")]

@@ -4,7 +4,7 @@ use super::inputs::{self, GOLD_METALLIC_PAINT, LOBBY, color};
 use super::{highlighted, nine_terms, normal};
 use board::{Passes, holds, measure};
 use core::hint::black_box;
-use eigenshade::object::{NormalMap, NormalPixel};
+use eigenshade::object::{NormalMap, NormalPixel, Object};
 use eigenshade::screen::{LinearPalette, Palette, Target};
 use eigenshade::{Error, Rgb};
 use programs::{BALL, DISPLAY};
@@ -49,26 +49,34 @@ pub fn frame_sources() {
     });
 }
 
-/// A frame whose pixels have base colors of their own.
+/// A frame of a textured object of 120 x 120 pixels and one region.
 pub fn frame_textured() {
-    let Ok(map) = programs::ball() else { board::exit(false) };
+    let Ok(object) = programs::object() else { board::exit(false) };
+    let Some(region) = object.regions().next() else { board::exit(false) };
+    let Ok(parts) = inputs::parts(&region) else { board::exit(false) };
     let (mut palette, mut row) = (LinearPalette::default(), [[0; 2]; BALL]);
-    let (nodes, exposure) = (map.nodes(), inputs::exposure());
-    let held = size_of_val(&palette) + size_of_val(&nodes) + size_of_val(&row);
-    turning(held, |scene, _| {
+    let (nodes, exposure) = (object.nodes(0), inputs::exposure());
+    let (parts, rotation) = (black_box(&parts), inputs::rotation());
+    holds(size_of_val(parts) + size_of_val(&palette) + size_of_val(&nodes) + size_of_val(&row));
+    measure(&[LOBBY], Passes(1), |light| {
+        let light = light.turned::<100>(&rotation)?;
+        let [tinted, plain] = parts;
+        let tinted = color::relight(tinted, light.lights()?)?;
+        let plain = color::relight(plain, light.lights()?)?;
         palette.fill_mirrored(&nodes, |normal| {
-            scene.shade_mirrored(normal).map(|color| exposure.of(color))
+            [&tinted, &plain]
+                .map(|part| part.shade_mirrored(normal).map(|color| exposure.of(color)))
         });
-        draw_textured(&palette, &map, &mut row)
+        draw_textured(&palette, &object, &mut row)
     });
 }
 
 /// The rows of [`frame_textured`] alone.
 pub fn frame_textured_still() {
-    let Ok(map) = programs::ball() else { board::exit(false) };
+    let Ok(object) = programs::object() else { board::exit(false) };
     let (palette, mut row) = (black_box(LinearPalette::default()), [[0; 2]; BALL]);
     holds(size_of_val(&palette) + size_of_val(&row));
-    measure(&[()], Passes(1), |()| draw_textured(&palette, &map, &mut row));
+    measure(&[()], Passes(1), |()| draw_textured(&palette, &object, &mut row));
 }
 
 /// The light turned, the material relit, and every pixel shaded.
@@ -160,32 +168,17 @@ fn draw(palette: &Palette, map: &NormalMap<'_>, row: &mut Row) -> Result<(), Err
     Ok(())
 }
 
-/// The number of the base color of each pixel: a checkerboard of 16 colors.
-static TEXTURE: [u8; BALL * BALL] = {
-    let (mut texture, mut index) = ([0; BALL * BALL], 0);
-    while index < texture.len() {
-        texture[index] = (index % BALL / 16 + 3 * (index / BALL / 16)) as u8 % 16;
-        index += 1;
+/// Draws every row of a textured object, on black.
+fn draw_textured(
+    palette: &LinearPalette,
+    object: &Object<'_>,
+    row: &mut Row,
+) -> Result<(), Error> {
+    let painted = object.painted(core::slice::from_ref(palette), &DISPLAY)?;
+    for place in 0..object.height() as i32 {
+        row.fill([0; 2]);
+        painted.draw(&mut Target::new(row, BALL)?.at(0, -place));
+        black_box(&mut *row);
     }
-    texture
-};
-
-/// The base colors in units of 2^-16.
-static COLORS: [Rgb<u16>; 16] = {
-    let (mut colors, mut index) = ([Rgb::gray(0); 16], 0);
-    while index < 16 {
-        colors[index] = Rgb::new(4_000 * index as u16, 60_000 - 3_000 * index as u16, 30_000);
-        index += 1;
-    }
-    colors
-};
-
-/// Draws every row with the texture.
-fn draw_textured(palette: &LinearPalette, map: &NormalMap<'_>, row: &mut Row) -> Result<(), Error> {
-    draw_shaded(map, row, |pixel| {
-        let number = TEXTURE.get(pixel.index()).copied().unwrap_or_default();
-        let base = COLORS.get(usize::from(number)).copied().unwrap_or(Rgb::gray(0));
-        let light = palette.color(pixel.code());
-        DISPLAY.rgb565(light.zip(base).map(|(light, base)| light.times(base)))
-    })
+    Ok(())
 }

@@ -35,10 +35,11 @@ pub mod floats {
     pub use eigenshade::Normal;
     pub use eigenshade::Rotation;
     pub use eigenshade::object::{BakedMap, MapPoint};
+    use eigenshade::object::Region;
     pub use eigenshade::presets::{light::LOBBY, material::GOLD_METALLIC_PAINT};
     use eigenshade::screen::Exposure;
     pub use eigenshade::sphere::color;
-    use eigenshade::{Buffer, Error, Light, Rgb, Source};
+    use eigenshade::{Buffer, Error, Light, Rgb, Source, sphere};
 
     /// The coefficients of a material in color, of order 7.
     pub type OfOrder7 = Rgb<Buffer<f32, 40>>;
@@ -93,6 +94,12 @@ pub mod floats {
         Exposure::new(black_box(1.5)).unwrap_or_else(|_| board::exit(false))
     }
 
+    /// The transfers of both parts of a region.
+    pub fn parts(region: &Region) -> Result<[sphere::Transfer; 2], Error> {
+        let [tinted, plain] = region.materials()?;
+        Ok([sphere::transfer(&Material::new(&tinted)?)?, sphere::transfer(&Material::new(&plain)?)?])
+    }
+
     /// A baked map of 32 x 32 texels.
     #[inline]
     pub fn baked_map() -> Result<BakedMap<[f32; 1024]>, Error> {
@@ -139,6 +146,8 @@ pub mod integers {
     pub use eigenshade::q15::{BakedMap, MapPoint, Material};
     use eigenshade::q15::{Exposure, Light, MaterialBuffer, Q15};
     pub use eigenshade::sphere::q15::color;
+    use eigenshade::object::Region;
+    use eigenshade::sphere::q15 as sphere;
     use eigenshade::{Error, Rgb};
 
     /// The coefficients of a material in color, of order 7.
@@ -188,6 +197,12 @@ pub mod integers {
     pub fn exposure() -> Rgb<Exposure> {
         let exposure = Exposure::new(black_box(1.5), -15);
         Rgb::gray(exposure.unwrap_or_else(|_| board::exit(false)))
+    }
+
+    /// The transfers of both parts of a region.
+    pub fn parts(region: &Region) -> Result<[sphere::Transfer; 2], Error> {
+        let [tinted, plain] = region.materials_q15()?;
+        Ok([sphere::transfer(&tinted.material()?)?, sphere::transfer(&plain.material()?)?])
     }
 
     /// A baked map of 32 x 32 texels.

@@ -5,7 +5,7 @@
 #![no_std]
 
 use eigenshade::Error;
-use eigenshade::object::NormalMap;
+use eigenshade::object::{NormalMap, Object};
 use eigenshade::screen::{Display, Tone};
 
 /// The library's table in Q15, with the transfer of one material.
@@ -58,4 +58,13 @@ pub static CODES: [[u8; 2]; BALL * BALL] = {
 /// None: the size is right.
 pub fn ball() -> Result<NormalMap<'static>, Error> {
     NormalMap::new(BALL, BALL, CODES.as_flattened())
+}
+
+/// A textured plastic sphere of 120 x 120 pixels.
+///
+/// # Errors
+///
+/// None: the build script wrote it.
+pub fn object() -> Result<Object<'static>, Error> {
+    Object::new(include_bytes!(concat!(env!("OUT_DIR"), "/object.bin")))
 }
