@@ -21,7 +21,7 @@ const NEIGHBORS: [[i8; 2]; 8] =
 
 /// A picture of an object's normals, two bytes a pixel, to be drawn under any light.
 ///
-/// `eigenshade pack-normals` makes a map from a mesh or from a PNG. Normals are within 0.51° of the
+/// `eigenshade pack-object` makes a map from a mesh or from a PNG. Normals are within 0.51° of the
 /// packed ones. Pixels at an object's outline have a coverage.
 ///
 /// ```

@@ -68,8 +68,7 @@ impl<'a> Object<'a> {
         let Some((&MAGIC, rest)) = bytes.split_first_chunk() else { return None };
         let Some((sizes, rest)) = rest.split_first_chunk() else { return None };
         let [width, height, regions] = words(*sizes);
-        let Some((of_regions, rest)) = rest.split_at_checked(regions as usize * RECORD)
-        else {
+        let Some((of_regions, rest)) = rest.split_at_checked(regions as usize * RECORD) else {
             return None;
         };
         let regions = of_regions.as_chunks().0;

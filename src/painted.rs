@@ -68,7 +68,8 @@ impl<'a> Object<'a> {
         palettes: &'a [LinearPalette],
         display: &'a Display,
     ) -> Result<Painted<'a>, Error> {
-        let (argument, expected, found) = (Argument::Palettes, self.regions().len(), palettes.len());
+        let (argument, expected, found) =
+            (Argument::Palettes, self.regions().len(), palettes.len());
         if found < expected {
             return Err(Error::Length { argument, expected, found });
         }

@@ -104,8 +104,7 @@ impl Region {
     /// Those of [`Material::metallic_roughness_parts`], none of which occurs.
     pub fn materials(&self) -> Result<[Buffer<f32, 40>; 2], Error> {
         let metallic = self.metallic();
-        let [mut tinted, mut plain, metal] =
-            Material::metallic_roughness_parts(self.roughness())?;
+        let [mut tinted, mut plain, metal] = Material::metallic_roughness_parts(self.roughness())?;
         let of_plain = Gloss::DIELECTRIC * (1.0 - metallic);
         for ((tinted, plain), metal) in tinted.iter_mut().zip(plain.iter_mut()).zip(&*metal) {
             *tinted = self.matte() * *tinted + metallic * metal;
@@ -123,7 +122,8 @@ impl Region {
     pub fn materials_q15(&self) -> Result<[MaterialBuffer<40, 8>; 2], Error> {
         const OF_DIELECTRIC: i32 = (Gloss::DIELECTRIC * 32_768.0 + 0.5) as i32;
         let plain = (OF_DIELECTRIC * (32_767 - i32::from(self.metallic.0))) >> 15;
-        let shares = [[self.matte, Q15(0), self.metallic], [Q15(0), Q15(i16::MAX), Q15(plain as i16)]];
+        let shares =
+            [[self.matte, Q15(0), self.metallic], [Q15(0), Q15(i16::MAX), Q15(plain as i16)]];
         q15::Material::metallic_roughness_sums(self.roughness, shares)
     }
 

@@ -2,7 +2,7 @@
 //! input.
 
 use crate::invariants::integer::shipped;
-use crate::invariants::{Reader, SHADING, project_reconstruct, public_interface};
+use crate::invariants::{Reader, SHADING, packed_object, project_reconstruct, public_interface};
 use eigenshade::{Argument, Error, Light, Q15, q15, sphere};
 use eigenshade_table::quantize;
 use eigenshade_table::scene::{Criterion, Store};
@@ -143,6 +143,11 @@ proptest! {
     #[test]
     fn every_way_takes_any_numbers(bytes in bytes()) {
         public_interface(&bytes);
+    }
+
+    #[test]
+    fn objects_are_drawn_as_pixel_by_pixel(bytes in bytes()) {
+        packed_object(&bytes);
     }
 
     #[test]

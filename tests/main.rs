@@ -22,6 +22,7 @@ mod integer_highlights;
 mod integer_lights;
 mod kernels;
 mod matcap;
+mod packed_objects;
 mod palettes;
 mod paper;
 mod parts;

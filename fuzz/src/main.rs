@@ -16,11 +16,13 @@ type Target = fn(&[u8]);
 /// * `project_reconstruct`: projection and reconstruction in every format are close to the results
 ///   in f64.
 /// * `from_bytes`: any bytes as a table give an error, or a basis that projects and shades.
-const TARGETS: [(&str, Target); 4] = [
+/// * `packed_object`: objects are drawn as pixel by pixel; changed bytes give an error or an object.
+const TARGETS: [(&str, Target); 5] = [
     ("shade_any", invariants::shade_any),
     ("public_interface", invariants::public_interface),
     ("project_reconstruct", invariants::project_reconstruct),
     ("from_bytes", invariants::from_bytes),
+    ("packed_object", invariants::packed_object),
 ];
 
 fn target() -> Target {

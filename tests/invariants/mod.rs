@@ -47,6 +47,11 @@ pub fn shade_any(bytes: &[u8]) {
     SHADING[input.up_to(SHADING.len() - 1)](&mut input);
 }
 
+/// A packed object of any pixels, and its changed bytes.
+pub fn packed_object(bytes: &[u8]) {
+    drawing::packed(&mut Reader::new(bytes));
+}
+
 /// Bytes that are read one after the other.
 pub struct Reader<'a>(&'a [u8]);
 

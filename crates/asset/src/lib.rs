@@ -39,3 +39,5 @@ mod wavefront;
 mod tangents;
 
 pub mod texels;
+
+pub mod packed;

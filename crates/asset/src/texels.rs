@@ -160,6 +160,7 @@ struct Group {
     bumped: [f64; 3],
     matte: [f64; 3],
     reflectance: [f64; 3],
+    metallic: f64,
     roughness: f64,
 }
 
@@ -173,12 +174,14 @@ fn add(groups: &mut Vec<Group>, shown: &Shown) {
             bumped: [0.0; 3],
             matte: [0.0; 3],
             reflectance: [0.0; 3],
+            metallic: 0.0,
             roughness: 0.0,
         });
         groups.len() - 1
     });
     let group = &mut groups[place];
     group.count += 1;
+    group.metallic += f64::from(shown.metallic);
     group.roughness += f64::from(shown.roughness);
     for axis in 0..3 {
         group.smooth[axis] += shown.smooth[axis];
@@ -207,6 +210,7 @@ impl Group {
             normal,
             matte: self.matte.map(mean),
             reflectance: self.reflectance.map(mean),
+            metallic: mean(self.metallic),
             roughness,
         })
     }

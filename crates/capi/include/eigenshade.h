@@ -303,7 +303,7 @@ typedef struct eigenshade_meter_t {
 } eigenshade_meter_t;
 
 /**
- * The visible normals of an object, as `eigenshade pack-normals` makes them from a mesh or a
+ * The visible normals of an object, as `eigenshade pack-object` makes them from a mesh or a
  * normal map. May be kept in flash.
  */
 typedef struct eigenshade_normal_map_t {

@@ -6,7 +6,7 @@ use crate::format::Format;
 use crate::status::Status;
 use eigenshade::object::Disc;
 
-/// The visible normals of an object, as `eigenshade pack-normals` makes them from a mesh or a
+/// The visible normals of an object, as `eigenshade pack-object` makes them from a mesh or a
 /// normal map. May be kept in flash.
 #[repr(C)]
 pub struct NormalMap {

@@ -17,7 +17,7 @@ use std::process::ExitCode;
 #[cfg_attr(
     not(feature = "generate"),
     command(
-        after_help = "This build lacks the feature `generate`, and therefore light, material, basis, pack-normals and read."
+        after_help = "This build lacks the feature `generate`, and therefore light, material, basis, pack-object and read."
     )
 )]
 struct Program {

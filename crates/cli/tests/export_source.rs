@@ -188,8 +188,8 @@ fn c_headers_compile_and_hold_the_numbers() {
             }
         }
     }
-    folder.ok("pack-normals sphere --size 16 --out ball.bin");
-    folder.ok("pack-normals sphere --size 16 --out ball.h");
+    folder.ok("pack-object sphere --size 16 --out ball.bin");
+    folder.ok("pack-object sphere --size 16 --out ball.h");
     assert!(folder.read("ball.h").lines().all(|line| line.len() <= 100));
     let codes = folder.bytes("ball.bin");
     let sum: usize = codes.iter().enumerate().map(|(k, &code)| k * usize::from(code)).sum();

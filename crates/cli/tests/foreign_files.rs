@@ -105,7 +105,7 @@ fn byte_order_marks_are_skipped() {
         ("m.toml", "material m.toml"),
         ("scene.toml", "basis --scene scene.toml --out new.bin"),
         ("materials.csv", "basis --scene scene.toml --out new.bin"),
-        ("o.obj", "pack-normals o.obj --size 16 --out o.bin"),
+        ("o.obj", "pack-object o.obj --size 16 --out o.bin"),
         (
             "normals.csv",
             "shade --light a.csv --material materials.csv:material-0 --normals normals.csv",
@@ -153,7 +153,7 @@ fn normal_maps_of_other_conventions() {
     let folder = Folder::new();
     folder.write("n.png", normal_map(BitDepth::Eight));
     let packed = |arguments: &str| {
-        let (_, messages) = folder.both(&format!("pack-normals {arguments} --out n.bin"));
+        let (_, messages) = folder.both(&format!("pack-object {arguments} --out n.bin"));
         (folder.bytes("n.bin"), messages)
     };
     let (expected, messages) = packed("n.png");
@@ -162,7 +162,7 @@ fn normal_maps_of_other_conventions() {
     let (flipped, messages) = packed("dx.png --flip-green");
     assert_eq!((&flipped, messages.as_str()), (&expected, ""));
     for command in [
-        "pack-normals dx.png --out n.bin",
+        "pack-object dx.png --out n.bin",
         "render -l lobby -m chrome -n dx.png -s 32 -o r.png",
         "export -t sphere -l lobby -m chrome -n dx.png -s 32 --lang npz -o e.npz",
     ] {
@@ -177,7 +177,7 @@ fn normal_maps_of_other_conventions() {
     assert!(messages.contains("only without --flip-green"), "{messages}");
     for arguments in ["sphere --flip-green", "o.obj --flip-green"] {
         folder.write("o.obj", obj());
-        let command = format!("pack-normals {arguments} --out new.bin");
+        let command = format!("pack-object {arguments} --out new.bin");
         assert_fails(&folder, &command, &["--flip-green is for a normal map"]);
     }
 

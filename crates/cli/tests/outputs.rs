@@ -174,9 +174,9 @@ fn control_characters_of_names_do_not_reach_the_terminal() {
 fn control_characters_of_arguments_are_escaped_in_files() {
     let folder = Folder::new();
     let out = folder.path(&format!("{NAME}.rs"));
-    folder.ok(&format!("pack-normals sphere --size 4 --out {}", out.display()));
+    folder.ok(&format!("pack-object sphere --size 4 --out {}", out.display()));
     let text = fs::read_to_string(out).unwrap();
     let line = text.lines().next().unwrap();
     assert_harmless(line.as_bytes());
-    assert!(line.starts_with("// eigenshade pack-normals sphere --size 4 --out na"), "{line}");
+    assert!(line.starts_with("// eigenshade pack-object sphere --size 4 --out na"), "{line}");
 }

@@ -108,7 +108,7 @@ fn pictures_and_messages() {
     // With a material of its own choice, and packed.
     folder.ok("render --object a.glb --light lobby --material chrome --size 32 --out b.png");
     assert!(folder.bytes("a.png") != folder.bytes("b.png"));
-    folder.ok("pack-normals a.glb --size 32 --view top --out a.bin");
+    folder.ok("pack-object a.glb --size 32 --view top --out a.bin");
     for (options, fragments) in [
         ("--object sphere", &["no material, and the object has none", "--material"][..]),
         ("--object none.glb", &["none.glb"]),

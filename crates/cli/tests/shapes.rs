@@ -35,7 +35,7 @@ fn place(pixel: NormalPixel, width: f64, radius: f64) -> [f64; 2] {
 
 /// The packed bytes of an object, and its printed size.
 fn packed(folder: &Folder, input: &str, options: &str) -> (Vec<u8>, [usize; 2]) {
-    let printed = folder.ok(&format!("pack-normals {input} {options} --out packed.bin"));
+    let printed = folder.ok(&format!("pack-object {input} {options} --out packed.bin"));
     let line = printed.lines().next().unwrap();
     let mut words = line.split([' ', ',']).filter_map(|word| word.parse::<usize>().ok());
     let size = [words.next().unwrap(), words.next().unwrap()];
@@ -155,11 +155,11 @@ fn the_nearest_facet_is_drawn() {
 #[test]
 fn packed_normals_as_source() {
     let folder = Folder::new();
-    let printed = folder.ok("pack-normals sphere --size 16 --out ball.rs");
+    let printed = folder.ok("pack-object sphere --size 16 --out ball.rs");
     assert!(printed.contains("16 x 16") && printed.contains("mod ball;"), "{printed}");
     let text = folder.read("ball.rs");
     let (first, rest) = text.split_once('\n').unwrap();
-    assert_eq!(first, "// eigenshade pack-normals sphere --size 16 --out ball.rs");
+    assert_eq!(first, "// eigenshade pack-object sphere --size 16 --out ball.rs");
     assert!(rest.contains("eigenshade::object::NormalMap::new(16, 16, &CODES)"));
     let numbers = rest.split_once("= [").unwrap().1.trim_end().trim_end_matches("];");
     let numbers = numbers.split(',').map(str::trim).filter(|number| !number.is_empty());

@@ -2,7 +2,7 @@
 
 use crate::paint::DisplayColor;
 use eigenshade::object::NormalMap;
-use eigenshade::screen::{Dithered, Palette, Sent, Target};
+use eigenshade::screen::{Dithered, Painted, Palette, Sent, Target};
 use embedded_graphics_core::Drawable;
 use embedded_graphics_core::draw_target::DrawTarget;
 use embedded_graphics_core::geometry::{Dimensions, Point, Size};
@@ -32,12 +32,18 @@ impl<'a> From<Dithered<'a>> for Colors<'a> {
     }
 }
 
-/// An object of a [`Frame`]: its normals, where it is, and its colors.
+/// An object of a [`Frame`], and where it is.
 #[derive(Clone, Copy, Debug)]
 pub struct Layer<'a> {
     top_left: Point,
-    map: NormalMap<'a>,
-    colors: Colors<'a>,
+    object: Object<'a>,
+}
+
+/// What a layer draws.
+#[derive(Clone, Copy, Debug)]
+enum Object<'a> {
+    Normals(NormalMap<'a>, Colors<'a>),
+    Painted(Painted<'a>),
 }
 
 impl<'a> Layer<'a> {
@@ -45,7 +51,13 @@ impl<'a> Layer<'a> {
     /// [`Palette::dithered`].
     #[must_use]
     pub fn new(top_left: Point, map: NormalMap<'a>, colors: impl Into<Colors<'a>>) -> Self {
-        Self { top_left, map, colors: colors.into() }
+        Self { top_left, object: Object::Normals(map, colors.into()) }
+    }
+
+    /// A textured object that begins at this point, in the colors of its palettes.
+    #[must_use]
+    pub const fn painted(top_left: Point, painted: Painted<'a>) -> Self {
+        Self { top_left, object: Object::Painted(painted) }
     }
 
     /// Draws the part in a row of pixels, which begins at a point.
@@ -54,9 +66,10 @@ impl<'a> Layer<'a> {
         let [x, y] = [x.saturating_sub(start.x), y.saturating_sub(start.y)];
         if let Ok(mut target) = Target::new(row, width) {
             let mut target = target.at(x, y);
-            match self.colors {
-                Colors::Nearest(palette) => palette.draw(&self.map, &mut target),
-                Colors::Dithered(palette) => palette.draw(&self.map, &mut target),
+            match &self.object {
+                Object::Normals(map, Colors::Nearest(palette)) => palette.draw(map, &mut target),
+                Object::Normals(map, Colors::Dithered(palette)) => palette.draw(map, &mut target),
+                Object::Painted(painted) => painted.draw(&mut target),
             }
         }
     }

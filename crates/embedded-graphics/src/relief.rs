@@ -8,7 +8,7 @@ use embedded_graphics_core::draw_target::DrawTarget;
 use embedded_graphics_core::geometry::{Dimensions, Point, Size};
 use embedded_graphics_core::primitives::Rectangle;
 
-/// A relief, or any object, from a [`NormalMap`]: `eigenshade pack-normals` makes such a map from a
+/// A relief, or any object, from a [`NormalMap`]: `eigenshade pack-object` makes such a map from a
 /// mesh or a normal map.
 #[derive(Debug)]
 pub struct Relief<'p, 'm, P, C> {

@@ -262,7 +262,9 @@ fn srgb(Rgb { r, g, b }: Rgb<f32>) -> Srgb {
     Srgb::new(r, g, b)
 }
 
-fn summed(reference: &[Srgb], found: &[Srgb]) -> Errors {
+/// The errors of a picture whose pixels are those of the reference.
+#[must_use]
+pub fn summed(reference: &[Srgb], found: &[Srgb]) -> Errors {
     assert_eq!(reference.len(), found.len(), "the pixels of both are the same");
     let lab = |color: Srgb| -> Lab { color.into_linear().into_color() };
     let mut apart: Vec<f64> =

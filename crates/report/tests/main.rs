@@ -10,6 +10,7 @@ mod float_errors;
 mod highlights;
 mod material_errors;
 mod metallic_roughness;
+mod packed_objects;
 mod palette_errors;
 mod paper_oracle;
 mod paper_statements;

@@ -48,7 +48,7 @@ fn png(of: impl Fn(f64, f64) -> [f64; 3]) -> Vec<u8> {
 const COLOR: &str = r#""pbrMetallicRoughness":{"baseColorTexture":{"index":0},"metallicRoughnessTexture":{"index":1}}"#;
 
 /// A sphere of checkers, a bumpy one, a dial, a shell with holes of light, and a colored scan.
-fn objects() -> Vec<(&'static str, Glb)> {
+pub fn objects() -> Vec<(&'static str, Glb)> {
     let checkers = |u: f64, v: f64| ((8.0 * u).floor() + (4.0 * v).floor()) % 2.0;
     let colors = png(|u, v| if checkers(u, v) > 0.0 { [0.9, 0.7, 0.4] } else { [0.2, 0.3, 0.7] });
     let numbers = png(|u, v| [0.0, 0.3 + 0.7 * v, checkers(u, v)]);

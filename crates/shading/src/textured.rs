@@ -25,6 +25,8 @@ pub struct Texel {
     pub matte: [f32; 3],
     /// f0, the reflectance at normal incidence, by channel.
     pub reflectance: [f32; 3],
+    /// The share of metal, which the packed object needs beside the sums above.
+    pub metallic: f32,
     /// The perceptual roughness. The images take one below 0.2 as 0.2, highlights as it is.
     pub roughness: f32,
 }
@@ -224,6 +226,7 @@ impl Texel {
             normal: [0.0, 0.0, 1.0],
             matte: [0, 1, 2].map(|c: usize| mean(&|texel| texel.matte[c])),
             reflectance: [0, 1, 2].map(|c: usize| mean(&|texel| texel.reflectance[c])),
+            metallic: mean(&|texel| texel.metallic),
             roughness: mean(&|texel| texel.roughness),
         }
     }
@@ -267,8 +270,13 @@ mod tests {
                 let reflectance = base.map(|base| 0.04 + (base - 0.04) * metallic);
                 let matte =
                     [0, 1, 2].map(|c: usize| base[c] * (1.0 - metallic) * (1.0 - reflectance[c]));
-                let texel =
-                    |normal: &[f64; 3]| Texel { normal: *normal, matte, reflectance, roughness };
+                let texel = |normal: &[f64; 3]| Texel {
+                    normal: *normal,
+                    matte,
+                    reflectance,
+                    metallic,
+                    roughness,
+                };
                 let texels: Vec<Texel> = normals.iter().map(texel).collect();
                 let whole = texels[0].material(order).expect("a material");
                 for light in &lights.entries {

@@ -19,6 +19,7 @@ pub(super) struct Shown {
     pub(super) matte: [f32; 3],
     /// f0.
     pub(super) reflectance: [f32; 3],
+    pub(super) metallic: f32,
     pub(super) roughness: f32,
 }
 
@@ -140,7 +141,7 @@ impl<'a> Sampler<'a> {
         let [x, y, z] = smooth.map(|c| sign * c);
         let smooth = unit([x, y, z.max(0.0)]).unwrap_or(plain.normal);
         let bumped = if corners.normal.is_some() { bumped.map(|c| sign * c) } else { smooth };
-        Some(Shown { smooth, bumped, matte: [r, g, b], reflectance, roughness })
+        Some(Shown { smooth, bumped, matte: [r, g, b], reflectance, metallic, roughness })
     }
 }
 

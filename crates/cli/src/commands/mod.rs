@@ -20,7 +20,7 @@ mod material;
 mod options;
 mod pack;
 #[cfg(feature = "generate")]
-mod pack_normals;
+mod pack_object;
 mod project;
 #[cfg(feature = "generate")]
 mod read;
@@ -49,7 +49,7 @@ pub enum Command {
     Basis(basis::Basis),
     Pack(pack::Pack),
     #[cfg(feature = "generate")]
-    PackNormals(pack_normals::PackNormals),
+    PackObject(pack_object::PackObject),
     Info(info::Info),
     Eigenvalues(info::Eigenvalues),
     Project(project::Project),
@@ -78,7 +78,7 @@ impl Command {
             Self::Basis(command) => command.run(),
             Self::Pack(command) => command.run(),
             #[cfg(feature = "generate")]
-            Self::PackNormals(command) => command.run(),
+            Self::PackObject(command) => command.run(),
             Self::Info(command) => command.run(),
             Self::Eigenvalues(command) => command.run(),
             Self::Project(command) => command.run(),

@@ -1,4 +1,4 @@
-//! Lights, materials and normal maps as C headers: a constant record for each, which the functions
+//! Lights, materials, normal maps and objects as C headers: a constant record for each, which the functions
 //! of `eigenshade.h` take.
 
 use super::entry::{Channel, Entry, Format, Kind, identifier};
@@ -36,6 +36,16 @@ pub fn normal_map(name: &str, size: [usize; 2], codes: &[u8], command: &str) -> 
         "static const eigenshade_normal_map_t {name} = {{\n  \
          {width}, {height}, {length}, {name}_codes}};"
     );
+    guarded(&text, command, &format!("EIGENSHADE_{}_H", name.to_uppercase()))
+}
+
+/// The text of the header of a packed object of this name, from its file.
+#[must_use]
+pub fn object(name: &str, file: &[u8], command: &str) -> String {
+    let mut text = "\n".to_owned();
+    array(&mut text, "uint8_t", &format!("{name}_bytes"), file);
+    let length = file.len();
+    let _ = writeln!(text, "static const eigenshade_object_t {name} = {{{length}, {name}_bytes}};");
     guarded(&text, command, &format!("EIGENSHADE_{}_H", name.to_uppercase()))
 }
 
