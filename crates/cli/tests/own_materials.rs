@@ -2,6 +2,7 @@
 
 use crate::support::files::{decoded, gray_png, png};
 use crate::support::{Folder, assert_fails};
+use eigenshade::object::Object;
 use eigenshade_generator::light::environment::EnvironmentMap;
 use eigenshade_testing::glb::Glb;
 use png::{BitDepth, ColorType};
@@ -108,7 +109,8 @@ fn pictures_and_messages() {
     // With a material of its own choice, and packed.
     folder.ok("render --object a.glb --light lobby --material chrome --size 32 --out b.png");
     assert!(folder.bytes("a.png") != folder.bytes("b.png"));
-    folder.ok("pack-object a.glb --size 32 --view top --out a.bin");
+    folder.ok("pack-object a.glb --size 32 --view top --normals-only --out a.bin");
+    assert_eq!(folder.bytes("a.bin").len(), 2 * 32 * 32);
     for (options, fragments) in [
         ("--object sphere", &["no material, and the object has none", "--material"][..]),
         ("--object none.glb", &["none.glb"]),
@@ -118,6 +120,38 @@ fn pictures_and_messages() {
         let command = format!("render --light lobby {options} --out new.png");
         assert_fails(&folder, &command, fragments);
     }
+}
+
+/// A sphere of two roughnesses, packed: its file, its source and what the program says.
+#[test]
+fn packed_objects_have_regions() {
+    let folder = Folder::new();
+    let halves: Vec<u8> =
+        (0..64 * 64).flat_map(|k| if k % 32 < 16 { [0, 77, 0] } else { [0, 204, 255] }).collect();
+    let mut glb = sphere(r#""pbrMetallicRoughness":{"metallicRoughnessTexture":{"index":0}}"#);
+    glb.images = vec![png([64, 64], BitDepth::Eight, ColorType::Rgb, &halves)];
+    folder.write("a.glb", glb.bytes());
+    let printed = folder.ok("pack-object a.glb --size 32 --out a.bin");
+    let bytes = folder.bytes("a.bin");
+    let object = Object::new(&bytes).expect("an object");
+    let mut found: Vec<f32> = object.regions().map(|region| region.roughness()).collect();
+    found.sort_by(f32::total_cmp);
+    println!("{printed}{found:?}");
+    // Texels at the border of both mix them.
+    assert!((2..=4).contains(&found.len()), "{found:?}");
+    assert!((found[0] - 0.302).abs() < 0.03 && (found.last().unwrap() - 0.8).abs() < 0.03);
+    assert!(printed.contains("32 x 32") && printed.contains("region 1"), "{printed}");
+    assert!(printed.contains("in Rust      eigenshade::object::Object::new(include_bytes!("));
+    folder.ok("pack-object a.glb --size 32 --regions 1 --out one.bin");
+    assert_eq!(Object::new(&folder.bytes("one.bin")).expect("an object").regions().len(), 1);
+    folder.ok("pack-object a.glb --size 32 --out a.rs");
+    let text = folder.read("a.rs");
+    let first = "// eigenshade pack-object a.glb --size 32 --out a.rs\n\n/// The object.\npub static OBJECT: ";
+    assert!(text.starts_with(first), "{text}");
+    let numbers = text.split_once("] = [").expect("bytes").1.trim_end().trim_end_matches("];");
+    let numbers = numbers.split(',').filter_map(|number| number.trim().parse::<u8>().ok());
+    assert!(numbers.eq(bytes.iter().copied()));
+    assert_fails(&folder, "pack-object a.glb --flip-green --out b.bin", &["for a normal map"]);
 }
 
 /// A box whose sides have colors, as a polygon file.

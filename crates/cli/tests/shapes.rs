@@ -160,7 +160,7 @@ fn packed_normals_as_source() {
     let text = folder.read("ball.rs");
     let (first, rest) = text.split_once('\n').unwrap();
     assert_eq!(first, "// eigenshade pack-object sphere --size 16 --out ball.rs");
-    assert!(rest.contains("eigenshade::object::NormalMap::new(16, 16, &CODES)"));
+    assert!(rest.contains("eigenshade::object::NormalMap::new(16, 16, &BYTES)"));
     let numbers = rest.split_once("= [").unwrap().1.trim_end().trim_end_matches("];");
     let numbers = numbers.split(',').map(str::trim).filter(|number| !number.is_empty());
     let bytes: Vec<u8> = numbers.map(|number| number.parse().unwrap()).collect();
