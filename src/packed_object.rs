@@ -161,7 +161,7 @@ impl<'a> Object<'a> {
         self.regions.iter().map(region)
     }
 
-    /// The nodes of a palette that a region needs. Cost: some 40 instructions a pixel, once for an
+    /// The nodes of a palette that a region needs. Cost: some 80 instructions a pixel, once for an
     /// object.
     #[must_use]
     pub fn nodes(&self, region: usize) -> Nodes {

@@ -5,10 +5,11 @@ shipped one is 9 and 7.
 
 The steps are: begin the picture of a light, a material and small bright sources of light, then draw
 it into a target; or keep the transfer of a material, and relight it with each new light. For many
-frames a second, fill a palette from each picture and draw from the palette. A number in integers is
-a mantissa times 2 to the power of an exponent. All functions in q15 do without a float unit, except
-`eigenshade_picture_bake_q15` and those that read sources. Integers give the same bits on every
-machine.
+frames a second, fill a palette from each picture and draw from the palette. A textured object is
+drawn from linear palettes, each filled from the pictures of both materials of a region. A number in
+integers is a mantissa times 2 to the power of an exponent. All functions in q15 do without a float
+unit, except `eigenshade_picture_bake_q15` and those that read sources. Integers give the same bits
+on every machine.
 
 The caller owns every array and structure, and need not initialize those that the library
 writes. No function allocates, keeps a pointer, or has state, so all may be called from

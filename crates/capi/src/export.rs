@@ -129,7 +129,7 @@ pub extern "C" fn eigenshade_palette_draw(
     map: *const NormalMap,
     target: *const Target,
 ) -> Status {
-    palette::draw(&Input(palette), &Input(map), &Input(target)).into()
+    palette::draw::<false>(&Input(palette), &Input(map), &Input(target)).into()
 }
 
 /// `eigenshade_palette_draw` with ordered dithering of RGB565, which hides its steps.
@@ -139,7 +139,7 @@ pub extern "C" fn eigenshade_palette_draw_dithered(
     map: *const NormalMap,
     target: *const Target,
 ) -> Status {
-    palette::draw_dithered(&Input(palette), &Input(map), &Input(target)).into()
+    palette::draw::<true>(&Input(palette), &Input(map), &Input(target)).into()
 }
 
 /// The size of a textured object, and its number of regions. All bytes are checked: some

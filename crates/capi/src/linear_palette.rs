@@ -68,6 +68,7 @@ impl Drawn for Textured<'_> {
     }
 }
 
+/// Draws an object from palettes. RGB888 has no dithering.
 pub(crate) fn draw(
     object: &Input<PackedObject>,
     palettes: &Input<LinearPalette>,

@@ -51,62 +51,34 @@ pub(crate) fn fill<F: Format>(
 }
 
 /// The object of a normal map in the colors of a palette.
-struct Mapped<'a> {
+struct Mapped<'a, const IS_DITHERED: bool> {
     palette: &'a screen::Palette,
     map: NormalMap<'a>,
 }
 
-impl Drawn for Mapped<'_> {
+impl<const IS_DITHERED: bool> Drawn for Mapped<'_, IS_DITHERED> {
     fn size(&self) -> [usize; 2] {
         [self.map.width(), self.map.height()]
     }
 
     fn draw<P: Pixel>(&self, target: &mut screen::Target<'_, P>) {
-        self.palette.draw(&self.map, target);
+        if IS_DITHERED {
+            self.palette.dithered().draw(&self.map, target);
+        } else {
+            self.palette.draw(&self.map, target);
+        }
     }
 }
 
-/// The same with ordered dithering.
-struct Dithered<'a>(Mapped<'a>);
-
-impl Drawn for Dithered<'_> {
-    fn size(&self) -> [usize; 2] {
-        self.0.size()
-    }
-
-    fn draw<P: Pixel>(&self, target: &mut screen::Target<'_, P>) {
-        self.0.palette.dithered().draw(&self.0.map, target);
-    }
-}
-
-/// Draws an object from a palette.
-pub(crate) fn draw(
+/// Draws an object from a palette. RGB888 has no dithering.
+pub(crate) fn draw<const IS_DITHERED: bool>(
     palette: &Input<Palette>,
     map: &Input<object::NormalMap>,
     target: &Input<Target>,
-) -> Result<(), Status> {
-    drawn(palette, map, target, |mapped| mapped)
-}
-
-/// [`draw`] with ordered dithering, which RGB888 has none of.
-pub(crate) fn draw_dithered(
-    palette: &Input<Palette>,
-    map: &Input<object::NormalMap>,
-    target: &Input<Target>,
-) -> Result<(), Status> {
-    drawn(palette, map, target, Dithered)
-}
-
-/// Draws an object, once everything is checked.
-fn drawn<'a, D: Drawn>(
-    palette: &'a Input<Palette>,
-    map: &'a Input<object::NormalMap>,
-    target: &Input<Target>,
-    how: impl FnOnce(Mapped<'a>) -> D,
 ) -> Result<(), Status> {
     let (colors, map, window) = (written(palette)?, normal_map(map)?, Window::of(target)?);
     window.apart_from(&map.places)?;
     window.apart_from(&[Place::of(palette.value()?)])?;
     // SAFETY: the pixels overlap no other.
-    unsafe { window.draw(&how(Mapped { palette: colors, map: map.map })) }
+    unsafe { window.draw(&Mapped::<IS_DITHERED> { palette: colors, map: map.map }) }
 }
