@@ -58,35 +58,41 @@ impl<'a> Object<'a> {
     ///
     /// [`Error::Object`] if the bytes are something else, were cut or changed.
     pub const fn new(bytes: &'a [u8]) -> Result<Self, Error> {
-        match Self::read(bytes) {
+        Self::of_rows(bytes, [0, usize::MAX])
+    }
+
+    /// [`new`](Self::new), but only some rows have their runs checked: a first row and a number of
+    /// rows. Other rows may be drawn in part.
+    #[doc(hidden)]
+    pub const fn of_rows(bytes: &'a [u8], rows: [usize; 2]) -> Result<Self, Error> {
+        match Self::read(bytes, rows) {
             Some(object) => Ok(object),
             None => Err(Error::Object),
         }
     }
 
-    const fn read(bytes: &'a [u8]) -> Option<Self> {
+    const fn read(bytes: &'a [u8], checked: [usize; 2]) -> Option<Self> {
         let Some((&MAGIC, rest)) = bytes.split_first_chunk() else { return None };
         let Some((sizes, rest)) = rest.split_first_chunk() else { return None };
         let [width, height, regions] = words(*sizes);
         let Some((of_regions, rest)) = rest.split_at_checked(regions as usize * RECORD) else {
             return None;
         };
-        let regions = of_regions.as_chunks().0;
         let Some((rows, rest)) = rest.split_at_checked((height as usize + 1) * 4) else {
             return None;
         };
         let rows: &[[u8; 4]] = rows.as_chunks().0;
+        // There is none without a row.
+        let [[0, 0, 0, 0], .., end] = rows else { return None };
         let records: &[[u8; RECORD]] = rest.as_chunks().0;
-        let mut object = Self { width, height, regions, rows, records };
-        if width == 0 || height == 0 || !object.has_regions() {
+        let Some((records, _)) = records.split_at_checked(u32::from_le_bytes(*end) as usize) else {
             return None;
-        }
-        match object.checked_rows() {
-            Some(records) => {
-                object.records = records;
-                Some(object)
-            }
-            None => None,
+        };
+        let object = Self { width, height, regions: of_regions.as_chunks().0, rows, records };
+        if width > 0 && object.has_regions() && object.has_rows(checked) {
+            Some(object)
+        } else {
+            None
         }
     }
 
@@ -101,29 +107,24 @@ impl<'a> Object<'a> {
         true
     }
 
-    /// The records, if the rows divide them and each row has whole runs from left to right.
-    const fn checked_rows(&self) -> Option<&'a [[u8; RECORD]]> {
-        let (mut rest, mut before, mut records) = (self.rows, 0, self.records);
-        while let [first, others @ ..] = rest {
-            let first = u32::from_le_bytes(*first) as usize;
-            if others.len() + 1 == self.rows.len() {
-                if first != 0 {
-                    return None;
-                }
-            } else {
-                let Some(count) = first.checked_sub(before) else { return None };
-                let Some((row, after)) = records.split_at_checked(count) else { return None };
-                if !self.has_runs(row) {
-                    return None;
-                }
-                records = after;
+    /// Whether each of these rows has whole runs from left to right.
+    const fn has_rows(&self, [first, mut count]: [usize; 2]) -> bool {
+        let Some((_, mut rows)) = self.rows.split_at_checked(first) else { return true };
+        while count > 0
+            && let [first, rest @ ..] = rows
+            && let [end, ..] = rest
+        {
+            let [first, end] = [u32::from_le_bytes(*first), u32::from_le_bytes(*end)];
+            let Some((records, _)) = self.records.split_at_checked(end as usize) else {
+                return false;
+            };
+            let Some((_, row)) = records.split_at_checked(first as usize) else { return false };
+            if !self.has_runs(row) {
+                return false;
             }
-            (rest, before) = (others, first);
+            (rows, count) = (rest, count - 1);
         }
-        match self.records.split_at_checked(before) {
-            Some((records, _)) => Some(records),
-            None => None,
-        }
+        true
     }
 
     const fn has_runs(&self, mut row: &[[u8; RECORD]]) -> bool {
@@ -160,7 +161,7 @@ impl<'a> Object<'a> {
         self.regions.iter().map(region)
     }
 
-    /// The nodes of a palette that a region needs. Cost: some 40 instructions a pixel, once for an
+    /// The nodes of a palette that a region needs. Cost: some 80 instructions a pixel, once for an
     /// object.
     #[must_use]
     pub fn nodes(&self, region: usize) -> Nodes {

@@ -6,6 +6,7 @@ use crate::linear_palette::LinearPalette;
 use crate::packed_object::{Object, Run, linear, pixel};
 use crate::pixel::Pixel;
 use crate::target::Target;
+use core::borrow::Borrow;
 
 /// The threshold that rounds to the nearest level.
 const NEAREST: u32 = 1 << 15;
@@ -49,25 +50,33 @@ const NEAREST: u32 = 1 << 15;
 /// # }
 /// # Ok::<(), eigenshade::Error>(())
 /// ```
-#[derive(Clone, Copy, Debug)]
-pub struct Painted<'a> {
+#[derive(Debug)]
+pub struct Painted<'a, L = LinearPalette> {
     object: Object<'a>,
-    palettes: &'a [LinearPalette],
+    palettes: &'a [L],
     display: &'a Display,
     is_dithered: bool,
 }
 
+impl<L> Copy for Painted<'_, L> {}
+
+impl<L> Clone for Painted<'_, L> {
+    fn clone(&self) -> Self {
+        *self
+    }
+}
+
 impl<'a> Object<'a> {
-    /// The object in the colors of these palettes, one for each region.
+    /// The object in the colors of these palettes or references to them, one for each region.
     ///
     /// # Errors
     ///
     /// [`Error::Length`] if there are fewer palettes than regions.
-    pub fn painted(
+    pub fn painted<L: Borrow<LinearPalette>>(
         &self,
-        palettes: &'a [LinearPalette],
+        palettes: &'a [L],
         display: &'a Display,
-    ) -> Result<Painted<'a>, Error> {
+    ) -> Result<Painted<'a, L>, Error> {
         let (argument, expected, found) =
             (Argument::Palettes, self.regions().len(), palettes.len());
         if found < expected {
@@ -77,7 +86,7 @@ impl<'a> Object<'a> {
     }
 }
 
-impl Painted<'_> {
+impl<L: Borrow<LinearPalette>> Painted<'_, L> {
     /// The same colors with ordered dithering of RGB565, as
     /// [`Display::rgb565_dithered`](crate::screen::Display::rgb565_dithered).
     #[must_use]
@@ -113,7 +122,7 @@ impl Painted<'_> {
         let start = run.column.max(first);
         let records = run.pixels.get(start - run.column..).unwrap_or_default();
         let pixels = pixels.get_mut(start - first..).unwrap_or_default();
-        draw(palette, self.display, records, pixels, |index| threshold(start + index));
+        draw(palette.borrow(), self.display, records, pixels, |index| threshold(start + index));
     }
 }
 

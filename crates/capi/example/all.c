@@ -16,7 +16,9 @@ uint32_t program(void) {
   check_golden_vectors();
   check_faults();
   check_target_faults();
+  check_object_faults();
   check_color();
+  check_textured();
   print_u32(found_faults());
   print(" faults\n");
   return found_faults();

@@ -143,8 +143,6 @@ static eigenshade_target_t next(uint16_t picture[], size_t row, size_t rows) {
                                                     &eigenshade_display_filmic, &target));        \
   }
 
-#define CHECKED(call) check_status(call, EIGENSHADE_STATUS_OK, name, #call)
-
 /* The rotation of sources, which are in float. */
 static const float quaternion_f32[4] = {1, -2, 3, 4};
 
@@ -154,26 +152,6 @@ static const float quaternion_f32[4] = {1, -2, 3, 4};
 
 PICTURES(f32, float, float, float, 1.0f)
 PICTURES(q15, int16_t, int16_t, int32_t, 32767.0f)
-
-/* Prints FNV-1a of a picture's bytes. */
-static void print_checksum(const char *picture, const void *pixels, size_t length) {
-  const uint8_t *bytes = pixels;
-  uint32_t sum = 2166136261u;
-  for (size_t k = 0; k < length; k++) {
-    sum = (sum ^ bytes[k]) * 16777619u;
-  }
-  print(picture);
-  print(",");
-  print_u32(sum);
-  print("\n");
-}
-
-/* Whether the channels of bits `low` to `low` + `bits` differ by one at most. */
-static int are_near(uint16_t a, uint16_t b, int low, int bits) {
-  const int mask = (1 << bits) - 1;
-  const int difference = ((a >> low) & mask) - ((b >> low) & mask);
-  return difference >= -1 && difference <= 1;
-}
 
 /* The irradiance of one normal, from a picture, from a baked one, and with a highlight: in integers
  * printed, in float those in integers to a thousandth. */
@@ -285,12 +263,7 @@ void check_color(void) {
   count = 0;
   pictures_q15();
   for (size_t picture = 0; picture < count; picture++) {
-    for (size_t k = 0; k < SIDE * SIDE; k++) {
-      const uint16_t a = drawn_f32[picture][k], b = drawn_q15[picture][k];
-      check(are_near(a, b, 0, 5) && are_near(a, b, 5, 6) && are_near(a, b, 11, 5), "f32",
-            names[picture], (uint32_t)k);
-    }
-    print_checksum(names[picture], drawn_q15[picture], sizeof drawn_q15[picture]);
+    check_picture(names[picture], drawn_f32[picture], drawn_q15[picture], SIDE * SIDE);
   }
   check_targets();
   check_shade();

@@ -3,6 +3,7 @@
  * Under QEMU's -icount shift=0 each instruction takes the same time; a loop of known length
  * calibrates the ticks of SysTick. */
 #include "eigenshade_presets.h"
+#include "objects.h"
 #include "print.h"
 
 #define PASSES 100u
@@ -73,6 +74,78 @@ static volatile uint8_t *below(void) {
   } while (0)
 
 enum { SIDE = 64, PIXELS_OF_ROW = SIDE };
+
+enum { SIDE_OF_OBJECT = 120 };
+
+/* A frame of the textured sphere whose frames the runtime's counts are of, row by row. */
+#define TEXTURED(format, angle)                                                                   \
+  static eigenshade_color_material_##format##_t parts_##format[2];                                \
+  static eigenshade_transfer_##format##_t transfers_##format[2];                                  \
+                                                                                                  \
+  static uint32_t frame_##format(int has_transfers, const eigenshade_nodes_t *nodes,              \
+                                 eigenshade_linear_palette_t *palette) {                          \
+    static eigenshade_light_buffer_##format##_t buffer;                                           \
+    static eigenshade_picture_##format##_t pictures[2];                                           \
+    static uint16_t row[240];                                                                     \
+    static const angle quaternion[4] = {1, 2, 3, 10};                                             \
+    const eigenshade_display_t *const display = &eigenshade_display_filmic;                       \
+    eigenshade_color_light_##format##_t light;                                                    \
+    uint32_t faults = (uint32_t)eigenshade_turn_##format(&eigenshade_light_lobby_##format,        \
+                                                         quaternion, &buffer, &light);            \
+    for (int part = 0; part < 2; part++) {                                                        \
+      faults += (uint32_t)(has_transfers                                                          \
+          ? eigenshade_picture_relight_##format(&transfers_##format[part], &light,                \
+                                                &pictures[part])                                  \
+          : eigenshade_picture_begin_##format(&light, &parts_##format[part],                      \
+                                              &pictures[part]));                                  \
+    }                                                                                             \
+    faults += (uint32_t)eigenshade_linear_palette_fill_##format(&pictures[0], &pictures[1],       \
+                                                                1.5f, nodes, palette);            \
+    for (int32_t place = 0; place < SIDE_OF_OBJECT; place++) {                                    \
+      const eigenshade_target_t target = {row, sizeof row, 0, 240, 1, 0, -place,                  \
+                                          EIGENSHADE_ENCODING_RGB565_HIGH_FIRST};                 \
+      for (size_t k = 0; k < 240; k++) {                                                          \
+        row[k] = 0;                                                                               \
+      }                                                                                           \
+      faults += (uint32_t)eigenshade_object_draw(&plastic, palette, 1, display, &target);         \
+    }                                                                                             \
+    return faults;                                                                                \
+  }                                                                                               \
+                                                                                                  \
+  static uint32_t textured_##format(void) {                                                       \
+    static eigenshade_material_buffer_##format##_t buffer;                                        \
+    static eigenshade_picture_##format##_t picture;                                               \
+    static eigenshade_nodes_t nodes;                                                              \
+    static eigenshade_linear_palette_t palette;                                                   \
+    static uint16_t row[SIDE_OF_OBJECT];                                                          \
+    eigenshade_color_material_##format##_t *const parts = parts_##format;                         \
+    const eigenshade_display_t *const display = &eigenshade_display_filmic;                       \
+    const eigenshade_target_t target = {row, sizeof row, 0, SIDE_OF_OBJECT, 1, 0, -60, 0};        \
+    const char *const name = #format;                                                             \
+    uint32_t faults = 0;                                                                          \
+    MEASURED("region_materials", name, 1,                                                         \
+             eigenshade_region_materials_##format(&plastic, 0, &buffer, &parts[0], &parts[1]));   \
+    MEASURED("nodes of object", name, 1, eigenshade_nodes_of_region(&plastic, 0, &nodes));        \
+    for (int part = 0; part < 2; part++) {                                                        \
+      faults += (uint32_t)eigenshade_transfer_##format(&parts[part],                              \
+                                                       &transfers_##format[part]);                \
+    }                                                                                             \
+    faults += (uint32_t)eigenshade_picture_begin_##format(&eigenshade_light_lobby_##format,       \
+                                                          &parts[0], &picture);                   \
+    MEASURED("fill of linear palette", name, 1,                                                   \
+             eigenshade_linear_palette_fill_##format(&picture, &picture, 1.5f, NULL,              \
+                                                     &palette));                                  \
+    MEASURED("row of object", name, SIDE_OF_OBJECT,                                               \
+             eigenshade_object_draw(&plastic, &palette, 1, display, &target));                    \
+    MEASURED("dithered row of object", name, SIDE_OF_OBJECT,                                      \
+             eigenshade_object_draw_dithered(&plastic, &palette, 1, display, &target));           \
+    MEASURED("frame of object", name, 1, frame_##format(0, &nodes, &palette));                    \
+    MEASURED("frame with transfers", name, 1, frame_##format(1, &nodes, &palette));               \
+    return faults;                                                                                \
+  }
+
+TEXTURED(f32, float)
+TEXTURED(q15, int32_t)
 
 #define COSTS(format, angle, x, y, z, ...)                                                        \
   static uint32_t costs_##format(void) {                                                          \
@@ -152,5 +225,5 @@ COSTS(q15, int32_t, 0, 19661, 26214, 3, 4)
 uint32_t program(void) {
   calibrate();
   print("operation,format,instructions\n");
-  return costs_f32() + costs_q15();
+  return costs_f32() + costs_q15() + textured_f32() + textured_q15();
 }

@@ -11,7 +11,13 @@ void check_faults(void);
 /* The same of what is drawn (target_faults.c). */
 void check_target_faults(void);
 
+/* The same of textured objects (object_faults.c). */
+void check_object_faults(void);
+
 /* Pictures in color (color.c). */
 void check_color(void);
+
+/* Textured objects (textured.c). */
+void check_textured(void);
 
 #endif

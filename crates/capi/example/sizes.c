@@ -1,7 +1,7 @@
 /* A program that draws a sphere in bands of a row, in one format, FORMAT (f32, q15), to measure its
  * size. WAY 0 has any material, WAY 1 one whose transfer is in flash, WAY 2 any with small sources,
- * WAY 3 draws as WAY 1 from a palette, with the codes in flash. Without FORMAT the program is empty,
- * for comparison. */
+ * WAY 3 draws as WAY 1 from a palette, with the codes in flash; WAY 4 a textured object of one pixel.
+ * Without FORMAT the program is empty, for comparison. */
 #include "eigenshade_presets.h"
 #include "print.h"
 
@@ -26,6 +26,15 @@ static const uint8_t codes[2] = {0, 0};
 static const eigenshade_normal_map_t map = {1, 1, sizeof codes, codes};
 static eigenshade_palette_t palette;
 #endif
+#if WAY == 4
+static const uint8_t bytes[38] = {'e', 'i', 'g', 'o', 'b', 1, 1, 0, 1, 0, 1, 0, 0, 0, 0, 64, 0, 123,
+                                  0, 0, 0, 0, 2, 0, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0, 200, 90, 10, 255};
+static const eigenshade_object_t object = {sizeof bytes, bytes};
+static TYPE(material_buffer_) materials;
+static TYPE(picture_) plain;
+static eigenshade_nodes_t nodes;
+static eigenshade_linear_palette_t linear;
+#endif
 
 uint32_t program(void) {
 #if WAY == 0
@@ -33,6 +42,13 @@ uint32_t program(void) {
       gold_metallic_paint), &picture);
 #elif WAY == 1 || WAY == 3
   eigenshade_status status = MY(picture_relight_)(&transfer, &PRESET(light, lobby), &picture);
+#elif WAY == 4
+  TYPE(color_material_) of_tinted, of_plain;
+  eigenshade_status status = eigenshade_nodes_of_region(&object, 0, &nodes);
+  status |= MY(region_materials_)(&object, 0, &materials, &of_tinted, &of_plain);
+  status |= MY(picture_begin_)(&PRESET(light, lobby), &of_tinted, &picture);
+  status |= MY(picture_begin_)(&PRESET(light, lobby), &of_plain, &plain);
+  status |= MY(linear_palette_fill_)(&picture, &plain, 1.5f, &nodes, &linear);
 #else
   eigenshade_status status = MY(picture_begin_glossy_)(&PRESET(light, lobby), &PRESET(material,
       gold_metallic_paint), &eigenshade_gloss_gold_metallic_paint_f32,
@@ -46,6 +62,8 @@ uint32_t program(void) {
                                         EIGENSHADE_ENCODING_RGB565};
 #if WAY == 3
     status = eigenshade_palette_draw(&palette, &map, &target);
+#elif WAY == 4
+    status = eigenshade_object_draw(&object, &linear, 1, &eigenshade_display_filmic, &target);
 #else
     status = MY(picture_draw_disc_)(&picture, SIDE, 1.5f, &eigenshade_display_filmic, &target);
 #endif

@@ -5,10 +5,11 @@ shipped one is 9 and 7.
 
 The steps are: begin the picture of a light, a material and small bright sources of light, then draw
 it into a target; or keep the transfer of a material, and relight it with each new light. For many
-frames a second, fill a palette from each picture and draw from the palette. A number in integers is
-a mantissa times 2 to the power of an exponent. All functions in q15 do without a float unit, except
-`eigenshade_picture_bake_q15` and those that read sources. Integers give the same bits on every
-machine.
+frames a second, fill a palette from each picture and draw from the palette. A textured object is
+drawn from linear palettes, each filled from the pictures of both materials of a region. A number in
+integers is a mantissa times 2 to the power of an exponent. All functions in q15 do without a float
+unit, except `eigenshade_picture_bake_q15` and those that read sources. Integers give the same bits
+on every machine.
 
 The caller owns every array and structure, and need not initialize those that the library
 writes. No function allocates, keeps a pointer, or has state, so all may be called from
@@ -172,6 +173,14 @@ enum eigenshade_status
    * Nodes that were never found, such as those of zeros.
    */
   EIGENSHADE_STATUS_NODES = 31,
+  /**
+   * The bytes of a textured object are something else, or were cut or changed.
+   */
+  EIGENSHADE_STATUS_OBJECT = 32,
+  /**
+   * A textured object has no region of this number, or more regions than there are palettes.
+   */
+  EIGENSHADE_STATUS_REGION = 33,
 };
 #ifndef __cplusplus
 #if __STDC_VERSION__ >= 202311L
@@ -389,6 +398,49 @@ typedef struct eigenshade_target_t {
    */
   int32_t encoding;
 } eigenshade_target_t;
+
+/**
+ * A textured object, as `eigenshade pack-object` writes it. May be kept in flash.
+ */
+typedef struct eigenshade_object_t {
+  /**
+   * Number of bytes.
+   */
+  size_t length;
+  /**
+   * The file; the caller's.
+   */
+  const uint8_t *bytes;
+} eigenshade_object_t;
+
+/**
+ * What is at the beginning of a textured object.
+ */
+typedef struct eigenshade_object_header_t {
+  /**
+   * Pixels across.
+   */
+  size_t width;
+  /**
+   * Pixels down.
+   */
+  size_t height;
+  /**
+   * Number of regions.
+   */
+  size_t regions;
+} eigenshade_object_header_t;
+
+/**
+ * The irradiances of a region of a textured object under one light, by normal, once it was filled:
+ * 13 KB. It has no pointers, so it may be moved.
+ */
+typedef struct eigenshade_linear_palette_t {
+  /**
+   * Private to the library.
+   */
+  uint32_t words[EIGENSHADE_LINEAR_PALETTE];
+} eigenshade_linear_palette_t;
 
 /**
  * One channel of distant light: spherical harmonic coefficients L_l^m in radiance, l from 0, m
@@ -895,6 +947,45 @@ eigenshade_status eigenshade_palette_draw_dithered(const struct eigenshade_palet
                                                    const struct eigenshade_target_t *target);
 
 /**
+ * The size of a textured object, and its number of regions. All bytes are checked: some
+ * instructions for each row and each run.
+ *
+ * On an error `header` is unchanged.
+ */
+eigenshade_status eigenshade_object_header(const struct eigenshade_object_t *object,
+                                           struct eigenshade_object_header_t *header);
+
+/**
+ * Finds the nodes of a linear palette that a region of a textured object needs, once for an object.
+ *
+ * On an error `nodes` is unchanged.
+ */
+eigenshade_status eigenshade_nodes_of_region(const struct eigenshade_object_t *object,
+                                             size_t region,
+                                             struct eigenshade_nodes_t *nodes);
+
+/**
+ * Draws a textured object from `count` linear palettes, one for each region in their order, which
+ * `eigenshade_linear_palette_fill_f32` or `_q15` filled for the nodes of the region.
+ *
+ * The bytes of the rows that the target has are checked. On an error no pixel is changed.
+ */
+eigenshade_status eigenshade_object_draw(const struct eigenshade_object_t *object,
+                                         const struct eigenshade_linear_palette_t *palettes,
+                                         size_t count,
+                                         const struct eigenshade_display_t *display,
+                                         const struct eigenshade_target_t *target);
+
+/**
+ * `eigenshade_object_draw` with ordered dithering of RGB565, which hides its steps.
+ */
+eigenshade_status eigenshade_object_draw_dithered(const struct eigenshade_object_t *object,
+                                                  const struct eigenshade_linear_palette_t *palettes,
+                                                  size_t count,
+                                                  const struct eigenshade_display_t *display,
+                                                  const struct eigenshade_target_t *target);
+
+/**
  * The coefficients d of a light on a material in one channel, as numbers.
  *
  * Cost: a multiplication for each of the table's factors. On an error `coefficients` is unchanged.
@@ -958,6 +1049,19 @@ eigenshade_status eigenshade_picture_highlights_f32(const struct eigenshade_glos
                                                     struct eigenshade_picture_f32_t *picture);
 
 /**
+ * Gives the pictures of both parts of a region the highlights of `count` sources, as
+ * `eigenshade_picture_highlights_f32` does for a gloss.
+ *
+ * On an error the pictures have no highlights, or are unchanged.
+ */
+eigenshade_status eigenshade_region_highlights_f32(const struct eigenshade_object_t *object,
+                                                   size_t region,
+                                                   const struct eigenshade_source_f32_t *sources,
+                                                   size_t count,
+                                                   struct eigenshade_picture_f32_t *tinted,
+                                                   struct eigenshade_picture_f32_t *plain);
+
+/**
  * The irradiance of the normal along (x, y, z).
  *
  * The normal may have any length from 1e-9 to 1e9; it is scaled, which costs a root. A normal that
@@ -1003,6 +1107,20 @@ eigenshade_status eigenshade_palette_fill_f32(const struct eigenshade_picture_f3
                                               const struct eigenshade_display_t *display,
                                               const struct eigenshade_nodes_t *nodes,
                                               struct eigenshade_palette_t *palette);
+
+/**
+ * Shades the pictures of both parts of a region, with their highlights, at the nodes of a linear
+ * palette: at those of the region, or at all 921 if `nodes` is NULL. Begin the pictures of the
+ * materials that `eigenshade_region_materials_f32` writes.
+ *
+ * The nodes of others stay as they are, and on an error all of them; in the first call they
+ * become black.
+ */
+eigenshade_status eigenshade_linear_palette_fill_f32(const struct eigenshade_picture_f32_t *tinted,
+                                                     const struct eigenshade_picture_f32_t *plain,
+                                                     float exposure,
+                                                     const struct eigenshade_nodes_t *nodes,
+                                                     struct eigenshade_linear_palette_t *palette);
 
 /**
  * Counts the pixels of one row of a sphere, to meter the exposure of its picture. Row 0 is the
@@ -1132,6 +1250,19 @@ eigenshade_status eigenshade_metallic_roughness_f32(const float *base_color,
                                                     struct eigenshade_color_material_f32_t *to);
 
 /**
+ * The two materials of a region of a textured object: the irradiance of a pixel is its base color
+ * times the irradiance of the tinted part, plus that of the plain part. Both are gray.
+ *
+ * The table's order has to be 7 or more. Both are in `buffer`, and `tinted` and `plain` point there.
+ * On an error none of them may be used.
+ */
+eigenshade_status eigenshade_region_materials_f32(const struct eigenshade_object_t *object,
+                                                  size_t region,
+                                                  struct eigenshade_material_buffer_f32_t *buffer,
+                                                  struct eigenshade_color_material_f32_t *tinted,
+                                                  struct eigenshade_color_material_f32_t *plain);
+
+/**
  * `eigenshade_project_f32` in Q15.
  */
 eigenshade_status eigenshade_project_q15(const struct eigenshade_light_q15_t *light,
@@ -1179,6 +1310,16 @@ eigenshade_status eigenshade_picture_highlights_q15(const struct eigenshade_glos
                                                     struct eigenshade_picture_q15_t *picture);
 
 /**
+ * `eigenshade_region_highlights_f32` in Q15, computed in floats.
+ */
+eigenshade_status eigenshade_region_highlights_q15(const struct eigenshade_object_t *object,
+                                                   size_t region,
+                                                   const struct eigenshade_source_f32_t *sources,
+                                                   size_t count,
+                                                   struct eigenshade_picture_q15_t *tinted,
+                                                   struct eigenshade_picture_q15_t *plain);
+
+/**
  * `eigenshade_picture_shade_f32` in Q15: (x, y, z) has length 1, in fractions of 2^15 (1 as 2^15 -
  * 1).
  */
@@ -1214,6 +1355,15 @@ eigenshade_status eigenshade_palette_fill_q15(const struct eigenshade_picture_q1
                                               const struct eigenshade_display_t *display,
                                               const struct eigenshade_nodes_t *nodes,
                                               struct eigenshade_palette_t *palette);
+
+/**
+ * `eigenshade_linear_palette_fill_f32` in Q15. The bits of `exposure` are read in integers.
+ */
+eigenshade_status eigenshade_linear_palette_fill_q15(const struct eigenshade_picture_q15_t *tinted,
+                                                     const struct eigenshade_picture_q15_t *plain,
+                                                     float exposure,
+                                                     const struct eigenshade_nodes_t *nodes,
+                                                     struct eigenshade_linear_palette_t *palette);
 
 /**
  * `eigenshade_picture_meter_disc_row_f32` in Q15.
@@ -1343,6 +1493,15 @@ eigenshade_status eigenshade_metallic_roughness_q15(const int16_t *base_color,
                                                     int16_t roughness,
                                                     struct eigenshade_material_buffer_q15_t *buffer,
                                                     struct eigenshade_color_material_q15_t *to);
+
+/**
+ * `eigenshade_region_materials_f32` in Q15.
+ */
+eigenshade_status eigenshade_region_materials_q15(const struct eigenshade_object_t *object,
+                                                  size_t region,
+                                                  struct eigenshade_material_buffer_q15_t *buffer,
+                                                  struct eigenshade_color_material_q15_t *tinted,
+                                                  struct eigenshade_color_material_q15_t *plain);
 
 #ifdef __cplusplus
 }  // extern "C"

@@ -5,7 +5,7 @@ file. */
 #define EIGENSHADE_TABLE_H
 
 /** A checksum of these sizes: compare it with `eigenshade_table()`. */
-#define EIGENSHADE_TABLE 877098320u
+#define EIGENSHADE_TABLE 3766772732u
 
 /** Largest degree l of a light. */
 #define EIGENSHADE_DEGREE 9
@@ -57,5 +57,8 @@ file. */
 
 /** Words of 32 bits in a palette. */
 #define EIGENSHADE_PALETTE 2179
+
+/** Words of 32 bits in a linear palette. */
+#define EIGENSHADE_LINEAR_PALETTE 3268
 
 #endif

@@ -4,7 +4,7 @@
 use crate::boundary::{Input, Place};
 use crate::format::Format;
 use crate::object::Object;
-use crate::picture::{Opened, Shade};
+use crate::picture::{Opened, Shade, ShadeMirrored};
 use crate::status::Status;
 use crate::target::{Row, Target, Window};
 use core::ops::Range;
@@ -24,6 +24,16 @@ pub(crate) fn exposing<F: Format>(
 ) -> Result<impl Fn(F::Normal) -> Rgb<Linear>, Status> {
     let exposure = F::exposure(exposure, picture.exponents)?;
     Ok(move |normal| F::exposed((picture.shade)(normal), exposure))
+}
+
+/// What shades and exposes a normal and its mirror images.
+#[inline]
+pub(crate) fn exposing_mirrored<F: Format>(
+    picture: &Opened<impl ShadeMirrored<F>>,
+    exposure: f32,
+) -> Result<impl Fn(F::Normal) -> [Rgb<Linear>; 4], Status> {
+    let exposure = F::exposure(exposure, picture.exponents)?;
+    Ok(move |normal| (picture.shade)(normal).map(|irradiance| F::exposed(irradiance, exposure)))
 }
 
 /// Draws an object, once everything is checked.

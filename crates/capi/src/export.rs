@@ -3,9 +3,13 @@
 
 use crate::boundary::{Input, Output};
 use crate::constants::TABLE;
+use crate::draw::Display;
+use crate::linear_palette::{self, LinearPalette};
 use crate::meter::{self, Meter};
+use crate::nodes::{self, Nodes};
 use crate::object::{self, NormalMap};
-use crate::palette::{self, Nodes, Palette};
+use crate::packed_object::{self, ObjectHeader, PackedObject};
+use crate::palette::{self, Palette};
 use crate::sources::{self, Gloss, Source};
 use crate::status::{Status, message};
 use crate::target::Target;
@@ -112,7 +116,7 @@ pub extern "C" fn eigenshade_nodes_of_normal_map(
     map: *const NormalMap,
     nodes: *mut Nodes,
 ) -> Status {
-    palette::nodes(&Input(map), &Output(nodes)).into()
+    nodes::of_normal_map(&Input(map), &Output(nodes)).into()
 }
 
 /// Draws the object of a normal map from a palette, which `eigenshade_palette_fill_f32` or `_q15`
@@ -125,7 +129,7 @@ pub extern "C" fn eigenshade_palette_draw(
     map: *const NormalMap,
     target: *const Target,
 ) -> Status {
-    palette::draw(&Input(palette), &Input(map), &Input(target)).into()
+    palette::draw::<false>(&Input(palette), &Input(map), &Input(target)).into()
 }
 
 /// `eigenshade_palette_draw` with ordered dithering of RGB565, which hides its steps.
@@ -135,5 +139,58 @@ pub extern "C" fn eigenshade_palette_draw_dithered(
     map: *const NormalMap,
     target: *const Target,
 ) -> Status {
-    palette::draw_dithered(&Input(palette), &Input(map), &Input(target)).into()
+    palette::draw::<true>(&Input(palette), &Input(map), &Input(target)).into()
+}
+
+/// The size of a textured object, and its number of regions. All bytes are checked: some
+/// instructions for each row and each run.
+///
+/// On an error `header` is unchanged.
+#[unsafe(no_mangle)]
+pub extern "C" fn eigenshade_object_header(
+    object: *const PackedObject,
+    header: *mut ObjectHeader,
+) -> Status {
+    packed_object::header(&Input(object), &Output(header)).into()
+}
+
+/// Finds the nodes of a linear palette that a region of a textured object needs, once for an object.
+///
+/// On an error `nodes` is unchanged.
+#[unsafe(no_mangle)]
+pub extern "C" fn eigenshade_nodes_of_region(
+    object: *const PackedObject,
+    region: usize,
+    nodes: *mut Nodes,
+) -> Status {
+    nodes::of_region(&Input(object), region, &Output(nodes)).into()
+}
+
+/// Draws a textured object from `count` linear palettes, one for each region in their order, which
+/// `eigenshade_linear_palette_fill_f32` or `_q15` filled for the nodes of the region.
+///
+/// The bytes of the rows that the target has are checked. On an error no pixel is changed.
+#[unsafe(no_mangle)]
+pub extern "C" fn eigenshade_object_draw(
+    object: *const PackedObject,
+    palettes: *const LinearPalette,
+    count: usize,
+    display: *const Display,
+    target: *const Target,
+) -> Status {
+    let (object, palettes) = (Input(object), Input(palettes));
+    linear_palette::draw(&object, &palettes, count, &Input(display), &Input(target), false).into()
+}
+
+/// `eigenshade_object_draw` with ordered dithering of RGB565, which hides its steps.
+#[unsafe(no_mangle)]
+pub extern "C" fn eigenshade_object_draw_dithered(
+    object: *const PackedObject,
+    palettes: *const LinearPalette,
+    count: usize,
+    display: *const Display,
+    target: *const Target,
+) -> Status {
+    let (object, palettes) = (Input(object), Input(palettes));
+    linear_palette::draw(&object, &palettes, count, &Input(display), &Input(target), true).into()
 }

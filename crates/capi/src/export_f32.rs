@@ -3,9 +3,12 @@
 
 use crate::boundary::{Input, Output};
 use crate::draw::{Display, draw};
+use crate::linear_palette::{self, LinearPalette};
 use crate::meter::{self, Meter};
+use crate::nodes::Nodes;
 use crate::object::{NormalMap, disc, normal_map};
-use crate::palette::{self, Nodes, Palette};
+use crate::packed_object::PackedObject;
+use crate::palette::{self, Palette};
 use crate::records_f32::{
     BakedF32, CoefficientsF32, ColorLightF32, ColorMaterialF32, IrradianceF32, LightF32,
     MaterialF32, PictureF32, TransferF32, WorkspaceF32,
@@ -105,6 +108,30 @@ pub extern "C" fn eigenshade_picture_highlights_f32(
     picture::highlights::<f32>(&Input(gloss), &Input(sources), count, &Output(picture)).into()
 }
 
+/// Gives the pictures of both parts of a region the highlights of `count` sources, as
+/// `eigenshade_picture_highlights_f32` does for a gloss.
+///
+/// On an error the pictures have no highlights, or are unchanged.
+#[unsafe(no_mangle)]
+pub extern "C" fn eigenshade_region_highlights_f32(
+    object: *const PackedObject,
+    region: usize,
+    sources: *const Source,
+    count: usize,
+    tinted: *mut PictureF32,
+    plain: *mut PictureF32,
+) -> Status {
+    picture::region_highlights::<f32>(
+        &Input(object),
+        region,
+        &Input(sources),
+        count,
+        &Output(tinted),
+        &Output(plain),
+    )
+    .into()
+}
+
 /// The irradiance of the normal along (x, y, z).
 ///
 /// The normal may have any length from 1e-9 to 1e9; it is scaled, which costs a root. A normal that
@@ -175,6 +202,30 @@ pub extern "C" fn eigenshade_palette_fill_f32(
         &Input(picture),
         exposure,
         &Input(display),
+        &Input(nodes),
+        &Output(palette),
+    )
+    .into()
+}
+
+/// Shades the pictures of both parts of a region, with their highlights, at the nodes of a linear
+/// palette: at those of the region, or at all 921 if `nodes` is NULL. Begin the pictures of the
+/// materials that `eigenshade_region_materials_f32` writes.
+///
+/// The nodes of others stay as they are, and on an error all of them; in the first call they
+/// become black.
+#[unsafe(no_mangle)]
+pub extern "C" fn eigenshade_linear_palette_fill_f32(
+    tinted: *const PictureF32,
+    plain: *const PictureF32,
+    exposure: f32,
+    nodes: *const Nodes,
+    palette: *mut LinearPalette,
+) -> Status {
+    linear_palette::fill::<f32>(
+        &Input(tinted),
+        &Input(plain),
+        exposure,
         &Input(nodes),
         &Output(palette),
     )

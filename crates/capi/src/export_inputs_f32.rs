@@ -2,10 +2,11 @@
 #![expect(unsafe_code, reason = "exported symbols")]
 
 use crate::boundary::{Input, Output};
+use crate::packed_object::PackedObject;
 use crate::records_f32::{ColorLightF32, ColorMaterialF32, LightBufferF32, MaterialBufferF32};
 use crate::sources::Source;
 use crate::status::Status;
-use crate::{effects, steps};
+use crate::{effects, packed_object, steps};
 
 /// A light, of degree 12 at most, turned by the rotation of a quaternion (x, y, z, w):
 /// L'(R v) = L(v) for every direction v.
@@ -103,6 +104,29 @@ pub extern "C" fn eigenshade_metallic_roughness_f32(
         roughness,
         &Output(buffer),
         &Output(to),
+    )
+    .into()
+}
+
+/// The two materials of a region of a textured object: the irradiance of a pixel is its base color
+/// times the irradiance of the tinted part, plus that of the plain part. Both are gray.
+///
+/// The table's order has to be 7 or more. Both are in `buffer`, and `tinted` and `plain` point there.
+/// On an error none of them may be used.
+#[unsafe(no_mangle)]
+pub extern "C" fn eigenshade_region_materials_f32(
+    object: *const PackedObject,
+    region: usize,
+    buffer: *mut MaterialBufferF32,
+    tinted: *mut ColorMaterialF32,
+    plain: *mut ColorMaterialF32,
+) -> Status {
+    packed_object::materials::<f32>(
+        &Input(object),
+        region,
+        &Output(buffer),
+        &Output(tinted),
+        &Output(plain),
     )
     .into()
 }

@@ -2,10 +2,11 @@
 #![expect(unsafe_code, reason = "exported symbols")]
 
 use crate::boundary::{Input, Output};
+use crate::packed_object::PackedObject;
 use crate::records_q15::{ColorLightQ15, ColorMaterialQ15, LightBufferQ15, MaterialBufferQ15};
 use crate::sources::Source;
 use crate::status::Status;
-use crate::{effects, steps};
+use crate::{effects, packed_object, steps};
 use eigenshade::Q15;
 
 /// `eigenshade_turn_f32` in Q15. The quaternion may have any scale.
@@ -86,6 +87,25 @@ pub extern "C" fn eigenshade_metallic_roughness_q15(
         roughness,
         &Output(buffer),
         &Output(to),
+    )
+    .into()
+}
+
+/// `eigenshade_region_materials_f32` in Q15.
+#[unsafe(no_mangle)]
+pub extern "C" fn eigenshade_region_materials_q15(
+    object: *const PackedObject,
+    region: usize,
+    buffer: *mut MaterialBufferQ15,
+    tinted: *mut ColorMaterialQ15,
+    plain: *mut ColorMaterialQ15,
+) -> Status {
+    packed_object::materials::<Q15>(
+        &Input(object),
+        region,
+        &Output(buffer),
+        &Output(tinted),
+        &Output(plain),
     )
     .into()
 }

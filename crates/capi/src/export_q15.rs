@@ -3,9 +3,12 @@
 
 use crate::boundary::{Input, Output};
 use crate::draw::{Display, draw};
+use crate::linear_palette::{self, LinearPalette};
 use crate::meter::{self, Meter};
+use crate::nodes::Nodes;
 use crate::object::{NormalMap, disc, normal_map};
-use crate::palette::{self, Nodes, Palette};
+use crate::packed_object::PackedObject;
+use crate::palette::{self, Palette};
 use crate::records_f32::{ColorLightF32, ColorMaterialF32, PictureF32};
 use crate::records_q15::{
     BakedQ15, CoefficientsQ15, ColorLightQ15, ColorMaterialQ15, IrradianceQ15, LightBufferQ15,
@@ -91,6 +94,27 @@ pub extern "C" fn eigenshade_picture_highlights_q15(
     picture::highlights::<Q15>(&Input(gloss), &Input(sources), count, &Output(picture)).into()
 }
 
+/// `eigenshade_region_highlights_f32` in Q15, computed in floats.
+#[unsafe(no_mangle)]
+pub extern "C" fn eigenshade_region_highlights_q15(
+    object: *const PackedObject,
+    region: usize,
+    sources: *const Source,
+    count: usize,
+    tinted: *mut PictureQ15,
+    plain: *mut PictureQ15,
+) -> Status {
+    picture::region_highlights::<Q15>(
+        &Input(object),
+        region,
+        &Input(sources),
+        count,
+        &Output(tinted),
+        &Output(plain),
+    )
+    .into()
+}
+
 /// `eigenshade_picture_shade_f32` in Q15: (x, y, z) has length 1, in fractions of 2^15 (1 as 2^15 -
 /// 1).
 #[unsafe(no_mangle)]
@@ -151,6 +175,25 @@ pub extern "C" fn eigenshade_palette_fill_q15(
         &Input(picture),
         exposure,
         &Input(display),
+        &Input(nodes),
+        &Output(palette),
+    )
+    .into()
+}
+
+/// `eigenshade_linear_palette_fill_f32` in Q15. The bits of `exposure` are read in integers.
+#[unsafe(no_mangle)]
+pub extern "C" fn eigenshade_linear_palette_fill_q15(
+    tinted: *const PictureQ15,
+    plain: *const PictureQ15,
+    exposure: f32,
+    nodes: *const Nodes,
+    palette: *mut LinearPalette,
+) -> Status {
+    linear_palette::fill::<Q15>(
+        &Input(tinted),
+        &Input(plain),
+        exposure,
         &Input(nodes),
         &Output(palette),
     )

@@ -10,8 +10,8 @@ use crate::records_f32::{
 };
 use crate::status::{Status, light_shape, material_shape};
 use crate::table::{self, COMPONENTS, LIGHT, SCENE, TRANSFER, WORKSPACE};
-use eigenshade::object::{BakedMap, DiscPixel, MapPoint, NormalPixel};
-use eigenshade::screen::{Display, Exposure, Linear, Nodes, Palette};
+use eigenshade::object::{BakedMap, DiscPixel, MapPoint, NormalPixel, Region};
+use eigenshade::screen::{Exposure, Linear};
 use eigenshade::specialized::{Mirrored, by_image, checked};
 use eigenshade::wire::Parts;
 use eigenshade::{
@@ -87,6 +87,21 @@ fn stored<B: AsRef<[f32]>>(modified: &Rgb<B>, buffer: &mut LightBufferF32) -> Co
             light_in(to, from.len())
         });
     ColorLightF32 { r: channels.r, g: channels.g, b: channels.b }
+}
+
+/// Stores materials by coefficients and order, and modifies them.
+fn stored_materials(
+    from: Rgb<(&[f32], usize)>,
+    buffer: &mut MaterialBufferF32,
+    modify: impl Fn(&mut [f32; MATERIAL_BUFFER]),
+) -> ColorMaterialF32 {
+    let channels = Rgb::from(buffer.numbers.each_mut()).zip(from);
+    let channels = channels.map(|(to, (from, order))| {
+        to.iter_mut().zip(from).for_each(|(to, &from)| *to = from);
+        modify(to);
+        material_in(to, order)
+    });
+    ColorMaterialF32 { r: channels.r, g: channels.g, b: channels.b }
 }
 
 pub(crate) fn project(
@@ -228,12 +243,8 @@ impl Format for f32 {
         effect: Effect,
         buffer: &mut MaterialBufferF32,
     ) -> ColorMaterialF32 {
-        let channels = Rgb::from(buffer.numbers.each_mut()).zip(from).map(|(to, from)| {
-            to.iter_mut().zip(from.coefficients()).for_each(|(to, &from)| *to = from);
-            effect.mask_material(to);
-            material_in(to, from.order())
-        });
-        ColorMaterialF32 { r: channels.r, g: channels.g, b: channels.b }
+        let from = from.map(|from| (from.coefficients(), from.order()));
+        stored_materials(from, buffer, |to| effect.mask_material(to))
     }
 
     fn metallic_roughness(
@@ -243,11 +254,19 @@ impl Format for f32 {
         buffer: &mut MaterialBufferF32,
     ) -> Result<ColorMaterialF32, Status> {
         let found = Material::metallic_roughness(*base_color, metallic, roughness)?;
-        let channels = Rgb::from(buffer.numbers.each_mut()).zip(found).map(|(to, from)| {
-            to.iter_mut().zip(from.iter()).for_each(|(to, &from)| *to = from);
-            material_in(to, METALLIC_ROUGHNESS_ORDER)
-        });
-        Ok(ColorMaterialF32 { r: channels.r, g: channels.g, b: channels.b })
+        let found = found.each_ref().map(|from| (&**from, METALLIC_ROUGHNESS_ORDER));
+        Ok(stored_materials(found, buffer, |_| ()))
+    }
+
+    fn materials(
+        region: &Region,
+        buffer: &mut MaterialBufferF32,
+    ) -> Result<[ColorMaterialF32; 2], Status> {
+        let parts = region.materials()?;
+        let [tinted, plain] = parts.each_ref().map(|from| (&**from, METALLIC_ROUGHNESS_ORDER));
+        let ColorMaterialF32 { r, g, .. } =
+            stored_materials(Rgb::new(tinted, plain, plain), buffer, |_| ());
+        Ok([r, g].map(|one| ColorMaterialF32 { r: one, g: one, b: one }))
     }
 
     const LIGHT_BUFFER: LightBufferF32 = LightBufferF32 { numbers: [[0.0; LIGHT]; 3] };
@@ -287,15 +306,6 @@ impl Format for f32 {
     fn shade_mirrored(scene: &Scene, normal: Normal) -> [Rgb<f32>; 4] {
         let mirrored = Mirrored::new(normal);
         by_image(Rgb::from(scene.0.each_ref()).map(|terms| images(terms, &mirrored)))
-    }
-
-    fn fill(
-        palette: &mut Palette,
-        nodes: &Nodes,
-        display: &Display,
-        exposed: impl FnMut(Normal) -> [Rgb<Linear>; 4],
-    ) {
-        palette.fill_mirrored(nodes, display, exposed);
     }
 
     fn exponents(_: &Scene) -> [i32; 3] {

@@ -3,8 +3,8 @@
 use crate::boundary::{Input, Place, Plain};
 use crate::constants::SOURCES;
 use crate::status::Status;
-use eigenshade::object::{DiscPixel, NormalPixel};
-use eigenshade::screen::{Display, Linear, Nodes, Palette};
+use eigenshade::object::{DiscPixel, NormalPixel, Region};
+use eigenshade::screen::{AnyNormal, Linear};
 use eigenshade::{Effect, Error, Highlights, Rgb, Source};
 
 /// A light or a material that was checked, and where it lies.
@@ -30,7 +30,7 @@ pub(crate) trait Format: Plain + Copy + 'static {
     type Scene: Plain + 'static;
     /// The highlights of small sources.
     type Highlights: 'static;
-    type Normal: Copy;
+    type Normal: Copy + AnyNormal;
     /// One channel of a pixel, and three of them for C.
     type Channel: Copy;
     type Irradiance: Plain;
@@ -108,6 +108,12 @@ pub(crate) trait Format: Plain + Copy + 'static {
         buffer: &mut Self::MaterialBuffer,
     ) -> Result<Self::Material, Status>;
 
+    /// The tinted and the plain material of a region. The results point to `buffer`.
+    fn materials(
+        region: &Region,
+        buffer: &mut Self::MaterialBuffer,
+    ) -> Result<[Self::Material; 2], Status>;
+
     /// Memory for a light.
     const LIGHT_BUFFER: Self::LightBuffer;
 
@@ -133,13 +139,6 @@ pub(crate) trait Format: Plain + Copy + 'static {
     fn mirrored(normal: Self::Normal) -> [Self::Normal; 4];
     /// The irradiances of these.
     fn shade_mirrored(scene: &Self::Scene, normal: Self::Normal) -> [Rgb<Self::Channel>; 4];
-    /// Fills a palette by the exposed irradiances of a normal and its mirror images.
-    fn fill(
-        palette: &mut Palette,
-        nodes: &Nodes,
-        display: &Display,
-        exposed: impl FnMut(Self::Normal) -> [Rgb<Linear>; 4],
-    );
 
     /// The exponents of a scene, 0 in `f32`.
     fn exponents(scene: &Self::Scene) -> [i32; 3];

@@ -12,13 +12,13 @@ use crate::records_q15::{
 use crate::status::{Status, light_shape, material_shape};
 use crate::table::q15::{PROFILES, SCENE, TRANSFER, WORKSPACE};
 use crate::table::{self, COMPONENTS, LIGHT};
-use eigenshade::object::{DiscPixel, NormalPixel};
+use eigenshade::object::{DiscPixel, NormalPixel, Region};
 use eigenshade::q15::kernels::Mirrored;
 use eigenshade::q15::{
     self, BakedMap, Basis, Exposure, Highlights, Light, MapPoint, Material, Normal, Parts,
     Rotation, Transfer,
 };
-use eigenshade::screen::{Display, Linear, Nodes, Palette};
+use eigenshade::screen::Linear;
 use eigenshade::specialized::{by_image, checked};
 use eigenshade::{Effect, Error, Q15, Rgb, Source};
 
@@ -277,6 +277,17 @@ impl Format for Q15 {
         Ok(stored_materials(found.materials()?, buffer, |_| ()))
     }
 
+    fn materials(
+        region: &Region,
+        buffer: &mut MaterialBufferQ15,
+    ) -> Result<[ColorMaterialQ15; 2], Status> {
+        let [tinted, plain] = region.materials_q15()?;
+        let (tinted, plain) = (tinted.material()?, plain.material()?);
+        let ColorMaterialQ15 { r, g, .. } =
+            stored_materials(Rgb::new(tinted, plain, plain), buffer, |_| ());
+        Ok([r, g].map(|one| ColorMaterialQ15 { r: one, g: one, b: one }))
+    }
+
     const LIGHT_BUFFER: LightBufferQ15 = LightBufferQ15 { mantissas: [[Q15(0); LIGHT]; 3] };
 
     fn highlights(
@@ -321,15 +332,6 @@ impl Format for Q15 {
     fn shade_mirrored(scene: &Scene, normal: Normal) -> [Rgb<i32>; 4] {
         let mirrored = Mirrored::new(normal);
         by_image(Rgb::from(scene.terms.each_ref()).map(|terms| images(terms, &mirrored)))
-    }
-
-    fn fill(
-        palette: &mut Palette,
-        nodes: &Nodes,
-        display: &Display,
-        exposed: impl FnMut(Normal) -> [Rgb<Linear>; 4],
-    ) {
-        palette.fill_mirrored(nodes, display, exposed);
     }
 
     fn exponents(scene: &Scene) -> [i32; 3] {

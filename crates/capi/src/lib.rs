@@ -40,6 +40,8 @@ mod steps;
 
 mod effects;
 
+mod packed_object;
+
 mod picture;
 
 mod baked;
@@ -52,7 +54,13 @@ mod draw;
 
 mod meter;
 
+mod memory;
+
+mod nodes;
+
 mod palette;
+
+mod linear_palette;
 
 mod export;
 

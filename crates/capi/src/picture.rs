@@ -4,11 +4,12 @@
 use crate::boundary::{Input, Mark, Output, Place, disjoint};
 use crate::constants::SOURCES;
 use crate::format::Format;
+use crate::packed_object::{self, PackedObject};
 use crate::records_f32::PictureF32;
 use crate::records_q15::PictureQ15;
 use crate::sources::{Gloss, Source, with_sources};
 use crate::status::Status;
-use eigenshade::{Highlights, Q15, Rgb};
+use eigenshade::{Error, Highlights, Q15, Rgb};
 
 /// The contents of a picture's memory. The mark comes first, where every format looks for it.
 #[repr(C)]
@@ -85,21 +86,39 @@ unsafe fn written<'a, F: Format>(
     Ok(picture)
 }
 
-/// The reflections of sources on a gloss.
+/// Gives each picture its highlights of sources.
 // Not inlined, so that its memory is free again when the rest runs.
 #[inline(never)]
-fn add_highlights<F: Format>(
-    picture: &mut Picture<F>,
-    gloss: &eigenshade::Gloss,
+fn add_highlights<F: Format, const N: usize>(
+    mut pictures: [&mut Picture<F>; N],
     sources: &[Source],
+    highlights: impl FnOnce(&[eigenshade::Source]) -> Result<[Highlights<SOURCES>; N], Error>,
 ) -> Result<(), Status> {
-    picture.highlights = None;
-    if !sources.is_empty() {
-        let found = with_sources(sources, |all| Ok(Highlights::<SOURCES>::new(gloss, all)?))?;
-        let highlights = F::highlights(&found, &picture.scene)?;
+    pictures.iter_mut().for_each(|picture| picture.highlights = None);
+    if sources.is_empty() {
+        return Ok(());
+    }
+    let found = with_sources(sources, |all| Ok(highlights(all)?))?;
+    for (picture, found) in pictures.into_iter().zip(&found) {
+        let highlights = F::highlights(found, &picture.scene)?;
         picture.highlights = Some(Highlighted { add: F::add, highlights });
     }
     Ok(())
+}
+
+/// A picture that was begun, to be changed.
+///
+/// # Safety
+///
+/// The memory overlaps nothing that is in use.
+unsafe fn begun_mut<'a, F: Format>(
+    memory: &Output<F::PictureBuffer>,
+) -> Result<&'a mut Picture<F>, Status> {
+    // SAFETY: this function's caller promises as much.
+    let [memory] = unsafe { memory.array(1) }? else { return Err(Status::Internal) };
+    begun::<F>(&Input(memory))?;
+    // SAFETY: it was begun, so this library wrote it.
+    Ok(unsafe { &mut *core::ptr::from_mut(memory).cast::<Picture<F>>() })
 }
 
 /// A light without sources. It points to `buffer`.
@@ -161,7 +180,7 @@ pub(crate) fn begin_glossy<F: Format>(
     let rest = F::light(&rest)?.value;
     // SAFETY: it overlaps no other.
     let picture = unsafe { written::<F>(picture, |to| scene::<F>(rest, material.value, to)) }?;
-    add_highlights(picture, &gloss, sources)
+    add_highlights([picture], sources, |all| Ok([Highlights::new(&gloss, all)?]))
 }
 
 pub(crate) fn relight<F: Format>(
@@ -189,11 +208,32 @@ pub(crate) fn highlights<F: Format>(
     // SAFETY: C promises `count` sources.
     let sources = unsafe { sources.array(count) }?;
     disjoint(&[picture.place()], &[Place::of(gloss), Place::of(sources)])?;
+    let gloss = gloss.view()?;
     // SAFETY: it overlaps no other.
-    let [memory] = unsafe { picture.array(1) }? else { return Err(Status::Internal) };
-    // SAFETY: it was begun, so this library wrote it.
-    let picture = unsafe { &mut *core::ptr::from_mut(memory).cast::<Picture<F>>() };
-    add_highlights(picture, &gloss.view()?, sources)
+    let picture = unsafe { begun_mut::<F>(picture) }?;
+    add_highlights([picture], sources, |all| Ok([Highlights::new(&gloss, all)?]))
+}
+
+pub(crate) fn region_highlights<F: Format>(
+    object: &Input<PackedObject>,
+    region: usize,
+    sources: &Input<Source>,
+    count: usize,
+    tinted: &Output<F::PictureBuffer>,
+    plain: &Output<F::PictureBuffer>,
+) -> Result<(), Status> {
+    begun::<F>(&Input(tinted.0))?;
+    begun::<F>(&Input(plain.0))?;
+    let object = packed_object::open(object, packed_object::NO_ROWS)?;
+    let region = object.region(region)?;
+    // SAFETY: C promises `count` sources.
+    let sources = unsafe { sources.array(count) }?;
+    let written = [tinted.place(), plain.place()];
+    disjoint(&written, &object.places)?;
+    disjoint(&written, &[Place::of(sources)])?;
+    // SAFETY: nothing overlaps.
+    let pictures = unsafe { [begun_mut::<F>(tinted)?, begun_mut::<F>(plain)?] };
+    add_highlights(pictures, sources, |all| region.highlights(all))
 }
 
 pub(crate) fn open<F: Format>(

@@ -34,6 +34,7 @@ pub struct ColorLightF32 {
 /// One channel of an isotropic material: Koenderink-van Doorn coefficients b_op^q of its
 /// BRDF in 1/sr, by o, then p, then q: 000, 111, 200, 220, 222, 311, ... White matte is
 /// the one coefficient 2.
+#[derive(Clone, Copy)]
 #[repr(C)]
 pub struct MaterialF32 {
     /// Largest o, at most EIGENSHADE_ORDER; above it the material is zero.

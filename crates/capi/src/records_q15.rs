@@ -33,6 +33,7 @@ pub struct ColorLightQ15 {
 
 /// One channel of an isotropic material: as `eigenshade_material_f32_t`, in mantissas times
 /// 2^exponent, an exponent for each o.
+#[derive(Clone, Copy)]
 #[repr(C)]
 pub struct MaterialQ15 {
     /// Largest o, at most EIGENSHADE_ORDER; above it the material is zero.

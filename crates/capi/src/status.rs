@@ -78,6 +78,10 @@ pub enum Status {
     Palette = 30,
     /// Nodes that were never found, such as those of zeros.
     Nodes = 31,
+    /// The bytes of a textured object are something else, or were cut or changed.
+    Object = 32,
+    /// A textured object has no region of this number, or more regions than there are palettes.
+    Region = 33,
 }
 
 /// The message of a status.
@@ -122,7 +126,9 @@ pub(crate) fn message(status: i32) -> &'static CStr {
         28 => c"a target has no pixel, or no room for its rows; check size, stride and length",
         29 => c"no encoding has this number; use one of eigenshade_encoding",
         30 => c"a palette was never filled; call palette_fill first",
-        31 => c"the nodes were never found; call nodes_of_normal_map, or pass NULL for all nodes",
+        31 => c"the nodes were never found; call nodes_of_normal_map or nodes_of_region",
+        32 => c"the bytes are no textured object, or were cut or changed; pack the object anew",
+        33 => c"the object has no such region, or more regions than palettes; check the number",
         _ => c"unknown status; compare the versions of header and library",
     }
 }
@@ -145,6 +151,8 @@ impl From<Error> for Status {
             Error::Outside { .. } => Self::Outside,
             Error::Rotation => Self::Rotation,
             Error::Source => Self::Source,
+            Error::Object => Self::Object,
+            Error::Length { argument: Argument::Palettes, .. } => Self::Region,
             Error::Beyond { .. } => Self::Turn,
             // The lengths of lights and materials are checked below, all others are constants.
             _ => Self::Internal,

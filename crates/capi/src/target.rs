@@ -6,7 +6,7 @@ use crate::status::Status;
 use core::ffi::c_void;
 use core::ops::Range;
 use eigenshade::Rgb;
-use eigenshade::screen::{Display, Linear, blend565};
+use eigenshade::screen::{self, Display, Linear, Pixel, blend565};
 
 /// How the pixels of a target are stored.
 #[derive(Clone, Copy)]
@@ -63,6 +63,14 @@ pub struct Target {
     pub encoding: i32,
 }
 
+/// What draws itself.
+pub(crate) trait Drawn {
+    /// Width and height.
+    fn size(&self) -> [usize; 2];
+    /// Draws the part that the target has.
+    fn draw<P: Pixel>(&self, target: &mut screen::Target<'_, P>);
+}
+
 /// A target that was checked.
 pub(crate) struct Window<'t> {
     target: &'t Target,
@@ -101,6 +109,30 @@ impl<'t> Window<'t> {
         disjoint(&self.written, read)
     }
 
+    /// The rows of an object of any height that the window has: the first one, and their number.
+    pub(crate) fn rows_of(&self) -> [usize; 2] {
+        let rows = visible(self.target.y, usize::MAX, self.target.height);
+        [rows.start, rows.len()]
+    }
+
+    /// Draws an object.
+    ///
+    /// # Safety
+    ///
+    /// As for [`rows`](Self::rows).
+    pub(crate) unsafe fn draw(&self, object: &impl Drawn) -> Result<(), Status> {
+        let draw = |row, columns: &Range<usize>, pixels: Row<'_>| {
+            let corner = [columns.start, row].map(|place| (place as i32).wrapping_neg());
+            match pixels {
+                Row::Rgb565(pixels) => draw_row(object, corner, pixels),
+                Row::HighFirst(pixels) => draw_row(object, corner, pixels),
+                Row::Rgb888(pixels) => draw_row(object, corner, pixels),
+            }
+        };
+        // SAFETY: this function's caller promises as much.
+        unsafe { self.rows(object.size(), draw) }
+    }
+
     /// Calls `draw` with each row of an object of this size that the window has, the row's columns
     /// that the window has, and their pixels.
     ///
@@ -134,6 +166,17 @@ impl<'t> Window<'t> {
         }
         Ok(())
     }
+}
+
+/// Draws the part of an object that is in one row of pixels.
+fn draw_row<P: Pixel>(
+    object: &impl Drawn,
+    [x, y]: [i32; 2],
+    pixels: &mut [P],
+) -> Result<(), Status> {
+    let width = pixels.len();
+    object.draw(&mut screen::Target::new(pixels, width)?.at(x, y));
+    Ok(())
 }
 
 /// Of an object's places, of which there are `length`, those that are from 0 to `end` if the first is

@@ -11,11 +11,12 @@ mod pictures;
 #[path = "support/program.rs"]
 mod program;
 
-use eigenshade::object::{Disc, NormalMap};
+use eigenshade::object::{Disc, NormalMap, Object};
 use eigenshade::presets::{light, material};
-use eigenshade::screen::{Display, Meter, Palette, Target, Tone};
+use eigenshade::screen::{Display, LinearPalette, Meter, Palette, Target, Tone};
 use eigenshade::sphere::{self, q15};
-use eigenshade::{Effect, Error};
+use eigenshade::{Effect, Error, Material};
+use pictures::objects;
 use program::{compiled, library, run};
 use std::collections::BTreeSet;
 use std::fs;
@@ -51,12 +52,14 @@ fn the_library_exports_the_functions_of_the_header() {
 fn the_checks_hold_under_sanitizers() {
     let example = Path::new(env!("CARGO_MANIFEST_DIR")).join("example");
     let sources =
-        ["host", "print", "all", "checks", "golden_vectors", "faults", "target_faults", "color"];
+        "host print all checks golden_vectors faults target_faults object_faults color textured";
     let sources: Vec<PathBuf> =
-        sources.iter().map(|name| example.join(format!("{name}.c"))).collect();
+        sources.split(' ').map(|name| example.join(format!("{name}.c"))).collect();
     let sources: Vec<&Path> = sources.iter().map(PathBuf::as_path).collect();
     let golden = golden_header::text().expect("the golden file");
-    let program = compiled("checks", &sources, ("golden.h", &golden));
+    let objects = objects::text().expect("objects");
+    let headers = [("golden.h", &*golden), ("objects.h", &*objects)];
+    let program = compiled("checks", &sources, &headers);
     let pictures = pictures::lines().expect("pictures");
     assert_eq!(run(&mut Command::new(program)), format!("{pictures}0 faults\n"));
 }
@@ -141,7 +144,7 @@ fn masks_are_those_of_rust() {
         let source = Path::new(env!("CARGO_TARGET_TMPDIR")).join(format!("masks_{format}.c"));
         fs::write(&source, text).expect("the program is written");
         let name = format!("masks_{format}");
-        let printed = run(&mut Command::new(compiled(&name, &[&source], ("none.h", ""))));
+        let printed = run(&mut Command::new(compiled(&name, &[&source], &[])));
         let numbers = |line: &str| -> Vec<f32> {
             line.split(' ').map(|number| number.parse().expect("a number")).collect()
         };
@@ -151,10 +154,10 @@ fn masks_are_those_of_rust() {
 }
 
 /// The README's examples in C.
-fn examples() -> [&'static str; 4] {
+fn examples() -> [&'static str; 5] {
     let texts = include_str!("../README.md").split("```c\n").skip(1);
     let texts: Vec<&str> = texts.filter_map(|text| text.split("```").next()).collect();
-    texts.try_into().expect("four examples")
+    texts.try_into().expect("five examples")
 }
 
 /// The README's second example meters a picture as Rust does, in floats and in integers to a step of
@@ -184,7 +187,7 @@ fn the_readme_meters_an_exposure() {
         let source = Path::new(env!("CARGO_TARGET_TMPDIR")).join(format!("meter_{format}.c"));
         fs::write(&source, text + &main).expect("the example is written");
         let name = format!("meter_{format}");
-        let printed = run(&mut Command::new(compiled(&name, &[&source], ("none.h", ""))));
+        let printed = run(&mut Command::new(compiled(&name, &[&source], &[])));
         let found: f32 = printed.trim().parse().expect("an exposure");
         println!("{format}: {found} {expected}");
         // A pixel beside the border of a step may be counted on its other side.
@@ -192,7 +195,7 @@ fn the_readme_meters_an_exposure() {
     }
 }
 
-/// The README's fourth example draws brighter highlights, in both formats.
+/// The README's fifth example draws brighter highlights, in both formats.
 #[test]
 fn the_readme_draws_highlights() {
     let [plain, .., glossy] = examples();
@@ -211,7 +214,7 @@ fn the_readme_draws_highlights() {
         let source = Path::new(env!("CARGO_TARGET_TMPDIR")).join(format!("glossy_{format}.c"));
         fs::write(&source, plain.to_owned() + &glossy + main).expect("the examples are written");
         let name = format!("glossy_{format}");
-        let text = run(&mut Command::new(compiled(&name, &[&source], ("none.h", ""))));
+        let text = run(&mut Command::new(compiled(&name, &[&source], &[])));
         // Levels of green, of which 63 is white.
         let green = |column| {
             text.lines().map(move |line| {
@@ -253,7 +256,7 @@ fn the_readme_draws_the_same_sphere_as_rust() {
         let source = Path::new(env!("CARGO_TARGET_TMPDIR")).join(format!("readme_{format}.c"));
         fs::write(&source, example + main).expect("the example is written");
         let name = format!("readme_{format}");
-        let program = compiled(&name, &[&source], ("none.h", ""));
+        let program = compiled(&name, &[&source], &[]);
         let text = run(&mut Command::new(program));
         text.lines().map(|line| line.parse().expect("a pixel")).collect()
     };
@@ -276,7 +279,7 @@ fn assert_near(found: u16, expected: u16) {
 /// those of Rust.
 #[test]
 fn the_readme_sends_frames() {
-    let [_, _, frames, _] = examples();
+    let [_, _, frames, ..] = examples();
     let main = "#include <stdio.h>\nvoid send(const uint8_t *bytes, size_t length) {\n  \
                 for (size_t k = 0; k < length; k++) printf(\"%u\\n\", (unsigned)bytes[k]);\n}\n\
                 int main(void) {\n  static const float quaternion[4] = {1, -2, 3, 4};\n  \
@@ -286,7 +289,7 @@ fn the_readme_sends_frames() {
         let source = Path::new(env!("CARGO_TARGET_TMPDIR")).join(format!("frames_{format}.c"));
         fs::write(&source, text).expect("the example is written");
         let name = format!("frames_{format}");
-        let text = run(&mut Command::new(compiled(&name, &[&source], ("none.h", ""))));
+        let text = run(&mut Command::new(compiled(&name, &[&source], &[])));
         text.lines().map(|line| line.parse().expect("a byte")).collect()
     };
     let expected = gold_frame(240).expect("a frame");
@@ -316,4 +319,71 @@ fn gold_frame(size: usize) -> Result<Vec<[u8; 2]>, Error> {
     let mut screen = vec![[0; 2]; size * size];
     palette.draw(&map, &mut Target::new(&mut screen, size)?);
     Ok(screen)
+}
+
+/// A frame of the README's fourth example in one format, as Rust draws it.
+macro_rules! plastic_frame {
+    ($object:expr, $lights:path, $sphere:ident, $rotation:expr, $materials:ident, $material:expr) => {{
+        let turned = $lights.turned::<{ sphere::LIGHT }>(&$rotation?)?;
+        let region = $object.regions().next().expect("it has one");
+        let parts = region.$materials()?;
+        let [tinted, plain] = parts.each_ref().map(|numbers| {
+            let scene = $sphere::color::scene(turned.lights()?, $material(numbers)?)?;
+            Ok::<_, Error>((scene.exposure_by_factor(1.5)?, scene))
+        });
+        let parts = [tinted?, plain?];
+        let mut palette = LinearPalette::default();
+        palette.fill_mirrored(&$object.nodes(0), |normal| {
+            parts.each_ref().map(|(exposure, scene)| {
+                scene.shade_mirrored(normal).map(|irradiance| exposure.of(irradiance))
+            })
+        });
+        let mut screen = vec![[0; 2]; 120 * 120];
+        let display = Display::new(Tone::Filmic);
+        let painted = $object.painted(core::slice::from_ref(&palette), &display)?;
+        painted.draw(&mut Target::new(&mut screen, 120)?);
+        Ok::<_, Error>(screen)
+    }};
+}
+
+/// The README's fourth example sends the bytes of a textured object under turned light: in both
+/// formats those of Rust.
+#[test]
+fn the_readme_sends_textured_frames() {
+    let [.., frames, _] = examples();
+    let main = "#include <stdio.h>\nvoid send(const uint8_t *bytes, size_t length) {\n  \
+                for (size_t k = 0; k < length; k++) printf(\"%u\\n\", (unsigned)bytes[k]);\n}\n\
+                int main(void) {\n  static const float quaternion[4] = {1, -2, 3, 4};\n  \
+                return begin() || draw_frame(quaternion);\n}\n";
+    let bytes = objects::plastic().expect("an object");
+    let header = objects::header(&[("watch", bytes.clone())]);
+    let drawn = |format: &str, number: &str| -> Vec<u8> {
+        let text = (frames.to_owned() + main).replace("f32", format).replace("float", number);
+        let source = Path::new(env!("CARGO_TARGET_TMPDIR")).join(format!("textured_{format}.c"));
+        fs::write(&source, text).expect("the example is written");
+        let name = format!("textured_{format}");
+        let program = compiled(&name, &[&source], &[("watch.h", &header)]);
+        let text = run(&mut Command::new(program));
+        text.lines().map(|line| line.parse().expect("a byte")).collect()
+    };
+    let of_rust = || -> Result<_, Error> {
+        let object = Object::new(&bytes)?;
+        let rotation = eigenshade::Rotation::from_quaternion([1.0, -2.0, 3.0, 4.0]);
+        let of_floats =
+            plastic_frame!(object, light::LOBBY, sphere, rotation, materials, Material::new)?;
+        let rotation = eigenshade::q15::Rotation::from_quaternion([1, -2, 3, 4]);
+        let of_integers = plastic_frame!(
+            object,
+            light::q15::LOBBY,
+            q15,
+            rotation,
+            materials_q15,
+            eigenshade::q15::MaterialBuffer::material
+        )?;
+        Ok((of_floats, of_integers))
+    };
+    let (of_floats, of_integers) = of_rust().expect("frames");
+    assert!(drawn("q15", "int32_t") == of_integers.as_flattened());
+    assert!(drawn("f32", "float") == of_floats.as_flattened());
+    assert!(of_floats.iter().filter(|pixel| **pixel != [0; 2]).count() > 11_000);
 }

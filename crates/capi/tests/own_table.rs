@@ -52,7 +52,7 @@ fn c_draws_with_the_table_of_a_scene() {
     let source = Path::new(env!("CARGO_TARGET_TMPDIR")).join("own_table.c");
     fs::write(&source, PROGRAM).expect("the program is written");
     let header = table_header::header();
-    let program = compiled("own_table", &[&source], ("eigenshade_table.h", &header));
+    let program = compiled("own_table", &[&source], &[("eigenshade_table.h", &header)]);
 
     let light = LOBBY.map(|light| {
         let mantissas = &light.mantissas()[..(DEGREE + 1).pow(2)];

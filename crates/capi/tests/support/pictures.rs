@@ -8,6 +8,12 @@ use eigenshade::screen::{Display, Linear, Nodes, Palette, Pixel, Target, Tone};
 use eigenshade::{Effect, Error, Gloss, Highlights, Light, Q15, Rgb, Source, sphere};
 use std::fmt::Write as _;
 
+#[path = "objects.rs"]
+pub mod objects;
+
+#[path = "textured.rs"]
+mod textured;
+
 const SIDE: usize = 48;
 const MAP: usize = 16;
 const BAKED: usize = 32;
@@ -156,6 +162,39 @@ fn checksum(bytes: impl IntoIterator<Item = u8>) -> u32 {
     bytes.into_iter().fold(2_166_136_261, step)
 }
 
+/// A source as C has it, rounded once more.
+fn as_in_c(from: &Source) -> Result<Source, Error> {
+    Source::new(from.direction(), from.energy(), from.spread())
+}
+
+/// The first sources of the lobby.
+fn lobby_sources() -> Result<[Source; 4], Error> {
+    let mut sources = [sources::LOBBY[0]; 4];
+    for (to, from) in sources.iter_mut().zip(&sources::LOBBY) {
+        *to = as_in_c(from)?;
+    }
+    Ok(sources)
+}
+
+/// The lobby without sources, which are taken out of the light in integers.
+fn rest<'a>(
+    sources: &[Source],
+    mantissas: &'a mut [[Q15; LIGHT]; 3],
+) -> Result<Rgb<q15::Light<'a>>, Error> {
+    let floats = light::q15::LOBBY.map(|light| {
+        let unit = 2.0_f32.powi(light.exponent());
+        light.mantissas().iter().map(|mantissa| mantissa.get() as f32 * unit).collect::<Vec<_>>()
+    });
+    let floats = floats.each_ref().try_map(|numbers| Light::new(numbers))?;
+    let rest = floats.residual::<LIGHT>(sources)?;
+    let [r, g, b] = mantissas;
+    Ok(Rgb::new(
+        q15::Light::quantize(&rest.r, r)?,
+        q15::Light::quantize(&rest.g, g)?,
+        q15::Light::quantize(&rest.b, b)?,
+    ))
+}
+
 /// The lines.
 pub fn lines() -> Result<String, Error> {
     let filmic = Display::new(Tone::Filmic);
@@ -202,30 +241,14 @@ pub fn lines() -> Result<String, Error> {
     palette.draw(&map, &mut Target::new(&mut picture, SIDE)?);
     pictures.push(("palette", picture));
 
-    // Sources and gloss as C has them, rounded once more.
-    let source = |from: &Source| Source::new(from.direction(), from.energy(), from.spread());
-    let mut sources = [sources::LOBBY[0]; 4];
-    for (to, from) in sources.iter_mut().zip(&sources::LOBBY) {
-        *to = source(from)?;
-    }
+    let sources = lobby_sources()?;
+    // Gloss as C has it, rounded once more.
     let of_gold = gloss::GOLD_METALLIC_PAINT;
     let [reflectance, grazing] = [of_gold.reflectance(), of_gold.grazing()].map(Into::into);
     let of_gold = Gloss::new(of_gold.alpha().sqrt(), reflectance, of_gold.albedo().into())?
         .with_grazing(grazing)?;
-    // The sources are taken out of the light in integers, as C has it.
-    let floats = lobby.map(|light| {
-        let unit = 2.0_f32.powi(light.exponent());
-        light.mantissas().iter().map(|mantissa| mantissa.get() as f32 * unit).collect::<Vec<_>>()
-    });
-    let floats = floats.each_ref().try_map(|numbers| Light::new(numbers))?;
-    let rest = floats.residual::<LIGHT>(&sources)?;
     let mut mantissas = [[Q15(0); LIGHT]; 3];
-    let [r, g, b] = &mut mantissas;
-    let rest = Rgb::new(
-        q15::Light::quantize(&rest.r, r)?,
-        q15::Light::quantize(&rest.g, g)?,
-        q15::Light::quantize(&rest.b, b)?,
-    );
+    let rest = rest(&sources, &mut mantissas)?;
     let highlights_of = |scene: &sphere::q15::color::Scene, sources: &[Source]| {
         let highlights = Highlights::<4>::new(&of_gold, sources)?;
         let exponents = scene.each_ref().map(|channel| channel.exponent());
@@ -255,7 +278,7 @@ pub fn lines() -> Result<String, Error> {
     let mut turned_sources = sources;
     for to in &mut turned_sources {
         // C gives what it turned as a source.
-        *to = source(&to.turned(by))?;
+        *to = as_in_c(&to.turned(by))?;
     }
     let shade = glossy(&relit(turned.lights()?)?, &turned_sources)?;
     pictures.push(("turned highlights", of_map(&codes, &linear, &shade)?));
@@ -305,5 +328,6 @@ pub fn lines() -> Result<String, Error> {
             let _ = writeln!(lines, "shade,{}", irradiance.cast_unsigned());
         }
     }
+    textured::lines(&mut lines)?;
     Ok(lines)
 }

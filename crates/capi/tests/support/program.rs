@@ -33,9 +33,9 @@ pub fn run(command: &mut Command) -> String {
     text
 }
 
-/// Compiles a program from these sources under sanitizers, with a header of its own, by name and
+/// Compiles a program from these sources under sanitizers, with headers of its own, by name and
 /// text, beside those of the library or in place of one.
-pub fn compiled(name: &str, sources: &[&Path], header: (&str, &str)) -> PathBuf {
+pub fn compiled(name: &str, sources: &[&Path], headers: &[(&str, &str)]) -> PathBuf {
     let here = Path::new(env!("CARGO_MANIFEST_DIR"));
     let to = &Path::new(env!("CARGO_TARGET_TMPDIR")).join("capi").join(name);
     fs::create_dir_all(to).expect("a directory of its own");
@@ -43,7 +43,9 @@ pub fn compiled(name: &str, sources: &[&Path], header: (&str, &str)) -> PathBuf 
         let entry = entry.expect("a header");
         fs::copy(entry.path(), to.join(entry.file_name())).expect("the header is copied");
     }
-    fs::write(to.join(header.0), header.1).expect("the header is written");
+    for (name, text) in headers {
+        fs::write(to.join(name), text).expect("the header is written");
+    }
     let program = to.join("program");
     let compiler = env::var_os("CC").unwrap_or_else(|| OsString::from("cc"));
     let mut command = Command::new(compiler);
