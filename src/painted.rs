@@ -36,7 +36,7 @@ const NEAREST: u32 = 1 << 15;
 /// let mut palette = LinearPalette::default();
 ///
 /// // Every frame:
-/// let light = LOBBY.turned::<100>(&Rotation::about_view_axis(0.1)?)?;
+/// let light = LOBBY.turned::<100>(&Rotation::from_euler(0.1, 0.0, 0.0)?)?;
 /// let tinted = sphere::color::relight(&tinted, light.lights()?)?;
 /// let plain = sphere::color::relight(&plain, light.lights()?)?;
 /// let exposure = tinted.exposure_by_factor(1.5)?; // once, if it shall not follow the light
