@@ -196,6 +196,8 @@ mod sphere_map;
 
 mod srgb;
 
+mod shadowed;
+
 mod matcap;
 
 mod nodes;
@@ -288,6 +290,7 @@ pub mod object {
     pub use crate::normal_map::{NormalMap, NormalPixel, NormalPixels};
     pub use crate::packed_object::{Object, ObjectPixel};
     pub use crate::region::Region;
+    pub use crate::shadowed::{ObjectCoefficients, ShadowedObject};
 }
 
 /// From irradiance to the pixels of a display.

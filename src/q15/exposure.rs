@@ -51,6 +51,12 @@ impl Exposure {
         Ok(Self { factor: factor << left, shift })
     }
 
+    /// The exposed irradiance of a mantissa of at most 47 bits, rounded down, in the unit of
+    /// [`Linear`], of either sign.
+    pub(crate) fn signed(self, mantissa: i64) -> i64 {
+        mantissa.saturating_mul(i64::from(self.factor)) >> self.shift.min(63)
+    }
+
     /// The exposed irradiance of a mantissa, rounded down; 0 for negative ones.
     #[inline]
     #[must_use]

@@ -70,6 +70,7 @@ pub mod object {
     pub(crate) mod mesh_stl;
     pub mod normal_map;
     pub mod picture;
+    pub mod points;
     pub mod smooth;
     pub mod surface;
     pub mod visibility;

@@ -18,3 +18,6 @@ pub mod reference;
 pub mod roughness_weights;
 pub mod sheet;
 pub mod stability;
+
+pub mod shadow_shapes;
+pub mod shadows;

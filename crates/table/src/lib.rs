@@ -13,6 +13,7 @@
 //! * [`layout`]: the memory layout of the runtime's rows.
 //! * [`object`]: the file of a packed object.
 //! * [`record`]: the arrays of a table.
+//! * [`shadowed`]: the file of an object with shadows.
 //! * [`wire`]: tables as bytes that the runtime reads in place.
 //!
 //! The feature `alloc` adds `source`, records as Rust source. The feature `files` adds the contents
@@ -68,6 +69,7 @@ pub mod mode;
 pub mod object;
 pub mod pair;
 pub mod record;
+pub mod shadowed;
 #[cfg(feature = "alloc")]
 pub mod source;
 pub mod wire;

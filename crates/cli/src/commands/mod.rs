@@ -29,6 +29,10 @@ mod read_answer;
 mod render;
 #[cfg(feature = "generate")]
 mod render_object;
+#[cfg(feature = "generate")]
+mod render_shadows;
+#[cfg(feature = "generate")]
+mod shadows;
 mod shade;
 mod shade_images;
 mod shader;

@@ -1,6 +1,7 @@
 //! `eigenshade pack-object`: makes an object or its normals for the runtime.
 
 use super::options::{Green, Pose, count, input_file};
+use super::shadows::{self, Parts};
 use clap::Args;
 use eigenshade_asset::asset::Asset;
 use eigenshade_asset::packed::{MOST_REGIONS, Packed};
@@ -10,12 +11,19 @@ use eigenshade_cli::export::entry::identifier;
 use eigenshade_cli::messages::{grouped, printable, spinner};
 use eigenshade_cli::object::ObjectView;
 use eigenshade_cli::output;
+use eigenshade_cli::presets::Source;
 use eigenshade_model::error::{Error, Result};
+use eigenshade_model::inputs::input_file::InputFile;
+use eigenshade_model::shipped;
+use eigenshade_shadows::packed::Compression;
 use std::fmt::Write;
 use std::path::{Path, PathBuf};
 
 /// Pixels across a sphere and a mesh.
 const SIZE: usize = 240;
+
+/// The degree of the light of an object with shadows.
+const DEGREE: usize = 9;
 
 /// Bytes in a line of source.
 const PER_LINE: usize = 20;
@@ -49,6 +57,17 @@ pub struct PackObject {
     /// Pack the normals alone
     #[arg(long = "normals-only", conflicts_with = "regions")]
     has_normals_only: bool,
+    /// Pack a mesh in one material with the shadows that it casts on itself
+    #[arg(long = "shadows", requires = "material", conflicts_with_all = ["has_normals_only", "regions"])]
+    has_shadows: bool,
+    /// The material of an object with shadows: the name of a shipped one, a material CSV, or one
+    /// material of a CSV
+    #[arg(short, long, value_name = "NAME|FILE[:NAME]", requires = "has_shadows")]
+    material: Option<Source>,
+    /// The most colors of an object with shadows in a frame, 1 to 65535: pixels alike share one
+    #[arg(long, value_name = "N", default_value_t = 4096, value_parser = count(1, 65535),
+        requires = "has_shadows")]
+    codes: usize,
     #[command(flatten)]
     green: Green,
     #[command(flatten)]
@@ -113,6 +132,7 @@ impl PackObject {
                 let name = identifier(&format!("{} {stem}", contents.prefix));
                 let text = match contents.item {
                     "Object" => c::object(&name, bytes, &self.command()),
+                    "ShadowedObject" => c::shadowed_object(&name, bytes, &self.command()),
                     _ => c::normal_map(&name, *size, bytes, &self.command()),
                 };
                 (text.into_bytes(), ("in C", format!("&{name}")))
@@ -131,6 +151,9 @@ impl PackObject {
 
     fn contents(&self) -> Result<Contents> {
         let file = input_file(&self.object);
+        if let Some(material) = &self.material {
+            return self.shadowed(&file, material);
+        }
         if !self.has_normals_only
             && let Some(asset) = Asset::read(&file)?
         {
@@ -162,6 +185,37 @@ impl PackObject {
         })
     }
 
+    /// An object with its shadows in one material.
+    fn shadowed(&self, file: &InputFile, material: &Source) -> Result<Contents> {
+        let options = self.pose.options(self.size, self.green);
+        options.check(file)?;
+        let size = self.size.unwrap_or(SIZE);
+        let parts = Parts::of(material)?;
+        let object = shadows::object(file, &options.view(), size, DEGREE, &parts)?;
+        let lights = shipped::lights()?;
+        let compression = Compression { codes: self.codes, ..Compression::default() };
+        let bytes = object.packed(&lights, &parts.shares, compression)?;
+        let covered = object.pixels.len();
+        let codes = self.codes.min(covered);
+        Ok(Contents {
+            notes: format!(
+                "{:<12} {:.1}\n{:<12} {}\n{:<12} {DEGREE}\n",
+                "a pixel",
+                bytes.len() as f64 / covered as f64,
+                "colors",
+                grouped(codes),
+                "degree",
+            ),
+            bytes,
+            size: [size; 2],
+            covered,
+            item: "ShadowedObject",
+            name: "OBJECT",
+            expression: ["eigenshade::object::ShadowedObject::new(".into(), ")".into()],
+            prefix: "shadowed object",
+        })
+    }
+
     /// The command, without folders.
     fn command(&self) -> String {
         let name =
@@ -170,11 +224,15 @@ impl PackObject {
         let flip = if self.green.is_flipped { " --flip-green" } else { "" };
         let regions =
             if self.regions == 4 { String::new() } else { format!(" --regions {}", self.regions) };
+        let shadows = match &self.material {
+            Some(material) => format!(" --shadows --material {} --codes {}", material.named(), self.codes),
+            None => String::new(),
+        };
         let only = if self.has_normals_only { " --normals-only" } else { "" };
         let pose = self.pose.written();
         let files = [name(&self.object), name(&self.out)];
         let [object, out] = files;
-        let all = format!("{object}{size}{regions}{only}{flip}{pose} --out {out}");
+        let all = format!("{object}{size}{regions}{shadows}{only}{flip}{pose} --out {out}");
         format!("eigenshade pack-object {}", printable(&all))
     }
 

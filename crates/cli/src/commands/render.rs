@@ -64,6 +64,11 @@ pub struct Render {
     /// Number format
     #[arg(short, long, value_enum, default_value_t = Format::F32)]
     pub(super) format: Format,
+    /// Draw a mesh in one material with the shadows that it casts on itself, up to 512 pixels across.
+    /// The light is harmonics alone, up to degree 12
+    #[cfg(feature = "generate")]
+    #[arg(long = "shadows", requires = "normals", conflicts_with_all = ["matcap", "format", "table"])]
+    has_shadows: bool,
     #[command(flatten)]
     pub(super) choices: Choices,
     /// Shade up to K small bright sources of the light by the material's gloss, for sharp
@@ -136,6 +141,10 @@ impl Render {
         if let (Some(Sources::Most(_)), Some(_)) = (self.sources, self.tolerance) {
             let what = "--tolerance chooses the number of sources, which is given";
             return Err(Error::new(what, "leave one out, or give --sources auto"));
+        }
+        #[cfg(feature = "generate")]
+        if self.has_shadows {
+            return self.run_shadowed(file);
         }
         #[cfg(feature = "generate")]
         if let Some((object, asset)) = self.own_materials()? {

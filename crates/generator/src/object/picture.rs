@@ -160,17 +160,17 @@ fn each_sample(
 }
 
 /// The unit vector along this one, moved to the rim if it points away.
-fn toward_camera([x, y, z]: [f64; 3]) -> Option<[f64; 3]> {
+pub(super) fn toward_camera([x, y, z]: [f64; 3]) -> Option<[f64; 3]> {
     visible([x, y, z.max(0.0)]).ok()
 }
 
 /// The frame of a picture with a margin of half a pixel.
-fn frame(facets: &[Facet], size: usize, samples: usize) -> Frame {
+pub(super) fn frame(facets: &[Facet], size: usize, samples: usize) -> Frame {
     Frame::square(facets, samples, samples as f64 / size as f64 * 0.5)
 }
 
 /// The number of the facet that each sample shows, row by row upward; beyond all facets, if none.
-fn in_front(facets: &[Facet], frame: &Frame, samples: usize) -> Vec<u32> {
+pub(super) fn in_front(facets: &[Facet], frame: &Frame, samples: usize) -> Vec<u32> {
     let mut buffer = DepthBuffer::new(samples);
     for facet in facets {
         buffer.draw(&frame.place(facet));

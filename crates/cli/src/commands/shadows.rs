@@ -1,0 +1,61 @@
+//! Objects with their shadows: `render --shadows` and `pack-object --shadows`.
+
+use eigenshade_asset::asset::Asset;
+use eigenshade_cli::messages::progress_bar;
+use eigenshade_cli::presets::Source;
+use eigenshade_generator::object::mesh;
+use eigenshade_generator::object::surface::{Surface, View};
+use eigenshade_model::database::Named;
+use eigenshade_model::error::{Error, Result};
+use eigenshade_model::inputs::input_file::InputFile;
+use eigenshade_shadows::material::Material;
+use eigenshade_shadows::object::Object;
+
+/// The order of the series of shipped materials.
+const ORDER: usize = 12;
+
+/// A material, and the shares of its parts in the channels.
+pub struct Parts {
+    channels: Vec<Vec<f64>>,
+    pub shares: Vec<[f64; 3]>,
+}
+
+impl Parts {
+    /// One part if the material has no color, and else one for each channel.
+    pub fn of(material: &Source) -> Result<Self> {
+        let order = if material.is_shipped() { ORDER } else { usize::MAX };
+        let materials = material.materials(order)?;
+        let Named { rgb: [r, g, b], .. } = material.only(materials.entries)?;
+        Ok(if r == g && g == b {
+            Self { channels: vec![r], shares: vec![[1.0; 3]] }
+        } else {
+            let shares = vec![[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
+            Self { channels: vec![r, g, b], shares }
+        })
+    }
+}
+
+/// The object of a mesh with its shadows.
+pub fn object(
+    file: &InputFile,
+    view: &View,
+    size: usize,
+    degree: usize,
+    parts: &Parts,
+) -> Result<Object> {
+    let made = || {
+        let surface = match Asset::read(file)? {
+            Some(asset) => Surface::new(file, &asset.mesh, view)?,
+            None if file.is_mesh() => mesh::surface(file, view)?,
+            None => {
+                let what = "only a mesh has shadows";
+                return Err(Error::new(what, "give an .obj, .stl, .ply, .glb or .gltf"));
+            }
+        };
+        let materials: Vec<Material<'_>> =
+            parts.channels.iter().map(|channel| Material::Series(channel)).collect();
+        let progress = progress_bar("pixels with shadows", Object::batches(size));
+        Object::new(&surface, size, degree, &materials, &progress)
+    };
+    made().map_err(|error: Error| error.in_file(file.path()))
+}
