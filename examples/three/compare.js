@@ -53,7 +53,7 @@ const loaded = (method) => {
   const [matcap, few] = ["matcap", "sources"].map((word) => method.includes(word));
   const module = zipped(`${PACKAGE}wasm/eigenshade.${few ? "sources." : ""}relaxed.wasm`);
   const light = size(`${PACKAGE}presets/light/${lights[0]}.bin`) + (few ? size(`${PACKAGE}presets/sources/${lights[0]}.bin`) : 0);
-  return { code: javascript + module + zipped("material.js", ...(matcap ? ["matcap.js"] : [])), light, texture: matcap ? 8 * 128 * 128 : 0 };
+  return { code: javascript + module + zipped(...(matcap ? ["matcap.js", "unsupported.js"] : [`${PACKAGE}dist/three.js`])), light, texture: matcap ? 8 * 128 * 128 : 0 };
 };
 
 // Times: a frame as the processor time of the GPU process, which other programs disturb less.

@@ -3,7 +3,7 @@
 import * as THREE from "three";
 import { EXRLoader } from "three/addons/loaders/EXRLoader.js";
 import { Scene, lightPreset } from "eigenshade";
-import { eigenMaterial } from "./material.js";
+import { EigenMaterial } from "eigenshade/three";
 import { eigenMatcap } from "./matcap.js";
 
 /**
@@ -59,11 +59,11 @@ const prefiltered = {};
 /** By name, functions of a geometry, the name of a light, a material, and a renderer. */
 export const METHODS = {
   eigenshade: async (geometry, light, material) =>
-    world(geometry, eigenMaterial(await Scene.create({ light, material }))),
+    world(geometry, new EigenMaterial(await Scene.create({ light, material }), { exposure: 1 })),
   "eigenshade, 4 sources": async (geometry, light, material) =>
-    world(geometry, eigenMaterial(await Scene.create({ light, material, sources: 4 }))),
+    world(geometry, new EigenMaterial(await Scene.create({ light, material, sources: 4 }), { exposure: 1 })),
   "eigenshade, 1 %": async (geometry, light, material) =>
-    world(geometry, eigenMaterial(truncated(await Scene.create({ light, material })))),
+    world(geometry, new EigenMaterial(truncated(await Scene.create({ light, material })), { exposure: 1 })),
   "eigenshade, matcap of 128²": async (geometry, light, material) =>
     world(geometry, eigenMatcap(await Scene.create({ light, material }))),
   "LightProbe, MeshStandardMaterial": async (geometry, light, material) =>

@@ -1,0 +1,43 @@
+// What an `EigenMaterial` leaves out of other materials.
+
+import { MeshPhongMaterial, MeshPhysicalMaterial, MeshStandardMaterial } from "three";
+
+const [standard, physical] = [new MeshStandardMaterial(), new MeshPhysicalMaterial()];
+
+const names = (/** @type {object} */ material) => Object.keys(material).map((name) => name.replace(/^_/, ""));
+
+/** Properties of other materials that a `MeshStandardMaterial` has not. */
+export const OTHERS = [physical, new MeshPhongMaterial()].flatMap(names)
+  .filter((name, k, all) => all.indexOf(name) === k && !/^is[A-Z]/.test(name) && !(name in standard));
+
+/** Whether a property has an effect there: a texture, or another number or color than by default. */
+function isSet(/** @type {any} */ value, /** @type {any} */ usual) {
+  if (value === undefined || value === null) return false;
+  return typeof value === "object" && usual ? !(value.equals?.(usual) ?? String(value) === String(usual)) : value !== usual;
+}
+
+/**
+ * The names of what a material has and an `EigenMaterial` has not.
+ *
+ * @param {MeshStandardMaterial} material
+ * @returns {string[]}
+ */
+export function differs(material) {
+  const [given, usual] = [material, physical].map((one) => /** @type {Record<string, unknown>} */ (/** @type {unknown} */ (one)));
+  return OTHERS.filter((name) => name in given && isSet(given[name], usual[name]));
+}
+
+/**
+ * The names of what has no effect on a mesh.
+ *
+ * @param {MeshStandardMaterial} material
+ * @param {import("three").Object3D} mesh
+ * @param {boolean} isScene whether the material reflects as a scene's does
+ */
+export function ignored(material, mesh, isScene) {
+  const [given, usual] = [material, standard].map((one) => /** @type {Record<string, unknown>} */ (/** @type {unknown} */ (one)));
+  const all = ["envMap", "lightMap"];
+  if (isScene) all.push("roughness", "metalness", "roughnessMap", "metalnessMap", "aoMap");
+  const found = all.filter((name) => isSet(given[name], usual[name]));
+  return mesh.receiveShadow ? [...found, "receiveShadow"] : found;
+}
