@@ -4,7 +4,7 @@ import * as THREE from "three";
 import { Scene, lightPreset } from "eigenshade";
 import { eigenMatcap } from "./matcap.js";
 import { EigenMaterial } from "eigenshade/three";
-import { LIGHTS, MATERIALS, METHODS, lightProbe, map } from "./methods.js";
+import { LIGHTS, MATERIALS, METHODS, imaged, lightProbe, map, uniform } from "./methods.js";
 
 const SIZE = 128;
 const renderer = new THREE.WebGLRenderer();
@@ -116,6 +116,8 @@ export async function setUp() {
     eigenshade: await of(eigen),
     "eigenshade, 4 sources": await of(eigen, { sources: 4 }),
     "eigenshade, 1 %": await of(eigen, { tolerance: 0.01 }),
+    "eigenshade, images": await of((scene) => imaged(scene, MATERIALS[1]), { repeat: 10, sources: 4 }),
+    "eigenshade, images, roughness map": await of((scene) => imaged(scene, MATERIALS[1], uniform()), { repeat: 10, sources: 4 }),
     "eigenshade, matcap of 128²": await of(eigenMatcap, { repeat: 10 }),
     probe: { light: least(() => lightProbe(light)), turn: 0 },
     pmrem: {

@@ -63,7 +63,7 @@ export class Images {
       this.#light = windowed(rest, this.#width(illumination, exposure));
     }
     this.#parts.forEach((part, layer) => {
-      const shades = draw(illumination, this.#light, turn, part, USED.normals, this.#shades);
+      const shades = draw({ ...illumination, sources: NONE }, this.#light, turn, part, USED.normals, this.#shades);
       const first = 4 * SIDE ** 2 * layer;
       [shades.r, shades.g, shades.b].forEach((plane, channel) =>
         put(plane, exposure, this.texels.subarray(first + channel), USED.places),
@@ -73,12 +73,13 @@ export class Images {
 
   /** The width of the window, with `"auto"` the weakest for a white metal of the least roughness. */
   #width(/** @type {Illumination} */ illumination, /** @type {number} */ exposure) {
-    const { engine, rest, window } = illumination;
+    const { engine, rest, window, sources } = illumination;
     if (window !== "auto") return window === "none" ? Infinity : window;
     const [, metal, rim] = this.#parts;
     const white = metal.map((number, k) => number + rim[k]);
+    const gloss = Float32Array.of(this.#roughnesses[0], 1, 1, 1, 1, 1, 1, 0, 0, 0);
     return weakest(engine.degree, (width) => {
-      const { r, g, b } = draw(illumination, windowed(rest, width), UNTURNED, white, DISC);
+      const { r, g, b } = draw({ ...illumination, sources, gloss }, windowed(rest, width), UNTURNED, white, DISC);
       return exposure * Math.min(...r, ...g, ...b);
     });
   }
@@ -132,18 +133,18 @@ function matteOf(/** @type {import("./engine.js").Engine} */ engine) {
 /**
  * Shades normals.
  *
- * @param {Illumination} illumination
+ * @param {Illumination & { gloss?: Float32Array }} illumination
  * @param {Float32Array} light
  * @param {number[]} turn
  * @param {Float32Array} part coefficients of all channels
  * @param {Float32Array[]} normals
  * @param {import("./exposure.js").Picture} [shades] where to
  */
-function draw({ engine, effects, components }, light, turn, part, normals, shades) {
+function draw({ engine, sources, gloss, effects, components }, light, turn, part, normals, shades) {
   const material = Float32Array.of(...part, ...part, ...part);
   engine.held.scene = undefined;
   engine.compute({
-    light, sources: NONE, turn: Float32Array.from(turn), material, effects, components, transfer: part,
+    light, sources, turn: Float32Array.from(turn), material, gloss, effects, components, transfer: part,
   });
   return engine.picture("images", normals, shades);
 }

@@ -12,8 +12,9 @@ export const OTHERS = [physical, new MeshPhongMaterial()].flatMap(names)
 
 /** Whether a property has an effect there: a texture, or another number or color than by default. */
 function isSet(/** @type {any} */ value, /** @type {any} */ usual) {
-  if (value === undefined || value === null) return false;
-  return typeof value === "object" && usual ? !(value.equals?.(usual) ?? String(value) === String(usual)) : value !== usual;
+  if (Object(value) !== value) return value !== undefined && value !== null && value !== usual;
+  // Vectors are details of other properties.
+  return value.isTexture === true || (value.isColor === true && !value.equals(usual));
 }
 
 /**
