@@ -153,7 +153,7 @@ function numbers() {
     : verdict(screen(shown), best.sources);
   const isModel = Boolean(shownModel());
   find("verdict").textContent = isModel ? "Its own materials, with all terms" : said.error;
-  find("against").textContent = isModel ? "the numbers below are those of a sphere of the chosen material" : said.against;
+  find("against").textContent = isModel ? "The numbers are those of a sphere of the chosen material" : said.against;
   find("cost").textContent = isModel ? "" : `${counted(terms, "term")}${ours.sources ? ` + ${counted(ours.sources, "source")}` : ""}`;
   showSources(state, scenes.loaded, ours);
   find("rms").textContent = percent(rms);
