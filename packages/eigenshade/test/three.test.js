@@ -1,9 +1,16 @@
 // Materials of glTF files in three.js, in floats, against the module's scene of each pixel's material.
 
 import assert from "node:assert/strict";
+import { execFileSync } from "node:child_process";
+import { mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
+import { tmpdir } from "node:os";
+import { join } from "node:path";
 import { after, before, test } from "node:test";
+import { FloatType } from "three";
+import { EXRLoader } from "three/addons/loaders/EXRLoader.js";
 import { launch, serve } from "./support/browser.js";
 import { glb } from "./support/glb.js";
+import { EIGENSHADE } from "./support/own.js";
 
 const PAGE = `<!doctype html><link rel=icon href=data:,><script type="importmap">{ "imports": {
   "eigenshade": "/src/index.js", "eigenshade/three": "/src/three.js",
@@ -127,6 +134,62 @@ test("color, roughness, metalness, normal, occlusion and emission by textures, v
   ]);
   assert.ok(found.shared);
   close(found, [4e-3, 0.05]);
+});
+
+test("64 texels of everything are those of the program", async () => {
+  const random = (() => {
+    let state = 1;
+    return (least, most) => {
+      state = (48271 * state) % 2147483647;
+      return Math.round(least + (most - least) * (state / 2147483647));
+    };
+  })();
+  const bytes = glb({
+    shape: "leaf",
+    images: {
+      colors: image(8, 8, () => [random(0, 255), random(0, 255), random(0, 255)]),
+      lobes: image(8, 8, () => [random(60, 255), random(60, 255), random(0, 255)]),
+      bumps: image(8, 8, () => {
+        const [x, y] = [random(-80, 80), random(-80, 80)];
+        return [128 + x, 128 + y, Math.round(128 + Math.sqrt(127 ** 2 - x * x - y * y))];
+      }),
+    },
+    material: {
+      pbrMetallicRoughness: { baseColorTexture: { index: "colors" }, metallicRoughnessTexture: { index: "lobes" } },
+      normalTexture: { index: "bumps" }, occlusionTexture: { index: "lobes" },
+    },
+  });
+  const folder = mkdtempSync(join(tmpdir(), "eigenshade-"));
+  writeFileSync(join(folder, "leaf.glb"), bytes);
+  for (const light of ["lobby", "park"]) {
+    execFileSync(EIGENSHADE, [
+      "render", "--object", "leaf.glb", "--light", light, "--size", "320", "--sources", "4", "--window", "none", "--table", "color", "--exposure", "1", "-o", "leaf.exr",
+    ], { cwd: folder, stdio: "pipe" });
+    const { buffer, byteOffset, length } = readFileSync(join(folder, "leaf.exr"));
+    const { data, width } = new EXRLoader().setDataType(FloatType).parse(buffer.slice(byteOffset, byteOffset + length));
+    const row = Array.from({ length: width }, (_, k) => data[4 * (width * (width >> 1) + k) + 3] > 0.5);
+    const [first, last] = [row.indexOf(true), row.lastIndexOf(true)];
+    const { pixels, exposure } = await page.evaluate(async ([file, light]) => {
+      const scene = await Scene.create({ light, material: {}, sources: 4 });
+      const object = await loaded(file);
+      EigenMaterial.convert(object, scene, { exposure: 1 });
+      const camera = orthographic(0, 0, 3);
+      Object.assign(camera, { left: -1, right: 1, top: 1, bottom: -1 }).updateProjectionMatrix();
+      return { pixels: [...picture(object, camera)], exposure: scene.exposure() };
+    }, [bytes.toString("base64"), light]);
+    const offs = [];
+    for (let k = 0; k < 64; k++) {
+      const [x, y] = [(k % 8) + 0.5, Math.floor(k / 8) + 0.5];
+      const place = (at) => Math.floor(first + ((last - first + 1) * at) / 8);
+      for (let c = 0; c < 3; c++) {
+        offs.push(exposure * Math.abs(pixels[4 * (128 * 16 * y + 16 * x) + c] - data[4 * (width * place(y) + place(x)) + c]));
+      }
+    }
+    offs.sort((a, b) => a - b);
+    const rms = Math.sqrt(offs.reduce((sum, off) => sum + off * off, 0) / offs.length);
+    assert.ok(rms < 3e-3 && offs.at(-1) < 1.5e-2, `${light}: ${rms}, ${offs.at(-1)}`);
+  }
+  rmSync(folder, { recursive: true });
 });
 
 test("one texel of color, metalness and occlusion is the material without textures", async () => {
