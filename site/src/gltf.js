@@ -1,10 +1,17 @@
 // What a glTF file says of itself, before it is loaded.
 
 /** Extensions that are drawn; others that a file can do without are left out. */
-const DRAWN = ["KHR_materials_emissive_strength", "KHR_materials_unlit", "KHR_mesh_quantization", "KHR_texture_transform", "EXT_mesh_gpu_instancing", "EXT_texture_webp", "EXT_texture_avif"];
+const DRAWN = [
+  "KHR_materials_emissive_strength", "KHR_materials_unlit", "KHR_mesh_quantization", "KHR_texture_transform",
+  "EXT_mesh_gpu_instancing", "EXT_texture_webp", "EXT_texture_avif",
+];
 
 /** What packs the data of a file, and is not unpacked here. */
-const PACKED = { KHR_draco_mesh_compression: "Draco", EXT_meshopt_compression: "meshopt", KHR_texture_basisu: "Basis Universal" };
+const PACKED = {
+  KHR_draco_mesh_compression: "Draco",
+  EXT_meshopt_compression: "meshopt",
+  KHR_texture_basisu: "Basis Universal",
+};
 
 /**
  * Checks a file.
@@ -17,15 +24,17 @@ export function checkGltf(bytes) {
   const json = parsed(textOf(bytes));
   if (!/^2\./.test(json.asset?.version)) throw new Error(`it is glTF of version ${json.asset?.version}; expected 2.0`);
   const { extensionsUsed = [], extensionsRequired = [] } = json;
+  const left = (/** @type {string[]} */ names) => names.filter((name) => !DRAWN.includes(name));
   for (const [name, packer] of Object.entries(PACKED)) {
-    if (extensionsUsed.includes(name)) throw new Error(`it is compressed by ${packer}; export it without compression`);
+    if (extensionsUsed.includes(name)) throw new Error(`it is compressed by ${packer}; export it without`);
   }
-  const missing = extensionsRequired.find((/** @type {string} */ name) => !DRAWN.includes(name));
+  const [missing] = left(extensionsRequired);
   if (missing) throw new Error(`it needs the extension ${missing}, which is not drawn`);
   if (!json.meshes?.length) throw new Error("it has no mesh");
-  const [other] = [json.buffers, json.images].flatMap((all) => all ?? []).filter(({ uri }) => uri && !uri.startsWith("data:"));
+  const parts = [json.buffers, json.images].flatMap((all) => all ?? []);
+  const other = parts.find(({ uri }) => uri && !uri.startsWith("data:"));
   if (other) throw new Error(`it refers to the file ${other.uri}; export a .glb, which holds all its data`);
-  return extensionsUsed.filter((/** @type {string} */ name) => !DRAWN.includes(name));
+  return left(extensionsUsed);
 }
 
 /** The JSON of a file, which a .glb has after a head of 20 bytes. */

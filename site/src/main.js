@@ -104,7 +104,7 @@ function draw() {
   const side = Math.min(1400, Math.max(64, Math.round(canvas.clientWidth * Math.min(2, devicePixelRatio))));
   if (drawing && model && scenes.loaded) {
     drawing.draw([], look, side + (side % 2));
-    model.draw(canvas, { light: scenes.loaded.light, turn: state.turn, pose: state.pose, exposure: 2 ** state.exposure });
+    model.draw(canvas, { light: scenes.loaded.light, turn: state.turn, pose: state.pose, exposure: 2 ** state.exposure }, changed);
   } else if (drawing) {
     ownModel?.hide();
     if (drawnObject !== state.object) {

@@ -19,13 +19,19 @@ THREE.ShaderChunk.tonemapping_pars_fragment = THREE.ShaderChunk.tonemapping_pars
 /** @type {THREE.WebGLRenderer | undefined} */
 let renderer;
 
-/** The renderer, whose canvas lies over that of the page. */
-function rendered(/** @type {HTMLCanvasElement} */ below) {
+/**
+ * The renderer, whose canvas lies over that of the page.
+ *
+ * @param {HTMLCanvasElement} below
+ * @param {() => void} restored called after its context was lost and came back
+ */
+function rendered(below, restored) {
   if (renderer) return renderer;
   renderer = new THREE.WebGLRenderer({ antialias: true, alpha: true, preserveDrawingBuffer: true });
   renderer.toneMapping = THREE.CustomToneMapping;
   renderer.domElement.id = "own-picture";
   renderer.domElement.setAttribute("aria-hidden", "true");
+  renderer.domElement.addEventListener("webglcontextrestored", restored);
   below.after(renderer.domElement);
   return renderer;
 }
@@ -78,14 +84,15 @@ export class Model {
    * @param {HTMLCanvasElement} canvas
    * @param {{ light: any, turn: number[], pose: number[], exposure: number }} look the exposure is a
    *   factor of the automatic one
+   * @param {() => void} restored called if it has to be drawn again
    */
-  draw(canvas, { light, turn, pose, exposure }) {
+  draw(canvas, { light, turn, pose, exposure }, restored) {
     if (light !== this.#light) this.#scene.light(light);
     this.#light = light;
     this.#turn.fromArray(turn);
     this.#object.quaternion.fromArray(pose);
     for (const material of this.#materials) material.exposure = exposure * this.#scene.exposure();
-    const drawer = rendered(canvas);
+    const drawer = rendered(canvas, restored);
     drawer.domElement.hidden = false;
     drawer.setSize(canvas.width, canvas.height, false);
     drawer.render(this.#world, this.#camera);

@@ -23,9 +23,10 @@ const UNTURNED = [0, 0, 0, 1];
 const NONE = new Float32Array();
 
 /**
- * Half floats: layers of red, green, blue and 0, first matte, then metal and rim of each roughness. A
- * texel is not the irradiance of its normal but less by the mean error of linear interpolation
- * around it, a twelfth of the second differences, which leaves two fifths of the error.
+ * Half floats: layers of red, green, blue and 0, first matte, then metal and rim of each roughness.
+ *
+ * A texel is the irradiance of its normal minus the mean error of linear interpolation around it,
+ * which is a twelfth of the second differences. Two fifths of the error are left.
  */
 export class Images {
   #roughnesses;
@@ -63,7 +64,8 @@ export class Images {
       this.#light = windowed(rest, this.#width(illumination, exposure));
     }
     this.#parts.forEach((part, layer) => {
-      const shades = draw({ ...illumination, sources: NONE }, this.#light, turn, part, USED.normals, this.#shades);
+      const of = { ...illumination, sources: NONE };
+      const shades = draw(of, this.#light, turn, part, USED.normals, this.#shades);
       const first = 4 * SIDE ** 2 * layer;
       [shades.r, shades.g, shades.b].forEach((plane, channel) =>
         put(plane, exposure, this.texels.subarray(first + channel), USED.places),
@@ -73,13 +75,14 @@ export class Images {
 
   /** The width of the window, with `"auto"` the weakest for a white metal of the least roughness. */
   #width(/** @type {Illumination} */ illumination, /** @type {number} */ exposure) {
-    const { engine, rest, window, sources } = illumination;
+    const { engine, rest, window } = illumination;
     if (window !== "auto") return window === "none" ? Infinity : window;
     const [, metal, rim] = this.#parts;
     const white = metal.map((number, k) => number + rim[k]);
     const gloss = Float32Array.of(this.#roughnesses[0], 1, 1, 1, 1, 1, 1, 0, 0, 0);
+    const of = { ...illumination, gloss };
     return weakest(engine.degree, (width) => {
-      const { r, g, b } = draw({ ...illumination, sources, gloss }, windowed(rest, width), UNTURNED, white, DISC);
+      const { r, g, b } = draw(of, windowed(rest, width), UNTURNED, white, DISC);
       return exposure * Math.min(...r, ...g, ...b);
     });
   }
@@ -114,8 +117,8 @@ function coefficients(engine, parameters) {
   if (!engine.wasm.metallic_roughness()) {
     throw new RangeError(`material: the roughness is ${parameters[4]}, expected a number from 0 to 1`);
   }
-  const { length } = engine.material;
-  return [0, 1, 2].map((channel) => engine.material.slice((channel * length) / 3, ((channel + 1) * length) / 3));
+  const count = engine.material.length / 3;
+  return [0, 1, 2].map((channel) => engine.material.slice(channel * count, (channel + 1) * count));
 }
 
 /** Those of metal (f0 = 1, without the rim) and rim (f0 = 0), from a black and a white metal. */
@@ -164,7 +167,8 @@ function put(shades, factor, texels, places) {
   const bits = new Uint32Array(float.buffer);
   for (const at of places) {
     const shade = image[at];
-    const fitted = shade + (4 * shade - image[at - 1] - image[at + 1] - image[at - SIDE] - image[at + SIDE]) / 12;
+    const around = image[at - 1] + image[at + 1] + image[at - SIDE] + image[at + SIDE];
+    const fitted = shade + (4 * shade - around) / 12;
     // The outermost texels lack a neighbor.
     float[0] = Number.isNaN(fitted) ? shade : fitted;
     const magnitude = bits[0] & 0x7fffffff;

@@ -69,7 +69,7 @@ export class EigenMaterial extends MeshStandardMaterial {
     if (exposure !== "auto") checkExposure("EigenMaterial", exposure);
     this.#scene = scene;
     this.#frame = new Frame(view, lightRotation);
-    this.#reflection = new SceneReflection(scene);
+    this.#reflection = new SceneReflection(scene, this.#frame);
     /** The factor from light to display, or `"auto"`. */
     this.exposure = exposure;
     this.setValues(parameters);
@@ -136,7 +136,7 @@ export class EigenMaterial extends MeshStandardMaterial {
   #like(material, frame = this.#frame) {
     this.#frame = frame;
     this.#reflection.dispose();
-    this.#reflection = new MixedReflection(this.#scene, this);
+    this.#reflection = new MixedReflection(this.#scene, frame, this);
     for (const name of differs(material)) frame.warn(name);
     return super.copy(material);
   }
@@ -173,7 +173,7 @@ export class EigenMaterial extends MeshStandardMaterial {
     for (const name of ignored(this, mesh, isScene)) this.#frame.warn(name);
     const { text } = this.#reflection;
     this.#frame.look(renderer, camera, mesh);
-    this.#reflection.update(this.#frame);
+    this.#reflection.update();
     if (this.#reflection.text !== text) this.needsUpdate = true;
     const exposure = this.exposure === "auto" ? this.#scene.exposure() : this.exposure;
     this.#uniforms.eigenFrame.value = this.#frame.matrix;

@@ -214,6 +214,30 @@ test("one texel of color, metalness and occlusion is the material without textur
   assert.ok(most <= 1e-5, `${most}`);
 });
 
+test("a measured material has the color, map, vertex colors and emission of its own", async () => {
+  const found = await page.evaluate(async (file) => {
+    const object = await loaded(file);
+    const scene = await Scene.create({ light: "lobby", material: "red-fabric2" });
+    const { map } = object.children[0].material;
+    const material = new EigenMaterial(scene, { map, vertexColors: true, emissive: new THREE.Color(0.1, 0.2, 0.3), exposure: 2 });
+    material.color.setRGB(0.5, 1, 0.8);
+    object.children[0].material = material;
+    const camera = orthographic(1, 2, 3);
+    const pixels = surface(object, camera).filter(({ normal }) => normal[2] > 0);
+    const direct = await Scene.create({ light: "lobby", material: "red-fabric2" });
+    direct.turn(camera.quaternion.clone().invert().toArray());
+    const { r, g, b } = direct.shade(...[0, 1, 2].map((axis) => Float32Array.from(pixels, ({ normal }) => normal[axis])));
+    const texel = map.image.width === 1 ? [200, 90, 30].map((code) => new THREE.Color().setRGB(code / 255, 0, 0, THREE.SRGBColorSpace).r) : [];
+    const expected = pixels.map((_, k) => [r[k], g[k], b[k]].map((value, c) => value * [0.5, 1, 0.8][c] * texel[c] * 0.5 + [0.1, 0.2, 0.3][c] / 2));
+    return difference(picture(object, camera), pixels, expected, 2);
+  }, file({
+    colors: () => [0.5, 0.5, 0.5], images: { color: image(1, 1, () => [200, 90, 30]) },
+    material: { pbrMetallicRoughness: { baseColorTexture: { index: "color" } } },
+  }));
+  // No images: the polynomials of the scene.
+  close(found, [1e-5, 1e-4]);
+});
+
 test("both sides of a leaf, its holes by alphaTest, and opacity", async () => {
   const found = await page.evaluate(async (file) => {
     const inputs = { light: "park" };

@@ -74,7 +74,8 @@ export class Frame {
     const { frame } = renderer.info.render;
     const [last, picture, drawer] = this.#last;
     if (mesh !== last && picture === frame && drawer === renderer) {
-      throw new Error('EigenMaterial: each mesh needs a material of its own, or the view "camera" or an object');
+      const other = 'the view "camera" or an object';
+      throw new Error(`EigenMaterial: each mesh needs a material of its own, or ${other}`);
     }
     this.#last = [mesh, frame, renderer];
   }
@@ -89,6 +90,10 @@ export class Frame {
     const found = this.#images.get(key) ?? new ImageTexture(key);
     this.#images.set(key, found);
     return found;
+  }
+
+  dispose() {
+    for (const { texture } of this.#images.values()) texture.dispose();
   }
 
   /** Warns once that something has no effect. */

@@ -1,6 +1,8 @@
 // Images of a scene's light as a texture, and the weights of those that are blended.
 
-import { DataArrayTexture, DataTexture, DataUtils, HalfFloatType, LinearFilter, Quaternion, RGBAFormat } from "three";
+import {
+  DataArrayTexture, DataTexture, DataUtils, HalfFloatType, LinearFilter, Quaternion, RGBAFormat,
+} from "three";
 import { Images } from "../images.js";
 import { KNOTS, WEIGHTS } from "../roughness-weights.js";
 

@@ -12,6 +12,7 @@ const [SMOOTHEST, LEAST_COSINE] = [0.065, 1 / 32];
 /** The function for a shader, and what it reads. */
 export class MixedReflection {
   #scene;
+  #frame;
   #material;
   /** @type {import("./image-texture.js").ImageTexture | undefined} */
   #images;
@@ -23,12 +24,19 @@ export class MixedReflection {
 
   /**
    * @param {import("../scene.js").Scene} scene
-   * @param {import("three").MeshStandardMaterial} material
+   * @param {import("./frame.js").Frame} frame
+   * @param {import("three").MeshStandardMaterial} material whose roughness it has
    */
-  constructor(scene, material) {
+  constructor(scene, frame, material) {
     this.#scene = scene;
+    this.#frame = frame;
     this.#material = material;
-    this.text = "";
+  }
+
+  /** What it is about, as {@link textOf} has it. */
+  get text() {
+    const count = illumination(this.#scene).sources.length / SOURCE;
+    return textOf(this.#images?.isBlended ?? Boolean(this.#material.roughnessMap), count);
   }
 
   get uniforms() {
@@ -40,12 +48,9 @@ export class MixedReflection {
     return this.#images?.exposure ?? 1;
   }
 
-  /**
-   * Uploads what changed.
-   *
-   * @param {import("./frame.js").Frame} frame
-   */
-  update(frame) {
+  /** Uploads what changed. */
+  update() {
+    const frame = this.#frame;
     const now = illumination(this.#scene);
     const { roughness, roughnessMap } = this.#material;
     this.#images = frame.images(roughnessMap ? undefined : Math.min(1, Math.max(0, roughness)));
@@ -53,11 +58,10 @@ export class MixedReflection {
     this.#uniforms.eigenImages.value = this.#images.texture;
     if (this.#images.isBlended) this.#uniforms.eigenWeights.value = weights();
     this.#uniforms.eigenSources.value = turned(now.sources, frame.turn, this.exposed);
-    this.text = textOf(this.#images.isBlended, now.sources.length / SOURCE);
   }
 
   dispose() {
-    this.#images?.texture.dispose();
+    this.#frame.dispose();
   }
 }
 
@@ -87,6 +91,9 @@ function turned(sources, turn, exposure) {
   return vectors;
 }
 
+/** @type {Map<string, string>} */
+const texts = new Map();
+
 /**
  * The text for images of one roughness, or of five that are blended.
  *
@@ -94,16 +101,29 @@ function turned(sources, turn, exposure) {
  * @param {number} sources
  */
 function textOf(isBlended, sources) {
-  const lobe = (/** @type {number} */ k) => `(f0 * eigenImage(at, ${2 * k + 1}.0) + eigenImage(at, ${2 * k + 2}.0))`;
-  const blended = `
-  vec2 row = vec2((clamp(roughness, 0.2, 1.0) - 0.2) * 40.0 + 0.5, 0.25);
+  const key = `${isBlended} ${sources}`;
+  const text = texts.get(key) ?? written(isBlended, sources);
+  texts.set(key, text);
+  return text;
+}
+
+/**
+ * As {@link textOf}.
+ *
+ * @param {boolean} isBlended
+ * @param {number} sources
+ */
+function written(isBlended, sources) {
+  const lobe = (/** @type {number} */ k) =>
+    `(f0 * eigenImage(at, ${2 * k + 1}.0) + eigenImage(at, ${2 * k + 2}.0))`;
+  const blended = `vec2 row = vec2((clamp(roughness, 0.2, 1.0) - 0.2) * 40.0 + 0.5, 0.25);
   row.x /= float(textureSize(eigenWeights, 0).x);
   vec4 weight = texture(eigenWeights, row);
-  light += weight.x * ${lobe(0)} + weight.y * ${lobe(1)} + weight.z * ${lobe(2)} + weight.w * ${lobe(3)};
+  light += weight.x * ${lobe(0)} + weight.y * ${lobe(1)};
+  light += weight.z * ${lobe(2)} + weight.w * ${lobe(3)};
   light += texture(eigenWeights, vec2(row.x, 0.75)).x * ${lobe(4)};`;
   // As `Highlights` of the runtime, which has the derivation.
-  const highlights = `
-  float squareAlpha = pow(max(roughness, ${SMOOTHEST}), 4.0);
+  const highlights = `float squareAlpha = pow(max(roughness, ${SMOOTHEST}), 4.0);
   for (int k = 0; k < ${3 * sources}; k += 3) {
     vec4 a = eigenSources[k], b = eigenSources[k + 1], c = eigenSources[k + 2];
     float lit = dot(a.xyz, normal);
@@ -111,11 +131,14 @@ function textOf(isBlended, sources) {
     float sine = sqrt(1.0 - b.z * b.z);
     float blur = 0.25 * (2.0 + squareAlpha / (squareAlpha + 0.125 * (a.w + b.w)));
     vec2 widths = vec2(squareAlpha + blur * a.w, min(squareAlpha + blur * b.w, 1.0));
-    float along = dot(vec3(b.z * b.xy, -sine), normal), across = dot(vec2(-b.y, b.x), normal.xy);
-    float form = pow2(dot(vec3(sine * b.xy, b.z), normal)) + pow2(along) / widths.x + pow2(across) / widths.y;
-    float masked = lit * sqrt(mix(normal.z * normal.z, 1.0, squareAlpha)) + normal.z * sqrt(mix(lit * lit, 1.0, squareAlpha));
+    float halfway = dot(vec3(sine * b.xy, b.z), normal);
+    vec2 tangents = vec2(dot(vec3(b.z * b.xy, -sine), normal), dot(vec2(-b.y, b.x), normal.xy));
+    float form = halfway * halfway + dot(tangents * tangents, 1.0 / widths);
+    vec2 roots = sqrt(mix(vec2(normal.z * normal.z, lit * lit), vec2(1.0), squareAlpha));
+    float masked = dot(vec2(lit, normal.z), roots);
+    float faded = sqrt(widths.x * widths.y) * (1.0 + 0.5 * b.w * b.w);
     vec3 fresnel = mix(f0, vec3(1.0), c.w);
-    vec3 specular = fresnel / (2.0 * sqrt(widths.x * widths.y) * (1.0 + 0.5 * b.w * b.w) * form * form * masked);
+    vec3 specular = fresnel / (2.0 * faded * form * form * masked);
     light += c.rgb * (lit * RECIPROCAL_PI) * (specular + (1.0 - fresnel) * matte);
   }`;
   return `uniform sampler2DArray eigenImages;
@@ -129,7 +152,9 @@ vec3 eigenReflected(vec3 normal, vec3 base, float metallic, float roughness, flo
   vec3 matte = occlusion * (1.0 - metallic) * base;
   float radius = 0.5 - ${MARGIN} / float(textureSize(eigenImages, 0).x);
   vec2 at = 0.5 + radius * inversesqrt(1.0 + normal.z) * normal.xy;
-  vec3 light = matte * (1.0 - f0) * eigenImage(at, 0.0);${isBlended ? blended : `\n  light += ${lobe(0)};`}${sources ? highlights : ""}
+  vec3 light = matte * (1.0 - f0) * eigenImage(at, 0.0);
+  ${isBlended ? blended : `light += ${lobe(0)};`}
+  ${sources ? highlights : ""}
   return light;
 }`;
 }

@@ -13,17 +13,25 @@ const PREFIX = "eigen_";
 /** The scene's function for a shader, and the array that it reads. */
 export class SceneReflection {
   #scene;
-  #stored;
+  #frame;
+  #stored = { value: /** @type {Float32Array | DataTexture | undefined} */ (undefined) };
+  #text = "";
   /** @type {unknown} What the scene is, but for its turn. */
   #illumination;
   #turn = new Quaternion();
 
-  /** @param {Scene} scene */
-  constructor(scene) {
+  /**
+   * @param {Scene} scene
+   * @param {import("./frame.js").Frame} frame
+   */
+  constructor(scene, frame) {
     this.#scene = scene;
-    this.#stored = { value: stored(scene) };
+    this.#frame = frame;
     this.uniforms = { [`${PREFIX}eigenshade`]: this.#stored };
-    this.text = this.#text();
+  }
+
+  get text() {
+    return (this.#text ||= this.#written());
   }
 
   /** The exposure of what the text computes. */
@@ -31,12 +39,9 @@ export class SceneReflection {
     return 1;
   }
 
-  /**
-   * Uploads the scene if it is another one.
-   *
-   * @param {import("./frame.js").Frame} frame
-   */
-  update({ turn }) {
+  /** Uploads the scene if it is another one. */
+  update() {
+    const { turn } = this.#frame;
     const now = illumination(this.#scene);
     const isChanged = now !== this.#illumination;
     if (!isChanged && turn.equals(this.#turn)) return;
@@ -44,10 +49,11 @@ export class SceneReflection {
     this.#scene.turn(this.#turn.copy(turn).toArray());
     this.#stored.value = stored(this.#scene, this.#stored.value);
     // With a tolerance the terms depend on the light and its turn.
-    if (isChanged || this.#scene.truncation) this.text = this.#text();
+    if (isChanged || this.#scene.truncation) this.#text = this.#written();
   }
 
-  #text() {
+  #written() {
+    this.#stored.value ??= stored(this.#scene);
     const storage = this.#stored.value instanceof DataTexture ? "texture" : "uniforms";
     return `${this.#scene.glsl(storage, { prefix: PREFIX })}
 vec3 eigenReflected(vec3 normal, vec3 base, float metallic, float roughness, float occlusion) {

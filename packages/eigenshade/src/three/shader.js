@@ -2,8 +2,9 @@
 
 /** Lights, shadows and environments of three.js. */
 const LEFT_OUT = [
-  "iridescence_fragment", "envmap_common_pars_fragment", "envmap_physical_pars_fragment", "lightmap_pars_fragment",
-  "lights_pars_begin", "lights_physical_pars_fragment", "transmission_pars_fragment", "shadowmap_pars_fragment",
+  "iridescence_fragment", "envmap_common_pars_fragment", "envmap_physical_pars_fragment",
+  "lightmap_pars_fragment", "lights_pars_begin", "lights_physical_pars_fragment",
+  "transmission_pars_fragment", "shadowmap_pars_fragment",
 ];
 /** What computes their light. */
 const [FROM, TO] = ["#include <emissivemap_fragment>", "#include <opaque_fragment>"];
@@ -34,7 +35,8 @@ const OUTGOING = `
   #ifdef USE_AOMAP
     eigenOcclusion += (texture2D(aoMap, vAoMapUv).r - 1.0) * aoMapIntensity;
   #endif
-  vec3 eigenLight = eigenReflected(eigenNormal, diffuseColor.rgb, metalnessFactor, roughnessFactor, eigenOcclusion);
+  vec3 eigenLight = eigenReflected(
+    eigenNormal, diffuseColor.rgb, metalnessFactor, roughnessFactor, eigenOcclusion);
   vec3 outgoingLight = eigenExposure * max(eigenLight, 0.0) + totalEmissiveRadiance;
 `;
 

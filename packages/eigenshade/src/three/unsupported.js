@@ -10,6 +10,10 @@ const names = (/** @type {object} */ material) => Object.keys(material).map((nam
 export const OTHERS = [physical, new MeshPhongMaterial()].flatMap(names)
   .filter((name, k, all) => all.indexOf(name) === k && !/^is[A-Z]/.test(name) && !(name in standard));
 
+/** @typedef {Record<string, unknown>} Properties */
+
+const properties = (/** @type {any} */ material) => /** @type {Properties} */ (material);
+
 /** Whether a property has an effect there: a texture, or another number or color than by default. */
 function isSet(/** @type {any} */ value, /** @type {any} */ usual) {
   if (Object(value) !== value) return value !== undefined && value !== null && value !== usual;
@@ -24,7 +28,7 @@ function isSet(/** @type {any} */ value, /** @type {any} */ usual) {
  * @returns {string[]}
  */
 export function differs(material) {
-  const [given, usual] = [material, physical].map((one) => /** @type {Record<string, unknown>} */ (/** @type {unknown} */ (one)));
+  const [given, usual] = [material, physical].map(properties);
   return OTHERS.filter((name) => name in given && isSet(given[name], usual[name]));
 }
 
@@ -36,7 +40,7 @@ export function differs(material) {
  * @param {boolean} isScene whether the material reflects as a scene's does
  */
 export function ignored(material, mesh, isScene) {
-  const [given, usual] = [material, standard].map((one) => /** @type {Record<string, unknown>} */ (/** @type {unknown} */ (one)));
+  const [given, usual] = [material, standard].map(properties);
   const all = ["envMap", "lightMap"];
   if (isScene) all.push("roughness", "metalness", "roughnessMap", "metalnessMap", "aoMap");
   const found = all.filter((name) => isSet(given[name], usual[name]));
