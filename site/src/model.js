@@ -1,5 +1,6 @@
 // A glTF file in the page's light, by three.js, which is loaded with this script.
 
+import { metered } from "../eigenshade/src/exposure.js";
 import { Scene } from "../eigenshade/src/index.js";
 import { EigenMaterial } from "../eigenshade/src/three.js";
 import * as THREE from "../vendor/three.js";
@@ -15,6 +16,9 @@ THREE.ShaderChunk.tonemapping_pars_fragment = THREE.ShaderChunk.tonemapping_pars
     return color * (2.51 * color + 0.03) / (color * (2.43 * color + 0.59) + 0.14);
   }`,
 );
+
+/** Pixels on a side of the picture that is metered. */
+const METERED = 96;
 
 /** @type {THREE.WebGLRenderer | undefined} */
 let renderer;
@@ -42,6 +46,8 @@ export class Model {
   #scene;
   #materials;
   #light = /** @type {unknown} */ (undefined);
+  /** That of the light as it was set, on the object in the pose of the file. */
+  #exposure = 1;
   #world = new THREE.Scene();
   #camera = new THREE.OrthographicCamera(-1, 1, 1, -1, 0, 4);
   #turn = new THREE.Quaternion();
@@ -87,15 +93,36 @@ export class Model {
    * @param {() => void} restored called if it has to be drawn again
    */
   draw(canvas, { light, turn, pose, exposure }, restored) {
-    if (light !== this.#light) this.#scene.light(light);
-    this.#light = light;
+    const drawer = rendered(canvas, restored);
+    if (light !== this.#light) {
+      this.#scene.light(light);
+      this.#light = light;
+      this.#exposure = this.#metered(drawer);
+    }
     this.#turn.fromArray(turn);
     this.#object.quaternion.fromArray(pose);
-    for (const material of this.#materials) material.exposure = exposure * this.#scene.exposure();
-    const drawer = rendered(canvas, restored);
+    for (const material of this.#materials) material.exposure = exposure * this.#exposure;
     drawer.domElement.hidden = false;
     drawer.setSize(canvas.width, canvas.height, false);
     drawer.render(this.#world, this.#camera);
+  }
+
+  /** The exposure of a small picture, or that of a sphere if floats cannot be drawn. */
+  #metered(/** @type {THREE.WebGLRenderer} */ drawer) {
+    this.#turn.identity();
+    this.#object.quaternion.identity();
+    for (const material of this.#materials) material.exposure = 1;
+    const target = new THREE.WebGLRenderTarget(METERED, METERED, { type: THREE.FloatType });
+    const pixels = new Float32Array(4 * METERED ** 2);
+    drawer.setRenderTarget(target);
+    drawer.render(this.#world, this.#camera);
+    drawer.readRenderTargetPixels(target, 0, 0, METERED, METERED, pixels);
+    drawer.setRenderTarget(null);
+    target.dispose();
+    const covered = [...Array(METERED ** 2).keys()].filter((k) => pixels[4 * k + 3] > 0);
+    if (!covered.length) return this.#scene.exposure();
+    const [r, g, b] = [0, 1, 2].map((channel) => Float32Array.from(covered, (k) => pixels[4 * k + channel]));
+    return metered({ r, g, b });
   }
 
   /** Shows the page's own picture again. */
