@@ -50,10 +50,11 @@ const times = await page.evaluate(() => measure.setUp());
 const loaded = (method) => {
   if (method.startsWith("PMREM")) return { code: exr, light: size(`../../tables/inputs/maps/${lights[0]}.exr`), texture: times.texture };
   if (method.startsWith("LightProbe")) return { code: 0, light: 108, texture: 0 };
-  const [matcap, few] = ["matcap", "sources"].map((word) => method.includes(word));
+  const [matcap, images, map] = ["matcap", "images", "map"].map((word) => method.includes(word));
+  const few = images || method.includes("sources");
   const module = zipped(`${PACKAGE}wasm/eigenshade.${few ? "sources." : ""}relaxed.wasm`);
   const light = size(`${PACKAGE}presets/light/${lights[0]}.bin`) + (few ? size(`${PACKAGE}presets/sources/${lights[0]}.bin`) : 0);
-  return { code: javascript + module + zipped("material.js", ...(matcap ? ["matcap.js"] : [])), light, texture: matcap ? 8 * 128 * 128 : 0 };
+  return { code: javascript + module + zipped(...(matcap ? ["matcap.js", "unsupported.js"] : [`${PACKAGE}dist/three.js`])), light, texture: matcap ? 8 * 128 * 128 : images ? 8 * 96 * 96 * (map ? 11 : 3) : 0 };
 };
 
 // Times: a frame as the processor time of the GPU process, which other programs disturb less.
@@ -93,7 +94,9 @@ const CANNOT = {
   "eigenshade": "sharp gloss; shadows; near lights; perspective is approximate",
   "eigenshade, 4 sources": "sharp gloss of many or large lamps; the rest is the same",
   "eigenshade, 1 %": "as all terms; these change with the light, which compiles a new program",
-  "eigenshade, matcap of 128²": "the same; roughness and color per pixel",
+  "eigenshade, images": "as 4 sources; roughness per pixel",
+  "eigenshade, images, roughness map": "as 4 sources",
+  "eigenshade, matcap of 128²": "as all terms; roughness and color per pixel",
   "LightProbe, MeshStandardMaterial": "highlights; metals; light beyond degree 2",
   "LightProbe, MeshLambertMaterial": "the same; roughness",
   "PMREM, MeshStandardMaterial": "measured BRDFs; stretched highlights; glTF's formula for rough metals, which it draws brighter",

@@ -9,8 +9,8 @@ const RADIUS = 0.495;
 /**
  * A drop-in for `MeshMatcapMaterial`, which any number of meshes share. Whenever the camera or
  * `material.lightRotation` turned, it shades the texture anew on the CPU and uploads it. After
- * `scene.light(..)` or `scene.material(..)` call `material.update()`. It warns as `eigenMaterial`
- * does.
+ * `scene.light(..)` or `scene.material(..)` call `material.update()`. It warns once of each property of
+ * other materials that is set, and of `receiveShadow`, which have no effect.
  *
  * The texels are linear irradiance, not exposed, and may exceed 1: the texture has no color space,
  * so that three.js decodes nothing, and tone mapping and sRGB come after `color`.

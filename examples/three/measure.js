@@ -3,8 +3,8 @@
 import * as THREE from "three";
 import { Scene, lightPreset } from "eigenshade";
 import { eigenMatcap } from "./matcap.js";
-import { eigenMaterial } from "./material.js";
-import { LIGHTS, MATERIALS, METHODS, lightProbe, map } from "./methods.js";
+import { EigenMaterial } from "eigenshade/three";
+import { LIGHTS, MATERIALS, METHODS, imaged, lightProbe, map, uniform } from "./methods.js";
 
 const SIZE = 128;
 const renderer = new THREE.WebGLRenderer();
@@ -98,7 +98,7 @@ export async function setUp() {
     return {
       light: least((k) => {
         scene.light(k % 2 ? one : other);
-        material.update();
+        material.update?.();
         prepare();
       }, repeat),
       turn: least((k) => {
@@ -107,14 +107,17 @@ export async function setUp() {
       }, repeat),
     };
   };
+  const eigen = (scene) => new EigenMaterial(scene, { exposure: 1 });
   const generator = new THREE.PMREMGenerator(renderer);
   // The first one compiles its shaders.
   const made = generator.fromEquirectangular(equirects[0]);
   const pixel = new Uint8Array(4);
   return {
-    eigenshade: await of(eigenMaterial),
-    "eigenshade, 4 sources": await of(eigenMaterial, { sources: 4 }),
-    "eigenshade, 1 %": await of(eigenMaterial, { tolerance: 0.01 }),
+    eigenshade: await of(eigen),
+    "eigenshade, 4 sources": await of(eigen, { sources: 4 }),
+    "eigenshade, 1 %": await of(eigen, { tolerance: 0.01 }),
+    "eigenshade, images": await of((scene) => imaged(scene, MATERIALS[1]), { repeat: 10, sources: 4 }),
+    "eigenshade, images, roughness map": await of((scene) => imaged(scene, MATERIALS[1], uniform()), { repeat: 10, sources: 4 }),
     "eigenshade, matcap of 128²": await of(eigenMatcap, { repeat: 10 }),
     probe: { light: least(() => lightProbe(light)), turn: 0 },
     pmrem: {

@@ -3,7 +3,7 @@
 import * as THREE from "three";
 import { EXRLoader } from "three/addons/loaders/EXRLoader.js";
 import { Scene, lightPreset } from "eigenshade";
-import { eigenMaterial } from "./material.js";
+import { EigenMaterial } from "eigenshade/three";
 import { eigenMatcap } from "./matcap.js";
 
 /**
@@ -45,6 +45,18 @@ export function lightProbe({ r, g, b }) {
 const standard = ({ baseColor, metallic, roughness }) =>
   new THREE.MeshStandardMaterial({ color: new THREE.Color(...baseColor), metalness: metallic, roughness });
 
+/** A glTF material from images of the light. */
+export function imaged(scene, material, roughnessMap = null) {
+  return EigenMaterial.from(Object.assign(standard(material), { roughnessMap }), scene, { exposure: 1 });
+}
+
+/** A map with one white texel. */
+export function uniform() {
+  const texture = new THREE.DataTexture(new Uint8Array([255, 255, 255, 255]), 1, 1);
+  texture.needsUpdate = true;
+  return texture;
+}
+
 function world(geometry, material, ...lights) {
   const made = new THREE.Scene();
   made.add(new THREE.Mesh(geometry, material), ...lights);
@@ -59,11 +71,15 @@ const prefiltered = {};
 /** By name, functions of a geometry, the name of a light, a material, and a renderer. */
 export const METHODS = {
   eigenshade: async (geometry, light, material) =>
-    world(geometry, eigenMaterial(await Scene.create({ light, material }))),
+    world(geometry, new EigenMaterial(await Scene.create({ light, material }), { exposure: 1 })),
   "eigenshade, 4 sources": async (geometry, light, material) =>
-    world(geometry, eigenMaterial(await Scene.create({ light, material, sources: 4 }))),
+    world(geometry, new EigenMaterial(await Scene.create({ light, material, sources: 4 }), { exposure: 1 })),
   "eigenshade, 1 %": async (geometry, light, material) =>
-    world(geometry, eigenMaterial(truncated(await Scene.create({ light, material })))),
+    world(geometry, new EigenMaterial(truncated(await Scene.create({ light, material })), { exposure: 1 })),
+  "eigenshade, images": async (geometry, light, material) =>
+    world(geometry, imaged(await Scene.create({ light, material: {}, sources: 4 }), material)),
+  "eigenshade, images, roughness map": async (geometry, light, material) =>
+    world(geometry, imaged(await Scene.create({ light, material: {}, sources: 4 }), material, uniform())),
   "eigenshade, matcap of 128²": async (geometry, light, material) =>
     world(geometry, eigenMatcap(await Scene.create({ light, material }))),
   "LightProbe, MeshStandardMaterial": async (geometry, light, material) =>

@@ -1,6 +1,6 @@
 // node presets.mjs: writes each shipped light and material to a file of its own, f32 in
 // little-endian, all red, all green, all blue, and the gloss of a material; the sources of each
-// light with the number that a material needs, and all names.
+// light with the number that a material needs, and all names. Also src/roughness-weights.js.
 
 import { mkdirSync, readFileSync, writeFileSync } from "node:fs";
 
@@ -92,3 +92,16 @@ write("light", "lights.csv", 3);
 write("material", "merl.csv", 4);
 write("material", "materials.csv", 4);
 writeFileSync("presets/names.json", JSON.stringify(names));
+
+const weights = rows("roughness-weights.csv").map((row) => `  ${row.slice(1).map(Number).join(", ")},`);
+writeFileSync("src/roughness-weights.js", `// node presets.mjs: the weights of the images of five roughnesses at equally spaced roughnesses from
+// 0.2 to 1.
+
+/** The roughnesses that have images. */
+export const KNOTS = [0.2, 0.35, 0.6, 0.825, 1];
+
+/** The weights of each row. */
+export const WEIGHTS = [
+${weights.join("\n")}
+];
+`);

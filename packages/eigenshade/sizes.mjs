@@ -30,6 +30,7 @@ export function parts() {
   for (const [name, scripts] of [
     ["JavaScript", ["index", "shared"]],
     ["JavaScript with the element", ["element", "shared"]],
+    ["JavaScript with the entry for three.js", ["index", "three", "shared"]],
   ]) {
     const bytes = scripts.map((script) => zipped(readFileSync(file(`dist/${script}.js`))));
     found.push([name, bytes.reduce((sum, one) => sum + one)]);

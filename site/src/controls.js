@@ -24,10 +24,11 @@ const OBJECT_TEXT = { sphere: "A sphere", relief: "A shell in relief", coin: "A 
  * Makes all controls show the state.
  *
  * @param {import("./state.js").State} state
- * @param {{ drawing: boolean, ownMesh: boolean, turnsLight: boolean, tab: string }} page whether WebGL
- *   draws, there is a mesh, and a plain drag turns the light; the tab that is shown
+ * @param {{ drawing: boolean, hasOwn: boolean, isModel: boolean, turnsLight: boolean, tab: string }} page
+ *   whether WebGL draws, there is an object of the user's, it is shown with its own materials, and a
+ *   plain drag turns the light; the tab that is shown
  */
-export function controls(state, { drawing, ownMesh, turnsLight, tab: shown }) {
+export function controls(state, { drawing, hasOwn, isModel, turnsLight, tab: shown }) {
   const check = (/** @type {string} */ name, /** @type {string} */ value) => {
     for (const input of document.querySelectorAll(`input[name="${name}"]`)) {
       /** @type {HTMLInputElement} */ (input).checked = /** @type {HTMLInputElement} */ (input).value === value;
@@ -41,7 +42,7 @@ export function controls(state, { drawing, ownMesh, turnsLight, tab: shown }) {
   check("sources", String(state.sources));
   check("drag", state.drag);
   check("material", typeof state.material === "string" ? state.material : "");
-  find("own-object").hidden = !ownMesh;
+  find("own-object").hidden = !hasOwn;
   const own = find("light").querySelector("option[value=own]");
   own.hidden = own.disabled = !state.ownLight;
   own.textContent = state.ownLight ? state.ownLight.name : "Your own";
@@ -75,7 +76,7 @@ export function controls(state, { drawing, ownMesh, turnsLight, tab: shown }) {
       ? "Drag or use arrow keys to turn the light: a sphere looks the same from every side."
       : `Drag or use arrow keys to turn the ${turns}; Alt-drag, two fingers or Shift+arrow keys turn the ${other}.`;
   const light = state.light === "own" ? state.ownLight?.name : state.light;
-  const material = typeof state.material === "string" ? readable(state.material) : "a glTF material";
+  const material = isModel ? "its own materials" : typeof state.material === "string" ? readable(state.material) : "a glTF material";
   find("picture").setAttribute("aria-label", `${OBJECT_TEXT[drawing ? state.object : "sphere"]} of ${material} under the light ${light}`);
 }
 

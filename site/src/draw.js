@@ -14,7 +14,7 @@ export const KINDS = { sphere: 0, mesh: 1, map: 2, bumps: 3 };
 export const TIMES = 10;
 
 /** The object's radius in a pane whose half side is 1. */
-const RADIUS = 0.94;
+export const RADIUS = 0.94;
 
 const VERTEX = `#version 300 es
 layout(location = 0) in vec3 position;

@@ -27,6 +27,8 @@ let scenes = /** @type {Scenes} */ (/** @type {unknown} */ (undefined));
 let reference = /** @type {measure.Picture} */ (/** @type {unknown} */ (undefined));
 /** @type {import("./objects.js").Mesh | undefined} */
 let ownMesh;
+/** @type {import("./model.js").Model | undefined} */
+let ownModel;
 let drawnObject = "";
 
 const canvas = /** @type {HTMLCanvasElement} */ (find("picture"));
@@ -97,8 +99,14 @@ function draw() {
   for (const scene of [whole, best]) scene.turn(state.turn);
   ours.turn(state.turn).effects(state.effects).components(state.components).within(measure.toleranceOf(state.step), scenes.exposure);
   const look = { exposure: scenes.exposure * 2 ** state.exposure, pose: state.pose, nine: { terms: scenes.nine, turn: state.turn } };
-  const split = state.view === "split";
-  if (drawing) {
+  const model = shownModel();
+  const split = state.view === "split" && !model;
+  const side = Math.min(1400, Math.max(64, Math.round(canvas.clientWidth * Math.min(2, devicePixelRatio))));
+  if (drawing && model && scenes.loaded) {
+    drawing.draw([], look, side + (side % 2));
+    model.draw(canvas, { light: scenes.loaded.light, turn: state.turn, pose: state.pose, exposure: 2 ** state.exposure }, changed);
+  } else if (drawing) {
+    ownModel?.hide();
     if (drawnObject !== state.object) {
       drawnObject = state.object;
       if (state.object === "sphere") drawing.object(KINDS.sphere);
@@ -115,7 +123,6 @@ function draw() {
     // While something turns, terms come and go, and each set of them is a program. Until it rests,
     // the picture has all terms instead of waiting for a long one.
     if (dragging && ours.terms > 60 && !drawing.has(ours)) ours.within();
-    const side = Math.min(1400, Math.max(64, Math.round(canvas.clientWidth * Math.min(2, devicePixelRatio))));
     drawing.draw(panes, look, side + (side % 2));
     ours.within(measure.toleranceOf(state.step), scenes.exposure);
   } else {
@@ -144,9 +151,10 @@ function numbers() {
   const said = direct
     ? wholeVerdict(screenError(colorsOf(shown, exposure), colorsOf(reference, exposure)), direct)
     : verdict(screen(shown), best.sources);
-  find("verdict").textContent = said.error;
-  find("against").textContent = said.against;
-  find("cost").textContent = `${counted(terms, "term")}${ours.sources ? ` + ${counted(ours.sources, "source")}` : ""}`;
+  const isModel = Boolean(shownModel());
+  find("verdict").textContent = isModel ? "Its own materials, with all terms" : said.error;
+  find("against").textContent = isModel ? "The numbers are those of a sphere of the chosen material" : said.against;
+  find("cost").textContent = isModel ? "" : `${counted(terms, "term")}${ours.sources ? ` + ${counted(ours.sources, "source")}` : ""}`;
   showSources(state, scenes.loaded, ours);
   find("rms").textContent = percent(rms);
   find("worst").textContent = percent(worst);
@@ -204,8 +212,13 @@ const busy = (/** @type {boolean} */ is) => (document.documentElement.dataset.bu
 /** The tab that is shown: on wide screens the scene has a place of its own. */
 const shownTab = () => (wide.matches && state.tab === "scene" ? "accuracy" : state.tab);
 
+/** The model that is shown: an object of the user's with its own materials. */
+const shownModel = () => (state.object === "own" ? ownModel : undefined);
+/** Whether there is an object of the user's. */
+const hasOwn = () => Boolean(ownMesh ?? ownModel);
+
 const showControls = () =>
-  controls(state, { drawing: Boolean(drawing), ownMesh: Boolean(ownMesh), turnsLight: turnsLight(), tab: shownTab() });
+  controls(state, { drawing: Boolean(drawing), hasOwn: hasOwn(), isModel: Boolean(shownModel()), turnsLight: turnsLight(), tab: shownTab() });
 
 // ---- link ----
 
@@ -222,7 +235,7 @@ async function openLink(/** @type {string} */ hash) {
   const link = ++links;
   const before = loads;
   busy(true);
-  const { state: wanted, faults } = fromHash(hash, Boolean(ownMesh));
+  const { state: wanted, faults } = fromHash(hash, hasOwn());
   if (!Object.hasOwn(CASES, wanted.case)) {
     faults.push(`case: "${wanted.case}" is not one of ${Object.keys(CASES).join(", ")}`);
     wanted.case = initial().case;
@@ -367,8 +380,19 @@ async function open(/** @type {File} */ file) {
   say(`Reading ${file.name}`);
   try {
     checkSize(file);
-    if (/\.obj$/i.test(file.name)) {
+    if (/\.(glb|gltf)$/i.test(file.name)) {
+      if (!drawing) throw new Error("it needs WebGL 2, which this browser has not");
+      const { Model } = await import("./model.js");
+      const model = await Model.read(await file.arrayBuffer());
+      ownModel?.free();
+      [ownMesh, ownModel] = [undefined, model];
+      set({ object: "own" });
+      const without = model.leftOut.length ? `, without ${model.leftOut.join(", ")}` : "";
+      say(`${file.name}: ${counted(model.triangles, "triangle")} with its own materials${without}.`);
+    } else if (/\.obj$/i.test(file.name)) {
       ownMesh = parseObj(await file.text());
+      ownModel?.free();
+      ownModel = undefined;
       drawnObject = "";
       set({ object: "own" });
       say(`${file.name}: ${ownMesh.indices.length / 3} triangles.`);

@@ -142,7 +142,7 @@ export function coin() {
 }
 
 /** Most triangles of a file. */
-const MOST = 2_000_000;
+export const MOST = 2_000_000;
 
 /** Facets that meet at a larger angle, 30 degrees, have an edge between them. */
 const CREASE = Math.cos(Math.PI / 6);

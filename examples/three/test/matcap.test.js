@@ -41,3 +41,32 @@ for (const [size, rms, most] of [[32, 2.5, 45], [64, 1.5, 36], [128, 0.8, 22], [
     }
   });
 }
+
+test("it warns once of what has no effect, and is drawn as before", async () => {
+  const { warnings, most, kept } = await page.evaluate(async () => {
+    const material = eigenMatcap(await Scene.create({ light: "lobby", material: "nylon" }));
+    const [mesh, camera] = [new THREE.Mesh(new THREE.SphereGeometry(), material), orthographic([0, 0, 5])];
+    const before = picture(mesh, camera);
+    const { warn } = console;
+    const warnings = [];
+    console.warn = (...parts) => warnings.push(parts.join(" "));
+    const texture = new THREE.DataTexture(new Uint8Array([9, 9, 9, 255]), 1, 1);
+    texture.needsUpdate = true;
+    for (const name of ["roughnessMap", "metalnessMap", "aoMap", "lightMap", "envMap", "emissiveMap", "specularMap", "clearcoatMap"]) {
+      for (let k = 0; k < 2; k++) material[name] = texture;
+    }
+    for (const name of ["roughness", "metalness", "clearcoat", "shininess"]) material[name] = 0.5;
+    Object.assign(material, { emissive: new THREE.Color("red"), iridescenceMap: null, wireframeLinejoin: "round" });
+    mesh.receiveShadow = true;
+    material.needsUpdate = true;
+    const after = [0, 1].map(() => picture(mesh, camera)).at(-1);
+    console.warn = warn;
+    return { warnings, kept: material.roughnessMap === undefined, most: Math.max(...after.map((code, k) => Math.abs(code - before[k]))) };
+  });
+  assert.equal(most, 0);
+  assert.ok(kept);
+  assert.deepEqual(warnings.map((text) => /^eigenshade: (\w+) has no effect on this material; .{20,}/.exec(text)?.[1]), [
+    "roughnessMap", "metalnessMap", "aoMap", "lightMap", "envMap", "emissiveMap", "specularMap", "clearcoatMap",
+    "roughness", "metalness", "clearcoat", "shininess", "emissive", "receiveShadow",
+  ]);
+});

@@ -16,7 +16,7 @@ before(async () => {
     window.meshes = await import("/examples/three/meshes.js");
     window.inputs = { light: "lobby", material: "gold-metallic-paint" };
     window.sphere = () => new THREE.SphereGeometry(1, 96, 64);
-    /** A scene as `eigenMaterial` has to turn it, by other means. */
+    /** A scene as `EigenMaterial` has to turn it, by other means. */
     window.expected = async (camera, direction = new THREE.Vector3(0, 0, 1), rotation = new THREE.Quaternion()) => {
       const frame = new THREE.Quaternion().setFromUnitVectors(direction.clone().normalize(), new THREE.Vector3(0, 0, 1));
       const turn = frame.clone().multiply(camera.quaternion.clone().invert()).multiply(rotation);
@@ -40,8 +40,7 @@ for (const mapped of [false, true]) {
   test(`a sphere ${mapped ? "with" : "without"} a normal map`, async () => {
     same(await page.evaluate(async (mapped) => {
       const scene = await Scene.create(inputs);
-      const material = eigenMaterial(scene, { normalMap: mapped ? meshes.normalMap() : null });
-      material.color.setScalar(scene.exposure());
+      const material = new EigenMaterial(scene, { normalMap: mapped ? meshes.normalMap() : null });
       const camera = orthographic([0, 0, 5]);
       return difference(new THREE.Mesh(sphere(), material), camera, (await expected(camera)).scene);
     }, mapped));
@@ -54,14 +53,12 @@ test("small sources of the light, which turn with it and come and go", async () 
     const { lightPreset } = await import("eigenshade");
     window.inputs = { light: "lobby", material: "gold-metallic-paint", sources: 4 };
     const scene = await Scene.create(inputs);
-    const material = eigenMaterial(scene, { normalMap: meshes.normalMap() });
-    material.color.setScalar(scene.exposure());
+    const material = new EigenMaterial(scene, { normalMap: meshes.normalMap() });
     material.lightRotation.setFromEuler(new THREE.Euler(0.2, 0.5, -0.3));
     const [mesh, camera, found] = [new THREE.Mesh(sphere(), material), orthographic([1, 2, 5]), []];
     for (const sources of [4, 0, 1, 8]) {
       window.inputs = { ...inputs, sources };
       scene.light(await lightPreset("lobby", { sources }));
-      material.update();
       found.push(difference(mesh, camera, (await expected(camera, undefined, material.lightRotation)).scene));
       if (scene.sources !== sources) throw new Error(`${scene.sources} sources`);
     }
@@ -74,8 +71,7 @@ for (const kind of ["column", "morphing", "instances", "knot"]) {
   test(`a mesh with ${kind}`, async () => {
     same(await page.evaluate(async (kind) => {
       const scene = await Scene.create(inputs);
-      const material = eigenMaterial(scene, { normalMap: meshes.normalMap() });
-      material.color.setScalar(scene.exposure());
+      const material = new EigenMaterial(scene, { normalMap: meshes.normalMap() });
       const mesh = meshes[kind](material, 0.7);
       mesh.bend?.(0.4);
       mesh.rotation.set(0.3, 0.5, 0.1);
@@ -88,8 +84,7 @@ for (const kind of ["column", "morphing", "instances", "knot"]) {
 test("the light stays in the world while a camera goes around, and by one program", async () => {
   const found = await page.evaluate(async () => {
     const scene = await Scene.create(inputs);
-    const material = eigenMaterial(scene);
-    material.color.setScalar(scene.exposure());
+    const material = new EigenMaterial(scene);
     material.lightRotation.setFromEuler(new THREE.Euler(0.3, -0.8, 0.2));
     const mesh = new THREE.Mesh(sphere(), material);
     const found = [];
@@ -110,8 +105,7 @@ test("a matte point has the same irradiance from all sides", async () => {
   const spread = await page.evaluate(async () => {
     // Of all materials, only the radiance of a matte surface does not depend on the view.
     const scene = await Scene.create({ light: "lobby", material: { r: [2], g: [2], b: [2] } });
-    const material = eigenMaterial(scene);
-    material.color.setScalar(scene.exposure());
+    const material = new EigenMaterial(scene);
     const mesh = new THREE.Mesh(sphere(), material);
     const normal = new THREE.Vector3(0.3, 0.4, Math.sqrt(0.75));
     const codes = [[0, 0, 5], [3, 1, 4], [-1, 4, 3]].map((position) => {
@@ -129,8 +123,7 @@ test("a matte point has the same irradiance from all sides", async () => {
 test("a small mesh at the edge of a perspective picture has the frame of its own direction", async () => {
   same(await page.evaluate(async () => {
     const scene = await Scene.create(inputs);
-    const material = eigenMaterial(scene);
-    material.color.setScalar(scene.exposure());
+    const material = new EigenMaterial(scene);
     const mesh = new THREE.Mesh(sphere(), material);
     mesh.position.set(3, 2, 0.5);
     mesh.updateMatrixWorld();
@@ -144,8 +137,7 @@ test("a small mesh at the edge of a perspective picture has the frame of its own
 test("with view `camera` it has the camera's frame", async () => {
   same(await page.evaluate(async () => {
     const scene = await Scene.create(inputs);
-    const material = eigenMaterial(scene, { view: "camera" });
-    material.color.setScalar(scene.exposure());
+    const material = new EigenMaterial(scene, { view: "camera" });
     const mesh = new THREE.Mesh(sphere(), material);
     mesh.position.set(1, 0.6, 0);
     const camera = perspective([1, 1, 6], 40);
@@ -157,23 +149,19 @@ test("a new light or material is an upload, a tolerance is a new program", async
   const counts = await page.evaluate(async () => {
     const { lightPreset, materialPreset } = await import("eigenshade");
     const scene = await Scene.create(inputs);
-    const material = eigenMaterial(scene);
+    const material = new EigenMaterial(scene);
     const mesh = new THREE.Mesh(sphere(), material);
     const camera = orthographic([0, 0, 5]);
     const pictures = [picture(mesh, camera)];
     const counts = [programs()];
     scene.light(await lightPreset("studio"));
-    material.update();
     pictures.push(picture(mesh, camera));
     scene.material(await materialPreset("red-fabric2"));
-    material.update();
     pictures.push(picture(mesh, camera));
     scene.material({ baseColor: "#336699", roughness: 0.6 });
-    material.update();
     pictures.push(picture(mesh, camera));
     counts.push(programs());
     scene.within(0.01);
-    material.update();
     picture(mesh, camera);
     counts.push(programs());
     const different = pictures.every((one, k) => pictures.every((other, l) => k === l || one.some((n, at) => n !== other[at])));
@@ -191,8 +179,7 @@ test("two materials of scenes with different terms do not share a program", asyn
     const found = [];
     for (const tolerance of [undefined, 0.1]) {
       const scene = (await Scene.create(inputs)).within(tolerance);
-      const material = eigenMaterial(scene);
-      material.color.setScalar(scene.exposure());
+      const material = new EigenMaterial(scene);
       const module = (await expected(camera)).scene.within(tolerance);
       found.push(difference(new THREE.Mesh(sphere(), material), camera, module));
     }
@@ -203,7 +190,7 @@ test("two materials of scenes with different terms do not share a program", asyn
 
 test("two meshes with the same material in a perspective picture are an error", async () => {
   const { message, turns } = await page.evaluate(async () => {
-    const material = eigenMaterial(await Scene.create(inputs));
+    const material = new EigenMaterial(await Scene.create(inputs));
     const [one, other] = [0, 1].map(() => new THREE.Mesh(sphere(), material));
     const camera = perspective([0, 0, 5]);
     let turns = 0;
@@ -220,7 +207,7 @@ test("two meshes with the same material in a perspective picture are an error", 
 
 test("two renderers may draw two meshes with the same material", async () => {
   const lit = await page.evaluate(async () => {
-    const material = eigenMaterial(await Scene.create(inputs));
+    const material = new EigenMaterial(await Scene.create(inputs));
     const camera = perspective([0, 0, 5]);
     // Their first pictures, of one number.
     return [0, 1].map((x) => {
@@ -237,42 +224,39 @@ test("two renderers may draw two meshes with the same material", async () => {
   assert.ok(lit.every((code) => code > 0), `${lit}`);
 });
 
-for (const make of ["eigenMaterial", "eigenMatcap"]) {
-  test(`${make} warns once of what has no effect, and is drawn as before`, async () => {
-    const { warnings, most, kept } = await page.evaluate(async (make) => {
-      const material = window[make](await Scene.create(inputs));
-      const [mesh, camera] = [new THREE.Mesh(sphere(), material), orthographic([0, 0, 5])];
-      const before = picture(mesh, camera);
-      const { warn } = console;
-      const warnings = [];
-      console.warn = (...parts) => warnings.push(parts.join(" "));
-      const texture = new THREE.DataTexture(new Uint8Array([9, 9, 9, 255]), 1, 1);
-      texture.needsUpdate = true;
-      for (const name of ["roughnessMap", "metalnessMap", "aoMap", "lightMap", "envMap", "emissiveMap", "specularMap", "clearcoatMap"]) {
-        for (let k = 0; k < 2; k++) material[name] = texture;
-      }
-      for (const name of ["roughness", "metalness", "clearcoat", "shininess"]) material[name] = 0.5;
-      Object.assign(material, { emissive: new THREE.Color("red"), iridescenceMap: null, wireframeLinejoin: "round" });
-      mesh.receiveShadow = true;
-      material.needsUpdate = true;
-      const after = [0, 1].map(() => picture(mesh, camera)).at(-1);
-      console.warn = warn;
-      return { warnings, kept: material.roughnessMap === undefined, most: Math.max(...after.map((code, k) => Math.abs(code - before[k]))) };
-    }, make);
-    assert.equal(most, 0);
-    assert.ok(kept);
-    assert.deepEqual(warnings.map((text) => /^eigenshade: (\w+) has no effect on this material; .{20,}/.exec(text)?.[1]), [
-      "roughnessMap", "metalnessMap", "aoMap", "lightMap", "envMap", "emissiveMap", "specularMap", "clearcoatMap",
-      "roughness", "metalness", "clearcoat", "shininess", "emissive", "receiveShadow",
-    ]);
+test("it warns once of what has no effect, and is drawn as before", async () => {
+  const { warnings, most, kept } = await page.evaluate(async () => {
+    const material = new EigenMaterial(await Scene.create(inputs));
+    const [mesh, camera] = [new THREE.Mesh(sphere(), material), orthographic([0, 0, 5])];
+    const before = picture(mesh, camera);
+    const { warn } = console;
+    const warnings = [];
+    console.warn = (...parts) => warnings.push(parts.join(" "));
+    const texture = new THREE.DataTexture(new Uint8Array([9, 9, 9, 255]), 1, 1);
+    texture.needsUpdate = true;
+    for (const name of ["roughnessMap", "metalnessMap", "aoMap", "lightMap", "envMap", "specularMap", "clearcoatMap"]) {
+      for (let k = 0; k < 2; k++) material[name] = texture;
+    }
+    for (const name of ["roughness", "metalness", "clearcoat", "shininess"]) material[name] = 0.5;
+    Object.assign(material, { iridescenceMap: null, wireframeLinejoin: "round" });
+    mesh.receiveShadow = true;
+    material.needsUpdate = true;
+    const after = [0, 1].map(() => picture(mesh, camera)).at(-1);
+    console.warn = warn;
+    return { warnings, kept: material.clearcoatMap === undefined, most: Math.max(...after.map((code, k) => Math.abs(code - before[k]))) };
   });
-}
+  assert.equal(most, 0);
+  assert.ok(kept);
+  assert.deepEqual(warnings.map((text) => /^eigenshade: (\w+) has no effect on an EigenMaterial/.exec(text)?.[1]).sort(), [
+    "aoMap", "clearcoat", "clearcoatMap", "envMap", "lightMap", "metalness", "metalnessMap", "receiveShadow", "roughness",
+    "roughnessMap", "shininess", "specularMap",
+  ]);
+});
 
 test("a clone is drawn as the material is", async () => {
   same(await page.evaluate(async () => {
     const scene = await Scene.create(inputs);
-    const material = eigenMaterial(scene, { view: "camera", normalMap: meshes.normalMap() });
-    material.color.setScalar(scene.exposure());
+    const material = new EigenMaterial(scene, { view: "camera", normalMap: meshes.normalMap() });
     material.lightRotation.setFromEuler(new THREE.Euler(0.3, -0.8, 0.2));
     const camera = orthographic([1, 2, 5]);
     return difference(new THREE.Mesh(sphere(), material.clone()), camera, (await expected(camera, undefined, material.lightRotation)).scene);
@@ -282,7 +266,7 @@ test("a clone is drawn as the material is", async () => {
 test("the exposure is the same whatever was drawn last", async () => {
   const found = await page.evaluate(async () => {
     const scene = await Scene.create({ light: "sunset", material: "gold-metallic-paint" });
-    const [mesh, found] = [new THREE.Mesh(sphere(), eigenMaterial(scene)), [scene.exposure()]];
+    const [mesh, found] = [new THREE.Mesh(sphere(), new EigenMaterial(scene)), [scene.exposure()]];
     for (const position of [[0, 0, 5], [5, 0, 0], [0, 0, -5]]) {
       picture(mesh, orthographic(position));
       found.push(scene.exposure());

@@ -2,7 +2,7 @@
 
 import * as THREE from "three";
 import { Scene } from "eigenshade";
-import { eigenMaterial } from "../material.js";
+import { EigenMaterial } from "eigenshade/three";
 
 const SIZE = 160;
 const renderer = new THREE.WebGLRenderer({ antialias: false, preserveDrawingBuffer: true });
@@ -89,7 +89,7 @@ export function difference(mesh, camera, scene, frame = new THREE.Quaternion()) 
   let [most, sum, lit] = [0, 0, 0];
   at.forEach((pixel, k) => {
     [colors.r, colors.g, colors.b].forEach((color, channel) => {
-      const code = encoded(mesh.material.color.r * color[k]);
+      const code = encoded((mesh.material.exposure ? scene.exposure() : mesh.material.color.r) * color[k]);
       most = Math.max(most, Math.abs(code - pixels[4 * pixel + channel]));
       sum += (code - pixels[4 * pixel + channel]) ** 2;
       lit = Math.max(lit, pixels[4 * pixel + channel]);
@@ -99,4 +99,4 @@ export function difference(mesh, camera, scene, frame = new THREE.Quaternion()) 
 }
 
 export const programs = () => renderer.info.programs.length;
-export { THREE, Scene, eigenMaterial, renderer };
+export { THREE, Scene, EigenMaterial, renderer };

@@ -1,9 +1,9 @@
 // <eigen-shade light="park" material="red-fabric2"></eigen-shade>
 
+import { Preview, Scene } from "./index.js";
 import { isChannels, parameters } from "./input.js";
 import { lightOf, materialOf } from "./presets.js";
-import { Preview, checkLook } from "./preview.js";
-import { Scene } from "./scene.js";
+import { checkLook } from "./preview.js";
 import { checkWindow } from "./window.js";
 
 /** @typedef {import("./input.js").MetallicRoughness} MetallicRoughness */

@@ -38,6 +38,22 @@ const UNTURNED = Float32Array.of(0, 0, 0, 1);
 export let prepared;
 
 /**
+ * The light of a scene, for materials other than its own; another object after each change but a
+ * turn.
+ *
+ * @typedef {object} Illumination
+ * @property {Engine} engine
+ * @property {Float32Array} rest the light without its sources
+ * @property {Float32Array} sources all of a light, or the most that a material of any roughness needs
+ * @property {number} effects their bits
+ * @property {number} [components]
+ * @property {import("./window.js").Window} window
+ */
+
+/** @type {(scene: Scene) => Illumination} For materials of three.js, which mix their own reflectance. */
+export let illumination;
+
+/**
  * A light on a material.
  *
  * Setting a light, a turn or a material costs nothing by itself; what depends on it is computed when
@@ -50,6 +66,7 @@ export class Scene {
       scene.#ready();
       return { engine: scene.#engine, ...checked };
     };
+    illumination = (scene) => (scene.#illumination ??= scene.#illuminates());
   }
 
   /** @type {Engine} */
@@ -80,6 +97,8 @@ export class Scene {
   #truncation;
   /** What this scene is now; a new object after each change. */
   #state = {};
+  /** @type {Illumination | undefined} */
+  #illumination;
   /** The material as it is now. */
   #transfer = {};
   #texts = (/** @type {number} */ language) => {
@@ -222,7 +241,7 @@ export class Scene {
       );
     }
     this.#turn.set(rotation);
-    this.#changed();
+    this.#state = {};
     return this;
   }
 
@@ -314,10 +333,29 @@ export class Scene {
     if (!this.isGlossy || this.#effects !== ALL || !this.#gloss) return none;
     const all = this.#sources.length / SOURCE;
     const count = this.#steps ? Math.min(countOf(this.#steps, this.#gloss), all) : all;
+    return this.#apart(count);
+  }
+
+  /** The first sources, and what they leave of the light. */
+  #apart(/** @type {number} */ count) {
     const sources = this.#sources.subarray(0, SOURCE * count);
     const rest = this.#rests.get(count) ?? this.#engine.without(this.#light, sources);
     this.#rests.set(count, rest);
     return { sources, rest };
+  }
+
+  /** @returns {Illumination} */
+  #illuminates() {
+    const all = this.#sources.length / SOURCE;
+    const needed = this.#steps ? Math.max(0, ...this.#steps.map(({ count }) => count)) : all;
+    const none = { sources: new Float32Array(), rest: this.#light };
+    return {
+      ...(this.#effects === ALL ? this.#apart(Math.min(needed, all)) : none),
+      engine: this.#engine,
+      effects: this.#effects,
+      components: this.#components,
+      window: this.#window,
+    };
   }
 
   /**
@@ -477,6 +515,7 @@ export class Scene {
   /** @param {boolean} [chooses] whether window and exposure are chosen anew */
   #changed(chooses = false) {
     this.#state = {};
+    this.#illumination = undefined;
     if (chooses) this.#chosen = { width: 0, exposure: 0 };
   }
 

@@ -2,12 +2,13 @@
 
 import assert from "node:assert/strict";
 import { execFileSync, spawnSync } from "node:child_process";
-import { cpSync, readFileSync, rmSync, writeFileSync } from "node:fs";
+import { cpSync, readFileSync, rmSync, symlinkSync, unlinkSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
 import { after, before, test } from "node:test";
 import { pathToFileURL } from "node:url";
 import { parts } from "../sizes.mjs";
 import { launch, serve } from "./support/browser.js";
+import { glb } from "./support/glb.js";
 import { PACKAGE, installed } from "./support/packed.js";
 
 const README = readFileSync(join(PACKAGE, "README.md"), "utf8");
@@ -33,7 +34,8 @@ test("nothing is missing from the archive, nothing is too much", () => {
   const names = listed.trim().split("\n").map((name) => name.replace(/^package\//, ""));
   for (const name of [
     "LICENSE-APACHE", "LICENSE-MIT", "README.md", "dist/index.js", "dist/element.js", "dist/bundled.js",
-    "index.d.ts", "dom.d.ts", "bundled.d.ts", "element.d.ts", "react.d.ts", "types/index.d.ts",
+    "index.d.ts", "dom.d.ts", "bundled.d.ts", "element.d.ts", "react.d.ts", "three.d.ts", "types/index.d.ts", "types/three.d.ts",
+    "dist/three.js",
     "wasm/eigenshade.wasm", "wasm/eigenshade.simd.wasm", "wasm/eigenshade.relaxed.wasm",
     "wasm/eigenshade.sources.wasm", "wasm/eigenshade.sources.simd.wasm",
     "wasm/eigenshade.sources.relaxed.wasm", "presets/names.json", "presets/light/park.bin", "presets/sources/park.bin",
@@ -45,7 +47,7 @@ test("nothing is missing from the archive, nothing is too much", () => {
 });
 
 test("bundlers find nothing to rewrite in the scripts", () => {
-  for (const name of ["index", "element", "shared"]) {
+  for (const name of ["index", "element", "three", "shared"]) {
     const script = readFileSync(join(folder, `node_modules/eigenshade/dist/${name}.js`), "utf8");
     // Vite and webpack replace this by an address of their own.
     assert.doesNotMatch(script, /new URL\([^()]*import\.meta\.url/);
@@ -118,9 +120,49 @@ test("the pages of README.md draw", async () => {
   server.close();
 });
 
+test("the program of README.md draws a .glb by three.js", async () => {
+  const program = examples("js").find((text) => text.includes("watch.glb"));
+  assert.ok(program.split("\n").filter((line) => line && !line.startsWith("import")).length <= 10);
+  symlinkSync(join(PACKAGE, "node_modules/three"), join(folder, "node_modules/three"));
+  const imports = {
+    eigenshade: "/node_modules/eigenshade/dist/index.js", "eigenshade/three": "/node_modules/eigenshade/dist/three.js",
+    three: "/node_modules/three/build/three.module.js", "three/addons/": "/node_modules/three/examples/jsm/",
+  };
+  const copper = { pbrMetallicRoughness: { baseColorFactor: [0.9, 0.4, 0.2, 1], roughnessFactor: 0.4 } };
+  const server = await serve({
+    "/": `<!doctype html><link rel=icon href=data:,><script type="importmap">${JSON.stringify({ imports })}</script>
+      <canvas></canvas><script type="module">${program}</script>`,
+    "/watch.glb": glb({ material: copper }),
+  }, pathToFileURL(`${folder}/`));
+  const page = await browser.newPage();
+  const faults = [];
+  page.on("pageerror", (fault) => faults.push(fault.message));
+  page.on("console", (message) => ["error", "warning"].includes(message.type()) && faults.push(message.text()));
+  await page.goto(server.address);
+  const middle = () => page.evaluate(() => new Promise((resolve) => requestAnimationFrame(() => requestAnimationFrame(() => {
+    const copy = new OffscreenCanvas(300, 150).getContext("2d");
+    copy.drawImage(document.querySelector("canvas"), 0, 0);
+    resolve([...copy.getImageData(150, 75, 1, 1).data]);
+  }))));
+  let [red, , blue, opacity] = [0, 0, 0, 0];
+  for (let turn = 0; turn < 200 && opacity < 255; turn++) [red, , blue, opacity] = await middle();
+  assert.ok(opacity === 255 && red > 1.2 * blue && red > 20, `${red}, ${blue}, ${opacity}`);
+  assert.deepEqual(faults, []);
+  server.close();
+  await page.close();
+});
+
 test("the declarations are those of a strict program", () => {
+  symlinkSync(join(PACKAGE, "node_modules/@types"), join(folder, "node_modules/@types"));
   writeFileSync(join(folder, "use.mts"), `import { Preview, Scene, lightPreset, presetNames, sphere, type Truncation } from "eigenshade";
     import { EigenShade } from "eigenshade/element";
+    import { EigenMaterial, type EigenOptions } from "eigenshade/three";
+    import { Group, MeshStandardMaterial, Quaternion } from "three";
+    const options: EigenOptions = { view: "camera", exposure: 2, lightRotation: new Quaternion() };
+    const converted = async (scene: Scene): Promise<EigenMaterial[]> => [
+      ...EigenMaterial.convert(new Group(), scene, options), EigenMaterial.from(new MeshStandardMaterial(), scene),
+      new EigenMaterial(scene, { view: new Group(), exposure: "auto", roughness: 0.4 }).clone(),
+    ];
     const element: EigenShade = document.createElement("eigen-shade");
     const shown: Preview | undefined = document.querySelector("eigen-shade")?.preview;
     element.light = await lightPreset("park");
@@ -147,10 +189,11 @@ test("the declarations are those of a strict program", () => {
     await Scene.create({ light: "park", material: "chrome", sources: "all" });
     // @ts-expect-error: there is no such curve
     await preview.then((one) => one.look({ tone: "aces" }));
-    export { element, shown, drawn, pictures, vectors, shared, truncation, presetNames };`);
+    export { converted, element, shown, drawn, pictures, vectors, shared, truncation, presetNames };`);
   const tsc = join(PACKAGE, "node_modules/.bin/tsc");
   const options = ["--noEmit", "--strict", "--target", "es2022", "--module", "nodenext", "--lib", "es2022,dom", "use.mts"];
   execFileSync(tsc, options, { cwd: folder, stdio: "pipe" });
+  unlinkSync(join(folder, "node_modules/@types"));
 });
 
 test("the declarations are those of a program without a page, and of one with JSX", () => {
