@@ -225,7 +225,10 @@ impl PackObject {
         let regions =
             if self.regions == 4 { String::new() } else { format!(" --regions {}", self.regions) };
         let shadows = match &self.material {
-            Some(material) => format!(" --shadows --material {} --codes {}", material.named(), self.codes),
+            Some(material) => {
+                let material = name(material.path());
+                format!(" --shadows --material {material} --codes {}", self.codes)
+            }
             None => String::new(),
         };
         let only = if self.has_normals_only { " --normals-only" } else { "" };

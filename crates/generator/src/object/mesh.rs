@@ -48,7 +48,7 @@ pub fn load(file: &InputFile) -> Result<Mesh> {
 /// # Errors
 ///
 /// Those of [`read`].
-pub(crate) fn surface(file: &InputFile, view: &View) -> Result<Surface> {
+pub fn surface(file: &InputFile, view: &View) -> Result<Surface> {
     let surface = Surface::new(file, &load(file)?, view)?;
     surface.check_front()?;
     Ok(surface)
