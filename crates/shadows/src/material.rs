@@ -10,52 +10,82 @@ use eigenshade_table::material;
 pub enum Material<'a> {
     /// A BRDF by a formula.
     Formula(&'a dyn Brdf),
-    /// The coefficients of a BRDF, up to some order.
+    /// The coefficients of a BRDF, to an order of at most 16; those beyond are ignored.
     Series(&'a [f64]),
 }
 
-/// A material seen from one angle.
-pub(crate) enum Seen<'a> {
-    Formula(&'a dyn Brdf),
-    /// For each q the coefficients of ρ^q, ρ^(q + 2), ... in front of cos qΔφ.
-    Series(Vec<Vec<f64>>),
+/// The largest order of a series, and its terms in ρ and cos qΔφ.
+const MOST_ORDER: usize = 16;
+const MOST_TERMS: usize = 81;
+
+/// Materials seen from one angle.
+pub(crate) struct Seen<'a> {
+    formulas: Vec<(usize, &'a dyn Brdf)>,
+    /// For each material by a series its number, and the coefficients of ρ^q, ρ^(q + 2), ... in front
+    /// of cos qΔφ, for q = 0, 1, ... to the largest order.
+    series: Vec<(usize, Vec<f64>)>,
+    order: usize,
 }
 
-impl<'a> Material<'a> {
-    /// The material as seen at an angle with this cosine.
-    pub(crate) fn seen(&self, cosine: f64) -> Seen<'a> {
-        match *self {
-            Self::Formula(brdf) => Seen::Formula(brdf),
-            Self::Series(coefficients) => Seen::Series(series(coefficients, cosine)),
-        }
-    }
-}
-
-impl Seen<'_> {
-    pub(crate) fn value(&self, at: Geometry) -> f64 {
-        match self {
-            Self::Formula(brdf) => brdf.value(at),
-            Self::Series(series) => {
-                let square = 1.0 - at.incident;
-                let (radius, cosine) = (square.max(0.0).sqrt(), at.azimuth_cosine());
-                let (mut power, mut sum) = (1.0, 0.0);
-                // T_q and T_(q - 1) of the cosine.
-                let (mut now, mut before) = (1.0, cosine);
-                for of_q in series {
-                    let value = of_q.iter().rev().fold(0.0, |sum, one| sum * square + one);
-                    sum += power * now * value;
-                    power *= radius;
-                    (now, before) = (2.0 * cosine * now - before, now);
+impl<'a> Seen<'a> {
+    /// Materials at an angle with this cosine.
+    pub(crate) fn new(materials: &[Material<'a>], cosine: f64) -> Self {
+        let orders = materials.iter().map(|material| match material {
+            Material::Formula(_) => 0,
+            Material::Series(coefficients) => order(coefficients),
+        });
+        let order = orders.max().unwrap_or(0);
+        let mut seen = Self { formulas: Vec::new(), series: Vec::new(), order };
+        for (number, material) in materials.iter().enumerate() {
+            match material {
+                Material::Formula(brdf) => seen.formulas.push((number, *brdf)),
+                Material::Series(coefficients) => {
+                    let series = series(order, coefficients, cosine);
+                    seen.series.push((number, series.concat()));
                 }
-                sum
             }
         }
+        seen
     }
+
+    /// The BRDF of each material.
+    #[inline]
+    pub(crate) fn values(&self, at: Geometry, values: &mut [f64]) {
+        for (number, brdf) in &self.formulas {
+            values[*number] = brdf.value(at);
+        }
+        if self.series.is_empty() {
+            return;
+        }
+        let square = (1.0 - at.incident).max(0.0);
+        let (radius, cosine) = (square.sqrt(), at.azimuth_cosine());
+        let (mut terms, mut count) = ([0.0; MOST_TERMS], 0);
+        // ρ^q, and T_q and T_(q - 1) of the cosine.
+        let (mut power, mut now, mut before) = (1.0, 1.0, cosine);
+        for q in 0..=self.order {
+            let mut term = power * now;
+            for _ in 0..=(self.order - q) / 2 {
+                terms[count] = term;
+                term *= square;
+                count += 1;
+            }
+            power *= radius;
+            (now, before) = (2.0 * cosine * now - before, now);
+        }
+        for (number, series) in &self.series {
+            values[*number] = series.iter().zip(&terms).map(|(a, b)| a * b).sum();
+        }
+    }
+}
+
+/// The order of so many coefficients.
+fn order(coefficients: &[f64]) -> usize {
+    let fits = |&order: &usize| material::count(order) >= coefficients.len();
+    (0..MOST_ORDER).find(fits).unwrap_or(MOST_ORDER)
 }
 
 /// Σ_op norm b_op^q (R_o^q(ρ) R_p^q(ρ_r) + R_p^q(ρ) R_o^q(ρ_r)) as polynomials in ρ.
-fn series(coefficients: &[f64], cosine: f64) -> Vec<Vec<f64>> {
-    let order = (0..).find(|&order| material::count(order) >= coefficients.len()).unwrap_or(0);
+fn series(order: usize, coefficients: &[f64], cosine: f64) -> Vec<Vec<f64>> {
     let seen = (1.0 - cosine).max(0.0).sqrt();
     let mut series: Vec<Vec<f64>> =
         (0..=order).map(|q| vec![0.0; (order - q) / 2 + 1]).collect();
@@ -99,9 +129,11 @@ mod tests {
             let coefficients = &coefficients[..count];
             for (theta_i, theta_r, phi) in [(0.3, 1.1, 2.0), (1.5, 0.2, 0.0), (0.0, 0.7, 0.5)] {
                 let at = Geometry::from_angles(theta_i, theta_r, phi);
-                let seen = Material::Series(coefficients).seen(f64::cos(theta_r));
+                let seen = Seen::new(&[Material::Series(coefficients)], f64::cos(theta_r));
                 let expected = brdf(order, coefficients, theta_i, theta_r, phi);
-                let found = seen.value(at);
+                let mut found = [0.0];
+                seen.values(at, &mut found);
+                let [found] = found;
                 // At θ_i = 0 the azimuth is not defined, and only q = 0 is left.
                 assert!((found - expected).abs() < 1e-9, "{order}: {found} {expected}");
             }

@@ -4,7 +4,7 @@
 //! directions that the point sees, so that its irradiance under a light L is Σ_k T_k L_k.
 
 use crate::directions::{FINE, RAYS, cells, ray_of};
-use crate::material::Material;
+use crate::material::{Material, Seen};
 use crate::visibility::Occluders;
 use eigenshade_generator::material::brdf::Geometry;
 use eigenshade_generator::object::points::Point;
@@ -23,10 +23,12 @@ const BATCH: usize = 64;
 
 /// Points of one pixel of similar normals, and what they see.
 struct Group {
+    /// The mean of their normals.
     normal: [f64; 3],
-    count: f32,
-    /// How many of the points see each cell of rays.
-    seen: Vec<f32>,
+    /// Their share of the pixel's points.
+    share: f64,
+    /// Whether they see each cell of rays.
+    seen: Vec<bool>,
 }
 
 /// The transports of pixels, each given by its points, on each of these materials: for each material
@@ -48,12 +50,13 @@ pub fn transports(
         let pixels = &pixels[batch * BATCH..((batch + 1) * BATCH).min(pixels.len())];
         let groups: Vec<Vec<Group>> =
             pixels.iter().map(|points| groups(points, occluders)).collect();
-        let of_material = |material: &Material<'_>| {
-            let mut weights = Mat::<f32>::zeros(cells.len(), pixels.len());
-            for (pixel, groups) in groups.iter().enumerate() {
-                let column = weights.col_as_slice_mut(pixel);
-                groups.iter().for_each(|group| group.add(material, &cells, column));
-            }
+        let mut weights = vec![Mat::<f32>::zeros(cells.len(), pixels.len()); materials.len()];
+        for (pixel, groups) in groups.iter().enumerate() {
+            let mut columns: Vec<&mut [f32]> =
+                weights.iter_mut().map(|weights| weights.col_as_slice_mut(pixel)).collect();
+            groups.iter().for_each(|group| group.add(materials, &cells, &mut columns));
+        }
+        let product = |weights: Mat<f32>| {
             let mut product = Mat::<f32>::zeros(pixels.len(), light.ncols());
             faer::linalg::matmul::matmul(
                 &mut product,
@@ -65,7 +68,7 @@ pub fn transports(
             );
             product
         };
-        materials.iter().map(of_material).collect::<Vec<_>>()
+        weights.into_iter().map(product).collect::<Vec<_>>()
     });
     (0..materials.len())
         .map(|material| {
@@ -83,55 +86,52 @@ pub fn directions() -> Vec<([f64; 3], f64)> {
 }
 
 fn groups(points: &[Point], occluders: Option<&Occluders>) -> Vec<Group> {
-    let mut groups: Vec<(Vec<[f64; 3]>, Group)> = Vec::new();
+    let mut groups: Vec<Vec<Point>> = Vec::new();
     for point in points {
-        let seen: Vec<f32> = match occluders {
-            Some(occluders) => occluders.seen(point).into_iter().map(f32::from).collect(),
-            None => vec![1.0; RAYS * RAYS],
-        };
-        let found = groups.iter_mut().find(|(normals, _)| dot(normals[0], point.normal) > TOGETHER);
-        match found {
-            Some((normals, group)) => {
-                normals.push(point.normal);
-                group.count += 1.0;
-                group.seen.iter_mut().zip(seen).for_each(|(sum, one)| *sum += one);
-            }
-            None => {
-                let group = Group { normal: point.normal, count: 1.0, seen };
-                groups.push((vec![point.normal], group));
-            }
+        let near = |group: &&mut Vec<Point>| dot(group[0].normal, point.normal) > TOGETHER;
+        match groups.iter_mut().find(near) {
+            Some(group) => group.push(*point),
+            None => groups.push(vec![*point]),
         }
     }
-    let all = points.len() as f32;
-    groups
-        .into_iter()
-        .map(|(normals, mut group)| {
-            let sum =
-                normals.iter().fold([0.0; 3], |sum, normal| [0, 1, 2].map(|k| sum[k] + normal[k]));
-            let length = dot(sum, sum).sqrt();
-            group.normal = sum.map(|along| along / length);
-            group.seen.iter_mut().for_each(|seen| *seen /= all);
-            group
-        })
-        .collect()
+    let group = |members: Vec<Point>| {
+        let add = |sum: [f64; 3], point: &Point| [0, 1, 2].map(|k| sum[k] + point.normal[k]);
+        let sum = members.iter().fold([0.0; 3], add);
+        let length = dot(sum, sum).sqrt();
+        Group {
+            normal: sum.map(|along| along / length),
+            share: members.len() as f64 / points.len() as f64,
+            seen: match occluders {
+                Some(occluders) => occluders.seen(&members),
+                None => vec![true; RAYS * RAYS],
+            },
+        }
+    };
+    groups.into_iter().map(group).collect()
 }
 
 impl Group {
-    /// Adds f V (n·w) dw of each direction.
-    fn add(&self, material: &Material<'_>, cells: &[([f64; 3], f64)], weights: &mut [f32]) {
+    /// Adds f (n·w) dw of each direction that is seen, for each material.
+    fn add(
+        &self,
+        materials: &[Material<'_>],
+        cells: &[([f64; 3], f64)],
+        columns: &mut [&mut [f32]],
+    ) {
         let reflected = self.normal[2].max(RIM);
-        let material = material.seen(reflected);
-        for (cell, ((direction, angle), weight)) in cells.iter().zip(weights).enumerate() {
-            let seen = self.seen[ray_of(cell)];
-            if seen == 0.0 {
-                continue;
-            }
+        let seen = Seen::new(materials, reflected);
+        let mut values = vec![0.0; materials.len()];
+        for (cell, (direction, angle)) in cells.iter().enumerate() {
             let incident = dot(self.normal, *direction);
-            if incident <= 0.0 {
+            if incident <= 0.0 || !self.seen[ray_of(cell)] {
                 continue;
             }
             let at = Geometry { incident: incident.min(1.0), reflected, between: direction[2] };
-            *weight += seen * (material.value(at) * incident * angle) as f32;
+            seen.values(at, &mut values);
+            let weight = self.share * incident * angle;
+            for (column, value) in columns.iter_mut().zip(&values) {
+                column[cell] += (weight * value) as f32;
+            }
         }
     }
 }

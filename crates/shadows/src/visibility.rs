@@ -43,24 +43,28 @@ impl Occluders {
         Self { bvh, triangles, rays }
     }
 
-    /// For each cell of rays 1 if the point sees it, and 0 if not or if it is below the horizon of the
-    /// point's normal.
+    /// Whether points of similar normals see each cell of rays, which they take in turns. What is below
+    /// the horizon of its point's normal is not seen.
     #[must_use]
-    pub fn seen(&self, point: &Point) -> Vec<u8> {
-        let start = [0, 1, 2].map(|axis| point.position[axis] + START * point.facet[axis]);
-        let start = Vec3A::from_array(start.map(|along| along as f32));
-        let seen = |ray: &[f64; 3]| {
-            let above = |normal: [f64; 3]| ray.iter().zip(normal).map(|(a, b)| a * b).sum::<f64>();
-            if above(point.normal) <= 0.0 {
-                return 0;
-            }
-            let direction = Vec3A::from_array(ray.map(|along| along as f32));
-            let ray = Ray::new_inf(start, direction);
-            let is_free = self.bvh.ray_traverse_miss(ray, |ray, place| {
-                self.triangles[place].intersect(ray)
-            });
-            u8::from(is_free)
+    pub fn seen(&self, points: &[Point]) -> Vec<bool> {
+        let starts: Vec<Vec3A> = points.iter().map(start).collect();
+        let seen = |(cell, ray): (usize, &[f64; 3])| {
+            let turn = (cell % RAYS + 2 * (cell / RAYS)) % points.len();
+            let above = ray.iter().zip(points[turn].normal).map(|(a, b)| a * b).sum::<f64>() > 0.0;
+            above && self.is_free(starts[turn], *ray)
         };
-        self.rays.iter().map(seen).collect()
+        self.rays.iter().enumerate().map(seen).collect()
     }
+
+    fn is_free(&self, start: Vec3A, ray: [f64; 3]) -> bool {
+        let direction = Vec3A::from_array(ray.map(|along| along as f32));
+        let ray = Ray::new_inf(start, direction);
+        self.bvh.ray_traverse_miss(ray, |ray, place| self.triangles[place].intersect(ray))
+    }
+}
+
+/// The start of the rays of a point.
+fn start(point: &Point) -> Vec3A {
+    let start = [0, 1, 2].map(|axis| point.position[axis] + START * point.facet[axis]);
+    Vec3A::from_array(start.map(|along| along as f32))
 }
