@@ -10,6 +10,7 @@ use eigenshade_model::error::{Error, Result};
 use eigenshade_model::inputs::input_file::InputFile;
 use eigenshade_model::inputs::normals::visible;
 use eigenshade_model::vector::dot;
+use eigenshade_shading::picture::Pixel;
 use eigenshade_shading::textured::Texel;
 use sample::{Sampler, Shown};
 
@@ -58,6 +59,15 @@ pub struct Covered {
     pub coverage: f64,
     /// The number of texels.
     pub texels: usize,
+}
+
+impl Covered {
+    /// The pixel of a picture.
+    #[must_use]
+    pub fn pixel(&self) -> Pixel {
+        let Self { column, row, coverage, .. } = *self;
+        Pixel { column, row, coverage, is_inside: coverage >= 0.5 }
+    }
 }
 
 impl Texels {

@@ -1,10 +1,11 @@
 //! The object of a picture: a sphere, a mesh or a normal map, or the look-up of a matcap.
 
-use crate::picture::{Pixel, SphereView};
+use crate::picture::SphereView;
 use eigenshade::Normal;
 use eigenshade::object::{Matcap, NormalMap};
 use eigenshade_model::error::{Error, Result};
 use eigenshade_model::inputs::input_file::InputFile;
+use eigenshade_shading::picture::Pixel;
 
 /// Pixels across a sphere and a mesh, unless the caller asks for another number.
 pub const SIZE: usize = 512;
@@ -239,18 +240,10 @@ fn of_gltf(file: &InputFile, options: ObjectOptions) -> Result<ObjectView> {
             parts.for_each(|(sum, part)| *sum += f64::from(*share) * part);
         }
         let Ok(normal) = visible(sum) else { continue };
-        view.pixels.push(pixel_of(covered));
+        view.pixels.push(covered.pixel());
         view.normals.push(normal);
     }
     Ok(view)
-}
-
-/// The pixel of a picture.
-#[cfg(feature = "generate")]
-#[must_use]
-pub fn pixel_of(covered: &eigenshade_asset::texels::Covered) -> Pixel {
-    let eigenshade_asset::texels::Covered { column, row, coverage, .. } = *covered;
-    Pixel { column, row, coverage, is_inside: coverage >= 0.5 }
 }
 
 #[cfg(not(feature = "generate"))]

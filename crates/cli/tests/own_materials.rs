@@ -120,6 +120,27 @@ fn pictures_and_messages() {
     }
 }
 
+#[expect(dead_code, reason = "its `main` draws a file that is not there")]
+#[path = "../../asset/examples/draw_glb.rs"]
+mod program;
+
+/// The ten lines of the README of `eigenshade-asset` draw the bytes that `render` does.
+#[test]
+fn a_program_draws_the_same_picture() {
+    let text = include_str!("../../asset/examples/draw_glb.rs");
+    let (_, program) = text.split_once("\n\n").expect("a comment");
+    let readme = include_str!("../../asset/README.md");
+    assert!(readme.contains(&format!("```rust\n{program}```")), "{program}");
+    let folder = Folder::new();
+    let material =
+        r#""pbrMetallicRoughness":{"baseColorFactor":[0.9,0.6,0.3,1],"roughnessFactor":0.3}"#;
+    folder.write("a.glb", sphere(material).bytes());
+    let path = |name| folder.path(name).display().to_string();
+    program::draw(&path("a.glb"), "lobby", &path("program.png")).expect("a picture");
+    folder.ok("render --object a.glb --light lobby --out render.png");
+    assert!(folder.bytes("program.png") == folder.bytes("render.png"));
+}
+
 /// A box whose sides have colors, as a polygon file.
 fn colored_box() -> String {
     let mut corners = String::new();

@@ -7,8 +7,9 @@ mod pictures;
 
 use clap::{Args, Parser};
 use eigenshade_cli::messages::{printable, progress_bar, spinner};
-use eigenshade_cli::output::{self, write_error};
+use eigenshade_cli::output;
 use eigenshade_model::error::{Error, Result};
+use eigenshade_model::output::write_error;
 use report::sheet::{Purpose, compare_cells};
 use report::{palette_errors, reading, roughness_weights, sheet, stability};
 use std::io::Write;

@@ -1,12 +1,12 @@
 //! A coarse picture of a sphere, which meters an exposure and chooses a window before the picture
 //! itself is drawn.
 
+use crate::shader::{Lit, OwnedNormals, Shader, fault};
 use eigenshade::screen::{Exposure, Meter};
 use eigenshade::{Highlights, Rgb};
 use eigenshade_model::error::Result;
 use eigenshade_model::evaluation::Evaluator;
 use eigenshade_model::window::Window;
-use eigenshade_shading::shader::{Lit, OwnedNormals, Shader, fault};
 use eigenshade_table::Table;
 use eigenshade_table::highlights::MAX_SOURCES;
 use std::f64::consts::PI;

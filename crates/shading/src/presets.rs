@@ -1,5 +1,6 @@
 //! Lights and materials as options name them: shipped ones, all of a file, or one of a file.
 
+use crate::highlights;
 use eigenshade_model::database::{Lights, Materials, Named, name_remedy};
 use eigenshade_model::error::{Error, Result, STANDARD_INPUT};
 use eigenshade_model::inputs::coefficient_csv::{read_lights, read_materials};
@@ -9,7 +10,6 @@ use eigenshade_model::inputs::source_csv::read_sources;
 use eigenshade_model::inputs::source_error_csv::read_source_errors;
 use eigenshade_model::shipped;
 use eigenshade_model::source::{NamedGloss, Source as SmallSource, SourceError};
-use eigenshade_shading::highlights;
 use std::convert::Infallible;
 use std::path::{Path, PathBuf};
 use std::str::FromStr;
