@@ -95,7 +95,8 @@ impl ObjectOptions {
     /// Fails if an option is not for this kind of object.
     pub fn check(&self, file: &InputFile) -> Result<()> {
         if self.flip_green && file.extension() != "png" {
-            return Err(flips_no_map(file));
+            let what = "--flip-green is for a normal map (.png)";
+            return Err(Error::new(what, "leave it out").in_file(file.path()));
         }
         if (self.is_flat || self.rotation.is_some()) && !is_mesh(file) {
             let what = "--flat, --view and --rotate-object are for a mesh";
@@ -173,17 +174,13 @@ impl ObjectView {
 }
 
 /// Whether a file has the extension of a mesh, or of glTF.
-fn is_mesh(file: &InputFile) -> bool {
+#[must_use]
+pub fn is_mesh(file: &InputFile) -> bool {
     file.is_mesh() || is_gltf(file)
 }
 
 fn is_gltf(file: &InputFile) -> bool {
     ["glb", "gltf"].contains(&file.extension().as_str())
-}
-
-/// The error of flipping green in anything but a normal map.
-pub(crate) fn flips_no_map(file: &InputFile) -> Error {
-    Error::new("--flip-green is for a normal map (.png)", "leave it out").in_file(file.path())
 }
 
 /// The coverage from which on a pixel is whole in a [`NormalMap`].
