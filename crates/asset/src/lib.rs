@@ -21,6 +21,7 @@ mod buffers;
 mod gltf_file;
 mod gltf_materials;
 mod gltf_meshes;
+mod gltf_pose;
 mod wavefront;
 
 mod tangents;
