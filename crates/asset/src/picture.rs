@@ -1,7 +1,7 @@
 //! Pictures of objects in their own materials.
 
 use crate::asset::Asset;
-use crate::texels::{Covered, Texels};
+use crate::texels::{Samples, Texels};
 use eigenshade::screen::{Exposure, Tone};
 use eigenshade::{Effect, Highlights, Rgb};
 use eigenshade_generator::object::surface::View;
@@ -19,9 +19,10 @@ use eigenshade_shading::picture::{Development, Pixel};
 use eigenshade_shading::presets::Source;
 use eigenshade_shading::preview::Preview;
 use eigenshade_shading::shader::{Shader, fault, fitted};
-use eigenshade_shading::textured::{Texel, irradiance};
+use eigenshade_shading::textured::{Blend, Texel, irradiance};
 use eigenshade_table::Table;
 use eigenshade_table::effect::Effects;
+use std::ops::Range;
 use std::path::Path;
 
 /// The largest order of the series of glTF's materials.
@@ -29,6 +30,9 @@ const MOST_ORDER: usize = 12;
 
 /// The most sources that are taken without being asked for.
 const MOST: usize = 8;
+
+/// Pixels whose texels are in memory together.
+const BAND: usize = 1 << 20;
 
 /// How a picture is drawn.
 #[derive(Clone, Copy, Debug)]
@@ -82,8 +86,6 @@ impl Default for Settings<'_> {
 pub struct Picture {
     /// Pixels across and down.
     pub size: usize,
-    /// The pixels that the object covers, each with its irradiance.
-    pub pixels: Vec<(Pixel, Rgb<f32>)>,
     /// The number of sources that were shaded on their own.
     pub sources: usize,
     /// The window of the light.
@@ -91,10 +93,23 @@ pub struct Picture {
     /// A note if the picture is not close on a screen.
     pub note: Option<String>,
     development: Development,
+    pixels: Vec<Shown>,
+}
+
+/// A pixel that the object covers, and its irradiance.
+#[derive(Clone, Copy, Debug)]
+struct Shown {
+    column: u16,
+    row: u16,
+    coverage: f32,
+    color: Rgb<f32>,
 }
 
 impl Picture {
     /// Draws an object under a light.
+    ///
+    /// Memory: that of [`Texels::of`] without the texels, 20 bytes for each pixel, and at most 200 MB
+    /// for texels, in bands of rows. Objects in more than one band are sampled twice.
     ///
     /// # Errors
     ///
@@ -106,20 +121,21 @@ impl Picture {
         light: &Source,
         settings: &Settings<'_>,
     ) -> Result<Self> {
-        let shipped = match settings.table {
-            Some(_) => None,
-            None => Some(shipped_table()?),
+        let shipped;
+        let table = match settings.table {
+            Some(table) => table,
+            None => {
+                shipped = shipped_table()?;
+                &shipped
+            }
         };
-        let scene = match settings.table.or(shipped.as_ref()) {
-            Some(table) => Scene { table, light, settings },
-            None => return Err(Error::new("no table", "give one")),
-        };
-        if !scene.table.scene.effects.color {
+        if !table.scene.effects.color {
             let what = "the table has no color, and an object's materials do";
             return Err(Error::new(what, "use --table pbr"));
         }
-        let texels = Texels::of(file, asset, settings.size, &settings.view)?;
-        scene.draw(&file.path().display().to_string(), &texels)
+        let samples = Samples::new(file, asset, settings.size, &settings.view)?;
+        let scene = Scene { table, light, settings };
+        scene.draw(&file.path().display().to_string(), &samples)
     }
 
     /// How its irradiances become pixels of a file.
@@ -135,17 +151,19 @@ impl Picture {
     /// If the file, its folder or the disk fails.
     pub fn write_png(&self, path: impl AsRef<Path>) -> Result<()> {
         let size = [self.size; 2];
-        self.development.write_png(path.as_ref(), size, &mut |show| self.draw(show))
+        self.development.write_png(path.as_ref(), size, &mut |show| {
+            self.draw(show);
+            Ok(())
+        })
     }
 
     /// Calls its argument with each pixel and its irradiance.
-    ///
-    /// # Errors
-    ///
-    /// None.
-    pub fn draw(&self, show: &mut dyn FnMut(Pixel, Rgb<f32>)) -> Result<()> {
-        self.pixels.iter().for_each(|(pixel, color)| show(*pixel, *color));
-        Ok(())
+    pub fn draw(&self, show: &mut dyn FnMut(Pixel, Rgb<f32>)) {
+        for Shown { column, row, coverage, color } in &self.pixels {
+            let [column, row] = [column, row].map(|place| usize::from(*place));
+            let coverage = f64::from(*coverage);
+            show(Pixel { column, row, coverage, is_inside: coverage >= 0.5 }, *color);
+        }
     }
 }
 
@@ -162,11 +180,23 @@ struct Scene<'a> {
 }
 
 impl Scene<'_> {
-    fn draw(&self, name: &str, texels: &Texels) -> Result<Picture> {
+    fn draw(&self, name: &str, samples: &Samples<'_>) -> Result<Picture> {
         let Settings { effects, rotation, exposure, tone, .. } = *self.settings;
         let Lights { degree, entries } = self.light.lights()?;
         let lights = Lights { degree, entries: vec![self.light.only(entries)?] };
-        let smooth = smooth(&texels.texels);
+        let size = self.settings.size;
+        let bands: Vec<Range<usize>> = (0..size)
+            .step_by((BAND / size).max(1))
+            .map(|row| row..size.min(row + (BAND / size).max(1)))
+            .collect();
+        let (mut summary, mut first) = (Summary::default(), None);
+        for rows in &bands {
+            let texels = samples.rows(rows.clone());
+            summary.add(&texels.texels);
+            first = first.or(Some(texels));
+        }
+        let blend = Blend::of(summary.roughnesses.iter().copied())?;
+        let smooth = summary.smooth()?;
         let order = self.table.gram.order.min(MOST_ORDER);
         let material = Named { name: name.to_owned(), rgb: smooth.material(order)? };
         let materials = Materials { order, entries: vec![material] };
@@ -204,10 +234,16 @@ impl Scene<'_> {
             window.apply(channel);
         }
         let mut shader = shader.with_effects(effects)?;
-        let colors = irradiance(&mut shader, &lights.entries[0], order, &texels.texels, &sources)?;
+        let mut pixels = Vec::new();
+        for rows in bands {
+            let texels = first.take().unwrap_or_else(|| samples.rows(rows));
+            let shown = (&blend, &texels.texels[..]);
+            let colors = irradiance(&mut shader, &lights.entries[0], order, shown, &sources)?;
+            add(&mut pixels, &texels, &colors);
+        }
         Ok(Picture {
-            size: texels.size,
-            pixels: pixels(texels, &colors),
+            size,
+            pixels,
             sources: sources.len(),
             window,
             note,
@@ -245,23 +281,51 @@ impl Scene<'_> {
     }
 }
 
-/// The mean of texels, with a roughness that one in twenty is below.
-fn smooth(texels: &[Texel]) -> Texel {
-    let mut roughness: Vec<f32> = texels.iter().map(|texel| texel.roughness).collect();
-    let place = roughness.len() / 20;
-    let (_, least, _) = roughness.select_nth_unstable_by(place, f32::total_cmp);
-    Texel { roughness: *least, ..Texel::mean(texels) }
+/// What chooses the sources and the window of a picture.
+#[derive(Default)]
+struct Summary {
+    matte: [f64; 3],
+    reflectance: [f64; 3],
+    roughnesses: Vec<f32>,
 }
 
-/// The pixels, each with the mean color of its texels.
-fn pixels(texels: &Texels, colors: &[Rgb<f32>]) -> Vec<(Pixel, Rgb<f32>)> {
-    let mut shown = colors.iter().zip(&texels.shares);
-    let pixel = |covered: &Covered| {
-        let mut sum = Rgb::gray(0.0);
-        for (color, share) in shown.by_ref().take(covered.texels) {
-            sum = sum + color.map(|channel| share * channel);
+impl Summary {
+    fn add(&mut self, texels: &[Texel]) {
+        for texel in texels {
+            for c in 0..3 {
+                self.matte[c] += f64::from(texel.matte[c]);
+                self.reflectance[c] += f64::from(texel.reflectance[c]);
+            }
+            self.roughnesses.push(texel.roughness);
         }
-        (covered.pixel(), sum)
-    };
-    texels.pixels.iter().map(pixel).collect()
+    }
+
+    /// The mean of the texels, with a roughness that one in twenty is below.
+    fn smooth(mut self) -> Result<Texel> {
+        let count = self.roughnesses.len();
+        if count == 0 {
+            return Err(Error::new("nothing of it is seen", "turn it with --view"));
+        }
+        let (_, roughness, _) = self.roughnesses.select_nth_unstable_by(count / 20, f32::total_cmp);
+        let mean = |sum: f64| (sum / count as f64) as f32;
+        Ok(Texel {
+            normal: [0.0, 0.0, 1.0],
+            matte: self.matte.map(mean),
+            reflectance: self.reflectance.map(mean),
+            roughness: *roughness,
+        })
+    }
+}
+
+/// Adds pixels, each with the mean color of its texels.
+fn add(pixels: &mut Vec<Shown>, texels: &Texels, colors: &[Rgb<f32>]) {
+    let mut shown = colors.iter().zip(&texels.shares);
+    pixels.extend(texels.pixels.iter().map(|covered| {
+        let mut color = Rgb::gray(0.0);
+        for (one, share) in shown.by_ref().take(covered.texels) {
+            color = color + one.map(|channel| share * channel);
+        }
+        let [column, row] = [covered.column, covered.row].map(|place| place as u16);
+        Shown { column, row, coverage: covered.coverage as f32, color }
+    }));
 }

@@ -1,6 +1,6 @@
 //! `render --object` with the object's own materials.
 
-use crate::support::files::{decoded, gray_png, png};
+use crate::support::files::{decoded, gray_png, normal_map, png};
 use crate::support::{Folder, assert_fails};
 use eigenshade_generator::light::environment::EnvironmentMap;
 use eigenshade_testing::glb::Glb;
@@ -109,8 +109,12 @@ fn pictures_and_messages() {
     folder.ok("render --object a.glb --light lobby --material chrome --size 32 --out b.png");
     assert!(folder.bytes("a.png") != folder.bytes("b.png"));
     folder.ok("pack-normals a.glb --size 32 --view top --out a.bin");
+    // A map without a mesh has the material that is given.
+    folder.write("map.png", normal_map(BitDepth::Eight));
+    folder.ok("render --object map.png --light lobby --material chrome --size 32 --out b.png");
     for (options, fragments) in [
         ("--object sphere", &["no material, and the object has none", "--material"][..]),
+        ("--object map.png", &["no material, and the object has none", "--material"]),
         ("--object none.glb", &["none.glb"]),
         ("--object a.glb --format f64", &["drawn in f32"]),
         ("--object a.glb --flip-green --material chrome", &["--flip-green is for a normal map"]),
@@ -139,6 +143,22 @@ fn a_program_draws_the_same_picture() {
     program::draw(&path("a.glb"), "lobby", &path("program.png")).expect("a picture");
     folder.ok("render --object a.glb --light lobby --out render.png");
     assert!(folder.bytes("program.png") == folder.bytes("render.png"));
+}
+
+/// A mirror is drawn as a roughness of 0.2 with the highlights of lamps, and a note has the error.
+#[test]
+fn a_mirror_is_far_off() {
+    let folder = Folder::new();
+    let material = r#""pbrMetallicRoughness":{"roughnessFactor":0}"#;
+    folder.write("a.glb", sphere(material).bytes());
+    let message = folder.messages("render --object a.glb --light lobby --size 32 --out a.png");
+    assert!(
+        message.contains("note: `a.glb` is sharper than degree 12, order 12 with"),
+        "{message}"
+    );
+    assert!(message.contains("has an estimated screen error of"), "{message}");
+    let (_, _, bytes) = decoded(&folder.path("a.png"));
+    assert!(bytes.iter().any(|byte| *byte > 0 && *byte < 255));
 }
 
 /// A box whose sides have colors, as a polygon file.

@@ -59,14 +59,20 @@ impl<'s> Preview<'s> {
         Ok(colors)
     }
 
-    /// The metered exposure of the channels of a light, each on that of a material. Fails as
-    /// the shader does.
+    /// The metered exposure of the channels of a light, each on that of a material.
+    ///
+    /// # Errors
+    ///
+    /// As the shader.
     pub fn exposure(&mut self, channels: &[Lit<'_>; 3]) -> Result<Exposure> {
         Ok(metered(&self.colors(channels)?))
     }
 
     /// The weakest window of the light without dark rings under an exposure, or the metered one.
-    /// Fails as the shader does.
+    ///
+    /// # Errors
+    ///
+    /// As the shader.
     pub fn window(
         &mut self,
         channels: &[Lit<'_>; 3],

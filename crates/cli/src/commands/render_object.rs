@@ -60,7 +60,10 @@ impl Render {
         let picture = Picture::of(file, asset, light, &settings)?;
         progress.finish_and_clear();
         let Picture { size, sources, window, .. } = picture;
-        let mut draw = |show: &mut dyn FnMut(_, _)| picture.draw(show);
+        let mut draw = |show: &mut dyn FnMut(_, _)| {
+            picture.draw(show);
+            Ok(())
+        };
         kind.write(&self.out, [size; 2], picture.development(), &mut draw)?;
         print_message(Drawing { table: choice.path(), components, sources, window });
         dark.into_iter().chain(picture.note).for_each(print_message);
