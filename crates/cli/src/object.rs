@@ -219,26 +219,26 @@ fn of_file(file: InputFile, options: ObjectOptions) -> Result<ObjectView> {
 /// The mean normals of the pixels of a glTF file, whatever its materials.
 #[cfg(feature = "generate")]
 fn of_gltf(file: &InputFile, options: ObjectOptions) -> Result<ObjectView> {
-    use eigenshade_asset::{asset::Asset, texels::Texels};
+    use eigenshade_asset::{asset::Asset, texels::Samples};
     use eigenshade_model::inputs::normals::visible;
     let asset = Asset::read(file)?.unwrap_or_default();
-    let found = Texels::of(file, &asset, options.size.unwrap_or(SIZE), &options.view())?;
-    let mut view = ObjectView {
-        width: found.size,
-        height: found.size,
-        pixels: Vec::new(),
-        normals: Vec::new(),
-    };
-    let mut texels = found.texels.iter().zip(&found.shares);
-    for covered in &found.pixels {
-        let mut sum = [0.0; 3];
-        for (texel, share) in texels.by_ref().take(covered.texels) {
-            let parts = sum.iter_mut().zip(texel.normal);
-            parts.for_each(|(sum, part)| *sum += f64::from(*share) * part);
+    let size = options.size.unwrap_or(SIZE);
+    let samples = Samples::new(file, &asset, size, &options.view())?;
+    let mut view =
+        ObjectView { width: size, height: size, pixels: Vec::new(), normals: Vec::new() };
+    for row in 0..size {
+        let found = samples.rows(row..row + 1);
+        let mut texels = found.texels.iter().zip(&found.shares);
+        for covered in &found.pixels {
+            let mut sum = [0.0; 3];
+            for (texel, share) in texels.by_ref().take(covered.texels) {
+                let parts = sum.iter_mut().zip(texel.normal);
+                parts.for_each(|(sum, part)| *sum += f64::from(*share) * part);
+            }
+            let Ok(normal) = visible(sum) else { continue };
+            view.pixels.push(covered.pixel());
+            view.normals.push(normal);
         }
-        let Ok(normal) = visible(sum) else { continue };
-        view.pixels.push(covered.pixel());
-        view.normals.push(normal);
     }
     Ok(view)
 }
