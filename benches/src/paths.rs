@@ -9,6 +9,11 @@ use eigenshade::screen::{Display, Palette, Target, Tone};
 use eigenshade::truncation::Tolerance;
 use eigenshade::wire::aligned;
 use eigenshade::{Basis, Normals, Rgb, Scene, sphere};
+use eigenshade_model::shipped;
+use eigenshade_model::source::Source;
+use eigenshade_shading::owned_basis::OwnedBasis;
+use eigenshade_shading::shader::Shader;
+use eigenshade_shading::textured::{Blend, Texel, irradiance};
 use eigenshade_table::wire::{Endian, NumberFormat, encode};
 use std::hint::black_box;
 
@@ -33,6 +38,7 @@ pub struct Path {
 #[must_use]
 pub fn all() -> Vec<Path> {
     let mut paths = pictures();
+    paths.extend(textured());
     paths.extend(frames());
     paths.extend(calls());
     paths
@@ -102,10 +108,10 @@ fn pictures() -> Vec<Path> {
         picture(&format!("{name}, in color"), 3 * necessary(lengths), Box::new(run))
     };
 
-    let shipped = Shipped::read();
-    let every = shipped.lights.len() * shipped.materials.len();
-    let database: Vec<_> = shipped.pairs(every).iter().map(Pair::project).collect();
-    let mattes: Vec<_> = shipped.on_matte(sphere::DEGREE).iter().map(Pair::project).collect();
+    let read = Shipped::read();
+    let every = read.lights.len() * read.materials.len();
+    let database: Vec<_> = read.pairs(every).iter().map(Pair::project).collect();
+    let mattes: Vec<_> = read.on_matte(sphere::DEGREE).iter().map(Pair::project).collect();
     let falling: Vec<f64> = (0..9).map(|k| 3.5 / f64::from(1 + k)).collect();
     let matte = within(&Pair::new(falling, white_matte()).project(), 1e-3);
     let whole = full(&database[database.len() / 2]);
@@ -138,6 +144,51 @@ fn pictures() -> Vec<Path> {
         ),
     ]
 }
+
+/// Multiply-adds of a full scene of `pbr`, and of a source on a texel.
+const OF_PBR: usize = 477;
+const OF_A_SOURCE: usize = 28;
+
+/// Pictures of an object in its own materials, in color, with the projections of their images: of
+/// one roughness, with a roughness map, which blends five, and with sources.
+fn textured() -> [Path; 3] {
+    let table = eigenshade_table::decode(shipped::PBR).expect("a table");
+    let basis: &'static OwnedBasis = Box::leak(Box::new(OwnedBasis::new(&table).expect("a basis")));
+    let lights = shipped::lights().expect("lights").truncated(table.gram.degree);
+    let light = lights.entries.into_iter().find(|one| one.name == "lobby").expect("a light");
+    let sources = shipped::sources().expect("sources");
+    let sources = sources.into_iter().find(|one| one.name == "lobby").expect("sources");
+    let path = |name: &str, images: usize, of_roughness: fn(usize) -> f32, sources: Vec<Source>| {
+        let texel = |(k, normal)| Texel {
+            normal,
+            matte: [0.2, 0.3, (k % 7) as f32 / 10.0],
+            reflectance: [0.04, 0.1, (k % 5) as f32 / 10.0],
+            roughness: of_roughness(k),
+        };
+        let texels: Vec<Texel> = Axes::spread(PIXELS).each().enumerate().map(texel).collect();
+        let blend = Blend::of(texels.iter().map(|texel| texel.roughness)).expect("weights");
+        let mut shader = Shader::new(basis.any().expect("a basis"), usize::MAX);
+        let (light, multiply_adds) = (light.clone(), sources.len() * OF_A_SOURCE);
+        Path {
+            name: name.to_owned(),
+            multiply_adds: 3 * (images * OF_PBR + images) + multiply_adds,
+            count: PIXELS,
+            run: Box::new(move || {
+                let texels = (&blend, black_box(&texels[..]));
+                black_box(irradiance(&mut shader, &light, ORDER, texels, &sources)).expect("colors");
+            }),
+        }
+    };
+    let map = |k: usize| 0.3 + 0.7 * (k % 100) as f32 / 100.0;
+    [
+        path("texels of one roughness, in color", 3, |_| 0.5, Vec::new()),
+        path("texels with a roughness map, in color", 11, map, Vec::new()),
+        path("the same with 8 sources", 11, map, sources.first(8).to_vec()),
+    ]
+}
+
+/// The order of glTF's materials.
+const ORDER: usize = 12;
 
 /// A scene, and the lengths of its polynomials by azimuth.
 type Image = (Shown, Vec<u16>);

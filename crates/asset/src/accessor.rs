@@ -62,6 +62,7 @@ impl<'a> Accessors<'a> {
             Dimensions::Vec2 => 2,
             Dimensions::Vec3 => 3,
             Dimensions::Vec4 => 4,
+            Dimensions::Mat4 => 16,
             _ => 0,
         };
         if found != N {

@@ -141,6 +141,10 @@ impl Asset {
         if let Some(asset) = &asset {
             let triangles = asset.mesh.triangles.len() as u64;
             file.at_most(triangles, MOST_TRIANGLES, "triangles with materials")?;
+            if asset.colors.values.iter().flatten().any(|color| !color.is_finite()) {
+                let what = "the color of a corner is not finite";
+                return Err(Error::new(what, "export the object again").in_file(file.path()));
+            }
         }
         Ok(asset)
     }

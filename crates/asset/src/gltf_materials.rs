@@ -72,6 +72,12 @@ impl Reader<'_> {
                 "material {index} has a factor of {factor}, not in [0, 1]"
             )));
         }
+        if let Some(strength) = material.occlusion_texture().map(|of| of.strength())
+            && !(0.0..=1.0).contains(&strength)
+        {
+            let what = format!("a material has an occlusion strength of {strength}, not in [0, 1]");
+            return Err(broken(what));
+        }
         if material.emissive_factor().iter().any(|factor| *factor > 0.0) {
             self.ignored.insert("emitted light");
         }

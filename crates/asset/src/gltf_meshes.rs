@@ -1,19 +1,14 @@
-//! The meshes of glTF, placed by their nodes, in rest pose.
+//! The meshes of glTF at rest.
 
 use crate::accessor::{Accessors, broken};
 use crate::asset::{Asset, MOST_TRIANGLES};
+use crate::gltf_pose::{Nodes, Placement, determinant, morph, normal_of, times};
 use eigenshade_generator::object::mesh_data::{Attribute, Mesh};
 use eigenshade_model::error::Result;
 use eigenshade_model::inputs::input_file::InputFile;
-use gltf::mesh::Mode;
-use gltf::{Document, Node, Primitive, Semantic};
+use gltf::mesh::{Mode, MorphTarget};
+use gltf::{Document, Primitive, Semantic};
 use std::collections::BTreeSet;
-
-/// The most nodes that are visited: a cycle has no end.
-const MOST_NODES: usize = 1 << 16;
-
-/// By columns, as in the file.
-type Matrix = [[f64; 4]; 4];
 
 /// The meshes of the default scene, or of the first one, or of all nodes.
 pub(crate) fn read(
@@ -22,38 +17,21 @@ pub(crate) fn read(
     accessors: &Accessors<'_>,
 ) -> Result<Asset> {
     let mut reader = Reader { file, accessors, asset: Asset::default(), ignored: BTreeSet::new() };
-    let scene = document.default_scene().or_else(|| document.scenes().next());
-    let one = [0, 1, 2, 3].map(|k| [0, 1, 2, 3].map(|i| f64::from(u8::from(i == k))));
-    let has_scene = scene.is_some();
-    let mut open: Vec<(Node<'_>, Matrix)> = match scene {
-        Some(scene) => scene.nodes().map(|node| (node, one)).collect(),
-        None => document.nodes().map(|node| (node, one)).collect(),
-    };
-    open.reverse();
-    let mut visited = 0;
-    while let Some((node, above)) = open.pop() {
-        visited += 1;
-        if visited > MOST_NODES {
-            return Err(broken("its nodes form a cycle, or are too many"));
-        }
-        let local = node.transform().matrix().map(|column| column.map(f64::from));
-        let matrix = product(above, local);
-        if let Some(mesh) = node.mesh() {
-            if node.skin().is_some() {
-                reader.ignored.insert("skins (the mesh is drawn as it is bound)");
-            }
-            let weights = node.weights().or_else(|| mesh.weights()).unwrap_or_default();
-            if weights.iter().any(|weight| *weight != 0.0) {
-                reader.ignored.insert("morph targets");
-            }
-            // A skinned mesh is placed by its joints, and not by its node.
-            let matrix = if node.skin().is_some() { one } else { matrix };
-            for primitive in mesh.primitives() {
-                reader.push(&primitive, matrix)?;
-            }
-        }
-        if has_scene {
-            open.extend(node.children().map(|child| (child, matrix)));
+    if document.animations().len() > 0 {
+        reader.ignored.insert("animations (the object is drawn at rest)");
+    }
+    let nodes = Nodes::new(document)?;
+    for (node, matrix) in &nodes.shown {
+        let Some(mesh) = node.mesh() else { continue };
+        let weights = node.weights().or_else(|| mesh.weights()).unwrap_or_default();
+        // A skinned mesh is placed by its joints, and not by its node.
+        let joints = node.skin().map(|skin| nodes.joints(&skin, accessors)).transpose()?;
+        for primitive in mesh.primitives() {
+            let placement = match &joints {
+                Some(joints) => Placement::of_joints(&primitive, joints.clone(), accessors)?,
+                None => Placement::Node(*matrix),
+            };
+            reader.push(&primitive, &placement, weights)?;
         }
     }
     if !reader.ignored.is_empty() {
@@ -76,9 +54,15 @@ struct Reader<'a> {
 
 impl Reader<'_> {
     /// Adds the triangles of a primitive.
-    fn push(&mut self, primitive: &Primitive<'_>, matrix: Matrix) -> Result<()> {
+    fn push(
+        &mut self,
+        primitive: &Primitive<'_>,
+        placement: &Placement,
+        weights: &[f32],
+    ) -> Result<()> {
         let Some(positions) = primitive.get(&Semantic::Positions) else { return Ok(()) };
-        let positions = self.accessors.numbers::<3>(&positions)?;
+        let mut positions = self.accessors.numbers::<3>(&positions)?;
+        morph(&mut positions, primitive, weights, MorphTarget::positions, self.accessors)?;
         let count = positions.len();
         let places = match primitive.indices() {
             Some(indices) => self.accessors.indices(&indices)?,
@@ -87,7 +71,6 @@ impl Reader<'_> {
         if let Some(place) = places.iter().find(|place| **place as usize >= count) {
             return Err(broken(format!("corner {place} does not exist: there are {count}")));
         }
-        let is_mirrored = determinant(matrix) < 0.0;
         let first = self.asset.mesh.corners.len() as u32;
         let triangles: Vec<[u32; 3]> = match primitive.mode() {
             Mode::Triangles => places.as_chunks().0.to_vec(),
@@ -106,16 +89,18 @@ impl Reader<'_> {
         self.file.at_most(all as u64, MOST_TRIANGLES, "triangles")?;
         self.file.at_most(u64::from(first) + count as u64, 1 << 22, "corners")?;
         let triangles = triangles.into_iter().map(|[a, b, c]| {
+            let is_mirrored = determinant(placement.at(a as usize)) < 0.0;
             let (b, c) = if is_mirrored { (c, b) } else { (b, c) };
             [a, b, c].map(|corner| first + corner)
         });
         let triangles: Vec<[u32; 3]> = triangles.collect();
         let material = primitive.material().index().map_or(0, |index| index as u32 + 1);
         self.asset.material_of.extend(triangles.iter().map(|_| material));
-        self.attributes(primitive, matrix, count, &triangles)?;
+        self.attributes(primitive, (placement, weights), count, &triangles)?;
         let mesh = &mut self.asset.mesh;
         mesh.triangles.extend(triangles);
-        mesh.corners.extend(positions.iter().map(|at| {
+        mesh.corners.extend(positions.iter().enumerate().map(|(corner, at)| {
+            let matrix = placement.at(corner);
             let moved = times(matrix, at.map(f64::from));
             [0, 1, 2].map(|axis| moved[axis] + matrix[3][axis])
         }));
@@ -126,12 +111,18 @@ impl Reader<'_> {
     fn attributes(
         &mut self,
         primitive: &Primitive<'_>,
-        matrix: Matrix,
+        (placement, weights): (&Placement, &[f32]),
         count: usize,
         triangles: &[[u32; 3]],
     ) -> Result<()> {
-        let normals = self.attribute::<3>(primitive, Semantic::Normals, count)?;
-        let tangents = self.attribute::<4>(primitive, Semantic::Tangents, count)?;
+        let mut normals = self.attribute::<3>(primitive, Semantic::Normals, count)?;
+        if let Some(normals) = &mut normals {
+            morph(normals, primitive, weights, MorphTarget::normals, self.accessors)?;
+        }
+        let mut tangents = self.attribute::<4>(primitive, Semantic::Tangents, count)?;
+        if let Some(tangents) = &mut tangents {
+            morph(tangents, primitive, weights, MorphTarget::tangents, self.accessors)?;
+        }
         let coordinates = [0, 1].map(Semantic::TexCoords);
         let coordinates =
             coordinates.map(|semantic| self.attribute::<2>(primitive, semantic, count));
@@ -150,10 +141,12 @@ impl Reader<'_> {
         all.places
             .extend(triangles.iter().map(|corners| if has_normals { *corners } else { none }));
         let normals = normals.unwrap_or_else(|| vec![[0.0; 3]; count]);
-        all.values.extend(normals.into_iter().map(|normal| normal_of(matrix, normal)));
+        let placed = (0..).map(|corner| placement.at(corner));
+        let normals = normals.into_iter().zip(placed.clone());
+        all.values.extend(normals.map(|(normal, matrix)| normal_of(matrix, normal)));
         let tangents = tangents.unwrap_or_else(|| vec![[0.0; 4]; count]);
-        let sign = determinant(matrix).signum() as f32;
-        asset.tangents.values.extend(tangents.into_iter().map(|[x, y, z, w]| {
+        asset.tangents.values.extend(tangents.into_iter().zip(placed).map(|(tangent, matrix)| {
+            let ([x, y, z, w], sign) = (tangent, determinant(matrix).signum() as f32);
             let [x, y, z] = times(matrix, [x, y, z].map(f64::from)).map(|c| c as f32);
             [x, y, z, w * sign]
         }));
@@ -178,32 +171,4 @@ impl Reader<'_> {
         }
         Ok(Some(values))
     }
-}
-
-fn product(a: Matrix, b: Matrix) -> Matrix {
-    b.map(|column| [0, 1, 2, 3].map(|row| (0..4).map(|k| a[k][row] * column[k]).sum()))
-}
-
-/// The vector, without the translation.
-fn times(matrix: Matrix, vector: [f64; 3]) -> [f64; 3] {
-    [0, 1, 2].map(|row| (0..3).map(|k| matrix[k][row] * vector[k]).sum())
-}
-
-fn determinant([a, b, c, _]: Matrix) -> f64 {
-    let [a, b, c] = [a, b, c].map(|[x, y, z, _]| [x, y, z]);
-    eigenshade_model::vector::dot(a, eigenshade_model::vector::cross(b, c))
-}
-
-/// A normal by the inverse of the transposed matrix, up to its length.
-fn normal_of(matrix: Matrix, normal: [f32; 3]) -> [f32; 3] {
-    use eigenshade_model::vector::cross;
-    let sign = determinant(matrix).signum();
-    let [a, b, c] = [0, 1, 2].map(|k| [0, 1, 2].map(|row| matrix[k][row]));
-    let cofactors = [cross(b, c), cross(c, a), cross(a, b)];
-    let normal = normal.map(f64::from);
-    let turned: [f64; 3] =
-        [0, 1, 2].map(|row| sign * (0..3).map(|k| cofactors[k][row] * normal[k]).sum::<f64>());
-    let length = turned.iter().map(|x| x * x).sum::<f64>().sqrt();
-    let length = if length > 0.0 { length } else { 1.0 };
-    turned.map(|x| (x / length) as f32)
 }

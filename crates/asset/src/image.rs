@@ -66,16 +66,14 @@ fn decode_png(bytes: &[u8]) -> Result<Image> {
     decoder.set_limits(Limits { bytes: 8 * size[0] + 4 * bytes.len() + (1 << 16) });
     decoder.set_transformations(Transformations::EXPAND);
     let mut reader = decoder.read_info().map_err(broken)?;
-    let length = reader.output_buffer_size().ok_or_else(|| broken("its size"))?;
-    let mut buffer = vec![0; length];
-    let frame = reader.next_frame(&mut buffer).map_err(broken)?;
-    let (channels, has_opacity) = match frame.color_type {
+    let (color, depth) = reader.output_color_type();
+    let (channels, has_opacity) = match color {
         ColorType::Rgba => (4, true),
         ColorType::Rgb | ColorType::Indexed => (3, false),
         ColorType::GrayscaleAlpha => (2, true),
         ColorType::Grayscale => (1, false),
     };
-    let wide = usize::from(frame.bit_depth == png::BitDepth::Sixteen);
+    let wide = usize::from(depth == png::BitDepth::Sixteen);
     let pixel = |samples: &[u8]| {
         let at = |channel: usize| match wide {
             0 => 257 * u16::from(samples[channel]),
@@ -87,7 +85,18 @@ fn decode_png(bytes: &[u8]) -> Result<Image> {
             _ => [at(0), at(1), at(2), opacity],
         }
     };
-    let pixels = buffer[..frame.buffer_size()].chunks_exact(channels << wide).map(pixel).collect();
+    let mut pixels = Vec::with_capacity(size[0] * size[1]);
+    if reader.info().interlaced {
+        let length = reader.output_buffer_size().ok_or_else(|| broken("its size"))?;
+        let mut buffer = vec![0; length];
+        reader.next_frame(&mut buffer).map_err(broken)?;
+        pixels.extend(buffer.chunks_exact(channels << wide).map(pixel));
+    } else {
+        // Row by row: a whole picture would take half as much memory again.
+        while let Some(row) = reader.next_row().map_err(broken)? {
+            pixels.extend(row.data().chunks_exact(channels << wide).map(pixel));
+        }
+    }
     Ok(Image { size, pixels })
 }
 

@@ -1,28 +1,15 @@
 //! Objects with materials of their own: glTF, Wavefront files with `.mtl`, and polygon files with
 //! vertex colors.
 //!
-//! [`Asset::read`](asset::Asset::read) reads a file, and [`Texels::of`](texels::Texels::of) samples
-//! it: each pixel of its picture shows one or more [texels](eigenshade_shading::textured::Texel),
-//! which [`irradiance`](eigenshade_shading::textured::irradiance) shades:
+//! [`Asset::read`](asset::Asset::read) reads a file, and [`Picture::of`](picture::Picture::of) draws
+//! it under a light:
 //!
 //! ```no_run
-//! use eigenshade_asset::{asset::Asset, texels::Texels};
-//! use eigenshade_generator::object::surface::View;
-//! use eigenshade_model::shipped;
-//! use eigenshade_shading::owned_basis::OwnedBasis;
-//! use eigenshade_shading::shader::Shader;
-//! use eigenshade_shading::textured::irradiance;
-//!
-//! let file = "watch.glb".into();
-//! let asset = Asset::read(&file)?.ok_or("no materials")?;
-//! let texels = Texels::of(&file, &asset, 256, &View::default())?;
-//! let table = eigenshade_table::decode(shipped::PBR)?;
-//! let owned = OwnedBasis::new(&table)?;
-//! let mut shader = Shader::new(owned.any()?, table.count());
-//! let lights = shipped::lights()?.truncated(12);
-//! let colors = irradiance(&mut shader, &lights.entries[0], 12, &texels.texels, &[])?;
-//! # Ok::<(), Box<dyn std::error::Error>>(())
+#![doc = include_str!("../examples/draw_glb.rs")]
 //! ```
+//!
+//! [`Texels::of`](texels::Texels::of) samples an object without a light: each pixel of its picture
+//! shows one or more [texels](eigenshade_shading::textured::Texel).
 
 pub mod asset;
 
@@ -34,6 +21,7 @@ mod buffers;
 mod gltf_file;
 mod gltf_materials;
 mod gltf_meshes;
+mod gltf_pose;
 mod wavefront;
 
 mod tangents;
@@ -41,3 +29,5 @@ mod tangents;
 pub mod texels;
 
 pub mod packed;
+
+pub mod picture;

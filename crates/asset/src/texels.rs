@@ -4,14 +4,17 @@
 mod sample;
 
 use crate::asset::Asset;
+use crate::tangents::{self, Tangent};
 use eigenshade_generator::object::facet::{Frame, Plane};
 use eigenshade_generator::object::surface::{Surface, View};
 use eigenshade_model::error::{Error, Result};
 use eigenshade_model::inputs::input_file::InputFile;
 use eigenshade_model::inputs::normals::visible;
 use eigenshade_model::vector::dot;
+use eigenshade_shading::picture::Pixel;
 use eigenshade_shading::textured::Texel;
 use sample::{Sampler, Shown};
+use std::ops::Range;
 
 /// Samples across the picture, at most.
 const SAMPLES: usize = 4096;
@@ -60,6 +63,80 @@ pub struct Covered {
     pub texels: usize,
 }
 
+impl Covered {
+    /// The pixel of a picture.
+    #[must_use]
+    pub fn pixel(&self) -> Pixel {
+        let Self { column, row, coverage, .. } = *self;
+        Pixel { column, row, coverage, is_inside: coverage >= 0.5 }
+    }
+}
+
+/// The samples of a picture, from which its texels are made row by row.
+pub struct Samples<'a> {
+    /// Pixels across and down.
+    size: usize,
+    /// Samples across a pixel.
+    across: usize,
+    asset: &'a Asset,
+    surface: Surface,
+    frame: Frame,
+    tangents: Vec<[Tangent; 3]>,
+    /// The facet that each sample shows, row by row upward; `u32::MAX` without one.
+    front: Vec<u32>,
+}
+
+impl<'a> Samples<'a> {
+    /// The samples of the picture that [`Texels::of`] makes.
+    ///
+    /// # Errors
+    ///
+    /// As [`Texels::of`].
+    pub fn new(file: &InputFile, asset: &'a Asset, size: usize, view: &View) -> Result<Self> {
+        let sampled = || {
+            if !(2..=MOST_SIDE).contains(&size) {
+                let what = format!("a picture of an object {size} pixels wide");
+                return Err(Error::new(what, format!("use 2 to {MOST_SIDE}")));
+            }
+            let surface = Surface::new(file, &asset.mesh, view)?;
+            let across = (SAMPLES / size).clamp(1, PER_PIXEL);
+            let samples = across * size;
+            let margin = samples as f64 / size as f64 * 0.5;
+            let frame = Frame::square(&surface.facets, samples, margin);
+            let tangents = tangents::of(asset, &surface, view);
+            let mut sampler = Sampler::new(asset, &surface, &frame, &tangents);
+            let front = front(&mut sampler, &surface, &frame, samples);
+            if front.iter().all(|facet| *facet == u32::MAX) {
+                let remedy = "turn it with --view or --rotate-object, or draw it larger";
+                return Err(Error::new("nothing of it is seen", remedy));
+            }
+            Ok(Self { size, across, asset, surface, frame, tangents, front })
+        };
+        sampled().map_err(|error| error.in_file(file.path()))
+    }
+
+    /// The texels of these rows, counted from the top.
+    #[must_use]
+    pub fn rows(&self, rows: Range<usize>) -> Texels {
+        let Self { size, across, .. } = *self;
+        let mut sampler = Sampler::new(self.asset, &self.surface, &self.frame, &self.tangents);
+        let mut texels = Texels { size, ..Texels::default() };
+        let samples = across * size;
+        for row in rows {
+            for column in 0..size {
+                let mut groups = Vec::new();
+                for place in places(samples, across, [column, row]) {
+                    let facet = self.front[place];
+                    let shown = sampler.shown(facet, place % samples, place / samples);
+                    shown.into_iter().for_each(|shown| add(&mut groups, &shown));
+                }
+                texels.push([column, row], &groups, across * across);
+            }
+        }
+        texels
+    }
+}
+
 impl Texels {
     /// The picture of an object from +z in orthographic view, in `size` x `size` pixels with a
     /// margin of half a pixel around its longer side.
@@ -75,36 +152,7 @@ impl Texels {
     ///
     /// If a corner is not finite, nothing is seen, or the size is not 2 to 4096.
     pub fn of(file: &InputFile, asset: &Asset, size: usize, view: &View) -> Result<Self> {
-        let drawn = || {
-            if !(2..=MOST_SIDE).contains(&size) {
-                let what = format!("a picture of an object {size} pixels wide");
-                return Err(Error::new(what, format!("use 2 to {MOST_SIDE}")));
-            }
-            let surface = Surface::new(file, &asset.mesh, view)?;
-            let across = (SAMPLES / size).clamp(1, PER_PIXEL);
-            let samples = across * size;
-            let margin = samples as f64 / size as f64 * 0.5;
-            let frame = Frame::square(&surface.facets, samples, margin);
-            let mut sampler = Sampler::new(asset, &surface, &frame, view);
-            let front = front(&mut sampler, &surface, &frame, samples);
-            let mut texels = Self { size, ..Self::default() };
-            for row in 0..size {
-                for column in 0..size {
-                    let mut groups = Vec::new();
-                    for place in places(samples, across, [column, row]) {
-                        let shown = sampler.shown(front[place], place % samples, place / samples);
-                        shown.into_iter().for_each(|shown| add(&mut groups, &shown));
-                    }
-                    texels.push([column, row], &groups, across * across);
-                }
-            }
-            if texels.pixels.is_empty() {
-                let remedy = "turn it with --view or --rotate-object, or draw it larger";
-                return Err(Error::new("nothing of it is seen", remedy));
-            }
-            Ok(texels)
-        };
-        drawn().map_err(|error| error.in_file(file.path()))
+        Ok(Samples::new(file, asset, size, view)?.rows(0..size))
     }
 
     fn push(&mut self, [column, row]: [usize; 2], groups: &[Group], samples: usize) {

@@ -19,16 +19,19 @@ fn files_cut_short() {
     let mut glb = Glb::sphere(2);
     glb.images = vec![png([2, 2], |_, _| [9; 4])];
     glb.material = r#""pbrMetallicRoughness":{"baseColorTexture":{"index":0}}"#.to_owned();
-    let bytes = glb.bytes();
-    for end in (0..bytes.len() - 4).step_by(3) {
-        error(&bytes[..end]);
-    }
-    // Every byte of the JSON changed: an error or a picture.
-    for place in 20..bytes.len().min(1800) {
-        for byte in [b'9', b'-', b'"', 0] {
-            let mut changed = bytes.clone();
-            changed[place] = byte;
-            let _ = read(&[("a.glb", &changed)], 8, &View::default());
+    // With joints, a morph target and a sparse accessor.
+    let skinned = include_bytes!("../../../fuzz/readers/seeds/read_glb/skinned");
+    for bytes in [glb.bytes(), skinned.to_vec()] {
+        for end in (0..bytes.len() - 4).step_by(3) {
+            error(&bytes[..end]);
+        }
+        // Every byte of the JSON changed: an error or a picture.
+        for place in 20..bytes.len().min(1800) {
+            for byte in [b'9', b'-', b'"', 0] {
+                let mut changed = bytes.clone();
+                changed[place] = byte;
+                let _ = read(&[("a.glb", &changed)], 8, &View::default());
+            }
         }
     }
 }

@@ -6,7 +6,7 @@ use eigenshade_asset::asset::Asset;
 use eigenshade_asset::texels::Texels;
 use eigenshade_generator::object::surface::View;
 use eigenshade_model::srgb::linear;
-use eigenshade_testing::glb::Glb;
+use eigenshade_testing::glb::{FLOAT, Glb, floats};
 
 /// Base 64.
 fn base64(bytes: &[u8]) -> String {
@@ -66,6 +66,90 @@ fn nodes_place_meshes() {
         let apart = found.normal.iter().zip(expected.normal).map(|(a, b)| (a - b).abs());
         assert!(apart.fold(0.0, f64::max) < 0.01, "{found:?} {expected:?}");
     }
+}
+
+/// A sphere by one joint, as if its node were placed so, whatever its own node says.
+#[test]
+fn joints_place_skinned_meshes() {
+    let mut expected = Glb::sphere(12);
+    expected.node = r#","scale":[2,1,1]"#.to_owned();
+    let bind = [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, -5, 0, 0, 1].map(|x: i8| f32::from(x));
+    let corners = expected.positions.len();
+    let joints: Vec<u8> =
+        [0u16, 7, 0, 0].repeat(corners).iter().flat_map(|x| x.to_le_bytes()).collect();
+    let skinned = Glb {
+        accessors: vec![
+            (FLOAT, "MAT4", floats(&bind)),
+            (5123, "VEC4", joints),
+            (FLOAT, "VEC4", floats(&[0.5, 0.0, 0.0, 0.0].repeat(corners))),
+        ],
+        attributes: r#","JOINTS_0":1,"WEIGHTS_0":2"#.to_owned(),
+        node: r#","skin":0"#.to_owned(),
+        nodes: r#",{"scale":[2,1,1],"translation":[10,0,0]}"#.to_owned(),
+        extra: r#""skins":[{"joints":[1],"inverseBindMatrices":0}],"#.to_owned(),
+        ..Glb::sphere(12)
+    };
+    assert_eq!(drawn(&skinned, 32), drawn(&expected, 32));
+    let elsewhere =
+        Glb { node: r#","skin":0,"translation":[9,9,9]"#.to_owned(), ..skinned.clone() };
+    assert_eq!(drawn(&elsewhere, 32), drawn(&expected, 32));
+    // A joint that does not exist.
+    let mut broken = skinned;
+    broken.accessors[1].2[0] = 3;
+    let (error, _) = read(&[("a.glb", &broken.bytes())], 9, &View::default());
+    let error = error.expect_err("a joint");
+    assert!(error.contains("joint 3 does not exist: its skin has 1"), "{error}");
+}
+
+/// One side of a square follows a joint of its own: the square is half as long again.
+#[test]
+fn corners_follow_their_joints() {
+    let joints: Vec<u8> =
+        [0u16, 1, 1, 0].iter().flat_map(|k| [*k, 0, 0, 0]).flat_map(u16::to_le_bytes).collect();
+    let skinned = Glb {
+        accessors: vec![
+            (5123, "VEC4", joints),
+            (FLOAT, "VEC4", floats(&[1.0, 0.0, 0.0, 0.0].repeat(4))),
+        ],
+        attributes: r#","JOINTS_0":0,"WEIGHTS_0":1"#.to_owned(),
+        node: r#","skin":0"#.to_owned(),
+        nodes: r#",{},{"translation":[1,0,0]}"#.to_owned(),
+        extra: r#""skins":[{"joints":[1,2]}],"#.to_owned(),
+        ..Glb::square()
+    };
+    let mut expected = Glb::square();
+    expected.positions.iter_mut().for_each(|[x, ..]| *x += if *x > 0.0 { 1.0 } else { 0.0 });
+    assert_eq!(drawn(&skinned, 32), drawn(&expected, 32));
+}
+
+/// Morph targets by their default weights; also sparse ones.
+#[test]
+fn morph_targets_have_their_weights() {
+    let mut expected = Glb::square();
+    expected.positions[2][0] += 0.5;
+    let moved = [0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0];
+    let morphed = Glb {
+        accessors: vec![(FLOAT, "VEC3", floats(&moved)), (FLOAT, "VEC3", floats(&[9.0; 12]))],
+        primitive: r#","targets":[{"POSITION":0},{"POSITION":1}]"#.to_owned(),
+        node: r#","weights":[0.5,0]"#.to_owned(),
+        ..Glb::square()
+    };
+    assert_eq!(drawn(&morphed, 32), drawn(&expected, 32));
+    // The same target with one corner that moves.
+    let mut sparse = morphed.clone();
+    sparse.accessors[1] = (FLOAT, "VEC3", floats(&[1.0, 0.0, 0.0]));
+    sparse.accessors.push((5125, "SCALAR", 2u32.to_le_bytes().to_vec()));
+    sparse.primitive = r#","targets":[{"POSITION":0}]"#.to_owned();
+    let (json, bytes) = sparse.parts(r#","uri":"a.bin""#);
+    let whole = r#"{"bufferView":0,"componentType":5126,"count":4,"type":"VEC3"}"#;
+    let part = r#"{"componentType":5126,"count":4,"type":"VEC3","sparse":{"count":1,"indices":{"bufferView":2,"componentType":5125},"values":{"bufferView":1}}}"#;
+    assert!(json.contains(whole), "{json}");
+    let json = json.replacen(whole, part, 1);
+    assert_eq!(good(&[("a.gltf", json.as_bytes()), ("a.bin", &bytes)]), drawn(&expected, 24));
+    let animated =
+        Glb { extra: r#""animations":[{"channels":[],"samplers":[]}],"#.to_owned(), ..morphed };
+    let (_, warnings) = read(&[("a.glb", &animated.bytes())], 9, &View::default());
+    assert_eq!(warnings, "ignored: animations (the object is drawn at rest)");
 }
 
 #[test]

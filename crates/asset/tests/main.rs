@@ -3,4 +3,5 @@
 mod bad_files;
 mod drawn;
 mod formats;
+mod hard_cases;
 mod support;

@@ -1,15 +1,12 @@
 //! Code that the commands of the program `eigenshade` share.
 
 pub mod description;
-pub mod estimate;
 pub mod export;
 pub mod messages;
 pub mod object;
 pub mod output;
 pub mod picture;
 pub mod picture_file;
-pub mod presets;
-pub mod preview;
 #[cfg(feature = "generate")]
 pub mod reading;
 pub mod table;

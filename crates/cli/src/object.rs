@@ -1,10 +1,11 @@
 //! The object of a picture: a sphere, a mesh or a normal map, or the look-up of a matcap.
 
-use crate::picture::{Pixel, SphereView};
+use crate::picture::SphereView;
 use eigenshade::Normal;
 use eigenshade::object::{Matcap, NormalMap};
 use eigenshade_model::error::{Error, Result};
 use eigenshade_model::inputs::input_file::InputFile;
+use eigenshade_shading::picture::Pixel;
 
 /// Pixels across a sphere and a mesh, unless the caller asks for another number.
 pub const SIZE: usize = 512;
@@ -94,7 +95,8 @@ impl ObjectOptions {
     /// Fails if an option is not for this kind of object.
     pub fn check(&self, file: &InputFile) -> Result<()> {
         if self.flip_green && file.extension() != "png" {
-            return Err(flips_no_map(file));
+            let what = "--flip-green is for a normal map (.png)";
+            return Err(Error::new(what, "leave it out").in_file(file.path()));
         }
         if (self.is_flat || self.rotation.is_some()) && !is_mesh(file) {
             let what = "--flat, --view and --rotate-object are for a mesh";
@@ -172,17 +174,13 @@ impl ObjectView {
 }
 
 /// Whether a file has the extension of a mesh, or of glTF.
-fn is_mesh(file: &InputFile) -> bool {
+#[must_use]
+pub fn is_mesh(file: &InputFile) -> bool {
     file.is_mesh() || is_gltf(file)
 }
 
 fn is_gltf(file: &InputFile) -> bool {
     ["glb", "gltf"].contains(&file.extension().as_str())
-}
-
-/// The error of flipping green in anything but a normal map.
-pub(crate) fn flips_no_map(file: &InputFile) -> Error {
-    Error::new("--flip-green is for a normal map (.png)", "leave it out").in_file(file.path())
 }
 
 /// The coverage from which on a pixel is whole in a [`NormalMap`].
@@ -221,36 +219,28 @@ fn of_file(file: InputFile, options: ObjectOptions) -> Result<ObjectView> {
 /// The mean normals of the pixels of a glTF file, whatever its materials.
 #[cfg(feature = "generate")]
 fn of_gltf(file: &InputFile, options: ObjectOptions) -> Result<ObjectView> {
-    use eigenshade_asset::{asset::Asset, texels::Texels};
+    use eigenshade_asset::{asset::Asset, texels::Samples};
     use eigenshade_model::inputs::normals::visible;
     let asset = Asset::read(file)?.unwrap_or_default();
-    let found = Texels::of(file, &asset, options.size.unwrap_or(SIZE), &options.view())?;
-    let mut view = ObjectView {
-        width: found.size,
-        height: found.size,
-        pixels: Vec::new(),
-        normals: Vec::new(),
-    };
-    let mut texels = found.texels.iter().zip(&found.shares);
-    for covered in &found.pixels {
-        let mut sum = [0.0; 3];
-        for (texel, share) in texels.by_ref().take(covered.texels) {
-            let parts = sum.iter_mut().zip(texel.normal);
-            parts.for_each(|(sum, part)| *sum += f64::from(*share) * part);
+    let size = options.size.unwrap_or(SIZE);
+    let samples = Samples::new(file, &asset, size, &options.view())?;
+    let mut view =
+        ObjectView { width: size, height: size, pixels: Vec::new(), normals: Vec::new() };
+    for row in 0..size {
+        let found = samples.rows(row..row + 1);
+        let mut texels = found.texels.iter().zip(&found.shares);
+        for covered in &found.pixels {
+            let mut sum = [0.0; 3];
+            for (texel, share) in texels.by_ref().take(covered.texels) {
+                let parts = sum.iter_mut().zip(texel.normal);
+                parts.for_each(|(sum, part)| *sum += f64::from(*share) * part);
+            }
+            let Ok(normal) = visible(sum) else { continue };
+            view.pixels.push(covered.pixel());
+            view.normals.push(normal);
         }
-        let Ok(normal) = visible(sum) else { continue };
-        view.pixels.push(pixel_of(covered));
-        view.normals.push(normal);
     }
     Ok(view)
-}
-
-/// The pixel of a picture.
-#[cfg(feature = "generate")]
-#[must_use]
-pub fn pixel_of(covered: &eigenshade_asset::texels::Covered) -> Pixel {
-    let eigenshade_asset::texels::Covered { column, row, coverage, .. } = *covered;
-    Pixel { column, row, coverage, is_inside: coverage >= 0.5 }
 }
 
 #[cfg(not(feature = "generate"))]

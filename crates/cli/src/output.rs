@@ -5,10 +5,9 @@ pub use eigenshade_model::inputs::coefficient_text::exact;
 use crate::messages::is_quiet;
 use eigenshade_model::error::{Error, Result, STANDARD_INPUT};
 use eigenshade_model::inputs::input_file::is_file;
-use eigenshade_model::output::{Watched, end_of_links, write_atomically};
+use eigenshade_model::output::{Watched, end_of_links, write_atomically, write_error};
 use serde::Serialize;
 use std::ffi::OsStr;
-use std::fmt::Display;
 use std::io::{self, BufWriter, ErrorKind, Write};
 use std::path::{Path, PathBuf};
 
@@ -102,12 +101,6 @@ pub fn write_all(out: Option<&Path>, contents: impl AsRef<[u8]>) -> Result<()> {
 /// Fails if the output fails.
 pub fn report(text: impl AsRef<[u8]>) -> Result<()> {
     if is_quiet() { Ok(()) } else { write_all(None, text) }
-}
-
-/// The error for an output that cannot be written.
-#[must_use]
-pub fn write_error(error: impl Display) -> Error {
-    Error::new(error.to_string(), "check where the output goes")
 }
 
 fn to_standard_output(write: impl FnOnce(&mut dyn Write) -> Result<()>) -> Result<()> {

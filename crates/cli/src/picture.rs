@@ -1,11 +1,7 @@
-//! Pictures of spheres: their pixels and normals, tone, and PNG files.
+//! Pictures of spheres, and canvases with text.
 
-use crate::output::write_error;
-use eigenshade_model::error::{Error, Result};
-use eigenshade_model::output::write_atomically;
+use eigenshade_shading::picture::Pixel;
 use noto_sans_mono_bitmap::{FontWeight, get_raster, get_raster_width};
-use png::{BitDepth, ColorType, Encoder, SrgbRenderingIntent};
-use std::path::Path;
 
 /// Pixels from one line of text to the next.
 pub use noto_sans_mono_bitmap::RasterHeight as TextHeight;
@@ -20,19 +16,6 @@ pub struct SphereView {
     /// The unit normal of each pixel, with z >= 0. If the center of a pixel just misses the sphere,
     /// its normal lies on the rim.
     pub normals: Vec<[f64; 3]>,
-}
-
-/// One pixel of the disc.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Pixel {
-    /// Column, from the left.
-    pub column: usize,
-    /// Row, from the top.
-    pub row: usize,
-    /// The approximate share of the pixel that the sphere covers.
-    pub coverage: f64,
-    /// Whether the center of the pixel lies on the sphere.
-    pub is_inside: bool,
 }
 
 impl SphereView {
@@ -130,25 +113,6 @@ impl Canvas {
 #[must_use]
 pub fn text_width(height: TextHeight, text: &str) -> usize {
     get_raster_width(FontWeight::Regular, height) * text.chars().count()
-}
-
-/// Writes an sRGB picture with 8 bits per channel and three channels, or four with opacity. Fails
-/// if the file, its folder or the disk fails.
-pub fn write_png(path: &Path, width: usize, height: usize, bytes: &[u8]) -> Result<()> {
-    let side = |pixels: usize| {
-        u32::try_from(pixels).map_err(|_| Error::new("the picture is too large", "ask for less"))
-    };
-    let (columns, rows) = (side(width)?, side(height)?);
-    let has_opacity = bytes.len() == 4 * width * height;
-    write_atomically(path, |out| {
-        let mut encoder = Encoder::new(out, columns, rows);
-        encoder.set_color(if has_opacity { ColorType::Rgba } else { ColorType::Rgb });
-        encoder.set_depth(BitDepth::Eight);
-        encoder.set_source_srgb(SrgbRenderingIntent::Perceptual);
-        let mut writer = encoder.write_header().map_err(write_error)?;
-        writer.write_image_data(bytes).map_err(write_error)?;
-        writer.finish().map_err(write_error)
-    })
 }
 
 #[cfg(test)]

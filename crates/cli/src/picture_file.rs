@@ -1,9 +1,9 @@
 //! Files of drawn pictures: sRGB as PNG, or linear numbers as OpenEXR.
 
-use crate::picture::{Pixel, write_png};
+#[cfg(feature = "generate")]
 use eigenshade::Rgb;
-use eigenshade::screen::{Display, Exposure, Meter, Tone};
 use eigenshade_model::error::{Error, Result};
+use eigenshade_shading::picture::{Development, Draw};
 use std::path::Path;
 
 /// The kinds of picture files.
@@ -13,21 +13,6 @@ pub enum PictureFile {
     Png,
     /// Linear 32-bit floats, multiplied by opacity.
     Exr,
-}
-
-/// Draws a picture: calls its argument with each pixel and its irradiance. It may be called again.
-pub type Draw<'a> = dyn FnMut(&mut dyn FnMut(Pixel, Rgb<f32>)) -> Result<()> + 'a;
-
-/// How irradiances become pixels.
-#[derive(Clone, Copy, Debug)]
-pub struct Development {
-    /// The factor from irradiance to what the tone curve shows; for an .exr, from irradiance to its
-    /// numbers. Without, a PNG is metered, and an .exr has 1.
-    pub exposure: Option<Exposure>,
-    /// The tone curve of a PNG.
-    pub tone: Tone,
-    /// Whether every pixel is opaque.
-    pub is_opaque: bool,
 }
 
 impl PictureFile {
@@ -63,49 +48,10 @@ impl PictureFile {
         draw: &mut Draw<'_>,
     ) -> Result<()> {
         match self {
-            Self::Png => png(path, size, development, draw),
+            Self::Png => development.write_png(path, size, draw),
             Self::Exr => exr(path, size, development, draw),
         }
     }
-}
-
-fn png(path: &Path, [width, height]: [usize; 2], how: Development, draw: &mut Draw) -> Result<()> {
-    let exposure = match how.exposure {
-        Some(exposure) => exposure,
-        None => metered(how, draw)?.unwrap_or_default(),
-    };
-    let display = Display::new(how.tone);
-    let channels = if how.is_opaque { 3 } else { 4 };
-    let mut bytes = vec![0; channels * width * height];
-    draw(&mut |pixel, color| {
-        let Rgb { r, g, b } = display.rgb888(exposure.of(color));
-        let start = channels * (pixel.row * width + pixel.column);
-        let opacity = (255.0 * pixel.coverage).round() as u8;
-        bytes[start..start + channels].copy_from_slice(&[r, g, b, opacity][..channels]);
-    })?;
-    write_png(path, width, height, &bytes)
-}
-
-/// The exposure of a picture; `None` if it is black. A meter reaches from 2^-16 to 2^16, so that a
-/// picture with its peak near an end or beyond is drawn again, with its peak at 1.
-fn metered(how: Development, draw: &mut Draw) -> Result<Option<Exposure>> {
-    let mut exposed = |factor: f32| {
-        let (mut meter, mut peak) = (Meter::default(), 0.0_f32);
-        draw(&mut |pixel, color| {
-            // A matcap repeats its rim in the corners.
-            if pixel.is_inside || !how.is_opaque {
-                peak = peak.max(color.largest());
-                meter.add(color.map(|channel| factor * channel));
-            }
-        })?;
-        let exposure = meter.exposure().map(|one| factor * one.factor());
-        Ok((exposure.and_then(|factor| Exposure::new(factor).ok()), peak))
-    };
-    let (exposure, peak) = exposed(1.0)?;
-    if peak == 0.0 || (2.0_f32.powi(-6)..2.0_f32.powi(15)).contains(&peak) {
-        return Ok(exposure);
-    }
-    Ok(exposed(peak.recip())?.0)
 }
 
 #[cfg(feature = "generate")]

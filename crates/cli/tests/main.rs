@@ -22,6 +22,7 @@ mod outputs;
 mod own_materials;
 mod pictures;
 mod read;
+mod read_meshes;
 mod results;
 mod scene_choices;
 mod shade;

@@ -115,6 +115,8 @@ fn gltf_materials_are_lobes_over_a_base() {
         "material gltf --base-color 0.5 --metallic -0.1 --roughness 0.5",
         "material gltf --base-color #b8733 --metallic 1 --roughness 0.5",
         "material gltf --base-color b87333 --metallic 1 --roughness 0.5",
+        "material ggx --roughness 0.5 --f0 #12",
+        "material lambertian --albedo #gggggg",
     ];
     assert_usage_errors(&folder, &wrong);
 }
@@ -137,8 +139,15 @@ fn hexadecimal_colors_are_in_srgb() {
     }
     let given = "material ggx --name x --roughness 0.6 --f0 #b87333 --order 3";
     assert_eq!(folder.ok(given), found);
+    assert_eq!(of("\"#fc0\""), of("\"#FFcc00\""));
     folder.write("m.toml", format!("{entry}f0 = \"copper\"\n"));
     assert_fails(&folder, "material m.toml", &["m.toml:5:", "`copper` is no color", "#b87333"]);
+    folder.write("m.toml", format!("{entry}f0 = \"#12\"\n"));
+    assert_fails(
+        &folder,
+        "material m.toml",
+        &["m.toml:5:", "`#12` is no color; write # and three"],
+    );
     folder.write("m.toml", format!("{entry}f0 = [0.1, 0.2]\n"));
     assert_fails(&folder, "material m.toml", &["m.toml:5:", "[r, g, b]"]);
 }

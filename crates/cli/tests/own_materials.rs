@@ -1,6 +1,6 @@
 //! `render --object` with the object's own materials.
 
-use crate::support::files::{decoded, gray_png, png};
+use crate::support::files::{decoded, gray_png, normal_map, png};
 use crate::support::{Folder, assert_fails};
 use eigenshade::object::Object;
 use eigenshade_generator::light::environment::EnvironmentMap;
@@ -111,8 +111,12 @@ fn pictures_and_messages() {
     assert!(folder.bytes("a.png") != folder.bytes("b.png"));
     folder.ok("pack-object a.glb --size 32 --view top --normals-only --out a.bin");
     assert_eq!(folder.bytes("a.bin").len(), 2 * 32 * 32);
+    // A map without a mesh has the material that is given.
+    folder.write("map.png", normal_map(BitDepth::Eight));
+    folder.ok("render --object map.png --light lobby --material chrome --size 32 --out b.png");
     for (options, fragments) in [
         ("--object sphere", &["no material, and the object has none", "--material"][..]),
+        ("--object map.png", &["no material, and the object has none", "--material"]),
         ("--object none.glb", &["none.glb"]),
         ("--object a.glb --format f64", &["drawn in f32"]),
         ("--object a.glb --flip-green --material chrome", &["--flip-green is for a normal map"]),
@@ -152,6 +156,43 @@ fn packed_objects_have_regions() {
     let numbers = numbers.split(',').filter_map(|number| number.trim().parse::<u8>().ok());
     assert!(numbers.eq(bytes.iter().copied()));
     assert_fails(&folder, "pack-object a.glb --flip-green --out b.bin", &["for a normal map"]);
+}
+
+#[expect(dead_code, reason = "its `main` draws a file that is not there")]
+#[path = "../../asset/examples/draw_glb.rs"]
+mod program;
+
+/// The ten lines of the README of `eigenshade-asset` draw the bytes that `render` does.
+#[test]
+fn a_program_draws_the_same_picture() {
+    let text = include_str!("../../asset/examples/draw_glb.rs");
+    let (_, program) = text.split_once("\n\n").expect("a comment");
+    let readme = include_str!("../../asset/README.md");
+    assert!(readme.contains(&format!("```rust\n{program}```")), "{program}");
+    let folder = Folder::new();
+    let material =
+        r#""pbrMetallicRoughness":{"baseColorFactor":[0.9,0.6,0.3,1],"roughnessFactor":0.3}"#;
+    folder.write("a.glb", sphere(material).bytes());
+    let path = |name| folder.path(name).display().to_string();
+    program::draw(&path("a.glb"), "lobby", &path("program.png")).expect("a picture");
+    folder.ok("render --object a.glb --light lobby --out render.png");
+    assert!(folder.bytes("program.png") == folder.bytes("render.png"));
+}
+
+/// A mirror is drawn as a roughness of 0.2 with the highlights of lamps, and a note has the error.
+#[test]
+fn a_mirror_is_far_off() {
+    let folder = Folder::new();
+    let material = r#""pbrMetallicRoughness":{"roughnessFactor":0}"#;
+    folder.write("a.glb", sphere(material).bytes());
+    let message = folder.messages("render --object a.glb --light lobby --size 32 --out a.png");
+    assert!(
+        message.contains("note: `a.glb` is sharper than degree 12, order 12 with"),
+        "{message}"
+    );
+    assert!(message.contains("has an estimated screen error of"), "{message}");
+    let (_, _, bytes) = decoded(&folder.path("a.png"));
+    assert!(bytes.iter().any(|byte| *byte > 0 && *byte < 255));
 }
 
 /// A box whose sides have colors, as a polygon file.

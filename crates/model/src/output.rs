@@ -1,11 +1,18 @@
 //! Complete files or none: an output appears under its name only when it is complete.
 
 use crate::error::{Error, Result};
+use std::fmt::Display;
 use std::fs::{self, File, Metadata, OpenOptions};
 use std::io::{self, BufWriter, Write};
 use std::path::{Path, PathBuf};
 use std::sync::{Mutex, MutexGuard, PoisonError};
 use tempfile::NamedTempFile;
+
+/// The error for an output that cannot be written.
+#[must_use]
+pub fn write_error(error: impl Display) -> Error {
+    Error::new(error.to_string(), "check where the output goes")
+}
 
 /// Writes a file through a temporary file in the same folder, which is renamed at the end. A reader
 /// of `path` finds either the old file or the complete new one.

@@ -6,13 +6,23 @@ pub fn linear(code: f64) -> f64 {
     if code <= 0.040_45 { code / 12.92 } else { ((code + 0.055) / 1.055).powf(2.4) }
 }
 
-/// The linear color of a hexadecimal sRGB code such as `#b87333`.
-#[must_use]
-pub fn from_hex(text: &str) -> Option<[f64; 3]> {
-    let digits = text.strip_prefix('#')?;
-    let is_hex = digits.len() == 6 && digits.bytes().all(|digit| digit.is_ascii_hexdigit());
-    let [_, rgb @ ..] = u32::from_str_radix(digits, 16).ok().filter(|_| is_hex)?.to_be_bytes();
-    Some(rgb.map(|code| linear(f64::from(code) / 255.0)))
+/// The linear color of a hexadecimal sRGB code such as `#b87333`, or `#fc0` for `#ffcc00`.
+///
+/// # Errors
+///
+/// If it is not `#` and three or six digits; the message says so.
+pub fn from_hex(text: &str) -> Result<[f64; 3], String> {
+    let digits = text.strip_prefix('#').map(str::chars).into_iter().flatten();
+    let digits: Option<Vec<u32>> = digits.map(|digit| digit.to_digit(16)).collect();
+    let codes = match digits.as_deref() {
+        Some(&[r, g, b]) => [r, g, b].map(|digit| 17 * digit),
+        Some(&[r, s, g, h, b, c]) => [16 * r + s, 16 * g + h, 16 * b + c],
+        _ => {
+            let wrong = format!("`{text}` is no color; write # and three or six digits of 0 to f");
+            return Err(wrong + ", as in '#b87333'");
+        }
+    };
+    Ok(codes.map(|code| linear(f64::from(code) / 255.0)))
 }
 
 /// The sRGB code of a linear value in \[0, 1\], IEC 61966-2-1; values outside are clipped.
@@ -37,10 +47,14 @@ mod tests {
     #[test]
     fn hexadecimal_codes_are_colors() {
         let copper = [0xb8, 0x73, 0x33].map(|code| linear(f64::from(code) / 255.0));
-        assert_eq!([from_hex("#b87333"), from_hex("#B87333")], [Some(copper); 2]);
-        assert_eq!(from_hex("#ffffff"), Some([1.0; 3]));
-        for wrong in ["b87333", "#fff", "#b8733", "#b873333", "#+87333", "#b8733g", "#é7333", ""] {
-            assert_eq!(from_hex(wrong), None, "{wrong}");
+        assert_eq!([from_hex("#b87333"), from_hex("#B87333")], [Ok(copper), Ok(copper)]);
+        assert_eq!(from_hex("#fff"), Ok([1.0; 3]));
+        assert_eq!(from_hex("#fC0"), from_hex("#ffcc00"));
+        let wrong =
+            ["b87333", "#12", "#b8733", "#b873333", "#+87333", "#gggggg", "#é7333", "#", ""];
+        for wrong in wrong {
+            let message = from_hex(wrong).expect_err(wrong);
+            assert!(message.starts_with(&format!("`{wrong}` is no color; write")), "{message}");
         }
     }
 

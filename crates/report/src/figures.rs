@@ -3,8 +3,9 @@
 
 use crate::sheet;
 use eigenshade_cli::output;
-use eigenshade_cli::picture::{self, Canvas};
+use eigenshade_cli::picture::Canvas;
 use eigenshade_model::error::{self, Error};
+use eigenshade_shading::picture;
 use std::fs;
 use std::path::Path;
 

@@ -10,6 +10,7 @@ pub mod figures;
 pub mod highlights;
 pub mod material_errors;
 pub mod numbers;
+pub mod objects;
 pub mod pages;
 pub mod palette_errors;
 pub mod paper;

@@ -13,6 +13,7 @@ use eigenshade_model::vector::dot;
 use eigenshade_shadows::codebook::codebook;
 use eigenshade_shadows::directions::{FINE, cell_of, cells};
 use eigenshade_shadows::eigenimages::{Turning, eigenimages, light_root};
+use eigenshade_shadows::material::Material;
 use eigenshade_shadows::transport::transports;
 use eigenshade_shadows::visibility::Occluders;
 use faer::Mat;
@@ -99,7 +100,7 @@ pub fn experiment(size: usize, names: &[&str], folder: &str) -> Result<()> {
         ("metal 0.5", Box::new(Ggx::new(0.5, 0.9, 0.0)?)),
         ("metal 0.3", Box::new(Ggx::new(0.3, 0.9, 0.0)?)),
     ];
-    let refs: Vec<&dyn Brdf> = materials.iter().map(|(_, one)| &**one).collect();
+    let refs: Vec<Material<'_>> = materials.iter().map(|(_, one)| Material::Formula(&**one)).collect();
     for (name, shape) in SHAPES {
         if !names.is_empty() && !names.contains(&name) {
             continue;

@@ -10,13 +10,14 @@ mod float_errors;
 mod highlights;
 mod material_errors;
 mod metallic_roughness;
+mod objects;
 mod packed_objects;
 mod palette_errors;
 mod paper_oracle;
 mod paper_statements;
 mod reading;
 mod roughness_weights;
-mod textured_objects;
+
 use eigenshade_generator::light::environment::EnvironmentMap;
 use eigenshade_generator::material::brdf::{Brdf, Surface};
 use eigenshade_generator::material::files::{Source, read};

@@ -1,6 +1,5 @@
 //! Packed objects, drawn as firmware draws them, against the pictures of the program.
 
-use crate::textured_objects::objects;
 use eigenshade::object::{Object, Region};
 use eigenshade::screen::{Display, Exposure, LinearPalette, Meter, Target, Tone};
 use eigenshade::{Light, Material, Rgb, Source, q15, sphere};
@@ -13,8 +12,9 @@ use eigenshade_model::{highlights, shipped};
 use eigenshade_shading::highlights::source;
 use eigenshade_shading::owned_basis::OwnedBasis;
 use eigenshade_shading::shader::Shader;
-use eigenshade_shading::textured::irradiance;
+use eigenshade_shading::textured::{Blend, irradiance};
 use palette::{LinSrgb, Srgb};
+use report::objects::all as objects;
 use report::palette_errors::{Errors, summed};
 
 /// Pixels across.
@@ -105,7 +105,9 @@ fn reference(
     texels: &Texels,
     sources: &[eigenshade_model::source::Source],
 ) -> (Vec<Rgb<f32>>, Exposure) {
-    let colors = irradiance(shader, light, 7, &texels.texels, sources).expect("colors");
+    let blend = Blend::of(texels.texels.iter().map(|texel| texel.roughness)).expect("weights");
+    let texels_of = (&blend, &texels.texels[..]);
+    let colors = irradiance(shader, light, 7, texels_of, sources).expect("colors");
     let mut shown = colors.iter().zip(&texels.shares);
     let mut meter = Meter::default();
     let mut pixel = |count: usize| {

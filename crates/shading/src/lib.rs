@@ -32,5 +32,13 @@ pub mod integer_shader;
 
 pub mod highlights;
 
+pub mod presets;
+
+pub mod estimate;
+
+pub mod preview;
+
+pub mod picture;
+
 #[cfg(feature = "sources")]
 pub mod sources;

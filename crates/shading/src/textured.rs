@@ -93,37 +93,47 @@ impl Weights {
 }
 
 /// The roughnesses that have images.
-enum Blend {
+#[derive(Clone, Debug, PartialEq)]
+pub struct Blend(Kind);
+
+#[derive(Clone, Debug, PartialEq)]
+enum Kind {
     Exact(Vec<f32>),
     Knots(Weights),
 }
 
 impl Blend {
-    fn of(texels: &[Texel]) -> Result<Self> {
+    /// The images of a picture with texels of these roughnesses: their own, up to [`EXACT`], or
+    /// those of [`KNOTS`].
+    ///
+    /// # Errors
+    ///
+    /// As [`Weights::shipped`].
+    pub fn of(roughnesses: impl IntoIterator<Item = f32>) -> Result<Self> {
         let mut found: Vec<f32> = Vec::new();
-        for texel in texels {
-            let roughness = texel.roughness.max(KNOTS[0]);
+        for roughness in roughnesses {
+            let roughness = roughness.max(KNOTS[0]);
             if !found.contains(&roughness) {
                 found.push(roughness);
             }
             if found.len() > EXACT {
-                return Ok(Self::Knots(Weights::shipped()?));
+                return Ok(Self(Kind::Knots(Weights::shipped()?)));
             }
         }
-        Ok(Self::Exact(found))
+        Ok(Self(Kind::Exact(found)))
     }
 
     fn roughnesses(&self) -> &[f32] {
-        match self {
-            Self::Exact(found) => found,
-            Self::Knots(_) => &KNOTS,
+        match &self.0 {
+            Kind::Exact(found) => found,
+            Kind::Knots(_) => &KNOTS,
         }
     }
 
     fn weights(&self, roughness: f32) -> [f32; 5] {
-        match self {
-            Self::Knots(weights) => weights.at(roughness),
-            Self::Exact(found) => {
+        match &self.0 {
+            Kind::Knots(weights) => weights.at(roughness),
+            Kind::Exact(found) => {
                 let roughness = roughness.max(KNOTS[0]);
                 [0, 1, 2, 3, 4].map(|k| f32::from(u8::from(found.get(k) == Some(&roughness))))
             }
@@ -134,7 +144,8 @@ impl Blend {
 /// The irradiance of each texel under a light, without `sources`, and by these sources.
 ///
 /// The light has at most the degree of the shader's table, and `order` is at most the table's. The
-/// matte part of a source is reflected by the same texel.
+/// matte part of a source is reflected by the same texel. `blend` is of these texels, or of a picture
+/// that they are part of.
 ///
 /// # Errors
 ///
@@ -143,10 +154,9 @@ pub fn irradiance(
     shader: &mut Shader<'_>,
     light: &Named,
     order: usize,
-    texels: &[Texel],
+    (blend, texels): (&Blend, &[Texel]),
     sources: &[Source],
 ) -> Result<Vec<Rgb<f32>>> {
-    let blend = Blend::of(texels)?;
     let [matte, ..] = parts(order, 1.0)?;
     let of_knots = blend.roughnesses().iter().map(|roughness| parts(order, *roughness));
     let of_knots = of_knots.collect::<Result<Vec<_>>>()?;
@@ -279,9 +289,10 @@ mod tests {
                 };
                 let texels: Vec<Texel> = normals.iter().map(texel).collect();
                 let whole = texels[0].material(order).expect("a material");
+                let blend = Blend::of([roughness]).expect("an image");
                 for light in &lights.entries {
-                    let found =
-                        irradiance(&mut shader, light, order, &texels, &[]).expect("colors");
+                    let found = irradiance(&mut shader, light, order, (&blend, &texels), &[]);
+                    let found = found.expect("colors");
                     let mut expected = Vec::new();
                     for (light, material) in light.rgb.iter().zip(&whole) {
                         expected

@@ -2,6 +2,15 @@
 
 use std::f32::consts::{PI, TAU};
 
+/// The type of floats.
+pub const FLOAT: u32 = 5126;
+
+/// The bytes of floats.
+#[must_use]
+pub fn floats(all: &[f32]) -> Vec<u8> {
+    all.iter().flat_map(|x| x.to_le_bytes()).collect()
+}
+
 /// A glTF file of one mesh with one material.
 #[derive(Clone, Debug)]
 pub struct Glb {
@@ -15,8 +24,16 @@ pub struct Glb {
     pub colors: Vec<[f32; 4]>,
     /// Three corners for each triangle.
     pub indices: Vec<u32>,
+    /// Further accessors, numbered from 0: type of number, kind and bytes.
+    pub accessors: Vec<(u32, &'static str, Vec<u8>)>,
+    /// Further attributes, each behind a comma.
+    pub attributes: String,
+    /// The members of the primitive after its material, each behind a comma.
+    pub primitive: String,
     /// The members of the node after its mesh, each behind a comma.
     pub node: String,
+    /// Further nodes, numbered from 1, each behind a comma.
+    pub nodes: String,
     /// The members of the material.
     pub material: String,
     /// The pictures of the textures of the same numbers.
@@ -35,7 +52,11 @@ impl Glb {
             coordinates: vec![[0.0, 1.0], [1.0, 1.0], [1.0, 0.0], [0.0, 0.0]],
             colors: Vec::new(),
             indices: vec![0, 1, 2, 0, 2, 3],
+            accessors: Vec::new(),
+            attributes: String::new(),
+            primitive: String::new(),
             node: String::new(),
+            nodes: String::new(),
             material: String::new(),
             images: Vec::new(),
             extra: String::new(),
@@ -68,31 +89,36 @@ impl Glb {
     pub fn parts(&self, uri: &str) -> (String, Vec<u8>) {
         let (mut bytes, mut views, mut accessors) = (Vec::new(), Vec::new(), Vec::new());
         let mut attributes = Vec::new();
-        let floats = |all: &[f32]| all.iter().flat_map(|x| x.to_le_bytes()).collect::<Vec<u8>>();
-        for (name, kind, values) in [
-            ("POSITION", "VEC3", floats(self.positions.as_flattened())),
-            ("NORMAL", "VEC3", floats(self.normals.as_flattened())),
-            ("TEXCOORD_0", "VEC2", floats(self.coordinates.as_flattened())),
-            ("COLOR_0", "VEC4", floats(self.colors.as_flattened())),
-            ("", "SCALAR", self.indices.iter().flat_map(|x| x.to_le_bytes()).collect()),
-        ] {
+        let further = self.accessors.iter();
+        let further = further.map(|(number, kind, bytes)| ("", *number, *kind, bytes.clone()));
+        let indices: Vec<u8> = self.indices.iter().flat_map(|x| x.to_le_bytes()).collect();
+        for (name, number, kind, values) in further.chain([
+            ("POSITION", FLOAT, "VEC3", floats(self.positions.as_flattened())),
+            ("NORMAL", FLOAT, "VEC3", floats(self.normals.as_flattened())),
+            ("TEXCOORD_0", FLOAT, "VEC2", floats(self.coordinates.as_flattened())),
+            ("COLOR_0", FLOAT, "VEC4", floats(self.colors.as_flattened())),
+            ("", 5125, "SCALAR", indices),
+        ]) {
             if values.is_empty() {
                 continue;
             }
             let (offset, length) = (bytes.len(), values.len());
-            let wide = [("SCALAR", 4), ("VEC2", 8), ("VEC3", 12), ("VEC4", 16)];
-            let size = wide.iter().find(|(known, _)| *known == kind).map_or(4, |(_, size)| *size);
-            let (number, count) = (accessors.len(), length / size);
+            let wide = [("VEC2", 2), ("VEC3", 3), ("VEC4", 4), ("MAT4", 16)];
+            let wide = wide.iter().find(|(known, _)| *known == kind).map_or(1, |(_, size)| *size);
+            let bytes_each = [(FLOAT, 4), (5125, 4), (5123, 2)];
+            let each = bytes_each.iter().find(|(known, _)| *known == number);
+            let (view, count) =
+                (accessors.len(), length / wide / each.map_or(1, |(_, each)| *each));
             views.push(format!(r#"{{"buffer":0,"byteOffset":{offset},"byteLength":{length}}}"#));
-            let component = if name.is_empty() { 5125 } else { 5126 };
             let bounds = if name == "POSITION" { r#","min":[-9,-9,-9],"max":[9,9,9]"# } else { "" };
             accessors.push(format!(
-                r#"{{"bufferView":{number},"componentType":{component},"count":{count},"type":"{kind}"{bounds}}}"#
+                r#"{{"bufferView":{view},"componentType":{number},"count":{count},"type":"{kind}"{bounds}}}"#
             ));
             if !name.is_empty() {
-                attributes.push(format!(r#""{name}":{number}"#));
+                attributes.push(format!(r#""{name}":{view}"#));
             }
             bytes.extend(values);
+            bytes.resize(bytes.len().next_multiple_of(4), 0);
         }
         let indices = accessors.len() - 1;
         let (mut images, mut textures) = (Vec::new(), Vec::new());
@@ -109,7 +135,7 @@ impl Glb {
             _ => format!(r#""{name}":[{}],"#, all.join(",")),
         };
         let json = format!(
-            r#"{{"asset":{{"version":"2.0"}},{}{}{}{}{}"buffers":[{{"byteLength":{}{uri}}}],"materials":[{{{}}}],"meshes":[{{"primitives":[{{"attributes":{{{}}},"indices":{indices},"material":0}}]}}],"nodes":[{{"mesh":0{}}}],"scene":0,"scenes":[{{"nodes":[0]}}]}}"#,
+            r#"{{"asset":{{"version":"2.0"}},{}{}{}{}{}"buffers":[{{"byteLength":{}{uri}}}],"materials":[{{{}}}],"meshes":[{{"primitives":[{{"attributes":{{{}{}}},"indices":{indices},"material":0{}}}]}}],"nodes":[{{"mesh":0{}}}{}],"scene":0,"scenes":[{{"nodes":[0]}}]}}"#,
             self.extra,
             list("images", &images),
             list("textures", &textures),
@@ -118,7 +144,10 @@ impl Glb {
             bytes.len(),
             self.material,
             attributes.join(","),
+            self.attributes,
+            self.primitive,
             self.node,
+            self.nodes,
         );
         (json, bytes)
     }

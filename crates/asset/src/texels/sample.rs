@@ -1,9 +1,9 @@
 //! The normal and the material parameters of one sample of a picture.
 
 use crate::asset::{Asset, Map, Material};
-use crate::tangents::{self, Tangent, places};
+use crate::tangents::{Tangent, places};
 use eigenshade_generator::object::facet::{Frame, Plane};
-use eigenshade_generator::object::surface::{Surface, View};
+use eigenshade_generator::object::surface::Surface;
 use eigenshade_model::vector::{cross, dot};
 
 /// The reflectance of dielectrics at normal incidence.
@@ -28,7 +28,7 @@ pub(super) struct Sampler<'a> {
     asset: &'a Asset,
     surface: &'a Surface,
     frame: &'a Frame,
-    tangents: Vec<[Tangent; 3]>,
+    tangents: &'a [[Tangent; 3]],
     /// The facet of the last sample.
     last: Option<(u32, Corners)>,
 }
@@ -56,9 +56,8 @@ impl<'a> Sampler<'a> {
         asset: &'a Asset,
         surface: &'a Surface,
         frame: &'a Frame,
-        view: &View,
+        tangents: &'a [[Tangent; 3]],
     ) -> Self {
-        let tangents = tangents::of(asset, surface, view);
         Self { asset, surface, frame, tangents, last: None }
     }
 

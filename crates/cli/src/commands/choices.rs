@@ -38,6 +38,12 @@ impl Choices {
         self.effects.is_empty()
     }
 
+    /// The rotation of the light, if there is one.
+    #[cfg(feature = "generate")]
+    pub fn rotation(&self) -> Option<Rotation> {
+        self.rotate
+    }
+
     /// The window that is asked for.
     pub fn window(&self) -> Option<WindowChoice> {
         self.window

@@ -1,7 +1,7 @@
 //! The relief of the demo: a medal with curved flutes inside a round rim.
 
 use eigenshade_cli::object::ObjectView;
-use eigenshade_cli::picture::Pixel;
+use eigenshade_shading::picture::Pixel;
 use std::f64::consts::PI;
 
 /// Radius of the field inside the rim; that of the medal is 1.

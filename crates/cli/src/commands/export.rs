@@ -2,16 +2,16 @@
 
 use super::options::{Destination, Green, TableChoice, count, input_file};
 use clap::{Args, ValueEnum};
-use eigenshade_cli::estimate::{counted, gloss_note};
 use eigenshade_cli::export::entry::{Format, entries, identifier, quoted_entries};
 use eigenshade_cli::export::highlights::SourcesAndGloss;
 use eigenshade_cli::export::shown::Shown;
 use eigenshade_cli::export::{c, coefficients, js, npz, rust, scene, table as of_table};
 use eigenshade_cli::messages::print_message;
 use eigenshade_cli::output;
-use eigenshade_cli::presets::Source;
 use eigenshade_model::database::{Lights, Materials, Named};
 use eigenshade_model::error::{Error, Result};
+use eigenshade_shading::estimate::{counted, gloss_note};
+use eigenshade_shading::presets::Source;
 use eigenshade_shading::shader::{fitted, of_higher_order};
 use eigenshade_table::highlights::{MAX_SOURCES, SHIPPED_SOURCES};
 use eigenshade_table::quantize::{TOLERANCE, integers};

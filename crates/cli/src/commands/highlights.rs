@@ -3,12 +3,12 @@
 use super::choices::Choices;
 use super::options::Inputs;
 use eigenshade::{Effect, Highlights};
-use eigenshade_cli::estimate::{Estimates, counted, matte_note, off_lobe_note};
 use eigenshade_cli::messages::print_message;
 use eigenshade_model::database::{Lights, Materials};
 use eigenshade_model::error::{Error, Result};
 use eigenshade_model::highlights as model;
 use eigenshade_model::source::{Gloss, NamedGloss, Source};
+use eigenshade_shading::estimate::{Estimates, counted, matte_note, off_lobe_note};
 use eigenshade_shading::highlights;
 use eigenshade_shading::shader::fault;
 use eigenshade_table::Table;
@@ -77,12 +77,6 @@ fn shining(
 }
 
 impl HighlightInputs {
-    /// These sources on this gloss.
-    #[cfg(feature = "generate")]
-    pub fn new(gloss: Gloss, sources: Vec<Source>) -> Self {
-        Self { gloss, sources }
-    }
-
     /// Up to `most` sources of the first light, which they are taken out of, for the first
     /// material. A matte material has none, with a note. Fails if the table has no gloss, the light
     /// has no sources, or the gloss of the material is not known.

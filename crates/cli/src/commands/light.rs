@@ -6,9 +6,6 @@ use clap::Args;
 use clap::builder::TypedValueParser;
 use eigenshade_cli::messages::{print_message, progress_bar};
 use eigenshade_cli::output;
-use eigenshade_cli::presets::{
-    SOURCE_ERRORS, SOURCES, Source as Preset, beside, refuse_stale_sources,
-};
 use eigenshade_generator::light::cube::{FACES, are_faces, face_files};
 use eigenshade_generator::light::frame::Frame;
 use eigenshade_generator::light::map::{Layout, Map};
@@ -23,6 +20,9 @@ use eigenshade_model::inputs::source_csv::write_sources;
 use eigenshade_model::inputs::source_error_csv::write_source_errors;
 use eigenshade_model::shipped;
 use eigenshade_model::source::{Base, NamedSources, Source, SourceError};
+use eigenshade_shading::presets::{
+    SOURCE_ERRORS, SOURCES, Source as Preset, beside, refuse_stale_sources,
+};
 use eigenshade_shading::sources::light_tree::BLOCK;
 use eigenshade_shading::sources::pursuit::{self, FITTED};
 use eigenshade_shading::sources::remaining;

@@ -5,7 +5,6 @@ use clap::builder::TypedValueParser;
 use clap::{Args, Subcommand};
 use eigenshade_cli::messages::{albedo_warning, print_message, progress_bar};
 use eigenshade_cli::output;
-use eigenshade_cli::presets::{self, GLOSS};
 use eigenshade_generator::material;
 use eigenshade_generator::material::analytic::{Analytic, Model, Shares};
 use eigenshade_generator::material::brdf::{Measure, Projected, Surface};
@@ -17,13 +16,14 @@ use eigenshade_model::inputs::coefficient_csv::write_materials;
 use eigenshade_model::inputs::gloss_csv::write_glosses;
 use eigenshade_model::parallel;
 use eigenshade_model::source::NamedGloss;
-use eigenshade_model::srgb::from_hex;
 use eigenshade_model::window::Window;
+use eigenshade_shading::presets::{self, GLOSS};
 use eigenshade_shading::sources::gloss::{Fitter, of_measured};
 use eigenshade_table::highlights::DIELECTRIC;
 use eigenshade_table::material::count as count_of_orders;
 use std::collections::HashSet;
 use std::path::PathBuf;
+use std::str::FromStr;
 
 /// The order of the shipped table.
 const ORDER: usize = 7;
@@ -218,8 +218,8 @@ fn negative_values(sources: &[Source]) -> Option<String> {
 pub enum Formula {
     /// Perfectly diffuse: albedo / pi
     Lambertian {
-        /// Reflected share of the light: a number or r,g,b, linear; or '#rrggbb', sRGB
-        #[arg(long, value_name = "A", value_parser = shares)]
+        /// Reflected share of the light: a number or r,g,b, linear; or '#rrggbb' or '#rgb', sRGB
+        #[arg(long, value_name = "A", value_parser = Shares::from_str)]
         albedo: Shares,
         #[command(flatten)]
         options: Options,
@@ -229,8 +229,8 @@ pub enum Formula {
         /// Standard deviation of the facets' angle, radians, 0 to pi/2
         #[arg(long, value_name = "S")]
         sigma: f64,
-        /// Albedo: a number or r,g,b, linear; or '#rrggbb', sRGB
-        #[arg(long, value_name = "A", default_value = "1", value_parser = shares)]
+        /// Albedo: a number or r,g,b, linear; or '#rrggbb' or '#rgb', sRGB
+        #[arg(long, value_name = "A", default_value = "1", value_parser = Shares::from_str)]
         albedo: Shares,
         #[command(flatten)]
         options: Options,
@@ -240,7 +240,7 @@ pub enum Formula {
     /// It is `ggx` with f0 = 0.04 + (base color - 0.04) metallic and the albedo base color (1 -
     /// metallic).
     Gltf {
-        /// Base color, 0 to 1: a number or r,g,b, linear; or '#rrggbb', sRGB, such as '#b87333'
+        /// Base color, 0 to 1: a number or r,g,b, linear; or '#rrggbb' or '#rgb', sRGB
         #[arg(long, value_name = "C", value_parser = color)]
         base_color: Shares,
         /// 0 for a dielectric to 1 for a metal
@@ -259,11 +259,11 @@ pub enum Formula {
         /// Perceptual roughness, 0.03 to 1; alpha is its square
         #[arg(long, value_name = "R")]
         roughness: f64,
-        /// Reflectance at normal incidence: a number or r,g,b, linear; or '#rrggbb', sRGB
-        #[arg(long, value_name = "F", value_parser = shares)]
+        /// Reflectance at normal incidence: a number or r,g,b, linear; or '#rrggbb' or '#rgb', sRGB
+        #[arg(long, value_name = "F", value_parser = Shares::from_str)]
         f0: Shares,
-        /// Albedo of the diffuse base: a number or r,g,b, linear; or '#rrggbb', sRGB
-        #[arg(long, value_name = "A", default_value = "0", value_parser = shares)]
+        /// Albedo of the diffuse base: a number or r,g,b, linear; or '#rrggbb' or '#rgb', sRGB
+        #[arg(long, value_name = "A", default_value = "0", value_parser = Shares::from_str)]
         albedo: Shares,
         #[command(flatten)]
         options: Options,
@@ -352,24 +352,10 @@ fn share(text: &str) -> std::result::Result<f64, String> {
     number.ok_or_else(|| "expected a number from 0 to 1".to_owned())
 }
 
-/// Parses a color: [`shares`] from 0 to 1.
+/// Parses a color: [`Shares`] from 0 to 1.
 fn color(text: &str) -> std::result::Result<Shares, String> {
     if !text.starts_with('#') {
         text.split(',').try_for_each(|field| share(field).map(drop))?;
     }
-    shares(text)
-}
-
-/// Parses a number, three with commas between them, or a hexadecimal sRGB code.
-fn shares(text: &str) -> std::result::Result<Shares, String> {
-    if let Some(color) = from_hex(text) {
-        return Ok(Shares::Rgb(color));
-    }
-    let numbers: std::result::Result<Vec<f64>, _> =
-        text.split(',').map(|field| field.trim().parse::<f64>()).collect();
-    match numbers.as_deref() {
-        Ok(&[gray]) => Ok(Shares::Gray(gray)),
-        Ok(&[r, g, b]) => Ok(Shares::Rgb([r, g, b])),
-        _ => Err("expected a number, three: r,g,b, or '#rrggbb'".to_owned()),
-    }
+    text.parse()
 }

@@ -6,12 +6,12 @@ use eigenshade::Effect;
 use eigenshade::screen::Exposure;
 use eigenshade_cli::messages::print_message;
 use eigenshade_cli::object::ObjectOptions;
-use eigenshade_cli::presets::Source;
 use eigenshade_cli::table;
 use eigenshade_model::error::Result;
 use eigenshade_model::inputs::input_file::InputFile;
 use eigenshade_model::rotation::Rotation;
 use eigenshade_model::window::Window;
+use eigenshade_shading::presets::Source;
 use eigenshade_table::Table;
 use eigenshade_table::highlights::MAX_SOURCES;
 #[cfg(feature = "generate")]

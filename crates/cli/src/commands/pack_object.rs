@@ -11,7 +11,7 @@ use eigenshade_cli::export::entry::identifier;
 use eigenshade_cli::messages::{grouped, printable, spinner};
 use eigenshade_cli::object::ObjectView;
 use eigenshade_cli::output;
-use eigenshade_cli::presets::Source;
+use eigenshade_shading::presets::Source;
 use eigenshade_model::error::{Error, Result};
 use eigenshade_model::inputs::input_file::InputFile;
 use eigenshade_model::shipped;

@@ -1,11 +1,12 @@
 //! `eigenshade read`: estimates components, light and material from an image.
 
-use super::options::{Destination, Green, TableChoice, count, input_file, number};
+use super::options::{Destination, Green, Pose, TableChoice, count, input_file, number};
 use super::read_answer::{self, Answer};
 use clap::Args;
+use eigenshade_asset::asset::Asset;
 use eigenshade_cli::messages::print_message;
+use eigenshade_cli::object::is_mesh;
 use eigenshade_cli::output;
-use eigenshade_cli::presets::{Source, refuse_stale_sources};
 use eigenshade_cli::reading::pixels::{LinearImage, Transfer};
 use eigenshade_cli::reading::{Reader, pixels};
 use eigenshade_cli::table::{self, rounding};
@@ -14,8 +15,9 @@ use eigenshade_generator::scene_file;
 use eigenshade_model::database::{Lights, Materials};
 use eigenshade_model::error::{Error, Result};
 use eigenshade_model::inputs::coefficient_csv::{read_lights, read_materials_and_order};
-use eigenshade_model::inputs::input_file::is_file;
+use eigenshade_model::inputs::input_file::{InputFile, is_file};
 use eigenshade_model::shipped;
+use eigenshade_shading::presets::{Source, refuse_stale_sources};
 use eigenshade_shading::shader::{fitted, of_higher_order};
 use eigenshade_table::Table;
 use eigenshade_table::wire::NumberFormat;
@@ -35,11 +37,14 @@ pub struct Read {
     /// Image: .png, .exr, .hdr, .pfm, or a CSV `r,g,b` or `value` with a row for each pixel
     #[arg(value_name = "IMAGE")]
     image: PathBuf,
-    /// Normals: `sphere`, a normal map (.png), or a CSV `x,y,z` with a row for each pixel
-    #[arg(short, long, value_name = "NORMALS")]
+    /// Normals: `sphere`, a mesh (.obj, .stl, .ply, .glb, .gltf), a normal map (.png), or a CSV
+    /// `x,y,z` with a row for each pixel
+    #[arg(short, long, visible_alias = "object", value_name = "NORMALS")]
     normals: PathBuf,
     #[command(flatten)]
     green: Green,
+    #[command(flatten)]
+    pose: Pose,
     /// Weight of each pixel: a gray PNG, or a CSV `weight` with a row for each pixel
     #[arg(long, value_name = "FILE")]
     mask: Option<PathBuf>,
@@ -243,6 +248,26 @@ impl Read {
         table.scene.material.database.iter().map(|path| self.beside(path)).collect()
     }
 
+    /// Notes about the place and the materials of the object.
+    fn notes(&self, size: Option<[usize; 2]>) -> [Option<String>; 2] {
+        let file = InputFile::new(&self.normals);
+        let (is_sphere, is_mesh) = (self.normals == Path::new("sphere"), is_mesh(&file));
+        let shape = match is_mesh {
+            true => "the object fills the largest square",
+            false => "`sphere` is the largest circle",
+        };
+        let oblong = size.filter(|[width, height]| (is_sphere || is_mesh) && width != height);
+        let place = oblong.map(|[width, height]| {
+            format!("note: the image is {width} x {height}, and {shape} in its middle")
+        });
+        let has_materials = is_mesh && Asset::read(&file).is_ok_and(|asset| asset.is_some());
+        let name = file.path().display();
+        let materials = has_materials.then(|| {
+            format!("note: {name}: its materials are ignored: one is read for the whole object")
+        });
+        [place, materials]
+    }
+
     /// The pixels that are used, and a line about those that are not.
     fn observe(
         &self,
@@ -258,16 +283,9 @@ impl Read {
         let counts: Vec<bool> =
             image.weights.iter().zip(&mask).map(|(weight, mask)| weight * mask > 0.0).collect();
         let file = input_file(&self.normals);
-        let normals = pixels::normals(&file, image.size, &counts, self.green.is_flipped)?;
-        if let Some([width, height]) = image.size
-            && self.normals == Path::new("sphere")
-            && width != height
-        {
-            print_message(format_args!(
-                "note: the image is {width} x {height}, and `sphere` is the largest circle in its \
-                 middle"
-            ));
-        }
+        let options = self.pose.options(None, self.green);
+        let normals = pixels::normals(&file, image.size, &counts, options)?;
+        self.notes(image.size).into_iter().flatten().for_each(print_message);
         let channels = if image.is_gray() { 1 } else { 3 };
         let values = EigenimageValues::new(table, components);
         let mut observer = Observer::new(values, channels);

@@ -5,8 +5,8 @@ use super::render::Render;
 use super::shadows::{Parts, object};
 use eigenshade::Rgb;
 use eigenshade_cli::messages::{albedo_warning, dark_light_warning, print_message};
-use eigenshade_cli::picture::Pixel;
-use eigenshade_cli::picture_file::{Development, PictureFile};
+use eigenshade_shading::picture::{Development, Pixel};
+use eigenshade_cli::picture_file::PictureFile;
 use eigenshade_model::database::{Lights, Materials};
 use eigenshade_model::error::{Error, Result};
 

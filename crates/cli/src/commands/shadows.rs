@@ -2,7 +2,7 @@
 
 use eigenshade_asset::asset::Asset;
 use eigenshade_cli::messages::progress_bar;
-use eigenshade_cli::presets::Source;
+use eigenshade_shading::presets::Source;
 use eigenshade_generator::object::mesh;
 use eigenshade_generator::object::surface::{Surface, View};
 use eigenshade_model::database::Named;

@@ -2,10 +2,10 @@
 
 use super::array::Array;
 use crate::object::{ObjectOptions, ObjectView};
-use crate::picture::Pixel;
 use eigenshade_model::error::{Error, Result};
 use eigenshade_model::inputs::input_file::InputFile;
 use eigenshade_model::inputs::normals::read_normals;
+use eigenshade_shading::picture::Pixel;
 
 /// Pixels across a sphere and a mesh, unless the caller asks for another number.
 const SIZE: usize = 64;

@@ -1,8 +1,7 @@
 //! The pixels of an image: a photograph or rendering as irradiance, which is linear values with a
 //! weight for each pixel, and the normal of each pixel.
 
-use crate::object::flips_no_map;
-use crate::picture::SphereView;
+use crate::object::{ObjectOptions, ObjectView, is_mesh};
 use eigenshade_generator::light::environment::EnvironmentMap;
 use eigenshade_generator::object::normal_map;
 use eigenshade_generator::png_samples::{self, Curve};
@@ -13,6 +12,7 @@ use eigenshade_model::inputs::normals::read_normals;
 use eigenshade_model::inputs::sheet::{Row, Sheet};
 use eigenshade_model::srgb::linear;
 use eigenshade_model::vector::dot;
+use eigenshade_shading::picture::Pixel;
 use std::path::Path;
 
 /// By how much rounding may leave an opacity outside 0 to 1.
@@ -174,37 +174,32 @@ const LARGEST: f64 = 1e100;
 /// Reads the unit normal, z >= 0, of each pixel of an image of this size; `None` where there is no
 /// object.
 ///
-/// `file` is one of three: the name `sphere`, for a centered sphere that fills the image as in
-/// [`SphereView`]; a PNG of the image's size, read as a [`normal_map`]; or a CSV `x,y,z` with a row
-/// for each pixel, row by row. `counts` states for each pixel whether it is used; in a normal map,
-/// unused pixels may face away.
+/// `file` is one of four: the name `sphere`, for a centered sphere that fills the image as in
+/// [`SphereView`](crate::picture::SphereView); a mesh, drawn as large; a PNG of the image's size, read as a [`normal_map`]; or a
+/// CSV `x,y,z` with a row for each pixel, row by row. `counts` states for each pixel whether it is
+/// used; in a normal map, unused pixels may face away. A pixel at the rim, which an object covers in
+/// part, has no normal.
 ///
-/// Fails if `sphere` is given for an image without a size, green is to be flipped in anything but a
-/// normal map, the file has another size than the image
-/// or is a mesh, or the file cannot be read.
+/// Fails if `sphere` or a mesh is given for an image without a size, an option is not for such an
+/// object, the file has another size than the image, or the file cannot be read.
 pub fn normals(
     file: &InputFile,
     size: Option<[usize; 2]>,
     counts: &[bool],
-    flip_green: bool,
+    options: ObjectOptions,
 ) -> Result<Vec<Option<[f64; 3]>>> {
-    if flip_green && file.extension() != "png" {
-        return Err(flips_no_map(file));
-    }
-    if file.path() == Path::new("sphere") {
-        return size.map(normals_of_sphere).ok_or_else(|| {
+    options.check(file)?;
+    let is_sphere = file.path() == Path::new("sphere");
+    if is_sphere || is_mesh(file) {
+        let size = size.ok_or_else(|| {
+            let what = if is_sphere { "sphere" } else { "mesh" };
             let remedy = "give --normals a CSV with a row for each of them";
-            Error::new("a list of pixels shows no sphere", remedy)
-        });
+            Error::new(format!("a list of pixels shows no {what}"), remedy)
+        })?;
+        return centered(file, size, options);
     }
     let found: Vec<_> = match file.extension().as_str() {
-        "png" => normals_of_png(file, size, counts, flip_green)?,
-        _ if file.is_mesh() => {
-            let what =
-                "it is a mesh, and `read` takes `sphere`, a normal map (.png) or a CSV `x,y,z`";
-            let remedy = "give the normals of the image's pixels, or draw the mesh with `render`";
-            return Err(Error::new(what, remedy).in_file(file.path()));
-        }
+        "png" => normals_of_png(file, size, counts, options.flip_green)?,
         _ => read_normals(file.clone())?.into_iter().map(Some).collect(),
     };
     if found.len() != counts.len() {
@@ -215,14 +210,25 @@ pub fn normals(
     Ok(found)
 }
 
-fn normals_of_sphere([width, height]: [usize; 2]) -> Vec<Option<[f64; 3]>> {
+/// The normals of a sphere or a mesh that fills the largest square in the middle of an image.
+fn centered(
+    file: &InputFile,
+    [width, height]: [usize; 2],
+    options: ObjectOptions,
+) -> Result<Vec<Option<[f64; 3]>>> {
     let side = width.min(height);
+    let view = ObjectView::read(file.clone(), ObjectOptions { size: Some(side), ..options })?;
+    let is_whole = |pixel: &Pixel| match is_mesh(file) {
+        true => pixel.coverage >= 1.0,
+        false => pixel.is_inside,
+    };
     let (left, top) = ((width - side) / 2, (height - side) / 2);
     let mut normals = vec![None; width * height];
-    for (pixel, normal) in SphereView::pixels(side).filter(|(pixel, _)| pixel.is_inside) {
+    let shown = view.pixels.iter().zip(view.normals);
+    for (pixel, normal) in shown.filter(|(pixel, _)| is_whole(pixel)) {
         normals[(top + pixel.row) * width + left + pixel.column] = Some(normal);
     }
-    normals
+    Ok(normals)
 }
 
 fn normals_of_png(

@@ -5,7 +5,7 @@
 //! name = "red-plastic"
 //! model = "ggx"             # or "lambertian", "oren-nayar"
 //! roughness = 0.4           # ggx
-//! f0 = 0.04                 # ggx: a number, or [r, g, b], linear, or "#rrggbb" in sRGB
+//! f0 = 0.04                 # ggx: a number, or [r, g, b], linear, or "#b87333" in sRGB
 //! albedo = [0.7, 0.1, 0.1]  # all three: the same; 0 for ggx if left out
 //! # sigma = 0.3             # oren-nayar, radians
 //! ```
@@ -17,6 +17,7 @@ use eigenshade_model::source::Gloss;
 use eigenshade_model::srgb::from_hex;
 use serde::Deserialize;
 use std::collections::HashSet;
+use std::str::FromStr;
 
 /// Maximum size of a material file, in bytes.
 const LONGEST: u64 = 1 << 22;
@@ -55,8 +56,8 @@ pub enum Model {
     Ggx,
 }
 
-/// A number for all channels, or one for each channel; linear. A file can also have a hexadecimal
-/// sRGB code.
+/// A number for all channels, or one for each channel; linear. It can also be written
+/// as a hexadecimal sRGB code.
 #[derive(Clone, Copy, Debug, PartialEq, Deserialize)]
 #[serde(try_from = "Written")]
 pub enum Shares {
@@ -68,7 +69,7 @@ pub enum Shares {
 
 /// Shares as a file has them.
 #[derive(Deserialize)]
-#[serde(untagged, expecting = "a share is a number, [r, g, b], or \"#rrggbb\" in sRGB")]
+#[serde(untagged, expecting = "a share is a number, [r, g, b], or \"#b87333\" in sRGB")]
 enum Written {
     Gray(f64),
     Rgb([f64; 3]),
@@ -82,10 +83,24 @@ impl TryFrom<Written> for Shares {
         match written {
             Written::Gray(value) => Ok(Self::Gray(value)),
             Written::Rgb(rgb) => Ok(Self::Rgb(rgb)),
-            Written::Hex(text) => {
-                let wrong = || format!("`{text}` is no color; write six digits, as in \"#b87333\"");
-                from_hex(&text).map(Self::Rgb).ok_or_else(wrong)
-            }
+            Written::Hex(text) => from_hex(&text).map(Self::Rgb),
+        }
+    }
+}
+
+impl FromStr for Shares {
+    type Err = String;
+
+    /// A number, three with commas between them, or a hexadecimal sRGB code.
+    fn from_str(text: &str) -> std::result::Result<Self, String> {
+        if text.starts_with('#') {
+            return from_hex(text).map(Self::Rgb);
+        }
+        let numbers = text.split(',').map(|field| field.trim().parse().ok());
+        match numbers.collect::<Option<Vec<f64>>>().as_deref() {
+            Some(&[gray]) => Ok(Self::Gray(gray)),
+            Some(&[r, g, b]) => Ok(Self::Rgb([r, g, b])),
+            _ => Err("expected a number, three: r,g,b, or '#b87333'".to_owned()),
         }
     }
 }

@@ -2,10 +2,11 @@
 
 use super::{inputs, write, write_csv};
 use eigenshade_cli::messages::{print_message, progress_bar};
-use eigenshade_cli::picture::{Canvas, SphereView, write_png};
+use eigenshade_cli::picture::{Canvas, SphereView};
 use eigenshade_model::error::Result;
 use eigenshade_model::inputs::gloss_csv::write_glosses;
 use eigenshade_model::srgb::srgb;
+use eigenshade_shading::picture::write_png;
 use eigenshade_shading::sources::screen::{self, Reference};
 use report::highlights::{self, DRAWN, Row};
 use report::material_errors::{self, SPACING};

@@ -9,9 +9,10 @@ use report::{figures, highlights, material_errors, paper, stability};
 use std::path::Path;
 
 /// The pages that show CSV files of their folder as they are.
-const AS_THEY_ARE: [(&str, &[&str]); 3] = [
+const AS_THEY_ARE: [(&str, &[&str]); 4] = [
     ("benches/README.md", &["counts.csv", "peers.csv"]),
     ("docs/accuracy.md", &["float-errors.csv", "metallic-roughness.csv", "unseen.csv"]),
+    ("docs/objects.md", &["objects.csv"]),
     ("docs/reading.md", &["reading-estimates.csv", "reading-scenes.csv"]),
 ];
 

@@ -1,12 +1,12 @@
 //! A coarse picture of a sphere, which meters an exposure and chooses a window before the picture
 //! itself is drawn.
 
+use crate::shader::{Lit, OwnedNormals, Shader, fault};
 use eigenshade::screen::{Exposure, Meter};
 use eigenshade::{Highlights, Rgb};
 use eigenshade_model::error::Result;
 use eigenshade_model::evaluation::Evaluator;
 use eigenshade_model::window::Window;
-use eigenshade_shading::shader::{Lit, OwnedNormals, Shader, fault};
 use eigenshade_table::Table;
 use eigenshade_table::highlights::MAX_SOURCES;
 use std::f64::consts::PI;
@@ -59,14 +59,20 @@ impl<'s> Preview<'s> {
         Ok(colors)
     }
 
-    /// The metered exposure of the channels of a light, each on that of a material. Fails as
-    /// the shader does.
+    /// The metered exposure of the channels of a light, each on that of a material.
+    ///
+    /// # Errors
+    ///
+    /// As the shader.
     pub fn exposure(&mut self, channels: &[Lit<'_>; 3]) -> Result<Exposure> {
         Ok(metered(&self.colors(channels)?))
     }
 
     /// The weakest window of the light without dark rings under an exposure, or the metered one.
-    /// Fails as the shader does.
+    ///
+    /// # Errors
+    ///
+    /// As the shader.
     pub fn window(
         &mut self,
         channels: &[Lit<'_>; 3],

@@ -38,7 +38,10 @@ pub struct Estimate {
 
 impl Estimates {
     /// The errors under a light, or under all shipped lights with maps if its own are not known.
-    /// Fails if the errors beside a light CSV cannot be read.
+    ///
+    /// # Errors
+    ///
+    /// If the errors beside a light CSV cannot be read.
     pub fn under(light: &Source, name: &str) -> Result<Self> {
         let errors = light.source_errors(name)?;
         if errors.is_empty() {

@@ -1,5 +1,6 @@
 //! Lights and materials as options name them: shipped ones, all of a file, or one of a file.
 
+use crate::highlights;
 use eigenshade_model::database::{Lights, Materials, Named, name_remedy};
 use eigenshade_model::error::{Error, Result, STANDARD_INPUT};
 use eigenshade_model::inputs::coefficient_csv::{read_lights, read_materials};
@@ -9,7 +10,6 @@ use eigenshade_model::inputs::source_csv::read_sources;
 use eigenshade_model::inputs::source_error_csv::read_source_errors;
 use eigenshade_model::shipped;
 use eigenshade_model::source::{NamedGloss, Source as SmallSource, SourceError};
-use eigenshade_shading::highlights;
 use std::convert::Infallible;
 use std::path::{Path, PathBuf};
 use std::str::FromStr;
@@ -95,8 +95,11 @@ impl Source {
         [self.path.clone()].into_iter().chain(beside).collect()
     }
 
-    /// The lights. Fails as [`read_lights`] does, and if no light has the name; the message offers
-    /// similar names.
+    /// The lights.
+    ///
+    /// # Errors
+    ///
+    /// As [`read_lights`], and if no light has the name; the message offers similar names.
     pub fn lights(&self) -> Result<Lights> {
         let file = InputFile::new(&self.path);
         let extension = file.extension();
@@ -114,9 +117,12 @@ impl Source {
         Ok(Lights { degree, entries: self.chosen("light", entries)? })
     }
 
-    /// The first small sources of one light, at most this many. Fails if the sources of a
-    /// light CSV, which are in a file beside it, cannot be read; or if there are none for the
-    /// light, or one that the runtime refuses in f32.
+    /// The first small sources of one light, at most this many.
+    ///
+    /// # Errors
+    ///
+    /// If the sources of a light CSV, which are in a file beside it, cannot be read; or if there
+    /// are none for the light, or one that the runtime refuses in f32.
     pub fn sources(&self, light: &str, most: usize) -> Result<Vec<SmallSource>> {
         if self.entry == Entry::Shipped {
             let named = shipped::sources()?.into_iter().find(|named| named.name == light);
@@ -150,8 +156,11 @@ impl Source {
         Ok(sources.to_vec())
     }
 
-    /// The errors of pictures with the small sources of one light, if they are known. Fails if
-    /// the errors of a light CSV, which are in a file beside it, cannot be read.
+    /// The errors of pictures with the small sources of one light, if they are known.
+    ///
+    /// # Errors
+    ///
+    /// If the errors of a light CSV, which are in a file beside it, cannot be read.
     pub fn source_errors(&self, light: &str) -> Result<Vec<SourceError>> {
         let errors = match self.entry {
             Entry::Shipped => shipped::source_errors()?,
@@ -163,8 +172,11 @@ impl Source {
         Ok(errors.into_iter().filter(|one| one.light == light).collect())
     }
 
-    /// The gloss of one material, if it is known. Fails if the gloss of a material CSV, which is in
-    /// a file beside it, cannot be read.
+    /// The gloss of one material, if it is known.
+    ///
+    /// # Errors
+    ///
+    /// If the gloss of a material CSV, which is in a file beside it, cannot be read.
     pub fn gloss(&self, material: &str) -> Result<Option<NamedGloss>> {
         let glosses = match self.entry {
             Entry::Shipped => shipped::glosses()?,
@@ -176,7 +188,11 @@ impl Source {
         Ok(glosses.into_iter().find(|one| one.name == material))
     }
 
-    /// The gloss of one material. Fails as [`gloss`](Self::gloss) does, and if it is not known.
+    /// The gloss of one material.
+    ///
+    /// # Errors
+    ///
+    /// As [`gloss`](Self::gloss), and if it is not known.
     pub fn known_gloss(&self, material: &str) -> Result<NamedGloss> {
         self.gloss(material)?.ok_or_else(|| {
             let remedy = "leave --sources out, name a shipped material in color, or make the CSV with \
@@ -187,8 +203,11 @@ impl Source {
         })
     }
 
-    /// The materials, shipped ones for a table of this order. Fails as [`lights`](Self::lights)
-    /// does.
+    /// The materials, shipped ones for a table of this order.
+    ///
+    /// # Errors
+    ///
+    /// As [`lights`](Self::lights).
     pub fn materials(&self, order: usize) -> Result<Materials> {
         let file = InputFile::new(&self.path);
         if is_file(&self.path) && file.extension() == "toml" {
@@ -244,7 +263,11 @@ impl Source {
         Err(Error::new(what, remedy).in_file(&self.path))
     }
 
-    /// The only one of these entries. Fails if there are several; the message has the first names.
+    /// The only one of these entries.
+    ///
+    /// # Errors
+    ///
+    /// If there are several; the message has the first names.
     pub fn only(&self, mut entries: Vec<Named>) -> Result<Named> {
         if entries.len() == 1 {
             return Ok(entries.remove(0));
