@@ -206,8 +206,10 @@ const fn split_clusters(
         clusters -= 1;
         rest = after;
     }
-    let (of_clusters, rest) = bytes.split_at(bytes.len() - rest.len());
-    if found == codes as usize { Some((of_clusters, rest)) } else { None }
+    match bytes.split_at_checked(bytes.len() - rest.len()) {
+        Some(parts) if found == codes as usize => Some(parts),
+        _ => None,
+    }
 }
 
 /// Coefficients.
@@ -229,7 +231,7 @@ impl ShadowedObject<'_> {
             self.check(coefficients.len())?;
             let mut sums = [0.0_f32; MOST_RANK];
             for (part, rows) in self.parts().enumerate() {
-                let share = share(part);
+                let share = f32::from(share(part)) / 32_767.0;
                 for ((exponent, row), sum) in rows.zip(&mut sums) {
                     let products = row.iter().zip(coefficients);
                     let product: f32 =
@@ -256,7 +258,7 @@ impl ShadowedObject<'_> {
             // Of each component a sum of at most 38 bits and its exponent.
             let mut sums = [(0_i64, i32::from(i8::MIN)); MOST_RANK];
             for (part, rows) in self.parts().enumerate() {
-                let share = (share(part) * 32_767.0) as i64;
+                let share = i64::from(share(part));
                 for ((exponent, row), sum) in rows.zip(&mut sums) {
                     let products = row.iter().zip(mantissas);
                     let product: i64 = products
@@ -273,12 +275,12 @@ impl ShadowedObject<'_> {
     fn each_channel<L>(
         &self,
         light: Rgb<L>,
-        of: impl Fn(L, &dyn Fn(usize) -> f32) -> Result<ObjectCoefficients, Error>,
+        of: impl Fn(L, &dyn Fn(usize) -> i16) -> Result<ObjectCoefficients, Error>,
     ) -> Result<Rgb<ObjectCoefficients>, Error> {
         let share = |channel: usize| {
             move |part: usize| {
                 let share = self.shares.get(part).and_then(|share| share.as_chunks().0.get(channel));
-                share.map_or(0.0, |&share| f32::from(i16::from_le_bytes(share)) / 32_767.0)
+                share.map_or(0, |&share| i16::from_le_bytes(share))
             }
         };
         let Rgb { r, g, b } = light;
@@ -293,7 +295,7 @@ impl ShadowedObject<'_> {
     /// The rows of each part: exponents and mantissas.
     fn parts(&self) -> impl Iterator<Item = impl Iterator<Item = (i32, &[[u8; 2]])>> {
         let size = 1 + 2 * light::count(self.degree);
-        self.rows.chunks_exact(self.rank * size).map(move |part| {
+        self.rows.chunks_exact((self.rank * size).max(1)).map(move |part| {
             part.chunks_exact(size).map(|row| {
                 let (exponent, mantissas) = row.split_first().unwrap_or((&0, &[]));
                 (i32::from(exponent.cast_signed()), mantissas.as_chunks().0)
@@ -378,7 +380,7 @@ impl ShadowedObject<'_> {
                 (0..cluster.codes).for_each(|_| with(shown.color(&[])));
                 continue;
             }
-            for weights in cluster.weights.chunks_exact(self.images) {
+            for weights in cluster.weights.chunks_exact(self.images.max(1)) {
                 with(shown.color(weights));
             }
         }

@@ -43,6 +43,7 @@ fn write_all() -> Result<()> {
     write("one_material.rs", of_one_material()?)?;
     write("highlights.rs", highlights::constants()?)?;
     write("object.bin", object::sphere(120)?)?;
+    write("shadowed.bin", object::shadowed()?)?;
     let mut programs = list::programs().into_iter();
     programs.try_for_each(|one| write(&format!("programs/{}.rs", one.name()), program(one)))
 }

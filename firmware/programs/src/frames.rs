@@ -79,6 +79,25 @@ pub fn frame_textured_still() {
     measure(&[()], Passes(1), |()| draw_textured(&palette, &object, &mut row));
 }
 
+/// A frame of an object with shadows of 96 x 96 pixels.
+pub fn frame_shadowed() {
+    let Ok(object) = programs::shadowed() else { board::exit(false) };
+    let (mut colors, mut row) = ([[0_u8; 2]; 4096], [[0; 2]; 96]);
+    let (exposure, rotation) = (inputs::exposure_of_floats(), inputs::rotation());
+    holds(size_of_val(&colors) + size_of_val(&row));
+    measure(&[LOBBY], Passes(1), |light| {
+        let light = light.turned::<100>(&rotation)?;
+        let d = inputs::coefficients(&object, light.lights()?)?;
+        object.colors(&d, exposure, &DISPLAY, &mut colors)?;
+        for place in 0..object.height() as i32 {
+            row.fill([0; 2]);
+            object.draw(&colors, &mut Target::new(&mut row, 96)?.at(0, -place));
+            black_box(&mut row);
+        }
+        Ok::<(), Error>(())
+    });
+}
+
 /// The light turned, the material relit, and every pixel shaded.
 pub fn frame_shaded() {
     let Ok(map) = programs::ball() else { board::exit(false) };

@@ -35,7 +35,7 @@ pub mod floats {
     pub use eigenshade::Normal;
     pub use eigenshade::Rotation;
     pub use eigenshade::object::{BakedMap, MapPoint};
-    use eigenshade::object::Region;
+    use eigenshade::object::{ObjectCoefficients, Region, ShadowedObject};
     pub use eigenshade::presets::{light::LOBBY, material::GOLD_METALLIC_PAINT};
     use eigenshade::screen::Exposure;
     pub use eigenshade::sphere::color;
@@ -94,6 +94,20 @@ pub mod floats {
         Exposure::new(black_box(1.5)).unwrap_or_else(|_| board::exit(false))
     }
 
+    /// An exposure in floats.
+    #[must_use]
+    pub fn exposure_of_floats() -> Exposure {
+        exposure()
+    }
+
+    /// The coefficients of an object with shadows.
+    pub fn coefficients(
+        object: &ShadowedObject<'_>,
+        light: Rgb<Light<'_>>,
+    ) -> Result<Rgb<ObjectCoefficients>, Error> {
+        object.coefficients(light)
+    }
+
     /// The transfers of both parts of a region.
     pub fn parts(region: &Region) -> Result<[sphere::Transfer; 2], Error> {
         let [tinted, plain] = region.materials()?;
@@ -146,7 +160,7 @@ pub mod integers {
     pub use eigenshade::q15::{BakedMap, MapPoint, Material};
     use eigenshade::q15::{Exposure, Light, MaterialBuffer, Q15};
     pub use eigenshade::sphere::q15::color;
-    use eigenshade::object::Region;
+    use eigenshade::object::{ObjectCoefficients, Region, ShadowedObject};
     use eigenshade::sphere::q15 as sphere;
     use eigenshade::{Error, Rgb};
 
@@ -197,6 +211,23 @@ pub mod integers {
     pub fn exposure() -> Rgb<Exposure> {
         let exposure = Exposure::new(black_box(1.5), -15);
         Rgb::gray(exposure.unwrap_or_else(|_| board::exit(false)))
+    }
+
+    /// An exposure in floats.
+    #[must_use]
+    pub fn exposure_of_floats() -> eigenshade::screen::Exposure {
+        // By the compiler: the check compares floats.
+        const EXPOSURE: eigenshade::screen::Exposure =
+            eigenshade::specialized::checked(eigenshade::screen::Exposure::new(1.5));
+        black_box(EXPOSURE)
+    }
+
+    /// The coefficients of an object with shadows.
+    pub fn coefficients(
+        object: &ShadowedObject<'_>,
+        light: Rgb<Light<'_>>,
+    ) -> Result<Rgb<ObjectCoefficients>, Error> {
+        object.coefficients_q15(light)
     }
 
     /// The transfers of both parts of a region.

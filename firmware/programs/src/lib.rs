@@ -5,7 +5,7 @@
 #![no_std]
 
 use eigenshade::Error;
-use eigenshade::object::{NormalMap, Object};
+use eigenshade::object::{NormalMap, Object, ShadowedObject};
 use eigenshade::screen::{Display, Tone};
 
 /// The library's table in Q15, with the transfer of one material.
@@ -67,4 +67,13 @@ pub fn ball() -> Result<NormalMap<'static>, Error> {
 /// None: the build script wrote it.
 pub fn object() -> Result<Object<'static>, Error> {
     Object::new(include_bytes!(concat!(env!("OUT_DIR"), "/object.bin")))
+}
+
+/// An object with shadows of 96 x 96 pixels.
+///
+/// # Errors
+///
+/// None: the build script wrote it.
+pub fn shadowed() -> Result<ShadowedObject<'static>, Error> {
+    ShadowedObject::new(include_bytes!(concat!(env!("OUT_DIR"), "/shadowed.bin")))
 }
