@@ -119,8 +119,19 @@ impl<'a> ShadowedObject<'a> {
         let shares: &[[u8; 6]] = shares.as_chunks().0;
         let starts: &[[u8; 4]] = starts.as_chunks().0;
         let words: &[[u8; 2]] = words.as_chunks().0;
-        let object =
-            Self { width, height, codes, degree, rank, images, shares, rows, clusters, starts, words };
+        let object = Self {
+            width,
+            height,
+            codes,
+            degree,
+            rank,
+            images,
+            shares,
+            rows,
+            clusters,
+            starts,
+            words,
+        };
         if object.has_rows() { Some(object) } else { None }
     }
 
@@ -222,10 +233,7 @@ impl ShadowedObject<'_> {
     /// # Errors
     ///
     /// [`Error::Beyond`] if the light has a higher degree.
-    pub fn coefficients(
-        &self,
-        light: Rgb<Light<'_>>,
-    ) -> Result<Rgb<ObjectCoefficients>, Error> {
+    pub fn coefficients(&self, light: Rgb<Light<'_>>) -> Result<Rgb<ObjectCoefficients>, Error> {
         self.each_channel(light, |light, share| {
             let coefficients = light.coefficients();
             self.check(coefficients.len())?;
@@ -262,7 +270,9 @@ impl ShadowedObject<'_> {
                 for ((exponent, row), sum) in rows.zip(&mut sums) {
                     let products = row.iter().zip(mantissas);
                     let product: i64 = products
-                        .map(|(q, one)| i64::from(i32::from(i16::from_le_bytes(*q)) * i32::from(one.0)))
+                        .map(|(q, one)| {
+                            i64::from(i32::from(i16::from_le_bytes(*q)) * i32::from(one.0))
+                        })
                         .sum();
                     *sum = added(*sum, (product * share >> 15, exponent));
                 }
@@ -279,7 +289,8 @@ impl ShadowedObject<'_> {
     ) -> Result<Rgb<ObjectCoefficients>, Error> {
         let share = |channel: usize| {
             move |part: usize| {
-                let share = self.shares.get(part).and_then(|share| share.as_chunks().0.get(channel));
+                let share =
+                    self.shares.get(part).and_then(|share| share.as_chunks().0.get(channel));
                 share.map_or(0, |&share| i16::from_le_bytes(share))
             }
         };
@@ -332,7 +343,8 @@ impl ObjectCoefficients {
     }
 
     fn of_sums(sums: &[(i64, i32)], of_light: i32) -> Self {
-        let bits = |sum: &(i64, i32)| 64 - sum.0.unsigned_abs().leading_zeros().cast_signed() + sum.1;
+        let bits =
+            |sum: &(i64, i32)| 64 - sum.0.unsigned_abs().leading_zeros().cast_signed() + sum.1;
         let nonzero = sums.iter().filter(|sum| sum.0 != 0);
         let exponent = nonzero.map(bits).max().unwrap_or_default() - 15;
         let mantissa = |&(sum, own): &(i64, i32)| {
@@ -418,8 +430,9 @@ impl ShadowedObject<'_> {
                 let [start, count] = [*start, *count].map(u16::from_le_bytes);
                 let is_rim = count & RIM != 0;
                 let (start, count) = (usize::from(start), usize::from(count & !RIM));
-                let (run, after) =
-                    rest.split_at_checked(if is_rim { 2 * count } else { count }).unwrap_or_default();
+                let (run, after) = rest
+                    .split_at_checked(if is_rim { 2 * count } else { count })
+                    .unwrap_or_default();
                 words = after;
                 let skipped = first.saturating_sub(start);
                 let to = pixels.get_mut((start + skipped).saturating_sub(first)..);
@@ -507,8 +520,10 @@ impl Shown {
             let most = 1_i64 << bits;
             Ok::<i32, Error>(shown.clamp(-most, most) as i32)
         };
-        let (of_mean, mut shown) =
-            (exponents.next().unwrap_or_default(), Self { mean: [0; 3], images: [[0; 3]; MOST_IMAGES] });
+        let (of_mean, mut shown) = (
+            exponents.next().unwrap_or_default(),
+            Self { mean: [0; 3], images: [[0; 3]; MOST_IMAGES] },
+        );
         for (to, d) in shown.mean.iter_mut().zip(channels) {
             let products = cluster.mean.iter().zip(&d.mantissas);
             let sum = products

@@ -66,8 +66,13 @@ pub fn experiment(size: usize, names: &[&str], folder: &str) -> Result<()> {
             tests.push((light, EnvironmentMap::from_path(&path)?));
         }
     }
-    let train: Vec<_> =
-        lights.entries.iter().enumerate().filter(|(k, _)| k % 3 != 0).map(|(_, one)| one.clone()).collect();
+    let train: Vec<_> = lights
+        .entries
+        .iter()
+        .enumerate()
+        .filter(|(k, _)| k % 3 != 0)
+        .map(|(_, one)| one.clone())
+        .collect();
     let train = eigenshade_model::database::Lights { degree, entries: train };
     let rotations = rotations();
     // Columns: harmonics, then turned maps.
@@ -85,7 +90,9 @@ pub fn experiment(size: usize, names: &[&str], folder: &str) -> Result<()> {
             let column = columns.last().unwrap();
             let mut coefficients = vec![0.0; count];
             for ((direction, angle), radiance) in fine.iter().zip(column) {
-                for (sum, value) in coefficients.iter_mut().zip(spherical_harmonic::all(degree, *direction)) {
+                for (sum, value) in
+                    coefficients.iter_mut().zip(spherical_harmonic::all(degree, *direction))
+                {
                     *sum += angle * value * f64::from(*radiance);
                 }
             }
@@ -100,7 +107,8 @@ pub fn experiment(size: usize, names: &[&str], folder: &str) -> Result<()> {
         ("metal 0.5", Box::new(Ggx::new(0.5, 0.9, 0.0)?)),
         ("metal 0.3", Box::new(Ggx::new(0.3, 0.9, 0.0)?)),
     ];
-    let refs: Vec<Material<'_>> = materials.iter().map(|(_, one)| Material::Formula(&**one)).collect();
+    let refs: Vec<Material<'_>> =
+        materials.iter().map(|(_, one)| Material::Formula(&**one)).collect();
     for (name, shape) in SHAPES {
         if !names.is_empty() && !names.contains(&name) {
             continue;
@@ -112,7 +120,12 @@ pub fn experiment(size: usize, names: &[&str], folder: &str) -> Result<()> {
         all.sort_by_key(|point| (point.pixel[1], point.pixel[0]));
         let pixels: Vec<&[Point]> = all.chunk_by(|a, b| a.pixel == b.pixel).collect();
         let occluders = Occluders::new(&surface.facets);
-        println!("{name}: {} facets, {} pixels, {:?}", surface.facets.len(), pixels.len(), start.elapsed());
+        println!(
+            "{name}: {} facets, {} pixels, {:?}",
+            surface.facets.len(),
+            pixels.len(),
+            start.elapsed()
+        );
         let with = transports(&pixels, Some(&occluders), &refs, light.as_ref(), &());
         println!("  transports {:?}", start.elapsed());
         let without = transports(&pixels, None, &refs, light.as_ref(), &());
@@ -127,11 +140,16 @@ pub fn experiment(size: usize, names: &[&str], folder: &str) -> Result<()> {
                     let mut sorted: Vec<f32> = truth.iter().copied().collect();
                     sorted.sort_by(f32::total_cmp);
                     let white = sorted[sorted.len() * 99 / 100];
-                    let sum: f32 = truth.iter().zip(&found).map(|(a, b)| {
-                        let shown = |x: f32| (x / white).clamp(0.0, 1.0);
-                        (shown(*a) - shown(*b)).powi(2)
-                    }).sum();
-                    errors[usize::from(column >= 4 * tests.len())].push(100.0 * (sum / truth.nrows() as f32).sqrt());
+                    let sum: f32 = truth
+                        .iter()
+                        .zip(&found)
+                        .map(|(a, b)| {
+                            let shown = |x: f32| (x / white).clamp(0.0, 1.0);
+                            (shown(*a) - shown(*b)).powi(2)
+                        })
+                        .sum();
+                    errors[usize::from(column >= 4 * tests.len())]
+                        .push(100.0 * (sum / truth.nrows() as f32).sqrt());
                 }
                 let text = errors.map(|mut all| {
                     all.sort_by(f32::total_cmp);
@@ -141,36 +159,70 @@ pub fn experiment(size: usize, names: &[&str], folder: &str) -> Result<()> {
             };
             let lit = |transport: &Mat<f32>, column: usize, degree: usize| -> Vec<f32> {
                 let used = (degree + 1) * (degree + 1);
-                (0..transport.nrows()).map(|row| {
-                    (0..used).map(|c| transport[(row, c)] * turned[column][c] as f32).sum()
-                }).collect()
+                (0..transport.nrows())
+                    .map(|row| {
+                        (0..used).map(|c| transport[(row, c)] * turned[column][c] as f32).sum()
+                    })
+                    .collect()
             };
-            report("convex, whole map", &|column| without[k].col(count + column).iter().copied().collect());
+            report("convex, whole map", &|column| {
+                without[k].col(count + column).iter().copied().collect()
+            });
             report("convex, degree 9", &|column| lit(&without[k], column, 9));
             report("transports, degree 9", &|column| lit(&with[k], column, 9));
             report("transports, degree 12", &|column| lit(&with[k], column, 12));
-            for (degree, turning) in [(9, Turning::Freely), (12, Turning::Freely), (9, Turning::Tilts(0.785))] {
+            for (degree, turning) in
+                [(9, Turning::Freely), (12, Turning::Freely), (9, Turning::Tilts(0.785))]
+            {
                 let root = light_root(&train.clone().truncated(degree), turning)?;
                 let used = (degree + 1) * (degree + 1);
                 let images = eigenimages(&[with[k].as_ref().subcols(0, used)], &[1.0], &root, 64)?;
                 let d = |column: usize, rank: usize| -> Vec<f32> {
-                    (0..rank).map(|row| (0..used).map(|c| images.rows[0][(row, c)] * turned[column][c]).sum::<f64>() as f32).collect()
+                    (0..rank)
+                        .map(|row| {
+                            (0..used)
+                                .map(|c| images.rows[0][(row, c)] * turned[column][c])
+                                .sum::<f64>() as f32
+                        })
+                        .collect()
                 };
                 for rank in [16, 40] {
                     report(&format!("{turning:?} {degree}: rank {rank}"), &|column| {
                         let d = d(column, rank);
-                        (0..images.pixels.nrows()).map(|row| (0..rank).map(|j| images.pixels[(row, j)] * d[j]).sum()).collect()
+                        (0..images.pixels.nrows())
+                            .map(|row| (0..rank).map(|j| images.pixels[(row, j)] * d[j]).sum())
+                            .collect()
                     });
                 }
                 let rank = 40;
-                for (codes, clusters, own) in [(2048, 64, 8), (4096, 64, 8), (4096, 32, 8), (4096, 64, 4), (usize::MAX, 64, 8)] {
-                    let book = codebook(images.pixels.as_ref().subcols(0, rank), codes, clusters, own);
-                    let rows: Vec<Vec<f32>> = book.clusters.iter().flat_map(|one| (0..one.weights.len()).map(|code| one.row(code))).collect();
-                    report(&format!("{turning:?} {degree}: codes {} in {clusters} x {own}", rows.len()), &|column| {
-                        let d = d(column, rank);
-                        let of_codes: Vec<f32> = rows.iter().map(|row| row.iter().zip(&d).map(|(a, b)| a * b).sum()).collect();
-                        book.of_pixel.iter().map(|&code| of_codes[code as usize]).collect()
-                    });
+                for (codes, clusters, own) in [
+                    (2048, 64, 8),
+                    (4096, 64, 8),
+                    (4096, 32, 8),
+                    (4096, 64, 4),
+                    (usize::MAX, 64, 8),
+                ] {
+                    let book =
+                        codebook(images.pixels.as_ref().subcols(0, rank), codes, clusters, own);
+                    let rows: Vec<Vec<f32>> = book
+                        .clusters
+                        .iter()
+                        .flat_map(|one| (0..one.weights.len()).map(|code| one.row(code)))
+                        .collect();
+                    report(
+                        &format!(
+                            "{turning:?} {degree}: codes {} in {clusters} x {own}",
+                            rows.len()
+                        ),
+                        &|column| {
+                            let d = d(column, rank);
+                            let of_codes: Vec<f32> = rows
+                                .iter()
+                                .map(|row| row.iter().zip(&d).map(|(a, b)| a * b).sum())
+                                .collect();
+                            book.of_pixel.iter().map(|&code| of_codes[code as usize]).collect()
+                        },
+                    );
                 }
             }
         }

@@ -42,11 +42,8 @@ impl Cluster {
 #[must_use]
 pub fn codebook(rows: MatRef<'_, f32>, codes: usize, clusters: usize, images: usize) -> Codebook {
     let count = rows.nrows();
-    let (of_pixel, centers) = if codes >= count {
-        ((0..count).collect(), rows.to_owned())
-    } else {
-        kmeans(rows, codes)
-    };
+    let (of_pixel, centers) =
+        if codes >= count { ((0..count).collect(), rows.to_owned()) } else { kmeans(rows, codes) };
     let (cluster_of, _) = kmeans(centers.as_ref(), clusters);
     let mut members: Vec<Vec<usize>> = vec![Vec::new(); clusters];
     cluster_of.iter().enumerate().for_each(|(code, &cluster)| members[cluster].push(code));
@@ -61,8 +58,9 @@ pub fn codebook(rows: MatRef<'_, f32>, codes: usize, clusters: usize, images: us
 fn of_members(centers: &Mat<f32>, members: &[usize], images: usize) -> Cluster {
     let rank = centers.ncols();
     let count = members.len() as f32;
-    let mean: Vec<f32> =
-        (0..rank).map(|k| members.iter().map(|&one| centers[(one, k)]).sum::<f32>() / count).collect();
+    let mean: Vec<f32> = (0..rank)
+        .map(|k| members.iter().map(|&one| centers[(one, k)]).sum::<f32>() / count)
+        .collect();
     let away = Mat::from_fn(members.len(), rank, |one, k| centers[(members[one], k)] - mean[k]);
     let gram = away.transpose() * &away;
     let images = images.min(members.len().saturating_sub(1)).min(rank);
@@ -71,7 +69,8 @@ fn of_members(centers: &Mat<f32>, members: &[usize], images: usize) -> Cluster {
     };
     let axes = Mat::from_fn(rank, images, |row, k| decomposed.U()[(row, rank - 1 - k)]);
     let along = &away * &axes;
-    let mut cluster = Cluster { mean, images: Vec::new(), weights: vec![Vec::new(); members.len()] };
+    let mut cluster =
+        Cluster { mean, images: Vec::new(), weights: vec![Vec::new(); members.len()] };
     for k in 0..images {
         let largest = (0..members.len()).fold(0.0_f32, |most, one| most.max(along[(one, k)].abs()));
         if largest <= 0.0 {

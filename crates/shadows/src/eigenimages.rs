@@ -58,7 +58,9 @@ pub fn light_root(lights: &Lights, turning: Turning) -> Result<Root> {
                 }
             }
             Turning::Tilts(most) => {
-                for turned in tilts(most).into_iter().map(|each| turned(each, lights.degree, &light)) {
+                for turned in
+                    tilts(most).into_iter().map(|each| turned(each, lights.degree, &light))
+                {
                     for a in 0..count {
                         for b in 0..count {
                             covariance[(a, b)] += turned[a] * turned[b];

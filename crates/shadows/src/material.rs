@@ -87,8 +87,7 @@ fn order(coefficients: &[f64]) -> usize {
 /// Σ_op norm b_op^q (R_o^q(ρ) R_p^q(ρ_r) + R_p^q(ρ) R_o^q(ρ_r)) as polynomials in ρ.
 fn series(order: usize, coefficients: &[f64], cosine: f64) -> Vec<Vec<f64>> {
     let seen = (1.0 - cosine).max(0.0).sqrt();
-    let mut series: Vec<Vec<f64>> =
-        (0..=order).map(|q| vec![0.0; (order - q) / 2 + 1]).collect();
+    let mut series: Vec<Vec<f64>> = (0..=order).map(|q| vec![0.0; (order - q) / 2 + 1]).collect();
     let seen: Vec<Vec<f64>> = (0..=order).map(|q| zernike::column(order, q, seen)).collect();
     for ((o, p, q), coefficient) in material::indices(order).zip(coefficients) {
         let factor = norm(o, p, q) * coefficient;
@@ -109,7 +108,7 @@ fn radial(o: usize, q: usize) -> Vec<f64> {
     (0..=pairs)
         .map(|from_below| {
             let k = pairs - from_below;
-            let sign = if k % 2 == 0 { 1.0 } else { -1.0 };
+            let sign = if k.is_multiple_of(2) { 1.0 } else { -1.0 };
             let below = factorial(k) * factorial((o + q) / 2 - k) * factorial(pairs - k);
             sign * factorial(o - k) / below
         })

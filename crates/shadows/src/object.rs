@@ -67,10 +67,8 @@ impl Object {
         }
         let occluders = Occluders::new(&surface.facets);
         let fine = cells(FINE);
-        let harmonics: Vec<Vec<f64>> = fine
-            .iter()
-            .map(|(direction, _)| spherical_harmonic::all(degree, *direction))
-            .collect();
+        let harmonics: Vec<Vec<f64>> =
+            fine.iter().map(|(direction, _)| spherical_harmonic::all(degree, *direction)).collect();
         let light = Mat::from_fn(fine.len(), (degree + 1).pow(2), |row, column| {
             harmonics[row][column] as f32
         });
@@ -115,8 +113,7 @@ impl Object {
         let root = light_root(&lights.clone().truncated(self.degree), Turning::Freely)?;
         let parts: Vec<_> = self.transports.iter().map(Mat::as_ref).collect();
         let images = eigenimages(&parts, &vec![1.0; parts.len()], &root, RANK)?;
-        let (file, _) =
-            packed(&images, self.degree, self.size, &self.pixels, shares, compression);
+        let (file, _) = packed(&images, self.degree, self.size, &self.pixels, shares, compression);
         Ok(file.encode())
     }
 }

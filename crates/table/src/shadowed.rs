@@ -120,9 +120,8 @@ mod encoding {
                 let start = self.pixels.partition_point(|pixel| pixel.row < row);
                 let end = self.pixels.partition_point(|pixel| pixel.row <= row);
                 let is_whole = |pixel: &Pixel| pixel.coverage == u8::MAX;
-                let follow = |a: &Pixel, b: &Pixel| {
-                    b.column == a.column + 1 && is_whole(a) == is_whole(b)
-                };
+                let follow =
+                    |a: &Pixel, b: &Pixel| b.column == a.column + 1 && is_whole(a) == is_whole(b);
                 for run in self.pixels[start..end].chunk_by(follow) {
                     let is_whole = is_whole(&run[0]);
                     let count = run.len() as u16 | if is_whole { 0 } else { RIM };

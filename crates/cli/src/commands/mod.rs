@@ -31,11 +31,11 @@ mod render;
 mod render_object;
 #[cfg(feature = "generate")]
 mod render_shadows;
-#[cfg(feature = "generate")]
-mod shadows;
 mod shade;
 mod shade_images;
 mod shader;
+#[cfg(feature = "generate")]
+mod shadows;
 
 use clap::Subcommand;
 use eigenshade_model::error::Result;

@@ -5,10 +5,10 @@ use super::render::Render;
 use super::shadows::{Parts, object};
 use eigenshade::Rgb;
 use eigenshade_cli::messages::{albedo_warning, dark_light_warning, print_message};
-use eigenshade_shading::picture::{Development, Pixel};
 use eigenshade_cli::picture_file::PictureFile;
 use eigenshade_model::database::{Lights, Materials};
 use eigenshade_model::error::{Error, Result};
+use eigenshade_shading::picture::{Development, Pixel};
 
 /// Pixels across an object.
 const SIZE: usize = 256;

@@ -2,12 +2,12 @@
 
 use eigenshade_asset::asset::Asset;
 use eigenshade_cli::messages::progress_bar;
-use eigenshade_shading::presets::Source;
 use eigenshade_generator::object::mesh;
 use eigenshade_generator::object::surface::{Surface, View};
 use eigenshade_model::database::Named;
 use eigenshade_model::error::{Error, Result};
 use eigenshade_model::inputs::input_file::InputFile;
+use eigenshade_shading::presets::Source;
 use eigenshade_shadows::material::Material;
 use eigenshade_shadows::object::Object;
 
