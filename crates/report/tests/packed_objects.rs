@@ -27,10 +27,10 @@ static DISPLAY: Display = Display::new(Tone::Linear);
 
 /// Most regions, and the medians of the mean and of the 95th percentile of CIEDE2000 over all
 /// pictures, in hundredths.
-const MEDIANS: [(usize, [u32; 2]); 3] = [(1, [297, 687]), (4, [131, 355]), (16, [77, 239])];
+const MEDIANS: [(usize, [u32; 2]); 3] = [(1, [149, 541]), (4, [122, 399]), (16, [78, 241])];
 
-/// Integers against floats.
-const OF_INTEGERS: f64 = 0.1;
+/// Integers against floats: about a level of 255 where a flat dial rounds all of its pixels alike.
+const OF_INTEGERS: f64 = 0.6;
 
 /// A light without its sources, and these.
 type Lit = (Rgb<Vec<f32>>, Vec<Source>);
@@ -189,6 +189,7 @@ fn packed_objects_look_as_the_program_draws_them() {
             }
         }
     }
+    let mut off = Vec::new();
     for ((most, expected), errors) in MEDIANS.into_iter().zip(all) {
         let median = |of: fn(&Errors) -> f64| {
             let mut numbers: Vec<f64> = errors.iter().map(of).collect();
@@ -198,6 +199,7 @@ fn packed_objects_look_as_the_program_draws_them() {
         let found = [median(|one| one.mean), median(|one| one.p95)];
         println!("{most} regions at most: {found:?} hundredths");
         // Processors round differently.
-        assert!(found.iter().zip(expected).all(|(a, b)| a.abs_diff(b) <= 3), "{most}: {found:?}");
+        off.extend(found.iter().zip(expected).map(|(a, b)| a.abs_diff(b)));
     }
+    assert!(off.iter().all(|&off| off <= 3), "{off:?}");
 }
