@@ -12,14 +12,15 @@ const CHIPS: [(&str, Board, &str, u64); 3] = [
 ];
 
 /// The operations that are a frame, and their objects.
-const OBJECTS: [(&str, &str); 7] = [
+const OBJECTS: [(&str, &str); 8] = [
     ("watch", "the watch, 128 x 128"),
     ("watch_240", "240 x 240"),
     ("watch_240_still", "light at rest"),
     ("frame", "a sphere of gold, 240 x 240"),
     ("frame_still", "light at rest"),
     ("frame_sources", "with 4 sources"),
-    ("frame_textured", "textured"),
+    ("frame_textured", "a textured object, 120 x 120"),
+    ("frame_shadowed", "an object with shadows, 96 x 96"),
 ];
 
 /// The ways to draw a sphere, and the columns of the color difference.
