@@ -13,10 +13,11 @@ use crate::target::Target;
 /// The threshold that rounds to the nearest level of a display.
 const NEAREST: u32 = 1 << 15;
 
-/// Bits of an exposed irradiance after the binary point, and those of a mean and of an image.
+/// Bits of an exposed irradiance after the binary point.
 const POINT: i32 = 20;
-const OF_MEAN: u32 = 28;
-const OF_IMAGE: u32 = 20;
+/// The largest mean and the largest image: a mean and [`MOST_IMAGES`] images times -128 fit an `i32`.
+const MEAN: i64 = 1 << 28;
+const IMAGE: i64 = 1 << 19;
 
 /// An object of one material that shadows itself, seen from one side: its eigenimages U in
 /// compressed form, and the rows UᵀM that give their coefficients d from a light.
@@ -113,36 +114,45 @@ impl<'a> ShadowedObject<'a> {
         let Some((clusters, rest)) = split_clusters(rest, count, codes, rank, images) else {
             return None;
         };
-        let Some((starts, words)) = rest.split_at_checked((height as usize + 1) * 4) else {
+        let Some((starts, rest)) = rest.split_at_checked((height as usize + 1) * 4) else {
             return None;
         };
         let shares: &[[u8; 6]] = shares.as_chunks().0;
         let starts: &[[u8; 4]] = starts.as_chunks().0;
-        let words: &[[u8; 2]] = words.as_chunks().0;
-        let object =
-            Self { width, height, codes, degree, rank, images, shares, rows, clusters, starts, words };
+        let words: &[[u8; 2]] = rest.as_chunks().0;
+        let [[0, 0, 0, 0], .., end] = starts else { return None };
+        let Some((words, _)) = words.split_at_checked(u32::from_le_bytes(*end) as usize) else {
+            return None;
+        };
+        let object = Self {
+            width,
+            height,
+            codes,
+            degree,
+            rank,
+            images,
+            shares,
+            rows,
+            clusters,
+            starts,
+            words,
+        };
         if object.has_rows() { Some(object) } else { None }
     }
 
-    /// Whether the rows divide the words, and each row has whole runs from left to right of codes that
-    /// exist.
+    /// Whether each row has whole runs from left to right.
     const fn has_rows(&self) -> bool {
-        let (mut rest, mut before, mut words) = (self.starts, 0, self.words);
-        while let [start, others @ ..] = rest {
-            let start = u32::from_le_bytes(*start) as usize;
-            if others.len() + 1 == self.starts.len() {
-                if start != 0 {
-                    return false;
-                }
-            } else {
-                let Some(count) = start.checked_sub(before) else { return false };
-                let Some((row, after)) = words.split_at_checked(count) else { return false };
-                if !self.has_runs(row) {
-                    return false;
-                }
-                words = after;
+        let (mut starts, mut words, mut place) = (self.starts, self.words, 0);
+        while let [_, rest @ ..] = starts
+            && let [end, ..] = rest
+        {
+            let end = u32::from_le_bytes(*end) as usize;
+            let Some(count) = end.checked_sub(place) else { return false };
+            let Some((row, after)) = words.split_at_checked(count) else { return false };
+            if !self.has_runs(row) {
+                return false;
             }
-            (rest, before) = (others, start);
+            (starts, words, place) = (rest, after, end);
         }
         true
     }
@@ -206,8 +216,7 @@ const fn split_clusters(
         clusters -= 1;
         rest = after;
     }
-    let (of_clusters, rest) = bytes.split_at(bytes.len() - rest.len());
-    if found == codes as usize { Some((of_clusters, rest)) } else { None }
+    if found == codes as usize { bytes.split_at_checked(bytes.len() - rest.len()) } else { None }
 }
 
 /// Coefficients.
@@ -220,16 +229,13 @@ impl ShadowedObject<'_> {
     /// # Errors
     ///
     /// [`Error::Beyond`] if the light has a higher degree.
-    pub fn coefficients(
-        &self,
-        light: Rgb<Light<'_>>,
-    ) -> Result<Rgb<ObjectCoefficients>, Error> {
+    pub fn coefficients(&self, light: Rgb<Light<'_>>) -> Result<Rgb<ObjectCoefficients>, Error> {
         self.each_channel(light, |light, share| {
             let coefficients = light.coefficients();
-            self.check(coefficients.len())?;
+            Error::check_beyond(Argument::Light, self.degree, light.degree())?;
             let mut sums = [0.0_f32; MOST_RANK];
             for (part, rows) in self.parts().enumerate() {
-                let share = share(part);
+                let share = f32::from(share(part)) / 32_767.0;
                 for ((exponent, row), sum) in rows.zip(&mut sums) {
                     let products = row.iter().zip(coefficients);
                     let product: f32 =
@@ -252,15 +258,17 @@ impl ShadowedObject<'_> {
     ) -> Result<Rgb<ObjectCoefficients>, Error> {
         self.each_channel(light, |light, share| {
             let mantissas = light.mantissas();
-            self.check(mantissas.len())?;
-            // Of each component a sum of at most 38 bits and its exponent.
+            Error::check_beyond(Argument::Light, self.degree, light.degree)?;
+            // Of each component a sum, of at most 38 bits for each part, and its exponent.
             let mut sums = [(0_i64, i32::from(i8::MIN)); MOST_RANK];
             for (part, rows) in self.parts().enumerate() {
-                let share = (share(part) * 32_767.0) as i64;
+                let share = i64::from(share(part));
                 for ((exponent, row), sum) in rows.zip(&mut sums) {
                     let products = row.iter().zip(mantissas);
                     let product: i64 = products
-                        .map(|(q, one)| i64::from(i32::from(i16::from_le_bytes(*q)) * i32::from(one.0)))
+                        .map(|(q, one)| {
+                            i64::from(i32::from(i16::from_le_bytes(*q)) * i32::from(one.0))
+                        })
                         .sum();
                     *sum = added(*sum, (product * share >> 15, exponent));
                 }
@@ -273,28 +281,25 @@ impl ShadowedObject<'_> {
     fn each_channel<L>(
         &self,
         light: Rgb<L>,
-        of: impl Fn(L, &dyn Fn(usize) -> f32) -> Result<ObjectCoefficients, Error>,
+        of: impl Fn(L, &dyn Fn(usize) -> i16) -> Result<ObjectCoefficients, Error>,
     ) -> Result<Rgb<ObjectCoefficients>, Error> {
         let share = |channel: usize| {
             move |part: usize| {
-                let share = self.shares.get(part).and_then(|share| share.as_chunks().0.get(channel));
-                share.map_or(0.0, |&share| f32::from(i16::from_le_bytes(share)) / 32_767.0)
+                let share =
+                    self.shares.get(part).and_then(|share| share.as_chunks().0.get(channel));
+                share.map_or(0, |&share| i16::from_le_bytes(share))
             }
         };
         let Rgb { r, g, b } = light;
         Ok(Rgb { r: of(r, &share(0))?, g: of(g, &share(1))?, b: of(b, &share(2))? })
     }
 
-    fn check(&self, coefficients: usize) -> Result<(), Error> {
-        let found = (coefficients as u32).isqrt().saturating_sub(1) as usize;
-        Error::check_beyond(Argument::Light, self.degree, found)
-    }
-
     /// The rows of each part: exponents and mantissas.
     fn parts(&self) -> impl Iterator<Item = impl Iterator<Item = (i32, &[[u8; 2]])>> {
         let size = 1 + 2 * light::count(self.degree);
-        self.rows.chunks_exact(self.rank * size).map(move |part| {
-            part.chunks_exact(size).map(|row| {
+        // At least 1, so that no panic is linked.
+        self.rows.chunks_exact((self.rank * size).max(1)).map(move |part| {
+            part.chunks_exact(size.max(1)).map(|row| {
                 let (exponent, mantissas) = row.split_first().unwrap_or((&0, &[]));
                 (i32::from(exponent.cast_signed()), mantissas.as_chunks().0)
             })
@@ -319,8 +324,8 @@ fn added(a: (i64, i32), b: (i64, i32)) -> (i64, i32) {
 impl ObjectCoefficients {
     fn of_floats(numbers: &[f32]) -> Self {
         let largest = numbers.iter().fold(0.0_f32, |most, one| most.max(one.abs()));
-        // The exponent with which the largest number has 15 bits.
-        let exponent = (largest.to_bits() >> 23).cast_signed() - 126 - 15;
+        // The exponent with which the largest number has 15 bits, unless it is below 2^-113.
+        let exponent = ((largest.to_bits() >> 23).cast_signed() - 126 - 15).max(-127);
         let scale = power(-exponent);
         let mantissa = |one: &f32| {
             let scaled = one * scale;
@@ -330,7 +335,8 @@ impl ObjectCoefficients {
     }
 
     fn of_sums(sums: &[(i64, i32)], of_light: i32) -> Self {
-        let bits = |sum: &(i64, i32)| 64 - sum.0.unsigned_abs().leading_zeros().cast_signed() + sum.1;
+        let bits =
+            |sum: &(i64, i32)| 64 - sum.0.unsigned_abs().leading_zeros().cast_signed() + sum.1;
         let nonzero = sums.iter().filter(|sum| sum.0 != 0);
         let exponent = nonzero.map(bits).max().unwrap_or_default() - 15;
         let mantissa = |&(sum, own): &(i64, i32)| {
@@ -339,7 +345,8 @@ impl ObjectCoefficients {
                 let down = down.min(62);
                 (sum + (1 << (down - 1))) >> down
             } else {
-                sum << -down
+                // A sum of at most 15 bits, or 0 of any exponent.
+                sum << (-down).min(15)
             };
             mantissa.clamp(-32_767, 32_767) as i16
         };
@@ -363,7 +370,7 @@ impl ShadowedObject<'_> {
     ///
     /// # Errors
     ///
-    /// None unless the exposure is out of range of its integers.
+    /// None: an exposure that was made can be exposed with.
     pub fn shade(
         &self,
         d: &Rgb<ObjectCoefficients>,
@@ -397,7 +404,7 @@ impl ShadowedObject<'_> {
         display: &Display,
         colors: &mut [P],
     ) -> Result<(), Error> {
-        Error::check(Argument::Palettes, self.codes(), colors.len())?;
+        Error::check(Argument::Colors, self.codes(), colors.len())?;
         let mut colors = colors.iter_mut();
         self.shade(d, exposure, |color| {
             if let Some(to) = colors.next() {
@@ -416,8 +423,9 @@ impl ShadowedObject<'_> {
                 let [start, count] = [*start, *count].map(u16::from_le_bytes);
                 let is_rim = count & RIM != 0;
                 let (start, count) = (usize::from(start), usize::from(count & !RIM));
-                let (run, after) =
-                    rest.split_at_checked(if is_rim { 2 * count } else { count }).unwrap_or_default();
+                let (run, after) = rest
+                    .split_at_checked(if is_rim { 2 * count } else { count })
+                    .unwrap_or_default();
                 words = after;
                 let skipped = first.saturating_sub(start);
                 let to = pixels.get_mut((start + skipped).saturating_sub(first)..);
@@ -499,27 +507,27 @@ impl Shown {
     ) -> Result<Self, Error> {
         let channels = <[_; 3]>::from(d.each_ref());
         let mut exponents = cluster.exponents.iter().map(|one| i32::from(one.cast_signed()));
-        let exposed = |sum: i64, exponent: i32, bits: u32| {
-            let of_linear = exponent.saturating_add(POINT - 16);
-            let shown = q15::Exposure::new(exposure.factor(), of_linear)?.signed(sum);
-            let most = 1_i64 << bits;
-            Ok::<i32, Error>(shown.clamp(-most, most) as i32)
+        let exposed = |sum: i64, exponent: i32, most: i64| {
+            let exposure = q15::Exposure::new(exposure.factor(), exponent + POINT - 16)?;
+            Ok::<i32, Error>(exposure.signed(sum).min(most).max(-most) as i32)
         };
-        let (of_mean, mut shown) =
-            (exponents.next().unwrap_or_default(), Self { mean: [0; 3], images: [[0; 3]; MOST_IMAGES] });
+        let (of_mean, mut shown) = (
+            exponents.next().unwrap_or_default(),
+            Self { mean: [0; 3], images: [[0; 3]; MOST_IMAGES] },
+        );
         for (to, d) in shown.mean.iter_mut().zip(channels) {
             let products = cluster.mean.iter().zip(&d.mantissas);
             let sum = products
                 .map(|(q, &one)| i64::from(i32::from(i16::from_le_bytes(*q)) * i32::from(one)))
                 .sum();
-            *to = exposed(sum, of_mean + d.exponent, OF_MEAN)?;
+            *to = exposed(sum, of_mean + d.exponent, MEAN)?;
         }
         let rank = cluster.mean.len().max(1);
         let images = cluster.images.chunks_exact(rank).zip(exponents);
         for ((image, exponent), to) in images.zip(&mut shown.images) {
             for (to, d) in to.iter_mut().zip(channels) {
                 let sum = product(image, &d.mantissas);
-                *to = exposed(i64::from(sum), exponent + d.exponent, OF_IMAGE)?;
+                *to = exposed(i64::from(sum), exponent + d.exponent, IMAGE)?;
             }
         }
         Ok(shown)
