@@ -270,7 +270,7 @@ impl ShadowedObject<'_> {
                             i64::from(i32::from(i16::from_le_bytes(*q)) * i32::from(one.0))
                         })
                         .sum();
-                    *sum = added(*sum, (product * share >> 15, exponent));
+                    *sum = added(*sum, ((product * share) >> 15, exponent));
                 }
             }
             let sums = sums.get(..self.rank).unwrap_or_default();

@@ -47,7 +47,7 @@ pub fn drawn(input: &mut Reader<'_>) {
 
 /// A file of small sizes.
 fn file(input: &mut Reader<'_>) -> File {
-    let size = [(); 2].map(|()| 1 + input.byte() as u16 % 9);
+    let size = [(); 2].map(|()| 1 + u16::from(input.byte()) % 9);
     let [degree, parts, rank, images] = [2, 3, 6, 16].map(|most| input.up_to(most));
     let [parts, rank] = [parts, rank].map(|one| one.max(1));
     let count = light::count(degree);
