@@ -34,10 +34,18 @@ pub fn plastic() -> Result<Vec<u8>, Error> {
     sphere(120, &[Region::new(0.0, 0.3)?])
 }
 
-/// An object with shadows of 48 pixels across, of any numbers, with a rim: 40 codes in two clusters.
+/// An object with shadows of 48 pixels across: 40 codes in two clusters.
 pub fn shaded() -> Result<Vec<u8>, Error> {
-    const RANK: usize = 20;
-    const IMAGES: usize = 4;
+    shadowed(48, 20, 4, &[15, 25])
+}
+
+/// An object with shadows of 96 pixels across and 4,096 codes.
+fn relief() -> Result<Vec<u8>, Error> {
+    shadowed(96, 64, 8, &[64; 64])
+}
+
+/// A disc of any numbers of this rank, with so many images, and clusters of so many codes.
+fn shadowed(size: u16, rank: usize, images: usize, codes: &[usize]) -> Result<Vec<u8>, Error> {
     let mut state = 1_u32;
     let mut number = || {
         state = state.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
@@ -45,27 +53,31 @@ pub fn shaded() -> Result<Vec<u8>, Error> {
     };
     let row =
         |_| (-20, (0..light::count(9)).map(|k| number() >> if k == 0 { 1 } else { 3 }).collect());
-    let rows = vec![(0..RANK).map(row).collect()];
-    let clusters = [(15, -14), (25, -15)].map(|(codes, exponent)| shadowed::Cluster {
-        mean: (exponent, (0..RANK).map(|_| number()).collect()),
-        images: (0..IMAGES)
-            .map(|_| (exponent, (0..RANK).map(|_| number() as i8).collect()))
-            .collect(),
-        weights: (0..codes).map(|_| (0..IMAGES).map(|_| number() as i8).collect()).collect(),
+    let rows = vec![(0..rank).map(row).collect()];
+    let clusters = codes.iter().zip([-14, -15].into_iter().cycle()).map(|(&codes, exponent)| {
+        shadowed::Cluster {
+            mean: (exponent, (0..rank).map(|_| number()).collect()),
+            images: (0..images)
+                .map(|_| (exponent, (0..rank).map(|_| number() as i8).collect()))
+                .collect(),
+            weights: (0..codes).map(|_| (0..images).map(|_| number() as i8).collect()).collect(),
+        }
     });
+    let clusters: Vec<_> = clusters.collect();
+    let codes: usize = codes.iter().sum();
     let pixel = |pixel: DiscPixel| shadowed::Pixel {
         column: pixel.column() as u16,
         row: pixel.row() as u16,
-        code: ((pixel.column() / 3 + 5 * (pixel.row() / 4)) % 40) as u16,
+        code: ((pixel.column() / 3 + 5 * (pixel.row() / 4)) % codes) as u16,
         coverage: pixel.coverage(),
     };
     let file = shadowed::File {
-        size: [48; 2],
+        size: [size; 2],
         degree: 9,
         shares: vec![[32_767, 20_000, 9_000]],
         rows,
-        clusters: clusters.into(),
-        pixels: Disc::new(48)?.map(pixel).collect(),
+        clusters,
+        pixels: Disc::new(size.into())?.map(pixel).collect(),
     };
     Ok(file.encode())
 }
@@ -93,5 +105,6 @@ pub fn text() -> Result<String, Error> {
         ("eigenshade_object_t", "striped", striped()?),
         ("eigenshade_object_t", "plastic", plastic()?),
         ("eigenshade_shadowed_object_t", "shaded", shaded()?),
+        ("eigenshade_shadowed_object_t", "relief", relief()?),
     ]))
 }
