@@ -19,7 +19,9 @@ const MEAN: i64 = 1 << 28;
 const IMAGE: i64 = 1 << 19;
 
 impl ShadowedObject<'_> {
-    /// Exposes the irradiance of each code and calls a function with it, in the order of the codes.
+    /// Exposes the irradiance of each code and calls a function with it, in the order of the codes. Up
+    /// to white it is within 1e-3 of the sum of the file's numbers, unless addends far above white
+    /// cancel.
     ///
     /// Cost: for each code, K products a channel; for each of the clusters, (K + 1) r products a
     /// channel.
