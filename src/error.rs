@@ -156,6 +156,8 @@ pub enum Argument {
     NormalMap,
     /// The palettes of an object's regions.
     Palettes,
+    /// The colors of the codes of an object with shadows.
+    Colors,
     /// The pixels of a picture that a disc is drawn into.
     Picture,
     /// Images of a set, and the values reported for each.
@@ -254,6 +256,10 @@ impl fmt::Display for Error {
             Self::Length { argument: Argument::Palettes, expected, found } => write!(
                 f,
                 "{expected} palettes expected, {found} found; give one for each region of the object"
+            ),
+            Self::Length { argument: Argument::Colors, expected, found } => write!(
+                f,
+                "{expected} colors expected, {found} found; give one for each code of the object"
             ),
             Self::Length { argument, expected, found } => {
                 write!(f, "{argument:?}: {expected} numbers expected, {found} found")

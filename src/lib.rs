@@ -198,6 +198,8 @@ mod srgb;
 
 mod shadowed;
 
+mod object_coefficients;
+
 mod matcap;
 
 mod nodes;
@@ -209,6 +211,8 @@ mod encoded;
 mod pixel;
 
 mod target;
+
+mod object_colors;
 
 mod painted;
 
@@ -288,9 +292,10 @@ pub mod object {
     pub use crate::matcap::{Matcap, MatcapTexel};
     pub use crate::normal_code::NormalCode;
     pub use crate::normal_map::{NormalMap, NormalPixel, NormalPixels};
+    pub use crate::object_coefficients::ObjectCoefficients;
     pub use crate::packed_object::{Object, ObjectPixel};
     pub use crate::region::Region;
-    pub use crate::shadowed::{ObjectCoefficients, ShadowedObject};
+    pub use crate::shadowed::ShadowedObject;
 }
 
 /// From irradiance to the pixels of a display.

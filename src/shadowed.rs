@@ -1,22 +1,10 @@
 //! Objects with shadows: their eigenimages in clusters.
 
-use crate::color::Rgb;
-use crate::display::{Display, Exposure, Linear};
-use crate::error::{Argument, Error};
+use crate::error::Error;
 use crate::index::light;
 use crate::index::shadowed::{MAGIC, MOST_IMAGES, MOST_RANK, RIM};
-use crate::light::Light;
 use crate::pixel::Pixel;
-use crate::q15;
 use crate::target::Target;
-
-/// The threshold that rounds to the nearest level of a display.
-const NEAREST: u32 = 1 << 15;
-
-/// Bits of an exposed irradiance after the binary point, and those of a mean and of an image.
-const POINT: i32 = 20;
-const OF_MEAN: u32 = 28;
-const OF_IMAGE: u32 = 20;
 
 /// An object of one material that shadows itself, seen from one side: its eigenimages U in
 /// compressed form, and the rows UᵀM that give their coefficients d from a light.
@@ -51,24 +39,16 @@ pub struct ShadowedObject<'a> {
     height: u16,
     codes: u16,
     degree: usize,
-    rank: usize,
-    images: usize,
+    pub(crate) rank: usize,
+    pub(crate) images: usize,
     /// Of each part of the material, its shares in the channels.
-    shares: &'a [[u8; 6]],
+    pub(crate) shares: &'a [[u8; 6]],
     /// Of each part and component, an exponent and mantissas.
-    rows: &'a [u8],
-    clusters: &'a [u8],
+    pub(crate) rows: &'a [u8],
+    pub(crate) clusters: &'a [u8],
     /// The first word of each row, and the number of all.
     starts: &'a [[u8; 4]],
     words: &'a [[u8; 2]],
-}
-
-/// The coefficients d of one channel: mantissas times a power of two.
-#[derive(Clone, Debug, PartialEq)]
-#[cfg_attr(feature = "defmt", derive(defmt::Format))]
-pub struct ObjectCoefficients {
-    mantissas: [i16; MOST_RANK],
-    exponent: i32,
 }
 
 /// Reading.
@@ -113,12 +93,16 @@ impl<'a> ShadowedObject<'a> {
         let Some((clusters, rest)) = split_clusters(rest, count, codes, rank, images) else {
             return None;
         };
-        let Some((starts, words)) = rest.split_at_checked((height as usize + 1) * 4) else {
+        let Some((starts, rest)) = rest.split_at_checked((height as usize + 1) * 4) else {
             return None;
         };
         let shares: &[[u8; 6]] = shares.as_chunks().0;
         let starts: &[[u8; 4]] = starts.as_chunks().0;
-        let words: &[[u8; 2]] = words.as_chunks().0;
+        let words: &[[u8; 2]] = rest.as_chunks().0;
+        let [[0, 0, 0, 0], .., end] = starts else { return None };
+        let Some((words, _)) = words.split_at_checked(u32::from_le_bytes(*end) as usize) else {
+            return None;
+        };
         let object = Self {
             width,
             height,
@@ -135,25 +119,19 @@ impl<'a> ShadowedObject<'a> {
         if object.has_rows() { Some(object) } else { None }
     }
 
-    /// Whether the rows divide the words, and each row has whole runs from left to right of codes that
-    /// exist.
+    /// Whether each row has whole runs from left to right.
     const fn has_rows(&self) -> bool {
-        let (mut rest, mut before, mut words) = (self.starts, 0, self.words);
-        while let [start, others @ ..] = rest {
-            let start = u32::from_le_bytes(*start) as usize;
-            if others.len() + 1 == self.starts.len() {
-                if start != 0 {
-                    return false;
-                }
-            } else {
-                let Some(count) = start.checked_sub(before) else { return false };
-                let Some((row, after)) = words.split_at_checked(count) else { return false };
-                if !self.has_runs(row) {
-                    return false;
-                }
-                words = after;
+        let (mut starts, mut words, mut place) = (self.starts, self.words, 0);
+        while let [_, rest @ ..] = starts
+            && let [end, ..] = rest
+        {
+            let end = u32::from_le_bytes(*end) as usize;
+            let Some(count) = end.checked_sub(place) else { return false };
+            let Some((row, after)) = words.split_at_checked(count) else { return false };
+            if !self.has_runs(row) {
+                return false;
             }
-            (rest, before) = (others, start);
+            (starts, words, place) = (rest, after, end);
         }
         true
     }
@@ -217,209 +195,11 @@ const fn split_clusters(
         clusters -= 1;
         rest = after;
     }
-    match bytes.split_at_checked(bytes.len() - rest.len()) {
-        Some(parts) if found == codes as usize => Some(parts),
-        _ => None,
-    }
+    if found == codes as usize { bytes.split_at_checked(bytes.len() - rest.len()) } else { None }
 }
 
-/// Coefficients.
+/// Drawing.
 impl ShadowedObject<'_> {
-    /// d of a light on the object's material.
-    ///
-    /// Cost: (degree + 1)² products for each component, part of the material and channel: 64 x 100 x 3
-    /// for a gray material at degree 9.
-    ///
-    /// # Errors
-    ///
-    /// [`Error::Beyond`] if the light has a higher degree.
-    pub fn coefficients(&self, light: Rgb<Light<'_>>) -> Result<Rgb<ObjectCoefficients>, Error> {
-        self.each_channel(light, |light, share| {
-            let coefficients = light.coefficients();
-            self.check(coefficients.len())?;
-            let mut sums = [0.0_f32; MOST_RANK];
-            for (part, rows) in self.parts().enumerate() {
-                let share = f32::from(share(part)) / 32_767.0;
-                for ((exponent, row), sum) in rows.zip(&mut sums) {
-                    let products = row.iter().zip(coefficients);
-                    let product: f32 =
-                        products.map(|(q, one)| f32::from(i16::from_le_bytes(*q)) * one).sum();
-                    *sum += share * product * power(exponent);
-                }
-            }
-            Ok(ObjectCoefficients::of_floats(sums.get(..self.rank).unwrap_or_default()))
-        })
-    }
-
-    /// [`coefficients`](Self::coefficients) in integers.
-    ///
-    /// # Errors
-    ///
-    /// [`Error::Beyond`] if the light has a higher degree.
-    pub fn coefficients_q15(
-        &self,
-        light: Rgb<q15::Light<'_>>,
-    ) -> Result<Rgb<ObjectCoefficients>, Error> {
-        self.each_channel(light, |light, share| {
-            let mantissas = light.mantissas();
-            self.check(mantissas.len())?;
-            // Of each component a sum of at most 38 bits and its exponent.
-            let mut sums = [(0_i64, i32::from(i8::MIN)); MOST_RANK];
-            for (part, rows) in self.parts().enumerate() {
-                let share = i64::from(share(part));
-                for ((exponent, row), sum) in rows.zip(&mut sums) {
-                    let products = row.iter().zip(mantissas);
-                    let product: i64 = products
-                        .map(|(q, one)| {
-                            i64::from(i32::from(i16::from_le_bytes(*q)) * i32::from(one.0))
-                        })
-                        .sum();
-                    *sum = added(*sum, (product * share >> 15, exponent));
-                }
-            }
-            let sums = sums.get(..self.rank).unwrap_or_default();
-            Ok(ObjectCoefficients::of_sums(sums, light.exponent()))
-        })
-    }
-
-    fn each_channel<L>(
-        &self,
-        light: Rgb<L>,
-        of: impl Fn(L, &dyn Fn(usize) -> i16) -> Result<ObjectCoefficients, Error>,
-    ) -> Result<Rgb<ObjectCoefficients>, Error> {
-        let share = |channel: usize| {
-            move |part: usize| {
-                let share =
-                    self.shares.get(part).and_then(|share| share.as_chunks().0.get(channel));
-                share.map_or(0, |&share| i16::from_le_bytes(share))
-            }
-        };
-        let Rgb { r, g, b } = light;
-        Ok(Rgb { r: of(r, &share(0))?, g: of(g, &share(1))?, b: of(b, &share(2))? })
-    }
-
-    fn check(&self, coefficients: usize) -> Result<(), Error> {
-        let found = (coefficients as u32).isqrt().saturating_sub(1) as usize;
-        Error::check_beyond(Argument::Light, self.degree, found)
-    }
-
-    /// The rows of each part: exponents and mantissas.
-    fn parts(&self) -> impl Iterator<Item = impl Iterator<Item = (i32, &[[u8; 2]])>> {
-        let size = 1 + 2 * light::count(self.degree);
-        self.rows.chunks_exact((self.rank * size).max(1)).map(move |part| {
-            part.chunks_exact(size).map(|row| {
-                let (exponent, mantissas) = row.split_first().unwrap_or((&0, &[]));
-                (i32::from(exponent.cast_signed()), mantissas.as_chunks().0)
-            })
-        })
-    }
-}
-
-/// 2 to an exponent of eight bits.
-fn power(exponent: i32) -> f32 {
-    f32::from_bits((127 + exponent.clamp(-126, 127)).cast_unsigned() << 23)
-}
-
-/// The sum of two numbers, each a mantissa and an exponent.
-fn added(a: (i64, i32), b: (i64, i32)) -> (i64, i32) {
-    let (low, high) = if a.1 < b.1 { (a, b) } else { (b, a) };
-    if high.0 == 0 {
-        return low;
-    }
-    ((low.0 >> (high.1 - low.1).min(63)) + high.0, high.1)
-}
-
-impl ObjectCoefficients {
-    fn of_floats(numbers: &[f32]) -> Self {
-        let largest = numbers.iter().fold(0.0_f32, |most, one| most.max(one.abs()));
-        // The exponent with which the largest number has 15 bits.
-        let exponent = (largest.to_bits() >> 23).cast_signed() - 126 - 15;
-        let scale = power(-exponent);
-        let mantissa = |one: &f32| {
-            let scaled = one * scale;
-            (scaled + if scaled < 0.0 { -0.5 } else { 0.5 }).clamp(-32_767.0, 32_767.0) as i16
-        };
-        Self { mantissas: filled(numbers.iter().map(mantissa)), exponent }
-    }
-
-    fn of_sums(sums: &[(i64, i32)], of_light: i32) -> Self {
-        let bits =
-            |sum: &(i64, i32)| 64 - sum.0.unsigned_abs().leading_zeros().cast_signed() + sum.1;
-        let nonzero = sums.iter().filter(|sum| sum.0 != 0);
-        let exponent = nonzero.map(bits).max().unwrap_or_default() - 15;
-        let mantissa = |&(sum, own): &(i64, i32)| {
-            let down = exponent - own;
-            let mantissa = if down > 0 {
-                let down = down.min(62);
-                (sum + (1 << (down - 1))) >> down
-            } else {
-                sum << -down
-            };
-            mantissa.clamp(-32_767, 32_767) as i16
-        };
-        Self { mantissas: filled(sums.iter().map(mantissa)), exponent: exponent + of_light }
-    }
-}
-
-/// Numbers, and zeros after them.
-fn filled(numbers: impl Iterator<Item = i16>) -> [i16; MOST_RANK] {
-    let mut all = [0; MOST_RANK];
-    all.iter_mut().zip(numbers).for_each(|(to, one)| *to = one);
-    all
-}
-
-/// Colors.
-impl ShadowedObject<'_> {
-    /// Exposes the irradiance of each code and calls a function with it, in the order of the codes.
-    ///
-    /// Cost: for each code, K products a channel; for each of the clusters, (K + 1) r products a
-    /// channel.
-    ///
-    /// # Errors
-    ///
-    /// None unless the exposure is out of range of its integers.
-    pub fn shade(
-        &self,
-        d: &Rgb<ObjectCoefficients>,
-        exposure: Exposure,
-        mut with: impl FnMut(Rgb<Linear>),
-    ) -> Result<(), Error> {
-        let mut rest = self.clusters;
-        while let Some((cluster, after)) = Cluster::split(rest, self.rank, self.images) {
-            rest = after;
-            let shown = Shown::new(&cluster, d, exposure)?;
-            if self.images == 0 {
-                (0..cluster.codes).for_each(|_| with(shown.color(&[])));
-                continue;
-            }
-            for weights in cluster.weights.chunks_exact(self.images.max(1)) {
-                with(shown.color(weights));
-            }
-        }
-        Ok(())
-    }
-
-    /// The colors of all codes on a display.
-    ///
-    /// # Errors
-    ///
-    /// [`Error::Length`] unless there are as many colors as codes; those of [`shade`](Self::shade).
-    pub fn colors<P: Pixel>(
-        &self,
-        d: &Rgb<ObjectCoefficients>,
-        exposure: Exposure,
-        display: &Display,
-        colors: &mut [P],
-    ) -> Result<(), Error> {
-        Error::check(Argument::Palettes, self.codes(), colors.len())?;
-        let mut colors = colors.iter_mut();
-        self.shade(d, exposure, |color| {
-            if let Some(to) = colors.next() {
-                *to = P::of_display(color.map(|channel| display.encode(channel)), NEAREST);
-            }
-        })
-    }
-
     /// Draws the rows of the object that the target has, in the colors of its codes. A pixel of a code
     /// without a color is not drawn.
     pub fn draw<P: Pixel>(&self, colors: &[P], target: &mut Target<'_, P>) {
@@ -475,89 +255,4 @@ fn blended<P: Pixel>(colors: &[P], run: &[[[u8; 2]; 2]], pixels: &mut [P]) {
             *pixel = color.over(*pixel, *coverage);
         }
     }
-}
-
-/// A cluster of a file.
-struct Cluster<'a> {
-    codes: usize,
-    /// Of the mean, then of the images.
-    exponents: &'a [u8],
-    mean: &'a [[u8; 2]],
-    images: &'a [u8],
-    weights: &'a [u8],
-}
-
-impl<'a> Cluster<'a> {
-    fn split(bytes: &'a [u8], rank: usize, images: usize) -> Option<(Self, &'a [u8])> {
-        let (&codes, rest) = bytes.split_first_chunk()?;
-        let codes = usize::from(u16::from_le_bytes(codes));
-        let (exponents, rest) = rest.split_at_checked(1 + images)?;
-        let (mean, rest) = rest.split_at_checked(2 * rank)?;
-        let (of_images, rest) = rest.split_at_checked(images * rank)?;
-        let (weights, rest) = rest.split_at_checked(images * codes)?;
-        let mean = mean.as_chunks().0;
-        Some((Self { codes, exponents, mean, images: of_images, weights }, rest))
-    }
-}
-
-/// The exposed irradiances of a cluster's mean and of its images, in units of 2^-20 of white.
-struct Shown {
-    mean: [i32; 3],
-    images: [[i32; 3]; MOST_IMAGES],
-}
-
-impl Shown {
-    fn new(
-        cluster: &Cluster<'_>,
-        d: &Rgb<ObjectCoefficients>,
-        exposure: Exposure,
-    ) -> Result<Self, Error> {
-        let channels = <[_; 3]>::from(d.each_ref());
-        let mut exponents = cluster.exponents.iter().map(|one| i32::from(one.cast_signed()));
-        let exposed = |sum: i64, exponent: i32, bits: u32| {
-            let of_linear = exponent.saturating_add(POINT - 16);
-            let shown = q15::Exposure::new(exposure.factor(), of_linear)?.signed(sum);
-            let most = 1_i64 << bits;
-            Ok::<i32, Error>(shown.clamp(-most, most) as i32)
-        };
-        let (of_mean, mut shown) = (
-            exponents.next().unwrap_or_default(),
-            Self { mean: [0; 3], images: [[0; 3]; MOST_IMAGES] },
-        );
-        for (to, d) in shown.mean.iter_mut().zip(channels) {
-            let products = cluster.mean.iter().zip(&d.mantissas);
-            let sum = products
-                .map(|(q, &one)| i64::from(i32::from(i16::from_le_bytes(*q)) * i32::from(one)))
-                .sum();
-            *to = exposed(sum, of_mean + d.exponent, OF_MEAN)?;
-        }
-        let rank = cluster.mean.len().max(1);
-        let images = cluster.images.chunks_exact(rank).zip(exponents);
-        for ((image, exponent), to) in images.zip(&mut shown.images) {
-            for (to, d) in to.iter_mut().zip(channels) {
-                let sum = product(image, &d.mantissas);
-                *to = exposed(i64::from(sum), exponent + d.exponent, OF_IMAGE)?;
-            }
-        }
-        Ok(shown)
-    }
-
-    /// The color of a code with these weights.
-    #[inline(always)]
-    fn color(&self, weights: &[u8]) -> Rgb<Linear> {
-        let mut sums = self.mean;
-        for (image, weight) in self.images.iter().zip(weights) {
-            let weight = i32::from(weight.cast_signed());
-            for (sum, image) in sums.iter_mut().zip(image) {
-                *sum += weight * image;
-            }
-        }
-        Rgb::from(sums).map(|sum| Linear((sum.max(0) >> (POINT - 16)).cast_unsigned()))
-    }
-}
-
-/// At most 2^7 x 2^15 x 100.
-#[inline(never)]
-fn product(image: &[u8], mantissas: &[i16]) -> i32 {
-    image.iter().zip(mantissas).map(|(q, &one)| i32::from(q.cast_signed()) * i32::from(one)).sum()
 }

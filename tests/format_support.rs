@@ -2,7 +2,9 @@
 //! input.
 
 use crate::invariants::integer::shipped;
-use crate::invariants::{Reader, SHADING, packed_object, project_reconstruct, public_interface};
+use crate::invariants::{
+    Reader, SHADING, packed_object, project_reconstruct, public_interface, shadowed_object,
+};
 use eigenshade::{Argument, Error, Light, Q15, q15, sphere};
 use eigenshade_table::quantize;
 use eigenshade_table::scene::{Criterion, Store};
@@ -148,6 +150,11 @@ proptest! {
     #[test]
     fn objects_are_drawn_as_pixel_by_pixel(bytes in bytes()) {
         packed_object(&bytes);
+    }
+
+    #[test]
+    fn objects_with_shadows_are_drawn_as_pixel_by_pixel(bytes in bytes()) {
+        shadowed_object(&bytes);
     }
 
     #[test]

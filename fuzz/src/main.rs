@@ -17,12 +17,15 @@ type Target = fn(&[u8]);
 ///   in f64.
 /// * `from_bytes`: any bytes as a table give an error, or a basis that projects and shades.
 /// * `packed_object`: objects are drawn as pixel by pixel; changed bytes give an error or an object.
-const TARGETS: [(&str, Target); 5] = [
+/// * `shadowed_object`: objects with shadows of any numbers have a color for each code and are drawn as
+///   pixel by pixel; changed bytes give an error or an object.
+const TARGETS: [(&str, Target); 6] = [
     ("shade_any", invariants::shade_any),
     ("public_interface", invariants::public_interface),
     ("project_reconstruct", invariants::project_reconstruct),
     ("from_bytes", invariants::from_bytes),
     ("packed_object", invariants::packed_object),
+    ("shadowed_object", invariants::shadowed_object),
 ];
 
 fn target() -> Target {

@@ -51,10 +51,12 @@ impl Exposure {
         Ok(Self { factor: factor << left, shift })
     }
 
-    /// The exposed irradiance of a mantissa of at most 47 bits, rounded down, in the unit of
-    /// [`Linear`], of either sign.
+    /// The exposed irradiance of a mantissa of at most 47 bits, rounded, in the unit of [`Linear`], of
+    /// either sign.
     pub(crate) fn signed(self, mantissa: i64) -> i64 {
-        mantissa.saturating_mul(i64::from(self.factor)) >> self.shift.min(63)
+        let shift = self.shift.min(62);
+        let half = (1 << shift) >> 1;
+        mantissa.saturating_mul(i64::from(self.factor)).saturating_add(half) >> shift
     }
 
     /// The exposed irradiance of a mantissa, rounded down; 0 for negative ones.

@@ -68,7 +68,7 @@ pub fn drawing(input: &mut Reader<'_>) {
 /// A packed object has the pixels that were written, and draws them as one by one; with changed
 /// bytes, it is refused or drawn.
 pub fn packed(input: &mut Reader<'_>) {
-    let size = [(); 2].map(|()| 1 + input.byte() as u16 % 9);
+    let size = [(); 2].map(|()| 1 + u16::from(input.byte()) % 9);
     let regions = [(); 2].map(|()| {
         let [metallic, roughness] = [(); 2].map(|()| f32::from(input.byte()) / 255.0);
         Region::new(metallic, roughness).expect("from 0 to 1")

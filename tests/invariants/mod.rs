@@ -10,6 +10,7 @@
 mod drawing;
 pub mod integer;
 mod shading;
+mod shadowed;
 mod ways;
 
 pub use ways::{project_reconstruct, public_interface};
@@ -50,6 +51,11 @@ pub fn shade_any(bytes: &[u8]) {
 /// A packed object of any pixels, and its changed bytes.
 pub fn packed_object(bytes: &[u8]) {
     drawing::packed(&mut Reader::new(bytes));
+}
+
+/// An object with shadows of any numbers, and its changed bytes.
+pub fn shadowed_object(bytes: &[u8]) {
+    shadowed::drawn(&mut Reader::new(bytes));
 }
 
 /// Bytes that are read one after the other.

@@ -19,6 +19,7 @@ uint32_t program(void) {
   check_object_faults();
   check_color();
   check_textured();
+  check_shadowed();
   print_u32(found_faults());
   print(" faults\n");
   return found_faults();

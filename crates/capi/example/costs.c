@@ -147,6 +147,29 @@ enum { SIDE_OF_OBJECT = 120 };
 TEXTURED(f32, float)
 TEXTURED(q15, int32_t)
 
+/* An object with shadows of 96 pixels across, 4,096 codes, rank 64 and 8 images. */
+#define SHADOWED(format)                                                                          \
+  static uint32_t shadowed_##format(void) {                                                       \
+    static eigenshade_object_coefficients_t coefficients;                                         \
+    static uint16_t colors[4096], row[96];                                                        \
+    const eigenshade_display_t *const display = &eigenshade_display_filmic;                       \
+    const eigenshade_target_t target = {row, sizeof row, 0, 96, 1, 0, -48, 0};                    \
+    const char *const name = #format;                                                             \
+    uint32_t faults = 0;                                                                          \
+    MEASURED("coefficients of shadows", name, 1,                                                  \
+             eigenshade_shadowed_object_coefficients_##format(                                    \
+                 &relief, &eigenshade_light_lobby_##format, &coefficients));                      \
+    MEASURED("colors of shadows", name, 1,                                                        \
+             eigenshade_shadowed_object_colors(&relief, &coefficients, 1.5f, display, 0, colors,  \
+                                               sizeof colors));                                   \
+    MEASURED("row of shadows", name, 1,                                                           \
+             eigenshade_shadowed_object_draw(&relief, colors, sizeof colors, &target));           \
+    return faults;                                                                                \
+  }
+
+SHADOWED(f32)
+SHADOWED(q15)
+
 #define COSTS(format, angle, x, y, z, ...)                                                        \
   static uint32_t costs_##format(void) {                                                          \
     static eigenshade_workspace_##format##_t workspace;                                           \
@@ -225,5 +248,6 @@ COSTS(q15, int32_t, 0, 19661, 26214, 3, 4)
 uint32_t program(void) {
   calibrate();
   print("operation,format,instructions\n");
-  return costs_f32() + costs_q15() + textured_f32() + textured_q15();
+  return costs_f32() + costs_q15() + textured_f32() + textured_q15() + shadowed_f32() +
+         shadowed_q15();
 }

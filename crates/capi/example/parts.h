@@ -20,4 +20,7 @@ void check_color(void);
 /* Textured objects (textured.c). */
 void check_textured(void);
 
+/* Objects with shadows (shadowed.c). */
+void check_shadowed(void);
+
 #endif

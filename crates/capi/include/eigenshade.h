@@ -6,10 +6,11 @@ shipped one is 9 and 7.
 The steps are: begin the picture of a light, a material and small bright sources of light, then draw
 it into a target; or keep the transfer of a material, and relight it with each new light. For many
 frames a second, fill a palette from each picture and draw from the palette. A textured object is
-drawn from linear palettes, each filled from the pictures of both materials of a region. A number in
-integers is a mantissa times 2 to the power of an exponent. All functions in q15 do without a float
-unit, except `eigenshade_picture_bake_q15` and those that read sources. Integers give the same bits
-on every machine.
+drawn from linear palettes, each filled from the pictures of both materials of a region. An object
+with shadows has its material in its file: find its coefficients under a light, then the colors of
+its codes, and draw from these. A number in integers is a mantissa times 2 to the power of an
+exponent. All functions in q15 do without a float unit, except `eigenshade_picture_bake_q15` and
+those that read sources. Integers give the same bits on every machine.
 
 The caller owns every array and structure, and need not initialize those that the library
 writes. No function allocates, keeps a pointer, or has state, so all may be called from
@@ -57,7 +58,7 @@ enum eigenshade_status
    */
   EIGENSHADE_STATUS_OVERLAP = 3,
   /**
-   * The degree of a light is above EIGENSHADE_DEGREE.
+   * The degree of a light is above EIGENSHADE_DEGREE, or above that of an object with shadows.
    */
   EIGENSHADE_STATUS_LIGHT_BEYOND = 4,
   /**
@@ -174,13 +175,22 @@ enum eigenshade_status
    */
   EIGENSHADE_STATUS_NODES = 31,
   /**
-   * The bytes of a textured object are something else, or were cut or changed.
+   * The bytes of an object, textured or with shadows, are something else, or were cut or changed.
    */
   EIGENSHADE_STATUS_OBJECT = 32,
   /**
    * A textured object has no region of this number, or more regions than there are palettes.
    */
   EIGENSHADE_STATUS_REGION = 33,
+  /**
+   * The colors of an object with shadows have the wrong number of bytes: one pixel of the encoding for
+   * each of its codes.
+   */
+  EIGENSHADE_STATUS_COLORS = 34,
+  /**
+   * Coefficients of an object that were never found, such as those of zeros.
+   */
+  EIGENSHADE_STATUS_COEFFICIENTS = 35,
 };
 #ifndef __cplusplus
 #if __STDC_VERSION__ >= 202311L
@@ -441,6 +451,53 @@ typedef struct eigenshade_linear_palette_t {
    */
   uint32_t words[EIGENSHADE_LINEAR_PALETTE];
 } eigenshade_linear_palette_t;
+
+/**
+ * An object with shadows, as `eigenshade pack-object --shadows` writes it. May be kept in flash.
+ */
+typedef struct eigenshade_shadowed_object_t {
+  /**
+   * Number of bytes.
+   */
+  size_t length;
+  /**
+   * The file; the caller's.
+   */
+  const uint8_t *bytes;
+} eigenshade_shadowed_object_t;
+
+/**
+ * What is at the beginning of an object with shadows.
+ */
+typedef struct eigenshade_shadowed_object_header_t {
+  /**
+   * Pixels across.
+   */
+  size_t width;
+  /**
+   * Pixels down.
+   */
+  size_t height;
+  /**
+   * Number of codes: as many colors a frame has.
+   */
+  size_t codes;
+  /**
+   * The largest degree of a light.
+   */
+  size_t degree;
+} eigenshade_shadowed_object_header_t;
+
+/**
+ * The coefficients of an object with shadows under one light, once they were found. It has no
+ * pointers, so it may be moved.
+ */
+typedef struct eigenshade_object_coefficients_t {
+  /**
+   * Private to the library.
+   */
+  uint32_t words[EIGENSHADE_OBJECT_COEFFICIENTS];
+} eigenshade_object_coefficients_t;
 
 /**
  * One channel of distant light: spherical harmonic coefficients L_l^m in radiance, l from 0, m
@@ -986,6 +1043,41 @@ eigenshade_status eigenshade_object_draw_dithered(const struct eigenshade_object
                                                   const struct eigenshade_target_t *target);
 
 /**
+ * The size of an object with shadows, its number of codes and the degree of its light. All bytes are
+ * checked, here and in the functions below: some instructions for each row, each run and each cluster.
+ *
+ * On an error `header` is unchanged.
+ */
+eigenshade_status eigenshade_shadowed_object_header(const struct eigenshade_shadowed_object_t *object,
+                                                    struct eigenshade_shadowed_object_header_t *header);
+
+/**
+ * Writes the colors of the codes of an object with shadows, from coefficients that
+ * `eigenshade_shadowed_object_coefficients_f32` or `_q15` found for this object. `encoding` is one of
+ * `eigenshade_encoding`, and `length` is the number of bytes: one pixel for each code.
+ *
+ * On an error `colors` is unchanged.
+ */
+eigenshade_status eigenshade_shadowed_object_colors(const struct eigenshade_shadowed_object_t *object,
+                                                    const struct eigenshade_object_coefficients_t *coefficients,
+                                                    float exposure,
+                                                    const struct eigenshade_display_t *display,
+                                                    int32_t encoding,
+                                                    void *colors,
+                                                    size_t length);
+
+/**
+ * Draws an object with shadows in the colors of its codes, in the encoding of the target. `length` is
+ * the number of bytes of the colors.
+ *
+ * On an error no pixel is changed.
+ */
+eigenshade_status eigenshade_shadowed_object_draw(const struct eigenshade_shadowed_object_t *object,
+                                                  const void *colors,
+                                                  size_t length,
+                                                  const struct eigenshade_target_t *target);
+
+/**
  * The coefficients d of a light on a material in one channel, as numbers.
  *
  * Cost: a multiplication for each of the table's factors. On an error `coefficients` is unchanged.
@@ -1121,6 +1213,15 @@ eigenshade_status eigenshade_linear_palette_fill_f32(const struct eigenshade_pic
                                                      float exposure,
                                                      const struct eigenshade_nodes_t *nodes,
                                                      struct eigenshade_linear_palette_t *palette);
+
+/**
+ * The coefficients of an object with shadows under a light, whose degree is at most that of the object.
+ *
+ * On an error `coefficients` is unchanged.
+ */
+eigenshade_status eigenshade_shadowed_object_coefficients_f32(const struct eigenshade_shadowed_object_t *object,
+                                                              const struct eigenshade_color_light_f32_t *light,
+                                                              struct eigenshade_object_coefficients_t *coefficients);
 
 /**
  * Counts the pixels of one row of a sphere, to meter the exposure of its picture. Row 0 is the
@@ -1364,6 +1465,13 @@ eigenshade_status eigenshade_linear_palette_fill_q15(const struct eigenshade_pic
                                                      float exposure,
                                                      const struct eigenshade_nodes_t *nodes,
                                                      struct eigenshade_linear_palette_t *palette);
+
+/**
+ * `eigenshade_shadowed_object_coefficients_f32` in Q15.
+ */
+eigenshade_status eigenshade_shadowed_object_coefficients_q15(const struct eigenshade_shadowed_object_t *object,
+                                                              const struct eigenshade_color_light_q15_t *light,
+                                                              struct eigenshade_object_coefficients_t *coefficients);
 
 /**
  * `eigenshade_picture_meter_disc_row_f32` in Q15.

@@ -5,7 +5,7 @@ file. */
 #define EIGENSHADE_TABLE_H
 
 /** A checksum of these sizes: compare it with `eigenshade_table()`. */
-#define EIGENSHADE_TABLE 3766772732u
+#define EIGENSHADE_TABLE 3597171090u
 
 /** Largest degree l of a light. */
 #define EIGENSHADE_DEGREE 9
@@ -60,5 +60,8 @@ file. */
 
 /** Words of 32 bits in a linear palette. */
 #define EIGENSHADE_LINEAR_PALETTE 3268
+
+/** Words of 32 bits in the coefficients of an object with shadows. */
+#define EIGENSHADE_OBJECT_COEFFICIENTS 154
 
 #endif

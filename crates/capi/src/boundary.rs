@@ -39,6 +39,7 @@ impl Mark {
     pub(crate) const NODES: Self = Self(0x6e67_6966);
     pub(crate) const PALETTE: Self = Self(0x6e67_6967);
     pub(crate) const LINEAR_PALETTE: Self = Self(0x6e67_6968);
+    pub(crate) const OBJECT_COEFFICIENTS: Self = Self(0x6e67_6969);
 }
 
 /// A pointer from C to what a function reads. It may be NULL or unaligned. If it is neither, C

@@ -2,6 +2,7 @@
 //! them.
 
 use crate::table::{self, q15};
+use eigenshade::object::ObjectCoefficients;
 use eigenshade::screen::{LinearPalette, Nodes, Palette};
 use eigenshade::{Highlights, Rgb};
 use eigenshade_table::{highlights, light, material};
@@ -38,13 +39,14 @@ pub(crate) const PICTURE_F32: usize =
 pub(crate) const PICTURE_Q15: usize =
     words(12 * q15::SCENE + 12, size_of::<OfIntegers<0>>(), size_of::<OfIntegers<2>>());
 
-/// Words of the nodes of a palette and of palettes, with their marks.
+/// Words of the nodes of a palette, of palettes and of coefficients, with their marks.
 pub(crate) const NODES: usize = 1 + size_of::<Nodes>() / 8;
 pub(crate) const PALETTE: usize = 1 + size_of::<Palette>() / 4;
 pub(crate) const LINEAR_PALETTE: usize = 1 + size_of::<LinearPalette>() / 4;
+pub(crate) const OBJECT_COEFFICIENTS: usize = 1 + size_of::<Rgb<ObjectCoefficients>>() / 4;
 
 /// Name, description and value.
-pub(crate) const CONSTANTS: [(&str, &str, usize); 18] = [
+pub(crate) const CONSTANTS: [(&str, &str, usize); 19] = [
     ("DEGREE", "Largest degree l of a light.", table::DEGREE),
     ("ORDER", "Largest order o of a material.", table::ORDER),
     ("LIGHT", "Coefficients of a light of that degree.", light::count(table::DEGREE)),
@@ -63,6 +65,11 @@ pub(crate) const CONSTANTS: [(&str, &str, usize); 18] = [
     ("NODES", "Words of 64 bits in the nodes of an object.", NODES),
     ("PALETTE", "Words of 32 bits in a palette.", PALETTE),
     ("LINEAR_PALETTE", "Words of 32 bits in a linear palette.", LINEAR_PALETTE),
+    (
+        "OBJECT_COEFFICIENTS",
+        "Words of 32 bits in the coefficients of an object with shadows.",
+        OBJECT_COEFFICIENTS,
+    ),
 ];
 
 /// A checksum of the sizes, FNV-1a. Tables of the same sizes have the same one.

@@ -10,10 +10,11 @@ use crate::nodes::{self, Nodes};
 use crate::object::{self, NormalMap};
 use crate::packed_object::{self, ObjectHeader, PackedObject};
 use crate::palette::{self, Palette};
+use crate::shadowed_object::{self, ObjectCoefficients, ShadowedObject, ShadowedObjectHeader};
 use crate::sources::{self, Gloss, Source};
 use crate::status::{Status, message};
 use crate::target::Target;
-use core::ffi::c_char;
+use core::ffi::{c_char, c_void};
 
 /// The library's version, a static string: compare it with EIGENSHADE_VERSION of the header.
 /// Never fails.
@@ -193,4 +194,57 @@ pub extern "C" fn eigenshade_object_draw_dithered(
 ) -> Status {
     let (object, palettes) = (Input(object), Input(palettes));
     linear_palette::draw(&object, &palettes, count, &Input(display), &Input(target), true).into()
+}
+
+/// The size of an object with shadows, its number of codes and the degree of its light. All bytes are
+/// checked, here and in the functions below: some instructions for each row, each run and each cluster.
+///
+/// On an error `header` is unchanged.
+#[unsafe(no_mangle)]
+pub extern "C" fn eigenshade_shadowed_object_header(
+    object: *const ShadowedObject,
+    header: *mut ShadowedObjectHeader,
+) -> Status {
+    shadowed_object::header(&Input(object), &Output(header)).into()
+}
+
+/// Writes the colors of the codes of an object with shadows, from coefficients that
+/// `eigenshade_shadowed_object_coefficients_f32` or `_q15` found for this object. `encoding` is one of
+/// `eigenshade_encoding`, and `length` is the number of bytes: one pixel for each code.
+///
+/// On an error `colors` is unchanged.
+#[unsafe(no_mangle)]
+pub extern "C" fn eigenshade_shadowed_object_colors(
+    object: *const ShadowedObject,
+    coefficients: *const ObjectCoefficients,
+    exposure: f32,
+    display: *const Display,
+    encoding: i32,
+    colors: *mut c_void,
+    length: usize,
+) -> Status {
+    shadowed_object::colors(
+        &Input(object),
+        &Input(coefficients),
+        exposure,
+        &Input(display),
+        encoding,
+        &Output(colors),
+        length,
+    )
+    .into()
+}
+
+/// Draws an object with shadows in the colors of its codes, in the encoding of the target. `length` is
+/// the number of bytes of the colors.
+///
+/// On an error no pixel is changed.
+#[unsafe(no_mangle)]
+pub extern "C" fn eigenshade_shadowed_object_draw(
+    object: *const ShadowedObject,
+    colors: *const c_void,
+    length: usize,
+    target: *const Target,
+) -> Status {
+    shadowed_object::draw(&Input(object), colors, length, &Input(target)).into()
 }

@@ -13,6 +13,7 @@ use crate::records_f32::{
     BakedF32, CoefficientsF32, ColorLightF32, ColorMaterialF32, IrradianceF32, LightF32,
     MaterialF32, PictureF32, TransferF32, WorkspaceF32,
 };
+use crate::shadowed_object::{self, ObjectCoefficients, ShadowedObject};
 use crate::sources::{Gloss, Source};
 use crate::status::Status;
 use crate::target::Target;
@@ -230,6 +231,19 @@ pub extern "C" fn eigenshade_linear_palette_fill_f32(
         &Output(palette),
     )
     .into()
+}
+
+/// The coefficients of an object with shadows under a light, whose degree is at most that of the object.
+///
+/// On an error `coefficients` is unchanged.
+#[unsafe(no_mangle)]
+pub extern "C" fn eigenshade_shadowed_object_coefficients_f32(
+    object: *const ShadowedObject,
+    light: *const ColorLightF32,
+    coefficients: *mut ObjectCoefficients,
+) -> Status {
+    shadowed_object::coefficients::<f32>(&Input(object), &Input(light), &Output(coefficients))
+        .into()
 }
 
 /// Counts the pixels of one row of a sphere, to meter the exposure of its picture. Row 0 is the

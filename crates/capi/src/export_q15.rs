@@ -14,6 +14,7 @@ use crate::records_q15::{
     BakedQ15, CoefficientsQ15, ColorLightQ15, ColorMaterialQ15, IrradianceQ15, LightBufferQ15,
     LightQ15, MaterialBufferQ15, MaterialQ15, PictureQ15, TransferQ15, WorkspaceQ15,
 };
+use crate::shadowed_object::{self, ObjectCoefficients, ShadowedObject};
 use crate::sources::{Gloss, Source};
 use crate::status::Status;
 use crate::target::Target;
@@ -198,6 +199,17 @@ pub extern "C" fn eigenshade_linear_palette_fill_q15(
         &Output(palette),
     )
     .into()
+}
+
+/// `eigenshade_shadowed_object_coefficients_f32` in Q15.
+#[unsafe(no_mangle)]
+pub extern "C" fn eigenshade_shadowed_object_coefficients_q15(
+    object: *const ShadowedObject,
+    light: *const ColorLightQ15,
+    coefficients: *mut ObjectCoefficients,
+) -> Status {
+    shadowed_object::coefficients::<Q15>(&Input(object), &Input(light), &Output(coefficients))
+        .into()
 }
 
 /// `eigenshade_picture_meter_disc_row_f32` in Q15.

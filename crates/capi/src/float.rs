@@ -10,7 +10,9 @@ use crate::records_f32::{
 };
 use crate::status::{Status, light_shape, material_shape};
 use crate::table::{self, COMPONENTS, LIGHT, SCENE, TRANSFER, WORKSPACE};
-use eigenshade::object::{BakedMap, DiscPixel, MapPoint, NormalPixel, Region};
+use eigenshade::object::{
+    BakedMap, DiscPixel, MapPoint, NormalPixel, ObjectCoefficients, Region, ShadowedObject,
+};
 use eigenshade::screen::{Exposure, Linear};
 use eigenshade::specialized::{Mirrored, by_image, checked};
 use eigenshade::wire::Parts;
@@ -267,6 +269,13 @@ impl Format for f32 {
         let ColorMaterialF32 { r, g, .. } =
             stored_materials(Rgb::new(tinted, plain, plain), buffer, |_| ());
         Ok([r, g].map(|one| ColorMaterialF32 { r: one, g: one, b: one }))
+    }
+
+    fn object_coefficients(
+        object: &ShadowedObject<'_>,
+        light: Rgb<Self::OfLight<'_>>,
+    ) -> Result<Rgb<ObjectCoefficients>, Error> {
+        object.coefficients(light)
     }
 
     const LIGHT_BUFFER: LightBufferF32 = LightBufferF32 { numbers: [[0.0; LIGHT]; 3] };

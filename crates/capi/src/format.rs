@@ -3,7 +3,7 @@
 use crate::boundary::{Input, Place, Plain};
 use crate::constants::SOURCES;
 use crate::status::Status;
-use eigenshade::object::{DiscPixel, NormalPixel, Region};
+use eigenshade::object::{DiscPixel, NormalPixel, ObjectCoefficients, Region, ShadowedObject};
 use eigenshade::screen::{AnyNormal, Linear};
 use eigenshade::{Effect, Error, Highlights, Rgb, Source};
 
@@ -113,6 +113,12 @@ pub(crate) trait Format: Plain + Copy + 'static {
         region: &Region,
         buffer: &mut Self::MaterialBuffer,
     ) -> Result<[Self::Material; 2], Status>;
+
+    /// The coefficients of an object with shadows.
+    fn object_coefficients(
+        object: &ShadowedObject<'_>,
+        light: Rgb<Self::OfLight<'_>>,
+    ) -> Result<Rgb<ObjectCoefficients>, Error>;
 
     /// Memory for a light.
     const LIGHT_BUFFER: Self::LightBuffer;

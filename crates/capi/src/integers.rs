@@ -12,7 +12,7 @@ use crate::records_q15::{
 use crate::status::{Status, light_shape, material_shape};
 use crate::table::q15::{PROFILES, SCENE, TRANSFER, WORKSPACE};
 use crate::table::{self, COMPONENTS, LIGHT};
-use eigenshade::object::{DiscPixel, NormalPixel, Region};
+use eigenshade::object::{DiscPixel, NormalPixel, ObjectCoefficients, Region, ShadowedObject};
 use eigenshade::q15::kernels::Mirrored;
 use eigenshade::q15::{
     self, BakedMap, Basis, Exposure, Highlights, Light, MapPoint, Material, Normal, Parts,
@@ -286,6 +286,13 @@ impl Format for Q15 {
         let ColorMaterialQ15 { r, g, .. } =
             stored_materials(Rgb::new(tinted, plain, plain), buffer, |_| ());
         Ok([r, g].map(|one| ColorMaterialQ15 { r: one, g: one, b: one }))
+    }
+
+    fn object_coefficients(
+        object: &ShadowedObject<'_>,
+        light: Rgb<Self::OfLight<'_>>,
+    ) -> Result<Rgb<ObjectCoefficients>, Error> {
+        object.coefficients_q15(light)
     }
 
     const LIGHT_BUFFER: LightBufferQ15 = LightBufferQ15 { mantissas: [[Q15(0); LIGHT]; 3] };

@@ -62,6 +62,8 @@ mod palette;
 
 mod linear_palette;
 
+mod shadowed_object;
+
 mod export;
 
 mod export_f32;

@@ -53,18 +53,11 @@ pub(crate) fn fill<F: Format>(
 }
 
 /// An object in the colors of a frame.
-struct Textured<'a> {
-    painted: Painted<'a, Marked<screen::LinearPalette>>,
-    size: [usize; 2],
-}
+struct Textured<'a>(Painted<'a, Marked<screen::LinearPalette>>);
 
-impl Drawn for Textured<'_> {
-    fn size(&self) -> [usize; 2] {
-        self.size
-    }
-
-    fn draw<P: Pixel>(&self, target: &mut screen::Target<'_, P>) {
-        self.painted.draw(target);
+impl<P: Pixel> Drawn<P> for Textured<'_> {
+    fn draw(&self, target: &mut screen::Target<'_, P>) {
+        self.0.draw(target);
     }
 }
 
@@ -87,5 +80,5 @@ pub(crate) fn draw(
     let painted = object.painted(palettes, display)?;
     let painted = if is_dithered { painted.dithered() } else { painted };
     // SAFETY: the pixels overlap no other.
-    unsafe { window.draw(&Textured { painted, size: [object.width(), object.height()] }) }
+    unsafe { window.draw([object.width(), object.height()], &Textured(painted)) }
 }

@@ -56,12 +56,8 @@ struct Mapped<'a, const IS_DITHERED: bool> {
     map: NormalMap<'a>,
 }
 
-impl<const IS_DITHERED: bool> Drawn for Mapped<'_, IS_DITHERED> {
-    fn size(&self) -> [usize; 2] {
-        [self.map.width(), self.map.height()]
-    }
-
-    fn draw<P: Pixel>(&self, target: &mut screen::Target<'_, P>) {
+impl<P: Pixel, const IS_DITHERED: bool> Drawn<P> for Mapped<'_, IS_DITHERED> {
+    fn draw(&self, target: &mut screen::Target<'_, P>) {
         if IS_DITHERED {
             self.palette.dithered().draw(&self.map, target);
         } else {
@@ -79,6 +75,7 @@ pub(crate) fn draw<const IS_DITHERED: bool>(
     let (colors, map, window) = (written(palette)?, normal_map(map)?, Window::of(target)?);
     window.apart_from(&map.places)?;
     window.apart_from(&[Place::of(palette.value()?)])?;
+    let size = [map.map.width(), map.map.height()];
     // SAFETY: the pixels overlap no other.
-    unsafe { window.draw(&Mapped::<IS_DITHERED> { palette: colors, map: map.map }) }
+    unsafe { window.draw(size, &Mapped::<IS_DITHERED> { palette: colors, map: map.map }) }
 }

@@ -17,7 +17,7 @@ pub enum Status {
     Unaligned = 2,
     /// An array that is written to overlaps another.
     Overlap = 3,
-    /// The degree of a light is above EIGENSHADE_DEGREE.
+    /// The degree of a light is above EIGENSHADE_DEGREE, or above that of an object with shadows.
     LightBeyond = 4,
     /// A light does not have (degree + 1)^2 coefficients.
     LightLength = 5,
@@ -78,10 +78,15 @@ pub enum Status {
     Palette = 30,
     /// Nodes that were never found, such as those of zeros.
     Nodes = 31,
-    /// The bytes of a textured object are something else, or were cut or changed.
+    /// The bytes of an object, textured or with shadows, are something else, or were cut or changed.
     Object = 32,
     /// A textured object has no region of this number, or more regions than there are palettes.
     Region = 33,
+    /// The colors of an object with shadows have the wrong number of bytes: one pixel of the encoding for
+    /// each of its codes.
+    Colors = 34,
+    /// Coefficients of an object that were never found, such as those of zeros.
+    Coefficients = 35,
 }
 
 /// The message of a status.
@@ -92,7 +97,7 @@ pub(crate) fn message(status: i32) -> &'static CStr {
         2 => c"a pointer is not aligned for its type; point to a value of the type itself",
         3 => c"an array that is written to overlaps another; use separate arrays",
         4 => {
-            c"the degree of the light is above EIGENSHADE_DEGREE; leave out the coefficients above it"
+            c"the degree of the light is above that of the table or object; leave out the coefficients above"
         }
         5 => c"a light has (degree + 1)^2 coefficients; check degree and length",
         6 => {
@@ -127,8 +132,10 @@ pub(crate) fn message(status: i32) -> &'static CStr {
         29 => c"no encoding has this number; use one of eigenshade_encoding",
         30 => c"a palette was never filled; call palette_fill first",
         31 => c"the nodes were never found; call nodes_of_normal_map or nodes_of_region",
-        32 => c"the bytes are no textured object, or were cut or changed; pack the object anew",
+        32 => c"the bytes are no object of this kind, or were cut or changed; pack the object anew",
         33 => c"the object has no such region, or more regions than palettes; check the number",
+        34 => c"an object has a color for each of its codes; check the encoding and the length in bytes",
+        35 => c"no coefficients were found; call shadowed_object_coefficients first",
         _ => c"unknown status; compare the versions of header and library",
     }
 }

@@ -22,13 +22,13 @@ pub enum Encoding {
 
 impl Encoding {
     /// The encoding of this number in C.
-    fn new(number: i32) -> Result<Self, Status> {
+    pub(crate) fn new(number: i32) -> Result<Self, Status> {
         let encodings = [Self::Rgb565, Self::Rgb565HighFirst, Self::Rgb888];
         encodings.into_iter().find(|&one| one as i32 == number).ok_or(Status::Encoding)
     }
 
     /// Bytes of a pixel.
-    const fn bytes(self) -> usize {
+    pub(crate) const fn bytes(self) -> usize {
         match self {
             Self::Rgb565 | Self::Rgb565HighFirst => 2,
             Self::Rgb888 => 3,
@@ -63,18 +63,20 @@ pub struct Target {
     pub encoding: i32,
 }
 
-/// What draws itself.
-pub(crate) trait Drawn {
-    /// Width and height.
-    fn size(&self) -> [usize; 2];
+/// What draws itself into pixels of a type.
+pub(crate) trait Drawn<P> {
     /// Draws the part that the target has.
-    fn draw<P: Pixel>(&self, target: &mut screen::Target<'_, P>);
+    fn draw(&self, target: &mut screen::Target<'_, P>);
 }
+
+/// What draws itself into every encoding.
+pub(crate) trait DrawnInAny: Drawn<u16> + Drawn<[u8; 2]> + Drawn<[u8; 3]> {}
+impl<D: Drawn<u16> + Drawn<[u8; 2]> + Drawn<[u8; 3]>> DrawnInAny for D {}
 
 /// A target that was checked.
 pub(crate) struct Window<'t> {
     target: &'t Target,
-    encoding: Encoding,
+    pub(crate) encoding: Encoding,
     written: [Place; 1],
 }
 
@@ -115,12 +117,16 @@ impl<'t> Window<'t> {
         [rows.start, rows.len()]
     }
 
-    /// Draws an object.
+    /// Draws an object of this size.
     ///
     /// # Safety
     ///
     /// As for [`rows`](Self::rows).
-    pub(crate) unsafe fn draw(&self, object: &impl Drawn) -> Result<(), Status> {
+    pub(crate) unsafe fn draw(
+        &self,
+        size: [usize; 2],
+        object: &impl DrawnInAny,
+    ) -> Result<(), Status> {
         let draw = |row, columns: &Range<usize>, pixels: Row<'_>| {
             let corner = [columns.start, row].map(|place| (place as i32).wrapping_neg());
             match pixels {
@@ -130,7 +136,7 @@ impl<'t> Window<'t> {
             }
         };
         // SAFETY: this function's caller promises as much.
-        unsafe { self.rows(object.size(), draw) }
+        unsafe { self.rows(size, draw) }
     }
 
     /// Calls `draw` with each row of an object of this size that the window has, the row's columns
@@ -170,7 +176,7 @@ impl<'t> Window<'t> {
 
 /// Draws the part of an object that is in one row of pixels.
 fn draw_row<P: Pixel>(
-    object: &impl Drawn,
+    object: &impl Drawn<P>,
     [x, y]: [i32; 2],
     pixels: &mut [P],
 ) -> Result<(), Status> {

@@ -51,8 +51,7 @@ fn the_library_exports_the_functions_of_the_header() {
 #[test]
 fn the_checks_hold_under_sanitizers() {
     let example = Path::new(env!("CARGO_MANIFEST_DIR")).join("example");
-    let sources =
-        "host print all checks golden_vectors faults target_faults object_faults color textured";
+    let sources = "host print all checks golden_vectors faults target_faults object_faults color textured shadowed";
     let sources: Vec<PathBuf> =
         sources.split(' ').map(|name| example.join(format!("{name}.c"))).collect();
     let sources: Vec<&Path> = sources.iter().map(PathBuf::as_path).collect();
@@ -356,7 +355,7 @@ fn the_readme_sends_textured_frames() {
                 int main(void) {\n  static const float quaternion[4] = {1, -2, 3, 4};\n  \
                 return begin() || draw_frame(quaternion);\n}\n";
     let bytes = objects::plastic().expect("an object");
-    let header = objects::header(&[("watch", bytes.clone())]);
+    let header = objects::header(&[("eigenshade_object_t", "watch", bytes.clone())]);
     let drawn = |format: &str, number: &str| -> Vec<u8> {
         let text = (frames.to_owned() + main).replace("f32", format).replace("float", number);
         let source = Path::new(env!("CARGO_TARGET_TMPDIR")).join(format!("textured_{format}.c"));

@@ -1,8 +1,8 @@
 //! Objects over each other, drawn from palettes, each pixel of which is sent once.
 
 use crate::paint::DisplayColor;
-use eigenshade::object::NormalMap;
-use eigenshade::screen::{Dithered, Painted, Palette, Sent, Target};
+use eigenshade::object::{NormalMap, ShadowedObject};
+use eigenshade::screen::{Dithered, Painted, Palette, Pixel, Sent, Target};
 use embedded_graphics_core::Drawable;
 use embedded_graphics_core::draw_target::DrawTarget;
 use embedded_graphics_core::geometry::{Dimensions, Point, Size};
@@ -32,21 +32,22 @@ impl<'a> From<Dithered<'a>> for Colors<'a> {
     }
 }
 
-/// An object of a [`Frame`], and where it is.
+/// An object of a [`Frame`], and where it is; `P` is the display's [`DisplayColor::Pixel`].
 #[derive(Clone, Copy, Debug)]
-pub struct Layer<'a> {
+pub struct Layer<'a, P> {
     top_left: Point,
-    object: Object<'a>,
+    object: Object<'a, P>,
 }
 
 /// What a layer draws.
 #[derive(Clone, Copy, Debug)]
-enum Object<'a> {
+enum Object<'a, P> {
     Normals(NormalMap<'a>, Colors<'a>),
     Painted(Painted<'a>),
+    Shadowed(&'a ShadowedObject<'a>, &'a [P]),
 }
 
-impl<'a> Layer<'a> {
+impl<'a, P: Pixel> Layer<'a, P> {
     /// An object whose map begins at this point, in the colors of a `&Palette` or of
     /// [`Palette::dithered`].
     #[must_use]
@@ -60,8 +61,19 @@ impl<'a> Layer<'a> {
         Self { top_left, object: Object::Painted(painted) }
     }
 
+    /// An object with shadows that begins at this point, in the colors of its codes:
+    /// [`ShadowedObject::colors`] makes them in every frame whose light turns.
+    #[must_use]
+    pub const fn shadowed(
+        top_left: Point,
+        object: &'a ShadowedObject<'a>,
+        colors: &'a [P],
+    ) -> Self {
+        Self { top_left, object: Object::Shadowed(object, colors) }
+    }
+
     /// Draws the part in a row of pixels, which begins at a point.
-    fn draw<C: DisplayColor>(&self, start: Point, row: &mut [C::Pixel]) {
+    fn draw(&self, start: Point, row: &mut [P]) {
         let (width, Point { x, y }) = (row.len(), self.top_left);
         let [x, y] = [x.saturating_sub(start.x), y.saturating_sub(start.y)];
         if let Ok(mut target) = Target::new(row, width) {
@@ -70,6 +82,7 @@ impl<'a> Layer<'a> {
                 Object::Normals(map, Colors::Nearest(palette)) => palette.draw(map, &mut target),
                 Object::Normals(map, Colors::Dithered(palette)) => palette.draw(map, &mut target),
                 Object::Painted(painted) => painted.draw(&mut target),
+                Object::Shadowed(object, colors) => object.draw(colors, &mut target),
             }
         }
     }
@@ -107,9 +120,9 @@ impl<'a> Layer<'a> {
 /// # Ok::<(), eigenshade::Error>(())
 /// ```
 #[derive(Clone, Copy, Debug)]
-pub struct Frame<'a, C> {
+pub struct Frame<'a, C: DisplayColor> {
     area: Rectangle,
-    layers: &'a [Layer<'a>],
+    layers: &'a [Layer<'a, C::Pixel>],
     background: C,
 }
 
@@ -117,7 +130,7 @@ impl<'a, C: DisplayColor> Frame<'a, C> {
     /// An area with these objects, the places of which are on the display, and with this color where
     /// there is none.
     #[must_use]
-    pub const fn new(area: Rectangle, layers: &'a [Layer<'a>], background: C) -> Self {
+    pub const fn new(area: Rectangle, layers: &'a [Layer<'a, C::Pixel>], background: C) -> Self {
         Self { area, layers, background }
     }
 
@@ -166,7 +179,7 @@ impl<'a, C: DisplayColor> Frame<'a, C> {
                 let at = Point::new(place.start, y);
                 pixels.fill(self.background.pixel());
                 for layer in self.layers {
-                    layer.draw::<C>(at, pixels);
+                    layer.draw(at, pixels);
                 }
                 let area = Rectangle::new(at, Size::new(pixels.len() as u32, 1));
                 run(target, (y - first.y) as usize * runs + number, pixels, &area)?;
@@ -185,7 +198,7 @@ fn send<C: DisplayColor, D: DrawTarget<Color = C>>(
     target.fill_contiguous(area, pixels.iter().map(|&pixel| C::of_pixel(pixel)))
 }
 
-impl<C> Dimensions for Frame<'_, C> {
+impl<C: DisplayColor> Dimensions for Frame<'_, C> {
     fn bounding_box(&self) -> Rectangle {
         self.area
     }

@@ -3,10 +3,10 @@
 
 mod screen;
 
-use eigenshade::object::NormalMap;
+use eigenshade::object::{NormalMap, ShadowedObject};
 use eigenshade::presets::{light, material};
-use eigenshade::screen::{Display, Nodes, Palette, Sent, Target, Tone};
-use eigenshade::{Normal, Rgb, sphere};
+use eigenshade::screen::{Display, Exposure, Nodes, Palette, Sent, Target, Tone};
+use eigenshade::{Light, Normal, Rgb, sphere};
 use eigenshade_embedded_graphics::{Frame, Layer};
 use embedded_graphics::pixelcolor::raw::RawU16;
 use embedded_graphics::pixelcolor::{Bgr888, Rgb565};
@@ -38,6 +38,7 @@ fn a_frame_has_its_layers_over_each_other() {
             Layer::new(second, small, &gold),
             Layer::new(third, small, gold.dithered()),
         ];
+        let of_24_bits = [Layer::new(at, map, &gray), Layer::new(second, small, &gold)];
         let around = Rectangle::new(at, Size::new(100, 90));
         let frame = Frame::new(around, &layers, Rgb565::BLUE);
         assert_eq!(frame.bounding_box(), around);
@@ -57,7 +58,7 @@ fn a_frame_has_its_layers_over_each_other() {
 
         // The same in the order of the channels and of the bytes, with 24 bits.
         let mut reversed = Screen::<Bgr888>::new(110, 80);
-        Frame::new(around, &layers[..2], Bgr888::BLUE).draw(&mut reversed).unwrap();
+        Frame::new(around, &of_24_bits, Bgr888::BLUE).draw(&mut reversed).unwrap();
         let mut fine = vec![[0, 0, 255_u8]; 110 * 80];
         let mut target = Target::new(&mut fine, 110).unwrap();
         gray.draw(&map, &mut target.at(at.x, at.y));
@@ -66,6 +67,47 @@ fn a_frame_has_its_layers_over_each_other() {
             assert!(found.is_none_or(|found| found == Bgr888::new(r, g, b)));
         }
     }
+}
+
+/// An object with shadows is that of the runtime, in 16 and in 24 bits: a pixel, and a pixel of the rim
+/// that covers half of what is below.
+#[test]
+fn an_object_with_shadows_is_drawn_from_the_colors_of_its_codes() {
+    let file: [&[u8]; 7] = [
+        b"eigsh\x01\x03\0\x01\0\x02\0\x02\0", // 3 x 1 pixels, 2 codes in 2 clusters
+        &[0, 1, 1, 0],                        // degree 0, one part, rank 1, no images
+        &[0xff, 0x7f, 0, 0x40, 0, 0],         // orange
+        &[0xf0, 0, 0x40],                     // a row: 2^14 x 2^-16
+        &[1, 0, 0xf2, 0, 0x40],               // a cluster of one code: 2^14 x 2^-14
+        &[1, 0, 0xf1, 0, 0x40],               // another: 2^14 x 2^-15
+        &[0, 0, 0, 0, 7, 0, 0, 0, 1, 0, 1, 0, 0, 0, 2, 0, 1, 0x80, 1, 0, 128, 0],
+    ];
+    let file = file.concat();
+    let object = ShadowedObject::new(&file).unwrap();
+    let light = Light::new(&[3.0]).unwrap();
+    let d = object.coefficients(Rgb::gray(light)).unwrap();
+    let (mut words, mut fine) = ([0_u16; 2], [[0_u8; 3]; 2]);
+    object.colors(&d, Exposure::default(), &DISPLAY, &mut words).unwrap();
+    object.colors(&d, Exposure::default(), &DISPLAY, &mut fine).unwrap();
+    let [[r, g, b], dim] = fine;
+    assert!(r > g && g > dim[1] && dim[1] > 100 && b == 0);
+
+    let (at, area) = (Point::new(4, 2), Rectangle::new(Point::zero(), Size::new(8, 4)));
+    let mut expected = [0x001f_u16; 32];
+    object.draw(&words, &mut Target::new(&mut expected, 8).unwrap().at(at.x, at.y));
+    let mut screen = Screen::<Rgb565>::new(8, 4);
+    let layers = [Layer::shadowed(at, &object, &words)];
+    Frame::new(area, &layers, Rgb565::BLUE).draw(&mut screen).unwrap();
+    assert!(screen.pixels.iter().eq(&expected.map(|word| Some(RawU16::new(word).into()))));
+
+    let mut expected = [[0, 0, 255_u8]; 32];
+    object.draw(&fine, &mut Target::new(&mut expected, 8).unwrap().at(at.x, at.y));
+    assert_eq!([expected[20], expected[21]], [[0, 0, 255], fine[0]]);
+    assert!(expected[22][0].abs_diff(dim[0] / 2) <= 1 && expected[22][2].abs_diff(127) <= 1);
+    let mut screen = Screen::<Bgr888>::new(8, 4);
+    let layers = [Layer::shadowed(at, &object, &fine)];
+    Frame::new(area, &layers, Bgr888::BLUE).draw(&mut screen).unwrap();
+    assert!(screen.pixels.iter().eq(&expected.map(|[r, g, b]| Some(Bgr888::new(r, g, b)))));
 }
 
 /// Only runs that changed are sent, whatever changed: a color, the place of an object, or the part of

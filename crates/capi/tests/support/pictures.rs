@@ -11,6 +11,9 @@ use std::fmt::Write as _;
 #[path = "objects.rs"]
 pub mod objects;
 
+#[path = "shadowed.rs"]
+mod shadowed;
+
 #[path = "textured.rs"]
 mod textured;
 
@@ -329,5 +332,6 @@ pub fn lines() -> Result<String, Error> {
         }
     }
     textured::lines(&mut lines)?;
+    shadowed::lines(&mut lines)?;
     Ok(lines)
 }

@@ -1,0 +1,158 @@
+//! The coefficients of an object with shadows under a light.
+
+use crate::color::Rgb;
+use crate::error::{Argument, Error};
+use crate::index::light;
+use crate::index::shadowed::MOST_RANK;
+use crate::light::Light;
+use crate::q15;
+use crate::shadowed::ShadowedObject;
+
+/// The coefficients d of one channel: mantissas times a power of two.
+#[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "defmt", derive(defmt::Format))]
+pub struct ObjectCoefficients {
+    pub(crate) mantissas: [i16; MOST_RANK],
+    pub(crate) exponent: i32,
+}
+
+impl ShadowedObject<'_> {
+    /// d of a light on the object's material.
+    ///
+    /// Cost: (degree + 1)² products for each component, part of the material and channel: 64 x 100 x 3
+    /// for a gray material at degree 9.
+    ///
+    /// # Errors
+    ///
+    /// [`Error::Beyond`] if the light has a higher degree.
+    pub fn coefficients(&self, light: Rgb<Light<'_>>) -> Result<Rgb<ObjectCoefficients>, Error> {
+        self.each_channel(light, |light, share| {
+            let coefficients = light.coefficients();
+            Error::check_beyond(Argument::Light, self.degree(), light.degree())?;
+            let mut sums = [0.0_f32; MOST_RANK];
+            for (part, rows) in self.parts().enumerate() {
+                let share = f32::from(share(part)) / 32_767.0;
+                for ((exponent, row), sum) in rows.zip(&mut sums) {
+                    let products = row.iter().zip(coefficients);
+                    let product: f32 =
+                        products.map(|(q, one)| f32::from(i16::from_le_bytes(*q)) * one).sum();
+                    *sum += share * product * power(exponent);
+                }
+            }
+            Ok(ObjectCoefficients::of_floats(sums.get(..self.rank).unwrap_or_default()))
+        })
+    }
+
+    /// [`coefficients`](Self::coefficients) in integers.
+    ///
+    /// # Errors
+    ///
+    /// [`Error::Beyond`] if the light has a higher degree.
+    pub fn coefficients_q15(
+        &self,
+        light: Rgb<q15::Light<'_>>,
+    ) -> Result<Rgb<ObjectCoefficients>, Error> {
+        self.each_channel(light, |light, share| {
+            let mantissas = light.mantissas();
+            Error::check_beyond(Argument::Light, self.degree(), light.degree)?;
+            // Of each component a sum, of at most 38 bits for each part, and its exponent.
+            let mut sums = [(0_i64, i32::from(i8::MIN)); MOST_RANK];
+            for (part, rows) in self.parts().enumerate() {
+                let share = i64::from(share(part));
+                for ((exponent, row), sum) in rows.zip(&mut sums) {
+                    let products = row.iter().zip(mantissas);
+                    let product: i64 = products
+                        .map(|(q, one)| {
+                            i64::from(i32::from(i16::from_le_bytes(*q)) * i32::from(one.0))
+                        })
+                        .sum();
+                    *sum = added(*sum, ((product * share) >> 15, exponent));
+                }
+            }
+            let sums = sums.get(..self.rank).unwrap_or_default();
+            Ok(ObjectCoefficients::of_sums(sums, light.exponent()))
+        })
+    }
+
+    fn each_channel<L>(
+        &self,
+        light: Rgb<L>,
+        of: impl Fn(L, &dyn Fn(usize) -> i16) -> Result<ObjectCoefficients, Error>,
+    ) -> Result<Rgb<ObjectCoefficients>, Error> {
+        let share = |channel: usize| {
+            move |part: usize| {
+                let share =
+                    self.shares.get(part).and_then(|share| share.as_chunks().0.get(channel));
+                share.map_or(0, |&share| i16::from_le_bytes(share))
+            }
+        };
+        let Rgb { r, g, b } = light;
+        Ok(Rgb { r: of(r, &share(0))?, g: of(g, &share(1))?, b: of(b, &share(2))? })
+    }
+
+    /// The rows of each part: exponents and mantissas.
+    fn parts(&self) -> impl Iterator<Item = impl Iterator<Item = (i32, &[[u8; 2]])>> {
+        let size = 1 + 2 * light::count(self.degree());
+        // At least 1, so that no panic is linked.
+        self.rows.chunks_exact((self.rank * size).max(1)).map(move |part| {
+            part.chunks_exact(size.max(1)).map(|row| {
+                let (exponent, mantissas) = row.split_first().unwrap_or((&0, &[]));
+                (i32::from(exponent.cast_signed()), mantissas.as_chunks().0)
+            })
+        })
+    }
+}
+
+/// 2 to an exponent of eight bits.
+fn power(exponent: i32) -> f32 {
+    f32::from_bits((127 + exponent.clamp(-126, 127)).cast_unsigned() << 23)
+}
+
+/// The sum of two numbers, each a mantissa and an exponent.
+fn added(a: (i64, i32), b: (i64, i32)) -> (i64, i32) {
+    let (low, high) = if a.1 < b.1 { (a, b) } else { (b, a) };
+    if high.0 == 0 {
+        return low;
+    }
+    ((low.0 >> (high.1 - low.1).min(63)) + high.0, high.1)
+}
+
+impl ObjectCoefficients {
+    fn of_floats(numbers: &[f32]) -> Self {
+        let largest = numbers.iter().fold(0.0_f32, |most, one| most.max(one.abs()));
+        // The exponent with which the largest number has 15 bits, unless it is below 2^-113.
+        let exponent = ((largest.to_bits() >> 23).cast_signed() - 126 - 15).max(-127);
+        let scale = power(-exponent);
+        let mantissa = |one: &f32| {
+            let scaled = one * scale;
+            (scaled + if scaled < 0.0 { -0.5 } else { 0.5 }).clamp(-32_767.0, 32_767.0) as i16
+        };
+        Self { mantissas: filled(numbers.iter().map(mantissa)), exponent }
+    }
+
+    fn of_sums(sums: &[(i64, i32)], of_light: i32) -> Self {
+        let bits =
+            |sum: &(i64, i32)| 64 - sum.0.unsigned_abs().leading_zeros().cast_signed() + sum.1;
+        let nonzero = sums.iter().filter(|sum| sum.0 != 0);
+        let exponent = nonzero.map(bits).max().unwrap_or_default() - 15;
+        let mantissa = |&(sum, own): &(i64, i32)| {
+            let down = exponent - own;
+            let mantissa = if down > 0 {
+                let down = down.min(62);
+                (sum + (1 << (down - 1))) >> down
+            } else {
+                // A sum of at most 15 bits, or 0 of any exponent.
+                sum << (-down).min(15)
+            };
+            mantissa.clamp(-32_767, 32_767) as i16
+        };
+        Self { mantissas: filled(sums.iter().map(mantissa)), exponent: exponent + of_light }
+    }
+}
+
+/// Numbers, and zeros after them.
+fn filled(numbers: impl Iterator<Item = i16>) -> [i16; MOST_RANK] {
+    let mut all = [0; MOST_RANK];
+    all.iter_mut().zip(numbers).for_each(|(to, one)| *to = one);
+    all
+}
