@@ -16,6 +16,7 @@ mod paper_oracle;
 mod paper_statements;
 mod reading;
 mod roughness_weights;
+mod shadows;
 mod textured_objects;
 use eigenshade_generator::light::environment::EnvironmentMap;
 use eigenshade_generator::material::brdf::{Brdf, Surface};
