@@ -236,6 +236,7 @@ impl Drawn {
         let found = SHAPES.iter().find(|(name, _)| *name == shape);
         let (_, mesh) = found.ok_or_else(|| Error::new("no such shape", "take one of SHAPES"))?;
         let surface = Surface::new(&shape.into(), &mesh(), &View::default())?;
+        surface.check_front()?;
         let mut all = points(&surface, size, 2);
         all.sort_by_key(|point| (point.pixel[1], point.pixel[0]));
         let seen: Vec<&[Point]> = all.chunk_by(|a, b| a.pixel == b.pixel).collect();
