@@ -93,7 +93,7 @@ fn eigenimages_are_those_of_the_paper() {
         worst = worst.max((found - f64::from(u8::from(a == b))).abs());
     }
     println!("UᵀU - I: {worst:e}");
-    assert!(worst < 1e-3);
+    assert!(worst < 1e-5);
     // Variances decrease and sum to that of all light.
     assert!(variances.is_sorted_by(|a, b| a >= b));
     let root = light_root(&lights()).unwrap();
@@ -159,7 +159,7 @@ fn all_shapes_are_packed() {
         let object = object(&surface(&mesh(), false), 40, &Ggx::new(0.5, 0.9, 0.0).unwrap());
         let (rms, _) = drawn(&object, &images(&object, RANK), Compression::default());
         println!("{name}: {rms:.3} %");
-        assert!(rms < 1.0, "{name}");
+        assert!(rms < 2.5, "{name}");
     }
 }
 
@@ -221,4 +221,23 @@ fn recorded_errors_are_found_again() {
 
 fn recorded() -> Sheet {
     Sheet::read(&Path::new(ROOT).join("docs/shadows.csv")).unwrap()
+}
+
+/// The errors that pages state, with a code for each pixel: the largest median under tilted lights over
+/// all shapes, and the largest of all pictures but those of the studio.
+#[test]
+fn errors_are_within_the_stated_ones() {
+    let sheet = recorded();
+    for (material, median, worst) in
+        [("matte", 1.2, 2.5), ("plastic 0.3", 3.2, 7.0), ("metal 0.5", 2.6, 5.0)]
+    {
+        let of_material = sheet.rows.iter().filter(|row| row.text("material") == material);
+        for row in of_material.filter(|row| row.text("way") == "codes: all") {
+            let number = |column| row.number(column).unwrap();
+            assert!(number("tilted_rms") < median, "{material} {}", row.text("shape"));
+            for light in ["apartment", "dawn", "hall", "night", "venice"] {
+                assert!(number(light) < worst, "{material} {} {light}", row.text("shape"));
+            }
+        }
+    }
 }

@@ -37,7 +37,7 @@ pub fn is_hit(triangles: &[[[f64; 3]; 3]], from: [f64; 3], along: [f64; 3]) -> b
     })
 }
 
-/// Heights on a square grid, whose cells beyond a radius are empty.
+/// Heights on a square grid, with two triangles in each cell, cut off beyond a radius.
 pub struct Heights<'a> {
     pub side: usize,
     /// The distance between points; the middle of the grid is the origin.
@@ -48,7 +48,7 @@ pub struct Heights<'a> {
 }
 
 impl Heights<'_> {
-    /// The bilinear height; none beyond the radius.
+    /// The height of the triangle at a point; none beyond the radius.
     fn at(&self, x: f64, y: f64) -> Option<f64> {
         if x.hypot(y) > self.radius {
             return None;
@@ -58,15 +58,17 @@ impl Heights<'_> {
         let (i, j) = (x as usize, y as usize);
         let (u, v) = (x.fract(), y.fract());
         let height = |i: usize, j: usize| self.heights[j * self.side + i];
-        Some(
-            (1.0 - v) * ((1.0 - u) * height(i, j) + u * height(i + 1, j))
-                + v * ((1.0 - u) * height(i, j + 1) + u * height(i + 1, j + 1)),
-        )
+        let (from, to) = (height(i, j), height(i + 1, j + 1));
+        Some(if u >= v {
+            from + u * (height(i + 1, j) - from) + v * (to - height(i + 1, j))
+        } else {
+            from + v * (height(i, j + 1) - from) + u * (to - height(i, j + 1))
+        })
     }
 
-    /// Marches along a ray in steps of half a cell.
+    /// Marches along a ray in steps of a tenth of a cell.
     pub fn is_hit(&self, from: [f64; 3], along: [f64; 3]) -> bool {
-        let step = 0.5 * self.step / along[0].hypot(along[1]).max(0.05);
+        let step = 0.1 * self.step / along[0].hypot(along[1]).max(0.05);
         for k in 1.. {
             let [x, y, z] = [0, 1, 2].map(|axis| from[axis] + f64::from(k) * step * along[axis]);
             match self.at(x, y) {
