@@ -197,11 +197,8 @@ fn in_cells(map: &EnvironmentMap, rotation: Rotation, angles: &[f64]) -> [Vec<f3
         .map(|(x, y)| y / PARTS * map.width + x / PARTS)
         .collect();
     // Only directions and solid angles of the fine map are used.
-    let fine = EnvironmentMap {
-        width: PARTS * map.width,
-        height: PARTS * map.height,
-        texels: Vec::new(),
-    };
+    let fine =
+        EnvironmentMap { width: PARTS * map.width, height: PARTS * map.height, texels: Vec::new() };
     let matrix = rotation.matrix();
     let mut sums = [0; 3].map(|_| vec![0.0; angles.len()]);
     for (place, texel) in texels.into_iter().enumerate() {
@@ -240,10 +237,8 @@ impl Drawn {
         let mut all = points(&surface, size, 2);
         all.sort_by_key(|point| (point.pixel[1], point.pixel[0]));
         let seen: Vec<&[Point]> = all.chunk_by(|a, b| a.pixel == b.pixel).collect();
-        let pixels: Vec<([usize; 2], u8)> = seen
-            .iter()
-            .map(|points| (points[0].pixel, (255 * points.len() / 4) as u8))
-            .collect();
+        let pixels: Vec<([usize; 2], u8)> =
+            seen.iter().map(|points| (points[0].pixel, (255 * points.len() / 4) as u8)).collect();
         let brdfs = materials.iter().map(|name| brdf(name)).collect::<Result<Vec<_>>>()?;
         let brdfs: Vec<Material<'_>> = brdfs.iter().map(|one| Material::Formula(&**one)).collect();
         let columns = lit.columns();
@@ -409,7 +404,8 @@ impl Drawn {
         };
         let [tilted, turned] = [true, false].map(summary);
         let each = found.chunks_exact(ROTATIONS);
-        let worst = each.map(|of_light| of_light.iter().fold(0.0, |most: f64, one| most.max(one[0])));
+        let worst =
+            each.map(|of_light| of_light.iter().fold(0.0, |most: f64, one| most.max(one[0])));
         let errors = tilted.into_iter().chain(turned).chain(worst).collect();
         Ok(Row { shape, material, way, bytes: packed.map(|one| one.bytes.len()), errors })
     }

@@ -84,7 +84,11 @@ fn cone() -> Mesh {
         let ((s, c), (t, d)) = (at(k), at(k + 1));
         let first = mesh.corners.len() as u32;
         let radius = 0.3;
-        mesh.corners.extend([[radius * c, radius * s, 0.], [radius * d, radius * t, 0.], [0., 0., 3.]]);
+        mesh.corners.extend([
+            [radius * c, radius * s, 0.],
+            [radius * d, radius * t, 0.],
+            [0., 0., 3.],
+        ]);
         mesh.triangles.push([first, first + 1, first + 2]);
     }
     mesh
@@ -257,7 +261,8 @@ fn ahead() -> [Vec<f64>; 2] {
 
 /// The light turned to the back: z to -z.
 fn behind(light: &[f64]) -> Vec<f64> {
-    let turn = eigenshade_model::rotation::Rotation { alpha: 2.0 * FRAC_PI_2, beta: 0.0, gamma: 0.0 };
+    let turn =
+        eigenshade_model::rotation::Rotation { alpha: 2.0 * FRAC_PI_2, beta: 0.0, gamma: 0.0 };
     turn.turn(DEGREE, light)
 }
 

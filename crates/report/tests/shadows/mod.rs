@@ -140,9 +140,7 @@ fn drawn(object: &Object, images: &Eigenimages, compression: Compression) -> (f6
     let mut of_codes = Vec::new();
     let d = runtime.coefficients(light_of_runtime).unwrap();
     let exposure = Exposure::new(0.5 / white).unwrap();
-    runtime
-        .shade(&d, exposure, |color| of_codes.push(f64::from(color.g.0) / 32_768.0))
-        .unwrap();
+    runtime.shade(&d, exposure, |color| of_codes.push(f64::from(color.g.0) / 32_768.0)).unwrap();
     assert_eq!(of_codes.len(), runtime.codes());
     let codes: Vec<u16> = file.pixels.iter().map(|pixel| pixel.code).collect();
     let square: f64 = codes
@@ -168,7 +166,8 @@ fn small_objects_and_ranks_are_drawn() {
     let object = bowl();
     let all = Compression { codes: 65_535, ..Compression::default() };
     // A rank of the number of pixels at most; more clusters and images than codes.
-    for (pixels, bound) in [(&[150][..], 0.1), (&[150, 160], 0.1), (&[20, 150, 160, 170, 180], 0.5)] {
+    for (pixels, bound) in [(&[150][..], 0.1), (&[150, 160], 0.1), (&[20, 150, 160, 170, 180], 0.5)]
+    {
         let few = cases::rows(&object, pixels);
         let images = images(&few, RANK);
         assert_eq!(images.pixels.ncols(), pixels.len());
@@ -184,9 +183,11 @@ fn small_objects_and_ranks_are_drawn() {
     assert!(codes[0] == codes[2] && codes[2] == codes[4] && codes[1] == codes[5]);
     assert!(codes[0] != codes[1] && codes[0] != codes[3] && codes[1] != codes[3]);
     // No images at all, one component, one code.
-    for (rank, compression) in
-        [(1, all), (RANK, Compression { images: 0, ..all }), (RANK, Compression { codes: 1, ..all })]
-    {
+    for (rank, compression) in [
+        (1, all),
+        (RANK, Compression { images: 0, ..all }),
+        (RANK, Compression { codes: 1, ..all }),
+    ] {
         let (rms, _) = drawn(&object, &images(&object, rank), compression);
         println!("rank {rank}, {compression:?}: {rms:.3} %");
         assert!(rms < 40.0);
@@ -209,8 +210,10 @@ fn recorded_errors_are_found_again() {
         let key = [row.shape, row.material, row.way];
         let same = |one: &&Record| ["shape", "material", "way"].map(|name| one.text(name)) == key;
         let recorded = sheet.rows.iter().find(same).unwrap();
-        for (column, found) in shadows::COLUMNS.split(',').map(str::trim).zip(row.fields()).skip(3) {
-            let (Some(recorded), Ok(found)) = (recorded.number(column), found.parse::<f64>()) else {
+        for (column, found) in shadows::COLUMNS.split(',').map(str::trim).zip(row.fields()).skip(3)
+        {
+            let (Some(recorded), Ok(found)) = (recorded.number(column), found.parse::<f64>())
+            else {
                 continue;
             };
             // Processors round differently, and k-means amplifies it.
