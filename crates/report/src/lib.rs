@@ -17,8 +17,7 @@ pub mod paper;
 pub mod reading;
 pub mod reference;
 pub mod roughness_weights;
-pub mod sheet;
-pub mod stability;
-
 pub mod shadow_shapes;
 pub mod shadows;
+pub mod sheet;
+pub mod stability;

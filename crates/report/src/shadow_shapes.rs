@@ -100,7 +100,7 @@ fn tube(around: usize, across: usize, at: impl Fn(f64, f64) -> [f64; 3]) -> Mesh
     for i in 0..around {
         for j in 0..across {
             let [a, b, c, d] = [place(i, j), place(i + 1, j), place(i + 1, j + 1), place(i, j + 1)];
-            mesh.triangles.extend([[a, b, c], [a, c, d]]);
+            mesh.triangles.extend([[a, c, b], [a, d, c]]);
         }
     }
     mesh

@@ -1,232 +1,466 @@
-//! Pictures of objects with shadows, against direct sums over whole maps with visibility.
+//! Pictures of objects with shadows, against direct sums over whole maps with the same visibility.
 
+use crate::numbers::{digits, median};
+use crate::palette_errors::summed;
 use crate::shadow_shapes::SHAPES;
+use eigenshade::object::{ObjectCoefficients, ShadowedObject};
+use eigenshade::screen::{Display, Exposure, Meter, Target, Tone};
+use eigenshade::{Light, Rgb};
 use eigenshade_generator::light::environment::EnvironmentMap;
 use eigenshade_generator::material::brdf::{Brdf, Ggx, Lambertian};
 use eigenshade_generator::object::points::{Point, points};
 use eigenshade_generator::object::surface::{Surface, View};
-use eigenshade_model::error::Result;
+use eigenshade_model::database::Lights;
+use eigenshade_model::error::{Error, Result};
+use eigenshade_model::parallel;
 use eigenshade_model::rotation::Rotation;
 use eigenshade_model::shipped;
 use eigenshade_model::special::spherical_harmonic;
 use eigenshade_model::vector::dot;
-use eigenshade_shadows::codebook::codebook;
 use eigenshade_shadows::directions::{FINE, cell_of, cells};
-use eigenshade_shadows::eigenimages::{Turning, eigenimages, light_root};
+use eigenshade_shadows::eigenimages::{eigenimages, light_root};
 use eigenshade_shadows::material::Material;
+use eigenshade_shadows::object::{Object, RANK};
+use eigenshade_shadows::packed::{Compression, packed};
 use eigenshade_shadows::transport::transports;
 use eigenshade_shadows::visibility::Occluders;
 use faer::Mat;
-use std::time::Instant;
+use indicatif::ProgressBar;
+use palette::{LinSrgb, Srgb};
+use std::f64::consts::{FRAC_PI_4, TAU};
+use std::path::Path;
 
-fn rotations() -> Vec<Rotation> {
-    let mut all = Vec::new();
-    for k in 0..4 {
-        let share = |step: f64| (0.37 + step * k as f64).fract();
-        all.push(Rotation {
-            alpha: (1.0 - 2.0 * share(0.618)).acos(),
-            beta: 6.283 * share(0.755),
-            gamma: 6.283 * share(0.569),
-        });
-    }
-    for k in 0..4 {
-        let axis = 1.3 + 1.7 * k as f64;
-        let tilt = std::f64::consts::FRAC_PI_4 * [0.3, 0.6, 0.8, 1.0][k];
-        all.push(Rotation { alpha: tilt, beta: axis, gamma: -axis });
-    }
-    all
+/// Pixels across.
+pub const SIZE: usize = 96;
+/// The degree of the light.
+pub const DEGREE: usize = 9;
+/// The number of its coefficients.
+const COUNT: usize = (DEGREE + 1) * (DEGREE + 1);
+/// Every so many maps one is not in the statistics of the light.
+const EVERY: usize = 3;
+/// Each texel of a map is divided into this many along each side.
+const PARTS: usize = 4;
+
+/// The materials.
+pub const MATERIALS: [&str; 4] = ["matte", "plastic 0.3", "metal 0.5", "metal 0.3"];
+
+/// The ways to draw: the convex model, transports of all pixels, and the runtime's object with at most
+/// this many codes.
+pub const WAYS: [(&str, Option<usize>); 5] = [
+    ("convex", None),
+    ("transports", None),
+    ("codes: all", Some(65_535)),
+    ("codes: 4096", Some(4096)),
+    ("codes: 1024", Some(1024)),
+];
+
+/// The bytes of the file. Then, of pictures under tilted lights: the rms in percent of white of channels
+/// clipped at white, of the median picture and of that which 95 of 100 do not exceed; CIEDE2000, the
+/// mean and the 95th percentile of pixels, of the median picture. Then the same of lights turned by
+/// any angles. Last, the largest rms of the eight pictures of each light. White is that of a `Meter`
+/// on the reference.
+pub const COLUMNS: &str = "shape,material,way,bytes,tilted_rms,tilted_rms_p95,tilted_mean,tilted_p95,\
+    turned_rms,turned_rms_p95,turned_mean,turned_p95,apartment,dawn,hall,night,studio,venice";
+
+/// The errors of one way.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Row {
+    pub shape: &'static str,
+    pub material: &'static str,
+    pub way: &'static str,
+    pub bytes: Option<usize>,
+    /// The last of [`COLUMNS`].
+    pub errors: Vec<f64>,
 }
 
-/// The mean luminance of a turned map in each fine cell.
-fn of_cells(map: &EnvironmentMap, rotation: Rotation, angles: &[f64]) -> Vec<f32> {
-    let matrix = rotation.matrix();
-    let mut sums = vec![0.0; angles.len()];
-    for row in 0..map.height {
-        let solid = map.solid_angle(row);
-        for column in 0..map.width {
-            let direction = map.direction(column, row);
-            let turned = matrix.map(|axis| dot(axis, direction));
-            let [r, g, b] = map.texels[row * map.width + column].map(f64::from);
-            sums[cell_of(FINE, turned)] += solid * (0.2126 * r + 0.7152 * g + 0.0722 * b);
-        }
+impl Row {
+    #[must_use]
+    pub fn fields(&self) -> Vec<String> {
+        let bytes = self.bytes.map_or_else(String::new, |bytes| bytes.to_string());
+        let texts = [self.shape.into(), self.material.into(), self.way.into(), bytes];
+        texts.into_iter().chain(self.errors.iter().map(|&one| digits(one, 3))).collect()
     }
-    sums.iter().zip(angles).map(|(sum, angle)| (sum / angle) as f32).collect()
 }
 
-pub fn experiment(size: usize, names: &[&str], folder: &str) -> Result<()> {
-    let degree = 12;
-    let count = (degree + 1) * (degree + 1);
-    let fine = cells(FINE);
-    let angles: Vec<f64> = fine.iter().map(|(_, angle)| *angle).collect();
-    let lights = shipped::lights()?.truncated(degree);
-    let mut tests = Vec::new();
-    for (k, light) in lights.entries.iter().enumerate() {
-        let path = format!("{folder}/{}.exr", light.name);
-        if k % 3 == 0 && std::path::Path::new(&path).exists() {
-            tests.push((light, EnvironmentMap::from_path(&path)?));
-        }
+/// One channel of a material of [`MATERIALS`].
+fn brdf(name: &str) -> Result<Box<dyn Brdf>> {
+    Ok(match name {
+        "plastic 0.3" => Box::new(Ggx::new(0.3, 0.04, 0.5)?),
+        "metal 0.5" => Box::new(Ggx::new(0.5, 0.9, 0.0)?),
+        "metal 0.3" => Box::new(Ggx::new(0.3, 0.9, 0.0)?),
+        _ => Box::new(Lambertian::new(0.8)?),
+    })
+}
+
+/// A turned light.
+struct Turned {
+    /// Whether it is tilted by up to 45 degrees.
+    is_tilted: bool,
+    /// The mean radiance in each cell of directions, r, g and b.
+    radiance: [Vec<f32>; 3],
+    /// Its coefficients, of a file of lights and not of these cells.
+    light: [Vec<f64>; 3],
+}
+
+/// Lights that are drawn, and those that the statistics are of.
+pub struct Lit {
+    drawn: Vec<Turned>,
+    known: Lights,
+}
+
+impl Lit {
+    /// Every third map, turned four times by any angles and four times tilted by up to 45 degrees, and
+    /// the other shipped lights.
+    ///
+    /// # Errors
+    ///
+    /// If a map is not in the folder.
+    pub fn new(maps: &Path) -> Result<Self> {
+        let rotations = rotations();
+        Self::of(maps, |number, _| if number % EVERY == 0 { rotations.clone() } else { Vec::new() })
     }
-    let train: Vec<_> = lights
-        .entries
-        .iter()
-        .enumerate()
-        .filter(|(k, _)| k % 3 != 0)
-        .map(|(_, one)| one.clone())
-        .collect();
-    let train = eigenshade_model::database::Lights { degree, entries: train };
-    let rotations = rotations();
-    // Columns: harmonics, then turned maps.
-    let mut columns: Vec<Vec<f32>> = vec![Vec::with_capacity(fine.len()); count];
-    for (direction, _) in &fine {
-        for (column, value) in columns.iter_mut().zip(spherical_harmonic::all(degree, *direction)) {
-            column.push(value as f32);
-        }
-    }
-    let mut turned: Vec<Vec<f64>> = Vec::new();
-    for rotation in &rotations {
-        for (_, map) in &tests {
-            columns.push(of_cells(map, *rotation, &angles));
-            // Coefficients from the cells.
-            let column = columns.last().unwrap();
-            let mut coefficients = vec![0.0; count];
-            for ((direction, angle), radiance) in fine.iter().zip(column) {
-                for (sum, value) in
-                    coefficients.iter_mut().zip(spherical_harmonic::all(degree, *direction))
-                {
-                    *sum += angle * value * f64::from(*radiance);
-                }
+
+    /// The maps with a rotation at least; `rotations` takes the number and the name of a map.
+    ///
+    /// # Errors
+    ///
+    /// If a map is not in the folder.
+    pub fn of(maps: &Path, rotations: impl Fn(usize, &str) -> Vec<Rotation>) -> Result<Self> {
+        let Lights { degree, entries } = shipped::lights()?.truncated(DEGREE);
+        let angles: Vec<f64> = cells(FINE).iter().map(|(_, angle)| *angle).collect();
+        let (mut drawn, mut known, mut number) = (Vec::new(), Vec::new(), 0);
+        for light in entries {
+            let path = maps.join(format!("{}.exr", light.name));
+            let rotations = if path.exists() {
+                number += 1;
+                rotations(number - 1, &light.name)
+            } else {
+                Vec::new()
+            };
+            if rotations.is_empty() {
+                known.push(light);
+                continue;
             }
-            turned.push(coefficients);
+            let map = EnvironmentMap::from_path(path)?;
+            drawn.extend(parallel::map(rotations.len(), &(), |k| Turned {
+                is_tilted: rotations[k].alpha <= FRAC_PI_4,
+                radiance: in_cells(&map, rotations[k], &angles),
+                light: light.rgb.each_ref().map(|channel| rotations[k].turn(DEGREE, channel)),
+            }));
+        }
+        if drawn.is_empty() {
+            let what = format!("no maps in {}", maps.display());
+            return Err(Error::new(what, "run it from the repository's root"));
+        }
+        Ok(Self { drawn, known: Lights { degree, entries: known } })
+    }
+
+    /// The columns of [`transports`]: harmonics, then the radiances.
+    fn columns(&self) -> Mat<f32> {
+        let cells = cells(FINE);
+        let mut columns = Mat::zeros(cells.len(), COUNT + 3 * self.drawn.len());
+        for (row, (direction, _)) in cells.into_iter().enumerate() {
+            let values = spherical_harmonic::all(DEGREE, direction);
+            values.into_iter().enumerate().for_each(|(k, one)| columns[(row, k)] = one as f32);
+            for (k, channel) in self.drawn.iter().flat_map(|one| &one.radiance).enumerate() {
+                columns[(row, COUNT + k)] = channel[row];
+            }
+        }
+        columns
+    }
+}
+
+/// The rotations of each light.
+const ROTATIONS: usize = 8;
+
+/// Four rotations, and four tilts.
+fn rotations() -> Vec<Rotation> {
+    let any = (0..4).map(|k| {
+        let share = |step: f64| (0.37 + step * f64::from(k)).fract();
+        Rotation {
+            alpha: (1.0 - 2.0 * share(0.618)).acos(),
+            beta: TAU * share(0.755),
+            gamma: TAU * share(0.569),
+        }
+    });
+    let tilts = [0.3, 0.6, 0.8, 1.0].into_iter().enumerate().map(|(k, share)| {
+        let axis = 1.3 + 1.7 * k as f64;
+        Rotation { alpha: share * FRAC_PI_4, beta: axis, gamma: -axis }
+    });
+    any.chain(tilts).collect()
+}
+
+/// The mean radiance of a turned map in each cell.
+fn in_cells(map: &EnvironmentMap, rotation: Rotation, angles: &[f64]) -> [Vec<f32>; 3] {
+    let texels: Vec<usize> = (0..map.height * PARTS)
+        .flat_map(|y| (0..map.width * PARTS).map(move |x| (x, y)))
+        .map(|(x, y)| y / PARTS * map.width + x / PARTS)
+        .collect();
+    // Only directions and solid angles of the fine map are used.
+    let fine =
+        EnvironmentMap { width: PARTS * map.width, height: PARTS * map.height, texels: Vec::new() };
+    let matrix = rotation.matrix();
+    let mut sums = [0; 3].map(|_| vec![0.0; angles.len()]);
+    for (place, texel) in texels.into_iter().enumerate() {
+        let (column, row) = (place % fine.width, place / fine.width);
+        let direction = fine.direction(column, row);
+        let cell = cell_of(FINE, matrix.map(|axis| dot(axis, direction)));
+        for (sum, radiance) in sums.iter_mut().zip(map.texels[texel]) {
+            sum[cell] += fine.solid_angle(row) * f64::from(radiance);
         }
     }
-    let light = Mat::from_fn(fine.len(), columns.len(), |row, column| columns[column][row]);
-    println!("{} test lights, {} columns", tests.len(), columns.len());
-    let materials: Vec<(&str, Box<dyn Brdf>)> = vec![
-        ("matte", Box::new(Lambertian::new(0.8)?)),
-        ("plastic 0.3", Box::new(Ggx::new(0.3, 0.04, 0.5)?)),
-        ("metal 0.5", Box::new(Ggx::new(0.5, 0.9, 0.0)?)),
-        ("metal 0.3", Box::new(Ggx::new(0.3, 0.9, 0.0)?)),
-    ];
-    let refs: Vec<Material<'_>> =
-        materials.iter().map(|(_, one)| Material::Formula(&**one)).collect();
-    for (name, shape) in SHAPES {
-        if !names.is_empty() && !names.contains(&name) {
-            continue;
-        }
-        let start = Instant::now();
-        let mesh = shape();
-        let surface = Surface::new(&name.into(), &mesh, &View::default())?;
+    sums.map(|sums| sums.iter().zip(angles).map(|(sum, angle)| (sum / angle) as f32).collect())
+}
+
+/// The irradiances of pixels.
+type Picture = Vec<Rgb<f32>>;
+
+/// A shape and the irradiances of its pixels.
+pub struct Drawn {
+    /// With shadows, one part for each material.
+    objects: Vec<Object>,
+    /// The same without.
+    convex: Vec<Object>,
+    /// For each material, the direct sums.
+    direct: Vec<Vec<Picture>>,
+}
+
+impl Drawn {
+    /// # Errors
+    ///
+    /// If a shape or a material does not exist.
+    pub fn new(shape: &'static str, materials: &[&str], size: usize, lit: &Lit) -> Result<Self> {
+        let found = SHAPES.iter().find(|(name, _)| *name == shape);
+        let (_, mesh) = found.ok_or_else(|| Error::new("no such shape", "take one of SHAPES"))?;
+        let surface = Surface::new(&shape.into(), &mesh(), &View::default())?;
+        surface.check_front()?;
         let mut all = points(&surface, size, 2);
         all.sort_by_key(|point| (point.pixel[1], point.pixel[0]));
-        let pixels: Vec<&[Point]> = all.chunk_by(|a, b| a.pixel == b.pixel).collect();
+        let seen: Vec<&[Point]> = all.chunk_by(|a, b| a.pixel == b.pixel).collect();
+        let pixels: Vec<([usize; 2], u8)> =
+            seen.iter().map(|points| (points[0].pixel, (255 * points.len() / 4) as u8)).collect();
+        let brdfs = materials.iter().map(|name| brdf(name)).collect::<Result<Vec<_>>>()?;
+        let brdfs: Vec<Material<'_>> = brdfs.iter().map(|one| Material::Formula(&**one)).collect();
+        let columns = lit.columns();
         let occluders = Occluders::new(&surface.facets);
-        println!(
-            "{name}: {} facets, {} pixels, {:?}",
-            surface.facets.len(),
-            pixels.len(),
-            start.elapsed()
-        );
-        let with = transports(&pixels, Some(&occluders), &refs, light.as_ref(), &());
-        println!("  transports {:?}", start.elapsed());
-        let without = transports(&pixels, None, &refs, light.as_ref(), &());
-        println!("  without {:?}", start.elapsed());
-        for (k, (material, _)) in materials.iter().enumerate() {
-            let report = |label: &str, picture: &dyn Fn(usize) -> Vec<f32>| {
-                let mut errors = [Vec::new(), Vec::new()];
-                for column in 0..turned.len() {
-                    let truth = with[k].col(count + column);
-                    let found = picture(column);
-                    // White is the 99th percentile of the irradiance.
-                    let mut sorted: Vec<f32> = truth.iter().copied().collect();
-                    sorted.sort_by(f32::total_cmp);
-                    let white = sorted[sorted.len() * 99 / 100];
-                    let sum: f32 = truth
-                        .iter()
-                        .zip(&found)
-                        .map(|(a, b)| {
-                            let shown = |x: f32| (x / white).clamp(0.0, 1.0);
-                            (shown(*a) - shown(*b)).powi(2)
-                        })
-                        .sum();
-                    errors[usize::from(column >= 4 * tests.len())]
-                        .push(100.0 * (sum / truth.nrows() as f32).sqrt());
-                }
-                let text = errors.map(|mut all| {
-                    all.sort_by(f32::total_cmp);
-                    format!("{:.2}/{:.2}", all[all.len() / 2], all[all.len() * 95 / 100])
-                });
-                println!("  {name:6} {material:12} {label:36} any {} tilts {}", text[0], text[1]);
-            };
-            let lit = |transport: &Mat<f32>, column: usize, degree: usize| -> Vec<f32> {
-                let used = (degree + 1) * (degree + 1);
-                (0..transport.nrows())
-                    .map(|row| {
-                        (0..used).map(|c| transport[(row, c)] * turned[column][c] as f32).sum()
-                    })
-                    .collect()
-            };
-            report("convex, whole map", &|column| {
-                without[k].col(count + column).iter().copied().collect()
-            });
-            report("convex, degree 9", &|column| lit(&without[k], column, 9));
-            report("transports, degree 9", &|column| lit(&with[k], column, 9));
-            report("transports, degree 12", &|column| lit(&with[k], column, 12));
-            for (degree, turning) in
-                [(9, Turning::Freely), (12, Turning::Freely), (9, Turning::Tilts(0.785))]
-            {
-                let root = light_root(&train.clone().truncated(degree), turning)?;
-                let used = (degree + 1) * (degree + 1);
-                let images = eigenimages(&[with[k].as_ref().subcols(0, used)], &[1.0], &root, 64)?;
-                let d = |column: usize, rank: usize| -> Vec<f32> {
-                    (0..rank)
-                        .map(|row| {
-                            (0..used)
-                                .map(|c| images.rows[0][(row, c)] * turned[column][c])
-                                .sum::<f64>() as f32
-                        })
-                        .collect()
-                };
-                for rank in [16, 40] {
-                    report(&format!("{turning:?} {degree}: rank {rank}"), &|column| {
-                        let d = d(column, rank);
-                        (0..images.pixels.nrows())
-                            .map(|row| (0..rank).map(|j| images.pixels[(row, j)] * d[j]).sum())
-                            .collect()
-                    });
-                }
-                let rank = 40;
-                for (codes, clusters, own) in [
-                    (2048, 64, 8),
-                    (4096, 64, 8),
-                    (4096, 32, 8),
-                    (4096, 64, 4),
-                    (usize::MAX, 64, 8),
-                ] {
-                    let book =
-                        codebook(images.pixels.as_ref().subcols(0, rank), codes, clusters, own);
-                    let rows: Vec<Vec<f32>> = book
-                        .clusters
-                        .iter()
-                        .flat_map(|one| (0..one.weights.len()).map(|code| one.row(code)))
-                        .collect();
-                    report(
-                        &format!(
-                            "{turning:?} {degree}: codes {} in {clusters} x {own}",
-                            rows.len()
-                        ),
-                        &|column| {
-                            let d = d(column, rank);
-                            let of_codes: Vec<f32> = rows
-                                .iter()
-                                .map(|row| row.iter().zip(&d).map(|(a, b)| a * b).sum())
-                                .collect();
-                            book.of_pixel.iter().map(|&code| of_codes[code as usize]).collect()
-                        },
-                    );
-                }
-            }
-        }
-        println!("  {:?}", start.elapsed());
+        let all = transports(&seen, Some(&occluders), &brdfs, columns.as_ref(), &());
+        let harmonics = columns.as_ref().subcols(0, COUNT);
+        let convex = transports(&seen, None, &brdfs, harmonics, &());
+        let object = |transports: Vec<Mat<f32>>| Object {
+            size,
+            degree: DEGREE,
+            pixels: pixels.clone(),
+            transports,
+        };
+        let direct = |of_material: &Mat<f32>, k: usize| -> Picture {
+            let pixel = |row| Rgb::from([0, 1, 2].map(|c| of_material[(row, COUNT + 3 * k + c)]));
+            (0..pixels.len()).map(pixel).collect()
+        };
+        Ok(Self {
+            direct: all
+                .iter()
+                .map(|one| (0..lit.drawn.len()).map(|k| direct(one, k)).collect())
+                .collect(),
+            objects: all
+                .iter()
+                .map(|one| object(vec![one.as_ref().subcols(0, COUNT).to_owned()]))
+                .collect(),
+            convex: convex.into_iter().map(|one| object(vec![one])).collect(),
+        })
     }
-    Ok(())
+}
+
+/// An object of one part as the runtime draws it.
+pub struct Packed {
+    pub bytes: Vec<u8>,
+    /// The code of each pixel.
+    codes: Vec<u16>,
+}
+
+impl Packed {
+    /// As [`Object::packed`], which does not give the codes.
+    fn new(object: &Object, lights: &Lights, codes: usize) -> Result<Self> {
+        let root = light_root(lights)?;
+        let transports: Vec<_> = object.transports.iter().map(Mat::as_ref).collect();
+        let images = eigenimages(&transports, &[1.0], &root, RANK)?;
+        let compression = Compression { codes, ..Compression::default() };
+        let Object { size, degree, pixels, .. } = object;
+        let (file, _) = packed(&images, *degree, *size, pixels, &[[1.0; 3]], compression);
+        let codes = file.pixels.iter().map(|pixel| pixel.code).collect();
+        Ok(Self { bytes: file.encode(), codes })
+    }
+
+    /// The exposed picture under a light.
+    fn picture(
+        &self,
+        light: &[Vec<f64>; 3],
+        exposure: Exposure,
+    ) -> std::result::Result<Picture, eigenshade::Error> {
+        let object = ShadowedObject::new(&self.bytes)?;
+        let mut of_codes = Vec::with_capacity(object.codes());
+        object.shade(&coefficients(&object, light)?, exposure, |color| {
+            of_codes.push(color.map(|linear| linear.0 as f32 / 65_536.0));
+        })?;
+        Ok(self.codes.iter().map(|&code| of_codes[usize::from(code)]).collect())
+    }
+}
+
+fn coefficients(
+    object: &ShadowedObject<'_>,
+    light: &[Vec<f64>; 3],
+) -> std::result::Result<Rgb<ObjectCoefficients>, eigenshade::Error> {
+    let light = light.each_ref().map(|all| all.iter().map(|&one| one as f32).collect());
+    let light: Rgb<Vec<f32>> = light.into();
+    object.coefficients(light.each_ref().try_map(|channel| Light::new(channel))?)
+}
+
+/// The exposed picture of an object of one part from its transports.
+fn picture(object: &Object, light: &[Vec<f64>; 3], exposure: Exposure) -> Picture {
+    let channels = light.each_ref().map(|channel| object.irradiance(channel, &[1.0]));
+    let pixel = |k| exposure.of(Rgb::from([0, 1, 2].map(|c: usize| channels[c][k])));
+    (0..object.pixels.len()).map(pixel).collect()
+}
+
+/// The exposure of a picture: white is its unit.
+fn metered(picture: &Picture) -> Exposure {
+    let mut meter = Meter::default();
+    picture.iter().for_each(|&color| meter.add(color));
+    meter.exposure().unwrap_or_default()
+}
+
+/// The rms of clipped channels in percent, and CIEDE2000, the mean and the 95th percentile.
+fn compared(expected: &Picture, found: &Picture) -> [f64; 3] {
+    let shown = |picture: &Picture| -> Vec<[f32; 3]> {
+        let clipped = |color: &Rgb<f32>| <[f32; 3]>::from(color.map(|one| one.clamp(0.0, 1.0)));
+        picture.iter().map(clipped).collect()
+    };
+    let [expected, found] = [expected, found].map(shown);
+    let apart = expected.as_flattened().iter().zip(found.as_flattened()).map(|(a, b)| a - b);
+    let square: f64 = apart.map(|one| f64::from(one * one)).sum();
+    let rms = 100.0 * (square / (3 * expected.len()) as f64).sqrt();
+    let encoded = |picture: &[[f32; 3]]| -> Vec<Srgb> {
+        picture.iter().map(|&[r, g, b]| Srgb::from_linear(LinSrgb::new(r, g, b))).collect()
+    };
+    let errors = summed(&encoded(&expected), &encoded(&found));
+    [rms, errors.mean, errors.p95]
+}
+
+/// The errors of these shapes in these materials.
+///
+/// # Errors
+///
+/// If a shape or a material does not exist.
+pub fn errors(
+    shapes: &[&'static str],
+    materials: &[&'static str],
+    lit: &Lit,
+    bar: &ProgressBar,
+) -> Result<Vec<Row>> {
+    bar.set_length((shapes.len() * materials.len()) as u64);
+    let mut rows = Vec::new();
+    for &shape in shapes {
+        let drawn = Drawn::new(shape, materials, SIZE, lit)?;
+        for (number, &material) in materials.iter().enumerate() {
+            for (way, codes) in WAYS {
+                rows.push(drawn.row((shape, material, way), number, codes, lit)?);
+            }
+            bar.inc(1);
+        }
+    }
+    Ok(rows)
+}
+
+impl Drawn {
+    fn row(
+        &self,
+        (shape, material, way): (&'static str, &'static str, &'static str),
+        number: usize,
+        codes: Option<usize>,
+        lit: &Lit,
+    ) -> Result<Row> {
+        let object = if way == "convex" { &self.convex[number] } else { &self.objects[number] };
+        let packed = codes.map(|codes| Packed::new(object, &lit.known, codes)).transpose()?;
+        let found = parallel::map(lit.drawn.len(), &(), |k| {
+            let (direct, light) = (&self.direct[number][k], &lit.drawn[k].light);
+            let exposure = metered(direct);
+            let found = match &packed {
+                Some(packed) => packed.picture(light, exposure).map_err(fault)?,
+                None => picture(object, light, exposure),
+            };
+            Ok(compared(&direct.iter().map(|&color| exposure.of(color)).collect(), &found))
+        });
+        let found = found.into_iter().collect::<Result<Vec<_>>>()?;
+        let summary = |is_tilted: bool| {
+            let sorted = |k: usize| {
+                let chosen = found.iter().zip(&lit.drawn);
+                let chosen = chosen.filter(|(_, light)| light.is_tilted == is_tilted);
+                let mut numbers: Vec<f64> = chosen.map(|(errors, _)| errors[k]).collect();
+                numbers.sort_by(f64::total_cmp);
+                numbers
+            };
+            let [rms, mean, p95] = [0, 1, 2].map(sorted);
+            let most = rms.get(rms.len() * 95 / 100).copied().unwrap_or(f64::NAN);
+            [median(&rms), most, median(&mean), median(&p95)]
+        };
+        let [tilted, turned] = [true, false].map(summary);
+        let each = found.chunks_exact(ROTATIONS);
+        let worst =
+            each.map(|of_light| of_light.iter().fold(0.0, |most: f64, one| most.max(one[0])));
+        let errors = tilted.into_iter().chain(turned).chain(worst).collect();
+        Ok(Row { shape, material, way, bytes: packed.map(|one| one.bytes.len()), errors })
+    }
+}
+
+fn fault(error: eigenshade::Error) -> Error {
+    Error::new(error.to_string(), "a defect: please report it")
+}
+
+/// A shape under one light, exposed.
+pub struct Shown {
+    /// The column and row of each pixel, and its coverage of 255.
+    pub pixels: Vec<([usize; 2], u8)>,
+    pub convex: Picture,
+    pub direct: Picture,
+    /// The runtime's picture in RGB565 on black.
+    pub of_runtime: Vec<u16>,
+}
+
+/// A shape in a colored material under a tilted map.
+///
+/// # Errors
+///
+/// If the shape or the map does not exist.
+pub fn shown(
+    (shape, material, map): (&'static str, &'static str, &str),
+    color: [f64; 3],
+    size: usize,
+    maps: &Path,
+) -> Result<Shown> {
+    static DISPLAY: Display = Display::new(Tone::Linear);
+    let rotations = rotations();
+    let chosen = |_, name: &str| if name == map { rotations[5..6].to_vec() } else { Vec::new() };
+    let mut lit = Lit::of(maps, chosen)?;
+    let light = &mut lit.drawn[0];
+    for (channel, factor) in color.into_iter().enumerate() {
+        light.radiance[channel].iter_mut().for_each(|one| *one *= factor as f32);
+        light.light[channel].iter_mut().for_each(|one| *one *= factor);
+    }
+    let drawn = Drawn::new(shape, &[material], size, &lit)?;
+    let light = &lit.drawn[0].light;
+    let exposure = metered(&drawn.direct[0][0]);
+    let packed = Packed::new(&drawn.objects[0], &lit.known, 4096)?;
+    let draw = || {
+        let object = ShadowedObject::new(&packed.bytes)?;
+        let mut colors = vec![0_u16; object.codes()];
+        object.colors(&coefficients(&object, light)?, exposure, &DISPLAY, &mut colors)?;
+        let mut pixels = vec![0_u16; size * size];
+        object.draw(&colors, &mut Target::new(&mut pixels, size)?);
+        Ok(pixels)
+    };
+    Ok(Shown {
+        convex: picture(&drawn.convex[0], light, exposure),
+        direct: drawn.direct[0][0].iter().map(|&color| exposure.of(color)).collect(),
+        of_runtime: draw().map_err(fault)?,
+        pixels: drawn.objects[0].pixels.clone(),
+    })
 }

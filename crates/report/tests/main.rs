@@ -17,7 +17,7 @@ mod paper_oracle;
 mod paper_statements;
 mod reading;
 mod roughness_weights;
-
+mod shadows;
 use eigenshade_generator::light::environment::EnvironmentMap;
 use eigenshade_generator::material::brdf::{Brdf, Surface};
 use eigenshade_generator::material::files::{Source, read};

@@ -1,7 +1,7 @@
 //! Objects with shadows: the pixels of a picture and their transports.
 
 use crate::directions::{FINE, cells};
-use crate::eigenimages::{Turning, eigenimages, light_root};
+use crate::eigenimages::{eigenimages, light_root};
 use crate::material::Material;
 use crate::packed::{Compression, packed};
 use crate::transport::transports;
@@ -110,7 +110,7 @@ impl Object {
         shares: &[[f64; 3]],
         compression: Compression,
     ) -> Result<Vec<u8>> {
-        let root = light_root(&lights.clone().truncated(self.degree), Turning::Freely)?;
+        let root = light_root(&lights.truncated(self.degree))?;
         let parts: Vec<_> = self.transports.iter().map(Mat::as_ref).collect();
         let images = eigenimages(&parts, &vec![1.0; parts.len()], &root, RANK)?;
         let (file, _) = packed(&images, self.degree, self.size, &self.pixels, shares, compression);

@@ -4,6 +4,7 @@ mod files;
 mod highlights;
 mod pages;
 mod pictures;
+mod shadow_picture;
 
 use clap::{Args, Parser};
 use eigenshade_cli::messages::{printable, progress_bar, spinner};
@@ -12,8 +13,9 @@ use eigenshade_cli::picture::Canvas;
 use eigenshade_model::error::{Error, Result};
 use eigenshade_model::output::write_error;
 use eigenshade_shading::picture::write_png;
+use report::shadow_shapes::SHAPES;
 use report::sheet::{Purpose, compare_cells};
-use report::{objects, palette_errors, reading, roughness_weights, sheet, stability};
+use report::{objects, palette_errors, reading, roughness_weights, shadows, sheet, stability};
 use std::io::Write;
 use std::path::{Path, PathBuf};
 
@@ -118,6 +120,15 @@ pub enum Command {
     ObjectErrors(Csv),
     /// The same pictures under one light beside the reference, docs/objects.png
     ObjectPicture(OutputFile),
+    /// Pictures of objects with shadows against direct sums, docs/shadows.csv
+    ///
+    /// Six shapes of 96 x 96 pixels in four materials, under every third map, turned eight times. The
+    /// reference is the direct sum over the whole map with the same visibility. Takes some five
+    /// minutes on two cores.
+    Shadows(Csv),
+    /// Objects without shadows, with them as the runtime draws them, and by direct sums, enlarged,
+    /// docs/shadows.png
+    ShadowPicture(OutputFile),
     /// Coefficients of glTF materials, tables/inputs/metallic-roughness.csv
     ///
     /// A material's coefficients are albedo (1 - f0) `matte` + `rim` + f0 `metal`. `matte` does not
@@ -199,6 +210,15 @@ impl Command {
                 let Canvas { width, height, bytes } = objects::canvas(&pairs);
                 write_png(&file.out, width, height, &bytes)
             }
+            Self::Shadows(csv) => {
+                let shapes = SHAPES.map(|(name, _)| name);
+                let lit = shadows::Lit::new(&inputs().join("maps"))?;
+                let bar = progress_bar("objects", 0);
+                let rows = shadows::errors(&shapes, &shadows::MATERIALS, &lit, &bar)?;
+                let rows = rows.iter().map(shadows::Row::fields);
+                write_csv(csv.out.as_deref(), shadows::COLUMNS, rows)
+            }
+            Self::ShadowPicture(file) => shadow_picture::picture(&file.out),
             Self::MetallicRoughness(file) => files::metallic_roughness(&file.out),
             Self::RoughnessWeights(csv) => {
                 let rows = roughness_weights::rows()?;
