@@ -3,8 +3,11 @@
 use eigenshade_generator::object::mesh_data::Mesh;
 use std::f64::consts::{PI, TAU};
 
-/// The objects by name.
-pub const SHAPES: [(&str, fn() -> Mesh); 6] = [
+/// A name and an object.
+pub type Shape = (&'static str, fn() -> Mesh);
+
+/// The objects.
+pub const SHAPES: [Shape; 6] = [
     ("coin", coin),
     ("dial", dial),
     ("knot", knot),
