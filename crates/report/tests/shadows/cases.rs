@@ -250,7 +250,7 @@ fn ahead() -> [Vec<f64>; 2] {
         let at = |z: f64| harmonic.radiance([(1.0 - z * z).max(0.0).sqrt(), 0.0, z]);
         let steps = 20_000;
         let smooth = (0..steps).map(|k| {
-            let z = (2 * k + 1) as f64 / f64::from(steps) - 1.0;
+            let z = f64::from(2 * k + 1) / f64::from(steps) - 1.0;
             at(z) * (0.5 * (1.0 + z)).powi(9)
         });
         lights[0][place] = smooth.sum::<f64>() * TAU * 2.0 / f64::from(steps);

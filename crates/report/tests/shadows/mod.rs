@@ -120,9 +120,9 @@ fn eigenimages_are_those_of_the_paper() {
     let lifted: Vec<f64> = (0..100)
         .map(|k| root[k].powi(2) * (0..100).map(|j| rows[(j, k)] * d[j]).sum::<f64>())
         .collect();
-    for j in 0..100 {
+    for (j, expected) in d.iter().enumerate() {
         let found = product(rows.row(j).iter(), &lifted);
-        assert!((found - d[j]).abs() < 1e-9, "{j}");
+        assert!((found - expected).abs() < 1e-9, "{j}");
     }
 }
 
