@@ -43,8 +43,9 @@ fn disc(height: impl Fn(f64, f64) -> f64) -> Mesh {
         for i in 0..SIDE - 1 {
             let first = (j * SIDE + i) as u32;
             let [a, b, c, d] = [first, first + 1, first + 1 + SIDE as u32, first + SIDE as u32];
-            let inside =
-                [a, b, c, d].iter().all(|&k| mesh.corners[k as usize][0].hypot(mesh.corners[k as usize][1]) < 0.98);
+            let inside = [a, b, c, d]
+                .iter()
+                .all(|&k| mesh.corners[k as usize][0].hypot(mesh.corners[k as usize][1]) < 0.98);
             if inside {
                 mesh.triangles.extend([[a, b, c], [a, c, d]]);
             }
@@ -101,8 +102,7 @@ fn tube(around: usize, across: usize, at: impl Fn(f64, f64) -> [f64; 3]) -> Mesh
     let place = |i: usize, j: usize| (i % around * across + j % across) as u32;
     for i in 0..around {
         for j in 0..across {
-            let [a, b, c, d] =
-                [place(i, j), place(i + 1, j), place(i + 1, j + 1), place(i, j + 1)];
+            let [a, b, c, d] = [place(i, j), place(i + 1, j), place(i + 1, j + 1), place(i, j + 1)];
             mesh.triangles.extend([[a, c, b], [a, d, c]]);
         }
     }
@@ -144,8 +144,7 @@ fn globe(rings: usize, radius: impl Fn([f64; 3]) -> [f64; 3]) -> Mesh {
     let place = |i: usize, j: usize| (i * 2 * rings + j % (2 * rings)) as u32;
     for i in 0..rings {
         for j in 0..2 * rings {
-            let [a, b, c, d] =
-                [place(i, j), place(i + 1, j), place(i + 1, j + 1), place(i, j + 1)];
+            let [a, b, c, d] = [place(i, j), place(i + 1, j), place(i + 1, j + 1), place(i, j + 1)];
             mesh.triangles.extend([[a, b, c], [a, c, d]]);
         }
     }
@@ -197,7 +196,8 @@ fn gear() -> Mesh {
         let tooth = step(-0.15, 0.15, (12.0 * angle).cos());
         let wheel = step(0.0, 0.03, 0.72 + 0.18 * tooth - radius);
         let spoke = (angle / TAU * 5.0).rem_euclid(1.0) - 0.5;
-        let (along, across) = (radius * (TAU * spoke / 5.0).cos(), radius * (TAU * spoke / 5.0).sin());
+        let (along, across) =
+            (radius * (TAU * spoke / 5.0).cos(), radius * (TAU * spoke / 5.0).sin());
         let hole = step(0.0, 0.03, 0.14 - (along - 0.42).hypot(across));
         let hub = step(0.0, 0.03, 0.16 - radius);
         0.25 * wheel * (1.0 - hole) + 0.1 * hub
@@ -208,7 +208,11 @@ fn gear() -> Mesh {
 fn bowl() -> Mesh {
     disc(|x, y| {
         let radius = x.hypot(y);
-        let wall = if radius < 0.85 { -0.6 * cap(radius / 0.85) } else { 0.12 * cap((radius - 0.9) / 0.08) };
+        let wall = if radius < 0.85 {
+            -0.6 * cap(radius / 0.85)
+        } else {
+            0.12 * cap((radius - 0.9) / 0.08)
+        };
         let (dx, dy) = (x - 0.15, y + 0.1);
         let ball = -0.33 + 0.25 * cap(dx.hypot(dy) / 0.25);
         if dx.hypot(dy) < 0.25 { wall.max(ball) } else { wall }
