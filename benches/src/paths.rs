@@ -175,7 +175,8 @@ fn textured() -> [Path; 3] {
             count: PIXELS,
             run: Box::new(move || {
                 let texels = (&blend, black_box(&texels[..]));
-                black_box(irradiance(&mut shader, &light, ORDER, texels, &sources)).expect("colors");
+                black_box(irradiance(&mut shader, &light, ORDER, texels, &sources))
+                    .expect("colors");
             }),
         }
     };

@@ -91,6 +91,7 @@ fn read(path: &str) -> Result<String> {
 fn write(name: &str, contents: impl AsRef<[u8]>) -> Result<()> {
     let folder = PathBuf::from(env::var_os("OUT_DIR").ok_or("OUT_DIR is not set")?);
     let path = folder.join(name);
-    let written = fs::create_dir_all(folder.join("programs")).and_then(|()| fs::write(&path, contents));
+    let written =
+        fs::create_dir_all(folder.join("programs")).and_then(|()| fs::write(&path, contents));
     written.map_err(|error| format!("{}: {error}", path.display()))
 }

@@ -188,11 +188,7 @@ fn draw(palette: &Palette, map: &NormalMap<'_>, row: &mut Row) -> Result<(), Err
 }
 
 /// Draws every row of a textured object, on black.
-fn draw_textured(
-    palette: &LinearPalette,
-    object: &Object<'_>,
-    row: &mut Row,
-) -> Result<(), Error> {
+fn draw_textured(palette: &LinearPalette, object: &Object<'_>, row: &mut Row) -> Result<(), Error> {
     let painted = object.painted(core::slice::from_ref(palette), &DISPLAY)?;
     for place in 0..object.height() as i32 {
         row.fill([0; 2]);

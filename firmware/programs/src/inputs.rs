@@ -111,7 +111,10 @@ pub mod floats {
     /// The transfers of both parts of a region.
     pub fn parts(region: &Region) -> Result<[sphere::Transfer; 2], Error> {
         let [tinted, plain] = region.materials()?;
-        Ok([sphere::transfer(&Material::new(&tinted)?)?, sphere::transfer(&Material::new(&plain)?)?])
+        Ok([
+            sphere::transfer(&Material::new(&tinted)?)?,
+            sphere::transfer(&Material::new(&plain)?)?,
+        ])
     }
 
     /// A baked map of 32 x 32 texels.
@@ -154,14 +157,14 @@ pub mod floats {
 /// Inputs in Q15.
 pub mod integers {
     use core::hint::black_box;
+    use eigenshade::object::{ObjectCoefficients, Region, ShadowedObject};
     pub use eigenshade::presets::{light::q15::LOBBY, material::q15::GOLD_METALLIC_PAINT};
     pub use eigenshade::q15::Normal;
     pub use eigenshade::q15::Rotation;
     pub use eigenshade::q15::{BakedMap, MapPoint, Material};
     use eigenshade::q15::{Exposure, Light, MaterialBuffer, Q15};
-    pub use eigenshade::sphere::q15::color;
-    use eigenshade::object::{ObjectCoefficients, Region, ShadowedObject};
     use eigenshade::sphere::q15 as sphere;
+    pub use eigenshade::sphere::q15::color;
     use eigenshade::{Error, Rgb};
 
     /// The coefficients of a material in color, of order 7.
