@@ -28,7 +28,7 @@ const NEAREST: u32 = 1 << 15;
 /// static DISPLAY: Display = Display::new(Tone::Filmic);
 /// // A file of `eigenshade pack-object` with one region.
 /// let object = Object::new(bytes)?;
-/// let [region] = object.regions().next().as_slice() else { unreachable!() };
+/// let region = object.regions().next().expect("it has one");
 /// let nodes = object.nodes(0);
 /// let [tinted, plain] = region.materials()?;
 /// let tinted = sphere::transfer(&Material::new(&tinted)?)?;

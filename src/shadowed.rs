@@ -22,7 +22,7 @@ use crate::target::Target;
 /// static DISPLAY: Display = Display::new(Tone::Filmic);
 /// let coin = ShadowedObject::new(&FILE)?;
 /// let light = [[1.0, 0.2, 0.5, -0.1], [0.9, 0.2, 0.5, -0.1], [0.8, 0.2, 0.5, -0.1]];
-/// let light = Rgb::from(&light).try_map(|channel| Light::new(channel))?;
+/// let light = Rgb::from(light.each_ref()).try_map(|channel| Light::new(channel))?;
 /// let mut colors = [0_u16; 4096]; // as many as it has codes
 /// let mut screen = [0_u16; 96 * 96];
 ///
