@@ -163,6 +163,7 @@ fn textured() -> [Path; 3] {
             normal,
             matte: [0.2, 0.3, (k % 7) as f32 / 10.0],
             reflectance: [0.04, 0.1, (k % 5) as f32 / 10.0],
+            metallic: 0.0,
             roughness: of_roughness(k),
         };
         let texels: Vec<Texel> = Axes::spread(PIXELS).each().enumerate().map(texel).collect();
