@@ -57,7 +57,8 @@ impl Exposure {
     ///
     /// [`Error::NotFinite`] unless it is a normal number above 0.
     pub const fn new(exposure: f32) -> Result<Self, Error> {
-        if exposure.is_normal() && exposure > 0.0 {
+        // Without a comparison of floats, which a processor may not have.
+        if exposure.is_normal() && exposure.is_sign_positive() {
             Ok(Self(exposure))
         } else {
             Err(Error::NotFinite { argument: Argument::Exposure, index: 0 })
@@ -191,14 +192,14 @@ impl Display {
     #[inline]
     #[must_use]
     pub fn rgb888(&self, color: Rgb<impl Into<Linear>>) -> Rgb<u8> {
-        color.map(|channel| levels::<255>(self.encode(channel.into()), 1 << 15) as u8)
+        color.map(|channel| levels::<255>(self.encode(channel.into()), NEAREST) as u8)
     }
 
     /// A pixel of 5, 6 and 5 bits: red in the highest bits.
     #[inline]
     #[must_use]
     pub fn rgb565(&self, color: Rgb<impl Into<Linear>>) -> u16 {
-        self.rounded565(color, 1 << 15)
+        self.rounded565(color, NEAREST)
     }
 
     /// [`rgb565`](Self::rgb565) with ordered dithering: the pixel in column x and row y rounds at a
@@ -206,13 +207,22 @@ impl Display {
     #[inline]
     #[must_use]
     pub fn rgb565_dithered(&self, color: Rgb<impl Into<Linear>>, x: usize, y: usize) -> u16 {
-        self.rounded565(color, (rank(x, y) << 12) + (1 << 11))
+        self.rounded565(color, threshold(rank(x, y)))
     }
 
     #[inline(always)]
     fn rounded565(&self, color: Rgb<impl Into<Linear>>, threshold: u32) -> u16 {
         word565(color.map(|channel| self.encode(channel.into())), threshold)
     }
+}
+
+/// The threshold in 2^-16 of a level that rounds to the nearest one.
+pub(crate) const NEAREST: u32 = 1 << 15;
+
+/// The threshold of a rank in the Bayer matrix.
+#[inline(always)]
+pub(crate) fn threshold(rank: u32) -> u32 {
+    (rank << 12) + (1 << 11)
 }
 
 /// A pixel of 5, 6 and 5 bits, each rounded down after adding a threshold in 2^-16 of a level.

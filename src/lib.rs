@@ -113,6 +113,8 @@ mod transfer;
 
 mod region;
 
+mod rows;
+
 mod relight;
 
 mod projection;

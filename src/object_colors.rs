@@ -1,16 +1,13 @@
 //! The colors of the codes of an object with shadows.
 
 use crate::color::Rgb;
-use crate::display::{Display, Exposure, Linear};
+use crate::display::{Display, Exposure, Linear, NEAREST};
 use crate::error::{Argument, Error};
 use crate::index::shadowed::MOST_IMAGES;
 use crate::object_coefficients::ObjectCoefficients;
 use crate::pixel::Pixel;
 use crate::q15;
 use crate::shadowed::ShadowedObject;
-
-/// The threshold that rounds to the nearest level of a display.
-const NEAREST: u32 = 1 << 15;
 
 /// Bits of an exposed irradiance after the binary point.
 const POINT: i32 = 20;
@@ -25,20 +22,16 @@ impl ShadowedObject<'_> {
     ///
     /// Cost: for each code, K products a channel; for each of the clusters, (K + 1) r products a
     /// channel.
-    ///
-    /// # Errors
-    ///
-    /// None: every exposure fits its integers.
     pub fn shade(
         &self,
         d: &Rgb<ObjectCoefficients>,
         exposure: Exposure,
         mut with: impl FnMut(Rgb<Linear>),
-    ) -> Result<(), Error> {
+    ) {
         let mut rest = self.clusters;
         while let Some((cluster, after)) = Cluster::split(rest, self.rank, self.images) {
             rest = after;
-            let shown = Shown::new(&cluster, d, exposure)?;
+            let shown = Shown::new(&cluster, d, exposure);
             if self.images == 0 {
                 (0..cluster.codes).for_each(|_| with(shown.color(&[])));
                 continue;
@@ -47,14 +40,13 @@ impl ShadowedObject<'_> {
                 with(shown.color(weights));
             }
         }
-        Ok(())
     }
 
     /// The colors of all codes on a display.
     ///
     /// # Errors
     ///
-    /// [`Error::Length`] unless there are as many colors as codes; those of [`shade`](Self::shade).
+    /// [`Error::Length`] unless there are as many colors as codes.
     pub fn colors<P: Pixel>(
         &self,
         d: &Rgb<ObjectCoefficients>,
@@ -68,7 +60,8 @@ impl ShadowedObject<'_> {
             if let Some(to) = colors.next() {
                 *to = P::of_display(color.map(|channel| display.encode(channel)), NEAREST);
             }
-        })
+        });
+        Ok(())
     }
 }
 
@@ -102,16 +95,12 @@ struct Shown {
 }
 
 impl Shown {
-    fn new(
-        cluster: &Cluster<'_>,
-        d: &Rgb<ObjectCoefficients>,
-        exposure: Exposure,
-    ) -> Result<Self, Error> {
+    fn new(cluster: &Cluster<'_>, d: &Rgb<ObjectCoefficients>, exposure: Exposure) -> Self {
         let channels = <[_; 3]>::from(d.each_ref());
         let mut exponents = cluster.exponents.iter().map(|one| i32::from(one.cast_signed()));
         let exposed = |sum: i64, exponent: i32, most: i64| {
-            let exposure = q15::Exposure::new(exposure.factor(), exponent + POINT - 16)?;
-            Ok::<i32, Error>(exposure.signed(sum).min(most).max(-most) as i32)
+            let exposure = q15::Exposure::of_float(exposure, exponent + POINT - 16);
+            exposure.signed(sum).min(most).max(-most) as i32
         };
         let (of_mean, mut shown) = (
             exponents.next().unwrap_or_default(),
@@ -122,17 +111,17 @@ impl Shown {
             let sum = products
                 .map(|(q, &one)| i64::from(i32::from(i16::from_le_bytes(*q)) * i32::from(one)))
                 .sum();
-            *to = exposed(sum, of_mean + d.exponent, MEAN)?;
+            *to = exposed(sum, of_mean + d.exponent, MEAN);
         }
         let rank = cluster.mean.len().max(1);
         let images = cluster.images.chunks_exact(rank).zip(exponents);
         for ((image, exponent), to) in images.zip(&mut shown.images) {
             for (to, d) in to.iter_mut().zip(channels) {
                 let sum = product(image, &d.mantissas);
-                *to = exposed(i64::from(sum), exponent + d.exponent, IMAGE)?;
+                *to = exposed(i64::from(sum), exponent + d.exponent, IMAGE);
             }
         }
-        Ok(shown)
+        shown
     }
 
     /// The color of a code with these weights.

@@ -9,6 +9,7 @@ use crate::normal::Normal;
 use crate::normal_code::NormalCode;
 use crate::q15;
 use crate::region::Region;
+use crate::rows::Rows;
 use crate::srgb::LINEAR;
 
 /// A picture of an object: for each pixel a normal, a base color, a coverage and a [`Region`] of the
@@ -44,9 +45,7 @@ pub struct Object<'a> {
     width: u16,
     height: u16,
     regions: &'a [[u8; RECORD]],
-    /// The first record of each row, and the number of all.
-    rows: &'a [[u8; 4]],
-    records: &'a [[u8; RECORD]],
+    rows: Rows<'a, RECORD>,
 }
 
 impl<'a> Object<'a> {
@@ -78,17 +77,8 @@ impl<'a> Object<'a> {
         let Some((of_regions, rest)) = rest.split_at_checked(regions as usize * RECORD) else {
             return None;
         };
-        let Some((rows, rest)) = rest.split_at_checked((height as usize + 1) * 4) else {
-            return None;
-        };
-        let rows: &[[u8; 4]] = rows.as_chunks().0;
-        // There is none without a row.
-        let [[0, 0, 0, 0], .., end] = rows else { return None };
-        let records: &[[u8; RECORD]] = rest.as_chunks().0;
-        let Some((records, _)) = records.split_at_checked(u32::from_le_bytes(*end) as usize) else {
-            return None;
-        };
-        let object = Self { width, height, regions: of_regions.as_chunks().0, rows, records };
+        let Some(rows) = Rows::read(rest, height) else { return None };
+        let object = Self { width, height, regions: of_regions.as_chunks().0, rows };
         if width > 0 && object.has_regions() && object.has_rows(checked) {
             Some(object)
         } else {
@@ -108,21 +98,13 @@ impl<'a> Object<'a> {
     }
 
     /// Whether each of these rows has whole runs from left to right.
-    const fn has_rows(&self, [first, mut count]: [usize; 2]) -> bool {
-        let Some((_, mut rows)) = self.rows.split_at_checked(first) else { return true };
-        while count > 0
-            && let [first, rest @ ..] = rows
-            && let [end, ..] = rest
-        {
-            let [first, end] = [u32::from_le_bytes(*first), u32::from_le_bytes(*end)];
-            let Some((records, _)) = self.records.split_at_checked(end as usize) else {
-                return false;
-            };
-            let Some((_, row)) = records.split_at_checked(first as usize) else { return false };
-            if !self.has_runs(row) {
-                return false;
+    const fn has_rows(&self, [mut row, mut count]: [usize; 2]) -> bool {
+        while count > 0 && row < self.height() {
+            match self.rows.get(row) {
+                Some(records) if self.has_runs(records) => {}
+                _ => return false,
             }
-            (rows, count) = (rest, count - 1);
+            (row, count) = (row + 1, count - 1);
         }
         true
     }
@@ -184,14 +166,7 @@ impl<'a> Object<'a> {
 
     /// The runs of a row, from the left.
     pub(crate) fn runs(&self, row: usize) -> Runs<'a> {
-        let records = match self.rows.get(row..).and_then(|rows| rows.first_chunk()) {
-            Some(&[first, end]) => {
-                let [first, end] = [first, end].map(|place| u32::from_le_bytes(place) as usize);
-                self.records.get(first..end).unwrap_or_default()
-            }
-            None => &[],
-        };
-        Runs(records)
+        Runs(self.rows.get(row).unwrap_or_default())
     }
 }
 

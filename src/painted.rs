@@ -1,15 +1,12 @@
 //! Draws textured objects from the palettes of a frame.
 
-use crate::display::{Display, ranks};
+use crate::display::{Display, NEAREST, ranks, threshold};
 use crate::error::{Argument, Error};
 use crate::linear_palette::LinearPalette;
 use crate::packed_object::{Object, Run, linear, pixel};
 use crate::pixel::Pixel;
 use crate::target::Target;
 use core::borrow::Borrow;
-
-/// The threshold that rounds to the nearest level.
-const NEAREST: u32 = 1 << 15;
 
 /// An [`Object`] in the colors of a frame.
 ///
@@ -101,8 +98,7 @@ impl<L: Borrow<LinearPalette>> Painted<'_, L> {
             for run in self.object.runs(row) {
                 if self.is_dithered {
                     let ranks = ranks(row);
-                    let threshold = |column| (ranks(column) << 12) + (1 << 11);
-                    self.run(&run, first, pixels, threshold);
+                    self.run(&run, first, pixels, |column| threshold(ranks(column)));
                 } else {
                     self.run(&run, first, pixels, |_| NEAREST);
                 }

@@ -17,7 +17,7 @@ impl Pixel for [u8; 3] {}
 
 pub(crate) mod sealed {
     use super::{Rgb, blend565};
-    use crate::display::{levels, word565};
+    use crate::display::{NEAREST, levels, word565};
     use crate::encoded::Encoded;
 
     pub trait Pixel: Copy {
@@ -79,7 +79,7 @@ pub(crate) mod sealed {
         }
         #[inline(always)]
         fn of_display(color: Rgb<u16>, _: u32) -> Self {
-            color.map(|channel| levels::<255>(channel, 1 << 15) as u8).into()
+            color.map(|channel| levels::<255>(channel, NEAREST) as u8).into()
         }
         #[inline]
         fn over(self, below: Self, coverage: u8) -> Self {

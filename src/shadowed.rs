@@ -4,6 +4,7 @@ use crate::error::Error;
 use crate::index::light;
 use crate::index::shadowed::{MAGIC, MOST_IMAGES, MOST_RANK, RIM};
 use crate::pixel::Pixel;
+use crate::rows::Rows;
 use crate::target::Target;
 
 /// An object of one material that shadows itself, seen from one side: its eigenimages U in
@@ -46,9 +47,7 @@ pub struct ShadowedObject<'a> {
     /// Of each part and component, an exponent and mantissas.
     pub(crate) rows: &'a [u8],
     pub(crate) clusters: &'a [u8],
-    /// The first word of each row, and the number of all.
-    starts: &'a [[u8; 4]],
-    words: &'a [[u8; 2]],
+    words: Rows<'a, 2>,
 }
 
 /// Reading.
@@ -93,45 +92,22 @@ impl<'a> ShadowedObject<'a> {
         let Some((clusters, rest)) = split_clusters(rest, count, codes, rank, images) else {
             return None;
         };
-        let Some((starts, rest)) = rest.split_at_checked((height as usize + 1) * 4) else {
-            return None;
-        };
-        let shares: &[[u8; 6]] = shares.as_chunks().0;
-        let starts: &[[u8; 4]] = starts.as_chunks().0;
-        let words: &[[u8; 2]] = rest.as_chunks().0;
-        let [[0, 0, 0, 0], .., end] = starts else { return None };
-        let Some((words, _)) = words.split_at_checked(u32::from_le_bytes(*end) as usize) else {
-            return None;
-        };
-        let object = Self {
-            width,
-            height,
-            codes,
-            degree,
-            rank,
-            images,
-            shares,
-            rows,
-            clusters,
-            starts,
-            words,
-        };
+        let Some(words) = Rows::read(rest, height) else { return None };
+        let shares = shares.as_chunks().0;
+        let object =
+            Self { width, height, codes, degree, rank, images, shares, rows, clusters, words };
         if object.has_rows() { Some(object) } else { None }
     }
 
     /// Whether each row has whole runs from left to right.
     const fn has_rows(&self) -> bool {
-        let (mut starts, mut words, mut place) = (self.starts, self.words, 0);
-        while let [_, rest @ ..] = starts
-            && let [end, ..] = rest
-        {
-            let end = u32::from_le_bytes(*end) as usize;
-            let Some(count) = end.checked_sub(place) else { return false };
-            let Some((row, after)) = words.split_at_checked(count) else { return false };
-            if !self.has_runs(row) {
-                return false;
+        let mut row = 0;
+        while row < self.height() {
+            match self.words.get(row) {
+                Some(words) if self.has_runs(words) => {}
+                _ => return false,
             }
-            (starts, words, place) = (rest, after, end);
+            row += 1;
         }
         true
     }
@@ -205,7 +181,7 @@ impl ShadowedObject<'_> {
     pub fn draw<P: Pixel>(&self, colors: &[P], target: &mut Target<'_, P>) {
         for row in target.rows(self.height()) {
             let (first, pixels) = target.row(row);
-            let mut words = self.row(row);
+            let mut words = self.words.get(row).unwrap_or_default();
             while let [start, count, rest @ ..] = words {
                 let [start, count] = [*start, *count].map(u16::from_le_bytes);
                 let is_rim = count & RIM != 0;
@@ -224,17 +200,6 @@ impl ShadowedObject<'_> {
                     copied(colors, run.get(skipped..).unwrap_or_default(), to);
                 }
             }
-        }
-    }
-
-    /// The words of a row.
-    fn row(&self, row: usize) -> &[[u8; 2]] {
-        match self.starts.get(row..).and_then(|starts| starts.first_chunk()) {
-            Some(&[start, end]) => {
-                let [start, end] = [start, end].map(|place| u32::from_le_bytes(place) as usize);
-                self.words.get(start..end).unwrap_or_default()
-            }
-            None => &[],
         }
     }
 }

@@ -31,6 +31,7 @@ mod quantized;
 mod reading_scenes;
 mod readme;
 mod runtime;
+mod shadowed_files;
 mod shadowed_objects;
 mod sources;
 mod truncation;

@@ -2,7 +2,7 @@
 
 use crate::color::Rgb;
 use crate::display::{Linear, POINT};
-use crate::error::{Argument, Error};
+use crate::error::Error;
 
 /// Exposes irradiances in integers: a mantissa of a scene becomes a [`Linear`].
 ///
@@ -32,12 +32,16 @@ impl Exposure {
     ///
     /// [`Error::NotFinite`] unless the exposure is a normal number above 0.
     pub const fn new(exposure: f32, exponent: i32) -> Result<Self, Error> {
-        let bits = exposure.to_bits();
-        let biased = (bits >> 23).cast_signed();
-        // With the sign bit set, it is above 255.
-        if biased <= 0 || biased >= 255 {
-            return Err(Error::NotFinite { argument: Argument::Exposure, index: 0 });
+        match crate::display::Exposure::new(exposure) {
+            Ok(exposure) => Ok(Self::of_float(exposure, exponent)),
+            Err(error) => Err(error),
         }
+    }
+
+    /// [`new`](Self::new) of an exposure of scenes in floats.
+    pub(crate) const fn of_float(exposure: crate::display::Exposure, exponent: i32) -> Self {
+        let bits = exposure.factor().to_bits();
+        let biased = (bits >> 23).cast_signed();
         let fraction = (bits & 0x7f_ffff) | 0x80_0000;
         let factor = (fraction + (1 << 8)) >> 9;
         let left = exponent.saturating_add(biased - 127 - 14 + POINT.cast_signed());
@@ -48,7 +52,7 @@ impl Exposure {
             -63..=-1 => (0, left.unsigned_abs()),
             _ => (0, 63),
         };
-        Ok(Self { factor: factor << left, shift })
+        Self { factor: factor << left, shift }
     }
 
     /// The exposed irradiance of a mantissa of at most 47 bits, rounded, in the unit of [`Linear`], of

@@ -7,7 +7,7 @@ use eigenshade::{Gloss, Normal};
 use eigenshade_model::error::{Error, Result};
 use eigenshade_model::srgb;
 use eigenshade_shading::shader::fault;
-use eigenshade_shading::textured::Texel;
+use eigenshade_shading::textured::{KNOTS, Texel};
 use eigenshade_table::object::{Pixel, encode};
 
 /// The most regions of an object.
@@ -18,9 +18,6 @@ const CLOSE: [f64; 2] = [0.1, 0.15];
 
 /// The share of pixels that may be farther.
 const FAR: f64 = 0.05;
-
-/// The roughness below which the runtime's materials do not change.
-const LEAST_ROUGHNESS: f64 = 0.2;
 
 /// Rounds of the search for regions, and the most pixels that it looks at.
 const ROUNDS: usize = 20;
@@ -104,7 +101,7 @@ fn means(texels: &Texels) -> Vec<Texel> {
 
 /// Metallic and the logarithm of the roughness, in units of what is close.
 fn place(pixel: &Texel) -> [f64; 2] {
-    let roughness = f64::from(pixel.roughness).max(LEAST_ROUGHNESS);
+    let roughness = f64::from(pixel.roughness.max(KNOTS[0]));
     let [of_metallic, of_roughness] = CLOSE;
     [f64::from(pixel.metallic) / of_metallic, roughness.ln() / of_roughness]
 }

@@ -15,7 +15,7 @@ pub struct PackedObject {
     pub bytes: *const u8,
 }
 
-/// What is at the beginning of a textured object.
+/// The size of a textured object and the number of its regions.
 #[repr(C)]
 pub struct ObjectHeader {
     /// Pixels across.

@@ -21,7 +21,7 @@ pub struct ShadowedObject {
     pub bytes: *const u8,
 }
 
-/// What is at the beginning of an object with shadows.
+/// The size of an object with shadows, the number of its codes, and the degree of its light.
 #[repr(C)]
 pub struct ShadowedObjectHeader {
     /// Pixels across.
@@ -142,7 +142,7 @@ pub(crate) fn colors(
     Ok(())
 }
 
-/// The number of codes, if there are so many bytes of their colors.
+/// The number of codes. Fails unless `length` is the size of their colors in bytes.
 fn checked_codes(
     object: &object::ShadowedObject<'_>,
     encoding: Encoding,

@@ -63,13 +63,13 @@ pub struct Target {
     pub encoding: i32,
 }
 
-/// What draws itself into pixels of a type.
+/// An object that can be drawn into pixels of a type.
 pub(crate) trait Drawn<P> {
     /// Draws the part that the target has.
     fn draw(&self, target: &mut screen::Target<'_, P>);
 }
 
-/// What draws itself into every encoding.
+/// An object that can be drawn in every encoding.
 pub(crate) trait DrawnInAny: Drawn<u16> + Drawn<[u8; 2]> + Drawn<[u8; 3]> {}
 impl<D: Drawn<u16> + Drawn<[u8; 2]> + Drawn<[u8; 3]>> DrawnInAny for D {}
 

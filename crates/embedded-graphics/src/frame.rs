@@ -39,7 +39,7 @@ pub struct Layer<'a, P> {
     object: Object<'a, P>,
 }
 
-/// What a layer draws.
+/// The object of a layer.
 #[derive(Clone, Copy, Debug)]
 enum Object<'a, P> {
     Normals(NormalMap<'a>, Colors<'a>),

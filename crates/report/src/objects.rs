@@ -132,7 +132,7 @@ fn pair(
     Ok(Pair { object, light, sources, pictures: [found, expected], exposure, sampling })
 }
 
-/// What a screen shows of an irradiance, from 0 to 1.
+/// The display value of an irradiance, from 0 to 1.
 fn shown(value: f64, exposure: Exposure) -> f64 {
     (f64::from(exposure.factor()) * value).clamp(0.0, 1.0)
 }

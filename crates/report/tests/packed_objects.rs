@@ -98,7 +98,7 @@ fn picture(
     pixels
 }
 
-/// What the program draws: the pixels' irradiances, and their exposure.
+/// The irradiances of the program's picture, and their exposure.
 fn reference(
     shader: &mut Shader<'_>,
     light: &Named,

@@ -66,6 +66,16 @@ impl Source {
         &self.path
     }
 
+    /// Its name, or that of its file without folders, and of the chosen entry.
+    #[must_use]
+    pub fn short(&self) -> String {
+        let name = self.path.file_name().unwrap_or_default().to_string_lossy();
+        match &self.entry {
+            Entry::Named(entry) => format!("{name}:{entry}"),
+            Entry::Shipped | Entry::All => name.into_owned(),
+        }
+    }
+
     /// Whether it is the name of something shipped.
     #[must_use]
     pub fn is_shipped(&self) -> bool {

@@ -224,22 +224,6 @@ impl Texel {
             sums.map(|((matte, rim), metal)| of_matte * matte + rim + of_metal * metal).collect()
         }))
     }
-
-    /// The mean of texels, along z; of none, a black one.
-    #[must_use]
-    pub fn mean(texels: &[Self]) -> Self {
-        let count = texels.len().max(1) as f64;
-        let mean = |of: &dyn Fn(&Self) -> f32| {
-            (texels.iter().map(|texel| f64::from(of(texel))).sum::<f64>() / count) as f32
-        };
-        Self {
-            normal: [0.0, 0.0, 1.0],
-            matte: [0, 1, 2].map(|c: usize| mean(&|texel| texel.matte[c])),
-            reflectance: [0, 1, 2].map(|c: usize| mean(&|texel| texel.reflectance[c])),
-            metallic: mean(&|texel| texel.metallic),
-            roughness: mean(&|texel| texel.roughness),
-        }
-    }
 }
 
 #[cfg(test)]

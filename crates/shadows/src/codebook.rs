@@ -25,18 +25,6 @@ pub struct Cluster {
     pub weights: Vec<Vec<i8>>,
 }
 
-impl Cluster {
-    /// The row of a code.
-    #[must_use]
-    pub fn row(&self, code: usize) -> Vec<f32> {
-        let mut row = self.mean.clone();
-        for (image, weight) in self.images.iter().zip(&self.weights[code]) {
-            row.iter_mut().zip(image).for_each(|(sum, one)| *sum += f32::from(*weight) * one);
-        }
-        row
-    }
-}
-
 /// A codebook for the rows of a matrix: at most `codes` codes in at most `clusters` clusters with
 /// `images` images.
 #[must_use]

@@ -27,6 +27,19 @@ pub fn cells(side: usize) -> Vec<([f64; 3], f64)> {
     cells
 }
 
+/// The number of the cell of a map of `side` x `side` cells that has a unit direction.
+#[must_use]
+pub fn cell_of(side: usize, [x, y, z]: [f64; 3]) -> usize {
+    let sum = x.abs() + y.abs() + z.abs();
+    let [u, v] = [x / sum, y / sum];
+    let [u, v] = if z < 0.0 { folded([u, v]) } else { [u, v] };
+    let [column, row] = [u, v].map(|along| {
+        let place = 0.5 * (along + 1.0) * side as f64;
+        (place as usize).min(side - 1)
+    });
+    row * side + column
+}
+
 /// The number of the cell of rays that has a fine cell.
 #[must_use]
 pub fn ray_of(cell: usize) -> usize {
@@ -35,12 +48,17 @@ pub fn ray_of(cell: usize) -> usize {
     row / each * RAYS + column / each
 }
 
+/// The direction at a point of the map, each coordinate from -1 to 1.
 fn direction([u, v]: [f64; 2]) -> [f64; 3] {
     let z = 1.0 - u.abs() - v.abs();
-    let fold = |a: f64, b: f64| (1.0 - b.abs()) * if a >= 0.0 { 1.0 } else { -1.0 };
-    let [x, y] = if z < 0.0 { [fold(u, v), fold(v, u)] } else { [u, v] };
+    let [x, y] = if z < 0.0 { folded([u, v]) } else { [u, v] };
     let length = (x * x + y * y + z * z).sqrt();
     [x, y, z].map(|along| along / length)
+}
+
+/// Exchanges the two sides of the edges of the upper half.
+fn folded([u, v]: [f64; 2]) -> [f64; 2] {
+    [(1.0 - v.abs()).copysign(u), (1.0 - u.abs()).copysign(v)]
 }
 
 /// Of a spherical triangle: A. Van Oosterom, J. Strackee, "The solid angle of a plane triangle", 1983.
@@ -48,18 +66,4 @@ fn solid_angle([a, b, c]: [[f64; 3]; 3]) -> f64 {
     use eigenshade_model::vector::{cross, dot};
     let volume = dot(a, cross(b, c)).abs();
     2.0 * volume.atan2(1.0 + dot(a, b) + dot(b, c) + dot(c, a))
-}
-
-/// The number of the cell of a map of `side` x `side` cells that has a unit direction.
-#[must_use]
-pub fn cell_of(side: usize, [x, y, z]: [f64; 3]) -> usize {
-    let sum = x.abs() + y.abs() + z.abs();
-    let [u, v] = [x / sum, y / sum];
-    let fold = |a: f64, b: f64| (1.0 - b.abs()) * if a >= 0.0 { 1.0 } else { -1.0 };
-    let [u, v] = if z < 0.0 { [fold(u, v), fold(v, u)] } else { [u, v] };
-    let [column, row] = [u, v].map(|along| {
-        let place = 0.5 * (along + 1.0) * side as f64;
-        (place as usize).min(side - 1)
-    });
-    row * side + column
 }

@@ -14,8 +14,10 @@ pub enum Material<'a> {
     Series(&'a [f64]),
 }
 
-/// The largest order of a series, and its terms in ρ and cos qΔφ.
-const MOST_ORDER: usize = 16;
+/// The largest order of a series.
+pub const MOST_ORDER: usize = 16;
+
+/// The terms in ρ and cos qΔφ of that order.
 const MOST_TERMS: usize = 81;
 
 /// Materials seen from one angle.

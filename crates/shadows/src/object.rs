@@ -4,21 +4,15 @@ use crate::directions::{FINE, cells};
 use crate::eigenimages::{eigenimages, light_root};
 use crate::material::Material;
 use crate::packed::{Compression, packed};
-use crate::transport::transports;
+use crate::pixels::Pixels;
+use crate::transport::{BATCH, transports};
 use crate::visibility::Occluders;
-use eigenshade_generator::object::points::{Point, points};
 use eigenshade_generator::object::surface::Surface;
 use eigenshade_model::database::Lights;
-use eigenshade_model::error::{Error, Result};
+use eigenshade_model::error::Result;
 use eigenshade_model::parallel::Progress;
 use eigenshade_model::special::spherical_harmonic;
 use faer::Mat;
-
-/// Samples along each side of a pixel.
-const SAMPLES: usize = 2;
-
-/// The largest picture, in pixels across.
-pub const MOST_SIDE: usize = 512;
 
 /// The components of a packed object.
 pub const RANK: usize = 64;
@@ -37,15 +31,15 @@ pub struct Object {
 }
 
 impl Object {
-    /// The transports of the pixels of a surface in a picture with a margin of half a pixel.
+    /// The transports of the pixels of a surface on each part of a material.
     ///
-    /// Each pixel has 2 x 2 samples, each of which looks along 4,096 rays, and the BRDF is integrated
-    /// over 16,384 directions. Memory: 4 (degree + 1)² bytes for each pixel and part, and 65 KB for
-    /// each of 64 pixels and each core.
+    /// Up to four points of a pixel take 4,096 rays in turns, and the BRDF is integrated over 16,384
+    /// directions. Memory: 4 (degree + 1)² bytes for each pixel and part, and 65 KB for each of 64
+    /// pixels and each core.
     ///
     /// # Errors
     ///
-    /// If the size is not 2 to [`MOST_SIDE`], or nothing is seen.
+    /// As [`Pixels::new`].
     pub fn new(
         surface: &Surface,
         size: usize,
@@ -53,37 +47,24 @@ impl Object {
         parts: &[Material<'_>],
         progress: &impl Progress,
     ) -> Result<Self> {
-        if !(2..=MOST_SIDE).contains(&size) {
-            let what = format!("an object with shadows {size} pixels wide");
-            return Err(Error::new(what, format!("use 2 to {MOST_SIDE}")));
-        }
-        surface.check_front()?;
-        let mut all = points(surface, size, SAMPLES);
-        all.sort_by_key(|point| (point.pixel[1], point.pixel[0]));
-        let seen: Vec<&[Point]> = all.chunk_by(|a, b| a.pixel == b.pixel).collect();
-        if seen.is_empty() {
-            let remedy = "turn it with --view or --rotate-object, or draw it larger";
-            return Err(Error::new("nothing of it is seen", remedy));
-        }
+        let pixels = Pixels::new(surface, size)?;
         let occluders = Occluders::new(&surface.facets);
-        let fine = cells(FINE);
-        let harmonics: Vec<Vec<f64>> =
-            fine.iter().map(|(direction, _)| spherical_harmonic::all(degree, *direction)).collect();
-        let light = Mat::from_fn(fine.len(), (degree + 1).pow(2), |row, column| {
+        let harmonics: Vec<Vec<f64>> = cells(FINE)
+            .into_iter()
+            .map(|(direction, _)| spherical_harmonic::all(degree, direction))
+            .collect();
+        let light = Mat::from_fn(harmonics.len(), (degree + 1).pow(2), |row, column| {
             harmonics[row][column] as f32
         });
-        let transports = transports(&seen, Some(&occluders), parts, light.as_ref(), progress);
-        let coverage = |points: &&[Point]| {
-            let share = points.len() as f64 / (SAMPLES * SAMPLES) as f64;
-            (points[0].pixel, (255.0 * share).round() as u8)
-        };
-        Ok(Self { size, degree, pixels: seen.iter().map(coverage).collect(), transports })
+        let points = pixels.points();
+        let transports = transports(&points, Some(&occluders), parts, light.as_ref(), progress);
+        Ok(Self { size, degree, pixels: pixels.covered, transports })
     }
 
-    /// The number of batches that [`new`](Self::new) reports to its progress, for a square picture.
+    /// The most steps that [`new`](Self::new) reports to its progress.
     #[must_use]
-    pub fn batches(size: usize) -> usize {
-        (size * size).div_ceil(64)
+    pub fn steps(size: usize) -> usize {
+        (size * size).div_ceil(BATCH)
     }
 
     /// The irradiance of each pixel under a channel of a light, with these shares of the parts.

@@ -19,7 +19,7 @@ const TOGETHER: f64 = 0.98;
 const RIM: f64 = 1e-3;
 
 /// Pixels that are integrated together.
-const BATCH: usize = 64;
+pub(crate) const BATCH: usize = 64;
 
 /// Points of one pixel of similar normals, and what they see.
 struct Group {
@@ -33,7 +33,7 @@ struct Group {
 
 /// The transports of pixels, each given by its points, on each of these materials: for each material
 /// a matrix with a row for each pixel and a column for each column of `light`, whose rows are the
-/// directions of [`directions`].
+/// [`FINE`] cells.
 ///
 /// Without `occluders` nothing is shadowed.
 #[must_use]
@@ -77,12 +77,6 @@ pub fn transports(
             })
         })
         .collect()
-}
-
-/// The directions over which [`transports`] integrates, with solid angles.
-#[must_use]
-pub fn directions() -> Vec<([f64; 3], f64)> {
-    cells(FINE)
 }
 
 fn groups(points: &[Point], occluders: Option<&Occluders>) -> Vec<Group> {

@@ -5,7 +5,7 @@ use super::{highlighted, nine_terms, normal};
 use board::{Passes, holds, measure};
 use core::hint::black_box;
 use eigenshade::object::{NormalMap, NormalPixel, Object};
-use eigenshade::screen::{LinearPalette, Palette, Target};
+use eigenshade::screen::{Exposure, LinearPalette, Palette, Target};
 use eigenshade::{Error, Rgb};
 use programs::{BALL, DISPLAY};
 
@@ -83,7 +83,8 @@ pub fn frame_textured_still() {
 pub fn frame_shadowed() {
     let Ok(object) = programs::shadowed() else { board::exit(false) };
     let (mut colors, mut row) = ([[0_u8; 2]; 4096], [[0; 2]; 96]);
-    let (exposure, rotation) = (inputs::exposure_of_floats(), inputs::rotation());
+    let Ok(exposure) = Exposure::new(black_box(1.5)) else { board::exit(false) };
+    let rotation = inputs::rotation();
     holds(size_of_val(&colors) + size_of_val(&row));
     measure(&[LOBBY], Passes(1), |light| {
         let light = light.turned::<100>(&rotation)?;

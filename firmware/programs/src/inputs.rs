@@ -94,12 +94,6 @@ pub mod floats {
         Exposure::new(black_box(1.5)).unwrap_or_else(|_| board::exit(false))
     }
 
-    /// An exposure in floats.
-    #[must_use]
-    pub fn exposure_of_floats() -> Exposure {
-        exposure()
-    }
-
     /// The coefficients of an object with shadows.
     pub fn coefficients(
         object: &ShadowedObject<'_>,
@@ -214,15 +208,6 @@ pub mod integers {
     pub fn exposure() -> Rgb<Exposure> {
         let exposure = Exposure::new(black_box(1.5), -15);
         Rgb::gray(exposure.unwrap_or_else(|_| board::exit(false)))
-    }
-
-    /// An exposure in floats.
-    #[must_use]
-    pub fn exposure_of_floats() -> eigenshade::screen::Exposure {
-        // By the compiler: the check compares floats.
-        const EXPOSURE: eigenshade::screen::Exposure =
-            eigenshade::specialized::checked(eigenshade::screen::Exposure::new(1.5));
-        black_box(EXPOSURE)
     }
 
     /// The coefficients of an object with shadows.

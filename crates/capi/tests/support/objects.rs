@@ -44,7 +44,7 @@ fn relief() -> Result<Vec<u8>, Error> {
     shadowed(96, 64, 8, &[64; 64])
 }
 
-/// A disc of any numbers of this rank, with so many images, and clusters of so many codes.
+/// A disc of pseudo-random numbers, of a rank and a number of images, with `codes` codes in each cluster.
 fn shadowed(size: u16, rank: usize, images: usize, codes: &[usize]) -> Result<Vec<u8>, Error> {
     let mut state = 1_u32;
     let mut number = || {

@@ -85,21 +85,64 @@ enum Kind {
     C,
 }
 
-/// What is packed.
+/// The types of the runtime that a file is packed for.
+#[derive(Clone, Copy)]
+enum Item {
+    NormalMap,
+    Object,
+    ShadowedObject,
+}
+
+impl Item {
+    /// Its type, and the name of a static.
+    fn names(self) -> [&'static str; 2] {
+        match self {
+            Self::NormalMap => ["NormalMap", "MAP"],
+            Self::Object => ["Object", "OBJECT"],
+            Self::ShadowedObject => ["ShadowedObject", "OBJECT"],
+        }
+    }
+}
+
+/// The contents of a file.
 struct Contents {
-    /// Its bytes.
+    item: Item,
     bytes: Vec<u8>,
     /// Pixels across and down, and those with an object.
     size: [usize; 2],
     covered: usize,
-    /// Its type and its name in Rust, and the expression before and after the bytes.
-    item: &'static str,
-    name: &'static str,
-    expression: [String; 2],
-    /// Of C: the start of its name.
-    prefix: &'static str,
     /// More lines of the report.
     notes: String,
+}
+
+impl Contents {
+    /// The call that makes it of bytes.
+    fn call(&self, bytes: &str) -> String {
+        let [kind, _] = self.item.names();
+        let [width, height] = self.size;
+        let size = match self.item {
+            Item::NormalMap => format!("{width}, {height}, "),
+            _ => String::new(),
+        };
+        format!("eigenshade::object::{kind}::new({size}{bytes})")
+    }
+
+    /// A C header, and the name of its constant.
+    fn header(&self, stem: &str, command: &str) -> (String, String) {
+        let named = |prefix: &str| identifier(&format!("{prefix} {stem}"));
+        let of_file = |prefix: &str, kind: &str| {
+            let name = named(prefix);
+            (c::object(kind, &name, &self.bytes, command), name)
+        };
+        match self.item {
+            Item::Object => of_file("object", "eigenshade_object_t"),
+            Item::ShadowedObject => of_file("shadowed object", "eigenshade_shadowed_object_t"),
+            Item::NormalMap => {
+                let name = named("normal map");
+                (c::normal_map(&name, self.size, &self.bytes, command), name)
+            }
+        }
+    }
 }
 
 impl PackObject {
@@ -121,20 +164,14 @@ impl PackObject {
         let (text, (language, line)) = match kind {
             Kind::Bytes => {
                 let file = self.out.display().to_string();
-                let [before, after] = &contents.expression;
-                (bytes.clone(), ("in Rust", format!("{before}include_bytes!({file:?}){after}")))
+                (bytes.clone(), ("in Rust", contents.call(&format!("include_bytes!({file:?})"))))
             }
             Kind::Rust => (
                 self.source(&contents),
                 ("in Rust", module(&self.out.file_name().unwrap_or_default().to_string_lossy())),
             ),
             Kind::C => {
-                let name = identifier(&format!("{} {stem}", contents.prefix));
-                let text = match contents.item {
-                    "Object" => c::object(&name, bytes, &self.command()),
-                    "ShadowedObject" => c::shadowed_object(&name, bytes, &self.command()),
-                    _ => c::normal_map(&name, *size, bytes, &self.command()),
-                };
+                let (text, name) = contents.header(&stem, &self.command());
                 (text.into_bytes(), ("in C", format!("&{name}")))
             }
         };
@@ -169,18 +206,11 @@ impl PackObject {
         let is_map = self.object.extension().is_some_and(|end| end.eq_ignore_ascii_case("png"));
         let size = self.size.or((!is_map).then_some(SIZE));
         let view = ObjectView::read(file, self.pose.options(size, self.green))?;
-        let (width, height) = (view.width, view.height);
         Ok(Contents {
+            item: Item::NormalMap,
             bytes: view.codes()?.concat(),
-            size: [width, height],
+            size: [view.width, view.height],
             covered: view.pixels.len(),
-            item: "NormalMap",
-            name: "MAP",
-            expression: [
-                format!("eigenshade::object::NormalMap::new({width}, {height}, "),
-                ")".into(),
-            ],
-            prefix: "normal map",
             notes: String::new(),
         })
     }
@@ -198,6 +228,7 @@ impl PackObject {
         let covered = object.pixels.len();
         let codes = self.codes.min(covered);
         Ok(Contents {
+            item: Item::ShadowedObject,
             notes: format!(
                 "{:<12} {:.1}\n{:<12} {}\n{:<12} {DEGREE}\n",
                 "a pixel",
@@ -209,10 +240,6 @@ impl PackObject {
             bytes,
             size: [size; 2],
             covered,
-            item: "ShadowedObject",
-            name: "OBJECT",
-            expression: ["eigenshade::object::ShadowedObject::new(".into(), ")".into()],
-            prefix: "shadowed object",
         })
     }
 
@@ -226,32 +253,30 @@ impl PackObject {
             if self.regions == 4 { String::new() } else { format!(" --regions {}", self.regions) };
         let shadows = match &self.material {
             Some(material) => {
-                let material = name(material.path());
-                format!(" --shadows --material {material} --codes {}", self.codes)
+                format!(" --shadows --material {} --codes {}", material.short(), self.codes)
             }
             None => String::new(),
         };
         let only = if self.has_normals_only { " --normals-only" } else { "" };
         let pose = self.pose.written();
-        let files = [name(&self.object), name(&self.out)];
-        let [object, out] = files;
+        let [object, out] = [&self.object, &self.out].map(|path| name(path));
         let all = format!("{object}{size}{regions}{shadows}{only}{flip}{pose} --out {out}");
         format!("eigenshade pack-object {}", printable(&all))
     }
 
     /// Source that holds the object or the map, below a comment with the command.
     fn source(&self, contents: &Contents) -> Vec<u8> {
-        let Contents { bytes, item, name, expression: [before, after], .. } = contents;
-        let count = bytes.len();
+        let ([kind, name], count) = (contents.item.names(), contents.bytes.len());
         let mut text = format!(
             "// {}\n\n/// The {}.\n\
-             pub static {name}: eigenshade::object::{item}<'static> =\n    \
-             eigenshade::specialized::checked({before}&BYTES{after});\n\n\
+             pub static {name}: eigenshade::object::{kind}<'static> =\n    \
+             eigenshade::specialized::checked({});\n\n\
              #[rustfmt::skip]\nstatic BYTES: [u8; {count}] = [\n",
             self.command(),
             name.to_lowercase(),
+            contents.call("&BYTES"),
         );
-        for line in bytes.chunks(PER_LINE) {
+        for line in contents.bytes.chunks(PER_LINE) {
             text.push_str("   ");
             line.iter().for_each(|byte| {
                 let _ = write!(text, " {byte},");
@@ -278,16 +303,7 @@ fn of_object(texels: &Texels, packed: Packed) -> Contents {
             found.region.roughness(),
         );
     }
-    Contents {
-        bytes: packed.bytes,
-        size: [texels.size; 2],
-        covered,
-        item: "Object",
-        name: "OBJECT",
-        expression: ["eigenshade::object::Object::new(".into(), ")".into()],
-        prefix: "object",
-        notes,
-    }
+    Contents { item: Item::Object, bytes: packed.bytes, size: [texels.size; 2], covered, notes }
 }
 
 /// The declaration of a file as a module, which has the name of the file if that is one.

@@ -65,10 +65,11 @@ pub struct Render {
     /// Number format
     #[arg(short, long, value_enum, default_value_t = Format::F32)]
     pub(super) format: Format,
-    /// Draw a mesh in one material with the shadows that it casts on itself, up to 512 pixels across.
-    /// The light is harmonics alone, up to degree 12
+    /// Draw a mesh in one material with the shadows that it casts on itself, up to 512 pixels across
+    /// and 256 by default. The light is harmonics alone, up to degree 12
     #[cfg(feature = "generate")]
-    #[arg(long = "shadows", requires = "normals", conflicts_with_all = ["matcap", "format", "table"])]
+    #[arg(long = "shadows", requires_all = ["normals", "material"], conflicts_with_all = ["matcap",
+        "format", "table", "components", "effects", "sources", "tolerance"])]
     has_shadows: bool,
     #[command(flatten)]
     pub(super) choices: Choices,
@@ -144,10 +145,6 @@ impl Render {
             return Err(Error::new(what, "leave one out, or give --sources auto"));
         }
         #[cfg(feature = "generate")]
-        if self.has_shadows {
-            return self.run_shadowed(file);
-        }
-        #[cfg(feature = "generate")]
         if let Some((object, asset)) = self.own_materials()? {
             return self.run_own(file, &object, &asset);
         }
@@ -155,7 +152,12 @@ impl Render {
             let what = "no material, and the object has none of its own";
             Error::new(what, "give --material NAME, or a .glb, .gltf, or .obj with its .mtl")
         })?;
-        self.run_with(file, &Inputs { light: light.clone(), material })
+        let inputs = Inputs { light: light.clone(), material };
+        #[cfg(feature = "generate")]
+        if self.has_shadows {
+            return self.run_shadowed(file, &inputs);
+        }
+        self.run_with(file, &inputs)
     }
 
     /// Draws an object in one material.

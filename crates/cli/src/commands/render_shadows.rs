@@ -1,13 +1,13 @@
 //! `eigenshade render --shadows`.
 
-use super::options::{Sources, WindowChoice, input_file};
+use super::options::{Inputs, WindowChoice, input_file};
 use super::render::Render;
 use super::shadows::{Parts, object};
 use eigenshade::Rgb;
 use eigenshade_cli::messages::{albedo_warning, dark_light_warning, print_message};
 use eigenshade_cli::picture_file::PictureFile;
 use eigenshade_model::database::{Lights, Materials};
-use eigenshade_model::error::{Error, Result};
+use eigenshade_model::error::Result;
 use eigenshade_shading::picture::{Development, Pixel};
 
 /// Pixels across an object.
@@ -18,16 +18,8 @@ const DEGREE: usize = 12;
 
 impl Render {
     /// Draws an object with its shadows.
-    pub fn run_shadowed(&self, picture: PictureFile) -> Result<()> {
-        let Some(material) = &self.inputs.material else {
-            let what = "an object's own materials are drawn without shadows";
-            return Err(Error::new(what, "give a --material, or leave --shadows out"));
-        };
-        if let Some(Sources::Most(1..)) = self.sources {
-            let what = "light with shadows is harmonics alone";
-            return Err(Error::new(what, "leave --sources or --shadows out"));
-        }
-        let light = &self.inputs.light;
+    pub fn run_shadowed(&self, picture: PictureFile, inputs: &Inputs) -> Result<()> {
+        let Inputs { light, material } = inputs;
         let Lights { degree, entries } = light.lights()?;
         let mut lights =
             Lights { degree, entries: vec![light.only(entries)?] }.truncated(degree.min(DEGREE));

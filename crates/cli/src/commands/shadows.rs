@@ -1,14 +1,14 @@
 //! Objects with their shadows: `render --shadows` and `pack-object --shadows`.
 
 use eigenshade_asset::asset::Asset;
-use eigenshade_cli::messages::progress_bar;
+use eigenshade_cli::messages::{print_message, progress_bar};
 use eigenshade_generator::object::mesh;
 use eigenshade_generator::object::surface::{Surface, View};
 use eigenshade_model::database::Named;
 use eigenshade_model::error::{Error, Result};
 use eigenshade_model::inputs::input_file::InputFile;
 use eigenshade_shading::presets::Source;
-use eigenshade_shadows::material::Material;
+use eigenshade_shadows::material::{MOST_ORDER, Material};
 use eigenshade_shadows::object::Object;
 
 /// The order of the series of shipped materials.
@@ -25,6 +25,12 @@ impl Parts {
     pub fn of(material: &Source) -> Result<Self> {
         let order = if material.is_shipped() { ORDER } else { usize::MAX };
         let materials = material.materials(order)?;
+        if materials.order > MOST_ORDER {
+            print_message(format_args!(
+                "warning: coefficients of orders above {MOST_ORDER} are left out: an object with \
+                 shadows takes no more"
+            ));
+        }
         let Named { rgb: [r, g, b], .. } = material.only(materials.entries)?;
         Ok(if r == g && g == b {
             Self { channels: vec![r], shares: vec![[1.0; 3]] }
@@ -54,7 +60,7 @@ pub fn object(
         };
         let materials: Vec<Material<'_>> =
             parts.channels.iter().map(|channel| Material::Series(channel)).collect();
-        let progress = progress_bar("pixels with shadows", Object::batches(size));
+        let progress = progress_bar("pixels with shadows", Object::steps(size));
         Object::new(&surface, size, degree, &materials, &progress)
     };
     made().map_err(|error: Error| error.in_file(file.path()))

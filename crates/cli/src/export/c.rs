@@ -39,19 +39,9 @@ pub fn normal_map(name: &str, size: [usize; 2], codes: &[u8], command: &str) -> 
     guarded(&text, command, &format!("EIGENSHADE_{}_H", name.to_uppercase()))
 }
 
-/// The text of the header of a packed object of this name, from its file.
+/// The text of the header of a packed object of this type and name, from its file.
 #[must_use]
-pub fn object(name: &str, file: &[u8], command: &str) -> String {
-    file_of("eigenshade_object_t", name, file, command)
-}
-
-/// The text of the header of a packed object with shadows.
-#[must_use]
-pub fn shadowed_object(name: &str, file: &[u8], command: &str) -> String {
-    file_of("eigenshade_shadowed_object_t", name, file, command)
-}
-
-fn file_of(kind: &str, name: &str, file: &[u8], command: &str) -> String {
+pub fn object(kind: &str, name: &str, file: &[u8], command: &str) -> String {
     let mut text = "\n".to_owned();
     array(&mut text, "uint8_t", &format!("{name}_bytes"), file);
     let length = file.len();

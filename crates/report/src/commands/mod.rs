@@ -13,6 +13,7 @@ use eigenshade_cli::picture::Canvas;
 use eigenshade_model::error::{Error, Result};
 use eigenshade_model::output::write_error;
 use eigenshade_shading::picture::write_png;
+use report::shadow_lights::Lit;
 use report::shadow_shapes::SHAPES;
 use report::sheet::{Purpose, compare_cells};
 use report::{objects, palette_errors, reading, roughness_weights, shadows, sheet, stability};
@@ -212,7 +213,7 @@ impl Command {
             }
             Self::Shadows(csv) => {
                 let shapes = SHAPES.map(|(name, _)| name);
-                let lit = shadows::Lit::new(&inputs().join("maps"))?;
+                let lit = Lit::new(&inputs().join("maps"))?;
                 let bar = progress_bar("objects", 0);
                 let rows = shadows::errors(&shapes, &shadows::MATERIALS, &lit, &bar)?;
                 let rows = rows.iter().map(shadows::Row::fields);

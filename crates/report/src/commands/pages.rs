@@ -5,7 +5,7 @@ use report::accuracy_cost::{self, Measured};
 use report::pages::{Part, fill, table_of};
 use report::paper::tables;
 use report::sheet::Sheet;
-use report::{figures, highlights, material_errors, paper, stability};
+use report::{figures, highlights, material_errors, paper, shadow_table, stability};
 use std::path::Path;
 
 /// The pages that show CSV files of their folder as they are.
@@ -31,6 +31,9 @@ pub fn write() -> Result<()> {
     fill(&docs.join("accuracy.md"), &parts)?;
     let errors = highlights::read(&docs.join("highlights.csv"))?;
     fill(&docs.join("highlights.md"), &highlights::parts(&errors))?;
+
+    let shadows = Sheet::read(&docs.join("shadows.csv"))?;
+    fill(&docs.join("shadows.md"), &[shadow_table::part(&shadows)])?;
 
     let folder = docs.join("accuracy-cost");
     let measured = Measured::read(&folder)?;

@@ -8,7 +8,6 @@ use eigenshade::screen::Exposure;
 use eigenshade::{Light, Rgb};
 use eigenshade_generator::material::brdf::{Brdf, Ggx};
 use eigenshade_generator::object::mesh_data::Mesh;
-use eigenshade_generator::object::points::Point;
 use eigenshade_generator::object::surface::{Surface, View};
 use eigenshade_model::database::Lights;
 use eigenshade_model::shipped;
@@ -21,8 +20,9 @@ use eigenshade_shadows::packed::{Compression, packed};
 use eigenshade_testing::fixtures::ROOT;
 use faer::Mat;
 use indicatif::ProgressBar;
+use report::shadow_lights::Lit;
 use report::shadow_shapes::SHAPES;
-use report::shadows::{self, Lit};
+use report::shadows;
 use report::sheet::{Record, Sheet};
 use std::path::Path;
 
@@ -35,12 +35,6 @@ fn surface(mesh: &Mesh, is_flat: bool) -> Surface {
 
 fn object(surface: &Surface, size: usize, brdf: &dyn Brdf) -> Object {
     Object::new(surface, size, DEGREE, &[Material::Formula(brdf)], &()).unwrap()
-}
-
-/// The points of each pixel, in the order of an object's pixels.
-fn split(mut points: Vec<Point>) -> Vec<Vec<Point>> {
-    points.sort_by_key(|point| (point.pixel[1], point.pixel[0]));
-    points.chunk_by(|a, b| a.pixel == b.pixel).map(<[Point]>::to_vec).collect()
 }
 
 /// The harmonics in the directions of the transports.
@@ -140,7 +134,7 @@ fn drawn(object: &Object, images: &Eigenimages, compression: Compression) -> (f6
     let mut of_codes = Vec::new();
     let d = runtime.coefficients(light_of_runtime).unwrap();
     let exposure = Exposure::new(0.5 / white).unwrap();
-    runtime.shade(&d, exposure, |color| of_codes.push(f64::from(color.g.0) / 32_768.0)).unwrap();
+    runtime.shade(&d, exposure, |color| of_codes.push(f64::from(color.g.0) / 32_768.0));
     assert_eq!(of_codes.len(), runtime.codes());
     let codes: Vec<u16> = file.pixels.iter().map(|pixel| pixel.code).collect();
     let square: f64 = codes
