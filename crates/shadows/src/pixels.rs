@@ -4,14 +4,12 @@ use eigenshade_generator::object::points::{Point, points};
 use eigenshade_generator::object::surface::Surface;
 use eigenshade_model::error::{Error, Result};
 
-/// Samples along each side of a pixel.
-const SAMPLES: usize = 4;
+/// Samples along each side of a pixel: those that are shaded, and those that its coverage counts.
+const SHADED: usize = 2;
+const COUNTED: usize = 4;
 
 /// The largest picture, in pixels across.
 const MOST_SIDE: usize = 512;
-
-/// The samples of a whole pixel whose points are kept: one in each row and in each column.
-const KEPT: [usize; 4] = [1, 7, 8, 14];
 
 /// The pixels of a square picture that show an object, row by row from the top.
 pub struct Pixels {
@@ -22,8 +20,8 @@ pub struct Pixels {
 }
 
 impl Pixels {
-    /// The pixels of a surface in a picture with a margin of half a pixel, seen from +z in 4 x 4
-    /// samples each.
+    /// The pixels of a surface in a picture with a margin of half a pixel, seen from +z. Each has 2 x 2
+    /// points, and its coverage is counted in 4 x 4.
     ///
     /// # Errors
     ///
@@ -34,21 +32,22 @@ impl Pixels {
             return Err(Error::new(what, format!("use 2 to {MOST_SIDE}")));
         }
         surface.check_front()?;
-        let mut points = points(surface, size, SAMPLES);
-        if points.is_empty() {
+        let mut shaded = self::points(surface, size, SHADED);
+        if shaded.is_empty() {
             let remedy = "turn it with --view or --rotate-object, or draw it larger";
             return Err(Error::new("nothing of it is seen", remedy));
         }
-        points.sort_by_key(|point| (point.pixel[1], point.pixel[0]));
-        let (mut covered, mut kept) = (Vec::new(), Vec::new());
-        for of_pixel in points.chunk_by(|a, b| a.pixel == b.pixel) {
-            let count = of_pixel.len();
-            covered.push((of_pixel[0].pixel, (255 * count / (SAMPLES * SAMPLES)) as u8));
-            let mut places = KEPT.map(|place| place * count / (SAMPLES * SAMPLES)).to_vec();
-            places.dedup();
-            kept.push(places.into_iter().map(|place| of_pixel[place]).collect());
-        }
-        Ok(Self { covered, points: kept })
+        shaded.sort_by_key(|point| (point.pixel[1], point.pixel[0]));
+        let points: Vec<Vec<Point>> =
+            shaded.chunk_by(|a, b| a.pixel == b.pixel).map(<[Point]>::to_vec).collect();
+        let mut counts = vec![0; size * size];
+        let counted = self::points(surface, size, COUNTED);
+        counted.iter().for_each(|point| counts[point.pixel[1] * size + point.pixel[0]] += 1);
+        let coverage = |points: &Vec<Point>| {
+            let [column, row] = points[0].pixel;
+            ([column, row], (255 * counts[row * size + column] / COUNTED.pow(2)) as u8)
+        };
+        Ok(Self { covered: points.iter().map(coverage).collect(), points })
     }
 
     /// Up to four points of each pixel.
