@@ -1,6 +1,7 @@
 //! Errors in the arguments of the runtime.
 
 use crate::index::layout::{MAX_DEGREE, MAX_ORDER};
+use crate::index::light;
 use core::fmt;
 
 /// An invalid argument, with the expected and the found value.
@@ -34,7 +35,7 @@ pub enum Error {
         capacity: usize,
     },
     /// A light or a material goes beyond the degree or order of the basis, a light to be turned
-    /// beyond degree 12, or coefficients of irradiance beyond degree 2.
+    /// beyond degree 16 (12 about the view axis), or coefficients of irradiance beyond degree 2.
     Beyond {
         /// Which argument.
         argument: Argument,
@@ -231,7 +232,13 @@ impl Error {
         if fits { Ok(()) } else { Err(Self::Outside { argument }) }
     }
 
-    /// `Ok` for the degree of a light that can be turned.
+    /// `Ok` for the degree of a light that can be turned by any rotation.
+    #[inline]
+    pub(crate) fn check_turned(degree: usize) -> Result<(), Self> {
+        Self::check_beyond(Argument::Light, light::MAX_DEGREE, degree)
+    }
+
+    /// `Ok` for the degree of a light that can be turned about the view axis.
     #[inline]
     pub(crate) fn check_degree(degree: usize) -> Result<(), Self> {
         Self::check_beyond(Argument::Light, MAX_DEGREE, degree)

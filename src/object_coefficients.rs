@@ -19,8 +19,8 @@ pub struct ObjectCoefficients {
 impl ShadowedObject<'_> {
     /// d of a light on the object's material.
     ///
-    /// Cost: (degree + 1)² products for each component, part of the material and channel: 64 x 100 x 3
-    /// for a gray material at degree 9.
+    /// Cost: (degree + 1)² products for each component, part of the material and channel: 64 x 289 x 3
+    /// for a gray material and a light of degree 16.
     ///
     /// # Errors
     ///
@@ -32,10 +32,16 @@ impl ShadowedObject<'_> {
             let mut sums = [0.0_f32; MOST_RANK];
             for (part, rows) in self.parts().enumerate() {
                 let share = f32::from(share(part)) / 32_767.0;
-                for ((exponent, row), sum) in rows.zip(&mut sums) {
-                    let products = row.iter().zip(coefficients);
-                    let product: f32 =
-                        products.map(|(q, one)| f32::from(i16::from_le_bytes(*q)) * one).sum();
+                for ((exponent, row), sum) in rows.components().zip(&mut sums) {
+                    let product: f32 = rows
+                        .degrees(row, coefficients)
+                        .map(|(shift, row, light)| {
+                            let products = row.iter().zip(light);
+                            let product: f32 =
+                                products.map(|(q, one)| f32::from(q.cast_signed()) * one).sum();
+                            product * (1_u32 << shift) as f32
+                        })
+                        .sum();
                     *sum += share * product * power(exponent);
                 }
             }
@@ -55,15 +61,20 @@ impl ShadowedObject<'_> {
         self.each_channel(light, |light, share| {
             let mantissas = light.mantissas();
             Error::check_beyond(Argument::Light, self.degree(), light.degree)?;
-            // Of each component a sum, of at most 38 bits for each part, and its exponent.
+            // Of each component a sum, of at most 44 bits for each part, and its exponent.
             let mut sums = [(0_i64, i32::from(i8::MIN)); MOST_RANK];
             for (part, rows) in self.parts().enumerate() {
                 let share = i64::from(share(part));
-                for ((exponent, row), sum) in rows.zip(&mut sums) {
-                    let products = row.iter().zip(mantissas);
-                    let product: i64 = products
-                        .map(|(q, one)| {
-                            i64::from(i32::from(i16::from_le_bytes(*q)) * i32::from(one.0))
+                for ((exponent, row), sum) in rows.components().zip(&mut sums) {
+                    let product: i64 = rows
+                        .degrees(row, mantissas)
+                        .map(|(shift, row, light)| {
+                            let products = row.iter().zip(light);
+                            // At most 2^7 x 2^15 x 33.
+                            let product: i32 = products
+                                .map(|(q, one)| i32::from(q.cast_signed()) * i32::from(one.0))
+                                .sum();
+                            i64::from(product) << shift
                         })
                         .sum();
                     *sum = added(*sum, ((product * share) >> 15, exponent));
@@ -90,15 +101,46 @@ impl ShadowedObject<'_> {
         Ok(Rgb { r: of(r, &share(0))?, g: of(g, &share(1))?, b: of(b, &share(2))? })
     }
 
-    /// The rows of each part: exponents and mantissas.
-    fn parts(&self) -> impl Iterator<Item = impl Iterator<Item = (i32, &[[u8; 2]])>> {
-        let size = 1 + 2 * light::count(self.degree());
+    /// The rows of each part.
+    fn parts(&self) -> impl Iterator<Item = PartRows<'_>> {
+        let size = 1 + light::count(self.degree());
+        let of_part = self.degree() + 1 + self.rank * size;
         // At least 1, so that no panic is linked.
-        self.rows.chunks_exact((self.rank * size).max(1)).map(move |part| {
-            part.chunks_exact(size.max(1)).map(|row| {
-                let (exponent, mantissas) = row.split_first().unwrap_or((&0, &[]));
-                (i32::from(exponent.cast_signed()), mantissas.as_chunks().0)
-            })
+        self.rows.chunks_exact(of_part.max(1)).map(move |part| {
+            let (shifts, rows) = part.split_at_checked(self.degree() + 1).unwrap_or_default();
+            PartRows { shifts, rows, size: size.max(1) }
+        })
+    }
+}
+
+/// The rows of a part of the material.
+struct PartRows<'a> {
+    shifts: &'a [u8],
+    rows: &'a [u8],
+    size: usize,
+}
+
+impl<'a> PartRows<'a> {
+    /// The exponent and the mantissas of each component.
+    fn components(&self) -> impl Iterator<Item = (i32, &'a [u8])> {
+        self.rows.chunks_exact(self.size).map(|row| {
+            let (exponent, mantissas) = row.split_first().unwrap_or((&0, &[]));
+            (i32::from(exponent.cast_signed()), mantissas)
+        })
+    }
+
+    /// The shift of each degree of a light, its mantissas of a row and its coefficients.
+    fn degrees<T>(
+        &self,
+        mut row: &'a [u8],
+        mut light: &'a [T],
+    ) -> impl Iterator<Item = (u32, &'a [u8], &'a [T])> {
+        self.shifts.iter().enumerate().map_while(move |(l, shift)| {
+            let orders = 2 * l + 1;
+            let (of_degree, rest) = row.split_at_checked(orders)?;
+            let (coefficients, others) = light.split_at_checked(orders)?;
+            (row, light) = (rest, others);
+            Some((u32::from(*shift) & 15, of_degree, coefficients))
         })
     }
 }

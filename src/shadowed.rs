@@ -2,7 +2,7 @@
 
 use crate::error::Error;
 use crate::index::light;
-use crate::index::shadowed::{MAGIC, MOST_IMAGES, MOST_RANK, RIM};
+use crate::index::shadowed::{MAGIC, MOST_IMAGES, MOST_RANK, MOST_SHIFT, RIM};
 use crate::pixel::Pixel;
 use crate::rows::Rows;
 use crate::target::Target;
@@ -15,7 +15,7 @@ use crate::target::Target;
 /// harmonics alone: sources stay in it.
 ///
 /// ```no_run
-/// # static FILE: [u8; 6] = *b"eigsh\x01";
+/// # static FILE: [u8; 6] = *b"eigsh\x02";
 /// use eigenshade::object::ShadowedObject;
 /// use eigenshade::screen::{Display, Exposure, Target, Tone};
 /// use eigenshade::{Light, Rgb};
@@ -44,7 +44,7 @@ pub struct ShadowedObject<'a> {
     pub(crate) images: usize,
     /// Of each part of the material, its shares in the channels.
     pub(crate) shares: &'a [[u8; 6]],
-    /// Of each part and component, an exponent and mantissas.
+    /// Of each part, the shifts of the degrees, then of each component an exponent and mantissas.
     pub(crate) rows: &'a [u8],
     pub(crate) clusters: &'a [u8],
     words: Rows<'a, 2>,
@@ -82,13 +82,16 @@ impl<'a> ShadowedObject<'a> {
             && rank > 0
             && rank <= MOST_RANK
             && images <= MOST_IMAGES
-            && degree <= crate::index::layout::MAX_DEGREE;
+            && degree <= crate::index::light::MAX_DEGREE;
         if !is_fit {
             return None;
         }
         let Some((shares, rest)) = rest.split_at_checked(6 * parts) else { return None };
-        let of_rows = parts * rank * (1 + 2 * light::count(degree));
-        let Some((rows, rest)) = rest.split_at_checked(of_rows) else { return None };
+        let of_part = degree + 1 + rank * (1 + light::count(degree));
+        let Some((rows, rest)) = rest.split_at_checked(parts * of_part) else { return None };
+        if !have_shifts(rows, degree, of_part) {
+            return None;
+        }
         let Some((clusters, rest)) = split_clusters(rest, count, codes, rank, images) else {
             return None;
         };
@@ -151,6 +154,21 @@ impl<'a> ShadowedObject<'a> {
     pub const fn degree(&self) -> usize {
         self.degree
     }
+}
+
+/// Whether the shifts of each part's degrees are within their range.
+const fn have_shifts(mut rows: &[u8], degree: usize, of_part: usize) -> bool {
+    while let Some((part, rest)) = rows.split_at_checked(of_part) {
+        let Some((mut shifts, _)) = part.split_at_checked(degree + 1) else { return false };
+        while let [shift, after @ ..] = shifts {
+            if *shift > MOST_SHIFT {
+                return false;
+            }
+            shifts = after;
+        }
+        rows = rest;
+    }
+    true
 }
 
 /// The bytes of so many clusters, which have so many codes together, and the rest.

@@ -75,7 +75,7 @@ fn lights(degree: usize, numbers: &mut Numbers) -> Vec<Vec<Q15>> {
 
 fn agrees(most: f64) {
     let (mut numbers, mut found) = (Numbers(22), 0.0f64);
-    for degree in [1, 2, 9, 12] {
+    for degree in [1, 2, 9, 12, 16] {
         for (round, angles) in angles().into_iter().enumerate() {
             let [a, b, c] = angles;
             let reference = rotation::Rotation { alpha: b, beta: a, gamma: c };
@@ -87,7 +87,7 @@ fn agrees(most: f64) {
                 let exact = reference.turn(degree, &values(light));
                 let rotations = [of_quaternion, Rotation::quantize(&floats)];
                 for rotation in rotations.iter().take(2) {
-                    let turned = light.turned::<169>(rotation).expect("room");
+                    let turned = light.turned::<289>(rotation).expect("room");
                     found = found.max(worst(light, &exact, turned.light().expect("a light"), 0.5));
                 }
             }
@@ -202,12 +202,13 @@ fn turned_bits_are_the_same_everywhere() {
 fn what_cannot_be_turned_is_an_error() {
     assert_eq!(Rotation::from_quaternion([0; 4]), Err(Error::Rotation));
     let none = Rotation::NONE;
-    let mantissas = [Q15(i16::MAX); 196];
+    let mantissas = [Q15(i16::MAX); 324];
     let light = Light::new(-15, &mantissas).expect("a light");
     assert_eq!(
-        light.turned::<196>(&none),
-        Err(Error::Beyond { argument: Argument::Light, most: 12, found: 13 })
+        light.turned::<324>(&none).map(|_| ()),
+        Err(Error::Beyond { argument: Argument::Light, most: 16, found: 17 })
     );
+    let light = Light::new(-15, &mantissas[..196]).expect("a light");
     assert_eq!(
         light.turned_about_view::<196>([1, 0]),
         Err(Error::Beyond { argument: Argument::Light, most: 12, found: 13 })
@@ -239,14 +240,14 @@ fn any_bits_turn() {
         let quaternion =
             if round % 50 == 0 { [i32::MIN, i32::MAX, 0, i32::MIN] } else { quaternion };
         let rotation = Rotation::from_quaternion(quaternion).expect("a rotation");
-        let mantissas: [Q15; 169] =
+        let mantissas: [Q15; 289] =
             std::array::from_fn(|_| Q15((any() >> 16 >> (shift / 3)) as i16));
         let light = Light::new(0, &mantissas).expect("a light");
-        let turned = light.turned::<169>(&rotation).expect("room");
+        let turned = light.turned::<289>(&rotation).expect("room");
         let turned = turned.light().expect("a light");
         let unit = f64::from(turned.exponent()).exp2();
         let (before, after) = (values(light), values(turned));
-        for l in 0..=12 {
+        for l in 0..=16 {
             let [before, after] = [&before, &after].map(|values| energy(values, l).sqrt());
             let allowed = 5.0 * OF_ENERGY * before + 5.0 * unit;
             assert!((before - after).abs() <= allowed, "{before} {after}");

@@ -21,14 +21,14 @@ fn cut_files_are_refused_and_bytes_after_them_ignored() {
 #[test]
 fn wrong_structure_is_refused() {
     let bytes = small().encode();
-    let clusters = 18 + 6 + 3;
+    let clusters = 18 + 6 + 1 + 2;
     let second = clusters + 2 + 2 + 2 + 1 + 2;
     let rows = second + 2 + 2 + 2 + 1 + 1;
     let words = rows + 3 * 4;
     assert_eq!(bytes.len(), words + 22);
     let places = [
         (0, 1),            // magic
-        (5, 2),            // version
+        (5, 3),            // version
         (6, 3),            // a run beyond the width
         (8, 1),            // fewer rows than there are
         (8, 3),            // rows that are not there
@@ -37,7 +37,7 @@ fn wrong_structure_is_refused() {
         (12, 1),           // fewer clusters than there are
         (13, 1),           // clusters that are not there
         (14, 1),           // a degree of more numbers than there are
-        (14, 13),          // a degree beyond the largest
+        (14, 17),          // a degree beyond the largest
         (15, 0),           // no part
         (15, 2),           // a part that is not there
         (16, 0),           // no component
@@ -46,6 +46,7 @@ fn wrong_structure_is_refused() {
         (17, 0),           // fewer images than there are
         (17, 2),           // images that are not there
         (17, 17),          // more images than the most
+        (24, 13),          // a shift beyond the largest
         (clusters, 1),     // fewer codes than there are
         (clusters + 1, 1), // codes that are not there
         (second, 2),       // more codes than the file has
@@ -75,7 +76,7 @@ fn wrong_structure_is_refused() {
         assert_eq!(ShadowedObject::new(&File { size, ..small() }.encode()), Err(Error::Object));
     }
     // Numbers, codes and coverages may be any; a larger width is an object with more background.
-    for place in [7, 18, 24, 26, clusters + 3, second - 1, words + 4, words + 15] {
+    for place in [7, 18, 25, 26, clusters + 3, second - 1, words + 4, words + 15] {
         let mut changed = bytes.clone();
         changed[place] = 0xf3;
         assert!(ShadowedObject::new(&changed).is_ok(), "{place}");

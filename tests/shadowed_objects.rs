@@ -4,7 +4,7 @@ use eigenshade::object::ShadowedObject;
 use eigenshade::screen::{Display, Exposure, Linear, Target, Tone, blend565};
 use eigenshade::{Argument, Error, Light, Q15, Rgb, q15};
 use eigenshade_table::light;
-use eigenshade_table::shadowed::{Cluster, File, Pixel};
+use eigenshade_table::shadowed::{Cluster, File, Pixel, Rows};
 
 static DISPLAY: Display = Display::new(Tone::Linear);
 
@@ -41,12 +41,16 @@ impl Numbers {
         pixels: Vec<Pixel>,
     ) -> File {
         let row =
-            |numbers: &mut Self, j: usize| (-20 - j as i8 % 7, numbers.words(light::count(degree)));
+            |numbers: &mut Self, j: usize| (-12 - j as i8 % 7, numbers.bytes(light::count(degree)));
+        let rows = |numbers: &mut Self| Rows {
+            shifts: (0..=degree).map(|_| (numbers.next() % 5) as u8).collect(),
+            of_components: (0..rank).map(|j| row(numbers, j)).collect(),
+        };
         File {
             size: [7, 5],
             degree: degree as u8,
             shares: (0..parts).map(|_| self.words(3).try_into().unwrap()).collect(),
-            rows: (0..parts).map(|_| (0..rank).map(|j| row(self, j)).collect()).collect(),
+            rows: (0..parts).map(|_| rows(self)).collect(),
             clusters: clusters
                 .iter()
                 .map(|&(codes, exponent)| Cluster {
@@ -67,10 +71,15 @@ fn sum<A: Copy + Into<f64>, B: Copy + Into<f64>>((exponent, a): &(i8, Vec<A>), b
 
 /// The irradiances of the codes in a channel, from the numbers of a file.
 fn irradiances(file: &File, light: &[f32], channel: usize) -> Vec<f64> {
-    let mut d = vec![0.0; file.rows[0].len()];
+    let mut d = vec![0.0; file.rows[0].of_components.len()];
     for (share, rows) in file.shares.iter().zip(&file.rows) {
         let share = f64::from(share[channel]) / 32_767.0;
-        d.iter_mut().zip(rows).for_each(|(d, row)| *d += share * sum(row, light));
+        let shifted: Vec<f64> = light::indices(usize::from(file.degree))
+            .zip(light)
+            .map(|((l, _), one)| f64::from(*one) * f64::from(rows.shifts[l]).exp2())
+            .collect();
+        let rows = &rows.of_components;
+        d.iter_mut().zip(rows).for_each(|(d, row)| *d += share * sum(row, &shifted));
     }
     let of_clusters = file.clusters.iter().map(|cluster| {
         let mean = sum(&cluster.mean, &d);
@@ -143,7 +152,7 @@ fn colors_are_those_of_a_direct_sum() {
         ([9, 1, 1, 16], [3, 200]),
         ([9, 3, 100, 0], [40, 1]),
         ([9, 3, 100, 16], [300, 200]),
-        ([12, 1, 64, 8], [500, 500]),
+        ([16, 1, 64, 8], [500, 500]),
     ];
     for (sizes, [first, second]) in sizes {
         let file = numbers.file(sizes, &[(first, 0), (0, 1), (second, -1)], vec![]);
@@ -286,11 +295,13 @@ fn extreme_numbers_saturate() {
             let byte = (number >> 8) as i8;
             let mut file = numbers.file([2, 3, 100, 16], &[(2, exponent), (1, other)], vec![]);
             file.shares.fill([number, i16::MAX, 1]);
-            file.rows.iter_mut().flatten().for_each(|(_, row)| row.fill(number));
             // The second part takes from the first what it gives.
-            file.rows[1].iter_mut().for_each(|(_, row)| row.fill(-number.max(-i16::MAX)));
-            file.rows.iter_mut().flatten().step_by(3).for_each(|(of_row, _)| *of_row = exponent);
-            file.rows.iter_mut().flatten().step_by(2).for_each(|(of_row, _)| *of_row = other);
+            for (rows, byte) in file.rows.iter_mut().zip([byte, -byte.max(-i8::MAX), byte]) {
+                rows.shifts.fill(12);
+                rows.of_components.iter_mut().for_each(|(_, row)| row.fill(byte));
+                rows.of_components.iter_mut().step_by(3).for_each(|(of_row, _)| *of_row = exponent);
+                rows.of_components.iter_mut().step_by(2).for_each(|(of_row, _)| *of_row = other);
+            }
             for (k, cluster) in file.clusters.iter_mut().enumerate() {
                 cluster.mean.1.fill(number);
                 cluster.images.iter_mut().for_each(|(_, image)| image.fill(byte));
@@ -327,13 +338,14 @@ fn extreme_numbers_saturate() {
 #[test]
 fn parts_that_cancel_leave_the_other_components() {
     let row = |exponent, mantissa| (exponent, vec![mantissa]);
+    let rows = |of_components| Rows { shifts: vec![0], of_components };
     let file = File {
         size: [1, 1],
         degree: 0,
         shares: vec![[i16::MAX; 3]; 2],
         rows: vec![
-            vec![row(100, 20_000), row(-100, 20_000)],
-            vec![row(100, -20_000), row(-100, 0)],
+            rows(vec![row(100, 100), row(-100, 100)]),
+            rows(vec![row(100, -100), row(-100, 0)]),
         ],
         clusters: vec![Cluster {
             mean: (100, vec![20_000; 2]),
@@ -350,6 +362,6 @@ fn parts_that_cancel_leave_the_other_components() {
 fn the_dimmest_lights_keep_their_size() {
     let mut file = Numbers(8).file([0, 1, 1, 0], &[(1, 0)], vec![]);
     file.shares.fill([i16::MAX; 3]);
-    file.rows = vec![vec![(-28, vec![1 << 14])]];
+    file.rows = vec![Rows { shifts: vec![0], of_components: vec![(-20, vec![1 << 6])] }];
     check(&file, [&[2_f32.powi(-100)]; 3], 0..1);
 }

@@ -32,7 +32,7 @@ fn noise(degree: usize, numbers: &mut Numbers) -> Vec<f64> {
 
 fn turned(light: &[f32], rotation: &Rotation) -> Vec<f32> {
     let light = Light::new(light).expect("coefficients");
-    light.turned::<169>(rotation).expect("room").to_vec()
+    light.turned::<289>(rotation).expect("room").to_vec()
 }
 
 fn wide(values: &[f32]) -> Vec<f64> {
@@ -80,7 +80,7 @@ fn turned_light_comes_from_turned_directions() {
 #[test]
 fn turned_light_is_the_generators() {
     let mut numbers = Numbers(6);
-    for degree in [0, 1, 9, 12] {
+    for degree in [0, 1, 9, 12, 16] {
         let light = noise(degree, &mut numbers);
         let mut worst = 0.0f64;
         for angles in angles() {
@@ -271,10 +271,12 @@ fn what_is_no_rotation_is_an_error() {
     let light = Light::new(&light).expect("16 coefficients");
     assert!(light.turned::<16>(&Rotation::NONE).is_ok());
     assert!(matches!(light.turned::<15>(&Rotation::NONE), Err(Error::Capacity { .. })));
-    let numbers = [0.5f32; 196];
-    let light = Light::new(&numbers).expect("196 coefficients");
+    let numbers = [0.5f32; 324];
+    let light = Light::new(&numbers).expect("324 coefficients");
+    let error = Error::Beyond { argument: Argument::Light, most: 16, found: 17 };
+    assert_eq!(light.turned::<324>(&Rotation::NONE), Err(error));
+    let light = Light::new(&numbers[..196]).expect("196 coefficients");
     let error = Error::Beyond { argument: Argument::Light, most: 12, found: 13 };
-    assert_eq!(light.turned::<196>(&Rotation::NONE), Err(error));
     assert_eq!(light.turned_about_view::<196>([1.0, 0.0]), Err(error));
     assert_eq!(light.turned_about_view::<200>([1.0, 0.0]), Err(error));
     assert_eq!(light.turn_about_view_into([1.0, 0.0], &mut [0.0; 196]), Err(error));

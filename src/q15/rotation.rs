@@ -3,7 +3,7 @@
 use super::arithmetic::{BITS, Shift as _, rotated};
 use super::inputs::decoded;
 use crate::error::Error;
-use crate::index::layout::MAX_DEGREE;
+use crate::index::light::MAX_DEGREE;
 use crate::turn::swing_twist::{Multiples, SwingTwist};
 
 /// A rotation of light in integers: light that came from ω comes from Rω afterward.

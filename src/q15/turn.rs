@@ -42,7 +42,7 @@ impl<const N: usize> Rgb<LightBuffer<N>> {
 }
 
 impl Light<'_> {
-    /// This light after rotation, to degree 12: L'(Rω) = L(ω). The result has an exponent of its
+    /// This light after rotation, to degree 16: L'(Rω) = L(ω). The result has an exponent of its
     /// own, so that no mantissa wraps or saturates.
     ///
     /// A coefficient of degree l is off by at most half a unit of the result's mantissas and
@@ -51,7 +51,7 @@ impl Light<'_> {
     /// # Errors
     ///
     /// [`Error::Capacity`] if `N` is below (degree + 1)², [`Error::Beyond`] if the degree is above
-    /// 12, [`Error::Exponent`] if the exponent of the result is above 128.
+    /// 16, [`Error::Exponent`] if the exponent of the result is above 128.
     pub fn turned<const N: usize>(&self, rotation: &Rotation) -> Result<LightBuffer<N>, Error> {
         turned([*self], rotation).map(|[turned]| turned)
     }
@@ -134,7 +134,7 @@ fn turned<const C: usize, const N: usize>(
 ) -> Result<[LightBuffer<N>; C], Error> {
     let mut turned = [(); C].map(|()| LightBuffer::default());
     for (to, light) in turned.iter_mut().zip(&lights) {
-        Error::check_degree(light.degree)?;
+        Error::check_turned(light.degree)?;
         to.mantissas = zeros(Argument::Light, light.mantissas.len())?;
     }
     let degree = lights.iter().map(|light| light.degree).max().unwrap_or_default();

@@ -1,4 +1,4 @@
-//! The matrices that exchange y and z: (Ef)(x, y, z) = f(x, z, y), for degrees 1 to 12.
+//! The matrices that exchange y and z: (Ef)(x, y, z) = f(x, z, y), for degrees 1 to 16.
 //!
 //! Without the phase, that is, in the basis of
 //! [`graphics_sign`](eigenshade_table::light::graphics_sign), let c_m and s_m be the harmonics of
@@ -10,7 +10,7 @@
 //! a recurrence along each column, which starts with the order l, (x + iz)^l, and proceeds toward
 //! smaller orders, in which direction it is stable.
 
-use crate::index::layout::MAX_DEGREE;
+use crate::index::light::MAX_DEGREE;
 
 pub(crate) const ELEMENTS: usize = {
     let (mut elements, mut l) = (0, 1);

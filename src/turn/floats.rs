@@ -3,7 +3,7 @@
 use super::exchange;
 use super::swing_twist::{Arithmetic, Multiples, SwingTwist};
 use crate::float;
-use crate::index::layout::MAX_DEGREE;
+use crate::index::light::MAX_DEGREE;
 use crate::mathematics;
 use crate::rotation::Rotation;
 

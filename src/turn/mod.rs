@@ -17,7 +17,7 @@ use swing_twist::Scales;
 impl Light<'_> {
     /// The coefficients of this light after rotation: L'(Rω) = L(ω).
     ///
-    /// `N` must be at least (degree + 1)², and the degree at most 12.
+    /// `N` must be at least (degree + 1)², and the degree at most 16.
     /// [`truncated`](Self::truncated) omits higher degrees, which no rotation mixes with the
     /// others.
     ///
@@ -39,7 +39,7 @@ impl Light<'_> {
     ///
     /// # Errors
     ///
-    /// [`Error::Capacity`] if `N` is too small, [`Error::Beyond`] if the degree is above 12.
+    /// [`Error::Capacity`] if `N` is too small, [`Error::Beyond`] if the degree is above 16.
     pub fn turned<const N: usize>(&self, rotation: &Rotation) -> Result<Buffer<f32, N>, Error> {
         turned([*self], rotation).map(|[turned]| turned)
     }
@@ -65,7 +65,7 @@ fn turned<const C: usize, const N: usize>(
 ) -> Result<[Buffer<f32, N>; C], Error> {
     let mut turned = [(); C].map(|()| Buffer::default());
     for (to, light) in turned.iter_mut().zip(&lights) {
-        Error::check_degree(light.degree())?;
+        Error::check_turned(light.degree())?;
         *to = zeros(Argument::Light, light.coefficients().len())?;
     }
     let degree = lights.iter().map(Light::degree).max().unwrap_or_default();

@@ -10,7 +10,7 @@
 
 use crate::checked_slice::rows;
 use crate::checked_slice::{part, part_mut, split, split_mut};
-use crate::index::layout::MAX_DEGREE;
+use crate::index::light::MAX_DEGREE;
 use crate::index::light;
 use core::ops::{Add, Neg};
 
@@ -42,7 +42,7 @@ pub(crate) type Multiples<F> = [[F; 2]; MAX_DEGREE];
 /// The scales of the degrees of a light.
 pub(crate) type Scales<S> = [S; MAX_DEGREE + 1];
 
-/// A rotation, prepared for lights up to degree 12.
+/// A rotation, prepared for lights up to degree 16.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct SwingTwist<F> {
     /// Whether a half turn about y comes before the twist. The half turn keeps the swing to at most
@@ -62,7 +62,7 @@ pub(crate) struct SwingTwist<F> {
     pub swing: Multiples<F>,
 }
 
-/// Orders from 0 to 12, and one more to make pairs of them.
+/// Orders from 0 to 16, and one more to make pairs of them.
 const ORDERS: usize = MAX_DEGREE + 2;
 
 /// The coefficients of one degree of `C` lights by order, without the phase.

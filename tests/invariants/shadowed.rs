@@ -5,7 +5,7 @@ use eigenshade::object::ShadowedObject;
 use eigenshade::screen::{Display, Exposure, Target, Tone, blend565};
 use eigenshade::{Light, Q15, Rgb, q15};
 use eigenshade_table::light;
-use eigenshade_table::shadowed::{Cluster, File, Pixel};
+use eigenshade_table::shadowed::{Cluster, File, Pixel, Rows};
 
 static DISPLAY: Display = Display::new(Tone::Filmic);
 
@@ -58,8 +58,9 @@ fn file(input: &mut Reader<'_>) -> File {
         (0..count).map(|_| input.byte().cast_signed()).collect::<Vec<_>>()
     };
     let exponent = |input: &mut Reader<'_>| input.byte().cast_signed();
-    let rows = |input: &mut Reader<'_>| {
-        (0..rank).map(|_| (exponent(input), words(input, count))).collect()
+    let rows = |input: &mut Reader<'_>| Rows {
+        shifts: (0..=degree).map(|_| input.up_to(12) as u8).collect(),
+        of_components: (0..rank).map(|_| (exponent(input), bytes(input, count))).collect(),
     };
     let clusters: Vec<_> = (0..1 + input.up_to(2))
         .map(|_| Cluster {

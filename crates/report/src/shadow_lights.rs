@@ -13,7 +13,7 @@ use std::f64::consts::{FRAC_PI_4, TAU};
 use std::path::Path;
 
 /// The degree of the light, and the number of its coefficients.
-pub const DEGREE: usize = 9;
+pub const DEGREE: usize = 16;
 pub const COUNT: usize = (DEGREE + 1) * (DEGREE + 1);
 
 /// One in three maps is drawn; the other lights are in the statistics.

@@ -125,7 +125,7 @@ impl Drawn {
                 .collect(),
             objects: all
                 .iter()
-                .map(|one| object(vec![one.as_ref().subcols(0, COUNT).to_owned()]))
+                .map(|one| object(vec![one.as_ref().subcols(0, COUNT).to_owned()]).smoothed())
                 .collect(),
             convex: convex.into_iter().map(|one| object(vec![one])).collect(),
         })

@@ -9,8 +9,8 @@
 //!
 //! let surface = mesh::surface(&"coin.obj".into(), &View::default())?;
 //! let silver = Ggx::new(0.5, 0.95, 0.0)?;
-//! let coin = Object::new(&surface, 96, 9, &[Material::Formula(&silver)], &())?;
-//! let light = &shipped::lights()?.truncated(9).entries[0].rgb[1];
+//! let coin = Object::new(&surface, 96, 16, &[Material::Formula(&silver)], &())?;
+//! let light = &shipped::lights()?.truncated(16).entries[0].rgb[1];
 //! let pixels = coin.irradiance(light, &[1.0]);
 //! let file = coin.packed(&shipped::lights()?, &[[1.0; 3]], Compression::default())?;
 //! # Ok::<(), Box<dyn std::error::Error>>(())
@@ -20,6 +20,7 @@ pub mod directions;
 pub mod visibility;
 
 pub mod material;
+pub mod lit;
 pub mod pixels;
 pub mod transport;
 

@@ -1,21 +1,24 @@
 //! Objects with shadows: the pixels of a picture and their transports.
 
-use crate::directions::{FINE, cells};
 use crate::eigenimages::{eigenimages, light_root};
 use crate::material::Material;
 use crate::packed::{Compression, packed};
-use crate::pixels::Pixels;
-use crate::transport::{BATCH, transports};
-use crate::visibility::Occluders;
+use crate::lit::Lit;
+use crate::transport::BATCH;
 use eigenshade_generator::object::surface::Surface;
 use eigenshade_model::database::Lights;
 use eigenshade_model::error::Result;
 use eigenshade_model::parallel::Progress;
 use eigenshade_model::special::spherical_harmonic;
+use eigenshade_table::light;
 use faer::Mat;
 
 /// The components of a packed object.
 pub const RANK: usize = 64;
+
+/// The standard deviation of the heat kernel that smooths the light of a packed object, in radians:
+/// lamps ring less, also those that the object hides.
+const SPREAD: f64 = 0.06;
 
 /// An object under any light of a degree, seen from +z.
 pub struct Object {
@@ -47,18 +50,27 @@ impl Object {
         parts: &[Material<'_>],
         progress: &impl Progress,
     ) -> Result<Self> {
-        let pixels = Pixels::new(surface, size)?;
-        let occluders = Occluders::new(&surface.facets);
-        let harmonics: Vec<Vec<f64>> = cells(FINE)
-            .into_iter()
-            .map(|(direction, _)| spherical_harmonic::all(degree, direction))
+        let harmonics = |direction| spherical_harmonic::all(degree, direction);
+        let Lit { pixels, irradiances: transports } =
+            Lit::new(surface, size, harmonics, parts, progress)?;
+        Ok(Self { size, degree, pixels, transports })
+    }
+
+    /// This object in light that is smoothed by a heat kernel of 0.06 rad: degree l has a factor
+    /// exp(-l (l + 1) 0.06² / 2).
+    #[must_use]
+    pub fn smoothed(&self) -> Self {
+        let factors: Vec<f32> = light::indices(self.degree)
+            .map(|(l, _)| (-0.5 * SPREAD * SPREAD * (l * (l + 1)) as f64).exp() as f32)
             .collect();
-        let light = Mat::from_fn(harmonics.len(), (degree + 1).pow(2), |row, column| {
-            harmonics[row][column] as f32
-        });
-        let points = pixels.points();
-        let transports = transports(&points, Some(&occluders), parts, light.as_ref(), progress);
-        Ok(Self { size, degree, pixels: pixels.covered, transports })
+        let smoothed = |transport: &Mat<f32>| {
+            Mat::from_fn(transport.nrows(), factors.len(), |row, k| factors[k] * transport[(row, k)])
+        };
+        Self {
+            pixels: self.pixels.clone(),
+            transports: self.transports.iter().map(smoothed).collect(),
+            ..*self
+        }
     }
 
     /// The most steps that [`new`](Self::new) reports to its progress.
@@ -80,7 +92,8 @@ impl Object {
         sums.into_iter().map(|sum| sum as f32).collect()
     }
 
-    /// The file of the runtime's `ShadowedObject`, for lights like these that turn freely.
+    /// The file of the runtime's `ShadowedObject`, for [`smoothed`](Self::smoothed) lights like these that
+    /// turn freely.
     ///
     /// # Errors
     ///
@@ -92,7 +105,8 @@ impl Object {
         compression: Compression,
     ) -> Result<Vec<u8>> {
         let root = light_root(&lights.truncated(self.degree))?;
-        let parts: Vec<_> = self.transports.iter().map(Mat::as_ref).collect();
+        let Self { transports, .. } = self.smoothed();
+        let parts: Vec<_> = transports.iter().map(Mat::as_ref).collect();
         let images = eigenimages(&parts, &vec![1.0; parts.len()], &root, RANK)?;
         let (file, _) = packed(&images, self.degree, self.size, &self.pixels, shares, compression);
         Ok(file.encode())

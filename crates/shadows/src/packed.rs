@@ -2,7 +2,9 @@
 
 use crate::codebook::{Cluster, Codebook, codebook};
 use crate::eigenimages::Eigenimages;
-use eigenshade_table::shadowed::{self, File, MOST_IMAGES, Pixel};
+use eigenshade_table::light;
+use eigenshade_table::shadowed::{self, File, MOST_IMAGES, MOST_SHIFT, Pixel, Rows};
+use faer::MatRef;
 
 /// How an object is compressed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -37,10 +39,6 @@ pub fn packed(
     let Compression { codes, clusters, images: own } = compression;
     let own = own.min(MOST_IMAGES);
     let book = codebook(images.pixels.as_ref(), codes.min(65_535), clusters, own);
-    let rows = images.rows.iter().map(|rows| {
-        let row = |j: usize| -> Vec<f64> { rows.row(j).iter().copied().collect() };
-        (0..rows.nrows()).map(|j| mantissas(&row(j), 15)).collect()
-    });
     let file = File {
         size: [size as u16; 2],
         degree: degree as u8,
@@ -48,7 +46,7 @@ pub fn packed(
             .iter()
             .map(|share| share.map(|one| (32_767.0 * one.clamp(-1.0, 1.0)).round() as i16))
             .collect(),
-        rows: rows.collect(),
+        rows: images.rows.iter().map(|rows| of_part(rows.as_ref(), degree)).collect(),
         clusters: book.clusters.iter().map(|cluster| quantized(cluster, own)).collect(),
         pixels: pixels
             .iter()
@@ -64,18 +62,32 @@ pub fn packed(
     (file, book)
 }
 
+/// The rows of a part. Light has less of high degrees, whose numbers are larger for it: each degree is
+/// shifted, so that all have numbers of about the same size.
+fn of_part(rows: MatRef<'_, f64>, degree: usize) -> Rows {
+    let largest: Vec<f64> = (0..=degree)
+        .map(|l| {
+            let of_degree = rows.subcols(l * l, 2 * l + 1);
+            of_degree.norm_max()
+        })
+        .collect();
+    let least = largest.iter().copied().filter(|one| *one > 0.0).fold(f64::INFINITY, f64::min);
+    let shift = |one: &f64| (one / least).log2().round().clamp(0.0, f64::from(MOST_SHIFT)) as u8;
+    let shifts: Vec<u8> = largest.iter().map(shift).collect();
+    let shifted = |j: usize| -> Vec<f64> {
+        let numbers = light::indices(degree).zip(rows.row(j).iter());
+        numbers.map(|((l, _), one)| one / f64::from(1 << shifts[l])).collect()
+    };
+    let of_components = (0..rows.nrows()).map(|j| bytes(&shifted(j))).collect();
+    Rows { shifts, of_components }
+}
+
 /// A cluster with exactly `own` images.
 fn quantized(cluster: &Cluster, own: usize) -> shadowed::Cluster {
     let wide = |row: &[f32]| row.iter().map(|&one| f64::from(one)).collect::<Vec<f64>>();
     let rank = cluster.mean.len();
-    let mut images: Vec<(i8, Vec<i8>)> = cluster
-        .images
-        .iter()
-        .map(|image| {
-            let (exponent, mantissas) = mantissas(&wide(image), 7);
-            (exponent, mantissas.into_iter().map(|one| one as i8).collect())
-        })
-        .collect();
+    let mut images: Vec<(i8, Vec<i8>)> =
+        cluster.images.iter().map(|image| bytes(&wide(image))).collect();
     images.resize(own, (0, vec![0; rank]));
     let weights = cluster.weights.iter().map(|weights| {
         let mut weights = weights.clone();
@@ -87,6 +99,12 @@ fn quantized(cluster: &Cluster, own: usize) -> shadowed::Cluster {
         images,
         weights: weights.collect(),
     }
+}
+
+/// Numbers as mantissas of 8 bits, and their exponent.
+fn bytes(numbers: &[f64]) -> (i8, Vec<i8>) {
+    let (exponent, mantissas) = mantissas(numbers, 7);
+    (exponent, mantissas.into_iter().map(|one| one as i8).collect())
 }
 
 /// Numbers as mantissas of `bits` bits and a sign, and their exponent.

@@ -2,6 +2,9 @@
 //!
 //! The storage order is 00, 1-1, 10, 11, 2-2, ...: degree l and order m are at position l² + l + m.
 
+/// Largest degree of a light that turns, and of a light on an object with shadows.
+pub const MAX_DEGREE: usize = 16;
+
 /// Number of coefficients up to and including `degree`: (degree + 1)², or `usize::MAX` on overflow.
 #[inline]
 #[must_use]

@@ -6,20 +6,21 @@
 //!
 //! | bytes | |
 //! |---|---|
-//! | 6 | `eigsh` and the version, 1 |
+//! | 6 | `eigsh` and the version, 2 |
 //! | 8 | width, height, number of codes, number of clusters: 16 bits each |
 //! | 4 | degree, number of parts of the material, r, K: 8 bits each |
 //! | 6 for each part | its share in red, green and blue: 16 bits each, in units of 1 / 32,767 |
-//! | 1 + 2n for each part and component | the exponent of a row, and its n mantissas of 16 bits |
+//! | degree + 1 + (1 + n) r for each part | a shift of at most 12 for each degree; then for each component the exponent of a row, and its n mantissas: 8 bits each |
 //! | clusters | for each: the number of its codes, 16 bits; the exponents of its mean and of its K images, 8 bits each; the mean, r mantissas of 16 bits; the images, K r mantissas of 8 bits; K weights of 8 bits for each code |
 //! | 4 for each row of pixels, and 4 | the number of the row's first word, counted from the end of this table; the last one is the number of words |
 //! | 2 for each word | of each row its runs from left to right: the first column, the number of pixels, plus 2^15 if their coverage follows, then for each pixel its code and, if so, its coverage of 255 |
 //!
-//! With the mantissas times 2 to their exponent, the irradiance of a code is
+//! With the mantissas times 2 to their exponent, and in rows to the shift of their degree too, the
+//! irradiance of a code is
 //! Σ_j (mean_j + Σ_k weight_k image_kj) d_j, where d = Σ_parts share x row · L in each channel.
 
 /// The first bytes of a file.
-pub const MAGIC: [u8; 6] = *b"eigsh\x01";
+pub const MAGIC: [u8; 6] = *b"eigsh\x02";
 
 /// The largest rank.
 pub const MOST_RANK: usize = 100;
@@ -27,11 +28,14 @@ pub const MOST_RANK: usize = 100;
 /// The most images of a cluster.
 pub const MOST_IMAGES: usize = 16;
 
+/// The largest shift of a degree.
+pub const MOST_SHIFT: u8 = 12;
+
 /// The bit of a run's number of pixels that says that their coverage follows.
 pub const RIM: u16 = 1 << 15;
 
 #[cfg(feature = "alloc")]
-pub use encoding::{Cluster, File, Pixel};
+pub use encoding::{Cluster, File, Pixel, Rows};
 
 #[cfg(feature = "alloc")]
 mod encoding {
@@ -47,12 +51,21 @@ mod encoding {
         pub degree: u8,
         /// The shares of the parts of the material in units of 1 / 32,767.
         pub shares: Vec<[i16; 3]>,
-        /// For each part, for each component, an exponent and n mantissas.
-        pub rows: Vec<Vec<(i8, Vec<i16>)>>,
+        /// For each part the rows that give the coefficients of components.
+        pub rows: Vec<Rows>,
         /// The clusters.
         pub clusters: Vec<Cluster>,
         /// The pixels in the order of their rows and columns.
         pub pixels: Vec<Pixel>,
+    }
+
+    /// The rows of a part of the material.
+    #[derive(Clone, Debug, Default, PartialEq)]
+    pub struct Rows {
+        /// For each degree, the exponent of 2 by which its numbers are larger.
+        pub shifts: Vec<u8>,
+        /// For each component, an exponent and n mantissas.
+        pub of_components: Vec<(i8, Vec<i8>)>,
     }
 
     /// A cluster of codes.
@@ -83,7 +96,7 @@ mod encoding {
         /// The bytes.
         #[must_use]
         pub fn encode(&self) -> Vec<u8> {
-            let rank = self.rows.first().map_or(0, Vec::len);
+            let rank = self.rows.first().map_or(0, |rows| rows.of_components.len());
             let images = self.clusters.first().map_or(0, |cluster| cluster.images.len());
             let codes: usize = self.clusters.iter().map(|one| one.weights.len()).sum();
             let mut bytes = MAGIC.to_vec();
@@ -93,9 +106,12 @@ mod encoding {
             }
             bytes.extend([self.degree, self.shares.len() as u8, rank as u8, images as u8]);
             bytes.extend(self.shares.iter().flatten().flat_map(|one| one.to_le_bytes()));
-            for (exponent, mantissas) in self.rows.iter().flatten() {
-                bytes.push(exponent.cast_unsigned());
-                bytes.extend(mantissas.iter().flat_map(|one| one.to_le_bytes()));
+            for rows in &self.rows {
+                bytes.extend(&rows.shifts);
+                for (exponent, mantissas) in &rows.of_components {
+                    bytes.push(exponent.cast_unsigned());
+                    bytes.extend(mantissas.iter().map(|one| one.cast_unsigned()));
+                }
             }
             for cluster in &self.clusters {
                 bytes.extend((cluster.weights.len() as u16).to_le_bytes());

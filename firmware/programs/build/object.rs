@@ -35,8 +35,9 @@ pub fn shadowed() -> Result<Vec<u8>> {
         weights: (0..128).map(|_| (0..8).map(|_| next() as i8).collect()).collect(),
     };
     let clusters = (0..32).map(|_| cluster()).collect();
-    let row = |_| (-20, (0..100).map(|_| next().cast_signed()).collect());
-    let rows = vec![(0..RANK).map(row).collect()];
+    let row = |_| (-12, (0..289).map(|_| next() as i8).collect());
+    let of_components = (0..RANK).map(row).collect();
+    let rows = vec![shadowed::Rows { shifts: vec![0; 17], of_components }];
     let disc = Disc::new(96).map_err(|error| error.to_string())?;
     let pixels = disc.map(|pixel| shadowed::Pixel {
         column: pixel.column() as u16,
@@ -46,5 +47,5 @@ pub fn shadowed() -> Result<Vec<u8>> {
     });
     let pixels = pixels.collect();
     let shares = vec![[i16::MAX; 3]];
-    Ok(shadowed::File { size: [96; 2], degree: 9, shares, rows, clusters, pixels }.encode())
+    Ok(shadowed::File { size: [96; 2], degree: 16, shares, rows, clusters, pixels }.encode())
 }

@@ -51,9 +51,12 @@ fn shadowed(size: u16, rank: usize, images: usize, codes: &[usize]) -> Result<Ve
         state = state.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
         (state >> 16) as i16
     };
-    let row =
-        |_| (-20, (0..light::count(9)).map(|k| number() >> if k == 0 { 1 } else { 3 }).collect());
-    let rows = vec![(0..rank).map(row).collect()];
+    let mut row = || {
+        let of_light = (0..light::count(9)).map(|k| (number() >> if k == 0 { 9 } else { 11 }) as i8);
+        (-12, of_light.collect())
+    };
+    let of_components = (0..rank).map(|_| row()).collect();
+    let rows = vec![shadowed::Rows { shifts: vec![0; 10], of_components }];
     let clusters = codes.iter().zip([-14, -15].into_iter().cycle()).map(|(&codes, exponent)| {
         shadowed::Cluster {
             mean: (exponent, (0..rank).map(|_| number()).collect()),

@@ -1,7 +1,7 @@
 //! `eigenshade pack-object`: makes an object or its normals for the runtime.
 
 use super::options::{Green, Pose, count, input_file};
-use super::shadows::{self, Parts};
+use super::shadows::{Parts, drawn};
 use clap::Args;
 use eigenshade_asset::asset::Asset;
 use eigenshade_asset::packed::{MOST_REGIONS, Packed};
@@ -15,6 +15,7 @@ use eigenshade_model::error::{Error, Result};
 use eigenshade_model::inputs::input_file::InputFile;
 use eigenshade_model::shipped;
 use eigenshade_shading::presets::Source;
+use eigenshade_shadows::object::Object;
 use eigenshade_shadows::packed::Compression;
 use std::fmt::Write;
 use std::path::{Path, PathBuf};
@@ -23,7 +24,7 @@ use std::path::{Path, PathBuf};
 const SIZE: usize = 240;
 
 /// The degree of the light of an object with shadows.
-const DEGREE: usize = 9;
+const DEGREE: usize = 16;
 
 /// Bytes in a line of source.
 const PER_LINE: usize = 20;
@@ -221,7 +222,9 @@ impl PackObject {
         options.check(file)?;
         let size = self.size.unwrap_or(SIZE);
         let parts = Parts::of(material)?;
-        let object = shadows::object(file, &options.view(), size, DEGREE, &parts)?;
+        let object = drawn(file, &options.view(), size, &parts, |surface, parts, progress| {
+            Object::new(surface, size, DEGREE, parts, progress)
+        })?;
         let lights = shipped::lights()?;
         let compression = Compression { codes: self.codes, ..Compression::default() };
         let bytes = object.packed(&lights, &parts.shares, compression)?;

@@ -66,7 +66,7 @@ pub struct Render {
     #[arg(short, long, value_enum, default_value_t = Format::F32)]
     pub(super) format: Format,
     /// Draw a mesh in one material with the shadows that it casts on itself, up to 512 pixels across
-    /// and 256 by default. The light is harmonics alone, up to degree 12
+    /// and 256 by default. The light is harmonics alone, of all degrees that it has
     #[cfg(feature = "generate")]
     #[arg(long = "shadows", requires_all = ["normals", "material"], conflicts_with_all = ["matcap",
         "format", "table", "components", "effects", "sources", "tolerance"])]

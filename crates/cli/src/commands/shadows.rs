@@ -10,9 +10,10 @@ use eigenshade_model::inputs::input_file::InputFile;
 use eigenshade_shading::presets::Source;
 use eigenshade_shadows::material::{MOST_ORDER, Material};
 use eigenshade_shadows::object::Object;
+use indicatif::ProgressBar;
 
 /// The order of the series of shipped materials.
-const ORDER: usize = 12;
+pub const ORDER: usize = 12;
 
 /// A material, and the shares of its parts in the channels.
 pub struct Parts {
@@ -41,14 +42,14 @@ impl Parts {
     }
 }
 
-/// The object of a mesh with its shadows.
-pub fn object(
+/// What `draw` makes of the surface of a mesh, the parts of a material and a progress bar.
+pub fn drawn<T>(
     file: &InputFile,
     view: &View,
     size: usize,
-    degree: usize,
     parts: &Parts,
-) -> Result<Object> {
+    draw: impl FnOnce(&Surface, &[Material<'_>], &ProgressBar) -> Result<T>,
+) -> Result<T> {
     let made = || {
         let surface = match Asset::read(file)? {
             Some(asset) => Surface::new(file, &asset.mesh, view)?,
@@ -61,7 +62,7 @@ pub fn object(
         let materials: Vec<Material<'_>> =
             parts.channels.iter().map(|channel| Material::Series(channel)).collect();
         let progress = progress_bar("pixels with shadows", Object::steps(size));
-        Object::new(&surface, size, degree, &materials, &progress)
+        draw(&surface, &materials, &progress)
     };
     made().map_err(|error: Error| error.in_file(file.path()))
 }
