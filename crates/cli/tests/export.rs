@@ -2,7 +2,7 @@
 //! `export` refuses.
 
 use crate::support::files::built;
-use crate::support::{Folder, PAIR, scene};
+use crate::support::{Folder, PAIR, assert_fails, scene};
 use eigenshade_model::database::Named;
 use eigenshade_model::inputs::coefficient_csv::{read_lights, read_materials};
 use eigenshade_model::special::spherical_harmonic;
@@ -221,4 +221,20 @@ fn objects_have_their_own_arrays() {
             assert!((product - expected).abs() < 1e-6, "{i}, {j}: {product}");
         }
     }
+}
+
+/// A light of a higher degree than the table's, for an object with shadows.
+#[test]
+fn a_light_has_the_degree_that_is_asked() {
+    let folder = Folder::new();
+    let found = exported(&folder, "--light studio --degree 16");
+    let lights = eigenshade_model::shipped::lights().expect("lights").truncated(16);
+    let studio = lights.entries.iter().find(|light| light.name == "studio").expect("a light");
+    assert_eq!(found["lights"], (vec![1, 3, 289], bits(studio.rgb.iter().flatten())));
+    folder.write("low.csv", "name,l,m,r,g,b\na,0,0,1,1,1\n");
+    assert_fails(
+        &folder,
+        "export --lang rust --light low.csv --degree 1",
+        &["low.csv: the light has degree 0, not 1", "light --degree"],
+    );
 }

@@ -79,15 +79,17 @@ pub fn frame_textured_still() {
     measure(&[()], Passes(1), |()| draw_textured(&palette, &object, &mut row));
 }
 
-/// A frame of an object with shadows of 96 x 96 pixels.
+/// A frame of an object with shadows of 96 x 96 pixels, under light of degree 16.
 pub fn frame_shadowed() {
     let Ok(object) = programs::shadowed() else { board::exit(false) };
     let (mut colors, mut row) = ([[0_u8; 2]; 4096], [[0; 2]; 96]);
     let Ok(exposure) = Exposure::new(black_box(1.5)) else { board::exit(false) };
     let rotation = inputs::rotation();
     holds(size_of_val(&colors) + size_of_val(&row));
-    measure(&[LOBBY], Passes(1), |light| {
-        let light = light.turned::<100>(&rotation)?;
+    let channels = [inputs::numbers::<289>(); 3];
+    measure(&[channels], Passes(1), |channels| {
+        let light = Rgb::from(channels.each_ref().map(|channel| inputs::light(channel)));
+        let light = light.turned::<289>(&rotation)?;
         let d = inputs::coefficients(&object, light.lights()?)?;
         object.colors(&d, exposure, &DISPLAY, &mut colors)?;
         for place in 0..object.height() as i32 {

@@ -14,6 +14,7 @@ use eigenshade_shading::estimate::{counted, gloss_note};
 use eigenshade_shading::presets::Source;
 use eigenshade_shading::shader::{fitted, of_higher_order};
 use eigenshade_table::highlights::{MAX_SOURCES, SHIPPED_SOURCES};
+use eigenshade_table::light::MAX_DEGREE;
 use eigenshade_table::quantize::{TOLERANCE, integers};
 use eigenshade_table::{FormatError, Table, statics};
 use std::path::{Path, PathBuf};
@@ -34,6 +35,10 @@ pub struct Export {
     /// Material: the name of a shipped one, a material CSV, or one material of a CSV
     #[arg(short, long, value_name = "NAME|FILE[:NAME]")]
     material: Option<Source>,
+    /// The degree of the light, up to 16, for objects with shadows [default: that of the table]
+    #[arg(long, value_name = "L", value_parser = count(0, MAX_DEGREE as u64), requires = "light",
+        conflicts_with = "material")]
+    degree: Option<usize>,
     #[command(flatten)]
     table: TableChoice,
     /// Number format of rust and c [default: f32]
@@ -90,7 +95,16 @@ impl Export {
         let none = Materials { order: 0, entries: Vec::new() };
         let order = table.gram.order;
         let of_file = material.map_or(Ok(none), |one| one.materials(order))?;
-        let (lights, materials) = fitted(&table, &lights, &of_file);
+        let (mut taken, materials) = fitted(&table, &lights, &of_file);
+        if let (Some(degree), Some(source)) = (self.degree, light) {
+            if degree > lights.degree {
+                let what = format!("the light has degree {}, not {degree}", lights.degree);
+                let remedy = "project it again with `eigenshade light --degree`";
+                return Err(Error::new(what, remedy).in_file(source.path()));
+            }
+            taken = lights.truncated(degree);
+        }
+        let lights = taken;
         let pairs = lights.entries.len() * materials.entries.len();
         let read = |path| Shown::read(input_file(path), self.size, self.green.is_flipped);
         let shown = self.normals.as_ref().map(read).transpose()?;
