@@ -35,7 +35,7 @@ test("nothing is missing from the archive, nothing is too much", () => {
   for (const name of [
     "LICENSE-APACHE", "LICENSE-MIT", "README.md", "dist/index.js", "dist/element.js", "dist/bundled.js",
     "index.d.ts", "dom.d.ts", "bundled.d.ts", "element.d.ts", "react.d.ts", "three.d.ts", "types/index.d.ts", "types/three.d.ts",
-    "dist/three.js",
+    "dist/three.js", "dist/shadowed.js", "shadowed.d.ts", "types/shadowed.d.ts", "wasm/eigenshade.shadowed.wasm",
     "wasm/eigenshade.wasm", "wasm/eigenshade.simd.wasm", "wasm/eigenshade.relaxed.wasm",
     "wasm/eigenshade.sources.wasm", "wasm/eigenshade.sources.simd.wasm",
     "wasm/eigenshade.sources.relaxed.wasm", "presets/names.json", "presets/light/park.bin", "presets/sources/park.bin",
@@ -47,7 +47,7 @@ test("nothing is missing from the archive, nothing is too much", () => {
 });
 
 test("bundlers find nothing to rewrite in the scripts", () => {
-  for (const name of ["index", "element", "three", "shared"]) {
+  for (const name of ["index", "element", "shadowed", "three", "shared"]) {
     const script = readFileSync(join(folder, `node_modules/eigenshade/dist/${name}.js`), "utf8");
     // Vite and webpack replace this by an address of their own.
     assert.doesNotMatch(script, /new URL\([^()]*import\.meta\.url/);
