@@ -11,6 +11,7 @@ import { metered } from "../src/exposure.js";
 import { lightPreset } from "../src/index.js";
 import { ShadowedObject } from "../src/shadowed.js";
 import { EIGENSHADE } from "./support/own.js";
+import { plate } from "./support/plate.js";
 import { readPng } from "./support/png.js";
 
 const SIZE = 48;
@@ -19,24 +20,6 @@ const MATERIAL = "red-fabric2";
 /** The rms of channels in codes, that README.md states of 255. */
 const README = readFileSync(new URL("../README.md", import.meta.url), "utf8");
 const STATED = Number(/within (\d+) codes? of 255 \(rms\)/.exec(README)[1]);
-
-/** A square plate with a wall around it and a bar across: both cast shadows. */
-function plate() {
-  const [points, faces] = [[], []];
-  const side = 121;
-  const heightAt = (x, y) => (Math.max(Math.abs(x), Math.abs(y)) > 0.8 ? 0.3 : Math.abs(x + 0.4 * y) < 0.12 ? 0.4 : 0);
-  for (let row = 0; row < side; row++) {
-    for (let column = 0; column < side; column++) {
-      const [x, y] = [column, row].map((at) => (2 * at) / (side - 1) - 1);
-      points.push(`v ${x} ${y} ${heightAt(x, y)}`);
-      if (row && column) {
-        const [a, b, c, d] = [-side - 1, -side, 0, -1].map((by) => row * side + column + 1 + by);
-        faces.push(`f ${a} ${b} ${c}`, `f ${a} ${c} ${d}`);
-      }
-    }
-  }
-  return [...points, ...faces, ""].join("\n");
-}
 
 /** The rows of a shipped light up to degree 9. */
 const rowsOf = (name) => {
