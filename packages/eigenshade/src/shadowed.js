@@ -36,10 +36,11 @@ function loaded() {
 }
 
 /**
- * An object that shadows itself, of one material and seen from one side, under light that turns.
+ * An object that shadows itself, of one material and seen from one side, under light that turns. Units
+ * of light, irradiance and exposure are those of `Scene`.
  *
- * A picture costs some hundred microseconds for each thousand colors, and is within 1 of 255 of the
- * runtime's in floats. Light is harmonics alone: small sources stay in it.
+ * Light is harmonics alone: small sources stay in it. Cost of a picture of the program's defaults in a
+ * material with color: 58,000 products for the light and 24 for each color.
  */
 export class ShadowedObject {
   /** @type {Record<string, (...numbers: number[]) => number>} */
