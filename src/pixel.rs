@@ -3,17 +3,20 @@
 use crate::blend::blend565;
 use crate::color::Rgb;
 
-/// A pixel as it is in memory: `u16`, `[u8; 2]` or `[u8; 3]`.
+/// A pixel as it is in memory: `u16`, `[u8; 2]`, `[u8; 3]` or `[u8; 4]`.
 ///
 /// * `u16` is RGB565 in the byte order of the processor: red in the highest bits. Frame buffers and
 ///   LVGL take it.
 /// * `[u8; 2]` is RGB565 with the high byte first, as most displays on SPI take it. A slice is sent
 ///   as it is: `row.as_flattened()` are its bytes.
 /// * `[u8; 3]` is RGB888: the bytes red, green and blue.
+/// * `[u8; 4]` is RGBA8888, as an `ImageData` of a browser: a color and its opacity. Over a buffer of
+///   zeros, an object has the opacity of its coverage, and is transparent around it.
 pub trait Pixel: sealed::Pixel {}
 impl Pixel for u16 {}
 impl Pixel for [u8; 2] {}
 impl Pixel for [u8; 3] {}
+impl Pixel for [u8; 4] {}
 
 pub(crate) mod sealed {
     use super::{Rgb, blend565};
@@ -89,6 +92,69 @@ pub(crate) mod sealed {
         fn word(self) -> u32 {
             let [r, g, b] = self;
             u32::from_le_bytes([r, g, b, 0])
+        }
+    }
+    impl Pixel for [u8; 4] {
+        #[inline(always)]
+        fn of(color: Encoded, threshold: u32) -> Self {
+            opaque(<[u8; 3]>::of(color, threshold))
+        }
+        #[inline(always)]
+        fn of_display(color: Rgb<u16>, threshold: u32) -> Self {
+            opaque(<[u8; 3]>::of_display(color, threshold))
+        }
+        #[inline]
+        fn over(self, [r, g, b, opacity]: Self, coverage: u8) -> Self {
+            let [red, green, blue, _] = self;
+            let covered = 255 * u32::from(coverage);
+            let total = covered + (255 - u32::from(coverage)) * u32::from(opacity);
+            // This pixel's share of what is seen, which is nothing if both are transparent.
+            let share = (255 * covered + total / 2).checked_div(total).unwrap_or_default();
+            let [r, g, b] = [red, green, blue].over([r, g, b], share as u8);
+            [r, g, b, ((total + 127) / 255) as u8]
+        }
+        #[inline(always)]
+        fn word(self) -> u32 {
+            u32::from_le_bytes(self)
+        }
+    }
+
+    #[inline(always)]
+    fn opaque([r, g, b]: [u8; 3]) -> [u8; 4] {
+        [r, g, b, u8::MAX]
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::sealed::Pixel;
+
+    #[test]
+    fn a_pixel_over_another_has_their_opacity_and_mean_color_within_a_level() {
+        let above = [200, 100, 0, 255];
+        for opacity in [0, 1, 77, 254, 255] {
+            for coverage in 0..=u8::MAX {
+                let below = [40, 255, 9, opacity];
+                let found = above.over(below, coverage);
+                let [a, b] = [coverage, opacity].map(|of_255| f64::from(of_255) / 255.0);
+                let total = a + (1.0 - a) * b;
+                assert!((f64::from(found[3]) - 255.0 * total).abs() <= 0.5001);
+                if found[3] == 0 {
+                    continue;
+                }
+                for channel in 0..3 {
+                    let [x, y] = [above, below].map(|pixel| f64::from(pixel[channel]));
+                    let mean = (a * x + (1.0 - a) * b * y) / total;
+                    assert!((f64::from(found[channel]) - mean).abs() <= 1.0);
+                }
+                let [r, g, b, _] = found;
+                if opacity == 255 {
+                    assert_eq!([r, g, b], [200, 100, 0].over([40, 255, 9], coverage));
+                }
+                if opacity == 0 {
+                    assert_eq!([r, g, b], [200, 100, 0]);
+                }
+            }
         }
     }
 }

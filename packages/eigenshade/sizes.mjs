@@ -22,6 +22,7 @@ export function parts() {
     ["module for sources with relaxed SIMD", "wasm/eigenshade.sources.relaxed.wasm"],
     ["module for sources with SIMD", "wasm/eigenshade.sources.simd.wasm"],
     ["module for sources without SIMD", "wasm/eigenshade.sources.wasm"],
+    ["module for objects with shadows", "wasm/eigenshade.shadowed.wasm"],
   ]) {
     const bytes = readFileSync(file(path));
     const { zipped: code } = sizes(bytes);
@@ -31,6 +32,7 @@ export function parts() {
     ["JavaScript", ["index", "shared"]],
     ["JavaScript with the element", ["element", "shared"]],
     ["JavaScript with the entry for three.js", ["index", "three", "shared"]],
+    ["JavaScript of the entry for objects with shadows", ["shadowed", "shared"]],
   ]) {
     const bytes = scripts.map((script) => zipped(readFileSync(file(`dist/${script}.js`))));
     found.push([name, bytes.reduce((sum, one) => sum + one)]);

@@ -55,6 +55,7 @@ export function controls(state, { drawing, hasOwn, isModel, turnsLight, tab: sho
   set(find("components"), state.components);
   find("components-value").textContent = `${state.components} of ${COMPONENTS}`;
   set(find("automatic"), state.automatic);
+  find("has-shadows").checked = state.shadows;
   set(find("case"), state.case);
   if (typeof state.material !== "string") {
     set(find("base-color"), state.material.baseColor);

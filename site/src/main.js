@@ -131,7 +131,24 @@ function draw() {
   find("captions").hidden = !split;
   numbers();
   showControls();
+  showCoin();
   idle = setTimeout(later, 150);
+}
+
+/** How many calls show the coin. */
+let showing = 0;
+
+/** Shows the coin, if its tab is open. */
+async function showCoin() {
+  if (shownTab() !== "shadows" || !scenes.loaded) return;
+  showing++;
+  try {
+    const { showShadows } = await import("./shadows.js");
+    await showShadows(state, scenes.loaded.light);
+  } catch (fault) {
+    fail(`The coin cannot be shown: ${/** @type {Error} */ (fault).message}`);
+  }
+  showing--;
 }
 
 const meshes = /** @type {Record<string, any>} */ ({});
@@ -175,7 +192,7 @@ let curved = "";
 /** What takes tens of milliseconds, once nothing changes. */
 function later() {
   saveLink();
-  if (dragging) {
+  if (dragging || showing) {
     idle = setTimeout(later, 150);
     return;
   }
@@ -263,10 +280,12 @@ function turnBy(/** @type {number} */ right, /** @type {number} */ down, /** @ty
   state[what] = multiply(by, /** @type {any} */ (state[what]));
   changed();
 }
-turnable(canvas, turnBy, (is) => {
+const drags = (/** @type {boolean} */ is) => {
   dragging = is;
   if (!is) changed();
-});
+};
+turnable(canvas, turnBy, drags);
+turnable(find("shadowed"), (right, down, twist) => set({ turn: multiply(dragged(right, down, twist), /** @type {any} */ (state.turn)) }), drags);
 
 // ---- controls to state ----
 
@@ -287,6 +306,7 @@ on("components", "input", ({ value }) => {
 on("light", "change", ({ value }) => take({ light: value }));
 on("upright", "click", () => set({ turn: [...IDENTITY], pose: state.object === "relief" ? initial().pose : [...IDENTITY] }));
 on("automatic", "change", ({ value }) => set({ automatic: Number(value) }));
+on("has-shadows", "change", ({ checked }) => set({ shadows: checked }));
 on("case", "change", ({ value }) => {
   set({ case: value });
   refreshCase();

@@ -11,7 +11,7 @@ import { MOST } from "./pursuit.js";
 
 export const OBJECTS = ["sphere", "relief", "coin", "own"];
 export const VIEWS = ["picture", "split"];
-export const TABS = ["scene", "accuracy", "effects", "images", "cases"];
+export const TABS = ["scene", "accuracy", "effects", "images", "shadows", "cases"];
 export const COMPONENTS = 160;
 export const SOURCES = ["auto", "0", "1", "2", "4", "8"];
 /** The most sources that a light has; pictures are compared with those of as many. */
@@ -39,6 +39,8 @@ export const initial = () => ({
   view: "picture",
   drag: "object",
   tab: "accuracy",
+  /** Whether the coin is shown with its shadows. */
+  shadows: false,
   case: "sun",
   automatic: 1,
 });
@@ -139,6 +141,10 @@ const PARTS = {
   view: one(VIEWS),
   drag: one(["object", "light"]),
   tab: one(TABS),
+  shadows: {
+    write: (/** @type {boolean} */ has) => (has ? "on" : "off"),
+    read: (/** @type {string} */ text) => one(["on", "off"]).read(text) === "on",
+  },
   case: name,
   automatic: oneNumber(AUTOMATIC),
 };

@@ -26,7 +26,7 @@ describe("the page", { concurrency: 4 }, () => {
     test(`axe finds nothing, ${colorScheme}, ${width} wide`, async () => {
       const { page, faults } = await open(browser, server.address, { width, height, colorScheme, hash: "step=4&view=split", script: NO_WEBGL });
       await page.evaluate(AXE);
-      for (const tab of width < 960 ? ["scene", "accuracy", "effects", "images", "cases"] : ["effects"]) {
+      for (const tab of width < 960 ? ["scene", "accuracy", "effects", "images", "shadows", "cases"] : ["effects"]) {
         await page.locator(`#tab-${tab}`).click();
         await settled(page);
         const found = await page.evaluate(async () => {
@@ -92,7 +92,7 @@ describe("the page", { concurrency: 4 }, () => {
   for (const [width, height] of [[740, 360], [640, 320], [560, 300]]) {
     test(`on a phone on its side, ${width} x ${height}, picture and panels have room`, async () => {
       const { page } = await open(browser, server.address, { width, height, script: NO_WEBGL });
-      for (const tab of ["scene", "accuracy", "effects", "images", "cases"]) {
+      for (const tab of ["scene", "accuracy", "effects", "images", "shadows", "cases"]) {
         await page.locator(`#tab-${tab}`).click();
         const box = async (id) => (await page.locator(`#${id}`).boundingBox());
         const [panel, picture] = [await box(tab), await box("picture")];

@@ -1,7 +1,7 @@
 // The page in a browser: what it draws and says, control by control.
 
 import assert from "node:assert/strict";
-import { readFileSync } from "node:fs";
+import { readFileSync, statSync } from "node:fs";
 import { join } from "node:path";
 import { after, before, describe, test } from "node:test";
 import { pathToFileURL } from "node:url";
@@ -358,6 +358,74 @@ on("eigenimages: 24 pictures with their coefficients, and their sum", "object=sp
   await page.locator("#grow").click();
   assert.equal(await text(page, "grow"), "Grow");
 });
+
+on("shadows: nothing is loaded before the switch is on, and then the coin turns with the light", "object=sphere&step=5&light=park", async (page) => {
+  const loaded = () => page.evaluate(() => performance.getEntriesByType("resource").map(({ name }) => new URL(name).pathname).filter((name) => /shadow/.test(name)));
+  assert.deepEqual(await loaded(), []);
+  await tab(page, "shadows");
+  assert.deepEqual(await loaded(), ["/src/shadows.js", "/eigenshade/src/shadowed.js", "/shadows/about.json"]);
+  assert.ok(!(await page.locator("#shadowed").isVisible()));
+  const bytes = Math.round(statSync(join(SITE, "shadows/object.bin")).size / 1000);
+  assert.match(await text(page, "shadowed-bytes"), new RegExp(`^${bytes}\u00a0KB, loaded when it is turned on, with \\d+\u00a0KB of normals and code`));
+  // The errors are those of docs/shadows.csv.
+  const [names, ...rows] = readFileSync(join(ROOT, "docs/shadows.csv"), "utf8").split("\n").slice(1).map((line) => line.split(","));
+  for (const [id, way] of [["without", "convex"], ["with", "codes: 4096"]]) {
+    const row = rows.find(([shape, material, name]) => shape === "coin" && material === "metal 0.5" && name === way);
+    const [mean, rms] = ["tilted_mean", "tilted_rms"].map((name) => Number(row[names.indexOf(name)]));
+    const shown = await page.locator(`#shadowed-${id} td`).allTextContents();
+    [mean, rms].forEach((value, k) => assert.ok(Math.abs(parseFloat(shown[k]) - value) <= 0.5 * (value < 9.95 ? 0.1001 : 1), `${shown}`));
+    assert.ok(id === "with" ? mean < 2 && rms < 3 : mean > 5 && rms > 10);
+  }
+  await page.locator("#has-shadows").check();
+  await settled(page);
+  assert.deepEqual((await loaded()).slice(3).sort(), ["/eigenshade/wasm/eigenshade.shadowed.wasm", "/shadows/normals.bin", "/shadows/object.bin"]);
+  assert.ok(await page.locator("#shadowed-with[aria-current]").isVisible());
+  // As the package draws it; without shadows, its flat ground as a scene of a gray metal.
+  const drawn = (turn, hasShadows) => page.evaluate(async ([turn, hasShadows]) => {
+    const { Scene, lightPreset } = await import("/eigenshade/src/index.js");
+    const { ShadowedObject } = await import("/eigenshade/src/shadowed.js");
+    const object = await ShadowedObject.load(await (await fetch("/shadows/object.bin")).arrayBuffer());
+    const exposure = object.light(await lightPreset("park")).exposure();
+    const [shown, expected] = [await pixels("shadowed"), object.turn(turn).pixels({ exposure })];
+    if (!hasShadows) {
+      const scene = await Scene.create({ light: "park", material: { baseColor: [0.9, 0.9, 0.9], metallic: 1, roughness: 0.5 } });
+      const color = scene.turn(turn).pixels([0], [0], [1], { exposure });
+      const middle = 4 * (96 * 13 + 48);
+      return { apart: Math.max(...[0, 1, 2].map((c) => Math.abs(shown[middle + c] - color[c]))), other: expected.reduce((sum, code, k) => sum + Math.abs(code - shown[k]), 0) / shown.length };
+    }
+    // A canvas rounds the colors of pixels that are covered in part.
+    return { apart: expected.reduce((most, code, k) => Math.max(most, k % 4 === 3 || expected[k | 3] === 255 ? Math.abs(code - shown[k]) : 0), 0), middle: shown[4 * (96 * 48 + 48) + 3] };
+  }, [turn, hasShadows]);
+  const { apart: first, middle } = await drawn([0, 0, 0, 1], true);
+  assert.ok(first === 0 && middle === 255, `${first}`);
+  await keep(page, "shadowed");
+  await page.locator("#shadowed").press("ArrowRight");
+  await settled(page);
+  assert.ok((await apart(page, "shadowed")) > 0.5);
+  const turn = [0, Math.sin(0.0873 / 2), 0, Math.cos(0.0873 / 2)];
+  assert.ok((await drawn(turn, true)).apart <= 1);
+  await page.locator("#has-shadows").uncheck();
+  await settled(page);
+  assert.ok(await page.locator("#shadowed-without[aria-current]").isVisible());
+  const { apart: plain, other } = await drawn(turn, false);
+  assert.ok(plain <= 2 && other > 5, `${plain}, ${other}`);
+  assert.match(await page.evaluate(() => location.hash), /tab=shadows/);
+});
+
+on("shadows: a link shows the coin, and a file that is missing is said and tried again", "object=sphere&step=5&tab=shadows&shadows=on", async (page, faults) => {
+  assert.equal(await page.locator("#shadowed").getAttribute("aria-label"), "A coin with shadows");
+  await page.route("**/shadows/object.bin", (route) => route.fulfill({ status: 200, body: "<!doctype html>" }));
+  await page.reload();
+  await settled(page);
+  assert.match(await text(page, "fault"), /The coin cannot be shown: ShadowedObject: this is no object with shadows, or was cut/);
+  await page.unroute("**/shadows/object.bin");
+  await page.locator("#has-shadows").uncheck();
+  await settled(page);
+  await page.locator("#has-shadows").check();
+  await settled(page);
+  assert.ok(await page.locator("#shadowed").isVisible());
+  assert.deepEqual(faults, []);
+}, { script: NO_WEBGL });
 
 on("hard cases: each shows two pictures that differ, and says why", "object=sphere&step=5&tab=cases", async (page) => {
   const options = await page.locator("#case option").evaluateAll((all) => all.map(({ value }) => value));

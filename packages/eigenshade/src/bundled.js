@@ -6,6 +6,9 @@ import { setAssets } from "./index.js";
 setAssets(async (path) => {
   const [folder, ...names] = path.split("/");
   const name = names.join("/");
+  if (path === "wasm/eigenshade.shadowed.wasm") {
+    return (await import("../wasm/eigenshade.shadowed.wasm")).default;
+  }
   // Two modules, which serve scenes with and without sources.
   if (folder === "wasm") {
     const part = /simd|relaxed/.test(name)

@@ -19,11 +19,15 @@ const PAGE = (script) => `<!doctype html><title>waits</title><link rel=icon href
 const program = (lines, inputs = "") => `${lines}
 import { Preview } from "eigenshade";
 import "eigenshade/element";
+import { ShadowedObject } from "eigenshade/shadowed";
 const canvas = document.querySelector("canvas");
 Preview.create(canvas, { light: "park", material: "red-fabric2", sources: 2 ${inputs} }).then(
-  () => {
+  async () => {
     const [r, g, b, a] = canvas.getContext("2d").getImageData(60, 60, 1, 1).data;
-    document.title = a === 255 && r > 1.2 * b ? "red" : [r, g, b, a].join();
+    // By its own module.
+    const { message } = await ShadowedObject.load(new Uint8Array(1)).catch((fault) => fault);
+    const isRed = a === 255 && r > 1.2 * b && /is no object with shadows/.test(message);
+    document.title = isRed ? "red" : [r, g, b, a, message].join();
   },
   ({ message }) => { document.title = message; },
 );`;

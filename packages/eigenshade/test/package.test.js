@@ -9,7 +9,9 @@ import { pathToFileURL } from "node:url";
 import { parts } from "../sizes.mjs";
 import { launch, serve } from "./support/browser.js";
 import { glb } from "./support/glb.js";
+import { EIGENSHADE } from "./support/own.js";
 import { PACKAGE, installed } from "./support/packed.js";
+import { plate } from "./support/plate.js";
 
 const README = readFileSync(join(PACKAGE, "README.md"), "utf8");
 
@@ -35,7 +37,7 @@ test("nothing is missing from the archive, nothing is too much", () => {
   for (const name of [
     "LICENSE-APACHE", "LICENSE-MIT", "README.md", "dist/index.js", "dist/element.js", "dist/bundled.js",
     "index.d.ts", "dom.d.ts", "bundled.d.ts", "element.d.ts", "react.d.ts", "three.d.ts", "types/index.d.ts", "types/three.d.ts",
-    "dist/three.js",
+    "dist/three.js", "dist/shadowed.js", "shadowed.d.ts", "types/shadowed.d.ts", "wasm/eigenshade.shadowed.wasm",
     "wasm/eigenshade.wasm", "wasm/eigenshade.simd.wasm", "wasm/eigenshade.relaxed.wasm",
     "wasm/eigenshade.sources.wasm", "wasm/eigenshade.sources.simd.wasm",
     "wasm/eigenshade.sources.relaxed.wasm", "presets/names.json", "presets/light/park.bin", "presets/sources/park.bin",
@@ -47,7 +49,7 @@ test("nothing is missing from the archive, nothing is too much", () => {
 });
 
 test("bundlers find nothing to rewrite in the scripts", () => {
-  for (const name of ["index", "element", "three", "shared"]) {
+  for (const name of ["index", "element", "shadowed", "three", "shared"]) {
     const script = readFileSync(join(folder, `node_modules/eigenshade/dist/${name}.js`), "utf8");
     // Vite and webpack replace this by an address of their own.
     assert.doesNotMatch(script, /new URL\([^()]*import\.meta\.url/);
@@ -152,11 +154,38 @@ test("the program of README.md draws a .glb by three.js", async () => {
   await page.close();
 });
 
+test("the program of README.md draws an object with its shadows", async () => {
+  const program = examples("js").find((text) => text.includes("coin.bin"));
+  writeFileSync(join(folder, "plate.obj"), plate());
+  execFileSync(EIGENSHADE, ["pack-object", "plate.obj", "--shadows", "--material", "red-fabric2", "--size", "32", "--out", "coin.bin"], { cwd: folder, stdio: "pipe" });
+  const imports = { eigenshade: "/node_modules/eigenshade/dist/index.js", "eigenshade/shadowed": "/node_modules/eigenshade/dist/shadowed.js" };
+  const server = await serve({
+    "/": `<!doctype html><link rel=icon href=data:,><script type="importmap">${JSON.stringify({ imports })}</script>
+      <canvas></canvas><script type="module">${program}</script>`,
+  }, pathToFileURL(`${folder}/`));
+  const page = await browser.newPage();
+  const [faults, modules] = [[], []];
+  page.on("pageerror", (fault) => faults.push(fault.message));
+  page.on("request", (request) => request.url().endsWith(".wasm") && modules.push(request.url().split("/").at(-1)));
+  await page.goto(server.address);
+  await page.waitForFunction(() => document.querySelector("canvas").width === 32);
+  const [red, , blue, opacity] = await page.evaluate(() => [...document.querySelector("canvas").getContext("2d").getImageData(4, 16, 1, 1).data]);
+  assert.ok(opacity === 255 && red > 1.2 * blue && red > 20, `${red}, ${blue}, ${opacity}`);
+  assert.deepEqual([faults, modules], [[], ["eigenshade.shadowed.wasm"]]);
+  server.close();
+  await page.close();
+});
+
 test("the declarations are those of a strict program", () => {
   symlinkSync(join(PACKAGE, "node_modules/@types"), join(folder, "node_modules/@types"));
   writeFileSync(join(folder, "use.mts"), `import { Preview, Scene, lightPreset, presetNames, sphere, type Truncation } from "eigenshade";
     import { EigenShade } from "eigenshade/element";
     import { EigenMaterial, type EigenOptions } from "eigenshade/three";
+    import { ShadowedObject } from "eigenshade/shadowed";
+    const coin: ShadowedObject = (await ShadowedObject.load(new ArrayBuffer(8))).light(await lightPreset("park")).turn({ yaw: 1 });
+    coin.draw(document.createElement("canvas")).draw(new OffscreenCanvas(1, 1)).draw(new ImageData(coin.pixels({ tone: "linear" }), coin.width, coin.height), { exposure: coin.exposure() });
+    // @ts-expect-error: no bytes
+    await ShadowedObject.load("coin.bin");
     import { Group, MeshStandardMaterial, Quaternion } from "three";
     const options: EigenOptions = { view: "camera", exposure: 2, lightRotation: new Quaternion() };
     const converted = async (scene: Scene): Promise<EigenMaterial[]> => [
@@ -203,7 +232,9 @@ test("the declarations are those of a program without a page, and of one with JS
     const { stdout } = spawnSync(join(PACKAGE, "node_modules/.bin/tsc"), all, { cwd: folder, encoding: "utf8" });
     assert.equal(stdout, "");
   };
-  tsc("bare.mts", `import { Scene, lightPreset, load, setAssets, sphere } from "eigenshade";
+  tsc("bare.mts", `import { ShadowedObject } from "eigenshade/shadowed";
+    export const coin: Uint8ClampedArray = (await ShadowedObject.load(new Uint8Array(8))).pixels({ exposure: 2 });
+    import { Scene, lightPreset, load, setAssets, sphere } from "eigenshade";
     setAssets(new Map<string, never>().get("") ?? "https://example.org/");
     const engine = await load(new Uint8Array(8));
     const scene = await Scene.create({ light: await lightPreset("park"), material: { roughness: 1 }, engine });

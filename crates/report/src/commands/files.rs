@@ -1,13 +1,14 @@
 //! Files that tests, CI, pages and the runtime use: the golden file, materials of sharp gloss, the
 //! comparison of two tables' components, the table from which the runtime computes materials of
-//! metallic and roughness; and the folders of figures.
+//! metallic and roughness, and meshes; and the folders of figures.
 
-use super::write_csv;
+use super::{command_line, write_csv};
 use clap::Args;
 use eigenshade_cli::messages::{print_message, progress_bar, spinner};
-use eigenshade_cli::table;
+use eigenshade_cli::{output, table};
 use eigenshade_generator::material::brdf::projection::project_orders;
 use eigenshade_generator::material::brdf::{Ggx, Measure};
+use eigenshade_generator::object::mesh_data::Mesh;
 use eigenshade_model::error::{Error, Result};
 use eigenshade_model::inputs::coefficient_csv::write_materials;
 use eigenshade_model::parallel;
@@ -17,6 +18,7 @@ use eigenshade_testing::{glossy, golden};
 use report::accuracy_cost::Measured;
 use report::accuracy_cost::sheet::{self, SETTINGS, compare};
 use report::numbers::digits;
+use report::shadow_shapes::SHAPES;
 use report::sheet::Purpose;
 use report::stability::spectrum::{Agreement, agreement};
 use report::{figures, paper};
@@ -58,6 +60,18 @@ fn near(old: &Row, new: &Row) -> std::result::Result<bool, String> {
 pub fn glossy_materials(out: &Path) -> Result<()> {
     let file = fs::File::create(out).map_err(|error| Error::io(out, &error))?;
     write_materials(&glossy::materials(32), &mut std::io::BufWriter::new(file))
+}
+
+pub fn shadow_shape(shape: &str, out: &Path) -> Result<()> {
+    let Some((_, mesh)) = SHAPES.iter().find(|(name, _)| *name == shape) else {
+        let names = SHAPES.map(|(name, _)| name).join(", ");
+        return Err(Error::new(format!("no shape is called `{shape}`"), format!("take {names}")));
+    };
+    let (Mesh { corners, triangles, .. }, mut text) = (mesh(), format!("# {}\n", command_line()));
+    let corners = corners.iter().map(|[x, y, z]| format!("v {x:.6} {y:.6} {z:.6}\n"));
+    let faces = triangles.iter().map(|all| all.map(|corner| corner + 1));
+    text.extend(corners.chain(faces.map(|[a, b, c]| format!("f {a} {b} {c}\n"))));
+    output::write_all(Some(out), text)
 }
 
 pub fn same_order(one: &Path, other: &Path) -> Result<()> {

@@ -130,6 +130,13 @@ pub enum Command {
     /// Objects without shadows, with them as the runtime draws them, and by direct sums, enlarged,
     /// docs/shadows.png
     ShadowPicture(OutputFile),
+    /// A shape of docs/shadows.csv, as a mesh in .obj
+    ShadowShape {
+        /// The name of the shape
+        shape: String,
+        #[command(flatten)]
+        file: OutputFile,
+    },
     /// Coefficients of glTF materials, tables/inputs/metallic-roughness.csv
     ///
     /// A material's coefficients are albedo (1 - f0) `matte` + `rim` + f0 `metal`. `matte` does not
@@ -220,6 +227,7 @@ impl Command {
                 write_csv(csv.out.as_deref(), shadows::COLUMNS, rows)
             }
             Self::ShadowPicture(file) => shadow_picture::picture(&file.out),
+            Self::ShadowShape { shape, file } => files::shadow_shape(&shape, &file.out),
             Self::MetallicRoughness(file) => files::metallic_roughness(&file.out),
             Self::RoughnessWeights(csv) => {
                 let rows = roughness_weights::rows()?;

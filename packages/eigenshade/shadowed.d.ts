@@ -1,0 +1,2 @@
+/// <reference path="./dom.d.ts" />
+export * from "./types/shadowed.js";
