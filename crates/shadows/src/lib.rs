@@ -19,9 +19,11 @@
 pub mod directions;
 pub mod visibility;
 
+pub mod bounce;
 pub mod material;
 pub mod pixels;
 pub mod transport;
+pub mod weights;
 
 pub mod codebook;
 pub mod eigenimages;
