@@ -245,3 +245,36 @@ fn dark_rings_get_a_window() {
     let shade = "shade -l studio -m copper.csv -n normals.csv --window auto";
     assert_fails(&folder, shade, &["--window auto is for a picture", "give a width"]);
 }
+
+/// A mesh that hides light from itself is drawn without shadows, and a line says so where sources
+/// shine through it.
+#[test]
+fn shadows_that_are_left_out_are_named() {
+    let folder = Folder::new();
+    // The inside of half an octahedron, and its outside.
+    let corners = "v 1 0 0\nv 0 1 0\nv -1 0 0\nv 0 -1 0\n";
+    let sides = "f 1 2 5\nf 2 3 5\nf 3 4 5\nf 4 1 5\n";
+    folder.write("hollow.obj", format!("{corners}v 0 0 -1\n{sides}"));
+    folder.write("convex.obj", format!("{corners}v 0 0 1\n{sides}"));
+    let said = |object: &str, options: &str| {
+        let inputs = format!("--object {object}.obj --light studio --material chrome {options}");
+        folder.messages(&format!("render {inputs} --size 32 --out a.png"))
+    };
+    let hollow = said("hollow", "--sources 2 --flat");
+    assert_contains(&hollow, &["warning: shadows are left out: the object hides", "`--shadows`"]);
+    let hidden = hollow.split_once("hides ").unwrap().1.split_once(" %").unwrap().0;
+    let hidden: f64 = hidden.parse().unwrap();
+    // Of the light through its mouth, of area 2, the sides, of area 2 √3, receive 2 / (2 √3) each.
+    let expected = 100.0 * (1.0 - 1.0 / 3.0_f64.sqrt());
+    println!("{hidden} % {expected:.1} %");
+    assert!((hidden - expected).abs() < 2.0);
+    for (object, options) in [
+        ("hollow", "--sources 0 --flat"),
+        ("hollow", "--shadows"),
+        ("convex", "--sources 2 --flat"),
+        ("convex", "--sources 2"),
+    ] {
+        let said = said(object, options);
+        assert!(!said.contains("shadows are left out"), "{object} {options}: {said}");
+    }
+}

@@ -103,6 +103,24 @@ impl Modes<'_> {
         self.azimuths.iter().zip(self.profile(light, scattered)).map(|(a, b)| a * b).sum()
     }
 
+    /// The irradiance (15) of this material as a linear function of the light: its product with the
+    /// light's coefficients is [`irradiance`](Self::irradiance).
+    #[must_use]
+    pub fn transport(&self, scattered: &Scattered) -> Vec<f64> {
+        let degree = self.reference.degree;
+        let one = |(l, m): (usize, isize)| {
+            let of_q = |(q, (rotation, scattered)): (usize, (&Vec<f64>, &Vec<f64>))| {
+                let lowest = q.max(m.unsigned_abs());
+                l.checked_sub(lowest).map_or(0.0, |k| rotation[k] * scattered[l - q])
+            };
+            let rotations = &self.rotations[m.unsigned_abs()];
+            let sum: f64 = rotations.iter().zip(&scattered.0).enumerate().map(of_q).sum();
+            let sign = if m < 0 && m % 2 != 0 { -1.0 } else { 1.0 };
+            sign * sum * self.azimuths[degree.saturating_add_signed(m)]
+        };
+        light::indices(degree).map(one).collect()
+    }
+
     /// The irradiance by azimuth, for m = -degree..=degree. The sum of these values times Φ_m of
     /// the tilt is the irradiance of any normal of this slant.
     #[must_use]

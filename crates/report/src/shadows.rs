@@ -17,8 +17,9 @@ use eigenshade_shadows::material::Material;
 use eigenshade_shadows::object::{Object, RANK};
 use eigenshade_shadows::packed::{Compression, packed};
 use eigenshade_shadows::pixels::Pixels;
-use eigenshade_shadows::transport::transports;
+use eigenshade_shadows::transport::{Surroundings, transports};
 use eigenshade_shadows::visibility::Occluders;
+use eigenshade_shadows::weights::Columns;
 use faer::Mat;
 use indicatif::ProgressBar;
 use palette::{LinSrgb, Srgb};
@@ -105,9 +106,12 @@ impl Drawn {
         let brdfs: Vec<Material<'_>> = brdfs.iter().map(|one| Material::Formula(&**one)).collect();
         let columns = lit.columns();
         let occluders = Occluders::new(&surface.facets);
-        let all = transports(&seen, Some(&occluders), &brdfs, columns.as_ref(), &());
+        // Light between walls is left out of both.
+        let around = Surroundings { occluders: &occluders, bounces: 0 };
+        let light = |all| Columns { degree: Some(DEGREE), all };
+        let all = transports(&seen, Some(around), &brdfs, light(columns.as_ref()), &());
         let harmonics = columns.as_ref().subcols(0, COUNT);
-        let convex = transports(&seen, None, &brdfs, harmonics, &());
+        let convex = transports(&seen, None, &brdfs, light(harmonics), &());
         let object = |transports: Vec<Mat<f32>>| Object {
             size,
             degree: DEGREE,

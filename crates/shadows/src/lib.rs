@@ -19,10 +19,12 @@
 pub mod directions;
 pub mod visibility;
 
-pub mod material;
+pub mod bounce;
 pub mod lit;
+pub mod material;
 pub mod pixels;
 pub mod transport;
+pub mod weights;
 
 pub mod codebook;
 pub mod eigenimages;

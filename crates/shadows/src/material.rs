@@ -1,9 +1,11 @@
 //! Materials whose transports are integrated: formulas, or series of coefficients.
 
 use eigenshade_generator::material::brdf::{Brdf, Geometry};
-use eigenshade_model::scattering::norm;
+use eigenshade_model::scattering::{self, norm};
+use eigenshade_model::special::quadrature::gauss_legendre;
 use eigenshade_model::special::zernike;
 use eigenshade_table::material;
+use std::f64::consts::PI;
 
 /// One channel of a material.
 #[derive(Clone, Copy)]
@@ -12,6 +14,36 @@ pub enum Material<'a> {
     Formula(&'a dyn Brdf),
     /// The coefficients of a BRDF, to an order of at most 16; those beyond are ignored.
     Series(&'a [f64]),
+}
+
+impl Material<'_> {
+    /// The share of uniform light that it reflects, from 0 to 1: ∫∫ f cos θ_i cos θ_r dω_i dω_r / π.
+    #[must_use]
+    pub fn albedo(&self) -> f64 {
+        let albedo = match self {
+            Self::Formula(brdf) => integrated(*brdf),
+            Self::Series(coefficients) => scattering::albedo(coefficients),
+        };
+        albedo.clamp(0.0, 1.0)
+    }
+}
+
+/// By Gauss-Legendre quadrature in the squares of the sines, and equal steps in azimuth.
+fn integrated(brdf: &dyn Brdf) -> f64 {
+    const AZIMUTHS: usize = 96;
+    let nodes = gauss_legendre(48, 0.0, 1.0);
+    let mut sum = 0.0;
+    for (a, first) in &nodes {
+        for (b, second) in &nodes {
+            let of_azimuth = (0..AZIMUTHS).map(|k| {
+                let azimuth = PI * (k as f64 + 0.5) / AZIMUTHS as f64;
+                brdf.value(Geometry::from_angles(a.sqrt().asin(), b.sqrt().asin(), azimuth))
+            });
+            sum += first * second * of_azimuth.sum::<f64>();
+        }
+    }
+    // cos θ sin θ dθ = d(sin² θ) / 2, for both directions and both azimuths.
+    PI * sum / AZIMUTHS as f64
 }
 
 /// The largest order of a series.
@@ -80,8 +112,8 @@ impl<'a> Seen<'a> {
     }
 }
 
-/// The order of so many coefficients.
-fn order(coefficients: &[f64]) -> usize {
+/// The order of so many coefficients, at most [`MOST_ORDER`].
+pub(crate) fn order(coefficients: &[f64]) -> usize {
     let fits = |&order: &usize| material::count(order) >= coefficients.len();
     (0..MOST_ORDER).find(fits).unwrap_or(MOST_ORDER)
 }

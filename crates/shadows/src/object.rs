@@ -1,9 +1,9 @@
 //! Objects with shadows: the pixels of a picture and their transports.
 
 use crate::eigenimages::{eigenimages, light_root};
+use crate::lit::Lit;
 use crate::material::Material;
 use crate::packed::{Compression, packed};
-use crate::lit::Lit;
 use crate::transport::BATCH;
 use eigenshade_generator::object::surface::Surface;
 use eigenshade_model::database::Lights;
@@ -37,8 +37,10 @@ impl Object {
     /// The transports of the pixels of a surface on each part of a material.
     ///
     /// Up to four points of a pixel take 4,096 rays in turns, and the BRDF is integrated over 16,384
-    /// directions. Memory: 4 (degree + 1)² bytes for each pixel and part, and 65 KB for each of 64
-    /// pixels and each core.
+    /// directions. A pixel that sees all is exact, within the rounding of f32, if the material is a
+    /// series. The surface reflects light as a matte one of the albedo of each part, up to
+    /// [`BOUNCES`](crate::lit::BOUNCES) times: each part is a material by itself. Memory: 4 (degree + 1)²
+    /// bytes for each pixel and part, and 65 KB for each of 64 pixels and each core.
     ///
     /// # Errors
     ///
@@ -52,7 +54,7 @@ impl Object {
     ) -> Result<Self> {
         let harmonics = |direction| spherical_harmonic::all(degree, direction);
         let Lit { pixels, irradiances: transports } =
-            Lit::new(surface, size, harmonics, parts, progress)?;
+            Lit::new(surface, size, Some(degree), harmonics, parts, progress)?;
         Ok(Self { size, degree, pixels, transports })
     }
 
@@ -64,7 +66,9 @@ impl Object {
             .map(|(l, _)| (-0.5 * SPREAD * SPREAD * (l * (l + 1)) as f64).exp() as f32)
             .collect();
         let smoothed = |transport: &Mat<f32>| {
-            Mat::from_fn(transport.nrows(), factors.len(), |row, k| factors[k] * transport[(row, k)])
+            Mat::from_fn(transport.nrows(), factors.len(), |row, k| {
+                factors[k] * transport[(row, k)]
+            })
         };
         Self {
             pixels: self.pixels.clone(),

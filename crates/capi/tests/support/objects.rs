@@ -52,7 +52,8 @@ fn shadowed(size: u16, rank: usize, images: usize, codes: &[usize]) -> Result<Ve
         (state >> 16) as i16
     };
     let mut row = || {
-        let of_light = (0..light::count(9)).map(|k| (number() >> if k == 0 { 9 } else { 11 }) as i8);
+        let of_light =
+            (0..light::count(9)).map(|k| (number() >> if k == 0 { 9 } else { 11 }) as i8);
         (-12, of_light.collect())
     };
     let of_components = (0..rank).map(|_| row()).collect();

@@ -250,6 +250,13 @@ impl Render {
         let ringing = ringing.note().filter(|_| self.choices.has_all_effects() && !is_dark);
         let drawing = Drawing { table: choice.path(), components, sources, window };
         let drawn = (all_effects && !is_dark).then(|| drawing.to_string());
+        #[cfg(feature = "generate")]
+        let warnings = warnings.chain(match object {
+            Object::View(_) if sources > 0 => {
+                super::shadows::warning(&self.normals, &options.view())?
+            }
+            _ => None,
+        });
         let notes = note.into_iter().chain(drawn).chain(warnings).chain(ringing);
         notes.chain(note_of_error).for_each(print_message);
         Ok(())

@@ -2,6 +2,7 @@
 
 use super::options::{Sources, WindowChoice, input_file};
 use super::render::{Drawing, Format, Render};
+use super::shadows;
 use eigenshade_asset::asset::Asset;
 use eigenshade_asset::picture::{Picture, Settings};
 use eigenshade_cli::messages::{dark_light_warning, print_message, spinner};
@@ -66,7 +67,9 @@ impl Render {
         };
         kind.write(&self.out, [size; 2], picture.development(), &mut draw)?;
         print_message(Drawing { table: choice.path(), components, sources, window });
-        dark.into_iter().chain(picture.note).for_each(print_message);
+        let shadows =
+            if sources > 0 { shadows::warning(&self.normals, &pose.view())? } else { None };
+        dark.into_iter().chain(shadows).chain(picture.note).for_each(print_message);
         Ok(())
     }
 }

@@ -35,11 +35,12 @@ impl Render {
         let light = &lights.entries[0].rgb;
         let radiance = |direction| {
             let harmonics = spherical_harmonic::all(lights.degree, direction);
-            let of_channel = |light: &Vec<f64>| harmonics.iter().zip(light).map(|(y, l)| y * l).sum();
+            let of_channel =
+                |light: &Vec<f64>| harmonics.iter().zip(light).map(|(y, l)| y * l).sum();
             light.iter().map(of_channel).collect()
         };
         let lit = drawn(&file, &options.view(), size, &parts, |surface, parts, progress| {
-            Lit::new(surface, size, radiance, parts, progress)
+            Lit::new(surface, size, None, radiance, parts, progress)
         })?;
         let irradiance = |pixel: usize, channel: usize| {
             let parts = lit.irradiances.iter().zip(&parts.shares);

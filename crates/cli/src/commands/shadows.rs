@@ -10,7 +10,9 @@ use eigenshade_model::inputs::input_file::InputFile;
 use eigenshade_shading::presets::Source;
 use eigenshade_shadows::material::{MOST_ORDER, Material};
 use eigenshade_shadows::object::Object;
+use eigenshade_shadows::visibility::hidden_share;
 use indicatif::ProgressBar;
+use std::path::Path;
 
 /// The order of the series of shipped materials.
 pub const ORDER: usize = 12;
@@ -51,18 +53,40 @@ pub fn drawn<T>(
     draw: impl FnOnce(&Surface, &[Material<'_>], &ProgressBar) -> Result<T>,
 ) -> Result<T> {
     let made = || {
-        let surface = match Asset::read(file)? {
-            Some(asset) => Surface::new(file, &asset.mesh, view)?,
-            None if file.is_mesh() => mesh::surface(file, view)?,
-            None => {
-                let what = "only a mesh has shadows";
-                return Err(Error::new(what, "give an .obj, .stl, .ply, .glb or .gltf"));
-            }
-        };
+        let surface = surface(file, view)?.ok_or_else(|| {
+            let what = "only a mesh has shadows";
+            Error::new(what, "give an .obj, .stl, .ply, .glb or .gltf")
+        })?;
         let materials: Vec<Material<'_>> =
             parts.channels.iter().map(|channel| Material::Series(channel)).collect();
         let progress = progress_bar("pixels with shadows", Object::steps(size));
         draw(&surface, &materials, &progress)
     };
     made().map_err(|error: Error| error.in_file(file.path()))
+}
+
+/// The surface of a mesh; none if the file is not one.
+fn surface(file: &InputFile, view: &View) -> Result<Option<Surface>> {
+    Ok(match Asset::read(file)? {
+        Some(asset) => Some(Surface::new(file, &asset.mesh, view)?),
+        None if file.is_mesh() => Some(mesh::surface(file, view)?),
+        None => None,
+    })
+}
+
+/// The least share of hidden light that is worth a warning.
+const NOTICED: f64 = 0.005;
+
+/// A warning if a mesh, which is drawn without shadows, hides light from itself.
+pub fn warning(path: &Path, view: &View) -> Result<Option<String>> {
+    // Its own warnings have been printed.
+    let hidden =
+        surface(&InputFile::new(path), view)?.map_or(0.0, |surface| hidden_share(&surface));
+    Ok((hidden > NOTICED).then(|| {
+        format!(
+            "warning: shadows are left out: the object hides {:.0} % of uniform light from itself, \
+             and sources shine through it; `--shadows` draws it in one --material with its shadows",
+            (100.0 * hidden).max(1.0)
+        )
+    }))
 }

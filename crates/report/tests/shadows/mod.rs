@@ -1,5 +1,6 @@
 //! Objects with shadows: the recorded errors, the statements of the paper, an oracle and hard cases.
 
+mod bounce;
 mod cases;
 mod oracle;
 
@@ -17,6 +18,10 @@ use eigenshade_shadows::eigenimages::{Eigenimages, eigenimages, light_root};
 use eigenshade_shadows::material::Material;
 use eigenshade_shadows::object::{Object, RANK};
 use eigenshade_shadows::packed::{Compression, packed};
+use eigenshade_shadows::pixels::Pixels;
+use eigenshade_shadows::transport::{Surroundings, transports};
+use eigenshade_shadows::visibility::Occluders;
+use eigenshade_shadows::weights::Columns;
 use eigenshade_testing::fixtures::ROOT;
 use faer::Mat;
 use indicatif::ProgressBar;
@@ -33,8 +38,20 @@ fn surface(mesh: &Mesh, is_flat: bool) -> Surface {
     Surface::new(&"a mesh".into(), mesh, &view).unwrap()
 }
 
-fn object(surface: &Surface, size: usize, brdf: &dyn Brdf) -> Object {
-    Object::new(surface, size, DEGREE, &[Material::Formula(brdf)], &()).unwrap()
+/// An object whose surface reflects light so many times.
+fn object(surface: &Surface, size: usize, material: Material<'_>, bounces: usize) -> Object {
+    let pixels = Pixels::new(surface, size).unwrap();
+    let occluders = Occluders::new(&surface.facets);
+    let around = Surroundings { occluders: &occluders, bounces };
+    let harmonics = harmonics();
+    let light = Columns { degree: Some(DEGREE), all: harmonics.as_ref() };
+    let transports = transports(&pixels.points(), Some(around), &[material], light, &());
+    Object { size, degree: DEGREE, pixels: pixels.covered, transports }
+}
+
+/// An object whose surface is black to its pixels.
+fn shadowed(surface: &Surface, size: usize, brdf: &dyn Brdf) -> Object {
+    object(surface, size, Material::Formula(brdf), 0)
 }
 
 /// The harmonics in the directions of the transports.
@@ -58,7 +75,7 @@ fn lobby() -> Vec<f64> {
 
 fn bowl() -> Object {
     let (_, mesh) = SHAPES[5];
-    object(&surface(&mesh(), false), 20, &Ggx::new(0.5, 0.9, 0.0).unwrap())
+    shadowed(&surface(&mesh(), false), 20, &Ggx::new(0.5, 0.9, 0.0).unwrap())
 }
 
 fn images(object: &Object, rank: usize) -> Eigenimages {
@@ -148,7 +165,7 @@ fn drawn(object: &Object, images: &Eigenimages, compression: Compression) -> (f6
 #[test]
 fn all_shapes_are_packed() {
     for (name, mesh) in SHAPES {
-        let object = object(&surface(&mesh(), false), 40, &Ggx::new(0.5, 0.9, 0.0).unwrap());
+        let object = shadowed(&surface(&mesh(), false), 40, &Ggx::new(0.5, 0.9, 0.0).unwrap());
         let (rms, _) = drawn(&object, &images(&object, RANK), Compression::default());
         println!("{name}: {rms:.3} %");
         assert!(rms < 2.5, "{name}");
@@ -188,7 +205,7 @@ fn small_objects_and_ranks_are_drawn() {
     }
     // A picture of 2 x 2 pixels, the smallest.
     let (_, mesh) = SHAPES[0];
-    let least = self::object(&surface(&mesh(), false), 2, &Ggx::new(0.5, 0.9, 0.0).unwrap());
+    let least = shadowed(&surface(&mesh(), false), 2, &Ggx::new(0.5, 0.9, 0.0).unwrap());
     let (rms, _) = drawn(&least, &images(&least, RANK), all);
     println!("{} pixels: {rms:.3} %", least.pixels.len());
     assert!(rms < 0.5);
