@@ -1,7 +1,8 @@
 //! Objects with shadows: the pixels of a picture and their transports.
 
 use crate::directions::{FINE, cells};
-use crate::eigenimages::{eigenimages, light_root};
+use crate::eigenimages::eigenimages;
+use crate::light_root::{LightRoot, Turns};
 use crate::material::Material;
 use crate::packed::{Compression, packed};
 use crate::pixels::Pixels;
@@ -80,18 +81,19 @@ impl Object {
         sums.into_iter().map(|sum| sum as f32).collect()
     }
 
-    /// The file of the runtime's `ShadowedObject`, for lights like these that turn freely.
+    /// The file of the runtime's `ShadowedObject`, for lights like these that turn.
     ///
     /// # Errors
     ///
-    /// If a light is dark, or no eigenvalues are found.
+    /// As [`LightRoot::new`], or if no singular values are found.
     pub fn packed(
         &self,
         lights: &Lights,
+        turns: Turns,
         shares: &[[f64; 3]],
         compression: Compression,
     ) -> Result<Vec<u8>> {
-        let root = light_root(&lights.truncated(self.degree))?;
+        let root = LightRoot::new(&lights.truncated(self.degree), turns)?;
         let parts: Vec<_> = self.transports.iter().map(Mat::as_ref).collect();
         let images = eigenimages(&parts, &vec![1.0; parts.len()], &root, RANK)?;
         let (file, _) = packed(&images, self.degree, self.size, &self.pixels, shares, compression);

@@ -3,6 +3,7 @@
 use crate::codebook::{Cluster, Codebook, codebook};
 use crate::eigenimages::Eigenimages;
 use eigenshade_table::shadowed::{self, File, MOST_IMAGES, Pixel};
+use faer::Mat;
 
 /// How an object is compressed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -36,7 +37,10 @@ pub fn packed(
 ) -> (File, Codebook) {
     let Compression { codes, clusters, images: own } = compression;
     let own = own.min(MOST_IMAGES);
-    let book = codebook(images.pixels.as_ref(), codes.min(65_535), clusters, own);
+    let rows = Mat::from_fn(images.pixels.nrows(), images.pixels.ncols(), |row, k| {
+        images.pixels[(row, k)] as f32
+    });
+    let book = codebook(rows.as_ref(), codes.min(65_535), clusters, own);
     let rows = images.rows.iter().map(|rows| {
         let row = |j: usize| -> Vec<f64> { rows.row(j).iter().copied().collect() };
         (0..rows.nrows()).map(|j| mantissas(&row(j), 15)).collect()
