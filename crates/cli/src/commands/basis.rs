@@ -54,7 +54,7 @@ struct Purpose {
 
 impl Basis {
     pub fn run(self) -> Result<()> {
-        let scene = input_file(&self.scene);
+        let scene = input_file(&self.scene).with_text()?;
         if let Some(object) = ObjectScene::read(&scene)? {
             let Some(out) = &self.purpose.out else {
                 let what = "--check is for tables, and the scene has an object with shadows";

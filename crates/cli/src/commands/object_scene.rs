@@ -8,6 +8,7 @@ use eigenshade_generator::object::surface::View;
 use eigenshade_generator::scene_file;
 use eigenshade_model::error::{Error, Result};
 use eigenshade_model::inputs::input_file::InputFile;
+use eigenshade_model::output::writable;
 use eigenshade_model::shipped;
 use eigenshade_shading::presets::Source;
 use eigenshade_shadows::light_root::Turns;
@@ -90,20 +91,25 @@ impl ObjectScene {
             .chain(databases.iter().flatten().cloned())
             .collect();
         output::refuse_collisions([out], inputs)?;
+        writable(out)?;
         let [lights, materials] = databases;
         let lights = match lights {
-            Some(path) => source(&path.display()).lights()?,
+            Some(path) => source(path.display()).lights()?,
             None => shipped::lights()?,
         };
         let name = &self.material.name;
         let material = match materials {
-            Some(path) => source(&format_args!("{}:{name}", path.display())),
+            Some(path) => source(format_args!("{}:{name}", path.display())),
             None => source(name),
         };
-        let size = self.within("geometry.size", self.geometry.size, SIZE, [2, 512]);
-        let degree = self.within("light.degree", self.light.degree, DEGREE, [0, MOST_DEGREE]);
+        if self.material.database.is_none() && !material.is_shipped() {
+            let what = format!("material.name = \"{name}\" is not the name of a shipped material");
+            return Err(in_scene(Error::new(what, "name the file in material.database")));
+        }
+        let size = within("geometry.size", self.geometry.size, SIZE, [2, 512]);
+        let degree = within("light.degree", self.light.degree, DEGREE, [0, MOST_DEGREE]);
         let codes = Compression::default().codes;
-        let codes = self.within("basis.codes", self.basis.codes, codes, [1, 65_535]);
+        let codes = within("basis.codes", self.basis.codes, codes, [1, 65_535]);
         let degree = degree.map_err(in_scene)?;
         if lights.degree < degree {
             let what = format!("light.degree = {degree}, and its database has {}", lights.degree);
@@ -158,25 +164,24 @@ impl ObjectScene {
             }
         }
     }
+}
 
-    /// A number of the scene, or the default.
-    fn within(
-        &self,
-        name: &str,
-        value: Option<usize>,
-        default: usize,
-        [least, most]: [usize; 2],
-    ) -> Result<usize> {
-        let value = value.unwrap_or(default);
-        if (least..=most).contains(&value) {
-            return Ok(value);
-        }
-        Err(Error::new(format!("{name} = {value}"), format!("give {least} to {most}")))
+/// A number of the scene, or the default.
+fn within(
+    name: &str,
+    value: Option<usize>,
+    default: usize,
+    [least, most]: [usize; 2],
+) -> Result<usize> {
+    let value = value.unwrap_or(default);
+    if (least..=most).contains(&value) {
+        return Ok(value);
     }
+    Err(Error::new(format!("{name} = {value}"), format!("give {least} to {most}")))
 }
 
 /// A source as options name it.
-fn source(text: &dyn fmt::Display) -> Source {
+fn source(text: impl fmt::Display) -> Source {
     let Ok(source) = text.to_string().parse();
     source
 }

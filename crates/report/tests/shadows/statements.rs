@@ -85,7 +85,7 @@ fn projected(images: &Eigenimages, c: &[f64]) -> Vec<f64> {
     (0..images.pixels.ncols()).map(of).collect()
 }
 
-/// U over modes, each with mean square 1 over the pixels: C rows of unit variance.
+/// U over modes, each of mean square 1 over the pixels: C times the rows of d, over the deviation of d.
 fn over_modes(modes: &Modes, images: &Eigenimages, kept: usize) -> Vec<Vec<f64>> {
     let covariance = &modes.light.root * &modes.light.root;
     let of = |i: usize| -> Vec<f64> {
@@ -129,9 +129,9 @@ fn the_eigenbasis_of_an_object_is_that_of_the_paper() {
     let c = modes.coefficients();
     let d = projected(&images, &c);
     let largest = d.iter().fold(0.0, |most: f64, one| most.max(one.abs()));
-    for i in 0..kept {
-        let found = product(&with_gram[i], &c) / variances[i].sqrt();
-        assert!((found - d[i]).abs() < EXACT * largest, "{i}: {found}, {}", d[i]);
+    for ((row, variance), expected) in with_gram.iter().zip(variances).zip(&d) {
+        let found = product(row, &c) / variance.sqrt();
+        assert!((found - expected).abs() < EXACT * largest, "{found}, {expected}");
     }
 
     // Σ d_i U_i is the direct sum of each pixel.
