@@ -10,8 +10,8 @@
 
 use crate::checked_slice::rows;
 use crate::checked_slice::{part, part_mut, split, split_mut};
-use crate::index::light::MAX_DEGREE;
 use crate::index::light;
+use crate::index::light::MAX_DEGREE;
 use core::ops::{Add, Neg};
 
 /// The arithmetic of a number format. Numbers are scaled coefficients, factors are cosines and

@@ -4,6 +4,7 @@ pub mod description;
 pub mod export;
 pub mod messages;
 pub mod object;
+pub mod object_description;
 pub mod output;
 pub mod picture;
 pub mod picture_file;

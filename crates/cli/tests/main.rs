@@ -17,6 +17,7 @@ mod habits;
 mod highlights;
 mod limits;
 mod materials;
+mod object_scenes;
 mod objects;
 mod outputs;
 mod own_materials;

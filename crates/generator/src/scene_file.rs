@@ -19,6 +19,7 @@ use eigenshade_table::scene::{self, LightRotation, is_share};
 use eigenshade_table::{Scene, Table};
 use rayon::iter::{IntoParallelRefIterator, ParallelIterator};
 use serde::Deserialize;
+use serde::de::DeserializeOwned;
 use std::path::{Path, PathBuf};
 
 /// A scene with the databases that it names.
@@ -97,15 +98,8 @@ const LONGEST: u64 = 1 << 20;
 pub fn load(file: impl Into<InputFile>) -> Result<Loaded> {
     let file = file.into();
     let path = file.path();
-    let text = file.text()?;
-    if text.len() as u64 > LONGEST {
-        let what = format!("it has {} bytes, too many for a scene", text.len());
-        return Err(Error::new(what, format!("give at most {LONGEST}")).in_file(path));
-    }
-    let (scene, highlights) = parse(&text).map_err(|(error, line)| match line {
-        Some(line) => error.at_line(path, line),
-        None => error.in_file(path),
-    })?;
+    let (scene, highlights) = from_toml::<File>(&text(&file)?, path)?.parts();
+    check(&scene, highlights.as_ref()).map_err(|error| error.in_file(path))?;
     let folder = file.folder();
     let is_missing = |name: &&String| !folder.join(name).exists();
     let missing = named_files(&scene, highlights.as_ref()).find(is_missing).cloned();
@@ -267,27 +261,53 @@ fn read_geometry(geometry: &scene::Geometry, degree: usize, scene: &InputFile) -
     WeightedNormals::new(pairs).map(Geometry::Listed).map_err(|error| error.in_file(&path))
 }
 
-/// Parses a scene; on failure, returns the error and its line.
-fn parse(text: &str) -> std::result::Result<(Scene, Option<HighlightFiles>), (Error, Option<u64>)> {
-    let file: File = toml::from_str(text).map_err(|error| {
-        let line = error.span().map(|span| 1 + text[..span.start].matches('\n').count() as u64);
-        let what = error.message().lines().next().unwrap_or("not a scene").to_owned();
-        (Error::new(what, "see tables/README.md for the fields of a scene"), line)
-    })?;
-    let (scene, highlights) = file.parts();
-    check(&scene).map_err(|error| (error, None))?;
-    let most = highlights.as_ref().map_or(1, |files| files.most);
-    if !(1..=MAX_SOURCES).contains(&most) {
-        let what = format!("highlights.most = {most} is out of range");
-        return Err((Error::new(what, format!("give 1 to {MAX_SOURCES} sources")), None));
+/// The text of a scene file.
+///
+/// # Errors
+///
+/// If it cannot be read or is too long.
+pub fn text(file: &InputFile) -> Result<String> {
+    let text = file.text()?;
+    if text.len() as u64 > LONGEST {
+        let what = format!("it has {} bytes, too many for a scene", text.len());
+        return Err(Error::new(what, format!("give at most {LONGEST}")).in_file(file.path()));
     }
-    Ok((scene, highlights))
+    Ok(text)
+}
+
+/// Whether the scene is of an object with shadows, which `eigenshade basis` packs: it has
+/// `geometry.object`.
+#[must_use]
+pub fn has_object(text: &str) -> bool {
+    let scene = text.parse::<toml::Table>().unwrap_or_default();
+    scene.get("geometry").is_some_and(|geometry| geometry.get("object").is_some())
+}
+
+/// Parses the text of a scene file at a path.
+///
+/// # Errors
+///
+/// With the line, if a field is unknown or missing, or has another type.
+pub fn from_toml<T: DeserializeOwned>(text: &str, path: &Path) -> Result<T> {
+    toml::from_str(text).map_err(|error| {
+        let what = error.message().lines().next().unwrap_or("not a scene").to_owned();
+        let fault = Error::new(what, "see tables/README.md for the fields of a scene");
+        match error.span() {
+            Some(span) => fault.at_line(path, 1 + text[..span.start].matches('\n').count() as u64),
+            None => fault.in_file(path),
+        }
+    })
 }
 
 /// Checks that this version supports the values.
-fn check(scene: &Scene) -> Result<()> {
+fn check(scene: &Scene, highlights: Option<&HighlightFiles>) -> Result<()> {
     let basis = &scene.basis;
     let fail = |what: String, remedy: &str| Err(Error::new(what, remedy));
+    let most = highlights.map_or(1, |files| files.most);
+    if !(1..=MAX_SOURCES).contains(&most) {
+        let what = format!("highlights.most = {most} is out of range");
+        return Err(Error::new(what, format!("give 1 to {MAX_SOURCES} sources")));
+    }
     if scene.effects.set() == Effects::NONE {
         return fail(
             "effects.use = []".into(),

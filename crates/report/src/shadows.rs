@@ -12,7 +12,8 @@ use eigenshade_generator::object::surface::{Surface, View};
 use eigenshade_model::database::Lights;
 use eigenshade_model::error::{Error, Result};
 use eigenshade_model::parallel;
-use eigenshade_shadows::eigenimages::{eigenimages, light_root};
+use eigenshade_shadows::eigenimages::eigenimages;
+use eigenshade_shadows::light_root::{LightRoot, Turns};
 use eigenshade_shadows::material::Material;
 use eigenshade_shadows::object::{Object, RANK};
 use eigenshade_shadows::packed::{Compression, packed};
@@ -23,6 +24,7 @@ use eigenshade_shadows::weights::Columns;
 use faer::Mat;
 use indicatif::ProgressBar;
 use palette::{LinSrgb, Srgb};
+use std::f64::consts::FRAC_PI_4;
 use std::path::Path;
 
 /// Pixels across.
@@ -145,8 +147,8 @@ pub struct Packed {
 
 impl Packed {
     /// As [`Object::packed`], which does not give the codes.
-    fn new(object: &Object, lights: &Lights, codes: usize) -> Result<Self> {
-        let root = light_root(lights)?;
+    fn new(object: &Object, lights: &Lights, turns: Turns, codes: usize) -> Result<Self> {
+        let root = LightRoot::new(lights, turns)?;
         let transports: Vec<_> = object.transports.iter().map(Mat::as_ref).collect();
         let images = eigenimages(&transports, &[1.0], &root, RANK)?;
         let compression = Compression { codes, ..Compression::default() };
@@ -228,12 +230,24 @@ pub fn errors(
         let drawn = Drawn::new(shape, materials, SIZE, lit)?;
         for (number, &material) in materials.iter().enumerate() {
             for (way, codes) in WAYS {
-                rows.push(drawn.row((shape, material, way), number, codes, lit)?);
+                rows.push(drawn.row((shape, material, way), number, codes, Turns::All, lit)?);
             }
             bar.inc(1);
         }
     }
     Ok(rows)
+}
+
+/// The errors of a shape with a code for each pixel, made for lights that turn freely and for lights that
+/// are tilted by up to 45 degrees.
+///
+/// # Errors
+///
+/// If the shape or the material does not exist.
+pub fn of_turns(shape: &'static str, material: &'static str, lit: &Lit) -> Result<[Row; 2]> {
+    let drawn = Drawn::new(shape, &[material], SIZE, lit)?;
+    let row = |turns| drawn.row((shape, material, "codes: all"), 0, Some(65_535), turns, lit);
+    Ok([row(Turns::All)?, row(Turns::Tilts(FRAC_PI_4))?])
 }
 
 impl Drawn {
@@ -242,10 +256,12 @@ impl Drawn {
         (shape, material, way): (&'static str, &'static str, &'static str),
         number: usize,
         codes: Option<usize>,
+        turns: Turns,
         lit: &Lit,
     ) -> Result<Row> {
         let object = if way == "convex" { &self.convex[number] } else { &self.objects[number] };
-        let packed = codes.map(|codes| Packed::new(object, &lit.known, codes)).transpose()?;
+        let packed =
+            codes.map(|codes| Packed::new(object, &lit.known, turns, codes)).transpose()?;
         let found = parallel::map(lit.drawn.len(), &(), |k| {
             let (direct, light) = (&self.direct[number][k], &lit.drawn[k].light);
             let exposure = metered(direct);
@@ -314,7 +330,7 @@ pub fn shown(
     let drawn = Drawn::new(shape, &[material], size, &lit)?;
     let light = &lit.drawn[0].light;
     let exposure = metered(&drawn.direct[0][0]);
-    let packed = Packed::new(&drawn.objects[0], &lit.known, 4096)?;
+    let packed = Packed::new(&drawn.objects[0], &lit.known, Turns::All, 4096)?;
     let draw = || {
         let object = ShadowedObject::new(&packed.bytes)?;
         let mut colors = vec![0_u16; object.codes()];

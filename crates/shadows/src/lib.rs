@@ -5,6 +5,7 @@
 //! use eigenshade_generator::material::brdf::Ggx;
 //! use eigenshade_generator::object::{mesh, surface::View};
 //! use eigenshade_model::shipped;
+//! use eigenshade_shadows::light_root::Turns;
 //! use eigenshade_shadows::{material::Material, object::Object, packed::Compression};
 //!
 //! let surface = mesh::surface(&"coin.obj".into(), &View::default())?;
@@ -12,7 +13,7 @@
 //! let coin = Object::new(&surface, 96, 16, &[Material::Formula(&silver)], &())?;
 //! let light = &shipped::lights()?.truncated(16).entries[0].rgb[1];
 //! let pixels = coin.irradiance(light, &[1.0]);
-//! let file = coin.packed(&shipped::lights()?, &[[1.0; 3]], Compression::default())?;
+//! let file = coin.packed(&shipped::lights()?, Turns::All, &[[1.0; 3]], Compression::default())?;
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
@@ -25,6 +26,8 @@ pub mod material;
 pub mod pixels;
 pub mod transport;
 pub mod weights;
+
+pub mod light_root;
 
 pub mod codebook;
 pub mod eigenimages;

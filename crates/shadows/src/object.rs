@@ -1,6 +1,7 @@
 //! Objects with shadows: the pixels of a picture and their transports.
 
-use crate::eigenimages::{eigenimages, light_root};
+use crate::eigenimages::eigenimages;
+use crate::light_root::{LightRoot, Turns};
 use crate::lit::Lit;
 use crate::material::Material;
 use crate::packed::{Compression, packed};
@@ -97,18 +98,19 @@ impl Object {
     }
 
     /// The file of the runtime's `ShadowedObject`, for [`smoothed`](Self::smoothed) lights like these that
-    /// turn freely.
+    /// turn.
     ///
     /// # Errors
     ///
-    /// If a light is dark, or no eigenvalues are found.
+    /// As [`LightRoot::new`], or if no singular values are found.
     pub fn packed(
         &self,
         lights: &Lights,
+        turns: Turns,
         shares: &[[f64; 3]],
         compression: Compression,
     ) -> Result<Vec<u8>> {
-        let root = light_root(&lights.truncated(self.degree))?;
+        let root = LightRoot::new(&lights.truncated(self.degree), turns)?;
         let Self { transports, .. } = self.smoothed();
         let parts: Vec<_> = transports.iter().map(Mat::as_ref).collect();
         let images = eigenimages(&parts, &vec![1.0; parts.len()], &root, RANK)?;

@@ -4,7 +4,7 @@ use crate::codebook::{Cluster, Codebook, codebook};
 use crate::eigenimages::Eigenimages;
 use eigenshade_table::light;
 use eigenshade_table::shadowed::{self, File, MOST_IMAGES, MOST_SHIFT, Pixel, Rows};
-use faer::MatRef;
+use faer::{Mat, MatRef};
 
 /// How an object is compressed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -38,7 +38,10 @@ pub fn packed(
 ) -> (File, Codebook) {
     let Compression { codes, clusters, images: own } = compression;
     let own = own.min(MOST_IMAGES);
-    let book = codebook(images.pixels.as_ref(), codes.min(65_535), clusters, own);
+    let rows = Mat::from_fn(images.pixels.nrows(), images.pixels.ncols(), |row, k| {
+        images.pixels[(row, k)] as f32
+    });
+    let book = codebook(rows.as_ref(), codes.min(65_535), clusters, own);
     let file = File {
         size: [size as u16; 2],
         degree: degree as u8,

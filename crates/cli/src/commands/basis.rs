@@ -1,5 +1,6 @@
 //! `eigenshade basis`: makes a table from a scene file.
 
+use super::object_scene::ObjectScene;
 use super::options::input_file;
 use clap::Args;
 use eigenshade_cli::messages::{albedo_warning, grouped, print_message, spinner};
@@ -22,6 +23,8 @@ use std::time::{Duration, Instant};
 const MANIFEST: &str = "manifest.csv";
 
 /// Make the table of a scene: its eigenimages
+///
+/// A scene with `geometry.object` becomes an object with shadows, as `pack-object --shadows` writes it.
 ///
 /// The command estimates its memory first, and refuses a table that would take more than 8 GiB. If
 /// the scene has a tolerance, standard error reports the choice for it. With `--out B.bin`, it
@@ -51,6 +54,14 @@ struct Purpose {
 
 impl Basis {
     pub fn run(self) -> Result<()> {
+        let scene = input_file(&self.scene).with_text()?;
+        if let Some(object) = ObjectScene::read(&scene)? {
+            let Some(out) = &self.purpose.out else {
+                let what = "--check is for tables, and the scene has an object with shadows";
+                return Err(Error::new(what, "pack it again with --out").in_file(&self.scene));
+            };
+            return object.pack(&scene, out);
+        }
         if let Some(path) = &self.purpose.out {
             let inputs = scene_file::inputs(&self.scene);
             output::refuse_collisions([path, &path.with_extension(MANIFEST)], inputs)?;
@@ -64,7 +75,7 @@ impl Basis {
         };
         let start = Instant::now();
         let progress = spinner("eigenimages");
-        let loaded = scene_file::load(input_file(&self.scene))?;
+        let loaded = scene_file::load(scene)?;
         let estimate = Estimate::of(&loaded);
         estimate.check().map_err(|error| error.in_file(&self.scene))?;
         if let Some(time) = estimate.minutes() {

@@ -1,9 +1,9 @@
-//! `eigenshade info` and `eigenshade eigenvalues`: describe a table.
+//! `eigenshade info`: describes a table or a packed object. `eigenshade eigenvalues`: its eigenvalues.
 
 use super::options::{Destination, TableChoice, input_file};
 use clap::Args;
 use eigenshade_cli::description::Description;
-use eigenshade_cli::{output, table};
+use eigenshade_cli::{object_description, output, table};
 use eigenshade_model::error::Result;
 use eigenshade_table::Table;
 use eigenshade_table::file::manifest;
@@ -11,6 +11,9 @@ use eigenshade_table::scene::Store;
 use serde::Serialize;
 
 /// Describe a table: scene, orders, components, rank, energy, sections and bytes
+///
+/// For an object that `pack-object` or `basis` packed: pixels, and bytes of each section; with shadows
+/// also degree, rank, codes and clusters.
 ///
 /// For a wire file, which `pack` writes: version, byte order, format, orders, components, sections
 /// and bytes, and the lengths of buffers if the byte order is that of this machine.
@@ -28,6 +31,8 @@ impl Info {
         let bytes = table::bytes(&input_file(self.table.path()))?;
         let found = if table::is_wire(&bytes) {
             table::wire_description(&bytes)
+        } else if let Some(of_object) = object_description::description(&bytes) {
+            of_object
         } else {
             table::decode(&bytes).map(|table| description(&table))
         };

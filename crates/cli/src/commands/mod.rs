@@ -17,6 +17,8 @@ mod list;
 mod manual;
 #[cfg(feature = "generate")]
 mod material;
+#[cfg(feature = "generate")]
+mod object_scene;
 mod options;
 mod pack;
 #[cfg(feature = "generate")]

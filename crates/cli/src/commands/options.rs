@@ -55,17 +55,23 @@ pub struct Pose {
 /// A view, and the camera's axes in the mesh's frame.
 type NamedView = (&'static str, [[f64; 3]; 3]);
 
+const VIEWS: [NamedView; 6] = [
+    ("front", [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]]),
+    ("back", [[-1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, -1.0]]),
+    ("right", [[0.0, 0.0, -1.0], [0.0, 1.0, 0.0], [1.0, 0.0, 0.0]]),
+    ("left", [[0.0, 0.0, 1.0], [0.0, 1.0, 0.0], [-1.0, 0.0, 0.0]]),
+    ("top", [[1.0, 0.0, 0.0], [0.0, 0.0, -1.0], [0.0, 1.0, 0.0]]),
+    ("bottom", [[1.0, 0.0, 0.0], [0.0, 0.0, 1.0], [0.0, -1.0, 0.0]]),
+];
+
 fn views() -> impl TypedValueParser<Value = NamedView> {
-    let [x, y, z] = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
-    let back = |axis: [f64; 3]| axis.map(|component: f64| 0.0 - component);
-    choice([
-        ("front", "", ("front", [x, y, z])),
-        ("back", "", ("back", [back(x), y, back(z)])),
-        ("right", "", ("right", [back(z), y, x])),
-        ("left", "", ("left", [z, y, back(x)])),
-        ("top", "", ("top", [x, back(z), y])),
-        ("bottom", "", ("bottom", [x, z, back(y)])),
-    ])
+    choice(VIEWS.map(|view| (view.0, "", view)))
+}
+
+/// The camera's axes of a view.
+#[cfg(feature = "generate")]
+pub fn view_named(name: &str) -> Option<[[f64; 3]; 3]> {
+    VIEWS.iter().find(|view| view.0 == name).map(|view| view.1)
 }
 
 impl Pose {

@@ -1,7 +1,7 @@
 //! `eigenshade pack-object`: makes an object or its normals for the runtime.
 
 use super::options::{Green, Pose, count, input_file};
-use super::shadows::{Parts, drawn};
+use super::shadows::{DEGREE, Packing, SIZE};
 use clap::Args;
 use eigenshade_asset::asset::Asset;
 use eigenshade_asset::packed::{MOST_REGIONS, Packed};
@@ -15,16 +15,9 @@ use eigenshade_model::error::{Error, Result};
 use eigenshade_model::inputs::input_file::InputFile;
 use eigenshade_model::shipped;
 use eigenshade_shading::presets::Source;
-use eigenshade_shadows::object::Object;
-use eigenshade_shadows::packed::Compression;
+use eigenshade_shadows::light_root::Turns;
 use std::fmt::Write;
 use std::path::{Path, PathBuf};
-
-/// Pixels across a sphere and a mesh.
-const SIZE: usize = 240;
-
-/// The degree of the light of an object with shadows.
-const DEGREE: usize = 16;
 
 /// Bytes in a line of source.
 const PER_LINE: usize = 20;
@@ -221,28 +214,23 @@ impl PackObject {
         let options = self.pose.options(self.size, self.green);
         options.check(file)?;
         let size = self.size.unwrap_or(SIZE);
-        let parts = Parts::of(material)?;
-        let object = drawn(file, &options.view(), size, &parts, |surface, parts, progress| {
-            Object::new(surface, size, DEGREE, parts, progress)
-        })?;
-        let lights = shipped::lights()?;
-        let compression = Compression { codes: self.codes, ..Compression::default() };
-        let bytes = object.packed(&lights, &parts.shares, compression)?;
-        let covered = object.pixels.len();
-        let codes = self.codes.min(covered);
+        let packing = Packing {
+            file,
+            view: options.view(),
+            size,
+            degree: DEGREE,
+            material,
+            lights: &shipped::lights()?,
+            turns: Turns::All,
+            codes: self.codes,
+        };
+        let packed = packing.pack()?;
         Ok(Contents {
             item: Item::ShadowedObject,
-            notes: format!(
-                "{:<12} {:.1}\n{:<12} {}\n{:<12} {DEGREE}\n",
-                "a pixel",
-                bytes.len() as f64 / covered as f64,
-                "colors",
-                grouped(codes),
-                "degree",
-            ),
-            bytes,
+            notes: packed.notes(),
             size: [size; 2],
-            covered,
+            covered: packed.covered,
+            bytes: packed.bytes,
         })
     }
 

@@ -1,21 +1,81 @@
-//! Objects with their shadows: `render --shadows` and `pack-object --shadows`.
+//! Objects with their shadows: `render --shadows`, `pack-object --shadows` and scenes with an object.
 
 use eigenshade_asset::asset::Asset;
-use eigenshade_cli::messages::{print_message, progress_bar};
+use eigenshade_cli::messages::{grouped, print_message, progress_bar};
 use eigenshade_generator::object::mesh;
 use eigenshade_generator::object::surface::{Surface, View};
-use eigenshade_model::database::Named;
+use eigenshade_model::database::{Lights, Named};
 use eigenshade_model::error::{Error, Result};
 use eigenshade_model::inputs::input_file::InputFile;
 use eigenshade_shading::presets::Source;
+use eigenshade_shadows::light_root::Turns;
 use eigenshade_shadows::material::{MOST_ORDER, Material};
 use eigenshade_shadows::object::Object;
+use eigenshade_shadows::packed::Compression;
 use eigenshade_shadows::visibility::hidden_share;
 use indicatif::ProgressBar;
 use std::path::Path;
 
 /// The order of the series of shipped materials.
 pub const ORDER: usize = 12;
+
+/// Pixels across a packed object, and the degree of its light.
+pub const SIZE: usize = 240;
+pub const DEGREE: usize = 16;
+
+/// Contents of a packed object.
+pub struct Packing<'a> {
+    pub file: &'a InputFile,
+    pub view: View,
+    /// Pixels across.
+    pub size: usize,
+    /// The degree of the light.
+    pub degree: usize,
+    pub material: &'a Source,
+    /// The lights that it is made for, and how they turn.
+    pub lights: &'a Lights,
+    pub turns: Turns,
+    /// The most codes.
+    pub codes: usize,
+}
+
+/// A packed object.
+pub struct PackedObject {
+    pub bytes: Vec<u8>,
+    /// The number of its pixels.
+    pub covered: usize,
+    codes: usize,
+    degree: usize,
+}
+
+impl Packing<'_> {
+    /// Packs the object.
+    pub fn pack(&self) -> Result<PackedObject> {
+        let parts = Parts::of(self.material)?;
+        let object = drawn(self.file, &self.view, self.size, &parts, |surface, parts, progress| {
+            Object::new(surface, self.size, self.degree, parts, progress)
+        })?;
+        let compression = Compression { codes: self.codes, ..Compression::default() };
+        let bytes = object.packed(self.lights, self.turns, &parts.shares, compression)?;
+        let covered = object.pixels.len();
+        Ok(PackedObject { bytes, covered, codes: self.codes.min(covered), degree: self.degree })
+    }
+}
+
+impl PackedObject {
+    /// Lines of a report.
+    pub fn notes(&self) -> String {
+        let each = self.bytes.len() as f64 / self.covered as f64;
+        format!(
+            "{:<12} {each:.1}\n{:<12} {}\n{:<12} {}\n",
+            "a pixel",
+            "colors",
+            grouped(self.codes),
+            "degree",
+            self.degree,
+        )
+    }
+}
 
 /// A material, and the shares of its parts in the channels.
 pub struct Parts {

@@ -59,6 +59,15 @@ impl InputFile {
         Self { text: Some(text.into()), ..Self::new(path) }
     }
 
+    /// The file with its text, which is not read again: standard input can be read once.
+    ///
+    /// # Errors
+    ///
+    /// As [`text`](Self::text).
+    pub fn with_text(self) -> Result<Self> {
+        Ok(Self { text: Some(self.text()?), ..self })
+    }
+
     /// The path of the file.
     #[must_use]
     pub fn path(&self) -> &Path {
