@@ -52,9 +52,10 @@ impl Packing<'_> {
     /// Packs the object.
     pub fn pack(&self) -> Result<PackedObject> {
         let parts = Parts::of(self.material)?;
-        let object = drawn(self.file, &self.view, self.size, &parts, |surface, parts, progress| {
-            Object::new(surface, self.size, self.degree, parts, progress)
-        })?;
+        let object =
+            drawn(self.file, &self.view, self.size, &parts, |surface, parts, progress| {
+                Object::new(surface, self.size, self.degree, parts, progress)
+            })?;
         let compression = Compression { codes: self.codes, ..Compression::default() };
         let bytes = object.packed(self.lights, self.turns, &parts.shares, compression)?;
         let covered = object.pixels.len();
