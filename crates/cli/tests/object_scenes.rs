@@ -22,7 +22,7 @@ fn relief() -> Folder {
 fn a_scene_of_an_object_gives_the_file_of_the_command() {
     let folder = relief();
     let printed = folder.ok("basis --scene relief.toml --out a.bin");
-    assert_contains(&printed, &["16 x 16, 256 with an object", "degree       9"]);
+    assert_contains(&printed, &["16 x 16, 256 with an object", "degree       16"]);
     let command = "pack-object relief.obj --shadows --material gold-metallic-paint --size 16";
     folder.ok(&format!("{command} --out b.bin"));
     assert_eq!(folder.bytes("a.bin"), folder.bytes("b.bin"));
@@ -71,7 +71,7 @@ fn bad_scenes_of_objects_are_refused() {
         ("tilts 45", "vertical", "light.rotation = \"vertical\"; give"),
         ("rotation", "degree = 17\nrotation", "light.degree = 17; give 0 to 16"),
         ("rotation", "database = \"no.csv\"\nrotation", "no.csv"),
-        ("rotation", "database = \"lights.csv\"\nrotation", "degree = 9, and its database has 4"),
+        ("rotation", "database = \"lights.csv\"\nrotation", "degree = 16, and its database has 4"),
         ("gold-metallic-paint", "gold-metalic-paint", "`gold-metalic-paint` is neither"),
         ("gold-metallic-paint", "lights.csv", "is not the name of a shipped material; name"),
         ("relief.obj", "no.obj", "no.obj"),
