@@ -424,7 +424,7 @@ typedef struct eigenshade_object_t {
 } eigenshade_object_t;
 
 /**
- * What is at the beginning of a textured object.
+ * The size of a textured object and the number of its regions.
  */
 typedef struct eigenshade_object_header_t {
   /**
@@ -467,7 +467,7 @@ typedef struct eigenshade_shadowed_object_t {
 } eigenshade_shadowed_object_t;
 
 /**
- * What is at the beginning of an object with shadows.
+ * The size of an object with shadows, the number of its codes, and the degree of its light.
  */
 typedef struct eigenshade_shadowed_object_header_t {
   /**
