@@ -142,10 +142,9 @@ mod tests {
                 if found[3] == 0 {
                     continue;
                 }
-                for channel in 0..3 {
-                    let [x, y] = [above, below].map(|pixel| f64::from(pixel[channel]));
-                    let mean = (a * x + (1.0 - a) * b * y) / total;
-                    assert!((f64::from(found[channel]) - mean).abs() <= 1.0);
+                for ((x, y), found) in above.into_iter().zip(below).zip(found).take(3) {
+                    let mean = (a * f64::from(x) + (1.0 - a) * b * f64::from(y)) / total;
+                    assert!((f64::from(found) - mean).abs() <= 1.0);
                 }
                 let [r, g, b, _] = found;
                 if opacity == 255 {
