@@ -140,12 +140,13 @@ impl<'a> PartRows<'a> {
             let (of_degree, rest) = row.split_at_checked(orders)?;
             let (coefficients, others) = light.split_at_checked(orders)?;
             (row, light) = (rest, others);
+            // At most 12, as `new` has checked; the mask links no panic.
             Some((u32::from(*shift) & 15, of_degree, coefficients))
         })
     }
 }
 
-/// 2 to an exponent of eight bits.
+/// 2 to an exponent, which is brought to -126 to 127.
 fn power(exponent: i32) -> f32 {
     f32::from_bits((127 + exponent.clamp(-126, 127)).cast_unsigned() << 23)
 }

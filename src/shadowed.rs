@@ -11,7 +11,7 @@ use crate::target::Target;
 /// compressed form, and the rows UᵀM that give their coefficients d from a light.
 ///
 /// `eigenshade pack-object --shadows` makes one. A frame takes a matrix product for d, a sum of a few
-/// images for each code, of which an object has some thousand, and a look-up for each pixel. Light is
+/// images for each code, of which an object has a few thousand, and a look-up for each pixel. Light is
 /// harmonics alone: sources stay in it.
 ///
 /// ```no_run
@@ -82,7 +82,7 @@ impl<'a> ShadowedObject<'a> {
             && rank > 0
             && rank <= MOST_RANK
             && images <= MOST_IMAGES
-            && degree <= crate::index::light::MAX_DEGREE;
+            && degree <= light::MAX_DEGREE;
         if !is_fit {
             return None;
         }

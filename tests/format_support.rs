@@ -85,6 +85,7 @@ fn numbers_beyond_a_format_are_refused() {
     assert_eq!(Light::new(&light), Err(refused));
     says(refused, "is not finite");
     says(Error::Beyond { argument: Argument::Light, most: 12, found: 13 }, "degree 12 at most");
+    says(Error::Beyond { argument: Argument::Light, most: 16, found: 17 }, "degree 16 at most");
 
     let baked = |size: usize, constant: f32| {
         let mut d = [0.0f32; sphere::COMPONENTS];

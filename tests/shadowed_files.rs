@@ -28,7 +28,8 @@ fn wrong_structure_is_refused() {
     assert_eq!(bytes.len(), words + 22);
     let places = [
         (0, 1),            // magic
-        (5, 3),            // version
+        (5, 1),            // the version before
+        (5, 3),            // a version after
         (6, 3),            // a run beyond the width
         (8, 1),            // fewer rows than there are
         (8, 3),            // rows that are not there

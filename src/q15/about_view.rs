@@ -31,7 +31,8 @@ impl Light<'_> {
     ///
     /// # Errors
     ///
-    /// As [`turned`](Self::turned), and [`Error::Rotation`] if cosine and sine are 0.
+    /// As [`turned`](Self::turned), but [`Error::Beyond`] if the degree is above 12;
+    /// [`Error::Rotation`] if cosine and sine are 0.
     pub fn turned_about_view<const N: usize>(
         &self,
         angle: [i32; 2],

@@ -27,8 +27,8 @@ impl Light<'_> {
     ///
     /// # Errors
     ///
-    /// As [`turned`](Self::turned), and [`Error::Rotation`] if cosine² + sine² differs from 1
-    /// by more than 2 %.
+    /// As [`turned`](Self::turned), but [`Error::Beyond`] if the degree is above 12;
+    /// [`Error::Rotation`] if cosine² + sine² differs from 1 by more than 2 %.
     pub fn turned_about_view<const N: usize>(
         &self,
         angle: [f32; 2],

@@ -8,12 +8,13 @@ use eigenshade_model::special::spherical_harmonic;
 use eigenshade_model::vector::dot;
 use eigenshade_model::{parallel, shipped};
 use eigenshade_shadows::directions::{FINE, cell_of, cells};
+use eigenshade_table::light;
 use faer::Mat;
 use std::f64::consts::{FRAC_PI_4, TAU};
 use std::path::Path;
 
 /// The degree of the light, and the number of its coefficients.
-pub const DEGREE: usize = 16;
+pub const DEGREE: usize = light::MAX_DEGREE;
 pub const COUNT: usize = (DEGREE + 1) * (DEGREE + 1);
 
 /// One in three maps is drawn; the other lights are in the statistics.

@@ -41,7 +41,7 @@ impl Object {
     /// directions. A pixel that sees all is exact, within the rounding of f32, if the material is a
     /// series. The surface reflects light as a matte one of the albedo of each part, up to
     /// [`BOUNCES`](crate::lit::BOUNCES) times: each part is a material by itself. Memory: 4 (degree + 1)²
-    /// bytes for each pixel and part, and 65 KB for each of 64 pixels and each core.
+    /// bytes for each pixel and part, and 82 KB for each part, each of 64 pixels and each core.
     ///
     /// # Errors
     ///

@@ -21,7 +21,7 @@ import { checkWindow, weakest, windowed } from "./window.js";
 /** @typedef {import("./input.js").Channels} Channels */
 
 /** Largest degree of a light that turns. */
-const TURNED = 12;
+const TURNED = 16;
 
 /** The bits of all effects. */
 const ALL = 0b1111;

@@ -57,8 +57,8 @@ export class ShadowedObject {
    *
    * @param {ArrayBuffer | ArrayBufferView} file what `eigenshade pack-object --shadows --out F.bin` wrote
    * @returns {Promise<ShadowedObject>} without a light: it is black
-   * @throws {TypeError | RangeError} if this is something else, was cut or changed, takes light of a
-   *   degree above 16, or is too large for memory
+   * @throws {TypeError | RangeError} if this is something else, was cut or changed, or is too
+   *   large for memory
    */
   static async load(file) {
     if (!(file instanceof ArrayBuffer || ArrayBuffer.isView(file))) {

@@ -21,7 +21,8 @@ use std::path::{Path, PathBuf};
 
 /// Export lights, materials, tables and scenes to Rust, C, JavaScript or numpy
 ///
-/// With --light and --material, exports these, to the degree and order of the table; with both,
+/// With --light and --material, exports these, to the degree and order of the table, or a light to
+/// --degree; with both,
 /// npz also holds the scene: its coefficients in the table's eigenimages. With neither, exports the
 /// table.
 #[derive(Args, Debug)]
@@ -144,6 +145,10 @@ impl Export {
             let what = "--normals adds eigenimages or images, which only tables and scenes have, \
                         in npz";
             return fault(what, "leave it out, or export a table, or a light with a material");
+        }
+        if self.lang == Lang::C && self.degree.is_some() {
+            let what = "the C library takes lights to the degree of its table";
+            return fault(what, "leave --degree out, or export it for rust, js or npz");
         }
         if let Some(most) = self.sources {
             if self.lang == Lang::Npz {

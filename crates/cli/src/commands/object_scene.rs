@@ -13,12 +13,10 @@ use eigenshade_model::shipped;
 use eigenshade_shading::presets::Source;
 use eigenshade_shadows::light_root::Turns;
 use eigenshade_shadows::packed::Compression;
+use eigenshade_table::light;
 use serde::Deserialize;
 use std::fmt;
 use std::path::{Path, PathBuf};
-
-/// The largest degree of the light.
-const MOST_DEGREE: usize = 16;
 
 /// A scene of an object with shadows.
 #[derive(Deserialize)]
@@ -107,7 +105,7 @@ impl ObjectScene {
             return Err(in_scene(Error::new(what, "name the file in material.database")));
         }
         let size = within("geometry.size", self.geometry.size, SIZE, [2, 512]);
-        let degree = within("light.degree", self.light.degree, DEGREE, [0, MOST_DEGREE]);
+        let degree = within("light.degree", self.light.degree, DEGREE, [0, light::MAX_DEGREE]);
         let codes = Compression::default().codes;
         let codes = within("basis.codes", self.basis.codes, codes, [1, 65_535]);
         let degree = degree.map_err(in_scene)?;

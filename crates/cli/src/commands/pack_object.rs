@@ -34,13 +34,13 @@ const PER_LINE: usize = 20;
 ///
 /// A mesh is seen from +z, with x to the right and y up. The output is the bytes; Rust source with the
 /// object as the static `OBJECT`, or the map as `MAP`; or, for F.h, a C header with the constant
-/// `object_F` or `normal_map_F` for `eigenshade.h`.
+/// `object_F`, `shadowed_object_F` or `normal_map_F` for `eigenshade.h`.
 #[derive(Args, Debug)]
 pub struct PackObject {
     /// A mesh (.glb, .gltf, .obj, .ply, .stl), a normal map (.png), or `sphere`
     #[arg(id = "normals", value_name = "OBJECT")]
     object: PathBuf,
-    /// Pixels across the longer side, 2 to 4096; a normal map can only shrink [default: 240, or all
+    /// Pixels across the longer side, 2 to 4096, with --shadows to 512; a normal map can only shrink [default: 240, or all
     /// of a normal map]
     #[arg(short, long, value_name = "N", value_parser = count(2, 4096))]
     size: Option<usize>,

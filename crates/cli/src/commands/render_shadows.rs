@@ -2,11 +2,11 @@
 
 use super::options::{Inputs, WindowChoice, input_file};
 use super::render::Render;
-use super::shadows::{ORDER, Parts, drawn};
+use super::shadows::{Parts, drawn};
 use eigenshade::Rgb;
 use eigenshade_cli::messages::{albedo_warning, dark_light_warning, print_message};
 use eigenshade_cli::picture_file::PictureFile;
-use eigenshade_model::database::{Lights, Materials};
+use eigenshade_model::database::Lights;
 use eigenshade_model::error::Result;
 use eigenshade_model::special::spherical_harmonic;
 use eigenshade_shading::picture::{Development, Pixel};
@@ -25,9 +25,7 @@ impl Render {
         if let Some(WindowChoice::Given(window)) = self.choices.window() {
             lights.entries[0].rgb.iter_mut().for_each(|channel| window.apply(channel));
         }
-        let Materials { order, entries } = material.materials(ORDER)?;
-        let materials = Materials { order, entries: vec![material.only(entries)?] };
-        let parts = Parts::of(material)?;
+        let (parts, materials) = Parts::of(material)?;
         let file = input_file(&self.normals);
         let options = self.pose.options(self.size, self.green);
         options.check(&file)?;

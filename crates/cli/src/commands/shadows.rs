@@ -4,7 +4,7 @@ use eigenshade_asset::asset::Asset;
 use eigenshade_cli::messages::{grouped, print_message, progress_bar};
 use eigenshade_generator::object::mesh;
 use eigenshade_generator::object::surface::{Surface, View};
-use eigenshade_model::database::{Lights, Named};
+use eigenshade_model::database::{Lights, Materials};
 use eigenshade_model::error::{Error, Result};
 use eigenshade_model::inputs::input_file::InputFile;
 use eigenshade_shading::presets::Source;
@@ -13,15 +13,16 @@ use eigenshade_shadows::material::{MOST_ORDER, Material};
 use eigenshade_shadows::object::Object;
 use eigenshade_shadows::packed::Compression;
 use eigenshade_shadows::visibility::hidden_share;
+use eigenshade_table::light;
 use indicatif::ProgressBar;
 use std::path::Path;
 
 /// The order of the series of shipped materials.
-pub const ORDER: usize = 12;
+const ORDER: usize = 12;
 
 /// Pixels across a packed object, and the degree of its light.
 pub const SIZE: usize = 240;
-pub const DEGREE: usize = 16;
+pub const DEGREE: usize = light::MAX_DEGREE;
 
 /// Contents of a packed object.
 pub struct Packing<'a> {
@@ -51,7 +52,7 @@ pub struct PackedObject {
 impl Packing<'_> {
     /// Packs the object.
     pub fn pack(&self) -> Result<PackedObject> {
-        let parts = Parts::of(self.material)?;
+        let (parts, _) = Parts::of(self.material)?;
         let object =
             drawn(self.file, &self.view, self.size, &parts, |surface, parts, progress| {
                 Object::new(surface, self.size, self.degree, parts, progress)
@@ -85,8 +86,8 @@ pub struct Parts {
 }
 
 impl Parts {
-    /// One part if the material has no color, and else one for each channel.
-    pub fn of(material: &Source) -> Result<Self> {
+    /// One part if the material has no color, and else one for each channel; and the material.
+    pub fn of(material: &Source) -> Result<(Self, Materials)> {
         let order = if material.is_shipped() { ORDER } else { usize::MAX };
         let materials = material.materials(order)?;
         if materials.order > MOST_ORDER {
@@ -95,13 +96,16 @@ impl Parts {
                  shadows takes no more"
             ));
         }
-        let Named { rgb: [r, g, b], .. } = material.only(materials.entries)?;
-        Ok(if r == g && g == b {
+        let Materials { order, entries } = materials;
+        let entry = material.only(entries)?;
+        let [r, g, b] = entry.rgb.clone();
+        let parts = if r == g && g == b {
             Self { channels: vec![r], shares: vec![[1.0; 3]] }
         } else {
             let shares = vec![[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
             Self { channels: vec![r, g, b], shares }
-        })
+        };
+        Ok((parts, Materials { order, entries: vec![entry] }))
     }
 }
 

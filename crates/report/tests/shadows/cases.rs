@@ -20,7 +20,7 @@ use std::f64::consts::{FRAC_PI_2, PI, TAU};
 /// Directions of the oracle.
 const DIRECTIONS: usize = 4000;
 
-/// Two parallelograms, by three corners each, as triangles that face the side of their order.
+/// A quadrilateral, by its corners in order, as two triangles that face the side of that order.
 fn quad(mesh: &mut Mesh, corners: [[f64; 3]; 4]) {
     let first = mesh.corners.len() as u32;
     mesh.corners.extend(corners);

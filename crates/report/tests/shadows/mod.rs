@@ -212,4 +212,14 @@ fn errors_are_within_the_stated_ones() {
             }
         }
     }
+    let largest = |column: &str, material: &str, way: &str| {
+        let rows = sheet.rows.iter().filter(|row| row.text("material") == material);
+        let rows = rows.filter(|row| row.text("way").starts_with(way));
+        rows.fold(0.0, |most: f64, row| most.max(row.number(column).unwrap()))
+    };
+    for material in ["matte", "plastic 0.3"] {
+        assert!(largest("studio", material, "transports") < 13.5);
+    }
+    assert!(largest("studio", "metal 0.5", "codes") < 28.5);
+    assert!(largest("tilted_rms", "metal 0.3", "transports") < 3.0);
 }

@@ -64,7 +64,7 @@ impl Places {
     unsafe fn object(&self) -> Option<ShadowedObject<'static>> {
         // SAFETY: as this function asks of its caller.
         let bytes = unsafe { slice::from_raw_parts(self.file, self.length) };
-        ShadowedObject::new(bytes).ok().filter(|object| object.degree() <= DEGREE)
+        ShadowedObject::new(bytes).ok()
     }
 
     /// The coefficients of the object under the turned light.
