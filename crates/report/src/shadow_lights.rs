@@ -86,7 +86,7 @@ impl Lit {
         Ok(Self { drawn, known: Lights { degree, entries: known } })
     }
 
-    /// The columns of [`transports`]: harmonics, then the radiances.
+    /// The columns of `transports`: harmonics, then the radiances.
     #[must_use]
     pub fn columns(&self) -> Mat<f32> {
         let cells = cells(FINE);

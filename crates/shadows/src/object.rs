@@ -45,7 +45,7 @@ impl Object {
     ///
     /// # Errors
     ///
-    /// As [`Pixels::new`].
+    /// As [`Lit::new`].
     pub fn new(
         surface: &Surface,
         size: usize,

@@ -5,7 +5,7 @@ use eigenshade_model::reference::DirectSum;
 use eigenshade_table::light;
 use faer::{Mat, MatRef, Par};
 
-/// Light in columns, whose rows are the [`FINE`] cells.
+/// Light in columns, whose rows are the `FINE` cells of directions.
 #[derive(Clone, Copy)]
 pub struct Columns<'a> {
     /// If given, the first (degree + 1)² columns are the harmonics.
